@@ -1,0 +1,71 @@
+//! The one trait of the library: what a constraint C(q, t) = 0 can be asked for.
+
+use crate::coordinates::Argument;
+use crate::state::{At, Rates};
+
+/// How the derivatives of a constraint are obtained.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Route {
+    /// Straight-line code, differentiated at compile time by `#[constraint]`.
+    Symbolic,
+    /// The constraint's own equation evaluated with dual numbers.
+    Dual,
+    /// Written by hand: an `impl Constraint` without the macro.
+    Hand,
+}
+
+/// A constraint C(q, t) = 0 with m rows on the coordinates of its arguments.
+///
+/// Columns are local: those of the first argument first (3 for a planar body, 7 for a spatial one, 1 for a bare coordinate), the ground's
+/// counted too. Output slices have the lengths stated; a shorter one is left as it is. Entries are in the unit of their row.
+pub trait Constraint: Send + Sync {
+    /// What kind of constraint this is: the name of its function, such as `revolute`.
+    fn kind(&self) -> &str;
+
+    /// How its derivatives are obtained.
+    fn route(&self) -> Route;
+
+    /// The bodies and coordinates it acts on, in the order of its signature.
+    fn arguments(&self) -> Vec<Argument>;
+
+    /// Names of its rows, such as `["x", "y"]`; their number is m.
+    fn rows(&self) -> &[&str];
+
+    /// Structural non-zeros of C_q as (row, local column); [`Constraint::jacobian`] writes one value for each, in this order.
+    fn pattern(&self) -> &[(usize, usize)];
+
+    /// C(q, t) into `c` (length m).
+    fn residual(&self, at: &At<'_>, c: &mut [f64]);
+
+    /// C_q(q, t) into `c_q` (one value an entry of the pattern).
+    fn jacobian(&self, at: &At<'_>, c_q: &mut [f64]);
+
+    /// C and C_q together, where that saves work.
+    fn linearize(&self, at: &At<'_>, c: &mut [f64], c_q: &mut [f64]) {
+        self.residual(at, c);
+        self.jacobian(at, c_q);
+    }
+
+    /// The right side of C_q q̇ = −C_t into `rhs` (length m).   \[row/s\]
+    fn velocity_rhs(&self, at: &At<'_>, rhs: &mut [f64]);
+
+    /// r(q̇, ṫ) = −\[(C_q q̇)_q q̇ + 2 ṫ C_qt q̇ + ṫ² C_tt\] into `q_d` (length m); with ṫ = 1 the right side of C_q q̈ = Q_d.   \[row/s²\]
+    fn acceleration_rhs(&self, at: &At<'_>, qd: &Rates<'_>, t_dot: f64, q_d: &mut [f64]);
+
+    /// Shows each numeric parameter with its name (`k`, `u_i.x`, `c[2]`).
+    fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+        let _ = visit;
+    }
+
+    /// Sets one numeric parameter by the name [`Constraint::parameters`] gives it; false if there is none of that name.
+    fn set_parameter(&mut self, name: &str, value: f64) -> bool {
+        let _ = (name, value);
+        false
+    }
+
+    /// Where a value or derivative is not finite: the sub-expression that made it so, as the user wrote it.
+    fn not_finite(&self, at: &At<'_>) -> Option<&str> {
+        let _ = at;
+        None
+    }
+}

@@ -1,0 +1,179 @@
+//! The second route: a constraint's own equation, evaluated with num-dual's numbers.
+//!
+//! `Dual64` along each column gives C_q and along t C_t; `Dual2_64` along (q̇, ṫ) gives the whole right side −g″(0);
+//! `HyperDual64` along q̇ and t gives the mixed term C_qt q̇.
+
+use num_dual::{Dual2_64, Dual64, HyperDual64};
+
+use crate::constraint::{Constraint, Route};
+use crate::coordinates::Argument;
+use crate::real::{Dual, Real};
+use crate::state::{At, Rates};
+
+/// A constraint whose equation can be evaluated with any numbers: N local coordinates, M rows. Written by `#[constraint]`.
+pub trait Equation<const N: usize, const M: usize>: Constraint {
+    /// What its arguments are, in order.
+    const ARGUMENTS: &'static [ArgumentKind];
+
+    /// C(q, t) with any dual numbers.
+    fn evaluate<D: Dual>(&self, q: &[Real<D>; N], t: Real<D>) -> [Real<D>; M];
+
+    /// C(q, t) by the function as the user wrote it, in plain f64: the reference for central differences.
+    fn plain(&self, q: &[f64; N], t: f64) -> [f64; M];
+}
+
+/// What an argument of a constraint is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ArgumentKind {
+    /// A planar body: 3 columns.
+    Planar,
+    /// A spatial body: 7 columns.
+    Spatial,
+    /// A bare coordinate: 1 column.
+    Coord,
+}
+
+/// A constraint that takes the dual route, whatever route its own `impl Constraint` takes.
+#[derive(Clone, Debug)]
+pub struct ByDual<E, const N: usize, const M: usize>(E);
+
+/// The same constraint on the dual route: each route checks the other.
+pub fn by_dual<E: Equation<N, M>, const N: usize, const M: usize>(equation: E) -> ByDual<E, N, M> {
+    ByDual(equation)
+}
+
+impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E, N, M> {
+    fn kind(&self) -> &str {
+        self.0.kind()
+    }
+
+    fn route(&self) -> Route {
+        Route::Dual
+    }
+
+    fn arguments(&self) -> Vec<Argument> {
+        self.0.arguments()
+    }
+
+    fn rows(&self) -> &[&str] {
+        self.0.rows()
+    }
+
+    fn pattern(&self) -> &[(usize, usize)] {
+        self.0.pattern()
+    }
+
+    fn residual(&self, at: &At<'_>, c: &mut [f64]) {
+        residual(&self.0, at, c);
+    }
+
+    fn jacobian(&self, at: &At<'_>, c_q: &mut [f64]) {
+        jacobian(&self.0, at, c_q);
+    }
+
+    fn velocity_rhs(&self, at: &At<'_>, rhs: &mut [f64]) {
+        velocity_rhs(&self.0, at, rhs);
+    }
+
+    fn acceleration_rhs(&self, at: &At<'_>, qd: &Rates<'_>, t_dot: f64, q_d: &mut [f64]) {
+        acceleration_rhs(&self.0, at, qd, t_dot, q_d);
+    }
+
+    fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+        self.0.parameters(visit);
+    }
+
+    fn set_parameter(&mut self, name: &str, value: f64) -> bool {
+        self.0.set_parameter(name, value)
+    }
+}
+
+/// C(q, t) with plain numbers.
+pub fn residual<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, at: &At<'_>, c: &mut [f64]) {
+    let q = gather::<N>(E::ARGUMENTS, at).map(Real::<f64>::from);
+    write(c, equation.evaluate(&q, Real::from(at.t)).map(|x| x.0));
+}
+
+/// C_q, one `Dual64` evaluation a column.
+pub fn jacobian<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, at: &At<'_>, c_q: &mut [f64]) {
+    let q = gather::<N>(E::ARGUMENTS, at);
+    for column in 0..N {
+        let seeded = std::array::from_fn(|k| Real(Dual64::new(q[k], if k == column { 1.0 } else { 0.0 })));
+        let c = equation.evaluate(&seeded, Real::from(at.t));
+        for (value, &(row, _)) in c_q.iter_mut().zip(equation.pattern()).filter(|(_, entry)| entry.1 == column) {
+            *value = c[row].0.eps;
+        }
+    }
+}
+
+/// −C_t by one `Dual64` evaluation along t.
+pub fn velocity_rhs<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, at: &At<'_>, rhs: &mut [f64]) {
+    let q = gather::<N>(E::ARGUMENTS, at).map(Real::<Dual64>::from);
+    write(rhs, equation.evaluate(&q, Real(Dual64::new(at.t, 1.0))).map(|x| -x.0.eps));
+}
+
+/// −g″(0) with g(s) = C(q + s q̇, t + s ṫ), by one `Dual2_64` evaluation.
+pub fn acceleration_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
+    equation: &E,
+    at: &At<'_>,
+    qd: &Rates<'_>,
+    t_dot: f64,
+    q_d: &mut [f64],
+) {
+    let (q, qd) = (gather::<N>(E::ARGUMENTS, at), gather_rates::<N>(E::ARGUMENTS, qd));
+    let seeded = std::array::from_fn(|k| Real(Dual2_64::new(q[k], qd[k], 0.0)));
+    write(q_d, equation.evaluate(&seeded, Real(Dual2_64::new(at.t, t_dot, 0.0))).map(|x| -x.0.v2));
+}
+
+/// C_qt q̇ by one `HyperDual64` evaluation along q̇ and t.   \[row/s²\]
+pub fn mixed<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, q: &[f64; N], qd: &[f64; N], t: f64) -> [f64; M] {
+    let seeded = std::array::from_fn(|k| Real(HyperDual64::new(q[k], qd[k], 0.0, 0.0)));
+    equation.evaluate(&seeded, Real(HyperDual64::new(t, 0.0, 1.0, 0.0))).map(|x| x.0.eps1eps2)
+}
+
+/// Local coordinates of a constraint, its arguments' one after the other.
+fn gather<const N: usize>(arguments: &[ArgumentKind], at: &At<'_>) -> [f64; N] {
+    collect(arguments, |k, kind, next| match kind {
+        ArgumentKind::Planar => {
+            let s = at.planar(k);
+            [s.r.x, s.r.y, s.theta].into_iter().for_each(next);
+        }
+        ArgumentKind::Spatial => {
+            let s = at.spatial(k);
+            [s.r.x, s.r.y, s.r.z, s.p.e0, s.p.e1, s.p.e2, s.p.e3].into_iter().for_each(next);
+        }
+        ArgumentKind::Coord => next(at.coord(k).value),
+    })
+}
+
+/// Local rates of a constraint, its arguments' one after the other.
+fn gather_rates<const N: usize>(arguments: &[ArgumentKind], qd: &Rates<'_>) -> [f64; N] {
+    collect(arguments, |k, kind, next| match kind {
+        ArgumentKind::Planar => {
+            let s = qd.planar(k);
+            s.r.into_iter().chain([s.theta]).for_each(next);
+        }
+        ArgumentKind::Spatial => {
+            let s = qd.spatial(k);
+            s.r.into_iter().chain(s.p).for_each(next);
+        }
+        ArgumentKind::Coord => next(qd.coord(k)),
+    })
+}
+
+fn collect<const N: usize>(arguments: &[ArgumentKind], mut show: impl FnMut(usize, ArgumentKind, &mut dyn FnMut(f64))) -> [f64; N] {
+    let mut q = [0.0; N];
+    let mut places = q.iter_mut();
+    for (k, &kind) in arguments.iter().enumerate() {
+        show(k, kind, &mut |value| {
+            if let Some(place) = places.next() {
+                *place = value;
+            }
+        });
+    }
+    q
+}
+
+fn write<const M: usize>(out: &mut [f64], values: [f64; M]) {
+    out.iter_mut().zip(values).for_each(|(place, value)| *place = value);
+}

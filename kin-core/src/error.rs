@@ -1,0 +1,303 @@
+//! What can go wrong, in the words of the field: where (time, constraint by name), what, and what to try.
+
+use std::path::PathBuf;
+
+use crate::motion::Motion;
+
+mod text;
+
+/// `Result` with Kin's [`Error`].
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// Everything that can go wrong from the first body to the last file. `Debug` prints the same text as `Display`, so that
+/// `fn main() -> kin::Result<()>` reads well.
+#[derive(thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// The number of equations differs from the number of coordinates, so C_q has no inverse.
+    #[error("the mechanism \"{mechanism}\" cannot be driven: {coordinates} coordinates, {equations} equations.{}", text::not_square(*.coordinates, *.equations, .untouched))]
+    NotSquare {
+        /// The mechanism.
+        mechanism: String,
+        /// Number of coordinates n.
+        coordinates: usize,
+        /// Number of equations m.
+        equations: usize,
+        /// Bodies and bare coordinates that no constraint acts on.
+        untouched: Vec<String>,
+    },
+
+    /// Newton's method did not reach C(q, t) = 0.
+    #[error("t = {} s: no convergence in {}; worst is `{constraint}`{}: |C| = {residual:.1e}.{}", text::time(*.t), text::count(*.iterations, "iteration"), text::row(.row), text::no_convergence(*.last, .motion))]
+    NoConvergence {
+        /// Time.   \[s\]
+        t: f64,
+        /// Newton steps taken.
+        iterations: usize,
+        /// The constraint that is furthest from being met.
+        constraint: String,
+        /// Its row; empty for a constraint of one row.
+        row: String,
+        /// |C| of that row, in the row's unit.
+        residual: f64,
+        /// The last time at which the position was found.   \[s\]
+        last: Option<f64>,
+        /// What was computed before.
+        motion: Option<Box<Motion>>,
+    },
+
+    /// C_q has no inverse at a position: the mechanism stands in a toggle or a change point, or is wrongly constrained.
+    #[error("t = {} s: C_q ({n} x {n}) has rank {rank}; smallest relative pivot {pivot:.1e}.{}", text::time(*.t), text::singular(.movable, .dependent, .motion))]
+    SingularAt {
+        /// Time.   \[s\]
+        t: f64,
+        /// Number of coordinates.
+        n: usize,
+        /// Numerical rank of C_q, lengths scaled by the size of the mechanism and rows by their norm.
+        rank: usize,
+        /// The smallest pivot of the elimination relative to its row.
+        pivot: f64,
+        /// Bodies and coordinates that can move although everything that drives stands still.
+        movable: Vec<String>,
+        /// Equations that depend on one another.
+        dependent: Vec<String>,
+        /// What was computed before.
+        motion: Option<Box<Motion>>,
+    },
+
+    /// A constraint gave a value or derivative that is infinite or not a number.
+    #[error("t = {} s: {quantity} of `{constraint}`{} is not finite{}.{}", text::time(*.t), text::row(.row), text::because(.expression), text::kept(.motion))]
+    NotFinite {
+        /// Time.   \[s\]
+        t: f64,
+        /// The constraint.
+        constraint: String,
+        /// Its row; empty for a constraint of one row.
+        row: String,
+        /// `C`, `C_q`, `C_t`, `Q_d`, or `q'`, `q''` where only the solution overflows.
+        quantity: &'static str,
+        /// The sub-expression that made it so, where the constraint knows it.
+        expression: Option<String>,
+        /// What was computed before.
+        motion: Option<Box<Motion>>,
+    },
+
+    /// A parameter of a constraint is infinite or not a number.
+    #[error("`{constraint}`: the parameter `{parameter}` is {value}; give a finite number")]
+    ParameterNotFinite {
+        /// The constraint.
+        constraint: String,
+        /// The parameter, such as `u_i.x`.
+        parameter: String,
+        /// Its value.
+        value: f64,
+    },
+
+    /// An initial or other value given for a coordinate is infinite or not a number.
+    #[error("`{name}`: the value given for {coordinate} is {value}; give a finite number")]
+    InitialNotFinite {
+        /// The body or bare coordinate.
+        name: String,
+        /// Its coordinate.
+        coordinate: String,
+        /// The value given.
+        value: f64,
+    },
+
+    /// A link must have a length above zero.
+    #[error("the link `{link}` has the length {length}; give one above zero")]
+    InvalidLength {
+        /// The link.
+        link: String,
+        /// The length given.   \[m\]
+        length: f64,
+    },
+
+    /// A body or coordinate of another mechanism.
+    #[error("`{place}`: `{argument}` is not of the mechanism \"{mechanism}\"; use what its own methods gave out")]
+    ForeignBody {
+        /// The mechanism that was asked.
+        mechanism: String,
+        /// The constraint, or the operation.
+        place: String,
+        /// Name of the argument.
+        argument: String,
+    },
+
+    /// The same body or coordinate twice in one constraint.
+    #[error("`{constraint}`: `{first}` and `{second}` are both `{name}`; a constraint needs different bodies and coordinates")]
+    RepeatedBody {
+        /// The constraint.
+        constraint: String,
+        /// Name of the first argument.
+        first: String,
+        /// Name of the second argument.
+        second: String,
+        /// The body or coordinate.
+        name: String,
+    },
+
+    /// An equation left without coordinates, because all its bodies are the ground.
+    #[error("`{constraint}`{} has no coordinate left: {arguments} the ground; give it a body that can move", text::row(.row))]
+    NoCoordinates {
+        /// The constraint.
+        constraint: String,
+        /// Its row; empty for a constraint of one row.
+        row: String,
+        /// Which arguments are the ground, with the verb: "`i` and `j` are".
+        arguments: String,
+    },
+
+    /// A hand-written constraint that contradicts itself.
+    #[error("`{constraint}` ({kind}): {reason}")]
+    InvalidConstraint {
+        /// The constraint.
+        constraint: String,
+        /// Its kind.
+        kind: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+
+    /// A name given twice.
+    #[error("there are two {what} named `{name}`; choose another name for one")]
+    DuplicateName {
+        /// "bodies or coordinates", "constraints", "outputs".
+        what: &'static str,
+        /// The name.
+        name: String,
+    },
+
+    /// A name that is empty.
+    #[error("a {what} needs a name")]
+    EmptyName {
+        /// What has no name.
+        what: &'static str,
+    },
+
+    /// A name that nothing has.
+    #[error("there is no {what} `{name}`{}", text::known(.known))]
+    UnknownName {
+        /// What was looked for.
+        what: &'static str,
+        /// The name given.
+        name: String,
+        /// The names there are.
+        known: Vec<String>,
+    },
+
+    /// Times that no sweep can follow.
+    #[error("times: {reason}")]
+    InvalidTimes {
+        /// What is wrong with them.
+        reason: String,
+    },
+
+    /// A solver option out of its range.
+    #[error("options: {reason}")]
+    InvalidOptions {
+        /// What is wrong with them.
+        reason: String,
+    },
+
+    /// A list of the wrong length.
+    #[error("{what}: {found} values given, {expected} needed")]
+    WrongLength {
+        /// Of what.
+        what: String,
+        /// The length needed.
+        expected: usize,
+        /// The length given.
+        found: usize,
+    },
+
+    /// An output with a value that is infinite or not a number.
+    #[error("the output `{output}` is {value} at t = {} s; give finite numbers", text::time(*.t))]
+    OutputNotFinite {
+        /// The output.
+        output: String,
+        /// Time.   \[s\]
+        t: f64,
+        /// The value.
+        value: f64,
+    },
+
+    /// A file that cannot be written.
+    #[error("cannot write {}: {source}", .path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+}
+
+impl Error {
+    /// What a failing run had computed before it failed; `None` for errors of other operations.
+    pub fn motion(&self) -> Option<&Motion> {
+        match self {
+            Error::NoConvergence { motion, .. } | Error::SingularAt { motion, .. } | Error::NotFinite { motion, .. } => motion.as_deref(),
+            _ => None,
+        }
+    }
+
+    /// The same error, carrying what was computed before.
+    pub(crate) fn with_motion(mut self, computed: Motion) -> Error {
+        if let Error::NoConvergence { motion, .. } | Error::SingularAt { motion, .. } | Error::NotFinite { motion, .. } = &mut self
+            && !computed.is_empty()
+        {
+            *motion = Some(Box::new(computed));
+        }
+        self
+    }
+}
+
+impl std::fmt::Debug for Error {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(self, f)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn debug_is_display() {
+        let error = Error::EmptyName { what: "body" };
+        assert_eq!(format!("{error:?}"), "a body needs a name");
+    }
+
+    #[test]
+    fn error_is_small_and_crosses_threads() {
+        fn sent<T: Send + Sync + 'static>() {}
+        sent::<Error>();
+        assert!(std::mem::size_of::<Error>() <= 128);
+    }
+
+    #[test]
+    fn not_square_says_what_is_missing_and_the_cure() {
+        let error = Error::NotSquare { mechanism: "arm".into(), coordinates: 9, equations: 7, untouched: vec!["spare".into()] };
+        let text = error.to_string();
+        assert!(text.starts_with("the mechanism \"arm\" cannot be driven: 9 coordinates, 7 equations."), "{text}");
+        assert!(text.contains("2 equations are missing") && text.contains("`spare`") && text.contains("driver"), "{text}");
+        let error = Error::NotSquare { mechanism: "arm".into(), coordinates: 9, equations: 10, untouched: vec![] };
+        assert!(error.to_string().contains("1 equation too many"), "{error}");
+    }
+
+    #[test]
+    fn no_convergence_names_the_row_and_the_last_time() {
+        let error = Error::NoConvergence {
+            t: 0.31,
+            iterations: 20,
+            constraint: "B".into(),
+            row: "y".into(),
+            residual: 0.04,
+            last: Some(0.3),
+            motion: None,
+        };
+        let text = error.to_string();
+        assert!(text.starts_with("t = 0.31 s: no convergence in 20 iterations; worst is `B` row y: |C| = 4.0e-2."), "{text}");
+        assert!(text.contains("t = 0.3 s"), "{text}");
+    }
+}

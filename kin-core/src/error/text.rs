@@ -1,0 +1,80 @@
+//! The sentences of error messages that depend on what is known.
+
+use crate::motion::Motion;
+
+/// "3 equations", "1 equation".
+pub(super) fn count(n: usize, what: &str) -> String {
+    if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") }
+}
+
+/// A time to nine digits, without the noise of binary fractions.
+pub(super) fn time(t: f64) -> f64 {
+    format!("{t:.8e}").parse().unwrap_or(t)
+}
+
+/// " row y", or nothing for a constraint of one row.
+pub(super) fn row(row: &str) -> String {
+    if row.is_empty() { String::new() } else { format!(" row {row}") }
+}
+
+/// "`a`, `b` and 3 more".
+fn list(names: &[String]) -> String {
+    const SHOWN: usize = 8;
+    let quoted: Vec<String> = names.iter().take(SHOWN).map(|name| format!("`{name}`")).collect();
+    let all = quoted.join(", ");
+    if names.len() > SHOWN { format!("{all} and {} more", names.len() - SHOWN) } else { all }
+}
+
+/// What is missing or too much, and the cure.
+pub(super) fn not_square(coordinates: usize, equations: usize, untouched: &[String]) -> String {
+    let mut text = String::new();
+    if !untouched.is_empty() {
+        text += &format!("\n  no constraint touches {}.", list(untouched));
+    }
+    if coordinates > equations {
+        let missing = coordinates - equations;
+        let verb = if missing == 1 { "is" } else { "are" };
+        text += &format!("\n  {} {verb} missing: add joints, or a driver for each freedom left", count(missing, "equation"));
+        text += if untouched.is_empty() { "." } else { ", or leave out what nothing touches." };
+    } else {
+        let extra = equations - coordinates;
+        text += &format!("\n  {} too many: remove a driver, or a joint that repeats what others already hold.", count(extra, "equation"));
+    }
+    text
+}
+
+/// Where the last position was found, and what to try.
+pub(super) fn no_convergence(last: Option<f64>, motion: &Option<Box<Motion>>) -> String {
+    match last {
+        Some(t) => format!("\n  Nearest solved t = {} s. Try a smaller time step, or the loop cannot close beyond it.{}", time(t), kept(motion)),
+        None => "\n  Try a better initial guess, or a preferred assembly; or the loop cannot close.".to_string(),
+    }
+}
+
+/// What can move and what depends on what.
+pub(super) fn singular(movable: &[String], dependent: &[String], motion: &Option<Box<Motion>>) -> String {
+    let mut text = String::new();
+    if !movable.is_empty() {
+        text += &format!("\n  free to move though the drivers stand still: {}.", list(movable));
+    }
+    if !dependent.is_empty() {
+        text += &format!("\n  dependent equations: {}.", list(dependent));
+    }
+    text + "\n  A toggle or change point (start or step elsewhere), or one constraint repeats the others (remove it)." + &kept(motion)
+}
+
+/// The sub-expression that is to blame.
+pub(super) fn because(expression: &Option<String>) -> String {
+    expression.as_ref().map(|text| format!(", because of `{text}`")).unwrap_or_default()
+}
+
+/// That nothing is lost.
+pub(super) fn kept(motion: &Option<Box<Motion>>) -> String {
+    let Some(&last) = motion.as_ref().and_then(|motion| motion.times().last()) else { return String::new() };
+    format!("\n  The motion up to t = {} s is in this error: `error.motion()`.", time(last))
+}
+
+/// The names there are, nearest guess first.
+pub(super) fn known(known: &[String]) -> String {
+    if known.is_empty() { String::new() } else { format!("; there are {}", list(known)) }
+}

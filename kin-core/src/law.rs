@@ -1,0 +1,137 @@
+//! Laws: functions of one variable with their derivatives, for motors, cam profiles and other prescribed curves.
+
+mod combine;
+mod kinds;
+
+use std::fmt;
+use std::sync::Arc;
+
+use crate::real::{Dual, Real};
+
+/// A function f of one variable that knows its derivatives; implement it for a law of one's own, then wrap it with [`Law::new`].
+pub trait LawFunction: Send + Sync {
+    /// \[f, f′, f″, f‴\] at x, in the unit of f per powers of the unit of x.
+    fn jet(&self, x: f64) -> [f64; 4];
+
+    /// What kind of law this is, such as `ramp`.
+    fn kind(&self) -> &str {
+        "law"
+    }
+
+    /// Shows each numeric parameter with its name; a value that is not finite is refused where the law is used.
+    fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+        let _ = visit;
+    }
+
+    /// The same law with one parameter changed; `None` if there is none of that name.
+    fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
+        let _ = (name, value);
+        None
+    }
+}
+
+/// A function of one variable with its derivatives up to the third: cheap to clone, the same for everyone who holds it.
+///
+/// Parameters are never checked here: a mechanism refuses by name a law with one that is not finite.
+#[derive(Clone)]
+pub struct Law(Arc<dyn LawFunction>);
+
+impl Law {
+    /// A law of one's own.
+    pub fn new(function: impl LawFunction + 'static) -> Self {
+        Law(Arc::new(function))
+    }
+
+    /// \[f, f′, f″, f‴\] at x.
+    pub fn jet(&self, x: f64) -> [f64; 4] {
+        self.0.jet(x)
+    }
+
+    /// f(x), for a plain number or any dual number.
+    pub fn at<X: LawArgument>(&self, x: X) -> X {
+        x.through(self)
+    }
+
+    /// What kind of law this is.
+    pub fn kind(&self) -> &str {
+        self.0.kind()
+    }
+
+    /// Shows each numeric parameter with its name; the parts of a combined law are told apart by `first.`, `second.`, `outer.`, `inner.`.
+    pub fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+        self.0.parameters(visit);
+    }
+
+    /// Sets one numeric parameter by the name [`Law::parameters`] gives it; false if there is none of that name, or the law is fixed.
+    /// Clones made before keep the old value.
+    pub fn set_parameter(&mut self, name: &str, value: f64) -> bool {
+        match self.0.with_parameter(name, value) {
+            Some(law) => {
+                *self = law;
+                true
+            }
+            None => false,
+        }
+    }
+}
+
+impl fmt::Debug for Law {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut all = f.debug_struct(self.kind());
+        self.parameters(&mut |name, value| {
+            all.field(name, &value);
+        });
+        all.finish()
+    }
+}
+
+/// A number that a law can be asked at: `f64`, or [`Real`] where a constraint runs on dual numbers.
+pub trait LawArgument {
+    /// f(self), with the derivatives that the kind of number carries.
+    fn through(self, law: &Law) -> Self;
+}
+
+impl LawArgument for f64 {
+    fn through(self, law: &Law) -> f64 {
+        law.jet(self)[0]
+    }
+}
+
+impl<D: Dual> LawArgument for Real<D> {
+    fn through(self, law: &Law) -> Self {
+        let jet = law.jet(self.0.value());
+        Real(self.0.chain(jet))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_dual::Dual2_64;
+
+    #[test]
+    fn dual_numbers_go_through_a_law() {
+        let law = Law::sine(2.0, 3.0, 0.5);
+        let [f, f1, f2, _] = law.jet(0.7);
+        let y = law.at(Real(Dual2_64::new(0.7, 1.5, -0.25))).0;
+        assert_eq!(law.at(0.7), f);
+        assert!((y.re - f).abs() < 1e-15 && (y.v1 - f1 * 1.5).abs() < 1e-14);
+        assert!((y.v2 - (f2 * 2.25 - f1 * 0.25)).abs() < 1e-13);
+    }
+
+    #[test]
+    fn clones_keep_their_parameter() {
+        let mut law = Law::ramp(2.0);
+        let old = law.clone();
+        assert!(law.set_parameter("rate", 3.0));
+        assert!(!law.set_parameter("speed", 3.0));
+        assert_eq!((law.at(1.0), old.at(1.0)), (3.0, 2.0));
+        assert_eq!(format!("{law:?}"), "ramp { rate: 3.0 }");
+    }
+
+    #[test]
+    fn laws_cross_threads() {
+        fn sent<T: Send + Sync + Clone + 'static>() {}
+        sent::<Law>();
+    }
+}

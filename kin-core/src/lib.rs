@@ -1,0 +1,41 @@
+//! The core of Kin: numbers and vectors, bodies and coordinates, constraints and joints, the solver and its results.
+//!
+//! Use it through the facade crate `kin`.
+#![forbid(unsafe_code)]
+#![warn(missing_docs)]
+
+extern crate self as kin;
+
+pub mod algebra;
+pub mod check;
+pub mod constraint;
+pub mod coordinates;
+pub mod dual_route;
+pub mod error;
+pub mod joints;
+pub mod law;
+mod layout;
+mod linear;
+pub mod mechanism;
+pub mod motion;
+pub mod newton;
+pub mod real;
+#[doc(hidden)]
+pub mod rt;
+pub mod state;
+pub mod system;
+pub mod terms;
+
+pub use algebra::{EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
+pub use constraint::{Constraint, Route};
+pub use coordinates::{
+    Coord, Coordinate, Ground, Link, Planar, PlanarBody, Spatial, SpatialBody, Time, any_coord, any_planar, any_spatial,
+};
+pub use dual_route::by_dual;
+pub use error::{Error, Result};
+pub use kin_macros::{constraint, law};
+pub use law::{Law, LawFunction};
+pub use nalgebra;
+pub use num_dual;
+pub use real::{Dual, Real};
+pub use terms::{Terms, dual_terms, terms};

@@ -1,0 +1,283 @@
+//! A mechanism as it is described: bodies, bare coordinates and named constraints; then built into a [`System`].
+
+mod admission;
+mod norm;
+mod pose;
+
+pub use pose::{Pose, SpatialPose, deg, linspace, pose};
+
+use std::collections::HashSet;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use crate::algebra::Vec2;
+use crate::constraint::Constraint;
+use crate::coordinates::{Coordinate, Ground, Link, MechanismId, PlanarBody, SpatialBody, Target, Trig};
+use crate::error::{Error, Result};
+use crate::layout::{Kind, Layout, Place};
+use crate::system::System;
+use crate::system::evaluate::Equations;
+
+/// Bodies, bare coordinates and constraints under one name, in any consistent set of units (metre, radian and second in headers).
+pub struct Mechanism {
+    name: String,
+    layout: Layout,
+    /// Initial guess of q.
+    initial: Vec<f64>,
+    /// Preferred values as (coordinate, value).
+    preferred: Vec<(usize, f64)>,
+    constraints: Vec<(String, Box<dyn Constraint>)>,
+    names: HashSet<String>,
+    /// Lengths of the links.   \[m\]
+    links: Vec<f64>,
+    /// A mistake in a method that returns nothing; told at build.
+    mistake: Option<Error>,
+}
+
+/// A constraint of a mechanism, in the order of adding.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct ConstraintId(usize);
+
+/// What can be preferred: a bare coordinate, or a planar body or link by its angle θ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Preferred(Coordinate);
+
+impl From<Coordinate> for Preferred {
+    fn from(coordinate: Coordinate) -> Self {
+        Preferred(coordinate)
+    }
+}
+
+impl From<PlanarBody> for Preferred {
+    fn from(body: PlanarBody) -> Self {
+        Preferred(body.theta())
+    }
+}
+
+impl From<Link> for Preferred {
+    fn from(link: Link) -> Self {
+        Preferred(link.theta())
+    }
+}
+
+impl Mechanism {
+    /// An empty mechanism.
+    pub fn new(name: &str) -> Self {
+        static NEXT: AtomicU64 = AtomicU64::new(1);
+        Mechanism {
+            name: name.to_string(),
+            layout: Layout::new(MechanismId(NEXT.fetch_add(1, Ordering::Relaxed))),
+            initial: Vec::new(),
+            preferred: Vec::new(),
+            constraints: Vec::new(),
+            names: HashSet::new(),
+            links: Vec::new(),
+            mistake: None,
+        }
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The ground: the global frame, a planar and a spatial body without coordinates.
+    pub fn ground(&self) -> Ground {
+        Ground
+    }
+
+    /// A planar body between two pins that are `length` apart, frame at the middle; the assembly finds its pose.   \[m\]
+    ///
+    /// Errors: length not above zero, name empty or taken.
+    pub fn link(&mut self, name: &str, length: f64) -> Result<Link> {
+        self.link_at(name, length, pose(0.0, 0.0, 0.0))
+    }
+
+    /// A planar body between two pins at the global points `a` and `b`: their distance is its length, frame at the middle, x-axis from
+    /// `a` to `b`.   \[m\]
+    ///
+    /// Errors: points that coincide or are not finite, name empty or taken.
+    pub fn link_between(&mut self, name: &str, a: impl Into<Vec2>, b: impl Into<Vec2>) -> Result<Link> {
+        let (a, b) = (a.into(), b.into());
+        self.link_at(name, (b.x - a.x).hypot(b.y - a.y), Pose::between(a, b))
+    }
+
+    fn link_at(&mut self, name: &str, length: f64, pose: Pose) -> Result<Link> {
+        if !(length.is_finite() && length > 0.0) {
+            return Err(Error::InvalidLength { link: name.to_string(), length });
+        }
+        let body = self.planar(name, pose)?;
+        self.links.push(length);
+        Ok(Link { body, length })
+    }
+
+    /// A planar body with coordinates (R_x, R_y, θ) and their guess.   \[m, m, rad\]
+    ///
+    /// Errors: guess not finite, name empty or taken.
+    pub fn planar(&mut self, name: &str, pose: Pose) -> Result<PlanarBody> {
+        let index = self.declare(name, Kind::Planar, &[pose.x, pose.y, pose.theta])?;
+        Ok(PlanarBody { mechanism: self.layout.mechanism, index: Some(index) })
+    }
+
+    /// A spatial body with coordinates (R, e0, e1, e2, e3) and their guess; p is normalised, and |p|² = 1 becomes an equation of its own,
+    /// named `NAME.p`, when the mechanism is built.   \[m, –\]
+    ///
+    /// Errors: guess not finite or p = 0, name empty or taken.
+    pub fn spatial(&mut self, name: &str, pose: SpatialPose) -> Result<SpatialBody> {
+        let index = self.declare(name, Kind::Spatial, &pose.coordinates())?;
+        Ok(SpatialBody { mechanism: self.layout.mechanism, index: Some(index) })
+    }
+
+    /// A bare coordinate that is an angle, and its guess.   \[rad\]
+    ///
+    /// Errors: guess not finite, name empty or taken.
+    pub fn angle(&mut self, name: &str, guess: f64) -> Result<Coordinate> {
+        let index = self.declare(name, Kind::Angle, &[guess])?;
+        Ok(Coordinate::Own { mechanism: self.layout.mechanism, index })
+    }
+
+    /// A bare coordinate that is a length, and its guess.   \[m\]
+    ///
+    /// Errors: guess not finite, name empty or taken.
+    pub fn length(&mut self, name: &str, guess: f64) -> Result<Coordinate> {
+        let index = self.declare(name, Kind::Length, &[guess])?;
+        Ok(Coordinate::Own { mechanism: self.layout.mechanism, index })
+    }
+
+    fn declare(&mut self, name: &str, kind: Kind, guess: &[f64]) -> Result<usize> {
+        for ((suffix, _), &value) in kind.coordinates().iter().zip(guess) {
+            if !value.is_finite() {
+                return Err(Error::InitialNotFinite { name: name.to_string(), coordinate: format!("{name}{suffix}"), value });
+            }
+        }
+        let index = self.layout.declare(name, kind)?;
+        self.initial.extend_from_slice(guess);
+        Ok(index)
+    }
+
+    /// Adds a constraint under a name.
+    ///
+    /// Errors, all by name: name empty or taken, a parameter that is not finite, a body of another mechanism, the same body or coordinate
+    /// twice, an equation left without coordinates because its bodies are the ground.
+    pub fn add(&mut self, name: &str, constraint: impl Constraint + 'static) -> Result<ConstraintId> {
+        self.add_boxed(name, Box::new(constraint))
+    }
+
+    fn add_boxed(&mut self, name: &str, constraint: Box<dyn Constraint>) -> Result<ConstraintId> {
+        if name.trim().is_empty() {
+            return Err(Error::EmptyName { what: "constraint" });
+        }
+        if self.names.contains(name) {
+            return Err(Error::DuplicateName { what: "constraints", name: name.to_string() });
+        }
+        admission::admit(&self.name, &self.layout, name, constraint.as_ref())?;
+        self.names.insert(name.to_string());
+        self.constraints.push((name.to_string(), constraint));
+        Ok(ConstraintId(self.constraints.len() - 1))
+    }
+
+    /// Which of several assemblies: the one with this coordinate (of a body or link: its angle θ) nearest the value. It is the guess
+    /// too.   \[m or rad\]
+    ///
+    /// A value that is not finite or a body of another mechanism is told by [`Mechanism::build`].
+    pub fn prefer(&mut self, what: impl Into<Preferred>, value: f64) {
+        let coordinate = what.into().0;
+        match self.set_guess("prefer", &coordinate, value) {
+            Ok(Some(column)) => {
+                self.preferred.retain(|(known, _)| *known != column);
+                self.preferred.push((column, value));
+            }
+            Ok(None) => {}
+            Err(error) => self.mistake = self.mistake.take().or(Some(error)),
+        }
+    }
+
+    /// Gives another guess for one coordinate.   \[m or rad\]
+    ///
+    /// Errors: not finite, coordinate of another mechanism.
+    pub fn guess(&mut self, coordinate: Coordinate, value: f64) -> Result<()> {
+        self.set_guess("guess", &coordinate, value).map(|_| ())
+    }
+
+    /// Gives another guess for the pose of a planar body.   \[m, m, rad\]
+    ///
+    /// Errors: not finite, body of another mechanism.
+    pub fn set_pose(&mut self, body: impl Into<PlanarBody>, pose: Pose) -> Result<()> {
+        self.set_all("set_pose", Target::Planar(body.into()), &[pose.x, pose.y, pose.theta])
+    }
+
+    /// Gives another guess for the pose of a spatial body.   \[m, –\]
+    ///
+    /// Errors: not finite or p = 0, body of another mechanism.
+    pub fn set_spatial_pose(&mut self, body: impl Into<SpatialBody>, pose: SpatialPose) -> Result<()> {
+        self.set_all("set_spatial_pose", Target::Spatial(body.into()), &pose.coordinates())
+    }
+
+    /// Gives another guess for all coordinates, in the order of their declaration.   \[m, rad\]
+    ///
+    /// Errors: wrong length, not finite.
+    pub fn set_initial(&mut self, q: &[f64]) -> Result<()> {
+        if q.len() != self.initial.len() {
+            return Err(Error::WrongLength { what: "initial guess".to_string(), expected: self.initial.len(), found: q.len() });
+        }
+        if let Some(k) = q.iter().position(|x| !x.is_finite()) {
+            return Err(self.layout.not_finite(k, q[k]));
+        }
+        self.initial.copy_from_slice(q);
+        Ok(())
+    }
+
+    fn set_guess(&mut self, place: &str, coordinate: &Coordinate, value: f64) -> Result<Option<usize>> {
+        let target = Target::Coord(*coordinate, Trig::Unused);
+        self.set_all(place, target, &[value])?;
+        Ok(match self.layout.coordinate(coordinate) {
+            Some(Place::Own { first, .. }) => Some(first),
+            _ => None,
+        })
+    }
+
+    /// Writes a guess; for the ground it is nothing to do.
+    fn set_all(&mut self, place: &str, target: Target, values: &[f64]) -> Result<()> {
+        let foreign = || Error::ForeignBody { mechanism: self.name.clone(), place: place.to_string(), argument: "body".to_string() };
+        let Place::Own { first, .. } = self.layout.place(&target).ok_or_else(foreign)? else { return Ok(()) };
+        if let Some(k) = values.iter().position(|x| !x.is_finite()) {
+            return Err(self.layout.not_finite(first + k, values[k]));
+        }
+        self.initial.iter_mut().skip(first).zip(values).for_each(|(guess, value)| *guess = *value);
+        Ok(())
+    }
+
+    /// The system of its equations, the norm constraints of spatial bodies appended.
+    ///
+    /// Errors: as many equations as coordinates are needed ([`Error::NotSquare`]); a mistake in [`Mechanism::prefer`].
+    pub fn build(mut self) -> Result<System> {
+        if let Some(mistake) = self.mistake.take() {
+            return Err(mistake);
+        }
+        let spatial = self.layout.items.iter().enumerate().filter(|(_, item)| item.kind == Kind::Spatial);
+        let norms: Vec<(String, usize)> = spatial.map(|(index, item)| (format!("{}.p", item.name), index)).collect();
+        for (name, index) in norms {
+            let body = SpatialBody { mechanism: self.layout.mechanism, index: Some(index) };
+            self.add(&name, norm::euler_norm(body))?;
+        }
+        let mut guess = self.initial;
+        for &(column, value) in &self.preferred {
+            guess[column] = value;
+        }
+        let equations = Equations::new(&self.layout, self.constraints);
+        if equations.rows != self.layout.len() {
+            return Err(not_square(self.name, &self.layout, &equations));
+        }
+        Ok(System::new(self.name, self.layout, equations, guess, self.preferred, self.links))
+    }
+}
+
+/// Counts, and what nothing touches; the norm of its own Euler parameters does not touch a body.
+fn not_square(mechanism: String, layout: &Layout, equations: &Equations) -> Error {
+    let mut touched = HashSet::new();
+    for block in equations.blocks.iter().filter(|block| block.constraint.kind() != "euler_norm") {
+        let columns = equations.entries[block.values.clone()].iter().flatten().map(|(_, column)| *column);
+        touched.extend(columns.filter_map(|column| Some(layout.owner(column)?.first)));
+    }
+    let untouched = layout.items.iter().filter(|item| !touched.contains(&item.first)).map(|item| item.name.clone()).collect();
+    Error::NotSquare { mechanism, coordinates: layout.len(), equations: equations.rows, untouched }
+}

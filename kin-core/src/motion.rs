@@ -1,0 +1,242 @@
+//! What a sweep gives: position, velocity and acceleration over time, with names and units, and what is derived from them.
+
+mod csv;
+mod point;
+mod series;
+
+pub use point::{Body, PointMotion, Vector};
+pub use series::Series;
+
+use std::sync::Arc;
+
+use crate::coordinates::Coordinate;
+use crate::error::{Error, Result};
+use crate::layout::{Layout, Place};
+use crate::newton::Outcome;
+use crate::system::System;
+
+/// q, q̇ and q̈ at each time, all finite, and a report of how they were found.
+#[derive(Clone)]
+pub struct Motion {
+    name: String,
+    layout: Arc<Layout>,
+    equations: Vec<String>,
+    times: Vec<f64>,
+    q: Vec<f64>,
+    qd: Vec<f64>,
+    qdd: Vec<f64>,
+    iterations: Vec<usize>,
+    residuals: Vec<f64>,
+    /// The largest residual of all times, and its row.
+    worst: Option<(f64, usize)>,
+    outputs: Vec<Series>,
+}
+
+/// One coordinate over time, with its rates.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CoordinateMotion {
+    /// q_k   \[m or rad\]
+    pub value: Series,
+    /// q̇_k   \[m/s or rad/s\]
+    pub rate: Series,
+    /// q̈_k   \[m/s² or rad/s²\]
+    pub second_rate: Series,
+}
+
+impl Motion {
+    pub(crate) fn new(system: &System, times: usize) -> Self {
+        let room = || Vec::with_capacity(times.saturating_mul(system.n_coordinates()));
+        Motion {
+            name: system.name().to_string(),
+            layout: system.layout().clone(),
+            equations: system.equation_names(),
+            times: Vec::with_capacity(times),
+            q: room(),
+            qd: room(),
+            qdd: room(),
+            iterations: Vec::with_capacity(times),
+            residuals: Vec::with_capacity(times),
+            worst: None,
+            outputs: Vec::new(),
+        }
+    }
+
+    pub(crate) fn push(&mut self, t: f64, q: &[f64], qd: &[f64], qdd: &[f64], outcome: Outcome) {
+        if self.worst.is_none_or(|(known, _)| outcome.residual > known) {
+            self.worst = Some((outcome.residual, outcome.row));
+        }
+        self.times.push(t);
+        self.q.extend_from_slice(q);
+        self.qd.extend_from_slice(qd);
+        self.qdd.extend_from_slice(qdd);
+        self.iterations.push(outcome.iterations);
+        self.residuals.push(outcome.residual);
+    }
+
+    /// Name of the mechanism.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Number of times.
+    pub fn len(&self) -> usize {
+        self.times.len()
+    }
+
+    /// Whether there is no time at all.
+    pub fn is_empty(&self) -> bool {
+        self.times.is_empty()
+    }
+
+    /// The times.   \[s\]
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// q at time k, in the order of [`Motion::names`]; empty beyond the last time.   \[m, rad\]
+    pub fn q(&self, k: usize) -> &[f64] {
+        self.row(&self.q, k)
+    }
+
+    /// q̇ at time k; empty beyond the last time.   \[m/s, rad/s\]
+    pub fn qd(&self, k: usize) -> &[f64] {
+        self.row(&self.qd, k)
+    }
+
+    /// q̈ at time k; empty beyond the last time.   \[m/s², rad/s²\]
+    pub fn qdd(&self, k: usize) -> &[f64] {
+        self.row(&self.qdd, k)
+    }
+
+    fn row<'a>(&self, all: &'a [f64], k: usize) -> &'a [f64] {
+        let n = self.layout.len();
+        let first = k.saturating_mul(n);
+        all.get(first..first.saturating_add(n)).unwrap_or_default()
+    }
+
+    /// Names of the coordinates, such as `crank.theta`.
+    pub fn names(&self) -> &[String] {
+        &self.layout.names
+    }
+
+    /// Units of the coordinates: `m`, `rad` or `-`.
+    pub fn units(&self) -> Vec<&'static str> {
+        self.layout.units.iter().map(|unit| unit.text(0)).collect()
+    }
+
+    /// Newton steps taken at each time.
+    pub fn iterations(&self) -> &[usize] {
+        &self.iterations
+    }
+
+    /// max |C_i| at each time, in the unit of its row.
+    pub fn residuals(&self) -> &[f64] {
+        &self.residuals
+    }
+
+    /// Name of the equation with the largest residual of all, such as `A.x`.
+    pub fn worst(&self) -> Option<&str> {
+        self.equations.get(self.worst?.1).map(String::as_str)
+    }
+
+    /// One coordinate over time, with its rates: a bare one, or a body's such as `crank.theta()`. Those of the ground stand still.
+    ///
+    /// A coordinate of another mechanism has no history here: it gives an empty one, and [`Motion::try_coordinate`] an error.
+    pub fn coordinate(&self, coordinate: impl Into<Coordinate>) -> CoordinateMotion {
+        let empty = || Series::new("", "", &[], Vec::new());
+        let none = |_| CoordinateMotion { value: empty(), rate: empty(), second_rate: empty() };
+        self.try_coordinate(coordinate).unwrap_or_else(none)
+    }
+
+    /// The same; a coordinate of another mechanism is an error.
+    pub fn try_coordinate(&self, coordinate: impl Into<Coordinate>) -> Result<CoordinateMotion> {
+        match self.layout.coordinate(&coordinate.into()) {
+            Some(Place::Own { first, .. }) => Ok(self.column(first)),
+            Some(Place::Ground(value)) => {
+                let constant = |mark: &str, value: f64| Series::new(format!("ground{mark}"), "-", &self.times, vec![value; self.len()]);
+                Ok(CoordinateMotion { value: constant("", value), rate: constant("'", 0.0), second_rate: constant("''", 0.0) })
+            }
+            None => {
+                let (mechanism, place, argument) = (self.name.clone(), "coordinate".to_string(), "coordinate".to_string());
+                Err(Error::ForeignBody { mechanism, place, argument })
+            }
+        }
+    }
+
+    /// The coordinate of that name, such as `crank.theta`, over time.
+    ///
+    /// Errors: no such coordinate.
+    pub fn named(&self, name: &str) -> Result<CoordinateMotion> {
+        match self.layout.names.iter().position(|known| known == name) {
+            Some(column) => Ok(self.column(column)),
+            None => Err(Error::UnknownName { what: "coordinate", name: name.to_string(), known: self.layout.names.clone() }),
+        }
+    }
+
+    fn column(&self, column: usize) -> CoordinateMotion {
+        let (name, unit) = (&self.layout.names[column], self.layout.units[column]);
+        let series = |all: &[f64], order: usize, mark: &str| {
+            let values = all.iter().skip(column).step_by(self.layout.len()).copied().collect();
+            Series::new(format!("{name}{mark}"), unit.text(order), &self.times, values)
+        };
+        CoordinateMotion { value: series(&self.q, 0, ""), rate: series(&self.qd, 1, "'"), second_rate: series(&self.qdd, 2, "''") }
+    }
+
+    /// Adds a derived quantity to the file: one value a time.
+    ///
+    /// Errors: wrong number of values, not finite, name empty or taken.
+    pub fn add_output(&mut self, name: &str, unit: &str, values: Vec<f64>) -> Result<()> {
+        if name.trim().is_empty() {
+            return Err(Error::EmptyName { what: "output" });
+        }
+        if self.outputs.iter().any(|known| known.name() == name) {
+            return Err(Error::DuplicateName { what: "outputs", name: name.to_string() });
+        }
+        if values.len() != self.len() {
+            return Err(Error::WrongLength { what: format!("output `{name}`"), expected: self.len(), found: values.len() });
+        }
+        if let Some((t, value)) = self.times.iter().zip(&values).find(|(_, value)| !value.is_finite()) {
+            return Err(Error::OutputNotFinite { output: name.to_string(), t: *t, value: *value });
+        }
+        self.outputs.push(Series::new(name, unit, &self.times, values));
+        Ok(())
+    }
+
+    /// Adds r, v and a of a point of a body to the file, as `NAME.x`, `NAME.y`, `NAME.x'`, ….
+    ///
+    /// Errors: a body of another mechanism, name empty or taken.
+    pub fn add_point<B: Body>(&mut self, name: &str, body: B, local: impl Into<B::Vector>) -> Result<()> {
+        for component in self.try_point(body, local)?.components() {
+            self.add_output(&format!("{name}.{}", component.name()), component.unit(), component.values().to_vec())?;
+        }
+        Ok(())
+    }
+
+    /// The derived quantities added so far.
+    pub fn outputs(&self) -> &[Series] {
+        &self.outputs
+    }
+
+    /// One line: counts, Newton steps a time and the largest residual.
+    pub fn summary(&self) -> String {
+        let mut sorted = self.iterations.clone();
+        sorted.sort_unstable();
+        let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(0);
+        let largest = self.worst.map_or(0.0, |(residual, _)| residual);
+        format!(
+            "{}: {} coordinates, {} equations, {} times, {usual} Newton step{} a time (worst {}), |C| <= {largest:.0e}",
+            self.name,
+            self.layout.len(),
+            self.equations.len(),
+            self.len(),
+            if usual == 1 { "" } else { "s" },
+            sorted.last().copied().unwrap_or(0),
+        )
+    }
+}
+
+impl std::fmt::Debug for Motion {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Motion({})", self.summary())
+    }
+}

@@ -1,0 +1,73 @@
+//! One number over time.
+
+/// One number over time, with its name and unit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Series {
+    name: String,
+    unit: String,
+    times: Vec<f64>,
+    values: Vec<f64>,
+}
+
+impl Series {
+    pub(crate) fn new(name: impl Into<String>, unit: impl Into<String>, times: &[f64], values: Vec<f64>) -> Self {
+        Series { name: name.into(), unit: unit.into(), times: times.to_vec(), values }
+    }
+
+    /// Its name, such as `crank.theta'`.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Its unit, such as `rad/s`.
+    pub fn unit(&self) -> &str {
+        &self.unit
+    }
+
+    /// The times.   \[s\]
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// One value a time.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// The largest value; NaN of an empty series.
+    pub fn max(&self) -> f64 {
+        self.best(|a, b| a > b).map_or(f64::NAN, |k| self.values[k])
+    }
+
+    /// The smallest value; NaN of an empty series.
+    pub fn min(&self) -> f64 {
+        self.best(|a, b| a < b).map_or(f64::NAN, |k| self.values[k])
+    }
+
+    /// The time of the largest value, the first one of several; NaN of an empty series.   \[s\]
+    pub fn at_max(&self) -> f64 {
+        self.best(|a, b| a > b).map_or(f64::NAN, |k| self.times[k])
+    }
+
+    /// The time of the smallest value, the first one of several; NaN of an empty series.   \[s\]
+    pub fn at_min(&self) -> f64 {
+        self.best(|a, b| a < b).map_or(f64::NAN, |k| self.times[k])
+    }
+
+    /// Index of the first value that no other is better than.
+    fn best(&self, better: impl Fn(f64, f64) -> bool) -> Option<usize> {
+        (0..self.values.len().min(self.times.len())).reduce(|best, k| if better(self.values[k], self.values[best]) { k } else { best })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn extremes_and_their_times() {
+        let series = Series::new("x", "m", &[0.0, 1.0, 2.0, 3.0], vec![1.0, 5.0, -2.0, 5.0]);
+        assert_eq!((series.max(), series.at_max(), series.min(), series.at_min()), (5.0, 1.0, -2.0, 2.0));
+        assert!(Series::new("x", "m", &[], vec![]).max().is_nan());
+    }
+}

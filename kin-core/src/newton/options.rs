@@ -1,0 +1,70 @@
+//! How positions are solved: the stop rule and the means, and the report of what was done.
+
+use crate::error::{Error, Result};
+
+/// When Newton's iteration has converged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stop {
+    /// The scaled residual is at most `tolerance` *and* so is the scaled next correction C_q⁻¹ C, with the matrix at hand.
+    ///
+    /// Row i is measured by max_j |∂C_i/∂q_j| s_j and coordinate j by s_j, where s_j is 1 for an angle and the typical length of the model
+    /// for a length: a tolerance of 1e-13 means 1e-13 rad and 1e-13 of a lever, in mm as in km. What rounding of q itself makes of a row is
+    /// always allowed; a correction that no longer shrinks while the residual is rounding is accepted. Smaller: no better results below
+    /// 1e-15; larger: fewer steps, errors of that size in q and larger ones in q̇ and q̈.   \[-\]
+    Converged {
+        /// The tolerance, default 1e-13.
+        tolerance: f64,
+    },
+    /// max |C_i| < the bound, rows unscaled as they are written, in the unit of the row: the protocol of published comparisons.
+    ResidualOnly(f64),
+}
+
+impl Default for Stop {
+    fn default() -> Self {
+        Stop::Converged { tolerance: 1e-13 }
+    }
+}
+
+/// How a sweep is solved. All fields have defaults: `Options { predict: false, ..Options::default() }`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// Newton steps at one attempt before it is given up; default 50.
+    pub max_iterations: usize,
+    /// The stop rule.
+    pub stop: Stop,
+    /// Start each time from q + h q̇ + ½ h² q̈ of the one before (default), rather than from q.
+    pub predict: bool,
+    /// Where plain Newton fails, damp it, look for the assembly from other starts (first time), and approach in smaller steps of time
+    /// (later times) before giving up; default true. Without it plain Newton steps from the guess are all that is done.
+    pub rescue: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options { max_iterations: 50, stop: Stop::default(), predict: true, rescue: true }
+    }
+}
+
+impl Options {
+    /// An error unless the tolerance is a positive finite number.
+    pub(crate) fn check(&self) -> Result<()> {
+        let (Stop::Converged { tolerance } | Stop::ResidualOnly(tolerance)) = self.stop;
+        if tolerance.is_finite() && tolerance > 0.0 {
+            return Ok(());
+        }
+        Err(Error::InvalidOptions { reason: format!("the tolerance is {tolerance}; give a positive number such as 1e-13") })
+    }
+}
+
+/// What Newton's iteration did at one time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Report {
+    /// Newton steps taken, those of rescued attempts included.
+    pub iterations: usize,
+    /// max |C_i| at the solution, in the unit of its row.
+    pub residual: f64,
+    /// Name of the equation that has it, such as `A.x`; empty for a mechanism without coordinates.
+    pub worst: String,
+    /// The smallest pivot of C_q, relative to its row: near zero close to a singular position.   \[-\]
+    pub smallest_pivot: f64,
+}

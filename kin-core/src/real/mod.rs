@@ -1,0 +1,111 @@
+//! Numbers that carry derivatives: [`Real<D>`], Kin's own layer over num-dual's scalars.
+//!
+//! `Real<D>` reads like an `f64`: the same operators with `f64` on either side, the same function names, comparisons of real parts.
+//! Its real part is, bit for bit, what the same expression gives in `f64`. Its derivatives are right at the edges, where num-dual 0.15 has
+//! NaN traps; no function panics. The rules:
+//!
+//! * A tangent of exactly zero stays zero, whatever derivative it meets: √0 of a constant is a constant 0.
+//! * At a true singularity (√ of a variable at 0) derivatives are infinite or NaN.
+//! * At a kink the documented side is taken: `abs` that of x ≥ 0, `max` and `min` that of `self`.
+//!
+//! One limit comes with every number that knows only its tangents: x² + y² at x = y = 0 has the tangent of a constant, so that its
+//! square root has derivative 0. `hypot` and the norms of vectors see x and y themselves and give NaN there.
+
+mod dual;
+mod functions;
+mod ops;
+mod pair;
+#[cfg(test)]
+mod sweep;
+
+use std::fmt;
+
+pub use dual::Dual;
+pub(crate) use ops::{assign, by_ref};
+
+/// A number with derivatives along one or two directions; `D` says which: `f64` (none), `Dual64` (first), `Dual2_64` (second),
+/// `Dual3_64` (third) or `HyperDual64` (mixed second). Same unit as the quantity it stands for.
+#[derive(Clone, Copy, Debug)]
+pub struct Real<D>(pub D);
+
+impl<D: Dual> Real<D> {
+    /// The real part, without derivatives.
+    #[inline]
+    pub fn value(self) -> f64 {
+        self.0.value()
+    }
+
+    /// Whether every derivative is exactly zero.
+    #[inline]
+    pub fn is_constant(self) -> bool {
+        self.0.is_constant()
+    }
+
+    /// A number without derivatives.
+    #[inline]
+    fn constant(x: f64) -> Self {
+        Real(D::constant(x))
+    }
+
+    /// The same derivatives at another real part.
+    #[inline]
+    fn with_value(self, x: f64) -> Self {
+        Real(self.0.with_value(x))
+    }
+
+    /// f(self), from f and its first three derivatives at the real part: for laws and tables that know their own derivatives.
+    /// A zero tangent times a derivative that is not finite is zero; derivatives beyond those of `D` are not used.
+    #[inline]
+    pub fn chain(self, f: [f64; 4]) -> Self {
+        Real(self.0.chain(f))
+    }
+
+    /// 0 with no derivative: a zero length, singular unless `self` is constant.
+    #[inline]
+    pub(crate) fn singular(self) -> Self {
+        self.chain([0.0, f64::NAN, f64::NAN, f64::NAN])
+    }
+}
+
+impl<D: Dual> From<f64> for Real<D> {
+    /// A number without derivatives.
+    #[inline]
+    fn from(x: f64) -> Self {
+        Self::constant(x)
+    }
+}
+
+impl<D: Dual> Default for Real<D> {
+    /// 0, without derivatives.
+    #[inline]
+    fn default() -> Self {
+        Self::constant(0.0)
+    }
+}
+
+impl<D: Dual> fmt::Display for Real<D> {
+    /// The number with its derivatives, as num-dual writes them.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.0, f)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use num_dual::{Dual2_64, Dual3_64, Dual64, HyperDual64};
+
+    use super::*;
+
+    #[test]
+    fn a_number_from_f64_is_constant_and_the_default_is_zero() {
+        assert!(Real::<Dual64>::from(2.0).is_constant() && Real::<HyperDual64>::from(2.0).is_constant());
+        assert_eq!(Real::<Dual2_64>::default().value(), 0.0);
+        assert!(!Real(Dual3_64::new(1.0, 0.0, 0.0, 1e-300)).is_constant());
+    }
+
+    #[test]
+    fn display_shows_value_and_derivative() {
+        assert_eq!(Real(Dual64::new(1.5, 2.0)).to_string(), "1.5 + 2ε");
+        assert_eq!(format!("{:.2}", Real(1.5)), "1.50");
+    }
+}

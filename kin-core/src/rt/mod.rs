@@ -1,0 +1,40 @@
+//! What emitted code stands on. Not for use by hand: nothing here is part of the public interface.
+
+mod foreign;
+mod lift;
+mod numbers;
+mod rows;
+
+pub use crate::algebra::{Mat2, Mat3, Vec2, Vec3};
+pub use crate::coordinates::{Argument, Target, Trig};
+pub use crate::dual_route::{ArgumentKind, Equation};
+pub use crate::law::LawFunction;
+pub use crate::real::{Dual, Real};
+pub use crate::state::{At, PlanarState, Rates, SpatialState};
+pub use num_dual::{Dual2_64, Dual64};
+
+pub use foreign::{Foreign, IntoConstant, IntoJet, IntoPlain, LiftAny, LiftNumbers, LowerAny, LowerReal};
+pub use foreign::{constant_argument, jet_argument, plain_argument};
+pub use lift::{Cast, Lift, cast};
+pub use numbers::Numbers;
+pub use rows::{Rows, rows};
+
+/// \[f, f′, f″, f‴\] of a function written for any dual number.
+pub fn jet_by_dual(x: f64, f: impl FnOnce(Real<num_dual::Dual3_64>) -> Real<num_dual::Dual3_64>) -> [f64; 4] {
+    let y = f(Real(num_dual::Dual3_64::new(x, 1.0, 0.0, 0.0))).0;
+    [y.re, y.v1, y.v2, y.v3]
+}
+
+/// A parameter of a constraint: any value of its own.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be a parameter of a constraint",
+    label = "not a parameter",
+    note = "a parameter is owned and `Clone + Send + Sync`; types are read by name, so an alias of `Planar`, `Spatial`, `Coord` or `Time` is \
+            not understood: write the name itself"
+)]
+pub trait Parameter: Clone + Send + Sync + 'static {}
+
+impl<T: Clone + Send + Sync + 'static> Parameter for T {}
+
+/// Compiles for parameters only.
+pub fn require_parameter<T: Parameter>() {}

@@ -1,0 +1,70 @@
+//! Numeric parameters by name.
+
+use crate::algebra::{Mat2, Mat3, Vec2, Vec3};
+use crate::law::Law;
+
+/// A parameter made of numbers, each with a name: `k`, `u.x`, `c[2]`, `profile.rate`.
+pub trait Numbers {
+    /// Shows each number with its name.
+    fn visit(&self, name: &str, visit: &mut dyn FnMut(&str, f64));
+    /// Sets the number called `wanted`; false if it is not one of these.
+    fn set(&mut self, name: &str, wanted: &str, value: f64) -> bool;
+}
+
+impl Numbers for f64 {
+    fn visit(&self, name: &str, visit: &mut dyn FnMut(&str, f64)) {
+        visit(name, *self);
+    }
+
+    fn set(&mut self, name: &str, wanted: &str, value: f64) -> bool {
+        if name == wanted {
+            *self = value;
+        }
+        name == wanted
+    }
+}
+
+impl Numbers for Law {
+    fn visit(&self, name: &str, visit: &mut dyn FnMut(&str, f64)) {
+        self.parameters(&mut |part, value| visit(&format!("{name}.{part}"), value));
+    }
+
+    fn set(&mut self, name: &str, wanted: &str, value: f64) -> bool {
+        wanted.strip_prefix(name).and_then(|rest| rest.strip_prefix('.')).is_some_and(|part| self.set_parameter(part, value))
+    }
+}
+
+impl<T: Numbers, const N: usize> Numbers for [T; N] {
+    fn visit(&self, name: &str, visit: &mut dyn FnMut(&str, f64)) {
+        self.iter().enumerate().for_each(|(k, part)| part.visit(&format!("{name}[{k}]"), visit));
+    }
+
+    fn set(&mut self, name: &str, wanted: &str, value: f64) -> bool {
+        self.iter_mut().enumerate().any(|(k, part)| part.set(&format!("{name}[{k}]"), wanted, value))
+    }
+}
+
+macro_rules! fields {
+    ($($ty:ty { $($c:tt),* } $([$($t:ident),*])?;)*) => {$(
+        impl $(<$($t: Numbers),*>)? Numbers for $ty {
+            fn visit(&self, name: &str, visit: &mut dyn FnMut(&str, f64)) {
+                $(self.$c.visit(&format!("{name}.{}", stringify!($c)), visit);)*
+            }
+
+            fn set(&mut self, name: &str, wanted: &str, value: f64) -> bool {
+                $(self.$c.set(&format!("{name}.{}", stringify!($c)), wanted, value))||*
+            }
+        }
+    )*};
+}
+
+fields! {
+    Vec2 { x, y };
+    Vec3 { x, y, z };
+    Mat2 { m11, m12, m21, m22 };
+    Mat3 { m11, m12, m13, m21, m22, m23, m31, m32, m33 };
+    (A,) { 0 } [A];
+    (A, B) { 0, 1 } [A, B];
+    (A, B, C) { 0, 1, 2 } [A, B, C];
+    (A, B, C, D) { 0, 1, 2, 3 } [A, B, C, D];
+}

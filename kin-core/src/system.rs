@@ -1,0 +1,275 @@
+//! A mechanism made ready for solving: fixed order of coordinates and equations, fixed pattern of C_q.
+
+pub(crate) mod evaluate;
+mod parameters;
+pub(crate) mod scale;
+
+use std::sync::Arc;
+
+use nalgebra::DMatrix;
+
+use crate::error::{Error, Result};
+use crate::layout::Layout;
+use crate::linear::{Linear, Singular};
+use crate::motion::Motion;
+use crate::newton::{Newton, Options, Report, Steps, assembly, sweep};
+use crate::state::States;
+use evaluate::{Bad, Equations};
+
+/// A square system C(q, t) = 0 of n equations in n coordinates; built by [`crate::Mechanism::build`].
+///
+/// Coordinates come in the order in which bodies and bare coordinates were declared, equations in the order in which constraints were
+/// added, the norm constraints |p|² = 1 of spatial bodies (named `BODY.p`) after them.
+pub struct System {
+    name: String,
+    layout: Arc<Layout>,
+    equations: Equations,
+    initial: Vec<f64>,
+    preferred: Vec<(usize, f64)>,
+    links: Vec<f64>,
+}
+
+/// Position, velocity and acceleration at one time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution {
+    /// Time t.   \[s\]
+    pub t: f64,
+    /// q, C(q, t) = 0.   \[m, rad\]
+    pub q: Vec<f64>,
+    /// q̇, C_q q̇ = −C_t.   \[m/s, rad/s\]
+    pub qd: Vec<f64>,
+    /// q̈, C_q q̈ = Q_d.   \[m/s², rad/s²\]
+    pub qdd: Vec<f64>,
+    /// What Newton's iteration did.
+    pub report: Report,
+}
+
+impl System {
+    pub(crate) fn new(
+        name: String,
+        layout: Layout,
+        equations: Equations,
+        initial: Vec<f64>,
+        preferred: Vec<(usize, f64)>,
+        links: Vec<f64>,
+    ) -> Self {
+        System { name, layout: Arc::new(layout), equations, initial, preferred, links }
+    }
+
+    /// Name of the mechanism.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Number of coordinates n.
+    pub fn n_coordinates(&self) -> usize {
+        self.layout.len()
+    }
+
+    /// Number of equations, n too.
+    pub fn n_equations(&self) -> usize {
+        self.equations.rows
+    }
+
+    /// Names of the coordinates in their order, such as `crank.R_x`, `crank.theta`, `platform.e0`, `theta3`.
+    pub fn coordinate_names(&self) -> &[String] {
+        &self.layout.names
+    }
+
+    /// Units of the coordinates in their order: `m`, `rad` or `-`.
+    pub fn coordinate_units(&self) -> Vec<&'static str> {
+        self.layout.units.iter().map(|unit| unit.text(0)).collect()
+    }
+
+    /// Names of the constraints in their order.
+    pub fn constraint_names(&self) -> Vec<&str> {
+        self.equations.blocks.iter().map(|block| block.name.as_str()).collect()
+    }
+
+    /// Names of the equations in their order: `A.x`, `A.y`; a constraint of one row gives its own name.
+    pub fn equation_names(&self) -> Vec<String> {
+        (0..self.equations.rows).map(|row| self.equations.equation(row)).collect()
+    }
+
+    /// The initial guess of q, preferred values included.   \[m, rad\]
+    pub fn initial(&self) -> &[f64] {
+        &self.initial
+    }
+
+    /// Gives another initial guess of q (length n); preferred values stay preferred.
+    pub fn set_initial(&mut self, q: &[f64]) -> Result<()> {
+        self.check(q, "initial guess")?;
+        self.initial.copy_from_slice(q);
+        Ok(())
+    }
+
+    /// C(q, t), in the unit of each row. Errors: wrong length, not finite.
+    pub fn residual(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
+        let states = self.states(q, t)?;
+        let mut c = vec![0.0; self.n_equations()];
+        self.finite(self.equations.residual(t, &states, &mut c), t, &states)?;
+        Ok(c)
+    }
+
+    /// C_q(q, t), n × n. Errors: wrong length, not finite.
+    pub fn jacobian(&self, q: &[f64], t: f64) -> Result<DMatrix<f64>> {
+        let states = self.states(q, t)?;
+        let (mut c, mut values) = (vec![0.0; self.n_equations()], vec![0.0; self.equations.entries.len()]);
+        self.finite(self.equations.linearize(t, &states, &mut c, &mut values), t, &states)?;
+        let mut c_q = DMatrix::zeros(self.n_equations(), self.n_coordinates());
+        for (entry, value) in self.equations.entries.iter().zip(values) {
+            if let Some(place) = *entry {
+                c_q[place] += value;
+            }
+        }
+        Ok(c_q)
+    }
+
+    /// C_t(q, t), in the unit of each row a second. Errors: wrong length, not finite.
+    pub fn c_t(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
+        let states = self.states(q, t)?;
+        let mut rhs = vec![0.0; self.n_equations()];
+        self.finite(self.equations.velocity_rhs(t, &states, &mut rhs), t, &states)?;
+        Ok(rhs.into_iter().map(|x| 0.0 - x).collect())
+    }
+
+    /// Q_d = −(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt, in the unit of each row a second squared. Errors: wrong length, not finite.
+    pub fn acceleration_rhs(&self, q: &[f64], qd: &[f64], t: f64) -> Result<Vec<f64>> {
+        let states = self.states(q, t)?;
+        self.check(qd, "velocities")?;
+        let mut rates = self.equations.plan.rates();
+        self.equations.plan.set_rates(qd, &mut rates);
+        let mut q_d = vec![0.0; self.n_equations()];
+        self.finite(self.equations.acceleration_rhs(t, &states, &rates, &mut q_d), t, &states)?;
+        Ok(q_d)
+    }
+
+    /// q̇ at a position q, from C_q q̇ = −C_t. Errors: wrong length, not finite, singular.
+    pub fn velocity(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
+        let mut qd: Vec<f64> = self.c_t(q, t)?.into_iter().map(|x| -x).collect();
+        self.factored(q, t)?.solve(&mut qd);
+        self.check(&qd, "velocities")?;
+        Ok(qd)
+    }
+
+    /// q̈ at a position q and velocity q̇, from C_q q̈ = Q_d. Errors: wrong length, not finite, singular.
+    pub fn acceleration(&self, q: &[f64], qd: &[f64], t: f64) -> Result<Vec<f64>> {
+        let mut qdd = self.acceleration_rhs(q, qd, t)?;
+        self.factored(q, t)?.solve(&mut qdd);
+        self.check(&qdd, "accelerations")?;
+        Ok(qdd)
+    }
+
+    /// Position, velocity and acceleration at time t, assembled from the initial guess into the preferred assembly.
+    /// Errors: no convergence, singular, not finite.
+    pub fn position(&self, t: f64) -> Result<Solution> {
+        let options = Options::default();
+        let mut newton = Newton::new(self, &options);
+        let outcome = assembly::assemble(&mut newton, time(t)?)?;
+        Ok(newton.solution(t, outcome))
+    }
+
+    /// Position, velocity and acceleration at time t by damped Newton steps from q0 (length n), nothing preferred.
+    /// Errors: wrong length, no convergence, singular, not finite.
+    pub fn solve_at(&self, t: f64, q0: &[f64]) -> Result<Solution> {
+        self.check(q0, "start")?;
+        let options = Options::default();
+        let mut newton = Newton::new(self, &options);
+        newton.q.copy_from_slice(q0);
+        let outcome = assembly::from_start(&mut newton, time(t)?, Steps::Damped)?;
+        Ok(newton.solution(t, outcome))
+    }
+
+    /// Position, velocity and acceleration at each of the times, which must only increase or only decrease.   \[s\]
+    ///
+    /// Errors: no convergence, singular, not finite; each carries the motion up to it ([`Error::motion`]).
+    pub fn run(&self, times: impl AsRef<[f64]>) -> Result<Motion> {
+        sweep::run(self, times.as_ref(), &Options::default())
+    }
+
+    /// The same with other options.
+    pub fn run_with(&self, times: impl AsRef<[f64]>, options: &Options) -> Result<Motion> {
+        sweep::run(self, times.as_ref(), options)
+    }
+
+    pub(crate) fn layout(&self) -> &Arc<Layout> {
+        &self.layout
+    }
+
+    pub(crate) fn equations(&self) -> &Equations {
+        &self.equations
+    }
+
+    pub(crate) fn preferred(&self) -> &[(usize, f64)] {
+        &self.preferred
+    }
+
+    pub(crate) fn links(&self) -> &[f64] {
+        &self.links
+    }
+
+    /// Name of the constraint and of its row for a global row.
+    pub(crate) fn row_name(&self, row: usize) -> (String, String) {
+        let found = self.equations.block_of(row);
+        found.map(|(block, local)| (block.name.clone(), block.row(local).to_string())).unwrap_or_default()
+    }
+
+    /// The error for a singular matrix at time t.
+    pub(crate) fn singular(&self, t: f64, found: &Singular) -> Error {
+        let mut movable: Vec<String> = found.columns.iter().filter_map(|&k| Some(self.layout.owner(k)?.name.clone())).collect();
+        movable.dedup();
+        let dependent = found.rows.iter().map(|&row| self.equations.equation(row)).collect();
+        Error::SingularAt { t, n: self.n_coordinates(), rank: found.rank, pivot: found.pivot, movable, dependent, motion: None }
+    }
+
+    /// The states at q, if q and t are well given.
+    fn states(&self, q: &[f64], t: f64) -> Result<States> {
+        self.check(q, "coordinates")?;
+        time(t)?;
+        let mut states = self.equations.plan.states();
+        self.equations.plan.set_states(q, &mut states);
+        Ok(states)
+    }
+
+    fn check(&self, q: &[f64], what: &str) -> Result<()> {
+        let (expected, found) = (self.n_coordinates(), q.len());
+        if expected != found {
+            return Err(Error::WrongLength { what: what.to_string(), expected, found });
+        }
+        match q.iter().position(|x| !x.is_finite()) {
+            Some(k) => Err(self.layout.not_finite(k, q[k])),
+            None => Ok(()),
+        }
+    }
+
+    fn finite(&self, result: std::result::Result<(), Bad>, t: f64, states: &States) -> Result<()> {
+        result.map_err(|bad| self.equations.not_finite(bad, t, states))
+    }
+
+    /// C_q at q, factored, with the sizes of that point.
+    fn factored(&self, q: &[f64], t: f64) -> Result<Linear> {
+        let states = self.states(q, t)?;
+        let mut linear = Linear::new(self.n_coordinates(), self.equations.entries.iter().copied());
+        let mut c = vec![0.0; self.n_equations()];
+        self.finite(self.equations.linearize(t, &states, &mut c, linear.values_mut()), t, &states)?;
+        let sizes = scale::sizes(&self.layout, &self.equations, linear.values(), q, &self.links);
+        linear.set_sizes(&sizes);
+        linear.measure();
+        linear.factor().map_err(|found| self.singular(t, &found))?;
+        Ok(linear)
+    }
+}
+
+impl std::fmt::Debug for System {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("System")
+            .field("name", &self.name)
+            .field("coordinates", &self.layout.names)
+            .field("constraints", &self.constraint_names())
+            .finish()
+    }
+}
+
+fn time(t: f64) -> Result<f64> {
+    if t.is_finite() { Ok(t) } else { Err(Error::InvalidTimes { reason: format!("t is {t}; give a finite time") }) }
+}

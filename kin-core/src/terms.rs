@@ -1,0 +1,134 @@
+//! Every term of one constraint at one state, by name: for comparing routes, and with a derivation by hand.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::constraint::Constraint;
+use crate::coordinates::{Argument, Target};
+use crate::dual_route::{self, Equation};
+use crate::state::{At, CoordState, PlanarRate, PlanarState, RateStates, Rates, SpatialRate, SpatialState, States};
+
+/// Every term of C(q, t) and its derivatives at one state. Columns are local to the constraint; units are those of the row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Terms {
+    /// C(q, t), m.
+    pub c: DVector<f64>,
+    /// C_q, m × n, zero outside the pattern.
+    pub c_q: DMatrix<f64>,
+    /// C_t, m.
+    pub c_t: DVector<f64>,
+    /// (C_q q̇)_q q̇, m.
+    pub c_qqd_qd: DVector<f64>,
+    /// C_qt q̇, m.
+    pub c_qt_qd: DVector<f64>,
+    /// C_tt, m.
+    pub c_tt: DVector<f64>,
+    /// Q_d = −(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt, m.
+    pub q_d: DVector<f64>,
+}
+
+impl Terms {
+    /// Whether every entry of every term is finite.
+    pub fn is_finite(&self) -> bool {
+        let vectors = [&self.c, &self.c_t, &self.c_qqd_qd, &self.c_qt_qd, &self.c_tt, &self.q_d];
+        vectors.iter().all(|v| v.iter().all(|x| x.is_finite())) && self.c_q.iter().all(|x| x.is_finite())
+    }
+}
+
+/// Every term of `constraint` at local coordinates `q`, rates `qd` and time `t`, on the constraint's own route.
+///
+/// From r(q̇, ṫ) = −\[(C_q q̇)_q q̇ + 2 ṫ C_qt q̇ + ṫ² C_tt\]: −r(q̇, 0) is the first term, −r(0, 1) the last, and the mixed one is what is
+/// left of r(q̇, 1), exact to rounding of the largest of the three. `q` and `qd` are the arguments' coordinates one after the other;
+/// missing ones count as zero.
+pub fn terms(constraint: &dyn Constraint, q: &[f64], qd: &[f64], t: f64) -> Terms {
+    let arguments = constraint.arguments();
+    let m = constraint.rows().len();
+    let local = Local::new(&arguments, q, qd);
+    let still = Local::new(&arguments, q, &[]);
+    let at = local.at(t);
+
+    let mut c = DVector::zeros(m);
+    constraint.residual(&at, c.as_mut_slice());
+
+    let pattern = constraint.pattern();
+    let mut values = vec![0.0; pattern.len()];
+    constraint.jacobian(&at, &mut values);
+    let n = arguments.iter().map(|a| a.target.columns()).sum();
+    let mut c_q = DMatrix::zeros(m, n);
+    for (&(row, column), value) in pattern.iter().zip(values) {
+        c_q[(row, column)] += value;
+    }
+
+    let mut c_t = DVector::zeros(m);
+    constraint.velocity_rhs(&at, c_t.as_mut_slice());
+    c_t.neg_mut();
+
+    let right_side = |rates: &Local, t_dot: f64| {
+        let mut r = DVector::zeros(m);
+        constraint.acceleration_rhs(&at, &rates.rates(), t_dot, r.as_mut_slice());
+        r
+    };
+    let q_d = right_side(&local, 1.0);
+    let c_qqd_qd = -right_side(&local, 0.0);
+    let c_tt = -right_side(&still, 1.0);
+    let c_qt_qd = (-&q_d - &c_qqd_qd - &c_tt) * 0.5;
+    Terms { c, c_q, c_t, c_qqd_qd, c_qt_qd, c_tt, q_d }
+}
+
+/// Every term on the dual route, each by its own kind of number: the mixed term by `HyperDual64`.
+pub fn dual_terms<E, const N: usize, const M: usize>(equation: &E, q: &[f64], qd: &[f64], t: f64) -> Terms
+where
+    E: Equation<N, M> + Clone,
+{
+    let mut all = terms(&dual_route::by_dual::<E, N, M>(equation.clone()), q, qd, t);
+    let fixed = |values: &[f64]| std::array::from_fn(|k| values.get(k).copied().unwrap_or(0.0));
+    all.c_qt_qd = DVector::from_row_slice(&dual_route::mixed::<E, N, M>(equation, &fixed(q), &fixed(qd), t));
+    all
+}
+
+/// The states and rates of one constraint's arguments, standing alone.
+struct Local {
+    states: States,
+    rates: RateStates,
+    slots: Vec<usize>,
+}
+
+impl Local {
+    fn new(arguments: &[Argument], q: &[f64], qd: &[f64]) -> Self {
+        let mut local = Local { states: States::default(), rates: RateStates::default(), slots: Vec::new() };
+        let mut first = 0;
+        for argument in arguments {
+            local.push(&argument.target, |k| q.get(first + k).copied().unwrap_or(0.0), |k| qd.get(first + k).copied().unwrap_or(0.0));
+            first += argument.target.columns();
+        }
+        local
+    }
+
+    fn push(&mut self, target: &Target, q: impl Fn(usize) -> f64, qd: impl Fn(usize) -> f64) {
+        let (states, rates) = (&mut self.states, &mut self.rates);
+        self.slots.push(match target {
+            Target::Planar(_) => {
+                states.planar.push(PlanarState::new(std::array::from_fn(&q)));
+                rates.planar.push(PlanarRate { r: [qd(0), qd(1)], theta: qd(2) });
+                states.planar.len() - 1
+            }
+            Target::Spatial(_) => {
+                states.spatial.push(SpatialState::new(std::array::from_fn(&q)));
+                rates.spatial.push(SpatialRate { r: [qd(0), qd(1), qd(2)], p: [qd(3), qd(4), qd(5), qd(6)] });
+                states.spatial.len() - 1
+            }
+            Target::Coord(..) => {
+                states.coords.push(CoordState::new(q(0), true));
+                rates.coords.push(qd(0));
+                states.coords.len() - 1
+            }
+        });
+    }
+
+    fn at(&self, t: f64) -> At<'_> {
+        At::new(t, &self.states, &self.slots)
+    }
+
+    fn rates(&self) -> Rates<'_> {
+        Rates::new(&self.rates, &self.slots)
+    }
+}

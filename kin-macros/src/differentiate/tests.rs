@@ -1,0 +1,194 @@
+//! Every derivative rule, at ordinary and at nasty points, against central differences and against the second-order jets.
+
+use std::collections::HashMap;
+
+use super::{Jets, Partial};
+use crate::graph::{Function, Function2, Graph, Input, Node, Op, Part};
+
+/// Value of a node by plain interpretation.
+fn value(g: &Graph, node: Node, inputs: &HashMap<Input, f64>) -> f64 {
+    let v = |n: Node| value(g, n, inputs);
+    match g.op(node) {
+        Op::Input(input) => inputs[&input],
+        Op::Constant(bits) => f64::from_bits(bits),
+        Op::Add(a, b) => v(a) + v(b),
+        Op::Sub(a, b) => v(a) - v(b),
+        Op::Mul(a, b) => v(a) * v(b),
+        Op::Div(a, b) => v(a) / v(b),
+        Op::Neg(a) => -v(a),
+        Op::Call(f, a) => f.value()(v(a)),
+        Op::Call2(f, a, b) => f.value()(v(a), v(b)),
+        Op::Powi(a, n) => v(a).powi(n),
+        Op::Select(c, a, b) => v(if truth(g, c, inputs) { a } else { b }),
+        other => panic!("no value for {other:?}"),
+    }
+}
+
+fn truth(g: &Graph, node: Node, inputs: &HashMap<Input, f64>) -> bool {
+    use crate::graph::Comparison::*;
+    let v = |n: Node| value(g, n, inputs);
+    match g.op(node) {
+        Op::Truth(value) => value,
+        Op::Compare(Less, a, b) => v(a) < v(b),
+        Op::Compare(LessEqual, a, b) => v(a) <= v(b),
+        Op::Compare(Greater, a, b) => v(a) > v(b),
+        Op::Compare(GreaterEqual, a, b) => v(a) >= v(b),
+        Op::Compare(Equal, a, b) => v(a) == v(b),
+        Op::Compare(NotEqual, a, b) => v(a) != v(b),
+        Op::And(a, b) => truth(g, a, inputs) && truth(g, b, inputs),
+        Op::Or(a, b) => truth(g, a, inputs) || truth(g, b, inputs),
+        Op::Not(a) => !truth(g, a, inputs),
+        other => panic!("no truth for {other:?}"),
+    }
+}
+
+/// Ordinary points of each function, away from kinks.
+fn ordinary(f: Function) -> &'static [f64] {
+    match f {
+        Function::Asin | Function::Acos | Function::Atanh => &[-0.7, 0.1, 0.6],
+        Function::Acosh => &[1.3, 2.5],
+        Function::Ln | Function::Log2 | Function::Log10 | Function::Sqrt => &[0.3, 1.0, 4.7],
+        Function::Ln1p => &[-0.5, 0.2, 3.0],
+        _ => &[-2.3, -0.4, 0.35, 1.7],
+    }
+}
+
+#[test]
+fn every_function_agrees_with_central_differences() {
+    let h = 1e-5;
+    for &f in Function::ALL {
+        let mut g = Graph::default();
+        let x = g.input(Input::Variable);
+        let y = g.call(f, x);
+        let mut d = Partial::by_variable();
+        let first = d.of(&mut g, y);
+        let second = d.of(&mut g, first);
+        for &at in ordinary(f) {
+            let eval = |node, x| value(&g, node, &HashMap::from([(Input::Variable, x)]));
+            for (node, derivative) in [(y, first), (first, second)] {
+                let central = (eval(node, at + h) - eval(node, at - h)) / (2.0 * h);
+                let exact = eval(derivative, at);
+                assert!((exact - central).abs() < 1e-7 * (1.0 + exact.abs()), "{f:?} at {at}: {exact} is not {central}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_function_of_two_agrees_with_central_differences() {
+    let h = 1e-5;
+    let [p, q] = [0, 1].map(|k| Input::State(k, Part::Theta));
+    for &f in Function2::ALL {
+        let mut g = Graph::default();
+        let (x, y) = (g.input(p), g.input(q));
+        let z = g.call2(f, x, y);
+        let columns = g.columns(&[z]);
+        for at in [[0.7, 1.9], [2.6, 0.45], [1.1, 3.0]] {
+            let eval = |g: &Graph, node, at: [f64; 2]| value(g, node, &HashMap::from([(p, at[0]), (q, at[1])]));
+            for (k, column) in columns.iter().enumerate() {
+                let exact = Partial::by_column(*column).of(&mut g, z);
+                let (mut up, mut down) = (at, at);
+                up[k] += h;
+                down[k] -= h;
+                let central = (eval(&g, z, up) - eval(&g, z, down)) / (2.0 * h);
+                let exact = eval(&g, exact, at);
+                assert!((exact - central).abs() < 1e-8 * (1.0 + exact.abs()), "{f:?} at {at:?} by {k}: {exact} is not {central}");
+            }
+        }
+    }
+}
+
+#[test]
+fn derivatives_at_nasty_points_are_the_documented_ones() {
+    let cases = [
+        (Function::Abs, 0.0, 1.0),
+        (Function::Abs, -0.0, 1.0),
+        (Function::Signum, 0.0, 0.0),
+        (Function::Floor, 1.0, 0.0),
+        (Function::Fract, 2.0, 1.0),
+        (Function::Sin, 0.0, 1.0),
+        (Function::Cos, 0.0, 0.0),
+        (Function::Tanh, 0.0, 1.0),
+        (Function::Asinh, 0.0, 1.0),
+        (Function::Ln1p, 0.0, 1.0),
+        (Function::ExpM1, 0.0, 1.0),
+    ];
+    for (f, at, expected) in cases {
+        let mut g = Graph::default();
+        let x = g.input(Input::Variable);
+        let y = g.call(f, x);
+        let first = Partial::by_variable().of(&mut g, y);
+        assert_eq!(value(&g, first, &HashMap::from([(Input::Variable, at)])), expected, "{f:?} at {at}");
+    }
+}
+
+/// Along x = x0 + v s the second jet is f″ v², for any composition.
+#[test]
+fn jets_are_derivatives_along_the_motion() {
+    let (state, rate) = (Input::State(0, Part::R(0)), Input::Rate(0, Part::R(0)));
+    for &f in Function::ALL {
+        let mut g = Graph::default();
+        let x = g.input(state);
+        let half = g.constant(0.5);
+        let inner = g.mul(half, x);
+        let y = g.call(f, inner);
+        let y = g.div(y, x);
+        let column = g.columns(&[y])[0];
+        let mut d = Partial::by_column(column);
+        let first = d.of(&mut g, y);
+        let second = d.of(&mut g, first);
+        let jet = Jets::default().of(&mut g, y);
+        for &at in ordinary(f) {
+            let inputs = HashMap::from([(state, 2.0 * at), (rate, 1.7)]);
+            let pairs = [(value(&g, first, &inputs) * 1.7, jet.first), (value(&g, second, &inputs) * 1.7 * 1.7, jet.second)];
+            for (expected, node) in pairs {
+                let got = value(&g, node, &inputs);
+                assert!((got - expected).abs() < 1e-12 * (1.0 + expected.abs()), "{f:?} at {at}: {got} is not {expected}");
+            }
+        }
+    }
+}
+
+/// A(p) as six products, to check the derivatives that are built in for a rotation matrix read from a state.
+#[test]
+fn rotation_matrix_derivatives_are_those_of_its_polynomial() {
+    let p = [0.7, -0.3, 0.5, 0.4];
+    let rotation = |p: [f64; 4], r: usize, c: usize| {
+        let skew = [[0.0, -p[3], p[2]], [p[3], 0.0, -p[1]], [-p[2], p[1], 0.0]];
+        let diagonal = if r == c { 2.0 * p[0] * p[0] - 1.0 } else { 0.0 };
+        diagonal + 2.0 * p[r + 1] * p[c + 1] + 2.0 * p[0] * skew[r][c]
+    };
+    let rates = [0.2, -1.1, 0.6, 0.9];
+    let inputs: HashMap<Input, f64> =
+        (0..4).flat_map(|k| [(Input::State(0, Part::P(k)), p[k]), (Input::Rate(0, Part::P(k)), rates[k])]).collect();
+    let h = 1e-4;
+    let moved = |s: f64| std::array::from_fn(|k| p[k] + s * rates[k]);
+    for (r, c) in (0..3).flat_map(|r| (0..3).map(move |c| (r, c))) {
+        let mut g = Graph::default();
+        let a = g.input(Input::State(0, Part::A(r, c)));
+        for column in g.columns(&[a]) {
+            let Part::P(k) = column.part else { panic!("a rotation matrix depends on Euler parameters") };
+            let exact = Partial::by_column(column).of(&mut g, a);
+            let (mut up, mut down) = (p, p);
+            up[k] += h;
+            down[k] -= h;
+            let central = (rotation(up, r, c) - rotation(down, r, c)) / (2.0 * h);
+            assert!((value(&g, exact, &inputs) - central).abs() < 1e-10);
+        }
+        let jet = Jets::default().of(&mut g, a);
+        let first = (rotation(moved(h), r, c) - rotation(moved(-h), r, c)) / (2.0 * h);
+        let second = (rotation(moved(h), r, c) - 2.0 * rotation(moved(0.0), r, c) + rotation(moved(-h), r, c)) / (h * h);
+        assert!((value(&g, jet.first, &inputs) - first).abs() < 1e-9);
+        assert!((value(&g, jet.second, &inputs) - second).abs() < 1e-6);
+    }
+}
+
+/// x^1.5 at 0 has value and slope 0; an exponent that is a plain number must bring in no logarithm.
+#[test]
+fn power_of_zero_is_finite() {
+    let mut g = Graph::default();
+    let (x, e) = (g.input(Input::Variable), g.constant(1.5));
+    let y = g.call2(Function2::Powf, x, e);
+    let first = Partial::by_variable().of(&mut g, y);
+    assert_eq!(value(&g, first, &HashMap::from([(Input::Variable, 0.0)])), 0.0);
+}

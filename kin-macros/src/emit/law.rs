@@ -1,0 +1,103 @@
+//! The emitted law: a constructor of the function's name that gives a `Law`.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::kernel::Kernel;
+use super::{rewrite, template};
+use crate::differentiate::Partial;
+use crate::lower::Lowered;
+use crate::parse::LawFn;
+
+/// The law with its derivatives to third order, symbolic where the body could be read.
+pub fn law(source: &LawFn, lowered: Option<Lowered>) -> TokenStream {
+    let (jet, leaves) = match lowered {
+        Some(lowered) => symbolic(source, lowered),
+        None => (quote!(::kin::rt::jet_by_dual(x, |x| self.evaluate(x))), vec![]),
+    };
+    emit(source, &jet, &leaves, &evaluate(source))
+}
+
+/// After a mistake: a constructor that type-checks.
+pub fn dummy(source: &LawFn) -> TokenStream {
+    emit(source, &quote!([x; 4]), &[], &quote!(fn evaluate<__D: ::kin::rt::Dual>(&self, x: ::kin::rt::Real<__D>) -> ::kin::rt::Real<__D> { x }))
+}
+
+fn symbolic(source: &LawFn, mut lowered: Lowered) -> (TokenStream, Vec<TokenStream>) {
+    let g = &mut lowered.graph;
+    let mut by_x = Partial::by_variable();
+    let mut derivatives = vec![lowered.rows[0].node];
+    for k in 0..3 {
+        let next = by_x.of(g, derivatives[k]);
+        derivatives.push(next);
+    }
+    let outputs: Vec<_> = derivatives
+        .into_iter()
+        .enumerate()
+        .map(|(k, node)| {
+            let k = proc_macro2::Literal::usize_unsuffixed(k);
+            (quote!(f[#k]), node)
+        })
+        .collect();
+    let code = Kernel::emit(&lowered, &source.parameters, &outputs).tokens;
+    let leaves = lowered.leaves.iter().enumerate().map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &[])).collect();
+    (quote!(let mut f = [0.0; 4]; #code f), leaves)
+}
+
+/// The user's body generic over dual numbers.
+fn evaluate(source: &LawFn) -> TokenStream {
+    let variable = &source.variable;
+    let parameters = super::dual_bindings(&source.parameters);
+    let body = rewrite::dual_law(&source.body, &source.parameters, variable);
+    quote! {
+        fn evaluate<__D: ::kin::rt::Dual>(&self, x: ::kin::rt::Real<__D>) -> ::kin::rt::Real<__D> {
+            #(#parameters)*
+            let #variable = x;
+            (move || -> ::kin::rt::Real<__D> #body)()
+        }
+    }
+}
+
+fn emit(source: &LawFn, jet: &TokenStream, leaves: &[TokenStream], evaluate: &TokenStream) -> TokenStream {
+    let (attributes, visibility, name) = (&source.attributes, &source.visibility, &source.name);
+    let names: Vec<_> = source.parameters.iter().map(|a| &a.name).collect();
+    let types: Vec<_> = source.parameters.iter().map(|a| &a.ty).collect();
+    let (visit, set) = super::parameter_methods(&source.parameters);
+    let checks = super::parameter_checks(&source.parameters);
+    let text = syn::ext::IdentExt::unraw(name).to_string();
+    quote! {
+        #(#attributes)*
+        #[allow(clippy::too_many_arguments)]
+        #[must_use]
+        #visibility fn #name(#(#names: #types),*) -> ::kin::Law {
+            #[allow(non_camel_case_types)]
+            #[derive(Clone)]
+            struct __Law {
+                #(#names: #types),*
+            }
+            #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+            const _: () = {
+                #checks
+                impl __Law {
+                    #(#leaves)*
+                    #evaluate
+                    #set
+                }
+                impl ::kin::rt::LawFunction for __Law {
+                    fn kind(&self) -> &str {
+                        #text
+                    }
+                    fn jet(&self, x: f64) -> [f64; 4] {
+                        #jet
+                    }
+                    #visit
+                    fn with_parameter(&self, name: &str, value: f64) -> ::core::option::Option<::kin::Law> {
+                        let mut changed = ::core::clone::Clone::clone(self);
+                        changed.set_parameter(name, value).then(|| ::kin::Law::new(changed))
+                    }
+                }
+            };
+            ::kin::Law::new(__Law { #(#names),* })
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! Mistakes of the user: collected, so that one compilation shows them all, each at its own token.
+
+use quote::ToTokens;
+
+/// All mistakes found so far.
+#[derive(Default)]
+pub struct Mistakes(Option<syn::Error>);
+
+impl Mistakes {
+    /// A mistake at `tokens`.
+    pub fn add(&mut self, tokens: &dyn ToTokens, message: impl std::fmt::Display) {
+        self.push(syn::Error::new_spanned(tokens.to_token_stream(), message));
+    }
+
+    pub fn push(&mut self, error: syn::Error) {
+        match &mut self.0 {
+            Some(all) => all.combine(error),
+            none => *none = Some(error),
+        }
+    }
+
+    /// The value, or `None` with its mistake kept.
+    pub fn catch<T>(&mut self, result: syn::Result<T>) -> Option<T> {
+        result.map_err(|error| self.push(error)).ok()
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.0.is_none()
+    }
+
+    /// All of them as one error, if there are any.
+    pub fn finish(self) -> syn::Result<()> {
+        self.0.map_or(Ok(()), Err)
+    }
+
+    pub fn into_error(self) -> syn::Error {
+        self.0.unwrap_or_else(|| syn::Error::new(proc_macro2::Span::call_site(), "unknown mistake"))
+    }
+}

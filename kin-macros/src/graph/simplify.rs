@@ -1,0 +1,402 @@
+//! Constructors of the graph. Each folds and simplifies exactly: zeros, ones, signs, common factors, constants; never by a tolerance.
+//! `0 · x → 0` and `x − x → 0` hide a NaN or infinity in x; everything else keeps the value up to rounding.
+
+use super::{Comparison, Function, Function2, Graph, Input, Node, Op, Part};
+
+impl Graph {
+    pub fn constant(&mut self, value: f64) -> Node {
+        // −0.0 and 0.0 are one constant, so that a structural zero is recognised.
+        let value = if value == 0.0 { 0.0 } else { value };
+        self.intern(Op::Constant(value.to_bits()))
+    }
+
+    pub fn zero(&mut self) -> Node {
+        self.constant(0.0)
+    }
+
+    pub fn is_zero(&self, a: Node) -> bool {
+        self.constant_value(a) == Some(0.0)
+    }
+
+    fn is_one(&self, a: Node) -> bool {
+        self.constant_value(a) == Some(1.0)
+    }
+
+    /// x, if `a` is −x (or a negative constant).
+    fn negated(&mut self, a: Node) -> Option<Node> {
+        match self.op(a) {
+            Op::Neg(x) => Some(x),
+            Op::Constant(bits) if f64::from_bits(bits) < 0.0 => Some(self.constant(-f64::from_bits(bits))),
+            _ => None,
+        }
+    }
+
+    pub fn add(&mut self, a: Node, b: Node) -> Node {
+        if let (Some(x), Some(y)) = (self.constant_value(a), self.constant_value(b)) {
+            return self.constant(x + y); // folded
+        }
+        if self.is_zero(a) {
+            return b; // 0 + b → b
+        }
+        if self.is_zero(b) {
+            return a; // a + 0 → a
+        }
+        match (self.negated(a), self.negated(b)) {
+            (Some(x), Some(y)) => {
+                let sum = self.add(x, y);
+                return self.neg(sum); // −x + −y → −(x + y)
+            }
+            (_, Some(y)) => return self.sub(a, y), // a + −y → a − y
+            (Some(x), _) => return self.sub(b, x), // −x + b → b − x
+            _ => {}
+        }
+        if a == b {
+            let two = self.constant(2.0);
+            return self.mul(two, a); // a + a → 2 a
+        }
+        if let Some(factored) = self.factor(a, b, Graph::add) {
+            return factored; // x y + x z → x (y + z)
+        }
+        self.intern(Op::Add(a.min(b), a.max(b)))
+    }
+
+    pub fn sub(&mut self, a: Node, b: Node) -> Node {
+        if let (Some(x), Some(y)) = (self.constant_value(a), self.constant_value(b)) {
+            return self.constant(x - y); // folded
+        }
+        if a == b {
+            return self.zero(); // a − a → 0
+        }
+        if self.is_zero(b) {
+            return a; // a − 0 → a
+        }
+        if self.is_zero(a) {
+            return self.neg(b); // 0 − b → −b
+        }
+        if let Some(y) = self.negated(b) {
+            return self.add(a, y); // a − −y → a + y
+        }
+        if let Op::Neg(x) = self.op(a) {
+            let sum = self.add(x, b);
+            return self.neg(sum); // −x − b → −(x + b)
+        }
+        if let Some(factored) = self.factor(a, b, Graph::sub) {
+            return factored; // x y − x z → x (y − z)
+        }
+        if let Some(other) = self.existing(Op::Sub(b, a)) {
+            return self.intern(Op::Neg(other)); // a − b → −(b − a), if that is there
+        }
+        self.intern(Op::Sub(a, b))
+    }
+
+    pub fn neg(&mut self, a: Node) -> Node {
+        match self.op(a) {
+            Op::Constant(bits) => self.constant(-f64::from_bits(bits)),
+            Op::Neg(x) => x, // −−x → x
+            Op::Sub(x, y) => match self.existing(Op::Sub(y, x)) {
+                Some(other) => other, // −(x − y) → y − x, if that is there
+                None => self.intern(Op::Neg(a)),
+            },
+            _ => self.intern(Op::Neg(a)),
+        }
+    }
+
+    pub fn mul(&mut self, a: Node, b: Node) -> Node {
+        if let (Some(x), Some(y)) = (self.constant_value(a), self.constant_value(b)) {
+            return self.constant(x * y); // folded
+        }
+        if self.is_zero(a) || self.is_zero(b) {
+            return self.zero(); // 0 b → 0
+        }
+        if self.is_one(a) {
+            return b; // 1 b → b
+        }
+        if self.is_one(b) {
+            return a; // a 1 → a
+        }
+        match (self.negated(a), self.negated(b)) {
+            (Some(x), Some(y)) => return self.mul(x, y), // −x · −y → x y
+            (Some(x), None) => {
+                let product = self.mul(x, b);
+                return self.neg(product); // −x · b → −(x b)
+            }
+            (None, Some(y)) => {
+                let product = self.mul(a, y);
+                return self.neg(product); // a · −y → −(a y)
+            }
+            _ => {}
+        }
+        self.mul_positive(a, b)
+    }
+
+    /// Product of operands without outer sign: constants go to the left and are gathered.
+    fn mul_positive(&mut self, a: Node, b: Node) -> Node {
+        let (a, b) = if self.constant_value(b).is_some() { (b, a) } else { (a, b) };
+        match (self.constant_value(a), self.op(b)) {
+            (Some(x), Op::Mul(y, rest)) if self.constant_value(y).is_some() => {
+                let gathered = self.constant(x * self.constant_value(y).unwrap_or(1.0));
+                self.mul(gathered, rest) // c (d x) → (c d) x
+            }
+            (Some(_), _) => self.intern(Op::Mul(a, b)),
+            _ => self.mul_variables(a, b),
+        }
+    }
+
+    /// Product of two non-constants: their constant factors go to the front.
+    fn mul_variables(&mut self, a: Node, b: Node) -> Node {
+        let (ca, xa) = self.split_constant(a);
+        let (cb, xb) = self.split_constant(b);
+        if ca * cb != 1.0 {
+            let product = self.mul(xa, xb);
+            let constant = self.constant(ca * cb);
+            return self.mul(constant, product); // (c x) (d y) → (c d) (x y)
+        }
+        self.intern(Op::Mul(a.min(b), a.max(b)))
+    }
+
+    /// `a` as constant · rest, but only where the constant is a power of two: pulling it out is then exact.
+    fn split_constant(&self, a: Node) -> (f64, Node) {
+        match self.op(a) {
+            Op::Mul(c, x) => match self.constant_value(c) {
+                Some(c) if is_power_of_two(c) => (c, x),
+                _ => (1.0, a),
+            },
+            _ => (1.0, a),
+        }
+    }
+
+    pub fn div(&mut self, a: Node, b: Node) -> Node {
+        if let (Some(x), Some(y)) = (self.constant_value(a), self.constant_value(b))
+            && y != 0.0
+        {
+            return self.constant(x / y); // folded
+        }
+        if self.is_zero(a) && !self.is_zero(b) {
+            return a; // 0 / b → 0
+        }
+        if let Some(y) = self.constant_value(b)
+            && is_power_of_two(y.abs())
+        {
+            let reciprocal = self.constant(1.0 / y);
+            return self.mul(reciprocal, a); // a / 2ⁿ → 2⁻ⁿ a
+        }
+        if let Op::Neg(x) = self.op(a) {
+            let quotient = self.div(x, b);
+            return self.neg(quotient); // −x / b → −(x / b)
+        }
+        if let Op::Neg(y) = self.op(b) {
+            let quotient = self.div(a, y);
+            return self.neg(quotient); // a / −y → −(a / y)
+        }
+        self.intern(Op::Div(a, b))
+    }
+
+    pub fn powi(&mut self, a: Node, n: i32) -> Node {
+        match n {
+            0 => self.constant(1.0),
+            1 => a,
+            2 => self.mul(a, a),
+            3 => {
+                let square = self.mul(a, a);
+                self.mul(square, a)
+            }
+            4 => {
+                let square = self.mul(a, a);
+                self.mul(square, square)
+            }
+            -1 => {
+                let one = self.constant(1.0);
+                self.div(one, a)
+            }
+            _ => match self.constant_value(a) {
+                Some(x) => self.constant(x.powi(n)),
+                None => self.intern(Op::Powi(a, n)),
+            },
+        }
+    }
+
+    pub fn call(&mut self, f: Function, a: Node) -> Node {
+        match (f, self.op(a)) {
+            (_, Op::Constant(bits)) => self.constant(f.value()(f64::from_bits(bits))),
+            // Sine and cosine of a coordinate are part of its state.
+            (Function::Sin, Op::Input(Input::State(argument, Part::Theta))) => self.input(Input::State(argument, Part::Sin)),
+            (Function::Cos, Op::Input(Input::State(argument, Part::Theta))) => self.input(Input::State(argument, Part::Cos)),
+            (Function::Sin, Op::Neg(x)) => {
+                let sin = self.call(Function::Sin, x);
+                self.neg(sin) // sin(−x) → −sin x
+            }
+            (Function::Cos, Op::Neg(x)) => self.call(Function::Cos, x), // cos(−x) → cos x
+            _ => self.intern(Op::Call(f, a)),
+        }
+    }
+
+    pub fn call2(&mut self, f: Function2, a: Node, b: Node) -> Node {
+        if let (Some(x), Some(y)) = (self.constant_value(a), self.constant_value(b)) {
+            return self.constant(f.value()(x, y));
+        }
+        match (f, self.constant_value(b)) {
+            (Function2::Powf, Some(0.0)) => self.constant(1.0), // x⁰ → 1
+            (Function2::Powf, Some(1.0)) => a,                  // x¹ → x
+            (Function2::Powf, Some(2.0)) => self.mul(a, a),     // x² → x x
+            _ => self.intern(Op::Call2(f, a, b)),
+        }
+    }
+
+    pub fn law(&mut self, law: usize, x: Node, order: u8) -> Node {
+        self.intern(Op::Law(law, x, order))
+    }
+
+    pub fn bool(&mut self, value: bool) -> Node {
+        self.intern(Op::Truth(value))
+    }
+
+    pub fn compare(&mut self, comparison: Comparison, a: Node, b: Node) -> Node {
+        match (self.constant_value(a), self.constant_value(b)) {
+            (Some(x), Some(y)) => self.bool(match comparison {
+                Comparison::Less => x < y,
+                Comparison::LessEqual => x <= y,
+                Comparison::Greater => x > y,
+                Comparison::GreaterEqual => x >= y,
+                Comparison::Equal => x == y,
+                Comparison::NotEqual => x != y,
+            }),
+            _ => self.intern(Op::Compare(comparison, a, b)),
+        }
+    }
+
+    pub fn and(&mut self, a: Node, b: Node) -> Node {
+        match (self.truth(a), self.truth(b)) {
+            (Some(true), _) => b,
+            (_, Some(true)) => a,
+            (Some(false), _) | (_, Some(false)) => self.bool(false),
+            _ => self.intern(Op::And(a, b)),
+        }
+    }
+
+    pub fn or(&mut self, a: Node, b: Node) -> Node {
+        match (self.truth(a), self.truth(b)) {
+            (Some(false), _) => b,
+            (_, Some(false)) => a,
+            (Some(true), _) | (_, Some(true)) => self.bool(true),
+            _ => self.intern(Op::Or(a, b)),
+        }
+    }
+
+    pub fn not(&mut self, a: Node) -> Node {
+        match (self.truth(a), self.op(a)) {
+            (Some(value), _) => self.bool(!value),
+            (_, Op::Not(x)) => x,
+            _ => self.intern(Op::Not(a)),
+        }
+    }
+
+    pub fn select(&mut self, condition: Node, a: Node, b: Node) -> Node {
+        match self.truth(condition) {
+            Some(true) => a,
+            Some(false) => b,
+            None if a == b => a,
+            None => self.intern(Op::Select(condition, a, b)),
+        }
+    }
+
+    /// x (y ± z) for a = x y and b = x z, where they have factors in common.
+    fn factor(&mut self, a: Node, b: Node, combine: fn(&mut Graph, Node, Node) -> Node) -> Option<Node> {
+        let (mut left, mut right) = (self.factors(a), self.factors(b));
+        let mut common = Vec::new();
+        left.retain(|x| match right.iter().position(|y| y == x) {
+            Some(k) => {
+                common.push(right.remove(k));
+                false
+            }
+            None => true,
+        });
+        if common.is_empty() {
+            return None;
+        }
+        let (rest_a, rest_b) = (self.product(&left), self.product(&right));
+        let rest = combine(self, rest_a, rest_b);
+        let common = self.product(&common);
+        Some(self.mul(common, rest))
+    }
+
+    /// Factors of a product, a few levels deep.
+    fn factors(&self, a: Node) -> Vec<Node> {
+        let mut done = Vec::new();
+        let mut open = vec![a];
+        while let Some(node) = open.pop() {
+            match self.op(node) {
+                Op::Mul(x, y) if done.len() + open.len() < 8 => open.extend([y, x]),
+                _ => done.push(node),
+            }
+        }
+        done
+    }
+
+    fn product(&mut self, factors: &[Node]) -> Node {
+        let one = self.constant(1.0);
+        factors.iter().fold(one, |all, &x| self.mul(all, x))
+    }
+}
+
+fn is_power_of_two(x: f64) -> bool {
+    x.is_normal() && x > 0.0 && x.to_bits() & ((1 << 52) - 1) == 0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn three() -> (Graph, Node, Node, Node) {
+        let mut g = Graph::default();
+        let [x, y, z] = [0, 1, 2].map(|k| g.input(Input::Parameter(k)));
+        (g, x, y, z)
+    }
+
+    #[test]
+    fn equal_expressions_are_one_node() {
+        let (mut g, x, y, _) = three();
+        assert_eq!(g.add(x, y), g.add(y, x));
+        assert_eq!(g.mul(x, y), g.mul(y, x));
+    }
+
+    #[test]
+    fn zeros_ones_and_signs_vanish() {
+        let (mut g, x, y, _) = three();
+        let (zero, one) = (g.zero(), g.constant(1.0));
+        assert_eq!(g.add(x, zero), x);
+        assert_eq!(g.mul(one, x), x);
+        assert_eq!(g.mul(zero, x), zero);
+        assert_eq!(g.sub(x, x), zero);
+        let minus = g.neg(x);
+        assert_eq!(g.neg(minus), x);
+        let (sum, difference) = (g.add(y, minus), g.sub(y, x));
+        assert_eq!(sum, difference);
+        let minus_zero = g.constant(-0.0);
+        assert_eq!(minus_zero, zero);
+    }
+
+    #[test]
+    fn a_common_factor_is_taken_out() {
+        let (mut g, x, y, z) = three();
+        let (xy, xz) = (g.mul(x, y), g.mul(x, z));
+        let difference = g.sub(xy, xz);
+        let rest = g.sub(y, z);
+        assert_eq!(difference, g.mul(x, rest));
+        let two_x = g.add(x, x);
+        let three_x = g.add(two_x, x);
+        let factor = g.constant(3.0);
+        assert_eq!(three_x, g.mul(factor, x));
+    }
+
+    #[test]
+    fn conditions_fold() {
+        let (mut g, x, y, _) = three();
+        let (one, two) = (g.constant(1.0), g.constant(2.0));
+        let less = g.compare(Comparison::Less, one, two);
+        assert_eq!(g.select(less, x, y), x);
+        let open = g.compare(Comparison::Less, x, y);
+        assert_eq!(g.select(open, x, x), x);
+        let never = g.bool(false);
+        assert_eq!(g.and(open, never), never);
+    }
+}

@@ -1,0 +1,246 @@
+//! Second stage: reads the body by abstract interpretation over typed values. Each expression becomes a [`Value`] over the scalar graph;
+//! what cannot be read is [`Unreadable`] and sends the whole constraint to the dual route; a mistake is collected and reading goes on.
+
+mod branch;
+mod call;
+mod coerce;
+mod expression;
+mod method;
+mod operator;
+mod pattern;
+mod rows;
+mod scope;
+mod state;
+mod statement;
+pub mod value;
+
+use std::collections::HashMap;
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{ToTokens, quote};
+
+use crate::error::Mistakes;
+use crate::graph::{Graph, Input, Node};
+use crate::parse::{Argument, ConstraintFn, Kind, Shape};
+
+pub use rows::Row;
+use scope::Scopes;
+use value::{Template, Value};
+
+/// The body as a graph, with everything emitted code needs to know about its inputs.
+pub struct Lowered {
+    pub graph: Graph,
+    pub rows: Vec<Row>,
+    /// How emitted code reads each numeric parameter.
+    pub parameters: Vec<TokenStream>,
+    pub opaques: Vec<OpaqueValue>,
+    pub laws: Vec<Template>,
+    pub leaves: Vec<OpaqueValue>,
+    /// Operations that can fail to be finite, with the user's text.
+    pub risks: Vec<Risk>,
+    /// Constants and imports inside the body, for emitted code to repeat.
+    pub items: Vec<syn::Item>,
+}
+
+/// A value that only rustc can compute, with the shape its place asks for.
+pub struct OpaqueValue {
+    pub template: Template,
+    pub kind: OpaqueKind,
+}
+
+/// What an opaque value is taken for.
+#[derive(Clone, PartialEq, Debug)]
+pub enum OpaqueKind {
+    Numbers(Shape),
+    Condition,
+}
+
+/// A node whose value or derivative may not be finite.
+pub struct Risk {
+    pub node: Node,
+    pub text: String,
+}
+
+/// Why the body has no graph.
+pub enum Failure {
+    Mistakes(syn::Error),
+    Unreadable(Unreadable),
+}
+
+/// An expression that is good Rust, perhaps, but not for this interpreter.
+pub struct Unreadable {
+    pub span: Span,
+    pub what: String,
+}
+
+/// Either a value or the end of reading.
+type Read<T = Value> = Result<T, Unreadable>;
+
+/// Beyond this many nodes straight-line code is no longer a good idea.
+const MOST_NODES: usize = 60_000;
+/// Loops are unrolled up to this many turns.
+const MOST_TURNS: i64 = 4_096;
+
+/// Reads the body of `source`.
+pub fn constraint(source: &ConstraintFn) -> Result<Lowered, Failure> {
+    let mut reader = Reader::new();
+    reader.declare_arguments(&source.arguments);
+    let value = reader.function_body(&source.body).map_err(Failure::Unreadable);
+    let rows = value.map(|value| reader.rows(source, &value));
+    // A mistake is worth more than the remark that something else cannot be read.
+    reader.mistakes.finish().map_err(Failure::Mistakes)?;
+    Ok(Lowered {
+        rows: rows?,
+        graph: reader.graph,
+        parameters: reader.parameters,
+        opaques: reader.opaques,
+        laws: reader.laws,
+        leaves: reader.leaves,
+        risks: reader.risks,
+        items: reader.items,
+    })
+}
+
+/// Reads the body of a law: a function of the first argument, a number.
+pub fn law(variable: &Ident, parameters: &[Argument], body: &syn::Block) -> Result<Lowered, Failure> {
+    let mut reader = Reader::new();
+    let x = reader.graph.input(Input::Variable);
+    reader.scopes.declare(variable.to_string(), Value::Scalar(x));
+    reader.declare_arguments(parameters);
+    let value = reader.function_body(body).map_err(Failure::Unreadable);
+    let row = value.map(|value| reader.scalar(value, body));
+    reader.mistakes.finish().map_err(Failure::Mistakes)?;
+    Ok(Lowered {
+        rows: vec![Row { name: String::new(), node: row? }],
+        graph: reader.graph,
+        parameters: reader.parameters,
+        opaques: reader.opaques,
+        laws: reader.laws,
+        leaves: reader.leaves,
+        risks: reader.risks,
+        items: reader.items,
+    })
+}
+
+/// The interpreter.
+struct Reader {
+    graph: Graph,
+    scopes: Scopes,
+    mistakes: Mistakes,
+    parameters: Vec<TokenStream>,
+    opaques: Vec<OpaqueValue>,
+    opaque_index: HashMap<String, usize>,
+    laws: Vec<Template>,
+    law_index: HashMap<String, usize>,
+    leaves: Vec<OpaqueValue>,
+    leaf_index: HashMap<String, usize>,
+    risks: Vec<Risk>,
+    items: Vec<syn::Item>,
+}
+
+impl Reader {
+    fn new() -> Self {
+        let mut scopes = Scopes::default();
+        scopes.push();
+        Reader {
+            graph: Graph::default(),
+            scopes,
+            mistakes: Mistakes::default(),
+            parameters: Vec::new(),
+            opaques: Vec::new(),
+            opaque_index: HashMap::new(),
+            laws: Vec::new(),
+            law_index: HashMap::new(),
+            leaves: Vec::new(),
+            leaf_index: HashMap::new(),
+            risks: Vec::new(),
+            items: Vec::new(),
+        }
+    }
+
+    /// Binds the arguments of the signature; states are numbered in its order, a `[Coord; N]` counting N.
+    fn declare_arguments(&mut self, arguments: &[Argument]) {
+        let mut slot = 0;
+        for argument in arguments {
+            let name = &argument.name;
+            let value = match &argument.kind {
+                Kind::Planar => Value::Planar(slot),
+                Kind::Spatial => Value::Spatial(slot),
+                Kind::Coord => self.coordinate(slot),
+                Kind::Coords(n) => Value::Array((0..*n).map(|k| self.coordinate(slot + k)).collect()),
+                Kind::Time => Value::Scalar(self.graph.input(Input::Time)),
+                Kind::Law => Value::Law(Template::Parameter(name.clone())),
+                Kind::Numbers(shape) => self.parameter(&quote!(self.#name), shape),
+                Kind::Other => Value::Opaque(Template::Parameter(name.clone())),
+            };
+            self.scopes.declare(name.to_string(), value);
+            slot += argument.kind.slots();
+        }
+    }
+
+    /// A numeric parameter: one input a number, read where `path` says.
+    fn parameter(&mut self, path: &TokenStream, shape: &Shape) -> Value {
+        let paths = component_paths(path, shape);
+        let nodes: Vec<Node> = paths
+            .into_iter()
+            .map(|path| {
+                self.parameters.push(path);
+                self.graph.input(Input::Parameter(self.parameters.len() - 1))
+            })
+            .collect();
+        Value::from_numbers(shape, &mut nodes.into_iter()).unwrap_or(Value::Poison)
+    }
+
+    /// Notes a mistake at `tokens`; reading goes on without its value.
+    fn mistake(&mut self, tokens: &dyn ToTokens, message: impl std::fmt::Display) -> Value {
+        self.mistakes.add(tokens, message);
+        Value::Poison
+    }
+
+    /// Notes an operation that may not be finite.
+    fn risk(&mut self, node: Node, tokens: &dyn ToTokens) {
+        if self.graph.constant_value(node).is_none() && !self.risks.iter().any(|risk| risk.node == node) {
+            self.risks.push(Risk { node, text: source_text(tokens) });
+        }
+    }
+}
+
+/// What the user wrote.
+fn source_text(tokens: &dyn ToTokens) -> String {
+    let tokens = tokens.to_token_stream();
+    let whole = tokens.clone().into_iter().next().and_then(|first| {
+        let last = tokens.clone().into_iter().last()?;
+        first.span().join(last.span())?.source_text()
+    });
+    whole.unwrap_or_else(|| tidy(&tokens.to_string()))
+}
+
+/// A token stream's text without the blanks that nobody writes.
+pub fn tidy(text: &str) -> String {
+    let mut text = text.to_owned();
+    for (from, to) in [(" . ", "."), (" (", "("), ("( ", "("), (" )", ")"), (" ,", ","), ("[ ", "["), (" ]", "]"), (" [", "["), ("& ", "&"), (" :: ", "::")] {
+        text = text.replace(from, to);
+    }
+    text
+}
+
+/// How emitted code reads each number of a value at `path`.
+pub fn component_paths(path: &TokenStream, shape: &Shape) -> Vec<TokenStream> {
+    let fields = |names: &[&str]| -> Vec<TokenStream> {
+        names.iter().map(|name| Ident::new(name, Span::call_site())).map(|name| quote!(#path.#name)).collect()
+    };
+    match shape {
+        Shape::Scalar => vec![path.clone()],
+        Shape::Vector(2) => fields(&["x", "y"]),
+        Shape::Vector(_) => fields(&["x", "y", "z"]),
+        Shape::Matrix(2) => fields(&["m11", "m12", "m21", "m22"]),
+        Shape::Matrix(_) => fields(&["m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"]),
+        Shape::Array(inner, n) => indexed(*n).flat_map(|k| component_paths(&quote!(#path[#k]), inner)).collect(),
+        Shape::Tuple(all) => indexed(all.len()).zip(all).flat_map(|(k, s)| component_paths(&quote!(#path.#k), s)).collect(),
+        Shape::Any => vec![],
+    }
+}
+
+fn indexed(n: usize) -> impl Iterator<Item = proc_macro2::Literal> {
+    (0..n).map(proc_macro2::Literal::usize_unsuffixed)
+}

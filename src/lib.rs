@@ -1,0 +1,13 @@
+//! Kin: write C(q, t) = 0, get every derivative, drive the mechanism.
+pub use kin_core::*;
+
+/// Everything a program with a mechanism in it needs: `use kin::prelude::*;`.
+pub mod prelude {
+    pub use kin_core::joints::drivers::*;
+    pub use kin_core::joints::planar::*;
+    pub use kin_core::{
+        Constraint, Coord, Coordinate, Dual, EulerParameters, Ground, Law, Link, Mat2, Mat3, Planar, PlanarBody, Real, Route, Spatial,
+        SpatialBody, Time, Vec2, Vec3, constraint, law, vec2, vec3,
+    };
+    pub use std::f64::consts::{PI, TAU};
+}
