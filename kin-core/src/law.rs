@@ -99,8 +99,7 @@ impl LawArgument for f64 {
 
 impl<D: Dual> LawArgument for Real<D> {
     fn through(self, law: &Law) -> Self {
-        let jet = law.jet(self.0.value());
-        Real(self.0.chain(jet))
+        self.chain(law.jet(self.value()))
     }
 }
 

@@ -25,6 +25,8 @@ pub mod rt;
 pub mod state;
 pub mod system;
 pub mod terms;
+#[cfg(test)]
+mod testing;
 
 pub use algebra::{EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
 pub use constraint::{Constraint, Route};
@@ -35,7 +37,11 @@ pub use dual_route::by_dual;
 pub use error::{Error, Result};
 pub use kin_macros::{constraint, law};
 pub use law::{Law, LawFunction};
+pub use mechanism::{ConstraintId, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose};
+pub use motion::{CoordinateMotion, Motion, PointMotion, Series};
 pub use nalgebra;
+pub use newton::{Options, Report, Stop};
 pub use num_dual;
 pub use real::{Dual, Real};
+pub use system::{Solution, System};
 pub use terms::{Terms, dual_terms, terms};

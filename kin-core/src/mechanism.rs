@@ -1,7 +1,6 @@
 //! A mechanism as it is described: bodies, bare coordinates and named constraints; then built into a [`System`].
 
 mod admission;
-mod norm;
 mod pose;
 
 pub use pose::{Pose, SpatialPose, deg, linspace, pose};
@@ -257,7 +256,7 @@ impl Mechanism {
         let norms: Vec<(String, usize)> = spatial.map(|(index, item)| (format!("{}.p", item.name), index)).collect();
         for (name, index) in norms {
             let body = SpatialBody { mechanism: self.layout.mechanism, index: Some(index) };
-            self.add(&name, norm::euler_norm(body))?;
+            self.add(&name, crate::joints::spatial::euler_norm(body))?;
         }
         let mut guess = self.initial;
         for &(column, value) in &self.preferred {

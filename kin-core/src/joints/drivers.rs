@@ -1,6 +1,5 @@
 //! Driving constraints: what a motor or a prescribed path asks for, as an equation with time in it.
 
-use crate::coordinates::{Coord, Planar, Time};
 use crate::algebra::Vec2;
 use crate::law::Law;
 use kin_macros::constraint;

@@ -1,7 +1,6 @@
 //! Joints between planar bodies.
 
 use crate::algebra::Vec2;
-use crate::coordinates::Planar;
 use kin_macros::constraint;
 
 /// A body that does not move: R = r, θ = θ0.      \[m, m, rad\]

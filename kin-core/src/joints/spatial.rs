@@ -1,6 +1,5 @@
 //! Constraints of spatial bodies.
 
-use crate::coordinates::Spatial;
 use kin_macros::constraint;
 
 /// The norm of a body's Euler parameters: pᵀ p − 1 = 0.      \[–\]

@@ -125,6 +125,15 @@ impl<T> IntoJet<T> for T {
     }
 }
 
+/// With one implementation only, rustc would take it for granted and speak of mismatched types instead of the message above.
+pub enum Never {}
+
+impl IntoJet<()> for Never {
+    fn into_jet(self) {
+        match self {}
+    }
+}
+
 macro_rules! vectors {
     ($($kind:ident { $($c:ident),* })*) => {$(
         impl LowerReal for Foreign<$kind<Real<f64>>> {

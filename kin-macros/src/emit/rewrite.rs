@@ -97,50 +97,90 @@ struct Flow {
 }
 
 impl Flow {
-    fn mark(&mut self, pattern: &impl ToTokens, from: &impl ToTokens) {
-        if mentions(from.to_token_stream(), &self.varying) {
-            idents(pattern.to_token_stream(), &mut |name| drop(self.varying.insert(name)));
+    fn mark_pattern(&mut self, pattern: &Pat) {
+        let mut names = Names::default();
+        names.visit_pat(pattern);
+        self.varying.extend(names.local);
+    }
+
+    fn bind(&mut self, pattern: &Pat, from: &Expr) {
+        if mentions(from, &self.varying) {
+            self.mark_pattern(pattern);
         }
+    }
+
+    fn assign(&mut self, place: &Expr, from: &Expr) {
+        if mentions(from, &self.varying)
+            && let Some(name) = root(place)
+        {
+            self.varying.insert(name);
+        }
+    }
+}
+
+/// The variable of which a place is a part.
+fn root(place: &Expr) -> Option<String> {
+    match place {
+        Expr::Path(path) => path.path.get_ident().map(ToString::to_string),
+        Expr::Field(field) => root(&field.base),
+        Expr::Index(index) => root(&index.expr),
+        Expr::Paren(inner) => root(&inner.expr),
+        Expr::Unary(inner) => root(&inner.expr),
+        _ => None,
     }
 }
 
 impl Visit<'_> for Flow {
     fn visit_local(&mut self, local: &syn::Local) {
         if let Some(init) = &local.init {
-            self.mark(&local.pat, &init.expr);
+            self.bind(&local.pat, &init.expr);
         }
         visit::visit_local(self, local);
     }
 
     fn visit_expr(&mut self, expression: &Expr) {
         match expression {
-            Expr::Assign(assign) => self.mark(&assign.left, &assign.right),
-            Expr::Binary(binary) if binary.op.to_token_stream().to_string().ends_with('=') => self.mark(&binary.left, &binary.right),
-            Expr::ForLoop(each) => self.mark(&each.pat, &each.expr),
-            Expr::Match(branch) => branch.arms.iter().for_each(|arm| self.mark(&arm.pat, &branch.expr)),
-            Expr::Let(test) => self.mark(&test.pat, &test.expr),
+            Expr::Assign(assign) => match &*assign.left {
+                Expr::Tuple(places) => places.elems.iter().for_each(|place| self.assign(place, &assign.right)),
+                place => self.assign(place, &assign.right),
+            },
+            // Compound assignments, and comparisons, which do no harm.
+            Expr::Binary(binary) if binary.op.to_token_stream().to_string().ends_with('=') => self.assign(&binary.left, &binary.right),
+            Expr::ForLoop(each) => self.bind(&each.pat, &each.expr),
+            Expr::Match(branch) => branch.arms.iter().for_each(|arm| self.bind(&arm.pat, &branch.expr)),
+            Expr::Let(test) => self.bind(&test.pat, &test.expr),
             // What a closure is applied to is not looked for: its arguments may be anything.
-            Expr::Closure(closure) => closure.inputs.iter().for_each(|input| idents(input.to_token_stream(), &mut |n| drop(self.varying.insert(n)))),
+            Expr::Closure(closure) => closure.inputs.iter().for_each(|input| self.mark_pattern(input)),
             _ => {}
         }
         visit::visit_expr(self, expression);
     }
-}
 
-fn idents(tokens: TokenStream, f: &mut dyn FnMut(String)) {
-    for token in tokens {
-        match token {
-            proc_macro2::TokenTree::Ident(name) => f(name.to_string()),
-            proc_macro2::TokenTree::Group(group) => idents(group.stream(), f),
-            _ => {}
+    fn visit_item_fn(&mut self, function: &syn::ItemFn) {
+        for input in &function.sig.inputs {
+            if let syn::FnArg::Typed(typed) = input {
+                self.mark_pattern(&typed.pat);
+            }
         }
+        visit::visit_item_fn(self, function);
     }
 }
 
-fn mentions(tokens: TokenStream, names: &HashSet<String>) -> bool {
-    let mut found = false;
-    idents(tokens, &mut |name| found |= names.contains(&name));
-    found
+/// Whether an expression reads one of the variables.
+fn mentions(expression: &Expr, names: &HashSet<String>) -> bool {
+    struct Search<'a>(&'a HashSet<String>, bool);
+    impl Visit<'_> for Search<'_> {
+        fn visit_expr_path(&mut self, path: &syn::ExprPath) {
+            self.1 |= path.path.get_ident().is_some_and(|name| self.0.contains(&name.to_string()));
+        }
+
+        fn visit_macro(&mut self, _: &syn::Macro) {
+            self.1 = true;
+        }
+    }
+    let mut search = Search(names, false);
+    search.visit_expr(expression);
+    search.1
 }
 
 struct Rewriter {
@@ -314,7 +354,7 @@ impl Rewriter {
         {
             return;
         }
-        let varies = mentions(argument.to_token_stream(), &self.varying);
+        let varies = mentions(argument, &self.varying);
         let at = Span::mixed_site().located_at(argument.span());
         self.visit_expr_mut(argument);
         let convert = match (self.copy, varies) {
