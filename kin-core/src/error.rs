@@ -15,7 +15,10 @@ pub type Result<T> = std::result::Result<T, Error>;
 #[non_exhaustive]
 pub enum Error {
     /// The number of equations differs from the number of coordinates, so C_q has no inverse.
-    #[error("the mechanism \"{mechanism}\" cannot be driven: {coordinates} coordinates, {equations} equations.{}", text::not_square(*.coordinates, *.equations, .untouched))]
+    #[error(
+        "the mechanism \"{mechanism}\" cannot be driven: {coordinates} coordinates, {equations} equations.{}",
+        text::not_square(*.coordinates, *.equations, .untouched)
+    )]
     NotSquare {
         /// The mechanism.
         mechanism: String,
@@ -28,7 +31,13 @@ pub enum Error {
     },
 
     /// Newton's method did not reach C(q, t) = 0.
-    #[error("t = {} s: no convergence in {}; worst is `{constraint}`{}: |C| = {residual:.1e}.{}", text::time(*.t), text::count(*.iterations, "iteration"), text::row(.row), text::no_convergence(*.last, .motion))]
+    #[error(
+        "t = {} s: no convergence in {}; worst is `{constraint}`{}: |C| = {residual:.1e}.{}",
+        text::time(*.t),
+        text::count(*.iterations, "iteration"),
+        text::row(.row),
+        text::no_convergence(*.last, .motion)
+    )]
     NoConvergence {
         /// Time.   \[s\]
         t: f64,
@@ -47,7 +56,11 @@ pub enum Error {
     },
 
     /// C_q has no inverse at a position: the mechanism stands in a toggle or a change point, or is wrongly constrained.
-    #[error("t = {} s: C_q ({n} x {n}) has rank {rank}; smallest relative pivot {pivot:.1e}.{}", text::time(*.t), text::singular(.movable, .dependent, .motion))]
+    #[error(
+        "t = {} s: C_q ({n} x {n}) has rank {rank}; smallest relative pivot {pivot:.1e}.{}",
+        text::time(*.t),
+        text::singular(.movable, .dependent, .unmet, .motion)
+    )]
     SingularAt {
         /// Time.   \[s\]
         t: f64,
@@ -61,12 +74,20 @@ pub enum Error {
         movable: Vec<String>,
         /// Equations that depend on one another.
         dependent: Vec<String>,
+        /// An equation that is far from being met where the search for a position ended; `None` at a position.
+        unmet: Option<String>,
         /// What was computed before.
         motion: Option<Box<Motion>>,
     },
 
     /// A constraint gave a value or derivative that is infinite or not a number.
-    #[error("t = {} s: {quantity} of `{constraint}`{} is not finite{}.{}", text::time(*.t), text::row(.row), text::because(.expression), text::kept(.motion))]
+    #[error(
+        "t = {} s: {quantity} of `{constraint}`{} is not finite{}.{}",
+        text::time(*.t),
+        text::row(.row),
+        text::because(.expression),
+        text::kept(.motion)
+    )]
     NotFinite {
         /// Time.   \[s\]
         t: f64,
@@ -138,14 +159,14 @@ pub enum Error {
     },
 
     /// An equation left without coordinates, because all its bodies are the ground.
-    #[error("`{constraint}`{} has no coordinate left: {arguments} the ground; give it a body that can move", text::row(.row))]
+    #[error("`{constraint}`{} has no coordinate left: {reason}", text::row(.row))]
     NoCoordinates {
         /// The constraint.
         constraint: String,
         /// Its row; empty for a constraint of one row.
         row: String,
-        /// Which arguments are the ground, with the verb: "`i` and `j` are".
-        arguments: String,
+        /// Why: which arguments are the ground.
+        reason: String,
     },
 
     /// A hand-written constraint that contradicts itself.

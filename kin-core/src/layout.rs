@@ -39,9 +39,7 @@ impl Kind {
         use Unit::*;
         match self {
             Kind::Planar => &[(".R_x", Metre), (".R_y", Metre), (".theta", Radian)],
-            Kind::Spatial => {
-                &[(".R_x", Metre), (".R_y", Metre), (".R_z", Metre), (".e0", One), (".e1", One), (".e2", One), (".e3", One)]
-            }
+            Kind::Spatial => &[(".R_x", Metre), (".R_y", Metre), (".R_z", Metre), (".e0", One), (".e1", One), (".e2", One), (".e3", One)],
             Kind::Angle => &[("", Radian)],
             Kind::Length => &[("", Metre)],
         }

@@ -1,8 +1,9 @@
 //! The linear solver: a square matrix of fixed pattern comes in as values, solutions go out. Nothing else of Kin eliminates.
 //!
-//! Dense inside: LU with scaled partial pivoting, in storage that is reused. Each pivot is measured by the largest entries that its row and
-//! its column have had so far, lengths in units of the model's own length: so the verdict "singular" does not depend on units (mm, m or
-//! km), and a row that fades on the way to a toggle is seen to fade. The measures only choose and judge pivots, they never touch the numbers.
+//! Dense inside: LU with scaled partial pivoting, in storage that is reused. Each pivot is measured by the largest entries that its row
+//! and its column have had so far, lengths in units of the model's own length: so the verdict "singular" does not depend on units (mm, m
+//! or km), and a row that fades on the way to a toggle is seen to fade. The measures only choose and judge pivots, they never touch the
+//! numbers.
 
 mod rank;
 
@@ -106,8 +107,7 @@ impl Linear {
         self.smallest = f64::INFINITY;
         for k in 0..self.n {
             let (pivot, share) = self.pivot(k);
-            // NaN is no pivot either.
-            if !(share > SINGULAR) {
+            if share.is_nan() || share <= SINGULAR {
                 return Err(self.diagnose());
             }
             self.smallest = self.smallest.min(share);

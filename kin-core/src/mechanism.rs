@@ -17,6 +17,30 @@ use crate::system::System;
 use crate::system::evaluate::Equations;
 
 /// Bodies, bare coordinates and constraints under one name, in any consistent set of units (metre, radian and second in headers).
+///
+/// ```
+/// use kin::prelude::*;
+/// use kin::{Mechanism, deg, linspace};
+///
+/// # fn main() -> kin::Result<()> {
+/// let mut m = Mechanism::new("four-bar");
+/// let ground = m.ground();
+/// let crank = m.link("crank", 1.0)?;
+/// let coupler = m.link("coupler", 3.5)?;
+/// let rocker = m.link("rocker", 3.0)?;
+/// m.add("O", revolute(ground, crank, vec2(0.0, 0.0), crank.start()))?;
+/// m.add("A", revolute(crank, coupler, crank.end(), coupler.start()))?;
+/// m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end()))?;
+/// m.add("C", revolute(ground, rocker, vec2(4.0, 0.0), rocker.start()))?;
+/// m.add("motor", drive_angle(crank, Law::ramp(TAU)))?;
+/// m.prefer(rocker, deg(100.0));
+///
+/// let motion = m.build()?.run(linspace(0.0, 1.0, 1001))?;
+/// let p = motion.point(coupler, vec2(0.0, 0.5));
+/// assert!(p.speed().max() > 6.0);
+/// # Ok(())
+/// # }
+/// ```
 pub struct Mechanism {
     name: String,
     layout: Layout,

@@ -1,6 +1,7 @@
 //! Newton's method on C(q, t) = 0, and q̇, q̈ from the matrix of its last check.
 
 pub(crate) mod assembly;
+mod driven;
 mod options;
 pub(crate) mod sweep;
 
@@ -9,15 +10,18 @@ pub use options::{Options, Report, Stop};
 use crate::error::Error;
 use crate::linear::{Linear, Singular};
 use crate::state::{RateStates, States};
-use crate::system::{Solution, System};
 use crate::system::evaluate::Bad;
+use crate::system::{Solution, System};
 
 /// A correction that stalls above this share of its coordinate is no rounding but a singular position.   \[-\]
-const STALL: f64 = 1e-8;
+const STALL: f64 = 1e-9;
 
 /// A position with a pivot below this cannot be told from a singular one: rounding ε of C moves q by ε / pivot, and so the pivot by about
 /// as much, which is itself at √ε = 1.5e-8.   \[-\]
 const DOUBTFUL: f64 = 1e-7;
+
+/// A row that is off by more than this, of the norm of the row, is told as not met where C_q is singular.   \[-\]
+const UNMET: f64 = 1e-2;
 
 /// A damped step turns no body by more than this.   \[rad\]
 const TURN: f64 = 1.0;
@@ -69,8 +73,9 @@ pub(crate) struct Newton<'a> {
     pub sizes: Vec<f64>,
     /// Σ_j |∂C_i/∂q_j| |q_j|: what rounding of q makes of row i, in units of it.
     roundings: Vec<f64>,
-    /// Newton steps of all attempts.
+    /// Newton steps of all attempts, and how many there were before this time.
     pub steps: usize,
+    pub steps_before: usize,
 }
 
 impl<'a> Newton<'a> {
@@ -91,6 +96,7 @@ impl<'a> Newton<'a> {
             sizes: vec![1.0; n],
             roundings: vec![0.0; n],
             steps: 0,
+            steps_before: 0,
         }
     }
 
@@ -115,7 +121,7 @@ impl<'a> Newton<'a> {
                 break;
             }
             previous = correction;
-            self.step(t, steps)?;
+            self.step(t, if correction <= STALL { Steps::Full } else { steps })?;
             self.steps += 1;
         }
         Err(self.failure())
@@ -164,8 +170,8 @@ impl<'a> Newton<'a> {
     /// The stop rule that tests the correction too.
     fn converged(&self, correction: f64, previous: f64) -> bool {
         let Stop::Converged { tolerance } = self.options.stop else { return false };
-        // No more can be had where the residual is rounding and the correction has stopped shrinking.
-        self.met() && (correction <= tolerance || (correction > 0.5 * previous && correction <= STALL))
+        // Newton's steps shrink by squares: one this short that has stopped shrinking is rounding, and no more can be had.
+        (self.met() && correction <= tolerance) || (correction > 0.5 * previous && correction <= STALL)
     }
 
     /// Whether C = 0 holds to the tolerance, each row by its own measure.
@@ -177,6 +183,13 @@ impl<'a> Newton<'a> {
             Stop::Converged { tolerance } => scaled <= tolerance,
             Stop::ResidualOnly(bound) => self.worst().1 < bound,
         }
+    }
+
+    /// The equation that is far from being met at the point in hand, if one is.
+    fn unmet(&self) -> Option<String> {
+        let shares = self.c.iter().zip(self.linear.norms()).map(|(c, norm)| c.abs() / norm).enumerate();
+        let (row, share) = shares.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
+        (share > UNMET).then(|| self.system.equations().equation(row))
     }
 
     /// Four roundings of a number in units of the tolerance: a number that large may be off by that much.
@@ -262,10 +275,10 @@ impl<'a> Newton<'a> {
         let equations = self.system.equations();
         match failure {
             Failure::NotFinite(bad) => equations.not_finite(bad, t, &self.states),
-            Failure::Singular(found) => self.system.singular(t, &found),
+            Failure::Singular(found) => self.system.singular(t, &found, self.unmet()),
             Failure::NoConvergence { row, residual } => {
                 let (constraint, row) = self.system.row_name(row);
-                Error::NoConvergence { t, iterations: self.steps, constraint, row, residual, last, motion: None }
+                Error::NoConvergence { t, iterations: self.steps - self.steps_before, constraint, row, residual, last, motion: None }
             }
         }
     }
@@ -273,5 +286,13 @@ impl<'a> Newton<'a> {
 
 /// The largest of non-negative numbers, 0 of none; NaN counts as infinite.
 pub(crate) fn largest(numbers: impl Iterator<Item = f64>) -> f64 {
-    numbers.fold(0.0, |m, x| if x <= m { m } else if x.is_nan() { f64::INFINITY } else { x })
+    numbers.fold(0.0, |m, x| {
+        if x <= m {
+            m
+        } else if x.is_nan() {
+            f64::INFINITY
+        } else {
+            x
+        }
+    })
 }

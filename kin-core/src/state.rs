@@ -188,23 +188,37 @@ impl<'a> At<'a> {
     /// State of argument `k`, a planar body; the ground's if there is no such argument.
     #[inline]
     pub fn planar(&self, k: usize) -> &'a PlanarState {
-        const GROUND: &PlanarState = &PlanarState { r: Vec2 { x: 0.0, y: 0.0 }, theta: 0.0, sin: 0.0, cos: 1.0 };
-        self.slots.get(k).and_then(|&slot| self.states.planar.get(slot)).unwrap_or(GROUND)
+        find(self.slots, k, &self.states.planar).unwrap_or_else(|| missing(&PLANAR_GROUND))
     }
 
     /// State of argument `k`, a spatial body; the ground's if there is no such argument.
     #[inline]
     pub fn spatial(&self, k: usize) -> &'a SpatialState {
-        self.slots.get(k).and_then(|&slot| self.states.spatial.get(slot)).unwrap_or(&SPATIAL_GROUND)
+        find(self.slots, k, &self.states.spatial).unwrap_or_else(|| missing(&SPATIAL_GROUND))
     }
 
     /// State of argument `k`, a bare coordinate; zero if there is no such argument.
     #[inline]
     pub fn coord(&self, k: usize) -> &'a CoordState {
-        const ZERO: &CoordState = &CoordState { value: 0.0, sin: 0.0, cos: 1.0 };
-        self.slots.get(k).and_then(|&slot| self.states.coords.get(slot)).unwrap_or(ZERO)
+        find(self.slots, k, &self.states.coords).unwrap_or_else(|| missing(&ZERO))
     }
 }
+
+/// What argument `k` refers to.
+#[inline]
+fn find<'a, T>(slots: &[usize], k: usize, all: &'a [T]) -> Option<&'a T> {
+    all.get(*slots.get(k)?)
+}
+
+/// Kept out of the way, so that the common case is a compare and a load.
+#[cold]
+fn missing<T>(instead: &'static T) -> &'static T {
+    instead
+}
+
+static ZERO: CoordState = CoordState { value: 0.0, sin: 0.0, cos: 1.0 };
+
+static PLANAR_GROUND: PlanarState = PlanarState { r: Vec2 { x: 0.0, y: 0.0 }, theta: 0.0, sin: 0.0, cos: 1.0 };
 
 static SPATIAL_GROUND: SpatialState = SpatialState {
     r: Vec3 { x: 0.0, y: 0.0, z: 0.0 },
@@ -228,20 +242,20 @@ impl<'a> Rates<'a> {
     /// Rates of argument `k`, a planar body; zero if there is no such argument.
     #[inline]
     pub fn planar(&self, k: usize) -> &'a PlanarRate {
-        const ZERO: &PlanarRate = &PlanarRate { r: [0.0; 2], theta: 0.0 };
-        self.slots.get(k).and_then(|&slot| self.rates.planar.get(slot)).unwrap_or(ZERO)
+        static STILL: PlanarRate = PlanarRate { r: [0.0; 2], theta: 0.0 };
+        find(self.slots, k, &self.rates.planar).unwrap_or_else(|| missing(&STILL))
     }
 
     /// Rates of argument `k`, a spatial body; zero if there is no such argument.
     #[inline]
     pub fn spatial(&self, k: usize) -> &'a SpatialRate {
-        const ZERO: &SpatialRate = &SpatialRate { r: [0.0; 3], p: [0.0; 4] };
-        self.slots.get(k).and_then(|&slot| self.rates.spatial.get(slot)).unwrap_or(ZERO)
+        static STILL: SpatialRate = SpatialRate { r: [0.0; 3], p: [0.0; 4] };
+        find(self.slots, k, &self.rates.spatial).unwrap_or_else(|| missing(&STILL))
     }
 
     /// Rate of argument `k`, a bare coordinate; zero if there is no such argument.
     #[inline]
     pub fn coord(&self, k: usize) -> f64 {
-        self.slots.get(k).and_then(|&slot| self.rates.coords.get(slot)).copied().unwrap_or(0.0)
+        find(self.slots, k, &self.rates.coords).copied().unwrap_or(0.0)
     }
 }

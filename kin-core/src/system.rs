@@ -215,11 +215,11 @@ impl System {
     }
 
     /// The error for a singular matrix at time t.
-    pub(crate) fn singular(&self, t: f64, found: &Singular) -> Error {
+    pub(crate) fn singular(&self, t: f64, found: &Singular, unmet: Option<String>) -> Error {
         let mut movable: Vec<String> = found.columns.iter().filter_map(|&k| Some(self.layout.owner(k)?.name.clone())).collect();
         movable.dedup();
         let dependent = found.rows.iter().map(|&row| self.equations.equation(row)).collect();
-        Error::SingularAt { t, n: self.n_coordinates(), rank: found.rank, pivot: found.pivot, movable, dependent, motion: None }
+        Error::SingularAt { t, n: self.n_coordinates(), rank: found.rank, pivot: found.pivot, movable, dependent, unmet, motion: None }
     }
 
     /// The states at q, if q and t are well given.
@@ -255,7 +255,7 @@ impl System {
         let sizes = scale::sizes(&self.layout, &self.equations, linear.values(), q, &self.links);
         linear.set_sizes(&sizes);
         linear.measure();
-        linear.factor().map_err(|found| self.singular(t, &found))?;
+        linear.factor().map_err(|found| self.singular(t, &found, None))?;
         Ok(linear)
     }
 }

@@ -1,5 +1,8 @@
 //! Constraints written by hand, for the tests of the solver alone.
 
+mod awkward;
+mod models;
+mod refused;
 mod whole;
 
 use crate::algebra::Vec2;
@@ -261,47 +264,5 @@ impl Constraint for Follow {
 
     fn acceleration_rhs(&self, at: &At<'_>, _: &Rates<'_>, t_dot: f64, q_d: &mut [f64]) {
         q_d[0] = t_dot * t_dot * self.law.jet(at.t)[2];
-    }
-}
-
-/// (A_i h) · (R_j + A_j u − R_i − A_i p) and θ_j − θ_i: j slides on i.
-pub struct Prismatic {
-    pub i: PlanarBody,
-    pub j: PlanarBody,
-    pub p: Vec2,
-    pub h: Vec2,
-}
-
-impl Constraint for Prismatic {
-    hand_written!("prismatic", ["angle", "normal"], [(0, 2), (0, 5), (1, 0), (1, 1), (1, 2), (1, 3), (1, 4)]);
-
-    fn arguments(&self) -> Vec<Argument> {
-        vec![planar("i", self.i), planar("j", self.j)]
-    }
-
-    fn residual(&self, at: &At<'_>, c: &mut [f64]) {
-        let (i, j) = (at.planar(0), at.planar(1));
-        let (h, p) = (i.direction(self.h), i.point(self.p));
-        c.copy_from_slice(&[j.theta - i.theta, h.x * (j.r.x - p.x) + h.y * (j.r.y - p.y)]);
-    }
-
-    fn jacobian(&self, at: &At<'_>, c_q: &mut [f64]) {
-        let (i, j) = (at.planar(0), at.planar(1));
-        let h = i.direction(self.h);
-        // (A_i h)·(R_j − R_i) − h·p, so the angle turns only the first part.
-        let turn = -h.y * (j.r.x - i.r.x) + h.x * (j.r.y - i.r.y);
-        c_q.copy_from_slice(&[-1.0, 1.0, -h.x, -h.y, turn, h.x, h.y]);
-    }
-
-    fn velocity_rhs(&self, _: &At<'_>, rhs: &mut [f64]) {
-        rhs.fill(0.0);
-    }
-
-    fn acceleration_rhs(&self, at: &At<'_>, qd: &Rates<'_>, _: f64, q_d: &mut [f64]) {
-        let (i, j, vi, vj) = (at.planar(0), at.planar(1), qd.planar(0), qd.planar(1));
-        let h = i.direction(self.h);
-        let (d, v) = ([j.r.x - i.r.x, j.r.y - i.r.y], [vj.r[0] - vi.r[0], vj.r[1] - vi.r[1]]);
-        let w = vi.theta;
-        q_d.copy_from_slice(&[0.0, w * w * (h.x * d[0] + h.y * d[1]) - 2.0 * w * (h.x * v[1] - h.y * v[0])]);
     }
 }

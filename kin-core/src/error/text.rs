@@ -46,13 +46,15 @@ pub(super) fn not_square(coordinates: usize, equations: usize, untouched: &[Stri
 /// Where the last position was found, and what to try.
 pub(super) fn no_convergence(last: Option<f64>, motion: &Option<Box<Motion>>) -> String {
     match last {
-        Some(t) => format!("\n  Nearest solved t = {} s. Try a smaller time step, or the loop cannot close beyond it.{}", time(t), kept(motion)),
+        Some(t) => {
+            format!("\n  Nearest solved t = {} s. Try a smaller time step, or the loop cannot close beyond it.{}", time(t), kept(motion))
+        }
         None => "\n  Try a better initial guess, or a preferred assembly; or the loop cannot close.".to_string(),
     }
 }
 
 /// What can move and what depends on what.
-pub(super) fn singular(movable: &[String], dependent: &[String], motion: &Option<Box<Motion>>) -> String {
+pub(super) fn singular(movable: &[String], dependent: &[String], unmet: &Option<String>, motion: &Option<Box<Motion>>) -> String {
     let mut text = String::new();
     if !movable.is_empty() {
         text += &format!("\n  free to move though the drivers stand still: {}.", list(movable));
@@ -60,7 +62,13 @@ pub(super) fn singular(movable: &[String], dependent: &[String], motion: &Option
     if !dependent.is_empty() {
         text += &format!("\n  dependent equations: {}.", list(dependent));
     }
-    text + "\n  A toggle or change point (start or step elsewhere), or one constraint repeats the others (remove it)." + &kept(motion)
+    text += &match unmet {
+        None => "\n  A toggle or change point (start or step elsewhere), or one constraint repeats the others (remove it).".to_string(),
+        Some(name) => {
+            format!("\n  `{name}` cannot be met there: the dependent equations contradict one another (remove one), or the guess is poor.")
+        }
+    };
+    text + &kept(motion)
 }
 
 /// The sub-expression that is to blame.

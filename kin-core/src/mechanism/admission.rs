@@ -94,10 +94,10 @@ fn movable(name: &str, constraint: &dyn Constraint, arguments: &[Argument], plac
     Err(Error::NoCoordinates {
         constraint: name.to_string(),
         row: if rows.len() == 1 { String::new() } else { rows[row].to_string() },
-        arguments: match names.as_slice() {
-            [] => "none of its arguments is in its pattern, none is".to_string(),
-            [one] => format!("{one} is"),
-            [rest @ .., last] => format!("{} and {last} are", rest.join(", ")),
+        reason: match names.as_slice() {
+            [] => "its row of the pattern is empty; list where C_q may differ from zero".to_string(),
+            [one] => format!("{one} is the ground; give it a body that can move"),
+            [rest @ .., last] => format!("{} and {last} are the ground; give it a body that can move", rest.join(", ")),
         },
     })
 }

@@ -1,10 +1,10 @@
 //! The first position: from a rough guess to C(q, t) = 0, in the preferred assembly.
 //!
-//! Damped Newton steps from the guess where nothing is preferred. Where they fail, or an assembly is preferred, damped least squares on C
-//! (Levenberg–Marquardt, which needs no regular C_q) with the preferred coordinates held softly, then ever more softly, then not at all;
-//! Newton ends it. Where that fails too, the same from a few other starts, always the same ones.
+//! Driven bodies are turned to their drivers first. Then, where nothing is preferred, damped Newton steps. Where they fail, or an assembly
+//! is preferred, damped least squares on C (Levenberg–Marquardt, which needs no regular C_q) with the preferred coordinates held softly,
+//! then ever more softly, then not at all; Newton ends it. Where that fails too, the same from a few other starts, always the same ones.
 
-use super::{Failure, Newton, Outcome, Steps, largest};
+use super::{Failure, Newton, Outcome, Steps, driven, largest};
 use crate::error::{Error, Result};
 use crate::layout::Unit;
 use crate::linear::Linear;
@@ -33,6 +33,9 @@ pub(crate) fn assemble(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
 /// Solves at time t from the point in hand by Newton steps of that kind; q̇ and q̈ too.
 pub(crate) fn from_start(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Result<Outcome> {
     measure(newton, t);
+    if steps == Steps::Damped {
+        driven::turn(newton, t);
+    }
     let outcome = attempt(newton, t, steps)?;
     newton.rates(t).map_err(|failure| newton.error(failure, t, None))?;
     Ok(outcome)
@@ -64,6 +67,8 @@ fn attempt(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Result<Outcome> {
 fn search(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     let preferred = newton.system.preferred();
     let mut failure: Option<Error> = None;
+    driven::turn(newton, t);
+    let guess = newton.q.clone();
     if preferred.is_empty() {
         match attempt(newton, t, Steps::Damped) {
             Ok(outcome) => return Ok(outcome),
@@ -72,7 +77,7 @@ fn search(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     }
     let mut best: Option<(f64, Vec<f64>)> = None;
     for start in 0..STARTS {
-        place(newton, start);
+        place(newton, &guess, start);
         approach(newton, t);
         match attempt(newton, t, Steps::Damped) {
             Ok(outcome) => {
@@ -97,8 +102,9 @@ fn search(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
 /// A singular position says more than none, and a near miss more than a far one.
 fn more_telling(known: Option<Error>, new: Error) -> Error {
     let weight = |error: &Error| match error {
-        Error::SingularAt { .. } => (2, 0.0),
-        Error::NoConvergence { residual, .. } => (1, *residual),
+        Error::SingularAt { unmet: None, .. } => (3, 0.0),
+        Error::NoConvergence { residual, .. } => (2, *residual),
+        Error::SingularAt { .. } => (1, 0.0),
         _ => (0, 0.0),
     };
     match known {
@@ -116,8 +122,8 @@ fn distance(newton: &Newton<'_>) -> f64 {
 }
 
 /// The guess, from the second start on with everything but the preferred coordinates moved at random, more at later starts.
-fn place(newton: &mut Newton<'_>, start: usize) {
-    newton.q.copy_from_slice(newton.system.initial());
+fn place(newton: &mut Newton<'_>, guess: &[f64], start: usize) {
+    newton.q.copy_from_slice(guess);
     let reach = 3.0 * (start as f64 / STARTS as f64).sqrt();
     let mut state = start as u64;
     for ((q, size), unit) in newton.q.iter_mut().zip(&newton.sizes).zip(&newton.system.layout().units) {
@@ -210,12 +216,10 @@ impl LeastSquares {
         }
     }
 
-    /// One over the norm of each row; small norms count as a thousandth of the largest.
+    /// One over the norm of each row.
     fn weigh(&mut self, newton: &Newton<'_>) {
-        let least = 1e-3 * largest(newton.linear.norms().iter().copied());
         for (weight, norm) in self.weights.iter_mut().zip(newton.linear.norms()) {
-            let norm = norm.max(least);
-            *weight = if norm > 0.0 { norm.recip() } else { 1.0 };
+            *weight = if *norm > 0.0 { norm.recip() } else { 1.0 };
         }
     }
 

@@ -54,13 +54,13 @@ impl<'a> Sweep<'a> {
 
     /// Solves at time t, from the guess or from the last solved time.
     fn reach(&mut self, t: f64) -> Result<Outcome> {
-        let before = self.newton.steps;
+        self.newton.steps_before = self.newton.steps;
         let outcome = match self.last {
             None => assembly::assemble(&mut self.newton, t)?,
             Some(from) => self.advance(from, t)?,
         };
         self.last = Some(t);
-        Ok(Outcome { iterations: self.newton.steps - before, ..outcome })
+        Ok(Outcome { iterations: self.newton.steps - self.newton.steps_before, ..outcome })
     }
 
     /// From one solved time to the next, in one step if that works.

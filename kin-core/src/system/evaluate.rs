@@ -251,3 +251,24 @@ fn finite(rows: &[f64], quantity: &'static str) -> Result<(), Bad> {
         None => Ok(()),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::coordinates::Coordinate;
+
+    #[test]
+    fn one_coordinate_has_one_state_with_sine_if_anyone_asks() {
+        let mut plan = StatePlan::default();
+        let target = |trig| Target::Coord(Coordinate::Planar(crate::coordinates::any_planar(), 2), trig);
+        let place = Place::Own { item: 0, first: 2 };
+        assert_eq!(plan.slot(&target(Trig::Unused), place), 0);
+        assert_eq!(plan.slot(&target(Trig::Unused), Place::Ground(1.0)), 1);
+        assert_eq!(plan.slot(&target(Trig::Used), place), 0);
+        let mut states = plan.states();
+        plan.set_states(&[0.0, 0.0, 0.5], &mut states);
+        assert_eq!((states.coords[0].value, states.coords[0].sin), (0.5, 0.5_f64.sin()));
+        assert_eq!((states.coords[1].value, states.coords[1].sin), (1.0, 0.0));
+        assert_eq!(states.coords.len(), 2);
+    }
+}

@@ -52,7 +52,8 @@ impl System {
     fn near(&self, name: &str) -> Vec<String> {
         let all: Vec<String> = self.parameters().into_iter().map(|(name, _)| name).collect();
         let constraint = name.split('.').next().unwrap_or_default();
-        let own: Vec<String> = all.iter().filter(|known| known.strip_prefix(constraint).is_some_and(|rest| rest.starts_with('.'))).cloned().collect();
+        let own: Vec<String> =
+            all.iter().filter(|known| known.strip_prefix(constraint).is_some_and(|rest| rest.starts_with('.'))).cloned().collect();
         if own.is_empty() { all } else { own }
     }
 }

@@ -1,0 +1,139 @@
+//! Awkward positions: singular, out of reach, contradictory, not finite, far from the guess.
+
+use std::f64::consts::TAU;
+
+use super::models::*;
+use super::*;
+use crate::algebra::Vec2;
+use crate::coordinates::Ground;
+use crate::error::Error;
+use crate::mechanism::{Mechanism, linspace};
+use crate::system::System;
+
+/// Two points at a fixed distance: |r_P − r_Q| − l = 0.   \[m\]
+#[kin_macros::constraint]
+fn rod(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, l: f64) -> f64 {
+    (i.point(u_i) - j.point(u_j)).norm() - l
+}
+
+/// Four-bar with opposite links alike, flat at t = 0.
+fn parallelogram(law: Law) -> System {
+    let mut m = Mechanism::new("parallelogram");
+    let ground = m.ground();
+    let crank = m.link_between("crank", v(0.0, 0.0), v(1.0, 0.0)).unwrap();
+    let coupler = m.link_between("coupler", v(1.0, 0.0), v(4.0, 0.0)).unwrap();
+    let rocker = m.link_between("rocker", v(3.0, 0.0), v(4.0, 0.0)).unwrap();
+    m.add("O", revolute(ground, crank, v(0.0, 0.0), crank.start())).unwrap();
+    m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).unwrap();
+    m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).unwrap();
+    m.add("C", revolute(ground, rocker, v(3.0, 0.0), rocker.start())).unwrap();
+    m.add("motor", drive_angle(crank, law)).unwrap();
+    m.build().unwrap()
+}
+
+#[test]
+fn flat_parallelogram_is_singular_by_name() {
+    let error = parallelogram(Law::ramp(1.0)).run([0.0, 0.1]).unwrap_err();
+    let Error::SingularAt { t, n, rank, movable, .. } = &error else { panic!("{error}") };
+    assert_eq!((*t, *n, *rank), (0.0, 9, 8));
+    assert_eq!(movable, &["coupler", "rocker"]);
+    assert!(error.motion().is_none());
+    assert!(error.to_string().contains("`coupler`, `rocker`"), "{error}");
+}
+
+#[test]
+fn failing_run_keeps_what_it_computed() {
+    // Flat at t = 0, which the sweep reaches from above.
+    let error = parallelogram(Law::linear(0.0, 1.0)).run([0.3, 0.2, 0.1, 0.0]).unwrap_err();
+    assert!(matches!(error, Error::SingularAt { t: 0.0, .. }), "{error}");
+    assert_eq!(error.motion().unwrap().times(), [0.3, 0.2, 0.1]);
+    assert!(error.to_string().contains("`error.motion()`"), "{error}");
+}
+
+#[test]
+fn toggle_is_no_convergence_with_the_last_time() {
+    // l2 = 1, l3 = 0.8: sin t = 0.8 is the end.
+    let end = 0.8_f64.asin();
+    let error = slider_crank([1.0, 0.8, 0.0], 1.0, [0.0, 1.8]).run(linspace(0.0, 2.0, 21)).unwrap_err();
+    let Error::NoConvergence { constraint, row, last: Some(last), .. } = &error else { panic!("{error}") };
+    assert_eq!((constraint.as_str(), row.as_str()), ("loop", "y"));
+    assert!(*last <= end && *last > end - 1e-3, "{last} {end}");
+    assert_eq!(error.motion().unwrap().len(), 10);
+}
+
+#[test]
+fn loop_that_cannot_close_is_no_convergence() {
+    let error = slider_crank([1.0, 0.5, 2.0], 1.0, [0.0, 1.0]).run([0.0]).unwrap_err();
+    assert!(matches!(&error, Error::NoConvergence { constraint, last: None, .. } if constraint == "loop"), "{error}");
+}
+
+#[test]
+fn prediction_carries_through_a_change_point_between_times() {
+    // The times straddle the flat position; there the parallelogram could become an antiparallelogram.
+    let mut system = parallelogram(Law::linear(-0.105, 1.0));
+    let (s, c) = (-0.105_f64).sin_cos();
+    system.set_initial(&[0.5 * c, 0.5 * s, -0.105, 1.5 + c, s, 0.0, 3.0 + 0.5 * c, 0.5 * s, -0.105]).unwrap();
+    let motion = system.run(linspace(0.0, 0.21, 22)).unwrap();
+    for k in 0..22 {
+        assert!((motion.q(k)[8] - motion.q(k)[2]).abs() < 1e-10 && (motion.qd(k)[8] - 1.0).abs() < 1e-8, "{:?}", motion.q(k));
+    }
+}
+
+#[test]
+fn motor_may_start_far_from_the_guess() {
+    let system = four_bar(100.0).0;
+    let motion = system.run(linspace(1000.0, 1001.0, 101)).unwrap();
+    assert!((motion.q(0)[2] - 1000.0 * TAU).abs() < 1e-11);
+    assert!(motion.q(0)[8] > 1.0 && motion.q(0)[8] < 2.5);
+}
+
+#[test]
+fn contradiction_is_told_with_its_equations() {
+    let mut m = Mechanism::new("contradiction");
+    let (a, b) = (m.link("a", 1.0).unwrap(), m.link("spare", 1.0).unwrap());
+    m.add("O", revolute(Ground, a, v(0.0, 0.0), a.start())).unwrap();
+    m.add("P", revolute(Ground, a, v(0.0, 0.0), a.end())).unwrap();
+    m.add("motor", drive_angle(a, Law::ramp(1.0))).unwrap();
+    m.add("other", drive_angle(b, Law::ramp(1.0))).unwrap();
+    let error = m.build().unwrap().run([0.5]).unwrap_err();
+    let Error::SingularAt { rank, movable, dependent, unmet: Some(unmet), .. } = &error else { panic!("{error}") };
+    assert_eq!((*rank, movable.as_slice()), (4, ["spare".to_string()].as_slice()));
+    assert!(dependent.contains(unmet), "{error}");
+}
+
+#[test]
+fn rod_of_length_zero_at_the_guess_is_no_obstacle() {
+    // All poses zero: the distance of the two points has no derivative there.
+    let mut m = Mechanism::new("rod");
+    let (crank, rocker) = (m.link("crank", 1.0).unwrap(), m.link("rocker", 3.0).unwrap());
+    m.add("O", revolute(Ground, crank, v(0.0, 0.0), crank.start())).unwrap();
+    m.add("C", revolute(Ground, rocker, v(4.0, 0.0), rocker.start())).unwrap();
+    m.add("rod", rod(crank, rocker, v(0.0, 0.0), v(0.0, 0.0), 3.0)).unwrap();
+    m.add("motor", drive_angle(crank, Law::ramp(1.0))).unwrap();
+    let motion = m.build().unwrap().run(linspace(0.0, 6.0, 61)).unwrap();
+    assert!(motion.residuals().iter().all(|r| *r < 1e-14));
+}
+
+#[test]
+fn nothing_at_all_runs() {
+    let motion = Mechanism::new("nothing").build().unwrap().run([0.0, 1.0]).unwrap();
+    assert_eq!((motion.len(), motion.q(0).len(), motion.headers()), (2, 0, vec!["t [s]".to_string()]));
+}
+
+#[test]
+fn not_finite_names_the_constraint_and_keeps_the_motion() {
+    let mut m = Mechanism::new("root");
+    let x = m.length("x", 1.0).unwrap();
+    m.add("slot", Root(x)).unwrap();
+    let system = m.build().unwrap();
+    let motion = system.run(linspace(0.0, 1.5, 16)).unwrap();
+    assert!((motion.q(15)[0] - 6.25).abs() < 1e-13 && (motion.qdd(15)[0] - 2.0).abs() < 1e-12);
+
+    let error = system.run(linspace(0.0, 3.0, 4)).unwrap_err();
+    assert!(matches!(&error, Error::NotFinite { t: 2.0, quantity: "C_t", constraint, .. } if constraint == "slot"), "{error}");
+    assert_eq!(error.motion().unwrap().len(), 2);
+
+    let error = system.residual(&[-1.0], 0.0).unwrap_err();
+    assert!(matches!(&error, Error::NotFinite { quantity: "C", expression: Some(text), .. } if text == "x.sqrt()"), "{error}");
+    assert!(matches!(system.jacobian(&[0.0], 0.0), Err(Error::NotFinite { quantity: "C_q", .. })));
+}

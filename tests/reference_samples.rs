@@ -1,0 +1,229 @@
+//! Both routes against the reference samples: every term at random states, computed elsewhere at 60 digits (`tests/data/README.md`).
+
+mod data;
+
+use data::{array, error, number, numbers, read, rows};
+use kin::dual_route::Equation;
+use kin::prelude::*;
+use kin::{Mechanism, Terms, any_planar, any_spatial, by_dual, dual_terms, pose, terms};
+use nalgebra::{DMatrix, DVector};
+use serde_json::Value;
+
+/// Largest error that counts as rounding, relative to 1 + the largest entry of the term.
+const TOLERANCE: f64 = 1e-12;
+
+#[constraint]
+fn moving_point(i: Planar, j: Planar, u_j: Vec2, c: [f64; 6], t: Time) -> Vec2 {
+    let u_i = vec2(c[0] + c[1] * t + c[2] * t.powi(2), c[3] * (c[4] * t + c[5]).sin());
+    i.point(u_i) - j.point(u_j)
+}
+
+#[constraint]
+fn trajectory(i: Planar, u_i: Vec2, c: [f64; 6], t: Time) -> Vec2 {
+    let path = vec2(c[0] + c[1] * (c[2] * t).cos(), c[3] + c[4] * (c[5] * t).sin());
+    i.point(u_i) - path
+}
+
+#[constraint]
+fn spherical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3) -> Vec3 {
+    i.point(u_i) - j.point(u_j)
+}
+
+#[constraint]
+fn universal(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Vec3, h_j: Vec3) -> (Vec3, f64) {
+    let point = i.point(u_i) - j.point(u_j);
+    let cross = i.direction(h_i).dot(j.direction(h_j));
+    (point, cross)
+}
+
+#[constraint]
+fn cylindrical_dot(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_j: Vec3, v: [Vec3; 2]) -> [f64; 4] {
+    let (s, h) = (i.point(u_i) - j.point(u_j), j.direction(h_j));
+    let (v1, v2) = (i.direction(v[0]), i.direction(v[1]));
+    [v1.dot(h), v2.dot(h), v1.dot(s), v2.dot(s)]
+}
+
+#[constraint]
+fn cylindrical_cross(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Vec3, h_j: Vec3) -> (Vec3, Vec3) {
+    let h = i.direction(h_i);
+    (h.cross(j.direction(h_j)), h.cross(i.point(u_i) - j.point(u_j)))
+}
+
+#[test]
+fn revolute_agrees_with_the_samples() {
+    planar("revolute_planar", |p| revolute(any_planar(), any_planar(), vec(p, "ui"), vec(p, "uj")));
+}
+
+#[test]
+fn prismatic_agrees_with_the_samples() {
+    planar("prismatic_planar", |p| {
+        prismatic(any_planar(), any_planar(), vec(p, "ui"), vec(p, "uj"), vec(p, "hi"), number(p, "theta0"))
+    });
+}
+
+#[test]
+fn moving_point_agrees_with_the_samples() {
+    planar("moving_point_planar", |p| moving_point(any_planar(), any_planar(), vec(p, "uj"), array(p, "c")));
+}
+
+#[test]
+fn trajectory_driver_agrees_with_the_samples() {
+    planar("trajectory_driver_planar", |p| trajectory(any_planar(), vec(p, "ui"), array(p, "c")));
+}
+
+#[test]
+fn spherical_agrees_with_the_samples() {
+    spatial("spherical_spatial", |p| spherical(any_spatial(), any_spatial(), vec_3(p, "ui"), vec_3(p, "uj")));
+}
+
+#[test]
+fn universal_agrees_with_the_samples() {
+    spatial("universal_spatial", |p| {
+        universal(any_spatial(), any_spatial(), vec_3(p, "ui"), vec_3(p, "uj"), vec_3(p, "hi"), vec_3(p, "hj"))
+    });
+}
+
+#[test]
+fn cylindrical_by_dot_products_agrees_with_the_samples() {
+    spatial("cylindrical_dot_spatial", |p| {
+        let v = [vec_3(p, "v1"), vec_3(p, "v2")];
+        cylindrical_dot(any_spatial(), any_spatial(), vec_3(p, "ui"), vec_3(p, "uj"), vec_3(p, "hj"), v)
+    });
+}
+
+#[test]
+fn cylindrical_by_cross_products_agrees_with_the_samples() {
+    spatial("cylindrical_cross_spatial", |p| {
+        cylindrical_cross(any_spatial(), any_spatial(), vec_3(p, "ui"), vec_3(p, "uj"), vec_3(p, "hi"), vec_3(p, "hj"))
+    });
+}
+
+#[test]
+fn two_link_system_agrees_with_the_samples() {
+    let file = read("two_link_assembled");
+    let mut worst = 0.0_f64;
+    for dual in [false, true] {
+        let system = two_link(&file["parameters"], dual).expect("a square system").build().expect("a square system");
+        for sample in samples(&file, 4) {
+            let (q, qd, t) = (numbers(sample, "q"), numbers(sample, "qd"), number(sample, "t"));
+            let c_q = system.jacobian(&q, t).expect("finite");
+            check(&mut worst, sample, "C", &system.residual(&q, t).expect("finite"));
+            check(&mut worst, sample, "Cq", transposed(&c_q).as_slice());
+            check(&mut worst, sample, "Cq_qd", (&c_q * DVector::from_row_slice(&qd)).as_slice());
+            check(&mut worst, sample, "Ct", &system.c_t(&q, t).expect("finite"));
+            check(&mut worst, sample, "Qd", &system.acceleration_rhs(&q, &qd, t).expect("finite"));
+            // This system's drivers are linear in t: both terms with t in them are zero, and Q_d is the quadratic term alone.
+            assert!(["Cqt_qd", "Ctt"].iter().all(|field| numbers(sample, field).iter().all(|x| *x == 0.0)));
+            let quadratic: Vec<f64> = system.acceleration_rhs(&q, &qd, t).expect("finite").iter().map(|x| -x).collect();
+            check(&mut worst, sample, "CqqdQ_qd", &quadratic);
+        }
+    }
+    println!("two_link_assembled: worst error {worst:.1e}");
+}
+
+/// The two-link manipulator of the lecture, body 1 with three constraints as its ground; or all of it by dual numbers.
+fn two_link(p: &Value, dual: bool) -> kin::Result<Mechanism> {
+    let [l2, l3] = ["l2", "l3"].map(|name| number(p, name));
+    let law = |start: &str, rate: &str| Law::linear(number(p, start), number(p, rate));
+    let mut m = Mechanism::new("two-link manipulator");
+    let [b1, b2, b3] = [m.planar("1", pose(0.0, 0.0, 0.0))?, m.planar("2", pose(0.1, 0.0, 0.0))?, m.planar("3", pose(0.3, 0.0, 0.0))?];
+    let ground = fixed(b1, vec2(0.0, 0.0), 0.0);
+    let o = revolute(b1, b2, vec2(0.0, 0.0), vec2(-l2 / 2.0, 0.0));
+    let a = revolute(b2, b3, vec2(l2 / 2.0, 0.0), vec2(-l3 / 2.0, 0.0));
+    let (link2, link3) = (drive_angle(b2, law("th20", "w2")), drive_angle(b3, law("th30", "w3")));
+    if dual {
+        m.add("ground", by_dual(ground))?;
+        m.add("O", by_dual(o))?;
+        m.add("A", by_dual(a))?;
+        m.add("link2", by_dual(link2))?;
+        m.add("link3", by_dual(link3))?;
+    } else {
+        m.add("ground", ground)?;
+        m.add("O", o)?;
+        m.add("A", a)?;
+        m.add("link2", link2)?;
+        m.add("link3", link3)?;
+    }
+    Ok(m)
+}
+
+/// Every sample of a planar joint, every field, on both routes.
+fn planar<E: Equation<N, M> + Clone, const N: usize, const M: usize>(name: &str, joint: impl Fn(&Value) -> E) {
+    let file = read(name);
+    let mut worst = [0.0_f64; 2];
+    for sample in samples(&file, 12) {
+        let both = both_routes(&joint(&sample["params"]), sample, number(sample, "t"));
+        for (found, worst) in both.iter().zip(&mut worst) {
+            checked(found, sample, sample, worst);
+            let vectors = [("Ct", &found.c_t), ("Cqt_qd", &found.c_qt_qd), ("Ctt", &found.c_tt)];
+            vectors.iter().for_each(|(field, term)| check(worst, sample, field, term.as_slice()));
+        }
+    }
+    println!("{name}: worst error {:.1e} symbolic, {:.1e} dual", worst[0], worst[1]);
+}
+
+/// Every sample of a spatial joint, every field, on both routes, for Kin's form of A(e).
+fn spatial<E: Equation<N, M> + Clone, const N: usize, const M: usize>(name: &str, joint: impl Fn(&Value) -> E) {
+    let file = read(name);
+    let (mut worst, mut tangents) = ([0.0_f64; 2], 0);
+    for sample in samples(&file, 8) {
+        // There is no t in these equations: any will do.
+        let both = both_routes(&joint(&sample["params"]), sample, 0.7);
+        for (found, worst) in both.iter().zip(&mut worst) {
+            checked(found, &sample["forms"]["T"], sample, worst);
+            let timeless = [&found.c_t, &found.c_qt_qd, &found.c_tt];
+            assert!(timeless.iter().all(|term| term.iter().all(|x| *x == 0.0)), "{name}: a term with t in it");
+            if sample["tangent"] == true {
+                let qdd = DVector::from_vec(numbers(sample, "qdd"));
+                check(worst, sample, "Cdd", (&found.c_q * qdd - &found.q_d).as_slice());
+                tangents += 1;
+            }
+        }
+    }
+    assert_eq!(tangents, 2 * 4, "{name}: tangent samples, both routes");
+    println!("{name}: worst error {:.1e} symbolic, {:.1e} dual", worst[0], worst[1]);
+}
+
+/// The terms that every sample has.
+fn checked(found: &Terms, exact: &Value, sample: &Value, worst: &mut f64) {
+    check(worst, exact, "C", found.c.as_slice());
+    check(worst, exact, "Cq", transposed(&found.c_q).as_slice());
+    check(worst, exact, "Cq_qd", (&found.c_q * DVector::from_vec(numbers(sample, "qd"))).as_slice());
+    check(worst, exact, "CqqdQ_qd", found.c_qqd_qd.as_slice());
+    check(worst, exact, "Qd", found.q_d.as_slice());
+}
+
+fn both_routes<E: Equation<N, M> + Clone, const N: usize, const M: usize>(joint: &E, sample: &Value, t: f64) -> [Terms; 2] {
+    assert_eq!(joint.route(), Route::Symbolic, "{}", joint.kind());
+    let (q, qd) = (numbers(sample, "q"), numbers(sample, "qd"));
+    [terms(joint, &q, &qd, t), dual_terms(joint, &q, &qd, t)]
+}
+
+/// One field against what was found, row by row.
+fn check(worst: &mut f64, exact: &Value, field: &str, found: &[f64]) {
+    let of_field = if exact[field][0].is_array() { rows(exact, field).concat() } else { numbers(exact, field) };
+    let error = error(found, &of_field);
+    assert!(error <= TOLERANCE, "{field}: error {error:.1e}\nfound {found:?}\nexact {of_field:?}");
+    *worst = worst.max(error);
+}
+
+/// Row by row, as the files have it.
+fn transposed(c_q: &DMatrix<f64>) -> DMatrix<f64> {
+    c_q.transpose()
+}
+
+fn samples(file: &Value, at_least: usize) -> &[Value] {
+    let samples = file["samples"].as_array().expect("samples");
+    assert!(samples.len() >= at_least, "{} samples", samples.len());
+    samples
+}
+
+fn vec(params: &Value, name: &str) -> Vec2 {
+    let [x, y] = array(params, name);
+    vec2(x, y)
+}
+
+fn vec_3(params: &Value, name: &str) -> Vec3 {
+    let [x, y, z] = array(params, name);
+    vec3(x, y, z)
+}
