@@ -2,10 +2,11 @@
 
 mod data;
 
+use data::model::{BOTH, build};
 use data::{array, error, number, numbers, read, rows};
 use kin::dual_route::Equation;
 use kin::prelude::*;
-use kin::{Mechanism, Terms, any_planar, any_spatial, by_dual, dual_terms, pose, terms};
+use kin::{Terms, any_planar, any_spatial, by_dual, dual_terms, terms};
 use nalgebra::{DMatrix, DVector};
 use serde_json::Value;
 
@@ -62,6 +63,32 @@ fn prismatic_agrees_with_the_samples() {
 }
 
 #[test]
+fn prismatic_blocks_d1_to_d4_agree_with_the_samples() {
+    let file = read("prismatic_planar");
+    let mut worst = 0.0_f64;
+    for sample in samples(&file, 12) {
+        let (p, q, qd) = (&sample["params"], numbers(sample, "q"), numbers(sample, "qd"));
+        let joint = prismatic(any_planar(), any_planar(), vec(p, "ui"), vec(p, "uj"), vec(p, "hi"), number(p, "theta0"));
+        for by_dual in [None, Some(by_dual(joint.clone()))] {
+            let constraint: &dyn Constraint = by_dual.as_ref().map_or(&joint, |dual| dual);
+            // Column k of (C_q q̇)_q by polarisation of the quadratic form (C_q q̇)_q q̇.
+            let quadratic = |k: usize, side: f64| {
+                let moved: Vec<f64> = (0..6).map(|n| qd[n] + if n == k { side } else { 0.0 }).collect();
+                terms(constraint, &q, &moved, 0.0).c_qqd_qd[1]
+            };
+            let d: Vec<f64> = (0..6).map(|k| (quadratic(k, 1.0) - quadratic(k, -1.0)) / 4.0).collect();
+            for (field, found) in [("D1", &d[0..2]), ("D3", &d[3..5])] {
+                check(&mut worst, sample, field, found);
+            }
+            for (field, found) in [("D2", d[2]), ("D4", d[5])] {
+                check(&mut worst, &serde_json::json!({ field: [number(sample, field)] }), field, &[found]);
+            }
+        }
+    }
+    println!("prismatic_planar, D1 to D4: worst error {worst:.1e}");
+}
+
+#[test]
 fn moving_point_agrees_with_the_samples() {
     planar("moving_point_planar", |p| moving_point(any_planar(), any_planar(), vec(p, "uj"), array(p, "c")));
 }
@@ -100,10 +127,11 @@ fn cylindrical_by_cross_products_agrees_with_the_samples() {
 
 #[test]
 fn two_link_system_agrees_with_the_samples() {
-    let file = read("two_link_assembled");
+    let (file, description) = (read("two_link_assembled"), read("two_link_25"));
+    assert_eq!(file["parameters"], description["parameters"]);
     let mut worst = 0.0_f64;
-    for dual in [false, true] {
-        let system = two_link(&file["parameters"], dual).expect("a square system").build().expect("a square system");
+    for by in BOTH {
+        let system = build(&description, by).expect("a mechanism").mechanism.build().expect("a square system");
         for sample in samples(&file, 4) {
             let (q, qd, t) = (numbers(sample, "q"), numbers(sample, "qd"), number(sample, "t"));
             let c_q = system.jacobian(&q, t).expect("finite");
@@ -119,32 +147,6 @@ fn two_link_system_agrees_with_the_samples() {
         }
     }
     println!("two_link_assembled: worst error {worst:.1e}");
-}
-
-/// The two-link manipulator of the lecture, body 1 with three constraints as its ground; or all of it by dual numbers.
-fn two_link(p: &Value, dual: bool) -> kin::Result<Mechanism> {
-    let [l2, l3] = ["l2", "l3"].map(|name| number(p, name));
-    let law = |start: &str, rate: &str| Law::linear(number(p, start), number(p, rate));
-    let mut m = Mechanism::new("two-link manipulator");
-    let [b1, b2, b3] = [m.planar("1", pose(0.0, 0.0, 0.0))?, m.planar("2", pose(0.1, 0.0, 0.0))?, m.planar("3", pose(0.3, 0.0, 0.0))?];
-    let ground = fixed(b1, vec2(0.0, 0.0), 0.0);
-    let o = revolute(b1, b2, vec2(0.0, 0.0), vec2(-l2 / 2.0, 0.0));
-    let a = revolute(b2, b3, vec2(l2 / 2.0, 0.0), vec2(-l3 / 2.0, 0.0));
-    let (link2, link3) = (drive_angle(b2, law("th20", "w2")), drive_angle(b3, law("th30", "w3")));
-    if dual {
-        m.add("ground", by_dual(ground))?;
-        m.add("O", by_dual(o))?;
-        m.add("A", by_dual(a))?;
-        m.add("link2", by_dual(link2))?;
-        m.add("link3", by_dual(link3))?;
-    } else {
-        m.add("ground", ground)?;
-        m.add("O", o)?;
-        m.add("A", a)?;
-        m.add("link2", link2)?;
-        m.add("link3", link3)?;
-    }
-    Ok(m)
 }
 
 /// Every sample of a planar joint, every field, on both routes.

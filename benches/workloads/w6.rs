@@ -6,7 +6,6 @@ use std::hint::black_box;
 
 use kin::prelude::*;
 use kin::rt::{At, PlanarState, Rates, SpatialState};
-use kin::state::{PlanarRate, RateStates, SpatialRate, States};
 
 use crate::measure::{Figure, SplitMix64, compare};
 use crate::w6_hand as hand;
@@ -60,48 +59,39 @@ impl Input {
 /// Kin's evaluations: states once, then the two emitted functions.
 struct Library {
     constraint: Box<dyn Constraint>,
-    states: States,
-    rates: RateStates,
 }
 
 impl Library {
     fn new(constraint: impl Constraint + 'static) -> Self {
-        let (mut states, mut rates) = (States::default(), RateStates::default());
-        states.planar.resize(3, PlanarState::ground());
-        states.spatial.resize(3, SpatialState::ground());
-        rates.planar.resize(3, PlanarRate::default());
-        rates.spatial.resize(3, SpatialRate::default());
-        Library { constraint: Box::new(constraint), states, rates }
+        Library { constraint: Box::new(constraint) }
     }
 
     fn planar(&mut self, input: &Input, output: &mut [f64], m: usize, entries: usize) {
         for (state, out) in input.states.as_chunks::<12>().0.iter().zip(output.chunks_exact_mut(2 * m + entries)) {
-            for (body, k) in [(1, 0), (2, 3)] {
-                self.states.planar[body] = PlanarState::new([state[k], state[k + 1], state[k + 2]]);
-                self.rates.planar[body] = PlanarRate { r: [state[6 + k], state[7 + k]], theta: state[8 + k] };
-            }
-            self.evaluate(out, m, entries);
+            let (q, qd) = state.split_at(6);
+            let (i, j) = (PlanarState::new([q[0], q[1], q[2]]), PlanarState::new([q[3], q[4], q[5]]));
+            let states = [i.r.x, i.r.y, i.theta, i.sin, i.cos, j.r.x, j.r.y, j.theta, j.sin, j.cos];
+            self.evaluate(&At::new(0.0, &states, &[0, 5]), &Rates::new(qd, &[0, 3]), out, m, entries);
         }
     }
 
     fn spatial(&mut self, input: &Input, output: &mut [f64], m: usize, entries: usize) {
         for (state, out) in input.states.as_chunks::<28>().0.iter().zip(output.chunks_exact_mut(2 * m + entries)) {
             let (q, qd) = state.split_at(14);
-            for (body, q, qd) in [(1, &q[..7], &qd[..7]), (2, &q[7..], &qd[7..])] {
-                self.states.spatial[body] = SpatialState::new([q[0], q[1], q[2], q[3], q[4], q[5], q[6]]);
-                self.rates.spatial[body] = SpatialRate { r: [qd[0], qd[1], qd[2]], p: [qd[3], qd[4], qd[5], qd[6]] };
+            let mut states = [0.0; 32];
+            for (place, q) in states.as_chunks_mut::<16>().0.iter_mut().zip(q.as_chunks::<7>().0) {
+                *place = SpatialState::new(*q).to_array();
             }
-            self.evaluate(out, m, entries);
+            self.evaluate(&At::new(0.0, &states, &[0, 16]), &Rates::new(qd, &[0, 7]), out, m, entries);
         }
     }
 
     #[inline]
-    fn evaluate(&self, out: &mut [f64], m: usize, entries: usize) {
+    fn evaluate(&self, at: &At<'_>, qd: &Rates<'_>, out: &mut [f64], m: usize, entries: usize) {
         let (c, rest) = out.split_at_mut(m);
         let (c_q, q_d) = rest.split_at_mut(entries);
-        let at = At::new(0.0, &self.states, &[1, 2]);
-        self.constraint.linearize(&at, c, c_q);
-        self.constraint.acceleration_rhs(&at, &Rates::new(&self.rates, &[1, 2]), 1.0, q_d);
+        self.constraint.linearize(at, c, c_q);
+        self.constraint.acceleration_rhs(at, qd, 1.0, q_d);
     }
 }
 

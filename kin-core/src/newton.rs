@@ -9,7 +9,6 @@ pub use options::{Options, Report, Stop};
 
 use crate::error::Error;
 use crate::linear::{Linear, Singular};
-use crate::state::{RateStates, States};
 use crate::system::evaluate::Bad;
 use crate::system::{Solution, System};
 
@@ -66,8 +65,8 @@ pub(crate) struct Newton<'a> {
     pub c: Vec<f64>,
     dq: Vec<f64>,
     before: Vec<f64>,
-    pub states: States,
-    rates: RateStates,
+    pub states: Vec<f64>,
+    rates: Vec<f64>,
     pub linear: Linear,
     /// s_j, the characteristic size of each coordinate.
     pub sizes: Vec<f64>,

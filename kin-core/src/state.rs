@@ -135,127 +135,130 @@ pub struct SpatialRate {
     pub p: [f64; 4],
 }
 
-/// All states of a system at one instant. The first planar and the first spatial state are the ground's.
-#[derive(Clone, Debug)]
-pub struct States {
-    /// Planar bodies, ground first.
-    pub planar: Vec<PlanarState>,
-    /// Spatial bodies, ground first.
-    pub spatial: Vec<SpatialState>,
-    /// Coordinates that constraints name on their own.
-    pub coords: Vec<CoordState>,
-}
+/// How many numbers the state of an argument is.
+pub const PLANAR_STATE: usize = 5;
+/// How many numbers the state of an argument is.
+pub const SPATIAL_STATE: usize = 16;
+/// How many numbers the state of an argument is.
+pub const COORD_STATE: usize = 3;
 
-impl Default for States {
-    fn default() -> Self {
-        States { planar: vec![PlanarState::ground()], spatial: vec![SpatialState::ground()], coords: Vec::new() }
+impl PlanarState {
+    /// (R_x, R_y, θ, sin θ, cos θ), as a constraint reads it.
+    pub fn to_array(&self) -> [f64; PLANAR_STATE] {
+        [self.r.x, self.r.y, self.theta, self.sin, self.cos]
+    }
+
+    fn from_array([x, y, theta, sin, cos]: [f64; PLANAR_STATE]) -> Self {
+        PlanarState { r: Vec2::new(x, y), theta, sin, cos }
     }
 }
 
-/// All rates of a system at one instant, in the order of [`States`]; those of the ground are zero.
-#[derive(Clone, Debug)]
-pub struct RateStates {
-    /// Planar bodies, ground first.
-    pub planar: Vec<PlanarRate>,
-    /// Spatial bodies, ground first.
-    pub spatial: Vec<SpatialRate>,
-    /// Coordinates that constraints name on their own.
-    pub coords: Vec<f64>,
-}
+impl SpatialState {
+    /// (R, e0..e3, A row by row), as a constraint reads it.
+    pub fn to_array(&self) -> [f64; SPATIAL_STATE] {
+        let (r, p, a) = (self.r, self.p, self.a);
+        [
+            r.x, r.y, r.z, p.e0, p.e1, p.e2, p.e3, a.m11, a.m12, a.m13, a.m21, a.m22, a.m23, a.m31, a.m32, a.m33,
+        ]
+    }
 
-impl Default for RateStates {
-    fn default() -> Self {
-        RateStates { planar: vec![PlanarRate::default()], spatial: vec![SpatialRate::default()], coords: Vec::new() }
+    fn from_array(s: [f64; SPATIAL_STATE]) -> Self {
+        SpatialState {
+            r: Vec3::new(s[0], s[1], s[2]),
+            p: EulerParameters::new(s[3], s[4], s[5], s[6]),
+            a: Mat3::new(s[7], s[8], s[9], s[10], s[11], s[12], s[13], s[14], s[15]),
+        }
     }
 }
 
-/// The instant as one constraint sees it: time, and the states of its own arguments by their position in its signature
-/// (a `[Coord; N]` counts as N arguments).
-#[derive(Clone, Copy)]
+impl CoordState {
+    /// (value, sine, cosine), as a constraint reads it.
+    pub fn to_array(&self) -> [f64; COORD_STATE] {
+        [self.value, self.sin, self.cos]
+    }
+}
+
+/// The instant as one constraint sees it: time, and the states of its own arguments one after the other.
+///
+/// States are evaluated once an iterate and shared by everything that the constraint is asked for. Arguments count by their position in the
+/// signature; a `[Coord; N]` counts as N arguments.
+#[derive(Clone, Copy, Debug)]
 pub struct At<'a> {
     /// Time t.   \[s\]
     pub t: f64,
-    states: &'a States,
-    slots: &'a [usize],
+    states: &'a [f64],
+    first: &'a [usize],
 }
 
 impl<'a> At<'a> {
-    /// Time t, all states, and where in them each argument's state stands.
-    pub fn new(t: f64, states: &'a States, slots: &'a [usize]) -> Self {
-        At { t, states, slots }
+    /// Time t, the states of all arguments one after the other ([`PlanarState::to_array`] and the like), and where each one begins.
+    pub fn new(t: f64, states: &'a [f64], first: &'a [usize]) -> Self {
+        At { t, states, first }
+    }
+
+    /// All states as an array of known length, for emitted code.
+    #[doc(hidden)]
+    #[inline]
+    pub fn states<const N: usize>(&self) -> Option<&'a [f64; N]> {
+        self.states.first_chunk()
     }
 
     /// State of argument `k`, a planar body; the ground's if there is no such argument.
-    #[inline]
-    pub fn planar(&self, k: usize) -> &'a PlanarState {
-        find(self.slots, k, &self.states.planar).unwrap_or_else(|| missing(&PLANAR_GROUND))
+    pub fn planar(&self, k: usize) -> PlanarState {
+        part(self.states, self.first, k).map_or_else(PlanarState::ground, PlanarState::from_array)
     }
 
     /// State of argument `k`, a spatial body; the ground's if there is no such argument.
-    #[inline]
-    pub fn spatial(&self, k: usize) -> &'a SpatialState {
-        find(self.slots, k, &self.states.spatial).unwrap_or_else(|| missing(&SPATIAL_GROUND))
+    pub fn spatial(&self, k: usize) -> SpatialState {
+        part(self.states, self.first, k).map_or_else(SpatialState::ground, SpatialState::from_array)
     }
 
     /// State of argument `k`, a bare coordinate; zero if there is no such argument.
-    #[inline]
-    pub fn coord(&self, k: usize) -> &'a CoordState {
-        find(self.slots, k, &self.states.coords).unwrap_or_else(|| missing(&ZERO))
+    pub fn coord(&self, k: usize) -> CoordState {
+        let [value, sin, cos] = part(self.states, self.first, k).unwrap_or([0.0, 0.0, 1.0]);
+        CoordState { value, sin, cos }
     }
 }
 
-/// What argument `k` refers to.
-#[inline]
-fn find<'a, T>(slots: &[usize], k: usize, all: &'a [T]) -> Option<&'a T> {
-    all.get(*slots.get(k)?)
+/// The N numbers of argument `k`.
+fn part<const N: usize>(all: &[f64], first: &[usize], k: usize) -> Option<[f64; N]> {
+    all.get(*first.get(k)?..)?.first_chunk().copied()
 }
 
-/// Kept out of the way, so that the common case is a compare and a load.
-#[cold]
-fn missing<T>(instead: &'static T) -> &'static T {
-    instead
-}
-
-static ZERO: CoordState = CoordState { value: 0.0, sin: 0.0, cos: 1.0 };
-
-static PLANAR_GROUND: PlanarState = PlanarState { r: Vec2 { x: 0.0, y: 0.0 }, theta: 0.0, sin: 0.0, cos: 1.0 };
-
-static SPATIAL_GROUND: SpatialState = SpatialState {
-    r: Vec3 { x: 0.0, y: 0.0, z: 0.0 },
-    p: EulerParameters { e0: 1.0, e1: 0.0, e2: 0.0, e3: 0.0 },
-    a: Mat3 { m11: 1.0, m12: 0.0, m13: 0.0, m21: 0.0, m22: 1.0, m23: 0.0, m31: 0.0, m32: 0.0, m33: 1.0 },
-};
-
-/// The rates of one constraint's arguments, by their position in its signature.
-#[derive(Clone, Copy)]
+/// The rates of one constraint's coordinates: its columns, one after the other.
+#[derive(Clone, Copy, Debug)]
 pub struct Rates<'a> {
-    rates: &'a RateStates,
-    slots: &'a [usize],
+    qd: &'a [f64],
+    first: &'a [usize],
 }
 
 impl<'a> Rates<'a> {
-    /// All rates, and where in them each argument's rates stand.
-    pub fn new(rates: &'a RateStates, slots: &'a [usize]) -> Self {
-        Rates { rates, slots }
+    /// The rate of each local column, and the first column of each argument.
+    pub fn new(qd: &'a [f64], first: &'a [usize]) -> Self {
+        Rates { qd, first }
+    }
+
+    /// The rates of all columns as an array of known length, for emitted code.
+    #[doc(hidden)]
+    #[inline]
+    pub fn columns<const N: usize>(&self) -> Option<&'a [f64; N]> {
+        self.qd.first_chunk()
     }
 
     /// Rates of argument `k`, a planar body; zero if there is no such argument.
-    #[inline]
-    pub fn planar(&self, k: usize) -> &'a PlanarRate {
-        static STILL: PlanarRate = PlanarRate { r: [0.0; 2], theta: 0.0 };
-        find(self.slots, k, &self.rates.planar).unwrap_or_else(|| missing(&STILL))
+    pub fn planar(&self, k: usize) -> PlanarRate {
+        let [x, y, theta] = part(self.qd, self.first, k).unwrap_or_default();
+        PlanarRate { r: [x, y], theta }
     }
 
     /// Rates of argument `k`, a spatial body; zero if there is no such argument.
-    #[inline]
-    pub fn spatial(&self, k: usize) -> &'a SpatialRate {
-        static STILL: SpatialRate = SpatialRate { r: [0.0; 3], p: [0.0; 4] };
-        find(self.slots, k, &self.rates.spatial).unwrap_or_else(|| missing(&STILL))
+    pub fn spatial(&self, k: usize) -> SpatialRate {
+        let [x, y, z, e0, e1, e2, e3] = part(self.qd, self.first, k).unwrap_or_default();
+        SpatialRate { r: [x, y, z], p: [e0, e1, e2, e3] }
     }
 
     /// Rate of argument `k`, a bare coordinate; zero if there is no such argument.
-    #[inline]
     pub fn coord(&self, k: usize) -> f64 {
-        find(self.slots, k, &self.rates.coords).copied().unwrap_or(0.0)
+        part::<1>(self.qd, self.first, k).unwrap_or_default()[0]
     }
 }

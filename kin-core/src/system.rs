@@ -13,7 +13,6 @@ use crate::layout::Layout;
 use crate::linear::{Linear, Singular};
 use crate::motion::Motion;
 use crate::newton::{Newton, Options, Report, Steps, assembly, sweep};
-use crate::state::States;
 use evaluate::{Bad, Equations};
 
 /// A square system C(q, t) = 0 of n equations in n coordinates; built by [`crate::Mechanism::build`].
@@ -223,7 +222,7 @@ impl System {
     }
 
     /// The states at q, if q and t are well given.
-    fn states(&self, q: &[f64], t: f64) -> Result<States> {
+    fn states(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
         self.check(q, "coordinates")?;
         time(t)?;
         let mut states = self.equations.plan.states();
@@ -242,7 +241,7 @@ impl System {
         }
     }
 
-    fn finite(&self, result: std::result::Result<(), Bad>, t: f64, states: &States) -> Result<()> {
+    fn finite(&self, result: std::result::Result<(), Bad>, t: f64, states: &[f64]) -> Result<()> {
         result.map_err(|bad| self.equations.not_finite(bad, t, states))
     }
 

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::constraint::Constraint;
 use crate::coordinates::{Argument, Target};
 use crate::dual_route::{self, Equation};
-use crate::state::{At, CoordState, PlanarRate, PlanarState, RateStates, Rates, SpatialRate, SpatialState, States};
+use crate::state::{At, CoordState, PlanarState, Rates, SpatialState};
 
 /// Every term of C(q, t) and its derivatives at one state. Columns are local to the constraint; units are those of the row.
 #[derive(Clone, Debug, PartialEq)]
@@ -87,48 +87,36 @@ where
 
 /// The states and rates of one constraint's arguments, standing alone.
 struct Local {
-    states: States,
-    rates: RateStates,
-    slots: Vec<usize>,
+    states: Vec<f64>,
+    rates: Vec<f64>,
+    /// Where each argument's state begins, and its first column.
+    first_state: Vec<usize>,
+    first_column: Vec<usize>,
 }
 
 impl Local {
     fn new(arguments: &[Argument], q: &[f64], qd: &[f64]) -> Self {
-        let mut local = Local { states: States::default(), rates: RateStates::default(), slots: Vec::new() };
-        let mut first = 0;
+        let mut local = Local { states: Vec::new(), rates: Vec::new(), first_state: Vec::new(), first_column: Vec::new() };
         for argument in arguments {
-            local.push(&argument.target, |k| q.get(first + k).copied().unwrap_or(0.0), |k| qd.get(first + k).copied().unwrap_or(0.0));
-            first += argument.target.columns();
+            let column = local.rates.len();
+            local.first_state.push(local.states.len());
+            local.first_column.push(column);
+            let q = |k: usize| q.get(column + k).copied().unwrap_or(0.0);
+            match argument.target {
+                Target::Planar(_) => local.states.extend(PlanarState::new(std::array::from_fn(q)).to_array()),
+                Target::Spatial(_) => local.states.extend(SpatialState::new(std::array::from_fn(q)).to_array()),
+                Target::Coord(..) => local.states.extend(CoordState::new(q(0), true).to_array()),
+            }
+            local.rates.extend((column..column + argument.target.columns()).map(|k| qd.get(k).copied().unwrap_or(0.0)));
         }
         local
     }
 
-    fn push(&mut self, target: &Target, q: impl Fn(usize) -> f64, qd: impl Fn(usize) -> f64) {
-        let (states, rates) = (&mut self.states, &mut self.rates);
-        self.slots.push(match target {
-            Target::Planar(_) => {
-                states.planar.push(PlanarState::new(std::array::from_fn(&q)));
-                rates.planar.push(PlanarRate { r: [qd(0), qd(1)], theta: qd(2) });
-                states.planar.len() - 1
-            }
-            Target::Spatial(_) => {
-                states.spatial.push(SpatialState::new(std::array::from_fn(&q)));
-                rates.spatial.push(SpatialRate { r: [qd(0), qd(1), qd(2)], p: [qd(3), qd(4), qd(5), qd(6)] });
-                states.spatial.len() - 1
-            }
-            Target::Coord(..) => {
-                states.coords.push(CoordState::new(q(0), true));
-                rates.coords.push(qd(0));
-                states.coords.len() - 1
-            }
-        });
-    }
-
     fn at(&self, t: f64) -> At<'_> {
-        At::new(t, &self.states, &self.slots)
+        At::new(t, &self.states, &self.first_state)
     }
 
     fn rates(&self) -> Rates<'_> {
-        Rates::new(&self.rates, &self.slots)
+        Rates::new(&self.rates, &self.first_column)
     }
 }

@@ -1,5 +1,7 @@
 //! Reading the reference data of this folder; README.md says what it is.
 
+pub mod model;
+
 use serde_json::Value;
 
 /// One of the files, by its name without `.json`.

@@ -7,18 +7,32 @@ use crate::constraint::Constraint;
 use crate::coordinates::{Target, Trig};
 use crate::error::Error;
 use crate::layout::{Layout, Place};
-use crate::state::{At, CoordState, PlanarRate, PlanarState, RateStates, Rates, SpatialRate, SpatialState, States};
+use crate::state::{At, CoordState, PlanarState, Rates, SpatialState};
 
-/// One constraint in a system: where its arguments' states, its rows and its values stand.
+/// One constraint in a system.
 pub(crate) struct Block {
     pub name: String,
     pub constraint: Box<dyn Constraint>,
-    pub slots: Vec<usize>,
+    /// Where its arguments' states, its rows, its values and its columns' rates stand.
+    pub states: Range<usize>,
     pub rows: Range<usize>,
     pub values: Range<usize>,
+    pub rates: Range<usize>,
+    /// Where each argument's state begins among its states, and its first column.
+    first_state: Vec<usize>,
+    first_column: Vec<usize>,
 }
 
 impl Block {
+    /// The instant as this constraint sees it.
+    pub(crate) fn at<'a>(&'a self, t: f64, states: &'a [f64]) -> At<'a> {
+        At::new(t, &states[self.states.clone()], &self.first_state)
+    }
+
+    fn rates<'a>(&'a self, rates: &'a [f64]) -> Rates<'a> {
+        Rates::new(&rates[self.rates.clone()], &self.first_column)
+    }
+
     /// Name of local row `k`; empty for a constraint of one row.
     pub(crate) fn row(&self, k: usize) -> &str {
         match self.constraint.rows() {
@@ -36,100 +50,110 @@ impl Block {
     }
 }
 
-/// Which coordinates make up each state.
+/// Which coordinates make up each state, and who reads it: states are evaluated once an iterate and copied to every constraint on them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct StatePlan {
-    /// First coordinate of each planar body, from slot 1 on.
-    planar: Vec<usize>,
-    /// First coordinate of each spatial body, from slot 1 on.
-    spatial: Vec<usize>,
-    /// Each bare coordinate that is named somewhere, and whether someone reads its sine or cosine.
-    coords: Vec<(Place, bool)>,
-    /// Slots of bodies by their first coordinate, and of bare coordinates by theirs.
-    bodies: HashMap<usize, usize>,
-    named: HashMap<usize, usize>,
+    planar: Vec<Shared>,
+    spatial: Vec<Shared>,
+    coords: Vec<Shared>,
+    /// Places of a state among those of its kind, by its first coordinate.
+    known: HashMap<(Kind, usize), usize>,
+    /// States of the ground in their places, zero elsewhere.
+    states: Vec<f64>,
+    /// The coordinate whose rate each local column has; `None` on the ground.
+    rates: Vec<Option<usize>>,
+}
+
+/// A state that several constraints read.
+#[derive(Clone, Debug)]
+struct Shared {
+    /// First coordinate.
+    first: usize,
+    /// Whether someone reads its sine or cosine (bare coordinates only).
+    trig: bool,
+    /// Where it is copied to.
+    copies: Vec<usize>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Kind {
+    Planar,
+    Spatial,
+    Coord,
 }
 
 impl StatePlan {
-    /// The slot of an argument's state; the same body or coordinate has the same slot everywhere.
-    pub(crate) fn slot(&mut self, target: &Target, place: Place) -> usize {
-        match (target, place) {
-            (Target::Planar(_), Place::Own { first, .. }) => *self.bodies.entry(first).or_insert_with(|| push(&mut self.planar, first)),
-            (Target::Spatial(_), Place::Own { first, .. }) => *self.bodies.entry(first).or_insert_with(|| push(&mut self.spatial, first)),
-            (Target::Planar(_) | Target::Spatial(_), Place::Ground(_)) => 0,
-            (Target::Coord(_, trig), place) => self.coord(place, *trig == Trig::Used),
-        }
-    }
-
-    fn coord(&mut self, place: Place, trig: bool) -> usize {
-        let next = self.coords.len();
-        let slot = match place {
-            Place::Own { first, .. } => *self.named.entry(first).or_insert(next),
-            Place::Ground(_) => next,
+    /// Plans for one more argument: where its state begins, and its first column.
+    pub(crate) fn argument(&mut self, target: &Target, place: Place) -> (usize, usize) {
+        let begin = (self.states.len(), self.rates.len());
+        let (kind, ground, trig): (_, Vec<f64>, _) = match (target, place) {
+            (Target::Planar(_), _) => (Kind::Planar, PlanarState::ground().to_array().into(), false),
+            (Target::Spatial(_), _) => (Kind::Spatial, SpatialState::ground().to_array().into(), false),
+            (Target::Coord(_, trig), Place::Ground(value)) => (Kind::Coord, CoordState::new(value, true).to_array().into(), *trig == Trig::Used),
+            (Target::Coord(_, trig), _) => (Kind::Coord, CoordState::new(0.0, true).to_array().into(), *trig == Trig::Used),
         };
-        match self.coords.get_mut(slot) {
-            Some((_, known)) => *known |= trig,
-            None => self.coords.push((place, trig)),
+        self.states.extend(ground);
+        if let Place::Own { first, .. } = place {
+            self.share(kind, first, trig, begin.0);
         }
-        slot
+        self.rates.extend((0..target.columns()).map(|k| match place {
+            Place::Own { first, .. } => Some(first + k),
+            Place::Ground(_) => None,
+        }));
+        begin
     }
 
-    /// States of the right number, at zero.
-    pub(crate) fn states(&self) -> States {
-        let mut states = States::default();
-        states.planar.resize(1 + self.planar.len(), PlanarState::ground());
-        states.spatial.resize(1 + self.spatial.len(), SpatialState::ground());
-        states.coords.resize(self.coords.len(), CoordState::new(0.0, true));
-        states
+    fn share(&mut self, kind: Kind, first: usize, trig: bool, copy: usize) {
+        let list = match kind {
+            Kind::Planar => &mut self.planar,
+            Kind::Spatial => &mut self.spatial,
+            Kind::Coord => &mut self.coords,
+        };
+        let k = *self.known.entry((kind, first)).or_insert(list.len());
+        match list.get_mut(k) {
+            Some(shared) => {
+                shared.trig |= trig;
+                shared.copies.push(copy);
+            }
+            None => list.push(Shared { first, trig, copies: vec![copy] }),
+        }
+    }
+
+    /// States of the right number; those of the ground are there for good.
+    pub(crate) fn states(&self) -> Vec<f64> {
+        self.states.clone()
     }
 
     /// Rates of the right number, at zero.
-    pub(crate) fn rates(&self) -> RateStates {
-        let mut rates = RateStates::default();
-        rates.planar.resize(1 + self.planar.len(), PlanarRate::default());
-        rates.spatial.resize(1 + self.spatial.len(), SpatialRate::default());
-        rates.coords.resize(self.coords.len(), 0.0);
-        rates
+    pub(crate) fn rates(&self) -> Vec<f64> {
+        vec![0.0; self.rates.len()]
     }
 
     /// The states at coordinates q.
-    pub(crate) fn set_states(&self, q: &[f64], states: &mut States) {
-        for (state, &k) in states.planar[1..].iter_mut().zip(&self.planar) {
-            *state = PlanarState::new([q[k], q[k + 1], q[k + 2]]);
+    pub(crate) fn set_states(&self, q: &[f64], states: &mut [f64]) {
+        for Shared { first, copies, .. } in &self.planar {
+            copy(&PlanarState::new([q[*first], q[first + 1], q[first + 2]]).to_array(), copies, states);
         }
-        for (state, &k) in states.spatial[1..].iter_mut().zip(&self.spatial) {
-            *state = SpatialState::new(std::array::from_fn(|i| q[k + i]));
+        for Shared { first, copies, .. } in &self.spatial {
+            copy(&SpatialState::new(std::array::from_fn(|k| q[first + k])).to_array(), copies, states);
         }
-        for (state, &(place, trig)) in states.coords.iter_mut().zip(&self.coords) {
-            *state = CoordState::new(value(q, place), trig);
+        for Shared { first, trig, copies } in &self.coords {
+            copy(&CoordState::new(q[*first], *trig).to_array(), copies, states);
         }
     }
 
     /// The rates at q̇.
-    pub(crate) fn set_rates(&self, qd: &[f64], rates: &mut RateStates) {
-        for (rate, &k) in rates.planar[1..].iter_mut().zip(&self.planar) {
-            *rate = PlanarRate { r: [qd[k], qd[k + 1]], theta: qd[k + 2] };
-        }
-        for (rate, &k) in rates.spatial[1..].iter_mut().zip(&self.spatial) {
-            *rate = SpatialRate { r: std::array::from_fn(|i| qd[k + i]), p: std::array::from_fn(|i| qd[k + 3 + i]) };
-        }
-        for (rate, &(place, _)) in rates.coords.iter_mut().zip(&self.coords) {
-            *rate = if let Place::Own { first, .. } = place { qd[first] } else { 0.0 };
+    pub(crate) fn set_rates(&self, qd: &[f64], rates: &mut [f64]) {
+        for (rate, source) in rates.iter_mut().zip(&self.rates) {
+            *rate = source.map_or(0.0, |k| qd[k]);
         }
     }
 }
 
-fn value(q: &[f64], place: Place) -> f64 {
-    match place {
-        Place::Own { first, .. } => q[first],
-        Place::Ground(value) => value,
+fn copy<const N: usize>(state: &[f64; N], copies: &[usize], states: &mut [f64]) {
+    for &begin in copies {
+        states[begin..begin + N].copy_from_slice(state);
     }
-}
-
-/// Appends a body and gives its slot; slot 0 is the ground's.
-fn push(list: &mut Vec<usize>, first: usize) -> usize {
-    list.push(first);
-    list.len()
 }
 
 /// What of a constraint is not finite.
@@ -161,35 +185,44 @@ impl Equations {
     }
 
     fn append(&mut self, layout: &Layout, name: String, constraint: Box<dyn Constraint>) {
-        let (mut columns, mut slots) = (Vec::new(), Vec::new());
+        let (first_state, first_rate) = (self.plan.states.len(), self.plan.rates.len());
+        let (mut states, mut columns) = (Vec::new(), Vec::new());
         for argument in constraint.arguments() {
             let place = layout.place(&argument.target).unwrap_or(Place::Ground(0.0));
-            slots.push(self.plan.slot(&argument.target, place));
-            columns.extend((0..argument.target.columns()).map(|k| match place {
-                Place::Own { first, .. } => Some(first + k),
-                Place::Ground(_) => None,
-            }));
+            let (state, column) = self.plan.argument(&argument.target, place);
+            states.push(state - first_state);
+            columns.push(column - first_rate);
         }
         let first = self.entries.len();
-        let global = |&(row, column): &(usize, usize)| Some((self.rows + row, columns.get(column).copied().flatten()?));
+        let own = &self.plan.rates[first_rate..];
+        let global = |&(row, column): &(usize, usize)| Some((self.rows + row, own.get(column).copied().flatten()?));
         self.entries.extend(constraint.pattern().iter().map(global));
         let rows = self.rows..self.rows + constraint.rows().len();
         self.rows = rows.end;
-        self.blocks.push(Block { name, constraint, slots, rows, values: first..self.entries.len() });
+        self.blocks.push(Block {
+            name,
+            constraint,
+            states: first_state..self.plan.states.len(),
+            rows,
+            values: first..self.entries.len(),
+            rates: first_rate..self.plan.rates.len(),
+            first_state: states,
+            first_column: columns,
+        });
     }
 
     /// C(q, t).
-    pub(crate) fn residual(&self, t: f64, states: &States, c: &mut [f64]) -> Result<(), Bad> {
+    pub(crate) fn residual(&self, t: f64, states: &[f64], c: &mut [f64]) -> Result<(), Bad> {
         for block in &self.blocks {
-            block.constraint.residual(&At::new(t, states, &block.slots), &mut c[block.rows.clone()]);
+            block.constraint.residual(&block.at(t, states), &mut c[block.rows.clone()]);
         }
         finite(c, "C")
     }
 
     /// C(q, t) and the values of C_q.
-    pub(crate) fn linearize(&self, t: f64, states: &States, c: &mut [f64], values: &mut [f64]) -> Result<(), Bad> {
+    pub(crate) fn linearize(&self, t: f64, states: &[f64], c: &mut [f64], values: &mut [f64]) -> Result<(), Bad> {
         for block in &self.blocks {
-            let at = At::new(t, states, &block.slots);
+            let at = block.at(t, states);
             block.constraint.linearize(&at, &mut c[block.rows.clone()], &mut values[block.values.clone()]);
         }
         finite(c, "C")?;
@@ -202,17 +235,17 @@ impl Equations {
     }
 
     /// −C_t.
-    pub(crate) fn velocity_rhs(&self, t: f64, states: &States, rhs: &mut [f64]) -> Result<(), Bad> {
+    pub(crate) fn velocity_rhs(&self, t: f64, states: &[f64], rhs: &mut [f64]) -> Result<(), Bad> {
         for block in &self.blocks {
-            block.constraint.velocity_rhs(&At::new(t, states, &block.slots), &mut rhs[block.rows.clone()]);
+            block.constraint.velocity_rhs(&block.at(t, states), &mut rhs[block.rows.clone()]);
         }
         finite(rhs, "C_t")
     }
 
     /// Q_d.
-    pub(crate) fn acceleration_rhs(&self, t: f64, states: &States, rates: &RateStates, q_d: &mut [f64]) -> Result<(), Bad> {
+    pub(crate) fn acceleration_rhs(&self, t: f64, states: &[f64], rates: &[f64], q_d: &mut [f64]) -> Result<(), Bad> {
         for block in &self.blocks {
-            let (at, rates) = (At::new(t, states, &block.slots), Rates::new(rates, &block.slots));
+            let (at, rates) = (block.at(t, states), block.rates(rates));
             block.constraint.acceleration_rhs(&at, &rates, 1.0, &mut q_d[block.rows.clone()]);
         }
         finite(q_d, "Q_d")
@@ -230,9 +263,9 @@ impl Equations {
     }
 
     /// The error for what is not finite at a time and states.
-    pub(crate) fn not_finite(&self, bad: Bad, t: f64, states: &States) -> Error {
+    pub(crate) fn not_finite(&self, bad: Bad, t: f64, states: &[f64]) -> Error {
         let found = self.block_of(bad.row);
-        let expression = found.and_then(|(block, _)| block.constraint.not_finite(&At::new(t, states, &block.slots)));
+        let expression = found.and_then(|(block, _)| block.constraint.not_finite(&block.at(t, states)));
         Error::NotFinite {
             t,
             constraint: found.map(|(block, _)| block.name.clone()).unwrap_or_default(),
@@ -262,13 +295,16 @@ mod tests {
         let mut plan = StatePlan::default();
         let target = |trig| Target::Coord(Coordinate::Planar(crate::coordinates::any_planar(), 2), trig);
         let place = Place::Own { item: 0, first: 2 };
-        assert_eq!(plan.slot(&target(Trig::Unused), place), 0);
-        assert_eq!(plan.slot(&target(Trig::Unused), Place::Ground(1.0)), 1);
-        assert_eq!(plan.slot(&target(Trig::Used), place), 0);
+        assert_eq!(plan.argument(&target(Trig::Unused), place), (0, 0));
+        assert_eq!(plan.argument(&target(Trig::Unused), Place::Ground(1.0)), (3, 1));
+        assert_eq!(plan.argument(&target(Trig::Used), place), (6, 2));
         let mut states = plan.states();
         plan.set_states(&[0.0, 0.0, 0.5], &mut states);
-        assert_eq!((states.coords[0].value, states.coords[0].sin), (0.5, 0.5_f64.sin()));
-        assert_eq!((states.coords[1].value, states.coords[1].sin), (1.0, 0.0));
-        assert_eq!(states.coords.len(), 2);
+        let half = CoordState::new(0.5, true).to_array();
+        assert_eq!((&states[..3], &states[6..]), (&half[..], &half[..]));
+        assert_eq!(states[3], 1.0);
+        let mut rates = plan.rates();
+        plan.set_rates(&[0.0, 0.0, 7.0], &mut rates);
+        assert_eq!(rates, [7.0, 0.0, 7.0]);
     }
 }

@@ -27,13 +27,16 @@ pub struct Kernel<'a> {
     operations: usize,
     /// Evaluations of laws, opaque values and leaves that already have a name.
     evaluations: HashMap<String, Ident>,
-    states: Vec<bool>,
-    rates: Vec<bool>,
+    /// Parts of states and rates that are read, by slot.
+    states: Vec<(usize, Part)>,
+    rates: Vec<(usize, Part)>,
+    /// What is returned where states are missing.
+    missing: TokenStream,
 }
 
 /// One state argument in emitted code.
 struct Slot {
-    name: Ident,
+    name: String,
     kind: Kind,
 }
 
@@ -61,7 +64,7 @@ impl<'a> Kernel<'a> {
 
     /// Code that returns the text of the first risk whose numbers are not all finite.
     pub fn emit_checks(lowered: &'a Lowered, arguments: &[Argument], checks: &[(String, Vec<Node>)]) -> Code {
-        let mut kernel = Kernel::new(lowered, arguments);
+        let mut kernel = Kernel { missing: quote!(::core::option::Option::None), ..Kernel::new(lowered, arguments) };
         let nodes: Vec<Node> = checks.iter().flat_map(|(_, nodes)| nodes.clone()).collect();
         kernel.name_all(&nodes);
         let tests: Vec<TokenStream> = checks
@@ -76,7 +79,6 @@ impl<'a> Kernel<'a> {
 
     fn new(lowered: &'a Lowered, arguments: &[Argument]) -> Self {
         let slots = slots(arguments);
-        let unused = vec![false; slots.len()];
         Kernel {
             lowered,
             slots,
@@ -87,8 +89,9 @@ impl<'a> Kernel<'a> {
             temporaries: 0,
             operations: 0,
             evaluations: HashMap::new(),
-            states: unused.clone(),
-            rates: unused,
+            states: Vec::new(),
+            rates: Vec::new(),
+            missing: quote!(),
         }
     }
 
@@ -97,11 +100,24 @@ impl<'a> Kernel<'a> {
     }
 
     fn finish(self, outputs: TokenStream) -> Code {
-        let bindings = self.slots.iter().enumerate().flat_map(|(k, slot)| slot.bindings(k, self.states[k], self.rates[k]));
-        let (bindings, statements): (Vec<_>, _) = (bindings.collect(), self.statements);
+        let bindings = self.bindings();
+        let statements = self.statements;
         let items = &self.lowered.items;
         let items = if items.is_empty() { quote!() } else { quote!(#(#[allow(unused)] #items)*) };
         Code { tokens: quote!(#items #(#bindings)* #(#statements)* #outputs), operations: self.operations }
+    }
+
+    /// The states and rates that are read, each number by a name.
+    fn bindings(&self) -> Vec<TokenStream> {
+        let (mut states, mut rates) = (Vec::new(), Vec::new());
+        for (k, slot) in self.slots.iter().enumerate() {
+            states.extend(slot.state_parts().into_iter().map(|part| self.states.contains(&(k, part)).then(|| slot.state(part))));
+            rates.extend(slot.columns().into_iter().map(|part| self.rates.contains(&(k, part)).then(|| slot.rate(part))));
+        }
+        let (n, m) = (Literal::usize_unsuffixed(states.len()), Literal::usize_unsuffixed(rates.len()));
+        let states = binding(quote!(at.states::<#n>()), states, &self.missing);
+        let rates = binding(quote!(qd.columns::<#m>()), rates, &self.missing);
+        states.into_iter().chain(rates).collect()
     }
 
     /// Gives a name to every node that needs one, operands first.
@@ -243,12 +259,14 @@ impl<'a> Kernel<'a> {
             Input::Variable => quote!(x),
             Input::Parameter(k) => self.lowered.parameters[k].clone(),
             Input::State(slot, part) => {
-                self.states[slot] = true;
-                self.slots[slot].state(part)
+                self.states.push((slot, part));
+                let name = self.slots[slot].state(part);
+                quote!(#name)
             }
             Input::Rate(slot, part) => {
-                self.rates[slot] = true;
-                self.slots[slot].rate(part)
+                self.rates.push((slot, part));
+                let name = self.slots[slot].rate(part);
+                quote!(#name)
             }
         }
     }
@@ -337,84 +355,73 @@ impl<'a> Kernel<'a> {
 }
 
 impl Slot {
-    /// `let i = at.planar(0);` and `let i_rate = qd.planar(0);`, as far as they are needed.
-    fn bindings(&self, k: usize, state: bool, rate: bool) -> Vec<TokenStream> {
-        let getter = match self.kind {
-            Kind::Planar => quote!(planar),
-            Kind::Spatial => quote!(spatial),
-            _ => quote!(coord),
-        };
-        let k = Literal::usize_unsuffixed(k);
-        let (name, rate_name) = (&self.name, self.rate_name());
-        let mut all = Vec::new();
-        if state {
-            all.push(quote!(let #name = at.#getter(#k);));
+    /// A name for each number of the state, in the order in which a constraint reads them.
+    fn state_parts(&self) -> Vec<Part> {
+        match self.kind {
+            Kind::Planar => vec![Part::R(0), Part::R(1), Part::Theta, Part::Sin, Part::Cos],
+            Kind::Spatial => {
+                let (r, p) = ((0..3).map(Part::R), (0..4).map(Part::P));
+                r.chain(p).chain((0..9).map(|k| Part::A(k / 3, k % 3))).collect()
+            }
+            _ => vec![Part::Theta, Part::Sin, Part::Cos],
         }
-        if rate {
-            all.push(quote!(let #rate_name = qd.#getter(#k);));
-        }
-        all
     }
 
-    fn rate_name(&self) -> Ident {
-        Ident::new(&format!("{}_d", self.name), Span::mixed_site())
+    /// The coordinates among them.
+    fn columns(&self) -> Vec<Part> {
+        self.state_parts().into_iter().filter(|part| !matches!(part, Part::Sin | Part::Cos | Part::A(..))).collect()
     }
 
-    fn state(&self, part: Part) -> TokenStream {
+    fn state(&self, part: Part) -> Ident {
         let name = &self.name;
         let bare = !matches!(self.kind, Kind::Planar | Kind::Spatial);
-        match part {
-            Part::R(0) => quote!(#name.r.x),
-            Part::R(1) => quote!(#name.r.y),
-            Part::R(_) => quote!(#name.r.z),
-            Part::Theta if bare => quote!(#name.value),
-            Part::Theta => quote!(#name.theta),
-            Part::Sin => quote!(#name.sin),
-            Part::Cos => quote!(#name.cos),
-            Part::P(k) => {
-                let field = format_ident!("e{k}");
-                quote!(#name.p.#field)
-            }
-            Part::A(r, c) => {
-                let field = format_ident!("m{}{}", r + 1, c + 1);
-                quote!(#name.a.#field)
-            }
-        }
+        let text = match part {
+            Part::R(k) => format!("{name}_{}", ["x", "y", "z"][k]),
+            Part::Theta if bare => name.clone(),
+            Part::Theta => format!("{name}_theta"),
+            Part::Sin => format!("{name}_sin"),
+            Part::Cos => format!("{name}_cos"),
+            Part::P(k) => format!("{name}_e{k}"),
+            Part::A(r, c) => format!("{name}_a{}{}", r + 1, c + 1),
+        };
+        Ident::new(&text, Span::mixed_site())
     }
 
-    fn rate(&self, part: Part) -> TokenStream {
-        let name = self.rate_name();
-        let bare = !matches!(self.kind, Kind::Planar | Kind::Spatial);
-        match part {
-            Part::R(k) => {
-                let k = Literal::usize_unsuffixed(k);
-                quote!(#name.r[#k])
-            }
-            Part::P(k) => {
-                let k = Literal::usize_unsuffixed(k);
-                quote!(#name.p[#k])
-            }
-            _ if bare => quote!(#name),
-            _ => quote!(#name.theta),
-        }
+    fn rate(&self, part: Part) -> Ident {
+        Ident::new(&format!("{}_d", self.state(part)), Span::mixed_site())
     }
 }
 
-/// The state arguments, one a slot, with names that no temporary has.
+/// `let [i_x, i_y, _, i_sin, i_cos, …] = …`: the numbers that are read, by name.
+fn binding(source: TokenStream, names: Vec<Option<Ident>>, missing: &TokenStream) -> Option<TokenStream> {
+    names.iter().any(Option::is_some).then(|| {
+        let places = names.iter().map(|name| name.as_ref().map_or(quote!(_), |name| quote!(#name)));
+        quote!(let ::core::option::Option::Some(&[#(#places),*]) = #source else { return #missing };)
+    })
+}
+
+/// The state arguments, one a slot, with names that nothing else in emitted code has.
 fn slots(arguments: &[Argument]) -> Vec<Slot> {
+    let plain = |argument: &Argument| argument.name.to_string().trim_start_matches("r#").to_owned();
+    let names: Vec<String> = arguments.iter().map(plain).collect();
     let mut slots = Vec::new();
-    for argument in arguments {
-        let plain = argument.name.to_string();
-        let plain = plain.strip_prefix("r#").map_or(plain.clone(), |raw| format!("{raw}_"));
-        let taken = ["at", "qd", "c", "c_q", "q_d", "rhs", "t_dot", "x"].contains(&plain.as_str());
-        let numbered = plain.len() > 1 && plain.trim_end_matches(|c: char| c.is_ascii_digit()).len() < plain.len();
-        let base = if taken || numbered { format!("{plain}_state") } else { plain };
+    for (argument, name) in arguments.iter().zip(&names) {
+        let extends = |other: &String| name.strip_prefix(other.as_str()).is_some_and(|rest| rest.starts_with('_'));
+        let base = if is_taken(name) || names.iter().any(extends) { format!("{name}_arg") } else { name.clone() };
         for k in 0..argument.kind.slots() {
             let name = if matches!(argument.kind, Kind::Coords(_)) { format!("{base}_{k}") } else { base.clone() };
-            slots.push(Slot { name: Ident::new(&name, Span::mixed_site()), kind: argument.kind.clone() });
+            slots.push(Slot { name, kind: argument.kind.clone() });
         }
     }
     slots
+}
+
+/// Names of the emitted functions' own arguments and temporaries, and keywords that came as raw identifiers.
+fn is_taken(name: &str) -> bool {
+    let prefix = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    let temporary = prefix.len() < name.len() && matches!(prefix, "t" | "s" | "c" | "o" | "law" | "leaf");
+    let own = matches!(name, "at" | "qd" | "c" | "c_q" | "q_d" | "rhs" | "t_dot" | "x" | "f");
+    temporary || own || syn::parse_str::<Ident>(name).is_err()
 }
 
 /// A number as a literal.

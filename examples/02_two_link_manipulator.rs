@@ -1,0 +1,63 @@
+//! The lecture's two-link manipulator: three planar bodies, 9 coordinates, 9 equations. Lengths in m, angles in rad, time in s.
+//!
+//! `cargo run --release --example 02_two_link_manipulator`
+
+mod figures;
+
+use figures::Panel;
+use kin::prelude::*;
+
+const OUT: &str = "out/02_two_link_manipulator";
+
+fn main() -> kin::Result<()> {
+    // 1. Geometry: body 1 is the ground, as a body; links 2 and 3 have their frames at the middle.
+    let (l2, l3) = (0.2, 0.35); // m
+    let mut m = Mechanism::new("two-link manipulator");
+    let body1 = m.planar("body 1", pose(0.0, 0.0, 0.0))?;
+    let link2 = m.link("link 2", l2)?;
+    let link3 = m.link("link 3", l3)?;
+
+    // 2. Constraints: 3 + 2 + 2 equations.
+    m.add("ground", fixed(body1, vec2(0.0, 0.0), 0.0))?;
+    m.add("O", revolute(body1, link2, vec2(0.0, 0.0), link2.start()))?;
+    m.add("A", revolute(link2, link3, link2.end(), link3.start()))?;
+
+    // 3. Motion: θ2 = θ20 + ω2 t and θ3 = θ30 + ω3 t close the system.
+    m.add("motor 2", drive_angle(link2, Law::linear(PI / 6.0, 0.5)))?; // rad, rad/s
+    m.add("motor 3", drive_angle(link3, Law::linear(PI / 12.0, 0.75)))?;
+    let mut motion = m.build()?.run(linspace(0.0, 24.0, 2401))?;
+
+    // 4. Results: the end effector E is the free end of link 3.
+    let e = motion.point(link3, link3.end());
+    let (speed, acceleration) = (e.speed(), e.acceleration_magnitude());
+    println!("{}", motion.summary());
+    println!(
+        "end effector   max speed {:.4} m/s at {:.2} s    max acceleration {:.4} m/s² at {:.2} s",
+        speed.max(),
+        speed.at_max(),
+        acceleration.max(),
+        acceleration.at_max()
+    );
+    motion.add_point("end effector", link3, link3.end())?;
+    motion.write_csv(format!("{OUT}/motion.csv"))?;
+
+    // 5. Figures: the lecture's.
+    let (r2, r3) = (motion.point(link2, vec2(0.0, 0.0)), motion.point(link3, vec2(0.0, 0.0)));
+    let origin = |title, link: Link| {
+        let (x, y) = (motion.coordinate(link.x()), motion.coordinate(link.y()));
+        Panel::over_time(title, "position").series("R_x", &x.value).series("R_y", &y.value)
+    };
+    let origins = vec![origin("Origin of link 2", link2), origin("Origin of link 3", link3)];
+    figures::save(format!("{OUT}/origins.svg"), 2, origins)?;
+
+    let mut paths = Panel::plane("Paths, and the arm every 0.5 s");
+    let elbow = motion.point(link3, link3.start());
+    for k in (0..motion.len()).step_by(50) {
+        paths = paths.sketch(&[vec2(0.0, 0.0), elbow.r()[k], e.r()[k]]);
+    }
+    let paths = paths.path("origin of link 2", r2.r()).path("origin of link 3", r3.r()).path("end effector", e.r());
+    figures::save(format!("{OUT}/paths.svg"), 1, vec![paths])?;
+
+    let [_, _, vx, vy, ax, ay] = &motion.outputs() else { unreachable!() };
+    Ok(())
+}
