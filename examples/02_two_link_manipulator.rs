@@ -50,14 +50,20 @@ fn main() -> kin::Result<()> {
     let origins = vec![origin("Origin of link 2", link2), origin("Origin of link 3", link3)];
     figures::save(format!("{OUT}/origins.svg"), 2, origins)?;
 
-    let mut paths = Panel::plane("Paths, and the arm every 0.5 s");
+    let mut paths = Panel::plane("Paths, and the arm every 2 s");
     let elbow = motion.point(link3, link3.start());
-    for k in (0..motion.len()).step_by(50) {
+    for k in (0..motion.len()).step_by(200) {
         paths = paths.sketch(&[vec2(0.0, 0.0), elbow.r()[k], e.r()[k]]);
     }
     let paths = paths.path("origin of link 2", r2.r()).path("origin of link 3", r3.r()).path("end effector", e.r());
     figures::save(format!("{OUT}/paths.svg"), 1, vec![paths])?;
 
-    let [_, _, vx, vy, ax, ay] = &motion.outputs() else { unreachable!() };
+    let components = e.components(); // x, y, x', y', x'', y''
+    let two = |title, quantity, k: usize| {
+        vec![Panel::over_time(title, quantity).series("along x", &components[k]).series("along y", &components[k + 1])]
+    };
+    figures::save(format!("{OUT}/velocities.svg"), 1, two("Velocity of the end effector", "velocity", 2))?;
+    figures::save(format!("{OUT}/accelerations.svg"), 1, two("Acceleration of the end effector", "acceleration", 4))?;
+    println!("wrote {OUT}/: motion.csv, origins.svg, paths.svg, velocities.svg, accelerations.svg");
     Ok(())
 }

@@ -1,4 +1,7 @@
-//! Kin: write C(q, t) = 0, get every derivative, drive the mechanism.
+#![doc = include_str!("../README.md")]
+#![forbid(unsafe_code)]
+#![warn(missing_docs)]
+
 pub use kin_core::*;
 
 /// Everything a program with a mechanism in it needs: `use kin::prelude::*;`.

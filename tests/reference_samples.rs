@@ -57,9 +57,7 @@ fn revolute_agrees_with_the_samples() {
 
 #[test]
 fn prismatic_agrees_with_the_samples() {
-    planar("prismatic_planar", |p| {
-        prismatic(any_planar(), any_planar(), vec(p, "ui"), vec(p, "uj"), vec(p, "hi"), number(p, "theta0"))
-    });
+    planar("prismatic_planar", |p| prismatic(any_planar(), any_planar(), vec(p, "ui"), vec(p, "uj"), vec(p, "hi"), number(p, "theta0")));
 }
 
 #[test]

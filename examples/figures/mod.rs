@@ -4,7 +4,8 @@
 use std::path::Path;
 
 use kin::{Series, Vec2};
-use kuva::plot::{LegendPosition, LinePlot};
+use kuva::backend::svg::SvgBackend;
+use kuva::plot::{LinePlot, ScatterPlot};
 use kuva::render::figure::Figure;
 use kuva::render::layout::Layout;
 use kuva::render::plots::Plot;
@@ -20,28 +21,38 @@ pub struct Panel {
     x_label: String,
     y_label: String,
     equal: bool,
-    lines: Vec<LinePlot>,
+    plots: Vec<Plot>,
+    named: usize,
 }
 
 impl Panel {
     /// Quantities over time; the vertical axis takes its unit from them.
     pub fn over_time(title: &str, quantity: &str) -> Panel {
-        Panel { title: title.to_string(), x_label: "t [s]".to_string(), y_label: quantity.to_string(), equal: false, lines: Vec::new() }
+        Panel::new(title, "t [s]", quantity, false)
     }
 
     /// The plane of motion, one metre as long upwards as to the right.
     pub fn plane(title: &str) -> Panel {
-        Panel { title: title.to_string(), x_label: "x [m]".to_string(), y_label: "y [m]".to_string(), equal: true, lines: Vec::new() }
+        Panel::new(title, "x [m]", "y [m]", true)
     }
 
-    /// One quantity over time.
+    fn new(title: &str, x_label: &str, y_label: &str, equal: bool) -> Panel {
+        let [title, x_label, y_label] = [title, x_label, y_label].map(str::to_string);
+        Panel { title, x_label, y_label, equal, plots: Vec::new(), named: 0 }
+    }
+
+    /// One quantity over time, as a line.
     pub fn series(mut self, label: &str, series: &Series) -> Panel {
-        let unit = format!(" [{}]", series.unit().replace("^2", "²"));
-        if !self.y_label.ends_with(']') {
-            self.y_label += &unit;
-        }
-        let points = series.times().iter().copied().zip(series.values().iter().copied()).collect();
+        let points = self.points(series);
         self.line(label, points)
+    }
+
+    /// One quantity over time, as a dot every so many times.
+    pub fn dots(mut self, label: &str, series: &Series, every: usize) -> Panel {
+        let points = self.points(series).into_iter().step_by(every);
+        let dots = ScatterPlot::new().with_data(points).with_color(self.color()).with_size(3.0).with_legend(label);
+        self.plots.push(Plot::Scatter(dots));
+        self
     }
 
     /// A path in the plane.
@@ -52,18 +63,30 @@ impl Panel {
     /// Bodies as they stand at one time: thin grey lines without a name.
     pub fn sketch(mut self, points: &[Vec2]) -> Panel {
         let points = points.iter().map(|p| (p.x, p.y));
-        self.lines.push(LinePlot::new().with_data(points).with_color("#888888").with_stroke_width(1.0));
+        self.plots.push(Plot::Line(LinePlot::new().with_data(points).with_color("#999999").with_stroke_width(1.0)));
         self
     }
 
     fn line(mut self, label: &str, points: Vec<(f64, f64)>) -> Panel {
-        let color = COLORS[self.lines.iter().filter(|line| line.legend_label.is_some()).count() % COLORS.len()];
-        self.lines.push(LinePlot::new().with_data(thinned(&points)).with_color(color).with_stroke_width(1.5).with_legend(label));
+        let line = LinePlot::new().with_data(thinned(&points)).with_color(self.color()).with_stroke_width(1.8).with_legend(label);
+        self.plots.push(Plot::Line(line));
         self
+    }
+
+    fn points(&mut self, series: &Series) -> Vec<(f64, f64)> {
+        if !self.y_label.ends_with(']') {
+            self.y_label += &format!(" [{}]", series.unit().replace("^2", "²"));
+        }
+        series.times().iter().copied().zip(series.values().iter().copied()).collect()
+    }
+
+    fn color(&mut self) -> &'static str {
+        self.named += 1;
+        COLORS[(self.named - 1) % COLORS.len()]
     }
 }
 
-/// Writes the panels under one another in columns, making folders that are missing; a file that cannot be written is named.
+/// Writes the panels row by row, making folders that are missing; a file that cannot be written is named.
 pub fn save(path: impl AsRef<Path>, columns: usize, panels: Vec<Panel>) -> kin::Result<()> {
     let path = path.as_ref();
     let svg = svg(columns, panels);
@@ -75,23 +98,19 @@ pub fn save(path: impl AsRef<Path>, columns: usize, panels: Vec<Panel>) -> kin::
 }
 
 fn svg(columns: usize, panels: Vec<Panel>) -> String {
-    let mut plots = Vec::new();
-    let mut layouts = Vec::new();
-    let rows = panels.len().div_ceil(columns);
+    let height = if panels.iter().any(|panel| panel.equal) { 460.0 } else { 330.0 };
+    let (mut plots, mut layouts) = (Vec::new(), Vec::new());
     for panel in panels {
-        let lines: Vec<Plot> = panel.lines.into_iter().map(Plot::Line).collect();
-        let layout = Layout::auto_from_plots(&lines)
-            .with_title(panel.title)
-            .with_title_size(15)
-            .with_x_label(panel.x_label)
-            .with_y_label(panel.y_label)
-            .with_legend_position(LegendPosition::OutsideRightTop)
-            .with_legend_box(false);
+        let layout = Layout::auto_from_plots(&panel.plots).with_title(panel.title).with_title_size(15).with_legend_box(false);
+        let layout = layout.with_x_label(panel.x_label).with_y_label(panel.y_label);
         layouts.push(if panel.equal { layout.with_equal_aspect() } else { layout });
-        plots.push(lines);
+        plots.push(panel.plots);
     }
-    let figure = Figure::new(rows, columns).with_plots(plots).with_layouts(layouts).with_cell_size(560.0, 360.0);
-    kuva::backend::svg::SvgBackend.render_scene(&figure.render())
+    let figure = Figure::new(plots.len().div_ceil(columns), columns).with_cell_size(560.0, height);
+    let scene = figure.with_plots(plots).with_layouts(layouts).render();
+    // A view box lets a page show it at any width.
+    let size = format!("<svg viewBox=\"0 0 {} {}\"", scene.width, scene.height);
+    SvgBackend::new().render_scene(&scene).replacen("<svg", &size, 1)
 }
 
 /// The points without those that nobody would miss (Douglas and Peucker), the picture taken as one unit high and wide.

@@ -1,0 +1,82 @@
+//! A joint nobody ships, declared, checked and used: a pin in a parabolic slot. Lengths in m, angles in rad, time in s.
+//!
+//! The slot is milled into a disc that a motor turns; the pin sits at the end of an arm and is dragged round by it, slowly and then
+//! quickly: a quick-return drive.
+//!
+//! `cargo run --release --example 03_custom_constraint`
+
+mod figures;
+
+use figures::Panel;
+use kin::prelude::*;
+use kin::{any_planar, check};
+
+const OUT: &str = "out/03_custom_constraint";
+
+// 1. The constraint: its equation, and nothing else.
+/// Pin in a parabolic slot: P of body i stays on y = k x², the slot being fixed in body j.      [m]
+#[constraint]
+fn parabolic_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
+    let s = j.local(i.point(u_i));
+    s.y - k * s.x * s.x
+}
+
+fn main() -> kin::Result<()> {
+    // 2. The check: C_q, C_t and Q_d of the compiled constraint, by dual numbers, and by central differences.
+    let slot = parabolic_slot(any_planar(), any_planar(), vec2(0.06, 0.0), 4.0);
+    let report = check::compare(&slot)?;
+    println!("parabolic_slot: {:?} route, compared at {} states", slot.route(), report.states);
+    println!("  from dual numbers {:.0e}, from central differences {:.0e} (relative, at most)\n", report.routes, report.differences);
+
+    // 3. Geometry: the disc turns about the vertex of its slot; the arm about C, nearer than its own length.
+    let (k, c) = (4.0, vec2(0.05, 0.0)); // 1/m, m
+    let mut m = Mechanism::new("quick return");
+    let ground = m.ground();
+    let disc = m.planar("disc", pose(0.0, 0.0, 0.0))?;
+    let arm = m.link("arm", 0.12)?;
+
+    // 4. Constraints and motion: two pins, the slot, and a motor that turns once a second.
+    m.add("O", revolute(ground, disc, vec2(0.0, 0.0), vec2(0.0, 0.0)))?;
+    m.add("C", revolute(ground, arm, c, arm.start()))?;
+    m.add("slot", parabolic_slot(arm, disc, arm.end(), k))?;
+    m.add("motor", drive_angle(disc, Law::ramp(TAU)))?; // rad/s
+    m.prefer(arm, 0.0); // the pin in the right half of the slot
+    let mut motion = m.build()?.run(linspace(0.0, 1.0, 1001))?;
+    println!("{}", motion.summary());
+
+    // 5. Results: how unevenly the arm turns, and whether the pin has stayed in the slot.
+    let (pin, disc_angle) = (motion.point(arm, arm.end()), motion.coordinate(disc.theta()).value);
+    let in_disc = |(p, angle): (&Vec2, &f64)| {
+        let (sin, cos) = angle.sin_cos();
+        vec2(cos * p.x + sin * p.y, cos * p.y - sin * p.x)
+    };
+    let in_disc: Vec<Vec2> = pin.r().iter().zip(disc_angle.values()).map(in_disc).collect();
+    let off_slot: Vec<f64> = in_disc.iter().map(|s| s.y - k * s.x * s.x).collect();
+    let arm_turns = motion.coordinate(arm.theta());
+    println!("{:28} {:>9} {:>10} {:>9} {:>10}", "over one turn of the disc", "least", "at t [s]", "greatest", "at t [s]");
+    for q in [&arm_turns.rate, &arm_turns.second_rate, &pin.speed()] {
+        let name = format!("{} [{}]", q.name(), q.unit());
+        println!("{name:28} {:9.3} {:10.3} {:9.3} {:10.3}", q.min(), q.at_min(), q.max(), q.at_max());
+    }
+    motion.add_output("pin off the slot", "m", off_slot)?;
+    let off_slot = &motion.outputs()[0];
+    println!("pin off the slot: at most {:.0e} m", off_slot.max().max(-off_slot.min()));
+    motion.write_csv(format!("{OUT}/motion.csv"))?;
+
+    // 6. Figures.
+    let slot_shape: Vec<Vec2> = linspace(-0.2, 0.2, 201).iter().map(|&x| vec2(x, k * x * x)).collect();
+    let plane = vec![
+        Panel::plane("On the ground").path("path of the pin", pin.r()).sketch(&[c, pin.r()[0]]),
+        Panel::plane("On the disc").path("path of the pin", &in_disc).sketch(&slot_shape),
+    ];
+    figures::save(format!("{OUT}/paths.svg"), 2, plane)?;
+    let over_time = vec![
+        Panel::over_time("Disc and arm", "angular velocity")
+            .series("arm", &arm_turns.rate)
+            .series("disc", &motion.coordinate(disc.theta()).rate),
+        Panel::over_time("Pin off the slot", "y − k x²").series("residual", off_slot),
+    ];
+    figures::save(format!("{OUT}/motion.svg"), 2, over_time)?;
+    println!("wrote {OUT}/: motion.csv, motion.svg, paths.svg");
+    Ok(())
+}
