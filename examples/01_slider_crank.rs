@@ -49,11 +49,11 @@ fn main() -> kin::Result<()> {
     let (coupler, slider) = (motion.coordinate(theta3), motion.coordinate(x));
     let by_newton = [&coupler.value, &slider.value, &coupler.rate, &slider.rate, &coupler.second_rate, &slider.second_rate];
     let by_hand: Vec<[f64; 6]> = motion.times().iter().map(|&t| elimination(t)).collect();
-    println!("{:16} {:>10} {:>10} {:>14} {:>30}", "over one turn", "least", "greatest", "at crank angle", "from elimination at most");
+    println!("{:18} {:>9} {:>9}  {:14} {}", "over one turn", "least", "greatest", "at crank angle", "from elimination, at most");
     for (k, q) in by_newton.iter().enumerate() {
         let difference = q.values().iter().zip(&by_hand).map(|(newton, hand)| (newton - hand[k]).abs()).fold(0.0, f64::max);
         let (name, degrees, unit) = (format!("{} [{}]", q.name(), q.unit()), 360.0 * q.at_max(), q.unit());
-        println!("{name:16} {:10.5} {:10.5} {degrees:10.0} deg {difference:18.1e} {unit}", q.min(), q.max());
+        println!("{name:18} {:9.5} {:9.5}  {degrees:3.0} deg        {difference:.0e} {unit}", q.min(), q.max());
     }
 
     for (k, (name, unit)) in [("theta3 by elimination", "rad"), ("x by elimination", "m")].into_iter().enumerate() {
@@ -62,10 +62,10 @@ fn main() -> kin::Result<()> {
     motion.write_csv(format!("{OUT}/motion.csv"))?;
 
     // 5. Figures: elimination every 15 degrees on top of Newton's line.
-    let [theta3_by_hand, x_by_hand] = motion.outputs() else { unreachable!("two outputs were added") };
+    let by_hand = motion.outputs(); // θ3, x
     let positions = vec![
-        Panel::over_time("Coupler", "angle").series("Newton", &coupler.value).dots("elimination", theta3_by_hand, 15),
-        Panel::over_time("Slider", "position").series("Newton", &slider.value).dots("elimination", x_by_hand, 15),
+        Panel::over_time("Coupler", "angle").series("Newton", &coupler.value).dots("elimination", &by_hand[0], 15),
+        Panel::over_time("Slider", "position").series("Newton", &slider.value).dots("elimination", &by_hand[1], 15),
     ];
     let rates = vec![
         Panel::over_time("Coupler", "angular velocity").series("theta3'", &coupler.rate),

@@ -50,9 +50,9 @@ fn main() -> kin::Result<()> {
     let origins = vec![origin("Origin of link 2", link2), origin("Origin of link 3", link3)];
     figures::save(format!("{OUT}/origins.svg"), 2, origins)?;
 
-    let mut paths = Panel::plane("Paths, and the arm every 2 s");
+    let mut paths = Panel::plane("Paths, and the arm every 4 s");
     let elbow = motion.point(link3, link3.start());
-    for k in (0..motion.len()).step_by(200) {
+    for k in (0..motion.len()).step_by(400) {
         paths = paths.sketch(&[vec2(0.0, 0.0), elbow.r()[k], e.r()[k]]);
     }
     let paths = paths.path("origin of link 2", r2.r()).path("origin of link 3", r3.r()).path("end effector", e.r());

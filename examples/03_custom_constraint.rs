@@ -12,6 +12,7 @@ use kin::prelude::*;
 use kin::{any_planar, check};
 
 const OUT: &str = "out/03_custom_constraint";
+const K: f64 = 4.0; // 1/m: the slot is y = K x²
 
 // 1. The constraint: its equation, and nothing else.
 /// Pin in a parabolic slot: P of body i stays on y = k x², the slot being fixed in body j.      [m]
@@ -23,22 +24,22 @@ fn parabolic_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
 
 fn main() -> kin::Result<()> {
     // 2. The check: C_q, C_t and Q_d of the compiled constraint, by dual numbers, and by central differences.
-    let slot = parabolic_slot(any_planar(), any_planar(), vec2(0.06, 0.0), 4.0);
-    let report = check::compare(&slot)?;
-    println!("parabolic_slot: {:?} route, compared at {} states", slot.route(), report.states);
+    let any = parabolic_slot(any_planar(), any_planar(), vec2(0.06, 0.01), K);
+    let report = check::compare(&any)?;
+    println!("{}: {} route, compared at {} states", any.kind(), any.route(), report.states);
     println!("  from dual numbers {:.0e}, from central differences {:.0e} (relative, at most)\n", report.routes, report.differences);
 
     // 3. Geometry: the disc turns about the vertex of its slot; the arm about C, nearer than its own length.
-    let (k, c) = (4.0, vec2(0.05, 0.0)); // 1/m, m
+    let c = vec2(0.05, 0.0); // m
     let mut m = Mechanism::new("quick return");
     let ground = m.ground();
     let disc = m.planar("disc", pose(0.0, 0.0, 0.0))?;
-    let arm = m.link("arm", 0.12)?;
+    let arm = m.link("arm", 0.12)?; // m
 
     // 4. Constraints and motion: two pins, the slot, and a motor that turns once a second.
     m.add("O", revolute(ground, disc, vec2(0.0, 0.0), vec2(0.0, 0.0)))?;
     m.add("C", revolute(ground, arm, c, arm.start()))?;
-    m.add("slot", parabolic_slot(arm, disc, arm.end(), k))?;
+    m.add("slot", parabolic_slot(arm, disc, arm.end(), K))?;
     m.add("motor", drive_angle(disc, Law::ramp(TAU)))?; // rad/s
     m.prefer(arm, 0.0); // the pin in the right half of the slot
     let mut motion = m.build()?.run(linspace(0.0, 1.0, 1001))?;
@@ -51,7 +52,7 @@ fn main() -> kin::Result<()> {
         vec2(cos * p.x + sin * p.y, cos * p.y - sin * p.x)
     };
     let in_disc: Vec<Vec2> = pin.r().iter().zip(disc_angle.values()).map(in_disc).collect();
-    let off_slot: Vec<f64> = in_disc.iter().map(|s| s.y - k * s.x * s.x).collect();
+    let off_slot: Vec<f64> = in_disc.iter().map(|s| s.y - K * s.x * s.x).collect();
     let arm_turns = motion.coordinate(arm.theta());
     println!("{:28} {:>9} {:>10} {:>9} {:>10}", "over one turn of the disc", "least", "at t [s]", "greatest", "at t [s]");
     for q in [&arm_turns.rate, &arm_turns.second_rate, &pin.speed()] {
@@ -63,13 +64,16 @@ fn main() -> kin::Result<()> {
     println!("pin off the slot: at most {:.0e} m", off_slot.max().max(-off_slot.min()));
     motion.write_csv(format!("{OUT}/motion.csv"))?;
 
-    // 6. Figures.
-    let slot_shape: Vec<Vec2> = linspace(-0.2, 0.2, 201).iter().map(|&x| vec2(x, k * x * x)).collect();
-    let plane = vec![
-        Panel::plane("On the ground").path("path of the pin", pin.r()).sketch(&[c, pin.r()[0]]),
-        Panel::plane("On the disc").path("path of the pin", &in_disc).sketch(&slot_shape),
-    ];
-    figures::save(format!("{OUT}/paths.svg"), 2, plane)?;
+    // 6. Figures: the slot and the arm eight times a turn; the pin as the disc sees it.
+    let slot: Vec<Vec2> = linspace(0.0, 0.16, 81).iter().map(|&x| vec2(x, K * x * x)).collect();
+    let mut on_ground = Panel::plane("On the ground: slot and arm every 0.125 s");
+    for (p, angle) in pin.r().iter().zip(disc_angle.values()).step_by(125).take(8) {
+        let (sin, cos) = angle.sin_cos();
+        let turned: Vec<Vec2> = slot.iter().map(|s| vec2(cos * s.x - sin * s.y, sin * s.x + cos * s.y)).collect();
+        on_ground = on_ground.sketch(&turned).sketch(&[c, *p]);
+    }
+    let on_disc = Panel::plane("On the disc: pin and slot").sketch(&slot).path("pin", &in_disc);
+    figures::save(format!("{OUT}/paths.svg"), 2, vec![on_ground.path("pin", pin.r()), on_disc])?;
     let over_time = vec![
         Panel::over_time("Disc and arm", "angular velocity")
             .series("arm", &arm_turns.rate)

@@ -2,12 +2,13 @@
 #![allow(dead_code)] // each example uses its part
 
 use std::path::Path;
+use std::sync::Arc;
 
 use kin::{Series, Vec2};
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::{LinePlot, ScatterPlot};
 use kuva::render::figure::Figure;
-use kuva::render::layout::Layout;
+use kuva::render::layout::{Layout, TickFormat};
 use kuva::render::plots::Plot;
 
 /// Blue, vermilion, green, purple: told apart by every eye (Okabe and Ito).
@@ -20,7 +21,8 @@ pub struct Panel {
     title: String,
     x_label: String,
     y_label: String,
-    equal: bool,
+    /// First and last time; none in the plane.
+    times: Option<(f64, f64)>,
     plots: Vec<Plot>,
     named: usize,
 }
@@ -28,17 +30,17 @@ pub struct Panel {
 impl Panel {
     /// Quantities over time; the vertical axis takes its unit from them.
     pub fn over_time(title: &str, quantity: &str) -> Panel {
-        Panel::new(title, "t [s]", quantity, false)
+        Panel::new(title, "t [s]", quantity)
     }
 
     /// The plane of motion, one metre as long upwards as to the right.
     pub fn plane(title: &str) -> Panel {
-        Panel::new(title, "x [m]", "y [m]", true)
+        Panel::new(title, "x [m]", "y [m]")
     }
 
-    fn new(title: &str, x_label: &str, y_label: &str, equal: bool) -> Panel {
+    fn new(title: &str, x_label: &str, y_label: &str) -> Panel {
         let [title, x_label, y_label] = [title, x_label, y_label].map(str::to_string);
-        Panel { title, x_label, y_label, equal, plots: Vec::new(), named: 0 }
+        Panel { title, x_label, y_label, times: None, plots: Vec::new(), named: 0 }
     }
 
     /// One quantity over time, as a line.
@@ -77,6 +79,7 @@ impl Panel {
         if !self.y_label.ends_with(']') {
             self.y_label += &format!(" [{}]", series.unit().replace("^2", "²"));
         }
+        self.times = series.times().first().copied().zip(series.times().last().copied());
         series.times().iter().copied().zip(series.values().iter().copied()).collect()
     }
 
@@ -98,19 +101,29 @@ pub fn save(path: impl AsRef<Path>, columns: usize, panels: Vec<Panel>) -> kin::
 }
 
 fn svg(columns: usize, panels: Vec<Panel>) -> String {
-    let height = if panels.iter().any(|panel| panel.equal) { 460.0 } else { 330.0 };
+    let height = if panels.iter().any(|panel| panel.times.is_none()) { 460.0 } else { 330.0 };
     let (mut plots, mut layouts) = (Vec::new(), Vec::new());
     for panel in panels {
         let layout = Layout::auto_from_plots(&panel.plots).with_title(panel.title).with_title_size(15).with_legend_box(false);
-        let layout = layout.with_x_label(panel.x_label).with_y_label(panel.y_label);
-        layouts.push(if panel.equal { layout.with_equal_aspect() } else { layout });
+        let layout = layout.with_x_label(panel.x_label).with_y_label(panel.y_label).with_force_margins(78.0, 140.0);
+        let layout = layout.with_tick_format(TickFormat::Custom(Arc::new(tick)));
+        layouts.push(match panel.times {
+            Some((first, last)) => layout.with_x_axis_min(first).with_x_axis_max(last),
+            None => layout.with_equal_aspect(),
+        });
         plots.push(panel.plots);
     }
-    let figure = Figure::new(plots.len().div_ceil(columns), columns).with_cell_size(560.0, height);
+    let figure = Figure::new(plots.len().div_ceil(columns), columns).with_cell_size(590.0, height);
     let scene = figure.with_plots(plots).with_layouts(layouts).render();
     // A view box lets a page show it at any width.
     let size = format!("<svg viewBox=\"0 0 {} {}\"", scene.width, scene.height);
     SvgBackend::new().render_scene(&scene).replacen("<svg", &size, 1)
+}
+
+/// Four digits are enough beside an axis.
+fn tick(value: f64) -> String {
+    let short = format!("{value:.3e}").parse().unwrap_or(value);
+    if short != 0.0 && !(1e-3..1e5).contains(&short.abs()) { format!("{short:e}") } else { short.to_string() }
 }
 
 /// The points without those that nobody would miss (Douglas and Peucker), the picture taken as one unit high and wide.

@@ -14,6 +14,16 @@ pub enum Route {
     Hand,
 }
 
+impl std::fmt::Display for Route {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Route::Symbolic => "symbolic",
+            Route::Dual => "dual",
+            Route::Hand => "hand-written",
+        })
+    }
+}
+
 /// A constraint C(q, t) = 0 with m rows on the coordinates of its arguments.
 ///
 /// Columns are local: those of the first argument first (3 for a planar body, 7 for a spatial one, 1 for a bare coordinate), the ground's

@@ -243,6 +243,10 @@ pub enum Error {
         value: f64,
     },
 
+    /// Routes to a derivative that do not agree ([`crate::check::compare`]).
+    #[error(transparent)]
+    Mismatch(Box<crate::check::Mismatch>),
+
     /// A file that cannot be written.
     #[error("cannot write {}: {source}", .path.display())]
     File {
@@ -270,6 +274,12 @@ impl Error {
             *motion = Some(Box::new(computed));
         }
         self
+    }
+}
+
+impl From<crate::check::Mismatch> for Error {
+    fn from(mismatch: crate::check::Mismatch) -> Self {
+        Error::Mismatch(Box::new(mismatch))
     }
 }
 

@@ -14,13 +14,69 @@ mod parse;
 
 use proc_macro::TokenStream;
 
-/// Turns a function C(q, t) into a constraint with all its derivatives. See the documentation of `kin`.
+/// Turns a function C(q, t) into a constraint with all its derivatives.
+///
+/// ```text
+/// /// Pin in a parabolic slot: P of body i stays on y = k x², the slot being fixed in body j.      [m]
+/// #[constraint]
+/// pub fn parabolic_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
+///     let s = j.local(i.point(u_i));
+///     s.y - k * s.x * s.x
+/// }
+/// ```
+///
+/// The function becomes a constructor, `parabolic_slot(crank, table, vec2(0.1, 0.0), 2.0)`, of a struct of the same name that implements
+/// `Constraint`: C, C_q at a fixed pattern, C_t, and r(q̇, ṫ) = −\[(C_q q̇)_q q̇ + 2 ṫ C_qt q̇ + ṫ² C_tt\].
+///
+/// # Arguments
+///
+/// Types are read by name; an alias is an error that says so.
+///
+/// | type | in the function | the constructor takes |
+/// |---|---|---|
+/// | `Planar` | state of a planar body: `r`, `theta`, `a()`, `point(u)`, `direction(h)`, `local(p)` | anything `Into<PlanarBody>` |
+/// | `Spatial` | state of a spatial body: `r`, `p`, `a()`, `point(u)`, `direction(h)`, `local(p)` | anything `Into<SpatialBody>` |
+/// | `Coord`, `[Coord; N]` | bare coordinates, as numbers | anything `Into<Coordinate>`, `[Coordinate; N]` |
+/// | `Time` | t   \[s\] | nothing |
+/// | `Law` | a function of one variable: `law.at(x)` | a `Law` |
+/// | any other `Clone + Send + Sync` type | a parameter | the value |
+///
+/// # Result
+///
+/// `f64`, `Vec2`, `Vec3`, `[f64; N]` or a tuple of these: one row each, named after the identifiers in a returned tuple or array, else x, y, z
+/// of a vector, else 1, 2, ….
+///
+/// # Routes
+///
+/// The body is read by the compiler and differentiated symbolically. Calls of functions `fn f<D: Dual>(x: Real<D>) -> Real<D>` are evaluated with
+/// num-dual's numbers inside the symbolic code. A body that cannot be read (a `while`, a loop whose bound is a parameter) runs on dual
+/// numbers as a whole; `Constraint::route` tells which. `#[constraint(symbolic)]` makes such a body a compile error at the token that cannot
+/// be read, `#[constraint(dual)]` asks for dual numbers.
+///
+/// A path or field that the macro cannot know (`MAX_LIFT`, `gains.k`) is an f64 at run time, unless a `let v: Vec2 = …` or its place says
+/// otherwise.
+///
+/// # Kinks
+///
+/// Derivatives are taken from one side: `abs` at 0 as for x ≥ 0; `a.max(b)` and `a.min(b)` of equal values as for a; an `if` as the branch it takes;
+/// the steps (`floor`, `signum`, …) have derivative 0.
 #[proc_macro_attribute]
 pub fn constraint(attribute: TokenStream, item: TokenStream) -> TokenStream {
     expand::constraint(attribute.into(), item.into()).into()
 }
 
-/// Turns a function f(x) into a law with its derivatives to third order. See the documentation of `kin`.
+/// Turns a function f(x) into a `Law` with its derivatives to third order.
+///
+/// ```text
+/// /// Harmonic rise of height h over an angle β.      [m]
+/// #[law]
+/// fn rise(x: f64, h: f64, beta: f64) -> f64 {
+///     0.5 * h * (1.0 - (PI * x / beta).cos())
+/// }
+/// ```
+///
+/// The first argument is the variable; the others are parameters of the constructor, `rise(0.02, 1.2)`, which gives a `Law`. The body is
+/// read as under `#[constraint]`.
 #[proc_macro_attribute]
 pub fn law(attribute: TokenStream, item: TokenStream) -> TokenStream {
     expand::law(&attribute.into(), item.into()).into()

@@ -70,7 +70,11 @@ pub fn add<E: Equation<N, M> + 'static, const N: usize, const M: usize>(m: &mut 
     assert_eq!(equation.route(), Route::Symbolic, "{name}");
     match by {
         By::Symbols => m.add(name, equation)?,
-        By::DualNumbers => m.add(name, by_dual(equation))?,
+        By::DualNumbers => {
+            let dual = by_dual(equation);
+            assert_eq!(dual.route(), Route::Dual, "{name}");
+            m.add(name, dual)?
+        }
     };
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! "Constraint Library: Prismatic", with the blocks D1 to D4 of (C_q q̇)_q.
 
 use kin::prelude::*;
-use kin::state::{At, PlanarRate, PlanarState, RateStates, Rates, States};
+use kin::state::{At, PLANAR_STATE, PlanarState, Rates};
 use kin::{any_planar, by_dual};
 use nalgebra::DMatrix;
 use proptest::prelude::*;
@@ -80,13 +80,9 @@ fn prismatic_right_side_is_minus_d1_to_d4() {
 
 /// Both rows of r(q̇, 0) at q, straight from the constraint.
 fn right_side(constraint: &dyn Constraint, q: &[f64; 6], qd: &[f64; 6]) -> [f64; 2] {
-    let (mut states, mut rates) = (States::default(), RateStates::default());
-    for k in [0, 3] {
-        states.planar.push(PlanarState::new([q[k], q[k + 1], q[k + 2]]));
-        rates.planar.push(PlanarRate { r: [qd[k], qd[k + 1]], theta: qd[k + 2] });
-    }
-    let (slots, mut r) = ([1, 2], [f64::NAN; 2]);
-    constraint.acceleration_rhs(&At::new(0.0, &states, &slots), &Rates::new(&rates, &slots), 0.0, &mut r);
+    let states = [[q[0], q[1], q[2]], [q[3], q[4], q[5]]].map(|body| PlanarState::new(body).to_array()).concat();
+    let mut r = [f64::NAN; 2];
+    constraint.acceleration_rhs(&At::new(0.0, &states, &[0, PLANAR_STATE]), &Rates::new(qd, &[0, 3]), 0.0, &mut r);
     r
 }
 

@@ -59,12 +59,12 @@ pub fn column_of(v: V2) -> DVector<f64> {
 pub struct Comparison {
     what: &'static str,
     worst: [f64; 2],
-    states: usize,
+    states: [usize; 2],
 }
 
 impl Comparison {
     pub fn of(what: &'static str) -> Self {
-        Comparison { what, worst: [0.0; 2], states: 0 }
+        Comparison { what, worst: [0.0; 2], states: [0; 2] }
     }
 
     /// Every term of both routes at one state against those derived by hand.
@@ -76,12 +76,12 @@ impl Comparison {
         let qd = &column(qd);
         self.same("symbolic", 0, &terms(constraint, q, qd.as_slice(), t), qd, hand);
         self.same("dual", 1, &dual_terms(constraint, q, qd.as_slice(), t), qd, hand);
-        self.states += 1;
     }
 
     /// Every term of one route (0: symbolic, 1: dual) against those derived by hand.
     pub fn same(&mut self, route: &str, k: usize, found: &Terms, qd: &DVector<f64>, hand: &Hand) {
         let flat = |m: &DMatrix<f64>| column(m.as_slice());
+        self.states[k] += 1;
         assert_eq!(found.c_q.shape(), hand.c_q.shape(), "{}: shape of C_q", self.what);
         for (term, found, hand) in [
             ("C", &found.c, &hand.c),
@@ -103,7 +103,9 @@ impl Comparison {
 impl Drop for Comparison {
     fn drop(&mut self) {
         if !std::thread::panicking() {
-            println!("{}: {} states, worst {:.1e} symbolic, {:.1e} dual", self.what, self.states, self.worst[0], self.worst[1]);
+            let (states, [symbolic, dual]) = (self.states[0], self.worst);
+            assert!(states > 0 && self.states[1] == states, "{}: {:?} states compared", self.what, self.states);
+            println!("{}: {states} states, worst {symbolic:.1e} symbolic, {dual:.1e} dual", self.what);
         }
     }
 }

@@ -278,16 +278,16 @@ impl<'a> Kernel<'a> {
                 let law_place = template::place(&self.lowered.laws[law]);
                 let x_value = self.expression(x);
                 let key = format!("law {law} {x:?}");
-                let name = self.evaluated(key, "law", |_| quote!(#law_place.jet(#x_value)));
+                let name = self.evaluated(key, "law", &quote!([f64; 4]), |_| quote!(#law_place.jet(#x_value)));
                 let order = Literal::usize_unsuffixed(usize::from(order));
                 Some(quote!(#name[#order]))
             }
             Op::Opaque(number, component) => {
                 let value = &self.lowered.opaques[number];
                 let ty = template::kind_type(&value.kind);
-                let name = self.evaluated(format!("opaque {number}"), "o", |kernel| template::plain(&value.template, &mut |n| kernel.expression(n)));
                 // The type is what the macro took the value for: where that is wrong, rustc says so at the user's token.
-                self.annotate(&name, &ty);
+                let key = format!("opaque {number}");
+                let name = self.evaluated(key, "o", &ty, |kernel| template::plain(&value.template, &mut |n| kernel.expression(n)));
                 Some(template::component(&name, &value.kind, component))
             }
             Op::Leaf(of) => Some(self.leaf(of)),
@@ -295,25 +295,17 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    fn evaluated(&mut self, key: String, prefix: &str, value: impl FnOnce(&mut Self) -> TokenStream) -> Ident {
+    /// The name of an evaluation of a type, the same one each time.
+    fn evaluated(&mut self, key: String, prefix: &str, ty: &TokenStream, value: impl FnOnce(&mut Self) -> TokenStream) -> Ident {
         if let Some(name) = self.evaluations.get(&key) {
             return name.clone();
         }
         self.operations += 1;
         let name = Ident::new(&format!("{prefix}{}", self.evaluations.len()), Span::mixed_site());
         let value = value(self);
-        self.statements.push(quote!(let #name = #value;));
+        self.statements.push(quote!(let #name: #ty = #value;));
         self.evaluations.insert(key, name.clone());
         name
-    }
-
-    /// Puts a type on the `let` of an opaque value.
-    fn annotate(&mut self, name: &Ident, ty: &TokenStream) {
-        let (plain, typed) = (quote!(let #name =).to_string(), quote!(let #name: #ty =));
-        if let Some(statement) = self.statements.iter_mut().find(|s| s.to_string().starts_with(&plain)) {
-            let value: TokenStream = statement.clone().into_iter().skip(3).collect();
-            *statement = quote!(#typed #value);
-        }
     }
 
     fn leaf(&mut self, of: LeafUse) -> TokenStream {
@@ -327,7 +319,13 @@ impl<'a> Kernel<'a> {
             LeafNumber::First(d) => (format!("leaf {} along {d}", of.leaf), quote!(.0.v1)),
             LeafNumber::Second(d) => (format!("leaf {} along {d}", of.leaf), quote!(.0.v2)),
         };
-        let name = self.evaluated(key, "leaf", |kernel| {
+        let scalar = match of.what {
+            LeafNumber::Value => quote!(::kin::rt::Real<f64>),
+            LeafNumber::Partial(_) => quote!(::kin::rt::Real<::kin::rt::Dual64>),
+            LeafNumber::First(_) | LeafNumber::Second(_) => quote!(::kin::rt::Real<::kin::rt::Dual2_64>),
+        };
+        let OpaqueKind::Numbers(shape) = &leaf.kind else { return quote!(f64::NAN) };
+        let name = self.evaluated(key, "leaf", &template::shape_type(shape, &scalar), |kernel| {
             let values: Vec<TokenStream> = arguments
                 .iter()
                 .enumerate()
@@ -349,7 +347,6 @@ impl<'a> Kernel<'a> {
             quote!(self.#function([#(#values),*]))
         });
         let component = template::component(&name, &leaf.kind, of.output);
-        debug_assert!(matches!(leaf.kind, OpaqueKind::Numbers(_)));
         quote!(#component #field)
     }
 }

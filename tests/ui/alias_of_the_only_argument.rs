@@ -1,0 +1,10 @@
+use kin::prelude::*;
+
+type Angle = Coord;
+
+#[constraint]
+fn level(a: Angle) -> f64 {
+    a.sin()
+}
+
+fn main() {}

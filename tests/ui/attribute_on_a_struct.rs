@@ -1,0 +1,8 @@
+use kin::prelude::*;
+
+#[constraint]
+struct Level {
+    h: f64,
+}
+
+fn main() {}

@@ -1,0 +1,6 @@
+use kin::prelude::*;
+
+#[constraint]
+fn level(theta: Coord) -> f64 {}
+
+fn main() {}
