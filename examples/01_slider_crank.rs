@@ -49,7 +49,7 @@ fn main() -> kin::Result<()> {
     let (coupler, slider) = (motion.coordinate(theta3), motion.coordinate(x));
     let by_newton = [&coupler.value, &slider.value, &coupler.rate, &slider.rate, &coupler.second_rate, &slider.second_rate];
     let by_hand: Vec<[f64; 6]> = motion.times().iter().map(|&t| elimination(t)).collect();
-    println!("{:18} {:>9} {:>9}  {:14} {}", "over one turn", "least", "greatest", "at crank angle", "from elimination, at most");
+    println!("{:18} {:>9} {:>9}  {:14} from elimination, at most", "over one turn", "least", "greatest", "at crank angle");
     for (k, q) in by_newton.iter().enumerate() {
         let difference = q.values().iter().zip(&by_hand).map(|(newton, hand)| (newton - hand[k]).abs()).fold(0.0, f64::max);
         let (name, degrees, unit) = (format!("{} [{}]", q.name(), q.unit()), 360.0 * q.at_max(), q.unit());

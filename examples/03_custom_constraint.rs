@@ -9,7 +9,7 @@ mod figures;
 
 use figures::Panel;
 use kin::prelude::*;
-use kin::{any_planar, check};
+use kin::{any_planar, check, state::PlanarState};
 
 const OUT: &str = "out/03_custom_constraint";
 const K: f64 = 4.0; // 1/m: the slot is y = K x²
@@ -36,22 +36,21 @@ fn main() -> kin::Result<()> {
     let disc = m.planar("disc", pose(0.0, 0.0, 0.0))?;
     let arm = m.link("arm", 0.12)?; // m
 
-    // 4. Constraints and motion: two pins, the slot, and a motor that turns once a second.
+    // 4. Constraints: two pins and the slot.
     m.add("O", revolute(ground, disc, vec2(0.0, 0.0), vec2(0.0, 0.0)))?;
     m.add("C", revolute(ground, arm, c, arm.start()))?;
     m.add("slot", parabolic_slot(arm, disc, arm.end(), K))?;
+
+    // 5. Motion: the motor turns once a second; of the two assemblies, the one with the pin in the right half of the slot.
     m.add("motor", drive_angle(disc, Law::ramp(TAU)))?; // rad/s
-    m.prefer(arm, 0.0); // the pin in the right half of the slot
+    m.prefer(arm, 0.0); // rad
     let mut motion = m.build()?.run(linspace(0.0, 1.0, 1001))?;
     println!("{}", motion.summary());
 
-    // 5. Results: how unevenly the arm turns, and whether the pin has stayed in the slot.
+    // 6. Results: how unevenly the arm turns, and whether the pin has stayed in the slot.
     let (pin, disc_angle) = (motion.point(arm, arm.end()), motion.coordinate(disc.theta()).value);
-    let in_disc = |(p, angle): (&Vec2, &f64)| {
-        let (sin, cos) = angle.sin_cos();
-        vec2(cos * p.x + sin * p.y, cos * p.y - sin * p.x)
-    };
-    let in_disc: Vec<Vec2> = pin.r().iter().zip(disc_angle.values()).map(in_disc).collect();
+    let disc_at = |angle: &f64| PlanarState::new([0.0, 0.0, *angle]);
+    let in_disc: Vec<Vec2> = pin.r().iter().zip(disc_angle.values()).map(|(p, angle)| disc_at(angle).local(*p)).collect();
     let off_slot: Vec<f64> = in_disc.iter().map(|s| s.y - K * s.x * s.x).collect();
     let arm_turns = motion.coordinate(arm.theta());
     println!("{:28} {:>9} {:>10} {:>9} {:>10}", "over one turn of the disc", "least", "at t [s]", "greatest", "at t [s]");
@@ -64,12 +63,11 @@ fn main() -> kin::Result<()> {
     println!("pin off the slot: at most {:.0e} m", off_slot.max().max(-off_slot.min()));
     motion.write_csv(format!("{OUT}/motion.csv"))?;
 
-    // 6. Figures: the slot and the arm eight times a turn; the pin as the disc sees it.
+    // 7. Figures: the slot and the arm eight times a turn; the pin as the disc sees it.
     let slot: Vec<Vec2> = linspace(0.0, 0.16, 81).iter().map(|&x| vec2(x, K * x * x)).collect();
     let mut on_ground = Panel::plane("On the ground: slot and arm every 0.125 s");
     for (p, angle) in pin.r().iter().zip(disc_angle.values()).step_by(125).take(8) {
-        let (sin, cos) = angle.sin_cos();
-        let turned: Vec<Vec2> = slot.iter().map(|s| vec2(cos * s.x - sin * s.y, sin * s.x + cos * s.y)).collect();
+        let turned: Vec<Vec2> = slot.iter().map(|s| disc_at(angle).point(*s)).collect();
         on_ground = on_ground.sketch(&turned).sketch(&[c, *p]);
     }
     let on_disc = Panel::plane("On the disc: pin and slot").sketch(&slot).path("pin", &in_disc);

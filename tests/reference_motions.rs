@@ -2,7 +2,7 @@
 
 mod data;
 
-use data::model::{BOTH, By, Model, add, build, driver};
+use data::model::{BOTH, By, add, build, driver};
 use data::{error, number, numbers, read, rows};
 use kin::prelude::*;
 use kin::{Mechanism, Motion, Series, linspace};
@@ -66,7 +66,7 @@ fn two_link_manipulator_moves_as_the_reference() {
     for name in ["two_link_25", "two_link_241"] {
         let file = read(name);
         for by in BOTH {
-            let Model { mechanism, bodies } = build(&file, by).expect("a mechanism");
+            let (mechanism, bodies) = build(&file, by).expect("a mechanism");
             let motion = run(mechanism, &file);
             absolute(&motion, &file).check(&format!("{name} by {by:?}"), 1.0);
 
@@ -89,7 +89,7 @@ fn two_link_manipulator_moves_as_its_closed_form() {
     let p = |name: &str| number(&file["parameters"], name);
     let (l2, l3, w2, w3) = (p("l2"), p("l3"), p("w2"), p("w3"));
     for by in BOTH {
-        let Model { mechanism, bodies } = build(&file, by).expect("a mechanism");
+        let (mechanism, bodies) = build(&file, by).expect("a mechanism");
         let motion = mechanism.build().expect("a square system").run(linspace(0.0, 24.0, 2401)).expect("a motion");
         let (end, mut errors) = (motion.point(bodies[2], vec2(l3 / 2.0, 0.0)), Errors::default());
         for (k, t) in motion.times().iter().enumerate() {
@@ -117,7 +117,7 @@ fn two_link_manipulator_moves_as_its_closed_form() {
 fn slider_crank(name: &str, factor: f64) {
     let file = read(name);
     for by in BOTH {
-        let motion = run(build(&file, by).expect("a mechanism").mechanism, &file);
+        let motion = run(build(&file, by).expect("a mechanism").0, &file);
         absolute(&motion, &file).check(&format!("{name} by {by:?}, 12 coordinates"), factor);
         let (motion, theta3, x) = loop_closed(&file, by).expect("a motion");
         let mut errors = Errors::default();

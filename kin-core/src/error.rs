@@ -17,7 +17,7 @@ pub enum Error {
     /// The number of equations differs from the number of coordinates, so C_q has no inverse.
     #[error(
         "the mechanism \"{mechanism}\" cannot be driven: {coordinates} coordinates, {equations} equations.{}",
-        text::not_square(*.coordinates, *.equations, .untouched)
+        text::not_square(*.coordinates, *.equations, .untouched, .movable, .dependent)
     )]
     NotSquare {
         /// The mechanism.
@@ -28,6 +28,10 @@ pub enum Error {
         equations: usize,
         /// Bodies and bare coordinates that no constraint acts on.
         untouched: Vec<String>,
+        /// Bodies and bare coordinates that can still move.
+        movable: Vec<String>,
+        /// Constraints that take part in a dependency.
+        dependent: Vec<String>,
     },
 
     /// Newton's method did not reach C(q, t) = 0.
@@ -308,12 +312,13 @@ mod tests {
 
     #[test]
     fn not_square_says_what_is_missing_and_the_cure() {
-        let error = Error::NotSquare { mechanism: "arm".into(), coordinates: 9, equations: 7, untouched: vec!["spare".into()] };
+        let error = Error::NotSquare { mechanism: "arm".into(), coordinates: 9, equations: 7, untouched: vec!["spare".into()], movable: vec![], dependent: vec![] };
         let text = error.to_string();
         assert!(text.starts_with("the mechanism \"arm\" cannot be driven: 9 coordinates, 7 equations."), "{text}");
         assert!(text.contains("2 equations are missing") && text.contains("`spare`") && text.contains("driver"), "{text}");
-        let error = Error::NotSquare { mechanism: "arm".into(), coordinates: 9, equations: 10, untouched: vec![] };
-        assert!(error.to_string().contains("1 equation too many"), "{error}");
+        let error = Error::NotSquare { mechanism: "arm".into(), coordinates: 9, equations: 10, untouched: vec![], movable: vec![], dependent: vec!["motor".into(), "motor 2".into()] };
+        let text = error.to_string();
+        assert!(text.contains("1 equation too many") && text.contains("`motor`, `motor 2`"), "{text}");
     }
 
     #[test]

@@ -7,7 +7,7 @@
 
 mod rank;
 
-pub(crate) use rank::Singular;
+pub(crate) use rank::{Singular, of_rectangle};
 
 /// A pivot below this measure is zero; the rounding of an elimination of moderate size stays below.   \[-\]
 const SINGULAR: f64 = 1e-13;

@@ -288,19 +288,40 @@ impl Mechanism {
         }
         let equations = Equations::new(&self.layout, self.constraints);
         if equations.rows != self.layout.len() {
-            return Err(not_square(self.name, &self.layout, &equations));
+            return Err(not_square(self.name, &self.layout, &equations, &guess));
         }
         Ok(System::new(self.name, self.layout, equations, guess, self.preferred, self.links))
     }
 }
 
-/// Counts, and what nothing touches; the norm of its own Euler parameters does not touch a body.
-fn not_square(mechanism: String, layout: &Layout, equations: &Equations) -> Error {
+/// Counts, what nothing touches (the norm of its own Euler parameters does not touch a body), what can still move, and which constraints
+/// repeat one another at a general pose near the guess.
+fn not_square(mechanism: String, layout: &Layout, equations: &Equations, guess: &[f64]) -> Error {
     let mut touched = HashSet::new();
     for block in equations.blocks.iter().filter(|block| block.constraint.kind() != "euler_norm") {
         let columns = equations.entries[block.values.clone()].iter().flatten().map(|(_, column)| *column);
         touched.extend(columns.filter_map(|column| Some(layout.owner(column)?.first)));
     }
     let untouched = layout.items.iter().filter(|item| !touched.contains(&item.first)).map(|item| item.name.clone()).collect();
-    Error::NotSquare { mechanism, coordinates: layout.len(), equations: equations.rows, untouched }
+    let (movable, dependent) = freedoms(layout, equations, guess);
+    Error::NotSquare { mechanism, coordinates: layout.len(), equations: equations.rows, untouched, movable, dependent }
+}
+
+/// Bodies with a share in a free motion, and constraints with a share in a dependency, by the rank of C_q at a pose beside the guess:
+/// the guess itself may be a special pose, such as all zeros.
+fn freedoms(layout: &Layout, equations: &Equations, guess: &[f64]) -> (Vec<String>, Vec<String>) {
+    let q: Vec<f64> = guess.iter().enumerate().map(|(k, x)| x + 0.3 * (1.0 + 1.7 * k as f64).sin()).collect();
+    let (mut states, mut c, mut values) = (equations.plan.states(), vec![0.0; equations.rows], vec![0.0; equations.entries.len()]);
+    equations.plan.set_states(&q, &mut states);
+    if equations.linearize(0.0, &states, &mut c, &mut values).is_err() {
+        return (vec![], vec![]);
+    }
+    let entries: Vec<(usize, usize, f64)> =
+        equations.entries.iter().zip(&values).filter_map(|(entry, value)| entry.map(|(row, column)| (row, column, *value))).collect();
+    let Some(found) = crate::linear::of_rectangle(equations.rows, layout.len(), &entries) else { return (vec![], vec![]) };
+    let mut movable: Vec<String> = found.columns.iter().filter_map(|&k| Some(layout.owner(k)?.name.clone())).collect();
+    let mut dependent: Vec<String> = found.rows.iter().filter_map(|&k| Some(equations.block_of(k)?.0.name.clone())).collect();
+    movable.dedup();
+    dependent.dedup();
+    (movable, dependent)
 }

@@ -18,14 +18,8 @@ pub enum By {
 
 pub const BOTH: [By; 2] = [By::Symbols, By::DualNumbers];
 
-/// A mechanism and its bodies, with the coordinates, equations and initial guess of the file in their order.
-pub struct Model {
-    pub mechanism: Mechanism,
-    pub bodies: Vec<PlanarBody>,
-}
-
-/// The mechanism a file describes.
-pub fn build(file: &Value, by: By) -> Result<Model> {
+/// The mechanism a file describes and its bodies: coordinates, equations and initial guess in the file's order.
+pub fn build(file: &Value, by: By) -> Result<(Mechanism, Vec<PlanarBody>)> {
     let mut m = Mechanism::new(text(file, "id"));
     let names = list(file, "bodies").iter().map(|body| text(body, "name"));
     let guess = numbers(file, "initial_guess");
@@ -51,7 +45,7 @@ pub fn build(file: &Value, by: By) -> Result<Model> {
             other => panic!("a constraint `{other}` in {c}"),
         }
     }
-    Ok(Model { mechanism: m, bodies })
+    Ok((m, bodies))
 }
 
 /// The driver's law f(t): the files know three.
