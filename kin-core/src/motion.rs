@@ -217,20 +217,22 @@ impl Motion {
         &self.outputs
     }
 
-    /// One line: counts, Newton steps a time and the largest residual.
+    /// One line: counts, Newton steps a time (the first position apart, which is found from a guess) and the largest residual.
     pub fn summary(&self) -> String {
-        let mut sorted = self.iterations.clone();
-        sorted.sort_unstable();
-        let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(0);
+        let (first, rest) = self.iterations.split_at(1.min(self.iterations.len()));
+        let mut steps = if rest.is_empty() { first.to_vec() } else { rest.to_vec() };
+        steps.sort_unstable();
+        let usual = steps.get(steps.len() / 2).copied().unwrap_or(0);
         let largest = self.worst.map_or(0.0, |(residual, _)| residual);
         format!(
-            "{}: {} coordinates, {} equations, {} times, {usual} Newton step{} a time (worst {}), |C| <= {largest:.0e}",
+            "{}: {} coordinates, {} equations, {} times, {usual} Newton step{} a time (worst {}, first position {}), |C| ≤ {largest:.0e}",
             self.name,
             self.layout.len(),
             self.equations.len(),
             self.len(),
             if usual == 1 { "" } else { "s" },
-            sorted.last().copied().unwrap_or(0),
+            steps.last().copied().unwrap_or(0),
+            first.first().copied().unwrap_or(0),
         )
     }
 }

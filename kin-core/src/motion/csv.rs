@@ -57,6 +57,6 @@ impl Motion {
 /// 17 significant digits: enough to read the same number back.
 fn digits(text: &mut String, value: f64) {
     use std::fmt::Write;
-    // Writing to a String does not fail.
-    let _ = write!(text, "{value:.16e}");
+    // −0 + 0 is 0, which reads better; writing to a String does not fail.
+    let _ = write!(text, "{:.16e}", value + 0.0);
 }

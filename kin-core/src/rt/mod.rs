@@ -13,7 +13,7 @@ pub use crate::real::{Dual, Real};
 pub use crate::state::{At, PlanarState, Rates, SpatialState};
 pub use num_dual::{Dual2_64, Dual64};
 
-pub use foreign::{Foreign, IntoConstant, IntoJet, IntoPlain, LiftAny, LiftNumbers, LowerAny, LowerReal};
+pub use foreign::{Foreign, IntoConstant, IntoJet, IntoPlain, LiftAny, LiftNumbers, LowerAny, LowerReal, Never};
 pub use foreign::{constant_argument, jet_argument, plain_argument};
 pub use lift::{Cast, Lift, cast};
 pub use numbers::Numbers;

@@ -1,10 +1,12 @@
 //! Last stage: from the graph, and from the user's own body, to Rust. `quote` begins here.
 
 pub mod constraint;
+mod functions;
 mod kernel;
 pub mod law;
 mod rewrite;
 mod template;
+mod variables;
 
 use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};

@@ -1,0 +1,112 @@
+//! What the stage hands on: every derivative of the rows that emitted code computes, as nodes of the same graph.
+
+use super::{Jets, Partial, rules};
+use crate::graph::{Column, Graph, Input, LeafNumber, Node, Op, Part};
+use crate::lower::Lowered;
+use crate::parse::{Argument, Kind};
+
+/// Every derivative of the rows.
+pub struct Derivatives {
+    /// (row, local column, value), structural non-zeros only.
+    pub jacobian: Vec<(usize, usize, Node)>,
+    /// −C_t; empty where nothing depends on time.
+    pub velocity_rhs: Vec<Node>,
+    /// −g″(0)
+    pub acceleration_rhs: Vec<Node>,
+    /// Numbers that must be finite, with the user's text.
+    pub checks: Vec<(String, Vec<Node>)>,
+}
+
+impl Derivatives {
+    pub fn new(lowered: &mut Lowered, arguments: &[Argument]) -> Self {
+        let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
+        let g = &mut lowered.graph;
+        let jacobian = jacobian(g, &rows, arguments);
+        let mut velocity_rhs = Vec::new();
+        if rows.iter().any(|&row| g.depends(row).on_t) {
+            let mut by_time = Partial::by_time();
+            for &row in &rows {
+                let c_t = by_time.of(g, row);
+                velocity_rhs.push(g.neg(c_t));
+            }
+        }
+        let mut jets = Jets::default();
+        let mut acceleration_rhs = Vec::new();
+        for &row in &rows {
+            let second = jets.of(g, row).second;
+            acceleration_rhs.push(g.neg(second));
+        }
+        let checks = lowered.risks.iter().map(|risk| (risk.text.clone(), checked(&mut lowered.graph, risk.node))).collect();
+        Derivatives { jacobian, velocity_rhs, acceleration_rhs, checks }
+    }
+
+    /// Slots whose sine or cosine some output reads.
+    pub fn trig(&self, lowered: &Lowered) -> Vec<usize> {
+        let mut outputs: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
+        outputs.extend(self.jacobian.iter().map(|entry| entry.2));
+        outputs.extend(self.velocity_rhs.iter().chain(&self.acceleration_rhs));
+        outputs.extend(self.checks.iter().flat_map(|(_, nodes)| nodes));
+        let reads = |node: Node| match lowered.graph.op(node) {
+            Op::Input(Input::State(slot, Part::Sin | Part::Cos)) => Some(slot),
+            _ => None,
+        };
+        lowered.graph.reachable(&outputs).into_iter().filter_map(reads).collect()
+    }
+}
+
+fn jacobian(g: &mut Graph, rows: &[Node], arguments: &[Argument]) -> Vec<(usize, usize, Node)> {
+    let columns = g.columns(rows);
+    let mut partials: Vec<Partial> = columns.iter().map(|&column| Partial::by_column(column)).collect();
+    let mut entries = Vec::new();
+    for (k, &row) in rows.iter().enumerate() {
+        for (column, partial) in columns.iter().zip(&mut partials) {
+            let value = partial.of(g, row);
+            if !g.is_zero(value) {
+                entries.push((k, local_column(arguments, *column), value));
+            }
+        }
+    }
+    entries
+}
+
+/// Number of a column among those of all arguments.
+fn local_column(arguments: &[Argument], column: Column) -> usize {
+    let (mut slot, mut first) = (0, 0);
+    for argument in arguments {
+        let slots = argument.kind.slots();
+        if column.argument < slot + slots {
+            return first
+                + match (&argument.kind, column.part) {
+                    (Kind::Planar, Part::Theta) => 2,
+                    (_, Part::R(k)) => k,
+                    (_, Part::P(k)) => 3 + k,
+                    _ => column.argument - slot,
+                };
+        }
+        slot += slots;
+        first += argument.kind.columns();
+    }
+    first
+}
+
+/// A risky operation's value and its derivatives by its own operands.
+fn checked(g: &mut Graph, node: Node) -> Vec<Node> {
+    let mut all = vec![node];
+    match g.op(node) {
+        Op::Call(f, a) if g.depends(a).varies() => all.push(rules::derivative(g, f, a, node)),
+        Op::Call2(f, a, b) => {
+            let (by_a, by_b) = rules::derivatives2(g, f, a, b, node);
+            all.extend([(a, by_a), (b, by_b)].into_iter().filter(|(x, _)| g.depends(*x).varies()).map(|(_, d)| d));
+        }
+        Op::Law(law, x, order) => all.push(g.law(law, x, order + 1)),
+        Op::Leaf(of) => {
+            for k in 0..g.leaves[of.leaf].arguments.len() {
+                all.push(g.leaf_output(of.leaf, of.output, LeafNumber::Partial(k)));
+            }
+        }
+        _ => {}
+    }
+    all.retain(|&n| g.constant_value(n).is_none());
+    all
+}
+

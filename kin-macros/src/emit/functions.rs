@@ -1,0 +1,130 @@
+//! The functions of `impl Constraint` that compute something, on either route.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::kernel::{Code, Kernel};
+use crate::differentiate::Derivatives;
+use crate::graph::Node;
+use crate::lower::Lowered;
+use crate::parse::Argument;
+
+/// `residual`, `jacobian`, `linearize`, `velocity_rhs`, `acceleration_rhs` and `not_finite`.
+pub fn symbolic(arguments: &[Argument], lowered: &Lowered, derived: &Derivatives) -> TokenStream {
+    let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
+    let (m, entries) = (literal(rows.len()), literal(derived.jacobian.len()));
+    let place = |name: &str, k: usize| {
+        let (name, k) = (proc_macro2::Ident::new(name, proc_macro2::Span::call_site()), literal(k));
+        quote!(#name[#k])
+    };
+    let outputs = |name: &str, nodes: &[Node]| -> Vec<(TokenStream, Node)> { nodes.iter().enumerate().map(|(k, &n)| (place(name, k), n)).collect() };
+    let c = outputs("c", &rows);
+    let values: Vec<Node> = derived.jacobian.iter().map(|entry| entry.2).collect();
+    let c_q = outputs("c_q", &values);
+    let both: Vec<_> = c.iter().chain(&c_q).cloned().collect();
+
+    let residual = commented("C", Kernel::emit(lowered, arguments, &c));
+    let jacobian = commented("C_q", Kernel::emit(lowered, arguments, &c_q));
+    let linearize = commented("C and C_q", Kernel::emit(lowered, arguments, &both));
+    let right_side = commented("Q_d for t_dot = 1", Kernel::emit(lowered, arguments, &outputs("q_d", &derived.acceleration_rhs)));
+    let velocity = velocity(&m, Kernel::emit(lowered, arguments, &outputs("rhs", &derived.velocity_rhs)), derived);
+    let not_finite = not_finite(lowered, arguments, &derived.checks);
+    let ((residual_doc, residual), (jacobian_doc, jacobian)) = (residual, jacobian);
+    let ((linearize_doc, linearize), (right_doc, right_side)) = (linearize, right_side);
+    quote! {
+        #[doc = #residual_doc]
+        fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
+            let ::core::option::Option::Some(c) = c.first_chunk_mut::<#m>() else { return };
+            #residual
+        }
+        #[doc = #jacobian_doc]
+        #[inline]
+        fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
+            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<#entries>() else { return };
+            #jacobian
+        }
+        #[doc = #linearize_doc]
+        fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
+            let ::core::option::Option::Some(c) = c.first_chunk_mut::<#m>() else { return };
+            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<#entries>() else { return };
+            #linearize
+        }
+        #velocity
+        #[doc = #right_doc]
+        fn acceleration_rhs(&self, at: &::kin::rt::At<'_>, qd: &::kin::rt::Rates<'_>, t_dot: f64, q_d: &mut [f64]) {
+            let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<#m>() else { return };
+            #right_side
+        }
+        #not_finite
+    }
+}
+
+fn commented(what: &str, code: Code) -> (String, TokenStream) {
+    (format!(" {what}: {} operations", code.operations), code.tokens)
+}
+
+/// −C_t; a constraint without time only clears the place.
+fn velocity(m: &Literal, code: Code, derived: &Derivatives) -> TokenStream {
+    if derived.velocity_rhs.is_empty() {
+        return quote! {
+            fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
+                rhs.iter_mut().take(#m).for_each(|value| *value = 0.0);
+            }
+        };
+    }
+    let (doc, code) = commented("−C_t", code);
+    quote! {
+        #[doc = #doc]
+        fn velocity_rhs(&self, at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
+            let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<#m>() else { return };
+            #code
+        }
+    }
+}
+
+fn not_finite(lowered: &Lowered, arguments: &[Argument], checks: &[(String, Vec<Node>)]) -> TokenStream {
+    let checks: Vec<(String, Vec<Node>)> = checks.iter().filter(|(_, nodes)| !nodes.is_empty()).cloned().collect();
+    if checks.is_empty() {
+        return quote!();
+    }
+    let code = Kernel::emit_checks(lowered, arguments, &checks).tokens;
+    quote! {
+        #[cold]
+        fn not_finite(&self, at: &::kin::rt::At<'_>) -> ::core::option::Option<&str> {
+            #code
+            ::core::option::Option::None
+        }
+    }
+}
+
+/// All of them by dual numbers.
+pub fn dual() -> TokenStream {
+    quote! {
+        fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
+            ::kin::dual_route::residual(self, at, c);
+        }
+        fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
+            ::kin::dual_route::jacobian(self, at, c_q);
+        }
+        fn velocity_rhs(&self, at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
+            ::kin::dual_route::velocity_rhs(self, at, rhs);
+        }
+        fn acceleration_rhs(&self, at: &::kin::rt::At<'_>, qd: &::kin::rt::Rates<'_>, t_dot: f64, q_d: &mut [f64]) {
+            ::kin::dual_route::acceleration_rhs(self, at, qd, t_dot, q_d);
+        }
+    }
+}
+
+/// After a mistake: nothing is computed.
+pub fn dummy() -> TokenStream {
+    quote! {
+        fn residual(&self, _: &::kin::rt::At<'_>, _: &mut [f64]) {}
+        fn jacobian(&self, _: &::kin::rt::At<'_>, _: &mut [f64]) {}
+        fn velocity_rhs(&self, _: &::kin::rt::At<'_>, _: &mut [f64]) {}
+        fn acceleration_rhs(&self, _: &::kin::rt::At<'_>, _: &::kin::rt::Rates<'_>, _: f64, _: &mut [f64]) {}
+    }
+}
+
+fn literal(k: usize) -> Literal {
+    Literal::usize_unsuffixed(k)
+}

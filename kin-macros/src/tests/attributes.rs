@@ -1,0 +1,61 @@
+//! Finds `#[constraint]` and `#[law]` in a file and expands what is under them, as rustc would.
+
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+
+use crate::expand;
+
+/// An item under one of the two attributes.
+pub struct Attributed {
+    pub name: String,
+    pub is_law: bool,
+    pub arguments: TokenStream,
+    pub item: TokenStream,
+}
+
+impl Attributed {
+    pub fn expand(&self) -> TokenStream {
+        match self.is_law {
+            true => expand::law(&self.arguments, self.item.clone()),
+            false => expand::constraint(self.arguments.clone(), self.item.clone()),
+        }
+    }
+}
+
+/// Every item of `file` under one of the two attributes. Works on tokens, so that the item need not be good Rust.
+pub fn attributed(file: TokenStream) -> Vec<Attributed> {
+    let mut found = Vec::new();
+    let mut item: Vec<TokenTree> = Vec::new();
+    for token in file {
+        let is_end = match &token {
+            TokenTree::Group(group) => group.delimiter() == Delimiter::Brace,
+            TokenTree::Punct(punct) => punct.as_char() == ';',
+            _ => false,
+        };
+        item.push(token);
+        if is_end {
+            found.extend(without_attribute(&std::mem::take(&mut item)));
+        }
+    }
+    found
+}
+
+fn without_attribute(item: &[TokenTree]) -> Option<Attributed> {
+    let place = item.windows(2).position(|pair| is_attribute(&pair[0], &pair[1]).is_some())?;
+    let (is_law, arguments) = is_attribute(&item[place], &item[place + 1])?;
+    let rest: Vec<TokenTree> = item.iter().enumerate().filter(|(k, _)| *k != place && *k != place + 1).map(|(_, t)| t.clone()).collect();
+    let keyword = rest.iter().position(|token| matches!(token, TokenTree::Ident(word) if word == "fn" || word == "struct"));
+    let name = keyword.and_then(|k| rest.get(k + 1)).map(ToString::to_string).unwrap_or_default();
+    Some(Attributed { name, is_law, arguments, item: rest.into_iter().collect() })
+}
+
+/// Whether these two tokens are `#` and `[constraint(…)]` or `[law]`: which of them, and the attribute's own arguments.
+fn is_attribute(hash: &TokenTree, content: &TokenTree) -> Option<(bool, TokenStream)> {
+    let (TokenTree::Punct(hash), TokenTree::Group(content)) = (hash, content) else { return None };
+    let mut tokens = content.stream().into_iter();
+    let name = tokens.next()?.to_string();
+    let arguments = match tokens.next() {
+        Some(TokenTree::Group(arguments)) => Group::stream(&arguments),
+        _ => TokenStream::new(),
+    };
+    (hash.as_char() == '#' && matches!(name.as_str(), "constraint" | "law")).then(|| (name == "law", arguments))
+}

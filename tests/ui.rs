@@ -1,0 +1,136 @@
+//! Mistakes, as rustc shows them: every program of `tests/ui` has one slip, named by its file, and must be refused with exactly the errors
+//! listed in `NAME.message`: where, at which token, and what is said (of rustc's own errors the number only, since their text moves).
+//!
+//! `NAME.stderr` is the whole picture on the pinned toolchain. `KIN_BLESS=1 cargo test --test ui` writes both anew, for review.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use serde_json::Value;
+
+/// The toolchain whose rendering the `.stderr` files hold.
+const PINNED: &str = "rustc 1.95.0";
+
+/// Programs with a message of Kin's own whose rendering is kept too, to prove the caret.
+const SHOWN: [&str; 5] = [
+    "law_used_as_a_number",
+    "integer_beside_a_number",
+    "row_without_a_coordinate",
+    "symbolic_asked_of_a_while",
+    "two_mistakes_at_once",
+];
+
+#[test]
+fn every_slip_is_one_error_at_its_token() {
+    let programs = programs();
+    let mut errors = check(&programs);
+    let pinned = version().starts_with(PINNED);
+    if !pinned {
+        println!("note: {} is not {PINNED}: the .stderr files are not compared", version());
+    }
+    let mut differences = Vec::new();
+    for (name, path) in &programs {
+        let errors = errors.remove(name).unwrap_or_default();
+        if errors.is_empty() {
+            differences.push(format!("{name}.rs compiles, but it must be refused"));
+        }
+        let messages: String = errors.iter().map(|error| format!("{}\n", error.message)).collect();
+        differences.extend(compared(&path.with_extension("message"), &messages));
+        if pinned && (errors.iter().any(|error| error.is_rustcs) || SHOWN.contains(&name.as_str())) {
+            let rendered: Vec<&str> = errors.iter().map(|error| error.rendered.as_str()).collect();
+            differences.extend(compared(&path.with_extension("stderr"), &rendered.join("\n")));
+        }
+    }
+    assert!(differences.is_empty(), "{}", differences.join("\n\n"));
+}
+
+/// One error of rustc.
+struct Error {
+    /// `line:column `token`: message`
+    message: String,
+    rendered: String,
+    /// Not Kin's own message: it has a number.
+    is_rustcs: bool,
+}
+
+/// The programs by name.
+fn programs() -> BTreeMap<String, PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui");
+    let files = fs::read_dir(&folder).expect("tests/ui can be read").map(|entry| entry.expect("tests/ui can be read").path());
+    let programs = files.filter(|path| path.extension().is_some_and(|end| end == "rs"));
+    programs.map(|path| (path.file_stem().expect("a name").to_string_lossy().into_owned(), path)).collect()
+}
+
+/// The errors of each program: all of them are the binaries of one scratch package, checked at once.
+fn check(programs: &BTreeMap<String, PathBuf>) -> BTreeMap<String, Vec<Error>> {
+    let root = env!("CARGO_MANIFEST_DIR");
+    let scratch = Path::new(env!("CARGO_TARGET_TMPDIR")).join("ui");
+    fs::create_dir_all(&scratch).expect("the scratch package can be made");
+    let bins: String = programs.iter().map(|(name, path)| format!("[[bin]]\nname = {name:?}\npath = {path:?}\n")).collect();
+    let manifest = format!(
+        "[package]\nname = \"ui\"\nedition = \"2024\"\npublish = false\n[workspace]\n[dependencies]\nkin = {{ path = {root:?} }}\n{bins}"
+    );
+    fs::write(scratch.join("Cargo.toml"), manifest).expect("the scratch package can be written");
+    fs::copy(Path::new(root).join("Cargo.lock"), scratch.join("Cargo.lock")).expect("Cargo.lock can be copied");
+
+    let output = Command::new(env!("CARGO"))
+        .args(["check", "--offline", "--bins", "--keep-going", "--message-format=json"])
+        .current_dir(&scratch)
+        .env("CARGO_TARGET_DIR", scratch.join("target"))
+        .env_remove("RUSTFLAGS")
+        .output()
+        .expect("cargo runs");
+    let mut errors: BTreeMap<String, Vec<Error>> = BTreeMap::new();
+    for line in String::from_utf8_lossy(&output.stdout).lines() {
+        let Ok(report) = serde_json::from_str::<Value>(line) else { continue };
+        let (name, message) = (&report["target"]["name"], &report["message"]);
+        if message["level"] == "error" && message["spans"].as_array().is_some_and(|spans| !spans.is_empty()) {
+            let name = name.as_str().expect("a target has a name").to_owned();
+            assert!(programs.contains_key(&name), "{}", message["rendered"].as_str().unwrap_or_default());
+            errors.entry(name).or_default().push(error(message));
+        }
+    }
+    assert!(!errors.is_empty(), "cargo check says nothing of the programs:\n{}", String::from_utf8_lossy(&output.stderr));
+    errors
+}
+
+fn error(message: &Value) -> Error {
+    let spans = message["spans"].as_array().into_iter().flatten();
+    let places: Vec<String> = spans.filter(|span| span["is_primary"] == true).map(place).collect();
+    let code = message["code"]["code"].as_str();
+    let text = message["message"].as_str().unwrap_or_default();
+    let said = code.map_or(text.to_owned(), |code| format!("[{code}]"));
+    let root = format!("{}/", env!("CARGO_MANIFEST_DIR"));
+    let rendered = message["rendered"].as_str().unwrap_or_default().trim_end().replace(&root, "");
+    Error { message: format!("{}: {said}", places.join(", ")), rendered: rendered + "\n", is_rustcs: code.is_some() }
+}
+
+/// `line:column `token``
+fn place(span: &Value) -> String {
+    let at = |key: &str| span[key].as_u64().unwrap_or_default() as usize;
+    let lines = span["text"].as_array().into_iter().flatten();
+    let parts = lines.map(|line| {
+        let (start, end) = (line["highlight_start"].as_u64().unwrap_or(1), line["highlight_end"].as_u64().unwrap_or(1));
+        let text = line["text"].as_str().unwrap_or_default().chars();
+        text.skip(start as usize - 1).take((end - start) as usize).collect::<String>().trim().to_owned()
+    });
+    format!("{}:{} `{}`", at("line_start"), at("column_start"), parts.collect::<Vec<_>>().join(" "))
+}
+
+/// What differs from the stored text; with `KIN_BLESS=1` nothing, and the text is stored.
+fn compared(path: &Path, found: &str) -> Option<String> {
+    if std::env::var_os("KIN_BLESS").is_some() {
+        fs::write(path, found).expect("a reference can be written");
+    }
+    let expected = fs::read_to_string(path).unwrap_or_default();
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    (expected != found).then(|| format!("{name}\nexpected:\n{expected}\nfound:\n{found}"))
+}
+
+fn version() -> String {
+    let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".into());
+    let output = Command::new(rustc).arg("--version").output().expect("rustc runs");
+    String::from_utf8_lossy(&output.stdout).trim().to_owned()
+}
