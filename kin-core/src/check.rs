@@ -63,7 +63,7 @@ pub fn derivatives<E: Equation<N, M> + Clone, const N: usize, const M: usize>(eq
 }
 
 /// Compares all routes to the derivatives of `equation` at 24 states; the first disagreement is the error.
-pub fn compare<E: Equation<N, M> + Clone, const N: usize, const M: usize>(equation: &E) -> Result<Report, Mismatch> {
+pub fn compare<E: Equation<N, M> + Clone, const N: usize, const M: usize>(equation: &E) -> Result<Report, Box<Mismatch>> {
     let mut report = Report { routes: 0.0, differences: 0.0, states: 0 };
     let mut spread = Spread(0x9E37_79B9_7F4A_7C15);
     for _ in 0..24 {
@@ -75,7 +75,7 @@ pub fn compare<E: Equation<N, M> + Clone, const N: usize, const M: usize>(equati
 }
 
 /// Compares all routes at one state of one's own choice.
-pub fn at<E: Equation<N, M> + Clone, const N: usize, const M: usize>(equation: &E, q: &[f64; N], qd: &[f64; N], t: f64) -> Result<Report, Mismatch> {
+pub fn at<E: Equation<N, M> + Clone, const N: usize, const M: usize>(equation: &E, q: &[f64; N], qd: &[f64; N], t: f64) -> Result<Report, Box<Mismatch>> {
     let mut report = Report { routes: 0.0, differences: 0.0, states: 0 };
     at_state::<E, N, M>(equation, q, qd, t, &mut report)?;
     Ok(report)
@@ -87,7 +87,7 @@ fn at_state<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     qd: &[f64; N],
     t: f64,
     report: &mut Report,
-) -> Result<(), Mismatch> {
+) -> Result<(), Box<Mismatch>> {
     let own = terms(equation, q, qd, t);
     let dual = dual_terms::<E, N, M>(equation, q, qd, t);
     let central = Central::new::<E, N, M>(equation, q, qd, t);
@@ -95,15 +95,9 @@ fn at_state<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
         return Ok(());
     }
     report.states += 1;
-    let mismatch = |term, right, difference| Mismatch {
-        kind: equation.kind().to_owned(),
-        term,
-        left: "its own route",
-        right,
-        difference,
-        q: q.to_vec(),
-        qd: qd.to_vec(),
-        t,
+    let mismatch = |term, right, difference| {
+        let (kind, left) = (equation.kind().to_owned(), "its own route");
+        Box::new(Mismatch { kind, term, left, right, difference, q: q.to_vec(), qd: qd.to_vec(), t })
     };
     // The three parts of Q_d come from one right side, so they are exact to rounding of the largest of them.
     let parts = [&own.c_qqd_qd, &own.c_tt, &own.c_qt_qd, &own.q_d].iter().map(|v| v.amax()).fold(0.0, f64::max);

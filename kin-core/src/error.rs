@@ -249,7 +249,7 @@ pub enum Error {
 
     /// Routes to a derivative that do not agree ([`crate::check::compare`]).
     #[error(transparent)]
-    Mismatch(Box<crate::check::Mismatch>),
+    Mismatch(#[from] Box<crate::check::Mismatch>),
 
     /// A file that cannot be written.
     #[error("cannot write {}: {source}", .path.display())]
@@ -278,12 +278,6 @@ impl Error {
             *motion = Some(Box::new(computed));
         }
         self
-    }
-}
-
-impl From<crate::check::Mismatch> for Error {
-    fn from(mismatch: crate::check::Mismatch) -> Self {
-        Error::Mismatch(Box::new(mismatch))
     }
 }
 

@@ -11,6 +11,8 @@ mod expand;
 mod graph;
 mod lower;
 mod parse;
+#[cfg(test)]
+mod tests;
 
 use proc_macro::TokenStream;
 

@@ -280,12 +280,8 @@ fn is_number_function(path: &syn::ExprPath) -> bool {
 /// Functions of Kin's that take any numbers.
 fn is_kin_function(path: &syn::ExprPath) -> bool {
     let names: Vec<String> = path.path.segments.iter().map(|s| s.ident.to_string()).collect();
-    match names.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [.., "vec2" | "vec3"] => true,
-        [.., "Vec2" | "Vec3" | "Mat2" | "Mat3", _] => true,
-        ["Some" | "Ok" | "Err"] => true,
-        _ => false,
-    }
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    matches!(names[..], [.., "vec2" | "vec3"] | [.., "Vec2" | "Vec3" | "Mat2" | "Mat3", _] | ["Some" | "Ok" | "Err"])
 }
 
 /// `fn f(x: f64) -> f64 { … }` inside the body as `let f = |x: f64| -> f64 { … };`

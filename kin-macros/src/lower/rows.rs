@@ -123,7 +123,7 @@ fn row_names(output: &Shape, tail: Option<&Expr>, parts: &[(Vec<Node>, Shape)]) 
         for k in 0..part.0.len() {
             names.push(match (&name, &part.1) {
                 (Some(name), Shape::Scalar) => name.clone(),
-                (Some(name), Shape::Vector(_)) => format!("{name}.{}", AXES[k]),
+                (Some(name), Shape::Vector(_)) => format!("{name}.{}", AXES.get(k).unwrap_or(&"?")),
                 (Some(name), _) => format!("{name}.{}", k + 1),
                 (None, _) => (names.len() + 1).to_string(),
             });

@@ -1,0 +1,391 @@
+/** The constraint that [`fn@on_cam`] makes.
+
+*/
+/// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]
+#[allow(non_camel_case_types)]
+#[derive(Clone)]
+struct on_cam {
+    cam: ::kin::PlanarBody,
+    follower: ::kin::PlanarBody,
+    tip: Vec2,
+    profile: Law,
+}
+/// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]
+#[allow(clippy::too_many_arguments)]
+#[must_use]
+fn on_cam(
+    cam: impl ::core::convert::Into<::kin::PlanarBody>,
+    follower: impl ::core::convert::Into<::kin::PlanarBody>,
+    tip: Vec2,
+    profile: Law,
+) -> on_cam {
+    on_cam {
+        cam: ::core::convert::Into::into(cam),
+        follower: ::core::convert::Into::into(follower),
+        tip,
+        profile,
+    }
+}
+#[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+const _: () = {
+    const _: fn() = || {};
+    impl on_cam {
+        fn __leaf0<__D: ::kin::rt::Dual>(
+            &self,
+            x: [::kin::rt::Real<__D>; 1],
+        ) -> ::kin::rt::Real<__D> {
+            wear(::kin::rt::jet_argument(x[0]), MOST_WEAR)
+        }
+    }
+    impl ::kin::Constraint for on_cam {
+        fn kind(&self) -> &str {
+            "on_cam"
+        }
+        fn route(&self) -> ::kin::Route {
+            ::kin::Route::Symbolic
+        }
+        fn arguments(&self) -> ::std::vec::Vec<::kin::rt::Argument> {
+            ::std::vec![
+                ::kin::rt::Argument { name : "cam", target :
+                ::kin::rt::Target::Planar(self.cam) }, ::kin::rt::Argument { name :
+                "follower", target : ::kin::rt::Target::Planar(self.follower) }
+            ]
+        }
+        fn rows(&self) -> &[&str] {
+            &["1"]
+        }
+        fn pattern(&self) -> &[(usize, usize)] {
+            &[(0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5)]
+        }
+        /// C: 25 operations
+        fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
+            let ::core::option::Option::Some(c) = c.first_chunk_mut::<1>() else {
+                return
+            };
+            let ::core::option::Option::Some(
+                &[cam_x,
+                cam_y,
+                _,
+                cam_sin,
+                cam_cos,
+                follower_x,
+                follower_y,
+                _,
+                follower_sin,
+                follower_cos,
+                ],
+            ) = at.states::<10>() else { return };
+            let t0 = (follower_x
+                + ((self.tip.x * follower_cos) - (self.tip.y * follower_sin))) - cam_x;
+            let t1 = (follower_y
+                + ((self.tip.x * follower_sin) + (self.tip.y * follower_cos))) - cam_y;
+            let t2 = (cam_cos * t0) + (cam_sin * t1);
+            let t3 = (cam_cos * t1) - (cam_sin * t0);
+            let t4 = f64::atan2(t3, t2);
+            let law0: [f64; 4] = self.profile.jet(t4);
+            let leaf1: ::kin::rt::Real<f64> = self.__leaf0([::kin::rt::Real(t4)]);
+            c[0] = (f64::sqrt((t2 * t2) + (t3 * t3)) - law0[0]) + leaf1.0;
+        }
+        /// C_q: 76 operations
+        #[inline]
+        fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
+            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<6>() else {
+                return
+            };
+            let ::core::option::Option::Some(
+                &[cam_x,
+                cam_y,
+                _,
+                cam_sin,
+                cam_cos,
+                follower_x,
+                follower_y,
+                _,
+                follower_sin,
+                follower_cos,
+                ],
+            ) = at.states::<10>() else { return };
+            let t0 = (self.tip.x * follower_cos) - (self.tip.y * follower_sin);
+            let t1 = (self.tip.x * follower_sin) + (self.tip.y * follower_cos);
+            let t2 = (follower_x + t0) - cam_x;
+            let t3 = (follower_y + t1) - cam_y;
+            let t4 = (cam_cos * t2) + (cam_sin * t3);
+            let t5 = (cam_cos * t3) - (cam_sin * t2);
+            let t6 = f64::atan2(t5, t4);
+            let t7 = (t4 * t4) + (t5 * t5);
+            let t8 = t4 / t7;
+            let t9 = t5 / t7;
+            let t10 = (cam_sin * t8) + (cam_cos * t9);
+            let t11 = 1.0 / (2.0 * f64::sqrt(t7));
+            let law0: [f64; 4] = self.profile.jet(t6);
+            let leaf1: ::kin::rt::Real<::kin::rt::Dual64> = self
+                .__leaf0([::kin::rt::Real(::kin::rt::Dual64::new(t6, 1.0))]);
+            let t12 = ((2.0 * (((cam_sin * t5) - (cam_cos * t4)) * t11))
+                - (t10 * law0[1])) + (t10 * leaf1.0.eps);
+            let t13 = (cam_sin * t9) - (cam_cos * t8);
+            let t14 = (leaf1.0.eps * t13)
+                - ((2.0 * (t11 * ((cam_sin * t4) + (cam_cos * t5)))) + (law0[1] * t13));
+            let t15 = (t0 * cam_sin) - (t1 * cam_cos);
+            let t16 = (t1 * cam_sin) + (t0 * cam_cos);
+            let t17 = (t8 * t16) - (t9 * t15);
+            let t18 = ((2.0 * (t11 * ((t4 * t15) + (t5 * t16)))) - (law0[1] * t17))
+                + (leaf1.0.eps * t17);
+            c_q[0] = t12;
+            c_q[1] = t14;
+            c_q[2] = ((t4 * t8) + (t5 * t9)) * (law0[1] - leaf1.0.eps);
+            c_q[3] = -t12;
+            c_q[4] = -t14;
+            c_q[5] = t18;
+        }
+        /// C and C_q: 79 operations
+        fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
+            let ::core::option::Option::Some(c) = c.first_chunk_mut::<1>() else {
+                return
+            };
+            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<6>() else {
+                return
+            };
+            let ::core::option::Option::Some(
+                &[cam_x,
+                cam_y,
+                _,
+                cam_sin,
+                cam_cos,
+                follower_x,
+                follower_y,
+                _,
+                follower_sin,
+                follower_cos,
+                ],
+            ) = at.states::<10>() else { return };
+            let t0 = (self.tip.x * follower_cos) - (self.tip.y * follower_sin);
+            let t1 = (self.tip.x * follower_sin) + (self.tip.y * follower_cos);
+            let t2 = (follower_x + t0) - cam_x;
+            let t3 = (follower_y + t1) - cam_y;
+            let t4 = (cam_cos * t2) + (cam_sin * t3);
+            let t5 = (cam_cos * t3) - (cam_sin * t2);
+            let t6 = f64::atan2(t5, t4);
+            let t7 = (t4 * t4) + (t5 * t5);
+            let t8 = f64::sqrt(t7);
+            let law0: [f64; 4] = self.profile.jet(t6);
+            let leaf1: ::kin::rt::Real<f64> = self.__leaf0([::kin::rt::Real(t6)]);
+            let t9 = t4 / t7;
+            let t10 = t5 / t7;
+            let t11 = (cam_sin * t9) + (cam_cos * t10);
+            let t12 = 1.0 / (2.0 * t8);
+            let leaf2: ::kin::rt::Real<::kin::rt::Dual64> = self
+                .__leaf0([::kin::rt::Real(::kin::rt::Dual64::new(t6, 1.0))]);
+            let t13 = ((2.0 * (((cam_sin * t5) - (cam_cos * t4)) * t12))
+                - (t11 * law0[1])) + (t11 * leaf2.0.eps);
+            let t14 = (cam_sin * t10) - (cam_cos * t9);
+            let t15 = (leaf2.0.eps * t14)
+                - ((2.0 * (t12 * ((cam_sin * t4) + (cam_cos * t5)))) + (law0[1] * t14));
+            let t16 = (t0 * cam_sin) - (t1 * cam_cos);
+            let t17 = (t1 * cam_sin) + (t0 * cam_cos);
+            let t18 = (t9 * t17) - (t10 * t16);
+            let t19 = ((2.0 * (t12 * ((t4 * t16) + (t5 * t17)))) - (law0[1] * t18))
+                + (leaf2.0.eps * t18);
+            c[0] = (t8 - law0[0]) + leaf1.0;
+            c_q[0] = t13;
+            c_q[1] = t15;
+            c_q[2] = ((t4 * t9) + (t5 * t10)) * (law0[1] - leaf2.0.eps);
+            c_q[3] = -t13;
+            c_q[4] = -t15;
+            c_q[5] = t19;
+        }
+        fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
+            rhs.iter_mut().take(1).for_each(|value| *value = 0.0);
+        }
+        /// Q_d for t_dot = 1: 118 operations
+        fn acceleration_rhs(
+            &self,
+            at: &::kin::rt::At<'_>,
+            qd: &::kin::rt::Rates<'_>,
+            t_dot: f64,
+            q_d: &mut [f64],
+        ) {
+            let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<1>() else {
+                return
+            };
+            let ::core::option::Option::Some(
+                &[cam_x,
+                cam_y,
+                _,
+                cam_sin,
+                cam_cos,
+                follower_x,
+                follower_y,
+                _,
+                follower_sin,
+                follower_cos,
+                ],
+            ) = at.states::<10>() else { return };
+            let ::core::option::Option::Some(
+                &[cam_x_d,
+                cam_y_d,
+                cam_theta_d,
+                follower_x_d,
+                follower_y_d,
+                follower_theta_d,
+                ],
+            ) = qd.columns::<6>() else { return };
+            let t0 = (self.tip.x * follower_cos) - (self.tip.y * follower_sin);
+            let t1 = (self.tip.x * follower_sin) + (self.tip.y * follower_cos);
+            let t2 = (follower_x + t0) - cam_x;
+            let t3 = (follower_y + t1) - cam_y;
+            let t4 = (cam_cos * t2) + (cam_sin * t3);
+            let t5 = (cam_cos * t3) - (cam_sin * t2);
+            let t6 = f64::atan2(t5, t4);
+            let t7 = (t4 * t4) + (t5 * t5);
+            let t8 = t4 / t7;
+            let t9 = t5 / t7;
+            let t10 = 2.0 * f64::sqrt(t7);
+            let t11 = 1.0 / t10;
+            let law0: [f64; 4] = self.profile.jet(t6);
+            let t12 = t1 * follower_theta_d;
+            let t13 = t0 * follower_theta_d;
+            let t14 = cam_cos * cam_theta_d;
+            let t15 = cam_sin * cam_theta_d;
+            let t16 = (follower_x_d - t12) - cam_x_d;
+            let t17 = (follower_y_d + t13) - cam_y_d;
+            let t18 = ((cam_cos * t16) - (t2 * t15)) + ((t3 * t14) + (cam_sin * t17));
+            let t19 = ((cam_cos * t17) - (t3 * t15)) - ((t2 * t14) + (cam_sin * t16));
+            let t20 = (t8 * t19) - (t9 * t18);
+            let t21 = (t4 * t18) + (t5 * t19);
+            let t22 = (cam_theta_d * (t2 * cam_theta_d)) + (follower_theta_d * t13);
+            let t23 = (cam_theta_d * (t3 * cam_theta_d)) + (follower_theta_d * t12);
+            let t24 = ((2.0 * (t14 * t17)) - (cam_sin * t23))
+                - ((2.0 * (t15 * t16)) + (cam_cos * t22));
+            let t25 = ((2.0 * (t14 * t16)) - (cam_sin * t22))
+                + ((2.0 * (t15 * t17)) + (cam_cos * t23));
+            let t26 = (t19 * ((t18 - (2.0 * (t8 * t21))) / t7)) - (t8 * t25);
+            let t27 = (t18 * ((t19 - (2.0 * (t9 * t21))) / t7)) + (t9 * t24);
+            let t28 = t26 - t27;
+            let t29 = (t11 * (((t18 * t18) + (t4 * t24)) + ((t19 * t19) - (t5 * t25))))
+                - (t21 * ((4.0 * (t11 * (t11 * t21))) / t10));
+            let leaf1: ::kin::rt::Real<::kin::rt::Dual2_64> = self
+                .__leaf0([::kin::rt::Real(::kin::rt::Dual2_64::new(t6, t20, t28))]);
+            let t30 = -(((2.0 * t29) - ((t20 * (t20 * law0[2])) + (law0[1] * t28)))
+                + leaf1.0.v2);
+            q_d[0] = t30;
+        }
+        #[cold]
+        fn not_finite(&self, at: &::kin::rt::At<'_>) -> ::core::option::Option<&str> {
+            let ::core::option::Option::Some(
+                &[cam_x,
+                cam_y,
+                _,
+                cam_sin,
+                cam_cos,
+                follower_x,
+                follower_y,
+                _,
+                follower_sin,
+                follower_cos,
+                ],
+            ) = at.states::<10>() else { return ::core::option::Option::None };
+            let t0 = (follower_x
+                + ((self.tip.x * follower_cos) - (self.tip.y * follower_sin))) - cam_x;
+            let t1 = (follower_y
+                + ((self.tip.x * follower_sin) + (self.tip.y * follower_cos))) - cam_y;
+            let t2 = (cam_cos * t0) + (cam_sin * t1);
+            let t3 = (cam_cos * t1) - (cam_sin * t0);
+            let t4 = f64::atan2(t3, t2);
+            let t5 = (t2 * t2) + (t3 * t3);
+            let t6 = f64::sqrt(t5);
+            let law0: [f64; 4] = self.profile.jet(t4);
+            let leaf1: ::kin::rt::Real<f64> = self.__leaf0([::kin::rt::Real(t4)]);
+            let leaf2: ::kin::rt::Real<::kin::rt::Dual64> = self
+                .__leaf0([::kin::rt::Real(::kin::rt::Dual64::new(t4, 1.0))]);
+            if ![t4, t2 / t5, -(t3 / t5)].into_iter().all(f64::is_finite) {
+                return ::core::option::Option::Some("p.y.atan2(p.x)");
+            }
+            if ![t6, 1.0 / (2.0 * t6)].into_iter().all(f64::is_finite) {
+                return ::core::option::Option::Some("p.norm()");
+            }
+            if ![law0[0], law0[1]].into_iter().all(f64::is_finite) {
+                return ::core::option::Option::Some("profile.at(phi)");
+            }
+            if ![leaf1.0, leaf2.0.eps].into_iter().all(f64::is_finite) {
+                return ::core::option::Option::Some("wear(phi, MOST_WEAR)");
+            }
+            ::core::option::Option::None
+        }
+        fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+            ::kin::rt::Numbers::visit(&self.tip, "tip", visit);
+            ::kin::rt::Numbers::visit(&self.profile, "profile", visit);
+        }
+        fn set_parameter(&mut self, name: &str, value: f64) -> bool {
+            false || ::kin::rt::Numbers::set(&mut self.tip, "tip", name, value)
+                || ::kin::rt::Numbers::set(&mut self.profile, "profile", name, value)
+        }
+    }
+    impl ::kin::rt::Equation<6usize, 1usize> for on_cam {
+        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[
+            ::kin::rt::ArgumentKind::Planar,
+            ::kin::rt::ArgumentKind::Planar,
+        ];
+        fn evaluate<__D: ::kin::rt::Dual>(
+            &self,
+            q: &[::kin::rt::Real<__D>; 6usize],
+            t: ::kin::rt::Real<__D>,
+        ) -> [::kin::rt::Real<__D>; 1usize] {
+            let cam = ::kin::rt::PlanarState::<
+                ::kin::rt::Real<__D>,
+            >::new([q[0], q[1], q[2]]);
+            let follower = ::kin::rt::PlanarState::<
+                ::kin::rt::Real<__D>,
+            >::new([q[3], q[4], q[5]]);
+            let tip = ::kin::rt::Lift::<__D>::lift(self.tip.clone());
+            let profile = self.profile.clone();
+            let value = (move || -> ::kin::rt::Real<__D> {
+                let p = cam.local(follower.point(tip));
+                let phi = p.y.atan2(p.x);
+                p.norm() - profile.at(phi)
+                    + {
+                        #[allow(unused_imports)]
+                        use ::kin::rt::{LiftAny as _, LiftNumbers as _};
+                        (&::kin::rt::Foreign(
+                            wear(
+                                ::kin::rt::jet_argument(phi),
+                                ::kin::rt::constant_argument({
+                                    #[allow(unused_imports)]
+                                    use ::kin::rt::{LiftAny as _, LiftNumbers as _};
+                                    (&::kin::rt::Foreign(
+                                        ::core::clone::Clone::clone(&MOST_WEAR),
+                                    ))
+                                        .lifted(::core::marker::PhantomData::<__D>)
+                                }),
+                            ),
+                        ))
+                            .lifted(::core::marker::PhantomData::<__D>)
+                    }
+            })();
+            ::kin::rt::rows(value)
+        }
+        #[inline]
+        fn plain(&self, q: &[f64; 6usize], t: f64) -> [f64; 1usize] {
+            let cam = ::kin::rt::PlanarState::<f64>::new([q[0], q[1], q[2]]);
+            let follower = ::kin::rt::PlanarState::<f64>::new([q[3], q[4], q[5]]);
+            let tip: Vec2 = self.tip.clone();
+            let profile: Law = self.profile.clone();
+            let value = (move || -> f64 {
+                let p = cam.local(follower.point(tip));
+                let phi = p.y.atan2(p.x);
+                p.norm() - profile.at(phi)
+                    + {
+                        #[allow(unused_imports)]
+                        use ::kin::rt::{LowerAny as _, LowerReal as _};
+                        (&::kin::rt::Foreign(
+                            wear(
+                                ::kin::rt::plain_argument(phi),
+                                ::kin::rt::plain_argument(MOST_WEAR),
+                            ),
+                        ))
+                            .lowered()
+                    }
+            })();
+            ::kin::rt::rows(value)
+        }
+    }
+};

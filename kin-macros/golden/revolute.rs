@@ -1,0 +1,217 @@
+/** The constraint that [`fn@revolute`] makes.
+
+*/
+/// Pin joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      [m]
+#[allow(non_camel_case_types)]
+#[derive(Clone)]
+pub struct revolute {
+    i: ::kin::PlanarBody,
+    j: ::kin::PlanarBody,
+    u_i: Vec2,
+    u_j: Vec2,
+}
+/// Pin joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      [m]
+#[allow(clippy::too_many_arguments)]
+#[must_use]
+pub fn revolute(
+    i: impl ::core::convert::Into<::kin::PlanarBody>,
+    j: impl ::core::convert::Into<::kin::PlanarBody>,
+    u_i: Vec2,
+    u_j: Vec2,
+) -> revolute {
+    revolute {
+        i: ::core::convert::Into::into(i),
+        j: ::core::convert::Into::into(j),
+        u_i,
+        u_j,
+    }
+}
+#[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+const _: () = {
+    const _: fn() = || {};
+    impl ::kin::Constraint for revolute {
+        fn kind(&self) -> &str {
+            "revolute"
+        }
+        fn route(&self) -> ::kin::Route {
+            ::kin::Route::Symbolic
+        }
+        fn arguments(&self) -> ::std::vec::Vec<::kin::rt::Argument> {
+            ::std::vec![
+                ::kin::rt::Argument { name : "i", target : ::kin::rt::Target::Planar(self
+                .i) }, ::kin::rt::Argument { name : "j", target :
+                ::kin::rt::Target::Planar(self.j) }
+            ]
+        }
+        fn rows(&self) -> &[&str] {
+            &["x", "y"]
+        }
+        fn pattern(&self) -> &[(usize, usize)] {
+            &[(0, 0), (0, 2), (0, 3), (0, 5), (1, 1), (1, 2), (1, 4), (1, 5)]
+        }
+        /// C: 18 operations
+        fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
+            let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
+                return
+            };
+            let ::core::option::Option::Some(
+                &[i_x,
+                i_y,
+                _,
+                i_sin,
+                i_cos,
+                j_x,
+                j_y,
+                _,
+                j_sin,
+                j_cos,
+                ],
+            ) = at.states::<10>() else { return };
+            c[0] = (i_x + ((self.u_i.x * i_cos) - (self.u_i.y * i_sin)))
+                - (j_x + ((self.u_j.x * j_cos) - (self.u_j.y * j_sin)));
+            c[1] = (i_y + ((self.u_i.x * i_sin) + (self.u_i.y * i_cos)))
+                - (j_y + ((self.u_j.x * j_sin) + (self.u_j.y * j_cos)));
+        }
+        /// C_q: 14 operations
+        #[inline]
+        fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
+            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<8>() else {
+                return
+            };
+            let ::core::option::Option::Some(
+                &[_,
+                _,
+                _,
+                i_sin,
+                i_cos,
+                _,
+                _,
+                _,
+                j_sin,
+                j_cos,
+                ],
+            ) = at.states::<10>() else { return };
+            c_q[0] = 1.0;
+            c_q[1] = -((self.u_i.x * i_sin) + (self.u_i.y * i_cos));
+            c_q[2] = -1.0;
+            c_q[3] = (self.u_j.x * j_sin) + (self.u_j.y * j_cos);
+            c_q[4] = 1.0;
+            c_q[5] = (self.u_i.x * i_cos) - (self.u_i.y * i_sin);
+            c_q[6] = -1.0;
+            c_q[7] = -((self.u_j.x * j_cos) - (self.u_j.y * j_sin));
+        }
+        /// C and C_q: 20 operations
+        fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
+            let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
+                return
+            };
+            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<8>() else {
+                return
+            };
+            let ::core::option::Option::Some(
+                &[i_x,
+                i_y,
+                _,
+                i_sin,
+                i_cos,
+                j_x,
+                j_y,
+                _,
+                j_sin,
+                j_cos,
+                ],
+            ) = at.states::<10>() else { return };
+            let t0 = (self.u_i.x * i_cos) - (self.u_i.y * i_sin);
+            let t1 = (self.u_i.x * i_sin) + (self.u_i.y * i_cos);
+            let t2 = (self.u_j.x * j_cos) - (self.u_j.y * j_sin);
+            let t3 = (self.u_j.x * j_sin) + (self.u_j.y * j_cos);
+            c[0] = (i_x + t0) - (j_x + t2);
+            c[1] = (i_y + t1) - (j_y + t3);
+            c_q[0] = 1.0;
+            c_q[1] = -t1;
+            c_q[2] = -1.0;
+            c_q[3] = t3;
+            c_q[4] = 1.0;
+            c_q[5] = t0;
+            c_q[6] = -1.0;
+            c_q[7] = -t2;
+        }
+        fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
+            rhs.iter_mut().take(2).for_each(|value| *value = 0.0);
+        }
+        /// Q_d for t_dot = 1: 22 operations
+        fn acceleration_rhs(
+            &self,
+            at: &::kin::rt::At<'_>,
+            qd: &::kin::rt::Rates<'_>,
+            t_dot: f64,
+            q_d: &mut [f64],
+        ) {
+            let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<2>() else {
+                return
+            };
+            let ::core::option::Option::Some(
+                &[_,
+                _,
+                _,
+                i_sin,
+                i_cos,
+                _,
+                _,
+                _,
+                j_sin,
+                j_cos,
+                ],
+            ) = at.states::<10>() else { return };
+            let ::core::option::Option::Some(&[_, _, i_theta_d, _, _, j_theta_d]) = qd
+                .columns::<6>() else { return };
+            let t0 = i_theta_d * i_theta_d;
+            let t1 = j_theta_d * j_theta_d;
+            q_d[0] = -((((self.u_j.x * j_cos) - (self.u_j.y * j_sin)) * t1)
+                - (((self.u_i.x * i_cos) - (self.u_i.y * i_sin)) * t0));
+            q_d[1] = -((((self.u_j.x * j_sin) + (self.u_j.y * j_cos)) * t1)
+                - (((self.u_i.x * i_sin) + (self.u_i.y * i_cos)) * t0));
+        }
+        fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+            ::kin::rt::Numbers::visit(&self.u_i, "u_i", visit);
+            ::kin::rt::Numbers::visit(&self.u_j, "u_j", visit);
+        }
+        fn set_parameter(&mut self, name: &str, value: f64) -> bool {
+            false || ::kin::rt::Numbers::set(&mut self.u_i, "u_i", name, value)
+                || ::kin::rt::Numbers::set(&mut self.u_j, "u_j", name, value)
+        }
+    }
+    impl ::kin::rt::Equation<6usize, 2usize> for revolute {
+        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[
+            ::kin::rt::ArgumentKind::Planar,
+            ::kin::rt::ArgumentKind::Planar,
+        ];
+        fn evaluate<__D: ::kin::rt::Dual>(
+            &self,
+            q: &[::kin::rt::Real<__D>; 6usize],
+            t: ::kin::rt::Real<__D>,
+        ) -> [::kin::rt::Real<__D>; 2usize] {
+            let i = ::kin::rt::PlanarState::<
+                ::kin::rt::Real<__D>,
+            >::new([q[0], q[1], q[2]]);
+            let j = ::kin::rt::PlanarState::<
+                ::kin::rt::Real<__D>,
+            >::new([q[3], q[4], q[5]]);
+            let u_i = ::kin::rt::Lift::<__D>::lift(self.u_i.clone());
+            let u_j = ::kin::rt::Lift::<__D>::lift(self.u_j.clone());
+            let value = (move || -> ::kin::rt::Vec2<::kin::rt::Real<__D>> {
+                i.point(u_i) - j.point(u_j)
+            })();
+            ::kin::rt::rows(value)
+        }
+        #[inline]
+        fn plain(&self, q: &[f64; 6usize], t: f64) -> [f64; 2usize] {
+            let i = ::kin::rt::PlanarState::<f64>::new([q[0], q[1], q[2]]);
+            let j = ::kin::rt::PlanarState::<f64>::new([q[3], q[4], q[5]]);
+            let u_i: Vec2 = self.u_i.clone();
+            let u_j: Vec2 = self.u_j.clone();
+            let value = (move || -> Vec2 { i.point(u_i) - j.point(u_j) })();
+            ::kin::rt::rows(value)
+        }
+    }
+};

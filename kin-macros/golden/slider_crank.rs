@@ -1,0 +1,228 @@
+/** The constraint that [`fn@slider_crank`] makes.
+
+*/
+/// Loop closure of the slider-crank, crank driven at ω.      [m]
+#[allow(non_camel_case_types)]
+#[derive(Clone)]
+struct slider_crank {
+    theta3: ::kin::Coordinate,
+    x: ::kin::Coordinate,
+    l2: f64,
+    l3: f64,
+    h: f64,
+    omega: f64,
+}
+/// Loop closure of the slider-crank, crank driven at ω.      [m]
+#[allow(clippy::too_many_arguments)]
+#[must_use]
+fn slider_crank(
+    theta3: impl ::core::convert::Into<::kin::Coordinate>,
+    x: impl ::core::convert::Into<::kin::Coordinate>,
+    l2: f64,
+    l3: f64,
+    h: f64,
+    omega: f64,
+) -> slider_crank {
+    slider_crank {
+        theta3: ::core::convert::Into::into(theta3),
+        x: ::core::convert::Into::into(x),
+        l2,
+        l3,
+        h,
+        omega,
+    }
+}
+#[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+const _: () = {
+    const _: fn() = || {};
+    impl ::kin::Constraint for slider_crank {
+        fn kind(&self) -> &str {
+            "slider_crank"
+        }
+        fn route(&self) -> ::kin::Route {
+            ::kin::Route::Symbolic
+        }
+        fn arguments(&self) -> ::std::vec::Vec<::kin::rt::Argument> {
+            ::std::vec![
+                ::kin::rt::Argument { name : "theta3", target :
+                ::kin::rt::Target::Coord(self.theta3, ::kin::rt::Trig::Used) },
+                ::kin::rt::Argument { name : "x", target : ::kin::rt::Target::Coord(self
+                .x, ::kin::rt::Trig::Unused) }
+            ]
+        }
+        fn rows(&self) -> &[&str] {
+            &["1", "2"]
+        }
+        fn pattern(&self) -> &[(usize, usize)] {
+            &[(0, 0), (0, 1), (1, 0)]
+        }
+        /// C: 10 operations
+        fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
+            let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
+                return
+            };
+            let ::core::option::Option::Some(
+                &[_,
+                theta3_sin,
+                theta3_cos,
+                x_arg,
+                _,
+                _,
+                ],
+            ) = at.states::<6>() else { return };
+            let t0 = at.t * self.omega;
+            let (s1, c1) = t0.sin_cos();
+            c[0] = ((self.l2 * c1) + (self.l3 * theta3_cos)) - x_arg;
+            c[1] = ((self.l2 * s1) + (self.l3 * theta3_sin)) - self.h;
+        }
+        /// C_q: 3 operations
+        #[inline]
+        fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
+            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<3>() else {
+                return
+            };
+            let ::core::option::Option::Some(&[_, theta3_sin, theta3_cos, _, _, _]) = at
+                .states::<6>() else { return };
+            c_q[0] = -(self.l3 * theta3_sin);
+            c_q[1] = -1.0;
+            c_q[2] = self.l3 * theta3_cos;
+        }
+        /// C and C_q: 11 operations
+        fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
+            let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
+                return
+            };
+            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<3>() else {
+                return
+            };
+            let ::core::option::Option::Some(
+                &[_,
+                theta3_sin,
+                theta3_cos,
+                x_arg,
+                _,
+                _,
+                ],
+            ) = at.states::<6>() else { return };
+            let t0 = at.t * self.omega;
+            let (s1, c1) = t0.sin_cos();
+            let t2 = self.l3 * theta3_cos;
+            let t3 = self.l3 * theta3_sin;
+            c[0] = ((self.l2 * c1) + t2) - x_arg;
+            c[1] = ((self.l2 * s1) + t3) - self.h;
+            c_q[0] = -t3;
+            c_q[1] = -1.0;
+            c_q[2] = t2;
+        }
+        /// −C_t: 7 operations
+        fn velocity_rhs(&self, at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
+            let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<2>() else {
+                return
+            };
+            let t0 = at.t * self.omega;
+            let (s1, c1) = t0.sin_cos();
+            rhs[0] = self.l2 * (self.omega * s1);
+            rhs[1] = -(self.l2 * (self.omega * c1));
+        }
+        /// Q_d for t_dot = 1: 16 operations
+        fn acceleration_rhs(
+            &self,
+            at: &::kin::rt::At<'_>,
+            qd: &::kin::rt::Rates<'_>,
+            t_dot: f64,
+            q_d: &mut [f64],
+        ) {
+            let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<2>() else {
+                return
+            };
+            let ::core::option::Option::Some(&[_, theta3_sin, theta3_cos, _, _, _]) = at
+                .states::<6>() else { return };
+            let ::core::option::Option::Some(&[theta3_d, _]) = qd.columns::<2>() else {
+                return
+            };
+            let t0 = at.t * self.omega;
+            let (s1, c1) = t0.sin_cos();
+            let t2 = self.omega * t_dot;
+            let t3 = theta3_d * theta3_d;
+            q_d[0] = (self.l2 * (t2 * (c1 * t2))) + (self.l3 * (theta3_cos * t3));
+            q_d[1] = (self.l2 * (t2 * (s1 * t2))) + (self.l3 * (theta3_sin * t3));
+        }
+        #[cold]
+        fn not_finite(&self, at: &::kin::rt::At<'_>) -> ::core::option::Option<&str> {
+            let ::core::option::Option::Some(&[_, theta3_sin, theta3_cos, _, _, _]) = at
+                .states::<6>() else { return ::core::option::Option::None };
+            let t0 = at.t * self.omega;
+            let (s1, c1) = t0.sin_cos();
+            if ![c1, -s1].into_iter().all(f64::is_finite) {
+                return ::core::option::Option::Some("theta2.cos()");
+            }
+            if ![theta3_cos].into_iter().all(f64::is_finite) {
+                return ::core::option::Option::Some("theta3.cos()");
+            }
+            if ![s1, c1].into_iter().all(f64::is_finite) {
+                return ::core::option::Option::Some("theta2.sin()");
+            }
+            if ![theta3_sin].into_iter().all(f64::is_finite) {
+                return ::core::option::Option::Some("theta3.sin()");
+            }
+            ::core::option::Option::None
+        }
+        fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+            ::kin::rt::Numbers::visit(&self.l2, "l2", visit);
+            ::kin::rt::Numbers::visit(&self.l3, "l3", visit);
+            ::kin::rt::Numbers::visit(&self.h, "h", visit);
+            ::kin::rt::Numbers::visit(&self.omega, "omega", visit);
+        }
+        fn set_parameter(&mut self, name: &str, value: f64) -> bool {
+            false || ::kin::rt::Numbers::set(&mut self.l2, "l2", name, value)
+                || ::kin::rt::Numbers::set(&mut self.l3, "l3", name, value)
+                || ::kin::rt::Numbers::set(&mut self.h, "h", name, value)
+                || ::kin::rt::Numbers::set(&mut self.omega, "omega", name, value)
+        }
+    }
+    impl ::kin::rt::Equation<2usize, 2usize> for slider_crank {
+        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[
+            ::kin::rt::ArgumentKind::Coord,
+            ::kin::rt::ArgumentKind::Coord,
+        ];
+        fn evaluate<__D: ::kin::rt::Dual>(
+            &self,
+            q: &[::kin::rt::Real<__D>; 2usize],
+            t: ::kin::rt::Real<__D>,
+        ) -> [::kin::rt::Real<__D>; 2usize] {
+            let theta3: ::kin::rt::Real<__D> = q[0];
+            let x: ::kin::rt::Real<__D> = q[1];
+            let t: ::kin::rt::Real<__D> = t;
+            let l2 = ::kin::rt::Lift::<__D>::lift(self.l2.clone());
+            let l3 = ::kin::rt::Lift::<__D>::lift(self.l3.clone());
+            let h = ::kin::rt::Lift::<__D>::lift(self.h.clone());
+            let omega = ::kin::rt::Lift::<__D>::lift(self.omega.clone());
+            let value = (move || -> [::kin::rt::Real<__D>; 2] {
+                let theta2 = omega * t;
+                [
+                    l2 * theta2.cos() + l3 * theta3.cos() - x,
+                    l2 * theta2.sin() + l3 * theta3.sin() - h,
+                ]
+            })();
+            ::kin::rt::rows(value)
+        }
+        #[inline]
+        fn plain(&self, q: &[f64; 2usize], t: f64) -> [f64; 2usize] {
+            let theta3: f64 = q[0];
+            let x: f64 = q[1];
+            let t: f64 = t;
+            let l2: f64 = self.l2.clone();
+            let l3: f64 = self.l3.clone();
+            let h: f64 = self.h.clone();
+            let omega: f64 = self.omega.clone();
+            let value = (move || -> [f64; 2] {
+                let theta2 = omega * t;
+                [
+                    l2 * theta2.cos() + l3 * theta3.cos() - x,
+                    l2 * theta2.sin() + l3 * theta3.sin() - h,
+                ]
+            })();
+            ::kin::rt::rows(value)
+        }
+    }
+};
