@@ -78,8 +78,9 @@ impl Kind {
 }
 
 /// A type made of numbers.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Default)]
 pub enum Shape {
+    #[default]
     Scalar,
     Vector(usize),
     Matrix(usize),

@@ -138,6 +138,18 @@ macro_rules! fold {
                 numbers.copied().$f()
             }
         }
+
+        impl<D: Dual> $fold<f64> for Real<D> {
+            fn $f<I: Iterator<Item = f64>>(numbers: I) -> Self {
+                Self::from(numbers.$f::<f64>())
+            }
+        }
+
+        impl<'a, D: Dual> $fold<&'a f64> for Real<D> {
+            fn $f<I: Iterator<Item = &'a f64>>(numbers: I) -> Self {
+                Self::from(numbers.$f::<f64>())
+            }
+        }
     };
 }
 

@@ -157,6 +157,11 @@ impl Rewriter {
 
     /// Lifts the value of something foreign, and converts what is handed to it.
     fn foreign(&mut self, expression: &mut Expr) {
+        if let Expr::MethodCall(call) = expression
+            && holds_closure(call)
+        {
+            return self.adaptor(call);
+        }
         match expression {
             Expr::Call(call) => call.args.iter_mut().for_each(|argument| self.argument(argument)),
             Expr::MethodCall(call) => {
@@ -194,6 +199,19 @@ impl Rewriter {
                 })
             }
         };
+    }
+
+    /// A chain of iterator adaptors: its closures decide what goes through it, so nothing is converted on the way.
+    fn adaptor(&mut self, call: &mut syn::ExprMethodCall) {
+        if let Expr::MethodCall(inner) = &mut *call.receiver {
+            self.adaptor(inner);
+        } else {
+            self.inside_foreign(&mut call.receiver);
+        }
+        call.args.iter_mut().filter(|argument| !self.rooted_in_own(argument)).collect::<Vec<_>>().into_iter().for_each(|a| self.visit_expr_mut(a));
+        if let Some(turbofish) = &mut call.turbofish {
+            self.visit_angle_bracketed_generic_arguments_mut(turbofish);
+        }
     }
 
     /// Inside of something foreign only arguments and indices are of this world.
@@ -240,6 +258,12 @@ impl Rewriter {
         };
         *argument = parse_quote_spanned!(at=> #convert(#argument));
     }
+}
+
+/// Whether some method of the chain is given a closure.
+fn holds_closure(call: &syn::ExprMethodCall) -> bool {
+    let inner = if let Expr::MethodCall(inner) = &*call.receiver { holds_closure(inner) } else { false };
+    inner || call.args.iter().any(|argument| matches!(argument, Expr::Closure(_)))
 }
 
 /// Literals, casts and paths of f64 in the dual copy.

@@ -112,11 +112,11 @@ impl Reader {
             (Value::Closure(a), Value::Closure(b)) if std::rc::Rc::ptr_eq(a, b) => Value::Closure(a.clone()),
             (Value::Law(a), Value::Law(b)) if super::coerce::key(a) == super::coerce::key(b) => Value::Law(a.clone()),
             (Value::Opaque(a), Value::Opaque(b)) if super::coerce::key(a) == super::coerce::key(b) => Value::Opaque(a.clone()),
-            (opaque @ Value::Opaque(_), known) | (known, opaque @ Value::Opaque(_)) => {
+            (opaque @ (Value::Opaque(_) | Value::Combined(_)), known) | (known, opaque @ (Value::Opaque(_) | Value::Combined(_))) => {
                 let (_, shape) = known.numbers().or_else(|| Some((vec![], crate::parse::Shape::Scalar)))?;
                 let taken = self.shaped(opaque.clone(), &shape, &proc_macro2::TokenStream::new());
                 let other = self.shaped(known.clone(), &shape, &proc_macro2::TokenStream::new());
-                let (a, b) = if matches!(a, Value::Opaque(_)) { (taken, other) } else { (other, taken) };
+                let (a, b) = if matches!(a, Value::Opaque(_) | Value::Combined(_)) { (taken, other) } else { (other, taken) };
                 self.select(condition, &a, &b)?
             }
             _ => return None,

@@ -59,6 +59,7 @@ impl Reader {
                 Value::Tuple(all.into_iter().zip(shapes).map(|(v, s)| self.shaped(v, s, at)).collect())
             }
             (Value::Opaque(template), shape) => self.opaque_shaped(template, shape, at),
+            (Value::Combined(terms), shape) => self.combined(terms, shape, at),
             (Value::Integer(k), Shape::Scalar) => self.mistake(at, format!("`{k}` is an integer; a number is written `{k}.0`")),
             (Value::Law(_), Shape::Scalar) => {
                 let name = at.to_token_stream();
@@ -67,6 +68,20 @@ impl Reader {
             (Value::Euler(_), Shape::Vector(_)) => self.mistake(at, "Euler parameters are not a vector; `p.vector()` is (e1, e2, e3)"),
             (other, shape) => self.mistake(at, format!("expected {}, but this is {}", shape.name(), other.name())),
         }
+    }
+
+    /// Σ opaque · factor, every term of `shape`.
+    fn combined(&mut self, terms: Vec<(Template, Node)>, shape: &Shape, at: &dyn ToTokens) -> Value {
+        let zero = self.graph.zero();
+        let mut sum = vec![zero; shape.len()];
+        for (template, factor) in terms {
+            let nodes = self.opaque(template, OpaqueKind::Numbers(shape.clone()), at);
+            for (place, node) in sum.iter_mut().zip(nodes) {
+                let product = self.graph.mul(node, factor);
+                *place = self.graph.add(*place, product);
+            }
+        }
+        Value::from_numbers(shape, &mut sum.into_iter()).unwrap_or(Value::Poison)
     }
 
     fn opaque_shaped(&mut self, template: Template, shape: &Shape, at: &dyn ToTokens) -> Value {
@@ -117,6 +132,7 @@ impl Reader {
                 let truth = self.graph.truth(node);
                 Template::Tokens(quote!(#truth))
             }
+            Value::Combined(terms) => Template::Numbers(vec![self.scalar(Value::Combined(terms), at)], Shape::Scalar),
             other => match other.numbers() {
                 Some((nodes, shape)) => Template::Numbers(nodes, shape),
                 None => {

@@ -105,6 +105,10 @@ impl Reader {
             Value::Matrix(n, m) => entry(&name, *n).map(|k| Value::Scalar(m[k])),
             Value::Tuple(all) => name.parse::<usize>().ok().and_then(|k| all.get(k).cloned()),
             Value::Opaque(template) => Some(Value::Opaque(Template::Field(Box::new(template.clone()), member.clone()))),
+            Value::Combined(terms) => {
+                let part = |(template, n): (Template, _)| (Template::Field(Box::new(template), member.clone()), n);
+                Some(Value::Combined(terms.clone().into_iter().map(part).collect()))
+            }
             Value::Poison => Some(Value::Poison),
             _ => None,
         };

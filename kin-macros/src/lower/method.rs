@@ -27,6 +27,11 @@ impl Reader {
             Value::Law(law) => self.law_method(law, &name, &arguments, call),
             Value::Array(all) | Value::Iterator(all) => self.list_method(all, &name, &arguments, call),
             Value::Opaque(template) => self.opaque_method(template, &name, &arguments, call),
+            Value::Combined(_) if vector_only(&name) => Err(Unreadable::new(&call.method, format!("`{name}` of a value of unknown type"))),
+            combined @ Value::Combined(_) => {
+                let n = self.scalar(combined, &call.receiver);
+                self.scalar_method(n, &name, &arguments, call)
+            }
             other => Ok(self.unknown(call, &other.name(), "")),
         }
     }
@@ -466,6 +471,11 @@ impl Value {
             other => other,
         }
     }
+}
+
+/// Names that only vectors and matrices have.
+fn vector_only(name: &str) -> bool {
+    matches!(name, "dot" | "cross" | "norm" | "norm_squared" | "normalize" | "perp" | "transpose" | "lerp" | "component_mul" | "component_div")
 }
 
 fn scalar_cure(name: &str) -> &'static str {

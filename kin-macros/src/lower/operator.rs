@@ -19,6 +19,10 @@ impl Reader {
             (UnOp::Neg(_), Value::Scalar(n)) => Value::Scalar(self.graph.neg(n)),
             (UnOp::Neg(_), Value::Vector(v)) => Value::Vector(self.each(&v, Graph::neg)),
             (UnOp::Neg(_), Value::Matrix(n, m)) => Value::Matrix(n, self.each(&m, Graph::neg)),
+            (UnOp::Neg(_), Value::Combined(terms)) => {
+                let minus = self.graph.constant(-1.0);
+                self.scale_terms(terms, minus)
+            }
             (UnOp::Not(_), Value::Condition(c)) => Value::Condition(self.graph.not(c)),
             (op, Value::Opaque(template)) => match template.nodes().is_empty() {
                 true => Value::Opaque(Template::Unary(*op, Box::new(template))),
@@ -50,7 +54,7 @@ impl Reader {
 
     /// `left op right`.
     fn operate(&mut self, op: BinOp, left: Value, right: Value, at: &ExprBinary) -> Read {
-        use Value::{Condition, Integer, Matrix, Opaque, Poison, Scalar, Vector};
+        use Value::{Combined, Condition, Integer, Matrix, Opaque, Poison, Scalar, Vector};
         Ok(match (op, left, right) {
             (_, Poison, _) | (_, _, Poison) => Poison,
             (op, Opaque(a), Opaque(b)) => self.operate_opaque(op, a, b, at)?,
@@ -61,6 +65,24 @@ impl Reader {
             (op, Integer(k), Opaque(b)) => {
                 let a = self.template(Integer(k), at);
                 self.operate_opaque(op, a, b, at)?
+            }
+            (BinOp::Mul(_), Opaque(a), Scalar(n)) | (BinOp::Mul(_), Scalar(n), Opaque(a)) => Combined(vec![(a, n)]),
+            (BinOp::Mul(_), Combined(terms), Scalar(n)) | (BinOp::Mul(_), Scalar(n), Combined(terms)) => self.scale_terms(terms, n),
+            (BinOp::Div(_), Opaque(a), Scalar(n)) => Combined(vec![(a, self.reciprocal(n, at))]),
+            (BinOp::Div(_), Combined(terms), Scalar(n)) => {
+                let factor = self.reciprocal(n, at);
+                self.scale_terms(terms, factor)
+            }
+            (BinOp::Add(_) | BinOp::Sub(_), a @ (Opaque(_) | Combined(_)), b @ (Opaque(_) | Combined(_))) => self.combine(op, a, b),
+            (op, terms @ Combined(_), right) => {
+                let shape = self.shape_beside(op, &right);
+                let left = self.shaped(terms, &shape, &at.left);
+                self.operate(op, left, right, at)?
+            }
+            (op, left, terms @ Combined(_)) => {
+                let shape = self.shape_beside(op, &left);
+                let right = self.shaped(terms, &shape, &at.right);
+                self.operate(op, left, right, at)?
             }
             (op, Opaque(a), right) => {
                 let left = self.beside(op, a, &right, &at.left);
@@ -95,19 +117,54 @@ impl Reader {
 
     /// What an opaque value is taken for beside a known one.
     fn beside(&mut self, op: BinOp, template: Template, known: &Value, at: &Expr) -> Value {
-        let shape = match (op, known) {
-            (BinOp::And(_) | BinOp::Or(_), _) => return Value::Condition(self.condition(Value::Opaque(template), at)),
+        if let BinOp::And(_) | BinOp::Or(_) = op {
+            return Value::Condition(self.condition(Value::Opaque(template), at));
+        }
+        let shape = self.shape_beside(op, known);
+        self.shaped(Value::Opaque(template), &shape, at)
+    }
+
+    fn scale_terms(&mut self, terms: Vec<(Template, Node)>, factor: Node) -> Value {
+        Value::Combined(terms.into_iter().map(|(template, n)| (template, self.graph.mul(n, factor))).collect())
+    }
+
+    /// a ± b, where one of them is a sum of opaque values already.
+    fn combine(&mut self, op: BinOp, a: Value, b: Value) -> Value {
+        let one = self.graph.constant(1.0);
+        let terms = |value| match value {
+            Value::Combined(terms) => terms,
+            Value::Opaque(template) => vec![(template, one)],
+            _ => vec![],
+        };
+        let (mut all, b) = (terms(a), terms(b));
+        let minus = matches!(op, BinOp::Sub(_));
+        all.extend(b.into_iter().map(|(template, n)| (template, if minus { self.graph.neg(n) } else { n })));
+        Value::Combined(all)
+    }
+
+    /// The shape that a value of unknown shape has beside a known one.
+    fn shape_beside(&self, op: BinOp, known: &Value) -> Shape {
+        match (op, known) {
             (BinOp::Add(_) | BinOp::Sub(_), Value::Vector(v)) => Shape::Vector(v.len()),
             (BinOp::Add(_) | BinOp::Sub(_), Value::Matrix(n, _)) => Shape::Matrix(*n),
             _ => Shape::Scalar,
-        };
-        self.shaped(Value::Opaque(template), &shape, at)
+        }
+    }
+
+    /// 1/n
+    fn reciprocal(&mut self, n: Node, at: &ExprBinary) -> Node {
+        let reciprocal = self.graph.powi(n, -1);
+        self.risk(reciprocal, at);
+        reciprocal
     }
 
     /// Between values that only rustc knows, unless one of them carries derivatives.
     fn operate_opaque(&mut self, op: BinOp, a: Template, b: Template, at: &ExprBinary) -> Read {
         let varies = |reader: &Self, t: &Template| t.nodes().iter().any(|&n| reader.graph.depends(n).varies());
         if varies(self, &a) || varies(self, &b) {
+            if let BinOp::Add(_) | BinOp::Sub(_) = op {
+                return Ok(self.combine(op, Value::Opaque(a), Value::Opaque(b)));
+            }
             let (a, b) = (self.scalar(Value::Opaque(a), &at.left), self.scalar(Value::Opaque(b), &at.right));
             return Ok(self.scalars(op, a, b, at));
         }

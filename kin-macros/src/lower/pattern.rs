@@ -72,6 +72,7 @@ impl Reader {
                 Ok(self.graph.bool(true))
             }
             (Pat::Paren(inner), value) => self.test(&inner.pat, value),
+            (Pat::Or(_), Value::Opaque(template)) => self.test_opaque(pattern, template),
             (Pat::Or(or), value) => {
                 let never = self.graph.bool(false);
                 or.cases.iter().try_fold(never, |any, case| {

@@ -34,6 +34,8 @@ pub enum Value {
     Closure(Rc<Closure>),
     /// Something only rustc understands; a number of some shape as soon as its place asks for one.
     Opaque(Template),
+    /// A sum of opaque values times numbers: still of the shape that its place asks for.
+    Combined(Vec<(Template, Node)>),
     /// A variable declared without a value.
     Unassigned,
     /// What is left of an expression with a mistake in it.
@@ -116,7 +118,7 @@ impl Value {
             Value::Spatial(_) => "the state of a spatial body".into(),
             Value::Law(_) => "a Law".into(),
             Value::Closure(_) => "a closure".into(),
-            Value::Opaque(_) => "a value of a type the macro does not know".into(),
+            Value::Opaque(_) | Value::Combined(_) => "a value of a type the macro does not know".into(),
             Value::Unassigned => "a variable without a value".into(),
             Value::Poison => "a mistake".into(),
         }

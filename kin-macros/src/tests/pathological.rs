@@ -1,1 +1,186 @@
-//! 
+//! Bodies that nobody should write: the macro reads them or refuses them, without running away.
+
+use std::time::{Duration, Instant};
+
+use proc_macro2::TokenStream;
+
+use crate::expand;
+
+/// Far more than any of these takes, in a debug build on a slow machine.
+const LONGEST: Duration = Duration::from_secs(20);
+
+/// The expansion of one constraint on a coordinate `x` and a number `k`.
+fn expanded(body: &str) -> String {
+    let item = format!("fn f(x: Coord, k: f64, n: usize) -> f64 {{ {body} }}");
+    let item: TokenStream = item.parse().unwrap_or_else(|error| panic!("{error}: {body}"));
+    let start = Instant::now();
+    let expansion = expand::constraint(TokenStream::new(), item).to_string();
+    assert!(start.elapsed() < LONGEST, "{:?} for {}", start.elapsed(), &body[..body.len().min(80)]);
+    expansion
+}
+
+/// The message, if it is refused.
+fn message(expansion: &str) -> Option<String> {
+    let rest = expansion.split_once("compile_error ! {")?.1;
+    Some(rest.split('"').nth(1)?.to_owned())
+}
+
+fn is_symbolic(expansion: &str) -> bool {
+    message(expansion).is_none() && expansion.contains("Route :: Symbolic")
+}
+
+fn is_dual(expansion: &str) -> bool {
+    message(expansion).is_none() && expansion.contains("Route :: Dual")
+}
+
+#[test]
+fn deep_nesting_is_read() {
+    let parentheses = format!("{}x{}", "(".repeat(200), ")".repeat(200));
+    let blocks = format!("{}x{}", "{ ".repeat(200), " }".repeat(200));
+    let functions = format!("{}x{}", "f64::sin(".repeat(200), ")".repeat(200));
+    let methods = format!("x{}", ".sin()".repeat(200));
+    let branches = format!("{}x{}", "if x > k { ".repeat(200), " } else { k * x }".repeat(200));
+    for body in [parentheses, blocks, functions, methods, branches] {
+        assert!(is_symbolic(&expanded(&body)), "{}", &body[..40]);
+    }
+}
+
+#[test]
+fn long_sums_are_read() {
+    let sum = vec!["x"; 2000].join(" + ");
+    let different = (0..2000).map(|i| format!("{i}.5 * x.powi({i})")).collect::<Vec<_>>().join(" + ");
+    let product = vec!["(k - x)"; 2000].join(" * ");
+    let signs = format!("{}x", "-".repeat(2000));
+    let steps = format!("let y = x; {} y", "let y = y * k + x;".repeat(2000));
+    for body in [sum, different, product, signs, steps] {
+        let expansion = expanded(&body);
+        assert!(is_symbolic(&expansion) || is_dual(&expansion), "{}", &body[..40]);
+    }
+}
+
+#[test]
+fn long_loops_are_left_to_dual_numbers() {
+    for range in ["0..1000000", "0..=9223372036854775807", "-9223372036854775808..9223372036854775807", "0..n"] {
+        assert!(is_dual(&expanded(&format!("let mut s = x; for _ in {range} {{ s += k; }} s"))), "{range}");
+    }
+    let nested = "let mut s = x; for a in 0..4000 { for b in 0..4000 { for c in 0..4000 { s += k; } } } s";
+    assert!(is_dual(&expanded(nested)));
+    let growing = "let mut s = x; for _ in 0..4000 { s = s.sin() * s.cos() + s; } s";
+    let expansion = expanded(growing);
+    assert!(is_symbolic(&expansion) || is_dual(&expansion));
+    assert!(is_symbolic(&expanded("let mut s = x; for _ in 5..0 { s += k; } s")));
+    for body in ["let a = [x; 1000000]; a[0]", "let a = [[[[x; 4000]; 4000]; 4000]; 4000]; a[0][0][0][0]"] {
+        let expansion = expanded(body);
+        assert!(is_dual(&expansion), "{body}: {:?}", message(&expansion));
+    }
+}
+
+#[test]
+fn branches_do_not_double_the_work() {
+    let steps = "let y = if y > k { y * x } else { y + x };".repeat(60);
+    assert!(is_symbolic(&expanded(&format!("let y = x; {steps} y"))));
+    let closures = (0..40).fold("let f0 = |y: f64| y.sin();".to_owned(), |all, i| format!("{all} let f{} = |y: f64| f{i}(y) + f{i}(k * y);", i + 1));
+    let expansion = expanded(&format!("{closures} f40(x)"));
+    assert!(is_symbolic(&expansion) || is_dual(&expansion));
+}
+
+#[test]
+fn integers_overflow_into_dual_numbers_or_a_message() {
+    let whole = [
+        "x * (9223372036854775807 + 1) as f64",
+        "x * (1 << 64) as f64",
+        "x * (1 << 9223372036854775807) as f64",
+        "x * (1 / 0) as f64",
+        "x * (1 % 0) as f64",
+        "x * (-9223372036854775808 / -1) as f64",
+        "x * 340282366920938463463374607431768211456",
+        "x.powi(99999999999)",
+        "x.powi(-2147483648)",
+        "x.powi(2147483647)",
+        "[x, k][9223372036854775807]",
+        "[x, k][-1]",
+        "x * 2i64.pow(9000000000) as f64",
+        "x * (-(-9223372036854775807 - 1)) as f64",
+        "x + 1e999",
+        "x * (3).abs_diff(-9223372036854775807) as f64",
+    ];
+    for body in whole {
+        expanded(body);
+    }
+}
+
+#[test]
+fn division_by_a_literal_zero_is_read() {
+    for body in ["x / 0.0", "0.0 / x", "(x / 0.0) / (k / 0.0)", "1.0 / (x - x) + x", "x % 0.0", "x.atan2(0.0)", "x * f64::NAN", "x.powf(0.0) + x"] {
+        let expansion = expanded(body);
+        assert!(is_symbolic(&expansion) || message(&expansion).is_some(), "{body}");
+    }
+}
+
+#[test]
+fn recursion_ends() {
+    let whole = [
+        "fn g(y: f64) -> f64 { g(y) } g(x)",
+        "fn g(y: f64) -> f64 { if y > 0.0 { g(y - 1.0) + g(y - 2.0) } else { y } } g(x)",
+        "fn g(y: f64) -> f64 { h(y) } fn h(y: f64) -> f64 { g(y) } g(x)",
+        "fn g(n: i32, y: f64) -> f64 { if n == 0 { y } else { g(n - 1, y.sin()) } } g(5, x)",
+        "let g = |h: f64| h; let g = |h: f64| g(g(h)); g(x)",
+        "let w = |f| f(f); w(w)",
+        "fn f(x: f64) -> f64 { f(x) } f(x)",
+    ];
+    for body in whole {
+        let expansion = expanded(body);
+        assert!(is_symbolic(&expansion) || is_dual(&expansion) || message(&expansion).is_some(), "{body}");
+    }
+}
+
+#[test]
+fn empty_and_odd_bodies_are_refused() {
+    for body in ["", ";", ";;;", "{}", "()", "return", "return;", "{ x; }", "let y = x;", "if x > k { x }", "match x {}", "[]", "[x]", "(x,)", "|| x", "..", "break", "loop {}"] {
+        let expansion = expanded(body);
+        assert!(message(&expansion).is_some() || is_dual(&expansion), "{body}");
+    }
+}
+
+#[test]
+fn signatures_and_items_may_be_anything() {
+    let items = [
+        "",
+        ";",
+        "fn",
+        "fn f",
+        "fn f()",
+        "fn f();",
+        "fn f() {}",
+        "fn f(x: Coord) -> [f64; 0] { [] }",
+        "fn f(x: Coord) -> [f64; 99999999999999999999] { [x] }",
+        "fn f(x: [Coord; 0]) -> f64 { 0.0 }",
+        "fn f(x: [Coord; 100000]) -> f64 { x[0] }",
+        "fn f(x: Coord) -> (f64, ()) { (x, ()) }",
+        "fn f(x: Coord) -> ((f64, [Vec2; 2]), f64) { x }",
+        "fn f(x: Coord) -> ! { loop {} }",
+        "fn f(x: Coord, x: Coord) -> f64 { x }",
+        "fn r#fn(r#type: Coord) -> f64 { r#type }",
+        "fn f(x: Coord, ..) -> f64 { x }",
+        "fn f(x: dyn Fn(f64) -> f64) -> f64 { x }",
+        "fn f(x: <Coord as Into>::Coord) -> f64 { x }",
+        "fn f(x: Coord<f64>) -> f64 { x }",
+        "fn f(_: Coord, y: Coord) -> f64 { y }",
+        "const X: f64 = 1.0;",
+        "mod m { fn f(x: Coord) -> f64 { x } }",
+        "struct S(f64);",
+        "impl S { fn f(x: Coord) -> f64 { x } }",
+        "macro_rules! m { () => {} }",
+        "1 + 1",
+        "#![inner] fn f(x: Coord) -> f64 { x }",
+        "fn f(x: Coord) -> f64 where f64: Copy { x }",
+    ];
+    for item in items {
+        for attribute in ["", "dual", "symbolic", "symbolic, dual", "= 3", "(("] {
+            let Ok(attribute) = attribute.parse::<TokenStream>() else { continue };
+            let item: TokenStream = item.parse().unwrap_or_else(|error| panic!("{error}: {item}"));
+            expand::constraint(attribute.clone(), item.clone());
+            expand::law(&attribute, item);
+        }
+    }
+}
