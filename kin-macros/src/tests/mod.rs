@@ -2,6 +2,7 @@
 
 mod attributes;
 mod golden;
+mod limits_tmp;
 mod mangled;
 mod messages;
 mod pathological;
