@@ -1,31 +1,88 @@
-//! The workloads: `cargo bench --bench workloads -- W6 [more names]` prints one JSON line a figure; no name: all of them.
+//! The workloads: `cargo bench --bench workloads -- W1 W4-N100 [more names]` prints one JSON line a figure; no name: all of them. Standard
+//! output holds nothing else; a summary for people goes to standard error.
 //!
-//! `once W6-planar_revolute kin 10` runs one route alone, for counting instructions.
+//! `once W6-planar_revolute kin 10` runs one route alone ten times, for counting instructions.
 
+mod hand;
 mod measure;
+mod sweep;
+mod w1;
+mod w2;
+mod w3;
+mod w4;
+mod w5;
 mod w6;
-mod w6_hand;
+mod w7;
 
-fn main() {
+use std::process::ExitCode;
+use std::time::Duration;
+
+use measure::Figure;
+use sweep::Workload;
+
+const NAMES: [&str; 7] = ["W1", "W2", "W3", "W4", "W5", "W6", "W7"];
+
+/// CPU time for the rounds of one workload.
+const BUDGET: Duration = Duration::from_millis(2500);
+
+fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
-    match words[..] {
-        ["once", name, route, batches] => once(name, route, batches),
-        [] => run("W6"),
-        _ => words.iter().for_each(|name| run(name)),
+    let done = match words[..] {
+        ["once", name, route, repeats] => once(name, route, repeats),
+        [] => NAMES.iter().try_for_each(|name| run(name)),
+        // All names are looked at before the first one takes its time.
+        _ => words.iter().try_for_each(|name| known(name)).and_then(|()| words.iter().try_for_each(|name| run(name))),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::from(2)
+        }
     }
 }
 
-fn run(name: &str) {
+fn known(name: &str) -> Result<(), String> {
+    let parts = w4::names().chain(w6::names());
+    if NAMES.contains(&name) || parts.into_iter().any(|part| part == name) {
+        return Ok(());
+    }
+    let parts: Vec<String> = w4::names().chain(w6::names()).collect();
+    Err(format!("there is no workload `{name}`; there are {} and {}", NAMES.join(", "), parts.join(", ")))
+}
+
+fn run(name: &str) -> Result<(), String> {
+    for workload in sweeps(name) {
+        workload.run(BUDGET).iter().for_each(Figure::print);
+    }
+    if name.starts_with("W6") {
+        w6::run(name, BUDGET).iter().for_each(Figure::print);
+    }
+    if name == "W7" {
+        w7::run().iter().for_each(Figure::print);
+    }
+    Ok(())
+}
+
+/// The workloads that are sweeps of one system.
+fn sweeps(name: &str) -> Vec<Workload> {
     match name {
-        "W6" => w6::run().iter().for_each(measure::Figure::print),
-        other => eprintln!("there is no workload `{other}`; there is W6"),
+        "W1" => vec![w1::workload()],
+        "W2" => vec![w2::workload()],
+        "W3" => vec![w3::workload()],
+        "W5" => vec![w5::workload()],
+        _ => w4::workloads(name),
     }
 }
 
-fn once(name: &str, route: &str, batches: &str) {
-    let joint = name.strip_prefix("W6-").unwrap_or(name);
-    if w6::once(joint, route, batches.parse().unwrap_or(1)).is_none() {
-        eprintln!("there is no joint `{joint}` in W6");
-    }
+fn once(name: &str, route: &str, repeats: &str) -> Result<(), String> {
+    known(name)?;
+    let repeats = repeats.parse().map_err(|_| format!("`{repeats}` is no number of repeats"))?;
+    let done = match (name, sweeps(name).first()) {
+        (_, Some(workload)) => workload.once(route, repeats),
+        ("W7", None) => w7::once(route, repeats),
+        _ => w6::once(name, route, repeats),
+    };
+    done.ok_or(format!("`{name}` has no route `{route}`, or has parts of which one must be named"))
 }

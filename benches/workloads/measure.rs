@@ -1,6 +1,8 @@
-//! Timing two routes side by side, and printing figures.
+//! Timing routes side by side, and printing figures.
 
-use std::time::Instant;
+use std::time::Duration;
+
+use rustix::time::{ClockId, clock_gettime};
 
 /// One figure, printed as a JSON line.
 pub struct Figure {
@@ -21,46 +23,62 @@ impl Figure {
     }
 }
 
-/// Medians of two interleaved routes, and of their ratio round by round.
-pub struct Comparison {
-    ours: f64,
-    theirs: f64,
-    ratio: f64,
+/// CPU time of this thread: on shared cores it is less noisy than the clock on the wall.
+pub fn cpu() -> Duration {
+    duration(ClockId::ThreadCPUTime)
 }
 
-impl Comparison {
-    pub fn figures(&self, workload: &str, metric: &str) -> Vec<Figure> {
-        eprintln!("{workload}: kin {:.1} ns, by hand {:.1} ns, ratio {:.3}", self.ours, self.theirs, self.ratio);
-        vec![
-            Figure::new(workload, "kin", metric, self.ours),
-            Figure::new(workload, "hand", metric, self.theirs),
-            Figure::new(workload, "kin", "ratio_to_hand", self.ratio),
-        ]
+/// CPU time of all threads.
+pub fn cpu_of_all_threads() -> Duration {
+    duration(ClockId::ProcessCPUTime)
+}
+
+fn duration(clock: ClockId) -> Duration {
+    let time = clock_gettime(clock);
+    Duration::new(time.tv_sec as u64, time.tv_nsec as u32)
+}
+
+/// One way to do the work.
+pub struct Contestant<'a> {
+    pub peer: &'static str,
+    pub run: Box<dyn FnMut() + 'a>,
+}
+
+/// What a race found of one contestant.
+pub struct Result {
+    pub peer: &'static str,
+    /// Median time of one run.   \[ns\]
+    pub nanoseconds: f64,
+    /// Median of the ratios to the contestant `hand`, round by round.
+    pub ratio: f64,
+}
+
+/// Runs all contestants in turn, for about `budget` but at least five rounds, and takes medians. One called `hand` is the measure.
+pub fn race(contestants: &mut [Contestant<'_>], budget: Duration) -> Vec<Result> {
+    // Runs of less than 200 µs are repeated, so that reading the clock does not count.
+    let repeats: Vec<u32> = contestants.iter_mut().map(|c| (2e5 / time(c, 1)).clamp(1.0, 1000.0) as u32).collect();
+    let mut rounds: Vec<Vec<f64>> = Vec::new();
+    let start = cpu();
+    while rounds.len() < 5 || (cpu() - start < budget && rounds.len() < 1001) {
+        rounds.push(contestants.iter_mut().zip(&repeats).map(|(c, repeats)| time(c, *repeats)).collect());
     }
+    let hand = contestants.iter().position(|c| c.peer == "hand").unwrap_or(0);
+    let column = |k: usize, unit: &dyn Fn(&[f64]) -> f64| median(rounds.iter().map(|round| round[k] / unit(round)).collect());
+    let result = |(k, c): (usize, &Contestant<'_>)| Result {
+        peer: c.peer,
+        nanoseconds: column(k, &|_| 1.0),
+        ratio: column(k, &|round| round[hand]),
+    };
+    contestants.iter().enumerate().map(result).collect()
 }
 
-/// Times `ours` and `theirs` in turn, each run doing `count` units of work; ns a unit.
-pub fn compare(count: usize, mut ours: impl FnMut(), mut theirs: impl FnMut()) -> Comparison {
-    const ROUNDS: usize = 301;
-    (0..20).for_each(|_| {
-        ours();
-        theirs();
-    });
-    let mut rows: Vec<(f64, f64)> = (0..ROUNDS).map(|_| (time(&mut ours, count), time(&mut theirs, count))).collect();
-    let ratio = median(rows.iter().map(|(a, b)| a / b).collect());
-    let theirs = median(rows.iter().map(|row| row.1).collect());
-    let ours = median(rows.drain(..).map(|row| row.0).collect());
-    Comparison { ours, theirs, ratio }
+fn time(contestant: &mut Contestant<'_>, repeats: u32) -> f64 {
+    let start = cpu();
+    (0..repeats).for_each(|_| (contestant.run)());
+    (cpu() - start).as_nanos().max(1) as f64 / f64::from(repeats)
 }
 
-fn time(run: &mut impl FnMut(), count: usize) -> f64 {
-    const RUNS: u32 = 8;
-    let start = Instant::now();
-    (0..RUNS).for_each(|_| run());
-    start.elapsed().as_nanos() as f64 / f64::from(RUNS) / count as f64
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
+pub fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values[values.len() / 2]
 }

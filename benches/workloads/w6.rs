@@ -1,14 +1,16 @@
 //! W6, derivatives of one joint: C, the structural non-zeros of C_q, and Q_d, from q, q̇ and run-time parameters.
 //!
-//! The library's way: `#[constraint]` functions called through the `Constraint` trait. By hand: `w6_hand.rs`, cut into the same functions.
+//! The library's way: `#[constraint]` functions called through the `Constraint` trait. By hand: `hand/`, cut into the same functions.
 
 use std::hint::black_box;
+use std::time::Duration;
 
 use kin::prelude::*;
 use kin::rt::{At, PlanarState, Rates, SpatialState};
 
-use crate::measure::{Figure, SplitMix64, compare};
-use crate::w6_hand as hand;
+use crate::hand::planar_joints::{self, Prismatic, Revolute};
+use crate::hand::spatial_joints::{self, Cylindrical, Spherical, Universal};
+use crate::measure::{Contestant, Figure, SplitMix64, race};
 
 #[constraint(symbolic)]
 fn spherical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3) -> Vec3 {
@@ -40,6 +42,13 @@ struct Joint {
     check_sum: f64,
 }
 
+impl Joint {
+    /// How many numbers a batch writes.
+    fn outputs(&self) -> usize {
+        BATCH * (2 * self.m + self.entries)
+    }
+}
+
 /// q and q̇ of a batch one after the other, and the parameters common to all.
 struct Input {
     states: Vec<f64>,
@@ -51,7 +60,8 @@ impl Input {
         let mut random = SplitMix64(12345);
         let mut draw = |count: usize| (0..count).map(|_| random.unit() * 2.0 - 1.0).collect::<Vec<f64>>();
         let (q, qd, parameters) = (draw(BATCH * joint.n), draw(BATCH * joint.n), draw(joint.parameters));
-        let states = q.chunks(joint.n).zip(qd.chunks(joint.n)).flat_map(|(q, qd)| q.iter().chain(qd).copied().collect::<Vec<_>>()).collect();
+        let states =
+            q.chunks(joint.n).zip(qd.chunks(joint.n)).flat_map(|(q, qd)| q.iter().chain(qd).copied().collect::<Vec<_>>()).collect();
         Input { states, parameters }
     }
 }
@@ -130,18 +140,12 @@ fn by_library(joint: &'static Joint, parameters: &[f64]) -> Route {
 
 fn by_hand(joint: &Joint) -> Route {
     match joint.name {
-        "planar_revolute" => Box::new(|input, output| hand::planar::<Revolute, 2, 8>(input_of(input), output)),
-        "planar_prismatic" => Box::new(|input, output| hand::planar::<Prismatic, 2, 8>(input_of(input), output)),
-        "spherical" => Box::new(|input, output| hand::spatial::<Spherical, 3, 30>(input_of(input), output)),
-        "universal" => Box::new(|input, output| hand::spatial::<Universal, 4, 38>(input_of(input), output)),
-        _ => Box::new(|input, output| hand::spatial::<Cylindrical, 4, 44>(input_of(input), output)),
+        "planar_revolute" => Box::new(|input, out| planar_joints::batch::<Revolute>(&input.states, &input.parameters, out)),
+        "planar_prismatic" => Box::new(|input, out| planar_joints::batch::<Prismatic>(&input.states, &input.parameters, out)),
+        "spherical" => Box::new(|input, out| spatial_joints::batch::<Spherical, 3, 30>(&input.states, &input.parameters, out)),
+        "universal" => Box::new(|input, out| spatial_joints::batch::<Universal, 4, 38>(&input.states, &input.parameters, out)),
+        _ => Box::new(|input, out| spatial_joints::batch::<Cylindrical, 4, 44>(&input.states, &input.parameters, out)),
     }
-}
-
-use hand::{Cylindrical, Prismatic, Revolute, Spherical, Universal};
-
-fn input_of(input: &Input) -> (&[f64], &[f64]) {
-    (&input.states, &input.parameters)
 }
 
 static JOINTS: [Joint; 5] = [
@@ -152,44 +156,59 @@ static JOINTS: [Joint; 5] = [
     Joint { name: "cylindrical", n: 14, m: 4, entries: 44, parameters: 15, check_sum: -14155.7 },
 ];
 
-/// Both routes on every joint, interleaved: ns an evaluation, and their ratio.
-pub fn run() -> Vec<Figure> {
-    let mut figures = Vec::new();
-    for joint in &JOINTS {
-        let input = Input::new(joint);
-        let size = BATCH * (2 * joint.m + joint.entries);
-        let (mut ours, mut theirs) = (by_library(joint, &input.parameters), by_hand(joint));
-        for (name, route) in [("kin", &mut ours), ("hand", &mut theirs)] {
-            let mut output = vec![0.0; size];
-            route(&input, &mut output);
-            let sum: f64 = output.iter().sum();
-            let error = (sum - joint.check_sum).abs() / joint.check_sum.abs();
-            assert!(error < 1e-5, "W6 {} by {name}: check sum {sum}, expected {}", joint.name, joint.check_sum);
-            figures.push(Figure::new(format!("W6-{}", joint.name), name, "check_sum_error", error));
-        }
-        let (mut a, mut b) = (vec![0.0; size], vec![0.0; size]);
-        let result = compare(
-            BATCH,
-            || {
-                ours(black_box(&input), &mut a);
-                black_box(&a);
-            },
-            || {
-                theirs(black_box(&input), &mut b);
-                black_box(&b);
-            },
-        );
-        figures.extend(result.figures(&format!("W6-{}", joint.name), "ns_per_eval"));
+/// Names of its parts.
+pub fn names() -> impl Iterator<Item = String> {
+    JOINTS.iter().map(|joint| format!("W6-{}", joint.name))
+}
+
+/// Both routes on every joint, or on the one that is named: check sums, ns an evaluation, and their ratio.
+pub fn run(name: &str, budget: Duration) -> Vec<Figure> {
+    let wanted = |joint: &&Joint| name == "W6" || name.strip_prefix("W6-") == Some(joint.name);
+    JOINTS.iter().filter(wanted).flat_map(|joint| run_joint(joint, budget)).collect()
+}
+
+fn run_joint(joint: &'static Joint, budget: Duration) -> Vec<Figure> {
+    let input = Input::new(joint);
+    let mut routes = [("hand", by_hand(joint)), ("kin", by_library(joint, &input.parameters))];
+    let figure = |peer: &str, metric: &str, value| Figure::new(format!("W6-{}", joint.name), peer, metric, value);
+    let mut figures: Vec<Figure> =
+        routes.iter_mut().map(|(peer, route)| figure(peer, "max_error", verify(joint, peer, route, &input))).collect();
+    let contestant = |(peer, route)| Contestant { peer, run: repeated(joint, route, &input) };
+    let mut contestants: Vec<Contestant<'_>> = routes.into_iter().map(contestant).collect();
+    for result in race(&mut contestants, budget) {
+        let time = result.nanoseconds / BATCH as f64;
+        eprintln!("{:>10} {:<14} {time:>12.1} ns an evaluation, {:.3} of hand-written ({})", "W6", result.peer, result.ratio, joint.name);
+        figures.push(figure(result.peer, "ns_per_eval", time));
+        figures.extend((result.peer != "hand").then(|| figure(result.peer, "ratio_to_hand", result.ratio)));
     }
     figures
 }
 
-/// One batch of one route and nothing else, for counting instructions: `W6-planar_revolute kin`.
-pub fn once(joint: &str, route: &str, batches: usize) -> Option<()> {
-    let joint = JOINTS.iter().find(|j| j.name == joint)?;
+fn repeated<'a>(joint: &Joint, mut route: Route, input: &'a Input) -> Box<dyn FnMut() + 'a> {
+    let mut output = vec![0.0; joint.outputs()];
+    Box::new(move || route(black_box(input), black_box(&mut output)))
+}
+
+/// The relative error of the check sum.
+fn verify(joint: &Joint, peer: &str, route: &mut Route, input: &Input) -> f64 {
+    let mut output = vec![0.0; joint.outputs()];
+    route(input, &mut output);
+    let sum: f64 = output.iter().sum();
+    let error = (sum - joint.check_sum).abs() / joint.check_sum.abs();
+    assert!(error < 1e-5, "W6 {} by {peer}: check sum {sum}, expected {}", joint.name, joint.check_sum);
+    error
+}
+
+/// Batches of one route and nothing else, for counting instructions.
+pub fn once(name: &str, peer: &str, batches: usize) -> Option<()> {
+    let joint = JOINTS.iter().find(|joint| name.strip_prefix("W6-") == Some(joint.name))?;
     let input = Input::new(joint);
-    let mut output = vec![0.0; BATCH * (2 * joint.m + joint.entries)];
-    let mut route = if route == "hand" { by_hand(joint) } else { by_library(joint, &input.parameters) };
-    (0..batches).for_each(|_| route(black_box(&input), black_box(&mut output)));
+    let route = match peer {
+        "hand" => by_hand(joint),
+        "kin" => by_library(joint, &input.parameters),
+        _ => return None,
+    };
+    let mut run = repeated(joint, route, &input);
+    (0..batches).for_each(|_| run());
     Some(())
 }
