@@ -4,6 +4,7 @@ mod foreign;
 mod lift;
 mod numbers;
 mod rows;
+mod sound;
 
 pub use crate::algebra::{Mat2, Mat3, Vec2, Vec3};
 pub use crate::coordinates::{Argument, Target, Trig};
@@ -18,6 +19,7 @@ pub use foreign::{constant_argument, jet_argument, plain_argument};
 pub use lift::{Cast, Lift, cast};
 pub use numbers::Numbers;
 pub use rows::{Rows, rows};
+pub use sound::{If, Sound, Then};
 
 /// \[f, f′, f″, f‴\] of a function written for any dual number.
 pub fn jet_by_dual(x: f64, f: impl FnOnce(Real<num_dual::Dual3_64>) -> Real<num_dual::Dual3_64>) -> [f64; 4] {
@@ -37,4 +39,6 @@ pub trait Parameter: Clone + Send + Sync + 'static {}
 impl<T: Clone + Send + Sync + 'static> Parameter for T {}
 
 /// Compiles for parameters only.
-pub fn require_parameter<T: Parameter>() {}
+pub const fn is_parameter<T: Parameter>() -> bool {
+    true
+}
