@@ -27,7 +27,8 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
     let pattern = derived.jacobian.iter().map(|(row, column, _)| (*row, *column)).collect();
     let trig = derived.trig(&lowered);
     let frame = Frame { trig, ..Frame::new(source, row_names, pattern) };
-    let kernels = kernels(&frame, &lowered, &derived);
+    let (kernels, constants) = (kernels(&frame, &lowered, &derived), constants(&lowered.graph, &derived));
+    let kernels = quote!(#constants #kernels);
     let leaves: Vec<TokenStream> = lowered
         .leaves
         .iter()
@@ -232,6 +233,26 @@ fn kernels(frame: &Frame, lowered: &Lowered, derived: &Derived) -> TokenStream {
             #right_side
         }
         #not_finite
+    }
+}
+
+/// The entries of C_q that are numbers for good, for the solver; nothing where there are none.
+fn constants(g: &Graph, derived: &Derived) -> TokenStream {
+    let known: Vec<Option<f64>> = derived.jacobian.iter().map(|entry| g.constant_value(entry.2).filter(|c| c.is_finite())).collect();
+    if known.iter().all(Option::is_none) {
+        return quote!();
+    }
+    let known = known.into_iter().map(|constant| match constant {
+        Some(constant) => {
+            let (sign, size) = (constant.is_sign_negative().then(|| quote!(-)), Literal::f64_unsuffixed(constant.abs()));
+            quote!(::core::option::Option::Some(#sign #size))
+        }
+        None => quote!(::core::option::Option::None),
+    });
+    quote! {
+        fn constants(&self) -> &[::core::option::Option<f64>] {
+            &[#(#known),*]
+        }
     }
 }
 
