@@ -44,6 +44,12 @@ pub trait Constraint: Send + Sync {
     /// Structural non-zeros of C_q as (row, local column); [`Constraint::jacobian`] writes one value for each, in this order.
     fn pattern(&self) -> &[(usize, usize)];
 
+    /// Which entries of the pattern are the same number at every q and t, whatever the parameters (most are 1 or −1): the solver computes
+    /// with them once. An empty list says nothing (default); what is not known is `None`.
+    fn constants(&self) -> &[Option<f64>] {
+        &[]
+    }
+
     /// C(q, t) into `c` (length m).
     fn residual(&self, at: &At<'_>, c: &mut [f64]);
 

@@ -91,7 +91,7 @@ impl<'a> Newton<'a> {
             before: vec![0.0; n],
             states: equations.plan.states(),
             rates: equations.plan.rates(),
-            linear: Linear::new(n, equations.entries.iter().copied()),
+            linear: Linear::new(n, equations.entries.iter().copied(), &equations.constants),
             sizes: vec![1.0; n],
             roundings: vec![0.0; n],
             steps: 0,
@@ -157,10 +157,11 @@ impl<'a> Newton<'a> {
 
     /// C_q dq = −C; gives max |dq_j|, each against what may be asked of it.
     fn correction(&mut self) -> f64 {
-        for (dq, c) in self.dq.iter_mut().zip(&self.c) {
-            *dq = -c;
+        for (rhs, c) in self.linear.rhs_mut().iter_mut().zip(&self.c) {
+            *rhs = -c;
         }
-        self.linear.solve(&mut self.dq);
+        self.linear.solve();
+        self.dq.copy_from_slice(self.linear.solution());
         let rounding = self.rounding();
         let shares = self.dq.iter().zip(&self.q).zip(&self.sizes).map(|((dq, q), size)| dq.abs() / (size + rounding * q.abs()));
         largest(shares)
@@ -245,12 +246,14 @@ impl<'a> Newton<'a> {
     /// q̇ from C_q q̇ = −C_t and q̈ from C_q q̈ = Q_d, with the matrix that [`Newton::solve`] has left factored.
     pub(crate) fn rates(&mut self, t: f64) -> Result<(), Failure> {
         let equations = self.system.equations();
-        equations.velocity_rhs(t, &self.states, &mut self.qd).map_err(Failure::NotFinite)?;
-        self.linear.solve(&mut self.qd);
+        equations.velocity_rhs(t, &self.states, self.linear.rhs_mut()).map_err(Failure::NotFinite)?;
+        self.linear.solve();
+        self.qd.copy_from_slice(self.linear.solution());
         self.overflow(&self.qd, "q'")?;
         equations.plan.set_rates(&self.qd, &mut self.rates);
-        equations.acceleration_rhs(t, &self.states, &self.rates, &mut self.qdd).map_err(Failure::NotFinite)?;
-        self.linear.solve(&mut self.qdd);
+        equations.acceleration_rhs(t, &self.states, &self.rates, self.linear.rhs_mut()).map_err(Failure::NotFinite)?;
+        self.linear.solve();
+        self.qdd.copy_from_slice(self.linear.solution());
         self.overflow(&self.qdd, "q''")
     }
 

@@ -145,16 +145,16 @@ impl System {
 
     /// q̇ at a position q, from C_q q̇ = −C_t. Errors: wrong length, not finite, singular.
     pub fn velocity(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
-        let mut qd: Vec<f64> = self.c_t(q, t)?.into_iter().map(|x| -x).collect();
-        self.factored(q, t)?.solve(&mut qd);
+        let rhs: Vec<f64> = self.c_t(q, t)?.into_iter().map(|x| -x).collect();
+        let qd = self.solved(q, t, &rhs)?;
         self.check(&qd, "velocities")?;
         Ok(qd)
     }
 
     /// q̈ at a position q and velocity q̇, from C_q q̈ = Q_d. Errors: wrong length, not finite, singular.
     pub fn acceleration(&self, q: &[f64], qd: &[f64], t: f64) -> Result<Vec<f64>> {
-        let mut qdd = self.acceleration_rhs(q, qd, t)?;
-        self.factored(q, t)?.solve(&mut qdd);
+        let q_d = self.acceleration_rhs(q, qd, t)?;
+        let qdd = self.solved(q, t, &q_d)?;
         self.check(&qdd, "accelerations")?;
         Ok(qdd)
     }
@@ -245,17 +245,19 @@ impl System {
         result.map_err(|bad| self.equations.not_finite(bad, t, states))
     }
 
-    /// C_q at q, factored, with the sizes of that point.
-    fn factored(&self, q: &[f64], t: f64) -> Result<Linear> {
+    /// C_q⁻¹ times the right side, with the sizes of that point.
+    fn solved(&self, q: &[f64], t: f64, rhs: &[f64]) -> Result<Vec<f64>> {
         let states = self.states(q, t)?;
-        let mut linear = Linear::new(self.n_coordinates(), self.equations.entries.iter().copied());
+        let mut linear = Linear::new(self.n_coordinates(), self.equations.entries.iter().copied(), &self.equations.constants);
         let mut c = vec![0.0; self.n_equations()];
         self.finite(self.equations.linearize(t, &states, &mut c, linear.values_mut()), t, &states)?;
         let sizes = scale::sizes(&self.layout, &self.equations, linear.values(), q, &self.links);
         linear.set_sizes(&sizes);
         linear.measure();
         linear.factor().map_err(|found| self.singular(t, &found, None))?;
-        Ok(linear)
+        linear.rhs_mut().copy_from_slice(rhs);
+        linear.solve();
+        Ok(linear.solution().to_vec())
     }
 }
 

@@ -158,7 +158,6 @@ fn approach(newton: &mut Newton<'_>, t: f64) {
 /// Each step solves [I, J; Jᵀ, −λ I] (r, y) = (−c, 0), which is (Jᵀ J + λ I) y = −Jᵀ c without squaring J.
 struct LeastSquares {
     linear: Linear,
-    solution: Vec<f64>,
     /// w_i, one over the norm of row i.
     weights: Vec<f64>,
     before: Vec<f64>,
@@ -180,8 +179,9 @@ impl LeastSquares {
         let jacobian: Vec<_> = newton.system.equations().entries.iter().copied().chain(holds).collect();
         let upper = jacobian.iter().map(|entry| entry.map(|(row, column)| (row, above + column)));
         let lower = jacobian.iter().map(|entry| entry.map(|(row, column)| (above + column, row)));
-        let linear = Linear::new(above + n, identity.chain(damping).chain(upper).chain(lower));
-        LeastSquares { linear, solution: vec![0.0; above + n], weights: vec![1.0; rows], before: vec![0.0; n], lambda: 1e-2 }
+        let constants = vec![Some(1.0); above];
+        let linear = Linear::new(above + n, identity.chain(damping).chain(upper).chain(lower), &constants);
+        LeastSquares { linear, weights: vec![1.0; rows], before: vec![0.0; n], lambda: 1e-2 }
     }
 
     /// Lowers the sum of squares as far as it goes; the point in hand is where it ended.
@@ -237,8 +237,8 @@ impl LeastSquares {
         if self.linear.factor().is_err() {
             return (f64::INFINITY, f64::INFINITY);
         }
-        self.linear.solve(&mut self.solution);
-        let y = &self.solution[self.solution.len() - newton.q.len()..];
+        self.linear.solve();
+        let y = &self.linear.solution()[newton.c.len() + newton.system.preferred().len()..];
         for ((q, y), size) in newton.q.iter_mut().zip(y).zip(&newton.sizes) {
             *q += y * size;
         }
@@ -261,10 +261,10 @@ impl LeastSquares {
         let all = identity.chain(damping).chain(jacobian.iter().copied()).chain(jacobian.iter().copied());
         self.linear.values_mut().iter_mut().zip(all).for_each(|(place, value)| *place = value);
 
-        self.solution.fill(0.0);
+        self.linear.rhs_mut().fill(0.0);
         let rows = newton.c.iter().zip(&self.weights).map(|(c, w)| -w * c);
         let held = preferred.iter().map(|&p| -offset(newton, p, hold));
-        self.solution.iter_mut().zip(rows.chain(held)).for_each(|(place, value)| *place = value);
+        self.linear.rhs_mut().iter_mut().zip(rows.chain(held)).for_each(|(place, value)| *place = value);
     }
 }
 

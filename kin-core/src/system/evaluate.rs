@@ -171,13 +171,15 @@ pub(crate) struct Equations {
     pub plan: StatePlan,
     /// Row and column of each value; `None` on the ground.
     pub entries: Vec<Option<(usize, usize)>>,
+    /// Values of C_q that never change.
+    pub constants: Vec<Option<f64>>,
     pub rows: usize,
 }
 
 impl Equations {
     /// Lays the constraints out one after the other. Their arguments must be of this layout.
     pub(crate) fn new(layout: &Layout, constraints: Vec<(String, Box<dyn Constraint>)>) -> Self {
-        let mut all = Equations { blocks: Vec::new(), plan: StatePlan::default(), entries: Vec::new(), rows: 0 };
+        let mut all = Equations { blocks: Vec::new(), plan: StatePlan::default(), entries: Vec::new(), constants: Vec::new(), rows: 0 };
         for (name, constraint) in constraints {
             all.append(layout, name, constraint);
         }
@@ -197,6 +199,8 @@ impl Equations {
         let own = &self.plan.rates[first_rate..];
         let global = |&(row, column): &(usize, usize)| Some((self.rows + row, own.get(column).copied().flatten()?));
         self.entries.extend(constraint.pattern().iter().map(global));
+        self.constants.extend_from_slice(constraint.constants());
+        self.constants.resize(self.entries.len(), None);
         let rows = self.rows..self.rows + constraint.rows().len();
         self.rows = rows.end;
         self.blocks.push(Block {

@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::{functions, rewrite, template};
+use super::{functions, rewrite, template, written};
 use crate::differentiate::Derivatives;
 use crate::lower::Lowered;
 use crate::parse::{Argument, ConstraintFn, Kind, Shape};
@@ -32,7 +32,7 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
         .enumerate()
         .map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items.iter().map(|i| quote!(#i)).collect::<Vec<_>>()))
         .collect();
-    frame.emit(quote!(::kin::Route::Symbolic), &kernels, &leaves)
+    frame.emit(quote!(::kin::Route::Symbolic), &kernels, &leaves, Some(&lowered))
 }
 
 /// The constraint on the dual route.
@@ -40,7 +40,7 @@ pub fn dual(source: &ConstraintFn) -> TokenStream {
     let row_names = row_names(&source.output);
     let n = columns(&source.arguments);
     let pattern = (0..row_names.len()).flat_map(|row| (0..n).map(move |column| (row, column))).collect();
-    Frame::new(source, row_names, pattern).emit(quote!(::kin::Route::Dual), &functions::dual(), &[])
+    Frame::new(source, row_names, pattern).emit(quote!(::kin::Route::Dual), &functions::dual(), &[], None)
 }
 
 /// After a mistake: something that type-checks wherever the constraint is used, so that one mistake gives one message.
@@ -55,7 +55,7 @@ pub fn dummy(source: &ConstraintFn) -> TokenStream {
             [t; #m]
         }
     };
-    frame.emit_with(quote!(::kin::Route::Dual), &functions::dummy(), &[], &equations)
+    frame.emit_with(quote!(::kin::Route::Dual), &functions::dummy(), &quote!(), &equations)
 }
 
 impl<'a> Frame<'a> {
@@ -63,13 +63,17 @@ impl<'a> Frame<'a> {
         Frame { source, n: columns(&source.arguments), row_names, pattern, trig: vec![] }
     }
 
-    fn emit(&self, route: TokenStream, kernels: &TokenStream, leaves: &[TokenStream]) -> TokenStream {
-        self.emit_with(route, kernels, leaves, &self.equations())
+    fn emit(&self, route: TokenStream, kernels: &TokenStream, leaves: &[TokenStream], lowered: Option<&Lowered>) -> TokenStream {
+        let source = self.source;
+        let body = rewrite::plain(&source.body, &source.arguments);
+        let written = written::written(&source.name, &written::inputs(&source.arguments), &source.output_type, &body, lowered);
+        let leaves = if leaves.is_empty() { quote!() } else { let name = &source.name; quote!(impl #name { #(#leaves)* }) };
+        self.emit_with(route, kernels, &quote!(#written #leaves), &self.equations())
     }
 
-    fn emit_with(&self, route: TokenStream, kernels: &TokenStream, leaves: &[TokenStream], equations: &TokenStream) -> TokenStream {
+    fn emit_with(&self, route: TokenStream, kernels: &TokenStream, before: &TokenStream, equations: &TokenStream) -> TokenStream {
         let source = self.source;
-        let (name, n, m) = (&source.name, self.n, self.row_names.len());
+        let (name, n, m) = (&source.name, literal(self.n), literal(self.row_names.len()));
         let declaration = self.declaration();
         let kind = syn::ext::IdentExt::unraw(name).to_string();
         let (row_names, pattern) = (&self.row_names, self.pattern.iter().map(|(row, column)| (literal(*row), literal(*column))));
@@ -77,15 +81,12 @@ impl<'a> Frame<'a> {
         let described = self.arguments();
         let (visit, set) = super::parameter_methods(&source.arguments);
         let kinds = source.arguments.iter().flat_map(kinds);
-        let checks = super::parameter_checks(&source.arguments);
-        let leaves = if leaves.is_empty() { quote!() } else { quote!(impl #name { #(#leaves)* }) };
         quote! {
             #declaration
 
             #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
             const _: () = {
-                #checks
-                #leaves
+                #before
                 impl ::kin::Constraint for #name {
                     fn kind(&self) -> &str {
                         #kind
@@ -136,9 +137,10 @@ impl<'a> Frame<'a> {
             }
         });
         let docs = super::documentation(attributes);
-        let heading = format!(" The constraint that [`fn@{name}`] makes.\n\n");
+        let heading = format!(" The constraint that [`fn@{name}`] makes.");
         quote! {
             #[doc = #heading]
+            #[doc = ""]
             #(#docs)*
             #[allow(non_camel_case_types)]
             #[derive(Clone)]
@@ -186,50 +188,72 @@ impl<'a> Frame<'a> {
         if self.trig.contains(&slot) { quote!(::kin::rt::Trig::Used) } else { quote!(::kin::rt::Trig::Unused) }
     }
 
-    /// The two copies of the user's body.
+    /// The user's body with dual numbers, and as it was written.
     fn equations(&self) -> TokenStream {
         let source = self.source;
-        let (n, m) = (self.n, self.row_names.len());
-        let (plain_states, dual_states) = (states(&source.arguments, &quote!(f64)), states(&source.arguments, &quote!(::kin::rt::Real<__D>)));
-        let (plain_parameters, dual_parameters) = (super::plain_bindings(&source.arguments), super::dual_bindings(&source.arguments));
-        let (plain_body, dual_body) = (rewrite::plain(&source.body, &source.arguments), rewrite::dual(&source.body, &source.arguments));
-        let (plain_type, dual_type) = (&source.output_type, rewrite::lifted_type(&source.output_type));
+        let (n, m) = (literal(self.n), literal(self.row_names.len()));
+        let (states, parameters) = (states(&source.arguments), super::dual_bindings(&source.arguments));
+        let (body, ty) = (rewrite::dual(&source.body, &source.arguments), rewrite::lifted_type(&source.output_type));
+        let value = written::silent(quote! {
+            #(#states)*
+            #(#parameters)*
+            let value = (move || -> #ty #body)();
+        });
+        let inputs = written_inputs(&source.arguments);
         quote! {
             fn evaluate<__D: ::kin::rt::Dual>(&self, q: &[::kin::rt::Real<__D>; #n], t: ::kin::rt::Real<__D>) -> [::kin::rt::Real<__D>; #m] {
-                #(#dual_states)*
-                #(#dual_parameters)*
-                let value = (move || -> #dual_type #dual_body)();
+                #value
                 ::kin::rt::rows(value)
             }
             #[inline]
             fn plain(&self, q: &[f64; #n], t: f64) -> [f64; #m] {
-                #(#plain_states)*
-                #(#plain_parameters)*
-                let value = (move || -> #plain_type #plain_body)();
-                ::kin::rt::rows(value)
+                ::kin::rt::rows(__WRITTEN(#(#inputs),*))
             }
         }
     }
 }
 
 /// The user's names for bodies, coordinates and time, bound to states made of `q` and `t`.
-fn states(arguments: &[Argument], scalar: &TokenStream) -> Vec<TokenStream> {
-    let mut first = 0;
-    let mut all = Vec::new();
-    for argument in arguments {
-        let (name, mutable, count) = (&argument.name, super::mutable(argument), argument.kind.columns());
-        let q: Vec<Literal> = (first..first + count).map(literal).collect();
-        first += count;
-        all.push(match argument.kind {
+fn states(arguments: &[Argument]) -> Vec<TokenStream> {
+    let scalar = quote!(::kin::rt::Real<__D>);
+    let bound = with_columns(arguments).map(|(argument, q)| {
+        let (name, mutable, count) = (&argument.name, super::mutable(argument), literal(q.len()));
+        match argument.kind {
             Kind::Planar => quote!(let #mutable #name = ::kin::rt::PlanarState::<#scalar>::new([#(q[#q]),*]);),
             Kind::Spatial => quote!(let #mutable #name = ::kin::rt::SpatialState::<#scalar>::new([#(q[#q]),*]);),
             Kind::Coord => quote!(let #mutable #name: #scalar = #(q[#q])*;),
             Kind::Coords(_) => quote!(let #mutable #name: [#scalar; #count] = [#(q[#q]),*];),
             Kind::Time => quote!(let #mutable #name: #scalar = t;),
-            _ => continue,
-        });
-    }
-    all
+            _ => quote!(),
+        }
+    });
+    bound.collect()
+}
+
+/// What the function as it was written is called with.
+fn written_inputs(arguments: &[Argument]) -> Vec<TokenStream> {
+    let inputs = with_columns(arguments).map(|(argument, q)| {
+        let name = &argument.name;
+        match argument.kind {
+            Kind::Planar => quote!(::kin::rt::PlanarState::new([#(q[#q]),*])),
+            Kind::Spatial => quote!(::kin::rt::SpatialState::new([#(q[#q]),*])),
+            Kind::Coord => quote!(#(q[#q])*),
+            Kind::Coords(_) => quote!([#(q[#q]),*]),
+            Kind::Time => quote!(t),
+            Kind::Numbers(_) => quote!(self.#name),
+            Kind::Law | Kind::Other => quote!(self.#name.clone()),
+        }
+    });
+    inputs.collect()
+}
+
+/// Each argument with the numbers of its columns.
+fn with_columns(arguments: &[Argument]) -> impl Iterator<Item = (&Argument, Vec<Literal>)> {
+    arguments.iter().scan(0, |first, argument| {
+        let columns = *first..*first + argument.kind.columns();
+        *first = columns.end;
+        Some((argument, columns.map(literal).collect()))
+    })
 }
 
 fn kinds(argument: &Argument) -> Vec<TokenStream> {

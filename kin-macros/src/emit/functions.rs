@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::kernel::{Code, Kernel};
 use crate::differentiate::Derivatives;
-use crate::graph::Node;
+use crate::graph::{Graph, Node};
 use crate::lower::Lowered;
 use crate::parse::Argument;
 
@@ -28,10 +28,12 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered, derived: &Derivatives
     let linearize = commented("C and C_q", Kernel::emit(lowered, arguments, &both));
     let right_side = commented("Q_d for t_dot = 1", Kernel::emit(lowered, arguments, &outputs("q_d", &derived.acceleration_rhs)));
     let velocity = velocity(&m, Kernel::emit(lowered, arguments, &outputs("rhs", &derived.velocity_rhs)), derived);
+    let constants = constants(&lowered.graph, derived);
     let not_finite = not_finite(lowered, arguments, &derived.checks);
     let ((residual_doc, residual), (jacobian_doc, jacobian)) = (residual, jacobian);
     let ((linearize_doc, linearize), (right_doc, right_side)) = (linearize, right_side);
     quote! {
+        #constants
         #[doc = #residual_doc]
         fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<#m>() else { return };
@@ -56,6 +58,26 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered, derived: &Derivatives
             #right_side
         }
         #not_finite
+    }
+}
+
+/// The entries of C_q that are numbers for good, for the solver; nothing where there are none.
+fn constants(g: &Graph, derived: &Derivatives) -> TokenStream {
+    let known: Vec<Option<f64>> = derived.jacobian.iter().map(|entry| g.constant_value(entry.2).filter(|c| c.is_finite())).collect();
+    if known.iter().all(Option::is_none) {
+        return quote!();
+    }
+    let known = known.into_iter().map(|constant| match constant {
+        Some(constant) => {
+            let constant = super::kernel::number(constant);
+            quote!(::core::option::Option::Some(#constant))
+        }
+        None => quote!(::core::option::Option::None),
+    });
+    quote! {
+        fn constants(&self) -> &[::core::option::Option<f64>] {
+            &[#(#known),*]
+        }
     }
 }
 

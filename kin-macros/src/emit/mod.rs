@@ -7,10 +7,10 @@ pub mod law;
 mod rewrite;
 mod template;
 mod variables;
+mod written;
 
 use proc_macro2::TokenStream;
-use quote::{quote, quote_spanned};
-use syn::spanned::Spanned;
+use quote::quote;
 
 use crate::parse::{Argument, Kind};
 
@@ -24,6 +24,7 @@ fn field_type(argument: &Argument) -> TokenStream {
             let n = proc_macro2::Literal::usize_unsuffixed(*n);
             quote!([::kin::Coordinate; #n])
         }
+        Kind::Other => written::parameter_type(&argument.ty),
         _ => {
             let ty = &argument.ty;
             quote!(#ty)
@@ -40,32 +41,16 @@ fn parameter_methods(arguments: &[Argument]) -> (TokenStream, TokenStream) {
             #(::kin::rt::Numbers::visit(&self.#numeric, #texts, visit);)*
         }
     };
+    let set = match numeric[..] {
+        [] => quote!(false),
+        _ => quote!(#(::kin::rt::Numbers::set(&mut self.#numeric, #texts, name, value))||*),
+    };
     let set = quote! {
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-            false #(|| ::kin::rt::Numbers::set(&mut self.#numeric, #texts, name, value))*
+            #set
         }
     };
     (visit, set)
-}
-
-/// A parameter of a type that only rustc knows must be a value of its own, and no alias of a coordinate.
-fn parameter_checks(arguments: &[Argument]) -> TokenStream {
-    let checks = arguments.iter().filter(|a| a.kind == Kind::Other).map(|argument| {
-        let ty = &argument.ty;
-        quote_spanned!(ty.span()=> ::kin::rt::require_parameter::<#ty>();)
-    });
-    quote!(const _: fn() = || { #(#checks)* };)
-}
-
-/// The user's name for every parameter, bound to a clone of the field.
-fn plain_bindings(arguments: &[Argument]) -> Vec<TokenStream> {
-    let parameters = arguments.iter().filter(|a| a.kind.is_field() && a.kind.slots() == 0);
-    parameters
-        .map(|argument| {
-            let (name, mutable, ty) = (&argument.name, mutable(argument), &argument.ty);
-            quote!(let #mutable #name: #ty = self.#name.clone();)
-        })
-        .collect()
 }
 
 /// The user's name for every parameter, with numbers lifted to `Real<__D>`.
@@ -75,7 +60,14 @@ fn dual_bindings(arguments: &[Argument]) -> Vec<TokenStream> {
         .map(|argument| {
             let (name, mutable) = (&argument.name, mutable(argument));
             match argument.kind {
-                Kind::Numbers(_) => quote!(let #mutable #name = ::kin::rt::Lift::<__D>::lift(self.#name.clone());),
+                Kind::Numbers(_) => {
+                    let ty = rewrite::lifted_type(&argument.ty);
+                    quote!(let #mutable #name: #ty = ::kin::rt::Lift::lift(self.#name);)
+                }
+                Kind::Other => {
+                    let ty = &argument.ty;
+                    quote!(let #mutable #name: __Dual<#ty> = self.#name.clone();)
+                }
                 _ => quote!(let #mutable #name = self.#name.clone();),
             }
         })

@@ -10,16 +10,24 @@ use crate::parse::Shape;
 
 /// The expression in plain numbers.
 pub fn plain(template: &Template, value: &mut dyn FnMut(Node) -> TokenStream) -> TokenStream {
-    write(template, Use::Value, &mut |nodes, shape| {
+    write(template, Use::Value, Site::Copy, &mut |nodes, shape| {
         let numbers: Vec<TokenStream> = nodes.iter().map(|&n| value(n)).collect();
         let built = build(shape, &mut numbers.into_iter());
         quote!(::kin::rt::plain_argument(#built))
     })
 }
 
-/// The expression as a place: parameters are not cloned.
+/// A law as a place: parameters are not cloned.
 pub fn place(template: &Template) -> TokenStream {
-    write(template, Use::Place, &mut |_, _| quote!(()))
+    match template {
+        Template::Parameter(name) => quote!(self.#name),
+        other => write(other, Use::Place, Site::Copy, &mut |_, _| quote!(())),
+    }
+}
+
+/// An expression without values of the graph, for rustc to say what is wrong with it; the constraint is `__self`.
+pub fn check(template: &Template) -> TokenStream {
+    write(template, Use::Value, Site::Check, &mut |_, _| quote!(()))
 }
 
 /// Whether a parameter is handed over, or only looked at.
@@ -29,15 +37,30 @@ enum Use {
     Place,
 }
 
-fn write(template: &Template, using: Use, numbers: &mut dyn FnMut(&[Node], &Shape) -> TokenStream) -> TokenStream {
+/// Where it is written: in a copy that is silent where the written function does not compile, or in the check of constants.
+#[derive(Clone, Copy, PartialEq)]
+enum Site {
+    Copy,
+    Check,
+}
+
+fn write(template: &Template, using: Use, site: Site, numbers: &mut dyn FnMut(&[Node], &Shape) -> TokenStream) -> TokenStream {
+    let mut write = |template: &Template, using: Use, numbers: &mut dyn FnMut(&[Node], &Shape) -> TokenStream| write(template, using, site, numbers);
     match template {
         Template::Tokens(tokens) => tokens.clone(),
         Template::Numbers(nodes, shape) => numbers(nodes, shape),
-        Template::Parameter(name) if using == Use::Place => quote!(self.#name),
-        Template::Parameter(name) => quote!(self.#name.clone()),
+        Template::Parameter(name) => match (site, using) {
+            (Site::Copy, Use::Place) => quote!((*__checked(&self.#name))),
+            (Site::Copy, Use::Value) => quote!(__checked(self.#name.clone())),
+            (Site::Check, Use::Place) => quote!(__self.#name),
+            (Site::Check, Use::Value) => quote!(__self.#name.clone()),
+        },
         Template::Call(callee, all) => {
             let all: Vec<_> = all.iter().map(|a| write(a, Use::Value, numbers)).collect();
-            quote!(#callee(#(#all),*))
+            match site {
+                Site::Copy => quote!(__checked(#callee)(#(#all),*)),
+                Site::Check => quote!(#callee(#(#all),*)),
+            }
         }
         Template::Method(receiver, method, all) => {
             let receiver = write(receiver, Use::Place, numbers);
@@ -150,7 +173,7 @@ pub fn leaf_function(graph: &Graph, leaf: usize, value: &OpaqueValue, outer: &[T
     let output = shape_type(shape, &quote!(::kin::rt::Real<__D>));
     let n = Literal::usize_unsuffixed(graph.leaves[leaf].arguments.len());
     let mut next = 0;
-    let body = write(&value.template, Use::Value, &mut |nodes, shape| {
+    let body = write(&value.template, Use::Value, Site::Copy, &mut |nodes, shape| {
         let varies = nodes.iter().any(|&node| graph.depends(node).varies());
         let mut numbers = nodes.iter().map(|_| {
             let k = Literal::usize_unsuffixed(next);
@@ -160,10 +183,10 @@ pub fn leaf_function(graph: &Graph, leaf: usize, value: &OpaqueValue, outer: &[T
         let built = build(shape, &mut numbers);
         if varies { quote!(::kin::rt::jet_argument(#built)) } else { quote!(::kin::rt::constant_argument(#built)) }
     });
-    quote! {
-        fn #name<__D: ::kin::rt::Dual>(&self, x: [::kin::rt::Real<__D>; #n]) -> #output {
+    super::written::silent(quote! {
+        fn #name<__D>(&self, x: [::kin::rt::Real<__D>; #n]) -> #output {
             #(#outer)*
             #body
         }
-    }
+    })
 }

@@ -1,0 +1,415 @@
+//! Records an elimination: chooses pivots at real numbers and writes down what each of them computes.
+//!
+//! Pivots are chosen by Markowitz' count (few cells in the row times few in the column) among those that are not small against the largest
+//! of their row. A = L U with L as it comes and the rows of U divided by their pivots, where both have cells; a pivot alone in its column
+//! divides at the end of back substitution instead, and one alone in its row needs no back substitution. What is the same for good is
+//! computed here and never again.
+
+use std::collections::HashMap;
+
+use super::active::{Active, NONE, Side};
+use super::program::{Kind, Program, Watch};
+use super::{SINGULAR, solving};
+
+/// A pivot is at least this share of the largest cell in its row.   \[-\]
+const THRESHOLD: f64 = 0.1;
+
+/// Lines with a possible pivot that are compared.
+const COMPARED: usize = 4;
+
+/// A matrix to be recorded: values as written, measures of rows and columns, and where the memory of the program begins.
+pub(super) struct Input<'a> {
+    pub n: usize,
+    /// Row and column of each value; `None` for those that stand nowhere.
+    pub entries: &'a [Option<(u32, u32)>],
+    /// Values in the order of rows, then of columns.
+    pub sorted: &'a [u32],
+    /// What is the same for good.
+    pub constants: &'a [Option<f64>],
+    /// One over the measure of each row, and of each column.
+    pub row_units: &'a [f64],
+    pub column_units: &'a [f64],
+}
+
+/// Where right side, solution and three constants stand, after the values.
+#[derive(Clone, Copy)]
+pub(super) struct Places {
+    pub rhs: u32,
+    pub solution: u32,
+    pub zero: u32,
+}
+
+/// A recorded elimination.
+#[derive(Clone, Default)]
+pub(super) struct Recording {
+    pub factor: Program,
+    pub solve: Program,
+    pub watch: Watch,
+    /// Row and column of each pivot that is watched.
+    pub watched: Vec<(u32, u32)>,
+    /// Row, column and value of the other pivots.
+    pub constant: Vec<(u32, u32, f64)>,
+}
+
+/// A number that elimination has come to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Number {
+    Constant(f64),
+    /// At this place of the memory.
+    At(u32),
+}
+
+/// One over a pivot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Inverse {
+    One,
+    MinusOne,
+    At(u32),
+}
+
+/// One chosen pivot, with the rest of its row in U.
+pub(super) struct Pivot {
+    pub row: u32,
+    pub column: u32,
+    pub inverse: Inverse,
+    /// Whether its column has cells in L.
+    pub has_lower: bool,
+    pub upper: std::ops::Range<usize>,
+}
+
+/// One number of a cell: a product, or one number with a sign.
+#[derive(Clone, Copy)]
+struct Term {
+    a: u32,
+    b: u32,
+    next: u32,
+}
+
+/// In place of the second factor: the term is added or subtracted.
+const PLUS: u32 = NONE;
+const MINUS: u32 = NONE - 1;
+
+/// The elimination while it is recorded.
+pub(super) struct Recorder<'a> {
+    input: &'a Input<'a>,
+    pub places: Places,
+    pub memory: &'a mut Vec<f64>,
+    active: Active,
+    terms: Vec<Term>,
+    constants: HashMap<u64, u32>,
+    pub recording: Recording,
+    pub pivots: Vec<Pivot>,
+    /// Columns and numbers of U, pivot by pivot.
+    pub upper: Vec<(u32, Number)>,
+    /// Columns and numbers of L with the next one of the row, and the first of each row.
+    pub lower: Vec<(u32, Number, u32)>,
+    pub lower_first: Vec<u32>,
+    pub lists: Lists,
+}
+
+/// Operands of one step while they are gathered.
+#[derive(Default)]
+pub(super) struct Lists {
+    pub products: Vec<[u32; 2]>,
+    pub plus: Vec<u32>,
+    pub minus: Vec<u32>,
+}
+
+impl Lists {
+    pub(super) fn clear(&mut self) {
+        self.products.clear();
+        self.plus.clear();
+        self.minus.clear();
+    }
+}
+
+/// Chooses all pivots and writes both programs; the rank where there is no further pivot. The memory holds the values.
+pub(super) fn record(input: &Input<'_>, places: Places, memory: &mut Vec<f64>) -> Result<Recording, usize> {
+    let mut recorder = Recorder {
+        input,
+        places,
+        memory,
+        active: Active::new(input.n),
+        terms: Vec::new(),
+        constants: HashMap::new(),
+        recording: Recording::default(),
+        pivots: Vec::with_capacity(input.n),
+        upper: Vec::new(),
+        lower: Vec::new(),
+        lower_first: vec![NONE; input.n],
+        lists: Lists::default(),
+    };
+    recorder.fill();
+    for rank in 0..input.n {
+        let pivot = recorder.choose().ok_or(rank)?;
+        recorder.eliminate(pivot);
+    }
+    solving::write(&mut recorder);
+    Ok(recorder.recording)
+}
+
+impl Recorder<'_> {
+    /// The cells of the matrix as written.
+    fn fill(&mut self) {
+        let mut last = None;
+        for &k in self.input.sorted {
+            let Some((row, column)) = self.input.entries[k as usize] else { continue };
+            let value = self.memory[k as usize];
+            let constant = self.input.constants.get(k as usize).copied().flatten().filter(|constant| *constant == value);
+            if constant == Some(0.0) {
+                continue;
+            }
+            let cell = match last {
+                Some((place, cell)) if place == (row, column) => cell,
+                _ => self.active.insert(row, column),
+            };
+            last = Some(((row, column), cell));
+            match constant {
+                Some(constant) => self.active.cells[cell as usize].constant += constant,
+                None => self.add_term(cell, k, PLUS),
+            }
+            self.active.cells[cell as usize].value += self.input.row_units[row as usize] * value * self.input.column_units[column as usize];
+        }
+        for line in (0..self.input.n as u32).rev() {
+            self.active.recount(Side::Row, line);
+            self.active.recount(Side::Column, line);
+        }
+    }
+
+    /// The next pivot, if there is one.
+    fn choose(&mut self) -> Option<u32> {
+        let (mut best, mut compared) = (Candidate::default(), 0);
+        for count in 1..=self.input.n {
+            for side in [Side::Row, Side::Column] {
+                let bound = if side == Side::Row { (count - 1).pow(2) } else { (count - 1) * count };
+                if best.cost <= bound {
+                    return best.cell;
+                }
+                let mut line = self.active.counts[side as usize].first(count);
+                while line != NONE {
+                    let next = self.active.counts[side as usize].next(line);
+                    if !self.compare(side, line, &mut best) {
+                        self.active.counts[side as usize].remove(line);
+                    } else if best.cost <= bound || compared + 1 == COMPARED {
+                        return best.cell;
+                    } else {
+                        compared += 1;
+                    }
+                    line = next;
+                }
+            }
+        }
+        best.cell
+    }
+
+    /// Compares the possible pivots of a line with the best so far; false if there are none.
+    fn compare(&mut self, side: Side, line: u32, best: &mut Candidate) -> bool {
+        let count = self.active.line(side, line).len();
+        let mut found = false;
+        for k in 0..count {
+            let id = self.active.line(side, line)[k];
+            let cell = &self.active.cells[id as usize];
+            let (row, column, size) = (cell.row, cell.column, cell.value.abs());
+            let unit = cell.terms == NONE && cell.constant.abs() == 1.0;
+            let alone = side == Side::Column && count == 1;
+            let enough = if alone { 0.0 } else { THRESHOLD * self.active.top(row) };
+            if size.is_nan() || size <= SINGULAR || size < enough {
+                continue;
+            }
+            found = true;
+            let (rows, columns) = (self.active.line(Side::Column, column).len(), self.active.line(Side::Row, row).len());
+            best.take(Candidate { cell: Some(id), cost: (rows - 1) * (columns - 1), unit, size });
+        }
+        found
+    }
+
+    /// Writes down what the pivot does and updates what is left.
+    fn eliminate(&mut self, pivot: u32) {
+        let cell = self.active.cells[pivot as usize].clone();
+        let (lower, upper) = self.active.take_out(pivot);
+        let divided = !lower.is_empty() && !upper.is_empty();
+        let inverse = self.inverse(pivot);
+        let from = self.upper.len();
+        for &id in &upper {
+            let number = if divided { self.multiplier(id, inverse, cell.column) } else { self.number(id) };
+            self.upper.push((self.active.cells[id as usize].column, number));
+        }
+        self.pivots.push(Pivot {
+            row: cell.row,
+            column: cell.column,
+            inverse,
+            has_lower: !lower.is_empty(),
+            upper: from..self.upper.len(),
+        });
+        for &id in &lower {
+            let (row, number) = (self.active.cells[id as usize].row, self.number(id));
+            let next = std::mem::replace(&mut self.lower_first[row as usize], self.lower.len() as u32);
+            self.lower.push((cell.column, number, next));
+            if divided {
+                self.update(row, number, self.active.cells[id as usize].value / cell.value, from, &upper);
+            }
+        }
+    }
+
+    /// a_ij −= l_i u_j in one row.
+    fn update(&mut self, row: u32, l: Number, share: f64, from: usize, upper: &[u32]) {
+        self.active.mark(row);
+        for (k, &source) in upper.iter().enumerate() {
+            let (column, u) = self.upper[from + k];
+            let cell = self.active.marked(column).unwrap_or_else(|| {
+                let cell = self.active.insert(row, column);
+                self.active.recount(Side::Column, column);
+                cell
+            });
+            let change = share * self.active.cells[source as usize].value;
+            self.active.cells[cell as usize].value -= change;
+            self.subtract(cell, l, u);
+            let now = &self.active.cells[cell as usize];
+            if now.terms == NONE && now.constant == 0.0 {
+                self.active.vanish(cell);
+            }
+        }
+        self.active.unmark(row);
+    }
+
+    /// Subtracts a product from a cell, by what is known of it for good.
+    fn subtract(&mut self, cell: u32, l: Number, u: Number) {
+        match (l, u) {
+            (Number::Constant(l), Number::Constant(u)) => self.active.cells[cell as usize].constant -= l * u,
+            (Number::At(l), Number::At(u)) => self.add_term(cell, l, u),
+            (Number::Constant(c), Number::At(k)) | (Number::At(k), Number::Constant(c)) => match c {
+                1.0 => self.add_term(cell, k, MINUS),
+                -1.0 => self.add_term(cell, k, PLUS),
+                _ => {
+                    let constant = self.constant(c);
+                    self.add_term(cell, constant, k);
+                }
+            },
+        }
+    }
+
+    fn add_term(&mut self, cell: u32, a: u32, b: u32) {
+        let next = std::mem::replace(&mut self.active.cells[cell as usize].terms, self.terms.len() as u32);
+        self.terms.push(Term { a, b, next });
+    }
+
+    /// The place of a constant in the memory.
+    pub(super) fn constant(&mut self, value: f64) -> u32 {
+        if value == 0.0 {
+            return self.places.zero;
+        }
+        *self.constants.entry(value.to_bits()).or_insert_with(|| {
+            self.memory.push(value);
+            self.memory.len() as u32 - 1
+        })
+    }
+
+    /// A new place in the memory.
+    fn place(&mut self) -> u32 {
+        self.memory.push(0.0);
+        self.memory.len() as u32 - 1
+    }
+
+    /// The final number of a cell, with a step for it if there is anything to compute.
+    fn number(&mut self, id: u32) -> Number {
+        let cell = &self.active.cells[id as usize];
+        if cell.terms == NONE {
+            return Number::Constant(cell.constant);
+        }
+        let Term { a, b, next } = self.terms[cell.terms as usize];
+        if next == NONE && b == PLUS && cell.constant == 0.0 {
+            return Number::At(a);
+        }
+        Number::At(self.compute(id, Kind::Plain, self.places.zero))
+    }
+
+    /// The number of a cell of U divided by its pivot.
+    fn multiplier(&mut self, id: u32, inverse: Inverse, pivot_column: u32) -> Number {
+        let cell = &self.active.cells[id as usize];
+        match (inverse, cell.terms) {
+            (Inverse::One, _) => self.number(id),
+            (Inverse::MinusOne, NONE) => Number::Constant(-cell.constant),
+            (Inverse::MinusOne, _) => Number::At(self.compute(id, Kind::Negated, self.places.zero)),
+            (Inverse::At(inverse), _) => {
+                let units = self.input.column_units;
+                self.recording.watch.weights.push(units[cell.column as usize] / units[pivot_column as usize]);
+                Number::At(self.compute(id, Kind::Multiplier, inverse))
+            }
+        }
+    }
+
+    /// One over the number of a pivot.
+    fn inverse(&mut self, id: u32) -> Inverse {
+        let cell = &self.active.cells[id as usize];
+        let (row, column, constant) = (cell.row, cell.column, cell.constant);
+        if cell.terms != NONE {
+            self.recording.watched.push((row, column));
+            return Inverse::At(self.compute(id, Kind::Pivot, self.places.zero));
+        }
+        self.recording.constant.push((row, column, constant));
+        match constant {
+            1.0 => Inverse::One,
+            -1.0 => Inverse::MinusOne,
+            _ => Inverse::At(self.constant(constant.recip())),
+        }
+    }
+
+    /// Writes the step that computes a cell, and gives its place.
+    fn compute(&mut self, id: u32, kind: Kind, scale: u32) -> u32 {
+        let start = self.gather(id, kind == Kind::Negated);
+        let out = self.place();
+        let Lists { products, plus, minus } = &self.lists;
+        self.recording.factor.push(kind, [out, start, scale], products, plus, minus);
+        out
+    }
+
+    /// The operands of a cell, signs turned if it is to be negated; gives where it starts.
+    fn gather(&mut self, id: u32, negated: bool) -> u32 {
+        let cell = &self.active.cells[id as usize];
+        let (mut start, mut next) = (None, cell.terms);
+        if cell.constant != 0.0 {
+            start = Some(self.constant(cell.constant));
+        }
+        self.lists.clear();
+        while next != NONE {
+            let term = self.terms[next as usize];
+            next = term.next;
+            match term.b {
+                PLUS if start.is_none() => start = Some(term.a),
+                PLUS => self.lists.plus.push(term.a),
+                MINUS => self.lists.minus.push(term.a),
+                b => self.lists.products.push([term.a, b]),
+            }
+        }
+        if negated {
+            std::mem::swap(&mut self.lists.plus, &mut self.lists.minus);
+        }
+        start.unwrap_or(self.places.zero)
+    }
+}
+
+/// A possible pivot.
+struct Candidate {
+    cell: Option<u32>,
+    /// Markowitz' count.
+    cost: usize,
+    /// Whether it is 1 or −1 for good.
+    unit: bool,
+    size: f64,
+}
+
+impl Default for Candidate {
+    fn default() -> Self {
+        Candidate { cell: None, cost: usize::MAX, unit: false, size: 0.0 }
+    }
+}
+
+impl Candidate {
+    /// Takes the other one if it is better: cheaper, free of division, larger.
+    fn take(&mut self, other: Candidate) {
+        let order = self.cost.cmp(&other.cost).then(other.unit.cmp(&self.unit)).then(other.size.total_cmp(&self.size));
+        if order == std::cmp::Ordering::Greater {
+            *self = other;
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! The function as it was written, in plain f64, and what makes one slip one message: where rustc finds a mistake in it, or in what was taken
+//! for a number, the type [`kin::rt::If`] of everything made from it is unknown, and of unknown types rustc says nothing.
+
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use quote::{ToTokens, quote, quote_spanned};
+use syn::spanned::Spanned;
+use syn::visit_mut::{self, VisitMut};
+use syn::{Block, Type};
+
+use super::template;
+use crate::lower::Lowered;
+use crate::parse::{Argument, Kind};
+
+/// Constants and types for the copies to stand on: `__WRITTEN` is the function, `__SOUND` whether it compiles, `__Dual` and `__Real` are types
+/// that stand if it does, and `__checked` makes a value of such a type.
+pub fn written(owner: &Ident, inputs: &[(TokenStream, TokenStream)], output: &Type, body: &Block, lowered: Option<&Lowered>) -> TokenStream {
+    let constants = lowered.map(|lowered| constants(owner, lowered)).unwrap_or_default();
+    let names = inputs.iter().map(|(name, _)| name);
+    let types = inputs.iter().map(|(_, ty)| if constants.is_empty() { ty.clone() } else { quote!(::kin::rt::If<__CONSTANTS, #ty>) });
+    let mut output = output.clone();
+    Known.visit_type_mut(&mut output);
+    quote! {
+        #constants
+        /// The function as it was written.
+        const __WRITTEN: fn(#(#types),*) -> #output = |#(#names),*| #body;
+        const __SOUND: bool = { let _ = __WRITTEN; true };
+        type __Dual<D> = ::kin::rt::If<__SOUND, D>;
+        type __Real<D> = ::kin::rt::Real<__Dual<D>>;
+        fn __checked<T>(value: T) -> ::kin::rt::If<__SOUND, T> {
+            value
+        }
+    }
+}
+
+/// `__CONSTANTS`: whether constants and the user's parameters are of the types they were taken for. A wrong one is blamed at its token.
+fn constants(owner: &Ident, lowered: &Lowered) -> TokenStream {
+    let constant = |value: &&crate::lower::OpaqueValue| value.template.nodes().is_empty();
+    let checks: Vec<TokenStream> = lowered
+        .opaques
+        .iter()
+        .filter(constant)
+        .map(|value| {
+            let (ty, value) = (template::kind_type(&value.kind), template::check(&value.template));
+            quote_spanned!(value.span()=> let _: #ty = #value;)
+        })
+        .collect();
+    if checks.is_empty() {
+        return quote!();
+    }
+    let items = &lowered.items;
+    quote! {
+        /// Constants and parameters are of the types they were taken for.
+        const __CONSTANTS: bool = {
+            let _ = |__self: &#owner| { #(#items)* #(#checks)* };
+            true
+        };
+    }
+}
+
+/// The arguments of the function as it was written: pattern and type.
+pub fn inputs(arguments: &[Argument]) -> Vec<(TokenStream, TokenStream)> {
+    arguments.iter().map(|argument| (pattern(argument), plain_type(argument))).collect()
+}
+
+fn pattern(argument: &Argument) -> TokenStream {
+    let (name, mutable) = (&argument.name, super::mutable(argument));
+    quote!(#mutable #name)
+}
+
+fn plain_type(argument: &Argument) -> TokenStream {
+    match argument.kind {
+        Kind::Planar => quote!(::kin::rt::PlanarState),
+        Kind::Spatial => quote!(::kin::rt::SpatialState),
+        Kind::Coord | Kind::Time => quote!(f64),
+        Kind::Coords(n) => {
+            let n = proc_macro2::Literal::usize_unsuffixed(n);
+            quote!([f64; #n])
+        }
+        Kind::Other => parameter_type(&argument.ty),
+        Kind::Numbers(_) | Kind::Law => argument.ty.to_token_stream(),
+    }
+}
+
+/// A type that only rustc knows, if it is one of a parameter: a value of its own, and no alias of a coordinate.
+pub fn parameter_type(ty: &Type) -> TokenStream {
+    let is_parameter = quote_spanned!(ty.span()=> { ::kin::rt::is_parameter::<#ty>() });
+    quote!(::kin::rt::If<#is_parameter, #ty>)
+}
+
+/// `_` in a returned type is a number.
+struct Known;
+
+impl VisitMut for Known {
+    fn visit_type_mut(&mut self, ty: &mut Type) {
+        match ty {
+            Type::Infer(place) => *ty = syn::parse_quote_spanned!(place.span()=> f64),
+            other => visit_mut::visit_type_mut(self, other),
+        }
+    }
+}
+
+/// Code over `__D` that is silent where the written function does not compile: `::kin::rt::Real` becomes `__Real`, and `__D` by itself
+/// `__Dual<__D>`.
+pub fn silent(tokens: TokenStream) -> TokenStream {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    let mut out: Vec<TokenTree> = Vec::new();
+    let mut of_real = false;
+    let mut k = 0;
+    while k < tokens.len() {
+        if let Some(length) = real_path(&tokens[k..]) {
+            out.push(Ident::new("__Real", tokens[k + length - 1].span().resolved_at(Span::mixed_site())).into());
+            of_real = true;
+            k += length;
+            continue;
+        }
+        match &tokens[k] {
+            TokenTree::Ident(name) if name == "__D" && !of_real => out.extend(quote_spanned!(name.span()=> __Dual<__D>)),
+            TokenTree::Group(group) => {
+                let mut inner = proc_macro2::Group::new(group.delimiter(), silent(group.stream()));
+                inner.set_span(group.span());
+                out.push(inner.into());
+            }
+            token => out.push(token.clone()),
+        }
+        of_real &= matches!(&tokens[k], TokenTree::Punct(punct) if matches!(punct.as_char(), '<' | ':'));
+        k += 1;
+    }
+    out.into_iter().collect()
+}
+
+/// How many of the first tokens are `::kin::rt::Real`.
+fn real_path(tokens: &[TokenTree]) -> Option<usize> {
+    const PATH: [&str; 9] = [":", ":", "kin", ":", ":", "rt", ":", ":", "Real"];
+    let matches = tokens.len() >= PATH.len() && tokens.iter().zip(PATH).all(|(token, text)| is(token, text));
+    matches.then_some(PATH.len())
+}
+
+fn is(token: &TokenTree, text: &str) -> bool {
+    match token {
+        TokenTree::Ident(name) => name == text,
+        TokenTree::Punct(punct) => text.len() == 1 && text.starts_with(punct.as_char()),
+        _ => false,
+    }
+}
