@@ -89,7 +89,11 @@ fn check(programs: &BTreeMap<String, PathBuf>) -> BTreeMap<String, Vec<Error>> {
         if message["level"] == "error" && message["spans"].as_array().is_some_and(|spans| !spans.is_empty()) {
             let name = name.as_str().expect("a target has a name").to_owned();
             assert!(programs.contains_key(&name), "{}", message["rendered"].as_str().unwrap_or_default());
-            errors.entry(name).or_default().push(error(message));
+            let (errors, error) = (errors.entry(name).or_default(), error(message));
+            // What cargo would print a second time, it does not.
+            if errors.iter().all(|earlier| earlier.rendered != error.rendered) {
+                errors.push(error);
+            }
         }
     }
     assert!(!errors.is_empty(), "cargo check says nothing of the programs:\n{}", String::from_utf8_lossy(&output.stderr));

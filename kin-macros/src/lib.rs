@@ -11,6 +11,7 @@ mod expand;
 mod graph;
 mod lower;
 mod parse;
+mod vocabulary;
 #[cfg(test)]
 mod tests;
 

@@ -84,6 +84,8 @@ pub enum Shape {
     Scalar,
     Vector(usize),
     Matrix(usize),
+    /// `EulerParameters`
+    Euler,
     Array(Box<Shape>, usize),
     Tuple(Vec<Shape>),
     /// `_`: whatever the value is.
@@ -163,7 +165,14 @@ pub fn law(attribute: &TokenStream, item: TokenStream) -> syn::Result<LawFn> {
     }
     mistakes.finish()?;
     let variable = arguments.remove(0).name;
-    Ok(LawFn { attributes: function.attrs, visibility: function.vis, name: function.sig.ident, variable, parameters: arguments, body: *function.block })
+    Ok(LawFn {
+        attributes: function.attrs,
+        visibility: function.vis,
+        name: function.sig.ident,
+        variable,
+        parameters: arguments,
+        body: *function.block,
+    })
 }
 
 const NO_COORDINATES: &str = "a constraint needs something to constrain: give it an argument of type `Planar`, `Spatial`, `Coord` or \
@@ -251,7 +260,10 @@ fn kind(ty: &Type) -> syn::Result<Kind> {
         Type::Array(array) if last_name(&array.elem).as_deref() == Some("Coord") => match literal_length(&array.len) {
             Some(0) => Err(syn::Error::new_spanned(&array.len, "an array of no coordinates constrains nothing")),
             Some(n) => Ok(Kind::Coords(n)),
-            None => Err(syn::Error::new_spanned(&array.len, "write the number of coordinates as a literal: the columns of C_q are counted here")),
+            None => Err(syn::Error::new_spanned(
+                &array.len,
+                "write the number of coordinates as a literal: the columns of C_q are counted here",
+            )),
         },
         Type::Array(array) if is_marker(&array.elem) => Err(syn::Error::new_spanned(ty, "only `Coord` comes in arrays: name each body")),
         Type::Reference(reference) => Err(reference_mistake(reference)),
@@ -269,7 +281,9 @@ fn named_kind(path: &syn::TypePath) -> syn::Result<Kind> {
         "Time" => Kind::Time,
         "Law" => return Ok(Kind::Law),
         "f32" => return Err(syn::Error::new_spanned(path, "numbers are `f64`")),
-        "PlanarBody" | "Link" => return Err(syn::Error::new_spanned(path, "inside the function a planar body is its state: write `Planar`")),
+        "PlanarBody" | "Link" => {
+            return Err(syn::Error::new_spanned(path, "inside the function a planar body is its state: write `Planar`"));
+        }
         "SpatialBody" => return Err(syn::Error::new_spanned(path, "inside the function a spatial body is its state: write `Spatial`")),
         "Coordinate" => return Err(syn::Error::new_spanned(path, "inside the function a coordinate is its value: write `Coord`")),
         "Real" => return Err(syn::Error::new_spanned(path, "write `f64`: the macro makes the function generic over dual numbers itself")),
@@ -285,7 +299,9 @@ fn named_kind(path: &syn::TypePath) -> syn::Result<Kind> {
 fn reference_mistake(reference: &syn::TypeReference) -> syn::Error {
     let text = match is_marker(&reference.elem) {
         true => format!("write `{}`: the state is a value, there is nothing to borrow", last_name(&reference.elem).unwrap_or_default()),
-        false => "a parameter is a field of the constraint, so it is owned: write the type without `&` (`[f64; N]`, `Vec<f64>`, `String`)".into(),
+        false => {
+            "a parameter is a field of the constraint, so it is owned: write the type without `&` (`[f64; N]`, `Vec<f64>`, `String`)".into()
+        }
     };
     syn::Error::new_spanned(reference, text)
 }
@@ -313,6 +329,7 @@ pub fn shape(ty: &Type) -> Option<Shape> {
                 "Vec3" if plain => Some(Shape::Vector(3)),
                 "Mat2" if plain => Some(Shape::Matrix(2)),
                 "Mat3" if plain => Some(Shape::Matrix(3)),
+                "EulerParameters" if plain => Some(Shape::Euler),
                 _ => None,
             }
         }
@@ -325,7 +342,7 @@ pub fn shape(ty: &Type) -> Option<Shape> {
     }
 }
 
-fn literal_length(length: &Expr) -> Option<usize> {
+pub fn literal_length(length: &Expr) -> Option<usize> {
     match length {
         Expr::Lit(ExprLit { lit: Lit::Int(n), .. }) => n.base10_parse().ok(),
         _ => None,
@@ -336,7 +353,10 @@ fn output(function: &ItemFn) -> syn::Result<(Shape, Type)> {
     const WHAT: &str = "the value of the equation: `f64`, `Vec2`, `Vec3`, `[f64; N]` or a tuple of these";
     let ty = match &function.sig.output {
         ReturnType::Default => {
-            return Err(syn::Error::new(function.sig.ident.span(), format!("`{}` returns nothing; it must return {WHAT}", function.sig.ident)));
+            return Err(syn::Error::new(
+                function.sig.ident.span(),
+                format!("`{}` returns nothing; it must return {WHAT}", function.sig.ident),
+            ));
         }
         ReturnType::Type(_, ty) => ty,
     };
@@ -350,7 +370,7 @@ fn output(function: &ItemFn) -> syn::Result<(Shape, Type)> {
 fn has_rows(shape: &Shape) -> bool {
     match shape {
         Shape::Scalar | Shape::Vector(_) => true,
-        Shape::Matrix(_) | Shape::Any => false,
+        Shape::Matrix(_) | Shape::Euler | Shape::Any => false,
         Shape::Array(inner, n) => *n > 0 && (**inner == Shape::Any || has_rows(inner)),
         Shape::Tuple(all) => all.iter().all(|s| *s == Shape::Any || has_rows(s)),
     }

@@ -84,9 +84,10 @@ impl<D: Dual> Real<D> {
         Self::constant(self.value().div_euclid(y.into().value()))
     }
 
-    /// ±x with the sign of `sign`, −0 being negative.
+    /// |x| with the sign of `sign`, −0 being negative there; at x = ±0 the slope is that of the side x ≥ 0, as for [`Real::abs`].
     pub fn copysign(self, sign: impl Into<Self>) -> Self {
-        if self.is_sign_negative() == sign.into().is_sign_negative() { self } else { -self }
+        let size = self.abs();
+        if sign.into().is_sign_negative() { -size } else { size }
     }
 }
 

@@ -1,12 +1,14 @@
 //! What emitted code stands on. Not for use by hand: nothing here is part of the public interface.
 
+mod argument;
+mod cast;
 mod foreign;
 mod lift;
 mod numbers;
 mod rows;
 mod sound;
 
-pub use crate::algebra::{Mat2, Mat3, Vec2, Vec3};
+pub use crate::algebra::{EulerParameters, Mat2, Mat3, Vec2, Vec3};
 pub use crate::coordinates::{Argument, Target, Trig};
 pub use crate::dual_route::{ArgumentKind, Equation};
 pub use crate::law::LawFunction;
@@ -14,9 +16,11 @@ pub use crate::real::{Dual, Real};
 pub use crate::state::{At, PlanarState, Rates, SpatialState};
 pub use num_dual::{Dual2_64, Dual64};
 
-pub use foreign::{Foreign, IntoConstant, IntoJet, IntoPlain, LiftAny, LiftNumbers, LowerAny, LowerReal, Never};
-pub use foreign::{constant_argument, jet_argument, plain_argument};
-pub use lift::{Cast, Lift, cast};
+pub use argument::{IntoConstant, IntoJet, IntoPlain, IntoReference, Never};
+pub use argument::{constant_argument, jet_argument, plain_argument, reference_argument};
+pub use cast::{Cast, Whole, cast, whole};
+pub use foreign::{Foreign, LiftAny, LiftNumbers, LowerAny, LowerReal, ReceiveAny, ReceiveNumbers, ReceiveReference};
+pub use lift::{Absent, Constants, Lift, Lower, absent, constants, lowered};
 pub use numbers::Numbers;
 pub use rows::{Rows, rows};
 pub use sound::{If, Sound, Then};

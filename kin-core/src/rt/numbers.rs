@@ -1,6 +1,6 @@
 //! Numeric parameters by name.
 
-use crate::algebra::{Mat2, Mat3, Vec2, Vec3};
+use crate::algebra::{EulerParameters, Mat2, Mat3, Vec2, Vec3};
 use crate::law::Law;
 
 /// A parameter made of numbers, each with a name: `k`, `u.x`, `c[2]`, `profile.rate`.
@@ -61,6 +61,7 @@ macro_rules! fields {
 fields! {
     Vec2 { x, y };
     Vec3 { x, y, z };
+    EulerParameters { e0, e1, e2, e3 };
     Mat2 { m11, m12, m21, m22 };
     Mat3 { m11, m12, m13, m21, m22, m23, m31, m32, m33 };
     (A,) { 0 } [A];

@@ -30,7 +30,7 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
         .leaves
         .iter()
         .enumerate()
-        .map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items.iter().map(|i| quote!(#i)).collect::<Vec<_>>()))
+        .map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items))
         .collect();
     frame.emit(quote!(::kin::Route::Symbolic), &kernels, &leaves, Some(&lowered))
 }

@@ -284,8 +284,9 @@ impl<'a> Kernel<'a> {
             }
             Op::Opaque(number, component) => {
                 let value = &self.lowered.opaques[number];
-                let ty = template::kind_type(&value.kind);
                 // The type is what the macro took the value for: where that is wrong, rustc says so at the user's token.
+                let ty = template::kind_type(&value.kind);
+                let ty = quote!(::kin::rt::If<__SOUND, #ty>);
                 let key = format!("opaque {number}");
                 let name = self.evaluated(key, "o", &ty, |kernel| template::plain(&value.template, &mut |n| kernel.expression(n)));
                 Some(template::component(&name, &value.kind, component))

@@ -4,23 +4,33 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::kernel::Kernel;
-use super::{rewrite, template};
+use super::{rewrite, template, written};
 use crate::differentiate::Partial;
 use crate::lower::Lowered;
 use crate::parse::LawFn;
 
 /// The law with its derivatives to third order, symbolic where the body could be read.
 pub fn law(source: &LawFn, lowered: Option<Lowered>) -> TokenStream {
+    let written = written(source, lowered.as_ref());
     let (jet, leaves) = match lowered {
         Some(lowered) => symbolic(source, lowered),
         None => (quote!(::kin::rt::jet_by_dual(x, |x| self.evaluate(x))), vec![]),
     };
-    emit(source, &jet, &leaves, &evaluate(source))
+    emit(source, &jet, &written, &leaves, &evaluate(source))
 }
 
 /// After a mistake: a constructor that type-checks.
 pub fn dummy(source: &LawFn) -> TokenStream {
-    emit(source, &quote!([x; 4]), &[], &quote!(fn evaluate<__D: ::kin::rt::Dual>(&self, x: ::kin::rt::Real<__D>) -> ::kin::rt::Real<__D> { x }))
+    emit(source, &quote!([x; 4]), &quote!(), &[], &quote!())
+}
+
+/// The function as it was written; nobody calls it, but rustc reads it.
+fn written(source: &LawFn, lowered: Option<&Lowered>) -> TokenStream {
+    let variable = &source.variable;
+    let mut inputs = vec![(quote!(#variable), quote!(f64))];
+    inputs.extend(written::inputs(&source.parameters));
+    let owner = proc_macro2::Ident::new("__Law", proc_macro2::Span::mixed_site());
+    written::written(&owner, &inputs, &syn::parse_quote!(f64), &rewrite::plain_law(&source.body, &source.parameters, variable), lowered)
 }
 
 fn symbolic(source: &LawFn, mut lowered: Lowered) -> (TokenStream, Vec<TokenStream>) {
@@ -40,7 +50,7 @@ fn symbolic(source: &LawFn, mut lowered: Lowered) -> (TokenStream, Vec<TokenStre
         })
         .collect();
     let code = Kernel::emit(&lowered, &source.parameters, &outputs).tokens;
-    let leaves = lowered.leaves.iter().enumerate().map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &[])).collect();
+    let leaves = lowered.leaves.iter().enumerate().map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items)).collect();
     (quote!(let mut f = [0.0; 4]; #code f), leaves)
 }
 
@@ -49,21 +59,24 @@ fn evaluate(source: &LawFn) -> TokenStream {
     let variable = &source.variable;
     let parameters = super::dual_bindings(&source.parameters);
     let body = rewrite::dual_law(&source.body, &source.parameters, variable);
+    let value = written::silent(quote! {
+        #(#parameters)*
+        let #variable: ::kin::rt::Real<__D> = x;
+        (move || -> ::kin::rt::Real<__D> #body)()
+    });
     quote! {
         fn evaluate<__D: ::kin::rt::Dual>(&self, x: ::kin::rt::Real<__D>) -> ::kin::rt::Real<__D> {
-            #(#parameters)*
-            let #variable = x;
-            (move || -> ::kin::rt::Real<__D> #body)()
+            #value
         }
     }
 }
 
-fn emit(source: &LawFn, jet: &TokenStream, leaves: &[TokenStream], evaluate: &TokenStream) -> TokenStream {
+fn emit(source: &LawFn, jet: &TokenStream, written: &TokenStream, leaves: &[TokenStream], evaluate: &TokenStream) -> TokenStream {
     let (attributes, visibility, name) = (&source.attributes, &source.visibility, &source.name);
     let names: Vec<_> = source.parameters.iter().map(|a| &a.name).collect();
     let types: Vec<_> = source.parameters.iter().map(|a| &a.ty).collect();
     let (visit, set) = super::parameter_methods(&source.parameters);
-    let checks = super::parameter_checks(&source.parameters);
+    let fields: Vec<_> = source.parameters.iter().map(super::field_type).collect();
     let text = syn::ext::IdentExt::unraw(name).to_string();
     quote! {
         #(#attributes)*
@@ -73,11 +86,11 @@ fn emit(source: &LawFn, jet: &TokenStream, leaves: &[TokenStream], evaluate: &To
             #[allow(non_camel_case_types)]
             #[derive(Clone)]
             struct __Law {
-                #(#names: #types),*
+                #(#names: #fields),*
             }
             #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
             const _: () = {
-                #checks
+                #written
                 impl __Law {
                     #(#leaves)*
                     #evaluate

@@ -25,6 +25,11 @@ pub fn dual(body: &Block, arguments: &[Argument]) -> Block {
     rewrite(body, arguments, Copy::Dual)
 }
 
+/// The body of a law in plain f64.
+pub fn plain_law(body: &Block, parameters: &[Argument], variable: &syn::Ident) -> Block {
+    rewrite_with(body, parameters, Copy::Plain, Some(variable))
+}
+
 /// The body of a law generic over `Real<__D>`.
 pub fn dual_law(body: &Block, parameters: &[Argument], variable: &syn::Ident) -> Block {
     rewrite_with(body, parameters, Copy::Dual, Some(variable))
@@ -180,11 +185,7 @@ impl Rewriter {
         let at = Span::mixed_site().located_at(inner.span());
         *expression = match self.copy {
             Copy::Plain => match inner {
-                Expr::Call(_) | Expr::MethodCall(_) => parse_quote_spanned!(at=> {
-                    #[allow(unused_imports)]
-                    use ::kin::rt::{LowerAny as _, LowerReal as _};
-                    (&::kin::rt::Foreign(#inner)).lowered()
-                }),
+                Expr::Call(_) | Expr::MethodCall(_) => parse_quote_spanned!(at=> (&::kin::rt::Foreign(#inner)).lowered()),
                 _ => return,
             },
             Copy::Dual => {
@@ -192,11 +193,7 @@ impl Rewriter {
                     Expr::Call(_) | Expr::MethodCall(_) => quote!(#inner),
                     place => quote!(::core::clone::Clone::clone(&#place)),
                 };
-                parse_quote_spanned!(at=> {
-                    #[allow(unused_imports)]
-                    use ::kin::rt::{LiftAny as _, LiftNumbers as _};
-                    (&::kin::rt::Foreign(#value)).lifted(::core::marker::PhantomData::<__D>)
-                })
+                parse_quote_spanned!(at=> (&::kin::rt::Foreign(#value)).lifted(::core::marker::PhantomData::<__D>))
             }
         };
     }

@@ -1,121 +1,217 @@
 //! Expressions of the user's that emitted code repeats, with values of the graph put in.
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote, quote_spanned};
 
+use super::written::silent;
 use crate::graph::{Graph, Node};
-use crate::lower::value::Template;
+use crate::lower::template::Template;
 use crate::lower::{OpaqueKind, OpaqueValue, component_paths};
 use crate::parse::Shape;
+use crate::vocabulary::{is_number_method, is_reading_method, is_std_function};
 
 /// The expression in plain numbers.
 pub fn plain(template: &Template, value: &mut dyn FnMut(Node) -> TokenStream) -> TokenStream {
-    write(template, Use::Value, Site::Copy, &mut |nodes, shape| {
-        let numbers: Vec<TokenStream> = nodes.iter().map(|&n| value(n)).collect();
-        let built = build(shape, &mut numbers.into_iter());
-        quote!(::kin::rt::plain_argument(#built))
-    })
+    if let Template::When(condition, inner) = template {
+        let (condition, inner) = (value(*condition), plain(inner, value));
+        return quote!(if #condition { #inner } else { ::kin::rt::absent() });
+    }
+    Writer { value, site: Site::Kernel }.lowered(template)
 }
 
-/// A law as a place: parameters are not cloned.
+/// The expression as a place: parameters are not cloned.
 pub fn place(template: &Template) -> TokenStream {
-    match template {
-        Template::Parameter(name) => quote!(self.#name),
-        other => write(other, Use::Place, Site::Copy, &mut |_, _| quote!(())),
-    }
+    Writer { value: &mut |_| quote!(()), site: Site::Kernel }.write(template, Use::Place)
 }
 
 /// An expression without values of the graph, for rustc to say what is wrong with it; the constraint is `__self`.
 pub fn check(template: &Template) -> TokenStream {
-    write(template, Use::Value, Site::Check, &mut |_, _| quote!(()))
+    Writer { value: &mut |_| quote!(()), site: Site::Check }.lowered(template)
 }
 
-/// Whether a parameter is handed over, or only looked at.
+/// Whether the value may come out of a function of the user's, which may give `Real<f64>`.
+fn calls(template: &Template) -> bool {
+    use syn::BinOp::{And, Eq, Ge, Gt, Le, Lt, Ne, Or};
+    match template {
+        Template::Call(..) | Template::Method(..) => true,
+        Template::Field(a, _) | Template::Index(a, _) | Template::Unary(_, a) | Template::Reference(a) | Template::Cast(a, _) => calls(a),
+        Template::Binary(_, And(_) | Eq(_) | Ge(_) | Gt(_) | Le(_) | Lt(_) | Ne(_) | Or(_), _) => false,
+        Template::Binary(a, _, b) => calls(a) || calls(b),
+        _ => false,
+    }
+}
+
+/// What is done with a part of the expression.
 #[derive(Clone, Copy, PartialEq)]
 enum Use {
+    /// It is handed over.
     Value,
+    /// It is only looked at.
     Place,
+    /// It is an argument of the user's function, which may ask for f64 or for `Real<D>`.
+    Argument,
 }
 
-/// Where it is written: in a copy that is silent where the written function does not compile, or in the check of constants.
-#[derive(Clone, Copy, PartialEq)]
-enum Site {
-    Copy,
+/// Where it is written.
+#[derive(Clone, Copy)]
+enum Site<'a> {
+    /// In a method of plain numbers.
+    Kernel,
+    /// In a method generic over `__D`.
+    Leaf(&'a Graph),
+    /// In the check of constants.
     Check,
 }
 
-fn write(template: &Template, using: Use, site: Site, numbers: &mut dyn FnMut(&[Node], &Shape) -> TokenStream) -> TokenStream {
-    let mut write = |template: &Template, using: Use, numbers: &mut dyn FnMut(&[Node], &Shape) -> TokenStream| write(template, using, site, numbers);
-    match template {
-        Template::Tokens(tokens) => tokens.clone(),
-        Template::Numbers(nodes, shape) => numbers(nodes, shape),
-        Template::Parameter(name) => match (site, using) {
-            (Site::Copy, Use::Place) => quote!((*__checked(&self.#name))),
-            (Site::Copy, Use::Value) => quote!(__checked(self.#name.clone())),
-            (Site::Check, Use::Place) => quote!(__self.#name),
-            (Site::Check, Use::Value) => quote!(__self.#name.clone()),
-        },
-        Template::Call(callee, all) => {
-            let all: Vec<_> = all.iter().map(|a| write(a, Use::Value, numbers)).collect();
-            match site {
-                Site::Copy => quote!(__checked(#callee)(#(#all),*)),
-                Site::Check => quote!(#callee(#(#all),*)),
+struct Writer<'a> {
+    value: &'a mut dyn FnMut(Node) -> TokenStream,
+    site: Site<'a>,
+}
+
+impl Writer<'_> {
+    /// In plain numbers, though a function of the user's may give `Real<f64>`.
+    fn lowered(&mut self, template: &Template) -> TokenStream {
+        let written = self.write(template, Use::Value);
+        if calls(template) { quote!(::kin::rt::lowered(#written)) } else { written }
+    }
+
+    fn write(&mut self, template: &Template, using: Use) -> TokenStream {
+        match template {
+            Template::Tokens(tokens) => tokens.clone(),
+            Template::Numbers(nodes, shape, at) => self.numbers(nodes, shape, Span::mixed_site().located_at(*at), using),
+            Template::Reference(a) => self.reference(a, using),
+            Template::Tuple(all) => {
+                let all: Vec<_> = all.iter().map(|a| self.write(a, using)).collect();
+                quote!((#(#all,)*))
+            }
+            Template::Array(all) => {
+                let all: Vec<_> = all.iter().map(|a| self.write(a, using)).collect();
+                quote!([#(#all),*])
+            }
+            Template::Choice(condition, a, b) => {
+                let condition = (self.value)(*condition);
+                let (a, b) = (self.write(a, using), self.write(b, using));
+                quote!(if #condition { #a } else { #b })
+            }
+            Template::When(_, a) => self.write(a, using),
+            other if using == Use::Argument => {
+                let written = self.write(other, Use::Value);
+                match self.site {
+                    Site::Leaf(_) => quote!(::kin::rt::constant_argument(#written)),
+                    Site::Kernel | Site::Check => quote!(::kin::rt::plain_argument(#written)),
+                }
+            }
+            Template::Path(path) => path.to_token_stream(),
+            Template::Parameter(name) => {
+                let place = if let Site::Check = self.site { quote!(__self.#name) } else { quote!(self.#name) };
+                if using == Use::Place { place } else { quote!(#place.clone()) }
+            }
+            Template::Call(callee, all) => self.call(callee, all),
+            Template::Method(receiver, method, all) => {
+                let using = if takes_numbers(receiver, method) { Use::Value } else { Use::Argument };
+                let receiver = self.write(receiver, Use::Place);
+                let all: Vec<_> = all.iter().map(|a| self.write(a, using)).collect();
+                quote!(#receiver.#method(#(#all),*))
+            }
+            Template::Field(base, member) => {
+                let base = self.write(base, Use::Place);
+                quote!(#base.#member)
+            }
+            Template::Index(base, index) => {
+                let (base, index) = (self.write(base, Use::Place), self.write(index, Use::Value));
+                quote!(#base[#index])
+            }
+            Template::Binary(a, op, b) => {
+                let (a, b) = (self.write(a, Use::Value), self.write(b, Use::Value));
+                quote!((#a #op #b))
+            }
+            Template::Unary(op, a) => {
+                let a = self.write(a, Use::Value);
+                quote!((#op #a))
+            }
+            Template::Cast(a, ty) => self.cast(a, ty),
+            Template::Matches(a, pattern) => {
+                let a = self.write(a, Use::Place);
+                quote!(::core::matches!(#a, #pattern))
             }
         }
-        Template::Method(receiver, method, all) => {
-            let receiver = write(receiver, Use::Place, numbers);
-            let all: Vec<_> = all.iter().map(|a| write(a, Use::Value, numbers)).collect();
-            quote!(#receiver.#method(#(#all),*))
-        }
-        Template::Field(base, member) => {
-            let base = write(base, Use::Place, numbers);
-            quote!(#base.#member)
-        }
-        Template::Index(base, index) => {
-            let base = match &**base {
-                Template::Numbers(nodes, shape) => {
-                    let built = numbers(nodes, shape);
-                    quote!((#built))
-                }
-                base => write(base, Use::Place, numbers),
-            };
-            let index = write(index, Use::Value, numbers);
-            quote!(#base[#index])
-        }
-        Template::Binary(a, op, b) => {
-            let (a, b) = (write(a, Use::Value, numbers), write(b, Use::Value, numbers));
-            quote!((#a #op #b))
-        }
-        Template::Unary(op, a) => {
-            let a = write(a, Use::Value, numbers);
-            quote!((#op #a))
-        }
-        Template::Cast(a, ty) => {
-            let a = write(a, Use::Value, numbers);
-            quote!((#a as #ty))
-        }
-        Template::Reference(a) => {
-            let a = write(a, Use::Place, numbers);
-            quote!((&#a))
-        }
-        Template::Matches(a, pattern) => {
-            let a = write(a, Use::Place, numbers);
-            quote!(::core::matches!(#a, #pattern))
+    }
+
+    /// Values of the graph, converted where the user's function may ask for another kind of number.
+    fn numbers(&mut self, nodes: &[Node], shape: &Shape, at: Span, using: Use) -> TokenStream {
+        let built = self.built(nodes, shape);
+        match (using, self.site) {
+            (Use::Place, _) => quote!((#built)),
+            (Use::Value, _) => built,
+            (Use::Argument, Site::Leaf(graph)) if varies(graph, nodes) => quote_spanned!(at=> ::kin::rt::jet_argument(#built)),
+            (Use::Argument, Site::Leaf(_)) => quote_spanned!(at=> ::kin::rt::constant_argument(#built)),
+            (Use::Argument, _) => quote_spanned!(at=> ::kin::rt::plain_argument(#built)),
         }
     }
+
+    fn reference(&mut self, inner: &Template, using: Use) -> TokenStream {
+        let (Template::Numbers(nodes, shape, at), Use::Argument) = (inner, using) else {
+            let place = self.write(inner, Use::Place);
+            return quote!((&#place));
+        };
+        let (built, at) = (self.built(nodes, shape), Span::mixed_site().located_at(*at));
+        match self.site {
+            Site::Leaf(graph) if varies(graph, nodes) => quote_spanned!(at=> ::kin::rt::jet_argument(&#built)),
+            Site::Leaf(_) => quote_spanned!(at=> ::kin::rt::reference_argument(&::kin::rt::constants(&#built), &#built)),
+            _ => quote_spanned!(at=> ::kin::rt::reference_argument(&#built, &::kin::rt::Lift::<f64>::lift(#built))),
+        }
+    }
+
+    fn call(&mut self, callee: &Template, all: &[Template]) -> TokenStream {
+        let std = matches!(callee, Template::Path(path) if is_std_function(path));
+        let using = if std { Use::Value } else { Use::Argument };
+        let callee = match callee {
+            Template::Path(path) => path.to_token_stream(),
+            other => {
+                let place = self.write(other, Use::Place);
+                quote!((#place))
+            }
+        };
+        let all: Vec<_> = all.iter().map(|a| self.write(a, using)).collect();
+        quote!(#callee(#(#all),*))
+    }
+
+    /// `as` cannot be applied to `Real`.
+    fn cast(&mut self, inner: &Template, ty: &TokenStream) -> TokenStream {
+        let written = self.write(inner, Use::Value);
+        match (calls(inner), ty.to_string().as_str(), self.site) {
+            (true, "f64", Site::Leaf(_)) => quote!(::kin::rt::cast::<__D, _>(#written)),
+            (true, "f64", _) => quote!(::kin::rt::cast::<f64, _>(#written)),
+            (true, _, _) => quote!(::kin::rt::whole::<#ty, _>(#written)),
+            (false, _, _) => quote!((#written as #ty)),
+        }
+    }
+
+    fn built(&mut self, nodes: &[Node], shape: &Shape) -> TokenStream {
+        let numbers: Vec<TokenStream> = nodes.iter().map(|&n| (self.value)(n)).collect();
+        build(shape, &mut numbers.into_iter())
+    }
+}
+
+/// Whether a method takes Kin's own numbers as they are; on a parameter itself it is the user's, whatever its name.
+fn takes_numbers(receiver: &Template, method: &TokenStream) -> bool {
+    let name = method.clone().into_iter().next().map(|token| token.to_string()).unwrap_or_default();
+    !matches!(receiver, Template::Parameter(_)) && (is_number_method(&name) || is_reading_method(&name))
+}
+
+fn varies(graph: &Graph, nodes: &[Node]) -> bool {
+    nodes.iter().any(|&node| graph.depends(node).varies())
 }
 
 /// A value of `shape` from its numbers.
 pub fn build(shape: &Shape, numbers: &mut dyn Iterator<Item = TokenStream>) -> TokenStream {
-    let mut several = |name: &str, n: usize| {
-        let name = Ident::new(name, Span::call_site());
-        let all: Vec<TokenStream> = (0..n).filter_map(|_| numbers.next()).collect();
-        quote!(::kin::rt::#name::new(#(#all),*))
-    };
     match shape {
         Shape::Scalar | Shape::Any => numbers.next().unwrap_or_default(),
-        Shape::Vector(n) => several(if *n == 2 { "Vec2" } else { "Vec3" }, *n),
-        Shape::Matrix(n) => several(if *n == 2 { "Mat2" } else { "Mat3" }, n * n),
+        Shape::Vector(_) | Shape::Matrix(_) | Shape::Euler => {
+            let name = type_name(shape);
+            let all: Vec<TokenStream> = (0..shape.len()).map_while(|_| numbers.next()).collect();
+            quote!(::kin::rt::#name::new(#(#all),*))
+        }
         Shape::Array(inner, n) => {
             let all: Vec<TokenStream> = (0..*n).map(|_| build(inner, numbers)).collect();
             quote!([#(#all),*])
@@ -125,6 +221,11 @@ pub fn build(shape: &Shape, numbers: &mut dyn Iterator<Item = TokenStream>) -> T
             quote!((#(#all,)*))
         }
     }
+}
+
+/// The name of a type with components.
+fn type_name(shape: &Shape) -> Ident {
+    Ident::new(&shape.name(), Span::call_site())
 }
 
 /// The type of an opaque value, in plain numbers.
@@ -139,10 +240,10 @@ pub fn kind_type(kind: &OpaqueKind) -> TokenStream {
 pub fn shape_type(shape: &Shape, scalar: &TokenStream) -> TokenStream {
     match shape {
         Shape::Scalar | Shape::Any => scalar.clone(),
-        Shape::Vector(2) => quote!(::kin::rt::Vec2<#scalar>),
-        Shape::Vector(_) => quote!(::kin::rt::Vec3<#scalar>),
-        Shape::Matrix(2) => quote!(::kin::rt::Mat2<#scalar>),
-        Shape::Matrix(_) => quote!(::kin::rt::Mat3<#scalar>),
+        Shape::Vector(_) | Shape::Matrix(_) | Shape::Euler => {
+            let name = type_name(shape);
+            quote!(::kin::rt::#name<#scalar>)
+        }
         Shape::Array(inner, n) => {
             let (inner, n) = (shape_type(inner, scalar), Literal::usize_unsuffixed(*n));
             quote!([#inner; #n])
@@ -167,26 +268,25 @@ pub fn leaf_name(leaf: usize) -> Ident {
 }
 
 /// The user's call as a function of its arguments that carry derivatives, generic over the dual number.
-pub fn leaf_function(graph: &Graph, leaf: usize, value: &OpaqueValue, outer: &[TokenStream]) -> TokenStream {
+pub fn leaf_function(graph: &Graph, leaf: usize, value: &OpaqueValue, items: &[syn::Item]) -> TokenStream {
     let name = leaf_name(leaf);
     let OpaqueKind::Numbers(shape) = &value.kind else { return quote!() };
-    let output = shape_type(shape, &quote!(::kin::rt::Real<__D>));
     let n = Literal::usize_unsuffixed(graph.leaves[leaf].arguments.len());
+    // A function of the user's may be called `x`.
+    let x = Ident::new("x", Span::mixed_site());
     let mut next = 0;
-    let body = write(&value.template, Use::Value, Site::Copy, &mut |nodes, shape| {
-        let varies = nodes.iter().any(|&node| graph.depends(node).varies());
-        let mut numbers = nodes.iter().map(|_| {
-            let k = Literal::usize_unsuffixed(next);
-            next += 1;
-            quote!(x[#k])
-        });
-        let built = build(shape, &mut numbers);
-        if varies { quote!(::kin::rt::jet_argument(#built)) } else { quote!(::kin::rt::constant_argument(#built)) }
-    });
-    super::written::silent(quote! {
-        fn #name<__D>(&self, x: [::kin::rt::Real<__D>; #n]) -> #output {
-            #(#outer)*
+    let mut value_of = |_| {
+        let k = Literal::usize_unsuffixed(next);
+        next += 1;
+        quote!(#x[#k])
+    };
+    let body = Writer { value: &mut value_of, site: Site::Leaf(graph) }.write(&value.template, Use::Value);
+    let output = shape_type(shape, &quote!(::kin::rt::Real<__D>));
+    let [input, output, body] = [quote!([::kin::rt::Real<__D>; #n]), output, body].map(silent);
+    quote! {
+        fn #name<__D: ::kin::rt::Dual>(&self, #x: #input) -> #output {
+            #(#[allow(unused)] #items)*
             #body
         }
-    })
+    }
 }

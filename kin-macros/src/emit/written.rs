@@ -12,7 +12,7 @@ use crate::lower::Lowered;
 use crate::parse::{Argument, Kind};
 
 /// Constants and types for the copies to stand on: `__WRITTEN` is the function, `__SOUND` whether it compiles, `__Dual` and `__Real` are types
-/// that stand if it does, and `__checked` makes a value of such a type.
+/// that stand if it does.
 pub fn written(owner: &Ident, inputs: &[(TokenStream, TokenStream)], output: &Type, body: &Block, lowered: Option<&Lowered>) -> TokenStream {
     let constants = lowered.map(|lowered| constants(owner, lowered)).unwrap_or_default();
     let names = inputs.iter().map(|(name, _)| name);
@@ -20,15 +20,13 @@ pub fn written(owner: &Ident, inputs: &[(TokenStream, TokenStream)], output: &Ty
     let mut output = output.clone();
     Known.visit_type_mut(&mut output);
     quote! {
+        use ::kin::rt::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
         #constants
         /// The function as it was written.
         const __WRITTEN: fn(#(#types),*) -> #output = |#(#names),*| #body;
         const __SOUND: bool = { let _ = __WRITTEN; true };
         type __Dual<D> = ::kin::rt::If<__SOUND, D>;
         type __Real<D> = ::kin::rt::Real<__Dual<D>>;
-        fn __checked<T>(value: T) -> ::kin::rt::If<__SOUND, T> {
-            value
-        }
     }
 }
 

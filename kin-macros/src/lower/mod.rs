@@ -1,10 +1,12 @@
 //! Second stage: reads the body by abstract interpretation over typed values. Each expression becomes a [`Value`] over the scalar graph;
 //! what cannot be read is [`Unreadable`] and sends the whole constraint to the dual route; a mistake is collected and reading goes on.
 
+mod assign;
 mod branch;
 mod call;
 mod coerce;
 mod expression;
+mod function;
 mod method;
 mod operator;
 mod pattern;
@@ -12,7 +14,8 @@ mod rows;
 mod scope;
 mod state;
 mod statement;
-pub mod value;
+pub mod template;
+mod value;
 
 use std::collections::HashMap;
 
@@ -25,7 +28,8 @@ use crate::parse::{Argument, ConstraintFn, Kind, Shape};
 
 pub use rows::Row;
 use scope::Scopes;
-use value::{Template, Value};
+use template::Template;
+use value::Value;
 
 /// The body as a graph, with everything emitted code needs to know about its inputs.
 pub struct Lowered {
@@ -38,7 +42,7 @@ pub struct Lowered {
     pub leaves: Vec<OpaqueValue>,
     /// Operations that can fail to be finite, with the user's text.
     pub risks: Vec<Risk>,
-    /// Constants and imports inside the body, for emitted code to repeat.
+    /// Items of the body that emitted code repeats: imports, types, constants whose value is not known here.
     pub items: Vec<syn::Item>,
 }
 
@@ -73,6 +77,17 @@ pub struct Unreadable {
     pub what: String,
 }
 
+impl Unreadable {
+    fn new(at: &dyn ToTokens, what: impl Into<String>) -> Self {
+        Unreadable { span: first_span(at), what: what.into() }
+    }
+}
+
+/// Where an expression begins.
+fn first_span(at: &dyn ToTokens) -> Span {
+    at.to_token_stream().into_iter().next().map_or_else(Span::call_site, |token| token.span())
+}
+
 /// Either a value or the end of reading.
 type Read<T = Value> = Result<T, Unreadable>;
 
@@ -80,25 +95,18 @@ type Read<T = Value> = Result<T, Unreadable>;
 const MOST_NODES: usize = 60_000;
 /// Loops are unrolled up to this many turns.
 const MOST_TURNS: i64 = 4_096;
+/// Functions of the body's own call each other this deep.
+const MOST_CALLS: usize = 48;
+/// Expressions are read this often, counting each turn of a loop.
+const MOST_EXPRESSIONS: usize = 1_000_000;
 
 /// Reads the body of `source`.
 pub fn constraint(source: &ConstraintFn) -> Result<Lowered, Failure> {
     let mut reader = Reader::new();
     reader.declare_arguments(&source.arguments);
-    let value = reader.function_body(&source.body).map_err(Failure::Unreadable);
+    let value = reader.function_body(&source.body, &source.output_type).map_err(Failure::Unreadable);
     let rows = value.map(|value| reader.rows(source, &value));
-    // A mistake is worth more than the remark that something else cannot be read.
-    reader.mistakes.finish().map_err(Failure::Mistakes)?;
-    Ok(Lowered {
-        rows: rows?,
-        graph: reader.graph,
-        parameters: reader.parameters,
-        opaques: reader.opaques,
-        laws: reader.laws,
-        leaves: reader.leaves,
-        risks: reader.risks,
-        items: reader.items,
-    })
+    reader.finish(rows)
 }
 
 /// Reads the body of a law: a function of the first argument, a number.
@@ -107,19 +115,9 @@ pub fn law(variable: &Ident, parameters: &[Argument], body: &syn::Block) -> Resu
     let x = reader.graph.input(Input::Variable);
     reader.scopes.declare(variable.to_string(), Value::Scalar(x));
     reader.declare_arguments(parameters);
-    let value = reader.function_body(body).map_err(Failure::Unreadable);
+    let value = reader.function_body(body, &syn::parse_quote!(f64)).map_err(Failure::Unreadable);
     let row = value.map(|value| reader.scalar(value, body));
-    reader.mistakes.finish().map_err(Failure::Mistakes)?;
-    Ok(Lowered {
-        rows: vec![Row { name: String::new(), node: row? }],
-        graph: reader.graph,
-        parameters: reader.parameters,
-        opaques: reader.opaques,
-        laws: reader.laws,
-        leaves: reader.leaves,
-        risks: reader.risks,
-        items: reader.items,
-    })
+    reader.finish(row.map(|node| vec![Row { name: String::new(), node }]))
 }
 
 /// The interpreter.
@@ -135,7 +133,14 @@ struct Reader {
     leaves: Vec<OpaqueValue>,
     leaf_index: HashMap<String, usize>,
     risks: Vec<Risk>,
-    items: Vec<syn::Item>,
+    repeated_items: Vec<syn::Item>,
+    /// Conditions of the branches around what is being read.
+    path: Vec<Node>,
+    /// Number of the scope of the function's own block.
+    body_depth: usize,
+    /// How deep in calls of the body's own functions.
+    calls: usize,
+    expressions_read: usize,
 }
 
 impl Reader {
@@ -154,8 +159,37 @@ impl Reader {
             leaves: Vec::new(),
             leaf_index: HashMap::new(),
             risks: Vec::new(),
-            items: Vec::new(),
+            repeated_items: Vec::new(),
+            path: Vec::new(),
+            body_depth: 0,
+            calls: 0,
+            expressions_read: 0,
         }
+    }
+
+    /// The value of the function's body.
+    fn function_body(&mut self, body: &syn::Block, output: &syn::Type) -> Read {
+        self.body_depth = self.scopes.depth() + 1;
+        match self.body(body)?.referent() {
+            value @ Value::Generator(_) => self.typed(value, output, body),
+            Value::Never => Err(Unreadable::new(body, "a body without a value")),
+            value => Ok(value),
+        }
+    }
+
+    /// All that was read. A mistake is worth more than the remark that something else cannot be read.
+    fn finish(self, rows: Result<Vec<Row>, Failure>) -> Result<Lowered, Failure> {
+        self.mistakes.finish().map_err(Failure::Mistakes)?;
+        Ok(Lowered {
+            rows: rows?,
+            graph: self.graph,
+            parameters: self.parameters,
+            opaques: self.opaques,
+            laws: self.laws,
+            leaves: self.leaves,
+            risks: self.risks,
+            items: self.repeated_items,
+        })
     }
 
     /// Binds the arguments of the signature; states are numbered in its order, a `[Coord; N]` counting N.
@@ -218,7 +252,18 @@ fn source_text(tokens: &dyn ToTokens) -> String {
 /// A token stream's text without the blanks that nobody writes.
 pub fn tidy(text: &str) -> String {
     let mut text = text.to_owned();
-    for (from, to) in [(" . ", "."), (" (", "("), ("( ", "("), (" )", ")"), (" ,", ","), ("[ ", "["), (" ]", "]"), (" [", "["), ("& ", "&"), (" :: ", "::")] {
+    for (from, to) in [
+        (" . ", "."),
+        (" (", "("),
+        ("( ", "("),
+        (" )", ")"),
+        (" ,", ","),
+        ("[ ", "["),
+        (" ]", "]"),
+        (" [", "["),
+        ("& ", "&"),
+        (" :: ", "::"),
+    ] {
         text = text.replace(from, to);
     }
     text
@@ -233,6 +278,7 @@ pub fn component_paths(path: &TokenStream, shape: &Shape) -> Vec<TokenStream> {
         Shape::Scalar => vec![path.clone()],
         Shape::Vector(2) => fields(&["x", "y"]),
         Shape::Vector(_) => fields(&["x", "y", "z"]),
+        Shape::Euler => fields(&["e0", "e1", "e2", "e3"]),
         Shape::Matrix(2) => fields(&["m11", "m12", "m21", "m22"]),
         Shape::Matrix(_) => fields(&["m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"]),
         Shape::Array(inner, n) => indexed(*n).flat_map(|k| component_paths(&quote!(#path[#k]), inner)).collect(),

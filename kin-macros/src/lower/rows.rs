@@ -71,7 +71,10 @@ impl Reader {
                 continue;
             }
             let which = if rows.len() == 1 { "this equation".into() } else { format!("row `{}`", constant.join("`, `")) };
-            let text = format!("{which} depends on no coordinate, so nothing can be solved for: use a body or a `Coord` in it{}", alias_cure(source));
+            let text = format!(
+                "{which} depends on no coordinate, so nothing can be solved for: use a body or a `Coord` in it{}",
+                alias_cure(source)
+            );
             match place.or(tail) {
                 Some(place) => self.mistake(place, text),
                 None => self.mistake(&source.name, text),
@@ -146,10 +149,48 @@ mod tests {
 
     #[test]
     fn rows_are_named_after_what_is_returned() {
-        assert_eq!(names(quote!(fn f(i: Planar) -> Vec2 { i.r })), ["x", "y"]);
-        assert_eq!(names(quote!(fn f(i: Planar) -> f64 { i.theta })), ["1"]);
-        assert_eq!(names(quote!(fn f(i: Planar) -> (Vec2, f64) { let d = i.r; let turn = i.theta; (d, turn) })), ["d.x", "d.y", "turn"]);
-        assert_eq!(names(quote!(fn f(i: Planar) -> [f64; 2] { [i.r.x, i.theta * 2.0] })), ["1", "2"]);
-        assert_eq!(names(quote!(fn f(a: Coord, b: Coord) -> [_; 2] { let gap = a - b; return [gap, a]; })), ["gap", "a"]);
+        assert_eq!(
+            names(quote!(
+                fn f(i: Planar) -> Vec2 {
+                    i.r
+                }
+            )),
+            ["x", "y"]
+        );
+        assert_eq!(
+            names(quote!(
+                fn f(i: Planar) -> f64 {
+                    i.theta
+                }
+            )),
+            ["1"]
+        );
+        assert_eq!(
+            names(quote!(
+                fn f(i: Planar) -> (Vec2, f64) {
+                    let d = i.r;
+                    let turn = i.theta;
+                    (d, turn)
+                }
+            )),
+            ["d.x", "d.y", "turn"]
+        );
+        assert_eq!(
+            names(quote!(
+                fn f(i: Planar) -> [f64; 2] {
+                    [i.r.x, i.theta * 2.0]
+                }
+            )),
+            ["1", "2"]
+        );
+        assert_eq!(
+            names(quote!(
+                fn f(a: Coord, b: Coord) -> [_; 2] {
+                    let gap = a - b;
+                    return [gap, a];
+                }
+            )),
+            ["gap", "a"]
+        );
     }
 }

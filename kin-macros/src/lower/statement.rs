@@ -1,20 +1,19 @@
-//! Blocks and statements.
+//! Blocks, statements, and the items among them.
 
+use std::rc::Rc;
+
+use syn::visit::Visit;
 use syn::{Block, Expr, Item, Local, Pat, Stmt};
 
-use super::value::{Closure, Value};
+use super::function::Function;
+use super::value::Value;
 use super::{Read, Reader, Unreadable};
-use crate::parse::{Shape, shape};
 
 impl Reader {
-    /// The body of the function: a block whose last statement may be a `return`.
-    pub fn function_body(&mut self, body: &Block) -> Read {
-        let Some((Stmt::Expr(Expr::Return(last), _), before)) = body.stmts.split_last() else { return self.block(body) };
+    /// The value of a function's body, which may `return` early.
+    pub fn body(&mut self, body: &Block) -> Read {
         self.scopes.push();
-        let value = self.statements(before).and_then(|_| match &last.expr {
-            Some(value) => self.expression(value),
-            None => Ok(unit()),
-        });
+        let value = self.items(&body.stmts).and_then(|()| self.returning(&body.stmts));
         self.scopes.pop();
         value
     }
@@ -22,49 +21,125 @@ impl Reader {
     /// The value of a block: that of its last expression, or nothing.
     pub fn block(&mut self, block: &Block) -> Read {
         self.scopes.push();
-        let value = self.statements(&block.stmts);
+        let value = self.items(&block.stmts).and_then(|()| self.statements(&block.stmts));
         self.scopes.pop();
         value
     }
 
     fn statements(&mut self, statements: &[Stmt]) -> Read {
-        let mut value = unit();
+        let mut value = Value::unit();
         for (k, statement) in statements.iter().enumerate() {
-            let last = k + 1 == statements.len();
-            match statement {
-                Stmt::Local(local) => self.let_statement(local)?,
-                Stmt::Expr(expression, None) if last => value = self.expression(expression)?,
-                Stmt::Expr(expression, _) => drop(self.expression(expression)?),
-                Stmt::Item(item) => self.item(item)?,
-                Stmt::Macro(mac) => return Err(Unreadable::new(&mac.mac.path, "a macro")),
+            let last = self.statement(statement)?;
+            if k + 1 == statements.len() {
+                value = last;
             }
         }
         Ok(value)
     }
 
-    /// Items inside the body: constants and imports are repeated in emitted code, a function is read like a closure.
-    fn item(&mut self, item: &Item) -> Read<()> {
-        match item {
-            Item::Use(_) | Item::Const(_) => self.items.push(item.clone()),
-            Item::Fn(function) if function.sig.generics.params.is_empty() => {
-                let closure = self.inner_function(function)?;
-                self.scopes.declare(function.sig.ident.to_string(), closure);
-            }
-            other => return Err(Unreadable::new(other, "an item inside the body")),
+    /// The value of a statement: nothing, unless it is an expression without `;`.
+    fn statement(&mut self, statement: &Stmt) -> Read {
+        match statement {
+            Stmt::Local(local) => self.let_statement(local).map(|()| Value::unit()),
+            Stmt::Expr(expression, None) => self.expression(expression),
+            Stmt::Expr(expression, Some(_)) => Ok(match self.expression(expression)? {
+                Value::Never => Value::Never,
+                _ => Value::unit(),
+            }),
+            Stmt::Item(_) => Ok(Value::unit()),
+            Stmt::Macro(mac) => self.macro_call(&mac.mac),
         }
+    }
+
+    /// Statements up to the first that returns; where a branch returns, the others go on with what follows.
+    fn returning(&mut self, statements: &[Stmt]) -> Read {
+        let Some(place) = statements.iter().position(returns) else { return self.statements(statements) };
+        let (before, after) = statements.split_at(place);
+        self.statements(before)?;
+        match after.first() {
+            Some(Stmt::Expr(Expr::Return(last), _)) => match &last.expr {
+                Some(value) => self.raw_expression(value),
+                None => Ok(Value::unit()),
+            },
+            Some(Stmt::Expr(Expr::If(branch), _)) => self.if_that_returns(branch, &after[1..]),
+            Some(Stmt::Expr(Expr::Block(block), _)) if block.label.is_none() && after.len() == 1 => self.body(&block.block),
+            Some(other) => Err(Unreadable::new(other, "an early `return`")),
+            None => Ok(Value::unit()),
+        }
+    }
+
+    /// `if … { …; return x; }`: the branch that goes on is read together with what follows.
+    fn if_that_returns(&mut self, branch: &syn::ExprIf, rest: &[Stmt]) -> Read {
+        let then: Vec<Stmt> = vec![Stmt::Expr(block_of(branch), None)];
+        let otherwise: Vec<Stmt> = branch.else_branch.iter().map(|(_, otherwise)| Stmt::Expr((**otherwise).clone(), None)).collect();
+        if matches!(*branch.cond, Expr::Let(_)) {
+            return Err(Unreadable::new(&branch.cond, "an early `return`"));
+        }
+        let condition = self.expression(&branch.cond)?;
+        let condition = self.condition(condition, &branch.cond);
+        self.choose_value(condition, |reader| reader.branch_and_rest(then, rest), |reader| reader.branch_and_rest(otherwise, rest), branch)
+    }
+
+    fn branch_and_rest(&mut self, mut branch: Vec<Stmt>, rest: &[Stmt]) -> Read {
+        let inner_return = branch.iter().any(returns);
+        match branch.first() {
+            _ if ends(&branch) || rest.is_empty() => {}
+            // The block of a branch has variables of its own; `else if` has none before its condition.
+            Some(Stmt::Expr(Expr::Block(block), _)) if inner_return => return Err(Unreadable::new(block, "an early `return`")),
+            _ => branch.extend(rest.iter().cloned()),
+        }
+        self.returning(&branch)
+    }
+
+    /// Functions and constants of a block, which are seen from before their own line; other items are repeated in emitted code.
+    fn items(&mut self, statements: &[Stmt]) -> Read<()> {
+        let items = || statements.iter().filter_map(|statement| if let Stmt::Item(item) = statement { Some(item) } else { None });
+        let depth = self.scopes.depth();
+        for item in items() {
+            if let Item::Fn(function) = item
+                && function.sig.generics.params.is_empty()
+            {
+                let value = Value::Function(Function::Inner(Rc::new(function.clone()), depth));
+                self.scopes.declare_item(function.sig.ident.to_string(), value);
+            }
+        }
+        items().try_for_each(|item| self.item(item, depth))
+    }
+
+    fn item(&mut self, item: &Item, depth: usize) -> Read<()> {
+        match item {
+            Item::Fn(function) if function.sig.generics.params.is_empty() => return Ok(()),
+            Item::Const(constant) => {
+                let scopes = self.scopes.around_function(depth);
+                let value = self.within(scopes, |reader| {
+                    let value = reader.expression(&constant.expr)?;
+                    reader.typed(value, &constant.ty, &constant.expr)
+                });
+                if let Ok(value) = value
+                    && self.is_known(&value)
+                {
+                    self.scopes.declare_item(constant.ident.to_string(), value);
+                    return Ok(());
+                }
+            }
+            Item::Macro(_) | Item::Impl(_) => return Err(Unreadable::new(item, "an item inside the body")),
+            _ => {}
+        }
+        // Emitted code repeats an item for the whole body, so it must not come out of an inner block.
+        if depth != self.body_depth {
+            return Err(Unreadable::new(item, "an item inside of an inner block"));
+        }
+        self.repeated_items.push(item.clone());
         Ok(())
     }
 
-    /// A function inside the body sees none of its variables.
-    fn inner_function(&mut self, function: &syn::ItemFn) -> Read {
-        let inputs = function.sig.inputs.iter().map(|input| match input {
-            syn::FnArg::Typed(typed) => Ok(Pat::Type(typed.clone())),
-            syn::FnArg::Receiver(receiver) => Err(Unreadable::new(receiver, "`self`")),
-        });
-        let body = Expr::Block(syn::ExprBlock { attrs: vec![], label: None, block: (*function.block).clone() });
-        let mut scopes = super::Scopes::default();
-        scopes.push();
-        Ok(Value::Closure(std::rc::Rc::new(Closure { inputs: inputs.collect::<Read<_>>()?, body, scopes })))
+    /// Whether a value holds constants of the graph only.
+    fn is_known(&self, value: &Value) -> bool {
+        match value {
+            Value::Integer(_) => true,
+            Value::Condition(node) => self.graph.truth(*node).is_some(),
+            value => value.numbers().is_some_and(|(nodes, _)| nodes.iter().all(|&n| self.graph.constant_value(n).is_some())),
+        }
     }
 
     fn let_statement(&mut self, local: &Local) -> Read<()> {
@@ -78,36 +153,71 @@ impl Reader {
         if let Some((_, other)) = &init.diverge {
             return Err(Unreadable::new(other, "`let … else`"));
         }
-        let mut value = self.expression(&init.expr)?;
-        match ty.map(|ty| (ty, shape(ty))) {
-            Some((_, Some(shape))) => value = self.shaped_deep(value, &shape, &init.expr),
-            Some((ty, None)) => value = self.other_type(value, ty, &init.expr)?,
-            None => {}
-        }
+        let value = self.raw_expression(&init.expr)?;
+        let value = match ty {
+            Some(ty) => self.typed(value, ty, &init.expr)?,
+            None => value,
+        };
         self.bind(pattern, value)
     }
 
-    /// As `shaped`, but tuples and arrays with `_` in their type are looked into.
-    fn shaped_deep(&mut self, value: Value, shape: &Shape, at: &Expr) -> Value {
-        match (&value, shape) {
-            (_, Shape::Any) => value,
-            _ => self.shaped(value, shape, at),
+    /// Macros that only say that there is no value here; others are rustc's.
+    pub fn macro_call(&mut self, call: &syn::Macro) -> Read {
+        let name = call.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
+        match name.as_str() {
+            "unreachable" | "panic" | "todo" | "unimplemented" => Ok(Value::Never),
+            "matches" => self.matches_macro(call),
+            _ => Err(Unreadable::new(&call.path, "a macro")),
         }
     }
 
-    /// A `let` with a type that is not made of numbers.
-    fn other_type(&mut self, value: Value, ty: &syn::Type, at: &Expr) -> Read {
-        let name = quote::ToTokens::to_token_stream(ty).to_string();
-        match (name.as_str(), value) {
-            ("bool", value) => Ok(Value::Condition(self.condition(value, at))),
-            ("usize" | "i32" | "u32" | "i64" | "u64" | "isize" | "u8" | "i16" | "u16" | "i8", value @ (Value::Integer(_) | Value::Opaque(_) | Value::Poison)) => Ok(value),
-            ("usize" | "i32" | "u32" | "i64" | "u64" | "f32", other) => Ok(self.mistake(at, format!("expected {name}, but this is {}", other.name()))),
-            (_, value @ (Value::Opaque(_) | Value::Poison)) => Ok(value),
-            _ => Err(Unreadable::new(ty, format!("a value of type `{}`", super::tidy(&name)))),
-        }
+    /// `matches!(value, pattern if guard)`
+    fn matches_macro(&mut self, call: &syn::Macro) -> Read {
+        let parse = |input: syn::parse::ParseStream| {
+            let value: Expr = input.parse()?;
+            input.parse::<syn::Token![,]>()?;
+            let pattern = Pat::parse_multi_with_leading_vert(input)?;
+            let guard: Option<Expr> = input.parse::<Option<syn::Token![if]>>()?.map(|_| input.parse()).transpose()?;
+            input.parse::<Option<syn::Token![,]>>()?;
+            Ok((value, pattern, guard))
+        };
+        let Ok((value, pattern, guard)) = call.parse_body_with(parse) else { return Err(Unreadable::new(&call.path, "a macro")) };
+        let value = self.matchable(&value)?;
+        self.scopes.push();
+        let matched = self.tested(&pattern, guard.as_ref(), &value);
+        self.scopes.pop();
+        matched.map(Value::Condition)
     }
 }
 
-pub fn unit() -> Value {
-    Value::Tuple(vec![])
+/// Whether a `return` of the function itself is somewhere in a statement.
+fn returns(statement: &Stmt) -> bool {
+    struct Search(bool);
+    impl Visit<'_> for Search {
+        fn visit_expr_return(&mut self, _: &syn::ExprReturn) {
+            self.0 = true;
+        }
+        fn visit_expr_closure(&mut self, _: &syn::ExprClosure) {}
+        fn visit_item(&mut self, _: &Item) {}
+    }
+    let mut search = Search(false);
+    search.visit_stmt(statement);
+    search.0
+}
+
+/// Whether the last of these statements returns, whatever happens.
+fn ends(statements: &[Stmt]) -> bool {
+    match statements.last() {
+        Some(Stmt::Expr(Expr::Return(_), _)) => true,
+        Some(Stmt::Expr(Expr::Block(block), _)) => ends(&block.block.stmts),
+        Some(Stmt::Expr(Expr::If(branch), _)) => {
+            let otherwise = branch.else_branch.as_ref().map(|(_, otherwise)| Stmt::Expr((**otherwise).clone(), None));
+            ends(&branch.then_branch.stmts) && ends(otherwise.as_slice())
+        }
+        _ => false,
+    }
+}
+
+fn block_of(branch: &syn::ExprIf) -> Expr {
+    Expr::Block(syn::ExprBlock { attrs: vec![], label: None, block: branch.then_branch.clone() })
 }

@@ -1,13 +1,10 @@
 //! What an expression of the body can be while it is read: typed values over the scalar graph.
 
-use std::rc::Rc;
-
-use proc_macro2::TokenStream;
-
 use crate::graph::Node;
 use crate::parse::Shape;
 
-use super::scope::Scopes;
+use super::function::Function;
+use super::template::Template;
 
 /// A value of the body.
 #[derive(Clone)]
@@ -26,81 +23,77 @@ pub enum Value {
     Array(Vec<Value>),
     /// An iterator over values known one by one.
     Iterator(Vec<Value>),
+    /// A borrowed value: only the user's own functions can tell it from the value itself.
+    Reference(Box<Value>),
+    /// `value.into()`: its place says what it becomes.
+    Into(Box<Value>),
+    /// `std::array::from_fn(f)`: its place says how long it is.
+    Generator(Function),
     /// State of an argument.
     Planar(usize),
     Spatial(usize),
     /// A law: how emitted code names it.
     Law(Template),
-    Closure(Rc<Closure>),
+    Function(Function),
     /// Something only rustc understands; a number of some shape as soon as its place asks for one.
     Opaque(Template),
-    /// A sum of opaque values times numbers: still of the shape that its place asks for.
-    Combined(Vec<(Template, Node)>),
     /// A variable declared without a value.
     Unassigned,
+    /// `unreachable!()` and the like: there is no value here.
+    Never,
     /// What is left of an expression with a mistake in it.
     Poison,
 }
 
-/// A closure with the variables it saw.
-pub struct Closure {
-    pub inputs: Vec<syn::Pat>,
-    pub body: syn::Expr,
-    pub scopes: Scopes,
+/// A value made of components that are added, scaled and negated one by one.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Components {
+    Vector(usize),
+    Matrix(usize),
+    Euler,
 }
 
-/// An expression that emitted code repeats as the user wrote it, with values of the graph put in.
-#[derive(Clone)]
-pub enum Template {
-    /// As written.
-    Tokens(TokenStream),
-    /// A value of the graph.
-    Numbers(Vec<Node>, Shape),
-    /// A field of the constraint: a parameter whose type only rustc knows.
-    Parameter(proc_macro2::Ident),
-    Call(TokenStream, Vec<Template>),
-    Method(Box<Template>, TokenStream, Vec<Template>),
-    Field(Box<Template>, syn::Member),
-    Index(Box<Template>, Box<Template>),
-    Binary(Box<Template>, syn::BinOp, Box<Template>),
-    Unary(syn::UnOp, Box<Template>),
-    Cast(Box<Template>, TokenStream),
-    Reference(Box<Template>),
-    /// Does the value match the pattern?
-    Matches(Box<Template>, TokenStream),
-}
-
-impl Template {
-    /// The values of the graph in it, in order.
-    pub fn nodes(&self) -> Vec<Node> {
-        let mut nodes = Vec::new();
-        self.visit(&mut |template| {
-            if let Template::Numbers(numbers, _) = template {
-                nodes.extend(numbers);
-            }
-        });
-        nodes
+impl Components {
+    pub fn value(self, nodes: Vec<Node>) -> Value {
+        match self {
+            Components::Vector(_) => Value::Vector(nodes),
+            Components::Matrix(n) => Value::Matrix(n, nodes),
+            Components::Euler => Value::Euler(nodes),
+        }
     }
 
-    fn visit(&self, f: &mut dyn FnMut(&Template)) {
-        f(self);
+    pub fn shape(self) -> Shape {
         match self {
-            Template::Tokens(_) | Template::Numbers(..) | Template::Parameter(_) => {}
-            Template::Call(_, all) => all.iter().for_each(|t| t.visit(f)),
-            Template::Method(receiver, _, all) => {
-                receiver.visit(f);
-                all.iter().for_each(|t| t.visit(f));
-            }
-            Template::Index(a, b) | Template::Binary(a, _, b) => {
-                a.visit(f);
-                b.visit(f);
-            }
-            Template::Field(a, _) | Template::Unary(_, a) | Template::Cast(a, _) | Template::Reference(a) | Template::Matches(a, _) => a.visit(f),
+            Components::Vector(n) => Shape::Vector(n),
+            Components::Matrix(n) => Shape::Matrix(n),
+            Components::Euler => Shape::Euler,
         }
     }
 }
 
 impl Value {
+    pub fn unit() -> Value {
+        Value::Tuple(vec![])
+    }
+
+    /// What a reference refers to; any other value itself.
+    pub fn referent(self) -> Value {
+        match self {
+            Value::Reference(inner) => inner.referent(),
+            other => other,
+        }
+    }
+
+    /// Its components, if it has any.
+    pub fn components(&self) -> Option<(Components, &[Node])> {
+        match self {
+            Value::Vector(v) => Some((Components::Vector(v.len()), v)),
+            Value::Matrix(n, m) => Some((Components::Matrix(*n), m)),
+            Value::Euler(p) => Some((Components::Euler, p)),
+            _ => None,
+        }
+    }
+
     /// How messages call it.
     pub fn name(&self) -> String {
         match self {
@@ -114,12 +107,15 @@ impl Value {
             Value::Tuple(all) => format!("a tuple of {}", all.len()),
             Value::Array(all) => format!("an array of {}", all.len()),
             Value::Iterator(_) => "an iterator".into(),
+            Value::Reference(inner) | Value::Into(inner) => inner.name(),
+            Value::Generator(_) => "an array of unknown length".into(),
             Value::Planar(_) => "the state of a planar body".into(),
             Value::Spatial(_) => "the state of a spatial body".into(),
             Value::Law(_) => "a Law".into(),
-            Value::Closure(_) => "a closure".into(),
-            Value::Opaque(_) | Value::Combined(_) => "a value of a type the macro does not know".into(),
+            Value::Function(_) => "a function".into(),
+            Value::Opaque(_) => "a value of a type the macro does not know".into(),
             Value::Unassigned => "a variable without a value".into(),
+            Value::Never => "no value at all".into(),
             Value::Poison => "a mistake".into(),
         }
     }
@@ -128,20 +124,14 @@ impl Value {
     pub fn numbers(&self) -> Option<(Vec<Node>, Shape)> {
         match self {
             Value::Scalar(n) => Some((vec![*n], Shape::Scalar)),
-            Value::Vector(v) => Some((v.clone(), Shape::Vector(v.len()))),
-            Value::Matrix(n, m) => Some((m.clone(), Shape::Matrix(*n))),
+            Value::Reference(inner) => inner.numbers(),
             Value::Array(all) if !all.is_empty() => {
-                let parts: Vec<_> = all.iter().map(Value::numbers).collect::<Option<_>>()?;
-                let shape = parts[0].1.clone();
-                let nodes = parts.iter().flat_map(|(nodes, _)| nodes.clone()).collect();
-                parts.iter().all(|p| p.1 == shape).then(|| (nodes, Shape::Array(Box::new(shape), all.len())))
+                let (nodes, shapes) = several(all)?;
+                let same = shapes.iter().all(|shape| *shape == shapes[0]);
+                same.then(|| (nodes, Shape::Array(Box::new(shapes[0].clone()), all.len())))
             }
-            Value::Tuple(all) if !all.is_empty() => {
-                let parts: Vec<_> = all.iter().map(Value::numbers).collect::<Option<_>>()?;
-                let nodes = parts.iter().flat_map(|(nodes, _)| nodes.clone()).collect();
-                Some((nodes, Shape::Tuple(parts.into_iter().map(|p| p.1).collect())))
-            }
-            _ => None,
+            Value::Tuple(all) if !all.is_empty() => several(all).map(|(nodes, shapes)| (nodes, Shape::Tuple(shapes))),
+            other => other.components().map(|(kind, nodes)| (nodes.to_vec(), kind.shape())),
         }
     }
 
@@ -152,14 +142,22 @@ impl Value {
             (all.len() == n).then_some(all)
         };
         Some(match shape {
-            Shape::Scalar => Value::Scalar(take(1)?[0]),
+            Shape::Scalar => Value::Scalar(*take(1)?.first()?),
             Shape::Vector(n) => Value::Vector(take(*n)?),
             Shape::Matrix(n) => Value::Matrix(*n, take(n * n)?),
+            Shape::Euler => Value::Euler(take(4)?),
             Shape::Array(inner, n) => Value::Array((0..*n).map(|_| Value::from_numbers(inner, numbers)).collect::<Option<_>>()?),
             Shape::Tuple(all) => Value::Tuple(all.iter().map(|s| Value::from_numbers(s, numbers)).collect::<Option<_>>()?),
             Shape::Any => return None,
         })
     }
+}
+
+/// Nodes and shapes of several values, if all are made of numbers.
+fn several(all: &[Value]) -> Option<(Vec<Node>, Vec<Shape>)> {
+    let parts: Vec<(Vec<Node>, Shape)> = all.iter().map(Value::numbers).collect::<Option<_>>()?;
+    let nodes = parts.iter().flat_map(|(nodes, _)| nodes.iter().copied()).collect();
+    Some((nodes, parts.into_iter().map(|(_, shape)| shape).collect()))
 }
 
 impl Shape {
@@ -169,6 +167,7 @@ impl Shape {
             Shape::Scalar => 1,
             Shape::Vector(n) => *n,
             Shape::Matrix(n) => n * n,
+            Shape::Euler => 4,
             Shape::Array(inner, n) => inner.len() * n,
             Shape::Tuple(all) => all.iter().map(Shape::len).sum(),
             Shape::Any => 0,
@@ -181,6 +180,7 @@ impl Shape {
             Shape::Scalar => "f64".into(),
             Shape::Vector(n) => format!("Vec{n}"),
             Shape::Matrix(n) => format!("Mat{n}"),
+            Shape::Euler => "EulerParameters".into(),
             Shape::Array(inner, n) => format!("[{}; {n}]", inner.name()),
             Shape::Tuple(all) => format!("({})", all.iter().map(Shape::name).collect::<Vec<_>>().join(", ")),
             Shape::Any => "_".into(),

@@ -1,0 +1,233 @@
+//! Names that both readers of the body understand, the interpreter and the rewriter: what a path or a method is, before any type is known.
+
+use syn::ExprPath;
+
+/// `f64::sin`, but not `f64::EPSILON` or `f64::consts::PI`.
+pub fn is_number_function(path: &ExprPath) -> bool {
+    let names = names(path);
+    matches!(&names[..], [ty, function] if ty == "f64" && function.starts_with(char::is_lowercase))
+}
+
+/// Functions of Kin's that take any numbers.
+pub fn is_kin_function(path: &ExprPath) -> bool {
+    let names = names(path);
+    match names.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        [.., "vec2" | "vec3"] => true,
+        [.., "Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters", function] => function.starts_with(char::is_lowercase),
+        _ => false,
+    }
+}
+
+/// Functions of the standard library that take values of any type.
+pub fn is_std_function(path: &ExprPath) -> bool {
+    let names = names(path);
+    match names.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["Some" | "Ok" | "Err" | "drop"] => true,
+        ["std" | "core" | "alloc", ..] => true,
+        ["Box" | "Rc" | "Arc" | "Vec" | "VecDeque" | "Option" | "Result" | "Cell" | "RefCell" | "Default" | "Iterator" | "String", _] => {
+            true
+        }
+        ["array" | "iter" | "mem" | "cmp", _] => true,
+        _ => false,
+    }
+}
+
+/// The names of a path, `f64` and `sin` of `f64::sin`.
+pub fn names(path: &ExprPath) -> Vec<String> {
+    path.path.segments.iter().map(|segment| segment.ident.to_string()).collect()
+}
+
+/// Methods of numbers.
+pub fn is_scalar_method(name: &str) -> bool {
+    SCALAR.contains(&name)
+}
+
+/// Methods of vectors whose first argument is a vector.
+pub fn is_vector_method(name: &str) -> bool {
+    matches!(name, "dot" | "cross" | "component_mul" | "component_div" | "lerp")
+}
+
+/// Methods of numbers, vectors, matrices and laws, which take Kin's own numbers as they are.
+pub fn is_number_method(name: &str) -> bool {
+    is_scalar_method(name) || COMPONENTS.contains(&name)
+}
+
+const SCALAR: &[&str] = &[
+    "sin",
+    "cos",
+    "tan",
+    "asin",
+    "acos",
+    "atan",
+    "sinh",
+    "cosh",
+    "tanh",
+    "asinh",
+    "acosh",
+    "atanh",
+    "exp",
+    "exp2",
+    "exp_m1",
+    "ln",
+    "ln_1p",
+    "log2",
+    "log10",
+    "log",
+    "sqrt",
+    "cbrt",
+    "abs",
+    "signum",
+    "floor",
+    "ceil",
+    "round",
+    "trunc",
+    "fract",
+    "atan2",
+    "hypot",
+    "powf",
+    "powi",
+    "max",
+    "min",
+    "rem_euclid",
+    "div_euclid",
+    "sin_cos",
+    "recip",
+    "to_radians",
+    "to_degrees",
+    "copysign",
+    "mul_add",
+    "clamp",
+    "is_nan",
+    "is_finite",
+    "is_infinite",
+    "is_sign_negative",
+    "is_sign_positive",
+    "total_cmp",
+    "partial_cmp",
+];
+
+const COMPONENTS: &[&str] = &[
+    "norm",
+    "norm_squared",
+    "normalize",
+    "dot",
+    "cross",
+    "perp",
+    "component_mul",
+    "component_div",
+    "lerp",
+    "transpose",
+    "determinant",
+    "trace",
+    "row",
+    "column",
+    "to_array",
+    "rotation",
+    "product",
+    "vector",
+    "conjugate",
+    "at",
+];
+
+/// Methods that only look at a container or go over it, so that a copy of it in other numbers serves as well.
+pub fn is_reading_method(name: &str) -> bool {
+    READING.contains(&name)
+}
+
+const READING: &[&str] = &[
+    "iter",
+    "into_iter",
+    "len",
+    "is_empty",
+    "first",
+    "last",
+    "get",
+    "contains",
+    "windows",
+    "chunks",
+    "chunks_exact",
+    "to_vec",
+    "concat",
+    "map",
+    "zip",
+    "enumerate",
+    "rev",
+    "skip",
+    "take",
+    "step_by",
+    "chain",
+    "fold",
+    "copied",
+    "cloned",
+    "clone",
+    "to_owned",
+    "each_ref",
+    "as_slice",
+    "split_at",
+    "unwrap",
+    "unwrap_or",
+    "unwrap_or_default",
+    "unwrap_or_else",
+    "expect",
+    "map_or",
+    "map_or_else",
+    "and_then",
+    "is_some",
+    "is_none",
+    "is_some_and",
+    "is_none_or",
+    "as_ref",
+    "filter",
+    "filter_map",
+    "flat_map",
+    "any",
+    "all",
+    "sum",
+    "product",
+    "collect",
+];
+
+/// Methods that change a container or an iterator in place, or whose result borrows from it.
+pub fn is_changing_method(name: &str) -> bool {
+    CHANGING.contains(&name)
+}
+
+const CHANGING: &[&str] = &[
+    "push",
+    "pop",
+    "insert",
+    "remove",
+    "extend",
+    "clear",
+    "swap",
+    "sort_by",
+    "sort_by_key",
+    "sort_unstable_by",
+    "reverse",
+    "truncate",
+    "resize",
+    "fill",
+    "rotate_left",
+    "rotate_right",
+    "retain",
+    "drain",
+    "append",
+    "iter_mut",
+    "get_mut",
+    "first_mut",
+    "last_mut",
+    "next",
+    "next_back",
+    "nth",
+    "peek",
+    "by_ref",
+    "as_mut",
+    "take_while",
+    "map_while",
+    "skip_while",
+    "for_each",
+    "set",
+    "borrow",
+    "borrow_mut",
+    "replace",
+];
