@@ -131,7 +131,7 @@ fn early(a: Coord) -> f64 {
     }
     a.cos()
 }
-reads!(an_early_return_is_dual, Dual, early(c()), at [0.0], 0.0 => [1.0]);
+reads!(an_early_return_in_a_branch, Symbolic, early(c()), at [0.0], 0.0 => [1.0]);
 
 #[constraint]
 fn iterated(a: Coord) -> f64 {

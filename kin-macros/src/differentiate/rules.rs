@@ -56,7 +56,7 @@ pub fn derivatives2(g: &mut Graph, f: Function2, u: Node, v: Node, z: Node) -> (
 
 /// n uⁿ⁻¹, the derivative of uⁿ.
 pub fn power_derivative(g: &mut Graph, u: Node, n: i32) -> Node {
-    let (factor, power) = (g.constant(f64::from(n)), g.powi(u, n - 1));
+    let (factor, power) = (g.constant(f64::from(n)), g.powi(u, n.saturating_sub(1)));
     g.mul(factor, power)
 }
 

@@ -173,7 +173,7 @@ impl<'a> Kernel<'a> {
 
     /// Sine and cosine of one angle are one call, where both are needed.
     fn pair(&mut self, angle: Node) -> bool {
-        let find = |f| self.uses.keys().copied().find(|&n| self.graph().op(n) == Op::Call(f, angle));
+        let find = |f| self.graph().existing(Op::Call(f, angle)).filter(|n| self.uses.contains_key(n));
         let (Some(sin), Some(cos)) = (find(Function::Sin), find(Function::Cos)) else { return false };
         let of = self.expression(angle);
         let (s, c) = (format!("s{}", self.temporaries), format!("c{}", self.temporaries));

@@ -213,7 +213,7 @@ impl Graph {
     }
 
     /// The node of `op`, if there is one.
-    fn existing(&self, op: Op) -> Option<Node> {
+    pub fn existing(&self, op: Op) -> Option<Node> {
         self.index.get(&op).copied()
     }
 
