@@ -150,3 +150,27 @@ mod elsewhere {
 #[derive(Clone)]
 pub(crate) struct Scale(pub f64);
 reads!(a_constraint_in_a_module, Symbolic, elsewhere::hidden(c(), Scale(2.0)), at [0.0], 0.0 => [-0.3]);
+
+#[law]
+fn law_of_y(y: f64, x: f64, t: f64) -> f64 {
+    y * y * x + t
+}
+
+#[test]
+fn a_parameter_of_a_law_may_be_called_x() {
+    assert_eq!(law_of_y(2.0, 1.0).jet(3.0), [19.0, 12.0, 4.0, 0.0]);
+}
+
+#[constraint]
+fn generic_inside(a: Coord, k: f64) -> f64 {
+    fn square<D: Dual>(x: Real<D>) -> Real<D> {
+        x * x
+    }
+    square(a) - square(k)
+}
+
+#[test]
+fn a_generic_function_inside_the_body() {
+    assert_eq!(kin::terms(&generic_inside(c(), 2.0), &[3.0], &[], 0.0).c[0], 5.0);
+    kin::check::derivatives(generic_inside(c(), 2.0));
+}

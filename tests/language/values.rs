@@ -158,3 +158,15 @@ fn powers(a: Coord) -> f64 {
     b.powi(-2) + b.powi(5) / b.powf(2.5) + b.sqrt().cbrt() + b.ln().exp_m1() + b.log(3.0) * b.log2() - b.recip()
 }
 reads!(powers_roots_logarithms, Symbolic, powers(c()), at [0.0], 0.0 => [2.0]);
+
+#[constraint(dual)]
+fn time_by_another_name(t: Coord, tau: Time) -> f64 {
+    t - 3.0 * tau
+}
+reads!(a_coordinate_called_t_is_not_time, Dual, time_by_another_name(c()), at [1.0], 2.0 => [-5.0]);
+
+#[constraint]
+fn loop_closure(q: Coord, x: Coord, value: Planar, l: f64) -> f64 {
+    l * q.cos() - x + value.theta
+}
+reads!(an_argument_called_q, Symbolic, loop_closure(c(), c(), p(), 2.0), at [0.0, 0.5, 0.0, 0.0, 1.0], 0.0 => [2.5]);

@@ -28,21 +28,17 @@ impl Jets {
     /// The jet of `node`.
     pub fn of(&mut self, g: &mut Graph, node: Node) -> Jet {
         let first = self.first(g, node);
-        for inner in g.reachable(&[node]) {
-            if !self.second.contains_key(&inner) {
-                let second = self.second_rule(g, inner);
-                self.second.insert(inner, second);
-            }
+        for inner in g.unknown(node, |n| self.second.contains_key(&n)) {
+            let second = self.second_rule(g, inner);
+            self.second.insert(inner, second);
         }
         Jet { first, second: self.second[&node] }
     }
 
     fn first(&mut self, g: &mut Graph, node: Node) -> Node {
-        for inner in g.reachable(&[node]) {
-            if !self.first.contains_key(&inner) {
-                let first = self.first_rule(g, inner);
-                self.first.insert(inner, first);
-            }
+        for inner in g.unknown(node, |n| self.first.contains_key(&n)) {
+            let first = self.first_rule(g, inner);
+            self.first.insert(inner, first);
         }
         self.first[&node]
     }

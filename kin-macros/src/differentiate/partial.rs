@@ -38,11 +38,9 @@ impl Partial {
             return g.zero();
         }
         // Operands come before their users, so a loop over them replaces a recursion as deep as the expression.
-        for inner in g.reachable(&[node]) {
-            if !self.memo.contains_key(&inner) {
-                let derivative = self.rule(g, inner);
-                self.memo.insert(inner, derivative);
-            }
+        for inner in g.unknown(node, |n| self.memo.contains_key(&n)) {
+            let derivative = self.rule(g, inner);
+            self.memo.insert(inner, derivative);
         }
         self.memo[&node]
     }

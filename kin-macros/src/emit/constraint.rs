@@ -1,6 +1,6 @@
 //! The emitted constraint: a struct of the function's name, its constructor, `impl Constraint` and `impl Equation`.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::{functions, rewrite, template, written};
@@ -188,42 +188,43 @@ impl<'a> Frame<'a> {
         if self.trig.contains(&slot) { quote!(::kin::rt::Trig::Used) } else { quote!(::kin::rt::Trig::Unused) }
     }
 
-    /// The user's body with dual numbers, and as it was written.
+    /// The user's body with dual numbers, and as it was written. The names that are not the user's are hygienic: an argument may be called `q`.
     fn equations(&self) -> TokenStream {
         let source = self.source;
         let (n, m) = (literal(self.n), literal(self.row_names.len()));
-        let (states, parameters) = (states(&source.arguments), super::dual_bindings(&source.arguments));
+        let (q, t, value) = (super::own("q"), super::own("t"), super::own("value"));
+        let (states, parameters) = (states(&source.arguments, &q, &t), super::dual_bindings(&source.arguments));
         let (body, ty) = (rewrite::dual(&source.body, &source.arguments), rewrite::lifted_type(&source.output_type));
-        let value = written::silent(quote! {
+        let evaluation = written::silent(quote! {
             #(#states)*
             #(#parameters)*
-            let value = (move || -> #ty #body)();
+            let #value = (move || -> #ty #body)();
         });
-        let inputs = written_inputs(&source.arguments);
+        let inputs = written_inputs(&source.arguments, &q, &t);
         quote! {
-            fn evaluate<__D: ::kin::rt::Dual>(&self, q: &[::kin::rt::Real<__D>; #n], t: ::kin::rt::Real<__D>) -> [::kin::rt::Real<__D>; #m] {
-                #value
-                ::kin::rt::rows(value)
+            fn evaluate<__D: ::kin::rt::Dual>(&self, #q: &[::kin::rt::Real<__D>; #n], #t: ::kin::rt::Real<__D>) -> [::kin::rt::Real<__D>; #m] {
+                #evaluation
+                ::kin::rt::rows(#value)
             }
             #[inline]
-            fn plain(&self, q: &[f64; #n], t: f64) -> [f64; #m] {
+            fn plain(&self, #q: &[f64; #n], #t: f64) -> [f64; #m] {
                 ::kin::rt::rows(__WRITTEN(#(#inputs),*))
             }
         }
     }
 }
 
-/// The user's names for bodies, coordinates and time, bound to states made of `q` and `t`.
-fn states(arguments: &[Argument]) -> Vec<TokenStream> {
+/// The user's names for bodies, coordinates and time, bound to states made of the columns `q` and the time `t`.
+fn states(arguments: &[Argument], q: &Ident, t: &Ident) -> Vec<TokenStream> {
     let scalar = quote!(::kin::rt::Real<__D>);
-    let bound = with_columns(arguments).map(|(argument, q)| {
-        let (name, mutable, count) = (&argument.name, super::mutable(argument), literal(q.len()));
+    let bound = with_columns(arguments).map(|(argument, columns)| {
+        let (name, mutable, count) = (&argument.name, super::mutable(argument), literal(columns.len()));
         match argument.kind {
-            Kind::Planar => quote!(let #mutable #name = ::kin::rt::PlanarState::<#scalar>::new([#(q[#q]),*]);),
-            Kind::Spatial => quote!(let #mutable #name = ::kin::rt::SpatialState::<#scalar>::new([#(q[#q]),*]);),
-            Kind::Coord => quote!(let #mutable #name: #scalar = #(q[#q])*;),
-            Kind::Coords(_) => quote!(let #mutable #name: [#scalar; #count] = [#(q[#q]),*];),
-            Kind::Time => quote!(let #mutable #name: #scalar = t;),
+            Kind::Planar => quote!(let #mutable #name = ::kin::rt::PlanarState::<#scalar>::new([#(#q[#columns]),*]);),
+            Kind::Spatial => quote!(let #mutable #name = ::kin::rt::SpatialState::<#scalar>::new([#(#q[#columns]),*]);),
+            Kind::Coord => quote!(let #mutable #name: #scalar = #(#q[#columns])*;),
+            Kind::Coords(_) => quote!(let #mutable #name: [#scalar; #count] = [#(#q[#columns]),*];),
+            Kind::Time => quote!(let #mutable #name: #scalar = #t;),
             _ => quote!(),
         }
     });
@@ -231,15 +232,15 @@ fn states(arguments: &[Argument]) -> Vec<TokenStream> {
 }
 
 /// What the function as it was written is called with.
-fn written_inputs(arguments: &[Argument]) -> Vec<TokenStream> {
-    let inputs = with_columns(arguments).map(|(argument, q)| {
+fn written_inputs(arguments: &[Argument], q: &Ident, t: &Ident) -> Vec<TokenStream> {
+    let inputs = with_columns(arguments).map(|(argument, columns)| {
         let name = &argument.name;
         match argument.kind {
-            Kind::Planar => quote!(::kin::rt::PlanarState::new([#(q[#q]),*])),
-            Kind::Spatial => quote!(::kin::rt::SpatialState::new([#(q[#q]),*])),
-            Kind::Coord => quote!(#(q[#q])*),
-            Kind::Coords(_) => quote!([#(q[#q]),*]),
-            Kind::Time => quote!(t),
+            Kind::Planar => quote!(::kin::rt::PlanarState::new([#(#q[#columns]),*])),
+            Kind::Spatial => quote!(::kin::rt::SpatialState::new([#(#q[#columns]),*])),
+            Kind::Coord => quote!(#(#q[#columns])*),
+            Kind::Coords(_) => quote!([#(#q[#columns]),*]),
+            Kind::Time => quote!(#t),
             Kind::Numbers(_) => quote!(self.#name),
             Kind::Law | Kind::Other => quote!(self.#name.clone()),
         }

@@ -59,13 +59,14 @@ fn evaluate(source: &LawFn) -> TokenStream {
     let variable = &source.variable;
     let parameters = super::dual_bindings(&source.parameters);
     let body = rewrite::dual_law(&source.body, &source.parameters, variable);
+    let x = super::own("x");
     let value = written::silent(quote! {
         #(#parameters)*
-        let #variable: ::kin::rt::Real<__D> = x;
+        let #variable: ::kin::rt::Real<__D> = #x;
         (move || -> ::kin::rt::Real<__D> #body)()
     });
     quote! {
-        fn evaluate<__D: ::kin::rt::Dual>(&self, x: ::kin::rt::Real<__D>) -> ::kin::rt::Real<__D> {
+        fn evaluate<__D: ::kin::rt::Dual>(&self, #x: ::kin::rt::Real<__D>) -> ::kin::rt::Real<__D> {
             #value
         }
     }

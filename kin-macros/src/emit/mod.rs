@@ -74,6 +74,11 @@ fn dual_bindings(arguments: &[Argument]) -> Vec<TokenStream> {
         .collect()
 }
 
+/// A name of emitted code that no name of the user's can meet.
+fn own(name: &str) -> proc_macro2::Ident {
+    proc_macro2::Ident::new(name, proc_macro2::Span::mixed_site())
+}
+
 fn mutable(argument: &Argument) -> TokenStream {
     if argument.mutable { quote!(mut) } else { quote!() }
 }

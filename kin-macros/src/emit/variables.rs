@@ -22,9 +22,12 @@ impl Visit<'_> for Names {
         visit::visit_pat_ident(self, pattern);
     }
 
+    // A generic function inside the body is called like one outside of it.
     fn visit_item_fn(&mut self, function: &syn::ItemFn) {
-        self.local.insert(function.sig.ident.to_string());
-        visit::visit_item_fn(self, function);
+        if function.sig.generics.params.is_empty() {
+            self.local.insert(function.sig.ident.to_string());
+            visit::visit_item_fn(self, function);
+        }
     }
 }
 

@@ -261,6 +261,18 @@ impl Graph {
         columns
     }
 
+    /// `node` and what it is computed from, in order of creation, without going beyond what is known already.
+    pub fn unknown(&self, node: Node, known: impl Fn(Node) -> bool) -> Vec<Node> {
+        let mut seen = std::collections::BTreeSet::new();
+        let mut open = vec![node];
+        while let Some(node) = open.pop() {
+            if !known(node) && seen.insert(node) {
+                open.extend(self.operands(node));
+            }
+        }
+        seen.into_iter().collect()
+    }
+
     /// Every node needed for `outputs`, in order of creation: operands come before their users.
     pub fn reachable(&self, outputs: &[Node]) -> Vec<Node> {
         let mut seen = vec![false; self.ops.len()];
