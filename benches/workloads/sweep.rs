@@ -53,7 +53,7 @@ impl Table {
 /// How a sweep is solved.
 pub enum Solver {
     Hand(Box<dyn Fn() -> Table>),
-    Kin(System, Options),
+    Kin(Box<System>, Options),
 }
 
 pub struct Route {
@@ -82,7 +82,7 @@ pub fn as_defined() -> Options {
 
 /// By hand, and Kin's routes: as defined, with prediction as well, as it comes (`Options::default()`), and on dual numbers as defined.
 pub fn routes(hand: impl Fn() -> Table + 'static, model: impl Fn(bool) -> System) -> Vec<Route> {
-    let kin = |peer, dual, options| Route { peer, solver: Solver::Kin(model(dual), options) };
+    let kin = |peer, dual, options| Route { peer, solver: Solver::Kin(Box::new(model(dual)), options) };
     vec![
         by_hand(hand),
         kin("kin", false, as_defined()),

@@ -26,15 +26,18 @@ type Route = (&'static str, fn(&[FourBar]) -> Sums);
 
 const ROUTES: [Route; 2] = [("hand", by_hand), ("kin", by_kin)];
 
+/// Time on the wall and of all threads.
+type Times = (Duration, Duration);
+
 /// Rounds of all routes in turn.
 const ROUNDS: usize = 3;
 
 pub fn run() -> Vec<Figure> {
     let models = models();
-    let samples: Vec<Vec<(Duration, Duration)>> = (0..ROUNDS).map(|_| ROUTES.iter().map(|route| timed(route, &models)).collect()).collect();
+    let samples: Vec<Vec<Times>> = (0..ROUNDS).map(|_| ROUTES.iter().map(|route| timed(route, &models)).collect()).collect();
     let mut figures = Vec::new();
     for (k, (peer, _)) in ROUTES.iter().enumerate() {
-        let column = |unit: &dyn Fn(&Vec<(Duration, Duration)>) -> f64| median(samples.iter().map(unit).collect());
+        let column = |unit: &dyn Fn(&Vec<Times>) -> f64| median(samples.iter().map(unit).collect());
         let per_second = MECHANISMS as f64 / column(&|round| round[k].0.as_secs_f64());
         let step = column(&|round| round[k].1.as_nanos() as f64) / (MECHANISMS * STEPS) as f64;
         let ratio = column(&|round| round[0].0.as_secs_f64() / round[k].0.as_secs_f64());
@@ -72,7 +75,7 @@ fn models() -> Vec<FourBar> {
 }
 
 /// Time on the wall and of all threads; the check sum is verified each time.
-fn timed((peer, route): &Route, models: &[FourBar]) -> (Duration, Duration) {
+fn timed((peer, route): &Route, models: &[FourBar]) -> Times {
     let (wall, all) = (Instant::now(), cpu_of_all_threads());
     let share = models.len().div_ceil(THREADS);
     let sums: Vec<Sums> = std::thread::scope(|scope| {

@@ -3,6 +3,8 @@
 //! All comes from one bilinear form: with w = e0 u + e × u and r = e · u, A u = 2 (e0 w + r e) − u. Along the motion, with v and s made of
 //! ė in the same way, (A u)′ = 2 (e0 v + s e + ė0 w + r ė) and (A u)″ = 4 (ė0 v + s ė).
 
+use std::sync::atomic::{Ordering, compiler_fence};
+
 pub type V = [f64; 3];
 type P = [f64; 4];
 
@@ -43,47 +45,86 @@ fn times(factor: f64, p: &P) -> P {
 
 #[inline(always)]
 pub fn dot(a: &V, b: &V) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    fma(a[2], b[2], fma(a[1], b[1], a[0] * b[0]))
+}
+
+/// a b + c in one instruction where there is one; without, a call that takes a hundred would do it.
+#[inline(always)]
+fn fma(a: f64, b: f64, c: f64) -> f64 {
+    if cfg!(target_feature = "fma") { a.mul_add(b, c) } else { a * b + c }
 }
 
 /// ∂(A u)/∂p by rows, and A u + u, both times `f`, from p and d = 2 f p.
 #[inline(always)]
 pub fn turn(p: &P, d: &P, u: &V) -> ([P; 3], V) {
     let (p01, p02, p03) = (d[0] * u[0], d[0] * u[1], d[0] * u[2]);
-    let (p11, p12, p13) = (d[1] * u[0], d[1] * u[1], d[1] * u[2]);
-    let (p21, p22, p23) = (d[2] * u[0], d[2] * u[1], d[2] * u[2]);
-    let (p31, p32, p33) = (d[3] * u[0], d[3] * u[1], d[3] * u[2]);
-    let r = p11 + p22 + p33;
-    let (j12, j13, j21) = (p12 + p03, p13 - p02, p21 - p03);
-    let (j23, j31, j32) = (p23 + p01, p31 + p02, p32 - p01);
+    let r = fma(d[3], u[2], fma(d[2], u[1], d[1] * u[0]));
+    let (j12, j13, j21) = (fma(d[1], u[1], p03), fma(d[1], u[2], -p02), fma(d[2], u[0], -p03));
+    let (j23, j31, j32) = (fma(d[2], u[2], p01), fma(d[3], u[0], p02), fma(d[3], u[1], -p01));
     // 2 w + 2 e0 u, the column of e0, is what the other columns are not symmetric by.
-    let j = [[j23 - j32, r + p11, j12, j13], [j31 - j13, j21, r + p22, j23], [j12 - j21, j31, j32, r + p33]];
-    let value = [p[0] * (j23 - p32) + p[1] * r, p[0] * (j31 - p13) + p[2] * r, p[0] * (j12 - p21) + p[3] * r];
-    (j, value)
+    let j =
+        [[j23 - j32, fma(d[1], u[0], r), j12, j13], [j31 - j13, j21, fma(d[2], u[1], r), j23], [j12 - j21, j31, j32, fma(d[3], u[2], r)]];
+    let w = [fma(-d[3], u[1], j23), fma(-d[1], u[2], j31), fma(-d[2], u[0], j12)];
+    (j, [fma(p[0], w[0], p[1] * r), fma(p[0], w[1], p[2] * r), fma(p[0], w[2], p[3] * r)])
 }
 
 /// Jᵀ y
 #[inline(always)]
 fn apply(j: &[P; 3], y: &V) -> P {
-    [
-        j[0][0] * y[0] + j[1][0] * y[1] + j[2][0] * y[2],
-        j[0][1] * y[0] + j[1][1] * y[1] + j[2][1] * y[2],
-        j[0][2] * y[0] + j[1][2] * y[1] + j[2][2] * y[2],
-        j[0][3] * y[0] + j[1][3] * y[1] + j[2][3] * y[2],
-    ]
+    let at = |k: usize| fma(j[2][k], y[2], fma(j[1][k], y[1], j[0][k] * y[0]));
+    [at(0), at(1), at(2), at(3)]
+}
+
+/// Keeps the compiler from gathering all writes at the end of a function, which costs a spill and a reload each.
+#[inline(always)]
+fn in_order() {
+    compiler_fence(Ordering::SeqCst);
+}
+
+/// x + Jᵀ y
+#[inline(always)]
+fn plus_apply(x: &P, j: &[P; 3], y: &V) -> P {
+    let at = |k: usize| fma(j[2][k], y[2], fma(j[1][k], y[1], fma(j[0][k], y[0], x[k])));
+    [at(0), at(1), at(2), at(3)]
+}
+
+/// A u, from p and d = 2 p.
+#[inline(always)]
+fn turned(p: &P, d: &P, u: &V) -> V {
+    plus_whole(&[-u[0], -u[1], -u[2]], p, &half(d, u))
 }
 
 /// w = e0 u + e × u and r = e · u
 #[inline(always)]
 fn half(p: &P, u: &V) -> (V, f64) {
-    let w = [p[0] * u[0] + p[2] * u[2] - p[3] * u[1], p[0] * u[1] + p[3] * u[0] - p[1] * u[2], p[0] * u[2] + p[1] * u[1] - p[2] * u[0]];
-    (w, p[1] * u[0] + p[2] * u[1] + p[3] * u[2])
+    let w = [
+        fma(-p[3], u[1], fma(p[2], u[2], p[0] * u[0])),
+        fma(-p[1], u[2], fma(p[3], u[0], p[0] * u[1])),
+        fma(-p[2], u[0], fma(p[1], u[1], p[0] * u[2])),
+    ];
+    (w, fma(p[3], u[2], fma(p[2], u[1], p[1] * u[0])))
+}
+
+/// The same for Aᵀ, of two pairs, added.
+#[inline(always)]
+fn half_back((p, u): (&P, &V), (o, v): (&P, &V)) -> (V, f64) {
+    let first = |k: usize, a: usize, b: usize| fma(p[b + 1], u[a], fma(-p[a + 1], u[b], p[0] * u[k]));
+    let both = |k: usize, a: usize, b: usize| fma(o[b + 1], v[a], fma(-o[a + 1], v[b], fma(o[0], v[k], first(k, a, b))));
+    let r = fma(p[3], u[2], fma(p[2], u[1], p[1] * u[0]));
+    ([both(0, 1, 2), both(1, 2, 0), both(2, 0, 1)], fma(o[3], v[2], fma(o[2], v[1], fma(o[1], v[0], r))))
 }
 
 /// e0 w + r e
 #[inline(always)]
-fn whole(p: &P, (w, r): &(V, f64)) -> V {
-    [p[0] * w[0] + r * p[1], p[0] * w[1] + r * p[2], p[0] * w[2] + r * p[3]]
+fn whole(p: &P, w: &(V, f64)) -> V {
+    let (w, r) = w;
+    [fma(p[0], w[0], r * p[1]), fma(p[0], w[1], r * p[2]), fma(p[0], w[2], r * p[3])]
+}
+
+/// x + e0 w + r e
+#[inline(always)]
+fn plus_whole(x: &V, p: &P, (w, r): &(V, f64)) -> V {
+    [fma(p[0], w[0], fma(*r, p[1], x[0])), fma(p[0], w[1], fma(*r, p[2], x[1])), fma(p[0], w[2], fma(*r, p[3], x[2]))]
 }
 
 /// (A u)″ / 4
@@ -96,9 +137,8 @@ fn second(pd: &P, u: &V) -> V {
 #[inline(always)]
 pub fn motion(p: &P, pd: &P, u: &V) -> (V, V, V) {
     let (w, v) = (half(&times(2.0, p), u), half(&times(2.0, pd), u));
-    let (x, by_p, by_pd, x2) = (whole(p, &w), whole(p, &v), whole(pd, &w), whole(pd, &v));
-    let x1 = [by_p[0] + by_pd[0], by_p[1] + by_pd[1], by_p[2] + by_pd[2]];
-    ([x[0] - u[0], x[1] - u[1], x[2] - u[2]], x1, x2)
+    let x = plus_whole(&[-u[0], -u[1], -u[2]], p, &w);
+    (x, plus_whole(&whole(p, &v), pd, &w), whole(pd, &v))
 }
 
 /// What holds two points together: u_i, u_j and u_j − u_i.
@@ -206,42 +246,20 @@ pub struct Cylindrical {
 #[inline(always)]
 pub fn rotation(p: &P) -> [V; 3] {
     let d = times(2.0, p);
-    let s = d[0] * p[0] - 1.0;
+    let s = fma(d[0], p[0], -1.0);
     let (a01, a02, a03) = (d[0] * p[1], d[0] * p[2], d[0] * p[3]);
-    let (a12, a13, a23) = (d[1] * p[2], d[1] * p[3], d[2] * p[3]);
-    [[s + d[1] * p[1], a12 - a03, a13 + a02], [a12 + a03, s + d[2] * p[2], a23 - a01], [a13 - a02, a23 + a01, s + d[3] * p[3]]]
-}
-
-/// A with its first and half its second derivative along the motion.
-#[inline(always)]
-fn rotations(p: &P, pd: &P) -> [[V; 3]; 3] {
-    let (d, dd) = (times(2.0, p), times(2.0, pd));
-    let s = d[0] * dd[0];
-    let (b01, b02, b03) = (d[0] * pd[1] + d[1] * pd[0], d[0] * pd[2] + d[2] * pd[0], d[0] * pd[3] + d[3] * pd[0]);
-    let (b12, b13, b23) = (d[1] * pd[2] + d[2] * pd[1], d[1] * pd[3] + d[3] * pd[1], d[2] * pd[3] + d[3] * pd[2]);
-    let b = [[s + d[1] * dd[1], b12 - b03, b13 + b02], [b12 + b03, s + d[2] * dd[2], b23 - b01], [b13 - b02, b23 + b01, s + d[3] * dd[3]]];
-    let s = dd[0] * pd[0];
-    let (c01, c02, c03) = (dd[0] * pd[1], dd[0] * pd[2], dd[0] * pd[3]);
-    let (c12, c13, c23) = (dd[1] * pd[2], dd[1] * pd[3], dd[2] * pd[3]);
-    let c =
-        [[s + dd[1] * pd[1], c12 - c03, c13 + c02], [c12 + c03, s + dd[2] * pd[2], c23 - c01], [c13 - c02, c23 + c01, s + dd[3] * pd[3]]];
-    [rotation(p), b, c]
-}
-
-/// A u
-#[inline(always)]
-fn product(a: &[V; 3], u: &V) -> V {
-    [dot(&a[0], u), dot(&a[1], u), dot(&a[2], u)]
+    [
+        [fma(d[1], p[1], s), fma(d[1], p[2], -a03), fma(d[1], p[3], a02)],
+        [fma(d[1], p[2], a03), fma(d[2], p[2], s), fma(d[2], p[3], -a01)],
+        [fma(d[1], p[3], -a02), fma(d[2], p[3], a01), fma(d[3], p[3], s)],
+    ]
 }
 
 /// Half of (Aᵀ w)″, of which a dot product with a vector fixed in the body is half of its second derivative with w.
 #[inline(always)]
-fn second_in_body([a, a1, a2]: &[[V; 3]; 3], (w, w1, w2): (&V, &V, &V)) -> V {
-    let column = |k: usize| {
-        let (by_w, by_w1) = (a2[0][k] * w[0] + a2[1][k] * w[1] + a2[2][k] * w[2], a1[0][k] * w1[0] + a1[1][k] * w1[1] + a1[2][k] * w1[2]);
-        by_w + by_w1 + a[0][k] * w2[0] + a[1][k] * w2[1] + a[2][k] * w2[2]
-    };
-    [column(0), column(1), column(2)]
+fn second_in_body((p, d): (&P, &P), (pd, dd): (&P, &P), (w, w1, w2): (&V, &V, &V)) -> V {
+    let x = plus_whole(&[-w2[0], -w2[1], -w2[2]], p, &half_back((dd, w1), (d, w2)));
+    plus_whole(&x, pd, &half_back((dd, w), (d, w1)))
 }
 
 impl Spatial<4, 44> for Cylindrical {
@@ -253,52 +271,52 @@ impl Spatial<4, 44> for Cylindrical {
     fn linearize(&self, q: &[f64; 14], c: &mut [f64; 4], c_q: &mut [f64; 44]) {
         let (p, o) = euler(q);
         let (d, e) = (times(2.0, &p), times(-2.0, &o));
-        let ((ja, a), (jb, b)) = (turn(&p, &d, &self.points.i), turn(&o, &e, &self.points.j));
-        let (r, fixed) = (apart(q), &self.points.apart);
-        let between = [r[0] + a[0] + b[0] + fixed[0], r[1] + a[1] + b[1] + fixed[1], r[2] + a[2] + b[2] + fixed[2]];
-        let (jw, w) = turn(&o, &e, &self.w);
+        // Each row is written as soon as it is known and each matrix used up before the next one is made: registers are few.
+        let (x1, x2) = (turned(&p, &d, &self.x1), turned(&p, &d, &self.x2));
+        c_q[16..19].copy_from_slice(&x1);
+        c_q[30..33].copy_from_slice(&x2);
+        let (n1, n2) = (x1.map(|x| -x), x2.map(|x| -x));
+        c_q[23..26].copy_from_slice(&n1);
+        c_q[37..40].copy_from_slice(&n2);
+        in_order();
+        let (j, w) = turn(&o, &e, &self.w);
         let w = [-self.w[0] - w[0], -self.w[1] - w[1], -self.w[2] - w[2]];
-        for (k, u) in [&self.x1, &self.x2].into_iter().enumerate() {
-            let (jx, x) = turn(&p, &d, u);
-            let (x, minus) = ([x[0] - u[0], x[1] - u[1], x[2] - u[2]], [u[0] - x[0], u[1] - x[1], u[2] - x[2]]);
-            c[k] = dot(&x, &w);
-            c[2 + k] = dot(&x, &between);
-            c_q[8 * k..8 * k + 4].copy_from_slice(&apply(&jx, &w));
-            c_q[8 * k + 4..8 * k + 8].copy_from_slice(&apply(&jw, &minus));
-            let (by_x, by_a, by_b) = (apply(&jx, &between), apply(&ja, &x), apply(&jb, &x));
-            let row = [
-                x[0],
-                x[1],
-                x[2],
-                by_x[0] + by_a[0],
-                by_x[1] + by_a[1],
-                by_x[2] + by_a[2],
-                by_x[3] + by_a[3], //
-                minus[0],
-                minus[1],
-                minus[2],
-                by_b[0],
-                by_b[1],
-                by_b[2],
-                by_b[3],
-            ];
-            c_q[16 + 14 * k..30 + 14 * k].copy_from_slice(&row);
-        }
+        (c[0], c[1]) = (dot(&x1, &w), dot(&x2, &w));
+        c_q[4..8].copy_from_slice(&apply(&j, &n1));
+        c_q[12..16].copy_from_slice(&apply(&j, &n2));
+        in_order();
+        let (j, b) = turn(&o, &e, &self.points.j);
+        c_q[26..30].copy_from_slice(&apply(&j, &x1));
+        c_q[40..44].copy_from_slice(&apply(&j, &x2));
+        in_order();
+        let (j, a) = turn(&p, &d, &self.points.i);
+        let (by_a1, by_a2) = (apply(&j, &x1), apply(&j, &x2));
+        let (r, fixed) = (apart(q), &self.points.apart);
+        let between = [r[0] + fixed[0] + a[0] + b[0], r[1] + fixed[1] + a[1] + b[1], r[2] + fixed[2] + a[2] + b[2]];
+        (c[2], c[3]) = (dot(&x1, &between), dot(&x2, &between));
+        in_order();
+        let (j, _) = turn(&p, &d, &self.x1);
+        c_q[..4].copy_from_slice(&apply(&j, &w));
+        c_q[19..23].copy_from_slice(&plus_apply(&by_a1, &j, &between));
+        in_order();
+        let (j, _) = turn(&p, &d, &self.x2);
+        c_q[8..12].copy_from_slice(&apply(&j, &w));
+        c_q[33..37].copy_from_slice(&plus_apply(&by_a2, &j, &between));
     }
 
     #[inline(never)]
     fn right_side(&self, q: &[f64; 14], qd: &[f64; 14], q_d: &mut [f64; 4]) {
         let ((p, o), (pd, od)) = (euler(q), euler(qd));
-        let turns = rotations(&p, &pd);
-        let u = &self.points.i;
-        let (a, a1, a2) = (product(&turns[0], u), product(&turns[1], u), product(&turns[2], u));
-        let ((b, b1, b2), (w, w1, w2)) = (motion(&o, &od, &self.points.j), motion(&o, &od, &self.w));
+        let (two, two_d) = (times(2.0, &p), times(2.0, &pd));
+        let ((a, a1, a2), (b, b1, b2)) = (motion(&p, &pd, &self.points.i), motion(&o, &od, &self.points.j));
+        let (w, w1, w2) = motion(&o, &od, &self.w);
         let (r, rd) = (apart(q), apart(qd));
         let d = [r[0] + a[0] - b[0], r[1] + a[1] - b[1], r[2] + a[2] - b[2]];
         let d1 = [rd[0] + a1[0] - b1[0], rd[1] + a1[1] - b1[1], rd[2] + a1[2] - b1[2]];
         let d2 = [a2[0] - b2[0], a2[1] - b2[1], a2[2] - b2[2]];
-        // Seen from body i both rows are dot products with the same moving vector.
-        let (w, d) = (second_in_body(&turns, (&w, &w1, &w2)), second_in_body(&turns, (&d, &d1, &d2)));
+        // Seen from body i two rows at a time are dot products with the same moving vector.
+        let in_body = |w: &V, w1: &V, w2: &V| second_in_body((&p, &two), (&pd, &two_d), (w, w1, w2));
+        let (w, d) = (in_body(&w, &w1, &w2), in_body(&d, &d1, &d2));
         *q_d = [-2.0 * dot(&self.x1, &w), -2.0 * dot(&self.x2, &w), -2.0 * dot(&self.x1, &d), -2.0 * dot(&self.x2, &d)];
     }
 }

@@ -301,6 +301,14 @@ impl Graph {
 
     /// x (y ± z) for a = x y and b = x z, where they have factors in common.
     fn factor(&mut self, a: Node, b: Node, combine: fn(&mut Graph, Node, Node) -> Node) -> Option<Node> {
+        let ((ca, xa), (cb, xb)) = (self.split_constant(a), self.split_constant(b));
+        if ca != cb && ca != 1.0 && cb != 1.0 {
+            let least = self.constant(ca.min(cb));
+            let (a, b) = (self.constant(ca / ca.min(cb)), self.constant(cb / ca.min(cb)));
+            let (a, b) = (self.mul(a, xa), self.mul(b, xb));
+            let rest = combine(self, a, b);
+            return Some(self.mul(least, rest)); // 4 x + 2 y → 2 (2 x + y)
+        }
         let (mut left, mut right) = (self.factors(a), self.factors(b));
         let mut common = Vec::new();
         left.retain(|x| match right.iter().position(|y| y == x) {
@@ -386,6 +394,15 @@ mod tests {
         let three_x = g.add(two_x, x);
         let factor = g.constant(3.0);
         assert_eq!(three_x, g.mul(factor, x));
+    }
+
+    #[test]
+    fn powers_of_two_are_taken_out() {
+        let (mut g, x, y, _) = three();
+        let (two, four) = (g.constant(2.0), g.constant(4.0));
+        let (four_x, two_x, two_y) = (g.mul(four, x), g.mul(two, x), g.mul(two, y));
+        let (sum, inner) = (g.sub(four_x, two_y), g.sub(two_x, y));
+        assert_eq!(sum, g.mul(two, inner));
     }
 
     #[test]
