@@ -26,10 +26,13 @@ const SINGULAR: f64 = 1e-13;
 const CONDITION: f64 = 3e12;
 
 /// Multipliers of a replay may grow to this; a new recording keeps them below 10.   \[-\]
-const GROWTH: f64 = 100.0;
+const GROWTH: f64 = 30.0;
 
 /// The smallest pivot may fade to this share of what it has been since the recording.   \[-\]
 const FADED: f64 = 0.01;
+
+/// Rows and columns are measured anew where a value has grown by this.   \[-\]
+const SLACK: f64 = 1.25;
 
 /// Below this a pivot may be judged by a recording only that has seen one like it.   \[-\]
 const SUSPICIOUS: f64 = 1e-6;
@@ -56,6 +59,8 @@ pub(crate) struct Linear {
     /// 1 / norm_i, and s_j / top_j.
     row_units: Vec<f64>,
     column_units: Vec<f64>,
+    /// A value above its limit is not finite, or its row and column are to be measured anew; infinite on the ground.
+    limits: Vec<f64>,
     recording: Option<Recording>,
     /// Whether the recording's watch knows the measures.
     told: bool,
@@ -76,6 +81,7 @@ impl Linear {
         let entries: Vec<_> = pattern.into_iter().map(|entry| entry.and_then(inside)).collect();
         let mut sorted: Vec<u32> = (0..entries.len() as u32).filter(|k| entries[*k as usize].is_some()).collect();
         sorted.sort_by_key(|k| entries[*k as usize]);
+        let limits = entries.iter().map(|entry| if entry.is_some() { 0.0 } else { f64::INFINITY }).collect();
         let (rhs, solution) = (entries.len() as u32, (entries.len() + n) as u32);
         Linear {
             n,
@@ -89,6 +95,7 @@ impl Linear {
             tops: vec![0.0; n],
             row_units: vec![1.0; n],
             column_units: vec![1.0; n],
+            limits,
             recording: None,
             told: false,
             smallest_constant: f64::INFINITY,
@@ -136,28 +143,29 @@ impl Linear {
         self.set_units();
     }
 
-    /// Measures rows and columns of the values as written; before the first [`Linear::factor`], and again now and then.
-    pub(crate) fn measure(&mut self) {
-        let mut changed = false;
-        for (entry, value) in self.entries.iter().zip(&self.memory) {
-            let Some((i, j)) = entry.map(|(i, j)| (i as usize, j as usize)) else { continue };
-            let size = value.abs() * self.sizes[j];
-            if size > self.norms[i] {
-                self.norms[i] = size;
-                changed = true;
-            }
+    /// Measures rows and columns of the values as written, before [`Linear::factor`]; false if one of them is not finite.
+    pub(crate) fn measure(&mut self) -> bool {
+        let inside = self.memory.iter().zip(&self.limits).fold(true, |inside, (value, limit)| inside & (value.abs() <= *limit));
+        inside || self.measure_anew()
+    }
+
+    /// The same where something has grown, or is not finite.
+    #[cold]
+    fn measure_anew(&mut self) -> bool {
+        let same_place = |a: &u32, b: &u32| self.entries[*a as usize] == self.entries[*b as usize];
+        let size = |same: &[u32]| {
+            let (i, j) = self.entries[same[0] as usize].unwrap_or_default();
+            let value: f64 = same.iter().map(|k| self.memory[*k as usize]).sum();
+            (i as usize, j as usize, value.abs() * self.sizes[j as usize])
+        };
+        for (i, _, size) in self.sorted.chunk_by(same_place).map(size) {
+            self.norms[i] = self.norms[i].max(size);
         }
-        for (entry, value) in self.entries.iter().zip(&self.memory) {
-            let Some((i, j)) = entry.map(|(i, j)| (i as usize, j as usize)) else { continue };
-            let size = value.abs() * self.sizes[j];
-            if size > self.tops[j] * self.norms[i] {
-                self.tops[j] = size / self.norms[i];
-                changed = true;
-            }
+        for (i, j, size) in self.sorted.chunk_by(same_place).map(size).filter(|(_, _, size)| *size > 0.0) {
+            self.tops[j] = self.tops[j].max(size / self.norms[i]);
         }
-        if changed {
-            self.set_units();
-        }
+        self.set_units();
+        self.sorted.iter().all(|k| self.memory[*k as usize].is_finite())
     }
 
     fn set_units(&mut self) {
@@ -166,6 +174,11 @@ impl Linear {
         }
         for ((unit, top), size) in self.column_units.iter_mut().zip(&self.tops).zip(&self.sizes) {
             *unit = if *top > 0.0 { size / top } else { *size };
+        }
+        for (entry, limit) in self.entries.iter().zip(&mut self.limits) {
+            if let Some((i, j)) = entry.map(|(i, j)| (i as usize, j as usize)) {
+                *limit = SLACK * self.norms[i] * self.tops[j].min(1.0) / self.sizes[j];
+            }
         }
         self.told = false;
     }

@@ -1,5 +1,7 @@
 //! The solver on matrices of every kind.
 
+mod random;
+
 use super::*;
 
 fn dense(n: usize, rows: &[f64]) -> Linear {
