@@ -28,6 +28,9 @@ const CONDITION: f64 = 3e12;
 /// Multipliers of a replay may grow to this; a new recording keeps them below 10.   \[-\]
 const GROWTH: f64 = 30.0;
 
+/// Where cells of the elimination have grown beyond this, solutions are refined; of mechanisms none has been seen to need it.   \[-\]
+const REFINED: f64 = 100.0;
+
 /// The smallest pivot may fade to this share of what it has been since the recording.   \[-\]
 const FADED: f64 = 0.01;
 
@@ -69,6 +72,8 @@ pub(crate) struct Linear {
     smallest: f64,
     /// The largest that `smallest` has been since the recording.
     best: f64,
+    /// Right side and solution while they are refined.
+    known: Vec<f64>,
     /// How many times the elimination has been recorded.
     recordings: usize,
 }
@@ -101,6 +106,7 @@ impl Linear {
             smallest_constant: f64::INFINITY,
             smallest: 0.0,
             best: 0.0,
+            known: vec![0.0; 2 * n],
             recordings: 0,
         }
     }
@@ -201,9 +207,33 @@ impl Linear {
 
     /// A x = b with the factors at hand: from the right side to the solution.
     pub(crate) fn solve(&mut self) {
+        let Some(recording) = &self.recording else { return };
+        recording.solve.run(&mut self.memory);
+        if recording.watch.cell > REFINED {
+            self.refine();
+        }
+    }
+
+    /// x += A⁻¹ (b − A x): what growth of the cells has cost comes back.
+    #[cold]
+    fn refine(&mut self) {
+        let mut known = std::mem::take(&mut self.known);
+        known.copy_from_slice(&self.memory[self.places.rhs as usize..self.places.zero as usize]);
+        let x = &known[self.n..];
+        let (values, rest) = self.memory.split_at_mut(self.entries.len());
+        for (entry, value) in self.entries.iter().zip(values) {
+            if let Some((i, j)) = entry {
+                rest[*i as usize] -= *value * x[*j as usize];
+            }
+        }
         if let Some(recording) = &self.recording {
             recording.solve.run(&mut self.memory);
         }
+        let (b, x) = known.split_at(self.n);
+        self.rhs_mut().copy_from_slice(b);
+        let solution = &mut self.memory[self.places.solution as usize..];
+        solution.iter_mut().zip(x).for_each(|(solution, x)| *solution += x);
+        self.known = known;
     }
 
     /// Runs the recorded elimination on the values as written.
@@ -220,7 +250,7 @@ impl Linear {
 
     /// Whether the last replay can be trusted as the recording could.
     fn fits(&self) -> bool {
-        let growth = self.recording.as_ref().map_or(f64::INFINITY, |recording| recording.watch.largest);
+        let growth = self.recording.as_ref().map_or(f64::INFINITY, |recording| recording.watch.multiplier);
         let faded = self.best * if self.smallest < SUSPICIOUS { 0.5 } else { FADED };
         growth <= GROWTH && self.smallest > SINGULAR && self.smallest >= faded
     }
@@ -236,24 +266,41 @@ impl Linear {
         self.smallest_constant = constant.fold(f64::INFINITY, f64::min);
     }
 
-    /// Records the elimination at the values as written, and runs it.
-    fn record(&mut self) -> Result<(), Singular> {
-        self.recordings += 1;
-        self.measure();
-        self.memory.truncate(self.places.zero as usize + 1);
-        let input = Input {
+    /// How many times the elimination has been recorded.
+    #[cfg(test)]
+    pub(crate) fn recordings(&self) -> usize {
+        self.recordings
+    }
+
+    /// What is to be recorded.
+    fn input(&self) -> Input<'_> {
+        Input {
             n: self.n,
             entries: &self.entries,
             sorted: &self.sorted,
             constants: &self.constants,
             row_units: &self.row_units,
             column_units: &self.column_units,
-        };
-        self.recording = record::record(&input, self.places, &mut self.memory).ok();
-        (self.told, self.best) = (false, 0.0);
+        }
+    }
+
+    /// Records the elimination at the values as written, and runs it; `None` where there are not enough pivots.
+    fn record_only(&mut self) -> Option<()> {
+        self.recordings += 1;
+        (self.told, self.best, self.recording) = (false, 0.0, None);
+        let mut memory = std::mem::take(&mut self.memory);
+        memory.truncate(self.places.zero as usize + 1);
+        let recorded = record::record(&self.input(), self.places, &mut memory);
+        self.memory = memory;
+        self.recording = Some(recorded.ok()?);
         self.replay();
-        let regular = self.recording.is_some() && (self.n == 0 || self.smallest > SINGULAR && self.condition() < CONDITION);
-        if regular {
+        Some(())
+    }
+
+    /// Records the elimination at the values as written, unless they are singular.
+    fn record(&mut self) -> Result<(), Singular> {
+        self.measure();
+        if self.record_only().is_some() && (self.n == 0 || self.smallest > SINGULAR && self.condition() < CONDITION) {
             return Ok(());
         }
         self.recording = None;

@@ -1,6 +1,7 @@
 //! The solver on matrices of every kind.
 
 mod random;
+mod replayed;
 
 use super::*;
 
