@@ -26,10 +26,16 @@ const SINGULAR: f64 = 1e-13;
 const CONDITION: f64 = 3e12;
 
 /// Multipliers of a replay may grow to this; a new recording keeps them below 10.   \[-\]
-const GROWTH: f64 = 100.0;
+const GROWTH: f64 = 30.0;
+
+/// Where cells of the elimination have grown beyond this, solutions are refined; of mechanisms none has been seen to need it.   \[-\]
+const REFINED: f64 = 100.0;
 
 /// The smallest pivot may fade to this share of what it has been since the recording.   \[-\]
 const FADED: f64 = 0.01;
+
+/// Rows and columns are measured anew where a value has grown by this.   \[-\]
+const SLACK: f64 = 1.25;
 
 /// Below this a pivot may be judged by a recording only that has seen one like it.   \[-\]
 const SUSPICIOUS: f64 = 1e-6;
@@ -56,6 +62,8 @@ pub(crate) struct Linear {
     /// 1 / norm_i, and s_j / top_j.
     row_units: Vec<f64>,
     column_units: Vec<f64>,
+    /// A value above its limit is not finite, or its row and column are to be measured anew; infinite on the ground.
+    limits: Vec<f64>,
     recording: Option<Recording>,
     /// Whether the recording's watch knows the measures.
     told: bool,
@@ -64,6 +72,8 @@ pub(crate) struct Linear {
     smallest: f64,
     /// The largest that `smallest` has been since the recording.
     best: f64,
+    /// Right side and solution while they are refined.
+    known: Vec<f64>,
     /// How many times the elimination has been recorded.
     recordings: usize,
 }
@@ -76,6 +86,7 @@ impl Linear {
         let entries: Vec<_> = pattern.into_iter().map(|entry| entry.and_then(inside)).collect();
         let mut sorted: Vec<u32> = (0..entries.len() as u32).filter(|k| entries[*k as usize].is_some()).collect();
         sorted.sort_by_key(|k| entries[*k as usize]);
+        let limits = entries.iter().map(|entry| if entry.is_some() { 0.0 } else { f64::INFINITY }).collect();
         let (rhs, solution) = (entries.len() as u32, (entries.len() + n) as u32);
         Linear {
             n,
@@ -89,11 +100,13 @@ impl Linear {
             tops: vec![0.0; n],
             row_units: vec![1.0; n],
             column_units: vec![1.0; n],
+            limits,
             recording: None,
             told: false,
             smallest_constant: f64::INFINITY,
             smallest: 0.0,
             best: 0.0,
+            known: vec![0.0; 2 * n],
             recordings: 0,
         }
     }
@@ -136,28 +149,29 @@ impl Linear {
         self.set_units();
     }
 
-    /// Measures rows and columns of the values as written; before the first [`Linear::factor`], and again now and then.
-    pub(crate) fn measure(&mut self) {
-        let mut changed = false;
-        for (entry, value) in self.entries.iter().zip(&self.memory) {
-            let Some((i, j)) = entry.map(|(i, j)| (i as usize, j as usize)) else { continue };
-            let size = value.abs() * self.sizes[j];
-            if size > self.norms[i] {
-                self.norms[i] = size;
-                changed = true;
-            }
+    /// Measures rows and columns of the values as written, before [`Linear::factor`]; false if one of them is not finite.
+    pub(crate) fn measure(&mut self) -> bool {
+        let inside = self.memory.iter().zip(&self.limits).fold(true, |inside, (value, limit)| inside & (value.abs() <= *limit));
+        inside || self.measure_anew()
+    }
+
+    /// The same where something has grown, or is not finite.
+    #[cold]
+    fn measure_anew(&mut self) -> bool {
+        let same_place = |a: &u32, b: &u32| self.entries[*a as usize] == self.entries[*b as usize];
+        let size = |same: &[u32]| {
+            let (i, j) = self.entries[same[0] as usize].unwrap_or_default();
+            let value: f64 = same.iter().map(|k| self.memory[*k as usize]).sum();
+            (i as usize, j as usize, value.abs() * self.sizes[j as usize])
+        };
+        for (i, _, size) in self.sorted.chunk_by(same_place).map(size) {
+            self.norms[i] = self.norms[i].max(size);
         }
-        for (entry, value) in self.entries.iter().zip(&self.memory) {
-            let Some((i, j)) = entry.map(|(i, j)| (i as usize, j as usize)) else { continue };
-            let size = value.abs() * self.sizes[j];
-            if size > self.tops[j] * self.norms[i] {
-                self.tops[j] = size / self.norms[i];
-                changed = true;
-            }
+        for (i, j, size) in self.sorted.chunk_by(same_place).map(size).filter(|(_, _, size)| *size > 0.0) {
+            self.tops[j] = self.tops[j].max(size / self.norms[i]);
         }
-        if changed {
-            self.set_units();
-        }
+        self.set_units();
+        self.sorted.iter().all(|k| self.memory[*k as usize].is_finite())
     }
 
     fn set_units(&mut self) {
@@ -166,6 +180,11 @@ impl Linear {
         }
         for ((unit, top), size) in self.column_units.iter_mut().zip(&self.tops).zip(&self.sizes) {
             *unit = if *top > 0.0 { size / top } else { *size };
+        }
+        for (entry, limit) in self.entries.iter().zip(&mut self.limits) {
+            if let Some((i, j)) = entry.map(|(i, j)| (i as usize, j as usize)) {
+                *limit = SLACK * self.norms[i] * self.tops[j].min(1.0) / self.sizes[j];
+            }
         }
         self.told = false;
     }
@@ -188,9 +207,33 @@ impl Linear {
 
     /// A x = b with the factors at hand: from the right side to the solution.
     pub(crate) fn solve(&mut self) {
+        let Some(recording) = &self.recording else { return };
+        recording.solve.run(&mut self.memory);
+        if recording.watch.cell > REFINED {
+            self.refine();
+        }
+    }
+
+    /// x += A⁻¹ (b − A x): what growth of the cells has cost comes back.
+    #[cold]
+    fn refine(&mut self) {
+        let mut known = std::mem::take(&mut self.known);
+        known.copy_from_slice(&self.memory[self.places.rhs as usize..self.places.zero as usize]);
+        let x = &known[self.n..];
+        let (values, rest) = self.memory.split_at_mut(self.entries.len());
+        for (entry, value) in self.entries.iter().zip(values) {
+            if let Some((i, j)) = entry {
+                rest[*i as usize] -= *value * x[*j as usize];
+            }
+        }
         if let Some(recording) = &self.recording {
             recording.solve.run(&mut self.memory);
         }
+        let (b, x) = known.split_at(self.n);
+        self.rhs_mut().copy_from_slice(b);
+        let solution = &mut self.memory[self.places.solution as usize..];
+        solution.iter_mut().zip(x).for_each(|(solution, x)| *solution += x);
+        self.known = known;
     }
 
     /// Runs the recorded elimination on the values as written.
@@ -207,7 +250,7 @@ impl Linear {
 
     /// Whether the last replay can be trusted as the recording could.
     fn fits(&self) -> bool {
-        let growth = self.recording.as_ref().map_or(f64::INFINITY, |recording| recording.watch.largest);
+        let growth = self.recording.as_ref().map_or(f64::INFINITY, |recording| recording.watch.multiplier);
         let faded = self.best * if self.smallest < SUSPICIOUS { 0.5 } else { FADED };
         growth <= GROWTH && self.smallest > SINGULAR && self.smallest >= faded
     }
@@ -223,24 +266,41 @@ impl Linear {
         self.smallest_constant = constant.fold(f64::INFINITY, f64::min);
     }
 
-    /// Records the elimination at the values as written, and runs it.
-    fn record(&mut self) -> Result<(), Singular> {
-        self.recordings += 1;
-        self.measure();
-        self.memory.truncate(self.places.zero as usize + 1);
-        let input = Input {
+    /// How many times the elimination has been recorded.
+    #[cfg(test)]
+    pub(crate) fn recordings(&self) -> usize {
+        self.recordings
+    }
+
+    /// What is to be recorded.
+    fn input(&self) -> Input<'_> {
+        Input {
             n: self.n,
             entries: &self.entries,
             sorted: &self.sorted,
             constants: &self.constants,
             row_units: &self.row_units,
             column_units: &self.column_units,
-        };
-        self.recording = record::record(&input, self.places, &mut self.memory).ok();
-        (self.told, self.best) = (false, 0.0);
+        }
+    }
+
+    /// Records the elimination at the values as written, and runs it; `None` where there are not enough pivots.
+    fn record_only(&mut self) -> Option<()> {
+        self.recordings += 1;
+        (self.told, self.best, self.recording) = (false, 0.0, None);
+        let mut memory = std::mem::take(&mut self.memory);
+        memory.truncate(self.places.zero as usize + 1);
+        let recorded = record::record(&self.input(), self.places, &mut memory);
+        self.memory = memory;
+        self.recording = Some(recorded.ok()?);
         self.replay();
-        let regular = self.recording.is_some() && (self.n == 0 || self.smallest > SINGULAR && self.condition() < CONDITION);
-        if regular {
+        Some(())
+    }
+
+    /// Records the elimination at the values as written, unless they are singular.
+    fn record(&mut self) -> Result<(), Singular> {
+        self.measure();
+        if self.record_only().is_some() && (self.n == 0 || self.smallest > SINGULAR && self.condition() < CONDITION) {
             return Ok(());
         }
         self.recording = None;

@@ -70,8 +70,10 @@ pub(crate) struct Newton<'a> {
     pub linear: Linear,
     /// s_j, the characteristic size of each coordinate.
     pub sizes: Vec<f64>,
-    /// Σ_j |∂C_i/∂q_j| |q_j|: what rounding of q makes of row i, in units of it.
-    roundings: Vec<f64>,
+    /// What is left of what each row is allowed to be off.
+    left: Vec<f64>,
+    /// max |C_i| at the last linearization.
+    residual: f64,
     /// Newton steps of all attempts, and how many there were before this time.
     pub steps: usize,
     pub steps_before: usize,
@@ -93,7 +95,8 @@ impl<'a> Newton<'a> {
             rates: equations.plan.rates(),
             linear: Linear::new(n, equations.entries.iter().copied(), &equations.constants),
             sizes: vec![1.0; n],
-            roundings: vec![0.0; n],
+            left: vec![0.0; n],
+            residual: 0.0,
             steps: 0,
             steps_before: 0,
         }
@@ -105,16 +108,14 @@ impl<'a> Newton<'a> {
         for iteration in 0..=self.options.max_iterations {
             self.linearize(t)?;
             self.linear.factor().map_err(Failure::Singular)?;
-            let (row, residual) = self.worst();
-            let outcome = Outcome { iterations: iteration, residual, row };
             if let Stop::ResidualOnly(bound) = self.options.stop
-                && residual < bound
+                && self.residual < bound
             {
-                return self.regular(outcome);
+                return self.regular(iteration);
             }
             let correction = self.correction();
             if self.converged(correction, previous) {
-                return self.regular(outcome);
+                return self.regular(iteration);
             }
             if iteration == self.options.max_iterations || (steps == Steps::Near && correction > previous) {
                 break;
@@ -127,8 +128,12 @@ impl<'a> Newton<'a> {
     }
 
     /// The outcome, unless the position is singular for all that rounding lets one tell.
-    fn regular(&mut self, outcome: Outcome) -> Result<Outcome, Failure> {
-        if self.linear.smallest_pivot() < DOUBTFUL { Err(Failure::Singular(self.linear.diagnose())) } else { Ok(outcome) }
+    fn regular(&mut self, iterations: usize) -> Result<Outcome, Failure> {
+        if self.linear.smallest_pivot() < DOUBTFUL {
+            return Err(Failure::Singular(self.linear.diagnose()));
+        }
+        let (row, residual) = self.worst();
+        Ok(Outcome { iterations, residual, row })
     }
 
     /// Why the iteration came to no end: where C is met and still every step is long, C_q is singular for all practical purposes.
@@ -144,45 +149,58 @@ impl<'a> Newton<'a> {
     pub(crate) fn linearize(&mut self, t: f64) -> Result<(), Failure> {
         let equations = self.system.equations();
         equations.plan.set_states(&self.q, &mut self.states);
-        equations.linearize(t, &self.states, &mut self.c, self.linear.values_mut()).map_err(Failure::NotFinite)?;
-        self.linear.measure();
-        self.roundings.fill(0.0);
-        for (entry, value) in equations.entries.iter().zip(self.linear.values()) {
-            if let Some((row, column)) = *entry {
-                self.roundings[row] += value.abs() * self.q[column].abs();
-            }
+        equations.linearize(t, &self.states, &mut self.c, self.linear.values_mut());
+        self.residual = largest(self.c.iter().map(|c| c.abs()));
+        if self.linear.measure() && self.residual < f64::INFINITY {
+            return Ok(());
         }
-        Ok(())
+        equations.finite(&self.c, self.linear.values()).map_err(Failure::NotFinite)
     }
 
-    /// C_q dq = −C; gives max |dq_j|, each against what may be asked of it.
+    /// C_q dq = −C; gives max |dq_j|, each against what may be asked of it, or more if that is within the tolerance.
     fn correction(&mut self) -> f64 {
         for (rhs, c) in self.linear.rhs_mut().iter_mut().zip(&self.c) {
             *rhs = -c;
         }
         self.linear.solve();
         self.dq.copy_from_slice(self.linear.solution());
-        let rounding = self.rounding();
-        let shares = self.dq.iter().zip(&self.q).zip(&self.sizes).map(|((dq, q), size)| dq.abs() / (size + rounding * q.abs()));
-        largest(shares)
+        let shares = largest(self.dq.iter().zip(&self.sizes).map(|(dq, size)| dq.abs() / size));
+        let Stop::Converged { tolerance } = self.options.stop else { return shares };
+        if shares <= tolerance {
+            return shares;
+        }
+        let rounding = rounding(tolerance);
+        largest(self.dq.iter().zip(&self.q).zip(&self.sizes).map(|((dq, q), size)| dq.abs() / (size + rounding * q.abs())))
     }
 
     /// The stop rule that tests the correction too.
-    fn converged(&self, correction: f64, previous: f64) -> bool {
+    fn converged(&mut self, correction: f64, previous: f64) -> bool {
         let Stop::Converged { tolerance } = self.options.stop else { return false };
         // Newton's steps shrink by squares: one this short that has stopped shrinking is rounding, and no more can be had.
         (self.met() && correction <= tolerance) || (correction > 0.5 * previous && correction <= STALL)
     }
 
     /// Whether C = 0 holds to the tolerance, each row by its own measure.
-    fn met(&self) -> bool {
-        let rounding = self.rounding();
-        let rows = self.c.iter().zip(self.linear.norms()).zip(&self.roundings);
-        let scaled = largest(rows.map(|((c, norm), size)| c.abs() / (norm + rounding * size)));
-        match self.options.stop {
-            Stop::Converged { tolerance } => scaled <= tolerance,
-            Stop::ResidualOnly(bound) => self.worst().1 < bound,
+    fn met(&mut self) -> bool {
+        let tolerance = match self.options.stop {
+            Stop::Converged { tolerance } => tolerance,
+            Stop::ResidualOnly(bound) => return self.residual < bound,
+        };
+        let rows = self.c.iter().zip(self.linear.norms());
+        rows.fold(true, |met, (c, norm)| met & (c.abs() <= tolerance * norm)) || self.met_but_for_rounding(tolerance)
+    }
+
+    /// The same where rounding of q, which makes Σ_j |∂C_i/∂q_j| |q_j| ε of row i, is allowed for.
+    fn met_but_for_rounding(&mut self, tolerance: f64) -> bool {
+        for ((left, c), norm) in self.left.iter_mut().zip(&self.c).zip(self.linear.norms()) {
+            *left = tolerance * norm - c.abs();
         }
+        for (entry, value) in self.system.equations().entries.iter().zip(self.linear.values()) {
+            if let Some((row, column)) = *entry {
+                self.left[row] += tolerance * rounding(tolerance) * (value * self.q[column]).abs();
+            }
+        }
+        self.left.iter().all(|left| *left >= 0.0)
     }
 
     /// The equation that is far from being met at the point in hand, if one is.
@@ -190,14 +208,6 @@ impl<'a> Newton<'a> {
         let shares = self.c.iter().zip(self.linear.norms()).map(|(c, norm)| c.abs() / norm).enumerate();
         let (row, share) = shares.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
         (share > UNMET).then(|| self.system.equations().equation(row))
-    }
-
-    /// Four roundings of a number in units of the tolerance: a number that large may be off by that much.
-    fn rounding(&self) -> f64 {
-        match self.options.stop {
-            Stop::Converged { tolerance } => 4.0 * f64::EPSILON / tolerance,
-            Stop::ResidualOnly(_) => 0.0,
-        }
     }
 
     /// The row with the largest |C_i|, and that; rows as they are written.
@@ -269,7 +279,7 @@ impl<'a> Newton<'a> {
     }
 
     fn overflow(&self, solution: &[f64], quantity: &'static str) -> Result<(), Failure> {
-        if solution.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(Failure::NotFinite(Bad { row: self.worst().0, quantity })) }
+        if solution.iter().fold(true, |finite, x| finite & x.is_finite()) { Ok(()) } else { Err(Failure::NotFinite(Bad { row: self.worst().0, quantity })) }
     }
 
     /// The error that tells a failure in the user's names.
@@ -284,6 +294,11 @@ impl<'a> Newton<'a> {
             }
         }
     }
+}
+
+/// Four roundings of a number in units of the tolerance: a number that large may be off by that much.
+fn rounding(tolerance: f64) -> f64 {
+    4.0 * f64::EPSILON / tolerance
 }
 
 /// The largest of non-negative numbers, 0 of none; NaN counts as infinite.

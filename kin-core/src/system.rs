@@ -114,7 +114,8 @@ impl System {
     pub fn jacobian(&self, q: &[f64], t: f64) -> Result<DMatrix<f64>> {
         let states = self.states(q, t)?;
         let (mut c, mut values) = (vec![0.0; self.n_equations()], vec![0.0; self.equations.entries.len()]);
-        self.finite(self.equations.linearize(t, &states, &mut c, &mut values), t, &states)?;
+        self.equations.linearize(t, &states, &mut c, &mut values);
+        self.finite(self.equations.finite(&c, &values), t, &states)?;
         let mut c_q = DMatrix::zeros(self.n_equations(), self.n_coordinates());
         for (entry, value) in self.equations.entries.iter().zip(values) {
             if let Some(place) = *entry {
@@ -250,7 +251,8 @@ impl System {
         let states = self.states(q, t)?;
         let mut linear = Linear::new(self.n_coordinates(), self.equations.entries.iter().copied(), &self.equations.constants);
         let mut c = vec![0.0; self.n_equations()];
-        self.finite(self.equations.linearize(t, &states, &mut c, linear.values_mut()), t, &states)?;
+        self.equations.linearize(t, &states, &mut c, linear.values_mut());
+        self.finite(self.equations.finite(&c, linear.values()), t, &states)?;
         let sizes = scale::sizes(&self.layout, &self.equations, linear.values(), q, &self.links);
         linear.set_sizes(&sizes);
         linear.measure();

@@ -9,19 +9,23 @@ impl Linear {
     /// An estimate (from below, seldom by more than 2) of the 2-norm condition number of the matrix by the measures of its rows and
     /// columns; infinite where it overflows.   \[-\]
     pub(super) fn condition(&mut self) -> f64 {
-        let n = self.n;
+        self.nearly_null().2
+    }
+
+    /// Vectors that the transpose and the matrix nearly take to zero, and the condition number.
+    pub(super) fn nearly_null(&mut self) -> (Vec<f64>, Vec<f64>, f64) {
         let mut state = 0x9E37_79B9_7F4A_7C15_u64;
-        let mut v: Vec<f64> = (0..n).map(|_| sign_and_size(&mut state)).collect();
+        let mut left: Vec<f64> = (0..self.n).map(|_| sign_and_size(&mut state)).collect();
         let (mut inverse, mut direct) = (0.0_f64, 0.0_f64);
-        normalise(&mut v);
-        let start = v.clone();
+        normalise(&mut left);
+        let (mut v, mut right) = (left.clone(), Vec::new());
         for _ in 0..ROUNDS {
-            self.apply_inverse(&mut v);
-            inverse = inverse.max(normalise(&mut v));
-            self.apply_inverse_transposed(&mut v);
-            inverse = inverse.max(normalise(&mut v));
+            self.apply_inverse(&mut left);
+            inverse = inverse.max(normalise(&mut left));
+            right.clone_from(&left);
+            self.apply_inverse_transposed(&mut left);
+            inverse = inverse.max(normalise(&mut left));
         }
-        v = start;
         for _ in 0..ROUNDS {
             v = self.apply(&v, false);
             direct = direct.max(normalise(&mut v));
@@ -29,11 +33,11 @@ impl Linear {
             direct = direct.max(normalise(&mut v));
         }
         let condition = inverse * direct;
-        if condition.is_finite() { condition } else { f64::INFINITY }
+        (left, right, if condition.is_finite() { condition } else { f64::INFINITY })
     }
 
     /// v becomes the inverse of the measured matrix times v.
-    fn apply_inverse(&mut self, v: &mut [f64]) {
+    pub(super) fn apply_inverse(&mut self, v: &mut [f64]) {
         let units = self.row_units.clone();
         for ((b, v), unit) in self.rhs_mut().iter_mut().zip(v.iter()).zip(&units) {
             *b = v / unit;
@@ -45,7 +49,7 @@ impl Linear {
     }
 
     /// The same with the transpose.
-    fn apply_inverse_transposed(&mut self, v: &mut [f64]) {
+    pub(super) fn apply_inverse_transposed(&mut self, v: &mut [f64]) {
         let mut adjoint = vec![0.0; self.memory.len()];
         let (rhs, solution) = (self.places.rhs as usize, self.places.solution as usize);
         for ((x, v), unit) in adjoint[solution..].iter_mut().zip(v.iter()).zip(&self.column_units) {

@@ -10,10 +10,8 @@ pub(super) enum Kind {
     Plain,
     /// Writes Σ products − start + Σ plus − Σ minus instead.
     Negated,
-    /// Writes it times `scale`.
+    /// Writes it times `scale`; while factoring it is a multiplier, which must not grow.
     Scaled,
-    /// The same, and it is a multiplier of the elimination, which must not grow.
-    Multiplier,
     /// Writes one over it: it is a pivot, which must not vanish.
     Pivot,
 }
@@ -43,12 +41,13 @@ pub(super) struct Program {
 pub(super) struct Watch {
     /// What makes each pivot that is no constant a share of its row and column.
     pub units: Vec<f64>,
-    /// What makes each multiplier a ratio of numbers of order 1.
+    /// What makes each other number that is computed one of order 1.
     pub weights: Vec<f64>,
     /// The smallest share of a pivot.
     pub smallest: f64,
-    /// The largest multiplier.
-    pub largest: f64,
+    /// The largest multiplier, and the largest other cell that was computed.
+    pub multiplier: f64,
+    pub cell: f64,
 }
 
 impl Program {
@@ -75,15 +74,15 @@ impl Program {
     pub(super) fn run_watched(&self, memory: &mut [f64], watch: &mut Watch) {
         let (mut products, mut terms) = (&self.products[..], &self.terms[..]);
         let (mut units, mut weights) = (watch.units.iter(), watch.weights.iter());
-        let (mut smallest, mut largest) = (f64::INFINITY, 0.0_f64);
+        let (mut smallest, mut multiplier, mut cell) = (f64::INFINITY, 0.0_f64, 0.0_f64);
+        let mut weighted = |x: f64| x.abs() * weights.next().copied().unwrap_or(1.0);
         for step in &self.steps {
             let mut x = step.sum(memory, &mut products, &mut terms);
             match step.kind {
-                Kind::Plain | Kind::Negated => {}
-                Kind::Scaled => x *= memory[step.scale as usize],
-                Kind::Multiplier => {
+                Kind::Plain | Kind::Negated => cell = above(cell, weighted(x)),
+                Kind::Scaled => {
                     x *= memory[step.scale as usize];
-                    largest = above(largest, x.abs() * weights.next().copied().unwrap_or(1.0));
+                    multiplier = above(multiplier, weighted(x));
                 }
                 Kind::Pivot => {
                     smallest = below(smallest, x.abs() * units.next().copied().unwrap_or(1.0));
@@ -92,7 +91,7 @@ impl Program {
             }
             memory[step.out as usize] = x;
         }
-        (watch.smallest, watch.largest) = (smallest, largest);
+        (watch.smallest, watch.multiplier, watch.cell) = (smallest, multiplier, cell);
     }
 
     /// The transpose of a program that is linear in its last factors and its starts: what was `out` comes in, what was read comes out,

@@ -116,7 +116,7 @@ impl Elimination {
             x.push(1.0);
             add_shares(&mut share, &x);
         }
-        shared(&share, &self.columns)
+        named(&share, &self.columns)
     }
 
     /// Rows with a share in a vanishing combination: y_d = 1, Lᵀ y = −l_d.
@@ -133,19 +133,26 @@ impl Elimination {
             y.push(1.0);
             add_shares(&mut share, &y);
         }
-        shared(&share, &self.rows)
+        named(&share, &self.rows)
     }
 }
 
-fn add_shares(share: &mut [f64], vector: &[f64]) {
+/// Raises the share of each number to what it is of the largest in a vector.
+pub(super) fn add_shares(share: &mut [f64], vector: &[f64]) {
     let largest = vector.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     for (share, x) in share.iter_mut().zip(vector) {
         *share = share.max(x.abs() / largest);
     }
 }
 
-fn shared(share: &[f64], names: &[usize]) -> Vec<usize> {
-    let mut all: Vec<usize> = share.iter().zip(names).filter(|(share, _)| **share > SHARE).map(|(_, &name)| name).collect();
+/// The numbers with a share.
+pub(super) fn shared(share: &[f64]) -> Vec<usize> {
+    (0..share.len()).filter(|k| share[*k] > SHARE).collect()
+}
+
+/// The names of the numbers with a share, sorted.
+fn named(share: &[f64], names: &[usize]) -> Vec<usize> {
+    let mut all: Vec<usize> = shared(share).into_iter().map(|k| names[k]).collect();
     all.sort_unstable();
     all
 }

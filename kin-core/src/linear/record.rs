@@ -123,8 +123,9 @@ impl Lists {
     }
 }
 
-/// Chooses all pivots and writes both programs; the rank where there is no further pivot. The memory holds the values.
-pub(super) fn record(input: &Input<'_>, places: Places, memory: &mut Vec<f64>) -> Result<Recording, usize> {
+/// Chooses all pivots and writes both programs; the rows and columns that are left where there is no further pivot. The memory holds the
+/// values.
+pub(super) fn record(input: &Input<'_>, places: Places, memory: &mut Vec<f64>) -> Result<Recording, Vec<(u32, u32)>> {
     let mut recorder = Recorder {
         input,
         places,
@@ -140,8 +141,8 @@ pub(super) fn record(input: &Input<'_>, places: Places, memory: &mut Vec<f64>) -
         lists: Lists::default(),
     };
     recorder.fill();
-    for rank in 0..input.n {
-        let pivot = recorder.choose().ok_or(rank)?;
+    for _ in 0..input.n {
+        let Some(pivot) = recorder.choose() else { return Err(recorder.left()) };
         recorder.eliminate(pivot);
     }
     solving::write(&mut recorder);
@@ -174,6 +175,16 @@ impl Recorder<'_> {
             self.active.recount(Side::Row, line);
             self.active.recount(Side::Column, line);
         }
+    }
+
+    /// Rows and columns without a pivot.
+    fn left(&self) -> Vec<(u32, u32)> {
+        let (mut rows, mut columns) = (vec![true; self.input.n], vec![true; self.input.n]);
+        for pivot in &self.pivots {
+            (rows[pivot.row as usize], columns[pivot.column as usize]) = (false, false);
+        }
+        let open = |lines: Vec<bool>| (0..).zip(lines).filter(|line| line.1).map(|line| line.0).collect::<Vec<u32>>();
+        open(rows).into_iter().zip(open(columns)).collect()
     }
 
     /// The next pivot, if there is one.
@@ -320,7 +331,7 @@ impl Recorder<'_> {
         if next == NONE && b == PLUS && cell.constant == 0.0 {
             return Number::At(a);
         }
-        Number::At(self.compute(id, Kind::Plain, self.places.zero))
+        Number::At(self.compute(id, Kind::Plain, self.places.zero, self.weight(id)))
     }
 
     /// The number of a cell of U divided by its pivot.
@@ -329,11 +340,11 @@ impl Recorder<'_> {
         match (inverse, cell.terms) {
             (Inverse::One, _) => self.number(id),
             (Inverse::MinusOne, NONE) => Number::Constant(-cell.constant),
-            (Inverse::MinusOne, _) => Number::At(self.compute(id, Kind::Negated, self.places.zero)),
+            (Inverse::MinusOne, _) => Number::At(self.compute(id, Kind::Negated, self.places.zero, self.weight(id))),
             (Inverse::At(inverse), _) => {
                 let units = self.input.column_units;
-                self.recording.watch.weights.push(units[cell.column as usize] / units[pivot_column as usize]);
-                Number::At(self.compute(id, Kind::Multiplier, inverse))
+                let weight = units[cell.column as usize] / units[pivot_column as usize];
+                Number::At(self.compute(id, Kind::Scaled, inverse, weight))
             }
         }
     }
@@ -344,7 +355,7 @@ impl Recorder<'_> {
         let (row, column, constant) = (cell.row, cell.column, cell.constant);
         if cell.terms != NONE {
             self.recording.watched.push((row, column));
-            return Inverse::At(self.compute(id, Kind::Pivot, self.places.zero));
+            return Inverse::At(self.compute(id, Kind::Pivot, self.places.zero, 0.0));
         }
         self.recording.constant.push((row, column, constant));
         match constant {
@@ -354,8 +365,17 @@ impl Recorder<'_> {
         }
     }
 
-    /// Writes the step that computes a cell, and gives its place.
-    fn compute(&mut self, id: u32, kind: Kind, scale: u32) -> u32 {
+    /// What makes a cell a number of order 1.
+    fn weight(&self, id: u32) -> f64 {
+        let cell = &self.active.cells[id as usize];
+        self.input.row_units[cell.row as usize] * self.input.column_units[cell.column as usize]
+    }
+
+    /// Writes the step that computes a cell, and gives its place; `weight` is for the watch.
+    fn compute(&mut self, id: u32, kind: Kind, scale: u32, weight: f64) -> u32 {
+        if kind != Kind::Pivot {
+            self.recording.watch.weights.push(weight);
+        }
         let start = self.gather(id, kind == Kind::Negated);
         let out = self.place();
         let Lists { products, plus, minus } = &self.lists;

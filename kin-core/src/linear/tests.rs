@@ -1,5 +1,8 @@
 //! The solver on matrices of every kind.
 
+mod random;
+mod replayed;
+
 use super::*;
 
 fn dense(n: usize, rows: &[f64]) -> Linear {

@@ -223,17 +223,17 @@ impl Equations {
         finite(c, "C")
     }
 
-    /// C(q, t) and the values of C_q.
-    pub(crate) fn linearize(&self, t: f64, states: &[f64], c: &mut [f64], values: &mut [f64]) -> Result<(), Bad> {
+    /// C(q, t) and the values of C_q, whether they are finite or not.
+    pub(crate) fn linearize(&self, t: f64, states: &[f64], c: &mut [f64], values: &mut [f64]) {
         for block in &self.blocks {
             let at = block.at(t, states);
             block.constraint.linearize(&at, &mut c[block.rows.clone()], &mut values[block.values.clone()]);
         }
+    }
+
+    /// Whether C and the values of C_q are finite. What stands on the ground's coordinates does not matter.
+    pub(crate) fn finite(&self, c: &[f64], values: &[f64]) -> Result<(), Bad> {
         finite(c, "C")?;
-        if values.iter().all(|x| x.is_finite()) {
-            return Ok(());
-        }
-        // What stands on the ground's coordinates does not matter.
         let mut own = values.iter().zip(&self.entries).filter_map(|(value, entry)| entry.map(|(row, _)| (row, value)));
         own.find(|(_, value)| !value.is_finite()).map_or(Ok(()), |(row, _)| Err(Bad { row, quantity: "C_q" }))
     }
@@ -282,7 +282,10 @@ impl Equations {
 }
 
 /// The first row that is not finite.
-fn finite(rows: &[f64], quantity: &'static str) -> Result<(), Bad> {
+pub(crate) fn finite(rows: &[f64], quantity: &'static str) -> Result<(), Bad> {
+    if rows.iter().fold(true, |finite, x| finite & x.is_finite()) {
+        return Ok(());
+    }
     match rows.iter().position(|x| !x.is_finite()) {
         Some(row) => Err(Bad { row, quantity }),
         None => Ok(()),

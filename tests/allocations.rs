@@ -1,0 +1,54 @@
+//! A step of time allocates nothing: counted with an allocator that counts.
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use kin::prelude::*;
+use kin::{Mechanism, Options, Stop, linspace};
+
+struct Counting;
+
+static ALLOCATIONS: AtomicUsize = AtomicUsize::new(0);
+
+// SAFETY: every call goes to the system's allocator as it comes.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static COUNTING: Counting = Counting;
+
+fn allocations(system: &kin::System, steps: usize, options: &Options) -> usize {
+    let times = linspace(0.0, 1e-3 * (steps - 1) as f64, steps);
+    let before = ALLOCATIONS.load(Ordering::Relaxed);
+    let motion = system.run_with(&times, options).unwrap();
+    assert_eq!(motion.len(), steps);
+    ALLOCATIONS.load(Ordering::Relaxed) - before
+}
+
+#[test]
+fn number_of_steps_does_not_change_the_number_of_allocations() {
+    let mut m = Mechanism::new("four-bar");
+    let crank = m.link_between("crank", vec2(0.0, 0.0), vec2(1.0, 0.0)).unwrap();
+    let coupler = m.link_between("coupler", vec2(1.0, 0.0), vec2(3.0, 2.87)).unwrap();
+    let rocker = m.link_between("rocker", vec2(4.0, 0.0), vec2(3.0, 2.87)).unwrap();
+    let ground = m.ground();
+    m.add("O", revolute(ground, crank, vec2(0.0, 0.0), crank.start())).unwrap();
+    m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).unwrap();
+    m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).unwrap();
+    m.add("C", revolute(ground, rocker, vec2(4.0, 0.0), rocker.start())).unwrap();
+    m.add("motor", drive_angle(crank, Law::ramp(TAU))).unwrap();
+    let system = m.build().unwrap();
+    let protocol = Options { stop: Stop::ResidualOnly(1e-10), predict: false, ..Options::default() };
+    for options in [Options::default(), protocol] {
+        allocations(&system, 2, &options);
+        assert_eq!(allocations(&system, 20, &options), allocations(&system, 2000, &options));
+    }
+}
