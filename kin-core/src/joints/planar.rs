@@ -26,10 +26,11 @@ pub fn revolute(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> Vec2 {
 /// Sliding joint: θ_i − θ_j − θ0 = 0 and h_i · (r_Pi − r_Pj) = 0.      \[rad, m\]
 ///
 /// Removes 2 freedoms. `u_i`, `u_j`: local positions of a point on the slide in either body; `h_i`: local direction in body i
-/// perpendicular to the slide (its length scales the second row); `theta0`: θ_i − θ_j. Lecture, "Constraint Library: Prismatic".
+/// perpendicular to the slide (its length scales the second row); `theta0`: θ_i − θ_j. Lecture, "Constraint Library: Prismatic". What is fixed
+/// in body i is written in its own frame, h_i · A_i ū_i = h̄_i · ū_i: the same equation, with a quarter less to compute.
 #[constraint]
 pub fn prismatic(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_i: Vec2, theta0: f64) -> (f64, f64) {
     let turn = i.theta - j.theta - theta0;
-    let offset = i.direction(h_i).dot(i.point(u_i) - j.point(u_j));
+    let offset = h_i.dot(u_i) + i.direction(h_i).dot(i.r - j.point(u_j));
     (turn, offset)
 }
