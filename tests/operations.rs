@@ -8,7 +8,8 @@ use kin::{any_coord, dual_terms, terms};
 type Nasty = &'static [(f64, Option<f64>)];
 
 /// Smooth everywhere that `check` looks: no nasty points but these.
-const ORDINARY: Nasty = &[(0.0, None), (-0.0, None), (PI, None), (-PI, None), (0.5 * PI, None), (1.0, None), (-1.0, None), (1e-300, None), (1e8, None)];
+const ORDINARY: Nasty =
+    &[(0.0, None), (-0.0, None), (PI, None), (-PI, None), (0.5 * PI, None), (1.0, None), (-1.0, None), (1e-300, None), (1e8, None)];
 
 macro_rules! operations {
     ($($name:ident = |$a:ident| $value:expr, $nasty:expr;)*) => {

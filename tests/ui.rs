@@ -14,13 +14,8 @@ use serde_json::Value;
 const PINNED: &str = "rustc 1.95.0";
 
 /// Programs with a message of Kin's own whose rendering is kept too, to prove the caret.
-const SHOWN: [&str; 5] = [
-    "law_used_as_a_number",
-    "integer_beside_a_number",
-    "row_without_a_coordinate",
-    "symbolic_asked_of_a_while",
-    "two_mistakes_at_once",
-];
+const SHOWN: [&str; 5] =
+    ["law_used_as_a_number", "integer_beside_a_number", "row_without_a_coordinate", "symbolic_asked_of_a_while", "two_mistakes_at_once"];
 
 #[test]
 fn every_slip_is_one_error_at_its_token() {

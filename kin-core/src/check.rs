@@ -75,7 +75,12 @@ pub fn compare<E: Equation<N, M> + Clone, const N: usize, const M: usize>(equati
 }
 
 /// Compares all routes at one state of one's own choice.
-pub fn at<E: Equation<N, M> + Clone, const N: usize, const M: usize>(equation: &E, q: &[f64; N], qd: &[f64; N], t: f64) -> Result<Report, Box<Mismatch>> {
+pub fn at<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
+    equation: &E,
+    q: &[f64; N],
+    qd: &[f64; N],
+    t: f64,
+) -> Result<Report, Box<Mismatch>> {
     let mut report = Report { routes: 0.0, differences: 0.0, states: 0 };
     at_state::<E, N, M>(equation, q, qd, t, &mut report)?;
     Ok(report)
@@ -112,7 +117,9 @@ fn at_state<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     if !central.reliable {
         return Ok(());
     }
-    for (term, a, b) in [("C_q", own.c_q.clone(), &central.c_q), ("C_t", column(&own.c_t), &central.c_t), ("Q_d", column(&own.q_d), &central.q_d)] {
+    for (term, a, b) in
+        [("C_q", own.c_q.clone(), &central.c_q), ("C_t", column(&own.c_t), &central.c_t), ("Q_d", column(&own.q_d), &central.q_d)]
+    {
         let difference = (&a - b).amax() / (1.0 + b.amax());
         report.differences = report.differences.max(difference);
         if difference.is_nan() || difference > DIFFERENCES_TOLERANCE {
@@ -156,7 +163,13 @@ impl Central {
         Central { reliable, ..fine }
     }
 
-    fn with_step<E: Equation<N, M> + Clone, const N: usize, const M: usize>(equation: &E, q: &[f64; N], qd: &[f64; N], t: f64, h: f64) -> Self {
+    fn with_step<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
+        equation: &E,
+        q: &[f64; N],
+        qd: &[f64; N],
+        t: f64,
+        h: f64,
+    ) -> Self {
         let slope = |direction: &[f64; N], along_t: f64| -> DVector<f64> {
             let value = |s: f64| {
                 let moved = std::array::from_fn(|k| q[k] + s * direction[k]);

@@ -306,11 +306,25 @@ mod tests {
 
     #[test]
     fn not_square_says_what_is_missing_and_the_cure() {
-        let error = Error::NotSquare { mechanism: "arm".into(), coordinates: 9, equations: 7, untouched: vec!["spare".into()], movable: vec![], dependent: vec![] };
+        let error = Error::NotSquare {
+            mechanism: "arm".into(),
+            coordinates: 9,
+            equations: 7,
+            untouched: vec!["spare".into()],
+            movable: vec![],
+            dependent: vec![],
+        };
         let text = error.to_string();
         assert!(text.starts_with("the mechanism \"arm\" cannot be driven: 9 coordinates, 7 equations."), "{text}");
         assert!(text.contains("2 equations are missing") && text.contains("`spare`") && text.contains("driver"), "{text}");
-        let error = Error::NotSquare { mechanism: "arm".into(), coordinates: 9, equations: 10, untouched: vec![], movable: vec![], dependent: vec!["motor".into(), "motor 2".into()] };
+        let error = Error::NotSquare {
+            mechanism: "arm".into(),
+            coordinates: 9,
+            equations: 10,
+            untouched: vec![],
+            movable: vec![],
+            dependent: vec!["motor".into(), "motor 2".into()],
+        };
         let text = error.to_string();
         assert!(text.contains("1 equation too many") && text.contains("`motor`, `motor 2`"), "{text}");
     }

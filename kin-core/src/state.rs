@@ -157,9 +157,7 @@ impl SpatialState {
     /// (R, e0..e3, A row by row), as a constraint reads it.
     pub fn to_array(&self) -> [f64; SPATIAL_STATE] {
         let (r, p, a) = (self.r, self.p, self.a);
-        [
-            r.x, r.y, r.z, p.e0, p.e1, p.e2, p.e3, a.m11, a.m12, a.m13, a.m21, a.m22, a.m23, a.m31, a.m32, a.m33,
-        ]
+        [r.x, r.y, r.z, p.e0, p.e1, p.e2, p.e3, a.m11, a.m12, a.m13, a.m21, a.m22, a.m23, a.m31, a.m32, a.m33]
     }
 
     fn from_array(s: [f64; SPATIAL_STATE]) -> Self {

@@ -1,6 +1,5 @@
-/** The constraint that [`fn@on_cam`] makes.
-
-*/
+/// The constraint that [`fn@on_cam`] makes.
+///
 /// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]
 #[allow(non_camel_case_types)]
 #[derive(Clone)]
@@ -28,13 +27,35 @@ fn on_cam(
 }
 #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
 const _: () = {
-    const _: fn() = || {};
+    use ::kin::rt::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
+    use ::kin::rt::{ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _};
+    /// The function as it was written.
+    const __WRITTEN: fn(
+        ::kin::rt::PlanarState,
+        ::kin::rt::PlanarState,
+        Vec2,
+        Law,
+    ) -> f64 = |cam, follower, tip, profile| {
+        let p = cam.local(follower.point(tip));
+        let phi = p.y.atan2(p.x);
+        p.norm() - profile.at(phi)
+            + (&::kin::rt::Foreign(
+                wear(
+                    ::kin::rt::plain_argument(phi),
+                    ::kin::rt::plain_argument(MOST_WEAR),
+                ),
+            ))
+                .lowered()
+    };
+    const __SOUND: bool = {
+        let _ = __WRITTEN;
+        true
+    };
+    type __Dual<D> = ::kin::rt::If<__SOUND, D>;
+    type __Real<D> = ::kin::rt::Real<__Dual<D>>;
     impl on_cam {
-        fn __leaf0<__D: ::kin::rt::Dual>(
-            &self,
-            x: [::kin::rt::Real<__D>; 1],
-        ) -> ::kin::rt::Real<__D> {
-            wear(::kin::rt::jet_argument(x[0]), MOST_WEAR)
+        fn __leaf0<__D: ::kin::rt::Dual>(&self, x: [__Real<__D>; 1]) -> __Real<__D> {
+            wear(::kin::rt::jet_argument(x[0]), ::kin::rt::constant_argument(MOST_WEAR))
         }
     }
     impl ::kin::Constraint for on_cam {
@@ -316,76 +337,50 @@ const _: () = {
             ::kin::rt::Numbers::visit(&self.profile, "profile", visit);
         }
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-            false || ::kin::rt::Numbers::set(&mut self.tip, "tip", name, value)
+            ::kin::rt::Numbers::set(&mut self.tip, "tip", name, value)
                 || ::kin::rt::Numbers::set(&mut self.profile, "profile", name, value)
         }
     }
-    impl ::kin::rt::Equation<6usize, 1usize> for on_cam {
+    impl ::kin::rt::Equation<6, 1> for on_cam {
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[
             ::kin::rt::ArgumentKind::Planar,
             ::kin::rt::ArgumentKind::Planar,
         ];
         fn evaluate<__D: ::kin::rt::Dual>(
             &self,
-            q: &[::kin::rt::Real<__D>; 6usize],
+            q: &[::kin::rt::Real<__D>; 6],
             t: ::kin::rt::Real<__D>,
-        ) -> [::kin::rt::Real<__D>; 1usize] {
-            let cam = ::kin::rt::PlanarState::<
-                ::kin::rt::Real<__D>,
-            >::new([q[0], q[1], q[2]]);
+        ) -> [::kin::rt::Real<__D>; 1] {
+            let cam = ::kin::rt::PlanarState::<__Real<__D>>::new([q[0], q[1], q[2]]);
             let follower = ::kin::rt::PlanarState::<
-                ::kin::rt::Real<__D>,
+                __Real<__D>,
             >::new([q[3], q[4], q[5]]);
-            let tip = ::kin::rt::Lift::<__D>::lift(self.tip.clone());
+            let tip: ::kin::rt::Vec2<__Real<__D>> = ::kin::rt::Lift::lift(self.tip);
             let profile = self.profile.clone();
-            let value = (move || -> ::kin::rt::Real<__D> {
+            let value = (move || -> __Real<__D> {
                 let p = cam.local(follower.point(tip));
                 let phi = p.y.atan2(p.x);
                 p.norm() - profile.at(phi)
-                    + {
-                        #[allow(unused_imports)]
-                        use ::kin::rt::{LiftAny as _, LiftNumbers as _};
-                        (&::kin::rt::Foreign(
-                            wear(
-                                ::kin::rt::jet_argument(phi),
-                                ::kin::rt::constant_argument({
-                                    #[allow(unused_imports)]
-                                    use ::kin::rt::{LiftAny as _, LiftNumbers as _};
-                                    (&::kin::rt::Foreign(
-                                        ::core::clone::Clone::clone(&MOST_WEAR),
-                                    ))
-                                        .lifted(::core::marker::PhantomData::<__D>)
-                                }),
-                            ),
-                        ))
-                            .lifted(::core::marker::PhantomData::<__D>)
-                    }
+                    + (&::kin::rt::Foreign(
+                        wear(
+                            ::kin::rt::jet_argument(phi),
+                            ::kin::rt::constant_argument(MOST_WEAR),
+                        ),
+                    ))
+                        .lifted(::core::marker::PhantomData::<__Dual<__D>>)
             })();
             ::kin::rt::rows(value)
         }
         #[inline]
-        fn plain(&self, q: &[f64; 6usize], t: f64) -> [f64; 1usize] {
-            let cam = ::kin::rt::PlanarState::<f64>::new([q[0], q[1], q[2]]);
-            let follower = ::kin::rt::PlanarState::<f64>::new([q[3], q[4], q[5]]);
-            let tip: Vec2 = self.tip.clone();
-            let profile: Law = self.profile.clone();
-            let value = (move || -> f64 {
-                let p = cam.local(follower.point(tip));
-                let phi = p.y.atan2(p.x);
-                p.norm() - profile.at(phi)
-                    + {
-                        #[allow(unused_imports)]
-                        use ::kin::rt::{LowerAny as _, LowerReal as _};
-                        (&::kin::rt::Foreign(
-                            wear(
-                                ::kin::rt::plain_argument(phi),
-                                ::kin::rt::plain_argument(MOST_WEAR),
-                            ),
-                        ))
-                            .lowered()
-                    }
-            })();
-            ::kin::rt::rows(value)
+        fn plain(&self, q: &[f64; 6], t: f64) -> [f64; 1] {
+            ::kin::rt::rows(
+                __WRITTEN(
+                    ::kin::rt::PlanarState::new([q[0], q[1], q[2]]),
+                    ::kin::rt::PlanarState::new([q[3], q[4], q[5]]),
+                    self.tip,
+                    self.profile.clone(),
+                ),
+            )
         }
     }
 };

@@ -1,6 +1,5 @@
-/** The constraint that [`fn@revolute`] makes.
-
-*/
+/// The constraint that [`fn@revolute`] makes.
+///
 /// Pin joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      [m]
 #[allow(non_camel_case_types)]
 #[derive(Clone)]
@@ -28,7 +27,21 @@ pub fn revolute(
 }
 #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
 const _: () = {
-    const _: fn() = || {};
+    use ::kin::rt::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
+    use ::kin::rt::{ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _};
+    /// The function as it was written.
+    const __WRITTEN: fn(
+        ::kin::rt::PlanarState,
+        ::kin::rt::PlanarState,
+        Vec2,
+        Vec2,
+    ) -> Vec2 = |i, j, u_i, u_j| { i.point(u_i) - j.point(u_j) };
+    const __SOUND: bool = {
+        let _ = __WRITTEN;
+        true
+    };
+    type __Dual<D> = ::kin::rt::If<__SOUND, D>;
+    type __Real<D> = ::kin::rt::Real<__Dual<D>>;
     impl ::kin::Constraint for revolute {
         fn kind(&self) -> &str {
             "revolute"
@@ -48,6 +61,18 @@ const _: () = {
         }
         fn pattern(&self) -> &[(usize, usize)] {
             &[(0, 0), (0, 2), (0, 3), (0, 5), (1, 1), (1, 2), (1, 4), (1, 5)]
+        }
+        fn constants(&self) -> &[::core::option::Option<f64>] {
+            &[
+                ::core::option::Option::Some(1.0),
+                ::core::option::Option::None,
+                ::core::option::Option::Some(-1.0),
+                ::core::option::Option::None,
+                ::core::option::Option::Some(1.0),
+                ::core::option::Option::None,
+                ::core::option::Option::Some(-1.0),
+                ::core::option::Option::None,
+            ]
         }
         /// C: 18 operations
         fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
@@ -177,41 +202,39 @@ const _: () = {
             ::kin::rt::Numbers::visit(&self.u_j, "u_j", visit);
         }
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-            false || ::kin::rt::Numbers::set(&mut self.u_i, "u_i", name, value)
+            ::kin::rt::Numbers::set(&mut self.u_i, "u_i", name, value)
                 || ::kin::rt::Numbers::set(&mut self.u_j, "u_j", name, value)
         }
     }
-    impl ::kin::rt::Equation<6usize, 2usize> for revolute {
+    impl ::kin::rt::Equation<6, 2> for revolute {
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[
             ::kin::rt::ArgumentKind::Planar,
             ::kin::rt::ArgumentKind::Planar,
         ];
         fn evaluate<__D: ::kin::rt::Dual>(
             &self,
-            q: &[::kin::rt::Real<__D>; 6usize],
+            q: &[::kin::rt::Real<__D>; 6],
             t: ::kin::rt::Real<__D>,
-        ) -> [::kin::rt::Real<__D>; 2usize] {
-            let i = ::kin::rt::PlanarState::<
-                ::kin::rt::Real<__D>,
-            >::new([q[0], q[1], q[2]]);
-            let j = ::kin::rt::PlanarState::<
-                ::kin::rt::Real<__D>,
-            >::new([q[3], q[4], q[5]]);
-            let u_i = ::kin::rt::Lift::<__D>::lift(self.u_i.clone());
-            let u_j = ::kin::rt::Lift::<__D>::lift(self.u_j.clone());
-            let value = (move || -> ::kin::rt::Vec2<::kin::rt::Real<__D>> {
+        ) -> [::kin::rt::Real<__D>; 2] {
+            let i = ::kin::rt::PlanarState::<__Real<__D>>::new([q[0], q[1], q[2]]);
+            let j = ::kin::rt::PlanarState::<__Real<__D>>::new([q[3], q[4], q[5]]);
+            let u_i: ::kin::rt::Vec2<__Real<__D>> = ::kin::rt::Lift::lift(self.u_i);
+            let u_j: ::kin::rt::Vec2<__Real<__D>> = ::kin::rt::Lift::lift(self.u_j);
+            let value = (move || -> ::kin::rt::Vec2<__Real<__D>> {
                 i.point(u_i) - j.point(u_j)
             })();
             ::kin::rt::rows(value)
         }
         #[inline]
-        fn plain(&self, q: &[f64; 6usize], t: f64) -> [f64; 2usize] {
-            let i = ::kin::rt::PlanarState::<f64>::new([q[0], q[1], q[2]]);
-            let j = ::kin::rt::PlanarState::<f64>::new([q[3], q[4], q[5]]);
-            let u_i: Vec2 = self.u_i.clone();
-            let u_j: Vec2 = self.u_j.clone();
-            let value = (move || -> Vec2 { i.point(u_i) - j.point(u_j) })();
-            ::kin::rt::rows(value)
+        fn plain(&self, q: &[f64; 6], t: f64) -> [f64; 2] {
+            ::kin::rt::rows(
+                __WRITTEN(
+                    ::kin::rt::PlanarState::new([q[0], q[1], q[2]]),
+                    ::kin::rt::PlanarState::new([q[3], q[4], q[5]]),
+                    self.u_i,
+                    self.u_j,
+                ),
+            )
         }
     }
 };

@@ -1,6 +1,5 @@
-/** The constraint that [`fn@slider_crank`] makes.
-
-*/
+/// The constraint that [`fn@slider_crank`] makes.
+///
 /// Loop closure of the slider-crank, crank driven at ω.      [m]
 #[allow(non_camel_case_types)]
 #[derive(Clone)]
@@ -34,7 +33,30 @@ fn slider_crank(
 }
 #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
 const _: () = {
-    const _: fn() = || {};
+    use ::kin::rt::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
+    use ::kin::rt::{ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _};
+    /// The function as it was written.
+    const __WRITTEN: fn(f64, f64, f64, f64, f64, f64, f64) -> [f64; 2] = |
+        theta3,
+        x,
+        t,
+        l2,
+        l3,
+        h,
+        omega|
+    {
+        let theta2 = omega * t;
+        [
+            l2 * theta2.cos() + l3 * theta3.cos() - x,
+            l2 * theta2.sin() + l3 * theta3.sin() - h,
+        ]
+    };
+    const __SOUND: bool = {
+        let _ = __WRITTEN;
+        true
+    };
+    type __Dual<D> = ::kin::rt::If<__SOUND, D>;
+    type __Real<D> = ::kin::rt::Real<__Dual<D>>;
     impl ::kin::Constraint for slider_crank {
         fn kind(&self) -> &str {
             "slider_crank"
@@ -55,6 +77,13 @@ const _: () = {
         }
         fn pattern(&self) -> &[(usize, usize)] {
             &[(0, 0), (0, 1), (1, 0)]
+        }
+        fn constants(&self) -> &[::core::option::Option<f64>] {
+            &[
+                ::core::option::Option::None,
+                ::core::option::Option::Some(-1.0),
+                ::core::option::Option::None,
+            ]
         }
         /// C: 10 operations
         fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
@@ -174,30 +203,30 @@ const _: () = {
             ::kin::rt::Numbers::visit(&self.omega, "omega", visit);
         }
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-            false || ::kin::rt::Numbers::set(&mut self.l2, "l2", name, value)
+            ::kin::rt::Numbers::set(&mut self.l2, "l2", name, value)
                 || ::kin::rt::Numbers::set(&mut self.l3, "l3", name, value)
                 || ::kin::rt::Numbers::set(&mut self.h, "h", name, value)
                 || ::kin::rt::Numbers::set(&mut self.omega, "omega", name, value)
         }
     }
-    impl ::kin::rt::Equation<2usize, 2usize> for slider_crank {
+    impl ::kin::rt::Equation<2, 2> for slider_crank {
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[
             ::kin::rt::ArgumentKind::Coord,
             ::kin::rt::ArgumentKind::Coord,
         ];
         fn evaluate<__D: ::kin::rt::Dual>(
             &self,
-            q: &[::kin::rt::Real<__D>; 2usize],
+            q: &[::kin::rt::Real<__D>; 2],
             t: ::kin::rt::Real<__D>,
-        ) -> [::kin::rt::Real<__D>; 2usize] {
-            let theta3: ::kin::rt::Real<__D> = q[0];
-            let x: ::kin::rt::Real<__D> = q[1];
-            let t: ::kin::rt::Real<__D> = t;
-            let l2 = ::kin::rt::Lift::<__D>::lift(self.l2.clone());
-            let l3 = ::kin::rt::Lift::<__D>::lift(self.l3.clone());
-            let h = ::kin::rt::Lift::<__D>::lift(self.h.clone());
-            let omega = ::kin::rt::Lift::<__D>::lift(self.omega.clone());
-            let value = (move || -> [::kin::rt::Real<__D>; 2] {
+        ) -> [::kin::rt::Real<__D>; 2] {
+            let theta3: __Real<__D> = q[0];
+            let x: __Real<__D> = q[1];
+            let t: __Real<__D> = t;
+            let l2: __Real<__D> = ::kin::rt::Lift::lift(self.l2);
+            let l3: __Real<__D> = ::kin::rt::Lift::lift(self.l3);
+            let h: __Real<__D> = ::kin::rt::Lift::lift(self.h);
+            let omega: __Real<__D> = ::kin::rt::Lift::lift(self.omega);
+            let value = (move || -> [__Real<__D>; 2] {
                 let theta2 = omega * t;
                 [
                     l2 * theta2.cos() + l3 * theta3.cos() - x,
@@ -207,22 +236,10 @@ const _: () = {
             ::kin::rt::rows(value)
         }
         #[inline]
-        fn plain(&self, q: &[f64; 2usize], t: f64) -> [f64; 2usize] {
-            let theta3: f64 = q[0];
-            let x: f64 = q[1];
-            let t: f64 = t;
-            let l2: f64 = self.l2.clone();
-            let l3: f64 = self.l3.clone();
-            let h: f64 = self.h.clone();
-            let omega: f64 = self.omega.clone();
-            let value = (move || -> [f64; 2] {
-                let theta2 = omega * t;
-                [
-                    l2 * theta2.cos() + l3 * theta3.cos() - x,
-                    l2 * theta2.sin() + l3 * theta3.sin() - h,
-                ]
-            })();
-            ::kin::rt::rows(value)
+        fn plain(&self, q: &[f64; 2], t: f64) -> [f64; 2] {
+            ::kin::rt::rows(
+                __WRITTEN(q[0], q[1], t, self.l2, self.l3, self.h, self.omega),
+            )
         }
     }
 };

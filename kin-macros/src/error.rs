@@ -2,6 +2,11 @@
 
 use quote::ToTokens;
 
+/// A mistake at `tokens`.
+pub fn mistake(tokens: &dyn ToTokens, message: impl std::fmt::Display) -> syn::Error {
+    syn::Error::new_spanned(tokens.to_token_stream(), message)
+}
+
 /// All mistakes found so far.
 #[derive(Default)]
 pub struct Mistakes(Option<syn::Error>);
@@ -9,7 +14,7 @@ pub struct Mistakes(Option<syn::Error>);
 impl Mistakes {
     /// A mistake at `tokens`.
     pub fn add(&mut self, tokens: &dyn ToTokens, message: impl std::fmt::Display) {
-        self.push(syn::Error::new_spanned(tokens.to_token_stream(), message));
+        self.push(mistake(tokens, message));
     }
 
     pub fn push(&mut self, error: syn::Error) {

@@ -1,43 +1,61 @@
 //! The driver: the stages as a chain, and what happens when one of them finds a mistake.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use quote::quote;
 
 use crate::lower::{Failure, Unreadable};
 use crate::parse::Choice;
-use crate::{emit, lower, parse};
+use crate::{emit, limits, lower, parse};
 
 /// `#[constraint]`
 pub fn constraint(attribute: TokenStream, item: TokenStream) -> TokenStream {
-    let source = match parse::constraint(attribute, item) {
+    let parsed = limits::check(&item).and_then(|()| parse::constraint(attribute, item.clone()));
+    let source = match parsed {
         Ok(source) => source,
-        Err(mistakes) => return mistakes.to_compile_error(),
+        Err(mistakes) => return with_stand_in(&mistakes, &emit::stand_in::constraint_item(without_body(item))),
     };
     match (source.choice, lower::constraint(&source)) {
-        (_, Err(Failure::Mistakes(mistakes))) => with_dummy(&mistakes, &emit::constraint::dummy(&source)),
+        (_, Err(Failure::Mistakes(mistakes))) => with_stand_in(&mistakes, &emit::stand_in::constraint(&source)),
         (Choice::Dual, _) | (Choice::Best, Err(Failure::Unreadable(_))) => emit::constraint::dual(&source),
-        (Choice::Symbolic, Err(Failure::Unreadable(why))) => with_dummy(&refusal(&why, &source.name), &emit::constraint::dummy(&source)),
+        (Choice::Symbolic, Err(Failure::Unreadable(why))) => {
+            with_stand_in(&refusal(&why, &source.name), &emit::stand_in::constraint(&source))
+        }
         (_, Ok(lowered)) => emit::constraint::symbolic(&source, lowered),
     }
 }
 
 /// `#[law]`
 pub fn law(attribute: &TokenStream, item: TokenStream) -> TokenStream {
-    let source = match parse::law(attribute, item) {
+    let parsed = limits::check(&item).and_then(|()| parse::law(attribute, item.clone()));
+    let source = match parsed {
         Ok(source) => source,
-        Err(mistakes) => return mistakes.to_compile_error(),
+        Err(mistakes) => return with_stand_in(&mistakes, &emit::stand_in::law_item(without_body(item))),
     };
     match lower::law(&source.variable, &source.parameters, &source.body) {
-        Err(Failure::Mistakes(mistakes)) => with_dummy(&mistakes, &emit::law::dummy(&source)),
+        Err(Failure::Mistakes(mistakes)) => with_stand_in(&mistakes, &emit::stand_in::law(&source)),
         Err(Failure::Unreadable(_)) => emit::law::law(&source, None),
         Ok(lowered) => emit::law::law(&source, Some(lowered)),
     }
 }
 
 /// The messages, and something that type-checks, so that no further message follows from the first.
-fn with_dummy(mistakes: &syn::Error, dummy: &TokenStream) -> TokenStream {
+fn with_stand_in(mistakes: &syn::Error, stand_in: &TokenStream) -> TokenStream {
     let messages = mistakes.to_compile_error();
-    quote!(#messages #dummy)
+    quote!(#messages #stand_in)
+}
+
+/// The item with an empty body: of an item with mistakes no more is needed, and the body may be what is wrong.
+fn without_body(item: TokenStream) -> TokenStream {
+    let mut tokens: Vec<TokenTree> = item.into_iter().collect();
+    let is_function = tokens.iter().any(|token| matches!(token, TokenTree::Ident(word) if word == "fn"));
+    if let (true, Some(TokenTree::Group(body))) = (is_function, tokens.last())
+        && body.delimiter() == Delimiter::Brace
+    {
+        let empty = Group::new(Delimiter::Brace, TokenStream::new());
+        tokens.pop();
+        tokens.push(empty.into());
+    }
+    tokens.into_iter().collect()
 }
 
 /// `#[constraint(symbolic)]` on a body that cannot be read.

@@ -9,11 +9,12 @@ mod emit;
 mod error;
 mod expand;
 mod graph;
+mod limits;
 mod lower;
 mod parse;
-mod vocabulary;
 #[cfg(test)]
 mod tests;
+mod vocabulary;
 
 use proc_macro::TokenStream;
 

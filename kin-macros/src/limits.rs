@@ -15,6 +15,8 @@ pub fn check(item: &TokenStream) -> syn::Result<()> {
 
 fn within(tokens: &TokenStream, budget: usize) -> syn::Result<()> {
     let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();
+    // The arms of a `match` are read one inside of the other.
+    let budget = budget.saturating_sub(arms(&tokens));
     for expression in expressions(&tokens) {
         let operators = expression.iter().filter(|token| is_operator(token)).count();
         for token in expression {
@@ -46,6 +48,11 @@ fn expressions(tokens: &[TokenTree]) -> Vec<&[TokenTree]> {
         start = end + 1;
     }
     all
+}
+
+fn arms(tokens: &[TokenTree]) -> usize {
+    let is = |token: &TokenTree, sign| matches!(token, TokenTree::Punct(punct) if punct.as_char() == sign);
+    tokens.windows(2).filter(|pair| is(&pair[0], '=') && is(&pair[1], '>')).count()
 }
 
 fn is_operator(token: &TokenTree) -> bool {

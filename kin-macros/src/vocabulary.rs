@@ -32,6 +32,16 @@ pub fn is_std_function(path: &ExprPath) -> bool {
     }
 }
 
+/// Types of Kin's that are made of numbers.
+pub fn is_kin_type(path: &syn::Path) -> bool {
+    let name = path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default();
+    matches!(name.as_str(), "Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "PlanarState" | "SpatialState")
+}
+
+pub fn is_integer(name: &str) -> bool {
+    matches!(name, "usize" | "isize" | "u8" | "i8" | "u16" | "i16" | "u32" | "i32" | "u64" | "i64" | "u128" | "i128")
+}
+
 /// The names of a path, `f64` and `sin` of `f64::sin`.
 pub fn names(path: &ExprPath) -> Vec<String> {
     path.path.segments.iter().map(|segment| segment.ident.to_string()).collect()

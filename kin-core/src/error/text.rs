@@ -40,7 +40,9 @@ pub(super) fn not_square(coordinates: usize, equations: usize, untouched: &[Stri
     let verb = if coordinates.abs_diff(equations) == 1 { "is" } else { "are" };
     text + &match coordinates > equations {
         true if untouched.is_empty() => format!("\n  {difference} {verb} missing: add joints, or a driver for each freedom left."),
-        true => format!("\n  {difference} {verb} missing: add joints, or a driver for each freedom left, or leave out what nothing touches."),
+        true => {
+            format!("\n  {difference} {verb} missing: add joints, or a driver for each freedom left, or leave out what nothing touches.")
+        }
         false => format!("\n  {difference} too many: remove a driver, or a joint that repeats what others already hold."),
     }
 }

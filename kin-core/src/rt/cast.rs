@@ -40,7 +40,7 @@ macro_rules! cast {
     )*};
 }
 
-cast!(usize, isize, u8, i8, u16, i16, u32, i32, u64, i64, f32, f64);
+cast!(usize, isize, u8, i8, u16, i16, u32, i32, u64, i64, u128, i128, f32, f64);
 
 impl<D: Dual> Cast<D> for bool {
     fn cast(self) -> Real<D> {
@@ -51,7 +51,7 @@ impl<D: Dual> Cast<D> for bool {
 /// Each kind of whole number from all of the others.
 macro_rules! whole {
     ($($to:ty),*) => {$(
-        whole!(@from $to: usize, isize, u8, i8, u16, i16, u32, i32, u64, i64, f32, f64, bool);
+        whole!(@from $to: usize, isize, u8, i8, u16, i16, u32, i32, u64, i64, u128, i128, f32, f64, bool);
 
         impl<D: Dual> Whole<$to> for Real<D> {
             fn whole(self) -> $to {
@@ -69,4 +69,4 @@ macro_rules! whole {
     )*};
 }
 
-whole!(usize, isize, u8, i8, u16, i16, u32, i32, u64, i64);
+whole!(usize, isize, u8, i8, u16, i16, u32, i32, u64, i64, u128, i128);

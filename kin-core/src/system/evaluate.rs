@@ -89,7 +89,9 @@ impl StatePlan {
         let (kind, ground, trig): (_, Vec<f64>, _) = match (target, place) {
             (Target::Planar(_), _) => (Kind::Planar, PlanarState::ground().to_array().into(), false),
             (Target::Spatial(_), _) => (Kind::Spatial, SpatialState::ground().to_array().into(), false),
-            (Target::Coord(_, trig), Place::Ground(value)) => (Kind::Coord, CoordState::new(value, true).to_array().into(), *trig == Trig::Used),
+            (Target::Coord(_, trig), Place::Ground(value)) => {
+                (Kind::Coord, CoordState::new(value, true).to_array().into(), *trig == Trig::Used)
+            }
             (Target::Coord(_, trig), _) => (Kind::Coord, CoordState::new(0.0, true).to_array().into(), *trig == Trig::Used),
         };
         self.states.extend(ground);

@@ -109,4 +109,3 @@ fn checked(g: &mut Graph, node: Node) -> Vec<Node> {
     all.retain(|&n| g.constant_value(n).is_none());
     all
 }
-

@@ -26,12 +26,8 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
     let trig = derived.trig(&lowered);
     let frame = Frame { trig, ..Frame::new(source, row_names, pattern) };
     let kernels = functions::symbolic(&source.arguments, &lowered, &derived);
-    let leaves: Vec<TokenStream> = lowered
-        .leaves
-        .iter()
-        .enumerate()
-        .map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items))
-        .collect();
+    let leaves: Vec<TokenStream> =
+        lowered.leaves.iter().enumerate().map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items)).collect();
     frame.emit(quote!(::kin::Route::Symbolic), &kernels, &leaves, Some(&lowered))
 }
 
@@ -43,21 +39,6 @@ pub fn dual(source: &ConstraintFn) -> TokenStream {
     Frame::new(source, row_names, pattern).emit(quote!(::kin::Route::Dual), &functions::dual(), &[], None)
 }
 
-/// After a mistake: something that type-checks wherever the constraint is used, so that one mistake gives one message.
-pub fn dummy(source: &ConstraintFn) -> TokenStream {
-    let (m, n) = (rows(&source.output).max(1), columns(&source.arguments));
-    let frame = Frame { source, n, row_names: vec![String::new(); m], pattern: vec![], trig: vec![] };
-    let equations = quote! {
-        fn evaluate<__D: ::kin::rt::Dual>(&self, _: &[::kin::rt::Real<__D>; #n], t: ::kin::rt::Real<__D>) -> [::kin::rt::Real<__D>; #m] {
-            [t; #m]
-        }
-        fn plain(&self, _: &[f64; #n], t: f64) -> [f64; #m] {
-            [t; #m]
-        }
-    };
-    frame.emit_with(quote!(::kin::Route::Dual), &functions::dummy(), &quote!(), &equations)
-}
-
 impl<'a> Frame<'a> {
     fn new(source: &'a ConstraintFn, row_names: Vec<String>, pattern: Vec<(usize, usize)>) -> Self {
         Frame { source, n: columns(&source.arguments), row_names, pattern, trig: vec![] }
@@ -65,16 +46,11 @@ impl<'a> Frame<'a> {
 
     fn emit(&self, route: TokenStream, kernels: &TokenStream, leaves: &[TokenStream], lowered: Option<&Lowered>) -> TokenStream {
         let source = self.source;
-        let body = rewrite::plain(&source.body, &source.arguments);
-        let written = written::written(&source.name, &written::inputs(&source.arguments), &source.output_type, &body, lowered);
-        let leaves = if leaves.is_empty() { quote!() } else { let name = &source.name; quote!(impl #name { #(#leaves)* }) };
-        self.emit_with(route, kernels, &quote!(#written #leaves), &self.equations())
-    }
-
-    fn emit_with(&self, route: TokenStream, kernels: &TokenStream, before: &TokenStream, equations: &TokenStream) -> TokenStream {
-        let source = self.source;
         let (name, n, m) = (&source.name, literal(self.n), literal(self.row_names.len()));
-        let declaration = self.declaration();
+        let (declaration, equations) = (self.declaration(), self.equations());
+        let body = rewrite::plain(&source.body, &source.arguments);
+        let written = written::written(name, &written::inputs(&source.arguments), &source.output_type, &body, lowered);
+        let leaves = if leaves.is_empty() { quote!() } else { quote!(impl #name { #(#leaves)* }) };
         let kind = syn::ext::IdentExt::unraw(name).to_string();
         let (row_names, pattern) = (&self.row_names, self.pattern.iter().map(|(row, column)| (literal(*row), literal(*column))));
         let pattern: Vec<TokenStream> = pattern.map(|(row, column)| quote!((#row, #column))).collect();
@@ -86,7 +62,8 @@ impl<'a> Frame<'a> {
 
             #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
             const _: () = {
-                #before
+                #written
+                #leaves
                 impl ::kin::Constraint for #name {
                     fn kind(&self) -> &str {
                         #kind

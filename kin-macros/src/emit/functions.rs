@@ -17,7 +17,8 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered, derived: &Derivatives
         let (name, k) = (proc_macro2::Ident::new(name, proc_macro2::Span::call_site()), literal(k));
         quote!(#name[#k])
     };
-    let outputs = |name: &str, nodes: &[Node]| -> Vec<(TokenStream, Node)> { nodes.iter().enumerate().map(|(k, &n)| (place(name, k), n)).collect() };
+    let outputs =
+        |name: &str, nodes: &[Node]| -> Vec<(TokenStream, Node)> { nodes.iter().enumerate().map(|(k, &n)| (place(name, k), n)).collect() };
     let c = outputs("c", &rows);
     let values: Vec<Node> = derived.jacobian.iter().map(|entry| entry.2).collect();
     let c_q = outputs("c_q", &values);
@@ -138,7 +139,7 @@ pub fn dual() -> TokenStream {
 }
 
 /// After a mistake: nothing is computed.
-pub fn dummy() -> TokenStream {
+pub fn nothing() -> TokenStream {
     quote! {
         fn residual(&self, _: &::kin::rt::At<'_>, _: &mut [f64]) {}
         fn jacobian(&self, _: &::kin::rt::At<'_>, _: &mut [f64]) {}

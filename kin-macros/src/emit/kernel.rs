@@ -198,7 +198,9 @@ impl<'a> Kernel<'a> {
         let simple = self.named.contains_key(&node)
             || match self.graph().op(node) {
                 Op::Constant(bits) => f64::from_bits(bits) >= 0.0,
-                Op::Input(_) | Op::Call(..) | Op::Call2(..) | Op::Powi(..) => !matches!(self.graph().op(node), Op::Call2(Function2::Rem, ..)),
+                Op::Input(_) | Op::Call(..) | Op::Call2(..) | Op::Powi(..) => {
+                    !matches!(self.graph().op(node), Op::Call2(Function2::Rem, ..))
+                }
                 _ => false,
             };
         let value = self.expression(node);

@@ -19,11 +19,6 @@ pub fn law(source: &LawFn, lowered: Option<Lowered>) -> TokenStream {
     emit(source, &jet, &written, &leaves, &evaluate(source))
 }
 
-/// After a mistake: a constructor that type-checks.
-pub fn dummy(source: &LawFn) -> TokenStream {
-    emit(source, &quote!([x; 4]), &quote!(), &[], &quote!())
-}
-
 /// The function as it was written; nobody calls it, but rustc reads it.
 fn written(source: &LawFn, lowered: Option<&Lowered>) -> TokenStream {
     let variable = &source.variable;
@@ -50,7 +45,8 @@ fn symbolic(source: &LawFn, mut lowered: Lowered) -> (TokenStream, Vec<TokenStre
         })
         .collect();
     let code = Kernel::emit(&lowered, &source.parameters, &outputs).tokens;
-    let leaves = lowered.leaves.iter().enumerate().map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items)).collect();
+    let leaves =
+        lowered.leaves.iter().enumerate().map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items)).collect();
     (quote!(let mut f = [0.0; 4]; #code f), leaves)
 }
 

@@ -5,8 +5,8 @@ mod functions;
 mod kernel;
 pub mod law;
 mod rewrite;
+pub mod stand_in;
 mod template;
-mod variables;
 mod written;
 
 use proc_macro2::TokenStream;
@@ -63,6 +63,10 @@ fn dual_bindings(arguments: &[Argument]) -> Vec<TokenStream> {
                 Kind::Numbers(_) => {
                     let ty = rewrite::lifted_type(&argument.ty);
                     quote!(let #mutable #name: #ty = ::kin::rt::Lift::lift(self.#name);)
+                }
+                Kind::Other if rewrite::is_liftable(&argument.ty) => {
+                    let ty = rewrite::lifted_type(&argument.ty);
+                    quote!(let #mutable #name: #ty = ::kin::rt::Lift::<__D>::lift(self.#name.clone());)
                 }
                 Kind::Other => {
                     let ty = &argument.ty;

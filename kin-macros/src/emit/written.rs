@@ -13,7 +13,13 @@ use crate::parse::{Argument, Kind};
 
 /// Constants and types for the copies to stand on: `__WRITTEN` is the function, `__SOUND` whether it compiles, `__Dual` and `__Real` are types
 /// that stand if it does.
-pub fn written(owner: &Ident, inputs: &[(TokenStream, TokenStream)], output: &Type, body: &Block, lowered: Option<&Lowered>) -> TokenStream {
+pub fn written(
+    owner: &Ident,
+    inputs: &[(TokenStream, TokenStream)],
+    output: &Type,
+    body: &Block,
+    lowered: Option<&Lowered>,
+) -> TokenStream {
     let constants = lowered.map(|lowered| constants(owner, lowered)).unwrap_or_default();
     let names = inputs.iter().map(|(name, _)| name);
     let types = inputs.iter().map(|(_, ty)| if constants.is_empty() { ty.clone() } else { quote!(::kin::rt::If<__CONSTANTS, #ty>) });
@@ -21,6 +27,7 @@ pub fn written(owner: &Ident, inputs: &[(TokenStream, TokenStream)], output: &Ty
     Known.visit_type_mut(&mut output);
     quote! {
         use ::kin::rt::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
+        use ::kin::rt::{ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _};
         #constants
         /// The function as it was written.
         const __WRITTEN: fn(#(#types),*) -> #output = |#(#names),*| #body;

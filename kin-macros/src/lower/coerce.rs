@@ -6,6 +6,7 @@ use syn::{BinOp, Type, UnOp};
 
 use crate::graph::{Input, LeafNumber, Node, Part};
 use crate::parse::{Shape, literal_length, shape};
+use crate::vocabulary::is_integer;
 
 use super::template::Template;
 use super::value::Value;
@@ -296,10 +297,6 @@ fn named(ty: &Type) -> String {
         Type::Path(path) => path.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default(),
         _ => String::new(),
     }
-}
-
-pub fn is_integer(name: &str) -> bool {
-    matches!(name, "usize" | "isize" | "u8" | "i8" | "u16" | "i16" | "u32" | "i32" | "u64" | "i64" | "u128" | "i128")
 }
 
 impl Reader {

@@ -3,11 +3,11 @@
 use quote::ToTokens;
 use syn::{Expr, ExprLit, Lit, Member};
 
-use super::coerce::is_integer;
 use super::function::Function;
 use super::template::Template;
 use super::value::Value;
-use super::{MOST_EXPRESSIONS, MOST_NODES, MOST_TURNS, Read, Reader, Unreadable};
+use super::{MOST_EXPRESSIONS, MOST_NODES, MOST_PARTS, MOST_TURNS, Read, Reader, Unreadable};
+use crate::vocabulary::is_integer;
 
 impl Reader {
     /// The value of an expression; of a reference, what it refers to.
@@ -73,7 +73,14 @@ impl Reader {
         let known = path.path.get_ident().and_then(|name| self.scopes.get(&name.to_string()).cloned());
         match known {
             Some(Value::Unassigned) => Ok(self.mistake(path, "this variable has no value yet")),
-            Some(value) => Ok(value),
+            Some(value) => {
+                let size = value.size();
+                self.expressions_read += size;
+                match value {
+                    Value::Opaque(_) if size > MOST_PARTS => Err(Unreadable::new(path, "a value this long in the making")),
+                    value => Ok(value),
+                }
+            }
             None if super::call::is_number_function(path) => Ok(Value::Function(Function::Path(std::rc::Rc::new(path.clone())))),
             None => Ok(Value::Opaque(Template::Path(path.clone()))),
         }
@@ -182,7 +189,9 @@ impl Reader {
     fn repeat(&mut self, repeat: &syn::ExprRepeat) -> Read {
         let value = self.expression(&repeat.expr)?;
         match self.expression(&repeat.len)? {
-            Value::Integer(n) if (0..=MOST_TURNS).contains(&n) => Ok(Value::Array(vec![value; n as usize])),
+            Value::Integer(n) if (0..=MOST_TURNS).contains(&n) && n as usize * value.size() <= MOST_NODES => {
+                Ok(Value::Array(vec![value; n as usize]))
+            }
             _ => Err(Unreadable::new(&repeat.len, "an array whose length is not known here")),
         }
     }

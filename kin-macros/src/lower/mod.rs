@@ -99,6 +99,8 @@ const MOST_TURNS: i64 = 4_096;
 const MOST_CALLS: usize = 48;
 /// Expressions are read this often, counting each turn of a loop.
 const MOST_EXPRESSIONS: usize = 1_000_000;
+/// Of how many parts an expression may be that only rustc understands.
+const MOST_PARTS: usize = 250;
 
 /// Reads the body of `source`.
 pub fn constraint(source: &ConstraintFn) -> Result<Lowered, Failure> {

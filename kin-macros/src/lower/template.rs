@@ -47,6 +47,11 @@ impl Template {
         nodes
     }
 
+    /// Of how many templates it is made.
+    pub fn size(&self) -> usize {
+        1 + self.parts().into_iter().map(Template::size).sum::<usize>()
+    }
+
     /// Whether computing it may panic: an index out of range, a division of integers, the user's own functions.
     pub fn may_panic(&self) -> bool {
         let mut found = false;

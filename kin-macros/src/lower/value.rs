@@ -76,6 +76,16 @@ impl Value {
         Value::Tuple(vec![])
     }
 
+    /// Of how many values it is made.
+    pub fn size(&self) -> usize {
+        match self {
+            Value::Tuple(all) | Value::Array(all) | Value::Iterator(all) => 1 + all.iter().map(Value::size).sum::<usize>(),
+            Value::Reference(inner) | Value::Into(inner) => inner.size(),
+            Value::Opaque(template) => template.size(),
+            _ => 1,
+        }
+    }
+
     /// What a reference refers to; any other value itself.
     pub fn referent(self) -> Value {
         match self {

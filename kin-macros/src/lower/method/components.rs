@@ -39,7 +39,11 @@ impl Reader {
             "vector" | "conjugate" | "rotation" => 0,
             "product" => 1,
             _ => {
-                return Ok(self.unknown(call, "a set of Euler parameters", "; it has `norm`, `norm_squared`, `dot`, `vector`, `conjugate`"));
+                return Ok(self.unknown(
+                    call,
+                    "a set of Euler parameters",
+                    "; it has `norm`, `norm_squared`, `dot`, `vector`, `conjugate`",
+                ));
             }
         };
         if !self.counted(count, call) {

@@ -4,10 +4,10 @@ use syn::GenericArgument;
 
 use super::Call;
 use crate::graph::{Comparison, Graph};
-use crate::lower::coerce::is_integer;
 use crate::lower::function::Function;
 use crate::lower::value::Value;
 use crate::lower::{Read, Reader, Unreadable};
+use crate::vocabulary::is_integer;
 
 impl Reader {
     /// A method of an array (`array`) or of an iterator.
