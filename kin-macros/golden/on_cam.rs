@@ -55,7 +55,13 @@ const _: () = {
     type __Real<D> = ::kin::rt::Real<__Dual<D>>;
     impl on_cam {
         fn __leaf0<__D: ::kin::rt::Dual>(&self, x: [__Real<__D>; 1]) -> __Real<__D> {
-            wear(::kin::rt::jet_argument(x[0]), ::kin::rt::constant_argument(MOST_WEAR))
+            (&::kin::rt::Foreign(
+                wear(
+                    ::kin::rt::Jet(x[0]).argument(),
+                    ::kin::rt::constant_argument(MOST_WEAR),
+                ),
+            ))
+                .lifted(::core::marker::PhantomData::<__Dual<__D>>)
         }
     }
     impl ::kin::Constraint for on_cam {
@@ -363,7 +369,7 @@ const _: () = {
                 p.norm() - profile.at(phi)
                     + (&::kin::rt::Foreign(
                         wear(
-                            ::kin::rt::jet_argument(phi),
+                            ::kin::rt::Jet(phi).argument(),
                             ::kin::rt::constant_argument(MOST_WEAR),
                         ),
                     ))

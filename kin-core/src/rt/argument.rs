@@ -57,20 +57,22 @@ impl<T> IntoJet<T> for T {
     }
 }
 
-/// With one implementation of `IntoJet<f64>` only, rustc would take it for granted and speak of mismatched types instead of the message above.
-pub enum Never {}
+/// Nobody asks for this. With one implementation of `IntoJet` for each kind of numbers, rustc would take what it gives for granted and speak of
+/// mismatched types instead of the message above.
+pub struct Nothing;
 
-macro_rules! never {
-    ($($plain:ty),*) => {$(
-        impl IntoJet<$plain> for Never {
-            fn into_jet(self) -> $plain {
-                match self {}
+macro_rules! never_alone {
+    ($($kind:ty),*) => {$(
+        #[diagnostic::do_not_recommend]
+        impl<D: Dual> IntoJet<Nothing> for $kind {
+            fn into_jet(self) -> Nothing {
+                Nothing
             }
         }
     )*};
 }
 
-never!(f64, f32, Vec2, Vec3, Mat2, Mat3, [f64; 2], [f64; 3], (f64, f64), (f64, f64, f64));
+never_alone!(Real<D>, Vec2<Real<D>>, Vec3<Real<D>>, Mat2<Real<D>>, Mat3<Real<D>>, EulerParameters<Real<D>>);
 
 type Scalar<T> = T;
 type Pair<T> = (T, T);
@@ -177,9 +179,18 @@ pub fn constant_argument<S: IntoConstant<T>, T>(value: S) -> T {
     value.into_constant()
 }
 
-/// An argument of the user's function that carries derivatives.
-pub fn jet_argument<S: IntoJet<T>, T>(value: S) -> T {
-    value.into_jet()
+/// An argument of the user's function that carries derivatives. A method, so that its own type is known before the one asked for: rustc then
+/// gives the message of [`IntoJet`] instead of speaking of mismatched types.
+pub struct Jet<S>(pub S);
+
+impl<S> Jet<S> {
+    /// The converted value.
+    pub fn argument<T>(self) -> T
+    where
+        S: IntoJet<T>,
+    {
+        self.0.into_jet()
+    }
 }
 
 /// A borrowed argument of the user's function that depends on no coordinate and not on time, from both kinds of numbers.

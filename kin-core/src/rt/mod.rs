@@ -16,8 +16,8 @@ pub use crate::real::{Dual, Real};
 pub use crate::state::{At, PlanarState, Rates, SpatialState};
 pub use num_dual::{Dual2_64, Dual64};
 
-pub use argument::{IntoConstant, IntoJet, IntoPlain, IntoReference, Never};
-pub use argument::{constant_argument, jet_argument, plain_argument, reference_argument};
+pub use argument::{IntoConstant, IntoJet, IntoPlain, IntoReference, Jet, Nothing};
+pub use argument::{constant_argument, plain_argument, reference_argument};
 pub use cast::{Cast, Whole, cast, whole};
 pub use foreign::{Foreign, LiftAny, LiftNumbers, LowerAny, LowerReal, ReceiveAny, ReceiveNumbers, ReceiveReference};
 pub use lift::{Absent, Constants, Lift, Lower, absent, constants, lowered};

@@ -143,7 +143,7 @@ impl Writer<'_> {
         match (using, self.site) {
             (Use::Place, _) => quote!((#built)),
             (Use::Value, _) => built,
-            (Use::Argument, Site::Leaf(graph)) if varies(graph, nodes) => quote_spanned!(at=> ::kin::rt::jet_argument(#built)),
+            (Use::Argument, Site::Leaf(graph)) if varies(graph, nodes) => quote_spanned!(at=> ::kin::rt::Jet(#built).argument()),
             (Use::Argument, Site::Leaf(_)) => quote_spanned!(at=> ::kin::rt::constant_argument(#built)),
             (Use::Argument, _) => quote_spanned!(at=> ::kin::rt::plain_argument(#built)),
         }
@@ -156,7 +156,7 @@ impl Writer<'_> {
         };
         let (built, at) = (self.built(nodes, shape), Span::mixed_site().located_at(*at));
         match self.site {
-            Site::Leaf(graph) if varies(graph, nodes) => quote_spanned!(at=> ::kin::rt::jet_argument(&#built)),
+            Site::Leaf(graph) if varies(graph, nodes) => quote_spanned!(at=> ::kin::rt::Jet(&#built).argument()),
             Site::Leaf(_) => quote_spanned!(at=> ::kin::rt::reference_argument(&::kin::rt::constants(&#built), &#built)),
             _ => quote_spanned!(at=> ::kin::rt::reference_argument(&#built, &::kin::rt::Lift::<f64>::lift(#built))),
         }
@@ -281,6 +281,8 @@ pub fn leaf_function(graph: &Graph, leaf: usize, value: &OpaqueValue, items: &[s
         quote!(#x[#k])
     };
     let body = Writer { value: &mut value_of, site: Site::Leaf(graph) }.write(&value.template, Use::Value);
+    // What has no derivatives, such as an f64, is a constant of the dual copy.
+    let body = quote!((&::kin::rt::Foreign(#body)).lifted(::core::marker::PhantomData::<__D>));
     let output = shape_type(shape, &quote!(::kin::rt::Real<__D>));
     let [input, output, body] = [quote!([::kin::rt::Real<__D>; #n]), output, body].map(silent);
     quote! {

@@ -2,7 +2,6 @@
 
 mod attributes;
 mod golden;
-mod limits_tmp;
 mod mangled;
 mod messages;
 mod pathological;

@@ -1,7 +1,7 @@
 //! What only rustc knows: reads of it are lifted, and calls of it hand over the numbers it asks for.
 
 use proc_macro2::Span;
-use quote::{quote, quote_spanned};
+use quote::quote;
 use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
@@ -262,12 +262,11 @@ impl Rewriter {
             Expr::Field(_) | Expr::Index(_) if nature.foreign => self.place(argument),
             _ => self.visit_expr_mut(argument),
         }
-        let convert = match (self.copy, nature.varies) {
-            (Copy::Plain, _) => quote_spanned!(at=> ::kin::rt::plain_argument),
-            (Copy::Dual, true) => quote_spanned!(at=> ::kin::rt::jet_argument),
-            (Copy::Dual, false) => quote_spanned!(at=> ::kin::rt::constant_argument),
+        *argument = match (self.copy, nature.varies) {
+            (Copy::Plain, _) => parse_quote_spanned!(at=> ::kin::rt::plain_argument(#argument)),
+            (Copy::Dual, true) => parse_quote_spanned!(at=> ::kin::rt::Jet(#argument).argument()),
+            (Copy::Dual, false) => parse_quote_spanned!(at=> ::kin::rt::constant_argument(#argument)),
         };
-        *argument = parse_quote_spanned!(at=> #convert(#argument));
     }
 
     /// A struct of the user's is given its numbers like a function.
