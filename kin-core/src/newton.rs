@@ -279,7 +279,11 @@ impl<'a> Newton<'a> {
     }
 
     fn overflow(&self, solution: &[f64], quantity: &'static str) -> Result<(), Failure> {
-        if solution.iter().fold(true, |finite, x| finite & x.is_finite()) { Ok(()) } else { Err(Failure::NotFinite(Bad { row: self.worst().0, quantity })) }
+        if solution.iter().fold(true, |finite, x| finite & x.is_finite()) {
+            Ok(())
+        } else {
+            Err(Failure::NotFinite(Bad { row: self.worst().0, quantity }))
+        }
     }
 
     /// The error that tells a failure in the user's names.

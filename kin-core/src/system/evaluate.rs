@@ -92,7 +92,9 @@ impl StatePlan {
         let (kind, ground, trig): (_, Vec<f64>, _) = match (target, place) {
             (Target::Planar(_), _) => (Kind::Planar, PlanarState::ground().to_array().into(), false),
             (Target::Spatial(_), _) => (Kind::Spatial, SpatialState::ground().to_array().into(), false),
-            (Target::Coord(_, trig), Place::Ground(value)) => (Kind::Coord, CoordState::new(value, true).to_array().into(), *trig == Trig::Used),
+            (Target::Coord(_, trig), Place::Ground(value)) => {
+                (Kind::Coord, CoordState::new(value, true).to_array().into(), *trig == Trig::Used)
+            }
             (Target::Coord(_, trig), _) => (Kind::Coord, CoordState::new(0.0, true).to_array().into(), *trig == Trig::Used),
         };
         self.states.extend(ground);
@@ -233,9 +235,14 @@ impl Equations {
 
     /// C(q, t) and the values of C_q, whether they are finite or not.
     pub(crate) fn linearize(&self, t: f64, states: &[f64], c: &mut [f64], values: &mut [f64]) {
+        let (mut c, mut values, mut states) = (c, values, states);
         for block in &self.blocks {
-            let at = block.at(t, states);
-            block.constraint.linearize(&at, &mut c[block.rows.clone()], &mut values[block.values.clone()]);
+            // Blocks lie one after the other: one check for each slice.
+            let (own_c, own_values, own_states);
+            (own_c, c) = c.split_at_mut(block.rows.len());
+            (own_values, values) = values.split_at_mut(block.values.len());
+            (own_states, states) = states.split_at(block.states.len());
+            block.constraint.linearize(&At::new(t, own_states, &block.first_state), own_c, own_values);
         }
     }
 

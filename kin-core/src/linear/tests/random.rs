@@ -66,9 +66,9 @@ impl Sparse {
     fn random(n: usize, kind: Kind, random: &mut Random) -> Sparse {
         let rows = random.permutation(n);
         let mut a = Sparse { n, entries: Vec::new(), values: Vec::new(), constants: Vec::new() };
-        for k in 0..n {
-            let shift = usize::from(kind == Kind::Hollow);
-            a.add(rows[k], (k + shift) % n, random);
+        let shift = usize::from(kind == Kind::Hollow);
+        for (k, row) in rows.iter().enumerate() {
+            a.add(*row, (k + shift) % n, random);
         }
         let extra = if n == 1 { 0 } else { n * (1 + random.below(3)) };
         for _ in 0..extra {
@@ -103,15 +103,23 @@ impl Sparse {
                 let small = if kind == Kind::NearlyDependent { 10.0_f64.powf(-7.0 + 7.0 * random.number()) } else { 0.0 };
                 let mut old = std::mem::take(&mut self.entries).into_iter().zip(std::mem::take(&mut self.values)).collect::<Vec<_>>();
                 old.retain(|((i, _), _)| *i != row);
-                let copies: Vec<_> = old.iter().filter(|((i, _), _)| *i == a || *i == b).map(|((i, j), v)| ((row, *j), if *i == a { *v } else { -0.7 * v })).collect();
+                let copies: Vec<_> = old
+                    .iter()
+                    .filter(|((i, _), _)| *i == a || *i == b)
+                    .map(|((i, j), v)| ((row, *j), if *i == a { *v } else { -0.7 * v }))
+                    .collect();
                 old.extend(copies);
                 old.push(((row, random.below(n)), small));
                 (self.entries, self.values) = old.into_iter().unzip();
                 self.constants = vec![None; self.values.len()];
             }
-            Kind::Empty => self.values.iter_mut().zip(&self.entries).zip(&mut self.constants).filter(|((_, (_, j)), _)| *j == n / 2).for_each(|((value, _), constant)| {
-                (*value, *constant) = (0.0, None);
-            }),
+            Kind::Empty => {
+                self.values.iter_mut().zip(&self.entries).zip(&mut self.constants).filter(|((_, (_, j)), _)| *j == n / 2).for_each(
+                    |((value, _), constant)| {
+                        (*value, *constant) = (0.0, None);
+                    },
+                )
+            }
             Kind::Structural if n > 2 => {
                 let kept = |(i, j): &(usize, usize)| *i == 0 || (*j != 1 && *j != 2);
                 for k in (0..self.entries.len()).rev().filter(|k| !kept(&self.entries[*k])).collect::<Vec<_>>() {
