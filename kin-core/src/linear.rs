@@ -7,6 +7,7 @@
 //! is recorded anew at the numbers of that moment. The measures only choose and judge pivots, they never touch the numbers.
 
 mod active;
+mod cells;
 mod condition;
 mod diagnosis;
 mod program;

@@ -150,7 +150,7 @@ impl<'a> Newton<'a> {
         let equations = self.system.equations();
         equations.plan.set_states(&self.q, &mut self.states);
         equations.linearize(t, &self.states, &mut self.c, self.linear.values_mut());
-        self.residual = largest(self.c.iter().map(|c| c.abs()));
+        self.residual = largest_of(self.c.iter().copied());
         if self.linear.measure() && self.residual < f64::INFINITY {
             return Ok(());
         }
@@ -164,7 +164,7 @@ impl<'a> Newton<'a> {
         }
         self.linear.solve();
         self.dq.copy_from_slice(self.linear.solution());
-        let shares = largest(self.dq.iter().zip(&self.sizes).map(|(dq, size)| dq.abs() / size));
+        let shares = largest_of(self.dq.iter().zip(&self.sizes).map(|(dq, size)| dq / size));
         let Stop::Converged { tolerance } = self.options.stop else { return shares };
         if shares <= tolerance {
             return shares;
@@ -298,6 +298,13 @@ impl<'a> Newton<'a> {
             }
         }
     }
+}
+
+/// The largest |x|, 0 of none; NaN counts as infinite. By bits, whose order is that of the numbers: the compiler makes lanes of it.
+fn largest_of(numbers: impl Iterator<Item = f64>) -> f64 {
+    let bits = numbers.fold(0, |m: i64, x| m.max(x.abs().to_bits() as i64));
+    let largest = f64::from_bits(bits as u64);
+    if largest.is_nan() { f64::INFINITY } else { largest }
 }
 
 /// Four roundings of a number in units of the tolerance: a number that large may be off by that much.

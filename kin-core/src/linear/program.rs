@@ -23,6 +23,7 @@ pub(super) struct Step {
     pub out: u32,
     pub start: u32,
     pub scale: u32,
+    shape: u32,
     products: u32,
     plus: u32,
     minus: u32,
@@ -53,31 +54,39 @@ pub(super) struct Watch {
 impl Program {
     /// Appends a step.
     pub(super) fn push(&mut self, kind: Kind, [out, start, scale]: [u32; 3], products: &[[u32; 2]], plus: &[u32], minus: &[u32]) {
-        let count = |list: &[u32]| list.len() as u32;
-        self.steps.push(Step { kind, out, start, scale, products: products.len() as u32, plus: count(plus), minus: count(minus) });
+        let shape = shape(products.len(), plus.len(), minus.len());
+        let [n_products, n_plus, n_minus] = [products.len(), plus.len(), minus.len()].map(|n| n as u32);
+        self.steps.push(Step { kind, out, start, scale, shape, products: n_products, plus: n_plus, minus: n_minus });
         self.products.extend_from_slice(products);
         self.terms.extend_from_slice(plus);
         self.terms.extend_from_slice(minus);
     }
 
+    fn operands(&self) -> Operands<'_> {
+        Operands { products: &self.products, terms: &self.terms }
+    }
+
     /// Runs all steps.
     pub(super) fn run(&self, memory: &mut [f64]) {
-        let (mut products, mut terms) = (&self.products[..], &self.terms[..]);
+        let operands = &mut self.operands();
         for step in &self.steps {
-            let x = step.sum(memory, &mut products, &mut terms);
-            let scale = if step.kind == Kind::Scaled { memory[step.scale as usize] } else { 1.0 };
-            memory[step.out as usize] = if step.kind == Kind::Scaled { x * scale } else { x };
+            let x = step.sum(memory, operands);
+            memory[step.out as usize] = if step.kind == Kind::Scaled { x * memory[step.scale as usize] } else { x };
         }
     }
 
     /// Runs all steps and watches pivots and multipliers.
     pub(super) fn run_watched(&self, memory: &mut [f64], watch: &mut Watch) {
-        let (mut products, mut terms) = (&self.products[..], &self.terms[..]);
+        (watch.smallest, watch.multiplier, watch.cell) = (f64::INFINITY, 0.0, 0.0);
+        if self.steps.is_empty() {
+            return;
+        }
+        let operands = &mut self.operands();
         let (mut units, mut weights) = (watch.units.iter(), watch.weights.iter());
         let (mut smallest, mut multiplier, mut cell) = (f64::INFINITY, 0.0_f64, 0.0_f64);
         let mut weighted = |x: f64| x.abs() * weights.next().copied().unwrap_or(1.0);
         for step in &self.steps {
-            let mut x = step.sum(memory, &mut products, &mut terms);
+            let mut x = step.sum(memory, operands);
             match step.kind {
                 Kind::Plain | Kind::Negated => cell = above(cell, weighted(x)),
                 Kind::Scaled => {
@@ -118,23 +127,72 @@ impl Program {
     }
 }
 
+/// How a step's operands are counted: up to 3 products, 2 numbers added and 2 subtracted have a loop-free copy of the interpreter each.
+const MANY: u32 = 36;
+
+fn shape(products: usize, plus: usize, minus: usize) -> u32 {
+    if products < 4 && plus < 3 && minus < 3 { (products + 4 * plus + 12 * minus) as u32 } else { MANY }
+}
+
+/// Runs the copy of the interpreter for a shape.
+macro_rules! by_shape {
+    ($step:expr, $memory:expr, $operands:expr; $($shape:literal)*) => {
+        match $step.shape {
+            $($shape => $step.fixed::<{ $shape % 4 }, { $shape / 4 % 3 }, { $shape / 12 }>($memory, $operands),)*
+            _ => $step.any($memory, $operands),
+        }
+    };
+}
+
 impl Step {
     #[inline(always)]
-    fn sum(&self, memory: &[f64], products: &mut &[[u32; 2]], terms: &mut &[u32]) -> f64 {
+    fn sum(&self, memory: &[f64], operands: &mut Operands<'_>) -> f64 {
+        by_shape!(self, memory, operands; 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31 32 33 34 35)
+    }
+
+    /// The sum of a step with that many operands.
+    #[inline(always)]
+    fn fixed<const PRODUCTS: usize, const PLUS: usize, const MINUS: usize>(&self, memory: &[f64], operands: &mut Operands<'_>) -> f64 {
+        let products = operands.products.split_first_chunk::<PRODUCTS>();
+        let plus = operands.terms.split_first_chunk::<PLUS>();
+        let Some(((products, products_left), (plus, terms))) = products.zip(plus) else { return f64::NAN };
+        let Some((minus, terms)) = terms.split_first_chunk::<MINUS>() else { return f64::NAN };
+        *operands = Operands { products: products_left, terms };
+        self.add_up(memory, products, plus, minus)
+    }
+
+    #[inline(never)]
+    fn any(&self, memory: &[f64], operands: &mut Operands<'_>) -> f64 {
+        let products = take(&mut operands.products, self.products);
+        let (plus, minus) = (take(&mut operands.terms, self.plus), take(&mut operands.terms, self.minus));
+        self.add_up(memory, products, plus, minus)
+    }
+
+    #[inline(always)]
+    fn add_up(&self, memory: &[f64], products: &[[u32; 2]], plus: &[u32], minus: &[u32]) -> f64 {
         let mut sum = 0.0;
-        for &[a, b] in take(products, self.products) {
-            sum += memory[a as usize] * memory[b as usize];
+        for (k, &[a, b]) in products.iter().enumerate() {
+            let product = memory[a as usize] * memory[b as usize];
+            sum = if k == 0 { product } else { sum + product };
         }
         let start = memory[self.start as usize];
-        let mut x = if self.kind == Kind::Negated { sum - start } else { start - sum };
-        for &k in take(terms, self.plus) {
-            x += memory[k as usize];
-        }
-        for &k in take(terms, self.minus) {
-            x -= memory[k as usize];
-        }
+        let mut x = if products.is_empty() {
+            if self.kind == Kind::Negated { -start } else { start }
+        } else if self.kind == Kind::Negated {
+            sum - start
+        } else {
+            start - sum
+        };
+        plus.iter().for_each(|&k| x += memory[k as usize]);
+        minus.iter().for_each(|&k| x -= memory[k as usize]);
         x
     }
+}
+
+/// The operands of the steps to come.
+struct Operands<'a> {
+    products: &'a [[u32; 2]],
+    terms: &'a [u32],
 }
 
 /// The next `n` of the list.

@@ -60,9 +60,12 @@ pub(crate) struct StatePlan {
     known: HashMap<(Kind, usize), usize>,
     /// States of the ground in their places, zero elsewhere.
     states: Vec<f64>,
-    /// The coordinate whose rate each local column has; `None` on the ground.
-    rates: Vec<Option<usize>>,
+    /// The coordinate whose rate each local column has; `GROUND` on the ground.
+    rates: Vec<u32>,
 }
+
+/// Stands for the coordinates that the ground does not have.
+const GROUND: u32 = u32::MAX;
 
 /// A state that several constraints read.
 #[derive(Clone, Debug)]
@@ -71,8 +74,8 @@ struct Shared {
     first: usize,
     /// Whether someone reads its sine or cosine (bare coordinates only).
     trig: bool,
-    /// Where it is copied to.
-    copies: Vec<usize>,
+    /// Where it is copied to (32 bits: no sum of them overflows, so one check a copy will do).
+    copies: Vec<u32>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -99,8 +102,8 @@ impl StatePlan {
             self.share(kind, first, trig, begin.0);
         }
         self.rates.extend((0..target.columns()).map(|k| match place {
-            Place::Own { first, .. } => Some(first + k),
-            Place::Ground(_) => None,
+            Place::Own { first, .. } => (first + k) as u32,
+            Place::Ground(_) => GROUND,
         }));
         begin
     }
@@ -115,9 +118,9 @@ impl StatePlan {
         match list.get_mut(k) {
             Some(shared) => {
                 shared.trig |= trig;
-                shared.copies.push(copy);
+                shared.copies.push(copy as u32);
             }
-            None => list.push(Shared { first, trig, copies: vec![copy] }),
+            None => list.push(Shared { first, trig, copies: vec![copy as u32] }),
         }
     }
 
@@ -134,10 +137,12 @@ impl StatePlan {
     /// The states at coordinates q.
     pub(crate) fn set_states(&self, q: &[f64], states: &mut [f64]) {
         for Shared { first, copies, .. } in &self.planar {
-            copy(&PlanarState::new([q[*first], q[first + 1], q[first + 2]]).to_array(), copies, states);
+            let Some(q) = q.get(*first..).and_then(|q| q.first_chunk()) else { continue };
+            copy(&PlanarState::new(*q).to_array(), copies, states);
         }
         for Shared { first, copies, .. } in &self.spatial {
-            copy(&SpatialState::new(std::array::from_fn(|k| q[first + k])).to_array(), copies, states);
+            let Some(q) = q.get(*first..).and_then(|q| q.first_chunk()) else { continue };
+            copy(&SpatialState::new(*q).to_array(), copies, states);
         }
         for Shared { first, trig, copies } in &self.coords {
             copy(&CoordState::new(q[*first], *trig).to_array(), copies, states);
@@ -147,13 +152,15 @@ impl StatePlan {
     /// The rates at q̇.
     pub(crate) fn set_rates(&self, qd: &[f64], rates: &mut [f64]) {
         for (rate, source) in rates.iter_mut().zip(&self.rates) {
-            *rate = source.map_or(0.0, |k| qd[k]);
+            *rate = qd.get(*source as usize).copied().unwrap_or(0.0);
         }
     }
 }
 
-fn copy<const N: usize>(state: &[f64; N], copies: &[usize], states: &mut [f64]) {
+#[inline(always)]
+fn copy<const N: usize>(state: &[f64; N], copies: &[u32], states: &mut [f64]) {
     for &begin in copies {
+        let begin = begin as usize;
         states[begin..begin + N].copy_from_slice(state);
     }
 }
@@ -199,7 +206,8 @@ impl Equations {
         }
         let first = self.entries.len();
         let own = &self.plan.rates[first_rate..];
-        let global = |&(row, column): &(usize, usize)| Some((self.rows + row, own.get(column).copied().flatten()?));
+        let place = |column: usize| own.get(column).filter(|place| **place != GROUND).map(|place| *place as usize);
+        let global = |&(row, column): &(usize, usize)| Some((self.rows + row, place(column)?));
         self.entries.extend(constraint.pattern().iter().map(global));
         self.constants.extend_from_slice(constraint.constants());
         self.constants.resize(self.entries.len(), None);
@@ -227,9 +235,14 @@ impl Equations {
 
     /// C(q, t) and the values of C_q, whether they are finite or not.
     pub(crate) fn linearize(&self, t: f64, states: &[f64], c: &mut [f64], values: &mut [f64]) {
+        let (mut c, mut values, mut states) = (c, values, states);
         for block in &self.blocks {
-            let at = block.at(t, states);
-            block.constraint.linearize(&at, &mut c[block.rows.clone()], &mut values[block.values.clone()]);
+            // Blocks lie one after the other: one check for each slice.
+            let (own_c, own_values, own_states);
+            (own_c, c) = c.split_at_mut(block.rows.len());
+            (own_values, values) = values.split_at_mut(block.values.len());
+            (own_states, states) = states.split_at(block.states.len());
+            block.constraint.linearize(&At::new(t, own_states, &block.first_state), own_c, own_values);
         }
     }
 

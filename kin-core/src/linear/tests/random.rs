@@ -66,9 +66,9 @@ impl Sparse {
     fn random(n: usize, kind: Kind, random: &mut Random) -> Sparse {
         let rows = random.permutation(n);
         let mut a = Sparse { n, entries: Vec::new(), values: Vec::new(), constants: Vec::new() };
-        for k in 0..n {
-            let shift = usize::from(kind == Kind::Hollow);
-            a.add(rows[k], (k + shift) % n, random);
+        let shift = usize::from(kind == Kind::Hollow);
+        for (k, row) in rows.iter().enumerate() {
+            a.add(*row, (k + shift) % n, random);
         }
         let extra = if n == 1 { 0 } else { n * (1 + random.below(3)) };
         for _ in 0..extra {

@@ -13,7 +13,10 @@ fn four_bar([a, b, c, _]: [f64; 4], [t2, t3, t4]: [f64; 3]) -> Vec<f64> {
     rows.chain((0..2).map(|k| vec![1.0, -c[k]])).flatten().chain([1.0]).collect()
 }
 
-fn four_bar_pattern() -> (Vec<Option<(usize, usize)>>, Vec<Option<f64>>) {
+/// Places and constants of a pattern.
+type Pattern = (Vec<Option<(usize, usize)>>, Vec<Option<f64>>);
+
+fn four_bar_pattern() -> Pattern {
     let mut pattern = Vec::new();
     for (pin, bodies) in [vec![0], vec![0, 1], vec![1, 2], vec![2]].into_iter().enumerate() {
         for k in 0..2 {
