@@ -21,15 +21,13 @@ pub fn is_kin_function(path: &ExprPath) -> bool {
 /// Functions of the standard library that take values of any type.
 pub fn is_std_function(path: &ExprPath) -> bool {
     let names = names(path);
-    match names.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        ["Some" | "Ok" | "Err" | "drop"] => true,
-        ["std" | "core" | "alloc", ..] => true,
-        ["Box" | "Rc" | "Arc" | "Vec" | "VecDeque" | "Option" | "Result" | "Cell" | "RefCell" | "Default" | "Iterator" | "String", _] => {
-            true
-        }
-        ["array" | "iter" | "mem" | "cmp", _] => true,
-        _ => false,
-    }
+    matches!(
+        names.iter().map(String::as_str).collect::<Vec<_>>()[..],
+        ["Some" | "Ok" | "Err" | "drop"]
+            | ["std" | "core" | "alloc", ..]
+            | ["Box" | "Rc" | "Arc" | "Vec" | "VecDeque" | "Option" | "Result" | "Cell" | "RefCell" | "Default" | "Iterator" | "String", _]
+            | ["array" | "iter" | "mem" | "cmp", _]
+    )
 }
 
 /// Types of Kin's that are made of numbers.

@@ -46,7 +46,7 @@ impl Reader {
             [.., ty @ ("Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters"), function] => self.associated(ty, function, arguments, &call),
             ["f64", "from"] => self.number_from(arguments, &call),
             ["f64", function] => self.number_function(function, arguments, &call),
-            [.., "array", "from_fn"] if arguments.len() == 1 => self.from_fn(arguments, &call),
+            [.., "array", "from_fn"] if arguments.len() == 1 => self.array_from_fn(arguments, &call),
             _ => {
                 let path = Template::Path(call.path.clone());
                 self.own_function(path, arguments, places, at)
@@ -179,7 +179,7 @@ impl Reader {
     }
 
     /// `std::array::from_fn(f)`, of the length in its type arguments or that of its place.
-    fn from_fn(&mut self, mut arguments: Vec<Value>, call: &Call) -> Read {
+    fn array_from_fn(&mut self, mut arguments: Vec<Value>, call: &Call) -> Read {
         let value = arguments.remove(0).referent();
         let Some(place) = call.places.first() else { return Err(Unreadable::new(call.path, "a function that is not a closure")) };
         let f = self.function(value, place)?;

@@ -33,7 +33,7 @@ impl Reader {
     /// −value, of a number or of components.
     pub fn negated(&mut self, value: Value) -> Value {
         match (value.components(), &value) {
-            (Some((kind, nodes)), _) => kind.value(nodes.to_vec().into_iter().map(|n| self.graph.neg(n)).collect()),
+            (Some((kind, nodes)), _) => kind.value(nodes.iter().map(|&n| self.graph.neg(n)).collect()),
             (None, Value::Scalar(n)) => Value::Scalar(self.graph.neg(*n)),
             _ => Value::Poison,
         }
