@@ -67,42 +67,49 @@ impl Input {
 }
 
 /// Kin's evaluations: states once, then the two emitted functions.
-struct Library {
-    constraint: Box<dyn Constraint>,
+struct Library<C> {
+    constraint: C,
 }
 
-impl Library {
-    fn new(constraint: impl Constraint + 'static) -> Self {
-        Library { constraint: Box::new(constraint) }
-    }
-
-    fn planar(&mut self, input: &Input, output: &mut [f64], m: usize, entries: usize) {
-        for (state, out) in input.states.as_chunks::<12>().0.iter().zip(output.chunks_exact_mut(2 * m + entries)) {
+impl<C: Constraint + 'static> Library<C> {
+    fn planar<const M: usize, const E: usize>(&self, input: &Input, output: &mut [f64]) {
+        for (state, out) in input.states.as_chunks::<12>().0.iter().zip(output.chunks_exact_mut(2 * M + E)) {
             let (q, qd) = state.split_at(6);
             let (i, j) = (PlanarState::new([q[0], q[1], q[2]]), PlanarState::new([q[3], q[4], q[5]]));
             let states = [i.r.x, i.r.y, i.theta, i.sin, i.cos, j.r.x, j.r.y, j.theta, j.sin, j.cos];
-            self.evaluate(&At::new(0.0, &states, &[0, 5]), &Rates::new(qd, &[0, 3]), out, m, entries);
+            self.evaluate::<M, E>(&At::new(0.0, &states, &[0, 5]), &Rates::new(qd, &[0, 3]), out);
         }
     }
 
-    fn spatial(&mut self, input: &Input, output: &mut [f64], m: usize, entries: usize) {
-        for (state, out) in input.states.as_chunks::<28>().0.iter().zip(output.chunks_exact_mut(2 * m + entries)) {
+    fn spatial<const M: usize, const E: usize>(&self, input: &Input, output: &mut [f64]) {
+        for (state, out) in input.states.as_chunks::<28>().0.iter().zip(output.chunks_exact_mut(2 * M + E)) {
             let (q, qd) = state.split_at(14);
             let mut states = [0.0; 32];
             for (place, q) in states.as_chunks_mut::<16>().0.iter_mut().zip(q.as_chunks::<7>().0) {
                 *place = SpatialState::new(*q).to_array();
             }
-            self.evaluate(&At::new(0.0, &states, &[0, 16]), &Rates::new(qd, &[0, 7]), out, m, entries);
+            self.evaluate::<M, E>(&At::new(0.0, &states, &[0, 16]), &Rates::new(qd, &[0, 7]), out);
         }
     }
 
     #[inline]
-    fn evaluate(&self, at: &At<'_>, qd: &Rates<'_>, out: &mut [f64], m: usize, entries: usize) {
-        let (c, rest) = out.split_at_mut(m);
-        let (c_q, q_d) = rest.split_at_mut(entries);
-        self.constraint.linearize(at, c, c_q);
-        self.constraint.acceleration_rhs(at, qd, 1.0, q_d);
+    fn evaluate<const M: usize, const E: usize>(&self, at: &At<'_>, qd: &Rates<'_>, out: &mut [f64]) {
+        let (c, rest) = out.split_at_mut(M);
+        let (c_q, q_d) = rest.split_at_mut(E);
+        linearize(&self.constraint, at, c, c_q);
+        right_side(&self.constraint, at, qd, q_d);
     }
+}
+
+/// Cut as by hand: two functions that are not inlined into the loop.
+#[inline(never)]
+fn linearize(constraint: &impl Constraint, at: &At<'_>, c: &mut [f64], c_q: &mut [f64]) {
+    constraint.linearize(at, c, c_q);
+}
+
+#[inline(never)]
+fn right_side(constraint: &impl Constraint, at: &At<'_>, qd: &Rates<'_>, q_d: &mut [f64]) {
+    constraint.acceleration_rhs(at, qd, 1.0, q_d);
 }
 
 fn vec2_at(p: &[f64], k: usize) -> Vec2 {
@@ -116,25 +123,25 @@ fn vec3_at(p: &[f64], k: usize) -> Vec3 {
 /// The batch by the library and by hand, the same output layout: C, values of C_q by rows, Q_d.
 type Route = Box<dyn FnMut(&Input, &mut [f64])>;
 
-fn library(joint: &Joint, parameters: &[f64]) -> Library {
-    let p = parameters;
+fn planar<C: Constraint + 'static>(constraint: C) -> Route {
+    let library = Library { constraint };
+    Box::new(move |input, out| library.planar::<2, 8>(input, out))
+}
+
+fn spatial<C: Constraint + 'static, const M: usize, const E: usize>(constraint: C) -> Route {
+    let library = Library { constraint };
+    Box::new(move |input, out| library.spatial::<M, E>(input, out))
+}
+
+fn by_library(joint: &Joint, p: &[f64]) -> Route {
     let (i, j) = (kin::any_planar(), kin::any_planar());
     let (si, sj) = (kin::any_spatial(), kin::any_spatial());
     match joint.name {
-        "planar_revolute" => Library::new(revolute(i, j, vec2_at(p, 0), vec2_at(p, 2))),
-        "planar_prismatic" => Library::new(prismatic(i, j, vec2_at(p, 0), vec2_at(p, 2), vec2_at(p, 4), p[6])),
-        "spherical" => Library::new(spherical(si, sj, vec3_at(p, 0), vec3_at(p, 3))),
-        "universal" => Library::new(universal(si, sj, vec3_at(p, 0), vec3_at(p, 3), vec3_at(p, 6), vec3_at(p, 9))),
-        _ => Library::new(cylindrical(si, sj, vec3_at(p, 0), vec3_at(p, 3), vec3_at(p, 6), vec3_at(p, 9), vec3_at(p, 12))),
-    }
-}
-
-fn by_library(joint: &'static Joint, parameters: &[f64]) -> Route {
-    let mut library = library(joint, parameters);
-    let (m, entries) = (joint.m, joint.entries);
-    match joint.n {
-        6 => Box::new(move |input, output| library.planar(input, output, m, entries)),
-        _ => Box::new(move |input, output| library.spatial(input, output, m, entries)),
+        "planar_revolute" => planar(revolute(i, j, vec2_at(p, 0), vec2_at(p, 2))),
+        "planar_prismatic" => planar(prismatic(i, j, vec2_at(p, 0), vec2_at(p, 2), vec2_at(p, 4), p[6])),
+        "spherical" => spatial::<_, 3, 30>(spherical(si, sj, vec3_at(p, 0), vec3_at(p, 3))),
+        "universal" => spatial::<_, 4, 38>(universal(si, sj, vec3_at(p, 0), vec3_at(p, 3), vec3_at(p, 6), vec3_at(p, 9))),
+        _ => spatial::<_, 4, 44>(cylindrical(si, sj, vec3_at(p, 0), vec3_at(p, 3), vec3_at(p, 6), vec3_at(p, 9), vec3_at(p, 12))),
     }
 }
 
