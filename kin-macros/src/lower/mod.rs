@@ -91,8 +91,8 @@ fn first_span(at: &dyn ToTokens) -> Span {
 /// Either a value or the end of reading.
 type Read<T = Value> = Result<T, Unreadable>;
 
-/// Beyond this many nodes straight-line code is no longer a good idea.
-const MOST_NODES: usize = 60_000;
+/// Beyond this many nodes straight-line code is no longer a good idea: rustc needs seconds and a deep stack for it.
+const MOST_NODES: usize = 4_000;
 /// Loops are unrolled up to this many turns.
 const MOST_TURNS: i64 = 4_096;
 /// Functions of the body's own call each other this deep.
