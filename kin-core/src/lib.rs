@@ -12,6 +12,7 @@ pub mod constraint;
 pub mod coordinates;
 pub mod dual_route;
 pub mod error;
+mod fours;
 pub mod joints;
 pub mod law;
 mod layout;
