@@ -20,7 +20,7 @@ use crate::system::System;
 pub struct Motion {
     name: String,
     layout: Arc<Layout>,
-    equations: Vec<String>,
+    equations: Arc<[String]>,
     times: Vec<f64>,
     q: Vec<f64>,
     qd: Vec<f64>,
@@ -49,7 +49,7 @@ impl Motion {
         Motion {
             name: system.name().to_string(),
             layout: system.layout().clone(),
-            equations: system.equation_names(),
+            equations: system.names_of_equations().clone(),
             times: Vec::with_capacity(times),
             q: room(),
             qd: room(),
