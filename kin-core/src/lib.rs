@@ -45,4 +45,4 @@ pub use newton::{Options, Report, Stop};
 pub use num_dual;
 pub use real::{Dual, Real};
 pub use system::{Solution, System};
-pub use terms::{Terms, dual_terms, terms};
+pub use terms::{Terms, dual_terms, jerk_rhs, terms};
