@@ -262,6 +262,15 @@ pub enum Error {
     #[error(transparent)]
     Mismatch(#[from] Box<crate::check::Mismatch>),
 
+    /// A file with a table that cannot be read, or is no table of a law.
+    #[error("{}: {reason}", .path.display())]
+    Table {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+
     /// A file that cannot be written.
     #[error("cannot write {}: {source}", .path.display())]
     File {

@@ -1,7 +1,14 @@
 //! Laws: functions of one variable with their derivatives, for motors, cam profiles and other prescribed curves.
 
+mod basic;
+mod breaks;
 mod combine;
-mod kinds;
+mod motion;
+mod rise;
+mod sequence;
+mod spline;
+
+pub use spline::Ends;
 
 use std::fmt;
 use std::sync::Arc;

@@ -37,7 +37,7 @@ pub use dual_route::by_dual;
 pub use error::{Error, Result};
 pub use joints::spatial;
 pub use kin_macros::{constraint, law};
-pub use law::{Break, Law, LawFunction};
+pub use law::{Break, Ends, Law, LawFunction};
 pub use mechanism::{ConstraintId, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose};
 pub use motion::{CoordinateMotion, Motion, PointMotion, Series};
 pub use nalgebra;
