@@ -16,6 +16,7 @@
 
 mod central;
 mod law;
+mod promises;
 mod table;
 
 pub use law::{LawMismatch, compare_law, law};
@@ -128,6 +129,7 @@ fn at_state<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
             entries.extend(table::entries(equation, term, &a, &b, c, scale));
         }
     }
+    entries.extend(promises::broken::<E, N, M>(equation, q, qd, t, &dual));
     match entries.is_empty() {
         true => Ok(()),
         false => Err(Box::new(Mismatch::new(equation, entries, q, qd, t))),

@@ -1,0 +1,164 @@
+//! What a constraint promises to its solver before the program runs: which terms never change with t, and which are always zero.
+
+use kin::coordinates::Argument;
+use kin::dual_route::{ArgumentKind, Equation};
+use kin::prelude::*;
+use kin::rt::{At, Rates};
+use kin::{Dependence, any_coord as c, any_planar as p};
+
+/// C depends on t, C_q does, C_t can be other than zero, Q_d can.
+fn promised(constraint: &impl Constraint) -> [bool; 4] {
+    let Dependence { c_on_t, c_q_on_t, c_t, q_d } = constraint.depends();
+    [c_on_t, c_q_on_t, c_t, q_d]
+}
+
+#[constraint]
+fn geared(a: Coord, b: Coord, ratio: f64) -> f64 {
+    a - ratio * b
+}
+
+#[constraint]
+fn stepped(a: Coord, t: Time) -> f64 {
+    a * a - t.floor()
+}
+
+#[constraint]
+fn growing(a: Coord, t: Time) -> f64 {
+    (1.0 + t) * a
+}
+
+#[constraint]
+fn searched(a: Coord) -> f64 {
+    let mut x = a;
+    while x > 1.0 {
+        x = x / 2.0;
+    }
+    x
+}
+
+#[test]
+fn terms_that_vanish_and_terms_without_time_are_promised() {
+    assert_eq!(promised(&revolute(p(), p(), vec2(1.0, 0.0), vec2(0.0, 1.0))), [false, false, false, true]);
+    assert_eq!(promised(&geared(c(), c(), 3.0)), [false, false, false, false]);
+    assert_eq!(promised(&drive(c(), Law::ramp(2.0))), [true, false, true, true]);
+    assert_eq!(promised(&stepped(c())), [true, false, false, true]);
+    assert_eq!(promised(&growing(c())), [true, true, true, true]);
+}
+
+#[test]
+fn the_dual_route_promises_what_the_graph_knows_and_nothing_without_one() {
+    let (own, dual) =
+        (revolute(p(), p(), vec2(1.0, 0.0), vec2(0.0, 1.0)), kin::by_dual(revolute(p(), p(), vec2(1.0, 0.0), vec2(0.0, 1.0))));
+    assert_eq!((own.depends(), own.constants()), (dual.depends(), dual.constants()));
+    assert_eq!(searched(c()).route(), Route::Dual);
+    assert_eq!(searched(c()).depends(), Dependence::default());
+}
+
+#[test]
+fn what_is_promised_holds() {
+    kin::check::derivatives(geared(c(), c(), 3.0));
+    kin::check::derivatives(stepped(c()));
+    kin::check::derivatives(growing(c()));
+}
+
+/// a² (1 + t) with promises of one's own choice.
+#[derive(Clone)]
+struct Claims(Dependence, [Option<f64>; 1]);
+
+impl Constraint for Claims {
+    fn kind(&self) -> &str {
+        "claims"
+    }
+    fn route(&self) -> Route {
+        Route::Hand
+    }
+    fn arguments(&self) -> Vec<Argument> {
+        growing(c()).arguments()
+    }
+    fn rows(&self) -> &[&str] {
+        &["1"]
+    }
+    fn pattern(&self) -> &[(usize, usize)] {
+        &[(0, 0)]
+    }
+    fn constants(&self) -> &[Option<f64>] {
+        &self.1
+    }
+    fn depends(&self) -> Dependence {
+        self.0
+    }
+    fn residual(&self, at: &At<'_>, c: &mut [f64]) {
+        kin::dual_route::residual(self, at, c);
+    }
+    fn jacobian(&self, at: &At<'_>, c_q: &mut [f64]) {
+        kin::dual_route::jacobian(self, at, c_q);
+    }
+    fn velocity_rhs(&self, at: &At<'_>, rhs: &mut [f64]) {
+        kin::dual_route::velocity_rhs(self, at, rhs);
+    }
+    fn acceleration_rhs(&self, at: &At<'_>, qd: &Rates<'_>, t_dot: f64, q_d: &mut [f64]) {
+        kin::dual_route::acceleration_rhs(self, at, qd, t_dot, q_d);
+    }
+}
+
+impl Equation<1, 1> for Claims {
+    const ARGUMENTS: &'static [ArgumentKind] = &[ArgumentKind::Coord];
+    fn evaluate<D: Dual>(&self, q: &[Real<D>; 1], t: Real<D>) -> [Real<D>; 1] {
+        [q[0] * q[0] * (t + 1.0)]
+    }
+    fn plain(&self, q: &[f64; 1], t: f64) -> [f64; 1] {
+        [q[0] * q[0] * (t + 1.0)]
+    }
+}
+
+#[test]
+fn a_false_promise_is_found_by_the_check() {
+    let all = Dependence::default();
+    let broken = |depends, constant| match kin::check::compare(&Claims(depends, [constant])) {
+        Ok(_) => String::new(),
+        Err(mismatch) => mismatch.to_string(),
+    };
+    assert_eq!(broken(all, None), "");
+    let said = |text: String, promise: &str| assert!(text.contains(promise), "{text}");
+    said(broken(Dependence { c_on_t: false, ..all }, None), "C, promised not to change with t");
+    said(broken(Dependence { c_q_on_t: false, ..all }, None), "C_q, promised not to change with t");
+    said(broken(Dependence { c_t: false, ..all }, None), "C_t, promised to be zero");
+    said(broken(Dependence { q_d: false, ..all }, None), "Q_d, promised to be zero");
+    said(broken(all, Some(1.0)), "an entry of C_q, promised to be constant");
+}
+
+/// Motor and cam: laws of the time, and functions of the time and of parameters.
+#[constraint]
+fn timed_pair(body: Planar, t: Time, f: Law, k: f64, floor: f64) -> [f64; 2] {
+    let w = k.sqrt() * t;
+    let gate = if w.sin() > floor { w.cos() } else { 2.0 };
+    [body.theta - f.at(t) * body.r.x, body.r.y * gate - w.exp()]
+}
+
+#[test]
+fn what_depends_on_time_alone_is_evaluated_once_and_is_the_same() {
+    let constraint = timed_pair(kin::any_planar(), Law::harmonic(0.3, 2.0), 1.7, 0.1);
+    assert!(constraint.n_timed() > 0);
+    kin::check::derivatives(constraint);
+
+    let mut m = Mechanism::new("timed");
+    let body = m.planar("body", pose(0.2, 0.1, 0.4)).unwrap();
+    let own = timed_pair(body, Law::harmonic(0.3, 2.0), 1.7, 0.1);
+    m.add("timed", own.clone()).unwrap();
+    m.add("level", hold_x(body, 0.2)).unwrap();
+    let system = m.build().unwrap();
+    for (k, t) in linspace(-2.0, 3.0, 41).into_iter().enumerate() {
+        let (q, qd) = ([0.2 + 0.01 * k as f64, -0.3, 0.5], [0.7, -0.2, 1.1]);
+        // Alone the constraint is asked without the numbers of the time; in a system with them.
+        let alone = kin::terms(&own, &q, &qd, t);
+        assert_eq!(system.residual(&q, t).unwrap()[..2], alone.c.as_slice()[..]);
+        assert_eq!(system.c_t(&q, t).unwrap()[..2], alone.c_t.as_slice()[..]);
+        assert_eq!(system.acceleration_rhs(&q, &qd, t).unwrap()[..2], alone.q_d.as_slice()[..]);
+        assert_eq!(system.jacobian(&q, t).unwrap().rows(0, 2), alone.c_q);
+    }
+}
+
+#[constraint]
+fn hold_x(body: Planar, x: f64) -> f64 {
+    body.r.x - x
+}
