@@ -41,7 +41,7 @@ pub use law::{Break, Ends, Law, LawFunction};
 pub use mechanism::{ConstraintId, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose};
 pub use motion::{CoordinateMotion, Motion, PointMotion, Series};
 pub use nalgebra;
-pub use newton::{Options, Report, Stop};
+pub use newton::{CrossedBreak, Options, Report, Stop};
 pub use num_dual;
 pub use real::{Dual, Real};
 pub use system::{Solution, System};
