@@ -31,14 +31,14 @@ mod testing;
 pub use algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
 pub use constraint::{Constraint, Dependence, Route};
 pub use coordinates::{
-    Coord, Coordinate, Ground, Link, Planar, PlanarBody, Spatial, SpatialBody, Time, any_coord, any_planar, any_spatial,
+    Coord, Coordinate, Ground, Link, Planar, PlanarBody, Spatial, SpatialBody, SpatialLink, Time, any_coord, any_planar, any_spatial,
 };
 pub use dual_route::by_dual;
 pub use error::{Error, Result};
 pub use joints::spatial;
 pub use kin_macros::{constraint, law};
 pub use law::{Break, Ends, Law, LawFunction};
-pub use mechanism::{ConstraintId, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose};
+pub use mechanism::{ConstraintId, Marker, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose};
 pub use motion::{CoordinateMotion, Motion, PointMotion, Series};
 pub use nalgebra;
 pub use newton::{CrossedBreak, Options, Report, Stop};
