@@ -125,11 +125,11 @@ const _: () = {
                 _,
                 ],
             ) = at.states::<6>() else { return };
-            let mut own = [0.0; 6];
-            let timed = match at.timed().first_chunk::<6>() {
+            let own: [f64; 6];
+            let timed = match at.timed().first_chunk() {
                 ::core::option::Option::Some(timed) => timed,
                 ::core::option::Option::None => {
-                    ::kin::Constraint::at_time(self, at.t, &mut own);
+                    own = ::kin::rt::timed(self, at.t);
                     &own
                 }
             };
@@ -165,11 +165,11 @@ const _: () = {
                 _,
                 ],
             ) = at.states::<6>() else { return };
-            let mut own = [0.0; 6];
-            let timed = match at.timed().first_chunk::<6>() {
+            let own: [f64; 6];
+            let timed = match at.timed().first_chunk() {
                 ::core::option::Option::Some(timed) => timed,
                 ::core::option::Option::None => {
-                    ::kin::Constraint::at_time(self, at.t, &mut own);
+                    own = ::kin::rt::timed(self, at.t);
                     &own
                 }
             };
@@ -186,11 +186,11 @@ const _: () = {
             let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<2>() else {
                 return
             };
-            let mut own = [0.0; 6];
-            let timed = match at.timed().first_chunk::<6>() {
+            let own: [f64; 6];
+            let timed = match at.timed().first_chunk() {
                 ::core::option::Option::Some(timed) => timed,
                 ::core::option::Option::None => {
-                    ::kin::Constraint::at_time(self, at.t, &mut own);
+                    own = ::kin::rt::timed(self, at.t);
                     &own
                 }
             };
@@ -213,11 +213,11 @@ const _: () = {
             let ::core::option::Option::Some(&[theta3_d, _]) = qd.columns::<2>() else {
                 return
             };
-            let mut own = [0.0; 6];
-            let timed = match at.timed().first_chunk::<6>() {
+            let own: [f64; 6];
+            let timed = match at.timed().first_chunk() {
                 ::core::option::Option::Some(timed) => timed,
                 ::core::option::Option::None => {
-                    ::kin::Constraint::at_time(self, at.t, &mut own);
+                    own = ::kin::rt::timed(self, at.t);
                     &own
                 }
             };
@@ -245,6 +245,9 @@ const _: () = {
                 return ::core::option::Option::Some("theta3.sin()");
             }
             ::core::option::Option::None
+        }
+        fn description(&self) -> &str {
+            "Loop closure of the slider-crank, crank driven at ω.      [m]"
         }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
             ::kin::rt::Numbers::visit(&self.l2, "l2", visit);

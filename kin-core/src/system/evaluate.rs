@@ -91,7 +91,7 @@ impl Instant {
     }
 
     /// The instant as a constraint sees it.
-    fn of<'a>(&'a self, block: &'a Block) -> At<'a> {
+    pub(crate) fn of<'a>(&'a self, block: &'a Block) -> At<'a> {
         block.at(self.at())
     }
 }
