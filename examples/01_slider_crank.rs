@@ -2,10 +2,8 @@
 //!
 //! `cargo run --release --example 01_slider_crank`
 
-mod figures;
-
-use figures::Panel;
 use kin::prelude::*;
+use kin_view::{Figure, Panel};
 
 const OUT: &str = "out/01_slider_crank";
 
@@ -73,8 +71,8 @@ fn main() -> kin::Result<()> {
         Panel::over_time("Coupler", "angular acceleration").series("theta3''", &coupler.second_rate),
         Panel::over_time("Slider", "acceleration").series("x''", &slider.second_rate),
     ];
-    figures::save(format!("{OUT}/positions.svg"), 2, positions)?;
-    figures::save(format!("{OUT}/rates.svg"), 2, rates)?;
+    Figure::new(positions).save(format!("{OUT}/positions.svg"))?;
+    Figure::new(rates).save(format!("{OUT}/rates.svg"))?;
     println!("\nwrote {OUT}/: motion.csv, positions.svg, rates.svg");
     Ok(())
 }

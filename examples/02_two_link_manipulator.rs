@@ -2,10 +2,8 @@
 //!
 //! `cargo run --release --example 02_two_link_manipulator`
 
-mod figures;
-
-use figures::Panel;
 use kin::prelude::*;
+use kin_view::{Figure, Panel};
 
 const OUT: &str = "out/02_two_link_manipulator";
 
@@ -48,7 +46,7 @@ fn main() -> kin::Result<()> {
         Panel::over_time(title, "position").series("R_x", &x.value).series("R_y", &y.value)
     };
     let origins = vec![origin("Origin of link 2", link2), origin("Origin of link 3", link3)];
-    figures::save(format!("{OUT}/origins.svg"), 2, origins)?;
+    Figure::new(origins).save(format!("{OUT}/origins.svg"))?;
 
     let mut paths = Panel::plane("Paths, and the arm every 4 s");
     let elbow = motion.point(link3, link3.start());
@@ -56,14 +54,14 @@ fn main() -> kin::Result<()> {
         paths = paths.sketch(&[vec2(0.0, 0.0), elbow.r()[k], e.r()[k]]);
     }
     let paths = paths.path("origin of link 2", r2.r()).path("origin of link 3", r3.r()).path("end effector", e.r());
-    figures::save(format!("{OUT}/paths.svg"), 1, vec![paths])?;
+    Figure::new(vec![paths]).save(format!("{OUT}/paths.svg"))?;
 
     let components = e.components(); // x, y, x', y', x'', y''
     let two = |title, quantity, k: usize| {
         vec![Panel::over_time(title, quantity).series("along x", &components[k]).series("along y", &components[k + 1])]
     };
-    figures::save(format!("{OUT}/velocities.svg"), 1, two("Velocity of the end effector", "velocity", 2))?;
-    figures::save(format!("{OUT}/accelerations.svg"), 1, two("Acceleration of the end effector", "acceleration", 4))?;
+    Figure::new(two("Velocity of the end effector", "velocity", 2)).save(format!("{OUT}/velocities.svg"))?;
+    Figure::new(two("Acceleration of the end effector", "acceleration", 4)).save(format!("{OUT}/accelerations.svg"))?;
     println!("wrote {OUT}/: motion.csv, origins.svg, paths.svg, velocities.svg, accelerations.svg");
     Ok(())
 }

@@ -5,11 +5,9 @@
 //!
 //! `cargo run --release --example 03_custom_constraint`
 
-mod figures;
-
-use figures::Panel;
 use kin::prelude::*;
 use kin::{any_planar, check, state::PlanarState};
+use kin_view::{Figure, Panel};
 
 const OUT: &str = "out/03_custom_constraint";
 const K: f64 = 4.0; // 1/m: the slot is y = K x²
@@ -71,14 +69,14 @@ fn main() -> kin::Result<()> {
         on_ground = on_ground.sketch(&turned).sketch(&[c, *p]);
     }
     let on_disc = Panel::plane("On the disc: pin and slot").sketch(&slot).path("pin", &in_disc);
-    figures::save(format!("{OUT}/paths.svg"), 2, vec![on_ground.path("pin", pin.r()), on_disc])?;
+    Figure::new(vec![on_ground.path("pin", pin.r()), on_disc]).save(format!("{OUT}/paths.svg"))?;
     let over_time = vec![
         Panel::over_time("Disc and arm", "angular velocity")
             .series("arm", &arm_turns.rate)
             .series("disc", &motion.coordinate(disc.theta()).rate),
         Panel::over_time("Pin off the slot", "y − k x²").series("residual", off_slot),
     ];
-    figures::save(format!("{OUT}/motion.svg"), 2, over_time)?;
+    Figure::new(over_time).save(format!("{OUT}/motion.svg"))?;
     println!("wrote {OUT}/: motion.csv, motion.svg, paths.svg");
     Ok(())
 }

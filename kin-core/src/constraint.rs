@@ -1,5 +1,6 @@
 //! The one trait of the library: what a constraint C(q, t) = 0 can be asked for.
 
+use crate::algebra::Vec3;
 use crate::coordinates::Argument;
 use crate::state::{At, Rates};
 
@@ -22,6 +23,24 @@ impl std::fmt::Display for Route {
             Route::Hand => "hand-written",
         })
     }
+}
+
+/// A point or direction fixed in a body that a constraint speaks of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Attachment {
+    /// Which of [`Constraint::arguments`] the body is.
+    pub argument: usize,
+    /// What it is, by its components in the body's frame.
+    pub what: Attached,
+}
+
+/// A local point or direction; z is 0 in planar bodies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Attached {
+    /// ū of `b.point(u)`.   \[m\]
+    Point(Vec3),
+    /// h̄ of `b.direction(h)`, of any length.   \[-\]
+    Direction(Vec3),
 }
 
 /// A constraint C(q, t) = 0 with m rows on the coordinates of its arguments.
@@ -77,6 +96,12 @@ pub trait Constraint: Send + Sync {
     fn set_parameter(&mut self, name: &str, value: f64) -> bool {
         let _ = (name, value);
         false
+    }
+
+    /// The points and directions of its bodies that its equation speaks of, `b.point(u)` and `b.direction(h)` with nothing that moves
+    /// inside: for drawings and messages. Empty where that is not known (default).
+    fn attachments(&self) -> Vec<Attachment> {
+        Vec::new()
     }
 
     /// Where a value or derivative is not finite: the sub-expression that made it so, as the user wrote it.

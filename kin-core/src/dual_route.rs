@@ -5,7 +5,7 @@
 
 use num_dual::{Dual2_64, Dual64, HyperDual64};
 
-use crate::constraint::{Constraint, Route};
+use crate::constraint::{Attachment, Constraint, Route};
 use crate::coordinates::Argument;
 use crate::real::{Dual, Real};
 use crate::state::{At, Rates};
@@ -85,6 +85,10 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
 
     fn set_parameter(&mut self, name: &str, value: f64) -> bool {
         self.0.set_parameter(name, value)
+    }
+
+    fn attachments(&self) -> Vec<Attachment> {
+        self.0.attachments()
     }
 }
 

@@ -960,6 +960,29 @@ const _: () = {
             q_d[2] = -t106;
             q_d[3] = -t107;
         }
+        fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
+            let mut u = [[0.0_f64; 3]; 5];
+            u[0][0] = self.f_i.x;
+            u[0][1] = self.f_i.y;
+            u[0][2] = self.f_i.z;
+            u[1][0] = self.g_i.x;
+            u[1][1] = self.g_i.y;
+            u[1][2] = self.g_i.z;
+            u[2][0] = self.h_j.x;
+            u[2][1] = self.h_j.y;
+            u[2][2] = self.h_j.z;
+            u[3][0] = self.u_i.x;
+            u[3][1] = self.u_i.y;
+            u[3][2] = self.u_i.z;
+            u[4][0] = self.u_j.x;
+            u[4][1] = self.u_j.y;
+            u[4][2] = self.u_j.z;
+            ::std::vec![
+                ::kin::rt::attachment(0, false, u[0]), ::kin::rt::attachment(0, false,
+                u[1]), ::kin::rt::attachment(1, false, u[2]), ::kin::rt::attachment(0,
+                true, u[3]), ::kin::rt::attachment(1, true, u[4])
+            ]
+        }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
             ::kin::rt::Numbers::visit(&self.u_i, "u_i", visit);
             ::kin::rt::Numbers::visit(&self.u_j, "u_j", visit);

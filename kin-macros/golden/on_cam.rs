@@ -338,6 +338,12 @@ const _: () = {
             }
             ::core::option::Option::None
         }
+        fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
+            let mut u = [[0.0_f64; 3]; 1];
+            u[0][0] = self.tip.x;
+            u[0][1] = self.tip.y;
+            ::std::vec![::kin::rt::attachment(1, true, u[0])]
+        }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
             ::kin::rt::Numbers::visit(&self.tip, "tip", visit);
             ::kin::rt::Numbers::visit(&self.profile, "profile", visit);

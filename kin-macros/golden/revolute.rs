@@ -197,6 +197,17 @@ const _: () = {
             q_d[1] = -((((self.u_j.x * j_sin) + (self.u_j.y * j_cos)) * t1)
                 - (((self.u_i.x * i_sin) + (self.u_i.y * i_cos)) * t0));
         }
+        fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
+            let mut u = [[0.0_f64; 3]; 2];
+            u[0][0] = self.u_i.x;
+            u[0][1] = self.u_i.y;
+            u[1][0] = self.u_j.x;
+            u[1][1] = self.u_j.y;
+            ::std::vec![
+                ::kin::rt::attachment(0, true, u[0]), ::kin::rt::attachment(1, true,
+                u[1])
+            ]
+        }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
             ::kin::rt::Numbers::visit(&self.u_i, "u_i", visit);
             ::kin::rt::Numbers::visit(&self.u_j, "u_j", visit);

@@ -1,5 +1,6 @@
 //! Last stage: from the graph, and from the user's own body, to Rust. `quote` begins here.
 
+mod attachments;
 pub mod constraint;
 mod functions;
 mod kernel;
