@@ -46,10 +46,7 @@ fn of_a_joint_of_the_library() {
 fn whatever_they_are_computed_from_but_not_what_moves() {
     let mut joint = pin_in_slot(any_planar(), any_planar(), vec2(0.1, 0.2), 3.0);
     assert_eq!(joint.route(), Route::Symbolic);
-    assert_eq!(
-        shown(&joint),
-        [(1, "direction", [0.0, 1.0, 0.0]), (0, "point", [0.2, 0.4, 0.0]), (1, "point", [1.5, 0.0, 0.0])]
-    );
+    assert_eq!(shown(&joint), [(1, "direction", [0.0, 1.0, 0.0]), (0, "point", [0.2, 0.4, 0.0]), (1, "point", [1.5, 0.0, 0.0])]);
     assert!(joint.set_parameter("length", 4.0));
     assert_eq!(shown(&joint)[2], (1, "point", [2.0, 0.0, 0.0]));
 }

@@ -29,7 +29,7 @@ pub mod terms;
 mod testing;
 
 pub use algebra::{EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
-pub use constraint::{Attached, Attachment, Constraint, Route};
+pub use constraint::{Attached, Attachment, Constraint, Dependence, Route};
 pub use coordinates::{
     Coord, Coordinate, Ground, Link, Planar, PlanarBody, Spatial, SpatialBody, Target, Time, any_coord, any_planar, any_spatial,
 };
