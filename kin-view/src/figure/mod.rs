@@ -11,6 +11,7 @@ use kuva::render::figure::Figure as Page;
 use kin::{CoordinateMotion, Result};
 
 pub use panel::Panel;
+pub(crate) use thin::thinned_path;
 
 use crate::file;
 

@@ -1,0 +1,51 @@
+//! Told shapes of bodies.
+
+use std::f64::consts::TAU;
+
+use kin::{Vec2, Vec3, vec2};
+
+use super::Point;
+
+/// A shape fixed in a body, in its frame.   \[m\]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outline {
+    pub(crate) points: Vec<Vec3>,
+    pub(crate) closed: bool,
+}
+
+impl Outline {
+    /// A filled shape with these corners.
+    pub fn polygon<P: Into<Point>>(corners: impl IntoIterator<Item = P>) -> Outline {
+        Outline { points: corners.into_iter().map(|p| p.into().0).collect(), closed: true }
+    }
+
+    /// An open line through these points.
+    pub fn line<P: Into<Point>>(points: impl IntoIterator<Item = P>) -> Outline {
+        Outline { closed: false, ..Outline::polygon(points) }
+    }
+
+    /// A disc in the plane.
+    pub fn disc(center: impl Into<Vec2>, radius: f64) -> Outline {
+        Outline::polygon(circle(center.into(), radius, 48))
+    }
+
+    /// A spur gear in the plane, about the origin of its body: pitch radius and number of teeth, one tooth on the x-axis.
+    pub fn gear(radius: f64, teeth: usize) -> Outline {
+        let module = 2.0 * radius / teeth.max(3) as f64;
+        let flank = |tooth: usize| {
+            // Half a tooth is a quarter of the pitch wide on the pitch circle, less at the top, more at the root.
+            [(-0.36, -1.1), (-0.14, 0.9), (0.14, 0.9), (0.36, -1.1)]
+                .map(|(turn, height)| polar(radius + height * module, TAU * (tooth as f64 + turn) / teeth.max(3) as f64))
+        };
+        Outline::polygon((0..teeth.max(3)).flat_map(flank))
+    }
+}
+
+/// n points on a circle.
+pub(crate) fn circle(center: Vec2, radius: f64, n: usize) -> Vec<Vec2> {
+    (0..n).map(|k| center + polar(radius, TAU * k as f64 / n as f64)).collect()
+}
+
+fn polar(radius: f64, angle: f64) -> Vec2 {
+    vec2(radius * angle.cos(), radius * angle.sin())
+}
