@@ -28,6 +28,7 @@ fn main() -> kin::Result<()> {
     let p = vec2(0.2, 1.4);
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 1.0, 361))?;
+    motion.add_point("A", crank, crank.end())?;
     motion.add_point("P", coupler, p)?;
     motion.write_csv(format!("{OUT}/motion.csv"))?;
     println!("{}", motion.summary());
@@ -39,6 +40,8 @@ fn main() -> kin::Result<()> {
     scene.sequence(&motion, 9)?.save(format!("{OUT}/sequence.svg"))?;
     scene.animated(&motion, 3.0)?.save(format!("{OUT}/animated.svg"))?;
     let angles = motion.coordinate(rocker.theta());
+    let speed = motion.point(coupler, p).speed();
+    scene.page(&motion)?.chart("Speed of P", [("P", &speed)]).coordinate("Rocker", &angles).save(format!("{OUT}/index.html"))?;
     Figure::of_coordinate("Rocker", &angles).save(format!("{OUT}/rocker.svg"))?;
     let condition = Panel::log_over_time("How well C_q can be solved", "condition number").series("κ", &system.condition(&motion)?);
     Figure::new([condition]).save(format!("{OUT}/condition.svg"))

@@ -21,7 +21,7 @@ pub(crate) fn convex(mut points: Vec<Vec2>) -> Vec<Vec2> {
     if points.len() < 3 {
         return points;
     }
-    let mut half = |points: &mut dyn Iterator<Item = Vec2>| {
+    let half = |points: &mut dyn Iterator<Item = Vec2>| {
         let mut chain: Vec<Vec2> = Vec::new();
         for p in points {
             while let [.., a, b] = chain[..]

@@ -10,7 +10,7 @@ use kin::{Motion, Result, Vec3};
 use crate::color::PALETTE;
 use crate::scene::Scene;
 use joints::{Held, Samples};
-pub(crate) use track::{Frame, Track};
+pub(crate) use track::Track;
 
 /// Everything to be drawn.
 pub(crate) struct Drawing {
@@ -134,7 +134,7 @@ impl Drawing {
             name: trace.name.clone(),
             track,
             local: trace.local,
-            color: PALETTE[(k + 1) % PALETTE.len()].to_string(),
+            color: PALETTE[(k + 3) % PALETTE.len()].to_string(),
             grounded: false,
         });
         marks.collect()

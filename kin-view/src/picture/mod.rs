@@ -12,6 +12,7 @@ use crate::drawing::{Drawing, Mark, Style};
 use crate::file;
 use crate::scene::Scene;
 use svg::Svg;
+pub(crate) use svg::escaped;
 use view::View;
 
 /// A picture of a mechanism, to be saved.
