@@ -9,11 +9,13 @@ mod color;
 mod drawing;
 mod figure;
 mod file;
+mod gallery;
 mod page;
 mod picture;
 mod scene;
 
 pub use figure::{Figure, Panel};
+pub use gallery::Gallery;
 pub use page::Page;
 pub use picture::Picture;
 pub use scene::{Body, Outline, Point, Scene};

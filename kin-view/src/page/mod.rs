@@ -188,12 +188,12 @@ fn style(style: Style) -> &'static str {
 }
 
 /// How a content policy names a script or style.
-fn fingerprint(text: &str) -> String {
+pub(crate) fn fingerprint(text: &str) -> String {
     format!("sha256-{}", STANDARD.encode(Sha256::digest(text)))
 }
 
 /// The page with each `{{name}}` replaced once, in one pass: what is put in is not looked at again.
-fn filled(page: &str, parts: &[(&str, String)]) -> String {
+pub(crate) fn filled(page: &str, parts: &[(&str, String)]) -> String {
     let mut filled = String::new();
     let mut rest = page;
     while let Some((before, after)) = rest.split_once("{{") {
