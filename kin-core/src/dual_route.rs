@@ -7,6 +7,7 @@ use num_dual::{Dual2_64, Dual64, HyperDual64};
 
 use crate::constraint::{Attachment, Constraint, Dependence, Route};
 use crate::coordinates::Argument;
+use crate::law::Law;
 use crate::real::{Dual, Real};
 use crate::state::{At, Rates};
 
@@ -97,6 +98,22 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
 
     fn attachments(&self) -> Vec<Attachment> {
         self.0.attachments()
+    }
+
+    fn description(&self) -> &str {
+        self.0.description()
+    }
+
+    fn refusal(&self) -> Option<String> {
+        self.0.refusal()
+    }
+
+    fn wrong_branch(&self, at: &At<'_>) -> Option<&str> {
+        self.0.wrong_branch(at)
+    }
+
+    fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
+        self.0.laws(at, visit);
     }
 }
 

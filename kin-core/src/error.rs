@@ -118,6 +118,17 @@ pub enum Error {
         value: f64,
     },
 
+    /// Parameters that make no sense: a length below zero, an axis without direction, a law whose parts do not meet.
+    #[error("`{constraint}` ({kind}): {reason}")]
+    InvalidParameters {
+        /// The constraint.
+        constraint: String,
+        /// Its kind.
+        kind: String,
+        /// What does not hold.
+        reason: String,
+    },
+
     /// An initial or other value given for a coordinate is infinite or not a number.
     #[error("`{name}`: the value given for {coordinate} is {value}; give a finite number")]
     InitialNotFinite {

@@ -28,15 +28,16 @@ pub mod terms;
 #[cfg(test)]
 mod testing;
 
-pub use algebra::{EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
+pub use algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
 pub use constraint::{Attached, Attachment, Constraint, Dependence, Route};
 pub use coordinates::{
     Coord, Coordinate, Ground, Link, Planar, PlanarBody, Spatial, SpatialBody, Target, Time, any_coord, any_planar, any_spatial,
 };
 pub use dual_route::by_dual;
 pub use error::{Error, Result};
+pub use joints::spatial;
 pub use kin_macros::{constraint, law};
-pub use law::{Law, LawFunction};
+pub use law::{Break, Law, LawFunction};
 pub use mechanism::{ConstraintId, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose};
 pub use motion::{CoordinateMotion, Motion, PointMotion, Series};
 pub use nalgebra;

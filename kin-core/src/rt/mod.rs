@@ -5,10 +5,11 @@ mod cast;
 mod foreign;
 mod lift;
 mod numbers;
+mod refused;
 mod rows;
 mod sound;
 
-pub use crate::algebra::{EulerParameters, Mat2, Mat3, Vec2, Vec3};
+pub use crate::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
 pub use crate::constraint::{Attached, Attachment};
 pub use crate::coordinates::{Argument, Target, Trig};
 pub use crate::dual_route::{ArgumentKind, Equation};
@@ -23,6 +24,7 @@ pub use cast::{Cast, Whole, cast, whole};
 pub use foreign::{Foreign, LiftAny, LiftNumbers, LowerAny, LowerReal, ReceiveAny, ReceiveNumbers, ReceiveReference};
 pub use lift::{Absent, Constants, Lift, Lower, absent, constants, lowered};
 pub use numbers::Numbers;
+pub use refused::{Refuses, refused};
 pub use rows::{Rows, rows};
 pub use sound::{If, Sound, Then};
 
