@@ -40,7 +40,7 @@ impl Drawing {
             for (name, slot) in &own {
                 self.draw_slot(name, slot, color, still[track]);
             }
-            let planar = self.planar;
+            let planar = self.planar && look.outlines.is_empty();
             for (_, slot) in slots.iter().filter(|(_, slot)| planar && slot.runner.0 == track && slot.guided && slot.straight) {
                 self.draw_block(look, slot, color);
             }

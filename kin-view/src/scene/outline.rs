@@ -29,6 +29,24 @@ impl Outline {
         Outline::polygon(circle(center.into(), radius, 48))
     }
 
+    /// The edge of the shape alone.
+    pub fn hollow(mut self) -> Outline {
+        if self.closed {
+            self.points.extend(self.points.first().copied());
+        }
+        self.closed = false;
+        self
+    }
+
+    /// The same shape, turned about the z-axis of its body.   \[rad\]
+    pub fn turned(mut self, angle: f64) -> Outline {
+        let (sin, cos) = angle.sin_cos();
+        for p in &mut self.points {
+            *p = Vec3::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y, p.z);
+        }
+        self
+    }
+
     /// A spur gear in the plane, about the origin of its body: pitch radius and number of teeth, one tooth on the x-axis.
     pub fn gear(radius: f64, teeth: usize) -> Outline {
         let module = 2.0 * radius / teeth.max(3) as f64;
