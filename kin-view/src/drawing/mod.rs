@@ -203,9 +203,21 @@ impl Drawing {
                 self.mark(&samples, name, (track, local), still[track]);
             }
         }
-        for line in self.lines.iter().filter(|line| line.color != ROD) {
-            let ends = line.points.iter().map(|&(track, local)| (line.name.clone(), track, local));
-            self.marks.extend(ends.map(|(name, track, local)| Mark { name, track, local, color: ROD.to_string(), grounded: still[track] }));
+        let told = self.lines.iter().filter(|line| line.color != ROD);
+        let mut ends: Vec<(bool, String, (usize, Vec3))> = Vec::new();
+        for line in told {
+            let last = line.points.len().saturating_sub(1);
+            ends.extend(line.points.iter().enumerate().map(|(k, point)| (k != last, line.name.clone(), *point)));
+        }
+        // The last point has the name of its line, also where another line begins there.
+        ends.sort_by_key(|(begins, ..)| *begins);
+        for (begins, name, point) in ends {
+            self.mark(
+                &samples,
+                &if begins { format!("{name}, start") } else { name },
+                point,
+                self.tracks[point.0].is_still(1e-9 * self.size),
+            );
         }
     }
 
