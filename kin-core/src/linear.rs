@@ -11,6 +11,7 @@ mod cells;
 mod code;
 mod condition;
 mod diagnosis;
+mod order;
 mod program;
 mod rank;
 mod record;

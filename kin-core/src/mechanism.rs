@@ -300,7 +300,7 @@ impl Mechanism {
 fn not_square(mechanism: String, layout: &Layout, equations: &Equations, guess: &[f64]) -> Error {
     let mut touched = HashSet::new();
     for block in equations.blocks.iter().filter(|block| block.constraint.kind() != "euler_norm") {
-        let columns = equations.entries[block.values.clone()].iter().flatten().map(|(_, column)| *column);
+        let columns = equations.entries[block.values()].iter().flatten().map(|(_, column)| *column);
         touched.extend(columns.filter_map(|column| Some(layout.owner(column)?.first)));
     }
     let untouched = layout.items.iter().filter(|item| !touched.contains(&item.first)).map(|item| item.name.clone()).collect();

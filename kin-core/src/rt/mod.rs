@@ -8,6 +8,7 @@ mod numbers;
 mod refused;
 mod rows;
 mod sound;
+mod timed;
 
 pub use crate::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
 pub use crate::constraint::{Attached, Attachment};
@@ -27,6 +28,7 @@ pub use numbers::Numbers;
 pub use refused::{Refuses, refused};
 pub use rows::{Rows, rows};
 pub use sound::{If, Sound, Then};
+pub use timed::timed;
 
 /// \[f, f′, f″, f‴\] of a function written for any dual number.
 pub fn jet_by_dual(x: f64, f: impl FnOnce(Real<num_dual::Dual3_64>) -> Real<num_dual::Dual3_64>) -> [f64; 4] {
