@@ -23,6 +23,7 @@ fn main() -> kin::Result<()> {
     m.add("C", revolute(ground, rocker, vec2(4.0, 0.0), rocker.start()))?;
     m.add("motor", drive_angle(crank, Law::ramp(TAU)))?;
     m.prefer(rocker, deg(100.0));
+    m.write_json(format!("{OUT}/mechanism.json"))?; // reads back by Mechanism::read_json, a user's own constraints too
 
     // 2. Motion.
     let p = vec2(0.2, 1.4);
@@ -31,6 +32,7 @@ fn main() -> kin::Result<()> {
     motion.add_point("A", crank, crank.end())?;
     motion.add_point("P", coupler, p)?;
     motion.write_csv(format!("{OUT}/motion.csv"))?;
+    motion.write_json(format!("{OUT}/motion.json"))?;
     println!("{}", motion.summary());
     println!("the coupler point reaches {:.3} m/s", motion.point(coupler, p).speed().max());
 

@@ -2,6 +2,7 @@
 
 use crate::algebra::Vec3;
 use crate::coordinates::Argument;
+use crate::data::Describer;
 use crate::law::Law;
 use crate::state::{At, Rates};
 
@@ -162,6 +163,11 @@ pub trait Constraint: Send + Sync {
     /// Shows each law that the equation asks, with its name and where it is asked; on the dual route that is not known.
     fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
         let _ = (at, visit);
+    }
+
+    /// Tells each parameter under its name, so that the constraint can be written as data and made anew; refuses where it cannot be (default).
+    fn describe(&self, to: &mut Describer) {
+        to.refuse("it was not made by `#[constraint]`, so its parameters are not known");
     }
 
     /// Where a value or derivative is not finite: the sub-expression that made it so, as the user wrote it.

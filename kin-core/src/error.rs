@@ -262,6 +262,15 @@ pub enum Error {
     #[error(transparent)]
     Mismatch(#[from] Box<crate::check::Mismatch>),
 
+    /// Something that cannot be written as data, or data that do not say what they should.
+    #[error("{place}: {reason}")]
+    Data {
+        /// Where: a file, a mechanism, a constraint by name.
+        place: String,
+        /// What is wrong.
+        reason: String,
+    },
+
     /// A file that cannot be written.
     #[error("cannot write {}: {source}", .path.display())]
     File {

@@ -10,6 +10,7 @@ pub mod algebra;
 pub mod check;
 pub mod constraint;
 pub mod coordinates;
+pub mod data;
 pub mod dual_route;
 pub mod error;
 pub mod joints;
@@ -33,6 +34,7 @@ pub use constraint::{Attached, Attachment, Constraint, Dependence, Route};
 pub use coordinates::{
     Coord, Coordinate, Ground, Link, Planar, PlanarBody, Spatial, SpatialBody, Target, Time, any_coord, any_planar, any_spatial,
 };
+pub use data::Registry;
 pub use dual_route::by_dual;
 pub use error::{Error, Result};
 pub use joints::spatial;

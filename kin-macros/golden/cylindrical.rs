@@ -123,6 +123,14 @@ const _: () = {
                 (3, 13),
             ]
         }
+        fn describe(&self, to: &mut ::kin::rt::Describer) {
+            use ::kin::rt::{ToldBySerde as _, Untold as _};
+            to.put("u_i", &self.u_i);
+            to.put("u_j", &self.u_j);
+            to.put("f_i", &self.f_i);
+            to.put("g_i", &self.g_i);
+            to.put("h_j", &self.h_j);
+        }
         fn depends(&self) -> ::kin::Dependence {
             ::kin::Dependence {
                 c_on_t: false,
@@ -991,6 +999,9 @@ const _: () = {
                 true, u[3]), ::kin::rt::attachment(1, true, u[4])
             ]
         }
+        fn description(&self) -> &str {
+            "A cylindrical joint: the axes are parallel and the line between two of their points is along them.      [–, –, m, m]"
+        }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
             ::kin::rt::Numbers::visit(&self.u_i, "u_i", visit);
             ::kin::rt::Numbers::visit(&self.u_j, "u_j", visit);
@@ -1004,6 +1015,27 @@ const _: () = {
                 || ::kin::rt::Numbers::set(&mut self.f_i, "f_i", name, value)
                 || ::kin::rt::Numbers::set(&mut self.g_i, "g_i", name, value)
                 || ::kin::rt::Numbers::set(&mut self.h_j, "h_j", name, value)
+        }
+    }
+    impl ::kin::rt::Described for cylindrical {
+        const KIND: &'static str = "cylindrical";
+        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
+            14,
+            4,
+        >>::ARGUMENTS;
+        fn read(
+            from: &mut ::kin::rt::Reader<'_>,
+        ) -> ::core::result::Result<Self, ::std::string::String> {
+            use ::kin::rt::{SoughtBySerde as _, Unsought as _};
+            ::core::result::Result::Ok(cylindrical {
+                i: from.spatial()?,
+                j: from.spatial()?,
+                u_i: from.get("u_i")?,
+                u_j: from.get("u_j")?,
+                f_i: from.get("f_i")?,
+                g_i: from.get("g_i")?,
+                h_j: from.get("h_j")?,
+            })
         }
     }
     impl ::kin::rt::Equation<14, 4> for cylindrical {

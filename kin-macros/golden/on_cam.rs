@@ -84,6 +84,11 @@ const _: () = {
         fn pattern(&self) -> &[(usize, usize)] {
             &[(0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5)]
         }
+        fn describe(&self, to: &mut ::kin::rt::Describer) {
+            use ::kin::rt::{ToldBySerde as _, Untold as _};
+            to.put("tip", &self.tip);
+            to.put("profile", &self.profile);
+        }
         fn depends(&self) -> ::kin::Dependence {
             ::kin::Dependence {
                 c_on_t: false,
@@ -352,6 +357,9 @@ const _: () = {
             u[0][1] = self.tip.y;
             ::std::vec![::kin::rt::attachment(1, true, u[0])]
         }
+        fn description(&self) -> &str {
+            "Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]"
+        }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
             ::kin::rt::Numbers::visit(&self.tip, "tip", visit);
             ::kin::rt::Numbers::visit(&self.profile, "profile", visit);
@@ -359,6 +367,66 @@ const _: () = {
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
             ::kin::rt::Numbers::set(&mut self.tip, "tip", name, value)
                 || ::kin::rt::Numbers::set(&mut self.profile, "profile", name, value)
+        }
+        #[cold]
+        fn refusal(&self) -> ::core::option::Option<::std::string::String> {
+            if let ::core::option::Option::Some(why) = ::kin::rt::Refuses::refusal(
+                &self.profile,
+            ) {
+                return ::core::option::Option::Some(
+                    ::std::format!("{}: {why}", "profile"),
+                );
+            }
+            let tip = ::core::clone::Clone::clone(&self.tip);
+            let profile = ::core::clone::Clone::clone(&self.profile);
+            ::core::option::Option::None
+        }
+        fn laws(
+            &self,
+            at: &::kin::rt::At<'_>,
+            visit: &mut dyn FnMut(&str, &::kin::Law, f64),
+        ) {
+            let mut x = [0.0; 1];
+            let ::core::option::Option::Some(
+                &[cam_x,
+                cam_y,
+                _,
+                cam_sin,
+                cam_cos,
+                follower_x,
+                follower_y,
+                _,
+                follower_sin,
+                follower_cos,
+                ],
+            ) = at.states::<10>() else { return };
+            let t0 = (follower_x
+                + ((self.tip.x * follower_cos) - (self.tip.y * follower_sin))) - cam_x;
+            let t1 = (follower_y
+                + ((self.tip.x * follower_sin) + (self.tip.y * follower_cos))) - cam_y;
+            x[0] = f64::atan2(
+                (cam_cos * t1) - (cam_sin * t0),
+                (cam_cos * t0) + (cam_sin * t1),
+            );
+            visit("profile", &self.profile, x[0]);
+        }
+    }
+    impl ::kin::rt::Described for on_cam {
+        const KIND: &'static str = "on_cam";
+        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
+            6,
+            1,
+        >>::ARGUMENTS;
+        fn read(
+            from: &mut ::kin::rt::Reader<'_>,
+        ) -> ::core::result::Result<Self, ::std::string::String> {
+            use ::kin::rt::{SoughtBySerde as _, Unsought as _};
+            ::core::result::Result::Ok(on_cam {
+                cam: from.planar()?,
+                follower: from.planar()?,
+                tip: from.get("tip")?,
+                profile: from.get("profile")?,
+            })
         }
     }
     impl ::kin::rt::Equation<6, 1> for on_cam {

@@ -78,6 +78,13 @@ const _: () = {
         fn pattern(&self) -> &[(usize, usize)] {
             &[(0, 0), (0, 1), (1, 0)]
         }
+        fn describe(&self, to: &mut ::kin::rt::Describer) {
+            use ::kin::rt::{ToldBySerde as _, Untold as _};
+            to.put("l2", &self.l2);
+            to.put("l3", &self.l3);
+            to.put("h", &self.h);
+            to.put("omega", &self.omega);
+        }
         fn constants(&self) -> &[::core::option::Option<f64>] {
             &[
                 ::core::option::Option::None,
@@ -125,11 +132,11 @@ const _: () = {
                 _,
                 ],
             ) = at.states::<6>() else { return };
-            let mut own = [0.0; 6];
-            let timed = match at.timed().first_chunk::<6>() {
+            let own: [f64; 6];
+            let timed = match at.timed().first_chunk() {
                 ::core::option::Option::Some(timed) => timed,
                 ::core::option::Option::None => {
-                    ::kin::Constraint::at_time(self, at.t, &mut own);
+                    own = ::kin::rt::timed(self, at.t);
                     &own
                 }
             };
@@ -165,11 +172,11 @@ const _: () = {
                 _,
                 ],
             ) = at.states::<6>() else { return };
-            let mut own = [0.0; 6];
-            let timed = match at.timed().first_chunk::<6>() {
+            let own: [f64; 6];
+            let timed = match at.timed().first_chunk() {
                 ::core::option::Option::Some(timed) => timed,
                 ::core::option::Option::None => {
-                    ::kin::Constraint::at_time(self, at.t, &mut own);
+                    own = ::kin::rt::timed(self, at.t);
                     &own
                 }
             };
@@ -186,11 +193,11 @@ const _: () = {
             let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<2>() else {
                 return
             };
-            let mut own = [0.0; 6];
-            let timed = match at.timed().first_chunk::<6>() {
+            let own: [f64; 6];
+            let timed = match at.timed().first_chunk() {
                 ::core::option::Option::Some(timed) => timed,
                 ::core::option::Option::None => {
-                    ::kin::Constraint::at_time(self, at.t, &mut own);
+                    own = ::kin::rt::timed(self, at.t);
                     &own
                 }
             };
@@ -213,11 +220,11 @@ const _: () = {
             let ::core::option::Option::Some(&[theta3_d, _]) = qd.columns::<2>() else {
                 return
             };
-            let mut own = [0.0; 6];
-            let timed = match at.timed().first_chunk::<6>() {
+            let own: [f64; 6];
+            let timed = match at.timed().first_chunk() {
                 ::core::option::Option::Some(timed) => timed,
                 ::core::option::Option::None => {
-                    ::kin::Constraint::at_time(self, at.t, &mut own);
+                    own = ::kin::rt::timed(self, at.t);
                     &own
                 }
             };
@@ -246,6 +253,9 @@ const _: () = {
             }
             ::core::option::Option::None
         }
+        fn description(&self) -> &str {
+            "Loop closure of the slider-crank, crank driven at ω.      [m]"
+        }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
             ::kin::rt::Numbers::visit(&self.l2, "l2", visit);
             ::kin::rt::Numbers::visit(&self.l3, "l3", visit);
@@ -257,6 +267,26 @@ const _: () = {
                 || ::kin::rt::Numbers::set(&mut self.l3, "l3", name, value)
                 || ::kin::rt::Numbers::set(&mut self.h, "h", name, value)
                 || ::kin::rt::Numbers::set(&mut self.omega, "omega", name, value)
+        }
+    }
+    impl ::kin::rt::Described for slider_crank {
+        const KIND: &'static str = "slider_crank";
+        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
+            2,
+            2,
+        >>::ARGUMENTS;
+        fn read(
+            from: &mut ::kin::rt::Reader<'_>,
+        ) -> ::core::result::Result<Self, ::std::string::String> {
+            use ::kin::rt::{SoughtBySerde as _, Unsought as _};
+            ::core::result::Result::Ok(slider_crank {
+                theta3: from.coord()?,
+                x: from.coord()?,
+                l2: from.get("l2")?,
+                l3: from.get("l3")?,
+                h: from.get("h")?,
+                omega: from.get("omega")?,
+            })
         }
     }
     impl ::kin::rt::Equation<2, 2> for slider_crank {

@@ -72,6 +72,10 @@ impl LawFunction for Sum {
         "sum"
     }
 
+    fn parts(&self) -> Vec<(String, Law)> {
+        vec![("first".to_string(), self.first.clone()), ("second".to_string(), self.second.clone())]
+    }
+
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         show(&self.first, "first", visit);
         show(&self.second, "second", visit);
@@ -96,6 +100,10 @@ impl LawFunction for Multiple {
 
     fn kind(&self) -> &str {
         "multiple"
+    }
+
+    fn parts(&self) -> Vec<(String, Law)> {
+        vec![("law".to_string(), self.law.clone())]
     }
 
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
@@ -128,6 +136,10 @@ impl LawFunction for Composed {
 
     fn kind(&self) -> &str {
         "composed"
+    }
+
+    fn parts(&self) -> Vec<(String, Law)> {
+        vec![("outer".to_string(), self.outer.clone()), ("inner".to_string(), self.inner.clone())]
     }
 
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {

@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::{attachments, demands, functions, rewrite, template, written};
+use super::{attachments, demands, described, functions, rewrite, template, written};
 use crate::differentiate::Derivatives;
 use crate::lower::Lowered;
 use crate::parse::{Argument, ConstraintFn, Kind, Shape};
@@ -59,6 +59,7 @@ impl<'a> Frame<'a> {
         let described = self.arguments();
         let (visit, set) = super::parameter_methods(&source.arguments);
         let kinds = source.arguments.iter().flat_map(kinds);
+        let (describe, as_data) = (described::describe(source), described::described(source, &kind, &n, &m));
         let description = super::description(&source.attributes);
         let (refusal, branch) = (demands::refusal(source), demands::branch(source));
         let laws = lowered.map(|lowered| functions::laws(&source.arguments, lowered)).unwrap_or_default();
@@ -85,6 +86,7 @@ impl<'a> Frame<'a> {
                     fn pattern(&self) -> &[(usize, usize)] {
                         &[#(#pattern),*]
                     }
+                    #describe
                     #kernels
                     fn description(&self) -> &str {
                         #description
@@ -95,6 +97,7 @@ impl<'a> Frame<'a> {
                     #branch
                     #laws
                 }
+                #as_data
                 impl ::kin::rt::Equation<#n, #m> for #name {
                     const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[#(#kinds),*];
                     #equations

@@ -162,7 +162,7 @@ pub fn laws(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
             (quote!(x[#k]), *x)
         })
         .collect();
-    let code = Kernel::emit(lowered, arguments, &outputs).tokens;
+    let code = Kernel::emit(lowered, arguments, &[], &outputs).tokens;
     let shown = asked.iter().enumerate().map(|(k, (law, _))| {
         let (k, place) = (literal(k), super::template::place(&lowered.laws[*law]));
         let name = crate::lower::tidy(&place.to_string()).replace(' ', "");

@@ -3,6 +3,7 @@
 mod attachments;
 pub mod constraint;
 mod demands;
+mod described;
 mod functions;
 mod kernel;
 pub mod law;

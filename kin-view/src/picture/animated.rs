@@ -7,8 +7,10 @@ use super::view::View;
 use super::{Style, ground, shape_of};
 use crate::drawing::{Drawing, Mark, Shape, Track};
 
-/// How many poses are shown; between them everything moves straight.
-const POSES: usize = 48;
+/// How many poses are shown, at least and at most; between them everything moves straight.
+const POSES: [usize; 2] = [48, 240];
+/// A body turns by less than this between two of them, if that many are enough.   [rad]
+const TURN: f64 = 0.14;
 
 /// Dark and light as the page around it is.
 const STYLE: &str = "<style>.s{fill:none;stroke:#888}.p{fill:#fff;stroke:#333;stroke-width:1.6}\
@@ -50,7 +52,10 @@ pub(super) fn animated(drawing: &Drawing, seconds: f64) -> String {
 /// Which frames are shown; the last is the end of the motion.
 fn poses(drawing: &Drawing) -> Vec<usize> {
     let last = drawing.times.len().saturating_sub(1);
-    let count = POSES.min(last).max(1);
+    let turns = drawing.tracks.iter().filter_map(|track| if let Track::Planar([_, _, theta]) = track { Some(theta) } else { None });
+    let turned = |theta: &Vec<f64>| theta.windows(2).map(|w| (w[1] - w[0]).abs()).filter(|turn| turn.is_finite()).sum::<f64>();
+    let needed = turns.map(turned).fold(0.0, f64::max) / TURN;
+    let count = (needed as usize).clamp(POSES[0], POSES[1]).min(last).max(1);
     (0..=count).map(|k| k * last / count).collect()
 }
 

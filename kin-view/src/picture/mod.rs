@@ -54,7 +54,8 @@ impl Scene {
         self.pictured(motion, &(0..=gaps).map(at).collect::<Vec<_>>())
     }
 
-    /// The motion as an SVG of a few kilobytes that plays by itself, once in `seconds`, for ever: 48 poses and straight lines between them.
+    /// The motion as an SVG of a few kilobytes that plays by itself, once in `seconds`, for ever: some 48 poses a turn
+    /// and straight lines between them.
     ///
     /// Errors: a motion of another system.
     pub fn animated(&self, motion: &Motion, seconds: f64) -> Result<Picture> {
