@@ -1,8 +1,9 @@
 //! Mechanisms and motions as JSON: what is written reads back.
 
 use kin::data::{LawData, MechanismData, MotionData};
+use kin::law::Ends;
 use kin::prelude::*;
-use kin::{Error, Registry, law, vec2};
+use kin::{Error, Registry, vec2};
 use serde::{Deserialize, Serialize};
 
 /// How a slot is bent.
@@ -187,11 +188,33 @@ fn spoiled_files_are_errors_and_not_panics() -> kin::Result<()> {
 
 #[test]
 fn laws_come_back_as_they_are() {
-    let law = (2.0 * (Law::harmonic(0.3, 0.05) + Law::ramp(1.0)) - 0.5 * Law::sine(1.0, 2.0, 0.0)).shifted(0.25);
-    let data = LawData::of(&law);
-    let back = Registry::new().law(&serde_json::from_str(&serde_json::to_string(&data).unwrap()).unwrap()).unwrap();
-    assert_eq!(LawData::of(&back), data);
-    for x in [-1.0, 0.0, 0.7] {
-        assert_eq!(law.jet(x), back.jet(x));
+    let table: Vec<(f64, f64)> = (0..9).map(|k| 0.25 * f64::from(k)).map(|x| (x, (3.0 * x).sin())).collect();
+    let ring: Vec<(f64, f64)> = (0..=8).map(|k| (f64::from(k) / 8.0 * TAU, f64::from(k % 8) * 0.1)).collect();
+    let rises =
+        [Law::harmonic_rise, Law::cycloidal, Law::polynomial_345, Law::polynomial_4567, Law::modified_sine, Law::modified_trapezoid];
+    let mut all = vec![
+        (2.0 * (Law::harmonic(0.3, 0.05) + Law::ramp(1.0)) - 0.5 * Law::sine(1.0, 2.0, 0.0)).shifted(0.25),
+        Law::constant(0.1) * Law::linear(0.2, 3.0) + Law::polynomial(&[1.0, 0.0, 1.0 / 3.0]),
+        Law::fourier(0.1, 2.0, &[(1.0, 0.5), (0.0, -0.25)]),
+        Law::trapezoidal(2.0, 1.0, 3.0),
+        Law::s_curve(2.0, 1.0, 3.0, 10.0),
+        Law::spline(&table, Ends::Natural),
+        Law::spline(&table, Ends::Clamped { start: 3.0, end: -1.0 }),
+        Law::spline(&ring, Ends::Periodic),
+        Law::polynomial(&[]),
+    ];
+    all.extend(rises.map(|rise| rise(0.3, 1.5)));
+    all.push(Law::sequence(
+        0.1,
+        [(1.5, Law::cycloidal(0.3, 1.5)), (0.5, Law::constant(0.3)), (1.0, Law::constant(0.3) - Law::cycloidal(0.3, 1.0))],
+    ));
+    all.push(all[all.len() - 1].periodic(3.0));
+    for law in all {
+        let data = LawData::of(&law);
+        let back = Registry::new().law(&serde_json::from_str(&serde_json::to_string(&data).unwrap()).unwrap()).unwrap();
+        assert_eq!(LawData::of(&back), data);
+        for x in [-1.0, 0.0, 0.7, 1.9, 7.0] {
+            assert_eq!(law.jet(x), back.jet(x), "{law:?} at {x}");
+        }
     }
 }

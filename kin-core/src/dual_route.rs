@@ -1,9 +1,9 @@
 //! The second route: a constraint's own equation, evaluated with num-dual's numbers.
 //!
 //! `Dual64` along each column gives C_q and along t C_t; `Dual2_64` along (q̇, ṫ) gives the whole right side −g″(0);
-//! `HyperDual64` along q̇ and t gives the mixed term C_qt q̇.
+//! `HyperDual64` along q̇ and t gives the mixed term C_qt q̇, `Dual3_64` along the motion the right side for the jerk.
 
-use num_dual::{Dual2_64, Dual64, HyperDual64};
+use num_dual::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
 use crate::constraint::{Attachment, Constraint, Dependence, Route};
 use crate::coordinates::Argument;
@@ -33,6 +33,17 @@ pub enum ArgumentKind {
     Spatial,
     /// A bare coordinate: 1 column.
     Coord,
+}
+
+impl ArgumentKind {
+    /// Number of columns: 3, 7 or 1.
+    pub fn columns(self) -> usize {
+        match self {
+            ArgumentKind::Planar => 3,
+            ArgumentKind::Spatial => 7,
+            ArgumentKind::Coord => 1,
+        }
+    }
 }
 
 /// A constraint that takes the dual route, whatever route its own `impl Constraint` takes.
@@ -163,6 +174,18 @@ pub fn acceleration_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
 pub fn mixed<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, q: &[f64; N], qd: &[f64; N], t: f64) -> [f64; M] {
     let seeded = std::array::from_fn(|k| Real(HyperDual64::new(q[k], qd[k], 0.0, 0.0)));
     equation.evaluate(&seeded, Real(HyperDual64::new(t, 0.0, 1.0, 0.0))).map(|x| x.0.eps1eps2)
+}
+
+/// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), by one `Dual3_64` evaluation.   \[row/s³\]
+pub fn jerk_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
+    equation: &E,
+    q: &[f64; N],
+    qd: &[f64; N],
+    qdd: &[f64; N],
+    t: f64,
+) -> [f64; M] {
+    let seeded = std::array::from_fn(|k| Real(Dual3_64::new(q[k], qd[k], qdd[k], 0.0)));
+    equation.evaluate(&seeded, Real(Dual3_64::new(t, 1.0, 0.0, 0.0))).map(|x| -x.0.v3)
 }
 
 /// Local coordinates of a constraint, its arguments' one after the other.

@@ -1,7 +1,14 @@
 //! Laws: functions of one variable with their derivatives, for motors, cam profiles and other prescribed curves.
 
+mod basic;
+mod breaks;
 mod combine;
-mod kinds;
+mod motion;
+mod rise;
+mod sequence;
+mod spline;
+
+pub use spline::Ends;
 
 use std::fmt;
 use std::sync::Arc;
@@ -52,6 +59,11 @@ pub trait LawFunction: Send + Sync {
 
     /// The laws that it is made of, by the names that their parameters begin with.
     fn parts(&self) -> Vec<(String, Law)> {
+        Vec::new()
+    }
+
+    /// Numbers that make it the law it is but are no parameters, such as where the points of a table stand.
+    fn fixed_numbers(&self) -> Vec<(String, f64)> {
         Vec::new()
     }
 
@@ -153,6 +165,11 @@ impl Law {
     /// The laws that it is made of, by the names that their parameters begin with: `first`, `second`.
     pub fn parts(&self) -> Vec<(String, Law)> {
         self.0.parts()
+    }
+
+    /// Numbers that make it the law it is but are no parameters, such as where the points of a table stand.
+    pub fn fixed_numbers(&self) -> Vec<(String, f64)> {
+        self.0.fixed_numbers()
     }
 
     /// Sets one numeric parameter by the name [`Law::parameters`] gives it; false if there is none of that name, or the law is fixed.

@@ -1,8 +1,10 @@
 //! A mechanism as it is described: bodies, bare coordinates and named constraints; then built into a [`System`].
 
 pub(crate) mod admission;
+mod place;
 mod pose;
 
+pub use place::Marker;
 pub use pose::{Pose, SpatialPose, deg, linspace, pose};
 
 use std::collections::HashSet;

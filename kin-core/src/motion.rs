@@ -12,7 +12,7 @@ use std::sync::Arc;
 use crate::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
 use crate::error::{Error, Result};
 use crate::layout::{Layout, Place};
-use crate::newton::{Newton, Outcome};
+use crate::newton::{CrossedBreak, Newton, Outcome};
 use crate::system::System;
 
 /// q, q̇ and q̈ at each time, all finite, and a report of how they were found.
@@ -30,6 +30,7 @@ pub struct Motion {
     /// The largest residual of all times, and its row.
     pub(crate) worst: Option<(f64, usize)>,
     pub(crate) outputs: Vec<Series>,
+    pub(crate) breaks: Vec<CrossedBreak>,
 }
 
 /// One coordinate over time, with its rates.
@@ -58,10 +59,12 @@ impl Motion {
             residuals: Vec::with_capacity(times),
             worst: None,
             outputs: Vec::new(),
+            breaks: Vec::new(),
         }
     }
 
-    pub(crate) fn push(&mut self, t: f64, newton: &Newton<'_>, outcome: Outcome) {
+    pub(crate) fn push(&mut self, t: f64, newton: &Newton<'_>, outcome: Outcome, crossed: Vec<CrossedBreak>) {
+        self.breaks.extend(crossed);
         if self.worst.is_none_or(|(known, _)| outcome.residual > known) {
             self.worst = Some((outcome.residual, newton.worst().0));
         }
@@ -233,6 +236,11 @@ impl Motion {
         &self.outputs
     }
 
+    /// The breaks of laws that were crossed, where a derivative of the motion jumps, in the order of time.
+    pub fn breaks(&self) -> &[CrossedBreak] {
+        &self.breaks
+    }
+
     /// One line: counts, Newton steps a time (the first position apart, which is found from a guess) and the largest residual.
     pub fn summary(&self) -> String {
         let (first, rest) = self.iterations.split_at(1.min(self.iterations.len()));
@@ -240,8 +248,12 @@ impl Motion {
         steps.sort_unstable();
         let usual = steps.get(steps.len() / 2).copied().unwrap_or(0);
         let largest = self.worst.map_or(0.0, |(residual, _)| residual);
+        let breaks = match self.breaks.iter().map(|crossed| crossed.found.order).min() {
+            Some(order) => format!(", {} breaks of laws crossed (derivative {order} jumps)", self.breaks.len()),
+            None => String::new(),
+        };
         format!(
-            "{}: {} coordinates, {} equations, {} times, {usual} Newton step{} a time (worst {}, first position {}), |C| ≤ {largest:.0e}",
+            "{}: {} coordinates, {} equations, {} times, {usual} Newton step{} a time (worst {}, first position {}), |C| ≤ {largest:.0e}{breaks}",
             self.name,
             self.layout.len(),
             self.equations.len(),

@@ -5,8 +5,10 @@ mod driven;
 mod options;
 mod predictor;
 pub(crate) mod sweep;
+mod watch;
 
 pub use options::{Options, Report, Stop};
+pub use watch::CrossedBreak;
 
 use crate::error::Error;
 use crate::linear::{Linear, Singular};
@@ -329,6 +331,17 @@ impl<'a> Newton<'a> {
             smallest_pivot: self.linear.smallest_pivot(),
         };
         Solution { t, q: self.q, qd: self.qd, qdd: self.qdd, report }
+    }
+
+    /// The error for a position that closes but not as it is meant, such as with an axis turned by 180°.
+    pub(crate) fn meant(&self) -> Result<(), Error> {
+        for block in &self.system.equations().blocks {
+            if let Some(reason) = block.constraint.wrong_branch(&block.at(&self.instant)) {
+                let (constraint, kind) = (block.name.clone(), block.constraint.kind().to_string());
+                return Err(Error::WrongBranch { t: self.instant.t(), constraint, kind, reason: reason.to_string(), motion: None });
+            }
+        }
+        Ok(())
     }
 
     /// The error that tells a failure in the user's names.

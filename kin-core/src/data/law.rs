@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::Registry;
-use crate::law::Law;
+use crate::law::{Ends, Law};
 
 /// A law as data.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -24,7 +24,7 @@ impl LawData {
     /// The law as its kind, numbers and parts say.
     pub fn of(law: &Law) -> LawData {
         let parts = law.parts();
-        let mut numbers = BTreeMap::new();
+        let mut numbers: BTreeMap<String, f64> = law.fixed_numbers().into_iter().collect();
         law.parameters(&mut |name, value| {
             let inside = |(part, _): &(String, Law)| name.strip_prefix(part.as_str()).is_some_and(|rest| rest.starts_with('.'));
             if !parts.iter().any(inside) {
@@ -60,8 +60,22 @@ impl LawReader<'_> {
     }
 }
 
+/// A constructor of a rise from its height and length.
+type Rise = fn(f64, f64) -> Law;
+
 /// The laws that ship.
 pub(super) fn shipped(registry: Registry) -> Registry {
+    let rises: [(&str, Rise); 6] = [
+        ("harmonic_rise", Law::harmonic_rise),
+        ("cycloidal", Law::cycloidal),
+        ("polynomial_345", Law::polynomial_345),
+        ("polynomial_4567", Law::polynomial_4567),
+        ("modified_sine", Law::modified_sine),
+        ("modified_trapezoid", Law::modified_trapezoid),
+    ];
+    let registry = rises.into_iter().fold(registry, |registry, (kind, make)| {
+        registry.with_law(kind, move |law| Ok(make(law.number("height")?, law.number("length")?)))
+    });
     registry
         .with_law("constant", |law| Ok(Law::constant(law.number("c")?)))
         .with_law("ramp", |law| Ok(Law::ramp(law.number("rate")?)))
@@ -69,7 +83,35 @@ pub(super) fn shipped(registry: Registry) -> Registry {
         .with_law("polynomial", |law| Ok(Law::polynomial(&law.list("c", 0))))
         .with_law("harmonic", |law| Ok(Law::harmonic(law.number("mean")?, law.number("amplitude")?)))
         .with_law("sine", |law| Ok(Law::sine(law.number("amplitude")?, law.number("omega")?, law.number("phase")?)))
+        .with_law("fourier", |law| {
+            let pairs: Vec<(f64, f64)> = law.list("a", 1).into_iter().zip(law.list("b", 1)).collect();
+            Ok(Law::fourier(law.number("mean")?, law.number("omega")?, &pairs))
+        })
+        .with_law("trapezoidal", |law| Ok(Law::trapezoidal(law.number("distance")?, law.number("speed")?, law.number("acceleration")?)))
+        .with_law("s_curve", |law| {
+            Ok(Law::s_curve(law.number("distance")?, law.number("speed")?, law.number("acceleration")?, law.number("jerk")?))
+        })
+        .with_law("spline", spline)
+        .with_law("sequence", sequence)
+        .with_law("periodic", |law| Ok(law.part("law")?.periodic(law.number("period")?)))
+        .with_law("product", |law| Ok(law.part("first")? * law.part("second")?))
         .with_law("sum", |law| Ok(law.part("first")? + law.part("second")?))
         .with_law("multiple", |law| Ok(law.number("factor")? * law.part("law")?))
         .with_law("composed", |law| Ok(law.part("outer")?.compose(&law.part("inner")?)))
+}
+
+fn spline(law: &LawReader<'_>) -> Result<Law, String> {
+    let table: Vec<(f64, f64)> = law.list("x", 0).into_iter().zip(law.list("y", 0)).collect();
+    let ends = match (law.number("periodic"), law.number("start")) {
+        (Ok(_), _) => Ends::Periodic,
+        (_, Ok(start)) => Ends::Clamped { start, end: law.number("end")? },
+        _ => Ends::Natural,
+    };
+    Ok(Law::spline(&table, ends))
+}
+
+fn sequence(law: &LawReader<'_>) -> Result<Law, String> {
+    let lengths = (0..).map_while(|k| law.number(&format!("part[{k}].length")).ok());
+    let parts = lengths.enumerate().map(|(k, length)| Ok((length, law.part(&format!("part[{k}].law"))?)));
+    Ok(Law::sequence(law.number("start")?, parts.collect::<Result<Vec<_>, String>>()?))
 }

@@ -6,8 +6,10 @@ use super::mechanism::BodyKind;
 use super::{FORMAT, is_first};
 use crate::coordinates::MechanismId;
 use crate::error::{Error, Result};
+use crate::law::Break;
 use crate::layout::Layout;
 use crate::motion::{Motion, Series};
+use crate::newton::CrossedBreak;
 
 /// A motion as data, without loss.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -35,8 +37,26 @@ pub struct MotionData {
     pub iterations: Vec<usize>,
     /// max |C_i| at each time.
     pub residuals: Vec<f64>,
+    /// Breaks of laws that the run has crossed.
+    #[serde(default)]
+    pub breaks: Vec<BreakData>,
     /// Derived quantities.
     pub outputs: Vec<OutputData>,
+}
+
+/// A break of a law that a run has crossed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BreakData {
+    /// The last time before it, and the first one after it or at it.   \[s\]
+    pub between: (f64, f64),
+    /// The constraint that asks the law.
+    pub constraint: String,
+    /// The law, by its name in the constraint.
+    pub law: String,
+    /// Where in the law it is.
+    pub x: f64,
+    /// Which derivative jumps.
+    pub order: usize,
 }
 
 /// A derived quantity.
@@ -68,6 +88,7 @@ impl Motion {
             qdd: rows(Motion::qdd),
             iterations: self.iterations().to_vec(),
             residuals: self.residuals().to_vec(),
+            breaks: self.breaks.iter().map(BreakData::of).collect(),
             outputs: self.outputs().iter().map(output).collect(),
         }
     }
@@ -112,11 +133,23 @@ impl Motion {
             iterations: data.iterations.clone(),
             residuals: data.residuals.clone(),
             worst: data.worst.map(|row| (largest, row)),
+            breaks: data.breaks.iter().map(BreakData::crossed).collect(),
             outputs: Vec::new(),
         };
         for output in &data.outputs {
             motion.add_output(&output.name, &output.unit, output.values.clone())?;
         }
         Ok(motion)
+    }
+}
+
+impl BreakData {
+    fn of(CrossedBreak { between, constraint, law, found }: &CrossedBreak) -> BreakData {
+        BreakData { between: *between, constraint: constraint.clone(), law: law.clone(), x: found.x, order: found.order }
+    }
+
+    fn crossed(&self) -> CrossedBreak {
+        let found = Break { x: self.x, order: self.order };
+        CrossedBreak { between: self.between, constraint: self.constraint.clone(), law: self.law.clone(), found }
     }
 }

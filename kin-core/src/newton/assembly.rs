@@ -60,7 +60,8 @@ fn attempt(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Result<Outcome> {
         measure(newton, t);
         newton.solve(t, steps)
     });
-    tried.map_err(|failure| newton.error(failure, t, None))
+    let outcome = tried.map_err(|failure| newton.error(failure, t, None))?;
+    newton.meant().map(|()| outcome)
 }
 
 /// Start after start until one ends in the preferred assembly; else the nearest to it, else the error that says most.
@@ -102,6 +103,7 @@ fn search(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
 /// A singular position says more than none, and a near miss more than a far one.
 fn more_telling(known: Option<Error>, new: Error) -> Error {
     let weight = |error: &Error| match error {
+        Error::WrongBranch { .. } => (4, 0.0),
         Error::SingularAt { unmet: None, .. } => (3, 0.0),
         Error::NoConvergence { residual, .. } => (2, *residual),
         Error::SingularAt { .. } => (1, 0.0),

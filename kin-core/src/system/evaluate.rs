@@ -58,7 +58,7 @@ impl Block {
     }
 
     /// The instant as this constraint sees it.
-    fn at<'a>(&'a self, instant: &'a Instant) -> At<'a> {
+    pub(crate) fn at<'a>(&'a self, instant: &'a Instant) -> At<'a> {
         At::new(instant.t, &instant.states[self.states.range()], &self.first_state).with_timed(&instant.timed[self.timed.range()])
     }
 

@@ -60,7 +60,7 @@ pub(crate) fn spread(points: &[Vec3]) -> Spread {
     let off = |p: &Vec3| (*p - a) - x * ((*p - a).dot(x) / x.dot(x));
     let widest = points.iter().copied().max_by(|p, q| off(p).norm().total_cmp(&off(q).norm())).unwrap_or(a);
     let y = off(&widest);
-    if !(y.norm() > 1e-6 * x.norm()) {
+    if y.norm() <= 1e-6 * x.norm() || !y.norm().is_finite() {
         return Spread::Line(vec![a, a + x]);
     }
     let (x, y) = (x / x.norm(), y / y.norm());

@@ -1,6 +1,6 @@
 //! Bodies of either kind, and points of either dimension.
 
-use kin::{Ground, Link, PlanarBody, SpatialBody, Target, Vec2, Vec3};
+use kin::{Ground, Link, PlanarBody, SpatialBody, SpatialLink, Target, Vec2, Vec3};
 
 /// A body of a mechanism, planar or spatial, or the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -45,6 +45,12 @@ impl From<Link> for Body {
 impl From<SpatialBody> for Body {
     fn from(body: SpatialBody) -> Self {
         Body(Kind::Spatial(body))
+    }
+}
+
+impl From<SpatialLink> for Body {
+    fn from(link: SpatialLink) -> Self {
+        Body(Kind::Spatial(link.into()))
     }
 }
 

@@ -3,7 +3,7 @@
 mod body;
 mod outline;
 
-use kin::{Attached, System, Vec3};
+use kin::{Attached, Marker, System, Vec3};
 
 pub(crate) use body::Kind;
 pub use body::{Body, Point};
@@ -119,6 +119,14 @@ impl Scene {
     pub fn trace(mut self, name: &str, body: impl Into<Body>, local: impl Into<Point>) -> Scene {
         self.traces.push(Trace { name: name.to_string(), body: body.into(), local: local.into().0 });
         self
+    }
+
+    /// Shows the path of a marker, under its name.
+    pub fn marker<B: kin::motion::Body + Into<Body> + Copy>(self, marker: &Marker<B>) -> Scene
+    where
+        B::Vector: Into<Point>,
+    {
+        self.trace(&marker.name, marker.body, marker.u)
     }
 
     /// Draws a line through points that move, for mechanisms of bare coordinates: for each point its position at each time of the motion,

@@ -9,6 +9,7 @@ use kin_macros::constraint;
 /// `h_i`, `h_j`: the common axis in either body, held parallel by a joint; f_i and f_j are where the angle counts from. What is measured is turned
 /// back by the law and what remains is driven to zero: any number of turns, and no jump where a measured angle has its cut.
 #[constraint]
+#[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
 pub fn drive_turn(i: Spatial, j: Spatial, h_i: Axis, h_j: Axis, law: Law, t: Time) -> f64 {
     let f = i.direction(h_i.f);
     let (x, y) = (f.dot(j.direction(h_j.f)), f.dot(j.direction(h_j.g)));

@@ -9,6 +9,7 @@ use kin_macros::constraint;
 /// Removes 1 freedom, and brings one of its own, the coordinate `phi`, which counts any number of turns. `h_i`, `h_j`: the common axis in either body,
 /// held parallel by another joint; f_i and f_j are where the angle counts from. With it turns can be driven, and coupled by `coupling`.
 #[constraint]
+#[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
 pub fn relative_angle(i: Spatial, j: Spatial, phi: Coord, h_i: Axis, h_j: Axis) -> f64 {
     let f = i.direction(h_i.f);
     let (x, y) = (f.dot(j.direction(h_j.f)), f.dot(j.direction(h_j.g)));
@@ -54,6 +55,7 @@ pub fn gear(
 /// from f_j where the centre stands over `u_j`.
 #[constraint]
 #[require(radius != 0.0, "a pinion needs a radius")]
+#[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
 pub fn rack_and_pinion(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, h_j: Axis, radius: f64, phase: f64) -> f64 {
     let s = j.local(i.point(u_i)) - u_j;
     let (sin, cos) = (phase - h_j.f.dot(s) / radius).sin_cos();
