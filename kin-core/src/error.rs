@@ -306,6 +306,15 @@ pub enum Error {
     #[error(transparent)]
     Mismatch(#[from] Box<crate::check::Mismatch>),
 
+    /// Something that cannot be written as data, or data that do not say what they should.
+    #[error("{place}: {reason}")]
+    Data {
+        /// Where: a file, a mechanism, a constraint by name.
+        place: String,
+        /// What is wrong.
+        reason: String,
+    },
+
     /// A file with a table that cannot be read, or is no table of a law.
     #[error("{}: {reason}", .path.display())]
     Table {

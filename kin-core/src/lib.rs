@@ -10,6 +10,7 @@ pub mod algebra;
 pub mod check;
 pub mod constraint;
 pub mod coordinates;
+pub mod data;
 pub mod dual_route;
 pub mod error;
 mod fours;
@@ -30,10 +31,12 @@ pub mod terms;
 mod testing;
 
 pub use algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
-pub use constraint::{Constraint, Dependence, Route};
+pub use constraint::{Attached, Attachment, Constraint, Dependence, Route};
 pub use coordinates::{
-    Coord, Coordinate, Ground, Link, Planar, PlanarBody, Spatial, SpatialBody, SpatialLink, Time, any_coord, any_planar, any_spatial,
+    Coord, Coordinate, Ground, Link, Planar, PlanarBody, Spatial, SpatialBody, SpatialLink, Target, Time, any_coord, any_planar,
+    any_spatial,
 };
+pub use data::Registry;
 pub use dual_route::by_dual;
 pub use error::{Error, Result};
 pub use joints::spatial;

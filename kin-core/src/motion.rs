@@ -9,7 +9,7 @@ pub use series::Series;
 
 use std::sync::Arc;
 
-use crate::coordinates::Coordinate;
+use crate::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
 use crate::error::{Error, Result};
 use crate::layout::{Layout, Place};
 use crate::newton::{CrossedBreak, Newton, Outcome};
@@ -18,19 +18,19 @@ use crate::system::System;
 /// q, q̇ and q̈ at each time, all finite, and a report of how they were found.
 #[derive(Clone)]
 pub struct Motion {
-    name: String,
-    layout: Arc<Layout>,
-    equations: Arc<[String]>,
-    times: Vec<f64>,
-    q: Vec<f64>,
-    qd: Vec<f64>,
-    qdd: Vec<f64>,
-    iterations: Vec<usize>,
-    residuals: Vec<f64>,
+    pub(crate) name: String,
+    pub(crate) layout: Arc<Layout>,
+    pub(crate) equations: Arc<[String]>,
+    pub(crate) times: Vec<f64>,
+    pub(crate) q: Vec<f64>,
+    pub(crate) qd: Vec<f64>,
+    pub(crate) qdd: Vec<f64>,
+    pub(crate) iterations: Vec<usize>,
+    pub(crate) residuals: Vec<f64>,
     /// The largest residual of all times, and its row.
-    worst: Option<(f64, usize)>,
-    outputs: Vec<Series>,
-    breaks: Vec<CrossedBreak>,
+    pub(crate) worst: Option<(f64, usize)>,
+    pub(crate) outputs: Vec<Series>,
+    pub(crate) breaks: Vec<CrossedBreak>,
 }
 
 /// One coordinate over time, with its rates.
@@ -164,6 +164,22 @@ impl Motion {
                 Err(Error::ForeignBody { mechanism, place, argument })
             }
         }
+    }
+
+    /// The planar body of that name, for [`Motion::point`] and [`Motion::coordinate`].
+    pub fn planar_named(&self, name: &str) -> Option<PlanarBody> {
+        self.layout.bodies().into_iter().find_map(|(known, target)| match target {
+            Target::Planar(body) if known == name => Some(body),
+            _ => None,
+        })
+    }
+
+    /// The spatial body of that name.
+    pub fn spatial_named(&self, name: &str) -> Option<SpatialBody> {
+        self.layout.bodies().into_iter().find_map(|(known, target)| match target {
+            Target::Spatial(body) if known == name => Some(body),
+            _ => None,
+        })
     }
 
     /// The coordinate of that name, such as `crank.theta`, over time.

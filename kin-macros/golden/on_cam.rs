@@ -84,6 +84,11 @@ const _: () = {
         fn pattern(&self) -> &[(usize, usize)] {
             &[(0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5)]
         }
+        fn describe(&self, to: &mut ::kin::rt::Describer) {
+            use ::kin::rt::{ToldBySerde as _, Untold as _};
+            to.put("tip", &self.tip);
+            to.put("profile", &self.profile);
+        }
         fn depends(&self) -> ::kin::Dependence {
             ::kin::Dependence {
                 c_on_t: false,
@@ -346,6 +351,12 @@ const _: () = {
             }
             ::core::option::Option::None
         }
+        fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
+            let mut u = [[0.0_f64; 3]; 1];
+            u[0][0] = self.tip.x;
+            u[0][1] = self.tip.y;
+            ::std::vec![::kin::rt::attachment(1, true, u[0])]
+        }
         fn description(&self) -> &str {
             "Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]"
         }
@@ -398,6 +409,24 @@ const _: () = {
                 (cam_cos * t0) + (cam_sin * t1),
             );
             visit("profile", &self.profile, x[0]);
+        }
+    }
+    impl ::kin::rt::Described for on_cam {
+        const KIND: &'static str = "on_cam";
+        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
+            6,
+            1,
+        >>::ARGUMENTS;
+        fn read(
+            from: &mut ::kin::rt::Reader<'_>,
+        ) -> ::core::result::Result<Self, ::std::string::String> {
+            use ::kin::rt::{SoughtBySerde as _, Unsought as _};
+            ::core::result::Result::Ok(on_cam {
+                cam: from.planar()?,
+                follower: from.planar()?,
+                tip: from.get("tip")?,
+                profile: from.get("profile")?,
+            })
         }
     }
     impl ::kin::rt::Equation<6, 1> for on_cam {

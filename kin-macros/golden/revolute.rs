@@ -62,6 +62,11 @@ const _: () = {
         fn pattern(&self) -> &[(usize, usize)] {
             &[(0, 0), (0, 2), (0, 3), (0, 5), (1, 1), (1, 2), (1, 4), (1, 5)]
         }
+        fn describe(&self, to: &mut ::kin::rt::Describer) {
+            use ::kin::rt::{ToldBySerde as _, Untold as _};
+            to.put("u_i", &self.u_i);
+            to.put("u_j", &self.u_j);
+        }
         fn constants(&self) -> &[::core::option::Option<f64>] {
             &[
                 ::core::option::Option::Some(1.0),
@@ -205,6 +210,17 @@ const _: () = {
             q_d[1] = -((((self.u_j.x * j_sin) + (self.u_j.y * j_cos)) * t1)
                 - (((self.u_i.x * i_sin) + (self.u_i.y * i_cos)) * t0));
         }
+        fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
+            let mut u = [[0.0_f64; 3]; 2];
+            u[0][0] = self.u_i.x;
+            u[0][1] = self.u_i.y;
+            u[1][0] = self.u_j.x;
+            u[1][1] = self.u_j.y;
+            ::std::vec![
+                ::kin::rt::attachment(0, true, u[0]), ::kin::rt::attachment(1, true,
+                u[1])
+            ]
+        }
         fn description(&self) -> &str {
             "Pin joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      [m]"
         }
@@ -215,6 +231,24 @@ const _: () = {
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
             ::kin::rt::Numbers::set(&mut self.u_i, "u_i", name, value)
                 || ::kin::rt::Numbers::set(&mut self.u_j, "u_j", name, value)
+        }
+    }
+    impl ::kin::rt::Described for revolute {
+        const KIND: &'static str = "revolute";
+        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
+            6,
+            2,
+        >>::ARGUMENTS;
+        fn read(
+            from: &mut ::kin::rt::Reader<'_>,
+        ) -> ::core::result::Result<Self, ::std::string::String> {
+            use ::kin::rt::{SoughtBySerde as _, Unsought as _};
+            ::core::result::Result::Ok(revolute {
+                i: from.planar()?,
+                j: from.planar()?,
+                u_i: from.get("u_i")?,
+                u_j: from.get("u_j")?,
+            })
         }
     }
     impl ::kin::rt::Equation<6, 2> for revolute {

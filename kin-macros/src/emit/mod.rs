@@ -1,7 +1,9 @@
 //! Last stage: from the graph, and from the user's own body, to Rust. `quote` begins here.
 
+mod attachments;
 pub mod constraint;
 mod demands;
+mod described;
 mod functions;
 mod kernel;
 pub mod law;
