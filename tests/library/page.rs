@@ -3,8 +3,6 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use kin::prelude::*;
-
 use crate::sample::{Argument, Random, arguments};
 use crate::table::Joint;
 use crate::{laws, sketch, table};
