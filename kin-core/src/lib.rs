@@ -13,6 +13,7 @@ pub mod coordinates;
 pub mod data;
 pub mod dual_route;
 pub mod error;
+mod fours;
 pub mod joints;
 pub mod law;
 mod layout;

@@ -29,6 +29,8 @@ pub struct System {
     initial: Vec<f64>,
     preferred: Vec<(usize, f64)>,
     links: Vec<f64>,
+    /// The linear solver with the elimination recorded at the initial guess, if C_q is regular there.
+    linear: Linear,
 }
 
 /// Position, velocity and acceleration at one time.
@@ -55,7 +57,8 @@ impl System {
         preferred: Vec<(usize, f64)>,
         links: Vec<f64>,
     ) -> Self {
-        System { name, layout: Arc::new(layout), equations, initial, preferred, links }
+        let linear = prepared(&layout, &equations, &initial, &links);
+        System { name, layout: Arc::new(layout), equations, initial, preferred, links, linear }
     }
 
     /// Name of the mechanism.
@@ -226,6 +229,13 @@ impl System {
         &self.equations
     }
 
+    /// A linear solver for C_q, with all that never changes in its place.
+    pub(crate) fn linear(&self) -> Linear {
+        let mut linear = self.linear.clone();
+        linear.forget();
+        linear
+    }
+
     pub(crate) fn preferred(&self) -> &[(usize, f64)] {
         &self.preferred
     }
@@ -289,7 +299,7 @@ impl System {
     /// C_q(q, t) with the sizes of that point, ready to be factored.
     fn linearized(&self, q: &[f64], t: f64) -> Result<Linear> {
         let instant = self.instant(q, t)?;
-        let mut linear = Linear::new(self.n_coordinates(), self.equations.entries.iter().copied(), &self.equations.constants);
+        let mut linear = self.linear();
         self.linearize(&instant, linear.values_mut())?;
         let sizes = scale::sizes(&self.layout, &self.equations, linear.values(), q, &self.links);
         linear.set_sizes(&sizes);
@@ -306,6 +316,19 @@ impl std::fmt::Debug for System {
             .field("constraints", &self.constraint_names())
             .finish()
     }
+}
+
+/// The linear solver, its elimination recorded at the initial guess and t = 0.
+fn prepared(layout: &Layout, equations: &Equations, initial: &[f64], links: &[f64]) -> Linear {
+    let mut linear = Linear::new(layout.len(), equations.entries.iter().copied(), &equations.constants);
+    let mut c = vec![0.0; equations.rows];
+    equations.set_constants(linear.values_mut());
+    equations.linearize(&equations.instant_at(0.0, initial), &mut c, linear.values_mut());
+    if equations.finite(&c, linear.values()).is_ok() {
+        linear.set_sizes(&scale::sizes(layout, equations, linear.values(), initial, links));
+        linear.prepare();
+    }
+    linear
 }
 
 fn time(t: f64) -> Result<f64> {

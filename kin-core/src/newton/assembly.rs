@@ -50,8 +50,7 @@ fn measure(newton: &mut Newton<'_>, t: f64) {
     if sizes.iter().zip(&newton.sizes).any(|(new, old)| !(0.125..8.0).contains(&(new / old))) {
         newton.linear.forget();
     }
-    newton.linear.set_sizes(&sizes);
-    newton.sizes = sizes;
+    newton.set_sizes(sizes);
 }
 
 /// Newton from the point in hand; then once more with the sizes of the solution, which takes no step.

@@ -46,7 +46,7 @@ impl Watch {
         for asked in &mut self.asked {
             let block = &newton.system.equations().blocks[asked.block];
             let (mut number, mut jump) = (0, None);
-            block.constraint.laws(&block.at(&newton.instant), &mut |law, function, x| {
+            block.constraint.laws(&newton.instant.of(block), &mut |law, function, x| {
                 number += 1;
                 if number != asked.number + 1 {
                     return;
@@ -77,7 +77,7 @@ fn questions(newton: &Newton<'_>) -> Vec<Asked> {
     let mut all = Vec::new();
     for (block, found) in newton.system.equations().blocks.iter().enumerate() {
         let mut number = 0;
-        found.constraint.laws(&found.at(&newton.instant), &mut |_, law, x| {
+        found.constraint.laws(&newton.instant.of(found), &mut |_, law, x| {
             if !law.is_smooth() {
                 all.push(Asked { block, number, x });
             }
@@ -90,7 +90,7 @@ fn questions(newton: &Newton<'_>) -> Vec<Asked> {
 /// Whether what a law is asked for moves with the time alone.
 fn is_of_time(newton: &Newton<'_>, block: usize, wanted: usize, now: f64) -> bool {
     let block = &newton.system.equations().blocks[block];
-    let mut later = block.at(&newton.instant);
+    let mut later = newton.instant.of(block);
     later.t += 1.0;
     let (mut number, mut moves) = (0, false);
     block.constraint.laws(&later, &mut |_, _, x| {
