@@ -20,7 +20,7 @@ use crate::system::System;
 pub struct Motion {
     pub(crate) name: String,
     pub(crate) layout: Arc<Layout>,
-    pub(crate) equations: Vec<String>,
+    pub(crate) equations: Arc<[String]>,
     pub(crate) times: Vec<f64>,
     pub(crate) q: Vec<f64>,
     pub(crate) qd: Vec<f64>,
@@ -50,7 +50,7 @@ impl Motion {
         Motion {
             name: system.name().to_string(),
             layout: system.layout().clone(),
-            equations: system.equation_names(),
+            equations: system.names_of_equations().clone(),
             times: Vec::with_capacity(times),
             q: room(),
             qd: room(),

@@ -26,6 +26,8 @@ pub struct System {
     name: String,
     layout: Arc<Layout>,
     equations: Equations,
+    /// Names of the equations.
+    rows: Arc<[String]>,
     initial: Vec<f64>,
     preferred: Vec<(usize, f64)>,
     links: Vec<f64>,
@@ -58,7 +60,8 @@ impl System {
         links: Vec<f64>,
     ) -> Self {
         let linear = prepared(&layout, &equations, &initial, &links);
-        System { name, layout: Arc::new(layout), equations, initial, preferred, links, linear }
+        let rows = (0..equations.rows).map(|row| equations.equation(row)).collect();
+        System { name, layout: Arc::new(layout), equations, rows, initial, preferred, links, linear }
     }
 
     /// Name of the mechanism.
@@ -117,7 +120,11 @@ impl System {
 
     /// Names of the equations in their order: `A.x`, `A.y`; a constraint of one row gives its own name.
     pub fn equation_names(&self) -> Vec<String> {
-        (0..self.equations.rows).map(|row| self.equations.equation(row)).collect()
+        self.rows.to_vec()
+    }
+
+    pub(crate) fn names_of_equations(&self) -> &Arc<[String]> {
+        &self.rows
     }
 
     /// The initial guess of q, preferred values included.   \[m, rad\]

@@ -80,7 +80,7 @@ impl Motion {
             format: FORMAT,
             name: self.name().to_string(),
             bodies: self.layout.items.iter().map(|item| (item.name.clone(), item.kind.into())).collect(),
-            equations: self.equations.clone(),
+            equations: self.equations.to_vec(),
             worst: self.worst.map(|(_, row)| row),
             times: self.times().to_vec(),
             q: rows(Motion::q),
@@ -125,7 +125,7 @@ impl Motion {
         let mut motion = Motion {
             name: data.name.clone(),
             layout: layout.into(),
-            equations: data.equations.clone(),
+            equations: data.equations.as_slice().into(),
             times: data.times.clone(),
             q,
             qd,

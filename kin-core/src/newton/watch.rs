@@ -90,7 +90,7 @@ fn questions(newton: &Newton<'_>) -> Vec<Asked> {
 /// Whether what a law is asked for moves with the time alone.
 fn is_of_time(newton: &Newton<'_>, block: usize, wanted: usize, now: f64) -> bool {
     let block = &newton.system.equations().blocks[block];
-    let mut later = newton.instant.of(block);
+    let mut later = newton.instant.of(block).with_timed(&[]);
     later.t += 1.0;
     let (mut number, mut moves) = (0, false);
     block.constraint.laws(&later, &mut |_, _, x| {

@@ -57,9 +57,8 @@ pub fn gear(
 #[require(radius != 0.0, "a pinion needs a radius")]
 #[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
 pub fn rack_and_pinion(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, h_j: Axis, radius: f64, phase: f64) -> f64 {
-    let s = j.local(i.point(u_i)) - u_j;
-    let (sin, cos) = (phase - h_j.f.dot(s) / radius).sin_cos();
-    let f = i.direction(h_i.f);
-    let (x, y) = (f.dot(j.direction(h_j.f)), f.dot(j.direction(h_j.g)));
+    let (along, f) = (j.direction(h_j.f), i.direction(h_i.f));
+    let (sin, cos) = (phase - along.dot(i.point(u_i) - j.point(u_j)) / radius).sin_cos();
+    let (x, y) = (f.dot(along), f.dot(j.direction(h_j.g)));
     (y * cos - x * sin).atan2(x * cos + y * sin)
 }

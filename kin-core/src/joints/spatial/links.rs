@@ -5,13 +5,13 @@ use kin_macros::constraint;
 
 /// Link with a hinge on body i and a ball on body j: h_i · d = 0 and (|d|² − l²)/(2 l) = 0 with d = r_Pj − r_Pi.      \[m, m\]
 ///
-/// Removes 2 freedoms. `u_i`, `h_i`: the hinge; `u_j`: the ball; `length`: l. The ball is in the hinge's plane. Haug, section 9.4.
+/// Removes 2 freedoms. `u_i`, `h_i`: the hinge, whose length scales the first row; `u_j`: the ball; `length`: l. The ball is in the hinge's plane. Haug, section 9.4.
 #[constraint]
 #[require(length > 0.0, "a link needs a length above zero")]
 #[require(h_i.norm() > 0.0, "the hinge needs an axis with a length above zero")]
 pub fn revolute_spherical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Vec3, length: f64) -> (f64, f64) {
     let d = j.point(u_j) - i.point(u_i);
-    let plane = h_i.normalize().dot(i.local(j.point(u_j)) - u_i);
+    let plane = i.direction(h_i).dot(d);
     let rod = 0.5 * (d.norm_squared() / length - length);
     (plane, rod)
 }
@@ -66,7 +66,7 @@ pub fn revolute_cylindrical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: A
 #[constraint]
 #[require(length > 0.0, "a link needs a length above zero")]
 pub fn spherical_cylindrical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_j: Axis, length: f64) -> f64 {
-    let s = j.local(i.point(u_i)) - u_j;
-    let (f, g) = (h_j.f.dot(s), h_j.g.dot(s));
+    let d = i.point(u_i) - j.point(u_j);
+    let (f, g) = (j.direction(h_j.f).dot(d), j.direction(h_j.g).dot(d));
     0.5 * ((f * f + g * g) / length - length)
 }

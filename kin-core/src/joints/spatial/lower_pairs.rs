@@ -51,9 +51,9 @@ pub fn revolute(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, h_j: Ve
 #[require(p_ij.norm() > 0.0, "Euler parameters are not all zero")]
 pub fn prismatic(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, p_ij: EulerParameters) -> (Vec3, f64, f64) {
     let turn = p_ij.conjugate().product(j.p.conjugate().product(i.p)).vector();
-    let s = u_i - i.local(j.point(u_j));
-    let f = h_i.f.dot(s);
-    let g = h_i.g.dot(s);
+    let d = i.point(u_i) - j.point(u_j);
+    let f = i.direction(h_i.f).dot(d);
+    let g = i.direction(h_i.g).dot(d);
     (turn, f, g)
 }
 
@@ -109,10 +109,10 @@ pub fn planar(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, h_j: Vec3
 #[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
 pub fn screw(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, h_j: Axis, lead: f64) -> [f64; 5] {
     let (f, g, h) = (j.direction(h_j.f), j.direction(h_j.g), i.direction(h_i.h));
-    let s = j.local(i.point(u_i)) - u_j;
-    let (sin, cos) = (TAU / lead * h_j.h.dot(s)).sin_cos();
+    let d = i.point(u_i) - j.point(u_j);
+    let (sin, cos) = (TAU / lead * j.direction(h_j.h).dot(d)).sin_cos();
     let (x, y) = (f.dot(i.direction(h_i.f)), g.dot(i.direction(h_i.f)));
-    [f.dot(h), g.dot(h), h_j.f.dot(s), h_j.g.dot(s), (y * cos - x * sin).atan2(x * cos + y * sin)]
+    [f.dot(h), g.dot(h), f.dot(d), g.dot(d), (y * cos - x * sin).atan2(x * cos + y * sin)]
 }
 
 /// Constant-velocity joint: r_Pi − r_Pj = 0 (at-point) and f_i · g_j − g_i · f_j = 0.      \[m, –\]

@@ -28,9 +28,9 @@ pub fn distance(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, length: f64) -> f6
 /// Removes 2 freedoms. `u_i`: the ball; `u_j`: a point of the line, `h_j`: its direction; f_j and g_j are across it.
 #[constraint]
 pub fn point_on_line(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_j: Axis) -> (f64, f64) {
-    let s = j.local(i.point(u_i)) - u_j;
-    let f = h_j.f.dot(s);
-    let g = h_j.g.dot(s);
+    let d = i.point(u_i) - j.point(u_j);
+    let f = j.direction(h_j.f).dot(d);
+    let g = j.direction(h_j.g).dot(d);
     (f, g)
 }
 
