@@ -30,11 +30,13 @@ pub(super) fn animated(drawing: &Drawing, seconds: f64) -> String {
             trace.color
         ));
     }
+    let lines = drawing.lines.iter().map(|line| {
+        let style = format!("fill=\"none\" stroke=\"{}\" stroke-width=\"3.5\"", line.color);
+        animation.points(&line.points, &style, "polyline")
+    });
+    lines.for_each(|line| svg.push(&line));
     for track in 1..drawing.tracks.len() {
         svg.push(&animation.track(track));
-    }
-    for line in &drawing.lines {
-        svg.push(&animation.points(&line.points, &format!("fill=\"none\" stroke=\"{}\" stroke-width=\"3.5\"", line.color), "polyline"));
     }
     for mark in drawing.marks.iter().filter(|mark| animation.stands(mark)) {
         let p = animation.at(mark.track, mark.local, 0);
