@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use crate::motion::Motion;
 
-mod text;
+pub(crate) mod text;
 
 /// `Result` with Kin's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;

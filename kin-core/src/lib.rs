@@ -7,9 +7,11 @@
 extern crate self as kin;
 
 pub mod algebra;
+mod assembly;
 pub mod check;
 pub mod constraint;
 pub mod coordinates;
+pub mod diagnosis;
 pub mod dual_route;
 pub mod error;
 pub mod joints;
@@ -17,6 +19,7 @@ pub mod law;
 mod layout;
 mod linear;
 pub mod mechanism;
+mod model;
 pub mod motion;
 pub mod newton;
 pub mod real;

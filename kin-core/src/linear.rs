@@ -10,15 +10,19 @@ mod active;
 mod cells;
 mod condition;
 mod diagnosis;
+mod echelon;
 mod program;
 mod rank;
 mod record;
 mod solving;
+mod tall;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use echelon::{Echelon, Sparse, reduced};
 pub(crate) use rank::{Singular, of_rectangle};
 use record::{Input, Places, Recording};
+pub(crate) use tall::Tall;
 
 /// A pivot below this measure is zero; the rounding of an elimination of moderate size stays below.   \[-\]
 const SINGULAR: f64 = 1e-13;

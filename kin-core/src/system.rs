@@ -8,9 +8,11 @@ use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
+use crate::diagnosis::{self, Diagnosis, Start};
 use crate::error::{Error, Result};
 use crate::layout::Layout;
 use crate::linear::{Linear, Singular};
+use crate::model::Model;
 use crate::motion::Motion;
 use crate::newton::{Newton, Options, Report, Steps, assembly, sweep};
 use evaluate::{Bad, Equations};
@@ -190,6 +192,32 @@ impl System {
     /// The same with other options.
     pub fn run_with(&self, times: impl AsRef<[f64]>, options: &Options) -> Result<Motion> {
         sweep::run(self, times.as_ref(), options)
+    }
+
+    /// What the mechanism is at time t, assembled from the initial guess: counts, rank, dependencies and freedoms by name.
+    ///
+    /// Errors: t not finite, nothing finite near the guess.
+    pub fn diagnose(&self, t: f64) -> Result<Diagnosis> {
+        diagnosis::diagnose(self.model(), Start::Guess(&self.initial), time(t)?)
+    }
+
+    /// The same at a pose q (length n), brought onto C = 0 first where it is off.
+    ///
+    /// Errors: wrong length, not finite.
+    pub fn diagnose_at(&self, t: f64, q: &[f64]) -> Result<Diagnosis> {
+        self.check(q, "pose")?;
+        diagnosis::diagnose(self.model(), Start::Pose(q), time(t)?)
+    }
+
+    pub(crate) fn model(&self) -> Model<'_> {
+        Model {
+            name: &self.name,
+            layout: &self.layout,
+            equations: &self.equations,
+            guess: &self.initial,
+            preferred: &self.preferred,
+            links: &self.links,
+        }
     }
 
     pub(crate) fn layout(&self) -> &Arc<Layout> {

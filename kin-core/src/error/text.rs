@@ -3,12 +3,12 @@
 use crate::motion::Motion;
 
 /// "3 equations", "1 equation".
-pub(super) fn count(n: usize, what: &str) -> String {
+pub(crate) fn count(n: usize, what: &str) -> String {
     if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") }
 }
 
 /// A time to nine digits, without the noise of binary fractions.
-pub(super) fn time(t: f64) -> f64 {
+pub(crate) fn time(t: f64) -> f64 {
     format!("{t:.8e}").parse().unwrap_or(t)
 }
 
@@ -18,7 +18,7 @@ pub(super) fn row(row: &str) -> String {
 }
 
 /// "`a`, `b` and 3 more".
-fn list(names: &[String]) -> String {
+pub(crate) fn list(names: &[String]) -> String {
     const SHOWN: usize = 8;
     let quoted: Vec<String> = names.iter().take(SHOWN).map(|name| format!("`{name}`")).collect();
     let all = quoted.join(", ");

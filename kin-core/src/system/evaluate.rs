@@ -270,6 +270,15 @@ impl Equations {
         finite(q_d, "Q_d")
     }
 
+    /// −[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt] along any rates v.
+    pub(crate) fn second_order(&self, t: f64, states: &[f64], rates: &[f64], t_dot: f64, rhs: &mut [f64]) -> Result<(), Bad> {
+        for block in &self.blocks {
+            let (at, rates) = (block.at(t, states), block.rates(rates));
+            block.constraint.acceleration_rhs(&at, &rates, t_dot, &mut rhs[block.rows.clone()]);
+        }
+        finite(rhs, "Q_d")
+    }
+
     /// The constraint that a global row belongs to, and its local row.
     pub(crate) fn block_of(&self, row: usize) -> Option<(&Block, usize)> {
         let block = self.blocks.get(self.blocks.partition_point(|block| block.rows.end <= row))?;

@@ -57,6 +57,7 @@ impl<'a> Frame<'a> {
         let described = self.arguments();
         let (visit, set) = super::parameter_methods(&source.arguments);
         let kinds = source.arguments.iter().flat_map(kinds);
+        let is_driver = is_driver(source);
         quote! {
             #declaration
 
@@ -71,6 +72,7 @@ impl<'a> Frame<'a> {
                     fn route(&self) -> ::kin::Route {
                         #route
                     }
+                    #is_driver
                     fn arguments(&self) -> ::std::vec::Vec<::kin::rt::Argument> {
                         #described
                     }
@@ -241,6 +243,18 @@ fn kinds(argument: &Argument) -> Vec<TokenStream> {
         _ => quote!(::kin::rt::ArgumentKind::Coord),
     };
     vec![kind; argument.kind.slots()]
+}
+
+/// A constraint with time in it says so.
+fn is_driver(source: &ConstraintFn) -> TokenStream {
+    match source.arguments.iter().any(|argument| argument.kind == Kind::Time) {
+        true => quote! {
+            fn is_driver(&self) -> bool {
+                true
+            }
+        },
+        false => quote!(),
+    }
 }
 
 fn columns(arguments: &[Argument]) -> usize {
