@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::diagnosis::Diagnosis;
 use crate::motion::Motion;
 
 pub(crate) mod text;
@@ -14,24 +15,13 @@ pub type Result<T> = std::result::Result<T, Error>;
 #[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// The number of equations differs from the number of coordinates, so C_q has no inverse.
-    #[error(
-        "the mechanism \"{mechanism}\" cannot be driven: {coordinates} coordinates, {equations} equations.{}",
-        text::not_square(*.coordinates, *.equations, .untouched, .movable, .dependent)
-    )]
-    NotSquare {
-        /// The mechanism.
-        mechanism: String,
-        /// Number of coordinates n.
-        coordinates: usize,
-        /// Number of equations m.
-        equations: usize,
-        /// Bodies and bare coordinates that no constraint acts on.
-        untouched: Vec<String>,
-        /// Bodies and bare coordinates that can still move.
-        movable: Vec<String>,
-        /// Constraints that take part in a dependency.
-        dependent: Vec<String>,
+    /// A mechanism that cannot be driven, whatever its pose, and why: equations are missing, or they contradict one another.
+    #[error("{diagnosis}{}", text::kept(.motion))]
+    CannotBeDriven {
+        /// What is wrong, by name.
+        diagnosis: Box<Diagnosis>,
+        /// What was computed before.
+        motion: Option<Box<Motion>>,
     },
 
     /// Newton's method did not reach C(q, t) = 0.
@@ -265,14 +255,28 @@ impl Error {
     /// What a failing run had computed before it failed; `None` for errors of other operations.
     pub fn motion(&self) -> Option<&Motion> {
         match self {
-            Error::NoConvergence { motion, .. } | Error::SingularAt { motion, .. } | Error::NotFinite { motion, .. } => motion.as_deref(),
+            Error::NoConvergence { motion, .. }
+            | Error::SingularAt { motion, .. }
+            | Error::NotFinite { motion, .. }
+            | Error::CannotBeDriven { motion, .. } => motion.as_deref(),
+            _ => None,
+        }
+    }
+
+    /// What is wrong with the mechanism, by name, where the error is of that kind.
+    pub fn diagnosis(&self) -> Option<&Diagnosis> {
+        match self {
+            Error::CannotBeDriven { diagnosis, .. } => Some(diagnosis),
             _ => None,
         }
     }
 
     /// The same error, carrying what was computed before.
     pub(crate) fn with_motion(mut self, computed: Motion) -> Error {
-        if let Error::NoConvergence { motion, .. } | Error::SingularAt { motion, .. } | Error::NotFinite { motion, .. } = &mut self
+        if let Error::NoConvergence { motion, .. }
+        | Error::SingularAt { motion, .. }
+        | Error::NotFinite { motion, .. }
+        | Error::CannotBeDriven { motion, .. } = &mut self
             && !computed.is_empty()
         {
             *motion = Some(Box::new(computed));
@@ -302,31 +306,6 @@ mod tests {
         fn sent<T: Send + Sync + 'static>() {}
         sent::<Error>();
         assert!(std::mem::size_of::<Error>() <= 128);
-    }
-
-    #[test]
-    fn not_square_says_what_is_missing_and_the_cure() {
-        let error = Error::NotSquare {
-            mechanism: "arm".into(),
-            coordinates: 9,
-            equations: 7,
-            untouched: vec!["spare".into()],
-            movable: vec![],
-            dependent: vec![],
-        };
-        let text = error.to_string();
-        assert!(text.starts_with("the mechanism \"arm\" cannot be driven: 9 coordinates, 7 equations."), "{text}");
-        assert!(text.contains("2 equations are missing") && text.contains("`spare`") && text.contains("driver"), "{text}");
-        let error = Error::NotSquare {
-            mechanism: "arm".into(),
-            coordinates: 9,
-            equations: 10,
-            untouched: vec![],
-            movable: vec![],
-            dependent: vec!["motor".into(), "motor 2".into()],
-        };
-        let text = error.to_string();
-        assert!(text.contains("1 equation too many") && text.contains("`motor`, `motor 2`"), "{text}");
     }
 
     #[test]

@@ -21,7 +21,7 @@ mod tall;
 mod tests;
 
 pub(crate) use echelon::{Echelon, Sparse, reduced};
-pub(crate) use rank::{Singular, of_rectangle};
+pub(crate) use rank::Singular;
 use record::{Input, Places, Recording};
 pub(crate) use tall::Tall;
 

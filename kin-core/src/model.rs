@@ -4,7 +4,7 @@
 
 use crate::layout::{Layout, Unit};
 use crate::linear::Sparse;
-use crate::system::evaluate::{Bad, Equations};
+use crate::system::evaluate::{Bad, Equations, finite};
 use crate::system::scale;
 
 /// What is known of a mechanism before anything is solved.
@@ -13,8 +13,6 @@ pub(crate) struct Model<'a> {
     pub name: &'a str,
     pub layout: &'a Layout,
     pub equations: &'a Equations,
-    /// The guess of q, preferred values included.
-    pub guess: &'a [f64],
     pub preferred: &'a [(usize, f64)],
     pub links: &'a [f64],
 }
@@ -44,16 +42,11 @@ impl Model<'_> {
         self.equations.rows
     }
 
-    fn states(&self, q: &[f64]) -> Vec<f64> {
-        let mut states = self.equations.plan.states();
-        self.equations.plan.set_states(q, &mut states);
-        states
-    }
-
     /// C and C_q, if they are finite.
     pub(crate) fn linearize(&self, q: &[f64], t: f64) -> Result<Point, Bad> {
         let mut point = Point { c: vec![0.0; self.m()], values: vec![0.0; self.equations.entries.len()] };
-        self.equations.linearize(t, &self.states(q), &mut point.c, &mut point.values);
+        self.equations.set_constants(&mut point.values);
+        self.equations.linearize(&self.equations.instant_at(t, q), &mut point.c, &mut point.values);
         self.equations.finite(&point.c, &point.values)?;
         Ok(point)
     }
@@ -61,16 +54,18 @@ impl Model<'_> {
     /// C_t, if it is finite.
     pub(crate) fn c_t(&self, q: &[f64], t: f64) -> Result<Vec<f64>, Bad> {
         let mut rhs = vec![0.0; self.m()];
-        self.equations.velocity_rhs(t, &self.states(q), &mut rhs)?;
-        rhs.iter_mut().for_each(|x| *x = -*x);
+        self.equations.velocity_rhs(&self.equations.instant_at(t, q), &mut rhs);
+        finite(&rhs, "C_t")?;
+        rhs.iter_mut().for_each(|x| *x = 0.0 - *x);
         Ok(rhs)
     }
 
     /// −\[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt\]: with ṫ = 1 it is Q_d, with ṫ = 0 the second order of a motion along v that time has no part in.
     pub(crate) fn second_order(&self, q: &[f64], t: f64, v: &[f64], t_dot: f64) -> Result<Vec<f64>, Bad> {
-        let (mut rates, mut rhs) = (self.equations.plan.rates(), vec![0.0; self.m()]);
-        self.equations.plan.set_rates(v, &mut rates);
-        self.equations.second_order(t, &self.states(q), &rates, t_dot, &mut rhs)?;
+        let (mut instant, mut rhs) = (self.equations.instant_at(t, q), vec![0.0; self.m()]);
+        self.equations.set_rates(v, &mut instant);
+        self.equations.second_order(&instant, t_dot, &mut rhs);
+        finite(&rhs, "Q_d")?;
         Ok(rhs)
     }
 

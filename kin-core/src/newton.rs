@@ -4,6 +4,7 @@ pub(crate) mod assembly;
 mod driven;
 mod options;
 mod predictor;
+pub(crate) mod redundant;
 pub(crate) mod sweep;
 
 pub use options::{Options, Report, Stop};

@@ -15,10 +15,10 @@ use crate::layout::Layout;
 use crate::linear::{Linear, Singular};
 use crate::model::Model;
 use crate::motion::Motion;
-use crate::newton::{Newton, Options, Report, Steps, assembly, sweep};
+use crate::newton::{Newton, Options, Report, Steps, assembly, redundant, sweep};
 use evaluate::{Bad, Equations, Instant, finite};
 
-/// A square system C(q, t) = 0 of n equations in n coordinates; built by [`crate::Mechanism::build`].
+/// A system C(q, t) = 0 of m equations in n coordinates, m ≥ n; built by [`crate::Mechanism::build`].
 ///
 /// Coordinates come in the order in which bodies and bare coordinates were declared, equations in the order in which constraints were
 /// added, the norm constraints |p|² = 1 of spatial bodies (named `BODY.p`) after them.
@@ -68,7 +68,7 @@ impl System {
         self.layout.len()
     }
 
-    /// Number of equations, n too.
+    /// Number of equations m; more than n if some repeat others.
     pub fn n_equations(&self) -> usize {
         self.equations.rows
     }
@@ -113,7 +113,7 @@ impl System {
         Ok(c)
     }
 
-    /// C_q(q, t), n × n. Errors: wrong length, not finite.
+    /// C_q(q, t), m × n. Errors: wrong length, not finite.
     pub fn jacobian(&self, q: &[f64], t: f64) -> Result<DMatrix<f64>> {
         let mut values = vec![0.0; self.equations.entries.len()];
         self.linearize(&self.instant(q, t)?, &mut values)?;
@@ -165,6 +165,9 @@ impl System {
     /// Position, velocity and acceleration at time t, assembled from the initial guess into the preferred assembly.
     /// Errors: no convergence, singular, not finite.
     pub fn position(&self, t: f64) -> Result<Solution> {
+        if redundant::is_redundant(self) {
+            return redundant::at(self, time(t)?, None);
+        }
         let options = Options::default();
         let mut newton = Newton::new(self, &options);
         let outcome = assembly::assemble(&mut newton, time(t)?)?;
@@ -175,6 +178,9 @@ impl System {
     /// Errors: wrong length, no convergence, singular, not finite.
     pub fn solve_at(&self, t: f64, q0: &[f64]) -> Result<Solution> {
         self.check(q0, "start")?;
+        if redundant::is_redundant(self) {
+            return redundant::at(self, time(t)?, Some(q0));
+        }
         let options = Options::default();
         let mut newton = Newton::new(self, &options);
         newton.q.copy_from_slice(q0);
@@ -210,14 +216,7 @@ impl System {
     }
 
     pub(crate) fn model(&self) -> Model<'_> {
-        Model {
-            name: &self.name,
-            layout: &self.layout,
-            equations: &self.equations,
-            guess: &self.initial,
-            preferred: &self.preferred,
-            links: &self.links,
-        }
+        Model { name: &self.name, layout: &self.layout, equations: &self.equations, preferred: &self.preferred, links: &self.links }
     }
 
     pub(crate) fn layout(&self) -> &Arc<Layout> {
@@ -279,8 +278,11 @@ impl System {
         result.map_err(|bad| self.equations.not_finite(bad, instant))
     }
 
-    /// C_q⁻¹ times the right side, with the sizes of that point.
+    /// C_q⁻¹ times the right side, with the sizes of that point; in the sense of least squares where there are more equations.
     fn solved(&self, q: &[f64], t: f64, rhs: &[f64]) -> Result<Vec<f64>> {
+        if redundant::is_redundant(self) {
+            return redundant::solved(self, q, t, rhs);
+        }
         let instant = self.instant(q, t)?;
         let mut linear = Linear::new(self.n_coordinates(), self.equations.entries.iter().copied(), &self.equations.constants);
         self.linearize(&instant, linear.values_mut())?;

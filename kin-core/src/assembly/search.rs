@@ -8,6 +8,9 @@ use crate::model::{Measures, Model, Random};
 /// How firmly preferred coordinates are held, stage by stage, against rows of norm 1.   \[-\]
 const HOLDS: [f64; 3] = [1.0, 0.1, 0.0];
 
+/// A preferred coordinate that ends this near is in the preferred assembly.   \[rad, or typical lengths\]
+const NEAR: f64 = std::f64::consts::FRAC_PI_4;
+
 /// Where a search has ended, and how.
 #[derive(Clone, Debug)]
 pub(crate) struct Found {
@@ -19,24 +22,40 @@ pub(crate) struct Found {
     pub starts: usize,
 }
 
-/// The pose nearest the guess that meets the active rows; where no start leads to one, the place of the smallest gap.
-/// `None` where nothing is finite.
+/// The pose nearest the guess that meets the active rows, in the preferred assembly if one is found; where no start leads to any, the place
+/// of the smallest gap. `None` where nothing is finite.
 pub(crate) fn search(model: Model<'_>, guess: &[f64], t: f64, active: &dyn Fn(usize) -> bool, starts: usize) -> Option<Found> {
     let guess = turn::turned(&model, guess, t, active);
+    let sizes = model.measure(&guess, t).sizes;
     let mut best: Option<Found> = None;
     for start in 0..starts.max(1) {
-        let known = best.as_ref().map(|found| &found.measures);
-        let from = start_from(&model, &guess, known, start, starts);
-        let Some(found) = descend(model, &from, t, active, start == 0) else { continue };
-        let met = found.met;
-        if met || best.as_ref().is_none_or(|best| found.place.merit < best.place.merit) {
-            best = Some(Found { starts: start + 1, ..found });
+        let mut from = start_from(&model, &guess, &sizes, start, starts);
+        model.preferred.iter().for_each(|(column, value)| from[*column] = *value);
+        let Some(found) = descend(model, &from, t, active, true) else { continue };
+        let done = found.met && distance(&model, &found) <= NEAR;
+        if best.as_ref().is_none_or(|best| better(&model, &found, best)) {
+            best = Some(found);
         }
-        if met {
+        if done {
             break;
         }
     }
     best.map(|found| if found.met { found } else { Found { starts: starts.max(1), ..found } })
+}
+
+/// A pose is better than none, the nearer to what is preferred the better; then the smaller gap.
+fn better(model: &Model<'_>, new: &Found, known: &Found) -> bool {
+    match (new.met, known.met) {
+        (true, true) => distance(model, new) < distance(model, known),
+        (false, false) => new.place.merit < known.place.merit,
+        (new, _) => new,
+    }
+}
+
+/// How far the worst preferred coordinate is from its value, relative to its size.
+fn distance(model: &Model<'_>, found: &Found) -> f64 {
+    let far = |&(column, value): &(usize, f64)| (found.place.q[column] - value).abs() / found.measures.sizes[column];
+    model.preferred.iter().map(far).fold(0.0, f64::max)
 }
 
 /// Least squares from one start, measured anew where that has changed much.
@@ -84,16 +103,15 @@ fn minimise(
 }
 
 /// The guess; from the second start on with everything moved at random, more at later starts.
-fn start_from(model: &Model<'_>, guess: &[f64], measures: Option<&Measures>, start: usize, starts: usize) -> Vec<f64> {
+pub(crate) fn start_from(model: &Model<'_>, guess: &[f64], sizes: &[f64], start: usize, starts: usize) -> Vec<f64> {
     if start == 0 {
         return guess.to_vec();
     }
     let reach = 3.0 * (start as f64 / starts as f64).sqrt();
     let mut random = Random::new(start as u64);
-    let moved = |(column, q): (usize, &f64)| {
-        let share = if model.layout.units[column] == Unit::One { 0.3 } else { 1.0 };
-        let size = measures.map_or(1.0, |measures| measures.sizes[column]);
+    let moved = |((q, size), unit): ((&f64, &f64), &Unit)| {
+        let share = if *unit == Unit::One { 0.3 } else { 1.0 };
         q + share * reach * size * random.number()
     };
-    guess.iter().enumerate().map(moved).collect()
+    guess.iter().zip(sizes).zip(&model.layout.units).map(moved).collect()
 }

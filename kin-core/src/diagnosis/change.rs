@@ -3,6 +3,7 @@
 use super::dependency::{Class, Dependency};
 use super::examine::Examined;
 use super::freedom::{Freedom, Persistence};
+use crate::layout::Unit;
 
 /// One thing to change in the model.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +29,8 @@ pub enum Change {
     Drive {
         /// The coordinate.
         coordinate: String,
+        /// Whether it is an Euler parameter: then the turn of its body is meant.
+        turn: bool,
         /// The bodies that would move with it.
         moves: Vec<String>,
     },
@@ -50,7 +53,10 @@ pub(super) fn least(examined: &Examined<'_>, dependencies: &[Dependency], freedo
     let rows: Vec<usize> = lasting.filter_map(|found| found.terms.first()).map(|term| term.row).filter(|row| !gone(*row)).collect();
     changes.extend(leave_out(examined, &rows));
     let lasting = freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Always);
+    let names = &examined.model.layout.names;
+    let turn = |name: &String| names.iter().position(|known| known == name).is_some_and(|k| examined.model.layout.units[k] == Unit::One);
     changes.extend(lasting.map(|freedom| Change::Drive {
+        turn: turn(&freedom.coordinate),
         coordinate: freedom.coordinate.clone(),
         moves: freedom.motions.iter().flat_map(|motion| motion.names.iter().cloned()).collect(),
     }));
@@ -71,19 +77,19 @@ fn leave_out(examined: &Examined<'_>, rows: &[usize]) -> Vec<Change> {
         } else {
             let mut own = own;
             own.sort_unstable();
-            let instead = instead(block.constraint.kind(), &own);
+            let instead = instead(block.constraint.kind(), block.constraint.rows().len(), &own);
             Change::Drop { constraint, rows: own.iter().map(|local| block.row(*local).to_string()).collect(), instead }
         });
     }
     changes
 }
 
-/// The joint that is left when rows are taken from one of the library.
-fn instead(kind: &str, rows: &[usize]) -> Option<&'static str> {
-    match (kind, rows) {
-        ("prismatic", [0]) => Some("a point on a line"),
-        ("prismatic", [1]) => Some("a constraint of the angle alone"),
-        ("revolute", [_]) => Some("a point on a line"),
+/// The joint that is left when rows are taken from a planar one of the library.
+fn instead(kind: &str, of: usize, rows: &[usize]) -> Option<&'static str> {
+    match (kind, of, rows) {
+        ("prismatic", 2, [0]) => Some("a point on a line"),
+        ("prismatic", 2, [1]) => Some("a constraint of the angle alone"),
+        ("revolute", 2, [_]) => Some("a point on a line"),
         _ => None,
     }
 }

@@ -86,34 +86,44 @@ fn let_go(model: Model<'_>, found: Found, t: f64) -> Placed {
     let (starts, mut found) = (found.starts, found);
     let mut open: Vec<usize> = Vec::new();
     while !found.met && open.len() < LET_GO {
-        let Some(block) = culprit(&model, &found, &open) else { break };
+        let Some((block, next)) = culprits(&model, &found, &open).find_map(|block| Some((block, without(model, &found, t, &open, block)?)))
+        else {
+            break;
+        };
         open.push(block);
-        let rows = rows_of(&model, &open);
-        let active = |row: usize| !rows.contains(&row);
-        let near = nearest(model, &found, t, &rows);
-        match search::descend(model, &near, t, &active, false) {
-            Some(next) => found = next,
-            None => break,
-        }
+        found = next;
     }
     let gaps = open.iter().map(|block| gap(&model, &found, t, *block, starts)).collect();
     Placed { q: found.place.q, measures: found.measures, gaps }
 }
 
-fn rows_of(model: &Model<'_>, blocks: &[usize]) -> Vec<usize> {
-    blocks.iter().flat_map(|block| model.equations.blocks[*block].rows.clone()).collect()
+/// The pose where one more constraint is let go, which must help the others.
+fn without(model: Model<'_>, found: &Found, t: f64, open: &[usize], block: usize) -> Option<Found> {
+    /// What must be gone of the sum of squares.   \[-\]
+    const HELPS: f64 = 0.1;
+    let rows: Vec<usize> = open.iter().chain([&block]).flat_map(|block| model.equations.blocks[*block].rows.clone()).collect();
+    let near = nearest(model, found, t, &rows);
+    let next = search::descend(model, &near, t, &|row| !rows.contains(&row), false)?;
+    (next.met || next.place.merit < (1.0 - HELPS) * found.place.merit).then_some(next)
 }
 
-/// Of the constraints that take part in what cannot be met, the first that is called superfluous.
-fn culprit(model: &Model<'_>, found: &Found, open: &[usize]) -> Option<usize> {
+/// The constraints that take part in what cannot be met, the first that is called superfluous first.
+fn culprits(model: &Model<'_>, found: &Found, open: &[usize]) -> impl Iterator<Item = usize> {
     /// A share of the largest residual above this takes part.   \[-\]
     const SHARE: f64 = 1e-3;
+    /// So many are tried.
+    const TRIED: usize = 24;
     let shares: Vec<f64> = found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs()).collect();
     let block_of = |row: usize| model.equations.blocks.partition_point(|block| block.rows.end <= row);
     let closed = |row: usize| !open.contains(&block_of(row));
     let largest = (0..model.m()).filter(|row| closed(*row)).fold(0.0_f64, |m, row| m.max(shares[row]));
-    let taking_part = |row: usize| closed(row) && shares[row] > SHARE * largest;
-    order::of_rows(model).into_iter().find(|row| taking_part(*row)).map(block_of)
+    let mut blocks: Vec<usize> = Vec::new();
+    for row in order::of_rows(model).into_iter().filter(|row| closed(*row) && shares[*row] > SHARE * largest) {
+        if !blocks.contains(&block_of(row)) && blocks.len() < TRIED {
+            blocks.push(block_of(row));
+        }
+    }
+    blocks.into_iter()
 }
 
 /// The pose at which these rows are as nearly met as the others allow, from the one found.

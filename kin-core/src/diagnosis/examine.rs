@@ -104,9 +104,8 @@ pub(crate) fn diagnose(model: Model<'_>, start: Start<'_>, t: f64) -> Result<Dia
     let orders = Orders::new(&model);
     let here = ranked(&model, &point.values, measures, &orders);
     let culprit = |row: usize| place.gaps.iter().any(|gap| gap.rows.contains(&row));
-    let nearby =
-        if here.rank < model.n().min(model.m()) { generic::nearby(&model, q, t, measures, &|row| !culprit(row), &orders) } else { None };
     let full = here.rank == model.n().min(model.m());
+    let nearby = if !full { generic::nearby(&model, q, t, measures, &|row| !culprit(row), &orders) } else { None };
     let most = nearby.as_ref().filter(|nearby| nearby.ranked.rank > here.rank);
     let here = match most {
         // What holds at nearby poses is told first, what is so only here after it.
@@ -117,9 +116,10 @@ pub(crate) fn diagnose(model: Model<'_>, start: Start<'_>, t: f64) -> Result<Dia
         }
         None => here,
     };
-    let examined = Examined { model, q, t, measures, here, nearby: nearby.as_ref(), full, gaps: &place.gaps };
+    let examined = Examined { model, q, t, measures, here, nearby: nearby.as_ref(), gaps: &place.gaps };
     let dependencies = dependency::all(&examined);
     let freedoms = freedom::all(&examined);
+    let stiff = freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Infinitesimal).count();
     let changes = change::least(&examined, &dependencies, &freedoms);
     let drivers = (0..model.m()).filter(|row| model.drives(*row)).count();
     Ok(Diagnosis {
@@ -130,7 +130,7 @@ pub(crate) fn diagnose(model: Model<'_>, start: Start<'_>, t: f64) -> Result<Dia
         equations: model.m(),
         drivers,
         gruebler: model.n() as isize - (model.m() - drivers) as isize,
-        mobility: examined.mobility(),
+        mobility: examined.mobility().saturating_sub(stiff),
         rank: examined.here.rank,
         nearby_rank: examined.nearby_rank(),
         moves: full || nearby.is_some(),
@@ -150,8 +150,6 @@ pub(super) struct Examined<'a> {
     pub measures: &'a Measures,
     pub here: Ranked,
     pub nearby: Option<&'a Nearby>,
-    /// Whether the rank is as high as the shape of C_q allows.
-    pub full: bool,
     pub gaps: &'a [Gap],
 }
 
@@ -220,8 +218,6 @@ impl Diagnosis {
 impl Model<'_> {
     /// The error for what is not finite at a pose.
     pub(crate) fn not_finite(&self, bad: crate::system::evaluate::Bad, q: &[f64], t: f64) -> Error {
-        let mut states = self.equations.plan.states();
-        self.equations.plan.set_states(q, &mut states);
-        self.equations.not_finite(bad, t, &states)
+        self.equations.not_finite(bad, &self.equations.instant_at(t, q))
     }
 }

@@ -17,7 +17,8 @@ mod order;
 mod text;
 
 pub use change::Change;
-pub use contradiction::Gap;
+pub(crate) use contradiction::STARTS;
+pub use contradiction::{Asks, Gap};
 pub use dependency::{Class, Dependency, Level, Term};
 pub use examine::Diagnosis;
 pub(crate) use examine::{Start, diagnose};

@@ -27,7 +27,10 @@ impl Display for Diagnosis {
             write!(f, "\n  The count is right by chance: what is superfluous hides what is missing.")?;
         }
         self.gaps.iter().try_for_each(|gap| write!(f, "\n  {}", GapLine(gap, self)))?;
-        lines(f, &self.dependencies, "dependency", "dependencies")?;
+        // A conflict of positions is told with its gap.
+        let told = |found: &&Dependency| matches!(found.class, Class::Contradictory { level: Level::Position, .. });
+        let dependencies: Vec<&Dependency> = self.dependencies.iter().filter(|found| !told(found)).collect();
+        lines(f, &dependencies, "dependency", "dependencies")?;
         lines(f, &self.freedoms, "freedom", "freedoms")?;
         self.advice(f)
     }
@@ -193,6 +196,7 @@ impl Display for Change {
                     None => write!(f, "drop {rows} of `{constraint}`"),
                 }
             }
+            Change::Drive { moves, turn: true, .. } => write!(f, "hold or drive the turn of {}", list(moves)),
             Change::Drive { coordinate, .. } => write!(f, "drive or hold `{coordinate}`"),
         }
     }

@@ -25,28 +25,6 @@ pub(crate) fn list(names: &[String]) -> String {
     if names.len() > SHOWN { format!("{all} and {} more", names.len() - SHOWN) } else { all }
 }
 
-/// What is missing or too much, where, and the cure.
-pub(super) fn not_square(coordinates: usize, equations: usize, untouched: &[String], movable: &[String], dependent: &[String]) -> String {
-    let mut text = String::new();
-    let mut line = |what: &str, names: &[String]| {
-        if !names.is_empty() {
-            text += &format!("\n  {what} {}.", list(names));
-        }
-    };
-    line("no constraint touches", untouched);
-    line("free to move:", movable);
-    line("these repeat or contradict one another:", dependent);
-    let difference = count(coordinates.abs_diff(equations), "equation");
-    let verb = if coordinates.abs_diff(equations) == 1 { "is" } else { "are" };
-    text + &match coordinates > equations {
-        true if untouched.is_empty() => format!("\n  {difference} {verb} missing: add joints, or a driver for each freedom left."),
-        true => {
-            format!("\n  {difference} {verb} missing: add joints, or a driver for each freedom left, or leave out what nothing touches.")
-        }
-        false => format!("\n  {difference} too many: remove a driver, or a joint that repeats what others already hold."),
-    }
-}
-
 /// Where the last position was found, and what to try.
 pub(super) fn no_convergence(last: Option<f64>, motion: &Option<Box<Motion>>) -> String {
     match last {

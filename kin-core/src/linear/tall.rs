@@ -31,6 +31,11 @@ impl Tall {
         self.linear.factor()
     }
 
+    /// The smallest pivot of the last factoring.   \[-\]
+    pub(crate) fn smallest_pivot(&self) -> f64 {
+        self.linear.smallest_pivot()
+    }
+
     /// x for the right side b, of length m.
     pub(crate) fn solve(&mut self, b: impl Iterator<Item = f64>) -> &[f64] {
         self.linear.rhs_mut().fill(0.0);

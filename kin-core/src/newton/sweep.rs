@@ -1,7 +1,7 @@
 //! The sweep: from one time to the next with prediction, in smaller steps of time where that is needed.
 
 use super::predictor::{Last, Predictor};
-use super::{Failure, Newton, Options, Outcome, Steps, assembly};
+use super::{Failure, Newton, Options, Outcome, Steps, assembly, redundant};
 use crate::error::{Error, Result};
 use crate::motion::Motion;
 use crate::system::System;
@@ -13,6 +13,9 @@ const HALVINGS: i32 = 12;
 pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<Motion> {
     options.check()?;
     check(times)?;
+    if redundant::is_redundant(system) {
+        return redundant::run(system, times, options);
+    }
     let mut motion = Motion::new(system, times.len());
     let mut sweep = Sweep::new(system, options);
     for &t in times {

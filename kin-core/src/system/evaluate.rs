@@ -249,13 +249,11 @@ impl Equations {
         }
     }
 
-    /// −[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt] along any rates v.
-    pub(crate) fn second_order(&self, t: f64, states: &[f64], rates: &[f64], t_dot: f64, rhs: &mut [f64]) -> Result<(), Bad> {
+    /// −[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt] along the rates v of the instant, whether it is finite or not.
+    pub(crate) fn second_order(&self, instant: &Instant, t_dot: f64, rhs: &mut [f64]) {
         for block in &self.blocks {
-            let (at, rates) = (block.at(t, states), block.rates(rates));
-            block.constraint.acceleration_rhs(&at, &rates, t_dot, &mut rhs[block.rows.clone()]);
+            block.constraint.acceleration_rhs(&block.at(instant), &block.rates(instant), t_dot, &mut rhs[block.rows.clone()]);
         }
-        finite(rhs, "Q_d")
     }
 
     /// The constraint that a global row belongs to, and its local row.
