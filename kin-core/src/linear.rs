@@ -12,6 +12,7 @@ mod code;
 mod condition;
 mod diagnosis;
 mod echelon;
+mod order;
 mod program;
 mod rank;
 mod record;

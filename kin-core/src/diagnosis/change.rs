@@ -67,12 +67,12 @@ pub(super) fn least(examined: &Examined<'_>, dependencies: &[Dependency], freedo
 fn leave_out(examined: &Examined<'_>, rows: &[usize]) -> Vec<Change> {
     let mut changes = Vec::new();
     for block in &examined.model.equations.blocks {
-        let own: Vec<usize> = rows.iter().filter(|row| block.rows.contains(row)).map(|row| row - block.rows.start).collect();
+        let own: Vec<usize> = rows.iter().filter(|row| block.rows().contains(row)).map(|row| row - block.rows().start).collect();
         if own.is_empty() {
             continue;
         }
         let constraint = block.name.clone();
-        changes.push(if own.len() == block.rows.len() {
+        changes.push(if own.len() == block.rows().len() {
             Change::Remove { constraint, or: Vec::new() }
         } else {
             let mut own = own;

@@ -101,7 +101,7 @@ fn let_go(model: Model<'_>, found: Found, t: f64) -> Placed {
 fn without(model: Model<'_>, found: &Found, t: f64, open: &[usize], block: usize) -> Option<Found> {
     /// What must be gone of the sum of squares.   \[-\]
     const HELPS: f64 = 0.1;
-    let rows: Vec<usize> = open.iter().chain([&block]).flat_map(|block| model.equations.blocks[*block].rows.clone()).collect();
+    let rows: Vec<usize> = open.iter().chain([&block]).flat_map(|block| model.equations.blocks[*block].rows()).collect();
     let near = nearest(model, found, t, &rows);
     let next = search::descend(model, &near, t, &|row| !rows.contains(&row), false)?;
     (next.met || next.place.merit < (1.0 - HELPS) * found.place.merit).then_some(next)
@@ -114,7 +114,7 @@ fn culprits(model: &Model<'_>, found: &Found, open: &[usize]) -> impl Iterator<I
     /// So many are tried.
     const TRIED: usize = 24;
     let shares: Vec<f64> = found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs()).collect();
-    let block_of = |row: usize| model.equations.blocks.partition_point(|block| block.rows.end <= row);
+    let block_of = |row: usize| model.equations.blocks.partition_point(|block| block.rows().end <= row);
     let closed = |row: usize| !open.contains(&block_of(row));
     let largest = (0..model.m()).filter(|row| closed(*row)).fold(0.0_f64, |m, row| m.max(shares[row]));
     let mut blocks: Vec<usize> = Vec::new();
@@ -142,7 +142,7 @@ fn nearest(model: Model<'_>, found: &Found, t: f64, rows: &[usize]) -> Vec<f64> 
 
 fn gap(model: &Model<'_>, found: &Found, t: f64, block: usize, starts: usize) -> Gap {
     let block = &model.equations.blocks[block];
-    let (rows, point) = (block.rows.clone(), &found.place.point);
+    let (rows, point) = (block.rows(), &found.place.point);
     Gap {
         constraint: block.name.clone(),
         equations: rows.clone().map(|row| model.equations.equation(row)).collect(),

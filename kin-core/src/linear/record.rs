@@ -56,6 +56,16 @@ pub(super) struct Recording {
     pub constant: Vec<(u32, u32, f64)>,
 }
 
+impl Recording {
+    /// Weights in the order in which the code runs.
+    fn reorder(&mut self, order: &[u32]) {
+        let mut place = vec![0; order.len()];
+        (0..).zip(order).for_each(|(now, before)| place[*before as usize] = now);
+        self.weights = order.iter().map(|before| self.weights[*before as usize]).collect();
+        self.watched.iter_mut().for_each(|(step, _, _)| *step = place[*step as usize]);
+    }
+}
+
 /// A number that elimination has come to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Number {
@@ -141,8 +151,9 @@ pub(super) fn record(input: &Input<'_>, places: Places, memory: &mut Vec<f64>) -
     solving::write(&mut recorder);
     let Recorder { mut recording, memory, .. } = recorder;
     memory.resize(memory.len().max(SMALL), 0.0);
-    recording.factor.finish(memory.len());
     recording.solve.finish(memory.len());
+    let order = recording.factor.finish(memory.len());
+    recording.reorder(&order);
     Ok(recording)
 }
 

@@ -77,7 +77,7 @@ impl<'a> Sweep<'a> {
         let (mut t, mut h) = (from, to - from);
         loop {
             let target = if (to - t).abs() <= h.abs() * 1.001 { to } else { t + h };
-            self.q.copy_from_slice(&self.newton.q);
+            self.keep();
             match self.step(target - t, target, h.abs() <= smallest) {
                 Ok(outcome) => {
                     self.settle(target - t, outcome);
@@ -97,6 +97,15 @@ impl<'a> Sweep<'a> {
                     h *= 0.5;
                 }
             }
+        }
+    }
+
+    /// The position in hand becomes the last one; a prediction writes all of the next anew.
+    fn keep(&mut self) {
+        if self.newton.options.predict {
+            std::mem::swap(&mut self.q, &mut self.newton.q);
+        } else {
+            self.q.copy_from_slice(&self.newton.q);
         }
     }
 
@@ -125,7 +134,7 @@ impl<'a> Sweep<'a> {
     /// A step h has succeeded; the rates in hand are still those of the time before.
     fn settle(&mut self, h: f64, outcome: Outcome) {
         self.untouched = true;
-        let newton = &self.newton;
+        let newton = &mut self.newton;
         if !newton.options.predict {
             return;
         }
@@ -133,6 +142,6 @@ impl<'a> Sweep<'a> {
             let last = Last { q: &self.q, qd: &newton.qd, qdd: &newton.qdd };
             self.predictor.compare(h, last, &newton.q, &newton.sizes);
         }
-        self.predictor.advance(h, &newton.qd, &newton.qdd);
+        self.predictor.advance(h, &mut newton.qd, &mut newton.qdd);
     }
 }

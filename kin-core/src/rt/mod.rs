@@ -7,6 +7,7 @@ mod lift;
 mod numbers;
 mod rows;
 mod sound;
+mod timed;
 
 pub use crate::algebra::{EulerParameters, Mat2, Mat3, Vec2, Vec3};
 pub use crate::coordinates::{Argument, Target, Trig};
@@ -24,6 +25,7 @@ pub use lift::{Absent, Constants, Lift, Lower, absent, constants, lowered};
 pub use numbers::Numbers;
 pub use rows::{Rows, rows};
 pub use sound::{If, Sound, Then};
+pub use timed::timed;
 
 /// \[f, f′, f″, f‴\] of a function written for any dual number.
 pub fn jet_by_dual(x: f64, f: impl FnOnce(Real<num_dual::Dual3_64>) -> Real<num_dual::Dual3_64>) -> [f64; 4] {

@@ -13,11 +13,11 @@ pub(crate) struct Block {
     pub name: String,
     pub constraint: Box<dyn Constraint>,
     /// Where its numbers of time, its arguments' states, its rows, its values and its columns' rates stand.
-    timed: Range<usize>,
-    states: Range<usize>,
-    pub rows: Range<usize>,
-    pub values: Range<usize>,
-    rates: Range<usize>,
+    timed: Span,
+    states: Span,
+    rows: Span,
+    values: Span,
+    rates: Span,
     /// Whether all its values of C_q are the same for good.
     constant: bool,
     /// Where each argument's state begins among its states, and its first column.
@@ -25,14 +25,45 @@ pub(crate) struct Block {
     first_column: Vec<usize>,
 }
 
+/// A stretch of a list. 32 bits: no sum of two overflows, so that taking it costs one check.
+#[derive(Clone, Copy, Debug)]
+struct Span {
+    first: u32,
+    len: u32,
+}
+
+impl Span {
+    fn new(range: Range<usize>) -> Self {
+        Span { first: range.start as u32, len: range.len() as u32 }
+    }
+
+    fn len(self) -> usize {
+        self.len as usize
+    }
+
+    fn range(self) -> Range<usize> {
+        self.first as usize..self.first as usize + self.len as usize
+    }
+}
+
 impl Block {
+    /// Where its rows stand among all rows.
+    pub(crate) fn rows(&self) -> Range<usize> {
+        self.rows.range()
+    }
+
+    /// Where its values stand among all values of C_q.
+    pub(crate) fn values(&self) -> Range<usize> {
+        self.values.range()
+    }
+
     /// The instant as this constraint sees it.
     fn at<'a>(&'a self, instant: &'a Instant) -> At<'a> {
-        At::new(instant.t, &instant.states[self.states.clone()], &self.first_state).with_timed(&instant.timed[self.timed.clone()])
+        At::new(instant.t, &instant.states[self.states.range()], &self.first_state).with_timed(&instant.timed[self.timed.range()])
     }
 
     fn rates<'a>(&'a self, instant: &'a Instant) -> Rates<'a> {
-        Rates::new(&instant.rates[self.rates.clone()], &self.first_column)
+        Rates::new(&instant.rates[self.rates.range()], &self.first_column)
     }
 
     /// Name of local row `k`; empty for a constraint of one row.
@@ -139,11 +170,11 @@ impl Equations {
         self.timed = timed.end;
         self.blocks.push(Block {
             name,
-            timed,
-            states: first_state..self.plan.len(),
-            rows,
-            values: first..self.entries.len(),
-            rates: first_rate..self.plan.columns.len(),
+            timed: Span::new(timed),
+            states: Span::new(first_state..self.plan.len()),
+            rows: Span::new(rows),
+            values: Span::new(first..self.entries.len()),
+            rates: Span::new(first_rate..self.plan.columns.len()),
             constant: self.constants[first..].iter().all(Option::is_some),
             first_state: states,
             first_column: columns,
@@ -169,7 +200,7 @@ impl Equations {
         instant.t = t;
         for &k in &self.asked.timed {
             let block = &self.blocks[k];
-            block.constraint.at_time(t, &mut instant.timed[block.timed.clone()]);
+            block.constraint.at_time(t, &mut instant.timed[block.timed.range()]);
         }
     }
 
@@ -184,7 +215,7 @@ impl Equations {
     /// C(q, t).
     pub(crate) fn residual(&self, instant: &Instant, c: &mut [f64]) -> Result<(), Bad> {
         for block in &self.blocks {
-            block.constraint.residual(&block.at(instant), &mut c[block.rows.clone()]);
+            block.constraint.residual(&block.at(instant), &mut c[block.rows.range()]);
         }
         finite(c, "C")
     }
@@ -216,9 +247,9 @@ impl Equations {
     /// The same where only the time has changed since; false if C_q has not changed with it.
     pub(crate) fn relinearize(&self, instant: &Instant, c: &mut [f64], values: &mut [f64]) -> bool {
         for block in self.asked.c.iter().map(|&k| &self.blocks[k]) {
-            let c = &mut c[block.rows.clone()];
+            let c = &mut c[block.rows.range()];
             if self.asked.c_q_on_t {
-                block.constraint.linearize(&block.at(instant), c, &mut values[block.values.clone()]);
+                block.constraint.linearize(&block.at(instant), c, &mut values[block.values.range()]);
             } else {
                 block.constraint.residual(&block.at(instant), c);
             }
@@ -237,7 +268,7 @@ impl Equations {
     pub(crate) fn velocity_rhs(&self, instant: &Instant, rhs: &mut [f64]) {
         rhs.fill(0.0);
         for block in self.asked.c_t.iter().map(|&k| &self.blocks[k]) {
-            block.constraint.velocity_rhs(&block.at(instant), &mut rhs[block.rows.clone()]);
+            block.constraint.velocity_rhs(&block.at(instant), &mut rhs[block.rows.range()]);
         }
     }
 
@@ -245,21 +276,21 @@ impl Equations {
     pub(crate) fn acceleration_rhs(&self, instant: &Instant, q_d: &mut [f64]) {
         q_d.fill(0.0);
         for block in self.asked.q_d.iter().map(|&k| &self.blocks[k]) {
-            block.constraint.acceleration_rhs(&block.at(instant), &block.rates(instant), 1.0, &mut q_d[block.rows.clone()]);
+            block.constraint.acceleration_rhs(&block.at(instant), &block.rates(instant), 1.0, &mut q_d[block.rows.range()]);
         }
     }
 
     /// −[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt] along the rates v of the instant, whether it is finite or not.
     pub(crate) fn second_order(&self, instant: &Instant, t_dot: f64, rhs: &mut [f64]) {
         for block in &self.blocks {
-            block.constraint.acceleration_rhs(&block.at(instant), &block.rates(instant), t_dot, &mut rhs[block.rows.clone()]);
+            block.constraint.acceleration_rhs(&block.at(instant), &block.rates(instant), t_dot, &mut rhs[block.rows()]);
         }
     }
 
     /// The constraint that a global row belongs to, and its local row.
     pub(crate) fn block_of(&self, row: usize) -> Option<(&Block, usize)> {
-        let block = self.blocks.get(self.blocks.partition_point(|block| block.rows.end <= row))?;
-        Some((block, row - block.rows.start))
+        let block = self.blocks.get(self.blocks.partition_point(|block| block.rows().end <= row))?;
+        Some((block, row - block.rows().start))
     }
 
     /// Name of the equation in a global row, such as `A.x`.

@@ -4,6 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::kernel::{Code, Kernel};
+use super::timed;
 use crate::differentiate::Derivatives;
 use crate::graph::{Graph, Node};
 use crate::lower::Lowered;
@@ -24,11 +25,16 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered, derived: &Derivatives
     let c_q = outputs("c_q", &values);
     let both: Vec<_> = c.iter().chain(&c_q).cloned().collect();
 
-    let residual = commented("C", Kernel::emit(lowered, arguments, &c));
-    let jacobian = commented("C_q", Kernel::emit(lowered, arguments, &c_q));
-    let linearize = commented("C and C_q", Kernel::emit(lowered, arguments, &both));
-    let right_side = commented("Q_d for t_dot = 1", Kernel::emit(lowered, arguments, &outputs("q_d", &derived.acceleration_rhs)));
-    let velocity = velocity(&m, Kernel::emit(lowered, arguments, &outputs("rhs", &derived.velocity_rhs)), derived);
+    let (rhs, q_d) = (outputs("rhs", &derived.velocity_rhs), outputs("q_d", &derived.acceleration_rhs));
+    let all: Vec<Node> = both.iter().chain(&rhs).chain(&q_d).map(|output| output.1).collect();
+    let timed = timed::select(lowered, &all);
+    let kernel = |outputs: &[(TokenStream, Node)]| Kernel::emit(lowered, arguments, &timed, outputs);
+    let residual = commented("C", kernel(&c));
+    let jacobian = commented("C_q", kernel(&c_q));
+    let linearize = commented("C and C_q", kernel(&both));
+    let right_side = commented("Q_d for t_dot = 1", kernel(&q_d));
+    let velocity = velocity(&m, kernel(&rhs), derived);
+    let timed = timed::functions(lowered, &timed);
     let (constants, depends) = (constants(&lowered.graph, derived), depends(&lowered.graph, &rows, derived));
     let not_finite = not_finite(lowered, arguments, &derived.checks);
     let ((residual_doc, residual), (jacobian_doc, jacobian)) = (residual, jacobian);
@@ -36,6 +42,7 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered, derived: &Derivatives
     quote! {
         #constants
         #depends
+        #timed
         #[doc = #residual_doc]
         fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<#m>() else { return };

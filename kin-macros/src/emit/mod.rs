@@ -7,6 +7,7 @@ pub mod law;
 mod rewrite;
 pub mod stand_in;
 mod template;
+mod timed;
 mod written;
 
 use proc_macro2::TokenStream;
