@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
-use crate::diagnosis::Diagnosis;
+use crate::diagnosis::{self, Diagnosis, Start};
 use crate::motion::Motion;
+use crate::system::System;
 
 pub(crate) mod text;
 
@@ -30,7 +31,7 @@ pub enum Error {
         text::time(*.t),
         text::count(*.iterations, "iteration"),
         text::row(.row),
-        text::no_convergence(*.last, .motion)
+        text::no_convergence(*.last, .diagnosis, .motion)
     )]
     NoConvergence {
         /// Time.   \[s\]
@@ -45,6 +46,8 @@ pub enum Error {
         residual: f64,
         /// The last time at which the position was found.   \[s\]
         last: Option<f64>,
+        /// What is wrong there, by name, and how near the parts can come.
+        diagnosis: Option<Box<Diagnosis>>,
         /// What was computed before.
         motion: Option<Box<Motion>>,
     },
@@ -53,7 +56,7 @@ pub enum Error {
     #[error(
         "t = {} s: C_q ({n} x {n}) has rank {rank}; smallest relative pivot {pivot:.1e}.{}",
         text::time(*.t),
-        text::singular(.movable, .dependent, .unmet, .motion)
+        text::singular(.movable, .dependent, .unmet, .diagnosis, .motion)
     )]
     SingularAt {
         /// Time.   \[s\]
@@ -70,6 +73,8 @@ pub enum Error {
         dependent: Vec<String>,
         /// An equation that is far from being met where the search for a position ended; `None` at a position.
         unmet: Option<String>,
+        /// What is wrong there, by name.
+        diagnosis: Option<Box<Diagnosis>>,
         /// What was computed before.
         motion: Option<Box<Motion>>,
     },
@@ -267,8 +272,23 @@ impl Error {
     pub fn diagnosis(&self) -> Option<&Diagnosis> {
         match self {
             Error::CannotBeDriven { diagnosis, .. } => Some(diagnosis),
+            Error::SingularAt { diagnosis, .. } | Error::NoConvergence { diagnosis, .. } => diagnosis.as_deref(),
             _ => None,
         }
+    }
+
+    /// The same error with what is wrong with the mechanism at that time, by name, as far as the size of the system allows to look for it.
+    pub(crate) fn explained(mut self, system: &System) -> Error {
+        /// Coordinates up to which a failing run is examined by itself; [`System::diagnose`] does it for any number.
+        const EXAMINED: usize = 1500;
+        if let Error::SingularAt { t, diagnosis, motion, .. } | Error::NoConvergence { t, diagnosis, motion, .. } = &mut self
+            && system.n_coordinates() <= EXAMINED
+        {
+            let last = motion.as_ref().and_then(|motion| Some(motion.q(motion.len().checked_sub(1)?)));
+            let start = last.map_or(Start::Guess(system.initial()), Start::Pose);
+            *diagnosis = diagnosis::diagnose(system.model(), start, *t).ok().map(Box::new);
+        }
+        self
     }
 
     /// The same error, carrying what was computed before.
@@ -317,6 +337,7 @@ mod tests {
             row: "y".into(),
             residual: 0.04,
             last: Some(0.3),
+            diagnosis: None,
             motion: None,
         };
         let text = error.to_string();

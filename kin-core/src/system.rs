@@ -170,7 +170,7 @@ impl System {
         }
         let options = Options::default();
         let mut newton = Newton::new(self, &options);
-        let outcome = assembly::assemble(&mut newton, time(t)?)?;
+        let outcome = assembly::assemble(&mut newton, time(t)?).map_err(|error| error.explained(self))?;
         Ok(newton.solution(t, outcome))
     }
 
@@ -246,7 +246,17 @@ impl System {
         let mut movable: Vec<String> = found.columns.iter().filter_map(|&k| Some(self.layout.owner(k)?.name.clone())).collect();
         movable.dedup();
         let dependent = found.rows.iter().map(|&row| self.equations.equation(row)).collect();
-        Error::SingularAt { t, n: self.n_coordinates(), rank: found.rank, pivot: found.pivot, movable, dependent, unmet, motion: None }
+        Error::SingularAt {
+            t,
+            n: self.n_coordinates(),
+            rank: found.rank,
+            pivot: found.pivot,
+            movable,
+            dependent,
+            unmet,
+            diagnosis: None,
+            motion: None,
+        }
     }
 
     /// The instant at q and t, if they are well given.

@@ -225,3 +225,51 @@ fn toggle_is_singular_only_here() {
     assert_eq!(found.freedoms[0].persistence, Persistence::OnlyHere);
     assert!(found.changes.is_empty());
 }
+
+/// The motor asks for an angle that the rocker cannot reach.
+#[test]
+fn run_beyond_a_toggle_ends_with_what_is_asked_and_what_can_be() {
+    let (mut m, [_, _, rocker]) = four_bar();
+    m.add("motor", drive_angle(rocker, Law::linear(2.2, -1.0))).unwrap();
+    let error = m.build().unwrap().run(linspace(0.0, 2.0, 201)).unwrap_err();
+    println!("{error}");
+    let found = error.diagnosis().unwrap();
+    let motion = error.motion().unwrap();
+    assert!(motion.len() > 20);
+    // Crank and coupler in line: the rocker's least angle.
+    let least = std::f64::consts::PI - ((16.0 + 9.0 - 4.5_f64.powi(2)) / 24.0).acos();
+    match &found.gaps[..] {
+        [gap] => {
+            let asks = gap.asks.as_ref().unwrap();
+            assert_eq!((gap.constraint.as_str(), asks.coordinate.as_str()), ("motor", "rocker.theta"));
+            assert!((asks.stands - least).abs() < 1e-6, "{} {least}", asks.stands);
+        }
+        [] => assert!(found.rank < found.nearby_rank),
+        _ => panic!("{found}"),
+    }
+}
+
+#[test]
+fn loop_that_cannot_close_is_told_with_its_gap() {
+    let mut m = Mechanism::new("short coupler");
+    let ground = m.ground();
+    let (crank, coupler, rocker) = (m.link("crank", 1.0).unwrap(), m.link("coupler", 0.5).unwrap(), m.link("rocker", 1.5).unwrap());
+    m.add("O", revolute(ground, crank, vec2(0.0, 0.0), crank.start())).unwrap();
+    m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).unwrap();
+    m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).unwrap();
+    m.add("C", revolute(ground, rocker, vec2(4.0, 0.0), rocker.start())).unwrap();
+    m.add("motor", drive_angle(crank, Law::constant(0.5))).unwrap();
+    let error = m.build().unwrap().run([0.0]).unwrap_err();
+    println!("{error}");
+    let found = error.diagnosis().unwrap();
+    let [gap] = &found.gaps[..] else { panic!("{found}") };
+    // With the crank at 0.5 rad the rest spans 2 of the distance from its tip to C.
+    let missing = (4.0 - 0.5_f64.cos()).hypot(0.5_f64.sin()) - 2.0;
+    match gap.constraint.as_str() {
+        "motor" => assert!(gap.asks.is_some()),
+        name => {
+            assert!(["A", "B", "C", "O"].contains(&name));
+            assert!((gap.size() - missing).abs() < 1e-5, "{} {missing}", gap.size());
+        }
+    }
+}

@@ -1,5 +1,6 @@
 //! The least change that makes a mechanism exactly constrained.
 
+use super::contradiction::Gap;
 use super::dependency::{Class, Dependency};
 use super::examine::Examined;
 use super::freedom::{Freedom, Persistence};
@@ -15,6 +16,15 @@ pub enum Change {
         constraint: String,
         /// Constraints of which any could be left out in its place: other drivers that contradict it.
         or: Vec<String>,
+    },
+    /// Ask less of a driver: what it asks for is beyond what the mechanism can reach.
+    Limit {
+        /// The driver.
+        constraint: String,
+        /// The coordinate it drives.
+        coordinate: String,
+        /// The nearest that was found to what it asks.   \[m or rad\]
+        reached: f64,
     },
     /// Leave some rows of a constraint out: a joint that holds less.
     Drop {
@@ -38,9 +48,14 @@ pub enum Change {
 
 /// Rows to leave out for what is superfluous, coordinates to drive for what is free. A dependency or freedom of this pose alone asks for
 /// another pose, not for another model.
-pub(super) fn least(examined: &Examined<'_>, dependencies: &[Dependency], freedoms: &[Freedom]) -> Vec<Change> {
+pub(super) fn least(examined: &Examined<'_>, gaps: &[Gap], dependencies: &[Dependency], freedoms: &[Freedom]) -> Vec<Change> {
     let mut changes: Vec<Change> = Vec::new();
-    for gap in examined.gaps {
+    for gap in gaps {
+        if let Some(asks) = gap.asks.as_ref().filter(|_| !gap.lasting) {
+            let (constraint, coordinate) = (gap.constraint.clone(), asks.coordinate.clone());
+            changes.push(Change::Limit { constraint, coordinate, reached: asks.stands });
+            continue;
+        }
         let others = dependencies.iter().filter(|found| found.terms.iter().any(|term| gap.rows.contains(&term.row)));
         let driver = gap.rows.iter().all(|row| examined.model.drives(*row));
         let others = others.flat_map(|found| found.terms.iter().filter(|term| examined.model.drives(term.row)));
@@ -48,7 +63,7 @@ pub(super) fn least(examined: &Examined<'_>, dependencies: &[Dependency], freedo
         or.dedup();
         changes.push(Change::Remove { constraint: gap.constraint.clone(), or });
     }
-    let gone = |row: usize| examined.gaps.iter().any(|gap| gap.rows.contains(&row));
+    let gone = |row: usize| gaps.iter().any(|gap| gap.rows.contains(&row));
     let lasting = dependencies.iter().filter(|found| found.class != Class::OnlyHere);
     let rows: Vec<usize> = lasting.filter_map(|found| found.terms.first()).map(|term| term.row).filter(|row| !gone(*row)).collect();
     changes.extend(leave_out(examined, &rows));

@@ -27,6 +27,8 @@ pub struct Gap {
     pub residual: Vec<f64>,
     /// For a driver of one coordinate: the coordinate, what is asked of it, and where it stands at the nearest.   \[m or rad\]
     pub asks: Option<Asks>,
+    /// Whether its equations depend on the others at nearby poses too: then they contradict one another. If not, something does not reach.
+    pub lasting: bool,
     /// From how many starts a pose was looked for.
     pub starts: usize,
 }
@@ -86,10 +88,7 @@ fn let_go(model: Model<'_>, found: Found, t: f64) -> Placed {
     let (starts, mut found) = (found.starts, found);
     let mut open: Vec<usize> = Vec::new();
     while !found.met && open.len() < LET_GO {
-        let Some((block, next)) = culprits(&model, &found, &open).find_map(|block| Some((block, without(model, &found, t, &open, block)?)))
-        else {
-            break;
-        };
+        let Some((block, next)) = most_telling(&model, &found, t, &open) else { break };
         open.push(block);
         found = next;
     }
@@ -97,14 +96,28 @@ fn let_go(model: Model<'_>, found: Found, t: f64) -> Placed {
     Placed { q: found.place.q, measures: found.measures, gaps }
 }
 
-/// The pose where one more constraint is let go, which must help the others.
-fn without(model: Model<'_>, found: &Found, t: f64, open: &[usize], block: usize) -> Option<Found> {
+/// The first constraint without which the others can be met; else the one without which they are nearest to it.
+fn most_telling(model: &Model<'_>, found: &Found, t: f64, open: &[usize]) -> Option<(usize, Found)> {
     /// What must be gone of the sum of squares.   \[-\]
     const HELPS: f64 = 0.1;
+    let mut best: Option<(usize, Found)> = None;
+    for block in culprits(model, found, open) {
+        let Some(next) = without(*model, found, t, open, block) else { continue };
+        if next.met {
+            return Some((block, next));
+        }
+        if best.as_ref().is_none_or(|(_, best)| next.place.merit < best.place.merit) {
+            best = Some((block, next));
+        }
+    }
+    best.filter(|(_, best)| best.place.merit < (1.0 - HELPS) * found.place.merit)
+}
+
+/// The pose where one more constraint is let go, and as near to being met as the others allow.
+fn without(model: Model<'_>, found: &Found, t: f64, open: &[usize], block: usize) -> Option<Found> {
     let rows: Vec<usize> = open.iter().chain([&block]).flat_map(|block| model.equations.blocks[*block].rows()).collect();
     let near = nearest(model, found, t, &rows);
-    let next = search::descend(model, &near, t, &|row| !rows.contains(&row), false)?;
-    (next.met || next.place.merit < (1.0 - HELPS) * found.place.merit).then_some(next)
+    search::descend(model, &near, t, &|row| !rows.contains(&row), false)
 }
 
 /// The constraints that take part in what cannot be met, the first that is called superfluous first.
@@ -129,7 +142,7 @@ fn culprits(model: &Model<'_>, found: &Found, open: &[usize]) -> impl Iterator<I
 /// The pose at which these rows are as nearly met as the others allow, from the one found.
 fn nearest(model: Model<'_>, found: &Found, t: f64, rows: &[usize]) -> Vec<f64> {
     /// What the rows weigh against the others, stage by stage.   \[-\]
-    const WEIGHTS: [f64; 3] = [1e-1, 1e-2, 1e-4];
+    const WEIGHTS: [f64; 3] = [3e-1, 3e-2, 3e-3];
     let mut q = found.place.q.clone();
     for weight in WEIGHTS {
         let mut squares = Squares::new(model, &found.measures, Vec::new(), false);
@@ -149,6 +162,7 @@ fn gap(model: &Model<'_>, found: &Found, t: f64, block: usize, starts: usize) ->
         residual: point.c[rows.clone()].to_vec(),
         asks: asks(model, found, t, rows.clone()),
         rows: rows.collect(),
+        lasting: false,
         starts,
     }
 }

@@ -4,6 +4,9 @@ use super::examine::{Examined, Side};
 use super::freedom;
 use crate::linear::{Sparse, Tall};
 
+/// A coefficient below this, in units of the norms of its rows, is nothing where a gap is open.   \[-\]
+const OPEN: f64 = 1e-4;
+
 /// What a dependency means.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Class {
@@ -83,6 +86,10 @@ fn dependency(examined: &Examined<'_>, rates: &Rates, blocked: &[Vec<f64>], k: u
     let norms = &examined.measures.norms;
     let unit = norms[own];
     let mut combination: Sparse = vector.iter().map(|(row, y)| (*row, y * unit / norms[*row])).collect();
+    if combination.iter().any(|(row, _)| examined.gaps.iter().any(|gap| gap.rows.contains(row))) {
+        // At a smallest gap the pose is known to fewer digits, and so are the coefficients.
+        combination.retain(|(row, z)| *row == own || (z * norms[*row] / unit).abs() > OPEN);
+    }
     combination.sort_by_key(|(row, _)| (*row != own, *row));
     let class = class(examined, rates, blocked, k, &combination, unit);
     let term = |&(row, coefficient): &(usize, f64)| {

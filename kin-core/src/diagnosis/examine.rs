@@ -118,9 +118,10 @@ pub(crate) fn diagnose(model: Model<'_>, start: Start<'_>, t: f64) -> Result<Dia
     };
     let examined = Examined { model, q, t, measures, here, nearby: nearby.as_ref(), gaps: &place.gaps };
     let dependencies = dependency::all(&examined);
+    let gaps = lasting(&examined, &dependencies);
     let freedoms = freedom::all(&examined);
     let stiff = freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Infinitesimal).count();
-    let changes = change::least(&examined, &dependencies, &freedoms);
+    let changes = change::least(&examined, &gaps, &dependencies, &freedoms);
     let drivers = (0..model.m()).filter(|row| model.drives(*row)).count();
     Ok(Diagnosis {
         mechanism: model.name.to_string(),
@@ -135,11 +136,20 @@ pub(crate) fn diagnose(model: Model<'_>, start: Start<'_>, t: f64) -> Result<Dia
         nearby_rank: examined.nearby_rank(),
         moves: full || nearby.is_some(),
         gap: examined.here.gap,
-        gaps: place.gaps.clone(),
+        gaps,
         dependencies,
         freedoms,
         changes,
     })
+}
+
+/// The gaps, and whether they are there to stay.
+fn lasting(examined: &Examined<'_>, dependencies: &[Dependency]) -> Vec<Gap> {
+    let lasting = |gap: &Gap| {
+        let mut all = dependencies.iter().enumerate().filter(|(k, _)| examined.persists(*k, Side::Rows));
+        all.any(|(_, found)| found.terms.iter().any(|term| gap.rows.contains(&term.row)))
+    };
+    examined.gaps.iter().map(|gap| Gap { lasting: lasting(gap), ..gap.clone() }).collect()
 }
 
 /// All that is known before it is put into words.

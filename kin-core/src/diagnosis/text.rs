@@ -23,6 +23,26 @@ impl Display for Diagnosis {
             _ if self.moves => write!(f, " here and at nearby poses.")?,
             _ => write!(f, "; it cannot move to other poses.")?,
         }
+        write!(f, "{}", self.details())
+    }
+}
+
+/// All but the first line.
+struct Details<'a>(&'a Diagnosis);
+
+impl Display for Details<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        self.0.write_details(f)
+    }
+}
+
+impl Diagnosis {
+    /// The report without its first line, each line on a new one.
+    pub(crate) fn details(&self) -> impl Display {
+        Details(self)
+    }
+
+    fn write_details(&self, f: &mut Formatter<'_>) -> Result {
         if self.count_misleads() {
             write!(f, "\n  The count is right by chance: what is superfluous hides what is missing.")?;
         }
@@ -34,13 +54,11 @@ impl Display for Diagnosis {
         lines(f, &self.freedoms, "freedom", "freedoms")?;
         self.advice(f)
     }
-}
 
-impl Diagnosis {
     fn advice(&self, f: &mut Formatter<'_>) -> Result {
         let here = self.rank < self.nearby_rank;
         let stiff = self.freedoms.iter().any(|freedom| freedom.persistence == Persistence::Infinitesimal);
-        if here {
+        if here && self.gaps.is_empty() {
             write!(f, "\n  A toggle or change point: begin, or step, elsewhere.")?;
         }
         if stiff {
@@ -86,13 +104,13 @@ impl Display for GapLine<'_> {
             }
         }
         let with = if others.is_empty() { "with all others met".to_string() } else { format!("with {}", list(&others)) };
-        let name = &gap.constraint;
+        let (name, what) = (&gap.constraint, if gap.lasting { "contradictory" } else { "out of reach" });
         match &gap.asks {
             Some(asks) => {
-                let coordinate = &asks.coordinate;
-                write!(f, "contradictory: `{name}` asks for {coordinate} = {:.4}; {with} it stands at {:.4}.", asks.asked, asks.stands)
+                let (coordinate, [asked, stands]) = (&asks.coordinate, different(asks.asked, asks.stands));
+                write!(f, "{what}: `{name}` asks for {coordinate} = {asked}; {with} it stands at {stands}.")
             }
-            None => write!(f, "contradictory: `{name}` cannot be met; {with} it is off by {} at the least.", number(gap.size())),
+            None => write!(f, "{what}: `{name}` cannot be met; {with} it is off by {} at the least.", number(gap.size())),
         }?;
         match gap.starts {
             0 | 1 => Ok(()),
@@ -189,6 +207,9 @@ impl Display for Change {
             Change::Remove { constraint, or } => {
                 write!(f, "remove `{constraint}`, or {}, or replace one by a measurement", list(or).replace(" and ", " or "))
             }
+            Change::Limit { constraint, coordinate, reached } => {
+                write!(f, "let `{constraint}` stay within reach, which ends near {coordinate} = {reached:.4}")
+            }
             Change::Drop { constraint, rows, instead } => {
                 let rows = if rows.len() == 1 { format!("row {}", rows[0]) } else { format!("rows {}", rows.join(", ")) };
                 match instead {
@@ -219,4 +240,10 @@ fn number(x: f64) -> String {
         size if size < 1e-12 => "0.000".to_string(),
         _ => format!("{x:.2e}"),
     }
+}
+
+/// Two numbers with as many decimals as tell them apart, four at least.
+fn different(a: f64, b: f64) -> [String; 2] {
+    let with = |decimals: usize| [format!("{a:.decimals$}"), format!("{b:.decimals$}")];
+    (4..12).map(with).find(|[a, b]| a != b).unwrap_or_else(|| with(12))
 }

@@ -1,5 +1,6 @@
 //! The sentences of error messages that depend on what is known.
 
+use crate::diagnosis::Diagnosis;
 use crate::motion::Motion;
 
 /// "3 equations", "1 equation".
@@ -26,17 +27,35 @@ pub(crate) fn list(names: &[String]) -> String {
 }
 
 /// Where the last position was found, and what to try.
-pub(super) fn no_convergence(last: Option<f64>, motion: &Option<Box<Motion>>) -> String {
+pub(super) fn no_convergence(last: Option<f64>, diagnosis: &Option<Box<Diagnosis>>, motion: &Option<Box<Motion>>) -> String {
+    let found = details(diagnosis);
     match last {
-        Some(t) => {
+        Some(t) if found.is_empty() => {
             format!("\n  Nearest solved t = {} s. Try a smaller time step, or the loop cannot close beyond it.{}", time(t), kept(motion))
         }
-        None => "\n  Try a better initial guess, or a preferred assembly; or the loop cannot close.".to_string(),
+        Some(t) => format!("\n  Nearest solved t = {} s.{found}{}", time(t), kept(motion)),
+        None if found.is_empty() => "\n  Try a better initial guess, or a preferred assembly; or the loop cannot close.".to_string(),
+        None => found,
     }
 }
 
+/// What is wrong, line by line; nothing where nothing is, or nobody has looked.
+fn details(diagnosis: &Option<Box<Diagnosis>>) -> String {
+    diagnosis.as_ref().map(|diagnosis| diagnosis.details().to_string()).unwrap_or_default()
+}
+
 /// What can move and what depends on what.
-pub(super) fn singular(movable: &[String], dependent: &[String], unmet: &Option<String>, motion: &Option<Box<Motion>>) -> String {
+pub(super) fn singular(
+    movable: &[String],
+    dependent: &[String],
+    unmet: &Option<String>,
+    diagnosis: &Option<Box<Diagnosis>>,
+    motion: &Option<Box<Motion>>,
+) -> String {
+    let found = details(diagnosis);
+    if !found.is_empty() {
+        return found + &kept(motion);
+    }
     let mut text = String::new();
     if !movable.is_empty() {
         text += &format!("\n  free to move though the drivers stand still: {}.", list(movable));

@@ -21,7 +21,7 @@ pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<M
     for &t in times {
         match sweep.reach(t) {
             Ok(outcome) => motion.push(t, &sweep.newton, outcome),
-            Err(error) => return Err(error.with_motion(motion)),
+            Err(error) => return Err(error.with_motion(motion).explained(system)),
         }
     }
     Ok(motion)
