@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
+use crate::assembly::{Assembly, AssemblyOptions, Label, modes};
 use crate::diagnosis::{self, Diagnosis, Start};
 use crate::error::{Error, Result};
 use crate::layout::Layout;
@@ -213,6 +214,31 @@ impl System {
     pub fn diagnose_at(&self, t: f64, q: &[f64]) -> Result<Diagnosis> {
         self.check(q, "pose")?;
         diagnosis::diagnose(self.model(), Start::Pose(q), time(t)?)
+    }
+
+    /// All assemblies that are found at time t, in the order of their labels; the same each time.
+    ///
+    /// The search goes on until nothing new turns up for a while, so for difficult mechanisms ask for more patience
+    /// ([`System::assemblies_with`]). None is an empty list.
+    ///
+    /// Errors: t not finite, a mechanism that is free to move.
+    pub fn assemblies(&self, t: f64) -> Result<Vec<Assembly>> {
+        self.assemblies_with(t, &AssemblyOptions::default())
+    }
+
+    /// The same with other options.
+    pub fn assemblies_with(&self, t: f64, options: &AssemblyOptions) -> Result<Vec<Assembly>> {
+        modes::all(self.model(), &self.initial, time(t)?, options)
+    }
+
+    /// The assembly of a label that [`System::assemblies`] gave out.
+    ///
+    /// Errors: those of [`System::assemblies`]; no assembly of that name.
+    pub fn assembly(&self, t: f64, label: &Label) -> Result<Assembly> {
+        let all = self.assemblies(t)?;
+        let known = || all.iter().map(|assembly| assembly.label.to_string()).collect();
+        let found = all.iter().find(|assembly| assembly.label == *label).cloned();
+        found.ok_or_else(|| Error::UnknownName { what: "assembly", name: label.to_string(), known: known() })
     }
 
     pub(crate) fn model(&self) -> Model<'_> {

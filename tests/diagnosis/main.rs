@@ -1,5 +1,6 @@
 //! What is said of a mechanism: counts, ranks, dependencies and freedoms by name, for mechanisms with a known answer.
 
+mod assemblies;
 mod models;
 mod planar;
 mod spatial;

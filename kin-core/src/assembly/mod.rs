@@ -1,5 +1,10 @@
-//! From a poor guess to a pose: the nearest one, the least gap where there is none.
+//! From a poor guess to a pose: the nearest one, all there are, the least gap where there is none.
 
+mod label;
+pub(crate) mod modes;
 pub(crate) mod search;
 pub(crate) mod squares;
-pub(crate) mod turn;
+mod turn;
+
+pub use label::Label;
+pub use modes::{Assembly, AssemblyOptions};

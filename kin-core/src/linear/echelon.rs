@@ -66,6 +66,14 @@ impl Echelon {
         self.steps.len()
     }
 
+    /// The sign of the determinant of a square matrix; + where it is zero.
+    pub(crate) fn sign(&self) -> i8 {
+        let negative = self.steps.iter().filter(|step| step.pivot < 0.0).count();
+        let order = |of: fn(&Step) -> usize| odd(&self.steps.iter().map(of).collect::<Vec<_>>());
+        let odd = (negative % 2 == 1) ^ order(|step| step.row) ^ order(|step| step.column);
+        if odd && self.free_rows.is_empty() { -1 } else { 1 }
+    }
+
     /// x with A x = 0, one for each free column, which is 1 in its own and 0 in the others'.
     pub(crate) fn null_space(&self) -> Vec<Sparse> {
         self.free_columns.iter().map(|free| self.null_vector(*free)).collect()
@@ -95,6 +103,21 @@ impl Echelon {
         }
         sparse(&y)
     }
+}
+
+/// Whether a permutation is odd.
+fn odd(permutation: &[usize]) -> bool {
+    let mut seen = vec![false; permutation.len()];
+    let mut odd = false;
+    for start in 0..permutation.len() {
+        let mut next = start;
+        while let Some(known) = seen.get_mut(next).filter(|known| !**known) {
+            *known = true;
+            next = permutation[next];
+            odd ^= next != start;
+        }
+    }
+    odd
 }
 
 /// What of a dense vector is no rounding.
@@ -298,6 +321,9 @@ mod tests {
             let values = matrix.clone().singular_values();
             prop_assume!(values.iter().all(|x| *x < 1e-12 || *x > 1e-4));
             let found = Echelon::new(rows.clone(), n);
+            if m == n && found.rank() == n {
+                prop_assert_eq!(f64::from(found.sign()), matrix.determinant().signum());
+            }
             prop_assert_eq!(found.rank(), values.iter().filter(|x| **x > 1e-4).count());
             for x in found.null_space() {
                 prop_assert!(times(&rows, &dense(&x, n)) < 1e-6);
