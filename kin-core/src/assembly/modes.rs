@@ -17,7 +17,7 @@ use crate::model::{Measures, Model, Point, Random};
 pub struct AssemblyOptions {
     /// Starts at most; default 4000.
     pub starts: usize,
-    /// The search ends after this many starts in a row that lead to nothing new, and ten more for each assembly that is known; default 60.
+    /// The search ends after this many starts in a row that lead to nothing new, and twenty more for each assembly that is known; default 100.
     pub patience: usize,
     /// Newton's steps from one start; default 60.
     pub steps: usize,
@@ -27,7 +27,7 @@ pub struct AssemblyOptions {
 
 impl Default for AssemblyOptions {
     fn default() -> Self {
-        AssemblyOptions { starts: 4000, patience: 60, steps: 60, seed: 0 }
+        AssemblyOptions { starts: 4000, patience: 100, steps: 60, seed: 0 }
     }
 }
 
@@ -48,7 +48,7 @@ pub(crate) fn all(model: Model<'_>, guess: &[f64], t: f64, options: &AssemblyOpt
     let mut random = Random::new(options.seed);
     let mut idle = 0;
     for start in 0..options.starts {
-        if idle > options.patience + 10 * modes.found.len() {
+        if idle > options.patience + 20 * modes.found.len() {
             break;
         }
         let from = modes.start(guess, start, &mut random);
@@ -95,7 +95,7 @@ impl<'a> Modes<'a> {
     /// The guess first; then angles and Euler parameters any, lengths around the guess.
     fn start(&self, guess: &[f64], start: usize, random: &mut Random) -> Vec<f64> {
         /// How far, in units of the model's length.
-        const REACH: f64 = 2.0;
+        const REACH: f64 = 1.0;
         let mut q = guess.to_vec();
         if start == 0 {
             return q;
@@ -109,7 +109,14 @@ impl<'a> Modes<'a> {
         }
         for item in self.model.layout.items.iter().filter(|item| item.kind == Kind::Spatial) {
             let p = &mut q[item.first + 3..item.first + 7];
-            let norm = p.iter().map(|e| e * e).sum::<f64>().sqrt().max(1e-3);
+            let norm = loop {
+                // Within the unit ball all directions are alike.
+                let norm = p.iter().map(|e| e * e).sum::<f64>().sqrt();
+                if (0.1..1.0).contains(&norm) {
+                    break norm;
+                }
+                p.fill_with(|| random.number());
+            };
             p.iter_mut().for_each(|e| *e /= norm);
         }
         q
