@@ -69,7 +69,7 @@ pub(crate) fn all(model: Model<'_>, guess: &[f64], t: f64, options: &AssemblyOpt
 const MOST: usize = 2000;
 
 /// No step turns a body by more than this, or moves it by more than so many lengths of the model.   \[-\]
-const STEP: f64 = 0.5;
+const STEP: f64 = 0.25;
 
 /// Two assemblies are one where no coordinate differs by more.   \[-\]
 const SAME: f64 = 1e-5;
@@ -95,7 +95,7 @@ impl<'a> Modes<'a> {
     /// The guess first; then angles and Euler parameters any, lengths around the guess.
     fn start(&self, guess: &[f64], start: usize, random: &mut Random) -> Vec<f64> {
         /// How far, in units of the model's length.
-        const REACH: f64 = 1.0;
+        const REACH: f64 = 0.75;
         let mut q = guess.to_vec();
         if start == 0 {
             return q;
