@@ -1,6 +1,7 @@
 //! The one trait of the library: what a constraint C(q, t) = 0 can be asked for.
 
 use crate::coordinates::Argument;
+use crate::law::Law;
 use crate::state::{At, Rates};
 
 /// How the derivatives of a constraint are obtained.
@@ -120,6 +121,27 @@ pub trait Constraint: Send + Sync {
     fn set_parameter(&mut self, name: &str, value: f64) -> bool {
         let _ = (name, value);
         false
+    }
+
+    /// What it is, in the words of its documentation: a sentence with its equation, freedoms removed, signs.
+    fn description(&self) -> &str {
+        ""
+    }
+
+    /// Why its parameters make no sense, if so: a mechanism refuses the constraint with these words.
+    fn refusal(&self) -> Option<String> {
+        None
+    }
+
+    /// Where C = 0 holds but not as it is meant, such as an axis turned by 180°: what is wrong. Looked at when a position has been found.
+    fn wrong_branch(&self, at: &At<'_>) -> Option<&str> {
+        let _ = at;
+        None
+    }
+
+    /// Shows each law that the equation asks, with its name and where it is asked; on the dual route that is not known.
+    fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
+        let _ = (at, visit);
     }
 
     /// Where a value or derivative is not finite: the sub-expression that made it so, as the user wrote it.

@@ -1,8 +1,10 @@
 //! A mechanism as it is described: bodies, bare coordinates and named constraints; then built into a [`System`].
 
-mod admission;
+pub(crate) mod admission;
+mod place;
 mod pose;
 
+pub use place::Marker;
 pub use pose::{Pose, SpatialPose, deg, linspace, pose};
 
 use std::collections::HashSet;
@@ -180,7 +182,8 @@ impl Mechanism {
 
     /// Adds a constraint under a name.
     ///
-    /// Errors, all by name: name empty or taken, a parameter that is not finite, a body of another mechanism, the same body or coordinate
+    /// Errors, all by name: name empty or taken, a parameter that is not finite or makes no sense (a length below zero, a zero axis, a table
+    /// that does not increase), a body of another mechanism, the same body or coordinate
     /// twice, an equation left without coordinates because its bodies are the ground.
     pub fn add(&mut self, name: &str, constraint: impl Constraint + 'static) -> Result<ConstraintId> {
         self.add_boxed(name, Box::new(constraint))

@@ -12,7 +12,7 @@ use std::sync::Arc;
 use crate::coordinates::Coordinate;
 use crate::error::{Error, Result};
 use crate::layout::{Layout, Place};
-use crate::newton::{Newton, Outcome};
+use crate::newton::{CrossedBreak, Newton, Outcome};
 use crate::system::System;
 
 /// q, q̇ and q̈ at each time, all finite, and a report of how they were found.
@@ -20,7 +20,7 @@ use crate::system::System;
 pub struct Motion {
     name: String,
     layout: Arc<Layout>,
-    equations: Vec<String>,
+    equations: Arc<[String]>,
     times: Vec<f64>,
     q: Vec<f64>,
     qd: Vec<f64>,
@@ -30,6 +30,7 @@ pub struct Motion {
     /// The largest residual of all times, and its row.
     worst: Option<(f64, usize)>,
     outputs: Vec<Series>,
+    breaks: Vec<CrossedBreak>,
 }
 
 /// One coordinate over time, with its rates.
@@ -49,7 +50,7 @@ impl Motion {
         Motion {
             name: system.name().to_string(),
             layout: system.layout().clone(),
-            equations: system.equation_names(),
+            equations: system.names_of_equations().clone(),
             times: Vec::with_capacity(times),
             q: room(),
             qd: room(),
@@ -58,10 +59,12 @@ impl Motion {
             residuals: Vec::with_capacity(times),
             worst: None,
             outputs: Vec::new(),
+            breaks: Vec::new(),
         }
     }
 
-    pub(crate) fn push(&mut self, t: f64, newton: &Newton<'_>, outcome: Outcome) {
+    pub(crate) fn push(&mut self, t: f64, newton: &Newton<'_>, outcome: Outcome, crossed: Vec<CrossedBreak>) {
+        self.breaks.extend(crossed);
         let worst = if self.is_worse(outcome) { newton.worst().0 } else { 0 };
         self.append(t, [&newton.q, &newton.qd, &newton.qdd], outcome, worst);
     }
@@ -227,6 +230,11 @@ impl Motion {
         &self.outputs
     }
 
+    /// The breaks of laws that were crossed, where a derivative of the motion jumps, in the order of time.
+    pub fn breaks(&self) -> &[CrossedBreak] {
+        &self.breaks
+    }
+
     /// One line: counts, Newton steps a time (the first position apart, which is found from a guess) and the largest residual.
     pub fn summary(&self) -> String {
         let (first, rest) = self.iterations.split_at(1.min(self.iterations.len()));
@@ -234,8 +242,12 @@ impl Motion {
         steps.sort_unstable();
         let usual = steps.get(steps.len() / 2).copied().unwrap_or(0);
         let largest = self.worst.map_or(0.0, |(residual, _)| residual);
+        let breaks = match self.breaks.iter().map(|crossed| crossed.found.order).min() {
+            Some(order) => format!(", {} breaks of laws crossed (derivative {order} jumps)", self.breaks.len()),
+            None => String::new(),
+        };
         format!(
-            "{}: {} coordinates, {} equations, {} times, {usual} Newton step{} a time (worst {}, first position {}), |C| ≤ {largest:.0e}",
+            "{}: {} coordinates, {} equations, {} times, {usual} Newton step{} a time (worst {}, first position {}), |C| ≤ {largest:.0e}{breaks}",
             self.name,
             self.layout.len(),
             self.equations.len(),

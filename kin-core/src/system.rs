@@ -27,9 +27,13 @@ pub struct System {
     name: String,
     layout: Arc<Layout>,
     equations: Equations,
+    /// Names of the equations.
+    rows: Arc<[String]>,
     initial: Vec<f64>,
     preferred: Vec<(usize, f64)>,
     links: Vec<f64>,
+    /// The linear solver with the elimination recorded at the initial guess, if C_q is regular there.
+    linear: Linear,
 }
 
 /// Position, velocity and acceleration at one time.
@@ -56,7 +60,9 @@ impl System {
         preferred: Vec<(usize, f64)>,
         links: Vec<f64>,
     ) -> Self {
-        System { name, layout: Arc::new(layout), equations, initial, preferred, links }
+        let linear = prepared(&layout, &equations, &initial, &links);
+        let rows = (0..equations.rows).map(|row| equations.equation(row)).collect();
+        System { name, layout: Arc::new(layout), equations, rows, initial, preferred, links, linear }
     }
 
     /// Name of the mechanism.
@@ -91,7 +97,11 @@ impl System {
 
     /// Names of the equations in their order: `A.x`, `A.y`; a constraint of one row gives its own name.
     pub fn equation_names(&self) -> Vec<String> {
-        (0..self.equations.rows).map(|row| self.equations.equation(row)).collect()
+        self.rows.to_vec()
+    }
+
+    pub(crate) fn names_of_equations(&self) -> &Arc<[String]> {
+        &self.rows
     }
 
     /// The initial guess of q, preferred values included.   \[m, rad\]
@@ -253,6 +263,13 @@ impl System {
         &self.equations
     }
 
+    /// A linear solver for C_q, with all that never changes in its place.
+    pub(crate) fn linear(&self) -> Linear {
+        let mut linear = self.linear.clone();
+        linear.forget();
+        linear
+    }
+
     pub(crate) fn preferred(&self) -> &[(usize, f64)] {
         &self.preferred
     }
@@ -320,7 +337,7 @@ impl System {
             return redundant::solved(self, q, t, rhs);
         }
         let instant = self.instant(q, t)?;
-        let mut linear = Linear::new(self.n_coordinates(), self.equations.entries.iter().copied(), &self.equations.constants);
+        let mut linear = self.linear();
         self.linearize(&instant, linear.values_mut())?;
         let sizes = scale::sizes(&self.layout, &self.equations, linear.values(), q, &self.links);
         linear.set_sizes(&sizes);
@@ -340,6 +357,22 @@ impl std::fmt::Debug for System {
             .field("constraints", &self.constraint_names())
             .finish()
     }
+}
+
+/// The linear solver, its elimination recorded at the initial guess and t = 0.
+fn prepared(layout: &Layout, equations: &Equations, initial: &[f64], links: &[f64]) -> Linear {
+    let mut linear = Linear::new(layout.len(), equations.entries.iter().copied(), &equations.constants);
+    if equations.rows != layout.len() {
+        return linear;
+    }
+    let mut c = vec![0.0; equations.rows];
+    equations.set_constants(linear.values_mut());
+    equations.linearize(&equations.instant_at(0.0, initial), &mut c, linear.values_mut());
+    if equations.finite(&c, linear.values()).is_ok() {
+        linear.set_sizes(&scale::sizes(layout, equations, linear.values(), initial, links));
+        linear.prepare();
+    }
+    linear
 }
 
 fn time(t: f64) -> Result<f64> {

@@ -968,6 +968,9 @@ const _: () = {
             q_d[2] = -t106;
             q_d[3] = -t107;
         }
+        fn description(&self) -> &str {
+            "A cylindrical joint: the axes are parallel and the line between two of their points is along them.      [–, –, m, m]"
+        }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
             ::kin::rt::Numbers::visit(&self.u_i, "u_i", visit);
             ::kin::rt::Numbers::visit(&self.u_j, "u_j", visit);

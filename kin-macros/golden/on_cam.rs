@@ -346,6 +346,9 @@ const _: () = {
             }
             ::core::option::Option::None
         }
+        fn description(&self) -> &str {
+            "Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]"
+        }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
             ::kin::rt::Numbers::visit(&self.tip, "tip", visit);
             ::kin::rt::Numbers::visit(&self.profile, "profile", visit);
@@ -353,6 +356,48 @@ const _: () = {
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
             ::kin::rt::Numbers::set(&mut self.tip, "tip", name, value)
                 || ::kin::rt::Numbers::set(&mut self.profile, "profile", name, value)
+        }
+        #[cold]
+        fn refusal(&self) -> ::core::option::Option<::std::string::String> {
+            if let ::core::option::Option::Some(why) = ::kin::rt::Refuses::refusal(
+                &self.profile,
+            ) {
+                return ::core::option::Option::Some(
+                    ::std::format!("{}: {why}", "profile"),
+                );
+            }
+            let tip = ::core::clone::Clone::clone(&self.tip);
+            let profile = ::core::clone::Clone::clone(&self.profile);
+            ::core::option::Option::None
+        }
+        fn laws(
+            &self,
+            at: &::kin::rt::At<'_>,
+            visit: &mut dyn FnMut(&str, &::kin::Law, f64),
+        ) {
+            let mut x = [0.0; 1];
+            let ::core::option::Option::Some(
+                &[cam_x,
+                cam_y,
+                _,
+                cam_sin,
+                cam_cos,
+                follower_x,
+                follower_y,
+                _,
+                follower_sin,
+                follower_cos,
+                ],
+            ) = at.states::<10>() else { return };
+            let t0 = (follower_x
+                + ((self.tip.x * follower_cos) - (self.tip.y * follower_sin))) - cam_x;
+            let t1 = (follower_y
+                + ((self.tip.x * follower_sin) + (self.tip.y * follower_cos))) - cam_y;
+            x[0] = f64::atan2(
+                (cam_cos * t1) - (cam_sin * t0),
+                (cam_cos * t0) + (cam_sin * t1),
+            );
+            visit("profile", &self.profile, x[0]);
         }
     }
     impl ::kin::rt::Equation<6, 1> for on_cam {

@@ -205,6 +205,9 @@ const _: () = {
             q_d[1] = -((((self.u_j.x * j_sin) + (self.u_j.y * j_cos)) * t1)
                 - (((self.u_i.x * i_sin) + (self.u_i.y * i_cos)) * t0));
         }
+        fn description(&self) -> &str {
+            "Pin joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      [m]"
+        }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
             ::kin::rt::Numbers::visit(&self.u_i, "u_i", visit);
             ::kin::rt::Numbers::visit(&self.u_j, "u_j", visit);

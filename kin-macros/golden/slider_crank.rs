@@ -249,6 +249,9 @@ const _: () = {
             }
             ::core::option::Option::None
         }
+        fn description(&self) -> &str {
+            "Loop closure of the slider-crank, crank driven at ω.      [m]"
+        }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
             ::kin::rt::Numbers::visit(&self.l2, "l2", visit);
             ::kin::rt::Numbers::visit(&self.l3, "l3", visit);

@@ -243,7 +243,9 @@ impl Solver {
             Solver::Square(linear) => {
                 linear.values_mut().copy_from_slice(&point.values);
                 linear.measure();
-                linear.factor().ok()?;
+                if !linear.factors() {
+                    return None;
+                }
                 linear.rhs_mut().iter_mut().zip(&point.c).for_each(|(rhs, c)| *rhs = -c);
                 linear.solve();
                 Some(linear.solution().iter().zip(sizes).map(|(dq, size)| dq / size).collect())
@@ -251,7 +253,9 @@ impl Solver {
             Solver::Tall(tall) => {
                 let entries = model.equations.entries.iter().zip(&point.values);
                 let values = entries.map(|(entry, value)| entry.map_or(0.0, |(row, column)| value * sizes[column] / norms[row]));
-                tall.factor(values, DAMPING).ok()?;
+                if !tall.factor(values, DAMPING) {
+                    return None;
+                }
                 Some(tall.solve(point.c.iter().zip(norms).map(|(c, norm)| -c / norm)).to_vec())
             }
         }

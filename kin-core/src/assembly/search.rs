@@ -47,7 +47,8 @@ pub(crate) fn search(model: Model<'_>, guess: &[f64], t: f64, active: &dyn Fn(us
 fn better(model: &Model<'_>, new: &Found, known: &Found) -> bool {
     match (new.met, known.met) {
         (true, true) => distance(model, new) < distance(model, known),
-        (false, false) => new.place.merit < known.place.merit,
+        // Where nothing is met the guess is what the user thinks of: another place must be clearly better.
+        (false, false) => new.place.merit < 0.1 * known.place.merit,
         (new, _) => new,
     }
 }

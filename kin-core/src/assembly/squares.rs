@@ -18,6 +18,9 @@ const DAMPING: std::ops::RangeInclusive<f64> = 1e-11..=1e10;
 const ZERO: f64 = 1e-28;
 const SHORT: f64 = 1e-15;
 
+/// Five steps in a row that lower the sum of squares by less than this share have reached the bottom.   \[-\]
+const FLAT: f64 = 1e-9;
+
 /// Σ (w_i C_i / norm_i)² + Σ (h (q_p − v_p) / s_p)², unknowns y_j = dq_j / s_j, and y_n = dt / s_t where time is free too.
 ///
 /// Each step solves \[I, J; Jᵀ, −λ I\] (r, y) = (−c, 0), which is (Jᵀ J + λ I) y = −Jᵀ c without squaring J: among the steps that serve
@@ -75,7 +78,7 @@ impl<'a> Squares<'a> {
     pub(crate) fn minimise(&mut self, from: Place, steps: usize) -> Place {
         let mut here = from;
         self.damping = START;
-        let (begun, mut idle) = (here.steps, 0);
+        let (begun, mut idle, mut flat) = (here.steps, 0, 0);
         while here.steps - begun < steps && here.merit > ZERO && DAMPING.contains(&self.damping) && idle < STEPS {
             let Some((next, length)) = self.step(&here) else {
                 self.damping *= 4.0;
@@ -84,6 +87,7 @@ impl<'a> Squares<'a> {
             };
             if next.merit < here.merit {
                 let falls = next.merit < 0.9 * here.merit;
+                flat = if next.merit < (1.0 - FLAT) * here.merit { 0 } else { flat + 1 };
                 here = next;
                 // Near a place where C is met the damping falls with C itself, so that convergence is quadratic.
                 self.damping = (0.2 * self.damping).min(if falls { here.merit.max(1e-9) } else { f64::INFINITY }).max(*DAMPING.start());
@@ -92,7 +96,7 @@ impl<'a> Squares<'a> {
                 self.damping *= 4.0;
                 idle += 1;
             }
-            if length < SHORT {
+            if length < SHORT || flat == 5 {
                 break;
             }
         }
@@ -102,7 +106,9 @@ impl<'a> Squares<'a> {
     /// One damped step, and its largest share; `None` where there is none or it turns too far.
     fn step(&mut self, here: &Place) -> Option<(Place, f64)> {
         let (jacobian, rhs) = self.rows(here);
-        self.tall.factor(jacobian.iter().copied(), self.damping).ok()?;
+        if !self.tall.factor(jacobian.iter().copied(), self.damping) {
+            return None;
+        }
         let y = self.tall.solve(rhs.into_iter());
         let last = y.last().copied().unwrap_or(0.0);
         let (mut q, mut length) = (here.q.clone(), 0.0_f64);

@@ -159,7 +159,9 @@ fn velocities(examined: &Examined<'_>, c_t: &[f64]) -> Option<Vec<f64>> {
     let mut tall = Tall::new(model.m(), model.n(), &model.equations.entries);
     let scale = |entry: &Option<(usize, usize)>| entry.map_or(0.0, |(row, column)| measures.sizes[column] / measures.norms[row]);
     let values = model.equations.entries.iter().zip(&point.values).map(|(entry, value)| scale(entry) * value);
-    tall.factor(values, 0.0).ok()?;
+    if !tall.factor(values, 0.0) {
+        return None;
+    }
     let y = tall.solve(c_t.iter().zip(&measures.norms).map(|(c_t, norm)| -c_t / norm));
     Some(y.iter().zip(&measures.sizes).map(|(y, size)| y * size).collect())
 }

@@ -101,7 +101,9 @@ pub(crate) fn diagnose(model: Model<'_>, start: Start<'_>, t: f64) -> Result<Dia
     let place = contradiction::place(model, start, t)?;
     let (q, measures) = (&place.q, &place.measures);
     let point = model.linearize(q, t).map_err(|bad| model.not_finite(bad, q, t))?;
-    let orders = Orders::new(&model);
+    // What is open is what is told: at a smallest gap other coefficients are known to fewer digits.
+    let open: Vec<usize> = place.gaps.iter().flat_map(|gap| gap.rows.iter().copied()).collect();
+    let orders = Orders::new(&model).after(&open, &[]);
     let here = ranked(&model, &point.values, measures, &orders);
     let culprit = |row: usize| place.gaps.iter().any(|gap| gap.rows.contains(&row));
     let full = here.rank == model.n().min(model.m());
@@ -112,7 +114,7 @@ pub(crate) fn diagnose(model: Model<'_>, start: Start<'_>, t: f64) -> Result<Dia
         Some(Nearby { ranked: most, .. }) => {
             let rows: Vec<usize> = most.dependent.iter().map(|(row, _)| *row).collect();
             let columns: Vec<usize> = most.free.iter().map(|(column, _)| *column).collect();
-            ranked(&model, &point.values, measures, &orders.after(&rows, &columns))
+            ranked(&model, &point.values, measures, &orders.after(&rows, &columns).after(&open, &[]))
         }
         None => here,
     };

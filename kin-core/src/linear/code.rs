@@ -9,8 +9,8 @@ use super::program::{Kind, Operands, Step};
 /// Up to this many numbers a memory is addressed by bytes, and must have just this length.
 pub(super) const SMALL: usize = 256;
 
-/// Up to 3 products, 2 numbers added and 2 subtracted have opcodes of their own, 36 for each kind of step.
-const SHAPES: usize = 36;
+/// Up to 3 products, 2 numbers added and 2 subtracted have opcodes of their own, and up to 7 products alone: 40 for each kind of step.
+const SHAPES: usize = 40;
 
 /// The opcode of steps with more operands.
 const LONG: u8 = u8::MAX;
@@ -126,14 +126,16 @@ impl Place for u32 {
 pub(super) struct Flat<P> {
     runs: Vec<Run>,
     places: Vec<P>,
+    /// The shape of the step at the end, and of each run of long steps.
+    last: Option<Shape>,
+    long: Vec<Shape>,
 }
 
-/// Steps of one shape that follow one another.
+/// Steps of one shape that follow one another: their opcode, and how many they are.
 #[derive(Clone, Copy, Debug)]
 struct Run {
     opcode: u8,
-    count: usize,
-    shape: Shape,
+    steps: u32,
 }
 
 /// What steps do, and with how many operands.
@@ -153,8 +155,13 @@ impl Shape {
 
     /// Its own opcode, if it is short.
     fn opcode(self) -> u8 {
-        let short = self.products < 4 && self.plus < 3 && self.minus < 3;
-        if short { (self.kind as usize * SHAPES + self.products + 4 * self.plus + 12 * self.minus) as u8 } else { LONG }
+        let Shape { kind, products, plus, minus } = self;
+        let shape = match (products, plus, minus) {
+            (0..4, 0..3, 0..3) => products + 4 * plus + 12 * minus,
+            (4..8, 0, 0) => 32 + products,
+            _ => return LONG,
+        };
+        (kind as usize * SHAPES + shape) as u8
     }
 
     /// The shape that an opcode means.
@@ -166,16 +173,19 @@ impl Shape {
             2 => Kind::Scaled,
             _ => Kind::Pivot,
         };
+        if shape >= 36 {
+            return Shape { kind, products: shape - 32, plus: 0, minus: 0 };
+        }
         Shape { kind, products: shape % 4, plus: shape / 4 % 3, minus: shape / 12 }
     }
 }
 
 /// Runs the copy of the interpreter for an opcode.
 macro_rules! by_opcode {
-    ($run:expr, $places:expr, $memory:expr, $watch:expr; $($opcode:literal)*) => {
+    ($run:expr, $shapes:expr, $places:expr, $memory:expr, $watch:expr; $($opcode:literal)*) => {
         match $run.opcode {
-            $($opcode => short::<P, W, $opcode, { Shape::of($opcode).length() }>($places, $memory, $watch),)*
-            _ => long($run.shape, $places, $memory, $watch),
+            $($opcode => short::<P, W, $opcode, { Shape::of($opcode).length() }>($run.steps, $places, $memory, $watch),)*
+            _ => long($shapes.next().map(|shape| (*shape, $run.steps)), $places, $memory, $watch),
         }
     };
 }
@@ -183,10 +193,11 @@ macro_rules! by_opcode {
 impl<P: Place> Flat<P> {
     fn push(&mut self, step: &Step, Operands { products, plus, minus }: &Operands<'_>) {
         let shape = step.shape();
-        match self.runs.last_mut() {
-            Some(run) if run.shape == shape => run.count += 1,
-            _ => self.runs.push(Run { opcode: shape.opcode(), count: 1, shape }),
+        if self.last.replace(shape) != Some(shape) {
+            self.runs.push(Run { opcode: shape.opcode(), steps: 0 });
+            self.long.extend((shape.opcode() == LONG).then_some(shape));
         }
+        self.runs.last_mut().into_iter().for_each(|run| run.steps += 1);
         let scale = (step.kind == Kind::Scaled).then_some(step.scale);
         let all = [step.out, step.start].into_iter().chain(products.iter().flatten().copied());
         self.places.extend(all.chain(plus.iter().copied()).chain(minus.iter().copied()).chain(scale).map(P::new));
@@ -194,16 +205,14 @@ impl<P: Place> Flat<P> {
 
     #[rustfmt::skip]
     fn run<W: Watch>(&self, memory: &mut P::Memory, watch: &mut W) {
-        let mut places = &self.places[..];
+        let (mut places, mut shapes) = (&self.places[..], self.long.iter());
         for run in &self.runs {
-            let (own, rest) = places.split_at(run.count * run.shape.length());
-            places = rest;
-            by_opcode!(run, own, memory, watch;
-                0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31 32 33 34 35
-                36 37 38 39 40 41 42 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58 59 60 61 62 63 64 65 66 67 68 69 70 71
-                72 73 74 75 76 77 78 79 80 81 82 83 84 85 86 87 88 89 90 91 92 93 94 95 96 97 98 99 100 101 102 103 104 105 106 107
-                108 109 110 111 112 113 114 115 116 117 118 119 120 121 122 123 124 125 126 127 128 129 130 131 132 133 134 135 136
-                137 138 139 140 141 142 143);
+            places = by_opcode!(run, shapes, places, memory, watch;
+                0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31
+                32 33 34 35 36 37 38 39 40 41 42 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58 59 60 61 62 63
+                64 65 66 67 68 69 70 71 72 73 74 75 76 77 78 79 80 81 82 83 84 85 86 87 88 89 90 91 92 93 94 95
+                96 97 98 99 100 101 102 103 104 105 106 107 108 109 110 111 112 113 114 115 116 117 118 119 120 121 122 123 124 125 126 127
+                128 129 130 131 132 133 134 135 136 137 138 139 140 141 142 143 144 145 146 147 148 149 150 151 152 153 154 155 156 157 158 159);
         }
     }
 }
@@ -239,16 +248,29 @@ impl Watch for Weighing<'_> {
     }
 }
 
-/// Steps whose shape is known when the interpreter is compiled.
+/// Steps whose shape is known when the interpreter is compiled; gives the places of the steps after them.
 #[inline(always)]
-fn short<P: Place, W: Watch, const OPCODE: u8, const LENGTH: usize>(places: &[P], memory: &mut P::Memory, watch: &mut W) {
-    let (steps, _) = places.as_chunks::<LENGTH>();
-    steps.iter().for_each(|own| compute(const { Shape::of(OPCODE) }, own, memory, watch));
+fn short<'a, P: Place, W: Watch, const OPCODE: u8, const LENGTH: usize>(
+    steps: u32,
+    mut places: &'a [P],
+    memory: &mut P::Memory,
+    watch: &mut W,
+) -> &'a [P] {
+    // Runs are mostly short: a loop that counts its places first (`chunks_exact`) is unrolled, which costs more than it saves.
+    for _ in 0..steps {
+        let Some((own, rest)) = places.split_first_chunk::<LENGTH>() else { break };
+        compute(const { Shape::of(OPCODE) }, own, memory, watch);
+        places = rest;
+    }
+    places
 }
 
 #[inline(never)]
-fn long<P: Place, W: Watch>(shape: Shape, places: &[P], memory: &mut P::Memory, watch: &mut W) {
-    places.chunks_exact(shape.length()).for_each(|own| compute(shape, own, memory, watch));
+fn long<'a, P: Place, W: Watch>(run: Option<(Shape, u32)>, places: &'a [P], memory: &mut P::Memory, watch: &mut W) -> &'a [P] {
+    let Some((shape, steps)) = run else { return places };
+    let (own, rest) = places.split_at(shape.length() * steps as usize);
+    own.chunks_exact(shape.length()).for_each(|own| compute(shape, own, memory, watch));
+    rest
 }
 
 /// One step; `places` are its own.
@@ -257,11 +279,13 @@ fn compute<P: Place, W: Watch>(shape: Shape, places: &[P], memory: &mut P::Memor
     let Shape { kind, products, plus, minus } = shape;
     let (factors, terms) = places[2..].split_at(2 * products);
     let start = places[1].get(memory);
-    let mut x = if kind == Kind::Negated { -start } else { start };
-    for pair in factors.chunks_exact(2) {
-        let (a, b) = (pair[0].get(memory), pair[1].get(memory));
-        x = if kind == Kind::Negated { sum(x, a, b) } else { sum(x, -a, b) };
+    // Two sums side by side: one alone would wait for each product to be added before the next.
+    let mut sums = [if kind == Kind::Negated { -start } else { start }, 0.0];
+    for (k, pair) in factors.chunks_exact(2).enumerate() {
+        let (a, b, turn) = (pair[0].get(memory), pair[1].get(memory), usize::from(products > 2 && k % 2 == 1));
+        sums[turn] = if kind == Kind::Negated { sum(sums[turn], a, b) } else { sum(sums[turn], -a, b) };
     }
+    let mut x = if products > 2 { sums[0] + sums[1] } else { sums[0] };
     terms[..plus].iter().for_each(|k| x += k.get(memory));
     terms[plus..plus + minus].iter().for_each(|k| x -= k.get(memory));
     if kind == Kind::Scaled {

@@ -9,7 +9,7 @@ use std::collections::HashMap;
 
 use super::active::{Active, NONE, Side};
 use super::cells::{PLUS, Term};
-use super::code::{SMALL, Seen};
+use super::code::SMALL;
 use super::program::Program;
 use super::{SINGULAR, solving};
 
@@ -42,14 +42,12 @@ pub(super) struct Places {
 }
 
 /// A recorded elimination.
-#[derive(Clone, Default)]
+#[derive(Default)]
 pub(super) struct Recording {
     pub factor: Program,
     pub solve: Program,
-    /// What makes each number that is factored one of order 1, and each pivot a share of its row and column.
+    /// What made each number that is factored one of order 1 when it was recorded, in the order of the code.
     pub weights: Vec<f64>,
-    /// What was seen when it was last factored.
-    pub seen: Seen,
     /// Step, row and column of each pivot that is no constant.
     pub watched: Vec<(u32, u32, u32)>,
     /// Row, column and value of the other pivots.

@@ -190,7 +190,9 @@ impl<'a> Driver<'a> {
         let Measures { sizes, norms, .. } = &self.measures;
         let entries = self.model.equations.entries.iter().zip(&point.values);
         let values = entries.map(|(entry, value)| entry.map_or(0.0, |(row, column)| value * sizes[column] / norms[row]));
-        self.tall.factor(values, 0.0).ok()?;
+        if !self.tall.factor(values, 0.0) {
+            return None;
+        }
         Some(point)
     }
 

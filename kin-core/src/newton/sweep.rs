@@ -1,6 +1,7 @@
 //! The sweep: from one time to the next with prediction, in smaller steps of time where that is needed.
 
 use super::predictor::{Last, Predictor};
+use super::watch::Watch;
 use super::{Failure, Newton, Options, Outcome, Steps, assembly, redundant};
 use crate::error::{Error, Result};
 use crate::motion::Motion;
@@ -17,14 +18,18 @@ pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<M
         return redundant::run(system, times, options);
     }
     let mut motion = Motion::new(system, times.len());
-    let mut sweep = Sweep::new(system, options);
+    let (mut sweep, mut watch) = (Sweep::new(system, options), Watch::default());
     for &t in times {
-        match sweep.reach(t) {
-            Ok(outcome) => motion.push(t, &sweep.newton, outcome),
+        let reached = sweep.reach(t).and_then(|outcome| Ok((outcome, watch.look(&sweep.newton, t)?)));
+        match reached {
+            Ok((outcome, crossed)) => motion.push(t, &sweep.newton, outcome, crossed),
             Err(error) => return Err(error.with_motion(motion).explained(system)),
         }
     }
-    Ok(motion)
+    match sweep.newton.meant() {
+        Ok(()) => Ok(motion),
+        Err(error) => Err(error.with_motion(motion)),
+    }
 }
 
 /// Times must be finite and strictly increasing or strictly decreasing.

@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::{functions, rewrite, template, written};
+use super::{demands, functions, rewrite, template, written};
 use crate::differentiate::Derivatives;
 use crate::lower::Lowered;
 use crate::parse::{Argument, ConstraintFn, Kind, Shape};
@@ -58,6 +58,9 @@ impl<'a> Frame<'a> {
         let (visit, set) = super::parameter_methods(&source.arguments);
         let kinds = source.arguments.iter().flat_map(kinds);
         let is_driver = is_driver(source);
+        let description = super::description(&source.attributes);
+        let (refusal, branch) = (demands::refusal(source), demands::branch(source));
+        let laws = lowered.map(|lowered| functions::laws(&source.arguments, lowered)).unwrap_or_default();
         quote! {
             #declaration
 
@@ -83,8 +86,14 @@ impl<'a> Frame<'a> {
                         &[#(#pattern),*]
                     }
                     #kernels
+                    fn description(&self) -> &str {
+                        #description
+                    }
                     #visit
                     #set
+                    #refusal
+                    #branch
+                    #laws
                 }
                 impl ::kin::rt::Equation<#n, #m> for #name {
                     const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[#(#kinds),*];
@@ -104,14 +113,14 @@ impl<'a> Frame<'a> {
         let inputs = fields.iter().map(|argument| {
             let (name, ty) = (&argument.name, super::field_type(argument));
             match argument.kind {
-                Kind::Planar | Kind::Spatial | Kind::Coord => quote!(#name: impl ::core::convert::Into<#ty>),
+                Kind::Planar | Kind::Spatial | Kind::Coord | Kind::Axis => quote!(#name: impl ::core::convert::Into<#ty>),
                 _ => quote!(#name: #ty),
             }
         });
         let values = fields.iter().map(|argument| {
             let name = &argument.name;
             match argument.kind {
-                Kind::Planar | Kind::Spatial | Kind::Coord => quote!(#name: ::core::convert::Into::into(#name)),
+                Kind::Planar | Kind::Spatial | Kind::Coord | Kind::Axis => quote!(#name: ::core::convert::Into::into(#name)),
                 _ => quote!(#name),
             }
         });
@@ -220,7 +229,7 @@ fn written_inputs(arguments: &[Argument], q: &Ident, t: &Ident) -> Vec<TokenStre
             Kind::Coord => quote!(#(#q[#columns])*),
             Kind::Coords(_) => quote!([#(#q[#columns]),*]),
             Kind::Time => quote!(#t),
-            Kind::Numbers(_) => quote!(self.#name),
+            Kind::Numbers(_) | Kind::Axis => quote!(self.#name),
             Kind::Law | Kind::Other => quote!(self.#name.clone()),
         }
     });

@@ -6,7 +6,7 @@ use quote::quote;
 use super::kernel::{Code, Kernel};
 use super::timed;
 use crate::differentiate::Derivatives;
-use crate::graph::{Graph, Node};
+use crate::graph::{Graph, Node, Op};
 use crate::lower::Lowered;
 use crate::parse::Argument;
 
@@ -136,6 +136,45 @@ fn not_finite(lowered: &Lowered, arguments: &[Argument], checks: &[(String, Vec<
         fn not_finite(&self, at: &::kin::rt::At<'_>) -> ::core::option::Option<&str> {
             #code
             ::core::option::Option::None
+        }
+    }
+}
+
+/// `laws`: each law that the equation asks, and where; nothing where there is none.
+pub fn laws(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
+    let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
+    let mut asked: Vec<(usize, Node)> = Vec::new();
+    for node in lowered.graph.reachable(&rows) {
+        if let Op::Law(law, x, _) = lowered.graph.op(node)
+            && !asked.contains(&(law, x))
+        {
+            asked.push((law, x));
+        }
+    }
+    if asked.is_empty() {
+        return quote!();
+    }
+    let outputs: Vec<_> = asked
+        .iter()
+        .enumerate()
+        .map(|(k, (_, x))| {
+            let k = literal(k);
+            (quote!(x[#k]), *x)
+        })
+        .collect();
+    let code = Kernel::emit(lowered, arguments, &[], &outputs).tokens;
+    let shown = asked.iter().enumerate().map(|(k, (law, _))| {
+        let (k, place) = (literal(k), super::template::place(&lowered.laws[*law]));
+        let name = crate::lower::tidy(&place.to_string()).replace(' ', "");
+        let name = name.trim_start_matches("self.");
+        quote!(visit(#name, &#place, x[#k]);)
+    });
+    let n = literal(asked.len());
+    quote! {
+        fn laws(&self, at: &::kin::rt::At<'_>, visit: &mut dyn FnMut(&str, &::kin::Law, f64)) {
+            let mut x = [0.0; #n];
+            #code
+            #(#shown)*
         }
     }
 }

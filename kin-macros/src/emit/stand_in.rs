@@ -14,7 +14,7 @@ pub fn constraint(source: &ConstraintFn) -> TokenStream {
         .map(|argument| {
             let ty = super::field_type(argument);
             match argument.kind {
-                Kind::Planar | Kind::Spatial | Kind::Coord => quote!(impl ::core::convert::Into<#ty>),
+                Kind::Planar | Kind::Spatial | Kind::Coord | Kind::Axis => quote!(impl ::core::convert::Into<#ty>),
                 Kind::Other => anything(),
                 _ => ty,
             }

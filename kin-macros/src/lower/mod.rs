@@ -206,12 +206,22 @@ impl Reader {
                 Kind::Coords(n) => Value::Array((0..*n).map(|k| self.coordinate(slot + k)).collect()),
                 Kind::Time => Value::Scalar(self.graph.input(Input::Time)),
                 Kind::Law => Value::Law(Template::Parameter(name.clone())),
+                Kind::Axis => self.axis(name),
                 Kind::Numbers(shape) => self.parameter(&quote!(self.#name), shape),
                 Kind::Other => Value::Opaque(Template::Parameter(name.clone())),
             };
             self.scopes.declare(name.to_string(), value);
             slot += argument.kind.slots();
         }
+    }
+
+    /// The unit vectors of an axis.
+    fn axis(&mut self, name: &Ident) -> Value {
+        let fields = [quote!(h), quote!(f), quote!(g)];
+        Value::Axis(fields.map(|field| match self.parameter(&quote!(self.#name.#field), &Shape::Vector(3)) {
+            Value::Vector(v) => v,
+            _ => vec![],
+        }))
     }
 
     /// A numeric parameter: one input a number, read where `path` says.
