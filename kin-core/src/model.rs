@@ -98,9 +98,27 @@ impl Model<'_> {
             }
         }
         norms.iter_mut().filter(|norm| **norm == 0.0).for_each(|norm| *norm = 1.0);
+        self.share_among_components(&mut norms);
         let c_t = self.c_t(q, t).unwrap_or_default();
         let fastest = c_t.iter().zip(&norms).fold(0.0_f64, |m, (c_t, norm)| m.max((c_t / norm).abs()));
         Measures { sizes, norms, time: if fastest > 0.0 { fastest.recip() } else { 1.0 } }
+    }
+
+    /// The components of one vector get one norm: lengths of vectors do not depend on the axes.
+    fn share_among_components(&self, norms: &mut [f64]) {
+        for block in &self.equations.blocks {
+            let (rows, first) = (block.constraint.rows(), block.rows().start);
+            let vector = |row: &&str| match row.rsplit_once('.') {
+                Some((vector, "x" | "y" | "z")) => Some(vector.to_string()),
+                None if matches!(*row, "x" | "y" | "z") => Some(String::new()),
+                _ => None,
+            };
+            let vectors: Vec<Option<String>> = rows.iter().map(|row| vector(&row)).collect();
+            for k in (0..rows.len()).filter(|k| vectors[*k].is_some()) {
+                let same = (0..rows.len()).filter(|j| vectors[*j] == vectors[k]);
+                norms[first + k] = same.fold(0.0, |m, j| m.max(norms[first + j]));
+            }
+        }
     }
 
     fn raise(&self, norms: &mut [f64], values: &[f64], sizes: &[f64]) {

@@ -36,7 +36,7 @@ fn every_plan_has_its_verdict() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 24, max_shrink_iters: 8, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 16, max_shrink_iters: 8, ..ProptestConfig::default() })]
 
     #[test]
     fn verdict_is_the_same_in_other_units_orders_and_places(

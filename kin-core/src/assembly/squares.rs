@@ -18,8 +18,8 @@ const DAMPING: std::ops::RangeInclusive<f64> = 1e-11..=1e10;
 const ZERO: f64 = 1e-28;
 const SHORT: f64 = 1e-15;
 
-/// Five steps in a row that lower the sum of squares by less than this share have reached the bottom.   \[-\]
-const FLAT: f64 = 1e-9;
+/// Five hardly damped steps in a row that lower the sum of squares by less than this share have reached the bottom.   \[-\]
+const FLAT: f64 = 1e-11;
 
 /// Σ (w_i C_i / norm_i)² + Σ (h (q_p − v_p) / s_p)², unknowns y_j = dq_j / s_j, and y_n = dt / s_t where time is free too.
 ///
@@ -87,7 +87,7 @@ impl<'a> Squares<'a> {
             };
             if next.merit < here.merit {
                 let falls = next.merit < 0.9 * here.merit;
-                flat = if next.merit < (1.0 - FLAT) * here.merit { 0 } else { flat + 1 };
+                flat = if next.merit < (1.0 - FLAT) * here.merit || self.damping > 1e-8 { 0 } else { flat + 1 };
                 here = next;
                 // Near a place where C is met the damping falls with C itself, so that convergence is quadratic.
                 self.damping = (0.2 * self.damping).min(if falls { here.merit.max(1e-9) } else { f64::INFINITY }).max(*DAMPING.start());
