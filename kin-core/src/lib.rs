@@ -23,6 +23,7 @@ pub mod real;
 #[doc(hidden)]
 pub mod rt;
 pub mod state;
+pub mod sweep;
 pub mod system;
 pub mod terms;
 #[cfg(test)]
@@ -43,5 +44,6 @@ pub use nalgebra;
 pub use newton::{Options, Report, Stop};
 pub use num_dual;
 pub use real::{Dual, Real};
+pub use sweep::Sweep;
 pub use system::{Solution, System};
 pub use terms::{Terms, dual_terms, terms};

@@ -18,9 +18,9 @@ use crate::system::System;
 /// q, q̇ and q̈ at each time, all finite, and a report of how they were found.
 #[derive(Clone)]
 pub struct Motion {
-    name: String,
+    name: Arc<str>,
     layout: Arc<Layout>,
-    equations: Vec<String>,
+    equations: Arc<[String]>,
     times: Vec<f64>,
     q: Vec<f64>,
     qd: Vec<f64>,
@@ -46,10 +46,11 @@ pub struct CoordinateMotion {
 impl Motion {
     pub(crate) fn new(system: &System, times: usize) -> Self {
         let room = || Vec::with_capacity(times.saturating_mul(system.n_coordinates()));
+        let (name, equations) = system.names();
         Motion {
-            name: system.name().to_string(),
+            name: name.clone(),
             layout: system.layout().clone(),
-            equations: system.equation_names(),
+            equations: equations.clone(),
             times: Vec::with_capacity(times),
             q: room(),
             qd: room(),
@@ -157,7 +158,7 @@ impl Motion {
                 Ok(CoordinateMotion { value: constant("", value), rate: constant("'", 0.0), second_rate: constant("''", 0.0) })
             }
             None => {
-                let (mechanism, place, argument) = (self.name.clone(), "coordinate".to_string(), "coordinate".to_string());
+                let (mechanism, place, argument) = (self.name.to_string(), "coordinate".to_string(), "coordinate".to_string());
                 Err(Error::ForeignBody { mechanism, place, argument })
             }
         }

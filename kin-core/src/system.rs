@@ -1,7 +1,7 @@
 //! A mechanism made ready for solving: fixed order of coordinates and equations, fixed pattern of C_q.
 
 pub(crate) mod evaluate;
-mod parameters;
+pub(crate) mod parameters;
 pub(crate) mod scale;
 
 use std::sync::Arc;
@@ -12,20 +12,24 @@ use crate::error::{Error, Result};
 use crate::layout::Layout;
 use crate::linear::{Linear, Singular};
 use crate::motion::Motion;
-use crate::newton::{Newton, Options, Report, Steps, assembly, sweep};
+use crate::newton::{self, Newton, Options, Report, Steps, assembly};
+use crate::sweep::Sweep;
 use evaluate::{Bad, Equations};
 
 /// A square system C(q, t) = 0 of n equations in n coordinates; built by [`crate::Mechanism::build`].
 ///
 /// Coordinates come in the order in which bodies and bare coordinates were declared, equations in the order in which constraints were
 /// added, the norm constraints |p|² = 1 of spatial bodies (named `BODY.p`) after them.
+#[derive(Clone)]
 pub struct System {
-    name: String,
+    name: Arc<str>,
     layout: Arc<Layout>,
     equations: Equations,
     initial: Vec<f64>,
     preferred: Vec<(usize, f64)>,
     links: Vec<f64>,
+    /// Names of the equations.
+    rows: Arc<[String]>,
 }
 
 /// Position, velocity and acceleration at one time.
@@ -52,7 +56,8 @@ impl System {
         preferred: Vec<(usize, f64)>,
         links: Vec<f64>,
     ) -> Self {
-        System { name, layout: Arc::new(layout), equations, initial, preferred, links }
+        let rows = (0..equations.rows).map(|row| equations.equation(row)).collect();
+        System { name: name.into(), layout: Arc::new(layout), equations, initial, preferred, links, rows }
     }
 
     /// Name of the mechanism.
@@ -87,7 +92,7 @@ impl System {
 
     /// Names of the equations in their order: `A.x`, `A.y`; a constraint of one row gives its own name.
     pub fn equation_names(&self) -> Vec<String> {
-        (0..self.equations.rows).map(|row| self.equations.equation(row)).collect()
+        self.rows.to_vec()
     }
 
     /// The initial guess of q, preferred values included.   \[m, rad\]
@@ -184,12 +189,25 @@ impl System {
     ///
     /// Errors: no convergence, singular, not finite; each carries the motion up to it ([`Error::motion`]).
     pub fn run(&self, times: impl AsRef<[f64]>) -> Result<Motion> {
-        sweep::run(self, times.as_ref(), &Options::default())
+        newton::sweep::run(self, times.as_ref(), &Options::default())
     }
 
     /// The same with other options.
     pub fn run_with(&self, times: impl AsRef<[f64]>, options: &Options) -> Result<Motion> {
-        sweep::run(self, times.as_ref(), options)
+        newton::sweep::run(self, times.as_ref(), options)
+    }
+
+    /// Many cases of this system: in each of them the named parameters (such as `A.u_i.x`) and initial values (such as `rocker.theta`) are
+    /// others. See [`Sweep`].
+    ///
+    /// Errors: a name that is neither a parameter nor a coordinate.
+    pub fn sweep(&self, names: impl IntoIterator<Item = impl AsRef<str>>) -> Result<Sweep<'_>> {
+        Sweep::new(self, names)
+    }
+
+    /// The name and the names of the equations, for those who share them.
+    pub(crate) fn names(&self) -> (&Arc<str>, &Arc<[String]>) {
+        (&self.name, &self.rows)
     }
 
     pub(crate) fn layout(&self) -> &Arc<Layout> {

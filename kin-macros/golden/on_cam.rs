@@ -354,6 +354,10 @@ const _: () = {
             ::kin::rt::Numbers::set(&mut self.tip, "tip", name, value)
                 || ::kin::rt::Numbers::set(&mut self.profile, "profile", name, value)
         }
+        fn set_parameter_at(&mut self, mut index: usize, value: f64) -> bool {
+            ::kin::rt::Numbers::set_at(&mut self.tip, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.profile, &mut index, value)
+        }
     }
     impl ::kin::rt::Equation<6, 1> for on_cam {
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[

@@ -213,6 +213,10 @@ const _: () = {
             ::kin::rt::Numbers::set(&mut self.u_i, "u_i", name, value)
                 || ::kin::rt::Numbers::set(&mut self.u_j, "u_j", name, value)
         }
+        fn set_parameter_at(&mut self, mut index: usize, value: f64) -> bool {
+            ::kin::rt::Numbers::set_at(&mut self.u_i, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.u_j, &mut index, value)
+        }
     }
     impl ::kin::rt::Equation<6, 2> for revolute {
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[

@@ -10,6 +10,7 @@ use crate::layout::{Layout, Place};
 use crate::state::{At, CoordState, PlanarState, Rates, SpatialState};
 
 /// One constraint in a system.
+#[derive(Clone)]
 pub(crate) struct Block {
     pub name: String,
     pub constraint: Box<dyn Constraint>,
@@ -175,6 +176,7 @@ pub(crate) struct Bad {
 }
 
 /// All constraints of a system, and where they write.
+#[derive(Clone)]
 pub(crate) struct Equations {
     pub blocks: Vec<Block>,
     pub plan: StatePlan,

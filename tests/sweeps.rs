@@ -1,0 +1,134 @@
+//! Sweeps over many cases: a status each, the same results on any number of threads, mistakes by name, progress.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use kin::prelude::*;
+use kin::{Error, Options};
+
+/// A four-bar with links of lengths a, b, c and ground pins d apart, the crank at θ = t.
+fn four_bar([a, b, c, d]: [f64; 4]) -> System {
+    let mut m = Mechanism::new("four-bar");
+    let (crank, coupler, rocker) = (m.link("crank", a).unwrap(), m.link("coupler", b).unwrap(), m.link("rocker", c).unwrap());
+    m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
+    m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).unwrap();
+    m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).unwrap();
+    m.add("C", revolute(m.ground(), rocker, vec2(d, 0.0), rocker.start())).unwrap();
+    m.add("motor", drive_angle(crank, Law::ramp(1.0))).unwrap();
+    m.prefer(rocker, deg(100.0));
+    m.build().unwrap()
+}
+
+const NAMES: [&str; 8] = ["O.u_j.x", "A.u_i.x", "A.u_j.x", "B.u_i.x", "B.u_j.x", "C.u_j.x", "C.u_i.x", "rocker.theta"];
+
+/// The numbers of one four-bar under those names.
+fn case([a, b, c, d]: [f64; 4]) -> [f64; 8] {
+    let (a, b, c) = (0.5 * a, 0.5 * b, 0.5 * c);
+    [-a, a, -b, b, c, -c, d, deg(100.0)]
+}
+
+/// Four-bars whose crank turns all the way round.
+fn links(count: usize) -> Vec<[f64; 4]> {
+    let part = |k: usize, step: f64| (k as f64 * step).fract();
+    (0..count).map(|k| [0.5 + 0.4 * part(k, 0.618), 3.0 + part(k, 0.414), 2.7 + part(k, 0.732), 3.5 + part(k, 0.236)]).collect()
+}
+
+fn times() -> Vec<f64> {
+    linspace(0.0, TAU, 91)
+}
+
+/// All numbers of a motion.
+fn numbers(motion: &Motion) -> Vec<f64> {
+    (0..motion.len()).flat_map(|k| [motion.q(k), motion.qd(k), motion.qdd(k)].concat()).collect()
+}
+
+#[test]
+fn each_case_is_what_its_own_mechanism_does() {
+    let links = links(11);
+    let cases: Vec<[f64; 8]> = links.iter().copied().map(case).collect();
+    let swept = four_bar([1.0, 3.5, 3.0, 4.0]).sweep(NAMES).unwrap().run(&cases, times(), |_, motion| motion.unwrap()).unwrap();
+    for (swept, links) in swept.iter().zip(links) {
+        let own = four_bar(links).run(times()).unwrap();
+        assert_eq!(swept.len(), own.len());
+        let far = numbers(swept).iter().zip(numbers(&own)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(far < 1e-9, "{links:?}: {far}");
+    }
+}
+
+#[test]
+fn a_case_that_fails_has_its_error_and_what_was_computed_before() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    // The third one's crank is too long to turn round: it locks when crank and coupler are in line.
+    let (mut links, locked) = (links(12), 2);
+    links[locked] = [2.0, 2.5, 2.2, 4.0];
+    let cases: Vec<[f64; 8]> = links.iter().copied().map(case).collect();
+    let status = system.sweep(NAMES).unwrap().run(&cases, times(), |k, motion| (k, motion.map(|motion| motion.len()))).unwrap();
+    assert!(status.iter().map(|(k, _)| *k).eq(0..12));
+    for (k, found) in &status {
+        match found {
+            Ok(count) => assert!(*k != locked && *count == 91),
+            Err(error) => {
+                assert_eq!(*k, locked, "{error}");
+                let before = error.motion().unwrap();
+                assert!(before.len() > 3 && before.len() < 91, "{}", before.len());
+                let own = four_bar(links[locked]).run(times()).unwrap_err();
+                assert_eq!(own.motion().unwrap().len(), before.len());
+            }
+        }
+    }
+}
+
+#[test]
+fn results_do_not_depend_on_the_number_of_threads() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    let cases: Vec<[f64; 8]> = links(37).into_iter().map(case).collect();
+    let run = |threads| {
+        let sweep = system.sweep(NAMES).unwrap().threads(threads);
+        sweep.run(&cases, times(), |_, motion| numbers(&motion.unwrap())).unwrap()
+    };
+    assert_eq!(run(1), run(2));
+}
+
+#[test]
+fn mistakes_are_told_by_name_before_anything_is_computed() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    let error = system.sweep(["A.u_i.x", "A.length"]).map(|_| ()).unwrap_err().to_string();
+    assert!(error.contains("`A.length`") && error.contains("`A.u_j.x`"), "{error}");
+    let none = |_: usize, _: kin::Result<Motion>| panic!("nothing is run");
+    let run = |cases: &[Vec<f64>], times: &[f64]| system.sweep(["A.u_i.x", "rocker.theta"]).unwrap().run(cases, times, none).unwrap_err();
+    let good = vec![0.5, 1.0];
+    let error = run(&[good.clone(), vec![0.5, f64::NAN]], &[0.0]).to_string();
+    assert!(error.contains("case 1") && error.contains("`rocker.theta` is NaN"), "{error}");
+    let error = run(&[good.clone(), vec![0.5]], &[0.0]).to_string();
+    assert!(error.contains("case 1") && error.contains("2 needed"), "{error}");
+    assert!(matches!(run(std::slice::from_ref(&good), &[0.0, 0.0]), Error::InvalidTimes { .. }));
+    let sweep = system.sweep(NAMES).unwrap().options(Options { stop: kin::Stop::ResidualOnly(-1.0), ..Options::default() });
+    assert!(matches!(sweep.run(&[case([1.0, 3.5, 3.0, 4.0])], [0.0], none), Err(Error::InvalidOptions { .. })));
+}
+
+#[test]
+fn progress_counts_up_to_all() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    let cases: Vec<[f64; 8]> = links(50).into_iter().map(case).collect();
+    let mut told = Vec::new();
+    let sweep = system.sweep(NAMES).unwrap().progress(|done, all| told.push((done, all)));
+    sweep.run(&cases, [0.0, 0.1], |_, _| ()).unwrap();
+    drop(sweep);
+    assert_eq!((told[0], told[told.len() - 1]), ((0, 50), (50, 50)));
+    assert!(told.len() > 5 && told.windows(2).all(|pair| pair[0].0 < pair[1].0));
+}
+
+#[test]
+fn a_sweep_can_be_stopped() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    let cases: Vec<[f64; 8]> = links(400).into_iter().map(case).collect();
+    let stop = AtomicBool::new(false);
+    let sweep = system.sweep(NAMES).unwrap().threads(1).stop_when(&stop).progress(|done, _| stop.store(done >= 16, Ordering::Relaxed));
+    let stopped = sweep.run(&cases, [0.0, 0.1], |_, _| ());
+    assert!(matches!(stopped, Err(Error::Stopped { done: 16, cases: 400 })), "{stopped:?}");
+}
+
+#[test]
+fn no_case_at_all_is_a_sweep_too() {
+    let none: [[f64; 8]; 0] = [];
+    assert!(four_bar([1.0, 3.5, 3.0, 4.0]).sweep(NAMES).unwrap().run(&none, times(), |_, _| ()).unwrap().is_empty());
+}
