@@ -95,6 +95,17 @@ pub trait Constraint: CloneBoxed + Send + Sync {
         Dependence::default()
     }
 
+    /// How many numbers that depend on t and parameters alone (a law's value and slopes, sin ω t) it wants to find in [`At::timed`];
+    /// default none.
+    fn n_timed(&self) -> usize {
+        0
+    }
+
+    /// These numbers at time t into `timed`; asked for once a time, before anything else.
+    fn at_time(&self, t: f64, timed: &mut [f64]) {
+        let _ = (t, timed);
+    }
+
     /// C(q, t) into `c` (length m).
     fn residual(&self, at: &At<'_>, c: &mut [f64]);
 

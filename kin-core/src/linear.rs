@@ -1,6 +1,6 @@
 //! The linear solver: a square matrix of fixed pattern comes in as values, solutions go out. Nothing else of Kin eliminates.
 //!
-//! The elimination is recorded once, at real numbers, and then replayed as a flat program ([`program`]) on one memory: values, right side
+//! The elimination is recorded once, at real numbers, and then replayed as flat code ([`code`]) on one memory: values, right side
 //! and solution stand in it, so constraints write straight into it. Each pivot is measured by the largest entries that its row and its
 //! column have had so far, lengths in units of the model's own length: so the verdict "singular" does not depend on units (mm, m or km),
 //! and a row that fades on the way to a toggle is seen to fade. A replay is watched: where pivots fade or multipliers grow, the elimination
@@ -8,6 +8,7 @@
 
 mod active;
 mod cells;
+mod code;
 mod condition;
 mod diagnosis;
 mod program;
@@ -210,7 +211,7 @@ impl Linear {
     pub(crate) fn solve(&mut self) {
         let Some(recording) = &self.recording else { return };
         recording.solve.run(&mut self.memory);
-        if recording.watch.cell > REFINED {
+        if recording.seen.cell > REFINED {
             self.refine();
         }
     }
@@ -243,15 +244,14 @@ impl Linear {
             self.tell_watch();
         }
         let Some(recording) = &mut self.recording else { return };
-        recording.factor.run_watched(&mut self.memory, &mut recording.watch);
-        let watch = &recording.watch;
-        self.smallest = if watch.smallest >= self.smallest_constant { self.smallest_constant } else { watch.smallest };
+        recording.seen = recording.factor.run_watched(&mut self.memory, &recording.weights);
+        self.smallest = if recording.seen.smallest >= self.smallest_constant { self.smallest_constant } else { recording.seen.smallest };
         self.best = self.best.max(self.smallest);
     }
 
     /// Whether the last replay can be trusted as the recording could.
     fn fits(&self) -> bool {
-        let growth = self.recording.as_ref().map_or(f64::INFINITY, |recording| recording.watch.multiplier);
+        let growth = self.recording.as_ref().map_or(f64::INFINITY, |recording| recording.seen.multiplier);
         let faded = self.best * if self.smallest < SUSPICIOUS { 0.5 } else { FADED };
         growth <= GROWTH && self.smallest > SINGULAR && self.smallest >= faded
     }
@@ -261,8 +261,9 @@ impl Linear {
         self.told = true;
         let Some(recording) = &mut self.recording else { return };
         let unit = |row: u32, column: u32| self.row_units[row as usize] * self.column_units[column as usize];
-        recording.watch.units.clear();
-        recording.watch.units.extend(recording.watched.iter().map(|&(row, column)| unit(row, column)));
+        for &(step, row, column) in &recording.watched {
+            recording.weights[step as usize] = unit(row, column);
+        }
         let constant = recording.constant.iter().map(|&(row, column, value)| value.abs() * unit(row, column));
         self.smallest_constant = constant.fold(f64::INFINITY, f64::min);
     }

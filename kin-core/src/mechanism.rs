@@ -311,9 +311,9 @@ fn not_square(mechanism: String, layout: &Layout, equations: &Equations, guess: 
 /// the guess itself may be a special pose, such as all zeros.
 fn freedoms(layout: &Layout, equations: &Equations, guess: &[f64]) -> (Vec<String>, Vec<String>) {
     let q: Vec<f64> = guess.iter().enumerate().map(|(k, x)| x + 0.3 * (1.0 + 1.7 * k as f64).sin()).collect();
-    let (mut states, mut c, mut values) = (equations.plan.states(), vec![0.0; equations.rows], vec![0.0; equations.entries.len()]);
-    equations.plan.set_states(&q, &mut states);
-    equations.linearize(0.0, &states, &mut c, &mut values);
+    let (mut c, mut values) = (vec![0.0; equations.rows], vec![0.0; equations.entries.len()]);
+    equations.set_constants(&mut values);
+    equations.linearize(&equations.instant_at(0.0, &q), &mut c, &mut values);
     let entries: Vec<(usize, usize, f64)> =
         equations.entries.iter().zip(&values).filter_map(|(entry, value)| entry.map(|(row, column)| (row, column, *value))).collect();
     let Some(found) = crate::linear::of_rectangle(equations.rows, layout.len(), &entries) else { return (vec![], vec![]) };

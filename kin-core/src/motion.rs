@@ -12,7 +12,7 @@ use std::sync::Arc;
 use crate::coordinates::Coordinate;
 use crate::error::{Error, Result};
 use crate::layout::{Layout, Place};
-use crate::newton::Outcome;
+use crate::newton::{Newton, Outcome};
 use crate::system::System;
 
 /// q, q̇ and q̈ at each time, all finite, and a report of how they were found.
@@ -62,14 +62,14 @@ impl Motion {
         }
     }
 
-    pub(crate) fn push(&mut self, t: f64, q: &[f64], qd: &[f64], qdd: &[f64], outcome: Outcome) {
+    pub(crate) fn push(&mut self, t: f64, newton: &Newton<'_>, outcome: Outcome) {
         if self.worst.is_none_or(|(known, _)| outcome.residual > known) {
-            self.worst = Some((outcome.residual, outcome.row));
+            self.worst = Some((outcome.residual, newton.worst().0));
         }
         self.times.push(t);
-        self.q.extend_from_slice(q);
-        self.qd.extend_from_slice(qd);
-        self.qdd.extend_from_slice(qdd);
+        self.q.extend_from_slice(&newton.q);
+        self.qd.extend_from_slice(&newton.qd);
+        self.qdd.extend_from_slice(&newton.qdd);
         self.iterations.push(outcome.iterations);
         self.residuals.push(outcome.residual);
     }

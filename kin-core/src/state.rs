@@ -186,12 +186,24 @@ pub struct At<'a> {
     pub t: f64,
     states: &'a [f64],
     first: &'a [usize],
+    timed: &'a [f64],
 }
 
 impl<'a> At<'a> {
     /// Time t, the states of all arguments one after the other ([`PlanarState::to_array`] and the like), and where each one begins.
     pub fn new(t: f64, states: &'a [f64], first: &'a [usize]) -> Self {
-        At { t, states, first }
+        At { t, states, first, timed: &[] }
+    }
+
+    /// The same with what [`crate::Constraint::at_time`] has made of the time; constraints make it themselves where it is not there.
+    #[must_use]
+    pub fn with_timed(self, timed: &'a [f64]) -> Self {
+        At { timed, ..self }
+    }
+
+    /// What the constraint has made of the time alone, if it was asked to.
+    pub fn timed(&self) -> &'a [f64] {
+        self.timed
     }
 
     /// All states as an array of known length, for emitted code.

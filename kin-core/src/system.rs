@@ -3,6 +3,7 @@
 pub(crate) mod evaluate;
 pub(crate) mod parameters;
 pub(crate) mod scale;
+mod states;
 
 use std::sync::Arc;
 
@@ -14,7 +15,7 @@ use crate::linear::{Linear, Singular};
 use crate::motion::Motion;
 use crate::newton::{self, Newton, Options, Report, Steps, assembly};
 use crate::sweep::Sweep;
-use evaluate::{Bad, Equations};
+use evaluate::{Bad, Equations, Instant, finite};
 
 /// A square system C(q, t) = 0 of n equations in n coordinates; built by [`crate::Mechanism::build`].
 ///
@@ -109,18 +110,16 @@ impl System {
 
     /// C(q, t), in the unit of each row. Errors: wrong length, not finite.
     pub fn residual(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
-        let states = self.states(q, t)?;
+        let instant = self.instant(q, t)?;
         let mut c = vec![0.0; self.n_equations()];
-        self.finite(self.equations.residual(t, &states, &mut c), t, &states)?;
+        self.finite(self.equations.residual(&instant, &mut c), &instant)?;
         Ok(c)
     }
 
     /// C_q(q, t), n × n. Errors: wrong length, not finite.
     pub fn jacobian(&self, q: &[f64], t: f64) -> Result<DMatrix<f64>> {
-        let states = self.states(q, t)?;
-        let (mut c, mut values) = (vec![0.0; self.n_equations()], vec![0.0; self.equations.entries.len()]);
-        self.equations.linearize(t, &states, &mut c, &mut values);
-        self.finite(self.equations.finite(&c, &values), t, &states)?;
+        let mut values = vec![0.0; self.equations.entries.len()];
+        self.linearize(&self.instant(q, t)?, &mut values)?;
         let mut c_q = DMatrix::zeros(self.n_equations(), self.n_coordinates());
         for (entry, value) in self.equations.entries.iter().zip(values) {
             if let Some(place) = *entry {
@@ -132,20 +131,21 @@ impl System {
 
     /// C_t(q, t), in the unit of each row a second. Errors: wrong length, not finite.
     pub fn c_t(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
-        let states = self.states(q, t)?;
+        let instant = self.instant(q, t)?;
         let mut rhs = vec![0.0; self.n_equations()];
-        self.finite(self.equations.velocity_rhs(t, &states, &mut rhs), t, &states)?;
+        self.equations.velocity_rhs(&instant, &mut rhs);
+        self.finite(finite(&rhs, "C_t"), &instant)?;
         Ok(rhs.into_iter().map(|x| 0.0 - x).collect())
     }
 
     /// Q_d = −(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt, in the unit of each row a second squared. Errors: wrong length, not finite.
     pub fn acceleration_rhs(&self, q: &[f64], qd: &[f64], t: f64) -> Result<Vec<f64>> {
-        let states = self.states(q, t)?;
+        let mut instant = self.instant(q, t)?;
         self.check(qd, "velocities")?;
-        let mut rates = self.equations.plan.rates();
-        self.equations.plan.set_rates(qd, &mut rates);
+        self.equations.set_rates(qd, &mut instant);
         let mut q_d = vec![0.0; self.n_equations()];
-        self.finite(self.equations.acceleration_rhs(t, &states, &rates, &mut q_d), t, &states)?;
+        self.equations.acceleration_rhs(&instant, &mut q_d);
+        self.finite(finite(&q_d, "Q_d"), &instant)?;
         Ok(q_d)
     }
 
@@ -240,13 +240,18 @@ impl System {
         Error::SingularAt { t, n: self.n_coordinates(), rank: found.rank, pivot: found.pivot, movable, dependent, unmet, motion: None }
     }
 
-    /// The states at q, if q and t are well given.
-    fn states(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
+    /// The instant at q and t, if they are well given.
+    fn instant(&self, q: &[f64], t: f64) -> Result<Instant> {
         self.check(q, "coordinates")?;
-        time(t)?;
-        let mut states = self.equations.plan.states();
-        self.equations.plan.set_states(q, &mut states);
-        Ok(states)
+        Ok(self.equations.instant_at(time(t)?, q))
+    }
+
+    /// The values of C_q at an instant.
+    fn linearize(&self, instant: &Instant, values: &mut [f64]) -> Result<()> {
+        let mut c = vec![0.0; self.n_equations()];
+        self.equations.set_constants(values);
+        self.equations.linearize(instant, &mut c, values);
+        self.finite(self.equations.finite(&c, values), instant)
     }
 
     fn check(&self, q: &[f64], what: &str) -> Result<()> {
@@ -260,17 +265,15 @@ impl System {
         }
     }
 
-    fn finite(&self, result: std::result::Result<(), Bad>, t: f64, states: &[f64]) -> Result<()> {
-        result.map_err(|bad| self.equations.not_finite(bad, t, states))
+    fn finite(&self, result: std::result::Result<(), Bad>, instant: &Instant) -> Result<()> {
+        result.map_err(|bad| self.equations.not_finite(bad, instant))
     }
 
     /// C_q⁻¹ times the right side, with the sizes of that point.
     fn solved(&self, q: &[f64], t: f64, rhs: &[f64]) -> Result<Vec<f64>> {
-        let states = self.states(q, t)?;
+        let instant = self.instant(q, t)?;
         let mut linear = Linear::new(self.n_coordinates(), self.equations.entries.iter().copied(), &self.equations.constants);
-        let mut c = vec![0.0; self.n_equations()];
-        self.equations.linearize(t, &states, &mut c, linear.values_mut());
-        self.finite(self.equations.finite(&c, linear.values()), t, &states)?;
+        self.linearize(&instant, linear.values_mut())?;
         let sizes = scale::sizes(&self.layout, &self.equations, linear.values(), q, &self.links);
         linear.set_sizes(&sizes);
         linear.measure();

@@ -9,7 +9,8 @@ use std::collections::HashMap;
 
 use super::active::{Active, NONE, Side};
 use super::cells::{PLUS, Term};
-use super::program::{Program, Watch};
+use super::code::{SMALL, Seen};
+use super::program::Program;
 use super::{SINGULAR, solving};
 
 /// A pivot is at least this share of the largest cell in its row.   \[-\]
@@ -45,9 +46,12 @@ pub(super) struct Places {
 pub(super) struct Recording {
     pub factor: Program,
     pub solve: Program,
-    pub watch: Watch,
-    /// Row and column of each pivot that is watched.
-    pub watched: Vec<(u32, u32)>,
+    /// What makes each number that is factored one of order 1, and each pivot a share of its row and column.
+    pub weights: Vec<f64>,
+    /// What was seen when it was last factored.
+    pub seen: Seen,
+    /// Step, row and column of each pivot that is no constant.
+    pub watched: Vec<(u32, u32, u32)>,
     /// Row, column and value of the other pivots.
     pub constant: Vec<(u32, u32, f64)>,
 }
@@ -135,7 +139,11 @@ pub(super) fn record(input: &Input<'_>, places: Places, memory: &mut Vec<f64>) -
         recorder.eliminate(pivot);
     }
     solving::write(&mut recorder);
-    Ok(recorder.recording)
+    let Recorder { mut recording, memory, .. } = recorder;
+    memory.resize(memory.len().max(SMALL), 0.0);
+    recording.factor.finish(memory.len());
+    recording.solve.finish(memory.len());
+    Ok(recording)
 }
 
 impl Recorder<'_> {

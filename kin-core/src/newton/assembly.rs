@@ -26,7 +26,7 @@ pub(crate) fn assemble(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     }
     measure(newton, t);
     let outcome = search(newton, t)?;
-    newton.rates(t).map_err(|failure| newton.error(failure, t, None))?;
+    newton.rates().map_err(|failure| newton.error(failure, t, None))?;
     Ok(outcome)
 }
 
@@ -37,7 +37,7 @@ pub(crate) fn from_start(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Resul
         driven::turn(newton, t);
     }
     let outcome = attempt(newton, t, steps)?;
-    newton.rates(t).map_err(|failure| newton.error(failure, t, None))?;
+    newton.rates().map_err(|failure| newton.error(failure, t, None))?;
     Ok(outcome)
 }
 
