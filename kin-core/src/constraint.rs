@@ -1,6 +1,7 @@
 //! The one trait of the library: what a constraint C(q, t) = 0 can be asked for.
 
 use crate::coordinates::Argument;
+use crate::lanes::InLanes;
 use crate::state::{At, Rates};
 
 /// How the derivatives of a constraint are obtained.
@@ -146,6 +147,11 @@ pub trait Constraint: CloneBoxed + Send + Sync {
             number += 1;
         });
         wanted.is_some_and(|name| self.set_parameter(&name, value))
+    }
+
+    /// The same for kernels over lanes, if it has them (`#[constraint(lanes)]`): several mechanisms of a sweep advance together.
+    fn in_lanes(&self) -> Option<&dyn InLanes> {
+        None
     }
 
     /// Where a value or derivative is not finite: the sub-expression that made it so, as the user wrote it.

@@ -13,6 +13,7 @@ pub mod coordinates;
 pub mod dual_route;
 pub mod error;
 pub mod joints;
+pub mod lanes;
 pub mod law;
 mod layout;
 mod linear;
@@ -37,6 +38,7 @@ pub use coordinates::{
 pub use dual_route::by_dual;
 pub use error::{Error, Result};
 pub use kin_macros::{constraint, law};
+pub use lanes::Lanes;
 pub use law::{Law, LawFunction};
 pub use mechanism::{ConstraintId, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose};
 pub use motion::{CoordinateMotion, Motion, PointMotion, Series};

@@ -11,6 +11,7 @@ mod cells;
 mod code;
 mod condition;
 mod diagnosis;
+pub(crate) mod lanes;
 mod program;
 mod rank;
 mod record;

@@ -74,6 +74,20 @@ impl Motion {
         self.residuals.push(outcome.residual);
     }
 
+    /// The same from numbers that stand elsewhere: [q, q̇, q̈] of one coordinate at a time, and the row of the largest residual.
+    pub(crate) fn push_each(&mut self, t: f64, number: impl Fn(usize, usize) -> f64, outcome: Outcome, worst: impl FnOnce() -> usize) {
+        if self.worst.is_none_or(|(known, _)| outcome.residual > known) {
+            self.worst = Some((outcome.residual, worst()));
+        }
+        let n = self.layout.len();
+        self.times.push(t);
+        self.q.extend((0..n).map(|j| number(0, j)));
+        self.qd.extend((0..n).map(|j| number(1, j)));
+        self.qdd.extend((0..n).map(|j| number(2, j)));
+        self.iterations.push(outcome.iterations);
+        self.residuals.push(outcome.residual);
+    }
+
     /// Name of the mechanism.
     pub fn name(&self) -> &str {
         &self.name

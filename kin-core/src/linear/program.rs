@@ -60,6 +60,12 @@ impl Program {
     /// Writes the code for a memory of that many numbers; to be called after the last step.
     pub(super) fn finish(&mut self, memory: usize) {
         let mut code = Code::new(memory);
+        self.each(|step, operands| code.push(step, operands));
+        self.code = code;
+    }
+
+    /// Shows each step with its operands, in order.
+    pub(super) fn each(&self, mut show: impl FnMut(&Step, Operands<'_>)) {
         let (mut products, mut terms) = (&self.products[..], &self.terms[..]);
         for step in &self.steps {
             let operands = Operands {
@@ -67,9 +73,8 @@ impl Program {
                 plus: take(&mut terms, step.plus),
                 minus: take(&mut terms, step.minus),
             };
-            code.push(step, operands);
+            show(step, operands);
         }
-        self.code = code;
     }
 
     /// How many steps there are.

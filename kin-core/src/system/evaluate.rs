@@ -1,5 +1,7 @@
 //! Evaluation of a whole system: states once an iterate, then each constraint into its own block of rows and values.
 
+pub(crate) mod lanes;
+
 use std::ops::Range;
 
 use crate::constraint::Constraint;

@@ -58,6 +58,17 @@ impl System {
         names.into_iter().map(|name| place(name.as_ref())).collect()
     }
 
+    /// Which constraints differ from case to case, where the numbers of a case go to these places.
+    pub(crate) fn varied(&self, places: &[CasePlace]) -> Vec<bool> {
+        let has = |k: usize| places.iter().any(|place| matches!(place, CasePlace::Parameter { block, .. } if *block == k));
+        (0..self.equations.blocks.len()).map(has).collect()
+    }
+
+    /// Whether some constraint has kernels over lanes.
+    pub(crate) fn has_lanes(&self) -> bool {
+        self.equations.blocks.iter().any(|block| block.constraint.in_lanes().is_some())
+    }
+
     /// The place of a parameter by its number among all of them.
     fn numbered(&self, mut number: usize) -> CasePlace {
         for (block, own) in self.equations.blocks.iter().enumerate() {

@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
+use super::lanes::{self, LaneCode};
 use super::{functions, rewrite, template, written};
 use crate::differentiate::Derivatives;
 use crate::lower::Lowered;
@@ -16,6 +17,8 @@ struct Frame<'a> {
     pattern: Vec<(usize, usize)>,
     /// Slots whose sine or cosine is read.
     trig: Vec<usize>,
+    /// Kernels over lanes, where they are asked for.
+    lanes: Option<LaneCode>,
 }
 
 /// The constraint on the symbolic route.
@@ -24,7 +27,8 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
     let row_names = lowered.rows.iter().map(|row| row.name.clone()).collect();
     let pattern = derived.jacobian.iter().map(|(row, column, _)| (*row, *column)).collect();
     let trig = derived.trig(&lowered);
-    let frame = Frame { trig, ..Frame::new(source, row_names, pattern) };
+    let lanes = source.lanes.then(|| lanes::lanes(&source.name, &source.arguments, &lowered, &derived));
+    let frame = Frame { trig, lanes, ..Frame::new(source, row_names, pattern) };
     let kernels = functions::symbolic(&source.arguments, &lowered, &derived);
     let leaves: Vec<TokenStream> =
         lowered.leaves.iter().enumerate().map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items)).collect();
@@ -41,7 +45,7 @@ pub fn dual(source: &ConstraintFn) -> TokenStream {
 
 impl<'a> Frame<'a> {
     fn new(source: &'a ConstraintFn, row_names: Vec<String>, pattern: Vec<(usize, usize)>) -> Self {
-        Frame { source, n: columns(&source.arguments), row_names, pattern, trig: vec![] }
+        Frame { source, n: columns(&source.arguments), row_names, pattern, trig: vec![], lanes: None }
     }
 
     fn emit(&self, route: TokenStream, kernels: &TokenStream, leaves: &[TokenStream], lowered: Option<&Lowered>) -> TokenStream {
@@ -57,6 +61,7 @@ impl<'a> Frame<'a> {
         let described = self.arguments();
         let (visit, set) = super::parameter_methods(&source.arguments);
         let kinds = source.arguments.iter().flat_map(kinds);
+        let (in_lanes, lane_kernels) = self.lanes.as_ref().map(|lanes| (&lanes.method, &lanes.implementations)).unzip();
         quote! {
             #declaration
 
@@ -81,9 +86,11 @@ impl<'a> Frame<'a> {
                         &[#(#pattern),*]
                     }
                     #kernels
+                    #in_lanes
                     #visit
                     #set
                 }
+                #lane_kernels
                 impl ::kin::rt::Equation<#n, #m> for #name {
                     const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[#(#kinds),*];
                     #equations

@@ -3,6 +3,7 @@
 pub mod constraint;
 mod functions;
 mod kernel;
+mod lanes;
 pub mod law;
 mod rewrite;
 pub mod stand_in;
