@@ -1,9 +1,10 @@
-//! Sweeps over many cases: a status each, the same results on any number of threads, mistakes by name, progress.
+//! Sweeps over many cases: a status each, the same results on any number of threads, mistakes by name, progress; several cases in lanes. User code needs no `unsafe`.
+#![forbid(unsafe_code)]
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use kin::prelude::*;
-use kin::{Error, Options};
+use kin::{Error, Lanes, Options, any_coord, any_planar, any_spatial, vec3};
 
 /// A four-bar with links of lengths a, b, c and ground pins d apart, the crank at θ = t.
 fn four_bar([a, b, c, d]: [f64; 4]) -> System {
@@ -135,4 +136,159 @@ fn a_sweep_can_be_stopped() {
 fn no_case_at_all_is_a_sweep_too() {
     let none: [[f64; 8]; 0] = [];
     assert!(four_bar([1.0, 3.5, 3.0, 4.0]).sweep(NAMES).unwrap().run(&none, times(), |_, _| ()).unwrap().is_empty());
+}
+
+/// Results of the same cases with other lanes.
+fn with_lanes(system: &System, cases: &[[f64; 8]], options: &Options, lanes: Lanes) -> Option<Vec<Result<Vec<f64>, String>>> {
+    let sweep = system.sweep(NAMES).unwrap().options(options.clone()).lanes(lanes);
+    let found = sweep.run(cases, times(), |_, motion| motion.map(|motion| numbers(&motion)).map_err(|error| error.to_string()));
+    match found {
+        Err(Error::InvalidOptions { .. }) => None,
+        found => Some(found.unwrap()),
+    }
+}
+
+/// Largest difference relative to 1 + |x|.
+fn far(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    a.iter().zip(b).map(|(a, b)| (a - b).abs() / (1.0 + b.abs())).fold(0.0, f64::max)
+}
+
+#[test]
+fn lanes_change_results_by_rounding_only_and_failing_lanes_not_at_all() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    let mut links = links(21);
+    // Two that lock, one of them in the last, incomplete group.
+    (links[3], links[19]) = ([2.0, 2.5, 2.2, 4.0], [2.2, 2.5, 2.2, 4.0]);
+    let cases: Vec<[f64; 8]> = links.into_iter().map(case).collect();
+    let protocol = Options { stop: kin::Stop::ResidualOnly(1e-10), predict: false, ..Options::default() };
+    for (options, tolerance) in [(Options::default(), 1e-10), (protocol, 1e-8)] {
+        let alone = with_lanes(&system, &cases, &options, Lanes::Off).unwrap();
+        assert!(alone.iter().enumerate().all(|(k, found)| found.is_err() == [3, 19].contains(&k)));
+        let mut tried = 0;
+        for lanes in [Lanes::Best, Lanes::Only(1), Lanes::Only(2), Lanes::Only(4), Lanes::Only(8)] {
+            let Some(found) = with_lanes(&system, &cases, &options, lanes) else { continue };
+            tried += 1;
+            for (k, (found, alone)) in found.iter().zip(&alone).enumerate() {
+                match (found, alone) {
+                    (Ok(found), Ok(alone)) => assert!(far(found, alone) < tolerance, "{lanes:?}, case {k}: {:e}", far(found, alone)),
+                    (found, alone) => assert_eq!(found, alone, "{lanes:?}, case {k}"),
+                }
+            }
+        }
+        assert!(tried >= 2, "one lane is there on every machine");
+    }
+}
+
+#[test]
+fn company_in_the_lanes_does_not_matter() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    let cases: Vec<[f64; 8]> = links(24).into_iter().map(case).collect();
+    let shuffled: Vec<usize> = (0..24).map(|k| (7 * k + 5) % 24).collect();
+    let other: Vec<[f64; 8]> = shuffled.iter().map(|k| cases[*k]).collect();
+    let [one, two] = [&cases, &other].map(|cases| with_lanes(&system, cases, &Options::default(), Lanes::Best).unwrap());
+    for (place, k) in shuffled.into_iter().enumerate() {
+        let (a, b) = (one[k].as_ref().unwrap(), two[place].as_ref().unwrap());
+        assert!(far(a, b) < 1e-10, "case {k}: {:e}", far(a, b));
+    }
+}
+
+#[test]
+fn newton_steps_and_residuals_are_those_of_each_case_alone() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    let cases: Vec<[f64; 8]> = links(8).into_iter().map(case).collect();
+    let run = |lanes| {
+        let sweep = system.sweep(NAMES).unwrap().lanes(lanes);
+        sweep.run(&cases, times(), |_, motion| motion.map(|m| (m.iterations().to_vec(), m.residuals().to_vec(), m.times().to_vec())).unwrap()).unwrap()
+    };
+    for ((steps, residuals, times), (own_steps, _, own_times)) in run(Lanes::Best).into_iter().zip(run(Lanes::Off)) {
+        let (steps, own_steps): (usize, usize) = (steps.iter().sum(), own_steps.iter().sum());
+        assert!(steps.abs_diff(own_steps) <= 3, "{steps} and {own_steps}");
+        assert!(residuals.iter().all(|residual| *residual < 1e-11));
+        assert_eq!(times, own_times);
+    }
+}
+
+#[test]
+fn lanes_that_are_not_there_are_told() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    let sweep = system.sweep(NAMES).unwrap().lanes(Lanes::Only(3));
+    let error = sweep.run(&[case([1.0, 3.5, 3.0, 4.0])], [0.0], |_, _| ()).unwrap_err().to_string();
+    assert!(error.contains("Only(3)") && error.contains("Lanes::Best"), "{error}");
+}
+
+#[test]
+fn kernels_over_lanes_of_the_library_are_its_equations() {
+    let (a, b) = (any_planar(), any_planar());
+    let (u, v) = (vec2(0.3, -0.7), vec2(-1.1, 0.4));
+    let law = || Law::sine(0.7, 2.0, 0.3);
+    let all: Vec<Box<dyn Constraint>> = vec![
+        Box::new(fixed(a, u, 0.4)),
+        Box::new(revolute(a, b, u, v)),
+        Box::new(prismatic(a, b, u, v, vec2(0.2, 0.9), 0.5)),
+        Box::new(drive(any_coord(), law())),
+        Box::new(drive_angle(a, law())),
+        Box::new(drive_point(a, u, law(), Law::ramp(0.5))),
+    ];
+    for constraint in &all {
+        assert!(kin::check::lanes(constraint.as_ref()).unwrap() >= 1, "{}", constraint.kind());
+    }
+}
+
+const MOST_WEAR: f64 = 1e-3;
+
+fn wear<D: Dual>(phi: Real<D>, most: f64) -> Real<D> {
+    most * phi.sin().powi(2)
+}
+
+/// Branches, functions, a law of a coordinate, a function of one's own, a table, time.
+#[constraint(lanes)]
+fn odd(cam: Planar, follower: Planar, phi: Coord, t: Time, tip: Vec2, profile: Law, table: [f64; 3], which: usize, on: bool) -> (f64, f64, f64) {
+    let p = cam.local(follower.point(tip));
+    let angle = p.y.atan2(p.x);
+    let lift = if p.x > 0.2 { p.norm() } else if on && p.y < t { (p.x.abs() + 1.0).ln() * phi } else { p.x.max(p.y) - phi.powi(3) };
+    let slide = lift - profile.at(angle) + wear(angle, MOST_WEAR) + table[which] * t.cos();
+    (slide, phi.tan().sinh() % 3.0 - (2.0 * t).exp() / 100.0, phi.sin() * phi.cos() - t.sqrt() * table[0] + phi.powf(2.0))
+}
+
+/// The norm and rotation matrix of a spatial body.
+#[constraint(symbolic, lanes)]
+fn tilted(body: Spatial, u: Vec3, h: Vec3) -> Vec3 {
+    body.point(u).cross(body.direction(h)) + body.a() * h
+}
+
+#[test]
+fn kernels_of_ones_own_are_its_equations() {
+    let law = Law::sine(0.7, 2.0, 0.3);
+    let own = odd(any_planar(), any_planar(), any_coord(), vec2(0.3, -0.2), law, [0.3, -0.2, 0.9], 1, true);
+    assert!(kin::check::lanes(&own).unwrap() >= 1);
+    assert!(kin::check::lanes(&tilted(any_spatial(), vec3(0.1, 0.7, -0.3), vec3(0.0, 0.6, 0.8))).unwrap() >= 1);
+    kin::check::derivatives(tilted(any_spatial(), vec3(0.1, 0.7, -0.3), vec3(0.0, 0.6, 0.8)));
+}
+
+/// A slot without kernels over lanes.
+#[constraint]
+fn slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
+    let s = j.local(i.point(u_i));
+    s.y - k * s.x * s.x
+}
+
+#[test]
+fn constraints_without_kernels_go_lane_by_lane() {
+    let mut m = Mechanism::new("quick return");
+    let (disc, arm) = (m.planar("disc", pose(0.0, 0.0, 0.0)).unwrap(), m.link("arm", 0.12).unwrap());
+    m.add("O", revolute(m.ground(), disc, vec2(0.0, 0.0), vec2(0.0, 0.0))).unwrap();
+    m.add("C", revolute(m.ground(), arm, vec2(0.05, 0.0), arm.start())).unwrap();
+    m.add("slot", slot(arm, disc, arm.end(), 4.0)).unwrap();
+    m.add("motor", drive_angle(disc, Law::sine(0.3, 1.0, 0.2))).unwrap();
+    m.prefer(arm, 0.0);
+    let system = m.build().unwrap();
+    let cases: Vec<[f64; 2]> = (0..13).map(|k| [3.0 + 0.2 * f64::from(k), 0.04 + 0.001 * f64::from(k)]).collect();
+    let run = |lanes| {
+        let sweep = system.sweep(["slot.k", "C.u_i.x"]).unwrap().lanes(lanes);
+        sweep.run(&cases, linspace(0.0, 3.0, 61), |_, motion| numbers(&motion.unwrap())).unwrap()
+    };
+    for (lanes, alone) in run(Lanes::Best).iter().zip(run(Lanes::Off)) {
+        assert!(far(lanes, &alone) < 1e-10, "{:e}", far(lanes, &alone));
+    }
 }

@@ -1,6 +1,10 @@
 //! Checking a constraint of one's own: symbolic code against dual numbers, term by term, and both against central differences of the
 //! function as it was written.
 
+mod lanes;
+
+pub use lanes::lanes;
+
 use nalgebra::{DMatrix, DVector};
 
 use crate::dual_route::Equation;
@@ -62,7 +66,7 @@ pub fn derivatives<E: Equation<N, M> + Clone, const N: usize, const M: usize>(eq
     }
 }
 
-/// Compares all routes to the derivatives of `equation` at 24 states; the first disagreement is the error.
+/// Compares all routes to the derivatives of `equation` at 24 states, kernels over lanes too; the first disagreement is the error.
 pub fn compare<E: Equation<N, M> + Clone, const N: usize, const M: usize>(equation: &E) -> Result<Report, Box<Mismatch>> {
     let mut report = Report { routes: 0.0, differences: 0.0, states: 0 };
     let mut spread = Spread(0x9E37_79B9_7F4A_7C15);
@@ -71,6 +75,7 @@ pub fn compare<E: Equation<N, M> + Clone, const N: usize, const M: usize>(equati
         let t = spread.next() + 2.0;
         at_state::<E, N, M>(equation, &q, &qd, t, &mut report)?;
     }
+    lanes(equation)?;
     Ok(report)
 }
 

@@ -5,13 +5,14 @@
 //! as a function pointer, because what is called through `dyn` is never inlined into a caller with wider registers.
 
 mod kernel;
+mod level;
 mod number;
 mod trig;
 
 pub(crate) use kernel::Table;
-pub use kernel::{InLanes, LaneAt, LaneKernel, LaneKernels, LaneRates, Level};
+pub use kernel::{InLanes, LaneAt, LaneKernel, LaneKernels, LaneRates};
+pub use level::Level;
 pub use number::{Mask, Wide};
-pub use pulp::Simd;
 
 /// How many cases of a sweep advance together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

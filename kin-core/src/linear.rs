@@ -15,6 +15,7 @@ pub(crate) mod lanes;
 mod program;
 mod rank;
 mod record;
+mod replay;
 mod solving;
 #[cfg(test)]
 mod tests;

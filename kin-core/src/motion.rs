@@ -32,6 +32,14 @@ pub struct Motion {
     outputs: Vec<Series>,
 }
 
+/// What is told of one time beside its numbers; `worst` is the row of the largest residual.
+#[derive(Clone, Copy)]
+pub(crate) struct Pushed {
+    pub t: f64,
+    pub outcome: Outcome,
+    pub worst: usize,
+}
+
 /// One coordinate over time, with its rates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CoordinateMotion {
@@ -74,18 +82,22 @@ impl Motion {
         self.residuals.push(outcome.residual);
     }
 
-    /// The same from numbers that stand elsewhere: [q, q̇, q̈] of one coordinate at a time, and the row of the largest residual.
-    pub(crate) fn push_each(&mut self, t: f64, number: impl Fn(usize, usize) -> f64, outcome: Outcome, worst: impl FnOnce() -> usize) {
-        if self.worst.is_none_or(|(known, _)| outcome.residual > known) {
-            self.worst = Some((outcome.residual, worst()));
-        }
+    /// The same of several times at once, numbers taken from elsewhere: one report for each row of [q, q̇, q̈] one after the other.
+    pub(crate) fn push_all<T>(&mut self, reports: &[Pushed], rows: &[T], number: impl Fn(&T) -> f64 + Copy) {
         let n = self.layout.len();
-        self.times.push(t);
-        self.q.extend((0..n).map(|j| number(0, j)));
-        self.qd.extend((0..n).map(|j| number(1, j)));
-        self.qdd.extend((0..n).map(|j| number(2, j)));
-        self.iterations.push(outcome.iterations);
-        self.residuals.push(outcome.residual);
+        for (report, row) in reports.iter().zip(rows.chunks_exact(3 * n.max(1))) {
+            let (q, rest) = row.split_at(n);
+            let (qd, qdd) = rest.split_at(n);
+            self.q.extend(q.iter().map(number));
+            self.qd.extend(qd.iter().map(number));
+            self.qdd.extend(qdd.iter().map(number));
+            self.times.push(report.t);
+            self.iterations.push(report.outcome.iterations);
+            self.residuals.push(report.outcome.residual);
+            if self.worst.is_none_or(|(known, _)| report.outcome.residual > known) {
+                self.worst = Some((report.outcome.residual, report.worst));
+            }
+        }
     }
 
     /// Name of the mechanism.

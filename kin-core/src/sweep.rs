@@ -130,6 +130,7 @@ impl<'a> Sweep<'a> {
         job.report(0);
         let all = || match self.lanes {
             Lanes::Off => job.one_by_one(),
+            _ if self.system.n_coordinates() == 0 => job.one_by_one(),
             Lanes::Best if !self.system.has_lanes() => job.one_by_one(),
             Lanes::Best => Lanes::Best.dispatch(&job).unwrap_or_else(|job| job.one_by_one()),
             lanes => lanes.dispatch(&job).unwrap_or_else(|_| Err(not_there(lanes))),
@@ -235,11 +236,11 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
             if (before & !active).any() {
                 lockstep.fill(active);
             }
-            let open = active.as_numbers();
-            for (lane, motion) in motions.iter_mut().enumerate().filter(|(lane, _)| open.as_slice()[*lane] != 0.0) {
-                lockstep.push(t, lane, motion);
+            if lockstep.keep(t, active) {
+                lockstep.flush(&mut motions);
             }
         }
+        lockstep.flush(&mut motions);
         motions.into_iter().enumerate().map(|(lane, motion)| active.lane(lane).then_some(motion)).collect()
     }
 }

@@ -2,13 +2,14 @@
 
 use std::marker::PhantomData;
 
-use pulp::{NullaryFnOnce, Simd};
+use pulp::NullaryFnOnce;
 
+use super::Level;
 use super::number::Wide;
 
 /// The instant as the kernels of one constraint see it, for several mechanisms.
 #[derive(Clone, Copy)]
-pub struct LaneAt<'a, S: Simd> {
+pub struct LaneAt<'a, S: Level> {
     /// What the lanes are made of.
     pub simd: S,
     states: &'a [Wide<S>],
@@ -17,7 +18,7 @@ pub struct LaneAt<'a, S: Simd> {
     own: &'a [&'a dyn InLanes],
 }
 
-impl<'a, S: Simd> LaneAt<'a, S> {
+impl<'a, S: Level> LaneAt<'a, S> {
     /// States of the arguments one after the other, the numbers that [`InLanes`] has made of parameters and of the time, and the
     /// constraint itself in each lane.
     pub fn new(simd: S, states: &'a [Wide<S>], known: &'a [Wide<S>], own: &'a [&'a dyn InLanes]) -> Self {
@@ -57,9 +58,9 @@ impl<'a, S: Simd> LaneAt<'a, S> {
 
 /// The rates of one constraint's columns, for several mechanisms.
 #[derive(Clone, Copy)]
-pub struct LaneRates<'a, S: Simd>(pub &'a [Wide<S>]);
+pub struct LaneRates<'a, S: Level>(pub &'a [Wide<S>]);
 
-impl<'a, S: Simd> LaneRates<'a, S> {
+impl<'a, S: Level> LaneRates<'a, S> {
     /// The rates of all columns as an array of known length.
     #[inline(always)]
     pub fn columns<const N: usize>(&self) -> Option<&'a [Wide<S>; N]> {
@@ -88,42 +89,42 @@ pub trait InLanes: Send + Sync {
 /// C, C_q, −C_t and Q_d over lanes. Methods are written `#[inline(always)]`: they are compiled for each kind of machine.
 pub trait LaneKernel {
     /// C and C_q together.
-    fn linearize<S: Simd>(at: &LaneAt<'_, S>, c: &mut [Wide<S>], c_q: &mut [Wide<S>]);
+    fn linearize<S: Level>(at: &LaneAt<'_, S>, c: &mut [Wide<S>], c_q: &mut [Wide<S>]);
 
     /// The right side of C_q q̇ = −C_t.
-    fn velocity_rhs<S: Simd>(at: &LaneAt<'_, S>, rhs: &mut [Wide<S>]);
+    fn velocity_rhs<S: Level>(at: &LaneAt<'_, S>, rhs: &mut [Wide<S>]);
 
     /// Q_d.
-    fn acceleration_rhs<S: Simd>(at: &LaneAt<'_, S>, qd: &LaneRates<'_, S>, q_d: &mut [Wide<S>]);
+    fn acceleration_rhs<S: Level>(at: &LaneAt<'_, S>, qd: &LaneRates<'_, S>, q_d: &mut [Wide<S>]);
 }
 
 /// Kernels as functions for one kind of machine.
-pub struct Table<S: Simd> {
+pub struct Table<S: Level> {
     pub(crate) linearize: fn(&LaneAt<'_, S>, &mut [Wide<S>], &mut [Wide<S>]),
     pub(crate) velocity_rhs: fn(&LaneAt<'_, S>, &mut [Wide<S>]),
     pub(crate) acceleration_rhs: fn(&LaneAt<'_, S>, &LaneRates<'_, S>, &mut [Wide<S>]),
 }
 
-impl<S: Simd> Clone for Table<S> {
+impl<S: Level> Clone for Table<S> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<S: Simd> Copy for Table<S> {}
+impl<S: Level> Copy for Table<S> {}
 
-impl<S: Simd> Table<S> {
+impl<S: Level> Table<S> {
     fn of<K: LaneKernel>() -> Self {
         Table { linearize: linearize::<S, K>, velocity_rhs: velocity_rhs::<S, K>, acceleration_rhs: acceleration_rhs::<S, K> }
     }
 }
 
-macro_rules! levels {
+macro_rules! kernels {
     ($($(#[$when:meta])* $field:ident $token:ty;)*) => {
         /// The kernels of one constraint, compiled for each kind of machine.
         #[derive(Clone, Copy)]
         pub struct LaneKernels {
-            $($(#[$when])* $field: Table<$token>,)*
+            $($(#[$when])* pub(super) $field: Table<$token>,)*
         }
 
         impl LaneKernels {
@@ -132,25 +133,10 @@ macro_rules! levels {
                 LaneKernels { $($(#[$when])* $field: Table::of::<K>(),)* }
             }
         }
-
-        $(
-            $(#[$when])*
-            impl Level for $token {
-                fn table(kernels: &LaneKernels) -> Table<Self> {
-                    kernels.$field
-                }
-            }
-        )*
     };
 }
 
-/// A kind of machine that kernels are compiled for.
-pub trait Level: Simd {
-    /// Its own copy.
-    fn table(kernels: &LaneKernels) -> Table<Self>;
-}
-
-levels! {
+kernels! {
     #[cfg(target_arch = "x86_64")] v4 pulp::x86::V4;
     #[cfg(target_arch = "x86_64")] v3 pulp::x86::V3;
     #[cfg(target_arch = "aarch64")] neon pulp::aarch64::Neon;
@@ -160,11 +146,11 @@ levels! {
 /// A kernel on its way into the function that has the machine's instructions.
 struct Call<A, K>(A, PhantomData<K>);
 
-fn linearize<S: Simd, K: LaneKernel>(at: &LaneAt<'_, S>, c: &mut [Wide<S>], c_q: &mut [Wide<S>]) {
+fn linearize<S: Level, K: LaneKernel>(at: &LaneAt<'_, S>, c: &mut [Wide<S>], c_q: &mut [Wide<S>]) {
     at.simd.vectorize(Call((at, c, c_q), PhantomData::<K>));
 }
 
-impl<S: Simd, K: LaneKernel> NullaryFnOnce for Call<(&LaneAt<'_, S>, &mut [Wide<S>], &mut [Wide<S>]), K> {
+impl<S: Level, K: LaneKernel> NullaryFnOnce for Call<(&LaneAt<'_, S>, &mut [Wide<S>], &mut [Wide<S>]), K> {
     type Output = ();
 
     #[inline(always)]
@@ -174,11 +160,11 @@ impl<S: Simd, K: LaneKernel> NullaryFnOnce for Call<(&LaneAt<'_, S>, &mut [Wide<
     }
 }
 
-fn velocity_rhs<S: Simd, K: LaneKernel>(at: &LaneAt<'_, S>, rhs: &mut [Wide<S>]) {
+fn velocity_rhs<S: Level, K: LaneKernel>(at: &LaneAt<'_, S>, rhs: &mut [Wide<S>]) {
     at.simd.vectorize(Call((at, rhs), PhantomData::<K>));
 }
 
-impl<S: Simd, K: LaneKernel> NullaryFnOnce for Call<(&LaneAt<'_, S>, &mut [Wide<S>]), K> {
+impl<S: Level, K: LaneKernel> NullaryFnOnce for Call<(&LaneAt<'_, S>, &mut [Wide<S>]), K> {
     type Output = ();
 
     #[inline(always)]
@@ -188,11 +174,11 @@ impl<S: Simd, K: LaneKernel> NullaryFnOnce for Call<(&LaneAt<'_, S>, &mut [Wide<
     }
 }
 
-fn acceleration_rhs<S: Simd, K: LaneKernel>(at: &LaneAt<'_, S>, qd: &LaneRates<'_, S>, q_d: &mut [Wide<S>]) {
+fn acceleration_rhs<S: Level, K: LaneKernel>(at: &LaneAt<'_, S>, qd: &LaneRates<'_, S>, q_d: &mut [Wide<S>]) {
     at.simd.vectorize(Call((at, qd, q_d), PhantomData::<K>));
 }
 
-impl<S: Simd, K: LaneKernel> NullaryFnOnce for Call<(&LaneAt<'_, S>, &LaneRates<'_, S>, &mut [Wide<S>]), K> {
+impl<S: Level, K: LaneKernel> NullaryFnOnce for Call<(&LaneAt<'_, S>, &LaneRates<'_, S>, &mut [Wide<S>]), K> {
     type Output = ();
 
     #[inline(always)]

@@ -2,24 +2,26 @@
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Rem, Sub};
 
-use pulp::{Simd, bytemuck};
+use pulp::bytemuck;
+
+use super::Level;
 
 /// One number for each lane.
 #[derive(Clone, Copy)]
-pub struct Wide<S: Simd>(pub(super) S, pub(super) S::f64s);
+pub struct Wide<S: Level>(pub(super) S, pub(super) S::f64s, [S::Align; 0]);
 
 /// One condition for each lane.
 #[derive(Clone, Copy)]
-pub struct Mask<S: Simd>(pub(super) S, pub(super) S::m64s);
+pub struct Mask<S: Level>(pub(super) S, pub(super) S::m64s);
 
 macro_rules! operator {
     ($($trait:ident $method:ident $function:ident;)*) => {$(
-        impl<S: Simd> $trait for Wide<S> {
+        impl<S: Level> $trait for Wide<S> {
             type Output = Self;
 
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                Wide(self.0, self.0.$function(self.1, other.1))
+                Wide::new(self.0, self.0.$function(self.1, other.1))
             }
         }
     )*};
@@ -32,16 +34,16 @@ operator! {
     Div div div_f64s;
 }
 
-impl<S: Simd> Neg for Wide<S> {
+impl<S: Level> Neg for Wide<S> {
     type Output = Self;
 
     #[inline(always)]
     fn neg(self) -> Self {
-        Wide(self.0, self.0.neg_f64s(self.1))
+        Wide::new(self.0, self.0.neg_f64s(self.1))
     }
 }
 
-impl<S: Simd> Rem for Wide<S> {
+impl<S: Level> Rem for Wide<S> {
     type Output = Self;
 
     #[inline(always)]
@@ -55,7 +57,7 @@ macro_rules! lane_by_lane {
     ($($function:ident)*; $($function2:ident)*) => {
         /// f64's functions of these names, lane by lane.
         #[allow(missing_docs)]
-        impl<S: Simd> Wide<S> {
+        impl<S: Level> Wide<S> {
             $(
                 #[inline(always)]
                 pub fn $function(self) -> Self {
@@ -77,11 +79,16 @@ lane_by_lane! {
     atan2 hypot powf rem_euclid div_euclid
 }
 
-impl<S: Simd> Wide<S> {
+impl<S: Level> Wide<S> {
+    #[inline(always)]
+    pub(super) fn new(simd: S, numbers: S::f64s) -> Self {
+        Wide(simd, numbers, [])
+    }
+
     /// The same number in every lane.
     #[inline(always)]
     pub fn splat(simd: S, x: f64) -> Self {
-        Wide(simd, simd.splat_f64s(x))
+        Wide::new(simd, simd.splat_f64s(x))
     }
 
     /// How many lanes there are.
@@ -102,25 +109,31 @@ impl<S: Simd> Wide<S> {
     /// a b + c, rounded once.
     #[inline(always)]
     pub fn mul_add(self, b: Self, c: Self) -> Self {
-        Wide(self.0, self.0.mul_add_e_f64s(self.1, b.1, c.1))
+        Wide::new(self.0, self.0.mul_add_e_f64s(self.1, b.1, c.1))
     }
 
     /// c − a b, rounded once.
     #[inline(always)]
     pub fn negative_mul_add(self, b: Self, c: Self) -> Self {
-        Wide(self.0, self.0.negate_mul_add_e_f64s(self.1, b.1, c.1))
+        Wide::new(self.0, self.0.negate_mul_add_e_f64s(self.1, b.1, c.1))
+    }
+
+    /// 1 / x
+    #[inline(always)]
+    pub fn reciprocal(self) -> Self {
+        Wide::splat(self.0, 1.0) / self
     }
 
     /// √x
     #[inline(always)]
     pub fn sqrt(self) -> Self {
-        Wide(self.0, self.0.sqrt_f64s(self.1))
+        Wide::new(self.0, self.0.sqrt_f64s(self.1))
     }
 
     /// |x|
     #[inline(always)]
     pub fn abs(self) -> Self {
-        Wide(self.0, self.0.abs_f64s(self.1))
+        Wide::new(self.0, self.0.abs_f64s(self.1))
     }
 
     /// The larger one; the other one of a NaN.
@@ -176,7 +189,7 @@ impl<S: Simd> Wide<S> {
 
 macro_rules! comparison {
     ($($(#[$doc:meta])* $name:ident $function:ident;)*) => {
-        impl<S: Simd> Wide<S> {
+        impl<S: Level> Wide<S> {
             $(
                 $(#[$doc])*
                 #[inline(always)]
@@ -207,7 +220,7 @@ comparison! {
     equal equal_f64s;
 }
 
-impl<S: Simd> Mask<S> {
+impl<S: Level> Mask<S> {
     /// True in the lanes for which that is so.
     pub fn from_fn(simd: S, condition: impl Fn(usize) -> bool) -> Self {
         let mut numbers = Wide::splat(simd, 0.0);
@@ -224,7 +237,7 @@ impl<S: Simd> Mask<S> {
     /// `a` where it is true, else `b`.
     #[inline(always)]
     pub fn select(self, a: Wide<S>, b: Wide<S>) -> Wide<S> {
-        Wide(self.0, self.0.select_f64s(self.1, a.1, b.1))
+        Wide::new(self.0, self.0.select_f64s(self.1, a.1, b.1))
     }
 
     /// Whether it is true in some lane.
@@ -245,7 +258,7 @@ impl<S: Simd> Mask<S> {
     }
 }
 
-impl<S: Simd> BitAnd for Mask<S> {
+impl<S: Level> BitAnd for Mask<S> {
     type Output = Self;
 
     #[inline(always)]
@@ -254,7 +267,7 @@ impl<S: Simd> BitAnd for Mask<S> {
     }
 }
 
-impl<S: Simd> BitOr for Mask<S> {
+impl<S: Level> BitOr for Mask<S> {
     type Output = Self;
 
     #[inline(always)]
@@ -263,7 +276,7 @@ impl<S: Simd> BitOr for Mask<S> {
     }
 }
 
-impl<S: Simd> Not for Mask<S> {
+impl<S: Level> Not for Mask<S> {
     type Output = Self;
 
     #[inline(always)]

@@ -4,8 +4,7 @@
 //! fdlibm's `__kernel_sin` and `__kernel_cos`. Off by at most 2 units in the last place up to |x| = 1e8; beyond, for what is not finite, and
 //! on machines that cannot fuse, f64's own functions are called lane by lane.
 
-use pulp::Simd;
-
+use super::Level;
 use super::number::{Mask, Wide};
 
 /// π/2 in three parts.
@@ -35,7 +34,7 @@ const COS: [f64; 6] = [
     0.041_666_666_666_666_6,
 ];
 
-impl<S: Simd> Wide<S> {
+impl<S: Level> Wide<S> {
     /// sin x
     #[inline(always)]
     pub fn sin(self) -> Self {
@@ -52,37 +51,50 @@ impl<S: Simd> Wide<S> {
     #[inline(always)]
     pub fn sin_cos(self) -> (Self, Self) {
         let simd = self.0;
-        let number = |x| Wide::splat(simd, x);
         if S::IS_SCALAR {
             return (self.map(f64::sin), self.map(f64::cos));
         }
-        let rounded = self.mul_add(number(std::f64::consts::FRAC_2_PI), number(ROUND));
-        let k = rounded - number(ROUND);
-        let r = PARTS.iter().fold(self, |r, part| k.mul_add(number(-part), r));
+        let round = Wide::splat(simd, ROUND);
+        let rounded = self.mul_add(Wide::splat(simd, std::f64::consts::FRAC_2_PI), round);
+        let k = rounded - round;
+        let mut r = self;
+        for part in PARTS {
+            r = k.negative_mul_add(Wide::splat(simd, part), r);
+        }
         let z = r * r;
-        let polynomial = |c: &[f64; 6]| c[1..].iter().fold(number(c[0]), |sum, c| sum.mul_add(z, number(*c)));
-        let sin = (polynomial(&SIN) * z).mul_add(r, r);
+        let sin = (polynomial(SIN, z) * z).mul_add(r, r);
         // 1 − z/2 is off by its rounding, which is added back.
-        let (half, one) = (number(0.5) * z, number(1.0));
+        let (half, one) = (Wide::splat(simd, 0.5) * z, Wide::splat(simd, 1.0));
         let most = one - half;
-        let cos = most + (z * z).mul_add(polynomial(&COS), (one - most) - half);
+        let cos = most + (z * z).mul_add(polynomial(COS, z), (one - most) - half);
         // Sine and cosine change places in odd quarters and their signs in two of four.
         let quarter = simd.transmute_u64s_f64s(rounded.1);
-        let bit = |bits, bit| Mask(simd, simd.equal_u64s(simd.and_u64s(bits, simd.splat_u64s(bit)), simd.splat_u64s(bit)));
-        let (odd, back) = (bit(quarter, 1), bit(quarter, 2));
-        let left = bit(simd.add_u64s(quarter, simd.splat_u64s(1)), 2);
+        let (odd, back) = (has_bit(simd, quarter, 1), has_bit(simd, quarter, 2));
+        let left = has_bit(simd, simd.add_u64s(quarter, simd.splat_u64s(1)), 2);
         let (s, c) = (odd.select(cos, sin), odd.select(sin, cos));
-        let found = (back.select(-s, s), left.select(-c, c));
-        let large = !self.abs().le(number(LARGEST));
-        if large.any() { one_by_one(self, large, found) } else { found }
+        let (mut sin, mut cos) = (back.select(-s, s), left.select(-c, c));
+        let large = !self.abs().le(Wide::splat(simd, LARGEST));
+        if large.any() {
+            (sin, cos) = (large.select(self.map(f64::sin), sin), large.select(self.map(f64::cos), cos));
+        }
+        (sin, cos)
     }
 }
 
-/// The lanes that are large, by f64's own functions.
-#[cold]
-#[inline(never)]
-fn one_by_one<S: Simd>(x: Wide<S>, large: Mask<S>, (sin, cos): (Wide<S>, Wide<S>)) -> (Wide<S>, Wide<S>) {
-    (large.select(x.map(f64::sin), sin), large.select(x.map(f64::cos), cos))
+/// c₀ z⁵ + … + c₅
+#[inline(always)]
+fn polynomial<S: Level>(c: [f64; 6], z: Wide<S>) -> Wide<S> {
+    let mut sum = Wide::splat(z.0, c[0]);
+    for c in &c[1..] {
+        sum = sum.mul_add(z, Wide::splat(z.0, *c));
+    }
+    sum
+}
+
+#[inline(always)]
+fn has_bit<S: Level>(simd: S, bits: S::u64s, bit: u64) -> Mask<S> {
+    let bit = simd.splat_u64s(bit);
+    Mask(simd, simd.equal_u64s(simd.and_u64s(bits, bit), bit))
 }
 
 #[cfg(test)]

@@ -3,35 +3,13 @@
 //! One recording serves all lanes. Where one of them does not fit it any more, the elimination is recorded anew at the numbers of that lane;
 //! lanes that fit neither are told to their owner, who goes on without them.
 
-use pulp::Simd;
-
-use super::program::{Kind, Program};
 use super::record::Recording;
+use super::replay::{Form, Replay, SMALL, Unwatched, Watch};
 use super::{FADED, GROWTH, Linear, REFINED, SINGULAR, SLACK, SUSPICIOUS};
-use crate::lanes::{Mask, Wide};
-
-/// A step of a program, its operands in one list with those of the others.
-#[derive(Clone, Copy, Debug)]
-struct Step {
-    kind: Kind,
-    out: u32,
-    start: u32,
-    scale: u32,
-    /// How many products, numbers added and numbers subtracted.
-    products: u32,
-    plus: u32,
-    minus: u32,
-}
-
-/// A program as lanes replay it.
-#[derive(Clone, Debug, Default)]
-struct Replay {
-    steps: Vec<Step>,
-    places: Vec<u32>,
-}
+use crate::lanes::{Level, Mask, Wide};
 
 /// Square matrices of one pattern, one in each lane.
-pub(crate) struct WideLinear<S: Simd> {
+pub(crate) struct WideLinear<S: Level> {
     simd: S,
     /// Records, and knows the pattern; and as it was at first, with the recording that all groups of lanes begin with.
     recorder: Linear,
@@ -40,12 +18,18 @@ pub(crate) struct WideLinear<S: Simd> {
     memory: Vec<Wide<S>>,
     factor: Replay,
     solve: Replay,
+    /// Whether all places of the memory are below [`SMALL`].
+    small: bool,
     /// What makes each number that is factored one of order 1, and each pivot a share of its row and column.
     weights: Vec<Wide<S>>,
     sizes: Vec<Wide<S>>,
     norms: Vec<Wide<S>>,
     tops: Vec<Wide<S>>,
+    /// Values that can change and do not stand on the ground, and their limits.
+    varying: Vec<u32>,
     limits: Vec<Wide<S>>,
+    /// Whether nothing has been measured since the beginning.
+    fresh: bool,
     /// Whether the weights of pivots know the measures.
     told: bool,
     smallest_constant: Wide<S>,
@@ -53,10 +37,12 @@ pub(crate) struct WideLinear<S: Simd> {
     best: Wide<S>,
 }
 
-impl<S: Simd> WideLinear<S> {
+impl<S: Level> WideLinear<S> {
     /// Matrices of the pattern that `recorder` was made for, with its recording if it has one.
     pub(crate) fn new(simd: S, recorder: Linear) -> Self {
         let (n, number) = (recorder.n, |x: f64| Wide::splat(simd, x));
+        let varies = |k: &u32| recorder.constants.get(*k as usize).copied().flatten().is_none();
+        let varying: Vec<u32> = recorder.sorted.iter().copied().filter(varies).collect();
         let mut linear = WideLinear {
             simd,
             first: recorder.clone(),
@@ -64,11 +50,14 @@ impl<S: Simd> WideLinear<S> {
             memory: vec![number(0.0); recorder.places.zero as usize + 1],
             factor: Replay::default(),
             solve: Replay::default(),
+            small: false,
             weights: Vec::new(),
             sizes: vec![number(1.0); n],
             norms: vec![number(0.0); n],
             tops: vec![number(0.0); n],
-            limits: vec![number(0.0); recorder.entries.len()],
+            limits: vec![number(0.0); varying.len()],
+            varying,
+            fresh: true,
             told: false,
             smallest_constant: number(0.0),
             smallest: number(0.0),
@@ -86,7 +75,7 @@ impl<S: Simd> WideLinear<S> {
         let zero = Wide::splat(self.simd, 0.0);
         self.norms.fill(zero);
         self.tops.fill(zero);
-        self.best = zero;
+        (self.fresh, self.best) = (true, zero);
         if std::mem::take(&mut self.recorded_anew) {
             self.recorder = self.first.clone();
             self.load();
@@ -134,10 +123,10 @@ impl<S: Simd> WideLinear<S> {
     #[inline(always)]
     pub(crate) fn measure(&mut self, wanted: Mask<S>) -> Mask<S> {
         let mut inside = Mask::splat(self.simd, true);
-        for (value, limit) in self.memory.iter().zip(&self.limits) {
-            inside = inside & value.abs().le(*limit);
+        for (place, limit) in self.varying.iter().zip(&self.limits) {
+            inside = inside & self.memory[*place as usize].abs().le(*limit);
         }
-        let grown = wanted & !inside;
+        let grown = if std::mem::take(&mut self.fresh) { Mask::splat(self.simd, true) } else { wanted & !inside };
         if grown.any() { self.measure_anew(grown) } else { inside }
     }
 
@@ -168,11 +157,9 @@ impl<S: Simd> WideLinear<S> {
 
     fn set_limits(&mut self) {
         let (slack, one) = (Wide::splat(self.simd, SLACK), Wide::splat(self.simd, 1.0));
-        for (entry, limit) in self.recorder.entries.iter().zip(&mut self.limits) {
-            *limit = match entry.map(|(i, j)| (i as usize, j as usize)) {
-                Some((i, j)) => slack * self.norms[i] * self.tops[j].min(one) / self.sizes[j],
-                None => Wide::splat(self.simd, f64::INFINITY),
-            };
+        for (place, limit) in self.varying.iter().zip(&mut self.limits) {
+            let Some((i, j)) = self.recorder.entries[*place as usize].map(|(i, j)| (i as usize, j as usize)) else { continue };
+            *limit = slack * self.norms[i] * self.tops[j].min(one) / self.sizes[j];
         }
         self.told = false;
     }
@@ -180,7 +167,7 @@ impl<S: Simd> WideLinear<S> {
     /// A = L U in every lane; true in those of `wanted` where the factors can be trusted.
     #[inline(always)]
     pub(crate) fn factor(&mut self, wanted: Mask<S>) -> Mask<S> {
-        if !self.factor.steps.is_empty() || !self.solve.steps.is_empty() {
+        if self.recorder.recording.is_some() {
             let fits = self.replay();
             if !(wanted & !fits).any() {
                 return wanted;
@@ -229,12 +216,15 @@ impl<S: Simd> WideLinear<S> {
     fn load(&mut self) {
         let Some(Recording { factor, solve, weights, .. }) = &self.recorder.recording else { return };
         (self.factor, self.solve) = (Replay::new(factor), Replay::new(solve));
-        self.weights = weights.iter().map(|weight| Wide::splat(self.simd, *weight)).collect();
+        // Parts of a number are not watched.
+        self.weights = vec![Wide::splat(self.simd, 0.0); self.factor.len()];
+        self.factor.ends.iter().zip(weights).for_each(|(end, weight)| self.weights[*end] = Wide::splat(self.simd, *weight));
         // What is no value, right side or solution is a constant, or computed before it is read.
         let known = self.recorder.places.zero as usize;
         self.memory.truncate(known);
         self.memory.extend(self.recorder.memory.iter().skip(known).map(|x| Wide::splat(self.simd, *x)));
-        (self.told, self.best) = (false, Wide::splat(self.simd, 0.0));
+        self.memory.resize(self.memory.len().max(SMALL), Wide::splat(self.simd, 0.0));
+        (self.small, self.told, self.best) = (self.memory.len() <= SMALL, false, Wide::splat(self.simd, 0.0));
     }
 
     /// Runs the recorded elimination; true in the lanes that it fits.
@@ -243,26 +233,19 @@ impl<S: Simd> WideLinear<S> {
         if !self.told {
             self.tell_watch();
         }
-        let number = |x| Wide::splat(self.simd, x);
-        let (mut smallest, mut multiplier, mut cell) = (self.smallest_constant, number(0.0), number(0.0));
-        let mut places = &self.factor.places[..];
-        for (step, weight) in self.factor.steps.iter().zip(&self.weights) {
-            let (x, rest) = step.compute(places, &self.memory);
-            places = rest;
-            let share = x.abs() * *weight;
-            // A NaN counts as the worst.
-            match step.kind {
-                Kind::Plain | Kind::Negated => cell = share.le(cell).select(cell, share),
-                Kind::Scaled => multiplier = share.le(multiplier).select(multiplier, share),
-                Kind::Pivot => smallest = share.ge(smallest).select(smallest, share),
-            }
-            self.memory[step.out as usize] = if step.kind == Kind::Pivot { number(1.0) / x } else { x };
+        let simd = self.simd;
+        let zero = Wide::splat(simd, 0.0);
+        let mut seen = Seen { weights: &self.weights, smallest: self.smallest_constant, multiplier: zero, cell: zero };
+        match self.memory.first_chunk_mut::<SMALL>().filter(|_| self.small) {
+            Some(memory) => self.factor.run(simd, memory, &mut seen),
+            None => self.factor.run(simd, &mut self.memory[..], &mut seen),
         }
+        let Seen { smallest, multiplier, cell, .. } = seen;
         self.smallest = smallest;
         self.best = self.best.max(smallest);
-        let faded = self.best * smallest.lt(number(SUSPICIOUS)).select(number(0.5), number(FADED));
-        let sound = multiplier.le(number(GROWTH)) & cell.le(number(REFINED));
-        sound & smallest.gt(number(SINGULAR)) & smallest.ge(faded)
+        let faded = self.best * smallest.lt(Wide::splat(simd, SUSPICIOUS)).select(Wide::splat(simd, 0.5), Wide::splat(simd, FADED));
+        let sound = multiplier.le(Wide::splat(simd, GROWTH)) & cell.le(Wide::splat(simd, REFINED));
+        sound & smallest.gt(Wide::splat(simd, SINGULAR)) & smallest.ge(faded)
     }
 
     /// Tells the watch how pivots are measured.
@@ -277,7 +260,7 @@ impl<S: Simd> WideLinear<S> {
             norm.gt(zero).select(one / norm, one) * top.gt(zero).select(size / top, size)
         };
         for &(step, row, column) in &recording.watched {
-            self.weights[step as usize] = unit(row, column);
+            self.weights[self.factor.ends[step as usize]] = unit(row, column);
         }
         let constant = recording.constant.iter().map(|&(row, column, value)| Wide::splat(self.simd, value.abs()) * unit(row, column));
         self.smallest_constant = constant.fold(Wide::splat(self.simd, f64::INFINITY), |smallest, x| smallest.min(x));
@@ -286,49 +269,29 @@ impl<S: Simd> WideLinear<S> {
     /// A x = b with the factors at hand: from the right side to the solution.
     #[inline(always)]
     pub(crate) fn solve(&mut self) {
-        let mut places = &self.solve.places[..];
-        for step in &self.solve.steps {
-            let (x, rest) = step.compute(places, &self.memory);
-            places = rest;
-            self.memory[step.out as usize] = x;
+        match self.memory.first_chunk_mut::<SMALL>().filter(|_| self.small) {
+            Some(memory) => self.solve.run(self.simd, memory, &mut Unwatched),
+            None => self.solve.run(self.simd, &mut self.memory[..], &mut Unwatched),
         }
     }
 }
 
-impl Replay {
-    fn new(program: &Program) -> Self {
-        let mut replay = Replay::default();
-        program.each(|step, operands| {
-            let [products, plus, minus] = [operands.products.len(), operands.plus.len(), operands.minus.len()].map(|n| n as u32);
-            replay.steps.push(Step { kind: step.kind, out: step.out, start: step.start, scale: step.scale, products, plus, minus });
-            replay.places.extend(operands.products.iter().flatten().chain(operands.plus).chain(operands.minus));
-        });
-        replay
-    }
+/// What is seen of the numbers that are computed, each times its weight; a NaN counts as the worst.
+struct Seen<'w, S: Level> {
+    weights: &'w [Wide<S>],
+    smallest: Wide<S>,
+    multiplier: Wide<S>,
+    cell: Wide<S>,
 }
 
-impl Step {
-    /// The number of this step, of a pivot before it is inverted, and the places of the steps to come.
+impl<S: Level> Watch<S> for Seen<'_, S> {
     #[inline(always)]
-    fn compute<'p, S: Simd>(&self, places: &'p [u32], memory: &[Wide<S>]) -> (Wide<S>, &'p [u32]) {
-        let get = |place: &u32| memory[*place as usize];
-        let (products, places) = places.split_at(2 * self.products as usize);
-        let (plus, places) = places.split_at(self.plus as usize);
-        let (minus, places) = places.split_at(self.minus as usize);
-        let start = get(&self.start);
-        let negated = self.kind == Kind::Negated;
-        let mut x = if negated { -start } else { start };
-        for pair in products.chunks_exact(2) {
-            let (a, b) = (get(&pair[0]), get(&pair[1]));
-            x = if negated { a.mul_add(b, x) } else { a.negative_mul_add(b, x) };
+    fn see(&mut self, step: usize, form: Form, x: Wide<S>) {
+        let share = x.abs() * self.weights[step];
+        match form {
+            Form::Plain | Form::Negated | Form::Added => self.cell = share.le(self.cell).select(self.cell, share),
+            Form::Scaled => self.multiplier = share.le(self.multiplier).select(self.multiplier, share),
+            Form::Pivot => self.smallest = share.ge(self.smallest).select(self.smallest, share),
         }
-        for place in plus {
-            x = x + get(place);
-        }
-        for place in minus {
-            x = x - get(place);
-        }
-        let x = if self.kind == Kind::Scaled { x * get(&self.scale) } else { x };
-        (x, places)
     }
 }

@@ -10,7 +10,7 @@ mod sound;
 
 pub use crate::algebra::{EulerParameters, Mat2, Mat3, Vec2, Vec3};
 pub use crate::coordinates::{Argument, Target, Trig};
-pub use crate::lanes::{InLanes, LaneAt, LaneKernel, LaneKernels, LaneRates, Mask, Simd, Wide};
+pub use crate::lanes::{InLanes, LaneAt, LaneKernel, LaneKernels, LaneRates, Level, Mask, Wide};
 pub use crate::dual_route::{ArgumentKind, Equation};
 pub use crate::law::LawFunction;
 pub use crate::real::{Dual, Real};

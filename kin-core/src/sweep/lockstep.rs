@@ -8,11 +8,14 @@ use pulp::NullaryFnOnce;
 use super::predictor::Predictor;
 use crate::lanes::{Level, Mask, Wide};
 use crate::linear::lanes::WideLinear;
-use crate::motion::Motion;
+use crate::motion::{Motion, Pushed};
 use crate::newton::{DOUBTFUL, Newton, Options, Outcome, STALL, Stop, assembly, rounding};
 use crate::system::System;
 use crate::system::evaluate::lanes::{Crew, WideEquations, WideInstant};
 use crate::system::scale;
+
+/// Times that are kept before they are appended to the motions.
+const KEPT: usize = 8;
 
 /// The points in hand, one a lane, and the space to work in.
 pub(super) struct Lockstep<'o, S: Level> {
@@ -23,17 +26,23 @@ pub(super) struct Lockstep<'o, S: Level> {
     linear: WideLinear<S>,
     predictor: Predictor<S>,
     t: f64,
-    pub q: Vec<Wide<S>>,
-    pub qd: Vec<Wide<S>>,
-    pub qdd: Vec<Wide<S>>,
-    pub c: Vec<Wide<S>>,
+    q: Vec<Wide<S>>,
+    qd: Vec<Wide<S>>,
+    qdd: Vec<Wide<S>>,
+    c: Vec<Wide<S>>,
     before: Vec<Wide<S>>,
     /// The correction that a lane had in hand when it converged.
     last: Vec<Wide<S>>,
     sizes: Vec<Wide<S>>,
+    /// One over each of them.
+    per_size: Vec<Wide<S>>,
     /// max |C_i|, and Newton steps, at the last time.
-    pub residual: Wide<S>,
-    pub iterations: Wide<S>,
+    residual: Wide<S>,
+    iterations: Wide<S>,
+    /// [q, q̇, q̈] of the last few times, what is told of them in each lane, and the largest residual of each lane so far.
+    kept: Vec<Wide<S>>,
+    reports: Vec<Vec<Pushed>>,
+    largest: Vec<f64>,
 }
 
 /// Something that all lanes do, on its way into the function that has the machine's instructions.
@@ -80,14 +89,19 @@ impl<'o, S: Level> Lockstep<'o, S> {
             before: room(),
             last: room(),
             sizes: room(),
+            per_size: room(),
             residual: zero,
             iterations: zero,
+            kept: Vec::with_capacity(KEPT * 3 * n),
+            reports: vec![Vec::with_capacity(KEPT); Wide::<S>::LANES],
+            largest: vec![-1.0; Wide::<S>::LANES],
         }
     }
 
     /// The first position of every system, at time t; gives the lanes of `wanted` that have one.
     pub(super) fn first(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
         self.predictor.begin();
+        self.largest.fill(-1.0);
         self.equations.set_parameters(crew, &mut self.instant);
         let mut steps = Wide::splat(self.simd, 0.0);
         let mut started = vec![false; Wide::<S>::LANES];
@@ -132,13 +146,31 @@ impl<'o, S: Level> Lockstep<'o, S> {
         self.simd.vectorize(Task { lanes: self, crew, wanted, t, first: false })
     }
 
-    /// Appends what a lane has at time t to its motion.
-    pub(super) fn push(&self, t: f64, lane: usize, motion: &mut Motion) {
-        let all = [&self.q, &self.qd, &self.qdd];
-        let outcome = Outcome { iterations: self.iterations.as_slice()[lane] as usize, residual: self.residual.as_slice()[lane] };
-        let size = |c: &Wide<S>| c.as_slice()[lane].abs();
-        let worst = || (0..self.c.len()).fold(0, |worst, row| if size(&self.c[row]) > size(&self.c[worst]) { row } else { worst });
-        motion.push_each(t, |which, j| all[which][j].as_slice()[lane], outcome, worst);
+    /// Keeps what the lanes that are `active` have at time t, for [`Lockstep::flush`]; true where it is time for that.
+    pub(super) fn keep(&mut self, t: f64, active: Mask<S>) -> bool {
+        self.kept.extend_from_slice(&self.q);
+        self.kept.extend_from_slice(&self.qd);
+        self.kept.extend_from_slice(&self.qdd);
+        let open = active.as_numbers();
+        for (lane, reports) in self.reports.iter_mut().enumerate().filter(|(lane, _)| open.as_slice()[*lane] != 0.0) {
+            let (iterations, residual) = (self.iterations.as_slice()[lane] as usize, self.residual.as_slice()[lane]);
+            let mut worst = 0;
+            if residual > self.largest[lane] {
+                self.largest[lane] = residual;
+                worst = self.c.iter().position(|c| c.as_slice()[lane].abs() == residual).unwrap_or_default();
+            }
+            reports.push(Pushed { t, outcome: Outcome { iterations, residual }, worst });
+        }
+        self.kept.len() >= KEPT * 3 * self.q.len()
+    }
+
+    /// Appends what was kept to the motions. Kept times are few, so that they are still at hand.
+    pub(super) fn flush(&mut self, motions: &mut [Motion]) {
+        for (lane, (motion, reports)) in motions.iter_mut().zip(&mut self.reports).enumerate() {
+            motion.push_all(reports, &self.kept, |x| x.as_slice()[lane]);
+            reports.clear();
+        }
+        self.kept.clear();
     }
 
     /// C and C_q at the point in hand.
@@ -161,6 +193,9 @@ impl<'o, S: Level> Lockstep<'o, S> {
     /// The first position: Newton from the point in hand.
     #[inline(always)]
     fn settle(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
+        for (per_size, size) in self.per_size.iter_mut().zip(&self.sizes) {
+            *per_size = size.reciprocal();
+        }
         let done = self.solve(crew, wanted, t, false);
         self.t = t;
         self.rates(crew, done)
@@ -177,7 +212,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
         let done = self.solve(crew, wanted, t, self.options.rescue);
         if self.options.predict {
             let stepped = self.iterations.is_true();
-            self.predictor.compare(h, [&self.before, &self.qd, &self.qdd], &self.q, &self.sizes, stepped);
+            self.predictor.compare(h, [&self.before, &self.qd, &self.qdd], &self.q, &self.per_size, stepped);
             self.predictor.advance(h, &self.qd, &self.qdd);
         }
         self.t = t;
@@ -188,8 +223,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
     #[inline(always)]
     fn solve(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64, near: bool) -> Mask<S> {
         let simd = self.simd;
-        let number = |x| Wide::splat(simd, x);
-        let (zero, mut previous) = (number(0.0), number(f64::INFINITY));
+        let (zero, mut previous) = (Wide::splat(simd, 0.0), Wide::splat(simd, f64::INFINITY));
         let (mut open, mut done) = (wanted, Mask::splat(simd, false));
         self.iterations = zero;
         self.last.fill(zero);
@@ -202,7 +236,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
             let fits = self.linear.factor(open | done);
             (open, done) = (open & fits, done & fits);
             let met = match self.options.stop {
-                Stop::ResidualOnly(bound) => self.residual.lt(number(bound)),
+                Stop::ResidualOnly(bound) => self.residual.lt(Wide::splat(simd, bound)),
                 Stop::Converged { .. } => Mask::splat(simd, false),
             };
             (done, open) = (done | (open & met), open & !met);
@@ -219,7 +253,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
             }
             open = open & finite;
             if near {
-                open = open & correction.le(previous);
+                open = open & !correction.gt(previous);
             }
             if !open.any() || iteration == self.options.max_iterations {
                 break;
@@ -237,7 +271,9 @@ impl<'o, S: Level> Lockstep<'o, S> {
     #[inline(always)]
     fn finish(&mut self, done: Mask<S>) -> Mask<S> {
         if self.options.predict {
-            self.q.iter_mut().zip(&self.last).for_each(|(q, last)| *q = *q + *last);
+            for (q, last) in self.q.iter_mut().zip(&self.last) {
+                *q = *q + *last;
+            }
         }
         done & self.linear.smallest_pivot().ge(Wide::splat(self.simd, DOUBTFUL))
     }
@@ -263,20 +299,23 @@ impl<'o, S: Level> Lockstep<'o, S> {
             *rhs = -*c;
         }
         self.linear.solve();
-        let number = |x| Wide::splat(self.simd, x);
-        let (mut shares, mut finite) = (number(0.0), Mask::splat(self.simd, true));
-        for (dq, size) in self.linear.solution().iter().zip(&self.sizes) {
-            let share = dq.abs() / *size;
-            finite = finite & share.le(number(f64::MAX));
+        let simd = self.simd;
+        if matches!(self.options.stop, Stop::ResidualOnly(_)) && !self.options.rescue {
+            return (Wide::splat(simd, f64::INFINITY), Mask::splat(simd, true));
+        }
+        let (mut shares, mut finite) = (Wide::splat(simd, 0.0), Mask::splat(self.simd, true));
+        for (dq, per_size) in self.linear.solution().iter().zip(&self.per_size) {
+            let share = dq.abs() * *per_size;
+            finite = finite & share.le(Wide::splat(simd, f64::MAX));
             shares = share.gt(shares).select(share, shares);
         }
         let Stop::Converged { tolerance } = self.options.stop else { return (shares, finite) };
-        let within = shares.le(number(tolerance));
+        let within = shares.le(Wide::splat(simd, tolerance));
         if !(!within).any() {
             return (shares, finite);
         }
         // Rounding of a large coordinate is no error.
-        let (rounding, mut allowed) = (number(rounding(tolerance)), number(0.0));
+        let (rounding, mut allowed) = (Wide::splat(simd, rounding(tolerance)), Wide::splat(simd, 0.0));
         for ((dq, q), size) in self.linear.solution().iter().zip(&self.q).zip(&self.sizes) {
             let share = dq.abs() / rounding.mul_add(q.abs(), *size);
             allowed = share.gt(allowed).select(share, allowed);
@@ -287,15 +326,15 @@ impl<'o, S: Level> Lockstep<'o, S> {
     /// The stop rule that tests the correction too, as [`Newton`] has it.
     #[inline(always)]
     fn converged(&mut self, open: Mask<S>, correction: Wide<S>, previous: Wide<S>, tolerance: f64) -> Mask<S> {
-        let number = |x| Wide::splat(self.simd, x);
-        let stalled = correction.gt(number(0.5) * previous) & correction.le(number(STALL));
-        let within = correction.le(number(tolerance));
+        let simd = self.simd;
+        let stalled = correction.gt(Wide::splat(simd, 0.5) * previous) & correction.le(Wide::splat(simd, STALL));
+        let within = correction.le(Wide::splat(simd, tolerance));
         if !(open & within & !stalled).any() {
             return stalled;
         }
         let mut met = Mask::splat(self.simd, true);
         for (c, norm) in self.c.iter().zip(self.linear.norms()) {
-            met = met & c.abs().le(number(tolerance) * *norm);
+            met = met & c.abs().le(Wide::splat(simd, tolerance) * *norm);
         }
         if (open & within & !met).any() {
             met = self.met_but_for_rounding(tolerance);
@@ -307,16 +346,16 @@ impl<'o, S: Level> Lockstep<'o, S> {
     #[cold]
     #[inline(never)]
     fn met_but_for_rounding(&self, tolerance: f64) -> Mask<S> {
-        let number = |x| Wide::splat(self.simd, x);
-        let left = |(c, norm): (&Wide<S>, &Wide<S>)| number(tolerance) * *norm - c.abs();
+        let simd = self.simd;
+        let left = |(c, norm): (&Wide<S>, &Wide<S>)| Wide::splat(simd, tolerance) * *norm - c.abs();
         let mut left: Vec<Wide<S>> = self.c.iter().zip(self.linear.norms()).map(left).collect();
         for (entry, value) in self.linear.entries().iter().zip(self.linear.values()) {
             if let Some((row, column)) = *entry {
-                let allowed = number(tolerance * rounding(tolerance)) * (*value * self.q[column as usize]).abs();
+                let allowed = Wide::splat(simd, tolerance * rounding(tolerance)) * (*value * self.q[column as usize]).abs();
                 left[row as usize] = left[row as usize] + allowed;
             }
         }
-        left.iter().fold(Mask::splat(self.simd, true), |met, left| met & left.ge(number(0.0)))
+        left.iter().fold(Mask::splat(self.simd, true), |met, left| met & left.ge(Wide::splat(simd, 0.0)))
     }
 
     /// q̇ and q̈ with the matrices at hand; gives the lanes of `done` where both are finite.
@@ -329,8 +368,11 @@ impl<'o, S: Level> Lockstep<'o, S> {
         self.equations.acceleration_rhs(crew, &self.instant, self.linear.rhs_mut());
         self.linear.solve();
         self.qdd.copy_from_slice(self.linear.solution());
-        let largest = Wide::splat(self.simd, f64::MAX);
-        self.qd.iter().chain(&self.qdd).fold(done, |finite, x| finite & x.abs().le(largest))
+        let (largest, mut finite) = (Wide::splat(self.simd, f64::MAX), done);
+        for (qd, qdd) in self.qd.iter().zip(&self.qdd) {
+            finite = finite & qd.abs().le(largest) & qdd.abs().le(largest);
+        }
+        finite
     }
 }
 

@@ -38,15 +38,15 @@ impl<S: Level> Predictor<S> {
 
     /// The step h from the last solution has ended at `q`: was the right formula used, in the lanes that took Newton steps?
     #[inline(always)]
-    pub(super) fn compare(&mut self, h: f64, last: Last<'_, S>, q: &[Wide<S>], sizes: &[Wide<S>], stepped: Mask<S>) {
+    pub(super) fn compare(&mut self, h: f64, last: Last<'_, S>, q: &[Wide<S>], per_size: &[Wide<S>], stepped: Mask<S>) {
         if !self.knows(h) || !stepped.any() {
             return;
         }
         let zero = Wide::splat(self.simd, 0.0);
         let (mut long, mut short) = (zero, zero);
-        for (j, (q, size)) in q.iter().zip(sizes).enumerate() {
-            long = long.max((self.long(h, last, j) - *q).abs() / *size);
-            short = short.max((self.short(h, last, j) - *q).abs() / *size);
+        for (j, (q, per_size)) in q.iter().zip(per_size).enumerate() {
+            long = long.max((self.long(h, last, j) - *q).abs() * *per_size);
+            short = short.max((self.short(h, last, j) - *q).abs() * *per_size);
         }
         self.trusted = (stepped & long.le(short)) | (!stepped & self.trusted);
     }
@@ -67,12 +67,15 @@ impl<S: Level> Predictor<S> {
 
     #[inline(always)]
     fn long(&self, h: f64, [q, qd, qdd]: Last<'_, S>, j: usize) -> Wide<S> {
-        let weigh = |weights: [f64; 3], h: f64, x: [Wide<S>; 3]| {
-            let [a, b, c] = weights.map(|weight| Wide::splat(self.simd, weight * h));
-            a * x[0] + b * x[1] + c * x[2]
-        };
         let [one, two] = &self.past;
-        q[j] + (weigh(RATES, h, [qd[j], one[0][j], two[0][j]]) + weigh(SECOND_RATES, h * h, [qdd[j], one[1][j], two[1][j]]))
+        let rates = self.weigh(RATES, h, [qd[j], one[0][j], two[0][j]]);
+        q[j] + (rates + self.weigh(SECOND_RATES, h * h, [qdd[j], one[1][j], two[1][j]]))
+    }
+
+    #[inline(always)]
+    fn weigh(&self, [a, b, c]: [f64; 3], h: f64, x: [Wide<S>; 3]) -> Wide<S> {
+        let simd = self.simd;
+        Wide::splat(simd, a * h) * x[0] + Wide::splat(simd, b * h) * x[1] + Wide::splat(simd, c * h) * x[2]
     }
 
     /// q + h q̇ + ½ h² q̈

@@ -133,7 +133,7 @@ impl StatePlan {
 
 /// The state as it was last copied.
 #[inline(always)]
-fn own<T: Copy, const N: usize>(copies: &[[u32; 2]], states: &[T]) -> Option<[T; N]> {
+fn own<const N: usize>(copies: &[[u32; 2]], states: &[f64]) -> Option<[f64; N]> {
     states.get(copies.first()?[0] as usize..)?.first_chunk().copied()
 }
 

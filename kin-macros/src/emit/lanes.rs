@@ -71,7 +71,7 @@ pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &Lowered, derived: &
             #in_lanes
             impl ::kin::rt::LaneKernel for #name {
                 #[inline(always)]
-                fn linearize<__S: ::kin::rt::Simd>(
+                fn linearize<__S: ::kin::rt::Level>(
                     at: &::kin::rt::LaneAt<'_, __S>,
                     c: &mut [::kin::rt::Wide<__S>],
                     c_q: &mut [::kin::rt::Wide<__S>],
@@ -81,12 +81,12 @@ pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &Lowered, derived: &
                     #linearize
                 }
                 #[inline(always)]
-                fn velocity_rhs<__S: ::kin::rt::Simd>(at: &::kin::rt::LaneAt<'_, __S>, rhs: &mut [::kin::rt::Wide<__S>]) {
+                fn velocity_rhs<__S: ::kin::rt::Level>(at: &::kin::rt::LaneAt<'_, __S>, rhs: &mut [::kin::rt::Wide<__S>]) {
                     let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<#m_velocity>() else { return };
                     #velocity
                 }
                 #[inline(always)]
-                fn acceleration_rhs<__S: ::kin::rt::Simd>(
+                fn acceleration_rhs<__S: ::kin::rt::Level>(
                     at: &::kin::rt::LaneAt<'_, __S>,
                     qd: &::kin::rt::LaneRates<'_, __S>,
                     q_d: &mut [::kin::rt::Wide<__S>],

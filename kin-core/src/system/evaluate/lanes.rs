@@ -13,6 +13,7 @@ struct WideBlock<S: Level> {
     table: Option<Table<S>>,
     /// Where what it knows of parameters stands, and what of the time.
     known: [Range<usize>; 2],
+    n_known: usize,
     /// Whether it is the same in all lanes.
     same: bool,
     /// Whether its C_t, or Q_d, can be other than zero.
@@ -72,7 +73,7 @@ impl<S: Level> WideEquations<S> {
             n_known = known[1].end;
             let depends = block.constraint.depends();
             let table = kernels.map(|kernels| S::table(&kernels.kernels()));
-            blocks.push(WideBlock { table, known, same: !varied, c_t: depends.c_t, q_d: depends.q_d });
+            blocks.push(WideBlock { table, known, n_known: parameters + times, same: !varied, c_t: depends.c_t, q_d: depends.q_d });
         }
         WideEquations { simd, blocks, n_known, scratch: Scratch::default() }
     }
@@ -122,11 +123,17 @@ impl<S: Level> WideEquations<S> {
     #[inline(always)]
     pub(crate) fn linearize(&mut self, crew: &Crew<'_>, instant: &WideInstant<S>, c: &mut [Wide<S>], values: &mut [Wide<S>]) {
         let Some(system) = crew.systems.first() else { return };
+        let (mut c, mut values, mut states, mut known) = (c, values, &instant.states[..], &instant.known[..]);
         for (k, block) in system.equations().blocks.iter().enumerate() {
-            let (c, values) = (&mut c[block.rows.clone()], &mut values[block.values.clone()]);
+            // Blocks lie one after the other: one check for each slice.
+            let (own_c, own_values, own_states, own_known);
+            (own_c, c) = c.split_at_mut(block.rows.len());
+            (own_values, values) = values.split_at_mut(block.values.len());
+            (own_states, states) = states.split_at(block.states.len());
+            (own_known, known) = known.split_at(self.blocks[k].n_known);
             match self.blocks[k].table {
-                Some(table) => (table.linearize)(&self.at(k, crew, instant, &block.states), c, values),
-                None => self.linearize_lane_by_lane(k, crew, instant, c, values),
+                Some(table) => (table.linearize)(&LaneAt::new(self.simd, own_states, own_known, &crew.own[k]), own_c, own_values),
+                None => self.linearize_lane_by_lane(k, crew, instant, own_c, own_values),
             }
         }
     }

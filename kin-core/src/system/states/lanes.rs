@@ -1,13 +1,11 @@
 //! States over lanes: the same plan for several mechanisms at once.
 
-use pulp::Simd;
-
 use super::{GROUND, StatePlan};
-use crate::lanes::Wide;
+use crate::lanes::{Level, Wide};
 
 impl StatePlan {
     /// States of the right number, those of the ground in all lanes.
-    pub(crate) fn wide_states<S: Simd>(&self, simd: S) -> Vec<Wide<S>> {
+    pub(crate) fn wide_states<S: Level>(&self, simd: S) -> Vec<Wide<S>> {
         self.states.iter().map(|x| Wide::splat(simd, *x)).collect()
     }
 
@@ -18,13 +16,19 @@ impl StatePlan {
 
     /// The states at coordinates q.
     #[inline(always)]
-    pub(crate) fn set_wide_states<S: Simd>(&self, q: &[Wide<S>], states: &mut [Wide<S>]) {
+    pub(crate) fn set_wide_states<S: Level>(&self, q: &[Wide<S>], states: &mut [Wide<S>]) {
         for shared in &self.planar {
-            let Some(&[x, y, theta]) = q.get(shared.first..).and_then(|q| q.first_chunk()) else { continue };
-            let Some([_, _, known, sin, cos]) = super::own(&shared.copies, states) else { continue };
+            let (first, own) = (shared.first, shared.copies[0][0] as usize);
+            let (x, y, theta) = (q[first], q[first + 1], q[first + 2]);
+            let (mut sin, mut cos) = (states[own + 3], states[own + 4]);
             // Angles that have not moved in any lane, as driven ones in Newton's last step, keep their sine and cosine.
-            let (sin, cos) = if theta.differ(known).any() { theta.sin_cos() } else { (sin, cos) };
-            super::copy::<_, _, 0>(&[x, y, theta, sin, cos], &shared.copies, states);
+            if theta.differ(states[own + 2]).any() {
+                (sin, cos) = theta.sin_cos();
+            }
+            for &[begin, _] in &shared.copies {
+                let Some(state) = states.get_mut(begin as usize..).and_then(|states| states.first_chunk_mut()) else { continue };
+                *state = [x, y, theta, sin, cos];
+            }
         }
         for shared in &self.spatial {
             let Some(&q) = q.get(shared.first..).and_then(|q| q.first_chunk::<7>()) else { continue };
@@ -39,7 +43,7 @@ impl StatePlan {
 
     /// The rates of each local column at q̇; those of the ground stay as they are.
     #[inline(always)]
-    pub(crate) fn set_wide_rates<S: Simd>(&self, qd: &[Wide<S>], rates: &mut [Wide<S>]) {
+    pub(crate) fn set_wide_rates<S: Level>(&self, qd: &[Wide<S>], rates: &mut [Wide<S>]) {
         for (rate, &column) in rates.iter_mut().zip(&self.columns) {
             if column != GROUND {
                 *rate = qd[column as usize];
@@ -50,7 +54,7 @@ impl StatePlan {
 
 /// R, p and A = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ, as a constraint reads them.
 #[inline(always)]
-fn spatial<S: Simd>([x, y, z, e0, e1, e2, e3]: [Wide<S>; 7]) -> [Wide<S>; 16] {
+fn spatial<S: Level>([x, y, z, e0, e1, e2, e3]: [Wide<S>; 7]) -> [Wide<S>; 16] {
     let twice = |x: Wide<S>| x + x;
     let one = {
         let zero = x - x;
