@@ -1,7 +1,10 @@
 //! The one trait of the library: what a constraint C(q, t) = 0 can be asked for.
 
+use crate::algebra::Vec3;
 use crate::coordinates::Argument;
+use crate::data::Describer;
 use crate::lanes::InLanes;
+use crate::law::Law;
 use crate::state::{At, Rates};
 
 /// How the derivatives of a constraint are obtained.
@@ -23,6 +26,24 @@ impl std::fmt::Display for Route {
             Route::Hand => "hand-written",
         })
     }
+}
+
+/// A point or direction fixed in a body that a constraint speaks of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Attachment {
+    /// Which of [`Constraint::arguments`] the body is.
+    pub argument: usize,
+    /// What it is, by its components in the body's frame.
+    pub what: Attached,
+}
+
+/// A local point or direction; z is 0 in planar bodies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Attached {
+    /// ū of `b.point(u)`.   \[m\]
+    Point(Vec3),
+    /// h̄ of `b.direction(h)`, of any length.   \[-\]
+    Direction(Vec3),
 }
 
 /// Which terms of C(q, t) can change or be other than zero, at any q, t and parameters: what a solver need not ask for.
@@ -152,6 +173,38 @@ pub trait Constraint: CloneBoxed + Send + Sync {
     /// The same for kernels over lanes, if it has them (`#[constraint(lanes)]`): several mechanisms of a sweep advance together.
     fn in_lanes(&self) -> Option<&dyn InLanes> {
         None
+    }
+
+    /// The points and directions of its bodies that its equation speaks of, `b.point(u)` and `b.direction(h)` with nothing that moves
+    /// inside: for drawings and messages. Empty where that is not known (default).
+    fn attachments(&self) -> Vec<Attachment> {
+        Vec::new()
+    }
+
+    /// What it is, in the words of its documentation: a sentence with its equation, freedoms removed, signs.
+    fn description(&self) -> &str {
+        ""
+    }
+
+    /// Why its parameters make no sense, if so: a mechanism refuses the constraint with these words.
+    fn refusal(&self) -> Option<String> {
+        None
+    }
+
+    /// Where C = 0 holds but not as it is meant, such as an axis turned by 180°: what is wrong. Looked at when a position has been found.
+    fn wrong_branch(&self, at: &At<'_>) -> Option<&str> {
+        let _ = at;
+        None
+    }
+
+    /// Shows each law that the equation asks, with its name and where it is asked; on the dual route that is not known.
+    fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
+        let _ = (at, visit);
+    }
+
+    /// Tells each parameter under its name, so that the constraint can be written as data and made anew; refuses where it cannot be (default).
+    fn describe(&self, to: &mut Describer) {
+        to.refuse("it was not made by `#[constraint]`, so its parameters are not known");
     }
 
     /// Where a value or derivative is not finite: the sub-expression that made it so, as the user wrote it.

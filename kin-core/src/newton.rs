@@ -5,10 +5,13 @@ mod driven;
 mod options;
 pub(crate) mod predictor;
 pub(crate) mod sweep;
+mod watch;
 
 pub use options::{Options, Report, Stop};
+pub use watch::CrossedBreak;
 
 use crate::error::Error;
+use crate::fours;
 use crate::linear::{Linear, Singular};
 use crate::system::evaluate::{Bad, Instant, finite};
 use crate::system::{Solution, System};
@@ -68,6 +71,8 @@ pub(crate) struct Newton<'a> {
     pub linear: Linear,
     /// s_j, the characteristic size of each coordinate.
     pub sizes: Vec<f64>,
+    /// 1 / s_j
+    shares: Vec<f64>,
     /// What is left of what each row is allowed to be off.
     left: Vec<f64>,
     /// max |C_i| at the last linearization.
@@ -80,8 +85,6 @@ pub(crate) struct Newton<'a> {
 impl<'a> Newton<'a> {
     pub(crate) fn new(system: &'a System, options: &'a Options) -> Self {
         let (n, equations) = (system.n_coordinates(), system.equations());
-        let mut linear = Linear::new(n, equations.entries.iter().copied(), &equations.constants);
-        equations.set_constants(linear.values_mut());
         Newton {
             system,
             options,
@@ -91,13 +94,21 @@ impl<'a> Newton<'a> {
             c: vec![0.0; n],
             before: vec![0.0; n],
             instant: equations.instant(),
-            linear,
+            linear: system.linear(),
             sizes: vec![1.0; n],
+            shares: vec![1.0; n],
             left: vec![0.0; n],
             residual: 0.0,
             steps: 0,
             steps_before: 0,
         }
+    }
+
+    /// Gives each coordinate its characteristic size.
+    fn set_sizes(&mut self, sizes: Vec<f64>) {
+        self.linear.set_sizes(&sizes);
+        self.shares.iter_mut().zip(&sizes).for_each(|(share, size)| *share = size.recip());
+        self.sizes = sizes;
     }
 
     /// Newton's method from the point in hand; on success the matrix at the solution is factored.
@@ -177,7 +188,7 @@ impl<'a> Newton<'a> {
 
     /// Measures C, and C_q if that is asked for; an error where a number is not finite.
     fn measure(&mut self, matrix: bool) -> Result<(), Failure> {
-        self.residual = largest_of(self.c.iter().copied());
+        self.residual = fours::largest(&self.c);
         if (!matrix || self.linear.measure()) && self.residual < f64::INFINITY {
             return Ok(());
         }
@@ -186,9 +197,7 @@ impl<'a> Newton<'a> {
 
     /// C_q dq = −C; gives max |dq_j|, each against what may be asked of it, or more if that is within the tolerance.
     fn correction(&mut self) -> f64 {
-        for (rhs, c) in self.linear.rhs_mut().iter_mut().zip(&self.c) {
-            *rhs = -c;
-        }
+        fours::negate(self.linear.rhs_mut(), &self.c);
         self.linear.solve();
         let (dq, tolerance) = match self.options.stop {
             Stop::Converged { tolerance } => (self.linear.solution(), tolerance),
@@ -196,7 +205,7 @@ impl<'a> Newton<'a> {
             Stop::ResidualOnly(_) if !self.options.rescue => return f64::INFINITY,
             Stop::ResidualOnly(_) => (self.linear.solution(), f64::INFINITY),
         };
-        let shares = largest_of(dq.iter().zip(&self.sizes).map(|(dq, size)| dq / size));
+        let shares = fours::largest_share(dq, &self.shares);
         if shares <= tolerance {
             return shares;
         }
@@ -217,8 +226,7 @@ impl<'a> Newton<'a> {
             Stop::Converged { tolerance } => tolerance,
             Stop::ResidualOnly(bound) => return self.residual < bound,
         };
-        let rows = self.c.iter().zip(self.linear.norms());
-        rows.fold(true, |met, (c, norm)| met & (c.abs() <= tolerance * norm)) || self.met_but_for_rounding(tolerance)
+        fours::largest_share(&self.c, self.linear.row_units()) <= tolerance || self.met_but_for_rounding(tolerance)
     }
 
     /// The same where rounding of q, which makes Σ_j |∂C_i/∂q_j| |q_j| ε of row i, is allowed for.
@@ -258,7 +266,7 @@ impl<'a> Newton<'a> {
 
     /// q += dq
     fn correct(&mut self) {
-        self.q.iter_mut().zip(self.linear.solution()).for_each(|(q, dq)| *q += dq);
+        fours::add(&mut self.q, self.linear.solution());
     }
 
     /// q += λ dq with the largest λ = 1, ½, ¼, … that lets Σ (C_i / norm_i)² fall (Armijo) and turns nothing too far.
@@ -295,13 +303,12 @@ impl<'a> Newton<'a> {
         let equations = self.system.equations();
         equations.velocity_rhs(&self.instant, self.linear.rhs_mut());
         self.linear.solve();
-        self.qd.copy_from_slice(self.linear.solution());
+        let finite = fours::take(&mut self.qd, self.linear.solution());
         equations.set_rates(&self.qd, &mut self.instant);
         equations.acceleration_rhs(&self.instant, self.linear.rhs_mut());
         self.linear.solve();
-        self.qdd.copy_from_slice(self.linear.solution());
         // A right side that is not finite makes solutions that are not.
-        if self.qd.iter().zip(&self.qdd).fold(true, |all, (qd, qdd)| all & qd.is_finite() & qdd.is_finite()) {
+        if fours::take(&mut self.qdd, self.linear.solution()) && finite {
             return Ok(());
         }
         Err(Failure::NotFinite(self.overflow()))
@@ -331,6 +338,17 @@ impl<'a> Newton<'a> {
         Solution { t, q: self.q, qd: self.qd, qdd: self.qdd, report }
     }
 
+    /// The error for a position that closes but not as it is meant, such as with an axis turned by 180°.
+    pub(crate) fn meant(&self) -> Result<(), Error> {
+        for block in &self.system.equations().blocks {
+            if let Some(reason) = block.constraint.wrong_branch(&self.instant.of(block)) {
+                let (constraint, kind) = (block.name.clone(), block.constraint.kind().to_string());
+                return Err(Error::WrongBranch { t: self.instant.t(), constraint, kind, reason: reason.to_string(), motion: None });
+            }
+        }
+        Ok(())
+    }
+
     /// The error that tells a failure in the user's names.
     pub(crate) fn error(&mut self, failure: Failure, t: f64, last: Option<f64>) -> Error {
         let equations = self.system.equations();
@@ -343,13 +361,6 @@ impl<'a> Newton<'a> {
             }
         }
     }
-}
-
-/// The largest |x|, 0 of none; NaN counts as infinite. By bits, whose order is that of the numbers: the compiler makes lanes of it.
-fn largest_of(numbers: impl Iterator<Item = f64>) -> f64 {
-    let bits = numbers.fold(0, |m: i64, x| m.max(x.abs().to_bits() as i64));
-    let largest = f64::from_bits(bits as u64);
-    if largest.is_nan() { f64::INFINITY } else { largest }
 }
 
 /// Four roundings of a number in units of the tolerance: a number that large may be off by that much.

@@ -241,7 +241,11 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
             }
         }
         lockstep.flush(&mut motions);
-        motions.into_iter().enumerate().map(|(lane, motion)| active.lane(lane).then_some(motion)).collect()
+        let done = |lane: usize, motion: &Motion| {
+            let last = motion.len().saturating_sub(1);
+            active.lane(lane) && crew.systems[lane].is_meant(self.times[last], motion.q(last))
+        };
+        motions.into_iter().enumerate().map(|(lane, motion)| done(lane, &motion).then_some(motion)).collect()
     }
 }
 

@@ -9,10 +9,12 @@ use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
+use crate::constraint::Constraint;
+use crate::coordinates::Target;
 use crate::error::{Error, Result};
 use crate::layout::Layout;
 use crate::linear::{Linear, Singular};
-use crate::motion::Motion;
+use crate::motion::{Motion, Series};
 use crate::newton::{self, Newton, Options, Report, Steps, assembly};
 use crate::sweep::Sweep;
 use evaluate::{Bad, Equations, Instant, finite};
@@ -23,14 +25,16 @@ use evaluate::{Bad, Equations, Instant, finite};
 /// added, the norm constraints |p|² = 1 of spatial bodies (named `BODY.p`) after them.
 #[derive(Clone)]
 pub struct System {
-    name: Arc<str>,
+    name: String,
     layout: Arc<Layout>,
     equations: Equations,
+    /// Names of the equations.
+    rows: Arc<[String]>,
     initial: Vec<f64>,
     preferred: Vec<(usize, f64)>,
     links: Vec<f64>,
-    /// Names of the equations.
-    rows: Arc<[String]>,
+    /// The linear solver with the elimination recorded at the initial guess, if C_q is regular there.
+    linear: Linear,
 }
 
 /// Position, velocity and acceleration at one time.
@@ -57,8 +61,9 @@ impl System {
         preferred: Vec<(usize, f64)>,
         links: Vec<f64>,
     ) -> Self {
+        let linear = prepared(&layout, &equations, &initial, &links);
         let rows = (0..equations.rows).map(|row| equations.equation(row)).collect();
-        System { name: name.into(), layout: Arc::new(layout), equations, initial, preferred, links, rows }
+        System { name, layout: Arc::new(layout), equations, rows, initial, preferred, links, linear }
     }
 
     /// Name of the mechanism.
@@ -86,6 +91,30 @@ impl System {
         self.layout.units.iter().map(|unit| unit.text(0)).collect()
     }
 
+    /// The planar and spatial bodies with their names, in the order of declaration.
+    pub fn bodies(&self) -> Vec<(&str, Target)> {
+        self.layout.bodies()
+    }
+
+    /// The constraints with their names, in their order; the norm constraints of spatial bodies come last.
+    pub fn constraints(&self) -> impl Iterator<Item = (&str, &dyn Constraint)> {
+        self.equations.blocks.iter().map(|block| (block.name.as_str(), block.constraint.as_ref()))
+    }
+
+    /// The 2-norm condition number of C_q at each time of a motion of this system, rows and columns measured as the solver does, so that
+    /// it does not depend on units; estimated from below, seldom by more than 2. Infinite where C_q is singular.   \[-\]
+    ///
+    /// Errors: a motion of another system.
+    pub fn condition(&self, motion: &Motion) -> Result<Series> {
+        let values = (0..motion.len()).map(|k| self.condition_at(motion.q(k), motion.times()[k])).collect::<Result<_>>()?;
+        Ok(Series::new("condition number", "-", motion.times(), values))
+    }
+
+    fn condition_at(&self, q: &[f64], t: f64) -> Result<f64> {
+        let mut linear = self.linearized(q, t)?;
+        Ok(if linear.factor().is_ok() { linear.condition() } else { f64::INFINITY })
+    }
+
     /// Names of the constraints in their order.
     pub fn constraint_names(&self) -> Vec<&str> {
         self.equations.blocks.iter().map(|block| block.name.as_str()).collect()
@@ -94,6 +123,10 @@ impl System {
     /// Names of the equations in their order: `A.x`, `A.y`; a constraint of one row gives its own name.
     pub fn equation_names(&self) -> Vec<String> {
         self.rows.to_vec()
+    }
+
+    pub(crate) fn names_of_equations(&self) -> &Arc<[String]> {
+        &self.rows
     }
 
     /// The initial guess of q, preferred values included.   \[m, rad\]
@@ -205,9 +238,19 @@ impl System {
         Sweep::new(self, names)
     }
 
-    /// The name and the names of the equations, for those who share them.
-    pub(crate) fn names(&self) -> (&Arc<str>, &Arc<[String]>) {
-        (&self.name, &self.rows)
+    /// Whether no law of its constraints has a break; a run has to look for those time by time.
+    pub(crate) fn is_smooth(&self) -> bool {
+        let (mut smooth, instant) = (true, self.equations.instant_at(0.0, &self.initial));
+        for block in &self.equations.blocks {
+            block.constraint.laws(&instant.of(block), &mut |_, law, _| smooth &= law.is_smooth());
+        }
+        smooth
+    }
+
+    /// Whether a position that closes is meant by all constraints, none of which has, say, its axis turned by 180°.
+    pub(crate) fn is_meant(&self, t: f64, q: &[f64]) -> bool {
+        let instant = self.equations.instant_at(t, q);
+        self.equations.blocks.iter().all(|block| block.constraint.wrong_branch(&instant.of(block)).is_none())
     }
 
     pub(crate) fn layout(&self) -> &Arc<Layout> {
@@ -216,6 +259,13 @@ impl System {
 
     pub(crate) fn equations(&self) -> &Equations {
         &self.equations
+    }
+
+    /// A linear solver for C_q, with all that never changes in its place.
+    pub(crate) fn linear(&self) -> Linear {
+        let mut linear = self.linear.clone();
+        linear.forget();
+        linear
     }
 
     pub(crate) fn preferred(&self) -> &[(usize, f64)] {
@@ -271,16 +321,22 @@ impl System {
 
     /// C_q⁻¹ times the right side, with the sizes of that point.
     fn solved(&self, q: &[f64], t: f64, rhs: &[f64]) -> Result<Vec<f64>> {
-        let instant = self.instant(q, t)?;
-        let mut linear = Linear::new(self.n_coordinates(), self.equations.entries.iter().copied(), &self.equations.constants);
-        self.linearize(&instant, linear.values_mut())?;
-        let sizes = scale::sizes(&self.layout, &self.equations, linear.values(), q, &self.links);
-        linear.set_sizes(&sizes);
-        linear.measure();
+        let mut linear = self.linearized(q, t)?;
         linear.factor().map_err(|found| self.singular(t, &found, None))?;
         linear.rhs_mut().copy_from_slice(rhs);
         linear.solve();
         Ok(linear.solution().to_vec())
+    }
+
+    /// C_q(q, t) with the sizes of that point, ready to be factored.
+    fn linearized(&self, q: &[f64], t: f64) -> Result<Linear> {
+        let instant = self.instant(q, t)?;
+        let mut linear = self.linear();
+        self.linearize(&instant, linear.values_mut())?;
+        let sizes = scale::sizes(&self.layout, &self.equations, linear.values(), q, &self.links);
+        linear.set_sizes(&sizes);
+        linear.measure();
+        Ok(linear)
     }
 }
 
@@ -292,6 +348,19 @@ impl std::fmt::Debug for System {
             .field("constraints", &self.constraint_names())
             .finish()
     }
+}
+
+/// The linear solver, its elimination recorded at the initial guess and t = 0.
+fn prepared(layout: &Layout, equations: &Equations, initial: &[f64], links: &[f64]) -> Linear {
+    let mut linear = Linear::new(layout.len(), equations.entries.iter().copied(), &equations.constants);
+    let mut c = vec![0.0; equations.rows];
+    equations.set_constants(linear.values_mut());
+    equations.linearize(&equations.instant_at(0.0, initial), &mut c, linear.values_mut());
+    if equations.finite(&c, linear.values()).is_ok() {
+        linear.set_sizes(&scale::sizes(layout, equations, linear.values(), initial, links));
+        linear.prepare();
+    }
+    linear
 }
 
 fn time(t: f64) -> Result<f64> {

@@ -78,6 +78,13 @@ const _: () = {
         fn pattern(&self) -> &[(usize, usize)] {
             &[(0, 0), (0, 1), (1, 0)]
         }
+        fn describe(&self, to: &mut ::kin::rt::Describer) {
+            use ::kin::rt::{ToldBySerde as _, Untold as _};
+            to.put("l2", &self.l2);
+            to.put("l3", &self.l3);
+            to.put("h", &self.h);
+            to.put("omega", &self.omega);
+        }
         fn constants(&self) -> &[::core::option::Option<f64>] {
             &[
                 ::core::option::Option::None,
@@ -93,7 +100,25 @@ const _: () = {
                 q_d: true,
             }
         }
-        /// C: 10 operations
+        fn n_timed(&self) -> usize {
+            6
+        }
+        /// What depends on t and parameters alone: 9 operations
+        fn at_time(&self, t: f64, timed: &mut [f64]) {
+            let ::core::option::Option::Some(timed) = timed.first_chunk_mut::<6>() else {
+                return
+            };
+            let at = ::kin::rt::At::new(t, &[], &[]);
+            let t0 = at.t * self.omega;
+            let (s1, c1) = t0.sin_cos();
+            timed[0] = c1;
+            timed[1] = self.l2 * c1;
+            timed[2] = s1;
+            timed[3] = self.l2 * s1;
+            timed[4] = self.l2 * (self.omega * s1);
+            timed[5] = -(self.l2 * (self.omega * c1));
+        }
+        /// C: 6 operations
         fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
                 return
@@ -107,10 +132,16 @@ const _: () = {
                 _,
                 ],
             ) = at.states::<6>() else { return };
-            let t0 = at.t * self.omega;
-            let (s1, c1) = t0.sin_cos();
-            c[0] = ((self.l2 * c1) + (self.l3 * theta3_cos)) - x_arg;
-            c[1] = ((self.l2 * s1) + (self.l3 * theta3_sin)) - self.h;
+            let own: [f64; 6];
+            let timed = match at.timed().first_chunk() {
+                ::core::option::Option::Some(timed) => timed,
+                ::core::option::Option::None => {
+                    own = ::kin::rt::timed(self, at.t);
+                    &own
+                }
+            };
+            c[0] = (timed[1] + (self.l3 * theta3_cos)) - x_arg;
+            c[1] = (timed[3] + (self.l3 * theta3_sin)) - self.h;
         }
         /// C_q: 3 operations
         #[inline]
@@ -124,7 +155,7 @@ const _: () = {
             c_q[1] = -1.0;
             c_q[2] = self.l3 * theta3_cos;
         }
-        /// C and C_q: 11 operations
+        /// C and C_q: 7 operations
         fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
                 return
@@ -141,27 +172,39 @@ const _: () = {
                 _,
                 ],
             ) = at.states::<6>() else { return };
-            let t0 = at.t * self.omega;
-            let (s1, c1) = t0.sin_cos();
-            let t2 = self.l3 * theta3_cos;
-            let t3 = self.l3 * theta3_sin;
-            c[0] = ((self.l2 * c1) + t2) - x_arg;
-            c[1] = ((self.l2 * s1) + t3) - self.h;
-            c_q[0] = -t3;
+            let own: [f64; 6];
+            let timed = match at.timed().first_chunk() {
+                ::core::option::Option::Some(timed) => timed,
+                ::core::option::Option::None => {
+                    own = ::kin::rt::timed(self, at.t);
+                    &own
+                }
+            };
+            let t0 = self.l3 * theta3_cos;
+            let t1 = self.l3 * theta3_sin;
+            c[0] = (timed[1] + t0) - x_arg;
+            c[1] = (timed[3] + t1) - self.h;
+            c_q[0] = -t1;
             c_q[1] = -1.0;
-            c_q[2] = t2;
+            c_q[2] = t0;
         }
-        /// −C_t: 7 operations
+        /// −C_t: 0 operations
         fn velocity_rhs(&self, at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
             let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<2>() else {
                 return
             };
-            let t0 = at.t * self.omega;
-            let (s1, c1) = t0.sin_cos();
-            rhs[0] = self.l2 * (self.omega * s1);
-            rhs[1] = -(self.l2 * (self.omega * c1));
+            let own: [f64; 6];
+            let timed = match at.timed().first_chunk() {
+                ::core::option::Option::Some(timed) => timed,
+                ::core::option::Option::None => {
+                    own = ::kin::rt::timed(self, at.t);
+                    &own
+                }
+            };
+            rhs[0] = timed[4];
+            rhs[1] = timed[5];
         }
-        /// Q_d for t_dot = 1: 16 operations
+        /// Q_d for t_dot = 1: 14 operations
         fn acceleration_rhs(
             &self,
             at: &::kin::rt::At<'_>,
@@ -177,12 +220,18 @@ const _: () = {
             let ::core::option::Option::Some(&[theta3_d, _]) = qd.columns::<2>() else {
                 return
             };
-            let t0 = at.t * self.omega;
-            let (s1, c1) = t0.sin_cos();
-            let t2 = self.omega * t_dot;
-            let t3 = theta3_d * theta3_d;
-            q_d[0] = (self.l2 * (t2 * (c1 * t2))) + (self.l3 * (theta3_cos * t3));
-            q_d[1] = (self.l2 * (t2 * (s1 * t2))) + (self.l3 * (theta3_sin * t3));
+            let own: [f64; 6];
+            let timed = match at.timed().first_chunk() {
+                ::core::option::Option::Some(timed) => timed,
+                ::core::option::Option::None => {
+                    own = ::kin::rt::timed(self, at.t);
+                    &own
+                }
+            };
+            let t0 = self.omega * t_dot;
+            let t1 = theta3_d * theta3_d;
+            q_d[0] = (self.l2 * (t0 * (timed[0] * t0))) + (self.l3 * (theta3_cos * t1));
+            q_d[1] = (self.l2 * (t0 * (timed[2] * t0))) + (self.l3 * (theta3_sin * t1));
         }
         #[cold]
         fn not_finite(&self, at: &::kin::rt::At<'_>) -> ::core::option::Option<&str> {
@@ -204,6 +253,9 @@ const _: () = {
             }
             ::core::option::Option::None
         }
+        fn description(&self) -> &str {
+            "Loop closure of the slider-crank, crank driven at ω.      [m]"
+        }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
             ::kin::rt::Numbers::visit(&self.l2, "l2", visit);
             ::kin::rt::Numbers::visit(&self.l3, "l3", visit);
@@ -221,6 +273,26 @@ const _: () = {
                 || ::kin::rt::Numbers::set_at(&mut self.l3, &mut index, value)
                 || ::kin::rt::Numbers::set_at(&mut self.h, &mut index, value)
                 || ::kin::rt::Numbers::set_at(&mut self.omega, &mut index, value)
+        }
+    }
+    impl ::kin::rt::Described for slider_crank {
+        const KIND: &'static str = "slider_crank";
+        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
+            2,
+            2,
+        >>::ARGUMENTS;
+        fn read(
+            from: &mut ::kin::rt::Reader<'_>,
+        ) -> ::core::result::Result<Self, ::std::string::String> {
+            use ::kin::rt::{SoughtBySerde as _, Unsought as _};
+            ::core::result::Result::Ok(slider_crank {
+                theta3: from.coord()?,
+                x: from.coord()?,
+                l2: from.get("l2")?,
+                l3: from.get("l3")?,
+                h: from.get("h")?,
+                omega: from.get("omega")?,
+            })
         }
     }
     impl ::kin::rt::Equation<2, 2> for slider_crank {

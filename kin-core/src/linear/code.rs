@@ -1,20 +1,21 @@
 //! The code of a program and its interpreter: no search, no allocation, one memory for everything.
 //!
-//! One opcode a step says what the step does and how many operands it has; the interpreter has a loop-free copy for each of the common
-//! ones. A memory of at most 256 numbers is addressed by bytes, which cannot leave it: there no access is checked.
+//! Steps of one shape follow one another in runs ([`order`](super::order) sees to it), and the interpreter has a copy for each of the common
+//! shapes: so it asks seldom what to do next. A memory of at most 256 numbers is addressed by bytes, which cannot leave it: there no access
+//! is checked.
 
 use super::program::{Kind, Operands, Step};
 
 /// Up to this many numbers a memory is addressed by bytes, and must have just this length.
 pub(super) const SMALL: usize = 256;
 
-/// Up to 3 products, 2 numbers added and 2 subtracted have opcodes of their own, 36 for each kind of step.
-const SHAPES: usize = 36;
+/// Up to 3 products, 2 numbers added and 2 subtracted have opcodes of their own, and up to 7 products alone: 40 for each kind of step.
+const SHAPES: usize = 40;
 
 /// The opcode of steps with more operands.
 const LONG: u8 = u8::MAX;
 
-/// Opcodes with the places they work on.
+/// Runs of steps with the places they work on.
 #[derive(Clone, Debug)]
 pub(super) enum Code {
     Small(Flat<u8>),
@@ -49,7 +50,7 @@ impl Code {
     }
 
     /// Appends a step.
-    pub(super) fn push(&mut self, step: &Step, operands: Operands<'_>) {
+    pub(super) fn push(&mut self, step: &Step, operands: &Operands<'_>) {
         match self {
             Code::Small(flat) => flat.push(step, operands),
             Code::Large(flat) => flat.push(step, operands),
@@ -58,19 +59,21 @@ impl Code {
 
     /// Runs all steps.
     pub(super) fn run(&self, memory: &mut [f64]) {
-        match self {
-            Code::Small(flat) => memory.first_chunk_mut().map(|memory| flat.run(memory)),
-            Code::Large(flat) => Some(flat.run(memory)),
-        };
+        self.run_with(memory, &mut Blind);
     }
 
-    /// Runs all steps, watched.
+    /// Runs all steps and tells what was seen; one weight a step.
     pub(super) fn run_watched(&self, memory: &mut [f64], weights: &[f64]) -> Seen {
-        let seen = match self {
-            Code::Small(flat) => memory.first_chunk_mut().map(|memory| flat.run_watched(memory, weights)),
-            Code::Large(flat) => Some(flat.run_watched(memory, weights)),
-        };
-        seen.unwrap_or_default()
+        let mut watch = Weighing { weights: weights.iter(), seen: Seen::default() };
+        self.run_with(memory, &mut watch);
+        watch.seen
+    }
+
+    fn run_with<W: Watch>(&self, memory: &mut [f64], watch: &mut W) {
+        match self {
+            Code::Small(flat) => memory.first_chunk_mut().into_iter().for_each(|memory| flat.run(memory, watch)),
+            Code::Large(flat) => flat.run(memory, watch),
+        }
     }
 }
 
@@ -118,137 +121,178 @@ impl Place for u32 {
     }
 }
 
-/// Opcodes, the places of their operands one after the other, and the counts of those that are long.
+/// Runs of steps of one shape, and the places of their operands one after the other.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Flat<P> {
-    opcodes: Vec<u8>,
+    runs: Vec<Run>,
     places: Vec<P>,
-    long: Vec<Long>,
+    /// The shape of the step at the end, and of each run of long steps.
+    last: Option<Shape>,
+    long: Vec<Shape>,
 }
 
-/// A step with many operands.
+/// Steps of one shape that follow one another: their opcode, and how many they are.
 #[derive(Clone, Copy, Debug)]
-struct Long {
-    kind: Kind,
-    products: usize,
-    plus: usize,
-    minus: usize,
+struct Run {
+    opcode: u8,
+    steps: u32,
+}
+
+/// What steps do, and with how many operands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Shape {
+    pub kind: Kind,
+    pub products: usize,
+    pub plus: usize,
+    pub minus: usize,
+}
+
+impl Shape {
+    /// How many places a step has: where it writes, where it starts, its operands, its scale.
+    const fn length(self) -> usize {
+        2 + 2 * self.products + self.plus + self.minus + matches!(self.kind, Kind::Scaled) as usize
+    }
+
+    /// Its own opcode, if it is short.
+    fn opcode(self) -> u8 {
+        let Shape { kind, products, plus, minus } = self;
+        let shape = match (products, plus, minus) {
+            (0..4, 0..3, 0..3) => products + 4 * plus + 12 * minus,
+            (4..8, 0, 0) => 32 + products,
+            _ => return LONG,
+        };
+        (kind as usize * SHAPES + shape) as u8
+    }
+
+    /// The shape that an opcode means.
+    const fn of(opcode: u8) -> Self {
+        let shape = opcode as usize % SHAPES;
+        let kind = match opcode as usize / SHAPES {
+            0 => Kind::Plain,
+            1 => Kind::Negated,
+            2 => Kind::Scaled,
+            _ => Kind::Pivot,
+        };
+        if shape >= 36 {
+            return Shape { kind, products: shape - 32, plus: 0, minus: 0 };
+        }
+        Shape { kind, products: shape % 4, plus: shape / 4 % 3, minus: shape / 12 }
+    }
 }
 
 /// Runs the copy of the interpreter for an opcode.
 macro_rules! by_opcode {
-    ($opcode:expr, $long:expr, $places:expr, $memory:expr; $($code:literal)*) => {
-        match $opcode {
-            $($code => short::<P, $code, { length($code) }>($places, $memory),)*
-            _ => long($long, $places, $memory),
+    ($run:expr, $shapes:expr, $places:expr, $memory:expr, $watch:expr; $($opcode:literal)*) => {
+        match $run.opcode {
+            $($opcode => short::<P, W, $opcode, { Shape::of($opcode).length() }>($run.steps, $places, $memory, $watch),)*
+            _ => long($shapes.next().map(|shape| (*shape, $run.steps)), $places, $memory, $watch),
         }
     };
 }
 
 impl<P: Place> Flat<P> {
-    fn push(&mut self, step: &Step, Operands { products, plus, minus }: Operands<'_>) {
-        let short = products.len() < 4 && plus.len() < 3 && minus.len() < 3;
-        let shape = products.len() + 4 * plus.len() + 12 * minus.len();
-        self.opcodes.push(if short { (step.kind as usize * SHAPES + shape) as u8 } else { LONG });
-        if !short {
-            self.long.push(Long { kind: step.kind, products: products.len(), plus: plus.len(), minus: minus.len() });
+    fn push(&mut self, step: &Step, Operands { products, plus, minus }: &Operands<'_>) {
+        let shape = step.shape();
+        if self.last.replace(shape) != Some(shape) {
+            self.runs.push(Run { opcode: shape.opcode(), steps: 0 });
+            self.long.extend((shape.opcode() == LONG).then_some(shape));
         }
+        self.runs.last_mut().into_iter().for_each(|run| run.steps += 1);
         let scale = (step.kind == Kind::Scaled).then_some(step.scale);
         let all = [step.out, step.start].into_iter().chain(products.iter().flatten().copied());
         self.places.extend(all.chain(plus.iter().copied()).chain(minus.iter().copied()).chain(scale).map(P::new));
     }
 
-    fn run(&self, memory: &mut P::Memory) {
-        let (mut places, mut long) = (&self.places[..], self.long.iter());
-        for &opcode in &self.opcodes {
-            step(opcode, &mut places, &mut long, memory);
+    #[rustfmt::skip]
+    fn run<W: Watch>(&self, memory: &mut P::Memory, watch: &mut W) {
+        let (mut places, mut shapes) = (&self.places[..], self.long.iter());
+        for run in &self.runs {
+            places = by_opcode!(run, shapes, places, memory, watch;
+                0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31
+                32 33 34 35 36 37 38 39 40 41 42 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58 59 60 61 62 63
+                64 65 66 67 68 69 70 71 72 73 74 75 76 77 78 79 80 81 82 83 84 85 86 87 88 89 90 91 92 93 94 95
+                96 97 98 99 100 101 102 103 104 105 106 107 108 109 110 111 112 113 114 115 116 117 118 119 120 121 122 123 124 125 126 127
+                128 129 130 131 132 133 134 135 136 137 138 139 140 141 142 143 144 145 146 147 148 149 150 151 152 153 154 155 156 157 158 159);
         }
     }
+}
 
-    fn run_watched(&self, memory: &mut P::Memory, weights: &[f64]) -> Seen {
-        let (mut places, mut long) = (&self.places[..], self.long.iter());
-        let mut seen = Seen::default();
-        for (&opcode, weight) in self.opcodes.iter().zip(weights) {
-            let (kind, x) = step(opcode, &mut places, &mut long, memory);
-            let share = x.abs() * weight;
-            match kind {
-                Kind::Plain | Kind::Negated => seen.cell = above(seen.cell, share),
-                Kind::Scaled => seen.multiplier = above(seen.multiplier, share),
-                Kind::Pivot => seen.smallest = below(seen.smallest, share),
-            }
+/// What looks at the numbers as they are computed; of a pivot before it is inverted.
+trait Watch {
+    fn see(&mut self, kind: Kind, x: f64);
+}
+
+/// Nobody looks.
+struct Blind;
+
+impl Watch for Blind {
+    #[inline(always)]
+    fn see(&mut self, _: Kind, _: f64) {}
+}
+
+/// Weighs each number with its own weight.
+struct Weighing<'a> {
+    weights: std::slice::Iter<'a, f64>,
+    seen: Seen,
+}
+
+impl Watch for Weighing<'_> {
+    #[inline(always)]
+    fn see(&mut self, kind: Kind, x: f64) {
+        let share = x.abs() * self.weights.next().copied().unwrap_or(1.0);
+        match kind {
+            Kind::Plain | Kind::Negated => self.seen.cell = above(self.seen.cell, share),
+            Kind::Scaled => self.seen.multiplier = above(self.seen.multiplier, share),
+            Kind::Pivot => self.seen.smallest = below(self.seen.smallest, share),
         }
-        seen
     }
 }
 
-/// One step: its kind, and the number that was computed, of a pivot before it is inverted.
-#[rustfmt::skip]
+/// Steps whose shape is known when the interpreter is compiled; gives the places of the steps after them.
 #[inline(always)]
-fn step<P: Place>(opcode: u8, places: &mut &[P], long_steps: &mut std::slice::Iter<'_, Long>, memory: &mut P::Memory) -> (Kind, f64) {
-    by_opcode!(opcode, long_steps, places, memory;
-        0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31 32 33 34 35
-        36 37 38 39 40 41 42 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58 59 60 61 62 63 64 65 66 67 68 69 70 71
-        72 73 74 75 76 77 78 79 80 81 82 83 84 85 86 87 88 89 90 91 92 93 94 95 96 97 98 99 100 101 102 103 104 105 106 107
-        108 109 110 111 112 113 114 115 116 117 118 119 120 121 122 123 124 125 126 127 128 129 130 131 132 133 134 135 136 137 138
-        139 140 141 142 143)
-}
-
-/// Products, numbers added and numbers subtracted of an opcode.
-const fn shape(opcode: usize) -> [usize; 3] {
-    let shape = opcode % SHAPES;
-    [shape % 4, shape / 4 % 3, shape / 12]
-}
-
-const fn kind(opcode: usize) -> Kind {
-    match opcode / SHAPES {
-        0 => Kind::Plain,
-        1 => Kind::Negated,
-        2 => Kind::Scaled,
-        _ => Kind::Pivot,
+fn short<'a, P: Place, W: Watch, const OPCODE: u8, const LENGTH: usize>(
+    steps: u32,
+    mut places: &'a [P],
+    memory: &mut P::Memory,
+    watch: &mut W,
+) -> &'a [P] {
+    // Runs are mostly short: a loop that counts its places first (`chunks_exact`) is unrolled, which costs more than it saves.
+    for _ in 0..steps {
+        let Some((own, rest)) = places.split_first_chunk::<LENGTH>() else { break };
+        compute(const { Shape::of(OPCODE) }, own, memory, watch);
+        places = rest;
     }
-}
-
-/// How many places an opcode has: where it writes, where it starts, its operands, its scale.
-const fn length(opcode: usize) -> usize {
-    let [products, plus, minus] = shape(opcode);
-    2 + 2 * products + plus + minus + matches!(kind(opcode), Kind::Scaled) as usize
-}
-
-/// A step that is known when the interpreter is compiled.
-#[inline(always)]
-fn short<P: Place, const OPCODE: usize, const LENGTH: usize>(places: &mut &[P], memory: &mut P::Memory) -> (Kind, f64) {
-    let Some((own, rest)) = places.split_first_chunk::<LENGTH>() else { return (Kind::Plain, f64::NAN) };
-    *places = rest;
-    let [products, plus, minus] = const { shape(OPCODE) };
-    compute(const { kind(OPCODE) }, products, plus, minus, own, memory)
+    places
 }
 
 #[inline(never)]
-fn long<P: Place>(steps: &mut std::slice::Iter<'_, Long>, places: &mut &[P], memory: &mut P::Memory) -> (Kind, f64) {
-    let Some(&Long { kind, products, plus, minus }) = steps.next() else { return (Kind::Plain, f64::NAN) };
-    let length = 2 + 2 * products + plus + minus + usize::from(kind == Kind::Scaled);
-    let (own, rest) = places.split_at(length);
-    *places = rest;
-    compute(kind, products, plus, minus, own, memory)
+fn long<'a, P: Place, W: Watch>(run: Option<(Shape, u32)>, places: &'a [P], memory: &mut P::Memory, watch: &mut W) -> &'a [P] {
+    let Some((shape, steps)) = run else { return places };
+    let (own, rest) = places.split_at(shape.length() * steps as usize);
+    own.chunks_exact(shape.length()).for_each(|own| compute(shape, own, memory, watch));
+    rest
 }
 
-/// The number of a step, and its kind: `places` are those of this step.
+/// One step; `places` are its own.
 #[inline(always)]
-fn compute<P: Place>(kind: Kind, products: usize, plus: usize, minus: usize, places: &[P], memory: &mut P::Memory) -> (Kind, f64) {
+fn compute<P: Place, W: Watch>(shape: Shape, places: &[P], memory: &mut P::Memory, watch: &mut W) {
+    let Shape { kind, products, plus, minus } = shape;
     let (factors, terms) = places[2..].split_at(2 * products);
     let start = places[1].get(memory);
-    let mut x = if kind == Kind::Negated { -start } else { start };
-    for pair in factors.chunks_exact(2) {
-        let (a, b) = (pair[0].get(memory), pair[1].get(memory));
-        x = if kind == Kind::Negated { sum(x, a, b) } else { sum(x, -a, b) };
+    // Two sums side by side: one alone would wait for each product to be added before the next.
+    let mut sums = [if kind == Kind::Negated { -start } else { start }, 0.0];
+    for (k, pair) in factors.chunks_exact(2).enumerate() {
+        let (a, b, turn) = (pair[0].get(memory), pair[1].get(memory), usize::from(products > 2 && k % 2 == 1));
+        sums[turn] = if kind == Kind::Negated { sum(sums[turn], a, b) } else { sum(sums[turn], -a, b) };
     }
+    let mut x = if products > 2 { sums[0] + sums[1] } else { sums[0] };
     terms[..plus].iter().for_each(|k| x += k.get(memory));
     terms[plus..plus + minus].iter().for_each(|k| x -= k.get(memory));
     if kind == Kind::Scaled {
         x *= terms[plus + minus].get(memory);
     }
+    watch.see(kind, x);
     places[0].set(memory, if kind == Kind::Pivot { x.recip() } else { x });
-    (kind, x)
 }
 
 /// x + a b, rounded once where the target can.

@@ -214,7 +214,8 @@ impl<S: Level> WideLinear<S> {
 
     /// Takes over the recording, if there is one.
     fn load(&mut self) {
-        let Some(Recording { factor, solve, weights, .. }) = &self.recorder.recording else { return };
+        let Some(recording) = &self.recorder.recording else { return };
+        let Recording { factor, solve, weights, .. } = recording.as_ref();
         (self.factor, self.solve) = (Replay::new(factor), Replay::new(solve));
         // Parts of a number are not watched.
         self.weights = vec![Wide::splat(self.simd, 0.0); self.factor.len()];

@@ -3,10 +3,11 @@
 //! Each step writes one number that is a sum of products of numbers already there. The same program makes the factors, solves with them,
 //! and, backwards, solves with the transpose; [`code`](super::code) is the form in which it is replayed.
 
-use super::code::{Code, Seen};
+use super::code::{Code, Seen, Shape};
+use super::order::{Ordered, order};
 
 /// What a step does with `start − Σ products + Σ plus − Σ minus`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Kind {
     /// Writes it.
     Plain,
@@ -44,6 +45,8 @@ pub(super) struct Program {
     steps: Vec<Step>,
     products: Vec<[u32; 2]>,
     terms: Vec<u32>,
+    /// The order of the code.
+    order: Vec<u32>,
     code: Code,
 }
 
@@ -57,24 +60,33 @@ impl Program {
         self.terms.extend_from_slice(minus);
     }
 
-    /// Writes the code for a memory of that many numbers; to be called after the last step.
-    pub(super) fn finish(&mut self, memory: usize) {
-        let mut code = Code::new(memory);
-        self.each(|step, operands| code.push(step, operands));
+    /// Writes the code for a memory of that many numbers, to be called after the last step; gives the order in which it runs the steps.
+    pub(super) fn finish(&mut self, memory: usize) -> Vec<u32> {
+        let (mut products, mut terms) = (&self.products[..], &self.terms[..]);
+        let mut own = |step: &Step| Operands {
+            products: take(&mut products, step.products),
+            plus: take(&mut terms, step.plus),
+            minus: take(&mut terms, step.minus),
+        };
+        let operands: Vec<Operands<'_>> = self.steps.iter().map(&mut own).collect();
+        let ordered: Vec<Ordered> = self.steps.iter().zip(&operands).map(|(step, operands)| step.ordered(operands)).collect();
+        let (order, mut code) = (order(&ordered), Code::new(memory));
+        order.iter().for_each(|&k| code.push(&self.steps[k as usize], &operands[k as usize]));
         self.code = code;
+        self.order.clone_from(&order);
+        order
     }
 
-    /// Shows each step with its operands, in order.
+    /// Shows each step with its operands, in the order of the code.
     pub(super) fn each(&self, mut show: impl FnMut(&Step, Operands<'_>)) {
         let (mut products, mut terms) = (&self.products[..], &self.terms[..]);
-        for step in &self.steps {
-            let operands = Operands {
-                products: take(&mut products, step.products),
-                plus: take(&mut terms, step.plus),
-                minus: take(&mut terms, step.minus),
-            };
-            show(step, operands);
-        }
+        let mut own = |step: &Step| Operands {
+            products: take(&mut products, step.products),
+            plus: take(&mut terms, step.plus),
+            minus: take(&mut terms, step.minus),
+        };
+        let operands: Vec<Operands<'_>> = self.steps.iter().map(&mut own).collect();
+        self.order.iter().for_each(|&k| show(&self.steps[k as usize], operands[k as usize]));
     }
 
     /// How many steps there are.
@@ -87,7 +99,7 @@ impl Program {
         self.code.run(memory);
     }
 
-    /// Runs all steps and tells what was seen, each number times its weight.
+    /// Runs all steps and tells what was seen, each number times its weight; weights in the order of [`Program::finish`].
     pub(super) fn run_watched(&self, memory: &mut [f64], weights: &[f64]) -> Seen {
         self.code.run_watched(memory, weights)
     }
@@ -113,6 +125,22 @@ impl Program {
     #[cfg(test)]
     pub(super) fn size(&self) -> (usize, usize) {
         (self.steps.len(), 2 * self.products.len() + self.terms.len())
+    }
+}
+
+impl Step {
+    /// What the step does, with how many operands.
+    pub(super) fn shape(&self) -> Shape {
+        let [products, plus, minus] = [self.products, self.plus, self.minus].map(|n| n as usize);
+        Shape { kind: self.kind, products, plus, minus }
+    }
+
+    /// Where it writes and what it reads.
+    fn ordered(&self, operands: &Operands<'_>) -> Ordered {
+        let scale = (self.kind == Kind::Scaled).then_some(self.scale);
+        let terms = operands.plus.iter().chain(operands.minus).copied();
+        let reads = operands.products.iter().flatten().copied().chain(terms).chain([self.start]).chain(scale);
+        Ordered { shape: self.shape(), out: self.out, reads: reads.collect() }
     }
 }
 

@@ -9,7 +9,7 @@ use std::collections::HashMap;
 
 use super::active::{Active, NONE, Side};
 use super::cells::{PLUS, Term};
-use super::code::{SMALL, Seen};
+use super::code::SMALL;
 use super::program::Program;
 use super::{SINGULAR, solving};
 
@@ -42,18 +42,26 @@ pub(super) struct Places {
 }
 
 /// A recorded elimination.
-#[derive(Clone, Default)]
+#[derive(Default)]
 pub(super) struct Recording {
     pub factor: Program,
     pub solve: Program,
-    /// What makes each number that is factored one of order 1, and each pivot a share of its row and column.
+    /// What made each number that is factored one of order 1 when it was recorded, in the order of the code.
     pub weights: Vec<f64>,
-    /// What was seen when it was last factored.
-    pub seen: Seen,
     /// Step, row and column of each pivot that is no constant.
     pub watched: Vec<(u32, u32, u32)>,
     /// Row, column and value of the other pivots.
     pub constant: Vec<(u32, u32, f64)>,
+}
+
+impl Recording {
+    /// Weights in the order in which the code runs.
+    fn reorder(&mut self, order: &[u32]) {
+        let mut place = vec![0; order.len()];
+        (0..).zip(order).for_each(|(now, before)| place[*before as usize] = now);
+        self.weights = order.iter().map(|before| self.weights[*before as usize]).collect();
+        self.watched.iter_mut().for_each(|(step, _, _)| *step = place[*step as usize]);
+    }
 }
 
 /// A number that elimination has come to.
@@ -141,8 +149,9 @@ pub(super) fn record(input: &Input<'_>, places: Places, memory: &mut Vec<f64>) -
     solving::write(&mut recorder);
     let Recorder { mut recording, memory, .. } = recorder;
     memory.resize(memory.len().max(SMALL), 0.0);
-    recording.factor.finish(memory.len());
     recording.solve.finish(memory.len());
+    let order = recording.factor.finish(memory.len());
+    recording.reorder(&order);
     Ok(recording)
 }
 

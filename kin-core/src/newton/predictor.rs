@@ -60,13 +60,13 @@ impl Predictor {
         }
     }
 
-    /// A step h has ended: what was the last solution's is now the past.
-    pub(super) fn advance(&mut self, h: f64, qd: &[f64], qdd: &[f64]) {
+    /// A step h has ended: what was the last solution's is now the past, and its place is free for new rates.
+    pub(super) fn advance(&mut self, h: f64, qd: &mut Vec<f64>, qdd: &mut Vec<f64>) {
         self.equal = if same(h, self.h) { self.equal + 1 } else { 1 };
         self.h = h;
         self.past.swap(0, 1);
-        self.past[0].qd.copy_from_slice(qd);
-        self.past[0].qdd.copy_from_slice(qdd);
+        std::mem::swap(&mut self.past[0].qd, qd);
+        std::mem::swap(&mut self.past[0].qdd, qdd);
     }
 
     /// Whether the last three times lie a step h apart.
@@ -107,7 +107,7 @@ mod tests {
         let mut predictor = Predictor::new(1);
         for k in (1..known).rev() {
             let t = 1.0 - h * (k + 1) as f64;
-            predictor.advance(h, &[t.cos()], &[-t.sin()]);
+            predictor.advance(h, &mut vec![t.cos()], &mut vec![-t.sin()]);
         }
         let (t, mut q) = (1.0 - h, [0.0]);
         predictor.predict(h, Last { q: &[t.sin()], qd: &[t.cos()], qdd: &[-t.sin()] }, &mut q);
@@ -126,8 +126,8 @@ mod tests {
     #[test]
     fn short_formula_is_used_where_the_long_one_was_farther_off() {
         let (mut predictor, last) = (Predictor::new(1), Last { q: &[0.0], qd: &[1.0], qdd: &[0.0] });
-        predictor.advance(1.0, &[5.0], &[0.0]);
-        predictor.advance(1.0, &[-5.0], &[0.0]);
+        predictor.advance(1.0, &mut vec![5.0], &mut vec![0.0]);
+        predictor.advance(1.0, &mut vec![-5.0], &mut vec![0.0]);
         let mut q = [0.0];
         predictor.predict(1.0, last, &mut q);
         assert!(q[0].abs() > 2.0);
@@ -139,9 +139,9 @@ mod tests {
     #[test]
     fn another_step_of_time_begins_anew() {
         let mut predictor = Predictor::new(1);
-        [0.1, 0.1].iter().for_each(|h| predictor.advance(*h, &[0.0], &[0.0]));
+        [0.1, 0.1].iter().for_each(|h| predictor.advance(*h, &mut vec![0.0], &mut vec![0.0]));
         assert!(predictor.knows(0.1 * (1.0 + 1e-12)) && !predictor.knows(0.05));
-        predictor.advance(0.05, &[0.0], &[0.0]);
+        predictor.advance(0.05, &mut vec![0.0], &mut vec![0.0]);
         assert!(!predictor.knows(0.05));
     }
 }

@@ -1,6 +1,7 @@
 //! The sweep: from one time to the next with prediction, in smaller steps of time where that is needed.
 
 use super::predictor::{Last, Predictor};
+use super::watch::Watch;
 use super::{Failure, Newton, Options, Outcome, Steps, assembly};
 use crate::error::{Error, Result};
 use crate::motion::Motion;
@@ -14,14 +15,18 @@ pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<M
     options.check()?;
     check(times)?;
     let mut motion = Motion::new(system, times.len());
-    let mut sweep = Sweep::new(system, options);
+    let (mut sweep, mut watch) = (Sweep::new(system, options), Watch::default());
     for &t in times {
-        match sweep.reach(t) {
-            Ok(outcome) => motion.push(t, &sweep.newton, outcome),
+        let reached = sweep.reach(t).and_then(|outcome| Ok((outcome, watch.look(&sweep.newton, t)?)));
+        match reached {
+            Ok((outcome, crossed)) => motion.push(t, &sweep.newton, outcome, crossed),
             Err(error) => return Err(error.with_motion(motion)),
         }
     }
-    Ok(motion)
+    match sweep.newton.meant() {
+        Ok(()) => Ok(motion),
+        Err(error) => Err(error.with_motion(motion)),
+    }
 }
 
 /// Times must be finite and strictly increasing or strictly decreasing.
@@ -74,7 +79,7 @@ impl<'a> Sweep<'a> {
         let (mut t, mut h) = (from, to - from);
         loop {
             let target = if (to - t).abs() <= h.abs() * 1.001 { to } else { t + h };
-            self.q.copy_from_slice(&self.newton.q);
+            self.keep();
             match self.step(target - t, target, h.abs() <= smallest) {
                 Ok(outcome) => {
                     self.settle(target - t, outcome);
@@ -94,6 +99,15 @@ impl<'a> Sweep<'a> {
                     h *= 0.5;
                 }
             }
+        }
+    }
+
+    /// The position in hand becomes the last one; a prediction writes all of the next anew.
+    fn keep(&mut self) {
+        if self.newton.options.predict {
+            std::mem::swap(&mut self.q, &mut self.newton.q);
+        } else {
+            self.q.copy_from_slice(&self.newton.q);
         }
     }
 
@@ -122,7 +136,7 @@ impl<'a> Sweep<'a> {
     /// A step h has succeeded; the rates in hand are still those of the time before.
     fn settle(&mut self, h: f64, outcome: Outcome) {
         self.untouched = true;
-        let newton = &self.newton;
+        let newton = &mut self.newton;
         if !newton.options.predict {
             return;
         }
@@ -130,6 +144,6 @@ impl<'a> Sweep<'a> {
             let last = Last { q: &self.q, qd: &newton.qd, qdd: &newton.qdd };
             self.predictor.compare(h, last, &newton.q, &newton.sizes);
         }
-        self.predictor.advance(h, &newton.qd, &newton.qdd);
+        self.predictor.advance(h, &mut newton.qd, &mut newton.qdd);
     }
 }

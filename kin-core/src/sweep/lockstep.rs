@@ -107,7 +107,8 @@ impl<'o, S: Level> Lockstep<'o, S> {
         let mut started = vec![false; Wide::<S>::LANES];
         for (lane, system) in crew.systems.iter().enumerate().filter(|(lane, _)| wanted.lane(*lane)) {
             let mut newton = Newton::new(system, self.options);
-            started[lane] = !self.options.rescue || assembly::assemble(&mut newton, t).is_ok();
+            // Breaks of laws are looked for time by time, which is not done here.
+            started[lane] = system.is_smooth() && (!self.options.rescue || assembly::assemble(&mut newton, t).is_ok());
             steps.as_mut_slice()[lane] = newton.steps as f64;
             put(&newton.q, lane, &mut self.q);
             put(&newton.sizes, lane, &mut self.sizes);

@@ -16,11 +16,11 @@ pub(crate) struct Block {
     pub name: String,
     pub constraint: Box<dyn Constraint>,
     /// Where its numbers of time, its arguments' states, its rows, its values and its columns' rates stand.
-    timed: Range<usize>,
-    states: Range<usize>,
-    pub rows: Range<usize>,
-    pub values: Range<usize>,
-    rates: Range<usize>,
+    timed: Span,
+    states: u32,
+    rows: Span,
+    values: Span,
+    rates: u32,
     /// Whether all its values of C_q are the same for good.
     constant: bool,
     /// Where each argument's state begins among its states, and its first column.
@@ -28,14 +28,32 @@ pub(crate) struct Block {
     first_column: Vec<usize>,
 }
 
-impl Block {
-    /// The instant as this constraint sees it.
-    fn at<'a>(&'a self, instant: &'a Instant) -> At<'a> {
-        At::new(instant.t, &instant.states[self.states.clone()], &self.first_state).with_timed(&instant.timed[self.timed.clone()])
+/// A stretch of a list. 32 bits: no sum of two overflows, so that taking it costs one check.
+#[derive(Clone, Copy, Debug)]
+struct Span {
+    first: u32,
+    len: u32,
+}
+
+impl Span {
+    fn new(range: Range<usize>) -> Self {
+        Span { first: range.start as u32, len: range.len() as u32 }
     }
 
-    fn rates<'a>(&'a self, instant: &'a Instant) -> Rates<'a> {
-        Rates::new(&instant.rates[self.rates.clone()], &self.first_column)
+    fn range(self) -> Range<usize> {
+        self.first as usize..self.first as usize + self.len as usize
+    }
+}
+
+impl Block {
+    /// Where its rows stand among all rows.
+    pub(crate) fn rows(&self) -> Range<usize> {
+        self.rows.range()
+    }
+
+    /// Where its values stand among all values of C_q.
+    pub(crate) fn values(&self) -> Range<usize> {
+        self.values.range()
     }
 
     /// Name of local row `k`; empty for a constraint of one row.
@@ -68,6 +86,23 @@ impl Instant {
     /// The time, not a number before one was set.
     pub(crate) fn t(&self) -> f64 {
         self.t
+    }
+
+    /// The instant as the first constraint sees it; the others look further on.
+    fn at(&self) -> At<'_> {
+        At::new(self.t, &self.states, &[]).with_timed(&self.timed)
+    }
+
+    /// The instant as a constraint sees it.
+    pub(crate) fn of<'a>(&'a self, block: &'a Block) -> At<'a> {
+        block.at(self.at())
+    }
+}
+
+impl Block {
+    #[inline(always)]
+    fn at<'a>(&'a self, at: At<'a>) -> At<'a> {
+        at.further(self.states as usize, self.timed.first as usize, &self.first_state)
     }
 }
 
@@ -143,11 +178,11 @@ impl Equations {
         self.timed = timed.end;
         self.blocks.push(Block {
             name,
-            timed,
-            states: first_state..self.plan.len(),
-            rows,
-            values: first..self.entries.len(),
-            rates: first_rate..self.plan.columns.len(),
+            timed: Span::new(timed),
+            states: first_state as u32,
+            rows: Span::new(rows),
+            values: Span::new(first..self.entries.len()),
+            rates: first_rate as u32,
             constant: self.constants[first..].iter().all(Option::is_some),
             first_state: states,
             first_column: columns,
@@ -173,7 +208,7 @@ impl Equations {
         instant.t = t;
         for &k in &self.asked.timed {
             let block = &self.blocks[k];
-            block.constraint.at_time(t, &mut instant.timed[block.timed.clone()]);
+            block.constraint.at_time(t, &mut instant.timed[block.timed.range()]);
         }
     }
 
@@ -188,7 +223,7 @@ impl Equations {
     /// C(q, t).
     pub(crate) fn residual(&self, instant: &Instant, c: &mut [f64]) -> Result<(), Bad> {
         for block in &self.blocks {
-            block.constraint.residual(&block.at(instant), &mut c[block.rows.clone()]);
+            block.constraint.residual(&instant.of(block), &mut c[block.rows.range()]);
         }
         finite(c, "C")
     }
@@ -200,19 +235,13 @@ impl Equations {
 
     /// C(q, t) and the values of C_q, whether they are finite or not.
     pub(crate) fn linearize(&self, instant: &Instant, c: &mut [f64], values: &mut [f64]) {
-        let (mut c, mut values, mut states, mut timed) = (c, values, &instant.states[..], &instant.timed[..]);
+        let at = instant.at();
         for block in &self.blocks {
-            // Blocks lie one after the other: one check for each slice.
-            let (own_c, own_values, own_states, own_timed);
-            (own_c, c) = c.split_at_mut(block.rows.len());
-            (own_values, values) = values.split_at_mut(block.values.len());
-            (own_states, states) = states.split_at(block.states.len());
-            (own_timed, timed) = timed.split_at(block.timed.len());
-            let at = At::new(instant.t, own_states, &block.first_state).with_timed(own_timed);
+            let (at, c) = (block.at(at), &mut c[block.rows.range()]);
             if block.constant {
-                block.constraint.residual(&at, own_c);
+                block.constraint.residual(&at, c);
             } else {
-                block.constraint.linearize(&at, own_c, own_values);
+                block.constraint.linearize(&at, c, &mut values[block.values.range()]);
             }
         }
     }
@@ -220,11 +249,11 @@ impl Equations {
     /// The same where only the time has changed since; false if C_q has not changed with it.
     pub(crate) fn relinearize(&self, instant: &Instant, c: &mut [f64], values: &mut [f64]) -> bool {
         for block in self.asked.c.iter().map(|&k| &self.blocks[k]) {
-            let c = &mut c[block.rows.clone()];
+            let c = &mut c[block.rows.range()];
             if self.asked.c_q_on_t {
-                block.constraint.linearize(&block.at(instant), c, &mut values[block.values.clone()]);
+                block.constraint.linearize(&instant.of(block), c, &mut values[block.values.range()]);
             } else {
-                block.constraint.residual(&block.at(instant), c);
+                block.constraint.residual(&instant.of(block), c);
             }
         }
         self.asked.c_q_on_t
@@ -241,22 +270,24 @@ impl Equations {
     pub(crate) fn velocity_rhs(&self, instant: &Instant, rhs: &mut [f64]) {
         rhs.fill(0.0);
         for block in self.asked.c_t.iter().map(|&k| &self.blocks[k]) {
-            block.constraint.velocity_rhs(&block.at(instant), &mut rhs[block.rows.clone()]);
+            block.constraint.velocity_rhs(&instant.of(block), &mut rhs[block.rows.range()]);
         }
     }
 
     /// Q_d, whether it is finite or not.
     pub(crate) fn acceleration_rhs(&self, instant: &Instant, q_d: &mut [f64]) {
         q_d.fill(0.0);
+        let (at, rates) = (instant.at(), Rates::new(&instant.rates, &[]));
         for block in self.asked.q_d.iter().map(|&k| &self.blocks[k]) {
-            block.constraint.acceleration_rhs(&block.at(instant), &block.rates(instant), 1.0, &mut q_d[block.rows.clone()]);
+            let rates = rates.further(block.rates as usize, &block.first_column);
+            block.constraint.acceleration_rhs(&block.at(at), &rates, 1.0, &mut q_d[block.rows.range()]);
         }
     }
 
     /// The constraint that a global row belongs to, and its local row.
     pub(crate) fn block_of(&self, row: usize) -> Option<(&Block, usize)> {
-        let block = self.blocks.get(self.blocks.partition_point(|block| block.rows.end <= row))?;
-        Some((block, row - block.rows.start))
+        let block = self.blocks.get(self.blocks.partition_point(|block| block.rows().end <= row))?;
+        Some((block, row - block.rows().start))
     }
 
     /// Name of the equation in a global row, such as `A.x`.
@@ -267,7 +298,7 @@ impl Equations {
     /// The error for what is not finite at an instant.
     pub(crate) fn not_finite(&self, bad: Bad, instant: &Instant) -> Error {
         let found = self.block_of(bad.row);
-        let expression = found.and_then(|(block, _)| block.constraint.not_finite(&block.at(instant)));
+        let expression = found.and_then(|(block, _)| block.constraint.not_finite(&instant.of(block)));
         Error::NotFinite {
             t: instant.t,
             constraint: found.map(|(block, _)| block.name.clone()).unwrap_or_default(),

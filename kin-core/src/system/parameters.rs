@@ -2,6 +2,7 @@
 
 use super::System;
 use crate::error::{Error, Result};
+use crate::mechanism::admission::sensible_parameters;
 
 /// Where one number of a case goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,15 +28,20 @@ impl System {
         self.find(name).map(|(_, _, value)| value)
     }
 
-    /// Sets one parameter, such as `slot.k`; pattern, order and guesses stay. Errors: no such parameter, not finite.
+    /// Sets one parameter, such as `slot.k`; pattern, order and guesses stay. Errors: no such parameter, not finite, or what makes no sense with
+    /// the others; the old value stays.
     pub fn set(&mut self, name: &str, value: f64) -> Result<()> {
         let (index, parameter, _) = self.find(name)?;
         let block = &mut self.equations.blocks[index];
         if !value.is_finite() {
             return Err(Error::ParameterNotFinite { constraint: block.name.clone(), parameter, value });
         }
+        let before = self.parameter(name)?;
+        let block = &mut self.equations.blocks[index];
         if block.constraint.set_parameter(&parameter, value) {
-            return Ok(());
+            return sensible_parameters(&block.name, block.constraint.as_ref()).inspect_err(|_| {
+                block.constraint.set_parameter(&parameter, before);
+            });
         }
         Err(cannot_be_set(name))
     }

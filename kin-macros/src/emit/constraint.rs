@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::lanes::{self, LaneCode};
-use super::{functions, rewrite, template, written};
+use super::{attachments, demands, described, functions, rewrite, template, written};
 use crate::differentiate::Derivatives;
 use crate::lower::Lowered;
 use crate::parse::{Argument, ConstraintFn, Kind, Shape};
@@ -30,9 +30,10 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
     let lanes = source.lanes.then(|| lanes::lanes(&source.name, &source.arguments, &lowered, &derived));
     let frame = Frame { trig, lanes, ..Frame::new(source, row_names, pattern) };
     let kernels = functions::symbolic(&source.arguments, &lowered, &derived);
+    let attachments = attachments::symbolic(&source.arguments, &lowered);
     let leaves: Vec<TokenStream> =
         lowered.leaves.iter().enumerate().map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items)).collect();
-    frame.emit(quote!(::kin::Route::Symbolic), &kernels, &leaves, Some(&lowered))
+    frame.emit(quote!(::kin::Route::Symbolic), &quote!(#kernels #attachments), &leaves, Some(&lowered))
 }
 
 /// The constraint on the dual route.
@@ -40,7 +41,8 @@ pub fn dual(source: &ConstraintFn) -> TokenStream {
     let row_names = row_names(&source.output);
     let n = columns(&source.arguments);
     let pattern = (0..row_names.len()).flat_map(|row| (0..n).map(move |column| (row, column))).collect();
-    Frame::new(source, row_names, pattern).emit(quote!(::kin::Route::Dual), &functions::dual(), &[], None)
+    let (kernels, attachments) = (functions::dual(), attachments::dual(source));
+    Frame::new(source, row_names, pattern).emit(quote!(::kin::Route::Dual), &quote!(#kernels #attachments), &[], None)
 }
 
 impl<'a> Frame<'a> {
@@ -62,6 +64,10 @@ impl<'a> Frame<'a> {
         let (visit, set) = super::parameter_methods(&source.arguments);
         let kinds = source.arguments.iter().flat_map(kinds);
         let (in_lanes, lane_kernels) = self.lanes.as_ref().map(|lanes| (&lanes.method, &lanes.implementations)).unzip();
+        let (describe, as_data) = (described::describe(source), described::described(source, &kind, &n, &m));
+        let description = super::description(&source.attributes);
+        let (refusal, branch) = (demands::refusal(source), demands::branch(source));
+        let laws = lowered.map(|lowered| functions::laws(&source.arguments, lowered)).unwrap_or_default();
         quote! {
             #declaration
 
@@ -85,12 +91,20 @@ impl<'a> Frame<'a> {
                     fn pattern(&self) -> &[(usize, usize)] {
                         &[#(#pattern),*]
                     }
+                    #describe
                     #kernels
                     #in_lanes
+                    fn description(&self) -> &str {
+                        #description
+                    }
                     #visit
                     #set
+                    #refusal
+                    #branch
+                    #laws
                 }
                 #lane_kernels
+                #as_data
                 impl ::kin::rt::Equation<#n, #m> for #name {
                     const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[#(#kinds),*];
                     #equations
@@ -109,14 +123,14 @@ impl<'a> Frame<'a> {
         let inputs = fields.iter().map(|argument| {
             let (name, ty) = (&argument.name, super::field_type(argument));
             match argument.kind {
-                Kind::Planar | Kind::Spatial | Kind::Coord => quote!(#name: impl ::core::convert::Into<#ty>),
+                Kind::Planar | Kind::Spatial | Kind::Coord | Kind::Axis => quote!(#name: impl ::core::convert::Into<#ty>),
                 _ => quote!(#name: #ty),
             }
         });
         let values = fields.iter().map(|argument| {
             let name = &argument.name;
             match argument.kind {
-                Kind::Planar | Kind::Spatial | Kind::Coord => quote!(#name: ::core::convert::Into::into(#name)),
+                Kind::Planar | Kind::Spatial | Kind::Coord | Kind::Axis => quote!(#name: ::core::convert::Into::into(#name)),
                 _ => quote!(#name),
             }
         });
@@ -225,7 +239,7 @@ fn written_inputs(arguments: &[Argument], q: &Ident, t: &Ident) -> Vec<TokenStre
             Kind::Coord => quote!(#(#q[#columns])*),
             Kind::Coords(_) => quote!([#(#q[#columns]),*]),
             Kind::Time => quote!(#t),
-            Kind::Numbers(_) => quote!(self.#name),
+            Kind::Numbers(_) | Kind::Axis => quote!(self.#name),
             Kind::Law | Kind::Other => quote!(self.#name.clone()),
         }
     });

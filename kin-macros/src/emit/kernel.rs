@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
-use super::template;
+use super::{template, timed};
 use crate::graph::{Comparison, Function, Function2, Graph, Input, LeafNumber, LeafUse, Node, Op, Part};
 use crate::lower::{Lowered, OpaqueKind};
 use crate::parse::{Argument, Kind};
@@ -46,6 +46,9 @@ pub struct Kernel<'a> {
     rates: Vec<(usize, Part)>,
     /// What is returned where states are missing.
     missing: TokenStream,
+    /// Nodes that were evaluated once a time, and whether they are read.
+    timed: &'a [Node],
+    reads_timed: bool,
 }
 
 /// One state argument in emitted code.
@@ -61,9 +64,9 @@ pub struct Code {
 }
 
 impl<'a> Kernel<'a> {
-    /// Code that computes `outputs` and writes each to the place given with it.
-    pub fn emit(lowered: &'a Lowered, arguments: &[Argument], outputs: &[(TokenStream, Node)]) -> Code {
-        Kernel::new(lowered, arguments).write(outputs)
+    /// Code that computes `outputs` and writes each to the place given with it; nodes in `timed` (sorted) were evaluated before.
+    pub fn emit(lowered: &'a Lowered, arguments: &[Argument], timed: &'a [Node], outputs: &[(TokenStream, Node)]) -> Code {
+        Kernel { timed, ..Kernel::new(lowered, arguments) }.write(outputs)
     }
 
     /// A kernel in which some nodes have a name already; what these are computed from is not looked at.
@@ -131,6 +134,8 @@ impl<'a> Kernel<'a> {
             states: Vec::new(),
             rates: Vec::new(),
             missing: quote!(),
+            timed: &[],
+            reads_timed: false,
         }
     }
 
@@ -139,7 +144,8 @@ impl<'a> Kernel<'a> {
     }
 
     fn finish(self, outputs: TokenStream) -> Code {
-        let bindings = self.bindings();
+        let mut bindings = self.bindings();
+        bindings.extend(self.reads_timed.then(|| timed::binding(self.timed.len())));
         let statements = self.statements;
         let items = &self.lowered.items;
         let items = if items.is_empty() { quote!() } else { quote!(#(#[allow(unused)] #items)*) };
@@ -161,11 +167,13 @@ impl<'a> Kernel<'a> {
 
     /// Gives a name to every node that needs one, operands first.
     fn name_all(&mut self, outputs: &[Node]) {
-        let order = self.graph().unknown(outputs, |node| self.named.contains_key(&node));
+        let known = |node: Node| self.named.contains_key(&node) || self.timed.binary_search(&node).is_ok();
+        let order = self.graph().reachable_from(outputs, known);
+        let computed: Vec<Node> = order.iter().copied().filter(|&node| !known(node)).collect();
         for &node in outputs {
             *self.uses.entry(node).or_default() += 1;
         }
-        for &node in &order {
+        for node in computed {
             for operand in self.graph().operands(node) {
                 *self.uses.entry(operand).or_default() += 1;
             }
@@ -177,6 +185,12 @@ impl<'a> Kernel<'a> {
 
     fn name(&mut self, node: Node) {
         if self.named.contains_key(&node) || self.is_leaf_of_expression(node) {
+            return;
+        }
+        if let Ok(k) = self.timed.binary_search(&node) {
+            let k = Literal::usize_unsuffixed(k);
+            self.reads_timed = true;
+            self.named.insert(node, quote!(timed[#k]));
             return;
         }
         if let Some(value) = self.evaluation(node) {
@@ -495,7 +509,7 @@ fn slots(arguments: &[Argument]) -> Vec<Slot> {
 fn is_taken(name: &str) -> bool {
     let prefix = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let temporary = prefix.len() < name.len() && matches!(prefix, "t" | "s" | "c" | "o" | "law" | "leaf" | "known" | "call");
-    let own = matches!(name, "at" | "qd" | "c" | "c_q" | "q_d" | "rhs" | "t_dot" | "x" | "f");
+    let own = matches!(name, "at" | "qd" | "c" | "c_q" | "q_d" | "rhs" | "t_dot" | "x" | "f" | "timed" | "own");
     temporary || own || syn::parse_str::<Ident>(name).is_err()
 }
 

@@ -14,6 +14,11 @@ struct WideBlock<S: Level> {
     /// Where what it knows of parameters stands, and what of the time.
     known: [Range<usize>; 2],
     n_known: usize,
+    /// Where its arguments' states, its rows, its values and its columns' rates stand.
+    states: Range<usize>,
+    rows: Range<usize>,
+    values: Range<usize>,
+    rates: Range<usize>,
     /// Whether it is the same in all lanes.
     same: bool,
     /// Whether its C_t, or Q_d, can be other than zero.
@@ -66,14 +71,19 @@ impl<S: Level> WideEquations<S> {
     /// Those of `equations`; `varied` are the constraints that differ from lane to lane.
     pub(crate) fn new(simd: S, equations: &Equations, varied: &[bool]) -> Self {
         let (mut n_known, mut blocks) = (0, Vec::new());
-        for (block, varied) in equations.blocks.iter().zip(varied) {
+        let plan = &equations.plan;
+        let ends = equations.blocks.iter().skip(1).map(|next| (next.states as usize, next.rates as usize));
+        let ends = ends.chain([(plan.len(), plan.n_columns())]);
+        for ((block, varied), (states, rates)) in equations.blocks.iter().zip(varied).zip(ends) {
+            let (states, rates) = (block.states as usize..states, block.rates as usize..rates);
+            let (rows, values) = (block.rows(), block.values());
             let kernels = block.constraint.in_lanes();
             let [parameters, times] = kernels.map_or([0, 0], InLanes::n_known);
             let known = [n_known..n_known + parameters, n_known + parameters..n_known + parameters + times];
             n_known = known[1].end;
             let depends = block.constraint.depends();
             let table = kernels.map(|kernels| S::table(&kernels.kernels()));
-            blocks.push(WideBlock { table, known, n_known: parameters + times, same: !varied, c_t: depends.c_t, q_d: depends.q_d });
+            blocks.push(WideBlock { table, known, n_known: parameters + times, states, rows, values, rates, same: !varied, c_t: depends.c_t, q_d: depends.q_d });
         }
         WideEquations { simd, blocks, n_known, scratch: Scratch::default() }
     }
@@ -122,18 +132,17 @@ impl<S: Level> WideEquations<S> {
     /// C and the values of C_q that are not the same for good.
     #[inline(always)]
     pub(crate) fn linearize(&mut self, crew: &Crew<'_>, instant: &WideInstant<S>, c: &mut [Wide<S>], values: &mut [Wide<S>]) {
-        let Some(system) = crew.systems.first() else { return };
         let (mut c, mut values, mut states, mut known) = (c, values, &instant.states[..], &instant.known[..]);
-        for (k, block) in system.equations().blocks.iter().enumerate() {
+        for (k, block) in self.blocks.iter().enumerate() {
             // Blocks lie one after the other: one check for each slice.
             let (own_c, own_values, own_states, own_known);
             (own_c, c) = c.split_at_mut(block.rows.len());
             (own_values, values) = values.split_at_mut(block.values.len());
             (own_states, states) = states.split_at(block.states.len());
-            (own_known, known) = known.split_at(self.blocks[k].n_known);
-            match self.blocks[k].table {
+            (own_known, known) = known.split_at(block.n_known);
+            match block.table {
                 Some(table) => (table.linearize)(&LaneAt::new(self.simd, own_states, own_known, &crew.own[k]), own_c, own_values),
-                None => self.linearize_lane_by_lane(k, crew, instant, own_c, own_values),
+                None => linearize_lane_by_lane(&mut self.scratch, k, crew, instant.t, own_states, own_c, own_values),
             }
         }
     }
@@ -141,16 +150,12 @@ impl<S: Level> WideEquations<S> {
     /// −C_t; rows that are always zero are cleared.
     #[inline(always)]
     pub(crate) fn velocity_rhs(&mut self, crew: &Crew<'_>, instant: &WideInstant<S>, rhs: &mut [Wide<S>]) {
-        let Some(system) = crew.systems.first() else { return };
         rhs.fill(Wide::splat(self.simd, 0.0));
-        for (k, block) in system.equations().blocks.iter().enumerate(){
-            if !self.blocks[k].c_t {
-                continue;
-            }
+        for (k, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.c_t) {
             let rhs = &mut rhs[block.rows.clone()];
-            match self.blocks[k].table {
-                Some(table) => (table.velocity_rhs)(&self.at(k, crew, instant, &block.states), rhs),
-                None => self.right_side_lane_by_lane(k, crew, instant, false, rhs),
+            match block.table {
+                Some(table) => (table.velocity_rhs)(&self.at(k, crew, instant), rhs),
+                None => right_side_lane_by_lane(&mut self.scratch, (k, block), crew, instant, false, rhs),
             }
         }
     }
@@ -158,65 +163,70 @@ impl<S: Level> WideEquations<S> {
     /// Q_d; rows that are always zero are cleared.
     #[inline(always)]
     pub(crate) fn acceleration_rhs(&mut self, crew: &Crew<'_>, instant: &WideInstant<S>, q_d: &mut [Wide<S>]) {
-        let Some(system) = crew.systems.first() else { return };
         q_d.fill(Wide::splat(self.simd, 0.0));
-        for (k, block) in system.equations().blocks.iter().enumerate(){
-            if !self.blocks[k].q_d {
-                continue;
-            }
+        for (k, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.q_d) {
             let q_d = &mut q_d[block.rows.clone()];
             let rates = LaneRates(&instant.rates[block.rates.clone()]);
-            match self.blocks[k].table {
-                Some(table) => (table.acceleration_rhs)(&self.at(k, crew, instant, &block.states), &rates, q_d),
-                None => self.right_side_lane_by_lane(k, crew, instant, true, q_d),
+            match block.table {
+                Some(table) => (table.acceleration_rhs)(&self.at(k, crew, instant), &rates, q_d),
+                None => right_side_lane_by_lane(&mut self.scratch, (k, block), crew, instant, true, q_d),
             }
         }
     }
 
     /// The instant as constraint `k` sees it.
     #[inline(always)]
-    fn at<'a>(&self, k: usize, crew: &'a Crew<'_>, instant: &'a WideInstant<S>, states: &Range<usize>) -> LaneAt<'a, S> {
-        let known = self.blocks[k].known[0].start..self.blocks[k].known[1].end;
-        LaneAt::new(self.simd, &instant.states[states.clone()], &instant.known[known], &crew.own[k])
+    fn at<'a>(&self, k: usize, crew: &'a Crew<'_>, instant: &'a WideInstant<S>) -> LaneAt<'a, S> {
+        let block = &self.blocks[k];
+        let known = block.known[0].start..block.known[1].end;
+        LaneAt::new(self.simd, &instant.states[block.states.clone()], &instant.known[known], &crew.own[k])
     }
+}
 
-    #[inline(never)]
-    fn linearize_lane_by_lane(
-        &mut self,
-        k: usize,
-        crew: &Crew<'_>,
-        instant: &WideInstant<S>,
-        c: &mut [Wide<S>],
-        values: &mut [Wide<S>],
-    ) {
-        let Scratch { states, c: own_c, values: own_values, .. } = &mut self.scratch;
-        for (lane, system) in crew.systems.iter().enumerate() {
-            let block = &system.equations().blocks[k];
-            take(&instant.states[block.states.clone()], lane, states);
-            take(c, lane, own_c);
-            take(values, lane, own_values);
-            block.constraint.linearize(&At::new(instant.t, states, &block.first_state), own_c, own_values);
-            put(own_c, lane, c);
-            put(own_values, lane, values);
-        }
+#[inline(never)]
+fn linearize_lane_by_lane<S: Level>(
+    scratch: &mut Scratch,
+    k: usize,
+    crew: &Crew<'_>,
+    t: f64,
+    states: &[Wide<S>],
+    c: &mut [Wide<S>],
+    values: &mut [Wide<S>],
+) {
+    for (lane, system) in crew.systems.iter().enumerate() {
+        let block = &system.equations().blocks[k];
+        take(states, lane, &mut scratch.states);
+        take(c, lane, &mut scratch.c);
+        take(values, lane, &mut scratch.values);
+        block.constraint.linearize(&At::new(t, &scratch.states, &block.first_state), &mut scratch.c, &mut scratch.values);
+        put(&scratch.c, lane, c);
+        put(&scratch.values, lane, values);
     }
+}
 
-    #[inline(never)]
-    fn right_side_lane_by_lane(&mut self, k: usize, crew: &Crew<'_>, instant: &WideInstant<S>, second: bool, rhs: &mut [Wide<S>]) {
-        let Scratch { states, rates, c, .. } = &mut self.scratch;
-        for (lane, system) in crew.systems.iter().enumerate() {
-            let block = &system.equations().blocks[k];
-            take(&instant.states[block.states.clone()], lane, states);
-            take(&instant.rates[block.rates.clone()], lane, rates);
-            take(rhs, lane, c);
-            let at = At::new(instant.t, states, &block.first_state);
-            if second {
-                block.constraint.acceleration_rhs(&at, &Rates::new(rates, &block.first_column), 1.0, c);
-            } else {
-                block.constraint.velocity_rhs(&at, c);
-            }
-            put(c, lane, rhs);
+/// −C_t, or Q_d if `second`.
+#[inline(never)]
+fn right_side_lane_by_lane<S: Level>(
+    scratch: &mut Scratch,
+    (k, own): (usize, &WideBlock<S>),
+    crew: &Crew<'_>,
+    instant: &WideInstant<S>,
+    second: bool,
+    rhs: &mut [Wide<S>],
+) {
+    for (lane, system) in crew.systems.iter().enumerate() {
+        let block = &system.equations().blocks[k];
+        take(&instant.states[own.states.clone()], lane, &mut scratch.states);
+        take(&instant.rates[own.rates.clone()], lane, &mut scratch.rates);
+        take(rhs, lane, &mut scratch.c);
+        let at = At::new(instant.t, &scratch.states, &block.first_state);
+        if second {
+            let rates = Rates::new(&scratch.rates, &block.first_column);
+            block.constraint.acceleration_rhs(&at, &rates, 1.0, &mut scratch.c);
+        } else {
+            block.constraint.velocity_rhs(&at, &mut scratch.c);
         }
+        put(&scratch.c, lane, rhs);
     }
 }
 
