@@ -199,7 +199,11 @@ fn newton_steps_and_residuals_are_those_of_each_case_alone() {
     let cases: Vec<[f64; 8]> = links(8).into_iter().map(case).collect();
     let run = |lanes| {
         let sweep = system.sweep(NAMES).unwrap().lanes(lanes);
-        sweep.run(&cases, times(), |_, motion| motion.map(|m| (m.iterations().to_vec(), m.residuals().to_vec(), m.times().to_vec())).unwrap()).unwrap()
+        sweep
+            .run(&cases, times(), |_, motion| {
+                motion.map(|m| (m.iterations().to_vec(), m.residuals().to_vec(), m.times().to_vec())).unwrap()
+            })
+            .unwrap()
     };
     for ((steps, residuals, times), (own_steps, _, own_times)) in run(Lanes::Best).into_iter().zip(run(Lanes::Off)) {
         let (steps, own_steps): (usize, usize) = (steps.iter().sum(), own_steps.iter().sum());
@@ -243,10 +247,26 @@ fn wear<D: Dual>(phi: Real<D>, most: f64) -> Real<D> {
 
 /// Branches, functions, a law of a coordinate, a function of one's own, a table, time.
 #[constraint(lanes)]
-fn odd(cam: Planar, follower: Planar, phi: Coord, t: Time, tip: Vec2, profile: Law, table: [f64; 3], which: usize, on: bool) -> (f64, f64, f64) {
+fn odd(
+    cam: Planar,
+    follower: Planar,
+    phi: Coord,
+    t: Time,
+    tip: Vec2,
+    profile: Law,
+    table: [f64; 3],
+    which: usize,
+    on: bool,
+) -> (f64, f64, f64) {
     let p = cam.local(follower.point(tip));
     let angle = p.y.atan2(p.x);
-    let lift = if p.x > 0.2 { p.norm() } else if on && p.y < t { (p.x.abs() + 1.0).ln() * phi } else { p.x.max(p.y) - phi.powi(3) };
+    let lift = if p.x > 0.2 {
+        p.norm()
+    } else if on && p.y < t {
+        (p.x.abs() + 1.0).ln() * phi
+    } else {
+        p.x.max(p.y) - phi.powi(3)
+    };
     let slide = lift - profile.at(angle) + wear(angle, MOST_WEAR) + table[which] * t.cos();
     (slide, phi.tan().sinh() % 3.0 - (2.0 * t).exp() / 100.0, phi.sin() * phi.cos() - t.sqrt() * table[0] + phi.powf(2.0))
 }

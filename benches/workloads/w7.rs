@@ -103,8 +103,22 @@ fn by_hand(models: &[FourBar], threads: usize) -> Sums {
 
 /// What differs from case to case: where pins sit, and the start.
 const NAMES: [&str; 16] = [
-    "O.u_i.x", "A.u_i.x", "A.u_j.x", "B.u_i.x", "B.u_j.x", "C.u_i.x", "C.u_j.x", "crank.R_x", "crank.R_y", "crank.theta", "coupler.R_x",
-    "coupler.R_y", "coupler.theta", "rocker.R_x", "rocker.R_y", "rocker.theta",
+    "O.u_i.x",
+    "A.u_i.x",
+    "A.u_j.x",
+    "B.u_i.x",
+    "B.u_j.x",
+    "C.u_i.x",
+    "C.u_j.x",
+    "crank.R_x",
+    "crank.R_y",
+    "crank.theta",
+    "coupler.R_x",
+    "coupler.R_y",
+    "coupler.theta",
+    "rocker.R_x",
+    "rocker.R_y",
+    "rocker.theta",
 ];
 
 /// The numbers of one four-bar under those names.

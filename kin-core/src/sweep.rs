@@ -188,7 +188,11 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
     }
 
     /// All batches, on the threads of this pool.
-    fn batches<W>(&self, worker: impl Fn() -> W + Sync + Send, run: impl Fn(&mut W, usize, &[C]) -> Vec<R> + Sync + Send) -> Result<Vec<R>> {
+    fn batches<W>(
+        &self,
+        worker: impl Fn() -> W + Sync + Send,
+        run: impl Fn(&mut W, usize, &[C]) -> Vec<R> + Sync + Send,
+    ) -> Result<Vec<R>> {
         let batch = |worker: &mut W, (number, cases): (usize, &[C])| {
             if self.sweep.stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) {
                 return Err(Error::Stopped { done: *lock(&self.done), cases: self.cases.len() });

@@ -17,9 +17,7 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> TokenStream {
     match (source.choice, lower::constraint(&source)) {
         (_, Err(Failure::Mistakes(mistakes))) => with_stand_in(&mistakes, &emit::stand_in::constraint(&source)),
         (Choice::Dual, _) | (Choice::Best, Err(Failure::Unreadable(_))) => emit::constraint::dual(&source),
-        (Choice::Symbolic, Err(Failure::Unreadable(why))) => {
-            with_stand_in(&refusal(&why, &source), &emit::stand_in::constraint(&source))
-        }
+        (Choice::Symbolic, Err(Failure::Unreadable(why))) => with_stand_in(&refusal(&why, &source), &emit::stand_in::constraint(&source)),
         (_, Ok(lowered)) => emit::constraint::symbolic(&source, lowered),
     }
 }

@@ -75,12 +75,7 @@ impl<'a> Kernel<'a> {
     }
 
     /// The same over lanes.
-    pub fn over_lanes(
-        lowered: &'a Lowered,
-        arguments: &[Argument],
-        given: HashMap<Node, TokenStream>,
-        lane_by_lane: Evaluations,
-    ) -> Self {
+    pub fn over_lanes(lowered: &'a Lowered, arguments: &[Argument], given: HashMap<Node, TokenStream>, lane_by_lane: Evaluations) -> Self {
         Kernel { numbers: Numbers::Wide, lane_by_lane, ..Kernel::from_given(lowered, arguments, given) }
     }
 
@@ -92,11 +87,7 @@ impl<'a> Kernel<'a> {
             .iter()
             .map(|(place, node)| {
                 let value = self.expression(*node);
-                if is_condition(self.lowered, *node) {
-                    quote!(#place = if #value { 1.0 } else { 0.0 };)
-                } else {
-                    quote!(#place = #value;)
-                }
+                if is_condition(self.lowered, *node) { quote!(#place = if #value { 1.0 } else { 0.0 };) } else { quote!(#place = #value;) }
             })
             .collect();
         self.finish(quote!(#(#writes)*))

@@ -83,7 +83,18 @@ impl<S: Level> WideEquations<S> {
             n_known = known[1].end;
             let depends = block.constraint.depends();
             let table = kernels.map(|kernels| S::table(&kernels.kernels()));
-            blocks.push(WideBlock { table, known, n_known: parameters + times, states, rows, values, rates, same: !varied, c_t: depends.c_t, q_d: depends.q_d });
+            blocks.push(WideBlock {
+                table,
+                known,
+                n_known: parameters + times,
+                states,
+                rows,
+                values,
+                rates,
+                same: !varied,
+                c_t: depends.c_t,
+                q_d: depends.q_d,
+            });
         }
         WideEquations { simd, blocks, n_known, scratch: Scratch::default() }
     }

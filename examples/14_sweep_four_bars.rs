@@ -1,16 +1,18 @@
-//! Ten thousand four-bars at once: which links make the rocker swing widest, and which ones cannot turn at all? Lengths in m, angles in rad.
+//! Ten thousand four-bars at once. Lengths in m, angles in rad, time in s.
 //!
-//! One system is built; each case gives it other links. Cases run on all cores, a bar shows how far they are, and each four-bar has its row
-//! in the file, with a status: a crank that cannot turn all the way round is no error of the sweep.
+//! What to see: of ten thousand four-bars with other links the one whose rocker swings widest. One system is built; each case gives it other
+//! links; cases run on all cores, as many together as the machine has SIMD lanes. Each four-bar has its row in the file, with a status: a crank
+//! that cannot turn all the way round is no error of the sweep.
 //!
-//! `cargo run --release --example 04_sweep_four_bars`
+//! `cargo run --release --example 14_sweep_four_bars`
 
 use std::io::Write;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use kin::prelude::*;
+use kin_view::Scene;
 
-const OUT: &str = "out/04_sweep_four_bars";
+const OUT: &str = "out/14_sweep_four_bars";
 const COUNT: usize = 10_000;
 
 /// Crank, coupler, rocker, distance of the ground pins.   [m]
@@ -66,9 +68,13 @@ fn main() -> kin::Result<()> {
     if let Some(([a, b, c, d], widest)) = turning.iter().max_by(|x, y| x.1.swing.total_cmp(&y.1.swing)) {
         println!("widest swing {:.1}° with links {a:.3}, {b:.3}, {c:.3} m, pins {d:.3} m apart,", widest.swing.to_degrees());
         println!("  at up to {:.2} rad/s² for a crank at 1 rad/s", widest.acceleration);
-        four_bar([*a, *b, *c, *d])?.0.run(&times)?.write_csv(format!("{OUT}/motion.csv"))?;
+        let (system, rocker) = four_bar([*a, *b, *c, *d])?;
+        let (motion, scene) = (system.run(&times)?, Scene::new(&system));
+        motion.write_csv(format!("{OUT}/motion.csv"))?;
+        scene.animated(&motion, 3.0)?.save(format!("{OUT}/animated.svg"))?;
+        scene.page(&motion)?.coordinate("Rocker", &motion.coordinate(rocker.theta())).save(format!("{OUT}/index.html"))?;
     }
-    println!("wrote {OUT}/: four_bars.csv, motion.csv");
+    println!("wrote {OUT}/: four_bars.csv, motion.csv, animated.svg, index.html");
     Ok(())
 }
 
