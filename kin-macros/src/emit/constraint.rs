@@ -60,6 +60,7 @@ impl<'a> Frame<'a> {
         let (visit, set) = super::parameter_methods(&source.arguments);
         let kinds = source.arguments.iter().flat_map(kinds);
         let (describe, as_data) = (described::describe(source), described::described(source, &kind, &n, &m));
+        let is_driver = is_driver(source);
         let description = super::description(&source.attributes);
         let (refusal, branch) = (demands::refusal(source), demands::branch(source));
         let laws = lowered.map(|lowered| functions::laws(&source.arguments, lowered)).unwrap_or_default();
@@ -77,6 +78,7 @@ impl<'a> Frame<'a> {
                     fn route(&self) -> ::kin::Route {
                         #route
                     }
+                    #is_driver
                     fn arguments(&self) -> ::std::vec::Vec<::kin::rt::Argument> {
                         #described
                     }
@@ -255,6 +257,18 @@ fn kinds(argument: &Argument) -> Vec<TokenStream> {
         _ => quote!(::kin::rt::ArgumentKind::Coord),
     };
     vec![kind; argument.kind.slots()]
+}
+
+/// A constraint with time in it says so.
+fn is_driver(source: &ConstraintFn) -> TokenStream {
+    match source.arguments.iter().any(|argument| argument.kind == Kind::Time) {
+        true => quote! {
+            fn is_driver(&self) -> bool {
+                true
+            }
+        },
+        false => quote!(),
+    }
 }
 
 fn columns(arguments: &[Argument]) -> usize {
