@@ -1,5 +1,6 @@
 //! The library: every joint, driver and law, in one table each, and every test loops over the tables.
 
+mod checker;
 mod composed;
 mod joints;
 mod laws;

@@ -18,7 +18,7 @@ pub(super) fn broken<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     let mut all = Vec::new();
     let mut promise = |name: &str, may: bool, promised: &DMatrix<f64>, found: &DMatrix<f64>| {
         let difference = distance(promised, found) / (1.0 + found.amax());
-        if !may && !(difference <= ROUTES_TOLERANCE) {
+        if !may && difference > ROUTES_TOLERANCE {
             all.push(Entry { name: name.to_owned(), own: promised.amax(), dual: found.amax(), central: None, difference });
         }
     };

@@ -9,7 +9,8 @@ const MEETS: f64 = 1e-9;
 pub(super) fn order_of_jump(left: [f64; 4], right: [f64; 4], length: f64) -> Option<usize> {
     let at = |k: usize| length.powi(k as i32);
     let size = (1..4).map(|k| left[k].abs().max(right[k].abs()) * at(k)).fold(0.0, f64::max);
-    if !((left[0] - right[0]).abs() <= MEETS * size.max(left[0].abs()).max(right[0].abs())) {
+    let apart = (left[0] - right[0]).abs();
+    if apart.is_nan() || apart > MEETS * size.max(left[0].abs()).max(right[0].abs()) {
         return Some(0);
     }
     (1..4).find(|&k| (left[k] - right[k]).abs() * at(k) > 1e-7 * size)
