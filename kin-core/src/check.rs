@@ -114,6 +114,9 @@ fn at_state<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
             return Err(mismatch(term, "dual numbers", difference));
         }
     }
+    if let Some((term, difference)) = broken_promise::<E, N, M>(equation, q, qd, t, &dual) {
+        return Err(Box::new(Mismatch { left: "what it promises", ..*mismatch(term, "dual numbers", difference) }));
+    }
     if !central.reliable {
         return Ok(());
     }
@@ -127,6 +130,29 @@ fn at_state<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
         }
     }
     Ok(())
+}
+
+/// The first term that is not what [`Constraint::depends`](crate::Constraint::depends) or `constants` promises, and how far off it is.
+fn broken_promise<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
+    equation: &E,
+    q: &[f64; N],
+    qd: &[f64; N],
+    t: f64,
+    now: &Terms,
+) -> Option<(&'static str, f64)> {
+    let (depends, later) = (equation.depends(), dual_terms::<E, N, M>(equation, q, qd, t + 1.0));
+    let constant = |(&(row, column), &constant): (&(usize, usize), &Option<f64>)| constant.map(|c| (now.c_q[(row, column)] - c).abs());
+    let constants = equation.pattern().iter().zip(equation.constants()).filter_map(constant).fold(0.0, f64::max);
+    let largest = |may: bool, difference: DMatrix<f64>| if may { 0.0 } else { difference.amax() };
+    let found = [
+        ("C at another t", largest(depends.c_on_t, column(&(&later.c - &now.c))), now.c.amax()),
+        ("C_q at another t", largest(depends.c_q_on_t, &later.c_q - &now.c_q), now.c_q.amax()),
+        ("C_t", largest(depends.c_t, column(&now.c_t)), 0.0),
+        ("Q_d", largest(depends.q_d, column(&now.q_d)), 0.0),
+        ("a constant of C_q", constants, now.c_q.amax()),
+    ];
+    let relative = found.map(|(term, difference, size)| (term, difference / (1.0 + size)));
+    relative.into_iter().find(|(_, difference)| *difference > ROUTES_TOLERANCE)
 }
 
 fn column(v: &DVector<f64>) -> DMatrix<f64> {

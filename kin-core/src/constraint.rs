@@ -24,6 +24,28 @@ impl std::fmt::Display for Route {
     }
 }
 
+/// Which terms of C(q, t) can change or be other than zero, at any q, t and parameters: what a solver need not ask for.
+///
+/// Facts known before the program runs. `true` promises nothing, so [`Dependence::default`] (all `true`) is right for every constraint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Dependence {
+    /// C depends on t explicitly: its value can change with t at the same q.
+    pub c_on_t: bool,
+    /// C_q depends on t explicitly.
+    pub c_q_on_t: bool,
+    /// C_t can be other than zero; if not, [`Constraint::velocity_rhs`] writes zeros.
+    pub c_t: bool,
+    /// Q_d can be other than zero; if not, [`Constraint::acceleration_rhs`] writes zeros for every q̇ and ṫ.
+    pub q_d: bool,
+}
+
+impl Default for Dependence {
+    /// Everything may depend on everything.
+    fn default() -> Self {
+        Dependence { c_on_t: true, c_q_on_t: true, c_t: true, q_d: true }
+    }
+}
+
 /// A constraint C(q, t) = 0 with m rows on the coordinates of its arguments.
 ///
 /// Columns are local: those of the first argument first (3 for a planar body, 7 for a spatial one, 1 for a bare coordinate), the ground's
@@ -48,6 +70,11 @@ pub trait Constraint: Send + Sync {
     /// with them once. An empty list says nothing (default); what is not known is `None`.
     fn constants(&self) -> &[Option<f64>] {
         &[]
+    }
+
+    /// Which terms can change with t or be other than zero. The default promises nothing.
+    fn depends(&self) -> Dependence {
+        Dependence::default()
     }
 
     /// C(q, t) into `c` (length m).

@@ -5,7 +5,7 @@
 
 use num_dual::{Dual2_64, Dual64, HyperDual64};
 
-use crate::constraint::{Constraint, Route};
+use crate::constraint::{Constraint, Dependence, Route};
 use crate::coordinates::Argument;
 use crate::real::{Dual, Real};
 use crate::state::{At, Rates};
@@ -61,6 +61,14 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
 
     fn pattern(&self) -> &[(usize, usize)] {
         self.0.pattern()
+    }
+
+    fn constants(&self) -> &[Option<f64>] {
+        self.0.constants()
+    }
+
+    fn depends(&self) -> Dependence {
+        self.0.depends()
     }
 
     fn residual(&self, at: &At<'_>, c: &mut [f64]) {

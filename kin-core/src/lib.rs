@@ -29,7 +29,7 @@ pub mod terms;
 mod testing;
 
 pub use algebra::{EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
-pub use constraint::{Constraint, Route};
+pub use constraint::{Constraint, Dependence, Route};
 pub use coordinates::{
     Coord, Coordinate, Ground, Link, Planar, PlanarBody, Spatial, SpatialBody, Time, any_coord, any_planar, any_spatial,
 };

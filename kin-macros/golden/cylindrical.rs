@@ -123,6 +123,14 @@ const _: () = {
                 (3, 13),
             ]
         }
+        fn depends(&self) -> ::kin::Dependence {
+            ::kin::Dependence {
+                c_on_t: false,
+                c_q_on_t: false,
+                c_t: false,
+                q_d: true,
+            }
+        }
         /// C: 104 operations
         fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<4>() else {

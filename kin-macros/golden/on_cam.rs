@@ -84,6 +84,14 @@ const _: () = {
         fn pattern(&self) -> &[(usize, usize)] {
             &[(0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5)]
         }
+        fn depends(&self) -> ::kin::Dependence {
+            ::kin::Dependence {
+                c_on_t: false,
+                c_q_on_t: false,
+                c_t: false,
+                q_d: true,
+            }
+        }
         /// C: 25 operations
         fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<1>() else {

@@ -85,6 +85,14 @@ const _: () = {
                 ::core::option::Option::None,
             ]
         }
+        fn depends(&self) -> ::kin::Dependence {
+            ::kin::Dependence {
+                c_on_t: true,
+                c_q_on_t: false,
+                c_t: true,
+                q_d: true,
+            }
+        }
         /// C: 10 operations
         fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {

@@ -3,6 +3,7 @@
 
 mod control;
 mod own;
+mod promises;
 mod values;
 
 /// A constraint takes the route, all routes to its derivatives agree, and C at a state is the number worked out by hand.

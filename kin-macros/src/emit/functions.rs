@@ -29,12 +29,13 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered, derived: &Derivatives
     let linearize = commented("C and C_q", Kernel::emit(lowered, arguments, &both));
     let right_side = commented("Q_d for t_dot = 1", Kernel::emit(lowered, arguments, &outputs("q_d", &derived.acceleration_rhs)));
     let velocity = velocity(&m, Kernel::emit(lowered, arguments, &outputs("rhs", &derived.velocity_rhs)), derived);
-    let constants = constants(&lowered.graph, derived);
+    let (constants, depends) = (constants(&lowered.graph, derived), depends(&lowered.graph, &rows, derived));
     let not_finite = not_finite(lowered, arguments, &derived.checks);
     let ((residual_doc, residual), (jacobian_doc, jacobian)) = (residual, jacobian);
     let ((linearize_doc, linearize), (right_doc, right_side)) = (linearize, right_side);
     quote! {
         #constants
+        #depends
         #[doc = #residual_doc]
         fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<#m>() else { return };
@@ -78,6 +79,18 @@ fn constants(g: &Graph, derived: &Derivatives) -> TokenStream {
     quote! {
         fn constants(&self) -> &[::core::option::Option<f64>] {
             &[#(#known),*]
+        }
+    }
+}
+
+/// Which terms can change with t or be other than zero, for the solver.
+fn depends(g: &Graph, rows: &[Node], derived: &Derivatives) -> TokenStream {
+    let on_t = |n: &Node| g.depends(*n).on_t;
+    let (c, c_q) = (rows.iter().any(on_t), derived.jacobian.iter().any(|entry| on_t(&entry.2)));
+    let [c_t, q_d] = [&derived.velocity_rhs, &derived.acceleration_rhs].map(|side| side.iter().any(|&n| !g.is_zero(n)));
+    quote! {
+        fn depends(&self) -> ::kin::Dependence {
+            ::kin::Dependence { c_on_t: #c, c_q_on_t: #c_q, c_t: #c_t, q_d: #q_d }
         }
     }
 }
