@@ -6,7 +6,7 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use kin::prelude::*;
-use kin::rt::{At, PlanarState, Rates, SpatialState};
+use kin::rt::{At, PlanarState, Rates};
 
 use crate::hand::planar_joints::{self, Prismatic, Revolute};
 use crate::hand::spatial_joints::{self, Cylindrical, Spherical, Universal};
@@ -84,11 +84,8 @@ impl<C: Constraint + 'static> Library<C> {
     fn spatial<const M: usize, const E: usize>(&self, input: &Input, output: &mut [f64]) {
         for (state, out) in input.states.as_chunks::<28>().0.iter().zip(output.chunks_exact_mut(2 * M + E)) {
             let (q, qd) = state.split_at(14);
-            let mut states = [0.0; 32];
-            for (place, q) in states.as_chunks_mut::<16>().0.iter_mut().zip(q.as_chunks::<7>().0) {
-                *place = SpatialState::new(*q).to_array();
-            }
-            self.evaluate::<M, E>(&At::new(0.0, &states, &[0, 16]), &Rates::new(qd, &[0, 7]), out);
+            // The state of a spatial body is its coordinates.
+            self.evaluate::<M, E>(&At::new(0.0, q, &[0, 7]), &Rates::new(qd, &[0, 7]), out);
         }
     }
 

@@ -2,6 +2,7 @@
 
 mod argument;
 mod cast;
+mod fma;
 mod foreign;
 mod lift;
 mod numbers;
@@ -19,6 +20,7 @@ pub use num_dual::{Dual2_64, Dual64};
 pub use argument::{IntoConstant, IntoJet, IntoPlain, IntoReference, Jet, Nothing};
 pub use argument::{constant_argument, plain_argument, reference_argument};
 pub use cast::{Cast, Whole, cast, whole};
+pub use fma::fma;
 pub use foreign::{Foreign, LiftAny, LiftNumbers, LowerAny, LowerReal, ReceiveAny, ReceiveNumbers, ReceiveReference};
 pub use lift::{Absent, Constants, Lift, Lower, absent, constants, lowered};
 pub use numbers::Numbers;

@@ -7,7 +7,7 @@ use crate::constraint::Constraint;
 use crate::coordinates::{Target, Trig};
 use crate::error::Error;
 use crate::layout::{Layout, Place};
-use crate::state::{At, CoordState, PlanarState, Rates, SpatialState};
+use crate::state::{At, CoordState, PlanarState, Rates, SPATIAL_STATE, SpatialState};
 
 /// One constraint in a system.
 pub(crate) struct Block {
@@ -141,8 +141,8 @@ impl StatePlan {
             copy(&PlanarState::new(*q).to_array(), copies, states);
         }
         for Shared { first, copies, .. } in &self.spatial {
-            let Some(q) = q.get(*first..).and_then(|q| q.first_chunk()) else { continue };
-            copy(&SpatialState::new(*q).to_array(), copies, states);
+            let Some(q) = q.get(*first..).and_then(|q| q.first_chunk::<SPATIAL_STATE>()) else { continue };
+            copy(q, copies, states);
         }
         for Shared { first, trig, copies } in &self.coords {
             copy(&CoordState::new(q[*first], *trig).to_array(), copies, states);

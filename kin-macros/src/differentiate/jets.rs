@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 
-use super::partial::rotation_terms;
 use super::rules;
 use crate::graph::{Direction, Graph, Input, LeafNumber, LeafUse, Node, Op, Part};
 
@@ -58,6 +57,10 @@ impl Jets {
             Op::Sub(a, b) => g.sub(d(a), d(b)),
             Op::Neg(a) => g.neg(d(a)),
             Op::Mul(a, b) => sum_of_products(g, [(d(a), b), (a, d(b))]),
+            Op::Fma(a, b, c) => {
+                let product = sum_of_products(g, [(d(a), b), (a, d(b))]);
+                g.add(product, d(c))
+            }
             Op::Div(a, b) => {
                 let yb = g.mul(node, d(b));
                 let numerator = g.sub(d(a), yb);
@@ -80,6 +83,10 @@ impl Jets {
             Op::Sub(a, b) => g.sub(dd(a), dd(b)),
             Op::Neg(a) => g.neg(dd(a)),
             Op::Mul(a, b) => self.product(g, a, b),
+            Op::Fma(a, b, c) => {
+                let product = self.product(g, a, b);
+                g.add(product, dd(c))
+            }
             Op::Div(a, b) => self.quotient(g, a, b, node),
             Op::Select(c, a, b) => g.select(c, dd(a), dd(b)),
             Op::Leaf(of) => self.leaf(g, of, LeafNumber::Second),
@@ -185,7 +192,6 @@ fn input_jet(g: &mut Graph, input: Input) -> Jet {
         Input::Time => Jet { first: g.input(Input::TimeRate), second: zero },
         Input::State(argument, Part::Sin) => angle_jet(g, argument, Part::Sin, Part::Cos, false),
         Input::State(argument, Part::Cos) => angle_jet(g, argument, Part::Cos, Part::Sin, true),
-        Input::State(argument, Part::A(row, column)) => rotation_jet(g, argument, row, column),
         Input::State(argument, part) => Jet { first: g.input(Input::Rate(argument, part)), second: zero },
         _ => constant(g),
     }
@@ -198,19 +204,4 @@ fn angle_jet(g: &mut Graph, argument: usize, part: Part, other: Part, minus: boo
     let (first, rate_squared) = (g.mul(rate, other), g.mul(rate, rate));
     let second = g.mul(rate_squared, this);
     Jet { first: if minus { g.neg(first) } else { first }, second: g.neg(second) }
-}
-
-/// A is quadratic in p: of 2 Σ s e_a e_b, A′ = 2 Σ s (ė_a e_b + e_a ė_b) and A″ = 4 Σ s ė_a ė_b.
-fn rotation_jet(g: &mut Graph, argument: usize, row: usize, column: usize) -> Jet {
-    let (two, four) = (g.constant(2.0), g.constant(4.0));
-    let mut jet = constant(g);
-    for (sign, a, b) in rotation_terms(row, column) {
-        let combine = if sign < 0.0 { Graph::sub } else { Graph::add };
-        let [ea, eb] = [a, b].map(|k| g.input(Input::State(argument, Part::P(k))));
-        let [ra, rb] = [a, b].map(|k| g.input(Input::Rate(argument, Part::P(k))));
-        let first = sum_of_products(g, [(ra, eb), (ea, rb)]);
-        let second = g.mul(ra, rb);
-        jet = Jet { first: combine(g, jet.first, first), second: combine(g, jet.second, second) };
-    }
-    Jet { first: g.mul(two, jet.first), second: g.mul(four, jet.second) }
 }

@@ -25,7 +25,7 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
     let pattern = derived.jacobian.iter().map(|(row, column, _)| (*row, *column)).collect();
     let trig = derived.trig(&lowered);
     let frame = Frame { trig, ..Frame::new(source, row_names, pattern) };
-    let kernels = functions::symbolic(&source.arguments, &lowered, &derived);
+    let kernels = functions::symbolic(&source.arguments, &mut lowered, &derived);
     let leaves: Vec<TokenStream> =
         lowered.leaves.iter().enumerate().map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items)).collect();
     frame.emit(quote!(::kin::Route::Symbolic), &kernels, &leaves, Some(&lowered))

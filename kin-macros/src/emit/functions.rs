@@ -10,7 +10,7 @@ use crate::lower::Lowered;
 use crate::parse::Argument;
 
 /// `residual`, `jacobian`, `linearize`, `velocity_rhs`, `acceleration_rhs` and `not_finite`.
-pub fn symbolic(arguments: &[Argument], lowered: &Lowered, derived: &Derivatives) -> TokenStream {
+pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivatives) -> TokenStream {
     let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
     let (m, entries) = (literal(rows.len()), literal(derived.jacobian.len()));
     let place = |name: &str, k: usize| {
@@ -23,12 +23,13 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered, derived: &Derivatives
     let values: Vec<Node> = derived.jacobian.iter().map(|entry| entry.2).collect();
     let c_q = outputs("c_q", &values);
     let both: Vec<_> = c.iter().chain(&c_q).cloned().collect();
+    let mut kernel = |outputs: &[(TokenStream, Node)]| Kernel::scheduled(lowered, arguments, outputs);
 
-    let residual = commented("C", Kernel::emit(lowered, arguments, &c));
-    let jacobian = commented("C_q", Kernel::emit(lowered, arguments, &c_q));
-    let linearize = commented("C and C_q", Kernel::emit(lowered, arguments, &both));
-    let right_side = commented("Q_d for t_dot = 1", Kernel::emit(lowered, arguments, &outputs("q_d", &derived.acceleration_rhs)));
-    let velocity = velocity(&m, Kernel::emit(lowered, arguments, &outputs("rhs", &derived.velocity_rhs)), derived);
+    let residual = commented("C", kernel(&c));
+    let jacobian = commented("C_q", kernel(&c_q));
+    let linearize = commented("C and C_q", kernel(&both));
+    let right_side = commented("Q_d for t_dot = 1", kernel(&outputs("q_d", &derived.acceleration_rhs)));
+    let velocity = velocity(&m, kernel(&outputs("rhs", &derived.velocity_rhs)), derived);
     let (constants, depends) = (constants(&lowered.graph, derived), depends(&lowered.graph, &rows, derived));
     let not_finite = not_finite(lowered, arguments, &derived.checks);
     let ((residual_doc, residual), (jacobian_doc, jacobian)) = (residual, jacobian);

@@ -6,7 +6,8 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 use super::template;
-use crate::graph::{Comparison, Function, Function2, Graph, Input, LeafNumber, LeafUse, Node, Op, Part};
+use crate::schedule::{self, order};
+use crate::graph::{Comparison, Function, Function2, Graph, Input, Leaf, LeafNumber, LeafUse, Node, Op, Part};
 use crate::lower::{Lowered, OpaqueKind};
 use crate::parse::{Argument, Kind};
 
@@ -27,6 +28,8 @@ pub struct Kernel<'a> {
     operations: usize,
     /// Evaluations of laws, opaque values and leaves that already have a name.
     evaluations: HashMap<String, Ident>,
+    /// Whether something is multiplied and added in one operation.
+    fused: bool,
     /// Parts of states and rates that are read, by slot.
     states: Vec<(usize, Part)>,
     rates: Vec<(usize, Part)>,
@@ -47,26 +50,34 @@ pub struct Code {
 }
 
 impl<'a> Kernel<'a> {
+    /// Code for `outputs` after the scheduler has had a look at it.
+    pub fn scheduled(lowered: &'a mut Lowered, arguments: &[Argument], outputs: &[(TokenStream, Node)]) -> Code {
+        let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
+        let nodes = schedule::prepare(&mut lowered.graph, &nodes);
+        let outputs: Vec<_> = outputs.iter().zip(nodes).map(|((place, _), node)| (place.clone(), node)).collect();
+        Kernel::emit(lowered, arguments, &outputs)
+    }
+
     /// Code that computes `outputs` and writes each to the place given with it.
     pub fn emit(lowered: &'a Lowered, arguments: &[Argument], outputs: &[(TokenStream, Node)]) -> Code {
         let mut kernel = Kernel::new(lowered, arguments);
         let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
-        kernel.name_all(&nodes);
-        let writes: Vec<TokenStream> = outputs
-            .iter()
-            .map(|(place, node)| {
-                let value = kernel.expression(*node);
-                quote!(#place = #value;)
-            })
-            .collect();
-        kernel.finish(quote!(#(#writes)*))
+        kernel.count_uses(&nodes);
+        for group in order(&lowered.graph, &nodes) {
+            group.nodes.into_iter().for_each(|node| kernel.name(node));
+            let (place, node) = &outputs[group.output];
+            let value = kernel.expression(*node);
+            kernel.statements.push(quote!(#place = #value;));
+        }
+        kernel.finish(quote!())
     }
 
     /// Code that returns the text of the first risk whose numbers are not all finite.
     pub fn emit_checks(lowered: &'a Lowered, arguments: &[Argument], checks: &[(String, Vec<Node>)]) -> Code {
         let mut kernel = Kernel { missing: quote!(::core::option::Option::None), ..Kernel::new(lowered, arguments) };
         let nodes: Vec<Node> = checks.iter().flat_map(|(_, nodes)| nodes.clone()).collect();
-        kernel.name_all(&nodes);
+        kernel.count_uses(&nodes);
+        kernel.graph().reachable(&nodes).into_iter().for_each(|node| kernel.name(node));
         let tests: Vec<TokenStream> = checks
             .iter()
             .map(|(text, nodes)| {
@@ -89,6 +100,7 @@ impl<'a> Kernel<'a> {
             temporaries: 0,
             operations: 0,
             evaluations: HashMap::new(),
+            fused: false,
             states: Vec::new(),
             rates: Vec::new(),
             missing: quote!(),
@@ -102,9 +114,11 @@ impl<'a> Kernel<'a> {
     fn finish(self, outputs: TokenStream) -> Code {
         let bindings = self.bindings();
         let statements = self.statements;
+        let fma = super::own("fma");
+        let fma = if self.fused { quote!(let #fma = ::kin::rt::fma;) } else { quote!() };
         let items = &self.lowered.items;
         let items = if items.is_empty() { quote!() } else { quote!(#(#[allow(unused)] #items)*) };
-        Code { tokens: quote!(#items #(#bindings)* #(#statements)* #outputs), operations: self.operations }
+        Code { tokens: quote!(#items #fma #(#bindings)* #(#statements)* #outputs), operations: self.operations }
     }
 
     /// The states and rates that are read, each number by a name.
@@ -120,19 +134,14 @@ impl<'a> Kernel<'a> {
         states.into_iter().chain(rates).collect()
     }
 
-    /// Gives a name to every node that needs one, operands first.
-    fn name_all(&mut self, outputs: &[Node]) {
-        let order = self.graph().reachable(outputs);
+    fn count_uses(&mut self, outputs: &[Node]) {
         for &node in outputs {
             *self.uses.entry(node).or_default() += 1;
         }
-        for &node in &order {
+        for node in self.graph().reachable(outputs) {
             for operand in self.graph().operands(node) {
                 *self.uses.entry(operand).or_default() += 1;
             }
-        }
-        for node in order {
-            self.name(node);
         }
     }
 
@@ -198,7 +207,7 @@ impl<'a> Kernel<'a> {
         let simple = self.named.contains_key(&node)
             || match self.graph().op(node) {
                 Op::Constant(bits) => f64::from_bits(bits) >= 0.0,
-                Op::Input(_) | Op::Call(..) | Op::Call2(..) | Op::Powi(..) => {
+                Op::Input(_) | Op::Call(..) | Op::Call2(..) | Op::Powi(..) | Op::Fma(..) => {
                     !matches!(self.graph().op(node), Op::Call2(Function2::Rem, ..))
                 }
                 _ => false,
@@ -216,6 +225,11 @@ impl<'a> Kernel<'a> {
             Op::Sub(a, b) => self.infix(a, quote!(-), b),
             Op::Mul(a, b) => self.infix(a, quote!(*), b),
             Op::Div(a, b) => self.infix(a, quote!(/), b),
+            Op::Fma(a, b, c) => {
+                self.fused = true;
+                let (fma, a, b, c) = (super::own("fma"), self.expression(a), self.expression(b), self.expression(c));
+                quote!(#fma(#a, #b, #c))
+            }
             Op::And(a, b) => self.infix(a, quote!(&&), b),
             Op::Or(a, b) => self.infix(a, quote!(||), b),
             Op::Compare(comparison, a, b) => self.infix(a, sign(comparison), b),
@@ -312,9 +326,8 @@ impl<'a> Kernel<'a> {
     }
 
     fn leaf(&mut self, of: LeafUse) -> TokenStream {
-        let leaf = &self.lowered.leaves[of.leaf];
-        let function = template::leaf_name(of.leaf);
-        let arguments = self.graph().leaves[of.leaf].arguments.clone();
+        let Leaf { call, arguments } = self.graph().leaves[of.leaf].clone();
+        let (leaf, function) = (&self.lowered.leaves[call], template::leaf_name(call));
         let directions = &self.graph().directions;
         let (key, field) = match of.what {
             LeafNumber::Value => (format!("leaf {} value", of.leaf), quote!(.0)),
@@ -361,7 +374,7 @@ impl Slot {
             Kind::Planar => vec![Part::R(0), Part::R(1), Part::Theta, Part::Sin, Part::Cos],
             Kind::Spatial => {
                 let (r, p) = ((0..3).map(Part::R), (0..4).map(Part::P));
-                r.chain(p).chain((0..9).map(|k| Part::A(k / 3, k % 3))).collect()
+                r.chain(p).collect()
             }
             _ => vec![Part::Theta, Part::Sin, Part::Cos],
         }
@@ -369,7 +382,7 @@ impl Slot {
 
     /// The coordinates among them.
     fn columns(&self) -> Vec<Part> {
-        self.state_parts().into_iter().filter(|part| !matches!(part, Part::Sin | Part::Cos | Part::A(..))).collect()
+        self.state_parts().into_iter().filter(|part| !matches!(part, Part::Sin | Part::Cos)).collect()
     }
 
     fn state(&self, part: Part) -> Ident {
@@ -382,7 +395,6 @@ impl Slot {
             Part::Sin => format!("{name}_sin"),
             Part::Cos => format!("{name}_cos"),
             Part::P(k) => format!("{name}_e{k}"),
-            Part::A(r, c) => format!("{name}_a{}{}", r + 1, c + 1),
         };
         Ident::new(&text, Span::mixed_site())
     }
