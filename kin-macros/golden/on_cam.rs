@@ -97,23 +97,19 @@ const _: () = {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<1>() else {
                 return
             };
-            let ::core::option::Option::Some(
-                &[cam_x,
-                cam_y,
-                _,
-                cam_sin,
-                cam_cos,
-                follower_x,
-                follower_y,
-                _,
-                follower_sin,
-                follower_cos,
-                ],
-            ) = at.states::<10>() else { return };
+            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let follower_x = state[5];
+            let follower_cos = state[9];
+            let follower_sin = state[8];
+            let cam_x = state[0];
             let t0 = (follower_x
                 + ((self.tip.x * follower_cos) - (self.tip.y * follower_sin))) - cam_x;
+            let follower_y = state[6];
+            let cam_y = state[1];
             let t1 = (follower_y
                 + ((self.tip.x * follower_sin) + (self.tip.y * follower_cos))) - cam_y;
+            let cam_cos = state[4];
+            let cam_sin = state[3];
             let t2 = (cam_cos * t0) + (cam_sin * t1);
             let t3 = (cam_cos * t1) - (cam_sin * t0);
             let t4 = f64::atan2(t3, t2);
@@ -121,58 +117,11 @@ const _: () = {
             let leaf1: ::kin::rt::Real<f64> = self.__leaf0([::kin::rt::Real(t4)]);
             c[0] = (f64::sqrt((t2 * t2) + (t3 * t3)) - law0[0]) + leaf1.0;
         }
-        /// C_q: 76 operations
-        #[inline]
+        /// C_q, and C on the way
         fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
-            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<6>() else {
-                return
-            };
-            let ::core::option::Option::Some(
-                &[cam_x,
-                cam_y,
-                _,
-                cam_sin,
-                cam_cos,
-                follower_x,
-                follower_y,
-                _,
-                follower_sin,
-                follower_cos,
-                ],
-            ) = at.states::<10>() else { return };
-            let t0 = (self.tip.x * follower_cos) - (self.tip.y * follower_sin);
-            let t1 = (self.tip.x * follower_sin) + (self.tip.y * follower_cos);
-            let t2 = (follower_x + t0) - cam_x;
-            let t3 = (follower_y + t1) - cam_y;
-            let t4 = (cam_cos * t2) + (cam_sin * t3);
-            let t5 = (cam_cos * t3) - (cam_sin * t2);
-            let t6 = f64::atan2(t5, t4);
-            let t7 = (t4 * t4) + (t5 * t5);
-            let t8 = t4 / t7;
-            let t9 = t5 / t7;
-            let t10 = (cam_sin * t8) + (cam_cos * t9);
-            let t11 = 1.0 / (2.0 * f64::sqrt(t7));
-            let law0: [f64; 4] = self.profile.jet(t6);
-            let leaf1: ::kin::rt::Real<::kin::rt::Dual64> = self
-                .__leaf0([::kin::rt::Real(::kin::rt::Dual64::new(t6, 1.0))]);
-            let t12 = ((2.0 * (((cam_sin * t5) - (cam_cos * t4)) * t11))
-                - (t10 * law0[1])) + (t10 * leaf1.0.eps);
-            let t13 = (cam_sin * t9) - (cam_cos * t8);
-            let t14 = (leaf1.0.eps * t13)
-                - ((2.0 * (t11 * ((cam_sin * t4) + (cam_cos * t5)))) + (law0[1] * t13));
-            let t15 = (t0 * cam_sin) - (t1 * cam_cos);
-            let t16 = (t1 * cam_sin) + (t0 * cam_cos);
-            let t17 = (t8 * t16) - (t9 * t15);
-            let t18 = ((2.0 * (t11 * ((t4 * t15) + (t5 * t16)))) - (law0[1] * t17))
-                + (leaf1.0.eps * t17);
-            c_q[0] = t12;
-            c_q[1] = t14;
-            c_q[2] = ((t4 * t8) + (t5 * t9)) * (law0[1] - leaf1.0.eps);
-            c_q[3] = -t12;
-            c_q[4] = -t14;
-            c_q[5] = t18;
+            self.linearize(at, &mut [0.0; 1], c_q);
         }
-        /// C and C_q: 79 operations
+        /// C and C_q: 60 operations
         fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<1>() else {
                 return
@@ -180,58 +129,63 @@ const _: () = {
             let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<6>() else {
                 return
             };
-            let ::core::option::Option::Some(
-                &[cam_x,
-                cam_y,
-                _,
-                cam_sin,
-                cam_cos,
-                follower_x,
-                follower_y,
-                _,
-                follower_sin,
-                follower_cos,
-                ],
-            ) = at.states::<10>() else { return };
+            let fma = ::kin::rt::fma;
+            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let follower_cos = state[9];
+            let follower_sin = state[8];
             let t0 = (self.tip.x * follower_cos) - (self.tip.y * follower_sin);
-            let t1 = (self.tip.x * follower_sin) + (self.tip.y * follower_cos);
-            let t2 = (follower_x + t0) - cam_x;
-            let t3 = (follower_y + t1) - cam_y;
-            let t4 = (cam_cos * t2) + (cam_sin * t3);
-            let t5 = (cam_cos * t3) - (cam_sin * t2);
-            let t6 = f64::atan2(t5, t4);
-            let t7 = (t4 * t4) + (t5 * t5);
-            let t8 = f64::sqrt(t7);
-            let law0: [f64; 4] = self.profile.jet(t6);
-            let leaf1: ::kin::rt::Real<f64> = self.__leaf0([::kin::rt::Real(t6)]);
-            let t9 = t4 / t7;
-            let t10 = t5 / t7;
-            let t11 = (cam_sin * t9) + (cam_cos * t10);
-            let t12 = 1.0 / (2.0 * t8);
+            let follower_x = state[5];
+            let cam_x = state[0];
+            let t1 = (follower_x + t0) - cam_x;
+            let t2 = (self.tip.x * follower_sin) + (self.tip.y * follower_cos);
+            let follower_y = state[6];
+            let cam_y = state[1];
+            let t3 = (follower_y + t2) - cam_y;
+            let cam_cos = state[4];
+            let cam_sin = state[3];
+            let t4 = (cam_cos * t1) + (cam_sin * t3);
+            let t5 = (cam_cos * t3) - (cam_sin * t1);
+            let t6 = (t4 * t4) + (t5 * t5);
+            let t7 = f64::sqrt(t6);
+            let t8 = f64::atan2(t5, t4);
+            let law0: [f64; 4] = self.profile.jet(t8);
+            let leaf1: ::kin::rt::Real<f64> = self.__leaf0([::kin::rt::Real(t8)]);
+            c[0] = (t7 - law0[0]) + leaf1.0;
+            let t9 = t4 / t6;
+            let t10 = t5 / t6;
             let leaf2: ::kin::rt::Real<::kin::rt::Dual64> = self
-                .__leaf0([::kin::rt::Real(::kin::rt::Dual64::new(t6, 1.0))]);
-            let t13 = ((2.0 * (((cam_sin * t5) - (cam_cos * t4)) * t12))
-                - (t11 * law0[1])) + (t11 * leaf2.0.eps);
-            let t14 = (cam_sin * t10) - (cam_cos * t9);
-            let t15 = (leaf2.0.eps * t14)
-                - ((2.0 * (t12 * ((cam_sin * t4) + (cam_cos * t5)))) + (law0[1] * t14));
-            let t16 = (t0 * cam_sin) - (t1 * cam_cos);
-            let t17 = (t1 * cam_sin) + (t0 * cam_cos);
-            let t18 = (t9 * t17) - (t10 * t16);
-            let t19 = ((2.0 * (t12 * ((t4 * t16) + (t5 * t17)))) - (law0[1] * t18))
-                + (leaf2.0.eps * t18);
-            c[0] = (t8 - law0[0]) + leaf1.0;
+                .__leaf0([::kin::rt::Real(::kin::rt::Dual64::new(t8, 1.0))]);
+            c_q[2] = fma(t5, t10, t4 * t9) * (law0[1] - leaf2.0.eps);
+            let t11 = fma(cam_cos, t10, cam_sin * t9);
+            let t12 = (2.0 * 1.0) / (2.0 * t7);
+            let t13 = fma(
+                fma(-cam_cos, t4, cam_sin * t5),
+                t12,
+                fma(-t11, law0[1], t11 * leaf2.0.eps),
+            );
             c_q[0] = t13;
-            c_q[1] = t15;
-            c_q[2] = ((t4 * t9) + (t5 * t10)) * (law0[1] - leaf2.0.eps);
             c_q[3] = -t13;
+            let t14 = fma(-cam_cos, t9, cam_sin * t10);
+            let t15 = fma(
+                -t12,
+                fma(cam_cos, t5, cam_sin * t4),
+                fma(-law0[1], t14, leaf2.0.eps * t14),
+            );
+            c_q[1] = t15;
             c_q[4] = -t15;
-            c_q[5] = t19;
+            let t16 = fma(t0, cam_cos, t2 * cam_sin);
+            let t17 = fma(-t2, cam_cos, t0 * cam_sin);
+            let t18 = fma(-t10, t17, t9 * t16);
+            c_q[5] = fma(
+                t12,
+                fma(t5, t16, t4 * t17),
+                fma(-law0[1], t18, leaf2.0.eps * t18),
+            );
         }
         fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
             rhs.iter_mut().take(1).for_each(|value| *value = 0.0);
         }
-        /// Q_d for t_dot = 1: 118 operations
+        /// Q_d for t_dot = 1: 87 operations
         fn acceleration_rhs(
             &self,
             at: &::kin::rt::At<'_>,
@@ -242,87 +196,96 @@ const _: () = {
             let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<1>() else {
                 return
             };
-            let ::core::option::Option::Some(
-                &[cam_x,
-                cam_y,
-                _,
-                cam_sin,
-                cam_cos,
-                follower_x,
-                follower_y,
-                _,
-                follower_sin,
-                follower_cos,
-                ],
-            ) = at.states::<10>() else { return };
-            let ::core::option::Option::Some(
-                &[cam_x_d,
-                cam_y_d,
-                cam_theta_d,
-                follower_x_d,
-                follower_y_d,
-                follower_theta_d,
-                ],
-            ) = qd.columns::<6>() else { return };
-            let t0 = (self.tip.x * follower_cos) - (self.tip.y * follower_sin);
-            let t1 = (self.tip.x * follower_sin) + (self.tip.y * follower_cos);
-            let t2 = (follower_x + t0) - cam_x;
-            let t3 = (follower_y + t1) - cam_y;
-            let t4 = (cam_cos * t2) + (cam_sin * t3);
-            let t5 = (cam_cos * t3) - (cam_sin * t2);
-            let t6 = f64::atan2(t5, t4);
-            let t7 = (t4 * t4) + (t5 * t5);
-            let t8 = t4 / t7;
-            let t9 = t5 / t7;
-            let t10 = 2.0 * f64::sqrt(t7);
-            let t11 = 1.0 / t10;
-            let law0: [f64; 4] = self.profile.jet(t6);
-            let t12 = t1 * follower_theta_d;
-            let t13 = t0 * follower_theta_d;
-            let t14 = cam_cos * cam_theta_d;
-            let t15 = cam_sin * cam_theta_d;
-            let t16 = (follower_x_d - t12) - cam_x_d;
-            let t17 = (follower_y_d + t13) - cam_y_d;
-            let t18 = ((cam_cos * t16) - (t2 * t15)) + ((t3 * t14) + (cam_sin * t17));
-            let t19 = ((cam_cos * t17) - (t3 * t15)) - ((t2 * t14) + (cam_sin * t16));
-            let t20 = (t8 * t19) - (t9 * t18);
-            let t21 = (t4 * t18) + (t5 * t19);
-            let t22 = (cam_theta_d * (t2 * cam_theta_d)) + (follower_theta_d * t13);
-            let t23 = (cam_theta_d * (t3 * cam_theta_d)) + (follower_theta_d * t12);
-            let t24 = ((2.0 * (t14 * t17)) - (cam_sin * t23))
-                - ((2.0 * (t15 * t16)) + (cam_cos * t22));
-            let t25 = ((2.0 * (t14 * t16)) - (cam_sin * t22))
-                + ((2.0 * (t15 * t17)) + (cam_cos * t23));
-            let t26 = (t19 * ((t18 - (2.0 * (t8 * t21))) / t7)) - (t8 * t25);
-            let t27 = (t18 * ((t19 - (2.0 * (t9 * t21))) / t7)) + (t9 * t24);
-            let t28 = t26 - t27;
-            let t29 = (t11 * (((t18 * t18) + (t4 * t24)) + ((t19 * t19) - (t5 * t25))))
-                - (t21 * ((4.0 * (t11 * (t11 * t21))) / t10));
-            let leaf1: ::kin::rt::Real<::kin::rt::Dual2_64> = self
-                .__leaf0([::kin::rt::Real(::kin::rt::Dual2_64::new(t6, t20, t28))]);
-            let t30 = -(((2.0 * t29) - ((t20 * (t20 * law0[2])) + (law0[1] * t28)))
-                + leaf1.0.v2);
-            q_d[0] = t30;
+            let fma = ::kin::rt::fma;
+            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let ::core::option::Option::Some(rate) = qd.columns::<6>() else { return };
+            let follower_sin = state[8];
+            let follower_cos = state[9];
+            let t0 = (self.tip.x * follower_sin) + (self.tip.y * follower_cos);
+            let follower_y = state[6];
+            let cam_y = state[1];
+            let t1 = (follower_y + t0) - cam_y;
+            let t2 = (self.tip.x * follower_cos) - (self.tip.y * follower_sin);
+            let follower_x = state[5];
+            let cam_x = state[0];
+            let t3 = (follower_x + t2) - cam_x;
+            let cam_cos = state[4];
+            let cam_sin = state[3];
+            let t4 = (cam_cos * t1) - (cam_sin * t3);
+            let t5 = (cam_cos * t3) + (cam_sin * t1);
+            let t6 = f64::atan2(t4, t5);
+            let t7 = (t5 * t5) + (t4 * t4);
+            let t8 = t5 / t7;
+            let follower_theta_d = rate[5];
+            let t9 = t0 * follower_theta_d;
+            let follower_x_d = rate[3];
+            let cam_x_d = rate[0];
+            let t10 = (follower_x_d - t9) - cam_x_d;
+            let t11 = cam_sin * t10;
+            let cam_theta_d = rate[2];
+            let t12 = cam_cos * cam_theta_d;
+            let t13 = cam_sin * cam_theta_d;
+            let t14 = t2 * follower_theta_d;
+            let follower_y_d = rate[4];
+            let cam_y_d = rate[1];
+            let t15 = (follower_y_d + t14) - cam_y_d;
+            let t16 = fma(cam_cos, t15, fma(-t1, t13, fma(-t3, t12, -t11)));
+            let t17 = cam_cos * t10;
+            let t18 = fma(cam_sin, t15, fma(t1, t12, fma(-t3, t13, t17)));
+            let t19 = t4 / t7;
+            let t20 = fma(-t19, t18, t8 * t16);
+            let t21 = fma(t4, t16, t5 * t18);
+            let t22 = fma(follower_theta_d, t14, cam_theta_d * (t3 * cam_theta_d));
+            let t23 = fma(follower_theta_d, t9, cam_theta_d * (t1 * cam_theta_d));
+            let t24 = fma(
+                -2.0,
+                cam_theta_d * fma(cam_sin, t15, t17),
+                fma(-cam_cos, t23, cam_sin * t22),
+            );
+            let t25 = fma(
+                -t18,
+                fma(-2.0, t19 * t21, t16) / t7,
+                fma(t8, t24, t16 * (fma(-2.0, t8 * t21, t18) / t7)),
+            );
+            let t26 = fma(
+                -cam_sin,
+                t23,
+                fma(-cam_cos, t22, 2.0 * (cam_theta_d * fma(cam_cos, t15, -t11))),
+            );
+            let t27 = fma(-t19, t26, t25);
+            let leaf0: ::kin::rt::Real<::kin::rt::Dual2_64> = self
+                .__leaf0([::kin::rt::Real(::kin::rt::Dual2_64::new(t6, t20, t27))]);
+            let t28 = 2.0 * f64::sqrt(t7);
+            let t29 = 1.0 / t28;
+            let t30 = fma(
+                -t21,
+                (4.0 * (t29 * (t29 * t21))) / t28,
+                t29 * fma(t4, t24, fma(t16, t16, fma(t5, t26, t18 * t18))),
+            );
+            let law1: [f64; 4] = self.profile.jet(t6);
+            q_d[0] = fma(
+                law1[1],
+                t27,
+                fma(t20, t20 * law1[2], fma(-2.0, t30, -leaf0.0.v2)),
+            );
         }
         #[cold]
         fn not_finite(&self, at: &::kin::rt::At<'_>) -> ::core::option::Option<&str> {
-            let ::core::option::Option::Some(
-                &[cam_x,
-                cam_y,
-                _,
-                cam_sin,
-                cam_cos,
-                follower_x,
-                follower_y,
-                _,
-                follower_sin,
-                follower_cos,
-                ],
-            ) = at.states::<10>() else { return ::core::option::Option::None };
+            let ::core::option::Option::Some(state) = at.states::<10>() else {
+                return ::core::option::Option::None
+            };
+            let follower_x = state[5];
+            let follower_cos = state[9];
+            let follower_sin = state[8];
+            let cam_x = state[0];
             let t0 = (follower_x
                 + ((self.tip.x * follower_cos) - (self.tip.y * follower_sin))) - cam_x;
+            let follower_y = state[6];
+            let cam_y = state[1];
             let t1 = (follower_y
                 + ((self.tip.x * follower_sin) + (self.tip.y * follower_cos))) - cam_y;
+            let cam_cos = state[4];
+            let cam_sin = state[3];
             let t2 = (cam_cos * t0) + (cam_sin * t1);
             let t3 = (cam_cos * t1) - (cam_sin * t0);
             let t4 = f64::atan2(t3, t2);

@@ -93,38 +93,26 @@ const _: () = {
                 q_d: true,
             }
         }
-        /// C: 10 operations
+        /// C: 6 operations
         fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
                 return
             };
-            let ::core::option::Option::Some(
-                &[_,
-                theta3_sin,
-                theta3_cos,
-                x_arg,
-                _,
-                _,
-                ],
-            ) = at.states::<6>() else { return };
+            let fma = ::kin::rt::fma;
+            let ::core::option::Option::Some(state) = at.states::<6>() else { return };
             let t0 = at.t * self.omega;
             let (s1, c1) = t0.sin_cos();
-            c[0] = ((self.l2 * c1) + (self.l3 * theta3_cos)) - x_arg;
-            c[1] = ((self.l2 * s1) + (self.l3 * theta3_sin)) - self.h;
+            let theta3_cos = state[2];
+            let x_arg = state[3];
+            c[0] = fma(self.l3, theta3_cos, fma(self.l2, c1, -x_arg));
+            let theta3_sin = state[1];
+            c[1] = fma(self.l3, theta3_sin, fma(self.l2, s1, -self.h));
         }
-        /// C_q: 3 operations
-        #[inline]
+        /// C_q, and C on the way
         fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
-            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<3>() else {
-                return
-            };
-            let ::core::option::Option::Some(&[_, theta3_sin, theta3_cos, _, _, _]) = at
-                .states::<6>() else { return };
-            c_q[0] = -(self.l3 * theta3_sin);
-            c_q[1] = -1.0;
-            c_q[2] = self.l3 * theta3_cos;
+            self.linearize(at, &mut [0.0; 2], c_q);
         }
-        /// C and C_q: 11 operations
+        /// C and C_q: 8 operations
         fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
                 return
@@ -132,26 +120,22 @@ const _: () = {
             let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<3>() else {
                 return
             };
-            let ::core::option::Option::Some(
-                &[_,
-                theta3_sin,
-                theta3_cos,
-                x_arg,
-                _,
-                _,
-                ],
-            ) = at.states::<6>() else { return };
-            let t0 = at.t * self.omega;
-            let (s1, c1) = t0.sin_cos();
-            let t2 = self.l3 * theta3_cos;
-            let t3 = self.l3 * theta3_sin;
-            c[0] = ((self.l2 * c1) + t2) - x_arg;
-            c[1] = ((self.l2 * s1) + t3) - self.h;
-            c_q[0] = -t3;
+            let fma = ::kin::rt::fma;
+            let ::core::option::Option::Some(state) = at.states::<6>() else { return };
             c_q[1] = -1.0;
-            c_q[2] = t2;
+            let theta3_cos = state[2];
+            let t0 = self.l3 * theta3_cos;
+            c_q[2] = t0;
+            let theta3_sin = state[1];
+            let t1 = self.l3 * theta3_sin;
+            c_q[0] = -t1;
+            let t2 = at.t * self.omega;
+            let (s3, c3) = t2.sin_cos();
+            let x_arg = state[3];
+            c[0] = fma(self.l2, c3, t0) - x_arg;
+            c[1] = fma(self.l2, s3, t1) - self.h;
         }
-        /// −C_t: 7 operations
+        /// −C_t: 6 operations
         fn velocity_rhs(&self, at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
             let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<2>() else {
                 return
@@ -161,7 +145,7 @@ const _: () = {
             rhs[0] = self.l2 * (self.omega * s1);
             rhs[1] = -(self.l2 * (self.omega * c1));
         }
-        /// Q_d for t_dot = 1: 16 operations
+        /// Q_d for t_dot = 1: 14 operations
         fn acceleration_rhs(
             &self,
             at: &::kin::rt::At<'_>,
@@ -172,24 +156,28 @@ const _: () = {
             let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<2>() else {
                 return
             };
-            let ::core::option::Option::Some(&[_, theta3_sin, theta3_cos, _, _, _]) = at
-                .states::<6>() else { return };
-            let ::core::option::Option::Some(&[theta3_d, _]) = qd.columns::<2>() else {
-                return
-            };
-            let t0 = at.t * self.omega;
-            let (s1, c1) = t0.sin_cos();
-            let t2 = self.omega * t_dot;
+            let fma = ::kin::rt::fma;
+            let ::core::option::Option::Some(state) = at.states::<6>() else { return };
+            let ::core::option::Option::Some(rate) = qd.columns::<2>() else { return };
+            let t0 = self.omega * t_dot;
+            let t1 = at.t * self.omega;
+            let (s2, c2) = t1.sin_cos();
+            let theta3_d = rate[0];
             let t3 = theta3_d * theta3_d;
-            q_d[0] = (self.l2 * (t2 * (c1 * t2))) + (self.l3 * (theta3_cos * t3));
-            q_d[1] = (self.l2 * (t2 * (s1 * t2))) + (self.l3 * (theta3_sin * t3));
+            let theta3_cos = state[2];
+            q_d[0] = fma(self.l3, theta3_cos * t3, self.l2 * (t0 * (c2 * t0)));
+            let theta3_sin = state[1];
+            q_d[1] = fma(self.l3, theta3_sin * t3, self.l2 * (t0 * (s2 * t0)));
         }
         #[cold]
         fn not_finite(&self, at: &::kin::rt::At<'_>) -> ::core::option::Option<&str> {
-            let ::core::option::Option::Some(&[_, theta3_sin, theta3_cos, _, _, _]) = at
-                .states::<6>() else { return ::core::option::Option::None };
+            let ::core::option::Option::Some(state) = at.states::<6>() else {
+                return ::core::option::Option::None
+            };
             let t0 = at.t * self.omega;
             let (s1, c1) = t0.sin_cos();
+            let theta3_cos = state[2];
+            let theta3_sin = state[1];
             if ![c1, -s1].into_iter().all(f64::is_finite) {
                 return ::core::option::Option::Some("theta2.cos()");
             }

@@ -17,7 +17,21 @@ pub struct Jet {
 #[derive(Default)]
 pub struct Jets {
     first: HashMap<Node, Node>,
-    second: HashMap<Node, Node>,
+    second: HashMap<Node, Second>,
+}
+
+/// A second derivative as `outer + 2 cross`: the products of first derivatives are gathered through sums, and doubled once.
+#[derive(Clone, Copy)]
+struct Second {
+    outer: Node,
+    cross: Node,
+}
+
+impl Second {
+    fn whole(self, g: &mut Graph) -> Node {
+        let cross = double(g, self.cross);
+        g.add(self.outer, cross)
+    }
 }
 
 /// An argument of a function, with the function's derivative by it.
@@ -31,7 +45,7 @@ impl Jets {
             let second = self.second_rule(g, inner);
             self.second.insert(inner, second);
         }
-        Jet { first, second: self.second[&node] }
+        Jet { first, second: self.second[&node].whole(g) }
     }
 
     fn first(&mut self, g: &mut Graph, node: Node) -> Node {
@@ -42,8 +56,8 @@ impl Jets {
         self.first[&node]
     }
 
-    fn known(&self, node: Node) -> Jet {
-        Jet { first: self.first[&node], second: self.second[&node] }
+    fn known(&self, g: &mut Graph, node: Node) -> Jet {
+        Jet { first: self.first[&node], second: self.second[&node].whole(g) }
     }
 
     fn first_rule(&mut self, g: &mut Graph, node: Node) -> Node {
@@ -72,40 +86,44 @@ impl Jets {
         }
     }
 
-    fn second_rule(&mut self, g: &mut Graph, node: Node) -> Node {
+    fn second_rule(&mut self, g: &mut Graph, node: Node) -> Second {
+        let zero = g.zero();
+        let plain = |outer: Node| Second { outer, cross: zero };
         if !g.depends(node).varies() {
-            return g.zero();
+            return plain(zero);
         }
         let dd = |n: Node| self.second[&n];
         match g.op(node) {
-            Op::Input(input) => input_jet(g, input).second,
-            Op::Add(a, b) => g.add(dd(a), dd(b)),
-            Op::Sub(a, b) => g.sub(dd(a), dd(b)),
-            Op::Neg(a) => g.neg(dd(a)),
+            Op::Input(input) => plain(input_jet(g, input).second),
+            Op::Add(a, b) => both(g, Graph::add, dd(a), dd(b)),
+            Op::Sub(a, b) => both(g, Graph::sub, dd(a), dd(b)),
+            Op::Neg(a) => both(g, Graph::sub, plain(zero), dd(a)),
             Op::Mul(a, b) => self.product(g, a, b),
             Op::Fma(a, b, c) => {
                 let product = self.product(g, a, b);
-                g.add(product, dd(c))
+                both(g, Graph::add, product, dd(c))
             }
-            Op::Div(a, b) => self.quotient(g, a, b, node),
-            Op::Select(c, a, b) => g.select(c, dd(a), dd(b)),
-            Op::Leaf(of) => self.leaf(g, of, LeafNumber::Second),
-            _ => with_arguments(g, node, |g, arguments| self.chain_second(g, arguments)),
+            Op::Div(a, b) => plain(self.quotient(g, a, b, node)),
+            Op::Select(c, a, b) => {
+                let (a, b) = (dd(a).whole(g), dd(b).whole(g));
+                plain(g.select(c, a, b))
+            }
+            Op::Leaf(of) => plain(self.leaf(g, of, LeafNumber::Second)),
+            _ => plain(with_arguments(g, node, |g, arguments| self.chain_second(g, arguments))),
         }
     }
 
-    /// (a b)″ = a″ b + 2 a′ b′ + a b″
-    fn product(&self, g: &mut Graph, a: Node, b: Node) -> Node {
-        let (ja, jb) = (self.known(a), self.known(b));
+    /// (a b)″ = a″ b + a b″ + 2 a′ b′
+    fn product(&self, g: &mut Graph, a: Node, b: Node) -> Second {
+        let (ja, jb) = (self.known(g, a), self.known(g, b));
         let cross = g.mul(ja.first, jb.first);
-        let cross = double(g, cross);
         let outer = sum_of_products(g, [(ja.second, b), (a, jb.second)]);
-        g.add(outer, cross)
+        Second { outer, cross }
     }
 
     /// y = a/b:  y″ = (a″ − 2 y′ b′ − y b″)/b
     fn quotient(&self, g: &mut Graph, a: Node, b: Node, y: Node) -> Node {
-        let (ja, jb) = (self.known(a), self.known(b));
+        let (ja, jb) = (self.known(g, a), self.known(g, b));
         let cross = g.mul(self.first[&y], jb.first);
         let cross = double(g, cross);
         let last = g.mul(y, jb.second);
@@ -132,7 +150,7 @@ impl Jets {
     fn chain_second(&mut self, g: &mut Graph, arguments: &[Argument]) -> Node {
         let mut sum = g.zero();
         for (a, derivative) in arguments {
-            let inner = self.known(*a);
+            let inner = self.known(g, *a);
             if g.is_zero(inner.first) && g.is_zero(inner.second) {
                 continue;
             }
@@ -174,6 +192,10 @@ fn with_arguments(g: &mut Graph, node: Node, chain: impl FnOnce(&mut Graph, &[Ar
 fn constant(g: &mut Graph) -> Jet {
     let zero = g.zero();
     Jet { first: zero, second: zero }
+}
+
+fn both(g: &mut Graph, combine: fn(&mut Graph, Node, Node) -> Node, a: Second, b: Second) -> Second {
+    Second { outer: combine(g, a.outer, b.outer), cross: combine(g, a.cross, b.cross) }
 }
 
 fn double(g: &mut Graph, a: Node) -> Node {

@@ -26,14 +26,13 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
     let mut kernel = |outputs: &[(TokenStream, Node)]| Kernel::scheduled(lowered, arguments, outputs);
 
     let residual = commented("C", kernel(&c));
-    let jacobian = commented("C_q", kernel(&c_q));
     let linearize = commented("C and C_q", kernel(&both));
     let right_side = commented("Q_d for t_dot = 1", kernel(&outputs("q_d", &derived.acceleration_rhs)));
-    let velocity = velocity(&m, kernel(&outputs("rhs", &derived.velocity_rhs)), derived);
+    let velocity = (!derived.velocity_rhs.is_empty()).then(|| kernel(&outputs("rhs", &derived.velocity_rhs)));
+    let velocity = self::velocity(&m, velocity);
     let (constants, depends) = (constants(&lowered.graph, derived), depends(&lowered.graph, &rows, derived));
     let not_finite = not_finite(lowered, arguments, &derived.checks);
-    let ((residual_doc, residual), (jacobian_doc, jacobian)) = (residual, jacobian);
-    let ((linearize_doc, linearize), (right_doc, right_side)) = (linearize, right_side);
+    let ((residual_doc, residual), (linearize_doc, linearize), (right_doc, right_side)) = (residual, linearize, right_side);
     quote! {
         #constants
         #depends
@@ -42,11 +41,9 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<#m>() else { return };
             #residual
         }
-        #[doc = #jacobian_doc]
-        #[inline]
+        #[doc = " C_q, and C on the way"]
         fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
-            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<#entries>() else { return };
-            #jacobian
+            self.linearize(at, &mut [0.0; #m], c_q);
         }
         #[doc = #linearize_doc]
         fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
@@ -101,14 +98,14 @@ fn commented(what: &str, code: Code) -> (String, TokenStream) {
 }
 
 /// −C_t; a constraint without time only clears the place.
-fn velocity(m: &Literal, code: Code, derived: &Derivatives) -> TokenStream {
-    if derived.velocity_rhs.is_empty() {
+fn velocity(m: &Literal, code: Option<Code>) -> TokenStream {
+    let Some(code) = code else {
         return quote! {
             fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
                 rhs.iter_mut().take(#m).for_each(|value| *value = 0.0);
             }
         };
-    }
+    };
     let (doc, code) = commented("−C_t", code);
     quote! {
         #[doc = #doc]

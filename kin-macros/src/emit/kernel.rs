@@ -1,15 +1,15 @@
 //! Straight-line code for some outputs of the graph: which nodes get a name, in which order, and how each is written.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use super::template;
-use crate::schedule::{self, order};
 use crate::graph::{Comparison, Function, Function2, Graph, Input, Leaf, LeafNumber, LeafUse, Node, Op, Part};
 use crate::lower::{Lowered, OpaqueKind};
 use crate::parse::{Argument, Kind};
+use crate::schedule::{self, order};
 
 /// Nested this deep, an expression gets a name although it is used once.
 const DEEPEST: usize = 5;
@@ -19,10 +19,12 @@ pub struct Kernel<'a> {
     lowered: &'a Lowered,
     /// How each state argument is named, by its slot.
     slots: Vec<Slot>,
-    uses: HashMap<Node, usize>,
+    /// How often each node is used, by its number.
+    uses: Vec<usize>,
     /// What stands for a node that has a name.
     named: HashMap<Node, TokenStream>,
-    depth: HashMap<Node, usize>,
+    /// How deep the expression of each node without a name is, by its number.
+    depth: Vec<usize>,
     statements: Vec<TokenStream>,
     temporaries: usize,
     operations: usize,
@@ -30,9 +32,8 @@ pub struct Kernel<'a> {
     evaluations: HashMap<String, Ident>,
     /// Whether something is multiplied and added in one operation.
     fused: bool,
-    /// Parts of states and rates that are read, by slot.
-    states: Vec<(usize, Part)>,
-    rates: Vec<(usize, Part)>,
+    /// Parts of states (true) and rates that are read, by slot.
+    read: HashSet<(usize, Part, bool)>,
     /// What is returned where states are missing.
     missing: TokenStream,
 }
@@ -93,16 +94,15 @@ impl<'a> Kernel<'a> {
         Kernel {
             lowered,
             slots,
-            uses: HashMap::new(),
+            uses: vec![0; lowered.graph.len()],
             named: HashMap::new(),
-            depth: HashMap::new(),
+            depth: vec![0; lowered.graph.len()],
             statements: Vec::new(),
             temporaries: 0,
             operations: 0,
             evaluations: HashMap::new(),
             fused: false,
-            states: Vec::new(),
-            rates: Vec::new(),
+            read: HashSet::new(),
             missing: quote!(),
         }
     }
@@ -118,35 +118,51 @@ impl<'a> Kernel<'a> {
         let fma = if self.fused { quote!(let #fma = ::kin::rt::fma;) } else { quote!() };
         let items = &self.lowered.items;
         let items = if items.is_empty() { quote!() } else { quote!(#(#[allow(unused)] #items)*) };
-        Code { tokens: quote!(#items #fma #(#bindings)* #(#statements)* #outputs), operations: self.operations }
+        Code { tokens: quote!(#items #fma #bindings #(#statements)* #outputs), operations: self.operations }
     }
 
-    /// The states and rates that are read, each number by a name.
-    fn bindings(&self) -> Vec<TokenStream> {
-        let (mut states, mut rates) = (Vec::new(), Vec::new());
-        for (k, slot) in self.slots.iter().enumerate() {
-            states.extend(slot.state_parts().into_iter().map(|part| self.states.contains(&(k, part)).then(|| slot.state(part))));
-            rates.extend(slot.columns().into_iter().map(|part| self.rates.contains(&(k, part)).then(|| slot.rate(part))));
+    /// The states and rates as arrays of known length, if any of their numbers is read.
+    fn bindings(&self) -> TokenStream {
+        let read = |states: bool| self.read.iter().any(|(_, _, state)| *state == states);
+        let states: usize = self.slots.iter().map(|slot| slot.state_parts().len()).sum();
+        let rates: usize = self.slots.iter().map(|slot| slot.columns().len()).sum();
+        let states = binding("state", quote!(at.states), states, read(true), &self.missing);
+        let rates = binding("rate", quote!(qd.columns), rates, read(false), &self.missing);
+        quote!(#states #rates)
+    }
+
+    /// The name of a number of a state or of the rates, read just before it is needed first: registers are few.
+    fn reading(&mut self, slot: usize, part: Part, of_state: bool) -> Ident {
+        let parts = |slot: &Slot| if of_state { slot.state_parts() } else { slot.columns() };
+        let name = if of_state { self.slots[slot].state(part) } else { self.slots[slot].rate(part) };
+        if self.read.insert((slot, part, of_state)) {
+            let first: usize = self.slots[..slot].iter().map(|slot| parts(slot).len()).sum();
+            let place = parts(&self.slots[slot]).iter().position(|&p| p == part).unwrap_or(0);
+            let place = Literal::usize_unsuffixed(first + place);
+            let source = super::own(if of_state { "state" } else { "rate" });
+            self.statements.push(quote!(let #name = #source[#place];));
         }
-        let (n, m) = (Literal::usize_unsuffixed(states.len()), Literal::usize_unsuffixed(rates.len()));
-        let states = binding(quote!(at.states::<#n>()), states, &self.missing);
-        let rates = binding(quote!(qd.columns::<#m>()), rates, &self.missing);
-        states.into_iter().chain(rates).collect()
+        name
     }
 
     fn count_uses(&mut self, outputs: &[Node]) {
         for &node in outputs {
-            *self.uses.entry(node).or_default() += 1;
+            self.uses[node.index()] += 1;
         }
-        for node in self.graph().reachable(outputs) {
-            for operand in self.graph().operands(node) {
-                *self.uses.entry(operand).or_default() += 1;
-            }
+        for node in self.graph().reachable(outputs).into_iter().rev() {
+            // Minus x is written out as often as it is used.
+            let times = if let Op::Neg(_) = self.graph().op(node) { self.uses[node.index()] } else { 1 };
+            self.graph().each_operand(node, |operand| self.uses[operand.index()] += times);
         }
     }
 
     fn name(&mut self, node: Node) {
         if self.named.contains_key(&node) || self.is_leaf_of_expression(node) {
+            return;
+        }
+        if let Op::Neg(a) = self.graph().op(node) {
+            // A sign is written where it is needed: it belongs to the operation there.
+            self.depth[node.index()] = self.depth[a.index()];
             return;
         }
         if let Some(value) = self.evaluation(node) {
@@ -159,13 +175,13 @@ impl<'a> Kernel<'a> {
         {
             return;
         }
-        let depth = 1 + self.graph().operands(node).iter().map(|n| self.depth.get(n).copied().unwrap_or(0)).max().unwrap_or(0);
-        if self.uses[&node] > 1 || depth > DEEPEST {
+        let depth = 1 + self.graph().operands(node).iter().map(|n| self.depth[n.index()]).max().unwrap_or(0);
+        if self.uses[node.index()] > 1 || depth > DEEPEST {
             let value = self.written(node);
             let name = self.temporary(value);
             self.named.insert(node, quote!(#name));
         } else {
-            self.depth.insert(node, depth);
+            self.depth[node.index()] = depth;
         }
     }
 
@@ -182,7 +198,7 @@ impl<'a> Kernel<'a> {
 
     /// Sine and cosine of one angle are one call, where both are needed.
     fn pair(&mut self, angle: Node) -> bool {
-        let find = |f| self.graph().existing(Op::Call(f, angle)).filter(|n| self.uses.contains_key(n));
+        let find = |f| self.graph().existing(Op::Call(f, angle)).filter(|n| self.uses[n.index()] > 0);
         let (Some(sin), Some(cos)) = (find(Function::Sin), find(Function::Cos)) else { return false };
         let of = self.expression(angle);
         let (s, c) = (format!("s{}", self.temporaries), format!("c{}", self.temporaries));
@@ -274,16 +290,8 @@ impl<'a> Kernel<'a> {
             Input::TimeRate => quote!(t_dot),
             Input::Variable => quote!(x),
             Input::Parameter(k) => self.lowered.parameters[k].clone(),
-            Input::State(slot, part) => {
-                self.states.push((slot, part));
-                let name = self.slots[slot].state(part);
-                quote!(#name)
-            }
-            Input::Rate(slot, part) => {
-                self.rates.push((slot, part));
-                let name = self.slots[slot].rate(part);
-                quote!(#name)
-            }
+            Input::State(slot, part) => self.reading(slot, part, true).to_token_stream(),
+            Input::Rate(slot, part) => self.reading(slot, part, false).to_token_stream(),
         }
     }
 
@@ -404,12 +412,10 @@ impl Slot {
     }
 }
 
-/// `let [i_x, i_y, _, i_sin, i_cos, …] = …`: the numbers that are read, by name.
-fn binding(source: TokenStream, names: Vec<Option<Ident>>, missing: &TokenStream) -> Option<TokenStream> {
-    names.iter().any(Option::is_some).then(|| {
-        let places = names.iter().map(|name| name.as_ref().map_or(quote!(_), |name| quote!(#name)));
-        quote!(let ::core::option::Option::Some(&[#(#places),*]) = #source else { return #missing };)
-    })
+/// `let Some(state) = at.states::<10>() else { return };`
+fn binding(name: &str, source: TokenStream, length: usize, is_read: bool, missing: &TokenStream) -> TokenStream {
+    let (name, length) = (super::own(name), Literal::usize_unsuffixed(length));
+    if is_read { quote!(let ::core::option::Option::Some(#name) = #source::<#length>() else { return #missing };) } else { quote!() }
 }
 
 /// The state arguments, one a slot, with names that nothing else in emitted code has.

@@ -155,6 +155,10 @@ impl Depends {
 }
 
 impl Node {
+    pub fn numbered(number: usize) -> Self {
+        Node(number as u32)
+    }
+
     /// Its number: what it is computed from has smaller ones.
     pub fn index(self) -> usize {
         self.0 as usize
@@ -194,6 +198,19 @@ impl Graph {
             Op::Select(a, b, c) | Op::Fma(a, b, c) => vec![a, b, c],
             Op::Opaque(number, _) => self.opaques[number].clone(),
             Op::Leaf(LeafUse { leaf, what, .. }) => self.leaf_operands(leaf, what),
+        }
+    }
+
+    /// Shows the nodes that `node` is computed from, in their order.
+    pub fn each_operand(&self, node: Node, mut show: impl FnMut(Node)) {
+        match self.op(node) {
+            Op::Input(_) | Op::Constant(_) | Op::Truth(_) => {}
+            Op::Neg(a) | Op::Call(_, a) | Op::Powi(a, _) | Op::Law(_, a, _) | Op::Not(a) => show(a),
+            Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) => {
+                show(a);
+                show(b);
+            }
+            _ => self.operands(node).into_iter().for_each(show),
         }
     }
 
@@ -338,7 +355,7 @@ impl Graph {
         let mut open: Vec<Node> = outputs.to_vec();
         while let Some(node) = open.pop() {
             if !std::mem::replace(&mut seen[node.0 as usize], true) {
-                open.extend(self.operands(node));
+                self.each_operand(node, |operand| open.push(operand));
             }
         }
         (0..self.ops.len()).filter(|&k| seen[k]).map(|k| Node(k as u32)).collect()

@@ -22,7 +22,7 @@ pub fn exact(g: &Graph, nodes: &[Node]) -> Vec<bool> {
         }
         // What a value of the user's own is computed from is written as it was read: the same number wherever it is used.
         if pinned[node.index()] || matches!(g.op(node), Op::Opaque(..)) {
-            g.operands(node).into_iter().for_each(|operand| pinned[operand.index()] = true);
+            g.each_operand(node, |operand| pinned[operand.index()] = true);
         }
     }
     exact.into_iter().zip(pinned).map(|(exact, pinned)| exact || pinned).collect()

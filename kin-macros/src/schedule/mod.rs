@@ -3,6 +3,7 @@
 //! The graph that differentiation works on is canonical: powers of two and signs stand outside, sums have two terms. That is best for finding
 //! equal expressions and bad for a processor. Here powers of two go back to where they cost nothing (`scale`), sums become chains of fused
 //! multiply-adds (`fuse`), and operations are put in an order that needs few registers (`order`). Last bits may change; no tolerance is used.
+//! All of it is linear in the number of nodes: it runs whenever a user's crate is compiled, and without optimization.
 
 mod edges;
 mod fuse;
@@ -15,17 +16,10 @@ use crate::graph::{Graph, Node, Op};
 
 /// Nodes with the values of `outputs`, made for few operations.
 pub fn prepare(g: &mut Graph, outputs: &[Node]) -> Vec<Node> {
-    let factors = scale::Factors::new(g, outputs);
-    let mut best: Option<(usize, Vec<Node>)> = None;
-    for pushed in factors.choices() {
-        let scaled = factors.apply(g, outputs, &pushed);
-        let fused = fuse::fuse(g, &scaled);
-        let cost = operations(g, &fused);
-        if best.as_ref().is_none_or(|(least, _)| cost < *least) {
-            best = Some((cost, fused));
-        }
-    }
-    best.map_or_else(|| outputs.to_vec(), |(_, fused)| fused)
+    let outside = fuse::fuse(g, outputs);
+    let Some(inwards) = scale::powers_inwards(g, outputs) else { return outside };
+    let inwards = fuse::fuse(g, &inwards);
+    if operations(g, &inwards) < operations(g, &outside) { inwards } else { outside }
 }
 
 /// How many operations `outputs` take; signs are free, a processor adds and subtracts alike.
@@ -34,16 +28,12 @@ fn operations(g: &Graph, outputs: &[Node]) -> usize {
     g.reachable(outputs).iter().filter(|node| !free(node)).count()
 }
 
-/// How often each node is used, by number of the node.
-fn uses(g: &Graph, outputs: &[Node]) -> Vec<usize> {
+/// How often each of `nodes` is used, by number of the node.
+fn uses(g: &Graph, nodes: &[Node], outputs: &[Node]) -> Vec<usize> {
     let mut uses = vec![0; g.len()];
-    for node in g.reachable(outputs) {
-        for operand in g.operands(node) {
-            uses[operand.index()] += 1;
-        }
+    for &node in nodes {
+        g.each_operand(node, |operand| uses[operand.index()] += 1);
     }
-    for output in outputs {
-        uses[output.index()] += 1;
-    }
+    outputs.iter().for_each(|output| uses[output.index()] += 1);
     uses
 }

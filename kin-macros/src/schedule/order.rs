@@ -1,7 +1,5 @@
 //! In which order to compute: each output as soon as it can be had, and next the one that takes the least beyond what is there already.
 
-use std::cmp::Reverse;
-
 use crate::graph::{Graph, Node, Op};
 
 /// What to compute, and which output is complete then (by its number).
@@ -12,38 +10,47 @@ pub struct Group {
 
 /// Every node needed for `outputs`, operands before their users, cut where an output is complete.
 pub fn order(g: &Graph, outputs: &[Node]) -> Vec<Group> {
-    let needed: Vec<Vec<Node>> = outputs.iter().map(|&output| needed(g, output, &vec![false; g.len()])).collect();
-    let mut missing: Vec<usize> = needed.iter().map(Vec::len).collect();
-    let mut users: Vec<Vec<usize>> = vec![Vec::new(); g.len()];
-    for (output, nodes) in needed.iter().enumerate() {
-        nodes.iter().for_each(|node| users[node.index()].push(output));
-    }
     let mut known = vec![false; g.len()];
-    let mut open: Vec<usize> = (0..outputs.len()).rev().collect();
+    let mut seen = vec![usize::MAX; g.len()];
+    // Which outputs wait for a node, and for how many each.
+    let mut waiting: Vec<Vec<usize>> = vec![Vec::new(); g.len()];
+    let mut missing = vec![0; outputs.len()];
+    for (k, &output) in outputs.iter().enumerate() {
+        for node in needed(g, output, &known, &mut seen, k) {
+            waiting[node.index()].push(k);
+            missing[k] += 1;
+        }
+    }
+    let mut open: Vec<usize> = (0..outputs.len()).collect();
     let mut groups = Vec::new();
-    while let Some(place) = (0..open.len()).min_by_key(|&place| (missing[open[place]], Reverse(place))) {
+    while let Some(place) = (0..open.len()).min_by_key(|&place| missing[open[place]]) {
         let output = open.remove(place);
-        let nodes = self::needed(g, outputs[output], &known);
+        let nodes = needed(g, outputs[output], &known, &mut seen, outputs.len() + output);
         for node in &nodes {
             known[node.index()] = true;
-            users[node.index()].iter().for_each(|&other| missing[other] -= 1);
+            waiting[node.index()].iter().for_each(|&other| missing[other] -= 1);
         }
         groups.push(Group { nodes, output });
     }
     groups
 }
 
-/// What `output` needs beyond the `known`, operands first, each as late as possible.
-fn needed(g: &Graph, output: Node, known: &[bool]) -> Vec<Node> {
+/// What `output` needs beyond the `known`, operands first, each as late as possible. Nodes `seen` in this turn are not looked at again.
+fn needed(g: &Graph, output: Node, known: &[bool], seen: &mut [usize], turn: usize) -> Vec<Node> {
     let mut order = Vec::new();
-    let mut seen = vec![false; output.index() + 1];
     let mut open = vec![(output, false)];
     while let Some((node, operands_done)) = open.pop() {
         if operands_done {
             order.push(node);
-        } else if !known[node.index()] && !is_given(g, node) && !std::mem::replace(&mut seen[node.index()], true) {
+        } else if !known[node.index()] && seen[node.index()] != turn && !is_given(g, node) {
+            seen[node.index()] = turn;
             open.push((node, true));
-            open.extend(g.operands(node).into_iter().rev().map(|operand| (operand, false)));
+            let operands = open.len();
+            g.each_operand(node, |operand| open.push((operand, false)));
+            // The last one is looked at first: of a fused operation the sum so far, which waits in one register while the product takes two.
+            if !matches!(g.op(node), Op::Fma(..)) {
+                open[operands..].reverse();
+            }
         }
     }
     order
