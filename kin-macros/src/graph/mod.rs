@@ -2,6 +2,8 @@
 //! while building. Nodes are numbered in order of creation; nothing depends on hash iteration.
 
 pub mod functions;
+#[cfg(test)]
+pub mod interpret;
 mod simplify;
 
 use std::collections::HashMap;

@@ -10,6 +10,9 @@ mod fuse;
 mod order;
 mod scale;
 
+#[cfg(test)]
+mod tests;
+
 pub use order::order;
 
 use crate::graph::{Graph, Node, Op};
