@@ -2,8 +2,8 @@
 
 mod argument;
 mod cast;
-mod fma;
 mod foreign;
+mod kernel;
 mod lift;
 mod numbers;
 mod rows;
@@ -20,8 +20,8 @@ pub use num_dual::{Dual2_64, Dual64};
 pub use argument::{IntoConstant, IntoJet, IntoPlain, IntoReference, Jet, Nothing};
 pub use argument::{constant_argument, plain_argument, reference_argument};
 pub use cast::{Cast, Whole, cast, whole};
-pub use fma::fma;
 pub use foreign::{Foreign, LiftAny, LiftNumbers, LowerAny, LowerReal, ReceiveAny, ReceiveNumbers, ReceiveReference};
+pub use kernel::{fma, in_order};
 pub use lift::{Absent, Constants, Lift, Lower, absent, constants, lowered};
 pub use numbers::Numbers;
 pub use rows::{Rows, rows};

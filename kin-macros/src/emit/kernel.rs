@@ -64,12 +64,17 @@ impl<'a> Kernel<'a> {
         let mut kernel = Kernel::new(lowered, arguments);
         let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
         kernel.count_uses(&nodes);
+        let in_order = super::own("in_order");
         for group in order(&lowered.graph, &nodes) {
             group.nodes.into_iter().for_each(|node| kernel.name(node));
             let (place, node) = &outputs[group.output];
             let value = kernel.expression(*node);
             kernel.statements.push(quote!(#place = #value;));
+            if group.computes {
+                kernel.statements.push(quote!(#in_order();));
+            }
         }
+        kernel.statements.insert(0, quote!(let #in_order = ::kin::rt::in_order;));
         kernel.finish(quote!())
     }
 
