@@ -8,9 +8,11 @@ pub use kin_core::*;
 pub mod prelude {
     pub use kin_core::joints::drivers::*;
     pub use kin_core::joints::planar::*;
+    pub use kin_core::joints::spatial;
     pub use kin_core::{
-        Constraint, Coord, Coordinate, Dual, EulerParameters, Ground, Law, Link, Mat2, Mat3, Mechanism, Motion, Planar, PlanarBody, Pose,
-        Real, Route, Series, Spatial, SpatialBody, SpatialPose, System, Time, Vec2, Vec3, constraint, deg, law, linspace, pose, vec2, vec3,
+        Axis, Constraint, Coord, Coordinate, Dual, Ends, EulerParameters, Ground, Law, Link, Marker, Mat2, Mat3, Mechanism, Motion, Planar,
+        PlanarBody, Pose, Real, Route, Series, Spatial, SpatialBody, SpatialLink, SpatialPose, System, Time, Vec2, Vec3, constraint, deg,
+        law, linspace, pose, vec2, vec3,
     };
     pub use std::f64::consts::{PI, TAU};
 }

@@ -13,30 +13,7 @@ use serde_json::Value;
 /// Largest error that counts as rounding, relative to 1 + the largest entry of the term.
 const TOLERANCE: f64 = 1e-12;
 
-#[constraint]
-fn moving_point(i: Planar, j: Planar, u_j: Vec2, c: [f64; 6], t: Time) -> Vec2 {
-    let u_i = vec2(c[0] + c[1] * t + c[2] * t.powi(2), c[3] * (c[4] * t + c[5]).sin());
-    i.point(u_i) - j.point(u_j)
-}
-
-#[constraint]
-fn trajectory(i: Planar, u_i: Vec2, c: [f64; 6], t: Time) -> Vec2 {
-    let path = vec2(c[0] + c[1] * (c[2] * t).cos(), c[3] + c[4] * (c[5] * t).sin());
-    i.point(u_i) - path
-}
-
-#[constraint]
-fn spherical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3) -> Vec3 {
-    i.point(u_i) - j.point(u_j)
-}
-
-#[constraint]
-fn universal(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Vec3, h_j: Vec3) -> (Vec3, f64) {
-    let point = i.point(u_i) - j.point(u_j);
-    let cross = i.direction(h_i).dot(j.direction(h_j));
-    (point, cross)
-}
-
+/// The cylindrical joint by four dot products with directions of any kind, which the library has as primitives.
 #[constraint]
 fn cylindrical_dot(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_j: Vec3, v: [Vec3; 2]) -> [f64; 4] {
     let (s, h) = (i.point(u_i) - j.point(u_j), j.direction(h_j));
@@ -44,6 +21,7 @@ fn cylindrical_dot(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_j: Vec3, v: [
     [v1.dot(h), v2.dot(h), v1.dot(s), v2.dot(s)]
 }
 
+/// The lecture's cross products, six rows of rank four.
 #[constraint]
 fn cylindrical_cross(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Vec3, h_j: Vec3) -> (Vec3, Vec3) {
     let h = i.direction(h_i);
@@ -88,37 +66,68 @@ fn prismatic_blocks_d1_to_d4_agree_with_the_samples() {
 
 #[test]
 fn moving_point_agrees_with_the_samples() {
-    planar("moving_point_planar", |p| moving_point(any_planar(), any_planar(), vec(p, "uj"), array(p, "c")));
+    planar("moving_point_planar", |p| {
+        let c: [f64; 6] = array(p, "c");
+        let (x, y) = (Law::polynomial(&c[..3]), Law::sine(c[3], c[4], c[5]));
+        moving_point(any_planar(), any_planar(), x, y, vec(p, "uj"))
+    });
 }
 
 #[test]
 fn trajectory_driver_agrees_with_the_samples() {
-    planar("trajectory_driver_planar", |p| trajectory(any_planar(), vec(p, "ui"), array(p, "c")));
+    planar("trajectory_driver_planar", |p| {
+        let c: [f64; 6] = array(p, "c");
+        let (x, y) = (Law::fourier(c[0], c[2], &[(c[1], 0.0)]), Law::fourier(c[3], c[5], &[(0.0, c[4])]));
+        drive_point(any_planar(), vec(p, "ui"), x, y)
+    });
 }
 
 #[test]
 fn spherical_agrees_with_the_samples() {
-    spatial("spherical_spatial", |p| spherical(any_spatial(), any_spatial(), vec_3(p, "ui"), vec_3(p, "uj")));
+    of_space("spherical_spatial", |p| spatial::spherical(any_spatial(), any_spatial(), vec_3(p, "ui"), vec_3(p, "uj")));
 }
 
 #[test]
 fn universal_agrees_with_the_samples() {
-    spatial("universal_spatial", |p| {
-        universal(any_spatial(), any_spatial(), vec_3(p, "ui"), vec_3(p, "uj"), vec_3(p, "hi"), vec_3(p, "hj"))
+    of_space("universal_spatial", |p| {
+        spatial::universal(any_spatial(), any_spatial(), vec_3(p, "ui"), vec_3(p, "uj"), vec_3(p, "hi"), vec_3(p, "hj"))
     });
 }
 
 #[test]
 fn cylindrical_by_dot_products_agrees_with_the_samples() {
-    spatial("cylindrical_dot_spatial", |p| {
+    of_space("cylindrical_dot_spatial", |p| {
         let v = [vec_3(p, "v1"), vec_3(p, "v2")];
         cylindrical_dot(any_spatial(), any_spatial(), vec_3(p, "ui"), vec_3(p, "uj"), vec_3(p, "hj"), v)
     });
 }
 
+/// The library's joint is these four dot products with the directions f and g across its axis, and the cross products h_i × h_j and h_i × s in
+/// their components along f and g.
+#[test]
+fn the_cylindrical_joint_is_that_of_the_samples() {
+    let file = read("cylindrical_cross_spatial");
+    let mut worst = 0.0_f64;
+    for sample in samples(&file, 8) {
+        let (p, q) = (&sample["params"], numbers(sample, "q"));
+        let (h_i, axis) = (vec_3(p, "hi"), Axis::along(vec_3(p, "hi")));
+        let joint = spatial::cylindrical(any_spatial(), any_spatial(), vec_3(p, "ui"), vec_3(p, "uj"), axis, vec_3(p, "hj"));
+        let own = terms(&joint, &q, &[], 0.0);
+        let dots = cylindrical_dot(any_spatial(), any_spatial(), vec_3(p, "ui"), vec_3(p, "uj"), vec_3(p, "hj"), [axis.f, axis.g]);
+        assert!((terms(&dots, &q, &[], 0.0).c_q - &own.c_q).amax() <= TOLERANCE);
+        let exact = numbers(&sample["forms"]["T"], "C");
+        let a = EulerParameters::new(q[3], q[4], q[5], q[6]).rotation();
+        let (f, g) = (a * axis.f / h_i.norm(), a * axis.g / h_i.norm());
+        let cross = |k: usize| vec3(exact[k], exact[k + 1], exact[k + 2]);
+        let expected = [g.dot(cross(0)), -f.dot(cross(0)), g.dot(cross(3)), -f.dot(cross(3))];
+        check(&mut worst, &serde_json::json!({ "C": expected }), "C", own.c.as_slice());
+    }
+    println!("cylindrical joint beside cross products: worst error {worst:.1e}");
+}
+
 #[test]
 fn cylindrical_by_cross_products_agrees_with_the_samples() {
-    spatial("cylindrical_cross_spatial", |p| {
+    of_space("cylindrical_cross_spatial", |p| {
         cylindrical_cross(any_spatial(), any_spatial(), vec_3(p, "ui"), vec_3(p, "uj"), vec_3(p, "hi"), vec_3(p, "hj"))
     });
 }
@@ -164,7 +173,7 @@ fn planar<E: Equation<N, M> + Clone, const N: usize, const M: usize>(name: &str,
 }
 
 /// Every sample of a spatial joint, every field, on both routes, for Kin's form of A(e).
-fn spatial<E: Equation<N, M> + Clone, const N: usize, const M: usize>(name: &str, joint: impl Fn(&Value) -> E) {
+fn of_space<E: Equation<N, M> + Clone, const N: usize, const M: usize>(name: &str, joint: impl Fn(&Value) -> E) {
     let file = read(name);
     let (mut worst, mut tangents) = ([0.0_f64; 2], 0);
     for sample in samples(&file, 8) {

@@ -3,13 +3,10 @@
 use kin::prelude::*;
 
 use crate::hand::chain::{exact, run};
-use crate::sweep::{Table, Workload, add, build, by_hand, routes};
+use crate::sweep::{Table, Workload, add, build, routes};
 
 const DT: f64 = 0.01;
 const LINKS: [usize; 4] = [10, 100, 1000, 10_000];
-
-/// Kin's routes run up to so many links: with dense elimination a step costs N³.
-const LINKS_KIN: usize = 100;
 
 /// The angle from one body to the next follows a law: θ_i − θ_{i−1} − φ(t) = 0.
 #[constraint(symbolic)]
@@ -31,12 +28,7 @@ fn workload(links: usize) -> Workload {
     let steps = 100_000 / links;
     let start = exact(links, 0.0);
     let hand = move || run(&start, steps, DT);
-    let routes = if links <= LINKS_KIN {
-        routes(hand, |dual| model(links, dual))
-    } else {
-        eprintln!("  W4-N{links}: Kin's routes are left out, its elimination is still dense (`LINKS_KIN` in w4.rs)");
-        vec![by_hand(hand)]
-    };
+    let routes = routes(hand, |dual| model(links, dual));
     Workload {
         name: format!("W4-N{links}"),
         dt: DT,

@@ -1,6 +1,9 @@
 //! The one trait of the library: what a constraint C(q, t) = 0 can be asked for.
 
+use crate::algebra::Vec3;
 use crate::coordinates::Argument;
+use crate::data::Describer;
+use crate::law::Law;
 use crate::state::{At, Rates};
 
 /// How the derivatives of a constraint are obtained.
@@ -22,6 +25,24 @@ impl std::fmt::Display for Route {
             Route::Hand => "hand-written",
         })
     }
+}
+
+/// A point or direction fixed in a body that a constraint speaks of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Attachment {
+    /// Which of [`Constraint::arguments`] the body is.
+    pub argument: usize,
+    /// What it is, by its components in the body's frame.
+    pub what: Attached,
+}
+
+/// A local point or direction; z is 0 in planar bodies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Attached {
+    /// ū of `b.point(u)`.   \[m\]
+    Point(Vec3),
+    /// h̄ of `b.direction(h)`, of any length.   \[-\]
+    Direction(Vec3),
 }
 
 /// Which terms of C(q, t) can change or be other than zero, at any q, t and parameters: what a solver need not ask for.
@@ -77,6 +98,17 @@ pub trait Constraint: Send + Sync {
         Dependence::default()
     }
 
+    /// How many numbers that depend on t and parameters alone (a law's value and slopes, sin ω t) it wants to find in [`At::timed`];
+    /// default none.
+    fn n_timed(&self) -> usize {
+        0
+    }
+
+    /// These numbers at time t into `timed`; asked for once a time, before anything else.
+    fn at_time(&self, t: f64, timed: &mut [f64]) {
+        let _ = (t, timed);
+    }
+
     /// C(q, t) into `c` (length m).
     fn residual(&self, at: &At<'_>, c: &mut [f64]);
 
@@ -104,6 +136,38 @@ pub trait Constraint: Send + Sync {
     fn set_parameter(&mut self, name: &str, value: f64) -> bool {
         let _ = (name, value);
         false
+    }
+
+    /// The points and directions of its bodies that its equation speaks of, `b.point(u)` and `b.direction(h)` with nothing that moves
+    /// inside: for drawings and messages. Empty where that is not known (default).
+    fn attachments(&self) -> Vec<Attachment> {
+        Vec::new()
+    }
+
+    /// What it is, in the words of its documentation: a sentence with its equation, freedoms removed, signs.
+    fn description(&self) -> &str {
+        ""
+    }
+
+    /// Why its parameters make no sense, if so: a mechanism refuses the constraint with these words.
+    fn refusal(&self) -> Option<String> {
+        None
+    }
+
+    /// Where C = 0 holds but not as it is meant, such as an axis turned by 180°: what is wrong. Looked at when a position has been found.
+    fn wrong_branch(&self, at: &At<'_>) -> Option<&str> {
+        let _ = at;
+        None
+    }
+
+    /// Shows each law that the equation asks, with its name and where it is asked; on the dual route that is not known.
+    fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
+        let _ = (at, visit);
+    }
+
+    /// Tells each parameter under its name, so that the constraint can be written as data and made anew; refuses where it cannot be (default).
+    fn describe(&self, to: &mut Describer) {
+        to.refuse("it was not made by `#[constraint]`, so its parameters are not known");
     }
 
     /// Where a value or derivative is not finite: the sub-expression that made it so, as the user wrote it.

@@ -1,6 +1,6 @@
 //! Handles: what a mechanism gives out for its bodies and coordinates, and what constraints hold of them.
 
-use crate::algebra::Vec2;
+use crate::algebra::{Vec2, Vec3};
 
 /// Marker in the signature of a `#[constraint]` function: the state of a planar body. The constructor takes a [`PlanarBody`].
 pub enum Planar {}
@@ -18,6 +18,13 @@ pub struct MechanismId(pub(crate) u64);
 impl MechanismId {
     /// Belongs to every mechanism.
     pub(crate) const ANY: MechanismId = MechanismId(0);
+
+    /// One that no mechanism has had.
+    pub(crate) fn fresh() -> MechanismId {
+        use std::sync::atomic::{AtomicU64, Ordering};
+        static NEXT: AtomicU64 = AtomicU64::new(1);
+        MechanismId(NEXT.fetch_add(1, Ordering::Relaxed))
+    }
 }
 
 /// A planar body of a mechanism (or the ground): coordinates (R_x, R_y, θ).
@@ -61,6 +68,41 @@ pub struct Ground;
 pub struct Link {
     pub(crate) body: PlanarBody,
     pub(crate) length: f64,
+}
+
+/// A spatial body between two joints, frame at the middle, x-axis from start to end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpatialLink {
+    pub(crate) body: SpatialBody,
+    pub(crate) length: f64,
+}
+
+impl SpatialLink {
+    /// The body itself.
+    pub fn body(self) -> SpatialBody {
+        self.body
+    }
+
+    /// Length between the joints.   \[m\]
+    pub fn length(self) -> f64 {
+        self.length
+    }
+
+    /// Local position of the first joint, (−l/2, 0, 0).   \[m\]
+    pub fn start(self) -> Vec3 {
+        Vec3::new(-0.5 * self.length, 0.0, 0.0)
+    }
+
+    /// Local position of the second joint, (l/2, 0, 0).   \[m\]
+    pub fn end(self) -> Vec3 {
+        Vec3::new(0.5 * self.length, 0.0, 0.0)
+    }
+}
+
+impl From<SpatialLink> for SpatialBody {
+    fn from(link: SpatialLink) -> Self {
+        link.body
+    }
 }
 
 impl PlanarBody {

@@ -1,12 +1,14 @@
 //! The second route: a constraint's own equation, evaluated with num-dual's numbers.
 //!
 //! `Dual64` along each column gives C_q and along t C_t; `Dual2_64` along (q̇, ṫ) gives the whole right side −g″(0);
-//! `HyperDual64` along q̇ and t gives the mixed term C_qt q̇.
+//! `HyperDual64` along q̇ and t gives the mixed term C_qt q̇, `Dual3_64` along the motion the right side for the jerk.
 
-use num_dual::{Dual2_64, Dual64, HyperDual64};
+use num_dual::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
-use crate::constraint::{Constraint, Dependence, Route};
+use crate::constraint::{Attachment, Constraint, Dependence, Route};
 use crate::coordinates::Argument;
+use crate::data::Describer;
+use crate::law::Law;
 use crate::real::{Dual, Real};
 use crate::state::{At, Rates};
 
@@ -23,7 +25,7 @@ pub trait Equation<const N: usize, const M: usize>: Constraint {
 }
 
 /// What an argument of a constraint is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ArgumentKind {
     /// A planar body: 3 columns.
     Planar,
@@ -31,6 +33,17 @@ pub enum ArgumentKind {
     Spatial,
     /// A bare coordinate: 1 column.
     Coord,
+}
+
+impl ArgumentKind {
+    /// Number of columns: 3, 7 or 1.
+    pub fn columns(self) -> usize {
+        match self {
+            ArgumentKind::Planar => 3,
+            ArgumentKind::Spatial => 7,
+            ArgumentKind::Coord => 1,
+        }
+    }
 }
 
 /// A constraint that takes the dual route, whatever route its own `impl Constraint` takes.
@@ -94,6 +107,30 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
     fn set_parameter(&mut self, name: &str, value: f64) -> bool {
         self.0.set_parameter(name, value)
     }
+
+    fn describe(&self, to: &mut Describer) {
+        self.0.describe(to);
+    }
+
+    fn attachments(&self) -> Vec<Attachment> {
+        self.0.attachments()
+    }
+
+    fn description(&self) -> &str {
+        self.0.description()
+    }
+
+    fn refusal(&self) -> Option<String> {
+        self.0.refusal()
+    }
+
+    fn wrong_branch(&self, at: &At<'_>) -> Option<&str> {
+        self.0.wrong_branch(at)
+    }
+
+    fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
+        self.0.laws(at, visit);
+    }
 }
 
 /// C(q, t) with plain numbers.
@@ -137,6 +174,18 @@ pub fn acceleration_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
 pub fn mixed<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, q: &[f64; N], qd: &[f64; N], t: f64) -> [f64; M] {
     let seeded = std::array::from_fn(|k| Real(HyperDual64::new(q[k], qd[k], 0.0, 0.0)));
     equation.evaluate(&seeded, Real(HyperDual64::new(t, 0.0, 1.0, 0.0))).map(|x| x.0.eps1eps2)
+}
+
+/// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), by one `Dual3_64` evaluation.   \[row/s³\]
+pub fn jerk_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
+    equation: &E,
+    q: &[f64; N],
+    qd: &[f64; N],
+    qdd: &[f64; N],
+    t: f64,
+) -> [f64; M] {
+    let seeded = std::array::from_fn(|k| Real(Dual3_64::new(q[k], qd[k], qdd[k], 0.0)));
+    equation.evaluate(&seeded, Real(Dual3_64::new(t, 1.0, 0.0, 0.0))).map(|x| -x.0.v3)
 }
 
 /// Local coordinates of a constraint, its arguments' one after the other.

@@ -84,6 +84,50 @@ pub enum Error {
         motion: Option<Box<Motion>>,
     },
 
+    /// A position that closes, but not as it is meant: the equations hold for an axis turned by 180° too.
+    #[error(
+        "t = {} s: `{constraint}` ({kind}) closes the wrong way: {reason}.\n  Give a better guess of the poses, or turn one of the directions \
+         round.{}",
+        text::time(*.t),
+        text::kept(.motion)
+    )]
+    WrongBranch {
+        /// Time.   \[s\]
+        t: f64,
+        /// The constraint.
+        constraint: String,
+        /// Its kind.
+        kind: String,
+        /// What does not hold.
+        reason: String,
+        /// What was computed before.
+        motion: Option<Box<Motion>>,
+    },
+
+    /// A law that jumps where it drives the motion.
+    #[error(
+        "t = {} s: the law `{law}` of `{constraint}` jumps at {}: its {} there, which no body can follow.\n  Let its parts meet, or stop before \
+         it.{}",
+        text::time(*.t),
+        text::time(*.at),
+        if *.order == 0 { "value changes" } else { "slope changes" },
+        text::kept(.motion)
+    )]
+    LawJumps {
+        /// The first time beyond the jump.   \[s\]
+        t: f64,
+        /// The constraint.
+        constraint: String,
+        /// The law, by its name in the constraint.
+        law: String,
+        /// Where in the law.
+        at: f64,
+        /// 0: the value jumps; 1: the slope.
+        order: usize,
+        /// What was computed before.
+        motion: Option<Box<Motion>>,
+    },
+
     /// A constraint gave a value or derivative that is infinite or not a number.
     #[error(
         "t = {} s: {quantity} of `{constraint}`{} is not finite{}.{}",
@@ -116,6 +160,17 @@ pub enum Error {
         parameter: String,
         /// Its value.
         value: f64,
+    },
+
+    /// Parameters that make no sense: a length below zero, an axis without direction, a law whose parts do not meet.
+    #[error("`{constraint}` ({kind}): {reason}")]
+    InvalidParameters {
+        /// The constraint.
+        constraint: String,
+        /// Its kind.
+        kind: String,
+        /// What does not hold.
+        reason: String,
     },
 
     /// An initial or other value given for a coordinate is infinite or not a number.
@@ -251,6 +306,24 @@ pub enum Error {
     #[error(transparent)]
     Mismatch(#[from] Box<crate::check::Mismatch>),
 
+    /// Something that cannot be written as data, or data that do not say what they should.
+    #[error("{place}: {reason}")]
+    Data {
+        /// Where: a file, a mechanism, a constraint by name.
+        place: String,
+        /// What is wrong.
+        reason: String,
+    },
+
+    /// A file with a table that cannot be read, or is no table of a law.
+    #[error("{}: {reason}", .path.display())]
+    Table {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+
     /// A file that cannot be written.
     #[error("cannot write {}: {source}", .path.display())]
     File {
@@ -265,14 +338,22 @@ impl Error {
     /// What a failing run had computed before it failed; `None` for errors of other operations.
     pub fn motion(&self) -> Option<&Motion> {
         match self {
-            Error::NoConvergence { motion, .. } | Error::SingularAt { motion, .. } | Error::NotFinite { motion, .. } => motion.as_deref(),
+            Error::NoConvergence { motion, .. }
+            | Error::SingularAt { motion, .. }
+            | Error::NotFinite { motion, .. }
+            | Error::WrongBranch { motion, .. }
+            | Error::LawJumps { motion, .. } => motion.as_deref(),
             _ => None,
         }
     }
 
     /// The same error, carrying what was computed before.
     pub(crate) fn with_motion(mut self, computed: Motion) -> Error {
-        if let Error::NoConvergence { motion, .. } | Error::SingularAt { motion, .. } | Error::NotFinite { motion, .. } = &mut self
+        if let Error::NoConvergence { motion, .. }
+        | Error::SingularAt { motion, .. }
+        | Error::NotFinite { motion, .. }
+        | Error::WrongBranch { motion, .. }
+        | Error::LawJumps { motion, .. } = &mut self
             && !computed.is_empty()
         {
             *motion = Some(Box::new(computed));

@@ -1,7 +1,14 @@
 //! Laws: functions of one variable with their derivatives, for motors, cam profiles and other prescribed curves.
 
+mod basic;
+mod breaks;
 mod combine;
-mod kinds;
+mod motion;
+mod rise;
+mod sequence;
+mod spline;
+
+pub use spline::Ends;
 
 use std::fmt;
 use std::sync::Arc;
@@ -18,9 +25,46 @@ pub trait LawFunction: Send + Sync {
         "law"
     }
 
+    /// What it is, in the words of its documentation.
+    fn description(&self) -> &str {
+        ""
+    }
+
+    /// f⁗(x), where it is known; not a number where it is not. Only the jerk of an equation that reads a law's slope asks for it.
+    fn fourth(&self, x: f64) -> f64 {
+        let _ = x;
+        f64::NAN
+    }
+
+    /// The breaks between `from` and `to`, both included, in increasing order of x; none by default: a smooth law.
+    fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
+        let _ = (from, to);
+        Vec::new()
+    }
+
+    /// Whether there is no break anywhere.
+    fn is_smooth(&self) -> bool {
+        true
+    }
+
+    /// Why its parameters make no sense, if so: what uses the law is refused with these words.
+    fn refusal(&self) -> Option<String> {
+        None
+    }
+
     /// Shows each numeric parameter with its name; a value that is not finite is refused where the law is used.
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         let _ = visit;
+    }
+
+    /// The laws that it is made of, by the names that their parameters begin with.
+    fn parts(&self) -> Vec<(String, Law)> {
+        Vec::new()
+    }
+
+    /// Numbers that make it the law it is but are no parameters, such as where the points of a table stand.
+    fn fixed_numbers(&self) -> Vec<(String, f64)> {
+        Vec::new()
     }
 
     /// The same law with one parameter changed; `None` if there is none of that name.
@@ -30,9 +74,19 @@ pub trait LawFunction: Send + Sync {
     }
 }
 
+/// Where a derivative of a law jumps. At the break itself the law has the derivatives of its right side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Break {
+    /// Where.
+    pub x: f64,
+    /// The lowest derivative that jumps: 0 the value itself, 1 the slope, 2 the second, 3 the third. A law with breaks of order 2 is C¹.
+    pub order: usize,
+}
+
 /// A function of one variable with its derivatives up to the third: cheap to clone, the same for everyone who holds it.
 ///
-/// Parameters are never checked here: a mechanism refuses by name a law with one that is not finite.
+/// Constructors give laws, not results: what makes no sense (a parameter that is not finite, a table that does not increase, parts that do not
+/// meet) is told by [`Law::refusal`], and refused by name where a mechanism is to use the law.
 #[derive(Clone)]
 pub struct Law(Arc<dyn LawFunction>);
 
@@ -52,14 +106,70 @@ impl Law {
         x.through(self)
     }
 
+    /// f′(x), for a plain number or any dual number.
+    pub fn slope<X: LawArgument>(&self, x: X) -> X {
+        x.through_slope(self)
+    }
+
     /// What kind of law this is.
     pub fn kind(&self) -> &str {
         self.0.kind()
     }
 
+    /// What it is, in the words of its documentation.
+    pub fn description(&self) -> &str {
+        self.0.description()
+    }
+
+    /// f⁗(x), where it is known.
+    pub fn fourth(&self, x: f64) -> f64 {
+        self.0.fourth(x)
+    }
+
+    /// Where derivatives up to the third jump between `from` and `to`, both included, in increasing order of x.
+    pub fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
+        self.0.breaks(from.min(to), to.max(from))
+    }
+
+    /// Whether no derivative up to the third jumps anywhere.
+    pub fn is_smooth(&self) -> bool {
+        self.0.is_smooth()
+    }
+
+    /// Why its parameters make no sense, if so.
+    pub fn refusal(&self) -> Option<String> {
+        let mut bad = None;
+        self.parameters(&mut |name, value| {
+            if !value.is_finite() && bad.is_none() {
+                bad = Some(format!("{name} is {value}; give a finite number"));
+            }
+        });
+        bad.or_else(|| self.0.refusal())
+    }
+
+    /// Whether f(x + period) = f(x) for all that can be seen: values and first three derivatives at 24 places, to nine digits.
+    pub fn is_periodic(&self, period: f64) -> bool {
+        (0..24).all(|k| {
+            let x = period * (f64::from(k) * 0.618_033_988_749_894_9).fract();
+            let (a, b) = (self.jet(x), self.jet(x + period));
+            let size = a.iter().zip(&b).fold(0.0_f64, |m, (a, b)| m.max(a.abs()).max(b.abs()));
+            a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= 1e-9 * size)
+        })
+    }
+
     /// Shows each numeric parameter with its name; the parts of a combined law are told apart by `first.`, `second.`, `outer.`, `inner.`.
     pub fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         self.0.parameters(visit);
+    }
+
+    /// The laws that it is made of, by the names that their parameters begin with: `first`, `second`.
+    pub fn parts(&self) -> Vec<(String, Law)> {
+        self.0.parts()
+    }
+
+    /// Numbers that make it the law it is but are no parameters, such as where the points of a table stand.
+    pub fn fixed_numbers(&self) -> Vec<(String, f64)> {
+        self.0.fixed_numbers()
     }
 
     /// Sets one numeric parameter by the name [`Law::parameters`] gives it; false if there is none of that name, or the law is fixed.
@@ -89,17 +199,29 @@ impl fmt::Debug for Law {
 pub trait LawArgument {
     /// f(self), with the derivatives that the kind of number carries.
     fn through(self, law: &Law) -> Self;
+
+    /// f′(self), with the derivatives that the kind of number carries.
+    fn through_slope(self, law: &Law) -> Self;
 }
 
 impl LawArgument for f64 {
     fn through(self, law: &Law) -> f64 {
         law.jet(self)[0]
     }
+
+    fn through_slope(self, law: &Law) -> f64 {
+        law.jet(self)[1]
+    }
 }
 
 impl<D: Dual> LawArgument for Real<D> {
     fn through(self, law: &Law) -> Self {
         self.chain(law.jet(self.value()))
+    }
+
+    fn through_slope(self, law: &Law) -> Self {
+        let [_, f1, f2, f3] = law.jet(self.value());
+        self.chain([f1, f2, f3, law.fourth(self.value())])
     }
 }
 

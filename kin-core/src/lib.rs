@@ -10,8 +10,10 @@ pub mod algebra;
 pub mod check;
 pub mod constraint;
 pub mod coordinates;
+pub mod data;
 pub mod dual_route;
 pub mod error;
+mod fours;
 pub mod joints;
 pub mod law;
 mod layout;
@@ -28,20 +30,23 @@ pub mod terms;
 #[cfg(test)]
 mod testing;
 
-pub use algebra::{EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
-pub use constraint::{Constraint, Dependence, Route};
+pub use algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
+pub use constraint::{Attached, Attachment, Constraint, Dependence, Route};
 pub use coordinates::{
-    Coord, Coordinate, Ground, Link, Planar, PlanarBody, Spatial, SpatialBody, Time, any_coord, any_planar, any_spatial,
+    Coord, Coordinate, Ground, Link, Planar, PlanarBody, Spatial, SpatialBody, SpatialLink, Target, Time, any_coord, any_planar,
+    any_spatial,
 };
+pub use data::Registry;
 pub use dual_route::by_dual;
 pub use error::{Error, Result};
+pub use joints::spatial;
 pub use kin_macros::{constraint, law};
-pub use law::{Law, LawFunction};
-pub use mechanism::{ConstraintId, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose};
+pub use law::{Break, Ends, Law, LawFunction};
+pub use mechanism::{ConstraintId, Marker, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose};
 pub use motion::{CoordinateMotion, Motion, PointMotion, Series};
 pub use nalgebra;
-pub use newton::{Options, Report, Stop};
+pub use newton::{CrossedBreak, Options, Report, Stop};
 pub use num_dual;
 pub use real::{Dual, Real};
 pub use system::{Solution, System};
-pub use terms::{Terms, dual_terms, terms};
+pub use terms::{Terms, dual_terms, jerk_rhs, terms};

@@ -1,6 +1,6 @@
 //! The linear solver: a square matrix of fixed pattern comes in as values, solutions go out. Nothing else of Kin eliminates.
 //!
-//! The elimination is recorded once, at real numbers, and then replayed as a flat program ([`program`]) on one memory: values, right side
+//! The elimination is recorded once, at real numbers, and then replayed as flat code ([`code`]) on one memory: values, right side
 //! and solution stand in it, so constraints write straight into it. Each pivot is measured by the largest entries that its row and its
 //! column have had so far, lengths in units of the model's own length: so the verdict "singular" does not depend on units (mm, m or km),
 //! and a row that fades on the way to a toggle is seen to fade. A replay is watched: where pivots fade or multipliers grow, the elimination
@@ -8,8 +8,10 @@
 
 mod active;
 mod cells;
+mod code;
 mod condition;
 mod diagnosis;
+mod order;
 mod program;
 mod rank;
 mod record;
@@ -17,6 +19,10 @@ mod solving;
 #[cfg(test)]
 mod tests;
 
+use std::sync::Arc;
+
+use crate::fours;
+use code::Seen;
 pub(crate) use rank::{Singular, of_rectangle};
 use record::{Input, Places, Recording};
 
@@ -65,9 +71,14 @@ pub(crate) struct Linear {
     column_units: Vec<f64>,
     /// A value above its limit is not finite, or its row and column are to be measured anew; infinite on the ground.
     limits: Vec<f64>,
-    recording: Option<Recording>,
-    /// Whether the recording's watch knows the measures.
+    recording: Option<Arc<Recording>>,
+    /// What makes each number that is factored one of order 1, by the measures, and what was seen when it was last factored.
+    weights: Vec<f64>,
+    seen: Seen,
+    /// Whether the recording's weights know the measures.
     told: bool,
+    /// Whether there is nothing to compute and nothing to judge until the measures change: all pivots are constants.
+    settled: bool,
     /// The smallest constant pivot, and the smallest of all at the last factoring.
     smallest_constant: f64,
     smallest: f64,
@@ -103,7 +114,10 @@ impl Linear {
             column_units: vec![1.0; n],
             limits,
             recording: None,
+            weights: Vec::new(),
+            seen: Seen::default(),
             told: false,
+            settled: false,
             smallest_constant: f64::INFINITY,
             smallest: 0.0,
             best: 0.0,
@@ -143,6 +157,11 @@ impl Linear {
         &self.norms
     }
 
+    /// One over that; 1 for a row that has been zero.
+    pub(crate) fn row_units(&self) -> &[f64] {
+        &self.row_units
+    }
+
     /// Forgets how large rows and columns have been.
     pub(crate) fn forget(&mut self) {
         self.norms.fill(0.0);
@@ -152,8 +171,7 @@ impl Linear {
 
     /// Measures rows and columns of the values as written, before [`Linear::factor`]; false if one of them is not finite.
     pub(crate) fn measure(&mut self) -> bool {
-        let inside = self.memory.iter().zip(&self.limits).fold(true, |inside, (value, limit)| inside & (value.abs() <= *limit));
-        inside || self.measure_anew()
+        fours::inside(self.values(), &self.limits) || self.measure_anew()
     }
 
     /// The same where something has grown, or is not finite.
@@ -187,7 +205,7 @@ impl Linear {
                 *limit = SLACK * self.norms[i] * self.tops[j].min(1.0) / self.sizes[j];
             }
         }
-        self.told = false;
+        (self.told, self.settled) = (false, false);
     }
 
     /// The smallest pivot of the last factoring, by the measures of its row and column.   \[-\]
@@ -197,9 +215,14 @@ impl Linear {
 
     /// A = L U. The values must be finite and measured.
     pub(crate) fn factor(&mut self) -> Result<(), Singular> {
-        if self.recording.is_some() {
+        if self.settled {
+            return Ok(());
+        }
+        if let Some(recording) = &self.recording {
+            let settled = recording.factor.len() == 0;
             self.replay();
             if self.fits() {
+                self.settled = settled;
                 return Ok(());
             }
         }
@@ -210,7 +233,7 @@ impl Linear {
     pub(crate) fn solve(&mut self) {
         let Some(recording) = &self.recording else { return };
         recording.solve.run(&mut self.memory);
-        if recording.watch.cell > REFINED {
+        if self.seen.cell > REFINED {
             self.refine();
         }
     }
@@ -242,27 +265,27 @@ impl Linear {
         if !self.told {
             self.tell_watch();
         }
-        let Some(recording) = &mut self.recording else { return };
-        recording.factor.run_watched(&mut self.memory, &mut recording.watch);
-        let watch = &recording.watch;
-        self.smallest = if watch.smallest >= self.smallest_constant { self.smallest_constant } else { watch.smallest };
+        let Some(recording) = &self.recording else { return };
+        self.seen = recording.factor.run_watched(&mut self.memory, &self.weights);
+        self.smallest = if self.seen.smallest >= self.smallest_constant { self.smallest_constant } else { self.seen.smallest };
         self.best = self.best.max(self.smallest);
     }
 
     /// Whether the last replay can be trusted as the recording could.
     fn fits(&self) -> bool {
-        let growth = self.recording.as_ref().map_or(f64::INFINITY, |recording| recording.watch.multiplier);
         let faded = self.best * if self.smallest < SUSPICIOUS { 0.5 } else { FADED };
-        growth <= GROWTH && self.smallest > SINGULAR && self.smallest >= faded
+        self.seen.multiplier <= GROWTH && self.smallest > SINGULAR && self.smallest >= faded
     }
 
     /// Tells the watch how pivots are measured.
     fn tell_watch(&mut self) {
         self.told = true;
-        let Some(recording) = &mut self.recording else { return };
+        let Some(recording) = &self.recording else { return };
         let unit = |row: u32, column: u32| self.row_units[row as usize] * self.column_units[column as usize];
-        recording.watch.units.clear();
-        recording.watch.units.extend(recording.watched.iter().map(|&(row, column)| unit(row, column)));
+        self.weights.clone_from(&recording.weights);
+        for &(step, row, column) in &recording.watched {
+            self.weights[step as usize] = unit(row, column);
+        }
         let constant = recording.constant.iter().map(|&(row, column, value)| value.abs() * unit(row, column));
         self.smallest_constant = constant.fold(f64::INFINITY, f64::min);
     }
@@ -288,23 +311,28 @@ impl Linear {
     /// Records the elimination at the values as written, and runs it; `None` where there are not enough pivots.
     fn record_only(&mut self) -> Option<()> {
         self.recordings += 1;
-        (self.told, self.best, self.recording) = (false, 0.0, None);
+        (self.told, self.settled, self.best, self.recording) = (false, false, 0.0, None);
         let mut memory = std::mem::take(&mut self.memory);
         memory.truncate(self.places.zero as usize + 1);
         let recorded = record::record(&self.input(), self.places, &mut memory);
         self.memory = memory;
-        self.recording = Some(recorded.ok()?);
+        self.recording = Some(Arc::new(recorded.ok()?));
         self.replay();
         Some(())
     }
 
     /// Records the elimination at the values as written, unless they are singular.
     fn record(&mut self) -> Result<(), Singular> {
+        if self.prepare() { Ok(()) } else { Err(self.diagnose()) }
+    }
+
+    /// The same for later use; false, and nothing recorded, if the values are singular.
+    pub(crate) fn prepare(&mut self) -> bool {
         self.measure();
-        if self.record_only().is_some() && (self.n == 0 || self.smallest > SINGULAR && self.condition() < CONDITION) {
-            return Ok(());
+        let regular = self.record_only().is_some() && (self.n == 0 || self.smallest > SINGULAR && self.condition() < CONDITION);
+        if !regular {
+            self.recording = None;
         }
-        self.recording = None;
-        Err(self.diagnose())
+        regular
     }
 }

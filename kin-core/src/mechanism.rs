@@ -1,12 +1,13 @@
 //! A mechanism as it is described: bodies, bare coordinates and named constraints; then built into a [`System`].
 
-mod admission;
+pub(crate) mod admission;
+mod place;
 mod pose;
 
+pub use place::Marker;
 pub use pose::{Pose, SpatialPose, deg, linspace, pose};
 
 use std::collections::HashSet;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::algebra::Vec2;
 use crate::constraint::Constraint;
@@ -42,16 +43,16 @@ use crate::system::evaluate::Equations;
 /// # }
 /// ```
 pub struct Mechanism {
-    name: String,
-    layout: Layout,
+    pub(crate) name: String,
+    pub(crate) layout: Layout,
     /// Initial guess of q.
-    initial: Vec<f64>,
+    pub(crate) initial: Vec<f64>,
     /// Preferred values as (coordinate, value).
-    preferred: Vec<(usize, f64)>,
-    constraints: Vec<(String, Box<dyn Constraint>)>,
+    pub(crate) preferred: Vec<(usize, f64)>,
+    pub(crate) constraints: Vec<(String, Box<dyn Constraint>)>,
     names: HashSet<String>,
-    /// Lengths of the links.   \[m\]
-    links: Vec<f64>,
+    /// Links as (item, length).   \[m\]
+    pub(crate) links: Vec<(usize, f64)>,
     /// A mistake in a method that returns nothing; told at build.
     mistake: Option<Error>,
 }
@@ -85,10 +86,9 @@ impl From<Link> for Preferred {
 impl Mechanism {
     /// An empty mechanism.
     pub fn new(name: &str) -> Self {
-        static NEXT: AtomicU64 = AtomicU64::new(1);
         Mechanism {
             name: name.to_string(),
-            layout: Layout::new(MechanismId(NEXT.fetch_add(1, Ordering::Relaxed))),
+            layout: Layout::new(MechanismId::fresh()),
             initial: Vec::new(),
             preferred: Vec::new(),
             constraints: Vec::new(),
@@ -129,7 +129,7 @@ impl Mechanism {
             return Err(Error::InvalidLength { link: name.to_string(), length });
         }
         let body = self.planar(name, pose)?;
-        self.links.push(length);
+        self.links.extend(body.index.map(|index| (index, length)));
         Ok(Link { body, length })
     }
 
@@ -166,7 +166,7 @@ impl Mechanism {
         Ok(Coordinate::Own { mechanism: self.layout.mechanism, index })
     }
 
-    fn declare(&mut self, name: &str, kind: Kind, guess: &[f64]) -> Result<usize> {
+    pub(crate) fn declare(&mut self, name: &str, kind: Kind, guess: &[f64]) -> Result<usize> {
         for ((suffix, _), &value) in kind.coordinates().iter().zip(guess) {
             if !value.is_finite() {
                 return Err(Error::InitialNotFinite { name: name.to_string(), coordinate: format!("{name}{suffix}"), value });
@@ -179,13 +179,14 @@ impl Mechanism {
 
     /// Adds a constraint under a name.
     ///
-    /// Errors, all by name: name empty or taken, a parameter that is not finite, a body of another mechanism, the same body or coordinate
+    /// Errors, all by name: name empty or taken, a parameter that is not finite or makes no sense (a length below zero, a zero axis, a table
+    /// that does not increase), a body of another mechanism, the same body or coordinate
     /// twice, an equation left without coordinates because its bodies are the ground.
     pub fn add(&mut self, name: &str, constraint: impl Constraint + 'static) -> Result<ConstraintId> {
         self.add_boxed(name, Box::new(constraint))
     }
 
-    fn add_boxed(&mut self, name: &str, constraint: Box<dyn Constraint>) -> Result<ConstraintId> {
+    pub(crate) fn add_boxed(&mut self, name: &str, constraint: Box<dyn Constraint>) -> Result<ConstraintId> {
         if name.trim().is_empty() {
             return Err(Error::EmptyName { what: "constraint" });
         }
@@ -282,6 +283,7 @@ impl Mechanism {
             let body = SpatialBody { mechanism: self.layout.mechanism, index: Some(index) };
             self.add(&name, crate::joints::spatial::euler_norm(body))?;
         }
+        let links = self.links.iter().map(|(_, length)| *length).collect();
         let mut guess = self.initial;
         for &(column, value) in &self.preferred {
             guess[column] = value;
@@ -290,7 +292,7 @@ impl Mechanism {
         if equations.rows != self.layout.len() {
             return Err(not_square(self.name, &self.layout, &equations, &guess));
         }
-        Ok(System::new(self.name, self.layout, equations, guess, self.preferred, self.links))
+        Ok(System::new(self.name, self.layout, equations, guess, self.preferred, links))
     }
 }
 
@@ -299,7 +301,7 @@ impl Mechanism {
 fn not_square(mechanism: String, layout: &Layout, equations: &Equations, guess: &[f64]) -> Error {
     let mut touched = HashSet::new();
     for block in equations.blocks.iter().filter(|block| block.constraint.kind() != "euler_norm") {
-        let columns = equations.entries[block.values.clone()].iter().flatten().map(|(_, column)| *column);
+        let columns = equations.entries[block.values()].iter().flatten().map(|(_, column)| *column);
         touched.extend(columns.filter_map(|column| Some(layout.owner(column)?.first)));
     }
     let untouched = layout.items.iter().filter(|item| !touched.contains(&item.first)).map(|item| item.name.clone()).collect();
@@ -311,9 +313,9 @@ fn not_square(mechanism: String, layout: &Layout, equations: &Equations, guess: 
 /// the guess itself may be a special pose, such as all zeros.
 fn freedoms(layout: &Layout, equations: &Equations, guess: &[f64]) -> (Vec<String>, Vec<String>) {
     let q: Vec<f64> = guess.iter().enumerate().map(|(k, x)| x + 0.3 * (1.0 + 1.7 * k as f64).sin()).collect();
-    let (mut states, mut c, mut values) = (equations.plan.states(), vec![0.0; equations.rows], vec![0.0; equations.entries.len()]);
-    equations.plan.set_states(&q, &mut states);
-    equations.linearize(0.0, &states, &mut c, &mut values);
+    let (mut c, mut values) = (vec![0.0; equations.rows], vec![0.0; equations.entries.len()]);
+    equations.set_constants(&mut values);
+    equations.linearize(&equations.instant_at(0.0, &q), &mut c, &mut values);
     let entries: Vec<(usize, usize, f64)> =
         equations.entries.iter().zip(&values).filter_map(|(entry, value)| entry.map(|(row, column)| (row, column, *value))).collect();
     let Some(found) = crate::linear::of_rectangle(equations.rows, layout.len(), &entries) else { return (vec![], vec![]) };

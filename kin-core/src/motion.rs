@@ -9,27 +9,28 @@ pub use series::Series;
 
 use std::sync::Arc;
 
-use crate::coordinates::Coordinate;
+use crate::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
 use crate::error::{Error, Result};
 use crate::layout::{Layout, Place};
-use crate::newton::Outcome;
+use crate::newton::{CrossedBreak, Newton, Outcome};
 use crate::system::System;
 
 /// q, q̇ and q̈ at each time, all finite, and a report of how they were found.
 #[derive(Clone)]
 pub struct Motion {
-    name: String,
-    layout: Arc<Layout>,
-    equations: Vec<String>,
-    times: Vec<f64>,
-    q: Vec<f64>,
-    qd: Vec<f64>,
-    qdd: Vec<f64>,
-    iterations: Vec<usize>,
-    residuals: Vec<f64>,
+    pub(crate) name: String,
+    pub(crate) layout: Arc<Layout>,
+    pub(crate) equations: Arc<[String]>,
+    pub(crate) times: Vec<f64>,
+    pub(crate) q: Vec<f64>,
+    pub(crate) qd: Vec<f64>,
+    pub(crate) qdd: Vec<f64>,
+    pub(crate) iterations: Vec<usize>,
+    pub(crate) residuals: Vec<f64>,
     /// The largest residual of all times, and its row.
-    worst: Option<(f64, usize)>,
-    outputs: Vec<Series>,
+    pub(crate) worst: Option<(f64, usize)>,
+    pub(crate) outputs: Vec<Series>,
+    pub(crate) breaks: Vec<CrossedBreak>,
 }
 
 /// One coordinate over time, with its rates.
@@ -49,7 +50,7 @@ impl Motion {
         Motion {
             name: system.name().to_string(),
             layout: system.layout().clone(),
-            equations: system.equation_names(),
+            equations: system.names_of_equations().clone(),
             times: Vec::with_capacity(times),
             q: room(),
             qd: room(),
@@ -58,17 +59,19 @@ impl Motion {
             residuals: Vec::with_capacity(times),
             worst: None,
             outputs: Vec::new(),
+            breaks: Vec::new(),
         }
     }
 
-    pub(crate) fn push(&mut self, t: f64, q: &[f64], qd: &[f64], qdd: &[f64], outcome: Outcome) {
+    pub(crate) fn push(&mut self, t: f64, newton: &Newton<'_>, outcome: Outcome, crossed: Vec<CrossedBreak>) {
+        self.breaks.extend(crossed);
         if self.worst.is_none_or(|(known, _)| outcome.residual > known) {
-            self.worst = Some((outcome.residual, outcome.row));
+            self.worst = Some((outcome.residual, newton.worst().0));
         }
         self.times.push(t);
-        self.q.extend_from_slice(q);
-        self.qd.extend_from_slice(qd);
-        self.qdd.extend_from_slice(qdd);
+        self.q.extend_from_slice(&newton.q);
+        self.qd.extend_from_slice(&newton.qd);
+        self.qdd.extend_from_slice(&newton.qdd);
         self.iterations.push(outcome.iterations);
         self.residuals.push(outcome.residual);
     }
@@ -163,6 +166,22 @@ impl Motion {
         }
     }
 
+    /// The planar body of that name, for [`Motion::point`] and [`Motion::coordinate`].
+    pub fn planar_named(&self, name: &str) -> Option<PlanarBody> {
+        self.layout.bodies().into_iter().find_map(|(known, target)| match target {
+            Target::Planar(body) if known == name => Some(body),
+            _ => None,
+        })
+    }
+
+    /// The spatial body of that name.
+    pub fn spatial_named(&self, name: &str) -> Option<SpatialBody> {
+        self.layout.bodies().into_iter().find_map(|(known, target)| match target {
+            Target::Spatial(body) if known == name => Some(body),
+            _ => None,
+        })
+    }
+
     /// The coordinate of that name, such as `crank.theta`, over time.
     ///
     /// Errors: no such coordinate.
@@ -217,6 +236,11 @@ impl Motion {
         &self.outputs
     }
 
+    /// The breaks of laws that were crossed, where a derivative of the motion jumps, in the order of time.
+    pub fn breaks(&self) -> &[CrossedBreak] {
+        &self.breaks
+    }
+
     /// One line: counts, Newton steps a time (the first position apart, which is found from a guess) and the largest residual.
     pub fn summary(&self) -> String {
         let (first, rest) = self.iterations.split_at(1.min(self.iterations.len()));
@@ -224,8 +248,12 @@ impl Motion {
         steps.sort_unstable();
         let usual = steps.get(steps.len() / 2).copied().unwrap_or(0);
         let largest = self.worst.map_or(0.0, |(residual, _)| residual);
+        let breaks = match self.breaks.iter().map(|crossed| crossed.found.order).min() {
+            Some(order) => format!(", {} breaks of laws crossed (derivative {order} jumps)", self.breaks.len()),
+            None => String::new(),
+        };
         format!(
-            "{}: {} coordinates, {} equations, {} times, {usual} Newton step{} a time (worst {}, first position {}), |C| ≤ {largest:.0e}",
+            "{}: {} coordinates, {} equations, {} times, {usual} Newton step{} a time (worst {}, first position {}), |C| ≤ {largest:.0e}{breaks}",
             self.name,
             self.layout.len(),
             self.equations.len(),

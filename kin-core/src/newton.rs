@@ -3,13 +3,17 @@
 pub(crate) mod assembly;
 mod driven;
 mod options;
+mod predictor;
 pub(crate) mod sweep;
+mod watch;
 
 pub use options::{Options, Report, Stop};
+pub use watch::CrossedBreak;
 
 use crate::error::Error;
+use crate::fours;
 use crate::linear::{Linear, Singular};
-use crate::system::evaluate::Bad;
+use crate::system::evaluate::{Bad, Instant, finite};
 use crate::system::{Solution, System};
 
 /// A correction that stalls above this share of its coordinate is no rounding but a singular position.   \[-\]
@@ -41,7 +45,6 @@ pub(crate) enum Failure {
 pub(crate) struct Outcome {
     pub iterations: usize,
     pub residual: f64,
-    pub row: usize,
 }
 
 /// How an attempt takes its steps.
@@ -63,13 +66,13 @@ pub(crate) struct Newton<'a> {
     pub qd: Vec<f64>,
     pub qdd: Vec<f64>,
     pub c: Vec<f64>,
-    dq: Vec<f64>,
     before: Vec<f64>,
-    pub states: Vec<f64>,
-    rates: Vec<f64>,
+    instant: Instant,
     pub linear: Linear,
     /// s_j, the characteristic size of each coordinate.
     pub sizes: Vec<f64>,
+    /// 1 / s_j
+    shares: Vec<f64>,
     /// What is left of what each row is allowed to be off.
     left: Vec<f64>,
     /// max |C_i| at the last linearization.
@@ -89,12 +92,11 @@ impl<'a> Newton<'a> {
             qd: vec![0.0; n],
             qdd: vec![0.0; n],
             c: vec![0.0; n],
-            dq: vec![0.0; n],
             before: vec![0.0; n],
-            states: equations.plan.states(),
-            rates: equations.plan.rates(),
-            linear: Linear::new(n, equations.entries.iter().copied(), &equations.constants),
+            instant: equations.instant(),
+            linear: system.linear(),
             sizes: vec![1.0; n],
+            shares: vec![1.0; n],
             left: vec![0.0; n],
             residual: 0.0,
             steps: 0,
@@ -102,12 +104,36 @@ impl<'a> Newton<'a> {
         }
     }
 
+    /// Gives each coordinate its characteristic size.
+    fn set_sizes(&mut self, sizes: Vec<f64>) {
+        self.linear.set_sizes(&sizes);
+        self.shares.iter_mut().zip(&sizes).for_each(|(share, size)| *share = size.recip());
+        self.sizes = sizes;
+    }
+
     /// Newton's method from the point in hand; on success the matrix at the solution is factored.
     pub(crate) fn solve(&mut self, t: f64, steps: Steps) -> Result<Outcome, Failure> {
-        let mut previous = f64::INFINITY;
-        for iteration in 0..=self.options.max_iterations {
-            self.linearize(t)?;
+        self.linearize(t)?;
+        self.linear.factor().map_err(Failure::Singular)?;
+        self.iterate(t, steps)
+    }
+
+    /// The same where the point in hand is the solution of another time: only what depends on the time is evaluated at first.
+    pub(crate) fn solve_on(&mut self, t: f64, steps: Steps) -> Result<Outcome, Failure> {
+        let equations = self.system.equations();
+        equations.set_time(t, &mut self.instant);
+        let changed = equations.relinearize(&self.instant, &mut self.c, self.linear.values_mut());
+        self.measure(changed)?;
+        if changed {
             self.linear.factor().map_err(Failure::Singular)?;
+        }
+        self.iterate(t, steps)
+    }
+
+    /// Newton's method with the matrix of the point in hand factored.
+    fn iterate(&mut self, t: f64, steps: Steps) -> Result<Outcome, Failure> {
+        let (mut previous, mut iteration) = (f64::INFINITY, 0);
+        loop {
             if let Stop::ResidualOnly(bound) = self.options.stop
                 && self.residual < bound
             {
@@ -115,16 +141,21 @@ impl<'a> Newton<'a> {
             }
             let correction = self.correction();
             if self.converged(correction, previous) {
+                // The correction costs nothing any more, and keeps errors of predictions from adding up.
+                if self.options.predict {
+                    self.correct();
+                }
                 return self.regular(iteration);
             }
             if iteration == self.options.max_iterations || (steps == Steps::Near && correction > previous) {
-                break;
+                return Err(self.failure());
             }
             previous = correction;
-            self.step(t, if correction <= STALL { Steps::Full } else { steps })?;
-            self.steps += 1;
+            self.step(if correction <= STALL { Steps::Full } else { steps })?;
+            (self.steps, iteration) = (self.steps + 1, iteration + 1);
+            self.linearize(t)?;
+            self.linear.factor().map_err(Failure::Singular)?;
         }
-        Err(self.failure())
     }
 
     /// The outcome, unless the position is singular for all that rounding lets one tell.
@@ -132,8 +163,7 @@ impl<'a> Newton<'a> {
         if self.linear.smallest_pivot() < DOUBTFUL {
             return Err(Failure::Singular(self.linear.diagnose()));
         }
-        let (row, residual) = self.worst();
-        Ok(Outcome { iterations, residual, row })
+        Ok(Outcome { iterations, residual: self.residual })
     }
 
     /// Why the iteration came to no end: where C is met and still every step is long, C_q is singular for all practical purposes.
@@ -148,29 +178,39 @@ impl<'a> Newton<'a> {
     /// C and C_q at the point in hand, and the measures of its rows.
     pub(crate) fn linearize(&mut self, t: f64) -> Result<(), Failure> {
         let equations = self.system.equations();
-        equations.plan.set_states(&self.q, &mut self.states);
-        equations.linearize(t, &self.states, &mut self.c, self.linear.values_mut());
-        self.residual = largest_of(self.c.iter().copied());
-        if self.linear.measure() && self.residual < f64::INFINITY {
+        if self.instant.t() != t {
+            equations.set_time(t, &mut self.instant);
+        }
+        equations.set_position(&self.q, &mut self.instant);
+        equations.linearize(&self.instant, &mut self.c, self.linear.values_mut());
+        self.measure(true)
+    }
+
+    /// Measures C, and C_q if that is asked for; an error where a number is not finite.
+    fn measure(&mut self, matrix: bool) -> Result<(), Failure> {
+        self.residual = fours::largest(&self.c);
+        if (!matrix || self.linear.measure()) && self.residual < f64::INFINITY {
             return Ok(());
         }
-        equations.finite(&self.c, self.linear.values()).map_err(Failure::NotFinite)
+        self.system.equations().finite(&self.c, self.linear.values()).map_err(Failure::NotFinite)
     }
 
     /// C_q dq = −C; gives max |dq_j|, each against what may be asked of it, or more if that is within the tolerance.
     fn correction(&mut self) -> f64 {
-        for (rhs, c) in self.linear.rhs_mut().iter_mut().zip(&self.c) {
-            *rhs = -c;
-        }
+        fours::negate(self.linear.rhs_mut(), &self.c);
         self.linear.solve();
-        self.dq.copy_from_slice(self.linear.solution());
-        let shares = largest_of(self.dq.iter().zip(&self.sizes).map(|(dq, size)| dq / size));
-        let Stop::Converged { tolerance } = self.options.stop else { return shares };
+        let (dq, tolerance) = match self.options.stop {
+            Stop::Converged { tolerance } => (self.linear.solution(), tolerance),
+            // Nothing asks for more, where steps are taken as they come.
+            Stop::ResidualOnly(_) if !self.options.rescue => return f64::INFINITY,
+            Stop::ResidualOnly(_) => (self.linear.solution(), f64::INFINITY),
+        };
+        let shares = fours::largest_share(dq, &self.shares);
         if shares <= tolerance {
             return shares;
         }
         let rounding = rounding(tolerance);
-        largest(self.dq.iter().zip(&self.q).zip(&self.sizes).map(|((dq, q), size)| dq.abs() / (size + rounding * q.abs())))
+        largest(dq.iter().zip(&self.q).zip(&self.sizes).map(|((dq, q), size)| dq.abs() / (size + rounding * q.abs())))
     }
 
     /// The stop rule that tests the correction too.
@@ -186,8 +226,7 @@ impl<'a> Newton<'a> {
             Stop::Converged { tolerance } => tolerance,
             Stop::ResidualOnly(bound) => return self.residual < bound,
         };
-        let rows = self.c.iter().zip(self.linear.norms());
-        rows.fold(true, |met, (c, norm)| met & (c.abs() <= tolerance * norm)) || self.met_but_for_rounding(tolerance)
+        fours::largest_share(&self.c, self.linear.row_units()) <= tolerance || self.met_but_for_rounding(tolerance)
     }
 
     /// The same where rounding of q, which makes Σ_j |∂C_i/∂q_j| |q_j| ε of row i, is allowed for.
@@ -211,35 +250,41 @@ impl<'a> Newton<'a> {
     }
 
     /// The row with the largest |C_i|, and that; rows as they are written.
-    fn worst(&self) -> (usize, f64) {
+    pub(crate) fn worst(&self) -> (usize, f64) {
         let rows = self.c.iter().map(|c| c.abs()).enumerate();
         rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst })
     }
 
     /// q += dq, or less of it.
-    fn step(&mut self, t: f64, steps: Steps) -> Result<(), Failure> {
+    fn step(&mut self, steps: Steps) -> Result<(), Failure> {
         if steps == Steps::Damped && !self.met() {
-            return self.damped(t);
+            return self.damped();
         }
-        self.q.iter_mut().zip(&self.dq).for_each(|(q, dq)| *q += dq);
+        self.correct();
         Ok(())
     }
 
+    /// q += dq
+    fn correct(&mut self) {
+        fours::add(&mut self.q, self.linear.solution());
+    }
+
     /// q += λ dq with the largest λ = 1, ½, ¼, … that lets Σ (C_i / norm_i)² fall (Armijo) and turns nothing too far.
-    fn damped(&mut self, t: f64) -> Result<(), Failure> {
+    fn damped(&mut self) -> Result<(), Failure> {
         let equations = self.system.equations();
         let units = &self.system.layout().units;
-        let turns = self.dq.iter().zip(units).filter(|(_, unit)| **unit != crate::layout::Unit::Metre).map(|(dq, _)| dq.abs());
+        let dq = self.linear.solution();
+        let turns = dq.iter().zip(units).filter(|(_, unit)| **unit != crate::layout::Unit::Metre).map(|(dq, _)| dq.abs());
         let mut lambda = (TURN / largest(turns)).min(1.0);
         let merit = self.merit();
         let failure = self.failure();
         self.before.copy_from_slice(&self.q);
         for _ in 0..HALVINGS {
-            for ((q, before), dq) in self.q.iter_mut().zip(&self.before).zip(&self.dq) {
+            for ((q, before), dq) in self.q.iter_mut().zip(&self.before).zip(self.linear.solution()) {
                 *q = before + lambda * dq;
             }
-            equations.plan.set_states(&self.q, &mut self.states);
-            let finite = equations.residual(t, &self.states, &mut self.c).is_ok();
+            equations.set_position(&self.q, &mut self.instant);
+            let finite = equations.residual(&self.instant, &mut self.c).is_ok();
             if finite && self.merit() <= (1.0 - 0.5 * lambda) * merit {
                 return Ok(());
             }
@@ -254,17 +299,32 @@ impl<'a> Newton<'a> {
     }
 
     /// q̇ from C_q q̇ = −C_t and q̈ from C_q q̈ = Q_d, with the matrix that [`Newton::solve`] has left factored.
-    pub(crate) fn rates(&mut self, t: f64) -> Result<(), Failure> {
+    pub(crate) fn rates(&mut self) -> Result<(), Failure> {
         let equations = self.system.equations();
-        equations.velocity_rhs(t, &self.states, self.linear.rhs_mut()).map_err(Failure::NotFinite)?;
+        equations.velocity_rhs(&self.instant, self.linear.rhs_mut());
         self.linear.solve();
-        self.qd.copy_from_slice(self.linear.solution());
-        self.overflow(&self.qd, "q'")?;
-        equations.plan.set_rates(&self.qd, &mut self.rates);
-        equations.acceleration_rhs(t, &self.states, &self.rates, self.linear.rhs_mut()).map_err(Failure::NotFinite)?;
+        let finite = fours::take(&mut self.qd, self.linear.solution());
+        equations.set_rates(&self.qd, &mut self.instant);
+        equations.acceleration_rhs(&self.instant, self.linear.rhs_mut());
         self.linear.solve();
-        self.qdd.copy_from_slice(self.linear.solution());
-        self.overflow(&self.qdd, "q''")
+        // A right side that is not finite makes solutions that are not.
+        if fours::take(&mut self.qdd, self.linear.solution()) && finite {
+            return Ok(());
+        }
+        Err(Failure::NotFinite(self.overflow()))
+    }
+
+    /// What is not finite in the right sides or their solutions.
+    fn overflow(&mut self) -> Bad {
+        let equations = self.system.equations();
+        let own_row = |bad: Bad| Bad { row: self.worst().0, ..bad };
+        let (qd, qdd) = (finite(&self.qd, "q'").map_err(own_row), finite(&self.qdd, "q''").map_err(own_row));
+        let rhs = self.linear.rhs_mut();
+        equations.velocity_rhs(&self.instant, rhs);
+        let c_t = finite(rhs, "C_t");
+        equations.acceleration_rhs(&self.instant, rhs);
+        let q_d = finite(rhs, "Q_d");
+        c_t.and(qd).and(q_d).and(qdd).err().unwrap_or(Bad { row: 0, quantity: "q''" })
     }
 
     /// What is in hand, to keep.
@@ -272,25 +332,28 @@ impl<'a> Newton<'a> {
         let report = Report {
             iterations: self.steps,
             residual: outcome.residual,
-            worst: self.system.equations().equation(outcome.row),
+            worst: self.system.equations().equation(self.worst().0),
             smallest_pivot: self.linear.smallest_pivot(),
         };
         Solution { t, q: self.q, qd: self.qd, qdd: self.qdd, report }
     }
 
-    fn overflow(&self, solution: &[f64], quantity: &'static str) -> Result<(), Failure> {
-        if solution.iter().fold(true, |finite, x| finite & x.is_finite()) {
-            Ok(())
-        } else {
-            Err(Failure::NotFinite(Bad { row: self.worst().0, quantity }))
+    /// The error for a position that closes but not as it is meant, such as with an axis turned by 180°.
+    pub(crate) fn meant(&self) -> Result<(), Error> {
+        for block in &self.system.equations().blocks {
+            if let Some(reason) = block.constraint.wrong_branch(&self.instant.of(block)) {
+                let (constraint, kind) = (block.name.clone(), block.constraint.kind().to_string());
+                return Err(Error::WrongBranch { t: self.instant.t(), constraint, kind, reason: reason.to_string(), motion: None });
+            }
         }
+        Ok(())
     }
 
     /// The error that tells a failure in the user's names.
     pub(crate) fn error(&mut self, failure: Failure, t: f64, last: Option<f64>) -> Error {
         let equations = self.system.equations();
         match failure {
-            Failure::NotFinite(bad) => equations.not_finite(bad, t, &self.states),
+            Failure::NotFinite(bad) => equations.not_finite(bad, &self.instant),
             Failure::Singular(found) => self.system.singular(t, &found, self.unmet()),
             Failure::NoConvergence { row, residual } => {
                 let (constraint, row) = self.system.row_name(row);
@@ -298,13 +361,6 @@ impl<'a> Newton<'a> {
             }
         }
     }
-}
-
-/// The largest |x|, 0 of none; NaN counts as infinite. By bits, whose order is that of the numbers: the compiler makes lanes of it.
-fn largest_of(numbers: impl Iterator<Item = f64>) -> f64 {
-    let bits = numbers.fold(0, |m: i64, x| m.max(x.abs().to_bits() as i64));
-    let largest = f64::from_bits(bits as u64);
-    if largest.is_nan() { f64::INFINITY } else { largest }
 }
 
 /// Four roundings of a number in units of the tolerance: a number that large may be off by that much.

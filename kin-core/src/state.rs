@@ -176,79 +176,115 @@ impl CoordState {
 pub struct At<'a> {
     /// Time t.   \[s\]
     pub t: f64,
-    states: &'a [f64],
+    states: Part<'a>,
+    timed: Part<'a>,
+}
+
+/// The numbers of one constraint among those of all: where they begin, and where in them each argument begins.
+#[derive(Clone, Copy, Debug, Default)]
+struct Part<'a> {
+    all: &'a [f64],
+    begin: usize,
     first: &'a [usize],
+}
+
+impl<'a> Part<'a> {
+    #[inline]
+    fn own(&self) -> &'a [f64] {
+        self.all.get(self.begin..).unwrap_or_default()
+    }
+
+    /// The N numbers of argument `k`.
+    fn argument<const N: usize>(&self, k: usize) -> Option<[f64; N]> {
+        self.own().get(*self.first.get(k)?..)?.first_chunk().copied()
+    }
 }
 
 impl<'a> At<'a> {
     /// Time t, the states of all arguments one after the other ([`PlanarState::to_array`] and the like), and where each one begins.
     pub fn new(t: f64, states: &'a [f64], first: &'a [usize]) -> Self {
-        At { t, states, first }
+        At { t, states: Part { all: states, begin: 0, first }, timed: Part::default() }
+    }
+
+    /// The same with what [`crate::Constraint::at_time`] has made of the time; constraints make it themselves where it is not there.
+    #[must_use]
+    pub fn with_timed(self, timed: &'a [f64]) -> Self {
+        At { timed: Part { all: timed, ..Part::default() }, ..self }
+    }
+
+    /// The instant for a constraint whose states and numbers of time begin further on, and its arguments in them at `first`.
+    #[inline]
+    pub(crate) fn further(self, states: usize, timed: usize, first: &'a [usize]) -> Self {
+        At { t: self.t, states: Part { begin: states, first, ..self.states }, timed: Part { begin: timed, ..self.timed } }
+    }
+
+    /// What the constraint has made of the time alone, if it was asked to.
+    #[inline]
+    pub fn timed(&self) -> &'a [f64] {
+        self.timed.own()
     }
 
     /// All states as an array of known length, for emitted code.
     #[doc(hidden)]
     #[inline]
     pub fn states<const N: usize>(&self) -> Option<&'a [f64; N]> {
-        self.states.first_chunk()
+        self.states.own().first_chunk()
     }
 
     /// State of argument `k`, a planar body; the ground's if there is no such argument.
     pub fn planar(&self, k: usize) -> PlanarState {
-        part(self.states, self.first, k).map_or_else(PlanarState::ground, PlanarState::from_array)
+        self.states.argument(k).map_or_else(PlanarState::ground, PlanarState::from_array)
     }
 
     /// State of argument `k`, a spatial body; the ground's if there is no such argument.
     pub fn spatial(&self, k: usize) -> SpatialState {
-        part(self.states, self.first, k).map_or_else(SpatialState::ground, SpatialState::new)
+        self.states.argument(k).map_or_else(SpatialState::ground, SpatialState::new)
     }
 
     /// State of argument `k`, a bare coordinate; zero if there is no such argument.
     pub fn coord(&self, k: usize) -> CoordState {
-        let [value, sin, cos] = part(self.states, self.first, k).unwrap_or([0.0, 0.0, 1.0]);
+        let [value, sin, cos] = self.states.argument(k).unwrap_or([0.0, 0.0, 1.0]);
         CoordState { value, sin, cos }
     }
 }
 
-/// The N numbers of argument `k`.
-fn part<const N: usize>(all: &[f64], first: &[usize], k: usize) -> Option<[f64; N]> {
-    all.get(*first.get(k)?..)?.first_chunk().copied()
-}
-
 /// The rates of one constraint's coordinates: its columns, one after the other.
 #[derive(Clone, Copy, Debug)]
-pub struct Rates<'a> {
-    qd: &'a [f64],
-    first: &'a [usize],
-}
+pub struct Rates<'a>(Part<'a>);
 
 impl<'a> Rates<'a> {
     /// The rate of each local column, and the first column of each argument.
     pub fn new(qd: &'a [f64], first: &'a [usize]) -> Self {
-        Rates { qd, first }
+        Rates(Part { all: qd, begin: 0, first })
+    }
+
+    /// The rates of a constraint whose columns begin further on, and its arguments in them at `first`.
+    #[inline]
+    pub(crate) fn further(self, columns: usize, first: &'a [usize]) -> Self {
+        Rates(Part { begin: columns, first, ..self.0 })
     }
 
     /// The rates of all columns as an array of known length, for emitted code.
     #[doc(hidden)]
     #[inline]
     pub fn columns<const N: usize>(&self) -> Option<&'a [f64; N]> {
-        self.qd.first_chunk()
+        self.0.own().first_chunk()
     }
 
     /// Rates of argument `k`, a planar body; zero if there is no such argument.
     pub fn planar(&self, k: usize) -> PlanarRate {
-        let [x, y, theta] = part(self.qd, self.first, k).unwrap_or_default();
+        let [x, y, theta] = self.0.argument(k).unwrap_or_default();
         PlanarRate { r: [x, y], theta }
     }
 
     /// Rates of argument `k`, a spatial body; zero if there is no such argument.
     pub fn spatial(&self, k: usize) -> SpatialRate {
-        let [x, y, z, e0, e1, e2, e3] = part(self.qd, self.first, k).unwrap_or_default();
+        let [x, y, z, e0, e1, e2, e3] = self.0.argument(k).unwrap_or_default();
         SpatialRate { r: [x, y, z], p: [e0, e1, e2, e3] }
     }
 
     /// Rate of argument `k`, a bare coordinate; zero if there is no such argument.
     pub fn coord(&self, k: usize) -> f64 {
-        part::<1>(self.qd, self.first, k).unwrap_or_default()[0]
+        self.0.argument::<1>(k).unwrap_or_default()[0]
     }
 }

@@ -3,17 +3,20 @@
 pub(crate) mod evaluate;
 mod parameters;
 pub(crate) mod scale;
+mod states;
 
 use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
+use crate::constraint::Constraint;
+use crate::coordinates::Target;
 use crate::error::{Error, Result};
 use crate::layout::Layout;
 use crate::linear::{Linear, Singular};
-use crate::motion::Motion;
+use crate::motion::{Motion, Series};
 use crate::newton::{Newton, Options, Report, Steps, assembly, sweep};
-use evaluate::{Bad, Equations};
+use evaluate::{Bad, Equations, Instant, finite};
 
 /// A square system C(q, t) = 0 of n equations in n coordinates; built by [`crate::Mechanism::build`].
 ///
@@ -23,9 +26,13 @@ pub struct System {
     name: String,
     layout: Arc<Layout>,
     equations: Equations,
+    /// Names of the equations.
+    rows: Arc<[String]>,
     initial: Vec<f64>,
     preferred: Vec<(usize, f64)>,
     links: Vec<f64>,
+    /// The linear solver with the elimination recorded at the initial guess, if C_q is regular there.
+    linear: Linear,
 }
 
 /// Position, velocity and acceleration at one time.
@@ -52,7 +59,9 @@ impl System {
         preferred: Vec<(usize, f64)>,
         links: Vec<f64>,
     ) -> Self {
-        System { name, layout: Arc::new(layout), equations, initial, preferred, links }
+        let linear = prepared(&layout, &equations, &initial, &links);
+        let rows = (0..equations.rows).map(|row| equations.equation(row)).collect();
+        System { name, layout: Arc::new(layout), equations, rows, initial, preferred, links, linear }
     }
 
     /// Name of the mechanism.
@@ -80,6 +89,30 @@ impl System {
         self.layout.units.iter().map(|unit| unit.text(0)).collect()
     }
 
+    /// The planar and spatial bodies with their names, in the order of declaration.
+    pub fn bodies(&self) -> Vec<(&str, Target)> {
+        self.layout.bodies()
+    }
+
+    /// The constraints with their names, in their order; the norm constraints of spatial bodies come last.
+    pub fn constraints(&self) -> impl Iterator<Item = (&str, &dyn Constraint)> {
+        self.equations.blocks.iter().map(|block| (block.name.as_str(), block.constraint.as_ref()))
+    }
+
+    /// The 2-norm condition number of C_q at each time of a motion of this system, rows and columns measured as the solver does, so that
+    /// it does not depend on units; estimated from below, seldom by more than 2. Infinite where C_q is singular.   \[-\]
+    ///
+    /// Errors: a motion of another system.
+    pub fn condition(&self, motion: &Motion) -> Result<Series> {
+        let values = (0..motion.len()).map(|k| self.condition_at(motion.q(k), motion.times()[k])).collect::<Result<_>>()?;
+        Ok(Series::new("condition number", "-", motion.times(), values))
+    }
+
+    fn condition_at(&self, q: &[f64], t: f64) -> Result<f64> {
+        let mut linear = self.linearized(q, t)?;
+        Ok(if linear.factor().is_ok() { linear.condition() } else { f64::INFINITY })
+    }
+
     /// Names of the constraints in their order.
     pub fn constraint_names(&self) -> Vec<&str> {
         self.equations.blocks.iter().map(|block| block.name.as_str()).collect()
@@ -87,7 +120,11 @@ impl System {
 
     /// Names of the equations in their order: `A.x`, `A.y`; a constraint of one row gives its own name.
     pub fn equation_names(&self) -> Vec<String> {
-        (0..self.equations.rows).map(|row| self.equations.equation(row)).collect()
+        self.rows.to_vec()
+    }
+
+    pub(crate) fn names_of_equations(&self) -> &Arc<[String]> {
+        &self.rows
     }
 
     /// The initial guess of q, preferred values included.   \[m, rad\]
@@ -104,18 +141,16 @@ impl System {
 
     /// C(q, t), in the unit of each row. Errors: wrong length, not finite.
     pub fn residual(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
-        let states = self.states(q, t)?;
+        let instant = self.instant(q, t)?;
         let mut c = vec![0.0; self.n_equations()];
-        self.finite(self.equations.residual(t, &states, &mut c), t, &states)?;
+        self.finite(self.equations.residual(&instant, &mut c), &instant)?;
         Ok(c)
     }
 
     /// C_q(q, t), n × n. Errors: wrong length, not finite.
     pub fn jacobian(&self, q: &[f64], t: f64) -> Result<DMatrix<f64>> {
-        let states = self.states(q, t)?;
-        let (mut c, mut values) = (vec![0.0; self.n_equations()], vec![0.0; self.equations.entries.len()]);
-        self.equations.linearize(t, &states, &mut c, &mut values);
-        self.finite(self.equations.finite(&c, &values), t, &states)?;
+        let mut values = vec![0.0; self.equations.entries.len()];
+        self.linearize(&self.instant(q, t)?, &mut values)?;
         let mut c_q = DMatrix::zeros(self.n_equations(), self.n_coordinates());
         for (entry, value) in self.equations.entries.iter().zip(values) {
             if let Some(place) = *entry {
@@ -127,20 +162,21 @@ impl System {
 
     /// C_t(q, t), in the unit of each row a second. Errors: wrong length, not finite.
     pub fn c_t(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
-        let states = self.states(q, t)?;
+        let instant = self.instant(q, t)?;
         let mut rhs = vec![0.0; self.n_equations()];
-        self.finite(self.equations.velocity_rhs(t, &states, &mut rhs), t, &states)?;
+        self.equations.velocity_rhs(&instant, &mut rhs);
+        self.finite(finite(&rhs, "C_t"), &instant)?;
         Ok(rhs.into_iter().map(|x| 0.0 - x).collect())
     }
 
     /// Q_d = −(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt, in the unit of each row a second squared. Errors: wrong length, not finite.
     pub fn acceleration_rhs(&self, q: &[f64], qd: &[f64], t: f64) -> Result<Vec<f64>> {
-        let states = self.states(q, t)?;
+        let mut instant = self.instant(q, t)?;
         self.check(qd, "velocities")?;
-        let mut rates = self.equations.plan.rates();
-        self.equations.plan.set_rates(qd, &mut rates);
+        self.equations.set_rates(qd, &mut instant);
         let mut q_d = vec![0.0; self.n_equations()];
-        self.finite(self.equations.acceleration_rhs(t, &states, &rates, &mut q_d), t, &states)?;
+        self.equations.acceleration_rhs(&instant, &mut q_d);
+        self.finite(finite(&q_d, "Q_d"), &instant)?;
         Ok(q_d)
     }
 
@@ -200,6 +236,13 @@ impl System {
         &self.equations
     }
 
+    /// A linear solver for C_q, with all that never changes in its place.
+    pub(crate) fn linear(&self) -> Linear {
+        let mut linear = self.linear.clone();
+        linear.forget();
+        linear
+    }
+
     pub(crate) fn preferred(&self) -> &[(usize, f64)] {
         &self.preferred
     }
@@ -222,13 +265,18 @@ impl System {
         Error::SingularAt { t, n: self.n_coordinates(), rank: found.rank, pivot: found.pivot, movable, dependent, unmet, motion: None }
     }
 
-    /// The states at q, if q and t are well given.
-    fn states(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
+    /// The instant at q and t, if they are well given.
+    fn instant(&self, q: &[f64], t: f64) -> Result<Instant> {
         self.check(q, "coordinates")?;
-        time(t)?;
-        let mut states = self.equations.plan.states();
-        self.equations.plan.set_states(q, &mut states);
-        Ok(states)
+        Ok(self.equations.instant_at(time(t)?, q))
+    }
+
+    /// The values of C_q at an instant.
+    fn linearize(&self, instant: &Instant, values: &mut [f64]) -> Result<()> {
+        let mut c = vec![0.0; self.n_equations()];
+        self.equations.set_constants(values);
+        self.equations.linearize(instant, &mut c, values);
+        self.finite(self.equations.finite(&c, values), instant)
     }
 
     fn check(&self, q: &[f64], what: &str) -> Result<()> {
@@ -242,24 +290,28 @@ impl System {
         }
     }
 
-    fn finite(&self, result: std::result::Result<(), Bad>, t: f64, states: &[f64]) -> Result<()> {
-        result.map_err(|bad| self.equations.not_finite(bad, t, states))
+    fn finite(&self, result: std::result::Result<(), Bad>, instant: &Instant) -> Result<()> {
+        result.map_err(|bad| self.equations.not_finite(bad, instant))
     }
 
     /// C_q⁻¹ times the right side, with the sizes of that point.
     fn solved(&self, q: &[f64], t: f64, rhs: &[f64]) -> Result<Vec<f64>> {
-        let states = self.states(q, t)?;
-        let mut linear = Linear::new(self.n_coordinates(), self.equations.entries.iter().copied(), &self.equations.constants);
-        let mut c = vec![0.0; self.n_equations()];
-        self.equations.linearize(t, &states, &mut c, linear.values_mut());
-        self.finite(self.equations.finite(&c, linear.values()), t, &states)?;
-        let sizes = scale::sizes(&self.layout, &self.equations, linear.values(), q, &self.links);
-        linear.set_sizes(&sizes);
-        linear.measure();
+        let mut linear = self.linearized(q, t)?;
         linear.factor().map_err(|found| self.singular(t, &found, None))?;
         linear.rhs_mut().copy_from_slice(rhs);
         linear.solve();
         Ok(linear.solution().to_vec())
+    }
+
+    /// C_q(q, t) with the sizes of that point, ready to be factored.
+    fn linearized(&self, q: &[f64], t: f64) -> Result<Linear> {
+        let instant = self.instant(q, t)?;
+        let mut linear = self.linear();
+        self.linearize(&instant, linear.values_mut())?;
+        let sizes = scale::sizes(&self.layout, &self.equations, linear.values(), q, &self.links);
+        linear.set_sizes(&sizes);
+        linear.measure();
+        Ok(linear)
     }
 }
 
@@ -271,6 +323,19 @@ impl std::fmt::Debug for System {
             .field("constraints", &self.constraint_names())
             .finish()
     }
+}
+
+/// The linear solver, its elimination recorded at the initial guess and t = 0.
+fn prepared(layout: &Layout, equations: &Equations, initial: &[f64], links: &[f64]) -> Linear {
+    let mut linear = Linear::new(layout.len(), equations.entries.iter().copied(), &equations.constants);
+    let mut c = vec![0.0; equations.rows];
+    equations.set_constants(linear.values_mut());
+    equations.linearize(&equations.instant_at(0.0, initial), &mut c, linear.values_mut());
+    if equations.finite(&c, linear.values()).is_ok() {
+        linear.set_sizes(&scale::sizes(layout, equations, linear.values(), initial, links));
+        linear.prepare();
+    }
+    linear
 }
 
 fn time(t: f64) -> Result<f64> {

@@ -85,6 +85,15 @@ where
     all
 }
 
+/// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s): the right side of C_q q⃛, for the jerk, by `Dual3_64`.   \[row/s³\]
+pub fn jerk_rhs<E, const N: usize, const M: usize>(equation: &E, q: &[f64], qd: &[f64], qdd: &[f64], t: f64) -> DVector<f64>
+where
+    E: Equation<N, M>,
+{
+    let fixed = |values: &[f64]| std::array::from_fn(|k| values.get(k).copied().unwrap_or(0.0));
+    DVector::from_row_slice(&dual_route::jerk_rhs::<E, N, M>(equation, &fixed(q), &fixed(qd), &fixed(qdd), t))
+}
+
 /// The states and rates of one constraint's arguments, standing alone.
 struct Local {
     states: Vec<f64>,

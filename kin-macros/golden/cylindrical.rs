@@ -123,6 +123,14 @@ const _: () = {
                 (3, 13),
             ]
         }
+        fn describe(&self, to: &mut ::kin::rt::Describer) {
+            use ::kin::rt::{ToldBySerde as _, Untold as _};
+            to.put("u_i", &self.u_i);
+            to.put("u_j", &self.u_j);
+            to.put("f_i", &self.f_i);
+            to.put("g_i", &self.g_i);
+            to.put("h_j", &self.h_j);
+        }
         fn depends(&self) -> ::kin::Dependence {
             ::kin::Dependence {
                 c_on_t: false,
@@ -138,6 +146,7 @@ const _: () = {
             };
             let fma = ::kin::rt::fma;
             let ::core::option::Option::Some(state) = at.states::<14>() else { return };
+            let in_order = ::kin::rt::in_order;
             let i_e0 = state[3];
             let t0 = 2.0 * i_e0;
             let i_e3 = state[6];
@@ -211,42 +220,14 @@ const _: () = {
                 ),
             );
             c[0] = fma(t15, t13, fma(t11, t9, t3 * t7));
-            let t16 = fma(self.g_i.z, i_e3, fma(self.g_i.y, i_e2, self.g_i.x * i_e1));
+            in_order();
+            let t16 = fma(self.u_i.z, t14, fma(self.u_i.y, t10, self.u_i.x * t2));
             let t17 = fma(
-                t2,
-                t16,
-                fma(
-                    t0,
-                    fma(-self.g_i.y, i_e3, fma(self.g_i.z, i_e2, self.g_i.x * i_e0)),
-                    -self.g_i.x,
-                ),
-            );
-            let t18 = fma(
-                t10,
-                t16,
-                fma(
-                    t0,
-                    fma(-self.g_i.z, i_e1, fma(self.g_i.x, i_e3, self.g_i.y * i_e0)),
-                    -self.g_i.y,
-                ),
-            );
-            let t19 = fma(
-                t14,
-                t16,
-                fma(
-                    t0,
-                    fma(-self.g_i.x, i_e2, fma(self.g_i.y, i_e1, self.g_i.z * i_e0)),
-                    -self.g_i.z,
-                ),
-            );
-            c[1] = fma(t19, t13, fma(t18, t9, t17 * t7));
-            let t20 = fma(self.u_i.z, t14, fma(self.u_i.y, t10, self.u_i.x * t2));
-            let t21 = fma(
                 -t4,
                 fma(-self.u_j.y, j_e3, fma(self.u_j.z, j_e2, self.u_j.x * j_e0)),
                 fma(
                     i_e1,
-                    t20,
+                    t16,
                     fma(
                         t0,
                         fma(-self.u_i.y, i_e3, fma(self.u_i.z, i_e2, self.u_i.x * i_e0)),
@@ -254,16 +235,16 @@ const _: () = {
                     ),
                 ),
             );
-            let t22 = fma(self.u_j.z, t12, fma(self.u_j.y, t8, self.u_j.x * t6));
+            let t18 = fma(self.u_j.z, t12, fma(self.u_j.y, t8, self.u_j.x * t6));
             let i_x = state[0];
             let j_x = state[7];
-            let t23 = ((fma(-j_e1, t22, t21) - self.u_i.x) + i_x) - j_x;
-            let t24 = fma(
+            let t19 = ((fma(-j_e1, t18, t17) - self.u_i.x) + i_x) - j_x;
+            let t20 = fma(
                 -t4,
                 fma(-self.u_j.z, j_e1, fma(self.u_j.x, j_e3, self.u_j.y * j_e0)),
                 fma(
                     i_e2,
-                    t20,
+                    t16,
                     fma(
                         t0,
                         fma(-self.u_i.z, i_e1, fma(self.u_i.x, i_e3, self.u_i.y * i_e0)),
@@ -273,13 +254,13 @@ const _: () = {
             );
             let i_y = state[1];
             let j_y = state[8];
-            let t25 = ((fma(-j_e2, t22, t24) - self.u_i.y) + i_y) - j_y;
-            let t26 = fma(
+            let t21 = ((fma(-j_e2, t18, t20) - self.u_i.y) + i_y) - j_y;
+            let t22 = fma(
                 -j_e0,
                 fma(-self.u_j.x, t8, fma(self.u_j.y, t6, self.u_j.z * t4)),
                 fma(
                     i_e3,
-                    t20,
+                    t16,
                     fma(
                         i_e0,
                         fma(-self.u_i.x, t10, fma(self.u_i.y, t2, self.u_i.z * t0)),
@@ -289,9 +270,41 @@ const _: () = {
             );
             let i_z = state[2];
             let j_z = state[9];
-            let t27 = ((fma(-j_e3, t22, t26) - self.u_i.z) + i_z) - j_z;
-            c[2] = fma(t15, t27, fma(t11, t25, t3 * t23));
-            c[3] = fma(t19, t27, fma(t18, t25, t17 * t23));
+            let t23 = ((fma(-j_e3, t18, t22) - self.u_i.z) + i_z) - j_z;
+            c[2] = fma(t15, t23, fma(t11, t21, t3 * t19));
+            in_order();
+            let t24 = fma(self.g_i.z, i_e3, fma(self.g_i.y, i_e2, self.g_i.x * i_e1));
+            let t25 = fma(
+                t2,
+                t24,
+                fma(
+                    t0,
+                    fma(-self.g_i.y, i_e3, fma(self.g_i.z, i_e2, self.g_i.x * i_e0)),
+                    -self.g_i.x,
+                ),
+            );
+            let t26 = fma(
+                t10,
+                t24,
+                fma(
+                    t0,
+                    fma(-self.g_i.z, i_e1, fma(self.g_i.x, i_e3, self.g_i.y * i_e0)),
+                    -self.g_i.y,
+                ),
+            );
+            let t27 = fma(
+                t14,
+                t24,
+                fma(
+                    t0,
+                    fma(-self.g_i.x, i_e2, fma(self.g_i.y, i_e1, self.g_i.z * i_e0)),
+                    -self.g_i.z,
+                ),
+            );
+            c[1] = fma(t27, t13, fma(t26, t9, t25 * t7));
+            in_order();
+            c[3] = fma(t27, t23, fma(t26, t21, t25 * t19));
+            in_order();
         }
         /// C_q, and C on the way
         fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
@@ -307,6 +320,7 @@ const _: () = {
             };
             let fma = ::kin::rt::fma;
             let ::core::option::Option::Some(state) = at.states::<14>() else { return };
+            let in_order = ::kin::rt::in_order;
             let i_e0 = state[3];
             let t0 = 2.0 * i_e0;
             let t1 = self.f_i.x * t0;
@@ -321,18 +335,21 @@ const _: () = {
             let t7 = fma(self.f_i.z, t2, fma(self.f_i.y, t4, self.f_i.x * t6));
             let t8 = fma(i_e1, t7, fma(i_e0, t5, -self.f_i.x));
             c_q[16] = t8;
+            in_order();
             c_q[23] = -t8;
             let t9 = self.f_i.y * t0;
             let t10 = fma(-self.f_i.z, t6, t9);
             let t11 = fma(self.f_i.x, t2, t10);
             let t12 = fma(i_e2, t7, fma(i_e0, t11, -self.f_i.y));
             c_q[17] = t12;
+            in_order();
             c_q[24] = -t12;
             let t13 = self.f_i.z * t0;
             let t14 = fma(-self.f_i.x, t4, t13);
             let t15 = fma(self.f_i.y, t6, t14);
             let t16 = fma(i_e3, t7, fma(i_e0, t15, -self.f_i.z));
             c_q[18] = t16;
+            in_order();
             c_q[25] = -t16;
             let t17 = self.g_i.x * t0;
             let t18 = fma(-self.g_i.y, t2, t17);
@@ -340,112 +357,141 @@ const _: () = {
             let t20 = fma(self.g_i.z, t2, fma(self.g_i.y, t4, self.g_i.x * t6));
             let t21 = fma(i_e1, t20, fma(i_e0, t19, -self.g_i.x));
             c_q[30] = t21;
+            in_order();
             c_q[37] = -t21;
             let t22 = self.g_i.y * t0;
             let t23 = fma(-self.g_i.z, t6, t22);
             let t24 = fma(self.g_i.x, t2, t23);
             let t25 = fma(i_e2, t20, fma(i_e0, t24, -self.g_i.y));
             c_q[31] = t25;
+            in_order();
             c_q[38] = -t25;
             let t26 = self.g_i.z * t0;
             let t27 = fma(-self.g_i.x, t4, t26);
             let t28 = fma(self.g_i.y, t6, t27);
             let t29 = fma(i_e3, t20, fma(i_e0, t28, -self.g_i.z));
             c_q[32] = t29;
+            in_order();
             c_q[39] = -t29;
-            let j_e1 = state[11];
-            let t30 = 2.0 * j_e1;
-            let j_e2 = state[12];
-            let t31 = 2.0 * j_e2;
-            let j_e3 = state[13];
-            let t32 = 2.0 * j_e3;
-            let t33 = fma(self.h_j.z, t32, fma(self.h_j.y, t31, self.h_j.x * t30));
-            let t34 = fma(self.h_j.x, t30, t33);
             let j_e0 = state[10];
-            let t35 = 2.0 * j_e0;
-            let t36 = self.h_j.z * t35;
-            let t37 = fma(-self.h_j.x, t31, t36);
-            let t38 = self.h_j.y * t35;
-            let t39 = fma(self.h_j.x, t32, t38);
-            c_q[5] = fma(t16, t39, fma(-t12, t37, t8 * t34));
-            c_q[13] = fma(t29, t39, fma(-t25, t37, t21 * t34));
-            let t40 = fma(self.h_j.y, t30, t36);
-            let t41 = fma(self.h_j.y, t31, t33);
-            let t42 = self.h_j.x * t35;
-            let t43 = fma(-self.h_j.y, t32, t42);
-            c_q[6] = fma(-t16, t43, fma(t12, t41, t8 * t40));
-            c_q[14] = fma(-t29, t43, fma(t25, t41, t21 * t40));
-            let t44 = fma(self.h_j.z, t31, t42);
-            let t45 = fma(-self.h_j.z, t30, t38);
-            let t46 = fma(self.h_j.z, t32, t33);
-            c_q[7] = fma(t16, t46, fma(-t8, t45, t12 * t44));
-            c_q[15] = fma(t29, t46, fma(-t21, t45, t25 * t44));
-            let t47 = fma(self.h_j.z, t31, t43);
-            let t48 = t42 + t47;
-            let t49 = fma(self.h_j.x, t32, t45);
-            let t50 = t38 + t49;
-            let t51 = fma(self.h_j.y, t30, t37);
-            let t52 = t36 + t51;
+            let t30 = 2.0 * j_e0;
+            let t31 = self.h_j.x * t30;
+            let j_e2 = state[12];
+            let t32 = 2.0 * j_e2;
+            let t33 = fma(self.h_j.z, t32, t31);
+            let t34 = self.h_j.y * t30;
+            let j_e1 = state[11];
+            let t35 = 2.0 * j_e1;
+            let t36 = fma(-self.h_j.z, t35, t34);
+            let j_e3 = state[13];
+            let t37 = 2.0 * j_e3;
+            let t38 = fma(self.h_j.z, t37, fma(self.h_j.y, t32, self.h_j.x * t35));
+            let t39 = fma(self.h_j.z, t37, t38);
+            c_q[7] = fma(t16, t39, fma(-t8, t36, t12 * t33));
+            in_order();
+            c_q[15] = fma(t29, t39, fma(-t21, t36, t25 * t33));
+            in_order();
+            let t40 = fma(self.h_j.x, t35, t38);
+            let t41 = self.h_j.z * t30;
+            let t42 = fma(-self.h_j.x, t32, t41);
+            let t43 = fma(self.h_j.x, t37, t34);
+            c_q[5] = fma(t16, t43, fma(-t12, t42, t8 * t40));
+            in_order();
+            c_q[13] = fma(t29, t43, fma(-t25, t42, t21 * t40));
+            in_order();
+            let t44 = fma(self.h_j.y, t35, t41);
+            let t45 = fma(self.h_j.y, t32, t38);
+            let t46 = fma(-self.h_j.y, t37, t31);
+            c_q[6] = fma(-t16, t46, fma(t12, t45, t8 * t44));
+            in_order();
+            c_q[14] = fma(-t29, t46, fma(t25, t45, t21 * t44));
+            in_order();
+            let t47 = fma(self.h_j.z, t32, t46);
+            let t48 = t31 + t47;
+            let t49 = fma(self.h_j.x, t37, t36);
+            let t50 = t34 + t49;
+            let t51 = fma(self.h_j.y, t35, t42);
+            let t52 = t41 + t51;
             c_q[4] = fma(t16, t52, fma(t12, t50, t8 * t48));
+            in_order();
             c_q[12] = fma(t29, t52, fma(t25, t50, t21 * t48));
-            let t53 = fma(j_e1, t33, fma(j_e0, t47, -self.h_j.x));
-            let t54 = fma(j_e2, t33, fma(j_e0, t49, -self.h_j.y));
-            let t55 = fma(j_e3, t33, fma(j_e0, t51, -self.h_j.z));
+            in_order();
+            let t53 = fma(j_e1, t38, fma(j_e0, t47, -self.h_j.x));
+            let t54 = fma(j_e2, t38, fma(j_e0, t49, -self.h_j.y));
+            let t55 = fma(j_e3, t38, fma(j_e0, t51, -self.h_j.z));
             c[0] = fma(t16, t55, fma(t12, t54, t8 * t53));
+            in_order();
             c[1] = fma(t29, t55, fma(t25, t54, t21 * t53));
+            in_order();
             let t56 = t1 + t5;
             let t57 = t9 + t11;
             let t58 = t13 + t15;
             c_q[0] = fma(t55, t58, fma(t54, t57, t53 * t56));
-            let t59 = fma(self.f_i.x, t6, t7);
-            let t60 = fma(self.f_i.x, t2, t9);
-            c_q[1] = fma(t55, t60, fma(-t14, t54, t53 * t59));
+            in_order();
+            let t59 = fma(self.f_i.z, t4, t1);
+            let t60 = fma(self.f_i.z, t2, t7);
+            c_q[3] = fma(t55, t60, fma(-t10, t53, t54 * t59));
+            in_order();
             let t61 = fma(self.f_i.y, t6, t13);
             let t62 = fma(self.f_i.y, t4, t7);
             c_q[2] = fma(-t3, t55, fma(t54, t62, t53 * t61));
-            let t63 = fma(self.f_i.z, t4, t1);
-            let t64 = fma(self.f_i.z, t2, t7);
-            c_q[3] = fma(t55, t64, fma(-t10, t53, t54 * t63));
+            in_order();
+            let t63 = fma(self.f_i.x, t6, t7);
+            let t64 = fma(self.f_i.x, t2, t9);
+            c_q[1] = fma(t55, t64, fma(-t14, t54, t53 * t63));
+            in_order();
             let t65 = t17 + t19;
             let t66 = t22 + t24;
             let t67 = t26 + t28;
             c_q[8] = fma(t55, t67, fma(t54, t66, t53 * t65));
-            let t68 = fma(self.g_i.x, t6, t20);
-            let t69 = fma(self.g_i.x, t2, t22);
-            c_q[9] = fma(t55, t69, fma(-t27, t54, t53 * t68));
+            in_order();
+            let t68 = fma(self.g_i.z, t4, t17);
+            let t69 = fma(self.g_i.z, t2, t20);
+            c_q[11] = fma(t55, t69, fma(-t23, t53, t54 * t68));
+            in_order();
             let t70 = fma(self.g_i.y, t6, t26);
             let t71 = fma(self.g_i.y, t4, t20);
             c_q[10] = fma(-t18, t55, fma(t54, t71, t53 * t70));
-            let t72 = fma(self.g_i.z, t4, t17);
-            let t73 = fma(self.g_i.z, t2, t20);
-            c_q[11] = fma(t55, t73, fma(-t23, t53, t54 * t72));
-            let t74 = self.u_j.z * t35;
-            let t75 = fma(-self.u_j.x, t31, t74);
-            let t76 = fma(self.u_j.z, t32, fma(self.u_j.y, t31, self.u_j.x * t30));
-            let t77 = fma(self.u_j.x, t30, t76);
-            let t78 = self.u_j.y * t35;
-            let t79 = fma(self.u_j.x, t32, t78);
-            c_q[27] = fma(-t16, t79, fma(-t8, t77, t12 * t75));
-            c_q[41] = fma(-t29, t79, fma(-t21, t77, t25 * t75));
-            let t80 = self.u_j.x * t35;
-            let t81 = fma(-self.u_j.y, t32, t80);
-            let t82 = fma(self.u_j.y, t30, t74);
-            let t83 = fma(self.u_j.y, t31, t76);
-            c_q[28] = fma(-t12, t83, fma(-t8, t82, t16 * t81));
-            c_q[42] = fma(-t25, t83, fma(-t21, t82, t29 * t81));
-            let t84 = fma(-self.u_j.z, t30, t78);
-            let t85 = fma(self.u_j.z, t31, t80);
-            let t86 = fma(self.u_j.z, t32, t76);
-            c_q[29] = fma(-t16, t86, fma(-t12, t85, t8 * t84));
-            c_q[43] = fma(-t29, t86, fma(-t25, t85, t21 * t84));
-            let t87 = fma(self.u_j.z, t31, t81);
-            let t88 = t80 + t87;
-            let t89 = fma(self.u_j.x, t32, t84);
-            let t90 = t78 + t89;
-            let t91 = fma(self.u_j.y, t30, t75);
-            let t92 = t74 + t91;
-            c_q[26] = fma(-t16, t92, fma(-t12, t90, -(t8 * t88)));
-            c_q[40] = fma(-t29, t92, fma(-t25, t90, -(t21 * t88)));
+            in_order();
+            let t72 = fma(self.g_i.x, t6, t20);
+            let t73 = fma(self.g_i.x, t2, t22);
+            c_q[9] = fma(t55, t73, fma(-t27, t54, t53 * t72));
+            in_order();
+            let t74 = self.u_j.x * t30;
+            let t75 = fma(-self.u_j.y, t37, t74);
+            let t76 = self.u_j.z * t30;
+            let t77 = fma(self.u_j.y, t35, t76);
+            let t78 = fma(self.u_j.z, t37, fma(self.u_j.y, t32, self.u_j.x * t35));
+            let t79 = fma(self.u_j.y, t32, t78);
+            c_q[28] = fma(-t12, t79, fma(-t8, t77, t16 * t75));
+            in_order();
+            c_q[42] = fma(-t25, t79, fma(-t21, t77, t29 * t75));
+            in_order();
+            let t80 = fma(-self.u_j.x, t32, t76);
+            let t81 = fma(self.u_j.x, t35, t78);
+            let t82 = self.u_j.y * t30;
+            let t83 = fma(self.u_j.x, t37, t82);
+            c_q[27] = fma(-t16, t83, fma(-t8, t81, t12 * t80));
+            in_order();
+            c_q[41] = fma(-t29, t83, fma(-t21, t81, t25 * t80));
+            in_order();
+            let t84 = fma(self.u_j.z, t32, t75);
+            let t85 = t74 + t84;
+            let t86 = fma(-self.u_j.z, t35, t82);
+            let t87 = fma(self.u_j.x, t37, t86);
+            let t88 = t82 + t87;
+            let t89 = fma(self.u_j.y, t35, t80);
+            let t90 = t76 + t89;
+            c_q[26] = fma(-t16, t90, fma(-t12, t88, -(t8 * t85)));
+            in_order();
+            c_q[40] = fma(-t29, t90, fma(-t25, t88, -(t21 * t85)));
+            in_order();
+            let t91 = fma(self.u_j.z, t32, t74);
+            let t92 = fma(self.u_j.z, t37, t78);
+            c_q[29] = fma(-t16, t92, fma(-t12, t91, t8 * t86));
+            in_order();
+            c_q[43] = fma(-t29, t92, fma(-t25, t91, t21 * t86));
+            in_order();
             let t93 = fma(self.u_i.z, t2, fma(self.u_i.y, t4, self.u_i.x * t6));
             let t94 = self.u_i.x * t0;
             let t95 = fma(-self.u_i.y, t2, t94);
@@ -453,8 +499,8 @@ const _: () = {
             let i_x = state[0];
             let t97 = (fma(
                 -j_e0,
-                t87,
-                fma(i_e0, t96, fma(-j_e1, t76, fma(i_e1, t93, self.u_j.x))),
+                t84,
+                fma(i_e0, t96, fma(-j_e1, t78, fma(i_e1, t93, self.u_j.x))),
             ) - self.u_i.x) + i_x;
             let j_x = state[7];
             let t98 = t97 - j_x;
@@ -464,8 +510,8 @@ const _: () = {
             let i_y = state[1];
             let t102 = (fma(
                 -j_e0,
-                t89,
-                fma(i_e0, t101, fma(-j_e2, t76, fma(i_e2, t93, self.u_j.y))),
+                t87,
+                fma(i_e0, t101, fma(-j_e2, t78, fma(i_e2, t93, self.u_j.y))),
             ) - self.u_i.y) + i_y;
             let j_y = state[8];
             let t103 = t102 - j_y;
@@ -475,90 +521,100 @@ const _: () = {
             let i_z = state[2];
             let t107 = (fma(
                 -j_e3,
-                t76,
-                fma(-j_e0, t91, fma(i_e3, t93, fma(i_e0, t106, self.u_j.z))),
+                t78,
+                fma(-j_e0, t89, fma(i_e3, t93, fma(i_e0, t106, self.u_j.z))),
             ) - self.u_i.z) + i_z;
             let j_z = state[9];
             let t108 = t107 - j_z;
             c[2] = fma(t16, t108, fma(t12, t103, t8 * t98));
-            c[3] = fma(t29, t108, fma(t25, t103, t21 * t98));
-            let t109 = fma(self.u_i.x, t6, t93);
-            let t110 = fma(self.u_i.x, t2, t99);
-            let t111 = fma(
+            in_order();
+            let t109 = t94 + t96;
+            let t110 = t99 + t101;
+            let t111 = t104 + t106;
+            let t112 = fma(
                 t16,
-                t110,
+                t111,
+                fma(t108, t58, fma(t12, t110, fma(t103, t57, fma(t8, t109, t98 * t56)))),
+            );
+            c_q[19] = t112;
+            in_order();
+            let t113 = fma(
+                t29,
+                t111,
+                fma(t108, t67, fma(t25, t110, fma(t103, t66, fma(t21, t109, t98 * t65)))),
+            );
+            c_q[33] = t113;
+            in_order();
+            let t114 = fma(self.u_i.z, t4, t94);
+            let t115 = fma(self.u_i.z, t2, t93);
+            let t116 = fma(
+                t16,
+                t115,
                 fma(
                     t108,
                     t60,
-                    fma(-t12, t105, fma(-t14, t103, fma(t8, t109, t98 * t59))),
+                    fma(t12, t114, fma(-t8, t100, fma(-t10, t98, t103 * t59))),
                 ),
             );
-            c_q[20] = t111;
-            let t112 = fma(
+            c_q[22] = t116;
+            in_order();
+            let t117 = fma(
                 t29,
-                t110,
+                t115,
                 fma(
                     t108,
                     t69,
-                    fma(-t25, t105, fma(-t27, t103, fma(t21, t109, t98 * t68))),
+                    fma(t25, t114, fma(-t21, t100, fma(-t23, t98, t103 * t68))),
                 ),
             );
-            c_q[34] = t112;
-            let t113 = fma(self.u_i.y, t6, t104);
-            let t114 = fma(self.u_i.y, t4, t93);
-            let t115 = fma(
+            c_q[36] = t117;
+            in_order();
+            let t118 = fma(self.u_i.y, t6, t104);
+            let t119 = fma(self.u_i.y, t4, t93);
+            let t120 = fma(
                 -t16,
                 t95,
-                fma(-t3, t108, fma(t12, t114, fma(t103, t62, fma(t8, t113, t98 * t61)))),
+                fma(-t3, t108, fma(t12, t119, fma(t103, t62, fma(t8, t118, t98 * t61)))),
             );
-            c_q[21] = t115;
-            let t116 = fma(
+            c_q[21] = t120;
+            in_order();
+            let t121 = fma(self.u_i.x, t6, t93);
+            let t122 = fma(self.u_i.x, t2, t99);
+            let t123 = fma(
+                t16,
+                t122,
+                fma(
+                    t108,
+                    t64,
+                    fma(-t12, t105, fma(-t14, t103, fma(t8, t121, t98 * t63))),
+                ),
+            );
+            c_q[20] = t123;
+            in_order();
+            let t124 = fma(
                 -t29,
                 t95,
                 fma(
                     -t18,
                     t108,
-                    fma(t25, t114, fma(t103, t71, fma(t21, t113, t98 * t70))),
+                    fma(t25, t119, fma(t103, t71, fma(t21, t118, t98 * t70))),
                 ),
             );
-            c_q[35] = t116;
-            let t117 = fma(self.u_i.z, t4, t94);
-            let t118 = fma(self.u_i.z, t2, t93);
-            let t119 = fma(
-                t16,
-                t118,
-                fma(
-                    t108,
-                    t64,
-                    fma(t12, t117, fma(-t8, t100, fma(-t10, t98, t103 * t63))),
-                ),
-            );
-            c_q[22] = t119;
-            let t120 = fma(
+            c_q[35] = t124;
+            in_order();
+            let t125 = fma(
                 t29,
-                t118,
+                t122,
                 fma(
                     t108,
                     t73,
-                    fma(t25, t117, fma(-t21, t100, fma(-t23, t98, t103 * t72))),
+                    fma(-t25, t105, fma(-t27, t103, fma(t21, t121, t98 * t72))),
                 ),
             );
-            c_q[36] = t120;
-            let t121 = t94 + t96;
-            let t122 = t99 + t101;
-            let t123 = t104 + t106;
-            let t124 = fma(
-                t16,
-                t123,
-                fma(t108, t58, fma(t12, t122, fma(t103, t57, fma(t8, t121, t98 * t56)))),
-            );
-            c_q[19] = t124;
-            let t125 = fma(
-                t29,
-                t123,
-                fma(t108, t67, fma(t25, t122, fma(t103, t66, fma(t21, t121, t98 * t65)))),
-            );
-            c_q[33] = t125;
+            c_q[34] = t125;
+            in_order();
+            c[3] = fma(t29, t108, fma(t25, t103, t21 * t98));
+            in_order();
         }
         fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
             rhs.iter_mut().take(4).for_each(|value| *value = 0.0);
@@ -577,6 +633,7 @@ const _: () = {
             let fma = ::kin::rt::fma;
             let ::core::option::Option::Some(state) = at.states::<14>() else { return };
             let ::core::option::Option::Some(rate) = qd.columns::<14>() else { return };
+            let in_order = ::kin::rt::in_order;
             let j_e3 = state[13];
             let j_e2 = state[12];
             let j_e0 = state[10];
@@ -665,6 +722,7 @@ const _: () = {
             let t33 = fma(j_e3, t7, fma(t1, j_e3_d, fma(j_e0, t24, t22 * j_e0_d)));
             let t34 = fma(i_e3, t4, fma(t10, i_e3_d, fma(i_e0, t20, t26 * i_e0_d)));
             q_d[0] = (-4.0) * fma(2.0, fma(t34, t33, fma(t32, t31, t29 * t30)), t28);
+            in_order();
             let t35 = fma(
                 -self.g_i.y,
                 i_e3_d,
@@ -704,6 +762,7 @@ const _: () = {
             let t51 = fma(i_e2, t36, fma(t39, i_e2_d, fma(i_e0, t41, t43 * i_e0_d)));
             let t52 = fma(i_e3, t36, fma(t39, i_e3_d, fma(i_e0, t45, t47 * i_e0_d)));
             q_d[1] = (-4.0) * fma(2.0, fma(t33, t52, fma(t31, t51, t30 * t50)), t49);
+            in_order();
             let t53 = fma(-self.u_i.y, i_e3, fma(self.u_i.z, i_e2, self.u_i.x * i_e0));
             let t54 = fma(
                 -self.u_i.y,
@@ -833,12 +892,40 @@ const _: () = {
                 fma(-j_e0_d, t79, fma(i_e3_d, t56, i_e0_d * t77)),
             );
             q_d[2] = (-4.0) * fma(t27, t84, fma(t83, t21, fma(t34, t81, t75)));
+            in_order();
             let t85 = fma(
                 t44,
                 t74,
                 fma(t73, t42, fma(t51, t71, fma(t40, t65, fma(t64, t37, t50 * t62)))),
             );
             q_d[3] = (-4.0) * fma(t48, t84, fma(t83, t46, fma(t52, t81, t85)));
+            in_order();
+        }
+        fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
+            let mut u = [[0.0_f64; 3]; 5];
+            u[0][0] = self.f_i.x;
+            u[0][1] = self.f_i.y;
+            u[0][2] = self.f_i.z;
+            u[1][0] = self.g_i.x;
+            u[1][1] = self.g_i.y;
+            u[1][2] = self.g_i.z;
+            u[2][0] = self.h_j.x;
+            u[2][1] = self.h_j.y;
+            u[2][2] = self.h_j.z;
+            u[3][0] = self.u_i.x;
+            u[3][1] = self.u_i.y;
+            u[3][2] = self.u_i.z;
+            u[4][0] = self.u_j.x;
+            u[4][1] = self.u_j.y;
+            u[4][2] = self.u_j.z;
+            ::std::vec![
+                ::kin::rt::attachment(0, false, u[0]), ::kin::rt::attachment(0, false,
+                u[1]), ::kin::rt::attachment(1, false, u[2]), ::kin::rt::attachment(0,
+                true, u[3]), ::kin::rt::attachment(1, true, u[4])
+            ]
+        }
+        fn description(&self) -> &str {
+            "A cylindrical joint: the axes are parallel and the line between two of their points is along them.      [–, –, m, m]"
         }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
             ::kin::rt::Numbers::visit(&self.u_i, "u_i", visit);
@@ -853,6 +940,27 @@ const _: () = {
                 || ::kin::rt::Numbers::set(&mut self.f_i, "f_i", name, value)
                 || ::kin::rt::Numbers::set(&mut self.g_i, "g_i", name, value)
                 || ::kin::rt::Numbers::set(&mut self.h_j, "h_j", name, value)
+        }
+    }
+    impl ::kin::rt::Described for cylindrical {
+        const KIND: &'static str = "cylindrical";
+        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
+            14,
+            4,
+        >>::ARGUMENTS;
+        fn read(
+            from: &mut ::kin::rt::Reader<'_>,
+        ) -> ::core::result::Result<Self, ::std::string::String> {
+            use ::kin::rt::{SoughtBySerde as _, Unsought as _};
+            ::core::result::Result::Ok(cylindrical {
+                i: from.spatial()?,
+                j: from.spatial()?,
+                u_i: from.get("u_i")?,
+                u_j: from.get("u_j")?,
+                f_i: from.get("f_i")?,
+                g_i: from.get("g_i")?,
+                h_j: from.get("h_j")?,
+            })
         }
     }
     impl ::kin::rt::Equation<14, 4> for cylindrical {

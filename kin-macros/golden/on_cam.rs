@@ -84,6 +84,11 @@ const _: () = {
         fn pattern(&self) -> &[(usize, usize)] {
             &[(0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5)]
         }
+        fn describe(&self, to: &mut ::kin::rt::Describer) {
+            use ::kin::rt::{ToldBySerde as _, Untold as _};
+            to.put("tip", &self.tip);
+            to.put("profile", &self.profile);
+        }
         fn depends(&self) -> ::kin::Dependence {
             ::kin::Dependence {
                 c_on_t: false,
@@ -131,6 +136,7 @@ const _: () = {
             };
             let fma = ::kin::rt::fma;
             let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let in_order = ::kin::rt::in_order;
             let follower_cos = state[9];
             let follower_sin = state[8];
             let t0 = (self.tip.x * follower_cos) - (self.tip.y * follower_sin);
@@ -151,36 +157,41 @@ const _: () = {
             let law0: [f64; 4] = self.profile.jet(t8);
             let leaf1: ::kin::rt::Real<f64> = self.__leaf0([::kin::rt::Real(t8)]);
             c[0] = (t7 - law0[0]) + leaf1.0;
-            let t9 = t4 / t6;
-            let t10 = t5 / t6;
+            in_order();
             let leaf2: ::kin::rt::Real<::kin::rt::Dual64> = self
                 .__leaf0([::kin::rt::Real(::kin::rt::Dual64::new(t8, 1.0))]);
-            c_q[2] = fma(t5, t10, t4 * t9) * (law0[1] - leaf2.0.eps);
-            let t11 = fma(cam_cos, t10, cam_sin * t9);
-            let t12 = (2.0 * 1.0) / (2.0 * t7);
-            let t13 = fma(
-                fma(-cam_cos, t4, cam_sin * t5),
-                t12,
-                fma(-t11, law0[1], t11 * leaf2.0.eps),
-            );
-            c_q[0] = t13;
-            c_q[3] = -t13;
-            let t14 = fma(-cam_cos, t9, cam_sin * t10);
-            let t15 = fma(
-                -t12,
-                fma(cam_cos, t5, cam_sin * t4),
-                fma(-law0[1], t14, leaf2.0.eps * t14),
-            );
-            c_q[1] = t15;
-            c_q[4] = -t15;
-            let t16 = fma(t0, cam_cos, t2 * cam_sin);
-            let t17 = fma(-t2, cam_cos, t0 * cam_sin);
-            let t18 = fma(-t10, t17, t9 * t16);
+            let t9 = t4 / t6;
+            let t10 = fma(t0, cam_cos, t2 * cam_sin);
+            let t11 = fma(-t2, cam_cos, t0 * cam_sin);
+            let t12 = t5 / t6;
+            let t13 = fma(-t12, t11, t9 * t10);
+            let t14 = (2.0 * 1.0) / (2.0 * t7);
             c_q[5] = fma(
-                t12,
-                fma(t5, t16, t4 * t17),
-                fma(-law0[1], t18, leaf2.0.eps * t18),
+                t14,
+                fma(t5, t10, t4 * t11),
+                fma(-law0[1], t13, leaf2.0.eps * t13),
             );
+            in_order();
+            c_q[2] = fma(t5, t12, t4 * t9) * (law0[1] - leaf2.0.eps);
+            in_order();
+            let t15 = fma(cam_cos, t12, cam_sin * t9);
+            let t16 = fma(
+                fma(-cam_cos, t4, cam_sin * t5),
+                t14,
+                fma(-t15, law0[1], t15 * leaf2.0.eps),
+            );
+            c_q[0] = t16;
+            in_order();
+            let t17 = fma(-cam_cos, t9, cam_sin * t12);
+            let t18 = fma(
+                -t14,
+                fma(cam_cos, t5, cam_sin * t4),
+                fma(-law0[1], t17, leaf2.0.eps * t17),
+            );
+            c_q[1] = t18;
+            in_order();
+            c_q[3] = -t16;
+            c_q[4] = -t18;
         }
         fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
             rhs.iter_mut().take(1).for_each(|value| *value = 0.0);
@@ -309,6 +320,15 @@ const _: () = {
             }
             ::core::option::Option::None
         }
+        fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
+            let mut u = [[0.0_f64; 3]; 1];
+            u[0][0] = self.tip.x;
+            u[0][1] = self.tip.y;
+            ::std::vec![::kin::rt::attachment(1, true, u[0])]
+        }
+        fn description(&self) -> &str {
+            "Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]"
+        }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
             ::kin::rt::Numbers::visit(&self.tip, "tip", visit);
             ::kin::rt::Numbers::visit(&self.profile, "profile", visit);
@@ -316,6 +336,62 @@ const _: () = {
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
             ::kin::rt::Numbers::set(&mut self.tip, "tip", name, value)
                 || ::kin::rt::Numbers::set(&mut self.profile, "profile", name, value)
+        }
+        #[cold]
+        fn refusal(&self) -> ::core::option::Option<::std::string::String> {
+            if let ::core::option::Option::Some(why) = ::kin::rt::Refuses::refusal(
+                &self.profile,
+            ) {
+                return ::core::option::Option::Some(
+                    ::std::format!("{}: {why}", "profile"),
+                );
+            }
+            let tip = ::core::clone::Clone::clone(&self.tip);
+            let profile = ::core::clone::Clone::clone(&self.profile);
+            ::core::option::Option::None
+        }
+        fn laws(
+            &self,
+            at: &::kin::rt::At<'_>,
+            visit: &mut dyn FnMut(&str, &::kin::Law, f64),
+        ) {
+            let mut x = [0.0; 1];
+            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let follower_y = state[6];
+            let follower_sin = state[8];
+            let follower_cos = state[9];
+            let cam_y = state[1];
+            let t0 = (follower_y
+                + ((self.tip.x * follower_sin) + (self.tip.y * follower_cos))) - cam_y;
+            let follower_x = state[5];
+            let cam_x = state[0];
+            let t1 = (follower_x
+                + ((self.tip.x * follower_cos) - (self.tip.y * follower_sin))) - cam_x;
+            let cam_cos = state[4];
+            let cam_sin = state[3];
+            x[0] = f64::atan2(
+                (cam_cos * t0) - (cam_sin * t1),
+                (cam_cos * t1) + (cam_sin * t0),
+            );
+            visit("profile", &self.profile, x[0]);
+        }
+    }
+    impl ::kin::rt::Described for on_cam {
+        const KIND: &'static str = "on_cam";
+        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
+            6,
+            1,
+        >>::ARGUMENTS;
+        fn read(
+            from: &mut ::kin::rt::Reader<'_>,
+        ) -> ::core::result::Result<Self, ::std::string::String> {
+            use ::kin::rt::{SoughtBySerde as _, Unsought as _};
+            ::core::result::Result::Ok(on_cam {
+                cam: from.planar()?,
+                follower: from.planar()?,
+                tip: from.get("tip")?,
+                profile: from.get("profile")?,
+            })
         }
     }
     impl ::kin::rt::Equation<6, 1> for on_cam {

@@ -62,6 +62,11 @@ const _: () = {
         fn pattern(&self) -> &[(usize, usize)] {
             &[(0, 0), (0, 2), (0, 3), (0, 5), (1, 1), (1, 2), (1, 4), (1, 5)]
         }
+        fn describe(&self, to: &mut ::kin::rt::Describer) {
+            use ::kin::rt::{ToldBySerde as _, Untold as _};
+            to.put("u_i", &self.u_i);
+            to.put("u_j", &self.u_j);
+        }
         fn constants(&self) -> &[::core::option::Option<f64>] {
             &[
                 ::core::option::Option::Some(1.0),
@@ -89,6 +94,7 @@ const _: () = {
             };
             let fma = ::kin::rt::fma;
             let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let in_order = ::kin::rt::in_order;
             let j_sin = state[8];
             let j_cos = state[9];
             let i_sin = state[3];
@@ -104,6 +110,7 @@ const _: () = {
                     fma(-self.u_i.y, i_sin, fma(self.u_i.x, i_cos, i_x)),
                 ),
             ) - j_x;
+            in_order();
             let i_y = state[1];
             let j_y = state[6];
             c[1] = fma(
@@ -115,6 +122,7 @@ const _: () = {
                     fma(self.u_i.y, i_cos, fma(self.u_i.x, i_sin, i_y)),
                 ),
             ) - j_y;
+            in_order();
         }
         /// C_q, and C on the way
         fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
@@ -130,6 +138,7 @@ const _: () = {
             };
             let fma = ::kin::rt::fma;
             let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let in_order = ::kin::rt::in_order;
             c_q[0] = 1.0;
             c_q[2] = -1.0;
             c_q[4] = 1.0;
@@ -138,20 +147,24 @@ const _: () = {
             let j_sin = state[8];
             let t0 = fma(self.u_j.y, j_cos, self.u_j.x * j_sin);
             c_q[3] = t0;
-            let i_sin = state[3];
+            in_order();
             let i_cos = state[4];
-            let t1 = fma(-self.u_i.y, i_sin, self.u_i.x * i_cos);
-            c_q[5] = t1;
-            let t2 = fma(-self.u_i.y, i_cos, -(self.u_i.x * i_sin));
-            c_q[1] = t2;
+            let i_sin = state[3];
+            let t1 = fma(-self.u_i.y, i_cos, -(self.u_i.x * i_sin));
             let i_y = state[1];
             let j_y = state[6];
-            c[1] = ((i_y - t2) - j_y) - t0;
+            c[1] = ((i_y - t1) - j_y) - t0;
+            in_order();
+            c_q[1] = t1;
+            let t2 = fma(-self.u_i.y, i_sin, self.u_i.x * i_cos);
+            c_q[5] = t2;
+            in_order();
             let t3 = fma(-self.u_j.x, j_cos, self.u_j.y * j_sin);
-            c_q[7] = t3;
             let i_x = state[0];
             let j_x = state[5];
-            c[0] = ((i_x + t1) - j_x) + t3;
+            c[0] = ((i_x + t2) - j_x) + t3;
+            in_order();
+            c_q[7] = t3;
         }
         fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
             rhs.iter_mut().take(2).for_each(|value| *value = 0.0);
@@ -170,6 +183,7 @@ const _: () = {
             let fma = ::kin::rt::fma;
             let ::core::option::Option::Some(state) = at.states::<10>() else { return };
             let ::core::option::Option::Some(rate) = qd.columns::<6>() else { return };
+            let in_order = ::kin::rt::in_order;
             let i_theta_d = rate[2];
             let t0 = i_theta_d * i_theta_d;
             let j_theta_d = rate[5];
@@ -183,11 +197,27 @@ const _: () = {
                 t1,
                 fma(self.u_i.y, i_cos, self.u_i.x * i_sin) * t0,
             );
+            in_order();
             q_d[0] = fma(
                 -fma(-self.u_j.y, j_sin, self.u_j.x * j_cos),
                 t1,
                 fma(-self.u_i.y, i_sin, self.u_i.x * i_cos) * t0,
             );
+            in_order();
+        }
+        fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
+            let mut u = [[0.0_f64; 3]; 2];
+            u[0][0] = self.u_i.x;
+            u[0][1] = self.u_i.y;
+            u[1][0] = self.u_j.x;
+            u[1][1] = self.u_j.y;
+            ::std::vec![
+                ::kin::rt::attachment(0, true, u[0]), ::kin::rt::attachment(1, true,
+                u[1])
+            ]
+        }
+        fn description(&self) -> &str {
+            "Pin joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      [m]"
         }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
             ::kin::rt::Numbers::visit(&self.u_i, "u_i", visit);
@@ -196,6 +226,24 @@ const _: () = {
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
             ::kin::rt::Numbers::set(&mut self.u_i, "u_i", name, value)
                 || ::kin::rt::Numbers::set(&mut self.u_j, "u_j", name, value)
+        }
+    }
+    impl ::kin::rt::Described for revolute {
+        const KIND: &'static str = "revolute";
+        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
+            6,
+            2,
+        >>::ARGUMENTS;
+        fn read(
+            from: &mut ::kin::rt::Reader<'_>,
+        ) -> ::core::result::Result<Self, ::std::string::String> {
+            use ::kin::rt::{SoughtBySerde as _, Unsought as _};
+            ::core::result::Result::Ok(revolute {
+                i: from.planar()?,
+                j: from.planar()?,
+                u_i: from.get("u_i")?,
+                u_j: from.get("u_j")?,
+            })
         }
     }
     impl ::kin::rt::Equation<6, 2> for revolute {

@@ -78,6 +78,13 @@ const _: () = {
         fn pattern(&self) -> &[(usize, usize)] {
             &[(0, 0), (0, 1), (1, 0)]
         }
+        fn describe(&self, to: &mut ::kin::rt::Describer) {
+            use ::kin::rt::{ToldBySerde as _, Untold as _};
+            to.put("l2", &self.l2);
+            to.put("l3", &self.l3);
+            to.put("h", &self.h);
+            to.put("omega", &self.omega);
+        }
         fn constants(&self) -> &[::core::option::Option<f64>] {
             &[
                 ::core::option::Option::None,
@@ -93,26 +100,53 @@ const _: () = {
                 q_d: true,
             }
         }
-        /// C: 6 operations
+        fn n_timed(&self) -> usize {
+            6
+        }
+        /// What depends on t and parameters alone: 8 operations
+        fn at_time(&self, t: f64, timed: &mut [f64]) {
+            let ::core::option::Option::Some(timed) = timed.first_chunk_mut::<6>() else {
+                return
+            };
+            let at = ::kin::rt::At::new(t, &[], &[]);
+            let t0 = at.t * self.omega;
+            let (s1, c1) = t0.sin_cos();
+            timed[0] = c1;
+            timed[2] = s1;
+            timed[1] = self.l2 * c1;
+            timed[5] = -(self.l2 * (self.omega * c1));
+            timed[3] = self.l2 * s1;
+            timed[4] = self.l2 * (self.omega * s1);
+        }
+        /// C: 4 operations
         fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
                 return
             };
             let fma = ::kin::rt::fma;
+            let own: [f64; 6];
+            let timed = match at.timed().first_chunk() {
+                ::core::option::Option::Some(timed) => timed,
+                ::core::option::Option::None => {
+                    own = ::kin::rt::timed(self, at.t);
+                    &own
+                }
+            };
             let ::core::option::Option::Some(state) = at.states::<6>() else { return };
-            let t0 = at.t * self.omega;
-            let (s1, c1) = t0.sin_cos();
+            let in_order = ::kin::rt::in_order;
             let theta3_cos = state[2];
             let x_arg = state[3];
-            c[0] = fma(self.l3, theta3_cos, fma(self.l2, c1, -x_arg));
+            c[0] = fma(self.l3, theta3_cos, timed[1]) - x_arg;
+            in_order();
             let theta3_sin = state[1];
-            c[1] = fma(self.l3, theta3_sin, fma(self.l2, s1, -self.h));
+            c[1] = fma(self.l3, theta3_sin, timed[3]) - self.h;
+            in_order();
         }
         /// C_q, and C on the way
         fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
             self.linearize(at, &mut [0.0; 2], c_q);
         }
-        /// C and C_q: 8 operations
+        /// C and C_q: 6 operations
         fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
                 return
@@ -120,32 +154,49 @@ const _: () = {
             let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<3>() else {
                 return
             };
-            let fma = ::kin::rt::fma;
+            let own: [f64; 6];
+            let timed = match at.timed().first_chunk() {
+                ::core::option::Option::Some(timed) => timed,
+                ::core::option::Option::None => {
+                    own = ::kin::rt::timed(self, at.t);
+                    &own
+                }
+            };
             let ::core::option::Option::Some(state) = at.states::<6>() else { return };
+            let in_order = ::kin::rt::in_order;
             c_q[1] = -1.0;
             let theta3_cos = state[2];
             let t0 = self.l3 * theta3_cos;
             c_q[2] = t0;
+            in_order();
+            let x_arg = state[3];
+            c[0] = (t0 - x_arg) + timed[1];
+            in_order();
             let theta3_sin = state[1];
             let t1 = self.l3 * theta3_sin;
             c_q[0] = -t1;
-            let t2 = at.t * self.omega;
-            let (s3, c3) = t2.sin_cos();
-            let x_arg = state[3];
-            c[0] = fma(self.l2, c3, t0) - x_arg;
-            c[1] = fma(self.l2, s3, t1) - self.h;
+            in_order();
+            c[1] = (t1 - self.h) + timed[3];
+            in_order();
         }
-        /// −C_t: 6 operations
+        /// −C_t: 0 operations
         fn velocity_rhs(&self, at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
             let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<2>() else {
                 return
             };
-            let t0 = at.t * self.omega;
-            let (s1, c1) = t0.sin_cos();
-            rhs[0] = self.l2 * (self.omega * s1);
-            rhs[1] = -(self.l2 * (self.omega * c1));
+            let own: [f64; 6];
+            let timed = match at.timed().first_chunk() {
+                ::core::option::Option::Some(timed) => timed,
+                ::core::option::Option::None => {
+                    own = ::kin::rt::timed(self, at.t);
+                    &own
+                }
+            };
+            let in_order = ::kin::rt::in_order;
+            rhs[0] = timed[4];
+            rhs[1] = timed[5];
         }
-        /// Q_d for t_dot = 1: 14 operations
+        /// Q_d for t_dot = 1: 12 operations
         fn acceleration_rhs(
             &self,
             at: &::kin::rt::At<'_>,
@@ -157,17 +208,26 @@ const _: () = {
                 return
             };
             let fma = ::kin::rt::fma;
+            let own: [f64; 6];
+            let timed = match at.timed().first_chunk() {
+                ::core::option::Option::Some(timed) => timed,
+                ::core::option::Option::None => {
+                    own = ::kin::rt::timed(self, at.t);
+                    &own
+                }
+            };
             let ::core::option::Option::Some(state) = at.states::<6>() else { return };
             let ::core::option::Option::Some(rate) = qd.columns::<2>() else { return };
-            let t0 = self.omega * t_dot;
-            let t1 = at.t * self.omega;
-            let (s2, c2) = t1.sin_cos();
+            let in_order = ::kin::rt::in_order;
             let theta3_d = rate[0];
-            let t3 = theta3_d * theta3_d;
+            let t0 = theta3_d * theta3_d;
+            let t1 = self.omega * t_dot;
             let theta3_cos = state[2];
-            q_d[0] = fma(self.l3, theta3_cos * t3, self.l2 * (t0 * (c2 * t0)));
+            q_d[0] = fma(self.l2, t1 * (timed[0] * t1), self.l3 * (theta3_cos * t0));
+            in_order();
             let theta3_sin = state[1];
-            q_d[1] = fma(self.l3, theta3_sin * t3, self.l2 * (t0 * (s2 * t0)));
+            q_d[1] = fma(self.l2, t1 * (timed[2] * t1), self.l3 * (theta3_sin * t0));
+            in_order();
         }
         #[cold]
         fn not_finite(&self, at: &::kin::rt::At<'_>) -> ::core::option::Option<&str> {
@@ -192,6 +252,9 @@ const _: () = {
             }
             ::core::option::Option::None
         }
+        fn description(&self) -> &str {
+            "Loop closure of the slider-crank, crank driven at ω.      [m]"
+        }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
             ::kin::rt::Numbers::visit(&self.l2, "l2", visit);
             ::kin::rt::Numbers::visit(&self.l3, "l3", visit);
@@ -203,6 +266,26 @@ const _: () = {
                 || ::kin::rt::Numbers::set(&mut self.l3, "l3", name, value)
                 || ::kin::rt::Numbers::set(&mut self.h, "h", name, value)
                 || ::kin::rt::Numbers::set(&mut self.omega, "omega", name, value)
+        }
+    }
+    impl ::kin::rt::Described for slider_crank {
+        const KIND: &'static str = "slider_crank";
+        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
+            2,
+            2,
+        >>::ARGUMENTS;
+        fn read(
+            from: &mut ::kin::rt::Reader<'_>,
+        ) -> ::core::result::Result<Self, ::std::string::String> {
+            use ::kin::rt::{SoughtBySerde as _, Unsought as _};
+            ::core::result::Result::Ok(slider_crank {
+                theta3: from.coord()?,
+                x: from.coord()?,
+                l2: from.get("l2")?,
+                l3: from.get("l3")?,
+                h: from.get("h")?,
+                omega: from.get("omega")?,
+            })
         }
     }
     impl ::kin::rt::Equation<2, 2> for slider_crank {

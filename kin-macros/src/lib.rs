@@ -43,7 +43,8 @@ use proc_macro::TokenStream;
 /// | `Spatial` | state of a spatial body: `r`, `p`, `a()`, `point(u)`, `direction(h)`, `local(p)` | anything `Into<SpatialBody>` |
 /// | `Coord`, `[Coord; N]` | bare coordinates, as numbers | anything `Into<Coordinate>`, `[Coordinate; N]` |
 /// | `Time` | t   \[s\] | nothing |
-/// | `Law` | a function of one variable: `law.at(x)` | a `Law` |
+/// | `Law` | a function of one variable: `law.at(x)`, its derivative `law.slope(x)` | a `Law` |
+/// | `Axis` | unit vectors `h` along an axis of a spatial body, `f` and `g` across it | anything `Into<Axis>`: a `Vec3` |
 /// | any other `Clone + Send + Sync` type | a parameter | the value |
 ///
 /// # Result
@@ -60,6 +61,15 @@ use proc_macro::TokenStream;
 ///
 /// A path or field that the macro cannot know (`MAX_LIFT`, `gains.k`) is an f64 at run time, unless a `let v: Vec2 = …` or its place says
 /// otherwise.
+///
+/// # What is demanded
+///
+/// `#[require(length > 0.0)]` below `#[constraint]` or `#[law]` says what must hold of the parameters, with a text of one's own if one likes:
+/// `#[require(length > 0.0, "a rod needs a length above zero")]`. Constructors give values, not results: the requirement is looked at where
+/// the constraint is added to a mechanism, which refuses it by name.
+///
+/// `#[branch(condition, "what is wrong")]` says of the pose what the equation cannot, where it has solutions that are not meant (an axis turned
+/// by 180°): it is looked at when a position has been found.
 ///
 /// # Kinks
 ///

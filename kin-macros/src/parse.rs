@@ -1,10 +1,13 @@
 //! First stage: from a Rust function to a [`ConstraintFn`], its signature read by name. `syn`'s items end here, its expressions in `lower`.
 
+mod demand;
+
 use proc_macro2::{Ident, Span, TokenStream};
 use syn::spanned::Spanned;
 use syn::{Attribute, Block, Expr, ExprLit, FnArg, ItemFn, Lit, Pat, ReturnType, Type, Visibility};
 
 use crate::error::Mistakes;
+pub use demand::Demand;
 
 /// A function under `#[constraint]`, with its signature understood.
 pub struct ConstraintFn {
@@ -16,6 +19,10 @@ pub struct ConstraintFn {
     pub output_type: Type,
     pub body: Block,
     pub choice: Choice,
+    /// What must hold of the parameters.
+    pub requirements: Vec<Demand>,
+    /// What holds of the pose that is meant, where the equations have others.
+    pub branches: Vec<Demand>,
 }
 
 /// What the attribute asks for.
@@ -46,6 +53,8 @@ pub enum Kind {
     Coords(usize),
     Time,
     Law,
+    /// An axis: its direction and two others across it.
+    Axis,
     /// A parameter made of numbers.
     Numbers(Shape),
     /// Any other parameter: `usize`, `bool`, a type of the user's.
@@ -107,9 +116,11 @@ impl Shape {
 /// Reads the attribute and the signature; every mistake at its own token.
 pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<ConstraintFn> {
     let choice = choice(attribute)?;
-    let function = item_fn(item)?;
+    let mut function = item_fn(item)?;
     let mut mistakes = Mistakes::default();
     refuse_qualifiers(&function, &mut mistakes);
+    let requirements = demand::take(&mut function.attrs, "require", &mut mistakes);
+    let branches = demand::take(&mut function.attrs, "branch", &mut mistakes);
     let arguments: Vec<Argument> = function.sig.inputs.iter().filter_map(|input| mistakes.catch(argument(input))).collect();
     if mistakes.is_empty() && !arguments.iter().any(|a| a.kind.slots() > 0) {
         mistakes.add(&function.sig.ident, NO_COORDINATES);
@@ -126,6 +137,8 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<Cons
         output_type,
         body: *function.block,
         choice,
+        requirements,
+        branches,
     })
 }
 
@@ -137,6 +150,8 @@ pub struct LawFn {
     pub variable: Ident,
     pub parameters: Vec<Argument>,
     pub body: Block,
+    /// What must hold of the parameters.
+    pub requirements: Vec<Demand>,
 }
 
 /// Reads a function of one variable: its first argument.
@@ -144,9 +159,10 @@ pub fn law(attribute: &TokenStream, item: TokenStream) -> syn::Result<LawFn> {
     if !attribute.is_empty() {
         return Err(syn::Error::new_spanned(attribute, "`#[law]` takes nothing"));
     }
-    let function = item_fn(item)?;
+    let mut function = item_fn(item)?;
     let mut mistakes = Mistakes::default();
     refuse_qualifiers(&function, &mut mistakes);
+    let requirements = demand::take(&mut function.attrs, "require", &mut mistakes);
     let mut arguments: Vec<Argument> = function.sig.inputs.iter().filter_map(|input| mistakes.catch(argument(input))).collect();
     for argument in &arguments {
         if argument.kind.slots() > 0 || argument.kind == Kind::Time {
@@ -172,6 +188,7 @@ pub fn law(attribute: &TokenStream, item: TokenStream) -> syn::Result<LawFn> {
         variable,
         parameters: arguments,
         body: *function.block,
+        requirements,
     })
 }
 
@@ -280,6 +297,7 @@ fn named_kind(path: &syn::TypePath) -> syn::Result<Kind> {
         "Coord" => Kind::Coord,
         "Time" => Kind::Time,
         "Law" => return Ok(Kind::Law),
+        "Axis" => return Ok(Kind::Axis),
         "f32" => return Err(syn::Error::new_spanned(path, "numbers are `f64`")),
         "PlanarBody" | "Link" => {
             return Err(syn::Error::new_spanned(path, "inside the function a planar body is its state: write `Planar`"));

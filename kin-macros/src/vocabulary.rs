@@ -33,7 +33,7 @@ pub fn is_std_function(path: &ExprPath) -> bool {
 /// Types of Kin's that are made of numbers.
 pub fn is_kin_type(path: &syn::Path) -> bool {
     let name = path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default();
-    matches!(name.as_str(), "Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "PlanarState" | "SpatialState")
+    matches!(name.as_str(), "Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "Axis" | "PlanarState" | "SpatialState")
 }
 
 pub fn is_integer(name: &str) -> bool {
@@ -135,6 +135,7 @@ const COMPONENTS: &[&str] = &[
     "vector",
     "conjugate",
     "at",
+    "slope",
 ];
 
 /// Methods that only look at a container or go over it, so that a copy of it in other numbers serves as well.

@@ -7,5 +7,6 @@ mod points;
 mod prismatic;
 mod revolute;
 mod slider_crank;
+mod spatial;
 mod support;
 mod two_link;

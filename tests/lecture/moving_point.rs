@@ -8,7 +8,7 @@ use crate::support::*;
 
 /// The block in a slot: P moves in body i as ū_i(t) and is pinned to body j.      \[m\]
 #[constraint]
-fn moving_point(i: Planar, j: Planar, u_j: Vec2, c: [f64; 6], t: Time) -> Vec2 {
+fn block_in_a_slot(i: Planar, j: Planar, u_j: Vec2, c: [f64; 6], t: Time) -> Vec2 {
     let u_i = vec2(c[0] + c[1] * t + c[2] * t * t, c[3] * (c[4] * t + c[5]).sin());
     i.point(u_i) - j.point(u_j)
 }
@@ -50,8 +50,10 @@ fn moving_point_terms_are_the_lectures_with_coriolis() {
     for _ in 0..STATES {
         let (q, qd) = random.bodies();
         let (c, u_j, t) = (random.array(2.0), random.vector(2.0), 1.0 + random.within(1.0));
-        let joint = moving_point(any_planar(), any_planar(), vec2(u_j.x, u_j.y), c);
+        let joint = block_in_a_slot(any_planar(), any_planar(), vec2(u_j.x, u_j.y), c);
         comparison.check(&joint, &q, &qd, t, &by_hand(&q, &qd, motion_in_body(&c, t), u_j));
+        let shipped = moving_point(any_planar(), any_planar(), Law::polynomial(&c[..3]), Law::sine(c[3], c[4], c[5]), vec2(u_j.x, u_j.y));
+        comparison.check(&shipped, &q, &qd, t, &by_hand(&q, &qd, motion_in_body(&c, t), u_j));
     }
 }
 
@@ -68,7 +70,7 @@ fn moving_point_has_the_lectures_velocity_and_acceleration() {
             + 2.0 * w * (a_theta(theta) * u_dot)
             + a(theta) * u_ddot;
 
-        let joint = moving_point(any_planar(), Ground, vec2(0.0, 0.0), c);
+        let joint = block_in_a_slot(any_planar(), Ground, vec2(0.0, 0.0), c);
         let found = terms(&joint, &[x, y, theta, 0.0, 0.0, 0.0], &[vx, vy, w, 0.0, 0.0, 0.0], t);
         let rates = &found.c_q * column(&[vx, vy, w, 0.0, 0.0, 0.0]) + &found.c_t;
         let second_rates = &found.c_q * column(&[ax, ay, alpha, 0.0, 0.0, 0.0]) - &found.q_d;

@@ -40,6 +40,16 @@ impl EulerParameters {
     }
 }
 
+impl EulerParameters {
+    /// p of a rotation matrix A, e0 ≥ 0: the other way of [`EulerParameters::rotation`]. A matrix that is no rotation gives what is not to be used.
+    pub fn from_rotation(a: Mat3) -> Self {
+        let matrix = nalgebra::Matrix3::from(a);
+        let turn = nalgebra::UnitQuaternion::from_rotation_matrix(&nalgebra::Rotation3::from_matrix_unchecked(matrix)).into_inner();
+        let sign = if turn.w < 0.0 { -1.0 } else { 1.0 };
+        EulerParameters { e0: sign * turn.w, e1: sign * turn.i, e2: sign * turn.j, e3: sign * turn.k }
+    }
+}
+
 impl<T: Scalar> EulerParameters<T> {
     /// The turn by `angle` rad about `axis`, of any length but zero.
     pub fn from_axis_angle(axis: impl Into<Vec3<T>>, angle: T) -> Self {

@@ -3,6 +3,7 @@
 //! Operands go in by value or by reference, and `f64` mixes with `Real<D>` everywhere: a constant vector times a moving one, a literal on
 //! either side. `From` and `Into` lead to nalgebra and back.
 
+mod axis;
 mod componentwise;
 mod euler;
 mod mat2;
@@ -13,6 +14,7 @@ mod vec2;
 mod vec3;
 mod vector;
 
+pub use axis::Axis;
 pub use euler::EulerParameters;
 pub use mat2::Mat2;
 pub use mat3::Mat3;

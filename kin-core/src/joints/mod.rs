@@ -1,13 +1,14 @@
 //! The constraint library, written in the product's own language: each joint is its equation, no derivative is written by hand.
 //!
-//! | joint | rows | freedoms left | where |
-//! |---|---|---|---|
-//! | [`fixed`](planar::fixed()) | 3 | 0 | lecture, "Constraint Equations" |
-//! | [`revolute`](planar::revolute()) | 2 | 1 | lecture, "Constraint Library: Revolute" |
-//! | [`prismatic`](planar::prismatic()) | 2 | 1 | lecture, "Constraint Library: Prismatic" |
-//! | [`drive_angle`](drivers::drive_angle()), [`drive`](drivers::drive()) | 1 | – | lecture, "Driving Constraints" |
-//! | [`drive_point`](drivers::drive_point()) | 2 | – | lecture, "Driving Constraints": complex driver |
+//! `docs/library.md` shows all of them with their equations, rows and freedoms. Planar joints and drivers are in the prelude; those of spatial
+//! bodies live in the module [`spatial`], where they have the same names.
+//!
+//! Constructors give values, not results. What makes no sense (a length below zero, an axis without direction, a law whose parts do not meet)
+//! is refused by name where a constraint is added: [`Mechanism::add`](crate::Mechanism::add).
 
 pub mod drivers;
 pub mod planar;
+mod registered;
 pub mod spatial;
+
+pub(crate) use registered::registered;

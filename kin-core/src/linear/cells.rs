@@ -88,7 +88,7 @@ impl Recorder<'_> {
         let cell = &self.active.cells[id as usize];
         let (row, column, constant) = (cell.row, cell.column, cell.constant);
         if cell.terms != NONE {
-            self.recording.watched.push((row, column));
+            self.recording.watched.push((self.recording.factor.len() as u32, row, column));
             return Inverse::At(self.compute(id, Kind::Pivot, self.places.zero, 0.0));
         }
         self.recording.constant.push((row, column, constant));
@@ -107,9 +107,7 @@ impl Recorder<'_> {
 
     /// Writes the step that computes a cell, and gives its place; `weight` is for the watch.
     pub(super) fn compute(&mut self, id: u32, kind: Kind, scale: u32, weight: f64) -> u32 {
-        if kind != Kind::Pivot {
-            self.recording.watch.weights.push(weight);
-        }
+        self.recording.weights.push(weight);
         let start = self.gather(id, kind == Kind::Negated);
         let out = self.place();
         let Lists { products, plus, minus } = &self.lists;

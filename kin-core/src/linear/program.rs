@@ -1,10 +1,13 @@
-//! The flat program of a recorded elimination, and its replay: no search, no allocation, one memory for everything.
+//! The program of a recorded elimination: which number is computed from which, in what order.
 //!
-//! Each step writes one number that is a sum of products of numbers already there. The same interpreter makes the factors and solves with
-//! them, and it could do so for several mechanisms at once, if the memory held lanes.
+//! Each step writes one number that is a sum of products of numbers already there. The same program makes the factors, solves with them,
+//! and, backwards, solves with the transpose; [`code`](super::code) is the form in which it is replayed.
+
+use super::code::{Code, Seen, Shape};
+use super::order::{Ordered, order};
 
 /// What a step does with `start − Σ products + Σ plus − Σ minus`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Kind {
     /// Writes it.
     Plain,
@@ -23,84 +26,67 @@ pub(super) struct Step {
     pub out: u32,
     pub start: u32,
     pub scale: u32,
-    shape: u32,
     products: u32,
     plus: u32,
     minus: u32,
 }
 
+/// The operands of one step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Operands<'a> {
+    pub products: &'a [[u32; 2]],
+    pub plus: &'a [u32],
+    pub minus: &'a [u32],
+}
+
 /// Steps in the order in which they run.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Program {
-    pub steps: Vec<Step>,
+    steps: Vec<Step>,
     products: Vec<[u32; 2]>,
     terms: Vec<u32>,
-}
-
-/// What a replay is watched by, and what was seen.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Watch {
-    /// What makes each pivot that is no constant a share of its row and column.
-    pub units: Vec<f64>,
-    /// What makes each other number that is computed one of order 1.
-    pub weights: Vec<f64>,
-    /// The smallest share of a pivot.
-    pub smallest: f64,
-    /// The largest multiplier, and the largest other cell that was computed.
-    pub multiplier: f64,
-    pub cell: f64,
+    code: Code,
 }
 
 impl Program {
     /// Appends a step.
     pub(super) fn push(&mut self, kind: Kind, [out, start, scale]: [u32; 3], products: &[[u32; 2]], plus: &[u32], minus: &[u32]) {
-        let shape = shape(products.len(), plus.len(), minus.len());
         let [n_products, n_plus, n_minus] = [products.len(), plus.len(), minus.len()].map(|n| n as u32);
-        self.steps.push(Step { kind, out, start, scale, shape, products: n_products, plus: n_plus, minus: n_minus });
+        self.steps.push(Step { kind, out, start, scale, products: n_products, plus: n_plus, minus: n_minus });
         self.products.extend_from_slice(products);
         self.terms.extend_from_slice(plus);
         self.terms.extend_from_slice(minus);
     }
 
-    fn operands(&self) -> Operands<'_> {
-        Operands { products: &self.products, terms: &self.terms }
+    /// Writes the code for a memory of that many numbers, to be called after the last step; gives the order in which it runs the steps.
+    pub(super) fn finish(&mut self, memory: usize) -> Vec<u32> {
+        let (mut products, mut terms) = (&self.products[..], &self.terms[..]);
+        let mut own = |step: &Step| Operands {
+            products: take(&mut products, step.products),
+            plus: take(&mut terms, step.plus),
+            minus: take(&mut terms, step.minus),
+        };
+        let operands: Vec<Operands<'_>> = self.steps.iter().map(&mut own).collect();
+        let ordered: Vec<Ordered> = self.steps.iter().zip(&operands).map(|(step, operands)| step.ordered(operands)).collect();
+        let (order, mut code) = (order(&ordered), Code::new(memory));
+        order.iter().for_each(|&k| code.push(&self.steps[k as usize], &operands[k as usize]));
+        self.code = code;
+        order
+    }
+
+    /// How many steps there are.
+    pub(super) fn len(&self) -> usize {
+        self.steps.len()
     }
 
     /// Runs all steps.
     pub(super) fn run(&self, memory: &mut [f64]) {
-        let operands = &mut self.operands();
-        for step in &self.steps {
-            let x = step.sum(memory, operands);
-            memory[step.out as usize] = if step.kind == Kind::Scaled { x * memory[step.scale as usize] } else { x };
-        }
+        self.code.run(memory);
     }
 
-    /// Runs all steps and watches pivots and multipliers.
-    pub(super) fn run_watched(&self, memory: &mut [f64], watch: &mut Watch) {
-        (watch.smallest, watch.multiplier, watch.cell) = (f64::INFINITY, 0.0, 0.0);
-        if self.steps.is_empty() {
-            return;
-        }
-        let operands = &mut self.operands();
-        let (mut units, mut weights) = (watch.units.iter(), watch.weights.iter());
-        let (mut smallest, mut multiplier, mut cell) = (f64::INFINITY, 0.0_f64, 0.0_f64);
-        let mut weighted = |x: f64| x.abs() * weights.next().copied().unwrap_or(1.0);
-        for step in &self.steps {
-            let mut x = step.sum(memory, operands);
-            match step.kind {
-                Kind::Plain | Kind::Negated => cell = above(cell, weighted(x)),
-                Kind::Scaled => {
-                    x *= memory[step.scale as usize];
-                    multiplier = above(multiplier, weighted(x));
-                }
-                Kind::Pivot => {
-                    smallest = below(smallest, x.abs() * units.next().copied().unwrap_or(1.0));
-                    x = x.recip();
-                }
-            }
-            memory[step.out as usize] = x;
-        }
-        (watch.smallest, watch.multiplier, watch.cell) = (smallest, multiplier, cell);
+    /// Runs all steps and tells what was seen, each number times its weight; weights in the order of [`Program::finish`].
+    pub(super) fn run_watched(&self, memory: &mut [f64], weights: &[f64]) -> Seen {
+        self.code.run_watched(memory, weights)
     }
 
     /// The transpose of a program that is linear in its last factors and its starts: what was `out` comes in, what was read comes out,
@@ -127,76 +113,23 @@ impl Program {
     }
 }
 
-/// How a step's operands are counted: up to 3 products, 2 numbers added and 2 subtracted have a loop-free copy of the interpreter each.
-const MANY: u32 = 36;
-
-fn shape(products: usize, plus: usize, minus: usize) -> u32 {
-    if products < 4 && plus < 3 && minus < 3 { (products + 4 * plus + 12 * minus) as u32 } else { MANY }
-}
-
-/// Runs the copy of the interpreter for a shape.
-macro_rules! by_shape {
-    ($step:expr, $memory:expr, $operands:expr; $($shape:literal)*) => {
-        match $step.shape {
-            $($shape => $step.fixed::<{ $shape % 4 }, { $shape / 4 % 3 }, { $shape / 12 }>($memory, $operands),)*
-            _ => $step.any($memory, $operands),
-        }
-    };
-}
-
 impl Step {
-    #[inline(always)]
-    fn sum(&self, memory: &[f64], operands: &mut Operands<'_>) -> f64 {
-        by_shape!(self, memory, operands; 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31 32 33 34 35)
+    /// What the step does, with how many operands.
+    pub(super) fn shape(&self) -> Shape {
+        let [products, plus, minus] = [self.products, self.plus, self.minus].map(|n| n as usize);
+        Shape { kind: self.kind, products, plus, minus }
     }
 
-    /// The sum of a step with that many operands.
-    #[inline(always)]
-    fn fixed<const PRODUCTS: usize, const PLUS: usize, const MINUS: usize>(&self, memory: &[f64], operands: &mut Operands<'_>) -> f64 {
-        let products = operands.products.split_first_chunk::<PRODUCTS>();
-        let plus = operands.terms.split_first_chunk::<PLUS>();
-        let Some(((products, products_left), (plus, terms))) = products.zip(plus) else { return f64::NAN };
-        let Some((minus, terms)) = terms.split_first_chunk::<MINUS>() else { return f64::NAN };
-        *operands = Operands { products: products_left, terms };
-        self.add_up(memory, products, plus, minus)
+    /// Where it writes and what it reads.
+    fn ordered(&self, operands: &Operands<'_>) -> Ordered {
+        let scale = (self.kind == Kind::Scaled).then_some(self.scale);
+        let terms = operands.plus.iter().chain(operands.minus).copied();
+        let reads = operands.products.iter().flatten().copied().chain(terms).chain([self.start]).chain(scale);
+        Ordered { shape: self.shape(), out: self.out, reads: reads.collect() }
     }
-
-    #[inline(never)]
-    fn any(&self, memory: &[f64], operands: &mut Operands<'_>) -> f64 {
-        let products = take(&mut operands.products, self.products);
-        let (plus, minus) = (take(&mut operands.terms, self.plus), take(&mut operands.terms, self.minus));
-        self.add_up(memory, products, plus, minus)
-    }
-
-    #[inline(always)]
-    fn add_up(&self, memory: &[f64], products: &[[u32; 2]], plus: &[u32], minus: &[u32]) -> f64 {
-        let mut sum = 0.0;
-        for (k, &[a, b]) in products.iter().enumerate() {
-            let product = memory[a as usize] * memory[b as usize];
-            sum = if k == 0 { product } else { sum + product };
-        }
-        let start = memory[self.start as usize];
-        let mut x = if products.is_empty() {
-            if self.kind == Kind::Negated { -start } else { start }
-        } else if self.kind == Kind::Negated {
-            sum - start
-        } else {
-            start - sum
-        };
-        plus.iter().for_each(|&k| x += memory[k as usize]);
-        minus.iter().for_each(|&k| x -= memory[k as usize]);
-        x
-    }
-}
-
-/// The operands of the steps to come.
-struct Operands<'a> {
-    products: &'a [[u32; 2]],
-    terms: &'a [u32],
 }
 
 /// The next `n` of the list.
-#[inline(always)]
 fn take<'a, T>(list: &mut &'a [T], n: u32) -> &'a [T] {
     let (own, rest) = list.split_at(n as usize);
     *list = rest;
@@ -208,14 +141,4 @@ fn take_last<'a, T>(list: &mut &'a [T], n: u32) -> &'a [T] {
     let (rest, own) = list.split_at(list.len() - n as usize);
     *list = rest;
     own
-}
-
-/// The larger one; NaN is larger than all.
-fn above(known: f64, x: f64) -> f64 {
-    if x <= known { known } else { x }
-}
-
-/// The smaller one; NaN is smaller than all.
-fn below(known: f64, x: f64) -> f64 {
-    if x >= known { known } else { x }
 }

@@ -9,7 +9,8 @@ use std::collections::HashMap;
 
 use super::active::{Active, NONE, Side};
 use super::cells::{PLUS, Term};
-use super::program::{Program, Watch};
+use super::code::SMALL;
+use super::program::Program;
 use super::{SINGULAR, solving};
 
 /// A pivot is at least this share of the largest cell in its row.   \[-\]
@@ -41,15 +42,26 @@ pub(super) struct Places {
 }
 
 /// A recorded elimination.
-#[derive(Clone, Default)]
+#[derive(Default)]
 pub(super) struct Recording {
     pub factor: Program,
     pub solve: Program,
-    pub watch: Watch,
-    /// Row and column of each pivot that is watched.
-    pub watched: Vec<(u32, u32)>,
+    /// What made each number that is factored one of order 1 when it was recorded, in the order of the code.
+    pub weights: Vec<f64>,
+    /// Step, row and column of each pivot that is no constant.
+    pub watched: Vec<(u32, u32, u32)>,
     /// Row, column and value of the other pivots.
     pub constant: Vec<(u32, u32, f64)>,
+}
+
+impl Recording {
+    /// Weights in the order in which the code runs.
+    fn reorder(&mut self, order: &[u32]) {
+        let mut place = vec![0; order.len()];
+        (0..).zip(order).for_each(|(now, before)| place[*before as usize] = now);
+        self.weights = order.iter().map(|before| self.weights[*before as usize]).collect();
+        self.watched.iter_mut().for_each(|(step, _, _)| *step = place[*step as usize]);
+    }
 }
 
 /// A number that elimination has come to.
@@ -135,7 +147,12 @@ pub(super) fn record(input: &Input<'_>, places: Places, memory: &mut Vec<f64>) -
         recorder.eliminate(pivot);
     }
     solving::write(&mut recorder);
-    Ok(recorder.recording)
+    let Recorder { mut recording, memory, .. } = recorder;
+    memory.resize(memory.len().max(SMALL), 0.0);
+    recording.solve.finish(memory.len());
+    let order = recording.factor.finish(memory.len());
+    recording.reorder(&order);
+    Ok(recording)
 }
 
 impl Recorder<'_> {

@@ -5,10 +5,11 @@ use crate::coordinates::{Argument, Target};
 use crate::error::{Error, Result};
 use crate::layout::{Layout, Place};
 
-/// Refuses, by name: parameters that are not finite, bodies of other mechanisms, the same body or coordinate twice, rows without
+/// Refuses, by name: parameters that are not finite or make no sense, bodies of other mechanisms, the same body or coordinate twice, rows without
 /// coordinates, and hand-written constraints that contradict themselves.
 pub(super) fn admit(mechanism: &str, layout: &Layout, name: &str, constraint: &dyn Constraint) -> Result<()> {
     finite_parameters(name, constraint)?;
+    sensible_parameters(name, constraint)?;
     let arguments = constraint.arguments();
     let places = places(mechanism, layout, name, &arguments)?;
     different(layout, name, &arguments, &places)?;
@@ -25,6 +26,14 @@ fn finite_parameters(name: &str, constraint: &dyn Constraint) -> Result<()> {
     });
     match bad {
         Some((parameter, value)) => Err(Error::ParameterNotFinite { constraint: name.to_string(), parameter, value }),
+        None => Ok(()),
+    }
+}
+
+/// What the constraint itself demands of its parameters (`#[require]`).
+pub(crate) fn sensible_parameters(name: &str, constraint: &dyn Constraint) -> Result<()> {
+    match constraint.refusal() {
+        Some(reason) => Err(Error::InvalidParameters { constraint: name.to_string(), kind: constraint.kind().to_string(), reason }),
         None => Ok(()),
     }
 }

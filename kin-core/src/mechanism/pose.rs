@@ -1,6 +1,6 @@
 //! Poses of bodies, and small helpers for the numbers of a model.
 
-use crate::algebra::{EulerParameters, Vec2, Vec3};
+use crate::algebra::{Axis, EulerParameters, Mat3, Vec2, Vec3};
 
 /// Position and angle of a planar body: (R_x, R_y, θ).   \[m, m, rad\]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -55,6 +55,13 @@ impl SpatialPose {
         let (sin, cos) = (0.5 * angle).sin_cos();
         let share = sin / (x * x + y * y + z * z).sqrt();
         SpatialPose { r, p: EulerParameters::new(cos, share * x, share * y, share * z) }
+    }
+
+    /// At R with the body's x-axis along h of an axis and its y-axis along f: `SpatialPose::facing(r, vec3(1.0, 1.0, 0.0))`, or with both directions
+    /// chosen `SpatialPose::facing(r, Axis::new(h, f))`.   \[m, –\]
+    pub fn facing(r: Vec3, x: impl Into<Axis>) -> Self {
+        let Axis { h, f, g } = x.into();
+        SpatialPose { r, p: EulerParameters::from_rotation(Mat3::from_columns([h, f, g])) }
     }
 
     /// (R, p/|p|) as coordinates; not finite where p = 0.

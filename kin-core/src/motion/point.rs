@@ -4,9 +4,10 @@ use num_dual::Dual2_64;
 
 use super::{Motion, Series};
 use crate::algebra::{Vec2, Vec3};
-use crate::coordinates::{Link, PlanarBody, SpatialBody, Target};
+use crate::coordinates::{Link, PlanarBody, SpatialBody, SpatialLink, Target};
 use crate::error::{Error, Result};
 use crate::layout::Place;
+use crate::mechanism::Marker;
 use crate::real::Real;
 use crate::state::{PlanarState, SpatialState};
 
@@ -55,6 +56,14 @@ pub trait Body {
     /// r, v, a of the local point u where the body's coordinates, rates and second rates are these (those of the ground: none).
     #[doc(hidden)]
     fn point(u: Self::Vector, q: &[f64], qd: &[f64], qdd: &[f64]) -> [Self::Vector; 3];
+
+    /// ū of a global point where the body's coordinates are these (those of the ground: none).
+    #[doc(hidden)]
+    fn local(point: Self::Vector, q: &[f64]) -> Self::Vector;
+
+    /// h̄ of a global direction where the body's coordinates are these (those of the ground: none).
+    #[doc(hidden)]
+    fn local_direction(h: Self::Vector, q: &[f64]) -> Self::Vector;
 }
 
 impl Body for PlanarBody {
@@ -78,19 +87,43 @@ impl Body for PlanarBody {
             Vec2::new(ax + alpha * turned.x - w * w * au.x, ay + alpha * turned.y - w * w * au.y),
         ]
     }
-}
 
-impl Body for Link {
-    type Vector = Vec2;
-
-    fn target(self) -> Target {
-        Target::Planar(self.body)
+    fn local(point: Vec2, q: &[f64]) -> Vec2 {
+        q.first_chunk().map_or(point, |q| PlanarState::new(*q).local(point))
     }
 
-    fn point(u: Vec2, q: &[f64], qd: &[f64], qdd: &[f64]) -> [Vec2; 3] {
-        PlanarBody::point(u, q, qd, qdd)
+    fn local_direction(h: Vec2, q: &[f64]) -> Vec2 {
+        q.first_chunk().map_or(h, |q| PlanarState::new(*q).a().transpose() * h)
     }
 }
+
+/// A link is followed as its body.
+macro_rules! as_its_body {
+    ($link:ident, $vector:ident, $body:ident) => {
+        impl Body for $link {
+            type Vector = $vector;
+
+            fn target(self) -> Target {
+                self.body.target()
+            }
+
+            fn point(u: $vector, q: &[f64], qd: &[f64], qdd: &[f64]) -> [$vector; 3] {
+                $body::point(u, q, qd, qdd)
+            }
+
+            fn local(point: $vector, q: &[f64]) -> $vector {
+                $body::local(point, q)
+            }
+
+            fn local_direction(h: $vector, q: &[f64]) -> $vector {
+                $body::local_direction(h, q)
+            }
+        }
+    };
+}
+
+as_its_body!(Link, Vec2, PlanarBody);
+as_its_body!(SpatialLink, Vec3, SpatialBody);
 
 impl Body for SpatialBody {
     type Vector = Vec3;
@@ -109,6 +142,14 @@ impl Body for SpatialBody {
         let r = SpatialState::new(jets).point(u);
         [Vec3::new(r.x.0.re, r.y.0.re, r.z.0.re), Vec3::new(r.x.0.v1, r.y.0.v1, r.z.0.v1), Vec3::new(r.x.0.v2, r.y.0.v2, r.z.0.v2)]
     }
+
+    fn local(point: Vec3, q: &[f64]) -> Vec3 {
+        q.first_chunk().map_or(point, |q| SpatialState::new(*q).local(point))
+    }
+
+    fn local_direction(h: Vec3, q: &[f64]) -> Vec3 {
+        q.first_chunk().map_or(h, |q| SpatialState::new(*q).a().transpose() * h)
+    }
 }
 
 impl Motion {
@@ -120,7 +161,21 @@ impl Motion {
         self.try_point(body, local).unwrap_or_else(|_| PointMotion { times: Vec::new(), r: Vec::new(), v: Vec::new(), a: Vec::new() })
     }
 
-    /// The same; a body of another mechanism is an error.
+    /// Position, velocity and acceleration of a marker over time.   \[m, m/s, m/s²\]
+    ///
+    /// A marker on a body of another mechanism has no history here: it gives an empty one.
+    pub fn marker<B: Body + Copy>(&self, marker: &Marker<B>) -> PointMotion<B::Vector> {
+        self.point(marker.body, marker.u)
+    }
+
+    /// Adds r, v and a of a marker to the file under its name.
+    ///
+    /// Errors: a body of another mechanism, name taken.
+    pub fn add_marker<B: Body + Copy>(&mut self, marker: &Marker<B>) -> Result<()> {
+        self.add_point(&marker.name, marker.body, marker.u)
+    }
+
+    /// As [`Motion::point`], with an error for a body of another mechanism.
     pub fn try_point<B: Body>(&self, body: B, local: impl Into<B::Vector>) -> Result<PointMotion<B::Vector>> {
         let (local, target) = (local.into(), body.target());
         let columns = match self.layout.place(&target) {

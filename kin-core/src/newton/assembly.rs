@@ -19,6 +19,9 @@ const HOLDS: [f64; 3] = [1.0, 0.1, 0.0];
 /// A preferred coordinate that ends this near is in the preferred assembly.   \[rad, or typical lengths\]
 const NEAR: f64 = std::f64::consts::FRAC_PI_4;
 
+/// Sizes of guess and solution that differ by less than this factor are the same.   \[-\]
+const SAME: f64 = 1.25;
+
 /// Solves at the first time t from the system's guess; q̇ and q̈ too.
 pub(crate) fn assemble(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     if !newton.options.rescue {
@@ -26,7 +29,7 @@ pub(crate) fn assemble(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     }
     measure(newton, t);
     let outcome = search(newton, t)?;
-    newton.rates(t).map_err(|failure| newton.error(failure, t, None))?;
+    newton.rates().map_err(|failure| newton.error(failure, t, None))?;
     Ok(outcome)
 }
 
@@ -37,30 +40,41 @@ pub(crate) fn from_start(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Resul
         driven::turn(newton, t);
     }
     let outcome = attempt(newton, t, steps)?;
-    newton.rates(t).map_err(|failure| newton.error(failure, t, None))?;
+    newton.rates().map_err(|failure| newton.error(failure, t, None))?;
     Ok(outcome)
 }
 
-/// Characteristic sizes at the point in hand; without C_q if that is not finite there.
+/// Takes the characteristic sizes of the point in hand; without C_q if that is not finite there.
 fn measure(newton: &mut Newton<'_>, t: f64) {
-    let values: &[f64] = if newton.linearize(t).is_ok() { newton.linear.values() } else { &[] };
-    let system = newton.system;
-    let sizes = scale::sizes(system.layout(), system.equations(), values, &newton.q, system.links());
+    let sizes = sizes(newton, t);
     // Where the first look at the model was far off, the measures taken with it are worth nothing.
-    if sizes.iter().zip(&newton.sizes).any(|(new, old)| !(0.125..8.0).contains(&(new / old))) {
+    if differ(&sizes, &newton.sizes, 8.0) {
         newton.linear.forget();
     }
-    newton.linear.set_sizes(&sizes);
-    newton.sizes = sizes;
+    newton.set_sizes(sizes);
 }
 
-/// Newton from the point in hand; then once more with the sizes of the solution, which takes no step.
+fn sizes(newton: &mut Newton<'_>, t: f64) -> Vec<f64> {
+    let values: &[f64] = if newton.linearize(t).is_ok() { newton.linear.values() } else { &[] };
+    let system = newton.system;
+    scale::sizes(system.layout(), system.equations(), values, &newton.q, system.links())
+}
+
+fn differ(sizes: &[f64], others: &[f64], factor: f64) -> bool {
+    sizes.iter().zip(others).any(|(size, other)| !(factor.recip()..factor).contains(&(size / other)))
+}
+
+/// Newton from the point in hand; then once more with the sizes of the solution, which takes no step, if they are others.
 fn attempt(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Result<Outcome> {
-    let tried = newton.solve(t, steps).and_then(|_| {
+    let tried = newton.solve(t, steps).and_then(|outcome| {
+        if !differ(&sizes(newton, t), &newton.sizes, SAME) {
+            return Ok(outcome);
+        }
         measure(newton, t);
         newton.solve(t, steps)
     });
-    tried.map_err(|failure| newton.error(failure, t, None))
+    let outcome = tried.map_err(|failure| newton.error(failure, t, None))?;
+    newton.meant().map(|()| outcome)
 }
 
 /// Start after start until one ends in the preferred assembly; else the nearest to it, else the error that says most.
@@ -102,6 +116,7 @@ fn search(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
 /// A singular position says more than none, and a near miss more than a far one.
 fn more_telling(known: Option<Error>, new: Error) -> Error {
     let weight = |error: &Error| match error {
+        Error::WrongBranch { .. } => (4, 0.0),
         Error::SingularAt { unmet: None, .. } => (3, 0.0),
         Error::NoConvergence { residual, .. } => (2, *residual),
         Error::SingularAt { .. } => (1, 0.0),

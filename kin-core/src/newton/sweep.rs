@@ -1,5 +1,7 @@
 //! The sweep: from one time to the next with prediction, in smaller steps of time where that is needed.
 
+use super::predictor::{Last, Predictor};
+use super::watch::Watch;
 use super::{Failure, Newton, Options, Outcome, Steps, assembly};
 use crate::error::{Error, Result};
 use crate::motion::Motion;
@@ -13,14 +15,18 @@ pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<M
     options.check()?;
     check(times)?;
     let mut motion = Motion::new(system, times.len());
-    let mut sweep = Sweep::new(system, options);
+    let (mut sweep, mut watch) = (Sweep::new(system, options), Watch::default());
     for &t in times {
-        match sweep.reach(t) {
-            Ok(outcome) => motion.push(t, &sweep.newton.q, &sweep.newton.qd, &sweep.newton.qdd, outcome),
+        let reached = sweep.reach(t).and_then(|outcome| Ok((outcome, watch.look(&sweep.newton, t)?)));
+        match reached {
+            Ok((outcome, crossed)) => motion.push(t, &sweep.newton, outcome, crossed),
             Err(error) => return Err(error.with_motion(motion)),
         }
     }
-    Ok(motion)
+    match sweep.newton.meant() {
+        Ok(()) => Ok(motion),
+        Err(error) => Err(error.with_motion(motion)),
+    }
 }
 
 /// Times must be finite and strictly increasing or strictly decreasing.
@@ -42,14 +48,18 @@ fn check(times: &[f64]) -> Result<()> {
 /// The last solved time, its point, and the means to go on from it.
 struct Sweep<'a> {
     newton: Newton<'a>,
-    /// The last time with a solution.
+    /// The last time with a solution, and its position.
     last: Option<f64>,
     q: Vec<f64>,
+    predictor: Predictor,
+    /// Whether everything in hand is that of the last solution.
+    untouched: bool,
 }
 
 impl<'a> Sweep<'a> {
     fn new(system: &'a System, options: &'a Options) -> Self {
-        Sweep { newton: Newton::new(system, options), last: None, q: vec![0.0; system.n_coordinates()] }
+        let n = system.n_coordinates();
+        Sweep { newton: Newton::new(system, options), last: None, q: vec![0.0; n], predictor: Predictor::new(n), untouched: false }
     }
 
     /// Solves at time t, from the guess or from the last solved time.
@@ -59,7 +69,7 @@ impl<'a> Sweep<'a> {
             None => assembly::assemble(&mut self.newton, t)?,
             Some(from) => self.advance(from, t)?,
         };
-        self.last = Some(t);
+        (self.last, self.untouched) = (Some(t), true);
         Ok(Outcome { iterations: self.newton.steps - self.newton.steps_before, ..outcome })
     }
 
@@ -69,10 +79,11 @@ impl<'a> Sweep<'a> {
         let (mut t, mut h) = (from, to - from);
         loop {
             let target = if (to - t).abs() <= h.abs() * 1.001 { to } else { t + h };
-            self.q.copy_from_slice(&self.newton.q);
+            self.keep();
             match self.step(target - t, target, h.abs() <= smallest) {
                 Ok(outcome) => {
-                    self.newton.rates(target).map_err(|failure| self.newton.error(failure, target, Some(t)))?;
+                    self.settle(target - t, outcome);
+                    self.newton.rates().map_err(|failure| self.newton.error(failure, target, Some(t)))?;
                     if target == to {
                         return Ok(outcome);
                     }
@@ -84,32 +95,55 @@ impl<'a> Sweep<'a> {
                         return Err(self.newton.error(failure, target, Some(t)));
                     }
                     self.newton.q.copy_from_slice(&self.q);
+                    self.untouched = false;
                     h *= 0.5;
                 }
             }
         }
     }
 
-    /// One step of time by predicted Newton steps; damped from the last solution if it is the last resort.
-    fn step(&mut self, h: f64, target: f64, last_resort: bool) -> std::result::Result<Outcome, Failure> {
+    /// The position in hand becomes the last one; a prediction writes all of the next anew.
+    fn keep(&mut self) {
         if self.newton.options.predict {
-            self.predict(h);
+            std::mem::swap(&mut self.q, &mut self.newton.q);
+        } else {
+            self.q.copy_from_slice(&self.newton.q);
         }
-        let steps = if self.newton.options.rescue { Steps::Near } else { Steps::Full };
-        match self.newton.solve(target, steps) {
-            Err(_) if last_resort && self.newton.options.rescue => {
-                self.newton.q.copy_from_slice(&self.q);
-                self.newton.solve(target, Steps::Damped)
+    }
+
+    /// One step of time by Newton steps from the prediction; damped from the last solution if it is the last resort.
+    fn step(&mut self, h: f64, target: f64, last_resort: bool) -> std::result::Result<Outcome, Failure> {
+        let newton = &mut self.newton;
+        let steps = if newton.options.rescue { Steps::Near } else { Steps::Full };
+        let result = if newton.options.predict {
+            let last = Last { q: &self.q, qd: &newton.qd, qdd: &newton.qdd };
+            self.predictor.predict(h, last, &mut newton.q);
+            newton.solve(target, steps)
+        } else if self.untouched {
+            newton.solve_on(target, steps)
+        } else {
+            newton.solve(target, steps)
+        };
+        match result {
+            Err(_) if last_resort && newton.options.rescue => {
+                newton.q.copy_from_slice(&self.q);
+                newton.solve(target, Steps::Damped)
             }
             result => result,
         }
     }
 
-    /// q + h q̇ + ½ h² q̈
-    fn predict(&mut self, h: f64) {
+    /// A step h has succeeded; the rates in hand are still those of the time before.
+    fn settle(&mut self, h: f64, outcome: Outcome) {
+        self.untouched = true;
         let newton = &mut self.newton;
-        for ((q, qd), qdd) in newton.q.iter_mut().zip(&newton.qd).zip(&newton.qdd) {
-            *q += h * (qd + 0.5 * h * qdd);
+        if !newton.options.predict {
+            return;
         }
+        if outcome.iterations > 0 {
+            let last = Last { q: &self.q, qd: &newton.qd, qdd: &newton.qdd };
+            self.predictor.compare(h, last, &newton.q, &newton.sizes);
+        }
+        self.predictor.advance(h, &mut newton.qd, &mut newton.qdd);
     }
 }

@@ -1,6 +1,6 @@
 //! Between f64 and numbers that carry derivatives, for anything that is made of numbers.
 
-use crate::algebra::{EulerParameters, Mat2, Mat3, Vec2, Vec3};
+use crate::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
 use crate::real::{Dual, Real};
 
 /// A value made of f64 as the same value made of constant `Real<D>`. What holds no f64 stays as it is.
@@ -71,6 +71,13 @@ impl<D: Dual> Lift<D> for f64 {
     type Output = Real<D>;
     fn lift(self) -> Real<D> {
         Real::from(self)
+    }
+}
+
+impl<D: Dual> Lift<D> for Axis {
+    type Output = Axis<Real<D>>;
+    fn lift(self) -> Axis<Real<D>> {
+        self.map(|v| v.lift())
     }
 }
 

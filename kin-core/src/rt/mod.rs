@@ -6,11 +6,15 @@ mod foreign;
 mod kernel;
 mod lift;
 mod numbers;
+mod refused;
 mod rows;
 mod sound;
+mod timed;
 
-pub use crate::algebra::{EulerParameters, Mat2, Mat3, Vec2, Vec3};
+pub use crate::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
+pub use crate::constraint::{Attached, Attachment};
 pub use crate::coordinates::{Argument, Target, Trig};
+pub use crate::data::{Described, Describer, Reader, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold};
 pub use crate::dual_route::{ArgumentKind, Equation};
 pub use crate::law::LawFunction;
 pub use crate::real::{Dual, Real};
@@ -24,13 +28,21 @@ pub use foreign::{Foreign, LiftAny, LiftNumbers, LowerAny, LowerReal, ReceiveAny
 pub use kernel::{fma, in_order};
 pub use lift::{Absent, Constants, Lift, Lower, absent, constants, lowered};
 pub use numbers::Numbers;
+pub use refused::{Refuses, refused};
 pub use rows::{Rows, rows};
 pub use sound::{If, Sound, Then};
+pub use timed::timed;
 
 /// \[f, f′, f″, f‴\] of a function written for any dual number.
 pub fn jet_by_dual(x: f64, f: impl FnOnce(Real<num_dual::Dual3_64>) -> Real<num_dual::Dual3_64>) -> [f64; 4] {
     let y = f(Real(num_dual::Dual3_64::new(x, 1.0, 0.0, 0.0))).0;
     [y.re, y.v1, y.v2, y.v3]
+}
+
+/// The local point (or direction) of argument `argument` with these components.
+pub fn attachment(argument: usize, is_point: bool, [x, y, z]: [f64; 3]) -> Attachment {
+    let v = Vec3::new(x, y, z);
+    Attachment { argument, what: if is_point { Attached::Point(v) } else { Attached::Direction(v) } }
 }
 
 /// A parameter of a constraint: any value of its own.

@@ -1,6 +1,6 @@
 //! Numeric parameters by name.
 
-use crate::algebra::{EulerParameters, Mat2, Mat3, Vec2, Vec3};
+use crate::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
 use crate::law::Law;
 
 /// A parameter made of numbers, each with a name: `k`, `u.x`, `c[2]`, `profile.rate`.
@@ -31,6 +31,23 @@ impl Numbers for Law {
 
     fn set(&mut self, name: &str, wanted: &str, value: f64) -> bool {
         wanted.strip_prefix(name).and_then(|rest| rest.strip_prefix('.')).is_some_and(|part| self.set_parameter(part, value))
+    }
+}
+
+/// The components of h. With one of them changed f and g are worked out anew, f as near to the old one as may be.
+impl Numbers for Axis {
+    fn visit(&self, name: &str, visit: &mut dyn FnMut(&str, f64)) {
+        self.h.visit(name, visit);
+    }
+
+    fn set(&mut self, name: &str, wanted: &str, value: f64) -> bool {
+        let mut h = self.h;
+        let found = h.set(name, wanted, value);
+        if found {
+            let chosen = Axis::new(h, self.f);
+            *self = if chosen.is_sound() { chosen } else { Axis::along(h) };
+        }
+        found
     }
 }
 

@@ -1,36 +1,56 @@
 //! Evaluation of a whole system: states once an iterate, then each constraint into its own block of rows and values.
 
-use std::collections::HashMap;
 use std::ops::Range;
 
 use crate::constraint::Constraint;
-use crate::coordinates::{Target, Trig};
 use crate::error::Error;
 use crate::layout::{Layout, Place};
-use crate::state::{At, CoordState, PlanarState, Rates, SPATIAL_STATE, SpatialState};
+use crate::state::{At, Rates};
+use crate::system::states::{GROUND, StatePlan};
 
 /// One constraint in a system.
 pub(crate) struct Block {
     pub name: String,
     pub constraint: Box<dyn Constraint>,
-    /// Where its arguments' states, its rows, its values and its columns' rates stand.
-    pub states: Range<usize>,
-    pub rows: Range<usize>,
-    pub values: Range<usize>,
-    pub rates: Range<usize>,
+    /// Where its numbers of time, its arguments' states, its rows, its values and its columns' rates stand.
+    timed: Span,
+    states: u32,
+    rows: Span,
+    values: Span,
+    rates: u32,
+    /// Whether all its values of C_q are the same for good.
+    constant: bool,
     /// Where each argument's state begins among its states, and its first column.
     first_state: Vec<usize>,
     first_column: Vec<usize>,
 }
 
-impl Block {
-    /// The instant as this constraint sees it.
-    pub(crate) fn at<'a>(&'a self, t: f64, states: &'a [f64]) -> At<'a> {
-        At::new(t, &states[self.states.clone()], &self.first_state)
+/// A stretch of a list. 32 bits: no sum of two overflows, so that taking it costs one check.
+#[derive(Clone, Copy, Debug)]
+struct Span {
+    first: u32,
+    len: u32,
+}
+
+impl Span {
+    fn new(range: Range<usize>) -> Self {
+        Span { first: range.start as u32, len: range.len() as u32 }
     }
 
-    fn rates<'a>(&'a self, rates: &'a [f64]) -> Rates<'a> {
-        Rates::new(&rates[self.rates.clone()], &self.first_column)
+    fn range(self) -> Range<usize> {
+        self.first as usize..self.first as usize + self.len as usize
+    }
+}
+
+impl Block {
+    /// Where its rows stand among all rows.
+    pub(crate) fn rows(&self) -> Range<usize> {
+        self.rows.range()
+    }
+
+    /// Where its values stand among all values of C_q.
+    pub(crate) fn values(&self) -> Range<usize> {
+        self.values.range()
     }
 
     /// Name of local row `k`; empty for a constraint of one row.
@@ -50,118 +70,36 @@ impl Block {
     }
 }
 
-/// Which coordinates make up each state, and who reads it: states are evaluated once an iterate and copied to every constraint on them.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct StatePlan {
-    planar: Vec<Shared>,
-    spatial: Vec<Shared>,
-    coords: Vec<Shared>,
-    /// Places of a state among those of its kind, by its first coordinate.
-    known: HashMap<(Kind, usize), usize>,
-    /// States of the ground in their places, zero elsewhere.
-    states: Vec<f64>,
-    /// The coordinate whose rate each local column has; `GROUND` on the ground.
-    rates: Vec<u32>,
-}
-
-/// Stands for the coordinates that the ground does not have.
-const GROUND: u32 = u32::MAX;
-
-/// A state that several constraints read.
+/// What constraints read at one instant: the time, what they make of it alone, states of their arguments and rates of their columns.
 #[derive(Clone, Debug)]
-struct Shared {
-    /// First coordinate.
-    first: usize,
-    /// Whether someone reads its sine or cosine (bare coordinates only).
-    trig: bool,
-    /// Where it is copied to (32 bits: no sum of them overflows, so one check a copy will do).
-    copies: Vec<u32>,
+pub(crate) struct Instant {
+    t: f64,
+    timed: Vec<f64>,
+    states: Vec<f64>,
+    rates: Vec<f64>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Kind {
-    Planar,
-    Spatial,
-    Coord,
-}
-
-impl StatePlan {
-    /// Plans for one more argument: where its state begins, and its first column.
-    pub(crate) fn argument(&mut self, target: &Target, place: Place) -> (usize, usize) {
-        let begin = (self.states.len(), self.rates.len());
-        let (kind, ground, trig): (_, Vec<f64>, _) = match (target, place) {
-            (Target::Planar(_), _) => (Kind::Planar, PlanarState::ground().to_array().into(), false),
-            (Target::Spatial(_), _) => (Kind::Spatial, SpatialState::ground().to_array().into(), false),
-            (Target::Coord(_, trig), Place::Ground(value)) => {
-                (Kind::Coord, CoordState::new(value, true).to_array().into(), *trig == Trig::Used)
-            }
-            (Target::Coord(_, trig), _) => (Kind::Coord, CoordState::new(0.0, true).to_array().into(), *trig == Trig::Used),
-        };
-        self.states.extend(ground);
-        if let Place::Own { first, .. } = place {
-            self.share(kind, first, trig, begin.0);
-        }
-        self.rates.extend((0..target.columns()).map(|k| match place {
-            Place::Own { first, .. } => (first + k) as u32,
-            Place::Ground(_) => GROUND,
-        }));
-        begin
+impl Instant {
+    /// The time, not a number before one was set.
+    pub(crate) fn t(&self) -> f64 {
+        self.t
     }
 
-    fn share(&mut self, kind: Kind, first: usize, trig: bool, copy: usize) {
-        let list = match kind {
-            Kind::Planar => &mut self.planar,
-            Kind::Spatial => &mut self.spatial,
-            Kind::Coord => &mut self.coords,
-        };
-        let k = *self.known.entry((kind, first)).or_insert(list.len());
-        match list.get_mut(k) {
-            Some(shared) => {
-                shared.trig |= trig;
-                shared.copies.push(copy as u32);
-            }
-            None => list.push(Shared { first, trig, copies: vec![copy as u32] }),
-        }
+    /// The instant as the first constraint sees it; the others look further on.
+    fn at(&self) -> At<'_> {
+        At::new(self.t, &self.states, &[]).with_timed(&self.timed)
     }
 
-    /// States of the right number; those of the ground are there for good.
-    pub(crate) fn states(&self) -> Vec<f64> {
-        self.states.clone()
-    }
-
-    /// Rates of the right number, at zero.
-    pub(crate) fn rates(&self) -> Vec<f64> {
-        vec![0.0; self.rates.len()]
-    }
-
-    /// The states at coordinates q.
-    pub(crate) fn set_states(&self, q: &[f64], states: &mut [f64]) {
-        for Shared { first, copies, .. } in &self.planar {
-            let Some(q) = q.get(*first..).and_then(|q| q.first_chunk()) else { continue };
-            copy(&PlanarState::new(*q).to_array(), copies, states);
-        }
-        for Shared { first, copies, .. } in &self.spatial {
-            let Some(q) = q.get(*first..).and_then(|q| q.first_chunk::<SPATIAL_STATE>()) else { continue };
-            copy(q, copies, states);
-        }
-        for Shared { first, trig, copies } in &self.coords {
-            copy(&CoordState::new(q[*first], *trig).to_array(), copies, states);
-        }
-    }
-
-    /// The rates at q̇.
-    pub(crate) fn set_rates(&self, qd: &[f64], rates: &mut [f64]) {
-        for (rate, source) in rates.iter_mut().zip(&self.rates) {
-            *rate = qd.get(*source as usize).copied().unwrap_or(0.0);
-        }
+    /// The instant as a constraint sees it.
+    pub(crate) fn of<'a>(&'a self, block: &'a Block) -> At<'a> {
+        block.at(self.at())
     }
 }
 
-#[inline(always)]
-fn copy<const N: usize>(state: &[f64; N], copies: &[u32], states: &mut [f64]) {
-    for &begin in copies {
-        let begin = begin as usize;
-        states[begin..begin + N].copy_from_slice(state);
+impl Block {
+    #[inline(always)]
+    fn at<'a>(&'a self, at: At<'a>) -> At<'a> {
+        at.further(self.states as usize, self.timed.first as usize, &self.first_state)
     }
 }
 
@@ -177,26 +115,45 @@ pub(crate) struct Bad {
 /// All constraints of a system, and where they write.
 pub(crate) struct Equations {
     pub blocks: Vec<Block>,
-    pub plan: StatePlan,
+    plan: StatePlan,
     /// Row and column of each value; `None` on the ground.
     pub entries: Vec<Option<(usize, usize)>>,
     /// Values of C_q that never change.
     pub constants: Vec<Option<f64>>,
     pub rows: usize,
+    /// How many numbers constraints make of the time alone.
+    timed: usize,
+    asked: Asked,
+}
+
+/// The constraints that need to be asked at all, by what they are asked for.
+#[derive(Default)]
+struct Asked {
+    /// Those that make numbers of the time alone.
+    timed: Vec<usize>,
+    /// Those whose C depends on t.
+    c: Vec<usize>,
+    /// Those whose C_t, or Q_d, can be other than zero.
+    c_t: Vec<usize>,
+    q_d: Vec<usize>,
+    /// Whether some C_q depends on t.
+    c_q_on_t: bool,
 }
 
 impl Equations {
     /// Lays the constraints out one after the other. Their arguments must be of this layout.
     pub(crate) fn new(layout: &Layout, constraints: Vec<(String, Box<dyn Constraint>)>) -> Self {
-        let mut all = Equations { blocks: Vec::new(), plan: StatePlan::default(), entries: Vec::new(), constants: Vec::new(), rows: 0 };
+        let (entries, constants, plan, asked) = (Vec::new(), Vec::new(), StatePlan::default(), Asked::default());
+        let mut all = Equations { blocks: Vec::new(), plan, entries, constants, rows: 0, timed: 0, asked };
         for (name, constraint) in constraints {
+            all.asked.note(all.blocks.len(), constraint.as_ref());
             all.append(layout, name, constraint);
         }
         all
     }
 
     fn append(&mut self, layout: &Layout, name: String, constraint: Box<dyn Constraint>) {
-        let (first_state, first_rate) = (self.plan.states.len(), self.plan.rates.len());
+        let (first_state, first_rate) = (self.plan.len(), self.plan.columns.len());
         let (mut states, mut columns) = (Vec::new(), Vec::new());
         for argument in constraint.arguments() {
             let place = layout.place(&argument.target).unwrap_or(Place::Ground(0.0));
@@ -205,7 +162,7 @@ impl Equations {
             columns.push(column - first_rate);
         }
         let first = self.entries.len();
-        let own = &self.plan.rates[first_rate..];
+        let own = &self.plan.columns[first_rate..];
         let place = |column: usize| own.get(column).filter(|place| **place != GROUND).map(|place| *place as usize);
         let global = |&(row, column): &(usize, usize)| Some((self.rows + row, place(column)?));
         self.entries.extend(constraint.pattern().iter().map(global));
@@ -213,37 +170,89 @@ impl Equations {
         self.constants.resize(self.entries.len(), None);
         let rows = self.rows..self.rows + constraint.rows().len();
         self.rows = rows.end;
+        let timed = self.timed..self.timed + constraint.n_timed();
+        self.timed = timed.end;
         self.blocks.push(Block {
             name,
-            constraint,
-            states: first_state..self.plan.states.len(),
-            rows,
-            values: first..self.entries.len(),
-            rates: first_rate..self.plan.rates.len(),
+            timed: Span::new(timed),
+            states: first_state as u32,
+            rows: Span::new(rows),
+            values: Span::new(first..self.entries.len()),
+            rates: first_rate as u32,
+            constant: self.constants[first..].iter().all(Option::is_some),
             first_state: states,
             first_column: columns,
+            constraint,
         });
     }
 
+    /// Room for an instant: all coordinates at zero, no time set yet.
+    pub(crate) fn instant(&self) -> Instant {
+        Instant { t: f64::NAN, timed: vec![0.0; self.timed], states: self.plan.states(), rates: vec![0.0; self.plan.columns.len()] }
+    }
+
+    /// The instant at coordinates q and time t.
+    pub(crate) fn instant_at(&self, t: f64, q: &[f64]) -> Instant {
+        let mut instant = self.instant();
+        self.set_time(t, &mut instant);
+        self.set_position(q, &mut instant);
+        instant
+    }
+
+    /// What depends on the time and on parameters alone is evaluated here, once a time.
+    pub(crate) fn set_time(&self, t: f64, instant: &mut Instant) {
+        instant.t = t;
+        for &k in &self.asked.timed {
+            let block = &self.blocks[k];
+            block.constraint.at_time(t, &mut instant.timed[block.timed.range()]);
+        }
+    }
+
+    pub(crate) fn set_position(&self, q: &[f64], instant: &mut Instant) {
+        self.plan.set_states(q, &mut instant.states);
+    }
+
+    pub(crate) fn set_rates(&self, qd: &[f64], instant: &mut Instant) {
+        self.plan.set_rates(qd, &mut instant.rates);
+    }
+
     /// C(q, t).
-    pub(crate) fn residual(&self, t: f64, states: &[f64], c: &mut [f64]) -> Result<(), Bad> {
+    pub(crate) fn residual(&self, instant: &Instant, c: &mut [f64]) -> Result<(), Bad> {
         for block in &self.blocks {
-            block.constraint.residual(&block.at(t, states), &mut c[block.rows.clone()]);
+            block.constraint.residual(&instant.of(block), &mut c[block.rows.range()]);
         }
         finite(c, "C")
     }
 
+    /// Writes the values of C_q that never change; [`Equations::linearize`] may leave them as they are.
+    pub(crate) fn set_constants(&self, values: &mut [f64]) {
+        values.iter_mut().zip(&self.constants).for_each(|(value, constant)| *value = constant.unwrap_or(*value));
+    }
+
     /// C(q, t) and the values of C_q, whether they are finite or not.
-    pub(crate) fn linearize(&self, t: f64, states: &[f64], c: &mut [f64], values: &mut [f64]) {
-        let (mut c, mut values, mut states) = (c, values, states);
+    pub(crate) fn linearize(&self, instant: &Instant, c: &mut [f64], values: &mut [f64]) {
+        let at = instant.at();
         for block in &self.blocks {
-            // Blocks lie one after the other: one check for each slice.
-            let (own_c, own_values, own_states);
-            (own_c, c) = c.split_at_mut(block.rows.len());
-            (own_values, values) = values.split_at_mut(block.values.len());
-            (own_states, states) = states.split_at(block.states.len());
-            block.constraint.linearize(&At::new(t, own_states, &block.first_state), own_c, own_values);
+            let (at, c) = (block.at(at), &mut c[block.rows.range()]);
+            if block.constant {
+                block.constraint.residual(&at, c);
+            } else {
+                block.constraint.linearize(&at, c, &mut values[block.values.range()]);
+            }
         }
+    }
+
+    /// The same where only the time has changed since; false if C_q has not changed with it.
+    pub(crate) fn relinearize(&self, instant: &Instant, c: &mut [f64], values: &mut [f64]) -> bool {
+        for block in self.asked.c.iter().map(|&k| &self.blocks[k]) {
+            let c = &mut c[block.rows.range()];
+            if self.asked.c_q_on_t {
+                block.constraint.linearize(&instant.of(block), c, &mut values[block.values.range()]);
+            } else {
+                block.constraint.residual(&instant.of(block), c);
+            }
+        }
+        self.asked.c_q_on_t
     }
 
     /// Whether C and the values of C_q are finite. What stands on the ground's coordinates does not matter.
@@ -253,27 +262,28 @@ impl Equations {
         own.find(|(_, value)| !value.is_finite()).map_or(Ok(()), |(row, _)| Err(Bad { row, quantity: "C_q" }))
     }
 
-    /// −C_t.
-    pub(crate) fn velocity_rhs(&self, t: f64, states: &[f64], rhs: &mut [f64]) -> Result<(), Bad> {
-        for block in &self.blocks {
-            block.constraint.velocity_rhs(&block.at(t, states), &mut rhs[block.rows.clone()]);
+    /// −C_t, whether it is finite or not.
+    pub(crate) fn velocity_rhs(&self, instant: &Instant, rhs: &mut [f64]) {
+        rhs.fill(0.0);
+        for block in self.asked.c_t.iter().map(|&k| &self.blocks[k]) {
+            block.constraint.velocity_rhs(&instant.of(block), &mut rhs[block.rows.range()]);
         }
-        finite(rhs, "C_t")
     }
 
-    /// Q_d.
-    pub(crate) fn acceleration_rhs(&self, t: f64, states: &[f64], rates: &[f64], q_d: &mut [f64]) -> Result<(), Bad> {
-        for block in &self.blocks {
-            let (at, rates) = (block.at(t, states), block.rates(rates));
-            block.constraint.acceleration_rhs(&at, &rates, 1.0, &mut q_d[block.rows.clone()]);
+    /// Q_d, whether it is finite or not.
+    pub(crate) fn acceleration_rhs(&self, instant: &Instant, q_d: &mut [f64]) {
+        q_d.fill(0.0);
+        let (at, rates) = (instant.at(), Rates::new(&instant.rates, &[]));
+        for block in self.asked.q_d.iter().map(|&k| &self.blocks[k]) {
+            let rates = rates.further(block.rates as usize, &block.first_column);
+            block.constraint.acceleration_rhs(&block.at(at), &rates, 1.0, &mut q_d[block.rows.range()]);
         }
-        finite(q_d, "Q_d")
     }
 
     /// The constraint that a global row belongs to, and its local row.
     pub(crate) fn block_of(&self, row: usize) -> Option<(&Block, usize)> {
-        let block = self.blocks.get(self.blocks.partition_point(|block| block.rows.end <= row))?;
-        Some((block, row - block.rows.start))
+        let block = self.blocks.get(self.blocks.partition_point(|block| block.rows().end <= row))?;
+        Some((block, row - block.rows().start))
     }
 
     /// Name of the equation in a global row, such as `A.x`.
@@ -281,12 +291,12 @@ impl Equations {
         self.block_of(row).map(|(block, local)| block.equation(local)).unwrap_or_default()
     }
 
-    /// The error for what is not finite at a time and states.
-    pub(crate) fn not_finite(&self, bad: Bad, t: f64, states: &[f64]) -> Error {
+    /// The error for what is not finite at an instant.
+    pub(crate) fn not_finite(&self, bad: Bad, instant: &Instant) -> Error {
         let found = self.block_of(bad.row);
-        let expression = found.and_then(|(block, _)| block.constraint.not_finite(&block.at(t, states)));
+        let expression = found.and_then(|(block, _)| block.constraint.not_finite(&instant.of(block)));
         Error::NotFinite {
-            t,
+            t: instant.t,
             constraint: found.map(|(block, _)| block.name.clone()).unwrap_or_default(),
             row: found.map(|(block, local)| block.row(local).to_string()).unwrap_or_default(),
             quantity: bad.quantity,
@@ -307,26 +317,21 @@ pub(crate) fn finite(rows: &[f64], quantity: &'static str) -> Result<(), Bad> {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::coordinates::Coordinate;
-
-    #[test]
-    fn one_coordinate_has_one_state_with_sine_if_anyone_asks() {
-        let mut plan = StatePlan::default();
-        let target = |trig| Target::Coord(Coordinate::Planar(crate::coordinates::any_planar(), 2), trig);
-        let place = Place::Own { item: 0, first: 2 };
-        assert_eq!(plan.argument(&target(Trig::Unused), place), (0, 0));
-        assert_eq!(plan.argument(&target(Trig::Unused), Place::Ground(1.0)), (3, 1));
-        assert_eq!(plan.argument(&target(Trig::Used), place), (6, 2));
-        let mut states = plan.states();
-        plan.set_states(&[0.0, 0.0, 0.5], &mut states);
-        let half = CoordState::new(0.5, true).to_array();
-        assert_eq!((&states[..3], &states[6..]), (&half[..], &half[..]));
-        assert_eq!(states[3], 1.0);
-        let mut rates = plan.rates();
-        plan.set_rates(&[0.0, 0.0, 7.0], &mut rates);
-        assert_eq!(rates, [7.0, 0.0, 7.0]);
+impl Asked {
+    /// Constraint `k` is asked for what it has.
+    fn note(&mut self, k: usize, constraint: &dyn Constraint) {
+        let depends = constraint.depends();
+        let lists = [
+            (constraint.n_timed() > 0, &mut self.timed),
+            (depends.c_on_t, &mut self.c),
+            (depends.c_t, &mut self.c_t),
+            (depends.q_d, &mut self.q_d),
+        ];
+        for (asked, list) in lists {
+            if asked {
+                list.push(k);
+            }
+        }
+        self.c_q_on_t |= depends.c_q_on_t;
     }
 }

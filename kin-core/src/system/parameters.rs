@@ -2,6 +2,7 @@
 
 use super::System;
 use crate::error::{Error, Result};
+use crate::mechanism::admission::sensible_parameters;
 
 impl System {
     /// Names and values of all numeric parameters, such as (`slot.k`, 2.0), in the order of the constraints.
@@ -18,15 +19,20 @@ impl System {
         self.find(name).map(|(_, _, value)| value)
     }
 
-    /// Sets one parameter, such as `slot.k`; pattern, order and guesses stay. Errors: no such parameter, not finite.
+    /// Sets one parameter, such as `slot.k`; pattern, order and guesses stay. Errors: no such parameter, not finite, or what makes no sense with
+    /// the others; the old value stays.
     pub fn set(&mut self, name: &str, value: f64) -> Result<()> {
         let (index, parameter, _) = self.find(name)?;
         let block = &mut self.equations.blocks[index];
         if !value.is_finite() {
             return Err(Error::ParameterNotFinite { constraint: block.name.clone(), parameter, value });
         }
+        let before = self.parameter(name)?;
+        let block = &mut self.equations.blocks[index];
         if block.constraint.set_parameter(&parameter, value) {
-            return Ok(());
+            return sensible_parameters(&block.name, block.constraint.as_ref()).inspect_err(|_| {
+                block.constraint.set_parameter(&parameter, before);
+            });
         }
         Err(Error::UnknownName { what: "parameter that can be set", name: name.to_string(), known: Vec::new() })
     }

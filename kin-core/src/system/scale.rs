@@ -18,8 +18,8 @@ fn lever(layout: &Layout, equations: &Equations, values: &[f64]) -> Option<f64> 
     let mut levers: Vec<f64> = Vec::new();
     for block in &equations.blocks {
         let (mut per_length, mut per_angle) = (0.0_f64, 0.0_f64);
-        let entries = equations.entries.get(block.values.clone()).unwrap_or_default();
-        for (entry, value) in entries.iter().zip(values.get(block.values.clone()).unwrap_or_default()) {
+        let entries = equations.entries.get(block.values()).unwrap_or_default();
+        for (entry, value) in entries.iter().zip(values.get(block.values()).unwrap_or_default()) {
             match entry.and_then(|(_, column)| layout.units.get(column)) {
                 Some(Unit::Metre) => per_length = per_length.max(value.abs()),
                 Some(_) => per_angle = per_angle.max(value.abs()),

@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::{functions, rewrite, template, written};
+use super::{attachments, demands, described, functions, rewrite, template, written};
 use crate::differentiate::Derivatives;
 use crate::lower::Lowered;
 use crate::parse::{Argument, ConstraintFn, Kind, Shape};
@@ -26,9 +26,10 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
     let trig = derived.trig(&lowered);
     let frame = Frame { trig, ..Frame::new(source, row_names, pattern) };
     let kernels = functions::symbolic(&source.arguments, &mut lowered, &derived);
+    let attachments = attachments::symbolic(&source.arguments, &lowered);
     let leaves: Vec<TokenStream> =
         lowered.leaves.iter().enumerate().map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items)).collect();
-    frame.emit(quote!(::kin::Route::Symbolic), &kernels, &leaves, Some(&lowered))
+    frame.emit(quote!(::kin::Route::Symbolic), &quote!(#kernels #attachments), &leaves, Some(&lowered))
 }
 
 /// The constraint on the dual route.
@@ -36,7 +37,8 @@ pub fn dual(source: &ConstraintFn) -> TokenStream {
     let row_names = row_names(&source.output);
     let n = columns(&source.arguments);
     let pattern = (0..row_names.len()).flat_map(|row| (0..n).map(move |column| (row, column))).collect();
-    Frame::new(source, row_names, pattern).emit(quote!(::kin::Route::Dual), &functions::dual(), &[], None)
+    let (kernels, attachments) = (functions::dual(), attachments::dual(source));
+    Frame::new(source, row_names, pattern).emit(quote!(::kin::Route::Dual), &quote!(#kernels #attachments), &[], None)
 }
 
 impl<'a> Frame<'a> {
@@ -57,6 +59,10 @@ impl<'a> Frame<'a> {
         let described = self.arguments();
         let (visit, set) = super::parameter_methods(&source.arguments);
         let kinds = source.arguments.iter().flat_map(kinds);
+        let (describe, as_data) = (described::describe(source), described::described(source, &kind, &n, &m));
+        let description = super::description(&source.attributes);
+        let (refusal, branch) = (demands::refusal(source), demands::branch(source));
+        let laws = lowered.map(|lowered| functions::laws(&source.arguments, lowered)).unwrap_or_default();
         quote! {
             #declaration
 
@@ -80,10 +86,18 @@ impl<'a> Frame<'a> {
                     fn pattern(&self) -> &[(usize, usize)] {
                         &[#(#pattern),*]
                     }
+                    #describe
                     #kernels
+                    fn description(&self) -> &str {
+                        #description
+                    }
                     #visit
                     #set
+                    #refusal
+                    #branch
+                    #laws
                 }
+                #as_data
                 impl ::kin::rt::Equation<#n, #m> for #name {
                     const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[#(#kinds),*];
                     #equations
@@ -102,14 +116,14 @@ impl<'a> Frame<'a> {
         let inputs = fields.iter().map(|argument| {
             let (name, ty) = (&argument.name, super::field_type(argument));
             match argument.kind {
-                Kind::Planar | Kind::Spatial | Kind::Coord => quote!(#name: impl ::core::convert::Into<#ty>),
+                Kind::Planar | Kind::Spatial | Kind::Coord | Kind::Axis => quote!(#name: impl ::core::convert::Into<#ty>),
                 _ => quote!(#name: #ty),
             }
         });
         let values = fields.iter().map(|argument| {
             let name = &argument.name;
             match argument.kind {
-                Kind::Planar | Kind::Spatial | Kind::Coord => quote!(#name: ::core::convert::Into::into(#name)),
+                Kind::Planar | Kind::Spatial | Kind::Coord | Kind::Axis => quote!(#name: ::core::convert::Into::into(#name)),
                 _ => quote!(#name),
             }
         });
@@ -218,7 +232,7 @@ fn written_inputs(arguments: &[Argument], q: &Ident, t: &Ident) -> Vec<TokenStre
             Kind::Coord => quote!(#(#q[#columns])*),
             Kind::Coords(_) => quote!([#(#q[#columns]),*]),
             Kind::Time => quote!(#t),
-            Kind::Numbers(_) => quote!(self.#name),
+            Kind::Numbers(_) | Kind::Axis => quote!(self.#name),
             Kind::Law | Kind::Other => quote!(self.#name.clone()),
         }
     });

@@ -4,8 +4,9 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::kernel::{Code, Kernel};
+use super::timed;
 use crate::differentiate::Derivatives;
-use crate::graph::{Graph, Node};
+use crate::graph::{Graph, Node, Op};
 use crate::lower::Lowered;
 use crate::parse::Argument;
 
@@ -23,19 +24,23 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
     let values: Vec<Node> = derived.jacobian.iter().map(|entry| entry.2).collect();
     let c_q = outputs("c_q", &values);
     let both: Vec<_> = c.iter().chain(&c_q).cloned().collect();
-    let mut kernel = |outputs: &[(TokenStream, Node)]| Kernel::scheduled(lowered, arguments, outputs);
-
+    let (rhs, q_d) = (outputs("rhs", &derived.velocity_rhs), outputs("q_d", &derived.acceleration_rhs));
+    let all: Vec<Node> = both.iter().chain(&rhs).chain(&q_d).map(|output| output.1).collect();
+    let timed = timed::select(lowered, &all);
+    let mut kernel = |outputs: &[(TokenStream, Node)]| Kernel::scheduled(lowered, arguments, &timed, outputs);
     let residual = commented("C", kernel(&c));
     let linearize = commented("C and C_q", kernel(&both));
-    let right_side = commented("Q_d for t_dot = 1", kernel(&outputs("q_d", &derived.acceleration_rhs)));
-    let velocity = (!derived.velocity_rhs.is_empty()).then(|| kernel(&outputs("rhs", &derived.velocity_rhs)));
+    let right_side = commented("Q_d for t_dot = 1", kernel(&q_d));
+    let velocity = (!rhs.is_empty()).then(|| kernel(&rhs));
     let velocity = self::velocity(&m, velocity);
+    let timed = timed::functions(lowered, &timed);
     let (constants, depends) = (constants(&lowered.graph, derived), depends(&lowered.graph, &rows, derived));
     let not_finite = not_finite(lowered, arguments, &derived.checks);
     let ((residual_doc, residual), (linearize_doc, linearize), (right_doc, right_side)) = (residual, linearize, right_side);
     quote! {
         #constants
         #depends
+        #timed
         #[doc = #residual_doc]
         fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<#m>() else { return };
@@ -127,6 +132,45 @@ fn not_finite(lowered: &Lowered, arguments: &[Argument], checks: &[(String, Vec<
         fn not_finite(&self, at: &::kin::rt::At<'_>) -> ::core::option::Option<&str> {
             #code
             ::core::option::Option::None
+        }
+    }
+}
+
+/// `laws`: each law that the equation asks, and where; nothing where there is none.
+pub fn laws(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
+    let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
+    let mut asked: Vec<(usize, Node)> = Vec::new();
+    for node in lowered.graph.reachable(&rows) {
+        if let Op::Law(law, x, _) = lowered.graph.op(node)
+            && !asked.contains(&(law, x))
+        {
+            asked.push((law, x));
+        }
+    }
+    if asked.is_empty() {
+        return quote!();
+    }
+    let outputs: Vec<_> = asked
+        .iter()
+        .enumerate()
+        .map(|(k, (_, x))| {
+            let k = literal(k);
+            (quote!(x[#k]), *x)
+        })
+        .collect();
+    let code = Kernel::emit(lowered, arguments, &outputs).tokens;
+    let shown = asked.iter().enumerate().map(|(k, (law, _))| {
+        let (k, place) = (literal(k), super::template::place(&lowered.laws[*law]));
+        let name = crate::lower::tidy(&place.to_string()).replace(' ', "");
+        let name = name.trim_start_matches("self.");
+        quote!(visit(#name, &#place, x[#k]);)
+    });
+    let n = literal(asked.len());
+    quote! {
+        fn laws(&self, at: &::kin::rt::At<'_>, visit: &mut dyn FnMut(&str, &::kin::Law, f64)) {
+            let mut x = [0.0; #n];
+            #code
+            #(#shown)*
         }
     }
 }

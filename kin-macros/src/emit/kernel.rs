@@ -1,14 +1,17 @@
 //! Straight-line code for some outputs of the graph: which nodes get a name, in which order, and how each is written.
 
+mod evaluations;
+
 use std::collections::{HashMap, HashSet};
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
 
-use super::template;
-use crate::graph::{Comparison, Function, Function2, Graph, Input, Leaf, LeafNumber, LeafUse, Node, Op, Part};
-use crate::lower::{Lowered, OpaqueKind};
-use crate::parse::{Argument, Kind};
+use super::slots::{Slot, binding, slots};
+use super::timed;
+use crate::graph::{Comparison, Function, Function2, Graph, Input, Node, Op, Part};
+use crate::lower::Lowered;
+use crate::parse::Argument;
 use crate::schedule::{self, order};
 
 /// Nested this deep, an expression gets a name although it is used once.
@@ -36,12 +39,11 @@ pub struct Kernel<'a> {
     read: HashSet<(usize, Part, bool)>,
     /// What is returned where states are missing.
     missing: TokenStream,
-}
-
-/// One state argument in emitted code.
-struct Slot {
-    name: String,
-    kind: Kind,
+    /// Whether outputs are written one after the other, as they stand.
+    scheduled: bool,
+    /// How many numbers were evaluated once a time, and whether they are read.
+    timed: usize,
+    reads_timed: bool,
 }
 
 /// The code, and how many arithmetic operations and function calls it makes.
@@ -51,30 +53,39 @@ pub struct Code {
 }
 
 impl<'a> Kernel<'a> {
-    /// Code for `outputs` after the scheduler has had a look at it.
-    pub fn scheduled(lowered: &'a mut Lowered, arguments: &[Argument], outputs: &[(TokenStream, Node)]) -> Code {
+    /// Code for `outputs` after the scheduler has had a look at it; nodes in `timed` (sorted) were evaluated before.
+    pub fn scheduled(lowered: &'a mut Lowered, arguments: &[Argument], timed: &[Node], outputs: &[(TokenStream, Node)]) -> Code {
         let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
+        let nodes = timed::read(&mut lowered.graph, timed, &nodes);
         let nodes = schedule::prepare(&mut lowered.graph, &nodes);
         let outputs: Vec<_> = outputs.iter().zip(nodes).map(|((place, _), node)| (place.clone(), node)).collect();
-        Kernel::emit(lowered, arguments, &outputs)
+        Kernel { scheduled: true, timed: timed.len(), ..Kernel::new(lowered, arguments) }.with_outputs(&outputs)
     }
 
     /// Code that computes `outputs` and writes each to the place given with it.
     pub fn emit(lowered: &'a Lowered, arguments: &[Argument], outputs: &[(TokenStream, Node)]) -> Code {
-        let mut kernel = Kernel::new(lowered, arguments);
+        Kernel::new(lowered, arguments).with_outputs(outputs)
+    }
+
+    fn with_outputs(self, outputs: &[(TokenStream, Node)]) -> Code {
+        let mut kernel = self;
         let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
         kernel.count_uses(&nodes);
         let in_order = super::own("in_order");
-        for group in order(&lowered.graph, &nodes) {
+        let groups = order(kernel.graph(), &nodes);
+        let fenced = kernel.scheduled && groups.len() > 1;
+        if fenced {
+            kernel.statements.push(quote!(let #in_order = ::kin::rt::in_order;));
+        }
+        for group in groups {
             group.nodes.into_iter().for_each(|node| kernel.name(node));
             let (place, node) = &outputs[group.output];
             let value = kernel.expression(*node);
             kernel.statements.push(quote!(#place = #value;));
-            if group.computes {
+            if fenced && group.computes {
                 kernel.statements.push(quote!(#in_order();));
             }
         }
-        kernel.statements.insert(0, quote!(let #in_order = ::kin::rt::in_order;));
         kernel.finish(quote!())
     }
 
@@ -109,6 +120,9 @@ impl<'a> Kernel<'a> {
             fused: false,
             read: HashSet::new(),
             missing: quote!(),
+            scheduled: false,
+            timed: 0,
+            reads_timed: false,
         }
     }
 
@@ -118,12 +132,13 @@ impl<'a> Kernel<'a> {
 
     fn finish(self, outputs: TokenStream) -> Code {
         let bindings = self.bindings();
+        let timed = self.reads_timed.then(|| timed::binding(self.timed));
         let statements = self.statements;
         let fma = super::own("fma");
         let fma = if self.fused { quote!(let #fma = ::kin::rt::fma;) } else { quote!() };
         let items = &self.lowered.items;
         let items = if items.is_empty() { quote!() } else { quote!(#(#[allow(unused)] #items)*) };
-        Code { tokens: quote!(#items #fma #bindings #(#statements)* #outputs), operations: self.operations }
+        Code { tokens: quote!(#items #fma #timed #bindings #(#statements)* #outputs), operations: self.operations }
     }
 
     /// The states and rates as arrays of known length, if any of their numbers is read.
@@ -295,156 +310,15 @@ impl<'a> Kernel<'a> {
             Input::TimeRate => quote!(t_dot),
             Input::Variable => quote!(x),
             Input::Parameter(k) => self.lowered.parameters[k].clone(),
+            Input::Timed(k) => {
+                self.reads_timed = true;
+                let k = Literal::usize_unsuffixed(k);
+                quote!(timed[#k])
+            }
             Input::State(slot, part) => self.reading(slot, part, true).to_token_stream(),
             Input::Rate(slot, part) => self.reading(slot, part, false).to_token_stream(),
         }
     }
-
-    /// Nodes that come out of an evaluation with several results: laws, opaque values, leaves.
-    fn evaluation(&mut self, node: Node) -> Option<TokenStream> {
-        match self.graph().op(node) {
-            Op::Law(law, x, order) => {
-                let law_place = template::place(&self.lowered.laws[law]);
-                let x_value = self.expression(x);
-                let key = format!("law {law} {x:?}");
-                let name = self.evaluated(key, "law", &quote!([f64; 4]), |_| quote!(#law_place.jet(#x_value)));
-                let order = Literal::usize_unsuffixed(usize::from(order));
-                Some(quote!(#name[#order]))
-            }
-            Op::Opaque(number, component) => {
-                let value = &self.lowered.opaques[number];
-                // The type is what the macro took the value for: where that is wrong, rustc says so at the user's token.
-                let ty = template::kind_type(&value.kind);
-                let ty = quote!(::kin::rt::If<__SOUND, #ty>);
-                let key = format!("opaque {number}");
-                let name = self.evaluated(key, "o", &ty, |kernel| template::plain(&value.template, &mut |n| kernel.expression(n)));
-                Some(template::component(&name, &value.kind, component))
-            }
-            Op::Leaf(of) => Some(self.leaf(of)),
-            _ => None,
-        }
-    }
-
-    /// The name of an evaluation of a type, the same one each time.
-    fn evaluated(&mut self, key: String, prefix: &str, ty: &TokenStream, value: impl FnOnce(&mut Self) -> TokenStream) -> Ident {
-        if let Some(name) = self.evaluations.get(&key) {
-            return name.clone();
-        }
-        self.operations += 1;
-        let name = Ident::new(&format!("{prefix}{}", self.evaluations.len()), Span::mixed_site());
-        let value = value(self);
-        self.statements.push(quote!(let #name: #ty = #value;));
-        self.evaluations.insert(key, name.clone());
-        name
-    }
-
-    fn leaf(&mut self, of: LeafUse) -> TokenStream {
-        let Leaf { call, arguments } = self.graph().leaves[of.leaf].clone();
-        let (leaf, function) = (&self.lowered.leaves[call], template::leaf_name(call));
-        let directions = &self.graph().directions;
-        let (key, field) = match of.what {
-            LeafNumber::Value => (format!("leaf {} value", of.leaf), quote!(.0)),
-            LeafNumber::Partial(k) => (format!("leaf {} by {k}", of.leaf), quote!(.0.eps)),
-            LeafNumber::First(d) => (format!("leaf {} along {d}", of.leaf), quote!(.0.v1)),
-            LeafNumber::Second(d) => (format!("leaf {} along {d}", of.leaf), quote!(.0.v2)),
-        };
-        let scalar = match of.what {
-            LeafNumber::Value => quote!(::kin::rt::Real<f64>),
-            LeafNumber::Partial(_) => quote!(::kin::rt::Real<::kin::rt::Dual64>),
-            LeafNumber::First(_) | LeafNumber::Second(_) => quote!(::kin::rt::Real<::kin::rt::Dual2_64>),
-        };
-        let OpaqueKind::Numbers(shape) = &leaf.kind else { return quote!(f64::NAN) };
-        let name = self.evaluated(key, "leaf", &template::shape_type(shape, &scalar), |kernel| {
-            let values: Vec<TokenStream> = arguments
-                .iter()
-                .enumerate()
-                .map(|(k, &a)| {
-                    let x = kernel.expression(a);
-                    match of.what {
-                        LeafNumber::Value => quote!(::kin::rt::Real(#x)),
-                        LeafNumber::Partial(by) => {
-                            let seed = number(if by == k { 1.0 } else { 0.0 });
-                            quote!(::kin::rt::Real(::kin::rt::Dual64::new(#x, #seed)))
-                        }
-                        LeafNumber::First(d) | LeafNumber::Second(d) => {
-                            let (first, second) = (kernel.expression(directions[d].first[k]), kernel.expression(directions[d].second[k]));
-                            quote!(::kin::rt::Real(::kin::rt::Dual2_64::new(#x, #first, #second)))
-                        }
-                    }
-                })
-                .collect();
-            quote!(self.#function([#(#values),*]))
-        });
-        let component = template::component(&name, &leaf.kind, of.output);
-        quote!(#component #field)
-    }
-}
-
-impl Slot {
-    /// A name for each number of the state, in the order in which a constraint reads them.
-    fn state_parts(&self) -> Vec<Part> {
-        match self.kind {
-            Kind::Planar => vec![Part::R(0), Part::R(1), Part::Theta, Part::Sin, Part::Cos],
-            Kind::Spatial => {
-                let (r, p) = ((0..3).map(Part::R), (0..4).map(Part::P));
-                r.chain(p).collect()
-            }
-            _ => vec![Part::Theta, Part::Sin, Part::Cos],
-        }
-    }
-
-    /// The coordinates among them.
-    fn columns(&self) -> Vec<Part> {
-        self.state_parts().into_iter().filter(|part| !matches!(part, Part::Sin | Part::Cos)).collect()
-    }
-
-    fn state(&self, part: Part) -> Ident {
-        let name = &self.name;
-        let bare = !matches!(self.kind, Kind::Planar | Kind::Spatial);
-        let text = match part {
-            Part::R(k) => format!("{name}_{}", ["x", "y", "z"][k]),
-            Part::Theta if bare => name.clone(),
-            Part::Theta => format!("{name}_theta"),
-            Part::Sin => format!("{name}_sin"),
-            Part::Cos => format!("{name}_cos"),
-            Part::P(k) => format!("{name}_e{k}"),
-        };
-        Ident::new(&text, Span::mixed_site())
-    }
-
-    fn rate(&self, part: Part) -> Ident {
-        Ident::new(&format!("{}_d", self.state(part)), Span::mixed_site())
-    }
-}
-
-/// `let Some(state) = at.states::<10>() else { return };`
-fn binding(name: &str, source: TokenStream, length: usize, is_read: bool, missing: &TokenStream) -> TokenStream {
-    let (name, length) = (super::own(name), Literal::usize_unsuffixed(length));
-    if is_read { quote!(let ::core::option::Option::Some(#name) = #source::<#length>() else { return #missing };) } else { quote!() }
-}
-
-/// The state arguments, one a slot, with names that nothing else in emitted code has.
-fn slots(arguments: &[Argument]) -> Vec<Slot> {
-    let plain = |argument: &Argument| argument.name.to_string().trim_start_matches("r#").to_owned();
-    let names: Vec<String> = arguments.iter().map(plain).collect();
-    let mut slots = Vec::new();
-    for (argument, name) in arguments.iter().zip(&names) {
-        let extends = |other: &String| name.strip_prefix(other.as_str()).is_some_and(|rest| rest.starts_with('_'));
-        let base = if is_taken(name) || names.iter().any(extends) { format!("{name}_arg") } else { name.clone() };
-        for k in 0..argument.kind.slots() {
-            let name = if matches!(argument.kind, Kind::Coords(_)) { format!("{base}_{k}") } else { base.clone() };
-            slots.push(Slot { name, kind: argument.kind.clone() });
-        }
-    }
-    slots
-}
-
-/// Names of the emitted functions' own arguments and temporaries, and keywords that came as raw identifiers.
-fn is_taken(name: &str) -> bool {
-    let prefix = name.trim_end_matches(|c: char| c.is_ascii_digit());
-    let temporary = prefix.len() < name.len() && matches!(prefix, "t" | "s" | "c" | "o" | "law" | "leaf");
-    let own = matches!(name, "at" | "qd" | "c" | "c_q" | "q_d" | "rhs" | "t_dot" | "x" | "f");
-    temporary || own || syn::parse_str::<Ident>(name).is_err()
 }
 
 /// A number as a literal.

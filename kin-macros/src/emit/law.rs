@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::kernel::Kernel;
-use super::{rewrite, template, written};
+use super::{demands, rewrite, template, written};
 use crate::differentiate::Partial;
 use crate::lower::Lowered;
 use crate::parse::LawFn;
@@ -75,6 +75,7 @@ fn emit(source: &LawFn, jet: &TokenStream, written: &TokenStream, leaves: &[Toke
     let (visit, set) = super::parameter_methods(&source.parameters);
     let fields: Vec<_> = source.parameters.iter().map(super::field_type).collect();
     let text = syn::ext::IdentExt::unraw(name).to_string();
+    let (refusal, description) = (demands::law_refusal(&source.requirements, &source.parameters), super::description(attributes));
     quote! {
         #(#attributes)*
         #[allow(clippy::too_many_arguments)]
@@ -100,7 +101,11 @@ fn emit(source: &LawFn, jet: &TokenStream, written: &TokenStream, leaves: &[Toke
                     fn jet(&self, x: f64) -> [f64; 4] {
                         #jet
                     }
+                    fn description(&self) -> &str {
+                        #description
+                    }
                     #visit
+                    #refusal
                     fn with_parameter(&self, name: &str, value: f64) -> ::core::option::Option<::kin::Law> {
                         let mut changed = ::core::clone::Clone::clone(self);
                         changed.set_parameter(name, value).then(|| ::kin::Law::new(changed))

@@ -1,12 +1,17 @@
 //! Last stage: from the graph, and from the user's own body, to Rust. `quote` begins here.
 
+mod attachments;
 pub mod constraint;
+mod demands;
+mod described;
 mod functions;
 mod kernel;
 pub mod law;
 mod rewrite;
+mod slots;
 pub mod stand_in;
 mod template;
+mod timed;
 mod written;
 
 use proc_macro2::TokenStream;
@@ -25,6 +30,7 @@ fn field_type(argument: &Argument) -> TokenStream {
             quote!([::kin::Coordinate; #n])
         }
         Kind::Other => written::parameter_type(&argument.ty),
+        Kind::Axis => quote!(::kin::Axis),
         _ => {
             let ty = &argument.ty;
             quote!(#ty)
@@ -34,7 +40,8 @@ fn field_type(argument: &Argument) -> TokenStream {
 
 /// `parameters` and `set_parameter`: laws and vectors know their own parts.
 fn parameter_methods(arguments: &[Argument]) -> (TokenStream, TokenStream) {
-    let numeric: Vec<_> = arguments.iter().filter(|a| matches!(a.kind, Kind::Numbers(_) | Kind::Law)).map(|a| &a.name).collect();
+    let numeric: Vec<_> =
+        arguments.iter().filter(|a| matches!(a.kind, Kind::Numbers(_) | Kind::Law | Kind::Axis)).map(|a| &a.name).collect();
     let texts: Vec<String> = numeric.iter().map(|name| syn::ext::IdentExt::unraw(*name).to_string()).collect();
     let visit = quote! {
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
@@ -60,7 +67,7 @@ fn dual_bindings(arguments: &[Argument]) -> Vec<TokenStream> {
         .map(|argument| {
             let (name, mutable) = (&argument.name, mutable(argument));
             match argument.kind {
-                Kind::Numbers(_) => {
+                Kind::Numbers(_) | Kind::Axis => {
                     let ty = rewrite::lifted_type(&argument.ty);
                     quote!(let #mutable #name: #ty = ::kin::rt::Lift::lift(self.#name);)
                 }
@@ -85,6 +92,17 @@ fn own(name: &str) -> proc_macro2::Ident {
 
 fn mutable(argument: &Argument) -> TokenStream {
     if argument.mutable { quote!(mut) } else { quote!() }
+}
+
+/// What the user's doc comment says.
+fn description(attributes: &[syn::Attribute]) -> String {
+    let lines = documentation(attributes).into_iter().filter_map(|attribute| match &attribute.meta {
+        syn::Meta::NameValue(syn::MetaNameValue { value: syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }), .. }) => {
+            Some(text.value().trim().to_owned())
+        }
+        _ => None,
+    });
+    lines.collect::<Vec<_>>().join("\n")
 }
 
 /// Attributes of the constructor, and of the struct: its documentation says what the constructor's says.

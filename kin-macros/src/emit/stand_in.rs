@@ -14,7 +14,7 @@ pub fn constraint(source: &ConstraintFn) -> TokenStream {
         .map(|argument| {
             let ty = super::field_type(argument);
             match argument.kind {
-                Kind::Planar | Kind::Spatial | Kind::Coord => quote!(impl ::core::convert::Into<#ty>),
+                Kind::Planar | Kind::Spatial | Kind::Coord | Kind::Axis => quote!(impl ::core::convert::Into<#ty>),
                 Kind::Other => anything(),
                 _ => ty,
             }
@@ -109,6 +109,13 @@ fn constraint_of(visibility: &Visibility, name: &Ident, inputs: &[TokenStream]) 
                     &[]
                 }
                 #nothing
+            }
+            impl ::kin::rt::Described for #name {
+                const KIND: &'static str = "";
+                const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[];
+                fn read(_: &mut ::kin::rt::Reader<'_>) -> ::core::result::Result<Self, ::std::string::String> {
+                    ::core::result::Result::Ok(#name {})
+                }
             }
             impl ::kin::rt::Equation<0, 0> for #name {
                 const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[];

@@ -82,7 +82,7 @@ fn plain_type(argument: &Argument) -> TokenStream {
             quote!([f64; #n])
         }
         Kind::Other => parameter_type(&argument.ty),
-        Kind::Numbers(_) | Kind::Law => argument.ty.to_token_stream(),
+        Kind::Numbers(_) | Kind::Law | Kind::Axis => argument.ty.to_token_stream(),
     }
 }
 

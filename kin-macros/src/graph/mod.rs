@@ -30,6 +30,8 @@ pub enum Input {
     Variable,
     /// A numeric parameter, by its number.
     Parameter(usize),
+    /// What was evaluated once a time, by its number; put in before the scheduler.
+    Timed(usize),
 }
 
 /// Part of a state. `R`, `Theta` and `P` are coordinates, the others depend on them. The value of a bare coordinate is its `Theta` too.
@@ -353,10 +355,15 @@ impl Graph {
 
     /// Every node needed for `outputs`, in order of creation: operands come before their users.
     pub fn reachable(&self, outputs: &[Node]) -> Vec<Node> {
+        self.reachable_from(outputs, |_| false)
+    }
+
+    /// The same where the operands of `known` nodes are not needed.
+    pub fn reachable_from(&self, outputs: &[Node], known: impl Fn(Node) -> bool) -> Vec<Node> {
         let mut seen = vec![false; self.ops.len()];
         let mut open: Vec<Node> = outputs.to_vec();
         while let Some(node) = open.pop() {
-            if !std::mem::replace(&mut seen[node.0 as usize], true) {
+            if !std::mem::replace(&mut seen[node.0 as usize], true) && !known(node) {
                 self.each_operand(node, |operand| open.push(operand));
             }
         }

@@ -34,7 +34,7 @@ impl Reader {
     /// The value that a `match` looks at.
     pub fn matchable(&mut self, expression: &Expr) -> Read {
         match self.expression(expression)? {
-            other @ (Value::Function(_) | Value::Law(_) | Value::Planar(_) | Value::Spatial(_) | Value::Unassigned) => {
+            other @ (Value::Function(_) | Value::Law(_) | Value::Axis(_) | Value::Planar(_) | Value::Spatial(_) | Value::Unassigned) => {
                 Err(Unreadable::new(expression, format!("a `match` on {}", other.name())))
             }
             value => Ok(value),
@@ -226,7 +226,7 @@ enum Outcome {
 fn open(value: &Value) -> bool {
     match value {
         Value::Opaque(_) | Value::Integer(_) | Value::Function(_) | Value::Iterator(_) | Value::Law(_) | Value::Never => true,
-        Value::Planar(_) | Value::Spatial(_) | Value::Into(_) | Value::Generator(_) => true,
+        Value::Planar(_) | Value::Spatial(_) | Value::Axis(_) | Value::Into(_) | Value::Generator(_) => true,
         Value::Tuple(all) | Value::Array(all) => all.iter().any(open),
         Value::Reference(inner) => open(inner),
         _ => false,

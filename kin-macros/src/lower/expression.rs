@@ -108,6 +108,7 @@ impl Reader {
             Value::Planar(slot) => self.state_field(*slot, 2, &name),
             Value::Spatial(slot) => self.state_field(*slot, 3, &name),
             Value::Vector(v) => position(&name, &["x", "y", "z"][..v.len()]).map(|k| Value::Scalar(v[k])),
+            Value::Axis(vectors) => position(&name, &["h", "f", "g"]).map(|k| Value::Vector(vectors[k].clone())),
             Value::Euler(p) => position(&name, &["e0", "e1", "e2", "e3"]).map(|k| Value::Scalar(p[k])),
             Value::Matrix(n, m) => entry(&name, *n).map(|k| Value::Scalar(m[k])),
             Value::Tuple(all) => name.parse::<usize>().ok().and_then(|k| all.get(k).cloned()),
@@ -284,6 +285,7 @@ fn field_cure(base: &Value, name: &str) -> &'static str {
         (Value::Planar(_), _) => "; it has `r`, `theta`, and the methods `a()`, `point(u)`, `direction(h)`, `local(p)`",
         (Value::Spatial(_), "theta") => "; a spatial body has Euler parameters, `p`",
         (Value::Spatial(_), _) => "; it has `r`, `p`, and the methods `a()`, `point(u)`, `direction(h)`, `local(p)`",
+        (Value::Axis(_), _) => "; it has `h`, and `f` and `g` across it",
         (Value::Law(_), _) => "; ask it for a value with `.at(x)`",
         _ => "",
     }

@@ -43,8 +43,19 @@ pub struct Lowered {
     pub leaves: Vec<OpaqueValue>,
     /// Operations that can fail to be finite, with the user's text.
     pub risks: Vec<Risk>,
+    /// Points and directions that do not move in their bodies.
+    pub attachments: Vec<Attachment>,
     /// Items of the body that emitted code repeats: imports, types, constants whose value is not known here.
     pub items: Vec<syn::Item>,
+}
+
+/// A local point or direction of a body that depends on no coordinate and not on time.
+#[derive(Clone, PartialEq)]
+pub struct Attachment {
+    /// The body, by its slot.
+    pub slot: usize,
+    pub is_point: bool,
+    pub local: Vec<Node>,
 }
 
 /// A value that only rustc can compute, with the shape its place asks for.
@@ -138,6 +149,7 @@ struct Reader {
     risks: Vec<Risk>,
     /// Rotation matrices, each with the Euler parameters that it is made of.
     rotations: HashMap<Vec<Node>, Vec<Node>>,
+    attachments: Vec<Attachment>,
     repeated_items: Vec<syn::Item>,
     /// Conditions of the branches around what is being read.
     path: Vec<Node>,
@@ -165,6 +177,7 @@ impl Reader {
             leaf_index: HashMap::new(),
             risks: Vec::new(),
             rotations: HashMap::new(),
+            attachments: Vec::new(),
             repeated_items: Vec::new(),
             path: Vec::new(),
             body_depth: 0,
@@ -194,6 +207,7 @@ impl Reader {
             laws: self.laws,
             leaves: self.leaves,
             risks: self.risks,
+            attachments: self.attachments,
             items: self.repeated_items,
         })
     }
@@ -210,12 +224,22 @@ impl Reader {
                 Kind::Coords(n) => Value::Array((0..*n).map(|k| self.coordinate(slot + k)).collect()),
                 Kind::Time => Value::Scalar(self.graph.input(Input::Time)),
                 Kind::Law => Value::Law(Template::Parameter(name.clone())),
+                Kind::Axis => self.axis(name),
                 Kind::Numbers(shape) => self.parameter(&quote!(self.#name), shape),
                 Kind::Other => Value::Opaque(Template::Parameter(name.clone())),
             };
             self.scopes.declare(name.to_string(), value);
             slot += argument.kind.slots();
         }
+    }
+
+    /// The unit vectors of an axis.
+    fn axis(&mut self, name: &Ident) -> Value {
+        let fields = [quote!(h), quote!(f), quote!(g)];
+        Value::Axis(fields.map(|field| match self.parameter(&quote!(self.#name.#field), &Shape::Vector(3)) {
+            Value::Vector(v) => v,
+            _ => vec![],
+        }))
     }
 
     /// A numeric parameter: one input a number, read where `path` says.

@@ -34,6 +34,8 @@ pub enum Value {
     Spatial(usize),
     /// A law: how emitted code names it.
     Law(Template),
+    /// An axis: its unit vectors h, f and g.
+    Axis([Vec<Node>; 3]),
     Function(Function),
     /// Something only rustc understands; a number of some shape as soon as its place asks for one.
     Opaque(Template),
@@ -122,6 +124,7 @@ impl Value {
             Value::Planar(_) => "the state of a planar body".into(),
             Value::Spatial(_) => "the state of a spatial body".into(),
             Value::Law(_) => "a Law".into(),
+            Value::Axis(_) => "an Axis".into(),
             Value::Function(_) => "a function".into(),
             Value::Opaque(_) => "a value of a type the macro does not know".into(),
             Value::Unassigned => "a variable without a value".into(),

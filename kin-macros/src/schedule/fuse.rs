@@ -7,7 +7,7 @@ use super::edges;
 use crate::graph::{Graph, Node, Op};
 
 /// A longer sum is left in parts: a chain is computed one term after the other.
-const MOST_TERMS: usize = 10;
+const MOST_TERMS: usize = 8;
 
 /// A term of a sum and whether it is subtracted.
 type Term = (bool, Node);

@@ -21,7 +21,7 @@ impl VisitMut for Lifter<'_> {
         {
             match last.ident.to_string().as_str() {
                 "f64" => return *ty = parse_quote!(::kin::rt::Real<#dual>),
-                name @ ("Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "PlanarState" | "SpatialState") => {
+                name @ ("Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "Axis" | "PlanarState" | "SpatialState") => {
                     let name = Ident::new(name, Span::call_site());
                     return *ty = parse_quote!(::kin::rt::#name<::kin::rt::Real<#dual>>);
                 }

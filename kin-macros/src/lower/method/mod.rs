@@ -96,17 +96,19 @@ impl Reader {
         Ok(Value::Condition(all))
     }
 
-    /// `law.at(x)`
+    /// `law.at(x)` and `law.slope(x)`
     fn law_method(&mut self, law: Template, call: &Call) -> Read {
-        if call.name != "at" {
-            return Ok(self.unknown(call, "a Law", "; ask it for a value with `.at(x)`"));
-        }
+        let order = match call.name.as_str() {
+            "at" => 0,
+            "slope" => 1,
+            _ => return Ok(self.unknown(call, "a Law", "; ask it for a value with `.at(x)`, for its derivative with `.slope(x)`")),
+        };
         let Some(x) = self.scalars_of(1, call) else { return Ok(Value::Poison) };
         let number = *self.law_index.entry(law.key()).or_insert_with(|| {
             self.laws.push(law);
             self.laws.len() - 1
         });
-        let value = self.graph.law(number, x[0], 0);
+        let value = self.graph.law(number, x[0], order);
         self.risk(value, call.whole);
         Ok(Value::Scalar(value))
     }

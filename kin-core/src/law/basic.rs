@@ -1,4 +1,4 @@
-//! The kinds of laws that ship: one constructor, one formula, one jet each.
+//! Lines, polynomials, sines and Fourier series.
 
 use super::{Law, LawFunction};
 
@@ -32,6 +32,11 @@ impl Law {
     pub fn sine(amplitude: f64, omega: f64, phase: f64) -> Law {
         Law::new(Sine { kind: "sine", mean: 0.0, amplitude, omega, phase })
     }
+
+    /// f(x) = mean + Σ a_k cos(k · omega · x) + b_k sin(k · omega · x), k = 1, 2, … over the pairs (a_k, b_k).
+    pub fn fourier(mean: f64, omega: f64, pairs: &[(f64, f64)]) -> Law {
+        Law::new(Fourier { mean, omega, pairs: pairs.to_vec() })
+    }
 }
 
 /// rate · x
@@ -46,6 +51,14 @@ impl LawFunction for Ramp {
 
     fn kind(&self) -> &str {
         "ramp"
+    }
+
+    fn description(&self) -> &str {
+        "A constant rate: f(x) = rate · x."
+    }
+
+    fn fourth(&self, _: f64) -> f64 {
+        0.0
     }
 
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
@@ -67,21 +80,38 @@ struct Polynomial {
 }
 
 impl Polynomial {
+    /// f, f′, f″/2, f‴/6, f⁗/24.
+    fn taylor(&self, x: f64) -> [f64; 5] {
+        let step = |[f, f1, f2, f3, f4]: [f64; 5], c: &f64| [f * x + c, f1 * x + f, f2 * x + f1, f3 * x + f2, f4 * x + f3];
+        self.c.iter().rev().fold([0.0; 5], step)
+    }
+
     fn name(&self, k: usize) -> String {
         self.names.get(k).map_or_else(|| format!("c[{k}]"), |name| name.to_string())
     }
 }
 
 impl LawFunction for Polynomial {
-    /// Horner's rule for f, f′, f″/2, f‴/6 at once.
+    /// Horner's rule for all at once.
     fn jet(&self, x: f64) -> [f64; 4] {
-        let step = |[f, f1, f2, f3]: [f64; 4], c: &f64| [f * x + c, f1 * x + f, f2 * x + f1, f3 * x + f2];
-        let [f, f1, f2, f3] = self.c.iter().rev().fold([0.0; 4], step);
+        let [f, f1, f2, f3, _] = self.taylor(x);
         [f, f1, 2.0 * f2, 6.0 * f3]
     }
 
     fn kind(&self) -> &str {
         self.kind
+    }
+
+    fn description(&self) -> &str {
+        match self.kind {
+            "constant" => "A constant: f(x) = c.",
+            "linear" => "A line: f(x) = f0 + rate · x.",
+            _ => "A polynomial: f(x) = c[0] + c[1] x + c[2] x² + ….",
+        }
+    }
+
+    fn fourth(&self, x: f64) -> f64 {
+        24.0 * self.taylor(x)[4]
     }
 
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
@@ -118,6 +148,17 @@ impl LawFunction for Sine {
         self.kind
     }
 
+    fn description(&self) -> &str {
+        match self.kind {
+            "harmonic" => "A harmonic: f(x) = mean + amplitude · sin x.",
+            _ => "A sine: f(x) = amplitude · sin(omega · x + phase).",
+        }
+    }
+
+    fn fourth(&self, x: f64) -> f64 {
+        self.amplitude * self.omega.powi(4) * (self.omega * x + self.phase).sin()
+    }
+
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         if self.kind == "harmonic" {
             visit("mean", self.mean);
@@ -142,62 +183,72 @@ impl LawFunction for Sine {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// mean + Σ a_k cos(k omega x) + b_k sin(k omega x)
+#[derive(Clone)]
+struct Fourier {
+    mean: f64,
+    omega: f64,
+    pairs: Vec<(f64, f64)>,
+}
 
-    fn all() -> Vec<Law> {
-        vec![
-            Law::constant(-3.0),
-            Law::ramp(2.5),
-            Law::linear(0.4, -1.5),
-            Law::polynomial(&[1.0, -2.0, 0.5, 3.0, -0.25]),
-            Law::polynomial(&[]),
-            Law::harmonic(0.3, 0.05),
-            Law::sine(2.0, 3.0, 0.5),
-            2.0 * (Law::harmonic(0.3, 0.05) + Law::ramp(1.0)) - 0.5 * Law::sine(1.0, 2.0, 0.0),
-            Law::sine(2.0, 3.0, 0.5).compose(&Law::polynomial(&[0.1, 1.0, 0.5])),
-            -Law::polynomial(&[0.0, 0.0, 0.0, 1.0]).shifted(0.5),
-        ]
+impl Fourier {
+    /// The derivatives up to the fourth.
+    fn derivatives(&self, x: f64) -> [f64; 5] {
+        let mut all = [self.mean, 0.0, 0.0, 0.0, 0.0];
+        for (k, (a, b)) in (1..).zip(&self.pairs) {
+            let w = f64::from(k) * self.omega;
+            let (sin, cos) = (w * x).sin_cos();
+            let (even, odd) = (a * cos + b * sin, b * cos - a * sin);
+            let terms = [even, w * odd, -w * w * even, -w * w * w * odd, w.powi(4) * even];
+            all.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
+        }
+        all
+    }
+}
+
+impl LawFunction for Fourier {
+    fn jet(&self, x: f64) -> [f64; 4] {
+        let [f, f1, f2, f3, _] = self.derivatives(x);
+        [f, f1, f2, f3]
     }
 
-    /// Each derivative against the central difference of the one before.
-    #[test]
-    fn each_jet_is_consistent() {
-        for law in all() {
-            for x in [-1.7, 0.0, 0.3, 2.0] {
-                let h = 1e-5;
-                let (jet, after, before) = (law.jet(x), law.jet(x + h), law.jet(x - h));
-                for order in 0..3 {
-                    let difference = (after[order] - before[order]) / (2.0 * h);
-                    let exact = jet[order + 1];
-                    assert!((difference - exact).abs() < 2e-7 * (1.0 + exact.abs()), "{law:?} at {x}, order {order}: {difference} {exact}");
+    fn kind(&self) -> &str {
+        "fourier"
+    }
+
+    fn description(&self) -> &str {
+        "A Fourier series: f(x) = mean + Σ a_k cos(k · omega · x) + b_k sin(k · omega · x)."
+    }
+
+    fn fourth(&self, x: f64) -> f64 {
+        self.derivatives(x)[4]
+    }
+
+    fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+        visit("mean", self.mean);
+        visit("omega", self.omega);
+        for (k, (a, b)) in self.pairs.iter().enumerate() {
+            visit(&format!("a[{}]", k + 1), *a);
+            visit(&format!("b[{}]", k + 1), *b);
+        }
+    }
+
+    fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
+        let mut changed = self.clone();
+        let place = match name {
+            "mean" => &mut changed.mean,
+            "omega" => &mut changed.omega,
+            _ => {
+                let k = (0..self.pairs.len()).find(|k| name.get(1..) == Some(&format!("[{}]", k + 1)))?;
+                let (a, b) = &mut changed.pairs[k];
+                match name.as_bytes().first()? {
+                    b'a' => a,
+                    b'b' => b,
+                    _ => return None,
                 }
             }
-        }
-    }
-
-    #[test]
-    fn each_parameter_can_be_read_and_set() {
-        for law in all() {
-            let mut names = Vec::new();
-            law.parameters(&mut |name, _| names.push(name.to_string()));
-            for name in names {
-                let mut changed = law.clone();
-                assert!(changed.set_parameter(&name, 0.125), "{law:?}: {name}");
-                let mut value = None;
-                changed.parameters(&mut |known, x| value = value.or((known == name).then_some(x)));
-                assert_eq!(value, Some(0.125), "{law:?}: {name}");
-            }
-            assert!(!law.clone().set_parameter("nonsense", 1.0));
-        }
-    }
-
-    #[test]
-    fn values_are_those_of_the_formula() {
-        assert_eq!(Law::polynomial(&[1.0, 2.0, 3.0]).jet(2.0), [17.0, 14.0, 6.0, 0.0]);
-        assert_eq!(Law::linear(1.0, 2.0).at(3.0), 7.0);
-        assert_eq!(Law::harmonic(0.3, 0.05).at(0.0), 0.3);
-        assert_eq!(Law::constant(4.0).jet(1.0), [4.0, 0.0, 0.0, 0.0]);
+        };
+        *place = value;
+        Some(Law::new(changed))
     }
 }

@@ -1,0 +1,263 @@
+//! Cubic splines through tables.
+
+use std::path::Path;
+
+use super::{Break, Law, LawFunction};
+use crate::error::{Error, Result};
+
+/// What a spline does at the ends of its table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Ends {
+    /// No curvature: it goes on as a line.
+    Natural,
+    /// Given slopes, with which it goes on as a line.
+    Clamped {
+        /// Slope at the first x.
+        start: f64,
+        /// Slope at the last x.
+        end: f64,
+    },
+    /// It repeats: the last y is the first one again.
+    Periodic,
+}
+
+impl Law {
+    /// A cubic spline through the points (x, y), x increasing, at least two (three to be periodic): C² between the ends.
+    ///
+    /// A table that does not increase, or does not repeat though it should, is refused where a mechanism is to use the law.
+    pub fn spline(table: &[(f64, f64)], ends: Ends) -> Law {
+        Law::new(Spline::new(table.to_vec(), ends))
+    }
+
+    /// A cubic spline through the first two columns of a CSV file; a first line that is no numbers is a header.
+    ///
+    /// Errors: a file that cannot be read, a line without two numbers, a table that does not increase.
+    pub fn spline_from_csv(path: impl AsRef<Path>, ends: Ends) -> Result<Law> {
+        let path = path.as_ref();
+        let fail = |reason: String| Error::Table { path: path.to_path_buf(), reason };
+        let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).trim(csv::Trim::All).from_path(path);
+        let reader = reader.as_mut().map_err(|error| fail(error.to_string()))?;
+        let mut table = Vec::new();
+        for (k, record) in reader.records().enumerate() {
+            let record = record.map_err(|error| fail(error.to_string()))?;
+            let number = |column: usize| record.get(column).and_then(|text| text.parse::<f64>().ok());
+            match (number(0), number(1)) {
+                (Some(x), Some(y)) => table.push((x, y)),
+                _ if k == 0 => {}
+                _ => return Err(fail(format!("line {}: `{}` is not two numbers", k + 1, record.iter().collect::<Vec<_>>().join(",")))),
+            }
+        }
+        let law = Law::spline(&table, ends);
+        law.refusal().map_or(Ok(law), |reason| Err(fail(reason)))
+    }
+}
+
+#[derive(Clone)]
+struct Spline {
+    table: Vec<(f64, f64)>,
+    ends: Ends,
+    /// f″ at each x; empty for a table that is refused.
+    curvature: Vec<f64>,
+}
+
+impl Spline {
+    fn new(table: Vec<(f64, f64)>, ends: Ends) -> Self {
+        let mut spline = Spline { table, ends, curvature: Vec::new() };
+        if spline.refusal().is_none() {
+            spline.curvature = spline.curvatures();
+        }
+        spline
+    }
+
+    /// Width and slope of the straight line over interval k.
+    fn interval(&self, k: usize) -> (f64, f64) {
+        let ((x0, y0), (x1, y1)) = (self.table[k], self.table[k + 1]);
+        (x1 - x0, (y1 - y0) / (x1 - x0))
+    }
+
+    /// f″ at the knots, from continuity of f′: (h_(k−1) m_(k−1) + 2 (h_(k−1) + h_k) m_k + h_k m_(k+1))/6 = s_k − s_(k−1).
+    fn curvatures(&self) -> Vec<f64> {
+        let last = self.table.len() - 1;
+        let mut rows = vec![[0.0, 1.0, 0.0, 0.0]; last + 1];
+        for (k, row) in rows.iter_mut().enumerate().take(last).skip(1) {
+            let ((h0, s0), (h1, s1)) = (self.interval(k - 1), self.interval(k));
+            *row = [h0, 2.0 * (h0 + h1), h1, 6.0 * (s1 - s0)];
+        }
+        match self.ends {
+            Ends::Natural => tridiagonal(rows),
+            Ends::Clamped { start, end } => {
+                let ((h0, s0), (h1, s1)) = (self.interval(0), self.interval(last - 1));
+                rows[0] = [0.0, 2.0 * h0, h0, 6.0 * (s0 - start)];
+                rows[last] = [h1, 2.0 * h1, 0.0, 6.0 * (end - s1)];
+                tridiagonal(rows)
+            }
+            Ends::Periodic => {
+                let ((h0, s0), (h1, s1)) = (self.interval(0), self.interval(last - 1));
+                rows[0] = [h1, 2.0 * (h0 + h1), h0, 6.0 * (s0 - s1)];
+                rows.truncate(last);
+                let mut m = cyclic(rows);
+                m.push(m[0]);
+                m
+            }
+        }
+    }
+
+    /// x brought into the table, and where it is there: interval, or outside of it.
+    fn place(&self, x: f64) -> (f64, usize) {
+        let (first, last) = (self.table[0].0, self.table[self.table.len() - 1].0);
+        let x = if self.ends == Ends::Periodic { first + (x - first).rem_euclid(last - first) } else { x };
+        let after = self.table.partition_point(|(knot, _)| *knot <= x);
+        (x, after)
+    }
+
+    /// Over interval k, at x.
+    fn inside(&self, k: usize, x: f64) -> [f64; 4] {
+        let (h, slope) = self.interval(k);
+        let (m0, m1) = (self.curvature[k], self.curvature[k + 1]);
+        let (t, j) = (x - self.table[k].0, (m1 - m0) / h);
+        let v = slope - h * (2.0 * m0 + m1) / 6.0;
+        [self.table[k].1 + t * (v + t * (m0 / 2.0 + t * j / 6.0)), v + t * (m0 + t * j / 2.0), m0 + t * j, j]
+    }
+
+    /// Third derivative right of knot k.
+    fn third(&self, k: usize) -> f64 {
+        let outside = k + 1 == self.table.len() && self.ends != Ends::Periodic;
+        if outside { 0.0 } else { self.inside(k % (self.table.len() - 1), self.table[k % (self.table.len() - 1)].0)[3] }
+    }
+}
+
+/// Solves rows \[below, diagonal, above, right side\], dominated by their diagonals.
+fn tridiagonal(mut rows: Vec<[f64; 4]>) -> Vec<f64> {
+    for k in 1..rows.len() {
+        let [below, diagonal, above, right] = rows[k];
+        let before = rows[k - 1];
+        let share = below / before[1];
+        rows[k] = [0.0, diagonal - share * before[2], above, right - share * before[3]];
+    }
+    let mut m = vec![0.0; rows.len()];
+    for k in (0..rows.len()).rev() {
+        let after = m.get(k + 1).copied().unwrap_or(0.0);
+        m[k] = (rows[k][3] - rows[k][2] * after) / rows[k][1];
+    }
+    m
+}
+
+/// The same where the first row's `below` is the last column and the last row's `above` the first (Sherman and Morrison).
+fn cyclic(mut rows: Vec<[f64; 4]>) -> Vec<f64> {
+    let last = rows.len() - 1;
+    let (corner, other, gamma) = (rows[0][0], rows[last][2], -rows[0][1]);
+    rows[0][1] -= gamma;
+    rows[last][1] -= corner * other / gamma;
+    let mut border: Vec<[f64; 4]> = rows.iter().map(|[below, diagonal, above, _]| [*below, *diagonal, *above, 0.0]).collect();
+    (border[0][3], border[last][3]) = (gamma, other);
+    let (x, z) = (tridiagonal(rows), tridiagonal(border));
+    let along = |v: &[f64]| v[0] + corner / gamma * v[last];
+    let share = along(&x) / (1.0 + along(&z));
+    x.iter().zip(&z).map(|(x, z)| x - share * z).collect()
+}
+
+impl LawFunction for Spline {
+    fn jet(&self, x: f64) -> [f64; 4] {
+        if self.curvature.is_empty() || x.is_nan() {
+            return [f64::NAN; 4];
+        }
+        let last = self.table.len() - 1;
+        let line = |[y, v, ..]: [f64; 4], from: f64| [y + v * (x - from), v, 0.0, 0.0];
+        match self.place(x) {
+            (_, 0) => line(self.inside(0, self.table[0].0), self.table[0].0),
+            (_, after) if after > last => line(self.inside(last - 1, self.table[last].0), self.table[last].0),
+            (x, after) => self.inside(after - 1, x),
+        }
+    }
+
+    fn kind(&self) -> &str {
+        "spline"
+    }
+
+    fn description(&self) -> &str {
+        "A cubic spline through a table, natural, clamped or periodic."
+    }
+
+    fn fourth(&self, _: f64) -> f64 {
+        0.0
+    }
+
+    fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
+        if self.curvature.is_empty() || !(to - from).is_finite() {
+            return Vec::new();
+        }
+        let last = self.table.len() - 1;
+        let outer = if matches!(self.ends, Ends::Clamped { .. }) { 2 } else { 3 };
+        let size = (0..last).map(|k| self.third(k).abs()).fold(0.0, f64::max);
+        let jumps = |before: f64, after: f64| (before - after).abs() > 1e-9 * size;
+        let mut one = Vec::new();
+        for k in 0..=last {
+            let (end, x) = (k == 0 || k == last, self.table[k].0);
+            let (order, found) = match self.ends {
+                Ends::Periodic if k == last => continue,
+                Ends::Periodic => (3, jumps(self.third((k + last - 1) % last), self.third(k))),
+                _ if end => (outer, if outer == 2 { self.curvature[k] != 0.0 } else { jumps(self.third(k.min(last - 1)), 0.0) }),
+                _ => (3, jumps(self.third(k - 1), self.third(k))),
+            };
+            if found {
+                one.push(Break { x, order });
+            }
+        }
+        if self.ends == Ends::Periodic {
+            let (start, period) = (self.table[0].0, self.table[last].0 - self.table[0].0);
+            let turns = ((from - start) / period).floor() as i64..=((to - start) / period).floor() as i64;
+            one = turns.flat_map(|turn| one.iter().map(move |b| Break { x: b.x + turn as f64 * period, ..*b })).collect();
+        }
+        one.retain(|b| (from..=to).contains(&b.x));
+        one
+    }
+
+    fn is_smooth(&self) -> bool {
+        false
+    }
+
+    fn refusal(&self) -> Option<String> {
+        let least = if self.ends == Ends::Periodic { 3 } else { 2 };
+        if self.table.len() < least {
+            return Some(format!("spline: the table has {} points; it needs {least}", self.table.len()));
+        }
+        if let Some(k) = self.table.iter().position(|(x, y)| !(x.is_finite() && y.is_finite())) {
+            return Some(format!("spline: point {} is ({}, {}); give finite numbers", k + 1, self.table[k].0, self.table[k].1));
+        }
+        if let Some(k) = self.table.windows(2).position(|pair| pair[1].0 <= pair[0].0) {
+            let (before, after) = (self.table[k].0, self.table[k + 1].0);
+            return Some(format!("spline: the table does not increase: x = {before} is followed by {after} (point {})", k + 2));
+        }
+        let (first, last) = (self.table[0].1, self.table[self.table.len() - 1].1);
+        let size = self.table.iter().fold(0.0_f64, |m, (_, y)| m.max(y.abs()));
+        (self.ends == Ends::Periodic && (first - last).abs() > 1e-9 * size)
+            .then(|| format!("spline: a periodic table ends as it begins, but y is {first} at first and {last} at last"))
+    }
+
+    /// The x of the table, and its ends: `periodic` is 1 where it repeats; `start` and `end` are the slopes where they are given.
+    fn fixed_numbers(&self) -> Vec<(String, f64)> {
+        let ends = match self.ends {
+            Ends::Natural => vec![],
+            Ends::Clamped { start, end } => vec![("start".to_string(), start), ("end".to_string(), end)],
+            Ends::Periodic => vec![("periodic".to_string(), 1.0)],
+        };
+        self.table.iter().enumerate().map(|(k, (x, _))| (format!("x[{k}]"), *x)).chain(ends).collect()
+    }
+
+    fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+        for (k, (_, y)) in self.table.iter().enumerate() {
+            visit(&format!("y[{k}]"), *y);
+        }
+    }
+
+    fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
+        let k = (0..self.table.len()).find(|k| name == format!("y[{k}]"))?;
+        let mut table = self.table.clone();
+        table[k].1 = value;
+        if self.ends == Ends::Periodic && (k == 0 || k + 1 == table.len()) {
+            let last = table.len() - 1;
+            (table[0].1, table[last].1) = (value, value);
+        }
+        Some(Law::new(Spline::new(table, self.ends)))
+    }
+}

@@ -1,0 +1,101 @@
+//! Which breaks of its laws a run crosses: between two times nothing shows them but the law itself.
+
+use std::f64::consts::{PI, TAU};
+
+use super::Newton;
+use crate::error::Error;
+use crate::law::Break;
+
+/// A break of a law that a run has crossed: there a derivative of the motion jumps.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CrossedBreak {
+    /// The last time before it, and the first one after it or at it.   \[s\]
+    pub between: (f64, f64),
+    /// The constraint that asks the law.
+    pub constraint: String,
+    /// The law, by its name in the constraint.
+    pub law: String,
+    /// Where in the law it is, and which derivative jumps.
+    pub found: Break,
+}
+
+/// The laws of a system that have breaks, and where they were asked last.
+#[derive(Default)]
+pub(super) struct Watch {
+    asked: Vec<Asked>,
+    last: Option<f64>,
+}
+
+/// One question to a law.
+struct Asked {
+    block: usize,
+    /// Which of the block's questions.
+    number: usize,
+    x: f64,
+}
+
+impl Watch {
+    /// Looks at the laws at a time that was solved: the breaks crossed since the last one. A jump of a value, or of the slope of a law of time,
+    /// is an error.
+    pub(super) fn look(&mut self, newton: &Newton<'_>, t: f64) -> Result<Vec<CrossedBreak>, Error> {
+        let Some(before) = self.last.replace(t) else {
+            self.asked = questions(newton);
+            return Ok(Vec::new());
+        };
+        let mut crossed = Vec::new();
+        for asked in &mut self.asked {
+            let block = &newton.system.equations().blocks[asked.block];
+            let (mut number, mut jump) = (0, None);
+            block.constraint.laws(&newton.instant.of(block), &mut |law, function, x| {
+                number += 1;
+                if number != asked.number + 1 {
+                    return;
+                }
+                let from = std::mem::replace(&mut asked.x, x);
+                // an angle that went over its cut; only a law that repeats is asked there
+                let turn = if (x - from).abs() > PI && function.is_periodic(TAU) { TAU * ((from - x) / TAU).round() } else { 0.0 };
+                let found = function.breaks(from, x + turn).into_iter().filter(|b| b.x != from);
+                for found in found {
+                    if found.order == 0 || (found.order == 1 && is_of_time(newton, asked.block, asked.number, x)) {
+                        jump = Some(found);
+                    }
+                    let (constraint, law) = (block.name.clone(), law.to_owned());
+                    crossed.push(CrossedBreak { between: (before, t), constraint, law, found });
+                }
+            });
+            if let (Some(found), Some(last)) = (jump, crossed.last()) {
+                let (constraint, law) = (last.constraint.clone(), last.law.clone());
+                return Err(Error::LawJumps { t, constraint, law, at: found.x, order: found.order, motion: None });
+            }
+        }
+        Ok(crossed)
+    }
+}
+
+/// Every question to a law with breaks.
+fn questions(newton: &Newton<'_>) -> Vec<Asked> {
+    let mut all = Vec::new();
+    for (block, found) in newton.system.equations().blocks.iter().enumerate() {
+        let mut number = 0;
+        found.constraint.laws(&newton.instant.of(found), &mut |_, law, x| {
+            if !law.is_smooth() {
+                all.push(Asked { block, number, x });
+            }
+            number += 1;
+        });
+    }
+    all
+}
+
+/// Whether what a law is asked for moves with the time alone.
+fn is_of_time(newton: &Newton<'_>, block: usize, wanted: usize, now: f64) -> bool {
+    let block = &newton.system.equations().blocks[block];
+    let mut later = newton.instant.of(block).with_timed(&[]);
+    later.t += 1.0;
+    let (mut number, mut moves) = (0, false);
+    block.constraint.laws(&later, &mut |_, _, x| {
+        moves |= number == wanted && x != now;
+        number += 1;
+    });
+    moves
+}

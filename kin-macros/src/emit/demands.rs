@@ -1,0 +1,112 @@
+//! What a constraint or a law demands: of its parameters (`#[require]`), and of the pose it is meant in (`#[branch]`).
+
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::{ToTokens, quote};
+
+use super::written;
+use crate::parse::{Argument, ConstraintFn, Demand, Kind};
+
+/// `refusal`: the first requirement that does not hold, then what the parameters themselves refuse. Laws of a constraint with time in it
+/// drive the motion.
+pub fn refusal(source: &ConstraintFn) -> TokenStream {
+    let own = source.arguments.iter().filter(|argument| matches!(argument.kind, Kind::Law | Kind::Axis));
+    let own: Vec<TokenStream> = own.map(own_refusal).collect();
+    method(&source.requirements, &source.arguments, &own)
+}
+
+/// `refusal` of a law.
+pub fn law_refusal(requirements: &[Demand], parameters: &[Argument]) -> TokenStream {
+    let own: Vec<TokenStream> = parameters.iter().filter(|argument| argument.kind == Kind::Law).map(own_refusal).collect();
+    method(requirements, parameters, &own)
+}
+
+fn own_refusal(argument: &Argument) -> TokenStream {
+    let (name, text) = (&argument.name, argument.name.to_string());
+    quote!(if let ::core::option::Option::Some(why) = ::kin::rt::Refuses::refusal(&self.#name) {
+        return ::core::option::Option::Some(::std::format!("{}: {why}", #text));
+    })
+}
+
+fn method(requirements: &[Demand], arguments: &[Argument], own: &[TokenStream]) -> TokenStream {
+    if requirements.is_empty() && own.is_empty() {
+        return quote!();
+    }
+    let parameters: Vec<&Argument> = arguments.iter().filter(|argument| argument.kind.slots() == 0 && argument.kind.is_field()).collect();
+    let bindings = parameters.iter().map(|argument| &argument.name);
+    let checks = requirements.iter().map(|demand| {
+        let (condition, text) = (&demand.condition, &demand.text);
+        let shown = parameters
+            .iter()
+            .filter(|argument| matches!(argument.kind, Kind::Numbers(_) | Kind::Axis) && mentions(condition, &argument.name));
+        let shown = shown.map(|argument| {
+            let (name, text) = (&argument.name, argument.name.to_string());
+            quote!((#text, &self.#name))
+        });
+        quote!(if !(#condition) {
+            return ::core::option::Option::Some(::kin::rt::refused(#text, &[#(#shown),*]));
+        })
+    });
+    let bindings = bindings.map(|name| quote!(let #name = ::core::clone::Clone::clone(&self.#name);));
+    quote! {
+        #[cold]
+        fn refusal(&self) -> ::core::option::Option<::std::string::String> {
+            #(#own)*
+            #(#bindings)*
+            #(#checks)*
+            ::core::option::Option::None
+        }
+    }
+}
+
+/// Whether a name stands in an expression.
+fn mentions(expression: &impl ToTokens, name: &Ident) -> bool {
+    fn within(tokens: TokenStream, name: &Ident) -> bool {
+        tokens.into_iter().any(|token| match token {
+            TokenTree::Ident(word) => word == *name,
+            TokenTree::Group(group) => within(group.stream(), name),
+            _ => false,
+        })
+    }
+    within(expression.to_token_stream(), name)
+}
+
+/// `wrong_branch`: the first condition on the pose that does not hold.
+pub fn branch(source: &ConstraintFn) -> TokenStream {
+    if source.branches.is_empty() {
+        return quote!();
+    }
+    let inputs = written::inputs(&source.arguments);
+    let (names, types): (Vec<_>, Vec<_>) = inputs.into_iter().unzip();
+    let mut slot = 0;
+    let values: Vec<TokenStream> = source
+        .arguments
+        .iter()
+        .map(|argument| {
+            let (name, at) = (&argument.name, proc_macro2::Literal::usize_unsuffixed(slot));
+            slot += argument.kind.slots();
+            match argument.kind {
+                Kind::Planar => quote!(at.planar(#at)),
+                Kind::Spatial => quote!(at.spatial(#at)),
+                Kind::Coord => quote!(at.coord(#at).value),
+                Kind::Coords(_) => quote!(::core::array::from_fn(|k| at.coord(#at + k).value)),
+                Kind::Time => quote!(at.t),
+                _ => quote!(::core::clone::Clone::clone(&self.#name)),
+            }
+        })
+        .collect();
+    let (ty, names, values) = (quote!(fn(#(#types),*) -> bool), quote!(#(#names),*), quote!(#(#values),*));
+    let conditions = source.branches.iter().map(|demand| &demand.condition);
+    let texts = source.branches.iter().map(|demand| &demand.text);
+    quote! {
+        #[cold]
+        fn wrong_branch(&self, at: &::kin::rt::At<'_>) -> ::core::option::Option<&str> {
+            #({
+                const MEANT: #ty = |#names| #conditions;
+                if !MEANT(#values) {
+                    return ::core::option::Option::Some(#texts);
+                }
+            })*
+            ::core::option::Option::None
+        }
+    }
+}
