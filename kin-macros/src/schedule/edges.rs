@@ -14,7 +14,7 @@ pub fn exact(g: &Graph, nodes: &[Node]) -> Vec<bool> {
             Op::Call(f, a) if !is_smooth(f) => mark(a),
             Op::Call2(Function2::Hypot, ..) => {}
             Op::Call2(_, a, b) | Op::Compare(_, a, b) => [a, b].into_iter().for_each(mark),
-            Op::Div(_, b) => mark(b),
+            Op::Div(_, b) | Op::Powi(b, _) => mark(b),
             Op::Add(a, b) | Op::Sub(a, b) if is_exact => [a, b].into_iter().for_each(mark),
             Op::Mul(a, b) if is_exact && a != b => [a, b].into_iter().for_each(mark),
             Op::Neg(a) if is_exact => mark(a),
