@@ -326,6 +326,9 @@ const _: () = {
             u[0][1] = self.tip.y;
             ::std::vec![::kin::rt::attachment(1, true, u[0])]
         }
+        fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::rt::InLanes> {
+            ::core::option::Option::Some(self)
+        }
         fn description(&self) -> &str {
             "Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]"
         }
@@ -336,6 +339,10 @@ const _: () = {
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
             ::kin::rt::Numbers::set(&mut self.tip, "tip", name, value)
                 || ::kin::rt::Numbers::set(&mut self.profile, "profile", name, value)
+        }
+        fn set_parameter_at(&mut self, mut index: usize, value: f64) -> bool {
+            ::kin::rt::Numbers::set_at(&mut self.tip, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.profile, &mut index, value)
         }
         #[cold]
         fn refusal(&self) -> ::core::option::Option<::std::string::String> {
@@ -374,6 +381,214 @@ const _: () = {
                 (cam_cos * t1) + (cam_sin * t0),
             );
             visit("profile", &self.profile, x[0]);
+        }
+    }
+    impl ::kin::rt::InLanes for on_cam {
+        fn kernels(&self) -> ::kin::rt::LaneKernels {
+            ::kin::rt::LaneKernels::of::<Self>()
+        }
+        fn n_known(&self) -> [usize; 2] {
+            [2, 0]
+        }
+        fn of_parameters(&self, known: &mut [f64]) {
+            let ::core::option::Option::Some(known) = known.first_chunk_mut::<2>() else {
+                return
+            };
+            let (at, t_dot) = (&::kin::rt::At::new(0.0, &[], &[]), 1.0);
+            known[0] = self.tip.x;
+            known[1] = self.tip.y;
+        }
+        fn of_time(&self, t: f64, known: &mut [f64]) {
+            let ::core::option::Option::Some(known) = known.first_chunk_mut::<0>() else {
+                return
+            };
+            let (at, t_dot) = (&::kin::rt::At::new(t, &[], &[]), 1.0);
+        }
+        fn evaluate(&self, number: usize, x: &[f64], y: &mut [f64]) {
+            match number {
+                0 => {
+                    let ::core::option::Option::Some(&[known0]) = x.first_chunk::<1>()
+                    else { return };
+                    let ::core::option::Option::Some(y) = y.first_chunk_mut::<3>() else {
+                        return
+                    };
+                    let law0: [f64; 4] = self.profile.jet(known0);
+                    y[0] = law0[0];
+                    y[1] = law0[1];
+                    y[2] = law0[2];
+                }
+                1 => {
+                    let ::core::option::Option::Some(&[known0]) = x.first_chunk::<1>()
+                    else { return };
+                    let ::core::option::Option::Some(y) = y.first_chunk_mut::<2>() else {
+                        return
+                    };
+                    let leaf0: ::kin::rt::Real<f64> = self
+                        .__leaf0([::kin::rt::Real(known0)]);
+                    y[0] = leaf0.0;
+                    let leaf1: ::kin::rt::Real<::kin::rt::Dual64> = self
+                        .__leaf0([::kin::rt::Real(::kin::rt::Dual64::new(known0, 1.0))]);
+                    y[1] = leaf1.0.eps;
+                }
+                2 => {
+                    let ::core::option::Option::Some(&[known0, known1, known2]) = x
+                        .first_chunk::<3>() else { return };
+                    let ::core::option::Option::Some(y) = y.first_chunk_mut::<1>() else {
+                        return
+                    };
+                    let leaf0: ::kin::rt::Real<::kin::rt::Dual2_64> = self
+                        .__leaf0([
+                            ::kin::rt::Real(
+                                ::kin::rt::Dual2_64::new(known0, known1, known2),
+                            ),
+                        ]);
+                    y[0] = leaf0.0.v2;
+                }
+                _ => {}
+            }
+        }
+    }
+    impl ::kin::rt::LaneKernel for on_cam {
+        #[inline(always)]
+        fn linearize<__S: ::kin::rt::Level>(
+            at: &::kin::rt::LaneAt<'_, __S>,
+            c: &mut [::kin::rt::Wide<__S>],
+            c_q: &mut [::kin::rt::Wide<__S>],
+        ) {
+            let ::core::option::Option::Some(c) = c.first_chunk_mut::<1>() else {
+                return
+            };
+            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<6>() else {
+                return
+            };
+            let ::core::option::Option::Some(&[known0, known1]) = at.known::<2>() else {
+                return
+            };
+            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let follower_cos = state[9];
+            let follower_sin = state[8];
+            let t0 = (known0 * follower_cos) - (known1 * follower_sin);
+            let follower_x = state[5];
+            let cam_x = state[0];
+            let t1 = (follower_x + t0) - cam_x;
+            let t2 = (known0 * follower_sin) + (known1 * follower_cos);
+            let follower_y = state[6];
+            let cam_y = state[1];
+            let t3 = (follower_y + t2) - cam_y;
+            let cam_cos = state[4];
+            let cam_sin = state[3];
+            let t4 = (cam_cos * t1) + (cam_sin * t3);
+            let t5 = (cam_cos * t3) - (cam_sin * t1);
+            let t6 = (t4 * t4) + (t5 * t5);
+            let t7 = ::kin::rt::Wide::sqrt(t6);
+            let t8 = ::kin::rt::Wide::atan2(t5, t4);
+            let call0: [::kin::rt::Wide<__S>; 3] = at.evaluate::<1, 3>(0, [t8]);
+            let call1: [::kin::rt::Wide<__S>; 2] = at.evaluate::<1, 2>(1, [t8]);
+            c[0] = (t7 - call0[0]) + call1[0];
+            let t9 = at.splat(1.0) / (at.splat(2.0) * t7);
+            let t10 = (t0 * cam_sin) - (t2 * cam_cos);
+            let t11 = (t2 * cam_sin) + (t0 * cam_cos);
+            let t12 = t4 / t6;
+            let t13 = t5 / t6;
+            let t14 = (t12 * t11) - (t13 * t10);
+            let t15 = ((at.splat(2.0) * (t9 * ((t4 * t10) + (t5 * t11))))
+                - (call0[1] * t14)) + (call1[1] * t14);
+            c_q[5] = t15;
+            c_q[2] = ((t4 * t12) + (t5 * t13)) * (call0[1] - call1[1]);
+            let t16 = (cam_sin * t12) + (cam_cos * t13);
+            let t17 = ((at.splat(2.0) * (((cam_sin * t5) - (cam_cos * t4)) * t9))
+                - (t16 * call0[1])) + (t16 * call1[1]);
+            c_q[0] = t17;
+            let t18 = (cam_sin * t13) - (cam_cos * t12);
+            let t19 = (call1[1] * t18)
+                - ((at.splat(2.0) * (t9 * ((cam_sin * t4) + (cam_cos * t5))))
+                    + (call0[1] * t18));
+            c_q[1] = t19;
+            c_q[3] = -t17;
+            c_q[4] = -t19;
+        }
+        #[inline(always)]
+        fn velocity_rhs<__S: ::kin::rt::Level>(
+            at: &::kin::rt::LaneAt<'_, __S>,
+            rhs: &mut [::kin::rt::Wide<__S>],
+        ) {
+            let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<0>() else {
+                return
+            };
+            let ::core::option::Option::Some(&[known0, known1]) = at.known::<2>() else {
+                return
+            };
+        }
+        #[inline(always)]
+        fn acceleration_rhs<__S: ::kin::rt::Level>(
+            at: &::kin::rt::LaneAt<'_, __S>,
+            qd: &::kin::rt::LaneRates<'_, __S>,
+            q_d: &mut [::kin::rt::Wide<__S>],
+        ) {
+            let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<1>() else {
+                return
+            };
+            let ::core::option::Option::Some(&[known0, known1]) = at.known::<2>() else {
+                return
+            };
+            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let ::core::option::Option::Some(rate) = qd.columns::<6>() else { return };
+            let follower_cos = state[9];
+            let follower_sin = state[8];
+            let t0 = (known0 * follower_cos) - (known1 * follower_sin);
+            let follower_x = state[5];
+            let cam_x = state[0];
+            let t1 = (follower_x + t0) - cam_x;
+            let t2 = (known0 * follower_sin) + (known1 * follower_cos);
+            let follower_y = state[6];
+            let cam_y = state[1];
+            let t3 = (follower_y + t2) - cam_y;
+            let cam_cos = state[4];
+            let cam_sin = state[3];
+            let t4 = (cam_cos * t1) + (cam_sin * t3);
+            let t5 = (cam_cos * t3) - (cam_sin * t1);
+            let t6 = (t4 * t4) + (t5 * t5);
+            let t7 = at.splat(2.0) * ::kin::rt::Wide::sqrt(t6);
+            let t8 = at.splat(1.0) / t7;
+            let follower_theta_d = rate[5];
+            let t9 = t0 * follower_theta_d;
+            let follower_y_d = rate[4];
+            let cam_y_d = rate[1];
+            let t10 = (follower_y_d + t9) - cam_y_d;
+            let t11 = cam_cos * t10;
+            let t12 = t2 * follower_theta_d;
+            let follower_x_d = rate[3];
+            let cam_x_d = rate[0];
+            let t13 = (follower_x_d - t12) - cam_x_d;
+            let t14 = cam_sin * t13;
+            let cam_theta_d = rate[2];
+            let t15 = (cam_theta_d * (t1 * cam_theta_d)) + (follower_theta_d * t9);
+            let t16 = (cam_theta_d * (t3 * cam_theta_d)) + (follower_theta_d * t12);
+            let t17 = (at.splat(2.0) * (cam_theta_d * (t11 - t14)))
+                - ((cam_cos * t15) + (cam_sin * t16));
+            let t18 = cam_cos * t13;
+            let t19 = cam_sin * t10;
+            let t20 = ((cam_sin * t15) - (cam_cos * t16))
+                - (at.splat(2.0) * (cam_theta_d * (t18 + t19)));
+            let t21 = cam_sin * cam_theta_d;
+            let t22 = cam_cos * cam_theta_d;
+            let t23 = (t18 - (t1 * t21)) + ((t3 * t22) + t19);
+            let t24 = (t11 - (t3 * t21)) - ((t1 * t22) + t14);
+            let t25 = (t4 * t23) + (t5 * t24);
+            let t26 = (t8 * (((t4 * t17) + (t5 * t20)) + ((t23 * t23) + (t24 * t24))))
+                - (t25 * ((at.splat(4.0) * (t8 * (t8 * t25))) / t7));
+            let t27 = t4 / t6;
+            let t28 = t5 / t6;
+            let t29 = (t27 * t24) - (t28 * t23);
+            let t30 = ::kin::rt::Wide::atan2(t5, t4);
+            let call0: [::kin::rt::Wide<__S>; 3] = at.evaluate::<1, 3>(0, [t30]);
+            let t31 = (t24 * ((t23 - (at.splat(2.0) * (t27 * t25))) / t6)) + (t27 * t20);
+            let t32 = (t23 * ((t24 - (at.splat(2.0) * (t28 * t25))) / t6)) + (t28 * t17);
+            let t33 = t31 - t32;
+            let call1: [::kin::rt::Wide<__S>; 1] = at
+                .evaluate::<3, 1>(2, [t30, t29, t33]);
+            q_d[0] = -(((at.splat(2.0) * t26)
+                - ((t29 * (t29 * call0[2])) + (call0[1] * t33))) + call1[0]);
         }
     }
     impl ::kin::rt::Described for on_cam {

@@ -216,6 +216,9 @@ const _: () = {
                 u[1])
             ]
         }
+        fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::rt::InLanes> {
+            ::core::option::Option::Some(self)
+        }
         fn description(&self) -> &str {
             "Pin joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      [m]"
         }
@@ -226,6 +229,112 @@ const _: () = {
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
             ::kin::rt::Numbers::set(&mut self.u_i, "u_i", name, value)
                 || ::kin::rt::Numbers::set(&mut self.u_j, "u_j", name, value)
+        }
+        fn set_parameter_at(&mut self, mut index: usize, value: f64) -> bool {
+            ::kin::rt::Numbers::set_at(&mut self.u_i, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.u_j, &mut index, value)
+        }
+    }
+    impl ::kin::rt::InLanes for revolute {
+        fn kernels(&self) -> ::kin::rt::LaneKernels {
+            ::kin::rt::LaneKernels::of::<Self>()
+        }
+        fn n_known(&self) -> [usize; 2] {
+            [4, 0]
+        }
+        fn of_parameters(&self, known: &mut [f64]) {
+            let ::core::option::Option::Some(known) = known.first_chunk_mut::<4>() else {
+                return
+            };
+            let (at, t_dot) = (&::kin::rt::At::new(0.0, &[], &[]), 1.0);
+            known[0] = self.u_i.x;
+            known[1] = self.u_i.y;
+            known[2] = self.u_j.x;
+            known[3] = self.u_j.y;
+        }
+        fn of_time(&self, t: f64, known: &mut [f64]) {
+            let ::core::option::Option::Some(known) = known.first_chunk_mut::<0>() else {
+                return
+            };
+            let (at, t_dot) = (&::kin::rt::At::new(t, &[], &[]), 1.0);
+        }
+        fn evaluate(&self, number: usize, x: &[f64], y: &mut [f64]) {
+            match number {
+                _ => {}
+            }
+        }
+    }
+    impl ::kin::rt::LaneKernel for revolute {
+        #[inline(always)]
+        fn linearize<__S: ::kin::rt::Level>(
+            at: &::kin::rt::LaneAt<'_, __S>,
+            c: &mut [::kin::rt::Wide<__S>],
+            c_q: &mut [::kin::rt::Wide<__S>],
+        ) {
+            let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
+                return
+            };
+            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<8>() else {
+                return
+            };
+            let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
+                .known::<4>() else { return };
+            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let j_sin = state[8];
+            let j_cos = state[9];
+            let t0 = (known2 * j_sin) + (known3 * j_cos);
+            c_q[3] = t0;
+            let i_sin = state[3];
+            let i_cos = state[4];
+            let t1 = (known0 * i_sin) + (known1 * i_cos);
+            let i_y = state[1];
+            let j_y = state[6];
+            c[1] = (i_y + t1) - (j_y + t0);
+            c_q[1] = -t1;
+            let t2 = (known0 * i_cos) - (known1 * i_sin);
+            c_q[5] = t2;
+            let t3 = (known2 * j_cos) - (known3 * j_sin);
+            let i_x = state[0];
+            let j_x = state[5];
+            c[0] = (i_x + t2) - (j_x + t3);
+            c_q[7] = -t3;
+        }
+        #[inline(always)]
+        fn velocity_rhs<__S: ::kin::rt::Level>(
+            at: &::kin::rt::LaneAt<'_, __S>,
+            rhs: &mut [::kin::rt::Wide<__S>],
+        ) {
+            let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<0>() else {
+                return
+            };
+            let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
+                .known::<4>() else { return };
+        }
+        #[inline(always)]
+        fn acceleration_rhs<__S: ::kin::rt::Level>(
+            at: &::kin::rt::LaneAt<'_, __S>,
+            qd: &::kin::rt::LaneRates<'_, __S>,
+            q_d: &mut [::kin::rt::Wide<__S>],
+        ) {
+            let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<2>() else {
+                return
+            };
+            let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
+                .known::<4>() else { return };
+            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let ::core::option::Option::Some(rate) = qd.columns::<6>() else { return };
+            let j_theta_d = rate[5];
+            let t0 = j_theta_d * j_theta_d;
+            let i_theta_d = rate[2];
+            let t1 = i_theta_d * i_theta_d;
+            let j_cos = state[9];
+            let j_sin = state[8];
+            let i_cos = state[4];
+            let i_sin = state[3];
+            q_d[0] = -((((known2 * j_cos) - (known3 * j_sin)) * t0)
+                - (((known0 * i_cos) - (known1 * i_sin)) * t1));
+            q_d[1] = -((((known2 * j_sin) + (known3 * j_cos)) * t0)
+                - (((known0 * i_sin) + (known1 * i_cos)) * t1));
         }
     }
     impl ::kin::rt::Described for revolute {

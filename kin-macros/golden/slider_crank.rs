@@ -64,6 +64,9 @@ const _: () = {
         fn route(&self) -> ::kin::Route {
             ::kin::Route::Symbolic
         }
+        fn is_driver(&self) -> bool {
+            true
+        }
         fn arguments(&self) -> ::std::vec::Vec<::kin::rt::Argument> {
             ::std::vec![
                 ::kin::rt::Argument { name : "theta3", target :
@@ -266,6 +269,12 @@ const _: () = {
                 || ::kin::rt::Numbers::set(&mut self.l3, "l3", name, value)
                 || ::kin::rt::Numbers::set(&mut self.h, "h", name, value)
                 || ::kin::rt::Numbers::set(&mut self.omega, "omega", name, value)
+        }
+        fn set_parameter_at(&mut self, mut index: usize, value: f64) -> bool {
+            ::kin::rt::Numbers::set_at(&mut self.l2, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.l3, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.h, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.omega, &mut index, value)
         }
     }
     impl ::kin::rt::Described for slider_crank {

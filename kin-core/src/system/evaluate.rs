@@ -1,5 +1,7 @@
 //! Evaluation of a whole system: states once an iterate, then each constraint into its own block of rows and values.
 
+pub(crate) mod lanes;
+
 use std::ops::Range;
 
 use crate::constraint::Constraint;
@@ -9,6 +11,7 @@ use crate::state::{At, Rates};
 use crate::system::states::{GROUND, StatePlan};
 
 /// One constraint in a system.
+#[derive(Clone)]
 pub(crate) struct Block {
     pub name: String,
     pub constraint: Box<dyn Constraint>,
@@ -113,6 +116,7 @@ pub(crate) struct Bad {
 }
 
 /// All constraints of a system, and where they write.
+#[derive(Clone)]
 pub(crate) struct Equations {
     pub blocks: Vec<Block>,
     plan: StatePlan,
@@ -127,7 +131,7 @@ pub(crate) struct Equations {
 }
 
 /// The constraints that need to be asked at all, by what they are asked for.
-#[derive(Default)]
+#[derive(Clone, Default)]
 struct Asked {
     /// Those that make numbers of the time alone.
     timed: Vec<usize>,
@@ -272,11 +276,16 @@ impl Equations {
 
     /// Q_d, whether it is finite or not.
     pub(crate) fn acceleration_rhs(&self, instant: &Instant, q_d: &mut [f64]) {
-        q_d.fill(0.0);
+        self.second_order(instant, 1.0, q_d);
+    }
+
+    /// −[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt] along the rates v of the instant, whether it is finite or not.
+    pub(crate) fn second_order(&self, instant: &Instant, t_dot: f64, rhs: &mut [f64]) {
+        rhs.fill(0.0);
         let (at, rates) = (instant.at(), Rates::new(&instant.rates, &[]));
         for block in self.asked.q_d.iter().map(|&k| &self.blocks[k]) {
             let rates = rates.further(block.rates as usize, &block.first_column);
-            block.constraint.acceleration_rhs(&block.at(at), &rates, 1.0, &mut q_d[block.rows.range()]);
+            block.constraint.acceleration_rhs(&block.at(at), &rates, t_dot, &mut rhs[block.rows.range()]);
         }
     }
 

@@ -1,24 +1,42 @@
 //! Straight-line code for some outputs of the graph: which nodes get a name, in which order, and how each is written.
 
 mod evaluations;
+mod words;
 
 use std::collections::{HashMap, HashSet};
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
 
+pub use words::number;
+use words::{comparison_method, sign};
+
 use super::slots::{Slot, binding, slots};
 use super::timed;
 use crate::graph::{Comparison, Function, Function2, Graph, Input, Node, Op, Part};
-use crate::lower::Lowered;
+use crate::lower::{Lowered, OpaqueKind};
 use crate::parse::Argument;
 use crate::schedule::{self, order};
 
 /// Nested this deep, an expression gets a name although it is used once.
 const DEEPEST: usize = 5;
 
+/// What the numbers of emitted code are.
+#[derive(Clone, Copy, PartialEq)]
+enum Numbers {
+    /// f64.
+    Plain,
+    /// One f64 for each lane.
+    Wide,
+}
+
+/// Nodes that come out of an evaluation in plain numbers, lane by lane: its number, the place among its results, and how many there are.
+pub type Evaluations = HashMap<Node, (usize, usize, usize)>;
+
 /// One emitted function body.
 pub struct Kernel<'a> {
+    numbers: Numbers,
+    lane_by_lane: Evaluations,
     lowered: &'a Lowered,
     /// How each state argument is named, by its slot.
     slots: Vec<Slot>,
@@ -59,34 +77,45 @@ impl<'a> Kernel<'a> {
         let nodes = timed::read(&mut lowered.graph, timed, &nodes);
         let nodes = schedule::prepare(&mut lowered.graph, &nodes);
         let outputs: Vec<_> = outputs.iter().zip(nodes).map(|((place, _), node)| (place.clone(), node)).collect();
-        Kernel { scheduled: true, timed: timed.len(), ..Kernel::new(lowered, arguments) }.with_outputs(&outputs)
+        Kernel { scheduled: true, timed: timed.len(), ..Kernel::new(lowered, arguments) }.write(&outputs)
     }
 
     /// Code that computes `outputs` and writes each to the place given with it.
     pub fn emit(lowered: &'a Lowered, arguments: &[Argument], outputs: &[(TokenStream, Node)]) -> Code {
-        Kernel::new(lowered, arguments).with_outputs(outputs)
+        Kernel::new(lowered, arguments).write(outputs)
     }
 
-    fn with_outputs(self, outputs: &[(TokenStream, Node)]) -> Code {
-        let mut kernel = self;
+    /// A kernel in which some nodes have a name already; what these are computed from is not looked at.
+    pub fn from_given(lowered: &'a Lowered, arguments: &[Argument], given: HashMap<Node, TokenStream>) -> Self {
+        Kernel { named: given, ..Kernel::new(lowered, arguments) }
+    }
+
+    /// The same over lanes.
+    pub fn over_lanes(lowered: &'a Lowered, arguments: &[Argument], given: HashMap<Node, TokenStream>, lane_by_lane: Evaluations) -> Self {
+        Kernel { numbers: Numbers::Wide, lane_by_lane, ..Kernel::from_given(lowered, arguments, given) }
+    }
+
+    /// Code that computes `outputs` and writes each to the place given with it, conditions as 1 or 0.
+    pub fn write(mut self, outputs: &[(TokenStream, Node)]) -> Code {
         let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
-        kernel.count_uses(&nodes);
+        self.count_uses(&nodes);
         let in_order = super::own("in_order");
-        let groups = order(kernel.graph(), &nodes);
-        let fenced = kernel.scheduled && groups.len() > 1;
+        let groups = order(self.graph(), &nodes, |node| self.named.contains_key(&node));
+        let fenced = self.scheduled && groups.len() > 1;
         if fenced {
-            kernel.statements.push(quote!(let #in_order = ::kin::rt::in_order;));
+            self.statements.push(quote!(let #in_order = ::kin::rt::in_order;));
         }
         for group in groups {
-            group.nodes.into_iter().for_each(|node| kernel.name(node));
+            group.nodes.into_iter().for_each(|node| self.name(node));
             let (place, node) = &outputs[group.output];
-            let value = kernel.expression(*node);
-            kernel.statements.push(quote!(#place = #value;));
+            let value = self.expression(*node);
+            let value = if is_condition(self.lowered, *node) { quote!(if #value { 1.0 } else { 0.0 }) } else { value };
+            self.statements.push(quote!(#place = #value;));
             if fenced && group.computes {
-                kernel.statements.push(quote!(#in_order();));
+                self.statements.push(quote!(#in_order();));
             }
         }
-        kernel.finish(quote!())
+        self.finish(quote!())
     }
 
     /// Code that returns the text of the first risk whose numbers are not all finite.
@@ -108,6 +137,8 @@ impl<'a> Kernel<'a> {
     fn new(lowered: &'a Lowered, arguments: &[Argument]) -> Self {
         let slots = slots(arguments);
         Kernel {
+            numbers: Numbers::Plain,
+            lane_by_lane: HashMap::new(),
             lowered,
             slots,
             uses: vec![0; lowered.graph.len()],
@@ -169,7 +200,9 @@ impl<'a> Kernel<'a> {
         for &node in outputs {
             self.uses[node.index()] += 1;
         }
-        for node in self.graph().reachable(outputs).into_iter().rev() {
+        let known = |node: Node| self.named.contains_key(&node);
+        let order: Vec<Node> = self.graph().reachable_from(outputs, known).into_iter().filter(|&node| !known(node)).collect();
+        for node in order.into_iter().rev() {
             // Minus x is written out as often as it is used.
             let times = if let Op::Neg(_) = self.graph().op(node) { self.uses[node.index()] } else { 1 };
             self.graph().each_operand(node, |operand| self.uses[operand.index()] += times);
@@ -255,7 +288,8 @@ impl<'a> Kernel<'a> {
     fn written(&mut self, node: Node) -> TokenStream {
         match self.graph().op(node) {
             Op::Input(input) => self.input(input),
-            Op::Constant(bits) => number(f64::from_bits(bits)),
+            Op::Constant(bits) => self.constant(f64::from_bits(bits)),
+            Op::Truth(value) if self.numbers == Numbers::Wide => quote!(::kin::rt::Mask::splat(at.simd, #value)),
             Op::Truth(value) => quote!(#value),
             Op::Add(a, b) => self.infix(a, quote!(+), b),
             Op::Sub(a, b) => self.infix(a, quote!(-), b),
@@ -266,9 +300,10 @@ impl<'a> Kernel<'a> {
                 let (fma, a, b, c) = (super::own("fma"), self.expression(a), self.expression(b), self.expression(c));
                 quote!(#fma(#a, #b, #c))
             }
-            Op::And(a, b) => self.infix(a, quote!(&&), b),
-            Op::Or(a, b) => self.infix(a, quote!(||), b),
-            Op::Compare(comparison, a, b) => self.infix(a, sign(comparison), b),
+            Op::And(a, b) => self.infix(a, if self.numbers == Numbers::Plain { quote!(&&) } else { quote!(&) }, b),
+            Op::Or(a, b) => self.infix(a, if self.numbers == Numbers::Plain { quote!(||) } else { quote!(|) }, b),
+            Op::Compare(comparison, a, b) if self.numbers == Numbers::Plain => self.infix(a, sign(comparison), b),
+            Op::Compare(comparison, a, b) => self.function(comparison_method(comparison), &[a, b]),
             Op::Neg(a) => {
                 let a = self.operand(a);
                 quote!(-#a)
@@ -277,26 +312,39 @@ impl<'a> Kernel<'a> {
                 let a = self.operand(a);
                 quote!(!#a)
             }
-            Op::Call(f, a) => {
-                let (a, name) = (self.expression(a), Ident::new(f.method(), Span::call_site()));
-                quote!(f64::#name(#a))
-            }
+            Op::Call(f, a) => self.function(f.method(), &[a]),
             Op::Call2(Function2::Rem, a, b) => self.infix(a, quote!(%), b),
-            Op::Call2(f, a, b) => {
-                let (a, b, name) = (self.expression(a), self.expression(b), Ident::new(f.method(), Span::call_site()));
-                quote!(f64::#name(#a, #b))
-            }
+            Op::Call2(f, a, b) => self.function(f.method(), &[a, b]),
             Op::Powi(a, n) => {
-                let (a, n) = (self.expression(a), Literal::i32_unsuffixed(n));
-                quote!(f64::powi(#a, #n))
+                let (ty, a, n) = (self.number_type(), self.expression(a), Literal::i32_unsuffixed(n));
+                quote!(#ty::powi(#a, #n))
             }
             Op::Select(c, a, b) => {
                 let (c, a, b) = (self.expression(c), self.expression(a), self.expression(b));
-                quote!(if #c { #a } else { #b })
+                match self.numbers {
+                    Numbers::Plain => quote!(if #c { #a } else { #b }),
+                    Numbers::Wide => quote!(::kin::rt::Mask::select(#c, #a, #b)),
+                }
             }
             // These have names before they are written.
             Op::Law(..) | Op::Opaque(..) | Op::Leaf(_) => quote!(f64::NAN),
         }
+    }
+
+    fn constant(&self, value: f64) -> TokenStream {
+        let value = number(value);
+        if self.numbers == Numbers::Plain { value } else { quote!(at.splat(#value)) }
+    }
+
+    fn number_type(&self) -> TokenStream {
+        if self.numbers == Numbers::Plain { quote!(f64) } else { quote!(::kin::rt::Wide) }
+    }
+
+    /// A function of the numbers' type.
+    fn function(&mut self, name: &str, arguments: &[Node]) -> TokenStream {
+        let (ty, name) = (self.number_type(), Ident::new(name, Span::call_site()));
+        let arguments: Vec<TokenStream> = arguments.iter().map(|&n| self.expression(n)).collect();
+        quote!(#ty::#name(#(#arguments),*))
     }
 
     fn infix(&mut self, a: Node, sign: TokenStream, b: Node) -> TokenStream {
@@ -307,6 +355,7 @@ impl<'a> Kernel<'a> {
     fn input(&mut self, input: Input) -> TokenStream {
         match input {
             Input::Time => quote!(at.t),
+            Input::TimeRate if self.numbers == Numbers::Wide => quote!(at.splat(1.0)),
             Input::TimeRate => quote!(t_dot),
             Input::Variable => quote!(x),
             Input::Parameter(k) => self.lowered.parameters[k].clone(),
@@ -321,25 +370,11 @@ impl<'a> Kernel<'a> {
     }
 }
 
-/// A number as a literal.
-pub fn number(value: f64) -> TokenStream {
-    if value.is_nan() {
-        return quote!(f64::NAN);
-    }
-    if value.is_infinite() {
-        return if value > 0.0 { quote!(f64::INFINITY) } else { quote!(f64::NEG_INFINITY) };
-    }
-    let size = Literal::f64_unsuffixed(value.abs());
-    if value < 0.0 { quote!(-#size) } else { quote!(#size) }
-}
-
-fn sign(comparison: Comparison) -> TokenStream {
-    match comparison {
-        Comparison::Less => quote!(<),
-        Comparison::LessEqual => quote!(<=),
-        Comparison::Greater => quote!(>),
-        Comparison::GreaterEqual => quote!(>=),
-        Comparison::Equal => quote!(==),
-        Comparison::NotEqual => quote!(!=),
+/// Whether a node is a condition and not a number.
+pub fn is_condition(lowered: &Lowered, node: Node) -> bool {
+    match lowered.graph.op(node) {
+        Op::Compare(..) | Op::And(..) | Op::Or(..) | Op::Not(_) | Op::Truth(_) => true,
+        Op::Opaque(number, _) => lowered.opaques[number].kind == OpaqueKind::Condition,
+        _ => false,
     }
 }

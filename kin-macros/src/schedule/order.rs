@@ -13,9 +13,9 @@ pub struct Group {
 /// So many outputs, those that take the least, are looked at before one is chosen.
 const CANDIDATES: usize = 8;
 
-/// Every node needed for `outputs`, operands before their users, cut where an output is complete.
-pub fn order(g: &Graph, outputs: &[Node]) -> Vec<Group> {
-    let mut known = vec![false; g.len()];
+/// Every node needed for `outputs` beyond those that are `given`, operands before their users, cut where an output is complete.
+pub fn order(g: &Graph, outputs: &[Node], given: impl Fn(Node) -> bool) -> Vec<Group> {
+    let mut known: Vec<bool> = (0..g.len()).map(|k| given(Node::numbered(k))).collect();
     let mut seen = vec![usize::MAX; g.len()];
     // Which outputs wait for a node, and for how many each.
     let mut waiting: Vec<Vec<usize>> = vec![Vec::new(); g.len()];

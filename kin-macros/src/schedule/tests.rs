@@ -84,7 +84,7 @@ fn every_node_is_computed_once_after_its_operands_and_before_the_output_that_nee
         let given = |node: Node| matches!(g.op(node), Op::Input(_) | Op::Constant(_));
         let mut known = vec![false; g.len()];
         let mut written = vec![];
-        for group in order(&g, &scheduled) {
+        for group in order(&g, &scheduled, |_| false) {
             for node in group.nodes {
                 assert!(g.operands(node).iter().all(|&n| given(n) || known[n.index()]));
                 assert!(!std::mem::replace(&mut known[node.index()], true));
