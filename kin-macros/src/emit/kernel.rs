@@ -13,7 +13,7 @@ use words::{comparison_method, sign};
 
 use super::slots::{Slot, binding, slots};
 use super::timed;
-use crate::graph::{Comparison, Function, Function2, Graph, Input, Node, Op, Part};
+use crate::graph::{Function, Function2, Graph, Input, Node, Op, Part};
 use crate::lower::{Lowered, OpaqueKind};
 use crate::parse::Argument;
 use crate::schedule::{self, order};
