@@ -5,40 +5,28 @@ use std::collections::HashMap;
 use super::{operations, order, prepare};
 use crate::graph::interpret::value;
 use crate::graph::{Function, Graph, Input, Node, Op};
+use crate::tests::mangled::SplitMix;
 
-/// Reproducible numbers (SplitMix64).
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, n: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) % n as u64) as usize
+/// Sums and products of six inputs and small constants, at most quadratic in each other.
+fn graph(random: &mut SplitMix) -> (Graph, Vec<Node>) {
+    let mut g = Graph::default();
+    let mut nodes: Vec<Node> = (0..6).map(|k| g.input(Input::Parameter(k))).collect();
+    nodes.extend([1.0, 2.0, 4.0, 3.0].map(|c| g.constant(c)));
+    let linear = nodes.len();
+    for k in 0..60 {
+        let (a, b) = (nodes[random.below(nodes.len())], nodes[random.below(nodes.len())]);
+        let (c, d) = (nodes[random.below(linear)], nodes[random.below(linear)]);
+        let node = match random.below(6) {
+            0 => g.add(a, b),
+            1 => g.sub(a, b),
+            2 => g.neg(a),
+            3 if k % 9 == 0 => g.mul(a, b),
+            _ => g.mul(c, d),
+        };
+        nodes.push(node);
     }
-
-    /// Sums and products of six inputs and small constants, at most quadratic in each other.
-    fn graph(&mut self) -> (Graph, Vec<Node>) {
-        let mut g = Graph::default();
-        let mut nodes: Vec<Node> = (0..6).map(|k| g.input(Input::Parameter(k))).collect();
-        nodes.extend([1.0, 2.0, 4.0, 3.0].map(|c| g.constant(c)));
-        let linear = nodes.len();
-        for k in 0..60 {
-            let (a, b) = (nodes[self.below(nodes.len())], nodes[self.below(nodes.len())]);
-            let (c, d) = (nodes[self.below(linear)], nodes[self.below(linear)]);
-            let node = match self.below(6) {
-                0 => g.add(a, b),
-                1 => g.sub(a, b),
-                2 => g.neg(a),
-                3 if k % 9 == 0 => g.mul(a, b),
-                _ => g.mul(c, d),
-            };
-            nodes.push(node);
-        }
-        let outputs = (0..8).map(|_| nodes[linear + self.below(60)]).collect();
-        (g, outputs)
-    }
+    let outputs = (0..8).map(|_| nodes[linear + random.below(60)]).collect();
+    (g, outputs)
 }
 
 fn inputs(values: &[f64]) -> HashMap<Input, f64> {
@@ -57,10 +45,10 @@ fn has_sign(g: &Graph, outputs: &[Node]) -> bool {
 
 #[test]
 fn values_stay_and_operations_do_not_grow() {
-    let mut random = Random(7);
+    let mut random = SplitMix(7);
     let mut fewer = 0;
     for _ in 0..400 {
-        let (mut g, outputs) = random.graph();
+        let (mut g, outputs) = graph(&mut random);
         let at = inputs(&std::array::from_fn::<f64, 6, _>(|_| random.below(7) as f64 - 3.0));
         let scheduled = prepare(&mut g, &outputs);
         let (before, after) = (operations(&g, &outputs), operations(&g, &scheduled));
@@ -77,9 +65,9 @@ fn values_stay_and_operations_do_not_grow() {
 
 #[test]
 fn every_node_is_computed_once_after_its_operands_and_before_the_output_that_needs_it() {
-    let mut random = Random(8);
+    let mut random = SplitMix(8);
     for _ in 0..100 {
-        let (mut g, outputs) = random.graph();
+        let (mut g, outputs) = graph(&mut random);
         let scheduled = prepare(&mut g, &outputs);
         let given = |node: Node| matches!(g.op(node), Op::Input(_) | Op::Constant(_));
         let mut known = vec![false; g.len()];
