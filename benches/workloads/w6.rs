@@ -6,11 +6,22 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use kin::prelude::*;
-use kin::rt::{At, PlanarState, Rates, SpatialState};
+use kin::rt::{At, PlanarState, Rates};
 
 use crate::hand::planar_joints::{self, Prismatic, Revolute};
 use crate::hand::spatial_joints::{self, Cylindrical, Spherical, Universal};
 use crate::measure::{Contestant, Figure, SplitMix64, race};
+
+// The planar two are in the library too; here, like the others, they are compiled with the loop that calls them, as those by hand are.
+#[constraint(symbolic)]
+fn planar_revolute(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> Vec2 {
+    i.point(u_i) - j.point(u_j)
+}
+
+#[constraint(symbolic)]
+fn planar_prismatic(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_i: Vec2, theta0: f64) -> (f64, f64) {
+    (i.theta - j.theta - theta0, h_i.dot(u_i) + i.direction(h_i).dot(i.r - j.point(u_j)))
+}
 
 #[constraint(symbolic)]
 fn spherical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3) -> Vec3 {
@@ -74,42 +85,55 @@ struct Library<C> {
 impl<C: Constraint + 'static> Library<C> {
     fn planar<const M: usize, const E: usize>(&self, input: &Input, output: &mut [f64]) {
         for (state, out) in input.states.as_chunks::<12>().0.iter().zip(output.chunks_exact_mut(2 * M + E)) {
-            let (q, qd) = state.split_at(6);
+            let Some((q, [qd])) = state.as_chunks::<6>().0.split_first() else { return };
             let (i, j) = (PlanarState::new([q[0], q[1], q[2]]), PlanarState::new([q[3], q[4], q[5]]));
             let states = [i.r.x, i.r.y, i.theta, i.sin, i.cos, j.r.x, j.r.y, j.theta, j.sin, j.cos];
-            self.evaluate::<M, E>(&At::new(0.0, &states, &[0, 5]), &Rates::new(qd, &[0, 3]), out);
+            evaluate::<M, E, 10, 6>(&self.constraint, &states, qd, out);
         }
     }
 
     fn spatial<const M: usize, const E: usize>(&self, input: &Input, output: &mut [f64]) {
         for (state, out) in input.states.as_chunks::<28>().0.iter().zip(output.chunks_exact_mut(2 * M + E)) {
-            let (q, qd) = state.split_at(14);
-            let mut states = [0.0; 32];
-            for (place, q) in states.as_chunks_mut::<16>().0.iter_mut().zip(q.as_chunks::<7>().0) {
-                *place = SpatialState::new(*q).to_array();
-            }
-            self.evaluate::<M, E>(&At::new(0.0, &states, &[0, 16]), &Rates::new(qd, &[0, 7]), out);
+            // The state of a spatial body is its coordinates.
+            let Some((q, [qd])) = state.as_chunks::<14>().0.split_first() else { return };
+            evaluate::<M, E, 14, 14>(&self.constraint, q, qd, out);
         }
     }
+}
 
-    #[inline]
-    fn evaluate<const M: usize, const E: usize>(&self, at: &At<'_>, qd: &Rates<'_>, out: &mut [f64]) {
-        let (c, rest) = out.split_at_mut(M);
-        let (c_q, q_d) = rest.split_at_mut(E);
-        linearize(&self.constraint, at, c, c_q);
-        right_side(&self.constraint, at, qd, q_d);
-    }
+#[inline]
+fn evaluate<const M: usize, const E: usize, const S: usize, const N: usize>(
+    constraint: &impl Constraint,
+    states: &[f64; S],
+    qd: &[f64; N],
+    out: &mut [f64],
+) {
+    let Some((c, rest)) = out.split_first_chunk_mut::<M>() else { return };
+    let Some((c_q, q_d)) = rest.split_first_chunk_mut::<E>() else { return };
+    let Some(q_d) = q_d.first_chunk_mut::<M>() else { return };
+    linearize(constraint, states, c, c_q);
+    right_side(constraint, states, qd, q_d);
 }
 
 /// Cut as by hand: two functions that are not inlined into the loop.
 #[inline(never)]
-fn linearize(constraint: &impl Constraint, at: &At<'_>, c: &mut [f64], c_q: &mut [f64]) {
-    constraint.linearize(at, c, c_q);
+fn linearize<const M: usize, const E: usize, const S: usize>(
+    constraint: &impl Constraint,
+    states: &[f64; S],
+    c: &mut [f64; M],
+    c_q: &mut [f64; E],
+) {
+    constraint.linearize(&At::new(0.0, states, &[0, S / 2]), c, c_q);
 }
 
 #[inline(never)]
-fn right_side(constraint: &impl Constraint, at: &At<'_>, qd: &Rates<'_>, q_d: &mut [f64]) {
-    constraint.acceleration_rhs(at, qd, 1.0, q_d);
+fn right_side<const M: usize, const S: usize, const N: usize>(
+    constraint: &impl Constraint,
+    states: &[f64; S],
+    qd: &[f64; N],
+    q_d: &mut [f64; M],
+) {
+    constraint.acceleration_rhs(&At::new(0.0, states, &[0, S / 2]), &Rates::new(qd, &[0, N / 2]), 1.0, q_d);
 }
 
 fn vec2_at(p: &[f64], k: usize) -> Vec2 {
@@ -137,8 +161,8 @@ fn by_library(joint: &Joint, p: &[f64]) -> Route {
     let (i, j) = (kin::any_planar(), kin::any_planar());
     let (si, sj) = (kin::any_spatial(), kin::any_spatial());
     match joint.name {
-        "planar_revolute" => planar(revolute(i, j, vec2_at(p, 0), vec2_at(p, 2))),
-        "planar_prismatic" => planar(prismatic(i, j, vec2_at(p, 0), vec2_at(p, 2), vec2_at(p, 4), p[6])),
+        "planar_revolute" => planar(planar_revolute(i, j, vec2_at(p, 0), vec2_at(p, 2))),
+        "planar_prismatic" => planar(planar_prismatic(i, j, vec2_at(p, 0), vec2_at(p, 2), vec2_at(p, 4), p[6])),
         "spherical" => spatial::<_, 3, 30>(spherical(si, sj, vec3_at(p, 0), vec3_at(p, 3))),
         "universal" => spatial::<_, 4, 38>(universal(si, sj, vec3_at(p, 0), vec3_at(p, 3), vec3_at(p, 6), vec3_at(p, 9))),
         _ => spatial::<_, 4, 44>(cylindrical(si, sj, vec3_at(p, 0), vec3_at(p, 3), vec3_at(p, 6), vec3_at(p, 9), vec3_at(p, 12))),

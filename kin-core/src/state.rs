@@ -138,7 +138,7 @@ pub struct SpatialRate {
 /// How many numbers the state of an argument is.
 pub const PLANAR_STATE: usize = 5;
 /// How many numbers the state of an argument is.
-pub const SPATIAL_STATE: usize = 16;
+pub const SPATIAL_STATE: usize = 7;
 /// How many numbers the state of an argument is.
 pub const COORD_STATE: usize = 3;
 
@@ -154,18 +154,10 @@ impl PlanarState {
 }
 
 impl SpatialState {
-    /// (R, e0..e3, A row by row), as a constraint reads it.
+    /// (R, e0..e3), as a constraint reads it: A is not kept, what a constraint needs of it is cheaper from p.
     pub fn to_array(&self) -> [f64; SPATIAL_STATE] {
-        let (r, p, a) = (self.r, self.p, self.a);
-        [r.x, r.y, r.z, p.e0, p.e1, p.e2, p.e3, a.m11, a.m12, a.m13, a.m21, a.m22, a.m23, a.m31, a.m32, a.m33]
-    }
-
-    fn from_array(s: [f64; SPATIAL_STATE]) -> Self {
-        SpatialState {
-            r: Vec3::new(s[0], s[1], s[2]),
-            p: EulerParameters::new(s[3], s[4], s[5], s[6]),
-            a: Mat3::new(s[7], s[8], s[9], s[10], s[11], s[12], s[13], s[14], s[15]),
-        }
+        let (r, p) = (self.r, self.p);
+        [r.x, r.y, r.z, p.e0, p.e1, p.e2, p.e3]
     }
 }
 
@@ -246,7 +238,7 @@ impl<'a> At<'a> {
 
     /// State of argument `k`, a spatial body; the ground's if there is no such argument.
     pub fn spatial(&self, k: usize) -> SpatialState {
-        self.states.argument(k).map_or_else(SpatialState::ground, SpatialState::from_array)
+        self.states.argument(k).map_or_else(SpatialState::ground, SpatialState::new)
     }
 
     /// State of argument `k`, a bare coordinate; zero if there is no such argument.

@@ -139,340 +139,178 @@ const _: () = {
                 q_d: true,
             }
         }
-        /// C: 104 operations
+        /// C: 119 operations
         fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<4>() else {
                 return
             };
-            let ::core::option::Option::Some(
-                &[i_x,
-                i_y,
-                i_z,
-                _,
-                _,
-                _,
-                _,
-                i_a11,
-                i_a12,
-                i_a13,
-                i_a21,
-                i_a22,
-                i_a23,
-                i_a31,
-                i_a32,
-                i_a33,
-                j_x,
-                j_y,
-                j_z,
-                _,
-                _,
-                _,
-                _,
-                j_a11,
-                j_a12,
-                j_a13,
-                j_a21,
-                j_a22,
-                j_a23,
-                j_a31,
-                j_a32,
-                j_a33,
-                ],
-            ) = at.states::<32>() else { return };
-            let t0 = ((self.f_i.x * i_a11) + (self.f_i.y * i_a12))
-                + (self.f_i.z * i_a13);
-            let t1 = ((self.f_i.x * i_a21) + (self.f_i.y * i_a22))
-                + (self.f_i.z * i_a23);
-            let t2 = ((self.f_i.x * i_a31) + (self.f_i.y * i_a32))
-                + (self.f_i.z * i_a33);
-            let t3 = ((self.g_i.x * i_a11) + (self.g_i.y * i_a12))
-                + (self.g_i.z * i_a13);
-            let t4 = ((self.g_i.x * i_a21) + (self.g_i.y * i_a22))
-                + (self.g_i.z * i_a23);
-            let t5 = ((self.g_i.x * i_a31) + (self.g_i.y * i_a32))
-                + (self.g_i.z * i_a33);
-            let t6 = ((self.h_j.x * j_a11) + (self.h_j.y * j_a12))
-                + (self.h_j.z * j_a13);
-            let t7 = ((self.h_j.x * j_a21) + (self.h_j.y * j_a22))
-                + (self.h_j.z * j_a23);
-            let t8 = ((self.h_j.x * j_a31) + (self.h_j.y * j_a32))
-                + (self.h_j.z * j_a33);
-            let t9 = (i_x
-                + (((self.u_i.x * i_a11) + (self.u_i.y * i_a12)) + (self.u_i.z * i_a13)))
-                - (j_x
-                    + (((self.u_j.x * j_a11) + (self.u_j.y * j_a12))
-                        + (self.u_j.z * j_a13)));
-            let t10 = (i_y
-                + (((self.u_i.x * i_a21) + (self.u_i.y * i_a22)) + (self.u_i.z * i_a23)))
-                - (j_y
-                    + (((self.u_j.x * j_a21) + (self.u_j.y * j_a22))
-                        + (self.u_j.z * j_a23)));
-            let t11 = (i_z
-                + (((self.u_i.x * i_a31) + (self.u_i.y * i_a32)) + (self.u_i.z * i_a33)))
-                - (j_z
-                    + (((self.u_j.x * j_a31) + (self.u_j.y * j_a32))
-                        + (self.u_j.z * j_a33)));
-            c[0] = ((t0 * t6) + (t1 * t7)) + (t2 * t8);
-            c[1] = ((t3 * t6) + (t4 * t7)) + (t5 * t8);
-            c[2] = ((t0 * t9) + (t1 * t10)) + (t2 * t11);
-            c[3] = ((t3 * t9) + (t4 * t10)) + (t5 * t11);
+            let fma = ::kin::rt::fma;
+            let ::core::option::Option::Some(state) = at.states::<14>() else { return };
+            let in_order = ::kin::rt::in_order;
+            let i_e0 = state[3];
+            let t0 = 2.0 * i_e0;
+            let i_e3 = state[6];
+            let i_e2 = state[5];
+            let i_e1 = state[4];
+            let t1 = fma(self.f_i.z, i_e3, fma(self.f_i.y, i_e2, self.f_i.x * i_e1));
+            let t2 = 2.0 * i_e1;
+            let t3 = fma(
+                t2,
+                t1,
+                fma(
+                    t0,
+                    fma(-self.f_i.y, i_e3, fma(self.f_i.z, i_e2, self.f_i.x * i_e0)),
+                    -self.f_i.x,
+                ),
+            );
+            let j_e0 = state[10];
+            let t4 = 2.0 * j_e0;
+            let j_e3 = state[13];
+            let j_e2 = state[12];
+            let j_e1 = state[11];
+            let t5 = fma(self.h_j.z, j_e3, fma(self.h_j.y, j_e2, self.h_j.x * j_e1));
+            let t6 = 2.0 * j_e1;
+            let t7 = fma(
+                t6,
+                t5,
+                fma(
+                    t4,
+                    fma(-self.h_j.y, j_e3, fma(self.h_j.z, j_e2, self.h_j.x * j_e0)),
+                    -self.h_j.x,
+                ),
+            );
+            let t8 = 2.0 * j_e2;
+            let t9 = fma(
+                t8,
+                t5,
+                fma(
+                    t4,
+                    fma(-self.h_j.z, j_e1, fma(self.h_j.x, j_e3, self.h_j.y * j_e0)),
+                    -self.h_j.y,
+                ),
+            );
+            let t10 = 2.0 * i_e2;
+            let t11 = fma(
+                t10,
+                t1,
+                fma(
+                    t0,
+                    fma(-self.f_i.z, i_e1, fma(self.f_i.x, i_e3, self.f_i.y * i_e0)),
+                    -self.f_i.y,
+                ),
+            );
+            let t12 = 2.0 * j_e3;
+            let t13 = fma(
+                t12,
+                t5,
+                fma(
+                    t4,
+                    fma(-self.h_j.x, j_e2, fma(self.h_j.y, j_e1, self.h_j.z * j_e0)),
+                    -self.h_j.z,
+                ),
+            );
+            let t14 = 2.0 * i_e3;
+            let t15 = fma(
+                t14,
+                t1,
+                fma(
+                    t0,
+                    fma(-self.f_i.x, i_e2, fma(self.f_i.y, i_e1, self.f_i.z * i_e0)),
+                    -self.f_i.z,
+                ),
+            );
+            c[0] = fma(t15, t13, fma(t11, t9, t3 * t7));
+            in_order();
+            let t16 = fma(self.u_i.z, t14, fma(self.u_i.y, t10, self.u_i.x * t2));
+            let t17 = fma(
+                -t4,
+                fma(-self.u_j.y, j_e3, fma(self.u_j.z, j_e2, self.u_j.x * j_e0)),
+                fma(
+                    i_e1,
+                    t16,
+                    fma(
+                        t0,
+                        fma(-self.u_i.y, i_e3, fma(self.u_i.z, i_e2, self.u_i.x * i_e0)),
+                        self.u_j.x,
+                    ),
+                ),
+            );
+            let t18 = fma(self.u_j.z, t12, fma(self.u_j.y, t8, self.u_j.x * t6));
+            let i_x = state[0];
+            let j_x = state[7];
+            let t19 = ((fma(-j_e1, t18, t17) - self.u_i.x) + i_x) - j_x;
+            let t20 = fma(
+                -t4,
+                fma(-self.u_j.z, j_e1, fma(self.u_j.x, j_e3, self.u_j.y * j_e0)),
+                fma(
+                    i_e2,
+                    t16,
+                    fma(
+                        t0,
+                        fma(-self.u_i.z, i_e1, fma(self.u_i.x, i_e3, self.u_i.y * i_e0)),
+                        self.u_j.y,
+                    ),
+                ),
+            );
+            let i_y = state[1];
+            let j_y = state[8];
+            let t21 = ((fma(-j_e2, t18, t20) - self.u_i.y) + i_y) - j_y;
+            let t22 = fma(
+                -j_e0,
+                fma(-self.u_j.x, t8, fma(self.u_j.y, t6, self.u_j.z * t4)),
+                fma(
+                    i_e3,
+                    t16,
+                    fma(
+                        i_e0,
+                        fma(-self.u_i.x, t10, fma(self.u_i.y, t2, self.u_i.z * t0)),
+                        self.u_j.z,
+                    ),
+                ),
+            );
+            let i_z = state[2];
+            let j_z = state[9];
+            let t23 = ((fma(-j_e3, t18, t22) - self.u_i.z) + i_z) - j_z;
+            c[2] = fma(t15, t23, fma(t11, t21, t3 * t19));
+            in_order();
+            let t24 = fma(self.g_i.z, i_e3, fma(self.g_i.y, i_e2, self.g_i.x * i_e1));
+            let t25 = fma(
+                t2,
+                t24,
+                fma(
+                    t0,
+                    fma(-self.g_i.y, i_e3, fma(self.g_i.z, i_e2, self.g_i.x * i_e0)),
+                    -self.g_i.x,
+                ),
+            );
+            let t26 = fma(
+                t10,
+                t24,
+                fma(
+                    t0,
+                    fma(-self.g_i.z, i_e1, fma(self.g_i.x, i_e3, self.g_i.y * i_e0)),
+                    -self.g_i.y,
+                ),
+            );
+            let t27 = fma(
+                t14,
+                t24,
+                fma(
+                    t0,
+                    fma(-self.g_i.x, i_e2, fma(self.g_i.y, i_e1, self.g_i.z * i_e0)),
+                    -self.g_i.z,
+                ),
+            );
+            c[1] = fma(t27, t13, fma(t26, t9, t25 * t7));
+            in_order();
+            c[3] = fma(t27, t23, fma(t26, t21, t25 * t19));
+            in_order();
         }
-        /// C_q: 518 operations
-        #[inline]
+        /// C_q, and C on the way
         fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
-            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<44>() else {
-                return
-            };
-            let ::core::option::Option::Some(
-                &[i_x,
-                i_y,
-                i_z,
-                i_e0,
-                i_e1,
-                i_e2,
-                i_e3,
-                i_a11,
-                i_a12,
-                i_a13,
-                i_a21,
-                i_a22,
-                i_a23,
-                i_a31,
-                i_a32,
-                i_a33,
-                j_x,
-                j_y,
-                j_z,
-                j_e0,
-                j_e1,
-                j_e2,
-                j_e3,
-                j_a11,
-                j_a12,
-                j_a13,
-                j_a21,
-                j_a22,
-                j_a23,
-                j_a31,
-                j_a32,
-                j_a33,
-                ],
-            ) = at.states::<32>() else { return };
-            let t0 = ((self.f_i.x * i_a11) + (self.f_i.y * i_a12))
-                + (self.f_i.z * i_a13);
-            let t1 = ((self.f_i.x * i_a21) + (self.f_i.y * i_a22))
-                + (self.f_i.z * i_a23);
-            let t2 = ((self.f_i.x * i_a31) + (self.f_i.y * i_a32))
-                + (self.f_i.z * i_a33);
-            let t3 = ((self.g_i.x * i_a11) + (self.g_i.y * i_a12))
-                + (self.g_i.z * i_a13);
-            let t4 = ((self.g_i.x * i_a21) + (self.g_i.y * i_a22))
-                + (self.g_i.z * i_a23);
-            let t5 = ((self.g_i.x * i_a31) + (self.g_i.y * i_a32))
-                + (self.g_i.z * i_a33);
-            let t6 = ((self.h_j.x * j_a11) + (self.h_j.y * j_a12))
-                + (self.h_j.z * j_a13);
-            let t7 = ((self.h_j.x * j_a21) + (self.h_j.y * j_a22))
-                + (self.h_j.z * j_a23);
-            let t8 = ((self.h_j.x * j_a31) + (self.h_j.y * j_a32))
-                + (self.h_j.z * j_a33);
-            let t9 = (i_x
-                + (((self.u_i.x * i_a11) + (self.u_i.y * i_a12)) + (self.u_i.z * i_a13)))
-                - (j_x
-                    + (((self.u_j.x * j_a11) + (self.u_j.y * j_a12))
-                        + (self.u_j.z * j_a13)));
-            let t10 = (i_y
-                + (((self.u_i.x * i_a21) + (self.u_i.y * i_a22)) + (self.u_i.z * i_a23)))
-                - (j_y
-                    + (((self.u_j.x * j_a21) + (self.u_j.y * j_a22))
-                        + (self.u_j.z * j_a23)));
-            let t11 = (i_z
-                + (((self.u_i.x * i_a31) + (self.u_i.y * i_a32)) + (self.u_i.z * i_a33)))
-                - (j_z
-                    + (((self.u_j.x * j_a31) + (self.u_j.y * j_a32))
-                        + (self.u_j.z * j_a33)));
-            let t12 = self.f_i.x * i_e0;
-            let t13 = self.f_i.y * i_e3;
-            let t14 = self.f_i.z * i_e2;
-            let t15 = ((2.0 * t12) - t13) + t14;
-            let t16 = self.f_i.x * i_e3;
-            let t17 = self.f_i.y * i_e0;
-            let t18 = self.f_i.z * i_e1;
-            let t19 = (t16 + (2.0 * t17)) - t18;
-            let t20 = self.f_i.x * i_e2;
-            let t21 = self.f_i.y * i_e1;
-            let t22 = self.f_i.z * i_e0;
-            let t23 = (t21 - t20) + (2.0 * t22);
-            let t24 = self.f_i.x * i_e1;
-            let t25 = self.f_i.y * i_e2;
-            let t26 = self.f_i.z * i_e3;
-            let t27 = (t25 + (2.0 * t24)) + t26;
-            let t28 = t20 - t22;
-            let t29 = t16 + t17;
-            let t30 = t21 + t22;
-            let t31 = t26 + (t24 + (2.0 * t25));
-            let t32 = t13 - t12;
-            let t33 = t18 - t17;
-            let t34 = t12 + t14;
-            let t35 = (2.0 * t26) + (t24 + t25);
-            let t36 = self.h_j.x * j_e0;
-            let t37 = self.h_j.y * j_e3;
-            let t38 = self.h_j.z * j_e2;
-            let t39 = ((2.0 * t36) - t37) + t38;
-            let t40 = self.h_j.x * j_e3;
-            let t41 = self.h_j.y * j_e0;
-            let t42 = self.h_j.z * j_e1;
-            let t43 = (t40 + (2.0 * t41)) - t42;
-            let t44 = self.h_j.x * j_e2;
-            let t45 = self.h_j.y * j_e1;
-            let t46 = self.h_j.z * j_e0;
-            let t47 = (t45 - t44) + (2.0 * t46);
-            let t48 = self.h_j.x * j_e1;
-            let t49 = self.h_j.y * j_e2;
-            let t50 = self.h_j.z * j_e3;
-            let t51 = (t49 + (2.0 * t48)) + t50;
-            let t52 = t44 - t46;
-            let t53 = t40 + t41;
-            let t54 = t45 + t46;
-            let t55 = t50 + (t48 + (2.0 * t49));
-            let t56 = t37 - t36;
-            let t57 = t42 - t41;
-            let t58 = t36 + t38;
-            let t59 = (2.0 * t50) + (t48 + t49);
-            let t60 = self.g_i.x * i_e0;
-            let t61 = self.g_i.y * i_e3;
-            let t62 = self.g_i.z * i_e2;
-            let t63 = ((2.0 * t60) - t61) + t62;
-            let t64 = self.g_i.x * i_e3;
-            let t65 = self.g_i.y * i_e0;
-            let t66 = self.g_i.z * i_e1;
-            let t67 = (t64 + (2.0 * t65)) - t66;
-            let t68 = self.g_i.x * i_e2;
-            let t69 = self.g_i.y * i_e1;
-            let t70 = self.g_i.z * i_e0;
-            let t71 = (t69 - t68) + (2.0 * t70);
-            let t72 = self.g_i.x * i_e1;
-            let t73 = self.g_i.y * i_e2;
-            let t74 = self.g_i.z * i_e3;
-            let t75 = (t73 + (2.0 * t72)) + t74;
-            let t76 = t68 - t70;
-            let t77 = t64 + t65;
-            let t78 = t69 + t70;
-            let t79 = t74 + (t72 + (2.0 * t73));
-            let t80 = t61 - t60;
-            let t81 = t66 - t65;
-            let t82 = t60 + t62;
-            let t83 = (2.0 * t74) + (t72 + t73);
-            let t84 = self.u_i.x * i_e0;
-            let t85 = self.u_i.y * i_e3;
-            let t86 = self.u_i.z * i_e2;
-            let t87 = ((2.0 * t84) - t85) + t86;
-            let t88 = self.u_i.x * i_e3;
-            let t89 = self.u_i.y * i_e0;
-            let t90 = self.u_i.z * i_e1;
-            let t91 = (t88 + (2.0 * t89)) - t90;
-            let t92 = self.u_i.x * i_e2;
-            let t93 = self.u_i.y * i_e1;
-            let t94 = self.u_i.z * i_e0;
-            let t95 = (t93 - t92) + (2.0 * t94);
-            let t96 = self.u_i.x * i_e1;
-            let t97 = self.u_i.y * i_e2;
-            let t98 = self.u_i.z * i_e3;
-            let t99 = (t97 + (2.0 * t96)) + t98;
-            let t100 = t92 - t94;
-            let t101 = t88 + t89;
-            let t102 = t93 + t94;
-            let t103 = t98 + (t96 + (2.0 * t97));
-            let t104 = t85 - t84;
-            let t105 = t90 - t89;
-            let t106 = t84 + t86;
-            let t107 = (2.0 * t98) + (t96 + t97);
-            let t108 = self.u_j.x * j_e0;
-            let t109 = self.u_j.y * j_e3;
-            let t110 = self.u_j.z * j_e2;
-            let t111 = ((2.0 * t108) - t109) + t110;
-            let t112 = self.u_j.x * j_e3;
-            let t113 = self.u_j.y * j_e0;
-            let t114 = self.u_j.z * j_e1;
-            let t115 = (t112 + (2.0 * t113)) - t114;
-            let t116 = self.u_j.x * j_e2;
-            let t117 = self.u_j.y * j_e1;
-            let t118 = self.u_j.z * j_e0;
-            let t119 = (t117 - t116) + (2.0 * t118);
-            let t120 = self.u_j.x * j_e1;
-            let t121 = self.u_j.y * j_e2;
-            let t122 = self.u_j.z * j_e3;
-            let t123 = (t121 + (2.0 * t120)) + t122;
-            let t124 = t116 - t118;
-            let t125 = t112 + t113;
-            let t126 = t117 + t118;
-            let t127 = t122 + (t120 + (2.0 * t121));
-            let t128 = t109 - t108;
-            let t129 = t114 - t113;
-            let t130 = t108 + t110;
-            let t131 = (2.0 * t122) + (t120 + t121);
-            c_q[0] = 2.0 * (((t6 * t15) + (t7 * t19)) + (t8 * t23));
-            c_q[1] = 2.0 * (((t6 * t27) + (t7 * t28)) + (t8 * t29));
-            c_q[2] = 2.0 * (((t6 * t30) + (t7 * t31)) + (t8 * t32));
-            c_q[3] = 2.0 * (((t6 * t33) + (t7 * t34)) + (t8 * t35));
-            c_q[4] = 2.0 * (((t0 * t39) + (t1 * t43)) + (t2 * t47));
-            c_q[5] = 2.0 * (((t0 * t51) + (t1 * t52)) + (t2 * t53));
-            c_q[6] = 2.0 * (((t0 * t54) + (t1 * t55)) + (t2 * t56));
-            c_q[7] = 2.0 * (((t0 * t57) + (t1 * t58)) + (t2 * t59));
-            c_q[8] = 2.0 * (((t6 * t63) + (t7 * t67)) + (t8 * t71));
-            c_q[9] = 2.0 * (((t6 * t75) + (t7 * t76)) + (t8 * t77));
-            c_q[10] = 2.0 * (((t6 * t78) + (t7 * t79)) + (t8 * t80));
-            c_q[11] = 2.0 * (((t6 * t81) + (t7 * t82)) + (t8 * t83));
-            c_q[12] = 2.0 * (((t3 * t39) + (t4 * t43)) + (t5 * t47));
-            c_q[13] = 2.0 * (((t3 * t51) + (t4 * t52)) + (t5 * t53));
-            c_q[14] = 2.0 * (((t3 * t54) + (t4 * t55)) + (t5 * t56));
-            c_q[15] = 2.0 * (((t3 * t57) + (t4 * t58)) + (t5 * t59));
-            c_q[16] = t0;
-            c_q[17] = t1;
-            c_q[18] = t2;
-            c_q[19] = 2.0
-                * ((((t9 * t15) + (t0 * t87)) + ((t10 * t19) + (t1 * t91)))
-                    + ((t11 * t23) + (t2 * t95)));
-            c_q[20] = 2.0
-                * ((((t9 * t27) + (t0 * t99)) + ((t10 * t28) + (t1 * t100)))
-                    + ((t11 * t29) + (t2 * t101)));
-            c_q[21] = 2.0
-                * ((((t9 * t30) + (t0 * t102)) + ((t10 * t31) + (t1 * t103)))
-                    + ((t11 * t32) + (t2 * t104)));
-            c_q[22] = 2.0
-                * ((((t9 * t33) + (t0 * t105)) + ((t10 * t34) + (t1 * t106)))
-                    + ((t11 * t35) + (t2 * t107)));
-            c_q[23] = -t0;
-            c_q[24] = -t1;
-            c_q[25] = -t2;
-            c_q[26] = -(2.0 * (((t0 * t111) + (t1 * t115)) + (t2 * t119)));
-            c_q[27] = -(2.0 * (((t0 * t123) + (t1 * t124)) + (t2 * t125)));
-            c_q[28] = -(2.0 * (((t0 * t126) + (t1 * t127)) + (t2 * t128)));
-            c_q[29] = -(2.0 * (((t0 * t129) + (t1 * t130)) + (t2 * t131)));
-            c_q[30] = t3;
-            c_q[31] = t4;
-            c_q[32] = t5;
-            c_q[33] = 2.0
-                * ((((t9 * t63) + (t3 * t87)) + ((t10 * t67) + (t4 * t91)))
-                    + ((t11 * t71) + (t5 * t95)));
-            c_q[34] = 2.0
-                * ((((t9 * t75) + (t3 * t99)) + ((t10 * t76) + (t4 * t100)))
-                    + ((t11 * t77) + (t5 * t101)));
-            c_q[35] = 2.0
-                * ((((t9 * t78) + (t3 * t102)) + ((t10 * t79) + (t4 * t103)))
-                    + ((t11 * t80) + (t5 * t104)));
-            c_q[36] = 2.0
-                * ((((t9 * t81) + (t3 * t105)) + ((t10 * t82) + (t4 * t106)))
-                    + ((t11 * t83) + (t5 * t107)));
-            c_q[37] = -t3;
-            c_q[38] = -t4;
-            c_q[39] = -t5;
-            c_q[40] = -(2.0 * (((t3 * t111) + (t4 * t115)) + (t5 * t119)));
-            c_q[41] = -(2.0 * (((t3 * t123) + (t4 * t124)) + (t5 * t125)));
-            c_q[42] = -(2.0 * (((t3 * t126) + (t4 * t127)) + (t5 * t128)));
-            c_q[43] = -(2.0 * (((t3 * t129) + (t4 * t130)) + (t5 * t131)));
+            self.linearize(at, &mut [0.0; 4], c_q);
         }
-        /// C and C_q: 538 operations
+        /// C and C_q: 284 operations
         fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<4>() else {
                 return
@@ -480,263 +318,308 @@ const _: () = {
             let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<44>() else {
                 return
             };
-            let ::core::option::Option::Some(
-                &[i_x,
-                i_y,
-                i_z,
-                i_e0,
-                i_e1,
-                i_e2,
-                i_e3,
-                i_a11,
-                i_a12,
-                i_a13,
-                i_a21,
-                i_a22,
-                i_a23,
-                i_a31,
-                i_a32,
-                i_a33,
-                j_x,
-                j_y,
-                j_z,
-                j_e0,
-                j_e1,
-                j_e2,
-                j_e3,
-                j_a11,
-                j_a12,
-                j_a13,
-                j_a21,
-                j_a22,
-                j_a23,
-                j_a31,
-                j_a32,
-                j_a33,
-                ],
-            ) = at.states::<32>() else { return };
-            let t0 = ((self.f_i.x * i_a11) + (self.f_i.y * i_a12))
-                + (self.f_i.z * i_a13);
-            let t1 = ((self.f_i.x * i_a21) + (self.f_i.y * i_a22))
-                + (self.f_i.z * i_a23);
-            let t2 = ((self.f_i.x * i_a31) + (self.f_i.y * i_a32))
-                + (self.f_i.z * i_a33);
-            let t3 = ((self.g_i.x * i_a11) + (self.g_i.y * i_a12))
-                + (self.g_i.z * i_a13);
-            let t4 = ((self.g_i.x * i_a21) + (self.g_i.y * i_a22))
-                + (self.g_i.z * i_a23);
-            let t5 = ((self.g_i.x * i_a31) + (self.g_i.y * i_a32))
-                + (self.g_i.z * i_a33);
-            let t6 = ((self.h_j.x * j_a11) + (self.h_j.y * j_a12))
-                + (self.h_j.z * j_a13);
-            let t7 = ((self.h_j.x * j_a21) + (self.h_j.y * j_a22))
-                + (self.h_j.z * j_a23);
-            let t8 = ((self.h_j.x * j_a31) + (self.h_j.y * j_a32))
-                + (self.h_j.z * j_a33);
-            let t9 = (i_x
-                + (((self.u_i.x * i_a11) + (self.u_i.y * i_a12)) + (self.u_i.z * i_a13)))
-                - (j_x
-                    + (((self.u_j.x * j_a11) + (self.u_j.y * j_a12))
-                        + (self.u_j.z * j_a13)));
-            let t10 = (i_y
-                + (((self.u_i.x * i_a21) + (self.u_i.y * i_a22)) + (self.u_i.z * i_a23)))
-                - (j_y
-                    + (((self.u_j.x * j_a21) + (self.u_j.y * j_a22))
-                        + (self.u_j.z * j_a23)));
-            let t11 = (i_z
-                + (((self.u_i.x * i_a31) + (self.u_i.y * i_a32)) + (self.u_i.z * i_a33)))
-                - (j_z
-                    + (((self.u_j.x * j_a31) + (self.u_j.y * j_a32))
-                        + (self.u_j.z * j_a33)));
-            let t12 = self.f_i.x * i_e0;
-            let t13 = self.f_i.y * i_e3;
-            let t14 = self.f_i.z * i_e2;
-            let t15 = ((2.0 * t12) - t13) + t14;
-            let t16 = self.f_i.x * i_e3;
-            let t17 = self.f_i.y * i_e0;
-            let t18 = self.f_i.z * i_e1;
-            let t19 = (t16 + (2.0 * t17)) - t18;
-            let t20 = self.f_i.x * i_e2;
-            let t21 = self.f_i.y * i_e1;
-            let t22 = self.f_i.z * i_e0;
-            let t23 = (t21 - t20) + (2.0 * t22);
-            let t24 = self.f_i.x * i_e1;
-            let t25 = self.f_i.y * i_e2;
-            let t26 = self.f_i.z * i_e3;
-            let t27 = (t25 + (2.0 * t24)) + t26;
-            let t28 = t20 - t22;
-            let t29 = t16 + t17;
-            let t30 = t21 + t22;
-            let t31 = t26 + (t24 + (2.0 * t25));
-            let t32 = t13 - t12;
-            let t33 = t18 - t17;
-            let t34 = t12 + t14;
-            let t35 = (2.0 * t26) + (t24 + t25);
-            let t36 = self.h_j.x * j_e0;
-            let t37 = self.h_j.y * j_e3;
-            let t38 = self.h_j.z * j_e2;
-            let t39 = ((2.0 * t36) - t37) + t38;
-            let t40 = self.h_j.x * j_e3;
-            let t41 = self.h_j.y * j_e0;
-            let t42 = self.h_j.z * j_e1;
-            let t43 = (t40 + (2.0 * t41)) - t42;
-            let t44 = self.h_j.x * j_e2;
-            let t45 = self.h_j.y * j_e1;
-            let t46 = self.h_j.z * j_e0;
-            let t47 = (t45 - t44) + (2.0 * t46);
-            let t48 = self.h_j.x * j_e1;
-            let t49 = self.h_j.y * j_e2;
-            let t50 = self.h_j.z * j_e3;
-            let t51 = (t49 + (2.0 * t48)) + t50;
-            let t52 = t44 - t46;
-            let t53 = t40 + t41;
-            let t54 = t45 + t46;
-            let t55 = t50 + (t48 + (2.0 * t49));
-            let t56 = t37 - t36;
-            let t57 = t42 - t41;
-            let t58 = t36 + t38;
-            let t59 = (2.0 * t50) + (t48 + t49);
-            let t60 = self.g_i.x * i_e0;
-            let t61 = self.g_i.y * i_e3;
-            let t62 = self.g_i.z * i_e2;
-            let t63 = ((2.0 * t60) - t61) + t62;
-            let t64 = self.g_i.x * i_e3;
-            let t65 = self.g_i.y * i_e0;
-            let t66 = self.g_i.z * i_e1;
-            let t67 = (t64 + (2.0 * t65)) - t66;
-            let t68 = self.g_i.x * i_e2;
-            let t69 = self.g_i.y * i_e1;
-            let t70 = self.g_i.z * i_e0;
-            let t71 = (t69 - t68) + (2.0 * t70);
-            let t72 = self.g_i.x * i_e1;
-            let t73 = self.g_i.y * i_e2;
-            let t74 = self.g_i.z * i_e3;
-            let t75 = (t73 + (2.0 * t72)) + t74;
-            let t76 = t68 - t70;
-            let t77 = t64 + t65;
-            let t78 = t69 + t70;
-            let t79 = t74 + (t72 + (2.0 * t73));
-            let t80 = t61 - t60;
-            let t81 = t66 - t65;
-            let t82 = t60 + t62;
-            let t83 = (2.0 * t74) + (t72 + t73);
-            let t84 = self.u_i.x * i_e0;
-            let t85 = self.u_i.y * i_e3;
-            let t86 = self.u_i.z * i_e2;
-            let t87 = ((2.0 * t84) - t85) + t86;
-            let t88 = self.u_i.x * i_e3;
-            let t89 = self.u_i.y * i_e0;
-            let t90 = self.u_i.z * i_e1;
-            let t91 = (t88 + (2.0 * t89)) - t90;
-            let t92 = self.u_i.x * i_e2;
-            let t93 = self.u_i.y * i_e1;
-            let t94 = self.u_i.z * i_e0;
-            let t95 = (t93 - t92) + (2.0 * t94);
-            let t96 = self.u_i.x * i_e1;
-            let t97 = self.u_i.y * i_e2;
-            let t98 = self.u_i.z * i_e3;
-            let t99 = (t97 + (2.0 * t96)) + t98;
-            let t100 = t92 - t94;
-            let t101 = t88 + t89;
-            let t102 = t93 + t94;
-            let t103 = t98 + (t96 + (2.0 * t97));
-            let t104 = t85 - t84;
-            let t105 = t90 - t89;
-            let t106 = t84 + t86;
-            let t107 = (2.0 * t98) + (t96 + t97);
-            let t108 = self.u_j.x * j_e0;
-            let t109 = self.u_j.y * j_e3;
-            let t110 = self.u_j.z * j_e2;
-            let t111 = ((2.0 * t108) - t109) + t110;
-            let t112 = self.u_j.x * j_e3;
-            let t113 = self.u_j.y * j_e0;
-            let t114 = self.u_j.z * j_e1;
-            let t115 = (t112 + (2.0 * t113)) - t114;
-            let t116 = self.u_j.x * j_e2;
-            let t117 = self.u_j.y * j_e1;
-            let t118 = self.u_j.z * j_e0;
-            let t119 = (t117 - t116) + (2.0 * t118);
-            let t120 = self.u_j.x * j_e1;
-            let t121 = self.u_j.y * j_e2;
-            let t122 = self.u_j.z * j_e3;
-            let t123 = (t121 + (2.0 * t120)) + t122;
-            let t124 = t116 - t118;
-            let t125 = t112 + t113;
-            let t126 = t117 + t118;
-            let t127 = t122 + (t120 + (2.0 * t121));
-            let t128 = t109 - t108;
-            let t129 = t114 - t113;
-            let t130 = t108 + t110;
-            let t131 = (2.0 * t122) + (t120 + t121);
-            c[0] = ((t0 * t6) + (t1 * t7)) + (t2 * t8);
-            c[1] = ((t3 * t6) + (t4 * t7)) + (t5 * t8);
-            c[2] = ((t0 * t9) + (t1 * t10)) + (t2 * t11);
-            c[3] = ((t3 * t9) + (t4 * t10)) + (t5 * t11);
-            c_q[0] = 2.0 * (((t6 * t15) + (t7 * t19)) + (t8 * t23));
-            c_q[1] = 2.0 * (((t6 * t27) + (t7 * t28)) + (t8 * t29));
-            c_q[2] = 2.0 * (((t6 * t30) + (t7 * t31)) + (t8 * t32));
-            c_q[3] = 2.0 * (((t6 * t33) + (t7 * t34)) + (t8 * t35));
-            c_q[4] = 2.0 * (((t0 * t39) + (t1 * t43)) + (t2 * t47));
-            c_q[5] = 2.0 * (((t0 * t51) + (t1 * t52)) + (t2 * t53));
-            c_q[6] = 2.0 * (((t0 * t54) + (t1 * t55)) + (t2 * t56));
-            c_q[7] = 2.0 * (((t0 * t57) + (t1 * t58)) + (t2 * t59));
-            c_q[8] = 2.0 * (((t6 * t63) + (t7 * t67)) + (t8 * t71));
-            c_q[9] = 2.0 * (((t6 * t75) + (t7 * t76)) + (t8 * t77));
-            c_q[10] = 2.0 * (((t6 * t78) + (t7 * t79)) + (t8 * t80));
-            c_q[11] = 2.0 * (((t6 * t81) + (t7 * t82)) + (t8 * t83));
-            c_q[12] = 2.0 * (((t3 * t39) + (t4 * t43)) + (t5 * t47));
-            c_q[13] = 2.0 * (((t3 * t51) + (t4 * t52)) + (t5 * t53));
-            c_q[14] = 2.0 * (((t3 * t54) + (t4 * t55)) + (t5 * t56));
-            c_q[15] = 2.0 * (((t3 * t57) + (t4 * t58)) + (t5 * t59));
-            c_q[16] = t0;
-            c_q[17] = t1;
-            c_q[18] = t2;
-            c_q[19] = 2.0
-                * ((((t9 * t15) + (t0 * t87)) + ((t10 * t19) + (t1 * t91)))
-                    + ((t11 * t23) + (t2 * t95)));
-            c_q[20] = 2.0
-                * ((((t9 * t27) + (t0 * t99)) + ((t10 * t28) + (t1 * t100)))
-                    + ((t11 * t29) + (t2 * t101)));
-            c_q[21] = 2.0
-                * ((((t9 * t30) + (t0 * t102)) + ((t10 * t31) + (t1 * t103)))
-                    + ((t11 * t32) + (t2 * t104)));
-            c_q[22] = 2.0
-                * ((((t9 * t33) + (t0 * t105)) + ((t10 * t34) + (t1 * t106)))
-                    + ((t11 * t35) + (t2 * t107)));
-            c_q[23] = -t0;
-            c_q[24] = -t1;
-            c_q[25] = -t2;
-            c_q[26] = -(2.0 * (((t0 * t111) + (t1 * t115)) + (t2 * t119)));
-            c_q[27] = -(2.0 * (((t0 * t123) + (t1 * t124)) + (t2 * t125)));
-            c_q[28] = -(2.0 * (((t0 * t126) + (t1 * t127)) + (t2 * t128)));
-            c_q[29] = -(2.0 * (((t0 * t129) + (t1 * t130)) + (t2 * t131)));
-            c_q[30] = t3;
-            c_q[31] = t4;
-            c_q[32] = t5;
-            c_q[33] = 2.0
-                * ((((t9 * t63) + (t3 * t87)) + ((t10 * t67) + (t4 * t91)))
-                    + ((t11 * t71) + (t5 * t95)));
-            c_q[34] = 2.0
-                * ((((t9 * t75) + (t3 * t99)) + ((t10 * t76) + (t4 * t100)))
-                    + ((t11 * t77) + (t5 * t101)));
-            c_q[35] = 2.0
-                * ((((t9 * t78) + (t3 * t102)) + ((t10 * t79) + (t4 * t103)))
-                    + ((t11 * t80) + (t5 * t104)));
-            c_q[36] = 2.0
-                * ((((t9 * t81) + (t3 * t105)) + ((t10 * t82) + (t4 * t106)))
-                    + ((t11 * t83) + (t5 * t107)));
-            c_q[37] = -t3;
-            c_q[38] = -t4;
-            c_q[39] = -t5;
-            c_q[40] = -(2.0 * (((t3 * t111) + (t4 * t115)) + (t5 * t119)));
-            c_q[41] = -(2.0 * (((t3 * t123) + (t4 * t124)) + (t5 * t125)));
-            c_q[42] = -(2.0 * (((t3 * t126) + (t4 * t127)) + (t5 * t128)));
-            c_q[43] = -(2.0 * (((t3 * t129) + (t4 * t130)) + (t5 * t131)));
+            let fma = ::kin::rt::fma;
+            let ::core::option::Option::Some(state) = at.states::<14>() else { return };
+            let in_order = ::kin::rt::in_order;
+            let i_e0 = state[3];
+            let t0 = 2.0 * i_e0;
+            let t1 = self.f_i.x * t0;
+            let i_e3 = state[6];
+            let t2 = 2.0 * i_e3;
+            let t3 = fma(-self.f_i.y, t2, t1);
+            let i_e2 = state[5];
+            let t4 = 2.0 * i_e2;
+            let t5 = fma(self.f_i.z, t4, t3);
+            let i_e1 = state[4];
+            let t6 = 2.0 * i_e1;
+            let t7 = fma(self.f_i.z, t2, fma(self.f_i.y, t4, self.f_i.x * t6));
+            let t8 = fma(i_e1, t7, fma(i_e0, t5, -self.f_i.x));
+            c_q[16] = t8;
+            in_order();
+            c_q[23] = -t8;
+            let t9 = self.f_i.y * t0;
+            let t10 = fma(-self.f_i.z, t6, t9);
+            let t11 = fma(self.f_i.x, t2, t10);
+            let t12 = fma(i_e2, t7, fma(i_e0, t11, -self.f_i.y));
+            c_q[17] = t12;
+            in_order();
+            c_q[24] = -t12;
+            let t13 = self.f_i.z * t0;
+            let t14 = fma(-self.f_i.x, t4, t13);
+            let t15 = fma(self.f_i.y, t6, t14);
+            let t16 = fma(i_e3, t7, fma(i_e0, t15, -self.f_i.z));
+            c_q[18] = t16;
+            in_order();
+            c_q[25] = -t16;
+            let t17 = self.g_i.x * t0;
+            let t18 = fma(-self.g_i.y, t2, t17);
+            let t19 = fma(self.g_i.z, t4, t18);
+            let t20 = fma(self.g_i.z, t2, fma(self.g_i.y, t4, self.g_i.x * t6));
+            let t21 = fma(i_e1, t20, fma(i_e0, t19, -self.g_i.x));
+            c_q[30] = t21;
+            in_order();
+            c_q[37] = -t21;
+            let t22 = self.g_i.y * t0;
+            let t23 = fma(-self.g_i.z, t6, t22);
+            let t24 = fma(self.g_i.x, t2, t23);
+            let t25 = fma(i_e2, t20, fma(i_e0, t24, -self.g_i.y));
+            c_q[31] = t25;
+            in_order();
+            c_q[38] = -t25;
+            let t26 = self.g_i.z * t0;
+            let t27 = fma(-self.g_i.x, t4, t26);
+            let t28 = fma(self.g_i.y, t6, t27);
+            let t29 = fma(i_e3, t20, fma(i_e0, t28, -self.g_i.z));
+            c_q[32] = t29;
+            in_order();
+            c_q[39] = -t29;
+            let j_e0 = state[10];
+            let t30 = 2.0 * j_e0;
+            let t31 = self.h_j.x * t30;
+            let j_e2 = state[12];
+            let t32 = 2.0 * j_e2;
+            let t33 = fma(self.h_j.z, t32, t31);
+            let t34 = self.h_j.y * t30;
+            let j_e1 = state[11];
+            let t35 = 2.0 * j_e1;
+            let t36 = fma(-self.h_j.z, t35, t34);
+            let j_e3 = state[13];
+            let t37 = 2.0 * j_e3;
+            let t38 = fma(self.h_j.z, t37, fma(self.h_j.y, t32, self.h_j.x * t35));
+            let t39 = fma(self.h_j.z, t37, t38);
+            c_q[7] = fma(t16, t39, fma(-t8, t36, t12 * t33));
+            in_order();
+            c_q[15] = fma(t29, t39, fma(-t21, t36, t25 * t33));
+            in_order();
+            let t40 = fma(self.h_j.x, t35, t38);
+            let t41 = self.h_j.z * t30;
+            let t42 = fma(-self.h_j.x, t32, t41);
+            let t43 = fma(self.h_j.x, t37, t34);
+            c_q[5] = fma(t16, t43, fma(-t12, t42, t8 * t40));
+            in_order();
+            c_q[13] = fma(t29, t43, fma(-t25, t42, t21 * t40));
+            in_order();
+            let t44 = fma(self.h_j.y, t35, t41);
+            let t45 = fma(self.h_j.y, t32, t38);
+            let t46 = fma(-self.h_j.y, t37, t31);
+            c_q[6] = fma(-t16, t46, fma(t12, t45, t8 * t44));
+            in_order();
+            c_q[14] = fma(-t29, t46, fma(t25, t45, t21 * t44));
+            in_order();
+            let t47 = fma(self.h_j.z, t32, t46);
+            let t48 = t31 + t47;
+            let t49 = fma(self.h_j.x, t37, t36);
+            let t50 = t34 + t49;
+            let t51 = fma(self.h_j.y, t35, t42);
+            let t52 = t41 + t51;
+            c_q[4] = fma(t16, t52, fma(t12, t50, t8 * t48));
+            in_order();
+            c_q[12] = fma(t29, t52, fma(t25, t50, t21 * t48));
+            in_order();
+            let t53 = fma(j_e1, t38, fma(j_e0, t47, -self.h_j.x));
+            let t54 = fma(j_e2, t38, fma(j_e0, t49, -self.h_j.y));
+            let t55 = fma(j_e3, t38, fma(j_e0, t51, -self.h_j.z));
+            c[0] = fma(t16, t55, fma(t12, t54, t8 * t53));
+            in_order();
+            c[1] = fma(t29, t55, fma(t25, t54, t21 * t53));
+            in_order();
+            let t56 = t1 + t5;
+            let t57 = t9 + t11;
+            let t58 = t13 + t15;
+            c_q[0] = fma(t55, t58, fma(t54, t57, t53 * t56));
+            in_order();
+            let t59 = fma(self.f_i.z, t4, t1);
+            let t60 = fma(self.f_i.z, t2, t7);
+            c_q[3] = fma(t55, t60, fma(-t10, t53, t54 * t59));
+            in_order();
+            let t61 = fma(self.f_i.y, t6, t13);
+            let t62 = fma(self.f_i.y, t4, t7);
+            c_q[2] = fma(-t3, t55, fma(t54, t62, t53 * t61));
+            in_order();
+            let t63 = fma(self.f_i.x, t6, t7);
+            let t64 = fma(self.f_i.x, t2, t9);
+            c_q[1] = fma(t55, t64, fma(-t14, t54, t53 * t63));
+            in_order();
+            let t65 = t17 + t19;
+            let t66 = t22 + t24;
+            let t67 = t26 + t28;
+            c_q[8] = fma(t55, t67, fma(t54, t66, t53 * t65));
+            in_order();
+            let t68 = fma(self.g_i.z, t4, t17);
+            let t69 = fma(self.g_i.z, t2, t20);
+            c_q[11] = fma(t55, t69, fma(-t23, t53, t54 * t68));
+            in_order();
+            let t70 = fma(self.g_i.y, t6, t26);
+            let t71 = fma(self.g_i.y, t4, t20);
+            c_q[10] = fma(-t18, t55, fma(t54, t71, t53 * t70));
+            in_order();
+            let t72 = fma(self.g_i.x, t6, t20);
+            let t73 = fma(self.g_i.x, t2, t22);
+            c_q[9] = fma(t55, t73, fma(-t27, t54, t53 * t72));
+            in_order();
+            let t74 = self.u_j.x * t30;
+            let t75 = fma(-self.u_j.y, t37, t74);
+            let t76 = self.u_j.z * t30;
+            let t77 = fma(self.u_j.y, t35, t76);
+            let t78 = fma(self.u_j.z, t37, fma(self.u_j.y, t32, self.u_j.x * t35));
+            let t79 = fma(self.u_j.y, t32, t78);
+            c_q[28] = fma(-t12, t79, fma(-t8, t77, t16 * t75));
+            in_order();
+            c_q[42] = fma(-t25, t79, fma(-t21, t77, t29 * t75));
+            in_order();
+            let t80 = fma(-self.u_j.x, t32, t76);
+            let t81 = fma(self.u_j.x, t35, t78);
+            let t82 = self.u_j.y * t30;
+            let t83 = fma(self.u_j.x, t37, t82);
+            c_q[27] = fma(-t16, t83, fma(-t8, t81, t12 * t80));
+            in_order();
+            c_q[41] = fma(-t29, t83, fma(-t21, t81, t25 * t80));
+            in_order();
+            let t84 = fma(self.u_j.z, t32, t75);
+            let t85 = t74 + t84;
+            let t86 = fma(-self.u_j.z, t35, t82);
+            let t87 = fma(self.u_j.x, t37, t86);
+            let t88 = t82 + t87;
+            let t89 = fma(self.u_j.y, t35, t80);
+            let t90 = t76 + t89;
+            c_q[26] = fma(-t16, t90, fma(-t12, t88, -(t8 * t85)));
+            in_order();
+            c_q[40] = fma(-t29, t90, fma(-t25, t88, -(t21 * t85)));
+            in_order();
+            let t91 = fma(self.u_j.z, t32, t74);
+            let t92 = fma(self.u_j.z, t37, t78);
+            c_q[29] = fma(-t16, t92, fma(-t12, t91, t8 * t86));
+            in_order();
+            c_q[43] = fma(-t29, t92, fma(-t25, t91, t21 * t86));
+            in_order();
+            let t93 = fma(self.u_i.z, t2, fma(self.u_i.y, t4, self.u_i.x * t6));
+            let t94 = self.u_i.x * t0;
+            let t95 = fma(-self.u_i.y, t2, t94);
+            let t96 = fma(self.u_i.z, t4, t95);
+            let i_x = state[0];
+            let t97 = (fma(
+                -j_e0,
+                t84,
+                fma(i_e0, t96, fma(-j_e1, t78, fma(i_e1, t93, self.u_j.x))),
+            ) - self.u_i.x) + i_x;
+            let j_x = state[7];
+            let t98 = t97 - j_x;
+            let t99 = self.u_i.y * t0;
+            let t100 = fma(-self.u_i.z, t6, t99);
+            let t101 = fma(self.u_i.x, t2, t100);
+            let i_y = state[1];
+            let t102 = (fma(
+                -j_e0,
+                t87,
+                fma(i_e0, t101, fma(-j_e2, t78, fma(i_e2, t93, self.u_j.y))),
+            ) - self.u_i.y) + i_y;
+            let j_y = state[8];
+            let t103 = t102 - j_y;
+            let t104 = self.u_i.z * t0;
+            let t105 = fma(-self.u_i.x, t4, t104);
+            let t106 = fma(self.u_i.y, t6, t105);
+            let i_z = state[2];
+            let t107 = (fma(
+                -j_e3,
+                t78,
+                fma(-j_e0, t89, fma(i_e3, t93, fma(i_e0, t106, self.u_j.z))),
+            ) - self.u_i.z) + i_z;
+            let j_z = state[9];
+            let t108 = t107 - j_z;
+            c[2] = fma(t16, t108, fma(t12, t103, t8 * t98));
+            in_order();
+            let t109 = t94 + t96;
+            let t110 = t99 + t101;
+            let t111 = t104 + t106;
+            let t112 = fma(
+                t16,
+                t111,
+                fma(t108, t58, fma(t12, t110, fma(t103, t57, fma(t8, t109, t98 * t56)))),
+            );
+            c_q[19] = t112;
+            in_order();
+            let t113 = fma(
+                t29,
+                t111,
+                fma(t108, t67, fma(t25, t110, fma(t103, t66, fma(t21, t109, t98 * t65)))),
+            );
+            c_q[33] = t113;
+            in_order();
+            let t114 = fma(self.u_i.z, t4, t94);
+            let t115 = fma(self.u_i.z, t2, t93);
+            let t116 = fma(
+                t16,
+                t115,
+                fma(
+                    t108,
+                    t60,
+                    fma(t12, t114, fma(-t8, t100, fma(-t10, t98, t103 * t59))),
+                ),
+            );
+            c_q[22] = t116;
+            in_order();
+            let t117 = fma(
+                t29,
+                t115,
+                fma(
+                    t108,
+                    t69,
+                    fma(t25, t114, fma(-t21, t100, fma(-t23, t98, t103 * t68))),
+                ),
+            );
+            c_q[36] = t117;
+            in_order();
+            let t118 = fma(self.u_i.y, t6, t104);
+            let t119 = fma(self.u_i.y, t4, t93);
+            let t120 = fma(
+                -t16,
+                t95,
+                fma(-t3, t108, fma(t12, t119, fma(t103, t62, fma(t8, t118, t98 * t61)))),
+            );
+            c_q[21] = t120;
+            in_order();
+            let t121 = fma(self.u_i.x, t6, t93);
+            let t122 = fma(self.u_i.x, t2, t99);
+            let t123 = fma(
+                t16,
+                t122,
+                fma(
+                    t108,
+                    t64,
+                    fma(-t12, t105, fma(-t14, t103, fma(t8, t121, t98 * t63))),
+                ),
+            );
+            c_q[20] = t123;
+            in_order();
+            let t124 = fma(
+                -t29,
+                t95,
+                fma(
+                    -t18,
+                    t108,
+                    fma(t25, t119, fma(t103, t71, fma(t21, t118, t98 * t70))),
+                ),
+            );
+            c_q[35] = t124;
+            in_order();
+            let t125 = fma(
+                t29,
+                t122,
+                fma(
+                    t108,
+                    t73,
+                    fma(-t25, t105, fma(-t27, t103, fma(t21, t121, t98 * t72))),
+                ),
+            );
+            c_q[34] = t125;
+            in_order();
+            c[3] = fma(t29, t108, fma(t25, t103, t21 * t98));
+            in_order();
         }
         fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
             rhs.iter_mut().take(4).for_each(|value| *value = 0.0);
         }
-        /// Q_d for t_dot = 1: 449 operations
+        /// Q_d for t_dot = 1: 315 operations
         fn acceleration_rhs(
             &self,
             at: &::kin::rt::At<'_>,
@@ -747,234 +630,276 @@ const _: () = {
             let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<4>() else {
                 return
             };
-            let ::core::option::Option::Some(
-                &[i_x,
-                i_y,
-                i_z,
-                i_e0,
-                i_e1,
-                i_e2,
-                i_e3,
-                i_a11,
-                i_a12,
-                i_a13,
-                i_a21,
-                i_a22,
-                i_a23,
-                i_a31,
-                i_a32,
-                i_a33,
-                j_x,
-                j_y,
-                j_z,
-                j_e0,
-                j_e1,
-                j_e2,
-                j_e3,
-                j_a11,
-                j_a12,
-                j_a13,
-                j_a21,
-                j_a22,
-                j_a23,
-                j_a31,
-                j_a32,
-                j_a33,
-                ],
-            ) = at.states::<32>() else { return };
-            let ::core::option::Option::Some(
-                &[i_x_d,
-                i_y_d,
-                i_z_d,
-                i_e0_d,
-                i_e1_d,
-                i_e2_d,
+            let fma = ::kin::rt::fma;
+            let ::core::option::Option::Some(state) = at.states::<14>() else { return };
+            let ::core::option::Option::Some(rate) = qd.columns::<14>() else { return };
+            let in_order = ::kin::rt::in_order;
+            let j_e3 = state[13];
+            let j_e2 = state[12];
+            let j_e0 = state[10];
+            let t0 = fma(-self.h_j.y, j_e3, fma(self.h_j.z, j_e2, self.h_j.x * j_e0));
+            let j_e1 = state[11];
+            let t1 = fma(self.h_j.z, j_e3, fma(self.h_j.y, j_e2, self.h_j.x * j_e1));
+            let t2 = fma(2.0, fma(j_e1, t1, j_e0 * t0), -self.h_j.x);
+            let i_e3_d = rate[6];
+            let i_e2_d = rate[5];
+            let i_e0_d = rate[3];
+            let t3 = fma(
+                -self.f_i.y,
                 i_e3_d,
-                j_x_d,
-                j_y_d,
-                j_z_d,
-                j_e0_d,
-                j_e1_d,
-                j_e2_d,
+                fma(self.f_i.z, i_e2_d, self.f_i.x * i_e0_d),
+            );
+            let i_e1_d = rate[4];
+            let t4 = fma(
+                self.f_i.z,
+                i_e3_d,
+                fma(self.f_i.y, i_e2_d, self.f_i.x * i_e1_d),
+            );
+            let t5 = fma(i_e1_d, t4, i_e0_d * t3);
+            let j_e3_d = rate[13];
+            let j_e2_d = rate[12];
+            let j_e0_d = rate[10];
+            let t6 = fma(
+                -self.h_j.y,
                 j_e3_d,
-                ],
-            ) = qd.columns::<14>() else { return };
-            let t0 = ((self.f_i.x * i_a11) + (self.f_i.y * i_a12))
-                + (self.f_i.z * i_a13);
-            let t1 = ((self.f_i.x * i_a21) + (self.f_i.y * i_a22))
-                + (self.f_i.z * i_a23);
-            let t2 = ((self.f_i.x * i_a31) + (self.f_i.y * i_a32))
-                + (self.f_i.z * i_a33);
-            let t3 = ((self.g_i.x * i_a11) + (self.g_i.y * i_a12))
-                + (self.g_i.z * i_a13);
-            let t4 = ((self.g_i.x * i_a21) + (self.g_i.y * i_a22))
-                + (self.g_i.z * i_a23);
-            let t5 = ((self.g_i.x * i_a31) + (self.g_i.y * i_a32))
-                + (self.g_i.z * i_a33);
-            let t6 = ((self.h_j.x * j_a11) + (self.h_j.y * j_a12))
-                + (self.h_j.z * j_a13);
-            let t7 = ((self.h_j.x * j_a21) + (self.h_j.y * j_a22))
-                + (self.h_j.z * j_a23);
-            let t8 = ((self.h_j.x * j_a31) + (self.h_j.y * j_a32))
-                + (self.h_j.z * j_a33);
-            let t9 = (i_x
-                + (((self.u_i.x * i_a11) + (self.u_i.y * i_a12)) + (self.u_i.z * i_a13)))
-                - (j_x
-                    + (((self.u_j.x * j_a11) + (self.u_j.y * j_a12))
-                        + (self.u_j.z * j_a13)));
-            let t10 = (i_y
-                + (((self.u_i.x * i_a21) + (self.u_i.y * i_a22)) + (self.u_i.z * i_a23)))
-                - (j_y
-                    + (((self.u_j.x * j_a21) + (self.u_j.y * j_a22))
-                        + (self.u_j.z * j_a23)));
-            let t11 = (i_z
-                + (((self.u_i.x * i_a31) + (self.u_i.y * i_a32)) + (self.u_i.z * i_a33)))
-                - (j_z
-                    + (((self.u_j.x * j_a31) + (self.u_j.y * j_a32))
-                        + (self.u_j.z * j_a33)));
-            let t12 = i_e0 * i_e0_d;
-            let t13 = i_e0_d * i_e0_d;
-            let t14 = t12 + (i_e1 * i_e1_d);
-            let t15 = t13 + (i_e1_d * i_e1_d);
-            let t16 = (i_e2 * i_e1_d) + (i_e1 * i_e2_d);
-            let t17 = i_e1_d * i_e2_d;
-            let t18 = (i_e3 * i_e0_d) + (i_e0 * i_e3_d);
-            let t19 = i_e0_d * i_e3_d;
-            let t20 = t16 - t18;
-            let t21 = t17 - t19;
-            let t22 = (i_e3 * i_e1_d) + (i_e1 * i_e3_d);
-            let t23 = i_e1_d * i_e3_d;
-            let t24 = (i_e2 * i_e0_d) + (i_e0 * i_e2_d);
-            let t25 = i_e0_d * i_e2_d;
-            let t26 = t22 + t24;
-            let t27 = t23 + t25;
-            let t28 = t16 + t18;
-            let t29 = t17 + t19;
-            let t30 = t12 + (i_e2 * i_e2_d);
-            let t31 = t13 + (i_e2_d * i_e2_d);
-            let t32 = (i_e3 * i_e2_d) + (i_e2 * i_e3_d);
-            let t33 = i_e2_d * i_e3_d;
-            let t34 = (i_e1 * i_e0_d) + (i_e0 * i_e1_d);
-            let t35 = i_e0_d * i_e1_d;
-            let t36 = t32 - t34;
-            let t37 = t33 - t35;
-            let t38 = t22 - t24;
-            let t39 = t23 - t25;
-            let t40 = t32 + t34;
-            let t41 = t33 + t35;
-            let t42 = t12 + (i_e3 * i_e3_d);
-            let t43 = t13 + (i_e3_d * i_e3_d);
-            let t44 = ((self.f_i.y * t20) + (2.0 * (self.f_i.x * t14)))
-                + (self.f_i.z * t26);
-            let t45 = ((self.f_i.x * t28) + (2.0 * (self.f_i.y * t30)))
-                + (self.f_i.z * t36);
-            let t46 = ((self.f_i.x * t38) + (self.f_i.y * t40))
-                + (2.0 * (self.f_i.z * t42));
-            let t47 = j_e0 * j_e0_d;
-            let t48 = j_e0_d * j_e0_d;
-            let t49 = t47 + (j_e1 * j_e1_d);
-            let t50 = t48 + (j_e1_d * j_e1_d);
-            let t51 = (j_e2 * j_e1_d) + (j_e1 * j_e2_d);
-            let t52 = j_e1_d * j_e2_d;
-            let t53 = (j_e3 * j_e0_d) + (j_e0 * j_e3_d);
-            let t54 = j_e0_d * j_e3_d;
-            let t55 = t51 - t53;
-            let t56 = t52 - t54;
-            let t57 = (j_e3 * j_e1_d) + (j_e1 * j_e3_d);
-            let t58 = j_e1_d * j_e3_d;
-            let t59 = (j_e2 * j_e0_d) + (j_e0 * j_e2_d);
-            let t60 = j_e0_d * j_e2_d;
-            let t61 = t57 + t59;
-            let t62 = t58 + t60;
-            let t63 = t51 + t53;
-            let t64 = t52 + t54;
-            let t65 = t47 + (j_e2 * j_e2_d);
-            let t66 = t48 + (j_e2_d * j_e2_d);
-            let t67 = (j_e3 * j_e2_d) + (j_e2 * j_e3_d);
-            let t68 = j_e2_d * j_e3_d;
-            let t69 = (j_e1 * j_e0_d) + (j_e0 * j_e1_d);
-            let t70 = j_e0_d * j_e1_d;
-            let t71 = t67 - t69;
-            let t72 = t68 - t70;
-            let t73 = t57 - t59;
-            let t74 = t58 - t60;
-            let t75 = t67 + t69;
-            let t76 = t68 + t70;
-            let t77 = t47 + (j_e3 * j_e3_d);
-            let t78 = t48 + (j_e3_d * j_e3_d);
-            let t79 = ((self.h_j.y * t55) + (2.0 * (self.h_j.x * t49)))
-                + (self.h_j.z * t61);
-            let t80 = ((self.h_j.x * t63) + (2.0 * (self.h_j.y * t65)))
-                + (self.h_j.z * t71);
-            let t81 = ((self.h_j.x * t73) + (self.h_j.y * t75))
-                + (2.0 * (self.h_j.z * t77));
-            let t82 = ((self.f_i.x * t15) + (self.f_i.y * t21)) + (self.f_i.z * t27);
-            let t83 = ((self.f_i.x * t29) + (self.f_i.y * t31)) + (self.f_i.z * t37);
-            let t84 = ((self.f_i.x * t39) + (self.f_i.y * t41)) + (self.f_i.z * t43);
-            let t85 = ((self.h_j.x * t50) + (self.h_j.y * t56)) + (self.h_j.z * t62);
-            let t86 = ((self.h_j.x * t64) + (self.h_j.y * t66)) + (self.h_j.z * t72);
-            let t87 = ((self.h_j.x * t74) + (self.h_j.y * t76)) + (self.h_j.z * t78);
-            let t88 = 4.0
-                * (((((t6 * t82) + (t0 * t85)) + (2.0 * (t44 * t79)))
-                    + (((t7 * t83) + (t1 * t86)) + (2.0 * (t45 * t80))))
-                    + (((t8 * t84) + (t2 * t87)) + (2.0 * (t46 * t81))));
-            let t89 = ((self.g_i.y * t20) + (2.0 * (self.g_i.x * t14)))
-                + (self.g_i.z * t26);
-            let t90 = ((self.g_i.x * t28) + (2.0 * (self.g_i.y * t30)))
-                + (self.g_i.z * t36);
-            let t91 = ((self.g_i.x * t38) + (self.g_i.y * t40))
-                + (2.0 * (self.g_i.z * t42));
-            let t92 = ((self.g_i.x * t15) + (self.g_i.y * t21)) + (self.g_i.z * t27);
-            let t93 = ((self.g_i.x * t29) + (self.g_i.y * t31)) + (self.g_i.z * t37);
-            let t94 = ((self.g_i.x * t39) + (self.g_i.y * t41)) + (self.g_i.z * t43);
-            let t95 = 4.0
-                * (((((t6 * t92) + (t3 * t85)) + (2.0 * (t79 * t89)))
-                    + (((t7 * t93) + (t4 * t86)) + (2.0 * (t80 * t90))))
-                    + (((t8 * t94) + (t5 * t87)) + (2.0 * (t81 * t91))));
-            let t96 = i_x_d
-                + (2.0
-                    * (((self.u_i.y * t20) + (2.0 * (self.u_i.x * t14)))
-                        + (self.u_i.z * t26)));
-            let t97 = i_y_d
-                + (2.0
-                    * (((self.u_i.x * t28) + (2.0 * (self.u_i.y * t30)))
-                        + (self.u_i.z * t36)));
-            let t98 = j_x_d
-                + (2.0
-                    * (((self.u_j.y * t55) + (2.0 * (self.u_j.x * t49)))
-                        + (self.u_j.z * t61)));
-            let t99 = j_y_d
-                + (2.0
-                    * (((self.u_j.x * t63) + (2.0 * (self.u_j.y * t65)))
-                        + (self.u_j.z * t71)));
-            let t100 = t96 - t98;
-            let t101 = t97 - t99;
-            let t102 = (i_z_d
-                + (2.0
-                    * (((self.u_i.x * t38) + (self.u_i.y * t40))
-                        + (2.0 * (self.u_i.z * t42)))))
-                - (j_z_d
-                    + (2.0
-                        * (((self.u_j.x * t73) + (self.u_j.y * t75))
-                            + (2.0 * (self.u_j.z * t77)))));
-            let t103 = (((self.u_i.x * t15) + (self.u_i.y * t21)) + (self.u_i.z * t27))
-                - (((self.u_j.x * t50) + (self.u_j.y * t56)) + (self.u_j.z * t62));
-            let t104 = (((self.u_i.x * t29) + (self.u_i.y * t31)) + (self.u_i.z * t37))
-                - (((self.u_j.x * t64) + (self.u_j.y * t66)) + (self.u_j.z * t72));
-            let t105 = (((self.u_i.x * t39) + (self.u_i.y * t41)) + (self.u_i.z * t43))
-                - (((self.u_j.x * t74) + (self.u_j.y * t76)) + (self.u_j.z * t78));
-            let t106 = 4.0
-                * ((((t44 * t100) + ((t9 * t82) + (t0 * t103)))
-                    + ((t45 * t101) + ((t10 * t83) + (t1 * t104))))
-                    + ((t46 * t102) + ((t11 * t84) + (t2 * t105))));
-            let t107 = 4.0
-                * ((((t89 * t100) + ((t9 * t92) + (t3 * t103)))
-                    + ((t90 * t101) + ((t10 * t93) + (t4 * t104))))
-                    + ((t91 * t102) + ((t11 * t94) + (t5 * t105))));
-            q_d[0] = -t88;
-            q_d[1] = -t95;
-            q_d[2] = -t106;
-            q_d[3] = -t107;
+                fma(self.h_j.z, j_e2_d, self.h_j.x * j_e0_d),
+            );
+            let j_e1_d = rate[11];
+            let t7 = fma(
+                self.h_j.z,
+                j_e3_d,
+                fma(self.h_j.y, j_e2_d, self.h_j.x * j_e1_d),
+            );
+            let t8 = fma(j_e1_d, t7, j_e0_d * t6);
+            let i_e3 = state[6];
+            let i_e2 = state[5];
+            let i_e0 = state[3];
+            let t9 = fma(-self.f_i.y, i_e3, fma(self.f_i.z, i_e2, self.f_i.x * i_e0));
+            let i_e1 = state[4];
+            let t10 = fma(self.f_i.z, i_e3, fma(self.f_i.y, i_e2, self.f_i.x * i_e1));
+            let t11 = fma(2.0, fma(i_e1, t10, i_e0 * t9), -self.f_i.x);
+            let t12 = fma(
+                -self.f_i.z,
+                i_e1_d,
+                fma(self.f_i.x, i_e3_d, self.f_i.y * i_e0_d),
+            );
+            let t13 = fma(i_e2_d, t4, i_e0_d * t12);
+            let t14 = fma(-self.h_j.z, j_e1, fma(self.h_j.x, j_e3, self.h_j.y * j_e0));
+            let t15 = fma(2.0, fma(j_e2, t1, j_e0 * t14), -self.h_j.y);
+            let t16 = fma(
+                -self.h_j.z,
+                j_e1_d,
+                fma(self.h_j.x, j_e3_d, self.h_j.y * j_e0_d),
+            );
+            let t17 = fma(j_e2_d, t7, j_e0_d * t16);
+            let t18 = fma(-self.f_i.z, i_e1, fma(self.f_i.x, i_e3, self.f_i.y * i_e0));
+            let t19 = fma(2.0, fma(i_e2, t10, i_e0 * t18), -self.f_i.y);
+            let t20 = fma(
+                -self.f_i.x,
+                i_e2_d,
+                fma(self.f_i.y, i_e1_d, self.f_i.z * i_e0_d),
+            );
+            let t21 = fma(i_e3_d, t4, i_e0_d * t20);
+            let t22 = fma(-self.h_j.x, j_e2, fma(self.h_j.y, j_e1, self.h_j.z * j_e0));
+            let t23 = fma(2.0, fma(j_e3, t1, j_e0 * t22), -self.h_j.z);
+            let t24 = fma(
+                -self.h_j.x,
+                j_e2_d,
+                fma(self.h_j.y, j_e1_d, self.h_j.z * j_e0_d),
+            );
+            let t25 = fma(j_e3_d, t7, j_e0_d * t24);
+            let t26 = fma(-self.f_i.x, i_e2, fma(self.f_i.y, i_e1, self.f_i.z * i_e0));
+            let t27 = fma(2.0, fma(i_e3, t10, i_e0 * t26), -self.f_i.z);
+            let t28 = fma(
+                t27,
+                t25,
+                fma(t23, t21, fma(t19, t17, fma(t15, t13, fma(t11, t8, t2 * t5)))),
+            );
+            let t29 = fma(i_e1, t4, fma(t10, i_e1_d, fma(i_e0, t3, t9 * i_e0_d)));
+            let t30 = fma(j_e1, t7, fma(t1, j_e1_d, fma(j_e0, t6, t0 * j_e0_d)));
+            let t31 = fma(j_e2, t7, fma(t1, j_e2_d, fma(j_e0, t16, t14 * j_e0_d)));
+            let t32 = fma(i_e2, t4, fma(t10, i_e2_d, fma(i_e0, t12, t18 * i_e0_d)));
+            let t33 = fma(j_e3, t7, fma(t1, j_e3_d, fma(j_e0, t24, t22 * j_e0_d)));
+            let t34 = fma(i_e3, t4, fma(t10, i_e3_d, fma(i_e0, t20, t26 * i_e0_d)));
+            q_d[0] = (-4.0) * fma(2.0, fma(t34, t33, fma(t32, t31, t29 * t30)), t28);
+            in_order();
+            let t35 = fma(
+                -self.g_i.y,
+                i_e3_d,
+                fma(self.g_i.z, i_e2_d, self.g_i.x * i_e0_d),
+            );
+            let t36 = fma(
+                self.g_i.z,
+                i_e3_d,
+                fma(self.g_i.y, i_e2_d, self.g_i.x * i_e1_d),
+            );
+            let t37 = fma(i_e1_d, t36, i_e0_d * t35);
+            let t38 = fma(-self.g_i.y, i_e3, fma(self.g_i.z, i_e2, self.g_i.x * i_e0));
+            let t39 = fma(self.g_i.z, i_e3, fma(self.g_i.y, i_e2, self.g_i.x * i_e1));
+            let t40 = fma(2.0, fma(i_e1, t39, i_e0 * t38), -self.g_i.x);
+            let t41 = fma(
+                -self.g_i.z,
+                i_e1_d,
+                fma(self.g_i.x, i_e3_d, self.g_i.y * i_e0_d),
+            );
+            let t42 = fma(i_e2_d, t36, i_e0_d * t41);
+            let t43 = fma(-self.g_i.z, i_e1, fma(self.g_i.x, i_e3, self.g_i.y * i_e0));
+            let t44 = fma(2.0, fma(i_e2, t39, i_e0 * t43), -self.g_i.y);
+            let t45 = fma(
+                -self.g_i.x,
+                i_e2_d,
+                fma(self.g_i.y, i_e1_d, self.g_i.z * i_e0_d),
+            );
+            let t46 = fma(i_e3_d, t36, i_e0_d * t45);
+            let t47 = fma(-self.g_i.x, i_e2, fma(self.g_i.y, i_e1, self.g_i.z * i_e0));
+            let t48 = fma(2.0, fma(i_e3, t39, i_e0 * t47), -self.g_i.z);
+            let t49 = fma(
+                t48,
+                t25,
+                fma(t23, t46, fma(t44, t17, fma(t15, t42, fma(t40, t8, t2 * t37)))),
+            );
+            let t50 = fma(i_e1, t36, fma(t39, i_e1_d, fma(i_e0, t35, t38 * i_e0_d)));
+            let t51 = fma(i_e2, t36, fma(t39, i_e2_d, fma(i_e0, t41, t43 * i_e0_d)));
+            let t52 = fma(i_e3, t36, fma(t39, i_e3_d, fma(i_e0, t45, t47 * i_e0_d)));
+            q_d[1] = (-4.0) * fma(2.0, fma(t33, t52, fma(t31, t51, t30 * t50)), t49);
+            in_order();
+            let t53 = fma(-self.u_i.y, i_e3, fma(self.u_i.z, i_e2, self.u_i.x * i_e0));
+            let t54 = fma(
+                -self.u_i.y,
+                i_e3_d,
+                fma(self.u_i.z, i_e2_d, self.u_i.x * i_e0_d),
+            );
+            let t55 = fma(self.u_i.z, i_e3, fma(self.u_i.y, i_e2, self.u_i.x * i_e1));
+            let t56 = fma(
+                self.u_i.z,
+                i_e3_d,
+                fma(self.u_i.y, i_e2_d, self.u_i.x * i_e1_d),
+            );
+            let t57 = fma(-self.u_j.y, j_e3, fma(self.u_j.z, j_e2, self.u_j.x * j_e0));
+            let t58 = fma(
+                -self.u_j.y,
+                j_e3_d,
+                fma(self.u_j.z, j_e2_d, self.u_j.x * j_e0_d),
+            );
+            let t59 = fma(self.u_j.z, j_e3, fma(self.u_j.y, j_e2, self.u_j.x * j_e1));
+            let t60 = fma(
+                self.u_j.z,
+                j_e3_d,
+                fma(self.u_j.y, j_e2_d, self.u_j.x * j_e1_d),
+            );
+            let i_x_d = rate[0];
+            let t61 = fma(
+                -2.0,
+                fma(j_e1, t60, fma(t59, j_e1_d, fma(j_e0, t58, t57 * j_e0_d))),
+                fma(
+                    2.0,
+                    fma(i_e1, t56, fma(t55, i_e1_d, fma(i_e0, t54, t53 * i_e0_d))),
+                    i_x_d,
+                ),
+            );
+            let j_x_d = rate[7];
+            let t62 = t61 - j_x_d;
+            let i_x = state[0];
+            let t63 = (fma(
+                -2.0,
+                fma(j_e1, t59, j_e0 * t57),
+                fma(2.0, fma(i_e1, t55, i_e0 * t53), self.u_j.x),
+            ) - self.u_i.x) + i_x;
+            let j_x = state[7];
+            let t64 = t63 - j_x;
+            let t65 = fma(
+                -j_e1_d,
+                t60,
+                fma(-j_e0_d, t58, fma(i_e1_d, t56, i_e0_d * t54)),
+            );
+            let t66 = fma(-self.u_i.z, i_e1, fma(self.u_i.x, i_e3, self.u_i.y * i_e0));
+            let t67 = fma(
+                -self.u_i.z,
+                i_e1_d,
+                fma(self.u_i.x, i_e3_d, self.u_i.y * i_e0_d),
+            );
+            let t68 = fma(-self.u_j.z, j_e1, fma(self.u_j.x, j_e3, self.u_j.y * j_e0));
+            let t69 = fma(
+                -self.u_j.z,
+                j_e1_d,
+                fma(self.u_j.x, j_e3_d, self.u_j.y * j_e0_d),
+            );
+            let i_y_d = rate[1];
+            let t70 = fma(
+                -2.0,
+                fma(j_e2, t60, fma(t59, j_e2_d, fma(j_e0, t69, t68 * j_e0_d))),
+                fma(
+                    2.0,
+                    fma(i_e2, t56, fma(t55, i_e2_d, fma(i_e0, t67, t66 * i_e0_d))),
+                    i_y_d,
+                ),
+            );
+            let j_y_d = rate[8];
+            let t71 = t70 - j_y_d;
+            let i_y = state[1];
+            let t72 = (fma(
+                -2.0,
+                fma(j_e2, t59, j_e0 * t68),
+                fma(2.0, fma(i_e2, t55, i_e0 * t66), self.u_j.y),
+            ) - self.u_i.y) + i_y;
+            let j_y = state[8];
+            let t73 = t72 - j_y;
+            let t74 = fma(
+                -j_e2_d,
+                t60,
+                fma(-j_e0_d, t69, fma(i_e2_d, t56, i_e0_d * t67)),
+            );
+            let t75 = fma(
+                t19,
+                t74,
+                fma(t73, t13, fma(t32, t71, fma(t11, t65, fma(t64, t5, t29 * t62)))),
+            );
+            let t76 = fma(-self.u_i.x, i_e2, fma(self.u_i.y, i_e1, self.u_i.z * i_e0));
+            let t77 = fma(
+                -self.u_i.x,
+                i_e2_d,
+                fma(self.u_i.y, i_e1_d, self.u_i.z * i_e0_d),
+            );
+            let t78 = fma(-self.u_j.x, j_e2, fma(self.u_j.y, j_e1, self.u_j.z * j_e0));
+            let t79 = fma(
+                -self.u_j.x,
+                j_e2_d,
+                fma(self.u_j.y, j_e1_d, self.u_j.z * j_e0_d),
+            );
+            let i_z_d = rate[2];
+            let t80 = fma(
+                -2.0,
+                fma(j_e3, t60, fma(t59, j_e3_d, fma(j_e0, t79, t78 * j_e0_d))),
+                fma(
+                    2.0,
+                    fma(i_e3, t56, fma(t55, i_e3_d, fma(i_e0, t77, t76 * i_e0_d))),
+                    i_z_d,
+                ),
+            );
+            let j_z_d = rate[9];
+            let t81 = t80 - j_z_d;
+            let i_z = state[2];
+            let t82 = (fma(
+                -2.0,
+                fma(j_e3, t59, j_e0 * t78),
+                fma(2.0, fma(i_e3, t55, i_e0 * t76), self.u_j.z),
+            ) - self.u_i.z) + i_z;
+            let j_z = state[9];
+            let t83 = t82 - j_z;
+            let t84 = fma(
+                -j_e3_d,
+                t60,
+                fma(-j_e0_d, t79, fma(i_e3_d, t56, i_e0_d * t77)),
+            );
+            q_d[2] = (-4.0) * fma(t27, t84, fma(t83, t21, fma(t34, t81, t75)));
+            in_order();
+            let t85 = fma(
+                t44,
+                t74,
+                fma(t73, t42, fma(t51, t71, fma(t40, t65, fma(t64, t37, t50 * t62)))),
+            );
+            q_d[3] = (-4.0) * fma(t48, t84, fma(t83, t46, fma(t52, t81, t85)));
+            in_order();
         }
         fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
             let mut u = [[0.0_f64; 3]; 5];

@@ -102,23 +102,19 @@ const _: () = {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<1>() else {
                 return
             };
-            let ::core::option::Option::Some(
-                &[cam_x,
-                cam_y,
-                _,
-                cam_sin,
-                cam_cos,
-                follower_x,
-                follower_y,
-                _,
-                follower_sin,
-                follower_cos,
-                ],
-            ) = at.states::<10>() else { return };
+            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let follower_x = state[5];
+            let follower_cos = state[9];
+            let follower_sin = state[8];
+            let cam_x = state[0];
             let t0 = (follower_x
                 + ((self.tip.x * follower_cos) - (self.tip.y * follower_sin))) - cam_x;
+            let follower_y = state[6];
+            let cam_y = state[1];
             let t1 = (follower_y
                 + ((self.tip.x * follower_sin) + (self.tip.y * follower_cos))) - cam_y;
+            let cam_cos = state[4];
+            let cam_sin = state[3];
             let t2 = (cam_cos * t0) + (cam_sin * t1);
             let t3 = (cam_cos * t1) - (cam_sin * t0);
             let t4 = f64::atan2(t3, t2);
@@ -126,58 +122,11 @@ const _: () = {
             let leaf1: ::kin::rt::Real<f64> = self.__leaf0([::kin::rt::Real(t4)]);
             c[0] = (f64::sqrt((t2 * t2) + (t3 * t3)) - law0[0]) + leaf1.0;
         }
-        /// C_q: 76 operations
-        #[inline]
+        /// C_q, and C on the way
         fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
-            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<6>() else {
-                return
-            };
-            let ::core::option::Option::Some(
-                &[cam_x,
-                cam_y,
-                _,
-                cam_sin,
-                cam_cos,
-                follower_x,
-                follower_y,
-                _,
-                follower_sin,
-                follower_cos,
-                ],
-            ) = at.states::<10>() else { return };
-            let t0 = (self.tip.x * follower_cos) - (self.tip.y * follower_sin);
-            let t1 = (self.tip.x * follower_sin) + (self.tip.y * follower_cos);
-            let t2 = (follower_x + t0) - cam_x;
-            let t3 = (follower_y + t1) - cam_y;
-            let t4 = (cam_cos * t2) + (cam_sin * t3);
-            let t5 = (cam_cos * t3) - (cam_sin * t2);
-            let t6 = f64::atan2(t5, t4);
-            let t7 = (t4 * t4) + (t5 * t5);
-            let t8 = t4 / t7;
-            let t9 = t5 / t7;
-            let t10 = (cam_sin * t8) + (cam_cos * t9);
-            let t11 = 1.0 / (2.0 * f64::sqrt(t7));
-            let law0: [f64; 4] = self.profile.jet(t6);
-            let leaf1: ::kin::rt::Real<::kin::rt::Dual64> = self
-                .__leaf0([::kin::rt::Real(::kin::rt::Dual64::new(t6, 1.0))]);
-            let t12 = ((2.0 * (((cam_sin * t5) - (cam_cos * t4)) * t11))
-                - (t10 * law0[1])) + (t10 * leaf1.0.eps);
-            let t13 = (cam_sin * t9) - (cam_cos * t8);
-            let t14 = (leaf1.0.eps * t13)
-                - ((2.0 * (t11 * ((cam_sin * t4) + (cam_cos * t5)))) + (law0[1] * t13));
-            let t15 = (t0 * cam_sin) - (t1 * cam_cos);
-            let t16 = (t1 * cam_sin) + (t0 * cam_cos);
-            let t17 = (t8 * t16) - (t9 * t15);
-            let t18 = ((2.0 * (t11 * ((t4 * t15) + (t5 * t16)))) - (law0[1] * t17))
-                + (leaf1.0.eps * t17);
-            c_q[0] = t12;
-            c_q[1] = t14;
-            c_q[2] = ((t4 * t8) + (t5 * t9)) * (law0[1] - leaf1.0.eps);
-            c_q[3] = -t12;
-            c_q[4] = -t14;
-            c_q[5] = t18;
+            self.linearize(at, &mut [0.0; 1], c_q);
         }
-        /// C and C_q: 79 operations
+        /// C and C_q: 60 operations
         fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<1>() else {
                 return
@@ -185,58 +134,69 @@ const _: () = {
             let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<6>() else {
                 return
             };
-            let ::core::option::Option::Some(
-                &[cam_x,
-                cam_y,
-                _,
-                cam_sin,
-                cam_cos,
-                follower_x,
-                follower_y,
-                _,
-                follower_sin,
-                follower_cos,
-                ],
-            ) = at.states::<10>() else { return };
+            let fma = ::kin::rt::fma;
+            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let in_order = ::kin::rt::in_order;
+            let follower_cos = state[9];
+            let follower_sin = state[8];
             let t0 = (self.tip.x * follower_cos) - (self.tip.y * follower_sin);
-            let t1 = (self.tip.x * follower_sin) + (self.tip.y * follower_cos);
-            let t2 = (follower_x + t0) - cam_x;
-            let t3 = (follower_y + t1) - cam_y;
-            let t4 = (cam_cos * t2) + (cam_sin * t3);
-            let t5 = (cam_cos * t3) - (cam_sin * t2);
-            let t6 = f64::atan2(t5, t4);
-            let t7 = (t4 * t4) + (t5 * t5);
-            let t8 = f64::sqrt(t7);
-            let law0: [f64; 4] = self.profile.jet(t6);
-            let leaf1: ::kin::rt::Real<f64> = self.__leaf0([::kin::rt::Real(t6)]);
-            let t9 = t4 / t7;
-            let t10 = t5 / t7;
-            let t11 = (cam_sin * t9) + (cam_cos * t10);
-            let t12 = 1.0 / (2.0 * t8);
+            let follower_x = state[5];
+            let cam_x = state[0];
+            let t1 = (follower_x + t0) - cam_x;
+            let t2 = (self.tip.x * follower_sin) + (self.tip.y * follower_cos);
+            let follower_y = state[6];
+            let cam_y = state[1];
+            let t3 = (follower_y + t2) - cam_y;
+            let cam_cos = state[4];
+            let cam_sin = state[3];
+            let t4 = (cam_cos * t1) + (cam_sin * t3);
+            let t5 = (cam_cos * t3) - (cam_sin * t1);
+            let t6 = (t4 * t4) + (t5 * t5);
+            let t7 = f64::sqrt(t6);
+            let t8 = f64::atan2(t5, t4);
+            let law0: [f64; 4] = self.profile.jet(t8);
+            let leaf1: ::kin::rt::Real<f64> = self.__leaf0([::kin::rt::Real(t8)]);
+            c[0] = (t7 - law0[0]) + leaf1.0;
+            in_order();
             let leaf2: ::kin::rt::Real<::kin::rt::Dual64> = self
-                .__leaf0([::kin::rt::Real(::kin::rt::Dual64::new(t6, 1.0))]);
-            let t13 = ((2.0 * (((cam_sin * t5) - (cam_cos * t4)) * t12))
-                - (t11 * law0[1])) + (t11 * leaf2.0.eps);
-            let t14 = (cam_sin * t10) - (cam_cos * t9);
-            let t15 = (leaf2.0.eps * t14)
-                - ((2.0 * (t12 * ((cam_sin * t4) + (cam_cos * t5)))) + (law0[1] * t14));
-            let t16 = (t0 * cam_sin) - (t1 * cam_cos);
-            let t17 = (t1 * cam_sin) + (t0 * cam_cos);
-            let t18 = (t9 * t17) - (t10 * t16);
-            let t19 = ((2.0 * (t12 * ((t4 * t16) + (t5 * t17)))) - (law0[1] * t18))
-                + (leaf2.0.eps * t18);
-            c[0] = (t8 - law0[0]) + leaf1.0;
-            c_q[0] = t13;
-            c_q[1] = t15;
-            c_q[2] = ((t4 * t9) + (t5 * t10)) * (law0[1] - leaf2.0.eps);
-            c_q[3] = -t13;
-            c_q[4] = -t15;
-            c_q[5] = t19;
+                .__leaf0([::kin::rt::Real(::kin::rt::Dual64::new(t8, 1.0))]);
+            let t9 = t4 / t6;
+            let t10 = fma(t0, cam_cos, t2 * cam_sin);
+            let t11 = fma(-t2, cam_cos, t0 * cam_sin);
+            let t12 = t5 / t6;
+            let t13 = fma(-t12, t11, t9 * t10);
+            let t14 = (2.0 * 1.0) / (2.0 * t7);
+            c_q[5] = fma(
+                t14,
+                fma(t5, t10, t4 * t11),
+                fma(-law0[1], t13, leaf2.0.eps * t13),
+            );
+            in_order();
+            c_q[2] = fma(t5, t12, t4 * t9) * (law0[1] - leaf2.0.eps);
+            in_order();
+            let t15 = fma(cam_cos, t12, cam_sin * t9);
+            let t16 = fma(
+                fma(-cam_cos, t4, cam_sin * t5),
+                t14,
+                fma(-t15, law0[1], t15 * leaf2.0.eps),
+            );
+            c_q[0] = t16;
+            in_order();
+            let t17 = fma(-cam_cos, t9, cam_sin * t12);
+            let t18 = fma(
+                -t14,
+                fma(cam_cos, t5, cam_sin * t4),
+                fma(-law0[1], t17, leaf2.0.eps * t17),
+            );
+            c_q[1] = t18;
+            in_order();
+            c_q[3] = -t16;
+            c_q[4] = -t18;
         }
         fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
             rhs.iter_mut().take(1).for_each(|value| *value = 0.0);
         }
-        /// Q_d for t_dot = 1: 118 operations
+        /// Q_d for t_dot = 1: 87 operations
         fn acceleration_rhs(
             &self,
             at: &::kin::rt::At<'_>,
@@ -247,87 +207,96 @@ const _: () = {
             let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<1>() else {
                 return
             };
-            let ::core::option::Option::Some(
-                &[cam_x,
-                cam_y,
-                _,
-                cam_sin,
-                cam_cos,
-                follower_x,
-                follower_y,
-                _,
-                follower_sin,
-                follower_cos,
-                ],
-            ) = at.states::<10>() else { return };
-            let ::core::option::Option::Some(
-                &[cam_x_d,
-                cam_y_d,
-                cam_theta_d,
-                follower_x_d,
-                follower_y_d,
-                follower_theta_d,
-                ],
-            ) = qd.columns::<6>() else { return };
-            let t0 = (self.tip.x * follower_cos) - (self.tip.y * follower_sin);
-            let t1 = (self.tip.x * follower_sin) + (self.tip.y * follower_cos);
-            let t2 = (follower_x + t0) - cam_x;
-            let t3 = (follower_y + t1) - cam_y;
-            let t4 = (cam_cos * t2) + (cam_sin * t3);
-            let t5 = (cam_cos * t3) - (cam_sin * t2);
-            let t6 = f64::atan2(t5, t4);
-            let t7 = (t4 * t4) + (t5 * t5);
-            let t8 = t4 / t7;
-            let t9 = t5 / t7;
-            let t10 = 2.0 * f64::sqrt(t7);
-            let t11 = 1.0 / t10;
-            let law0: [f64; 4] = self.profile.jet(t6);
-            let t12 = t1 * follower_theta_d;
-            let t13 = t0 * follower_theta_d;
-            let t14 = cam_cos * cam_theta_d;
-            let t15 = cam_sin * cam_theta_d;
-            let t16 = (follower_x_d - t12) - cam_x_d;
-            let t17 = (follower_y_d + t13) - cam_y_d;
-            let t18 = ((cam_cos * t16) - (t2 * t15)) + ((t3 * t14) + (cam_sin * t17));
-            let t19 = ((cam_cos * t17) - (t3 * t15)) - ((t2 * t14) + (cam_sin * t16));
-            let t20 = (t8 * t19) - (t9 * t18);
-            let t21 = (t4 * t18) + (t5 * t19);
-            let t22 = (cam_theta_d * (t2 * cam_theta_d)) + (follower_theta_d * t13);
-            let t23 = (cam_theta_d * (t3 * cam_theta_d)) + (follower_theta_d * t12);
-            let t24 = ((2.0 * (t14 * t17)) - (cam_sin * t23))
-                - ((2.0 * (t15 * t16)) + (cam_cos * t22));
-            let t25 = ((2.0 * (t14 * t16)) - (cam_sin * t22))
-                + ((2.0 * (t15 * t17)) + (cam_cos * t23));
-            let t26 = (t19 * ((t18 - (2.0 * (t8 * t21))) / t7)) - (t8 * t25);
-            let t27 = (t18 * ((t19 - (2.0 * (t9 * t21))) / t7)) + (t9 * t24);
-            let t28 = t26 - t27;
-            let t29 = (t11 * (((t18 * t18) + (t4 * t24)) + ((t19 * t19) - (t5 * t25))))
-                - (t21 * ((4.0 * (t11 * (t11 * t21))) / t10));
-            let leaf1: ::kin::rt::Real<::kin::rt::Dual2_64> = self
-                .__leaf0([::kin::rt::Real(::kin::rt::Dual2_64::new(t6, t20, t28))]);
-            let t30 = -(((2.0 * t29) - ((t20 * (t20 * law0[2])) + (law0[1] * t28)))
-                + leaf1.0.v2);
-            q_d[0] = t30;
+            let fma = ::kin::rt::fma;
+            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let ::core::option::Option::Some(rate) = qd.columns::<6>() else { return };
+            let follower_sin = state[8];
+            let follower_cos = state[9];
+            let t0 = (self.tip.x * follower_sin) + (self.tip.y * follower_cos);
+            let follower_y = state[6];
+            let cam_y = state[1];
+            let t1 = (follower_y + t0) - cam_y;
+            let t2 = (self.tip.x * follower_cos) - (self.tip.y * follower_sin);
+            let follower_x = state[5];
+            let cam_x = state[0];
+            let t3 = (follower_x + t2) - cam_x;
+            let cam_cos = state[4];
+            let cam_sin = state[3];
+            let t4 = (cam_cos * t1) - (cam_sin * t3);
+            let t5 = (cam_cos * t3) + (cam_sin * t1);
+            let t6 = f64::atan2(t4, t5);
+            let t7 = (t5 * t5) + (t4 * t4);
+            let t8 = t5 / t7;
+            let follower_theta_d = rate[5];
+            let t9 = t0 * follower_theta_d;
+            let follower_x_d = rate[3];
+            let cam_x_d = rate[0];
+            let t10 = (follower_x_d - t9) - cam_x_d;
+            let t11 = cam_sin * t10;
+            let cam_theta_d = rate[2];
+            let t12 = cam_cos * cam_theta_d;
+            let t13 = cam_sin * cam_theta_d;
+            let t14 = t2 * follower_theta_d;
+            let follower_y_d = rate[4];
+            let cam_y_d = rate[1];
+            let t15 = (follower_y_d + t14) - cam_y_d;
+            let t16 = fma(cam_cos, t15, fma(-t1, t13, fma(-t3, t12, -t11)));
+            let t17 = cam_cos * t10;
+            let t18 = fma(cam_sin, t15, fma(t1, t12, fma(-t3, t13, t17)));
+            let t19 = t4 / t7;
+            let t20 = fma(-t19, t18, t8 * t16);
+            let t21 = fma(t4, t16, t5 * t18);
+            let t22 = fma(follower_theta_d, t14, cam_theta_d * (t3 * cam_theta_d));
+            let t23 = fma(follower_theta_d, t9, cam_theta_d * (t1 * cam_theta_d));
+            let t24 = fma(
+                -2.0,
+                cam_theta_d * fma(cam_sin, t15, t17),
+                fma(-cam_cos, t23, cam_sin * t22),
+            );
+            let t25 = fma(
+                -t18,
+                fma(-2.0, t19 * t21, t16) / t7,
+                fma(t8, t24, t16 * (fma(-2.0, t8 * t21, t18) / t7)),
+            );
+            let t26 = fma(
+                -cam_sin,
+                t23,
+                fma(-cam_cos, t22, 2.0 * (cam_theta_d * fma(cam_cos, t15, -t11))),
+            );
+            let t27 = fma(-t19, t26, t25);
+            let leaf0: ::kin::rt::Real<::kin::rt::Dual2_64> = self
+                .__leaf0([::kin::rt::Real(::kin::rt::Dual2_64::new(t6, t20, t27))]);
+            let t28 = 2.0 * f64::sqrt(t7);
+            let t29 = 1.0 / t28;
+            let t30 = fma(
+                -t21,
+                (4.0 * (t29 * (t29 * t21))) / t28,
+                t29 * fma(t4, t24, fma(t16, t16, fma(t5, t26, t18 * t18))),
+            );
+            let law1: [f64; 4] = self.profile.jet(t6);
+            q_d[0] = fma(
+                law1[1],
+                t27,
+                fma(t20, t20 * law1[2], fma(-2.0, t30, -leaf0.0.v2)),
+            );
         }
         #[cold]
         fn not_finite(&self, at: &::kin::rt::At<'_>) -> ::core::option::Option<&str> {
-            let ::core::option::Option::Some(
-                &[cam_x,
-                cam_y,
-                _,
-                cam_sin,
-                cam_cos,
-                follower_x,
-                follower_y,
-                _,
-                follower_sin,
-                follower_cos,
-                ],
-            ) = at.states::<10>() else { return ::core::option::Option::None };
+            let ::core::option::Option::Some(state) = at.states::<10>() else {
+                return ::core::option::Option::None
+            };
+            let follower_x = state[5];
+            let follower_cos = state[9];
+            let follower_sin = state[8];
+            let cam_x = state[0];
             let t0 = (follower_x
                 + ((self.tip.x * follower_cos) - (self.tip.y * follower_sin))) - cam_x;
+            let follower_y = state[6];
+            let cam_y = state[1];
             let t1 = (follower_y
                 + ((self.tip.x * follower_sin) + (self.tip.y * follower_cos))) - cam_y;
+            let cam_cos = state[4];
+            let cam_sin = state[3];
             let t2 = (cam_cos * t0) + (cam_sin * t1);
             let t3 = (cam_cos * t1) - (cam_sin * t0);
             let t4 = f64::atan2(t3, t2);
@@ -394,26 +363,22 @@ const _: () = {
             visit: &mut dyn FnMut(&str, &::kin::Law, f64),
         ) {
             let mut x = [0.0; 1];
-            let ::core::option::Option::Some(
-                &[cam_x,
-                cam_y,
-                _,
-                cam_sin,
-                cam_cos,
-                follower_x,
-                follower_y,
-                _,
-                follower_sin,
-                follower_cos,
-                ],
-            ) = at.states::<10>() else { return };
-            let t0 = (follower_x
-                + ((self.tip.x * follower_cos) - (self.tip.y * follower_sin))) - cam_x;
-            let t1 = (follower_y
+            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let follower_y = state[6];
+            let follower_sin = state[8];
+            let follower_cos = state[9];
+            let cam_y = state[1];
+            let t0 = (follower_y
                 + ((self.tip.x * follower_sin) + (self.tip.y * follower_cos))) - cam_y;
+            let follower_x = state[5];
+            let cam_x = state[0];
+            let t1 = (follower_x
+                + ((self.tip.x * follower_cos) - (self.tip.y * follower_sin))) - cam_x;
+            let cam_cos = state[4];
+            let cam_sin = state[3];
             x[0] = f64::atan2(
-                (cam_cos * t1) - (cam_sin * t0),
-                (cam_cos * t0) + (cam_sin * t1),
+                (cam_cos * t0) - (cam_sin * t1),
+                (cam_cos * t1) + (cam_sin * t0),
             );
             visit("profile", &self.profile, x[0]);
         }
@@ -460,9 +425,9 @@ const _: () = {
                     };
                     let leaf0: ::kin::rt::Real<f64> = self
                         .__leaf0([::kin::rt::Real(known0)]);
+                    y[0] = leaf0.0;
                     let leaf1: ::kin::rt::Real<::kin::rt::Dual64> = self
                         .__leaf0([::kin::rt::Real(::kin::rt::Dual64::new(known0, 1.0))]);
-                    y[0] = leaf0.0;
                     y[1] = leaf1.0.eps;
                 }
                 2 => {
@@ -499,52 +464,48 @@ const _: () = {
             let ::core::option::Option::Some(&[known0, known1]) = at.known::<2>() else {
                 return
             };
-            let ::core::option::Option::Some(
-                &[cam_x,
-                cam_y,
-                _,
-                cam_sin,
-                cam_cos,
-                follower_x,
-                follower_y,
-                _,
-                follower_sin,
-                follower_cos,
-                ],
-            ) = at.states::<10>() else { return };
+            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let follower_cos = state[9];
+            let follower_sin = state[8];
             let t0 = (known0 * follower_cos) - (known1 * follower_sin);
-            let t1 = (known0 * follower_sin) + (known1 * follower_cos);
-            let t2 = (follower_x + t0) - cam_x;
-            let t3 = (follower_y + t1) - cam_y;
-            let t4 = (cam_cos * t2) + (cam_sin * t3);
-            let t5 = (cam_cos * t3) - (cam_sin * t2);
-            let t6 = ::kin::rt::Wide::atan2(t5, t4);
-            let t7 = (t4 * t4) + (t5 * t5);
-            let t8 = ::kin::rt::Wide::sqrt(t7);
-            let call0: [::kin::rt::Wide<__S>; 3] = at.evaluate::<1, 3>(0, [t6]);
-            let call1: [::kin::rt::Wide<__S>; 2] = at.evaluate::<1, 2>(1, [t6]);
-            let t9 = t4 / t7;
-            let t10 = t5 / t7;
-            let t11 = (cam_sin * t9) + (cam_cos * t10);
-            let t12 = at.splat(1.0) / (at.splat(2.0) * t8);
-            let t13 = ((at.splat(2.0) * (((cam_sin * t5) - (cam_cos * t4)) * t12))
-                - (t11 * call0[1])) + (t11 * call1[1]);
-            let t14 = (cam_sin * t10) - (cam_cos * t9);
-            let t15 = (call1[1] * t14)
-                - ((at.splat(2.0) * (t12 * ((cam_sin * t4) + (cam_cos * t5))))
-                    + (call0[1] * t14));
-            let t16 = (t0 * cam_sin) - (t1 * cam_cos);
-            let t17 = (t1 * cam_sin) + (t0 * cam_cos);
-            let t18 = (t9 * t17) - (t10 * t16);
-            let t19 = ((at.splat(2.0) * (t12 * ((t4 * t16) + (t5 * t17))))
-                - (call0[1] * t18)) + (call1[1] * t18);
-            c[0] = (t8 - call0[0]) + call1[0];
-            c_q[0] = t13;
-            c_q[1] = t15;
-            c_q[2] = ((t4 * t9) + (t5 * t10)) * (call0[1] - call1[1]);
-            c_q[3] = -t13;
-            c_q[4] = -t15;
-            c_q[5] = t19;
+            let follower_x = state[5];
+            let cam_x = state[0];
+            let t1 = (follower_x + t0) - cam_x;
+            let t2 = (known0 * follower_sin) + (known1 * follower_cos);
+            let follower_y = state[6];
+            let cam_y = state[1];
+            let t3 = (follower_y + t2) - cam_y;
+            let cam_cos = state[4];
+            let cam_sin = state[3];
+            let t4 = (cam_cos * t1) + (cam_sin * t3);
+            let t5 = (cam_cos * t3) - (cam_sin * t1);
+            let t6 = (t4 * t4) + (t5 * t5);
+            let t7 = ::kin::rt::Wide::sqrt(t6);
+            let t8 = ::kin::rt::Wide::atan2(t5, t4);
+            let call0: [::kin::rt::Wide<__S>; 3] = at.evaluate::<1, 3>(0, [t8]);
+            let call1: [::kin::rt::Wide<__S>; 2] = at.evaluate::<1, 2>(1, [t8]);
+            c[0] = (t7 - call0[0]) + call1[0];
+            let t9 = at.splat(1.0) / (at.splat(2.0) * t7);
+            let t10 = (t0 * cam_sin) - (t2 * cam_cos);
+            let t11 = (t2 * cam_sin) + (t0 * cam_cos);
+            let t12 = t4 / t6;
+            let t13 = t5 / t6;
+            let t14 = (t12 * t11) - (t13 * t10);
+            let t15 = ((at.splat(2.0) * (t9 * ((t4 * t10) + (t5 * t11))))
+                - (call0[1] * t14)) + (call1[1] * t14);
+            c_q[5] = t15;
+            c_q[2] = ((t4 * t12) + (t5 * t13)) * (call0[1] - call1[1]);
+            let t16 = (cam_sin * t12) + (cam_cos * t13);
+            let t17 = ((at.splat(2.0) * (((cam_sin * t5) - (cam_cos * t4)) * t9))
+                - (t16 * call0[1])) + (t16 * call1[1]);
+            c_q[0] = t17;
+            let t18 = (cam_sin * t13) - (cam_cos * t12);
+            let t19 = (call1[1] * t18)
+                - ((at.splat(2.0) * (t9 * ((cam_sin * t4) + (cam_cos * t5))))
+                    + (call0[1] * t18));
+            c_q[1] = t19;
+            c_q[3] = -t17;
+            c_q[4] = -t19;
         }
         #[inline(always)]
         fn velocity_rhs<__S: ::kin::rt::Level>(
@@ -570,67 +531,64 @@ const _: () = {
             let ::core::option::Option::Some(&[known0, known1]) = at.known::<2>() else {
                 return
             };
-            let ::core::option::Option::Some(
-                &[cam_x,
-                cam_y,
-                _,
-                cam_sin,
-                cam_cos,
-                follower_x,
-                follower_y,
-                _,
-                follower_sin,
-                follower_cos,
-                ],
-            ) = at.states::<10>() else { return };
-            let ::core::option::Option::Some(
-                &[cam_x_d,
-                cam_y_d,
-                cam_theta_d,
-                follower_x_d,
-                follower_y_d,
-                follower_theta_d,
-                ],
-            ) = qd.columns::<6>() else { return };
+            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let ::core::option::Option::Some(rate) = qd.columns::<6>() else { return };
+            let follower_cos = state[9];
+            let follower_sin = state[8];
             let t0 = (known0 * follower_cos) - (known1 * follower_sin);
-            let t1 = (known0 * follower_sin) + (known1 * follower_cos);
-            let t2 = (follower_x + t0) - cam_x;
-            let t3 = (follower_y + t1) - cam_y;
-            let t4 = (cam_cos * t2) + (cam_sin * t3);
-            let t5 = (cam_cos * t3) - (cam_sin * t2);
-            let t6 = ::kin::rt::Wide::atan2(t5, t4);
-            let t7 = (t4 * t4) + (t5 * t5);
-            let t8 = t4 / t7;
-            let t9 = t5 / t7;
-            let t10 = at.splat(2.0) * ::kin::rt::Wide::sqrt(t7);
-            let t11 = at.splat(1.0) / t10;
-            let call0: [::kin::rt::Wide<__S>; 3] = at.evaluate::<1, 3>(0, [t6]);
-            let t12 = t1 * follower_theta_d;
-            let t13 = t0 * follower_theta_d;
-            let t14 = cam_cos * cam_theta_d;
-            let t15 = cam_sin * cam_theta_d;
-            let t16 = (follower_x_d - t12) - cam_x_d;
-            let t17 = (follower_y_d + t13) - cam_y_d;
-            let t18 = ((cam_cos * t16) - (t2 * t15)) + ((t3 * t14) + (cam_sin * t17));
-            let t19 = ((cam_cos * t17) - (t3 * t15)) - ((t2 * t14) + (cam_sin * t16));
-            let t20 = (t8 * t19) - (t9 * t18);
-            let t21 = (t4 * t18) + (t5 * t19);
-            let t22 = (cam_theta_d * (t2 * cam_theta_d)) + (follower_theta_d * t13);
-            let t23 = (cam_theta_d * (t3 * cam_theta_d)) + (follower_theta_d * t12);
-            let t24 = ((at.splat(2.0) * (t14 * t17)) - (cam_sin * t23))
-                - ((at.splat(2.0) * (t15 * t16)) + (cam_cos * t22));
-            let t25 = ((at.splat(2.0) * (t14 * t16)) - (cam_sin * t22))
-                + ((at.splat(2.0) * (t15 * t17)) + (cam_cos * t23));
-            let t26 = (t19 * ((t18 - (at.splat(2.0) * (t8 * t21))) / t7)) - (t8 * t25);
-            let t27 = (t18 * ((t19 - (at.splat(2.0) * (t9 * t21))) / t7)) + (t9 * t24);
-            let t28 = t26 - t27;
-            let t29 = (t11 * (((t18 * t18) + (t4 * t24)) + ((t19 * t19) - (t5 * t25))))
-                - (t21 * ((at.splat(4.0) * (t11 * (t11 * t21))) / t10));
+            let follower_x = state[5];
+            let cam_x = state[0];
+            let t1 = (follower_x + t0) - cam_x;
+            let t2 = (known0 * follower_sin) + (known1 * follower_cos);
+            let follower_y = state[6];
+            let cam_y = state[1];
+            let t3 = (follower_y + t2) - cam_y;
+            let cam_cos = state[4];
+            let cam_sin = state[3];
+            let t4 = (cam_cos * t1) + (cam_sin * t3);
+            let t5 = (cam_cos * t3) - (cam_sin * t1);
+            let t6 = (t4 * t4) + (t5 * t5);
+            let t7 = at.splat(2.0) * ::kin::rt::Wide::sqrt(t6);
+            let t8 = at.splat(1.0) / t7;
+            let follower_theta_d = rate[5];
+            let t9 = t0 * follower_theta_d;
+            let follower_y_d = rate[4];
+            let cam_y_d = rate[1];
+            let t10 = (follower_y_d + t9) - cam_y_d;
+            let t11 = cam_cos * t10;
+            let t12 = t2 * follower_theta_d;
+            let follower_x_d = rate[3];
+            let cam_x_d = rate[0];
+            let t13 = (follower_x_d - t12) - cam_x_d;
+            let t14 = cam_sin * t13;
+            let cam_theta_d = rate[2];
+            let t15 = (cam_theta_d * (t1 * cam_theta_d)) + (follower_theta_d * t9);
+            let t16 = (cam_theta_d * (t3 * cam_theta_d)) + (follower_theta_d * t12);
+            let t17 = (at.splat(2.0) * (cam_theta_d * (t11 - t14)))
+                - ((cam_cos * t15) + (cam_sin * t16));
+            let t18 = cam_cos * t13;
+            let t19 = cam_sin * t10;
+            let t20 = ((cam_sin * t15) - (cam_cos * t16))
+                - (at.splat(2.0) * (cam_theta_d * (t18 + t19)));
+            let t21 = cam_sin * cam_theta_d;
+            let t22 = cam_cos * cam_theta_d;
+            let t23 = (t18 - (t1 * t21)) + ((t3 * t22) + t19);
+            let t24 = (t11 - (t3 * t21)) - ((t1 * t22) + t14);
+            let t25 = (t4 * t23) + (t5 * t24);
+            let t26 = (t8 * (((t4 * t17) + (t5 * t20)) + ((t23 * t23) + (t24 * t24))))
+                - (t25 * ((at.splat(4.0) * (t8 * (t8 * t25))) / t7));
+            let t27 = t4 / t6;
+            let t28 = t5 / t6;
+            let t29 = (t27 * t24) - (t28 * t23);
+            let t30 = ::kin::rt::Wide::atan2(t5, t4);
+            let call0: [::kin::rt::Wide<__S>; 3] = at.evaluate::<1, 3>(0, [t30]);
+            let t31 = (t24 * ((t23 - (at.splat(2.0) * (t27 * t25))) / t6)) + (t27 * t20);
+            let t32 = (t23 * ((t24 - (at.splat(2.0) * (t28 * t25))) / t6)) + (t28 * t17);
+            let t33 = t31 - t32;
             let call1: [::kin::rt::Wide<__S>; 1] = at
-                .evaluate::<3, 1>(2, [t6, t20, t28]);
-            let t30 = -(((at.splat(2.0) * t29)
-                - ((t20 * (t20 * call0[2])) + (call0[1] * t28))) + call1[0]);
-            q_d[0] = t30;
+                .evaluate::<3, 1>(2, [t30, t29, t33]);
+            q_d[0] = -(((at.splat(2.0) * t26)
+                - ((t29 * (t29 * call0[2])) + (call0[1] * t33))) + call1[0]);
         }
     }
     impl ::kin::rt::Described for on_cam {

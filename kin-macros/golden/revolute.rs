@@ -87,58 +87,48 @@ const _: () = {
                 q_d: true,
             }
         }
-        /// C: 18 operations
+        /// C: 10 operations
         fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
                 return
             };
-            let ::core::option::Option::Some(
-                &[i_x,
-                i_y,
-                _,
-                i_sin,
-                i_cos,
-                j_x,
-                j_y,
-                _,
+            let fma = ::kin::rt::fma;
+            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let in_order = ::kin::rt::in_order;
+            let j_sin = state[8];
+            let j_cos = state[9];
+            let i_sin = state[3];
+            let i_cos = state[4];
+            let i_x = state[0];
+            let j_x = state[5];
+            c[0] = fma(
+                self.u_j.y,
                 j_sin,
+                fma(
+                    -self.u_j.x,
+                    j_cos,
+                    fma(-self.u_i.y, i_sin, fma(self.u_i.x, i_cos, i_x)),
+                ),
+            ) - j_x;
+            in_order();
+            let i_y = state[1];
+            let j_y = state[6];
+            c[1] = fma(
+                -self.u_j.y,
                 j_cos,
-                ],
-            ) = at.states::<10>() else { return };
-            c[0] = (i_x + ((self.u_i.x * i_cos) - (self.u_i.y * i_sin)))
-                - (j_x + ((self.u_j.x * j_cos) - (self.u_j.y * j_sin)));
-            c[1] = (i_y + ((self.u_i.x * i_sin) + (self.u_i.y * i_cos)))
-                - (j_y + ((self.u_j.x * j_sin) + (self.u_j.y * j_cos)));
+                fma(
+                    -self.u_j.x,
+                    j_sin,
+                    fma(self.u_i.y, i_cos, fma(self.u_i.x, i_sin, i_y)),
+                ),
+            ) - j_y;
+            in_order();
         }
-        /// C_q: 14 operations
-        #[inline]
+        /// C_q, and C on the way
         fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
-            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<8>() else {
-                return
-            };
-            let ::core::option::Option::Some(
-                &[_,
-                _,
-                _,
-                i_sin,
-                i_cos,
-                _,
-                _,
-                _,
-                j_sin,
-                j_cos,
-                ],
-            ) = at.states::<10>() else { return };
-            c_q[0] = 1.0;
-            c_q[1] = -((self.u_i.x * i_sin) + (self.u_i.y * i_cos));
-            c_q[2] = -1.0;
-            c_q[3] = (self.u_j.x * j_sin) + (self.u_j.y * j_cos);
-            c_q[4] = 1.0;
-            c_q[5] = (self.u_i.x * i_cos) - (self.u_i.y * i_sin);
-            c_q[6] = -1.0;
-            c_q[7] = -((self.u_j.x * j_cos) - (self.u_j.y * j_sin));
+            self.linearize(at, &mut [0.0; 2], c_q);
         }
-        /// C and C_q: 20 operations
+        /// C and C_q: 14 operations
         fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
                 return
@@ -146,38 +136,40 @@ const _: () = {
             let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<8>() else {
                 return
             };
-            let ::core::option::Option::Some(
-                &[i_x,
-                i_y,
-                _,
-                i_sin,
-                i_cos,
-                j_x,
-                j_y,
-                _,
-                j_sin,
-                j_cos,
-                ],
-            ) = at.states::<10>() else { return };
-            let t0 = (self.u_i.x * i_cos) - (self.u_i.y * i_sin);
-            let t1 = (self.u_i.x * i_sin) + (self.u_i.y * i_cos);
-            let t2 = (self.u_j.x * j_cos) - (self.u_j.y * j_sin);
-            let t3 = (self.u_j.x * j_sin) + (self.u_j.y * j_cos);
-            c[0] = (i_x + t0) - (j_x + t2);
-            c[1] = (i_y + t1) - (j_y + t3);
+            let fma = ::kin::rt::fma;
+            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let in_order = ::kin::rt::in_order;
             c_q[0] = 1.0;
-            c_q[1] = -t1;
             c_q[2] = -1.0;
-            c_q[3] = t3;
             c_q[4] = 1.0;
-            c_q[5] = t0;
             c_q[6] = -1.0;
-            c_q[7] = -t2;
+            let j_cos = state[9];
+            let j_sin = state[8];
+            let t0 = fma(self.u_j.y, j_cos, self.u_j.x * j_sin);
+            c_q[3] = t0;
+            in_order();
+            let i_cos = state[4];
+            let i_sin = state[3];
+            let t1 = fma(-self.u_i.y, i_cos, -(self.u_i.x * i_sin));
+            let i_y = state[1];
+            let j_y = state[6];
+            c[1] = ((i_y - t1) - j_y) - t0;
+            in_order();
+            c_q[1] = t1;
+            let t2 = fma(-self.u_i.y, i_sin, self.u_i.x * i_cos);
+            c_q[5] = t2;
+            in_order();
+            let t3 = fma(-self.u_j.x, j_cos, self.u_j.y * j_sin);
+            let i_x = state[0];
+            let j_x = state[5];
+            c[0] = ((i_x + t2) - j_x) + t3;
+            in_order();
+            c_q[7] = t3;
         }
         fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
             rhs.iter_mut().take(2).for_each(|value| *value = 0.0);
         }
-        /// Q_d for t_dot = 1: 22 operations
+        /// Q_d for t_dot = 1: 14 operations
         fn acceleration_rhs(
             &self,
             at: &::kin::rt::At<'_>,
@@ -188,27 +180,30 @@ const _: () = {
             let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<2>() else {
                 return
             };
-            let ::core::option::Option::Some(
-                &[_,
-                _,
-                _,
-                i_sin,
-                i_cos,
-                _,
-                _,
-                _,
-                j_sin,
-                j_cos,
-                ],
-            ) = at.states::<10>() else { return };
-            let ::core::option::Option::Some(&[_, _, i_theta_d, _, _, j_theta_d]) = qd
-                .columns::<6>() else { return };
+            let fma = ::kin::rt::fma;
+            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let ::core::option::Option::Some(rate) = qd.columns::<6>() else { return };
+            let in_order = ::kin::rt::in_order;
+            let i_theta_d = rate[2];
             let t0 = i_theta_d * i_theta_d;
+            let j_theta_d = rate[5];
             let t1 = j_theta_d * j_theta_d;
-            q_d[0] = -((((self.u_j.x * j_cos) - (self.u_j.y * j_sin)) * t1)
-                - (((self.u_i.x * i_cos) - (self.u_i.y * i_sin)) * t0));
-            q_d[1] = -((((self.u_j.x * j_sin) + (self.u_j.y * j_cos)) * t1)
-                - (((self.u_i.x * i_sin) + (self.u_i.y * i_cos)) * t0));
+            let j_cos = state[9];
+            let j_sin = state[8];
+            let i_cos = state[4];
+            let i_sin = state[3];
+            q_d[1] = fma(
+                -fma(self.u_j.y, j_cos, self.u_j.x * j_sin),
+                t1,
+                fma(self.u_i.y, i_cos, self.u_i.x * i_sin) * t0,
+            );
+            in_order();
+            q_d[0] = fma(
+                -fma(-self.u_j.y, j_sin, self.u_j.x * j_cos),
+                t1,
+                fma(-self.u_i.y, i_sin, self.u_i.x * i_cos) * t0,
+            );
+            in_order();
         }
         fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
             let mut u = [[0.0_f64; 3]; 2];
@@ -284,29 +279,25 @@ const _: () = {
             };
             let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
                 .known::<4>() else { return };
-            let ::core::option::Option::Some(
-                &[i_x,
-                i_y,
-                _,
-                i_sin,
-                i_cos,
-                j_x,
-                j_y,
-                _,
-                j_sin,
-                j_cos,
-                ],
-            ) = at.states::<10>() else { return };
-            let t0 = (known0 * i_cos) - (known1 * i_sin);
+            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let j_sin = state[8];
+            let j_cos = state[9];
+            let t0 = (known2 * j_sin) + (known3 * j_cos);
+            c_q[3] = t0;
+            let i_sin = state[3];
+            let i_cos = state[4];
             let t1 = (known0 * i_sin) + (known1 * i_cos);
-            let t2 = (known2 * j_cos) - (known3 * j_sin);
-            let t3 = (known2 * j_sin) + (known3 * j_cos);
-            c[0] = (i_x + t0) - (j_x + t2);
-            c[1] = (i_y + t1) - (j_y + t3);
+            let i_y = state[1];
+            let j_y = state[6];
+            c[1] = (i_y + t1) - (j_y + t0);
             c_q[1] = -t1;
-            c_q[3] = t3;
-            c_q[5] = t0;
-            c_q[7] = -t2;
+            let t2 = (known0 * i_cos) - (known1 * i_sin);
+            c_q[5] = t2;
+            let t3 = (known2 * j_cos) - (known3 * j_sin);
+            let i_x = state[0];
+            let j_x = state[5];
+            c[0] = (i_x + t2) - (j_x + t3);
+            c_q[7] = -t3;
         }
         #[inline(always)]
         fn velocity_rhs<__S: ::kin::rt::Level>(
@@ -330,27 +321,20 @@ const _: () = {
             };
             let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
                 .known::<4>() else { return };
-            let ::core::option::Option::Some(
-                &[_,
-                _,
-                _,
-                i_sin,
-                i_cos,
-                _,
-                _,
-                _,
-                j_sin,
-                j_cos,
-                ],
-            ) = at.states::<10>() else { return };
-            let ::core::option::Option::Some(&[_, _, i_theta_d, _, _, j_theta_d]) = qd
-                .columns::<6>() else { return };
-            let t0 = i_theta_d * i_theta_d;
-            let t1 = j_theta_d * j_theta_d;
-            q_d[0] = -((((known2 * j_cos) - (known3 * j_sin)) * t1)
-                - (((known0 * i_cos) - (known1 * i_sin)) * t0));
-            q_d[1] = -((((known2 * j_sin) + (known3 * j_cos)) * t1)
-                - (((known0 * i_sin) + (known1 * i_cos)) * t0));
+            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let ::core::option::Option::Some(rate) = qd.columns::<6>() else { return };
+            let j_theta_d = rate[5];
+            let t0 = j_theta_d * j_theta_d;
+            let i_theta_d = rate[2];
+            let t1 = i_theta_d * i_theta_d;
+            let j_cos = state[9];
+            let j_sin = state[8];
+            let i_cos = state[4];
+            let i_sin = state[3];
+            q_d[0] = -((((known2 * j_cos) - (known3 * j_sin)) * t0)
+                - (((known0 * i_cos) - (known1 * i_sin)) * t1));
+            q_d[1] = -((((known2 * j_sin) + (known3 * j_cos)) * t0)
+                - (((known0 * i_sin) + (known1 * i_cos)) * t1));
         }
     }
     impl ::kin::rt::Described for revolute {

@@ -106,7 +106,7 @@ const _: () = {
         fn n_timed(&self) -> usize {
             6
         }
-        /// What depends on t and parameters alone: 9 operations
+        /// What depends on t and parameters alone: 8 operations
         fn at_time(&self, t: f64, timed: &mut [f64]) {
             let ::core::option::Option::Some(timed) = timed.first_chunk_mut::<6>() else {
                 return
@@ -115,26 +115,18 @@ const _: () = {
             let t0 = at.t * self.omega;
             let (s1, c1) = t0.sin_cos();
             timed[0] = c1;
-            timed[1] = self.l2 * c1;
             timed[2] = s1;
+            timed[1] = self.l2 * c1;
+            timed[5] = -(self.l2 * (self.omega * c1));
             timed[3] = self.l2 * s1;
             timed[4] = self.l2 * (self.omega * s1);
-            timed[5] = -(self.l2 * (self.omega * c1));
         }
-        /// C: 6 operations
+        /// C: 4 operations
         fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
                 return
             };
-            let ::core::option::Option::Some(
-                &[_,
-                theta3_sin,
-                theta3_cos,
-                x_arg,
-                _,
-                _,
-                ],
-            ) = at.states::<6>() else { return };
+            let fma = ::kin::rt::fma;
             let own: [f64; 6];
             let timed = match at.timed().first_chunk() {
                 ::core::option::Option::Some(timed) => timed,
@@ -143,22 +135,21 @@ const _: () = {
                     &own
                 }
             };
-            c[0] = (timed[1] + (self.l3 * theta3_cos)) - x_arg;
-            c[1] = (timed[3] + (self.l3 * theta3_sin)) - self.h;
+            let ::core::option::Option::Some(state) = at.states::<6>() else { return };
+            let in_order = ::kin::rt::in_order;
+            let theta3_cos = state[2];
+            let x_arg = state[3];
+            c[0] = fma(self.l3, theta3_cos, timed[1]) - x_arg;
+            in_order();
+            let theta3_sin = state[1];
+            c[1] = fma(self.l3, theta3_sin, timed[3]) - self.h;
+            in_order();
         }
-        /// C_q: 3 operations
-        #[inline]
+        /// C_q, and C on the way
         fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
-            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<3>() else {
-                return
-            };
-            let ::core::option::Option::Some(&[_, theta3_sin, theta3_cos, _, _, _]) = at
-                .states::<6>() else { return };
-            c_q[0] = -(self.l3 * theta3_sin);
-            c_q[1] = -1.0;
-            c_q[2] = self.l3 * theta3_cos;
+            self.linearize(at, &mut [0.0; 2], c_q);
         }
-        /// C and C_q: 7 operations
+        /// C and C_q: 6 operations
         fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
                 return
@@ -166,15 +157,6 @@ const _: () = {
             let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<3>() else {
                 return
             };
-            let ::core::option::Option::Some(
-                &[_,
-                theta3_sin,
-                theta3_cos,
-                x_arg,
-                _,
-                _,
-                ],
-            ) = at.states::<6>() else { return };
             let own: [f64; 6];
             let timed = match at.timed().first_chunk() {
                 ::core::option::Option::Some(timed) => timed,
@@ -183,13 +165,22 @@ const _: () = {
                     &own
                 }
             };
-            let t0 = self.l3 * theta3_cos;
-            let t1 = self.l3 * theta3_sin;
-            c[0] = (timed[1] + t0) - x_arg;
-            c[1] = (timed[3] + t1) - self.h;
-            c_q[0] = -t1;
+            let ::core::option::Option::Some(state) = at.states::<6>() else { return };
+            let in_order = ::kin::rt::in_order;
             c_q[1] = -1.0;
+            let theta3_cos = state[2];
+            let t0 = self.l3 * theta3_cos;
             c_q[2] = t0;
+            in_order();
+            let x_arg = state[3];
+            c[0] = (t0 - x_arg) + timed[1];
+            in_order();
+            let theta3_sin = state[1];
+            let t1 = self.l3 * theta3_sin;
+            c_q[0] = -t1;
+            in_order();
+            c[1] = (t1 - self.h) + timed[3];
+            in_order();
         }
         /// −C_t: 0 operations
         fn velocity_rhs(&self, at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
@@ -204,10 +195,11 @@ const _: () = {
                     &own
                 }
             };
+            let in_order = ::kin::rt::in_order;
             rhs[0] = timed[4];
             rhs[1] = timed[5];
         }
-        /// Q_d for t_dot = 1: 14 operations
+        /// Q_d for t_dot = 1: 12 operations
         fn acceleration_rhs(
             &self,
             at: &::kin::rt::At<'_>,
@@ -218,11 +210,7 @@ const _: () = {
             let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<2>() else {
                 return
             };
-            let ::core::option::Option::Some(&[_, theta3_sin, theta3_cos, _, _, _]) = at
-                .states::<6>() else { return };
-            let ::core::option::Option::Some(&[theta3_d, _]) = qd.columns::<2>() else {
-                return
-            };
+            let fma = ::kin::rt::fma;
             let own: [f64; 6];
             let timed = match at.timed().first_chunk() {
                 ::core::option::Option::Some(timed) => timed,
@@ -231,17 +219,28 @@ const _: () = {
                     &own
                 }
             };
-            let t0 = self.omega * t_dot;
-            let t1 = theta3_d * theta3_d;
-            q_d[0] = (self.l2 * (t0 * (timed[0] * t0))) + (self.l3 * (theta3_cos * t1));
-            q_d[1] = (self.l2 * (t0 * (timed[2] * t0))) + (self.l3 * (theta3_sin * t1));
+            let ::core::option::Option::Some(state) = at.states::<6>() else { return };
+            let ::core::option::Option::Some(rate) = qd.columns::<2>() else { return };
+            let in_order = ::kin::rt::in_order;
+            let theta3_d = rate[0];
+            let t0 = theta3_d * theta3_d;
+            let t1 = self.omega * t_dot;
+            let theta3_cos = state[2];
+            q_d[0] = fma(self.l2, t1 * (timed[0] * t1), self.l3 * (theta3_cos * t0));
+            in_order();
+            let theta3_sin = state[1];
+            q_d[1] = fma(self.l2, t1 * (timed[2] * t1), self.l3 * (theta3_sin * t0));
+            in_order();
         }
         #[cold]
         fn not_finite(&self, at: &::kin::rt::At<'_>) -> ::core::option::Option<&str> {
-            let ::core::option::Option::Some(&[_, theta3_sin, theta3_cos, _, _, _]) = at
-                .states::<6>() else { return ::core::option::Option::None };
+            let ::core::option::Option::Some(state) = at.states::<6>() else {
+                return ::core::option::Option::None
+            };
             let t0 = at.t * self.omega;
             let (s1, c1) = t0.sin_cos();
+            let theta3_cos = state[2];
+            let theta3_sin = state[1];
             if ![c1, -s1].into_iter().all(f64::is_finite) {
                 return ::core::option::Option::Some("theta2.cos()");
             }

@@ -12,6 +12,7 @@ mod graph;
 mod limits;
 mod lower;
 mod parse;
+mod schedule;
 #[cfg(test)]
 mod tests;
 mod vocabulary;

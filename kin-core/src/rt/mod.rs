@@ -3,6 +3,7 @@
 mod argument;
 mod cast;
 mod foreign;
+mod kernel;
 mod lift;
 mod numbers;
 mod parameter;
@@ -26,6 +27,7 @@ pub use argument::{IntoConstant, IntoJet, IntoPlain, IntoReference, Jet, Nothing
 pub use argument::{constant_argument, plain_argument, reference_argument};
 pub use cast::{Cast, Whole, cast, whole};
 pub use foreign::{Foreign, LiftAny, LiftNumbers, LowerAny, LowerReal, ReceiveAny, ReceiveNumbers, ReceiveReference};
+pub use kernel::{fma, in_order};
 pub use lift::{Absent, Constants, Lift, Lower, absent, constants, lowered};
 pub use numbers::Numbers;
 pub use parameter::{Parameter, is_parameter};

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 
 use crate::coordinates::{Target, Trig};
 use crate::layout::Place;
-use crate::state::{CoordState, PlanarState, SpatialState};
+use crate::state::{CoordState, PlanarState, SPATIAL_STATE, SpatialState};
 
 /// Which coordinates make up each state, and who reads it.
 #[derive(Clone, Debug, Default)]
@@ -102,8 +102,8 @@ impl StatePlan {
             copy::<_, _, 0>(&[x, y, theta, sin, cos], copies, states);
         }
         for Shared { first, copies, .. } in &self.spatial {
-            let Some(q) = q.get(*first..).and_then(|q| q.first_chunk()) else { continue };
-            copy::<_, _, 0>(&SpatialState::new(*q).to_array(), copies, states);
+            let Some(q) = q.get(*first..).and_then(|q| q.first_chunk::<SPATIAL_STATE>()) else { continue };
+            copy::<_, _, 0>(q, copies, states);
         }
         for Shared { first, trig, copies } in &self.coords {
             let (value, known) = (q[*first], own(copies, states));

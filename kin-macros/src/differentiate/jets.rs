@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 
-use super::partial::rotation_terms;
 use super::rules;
 use crate::graph::{Direction, Graph, Input, LeafNumber, LeafUse, Node, Op, Part};
 
@@ -18,7 +17,21 @@ pub struct Jet {
 #[derive(Default)]
 pub struct Jets {
     first: HashMap<Node, Node>,
-    second: HashMap<Node, Node>,
+    second: HashMap<Node, Second>,
+}
+
+/// A second derivative as `outer + 2 cross`: the products of first derivatives are gathered through sums, and doubled once.
+#[derive(Clone, Copy)]
+struct Second {
+    outer: Node,
+    cross: Node,
+}
+
+impl Second {
+    fn whole(self, g: &mut Graph) -> Node {
+        let cross = double(g, self.cross);
+        g.add(self.outer, cross)
+    }
 }
 
 /// An argument of a function, with the function's derivative by it.
@@ -32,7 +45,7 @@ impl Jets {
             let second = self.second_rule(g, inner);
             self.second.insert(inner, second);
         }
-        Jet { first, second: self.second[&node] }
+        Jet { first, second: self.second[&node].whole(g) }
     }
 
     fn first(&mut self, g: &mut Graph, node: Node) -> Node {
@@ -43,8 +56,8 @@ impl Jets {
         self.first[&node]
     }
 
-    fn known(&self, node: Node) -> Jet {
-        Jet { first: self.first[&node], second: self.second[&node] }
+    fn known(&self, g: &mut Graph, node: Node) -> Jet {
+        Jet { first: self.first[&node], second: self.second[&node].whole(g) }
     }
 
     fn first_rule(&mut self, g: &mut Graph, node: Node) -> Node {
@@ -58,6 +71,10 @@ impl Jets {
             Op::Sub(a, b) => g.sub(d(a), d(b)),
             Op::Neg(a) => g.neg(d(a)),
             Op::Mul(a, b) => sum_of_products(g, [(d(a), b), (a, d(b))]),
+            Op::Fma(a, b, c) => {
+                let product = sum_of_products(g, [(d(a), b), (a, d(b))]);
+                g.add(product, d(c))
+            }
             Op::Div(a, b) => {
                 let yb = g.mul(node, d(b));
                 let numerator = g.sub(d(a), yb);
@@ -69,36 +86,44 @@ impl Jets {
         }
     }
 
-    fn second_rule(&mut self, g: &mut Graph, node: Node) -> Node {
+    fn second_rule(&mut self, g: &mut Graph, node: Node) -> Second {
+        let zero = g.zero();
+        let plain = |outer: Node| Second { outer, cross: zero };
         if !g.depends(node).varies() {
-            return g.zero();
+            return plain(zero);
         }
         let dd = |n: Node| self.second[&n];
         match g.op(node) {
-            Op::Input(input) => input_jet(g, input).second,
-            Op::Add(a, b) => g.add(dd(a), dd(b)),
-            Op::Sub(a, b) => g.sub(dd(a), dd(b)),
-            Op::Neg(a) => g.neg(dd(a)),
+            Op::Input(input) => plain(input_jet(g, input).second),
+            Op::Add(a, b) => both(g, Graph::add, dd(a), dd(b)),
+            Op::Sub(a, b) => both(g, Graph::sub, dd(a), dd(b)),
+            Op::Neg(a) => both(g, Graph::sub, plain(zero), dd(a)),
             Op::Mul(a, b) => self.product(g, a, b),
-            Op::Div(a, b) => self.quotient(g, a, b, node),
-            Op::Select(c, a, b) => g.select(c, dd(a), dd(b)),
-            Op::Leaf(of) => self.leaf(g, of, LeafNumber::Second),
-            _ => with_arguments(g, node, |g, arguments| self.chain_second(g, arguments)),
+            Op::Fma(a, b, c) => {
+                let product = self.product(g, a, b);
+                both(g, Graph::add, product, dd(c))
+            }
+            Op::Div(a, b) => plain(self.quotient(g, a, b, node)),
+            Op::Select(c, a, b) => {
+                let (a, b) = (dd(a).whole(g), dd(b).whole(g));
+                plain(g.select(c, a, b))
+            }
+            Op::Leaf(of) => plain(self.leaf(g, of, LeafNumber::Second)),
+            _ => plain(with_arguments(g, node, |g, arguments| self.chain_second(g, arguments))),
         }
     }
 
-    /// (a b)″ = a″ b + 2 a′ b′ + a b″
-    fn product(&self, g: &mut Graph, a: Node, b: Node) -> Node {
-        let (ja, jb) = (self.known(a), self.known(b));
+    /// (a b)″ = a″ b + a b″ + 2 a′ b′
+    fn product(&self, g: &mut Graph, a: Node, b: Node) -> Second {
+        let (ja, jb) = (self.known(g, a), self.known(g, b));
         let cross = g.mul(ja.first, jb.first);
-        let cross = double(g, cross);
         let outer = sum_of_products(g, [(ja.second, b), (a, jb.second)]);
-        g.add(outer, cross)
+        Second { outer, cross }
     }
 
     /// y = a/b:  y″ = (a″ − 2 y′ b′ − y b″)/b
     fn quotient(&self, g: &mut Graph, a: Node, b: Node, y: Node) -> Node {
-        let (ja, jb) = (self.known(a), self.known(b));
+        let (ja, jb) = (self.known(g, a), self.known(g, b));
         let cross = g.mul(self.first[&y], jb.first);
         let cross = double(g, cross);
         let last = g.mul(y, jb.second);
@@ -125,7 +150,7 @@ impl Jets {
     fn chain_second(&mut self, g: &mut Graph, arguments: &[Argument]) -> Node {
         let mut sum = g.zero();
         for (a, derivative) in arguments {
-            let inner = self.known(*a);
+            let inner = self.known(g, *a);
             if g.is_zero(inner.first) && g.is_zero(inner.second) {
                 continue;
             }
@@ -169,6 +194,10 @@ fn constant(g: &mut Graph) -> Jet {
     Jet { first: zero, second: zero }
 }
 
+fn both(g: &mut Graph, combine: fn(&mut Graph, Node, Node) -> Node, a: Second, b: Second) -> Second {
+    Second { outer: combine(g, a.outer, b.outer), cross: combine(g, a.cross, b.cross) }
+}
+
 fn double(g: &mut Graph, a: Node) -> Node {
     let two = g.constant(2.0);
     g.mul(two, a)
@@ -185,7 +214,6 @@ fn input_jet(g: &mut Graph, input: Input) -> Jet {
         Input::Time => Jet { first: g.input(Input::TimeRate), second: zero },
         Input::State(argument, Part::Sin) => angle_jet(g, argument, Part::Sin, Part::Cos, false),
         Input::State(argument, Part::Cos) => angle_jet(g, argument, Part::Cos, Part::Sin, true),
-        Input::State(argument, Part::A(row, column)) => rotation_jet(g, argument, row, column),
         Input::State(argument, part) => Jet { first: g.input(Input::Rate(argument, part)), second: zero },
         _ => constant(g),
     }
@@ -198,19 +226,4 @@ fn angle_jet(g: &mut Graph, argument: usize, part: Part, other: Part, minus: boo
     let (first, rate_squared) = (g.mul(rate, other), g.mul(rate, rate));
     let second = g.mul(rate_squared, this);
     Jet { first: if minus { g.neg(first) } else { first }, second: g.neg(second) }
-}
-
-/// A is quadratic in p: of 2 Σ s e_a e_b, A′ = 2 Σ s (ė_a e_b + e_a ė_b) and A″ = 4 Σ s ė_a ė_b.
-fn rotation_jet(g: &mut Graph, argument: usize, row: usize, column: usize) -> Jet {
-    let (two, four) = (g.constant(2.0), g.constant(4.0));
-    let mut jet = constant(g);
-    for (sign, a, b) in rotation_terms(row, column) {
-        let combine = if sign < 0.0 { Graph::sub } else { Graph::add };
-        let [ea, eb] = [a, b].map(|k| g.input(Input::State(argument, Part::P(k))));
-        let [ra, rb] = [a, b].map(|k| g.input(Input::Rate(argument, Part::P(k))));
-        let first = sum_of_products(g, [(ra, eb), (ea, rb)]);
-        let second = g.mul(ra, rb);
-        jet = Jet { first: combine(g, jet.first, first), second: combine(g, jet.second, second) };
-    }
-    Jet { first: g.mul(two, jet.first), second: g.mul(four, jet.second) }
 }

@@ -63,6 +63,11 @@ impl Partial {
                 let (left, right) = (g.mul(self.known(a), b), g.mul(a, self.known(b)));
                 g.add(left, right) // a′ b + a b′
             }
+            Op::Fma(a, b, c) => {
+                let (left, right) = (g.mul(self.known(a), b), g.mul(a, self.known(b)));
+                let product = g.add(left, right);
+                g.add(product, self.known(c)) // a′ b + a b′ + c′
+            }
             Op::Div(a, b) => {
                 let product = g.mul(node, self.known(b));
                 let numerator = g.sub(self.known(a), product);
@@ -122,24 +127,6 @@ fn input_derivative(g: &mut Graph, input: Input, by: By) -> Node {
             let sin = state(g, Part::Sin);
             g.neg(sin)
         }
-        (Part::A(row, column), Part::P(k)) => {
-            // 2 s e_a e_b by e_k; each e_k is in one term only.
-            let found = rotation_terms(row, column).into_iter().find(|&(_, a, b)| k == a || k == b);
-            let Some((sign, a, b)) = found else { return g.zero() };
-            let (factor, other) = if a == b { (4.0, a) } else { (2.0 * sign, a + b - k) };
-            let (factor, p) = (g.constant(factor), state(g, Part::P(other)));
-            g.mul(factor, p)
-        }
         (of, by) => g.constant(if of == by { 1.0 } else { 0.0 }),
     }
-}
-
-/// A_rc of A = (2e0² − 1) I + 2 e eᵀ + 2 e0 ẽ as 2 Σ s e_a e_b (less 1 on the diagonal): its two terms (s, a, b).
-pub fn rotation_terms(row: usize, column: usize) -> [(f64, usize, usize); 2] {
-    if row == column {
-        return [(1.0, 0, 0), (1.0, row + 1, row + 1)];
-    }
-    let third = 3 - row - column;
-    let sign = if column == (row + 1) % 3 { -1.0 } else { 1.0 }; // of ẽ_rc
-    [(1.0, row + 1, column + 1), (sign, 0, third + 1)]
 }

@@ -3,44 +3,8 @@
 use std::collections::HashMap;
 
 use super::{Jets, Partial};
-use crate::graph::{Function, Function2, Graph, Input, Node, Op, Part};
-
-/// Value of a node by plain interpretation.
-fn value(g: &Graph, node: Node, inputs: &HashMap<Input, f64>) -> f64 {
-    let v = |n: Node| value(g, n, inputs);
-    match g.op(node) {
-        Op::Input(input) => inputs[&input],
-        Op::Constant(bits) => f64::from_bits(bits),
-        Op::Add(a, b) => v(a) + v(b),
-        Op::Sub(a, b) => v(a) - v(b),
-        Op::Mul(a, b) => v(a) * v(b),
-        Op::Div(a, b) => v(a) / v(b),
-        Op::Neg(a) => -v(a),
-        Op::Call(f, a) => f.value()(v(a)),
-        Op::Call2(f, a, b) => f.value()(v(a), v(b)),
-        Op::Powi(a, n) => v(a).powi(n),
-        Op::Select(c, a, b) => v(if truth(g, c, inputs) { a } else { b }),
-        other => panic!("no value for {other:?}"),
-    }
-}
-
-fn truth(g: &Graph, node: Node, inputs: &HashMap<Input, f64>) -> bool {
-    use crate::graph::Comparison::*;
-    let v = |n: Node| value(g, n, inputs);
-    match g.op(node) {
-        Op::Truth(value) => value,
-        Op::Compare(Less, a, b) => v(a) < v(b),
-        Op::Compare(LessEqual, a, b) => v(a) <= v(b),
-        Op::Compare(Greater, a, b) => v(a) > v(b),
-        Op::Compare(GreaterEqual, a, b) => v(a) >= v(b),
-        Op::Compare(Equal, a, b) => v(a) == v(b),
-        Op::Compare(NotEqual, a, b) => v(a) != v(b),
-        Op::And(a, b) => truth(g, a, inputs) && truth(g, b, inputs),
-        Op::Or(a, b) => truth(g, a, inputs) || truth(g, b, inputs),
-        Op::Not(a) => !truth(g, a, inputs),
-        other => panic!("no truth for {other:?}"),
-    }
-}
+use crate::graph::interpret::value;
+use crate::graph::{Function, Function2, Graph, Input, Part};
 
 /// Ordinary points of each function, away from kinks.
 fn ordinary(f: Function) -> &'static [f64] {
@@ -146,40 +110,6 @@ fn jets_are_derivatives_along_the_motion() {
                 assert!((got - expected).abs() < 1e-12 * (1.0 + expected.abs()), "{f:?} at {at}: {got} is not {expected}");
             }
         }
-    }
-}
-
-/// A(p) as six products, to check the derivatives that are built in for a rotation matrix read from a state.
-#[test]
-fn rotation_matrix_derivatives_are_those_of_its_polynomial() {
-    let p = [0.7, -0.3, 0.5, 0.4];
-    let rotation = |p: [f64; 4], r: usize, c: usize| {
-        let skew = [[0.0, -p[3], p[2]], [p[3], 0.0, -p[1]], [-p[2], p[1], 0.0]];
-        let diagonal = if r == c { 2.0 * p[0] * p[0] - 1.0 } else { 0.0 };
-        diagonal + 2.0 * p[r + 1] * p[c + 1] + 2.0 * p[0] * skew[r][c]
-    };
-    let rates = [0.2, -1.1, 0.6, 0.9];
-    let inputs: HashMap<Input, f64> =
-        (0..4).flat_map(|k| [(Input::State(0, Part::P(k)), p[k]), (Input::Rate(0, Part::P(k)), rates[k])]).collect();
-    let h = 1e-4;
-    let moved = |s: f64| std::array::from_fn(|k| p[k] + s * rates[k]);
-    for (r, c) in (0..3).flat_map(|r| (0..3).map(move |c| (r, c))) {
-        let mut g = Graph::default();
-        let a = g.input(Input::State(0, Part::A(r, c)));
-        for column in g.columns(&[a]) {
-            let Part::P(k) = column.part else { panic!("a rotation matrix depends on Euler parameters") };
-            let exact = Partial::by_column(column).of(&mut g, a);
-            let (mut up, mut down) = (p, p);
-            up[k] += h;
-            down[k] -= h;
-            let central = (rotation(up, r, c) - rotation(down, r, c)) / (2.0 * h);
-            assert!((value(&g, exact, &inputs) - central).abs() < 1e-10);
-        }
-        let jet = Jets::default().of(&mut g, a);
-        let first = (rotation(moved(h), r, c) - rotation(moved(-h), r, c)) / (2.0 * h);
-        let second = (rotation(moved(h), r, c) - 2.0 * rotation(moved(0.0), r, c) + rotation(moved(-h), r, c)) / (h * h);
-        assert!((value(&g, jet.first, &inputs) - first).abs() < 1e-9);
-        assert!((value(&g, jet.second, &inputs) - second).abs() < 1e-6);
     }
 }
 

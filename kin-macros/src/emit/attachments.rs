@@ -17,7 +17,7 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
     };
     let outputs: Vec<_> =
         all.iter().enumerate().flat_map(|(k, a)| a.local.iter().enumerate().map(move |(axis, node)| (place(k, axis), *node))).collect();
-    let code = Kernel::emit(lowered, arguments, &[], &outputs).tokens;
+    let code = Kernel::emit(lowered, arguments, &outputs).tokens;
     method(all.iter().map(|a| (a.slot, a.is_point)).collect(), &code)
 }
 

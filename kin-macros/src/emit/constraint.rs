@@ -29,7 +29,7 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
     let trig = derived.trig(&lowered);
     let lanes = source.lanes.then(|| lanes::lanes(&source.name, &source.arguments, &lowered, &derived));
     let frame = Frame { trig, lanes, ..Frame::new(source, row_names, pattern) };
-    let kernels = functions::symbolic(&source.arguments, &lowered, &derived);
+    let kernels = functions::symbolic(&source.arguments, &mut lowered, &derived);
     let attachments = attachments::symbolic(&source.arguments, &lowered);
     let leaves: Vec<TokenStream> =
         lowered.leaves.iter().enumerate().map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items)).collect();

@@ -11,7 +11,7 @@ use crate::lower::Lowered;
 use crate::parse::Argument;
 
 /// `residual`, `jacobian`, `linearize`, `velocity_rhs`, `acceleration_rhs` and `not_finite`.
-pub fn symbolic(arguments: &[Argument], lowered: &Lowered, derived: &Derivatives) -> TokenStream {
+pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivatives) -> TokenStream {
     let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
     let (m, entries) = (literal(rows.len()), literal(derived.jacobian.len()));
     let place = |name: &str, k: usize| {
@@ -24,21 +24,19 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered, derived: &Derivatives
     let values: Vec<Node> = derived.jacobian.iter().map(|entry| entry.2).collect();
     let c_q = outputs("c_q", &values);
     let both: Vec<_> = c.iter().chain(&c_q).cloned().collect();
-
     let (rhs, q_d) = (outputs("rhs", &derived.velocity_rhs), outputs("q_d", &derived.acceleration_rhs));
     let all: Vec<Node> = both.iter().chain(&rhs).chain(&q_d).map(|output| output.1).collect();
     let timed = timed::select(lowered, &all);
-    let kernel = |outputs: &[(TokenStream, Node)]| Kernel::emit(lowered, arguments, &timed, outputs);
+    let mut kernel = |outputs: &[(TokenStream, Node)]| Kernel::scheduled(lowered, arguments, &timed, outputs);
     let residual = commented("C", kernel(&c));
-    let jacobian = commented("C_q", kernel(&c_q));
     let linearize = commented("C and C_q", kernel(&both));
     let right_side = commented("Q_d for t_dot = 1", kernel(&q_d));
-    let velocity = velocity(&m, kernel(&rhs), derived);
+    let velocity = (!rhs.is_empty()).then(|| kernel(&rhs));
+    let velocity = self::velocity(&m, velocity);
     let timed = timed::functions(lowered, &timed);
     let (constants, depends) = (constants(&lowered.graph, derived), depends(&lowered.graph, &rows, derived));
     let not_finite = not_finite(lowered, arguments, &derived.checks);
-    let ((residual_doc, residual), (jacobian_doc, jacobian)) = (residual, jacobian);
-    let ((linearize_doc, linearize), (right_doc, right_side)) = (linearize, right_side);
+    let ((residual_doc, residual), (linearize_doc, linearize), (right_doc, right_side)) = (residual, linearize, right_side);
     quote! {
         #constants
         #depends
@@ -48,11 +46,9 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered, derived: &Derivatives
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<#m>() else { return };
             #residual
         }
-        #[doc = #jacobian_doc]
-        #[inline]
+        #[doc = " C_q, and C on the way"]
         fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
-            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<#entries>() else { return };
-            #jacobian
+            self.linearize(at, &mut [0.0; #m], c_q);
         }
         #[doc = #linearize_doc]
         fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
@@ -107,14 +103,14 @@ fn commented(what: &str, code: Code) -> (String, TokenStream) {
 }
 
 /// −C_t; a constraint without time only clears the place.
-fn velocity(m: &Literal, code: Code, derived: &Derivatives) -> TokenStream {
-    if derived.velocity_rhs.is_empty() {
+fn velocity(m: &Literal, code: Option<Code>) -> TokenStream {
+    let Some(code) = code else {
         return quote! {
             fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
                 rhs.iter_mut().take(#m).for_each(|value| *value = 0.0);
             }
         };
-    }
+    };
     let (doc, code) = commented("−C_t", code);
     quote! {
         #[doc = #doc]
@@ -162,7 +158,7 @@ pub fn laws(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
             (quote!(x[#k]), *x)
         })
         .collect();
-    let code = Kernel::emit(lowered, arguments, &[], &outputs).tokens;
+    let code = Kernel::emit(lowered, arguments, &outputs).tokens;
     let shown = asked.iter().enumerate().map(|(k, (law, _))| {
         let (k, place) = (literal(k), super::template::place(&lowered.laws[*law]));
         let name = crate::lower::tidy(&place.to_string()).replace(' ', "");

@@ -1,14 +1,22 @@
 //! Straight-line code for some outputs of the graph: which nodes get a name, in which order, and how each is written.
 
-use std::collections::HashMap;
+mod evaluations;
+mod words;
+
+use std::collections::{HashMap, HashSet};
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
-use super::{template, timed};
-use crate::graph::{Comparison, Function, Function2, Graph, Input, LeafNumber, LeafUse, Node, Op, Part};
+pub use words::number;
+use words::{comparison_method, sign};
+
+use super::slots::{Slot, binding, slots};
+use super::timed;
+use crate::graph::{Function, Function2, Graph, Input, Node, Op, Part};
 use crate::lower::{Lowered, OpaqueKind};
-use crate::parse::{Argument, Kind};
+use crate::parse::Argument;
+use crate::schedule::{self, order};
 
 /// Nested this deep, an expression gets a name although it is used once.
 const DEEPEST: usize = 5;
@@ -32,29 +40,28 @@ pub struct Kernel<'a> {
     lowered: &'a Lowered,
     /// How each state argument is named, by its slot.
     slots: Vec<Slot>,
-    uses: HashMap<Node, usize>,
+    /// How often each node is used, by its number.
+    uses: Vec<usize>,
     /// What stands for a node that has a name.
     named: HashMap<Node, TokenStream>,
-    depth: HashMap<Node, usize>,
+    /// How deep the expression of each node without a name is, by its number.
+    depth: Vec<usize>,
     statements: Vec<TokenStream>,
     temporaries: usize,
     operations: usize,
     /// Evaluations of laws, opaque values and leaves that already have a name.
     evaluations: HashMap<String, Ident>,
-    /// Parts of states and rates that are read, by slot.
-    states: Vec<(usize, Part)>,
-    rates: Vec<(usize, Part)>,
+    /// Whether something is multiplied and added in one operation.
+    fused: bool,
+    /// Parts of states (true) and rates that are read, by slot.
+    read: HashSet<(usize, Part, bool)>,
     /// What is returned where states are missing.
     missing: TokenStream,
-    /// Nodes that were evaluated once a time, and whether they are read.
-    timed: &'a [Node],
+    /// Whether outputs are written one after the other, as they stand.
+    scheduled: bool,
+    /// How many numbers were evaluated once a time, and whether they are read.
+    timed: usize,
     reads_timed: bool,
-}
-
-/// One state argument in emitted code.
-struct Slot {
-    name: String,
-    kind: Kind,
 }
 
 /// The code, and how many arithmetic operations and function calls it makes.
@@ -64,9 +71,18 @@ pub struct Code {
 }
 
 impl<'a> Kernel<'a> {
-    /// Code that computes `outputs` and writes each to the place given with it; nodes in `timed` (sorted) were evaluated before.
-    pub fn emit(lowered: &'a Lowered, arguments: &[Argument], timed: &'a [Node], outputs: &[(TokenStream, Node)]) -> Code {
-        Kernel { timed, ..Kernel::new(lowered, arguments) }.write(outputs)
+    /// Code for `outputs` after the scheduler has had a look at it; nodes in `timed` (sorted) were evaluated before.
+    pub fn scheduled(lowered: &'a mut Lowered, arguments: &[Argument], timed: &[Node], outputs: &[(TokenStream, Node)]) -> Code {
+        let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
+        let nodes = timed::read(&mut lowered.graph, timed, &nodes);
+        let nodes = schedule::prepare(&mut lowered.graph, &nodes);
+        let outputs: Vec<_> = outputs.iter().zip(nodes).map(|((place, _), node)| (place.clone(), node)).collect();
+        Kernel { scheduled: true, timed: timed.len(), ..Kernel::new(lowered, arguments) }.write(&outputs)
+    }
+
+    /// Code that computes `outputs` and writes each to the place given with it.
+    pub fn emit(lowered: &'a Lowered, arguments: &[Argument], outputs: &[(TokenStream, Node)]) -> Code {
+        Kernel::new(lowered, arguments).write(outputs)
     }
 
     /// A kernel in which some nodes have a name already; what these are computed from is not looked at.
@@ -82,22 +98,32 @@ impl<'a> Kernel<'a> {
     /// Code that computes `outputs` and writes each to the place given with it, conditions as 1 or 0.
     pub fn write(mut self, outputs: &[(TokenStream, Node)]) -> Code {
         let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
-        self.name_all(&nodes);
-        let writes: Vec<TokenStream> = outputs
-            .iter()
-            .map(|(place, node)| {
-                let value = self.expression(*node);
-                if is_condition(self.lowered, *node) { quote!(#place = if #value { 1.0 } else { 0.0 };) } else { quote!(#place = #value;) }
-            })
-            .collect();
-        self.finish(quote!(#(#writes)*))
+        self.count_uses(&nodes);
+        let in_order = super::own("in_order");
+        let groups = order(self.graph(), &nodes, |node| self.named.contains_key(&node));
+        let fenced = self.scheduled && groups.len() > 1;
+        if fenced {
+            self.statements.push(quote!(let #in_order = ::kin::rt::in_order;));
+        }
+        for group in groups {
+            group.nodes.into_iter().for_each(|node| self.name(node));
+            let (place, node) = &outputs[group.output];
+            let value = self.expression(*node);
+            let value = if is_condition(self.lowered, *node) { quote!(if #value { 1.0 } else { 0.0 }) } else { value };
+            self.statements.push(quote!(#place = #value;));
+            if fenced && group.computes {
+                self.statements.push(quote!(#in_order();));
+            }
+        }
+        self.finish(quote!())
     }
 
     /// Code that returns the text of the first risk whose numbers are not all finite.
     pub fn emit_checks(lowered: &'a Lowered, arguments: &[Argument], checks: &[(String, Vec<Node>)]) -> Code {
         let mut kernel = Kernel { missing: quote!(::core::option::Option::None), ..Kernel::new(lowered, arguments) };
         let nodes: Vec<Node> = checks.iter().flat_map(|(_, nodes)| nodes.clone()).collect();
-        kernel.name_all(&nodes);
+        kernel.count_uses(&nodes);
+        kernel.graph().reachable(&nodes).into_iter().for_each(|node| kernel.name(node));
         let tests: Vec<TokenStream> = checks
             .iter()
             .map(|(text, nodes)| {
@@ -115,17 +141,18 @@ impl<'a> Kernel<'a> {
             lane_by_lane: HashMap::new(),
             lowered,
             slots,
-            uses: HashMap::new(),
+            uses: vec![0; lowered.graph.len()],
             named: HashMap::new(),
-            depth: HashMap::new(),
+            depth: vec![0; lowered.graph.len()],
             statements: Vec::new(),
             temporaries: 0,
             operations: 0,
             evaluations: HashMap::new(),
-            states: Vec::new(),
-            rates: Vec::new(),
+            fused: false,
+            read: HashSet::new(),
             missing: quote!(),
-            timed: &[],
+            scheduled: false,
+            timed: 0,
             reads_timed: false,
         }
     }
@@ -135,42 +162,50 @@ impl<'a> Kernel<'a> {
     }
 
     fn finish(self, outputs: TokenStream) -> Code {
-        let mut bindings = self.bindings();
-        bindings.extend(self.reads_timed.then(|| timed::binding(self.timed.len())));
+        let bindings = self.bindings();
+        let timed = self.reads_timed.then(|| timed::binding(self.timed));
         let statements = self.statements;
+        let fma = super::own("fma");
+        let fma = if self.fused { quote!(let #fma = ::kin::rt::fma;) } else { quote!() };
         let items = &self.lowered.items;
         let items = if items.is_empty() { quote!() } else { quote!(#(#[allow(unused)] #items)*) };
-        Code { tokens: quote!(#items #(#bindings)* #(#statements)* #outputs), operations: self.operations }
+        Code { tokens: quote!(#items #fma #timed #bindings #(#statements)* #outputs), operations: self.operations }
     }
 
-    /// The states and rates that are read, each number by a name.
-    fn bindings(&self) -> Vec<TokenStream> {
-        let (mut states, mut rates) = (Vec::new(), Vec::new());
-        for (k, slot) in self.slots.iter().enumerate() {
-            states.extend(slot.state_parts().into_iter().map(|part| self.states.contains(&(k, part)).then(|| slot.state(part))));
-            rates.extend(slot.columns().into_iter().map(|part| self.rates.contains(&(k, part)).then(|| slot.rate(part))));
+    /// The states and rates as arrays of known length, if any of their numbers is read.
+    fn bindings(&self) -> TokenStream {
+        let read = |states: bool| self.read.iter().any(|(_, _, state)| *state == states);
+        let states: usize = self.slots.iter().map(|slot| slot.state_parts().len()).sum();
+        let rates: usize = self.slots.iter().map(|slot| slot.columns().len()).sum();
+        let states = binding("state", quote!(at.states), states, read(true), &self.missing);
+        let rates = binding("rate", quote!(qd.columns), rates, read(false), &self.missing);
+        quote!(#states #rates)
+    }
+
+    /// The name of a number of a state or of the rates, read just before it is needed first: registers are few.
+    fn reading(&mut self, slot: usize, part: Part, of_state: bool) -> Ident {
+        let parts = |slot: &Slot| if of_state { slot.state_parts() } else { slot.columns() };
+        let name = if of_state { self.slots[slot].state(part) } else { self.slots[slot].rate(part) };
+        if self.read.insert((slot, part, of_state)) {
+            let first: usize = self.slots[..slot].iter().map(|slot| parts(slot).len()).sum();
+            let place = parts(&self.slots[slot]).iter().position(|&p| p == part).unwrap_or(0);
+            let place = Literal::usize_unsuffixed(first + place);
+            let source = super::own(if of_state { "state" } else { "rate" });
+            self.statements.push(quote!(let #name = #source[#place];));
         }
-        let (n, m) = (Literal::usize_unsuffixed(states.len()), Literal::usize_unsuffixed(rates.len()));
-        let states = binding(quote!(at.states::<#n>()), states, &self.missing);
-        let rates = binding(quote!(qd.columns::<#m>()), rates, &self.missing);
-        states.into_iter().chain(rates).collect()
+        name
     }
 
-    /// Gives a name to every node that needs one, operands first.
-    fn name_all(&mut self, outputs: &[Node]) {
-        let known = |node: Node| self.named.contains_key(&node) || self.timed.binary_search(&node).is_ok();
-        let order = self.graph().reachable_from(outputs, known);
-        let computed: Vec<Node> = order.iter().copied().filter(|&node| !known(node)).collect();
+    fn count_uses(&mut self, outputs: &[Node]) {
         for &node in outputs {
-            *self.uses.entry(node).or_default() += 1;
+            self.uses[node.index()] += 1;
         }
-        for node in computed {
-            for operand in self.graph().operands(node) {
-                *self.uses.entry(operand).or_default() += 1;
-            }
-        }
-        for node in order {
-            self.name(node);
+        let known = |node: Node| self.named.contains_key(&node);
+        let order: Vec<Node> = self.graph().reachable_from(outputs, known).into_iter().filter(|&node| !known(node)).collect();
+        for node in order.into_iter().rev() {
+            // Minus x is written out as often as it is used.
+            let times = if let Op::Neg(_) = self.graph().op(node) { self.uses[node.index()] } else { 1 };
+            self.graph().each_operand(node, |operand| self.uses[operand.index()] += times);
         }
     }
 
@@ -178,10 +213,9 @@ impl<'a> Kernel<'a> {
         if self.named.contains_key(&node) || self.is_leaf_of_expression(node) {
             return;
         }
-        if let Ok(k) = self.timed.binary_search(&node) {
-            let k = Literal::usize_unsuffixed(k);
-            self.reads_timed = true;
-            self.named.insert(node, quote!(timed[#k]));
+        if let Op::Neg(a) = self.graph().op(node) {
+            // A sign is written where it is needed: it belongs to the operation there.
+            self.depth[node.index()] = self.depth[a.index()];
             return;
         }
         if let Some(value) = self.evaluation(node) {
@@ -194,13 +228,13 @@ impl<'a> Kernel<'a> {
         {
             return;
         }
-        let depth = 1 + self.graph().operands(node).iter().map(|n| self.depth.get(n).copied().unwrap_or(0)).max().unwrap_or(0);
-        if self.uses[&node] > 1 || depth > DEEPEST {
+        let depth = 1 + self.graph().operands(node).iter().map(|n| self.depth[n.index()]).max().unwrap_or(0);
+        if self.uses[node.index()] > 1 || depth > DEEPEST {
             let value = self.written(node);
             let name = self.temporary(value);
             self.named.insert(node, quote!(#name));
         } else {
-            self.depth.insert(node, depth);
+            self.depth[node.index()] = depth;
         }
     }
 
@@ -217,7 +251,7 @@ impl<'a> Kernel<'a> {
 
     /// Sine and cosine of one angle are one call, where both are needed.
     fn pair(&mut self, angle: Node) -> bool {
-        let find = |f| self.graph().existing(Op::Call(f, angle)).filter(|n| self.uses.contains_key(n));
+        let find = |f| self.graph().existing(Op::Call(f, angle)).filter(|n| self.uses[n.index()] > 0);
         let (Some(sin), Some(cos)) = (find(Function::Sin), find(Function::Cos)) else { return false };
         let of = self.expression(angle);
         let (s, c) = (format!("s{}", self.temporaries), format!("c{}", self.temporaries));
@@ -242,7 +276,7 @@ impl<'a> Kernel<'a> {
         let simple = self.named.contains_key(&node)
             || match self.graph().op(node) {
                 Op::Constant(bits) => f64::from_bits(bits) >= 0.0,
-                Op::Input(_) | Op::Call(..) | Op::Call2(..) | Op::Powi(..) => {
+                Op::Input(_) | Op::Call(..) | Op::Call2(..) | Op::Powi(..) | Op::Fma(..) => {
                     !matches!(self.graph().op(node), Op::Call2(Function2::Rem, ..))
                 }
                 _ => false,
@@ -261,6 +295,11 @@ impl<'a> Kernel<'a> {
             Op::Sub(a, b) => self.infix(a, quote!(-), b),
             Op::Mul(a, b) => self.infix(a, quote!(*), b),
             Op::Div(a, b) => self.infix(a, quote!(/), b),
+            Op::Fma(a, b, c) => {
+                self.fused = true;
+                let (fma, a, b, c) = (super::own("fma"), self.expression(a), self.expression(b), self.expression(c));
+                quote!(#fma(#a, #b, #c))
+            }
             Op::And(a, b) => self.infix(a, if self.numbers == Numbers::Plain { quote!(&&) } else { quote!(&) }, b),
             Op::Or(a, b) => self.infix(a, if self.numbers == Numbers::Plain { quote!(||) } else { quote!(|) }, b),
             Op::Compare(comparison, a, b) if self.numbers == Numbers::Plain => self.infix(a, sign(comparison), b),
@@ -320,200 +359,15 @@ impl<'a> Kernel<'a> {
             Input::TimeRate => quote!(t_dot),
             Input::Variable => quote!(x),
             Input::Parameter(k) => self.lowered.parameters[k].clone(),
-            Input::State(slot, part) => {
-                self.states.push((slot, part));
-                let name = self.slots[slot].state(part);
-                quote!(#name)
+            Input::Timed(k) => {
+                self.reads_timed = true;
+                let k = Literal::usize_unsuffixed(k);
+                quote!(timed[#k])
             }
-            Input::Rate(slot, part) => {
-                self.rates.push((slot, part));
-                let name = self.slots[slot].rate(part);
-                quote!(#name)
-            }
+            Input::State(slot, part) => self.reading(slot, part, true).to_token_stream(),
+            Input::Rate(slot, part) => self.reading(slot, part, false).to_token_stream(),
         }
     }
-
-    /// Nodes that come out of an evaluation with several results: laws, opaque values, leaves.
-    fn evaluation(&mut self, node: Node) -> Option<TokenStream> {
-        if let Some(&(number, slot, count)) = self.lane_by_lane.get(&node) {
-            return Some(self.evaluated_lane_by_lane(node, number, slot, count));
-        }
-        match self.graph().op(node) {
-            Op::Law(law, x, order) => {
-                let law_place = template::place(&self.lowered.laws[law]);
-                let x_value = self.expression(x);
-                let key = format!("law {law} {x:?}");
-                let name = self.evaluated(key, "law", &quote!([f64; 4]), |_| quote!(#law_place.jet(#x_value)));
-                let order = Literal::usize_unsuffixed(usize::from(order));
-                Some(quote!(#name[#order]))
-            }
-            Op::Opaque(number, component) => {
-                let value = &self.lowered.opaques[number];
-                // The type is what the macro took the value for: where that is wrong, rustc says so at the user's token.
-                let ty = template::kind_type(&value.kind);
-                let ty = quote!(::kin::rt::If<__SOUND, #ty>);
-                let key = format!("opaque {number}");
-                let name = self.evaluated(key, "o", &ty, |kernel| template::plain(&value.template, &mut |n| kernel.expression(n)));
-                Some(template::component(&name, &value.kind, component))
-            }
-            Op::Leaf(of) => Some(self.leaf(of)),
-            _ => None,
-        }
-    }
-
-    /// One number of an evaluation that each lane makes by itself.
-    fn evaluated_lane_by_lane(&mut self, node: Node, number: usize, slot: usize, count: usize) -> TokenStream {
-        let inputs: Vec<TokenStream> = self
-            .graph()
-            .operands(node)
-            .into_iter()
-            .map(|input| {
-                let value = self.expression(input);
-                if is_condition(self.lowered, input) { quote!(::kin::rt::Mask::as_numbers(#value)) } else { value }
-            })
-            .collect();
-        let [n, m, k, slot] = [inputs.len(), count, number, slot].map(Literal::usize_unsuffixed);
-        let ty = quote!([::kin::rt::Wide<__S>; #m]);
-        let name = self.evaluated(format!("evaluation {number}"), "call", &ty, |_| quote!(at.evaluate::<#n, #m>(#k, [#(#inputs),*])));
-        if is_condition(self.lowered, node) { quote!(#name[#slot].is_true()) } else { quote!(#name[#slot]) }
-    }
-
-    /// The name of an evaluation of a type, the same one each time.
-    fn evaluated(&mut self, key: String, prefix: &str, ty: &TokenStream, value: impl FnOnce(&mut Self) -> TokenStream) -> Ident {
-        if let Some(name) = self.evaluations.get(&key) {
-            return name.clone();
-        }
-        self.operations += 1;
-        let name = Ident::new(&format!("{prefix}{}", self.evaluations.len()), Span::mixed_site());
-        let value = value(self);
-        self.statements.push(quote!(let #name: #ty = #value;));
-        self.evaluations.insert(key, name.clone());
-        name
-    }
-
-    fn leaf(&mut self, of: LeafUse) -> TokenStream {
-        let leaf = &self.lowered.leaves[of.leaf];
-        let function = template::leaf_name(of.leaf);
-        let arguments = self.graph().leaves[of.leaf].arguments.clone();
-        let directions = &self.graph().directions;
-        let (key, field) = match of.what {
-            LeafNumber::Value => (format!("leaf {} value", of.leaf), quote!(.0)),
-            LeafNumber::Partial(k) => (format!("leaf {} by {k}", of.leaf), quote!(.0.eps)),
-            LeafNumber::First(d) => (format!("leaf {} along {d}", of.leaf), quote!(.0.v1)),
-            LeafNumber::Second(d) => (format!("leaf {} along {d}", of.leaf), quote!(.0.v2)),
-        };
-        let scalar = match of.what {
-            LeafNumber::Value => quote!(::kin::rt::Real<f64>),
-            LeafNumber::Partial(_) => quote!(::kin::rt::Real<::kin::rt::Dual64>),
-            LeafNumber::First(_) | LeafNumber::Second(_) => quote!(::kin::rt::Real<::kin::rt::Dual2_64>),
-        };
-        let OpaqueKind::Numbers(shape) = &leaf.kind else { return quote!(f64::NAN) };
-        let name = self.evaluated(key, "leaf", &template::shape_type(shape, &scalar), |kernel| {
-            let values: Vec<TokenStream> = arguments
-                .iter()
-                .enumerate()
-                .map(|(k, &a)| {
-                    let x = kernel.expression(a);
-                    match of.what {
-                        LeafNumber::Value => quote!(::kin::rt::Real(#x)),
-                        LeafNumber::Partial(by) => {
-                            let seed = number(if by == k { 1.0 } else { 0.0 });
-                            quote!(::kin::rt::Real(::kin::rt::Dual64::new(#x, #seed)))
-                        }
-                        LeafNumber::First(d) | LeafNumber::Second(d) => {
-                            let (first, second) = (kernel.expression(directions[d].first[k]), kernel.expression(directions[d].second[k]));
-                            quote!(::kin::rt::Real(::kin::rt::Dual2_64::new(#x, #first, #second)))
-                        }
-                    }
-                })
-                .collect();
-            quote!(self.#function([#(#values),*]))
-        });
-        let component = template::component(&name, &leaf.kind, of.output);
-        quote!(#component #field)
-    }
-}
-
-impl Slot {
-    /// A name for each number of the state, in the order in which a constraint reads them.
-    fn state_parts(&self) -> Vec<Part> {
-        match self.kind {
-            Kind::Planar => vec![Part::R(0), Part::R(1), Part::Theta, Part::Sin, Part::Cos],
-            Kind::Spatial => {
-                let (r, p) = ((0..3).map(Part::R), (0..4).map(Part::P));
-                r.chain(p).chain((0..9).map(|k| Part::A(k / 3, k % 3))).collect()
-            }
-            _ => vec![Part::Theta, Part::Sin, Part::Cos],
-        }
-    }
-
-    /// The coordinates among them.
-    fn columns(&self) -> Vec<Part> {
-        self.state_parts().into_iter().filter(|part| !matches!(part, Part::Sin | Part::Cos | Part::A(..))).collect()
-    }
-
-    fn state(&self, part: Part) -> Ident {
-        let name = &self.name;
-        let bare = !matches!(self.kind, Kind::Planar | Kind::Spatial);
-        let text = match part {
-            Part::R(k) => format!("{name}_{}", ["x", "y", "z"][k]),
-            Part::Theta if bare => name.clone(),
-            Part::Theta => format!("{name}_theta"),
-            Part::Sin => format!("{name}_sin"),
-            Part::Cos => format!("{name}_cos"),
-            Part::P(k) => format!("{name}_e{k}"),
-            Part::A(r, c) => format!("{name}_a{}{}", r + 1, c + 1),
-        };
-        Ident::new(&text, Span::mixed_site())
-    }
-
-    fn rate(&self, part: Part) -> Ident {
-        Ident::new(&format!("{}_d", self.state(part)), Span::mixed_site())
-    }
-}
-
-/// `let [i_x, i_y, _, i_sin, i_cos, …] = …`: the numbers that are read, by name.
-fn binding(source: TokenStream, names: Vec<Option<Ident>>, missing: &TokenStream) -> Option<TokenStream> {
-    names.iter().any(Option::is_some).then(|| {
-        let places = names.iter().map(|name| name.as_ref().map_or(quote!(_), |name| quote!(#name)));
-        quote!(let ::core::option::Option::Some(&[#(#places),*]) = #source else { return #missing };)
-    })
-}
-
-/// The state arguments, one a slot, with names that nothing else in emitted code has.
-fn slots(arguments: &[Argument]) -> Vec<Slot> {
-    let plain = |argument: &Argument| argument.name.to_string().trim_start_matches("r#").to_owned();
-    let names: Vec<String> = arguments.iter().map(plain).collect();
-    let mut slots = Vec::new();
-    for (argument, name) in arguments.iter().zip(&names) {
-        let extends = |other: &String| name.strip_prefix(other.as_str()).is_some_and(|rest| rest.starts_with('_'));
-        let base = if is_taken(name) || names.iter().any(extends) { format!("{name}_arg") } else { name.clone() };
-        for k in 0..argument.kind.slots() {
-            let name = if matches!(argument.kind, Kind::Coords(_)) { format!("{base}_{k}") } else { base.clone() };
-            slots.push(Slot { name, kind: argument.kind.clone() });
-        }
-    }
-    slots
-}
-
-/// Names of the emitted functions' own arguments and temporaries, and keywords that came as raw identifiers.
-fn is_taken(name: &str) -> bool {
-    let prefix = name.trim_end_matches(|c: char| c.is_ascii_digit());
-    let temporary = prefix.len() < name.len() && matches!(prefix, "t" | "s" | "c" | "o" | "law" | "leaf" | "known" | "call");
-    let own = matches!(name, "at" | "qd" | "c" | "c_q" | "q_d" | "rhs" | "t_dot" | "x" | "f" | "timed" | "own");
-    temporary || own || syn::parse_str::<Ident>(name).is_err()
-}
-
-/// A number as a literal.
-pub fn number(value: f64) -> TokenStream {
-    if value.is_nan() {
-        return quote!(f64::NAN);
-    }
-    if value.is_infinite() {
-        return if value > 0.0 { quote!(f64::INFINITY) } else { quote!(f64::NEG_INFINITY) };
-    }
-    let size = Literal::f64_unsuffixed(value.abs());
-    if value < 0.0 { quote!(-#size) } else { quote!(#size) }
 }
 
 /// Whether a node is a condition and not a number.
@@ -522,27 +376,5 @@ pub fn is_condition(lowered: &Lowered, node: Node) -> bool {
         Op::Compare(..) | Op::And(..) | Op::Or(..) | Op::Not(_) | Op::Truth(_) => true,
         Op::Opaque(number, _) => lowered.opaques[number].kind == OpaqueKind::Condition,
         _ => false,
-    }
-}
-
-fn comparison_method(comparison: Comparison) -> &'static str {
-    match comparison {
-        Comparison::Less => "lt",
-        Comparison::LessEqual => "le",
-        Comparison::Greater => "gt",
-        Comparison::GreaterEqual => "ge",
-        Comparison::Equal => "equal",
-        Comparison::NotEqual => "differ",
-    }
-}
-
-fn sign(comparison: Comparison) -> TokenStream {
-    match comparison {
-        Comparison::Less => quote!(<),
-        Comparison::LessEqual => quote!(<=),
-        Comparison::Greater => quote!(>),
-        Comparison::GreaterEqual => quote!(>=),
-        Comparison::Equal => quote!(==),
-        Comparison::NotEqual => quote!(!=),
     }
 }

@@ -44,7 +44,7 @@ fn symbolic(source: &LawFn, mut lowered: Lowered) -> (TokenStream, Vec<TokenStre
             (quote!(f[#k]), node)
         })
         .collect();
-    let code = Kernel::emit(&lowered, &source.parameters, &[], &outputs).tokens;
+    let code = Kernel::emit(&lowered, &source.parameters, &outputs).tokens;
     let leaves =
         lowered.leaves.iter().enumerate().map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items)).collect();
     (quote!(let mut f = [0.0; 4]; #code f), leaves)

@@ -9,6 +9,7 @@ mod kernel;
 mod lanes;
 pub mod law;
 mod rewrite;
+mod slots;
 pub mod stand_in;
 mod template;
 mod timed;

@@ -5,7 +5,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::kernel::{Kernel, is_condition};
-use crate::graph::{Input, Node, Op};
+use crate::graph::{Graph, Input, Node, Op};
 use crate::lower::Lowered;
 
 /// Of what `outputs` need, the largest parts that depend on t and parameters alone and call a function. Conditions are computed where they
@@ -31,6 +31,23 @@ pub fn select(lowered: &Lowered, outputs: &[Node]) -> Vec<Node> {
     timed
 }
 
+/// The outputs with what was evaluated once a time read where it stands.
+pub fn read(g: &mut Graph, timed: &[Node], outputs: &[Node]) -> Vec<Node> {
+    if timed.is_empty() {
+        return outputs.to_vec();
+    }
+    let nodes = g.reachable_from(outputs, |node| timed.binary_search(&node).is_ok());
+    let mut read: Vec<Option<Node>> = vec![None; g.len()];
+    for node in nodes {
+        let built = match timed.binary_search(&node) {
+            Ok(k) => g.input(Input::Timed(k)),
+            Err(_) => g.with_operands(node, |operand| read[operand.index()].unwrap_or(operand)),
+        };
+        read[node.index()] = Some(built);
+    }
+    outputs.iter().map(|output| read[output.index()].unwrap_or(*output)).collect()
+}
+
 /// `n_timed` and `at_time`; nothing where there is nothing of the kind.
 pub fn functions(lowered: &Lowered, timed: &[Node]) -> TokenStream {
     if timed.is_empty() {
@@ -42,7 +59,7 @@ pub fn functions(lowered: &Lowered, timed: &[Node]) -> TokenStream {
         quote!(timed[#k])
     };
     let outputs: Vec<(TokenStream, Node)> = timed.iter().enumerate().map(|(k, &node)| (place(k), node)).collect();
-    let code = Kernel::emit(lowered, &[], &[], &outputs);
+    let code = Kernel::emit(lowered, &[], &outputs);
     let (doc, code) = (format!(" What depends on t and parameters alone: {} operations", code.operations), code.tokens);
     quote! {
         fn n_timed(&self) -> usize {

@@ -2,11 +2,14 @@
 //! while building. Nodes are numbered in order of creation; nothing depends on hash iteration.
 
 pub mod functions;
+#[cfg(test)]
+pub mod interpret;
 mod simplify;
 
 use std::collections::HashMap;
 
 pub use functions::{Function, Function2};
+pub use simplify::is_power_of_two;
 
 /// A scalar (or a condition) in a [`Graph`].
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
@@ -27,6 +30,8 @@ pub enum Input {
     Variable,
     /// A numeric parameter, by its number.
     Parameter(usize),
+    /// What was evaluated once a time, by its number; put in before the scheduler.
+    Timed(usize),
 }
 
 /// Part of a state. `R`, `Theta` and `P` are coordinates, the others depend on them. The value of a bare coordinate is its `Theta` too.
@@ -37,7 +42,6 @@ pub enum Part {
     P(usize),
     Sin,
     Cos,
-    A(usize, usize),
 }
 
 /// A coordinate of an argument: what C_q has a column for.
@@ -66,6 +70,8 @@ pub enum Op {
     Sub(Node, Node),
     Mul(Node, Node),
     Div(Node, Node),
+    /// a b + c, rounded once where the processor can; made by the scheduler only.
+    Fma(Node, Node, Node),
     Neg(Node),
     Call(Function, Node),
     Call2(Function2, Node, Node),
@@ -107,6 +113,8 @@ pub enum LeafNumber {
 /// A call of the user's generic function: its arguments that carry derivatives.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub struct Leaf {
+    /// Number of the call as the user wrote it.
+    pub call: usize,
     pub arguments: Vec<Node>,
 }
 
@@ -150,6 +158,17 @@ impl Depends {
     }
 }
 
+impl Node {
+    pub fn numbered(number: usize) -> Self {
+        Node(number as u32)
+    }
+
+    /// Its number: what it is computed from has smaller ones.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
 impl Graph {
     pub fn op(&self, node: Node) -> Op {
         self.ops[node.0 as usize]
@@ -180,9 +199,22 @@ impl Graph {
             Op::Neg(a) | Op::Call(_, a) | Op::Powi(a, _) | Op::Law(_, a, _) | Op::Not(a) => vec![a],
             Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) => vec![a, b],
             Op::Call2(_, a, b) | Op::Compare(_, a, b) | Op::And(a, b) | Op::Or(a, b) => vec![a, b],
-            Op::Select(c, a, b) => vec![c, a, b],
+            Op::Select(a, b, c) | Op::Fma(a, b, c) => vec![a, b, c],
             Op::Opaque(number, _) => self.opaques[number].clone(),
             Op::Leaf(LeafUse { leaf, what, .. }) => self.leaf_operands(leaf, what),
+        }
+    }
+
+    /// Shows the nodes that `node` is computed from, in their order.
+    pub fn each_operand(&self, node: Node, mut show: impl FnMut(Node)) {
+        match self.op(node) {
+            Op::Input(_) | Op::Constant(_) | Op::Truth(_) => {}
+            Op::Neg(a) | Op::Call(_, a) | Op::Powi(a, _) | Op::Law(_, a, _) | Op::Not(a) => show(a),
+            Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) => {
+                show(a);
+                show(b);
+            }
+            _ => self.operands(node).into_iter().for_each(show),
         }
     }
 
@@ -212,6 +244,51 @@ impl Graph {
         node
     }
 
+    /// The node of `op` as it stands, not simplified.
+    pub fn raw(&mut self, op: Op) -> Node {
+        self.intern(op)
+    }
+
+    /// The operation of `node` on other operands. Values of the user's own keep theirs: their text names them.
+    pub fn with_operands(&mut self, node: Node, of: impl Fn(Node) -> Node) -> Node {
+        let op = match self.op(node) {
+            op @ (Op::Input(_) | Op::Constant(_) | Op::Truth(_) | Op::Opaque(..)) => op,
+            Op::Neg(a) => Op::Neg(of(a)),
+            Op::Call(f, a) => Op::Call(f, of(a)),
+            Op::Powi(a, n) => Op::Powi(of(a), n),
+            Op::Law(law, a, order) => Op::Law(law, of(a), order),
+            Op::Not(a) => Op::Not(of(a)),
+            Op::Add(a, b) => Op::Add(of(a), of(b)),
+            Op::Sub(a, b) => Op::Sub(of(a), of(b)),
+            Op::Mul(a, b) => Op::Mul(of(a), of(b)),
+            Op::Div(a, b) => Op::Div(of(a), of(b)),
+            Op::Call2(f, a, b) => Op::Call2(f, of(a), of(b)),
+            Op::Compare(comparison, a, b) => Op::Compare(comparison, of(a), of(b)),
+            Op::And(a, b) => Op::And(of(a), of(b)),
+            Op::Or(a, b) => Op::Or(of(a), of(b)),
+            Op::Select(c, a, b) => Op::Select(of(c), of(a), of(b)),
+            Op::Fma(a, b, c) => Op::Fma(of(a), of(b), of(c)),
+            Op::Leaf(used) => Op::Leaf(self.leaf_with_operands(used, of)),
+        };
+        self.intern(op)
+    }
+
+    fn leaf_with_operands(&mut self, used: LeafUse, of: impl Fn(Node) -> Node) -> LeafUse {
+        let all = |nodes: &[Node]| nodes.iter().map(|&n| of(n)).collect::<Vec<Node>>();
+        let Leaf { call, arguments } = self.leaves[used.leaf].clone();
+        let leaf = self.leaf(call, all(&arguments));
+        let moved = |g: &mut Graph, k: usize| {
+            let Direction { first, second, .. } = g.directions[k].clone();
+            g.direction(Direction { leaf, first: all(&first), second: all(&second) })
+        };
+        let what = match used.what {
+            LeafNumber::First(k) => LeafNumber::First(moved(self, k)),
+            LeafNumber::Second(k) => LeafNumber::Second(moved(self, k)),
+            what => what,
+        };
+        LeafUse { leaf, what, ..used }
+    }
+
     /// The node of `op`, if there is one.
     pub fn existing(&self, op: Op) -> Option<Node> {
         self.index.get(&op).copied()
@@ -230,10 +307,13 @@ impl Graph {
         self.ops.len()
     }
 
-    /// A call of a generic function, known by its arguments that carry derivatives.
-    pub fn leaf(&mut self, arguments: Vec<Node>) -> usize {
-        self.leaves.push(Leaf { arguments });
-        self.leaves.len() - 1
+    /// A call of a generic function, known by its arguments that carry derivatives; the same number each time.
+    pub fn leaf(&mut self, call: usize, arguments: Vec<Node>) -> usize {
+        let leaf = Leaf { call, arguments };
+        self.leaves.iter().position(|known| *known == leaf).unwrap_or_else(|| {
+            self.leaves.push(leaf);
+            self.leaves.len() - 1
+        })
     }
 
     pub fn leaf_output(&mut self, leaf: usize, output: usize, what: LeafNumber) -> Node {
@@ -284,7 +364,7 @@ impl Graph {
         let mut open: Vec<Node> = outputs.to_vec();
         while let Some(node) = open.pop() {
             if !std::mem::replace(&mut seen[node.0 as usize], true) && !known(node) {
-                open.extend(self.operands(node));
+                self.each_operand(node, |operand| open.push(operand));
             }
         }
         (0..self.ops.len()).filter(|&k| seen[k]).map(|k| Node(k as u32)).collect()
@@ -302,6 +382,5 @@ fn coordinates_behind(part: Part) -> &'static [Part] {
         Part::P(1) => &[Part::P(1)],
         Part::P(2) => &[Part::P(2)],
         Part::P(_) => &[Part::P(3)],
-        Part::A(..) => &[Part::P(0), Part::P(1), Part::P(2), Part::P(3)],
     }
 }

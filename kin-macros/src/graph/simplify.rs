@@ -346,7 +346,8 @@ impl Graph {
     }
 }
 
-fn is_power_of_two(x: f64) -> bool {
+/// Whether multiplying by x only moves the exponent.
+pub fn is_power_of_two(x: f64) -> bool {
     x.is_normal() && x > 0.0 && x.to_bits() & ((1 << 52) - 1) == 0
 }
 

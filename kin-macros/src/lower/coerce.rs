@@ -238,7 +238,7 @@ impl Reader {
         let number = match self.leaf_index.get(&key) {
             Some(&number) => number,
             None => {
-                let number = self.graph.leaf(template.nodes());
+                let number = self.graph.leaf(self.leaves.len(), template.nodes());
                 self.leaves.push(OpaqueValue { template, kind });
                 self.leaf_index.insert(key, number);
                 number

@@ -10,6 +10,7 @@ mod function;
 mod method;
 mod operator;
 mod pattern;
+mod rotation;
 mod rows;
 mod scope;
 mod state;
@@ -146,6 +147,8 @@ struct Reader {
     leaves: Vec<OpaqueValue>,
     leaf_index: HashMap<String, usize>,
     risks: Vec<Risk>,
+    /// Rotation matrices, each with the Euler parameters that it is made of.
+    rotations: HashMap<Vec<Node>, Vec<Node>>,
     attachments: Vec<Attachment>,
     repeated_items: Vec<syn::Item>,
     /// Conditions of the branches around what is being read.
@@ -173,6 +176,7 @@ impl Reader {
             leaves: Vec::new(),
             leaf_index: HashMap::new(),
             risks: Vec::new(),
+            rotations: HashMap::new(),
             attachments: Vec::new(),
             repeated_items: Vec::new(),
             path: Vec::new(),

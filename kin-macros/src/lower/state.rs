@@ -27,7 +27,8 @@ impl Reader {
     /// A of a body, row by row.
     pub fn rotation(&mut self, slot: usize, dimension: usize) -> Vec<Node> {
         if dimension == 3 {
-            return (0..9).map(|k| self.part(slot, Part::A(k / 3, k % 3))).collect();
+            let p = self.euler_parameters(slot);
+            return self.rotation_of(&p);
         }
         let (sin, cos) = (self.part(slot, Part::Sin), self.part(slot, Part::Cos));
         vec![cos, self.graph.neg(sin), sin, cos]
@@ -67,6 +68,9 @@ impl Reader {
     }
 
     pub fn matrix_vector(&mut self, m: &[Node], v: &[Node]) -> Vec<Node> {
+        if let Some((p, back)) = self.known_rotation(m) {
+            return self.turned(&p, back, v);
+        }
         m.chunks(v.len()).map(|row| self.dot(row, v)).collect()
     }
 

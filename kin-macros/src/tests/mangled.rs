@@ -99,10 +99,10 @@ fn changed(tokens: TokenStream, place: &mut usize, change: &mut dyn FnMut(&mut V
 }
 
 /// Reproducible random numbers (SplitMix64).
-struct SplitMix(u64);
+pub struct SplitMix(pub u64);
 
 impl SplitMix {
-    fn below(&mut self, n: usize) -> usize {
+    pub fn below(&mut self, n: usize) -> usize {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);

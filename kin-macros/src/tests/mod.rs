@@ -2,7 +2,7 @@
 
 mod attributes;
 mod golden;
-mod mangled;
+pub mod mangled;
 mod messages;
 mod pathological;
 

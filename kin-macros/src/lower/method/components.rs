@@ -170,23 +170,6 @@ impl Reader {
             },
         })
     }
-
-    /// A = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ
-    fn rotation_of(&mut self, p: &[Node]) -> Vec<Node> {
-        let (one, two) = (self.graph.constant(1.0), self.graph.constant(2.0));
-        let entry = |g: &mut Graph, row: usize, column: usize| {
-            if row == column {
-                let (scalar, axis) = (g.mul(p[0], p[0]), g.mul(p[row + 1], p[row + 1]));
-                let sum = g.add(scalar, axis);
-                let double = g.mul(two, sum);
-                return g.sub(double, one);
-            }
-            let (outer, turn) = (g.mul(p[row + 1], p[column + 1]), g.mul(p[0], p[4 - row - column]));
-            let sum = if column == (row + 1) % 3 { g.sub(outer, turn) } else { g.add(outer, turn) };
-            g.mul(two, sum)
-        };
-        (0..9).map(|k| entry(&mut self.graph, k / 3, k % 3)).collect()
-    }
 }
 
 fn vector_cure(name: &str) -> &'static str {

@@ -1,0 +1,110 @@
+//! Laws, opaque values and leaves: one evaluation gives several numbers.
+
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::quote;
+
+use super::{Kernel, is_condition, number};
+use crate::emit::template;
+use crate::graph::{Leaf, LeafNumber, LeafUse, Node, Op};
+use crate::lower::OpaqueKind;
+
+impl Kernel<'_> {
+    /// Nodes that come out of an evaluation with several results: laws, opaque values, leaves.
+    pub(super) fn evaluation(&mut self, node: Node) -> Option<TokenStream> {
+        if let Some(&(number, slot, count)) = self.lane_by_lane.get(&node) {
+            return Some(self.evaluated_lane_by_lane(node, number, slot, count));
+        }
+        match self.graph().op(node) {
+            Op::Law(law, x, order) => {
+                let law_place = template::place(&self.lowered.laws[law]);
+                let x_value = self.expression(x);
+                let key = format!("law {law} {x:?}");
+                let name = self.evaluated(key, "law", &quote!([f64; 4]), |_| quote!(#law_place.jet(#x_value)));
+                let order = Literal::usize_unsuffixed(usize::from(order));
+                Some(quote!(#name[#order]))
+            }
+            Op::Opaque(number, component) => {
+                let value = &self.lowered.opaques[number];
+                // The type is what the macro took the value for: where that is wrong, rustc says so at the user's token.
+                let ty = template::kind_type(&value.kind);
+                let ty = quote!(::kin::rt::If<__SOUND, #ty>);
+                let key = format!("opaque {number}");
+                let name = self.evaluated(key, "o", &ty, |kernel| template::plain(&value.template, &mut |n| kernel.expression(n)));
+                Some(template::component(&name, &value.kind, component))
+            }
+            Op::Leaf(of) => Some(self.leaf(of)),
+            _ => None,
+        }
+    }
+
+    /// One number of an evaluation that each lane makes by itself.
+    fn evaluated_lane_by_lane(&mut self, node: Node, number: usize, slot: usize, count: usize) -> TokenStream {
+        let inputs: Vec<TokenStream> = self
+            .graph()
+            .operands(node)
+            .into_iter()
+            .map(|input| {
+                let value = self.expression(input);
+                if is_condition(self.lowered, input) { quote!(::kin::rt::Mask::as_numbers(#value)) } else { value }
+            })
+            .collect();
+        let [n, m, k, slot] = [inputs.len(), count, number, slot].map(Literal::usize_unsuffixed);
+        let ty = quote!([::kin::rt::Wide<__S>; #m]);
+        let name = self.evaluated(format!("evaluation {number}"), "call", &ty, |_| quote!(at.evaluate::<#n, #m>(#k, [#(#inputs),*])));
+        if is_condition(self.lowered, node) { quote!(#name[#slot].is_true()) } else { quote!(#name[#slot]) }
+    }
+
+    /// The name of an evaluation of a type, the same one each time.
+    fn evaluated(&mut self, key: String, prefix: &str, ty: &TokenStream, value: impl FnOnce(&mut Self) -> TokenStream) -> Ident {
+        if let Some(name) = self.evaluations.get(&key) {
+            return name.clone();
+        }
+        self.operations += 1;
+        let name = Ident::new(&format!("{prefix}{}", self.evaluations.len()), Span::mixed_site());
+        let value = value(self);
+        self.statements.push(quote!(let #name: #ty = #value;));
+        self.evaluations.insert(key, name.clone());
+        name
+    }
+
+    fn leaf(&mut self, of: LeafUse) -> TokenStream {
+        let Leaf { call, arguments } = self.graph().leaves[of.leaf].clone();
+        let (leaf, function) = (&self.lowered.leaves[call], template::leaf_name(call));
+        let directions = &self.graph().directions;
+        let (key, field) = match of.what {
+            LeafNumber::Value => (format!("leaf {} value", of.leaf), quote!(.0)),
+            LeafNumber::Partial(k) => (format!("leaf {} by {k}", of.leaf), quote!(.0.eps)),
+            LeafNumber::First(d) => (format!("leaf {} along {d}", of.leaf), quote!(.0.v1)),
+            LeafNumber::Second(d) => (format!("leaf {} along {d}", of.leaf), quote!(.0.v2)),
+        };
+        let scalar = match of.what {
+            LeafNumber::Value => quote!(::kin::rt::Real<f64>),
+            LeafNumber::Partial(_) => quote!(::kin::rt::Real<::kin::rt::Dual64>),
+            LeafNumber::First(_) | LeafNumber::Second(_) => quote!(::kin::rt::Real<::kin::rt::Dual2_64>),
+        };
+        let OpaqueKind::Numbers(shape) = &leaf.kind else { return quote!(f64::NAN) };
+        let name = self.evaluated(key, "leaf", &template::shape_type(shape, &scalar), |kernel| {
+            let values: Vec<TokenStream> = arguments
+                .iter()
+                .enumerate()
+                .map(|(k, &a)| {
+                    let x = kernel.expression(a);
+                    match of.what {
+                        LeafNumber::Value => quote!(::kin::rt::Real(#x)),
+                        LeafNumber::Partial(by) => {
+                            let seed = number(if by == k { 1.0 } else { 0.0 });
+                            quote!(::kin::rt::Real(::kin::rt::Dual64::new(#x, #seed)))
+                        }
+                        LeafNumber::First(d) | LeafNumber::Second(d) => {
+                            let (first, second) = (kernel.expression(directions[d].first[k]), kernel.expression(directions[d].second[k]));
+                            quote!(::kin::rt::Real(::kin::rt::Dual2_64::new(#x, #first, #second)))
+                        }
+                    }
+                })
+                .collect();
+            quote!(self.#function([#(#values),*]))
+        });
+        let component = template::component(&name, &leaf.kind, of.output);
+        quote!(#component #field)
+    }
+}

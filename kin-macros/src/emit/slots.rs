@@ -1,0 +1,83 @@
+//! State arguments in emitted code: the names of their numbers, and where they are read.
+
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::quote;
+
+use crate::graph::Part;
+use crate::parse::{Argument, Kind};
+
+/// One state argument in emitted code.
+pub struct Slot {
+    name: String,
+    kind: Kind,
+}
+
+impl Slot {
+    /// A name for each number of the state, in the order in which a constraint reads them.
+    pub fn state_parts(&self) -> Vec<Part> {
+        match self.kind {
+            Kind::Planar => vec![Part::R(0), Part::R(1), Part::Theta, Part::Sin, Part::Cos],
+            Kind::Spatial => {
+                let (r, p) = ((0..3).map(Part::R), (0..4).map(Part::P));
+                r.chain(p).collect()
+            }
+            _ => vec![Part::Theta, Part::Sin, Part::Cos],
+        }
+    }
+
+    /// The coordinates among them.
+    pub fn columns(&self) -> Vec<Part> {
+        self.state_parts().into_iter().filter(|part| !matches!(part, Part::Sin | Part::Cos)).collect()
+    }
+
+    pub fn state(&self, part: Part) -> Ident {
+        let name = &self.name;
+        let bare = !matches!(self.kind, Kind::Planar | Kind::Spatial);
+        let text = match part {
+            Part::R(k) => format!("{name}_{}", ["x", "y", "z"][k]),
+            Part::Theta if bare => name.clone(),
+            Part::Theta => format!("{name}_theta"),
+            Part::Sin => format!("{name}_sin"),
+            Part::Cos => format!("{name}_cos"),
+            Part::P(k) => format!("{name}_e{k}"),
+        };
+        Ident::new(&text, Span::mixed_site())
+    }
+
+    pub fn rate(&self, part: Part) -> Ident {
+        Ident::new(&format!("{}_d", self.state(part)), Span::mixed_site())
+    }
+}
+
+/// `let Some(state) = at.states::<10>() else { return };`
+pub fn binding(name: &str, source: TokenStream, length: usize, is_read: bool, missing: &TokenStream) -> TokenStream {
+    let (name, length) = (super::own(name), Literal::usize_unsuffixed(length));
+    if is_read { quote!(let ::core::option::Option::Some(#name) = #source::<#length>() else { return #missing };) } else { quote!() }
+}
+
+/// The state arguments, one a slot, with names that nothing else in emitted code has.
+pub fn slots(arguments: &[Argument]) -> Vec<Slot> {
+    let plain = |argument: &Argument| argument.name.to_string().trim_start_matches("r#").to_owned();
+    let names: Vec<String> = arguments.iter().map(plain).collect();
+    let mut slots = Vec::new();
+    for (argument, name) in arguments.iter().zip(&names) {
+        let extends = |other: &String| name.strip_prefix(other.as_str()).is_some_and(|rest| rest.starts_with('_'));
+        let base = if is_taken(name) || names.iter().any(extends) { format!("{name}_arg") } else { name.clone() };
+        for k in 0..argument.kind.slots() {
+            let name = if matches!(argument.kind, Kind::Coords(_)) { format!("{base}_{k}") } else { base.clone() };
+            slots.push(Slot { name, kind: argument.kind.clone() });
+        }
+    }
+    slots
+}
+
+/// Names of the emitted functions' own arguments and temporaries, and keywords that came as raw identifiers.
+fn is_taken(name: &str) -> bool {
+    let prefix = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    let temporary = prefix.len() < name.len() && matches!(prefix, "t" | "s" | "c" | "o" | "law" | "leaf" | "known" | "call");
+    let own = matches!(
+        name,
+        "at" | "qd" | "c" | "c_q" | "q_d" | "rhs" | "t_dot" | "x" | "f" | "timed" | "own" | "state" | "rate" | "fma" | "in_order"
+    );
+    temporary || own || syn::parse_str::<Ident>(name).is_err()
+}
