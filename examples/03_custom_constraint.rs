@@ -1,7 +1,7 @@
 //! A joint nobody ships, declared, checked and used: a pin in a parabolic slot. Lengths in m, angles in rad, time in s.
 //!
 //! What to see: the slot is milled into a disc that a motor turns; the pin sits at the end of an arm and is dragged round by it, slowly and
-//! then quickly: a quick-return drive. The constraint is nine lines of this file, and the slot on the page comes from it. Copy this one.
+//! then quickly: a quick-return drive. The constraint is five lines of this file, and the slot on the page comes from it. Copy this one.
 //!
 //! `cargo run --release --example 03_custom_constraint`
 

@@ -57,7 +57,7 @@ fn main() -> kin::Result<()> {
 
     // 3. Motion: what the motors would have to do.
     let system = m.build()?;
-    let mut motion = system.run(linspace(0.0, SECONDS, 1201))?;
+    let mut motion = system.run(linspace(0.0, SECONDS, 10_001))?;
     let (shoulder, elbow) = (motion.coordinate(upper.theta()), motion.coordinate(fore.theta()));
     let relative: Vec<f64> = elbow.value.values().iter().zip(shoulder.value.values()).map(|(fore, upper)| fore - upper).collect();
     println!("{}", motion.summary());

@@ -14,7 +14,7 @@ const OUT: &str = "out/13_stewart_platform";
 
 /// Six points on a circle in pairs: `spread` on either side of each third of a turn, which begin at `first`.
 fn hexagon(radius: f64, first: f64, spread: f64) -> Vec<Vec3> {
-    let angle = |k: usize| first + TAU / 3.0 * (k / 2) as f64 + if k % 2 == 0 { -spread } else { spread };
+    let angle = |k: usize| first + TAU / 3.0 * (k / 2) as f64 + if k % 2 == 1 { spread } else { -spread };
     (0..6).map(angle).map(|a| vec3(radius * a.cos(), radius * a.sin(), 0.0)).collect()
 }
 

@@ -42,5 +42,7 @@ fn described(program: &str) -> (String, String) {
     let title = comment.first().and_then(|line| line.split_once(". ").map_or(Some(*line), |(first, _)| Some(first)));
     let paragraphs = comment.split(|line| line.is_empty()).map(|lines| lines.join(" "));
     let text = paragraphs.filter_map(|text| text.strip_prefix("What to see: ").map(String::from)).next();
-    (title.unwrap_or_default().trim_end_matches('.').to_string(), text.unwrap_or_default())
+    let mut letters = text.unwrap_or_default().chars().collect::<Vec<_>>();
+    letters.first_mut().into_iter().for_each(|first| *first = first.to_uppercase().next().unwrap_or(*first));
+    (title.unwrap_or_default().trim_end_matches('.').to_string(), letters.into_iter().collect())
 }

@@ -5,7 +5,7 @@
 // Each folder with a page (index.html) also has the motion it shows (motion.csv). What a page draws under a name is compared with the
 // columns NAME.x and NAME.y (and NAME.z) of that file.
 import assert from "node:assert/strict";
-import { existsSync, readFileSync, readdirSync } from "node:fs";
+import { existsSync, readFileSync, readdirSync, statSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
@@ -124,6 +124,7 @@ const checkPage = async (browser, folder) => {
     await page.waitForTimeout(50);
     assert.notEqual(await picture(page), stopped, "the wheel comes nearer");
     if (await page.evaluate(() => document.getElementById("stage").classList.contains("spatial"))) await orbit(page);
+    if (last >= 10_000) await smooth(page, join(folder, "index.html"));
     const chart = await page.$("#charts figure svg");
     if (chart) await dragChart(page, chart, last);
     assert.deepEqual(faults, []);
@@ -146,6 +147,22 @@ const orbit = async (page) => {
   await page.mouse.move(x + 60, y + 20, { steps: 3 });
   await page.mouse.up();
   assert.notEqual(await axes(), before, "dragging goes round a spatial mechanism");
+};
+
+// Many frames are drawn as fast as a screen shows them, and the file stays small.
+const smooth = async (page, file) => {
+  const bytes = statSync(file).size;
+  assert.ok(bytes < 400_000, `${bytes} bytes`);
+  const each = await page.evaluate(() => {
+    const slider = document.getElementById("slider"), from = performance.now(), count = 200;
+    for (let k = 0; k < count; k++) {
+      slider.value = Math.round((Number(slider.max) * k) / count);
+      slider.dispatchEvent(new Event("input", { bubbles: true }));
+      document.getElementById("stage").getBoundingClientRect();
+    }
+    return (performance.now() - from) / count;
+  });
+  assert.ok(each < 16, `${each} ms for one frame`);
 };
 
 const dragChart = async (page, chart, last) => {

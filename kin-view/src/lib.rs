@@ -10,12 +10,14 @@ mod drawing;
 mod figure;
 mod file;
 mod gallery;
+mod map;
 mod page;
 mod picture;
 mod scene;
 
 pub use figure::{Figure, Panel};
 pub use gallery::Gallery;
+pub use map::Map;
 pub use page::Page;
 pub use picture::Picture;
 pub use scene::{Body, Outline, Point, Scene};

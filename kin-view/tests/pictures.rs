@@ -6,7 +6,7 @@ use kin::joints::drivers::{drive, drive_angle, drive_distance};
 use kin::joints::planar::{prismatic, revolute};
 use kin::joints::spatial::spherical;
 use kin::*;
-use kin_view::{Figure, Outline, Panel, Scene};
+use kin_view::{Figure, Map, Outline, Panel, Scene};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
@@ -254,11 +254,52 @@ fn a_picture_is_the_same_in_millimetres_and_kilometres() -> Result<()> {
 }
 
 #[test]
+fn a_map_leaves_blank_what_is_not_known() {
+    let values = (0..60).map(|k| if k == 17 { f64::NAN } else { f64::from(k % 10) });
+    let map = Map::new("<map>", "swing [°]").along_x("b [m]", 1.0, 2.0, 10).along_y("c [m]", 1.0, 1.5, 6).values(values);
+    let svg = map.svg();
+    let cells: usize = attributes(&parsed(&svg), "path", "d")
+        .iter()
+        .flat_map(|d| d.split('h').skip(1).step_by(2))
+        .filter_map(|run| run.split('v').next()?.parse::<usize>().ok())
+        .sum();
+    assert_eq!(cells, 59, "each known cell once");
+    parsed(&Map::new("empty", "").svg());
+    parsed(&Map::new("one value", "").along_x("", 0.0, 1.0, 2).along_y("", 0.0, 1.0, 1).values([3.0, f64::INFINITY]).svg());
+}
+
+#[test]
 fn a_motion_of_another_mechanism_is_an_error() -> Result<()> {
     let (system, _) = four_bar("one", 1.0)?;
     let (other, _) = four_bar("other", 1.0)?;
     let motion = other.run(linspace(0.0, 1.0, 5))?;
     assert!(matches!(Scene::new(&system).pose(&motion, 0.0), Err(Error::ForeignBody { .. })));
     assert!(matches!(Scene::new(&system).page(&motion).err(), Some(Error::ForeignBody { .. })));
+    Ok(())
+}
+
+#[cfg(feature = "png")]
+#[test]
+fn a_picture_called_png_is_one() -> Result<()> {
+    let (system, coupler) = four_bar("four-bar", 1.0)?;
+    let motion = system.run(linspace(0.0, 1.0, 41))?;
+    let folder = std::env::temp_dir().join(format!("kin-png-{}", std::process::id()));
+    let scene = Scene::new(&system).trace("P", coupler, vec2(0.2, 1.4));
+    scene.pose(&motion, 0.2)?.save(folder.join("pose.png"))?;
+    Figure::of_coordinate("rocker", &motion.named("rocker.theta")?).save(folder.join("rocker.PNG"))?;
+    for name in ["pose.png", "rocker.PNG"] {
+        let bytes = std::fs::read(folder.join(name)).unwrap();
+        assert!(bytes.starts_with(b"\x89PNG\r\n") && bytes.len() > 5_000, "{name}: {} bytes", bytes.len());
+    }
+    std::fs::remove_dir_all(&folder).unwrap();
+    Ok(())
+}
+
+#[cfg(not(feature = "png"))]
+#[test]
+fn without_the_feature_a_png_is_refused_with_its_cure() -> Result<()> {
+    let (system, _) = four_bar("four-bar", 1.0)?;
+    let error = Scene::new(&system).pose(&system.run([0.0])?, 0.0)?.save("pose.png").unwrap_err().to_string();
+    assert!(error.contains("pose.png") && error.contains("the feature `png` of kin-view"), "{error}");
     Ok(())
 }

@@ -224,7 +224,13 @@ impl Drawing {
     /// Marks a point, unless one is marked that is always there; a support takes the place of a pin.
     fn mark(&mut self, samples: &Samples, name: &str, point: (usize, Vec3), grounded: bool) {
         match self.marks.iter_mut().find(|mark| samples.together((mark.track, mark.local), point)) {
-            Some(mark) => mark.grounded |= grounded,
+            Some(mark) => {
+                mark.grounded |= grounded;
+                // The pin is drawn with the upper one of its bodies.
+                if point.0 > mark.track {
+                    (mark.track, mark.local) = point;
+                }
+            }
             None => {
                 self.marks.push(Mark { name: name.to_string(), track: point.0, local: point.1, color: ROD.to_string(), grounded });
             }

@@ -30,21 +30,20 @@ pub(super) fn animated(drawing: &Drawing, seconds: f64) -> String {
             trace.color
         ));
     }
-    for shape in drawing.shapes.iter().filter(|shape| shape.track != 0) {
-        svg.push(&animation.shape(shape));
+    let lines = drawing.lines.iter().map(|line| {
+        let style = format!("fill=\"none\" stroke=\"{}\" stroke-width=\"3.5\"", line.color);
+        animation.points(&line.points, &style, "polyline")
+    });
+    lines.for_each(|line| svg.push(&line));
+    for track in 1..drawing.tracks.len() {
+        svg.push(&animation.track(track));
     }
-    for line in &drawing.lines {
-        svg.push(&animation.points(&line.points, &format!("fill=\"none\" stroke=\"{}\" stroke-width=\"3.5\"", line.color), "polyline"));
-    }
-    for mark in &drawing.marks {
+    for mark in drawing.marks.iter().filter(|mark| animation.stands(mark)) {
+        let p = animation.at(mark.track, mark.local, 0);
         if mark.grounded && drawing.planar {
-            let p = animation.at(mark.track, mark.local, 0);
             svg.push(&format!("<g class=\"s\" transform=\"translate({} {})\">{SUPPORT}</g>", short(p.x), short(p.y)));
         }
-        svg.push(&animation.mark(mark, "class=\"p\" r=\"4\""));
-    }
-    for trace in &drawing.traces {
-        svg.push(&animation.mark(trace, &format!("r=\"3\" fill=\"{}\"", trace.color)));
+        svg.push(&dot(p, PIN));
     }
     svg.finish()
 }
@@ -83,26 +82,54 @@ impl Animation<'_> {
         self.poses.iter().map(|&k| value(k)).collect::<Vec<_>>().join(";")
     }
 
-    fn shape(&self, shape: &Shape) -> String {
-        let Track::Planar([_, _, theta]) = &self.drawing.tracks[shape.track] else {
-            let all: Vec<_> = shape.points.iter().map(|p| (shape.track, *p)).collect();
-            let (style, tag) = match shape.style {
-                Style::Plate => (format!("fill=\"{0}\" fill-opacity=\".28\" stroke=\"{0}\" stroke-width=\"1.6\"", shape.color), "polygon"),
-                _ => (format!("fill=\"none\" stroke=\"{}\" stroke-width=\"6\"", shape.color), "polyline"),
-            };
-            return self.points(&all, &style, tag);
+    /// Whether a mark needs no keyframes.
+    fn stands(&self, mark: &Mark) -> bool {
+        mark.grounded || mark.track == 0
+    }
+
+    /// All that moves with a track, with its moving marks on top.
+    fn track(&self, track: usize) -> String {
+        let drawing = self.drawing;
+        let shapes = || drawing.shapes.iter().filter(|shape| shape.track == track);
+        let marks = drawing.marks.iter().filter(|mark| mark.track == track && !self.stands(mark)).map(|mark| (mark, PIN.to_string()));
+        let traces = drawing.traces.iter().filter(|trace| trace.track == track);
+        let marks: Vec<(&Mark, String)> = marks.chain(traces.map(|trace| (trace, format!("r=\"3\" fill=\"{}\"", trace.color)))).collect();
+        let Track::Planar([_, _, theta]) = &drawing.tracks[track] else {
+            return shapes().map(|shape| self.shape(shape)).chain(marks.iter().map(|(mark, style)| self.mark(mark, style))).collect();
         };
-        let scale = (self.view.point(Vec3::x()) - self.view.point(Vec3::new(0.0, 0.0, 0.0))).norm();
-        let local: Vec<Vec2> = shape.points.iter().map(|p| flipped(vec2(p.x, p.y), scale)).collect();
         let mut inner = Svg::piece();
-        shape_of(&local, shape.style, &shape.color, &mut inner);
-        let origin = |k: usize| self.at(shape.track, Vec3::new(0.0, 0.0, 0.0), k);
-        let moved = self.values(|k| format!("{:.1} {:.1}", origin(k).x, origin(k).y));
-        let turned = self.values(|k| format!("{:.1}", -theta.get(k).copied().unwrap_or(0.0).to_degrees()));
+        let local = |p: &Vec3| flipped(vec2(p.x, p.y), self.scale());
+        for shape in shapes() {
+            shape_of(&shape.points.iter().map(local).collect::<Vec<Vec2>>(), shape.style, &shape.color, &mut inner);
+        }
+        for (mark, style) in &marks {
+            inner.push(&dot(local(&mark.local), style));
+        }
+        if inner.text.is_empty() {
+            return String::new();
+        }
+        let origin = |k: usize| self.at(track, Vec3::new(0.0, 0.0, 0.0), k);
+        let moved = self.values(|k| format!("{} {}", tenth(origin(k).x), tenth(origin(k).y)));
+        let turned = self.values(|k| tenth(-theta.get(k).copied().unwrap_or(0.0).to_degrees()));
         let change = |kind: &str, values: &str, more: &str| {
             format!("<animateTransform attributeName=\"transform\" type=\"{kind}\" values=\"{values}\" {}{more}/>", self.clock)
         };
         format!("<g>{}{}{}</g>", inner.text.trim_end(), change("translate", &moved, ""), change("rotate", &turned, " additive=\"sum\""))
+    }
+
+    /// Pixels a metre.
+    fn scale(&self) -> f64 {
+        (self.view.point(Vec3::x()) - self.view.point(Vec3::new(0.0, 0.0, 0.0))).norm()
+    }
+
+    /// A shape of a spatial body: its corners move one by one.
+    fn shape(&self, shape: &Shape) -> String {
+        let all: Vec<_> = shape.points.iter().map(|p| (shape.track, *p)).collect();
+        let (style, tag) = match shape.style {
+            Style::Plate => (format!("fill=\"{0}\" fill-opacity=\".28\" stroke=\"{0}\" stroke-width=\"1.6\"", shape.color), "polygon"),
+            _ => (format!("fill=\"none\" stroke=\"{}\" stroke-width=\"6\"", shape.color), "polyline"),
+        };
+        self.points(&all, &style, tag)
     }
 
     /// A line or shape whose corners move one by one.
@@ -121,15 +148,21 @@ impl Animation<'_> {
 
     fn mark(&self, mark: &Mark, style: &str) -> String {
         let at = |k: usize| self.at(mark.track, mark.local, k);
-        let first = at(self.poses[0]);
-        let still = mark.grounded || mark.track == 0;
-        let change = |name: &str, pick: fn(Vec2) -> f64| match still {
-            true => String::new(),
-            false => {
-                format!("<animate attributeName=\"{name}\" values=\"{}\" {}/>", self.values(|k| format!("{:.1}", pick(at(k)))), self.clock)
-            }
+        let change = |name: &str, pick: fn(Vec2) -> f64| {
+            format!("<animate attributeName=\"{name}\" values=\"{}\" {}/>", self.values(|k| tenth(pick(at(k)))), self.clock)
         };
-        let (x, y) = (change("cx", |p| p.x), change("cy", |p| p.y));
-        format!("<circle cx=\"{}\" cy=\"{}\" {style}>{x}{y}</circle>", short(first.x), short(first.y))
+        format!("<circle {style}>{}{}</circle>", change("cx", |p| p.x), change("cy", |p| p.y))
     }
+}
+
+/// How a pin looks.
+const PIN: &str = "class=\"p\" r=\"4\"";
+
+fn dot(p: Vec2, style: &str) -> String {
+    format!("<circle cx=\"{}\" cy=\"{}\" {style}/>", short(p.x), short(p.y))
+}
+
+/// One digit after the point, which nobody can see.
+fn tenth(x: f64) -> String {
+    short((x * 10.0).round() / 10.0)
 }

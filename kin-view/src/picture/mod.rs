@@ -6,13 +6,13 @@ mod view;
 
 use std::path::Path;
 
-use kin::{Motion, Result};
+use kin::{Motion, Result, Vec3};
 
 use crate::drawing::{Drawing, Mark, Style};
 use crate::file;
 use crate::scene::Scene;
 use svg::Svg;
-pub(crate) use svg::escaped;
+pub(crate) use svg::{escaped, short};
 use view::View;
 
 /// A picture of a mechanism, to be saved.
@@ -103,20 +103,22 @@ fn ground(drawing: &Drawing, view: &View, svg: &mut Svg) {
 /// What moves, as it stands at time k; in space the farther first.
 fn moving(drawing: &Drawing, view: &View, k: usize, svg: &mut Svg) {
     let frames: Vec<_> = drawing.tracks.iter().map(|track| track.frame(k)).collect();
-    let mut shapes: Vec<(f64, usize)> = Vec::new();
-    for (index, shape) in drawing.shapes.iter().enumerate().filter(|(_, shape)| shape.track != 0) {
-        let depth = shape.points.iter().map(|p| view.depth(frames[shape.track].point(*p))).sum::<f64>() / shape.points.len() as f64;
-        shapes.push((if drawing.planar { index as f64 } else { depth }, index));
+    let placed = |points: &[(usize, Vec3)]| points.iter().map(|(track, p)| frames[*track].point(*p)).collect::<Vec<Vec3>>();
+    let shapes = drawing.shapes.iter().filter(|shape| shape.track != 0);
+    let shapes =
+        shapes.map(|shape| (shape.points.iter().map(|p| frames[shape.track].point(*p)).collect(), Some(shape.style), &shape.color));
+    let lines = drawing.lines.iter().map(|line| (placed(&line.points), None, &line.color));
+    let mut all: Vec<(Vec<Vec3>, Option<Style>, &String)> = shapes.chain(lines).collect();
+    if !drawing.planar {
+        let depth = |points: &[Vec3]| points.iter().map(|p| view.depth(*p)).sum::<f64>() / points.len().max(1) as f64;
+        all.sort_by(|a, b| depth(&a.0).total_cmp(&depth(&b.0)));
     }
-    shapes.sort_by(|a, b| a.0.total_cmp(&b.0));
-    for (_, index) in shapes {
-        let shape = &drawing.shapes[index];
-        let points: Vec<_> = shape.points.iter().map(|p| view.point(frames[shape.track].point(*p))).collect();
-        shape_of(&points, shape.style, &shape.color, svg);
-    }
-    for line in &drawing.lines {
-        let points: Vec<_> = line.points.iter().map(|(track, p)| view.point(frames[*track].point(*p))).collect();
-        svg.line(&points, &line.color, 3.5);
+    for (points, style, color) in all {
+        let points: Vec<_> = points.into_iter().map(|p| view.point(p)).collect();
+        match style {
+            Some(style) => shape_of(&points, style, color, svg),
+            None => svg.line(&points, color, 3.5),
+        }
     }
     for mark in drawing.marks.iter().chain(&drawing.traces) {
         mark_at(view.point(frames[mark.track].point(mark.local)), mark, drawing, svg);

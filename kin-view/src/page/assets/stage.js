@@ -184,7 +184,9 @@ class Stage {
       svg.setPointerCapture(event.pointerId);
     });
     for (const end of ["pointerup", "pointercancel"]) svg.addEventListener(end, (event) => held.delete(event.pointerId));
-    svg.addEventListener("pointerleave", () => { where.textContent = ""; });
+    const hint = this.data.planar ? "" : "drag: go round · shift and drag: move · wheel: nearer";
+    where.textContent = hint;
+    svg.addEventListener("pointerleave", () => { where.textContent = hint; });
     svg.addEventListener("pointermove", (event) => {
       this.tell(event, where);
       const before = held.get(event.pointerId);
