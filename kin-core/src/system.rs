@@ -114,8 +114,20 @@ impl System {
     }
 
     fn condition_at(&self, q: &[f64], t: f64) -> Result<f64> {
+        if redundant::is_redundant(self) {
+            return Ok(self.condition_of_all_rows(self.jacobian(q, t)?, q, t));
+        }
         let mut linear = self.linearized(q, t)?;
         Ok(if linear.factor().is_ok() { linear.condition() } else { f64::INFINITY })
+    }
+
+    /// The same where there are more rows than columns, by singular values.
+    fn condition_of_all_rows(&self, mut c_q: DMatrix<f64>, q: &[f64], t: f64) -> f64 {
+        let measures = self.model().measure(q, t);
+        c_q.column_iter_mut().zip(&measures.sizes).for_each(|(mut column, size)| column *= *size);
+        c_q.row_iter_mut().zip(&measures.norms).for_each(|(mut row, norm)| row /= *norm);
+        let singular = c_q.singular_values();
+        singular.max() / singular.min()
     }
 
     /// Names of the constraints in their order.
