@@ -34,7 +34,7 @@ fn links(count: usize) -> Vec<[f64; 4]> {
 }
 
 fn times() -> Vec<f64> {
-    linspace(0.0, TAU, 91)
+    linspace(0.0, TAU, 61)
 }
 
 /// All numbers of a motion.
@@ -66,11 +66,11 @@ fn a_case_that_fails_has_its_error_and_what_was_computed_before() {
     assert!(status.iter().map(|(k, _)| *k).eq(0..12));
     for (k, found) in &status {
         match found {
-            Ok(count) => assert!(*k != locked && *count == 91),
+            Ok(count) => assert!(*k != locked && *count == 61),
             Err(error) => {
                 assert_eq!(*k, locked, "{error}");
                 let before = error.motion().unwrap();
-                assert!(before.len() > 3 && before.len() < 91, "{}", before.len());
+                assert!(before.len() > 3 && before.len() < 61, "{}", before.len());
                 let own = four_bar(links[locked]).run(times()).unwrap_err();
                 assert_eq!(own.motion().unwrap().len(), before.len());
             }
@@ -157,14 +157,14 @@ fn far(a: &[f64], b: &[f64]) -> f64 {
 #[test]
 fn lanes_change_results_by_rounding_only_and_failing_lanes_not_at_all() {
     let system = four_bar([1.0, 3.5, 3.0, 4.0]);
-    let mut links = links(21);
+    let mut links = links(13);
     // Two that lock, one of them in the last, incomplete group.
-    (links[3], links[19]) = ([2.0, 2.5, 2.2, 4.0], [2.2, 2.5, 2.2, 4.0]);
+    (links[3], links[11]) = ([2.0, 2.5, 2.2, 4.0], [2.2, 2.5, 2.2, 4.0]);
     let cases: Vec<[f64; 8]> = links.into_iter().map(case).collect();
     let protocol = Options { stop: kin::Stop::ResidualOnly(1e-10), predict: false, ..Options::default() };
     for (options, tolerance) in [(Options::default(), 1e-10), (protocol, 1e-8)] {
         let alone = with_lanes(&system, &cases, &options, Lanes::Off).unwrap();
-        assert!(alone.iter().enumerate().all(|(k, found)| found.is_err() == [3, 19].contains(&k)));
+        assert!(alone.iter().enumerate().all(|(k, found)| found.is_err() == [3, 11].contains(&k)));
         let mut tried = 0;
         for lanes in [Lanes::Best, Lanes::Only(1), Lanes::Only(2), Lanes::Only(4), Lanes::Only(8)] {
             let Some(found) = with_lanes(&system, &cases, &options, lanes) else { continue };

@@ -94,15 +94,13 @@ impl Motion {
         self.residuals.push(outcome.residual);
     }
 
-    /// The same of several times at once, numbers taken from elsewhere: one report for each row of [q, q̇, q̈] one after the other.
-    pub(crate) fn push_all<T>(&mut self, reports: &[Pushed], rows: &[T], number: impl Fn(&T) -> f64 + Copy) {
-        let n = self.layout.len();
-        for (report, row) in reports.iter().zip(rows.chunks_exact(3 * n.max(1))) {
-            let (q, rest) = row.split_at(n);
-            let (qd, qdd) = rest.split_at(n);
-            self.q.extend(q.iter().map(number));
-            self.qd.extend(qd.iter().map(number));
-            self.qdd.extend(qdd.iter().map(number));
+    /// The same of several times at once, from rows of q, of q̇ and of q̈ that stand elsewhere: as many as there are reports.
+    pub(crate) fn push_all<T>(&mut self, reports: &[Pushed], rows: [&[T]; 3], number: impl Fn(&T) -> f64 + Copy) {
+        let count = reports.len() * self.layout.len();
+        for (own, rows) in [&mut self.q, &mut self.qd, &mut self.qdd].into_iter().zip(rows) {
+            own.extend(rows.iter().take(count).map(number));
+        }
+        for report in reports {
             self.times.push(report.t);
             self.iterations.push(report.outcome.iterations);
             self.residuals.push(report.outcome.residual);

@@ -98,9 +98,12 @@ pub trait LaneKernel {
     fn acceleration_rhs<S: Level>(at: &LaneAt<'_, S>, qd: &LaneRates<'_, S>, q_d: &mut [Wide<S>]);
 }
 
+/// From the instant to C and the values of C_q.
+type Linearize<S> = fn(&LaneAt<'_, S>, &mut [Wide<S>], &mut [Wide<S>]);
+
 /// Kernels as functions for one kind of machine.
 pub struct Table<S: Level> {
-    pub(crate) linearize: fn(&LaneAt<'_, S>, &mut [Wide<S>], &mut [Wide<S>]),
+    pub(crate) linearize: Linearize<S>,
     pub(crate) velocity_rhs: fn(&LaneAt<'_, S>, &mut [Wide<S>]),
     pub(crate) acceleration_rhs: fn(&LaneAt<'_, S>, &LaneRates<'_, S>, &mut [Wide<S>]),
 }

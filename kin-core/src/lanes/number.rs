@@ -91,6 +91,12 @@ impl<S: Level> Wide<S> {
         Wide::new(simd, simd.splat_f64s(x))
     }
 
+    /// Another number, the same in every lane.
+    #[inline(always)]
+    pub fn all(self, x: f64) -> Self {
+        Wide::splat(self.0, x)
+    }
+
     /// How many lanes there are.
     pub const LANES: usize = S::F64_LANES;
 

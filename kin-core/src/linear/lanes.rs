@@ -4,7 +4,7 @@
 //! lanes that fit neither are told to their owner, who goes on without them.
 
 use super::record::Recording;
-use super::replay::{Form, Replay, SMALL, Unwatched, Watch};
+use super::replay::{Form, Replay, SMALL};
 use super::{FADED, GROWTH, Linear, REFINED, SINGULAR, SLACK, SUSPICIOUS};
 use crate::lanes::{Level, Mask, Wide};
 
@@ -20,8 +20,11 @@ pub(crate) struct WideLinear<S: Level> {
     solve: Replay,
     /// Whether all places of the memory are below [`SMALL`].
     small: bool,
-    /// What makes each number that is factored one of order 1, and each pivot a share of its row and column.
-    weights: Vec<Wide<S>>,
+    /// The multipliers and the other numbers that are factored: their places, and what makes each one of order 1.
+    multipliers: Vec<(u32, f64)>,
+    cells: Vec<(u32, f64)>,
+    /// The pivots that are no constants: their places, row and column, and one over what makes each a share of these.
+    pivots: Vec<(u32, [u32; 2], Wide<S>)>,
     sizes: Vec<Wide<S>>,
     norms: Vec<Wide<S>>,
     tops: Vec<Wide<S>>,
@@ -51,7 +54,9 @@ impl<S: Level> WideLinear<S> {
             factor: Replay::default(),
             solve: Replay::default(),
             small: false,
-            weights: Vec::new(),
+            multipliers: Vec::new(),
+            cells: Vec::new(),
+            pivots: Vec::new(),
             sizes: vec![number(1.0); n],
             norms: vec![number(0.0); n],
             tops: vec![number(0.0); n],
@@ -217,9 +222,15 @@ impl<S: Level> WideLinear<S> {
         let Some(recording) = &self.recorder.recording else { return };
         let Recording { factor, solve, weights, .. } = recording.as_ref();
         (self.factor, self.solve) = (Replay::new(factor), Replay::new(solve));
-        // Parts of a number are not watched.
-        self.weights = vec![Wide::splat(self.simd, 0.0); self.factor.len()];
-        self.factor.ends.iter().zip(weights).for_each(|(end, weight)| self.weights[*end] = Wide::splat(self.simd, *weight));
+        let zero = Wide::splat(self.simd, 0.0);
+        let written: Vec<(Form, u32)> = self.factor.ends.iter().map(|end| self.factor.written(*end)).collect();
+        let weighted = |wanted: fn(Form) -> bool| {
+            let all = written.iter().zip(weights).filter(|((form, _), _)| wanted(*form));
+            all.map(|((_, place), weight)| (*place, *weight)).collect::<Vec<_>>()
+        };
+        self.multipliers = weighted(|form| form == Form::Scaled);
+        self.cells = weighted(|form| !matches!(form, Form::Scaled | Form::Pivot));
+        self.pivots = recording.watched.iter().map(|&(step, row, column)| (written[step as usize].1, [row, column], zero)).collect();
         // What is no value, right side or solution is a constant, or computed before it is read.
         let known = self.recorder.places.zero as usize;
         self.memory.truncate(known);
@@ -235,17 +246,26 @@ impl<S: Level> WideLinear<S> {
             self.tell_watch();
         }
         let simd = self.simd;
-        let zero = Wide::splat(simd, 0.0);
-        let mut seen = Seen { weights: &self.weights, smallest: self.smallest_constant, multiplier: zero, cell: zero };
         match self.memory.first_chunk_mut::<SMALL>().filter(|_| self.small) {
-            Some(memory) => self.factor.run(simd, memory, &mut seen),
-            None => self.factor.run(simd, &mut self.memory[..], &mut seen),
+            Some(memory) => self.factor.run(simd, memory),
+            None => self.factor.run(simd, &mut self.memory[..]),
         }
-        let Seen { smallest, multiplier, cell, .. } = seen;
+        let (mut largest_inverse, mut sound) = (self.smallest_constant.reciprocal(), Mask::splat(simd, true));
+        for &(place, _, per_unit) in &self.pivots {
+            let inverse = self.memory[place as usize].abs() * per_unit;
+            // A NaN counts as the worst.
+            largest_inverse = inverse.le(largest_inverse).select(largest_inverse, inverse);
+        }
+        for &(place, weight) in &self.multipliers {
+            sound = sound & (self.memory[place as usize].abs() * Wide::splat(simd, weight)).le(Wide::splat(simd, GROWTH));
+        }
+        for &(place, weight) in &self.cells {
+            sound = sound & (self.memory[place as usize].abs() * Wide::splat(simd, weight)).le(Wide::splat(simd, REFINED));
+        }
+        let smallest = largest_inverse.reciprocal();
         self.smallest = smallest;
         self.best = self.best.max(smallest);
         let faded = self.best * smallest.lt(Wide::splat(simd, SUSPICIOUS)).select(Wide::splat(simd, 0.5), Wide::splat(simd, FADED));
-        let sound = multiplier.le(Wide::splat(simd, GROWTH)) & cell.le(Wide::splat(simd, REFINED));
         sound & smallest.gt(Wide::splat(simd, SINGULAR)) & smallest.ge(faded)
     }
 
@@ -256,12 +276,13 @@ impl<S: Level> WideLinear<S> {
         self.told = true;
         let Some(recording) = &self.recorder.recording else { return };
         let (zero, one) = (Wide::splat(self.simd, 0.0), Wide::splat(self.simd, 1.0));
+        let (norms, tops, sizes) = (&self.norms, &self.tops, &self.sizes);
         let unit = |row: u32, column: u32| {
-            let (norm, top, size) = (self.norms[row as usize], self.tops[column as usize], self.sizes[column as usize]);
+            let (norm, top, size) = (norms[row as usize], tops[column as usize], sizes[column as usize]);
             norm.gt(zero).select(one / norm, one) * top.gt(zero).select(size / top, size)
         };
-        for &(step, row, column) in &recording.watched {
-            self.weights[self.factor.ends[step as usize]] = unit(row, column);
+        for (_, [row, column], per_unit) in &mut self.pivots {
+            *per_unit = unit(*row, *column).reciprocal();
         }
         let constant = recording.constant.iter().map(|&(row, column, value)| Wide::splat(self.simd, value.abs()) * unit(row, column));
         self.smallest_constant = constant.fold(Wide::splat(self.simd, f64::INFINITY), |smallest, x| smallest.min(x));
@@ -271,28 +292,8 @@ impl<S: Level> WideLinear<S> {
     #[inline(always)]
     pub(crate) fn solve(&mut self) {
         match self.memory.first_chunk_mut::<SMALL>().filter(|_| self.small) {
-            Some(memory) => self.solve.run(self.simd, memory, &mut Unwatched),
-            None => self.solve.run(self.simd, &mut self.memory[..], &mut Unwatched),
-        }
-    }
-}
-
-/// What is seen of the numbers that are computed, each times its weight; a NaN counts as the worst.
-struct Seen<'w, S: Level> {
-    weights: &'w [Wide<S>],
-    smallest: Wide<S>,
-    multiplier: Wide<S>,
-    cell: Wide<S>,
-}
-
-impl<S: Level> Watch<S> for Seen<'_, S> {
-    #[inline(always)]
-    fn see(&mut self, step: usize, form: Form, x: Wide<S>) {
-        let share = x.abs() * self.weights[step];
-        match form {
-            Form::Plain | Form::Negated | Form::Added => self.cell = share.le(self.cell).select(self.cell, share),
-            Form::Scaled => self.multiplier = share.le(self.multiplier).select(self.multiplier, share),
-            Form::Pivot => self.smallest = share.ge(self.smallest).select(self.smallest, share),
+            Some(memory) => self.solve.run(self.simd, memory),
+            None => self.solve.run(self.simd, &mut self.memory[..]),
         }
     }
 }

@@ -118,60 +118,47 @@ impl Replay {
         self.steps.push(Step { opcode: (form as usize * SHAPES + shape) as u8, places });
     }
 
-    /// How many steps there are.
-    pub(super) fn len(&self) -> usize {
-        self.steps.len()
+    /// What the number that step `k` completes is, and its place.
+    pub(super) fn written(&self, k: usize) -> (Form, u32) {
+        let step = &self.steps[k];
+        (form(usize::from(step.opcode)), step.places[0])
     }
 
-    /// Runs all steps, and shows each its form and its sum, of a pivot before it is inverted.
+    /// Runs all steps.
     ///
     /// A function of its own: inlined without optimisation, the copies of the interpreter would need more stack than a thread has.
-    pub(super) fn run<S: Level, M: Memory<S> + ?Sized, W: Watch<S>>(&self, simd: S, memory: &mut M, watch: &mut W) {
-        simd.vectorize(Run(&self.steps, memory, watch, PhantomData::<S>));
+    pub(super) fn run<S: Level, M: Memory<S> + ?Sized>(&self, simd: S, memory: &mut M) {
+        simd.vectorize(Run(&self.steps, memory, PhantomData::<S>));
     }
 }
 
 /// A replay on its way into the function that has the machine's instructions.
-struct Run<'r, S, M: ?Sized, W>(&'r [Step], &'r mut M, &'r mut W, PhantomData<S>);
+struct Run<'r, S, M: ?Sized>(&'r [Step], &'r mut M, PhantomData<S>);
 
-impl<S: Level, M: Memory<S> + ?Sized, W: Watch<S>> NullaryFnOnce for Run<'_, S, M, W> {
+impl<S: Level, M: Memory<S> + ?Sized> NullaryFnOnce for Run<'_, S, M> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        let Run(steps, memory, watch, _) = self;
-        for (k, step) in steps.iter().enumerate() {
-            let (form, x) = by_opcode(step, memory);
-            watch.see(k, form, x);
+        let Run(steps, memory, _) = self;
+        for step in steps {
+            by_opcode(step, memory);
         }
     }
-}
-
-/// Looks at what is computed.
-pub(super) trait Watch<S: Level> {
-    fn see(&mut self, step: usize, form: Form, x: Wide<S>);
-}
-
-/// Looks at nothing.
-pub(super) struct Unwatched;
-
-impl<S: Level> Watch<S> for Unwatched {
-    #[inline(always)]
-    fn see(&mut self, _: usize, _: Form, _: Wide<S>) {}
 }
 
 macro_rules! copies {
     ($step:expr, $memory:expr; $($opcode:literal)*) => {
         match $step.opcode {
             $($opcode => compute::<S, M, $opcode>(&$step.places, $memory),)*
-            _ => (Form::Plain, $memory.get(0)),
+            _ => {}
         }
     };
 }
 
 #[rustfmt::skip]
 #[inline(always)]
-fn by_opcode<S: Level, M: Memory<S> + ?Sized>(step: &Step, memory: &mut M) -> (Form, Wide<S>) {
+fn by_opcode<S: Level, M: Memory<S> + ?Sized>(step: &Step, memory: &mut M) {
     copies!(step, memory;
         0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29
         30 31 32 33 34 35 36 37 38 39 40 41 42 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58 59)
@@ -195,7 +182,7 @@ const fn shape(opcode: usize) -> [usize; 3] {
 
 /// A step that is known when the interpreter is compiled.
 #[inline(always)]
-fn compute<S: Level, M: Memory<S> + ?Sized, const OPCODE: usize>(places: &[u32; 9], memory: &mut M) -> (Form, Wide<S>) {
+fn compute<S: Level, M: Memory<S> + ?Sized, const OPCODE: usize>(places: &[u32; 9], memory: &mut M) {
     let (form, [products, plus, minus]) = const { (form(OPCODE), shape(OPCODE)) };
     let start = memory.get(places[1]);
     let mut x = if matches!(form, Form::Negated) { -start } else { start };
@@ -218,5 +205,4 @@ fn compute<S: Level, M: Memory<S> + ?Sized, const OPCODE: usize>(places: &[u32; 
         x = x * memory.get(places[2]);
     }
     memory.set(places[0], if matches!(form, Form::Pivot) { x.reciprocal() } else { x });
-    (form, x)
 }

@@ -39,8 +39,8 @@ pub(super) struct Lockstep<'o, S: Level> {
     /// max |C_i|, and Newton steps, at the last time.
     residual: Wide<S>,
     iterations: Wide<S>,
-    /// [q, q̇, q̈] of the last few times, what is told of them in each lane, and the largest residual of each lane so far.
-    kept: Vec<Wide<S>>,
+    /// q, q̇ and q̈ of the last few times, what is told of them in each lane, and the largest residual of each lane so far.
+    kept: [Vec<Wide<S>>; 3],
     reports: Vec<Vec<Pushed>>,
     largest: Vec<f64>,
 }
@@ -92,7 +92,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
             per_size: room(),
             residual: zero,
             iterations: zero,
-            kept: Vec::with_capacity(KEPT * 3 * n),
+            kept: [0; 3].map(|_| Vec::with_capacity(KEPT * n)),
             reports: vec![Vec::with_capacity(KEPT); Wide::<S>::LANES],
             largest: vec![-1.0; Wide::<S>::LANES],
         }
@@ -149,9 +149,9 @@ impl<'o, S: Level> Lockstep<'o, S> {
 
     /// Keeps what the lanes that are `active` have at time t, for [`Lockstep::flush`]; true where it is time for that.
     pub(super) fn keep(&mut self, t: f64, active: Mask<S>) -> bool {
-        self.kept.extend_from_slice(&self.q);
-        self.kept.extend_from_slice(&self.qd);
-        self.kept.extend_from_slice(&self.qdd);
+        for (kept, now) in self.kept.iter_mut().zip([&self.q, &self.qd, &self.qdd]) {
+            kept.extend_from_slice(now);
+        }
         let open = active.as_numbers();
         for (lane, reports) in self.reports.iter_mut().enumerate().filter(|(lane, _)| open.as_slice()[*lane] != 0.0) {
             let (iterations, residual) = (self.iterations.as_slice()[lane] as usize, self.residual.as_slice()[lane]);
@@ -162,16 +162,16 @@ impl<'o, S: Level> Lockstep<'o, S> {
             }
             reports.push(Pushed { t, outcome: Outcome { iterations, residual }, worst });
         }
-        self.kept.len() >= KEPT * 3 * self.q.len()
+        self.kept[0].len() >= KEPT * self.q.len()
     }
 
     /// Appends what was kept to the motions. Kept times are few, so that they are still at hand.
     pub(super) fn flush(&mut self, motions: &mut [Motion]) {
         for (lane, (motion, reports)) in motions.iter_mut().zip(&mut self.reports).enumerate() {
-            motion.push_all(reports, &self.kept, |x| x.as_slice()[lane]);
+            motion.push_all(reports, [0, 1, 2].map(|k| &self.kept[k][..]), |x| x.as_slice()[lane]);
             reports.clear();
         }
-        self.kept.clear();
+        self.kept.iter_mut().for_each(Vec::clear);
     }
 
     /// C and C_q at the point in hand.
@@ -197,7 +197,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
         for (per_size, size) in self.per_size.iter_mut().zip(&self.sizes) {
             *per_size = size.reciprocal();
         }
-        let done = self.solve(crew, wanted, t, false);
+        let done = self.solve(crew, wanted, t, false, false);
         self.t = t;
         self.rates(crew, done)
     }
@@ -210,7 +210,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
             self.before.copy_from_slice(&self.q);
             self.predictor.predict(h, [&self.before, &self.qd, &self.qdd], &mut self.q);
         }
-        let done = self.solve(crew, wanted, t, self.options.rescue);
+        let done = self.solve(crew, wanted, t, self.options.rescue, !self.options.predict);
         if self.options.predict {
             let stepped = self.iterations.is_true();
             self.predictor.compare(h, [&self.before, &self.qd, &self.qdd], &self.q, &self.per_size, stepped);
@@ -220,9 +220,10 @@ impl<'o, S: Level> Lockstep<'o, S> {
         self.rates(crew, done)
     }
 
-    /// Newton's method in all lanes that are wanted; gives those that converge, their matrices factored. `near`: corrections must shrink.
+    /// Newton's method in all lanes that are wanted; gives those that converge, their matrices factored. `near`: corrections must shrink;
+    /// `still`: only the time is another one than at the last evaluation.
     #[inline(always)]
-    fn solve(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64, near: bool) -> Mask<S> {
+    fn solve(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64, near: bool, still: bool) -> Mask<S> {
         let simd = self.simd;
         let (zero, mut previous) = (Wide::splat(simd, 0.0), Wide::splat(simd, f64::INFINITY));
         let (mut open, mut done) = (wanted, Mask::splat(simd, false));
@@ -230,12 +231,19 @@ impl<'o, S: Level> Lockstep<'o, S> {
         self.last.fill(zero);
         self.equations.set_time(t, crew, &mut self.instant);
         for iteration in 0..=self.options.max_iterations {
-            self.look(crew);
+            let changed = if still && iteration == 0 {
+                self.equations.relinearize(crew, &self.instant, &mut self.c, self.linear.values_mut())
+            } else {
+                self.look(crew);
+                true
+            };
+            open = open & self.measured();
             // Lanes that are done stay as they are, and so do their factors.
-            let fits = self.linear.measure(open) & self.measured();
-            open = open & fits;
-            let fits = self.linear.factor(open | done);
-            (open, done) = (open & fits, done & fits);
+            if changed {
+                open = open & self.linear.measure(open);
+                let fits = self.linear.factor(open | done);
+                (open, done) = (open & fits, done & fits);
+            }
             let met = match self.options.stop {
                 Stop::ResidualOnly(bound) => self.residual.lt(Wide::splat(simd, bound)),
                 Stop::Converged { .. } => Mask::splat(simd, false),

@@ -21,6 +21,8 @@ struct WideBlock<S: Level> {
     rates: Range<usize>,
     /// Whether it is the same in all lanes.
     same: bool,
+    /// Whether its C, or C_q, depends on the time.
+    on_t: bool,
     /// Whether its C_t, or Q_d, can be other than zero.
     c_t: bool,
     q_d: bool,
@@ -30,6 +32,8 @@ struct WideBlock<S: Level> {
 pub(crate) struct WideEquations<S: Level> {
     simd: S,
     blocks: Vec<WideBlock<S>>,
+    /// Whether some C_q depends on the time.
+    c_q_on_t: bool,
     n_known: usize,
     scratch: Scratch,
 }
@@ -92,11 +96,13 @@ impl<S: Level> WideEquations<S> {
                 values,
                 rates,
                 same: !varied,
+                on_t: depends.c_on_t || depends.c_q_on_t,
                 c_t: depends.c_t,
                 q_d: depends.q_d,
             });
         }
-        WideEquations { simd, blocks, n_known, scratch: Scratch::default() }
+        let c_q_on_t = equations.blocks.iter().any(|block| block.constraint.depends().c_q_on_t);
+        WideEquations { simd, blocks, c_q_on_t, n_known, scratch: Scratch::default() }
     }
 
     /// Room for an instant.
@@ -156,6 +162,19 @@ impl<S: Level> WideEquations<S> {
                 None => linearize_lane_by_lane(&mut self.scratch, k, crew, instant.t, own_states, own_c, own_values),
             }
         }
+    }
+
+    /// The same where only the time has changed since; false if C_q has not changed with it.
+    #[inline(always)]
+    pub(crate) fn relinearize(&mut self, crew: &Crew<'_>, instant: &WideInstant<S>, c: &mut [Wide<S>], values: &mut [Wide<S>]) -> bool {
+        for (k, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.on_t) {
+            let (c, values) = (&mut c[block.rows.clone()], &mut values[block.values.clone()]);
+            match block.table {
+                Some(table) => (table.linearize)(&self.at(k, crew, instant), c, values),
+                None => linearize_lane_by_lane(&mut self.scratch, k, crew, instant.t, &instant.states[block.states.clone()], c, values),
+            }
+        }
+        self.c_q_on_t
     }
 
     /// −C_t; rows that are always zero are cleared.

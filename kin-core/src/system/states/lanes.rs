@@ -36,7 +36,7 @@ impl StatePlan {
         }
         for shared in &self.coords {
             let value = q[shared.first];
-            let (sin, cos) = if shared.trig { value.sin_cos() } else { (value - value, value - value) };
+            let (sin, cos) = if shared.trig { value.sin_cos() } else { (value.all(0.0), value.all(0.0)) };
             super::copy::<_, _, 0>(&[value, sin, cos], &shared.copies, states);
         }
     }
@@ -55,15 +55,15 @@ impl StatePlan {
 /// R, p and A = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ, as a constraint reads them.
 #[inline(always)]
 fn spatial<S: Level>([x, y, z, e0, e1, e2, e3]: [Wide<S>; 7]) -> [Wide<S>; 16] {
-    let twice = |x: Wide<S>| x + x;
-    let one = {
-        let zero = x - x;
-        zero.equal(zero).as_numbers()
-    };
-    let diagonal = |e: Wide<S>| twice(e0 * e0 + e * e) - one;
-    let [a11, a22, a33] = [e1, e2, e3].map(diagonal);
+    let one = x.all(1.0);
+    let [a11, a22, a33] = [twice(e0 * e0 + e1 * e1) - one, twice(e0 * e0 + e2 * e2) - one, twice(e0 * e0 + e3 * e3) - one];
     let (a12, a21) = (twice(e1 * e2 - e0 * e3), twice(e1 * e2 + e0 * e3));
     let (a13, a31) = (twice(e1 * e3 + e0 * e2), twice(e1 * e3 - e0 * e2));
     let (a23, a32) = (twice(e2 * e3 - e0 * e1), twice(e2 * e3 + e0 * e1));
     [x, y, z, e0, e1, e2, e3, a11, a12, a13, a21, a22, a23, a31, a32, a33]
+}
+
+#[inline(always)]
+fn twice<S: Level>(x: Wide<S>) -> Wide<S> {
+    x + x
 }
