@@ -3,6 +3,7 @@
 use crate::algebra::Vec3;
 use crate::coordinates::Argument;
 use crate::data::Describer;
+use crate::lanes::InLanes;
 use crate::law::Law;
 use crate::state::{At, Rates};
 
@@ -67,11 +68,29 @@ impl Default for Dependence {
     }
 }
 
+/// A copy of a constraint that is only known as a `Constraint`; each one that is `Clone` has it. A sweep over many cases works on copies.
+pub trait CloneBoxed {
+    /// The copy.
+    fn clone_boxed(&self) -> Box<dyn Constraint>;
+}
+
+impl<T: Constraint + Clone + 'static> CloneBoxed for T {
+    fn clone_boxed(&self) -> Box<dyn Constraint> {
+        Box::new(self.clone())
+    }
+}
+
+impl Clone for Box<dyn Constraint> {
+    fn clone(&self) -> Self {
+        self.as_ref().clone_boxed()
+    }
+}
+
 /// A constraint C(q, t) = 0 with m rows on the coordinates of its arguments.
 ///
 /// Columns are local: those of the first argument first (3 for a planar body, 7 for a spatial one, 1 for a bare coordinate), the ground's
 /// counted too. Output slices have the lengths stated; a shorter one is left as it is. Entries are in the unit of their row.
-pub trait Constraint: Send + Sync {
+pub trait Constraint: CloneBoxed + Send + Sync {
     /// What kind of constraint this is: the name of its function, such as `revolute`.
     fn kind(&self) -> &str;
 
@@ -136,6 +155,24 @@ pub trait Constraint: Send + Sync {
     fn set_parameter(&mut self, name: &str, value: f64) -> bool {
         let _ = (name, value);
         false
+    }
+
+    /// Sets one numeric parameter by its number in the order of [`Constraint::parameters`]; false if there is none. The default goes by
+    /// name; emitted constraints do not.
+    fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
+        let (mut number, mut wanted) = (0, None);
+        self.parameters(&mut |name, _| {
+            if number == index {
+                wanted = Some(name.to_string());
+            }
+            number += 1;
+        });
+        wanted.is_some_and(|name| self.set_parameter(&name, value))
+    }
+
+    /// The same for kernels over lanes, if it has them (`#[constraint(lanes)]`): several mechanisms of a sweep advance together.
+    fn in_lanes(&self) -> Option<&dyn InLanes> {
+        None
     }
 
     /// The points and directions of its bodies that its equation speaks of, `b.point(u)` and `b.direction(h)` with nothing that moves

@@ -13,7 +13,7 @@ use crate::real::{Dual, Real};
 use crate::state::{At, Rates};
 
 /// A constraint whose equation can be evaluated with any numbers: N local coordinates, M rows. Written by `#[constraint]`.
-pub trait Equation<const N: usize, const M: usize>: Constraint {
+pub trait Equation<const N: usize, const M: usize>: Constraint + Clone + 'static {
     /// What its arguments are, in order.
     const ARGUMENTS: &'static [ArgumentKind];
 
@@ -106,6 +106,10 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
 
     fn set_parameter(&mut self, name: &str, value: f64) -> bool {
         self.0.set_parameter(name, value)
+    }
+
+    fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
+        self.0.set_parameter_at(index, value)
     }
 
     fn describe(&self, to: &mut Describer) {

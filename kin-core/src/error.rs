@@ -280,6 +280,26 @@ pub enum Error {
         reason: String,
     },
 
+    /// A case of a sweep with a number that is infinite or not a number.
+    #[error("case {case}: `{name}` is {value}; give a finite number")]
+    CaseNotFinite {
+        /// The case, counted from 0.
+        case: usize,
+        /// The parameter or coordinate.
+        name: String,
+        /// Its value.
+        value: f64,
+    },
+
+    /// A sweep that was told to stop ([`crate::Sweep::stop_when`]).
+    #[error("the sweep was stopped after {done} of {cases} cases")]
+    Stopped {
+        /// Cases that were done.
+        done: usize,
+        /// Cases there are.
+        cases: usize,
+    },
+
     /// A list of the wrong length.
     #[error("{what}: {found} values given, {expected} needed")]
     WrongLength {

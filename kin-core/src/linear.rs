@@ -11,10 +11,12 @@ mod cells;
 mod code;
 mod condition;
 mod diagnosis;
+pub(crate) mod lanes;
 mod order;
 mod program;
 mod rank;
 mod record;
+mod replay;
 mod solving;
 #[cfg(test)]
 mod tests;

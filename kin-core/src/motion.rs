@@ -33,6 +33,14 @@ pub struct Motion {
     pub(crate) breaks: Vec<CrossedBreak>,
 }
 
+/// What is told of one time beside its numbers; `worst` is the row of the largest residual.
+#[derive(Clone, Copy)]
+pub(crate) struct Pushed {
+    pub t: f64,
+    pub outcome: Outcome,
+    pub worst: usize,
+}
+
 /// One coordinate over time, with its rates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CoordinateMotion {
@@ -74,6 +82,24 @@ impl Motion {
         self.qdd.extend_from_slice(&newton.qdd);
         self.iterations.push(outcome.iterations);
         self.residuals.push(outcome.residual);
+    }
+
+    /// The same of several times at once, numbers taken from elsewhere: one report for each row of [q, q̇, q̈] one after the other.
+    pub(crate) fn push_all<T>(&mut self, reports: &[Pushed], rows: &[T], number: impl Fn(&T) -> f64 + Copy) {
+        let n = self.layout.len();
+        for (report, row) in reports.iter().zip(rows.chunks_exact(3 * n.max(1))) {
+            let (q, rest) = row.split_at(n);
+            let (qd, qdd) = rest.split_at(n);
+            self.q.extend(q.iter().map(number));
+            self.qd.extend(qd.iter().map(number));
+            self.qdd.extend(qdd.iter().map(number));
+            self.times.push(report.t);
+            self.iterations.push(report.outcome.iterations);
+            self.residuals.push(report.outcome.residual);
+            if self.worst.is_none_or(|(known, _)| report.outcome.residual > known) {
+                self.worst = Some((report.outcome.residual, report.worst));
+            }
+        }
     }
 
     /// Name of the mechanism.
@@ -160,7 +186,7 @@ impl Motion {
                 Ok(CoordinateMotion { value: constant("", value), rate: constant("'", 0.0), second_rate: constant("''", 0.0) })
             }
             None => {
-                let (mechanism, place, argument) = (self.name.clone(), "coordinate".to_string(), "coordinate".to_string());
+                let (mechanism, place, argument) = (self.name.to_string(), "coordinate".to_string(), "coordinate".to_string());
                 Err(Error::ForeignBody { mechanism, place, argument })
             }
         }

@@ -1,7 +1,7 @@
 //! A mechanism made ready for solving: fixed order of coordinates and equations, fixed pattern of C_q.
 
 pub(crate) mod evaluate;
-mod parameters;
+pub(crate) mod parameters;
 pub(crate) mod scale;
 mod states;
 
@@ -15,13 +15,15 @@ use crate::error::{Error, Result};
 use crate::layout::Layout;
 use crate::linear::{Linear, Singular};
 use crate::motion::{Motion, Series};
-use crate::newton::{Newton, Options, Report, Steps, assembly, sweep};
+use crate::newton::{self, Newton, Options, Report, Steps, assembly};
+use crate::sweep::Sweep;
 use evaluate::{Bad, Equations, Instant, finite};
 
 /// A square system C(q, t) = 0 of n equations in n coordinates; built by [`crate::Mechanism::build`].
 ///
 /// Coordinates come in the order in which bodies and bare coordinates were declared, equations in the order in which constraints were
 /// added, the norm constraints |p|² = 1 of spatial bodies (named `BODY.p`) after them.
+#[derive(Clone)]
 pub struct System {
     name: String,
     layout: Arc<Layout>,
@@ -220,12 +222,35 @@ impl System {
     ///
     /// Errors: no convergence, singular, not finite; each carries the motion up to it ([`Error::motion`]).
     pub fn run(&self, times: impl AsRef<[f64]>) -> Result<Motion> {
-        sweep::run(self, times.as_ref(), &Options::default())
+        newton::sweep::run(self, times.as_ref(), &Options::default())
     }
 
     /// The same with other options.
     pub fn run_with(&self, times: impl AsRef<[f64]>, options: &Options) -> Result<Motion> {
-        sweep::run(self, times.as_ref(), options)
+        newton::sweep::run(self, times.as_ref(), options)
+    }
+
+    /// Many cases of this system: in each of them the named parameters (such as `A.u_i.x`) and initial values (such as `rocker.theta`) are
+    /// others. See [`Sweep`].
+    ///
+    /// Errors: a name that is neither a parameter nor a coordinate.
+    pub fn sweep(&self, names: impl IntoIterator<Item = impl AsRef<str>>) -> Result<Sweep<'_>> {
+        Sweep::new(self, names)
+    }
+
+    /// Whether no law of its constraints has a break; a run has to look for those time by time.
+    pub(crate) fn is_smooth(&self) -> bool {
+        let (mut smooth, instant) = (true, self.equations.instant_at(0.0, &self.initial));
+        for block in &self.equations.blocks {
+            block.constraint.laws(&instant.of(block), &mut |_, law, _| smooth &= law.is_smooth());
+        }
+        smooth
+    }
+
+    /// Whether a position that closes is meant by all constraints, none of which has, say, its axis turned by 180°.
+    pub(crate) fn is_meant(&self, t: f64, q: &[f64]) -> bool {
+        let instant = self.equations.instant_at(t, q);
+        self.equations.blocks.iter().all(|block| block.constraint.wrong_branch(&instant.of(block)).is_none())
     }
 
     pub(crate) fn layout(&self) -> &Arc<Layout> {

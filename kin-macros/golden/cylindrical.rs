@@ -1016,6 +1016,13 @@ const _: () = {
                 || ::kin::rt::Numbers::set(&mut self.g_i, "g_i", name, value)
                 || ::kin::rt::Numbers::set(&mut self.h_j, "h_j", name, value)
         }
+        fn set_parameter_at(&mut self, mut index: usize, value: f64) -> bool {
+            ::kin::rt::Numbers::set_at(&mut self.u_i, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.u_j, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.f_i, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.g_i, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.h_j, &mut index, value)
+        }
     }
     impl ::kin::rt::Described for cylindrical {
         const KIND: &'static str = "cylindrical";

@@ -268,6 +268,12 @@ const _: () = {
                 || ::kin::rt::Numbers::set(&mut self.h, "h", name, value)
                 || ::kin::rt::Numbers::set(&mut self.omega, "omega", name, value)
         }
+        fn set_parameter_at(&mut self, mut index: usize, value: f64) -> bool {
+            ::kin::rt::Numbers::set_at(&mut self.l2, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.l3, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.h, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.omega, &mut index, value)
+        }
     }
     impl ::kin::rt::Described for slider_crank {
         const KIND: &'static str = "slider_crank";

@@ -16,6 +16,7 @@ pub use crate::constraint::{Attached, Attachment};
 pub use crate::coordinates::{Argument, Target, Trig};
 pub use crate::data::{Described, Describer, Reader, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold};
 pub use crate::dual_route::{ArgumentKind, Equation};
+pub use crate::lanes::{InLanes, LaneAt, LaneKernel, LaneKernels, LaneRates, Level, Mask, Wide};
 pub use crate::law::LawFunction;
 pub use crate::real::{Dual, Real};
 pub use crate::state::{At, PlanarState, Rates, SpatialState};

@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
+use super::lanes::{self, LaneCode};
 use super::{attachments, demands, described, functions, rewrite, template, written};
 use crate::differentiate::Derivatives;
 use crate::lower::Lowered;
@@ -16,6 +17,8 @@ struct Frame<'a> {
     pattern: Vec<(usize, usize)>,
     /// Slots whose sine or cosine is read.
     trig: Vec<usize>,
+    /// Kernels over lanes, where they are asked for.
+    lanes: Option<LaneCode>,
 }
 
 /// The constraint on the symbolic route.
@@ -24,7 +27,8 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
     let row_names = lowered.rows.iter().map(|row| row.name.clone()).collect();
     let pattern = derived.jacobian.iter().map(|(row, column, _)| (*row, *column)).collect();
     let trig = derived.trig(&lowered);
-    let frame = Frame { trig, ..Frame::new(source, row_names, pattern) };
+    let lanes = source.lanes.then(|| lanes::lanes(&source.name, &source.arguments, &lowered, &derived));
+    let frame = Frame { trig, lanes, ..Frame::new(source, row_names, pattern) };
     let kernels = functions::symbolic(&source.arguments, &lowered, &derived);
     let attachments = attachments::symbolic(&source.arguments, &lowered);
     let leaves: Vec<TokenStream> =
@@ -43,7 +47,7 @@ pub fn dual(source: &ConstraintFn) -> TokenStream {
 
 impl<'a> Frame<'a> {
     fn new(source: &'a ConstraintFn, row_names: Vec<String>, pattern: Vec<(usize, usize)>) -> Self {
-        Frame { source, n: columns(&source.arguments), row_names, pattern, trig: vec![] }
+        Frame { source, n: columns(&source.arguments), row_names, pattern, trig: vec![], lanes: None }
     }
 
     fn emit(&self, route: TokenStream, kernels: &TokenStream, leaves: &[TokenStream], lowered: Option<&Lowered>) -> TokenStream {
@@ -59,6 +63,7 @@ impl<'a> Frame<'a> {
         let described = self.arguments();
         let (visit, set) = super::parameter_methods(&source.arguments);
         let kinds = source.arguments.iter().flat_map(kinds);
+        let (in_lanes, lane_kernels) = self.lanes.as_ref().map(|lanes| (&lanes.method, &lanes.implementations)).unzip();
         let (describe, as_data) = (described::describe(source), described::described(source, &kind, &n, &m));
         let description = super::description(&source.attributes);
         let (refusal, branch) = (demands::refusal(source), demands::branch(source));
@@ -88,6 +93,7 @@ impl<'a> Frame<'a> {
                     }
                     #describe
                     #kernels
+                    #in_lanes
                     fn description(&self) -> &str {
                         #description
                     }
@@ -97,6 +103,7 @@ impl<'a> Frame<'a> {
                     #branch
                     #laws
                 }
+                #lane_kernels
                 #as_data
                 impl ::kin::rt::Equation<#n, #m> for #name {
                     const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[#(#kinds),*];
