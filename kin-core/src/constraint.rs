@@ -97,6 +97,11 @@ pub trait Constraint: CloneBoxed + Send + Sync {
     /// How its derivatives are obtained.
     fn route(&self) -> Route;
 
+    /// Whether it is a driving constraint, one in which time appears (the function has a [`crate::Time`] argument).
+    fn is_driver(&self) -> bool {
+        false
+    }
+
     /// The bodies and coordinates it acts on, in the order of its signature.
     fn arguments(&self) -> Vec<Argument>;
 

@@ -84,6 +84,10 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
         self.0.depends()
     }
 
+    fn is_driver(&self) -> bool {
+        self.0.is_driver()
+    }
+
     fn residual(&self, at: &At<'_>, c: &mut [f64]) {
         residual(&self.0, at, c);
     }

@@ -2,9 +2,11 @@
 
 use std::path::PathBuf;
 
+use crate::diagnosis::{self, Diagnosis, Start};
 use crate::motion::Motion;
+use crate::system::System;
 
-mod text;
+pub(crate) mod text;
 
 /// `Result` with Kin's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
@@ -14,24 +16,13 @@ pub type Result<T> = std::result::Result<T, Error>;
 #[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// The number of equations differs from the number of coordinates, so C_q has no inverse.
-    #[error(
-        "the mechanism \"{mechanism}\" cannot be driven: {coordinates} coordinates, {equations} equations.{}",
-        text::not_square(*.coordinates, *.equations, .untouched, .movable, .dependent)
-    )]
-    NotSquare {
-        /// The mechanism.
-        mechanism: String,
-        /// Number of coordinates n.
-        coordinates: usize,
-        /// Number of equations m.
-        equations: usize,
-        /// Bodies and bare coordinates that no constraint acts on.
-        untouched: Vec<String>,
-        /// Bodies and bare coordinates that can still move.
-        movable: Vec<String>,
-        /// Constraints that take part in a dependency.
-        dependent: Vec<String>,
+    /// A mechanism that cannot be driven, whatever its pose, and why: equations are missing, or they contradict one another.
+    #[error("{diagnosis}{}", text::kept(.motion))]
+    CannotBeDriven {
+        /// What is wrong, by name.
+        diagnosis: Box<Diagnosis>,
+        /// What was computed before.
+        motion: Option<Box<Motion>>,
     },
 
     /// Newton's method did not reach C(q, t) = 0.
@@ -40,7 +31,7 @@ pub enum Error {
         text::time(*.t),
         text::count(*.iterations, "iteration"),
         text::row(.row),
-        text::no_convergence(*.last, .motion)
+        text::no_convergence(*.last, .diagnosis, .motion)
     )]
     NoConvergence {
         /// Time.   \[s\]
@@ -55,6 +46,8 @@ pub enum Error {
         residual: f64,
         /// The last time at which the position was found.   \[s\]
         last: Option<f64>,
+        /// What is wrong there, by name, and how near the parts can come.
+        diagnosis: Option<Box<Diagnosis>>,
         /// What was computed before.
         motion: Option<Box<Motion>>,
     },
@@ -63,7 +56,7 @@ pub enum Error {
     #[error(
         "t = {} s: C_q ({n} x {n}) has rank {rank}; smallest relative pivot {pivot:.1e}.{}",
         text::time(*.t),
-        text::singular(.movable, .dependent, .unmet, .motion)
+        text::singular(.movable, .dependent, .unmet, .diagnosis, .motion)
     )]
     SingularAt {
         /// Time.   \[s\]
@@ -80,6 +73,8 @@ pub enum Error {
         dependent: Vec<String>,
         /// An equation that is far from being met where the search for a position ended; `None` at a position.
         unmet: Option<String>,
+        /// What is wrong there, by name.
+        diagnosis: Option<Box<Diagnosis>>,
         /// What was computed before.
         motion: Option<Box<Motion>>,
     },
@@ -361,10 +356,34 @@ impl Error {
             Error::NoConvergence { motion, .. }
             | Error::SingularAt { motion, .. }
             | Error::NotFinite { motion, .. }
+            | Error::CannotBeDriven { motion, .. }
             | Error::WrongBranch { motion, .. }
             | Error::LawJumps { motion, .. } => motion.as_deref(),
             _ => None,
         }
+    }
+
+    /// What is wrong with the mechanism, by name, where the error is of that kind.
+    pub fn diagnosis(&self) -> Option<&Diagnosis> {
+        match self {
+            Error::CannotBeDriven { diagnosis, .. } => Some(diagnosis),
+            Error::SingularAt { diagnosis, .. } | Error::NoConvergence { diagnosis, .. } => diagnosis.as_deref(),
+            _ => None,
+        }
+    }
+
+    /// The same error with what is wrong with the mechanism at that time, by name, as far as the size of the system allows to look for it.
+    pub(crate) fn explained(mut self, system: &System) -> Error {
+        /// Coordinates up to which a failing run is examined by itself; [`System::diagnose`] does it for any number.
+        const EXAMINED: usize = 1500;
+        if let Error::SingularAt { t, diagnosis, motion, .. } | Error::NoConvergence { t, diagnosis, motion, .. } = &mut self
+            && system.n_coordinates() <= EXAMINED
+        {
+            let last = motion.as_ref().and_then(|motion| Some(motion.q(motion.len().checked_sub(1)?)));
+            let start = last.map_or(Start::Guess(system.initial()), Start::Pose);
+            *diagnosis = diagnosis::diagnose(system.model(), start, *t).ok().map(Box::new);
+        }
+        self
     }
 
     /// The same error, carrying what was computed before.
@@ -372,6 +391,7 @@ impl Error {
         if let Error::NoConvergence { motion, .. }
         | Error::SingularAt { motion, .. }
         | Error::NotFinite { motion, .. }
+        | Error::CannotBeDriven { motion, .. }
         | Error::WrongBranch { motion, .. }
         | Error::LawJumps { motion, .. } = &mut self
             && !computed.is_empty()
@@ -406,31 +426,6 @@ mod tests {
     }
 
     #[test]
-    fn not_square_says_what_is_missing_and_the_cure() {
-        let error = Error::NotSquare {
-            mechanism: "arm".into(),
-            coordinates: 9,
-            equations: 7,
-            untouched: vec!["spare".into()],
-            movable: vec![],
-            dependent: vec![],
-        };
-        let text = error.to_string();
-        assert!(text.starts_with("the mechanism \"arm\" cannot be driven: 9 coordinates, 7 equations."), "{text}");
-        assert!(text.contains("2 equations are missing") && text.contains("`spare`") && text.contains("driver"), "{text}");
-        let error = Error::NotSquare {
-            mechanism: "arm".into(),
-            coordinates: 9,
-            equations: 10,
-            untouched: vec![],
-            movable: vec![],
-            dependent: vec!["motor".into(), "motor 2".into()],
-        };
-        let text = error.to_string();
-        assert!(text.contains("1 equation too many") && text.contains("`motor`, `motor 2`"), "{text}");
-    }
-
-    #[test]
     fn no_convergence_names_the_row_and_the_last_time() {
         let error = Error::NoConvergence {
             t: 0.31,
@@ -439,6 +434,7 @@ mod tests {
             row: "y".into(),
             residual: 0.04,
             last: Some(0.3),
+            diagnosis: None,
             motion: None,
         };
         let text = error.to_string();

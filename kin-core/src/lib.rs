@@ -7,10 +7,12 @@
 extern crate self as kin;
 
 pub mod algebra;
+mod assembly;
 pub mod check;
 pub mod constraint;
 pub mod coordinates;
 pub mod data;
+pub mod diagnosis;
 pub mod dual_route;
 pub mod error;
 mod fours;
@@ -20,6 +22,7 @@ pub mod law;
 mod layout;
 mod linear;
 pub mod mechanism;
+mod model;
 pub mod motion;
 pub mod newton;
 pub mod real;
@@ -33,6 +36,7 @@ pub mod terms;
 mod testing;
 
 pub use algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
+pub use assembly::{Assembly, AssemblyOptions, Label};
 pub use constraint::{Attached, Attachment, Constraint, Dependence, Route};
 pub use coordinates::{
     Coord, Coordinate, Ground, Link, Planar, PlanarBody, Spatial, SpatialBody, SpatialLink, Target, Time, any_coord, any_planar,

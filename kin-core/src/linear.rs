@@ -11,6 +11,7 @@ mod cells;
 mod code;
 mod condition;
 mod diagnosis;
+mod echelon;
 pub(crate) mod lanes;
 mod order;
 mod program;
@@ -18,15 +19,19 @@ mod rank;
 mod record;
 mod replay;
 mod solving;
+mod tall;
 #[cfg(test)]
 mod tests;
+
+pub(crate) use echelon::{Echelon, Sparse, reduced};
+pub(crate) use rank::Singular;
 
 use std::sync::Arc;
 
 use crate::fours;
 use code::Seen;
-pub(crate) use rank::{Singular, of_rectangle};
 use record::{Input, Places, Recording};
+pub(crate) use tall::Tall;
 
 /// A pivot below this measure is zero; the rounding of an elimination of moderate size stays below.   \[-\]
 const SINGULAR: f64 = 1e-13;
@@ -217,18 +222,23 @@ impl Linear {
 
     /// A = L U. The values must be finite and measured.
     pub(crate) fn factor(&mut self) -> Result<(), Singular> {
+        if self.factors() { Ok(()) } else { Err(self.diagnose()) }
+    }
+
+    /// The same without a word about what is singular.
+    pub(crate) fn factors(&mut self) -> bool {
         if self.settled {
-            return Ok(());
+            return true;
         }
         if let Some(recording) = &self.recording {
             let settled = recording.factor.len() == 0;
             self.replay();
             if self.fits() {
                 self.settled = settled;
-                return Ok(());
+                return true;
             }
         }
-        self.record()
+        self.prepare()
     }
 
     /// A x = b with the factors at hand: from the right side to the solution.
@@ -323,12 +333,7 @@ impl Linear {
         Some(())
     }
 
-    /// Records the elimination at the values as written, unless they are singular.
-    fn record(&mut self) -> Result<(), Singular> {
-        if self.prepare() { Ok(()) } else { Err(self.diagnose()) }
-    }
-
-    /// The same for later use; false, and nothing recorded, if the values are singular.
+    /// Records the elimination at the values as written; false, and nothing recorded, if they are singular.
     pub(crate) fn prepare(&mut self) -> bool {
         self.measure();
         let regular = self.record_only().is_some() && (self.n == 0 || self.smallest > SINGULAR && self.condition() < CONDITION);

@@ -12,6 +12,7 @@ use std::collections::HashSet;
 use crate::algebra::Vec2;
 use crate::constraint::Constraint;
 use crate::coordinates::{Coordinate, Ground, Link, MechanismId, PlanarBody, SpatialBody, Target, Trig};
+use crate::diagnosis::Diagnosis;
 use crate::error::{Error, Result};
 use crate::layout::{Kind, Layout, Place};
 use crate::system::System;
@@ -270,10 +271,27 @@ impl Mechanism {
         Ok(())
     }
 
-    /// The system of its equations, the norm constraints of spatial bodies appended.
+    /// The system of its equations, the norm constraints of spatial bodies appended. It may have more equations than coordinates.
     ///
-    /// Errors: as many equations as coordinates are needed ([`Error::NotSquare`]); a mistake in [`Mechanism::prefer`].
-    pub fn build(mut self) -> Result<System> {
+    /// Errors: fewer equations than coordinates ([`Error::CannotBeDriven`], with its diagnosis at t = 0); a mistake in
+    /// [`Mechanism::prefer`].
+    pub fn build(self) -> Result<System> {
+        let system = self.system()?;
+        if system.n_equations() < system.n_coordinates() {
+            return Err(Error::CannotBeDriven { diagnosis: Box::new(system.diagnose(0.0)?), motion: None });
+        }
+        Ok(system)
+    }
+
+    /// What the mechanism is at time t, assembled from its guess, whether it can be driven or not: counts, rank, dependencies between
+    /// equations and freedoms by name.
+    ///
+    /// Errors: those of [`Mechanism::build`] but for the count; t not finite, nothing finite near the guess.
+    pub fn diagnose(self, t: f64) -> Result<Diagnosis> {
+        self.system()?.diagnose(t)
+    }
+
+    fn system(mut self) -> Result<System> {
         if let Some(mistake) = self.mistake.take() {
             return Err(mistake);
         }
@@ -289,39 +307,6 @@ impl Mechanism {
             guess[column] = value;
         }
         let equations = Equations::new(&self.layout, self.constraints);
-        if equations.rows != self.layout.len() {
-            return Err(not_square(self.name, &self.layout, &equations, &guess));
-        }
         Ok(System::new(self.name, self.layout, equations, guess, self.preferred, links))
     }
-}
-
-/// Counts, what nothing touches (the norm of its own Euler parameters does not touch a body), what can still move, and which constraints
-/// repeat one another at a general pose near the guess.
-fn not_square(mechanism: String, layout: &Layout, equations: &Equations, guess: &[f64]) -> Error {
-    let mut touched = HashSet::new();
-    for block in equations.blocks.iter().filter(|block| block.constraint.kind() != "euler_norm") {
-        let columns = equations.entries[block.values()].iter().flatten().map(|(_, column)| *column);
-        touched.extend(columns.filter_map(|column| Some(layout.owner(column)?.first)));
-    }
-    let untouched = layout.items.iter().filter(|item| !touched.contains(&item.first)).map(|item| item.name.clone()).collect();
-    let (movable, dependent) = freedoms(layout, equations, guess);
-    Error::NotSquare { mechanism, coordinates: layout.len(), equations: equations.rows, untouched, movable, dependent }
-}
-
-/// Bodies with a share in a free motion, and constraints with a share in a dependency, by the rank of C_q at a pose beside the guess:
-/// the guess itself may be a special pose, such as all zeros.
-fn freedoms(layout: &Layout, equations: &Equations, guess: &[f64]) -> (Vec<String>, Vec<String>) {
-    let q: Vec<f64> = guess.iter().enumerate().map(|(k, x)| x + 0.3 * (1.0 + 1.7 * k as f64).sin()).collect();
-    let (mut c, mut values) = (vec![0.0; equations.rows], vec![0.0; equations.entries.len()]);
-    equations.set_constants(&mut values);
-    equations.linearize(&equations.instant_at(0.0, &q), &mut c, &mut values);
-    let entries: Vec<(usize, usize, f64)> =
-        equations.entries.iter().zip(&values).filter_map(|(entry, value)| entry.map(|(row, column)| (row, column, *value))).collect();
-    let Some(found) = crate::linear::of_rectangle(equations.rows, layout.len(), &entries) else { return (vec![], vec![]) };
-    let mut movable: Vec<String> = found.columns.iter().filter_map(|&k| Some(layout.owner(k)?.name.clone())).collect();
-    let mut dependent: Vec<String> = found.rows.iter().filter_map(|&k| Some(equations.block_of(k)?.0.name.clone())).collect();
-    movable.dedup();
-    dependent.dedup();
-    (movable, dependent)
 }

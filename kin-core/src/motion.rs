@@ -73,13 +73,23 @@ impl Motion {
 
     pub(crate) fn push(&mut self, t: f64, newton: &Newton<'_>, outcome: Outcome, crossed: Vec<CrossedBreak>) {
         self.breaks.extend(crossed);
-        if self.worst.is_none_or(|(known, _)| outcome.residual > known) {
-            self.worst = Some((outcome.residual, newton.worst().0));
+        let worst = if self.is_worse(outcome) { newton.worst().0 } else { 0 };
+        self.append(t, [&newton.q, &newton.qd, &newton.qdd], outcome, worst);
+    }
+
+    fn is_worse(&self, outcome: Outcome) -> bool {
+        self.worst.is_none_or(|(known, _)| outcome.residual > known)
+    }
+
+    /// q, q̇, q̈ at one more time; `worst` is the row with the largest |C_i|.
+    pub(crate) fn append(&mut self, t: f64, [q, qd, qdd]: [&[f64]; 3], outcome: Outcome, worst: usize) {
+        if self.is_worse(outcome) {
+            self.worst = Some((outcome.residual, worst));
         }
         self.times.push(t);
-        self.q.extend_from_slice(&newton.q);
-        self.qd.extend_from_slice(&newton.qd);
-        self.qdd.extend_from_slice(&newton.qdd);
+        self.q.extend_from_slice(q);
+        self.qd.extend_from_slice(qd);
+        self.qdd.extend_from_slice(qdd);
         self.iterations.push(outcome.iterations);
         self.residuals.push(outcome.residual);
     }

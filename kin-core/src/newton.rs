@@ -4,6 +4,7 @@ pub(crate) mod assembly;
 mod driven;
 mod options;
 pub(crate) mod predictor;
+pub(crate) mod redundant;
 pub(crate) mod sweep;
 mod watch;
 
@@ -357,7 +358,16 @@ impl<'a> Newton<'a> {
             Failure::Singular(found) => self.system.singular(t, &found, self.unmet()),
             Failure::NoConvergence { row, residual } => {
                 let (constraint, row) = self.system.row_name(row);
-                Error::NoConvergence { t, iterations: self.steps - self.steps_before, constraint, row, residual, last, motion: None }
+                Error::NoConvergence {
+                    t,
+                    iterations: self.steps - self.steps_before,
+                    constraint,
+                    row,
+                    residual,
+                    last,
+                    diagnosis: None,
+                    motion: None,
+                }
             }
         }
     }

@@ -9,17 +9,20 @@ use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
+use crate::assembly::{Assembly, AssemblyOptions, Label, modes};
 use crate::constraint::Constraint;
 use crate::coordinates::Target;
+use crate::diagnosis::{self, Diagnosis, Start};
 use crate::error::{Error, Result};
 use crate::layout::Layout;
 use crate::linear::{Linear, Singular};
+use crate::model::Model;
 use crate::motion::{Motion, Series};
-use crate::newton::{self, Newton, Options, Report, Steps, assembly};
+use crate::newton::{self, Newton, Options, Report, Steps, assembly, redundant};
 use crate::sweep::Sweep;
 use evaluate::{Bad, Equations, Instant, finite};
 
-/// A square system C(q, t) = 0 of n equations in n coordinates; built by [`crate::Mechanism::build`].
+/// A system C(q, t) = 0 of m equations in n coordinates, m ≥ n; built by [`crate::Mechanism::build`].
 ///
 /// Coordinates come in the order in which bodies and bare coordinates were declared, equations in the order in which constraints were
 /// added, the norm constraints |p|² = 1 of spatial bodies (named `BODY.p`) after them.
@@ -76,7 +79,7 @@ impl System {
         self.layout.len()
     }
 
-    /// Number of equations, n too.
+    /// Number of equations m; more than n if some repeat others.
     pub fn n_equations(&self) -> usize {
         self.equations.rows
     }
@@ -149,7 +152,7 @@ impl System {
         Ok(c)
     }
 
-    /// C_q(q, t), n × n. Errors: wrong length, not finite.
+    /// C_q(q, t), m × n. Errors: wrong length, not finite.
     pub fn jacobian(&self, q: &[f64], t: f64) -> Result<DMatrix<f64>> {
         let mut values = vec![0.0; self.equations.entries.len()];
         self.linearize(&self.instant(q, t)?, &mut values)?;
@@ -201,9 +204,12 @@ impl System {
     /// Position, velocity and acceleration at time t, assembled from the initial guess into the preferred assembly.
     /// Errors: no convergence, singular, not finite.
     pub fn position(&self, t: f64) -> Result<Solution> {
+        if redundant::is_redundant(self) {
+            return redundant::at(self, time(t)?, None);
+        }
         let options = Options::default();
         let mut newton = Newton::new(self, &options);
-        let outcome = assembly::assemble(&mut newton, time(t)?)?;
+        let outcome = assembly::assemble(&mut newton, time(t)?).map_err(|error| error.explained(self))?;
         Ok(newton.solution(t, outcome))
     }
 
@@ -211,6 +217,9 @@ impl System {
     /// Errors: wrong length, no convergence, singular, not finite.
     pub fn solve_at(&self, t: f64, q0: &[f64]) -> Result<Solution> {
         self.check(q0, "start")?;
+        if redundant::is_redundant(self) {
+            return redundant::at(self, time(t)?, Some(q0));
+        }
         let options = Options::default();
         let mut newton = Newton::new(self, &options);
         newton.q.copy_from_slice(q0);
@@ -253,6 +262,50 @@ impl System {
         self.equations.blocks.iter().all(|block| block.constraint.wrong_branch(&instant.of(block)).is_none())
     }
 
+    /// What the mechanism is at time t, assembled from the initial guess: counts, rank, dependencies and freedoms by name.
+    ///
+    /// Errors: t not finite, nothing finite near the guess.
+    pub fn diagnose(&self, t: f64) -> Result<Diagnosis> {
+        diagnosis::diagnose(self.model(), Start::Guess(&self.initial), time(t)?)
+    }
+
+    /// The same at a pose q (length n), brought onto C = 0 first where it is off.
+    ///
+    /// Errors: wrong length, not finite.
+    pub fn diagnose_at(&self, t: f64, q: &[f64]) -> Result<Diagnosis> {
+        self.check(q, "pose")?;
+        diagnosis::diagnose(self.model(), Start::Pose(q), time(t)?)
+    }
+
+    /// All assemblies that are found at time t, in the order of their labels; the same each time.
+    ///
+    /// The search goes on until nothing new turns up for a while, so for difficult mechanisms ask for more patience
+    /// ([`System::assemblies_with`]). None is an empty list.
+    ///
+    /// Errors: t not finite, a mechanism that is free to move.
+    pub fn assemblies(&self, t: f64) -> Result<Vec<Assembly>> {
+        self.assemblies_with(t, &AssemblyOptions::default())
+    }
+
+    /// The same with other options.
+    pub fn assemblies_with(&self, t: f64, options: &AssemblyOptions) -> Result<Vec<Assembly>> {
+        modes::all(self.model(), &self.initial, time(t)?, options)
+    }
+
+    /// The assembly of a label that [`System::assemblies`] gave out.
+    ///
+    /// Errors: those of [`System::assemblies`]; no assembly of that name.
+    pub fn assembly(&self, t: f64, label: &Label) -> Result<Assembly> {
+        let all = self.assemblies(t)?;
+        let known = || all.iter().map(|assembly| assembly.label.to_string()).collect();
+        let found = all.iter().find(|assembly| assembly.label == *label).cloned();
+        found.ok_or_else(|| Error::UnknownName { what: "assembly", name: label.to_string(), known: known() })
+    }
+
+    pub(crate) fn model(&self) -> Model<'_> {
+        Model { name: &self.name, layout: &self.layout, equations: &self.equations, preferred: &self.preferred, links: &self.links }
+    }
+
     pub(crate) fn layout(&self) -> &Arc<Layout> {
         &self.layout
     }
@@ -287,7 +340,17 @@ impl System {
         let mut movable: Vec<String> = found.columns.iter().filter_map(|&k| Some(self.layout.owner(k)?.name.clone())).collect();
         movable.dedup();
         let dependent = found.rows.iter().map(|&row| self.equations.equation(row)).collect();
-        Error::SingularAt { t, n: self.n_coordinates(), rank: found.rank, pivot: found.pivot, movable, dependent, unmet, motion: None }
+        Error::SingularAt {
+            t,
+            n: self.n_coordinates(),
+            rank: found.rank,
+            pivot: found.pivot,
+            movable,
+            dependent,
+            unmet,
+            diagnosis: None,
+            motion: None,
+        }
     }
 
     /// The instant at q and t, if they are well given.
@@ -319,8 +382,11 @@ impl System {
         result.map_err(|bad| self.equations.not_finite(bad, instant))
     }
 
-    /// C_q⁻¹ times the right side, with the sizes of that point.
+    /// C_q⁻¹ times the right side, with the sizes of that point; in the sense of least squares where there are more equations.
     fn solved(&self, q: &[f64], t: f64, rhs: &[f64]) -> Result<Vec<f64>> {
+        if redundant::is_redundant(self) {
+            return redundant::solved(self, q, t, rhs);
+        }
         let mut linear = self.linearized(q, t)?;
         linear.factor().map_err(|found| self.singular(t, &found, None))?;
         linear.rhs_mut().copy_from_slice(rhs);
@@ -353,6 +419,9 @@ impl std::fmt::Debug for System {
 /// The linear solver, its elimination recorded at the initial guess and t = 0.
 fn prepared(layout: &Layout, equations: &Equations, initial: &[f64], links: &[f64]) -> Linear {
     let mut linear = Linear::new(layout.len(), equations.entries.iter().copied(), &equations.constants);
+    if equations.rows != layout.len() {
+        return linear;
+    }
     let mut c = vec![0.0; equations.rows];
     equations.set_constants(linear.values_mut());
     equations.linearize(&equations.instant_at(0.0, initial), &mut c, linear.values_mut());

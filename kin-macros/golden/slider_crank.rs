@@ -64,6 +64,9 @@ const _: () = {
         fn route(&self) -> ::kin::Route {
             ::kin::Route::Symbolic
         }
+        fn is_driver(&self) -> bool {
+            true
+        }
         fn arguments(&self) -> ::std::vec::Vec<::kin::rt::Argument> {
             ::std::vec![
                 ::kin::rt::Argument { name : "theta3", target :

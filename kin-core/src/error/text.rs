@@ -1,14 +1,15 @@
 //! The sentences of error messages that depend on what is known.
 
+use crate::diagnosis::Diagnosis;
 use crate::motion::Motion;
 
 /// "3 equations", "1 equation".
-pub(super) fn count(n: usize, what: &str) -> String {
+pub(crate) fn count(n: usize, what: &str) -> String {
     if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") }
 }
 
 /// A time to nine digits, without the noise of binary fractions.
-pub(super) fn time(t: f64) -> f64 {
+pub(crate) fn time(t: f64) -> f64 {
     format!("{t:.8e}").parse().unwrap_or(t)
 }
 
@@ -18,47 +19,43 @@ pub(super) fn row(row: &str) -> String {
 }
 
 /// "`a`, `b` and 3 more".
-fn list(names: &[String]) -> String {
+pub(crate) fn list(names: &[String]) -> String {
     const SHOWN: usize = 8;
     let quoted: Vec<String> = names.iter().take(SHOWN).map(|name| format!("`{name}`")).collect();
     let all = quoted.join(", ");
     if names.len() > SHOWN { format!("{all} and {} more", names.len() - SHOWN) } else { all }
 }
 
-/// What is missing or too much, where, and the cure.
-pub(super) fn not_square(coordinates: usize, equations: usize, untouched: &[String], movable: &[String], dependent: &[String]) -> String {
-    let mut text = String::new();
-    let mut line = |what: &str, names: &[String]| {
-        if !names.is_empty() {
-            text += &format!("\n  {what} {}.", list(names));
+/// Where the last position was found, and what to try.
+pub(super) fn no_convergence(last: Option<f64>, diagnosis: &Option<Box<Diagnosis>>, motion: &Option<Box<Motion>>) -> String {
+    let found = details(diagnosis);
+    match last {
+        Some(t) if found.is_empty() => {
+            format!("\n  Nearest solved t = {} s. Try a smaller time step, or the loop cannot close beyond it.{}", time(t), kept(motion))
         }
-    };
-    line("no constraint touches", untouched);
-    line("free to move:", movable);
-    line("these repeat or contradict one another:", dependent);
-    let difference = count(coordinates.abs_diff(equations), "equation");
-    let verb = if coordinates.abs_diff(equations) == 1 { "is" } else { "are" };
-    text + &match coordinates > equations {
-        true if untouched.is_empty() => format!("\n  {difference} {verb} missing: add joints, or a driver for each freedom left."),
-        true => {
-            format!("\n  {difference} {verb} missing: add joints, or a driver for each freedom left, or leave out what nothing touches.")
-        }
-        false => format!("\n  {difference} too many: remove a driver, or a joint that repeats what others already hold."),
+        Some(t) => format!("\n  Nearest solved t = {} s.{found}{}", time(t), kept(motion)),
+        None if found.is_empty() => "\n  Try a better initial guess, or a preferred assembly; or the loop cannot close.".to_string(),
+        None => found,
     }
 }
 
-/// Where the last position was found, and what to try.
-pub(super) fn no_convergence(last: Option<f64>, motion: &Option<Box<Motion>>) -> String {
-    match last {
-        Some(t) => {
-            format!("\n  Nearest solved t = {} s. Try a smaller time step, or the loop cannot close beyond it.{}", time(t), kept(motion))
-        }
-        None => "\n  Try a better initial guess, or a preferred assembly; or the loop cannot close.".to_string(),
-    }
+/// What is wrong, line by line; nothing where nothing is, or nobody has looked.
+fn details(diagnosis: &Option<Box<Diagnosis>>) -> String {
+    diagnosis.as_ref().map(|diagnosis| diagnosis.details().to_string()).unwrap_or_default()
 }
 
 /// What can move and what depends on what.
-pub(super) fn singular(movable: &[String], dependent: &[String], unmet: &Option<String>, motion: &Option<Box<Motion>>) -> String {
+pub(super) fn singular(
+    movable: &[String],
+    dependent: &[String],
+    unmet: &Option<String>,
+    diagnosis: &Option<Box<Diagnosis>>,
+    motion: &Option<Box<Motion>>,
+) -> String {
+    let found = details(diagnosis);
+    if !found.is_empty() {
+        return found + &kept(motion);
+    }
     let mut text = String::new();
     if !movable.is_empty() {
         text += &format!("\n  free to move though the drivers stand still: {}.", list(movable));

@@ -34,31 +34,6 @@ pub(super) fn dependencies(a: Vec<f64>, n: usize) -> Singular {
     Singular { rank, pivot, columns: work.free(rank), rows: work.dependent(rank) }
 }
 
-/// Rank and dependencies of an m × n matrix with m ≠ n, given as (row, column, value): rows are scaled, the missing side is padded with zeros.
-/// `None` beyond a few hundred rows or columns, where a dense elimination is no longer worth a message.
-pub(crate) fn of_rectangle(m: usize, n: usize, entries: &[(usize, usize, f64)]) -> Option<Singular> {
-    const LARGEST: usize = 400;
-    let size = m.max(n);
-    if size > LARGEST || m == n {
-        return None;
-    }
-    let mut a = vec![0.0; size * size];
-    entries.iter().for_each(|&(row, column, value)| a[column * size + row] += value);
-    for row in 0..m {
-        let norm = (0..n).fold(0.0_f64, |largest, column| largest.max(a[column * size + row].abs()));
-        if norm > 0.0 && norm.is_finite() {
-            (0..n).for_each(|column| a[column * size + row] /= norm);
-        }
-    }
-    if a.iter().any(|x| !x.is_finite()) {
-        return None;
-    }
-    let mut found = dependencies(a, size);
-    found.rows.retain(|&row| row < m);
-    found.columns.retain(|&column| column < n);
-    Some(found)
-}
-
 struct Elimination {
     a: Vec<f64>,
     n: usize,

@@ -2,7 +2,7 @@
 
 use super::predictor::{Last, Predictor};
 use super::watch::Watch;
-use super::{Failure, Newton, Options, Outcome, Steps, assembly};
+use super::{Failure, Newton, Options, Outcome, Steps, assembly, redundant};
 use crate::error::{Error, Result};
 use crate::motion::Motion;
 use crate::system::System;
@@ -14,13 +14,16 @@ const HALVINGS: i32 = 12;
 pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<Motion> {
     options.check()?;
     check(times)?;
+    if redundant::is_redundant(system) {
+        return redundant::run(system, times, options);
+    }
     let mut motion = Motion::new(system, times.len());
     let (mut sweep, mut watch) = (Sweep::new(system, options), Watch::default());
     for &t in times {
         let reached = sweep.reach(t).and_then(|outcome| Ok((outcome, watch.look(&sweep.newton, t)?)));
         match reached {
             Ok((outcome, crossed)) => motion.push(t, &sweep.newton, outcome, crossed),
-            Err(error) => return Err(error.with_motion(motion)),
+            Err(error) => return Err(error.with_motion(motion).explained(system)),
         }
     }
     match sweep.newton.meant() {

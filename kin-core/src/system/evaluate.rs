@@ -276,11 +276,16 @@ impl Equations {
 
     /// Q_d, whether it is finite or not.
     pub(crate) fn acceleration_rhs(&self, instant: &Instant, q_d: &mut [f64]) {
-        q_d.fill(0.0);
+        self.second_order(instant, 1.0, q_d);
+    }
+
+    /// −[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt] along the rates v of the instant, whether it is finite or not.
+    pub(crate) fn second_order(&self, instant: &Instant, t_dot: f64, rhs: &mut [f64]) {
+        rhs.fill(0.0);
         let (at, rates) = (instant.at(), Rates::new(&instant.rates, &[]));
         for block in self.asked.q_d.iter().map(|&k| &self.blocks[k]) {
             let rates = rates.further(block.rates as usize, &block.first_column);
-            block.constraint.acceleration_rhs(&block.at(at), &rates, 1.0, &mut q_d[block.rows.range()]);
+            block.constraint.acceleration_rhs(&block.at(at), &rates, t_dot, &mut rhs[block.rows.range()]);
         }
     }
 

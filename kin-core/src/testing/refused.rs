@@ -23,7 +23,9 @@ fn not_square_names_what_is_untouched() {
     m.add("O", revolute(Ground, a, v(0.0, 0.0), a.start())).unwrap();
     m.add("motor", drive_angle(a, Law::ramp(1.0))).unwrap();
     let error = m.build().unwrap_err();
-    assert!(matches!(&error, Error::NotSquare { coordinates: 6, equations: 3, untouched, .. } if untouched == &["spare"]), "{error}");
+    let found = error.diagnosis().unwrap();
+    assert_eq!((found.coordinates, found.equations, found.rank, found.freedoms.len()), (6, 3, 3, 3));
+    assert!(found.freedoms.iter().all(|freedom| freedom.motions.len() == 1 && freedom.motions[0].names == ["spare"]), "{error}");
 }
 
 #[test]
@@ -32,7 +34,8 @@ fn spatial_bodies_bring_their_norm() {
     let p = crate::algebra::Vec3::new(1.0, 2.0, 3.0);
     m.spatial("platform", SpatialPose::at(p)).unwrap();
     let error = m.build().unwrap_err();
-    assert!(matches!(&error, Error::NotSquare { coordinates: 7, equations: 1, untouched, .. } if untouched == &["platform"]), "{error}");
+    let found = error.diagnosis().unwrap();
+    assert_eq!((found.coordinates, found.equations, found.freedoms.len()), (7, 1, 6), "{error}");
 }
 
 #[test]

@@ -65,6 +65,7 @@ impl<'a> Frame<'a> {
         let kinds = source.arguments.iter().flat_map(kinds);
         let (in_lanes, lane_kernels) = self.lanes.as_ref().map(|lanes| (&lanes.method, &lanes.implementations)).unzip();
         let (describe, as_data) = (described::describe(source), described::described(source, &kind, &n, &m));
+        let is_driver = is_driver(source);
         let description = super::description(&source.attributes);
         let (refusal, branch) = (demands::refusal(source), demands::branch(source));
         let laws = lowered.map(|lowered| functions::laws(&source.arguments, lowered)).unwrap_or_default();
@@ -82,6 +83,7 @@ impl<'a> Frame<'a> {
                     fn route(&self) -> ::kin::Route {
                         #route
                     }
+                    #is_driver
                     fn arguments(&self) -> ::std::vec::Vec<::kin::rt::Argument> {
                         #described
                     }
@@ -262,6 +264,18 @@ fn kinds(argument: &Argument) -> Vec<TokenStream> {
         _ => quote!(::kin::rt::ArgumentKind::Coord),
     };
     vec![kind; argument.kind.slots()]
+}
+
+/// A constraint with time in it says so.
+fn is_driver(source: &ConstraintFn) -> TokenStream {
+    match source.arguments.iter().any(|argument| argument.kind == Kind::Time) {
+        true => quote! {
+            fn is_driver(&self) -> bool {
+                true
+            }
+        },
+        false => quote!(),
+    }
 }
 
 fn columns(arguments: &[Argument]) -> usize {

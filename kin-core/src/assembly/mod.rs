@@ -1,0 +1,10 @@
+//! From a poor guess to a pose: the nearest one, all there are, the least gap where there is none.
+
+mod label;
+pub(crate) mod modes;
+pub(crate) mod search;
+pub(crate) mod squares;
+mod turn;
+
+pub use label::Label;
+pub use modes::{Assembly, AssemblyOptions};

@@ -1,0 +1,110 @@
+//! The least change that makes a mechanism exactly constrained.
+
+use super::contradiction::Gap;
+use super::dependency::{Class, Dependency};
+use super::examine::Examined;
+use super::freedom::{Freedom, Persistence};
+use crate::layout::Unit;
+
+/// One thing to change in the model.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Change {
+    /// Leave a constraint out.
+    Remove {
+        /// The constraint.
+        constraint: String,
+        /// Constraints of which any could be left out in its place: other drivers that contradict it.
+        or: Vec<String>,
+    },
+    /// Ask less of a driver: what it asks for is beyond what the mechanism can reach.
+    Limit {
+        /// The driver.
+        constraint: String,
+        /// The coordinate it drives.
+        coordinate: String,
+        /// The nearest that was found to what it asks.   \[m or rad\]
+        reached: f64,
+    },
+    /// Leave some rows of a constraint out: a joint that holds less.
+    Drop {
+        /// The constraint.
+        constraint: String,
+        /// Names of its rows that are superfluous.
+        rows: Vec<String>,
+        /// A joint of the library that holds just the rest, in words.
+        instead: Option<&'static str>,
+    },
+    /// Drive a coordinate, or hold it.
+    Drive {
+        /// The coordinate.
+        coordinate: String,
+        /// Whether it is an Euler parameter: then the turn of its body is meant.
+        turn: bool,
+        /// The bodies that would move with it.
+        moves: Vec<String>,
+    },
+}
+
+/// Rows to leave out for what is superfluous, coordinates to drive for what is free. A dependency or freedom of this pose alone asks for
+/// another pose, not for another model.
+pub(super) fn least(examined: &Examined<'_>, gaps: &[Gap], dependencies: &[Dependency], freedoms: &[Freedom]) -> Vec<Change> {
+    let mut changes: Vec<Change> = Vec::new();
+    for gap in gaps {
+        if let Some(asks) = gap.asks.as_ref().filter(|_| !gap.lasting) {
+            let (constraint, coordinate) = (gap.constraint.clone(), asks.coordinate.clone());
+            changes.push(Change::Limit { constraint, coordinate, reached: asks.stands });
+            continue;
+        }
+        let others = dependencies.iter().filter(|found| found.terms.iter().any(|term| gap.rows.contains(&term.row)));
+        let driver = gap.rows.iter().all(|row| examined.model.drives(*row));
+        let others = others.flat_map(|found| found.terms.iter().filter(|term| examined.model.drives(term.row)));
+        let mut or: Vec<String> = others.map(|term| term.constraint.clone()).filter(|name| driver && *name != gap.constraint).collect();
+        or.dedup();
+        changes.push(Change::Remove { constraint: gap.constraint.clone(), or });
+    }
+    let gone = |row: usize| gaps.iter().any(|gap| gap.rows.contains(&row));
+    let lasting = dependencies.iter().filter(|found| found.class != Class::OnlyHere);
+    let rows: Vec<usize> = lasting.filter_map(|found| found.terms.first()).map(|term| term.row).filter(|row| !gone(*row)).collect();
+    changes.extend(leave_out(examined, &rows));
+    let lasting = freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Always);
+    let names = &examined.model.layout.names;
+    let turn = |name: &String| names.iter().position(|known| known == name).is_some_and(|k| examined.model.layout.units[k] == Unit::One);
+    changes.extend(lasting.map(|freedom| Change::Drive {
+        turn: turn(&freedom.coordinate),
+        coordinate: freedom.coordinate.clone(),
+        moves: freedom.motions.iter().flat_map(|motion| motion.names.iter().cloned()).collect(),
+    }));
+    changes
+}
+
+/// The rows by constraint.
+fn leave_out(examined: &Examined<'_>, rows: &[usize]) -> Vec<Change> {
+    let mut changes = Vec::new();
+    for block in &examined.model.equations.blocks {
+        let own: Vec<usize> = rows.iter().filter(|row| block.rows().contains(row)).map(|row| row - block.rows().start).collect();
+        if own.is_empty() {
+            continue;
+        }
+        let constraint = block.name.clone();
+        changes.push(if own.len() == block.rows().len() {
+            Change::Remove { constraint, or: Vec::new() }
+        } else {
+            let mut own = own;
+            own.sort_unstable();
+            let instead = instead(block.constraint.kind(), block.constraint.rows().len(), &own);
+            Change::Drop { constraint, rows: own.iter().map(|local| block.row(*local).to_string()).collect(), instead }
+        });
+    }
+    changes
+}
+
+/// The joint that is left when rows are taken from a planar one of the library.
+fn instead(kind: &str, of: usize, rows: &[usize]) -> Option<&'static str> {
+    match (kind, of, rows) {
+        ("prismatic", 2, [0]) => Some("a point on a line"),
+        ("prismatic", 2, [1]) => Some("a constraint of the angle alone"),
+        ("revolute", 2, [_]) => Some("a point on a line"),
+        _ => None,
+    }
+}

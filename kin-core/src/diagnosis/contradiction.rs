@@ -1,0 +1,194 @@
+//! The pose to look at, and what cannot be met there.
+
+use super::examine::Start;
+use super::order;
+use crate::assembly::search::{self, Found};
+use crate::assembly::squares::{STEPS, Squares};
+use crate::error::{Error, Result};
+use crate::model::{Measures, Model};
+
+/// Starts from which a pose is looked for before it is said that there is none.
+pub(crate) const STARTS: usize = 12;
+
+/// Constraints that are let go at most.
+const LET_GO: usize = 6;
+
+/// A constraint that cannot be met together with all others.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Gap {
+    /// The constraint.
+    pub constraint: String,
+    /// Its equations, as they are counted in the system.
+    pub rows: Vec<usize>,
+    /// Names of its equations, such as `B.x`.
+    pub equations: Vec<String>,
+    /// What is missing in each equation where all other constraints are met and this one as nearly as was found.   \[unit of the row\]
+    pub residual: Vec<f64>,
+    /// For a driver of one coordinate: the coordinate, what is asked of it, and where it stands at the nearest.   \[m or rad\]
+    pub asks: Option<Asks>,
+    /// Whether its equations depend on the others at nearby poses too: then they contradict one another. If not, something does not reach.
+    pub lasting: bool,
+    /// From how many starts a pose was looked for.
+    pub starts: usize,
+}
+
+/// What a driver asks for and does not get.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Asks {
+    /// The coordinate.
+    pub coordinate: String,
+    /// What is asked.   \[m or rad\]
+    pub asked: f64,
+    /// Where it stands.   \[m or rad\]
+    pub stands: f64,
+}
+
+impl Gap {
+    /// |C| of the constraint: the length of the gap for a joint that holds two points together.   \[unit of the row\]
+    pub fn size(&self) -> f64 {
+        self.residual.iter().map(|c| c * c).sum::<f64>().sqrt()
+    }
+}
+
+/// The pose to look at.
+pub(super) struct Placed {
+    pub q: Vec<f64>,
+    pub measures: Measures,
+    pub gaps: Vec<Gap>,
+}
+
+/// A pose of the mechanism; where there is none, one at which as few constraints as possible are open, and these as little as possible.
+pub(super) fn place(model: Model<'_>, start: Start<'_>, t: f64) -> Result<Placed> {
+    let all = |_: usize| true;
+    let found = match start {
+        Start::Guess(q) => search::search(model, q, t, &all, STARTS),
+        Start::Pose(q) => search::descend(model, q, t, &all, false),
+    };
+    let q = match start {
+        Start::Guess(q) | Start::Pose(q) => q,
+    };
+    let Some(found) = found else {
+        let bad = model.linearize(q, t).err();
+        return Err(bad.map_or_else(|| nowhere(t), |bad| model.not_finite(bad, q, t)));
+    };
+    if found.met {
+        return Ok(Placed { q: found.place.q, measures: found.measures, gaps: Vec::new() });
+    }
+    Ok(let_go(model, found, t))
+}
+
+fn nowhere(t: f64) -> Error {
+    Error::InvalidTimes { reason: format!("nothing is finite at t = {t}") }
+}
+
+/// Lets constraints go, one after the other, until the rest can be met; then brings them as near as the rest allows.
+fn let_go(model: Model<'_>, found: Found, t: f64) -> Placed {
+    let (starts, mut found) = (found.starts, found);
+    let mut open: Vec<usize> = Vec::new();
+    while !found.met && open.len() < LET_GO {
+        let Some((block, next)) = most_telling(&model, &found, t, &open) else { break };
+        open.push(block);
+        found = next;
+    }
+    let gaps = open.iter().map(|block| gap(&model, &found, t, *block, starts)).collect();
+    Placed { q: found.place.q, measures: found.measures, gaps }
+}
+
+/// The first constraint without which the others can be met; else the one without which they are nearest to it.
+fn most_telling(model: &Model<'_>, found: &Found, t: f64, open: &[usize]) -> Option<(usize, Found)> {
+    /// What must be gone of the sum of squares.   \[-\]
+    const HELPS: f64 = 0.1;
+    let mut best: Option<(usize, Found)> = None;
+    for block in culprits(model, found, open) {
+        let Some(next) = without(*model, found, t, open, block) else { continue };
+        if next.met && near(model, found, &next, block) {
+            return Some((block, next));
+        }
+        if best.as_ref().is_none_or(|(_, best)| next.place.merit < best.place.merit) {
+            best = Some((block, next));
+        }
+    }
+    best.filter(|(_, best)| best.place.merit < (1.0 - HELPS) * found.place.merit)
+}
+
+/// Whether a constraint that is let go is off by no more than its share in what could not be met lets one expect: by more it is so in
+/// another assembly, which says nothing about this one.
+fn near(model: &Model<'_>, found: &Found, next: &Found, block: usize) -> bool {
+    /// What is within expectation.   \[-\]
+    const EXPECTED: f64 = 4.0;
+    let size = |found: &Found| {
+        let rows = model.equations.blocks[block].rows();
+        rows.map(|row| (found.place.point.c[row] / found.measures.norms[row]).powi(2)).sum::<f64>().sqrt()
+    };
+    size(next) * size(found) <= EXPECTED * found.place.merit
+}
+
+/// The pose where one more constraint is let go, and as near to being met as the others allow.
+fn without(model: Model<'_>, found: &Found, t: f64, open: &[usize], block: usize) -> Option<Found> {
+    let rows: Vec<usize> = open.iter().chain([&block]).flat_map(|block| model.equations.blocks[*block].rows()).collect();
+    let near = nearest(model, found, t, &rows);
+    search::descend(model, &near, t, &|row| !rows.contains(&row), false)
+}
+
+/// The constraints that take part in what cannot be met, the first that is called superfluous first.
+fn culprits(model: &Model<'_>, found: &Found, open: &[usize]) -> impl Iterator<Item = usize> {
+    /// A share of the largest residual above this takes part.   \[-\]
+    const SHARE: f64 = 0.02;
+    /// So many are tried.
+    const TRIED: usize = 24;
+    let shares: Vec<f64> = found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs()).collect();
+    let block_of = |row: usize| model.equations.blocks.partition_point(|block| block.rows().end <= row);
+    let closed = |row: usize| !open.contains(&block_of(row));
+    let largest = (0..model.m()).filter(|row| closed(*row)).fold(0.0_f64, |m, row| m.max(shares[row]));
+    let mut blocks: Vec<usize> = Vec::new();
+    for row in order::of_rows(model).into_iter().filter(|row| closed(*row) && shares[*row] > SHARE * largest) {
+        if !blocks.contains(&block_of(row)) && blocks.len() < TRIED {
+            blocks.push(block_of(row));
+        }
+    }
+    blocks.into_iter()
+}
+
+/// The pose at which these rows are as nearly met as the others allow, from the one found.
+fn nearest(model: Model<'_>, found: &Found, t: f64, rows: &[usize]) -> Vec<f64> {
+    /// What the rows weigh against the others, stage by stage.   \[-\]
+    const WEIGHTS: [f64; 3] = [3e-1, 3e-2, 3e-3];
+    let mut q = found.place.q.clone();
+    for weight in WEIGHTS {
+        let mut squares = Squares::new(model, &found.measures, Vec::new(), false);
+        rows.iter().for_each(|row| squares.weights[*row] = weight);
+        let Some(place) = squares.place(&q, t) else { break };
+        q = squares.minimise(place, STEPS).q;
+    }
+    q
+}
+
+fn gap(model: &Model<'_>, found: &Found, t: f64, block: usize, starts: usize) -> Gap {
+    let block = &model.equations.blocks[block];
+    let (rows, point) = (block.rows(), &found.place.point);
+    Gap {
+        constraint: block.name.clone(),
+        equations: rows.clone().map(|row| model.equations.equation(row)).collect(),
+        residual: point.c[rows.clone()].to_vec(),
+        asks: asks(model, found, t, rows.clone()),
+        rows: rows.collect(),
+        lasting: false,
+        starts,
+    }
+}
+
+/// For a driver a q_j − f(t) = 0: where the coordinate should be.
+fn asks(model: &Model<'_>, found: &Found, t: f64, rows: std::ops::Range<usize>) -> Option<Asks> {
+    if rows.len() != 1 || !model.drives(rows.start) {
+        return None;
+    }
+    let mut own = model.entries(&found.place.point.values).filter(|(row, _, value)| *row == rows.start && *value != 0.0);
+    let (Some((_, column, value)), None) = (own.next(), own.next()) else { return None };
+    let (stands, c) = (found.place.q[column], found.place.point.c[rows.start]);
+    let mut q = found.place.q.clone();
+    q[column] -= c / value;
+    let reached = model.linearize(&q, t).is_ok_and(|point| point.c[rows.start].abs() <= 1e-9 * c.abs());
+    reached.then(|| Asks { coordinate: model.layout.names[column].clone(), asked: q[column], stands })
+}

@@ -1,0 +1,167 @@
+//! Equations that depend on one another: minimal sets, with coefficients.
+
+use super::examine::{Examined, Side};
+use super::freedom;
+use crate::linear::{Sparse, Tall};
+
+/// A coefficient below this, in units of the norms of its rows, is nothing where a gap is open.   \[-\]
+const OPEN: f64 = 1e-4;
+
+/// What a dependency means.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Class {
+    /// One equation repeats others, at nearby poses too, and all can be met: harmless.
+    Redundant,
+    /// The equations cannot be met together.
+    Contradictory {
+        /// In positions, velocities or accelerations.
+        level: Level,
+        /// Σ coefficient · equation, which should be zero and cannot be.   \[unit of the dependent row; /s; /s²\]
+        residual: f64,
+    },
+    /// The equations depend on one another at this pose, not at nearby ones.
+    OnlyHere,
+}
+
+/// Where a contradiction shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// C(q, t) = 0 has no solution there.
+    Position,
+    /// C_q q̇ = −C_t has none.
+    Velocity,
+    /// C_q q̈ = Q_d has none.
+    Acceleration,
+}
+
+/// One equation in a dependency.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Term {
+    /// The constraint.
+    pub constraint: String,
+    /// The equation, such as `B.x`.
+    pub equation: String,
+    /// Its number in the system.
+    pub row: usize,
+    /// Its coefficient.   \[unit of the dependent row / unit of this row\]
+    pub coefficient: f64,
+}
+
+/// Σ coefficient · ∂C_i/∂q = 0 over a minimal set: without any of them the others are independent.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Dependency {
+    /// What it means.
+    pub class: Class,
+    /// The terms; the first one, with the coefficient 1, is the equation that is called superfluous.
+    pub terms: Vec<Term>,
+}
+
+impl Dependency {
+    /// Names of the constraints that take part, that of the superfluous equation first, each once.
+    pub fn constraints(&self) -> Vec<&str> {
+        let mut names: Vec<&str> = Vec::new();
+        for term in &self.terms {
+            if !names.contains(&term.constraint.as_str()) {
+                names.push(&term.constraint);
+            }
+        }
+        names
+    }
+}
+
+/// All dependencies at the pose.
+pub(super) fn all(examined: &Examined<'_>) -> Vec<Dependency> {
+    if examined.here.dependent.is_empty() {
+        return Vec::new();
+    }
+    let rates = Rates::new(examined);
+    let blocked = freedom::infinitesimal(examined);
+    let found = examined.here.dependent.iter().enumerate();
+    found.map(|(k, (row, vector))| dependency(examined, &rates, &blocked, k, *row, vector)).collect()
+}
+
+fn dependency(examined: &Examined<'_>, rates: &Rates, blocked: &[Vec<f64>], k: usize, own: usize, vector: &Sparse) -> Dependency {
+    let norms = &examined.measures.norms;
+    let unit = norms[own];
+    let mut combination: Sparse = vector.iter().map(|(row, y)| (*row, y * unit / norms[*row])).collect();
+    if combination.iter().any(|(row, _)| examined.gaps.iter().any(|gap| gap.rows.contains(row))) {
+        // At a smallest gap the pose is known to fewer digits, and so are the coefficients.
+        combination.retain(|(row, z)| *row == own || (z * norms[*row] / unit).abs() > OPEN);
+    }
+    combination.sort_by_key(|(row, _)| (*row != own, *row));
+    let class = class(examined, rates, blocked, k, &combination, unit);
+    let term = |&(row, coefficient): &(usize, f64)| {
+        let constraint = examined.model.equations.block_of(row).map(|(block, _)| block.name.clone()).unwrap_or_default();
+        Term { constraint, equation: examined.model.equations.equation(row), row, coefficient }
+    };
+    Dependency { class, terms: combination.iter().map(term).collect() }
+}
+
+fn class(examined: &Examined<'_>, rates: &Rates, blocked: &[Vec<f64>], k: usize, combination: &Sparse, unit: f64) -> Class {
+    let open = |row: usize| examined.gaps.iter().any(|gap| gap.rows.contains(&row));
+    let position = left_over(&rates.c, combination, 0.0);
+    if combination.iter().any(|(row, _)| open(*row)) && position.abs() > 1e-9 * unit {
+        return Class::Contradictory { level: Level::Position, residual: position };
+    }
+    let bends = |v: &Vec<f64>| {
+        let along = examined.model.second_order(examined.q, examined.t, v, 0.0).unwrap_or_default();
+        left_over(&along, combination, unit * v.iter().zip(&examined.measures.sizes).map(|(v, s)| (v / s).powi(2)).sum::<f64>()) != 0.0
+    };
+    if !examined.persists(k, Side::Rows) || blocked.iter().any(bends) {
+        return Class::OnlyHere;
+    }
+    let fastest = unit / examined.measures.time;
+    for (level, rhs, size) in
+        [(Level::Velocity, &rates.velocity, fastest), (Level::Acceleration, &rates.acceleration, fastest / examined.measures.time)]
+    {
+        let residual = left_over(rhs, combination, size);
+        if residual != 0.0 {
+            return Class::Contradictory { level, residual };
+        }
+    }
+    Class::Redundant
+}
+
+/// Σ coefficient · rhs_i, zero where that is rounding of its terms or of what is usual there.
+fn left_over(rhs: &[f64], combination: &Sparse, size: f64) -> f64 {
+    /// Of the terms.   \[-\]
+    const ROUNDING: f64 = 1e-8;
+    let terms = || combination.iter().filter_map(|(row, z)| Some(z * rhs.get(*row)?));
+    let (sum, sizes) = terms().fold((0.0, size), |(sum, sizes), term| (sum + term, sizes + term.abs()));
+    if sum.abs() > ROUNDING * sizes { sum } else { 0.0 }
+}
+
+/// C, C_t and −Q_d at the pose; what is not finite or not determined is empty.
+struct Rates {
+    c: Vec<f64>,
+    velocity: Vec<f64>,
+    acceleration: Vec<f64>,
+}
+
+impl Rates {
+    fn new(examined: &Examined<'_>) -> Self {
+        let Examined { model, q, t, .. } = *examined;
+        let c = model.linearize(q, t).map(|point| point.c).unwrap_or_default();
+        let velocity = model.c_t(q, t).unwrap_or_default();
+        let determined = examined.here.free.is_empty();
+        let qd = if determined { velocities(examined, &velocity) } else { None };
+        let acceleration = qd.and_then(|qd| model.second_order(q, t, &qd, 1.0).ok()).unwrap_or_default();
+        Rates { c, velocity, acceleration }
+    }
+}
+
+/// q̇ from C_q q̇ = −C_t, in the sense of least squares.
+fn velocities(examined: &Examined<'_>, c_t: &[f64]) -> Option<Vec<f64>> {
+    let Examined { model, q, t, measures, .. } = *examined;
+    let point = model.linearize(q, t).ok()?;
+    let mut tall = Tall::new(model.m(), model.n(), &model.equations.entries);
+    let scale = |entry: &Option<(usize, usize)>| entry.map_or(0.0, |(row, column)| measures.sizes[column] / measures.norms[row]);
+    let values = model.equations.entries.iter().zip(&point.values).map(|(entry, value)| scale(entry) * value);
+    if !tall.factor(values, 0.0) {
+        return None;
+    }
+    let y = tall.solve(c_t.iter().zip(&measures.norms).map(|(c_t, norm)| -c_t / norm));
+    Some(y.iter().zip(&measures.sizes).map(|(y, size)| y * size).collect())
+}

@@ -1,0 +1,25 @@
+//! What is wrong with a mechanism, or right with it, in the user's own names.
+//!
+//! A mechanism of n coordinates and m equations can be driven if C_q has rank n: then everything has its place, and m − n equations repeat
+//! others. [`Diagnosis`] tells the count, the rank of C_q at the pose and at poses near it in the same assembly, for each dependency between
+//! equations a minimal set of them with coefficients, for each freedom left what moves and how, and the least change that helps.
+//!
+//! Ranks are taken with lengths in units of the model's own typical length and every row by its norm, so that verdicts are the same in mm, m
+//! and km. Pivots below 1e-9 of that count as zero; [`Diagnosis::gap`] tells how clear the cut was.
+
+mod change;
+mod contradiction;
+mod dependency;
+mod examine;
+mod freedom;
+mod generic;
+mod order;
+mod text;
+
+pub use change::Change;
+pub(crate) use contradiction::STARTS;
+pub use contradiction::{Asks, Gap};
+pub use dependency::{Class, Dependency, Level, Term};
+pub use examine::Diagnosis;
+pub(crate) use examine::{Start, diagnose};
+pub use freedom::{BodyMotion, Freedom, How, Persistence};

@@ -1,0 +1,249 @@
+//! The report for people.
+
+use std::fmt::{Display, Formatter, Result};
+
+use super::change::Change;
+use super::contradiction::Gap;
+use super::dependency::{Class, Dependency, Level, Term};
+use super::examine::Diagnosis;
+use super::freedom::{BodyMotion, Freedom, How, Persistence};
+use crate::error::text::{count, list, time};
+
+/// Dependencies and freedoms that are written out.
+const SHOWN: usize = 6;
+
+impl Display for Diagnosis {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let can = if self.can_be_driven() { "can be driven" } else { "cannot be driven" };
+        let (n, m) = (count(self.coordinates, "coordinate"), count(self.equations, "equation"));
+        write!(f, "the mechanism \"{}\" {can} at t = {} s: {n}, {m}, rank {}", self.mechanism, time(self.t), self.rank)?;
+        match self.nearby_rank {
+            rank if rank > self.rank => write!(f, " here and {rank} at nearby poses.")?,
+            _ if self.dependencies.is_empty() && self.freedoms.is_empty() => write!(f, ".")?,
+            _ if self.moves => write!(f, " here and at nearby poses.")?,
+            _ => write!(f, "; it cannot move to other poses.")?,
+        }
+        write!(f, "{}", self.details())
+    }
+}
+
+/// All but the first line.
+struct Details<'a>(&'a Diagnosis);
+
+impl Display for Details<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        self.0.write_details(f)
+    }
+}
+
+impl Diagnosis {
+    /// The report without its first line, each line on a new one.
+    pub(crate) fn details(&self) -> impl Display {
+        Details(self)
+    }
+
+    fn write_details(&self, f: &mut Formatter<'_>) -> Result {
+        if self.count_misleads() {
+            write!(f, "\n  The count is right by chance: what is superfluous hides what is missing.")?;
+        }
+        self.gaps.iter().try_for_each(|gap| write!(f, "\n  {}", GapLine(gap, self)))?;
+        // A conflict of positions is told with its gap.
+        let told = |found: &&Dependency| matches!(found.class, Class::Contradictory { level: Level::Position, .. });
+        let dependencies: Vec<&Dependency> = self.dependencies.iter().filter(|found| !told(found)).collect();
+        lines(f, &dependencies, "dependency", "dependencies")?;
+        lines(f, &self.freedoms, "freedom", "freedoms")?;
+        self.advice(f)
+    }
+
+    fn advice(&self, f: &mut Formatter<'_>) -> Result {
+        let here = self.rank < self.nearby_rank;
+        let stiff = self.freedoms.iter().any(|freedom| freedom.persistence == Persistence::Infinitesimal);
+        if here && self.gaps.is_empty() {
+            write!(f, "\n  A toggle or change point: begin, or step, elsewhere.")?;
+        }
+        if stiff {
+            write!(f, "\n  Bodies stand in a special position, such as in line: change a dimension.")?;
+        }
+        if self.changes.is_empty() {
+            return Ok(());
+        }
+        let shown: Vec<String> = self.changes.iter().take(SHOWN).map(ToString::to_string).collect();
+        write!(f, "\n  Least change: {}", shown.join("; "))?;
+        more(f, self.changes.len(), "change", "changes")?;
+        f.write_str(".")
+    }
+}
+
+fn lines(f: &mut Formatter<'_>, all: &[impl Display], one: &str, many: &str) -> Result {
+    all.iter().take(SHOWN).try_for_each(|line| write!(f, "\n  {line}"))?;
+    if all.len() > SHOWN {
+        write!(f, "\n ")?;
+    }
+    more(f, all.len(), one, many)
+}
+
+fn more(f: &mut Formatter<'_>, all: usize, one: &str, many: &str) -> Result {
+    match all.saturating_sub(SHOWN) {
+        0 => Ok(()),
+        1 => write!(f, " and 1 more {one}"),
+        rest => write!(f, " and {rest} more {many}"),
+    }
+}
+
+/// A gap, with the constraints it is in conflict with.
+struct GapLine<'a>(&'a Gap, &'a Diagnosis);
+
+impl Display for GapLine<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let GapLine(gap, diagnosis) = self;
+        let sets = diagnosis.dependencies.iter().filter(|found| found.terms.iter().any(|term| gap.rows.contains(&term.row)));
+        let mut others: Vec<String> = Vec::new();
+        for name in sets.flat_map(|found| found.constraints()).filter(|name| *name != gap.constraint) {
+            if !others.iter().any(|known| known == name) {
+                others.push(name.to_string());
+            }
+        }
+        let with = if others.is_empty() { "with all others met".to_string() } else { format!("with {}", list(&others)) };
+        let (name, what) = (&gap.constraint, if gap.lasting { "contradictory" } else { "out of reach" });
+        match &gap.asks {
+            Some(asks) => {
+                let (coordinate, [asked, stands]) = (&asks.coordinate, different(asks.asked, asks.stands));
+                write!(f, "{what}: `{name}` asks for {coordinate} = {asked}; {with} it stands at {stands}.")
+            }
+            None => write!(f, "{what}: `{name}` cannot be met; {with} it is off by {} at the least.", number(gap.size())),
+        }?;
+        match gap.starts {
+            0 | 1 => Ok(()),
+            starts => write!(f, " (The nearest of {starts} starts.)"),
+        }
+    }
+}
+
+impl Display for Dependency {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let Some((own, others)) = self.terms.split_first() else { return Ok(()) };
+        let name = &own.equation;
+        match self.class {
+            Class::Redundant => write!(f, "redundant but consistent: `{name}`{}.", Sum(others)),
+            Class::OnlyHere => write!(f, "dependent only here: `{name}`{}.", Sum(others)),
+            Class::Contradictory { level, residual } => {
+                let what = match level {
+                    Level::Position => "cannot be met together",
+                    Level::Velocity => "ask for different velocities",
+                    Level::Acceleration => "ask for different accelerations",
+                };
+                let names: Vec<String> = self.constraints().iter().map(ToString::to_string).collect();
+                write!(f, "contradictory: {} {what}: `{name}`{} leaves {}.", list(&names), Sum(others), number(residual))
+            }
+        }
+    }
+}
+
+/// " = 1.00 × `a` − 0.50 × `b`"
+struct Sum<'a>(&'a [Term]);
+
+impl Display for Sum<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let Sum(terms) = self;
+        if terms.is_empty() {
+            return f.write_str(" does not change with any coordinate");
+        }
+        for (k, term) in terms.iter().take(SHOWN).enumerate() {
+            let coefficient = -term.coefficient;
+            let sign = match (k, coefficient < 0.0) {
+                (0, false) => " = ",
+                (0, true) => " = −",
+                (_, false) => " + ",
+                (_, true) => " − ",
+            };
+            write!(f, "{sign}{} × `{}`", number(coefficient.abs()), term.equation)?;
+        }
+        match terms.len().saturating_sub(SHOWN) {
+            0 => Ok(()),
+            rest => write!(f, " + {}", count(rest, "more term")),
+        }
+    }
+}
+
+impl Display for Freedom {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let shown: Vec<String> = self.motions.iter().take(SHOWN).map(ToString::to_string).collect();
+        let what = shown.join(", ");
+        match self.persistence {
+            Persistence::Always => write!(f, "freedom left: {what}")?,
+            Persistence::OnlyHere => write!(f, "free only here: {what}")?,
+            Persistence::Infinitesimal => write!(f, "gives a little, to first order only: {what}")?,
+        }
+        more(f, self.motions.len(), "body", "bodies")?;
+        f.write_str(if self.persistence == Persistence::Always { "; nothing drives it." } else { "." })
+    }
+}
+
+impl Display for BodyMotion {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let several = self.names.len() > 1;
+        write!(f, "{} ", list(&self.names))?;
+        let verb = |one: &str| if several { one.trim_end_matches('s').to_string() } else { one.to_string() };
+        match self.how {
+            How::TurnsAbout { point: [x, y], .. } => write!(f, "{} about ({}, {})", verb("turns"), number(x), number(y)),
+            How::Slides { along: [x, y], .. } => write!(f, "{} along ({}, {})", verb("slides"), number(x), number(y)),
+            How::SlidesInSpace { along, .. } => write!(f, "{} along {}", verb("slides"), Vector(along)),
+            How::Screws { point, axis, pitch: 0.0, .. } => {
+                write!(f, "{} about the axis through {} along {}", verb("turns"), Vector(point), Vector(axis))
+            }
+            How::Screws { point, axis, pitch, .. } => {
+                let pitch = number(pitch);
+                write!(f, "{} about the axis through {} along {}, {pitch} a radian", verb("screws"), Vector(point), Vector(axis))
+            }
+            How::Changes { .. } => write!(f, "{}", verb("changes")),
+        }
+    }
+}
+
+impl Display for Change {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        match self {
+            Change::Remove { constraint, or } if or.is_empty() => write!(f, "remove `{constraint}`"),
+            Change::Remove { constraint, or } => {
+                write!(f, "remove `{constraint}`, or {}, or replace one by a measurement", list(or).replace(" and ", " or "))
+            }
+            Change::Limit { constraint, coordinate, reached } => {
+                write!(f, "let `{constraint}` stay within reach, which ends near {coordinate} = {reached:.4}")
+            }
+            Change::Drop { constraint, rows, instead } => {
+                let rows = if rows.len() == 1 { format!("row {}", rows[0]) } else { format!("rows {}", rows.join(", ")) };
+                match instead {
+                    Some(joint) => write!(f, "make `{constraint}` {joint} (drops {rows})"),
+                    None => write!(f, "drop {rows} of `{constraint}`"),
+                }
+            }
+            Change::Drive { moves, turn: true, .. } => write!(f, "hold or drive the turn of {}", list(moves)),
+            Change::Drive { coordinate, .. } => write!(f, "drive or hold `{coordinate}`"),
+        }
+    }
+}
+
+struct Vector([f64; 3]);
+
+impl Display for Vector {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let [x, y, z] = self.0.map(number);
+        write!(f, "({x}, {y}, {z})")
+    }
+}
+
+/// Three decimals where that says enough, else three digits.
+fn number(x: f64) -> String {
+    match x.abs() {
+        0.0 => "0.000".to_string(),
+        size if (0.1..1e4).contains(&size) => format!("{x:.3}"),
+        size if size < 1e-12 => "0.000".to_string(),
+        _ => format!("{x:.2e}"),
+    }
+}
+
+/// Two numbers with as many decimals as tell them apart, four at least.
+fn different(a: f64, b: f64) -> [String; 2] {
+    let with = |decimals: usize| [format!("{a:.decimals$}"), format!("{b:.decimals$}")];
+    (4..12).map(with).find(|[a, b]| a != b).unwrap_or_else(|| with(12))
+}

@@ -1,0 +1,65 @@
+//! Least squares: any number of equations for n unknowns, through the same recorded elimination.
+
+use super::Linear;
+
+/// min |A x − b|² + λ |x|² by \[I, A; Aᵀ, −λ I\] (r, x) = (b, 0), which does not square the condition of A.
+///
+/// Rows and columns of A should be of order 1. With λ = 0 the columns must be independent.
+#[derive(Clone)]
+pub(crate) struct Tall {
+    m: usize,
+    n: usize,
+    linear: Linear,
+}
+
+impl Tall {
+    /// An m × n matrix with one value for each place; `None` stands nowhere, repeated places add up.
+    pub(crate) fn new(m: usize, n: usize, places: &[Option<(usize, usize)>]) -> Self {
+        let identity = (0..m).map(|i| Some((i, i)));
+        let damping = (0..n).map(|j| Some((m + j, m + j)));
+        let upper = places.iter().map(|place| place.map(|(row, column)| (row, m + column)));
+        let lower = places.iter().map(|place| place.map(|(row, column)| (m + column, row)));
+        Tall { m, n, linear: Linear::new(m + n, identity.chain(damping).chain(upper).chain(lower), &vec![Some(1.0); m]) }
+    }
+
+    /// Takes the values, in the order of the places, and λ; false if that is singular.
+    pub(crate) fn factor(&mut self, values: impl Iterator<Item = f64> + Clone, damping: f64) -> bool {
+        let all = std::iter::repeat_n(1.0, self.m).chain(std::iter::repeat_n(-damping, self.n)).chain(values.clone()).chain(values);
+        self.linear.values_mut().iter_mut().zip(all).for_each(|(place, value)| *place = value);
+        self.linear.forget();
+        self.linear.measure();
+        self.linear.factors()
+    }
+
+    /// The smallest pivot of the last factoring.   \[-\]
+    pub(crate) fn smallest_pivot(&self) -> f64 {
+        self.linear.smallest_pivot()
+    }
+
+    /// x for the right side b, of length m.
+    pub(crate) fn solve(&mut self, b: impl Iterator<Item = f64>) -> &[f64] {
+        self.linear.rhs_mut().fill(0.0);
+        self.linear.rhs_mut()[..self.m].iter_mut().zip(b).for_each(|(place, b)| *place = b);
+        self.linear.solve();
+        &self.linear.solution()[self.m..]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn solution_is_that_of_the_normal_equations() {
+        let a = nalgebra::DMatrix::from_row_slice(4, 2, &[1.0, 2.0, 0.0, 1.0, 1.0, 0.0, 0.5, -1.0]);
+        let b = nalgebra::DVector::from_vec(vec![1.0, -1.0, 2.0, 0.25]);
+        let places: Vec<_> = (0..8).map(|k| Some((k / 2, k % 2))).collect();
+        let mut tall = Tall::new(4, 2, &places);
+        for damping in [0.0, 0.5] {
+            assert!(tall.factor((0..8).map(|k| a[(k / 2, k % 2)]), damping));
+            let x = nalgebra::DVector::from_column_slice(tall.solve(b.iter().copied()));
+            let normal = (a.transpose() * &a + nalgebra::DMatrix::identity(2, 2) * damping).lu().solve(&(a.transpose() * &b)).unwrap();
+            assert!((x - normal).amax() < 1e-14);
+        }
+    }
+}

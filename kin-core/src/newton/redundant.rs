@@ -1,0 +1,239 @@
+//! Mechanisms with more equations than coordinates, all of which can be met: the third crank of a parallelogram, a spatial four-bar of
+//! five-row revolutes, a slider in two guides.
+//!
+//! Every time is solved for all equations in the sense of least squares. To leave the superfluous ones out would not do: which equations are
+//! superfluous changes on the way (whatever row of a parallelogram's third crank is left out, twice in a turn it is the one that is needed).
+
+use super::{Options, Outcome, Report, Stop};
+use crate::assembly::search::{self, Found};
+use crate::diagnosis::{self, STARTS, Start};
+use crate::error::{Error, Result};
+use crate::linear::Tall;
+use crate::model::{Measures, Model, Point};
+use crate::motion::Motion;
+use crate::system::{Solution, System};
+
+/// Equations at a solution may differ by this share of their terms in velocities.   \[-\]
+const CONSISTENT: f64 = 1e-8;
+
+/// A step of time is halved at most this often before the sweep gives up.
+const HALVINGS: i32 = 12;
+
+/// A correction that stalls above this share of its coordinate is no rounding.   \[-\]
+const STALL: f64 = 1e-9;
+
+/// Position, velocity and acceleration at each of the times, which are checked, as the options are.
+pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<Motion> {
+    let mut motion = Motion::new(system, times.len());
+    let mut driver: Option<Driver<'_>> = None;
+    for &t in times {
+        let reached = match &mut driver {
+            Some(driver) => driver.advance(t),
+            None => Driver::assembled(system, options, t).map(|(made, outcome)| {
+                driver = Some(made);
+                outcome
+            }),
+        };
+        match (reached, &driver) {
+            (Ok(outcome), Some(driver)) => motion.append(t, [&driver.q, &driver.qd, &driver.qdd], outcome, driver.worst),
+            (Ok(_), None) => {}
+            (Err(error), _) => return Err(error.with_motion(motion)),
+        }
+    }
+    Ok(motion)
+}
+
+/// Position, velocity and acceleration at one time; from the guess, or from a start that is near.
+pub(crate) fn at(system: &System, t: f64, start: Option<&[f64]>) -> Result<Solution> {
+    let options = Options::default();
+    let (driver, outcome) = match start {
+        None => Driver::assembled(system, &options, t)?,
+        Some(start) => Driver::from_start(system, &options, t, start)?,
+    };
+    let worst = system.equations().equation(driver.worst);
+    let report = Report { iterations: outcome.iterations, residual: outcome.residual, worst, smallest_pivot: driver.tall.smallest_pivot() };
+    Ok(Solution { t, q: driver.q, qd: driver.qd, qdd: driver.qdd, report })
+}
+
+/// C_q x = the right side at a position, in the sense of least squares.
+pub(crate) fn solved(system: &System, q: &[f64], t: f64, rhs: &[f64]) -> Result<Vec<f64>> {
+    let (model, options) = (system.model(), Options::default());
+    let tall = Tall::new(model.m(), model.n(), &model.equations.entries);
+    let measures = model.measure(q, t);
+    let mut driver = Driver { model, options: &options, measures, tall, t, q: q.to_vec(), qd: vec![], qdd: vec![], worst: 0 };
+    match driver.factor(t) {
+        Some(_) => Ok(driver.solved(rhs.iter().copied())),
+        None => Err(blamed(model, Start::Pose(q), t)),
+    }
+}
+
+/// The point in hand, and the means to go on from it.
+struct Driver<'a> {
+    model: Model<'a>,
+    options: &'a Options,
+    measures: Measures,
+    tall: Tall,
+    t: f64,
+    q: Vec<f64>,
+    qd: Vec<f64>,
+    qdd: Vec<f64>,
+    /// The row with the largest |C_i|.
+    worst: usize,
+}
+
+impl<'a> Driver<'a> {
+    /// Assembled from the guess, into the preferred assembly.
+    fn assembled(system: &'a System, options: &'a Options, t: f64) -> Result<(Self, Outcome)> {
+        let found = search::search(system.model(), system.initial(), t, &|_| true, STARTS);
+        Self::found(system, options, t, found, system.initial())
+    }
+
+    /// Assembled from a start, nothing preferred.
+    fn from_start(system: &'a System, options: &'a Options, t: f64, start: &[f64]) -> Result<(Self, Outcome)> {
+        let found = search::descend(system.model(), start, t, &|_| true, false);
+        Self::found(system, options, t, found, start)
+    }
+
+    fn found(system: &'a System, options: &'a Options, t: f64, found: Option<Found>, start: &[f64]) -> Result<(Self, Outcome)> {
+        let model = system.model();
+        let Some(found) = found.filter(|found| found.met) else { return Err(blamed(model, Start::Guess(start), t)) };
+        let tall = Tall::new(model.m(), model.n(), &model.equations.entries);
+        let (n, q) = (model.n(), found.place.q);
+        let steps = found.place.steps;
+        let mut driver = Driver { model, options, measures: found.measures, tall, t, q, qd: vec![0.0; n], qdd: vec![0.0; n], worst: 0 };
+        let solved = driver.solve(t).and_then(|outcome| driver.rates(t).map(|()| outcome));
+        match solved {
+            Some(outcome) => Ok((driver, Outcome { iterations: outcome.iterations + steps, ..outcome })),
+            None => Err(blamed(model, Start::Pose(&driver.q), t)),
+        }
+    }
+
+    /// To another time, in smaller steps of time where that is needed.
+    fn advance(&mut self, to: f64) -> Result<Outcome> {
+        let smallest = (to - self.t).abs() * 0.5_f64.powi(HALVINGS);
+        let (mut h, mut iterations) = (to - self.t, 0);
+        loop {
+            let target = if (to - self.t).abs() <= h.abs() * 1.001 { to } else { self.t + h };
+            let before = self.q.clone();
+            if self.options.predict {
+                self.predict(target - self.t);
+            }
+            let solved = self.solve(target);
+            if let Some(outcome) = &solved {
+                iterations += outcome.iterations;
+                if self.rates(target).is_none() {
+                    return Err(blamed(self.model, Start::Pose(&self.q), target));
+                }
+                self.t = target;
+                if target == to {
+                    return Ok(Outcome { iterations, ..*outcome });
+                }
+                h *= 2.0;
+            } else {
+                self.q = before;
+                if !self.options.rescue || h.abs() <= smallest {
+                    return Err(blamed(self.model, Start::Guess(&self.q), target));
+                }
+                h *= 0.5;
+            }
+        }
+    }
+
+    /// q + h q̇ + ½ h² q̈
+    fn predict(&mut self, h: f64) {
+        for ((q, qd), qdd) in self.q.iter_mut().zip(&self.qd).zip(&self.qdd) {
+            *q += h * (qd + 0.5 * h * qdd);
+        }
+    }
+
+    /// Newton's steps in the sense of least squares, which must shrink; on success the matrix at the solution is factored.
+    fn solve(&mut self, t: f64) -> Option<Outcome> {
+        let mut previous = f64::INFINITY;
+        for iterations in 0..=self.options.max_iterations {
+            let point = self.factor(t)?;
+            let residual = point.c.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
+            if let Stop::ResidualOnly(bound) = self.options.stop
+                && residual < bound
+            {
+                return self.outcome(&point, iterations);
+            }
+            let dq = self.solved(point.c.iter().map(|c| -c));
+            let correction = dq.iter().zip(&self.measures.sizes).fold(0.0_f64, |m, (dq, size)| m.max((dq / size).abs()));
+            let met = self.model.met(&point, &self.q, &self.measures, &|_| true);
+            let converged = match self.options.stop {
+                Stop::Converged { tolerance } => correction <= tolerance || (correction > 0.5 * previous && correction <= STALL),
+                Stop::ResidualOnly(_) => false,
+            };
+            // A correction that is infinite or not a number does not shrink.
+            if !(correction < previous || converged) {
+                return None;
+            }
+            self.q.iter_mut().zip(&dq).for_each(|(q, dq)| *q += dq);
+            if converged {
+                return if met { self.outcome(&point, iterations) } else { None };
+            }
+            previous = correction;
+        }
+        None
+    }
+
+    fn outcome(&mut self, point: &Point, iterations: usize) -> Option<Outcome> {
+        let rows = point.c.iter().map(|c| c.abs()).enumerate();
+        let (worst, residual) = rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
+        self.worst = worst;
+        Some(Outcome { iterations, residual })
+    }
+
+    /// The matrix at the point in hand, factored.
+    fn factor(&mut self, t: f64) -> Option<Point> {
+        let point = self.model.linearize(&self.q, t).ok()?;
+        let Measures { sizes, norms, .. } = &self.measures;
+        let entries = self.model.equations.entries.iter().zip(&point.values);
+        let values = entries.map(|(entry, value)| entry.map_or(0.0, |(row, column)| value * sizes[column] / norms[row]));
+        if !self.tall.factor(values, 0.0) {
+            return None;
+        }
+        Some(point)
+    }
+
+    /// The solution for a right side in the units of its rows.
+    fn solved(&mut self, rhs: impl Iterator<Item = f64>) -> Vec<f64> {
+        let Measures { sizes, norms, .. } = &self.measures;
+        let y = self.tall.solve(rhs.zip(norms).map(|(rhs, norm)| rhs / norm));
+        y.iter().zip(sizes).map(|(y, size)| y * size).collect()
+    }
+
+    /// q̇ and q̈ with the matrix in hand; `None` where they are not finite or the equations ask for different ones.
+    fn rates(&mut self, t: f64) -> Option<()> {
+        let c_t = self.model.c_t(&self.q, t).ok()?;
+        self.qd = self.solved(c_t.iter().map(|c_t| -c_t));
+        let q_d = self.model.second_order(&self.q, t, &self.qd, 1.0).ok()?;
+        self.qdd = self.solved(q_d.iter().copied());
+        let finite = self.qd.iter().chain(&self.qdd).all(|x| x.is_finite());
+        let values = self.model.linearize(&self.q, t).ok()?.values;
+        let agree = |solution: &[f64], rhs: &mut dyn Iterator<Item = f64>| {
+            let mut rows: Vec<(f64, f64)> = rhs.map(|rhs| (-rhs, rhs.abs())).collect();
+            for (row, column, value) in self.model.entries(&values) {
+                let term = value * solution[column];
+                rows[row] = (rows[row].0 + term, rows[row].1 + term.abs());
+            }
+            let rows = rows.iter().zip(&self.measures.norms);
+            let largest = rows.clone().fold(0.0_f64, |m, ((_, size), norm)| m.max(size / norm));
+            rows.clone().all(|((sum, _), norm)| sum.abs() <= CONSISTENT * largest * norm)
+        };
+        (finite && agree(&self.qd, &mut c_t.iter().map(|c_t| -c_t)) && agree(&self.qdd, &mut q_d.iter().copied())).then_some(())
+    }
+}
+
+/// The error for a mechanism that cannot be driven there, with its diagnosis.
+fn blamed(model: Model<'_>, start: Start<'_>, t: f64) -> Error {
+    match diagnosis::diagnose(model, start, t) {
+        Ok(diagnosis) => Error::CannotBeDriven { diagnosis: Box::new(diagnosis), motion: None },
+        Err(error) => error,
+    }
+}
+
+/// Whether a system is one for this driver.
+pub(crate) fn is_redundant(system: &System) -> bool {
+    system.n_equations() > system.n_coordinates()
+}

@@ -1,0 +1,59 @@
+//! The verdict does not depend on the unit of length, on the order of declaration, or on where the mechanism stands.
+
+use proptest::prelude::*;
+
+use crate::plan::*;
+
+/// One mechanism of each verdict.
+fn plans() -> Vec<Plan> {
+    let motor = |k: usize, angle: f64, rate: f64| Joint::Motor(k, angle, rate);
+    vec![
+        three_cranks(1.0, &[motor(0, 1.0, 1.0)]),
+        three_cranks(1.1, &[motor(0, 1.0, 1.0)]),
+        three_cranks(1.0, &[motor(0, 1.0, 1.0), motor(1, 1.0, 1.5)]),
+        three_cranks(1.0, &[motor(0, 1.0, 1.0), motor(1, 1.2, 1.0)]),
+        three_cranks(1.0, &[]),
+        chain(&[0.6, 0.9, 1.4], None, &[motor(0, 0.6, 1.0), motor(1, 0.9, 1.0), motor(0, 0.6, 1.0)]),
+        chain(&[0.0, 0.0], Some([2.0, 0.0]), &[]),
+        chain(&[0.5, 0.5], Some([1.7, 0.9]), &[]),
+        chain(&[0.3, 0.3, 1.2], None, &[motor(0, 0.3, 1.0), motor(1, 0.3, 0.0)]),
+        chain(&[0.3, 1.3, 1.2], Some([5.0, 0.0]), &[motor(0, 0.3, 1.0)]),
+    ]
+}
+
+#[test]
+fn every_plan_has_its_verdict() {
+    let all: Vec<Vec<String>> = plans().iter().map(|plan| verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap())).collect();
+    for (k, verdict) in all.iter().enumerate() {
+        println!("{k}: {verdict:#?}");
+    }
+    let has = |k: usize, text: &str| all[k].iter().any(|line| line.contains(text));
+    assert!(has(0, "Redundant O3") && has(1, "gap at O3 true") && has(2, "Velocity motor 2") && has(3, "gap at motor 2 true"));
+    assert!(has(4, "Always [\"coupler\", \"crank 1\", \"crank 2\", \"crank 3\"]") && has(4, "Redundant"));
+    assert!(has(5, "misleads true") && has(5, "Redundant motor 3") && has(5, "Always [\"link 3\"]"));
+    assert!(has(6, "Infinitesimal") && has(6, "moves false"));
+    assert!(has(8, "Always [\"link 3\"]") && has(9, "gap at "));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 16, max_shrink_iters: 8, ..ProptestConfig::default() })]
+
+    #[test]
+    fn verdict_is_the_same_in_other_units_orders_and_places(
+        k in 0_usize..10,
+        exponent in -3.0_f64..3.0,
+        turn in -3.0_f64..3.0,
+        shift in prop::array::uniform2(-3.0_f64..3.0),
+        order in prop::collection::vec(any::<u64>(), 16),
+    ) {
+        let plan = &plans()[k];
+        let plain = verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap());
+        for view in [
+            View { unit: 10.0_f64.powf(exponent), order, ..View::plain() },
+            View { unit: 10.0_f64.powf(-exponent), turn, shift, ..View::plain() },
+        ] {
+            let found = plan.mechanism(&view).diagnose(0.0).unwrap();
+            prop_assert_eq!(&verdict(&found), &plain, "plan {} {:?}\n{}", k, view, found);
+        }
+    }
+}

@@ -1,0 +1,8 @@
+//! What is said of a mechanism: counts, ranks, dependencies and freedoms by name, for mechanisms with a known answer.
+
+mod assemblies;
+mod invariance;
+mod models;
+mod plan;
+mod planar;
+mod spatial;
