@@ -1,8 +1,9 @@
 //! Ten thousand four-bars at once. Lengths in m, angles in rad, time in s.
 //!
-//! What to see: of ten thousand four-bars with other links the one whose rocker swings widest. One system is built; each case gives it other
-//! links; cases run on all cores, as many together as the machine has SIMD lanes. Each four-bar has its row in the file, with a status: a crank
-//! that cannot turn all the way round is no error of the sweep.
+//! What to see: the map, `swing.svg`, has ten thousand four-bars, all with the same crank and ground, coupler to the right and rocker upwards; the
+//! colour is how far the rocker swings. Blank are those whose crank cannot turn all the way round (Grashof's rule, found without being told): that
+//! is no error of the sweep, each four-bar has its row and status in the file. The page shows the one that swings widest. Cases run on all cores,
+//! as many together as the machine has SIMD lanes.
 //!
 //! `cargo run --release --example 14_sweep_four_bars`
 
@@ -10,10 +11,13 @@ use std::io::Write;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use kin::prelude::*;
-use kin_view::Scene;
+use kin_view::{Map, Scene};
 
 const OUT: &str = "out/14_sweep_four_bars";
-const COUNT: usize = 10_000;
+const SIDE: usize = 100; // four-bars along either side of the map
+const COUNT: usize = SIDE * SIDE;
+const LEAST: f64 = 1.5; // m: coupler and rocker go from here
+const MOST: f64 = 5.5; // to here
 
 /// Crank, coupler, rocker, distance of the ground pins.   [m]
 type Links = [f64; 4];
@@ -45,7 +49,7 @@ struct Kept {
 }
 
 fn main() -> kin::Result<()> {
-    let links: Vec<Links> = (0..COUNT).map(random_links).collect();
+    let links: Vec<Links> = (0..COUNT).map(links_of).collect();
     let cases: Vec<_> = links.iter().copied().map(case).collect();
     let times = linspace(0.0, TAU, 361);
     let (system, rocker) = four_bar([1.0, 3.5, 3.0, 4.0])?;
@@ -69,12 +73,21 @@ fn main() -> kin::Result<()> {
         println!("widest swing {:.1}° with links {a:.3}, {b:.3}, {c:.3} m, pins {d:.3} m apart,", widest.swing.to_degrees());
         println!("  at up to {:.2} rad/s² for a crank at 1 rad/s", widest.acceleration);
         let (system, rocker) = four_bar([*a, *b, *c, *d])?;
-        let (motion, scene) = (system.run(&times)?, Scene::new(&system));
+        let (mut motion, scene) = (system.run(&times)?, Scene::new(&system));
+        motion.add_point("C", rocker, rocker.start())?;
         motion.write_csv(format!("{OUT}/motion.csv"))?;
         scene.animated(&motion, 3.0)?.save(format!("{OUT}/animated.svg"))?;
         scene.page(&motion)?.coordinate("Rocker", &motion.coordinate(rocker.theta())).save(format!("{OUT}/index.html"))?;
     }
-    println!("wrote {OUT}/: four_bars.csv, motion.csv, animated.svg, index.html");
+    let swings = results.iter().map(|kept| kept.as_ref().map_or(f64::NAN, |kept| kept.swing.to_degrees()));
+    let map = Map::new("How far the rocker swings", "swing [°]").along_x("coupler [m]", LEAST, MOST, SIDE).along_y(
+        "rocker [m]",
+        LEAST,
+        MOST,
+        SIDE,
+    );
+    map.values(swings).save(format!("{OUT}/swing.svg"))?;
+    println!("wrote {OUT}/: four_bars.csv, swing.svg, motion.csv, animated.svg, index.html");
     Ok(())
 }
 
@@ -92,9 +105,8 @@ fn write(links: &[Links], results: &[Result<Kept, String>]) -> std::io::Result<(
     file.flush()
 }
 
-/// Links of four-bar k, spread evenly over their ranges (multiples of the powers of 1/φ₄, φ₄⁵ = φ₄ + 1).
-fn random_links(k: usize) -> Links {
-    let phi: f64 = 1.1673039782614187;
-    let part = |axis: i32| (k as f64 * phi.powi(-axis)).fract();
-    [0.4 + 0.8 * part(1), 2.0 + 2.0 * part(2), 2.0 + 2.0 * part(3), 2.0 + 2.0 * part(4)]
+/// Links of four-bar k: crank and ground alike, coupler and rocker over a square.
+fn links_of(k: usize) -> Links {
+    let part = |k: usize| LEAST + (MOST - LEAST) * k as f64 / (SIDE - 1) as f64;
+    [1.0, part(k % SIDE), part(k / SIDE), 4.0]
 }
