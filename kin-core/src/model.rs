@@ -80,6 +80,11 @@ impl Model<'_> {
         self.equations.block_of(row).is_some_and(|(block, _)| block.constraint.is_driver())
     }
 
+    /// Whether a row is the norm of a body's Euler parameters.
+    pub(crate) fn is_norm(&self, row: usize) -> bool {
+        self.equations.block_of(row).is_some_and(|(block, _)| block.constraint.kind() == "euler_norm")
+    }
+
     /// Sizes and norms around a pose.
     pub(crate) fn measure(&self, q: &[f64], t: f64) -> Measures {
         /// Poses beside the one given, and how far.

@@ -5,4 +5,5 @@ mod invariance;
 mod models;
 mod plan;
 mod planar;
+mod random;
 mod spatial;
