@@ -1,11 +1,13 @@
 //! The lecture's offset slider-crank as two bare loop-closure equations in θ3 and x. Lengths in m, angles in rad, time in s.
 //!
+//! What to see: no body is modelled, only the angle of the coupler and the place of the slider, as in the lecture; Newton's results lie on
+//! those by elimination to the last digits. The slider lingers at the far end and turns sharply at the near one; since its line passes above
+//! the crank's pin, its way there and its way back are not alike.
+//!
 //! `cargo run --release --example 01_slider_crank`
 
-mod figures;
-
-use figures::Panel;
 use kin::prelude::*;
+use kin_view::{Figure, Outline, Panel, Scene};
 
 const OUT: &str = "out/01_slider_crank";
 
@@ -37,12 +39,14 @@ fn elimination(t: f64) -> [f64; 6] {
 
 fn main() -> kin::Result<()> {
     let mut m = Mechanism::new("slider-crank");
+    let ground = m.ground();
     let theta3 = m.angle("theta3", 0.0)?; // a guess, rad: it chooses the assembly with cos θ3 > 0
     let x = m.length("x", L2 + L3)?; // a guess, m
     m.add("loop", slider_crank(theta3, x, L2, L3, H, OMEGA))?;
 
     // 3. Motion: one turn of the crank, a degree at a time.
-    let mut motion = m.build()?.run(linspace(0.0, 1.0, 361))?;
+    let system = m.build()?;
+    let mut motion = system.run(linspace(0.0, 1.0, 361))?;
     println!("{}\n", motion.summary());
 
     // 4. Results: Newton beside elimination.
@@ -59,6 +63,12 @@ fn main() -> kin::Result<()> {
     for (k, (name, unit)) in [("theta3 by elimination", "rad"), ("x by elimination", "m")].into_iter().enumerate() {
         motion.add_output(name, unit, by_hand.iter().map(|row| row[k]).collect())?;
     }
+    // Where the pins are: the crank's from the angle that drives it, the slider's from x.
+    let pin: Vec<Vec2> = motion.times().iter().map(|t| vec2((OMEGA * t).cos(), (OMEGA * t).sin()) * L2).collect();
+    let end: Vec<Vec2> = slider.value.values().iter().map(|x| vec2(*x, H)).collect();
+    for (name, values) in [("slider.x", end.iter().map(|p| p.x).collect()), ("slider.y", vec![H; end.len()])] {
+        motion.add_output(name, "m", values)?;
+    }
     motion.write_csv(format!("{OUT}/motion.csv"))?;
 
     // 5. Figures: elimination every 15 degrees on top of Newton's line.
@@ -73,8 +83,14 @@ fn main() -> kin::Result<()> {
         Panel::over_time("Coupler", "angular acceleration").series("theta3''", &coupler.second_rate),
         Panel::over_time("Slider", "acceleration").series("x''", &slider.second_rate),
     ];
-    figures::save(format!("{OUT}/positions.svg"), 2, positions)?;
-    figures::save(format!("{OUT}/rates.svg"), 2, rates)?;
-    println!("\nwrote {OUT}/: motion.csv, positions.svg, rates.svg");
+    Figure::new(positions).save(format!("{OUT}/positions.svg"))?;
+    Figure::new(rates).save(format!("{OUT}/rates.svg"))?;
+
+    // 6. The mechanism: lines through the pins, since there are no bodies to be drawn.
+    let scene = Scene::new(&system).line("crank", &[&[vec2(0.0, 0.0)], &pin]).line("slider", &[&pin, &end]);
+    let scene = scene.outline(ground, Outline::line([vec2(0.25, H), vec2(0.55, H)]));
+    scene.animated(&motion, 3.0)?.save(format!("{OUT}/animated.svg"))?;
+    scene.page(&motion)?.coordinate("Slider", &slider).save(format!("{OUT}/index.html"))?;
+    println!("\nwrote {OUT}/: motion.csv, index.html, animated.svg, positions.svg, rates.svg");
     Ok(())
 }

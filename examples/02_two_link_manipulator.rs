@@ -1,11 +1,12 @@
 //! The lecture's two-link manipulator: three planar bodies, 9 coordinates, 9 equations. Lengths in m, angles in rad, time in s.
 //!
+//! What to see: both links turn evenly, the second three times for two turns of the first, and the end effector draws a curve with loops
+//! that would close after 8π s, 25.1 s. The ground is a body too, as in the lecture, held by three equations; since it stands still it is drawn as ground.
+//!
 //! `cargo run --release --example 02_two_link_manipulator`
 
-mod figures;
-
-use figures::Panel;
 use kin::prelude::*;
+use kin_view::{Figure, Panel, Scene};
 
 const OUT: &str = "out/02_two_link_manipulator";
 
@@ -25,7 +26,8 @@ fn main() -> kin::Result<()> {
     // 3. Motion: θ2 = θ20 + ω2 t and θ3 = θ30 + ω3 t close the system.
     m.add("motor 2", drive_angle(link2, Law::linear(PI / 6.0, 0.5)))?; // rad, rad/s
     m.add("motor 3", drive_angle(link3, Law::linear(PI / 12.0, 0.75)))?;
-    let mut motion = m.build()?.run(linspace(0.0, 24.0, 2401))?;
+    let system = m.build()?;
+    let mut motion = system.run(linspace(0.0, 24.0, 2401))?;
 
     // 4. Results: the end effector E is the free end of link 3.
     let e = motion.point(link3, link3.end());
@@ -48,7 +50,7 @@ fn main() -> kin::Result<()> {
         Panel::over_time(title, "position").series("R_x", &x.value).series("R_y", &y.value)
     };
     let origins = vec![origin("Origin of link 2", link2), origin("Origin of link 3", link3)];
-    figures::save(format!("{OUT}/origins.svg"), 2, origins)?;
+    Figure::new(origins).save(format!("{OUT}/origins.svg"))?;
 
     let mut paths = Panel::plane("Paths, and the arm every 4 s");
     let elbow = motion.point(link3, link3.start());
@@ -56,14 +58,18 @@ fn main() -> kin::Result<()> {
         paths = paths.sketch(&[vec2(0.0, 0.0), elbow.r()[k], e.r()[k]]);
     }
     let paths = paths.path("origin of link 2", r2.r()).path("origin of link 3", r3.r()).path("end effector", e.r());
-    figures::save(format!("{OUT}/paths.svg"), 1, vec![paths])?;
+    Figure::new(vec![paths]).save(format!("{OUT}/paths.svg"))?;
 
     let components = e.components(); // x, y, x', y', x'', y''
     let two = |title, quantity, k: usize| {
         vec![Panel::over_time(title, quantity).series("along x", &components[k]).series("along y", &components[k + 1])]
     };
-    figures::save(format!("{OUT}/velocities.svg"), 1, two("Velocity of the end effector", "velocity", 2))?;
-    figures::save(format!("{OUT}/accelerations.svg"), 1, two("Acceleration of the end effector", "acceleration", 4))?;
-    println!("wrote {OUT}/: motion.csv, origins.svg, paths.svg, velocities.svg, accelerations.svg");
+    Figure::new(two("Velocity of the end effector", "velocity", 2)).save(format!("{OUT}/velocities.svg"))?;
+    Figure::new(two("Acceleration of the end effector", "acceleration", 4)).save(format!("{OUT}/accelerations.svg"))?;
+    let scene = Scene::new(&system).trace("end effector", link3, link3.end());
+    scene.animated(&motion, 12.0)?.save(format!("{OUT}/animated.svg"))?;
+    let page = scene.page(&motion)?.chart("Speed of the end effector", [("speed", &speed)]);
+    page.chart("Acceleration of the end effector", [("acceleration", &acceleration)]).save(format!("{OUT}/index.html"))?;
+    println!("wrote {OUT}/: motion.csv, index.html, animated.svg, origins.svg, paths.svg, velocities.svg, accelerations.svg");
     Ok(())
 }

@@ -1,15 +1,13 @@
 //! A joint nobody ships, declared, checked and used: a pin in a parabolic slot. Lengths in m, angles in rad, time in s.
 //!
-//! The slot is milled into a disc that a motor turns; the pin sits at the end of an arm and is dragged round by it, slowly and then
-//! quickly: a quick-return drive.
+//! What to see: the slot is milled into a disc that a motor turns; the pin sits at the end of an arm and is dragged round by it, slowly and
+//! then quickly: a quick-return drive. The constraint is five lines of this file, and the slot on the page comes from it. Copy this one.
 //!
 //! `cargo run --release --example 03_custom_constraint`
 
-mod figures;
-
-use figures::Panel;
 use kin::prelude::*;
 use kin::{any_planar, check, state::PlanarState};
+use kin_view::{Figure, Panel, Scene};
 
 const OUT: &str = "out/03_custom_constraint";
 const K: f64 = 4.0; // 1/m: the slot is y = K x²
@@ -44,7 +42,8 @@ fn main() -> kin::Result<()> {
     // 5. Motion: the motor turns once a second; of the two assemblies, the one with the pin in the right half of the slot.
     m.add("motor", drive_angle(disc, Law::ramp(TAU)))?; // rad/s
     m.prefer(arm, 0.0); // rad
-    let mut motion = m.build()?.run(linspace(0.0, 1.0, 1001))?;
+    let system = m.build()?;
+    let mut motion = system.run(linspace(0.0, 1.0, 1001))?;
     println!("{}", motion.summary());
 
     // 6. Results: how unevenly the arm turns, and whether the pin has stayed in the slot.
@@ -58,8 +57,9 @@ fn main() -> kin::Result<()> {
         let name = format!("{} [{}]", q.name(), q.unit());
         println!("{name:28} {:9.3} {:10.3} {:9.3} {:10.3}", q.min(), q.at_min(), q.max(), q.at_max());
     }
+    motion.add_point("pin", arm, arm.end())?;
     motion.add_output("pin off the slot", "m", off_slot)?;
-    let off_slot = &motion.outputs()[0];
+    let Some(off_slot) = motion.outputs().last() else { return Ok(()) };
     println!("pin off the slot: at most {:.0e} m", off_slot.max().max(-off_slot.min()));
     motion.write_csv(format!("{OUT}/motion.csv"))?;
 
@@ -71,14 +71,18 @@ fn main() -> kin::Result<()> {
         on_ground = on_ground.sketch(&turned).sketch(&[c, *p]);
     }
     let on_disc = Panel::plane("On the disc: pin and slot").sketch(&slot).path("pin", &in_disc);
-    figures::save(format!("{OUT}/paths.svg"), 2, vec![on_ground.path("pin", pin.r()), on_disc])?;
+    Figure::new(vec![on_ground.path("pin", pin.r()), on_disc]).save(format!("{OUT}/paths.svg"))?;
     let over_time = vec![
         Panel::over_time("Disc and arm", "angular velocity")
             .series("arm", &arm_turns.rate)
             .series("disc", &motion.coordinate(disc.theta()).rate),
         Panel::over_time("Pin off the slot", "y − k x²").series("residual", off_slot),
     ];
-    figures::save(format!("{OUT}/motion.svg"), 2, over_time)?;
-    println!("wrote {OUT}/: motion.csv, motion.svg, paths.svg");
+    Figure::new(over_time).save(format!("{OUT}/motion.svg"))?;
+    let scene = Scene::new(&system).trace("pin", arm, arm.end());
+    scene.animated(&motion, 3.0)?.save(format!("{OUT}/animated.svg"))?;
+    let page = scene.page(&motion)?.coordinate("Arm", &arm_turns);
+    page.chart("Pin off the slot", [("residual", off_slot)]).save(format!("{OUT}/index.html"))?;
+    println!("wrote {OUT}/: motion.csv, index.html, animated.svg, motion.svg, paths.svg");
     Ok(())
 }

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
+use kin::Lanes;
 use kin::prelude::*;
 
 use crate::hand::four_bar::{FourBar, run as run_by_hand};
@@ -21,10 +22,11 @@ const ITERATIONS: f64 = 2.99;
 /// Σ θ̈4² and the Newton steps of a group of mechanisms.
 type Sums = (f64, usize);
 
-/// One way through a group of mechanisms.
-type Route = (&'static str, fn(&[FourBar]) -> Sums);
+/// One way through mechanisms on so many threads.
+type Route = (&'static str, fn(&[FourBar], usize) -> Sums);
 
-const ROUTES: [Route; 2] = [("hand", by_hand), ("kin", by_kin)];
+/// `kin-lanes-4` is what a machine without AVX-512 does.
+const ROUTES: [Route; 4] = [("hand", by_hand), ("kin", by_kin), ("kin-lanes-4", by_four_lanes), ("kin-lanes", by_lanes)];
 
 /// Time on the wall and of all threads.
 type Times = (Duration, Duration);
@@ -49,12 +51,12 @@ pub fn run() -> Vec<Figure> {
     figures
 }
 
-/// One route alone on the first hundred mechanisms and one thread, for counting instructions.
+/// One route alone on the first 104 mechanisms and one thread, for counting instructions.
 pub fn once(peer: &str, repeats: usize) -> Option<()> {
     let (_, route) = ROUTES.iter().find(|route| route.0 == peer)?;
     let models = models();
     (0..repeats).for_each(|_| {
-        black_box(route(&models[..100]));
+        black_box(route(&models[..104], 1));
     });
     Some(())
 }
@@ -77,44 +79,81 @@ fn models() -> Vec<FourBar> {
 /// Time on the wall and of all threads; the check sum is verified each time.
 fn timed((peer, route): &Route, models: &[FourBar]) -> Times {
     let (wall, all) = (Instant::now(), cpu_of_all_threads());
-    let share = models.len().div_ceil(THREADS);
-    let sums: Vec<Sums> = std::thread::scope(|scope| {
-        let threads: Vec<_> = models.chunks(share).map(|part| scope.spawn(|| route(part))).collect();
-        threads.into_iter().map(|thread| thread.join().unwrap_or((f64::NAN, 0))).collect()
-    });
+    let (sum, iterations) = route(models, THREADS);
     let times = (wall.elapsed(), cpu_of_all_threads() - all);
-    let sum: f64 = sums.iter().map(|sums| sums.0).sum();
     assert!((sum / CHECK_SUM - 1.0).abs() < 1e-5, "W7 by {peer}: check sum {sum}, expected {CHECK_SUM}");
-    let iterations = sums.iter().map(|sums| sums.1).sum::<usize>() as f64 / (models.len() * STEPS) as f64;
+    let iterations = iterations as f64 / (models.len() * STEPS) as f64;
     assert!((iterations - ITERATIONS).abs() < 0.01, "W7 by {peer}: {iterations} iterations a step, expected {ITERATIONS}");
     times
 }
 
-fn by_hand(models: &[FourBar]) -> Sums {
-    models.iter().fold((0.0, 0), |(sum, iterations), model| {
-        let table = run_by_hand(model, STEPS, DT);
-        let own: f64 = (0..STEPS).map(|k| table.at(k).2[8].powi(2)).sum();
-        (sum + own, iterations + table.iterations)
+fn by_hand(models: &[FourBar], threads: usize) -> Sums {
+    let group = |models: &[FourBar]| {
+        models.iter().fold((0.0, 0), |(sum, iterations), model| {
+            let table = run_by_hand(model, STEPS, DT);
+            let own: f64 = (0..STEPS).map(|k| table.at(k).2[8].powi(2)).sum();
+            (sum + own, iterations + table.iterations)
+        })
+    };
+    std::thread::scope(|scope| {
+        let threads: Vec<_> = models.chunks(models.len().div_ceil(threads)).map(|part| scope.spawn(move || group(part))).collect();
+        threads.into_iter().map(|thread| thread.join().unwrap_or((f64::NAN, 0))).fold((0.0, 0), add)
     })
 }
 
-/// One system for all mechanisms of a thread; the lengths are set before each run.
-fn by_kin(models: &[FourBar]) -> Sums {
+/// What differs from case to case: where pins sit, and the start.
+const NAMES: [&str; 16] = [
+    "O.u_i.x",
+    "A.u_i.x",
+    "A.u_j.x",
+    "B.u_i.x",
+    "B.u_j.x",
+    "C.u_i.x",
+    "C.u_j.x",
+    "crank.R_x",
+    "crank.R_y",
+    "crank.theta",
+    "coupler.R_x",
+    "coupler.R_y",
+    "coupler.theta",
+    "rocker.R_x",
+    "rocker.R_y",
+    "rocker.theta",
+];
+
+/// The numbers of one four-bar under those names.
+fn case(model: &FourBar) -> Vec<f64> {
+    let (a, b, c) = (0.5 * model.a, 0.5 * model.b, 0.5 * model.c);
+    [-a, a, -b, b, c, -c, model.d].into_iter().chain(model.position(0.0)).collect()
+}
+
+fn by_kin(models: &[FourBar], threads: usize) -> Sums {
+    by_sweep(models, threads, Lanes::Off)
+}
+
+fn by_four_lanes(models: &[FourBar], threads: usize) -> Sums {
+    by_sweep(models, threads, Lanes::Only(4))
+}
+
+fn by_lanes(models: &[FourBar], threads: usize) -> Sums {
+    by_sweep(models, threads, Lanes::Best)
+}
+
+/// One system for all mechanisms.
+fn by_sweep(models: &[FourBar], threads: usize, lanes: Lanes) -> Sums {
     let times: Vec<f64> = (0..STEPS).map(|k| k as f64 * DT).collect();
     let Some(first) = models.first() else { return (0.0, 0) };
-    let mut system = w3::model(first, false);
-    models.iter().fold((0.0, 0), |(sum, iterations), model| {
-        let motion = set(&mut system, model).and_then(|()| system.run_with(&times, &as_defined()));
-        let motion = motion.unwrap_or_else(|error| panic!("{model:?}: {error}"));
+    let cases: Vec<Vec<f64>> = models.iter().map(case).collect();
+    let keep = |_, motion: kin::Result<Motion>| {
+        let motion = motion.unwrap_or_else(|error| panic!("{error}"));
         let own: f64 = (0..STEPS).map(|k| motion.qdd(k)[8].powi(2)).sum();
-        (sum + own, iterations + motion.iterations().iter().sum::<usize>())
-    })
+        (own, motion.iterations().iter().sum())
+    };
+    let system = w3::model(first, false);
+    let sums = system.sweep(NAMES).and_then(|sweep| sweep.options(as_defined()).threads(threads).lanes(lanes).run(&cases, &times, keep));
+    sums.unwrap_or_else(|error| panic!("{error}")).into_iter().fold((0.0, 0), add)
 }
 
-/// Gives a four-bar other lengths, and the start that goes with them.
-fn set(system: &mut System, model: &FourBar) -> kin::Result<()> {
-    let (a, b, c) = (0.5 * model.a, 0.5 * model.b, 0.5 * model.c);
-    let lengths = [("O.u_i.x", -a), ("A.u_i.x", a), ("A.u_j.x", -b), ("B.u_i.x", b), ("B.u_j.x", c), ("C.u_i.x", -c), ("C.u_j.x", model.d)];
-    lengths.iter().try_for_each(|(name, value)| system.set(name, *value))?;
-    system.set_initial(&model.position(0.0))
+fn add(a: Sums, b: Sums) -> Sums {
+    (a.0 + b.0, a.1 + b.1)
 }

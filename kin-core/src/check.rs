@@ -15,10 +15,12 @@
 //! ```
 
 mod central;
+mod lanes;
 mod law;
 mod promises;
 mod table;
 
+pub use lanes::{LaneMismatch, lanes};
 pub use law::{LawMismatch, compare_law, law};
 pub use table::{Entry, Mismatch};
 
@@ -52,6 +54,9 @@ pub const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 /// For a test: panics with a table of the entries that do not agree, and their state. [`compare`] returns the same as a value.
 pub fn derivatives<E: Equation<N, M> + Clone, const N: usize, const M: usize>(equation: E) {
     if let Err(mismatch) = compare::<E, N, M>(&equation) {
+        panic!("{mismatch}");
+    }
+    if let Err(mismatch) = lanes(&equation) {
         panic!("{mismatch}");
     }
 }

@@ -1,6 +1,9 @@
 //! The one trait of the library: what a constraint C(q, t) = 0 can be asked for.
 
+use crate::algebra::Vec3;
 use crate::coordinates::Argument;
+use crate::data::Describer;
+use crate::lanes::InLanes;
 use crate::law::Law;
 use crate::state::{At, Rates};
 
@@ -25,6 +28,24 @@ impl std::fmt::Display for Route {
     }
 }
 
+/// A point or direction fixed in a body that a constraint speaks of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Attachment {
+    /// Which of [`Constraint::arguments`] the body is.
+    pub argument: usize,
+    /// What it is, by its components in the body's frame.
+    pub what: Attached,
+}
+
+/// A local point or direction; z is 0 in planar bodies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Attached {
+    /// ū of `b.point(u)`.   \[m\]
+    Point(Vec3),
+    /// h̄ of `b.direction(h)`, of any length.   \[-\]
+    Direction(Vec3),
+}
+
 /// Which terms of C(q, t) can change or be other than zero, at any q, t and parameters: what a solver need not ask for.
 ///
 /// Facts known before the program runs. `true` promises nothing, so [`Dependence::default`] (all `true`) is right for every constraint.
@@ -47,11 +68,29 @@ impl Default for Dependence {
     }
 }
 
+/// A copy of a constraint that is only known as a `Constraint`; each one that is `Clone` has it. A sweep over many cases works on copies.
+pub trait CloneBoxed {
+    /// The copy.
+    fn clone_boxed(&self) -> Box<dyn Constraint>;
+}
+
+impl<T: Constraint + Clone + 'static> CloneBoxed for T {
+    fn clone_boxed(&self) -> Box<dyn Constraint> {
+        Box::new(self.clone())
+    }
+}
+
+impl Clone for Box<dyn Constraint> {
+    fn clone(&self) -> Self {
+        self.as_ref().clone_boxed()
+    }
+}
+
 /// A constraint C(q, t) = 0 with m rows on the coordinates of its arguments.
 ///
 /// Columns are local: those of the first argument first (3 for a planar body, 7 for a spatial one, 1 for a bare coordinate), the ground's
 /// counted too. Output slices have the lengths stated; a shorter one is left as it is. Entries are in the unit of their row.
-pub trait Constraint: Send + Sync {
+pub trait Constraint: CloneBoxed + Send + Sync {
     /// What kind of constraint this is: the name of its function, such as `revolute`.
     fn kind(&self) -> &str;
 
@@ -123,6 +162,30 @@ pub trait Constraint: Send + Sync {
         false
     }
 
+    /// Sets one numeric parameter by its number in the order of [`Constraint::parameters`]; false if there is none. The default goes by
+    /// name; emitted constraints do not.
+    fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
+        let (mut number, mut wanted) = (0, None);
+        self.parameters(&mut |name, _| {
+            if number == index {
+                wanted = Some(name.to_string());
+            }
+            number += 1;
+        });
+        wanted.is_some_and(|name| self.set_parameter(&name, value))
+    }
+
+    /// The same for kernels over lanes, if it has them (`#[constraint(lanes)]`): several mechanisms of a sweep advance together.
+    fn in_lanes(&self) -> Option<&dyn InLanes> {
+        None
+    }
+
+    /// The points and directions of its bodies that its equation speaks of, `b.point(u)` and `b.direction(h)` with nothing that moves
+    /// inside: for drawings and messages. Empty where that is not known (default).
+    fn attachments(&self) -> Vec<Attachment> {
+        Vec::new()
+    }
+
     /// What it is, in the words of its documentation: a sentence with its equation, freedoms removed, signs.
     fn description(&self) -> &str {
         ""
@@ -142,6 +205,11 @@ pub trait Constraint: Send + Sync {
     /// Shows each law that the equation asks, with its name and where it is asked; on the dual route that is not known.
     fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
         let _ = (at, visit);
+    }
+
+    /// Tells each parameter under its name, so that the constraint can be written as data and made anew; refuses where it cannot be (default).
+    fn describe(&self, to: &mut Describer) {
+        to.refuse("it was not made by `#[constraint]`, so its parameters are not known");
     }
 
     /// Where a value or derivative is not finite: the sub-expression that made it so, as the user wrote it.

@@ -18,6 +18,13 @@ pub struct MechanismId(pub(crate) u64);
 impl MechanismId {
     /// Belongs to every mechanism.
     pub(crate) const ANY: MechanismId = MechanismId(0);
+
+    /// One that no mechanism has had.
+    pub(crate) fn fresh() -> MechanismId {
+        use std::sync::atomic::{AtomicU64, Ordering};
+        static NEXT: AtomicU64 = AtomicU64::new(1);
+        MechanismId(NEXT.fetch_add(1, Ordering::Relaxed))
+    }
 }
 
 /// A planar body of a mechanism (or the ground): coordinates (R_x, R_y, θ).

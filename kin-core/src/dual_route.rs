@@ -5,14 +5,15 @@
 
 use num_dual::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
-use crate::constraint::{Constraint, Dependence, Route};
+use crate::constraint::{Attachment, Constraint, Dependence, Route};
 use crate::coordinates::Argument;
+use crate::data::Describer;
 use crate::law::Law;
 use crate::real::{Dual, Real};
 use crate::state::{At, Rates};
 
 /// A constraint whose equation can be evaluated with any numbers: N local coordinates, M rows. Written by `#[constraint]`.
-pub trait Equation<const N: usize, const M: usize>: Constraint {
+pub trait Equation<const N: usize, const M: usize>: Constraint + Clone + 'static {
     /// What its arguments are, in order.
     const ARGUMENTS: &'static [ArgumentKind];
 
@@ -24,7 +25,7 @@ pub trait Equation<const N: usize, const M: usize>: Constraint {
 }
 
 /// What an argument of a constraint is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ArgumentKind {
     /// A planar body: 3 columns.
     Planar,
@@ -109,6 +110,18 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
 
     fn set_parameter(&mut self, name: &str, value: f64) -> bool {
         self.0.set_parameter(name, value)
+    }
+
+    fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
+        self.0.set_parameter_at(index, value)
+    }
+
+    fn describe(&self, to: &mut Describer) {
+        self.0.describe(to);
+    }
+
+    fn attachments(&self) -> Vec<Attachment> {
+        self.0.attachments()
     }
 
     fn description(&self) -> &str {

@@ -275,6 +275,26 @@ pub enum Error {
         reason: String,
     },
 
+    /// A case of a sweep with a number that is infinite or not a number.
+    #[error("case {case}: `{name}` is {value}; give a finite number")]
+    CaseNotFinite {
+        /// The case, counted from 0.
+        case: usize,
+        /// The parameter or coordinate.
+        name: String,
+        /// Its value.
+        value: f64,
+    },
+
+    /// A sweep that was told to stop ([`crate::Sweep::stop_when`]).
+    #[error("the sweep was stopped after {done} of {cases} cases")]
+    Stopped {
+        /// Cases that were done.
+        done: usize,
+        /// Cases there are.
+        cases: usize,
+    },
+
     /// A list of the wrong length.
     #[error("{what}: {found} values given, {expected} needed")]
     WrongLength {
@@ -300,6 +320,15 @@ pub enum Error {
     /// Routes to a derivative that do not agree ([`crate::check::compare`]).
     #[error(transparent)]
     Mismatch(#[from] Box<crate::check::Mismatch>),
+
+    /// Something that cannot be written as data, or data that do not say what they should.
+    #[error("{place}: {reason}")]
+    Data {
+        /// Where: a file, a mechanism, a constraint by name.
+        place: String,
+        /// What is wrong.
+        reason: String,
+    },
 
     /// A file with a table that cannot be read, or is no table of a law.
     #[error("{}: {reason}", .path.display())]

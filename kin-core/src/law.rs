@@ -57,6 +57,16 @@ pub trait LawFunction: Send + Sync {
         let _ = visit;
     }
 
+    /// The laws that it is made of, by the names that their parameters begin with.
+    fn parts(&self) -> Vec<(String, Law)> {
+        Vec::new()
+    }
+
+    /// Numbers that make it the law it is but are no parameters, such as where the points of a table stand.
+    fn fixed_numbers(&self) -> Vec<(String, f64)> {
+        Vec::new()
+    }
+
     /// The same law with one parameter changed; `None` if there is none of that name.
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
         let _ = (name, value);
@@ -150,6 +160,16 @@ impl Law {
     /// Shows each numeric parameter with its name; the parts of a combined law are told apart by `first.`, `second.`, `outer.`, `inner.`.
     pub fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         self.0.parameters(visit);
+    }
+
+    /// The laws that it is made of, by the names that their parameters begin with: `first`, `second`.
+    pub fn parts(&self) -> Vec<(String, Law)> {
+        self.0.parts()
+    }
+
+    /// Numbers that make it the law it is but are no parameters, such as where the points of a table stand.
+    pub fn fixed_numbers(&self) -> Vec<(String, f64)> {
+        self.0.fixed_numbers()
     }
 
     /// Sets one numeric parameter by the name [`Law::parameters`] gives it; false if there is none of that name, or the law is fixed.

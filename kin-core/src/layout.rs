@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use crate::coordinates::{Coordinate, MechanismId, Target};
+use crate::coordinates::{Coordinate, MechanismId, PlanarBody, SpatialBody, Target};
 use crate::error::{Error, Result};
 
 /// Unit of a coordinate.
@@ -102,6 +102,20 @@ impl Layout {
         Ok(self.items.len() - 1)
     }
 
+    /// The bodies with their names.
+    pub(crate) fn bodies(&self) -> Vec<(&str, Target)> {
+        let mechanism = self.mechanism;
+        let bodies = self.items.iter().enumerate().filter_map(|(index, item)| {
+            let target = match item.kind {
+                Kind::Planar => Target::Planar(PlanarBody { mechanism, index: Some(index) }),
+                Kind::Spatial => Target::Spatial(SpatialBody { mechanism, index: Some(index) }),
+                Kind::Angle | Kind::Length => return None,
+            };
+            Some((item.name.as_str(), target))
+        });
+        bodies.collect()
+    }
+
     /// Where a body or coordinate stands; `None` if it is not of this mechanism.
     pub(crate) fn place(&self, target: &Target) -> Option<Place> {
         match target {
@@ -158,7 +172,7 @@ impl Place {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::coordinates::{Ground, PlanarBody, any_planar};
+    use crate::coordinates::{Ground, any_planar};
 
     fn three() -> Layout {
         let mut layout = Layout::new(MechanismId(7));

@@ -11,11 +11,13 @@ mod assembly;
 pub mod check;
 pub mod constraint;
 pub mod coordinates;
+pub mod data;
 pub mod diagnosis;
 pub mod dual_route;
 pub mod error;
 mod fours;
 pub mod joints;
+pub mod lanes;
 pub mod law;
 mod layout;
 mod linear;
@@ -27,6 +29,7 @@ pub mod real;
 #[doc(hidden)]
 pub mod rt;
 pub mod state;
+pub mod sweep;
 pub mod system;
 pub mod terms;
 #[cfg(test)]
@@ -34,14 +37,17 @@ mod testing;
 
 pub use algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
 pub use assembly::{Assembly, AssemblyOptions, Label};
-pub use constraint::{Constraint, Dependence, Route};
+pub use constraint::{Attached, Attachment, Constraint, Dependence, Route};
 pub use coordinates::{
-    Coord, Coordinate, Ground, Link, Planar, PlanarBody, Spatial, SpatialBody, SpatialLink, Time, any_coord, any_planar, any_spatial,
+    Coord, Coordinate, Ground, Link, Planar, PlanarBody, Spatial, SpatialBody, SpatialLink, Target, Time, any_coord, any_planar,
+    any_spatial,
 };
+pub use data::Registry;
 pub use dual_route::by_dual;
 pub use error::{Error, Result};
 pub use joints::spatial;
 pub use kin_macros::{constraint, law};
+pub use lanes::Lanes;
 pub use law::{Break, Ends, Law, LawFunction};
 pub use mechanism::{ConstraintId, Marker, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose};
 pub use motion::{CoordinateMotion, Motion, PointMotion, Series};
@@ -49,5 +55,6 @@ pub use nalgebra;
 pub use newton::{CrossedBreak, Options, Report, Stop};
 pub use num_dual;
 pub use real::{Dual, Real};
+pub use sweep::Sweep;
 pub use system::{Solution, System};
 pub use terms::{Terms, dual_terms, jerk_rhs, terms};

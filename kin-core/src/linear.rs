@@ -12,10 +12,12 @@ mod code;
 mod condition;
 mod diagnosis;
 mod echelon;
+pub(crate) mod lanes;
 mod order;
 mod program;
 mod rank;
 mod record;
+mod replay;
 mod solving;
 mod tall;
 #[cfg(test)]

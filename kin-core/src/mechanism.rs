@@ -8,7 +8,6 @@ pub use place::Marker;
 pub use pose::{Pose, SpatialPose, deg, linspace, pose};
 
 use std::collections::HashSet;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::algebra::Vec2;
 use crate::constraint::Constraint;
@@ -45,16 +44,16 @@ use crate::system::evaluate::Equations;
 /// # }
 /// ```
 pub struct Mechanism {
-    name: String,
-    layout: Layout,
+    pub(crate) name: String,
+    pub(crate) layout: Layout,
     /// Initial guess of q.
-    initial: Vec<f64>,
+    pub(crate) initial: Vec<f64>,
     /// Preferred values as (coordinate, value).
-    preferred: Vec<(usize, f64)>,
-    constraints: Vec<(String, Box<dyn Constraint>)>,
+    pub(crate) preferred: Vec<(usize, f64)>,
+    pub(crate) constraints: Vec<(String, Box<dyn Constraint>)>,
     names: HashSet<String>,
-    /// Lengths of the links.   \[m\]
-    links: Vec<f64>,
+    /// Links as (item, length).   \[m\]
+    pub(crate) links: Vec<(usize, f64)>,
     /// A mistake in a method that returns nothing; told at build.
     mistake: Option<Error>,
 }
@@ -88,10 +87,9 @@ impl From<Link> for Preferred {
 impl Mechanism {
     /// An empty mechanism.
     pub fn new(name: &str) -> Self {
-        static NEXT: AtomicU64 = AtomicU64::new(1);
         Mechanism {
             name: name.to_string(),
-            layout: Layout::new(MechanismId(NEXT.fetch_add(1, Ordering::Relaxed))),
+            layout: Layout::new(MechanismId::fresh()),
             initial: Vec::new(),
             preferred: Vec::new(),
             constraints: Vec::new(),
@@ -132,7 +130,7 @@ impl Mechanism {
             return Err(Error::InvalidLength { link: name.to_string(), length });
         }
         let body = self.planar(name, pose)?;
-        self.links.push(length);
+        self.links.extend(body.index.map(|index| (index, length)));
         Ok(Link { body, length })
     }
 
@@ -169,7 +167,7 @@ impl Mechanism {
         Ok(Coordinate::Own { mechanism: self.layout.mechanism, index })
     }
 
-    fn declare(&mut self, name: &str, kind: Kind, guess: &[f64]) -> Result<usize> {
+    pub(crate) fn declare(&mut self, name: &str, kind: Kind, guess: &[f64]) -> Result<usize> {
         for ((suffix, _), &value) in kind.coordinates().iter().zip(guess) {
             if !value.is_finite() {
                 return Err(Error::InitialNotFinite { name: name.to_string(), coordinate: format!("{name}{suffix}"), value });
@@ -189,7 +187,7 @@ impl Mechanism {
         self.add_boxed(name, Box::new(constraint))
     }
 
-    fn add_boxed(&mut self, name: &str, constraint: Box<dyn Constraint>) -> Result<ConstraintId> {
+    pub(crate) fn add_boxed(&mut self, name: &str, constraint: Box<dyn Constraint>) -> Result<ConstraintId> {
         if name.trim().is_empty() {
             return Err(Error::EmptyName { what: "constraint" });
         }
@@ -303,11 +301,12 @@ impl Mechanism {
             let body = SpatialBody { mechanism: self.layout.mechanism, index: Some(index) };
             self.add(&name, crate::joints::spatial::euler_norm(body))?;
         }
+        let links = self.links.iter().map(|(_, length)| *length).collect();
         let mut guess = self.initial;
         for &(column, value) in &self.preferred {
             guess[column] = value;
         }
         let equations = Equations::new(&self.layout, self.constraints);
-        Ok(System::new(self.name, self.layout, equations, guess, self.preferred, self.links))
+        Ok(System::new(self.name, self.layout, equations, guess, self.preferred, links))
     }
 }

@@ -9,7 +9,7 @@ pub use series::Series;
 
 use std::sync::Arc;
 
-use crate::coordinates::Coordinate;
+use crate::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
 use crate::error::{Error, Result};
 use crate::layout::{Layout, Place};
 use crate::newton::{CrossedBreak, Newton, Outcome};
@@ -18,19 +18,27 @@ use crate::system::System;
 /// q, q̇ and q̈ at each time, all finite, and a report of how they were found.
 #[derive(Clone)]
 pub struct Motion {
-    name: String,
-    layout: Arc<Layout>,
-    equations: Arc<[String]>,
-    times: Vec<f64>,
-    q: Vec<f64>,
-    qd: Vec<f64>,
-    qdd: Vec<f64>,
-    iterations: Vec<usize>,
-    residuals: Vec<f64>,
+    pub(crate) name: String,
+    pub(crate) layout: Arc<Layout>,
+    pub(crate) equations: Arc<[String]>,
+    pub(crate) times: Vec<f64>,
+    pub(crate) q: Vec<f64>,
+    pub(crate) qd: Vec<f64>,
+    pub(crate) qdd: Vec<f64>,
+    pub(crate) iterations: Vec<usize>,
+    pub(crate) residuals: Vec<f64>,
     /// The largest residual of all times, and its row.
-    worst: Option<(f64, usize)>,
-    outputs: Vec<Series>,
-    breaks: Vec<CrossedBreak>,
+    pub(crate) worst: Option<(f64, usize)>,
+    pub(crate) outputs: Vec<Series>,
+    pub(crate) breaks: Vec<CrossedBreak>,
+}
+
+/// What is told of one time beside its numbers; `worst` is the row of the largest residual.
+#[derive(Clone, Copy)]
+pub(crate) struct Pushed {
+    pub t: f64,
+    pub outcome: Outcome,
+    pub worst: usize,
 }
 
 /// One coordinate over time, with its rates.
@@ -84,6 +92,24 @@ impl Motion {
         self.qdd.extend_from_slice(qdd);
         self.iterations.push(outcome.iterations);
         self.residuals.push(outcome.residual);
+    }
+
+    /// The same of several times at once, numbers taken from elsewhere: one report for each row of [q, q̇, q̈] one after the other.
+    pub(crate) fn push_all<T>(&mut self, reports: &[Pushed], rows: &[T], number: impl Fn(&T) -> f64 + Copy) {
+        let n = self.layout.len();
+        for (report, row) in reports.iter().zip(rows.chunks_exact(3 * n.max(1))) {
+            let (q, rest) = row.split_at(n);
+            let (qd, qdd) = rest.split_at(n);
+            self.q.extend(q.iter().map(number));
+            self.qd.extend(qd.iter().map(number));
+            self.qdd.extend(qdd.iter().map(number));
+            self.times.push(report.t);
+            self.iterations.push(report.outcome.iterations);
+            self.residuals.push(report.outcome.residual);
+            if self.worst.is_none_or(|(known, _)| report.outcome.residual > known) {
+                self.worst = Some((report.outcome.residual, report.worst));
+            }
+        }
     }
 
     /// Name of the mechanism.
@@ -170,10 +196,26 @@ impl Motion {
                 Ok(CoordinateMotion { value: constant("", value), rate: constant("'", 0.0), second_rate: constant("''", 0.0) })
             }
             None => {
-                let (mechanism, place, argument) = (self.name.clone(), "coordinate".to_string(), "coordinate".to_string());
+                let (mechanism, place, argument) = (self.name.to_string(), "coordinate".to_string(), "coordinate".to_string());
                 Err(Error::ForeignBody { mechanism, place, argument })
             }
         }
+    }
+
+    /// The planar body of that name, for [`Motion::point`] and [`Motion::coordinate`].
+    pub fn planar_named(&self, name: &str) -> Option<PlanarBody> {
+        self.layout.bodies().into_iter().find_map(|(known, target)| match target {
+            Target::Planar(body) if known == name => Some(body),
+            _ => None,
+        })
+    }
+
+    /// The spatial body of that name.
+    pub fn spatial_named(&self, name: &str) -> Option<SpatialBody> {
+        self.layout.bodies().into_iter().find_map(|(known, target)| match target {
+            Target::Spatial(body) if known == name => Some(body),
+            _ => None,
+        })
     }
 
     /// The coordinate of that name, such as `crank.theta`, over time.

@@ -3,7 +3,7 @@
 pub(crate) mod assembly;
 mod driven;
 mod options;
-mod predictor;
+pub(crate) mod predictor;
 pub(crate) mod redundant;
 pub(crate) mod sweep;
 mod watch;
@@ -18,11 +18,11 @@ use crate::system::evaluate::{Bad, Instant, finite};
 use crate::system::{Solution, System};
 
 /// A correction that stalls above this share of its coordinate is no rounding but a singular position.   \[-\]
-const STALL: f64 = 1e-9;
+pub(crate) const STALL: f64 = 1e-9;
 
 /// A position with a pivot below this cannot be told from a singular one: rounding ε of C moves q by ε / pivot, and so the pivot by about
 /// as much, which is itself at √ε = 1.5e-8.   \[-\]
-const DOUBTFUL: f64 = 1e-7;
+pub(crate) const DOUBTFUL: f64 = 1e-7;
 
 /// A row that is off by more than this, of the norm of the row, is told as not met where C_q is singular.   \[-\]
 const UNMET: f64 = 1e-2;
@@ -374,7 +374,7 @@ impl<'a> Newton<'a> {
 }
 
 /// Four roundings of a number in units of the tolerance: a number that large may be off by that much.
-fn rounding(tolerance: f64) -> f64 {
+pub(crate) fn rounding(tolerance: f64) -> f64 {
     4.0 * f64::EPSILON / tolerance
 }
 

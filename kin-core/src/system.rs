@@ -1,7 +1,7 @@
 //! A mechanism made ready for solving: fixed order of coordinates and equations, fixed pattern of C_q.
 
 pub(crate) mod evaluate;
-mod parameters;
+pub(crate) mod parameters;
 pub(crate) mod scale;
 mod states;
 
@@ -10,19 +10,23 @@ use std::sync::Arc;
 use nalgebra::DMatrix;
 
 use crate::assembly::{Assembly, AssemblyOptions, Label, modes};
+use crate::constraint::Constraint;
+use crate::coordinates::Target;
 use crate::diagnosis::{self, Diagnosis, Start};
 use crate::error::{Error, Result};
 use crate::layout::Layout;
 use crate::linear::{Linear, Singular};
 use crate::model::Model;
-use crate::motion::Motion;
-use crate::newton::{Newton, Options, Report, Steps, assembly, redundant, sweep};
+use crate::motion::{Motion, Series};
+use crate::newton::{self, Newton, Options, Report, Steps, assembly, redundant};
+use crate::sweep::Sweep;
 use evaluate::{Bad, Equations, Instant, finite};
 
 /// A system C(q, t) = 0 of m equations in n coordinates, m ≥ n; built by [`crate::Mechanism::build`].
 ///
 /// Coordinates come in the order in which bodies and bare coordinates were declared, equations in the order in which constraints were
 /// added, the norm constraints |p|² = 1 of spatial bodies (named `BODY.p`) after them.
+#[derive(Clone)]
 pub struct System {
     name: String,
     layout: Arc<Layout>,
@@ -88,6 +92,30 @@ impl System {
     /// Units of the coordinates in their order: `m`, `rad` or `-`.
     pub fn coordinate_units(&self) -> Vec<&'static str> {
         self.layout.units.iter().map(|unit| unit.text(0)).collect()
+    }
+
+    /// The planar and spatial bodies with their names, in the order of declaration.
+    pub fn bodies(&self) -> Vec<(&str, Target)> {
+        self.layout.bodies()
+    }
+
+    /// The constraints with their names, in their order; the norm constraints of spatial bodies come last.
+    pub fn constraints(&self) -> impl Iterator<Item = (&str, &dyn Constraint)> {
+        self.equations.blocks.iter().map(|block| (block.name.as_str(), block.constraint.as_ref()))
+    }
+
+    /// The 2-norm condition number of C_q at each time of a motion of this system, rows and columns measured as the solver does, so that
+    /// it does not depend on units; estimated from below, seldom by more than 2. Infinite where C_q is singular.   \[-\]
+    ///
+    /// Errors: a motion of another system.
+    pub fn condition(&self, motion: &Motion) -> Result<Series> {
+        let values = (0..motion.len()).map(|k| self.condition_at(motion.q(k), motion.times()[k])).collect::<Result<_>>()?;
+        Ok(Series::new("condition number", "-", motion.times(), values))
+    }
+
+    fn condition_at(&self, q: &[f64], t: f64) -> Result<f64> {
+        let mut linear = self.linearized(q, t)?;
+        Ok(if linear.factor().is_ok() { linear.condition() } else { f64::INFINITY })
     }
 
     /// Names of the constraints in their order.
@@ -203,12 +231,35 @@ impl System {
     ///
     /// Errors: no convergence, singular, not finite; each carries the motion up to it ([`Error::motion`]).
     pub fn run(&self, times: impl AsRef<[f64]>) -> Result<Motion> {
-        sweep::run(self, times.as_ref(), &Options::default())
+        newton::sweep::run(self, times.as_ref(), &Options::default())
     }
 
     /// The same with other options.
     pub fn run_with(&self, times: impl AsRef<[f64]>, options: &Options) -> Result<Motion> {
-        sweep::run(self, times.as_ref(), options)
+        newton::sweep::run(self, times.as_ref(), options)
+    }
+
+    /// Many cases of this system: in each of them the named parameters (such as `A.u_i.x`) and initial values (such as `rocker.theta`) are
+    /// others. See [`Sweep`].
+    ///
+    /// Errors: a name that is neither a parameter nor a coordinate.
+    pub fn sweep(&self, names: impl IntoIterator<Item = impl AsRef<str>>) -> Result<Sweep<'_>> {
+        Sweep::new(self, names)
+    }
+
+    /// Whether no law of its constraints has a break; a run has to look for those time by time.
+    pub(crate) fn is_smooth(&self) -> bool {
+        let (mut smooth, instant) = (true, self.equations.instant_at(0.0, &self.initial));
+        for block in &self.equations.blocks {
+            block.constraint.laws(&instant.of(block), &mut |_, law, _| smooth &= law.is_smooth());
+        }
+        smooth
+    }
+
+    /// Whether a position that closes is meant by all constraints, none of which has, say, its axis turned by 180°.
+    pub(crate) fn is_meant(&self, t: f64, q: &[f64]) -> bool {
+        let instant = self.equations.instant_at(t, q);
+        self.equations.blocks.iter().all(|block| block.constraint.wrong_branch(&instant.of(block)).is_none())
     }
 
     /// What the mechanism is at time t, assembled from the initial guess: counts, rank, dependencies and freedoms by name.
@@ -336,16 +387,22 @@ impl System {
         if redundant::is_redundant(self) {
             return redundant::solved(self, q, t, rhs);
         }
+        let mut linear = self.linearized(q, t)?;
+        linear.factor().map_err(|found| self.singular(t, &found, None))?;
+        linear.rhs_mut().copy_from_slice(rhs);
+        linear.solve();
+        Ok(linear.solution().to_vec())
+    }
+
+    /// C_q(q, t) with the sizes of that point, ready to be factored.
+    fn linearized(&self, q: &[f64], t: f64) -> Result<Linear> {
         let instant = self.instant(q, t)?;
         let mut linear = self.linear();
         self.linearize(&instant, linear.values_mut())?;
         let sizes = scale::sizes(&self.layout, &self.equations, linear.values(), q, &self.links);
         linear.set_sizes(&sizes);
         linear.measure();
-        linear.factor().map_err(|found| self.singular(t, &found, None))?;
-        linear.rhs_mut().copy_from_slice(rhs);
-        linear.solve();
-        Ok(linear.solution().to_vec())
+        Ok(linear)
     }
 }
 

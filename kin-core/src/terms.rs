@@ -95,16 +95,16 @@ where
 }
 
 /// The states and rates of one constraint's arguments, standing alone.
-struct Local {
-    states: Vec<f64>,
-    rates: Vec<f64>,
+pub(crate) struct Local {
+    pub states: Vec<f64>,
+    pub rates: Vec<f64>,
     /// Where each argument's state begins, and its first column.
     first_state: Vec<usize>,
     first_column: Vec<usize>,
 }
 
 impl Local {
-    fn new(arguments: &[Argument], q: &[f64], qd: &[f64]) -> Self {
+    pub(crate) fn new(arguments: &[Argument], q: &[f64], qd: &[f64]) -> Self {
         let mut local = Local { states: Vec::new(), rates: Vec::new(), first_state: Vec::new(), first_column: Vec::new() };
         for argument in arguments {
             let column = local.rates.len();

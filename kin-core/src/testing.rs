@@ -43,6 +43,7 @@ fn coord(name: &'static str, coordinate: Coordinate, trig: Trig) -> Argument {
 }
 
 /// R_i + A_i u_i − R_j − A_j u_j
+#[derive(Clone)]
 pub struct Revolute {
     pub i: PlanarBody,
     pub j: PlanarBody,
@@ -99,6 +100,7 @@ impl Constraint for Revolute {
 }
 
 /// θ − f(t)
+#[derive(Clone)]
 pub struct DriveAngle {
     pub b: PlanarBody,
     pub law: Law,
@@ -137,6 +139,7 @@ impl Constraint for DriveAngle {
 }
 
 /// q − pose
+#[derive(Clone)]
 pub struct Fixed {
     pub b: PlanarBody,
     pub pose: Pose,
@@ -168,6 +171,7 @@ impl Constraint for Fixed {
 }
 
 /// l2 cos ωt + l3 cos θ3 − x,  l2 sin ωt + l3 sin θ3 − h
+#[derive(Clone)]
 pub struct SliderCrank {
     pub theta3: Coordinate,
     pub x: Coordinate,
@@ -207,6 +211,7 @@ impl Constraint for SliderCrank {
 }
 
 /// √x − 1 − t: not finite for x < 0, infinite slope at 0.
+#[derive(Clone)]
 pub struct Root(pub Coordinate);
 
 impl Constraint for Root {
@@ -238,6 +243,7 @@ impl Constraint for Root {
 }
 
 /// x − q_k − f(t), on two bare coordinates.
+#[derive(Clone)]
 pub struct Follow {
     pub x: Coordinate,
     pub other: Coordinate,

@@ -123,6 +123,14 @@ const _: () = {
                 (3, 13),
             ]
         }
+        fn describe(&self, to: &mut ::kin::rt::Describer) {
+            use ::kin::rt::{ToldBySerde as _, Untold as _};
+            to.put("u_i", &self.u_i);
+            to.put("u_j", &self.u_j);
+            to.put("f_i", &self.f_i);
+            to.put("g_i", &self.g_i);
+            to.put("h_j", &self.h_j);
+        }
         fn depends(&self) -> ::kin::Dependence {
             ::kin::Dependence {
                 c_on_t: false,
@@ -968,6 +976,29 @@ const _: () = {
             q_d[2] = -t106;
             q_d[3] = -t107;
         }
+        fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
+            let mut u = [[0.0_f64; 3]; 5];
+            u[0][0] = self.f_i.x;
+            u[0][1] = self.f_i.y;
+            u[0][2] = self.f_i.z;
+            u[1][0] = self.g_i.x;
+            u[1][1] = self.g_i.y;
+            u[1][2] = self.g_i.z;
+            u[2][0] = self.h_j.x;
+            u[2][1] = self.h_j.y;
+            u[2][2] = self.h_j.z;
+            u[3][0] = self.u_i.x;
+            u[3][1] = self.u_i.y;
+            u[3][2] = self.u_i.z;
+            u[4][0] = self.u_j.x;
+            u[4][1] = self.u_j.y;
+            u[4][2] = self.u_j.z;
+            ::std::vec![
+                ::kin::rt::attachment(0, false, u[0]), ::kin::rt::attachment(0, false,
+                u[1]), ::kin::rt::attachment(1, false, u[2]), ::kin::rt::attachment(0,
+                true, u[3]), ::kin::rt::attachment(1, true, u[4])
+            ]
+        }
         fn description(&self) -> &str {
             "A cylindrical joint: the axes are parallel and the line between two of their points is along them.      [–, –, m, m]"
         }
@@ -984,6 +1015,34 @@ const _: () = {
                 || ::kin::rt::Numbers::set(&mut self.f_i, "f_i", name, value)
                 || ::kin::rt::Numbers::set(&mut self.g_i, "g_i", name, value)
                 || ::kin::rt::Numbers::set(&mut self.h_j, "h_j", name, value)
+        }
+        fn set_parameter_at(&mut self, mut index: usize, value: f64) -> bool {
+            ::kin::rt::Numbers::set_at(&mut self.u_i, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.u_j, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.f_i, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.g_i, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.h_j, &mut index, value)
+        }
+    }
+    impl ::kin::rt::Described for cylindrical {
+        const KIND: &'static str = "cylindrical";
+        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
+            14,
+            4,
+        >>::ARGUMENTS;
+        fn read(
+            from: &mut ::kin::rt::Reader<'_>,
+        ) -> ::core::result::Result<Self, ::std::string::String> {
+            use ::kin::rt::{SoughtBySerde as _, Unsought as _};
+            ::core::result::Result::Ok(cylindrical {
+                i: from.spatial()?,
+                j: from.spatial()?,
+                u_i: from.get("u_i")?,
+                u_j: from.get("u_j")?,
+                f_i: from.get("f_i")?,
+                g_i: from.get("g_i")?,
+                h_j: from.get("h_j")?,
+            })
         }
     }
     impl ::kin::rt::Equation<14, 4> for cylindrical {

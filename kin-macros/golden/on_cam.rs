@@ -84,6 +84,11 @@ const _: () = {
         fn pattern(&self) -> &[(usize, usize)] {
             &[(0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5)]
         }
+        fn describe(&self, to: &mut ::kin::rt::Describer) {
+            use ::kin::rt::{ToldBySerde as _, Untold as _};
+            to.put("tip", &self.tip);
+            to.put("profile", &self.profile);
+        }
         fn depends(&self) -> ::kin::Dependence {
             ::kin::Dependence {
                 c_on_t: false,
@@ -346,6 +351,15 @@ const _: () = {
             }
             ::core::option::Option::None
         }
+        fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
+            let mut u = [[0.0_f64; 3]; 1];
+            u[0][0] = self.tip.x;
+            u[0][1] = self.tip.y;
+            ::std::vec![::kin::rt::attachment(1, true, u[0])]
+        }
+        fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::rt::InLanes> {
+            ::core::option::Option::Some(self)
+        }
         fn description(&self) -> &str {
             "Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]"
         }
@@ -356,6 +370,10 @@ const _: () = {
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
             ::kin::rt::Numbers::set(&mut self.tip, "tip", name, value)
                 || ::kin::rt::Numbers::set(&mut self.profile, "profile", name, value)
+        }
+        fn set_parameter_at(&mut self, mut index: usize, value: f64) -> bool {
+            ::kin::rt::Numbers::set_at(&mut self.tip, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.profile, &mut index, value)
         }
         #[cold]
         fn refusal(&self) -> ::core::option::Option<::std::string::String> {
@@ -398,6 +416,239 @@ const _: () = {
                 (cam_cos * t0) + (cam_sin * t1),
             );
             visit("profile", &self.profile, x[0]);
+        }
+    }
+    impl ::kin::rt::InLanes for on_cam {
+        fn kernels(&self) -> ::kin::rt::LaneKernels {
+            ::kin::rt::LaneKernels::of::<Self>()
+        }
+        fn n_known(&self) -> [usize; 2] {
+            [2, 0]
+        }
+        fn of_parameters(&self, known: &mut [f64]) {
+            let ::core::option::Option::Some(known) = known.first_chunk_mut::<2>() else {
+                return
+            };
+            let (at, t_dot) = (&::kin::rt::At::new(0.0, &[], &[]), 1.0);
+            known[0] = self.tip.x;
+            known[1] = self.tip.y;
+        }
+        fn of_time(&self, t: f64, known: &mut [f64]) {
+            let ::core::option::Option::Some(known) = known.first_chunk_mut::<0>() else {
+                return
+            };
+            let (at, t_dot) = (&::kin::rt::At::new(t, &[], &[]), 1.0);
+        }
+        fn evaluate(&self, number: usize, x: &[f64], y: &mut [f64]) {
+            match number {
+                0 => {
+                    let ::core::option::Option::Some(&[known0]) = x.first_chunk::<1>()
+                    else { return };
+                    let ::core::option::Option::Some(y) = y.first_chunk_mut::<3>() else {
+                        return
+                    };
+                    let law0: [f64; 4] = self.profile.jet(known0);
+                    y[0] = law0[0];
+                    y[1] = law0[1];
+                    y[2] = law0[2];
+                }
+                1 => {
+                    let ::core::option::Option::Some(&[known0]) = x.first_chunk::<1>()
+                    else { return };
+                    let ::core::option::Option::Some(y) = y.first_chunk_mut::<2>() else {
+                        return
+                    };
+                    let leaf0: ::kin::rt::Real<f64> = self
+                        .__leaf0([::kin::rt::Real(known0)]);
+                    let leaf1: ::kin::rt::Real<::kin::rt::Dual64> = self
+                        .__leaf0([::kin::rt::Real(::kin::rt::Dual64::new(known0, 1.0))]);
+                    y[0] = leaf0.0;
+                    y[1] = leaf1.0.eps;
+                }
+                2 => {
+                    let ::core::option::Option::Some(&[known0, known1, known2]) = x
+                        .first_chunk::<3>() else { return };
+                    let ::core::option::Option::Some(y) = y.first_chunk_mut::<1>() else {
+                        return
+                    };
+                    let leaf0: ::kin::rt::Real<::kin::rt::Dual2_64> = self
+                        .__leaf0([
+                            ::kin::rt::Real(
+                                ::kin::rt::Dual2_64::new(known0, known1, known2),
+                            ),
+                        ]);
+                    y[0] = leaf0.0.v2;
+                }
+                _ => {}
+            }
+        }
+    }
+    impl ::kin::rt::LaneKernel for on_cam {
+        #[inline(always)]
+        fn linearize<__S: ::kin::rt::Level>(
+            at: &::kin::rt::LaneAt<'_, __S>,
+            c: &mut [::kin::rt::Wide<__S>],
+            c_q: &mut [::kin::rt::Wide<__S>],
+        ) {
+            let ::core::option::Option::Some(c) = c.first_chunk_mut::<1>() else {
+                return
+            };
+            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<6>() else {
+                return
+            };
+            let ::core::option::Option::Some(&[known0, known1]) = at.known::<2>() else {
+                return
+            };
+            let ::core::option::Option::Some(
+                &[cam_x,
+                cam_y,
+                _,
+                cam_sin,
+                cam_cos,
+                follower_x,
+                follower_y,
+                _,
+                follower_sin,
+                follower_cos,
+                ],
+            ) = at.states::<10>() else { return };
+            let t0 = (known0 * follower_cos) - (known1 * follower_sin);
+            let t1 = (known0 * follower_sin) + (known1 * follower_cos);
+            let t2 = (follower_x + t0) - cam_x;
+            let t3 = (follower_y + t1) - cam_y;
+            let t4 = (cam_cos * t2) + (cam_sin * t3);
+            let t5 = (cam_cos * t3) - (cam_sin * t2);
+            let t6 = ::kin::rt::Wide::atan2(t5, t4);
+            let t7 = (t4 * t4) + (t5 * t5);
+            let t8 = ::kin::rt::Wide::sqrt(t7);
+            let call0: [::kin::rt::Wide<__S>; 3] = at.evaluate::<1, 3>(0, [t6]);
+            let call1: [::kin::rt::Wide<__S>; 2] = at.evaluate::<1, 2>(1, [t6]);
+            let t9 = t4 / t7;
+            let t10 = t5 / t7;
+            let t11 = (cam_sin * t9) + (cam_cos * t10);
+            let t12 = at.splat(1.0) / (at.splat(2.0) * t8);
+            let t13 = ((at.splat(2.0) * (((cam_sin * t5) - (cam_cos * t4)) * t12))
+                - (t11 * call0[1])) + (t11 * call1[1]);
+            let t14 = (cam_sin * t10) - (cam_cos * t9);
+            let t15 = (call1[1] * t14)
+                - ((at.splat(2.0) * (t12 * ((cam_sin * t4) + (cam_cos * t5))))
+                    + (call0[1] * t14));
+            let t16 = (t0 * cam_sin) - (t1 * cam_cos);
+            let t17 = (t1 * cam_sin) + (t0 * cam_cos);
+            let t18 = (t9 * t17) - (t10 * t16);
+            let t19 = ((at.splat(2.0) * (t12 * ((t4 * t16) + (t5 * t17))))
+                - (call0[1] * t18)) + (call1[1] * t18);
+            c[0] = (t8 - call0[0]) + call1[0];
+            c_q[0] = t13;
+            c_q[1] = t15;
+            c_q[2] = ((t4 * t9) + (t5 * t10)) * (call0[1] - call1[1]);
+            c_q[3] = -t13;
+            c_q[4] = -t15;
+            c_q[5] = t19;
+        }
+        #[inline(always)]
+        fn velocity_rhs<__S: ::kin::rt::Level>(
+            at: &::kin::rt::LaneAt<'_, __S>,
+            rhs: &mut [::kin::rt::Wide<__S>],
+        ) {
+            let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<0>() else {
+                return
+            };
+            let ::core::option::Option::Some(&[known0, known1]) = at.known::<2>() else {
+                return
+            };
+        }
+        #[inline(always)]
+        fn acceleration_rhs<__S: ::kin::rt::Level>(
+            at: &::kin::rt::LaneAt<'_, __S>,
+            qd: &::kin::rt::LaneRates<'_, __S>,
+            q_d: &mut [::kin::rt::Wide<__S>],
+        ) {
+            let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<1>() else {
+                return
+            };
+            let ::core::option::Option::Some(&[known0, known1]) = at.known::<2>() else {
+                return
+            };
+            let ::core::option::Option::Some(
+                &[cam_x,
+                cam_y,
+                _,
+                cam_sin,
+                cam_cos,
+                follower_x,
+                follower_y,
+                _,
+                follower_sin,
+                follower_cos,
+                ],
+            ) = at.states::<10>() else { return };
+            let ::core::option::Option::Some(
+                &[cam_x_d,
+                cam_y_d,
+                cam_theta_d,
+                follower_x_d,
+                follower_y_d,
+                follower_theta_d,
+                ],
+            ) = qd.columns::<6>() else { return };
+            let t0 = (known0 * follower_cos) - (known1 * follower_sin);
+            let t1 = (known0 * follower_sin) + (known1 * follower_cos);
+            let t2 = (follower_x + t0) - cam_x;
+            let t3 = (follower_y + t1) - cam_y;
+            let t4 = (cam_cos * t2) + (cam_sin * t3);
+            let t5 = (cam_cos * t3) - (cam_sin * t2);
+            let t6 = ::kin::rt::Wide::atan2(t5, t4);
+            let t7 = (t4 * t4) + (t5 * t5);
+            let t8 = t4 / t7;
+            let t9 = t5 / t7;
+            let t10 = at.splat(2.0) * ::kin::rt::Wide::sqrt(t7);
+            let t11 = at.splat(1.0) / t10;
+            let call0: [::kin::rt::Wide<__S>; 3] = at.evaluate::<1, 3>(0, [t6]);
+            let t12 = t1 * follower_theta_d;
+            let t13 = t0 * follower_theta_d;
+            let t14 = cam_cos * cam_theta_d;
+            let t15 = cam_sin * cam_theta_d;
+            let t16 = (follower_x_d - t12) - cam_x_d;
+            let t17 = (follower_y_d + t13) - cam_y_d;
+            let t18 = ((cam_cos * t16) - (t2 * t15)) + ((t3 * t14) + (cam_sin * t17));
+            let t19 = ((cam_cos * t17) - (t3 * t15)) - ((t2 * t14) + (cam_sin * t16));
+            let t20 = (t8 * t19) - (t9 * t18);
+            let t21 = (t4 * t18) + (t5 * t19);
+            let t22 = (cam_theta_d * (t2 * cam_theta_d)) + (follower_theta_d * t13);
+            let t23 = (cam_theta_d * (t3 * cam_theta_d)) + (follower_theta_d * t12);
+            let t24 = ((at.splat(2.0) * (t14 * t17)) - (cam_sin * t23))
+                - ((at.splat(2.0) * (t15 * t16)) + (cam_cos * t22));
+            let t25 = ((at.splat(2.0) * (t14 * t16)) - (cam_sin * t22))
+                + ((at.splat(2.0) * (t15 * t17)) + (cam_cos * t23));
+            let t26 = (t19 * ((t18 - (at.splat(2.0) * (t8 * t21))) / t7)) - (t8 * t25);
+            let t27 = (t18 * ((t19 - (at.splat(2.0) * (t9 * t21))) / t7)) + (t9 * t24);
+            let t28 = t26 - t27;
+            let t29 = (t11 * (((t18 * t18) + (t4 * t24)) + ((t19 * t19) - (t5 * t25))))
+                - (t21 * ((at.splat(4.0) * (t11 * (t11 * t21))) / t10));
+            let call1: [::kin::rt::Wide<__S>; 1] = at
+                .evaluate::<3, 1>(2, [t6, t20, t28]);
+            let t30 = -(((at.splat(2.0) * t29)
+                - ((t20 * (t20 * call0[2])) + (call0[1] * t28))) + call1[0]);
+            q_d[0] = t30;
+        }
+    }
+    impl ::kin::rt::Described for on_cam {
+        const KIND: &'static str = "on_cam";
+        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
+            6,
+            1,
+        >>::ARGUMENTS;
+        fn read(
+            from: &mut ::kin::rt::Reader<'_>,
+        ) -> ::core::result::Result<Self, ::std::string::String> {
+            use ::kin::rt::{SoughtBySerde as _, Unsought as _};
+            ::core::result::Result::Ok(on_cam {
+                cam: from.planar()?,
+                follower: from.planar()?,
+                tip: from.get("tip")?,
+                profile: from.get("profile")?,
+            })
         }
     }
     impl ::kin::rt::Equation<6, 1> for on_cam {

@@ -62,6 +62,11 @@ const _: () = {
         fn pattern(&self) -> &[(usize, usize)] {
             &[(0, 0), (0, 2), (0, 3), (0, 5), (1, 1), (1, 2), (1, 4), (1, 5)]
         }
+        fn describe(&self, to: &mut ::kin::rt::Describer) {
+            use ::kin::rt::{ToldBySerde as _, Untold as _};
+            to.put("u_i", &self.u_i);
+            to.put("u_j", &self.u_j);
+        }
         fn constants(&self) -> &[::core::option::Option<f64>] {
             &[
                 ::core::option::Option::Some(1.0),
@@ -205,6 +210,20 @@ const _: () = {
             q_d[1] = -((((self.u_j.x * j_sin) + (self.u_j.y * j_cos)) * t1)
                 - (((self.u_i.x * i_sin) + (self.u_i.y * i_cos)) * t0));
         }
+        fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
+            let mut u = [[0.0_f64; 3]; 2];
+            u[0][0] = self.u_i.x;
+            u[0][1] = self.u_i.y;
+            u[1][0] = self.u_j.x;
+            u[1][1] = self.u_j.y;
+            ::std::vec![
+                ::kin::rt::attachment(0, true, u[0]), ::kin::rt::attachment(1, true,
+                u[1])
+            ]
+        }
+        fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::rt::InLanes> {
+            ::core::option::Option::Some(self)
+        }
         fn description(&self) -> &str {
             "Pin joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      [m]"
         }
@@ -215,6 +234,141 @@ const _: () = {
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
             ::kin::rt::Numbers::set(&mut self.u_i, "u_i", name, value)
                 || ::kin::rt::Numbers::set(&mut self.u_j, "u_j", name, value)
+        }
+        fn set_parameter_at(&mut self, mut index: usize, value: f64) -> bool {
+            ::kin::rt::Numbers::set_at(&mut self.u_i, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.u_j, &mut index, value)
+        }
+    }
+    impl ::kin::rt::InLanes for revolute {
+        fn kernels(&self) -> ::kin::rt::LaneKernels {
+            ::kin::rt::LaneKernels::of::<Self>()
+        }
+        fn n_known(&self) -> [usize; 2] {
+            [4, 0]
+        }
+        fn of_parameters(&self, known: &mut [f64]) {
+            let ::core::option::Option::Some(known) = known.first_chunk_mut::<4>() else {
+                return
+            };
+            let (at, t_dot) = (&::kin::rt::At::new(0.0, &[], &[]), 1.0);
+            known[0] = self.u_i.x;
+            known[1] = self.u_i.y;
+            known[2] = self.u_j.x;
+            known[3] = self.u_j.y;
+        }
+        fn of_time(&self, t: f64, known: &mut [f64]) {
+            let ::core::option::Option::Some(known) = known.first_chunk_mut::<0>() else {
+                return
+            };
+            let (at, t_dot) = (&::kin::rt::At::new(t, &[], &[]), 1.0);
+        }
+        fn evaluate(&self, number: usize, x: &[f64], y: &mut [f64]) {
+            match number {
+                _ => {}
+            }
+        }
+    }
+    impl ::kin::rt::LaneKernel for revolute {
+        #[inline(always)]
+        fn linearize<__S: ::kin::rt::Level>(
+            at: &::kin::rt::LaneAt<'_, __S>,
+            c: &mut [::kin::rt::Wide<__S>],
+            c_q: &mut [::kin::rt::Wide<__S>],
+        ) {
+            let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
+                return
+            };
+            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<8>() else {
+                return
+            };
+            let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
+                .known::<4>() else { return };
+            let ::core::option::Option::Some(
+                &[i_x,
+                i_y,
+                _,
+                i_sin,
+                i_cos,
+                j_x,
+                j_y,
+                _,
+                j_sin,
+                j_cos,
+                ],
+            ) = at.states::<10>() else { return };
+            let t0 = (known0 * i_cos) - (known1 * i_sin);
+            let t1 = (known0 * i_sin) + (known1 * i_cos);
+            let t2 = (known2 * j_cos) - (known3 * j_sin);
+            let t3 = (known2 * j_sin) + (known3 * j_cos);
+            c[0] = (i_x + t0) - (j_x + t2);
+            c[1] = (i_y + t1) - (j_y + t3);
+            c_q[1] = -t1;
+            c_q[3] = t3;
+            c_q[5] = t0;
+            c_q[7] = -t2;
+        }
+        #[inline(always)]
+        fn velocity_rhs<__S: ::kin::rt::Level>(
+            at: &::kin::rt::LaneAt<'_, __S>,
+            rhs: &mut [::kin::rt::Wide<__S>],
+        ) {
+            let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<0>() else {
+                return
+            };
+            let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
+                .known::<4>() else { return };
+        }
+        #[inline(always)]
+        fn acceleration_rhs<__S: ::kin::rt::Level>(
+            at: &::kin::rt::LaneAt<'_, __S>,
+            qd: &::kin::rt::LaneRates<'_, __S>,
+            q_d: &mut [::kin::rt::Wide<__S>],
+        ) {
+            let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<2>() else {
+                return
+            };
+            let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
+                .known::<4>() else { return };
+            let ::core::option::Option::Some(
+                &[_,
+                _,
+                _,
+                i_sin,
+                i_cos,
+                _,
+                _,
+                _,
+                j_sin,
+                j_cos,
+                ],
+            ) = at.states::<10>() else { return };
+            let ::core::option::Option::Some(&[_, _, i_theta_d, _, _, j_theta_d]) = qd
+                .columns::<6>() else { return };
+            let t0 = i_theta_d * i_theta_d;
+            let t1 = j_theta_d * j_theta_d;
+            q_d[0] = -((((known2 * j_cos) - (known3 * j_sin)) * t1)
+                - (((known0 * i_cos) - (known1 * i_sin)) * t0));
+            q_d[1] = -((((known2 * j_sin) + (known3 * j_cos)) * t1)
+                - (((known0 * i_sin) + (known1 * i_cos)) * t0));
+        }
+    }
+    impl ::kin::rt::Described for revolute {
+        const KIND: &'static str = "revolute";
+        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
+            6,
+            2,
+        >>::ARGUMENTS;
+        fn read(
+            from: &mut ::kin::rt::Reader<'_>,
+        ) -> ::core::result::Result<Self, ::std::string::String> {
+            use ::kin::rt::{SoughtBySerde as _, Unsought as _};
+            ::core::result::Result::Ok(revolute {
+                i: from.planar()?,
+                j: from.planar()?,
+                u_i: from.get("u_i")?,
+                u_j: from.get("u_j")?,
+            })
         }
     }
     impl ::kin::rt::Equation<6, 2> for revolute {

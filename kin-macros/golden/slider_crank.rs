@@ -81,6 +81,13 @@ const _: () = {
         fn pattern(&self) -> &[(usize, usize)] {
             &[(0, 0), (0, 1), (1, 0)]
         }
+        fn describe(&self, to: &mut ::kin::rt::Describer) {
+            use ::kin::rt::{ToldBySerde as _, Untold as _};
+            to.put("l2", &self.l2);
+            to.put("l3", &self.l3);
+            to.put("h", &self.h);
+            to.put("omega", &self.omega);
+        }
         fn constants(&self) -> &[::core::option::Option<f64>] {
             &[
                 ::core::option::Option::None,
@@ -263,6 +270,32 @@ const _: () = {
                 || ::kin::rt::Numbers::set(&mut self.l3, "l3", name, value)
                 || ::kin::rt::Numbers::set(&mut self.h, "h", name, value)
                 || ::kin::rt::Numbers::set(&mut self.omega, "omega", name, value)
+        }
+        fn set_parameter_at(&mut self, mut index: usize, value: f64) -> bool {
+            ::kin::rt::Numbers::set_at(&mut self.l2, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.l3, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.h, &mut index, value)
+                || ::kin::rt::Numbers::set_at(&mut self.omega, &mut index, value)
+        }
+    }
+    impl ::kin::rt::Described for slider_crank {
+        const KIND: &'static str = "slider_crank";
+        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
+            2,
+            2,
+        >>::ARGUMENTS;
+        fn read(
+            from: &mut ::kin::rt::Reader<'_>,
+        ) -> ::core::result::Result<Self, ::std::string::String> {
+            use ::kin::rt::{SoughtBySerde as _, Unsought as _};
+            ::core::result::Result::Ok(slider_crank {
+                theta3: from.coord()?,
+                x: from.coord()?,
+                l2: from.get("l2")?,
+                l3: from.get("l3")?,
+                h: from.get("h")?,
+                omega: from.get("omega")?,
+            })
         }
     }
     impl ::kin::rt::Equation<2, 2> for slider_crank {

@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use quote::quote;
 
 use crate::lower::{Failure, Unreadable};
-use crate::parse::Choice;
+use crate::parse::{Choice, ConstraintFn};
 use crate::{emit, limits, lower, parse};
 
 /// `#[constraint]`
@@ -17,9 +17,7 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> TokenStream {
     match (source.choice, lower::constraint(&source)) {
         (_, Err(Failure::Mistakes(mistakes))) => with_stand_in(&mistakes, &emit::stand_in::constraint(&source)),
         (Choice::Dual, _) | (Choice::Best, Err(Failure::Unreadable(_))) => emit::constraint::dual(&source),
-        (Choice::Symbolic, Err(Failure::Unreadable(why))) => {
-            with_stand_in(&refusal(&why, &source.name), &emit::stand_in::constraint(&source))
-        }
+        (Choice::Symbolic, Err(Failure::Unreadable(why))) => with_stand_in(&refusal(&why, &source), &emit::stand_in::constraint(&source)),
         (_, Ok(lowered)) => emit::constraint::symbolic(&source, lowered),
     }
 }
@@ -58,11 +56,12 @@ fn without_body(item: TokenStream) -> TokenStream {
     tokens.into_iter().collect()
 }
 
-/// `#[constraint(symbolic)]` on a body that cannot be read.
-fn refusal(why: &Unreadable, name: &syn::Ident) -> syn::Error {
+/// `#[constraint(symbolic)]` or `#[constraint(lanes)]` on a body that cannot be read.
+fn refusal(why: &Unreadable, source: &ConstraintFn) -> syn::Error {
+    let (name, what) = (&source.name, &why.what);
+    let asked = if source.lanes { "lanes" } else { "symbolic" };
     let text = format!(
-        "{} cannot be read by the compiler, so `{name}` would be differentiated by dual numbers; `#[constraint(symbolic)]` asks otherwise",
-        why.what
+        "{what} cannot be read by the compiler, so `{name}` would be differentiated by dual numbers; `#[constraint({asked})]` asks otherwise"
     );
     syn::Error::new(why.span, text)
 }

@@ -58,6 +58,9 @@ use proc_macro::TokenStream;
 /// numbers as a whole; `Constraint::route` tells which. `#[constraint(symbolic)]` makes such a body a compile error at the token that cannot
 /// be read, `#[constraint(dual)]` asks for dual numbers.
 ///
+/// `#[constraint(lanes)]` (symbolic too) emits the kernels over SIMD lanes as well, for sweeps over many cases of one mechanism: several of
+/// them advance together. Laws and functions of the user's that depend on coordinates are called lane by lane.
+///
 /// A path or field that the macro cannot know (`MAX_LIFT`, `gains.k`) is an f64 at run time, unless a `let v: Vec2 = …` or its place says
 /// otherwise.
 ///

@@ -3,6 +3,8 @@
 mod demand;
 
 use proc_macro2::{Ident, Span, TokenStream};
+use syn::parse::Parser;
+use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
 use syn::{Attribute, Block, Expr, ExprLit, FnArg, ItemFn, Lit, Pat, ReturnType, Type, Visibility};
 
@@ -19,6 +21,8 @@ pub struct ConstraintFn {
     pub output_type: Type,
     pub body: Block,
     pub choice: Choice,
+    /// Whether kernels over lanes are asked for.
+    pub lanes: bool,
     /// What must hold of the parameters.
     pub requirements: Vec<Demand>,
     /// What holds of the pose that is meant, where the equations have others.
@@ -115,7 +119,7 @@ impl Shape {
 
 /// Reads the attribute and the signature; every mistake at its own token.
 pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<ConstraintFn> {
-    let choice = choice(attribute)?;
+    let (choice, lanes) = choice(attribute)?;
     let mut function = item_fn(item)?;
     let mut mistakes = Mistakes::default();
     refuse_qualifiers(&function, &mut mistakes);
@@ -137,6 +141,7 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<Cons
         output_type,
         body: *function.block,
         choice,
+        lanes,
         requirements,
         branches,
     })
@@ -195,20 +200,25 @@ pub fn law(attribute: &TokenStream, item: TokenStream) -> syn::Result<LawFn> {
 const NO_COORDINATES: &str = "a constraint needs something to constrain: give it an argument of type `Planar`, `Spatial`, `Coord` or \
      `[Coord; N]` (types are read by name: write the name itself, not an alias of it)";
 
-fn choice(attribute: TokenStream) -> syn::Result<Choice> {
-    if attribute.is_empty() {
-        return Ok(Choice::Best);
-    }
-    let word: Ident = syn::parse2(attribute.clone()).map_err(|_| unknown_choice(&attribute))?;
-    match word.to_string().as_str() {
-        "symbolic" => Ok(Choice::Symbolic),
-        "dual" => Ok(Choice::Dual),
+/// The route, and whether kernels over lanes are asked for, which are symbolic.
+fn choice(attribute: TokenStream) -> syn::Result<(Choice, bool)> {
+    let words = Punctuated::<Ident, syn::Token![,]>::parse_terminated.parse2(attribute.clone()).map_err(|_| unknown_choice(&attribute))?;
+    let words: Vec<String> = words.iter().map(ToString::to_string).collect();
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    match words[..] {
+        [] => Ok((Choice::Best, false)),
+        ["symbolic"] => Ok((Choice::Symbolic, false)),
+        ["dual"] => Ok((Choice::Dual, false)),
+        ["lanes"] | ["symbolic", "lanes"] | ["lanes", "symbolic"] => Ok((Choice::Symbolic, true)),
+        ["dual", "lanes"] | ["lanes", "dual"] => {
+            Err(syn::Error::new_spanned(attribute, "kernels over lanes are made of the symbolic derivatives: leave `dual` or `lanes` out"))
+        }
         _ => Err(unknown_choice(&attribute)),
     }
 }
 
 fn unknown_choice(attribute: &TokenStream) -> syn::Error {
-    syn::Error::new_spanned(attribute, "`#[constraint]` takes nothing, `symbolic` or `dual`")
+    syn::Error::new_spanned(attribute, "`#[constraint]` takes nothing, `symbolic`, `dual` or `lanes`")
 }
 
 pub fn item_fn(item: TokenStream) -> syn::Result<ItemFn> {

@@ -174,3 +174,48 @@ fn a_generic_function_inside_the_body() {
     assert_eq!(kin::terms(&generic_inside(c(), 2.0), &[3.0], &[], 0.0).c[0], 5.0);
     kin::check::derivatives(generic_inside(c(), 2.0));
 }
+
+#[constraint]
+#[require(k > 0.0)]
+#[require(axis.h.z >= 0.0, "the axis points upwards")]
+#[branch(b.direction(axis.h).z > 0.0, "it stands on its head")]
+fn demanding(b: Spatial, axis: Axis, k: f64) -> (f64, f64) {
+    let (f, g) = (b.direction(axis.f), b.direction(axis.g));
+    (k * f.z, g.dot(vec3(0.0, 0.0, k)) + axis.h.cross(axis.f).dot(axis.g) - 1.0)
+}
+reads!(an_axis_with_its_directions, Symbolic, demanding(s(), vec3(0.0, 0.0, 3.0), 2.0),
+    at [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], 0.0 => [0.0, 0.0]);
+
+#[constraint(dual)]
+#[require(k > 0.0)]
+fn demanding_by_dual(b: Spatial, axis: Axis, k: f64, profile: Law) -> f64 {
+    b.direction(axis.f).z * k + profile.slope(b.r.x)
+}
+reads!(an_axis_and_a_slope_by_dual_numbers, Dual, demanding_by_dual(s(), vec3(0.0, 0.0, 1.0), 2.0, Law::polynomial(&[0.0, 0.0, 1.0])),
+    at [3.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], 0.0 => [6.0]);
+
+#[constraint]
+fn tangent(a: Coord, b: Coord, curve: Law) -> f64 {
+    b * curve.slope(a) - curve.slope(2.0 * b) + curve.at(a)
+}
+reads!(the_slope_of_a_law, Symbolic, tangent(c(), c(), Law::polynomial(&[0.0, 1.0, 0.0, 1.0])), at [1.0, 2.0], 0.0 => [8.0 - 49.0 + 2.0]);
+
+#[test]
+fn what_is_demanded_is_said_with_its_numbers() {
+    let up = vec3(0.0, 0.0, 1.0);
+    assert_eq!(demanding(s(), up, 2.0).refusal(), None);
+    assert_eq!(demanding(s(), up, -2.0).refusal().as_deref(), Some("`k > 0.0` does not hold (k = -2)"));
+    assert_eq!(
+        demanding(s(), vec3(0.0, 0.0, -1.0), 2.0).refusal().as_deref(),
+        Some("the axis points upwards (axis.x = 0, axis.y = 0, axis.z = -1)")
+    );
+    assert!(demanding_by_dual(s(), up, 0.0, Law::ramp(1.0)).refusal().is_some());
+    assert!(demanding(s(), vec3(0.0, 0.0, 0.0), 2.0).refusal().expect("no direction").starts_with("axis: this axis has no direction"));
+}
+
+#[test]
+fn the_words_of_the_documentation_come_with_the_constraint() {
+    let bump = bump(1.0);
+    assert_eq!(bump.description(), "A smooth bump.");
+    assert_eq!(elsewhere::hidden(c(), Scale(1.0)).description(), "Visible from outside of its module.");
+}

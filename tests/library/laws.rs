@@ -53,7 +53,7 @@ pub fn all() -> Vec<Line> {
         line("sequence", Law::sequence(0.25, [(1.0, up.clone()), (0.5, Law::constant(0.5)), (1.5, down.clone())]), -0.5, 4.0),
         line("periodic", Law::sequence(0.0, [(1.0, up), (1.5, down), (0.5, Law::constant(0.0))]).periodic(3.0), -4.0, 8.0),
         line("compose", Law::trapezoidal(2.0, 1.0, 2.0).compose(&Law::sine(3.0, 1.0, 0.0)), -2.0, 4.0),
-        line("shifted", -Law::cycloidal(1.0, 1.0).shifted(0.5), -1.0, 3.0),
+        line("shifted", Law::cycloidal(1.0, 1.0).shifted(0.5), -1.0, 3.0),
         line("sum", 2.0 * (Law::harmonic(0.3, 0.05) + Law::trapezoidal(1.0, 1.0, 1.0)) - 0.5 * Law::sine(1.0, 2.0, 0.0), -1.0, 3.0),
         line("product", Law::sine(1.0, 2.0, 0.3) * Law::s_curve(1.0, 1.0, 1.0, 2.0), -1.0, 4.0),
         line("#[law]", bump(0.4, 0.7), -2.0, 2.0),

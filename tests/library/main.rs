@@ -3,7 +3,9 @@
 mod composed;
 mod joints;
 mod laws;
+mod page;
 mod refused;
 mod sample;
 mod signs;
+mod sketch;
 mod table;

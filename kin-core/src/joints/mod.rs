@@ -8,4 +8,7 @@
 
 pub mod drivers;
 pub mod planar;
+mod registered;
 pub mod spatial;
+
+pub(crate) use registered::registered;

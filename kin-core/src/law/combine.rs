@@ -68,6 +68,10 @@ impl Mul<f64> for Law {
 /// What a law of two parts side by side has of both.
 macro_rules! two_parts {
     ($first:ident, $second:ident) => {
+        fn parts(&self) -> Vec<(String, Law)> {
+            vec![(stringify!($first).to_string(), self.$first.clone()), (stringify!($second).to_string(), self.$second.clone())]
+        }
+
         fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
             merged([self.$first.breaks(from, to), self.$second.breaks(from, to)].concat())
         }
@@ -188,6 +192,10 @@ impl LawFunction for Multiple {
         self.law.refusal()
     }
 
+    fn parts(&self) -> Vec<(String, Law)> {
+        vec![("law".to_string(), self.law.clone())]
+    }
+
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         visit("factor", self.factor);
         show(&self.law, "law", visit);
@@ -265,6 +273,10 @@ impl LawFunction for Composed {
 
     fn refusal(&self) -> Option<String> {
         self.inner.refusal().or_else(|| self.outer.refusal())
+    }
+
+    fn parts(&self) -> Vec<(String, Law)> {
+        vec![("outer".to_string(), self.outer.clone()), ("inner".to_string(), self.inner.clone())]
     }
 
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {

@@ -134,6 +134,10 @@ impl LawFunction for Sequence {
         said.next()
     }
 
+    fn parts(&self) -> Vec<(String, Law)> {
+        self.parts.iter().enumerate().map(|(k, (_, law))| (format!("part[{k}].law"), law.clone())).collect()
+    }
+
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         visit("start", self.start);
         for (k, (length, law)) in self.parts.iter().enumerate() {
@@ -205,6 +209,10 @@ impl LawFunction for Periodic {
         let (begin, end) = (self.law.jet(0.0), left_jet(&self.law, self.period, self.period));
         let apart = || format!("the law does not repeat after {}: it begins at {} and ends at {}", self.period, begin[0], end[0]);
         self.law.refusal().or_else(|| (order_of_jump(end, begin, self.period) == Some(0)).then(apart))
+    }
+
+    fn parts(&self) -> Vec<(String, Law)> {
+        vec![("law".to_string(), self.law.clone())]
     }
 
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {

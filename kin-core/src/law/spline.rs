@@ -234,6 +234,16 @@ impl LawFunction for Spline {
             .then(|| format!("spline: a periodic table ends as it begins, but y is {first} at first and {last} at last"))
     }
 
+    /// The x of the table, and its ends: `periodic` is 1 where it repeats; `start` and `end` are the slopes where they are given.
+    fn fixed_numbers(&self) -> Vec<(String, f64)> {
+        let ends = match self.ends {
+            Ends::Natural => vec![],
+            Ends::Clamped { start, end } => vec![("start".to_string(), start), ("end".to_string(), end)],
+            Ends::Periodic => vec![("periodic".to_string(), 1.0)],
+        };
+        self.table.iter().enumerate().map(|(k, (x, _))| (format!("x[{k}]"), *x)).chain(ends).collect()
+    }
+
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         for (k, (_, y)) in self.table.iter().enumerate() {
             visit(&format!("y[{k}]"), *y);

@@ -8,7 +8,7 @@ const ROUNDS: usize = 3;
 impl Linear {
     /// An estimate (from below, seldom by more than 2) of the 2-norm condition number of the matrix by the measures of its rows and
     /// columns; infinite where it overflows.   \[-\]
-    pub(super) fn condition(&mut self) -> f64 {
+    pub(crate) fn condition(&mut self) -> f64 {
         self.nearly_null().2
     }
 

@@ -45,6 +45,8 @@ pub(super) struct Program {
     steps: Vec<Step>,
     products: Vec<[u32; 2]>,
     terms: Vec<u32>,
+    /// The order of the code.
+    order: Vec<u32>,
     code: Code,
 }
 
@@ -71,7 +73,20 @@ impl Program {
         let (order, mut code) = (order(&ordered), Code::new(memory));
         order.iter().for_each(|&k| code.push(&self.steps[k as usize], &operands[k as usize]));
         self.code = code;
+        self.order.clone_from(&order);
         order
+    }
+
+    /// Shows each step with its operands, in the order of the code.
+    pub(super) fn each(&self, mut show: impl FnMut(&Step, Operands<'_>)) {
+        let (mut products, mut terms) = (&self.products[..], &self.terms[..]);
+        let mut own = |step: &Step| Operands {
+            products: take(&mut products, step.products),
+            plus: take(&mut terms, step.plus),
+            minus: take(&mut terms, step.minus),
+        };
+        let operands: Vec<Operands<'_>> = self.steps.iter().map(&mut own).collect();
+        self.order.iter().for_each(|&k| show(&self.steps[k as usize], operands[k as usize]));
     }
 
     /// How many steps there are.

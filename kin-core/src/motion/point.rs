@@ -182,7 +182,7 @@ impl Motion {
             Some(Place::Own { first, .. }) => first..first + target.columns(),
             Some(Place::Ground(_)) => 0..0,
             None => {
-                let (mechanism, place, argument) = (self.name.clone(), "point".to_string(), "body".to_string());
+                let (mechanism, place, argument) = (self.name.to_string(), "point".to_string(), "body".to_string());
                 return Err(Error::ForeignBody { mechanism, place, argument });
             }
         };

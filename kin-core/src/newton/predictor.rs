@@ -7,8 +7,8 @@
 use super::largest;
 
 /// Weights of q̇ (times h) and of q̈ (times h²) at the last three times, latest first.
-const RATES: [f64; 3] = [-949.0 / 240.0, 38.0 / 15.0, 581.0 / 240.0];
-const SECOND_RATES: [f64; 3] = [637.0 / 240.0, 4.5, 173.0 / 240.0];
+pub(crate) const RATES: [f64; 3] = [-949.0 / 240.0, 38.0 / 15.0, 581.0 / 240.0];
+pub(crate) const SECOND_RATES: [f64; 3] = [637.0 / 240.0, 4.5, 173.0 / 240.0];
 
 /// Steps of time that differ by less than this share are equal.   \[-\]
 const EQUAL: f64 = 1e-9;
@@ -84,7 +84,7 @@ impl Predictor {
     }
 }
 
-fn same(h: f64, other: f64) -> bool {
+pub(crate) fn same(h: f64, other: f64) -> bool {
     (h - other).abs() <= EQUAL * h.abs()
 }
 

@@ -33,7 +33,7 @@ pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<M
 }
 
 /// Times must be finite and strictly increasing or strictly decreasing.
-fn check(times: &[f64]) -> Result<()> {
+pub(crate) fn check(times: &[f64]) -> Result<()> {
     let fail = |reason: String| Err(Error::InvalidTimes { reason });
     if times.is_empty() {
         return fail("there are none".to_string());

@@ -5,14 +5,18 @@ mod cast;
 mod foreign;
 mod lift;
 mod numbers;
+mod parameter;
 mod refused;
 mod rows;
 mod sound;
 mod timed;
 
 pub use crate::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
+pub use crate::constraint::{Attached, Attachment};
 pub use crate::coordinates::{Argument, Target, Trig};
+pub use crate::data::{Described, Describer, Reader, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold};
 pub use crate::dual_route::{ArgumentKind, Equation};
+pub use crate::lanes::{InLanes, LaneAt, LaneKernel, LaneKernels, LaneRates, Level, Mask, Wide};
 pub use crate::law::LawFunction;
 pub use crate::real::{Dual, Real};
 pub use crate::state::{At, PlanarState, Rates, SpatialState};
@@ -24,6 +28,7 @@ pub use cast::{Cast, Whole, cast, whole};
 pub use foreign::{Foreign, LiftAny, LiftNumbers, LowerAny, LowerReal, ReceiveAny, ReceiveNumbers, ReceiveReference};
 pub use lift::{Absent, Constants, Lift, Lower, absent, constants, lowered};
 pub use numbers::Numbers;
+pub use parameter::{Parameter, is_parameter};
 pub use refused::{Refuses, refused};
 pub use rows::{Rows, rows};
 pub use sound::{If, Sound, Then};
@@ -35,18 +40,8 @@ pub fn jet_by_dual(x: f64, f: impl FnOnce(Real<num_dual::Dual3_64>) -> Real<num_
     [y.re, y.v1, y.v2, y.v3]
 }
 
-/// A parameter of a constraint: any value of its own.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` cannot be a parameter of a constraint",
-    label = "not a parameter",
-    note = "a parameter is owned and `Clone + Send + Sync`; types are read by name, so an alias of `Planar`, `Spatial`, `Coord` or `Time` is \
-            not understood: write the name itself"
-)]
-pub trait Parameter: Clone + Send + Sync + 'static {}
-
-impl<T: Clone + Send + Sync + 'static> Parameter for T {}
-
-/// Compiles for parameters only.
-pub const fn is_parameter<T: Parameter>() -> bool {
-    true
+/// The local point (or direction) of argument `argument` with these components.
+pub fn attachment(argument: usize, is_point: bool, [x, y, z]: [f64; 3]) -> Attachment {
+    let v = Vec3::new(x, y, z);
+    Attachment { argument, what: if is_point { Attached::Point(v) } else { Attached::Direction(v) } }
 }

@@ -9,6 +9,8 @@ pub trait Numbers {
     fn visit(&self, name: &str, visit: &mut dyn FnMut(&str, f64));
     /// Sets the number called `wanted`; false if it is not one of these.
     fn set(&mut self, name: &str, wanted: &str, value: f64) -> bool;
+    /// Sets the number that `index` others come before; false if there are not as many, and those are taken from `index`.
+    fn set_at(&mut self, index: &mut usize, value: f64) -> bool;
 }
 
 impl Numbers for f64 {
@@ -22,6 +24,15 @@ impl Numbers for f64 {
         }
         name == wanted
     }
+
+    fn set_at(&mut self, index: &mut usize, value: f64) -> bool {
+        let found = *index == 0;
+        if found {
+            *self = value;
+        }
+        *index = index.wrapping_sub(1);
+        found
+    }
 }
 
 impl Numbers for Law {
@@ -31,6 +42,19 @@ impl Numbers for Law {
 
     fn set(&mut self, name: &str, wanted: &str, value: f64) -> bool {
         wanted.strip_prefix(name).and_then(|rest| rest.strip_prefix('.')).is_some_and(|part| self.set_parameter(part, value))
+    }
+
+    /// Laws are shared and go by name.
+    fn set_at(&mut self, index: &mut usize, value: f64) -> bool {
+        let (mut count, mut wanted) = (0, None);
+        self.parameters(&mut |part, _| {
+            if count == *index {
+                wanted = Some(part.to_string());
+            }
+            count += 1;
+        });
+        *index = index.wrapping_sub(count);
+        wanted.is_some_and(|part| self.set_parameter(&part, value))
     }
 }
 
@@ -49,6 +73,12 @@ impl Numbers for Axis {
         }
         found
     }
+
+    fn set_at(&mut self, index: &mut usize, value: f64) -> bool {
+        let name = ["x", "y", "z"].get(*index);
+        *index = index.wrapping_sub(3);
+        name.is_some_and(|name| self.set("", &format!(".{name}"), value))
+    }
 }
 
 impl<T: Numbers, const N: usize> Numbers for [T; N] {
@@ -58,6 +88,10 @@ impl<T: Numbers, const N: usize> Numbers for [T; N] {
 
     fn set(&mut self, name: &str, wanted: &str, value: f64) -> bool {
         self.iter_mut().enumerate().any(|(k, part)| part.set(&format!("{name}[{k}]"), wanted, value))
+    }
+
+    fn set_at(&mut self, index: &mut usize, value: f64) -> bool {
+        self.iter_mut().any(|part| part.set_at(index, value))
     }
 }
 
@@ -70,6 +104,10 @@ macro_rules! fields {
 
             fn set(&mut self, name: &str, wanted: &str, value: f64) -> bool {
                 $(self.$c.set(&format!("{name}.{}", stringify!($c)), wanted, value))||*
+            }
+
+            fn set_at(&mut self, index: &mut usize, value: f64) -> bool {
+                $(self.$c.set_at(index, value))||*
             }
         }
     )*};

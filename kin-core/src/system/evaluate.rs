@@ -1,5 +1,7 @@
 //! Evaluation of a whole system: states once an iterate, then each constraint into its own block of rows and values.
 
+pub(crate) mod lanes;
+
 use std::ops::Range;
 
 use crate::constraint::Constraint;
@@ -9,6 +11,7 @@ use crate::state::{At, Rates};
 use crate::system::states::{GROUND, StatePlan};
 
 /// One constraint in a system.
+#[derive(Clone)]
 pub(crate) struct Block {
     pub name: String,
     pub constraint: Box<dyn Constraint>,
@@ -113,6 +116,7 @@ pub(crate) struct Bad {
 }
 
 /// All constraints of a system, and where they write.
+#[derive(Clone)]
 pub(crate) struct Equations {
     pub blocks: Vec<Block>,
     plan: StatePlan,
@@ -127,7 +131,7 @@ pub(crate) struct Equations {
 }
 
 /// The constraints that need to be asked at all, by what they are asked for.
-#[derive(Default)]
+#[derive(Clone, Default)]
 struct Asked {
     /// Those that make numbers of the time alone.
     timed: Vec<usize>,

@@ -4,6 +4,15 @@ use super::System;
 use crate::error::{Error, Result};
 use crate::mechanism::admission::sensible_parameters;
 
+/// Where one number of a case goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum CasePlace {
+    /// Parameter `index` of a constraint.
+    Parameter { block: usize, index: usize },
+    /// The initial value of a coordinate, and the preferred one if it has one.
+    Coordinate(usize),
+}
+
 impl System {
     /// Names and values of all numeric parameters, such as (`slot.k`, 2.0), in the order of the constraints.
     pub fn parameters(&self) -> Vec<(String, f64)> {
@@ -34,7 +43,63 @@ impl System {
                 block.constraint.set_parameter(&parameter, before);
             });
         }
-        Err(Error::UnknownName { what: "parameter that can be set", name: name.to_string(), known: Vec::new() })
+        Err(cannot_be_set(name))
+    }
+
+    /// Where the numbers of a case go.
+    pub(crate) fn places(&self, names: impl IntoIterator<Item = impl AsRef<str>>) -> Result<Vec<CasePlace>> {
+        let (parameters, mut copy) = (self.parameters(), self.clone());
+        let mut place = |name: &str| {
+            if let Some(number) = parameters.iter().position(|(known, _)| known == name) {
+                let place = self.numbered(number);
+                // One that cannot be set, such as that of a law without names, is told now.
+                return if copy.put(place, parameters[number].1) { Ok(place) } else { Err(cannot_be_set(name)) };
+            }
+            let coordinate = self.coordinate_names().iter().position(|known| known == name).map(CasePlace::Coordinate);
+            coordinate.ok_or_else(|| {
+                let known = self.near(name).into_iter().chain(self.coordinate_names().iter().cloned()).collect();
+                Error::UnknownName { what: "parameter or coordinate", name: name.to_string(), known }
+            })
+        };
+        names.into_iter().map(|name| place(name.as_ref())).collect()
+    }
+
+    /// Which constraints differ from case to case, where the numbers of a case go to these places.
+    pub(crate) fn varied(&self, places: &[CasePlace]) -> Vec<bool> {
+        let has = |k: usize| places.iter().any(|place| matches!(place, CasePlace::Parameter { block, .. } if *block == k));
+        (0..self.equations.blocks.len()).map(has).collect()
+    }
+
+    /// Whether some constraint has kernels over lanes.
+    pub(crate) fn has_lanes(&self) -> bool {
+        self.equations.blocks.iter().any(|block| block.constraint.in_lanes().is_some())
+    }
+
+    /// The place of a parameter by its number among all of them.
+    fn numbered(&self, mut number: usize) -> CasePlace {
+        for (block, own) in self.equations.blocks.iter().enumerate() {
+            let mut count = 0;
+            own.constraint.parameters(&mut |_, _| count += 1);
+            if number < count {
+                return CasePlace::Parameter { block, index: number };
+            }
+            number -= count;
+        }
+        CasePlace::Parameter { block: usize::MAX, index: 0 }
+    }
+
+    /// Puts one number of a case in its place; false if that cannot be.
+    pub(crate) fn put(&mut self, place: CasePlace, value: f64) -> bool {
+        match place {
+            CasePlace::Parameter { block, index } => {
+                self.equations.blocks.get_mut(block).is_some_and(|block| block.constraint.set_parameter_at(index, value))
+            }
+            CasePlace::Coordinate(column) => {
+                self.initial[column] = value;
+                self.preferred.iter_mut().filter(|(preferred, _)| *preferred == column).for_each(|(_, preferred)| *preferred = value);
+                true
+            }
+        }
     }
 
     /// The constraint, the parameter's name in it, and its value; names may have dots themselves.
@@ -62,4 +127,8 @@ impl System {
             all.iter().filter(|known| known.strip_prefix(constraint).is_some_and(|rest| rest.starts_with('.'))).cloned().collect();
         if own.is_empty() { all } else { own }
     }
+}
+
+fn cannot_be_set(name: &str) -> Error {
+    Error::UnknownName { what: "parameter that can be set", name: name.to_string(), known: Vec::new() }
 }

@@ -1,5 +1,7 @@
 //! States of bodies and bare coordinates: evaluated once an iterate, and copied to every constraint that reads them.
 
+mod lanes;
+
 use std::collections::HashMap;
 
 use crate::coordinates::{Target, Trig};
@@ -97,11 +99,11 @@ impl StatePlan {
             let Some([_, _, known, sin, cos]) = own(copies, states) else { continue };
             // An angle that has not moved, as a driven one in Newton's last step, keeps its sine and cosine.
             let (sin, cos) = if known == theta { (sin, cos) } else { theta.sin_cos() };
-            copy::<_, 0>(&[x, y, theta, sin, cos], copies, states);
+            copy::<_, _, 0>(&[x, y, theta, sin, cos], copies, states);
         }
         for Shared { first, copies, .. } in &self.spatial {
             let Some(q) = q.get(*first..).and_then(|q| q.first_chunk()) else { continue };
-            copy::<_, 0>(&SpatialState::new(*q).to_array(), copies, states);
+            copy::<_, _, 0>(&SpatialState::new(*q).to_array(), copies, states);
         }
         for Shared { first, trig, copies } in &self.coords {
             let (value, known) = (q[*first], own(copies, states));
@@ -109,7 +111,7 @@ impl StatePlan {
                 Some([known, sin, cos]) if known == value => [value, sin, cos],
                 _ => CoordState::new(value, *trig).to_array(),
             };
-            copy::<_, 0>(&state, copies, states);
+            copy::<_, _, 0>(&state, copies, states);
         }
     }
 
@@ -117,14 +119,14 @@ impl StatePlan {
     pub(super) fn set_rates(&self, qd: &[f64], rates: &mut [f64]) {
         for Shared { first, copies, .. } in &self.planar {
             let Some(qd) = qd.get(*first..).and_then(|qd| qd.first_chunk::<3>()) else { continue };
-            copy::<_, 1>(qd, copies, rates);
+            copy::<_, _, 1>(qd, copies, rates);
         }
         for Shared { first, copies, .. } in &self.spatial {
             let Some(qd) = qd.get(*first..).and_then(|qd| qd.first_chunk::<7>()) else { continue };
-            copy::<_, 1>(qd, copies, rates);
+            copy::<_, _, 1>(qd, copies, rates);
         }
         for Shared { first, copies, .. } in &self.coords {
-            copy::<_, 1>(&[qd[*first]], copies, rates);
+            copy::<_, _, 1>(&[qd[*first]], copies, rates);
         }
     }
 }
@@ -137,7 +139,7 @@ fn own<const N: usize>(copies: &[[u32; 2]], states: &[f64]) -> Option<[f64; N]> 
 
 /// Copies a state (`WHAT` 0) or its rates (1) to all its readers.
 #[inline(always)]
-fn copy<const N: usize, const WHAT: usize>(numbers: &[f64; N], copies: &[[u32; 2]], all: &mut [f64]) {
+fn copy<T: Copy, const N: usize, const WHAT: usize>(numbers: &[T; N], copies: &[[u32; 2]], all: &mut [T]) {
     for places in copies {
         let begin = places[WHAT] as usize;
         all[begin..begin + N].copy_from_slice(numbers);

@@ -28,7 +28,7 @@ impl Jets {
     /// The jet of `node`.
     pub fn of(&mut self, g: &mut Graph, node: Node) -> Jet {
         let first = self.first(g, node);
-        for inner in g.unknown(node, |n| self.second.contains_key(&n)) {
+        for inner in g.unknown(&[node], |n| self.second.contains_key(&n)) {
             let second = self.second_rule(g, inner);
             self.second.insert(inner, second);
         }
@@ -36,7 +36,7 @@ impl Jets {
     }
 
     fn first(&mut self, g: &mut Graph, node: Node) -> Node {
-        for inner in g.unknown(node, |n| self.first.contains_key(&n)) {
+        for inner in g.unknown(&[node], |n| self.first.contains_key(&n)) {
             let first = self.first_rule(g, inner);
             self.first.insert(inner, first);
         }

@@ -38,7 +38,7 @@ impl Partial {
             return g.zero();
         }
         // Operands come before their users, so a loop over them replaces a recursion as deep as the expression.
-        for inner in g.unknown(node, |n| self.memo.contains_key(&n)) {
+        for inner in g.unknown(&[node], |n| self.memo.contains_key(&n)) {
             let derivative = self.rule(g, inner);
             self.memo.insert(inner, derivative);
         }

@@ -3,7 +3,8 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::{demands, functions, rewrite, template, written};
+use super::lanes::{self, LaneCode};
+use super::{attachments, demands, described, functions, rewrite, template, written};
 use crate::differentiate::Derivatives;
 use crate::lower::Lowered;
 use crate::parse::{Argument, ConstraintFn, Kind, Shape};
@@ -16,6 +17,8 @@ struct Frame<'a> {
     pattern: Vec<(usize, usize)>,
     /// Slots whose sine or cosine is read.
     trig: Vec<usize>,
+    /// Kernels over lanes, where they are asked for.
+    lanes: Option<LaneCode>,
 }
 
 /// The constraint on the symbolic route.
@@ -24,11 +27,13 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
     let row_names = lowered.rows.iter().map(|row| row.name.clone()).collect();
     let pattern = derived.jacobian.iter().map(|(row, column, _)| (*row, *column)).collect();
     let trig = derived.trig(&lowered);
-    let frame = Frame { trig, ..Frame::new(source, row_names, pattern) };
+    let lanes = source.lanes.then(|| lanes::lanes(&source.name, &source.arguments, &lowered, &derived));
+    let frame = Frame { trig, lanes, ..Frame::new(source, row_names, pattern) };
     let kernels = functions::symbolic(&source.arguments, &lowered, &derived);
+    let attachments = attachments::symbolic(&source.arguments, &lowered);
     let leaves: Vec<TokenStream> =
         lowered.leaves.iter().enumerate().map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items)).collect();
-    frame.emit(quote!(::kin::Route::Symbolic), &kernels, &leaves, Some(&lowered))
+    frame.emit(quote!(::kin::Route::Symbolic), &quote!(#kernels #attachments), &leaves, Some(&lowered))
 }
 
 /// The constraint on the dual route.
@@ -36,12 +41,13 @@ pub fn dual(source: &ConstraintFn) -> TokenStream {
     let row_names = row_names(&source.output);
     let n = columns(&source.arguments);
     let pattern = (0..row_names.len()).flat_map(|row| (0..n).map(move |column| (row, column))).collect();
-    Frame::new(source, row_names, pattern).emit(quote!(::kin::Route::Dual), &functions::dual(), &[], None)
+    let (kernels, attachments) = (functions::dual(), attachments::dual(source));
+    Frame::new(source, row_names, pattern).emit(quote!(::kin::Route::Dual), &quote!(#kernels #attachments), &[], None)
 }
 
 impl<'a> Frame<'a> {
     fn new(source: &'a ConstraintFn, row_names: Vec<String>, pattern: Vec<(usize, usize)>) -> Self {
-        Frame { source, n: columns(&source.arguments), row_names, pattern, trig: vec![] }
+        Frame { source, n: columns(&source.arguments), row_names, pattern, trig: vec![], lanes: None }
     }
 
     fn emit(&self, route: TokenStream, kernels: &TokenStream, leaves: &[TokenStream], lowered: Option<&Lowered>) -> TokenStream {
@@ -57,6 +63,8 @@ impl<'a> Frame<'a> {
         let described = self.arguments();
         let (visit, set) = super::parameter_methods(&source.arguments);
         let kinds = source.arguments.iter().flat_map(kinds);
+        let (in_lanes, lane_kernels) = self.lanes.as_ref().map(|lanes| (&lanes.method, &lanes.implementations)).unzip();
+        let (describe, as_data) = (described::describe(source), described::described(source, &kind, &n, &m));
         let is_driver = is_driver(source);
         let description = super::description(&source.attributes);
         let (refusal, branch) = (demands::refusal(source), demands::branch(source));
@@ -85,7 +93,9 @@ impl<'a> Frame<'a> {
                     fn pattern(&self) -> &[(usize, usize)] {
                         &[#(#pattern),*]
                     }
+                    #describe
                     #kernels
+                    #in_lanes
                     fn description(&self) -> &str {
                         #description
                     }
@@ -95,6 +105,8 @@ impl<'a> Frame<'a> {
                     #branch
                     #laws
                 }
+                #lane_kernels
+                #as_data
                 impl ::kin::rt::Equation<#n, #m> for #name {
                     const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[#(#kinds),*];
                     #equations

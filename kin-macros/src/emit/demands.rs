@@ -42,7 +42,7 @@ fn method(requirements: &[Demand], arguments: &[Argument], own: &[TokenStream]) 
             let (name, text) = (&argument.name, argument.name.to_string());
             quote!((#text, &self.#name))
         });
-        quote!(if !(#condition) {
+        quote!(let holds: bool = #condition; if !holds {
             return ::core::option::Option::Some(::kin::rt::refused(#text, &[#(#shown),*]));
         })
     });

@@ -13,8 +13,22 @@ use crate::parse::{Argument, Kind};
 /// Nested this deep, an expression gets a name although it is used once.
 const DEEPEST: usize = 5;
 
+/// What the numbers of emitted code are.
+#[derive(Clone, Copy, PartialEq)]
+enum Numbers {
+    /// f64.
+    Plain,
+    /// One f64 for each lane.
+    Wide,
+}
+
+/// Nodes that come out of an evaluation in plain numbers, lane by lane: its number, the place among its results, and how many there are.
+pub type Evaluations = HashMap<Node, (usize, usize, usize)>;
+
 /// One emitted function body.
 pub struct Kernel<'a> {
+    numbers: Numbers,
+    lane_by_lane: Evaluations,
     lowered: &'a Lowered,
     /// How each state argument is named, by its slot.
     slots: Vec<Slot>,
@@ -52,17 +66,31 @@ pub struct Code {
 impl<'a> Kernel<'a> {
     /// Code that computes `outputs` and writes each to the place given with it; nodes in `timed` (sorted) were evaluated before.
     pub fn emit(lowered: &'a Lowered, arguments: &[Argument], timed: &'a [Node], outputs: &[(TokenStream, Node)]) -> Code {
-        let mut kernel = Kernel { timed, ..Kernel::new(lowered, arguments) };
+        Kernel { timed, ..Kernel::new(lowered, arguments) }.write(outputs)
+    }
+
+    /// A kernel in which some nodes have a name already; what these are computed from is not looked at.
+    pub fn from_given(lowered: &'a Lowered, arguments: &[Argument], given: HashMap<Node, TokenStream>) -> Self {
+        Kernel { named: given, ..Kernel::new(lowered, arguments) }
+    }
+
+    /// The same over lanes.
+    pub fn over_lanes(lowered: &'a Lowered, arguments: &[Argument], given: HashMap<Node, TokenStream>, lane_by_lane: Evaluations) -> Self {
+        Kernel { numbers: Numbers::Wide, lane_by_lane, ..Kernel::from_given(lowered, arguments, given) }
+    }
+
+    /// Code that computes `outputs` and writes each to the place given with it, conditions as 1 or 0.
+    pub fn write(mut self, outputs: &[(TokenStream, Node)]) -> Code {
         let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
-        kernel.name_all(&nodes);
+        self.name_all(&nodes);
         let writes: Vec<TokenStream> = outputs
             .iter()
             .map(|(place, node)| {
-                let value = kernel.expression(*node);
-                quote!(#place = #value;)
+                let value = self.expression(*node);
+                if is_condition(self.lowered, *node) { quote!(#place = if #value { 1.0 } else { 0.0 };) } else { quote!(#place = #value;) }
             })
             .collect();
-        kernel.finish(quote!(#(#writes)*))
+        self.finish(quote!(#(#writes)*))
     }
 
     /// Code that returns the text of the first risk whose numbers are not all finite.
@@ -83,6 +111,8 @@ impl<'a> Kernel<'a> {
     fn new(lowered: &'a Lowered, arguments: &[Argument]) -> Self {
         let slots = slots(arguments);
         Kernel {
+            numbers: Numbers::Plain,
+            lane_by_lane: HashMap::new(),
             lowered,
             slots,
             uses: HashMap::new(),
@@ -128,11 +158,13 @@ impl<'a> Kernel<'a> {
 
     /// Gives a name to every node that needs one, operands first.
     fn name_all(&mut self, outputs: &[Node]) {
-        let order = self.graph().reachable_from(outputs, |node| self.timed.binary_search(&node).is_ok());
+        let known = |node: Node| self.named.contains_key(&node) || self.timed.binary_search(&node).is_ok();
+        let order = self.graph().reachable_from(outputs, known);
+        let computed: Vec<Node> = order.iter().copied().filter(|&node| !known(node)).collect();
         for &node in outputs {
             *self.uses.entry(node).or_default() += 1;
         }
-        for &node in order.iter().filter(|node| self.timed.binary_search(node).is_err()) {
+        for node in computed {
             for operand in self.graph().operands(node) {
                 *self.uses.entry(operand).or_default() += 1;
             }
@@ -222,15 +254,17 @@ impl<'a> Kernel<'a> {
     fn written(&mut self, node: Node) -> TokenStream {
         match self.graph().op(node) {
             Op::Input(input) => self.input(input),
-            Op::Constant(bits) => number(f64::from_bits(bits)),
+            Op::Constant(bits) => self.constant(f64::from_bits(bits)),
+            Op::Truth(value) if self.numbers == Numbers::Wide => quote!(::kin::rt::Mask::splat(at.simd, #value)),
             Op::Truth(value) => quote!(#value),
             Op::Add(a, b) => self.infix(a, quote!(+), b),
             Op::Sub(a, b) => self.infix(a, quote!(-), b),
             Op::Mul(a, b) => self.infix(a, quote!(*), b),
             Op::Div(a, b) => self.infix(a, quote!(/), b),
-            Op::And(a, b) => self.infix(a, quote!(&&), b),
-            Op::Or(a, b) => self.infix(a, quote!(||), b),
-            Op::Compare(comparison, a, b) => self.infix(a, sign(comparison), b),
+            Op::And(a, b) => self.infix(a, if self.numbers == Numbers::Plain { quote!(&&) } else { quote!(&) }, b),
+            Op::Or(a, b) => self.infix(a, if self.numbers == Numbers::Plain { quote!(||) } else { quote!(|) }, b),
+            Op::Compare(comparison, a, b) if self.numbers == Numbers::Plain => self.infix(a, sign(comparison), b),
+            Op::Compare(comparison, a, b) => self.function(comparison_method(comparison), &[a, b]),
             Op::Neg(a) => {
                 let a = self.operand(a);
                 quote!(-#a)
@@ -239,26 +273,39 @@ impl<'a> Kernel<'a> {
                 let a = self.operand(a);
                 quote!(!#a)
             }
-            Op::Call(f, a) => {
-                let (a, name) = (self.expression(a), Ident::new(f.method(), Span::call_site()));
-                quote!(f64::#name(#a))
-            }
+            Op::Call(f, a) => self.function(f.method(), &[a]),
             Op::Call2(Function2::Rem, a, b) => self.infix(a, quote!(%), b),
-            Op::Call2(f, a, b) => {
-                let (a, b, name) = (self.expression(a), self.expression(b), Ident::new(f.method(), Span::call_site()));
-                quote!(f64::#name(#a, #b))
-            }
+            Op::Call2(f, a, b) => self.function(f.method(), &[a, b]),
             Op::Powi(a, n) => {
-                let (a, n) = (self.expression(a), Literal::i32_unsuffixed(n));
-                quote!(f64::powi(#a, #n))
+                let (ty, a, n) = (self.number_type(), self.expression(a), Literal::i32_unsuffixed(n));
+                quote!(#ty::powi(#a, #n))
             }
             Op::Select(c, a, b) => {
                 let (c, a, b) = (self.expression(c), self.expression(a), self.expression(b));
-                quote!(if #c { #a } else { #b })
+                match self.numbers {
+                    Numbers::Plain => quote!(if #c { #a } else { #b }),
+                    Numbers::Wide => quote!(::kin::rt::Mask::select(#c, #a, #b)),
+                }
             }
             // These have names before they are written.
             Op::Law(..) | Op::Opaque(..) | Op::Leaf(_) => quote!(f64::NAN),
         }
+    }
+
+    fn constant(&self, value: f64) -> TokenStream {
+        let value = number(value);
+        if self.numbers == Numbers::Plain { value } else { quote!(at.splat(#value)) }
+    }
+
+    fn number_type(&self) -> TokenStream {
+        if self.numbers == Numbers::Plain { quote!(f64) } else { quote!(::kin::rt::Wide) }
+    }
+
+    /// A function of the numbers' type.
+    fn function(&mut self, name: &str, arguments: &[Node]) -> TokenStream {
+        let (ty, name) = (self.number_type(), Ident::new(name, Span::call_site()));
+        let arguments: Vec<TokenStream> = arguments.iter().map(|&n| self.expression(n)).collect();
+        quote!(#ty::#name(#(#arguments),*))
     }
 
     fn infix(&mut self, a: Node, sign: TokenStream, b: Node) -> TokenStream {
@@ -269,6 +316,7 @@ impl<'a> Kernel<'a> {
     fn input(&mut self, input: Input) -> TokenStream {
         match input {
             Input::Time => quote!(at.t),
+            Input::TimeRate if self.numbers == Numbers::Wide => quote!(at.splat(1.0)),
             Input::TimeRate => quote!(t_dot),
             Input::Variable => quote!(x),
             Input::Parameter(k) => self.lowered.parameters[k].clone(),
@@ -287,6 +335,9 @@ impl<'a> Kernel<'a> {
 
     /// Nodes that come out of an evaluation with several results: laws, opaque values, leaves.
     fn evaluation(&mut self, node: Node) -> Option<TokenStream> {
+        if let Some(&(number, slot, count)) = self.lane_by_lane.get(&node) {
+            return Some(self.evaluated_lane_by_lane(node, number, slot, count));
+        }
         match self.graph().op(node) {
             Op::Law(law, x, order) => {
                 let law_place = template::place(&self.lowered.laws[law]);
@@ -308,6 +359,23 @@ impl<'a> Kernel<'a> {
             Op::Leaf(of) => Some(self.leaf(of)),
             _ => None,
         }
+    }
+
+    /// One number of an evaluation that each lane makes by itself.
+    fn evaluated_lane_by_lane(&mut self, node: Node, number: usize, slot: usize, count: usize) -> TokenStream {
+        let inputs: Vec<TokenStream> = self
+            .graph()
+            .operands(node)
+            .into_iter()
+            .map(|input| {
+                let value = self.expression(input);
+                if is_condition(self.lowered, input) { quote!(::kin::rt::Mask::as_numbers(#value)) } else { value }
+            })
+            .collect();
+        let [n, m, k, slot] = [inputs.len(), count, number, slot].map(Literal::usize_unsuffixed);
+        let ty = quote!([::kin::rt::Wide<__S>; #m]);
+        let name = self.evaluated(format!("evaluation {number}"), "call", &ty, |_| quote!(at.evaluate::<#n, #m>(#k, [#(#inputs),*])));
+        if is_condition(self.lowered, node) { quote!(#name[#slot].is_true()) } else { quote!(#name[#slot]) }
     }
 
     /// The name of an evaluation of a type, the same one each time.
@@ -431,7 +499,7 @@ fn slots(arguments: &[Argument]) -> Vec<Slot> {
 /// Names of the emitted functions' own arguments and temporaries, and keywords that came as raw identifiers.
 fn is_taken(name: &str) -> bool {
     let prefix = name.trim_end_matches(|c: char| c.is_ascii_digit());
-    let temporary = prefix.len() < name.len() && matches!(prefix, "t" | "s" | "c" | "o" | "law" | "leaf");
+    let temporary = prefix.len() < name.len() && matches!(prefix, "t" | "s" | "c" | "o" | "law" | "leaf" | "known" | "call");
     let own = matches!(name, "at" | "qd" | "c" | "c_q" | "q_d" | "rhs" | "t_dot" | "x" | "f" | "timed" | "own");
     temporary || own || syn::parse_str::<Ident>(name).is_err()
 }
@@ -446,6 +514,26 @@ pub fn number(value: f64) -> TokenStream {
     }
     let size = Literal::f64_unsuffixed(value.abs());
     if value < 0.0 { quote!(-#size) } else { quote!(#size) }
+}
+
+/// Whether a node is a condition and not a number.
+pub fn is_condition(lowered: &Lowered, node: Node) -> bool {
+    match lowered.graph.op(node) {
+        Op::Compare(..) | Op::And(..) | Op::Or(..) | Op::Not(_) | Op::Truth(_) => true,
+        Op::Opaque(number, _) => lowered.opaques[number].kind == OpaqueKind::Condition,
+        _ => false,
+    }
+}
+
+fn comparison_method(comparison: Comparison) -> &'static str {
+    match comparison {
+        Comparison::Less => "lt",
+        Comparison::LessEqual => "le",
+        Comparison::Greater => "gt",
+        Comparison::GreaterEqual => "ge",
+        Comparison::Equal => "equal",
+        Comparison::NotEqual => "differ",
+    }
 }
 
 fn sign(comparison: Comparison) -> TokenStream {

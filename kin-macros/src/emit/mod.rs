@@ -1,9 +1,12 @@
 //! Last stage: from the graph, and from the user's own body, to Rust. `quote` begins here.
 
+mod attachments;
 pub mod constraint;
 mod demands;
+mod described;
 mod functions;
 mod kernel;
+mod lanes;
 pub mod law;
 mod rewrite;
 pub mod stand_in;
@@ -45,13 +48,19 @@ fn parameter_methods(arguments: &[Argument]) -> (TokenStream, TokenStream) {
             #(::kin::rt::Numbers::visit(&self.#numeric, #texts, visit);)*
         }
     };
-    let set = match numeric[..] {
-        [] => quote!(false),
-        _ => quote!(#(::kin::rt::Numbers::set(&mut self.#numeric, #texts, name, value))||*),
+    let (set, set_at) = match numeric[..] {
+        [] => (quote!(false), quote!(false)),
+        _ => (
+            quote!(#(::kin::rt::Numbers::set(&mut self.#numeric, #texts, name, value))||*),
+            quote!(#(::kin::rt::Numbers::set_at(&mut self.#numeric, &mut index, value))||*),
+        ),
     };
     let set = quote! {
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
             #set
+        }
+        fn set_parameter_at(&mut self, mut index: usize, value: f64) -> bool {
+            #set_at
         }
     };
     (visit, set)

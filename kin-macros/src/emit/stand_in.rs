@@ -110,6 +110,13 @@ fn constraint_of(visibility: &Visibility, name: &Ident, inputs: &[TokenStream]) 
                 }
                 #nothing
             }
+            impl ::kin::rt::Described for #name {
+                const KIND: &'static str = "";
+                const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[];
+                fn read(_: &mut ::kin::rt::Reader<'_>) -> ::core::result::Result<Self, ::std::string::String> {
+                    ::core::result::Result::Ok(#name {})
+                }
+            }
             impl ::kin::rt::Equation<0, 0> for #name {
                 const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[];
                 fn evaluate<__D: ::kin::rt::Dual>(&self, _: &[::kin::rt::Real<__D>; 0], _: ::kin::rt::Real<__D>) -> [::kin::rt::Real<__D>; 0] {

@@ -4,11 +4,12 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::kernel::Kernel;
+use super::kernel::{Kernel, is_condition};
 use crate::graph::{Input, Node, Op};
-use crate::lower::{Lowered, OpaqueKind};
+use crate::lower::Lowered;
 
-/// Of what `outputs` need, the largest parts that depend on t and parameters alone and call a function.
+/// Of what `outputs` need, the largest parts that depend on t and parameters alone and call a function. Conditions are computed where they
+/// are used.
 pub fn select(lowered: &Lowered, outputs: &[Node]) -> Vec<Node> {
     let g = &lowered.graph;
     let order = g.reachable(outputs);
@@ -24,19 +25,10 @@ pub fn select(lowered: &Lowered, outputs: &[Node]) -> Vec<Node> {
         }
     }
     let read = moving.iter().flat_map(|&node| g.operands(node)).chain(outputs.iter().copied());
-    let mut timed: Vec<Node> = read.filter(|node| found(&calling, node) && is_number(lowered, *node)).collect();
+    let mut timed: Vec<Node> = read.filter(|node| found(&calling, node) && !is_condition(lowered, *node)).collect();
     timed.sort_unstable();
     timed.dedup();
     timed
-}
-
-/// Conditions are computed where they are used.
-fn is_number(lowered: &Lowered, node: Node) -> bool {
-    match lowered.graph.op(node) {
-        Op::Truth(_) | Op::Compare(..) | Op::And(..) | Op::Or(..) | Op::Not(_) => false,
-        Op::Opaque(number, _) => matches!(lowered.opaques[number].kind, OpaqueKind::Numbers(_)),
-        _ => true,
-    }
 }
 
 /// `n_timed` and `at_time`; nothing where there is nothing of the kind.

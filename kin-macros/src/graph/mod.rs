@@ -261,10 +261,10 @@ impl Graph {
         columns
     }
 
-    /// `node` and what it is computed from, in order of creation, without going beyond what is known already.
-    pub fn unknown(&self, node: Node, known: impl Fn(Node) -> bool) -> Vec<Node> {
+    /// `nodes` and what they are computed from, in order of creation, without going beyond what is known already.
+    pub fn unknown(&self, nodes: &[Node], known: impl Fn(Node) -> bool) -> Vec<Node> {
         let mut seen = std::collections::BTreeSet::new();
-        let mut open = vec![node];
+        let mut open = nodes.to_vec();
         while let Some(node) = open.pop() {
             if !known(node) && seen.insert(node) {
                 open.extend(self.operands(node));

@@ -42,8 +42,19 @@ pub struct Lowered {
     pub leaves: Vec<OpaqueValue>,
     /// Operations that can fail to be finite, with the user's text.
     pub risks: Vec<Risk>,
+    /// Points and directions that do not move in their bodies.
+    pub attachments: Vec<Attachment>,
     /// Items of the body that emitted code repeats: imports, types, constants whose value is not known here.
     pub items: Vec<syn::Item>,
+}
+
+/// A local point or direction of a body that depends on no coordinate and not on time.
+#[derive(Clone, PartialEq)]
+pub struct Attachment {
+    /// The body, by its slot.
+    pub slot: usize,
+    pub is_point: bool,
+    pub local: Vec<Node>,
 }
 
 /// A value that only rustc can compute, with the shape its place asks for.
@@ -135,6 +146,7 @@ struct Reader {
     leaves: Vec<OpaqueValue>,
     leaf_index: HashMap<String, usize>,
     risks: Vec<Risk>,
+    attachments: Vec<Attachment>,
     repeated_items: Vec<syn::Item>,
     /// Conditions of the branches around what is being read.
     path: Vec<Node>,
@@ -161,6 +173,7 @@ impl Reader {
             leaves: Vec::new(),
             leaf_index: HashMap::new(),
             risks: Vec::new(),
+            attachments: Vec::new(),
             repeated_items: Vec::new(),
             path: Vec::new(),
             body_depth: 0,
@@ -190,6 +203,7 @@ impl Reader {
             laws: self.laws,
             leaves: self.leaves,
             risks: self.risks,
+            attachments: self.attachments,
             items: self.repeated_items,
         })
     }

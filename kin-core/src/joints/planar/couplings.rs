@@ -7,7 +7,7 @@ use kin_macros::constraint;
 ///
 /// Removes 1 freedom. `i`, `j`: the wheels, whose axles sit on `arm` (the ground for axles that stand still); `r_i`, `r_j`: their pitch radii;
 /// `phase`: φ, the angle of i beside the arm when j is in line with it. Wheels turn against each other. Norton, *Design of Machinery*, ch. 9.
-#[constraint]
+#[constraint(lanes)]
 #[require(r_i > 0.0 && r_j > 0.0, "pitch radii are above zero")]
 pub fn gear(i: Planar, j: Planar, arm: Planar, r_i: f64, r_j: f64, phase: f64) -> f64 {
     r_i * (i.theta - arm.theta - phase) + r_j * (j.theta - arm.theta)
@@ -17,7 +17,7 @@ pub fn gear(i: Planar, j: Planar, arm: Planar, r_i: f64, r_j: f64, phase: f64) -
 ///
 /// Removes 1 freedom. `i`: the wheel with pitch radius `r_i`; `j`: the ring with inner teeth, pitch radius `r_j`; `arm`, `phase`: as for
 /// [`gear`](fn@gear). Both turn the same way.
-#[constraint]
+#[constraint(lanes)]
 #[require(r_i > 0.0 && r_j > r_i, "the ring's pitch radius is above the wheel's, and both are above zero")]
 pub fn internal_gear(i: Planar, j: Planar, arm: Planar, r_i: f64, r_j: f64, phase: f64) -> f64 {
     r_i * (i.theta - arm.theta - phase) - r_j * (j.theta - arm.theta)
@@ -27,7 +27,7 @@ pub fn internal_gear(i: Planar, j: Planar, arm: Planar, r_i: f64, r_j: f64, phas
 ///
 /// Removes 1 freedom. `i`, `j`: the pulleys with axles on `frame`; `r_i`, `r_j`: their pitch radii, one below zero for a crossed belt; `phase`: as
 /// for [`gear`](fn@gear). The belt neither slips nor stretches.
-#[constraint]
+#[constraint(lanes)]
 #[require(r_i != 0.0 && r_j != 0.0, "a pulley needs a radius")]
 pub fn belt(i: Planar, j: Planar, frame: Planar, r_i: f64, r_j: f64, phase: f64) -> f64 {
     r_i * (i.theta - frame.theta - phase) - r_j * (j.theta - frame.theta)
@@ -38,7 +38,7 @@ pub fn belt(i: Planar, j: Planar, frame: Planar, r_i: f64, r_j: f64, phase: f64)
 /// Removes 1 freedom. `i`: the pinion, centre `u_i`, pitch radius `radius`; `j`: the rack, a point `u_j` and the direction `h_j` of its pitch line,
 /// of any length, with the pinion to its left (a negative radius: to its right); `phase`: φ, the angle of the pinion in the rack when its centre
 /// stands over `u_j`. Along h_j the pinion turns clockwise.
-#[constraint]
+#[constraint(lanes)]
 #[require(radius != 0.0, "a pinion needs a radius")]
 #[require(h_j.norm() > 0.0, "the rack needs a direction with a length above zero")]
 pub fn rack_and_pinion(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_j: Vec2, radius: f64, phase: f64) -> f64 {
@@ -50,7 +50,7 @@ pub fn rack_and_pinion(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_j: Vec2, ra
 ///
 /// Removes 2 freedoms: contact, and slip. `i`: the wheel, centre `u_i`, `radius`: r; `j`: the track, a point `u_j` and the direction `h_j` of its
 /// line, of any length, with the wheel to its left; `phase`: φ, the angle of the wheel in the track when its centre stands over `u_j`.
-#[constraint]
+#[constraint(lanes)]
 #[require(radius > 0.0, "a wheel needs a radius above zero")]
 #[require(h_j.norm() > 0.0, "the track needs a direction with a length above zero")]
 pub fn rolling(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_j: Vec2, radius: f64, phase: f64) -> (f64, f64) {
@@ -63,7 +63,7 @@ pub fn rolling(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_j: Vec2, radius: f6
 /// Linear coupling of two coordinates: k_a a + k_b b − c = 0.      \[unit of c\]
 ///
 /// Removes 1 freedom. `a`, `b`: bare coordinates or those of bodies (`wheel.theta()`, `rack.x()`).
-#[constraint]
+#[constraint(lanes)]
 #[require(k_a != 0.0 && k_b != 0.0, "a factor of zero couples nothing")]
 pub fn coupling(a: Coord, b: Coord, k_a: f64, k_b: f64, c: f64) -> f64 {
     k_a * a + k_b * b - c

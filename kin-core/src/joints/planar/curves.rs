@@ -9,7 +9,7 @@ use kin_macros::constraint;
 /// A point of body i stays on the curve y = f(x) of body j: s_y − f(s_x) = 0, s the point as body j sees it.      \[m\]
 ///
 /// Removes 1 freedom. `u_i`: the point; `curve`: f.
-#[constraint]
+#[constraint(lanes)]
 pub fn point_on_curve(i: Planar, j: Planar, u_i: Vec2, curve: Law) -> f64 {
     let s = j.local(i.point(u_i));
     s.y - curve.at(s.x)
@@ -19,7 +19,7 @@ pub fn point_on_curve(i: Planar, j: Planar, u_i: Vec2, curve: Law) -> f64 {
 ///
 /// Removes 1 freedom. `tip`: local to the follower; `profile`: ρ, the distance of the cam's edge from the origin of its frame at the angle φ,
 /// counter-clockwise from its x-axis; it has to be 2π-periodic.
-#[constraint]
+#[constraint(lanes)]
 #[require(profile.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π (see `Law::periodic`)")]
 pub fn cam_knife_edge(cam: Planar, follower: Planar, tip: Vec2, profile: Law) -> f64 {
     let s = cam.local(follower.point(tip));
@@ -32,7 +32,7 @@ pub fn cam_knife_edge(cam: Planar, follower: Planar, tip: Vec2, profile: Law) ->
 /// the distance from the origin of the cam's frame to the edge's tangent whose normal stands at ψ; it has to be 2π-periodic. For a follower that
 /// slides, h is base radius plus lift (Norton, *Cam Design and Manufacturing Handbook*). The point of contact, which moves on the face by h′, is
 /// not needed.
-#[constraint]
+#[constraint(lanes)]
 #[require(support.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π (see `Law::periodic`)")]
 #[require(n.norm() > 0.0, "the normal of the face needs a length above zero")]
 pub fn cam_flat_face(cam: Planar, follower: Planar, u: Vec2, n: Vec2, support: Law) -> f64 {
@@ -46,7 +46,7 @@ pub fn cam_flat_face(cam: Planar, follower: Planar, u: Vec2, n: Vec2, support: L
 /// Removes 2 freedoms, and brings one of its own, the angle `phi` of the point of contact as the cam sees it: 1 in all. `centre`: of the roller,
 /// local to the follower; `radius`: r; `profile`: ρ(φ), the distance of the edge from the origin of the cam's frame, 2π-periodic. With T = (ρ′, ρ)
 /// in the directions e(φ) and across, n = (ρ, −ρ′)/|T|. A hollow edge must be less curved than the roller. Norton.
-#[constraint]
+#[constraint(lanes)]
 #[require(profile.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π (see `Law::periodic`)")]
 #[require(radius >= 0.0, "the radius of a roller cannot be below zero")]
 pub fn cam_roller(cam: Planar, follower: Planar, phi: Coord, centre: Vec2, radius: f64, profile: Law) -> (f64, f64) {

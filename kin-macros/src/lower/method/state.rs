@@ -1,8 +1,9 @@
 //! Methods of body states.
 
 use super::Call;
+use crate::graph::Node;
 use crate::lower::value::Value;
-use crate::lower::{Read, Reader};
+use crate::lower::{Attachment, Read, Reader};
 
 impl Reader {
     pub(super) fn state_method(&mut self, slot: usize, n: usize, call: &Call) -> Read {
@@ -33,10 +34,22 @@ impl Reader {
             value => value,
         };
         let v = self.convertible(value, n, place);
+        if name != "local" {
+            self.attach(slot, name == "point", &v);
+        }
         Ok(Value::Vector(match name {
             "point" => self.point(slot, &v),
             "direction" => self.direction(slot, &v),
             _ => self.local(slot, &v),
         }))
+    }
+
+    /// Notes a local point or direction that stays where it is.
+    fn attach(&mut self, slot: usize, is_point: bool, local: &[Node]) {
+        let attachment = Attachment { slot, is_point, local: local.to_vec() };
+        let moves = local.iter().any(|&node| self.graph.depends(node).varies());
+        if !moves && !self.attachments.contains(&attachment) {
+            self.attachments.push(attachment);
+        }
     }
 }

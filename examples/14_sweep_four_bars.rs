@@ -1,0 +1,100 @@
+//! Ten thousand four-bars at once. Lengths in m, angles in rad, time in s.
+//!
+//! What to see: of ten thousand four-bars with other links the one whose rocker swings widest. One system is built; each case gives it other
+//! links; cases run on all cores, as many together as the machine has SIMD lanes. Each four-bar has its row in the file, with a status: a crank
+//! that cannot turn all the way round is no error of the sweep.
+//!
+//! `cargo run --release --example 14_sweep_four_bars`
+
+use std::io::Write;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use kin::prelude::*;
+use kin_view::Scene;
+
+const OUT: &str = "out/14_sweep_four_bars";
+const COUNT: usize = 10_000;
+
+/// Crank, coupler, rocker, distance of the ground pins.   [m]
+type Links = [f64; 4];
+
+// 1. One four-bar, frames at mid-link; the crank turns once in 2π seconds.
+fn four_bar([a, b, c, d]: Links) -> kin::Result<(System, Link)> {
+    let mut m = Mechanism::new("four-bar");
+    let (crank, coupler, rocker) = (m.link("crank", a)?, m.link("coupler", b)?, m.link("rocker", c)?);
+    m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start()))?;
+    m.add("A", revolute(crank, coupler, crank.end(), coupler.start()))?;
+    m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end()))?;
+    m.add("C", revolute(m.ground(), rocker, vec2(d, 0.0), rocker.start()))?;
+    m.add("motor", drive_angle(crank, Law::ramp(1.0)))?;
+    m.prefer(rocker, deg(100.0));
+    Ok((m.build()?, rocker))
+}
+
+// 2. What differs from case to case, by name, and the numbers of one case: a link of length 2 u reaches from −u to u.
+const NAMES: [&str; 7] = ["O.u_j.x", "A.u_i.x", "A.u_j.x", "B.u_i.x", "B.u_j.x", "C.u_j.x", "C.u_i.x"];
+
+fn case([a, b, c, d]: Links) -> [f64; 7] {
+    [-a / 2.0, a / 2.0, -b / 2.0, b / 2.0, c / 2.0, -c / 2.0, d]
+}
+
+/// What is kept of one motion: swing of the rocker [rad], its greatest acceleration [rad/s²].
+struct Kept {
+    swing: f64,
+    acceleration: f64,
+}
+
+fn main() -> kin::Result<()> {
+    let links: Vec<Links> = (0..COUNT).map(random_links).collect();
+    let cases: Vec<_> = links.iter().copied().map(case).collect();
+    let times = linspace(0.0, TAU, 361);
+    let (system, rocker) = four_bar([1.0, 3.5, 3.0, 4.0])?;
+
+    // 3. The sweep. Of each motion two numbers are kept; of a failure, its message.
+    let style = ProgressStyle::with_template("{bar:40} {pos} of {len} four-bars, {per_sec}").unwrap_or(ProgressStyle::default_bar());
+    let bar = ProgressBar::new(COUNT as u64).with_style(style);
+    let sweep = system.sweep(NAMES)?.progress(|done, _| bar.set_position(done as u64));
+    let results = sweep.run(&cases, &times, |_, motion| {
+        let rocker = motion.map_err(|error| error.to_string())?.coordinate(rocker.theta());
+        let greatest = rocker.second_rate.max().max(-rocker.second_rate.min());
+        Ok(Kept { swing: rocker.value.max() - rocker.value.min(), acceleration: greatest })
+    })?;
+    bar.finish();
+
+    // 4. Results: a row for each four-bar, and the motion of the one that swings widest.
+    write(&links, &results).map_err(|source| kin::Error::File { path: OUT.into(), source })?;
+    let turning: Vec<(&Links, &Kept)> = links.iter().zip(&results).filter_map(|(links, kept)| Some((links, kept.as_ref().ok()?))).collect();
+    println!("{} four-bars: the crank of {} turns all the way round, {} lock", COUNT, turning.len(), COUNT - turning.len());
+    if let Some(([a, b, c, d], widest)) = turning.iter().max_by(|x, y| x.1.swing.total_cmp(&y.1.swing)) {
+        println!("widest swing {:.1}° with links {a:.3}, {b:.3}, {c:.3} m, pins {d:.3} m apart,", widest.swing.to_degrees());
+        println!("  at up to {:.2} rad/s² for a crank at 1 rad/s", widest.acceleration);
+        let (system, rocker) = four_bar([*a, *b, *c, *d])?;
+        let (motion, scene) = (system.run(&times)?, Scene::new(&system));
+        motion.write_csv(format!("{OUT}/motion.csv"))?;
+        scene.animated(&motion, 3.0)?.save(format!("{OUT}/animated.svg"))?;
+        scene.page(&motion)?.coordinate("Rocker", &motion.coordinate(rocker.theta())).save(format!("{OUT}/index.html"))?;
+    }
+    println!("wrote {OUT}/: four_bars.csv, motion.csv, animated.svg, index.html");
+    Ok(())
+}
+
+fn write(links: &[Links], results: &[Result<Kept, String>]) -> std::io::Result<()> {
+    std::fs::create_dir_all(OUT)?;
+    let mut file = std::io::BufWriter::new(std::fs::File::create(format!("{OUT}/four_bars.csv"))?);
+    writeln!(file, "crank [m],coupler [m],rocker [m],ground [m],swing [rad],greatest acceleration [rad/s^2],status")?;
+    for ([a, b, c, d], kept) in links.iter().zip(results) {
+        write!(file, "{a:.6},{b:.6},{c:.6},{d:.6},")?;
+        match kept {
+            Ok(Kept { swing, acceleration }) => writeln!(file, "{swing:.9},{acceleration:.9},done")?,
+            Err(message) => writeln!(file, ",,\"{}\"", message.lines().next().unwrap_or_default().replace('"', "'"))?,
+        }
+    }
+    file.flush()
+}
+
+/// Links of four-bar k, spread evenly over their ranges (multiples of the powers of 1/φ₄, φ₄⁵ = φ₄ + 1).
+fn random_links(k: usize) -> Links {
+    let phi: f64 = 1.1673039782614187;
+    let part = |axis: i32| (k as f64 * phi.powi(-axis)).fract();
+    [0.4 + 0.8 * part(1), 2.0 + 2.0 * part(2), 2.0 + 2.0 * part(3), 2.0 + 2.0 * part(4)]
+}

@@ -1,0 +1,117 @@
+//! Laws as data: a kind, its own numbers, and the laws that it is made of.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::Registry;
+use crate::law::{Ends, Law};
+
+/// A law as data.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LawData {
+    /// Its kind, such as `ramp`: what a [`Registry`] looks up.
+    pub kind: String,
+    /// Its own numbers by name.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub numbers: BTreeMap<String, f64>,
+    /// The laws that it is made of, by name.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub parts: BTreeMap<String, LawData>,
+}
+
+impl LawData {
+    /// The law as its kind, numbers and parts say.
+    pub fn of(law: &Law) -> LawData {
+        let parts = law.parts();
+        let mut numbers: BTreeMap<String, f64> = law.fixed_numbers().into_iter().collect();
+        law.parameters(&mut |name, value| {
+            let inside = |(part, _): &(String, Law)| name.strip_prefix(part.as_str()).is_some_and(|rest| rest.starts_with('.'));
+            if !parts.iter().any(inside) {
+                numbers.insert(name.to_string(), value);
+            }
+        });
+        let parts = parts.iter().map(|(name, part)| (name.clone(), LawData::of(part))).collect();
+        LawData { kind: law.kind().to_string(), numbers, parts }
+    }
+}
+
+/// A law's data as its constructor reads them.
+pub struct LawReader<'a> {
+    pub(super) data: &'a LawData,
+    pub(super) registry: &'a Registry,
+}
+
+impl LawReader<'_> {
+    /// The number of that name. Errors: none.
+    pub fn number(&self, name: &str) -> Result<f64, String> {
+        self.data.numbers.get(name).copied().ok_or_else(|| format!("the law `{}` lacks the number `{name}`", self.data.kind))
+    }
+
+    /// The numbers `name[first]`, `name[first + 1]`, … as far as they go.
+    pub fn list(&self, name: &str, first: usize) -> Vec<f64> {
+        (first..).map_while(|k| self.data.numbers.get(&format!("{name}[{k}]")).copied()).collect()
+    }
+
+    /// The law of that name that this one is made of. Errors: none, of an unknown kind.
+    pub fn part(&self, name: &str) -> Result<Law, String> {
+        let part = self.data.parts.get(name).ok_or_else(|| format!("the law `{}` lacks its part `{name}`", self.data.kind))?;
+        self.registry.law(part)
+    }
+}
+
+/// A constructor of a rise from its height and length.
+type Rise = fn(f64, f64) -> Law;
+
+/// The laws that ship.
+pub(super) fn shipped(registry: Registry) -> Registry {
+    let rises: [(&str, Rise); 6] = [
+        ("harmonic_rise", Law::harmonic_rise),
+        ("cycloidal", Law::cycloidal),
+        ("polynomial_345", Law::polynomial_345),
+        ("polynomial_4567", Law::polynomial_4567),
+        ("modified_sine", Law::modified_sine),
+        ("modified_trapezoid", Law::modified_trapezoid),
+    ];
+    let registry = rises.into_iter().fold(registry, |registry, (kind, make)| {
+        registry.with_law(kind, move |law| Ok(make(law.number("height")?, law.number("length")?)))
+    });
+    registry
+        .with_law("constant", |law| Ok(Law::constant(law.number("c")?)))
+        .with_law("ramp", |law| Ok(Law::ramp(law.number("rate")?)))
+        .with_law("linear", |law| Ok(Law::linear(law.number("f0")?, law.number("rate")?)))
+        .with_law("polynomial", |law| Ok(Law::polynomial(&law.list("c", 0))))
+        .with_law("harmonic", |law| Ok(Law::harmonic(law.number("mean")?, law.number("amplitude")?)))
+        .with_law("sine", |law| Ok(Law::sine(law.number("amplitude")?, law.number("omega")?, law.number("phase")?)))
+        .with_law("fourier", |law| {
+            let pairs: Vec<(f64, f64)> = law.list("a", 1).into_iter().zip(law.list("b", 1)).collect();
+            Ok(Law::fourier(law.number("mean")?, law.number("omega")?, &pairs))
+        })
+        .with_law("trapezoidal", |law| Ok(Law::trapezoidal(law.number("distance")?, law.number("speed")?, law.number("acceleration")?)))
+        .with_law("s_curve", |law| {
+            Ok(Law::s_curve(law.number("distance")?, law.number("speed")?, law.number("acceleration")?, law.number("jerk")?))
+        })
+        .with_law("spline", spline)
+        .with_law("sequence", sequence)
+        .with_law("periodic", |law| Ok(law.part("law")?.periodic(law.number("period")?)))
+        .with_law("product", |law| Ok(law.part("first")? * law.part("second")?))
+        .with_law("sum", |law| Ok(law.part("first")? + law.part("second")?))
+        .with_law("multiple", |law| Ok(law.number("factor")? * law.part("law")?))
+        .with_law("composed", |law| Ok(law.part("outer")?.compose(&law.part("inner")?)))
+}
+
+fn spline(law: &LawReader<'_>) -> Result<Law, String> {
+    let table: Vec<(f64, f64)> = law.list("x", 0).into_iter().zip(law.list("y", 0)).collect();
+    let ends = match (law.number("periodic"), law.number("start")) {
+        (Ok(_), _) => Ends::Periodic,
+        (_, Ok(start)) => Ends::Clamped { start, end: law.number("end")? },
+        _ => Ends::Natural,
+    };
+    Ok(Law::spline(&table, ends))
+}
+
+fn sequence(law: &LawReader<'_>) -> Result<Law, String> {
+    let lengths = (0..).map_while(|k| law.number(&format!("part[{k}].length")).ok());
+    let parts = lengths.enumerate().map(|(k, length)| Ok((length, law.part(&format!("part[{k}].law"))?)));
+    Ok(Law::sequence(law.number("start")?, parts.collect::<Result<Vec<_>, String>>()?))
+}

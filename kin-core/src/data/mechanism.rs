@@ -1,0 +1,242 @@
+//! A mechanism as data.
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+use super::value::Describer;
+use super::{FORMAT, Registry, is_first};
+use crate::constraint::Constraint;
+use crate::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
+use crate::dual_route::ArgumentKind;
+use crate::error::{Error, Result};
+use crate::layout::{Kind, Place};
+use crate::mechanism::Mechanism;
+
+/// A mechanism as data: bodies, constraints with their parameters, laws.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MechanismData {
+    /// Version of this format.
+    #[serde(default = "is_first")]
+    pub format: u32,
+    /// Name of the mechanism.
+    pub name: String,
+    /// Bodies and bare coordinates in their order.
+    pub bodies: Vec<BodyData>,
+    /// Constraints in their order.
+    pub constraints: Vec<ConstraintData>,
+}
+
+/// A body or bare coordinate with its guess.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BodyData {
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub kind: BodyKind,
+    /// Guess of its coordinates.
+    pub guess: Vec<f64>,
+    /// Preferred values of its coordinates, where there are any.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub preferred: Vec<Option<f64>>,
+    /// Length between the pins of a link.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub length: Option<f64>,
+}
+
+/// What a body is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum BodyKind {
+    /// R_x, R_y, θ
+    Planar,
+    /// R, e0..e3
+    Spatial,
+    /// A bare angle.
+    Angle,
+    /// A bare length.
+    Length,
+}
+
+/// A constraint by its kind, arguments and parameters.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ConstraintData {
+    /// Its name.
+    pub name: String,
+    /// Name of its function.
+    pub kind: String,
+    /// What it acts on, in the order of its signature.
+    pub arguments: Vec<ArgumentData>,
+    /// Its parameters by name.
+    #[serde(default)]
+    pub parameters: Map<String, Value>,
+}
+
+/// An argument of a constraint: `None` is the ground.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ArgumentData {
+    /// A planar body.
+    Planar(Option<String>),
+    /// A spatial body.
+    Spatial(Option<String>),
+    /// A coordinate by its name, such as `crank.theta`.
+    Coord(String),
+    /// A coordinate of the ground as a planar body, by its number.
+    GroundCoord(usize),
+    /// A coordinate of the ground as a spatial body, by its number.
+    SpatialGroundCoord(usize),
+}
+
+impl ArgumentData {
+    pub(super) fn kind(&self) -> ArgumentKind {
+        match self {
+            ArgumentData::Planar(_) => ArgumentKind::Planar,
+            ArgumentData::Spatial(_) => ArgumentKind::Spatial,
+            _ => ArgumentKind::Coord,
+        }
+    }
+}
+
+impl Mechanism {
+    /// The mechanism as data, to be written by serde.
+    ///
+    /// Errors: a constraint that was not made by `#[constraint]`, or with a parameter of a type that serde does not know, by name.
+    pub fn data(&self) -> Result<MechanismData> {
+        let bodies = self.layout.items.iter().enumerate().map(|(index, item)| {
+            let columns = item.first..item.first + item.kind.coordinates().len();
+            let preference = |column: usize| self.preferred.iter().find(|(known, _)| *known == column).map(|(_, value)| *value);
+            let mut preferred: Vec<Option<f64>> = columns.clone().map(preference).collect();
+            if preferred.iter().all(Option::is_none) {
+                preferred.clear();
+            }
+            let length = self.links.iter().find(|(known, _)| *known == index).map(|(_, length)| *length);
+            BodyData { name: item.name.clone(), kind: item.kind.into(), guess: self.initial[columns].to_vec(), preferred, length }
+        });
+        let bodies = bodies.collect();
+        let constraints = self.constraints.iter().map(|(name, constraint)| self.constraint_data(name, constraint.as_ref()));
+        let constraints = constraints.collect::<Result<_>>()?;
+        Ok(MechanismData { format: FORMAT, name: self.name.clone(), bodies, constraints })
+    }
+
+    fn constraint_data(&self, name: &str, constraint: &dyn Constraint) -> Result<ConstraintData> {
+        let fail = |reason: String| Error::Data { place: format!("constraint `{name}`"), reason };
+        let mut describer = Describer::default();
+        constraint.describe(&mut describer);
+        if let Some(reason) = describer.refusal {
+            return Err(fail(reason));
+        }
+        let arguments = constraint.arguments().iter().map(|argument| self.argument_data(&argument.target)).collect::<Option<_>>();
+        let arguments = arguments.ok_or_else(|| fail("a body of another mechanism".to_string()))?;
+        Ok(ConstraintData { name: name.to_string(), kind: constraint.kind().to_string(), arguments, parameters: describer.parameters })
+    }
+
+    fn argument_data(&self, target: &Target) -> Option<ArgumentData> {
+        let name = |item: usize| self.layout.items.get(item).map(|item| item.name.clone());
+        Some(match (target, self.layout.place(target)?) {
+            (Target::Planar(_), Place::Ground(_)) => ArgumentData::Planar(None),
+            (Target::Spatial(_), Place::Ground(_)) => ArgumentData::Spatial(None),
+            (Target::Coord(Coordinate::Spatial(_, axis), _), Place::Ground(_)) => ArgumentData::SpatialGroundCoord(*axis),
+            (Target::Coord(Coordinate::Planar(_, axis), _), Place::Ground(_)) => ArgumentData::GroundCoord(*axis),
+            (Target::Coord(..), Place::Ground(_)) => return None,
+            (Target::Planar(_), Place::Own { item, .. }) => ArgumentData::Planar(name(item)),
+            (Target::Spatial(_), Place::Own { item, .. }) => ArgumentData::Spatial(name(item)),
+            (Target::Coord(..), Place::Own { first, .. }) => ArgumentData::Coord(self.layout.names.get(first)?.clone()),
+        })
+    }
+
+    /// The mechanism that the data say; constraints and laws are made by the registry.
+    ///
+    /// Errors: an unknown kind, a body, parameter or number that is missing or too many, and everything that [`Mechanism::add`] refuses.
+    pub fn from_data(data: &MechanismData, registry: &Registry) -> Result<Mechanism> {
+        if data.format != FORMAT {
+            let reason = format!("format {} is not known here, only {FORMAT}", data.format);
+            return Err(Error::Data { place: format!("mechanism `{}`", data.name), reason });
+        }
+        let mut mechanism = Mechanism::new(&data.name);
+        for body in &data.bodies {
+            mechanism.add_body(body)?;
+        }
+        for ConstraintData { name, kind, arguments, parameters } in &data.constraints {
+            let made = registry.constraint(kind, arguments, parameters, &mechanism);
+            let constraint = made.map_err(|reason| Error::Data { place: format!("constraint `{name}`"), reason })?;
+            mechanism.add_boxed(name, constraint)?;
+        }
+        Ok(mechanism)
+    }
+
+    fn add_body(&mut self, body: &BodyData) -> Result<()> {
+        let kind = Kind::from(body.kind);
+        let count = kind.coordinates().len();
+        let fail = |reason: String| Error::Data { place: format!("body `{}`", body.name), reason };
+        if body.guess.len() != count || !(body.preferred.is_empty() || body.preferred.len() == count) {
+            return Err(fail(format!("it has {count} coordinates; its guess has {}", body.guess.len())));
+        }
+        let index = self.declare(&body.name, kind, &body.guess)?;
+        let first = self.layout.items[index].first;
+        for (axis, value) in body.preferred.iter().enumerate().filter_map(|(axis, value)| Some((axis, (*value)?))) {
+            if !value.is_finite() {
+                return Err(fail(format!("a preferred value is {value}")));
+            }
+            self.preferred.push((first + axis, value));
+        }
+        match body.length {
+            Some(length) if !(length.is_finite() && length > 0.0) => Err(Error::InvalidLength { link: body.name.clone(), length }),
+            Some(length) => {
+                self.links.push((index, length));
+                Ok(())
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// The planar body of that name.
+    pub fn planar_named(&self, name: &str) -> Option<PlanarBody> {
+        self.target_named(name).and_then(|target| if let Target::Planar(body) = target { Some(body) } else { None })
+    }
+
+    /// The spatial body of that name.
+    pub fn spatial_named(&self, name: &str) -> Option<SpatialBody> {
+        self.target_named(name).and_then(|target| if let Target::Spatial(body) = target { Some(body) } else { None })
+    }
+
+    fn target_named(&self, name: &str) -> Option<Target> {
+        self.layout.bodies().into_iter().find(|(known, _)| *known == name).map(|(_, target)| target)
+    }
+
+    /// The coordinate of that name: a bare one, or a body's such as `crank.theta`.
+    pub fn coordinate_named(&self, name: &str) -> Option<Coordinate> {
+        let column = self.layout.names.iter().position(|known| known == name)?;
+        let item = self.layout.owner(column)?;
+        let axis = column - item.first;
+        Some(match item.kind {
+            Kind::Planar => Coordinate::Planar(self.planar_named(&item.name)?, axis),
+            Kind::Spatial => Coordinate::Spatial(self.spatial_named(&item.name)?, axis),
+            Kind::Angle | Kind::Length => {
+                let index = self.layout.items.iter().position(|known| known.first == item.first)?;
+                Coordinate::Own { mechanism: self.layout.mechanism, index }
+            }
+        })
+    }
+}
+
+impl From<Kind> for BodyKind {
+    fn from(kind: Kind) -> Self {
+        match kind {
+            Kind::Planar => BodyKind::Planar,
+            Kind::Spatial => BodyKind::Spatial,
+            Kind::Angle => BodyKind::Angle,
+            Kind::Length => BodyKind::Length,
+        }
+    }
+}
+
+impl From<BodyKind> for Kind {
+    fn from(kind: BodyKind) -> Self {
+        match kind {
+            BodyKind::Planar => Kind::Planar,
+            BodyKind::Spatial => Kind::Spatial,
+            BodyKind::Angle => Kind::Angle,
+            BodyKind::Length => Kind::Length,
+        }
+    }
+}

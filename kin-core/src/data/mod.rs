@@ -1,0 +1,80 @@
+//! Mechanisms and motions as data: serde, and JSON on disk.
+//!
+//! A motion comes back without loss. A mechanism comes back through a [`Registry`] of constructors, to which a user's own constraints are
+//! added: `Registry::new().with::<parabolic_slot>()`.
+
+mod law;
+mod mechanism;
+mod motion;
+mod registry;
+mod value;
+
+use std::path::Path;
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+pub use law::{LawData, LawReader};
+pub use mechanism::{ArgumentData, BodyData, BodyKind, ConstraintData, MechanismData};
+pub use motion::{BreakData, MotionData, OutputData};
+pub use registry::{Described, Reader, Registry};
+pub use value::{Datum, Describer, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold};
+
+use crate::error::{Error, Result};
+use crate::mechanism::Mechanism;
+use crate::motion::Motion;
+
+/// Version of the formats; it changes when an older reader would misunderstand.
+const FORMAT: u32 = 1;
+
+/// The version of data that do not say.
+fn is_first() -> u32 {
+    1
+}
+
+impl Mechanism {
+    /// Writes the mechanism as JSON ([`Mechanism::data`]), making folders that are missing.
+    ///
+    /// Errors: a constraint that cannot be described, a file that cannot be written.
+    pub fn write_json(&self, path: impl AsRef<Path>) -> Result<()> {
+        write(path.as_ref(), &self.data()?)
+    }
+
+    /// The mechanism that such a file describes.
+    ///
+    /// Errors: a file that cannot be read, and those of [`Mechanism::from_data`].
+    pub fn read_json(path: impl AsRef<Path>, registry: &Registry) -> Result<Mechanism> {
+        Mechanism::from_data(&read(path.as_ref())?, registry)
+    }
+}
+
+impl Motion {
+    /// Writes the motion as JSON ([`Motion::data`]), making folders that are missing; it comes back without loss.
+    ///
+    /// Errors: a file that cannot be written.
+    pub fn write_json(&self, path: impl AsRef<Path>) -> Result<()> {
+        write(path.as_ref(), &self.data())
+    }
+
+    /// The motion in such a file.
+    ///
+    /// Errors: a file that cannot be read, and those of [`Motion::from_data`].
+    pub fn read_json(path: impl AsRef<Path>) -> Result<Motion> {
+        Motion::from_data(&read(path.as_ref())?)
+    }
+}
+
+fn write(path: &Path, data: &impl Serialize) -> Result<()> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let write = || {
+        folder.map_or(Ok(()), std::fs::create_dir_all)?;
+        std::fs::write(path, serde_json::to_string(data)? + "\n")
+    };
+    write().map_err(|source| Error::File { path: path.to_path_buf(), source })
+}
+
+fn read<T: DeserializeOwned>(path: &Path) -> Result<T> {
+    let fail = |reason: String| Error::Data { place: path.display().to_string(), reason };
+    let text = std::fs::read_to_string(path).map_err(|error| fail(error.to_string()))?;
+    serde_json::from_str(&text).map_err(|error| fail(error.to_string()))
+}

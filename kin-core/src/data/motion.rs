@@ -1,0 +1,155 @@
+//! A motion as data.
+
+use serde::{Deserialize, Serialize};
+
+use super::mechanism::BodyKind;
+use super::{FORMAT, is_first};
+use crate::coordinates::MechanismId;
+use crate::error::{Error, Result};
+use crate::law::Break;
+use crate::layout::Layout;
+use crate::motion::{Motion, Series};
+use crate::newton::CrossedBreak;
+
+/// A motion as data, without loss.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MotionData {
+    /// Version of this format.
+    #[serde(default = "is_first")]
+    pub format: u32,
+    /// Name of the mechanism.
+    pub name: String,
+    /// Bodies and bare coordinates in their order, with what they are.
+    pub bodies: Vec<(String, BodyKind)>,
+    /// Names of the equations.
+    pub equations: Vec<String>,
+    /// The equation with the largest residual of all, by its number.
+    pub worst: Option<usize>,
+    /// The times.   \[s\]
+    pub times: Vec<f64>,
+    /// q at each time.   \[m, rad\]
+    pub q: Vec<Vec<f64>>,
+    /// q̇ at each time.   \[m/s, rad/s\]
+    pub qd: Vec<Vec<f64>>,
+    /// q̈ at each time.   \[m/s², rad/s²\]
+    pub qdd: Vec<Vec<f64>>,
+    /// Newton steps at each time.
+    pub iterations: Vec<usize>,
+    /// max |C_i| at each time.
+    pub residuals: Vec<f64>,
+    /// Breaks of laws that the run has crossed.
+    #[serde(default)]
+    pub breaks: Vec<BreakData>,
+    /// Derived quantities.
+    pub outputs: Vec<OutputData>,
+}
+
+/// A break of a law that a run has crossed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BreakData {
+    /// The last time before it, and the first one after it or at it.   \[s\]
+    pub between: (f64, f64),
+    /// The constraint that asks the law.
+    pub constraint: String,
+    /// The law, by its name in the constraint.
+    pub law: String,
+    /// Where in the law it is.
+    pub x: f64,
+    /// Which derivative jumps.
+    pub order: usize,
+}
+
+/// A derived quantity.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct OutputData {
+    /// Its name.
+    pub name: String,
+    /// Its unit.
+    pub unit: String,
+    /// One value a time.
+    pub values: Vec<f64>,
+}
+
+impl Motion {
+    /// The motion as data, to be written by serde.
+    pub fn data(&self) -> MotionData {
+        let rows = |row: fn(&Motion, usize) -> &[f64]| (0..self.len()).map(|k| row(self, k).to_vec()).collect();
+        let output =
+            |series: &Series| OutputData { name: series.name().into(), unit: series.unit().into(), values: series.values().to_vec() };
+        MotionData {
+            format: FORMAT,
+            name: self.name().to_string(),
+            bodies: self.layout.items.iter().map(|item| (item.name.clone(), item.kind.into())).collect(),
+            equations: self.equations.to_vec(),
+            worst: self.worst.map(|(_, row)| row),
+            times: self.times().to_vec(),
+            q: rows(Motion::q),
+            qd: rows(Motion::qd),
+            qdd: rows(Motion::qdd),
+            iterations: self.iterations().to_vec(),
+            residuals: self.residuals().to_vec(),
+            breaks: self.breaks.iter().map(BreakData::of).collect(),
+            outputs: self.outputs().iter().map(output).collect(),
+        }
+    }
+
+    /// The motion that the data say. Its bodies are found by name: [`Motion::named`], [`Motion::planar_named`], [`Motion::spatial_named`].
+    ///
+    /// Errors: names that are empty or taken, lists of different lengths, numbers that are not finite.
+    pub fn from_data(data: &MotionData) -> Result<Motion> {
+        let fail = |reason: String| Error::Data { place: format!("motion of `{}`", data.name), reason };
+        if data.format != FORMAT {
+            return Err(fail(format!("format {} is not known here, only {FORMAT}", data.format)));
+        }
+        let mut layout = Layout::new(MechanismId::fresh());
+        for (name, kind) in &data.bodies {
+            layout.declare(name, (*kind).into())?;
+        }
+        let (times, width) = (data.times.len(), layout.len());
+        let flat = |what: &str, rows: &[Vec<f64>]| match rows.len() == times && rows.iter().all(|row| row.len() == width) {
+            true => Ok(rows.concat()),
+            false => Err(fail(format!("{what} needs {times} rows of {width} numbers"))),
+        };
+        let (q, qd, qdd) = (flat("q", &data.q)?, flat("qd", &data.qd)?, flat("qdd", &data.qdd)?);
+        if data.iterations.len() != times || data.residuals.len() != times {
+            return Err(fail(format!("iterations and residuals need {times} numbers")));
+        }
+        if data.worst.is_some_and(|row| row >= data.equations.len()) {
+            return Err(fail("the worst equation is none of the equations".to_string()));
+        }
+        let all = data.times.iter().chain(&q).chain(&qd).chain(&qdd).chain(&data.residuals);
+        if let Some(value) = all.into_iter().find(|x| !x.is_finite()) {
+            return Err(fail(format!("{value} is among its numbers")));
+        }
+        let largest = data.residuals.iter().copied().fold(0.0, f64::max);
+        let mut motion = Motion {
+            name: data.name.clone(),
+            layout: layout.into(),
+            equations: data.equations.as_slice().into(),
+            times: data.times.clone(),
+            q,
+            qd,
+            qdd,
+            iterations: data.iterations.clone(),
+            residuals: data.residuals.clone(),
+            worst: data.worst.map(|row| (largest, row)),
+            breaks: data.breaks.iter().map(BreakData::crossed).collect(),
+            outputs: Vec::new(),
+        };
+        for output in &data.outputs {
+            motion.add_output(&output.name, &output.unit, output.values.clone())?;
+        }
+        Ok(motion)
+    }
+}
+
+impl BreakData {
+    fn of(CrossedBreak { between, constraint, law, found }: &CrossedBreak) -> BreakData {
+        BreakData { between: *between, constraint: constraint.clone(), law: law.clone(), x: found.x, order: found.order }
+    }
+
+    fn crossed(&self) -> CrossedBreak {
+        let found = Break { x: self.x, order: self.order };
+        CrossedBreak { between: self.between, constraint: self.constraint.clone(), law: self.law.clone(), found }
+    }
+}

@@ -1,0 +1,155 @@
+//! Which constructor makes which kind of constraint or law.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use serde_json::{Map, Value};
+
+use super::law::{LawData, LawReader, shipped};
+use super::mechanism::ArgumentData;
+use super::value::Datum;
+use crate::constraint::Constraint;
+use crate::coordinates::{Coordinate, Ground, PlanarBody, SpatialBody};
+use crate::dual_route::ArgumentKind;
+use crate::law::Law;
+use crate::mechanism::Mechanism;
+
+/// A constraint that can be made anew from data; written by `#[constraint]`.
+pub trait Described: Constraint + Sized + 'static {
+    /// Name of its function.
+    const KIND: &'static str;
+    /// What its arguments are, in order.
+    const ARGUMENTS: &'static [ArgumentKind];
+    /// From bodies and parameters. Errors: what is wrong with them.
+    fn read(from: &mut Reader<'_>) -> Result<Self, String>;
+}
+
+type Make = fn(&mut Reader<'_>) -> Result<Box<dyn Constraint>, String>;
+type MakeLaw = Arc<dyn Fn(&LawReader<'_>) -> Result<Law, String> + Send + Sync>;
+
+/// Constructors of constraints and laws by their kinds. Constraints of one name with other arguments (`revolute` of planar and of spatial
+/// bodies) are told apart; a later one takes the place of an earlier one with the same name and arguments.
+#[derive(Clone)]
+pub struct Registry {
+    constraints: HashMap<(String, Vec<ArgumentKind>), Make>,
+    laws: HashMap<String, MakeLaw>,
+}
+
+impl Default for Registry {
+    fn default() -> Self {
+        Registry::new()
+    }
+}
+
+impl Registry {
+    /// All joints, drivers and laws that ship.
+    pub fn new() -> Registry {
+        crate::joints::registered(shipped(Registry { constraints: HashMap::new(), laws: HashMap::new() }))
+    }
+
+    /// A constraint of one's own too: `Registry::new().with::<parabolic_slot>()`, after a function under `#[constraint]`.
+    pub fn with<C: Described>(mut self) -> Registry {
+        fn make<C: Described>(from: &mut Reader<'_>) -> Result<Box<dyn Constraint>, String> {
+            C::read(from).map(|constraint| Box::new(constraint) as Box<dyn Constraint>)
+        }
+        self.constraints.insert((C::KIND.to_string(), C::ARGUMENTS.to_vec()), make::<C>);
+        self
+    }
+
+    /// A law of one's own too, by its kind (the name of its function under `#[law]`) and its constructor.
+    pub fn with_law(mut self, kind: &str, make: impl Fn(&LawReader<'_>) -> Result<Law, String> + Send + Sync + 'static) -> Registry {
+        self.laws.insert(kind.to_string(), Arc::new(make));
+        self
+    }
+
+    /// Kinds of the constraints, with the number of arguments of each, sorted.
+    pub fn kinds(&self) -> Vec<(&str, usize)> {
+        let mut all: Vec<(&str, usize)> = self.constraints.keys().map(|(kind, arguments)| (kind.as_str(), arguments.len())).collect();
+        all.sort_unstable();
+        all
+    }
+
+    /// The law that the data say. Errors: unknown kind, numbers or parts that are missing.
+    pub fn law(&self, data: &LawData) -> Result<Law, String> {
+        let make = self.laws.get(&data.kind).ok_or_else(|| format!("unknown law `{}`: add it with `Registry::with_law`", data.kind))?;
+        make(&LawReader { data, registry: self })
+    }
+
+    /// The constraint of that kind. Errors: unknown kind, arguments or parameters that do not fit.
+    pub(super) fn constraint(
+        &self,
+        kind: &str,
+        arguments: &[ArgumentData],
+        parameters: &Map<String, Value>,
+        mechanism: &Mechanism,
+    ) -> Result<Box<dyn Constraint>, String> {
+        let kinds: Vec<ArgumentKind> = arguments.iter().map(ArgumentData::kind).collect();
+        let make = self.constraints.get(&(kind.to_string(), kinds)).ok_or_else(|| self.unknown(kind, arguments.len()))?;
+        let mut reader = Reader { arguments: arguments.iter(), parameters, mechanism, registry: self, asked: Vec::new() };
+        let made = make(&mut reader)?;
+        match parameters.keys().find(|name| !reader.asked.contains(name)) {
+            Some(name) => Err(format!("`{kind}` has no parameter `{name}`")),
+            None => Ok(made),
+        }
+    }
+
+    fn unknown(&self, kind: &str, arguments: usize) -> String {
+        match self.constraints.keys().any(|(known, _)| known == kind) {
+            true => format!("no `{kind}` is known with these {arguments} arguments"),
+            false => format!("unknown constraint `{kind}`: add it with `Registry::with::<{kind}>()`"),
+        }
+    }
+}
+
+/// The data of one constraint as its constructor reads them.
+pub struct Reader<'a> {
+    arguments: std::slice::Iter<'a, ArgumentData>,
+    parameters: &'a Map<String, Value>,
+    mechanism: &'a Mechanism,
+    registry: &'a Registry,
+    asked: Vec<&'a String>,
+}
+
+impl<'a> Reader<'a> {
+    /// The next argument, a planar body.
+    pub fn planar(&mut self) -> Result<PlanarBody, String> {
+        match self.arguments.next() {
+            Some(ArgumentData::Planar(None)) => Ok(Ground.into()),
+            Some(ArgumentData::Planar(Some(name))) => self.mechanism.planar_named(name).ok_or_else(|| format!("no planar body `{name}`")),
+            _ => Err("a planar body is missing".to_string()),
+        }
+    }
+
+    /// The next argument, a spatial body.
+    pub fn spatial(&mut self) -> Result<SpatialBody, String> {
+        match self.arguments.next() {
+            Some(ArgumentData::Spatial(None)) => Ok(Ground.into()),
+            Some(ArgumentData::Spatial(Some(name))) => {
+                self.mechanism.spatial_named(name).ok_or_else(|| format!("no spatial body `{name}`"))
+            }
+            _ => Err("a spatial body is missing".to_string()),
+        }
+    }
+
+    /// The next argument, a bare coordinate.
+    pub fn coord(&mut self) -> Result<Coordinate, String> {
+        match self.arguments.next() {
+            Some(ArgumentData::Coord(name)) => self.mechanism.coordinate_named(name).ok_or_else(|| format!("no coordinate `{name}`")),
+            Some(ArgumentData::GroundCoord(axis)) => Ok(Coordinate::Planar(Ground.into(), *axis)),
+            Some(ArgumentData::SpatialGroundCoord(axis)) => Ok(Coordinate::Spatial(Ground.into(), *axis)),
+            _ => Err("a coordinate is missing".to_string()),
+        }
+    }
+
+    /// The parameter of that name.
+    pub fn get<T: Datum>(&mut self, name: &str) -> Result<T, String> {
+        let value = self.value(name)?;
+        T::from_value(value, self.registry).map_err(|reason| format!("its parameter `{name}`: {reason}"))
+    }
+
+    pub(super) fn value(&mut self, name: &str) -> Result<&'a Value, String> {
+        let (known, value) = self.parameters.get_key_value(name).ok_or_else(|| format!("its parameter `{name}` is missing"))?;
+        self.asked.push(known);
+        Ok(value)
+    }
+}

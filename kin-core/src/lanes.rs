@@ -1,0 +1,58 @@
+//! Several mechanisms at once: numbers over the lanes of a SIMD register, and the kernels that compute with them.
+//!
+//! `pulp` finds out at run time what the machine has (AVX-512: 8 lanes, AVX2 with FMA: 4, Neon: 2) and holds whatever is unsafe about it:
+//! its tokens exist only where the instructions do. Kernels are generic over the token; each level gets its own compiled copy, handed out
+//! as a function pointer, because what is called through `dyn` is never inlined into a caller with wider registers.
+
+mod kernel;
+mod level;
+mod number;
+mod trig;
+
+pub(crate) use kernel::Table;
+pub use kernel::{InLanes, LaneAt, LaneKernel, LaneKernels, LaneRates};
+pub use level::Level;
+pub use number::{Mask, Wide};
+
+/// How many cases of a sweep advance together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Lanes {
+    /// As many as the machine has lanes, where some constraint has kernels for them.
+    #[default]
+    Best,
+    /// One after the other.
+    Off,
+    /// So many: 8 (AVX-512), 4 (AVX2 with FMA), 2 (Neon) or 1 (anywhere), whatever the constraints have.
+    Only(usize),
+}
+
+/// Something that is done with the widest lanes, or with those that are asked for.
+pub(crate) trait WithLevel {
+    type Output;
+    fn run<S: Level>(self, simd: S) -> Self::Output;
+}
+
+impl Lanes {
+    /// Does it with the lanes that are meant; gives it back where the machine does not have them, or none are wanted.
+    pub(crate) fn dispatch<W: WithLevel>(self, work: W) -> Result<W::Output, W> {
+        let wanted = |lanes: usize| self == Lanes::Best || self == Lanes::Only(lanes);
+        #[cfg(target_arch = "x86_64")]
+        {
+            if let Some(simd) = pulp::x86::V4::try_new().filter(|_| wanted(8)) {
+                return Ok(work.run(simd));
+            }
+            if let Some(simd) = pulp::x86::V3::try_new().filter(|_| wanted(4)) {
+                return Ok(work.run(simd));
+            }
+        }
+        #[cfg(target_arch = "aarch64")]
+        if let Some(simd) = pulp::aarch64::Neon::try_new().filter(|_| wanted(2)) {
+            return Ok(work.run(simd));
+        }
+        if self == Lanes::Only(1) {
+            return Ok(work.run(pulp::Scalar::new()));
+        }
+        let _ = wanted;
+        Err(work)
+    }
+}

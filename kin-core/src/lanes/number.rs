@@ -1,0 +1,286 @@
+//! Numbers over lanes, with f64's names: what emitted kernels compute with.
+
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Rem, Sub};
+
+use pulp::bytemuck;
+
+use super::Level;
+
+/// One number for each lane.
+#[derive(Clone, Copy)]
+pub struct Wide<S: Level>(pub(super) S, pub(super) S::f64s, [S::Align; 0]);
+
+/// One condition for each lane.
+#[derive(Clone, Copy)]
+pub struct Mask<S: Level>(pub(super) S, pub(super) S::m64s);
+
+macro_rules! operator {
+    ($($trait:ident $method:ident $function:ident;)*) => {$(
+        impl<S: Level> $trait for Wide<S> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Wide::new(self.0, self.0.$function(self.1, other.1))
+            }
+        }
+    )*};
+}
+
+operator! {
+    Add add add_f64s;
+    Sub sub sub_f64s;
+    Mul mul mul_f64s;
+    Div div div_f64s;
+}
+
+impl<S: Level> Neg for Wide<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Wide::new(self.0, self.0.neg_f64s(self.1))
+    }
+}
+
+impl<S: Level> Rem for Wide<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn rem(self, other: Self) -> Self {
+        self.map2(other, |a, b| a % b)
+    }
+}
+
+/// Functions that go lane by lane.
+macro_rules! lane_by_lane {
+    ($($function:ident)*; $($function2:ident)*) => {
+        /// f64's functions of these names, lane by lane.
+        #[allow(missing_docs)]
+        impl<S: Level> Wide<S> {
+            $(
+                #[inline(always)]
+                pub fn $function(self) -> Self {
+                    self.map(f64::$function)
+                }
+            )*
+            $(
+                #[inline(always)]
+                pub fn $function2(self, other: Self) -> Self {
+                    self.map2(other, f64::$function2)
+                }
+            )*
+        }
+    };
+}
+
+lane_by_lane! {
+    tan asin acos atan sinh cosh tanh asinh acosh atanh exp exp2 exp_m1 ln ln_1p log2 log10 cbrt signum floor ceil round trunc fract;
+    atan2 hypot powf rem_euclid div_euclid
+}
+
+impl<S: Level> Wide<S> {
+    #[inline(always)]
+    pub(super) fn new(simd: S, numbers: S::f64s) -> Self {
+        Wide(simd, numbers, [])
+    }
+
+    /// The same number in every lane.
+    #[inline(always)]
+    pub fn splat(simd: S, x: f64) -> Self {
+        Wide::new(simd, simd.splat_f64s(x))
+    }
+
+    /// How many lanes there are.
+    pub const LANES: usize = S::F64_LANES;
+
+    /// The numbers, lane by lane.
+    #[inline(always)]
+    pub fn as_slice(&self) -> &[f64] {
+        bytemuck::cast_slice(std::slice::from_ref(&self.1))
+    }
+
+    /// The numbers, lane by lane, to be written.
+    #[inline(always)]
+    pub fn as_mut_slice(&mut self) -> &mut [f64] {
+        bytemuck::cast_slice_mut(std::slice::from_mut(&mut self.1))
+    }
+
+    /// a b + c, rounded once.
+    #[inline(always)]
+    pub fn mul_add(self, b: Self, c: Self) -> Self {
+        Wide::new(self.0, self.0.mul_add_e_f64s(self.1, b.1, c.1))
+    }
+
+    /// c − a b, rounded once.
+    #[inline(always)]
+    pub fn negative_mul_add(self, b: Self, c: Self) -> Self {
+        Wide::new(self.0, self.0.negate_mul_add_e_f64s(self.1, b.1, c.1))
+    }
+
+    /// 1 / x
+    #[inline(always)]
+    pub fn reciprocal(self) -> Self {
+        Wide::splat(self.0, 1.0) / self
+    }
+
+    /// √x
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        Wide::new(self.0, self.0.sqrt_f64s(self.1))
+    }
+
+    /// |x|
+    #[inline(always)]
+    pub fn abs(self) -> Self {
+        Wide::new(self.0, self.0.abs_f64s(self.1))
+    }
+
+    /// The larger one; the other one of a NaN.
+    #[inline(always)]
+    pub fn max(self, other: Self) -> Self {
+        self.ge(other).select(self, other.equal(other).select(other, self))
+    }
+
+    /// The smaller one; the other one of a NaN.
+    #[inline(always)]
+    pub fn min(self, other: Self) -> Self {
+        self.le(other).select(self, other.equal(other).select(other, self))
+    }
+
+    /// xⁿ
+    #[inline(always)]
+    pub fn powi(self, n: i32) -> Self {
+        let (mut left, mut square, mut power) = (n.unsigned_abs(), self, Wide::splat(self.0, 1.0));
+        while left > 0 {
+            if left & 1 == 1 {
+                power = power * square;
+            }
+            left >>= 1;
+            if left > 0 {
+                square = square * square;
+            }
+        }
+        if n < 0 { Wide::splat(self.0, 1.0) / power } else { power }
+    }
+
+    /// A function of one number, lane by lane.
+    #[inline(always)]
+    pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        let mut result = self;
+        result.as_mut_slice().iter_mut().for_each(|x| *x = f(*x));
+        result
+    }
+
+    /// A function of two numbers, lane by lane.
+    #[inline(always)]
+    pub fn map2(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        let mut result = self;
+        result.as_mut_slice().iter_mut().zip(other.as_slice()).for_each(|(x, y)| *x = f(*x, *y));
+        result
+    }
+
+    /// The condition that is kept as 1 or 0.
+    #[inline(always)]
+    pub fn is_true(self) -> Mask<S> {
+        self.differ(Wide::splat(self.0, 0.0))
+    }
+}
+
+macro_rules! comparison {
+    ($($(#[$doc:meta])* $name:ident $function:ident;)*) => {
+        impl<S: Level> Wide<S> {
+            $(
+                $(#[$doc])*
+                #[inline(always)]
+                pub fn $name(self, other: Self) -> Mask<S> {
+                    Mask(self.0, self.0.$function(self.1, other.1))
+                }
+            )*
+
+            /// Whether the numbers differ; a NaN differs from everything.
+            #[inline(always)]
+            pub fn differ(self, other: Self) -> Mask<S> {
+                !self.equal(other)
+            }
+        }
+    };
+}
+
+comparison! {
+    /// <
+    lt less_than_f64s;
+    /// ≤
+    le less_than_or_equal_f64s;
+    /// >
+    gt greater_than_f64s;
+    /// ≥
+    ge greater_than_or_equal_f64s;
+    /// Whether the numbers are equal.
+    equal equal_f64s;
+}
+
+impl<S: Level> Mask<S> {
+    /// True in the lanes for which that is so.
+    pub fn from_fn(simd: S, condition: impl Fn(usize) -> bool) -> Self {
+        let mut numbers = Wide::splat(simd, 0.0);
+        numbers.as_mut_slice().iter_mut().enumerate().for_each(|(lane, x)| *x = f64::from(u8::from(condition(lane))));
+        numbers.is_true()
+    }
+
+    /// The same in every lane.
+    #[inline(always)]
+    pub fn splat(simd: S, condition: bool) -> Self {
+        Wide::splat(simd, f64::from(u8::from(condition))).is_true()
+    }
+
+    /// `a` where it is true, else `b`.
+    #[inline(always)]
+    pub fn select(self, a: Wide<S>, b: Wide<S>) -> Wide<S> {
+        Wide::new(self.0, self.0.select_f64s(self.1, a.1, b.1))
+    }
+
+    /// Whether it is true in some lane.
+    #[inline(always)]
+    pub fn any(self) -> bool {
+        bytemuck::bytes_of(&self.1).iter().fold(0, |any, byte| any | byte) != 0
+    }
+
+    /// Whether it is true in a lane.
+    pub fn lane(self, lane: usize) -> bool {
+        self.as_numbers().as_slice().get(lane).is_some_and(|x| *x != 0.0)
+    }
+
+    /// 1 where it is true, else 0.
+    #[inline(always)]
+    pub fn as_numbers(self) -> Wide<S> {
+        self.select(Wide::splat(self.0, 1.0), Wide::splat(self.0, 0.0))
+    }
+}
+
+impl<S: Level> BitAnd for Mask<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        Mask(self.0, self.0.and_m64s(self.1, other.1))
+    }
+}
+
+impl<S: Level> BitOr for Mask<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        Mask(self.0, self.0.or_m64s(self.1, other.1))
+    }
+}
+
+impl<S: Level> Not for Mask<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn not(self) -> Self {
+        Mask(self.0, self.0.not_m64s(self.1))
+    }
+}

@@ -1,0 +1,17 @@
+//! What a parameter of a constraint can be. (Messages of rustc show these lines: a file of their own keeps them where they are.)
+
+/// A parameter of a constraint: any value of its own.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be a parameter of a constraint",
+    label = "not a parameter",
+    note = "a parameter is owned and `Clone + Send + Sync`; types are read by name, so an alias of `Planar`, `Spatial`, `Coord` or `Time` is \
+            not understood: write the name itself"
+)]
+pub trait Parameter: Clone + Send + Sync + 'static {}
+
+impl<T: Clone + Send + Sync + 'static> Parameter for T {}
+
+/// Compiles for parameters only.
+pub const fn is_parameter<T: Parameter>() -> bool {
+    true
+}

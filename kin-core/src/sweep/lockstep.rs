@@ -1,0 +1,383 @@
+//! Several cases in lock step, one in each lane: the same Newton iteration as [`crate::newton`], each lane judged by itself.
+//!
+//! A lane that has converged is not changed any more while others go on. A lane that does not converge, or meets a pivot that no recording
+//! fits, is given up here; its case is run alone from the start by its owner, with all the means of the scalar solver.
+
+use pulp::NullaryFnOnce;
+
+use super::predictor::Predictor;
+use crate::lanes::{Level, Mask, Wide};
+use crate::linear::lanes::WideLinear;
+use crate::motion::{Motion, Pushed};
+use crate::newton::{DOUBTFUL, Newton, Options, Outcome, STALL, Stop, assembly, rounding};
+use crate::system::System;
+use crate::system::evaluate::lanes::{Crew, WideEquations, WideInstant};
+use crate::system::scale;
+
+/// Times that are kept before they are appended to the motions.
+const KEPT: usize = 8;
+
+/// The points in hand, one a lane, and the space to work in.
+pub(super) struct Lockstep<'o, S: Level> {
+    simd: S,
+    options: &'o Options,
+    equations: WideEquations<S>,
+    instant: WideInstant<S>,
+    linear: WideLinear<S>,
+    predictor: Predictor<S>,
+    t: f64,
+    q: Vec<Wide<S>>,
+    qd: Vec<Wide<S>>,
+    qdd: Vec<Wide<S>>,
+    c: Vec<Wide<S>>,
+    before: Vec<Wide<S>>,
+    /// The correction that a lane had in hand when it converged.
+    last: Vec<Wide<S>>,
+    sizes: Vec<Wide<S>>,
+    /// One over each of them.
+    per_size: Vec<Wide<S>>,
+    /// max |C_i|, and Newton steps, at the last time.
+    residual: Wide<S>,
+    iterations: Wide<S>,
+    /// [q, q̇, q̈] of the last few times, what is told of them in each lane, and the largest residual of each lane so far.
+    kept: Vec<Wide<S>>,
+    reports: Vec<Vec<Pushed>>,
+    largest: Vec<f64>,
+}
+
+/// Something that all lanes do, on its way into the function that has the machine's instructions.
+struct Task<'x, 'o, 'c, S: Level> {
+    lanes: &'x mut Lockstep<'o, S>,
+    crew: &'x Crew<'c>,
+    wanted: Mask<S>,
+    t: f64,
+    first: bool,
+}
+
+impl<S: Level> NullaryFnOnce for Task<'_, '_, '_, S> {
+    type Output = Mask<S>;
+
+    #[inline(always)]
+    fn call(self) -> Mask<S> {
+        let Task { lanes, crew, wanted, t, first } = self;
+        if first { lanes.settle(crew, wanted, t) } else { lanes.step(crew, wanted, t) }
+    }
+}
+
+impl<'o, S: Level> Lockstep<'o, S> {
+    /// For systems such as `typical`, which has the numbers of one case; `varied` are the constraints that differ from case to case.
+    /// The elimination is recorded at the first position of that case.
+    pub(super) fn new(simd: S, typical: &System, varied: &[bool], options: &'o Options, t: f64) -> Self {
+        let (n, zero) = (typical.n_coordinates(), Wide::splat(simd, 0.0));
+        let mut newton = Newton::new(typical, options);
+        // Where that fails each group of cases records for itself.
+        let _ = assembly::assemble(&mut newton, t);
+        let equations = WideEquations::new(simd, typical.equations(), varied);
+        let room = || vec![zero; n];
+        Lockstep {
+            simd,
+            options,
+            instant: equations.instant(typical.equations()),
+            equations,
+            linear: WideLinear::new(simd, newton.linear),
+            predictor: Predictor::new(simd, n),
+            t: f64::NAN,
+            q: room(),
+            qd: room(),
+            qdd: room(),
+            c: room(),
+            before: room(),
+            last: room(),
+            sizes: room(),
+            per_size: room(),
+            residual: zero,
+            iterations: zero,
+            kept: Vec::with_capacity(KEPT * 3 * n),
+            reports: vec![Vec::with_capacity(KEPT); Wide::<S>::LANES],
+            largest: vec![-1.0; Wide::<S>::LANES],
+        }
+    }
+
+    /// The first position of every system, at time t; gives the lanes of `wanted` that have one.
+    pub(super) fn first(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
+        self.predictor.begin();
+        self.largest.fill(-1.0);
+        self.equations.set_parameters(crew, &mut self.instant);
+        let mut steps = Wide::splat(self.simd, 0.0);
+        let mut started = vec![false; Wide::<S>::LANES];
+        for (lane, system) in crew.systems.iter().enumerate().filter(|(lane, _)| wanted.lane(*lane)) {
+            let mut newton = Newton::new(system, self.options);
+            // Breaks of laws are looked for time by time, which is not done here.
+            started[lane] = system.is_smooth() && (!self.options.rescue || assembly::assemble(&mut newton, t).is_ok());
+            steps.as_mut_slice()[lane] = newton.steps as f64;
+            put(&newton.q, lane, &mut self.q);
+            put(&newton.sizes, lane, &mut self.sizes);
+        }
+        let wanted = wanted & Mask::from_fn(self.simd, |lane| started.get(lane).is_some_and(|started| *started));
+        self.fill(wanted);
+        if !self.options.rescue {
+            self.equations.set_time(t, crew, &mut self.instant);
+            self.look(crew);
+            self.measure(crew);
+        }
+        self.linear.begin(&self.sizes);
+        let simd = self.simd;
+        let mut done = simd.vectorize(Task { lanes: self, crew, wanted, t, first: true });
+        if !self.options.rescue {
+            let first_steps = self.iterations;
+            self.measure(crew);
+            self.linear.set_sizes(&self.sizes);
+            done = simd.vectorize(Task { lanes: self, crew, wanted: done, t, first: true });
+            steps = first_steps;
+        }
+        self.iterations = steps + self.iterations;
+        done
+    }
+
+    /// Gives the lanes that are not `alive` the numbers of one that is, so that nothing odd is computed there.
+    pub(super) fn fill(&mut self, alive: Mask<S>) {
+        let Some(model) = (0..Wide::<S>::LANES).find(|lane| alive.lane(*lane)) else { return };
+        for x in [&mut self.q, &mut self.qd, &mut self.qdd, &mut self.sizes].into_iter().flatten() {
+            *x = alive.select(*x, Wide::splat(self.simd, x.as_slice()[model]));
+        }
+    }
+
+    /// Position, velocity and acceleration at the next time; gives the lanes of `wanted` that have them.
+    pub(super) fn advance(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
+        self.simd.vectorize(Task { lanes: self, crew, wanted, t, first: false })
+    }
+
+    /// Keeps what the lanes that are `active` have at time t, for [`Lockstep::flush`]; true where it is time for that.
+    pub(super) fn keep(&mut self, t: f64, active: Mask<S>) -> bool {
+        self.kept.extend_from_slice(&self.q);
+        self.kept.extend_from_slice(&self.qd);
+        self.kept.extend_from_slice(&self.qdd);
+        let open = active.as_numbers();
+        for (lane, reports) in self.reports.iter_mut().enumerate().filter(|(lane, _)| open.as_slice()[*lane] != 0.0) {
+            let (iterations, residual) = (self.iterations.as_slice()[lane] as usize, self.residual.as_slice()[lane]);
+            let mut worst = 0;
+            if residual > self.largest[lane] {
+                self.largest[lane] = residual;
+                worst = self.c.iter().position(|c| c.as_slice()[lane].abs() == residual).unwrap_or_default();
+            }
+            reports.push(Pushed { t, outcome: Outcome { iterations, residual }, worst });
+        }
+        self.kept.len() >= KEPT * 3 * self.q.len()
+    }
+
+    /// Appends what was kept to the motions. Kept times are few, so that they are still at hand.
+    pub(super) fn flush(&mut self, motions: &mut [Motion]) {
+        for (lane, (motion, reports)) in motions.iter_mut().zip(&mut self.reports).enumerate() {
+            motion.push_all(reports, &self.kept, |x| x.as_slice()[lane]);
+            reports.clear();
+        }
+        self.kept.clear();
+    }
+
+    /// C and C_q at the point in hand.
+    #[inline(always)]
+    fn look(&mut self, crew: &Crew<'_>) {
+        self.equations.set_position(crew, &self.q, &mut self.instant);
+        self.equations.linearize(crew, &self.instant, &mut self.c, self.linear.values_mut());
+    }
+
+    /// Characteristic sizes of every lane at the point in hand.
+    fn measure(&mut self, crew: &Crew<'_>) {
+        for (lane, system) in crew.systems.iter().enumerate() {
+            let of_lane = |all: &[Wide<S>]| all.iter().map(|x| x.as_slice()[lane]).collect::<Vec<f64>>();
+            let (values, q) = (of_lane(self.linear.values()), of_lane(&self.q));
+            let sizes = scale::sizes(system.layout(), system.equations(), &values, &q, system.links());
+            put(&sizes, lane, &mut self.sizes);
+        }
+    }
+
+    /// The first position: Newton from the point in hand.
+    #[inline(always)]
+    fn settle(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
+        for (per_size, size) in self.per_size.iter_mut().zip(&self.sizes) {
+            *per_size = size.reciprocal();
+        }
+        let done = self.solve(crew, wanted, t, false);
+        self.t = t;
+        self.rates(crew, done)
+    }
+
+    /// A later one, from the prediction or the last position.
+    #[inline(always)]
+    fn step(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
+        let h = t - self.t;
+        if self.options.predict {
+            self.before.copy_from_slice(&self.q);
+            self.predictor.predict(h, [&self.before, &self.qd, &self.qdd], &mut self.q);
+        }
+        let done = self.solve(crew, wanted, t, self.options.rescue);
+        if self.options.predict {
+            let stepped = self.iterations.is_true();
+            self.predictor.compare(h, [&self.before, &self.qd, &self.qdd], &self.q, &self.per_size, stepped);
+            self.predictor.advance(h, &self.qd, &self.qdd);
+        }
+        self.t = t;
+        self.rates(crew, done)
+    }
+
+    /// Newton's method in all lanes that are wanted; gives those that converge, their matrices factored. `near`: corrections must shrink.
+    #[inline(always)]
+    fn solve(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64, near: bool) -> Mask<S> {
+        let simd = self.simd;
+        let (zero, mut previous) = (Wide::splat(simd, 0.0), Wide::splat(simd, f64::INFINITY));
+        let (mut open, mut done) = (wanted, Mask::splat(simd, false));
+        self.iterations = zero;
+        self.last.fill(zero);
+        self.equations.set_time(t, crew, &mut self.instant);
+        for iteration in 0..=self.options.max_iterations {
+            self.look(crew);
+            // Lanes that are done stay as they are, and so do their factors.
+            let fits = self.linear.measure(open) & self.measured();
+            open = open & fits;
+            let fits = self.linear.factor(open | done);
+            (open, done) = (open & fits, done & fits);
+            let met = match self.options.stop {
+                Stop::ResidualOnly(bound) => self.residual.lt(Wide::splat(simd, bound)),
+                Stop::Converged { .. } => Mask::splat(simd, false),
+            };
+            (done, open) = (done | (open & met), open & !met);
+            if !open.any() {
+                break;
+            }
+            let (correction, finite) = self.correction();
+            if let Stop::Converged { tolerance } = self.options.stop {
+                let converged = open & finite & self.converged(open, correction, previous, tolerance);
+                for (last, dq) in self.last.iter_mut().zip(self.linear.solution()) {
+                    *last = converged.select(*dq, *last);
+                }
+                (done, open) = (done | converged, open & !converged);
+            }
+            open = open & finite;
+            if near {
+                open = open & !correction.gt(previous);
+            }
+            if !open.any() || iteration == self.options.max_iterations {
+                break;
+            }
+            previous = open.select(correction, previous);
+            for (q, dq) in self.q.iter_mut().zip(self.linear.solution()) {
+                *q = open.select(*q + *dq, *q);
+            }
+            self.iterations = self.iterations + open.as_numbers();
+        }
+        self.finish(done)
+    }
+
+    /// The lanes that have a position which is not singular; the last correction costs nothing any more.
+    #[inline(always)]
+    fn finish(&mut self, done: Mask<S>) -> Mask<S> {
+        if self.options.predict {
+            for (q, last) in self.q.iter_mut().zip(&self.last) {
+                *q = *q + *last;
+            }
+        }
+        done & self.linear.smallest_pivot().ge(Wide::splat(self.simd, DOUBTFUL))
+    }
+
+    /// max |C_i|; true in the lanes where C is finite.
+    #[inline(always)]
+    fn measured(&mut self) -> Mask<S> {
+        let largest = Wide::splat(self.simd, f64::MAX);
+        let (mut residual, mut finite) = (Wide::splat(self.simd, 0.0), Mask::splat(self.simd, true));
+        for c in &self.c {
+            let size = c.abs();
+            finite = finite & size.le(largest);
+            residual = size.gt(residual).select(size, residual);
+        }
+        self.residual = residual;
+        finite
+    }
+
+    /// C_q dq = −C; gives max |dq_j| against what may be asked of it, and where it is finite.
+    #[inline(always)]
+    fn correction(&mut self) -> (Wide<S>, Mask<S>) {
+        for (rhs, c) in self.linear.rhs_mut().iter_mut().zip(&self.c) {
+            *rhs = -*c;
+        }
+        self.linear.solve();
+        let simd = self.simd;
+        if matches!(self.options.stop, Stop::ResidualOnly(_)) && !self.options.rescue {
+            return (Wide::splat(simd, f64::INFINITY), Mask::splat(simd, true));
+        }
+        let (mut shares, mut finite) = (Wide::splat(simd, 0.0), Mask::splat(self.simd, true));
+        for (dq, per_size) in self.linear.solution().iter().zip(&self.per_size) {
+            let share = dq.abs() * *per_size;
+            finite = finite & share.le(Wide::splat(simd, f64::MAX));
+            shares = share.gt(shares).select(share, shares);
+        }
+        let Stop::Converged { tolerance } = self.options.stop else { return (shares, finite) };
+        let within = shares.le(Wide::splat(simd, tolerance));
+        if !(!within).any() {
+            return (shares, finite);
+        }
+        // Rounding of a large coordinate is no error.
+        let (rounding, mut allowed) = (Wide::splat(simd, rounding(tolerance)), Wide::splat(simd, 0.0));
+        for ((dq, q), size) in self.linear.solution().iter().zip(&self.q).zip(&self.sizes) {
+            let share = dq.abs() / rounding.mul_add(q.abs(), *size);
+            allowed = share.gt(allowed).select(share, allowed);
+        }
+        (within.select(shares, allowed), finite)
+    }
+
+    /// The stop rule that tests the correction too, as [`Newton`] has it.
+    #[inline(always)]
+    fn converged(&mut self, open: Mask<S>, correction: Wide<S>, previous: Wide<S>, tolerance: f64) -> Mask<S> {
+        let simd = self.simd;
+        let stalled = correction.gt(Wide::splat(simd, 0.5) * previous) & correction.le(Wide::splat(simd, STALL));
+        let within = correction.le(Wide::splat(simd, tolerance));
+        if !(open & within & !stalled).any() {
+            return stalled;
+        }
+        let mut met = Mask::splat(self.simd, true);
+        for (c, norm) in self.c.iter().zip(self.linear.norms()) {
+            met = met & c.abs().le(Wide::splat(simd, tolerance) * *norm);
+        }
+        if (open & within & !met).any() {
+            met = self.met_but_for_rounding(tolerance);
+        }
+        (within & met) | stalled
+    }
+
+    /// Whether C = 0 holds where rounding of q is allowed for: Σ_j |∂C_i/∂q_j| |q_j| ε in row i.
+    #[cold]
+    #[inline(never)]
+    fn met_but_for_rounding(&self, tolerance: f64) -> Mask<S> {
+        let simd = self.simd;
+        let left = |(c, norm): (&Wide<S>, &Wide<S>)| Wide::splat(simd, tolerance) * *norm - c.abs();
+        let mut left: Vec<Wide<S>> = self.c.iter().zip(self.linear.norms()).map(left).collect();
+        for (entry, value) in self.linear.entries().iter().zip(self.linear.values()) {
+            if let Some((row, column)) = *entry {
+                let allowed = Wide::splat(simd, tolerance * rounding(tolerance)) * (*value * self.q[column as usize]).abs();
+                left[row as usize] = left[row as usize] + allowed;
+            }
+        }
+        left.iter().fold(Mask::splat(self.simd, true), |met, left| met & left.ge(Wide::splat(simd, 0.0)))
+    }
+
+    /// q̇ and q̈ with the matrices at hand; gives the lanes of `done` where both are finite.
+    #[inline(always)]
+    fn rates(&mut self, crew: &Crew<'_>, done: Mask<S>) -> Mask<S> {
+        self.equations.velocity_rhs(crew, &self.instant, self.linear.rhs_mut());
+        self.linear.solve();
+        self.qd.copy_from_slice(self.linear.solution());
+        self.equations.set_rates(crew, &self.qd, &mut self.instant);
+        self.equations.acceleration_rhs(crew, &self.instant, self.linear.rhs_mut());
+        self.linear.solve();
+        self.qdd.copy_from_slice(self.linear.solution());
+        let (largest, mut finite) = (Wide::splat(self.simd, f64::MAX), done);
+        for (qd, qdd) in self.qd.iter().zip(&self.qdd) {
+            finite = finite & qd.abs().le(largest) & qdd.abs().le(largest);
+        }
+        finite
+    }
+}
+
+/// Puts the numbers of one lane among those of the others.
+fn put<S: Level>(own: &[f64], lane: usize, all: &mut [Wide<S>]) {
+    all.iter_mut().zip(own).for_each(|(x, own)| x.as_mut_slice()[lane] = *own);
+}

@@ -1,0 +1,58 @@
+//! A constraint as data and back: its parameters by name, its bodies in the order of the signature.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use crate::parse::{Argument, ConstraintFn, Kind};
+
+/// `Constraint::describe`: every parameter under its name.
+pub fn describe(source: &ConstraintFn) -> TokenStream {
+    let parameters = source.arguments.iter().filter(|argument| argument.kind.is_field() && argument.kind.slots() == 0);
+    let puts = parameters.map(|argument| {
+        let (name, text) = (&argument.name, text(argument));
+        match argument.kind {
+            Kind::Other => quote!((&::kin::rt::Told(&self.#name)).put(#text, to);),
+            _ => quote!(to.put(#text, &self.#name);),
+        }
+    });
+    quote! {
+        fn describe(&self, to: &mut ::kin::rt::Describer) {
+            use ::kin::rt::{ToldBySerde as _, Untold as _};
+            #(#puts)*
+        }
+    }
+}
+
+/// `impl Described`: what a registry needs to make it anew.
+pub fn described(source: &ConstraintFn, kind: &str, n: &Literal, m: &Literal) -> TokenStream {
+    let name = &source.name;
+    let fields = source.arguments.iter().filter(|argument| argument.kind.is_field()).map(|argument| {
+        let (field, text, ty) = (&argument.name, text(argument), super::field_type(argument));
+        let value = match argument.kind {
+            Kind::Planar => quote!(from.planar()?),
+            Kind::Spatial => quote!(from.spatial()?),
+            Kind::Coord => quote!(from.coord()?),
+            Kind::Coords(n) => {
+                let each = std::iter::repeat_n(quote!(from.coord()?), n);
+                quote!([#(#each),*])
+            }
+            Kind::Other => quote!((&::kin::rt::Sought::<#ty>::new()).get(#text, from)?),
+            _ => quote!(from.get(#text)?),
+        };
+        quote!(#field: #value)
+    });
+    quote! {
+        impl ::kin::rt::Described for #name {
+            const KIND: &'static str = #kind;
+            const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<#n, #m>>::ARGUMENTS;
+            fn read(from: &mut ::kin::rt::Reader<'_>) -> ::core::result::Result<Self, ::std::string::String> {
+                use ::kin::rt::{SoughtBySerde as _, Unsought as _};
+                ::core::result::Result::Ok(#name { #(#fields),* })
+            }
+        }
+    }
+}
+
+fn text(argument: &Argument) -> String {
+    syn::ext::IdentExt::unraw(&argument.name).to_string()
+}

@@ -1,0 +1,233 @@
+//! `#[constraint(lanes)]`: kernels over lanes, and what each lane's constraint computes for them with plain numbers.
+//!
+//! What depends on parameters and time alone is *known*: it is computed by f64 code, once a case or once a time. What depends on
+//! coordinates and only f64 can do (a law, a function of the user's) is an *evaluation*, called lane by lane. The rest is the same
+//! straight-line code as elsewhere, over `Wide` numbers.
+
+use std::collections::{BTreeSet, HashMap};
+
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::quote;
+
+use super::kernel::{Evaluations, Kernel, is_condition};
+use super::own;
+use crate::differentiate::Derivatives;
+use crate::graph::{Graph, Input, LeafNumber, Node, Op};
+use crate::lower::Lowered;
+use crate::parse::Argument;
+
+/// The method of `impl Constraint`, and the two implementations beside it.
+pub struct LaneCode {
+    pub method: TokenStream,
+    pub implementations: TokenStream,
+}
+
+/// One evaluation: what it is computed from, and the nodes that come out of it.
+struct Evaluation {
+    key: String,
+    inputs: Vec<Node>,
+    outputs: Vec<Node>,
+}
+
+/// What lane kernels do not compute themselves.
+struct Outside {
+    /// Nodes that depend on parameters alone, and those that depend on the time too.
+    known: [Vec<Node>; 2],
+    evaluations: Vec<Evaluation>,
+}
+
+pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &Lowered, derived: &Derivatives) -> LaneCode {
+    let g = &lowered.graph;
+    let places = |place: &str, nodes: &mut dyn Iterator<Item = Node>| -> Vec<(TokenStream, Node)> {
+        let place = Ident::new(place, Span::call_site());
+        let write = |(k, node)| {
+            let k = literal(k);
+            (quote!(#place[#k]), node)
+        };
+        nodes.enumerate().map(write).collect()
+    };
+    let c = places("c", &mut lowered.rows.iter().map(|row| row.node));
+    // What is the same for good has been written before.
+    let mut both = places("c_q", &mut derived.jacobian.iter().map(|entry| entry.2));
+    both.retain(|(_, node)| g.constant_value(*node).is_none_or(|constant| !constant.is_finite()));
+    both.splice(0..0, c);
+    let rhs = places("rhs", &mut derived.velocity_rhs.iter().copied());
+    let q_d = places("q_d", &mut derived.acceleration_rhs.iter().copied());
+
+    let all: Vec<Node> = both.iter().chain(&rhs).chain(&q_d).map(|(_, node)| *node).collect();
+    let outside = Outside::new(lowered, &all);
+    let kernel = |outputs: &[(TokenStream, Node)]| outside.kernel(lowered, arguments, outputs);
+    let (linearize, velocity, acceleration) = (kernel(&both), kernel(&rhs), kernel(&q_d));
+    let (m, entries) = (literal(lowered.rows.len()), literal(derived.jacobian.len()));
+    let m_velocity = literal(rhs.len());
+    let in_lanes = outside.in_lanes(name, arguments, lowered);
+    LaneCode {
+        method: quote! {
+            fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::rt::InLanes> {
+                ::core::option::Option::Some(self)
+            }
+        },
+        implementations: quote! {
+            #in_lanes
+            impl ::kin::rt::LaneKernel for #name {
+                #[inline(always)]
+                fn linearize<__S: ::kin::rt::Level>(
+                    at: &::kin::rt::LaneAt<'_, __S>,
+                    c: &mut [::kin::rt::Wide<__S>],
+                    c_q: &mut [::kin::rt::Wide<__S>],
+                ) {
+                    let ::core::option::Option::Some(c) = c.first_chunk_mut::<#m>() else { return };
+                    let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<#entries>() else { return };
+                    #linearize
+                }
+                #[inline(always)]
+                fn velocity_rhs<__S: ::kin::rt::Level>(at: &::kin::rt::LaneAt<'_, __S>, rhs: &mut [::kin::rt::Wide<__S>]) {
+                    let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<#m_velocity>() else { return };
+                    #velocity
+                }
+                #[inline(always)]
+                fn acceleration_rhs<__S: ::kin::rt::Level>(
+                    at: &::kin::rt::LaneAt<'_, __S>,
+                    qd: &::kin::rt::LaneRates<'_, __S>,
+                    q_d: &mut [::kin::rt::Wide<__S>],
+                ) {
+                    let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<#m>() else { return };
+                    #acceleration
+                }
+            }
+        },
+    }
+}
+
+impl Outside {
+    fn new(lowered: &Lowered, outputs: &[Node]) -> Self {
+        let g = &lowered.graph;
+        let mut moving: BTreeSet<Node> = BTreeSet::new();
+        let mut fixed_operands: BTreeSet<Node> = BTreeSet::new();
+        let mut evaluations: Vec<Evaluation> = Vec::new();
+        for node in g.reachable(outputs) {
+            let input = matches!(g.op(node), Op::Input(Input::State(..) | Input::Rate(..)));
+            if !input && !g.operands(node).iter().any(|operand| moving.contains(operand)) {
+                continue;
+            }
+            moving.insert(node);
+            fixed_operands.extend(g.operands(node).into_iter().filter(|operand| !moving.contains(operand)));
+            if let Some(key) = evaluation_key(g, node) {
+                match evaluations.iter_mut().find(|known| known.key == key) {
+                    Some(known) => known.outputs.push(node),
+                    None => evaluations.push(Evaluation { key, inputs: g.operands(node), outputs: vec![node] }),
+                }
+            }
+        }
+        fixed_operands.extend(outputs.iter().filter(|output| !moving.contains(output)));
+        fixed_operands.retain(|&node| !matches!(g.op(node), Op::Constant(_) | Op::Truth(_) | Op::Input(Input::TimeRate)));
+        let (of_time, of_parameters) = fixed_operands.into_iter().partition(|&node| g.depends(node).on_t);
+        Outside { known: [of_parameters, of_time], evaluations }
+    }
+
+    /// One kernel: what is known by name, evaluations by their calls.
+    fn kernel(&self, lowered: &Lowered, arguments: &[Argument], outputs: &[(TokenStream, Node)]) -> TokenStream {
+        let known: Vec<Node> = self.known.concat();
+        let names: Vec<Ident> = (0..known.len()).map(|k| own(&format!("known{k}"))).collect();
+        let given = known.iter().zip(&names).map(|(&node, name)| {
+            let value = if is_condition(lowered, node) { quote!(#name.is_true()) } else { quote!(#name) };
+            (node, value)
+        });
+        let calls: Evaluations = self
+            .evaluations
+            .iter()
+            .enumerate()
+            .flat_map(|(number, all)| {
+                let count = all.outputs.len();
+                all.outputs.iter().enumerate().map(move |(slot, &node)| (node, (number, slot, count)))
+            })
+            .collect();
+        let code = Kernel::over_lanes(lowered, arguments, given.collect(), calls).write(outputs).tokens;
+        let n = literal(names.len());
+        let bind = match names.len() {
+            0 => quote!(),
+            _ => quote!(let ::core::option::Option::Some(&[#(#names),*]) = at.known::<#n>() else { return };),
+        };
+        quote!(#bind #code)
+    }
+
+    /// `impl InLanes`.
+    fn in_lanes(&self, name: &Ident, arguments: &[Argument], lowered: &Lowered) -> TokenStream {
+        let [n_parameters, n_times] = [0, 1].map(|k| literal(self.known[k].len()));
+        let [parameters, times] = [0, 1].map(|k| outputs("known", &self.known[k], HashMap::new(), arguments, lowered));
+        let numbers = (0..).map(literal);
+        let bodies = self.evaluations.iter().map(|evaluation| evaluation.body(arguments, lowered));
+        let arms = numbers.zip(bodies).map(|(number, body)| quote!(#number => { #body }));
+        quote! {
+            impl ::kin::rt::InLanes for #name {
+                fn kernels(&self) -> ::kin::rt::LaneKernels {
+                    ::kin::rt::LaneKernels::of::<Self>()
+                }
+                fn n_known(&self) -> [usize; 2] {
+                    [#n_parameters, #n_times]
+                }
+                fn of_parameters(&self, known: &mut [f64]) {
+                    let ::core::option::Option::Some(known) = known.first_chunk_mut::<#n_parameters>() else { return };
+                    let (at, t_dot) = (&::kin::rt::At::new(0.0, &[], &[]), 1.0);
+                    #parameters
+                }
+                fn of_time(&self, t: f64, known: &mut [f64]) {
+                    let ::core::option::Option::Some(known) = known.first_chunk_mut::<#n_times>() else { return };
+                    let (at, t_dot) = (&::kin::rt::At::new(t, &[], &[]), 1.0);
+                    #times
+                }
+                fn evaluate(&self, number: usize, x: &[f64], y: &mut [f64]) {
+                    match number {
+                        #(#arms)*
+                        _ => {}
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl Evaluation {
+    /// In plain numbers, from `x` to `y`.
+    fn body(&self, arguments: &[Argument], lowered: &Lowered) -> TokenStream {
+        let (n, m) = (literal(self.inputs.len()), literal(self.outputs.len()));
+        let names: Vec<Ident> = (0..self.inputs.len()).map(|k| own(&format!("known{k}"))).collect();
+        let given = self.inputs.iter().zip(&names).map(|(&node, name)| {
+            let value = if is_condition(lowered, node) { quote!((#name != 0.0)) } else { quote!(#name) };
+            (node, value)
+        });
+        let code = outputs("y", &self.outputs, given.collect(), arguments, lowered);
+        quote! {
+            let ::core::option::Option::Some(&[#(#names),*]) = x.first_chunk::<#n>() else { return };
+            let ::core::option::Option::Some(y) = y.first_chunk_mut::<#m>() else { return };
+            #code
+        }
+    }
+}
+
+/// Plain code that writes nodes to the places of a list, conditions as 1 or 0.
+fn outputs(list: &str, nodes: &[Node], given: HashMap<Node, TokenStream>, arguments: &[Argument], lowered: &Lowered) -> TokenStream {
+    let list = Ident::new(list, Span::call_site());
+    let places = nodes.iter().enumerate().map(|(k, &node)| {
+        let k = literal(k);
+        (quote!(#list[#k]), node)
+    });
+    Kernel::from_given(lowered, arguments, given).write(&places.collect::<Vec<_>>()).tokens
+}
+
+/// What an evaluation that only f64 can do is known by; the nodes that come out of the same one have the same key.
+fn evaluation_key(g: &Graph, node: Node) -> Option<String> {
+    match g.op(node) {
+        Op::Law(law, x, _) => Some(format!("law {law} {x:?}")),
+        Op::Opaque(number, _) => Some(format!("opaque {number}")),
+        Op::Leaf(of) => Some(match of.what {
+            LeafNumber::Value | LeafNumber::Partial(_) => format!("leaf {}", of.leaf),
+            LeafNumber::First(k) | LeafNumber::Second(k) => format!("leaf {} along {k}", of.leaf),
+        }),
+        _ => None,
+    }
+}
+
+fn literal(k: usize) -> Literal {
+    Literal::usize_unsuffixed(k)
+}

@@ -1,0 +1,136 @@
+//! Shapes of bodies: told ones, else from the points where they are held.
+
+use kin::{Vec2, Vec3, vec2};
+
+use super::hull::{Spread, rounded, spread};
+use super::joints::{Drawn, Held, Slot, is_closed};
+use super::{Drawing, GROUND, Shape, Style};
+use crate::color::PALETTE;
+use crate::figure::thinned_path;
+use crate::scene::{Look, Scene};
+
+/// Half the width of a bar, and half the sides of a block in a guide, as shares of the size of all.
+const BAR: f64 = 0.016;
+const BLOCK: [f64; 2] = [0.045, 0.028];
+
+impl Drawing {
+    /// Shapes of the ground, then of the bodies in their order.
+    pub(super) fn draw_bodies(&mut self, scene: &Scene, held: &[(String, Held)], drawn: &[(&String, Drawn)], still: &[bool]) {
+        for outline in &scene.ground {
+            let style = if outline.closed { Style::Plate } else { Style::Guide };
+            self.shapes.push(Shape { name: "ground".into(), track: 0, points: outline.points.clone(), style, color: GROUND.into() });
+        }
+        let slots: Vec<(&String, &Slot)> = drawn.iter().filter_map(|(name, joint)| Some((*name, joint.slot.as_ref()?))).collect();
+        for (name, slot) in slots.iter().filter(|(_, slot)| slot.track == 0) {
+            self.draw_slot(name, slot, GROUND, true);
+        }
+        for (k, look) in scene.looks.iter().enumerate().filter(|(_, look)| !look.hidden) {
+            let track = k + 1;
+            let color = match &look.color {
+                Some(color) => color.as_str(),
+                None if still[track] => GROUND,
+                None => PALETTE[k % PALETTE.len()],
+            };
+            let own: Vec<_> = slots.iter().copied().filter(|(_, slot)| slot.track == track).collect();
+            match look.outlines.is_empty() {
+                true if still[track] => {}
+                true => self.draw_by_points(look, track, color, self.held_at(track, held, &own)),
+                false => self.draw_told(look, track, color),
+            }
+            for (name, slot) in &own {
+                self.draw_slot(name, slot, color, still[track]);
+            }
+            let planar = self.planar && look.outlines.is_empty();
+            for (_, slot) in slots.iter().filter(|(_, slot)| planar && slot.runner.0 == track && slot.guided && slot.straight) {
+                self.draw_block(look, slot, color);
+            }
+        }
+    }
+
+    /// Where a body is held, in its frame: points of joints and traces, and its slots.
+    fn held_at(&self, track: usize, held: &[(String, Held)], slots: &[(&String, &Slot)]) -> Vec<Vec3> {
+        let mut points: Vec<Vec3> = Vec::new();
+        let mut add = |p: Vec3| {
+            if p.norm().is_finite() && !points.iter().any(|known| (*known - p).norm() < 1e-6 * self.size) {
+                points.push(p);
+            }
+        };
+        held.iter().flat_map(|(_, joint)| &joint.points).filter(|(known, _)| *known == track).for_each(|(_, p)| add(*p));
+        self.traces.iter().filter(|trace| trace.track == track).for_each(|trace| add(trace.local));
+        let open = slots.iter().filter(|(_, slot)| !is_closed(&slot.path));
+        open.flat_map(|(_, slot)| self.thinned(&slot.path)).for_each(add);
+        points
+    }
+
+    fn draw_told(&mut self, look: &Look, track: usize, color: &str) {
+        for outline in &look.outlines {
+            let style = if outline.closed { Style::Plate } else { Style::Bar };
+            self.shape(&look.name, track, outline.points.clone(), style, color);
+        }
+    }
+
+    fn draw_by_points(&mut self, look: &Look, track: usize, color: &str, mut points: Vec<Vec3>) {
+        let origin = Vec3::new(0.0, 0.0, 0.0);
+        if points.len() < 2 && points.iter().all(|p| p.norm() > 1e-3 * self.size) {
+            points.push(origin);
+        }
+        if self.planar {
+            self.shape(&look.name, track, rounded(&points, BAR * self.size), Style::Plate, color);
+            return;
+        }
+        match spread(&points) {
+            Spread::Line(points) => self.shape(&look.name, track, points, Style::Bar, color),
+            Spread::Plate(corners) => self.shape(&look.name, track, corners, Style::Plate, color),
+            Spread::Star(lines) => lines.into_iter().for_each(|line| self.shape(&look.name, track, line.to_vec(), Style::Bar, color)),
+        }
+    }
+
+    fn draw_slot(&mut self, name: &str, slot: &Slot, color: &str, still: bool) {
+        let mut points = if self.planar { self.thinned(&slot.path) } else { slot.path.clone() };
+        if slot.straight {
+            points = ends(&slot.path, if slot.guided { (BLOCK[0] + 0.02) * self.size } else { 0.0 });
+        }
+        let closed = self.planar && !slot.straight && is_closed(&slot.path);
+        let style = match (closed, still) {
+            (true, _) => Style::Plate,
+            (false, true) => Style::Guide,
+            (false, false) => Style::Slot,
+        };
+        self.shape(name, slot.track, points, style, color);
+    }
+
+    /// A block on the runner's body, along the guide.
+    fn draw_block(&mut self, look: &Look, slot: &Slot, color: &str) {
+        let (track, at) = slot.runner;
+        let line = ends(&slot.path, 0.0);
+        let (guide, body) = (self.tracks[slot.track].frame(0), self.tracks[track].frame(0));
+        let along = body.a.transpose() * (guide.a * (line[1] - line[0]));
+        let x = vec2(along.x, along.y) / along.norm();
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(a, b)| {
+            let (a, b) = (a * BLOCK[0] * self.size, b * BLOCK[1] * self.size);
+            at + Vec3::new(a * x.x - b * x.y, a * x.y + b * x.x, 0.0)
+        });
+        self.shape(&look.name, track, corners.to_vec(), Style::Plate, color);
+    }
+
+    fn shape(&mut self, name: &str, track: usize, points: Vec<Vec3>, style: Style, color: &str) {
+        if points.len() > 1 && points.iter().all(|p| p.norm().is_finite()) {
+            self.shapes.push(Shape { name: name.to_string(), track, points, style, color: color.to_string() });
+        }
+    }
+
+    fn thinned(&self, path: &[Vec3]) -> Vec<Vec3> {
+        let flat: Vec<Vec2> = path.iter().map(|p| vec2(p.x, p.y)).collect();
+        thinned_path(&flat, 5e-4 * self.size).into_iter().map(|p| Vec3::new(p.x, p.y, 0.0)).collect()
+    }
+}
+
+/// The ends of a straight path, drawn out by a length on either side.
+fn ends(path: &[Vec3], by: f64) -> Vec<Vec3> {
+    let Some(first) = path.first() else { return Vec::new() };
+    let far = |from: Vec3| path.iter().copied().max_by(|a, b| (*a - from).norm().total_cmp(&(*b - from).norm())).unwrap_or(from);
+    let a = far(*first);
+    let b = far(a);
+    let out = (b - a) * (by / (b - a).norm().max(f64::MIN_POSITIVE));
+    vec![a - out, b + out]
+}

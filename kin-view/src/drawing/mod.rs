@@ -1,0 +1,251 @@
+//! What there is to draw, once a scene and a motion are known: shapes fixed in tracks, lines between them, marks, traces.
+
+mod bodies;
+mod hull;
+mod joints;
+mod track;
+
+use kin::{Motion, Result, Vec3};
+
+use crate::color::PALETTE;
+use crate::scene::Scene;
+use joints::{Held, Samples};
+pub(crate) use track::Track;
+
+/// Everything to be drawn.
+pub(crate) struct Drawing {
+    pub name: String,
+    /// Whether it all lies in the plane z = 0.
+    pub planar: bool,
+    pub times: Vec<f64>,
+    pub tracks: Vec<Track>,
+    pub shapes: Vec<Shape>,
+    /// Lines through points of several tracks.
+    pub lines: Vec<Line>,
+    pub marks: Vec<Mark>,
+    pub traces: Vec<Mark>,
+    /// Least and greatest coordinates of all at all times.
+    pub bounds: [Vec3; 2],
+    /// Diagonal of the bounds: line widths and the like are shares of it.
+    pub size: f64,
+    pub eye: (f64, f64),
+}
+
+/// A shape fixed in a track.
+pub(crate) struct Shape {
+    pub name: String,
+    pub track: usize,
+    pub points: Vec<Vec3>,
+    pub style: Style,
+    pub color: String,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Style {
+    /// Filled, with an edge.
+    Plate,
+    /// A thick line.
+    Bar,
+    /// A thin line on a body.
+    Slot,
+    /// A thin line on the ground.
+    Guide,
+}
+
+/// A straight line through points of several tracks.
+pub(crate) struct Line {
+    pub name: String,
+    pub points: Vec<(usize, Vec3)>,
+    pub color: String,
+}
+
+/// A marked point, or one whose path is shown.
+pub(crate) struct Mark {
+    pub name: String,
+    pub track: usize,
+    pub local: Vec3,
+    pub color: String,
+    /// It stands still, whatever body it is of: a support.
+    pub grounded: bool,
+}
+
+/// What stands still.
+pub(crate) const GROUND: &str = "#808080";
+/// Rods and other lines of no body.
+const ROD: &str = "#5a5a5a";
+
+/// Joints are judged, and bounds taken, at this many times.
+const SAMPLES: usize = 720;
+
+impl Drawing {
+    /// Errors: a motion of another system.
+    pub fn new(scene: &Scene, motion: &Motion) -> Result<Drawing> {
+        let mut tracks = vec![Track::Ground];
+        for look in &scene.looks {
+            tracks.push(Track::of(motion, look.body)?);
+        }
+        let mut drawing = Drawing {
+            name: scene.name.clone(),
+            planar: true,
+            times: motion.times().to_vec(),
+            shapes: Vec::new(),
+            lines: moving_lines(scene, &mut tracks, motion.len()),
+            marks: Vec::new(),
+            traces: Vec::new(),
+            bounds: [Vec3::new(0.0, 0.0, 0.0); 2],
+            size: 1.0,
+            eye: scene.eye,
+            tracks,
+        };
+        drawing.planar = !drawing.tracks.iter().any(|track| matches!(track, Track::Spatial(_))) && !drawing.leaves_plane();
+        drawing.traces = drawing.traced(scene);
+        let held = drawing.held(scene);
+        drawing.measure(&held, scene);
+        drawing.draw(scene, &held);
+        drawing.measure_shapes();
+        Ok(drawing)
+    }
+
+    /// Times at which joints are judged.
+    fn sampled(&self) -> Vec<usize> {
+        let n = self.times.len();
+        let step = n.div_ceil(SAMPLES).max(1);
+        let last = n.checked_sub(1).filter(|last| last % step != 0);
+        (0..n).step_by(step).chain(last).collect()
+    }
+
+    fn samples(&self) -> Samples {
+        Samples::new(&self.tracks, &self.sampled(), self.size)
+    }
+
+    /// Whether a moving line has a point off the plane z = 0.
+    fn leaves_plane(&self) -> bool {
+        self.tracks.iter().any(|track| matches!(track, Track::Point([_, _, z]) if z.iter().any(|z| z.abs() > 0.0)))
+    }
+
+    /// The track of a body.
+    fn track(&self, scene: &Scene, body: crate::scene::Body) -> Option<usize> {
+        if body.is_ground() { Some(0) } else { scene.looks.iter().position(|look| look.body == body).map(|k| k + 1) }
+    }
+
+    fn traced(&self, scene: &Scene) -> Vec<Mark> {
+        let traces = scene.traces.iter().filter_map(|trace| Some((trace, self.track(scene, trace.body)?)));
+        let marks = traces.enumerate().map(|(k, (trace, track))| Mark {
+            name: trace.name.clone(),
+            track,
+            local: trace.local,
+            color: PALETTE[(k + 3) % PALETTE.len()].to_string(),
+            grounded: false,
+        });
+        marks.collect()
+    }
+
+    /// The joints, on tracks.
+    fn held(&self, scene: &Scene) -> Vec<(String, Held)> {
+        let joints = scene.joints.iter().filter_map(|joint| {
+            let tracks: Vec<usize> = joint.bodies.iter().map(|body| self.track(scene, *body)).collect::<Option<_>>()?;
+            let points = joint.points.iter().map(|(body, u)| (tracks[*body], *u)).collect();
+            let directed = joint.directed.iter().map(|body| tracks[*body]).collect();
+            Some((joint.name.clone(), Held { tracks, points, directed }))
+        });
+        joints.collect()
+    }
+
+    /// Size from what is held, told and traced.
+    fn measure(&mut self, held: &[(String, Held)], scene: &Scene) {
+        let mut all: Vec<(usize, Vec3)> = held.iter().flat_map(|(_, joint)| joint.points.iter().copied()).collect();
+        all.extend(self.traces.iter().map(|trace| (trace.track, trace.local)));
+        all.extend(self.lines.iter().flat_map(|line| line.points.iter().copied()));
+        all.extend(scene.ground.iter().flat_map(|outline| outline.points.iter().map(|p| (0, *p))));
+        for (k, look) in scene.looks.iter().enumerate() {
+            all.push((k + 1, Vec3::new(0.0, 0.0, 0.0)));
+            all.extend(look.outlines.iter().flat_map(|outline| outline.points.iter().map(|p| (k + 1, *p))));
+        }
+        self.set_bounds(&all);
+    }
+
+    /// Bounds of everything that is drawn.
+    fn measure_shapes(&mut self) {
+        let shapes = self.shapes.iter().flat_map(|shape| shape.points.iter().map(|p| (shape.track, *p)));
+        let marks = self.marks.iter().chain(&self.traces).map(|mark| (mark.track, mark.local));
+        let lines = self.lines.iter().flat_map(|line| line.points.iter().copied());
+        let all: Vec<(usize, Vec3)> = shapes.chain(marks).chain(lines).collect();
+        self.set_bounds(&all);
+    }
+
+    fn set_bounds(&mut self, points: &[(usize, Vec3)]) {
+        let samples = self.samples();
+        let far = Vec3::new(f64::MAX, f64::MAX, f64::MAX);
+        let (mut low, mut high) = (far, -far);
+        for p in points.iter().flat_map(|point| samples.path(*point)).filter(|p| p.norm().is_finite()) {
+            low = Vec3::new(low.x.min(p.x), low.y.min(p.y), low.z.min(p.z));
+            high = Vec3::new(high.x.max(p.x), high.y.max(p.y), high.z.max(p.z));
+        }
+        let size = (high - low).norm();
+        if low.x > high.x || !(size > 0.0 && size.is_finite()) {
+            let (half, middle) = (Vec3::new(0.5, 0.5, 0.0), if low.x > high.x { Vec3::new(0.0, 0.0, 0.0) } else { low });
+            (low, high) = (middle - half, middle + half);
+        }
+        self.bounds = [low, high];
+        self.size = (high - low).norm();
+    }
+
+    fn draw(&mut self, scene: &Scene, held: &[(String, Held)]) {
+        let samples = self.samples();
+        let still: Vec<bool> = self.tracks.iter().map(|track| track.is_still(1e-9 * self.size)).collect();
+        let drawn: Vec<_> = held.iter().map(|(name, joint)| (name, samples.drawn(joint, &still))).collect();
+        self.draw_bodies(scene, held, &drawn, &still);
+        for (name, joint) in &drawn {
+            if let Some(rod) = &joint.rod {
+                self.lines.push(Line { name: name.to_string(), points: rod.to_vec(), color: ROD.to_string() });
+            }
+            for &(track, local) in &joint.marks {
+                self.mark(&samples, name, (track, local), still[track]);
+            }
+        }
+        let told = self.lines.iter().filter(|line| line.color != ROD);
+        let mut ends: Vec<(bool, String, (usize, Vec3))> = Vec::new();
+        for line in told {
+            let last = line.points.len().saturating_sub(1);
+            ends.extend(line.points.iter().enumerate().map(|(k, point)| (k != last, line.name.clone(), *point)));
+        }
+        // The last point has the name of its line, also where another line begins there.
+        ends.sort_by_key(|(begins, ..)| *begins);
+        for (begins, name, point) in ends {
+            self.mark(
+                &samples,
+                &if begins { format!("{name}, start") } else { name },
+                point,
+                self.tracks[point.0].is_still(1e-9 * self.size),
+            );
+        }
+    }
+
+    /// Marks a point, unless one is marked that is always there; a support takes the place of a pin.
+    fn mark(&mut self, samples: &Samples, name: &str, point: (usize, Vec3), grounded: bool) {
+        match self.marks.iter_mut().find(|mark| samples.together((mark.track, mark.local), point)) {
+            Some(mark) => {
+                mark.grounded |= grounded;
+                // The pin is drawn with the upper one of its bodies.
+                if point.0 > mark.track {
+                    (mark.track, mark.local) = point;
+                }
+            }
+            None => {
+                self.marks.push(Mark { name: name.to_string(), track: point.0, local: point.1, color: ROD.to_string(), grounded });
+            }
+        }
+    }
+}
+
+/// Told lines, with a track for each of their points.
+fn moving_lines(scene: &Scene, tracks: &mut Vec<Track>, times: usize) -> Vec<Line> {
+    let lines = scene.lines.iter().enumerate().map(|(k, line)| {
+        let points = line.points.iter().map(|positions| {
+            tracks.push(Track::of_point(positions, times));
+            (tracks.len() - 1, Vec3::new(0.0, 0.0, 0.0))
+        });
+        Line { name: line.name.clone(), points: points.collect(), color: PALETTE[k % PALETTE.len()].to_string() }
+    });
+    lines.collect()
+}

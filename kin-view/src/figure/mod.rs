@@ -1,0 +1,65 @@
+//! Charts as SVG: lines over time, and paths in the plane with equal axes.
+
+mod panel;
+mod thin;
+
+use std::path::Path;
+
+use kuva::backend::svg::SvgBackend;
+use kuva::render::figure::Figure as Page;
+
+use kin::{CoordinateMotion, Result};
+
+pub use panel::Panel;
+pub(crate) use thin::thinned_path;
+
+use crate::file;
+
+/// Several panels side by side.
+pub struct Figure {
+    panels: Vec<Panel>,
+    columns: usize,
+}
+
+impl Figure {
+    /// The panels row by row, two in a row (one alone if there is only one).
+    pub fn new(panels: impl IntoIterator<Item = Panel>) -> Figure {
+        let panels: Vec<Panel> = panels.into_iter().collect();
+        Figure { columns: panels.len().clamp(1, 2), panels }
+    }
+
+    /// One coordinate with its rates over time, one panel each.
+    pub fn of_coordinate(name: &str, motion: &CoordinateMotion) -> Figure {
+        let panel = |title: &str, label: &str, series| Panel::over_time(title, label).series(label, series);
+        Figure::new([
+            panel(name, "q", &motion.value),
+            panel(&format!("{name}, velocity"), "q̇", &motion.rate),
+            panel(&format!("{name}, acceleration"), "q̈", &motion.second_rate),
+        ])
+        .columns(3)
+    }
+
+    /// Another number of panels in a row.
+    pub fn columns(mut self, columns: usize) -> Figure {
+        self.columns = columns.clamp(1, self.panels.len().max(1));
+        self
+    }
+
+    /// Writes the figure, making folders that are missing; as PNG if the file is called so (with the feature `png`), else as SVG.
+    ///
+    /// Errors: a file that cannot be written, by its path.
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
+        file::save_picture(path.as_ref(), &self.svg())
+    }
+
+    /// The figure as SVG.
+    pub fn svg(&self) -> String {
+        let height = if self.panels.iter().any(Panel::is_plane) { 460.0 } else { 330.0 };
+        let (plots, layouts): (Vec<_>, Vec<_>) = self.panels.iter().map(Panel::drawn).unzip();
+        let page = Page::new(plots.len().div_ceil(self.columns).max(1), self.columns).with_cell_size(590.0, height);
+        let scene = page.with_plots(plots).with_layouts(layouts).render();
+        // A view box lets a page show it at any width.
+        let size = format!("<svg viewBox=\"0 0 {} {}\"", scene.width, scene.height);
+        SvgBackend::new().render_scene(&scene).replacen("<svg", &size, 1)
+    }
+}

@@ -1,0 +1,181 @@
+//! One pair of axes with lines in it.
+
+use std::sync::Arc;
+
+use kin::{Series, Vec2, vec2};
+use kuva::plot::{LinePlot, ScatterPlot};
+use kuva::render::layout::{Layout, TickFormat};
+use kuva::render::plots::Plot;
+
+use super::thin::thinned;
+use crate::color::PALETTE;
+
+/// One pair of axes: quantities over time, or paths in the plane. Values that are not finite are gaps.
+pub struct Panel {
+    title: String,
+    x_label: String,
+    y_label: String,
+    axes: Axes,
+    marks: Vec<Mark>,
+    named: usize,
+}
+
+/// What stands in it: runs of points.
+struct Mark {
+    points: Vec<(f64, f64)>,
+    color: &'static str,
+    label: Option<String>,
+    style: Style,
+}
+
+#[derive(Clone, Copy)]
+enum Style {
+    Line,
+    Thin,
+    Dots,
+}
+
+/// What the axes are.
+#[derive(Clone, Copy, PartialEq)]
+enum Axes {
+    /// First and last time, once known; powers of ten upwards or not.
+    Time { span: Option<(f64, f64)>, log: bool },
+    /// Both axes with one scale.
+    Plane,
+    /// Any two numbers.
+    Numbers,
+}
+
+impl Panel {
+    /// Quantities over time; the vertical axis takes its unit from them.
+    pub fn over_time(title: &str, quantity: &str) -> Panel {
+        Panel::new(title, "t [s]", quantity, Axes::Time { span: None, log: false })
+    }
+
+    /// Quantities over time in powers of ten, such as a condition number; values that are not above zero are gaps.
+    pub fn log_over_time(title: &str, quantity: &str) -> Panel {
+        Panel::new(title, "t [s]", quantity, Axes::Time { span: None, log: true })
+    }
+
+    /// The plane of motion, one metre as long upwards as to the right.
+    pub fn plane(title: &str) -> Panel {
+        Panel::new(title, "x [m]", "y [m]", Axes::Plane)
+    }
+
+    /// Any quantity over any other, with the labels of both axes.
+    pub fn numbers(title: &str, x_label: &str, y_label: &str) -> Panel {
+        Panel::new(title, x_label, y_label, Axes::Numbers)
+    }
+
+    fn new(title: &str, x_label: &str, y_label: &str, axes: Axes) -> Panel {
+        let [title, x_label, y_label] = [title, x_label, y_label].map(str::to_string);
+        Panel { title, x_label, y_label, axes, marks: Vec::new(), named: 0 }
+    }
+
+    /// One quantity over time, as a line.
+    pub fn series(mut self, label: &str, series: &Series) -> Panel {
+        let points = self.points(series);
+        self.line(label, &points)
+    }
+
+    /// One quantity over time, as a dot every so many times.
+    pub fn dots(mut self, label: &str, series: &Series, every: usize) -> Panel {
+        let points: Vec<Vec2> = self.points(series).into_iter().step_by(every.max(1)).collect();
+        self.scatter(label, &points)
+    }
+
+    /// A path in the plane.
+    pub fn path(self, label: &str, points: &[Vec2]) -> Panel {
+        self.line(label, points)
+    }
+
+    /// Points, as dots.
+    pub fn scatter(mut self, label: &str, points: &[Vec2]) -> Panel {
+        let points = points.iter().filter(|p| self.shown(p)).map(|p| (p.x, p.y)).collect();
+        let mark = Mark { points, color: self.color(), label: Some(label.to_string()), style: Style::Dots };
+        self.marks.push(mark);
+        self
+    }
+
+    /// Bodies as they stand at one time: thin grey lines without a name.
+    pub fn sketch(mut self, points: &[Vec2]) -> Panel {
+        let points = points.iter().map(|p| (p.x, p.y)).collect();
+        self.marks.push(Mark { points, color: "#999999", label: None, style: Style::Thin });
+        self
+    }
+
+    /// One line for each run of finite points; the first one has the name.
+    fn line(mut self, label: &str, points: &[Vec2]) -> Panel {
+        let color = self.color();
+        let runs = points.split(|p| !self.shown(p)).filter(|run| !run.is_empty()).enumerate();
+        let marks: Vec<Mark> = runs
+            .map(|(k, run)| {
+                let points = thinned(run).into_iter().map(|p| (p.x, p.y)).collect();
+                Mark { points, color, label: (k == 0).then(|| label.to_string()), style: Style::Line }
+            })
+            .collect();
+        self.marks.extend(marks);
+        self
+    }
+
+    fn shown(&self, p: &Vec2) -> bool {
+        let log = matches!(self.axes, Axes::Time { log: true, .. });
+        p.x.is_finite() && p.y.is_finite() && (!log || p.y > 0.0)
+    }
+
+    fn points(&mut self, series: &Series) -> Vec<Vec2> {
+        if !self.y_label.ends_with(']') {
+            self.y_label += &format!(" [{}]", series.unit().replace("^2", "²"));
+        }
+        if let (Axes::Time { span, .. }, Some(first), Some(last)) = (&mut self.axes, series.times().first(), series.times().last()) {
+            let (low, high) = (first.min(*last), first.max(*last));
+            *span = Some(span.map_or((low, high), |known| (known.0.min(low), known.1.max(high))));
+        }
+        series.times().iter().zip(series.values()).map(|(t, value)| vec2(*t, *value)).collect()
+    }
+
+    fn color(&mut self) -> &'static str {
+        self.named += 1;
+        PALETTE[(self.named - 1) % PALETTE.len()]
+    }
+
+    pub(super) fn is_plane(&self) -> bool {
+        self.axes == Axes::Plane
+    }
+
+    /// The lines, and the axes round them.
+    pub(super) fn drawn(&self) -> (Vec<Plot>, Layout) {
+        let plots: Vec<Plot> = self.marks.iter().map(Mark::plot).collect();
+        let layout = Layout::auto_from_plots(&plots).with_title(&self.title).with_title_size(15).with_legend_box(false);
+        let layout = layout.with_x_label(&self.x_label).with_y_label(&self.y_label).with_force_margins(78.0, 140.0);
+        let layout = layout.with_tick_format(TickFormat::Custom(Arc::new(tick)));
+        let layout = match self.axes {
+            Axes::Time { span, log } => {
+                let layout = if log { layout.with_log_y() } else { layout };
+                span.into_iter().fold(layout, |layout, (first, last)| layout.with_x_axis_min(first).with_x_axis_max(last))
+            }
+            Axes::Plane => layout.with_equal_aspect(),
+            Axes::Numbers => layout,
+        };
+        (plots, layout)
+    }
+}
+
+impl Mark {
+    fn plot(&self) -> Plot {
+        let points = self.points.iter().copied();
+        if let Style::Dots = self.style {
+            let dots = ScatterPlot::new().with_data(points).with_color(self.color).with_size(3.0);
+            return Plot::Scatter(self.label.iter().fold(dots, ScatterPlot::with_legend));
+        }
+        let width = if let Style::Thin = self.style { 1.0 } else { 1.8 };
+        let line = LinePlot::new().with_data(points).with_color(self.color).with_stroke_width(width);
+        Plot::Line(self.label.iter().fold(line, LinePlot::with_legend))
+    }
+}
+
+/// Four digits are enough beside an axis.
+fn tick(value: f64) -> String {
+    let short = format!("{value:.3e}").parse().unwrap_or(value);
+    if short != 0.0 && !(1e-3..1e5).contains(&short.abs()) { format!("{short:e}") } else { short.to_string() }
+}

@@ -1,0 +1,206 @@
+//! One self-contained HTML file: the mechanism moves, charts follow. Nothing is loaded, and only its own script may run.
+
+mod column;
+
+use std::path::Path;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use kin::{CoordinateMotion, Motion, Result, Series, Vec3};
+use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
+
+use crate::color::PALETTE;
+use crate::drawing::{Drawing, Mark, Style, Track};
+use crate::file;
+use crate::picture::escaped;
+use crate::scene::Scene;
+use column::packed;
+
+const PAGE: &str = include_str!("assets/page.html");
+const STYLE: &str = include_str!("assets/page.css");
+const SCRIPT: [&str; 4] =
+    [include_str!("assets/data.js"), include_str!("assets/stage.js"), include_str!("assets/charts.js"), include_str!("assets/main.js")];
+
+/// Positions on the page are right to this share of the mechanism's size, angles to this many radians.
+const FINE: f64 = 1e-7;
+
+/// A page in the making; [`Scene::page`] begins one.
+pub struct Page {
+    title: String,
+    drawing: Drawing,
+    charts: Vec<Chart>,
+    /// Times asked for, where the motion has not reached all of them.
+    asked: Vec<f64>,
+}
+
+struct Chart {
+    title: String,
+    unit: String,
+    series: Vec<(String, Vec<f64>)>,
+}
+
+impl Scene {
+    /// A page that shows the motion.
+    ///
+    /// Errors: a motion of another system.
+    pub fn page(&self, motion: &Motion) -> Result<Page> {
+        Ok(Page { title: self.name.clone(), drawing: Drawing::new(self, motion)?, charts: Vec::new(), asked: Vec::new() })
+    }
+}
+
+impl Page {
+    /// Another title than the name of the mechanism.
+    pub fn title(mut self, title: &str) -> Page {
+        self.title = title.to_string();
+        self
+    }
+
+    /// A chart of quantities over time, each with a name; the unit is that of the first. Values that are not finite are gaps.
+    pub fn chart<'a>(mut self, title: &str, series: impl IntoIterator<Item = (&'a str, &'a Series)>) -> Page {
+        let series: Vec<(&str, &Series)> = series.into_iter().collect();
+        let unit = series.first().map(|(_, series)| series.unit().replace("^2", "²")).unwrap_or_default();
+        let series = series.into_iter().map(|(name, series)| (name.to_string(), series.values().to_vec())).collect();
+        self.charts.push(Chart { title: title.to_string(), unit: if unit == "-" { String::new() } else { unit }, series });
+        self
+    }
+
+    /// Three charts of one coordinate: q, q̇ and q̈.
+    pub fn coordinate(self, title: &str, motion: &CoordinateMotion) -> Page {
+        self.chart(title, [("q", &motion.value)])
+            .chart(&format!("{title}, velocity"), [("q̇", &motion.rate)])
+            .chart(&format!("{title}, acceleration"), [("q̈", &motion.second_rate)])
+    }
+
+    /// The times that were asked for, where the motion is only a part of them (the one in an error, [`kin::Error::motion`]): what was not
+    /// reached is a gap.   \[s\]
+    pub fn asked(mut self, times: &[f64]) -> Page {
+        self.asked = times.to_vec();
+        self
+    }
+
+    /// Writes the page, making folders that are missing.
+    ///
+    /// Errors: a file that cannot be written, by its path.
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
+        file::save(path.as_ref(), &self.html())
+    }
+
+    /// The page as HTML.
+    pub fn html(&self) -> String {
+        let script = format!("(() => {{\n\"use strict\";\n{}}})();\n", SCRIPT.join("\n"));
+        let policy = format!(
+            "default-src 'none'; script-src '{}'; style-src '{}'; base-uri 'none'; form-action 'none'",
+            fingerprint(&script),
+            fingerprint(STYLE)
+        );
+        // Inside a script `<` is the only character that could end it.
+        let data = self.data().to_string().replace('<', "\\u003c");
+        let parts = [("policy", policy), ("title", escaped(&self.title)), ("style", STYLE.into()), ("data", data), ("script", script)];
+        filled(PAGE, &parts)
+    }
+
+    /// Everything the script needs.
+    fn data(&self) -> Value {
+        let drawing = &self.drawing;
+        let fine = FINE * drawing.size;
+        let tracks = drawing.tracks.iter().map(|track| {
+            let (kind, lengths) = match track {
+                Track::Ground => ("ground", 0),
+                Track::Planar(_) => ("planar", 2),
+                Track::Spatial(_) => ("spatial", 3),
+                Track::Point(_) => ("point", 3),
+            };
+            let columns = track.columns().iter().enumerate();
+            let columns: Vec<Value> = columns.map(|(k, column)| self.column(column, if k < lengths { fine } else { FINE })).collect();
+            json!({ "kind": kind, "columns": columns })
+        });
+        let shapes = drawing.shapes.iter().map(|shape| {
+            let points: Vec<Value> = shape.points.iter().map(|p| place(*p, drawing.size)).collect();
+            json!({ "name": shape.name, "track": shape.track, "style": style(shape.style), "color": shape.color, "points": points })
+        });
+        let lines = drawing.lines.iter().map(|line| {
+            let points: Vec<Value> = line.points.iter().map(|(track, p)| json!([track, place(*p, drawing.size)])).collect();
+            json!({ "name": line.name, "color": line.color, "points": points })
+        });
+        let mark = |mark: &Mark| json!({ "name": mark.name, "track": mark.track, "local": place(mark.local, drawing.size), "color": mark.color, "grounded": mark.grounded });
+        let times = self.times();
+        json!({
+            "planar": drawing.planar,
+            "eye": [drawing.eye.0, drawing.eye.1],
+            "bounds": drawing.bounds.map(|p| place(p, drawing.size)),
+            "size": drawing.size,
+            "frames": times.len(),
+            "times": packed(times, 1e-7 * span(times)),
+            "tracks": tracks.collect::<Vec<_>>(),
+            "shapes": shapes.collect::<Vec<_>>(),
+            "lines": lines.collect::<Vec<_>>(),
+            "marks": drawing.marks.iter().map(mark).collect::<Vec<_>>(),
+            "traces": drawing.traces.iter().map(mark).collect::<Vec<_>>(),
+            "charts": self.charts.iter().map(|chart| self.chart_data(chart)).collect::<Vec<_>>(),
+        })
+    }
+
+    fn chart_data(&self, chart: &Chart) -> Value {
+        let series = chart.series.iter().enumerate().map(|(k, (name, values))| {
+            let values = self.column(values, 2e-6 * span(values));
+            json!({ "name": name, "color": PALETTE[k % PALETTE.len()], "values": values })
+        });
+        json!({ "title": chart.title, "unit": chart.unit, "series": series.collect::<Vec<_>>() })
+    }
+
+    fn times(&self) -> &[f64] {
+        if self.asked.is_empty() { &self.drawing.times } else { &self.asked }
+    }
+
+    /// A value for each time that was asked for.
+    fn column(&self, values: &[f64], step: f64) -> Value {
+        if self.asked.is_empty() {
+            return packed(values, step);
+        }
+        let known = self.drawing.times.iter().zip(values);
+        let at = |t: &f64| known.clone().find(|(known, _)| *known == t).map_or(f64::NAN, |(_, value)| *value);
+        packed(&self.asked.iter().map(at).collect::<Vec<_>>(), step)
+    }
+}
+
+/// Greatest less least of the finite values; 1 if there is no difference.
+fn span(values: &[f64]) -> f64 {
+    let known = values.iter().filter(|x| x.is_finite());
+    let (low, high) = known.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
+    if high > low && (high - low).is_finite() { high - low } else { 1.0 }
+}
+
+/// A point, rounded to what can be seen.
+fn place(p: Vec3, size: f64) -> Value {
+    let unit = 10.0_f64.powf((size * FINE).log10().floor());
+    let round = |x: f64| if (x / unit).abs() < 1e15 { format!("{:.8e}", (x / unit).round() * unit).parse().unwrap_or(x) } else { x };
+    json!([round(p.x), round(p.y), round(p.z)])
+}
+
+fn style(style: Style) -> &'static str {
+    match style {
+        Style::Plate => "plate",
+        Style::Bar => "bar",
+        Style::Slot => "slot",
+        Style::Guide => "guide",
+    }
+}
+
+/// How a content policy names a script or style.
+pub(crate) fn fingerprint(text: &str) -> String {
+    format!("sha256-{}", STANDARD.encode(Sha256::digest(text)))
+}
+
+/// The page with each `{{name}}` replaced once, in one pass: what is put in is not looked at again.
+pub(crate) fn filled(page: &str, parts: &[(&str, String)]) -> String {
+    let mut filled = String::new();
+    let mut rest = page;
+    while let Some((before, after)) = rest.split_once("{{") {
+        let (name, after) = after.split_once("}}").unwrap_or((after, ""));
+        filled.push_str(before);
+        filled.extend(parts.iter().find(|(known, _)| *known == name).map(|(_, part)| part.as_str()));
+        rest = after;
+    }
+    filled + rest
+}

@@ -1,0 +1,69 @@
+//! Told shapes of bodies.
+
+use std::f64::consts::TAU;
+
+use kin::{Vec2, Vec3, vec2};
+
+use super::Point;
+
+/// A shape fixed in a body, in its frame.   \[m\]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outline {
+    pub(crate) points: Vec<Vec3>,
+    pub(crate) closed: bool,
+}
+
+impl Outline {
+    /// A filled shape with these corners.
+    pub fn polygon<P: Into<Point>>(corners: impl IntoIterator<Item = P>) -> Outline {
+        Outline { points: corners.into_iter().map(|p| p.into().0).collect(), closed: true }
+    }
+
+    /// An open line through these points.
+    pub fn line<P: Into<Point>>(points: impl IntoIterator<Item = P>) -> Outline {
+        Outline { closed: false, ..Outline::polygon(points) }
+    }
+
+    /// A disc in the plane.
+    pub fn disc(center: impl Into<Vec2>, radius: f64) -> Outline {
+        Outline::polygon(circle(center.into(), radius, 48))
+    }
+
+    /// The edge of the shape alone.
+    pub fn hollow(mut self) -> Outline {
+        if self.closed {
+            self.points.extend(self.points.first().copied());
+        }
+        self.closed = false;
+        self
+    }
+
+    /// The same shape, turned about the z-axis of its body.   \[rad\]
+    pub fn turned(mut self, angle: f64) -> Outline {
+        let (sin, cos) = angle.sin_cos();
+        for p in &mut self.points {
+            *p = Vec3::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y, p.z);
+        }
+        self
+    }
+
+    /// A spur gear in the plane, about the origin of its body: pitch radius and number of teeth, one tooth on the x-axis.
+    pub fn gear(radius: f64, teeth: usize) -> Outline {
+        let module = 2.0 * radius / teeth.max(3) as f64;
+        let flank = |tooth: usize| {
+            // Half a tooth is a quarter of the pitch wide on the pitch circle, less at the top, more at the root.
+            [(-0.36, -1.1), (-0.14, 0.9), (0.14, 0.9), (0.36, -1.1)]
+                .map(|(turn, height)| polar(radius + height * module, TAU * (tooth as f64 + turn) / teeth.max(3) as f64))
+        };
+        Outline::polygon((0..teeth.max(3)).flat_map(flank))
+    }
+}
+
+/// n points on a circle.
+pub(crate) fn circle(center: Vec2, radius: f64, n: usize) -> Vec<Vec2> {
+    (0..n).map(|k| center + polar(radius, TAU * k as f64 / n as f64)).collect()
+}
+
+fn polar(radius: f64, angle: f64) -> Vec2 {
+    vec2(radius * angle.cos(), radius * angle.sin())
+}

@@ -1,0 +1,137 @@
+//! `docs/library.md`, made of the code's own table, and its pictures. `KIN_BLESS=1 cargo test --test library page` writes them anew.
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+use crate::sample::{Argument, Random, arguments};
+use crate::table::Joint;
+use crate::{laws, sketch, table};
+
+const HEAD: &str = "\
+# The library
+
+Made from the code by `KIN_BLESS=1 cargo test --test library page`; a test compares the two, so that this page cannot differ from the code.
+
+Each joint is a function whose body is its equation; derivatives are Kin's. `i`, `j` are bodies (the ground is one), `u_i`, `u_j` local positions, `h_i`,
+`h_j` local directions, R and A position and rotation of a body, r_P = R + A ū. In the pictures body i is blue, body j grey, what is driven orange.
+*Rows* are the freedoms removed. *Left* are the freedoms left between two bodies, or to one body in the world. *Ex.* marks joints whose bodies may be
+exchanged together with their parameters.
+";
+
+/// A paragraph of a doc comment as one line of a table.
+fn tidy(text: &str) -> String {
+    let text = text.replace("\\[", "[").replace("\\]", "]").replace('|', "\\|").replace('\n', " ");
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// The doc comment's first paragraph, its equation and unit, and the rest.
+fn paragraphs(text: &str) -> (String, String) {
+    let (first, rest) = text.split_once("\n\n").unwrap_or((text, ""));
+    (tidy(first), links(&tidy(rest)))
+}
+
+/// Names in documentation that link to code are plain names here.
+fn links(text: &str) -> String {
+    let mut text = text.to_owned();
+    while let (Some(from), Some(to)) = (text.find("](fn@"), text.find("](fn@").and_then(|from| Some(from + text[from..].find(')')?))) {
+        text.replace_range(from..=to, "");
+        if let Some(open) = text[..from].rfind('[') {
+            text.remove(open);
+        }
+    }
+    text
+}
+
+fn line(joint: &Joint) -> String {
+    let sample = (joint.make)(&mut Random::new(1));
+    let constraint = sample.constraint();
+    let (equation, _) = paragraphs(constraint.description());
+    let (rows, own) = (constraint.rows().len(), arguments(constraint));
+    let coordinates = own.iter().filter(|argument| matches!(argument, Argument::Coord(_))).count();
+    let all = if own.iter().any(|argument| matches!(argument, Argument::Spatial(_))) { 6 } else { 3 };
+    let left = match own.len() - coordinates {
+        1 | 2 => (all + coordinates - rows).to_string(),
+        _ => "–".to_owned(),
+    };
+    let names: Vec<&str> = constraint.arguments().iter().map(|argument| argument.name).collect();
+    let picture = format!("library/{}", file(joint));
+    let exchanged = if joint.exchanged.is_some() { "✓" } else { "" };
+    format!("| ![{}]({picture}) | `{}` ({}) | {equation} | {rows} | {left} | {exchanged} |\n", joint.name(), joint.name(), names.join(", "))
+}
+
+/// Name of the picture's file.
+fn file(joint: &Joint) -> String {
+    let space = if joint.group.starts_with("spatial") { "spatial_" } else { "" };
+    format!("{space}{}.svg", joint.name())
+}
+
+fn page() -> String {
+    let mut text = HEAD.to_owned();
+    for (group, title) in [
+        ("planar", "Planar joints and couplings (in the prelude)"),
+        ("drivers", "Drivers of coordinates and planar bodies (in the prelude)"),
+        ("spatial", "Spatial joints and couplings (`spatial::…`)"),
+        ("spatial drivers", "Drivers of spatial bodies (`spatial::…`)"),
+    ] {
+        let _ = write!(text, "\n## {title}\n\n| | joint | equation | rows | left | ex. |\n|---|---|---|---|---|---|\n");
+        let own: Vec<Joint> = table::all().into_iter().filter(|joint| joint.group == group).collect();
+        own.iter().for_each(|joint| text += &line(joint));
+        text += "\n";
+        for joint in &own {
+            let sample = (joint.make)(&mut Random::new(1));
+            let _ = writeln!(text, "* **`{}`**: {}", joint.name(), paragraphs(sample.constraint().description()).1);
+        }
+    }
+    text += "\n## Laws\n\nA break is where a derivative jumps; there the law has the derivatives of its right side.\n\n";
+    text += "| law | | parameters | lowest derivative that jumps |\n|---|---|---|---|\n";
+    let mut known: Vec<&str> = Vec::new();
+    for laws::Line { name, law, from, to } in laws::all() {
+        if known.contains(&name) || name == "#[law]" {
+            continue;
+        }
+        known.push(name);
+        let mut parameters = Vec::new();
+        law.parameters(&mut |name, _| parameters.push(name.to_owned()));
+        let shown = if parameters.len() > 6 { format!("{}, …", parameters[..4].join(", ")) } else { parameters.join(", ") };
+        let order = match law.breaks(from, to).iter().map(|b| b.order).min() {
+            Some(order) => order.to_string(),
+            None => "none".to_owned(),
+        };
+        let _ = writeln!(text, "| `{name}` | {} | {shown} | {order} |", tidy(law.description()));
+    }
+    text += "\nA law of one's own: `#[law]` on a function of one variable, or `impl LawFunction`.\n";
+    text
+}
+
+fn docs() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("docs")
+}
+
+/// Compares a file with what it should hold, or writes it.
+fn compare(path: &Path, expected: &str, different: &mut Vec<String>) {
+    if std::env::var_os("KIN_BLESS").is_some() {
+        std::fs::create_dir_all(path.parent().expect("a folder")).expect("made");
+        std::fs::write(path, expected).expect("written");
+    }
+    if std::fs::read_to_string(path).unwrap_or_default() != expected {
+        different.push(path.display().to_string());
+    }
+}
+
+#[test]
+fn the_page_is_that_of_the_code() {
+    let mut different = Vec::new();
+    compare(&docs().join("library.md"), &page(), &mut different);
+    let mut known = Vec::new();
+    for joint in table::all() {
+        let picture =
+            sketch::svg(joint.group, &joint.name()).unwrap_or_else(|| panic!("nobody has drawn `{}` ({})", joint.name(), joint.group));
+        compare(&docs().join("library").join(file(&joint)), &picture, &mut different);
+        known.push(file(&joint));
+    }
+    for entry in std::fs::read_dir(docs().join("library")).expect("readable") {
+        let name = entry.expect("an entry").file_name().to_string_lossy().into_owned();
+        assert!(known.contains(&name), "docs/library/{name} belongs to no joint");
+    }
+    assert!(different.is_empty(), "write anew with KIN_BLESS=1: {different:?}");
+}

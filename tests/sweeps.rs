@@ -1,0 +1,314 @@
+//! Sweeps over many cases: a status each, the same results on any number of threads, mistakes by name, progress; several cases in lanes. User code needs no `unsafe`.
+#![forbid(unsafe_code)]
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use kin::prelude::*;
+use kin::{Error, Lanes, Options, any_coord, any_planar, any_spatial, vec3};
+
+/// A four-bar with links of lengths a, b, c and ground pins d apart, the crank at θ = t.
+fn four_bar([a, b, c, d]: [f64; 4]) -> System {
+    let mut m = Mechanism::new("four-bar");
+    let (crank, coupler, rocker) = (m.link("crank", a).unwrap(), m.link("coupler", b).unwrap(), m.link("rocker", c).unwrap());
+    m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
+    m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).unwrap();
+    m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).unwrap();
+    m.add("C", revolute(m.ground(), rocker, vec2(d, 0.0), rocker.start())).unwrap();
+    m.add("motor", drive_angle(crank, Law::ramp(1.0))).unwrap();
+    m.prefer(rocker, deg(100.0));
+    m.build().unwrap()
+}
+
+const NAMES: [&str; 8] = ["O.u_j.x", "A.u_i.x", "A.u_j.x", "B.u_i.x", "B.u_j.x", "C.u_j.x", "C.u_i.x", "rocker.theta"];
+
+/// The numbers of one four-bar under those names.
+fn case([a, b, c, d]: [f64; 4]) -> [f64; 8] {
+    let (a, b, c) = (0.5 * a, 0.5 * b, 0.5 * c);
+    [-a, a, -b, b, c, -c, d, deg(100.0)]
+}
+
+/// Four-bars whose crank turns all the way round.
+fn links(count: usize) -> Vec<[f64; 4]> {
+    let part = |k: usize, step: f64| (k as f64 * step).fract();
+    (0..count).map(|k| [0.5 + 0.4 * part(k, 0.618), 3.0 + part(k, 0.414), 2.7 + part(k, 0.732), 3.5 + part(k, 0.236)]).collect()
+}
+
+fn times() -> Vec<f64> {
+    linspace(0.0, TAU, 91)
+}
+
+/// All numbers of a motion.
+fn numbers(motion: &Motion) -> Vec<f64> {
+    (0..motion.len()).flat_map(|k| [motion.q(k), motion.qd(k), motion.qdd(k)].concat()).collect()
+}
+
+#[test]
+fn each_case_is_what_its_own_mechanism_does() {
+    let links = links(11);
+    let cases: Vec<[f64; 8]> = links.iter().copied().map(case).collect();
+    let swept = four_bar([1.0, 3.5, 3.0, 4.0]).sweep(NAMES).unwrap().run(&cases, times(), |_, motion| motion.unwrap()).unwrap();
+    for (swept, links) in swept.iter().zip(links) {
+        let own = four_bar(links).run(times()).unwrap();
+        assert_eq!(swept.len(), own.len());
+        let far = numbers(swept).iter().zip(numbers(&own)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(far < 1e-9, "{links:?}: {far}");
+    }
+}
+
+#[test]
+fn a_case_that_fails_has_its_error_and_what_was_computed_before() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    // The third one's crank is too long to turn round: it locks when crank and coupler are in line.
+    let (mut links, locked) = (links(12), 2);
+    links[locked] = [2.0, 2.5, 2.2, 4.0];
+    let cases: Vec<[f64; 8]> = links.iter().copied().map(case).collect();
+    let status = system.sweep(NAMES).unwrap().run(&cases, times(), |k, motion| (k, motion.map(|motion| motion.len()))).unwrap();
+    assert!(status.iter().map(|(k, _)| *k).eq(0..12));
+    for (k, found) in &status {
+        match found {
+            Ok(count) => assert!(*k != locked && *count == 91),
+            Err(error) => {
+                assert_eq!(*k, locked, "{error}");
+                let before = error.motion().unwrap();
+                assert!(before.len() > 3 && before.len() < 91, "{}", before.len());
+                let own = four_bar(links[locked]).run(times()).unwrap_err();
+                assert_eq!(own.motion().unwrap().len(), before.len());
+            }
+        }
+    }
+}
+
+#[test]
+fn results_do_not_depend_on_the_number_of_threads() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    let cases: Vec<[f64; 8]> = links(37).into_iter().map(case).collect();
+    let run = |threads| {
+        let sweep = system.sweep(NAMES).unwrap().threads(threads);
+        sweep.run(&cases, times(), |_, motion| numbers(&motion.unwrap())).unwrap()
+    };
+    let (one, two) = (run(1), run(2));
+    for (k, (one, two)) in one.iter().zip(&two).enumerate() {
+        let far = one.iter().zip(two).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(one == two, "case {k}: off by {far:e}");
+    }
+}
+
+#[test]
+fn mistakes_are_told_by_name_before_anything_is_computed() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    let error = system.sweep(["A.u_i.x", "A.length"]).map(|_| ()).unwrap_err().to_string();
+    assert!(error.contains("`A.length`") && error.contains("`A.u_j.x`"), "{error}");
+    let none = |_: usize, _: kin::Result<Motion>| panic!("nothing is run");
+    let run = |cases: &[Vec<f64>], times: &[f64]| system.sweep(["A.u_i.x", "rocker.theta"]).unwrap().run(cases, times, none).unwrap_err();
+    let good = vec![0.5, 1.0];
+    let error = run(&[good.clone(), vec![0.5, f64::NAN]], &[0.0]).to_string();
+    assert!(error.contains("case 1") && error.contains("`rocker.theta` is NaN"), "{error}");
+    let error = run(&[good.clone(), vec![0.5]], &[0.0]).to_string();
+    assert!(error.contains("case 1") && error.contains("2 needed"), "{error}");
+    assert!(matches!(run(std::slice::from_ref(&good), &[0.0, 0.0]), Error::InvalidTimes { .. }));
+    let sweep = system.sweep(NAMES).unwrap().options(Options { stop: kin::Stop::ResidualOnly(-1.0), ..Options::default() });
+    assert!(matches!(sweep.run(&[case([1.0, 3.5, 3.0, 4.0])], [0.0], none), Err(Error::InvalidOptions { .. })));
+}
+
+#[test]
+fn progress_counts_up_to_all() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    let cases: Vec<[f64; 8]> = links(50).into_iter().map(case).collect();
+    let mut told = Vec::new();
+    let sweep = system.sweep(NAMES).unwrap().progress(|done, all| told.push((done, all)));
+    sweep.run(&cases, [0.0, 0.1], |_, _| ()).unwrap();
+    drop(sweep);
+    assert_eq!((told[0], told[told.len() - 1]), ((0, 50), (50, 50)));
+    assert!(told.len() > 5 && told.windows(2).all(|pair| pair[0].0 < pair[1].0));
+}
+
+#[test]
+fn a_sweep_can_be_stopped() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    let cases: Vec<[f64; 8]> = links(400).into_iter().map(case).collect();
+    let stop = AtomicBool::new(false);
+    let sweep = system.sweep(NAMES).unwrap().threads(1).stop_when(&stop).progress(|done, _| stop.store(done >= 16, Ordering::Relaxed));
+    let stopped = sweep.run(&cases, [0.0, 0.1], |_, _| ());
+    assert!(matches!(stopped, Err(Error::Stopped { done: 16, cases: 400 })), "{stopped:?}");
+}
+
+#[test]
+fn no_case_at_all_is_a_sweep_too() {
+    let none: [[f64; 8]; 0] = [];
+    assert!(four_bar([1.0, 3.5, 3.0, 4.0]).sweep(NAMES).unwrap().run(&none, times(), |_, _| ()).unwrap().is_empty());
+}
+
+/// Results of the same cases with other lanes.
+fn with_lanes(system: &System, cases: &[[f64; 8]], options: &Options, lanes: Lanes) -> Option<Vec<Result<Vec<f64>, String>>> {
+    let sweep = system.sweep(NAMES).unwrap().options(options.clone()).lanes(lanes);
+    let found = sweep.run(cases, times(), |_, motion| motion.map(|motion| numbers(&motion)).map_err(|error| error.to_string()));
+    match found {
+        Err(Error::InvalidOptions { .. }) => None,
+        found => Some(found.unwrap()),
+    }
+}
+
+/// Largest difference relative to 1 + |x|.
+fn far(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    a.iter().zip(b).map(|(a, b)| (a - b).abs() / (1.0 + b.abs())).fold(0.0, f64::max)
+}
+
+#[test]
+fn lanes_change_results_by_rounding_only_and_failing_lanes_not_at_all() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    let mut links = links(21);
+    // Two that lock, one of them in the last, incomplete group.
+    (links[3], links[19]) = ([2.0, 2.5, 2.2, 4.0], [2.2, 2.5, 2.2, 4.0]);
+    let cases: Vec<[f64; 8]> = links.into_iter().map(case).collect();
+    let protocol = Options { stop: kin::Stop::ResidualOnly(1e-10), predict: false, ..Options::default() };
+    for (options, tolerance) in [(Options::default(), 1e-10), (protocol, 1e-8)] {
+        let alone = with_lanes(&system, &cases, &options, Lanes::Off).unwrap();
+        assert!(alone.iter().enumerate().all(|(k, found)| found.is_err() == [3, 19].contains(&k)));
+        let mut tried = 0;
+        for lanes in [Lanes::Best, Lanes::Only(1), Lanes::Only(2), Lanes::Only(4), Lanes::Only(8)] {
+            let Some(found) = with_lanes(&system, &cases, &options, lanes) else { continue };
+            tried += 1;
+            for (k, (found, alone)) in found.iter().zip(&alone).enumerate() {
+                match (found, alone) {
+                    (Ok(found), Ok(alone)) => assert!(far(found, alone) < tolerance, "{lanes:?}, case {k}: {:e}", far(found, alone)),
+                    (found, alone) => assert_eq!(found, alone, "{lanes:?}, case {k}"),
+                }
+            }
+        }
+        assert!(tried >= 2, "one lane is there on every machine");
+    }
+}
+
+#[test]
+fn company_in_the_lanes_does_not_matter() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    let cases: Vec<[f64; 8]> = links(24).into_iter().map(case).collect();
+    let shuffled: Vec<usize> = (0..24).map(|k| (7 * k + 5) % 24).collect();
+    let other: Vec<[f64; 8]> = shuffled.iter().map(|k| cases[*k]).collect();
+    let [one, two] = [&cases, &other].map(|cases| with_lanes(&system, cases, &Options::default(), Lanes::Best).unwrap());
+    for (place, k) in shuffled.into_iter().enumerate() {
+        let (a, b) = (one[k].as_ref().unwrap(), two[place].as_ref().unwrap());
+        assert!(far(a, b) < 1e-10, "case {k}: {:e}", far(a, b));
+    }
+}
+
+#[test]
+fn newton_steps_and_residuals_are_those_of_each_case_alone() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    let cases: Vec<[f64; 8]> = links(8).into_iter().map(case).collect();
+    let run = |lanes| {
+        let sweep = system.sweep(NAMES).unwrap().lanes(lanes);
+        sweep
+            .run(&cases, times(), |_, motion| {
+                motion.map(|m| (m.iterations().to_vec(), m.residuals().to_vec(), m.times().to_vec())).unwrap()
+            })
+            .unwrap()
+    };
+    for ((steps, residuals, times), (own_steps, _, own_times)) in run(Lanes::Best).into_iter().zip(run(Lanes::Off)) {
+        let (steps, own_steps): (usize, usize) = (steps.iter().sum(), own_steps.iter().sum());
+        assert!(steps.abs_diff(own_steps) <= 3, "{steps} and {own_steps}");
+        assert!(residuals.iter().all(|residual| *residual < 1e-11));
+        assert_eq!(times, own_times);
+    }
+}
+
+#[test]
+fn lanes_that_are_not_there_are_told() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    let sweep = system.sweep(NAMES).unwrap().lanes(Lanes::Only(3));
+    let error = sweep.run(&[case([1.0, 3.5, 3.0, 4.0])], [0.0], |_, _| ()).unwrap_err().to_string();
+    assert!(error.contains("Only(3)") && error.contains("Lanes::Best"), "{error}");
+}
+
+#[test]
+fn kernels_over_lanes_of_the_library_are_its_equations() {
+    let (a, b) = (any_planar(), any_planar());
+    let (u, v) = (vec2(0.3, -0.7), vec2(-1.1, 0.4));
+    let law = || Law::sine(0.7, 2.0, 0.3);
+    let all: Vec<Box<dyn Constraint>> = vec![
+        Box::new(fixed(a, u, 0.4)),
+        Box::new(revolute(a, b, u, v)),
+        Box::new(prismatic(a, b, u, v, vec2(0.2, 0.9), 0.5)),
+        Box::new(drive(any_coord(), law())),
+        Box::new(drive_angle(a, law())),
+        Box::new(drive_point(a, u, law(), Law::ramp(0.5))),
+    ];
+    for constraint in &all {
+        assert!(kin::check::lanes(constraint.as_ref()).unwrap() >= 1, "{}", constraint.kind());
+    }
+}
+
+const MOST_WEAR: f64 = 1e-3;
+
+fn wear<D: Dual>(phi: Real<D>, most: f64) -> Real<D> {
+    most * phi.sin().powi(2)
+}
+
+/// Branches, functions, a law of a coordinate, a function of one's own, a table, time.
+#[constraint(lanes)]
+fn odd(
+    cam: Planar,
+    follower: Planar,
+    phi: Coord,
+    t: Time,
+    tip: Vec2,
+    profile: Law,
+    table: [f64; 3],
+    which: usize,
+    on: bool,
+) -> (f64, f64, f64) {
+    let p = cam.local(follower.point(tip));
+    let angle = p.y.atan2(p.x);
+    let lift = if p.x > 0.2 {
+        p.norm()
+    } else if on && p.y < t {
+        (p.x.abs() + 1.0).ln() * phi
+    } else {
+        p.x.max(p.y) - phi.powi(3)
+    };
+    let slide = lift - profile.at(angle) + wear(angle, MOST_WEAR) + table[which] * t.cos();
+    (slide, phi.tan().sinh() % 3.0 - (2.0 * t).exp() / 100.0, phi.sin() * phi.cos() - t.sqrt() * table[0] + phi.powf(2.0))
+}
+
+/// The norm and rotation matrix of a spatial body.
+#[constraint(symbolic, lanes)]
+fn tilted(body: Spatial, u: Vec3, h: Vec3) -> Vec3 {
+    body.point(u).cross(body.direction(h)) + body.a() * h
+}
+
+#[test]
+fn kernels_of_ones_own_are_its_equations() {
+    let law = Law::sine(0.7, 2.0, 0.3);
+    let own = odd(any_planar(), any_planar(), any_coord(), vec2(0.3, -0.2), law, [0.3, -0.2, 0.9], 1, true);
+    assert!(kin::check::lanes(&own).unwrap() >= 1);
+    assert!(kin::check::lanes(&tilted(any_spatial(), vec3(0.1, 0.7, -0.3), vec3(0.0, 0.6, 0.8))).unwrap() >= 1);
+    kin::check::derivatives(tilted(any_spatial(), vec3(0.1, 0.7, -0.3), vec3(0.0, 0.6, 0.8)));
+}
+
+/// A slot without kernels over lanes.
+#[constraint]
+fn slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
+    let s = j.local(i.point(u_i));
+    s.y - k * s.x * s.x
+}
+
+#[test]
+fn constraints_without_kernels_go_lane_by_lane() {
+    let mut m = Mechanism::new("quick return");
+    let (disc, arm) = (m.planar("disc", pose(0.0, 0.0, 0.0)).unwrap(), m.link("arm", 0.12).unwrap());
+    m.add("O", revolute(m.ground(), disc, vec2(0.0, 0.0), vec2(0.0, 0.0))).unwrap();
+    m.add("C", revolute(m.ground(), arm, vec2(0.05, 0.0), arm.start())).unwrap();
+    m.add("slot", slot(arm, disc, arm.end(), 4.0)).unwrap();
+    m.add("motor", drive_angle(disc, Law::sine(0.3, 1.0, 0.2))).unwrap();
+    m.prefer(arm, 0.0);
+    let system = m.build().unwrap();
+    let cases: Vec<[f64; 2]> = (0..13).map(|k| [3.0 + 0.2 * f64::from(k), 0.04 + 0.001 * f64::from(k)]).collect();
+    let run = |lanes| {
+        let sweep = system.sweep(["slot.k", "C.u_i.x"]).unwrap().lanes(lanes);
+        sweep.run(&cases, linspace(0.0, 3.0, 61), |_, motion| numbers(&motion.unwrap())).unwrap()
+    };
+    for (lanes, alone) in run(Lanes::Best).iter().zip(run(Lanes::Off)) {
+        assert!(far(lanes, &alone) < 1e-10, "{:e}", far(lanes, &alone));
+    }
+}

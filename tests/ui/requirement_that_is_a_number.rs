@@ -1,0 +1,9 @@
+use kin::prelude::*;
+
+#[constraint]
+#[require(k)]
+fn f(a: Coord, k: f64) -> f64 {
+    a - k
+}
+
+fn main() {}
