@@ -118,7 +118,7 @@ impl Model<'_> {
                 None if matches!(*row, "x" | "y" | "z") => Some(String::new()),
                 _ => None,
             };
-            let vectors: Vec<Option<String>> = rows.iter().map(|row| vector(&row)).collect();
+            let vectors: Vec<Option<String>> = rows.iter().map(vector).collect();
             for k in (0..rows.len()).filter(|k| vectors[*k].is_some()) {
                 let same = (0..rows.len()).filter(|j| vectors[*j] == vectors[k]);
                 norms[first + k] = same.fold(0.0, |m, j| m.max(norms[first + j]));
