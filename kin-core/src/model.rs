@@ -80,6 +80,11 @@ impl Model<'_> {
         self.equations.block_of(row).is_some_and(|(block, _)| block.constraint.is_driver())
     }
 
+    /// Whether a row is the norm of a body's Euler parameters.
+    pub(crate) fn is_norm(&self, row: usize) -> bool {
+        self.equations.block_of(row).is_some_and(|(block, _)| block.constraint.kind() == "euler_norm")
+    }
+
     /// Sizes and norms around a pose.
     pub(crate) fn measure(&self, q: &[f64], t: f64) -> Measures {
         /// Poses beside the one given, and how far.
@@ -113,7 +118,7 @@ impl Model<'_> {
                 None if matches!(*row, "x" | "y" | "z") => Some(String::new()),
                 _ => None,
             };
-            let vectors: Vec<Option<String>> = rows.iter().map(|row| vector(&row)).collect();
+            let vectors: Vec<Option<String>> = rows.iter().map(vector).collect();
             for k in (0..rows.len()).filter(|k| vectors[*k].is_some()) {
                 let same = (0..rows.len()).filter(|j| vectors[*j] == vectors[k]);
                 norms[first + k] = same.fold(0.0, |m, j| m.max(norms[first + j]));

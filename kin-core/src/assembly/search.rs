@@ -48,7 +48,7 @@ fn better(model: &Model<'_>, new: &Found, known: &Found) -> bool {
     match (new.met, known.met) {
         (true, true) => distance(model, new) < distance(model, known),
         // Where nothing is met the guess is what the user thinks of: another place must be clearly better.
-        (false, false) => new.place.merit < 0.1 * known.place.merit,
+        (false, false) => new.place.merit < 0.01 * known.place.merit,
         (new, _) => new,
     }
 }

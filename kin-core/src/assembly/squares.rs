@@ -21,6 +21,9 @@ const SHORT: f64 = 1e-15;
 /// Five hardly damped steps in a row that lower the sum of squares by less than this share have reached the bottom.   \[-\]
 const FLAT: f64 = 1e-11;
 
+/// What the norms of Euler parameters weigh: where not everything can be met, bodies are to stay rigid.   \[-\]
+const RIGID: f64 = 10.0;
+
 /// Σ (w_i C_i / norm_i)² + Σ (h (q_p − v_p) / s_p)², unknowns y_j = dq_j / s_j, and y_n = dt / s_t where time is free too.
 ///
 /// Each step solves \[I, J; Jᵀ, −λ I\] (r, y) = (−c, 0), which is (Jᵀ J + λ I) y = −Jᵀ c without squaring J: among the steps that serve
@@ -57,7 +60,8 @@ impl<'a> Squares<'a> {
         places.extend(holds.iter().enumerate().map(|(k, hold)| Some((m + k, hold.0))));
         places.extend((0..if time_is_free { m } else { 0 }).map(|row| Some((row, n - 1))));
         let tall = Tall::new(m + holds.len(), n, &places);
-        Squares { model, measures, weights: vec![1.0; m], holds, time_is_free, tall, damping: START }
+        let weights = (0..m).map(|row| if model.is_norm(row) { RIGID } else { 1.0 }).collect();
+        Squares { model, measures, weights, holds, time_is_free, tall, damping: START }
     }
 
     /// The place at (q, t); `None` where C or C_q is not finite.

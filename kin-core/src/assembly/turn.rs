@@ -24,7 +24,8 @@ pub(crate) fn turned(model: &Model<'_>, q: &[f64], t: f64, active: &dyn Fn(usize
             }
             let before = (q[column], residual(model, &q, t, row));
             q[column] += dq;
-            if !(residual(model, &q, t, row) <= 1e-6 * before.1 + f64::EPSILON * dq.abs()) {
+            let met = residual(model, &q, t, row) <= 1e-6 * before.1 + f64::EPSILON * dq.abs();
+            if !met {
                 q[column] = before.0;
             }
         }

@@ -10,6 +10,9 @@ use crate::model::{Measures, Model};
 /// Starts from which a pose is looked for before it is said that there is none.
 pub(crate) const STARTS: usize = 12;
 
+/// A share of the largest residual above this takes part in what cannot be met.   \[-\]
+const SHARE: f64 = 0.02;
+
 /// Constraints that are let go at most.
 const LET_GO: usize = 6;
 
@@ -122,7 +125,11 @@ fn near(model: &Model<'_>, found: &Found, next: &Found, block: usize) -> bool {
         let rows = model.equations.blocks[block].rows();
         rows.map(|row| (found.place.point.c[row] / found.measures.norms[row]).powi(2)).sum::<f64>().sqrt()
     };
-    size(next) * size(found) <= EXPECTED * found.place.merit
+    let merit = found.place.merit;
+    let shares = found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs());
+    let largest = shares.clone().fold(0.0_f64, f64::max);
+    let taking_part = shares.filter(|share| *share > SHARE * largest).count() as f64;
+    size(next) * size(found) <= EXPECTED * merit && size(next) <= EXPECTED * (taking_part * merit).sqrt()
 }
 
 /// The pose where one more constraint is let go, and as near to being met as the others allow.
@@ -134,8 +141,6 @@ fn without(model: Model<'_>, found: &Found, t: f64, open: &[usize], block: usize
 
 /// The constraints that take part in what cannot be met, the first that is called superfluous first.
 fn culprits(model: &Model<'_>, found: &Found, open: &[usize]) -> impl Iterator<Item = usize> {
-    /// A share of the largest residual above this takes part.   \[-\]
-    const SHARE: f64 = 0.02;
     /// So many are tried.
     const TRIED: usize = 24;
     let shares: Vec<f64> = found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs()).collect();

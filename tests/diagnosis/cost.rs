@@ -1,0 +1,41 @@
+//! What a diagnosis costs. Builds without optimisation are given thirty times as long.
+
+use std::time::{Duration, Instant};
+
+use kin::prelude::*;
+
+use crate::plan::{Joint, View, chain};
+
+/// Driven links in a row, the last one let go and the first one driven twice, from a guess that is off.
+fn examined(links: usize) -> (kin::diagnosis::Diagnosis, Duration) {
+    let angles: Vec<f64> = (0..links).map(|k| 0.4 * (0.7 * k as f64).sin()).collect();
+    let mut motors: Vec<Joint> = angles.iter().enumerate().map(|(k, angle)| Joint::Motor(k, *angle, 1.0)).take(links - 1).collect();
+    motors.push(Joint::Motor(0, angles[0], 1.0));
+    let mut plan = chain(&angles, None, &motors);
+    plan.links.iter_mut().enumerate().for_each(|(k, (_, q))| q[2] += 0.02 * (k as f64).cos());
+    let system: System = plan.mechanism(&View::plain()).build().unwrap();
+    let begun = Instant::now();
+    let found = system.diagnose(0.0).unwrap();
+    (found, begun.elapsed())
+}
+
+fn limited(links: usize, seconds: f64) {
+    let (found, time) = examined(links);
+    println!("{} coordinates in {time:?}", 3 * links);
+    assert_eq!((found.coordinates, found.rank, found.nearby_rank), (3 * links, 3 * links - 1, 3 * links - 1));
+    assert_eq!(found.redundancies().next().unwrap().terms.len(), 2);
+    assert_eq!(found.lasting_freedoms().next().unwrap().motions[0].names, [format!("link {links}")]);
+    let limit = if cfg!(debug_assertions) { 30.0 * seconds } else { seconds };
+    assert!(time.as_secs_f64() < limit, "{time:?}");
+}
+
+#[test]
+fn three_hundred_coordinates_within_a_second() {
+    limited(100, 1.0);
+}
+
+#[test]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation")]
+fn three_thousand_coordinates_within_half_a_minute() {
+    limited(1000, 30.0);
+}
