@@ -44,7 +44,7 @@ fn spatial_slider_crank() {
 
 /// A corner of the platform or of the base of a Stewart platform.
 fn corner(k: usize, size: f64, spread: f64) -> Vec3 {
-    let angle = TAU * (k / 2) as f64 / 3.0 + if k % 2 == 0 { -spread } else { spread };
+    let angle = TAU * (k / 2) as f64 / 3.0 + if k.is_multiple_of(2) { -spread } else { spread };
     vec3(size * angle.cos(), size * angle.sin(), 0.0)
 }
 
