@@ -59,11 +59,11 @@ const SUSPICIOUS: f64 = 1e-6;
 pub(crate) struct Linear {
     n: usize,
     /// Row and column of each value; `None` for what stands on the ground.
-    entries: Vec<Option<(u32, u32)>>,
+    entries: Arc<[Option<(u32, u32)>]>,
     /// Values in the order of rows, then of columns.
-    sorted: Vec<u32>,
+    sorted: Arc<[u32]>,
     /// What is the same for good.
-    constants: Vec<Option<f64>>,
+    constants: Arc<[Option<f64>]>,
     /// Values, right side, solution, then what the programs compute.
     memory: Vec<f64>,
     places: Places,
@@ -102,15 +102,15 @@ impl Linear {
     /// Values that are the same for good may be given in `constants`, in the same order.
     pub(crate) fn new(n: usize, pattern: impl IntoIterator<Item = Option<(usize, usize)>>, constants: &[Option<f64>]) -> Self {
         let inside = |(row, column): (usize, usize)| (row < n && column < n).then_some((row as u32, column as u32));
-        let entries: Vec<_> = pattern.into_iter().map(|entry| entry.and_then(inside)).collect();
+        let entries: Arc<[_]> = pattern.into_iter().map(|entry| entry.and_then(inside)).collect();
         let mut sorted: Vec<u32> = (0..entries.len() as u32).filter(|k| entries[*k as usize].is_some()).collect();
         sorted.sort_by_key(|k| entries[*k as usize]);
         let limits = entries.iter().map(|entry| if entry.is_some() { 0.0 } else { f64::INFINITY }).collect();
         let (rhs, solution) = (entries.len() as u32, (entries.len() + n) as u32);
         Linear {
             n,
-            sorted,
-            constants: constants.to_vec(),
+            sorted: sorted.into(),
+            constants: constants.into(),
             memory: vec![0.0; entries.len() + 2 * n + 1],
             places: Places { rhs, solution, zero: solution + n as u32 },
             entries,
@@ -135,8 +135,10 @@ impl Linear {
 
     /// The characteristic size of each unknown: 1 for an angle, a typical length for a length.
     pub(crate) fn set_sizes(&mut self, sizes: &[f64]) {
-        self.sizes.copy_from_slice(sizes);
-        self.set_units();
+        if self.sizes != sizes {
+            self.sizes.copy_from_slice(sizes);
+            self.set_units();
+        }
     }
 
     /// The values, to be written before [`Linear::factor`].
@@ -171,6 +173,9 @@ impl Linear {
 
     /// Forgets how large rows and columns have been.
     pub(crate) fn forget(&mut self) {
+        if self.norms.iter().all(|norm| *norm == 0.0) {
+            return;
+        }
         self.norms.fill(0.0);
         self.tops.fill(0.0);
         self.set_units();

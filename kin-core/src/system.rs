@@ -153,6 +153,7 @@ impl System {
     pub fn set_initial(&mut self, q: &[f64]) -> Result<()> {
         self.check(q, "initial guess")?;
         self.initial.copy_from_slice(q);
+        self.linear.forget();
         Ok(())
     }
 
@@ -326,11 +327,9 @@ impl System {
         &self.equations
     }
 
-    /// A linear solver for C_q, with all that never changes in its place.
+    /// A linear solver for C_q, with all that never changes in its place, and measured at the initial guess where that has been done.
     pub(crate) fn linear(&self) -> Linear {
-        let mut linear = self.linear.clone();
-        linear.forget();
-        linear
+        self.linear.clone()
     }
 
     pub(crate) fn preferred(&self) -> &[(usize, f64)] {
@@ -410,6 +409,7 @@ impl System {
     fn linearized(&self, q: &[f64], t: f64) -> Result<Linear> {
         let instant = self.instant(q, t)?;
         let mut linear = self.linear();
+        linear.forget();
         self.linearize(&instant, linear.values_mut())?;
         let sizes = scale::sizes(&self.layout, &self.equations, linear.values(), q, &self.links);
         linear.set_sizes(&sizes);

@@ -70,7 +70,7 @@ impl<S: Level> WideLinear<S> {
             recorder,
         };
         let constants = linear.recorder.constants.clone();
-        linear.memory.iter_mut().zip(constants).for_each(|(place, constant)| *place = number(constant.unwrap_or(0.0)));
+        linear.memory.iter_mut().zip(constants.iter()).for_each(|(place, constant)| *place = number(constant.unwrap_or(0.0)));
         linear.load();
         linear
     }
