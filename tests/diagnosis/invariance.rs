@@ -36,6 +36,19 @@ fn every_plan_has_its_verdict() {
     assert!(has(8, "Always [\"link 3\"]") && has(9, "gap at "));
 }
 
+#[test]
+fn every_verdict_reads_back_from_its_file() {
+    let folder = std::env::temp_dir().join(format!("kin-diagnoses-{}", std::process::id()));
+    for (k, plan) in plans().iter().enumerate() {
+        let (found, file) = (plan.mechanism(&View::plain()).diagnose(0.0).unwrap(), folder.join(format!("{k}.json")));
+        found.write_json(&file).unwrap();
+        let read = kin::diagnosis::Diagnosis::read_json(&file).unwrap();
+        assert_eq!(read, found);
+        assert_eq!(read.to_string(), found.to_string());
+    }
+    std::fs::remove_dir_all(folder).unwrap();
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 16, max_shrink_iters: 8, rng_seed: RngSeed::Fixed(20240607), ..ProptestConfig::default() })]
 

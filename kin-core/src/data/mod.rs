@@ -1,4 +1,4 @@
-//! Mechanisms and motions as data: serde, and JSON on disk.
+//! Mechanisms, motions and diagnoses as data: serde, and JSON on disk.
 //!
 //! A motion comes back without loss. A mechanism comes back through a [`Registry`] of constructors, to which a user's own constraints are
 //! added: `Registry::new().with::<parabolic_slot>()`.
@@ -7,6 +7,7 @@ mod law;
 mod mechanism;
 mod motion;
 mod registry;
+pub(crate) mod unbounded;
 mod value;
 
 use std::path::Path;
@@ -20,6 +21,7 @@ pub use motion::{BreakData, MotionData, OutputData};
 pub use registry::{Described, Reader, Registry};
 pub use value::{Datum, Describer, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold};
 
+use crate::diagnosis::Diagnosis;
 use crate::error::{Error, Result};
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
@@ -45,6 +47,22 @@ impl Mechanism {
     /// Errors: a file that cannot be read, and those of [`Mechanism::from_data`].
     pub fn read_json(path: impl AsRef<Path>, registry: &Registry) -> Result<Mechanism> {
         Mechanism::from_data(&read(path.as_ref())?, registry)
+    }
+}
+
+impl Diagnosis {
+    /// Writes the diagnosis as JSON, making folders that are missing; it comes back without loss.
+    ///
+    /// Errors: a file that cannot be written.
+    pub fn write_json(&self, path: impl AsRef<Path>) -> Result<()> {
+        write(path.as_ref(), self)
+    }
+
+    /// The diagnosis in such a file.
+    ///
+    /// Errors: a file that cannot be read.
+    pub fn read_json(path: impl AsRef<Path>) -> Result<Diagnosis> {
+        read(path.as_ref())
     }
 }
 

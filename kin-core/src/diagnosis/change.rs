@@ -1,5 +1,7 @@
 //! The least change that makes a mechanism exactly constrained.
 
+use serde::{Deserialize, Serialize};
+
 use super::contradiction::Gap;
 use super::dependency::{Class, Dependency};
 use super::examine::Examined;
@@ -7,7 +9,7 @@ use super::freedom::{Freedom, Persistence};
 use crate::layout::Unit;
 
 /// One thing to change in the model.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Change {
     /// Leave a constraint out.
@@ -33,7 +35,7 @@ pub enum Change {
         /// Names of its rows that are superfluous.
         rows: Vec<String>,
         /// A joint of the library that holds just the rest, in words.
-        instead: Option<&'static str>,
+        instead: Option<String>,
     },
     /// Drive a coordinate, or hold it.
     Drive {
@@ -92,7 +94,7 @@ fn leave_out(examined: &Examined<'_>, rows: &[usize]) -> Vec<Change> {
         } else {
             let mut own = own;
             own.sort_unstable();
-            let instead = instead(block.constraint.kind(), block.constraint.rows().len(), &own);
+            let instead = instead(block.constraint.kind(), block.constraint.rows().len(), &own).map(str::to_string);
             Change::Drop { constraint, rows: own.iter().map(|local| block.row(*local).to_string()).collect(), instead }
         });
     }

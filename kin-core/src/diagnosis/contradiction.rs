@@ -1,5 +1,7 @@
 //! The pose to look at, and what cannot be met there.
 
+use serde::{Deserialize, Serialize};
+
 use super::examine::Start;
 use super::order;
 use crate::assembly::search::{self, Found};
@@ -17,7 +19,7 @@ const SHARE: f64 = 0.02;
 const LET_GO: usize = 6;
 
 /// A constraint that cannot be met together with all others.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Gap {
     /// The constraint.
@@ -37,7 +39,7 @@ pub struct Gap {
 }
 
 /// What a driver asks for and does not get.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Asks {
     /// The coordinate.

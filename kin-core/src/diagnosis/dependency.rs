@@ -1,5 +1,7 @@
 //! Equations that depend on one another: minimal sets, with coefficients.
 
+use serde::{Deserialize, Serialize};
+
 use super::examine::{Examined, Side};
 use super::freedom;
 use crate::linear::{Sparse, Tall};
@@ -8,7 +10,7 @@ use crate::linear::{Sparse, Tall};
 const OPEN: f64 = 1e-4;
 
 /// What a dependency means.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Class {
     /// One equation repeats others, at nearby poses too, and all can be met: harmless.
     Redundant,
@@ -24,7 +26,7 @@ pub enum Class {
 }
 
 /// Where a contradiction shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Level {
     /// C(q, t) = 0 has no solution there.
     Position,
@@ -35,7 +37,7 @@ pub enum Level {
 }
 
 /// One equation in a dependency.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Term {
     /// The constraint.
@@ -49,7 +51,7 @@ pub struct Term {
 }
 
 /// Σ coefficient · ∂C_i/∂q = 0 over a minimal set: without any of them the others are independent.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Dependency {
     /// What it means.

@@ -1,5 +1,7 @@
 //! The examination of a mechanism from pose to verdict.
 
+use serde::{Deserialize, Serialize};
+
 use super::change::{self, Change};
 use super::contradiction::{self, Gap};
 use super::dependency::{self, Class, Dependency};
@@ -11,7 +13,7 @@ use crate::linear::{Echelon, Sparse, reduced};
 use crate::model::{Measures, Model};
 
 /// What a mechanism is at one time and pose: data for programs; `Display` is a report for people.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Diagnosis {
     /// Name of the mechanism.
@@ -37,6 +39,7 @@ pub struct Diagnosis {
     /// Whether there are nearby poses, or no need to look for any because the rank is full.
     pub moves: bool,
     /// The smallest pivot that counted over the largest that did not: 1e6 and more is clear.   \[-\]
+    #[serde(with = "crate::data::unbounded")]
     pub gap: f64,
     /// Constraints that cannot be met together with all others, with what is missing at the least.
     pub gaps: Vec<Gap>,

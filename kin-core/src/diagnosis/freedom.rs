@@ -1,12 +1,14 @@
 //! What is left free: which bodies move, and how.
 
+use serde::{Deserialize, Serialize};
+
 use super::examine::{Examined, Side};
 use super::generic;
 use crate::algebra::Vec3;
 use crate::layout::{Item, Kind};
 
 /// Whether a freedom is there to stay.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Persistence {
     /// Here and at nearby poses: nothing holds or drives it.
     Always,
@@ -17,7 +19,7 @@ pub enum Persistence {
 }
 
 /// How a body moves at this instant. Rates are relative to those of the other bodies in the same freedom.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum How {
     /// A planar body turns about a point.   \[m; rad\]
@@ -60,7 +62,7 @@ pub enum How {
 }
 
 /// Bodies that move as one.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct BodyMotion {
     /// The bodies, or the bare coordinate.
@@ -70,7 +72,7 @@ pub struct BodyMotion {
 }
 
 /// One motion that is left free.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Freedom {
     /// Whether it is there to stay.

@@ -32,7 +32,8 @@ pub struct Options {
     pub max_iterations: usize,
     /// The stop rule.
     pub stop: Stop,
-    /// Start each time from q + h q̇ + ½ h² q̈ of the one before (default), rather than from q.
+    /// Start each time from q + h q̇ + ½ h² q̈ of the one before (default), rather than from q; after three equal steps from the same made of
+    /// q̇ and q̈ at all three times, where that has been nearer.
     pub predict: bool,
     /// Where plain Newton fails, damp it, look for the assembly from other starts (first time), and approach in smaller steps of time
     /// (later times) before giving up; default true. Without it plain Newton steps from the guess are all that is done.
