@@ -238,7 +238,8 @@ impl Linear {
         if let Some(recording) = &self.recording {
             let settled = recording.factor.len() == 0;
             self.replay();
-            if self.fits() {
+            // Small pivots are judged as those of a new recording are: by the condition of the whole.
+            if self.fits() && (self.smallest >= SUSPICIOUS || self.condition() < CONDITION) {
                 self.settled = settled;
                 return true;
             }
