@@ -79,6 +79,44 @@ pub enum Error {
         motion: Option<Box<Motion>>,
     },
 
+    /// A toggle: the mechanism cannot be driven beyond it, and stands still there for an infinite rate of what it moves.
+    #[error(
+        "t = {} s: a toggle: beyond this time there is no position. {}{}",
+        text::time(*.t),
+        text::toggle(.movable, .dependent, .diagnosis),
+        text::kept(.motion)
+    )]
+    Toggle {
+        /// The time t* of the toggle.   \[s\]
+        t: f64,
+        /// The time that was asked for.   \[s\]
+        asked: f64,
+        /// Bodies and coordinates that can move at t* although everything that drives stands still.
+        movable: Vec<String>,
+        /// Equations that depend on one another at t*.
+        dependent: Vec<String>,
+        /// What is wrong at the time that was asked for, by name, and how near the parts can come.
+        diagnosis: Option<Box<Diagnosis>>,
+        /// What was computed before; its last [`Motion::singular_positions`] is the toggle.
+        motion: Option<Box<Motion>>,
+    },
+
+    /// A step that may have left its branch, and cannot be made any shorter.
+    #[error(
+        "t = {} s: beyond this time the run cannot be shown to stay on its branch ({reason}).\n  A law or constraint with a kink, or a position \
+         that is singular in more than one way; `Follow::Unchecked` goes on without asking.{}",
+        text::time(*.t),
+        text::kept(.motion)
+    )]
+    CannotFollow {
+        /// The last time at which the branch is known.   \[s\]
+        t: f64,
+        /// What was objected to.
+        reason: &'static str,
+        /// What was computed before.
+        motion: Option<Box<Motion>>,
+    },
+
     /// A position that closes, but not as it is meant: the equations hold for an axis turned by 180° too.
     #[error(
         "t = {} s: `{constraint}` ({kind}) closes the wrong way: {reason}.\n  Give a better guess of the poses, or turn one of the directions \
@@ -358,7 +396,9 @@ impl Error {
             | Error::NotFinite { motion, .. }
             | Error::CannotBeDriven { motion, .. }
             | Error::WrongBranch { motion, .. }
-            | Error::LawJumps { motion, .. } => motion.as_deref(),
+            | Error::LawJumps { motion, .. }
+            | Error::Toggle { motion, .. }
+            | Error::CannotFollow { motion, .. } => motion.as_deref(),
             _ => None,
         }
     }
@@ -367,7 +407,9 @@ impl Error {
     pub fn diagnosis(&self) -> Option<&Diagnosis> {
         match self {
             Error::CannotBeDriven { diagnosis, .. } => Some(diagnosis),
-            Error::SingularAt { diagnosis, .. } | Error::NoConvergence { diagnosis, .. } => diagnosis.as_deref(),
+            Error::SingularAt { diagnosis, .. } | Error::NoConvergence { diagnosis, .. } | Error::Toggle { diagnosis, .. } => {
+                diagnosis.as_deref()
+            }
             _ => None,
         }
     }
@@ -376,7 +418,9 @@ impl Error {
     pub(crate) fn explained(mut self, system: &System) -> Error {
         /// Coordinates up to which a failing run is examined by itself; [`System::diagnose`] does it for any number.
         const EXAMINED: usize = 1500;
-        if let Error::SingularAt { t, diagnosis, motion, .. } | Error::NoConvergence { t, diagnosis, motion, .. } = &mut self
+        if let Error::SingularAt { t, diagnosis, motion, .. }
+        | Error::NoConvergence { t, diagnosis, motion, .. }
+        | Error::Toggle { asked: t, diagnosis, motion, .. } = &mut self
             && system.n_coordinates() <= EXAMINED
         {
             let last = motion.as_ref().and_then(|motion| Some(motion.q(motion.len().checked_sub(1)?)));
@@ -393,7 +437,9 @@ impl Error {
         | Error::NotFinite { motion, .. }
         | Error::CannotBeDriven { motion, .. }
         | Error::WrongBranch { motion, .. }
-        | Error::LawJumps { motion, .. } = &mut self
+        | Error::LawJumps { motion, .. }
+        | Error::Toggle { motion, .. }
+        | Error::CannotFollow { motion, .. } = &mut self
             && !computed.is_empty()
         {
             *motion = Some(Box::new(computed));
