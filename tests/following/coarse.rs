@@ -1,10 +1,11 @@
 //! A coarse grid gives the motion of a fine one.
 
 use kin::prelude::*;
+use kin::{Follow, Options};
 
 use crate::models::FourBar;
 
-const CRANK_ROCKER: FourBar = FourBar { driven: 1.0, next: 3.5, last: 3.0, ground: 4.0 };
+const CRANK_ROCKER: FourBar = FourBar { driven: 1.0, next: 3.5, last: 3.0, ground: 4.0, by_coupler: false };
 
 /// Ten positions a turn, and five hundred, through three turns in both assemblies, either way round.
 #[test]
@@ -27,7 +28,7 @@ fn crank_rocker_in_steps_of_36_degrees() {
 /// Whole turns a step: the links come back to where they were, turned by as much as they have turned.
 #[test]
 fn steps_of_whole_turns_are_followed_all_the_way() {
-    let drag_link = FourBar { driven: 2.0, next: 2.2, last: 2.5, ground: 1.0 };
+    let drag_link = FourBar { driven: 2.0, next: 2.2, last: 2.5, ground: 1.0, by_coupler: false };
     let (system, [_, next, last]) = drag_link.system(Law::ramp(TAU), 0.0, 1.0).unwrap();
     let motion = system.run([0.0, 1.0, 4.0]).unwrap();
     for body in [next, last] {
@@ -41,7 +42,7 @@ fn steps_of_whole_turns_are_followed_all_the_way() {
 fn assemblies_that_nearly_meet_are_told_apart() {
     for clearance in [1e-1, 1e-2, 1e-4, 1e-6] {
         // The driven link stretches the two others to all but their length.
-        let bar = FourBar { driven: 1.0, next: 2.0, last: 2.0, ground: 3.0 - 4.0 * clearance };
+        let bar = FourBar { driven: 1.0, next: 2.0, last: 2.0, ground: 3.0 - 4.0 * clearance, by_coupler: false };
         assert!(bar.clearance() > 0.0);
         for (side, points) in [(1.0, 11), (-1.0, 11), (1.0, 8), (1.0, 361)] {
             let (system, _) = bar.system(Law::linear(0.2, TAU), 0.2, side).unwrap();
@@ -56,7 +57,7 @@ fn assemblies_that_nearly_meet_are_told_apart() {
 /// What is not checked says nothing: on the same grid Newton's method ends in whatever assembly it finds, as the README used to warn.
 #[test]
 fn checks_are_an_option() {
-    let bar = FourBar { driven: 1.0, next: 2.0, last: 2.0, ground: 3.0 - 4e-6 };
+    let bar = FourBar { driven: 1.0, next: 2.0, last: 2.0, ground: 3.0 - 4e-6, by_coupler: false };
     let (system, _) = bar.system(Law::linear(0.2, TAU), 0.2, 1.0).unwrap();
     let motion = system.run_with(linspace(0.0, 2.0, 11), &Options { follow: Follow::Unchecked, ..Options::default() });
     let stays = motion.is_ok_and(|motion| (0..11).all(|k| bar.error(motion.q(k), 1.0) < 1e-9));

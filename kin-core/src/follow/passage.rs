@@ -17,6 +17,9 @@ const SHORTEST: f64 = 1e-8;
 /// Times that differ by this share of the measure of time are one.   \[-\]
 const AT_ONCE: f64 = 1e-7;
 
+/// So near to a toggle, by the measure of time, q is known to fewer than half of its digits: the run has come to it.   \[-\]
+const AT_END: f64 = 1e-12;
+
 /// Where a passage ends.
 pub(crate) enum Landed {
     /// At a position near which C_q is regular.
@@ -99,7 +102,7 @@ impl Walk<'_, '_> {
         }
         if self.sign * next.dt() <= 0.0 {
             let Some(turn) = turning::locate(&mut self.curve, &self.here, &next, s) else { return Ok(None) };
-            if self.before(turn.t()) > 0.0 {
+            if self.before(turn.t()) > -AT_END {
                 return Err(Lost::Turned(Box::new(self.told(SingularKind::TurningPoint, &turn.x, Vec::new()))));
             }
             return Ok(self.land(&turn, s));
@@ -118,7 +121,8 @@ impl Walk<'_, '_> {
 
     /// The step leads to the time asked for, or beyond.
     fn land(&mut self, next: &Place, s: f64) -> Option<Stepped> {
-        let place = if self.before(next.t()) == 0.0 { next.clone() } else { turning::at_time(&mut self.curve, &self.here, next, s, self.to)? };
+        let place =
+            if self.before(next.t()) == 0.0 { next.clone() } else { turning::at_time(&mut self.curve, &self.here, next, s, self.to)? };
         let (_, q) = place.x.split_last()?;
         Some(Stepped::Landed(Landed::Regular(q.to_vec())))
     }
