@@ -14,6 +14,7 @@ mod diagnosis;
 mod echelon;
 pub(crate) mod lanes;
 mod order;
+mod orientation;
 mod program;
 mod rank;
 mod record;

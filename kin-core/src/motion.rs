@@ -1,9 +1,11 @@
 //! What a sweep gives: position, velocity and acceleration over time, with names and units, and what is derived from them.
 
 mod csv;
+mod event;
 mod point;
 mod series;
 
+pub use event::{Event, EventKind};
 pub use point::{Body, PointMotion, Vector};
 pub use series::Series;
 
@@ -31,6 +33,7 @@ pub struct Motion {
     pub(crate) worst: Option<(f64, usize)>,
     pub(crate) outputs: Vec<Series>,
     pub(crate) breaks: Vec<CrossedBreak>,
+    pub(crate) events: Vec<Event>,
 }
 
 /// What is told of one time beside its numbers; `worst` is the row of the largest residual.
@@ -68,6 +71,7 @@ impl Motion {
             worst: None,
             outputs: Vec::new(),
             breaks: Vec::new(),
+            events: Vec::new(),
         }
     }
 

@@ -8,7 +8,7 @@ use crate::coordinates::MechanismId;
 use crate::error::{Error, Result};
 use crate::law::Break;
 use crate::layout::Layout;
-use crate::motion::{Motion, Series};
+use crate::motion::{Event, Motion, Series};
 use crate::newton::CrossedBreak;
 
 /// A motion as data, without loss.
@@ -40,6 +40,9 @@ pub struct MotionData {
     /// Breaks of laws that the run has crossed.
     #[serde(default)]
     pub breaks: Vec<BreakData>,
+    /// What has happened on the way.
+    #[serde(default)]
+    pub events: Vec<Event>,
     /// Derived quantities.
     pub outputs: Vec<OutputData>,
 }
@@ -89,6 +92,7 @@ impl Motion {
             iterations: self.iterations().to_vec(),
             residuals: self.residuals().to_vec(),
             breaks: self.breaks.iter().map(BreakData::of).collect(),
+            events: self.events.clone(),
             outputs: self.outputs().iter().map(output).collect(),
         }
     }
@@ -117,7 +121,8 @@ impl Motion {
         if data.worst.is_some_and(|row| row >= data.equations.len()) {
             return Err(fail("the worst equation is none of the equations".to_string()));
         }
-        let all = data.times.iter().chain(&q).chain(&qd).chain(&qdd).chain(&data.residuals);
+        let happened = data.events.iter().map(|event| &event.t);
+        let all = data.times.iter().chain(&q).chain(&qd).chain(&qdd).chain(&data.residuals).chain(happened);
         if let Some(value) = all.into_iter().find(|x| !x.is_finite()) {
             return Err(fail(format!("{value} is among its numbers")));
         }
@@ -134,6 +139,7 @@ impl Motion {
             residuals: data.residuals.clone(),
             worst: data.worst.map(|row| (largest, row)),
             breaks: data.breaks.iter().map(BreakData::crossed).collect(),
+            events: data.events.clone(),
             outputs: Vec::new(),
         };
         for output in &data.outputs {
