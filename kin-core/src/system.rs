@@ -214,6 +214,25 @@ impl System {
         Ok(qdd)
     }
 
+    /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s): the right side of C_q q⃛, in the unit of each row a second cubed.
+    ///
+    /// Errors: wrong length, not finite, a hand-written constraint without [`Constraint::jerk_rhs`].
+    pub fn jerk_rhs(&self, q: &[f64], qd: &[f64], qdd: &[f64], t: f64) -> Result<Vec<f64>> {
+        let instant = self.instant(q, t)?;
+        self.check(qd, "velocities")?;
+        self.check(qdd, "accelerations")?;
+        let rhs = self.model().jerk_rhs(q, t, qd, qdd)?;
+        rhs.map_err(|bad| self.equations.not_finite(bad, &instant))
+    }
+
+    /// q⃛ at a position q, velocity q̇ and acceleration q̈, from C_q q⃛ = −g‴(0). Errors: those of [`System::jerk_rhs`], singular.
+    pub fn jerk(&self, q: &[f64], qd: &[f64], qdd: &[f64], t: f64) -> Result<Vec<f64>> {
+        let rhs = self.jerk_rhs(q, qd, qdd, t)?;
+        let qddd = self.solved(q, t, &rhs)?;
+        self.check(&qddd, "jerk")?;
+        Ok(qddd)
+    }
+
     /// Position, velocity and acceleration at time t, assembled from the initial guess into the preferred assembly.
     /// Errors: no convergence, singular, not finite.
     pub fn position(&self, t: f64) -> Result<Solution> {
@@ -258,6 +277,12 @@ impl System {
     /// Errors: a name that is neither a parameter nor a coordinate.
     pub fn sweep(&self, names: impl IntoIterator<Item = impl AsRef<str>>) -> Result<Sweep<'_>> {
         Sweep::new(self, names)
+    }
+
+    /// An error by name unless every constraint knows its part of the jerk.
+    pub(crate) fn knows_jerk(&self) -> Result<()> {
+        let still = vec![0.0; self.n_coordinates()];
+        self.model().jerk_rhs(&self.initial, 0.0, &still, &still).map(|_| ())
     }
 
     /// Whether no law of its constraints has a break; a run has to look for those time by time.
