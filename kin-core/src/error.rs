@@ -223,7 +223,7 @@ pub enum Error {
         reason: String,
     },
 
-    /// A hand-written constraint that contradicts itself.
+    /// A hand-written constraint that contradicts itself, or does not know what is asked of it.
     #[error("`{constraint}` ({kind}): {reason}")]
     InvalidConstraint {
         /// The constraint.

@@ -127,6 +127,12 @@ impl System {
         Ok(())
     }
 
+    /// An error by name unless every constraint knows its part of the jerk.
+    pub(crate) fn knows_jerk(&self) -> Result<()> {
+        let still = vec![0.0; self.n_coordinates()];
+        self.model().jerk_rhs(&self.initial, 0.0, &still, &still).map(|_| ())
+    }
+
     /// Whether no law of its constraints has a break; a run has to look for those time by time.
     pub(crate) fn is_smooth(&self) -> bool {
         let (mut smooth, instant) = (true, self.equations.instant_at(0.0, &self.initial));

@@ -33,6 +33,9 @@ pub struct MotionData {
     pub qd: Vec<Vec<f64>>,
     /// q̈ at each time.   \[m/s², rad/s²\]
     pub qdd: Vec<Vec<f64>>,
+    /// q⃛ at each time, where the run was asked for the jerk.   \[m/s³, rad/s³\]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub qddd: Vec<Vec<f64>>,
     /// Newton steps at each time.
     pub iterations: Vec<usize>,
     /// max |C_i| at each time.
@@ -89,6 +92,7 @@ impl Motion {
             q: rows(Motion::q),
             qd: rows(Motion::qd),
             qdd: rows(Motion::qdd),
+            qddd: if self.has_jerk() { rows(Motion::qddd) } else { Vec::new() },
             iterations: self.iterations().to_vec(),
             residuals: self.residuals().to_vec(),
             breaks: self.breaks.iter().map(BreakData::of).collect(),
@@ -115,6 +119,7 @@ impl Motion {
             false => Err(fail(format!("{what} needs {times} rows of {width} numbers"))),
         };
         let (q, qd, qdd) = (flat("q", &data.q)?, flat("qd", &data.qd)?, flat("qdd", &data.qdd)?);
+        let qddd = if data.qddd.is_empty() { Vec::new() } else { flat("qddd", &data.qddd)? };
         if data.iterations.len() != times || data.residuals.len() != times {
             return Err(fail(format!("iterations and residuals need {times} numbers")));
         }
@@ -122,7 +127,7 @@ impl Motion {
             return Err(fail("the worst equation is none of the equations".to_string()));
         }
         let happened = data.events.iter().map(|event| &event.t);
-        let all = data.times.iter().chain(&q).chain(&qd).chain(&qdd).chain(&data.residuals).chain(happened);
+        let all = data.times.iter().chain(&q).chain(&qd).chain(&qdd).chain(&qddd).chain(&data.residuals).chain(happened);
         if let Some(value) = all.into_iter().find(|x| !x.is_finite()) {
             return Err(fail(format!("{value} is among its numbers")));
         }
@@ -135,6 +140,7 @@ impl Motion {
             q,
             qd,
             qdd,
+            qddd,
             iterations: data.iterations.clone(),
             residuals: data.residuals.clone(),
             worst: data.worst.map(|row| (largest, row)),

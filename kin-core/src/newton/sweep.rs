@@ -14,6 +14,9 @@ const HALVINGS: i32 = 12;
 pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<Motion> {
     options.check()?;
     check(times)?;
+    if options.jerk {
+        system.knows_jerk()?;
+    }
     if redundant::is_redundant(system) {
         return redundant::run(system, times, options);
     }

@@ -94,6 +94,25 @@ impl System {
     }
 
     /// The instant at q and t, if they are well given.
+    /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s): the right side of C_q q⃛, in the unit of each row a second cubed.
+    ///
+    /// Errors: wrong length, not finite, a hand-written constraint without [`crate::Constraint::jerk_rhs`].
+    pub fn jerk_rhs(&self, q: &[f64], qd: &[f64], qdd: &[f64], t: f64) -> Result<Vec<f64>> {
+        let instant = self.instant(q, t)?;
+        self.check(qd, "velocities")?;
+        self.check(qdd, "accelerations")?;
+        let rhs = self.model().jerk_rhs(q, t, qd, qdd)?;
+        rhs.map_err(|bad| self.equations.not_finite(bad, &instant))
+    }
+
+    /// q⃛ at a position q, velocity q̇ and acceleration q̈, from C_q q⃛ = −g‴(0). Errors: those of [`System::jerk_rhs`], singular.
+    pub fn jerk(&self, q: &[f64], qd: &[f64], qdd: &[f64], t: f64) -> Result<Vec<f64>> {
+        let rhs = self.jerk_rhs(q, qd, qdd, t)?;
+        let qddd = self.solved(q, t, &rhs)?;
+        self.check(&qddd, "jerk")?;
+        Ok(qddd)
+    }
+
     fn instant(&self, q: &[f64], t: f64) -> Result<Instant> {
         self.check(q, "coordinates")?;
         Ok(self.equations.instant_at(time(t)?, q))
