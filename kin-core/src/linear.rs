@@ -172,6 +172,11 @@ impl Linear {
         &self.row_units
     }
 
+    /// s_j over the largest share of each column; what a unit of the measured unknown is.
+    pub(crate) fn column_units(&self) -> &[f64] {
+        &self.column_units
+    }
+
     /// Forgets how large rows and columns have been.
     pub(crate) fn forget(&mut self) {
         if self.norms.iter().all(|norm| *norm == 0.0) {

@@ -13,6 +13,7 @@ use std::sync::Arc;
 
 use crate::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
 use crate::error::{Error, Result};
+use crate::follow::SingularPosition;
 use crate::layout::{Layout, Place};
 use crate::newton::{CrossedBreak, Newton, Outcome};
 use crate::system::System;
@@ -36,6 +37,7 @@ pub struct Motion {
     pub(crate) outputs: Vec<Series>,
     pub(crate) breaks: Vec<CrossedBreak>,
     pub(crate) events: Vec<Event>,
+    pub(crate) singular: Vec<SingularPosition>,
 }
 
 /// What is told of one time beside its numbers; `worst` is the row of the largest residual.
@@ -92,6 +94,7 @@ impl Motion {
             outputs: Vec::new(),
             breaks: Vec::new(),
             events: Vec::new(),
+            singular: Vec::new(),
         }
     }
 
@@ -305,6 +308,17 @@ impl Motion {
     /// The breaks of laws that were crossed, where a derivative of the motion jumps, in the order of time.
     pub fn breaks(&self) -> &[CrossedBreak] {
         &self.breaks
+    }
+
+    /// The singular positions that were met, change points and at last a toggle, in the order of time; they are among
+    /// [`Motion::events`] too.
+    pub fn singular_positions(&self) -> &[SingularPosition] {
+        &self.singular
+    }
+
+    pub(crate) fn add_singular(&mut self, found: SingularPosition) {
+        self.add_event(found.event());
+        self.singular.push(found);
     }
 
     /// One line: counts, Newton steps a time (the first position apart, which is found from a guess) and the largest residual.

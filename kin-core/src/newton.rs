@@ -8,7 +8,7 @@ pub(crate) mod redundant;
 pub(crate) mod sweep;
 mod watch;
 
-pub use options::{Options, Report, Stop};
+pub use options::{Follow, Options, Report, Stop};
 pub use watch::CrossedBreak;
 
 use crate::error::Error;
@@ -331,6 +331,20 @@ impl<'a> Newton<'a> {
             return Ok(());
         }
         Err(Failure::NotFinite(right_side.err().unwrap_or(Bad { row: self.worst().0, quantity: "q'''" })))
+    }
+
+    /// 1 / s_j, one over the characteristic size of each coordinate.
+    pub(crate) fn shares(&self) -> &[f64] {
+        &self.shares
+    }
+
+    /// |C_q⁻¹ (C_q v)_q v| by the sizes, with the matrix in hand; the rates of the instant are lost.
+    pub(crate) fn bend(&mut self, v: &[f64]) -> f64 {
+        let equations = self.system.equations();
+        equations.set_rates(v, &mut self.instant);
+        equations.second_order(&self.instant, 0.0, self.linear.rhs_mut());
+        self.linear.solve();
+        fours::largest_share(self.linear.solution(), &self.shares)
     }
 
     /// What is not finite in the right sides or their solutions.
