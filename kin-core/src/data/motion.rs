@@ -34,6 +34,9 @@ pub struct MotionData {
     pub qd: Vec<Vec<f64>>,
     /// q̈ at each time.   \[m/s², rad/s²\]
     pub qdd: Vec<Vec<f64>>,
+    /// q⃛ at each time, where the run was asked for the jerk.   \[m/s³, rad/s³\]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub qddd: Vec<Vec<f64>>,
     /// Newton steps at each time.
     pub iterations: Vec<usize>,
     /// max |C_i| at each time.
@@ -93,6 +96,7 @@ impl Motion {
             q: rows(Motion::q),
             qd: rows(Motion::qd),
             qdd: rows(Motion::qdd),
+            qddd: if self.has_jerk() { rows(Motion::qddd) } else { Vec::new() },
             iterations: self.iterations().to_vec(),
             residuals: self.residuals().to_vec(),
             breaks: self.breaks.iter().map(BreakData::of).collect(),
@@ -120,6 +124,7 @@ impl Motion {
             false => Err(fail(format!("{what} needs {times} rows of {width} numbers"))),
         };
         let (q, qd, qdd) = (flat("q", &data.q)?, flat("qd", &data.qd)?, flat("qdd", &data.qdd)?);
+        let qddd = if data.qddd.is_empty() { Vec::new() } else { flat("qddd", &data.qddd)? };
         if data.iterations.len() != times || data.residuals.len() != times {
             return Err(fail(format!("iterations and residuals need {times} numbers")));
         }
@@ -128,7 +133,7 @@ impl Motion {
         }
         let happened = data.events.iter().map(|event| &event.t);
         let singular = data.singular_positions.iter().flat_map(SingularPosition::numbers);
-        let all = data.times.iter().chain(&q).chain(&qd).chain(&qdd).chain(&data.residuals).chain(happened).chain(singular);
+        let all = data.times.iter().chain(&q).chain(&qd).chain(&qdd).chain(&qddd).chain(&data.residuals).chain(happened).chain(singular);
         if let Some(value) = all.into_iter().find(|x| !x.is_finite()) {
             return Err(fail(format!("{value} is among its numbers")));
         }
@@ -141,6 +146,7 @@ impl Motion {
             q,
             qd,
             qdd,
+            qddd,
             iterations: data.iterations.clone(),
             residuals: data.residuals.clone(),
             worst: data.worst.map(|row| (largest, row)),

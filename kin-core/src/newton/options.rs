@@ -38,6 +38,9 @@ pub struct Options {
     /// Where plain Newton fails, damp it, look for the assembly from other starts (first time), and approach in smaller steps of time
     /// (later times) before giving up; default true. Without it plain Newton steps from the guess are all that is done.
     pub rescue: bool,
+    /// Solve for the jerk q⃛ too, C_q q⃛ = −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), with the matrix of q̇ and q̈; default false.
+    /// Cases of a sweep are run one by one then.
+    pub jerk: bool,
     /// Whether each step is checked to stay on its branch, and which branch is taken where branches cross; default [`Follow::Smooth`].
     pub follow: Follow,
 }
@@ -67,7 +70,7 @@ impl Follow {
 
 impl Default for Options {
     fn default() -> Self {
-        Options { max_iterations: 50, stop: Stop::default(), predict: true, rescue: true, follow: Follow::default() }
+        Options { max_iterations: 50, stop: Stop::default(), predict: true, rescue: true, jerk: false, follow: Follow::default() }
     }
 }
 

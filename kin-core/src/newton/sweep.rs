@@ -21,6 +21,9 @@ const SHORTEST: f64 = 1e-9;
 pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<Motion> {
     options.check()?;
     check(times)?;
+    if options.jerk {
+        system.knows_jerk()?;
+    }
     if redundant::is_redundant(system) {
         return redundant::run(system, times, options);
     }
