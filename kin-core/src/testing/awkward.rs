@@ -62,7 +62,7 @@ fn toggle_has_its_time() {
     let error = system.run(linspace(0.0, 2.0, 21)).unwrap_err();
     let Error::Toggle { t, asked, movable, .. } = &error else { panic!("{error}") };
     assert!((t - end).abs() < 1e-12 && (asked - 1.0).abs() < 1e-12, "{t} {end} {asked}");
-    assert_eq!(movable, &["theta3"]);
+    assert_eq!(movable, &["theta3", "x"]);
     assert_eq!(error.motion().unwrap().len(), 10);
     // Unchecked, the end is where no step succeeds any more.
     let error = system.run_with(linspace(0.0, 2.0, 21), &Options { follow: Follow::Unchecked, ..Options::default() }).unwrap_err();
