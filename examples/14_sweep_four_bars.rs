@@ -32,6 +32,7 @@ fn four_bar([a, b, c, d]: Links) -> kin::Result<(System, Link)> {
     m.add("C", revolute(m.ground(), rocker, vec2(d, 0.0), rocker.start()))?;
     m.add("motor", drive_angle(crank, Law::ramp(1.0)))?;
     m.prefer(rocker, deg(100.0));
+    m.write_json(format!("{OUT}/mechanism.json"))?;
     Ok((m.build()?, rocker))
 }
 

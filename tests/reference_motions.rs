@@ -161,7 +161,7 @@ fn absolute(motion: &Motion, file: &Value) -> Errors {
 }
 
 /// One coordinate against an output of the file.
-fn outputs(errors: &mut Errors, found: &kin::CoordinateMotion, exact: &Value) {
+fn outputs(errors: &mut Errors, found: &kin::Quantity, exact: &Value) {
     let series: [(&Series, &str); 3] = [(&found.value, "value"), (&found.rate, "d1"), (&found.second_rate, "d2")];
     for (order, (series, field)) in series.into_iter().enumerate() {
         errors.take(order, series.values(), &numbers(exact, field));

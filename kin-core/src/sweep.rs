@@ -131,7 +131,7 @@ impl<'a> Sweep<'a> {
         job.report(0);
         let all = || match self.lanes {
             Lanes::Off => job.one_by_one(),
-            _ if self.system.n_coordinates() == 0 || newton::redundant::is_redundant(self.system) => job.one_by_one(),
+            _ if self.options.jerk || self.system.n_coordinates() == 0 || newton::redundant::is_redundant(self.system) => job.one_by_one(),
             Lanes::Best if !self.system.has_lanes() => job.one_by_one(),
             Lanes::Best => Lanes::Best.dispatch(&job).unwrap_or_else(|job| job.one_by_one()),
             lanes => lanes.dispatch(&job).unwrap_or_else(|_| Err(not_there(lanes))),

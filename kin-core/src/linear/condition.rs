@@ -12,8 +12,8 @@ impl Linear {
         self.nearly_null().2
     }
 
-    /// Vectors that the transpose and the matrix nearly take to zero, and the condition number.
-    pub(super) fn nearly_null(&mut self) -> (Vec<f64>, Vec<f64>, f64) {
+    /// Vectors that the transpose and the matrix nearly take to zero, by the measures of rows and columns, and the condition number.
+    pub(crate) fn nearly_null(&mut self) -> (Vec<f64>, Vec<f64>, f64) {
         let mut state = 0x9E37_79B9_7F4A_7C15_u64;
         let mut left: Vec<f64> = (0..self.n).map(|_| sign_and_size(&mut state)).collect();
         let (mut inverse, mut direct) = (0.0_f64, 0.0_f64);

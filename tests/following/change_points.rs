@@ -1,0 +1,1 @@
+//! Bifurcations: branches that cross.
