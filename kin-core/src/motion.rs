@@ -40,14 +40,6 @@ pub struct Motion {
     pub(crate) singular: Vec<SingularPosition>,
 }
 
-/// What is told of one time beside its numbers; `worst` is the row of the largest residual.
-#[derive(Clone, Copy)]
-pub(crate) struct Pushed {
-    pub t: f64,
-    pub outcome: Outcome,
-    pub worst: usize,
-}
-
 /// One number over time with its rates: a coordinate, the angle of a joint, a slide.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quantity {
@@ -122,20 +114,14 @@ impl Motion {
         self.residuals.push(outcome.residual);
     }
 
-    /// The same of several times at once, from rows of q, of q̇ and of q̈ that stand elsewhere: as many as there are reports.
-    pub(crate) fn push_all<T>(&mut self, reports: &[Pushed], rows: [&[T]; 3], number: impl Fn(&T) -> f64 + Copy) {
-        let count = reports.len() * self.layout.len();
-        for (own, rows) in [&mut self.q, &mut self.qd, &mut self.qdd].into_iter().zip(rows) {
-            own.extend(rows.iter().take(count).map(number));
-        }
-        for report in reports {
-            self.times.push(report.t);
-            self.iterations.push(report.outcome.iterations);
-            self.residuals.push(report.outcome.residual);
-            if self.worst.is_none_or(|(known, _)| report.outcome.residual > known) {
-                self.worst = Some((report.outcome.residual, report.worst));
-            }
-        }
+    /// The same of several times at once: rows of q, of q̇ and of q̈, residuals and numbers of Newton steps; `worst` is the largest residual
+    /// of all times so far, and its row.
+    pub(crate) fn push_all(&mut self, times: &[f64], [q, qd, qdd, residuals, steps]: [&[f64]; 5], worst: (f64, usize)) {
+        let kinds =
+            [(&mut self.times, times), (&mut self.q, q), (&mut self.qd, qd), (&mut self.qdd, qdd), (&mut self.residuals, residuals)];
+        kinds.into_iter().for_each(|(all, more)| all.extend_from_slice(more));
+        self.iterations.extend(steps.iter().map(|steps| *steps as usize));
+        self.worst = Some(worst);
     }
 
     /// Name of the mechanism.
