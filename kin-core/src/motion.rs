@@ -2,11 +2,17 @@
 
 mod csv;
 mod event;
+mod planar;
 mod point;
+mod quantity;
+mod rotation;
 mod series;
 
 pub use event::{Event, EventKind};
+pub use planar::Line;
 pub use point::{Body, PointMotion, Vector};
+pub use quantity::Quantity;
+pub use rotation::RotationMotion;
 pub use series::Series;
 
 use std::sync::Arc;
@@ -17,6 +23,7 @@ use crate::follow::SingularPosition;
 use crate::layout::{Layout, Place};
 use crate::newton::{CrossedBreak, Newton, Outcome};
 use crate::system::System;
+pub(crate) use quantity::MARKS;
 
 /// q, q̇ and q̈ at each time (q⃛ too where it was asked for), all finite, and a report of how they were found.
 #[derive(Clone)]
@@ -38,42 +45,6 @@ pub struct Motion {
     pub(crate) breaks: Vec<CrossedBreak>,
     pub(crate) events: Vec<Event>,
     pub(crate) singular: Vec<SingularPosition>,
-}
-
-/// What is told of one time beside its numbers; `worst` is the row of the largest residual.
-#[derive(Clone, Copy)]
-pub(crate) struct Pushed {
-    pub t: f64,
-    pub outcome: Outcome,
-    pub worst: usize,
-}
-
-/// One number over time with its rates: a coordinate, the angle of a joint, a slide.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Quantity {
-    /// x   \[m or rad\]
-    pub value: Series,
-    /// ẋ   \[m/s or rad/s\]
-    pub rate: Series,
-    /// ẍ   \[m/s² or rad/s²\]
-    pub second_rate: Series,
-    /// x⃛, empty unless the run was asked for the jerk ([`crate::Options::jerk`]).   \[m/s³ or rad/s³\]
-    pub third_rate: Series,
-}
-
-/// What derivatives are called after a name: x, x', x'', x'''.
-pub(crate) const MARKS: [&str; 4] = ["", "'", "''", "'''"];
-
-impl Quantity {
-    /// From x, ẋ, ẍ and x⃛ (empty, or one a time), with a unit for each.
-    pub(crate) fn new(name: &str, units: [&str; 4], times: &[f64], orders: [Vec<f64>; 4]) -> Self {
-        let mut orders = orders.into_iter().zip(MARKS).zip(units).map(|((values, mark), unit)| {
-            let times = if values.is_empty() { &[] } else { times };
-            Series::new(format!("{name}{mark}"), unit, times, values)
-        });
-        let mut next = || orders.next().unwrap_or_else(|| Series::new("", "", &[], Vec::new()));
-        Quantity { value: next(), rate: next(), second_rate: next(), third_rate: next() }
-    }
 }
 
 impl Motion {
@@ -122,20 +93,14 @@ impl Motion {
         self.residuals.push(outcome.residual);
     }
 
-    /// The same of several times at once, from rows of q, of q̇ and of q̈ that stand elsewhere: as many as there are reports.
-    pub(crate) fn push_all<T>(&mut self, reports: &[Pushed], rows: [&[T]; 3], number: impl Fn(&T) -> f64 + Copy) {
-        let count = reports.len() * self.layout.len();
-        for (own, rows) in [&mut self.q, &mut self.qd, &mut self.qdd].into_iter().zip(rows) {
-            own.extend(rows.iter().take(count).map(number));
-        }
-        for report in reports {
-            self.times.push(report.t);
-            self.iterations.push(report.outcome.iterations);
-            self.residuals.push(report.outcome.residual);
-            if self.worst.is_none_or(|(known, _)| report.outcome.residual > known) {
-                self.worst = Some((report.outcome.residual, report.worst));
-            }
-        }
+    /// The same of several times at once: rows of q, of q̇ and of q̈, residuals and numbers of Newton steps; `worst` is the largest residual
+    /// of all times so far, and its row.
+    pub(crate) fn push_all(&mut self, times: &[f64], [q, qd, qdd, residuals, steps]: [&[f64]; 5], worst: (f64, usize)) {
+        let kinds =
+            [(&mut self.times, times), (&mut self.q, q), (&mut self.qd, qd), (&mut self.qdd, qdd), (&mut self.residuals, residuals)];
+        kinds.into_iter().for_each(|(all, more)| all.extend_from_slice(more));
+        self.iterations.extend(steps.iter().map(|steps| *steps as usize));
+        self.worst = Some(worst);
     }
 
     /// Name of the mechanism.
