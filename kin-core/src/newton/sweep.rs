@@ -270,7 +270,7 @@ impl<'a> Sweep<'a> {
 /// q⃛ at a singular position on one of its branches: from the means of what it is a little before and after, twice (Richardson).
 fn jerk_between(newton: &mut Newton<'_>, q: &[f64], Branch { qd, qdd }: &Branch, t: f64) -> std::result::Result<Vec<f64>, Failure> {
     /// What moves most moves by this to the nearer ones.   \[-\]
-    const NEAR: f64 = 0.01;
+    const NEAR: f64 = 0.05;
     let rates = qd.iter().zip(qdd).zip(newton.shares()).map(|((qd, qdd), share)| (qd.abs() * share).max((qdd.abs() * share).sqrt()));
     let fastest = largest(rates);
     let mut jerk = vec![0.0; q.len()];
