@@ -52,7 +52,7 @@ pub use kin_macros::{constraint, law};
 pub use lanes::Lanes;
 pub use law::{Break, Ends, Law, LawFunction};
 pub use mechanism::{ConstraintId, Marker, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose};
-pub use motion::{Event, EventKind, Motion, PointMotion, Quantity, Series};
+pub use motion::{Event, EventKind, Line, Motion, PointMotion, Quantity, RotationMotion, Series};
 pub use nalgebra;
 pub use newton::{CrossedBreak, Follow, Options, Report, Stop};
 pub use num_dual;

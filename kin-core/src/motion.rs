@@ -2,11 +2,17 @@
 
 mod csv;
 mod event;
+mod planar;
 mod point;
+mod quantity;
+mod rotation;
 mod series;
 
 pub use event::{Event, EventKind};
+pub use planar::Line;
 pub use point::{Body, PointMotion, Vector};
+pub use quantity::Quantity;
+pub use rotation::RotationMotion;
 pub use series::Series;
 
 use std::sync::Arc;
@@ -17,6 +23,7 @@ use crate::follow::SingularPosition;
 use crate::layout::{Layout, Place};
 use crate::newton::{CrossedBreak, Newton, Outcome};
 use crate::system::System;
+pub(crate) use quantity::MARKS;
 
 /// q, q̇ and q̈ at each time (q⃛ too where it was asked for), all finite, and a report of how they were found.
 #[derive(Clone)]
@@ -38,34 +45,6 @@ pub struct Motion {
     pub(crate) breaks: Vec<CrossedBreak>,
     pub(crate) events: Vec<Event>,
     pub(crate) singular: Vec<SingularPosition>,
-}
-
-/// One number over time with its rates: a coordinate, the angle of a joint, a slide.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Quantity {
-    /// x   \[m or rad\]
-    pub value: Series,
-    /// ẋ   \[m/s or rad/s\]
-    pub rate: Series,
-    /// ẍ   \[m/s² or rad/s²\]
-    pub second_rate: Series,
-    /// x⃛, empty unless the run was asked for the jerk ([`crate::Options::jerk`]).   \[m/s³ or rad/s³\]
-    pub third_rate: Series,
-}
-
-/// What derivatives are called after a name: x, x', x'', x'''.
-pub(crate) const MARKS: [&str; 4] = ["", "'", "''", "'''"];
-
-impl Quantity {
-    /// From x, ẋ, ẍ and x⃛ (empty, or one a time), with a unit for each.
-    pub(crate) fn new(name: &str, units: [&str; 4], times: &[f64], orders: [Vec<f64>; 4]) -> Self {
-        let mut orders = orders.into_iter().zip(MARKS).zip(units).map(|((values, mark), unit)| {
-            let times = if values.is_empty() { &[] } else { times };
-            Series::new(format!("{name}{mark}"), unit, times, values)
-        });
-        let mut next = || orders.next().unwrap_or_else(|| Series::new("", "", &[], Vec::new()));
-        Quantity { value: next(), rate: next(), second_rate: next(), third_rate: next() }
-    }
 }
 
 impl Motion {

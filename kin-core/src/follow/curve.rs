@@ -5,6 +5,7 @@
 
 use crate::linear::Linear;
 use crate::model::Model;
+use crate::system::System;
 
 /// Newton steps of one correction.
 const ITERATIONS: usize = 12;
@@ -25,6 +26,8 @@ pub(super) struct Curve<'a> {
     /// s_j of each coordinate, and the measure of time.
     pub sizes: Vec<f64>,
     pub linear: Linear,
+    /// For C_q alone.
+    own: Linear,
 }
 
 /// A place on the curve.
@@ -37,6 +40,8 @@ pub(super) struct Place {
     pub ddx: Vec<f64>,
     /// Whether det [C_q C_t; x′ᵀ] is negative.
     pub negative: bool,
+    /// Whether the determinant of each block of C_q is, and its smallest pivot; none where C_q is singular.
+    pub blocks: Option<(Vec<bool>, f64)>,
 }
 
 impl Place {
@@ -49,6 +54,15 @@ impl Place {
         self.dx.last().copied().unwrap_or_default()
     }
 
+    /// q̇ = q′/t′ and q̈ = (q″ − q̇ t″)/t′²
+    pub(super) fn rates(&self) -> [Vec<f64>; 2] {
+        let (dt, ddt) = (self.dt(), self.ddx.last().copied().unwrap_or_default());
+        let n = self.x.len() - 1;
+        let qd: Vec<f64> = self.dx[..n].iter().map(|dx| dx / dt).collect();
+        let qdd = self.ddx.iter().zip(&qd).map(|(ddx, qd)| (ddx - qd * ddt) / (dt * dt)).collect();
+        [qd, qdd]
+    }
+
     /// x + s x′ + ½ s² x″
     pub(super) fn ahead(&self, s: f64) -> Vec<f64> {
         self.x.iter().zip(&self.dx).zip(&self.ddx).map(|((x, dx), ddx)| x + s * (dx + 0.5 * s * ddx)).collect()
@@ -57,14 +71,16 @@ impl Place {
 
 impl<'a> Curve<'a> {
     /// The curve of a system with as many equations as coordinates.
-    pub(super) fn new(model: Model<'a>, sizes: &[f64], time: f64) -> Self {
+    pub(super) fn new(system: &'a System, sizes: &[f64], time: f64) -> Self {
+        let (model, mut own) = (system.model(), system.linear());
         let n = model.n();
+        own.set_sizes(sizes);
         let sizes: Vec<f64> = sizes.iter().copied().chain([time]).collect();
         let c_t = (0..n).map(|row| Some((row, n)));
         let border = (0..=n).map(|column| Some((n, column)));
         let mut linear = Linear::new(n + 1, model.equations.entries.iter().copied().chain(c_t).chain(border), &[]);
         linear.set_sizes(&sizes);
-        Curve { model, sizes, linear }
+        Curve { model, sizes, linear, own }
     }
 
     /// The place at x, which is on the curve, with a tangent on the side of `along`.
@@ -75,12 +91,13 @@ impl<'a> Curve<'a> {
         dx.iter_mut().for_each(|dx| *dx /= length);
         self.factor(&x, &dx)?;
         let negative = self.linear.is_negative();
+        let blocks = self.blocks();
         let (t, q) = x.split_last()?;
         let (dt, dq) = dx.split_last()?;
         let rhs = self.model.second_order(q, *t, dq, *dt).ok()?;
         let ddx = self.solve(rhs.into_iter().chain([0.0]));
         let finite = dx.iter().chain(&ddx).all(|x| x.is_finite());
-        finite.then_some(Place { x, dx, ddx, negative })
+        finite.then_some(Place { x, dx, ddx, negative, blocks })
     }
 
     /// One step of length s, if the curve is surely followed by it.
@@ -130,6 +147,18 @@ impl<'a> Curve<'a> {
         let values = point.values.iter().copied().chain(c_t).chain(border);
         self.linear.values_mut().iter_mut().zip(values).for_each(|(place, value)| *place = value);
         (self.linear.measure() && self.linear.factors()).then_some(point.c)
+    }
+
+    /// The signs of C_q's blocks and its smallest pivot, at the x that was factored last.
+    fn blocks(&mut self) -> Option<(Vec<bool>, f64)> {
+        let values = self.own.values().len();
+        self.own.values_mut().copy_from_slice(&self.linear.values()[..values]);
+        if !(self.own.measure() && self.own.factors()) {
+            return None;
+        }
+        let mut blocks = Vec::new();
+        self.own.orientation(&mut blocks);
+        Some((blocks, self.own.smallest_pivot()))
     }
 
     fn solve(&mut self, rhs: impl Iterator<Item = f64>) -> Vec<f64> {

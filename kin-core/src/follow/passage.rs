@@ -14,6 +14,9 @@ const FIRST: f64 = 0.01;
 const LONGEST: f64 = 0.1;
 const SHORTEST: f64 = 1e-8;
 
+/// Loops that turn over within a step of this length do so at once.   \[-\]
+const TOGETHER: f64 = 1e-4;
+
 /// Times that differ by this share of the measure of time are one.   \[-\]
 const AT_ONCE: f64 = 1e-7;
 
@@ -46,7 +49,7 @@ pub(crate) enum Lost {
 /// into the other branch there.
 pub(crate) fn pass(newton: &Newton<'_>, q: &[f64], t: f64, to: f64, other: &dyn Fn(usize) -> bool) -> Result<Passage, Lost> {
     let time = singular::time(newton, q, t, to - t);
-    let mut curve = Curve::new(newton.system.model(), &newton.sizes, time);
+    let mut curve = Curve::new(newton.system, &newton.sizes, time);
     let sign = (to - t).signum();
     let along: Vec<f64> = newton.qd.iter().chain([&1.0]).map(|x| sign * x).collect();
     let length = curve.dot(&along, &along).sqrt();
@@ -107,10 +110,37 @@ impl Walk<'_, '_> {
             }
             return Ok(self.land(&turn, s));
         }
-        if self.before(next.t()) <= 0.0 {
-            return Ok(self.land(&next, s));
+        if let (Some((before, from)), Some((after, to))) = (&self.here.blocks, &next.blocks)
+            && before != after
+            && before.len() == after.len()
+        {
+            // The pivot that vanishes on the way does so with a slope.
+            let at = s * from / (from + to);
+            return Ok(if s > TOGETHER { None } else { self.cross_together(next, s, at) });
         }
-        Ok(Some(Stepped::On(next)))
+        Ok(self.go_on(next, s))
+    }
+
+    fn go_on(&mut self, next: Place, s: f64) -> Option<Stepped> {
+        if self.before(next.t()) <= 0.0 { self.land(&next, s) } else { Some(Stepped::On(next)) }
+    }
+
+    /// Several loops turn over in a short step, an even number of them: none is told apart from the others, and all go on smoothly.
+    fn cross_together(&mut self, next: Place, s: f64, at: f64) -> Option<Stepped> {
+        let x = self.here.ahead(at);
+        let between = |a: Vec<f64>, b: Vec<f64>| a.iter().zip(&b).map(|(a, b)| a + at / s * (b - a)).collect();
+        let ([qd, qdd], [later, still_later]) = (self.here.rates(), next.rates());
+        let branch = Branch { qd: between(qd, later), qdd: between(qdd, still_later) };
+        let t = x.last().copied()?;
+        if self.before(t).abs() <= AT_ONCE {
+            let (q, rates) = self.moved(&x, &branch, self.to - t);
+            self.passed.push(self.told(SingularKind::Bifurcation, &x, vec![branch]));
+            return Some(Stepped::Landed(Landed::Singular(q, rates)));
+        }
+        if self.before(t) > 0.0 {
+            self.passed.push(self.told(SingularKind::Bifurcation, &x, vec![branch]));
+        }
+        self.go_on(next, s)
     }
 
     /// How long before the time asked for, by the measure of time; at it where that is rounding.
@@ -153,7 +183,7 @@ impl Walk<'_, '_> {
                 return Ok(None);
             }
             self.passed.push(self.told(SingularKind::Bifurcation, &x, branches));
-            return Ok(if self.before(next.t()) <= 0.0 { self.land(&next, s) } else { Some(Stepped::On(next)) });
+            return Ok(self.go_on(next, s));
         }
         let Some(branch) = taken else { return Ok(None) };
         let Some(place) = self.turn_into(&x, &tangents[0], &branch, s) else { return Ok(None) };
