@@ -390,7 +390,7 @@ impl System {
     }
 
     fn finite(&self, result: std::result::Result<(), Bad>, instant: &Instant) -> Result<()> {
-        result.map_err(|bad| self.equations.not_finite(bad, instant))
+        result.map_err(|bad| self.equations.not_finite(bad, &self.layout, instant))
     }
 
     /// C_q⁻¹ times the right side, with the sizes of that point; in the sense of least squares where there are more equations.

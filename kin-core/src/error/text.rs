@@ -72,11 +72,6 @@ pub(super) fn singular(
     text + &kept(motion)
 }
 
-/// The sub-expression that is to blame.
-pub(super) fn because(expression: &Option<String>) -> String {
-    expression.as_ref().map(|text| format!(", because of `{text}`")).unwrap_or_default()
-}
-
 /// That nothing is lost.
 pub(super) fn kept(motion: &Option<Box<Motion>>) -> String {
     let Some(&last) = motion.as_ref().and_then(|motion| motion.times().last()) else { return String::new() };
