@@ -79,12 +79,17 @@ impl Expression {
     }
 }
 
-/// The text of tokens: on one line, without comments, with blanks where the user has them, and no longer than a line.
+/// The text of tokens: on one line, without comments, with blanks where the user has them (as far as places are known), and no longer than a line.
 fn as_written(tokens: TokenStream) -> String {
     const LONGEST: usize = 100;
-    let mut text = Text::default();
-    text.append(tokens);
-    let text = text.written;
+    let known = tokens.clone().into_iter().next().is_some_and(|first| first.span().start() != first.span().end());
+    let text = if known {
+        let mut text = Text::default();
+        text.append(tokens);
+        text.written
+    } else {
+        super::tidy(&tokens.to_string())
+    };
     match text.char_indices().nth(LONGEST) {
         Some((end, _)) => format!("{} …", text[..end].trim_end()),
         None => text,
