@@ -5,6 +5,7 @@ pub(crate) mod lanes;
 use std::ops::Range;
 use std::sync::Arc;
 
+use crate::blame::{Culprit, Term};
 use crate::constraint::Constraint;
 use crate::error::Error;
 use crate::layout::{Layout, Place};
@@ -349,15 +350,18 @@ impl Equations {
     }
 
     /// The error for what is not finite at an instant.
-    pub(crate) fn not_finite(&self, bad: Bad, instant: &Instant) -> Error {
+    pub(crate) fn not_finite(&self, bad: Bad, layout: &Layout, instant: &Instant) -> Error {
         let found = self.block_of(bad.row);
-        let expression = found.and_then(|(block, _)| block.constraint.not_finite(&instant.of(block)));
+        let culprit = found.map(|(block, row)| {
+            let rates = Rates::new(&instant.rates, &[]).further(block.rates as usize, &block.arguments.first_column);
+            Culprit::of(block, layout, instant.of(block), rates, row, Term::named(bad.quantity))
+        });
         Error::NotFinite {
             t: instant.t,
             constraint: found.map(|(block, _)| block.name.clone()).unwrap_or_default(),
             row: found.map(|(block, local)| block.row(local).to_string()).unwrap_or_default(),
             quantity: bad.quantity,
-            expression: expression.map(str::to_string),
+            culprit: Box::new(culprit.unwrap_or_default()),
             motion: None,
         }
     }
