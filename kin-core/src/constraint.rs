@@ -1,6 +1,7 @@
 //! The one trait of the library: what a constraint C(q, t) = 0 can be asked for.
 
 use crate::algebra::Vec3;
+use crate::blame::{Asked, Blame};
 use crate::coordinates::Argument;
 use crate::data::Describer;
 use crate::lanes::InLanes;
@@ -220,9 +221,10 @@ pub trait Constraint: CloneBoxed + Send + Sync {
         to.refuse("it was not made by `#[constraint]`, so its parameters are not known");
     }
 
-    /// Where a value or derivative is not finite: the sub-expression that made it so, as the user wrote it.
-    fn not_finite(&self, at: &At<'_>) -> Option<&str> {
-        let _ = at;
+    /// Why a term is not finite: the sub-expression that made it so, as the user wrote it. Asked only when a run has failed; `None` where
+    /// that is not known (default).
+    fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
+        let _ = asked;
         None
     }
 }

@@ -144,6 +144,7 @@ fn not_finite_names_the_constraint_and_keeps_the_motion() {
     assert_eq!(error.motion().unwrap().len(), 2);
 
     let error = system.residual(&[-1.0], 0.0).unwrap_err();
-    assert!(matches!(&error, Error::NotFinite { quantity: "C", expression: Some(text), .. } if text == "x.sqrt()"), "{error}");
+    let told = "C of `slot` is not finite: `x.sqrt()` is not a number (operand -1).\n  at x = -1.";
+    assert!(matches!(&error, Error::NotFinite { quantity: "C", .. }) && error.to_string().contains(told), "{error}");
     assert!(matches!(system.jacobian(&[0.0], 0.0), Err(Error::NotFinite { quantity: "C_q", .. })));
 }
