@@ -14,7 +14,10 @@ const HALVINGS: i32 = 12;
 /// A step in which nothing moves by more than this, and that is objected to all the same, leads past a singular position.   \[-\]
 const SHORT: f64 = 0.05;
 
-/// Steps of time that go on for this share of the time asked for are taken back for no reason.   \[-\]
+/// The same of a step of this share of the time asked for, where hardly anything moves.   \[-\]
+const AT_REST: f64 = 1.0 / 64.0;
+
+/// No step of time is shorter than this share of the time asked for.   \[-\]
 const SHORTEST: f64 = 1e-9;
 
 /// Position, velocity and acceleration at each of the times.
@@ -153,7 +156,9 @@ impl<'a> Sweep<'a> {
         let rates = self.newton.qd.iter().zip(&self.newton.qdd).zip(self.newton.shares());
         let moved = largest(rates.map(|((qd, qdd), share)| (h * qd).abs().max((0.5 * h * h * qdd).abs()) * share));
         let long = matches!(trouble, Trouble::Objected(Objection::Long));
-        (moved <= SHORT && !long) || h.abs() <= SHORTEST * whole.abs()
+        // Where all stands still the rates say little.
+        let moves = moved >= 0.1 * SHORT || h.abs() <= AT_REST * whole.abs();
+        (moved <= SHORT && moves && !long) || h.abs() <= SHORTEST * whole.abs()
     }
 
     /// The position in hand becomes the last one; a prediction writes all of the next anew.
