@@ -1,5 +1,6 @@
 //! How positions are solved: the stop rule and the means, and the report of what was done.
 
+use crate::assembly::SearchOptions;
 use crate::error::{Error, Result};
 
 /// When Newton's iteration has converged.
@@ -38,17 +39,27 @@ pub struct Options {
     /// Where plain Newton fails, damp it, look for the assembly from other starts (first time), and approach in smaller steps of time
     /// (later times) before giving up; default true. Without it plain Newton steps from the guess are all that is done.
     pub rescue: bool,
+    /// Halvings of one step of time at most before the run is given up, where steps are rescued; default 12.
+    pub halvings: u32,
+    /// How the first position is looked for, where that is rescued, and what is wrong where there is none.
+    pub search: SearchOptions,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Options { max_iterations: 50, stop: Stop::default(), predict: true, rescue: true }
+        Options { max_iterations: 50, stop: Stop::default(), predict: true, rescue: true, halvings: 12, search: SearchOptions::default() }
     }
 }
 
 impl Options {
-    /// An error unless the tolerance is a positive finite number.
+    /// A step of time shorter than this is given up.
+    pub(crate) fn smallest_step(&self, step: f64) -> f64 {
+        step.abs() * 0.5_f64.powi(self.halvings.min(1000) as i32)
+    }
+
+    /// An error unless the tolerance is a positive finite number and there is something to do.
     pub(crate) fn check(&self) -> Result<()> {
+        self.search.check()?;
         let (Stop::Converged { tolerance } | Stop::ResidualOnly(tolerance)) = self.stop;
         if tolerance.is_finite() && tolerance > 0.0 {
             return Ok(());

@@ -7,9 +7,6 @@ use crate::error::{Error, Result};
 use crate::motion::Motion;
 use crate::system::System;
 
-/// A step of time is halved at most this often before the sweep gives up.
-const HALVINGS: i32 = 12;
-
 /// Position, velocity and acceleration at each of the times.
 pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<Motion> {
     options.check()?;
@@ -20,16 +17,16 @@ pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<M
     let mut motion = Motion::new(system, times.len());
     let (mut sweep, mut watch) = (Sweep::new(system, options), Watch::default());
     for &t in times {
-        let reached = sweep.reach(t).and_then(|outcome| Ok((outcome, watch.look(&sweep.newton, t)?)));
+        let reached = sweep.reach(t).and_then(|outcome| Ok((outcome, watch.look(system, &sweep.newton.instant)?)));
         match reached {
-            Ok((outcome, crossed)) => motion.push(t, &sweep.newton, outcome, crossed),
-            Err(error) => return Err(error.with_motion(motion).explained(system)),
+            Ok((outcome, crossed)) => {
+                motion.cross(crossed);
+                motion.push(t, &sweep.newton, outcome);
+            }
+            Err(error) => return Err(error.with_motion(motion).explained(system, options)),
         }
     }
-    match sweep.newton.meant() {
-        Ok(()) => Ok(motion),
-        Err(error) => Err(error.with_motion(motion)),
-    }
+    Ok(motion)
 }
 
 /// Times must be finite and strictly increasing or strictly decreasing.
@@ -78,7 +75,7 @@ impl<'a> Sweep<'a> {
 
     /// From one solved time to the next, in one step if that works.
     fn advance(&mut self, from: f64, to: f64) -> Result<Outcome> {
-        let smallest = (to - from).abs() * 0.5_f64.powi(HALVINGS);
+        let smallest = self.newton.options.smallest_step(to - from);
         let (mut t, mut h) = (from, to - from);
         loop {
             let target = if (to - t).abs() <= h.abs() * 1.001 { to } else { t + h };

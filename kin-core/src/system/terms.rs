@@ -24,7 +24,7 @@ impl System {
             return Ok(self.condition_of_all_rows(self.jacobian(q, t)?, q, t));
         }
         let mut linear = self.linearized(q, t)?;
-        Ok(if linear.factor().is_ok() { linear.condition() } else { f64::INFINITY })
+        Ok(if linear.factor() { linear.condition() } else { f64::INFINITY })
     }
 
     /// The same where there are more rows than columns, by singular values.
@@ -117,7 +117,9 @@ impl System {
             return redundant::solved(self, q, t, rhs);
         }
         let mut linear = self.linearized(q, t)?;
-        linear.factor().map_err(|found| self.singular(t, &found, None))?;
+        if !linear.factor() {
+            return Err(self.singular(t, q, None));
+        }
         linear.rhs_mut().copy_from_slice(rhs);
         linear.solve();
         Ok(linear.solution().to_vec())
