@@ -98,7 +98,8 @@ pub trait Constraint: CloneBoxed + Send + Sync {
     /// How its derivatives are obtained.
     fn route(&self) -> Route;
 
-    /// Whether it is a driving constraint, one in which time appears (the function has a [`crate::Time`] argument).
+    /// Whether it is a driving constraint, one in which time appears (the function has a [`crate::Time`] argument). A hand-written constraint
+    /// (default `false`) counts as one too where its value is seen to change with t alone.
     fn is_driver(&self) -> bool {
         false
     }
@@ -205,7 +206,12 @@ pub trait Constraint: CloneBoxed + Send + Sync {
         None
     }
 
-    /// Where C = 0 holds but not as it is meant, such as an axis turned by 180°: what is wrong. Looked at when a position has been found.
+    /// Whether [`Constraint::wrong_branch`] can have anything to say. `true` promises nothing (default).
+    fn has_branches(&self) -> bool {
+        true
+    }
+
+    /// Where C = 0 holds but not as it is meant, such as an axis turned by 180°: what is wrong. Looked at whenever a position has been found.
     fn wrong_branch(&self, at: &At<'_>) -> Option<&str> {
         let _ = at;
         None

@@ -223,7 +223,7 @@ impl<S: Level> WideLinear<S> {
         recorder.set_sizes(&sizes);
         recorder.values_mut().iter_mut().zip(&self.memory).for_each(|(value, x)| *value = of_lane(x));
         recorder.measure();
-        let recorded = recorder.factor().is_ok();
+        let recorded = recorder.factor();
         self.recorded_anew = true;
         if recorded {
             self.load();
