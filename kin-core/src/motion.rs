@@ -72,7 +72,9 @@ impl Motion {
     }
 
     pub(crate) fn push(&mut self, t: f64, newton: &Newton<'_>, outcome: Outcome, crossed: Vec<CrossedBreak>) {
-        self.breaks.extend(crossed);
+        if !crossed.is_empty() {
+            self.breaks.extend(crossed);
+        }
         let worst = if self.is_worse(outcome) { newton.worst().0 } else { 0 };
         self.append(t, [&newton.q, &newton.qd, &newton.qdd], outcome, worst);
     }
@@ -82,6 +84,7 @@ impl Motion {
     }
 
     /// q, q̇, q̈ at one more time; `worst` is the row with the largest |C_i|.
+    #[inline]
     pub(crate) fn append(&mut self, t: f64, [q, qd, qdd]: [&[f64]; 3], outcome: Outcome, worst: usize) {
         if self.is_worse(outcome) {
             self.worst = Some((outcome.residual, worst));

@@ -15,6 +15,7 @@ impl Linear {
     /// Vectors that the transpose and the matrix nearly take to zero, and the condition number.
     pub(super) fn nearly_null(&mut self) -> (Vec<f64>, Vec<f64>, f64) {
         let mut state = 0x9E37_79B9_7F4A_7C15_u64;
+        let rhs = self.rhs_mut().to_vec();
         let mut left: Vec<f64> = (0..self.n).map(|_| sign_and_size(&mut state)).collect();
         let (mut inverse, mut direct) = (0.0_f64, 0.0_f64);
         normalise(&mut left);
@@ -32,6 +33,8 @@ impl Linear {
             v = self.apply(&v, true);
             direct = direct.max(normalise(&mut v));
         }
+        // The right side may be waiting for a matrix that has to be judged first.
+        self.rhs_mut().copy_from_slice(&rhs);
         let condition = inverse * direct;
         (left, right, if condition.is_finite() { condition } else { f64::INFINITY })
     }
@@ -39,7 +42,7 @@ impl Linear {
     /// v becomes the inverse of the measured matrix times v.
     pub(super) fn apply_inverse(&mut self, v: &mut [f64]) {
         let units = self.row_units.clone();
-        for ((b, v), unit) in self.rhs_mut().iter_mut().zip(v.iter()).zip(&units) {
+        for ((b, v), unit) in self.rhs_mut().iter_mut().zip(v.iter()).zip(units.iter()) {
             *b = v / unit;
         }
         self.solve();
@@ -58,7 +61,7 @@ impl Linear {
         if let Some(recording) = &self.recording {
             recording.solve.run_transposed(&self.memory, &mut adjoint);
         }
-        for ((v, b), unit) in v.iter_mut().zip(&adjoint[rhs..]).zip(&self.row_units) {
+        for ((v, b), unit) in v.iter_mut().zip(&adjoint[rhs..]).zip(self.row_units.iter()) {
             *v = b / unit;
         }
     }

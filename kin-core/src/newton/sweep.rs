@@ -4,6 +4,7 @@ use super::predictor::{Last, Predictor};
 use super::watch::Watch;
 use super::{Failure, Newton, Options, Outcome, Steps, assembly, redundant};
 use crate::error::{Error, Result};
+use crate::fours::Fours;
 use crate::motion::Motion;
 use crate::system::System;
 
@@ -51,9 +52,9 @@ pub(crate) fn check(times: &[f64]) -> Result<()> {
 /// The last solved time, its point, and the means to go on from it.
 struct Sweep<'a> {
     newton: Newton<'a>,
-    /// The last time with a solution, and its position.
+    /// The last time with a solution, and its position, which a failure goes back to.
     last: Option<f64>,
-    q: Vec<f64>,
+    q: Fours,
     predictor: Predictor,
     /// Whether everything in hand is that of the last solution.
     untouched: bool,
@@ -62,7 +63,7 @@ struct Sweep<'a> {
 impl<'a> Sweep<'a> {
     fn new(system: &'a System, options: &'a Options) -> Self {
         let n = system.n_coordinates();
-        Sweep { newton: Newton::new(system, options), last: None, q: vec![0.0; n], predictor: Predictor::new(n), untouched: false }
+        Sweep { newton: Newton::new(system, options), last: None, q: Fours::new(n, 0.0), predictor: Predictor::new(n), untouched: false }
     }
 
     /// Solves at time t, from the guess or from the last solved time.
@@ -109,7 +110,7 @@ impl<'a> Sweep<'a> {
     fn keep(&mut self) {
         if self.newton.options.predict {
             std::mem::swap(&mut self.q, &mut self.newton.q);
-        } else {
+        } else if self.newton.options.rescue {
             self.q.copy_from_slice(&self.newton.q);
         }
     }

@@ -37,11 +37,18 @@ struct Asked {
 impl Watch {
     /// Looks at the laws at a time that was solved: the breaks crossed since the last one. A jump of a value, or of the slope of a law of time,
     /// is an error.
+    #[inline]
     pub(super) fn look(&mut self, newton: &Newton<'_>, t: f64) -> Result<Vec<CrossedBreak>, Error> {
-        let Some(before) = self.last.replace(t) else {
-            self.asked = questions(newton);
-            return Ok(Vec::new());
-        };
+        match self.last.replace(t) {
+            None => self.asked = questions(newton),
+            Some(before) if !self.asked.is_empty() => return self.cross(newton, before, t),
+            Some(_) => {}
+        }
+        Ok(Vec::new())
+    }
+
+    /// Asks every law with breaks, which was asked at the time `before`.
+    fn cross(&mut self, newton: &Newton<'_>, before: f64, t: f64) -> Result<Vec<CrossedBreak>, Error> {
         let mut crossed = Vec::new();
         for asked in &mut self.asked {
             let block = &newton.system.equations().blocks[asked.block];

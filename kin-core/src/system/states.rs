@@ -16,7 +16,7 @@ pub(crate) struct StatePlan {
     coords: Vec<Shared>,
     /// Places of a state among those of its kind, by its first coordinate.
     known: HashMap<(Kind, usize), usize>,
-    /// The states to begin with: those of the ground, which stay, and of coordinates that are zero.
+    /// The states where all coordinates are zero; those of the ground are there for good.
     states: Vec<f64>,
     /// The coordinate whose rate each local column has; `GROUND` on the ground.
     pub(super) columns: Vec<u32>,
@@ -29,10 +29,10 @@ pub(super) const GROUND: u32 = u32::MAX;
 #[derive(Clone, Debug)]
 struct Shared {
     /// First coordinate.
-    first: usize,
+    first: u32,
     /// Whether someone reads its sine or cosine (bare coordinates only).
     trig: bool,
-    /// Where its state and its rates are copied to (32 bits: no sum of them overflows, so one check a copy will do).
+    /// Where its state and its rates are copied to, one place or more.
     copies: Vec<[u32; 2]>,
 }
 
@@ -49,6 +49,7 @@ impl StatePlan {
         let begin = (self.states.len(), self.columns.len());
         let (kind, ground, trig): (_, Vec<f64>, _) = match (target, place) {
             (Target::Planar(_), _) => (Kind::Planar, PlanarState::ground().to_array().into(), false),
+            (Target::Spatial(_), Place::Own { .. }) => (Kind::Spatial, vec![0.0; SPATIAL_STATE], false),
             (Target::Spatial(_), _) => (Kind::Spatial, SpatialState::ground().to_array().into(), false),
             (Target::Coord(_, trig), Place::Ground(value)) => {
                 (Kind::Coord, CoordState::new(value, true).to_array().into(), *trig == Trig::Used)
@@ -78,7 +79,7 @@ impl StatePlan {
                 shared.trig |= trig;
                 shared.copies.push(copy);
             }
-            None => list.push(Shared { first, trig, copies: vec![copy] }),
+            None => list.push(Shared { first: first as u32, trig, copies: vec![copy] }),
         }
     }
 
@@ -87,30 +88,25 @@ impl StatePlan {
         self.states.len()
     }
 
-    /// States of the right number; those of the ground are there for good.
-    pub(super) fn states(&self) -> Vec<f64> {
-        self.states.clone()
+    /// The states where all coordinates are zero; those of the ground are there for good.
+    pub(super) fn origin(&self) -> &[f64] {
+        &self.states
     }
 
     /// The states at coordinates q.
     pub(super) fn set_states(&self, q: &[f64], states: &mut [f64]) {
         for Shared { first, copies, .. } in &self.planar {
-            let Some(&[x, y, theta]) = q.get(*first..).and_then(|q| q.first_chunk()) else { continue };
-            let Some([_, _, known, sin, cos]) = own(copies, states) else { continue };
+            let ([x, y, theta], [_, _, known, sin, cos]) = (numbers(q, *first), numbers(states, copies[0][0]));
             // An angle that has not moved, as a driven one in Newton's last step, keeps its sine and cosine.
             let (sin, cos) = if known == theta { (sin, cos) } else { theta.sin_cos() };
             copy::<_, _, 0>(&[x, y, theta, sin, cos], copies, states);
         }
         for Shared { first, copies, .. } in &self.spatial {
-            let Some(q) = q.get(*first..).and_then(|q| q.first_chunk::<SPATIAL_STATE>()) else { continue };
-            copy::<_, _, 0>(q, copies, states);
+            copy::<_, SPATIAL_STATE, 0>(&numbers(q, *first), copies, states);
         }
         for Shared { first, trig, copies } in &self.coords {
-            let (value, known) = (q[*first], own(copies, states));
-            let state = match known {
-                Some([known, sin, cos]) if known == value => [value, sin, cos],
-                _ => CoordState::new(value, *trig).to_array(),
-            };
+            let ([value], [known, sin, cos]) = (numbers(q, *first), numbers(states, copies[0][0]));
+            let state = if known == value { [value, sin, cos] } else { CoordState::new(value, *trig).to_array() };
             copy::<_, _, 0>(&state, copies, states);
         }
     }
@@ -118,23 +114,22 @@ impl StatePlan {
     /// The rates of each local column at q̇.
     pub(super) fn set_rates(&self, qd: &[f64], rates: &mut [f64]) {
         for Shared { first, copies, .. } in &self.planar {
-            let Some(qd) = qd.get(*first..).and_then(|qd| qd.first_chunk::<3>()) else { continue };
-            copy::<_, _, 1>(qd, copies, rates);
+            copy::<_, 3, 1>(&numbers(qd, *first), copies, rates);
         }
         for Shared { first, copies, .. } in &self.spatial {
-            let Some(qd) = qd.get(*first..).and_then(|qd| qd.first_chunk::<7>()) else { continue };
-            copy::<_, _, 1>(qd, copies, rates);
+            copy::<_, 7, 1>(&numbers(qd, *first), copies, rates);
         }
         for Shared { first, copies, .. } in &self.coords {
-            copy::<_, _, 1>(&[qd[*first]], copies, rates);
+            copy::<_, 1, 1>(&numbers(qd, *first), copies, rates);
         }
     }
 }
 
-/// The state as it was last copied.
+/// N numbers from there on (32 bits: the end does not overflow, so one check will do).
 #[inline(always)]
-fn own<const N: usize>(copies: &[[u32; 2]], states: &[f64]) -> Option<[f64; N]> {
-    states.get(copies.first()?[0] as usize..)?.first_chunk().copied()
+fn numbers<const N: usize>(all: &[f64], first: u32) -> [f64; N] {
+    let own = &all[first as usize..first as usize + N];
+    std::array::from_fn(|k| own[k])
 }
 
 /// Copies a state (`WHAT` 0) or its rates (1) to all its readers.
@@ -159,7 +154,7 @@ mod tests {
         assert_eq!(plan.argument(&target(Trig::Unused), place), (0, 0));
         assert_eq!(plan.argument(&target(Trig::Unused), Place::Ground(1.0)), (3, 1));
         assert_eq!(plan.argument(&target(Trig::Used), place), (6, 2));
-        let mut states = plan.states();
+        let mut states = plan.origin().to_vec();
         plan.set_states(&[0.0, 0.0, 0.5], &mut states);
         let half = CoordState::new(0.5, true).to_array();
         assert_eq!((&states[..3], &states[6..]), (&half[..], &half[..]));
@@ -173,7 +168,7 @@ mod tests {
     fn an_angle_that_comes_back_has_its_own_sine_again() {
         let mut plan = StatePlan::default();
         plan.argument(&Target::Planar(any_planar()), Place::Own { item: 0, first: 0 });
-        let mut states = plan.states();
+        let mut states = plan.origin().to_vec();
         for theta in [0.0, 0.5, 0.5, -0.0, f64::NAN, f64::NAN, 0.5, 1e300] {
             plan.set_states(&[1.0, 2.0, theta], &mut states);
             let expected = PlanarState::new([1.0, 2.0, theta]).to_array();

@@ -18,7 +18,7 @@ impl StatePlan {
     #[inline(always)]
     pub(crate) fn set_wide_states<S: Level>(&self, q: &[Wide<S>], states: &mut [Wide<S>]) {
         for shared in &self.planar {
-            let (first, own) = (shared.first, shared.copies[0][0] as usize);
+            let (first, own) = (shared.first as usize, shared.copies[0][0] as usize);
             let (x, y, theta) = (q[first], q[first + 1], q[first + 2]);
             let (mut sin, mut cos) = (states[own + 3], states[own + 4]);
             // Angles that have not moved in any lane, as driven ones in Newton's last step, keep their sine and cosine.
@@ -31,11 +31,11 @@ impl StatePlan {
             }
         }
         for shared in &self.spatial {
-            let Some(&q) = q.get(shared.first..).and_then(|q| q.first_chunk::<7>()) else { continue };
+            let Some(&q) = q.get(shared.first as usize..).and_then(|q| q.first_chunk::<7>()) else { continue };
             super::copy::<_, _, 0>(&spatial(q), &shared.copies, states);
         }
         for shared in &self.coords {
-            let value = q[shared.first];
+            let value = q[shared.first as usize];
             let (sin, cos) = if shared.trig { value.sin_cos() } else { (value.all(0.0), value.all(0.0)) };
             super::copy::<_, _, 0>(&[value, sin, cos], &shared.copies, states);
         }
