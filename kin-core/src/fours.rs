@@ -55,6 +55,15 @@ impl DerefMut for Fours {
     }
 }
 
+impl<'a> IntoIterator for &'a Fours {
+    type Item = &'a f64;
+    type IntoIter = std::slice::Iter<'a, f64>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
 /// x = −y; the largest |y|, infinite if a number is not finite.
 #[inline]
 pub(crate) fn oppose(x: &mut [Four], y: &[Four]) -> f64 {
@@ -97,6 +106,23 @@ pub(crate) fn add(x: &mut [Four], y: &[Four]) {
     for (x, y) in x.iter_mut().zip(y) {
         *x = (f64x4::new(*x) + f64x4::new(*y)).to_array();
     }
+}
+
+/// How far q + h q̇ + ½ h² q̈ from either end of a step h is from the other end, by shares, and how far the ends are apart, by `turns`; the
+/// largest of each.
+pub(crate) fn miss(h: f64, from: [&Fours; 3], to: [&Fours; 3], shares: &Fours, turns: &Fours) -> [f64; 2] {
+    let (h, half, mut miss, mut reach) = (f64x4::splat(h), f64x4::splat(0.5 * h), f64x4::ZERO, f64x4::ZERO);
+    let [q, qd, qdd] = from.map(|x| x.whole().iter());
+    let [r, rd, rdd] = to.map(|x| x.whole().iter());
+    let ends = q.zip(qd).zip(qdd).zip(r).zip(rd).zip(rdd);
+    for ((((((q, qd), qdd), r), rd), rdd), (share, turn)) in ends.zip(shares.whole().iter().zip(turns.whole())) {
+        let [q, qd, qdd, r, rd, rdd, share, turn] = [q, qd, qdd, r, rd, rdd, share, turn].map(|four| f64x4::new(*four));
+        let d = r - q;
+        let (forward, back) = (d - h * (qd + half * qdd), d - h * (rd - half * rdd));
+        miss = miss.fast_max(forward.abs().fast_max(back.abs()) * share);
+        reach = reach.fast_max(d.abs() * turn);
+    }
+    [miss, reach].map(|most| most.to_array().into_iter().fold(0.0, f64::max))
 }
 
 /// The fours of two vectors side by side.

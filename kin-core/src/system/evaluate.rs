@@ -82,6 +82,8 @@ pub(crate) struct Instant {
     timed: Vec<f64>,
     states: Vec<f64>,
     rates: Vec<f64>,
+    /// Second rates of the columns, where the jerk is asked for; else empty.
+    second_rates: Vec<f64>,
     linear: Sums,
 }
 
@@ -109,10 +111,13 @@ impl Instant {
         at.turn(from(&self.states, block.states), &block.first_state, from(&self.timed, block.timed.first));
     }
 
-    /// The rates as a constraint sees them.
+}
+
+impl Block {
+    /// The rates of all columns as the constraint sees them.
     #[inline(always)]
-    fn rates_of<'a>(&'a self, block: &'a Block) -> Rates<'a> {
-        Rates::new(from(&self.rates, block.rates), &block.first_column)
+    fn rates<'a>(&'a self, all: &'a [f64]) -> Rates<'a> {
+        Rates::new(from(all, self.rates), &self.first_column)
     }
 }
 
@@ -127,7 +132,7 @@ fn from(all: &[f64], first: u32) -> &[f64] {
 pub(crate) struct Bad {
     /// Global row.
     pub row: usize,
-    /// `C`, `C_q`, `C_t`, `Q_d`, `q'` or `q''`.
+    /// `C`, `C_q`, `C_t`, `Q_d`, `q'`, `q''`, `q'''` or the right side of the last.
     pub quantity: &'static str,
 }
 
@@ -182,6 +187,7 @@ impl Equations {
             all.append(layout, name, constraint);
             all.ask(all.blocks.len() - 1);
         }
+        all.plan.finish();
         all
     }
 
@@ -243,8 +249,14 @@ impl Equations {
 
     /// Room for an instant: all coordinates at zero, no time set yet.
     pub(crate) fn instant(&self) -> Instant {
-        let (timed, rates) = (vec![0.0; self.timed], vec![0.0; self.plan.columns.len()]);
-        let mut instant = Instant { t: f64::NAN, timed, states: self.plan.origin().to_vec(), rates, linear: self.linear.sums() };
+        let mut instant = Instant {
+            t: f64::NAN,
+            timed: vec![0.0; self.timed],
+            states: self.plan.origin().to_vec(),
+            rates: vec![0.0; self.plan.columns.len()],
+            second_rates: vec![],
+            linear: self.linear.sums(),
+        };
         self.set_linear(&self.asked.steady, &mut instant);
         instant
     }
@@ -355,8 +367,35 @@ impl Equations {
         let mut at = instant.at();
         for block in self.asked.q_d.iter().map(|&k| &self.blocks[k]) {
             instant.show(block, &mut at);
-            block.constraint.acceleration_rhs(&at, &instant.rates_of(block), t_dot, &mut rhs[block.rows.range()]);
+            block.constraint.acceleration_rhs(&at, &block.rates(&instant.rates), t_dot, &mut rhs[block.rows.range()]);
         }
+    }
+
+    /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), along the rates of the instant and q̈, whether it is finite or not.
+    ///
+    /// Errors: the first row of a constraint that does not know it.
+    pub(crate) fn jerk_rhs(&self, qdd: &[f64], instant: &mut Instant, rhs: &mut [f64]) -> Result<(), usize> {
+        instant.second_rates.resize(self.plan.columns.len(), 0.0);
+        self.plan.set_rates(qdd, &mut instant.second_rates);
+        rhs.fill(0.0);
+        // A constraint without second derivatives has no third ones.
+        for block in self.asked.q_d.iter().map(|&k| &self.blocks[k]) {
+            let [qd, qdd] = [&instant.rates, &instant.second_rates].map(|rates| block.rates(rates));
+            if !block.constraint.jerk_rhs(&instant.of(block), &qd, &qdd, &mut rhs[block.rows.range()]) {
+                return Err(block.rows().start);
+            }
+        }
+        Ok(())
+    }
+
+    /// The error for a constraint that does not know its part of the jerk, by one of its rows.
+    pub(crate) fn no_jerk(&self, row: usize) -> Error {
+        let reason = "its part of the jerk is not known; implement `Constraint::jerk_rhs`, or run without `Options::jerk`".to_string();
+        let [constraint, kind] = match self.block_of(row) {
+            Some((block, _)) => [block.name.clone(), block.constraint.kind().to_string()],
+            None => Default::default(),
+        };
+        Error::InvalidConstraint { constraint, kind, reason }
     }
 
     /// The constraint that a global row belongs to, and its local row.
