@@ -60,12 +60,14 @@ pub struct Dependence {
     pub c_t: bool,
     /// Q_d can be other than zero; if not, [`Constraint::acceleration_rhs`] writes zeros for every q̇ and ṫ.
     pub q_d: bool,
+    /// C can be other than linear in the coordinates; if not, C(q, t) = C_q q + C(0, t) with a C_q that never changes.
+    pub curved: bool,
 }
 
 impl Default for Dependence {
     /// Everything may depend on everything.
     fn default() -> Self {
-        Dependence { c_on_t: true, c_q_on_t: true, c_t: true, q_d: true }
+        Dependence { c_on_t: true, c_q_on_t: true, c_t: true, q_d: true, curved: true }
     }
 }
 

@@ -81,7 +81,7 @@ fn attempt_any_way_up(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
         && let Some(found) = turned_over::mended(newton.system.model(), &newton.q, t, &|_| true, newton.options.search.steps)
     {
         newton.steps += found.place.steps;
-        newton.q = found.place.q;
+        newton.q.copy_from_slice(&found.place.q);
         return attempt(newton, t, Steps::Damped);
     }
     tried
@@ -92,7 +92,7 @@ fn search(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     let preferred = newton.system.preferred();
     let mut failure: Option<Error> = None;
     driven::turn(newton, t);
-    let guess = newton.q.clone();
+    let guess = newton.q.to_vec();
     if preferred.is_empty() {
         match attempt_any_way_up(newton, t) {
             Ok(outcome) => return Ok(outcome),
@@ -114,14 +114,14 @@ fn search(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
                     return Ok(outcome);
                 }
                 if best.as_ref().is_none_or(|(known, _)| far < *known) {
-                    best = Some((far, newton.q.clone()));
+                    best = Some((far, newton.q.to_vec()));
                 }
             }
             Err(error) => failure = Some(more_telling(failure, error)),
         }
     }
     if let Some((_, q)) = best {
-        newton.q = q;
+        newton.q.copy_from_slice(&q);
         return attempt(newton, t, Steps::Damped);
     }
     Err(failure.unwrap_or_else(|| newton.error(Failure::NoConvergence { row: 0, residual: f64::INFINITY }, t, None)))
@@ -152,7 +152,8 @@ fn distance(newton: &Newton<'_>) -> f64 {
 
 /// The guess, from the second start on with everything but the preferred coordinates moved at random.
 fn place(newton: &mut Newton<'_>, guess: &[f64], start: usize) {
-    newton.q = search::start_from(&newton.system.model(), guess, &newton.sizes, start, &newton.options.search);
+    let start = search::start_from(&newton.system.model(), guess, &newton.sizes, start, &newton.options.search);
+    newton.q.copy_from_slice(&start);
     for &(column, value) in newton.system.preferred() {
         newton.q[column] = value;
     }
@@ -162,6 +163,6 @@ fn place(newton: &mut Newton<'_>, guess: &[f64], start: usize) {
 fn approach(newton: &mut Newton<'_>, t: f64) {
     if let Some(found) = search::descend(newton.system.model(), &newton.q, t, &|_| true, true, newton.options.search.steps) {
         newton.steps += found.place.steps;
-        newton.q = found.place.q;
+        newton.q.copy_from_slice(&found.place.q);
     }
 }

@@ -10,7 +10,7 @@ use crate::assembly::search::{self, Found};
 use crate::diagnosis::{self, DiagnosisOptions, Start};
 use crate::error::{Error, Result};
 use crate::follow::{EASY, Objection, REACH};
-use crate::fours;
+use crate::fours::{self, Fours};
 use crate::linear::Tall;
 use crate::model::{Measures, Model, Point};
 use crate::motion::Motion;
@@ -159,7 +159,8 @@ impl<'a> Driver<'a> {
     fn is_objected_to(&self, h: f64, [q, qd, qdd]: &[Vec<f64>; 3]) -> bool {
         let shares: Vec<f64> = self.measures.sizes.iter().map(|size| size.recip()).collect();
         let turns: Vec<f64> = (0..q.len()).map(|column| f64::from(u8::from(self.model.turns(column)))).collect();
-        let [miss, reach] = fours::miss(h, [q, qd, qdd], [&self.q, &self.qd, &self.qdd], &shares, &turns);
+        let [q, qd, qdd, r, rd, rdd] = [q, qd, qdd, &self.q, &self.qd, &self.qdd].map(|x| Fours::from(&x[..]));
+        let [miss, reach] = fours::miss(h, [&q, &qd, &qdd], [&r, &rd, &rdd], &Fours::from(&shares[..]), &Fours::from(&turns[..]));
         self.options.follow != Follow::Unchecked && (reach > REACH || miss > EASY * self.tall.smallest_pivot())
     }
 

@@ -5,6 +5,7 @@ use super::watch::Watch;
 use super::{Failure, Follow, Newton, Options, Outcome, Steps, assembly, largest, redundant};
 use crate::error::{Error, Result};
 use crate::follow::{self, Branch, Check, Landed, Lost, Objection, SingularKind, SingularPosition};
+use crate::fours::Fours;
 use crate::motion::Motion;
 use crate::system::System;
 
@@ -62,9 +63,9 @@ pub(crate) fn check(times: &[f64]) -> Result<()> {
 /// The last solved time, its point, and the means to go on from it.
 struct Sweep<'a> {
     newton: Newton<'a>,
-    /// The last time with a solution, and its position.
+    /// The last time with a solution, and its position, which a failure goes back to.
     last: Option<f64>,
-    q: Vec<f64>,
+    q: Fours,
     predictor: Predictor,
     /// Whether everything in hand is that of the last solution.
     untouched: bool,
@@ -87,7 +88,7 @@ impl<'a> Sweep<'a> {
         Sweep {
             newton: Newton::new(system, options),
             last: None,
-            q: vec![0.0; n],
+            q: Fours::new(n, 0.0),
             predictor: Predictor::new(n),
             untouched: false,
             check: (options.follow != Follow::Unchecked).then(|| Check::new(&system.layout().units)),
@@ -250,7 +251,8 @@ impl<'a> Sweep<'a> {
             Landed::Singular(q, Branch { qd, qdd }) => {
                 newton.q.copy_from_slice(&q);
                 newton.linearize(to).map_err(|failure| newton.error(failure, to, Some(t)))?;
-                (newton.qd, newton.qdd) = (qd, qdd);
+                newton.qd.copy_from_slice(&qd);
+                newton.qdd.copy_from_slice(&qdd);
                 self.check.iter_mut().for_each(Check::leave_open);
                 Outcome { iterations: 0, residual: newton.worst().1 }
             }
