@@ -46,6 +46,17 @@ pub enum Attached {
     Direction(Vec3),
 }
 
+/// What can be asked of a joint beside its equations: an angle, a slide.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Measured {
+    /// Its name, such as `slide`.
+    pub name: &'static str,
+    /// Its unit, such as `m`.
+    pub unit: &'static str,
+    /// Whether it is an angle that is known up to whole turns, which a motion counts from one time to the next.
+    pub turns: bool,
+}
+
 /// Which terms of C(q, t) can change or be other than zero, at any q, t and parameters: what a solver need not ask for.
 ///
 /// Facts known before the program runs. `true` promises nothing, so [`Dependence::default`] (all `true`) is right for every constraint.
@@ -185,6 +196,23 @@ pub trait Constraint: CloneBoxed + Send + Sync {
 
     /// The same for kernels over lanes, if it has them (`#[constraint(lanes)]`): several mechanisms of a sweep advance together.
     fn in_lanes(&self) -> Option<&dyn InLanes> {
+        None
+    }
+
+    /// What can be asked of it beside its equations (`#[measure(slide = …, "m")]`); default nothing.
+    fn measures(&self) -> &[Measured] {
+        &[]
+    }
+
+    /// Measure k of [`Constraint::measures`] with its first three derivatives along the rates q̇, q̈ and q⃛.
+    fn measure(&self, k: usize, at: &At<'_>, rates: &[Rates<'_>; 3]) -> [f64; 4] {
+        let _ = (k, at, rates);
+        [f64::NAN; 4]
+    }
+
+    /// Where the range of measure k ends, if it does: the ends of a slot.
+    fn ends(&self, k: usize) -> Option<[f64; 2]> {
+        let _ = k;
         None
     }
 

@@ -50,7 +50,8 @@ const BATCH: usize = 8;
 ///
 /// Where constraints have kernels over lanes (the library's joints and drivers, and your own with `#[constraint(lanes)]`), as many cases as
 /// the machine has SIMD lanes advance together; the others' are evaluated lane by lane. Lanes, and the company of other cases in them,
-/// change results by rounding only: by no more than the tolerance of the stop rule. A case that fails in its lane is run again alone.
+/// change results by rounding only: by no more than the tolerance of the stop rule. A case that fails in its lane is run again alone. Limits of
+/// joints are not looked at: ask a run of the case for them.
 pub struct Sweep<'a> {
     system: &'a System,
     names: Vec<String>,
@@ -180,7 +181,7 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
             |system, first, cases| {
                 let run = |(k, case): (usize, &C)| {
                     self.sweep.set(system, case.as_ref());
-                    (self.keep)(first + k, system.run_with(self.times, &self.sweep.options))
+                    (self.keep)(first + k, newton::sweep::run(system, self.times, &self.sweep.options))
                 };
                 cases.iter().enumerate().map(run).collect()
             },

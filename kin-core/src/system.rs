@@ -16,6 +16,7 @@ use crate::diagnosis::{self, Diagnosis, Start};
 use crate::error::{Error, Result};
 use crate::layout::Layout;
 use crate::linear::{Linear, Singular};
+use crate::measure::Limit;
 use crate::model::Model;
 use crate::motion::{Motion, Series};
 use crate::newton::{self, Newton, Options, Report, Steps, assembly, redundant};
@@ -38,6 +39,8 @@ pub struct System {
     links: Vec<f64>,
     /// The linear solver with the elimination recorded at the initial guess, if C_q is regular there.
     linear: Linear,
+    /// Ranges that measures should keep to.
+    pub(crate) limits: Vec<Limit>,
 }
 
 /// Position, velocity and acceleration at one time.
@@ -66,7 +69,7 @@ impl System {
     ) -> Self {
         let linear = prepared(&layout, &equations, &initial, &links);
         let rows = (0..equations.rows).map(|row| equations.equation(row)).collect();
-        System { name, layout: Arc::new(layout), equations, rows, initial, preferred, links, linear }
+        System { name, layout: Arc::new(layout), equations, rows, initial, preferred, links, linear, limits: Vec::new() }
     }
 
     /// Name of the mechanism.
@@ -263,12 +266,14 @@ impl System {
     ///
     /// Errors: no convergence, singular, not finite; each carries the motion up to it ([`Error::motion`]).
     pub fn run(&self, times: impl AsRef<[f64]>) -> Result<Motion> {
-        newton::sweep::run(self, times.as_ref(), &Options::default())
+        self.run_with(times, &Options::default())
     }
 
     /// The same with other options.
     pub fn run_with(&self, times: impl AsRef<[f64]>, options: &Options) -> Result<Motion> {
-        newton::sweep::run(self, times.as_ref(), options)
+        let mut motion = newton::sweep::run(self, times.as_ref(), options)?;
+        self.note_limits(&mut motion);
+        Ok(motion)
     }
 
     /// Many cases of this system: in each of them the named parameters (such as `A.u_i.x`) and initial values (such as `rocker.theta`) are

@@ -13,7 +13,7 @@ mod sound;
 mod timed;
 
 pub use crate::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
-pub use crate::constraint::{Attached, Attachment};
+pub use crate::constraint::{Attached, Attachment, Measured};
 pub use crate::coordinates::{Argument, Target, Trig};
 pub use crate::data::{Described, Describer, Reader, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold};
 pub use crate::dual_route::{ArgumentKind, Equation};
