@@ -86,7 +86,11 @@ fn transmission_angle_of_a_crank_rocker() {
     }
     // worst where the crank lies along the ground, on either side
     let worst = system.extremes(&motion, |m: &Motion| m.transmission_angle(coupler, rocker)).unwrap();
-    near(worst.min().0, [corner(b, c, d - a), corner(b, c, d + a)].map(|whole| whole.min(PI - whole)).into_iter().fold(PI, f64::min), 1e-12);
+    near(
+        worst.min().0,
+        [corner(b, c, d - a), corner(b, c, d + a)].map(|whole| whole.min(PI - whole)).into_iter().fold(PI, f64::min),
+        1e-12,
+    );
     assert!(worst.all().iter().any(|extreme| (extreme.t - 0.5).abs() < 1e-11), "{worst:?}");
     assert_eq!((angle.value.name(), angle.rate.name(), angle.second_rate.unit()), ("transmission angle", "transmission angle'", "rad/s^2"));
 }
@@ -423,5 +427,9 @@ fn what_cannot_be_asked_is_told_by_name() {
         "`motor` (drive_angle): there is no `motor.angle`: this joint has no measure. Ask for a point, an angle between bodies or a \
          coordinate instead"
     );
-    assert!(said("D.angle").starts_with("there is no measure or coordinate `D.angle`; there are `O.angle`, `A.angle`"), "{}", said("D.angle"));
+    assert!(
+        said("D.angle").starts_with("there is no measure or coordinate `D.angle`; there are `O.angle`, `A.angle`"),
+        "{}",
+        said("D.angle")
+    );
 }

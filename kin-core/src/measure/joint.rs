@@ -39,7 +39,9 @@ impl System {
         };
         let known: Vec<String> = constraint.measures().iter().map(|measure| format!("`{joint}.{}`", measure.name)).collect();
         let reason = match known[..] {
-            [] => format!("there is no `{name}`: this joint has no measure. Ask for a point, an angle between bodies or a coordinate instead"),
+            [] => {
+                format!("there is no `{name}`: this joint has no measure. Ask for a point, an angle between bodies or a coordinate instead")
+            }
             _ => format!("there is no `{name}`; what can be asked of this joint is {}", known.join(" and ")),
         };
         Error::InvalidConstraint { constraint: joint.to_string(), kind: constraint.kind().to_string(), reason }
@@ -50,7 +52,9 @@ impl System {
         let (expected, found) = (self.n_coordinates(), motion.names().len());
         match motion.names() == self.coordinate_names() {
             true => Ok(()),
-            false => Err(Error::WrongLength { what: format!("a motion of \"{}\", not of \"{}\"", motion.name(), self.name()), expected, found }),
+            false => {
+                Err(Error::WrongLength { what: format!("a motion of \"{}\", not of \"{}\"", motion.name(), self.name()), expected, found })
+            }
         }
     }
 }

@@ -92,7 +92,11 @@ fn events(system: &System, motion: &Motion, limit: &Limit) -> Result<Vec<Event>>
     for (end, side, outside) in [(from, "lower", first < from), (to, "upper", first > to)] {
         let (shown, unit) = (time(end), grid.unit());
         if outside {
-            all.push(event(limit, start, format!("`{name}` is {} {unit} at the start, beyond its {side} end, {shown} {unit}", time(first))));
+            all.push(event(
+                limit,
+                start,
+                format!("`{name}` is {} {unit} at the start, beyond its {side} end, {shown} {unit}", time(first)),
+            ));
         }
         // Most motions keep within: one look at the grid is enough unless it comes near.
         if end.is_infinite() || !comes_near(grid.values(), end) {

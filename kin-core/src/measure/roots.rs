@@ -142,7 +142,11 @@ impl<'a, M: Measure> Search<'a, M> {
             if here.f == 0.0 || step.abs() <= near || (high.t - low.t).abs() <= near || !here.f.is_finite() {
                 return Ok(self.told(t, from, x[0]));
             }
-            if here.f.signum() == low.f.signum() { low = here } else { high = here }
+            if here.f.signum() == low.f.signum() {
+                low = here
+            } else {
+                high = here
+            }
             let newton = t - step;
             let inside = (newton - low.t) * (newton - high.t) < 0.0;
             t = if inside { newton } else { 0.5 * (low.t + high.t) };
@@ -166,7 +170,9 @@ fn dip([f0, g0]: [f64; 2], [f1, g1]: [f64; 2]) -> Option<f64> {
     // 3 c s² + 2 b s + g0 = 0; the slope changes sign once between the ends.
     let root = (square * square - 3.0 * cubic * g0).max(0.0).sqrt();
     let candidates = [(-square + root) / (3.0 * cubic), g0 / (-square - root), g0 / (-square + root), (-square - root) / (3.0 * cubic)];
-    let s = candidates.into_iter().find(|s| *s > 0.0 && *s < 1.0 && ((3.0 * cubic * s + 2.0 * square) * s + g0).abs() < 1e-6 * (g0.abs() + g1.abs()))?;
+    let s = candidates
+        .into_iter()
+        .find(|s| *s > 0.0 && *s < 1.0 && ((3.0 * cubic * s + 2.0 * square) * s + g0).abs() < 1e-6 * (g0.abs() + g1.abs()))?;
     let value = f0 + s * (g0 + s * (square + s * cubic));
     (value * f0 < 0.0).then_some(s)
 }

@@ -324,7 +324,8 @@ impl Equations {
             self.plan.set_rates(rates, &mut columns);
             columns
         });
-        let rates = [&rates[0], &rates[1], &rates[2]].map(|columns| Rates::new(columns, &[]).further(block.rates as usize, &block.first_column));
+        let rates =
+            [&rates[0], &rates[1], &rates[2]].map(|columns| Rates::new(columns, &[]).further(block.rates as usize, &block.first_column));
         block.constraint.measure(k, &instant.of(block), &rates)
     }
 

@@ -55,7 +55,8 @@ impl<'a> Frame<'a> {
         let (name, n, m) = (&source.name, literal(self.n), literal(self.row_names.len()));
         let (declaration, equations) = (self.declaration(), self.equations());
         let body = rewrite::plain(&source.body, &source.arguments);
-        let written = written::written(name, &written::inputs(&source.arguments), &source.output_type, &body, &measures::written(source), lowered);
+        let written =
+            written::written(name, &written::inputs(&source.arguments), &source.output_type, &body, &measures::written(source), lowered);
         let leaves = if leaves.is_empty() { quote!() } else { quote!(impl #name { #(#leaves)* }) };
         let kind = syn::ext::IdentExt::unraw(name).to_string();
         let (row_names, pattern) = (&self.row_names, self.pattern.iter().map(|(row, column)| (literal(*row), literal(*column))));

@@ -33,7 +33,8 @@ pub fn take(attributes: &mut Vec<Attribute>, mistakes: &mut Mistakes) -> Vec<Mea
 }
 
 fn measure(input: ParseStream) -> syn::Result<Measure> {
-    const FORM: &str = "a measure is a name, its value and its unit: `#[measure(slide = h_j.dot(s), \"m\")]`, then `turns` or `ends = (from, to)`";
+    const FORM: &str =
+        "a measure is a name, its value and its unit: `#[measure(slide = h_j.dot(s), \"m\")]`, then `turns` or `ends = (from, to)`";
     let form = |error: syn::Error| syn::Error::new(error.span(), FORM);
     let name = Ident::parse_any(input).map_err(form)?;
     input.parse::<Token![=]>().map_err(form)?;

@@ -37,10 +37,12 @@ pub fn belt(i: Planar, j: Planar, frame: Planar, r_i: f64, r_j: f64, phase: f64)
 ///
 /// Removes 1 freedom. `i`: the pinion, centre `u_i`, pitch radius `radius`; `j`: the rack, a point `u_j` and the direction `h_j` of its pitch line,
 /// of any length, with the pinion to its left (a negative radius: to its right); `phase`: φ, the angle of the pinion in the rack when its centre
-/// stands over `u_j`. Along h_j the pinion turns clockwise.
+/// stands over `u_j`. Along h_j the pinion turns clockwise. Measures: `slide`, the way of the centre along h_j; `angle`, θ_i − θ_j.
 #[constraint(lanes)]
 #[require(radius != 0.0, "a pinion needs a radius")]
 #[require(h_j.norm() > 0.0, "the rack needs a direction with a length above zero")]
+#[measure(slide = h_j.dot(j.local(i.point(u_i)) - u_j) / h_j.norm(), "m")]
+#[measure(angle = i.theta - j.theta, "rad")]
 pub fn rack_and_pinion(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_j: Vec2, radius: f64, phase: f64) -> f64 {
     let s = j.local(i.point(u_i)) - u_j;
     h_j.normalize().dot(s) + radius * (i.theta - j.theta - phase)

@@ -32,7 +32,7 @@ pub fn weld(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, p_ij: EulerParameters)
 ///
 /// Removes 5 freedoms. `u_i`, `u_j`: local position of P on the axis; `h_i`, `h_j`: the axis in either body. The equations hold for opposite axes
 /// too; a position found with h_i · h_j < 0 is told as an error. Haug, section 9.4. Measure: `angle`, the turn of f_i from the f that
-/// [`Axis::along`] gives h_j.
+/// `Axis::along` gives h_j.
 #[constraint]
 #[require(h_j.norm() > 0.0, "the axis in body j needs a length above zero")]
 #[branch(i.direction(h_i.h).dot(j.direction(h_j)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
