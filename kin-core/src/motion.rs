@@ -19,6 +19,7 @@ use std::sync::Arc;
 
 use crate::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
 use crate::error::{Error, Result};
+use crate::follow::SingularPosition;
 use crate::layout::{Layout, Place};
 use crate::newton::{CrossedBreak, Newton, Outcome};
 use crate::system::System;
@@ -43,14 +44,7 @@ pub struct Motion {
     pub(crate) outputs: Vec<Series>,
     pub(crate) breaks: Vec<CrossedBreak>,
     pub(crate) events: Vec<Event>,
-}
-
-/// What is told of one time beside its numbers; `worst` is the row of the largest residual.
-#[derive(Clone, Copy)]
-pub(crate) struct Pushed {
-    pub t: f64,
-    pub outcome: Outcome,
-    pub worst: usize,
+    pub(crate) singular: Vec<SingularPosition>,
 }
 
 impl Motion {
@@ -71,6 +65,7 @@ impl Motion {
             outputs: Vec::new(),
             breaks: Vec::new(),
             events: Vec::new(),
+            singular: Vec::new(),
         }
     }
 
@@ -98,20 +93,14 @@ impl Motion {
         self.residuals.push(outcome.residual);
     }
 
-    /// The same of several times at once, from rows of q, of q̇ and of q̈ that stand elsewhere: as many as there are reports.
-    pub(crate) fn push_all<T>(&mut self, reports: &[Pushed], rows: [&[T]; 3], number: impl Fn(&T) -> f64 + Copy) {
-        let count = reports.len() * self.layout.len();
-        for (own, rows) in [&mut self.q, &mut self.qd, &mut self.qdd].into_iter().zip(rows) {
-            own.extend(rows.iter().take(count).map(number));
-        }
-        for report in reports {
-            self.times.push(report.t);
-            self.iterations.push(report.outcome.iterations);
-            self.residuals.push(report.outcome.residual);
-            if self.worst.is_none_or(|(known, _)| report.outcome.residual > known) {
-                self.worst = Some((report.outcome.residual, report.worst));
-            }
-        }
+    /// The same of several times at once: rows of q, of q̇ and of q̈, residuals and numbers of Newton steps; `worst` is the largest residual
+    /// of all times so far, and its row.
+    pub(crate) fn push_all(&mut self, times: &[f64], [q, qd, qdd, residuals, steps]: [&[f64]; 5], worst: (f64, usize)) {
+        let kinds =
+            [(&mut self.times, times), (&mut self.q, q), (&mut self.qd, qd), (&mut self.qdd, qdd), (&mut self.residuals, residuals)];
+        kinds.into_iter().for_each(|(all, more)| all.extend_from_slice(more));
+        self.iterations.extend(steps.iter().map(|steps| *steps as usize));
+        self.worst = Some(worst);
     }
 
     /// Name of the mechanism.
@@ -284,6 +273,17 @@ impl Motion {
     /// The breaks of laws that were crossed, where a derivative of the motion jumps, in the order of time.
     pub fn breaks(&self) -> &[CrossedBreak] {
         &self.breaks
+    }
+
+    /// The singular positions that were met, change points and at last a toggle, in the order of time; they are among
+    /// [`Motion::events`] too.
+    pub fn singular_positions(&self) -> &[SingularPosition] {
+        &self.singular
+    }
+
+    pub(crate) fn add_singular(&mut self, found: SingularPosition) {
+        self.add_event(found.event());
+        self.singular.push(found);
     }
 
     /// One line: counts, Newton steps a time (the first position apart, which is found from a guess) and the largest residual.

@@ -8,7 +8,7 @@ pub(crate) mod redundant;
 pub(crate) mod sweep;
 mod watch;
 
-pub use options::{Options, Report, Stop};
+pub use options::{Follow, Options, Report, Stop};
 pub use watch::CrossedBreak;
 
 use crate::error::Error;
@@ -321,6 +321,15 @@ impl<'a> Newton<'a> {
         if self.options.jerk { self.jerk() } else { Ok(()) }
     }
 
+    /// The error for a position, just linearized, in which C_q does not tell what is asked for.
+    fn singular(&mut self, t: f64) -> Error {
+        let found = match self.linear.factor() {
+            Ok(()) => self.linear.diagnose(),
+            Err(found) => found,
+        };
+        self.error(Failure::Singular(found), t, None)
+    }
+
     /// q⃛ from C_q q⃛ = −g‴(0), with the same factors.
     fn jerk(&mut self) -> Result<(), Failure> {
         let (equations, rhs) = (self.system.equations(), self.linear.rhs_mut());
@@ -331,6 +340,20 @@ impl<'a> Newton<'a> {
             return Ok(());
         }
         Err(Failure::NotFinite(right_side.err().unwrap_or(Bad { row: self.worst().0, quantity: "q'''" })))
+    }
+
+    /// 1 / s_j, one over the characteristic size of each coordinate.
+    pub(crate) fn shares(&self) -> &[f64] {
+        &self.shares
+    }
+
+    /// |C_q⁻¹ (C_q v)_q v| by the sizes, with the matrix in hand; the rates of the instant are lost.
+    pub(crate) fn bend(&mut self, v: &[f64]) -> f64 {
+        let equations = self.system.equations();
+        equations.set_rates(v, &mut self.instant);
+        equations.second_order(&self.instant, 0.0, self.linear.rhs_mut());
+        self.linear.solve();
+        fours::largest_share(self.linear.solution(), &self.shares)
     }
 
     /// What is not finite in the right sides or their solutions.

@@ -1,5 +1,6 @@
 //! Many cases of one system: other parameters and initial values in each, spread over the cores of the machine.
 
+mod kept;
 mod lockstep;
 mod predictor;
 
@@ -17,8 +18,8 @@ use crate::system::evaluate::lanes::Crew;
 use crate::system::parameters::CasePlace;
 use lockstep::Lockstep;
 
-/// Cases that are handed to a thread at once.
-const BATCH: usize = 8;
+/// Cases that are handed to a thread at once: as many as there are lanes, or a multiple.
+const BATCH: usize = 16;
 
 /// Many cases of one [`System`]: one row of numbers a case, one number for each name.
 ///
@@ -48,8 +49,8 @@ const BATCH: usize = 8;
 /// Results come in the order of the cases and do not depend on the number of threads. Of a motion only what the closure gives back is kept,
 /// so memory grows with the results alone.
 ///
-/// Where constraints have kernels over lanes (the library's joints and drivers, and your own with `#[constraint(lanes)]`), as many cases as
-/// the machine has SIMD lanes advance together; the others' are evaluated lane by lane. Lanes, and the company of other cases in them,
+/// Where constraints have kernels over lanes (the library's joints and drivers, and your own with `#[constraint(lanes)]`), two
+/// SIMD registers of cases advance together (16 with AVX-512); the others' are evaluated lane by lane. Lanes, and the company of other cases in them,
 /// change results by rounding only: by no more than the tolerance of the stop rule. A case that fails in its lane is run again alone. Limits of
 /// joints are not looked at: ask a run of the case for them.
 pub struct Sweep<'a> {
@@ -241,7 +242,7 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
             if (before & !active).any() {
                 lockstep.fill(active);
             }
-            if lockstep.keep(t, active) {
+            if lockstep.keep(t) {
                 lockstep.flush(&mut motions);
             }
         }

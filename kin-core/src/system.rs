@@ -3,25 +3,21 @@
 pub(crate) mod evaluate;
 pub(crate) mod parameters;
 pub(crate) mod scale;
+mod solve;
 mod states;
+mod terms;
 
 use std::sync::Arc;
 
-use nalgebra::DMatrix;
-
-use crate::assembly::{Assembly, AssemblyOptions, Label, modes};
 use crate::constraint::Constraint;
 use crate::coordinates::Target;
-use crate::diagnosis::{self, Diagnosis, Start};
 use crate::error::{Error, Result};
 use crate::layout::Layout;
 use crate::linear::{Linear, Singular};
 use crate::measure::Limit;
 use crate::model::Model;
-use crate::motion::{Motion, Series};
-use crate::newton::{self, Newton, Options, Report, Steps, assembly, redundant};
-use crate::sweep::Sweep;
-use evaluate::{Bad, Equations, Instant, finite};
+use crate::newton::Report;
+use evaluate::Equations;
 
 /// A system C(q, t) = 0 of m equations in n coordinates, m ≥ n; built by [`crate::Mechanism::build`].
 ///
@@ -107,32 +103,6 @@ impl System {
         self.equations.blocks.iter().map(|block| (block.name.as_str(), block.constraint.as_ref()))
     }
 
-    /// The 2-norm condition number of C_q at each time of a motion of this system, rows and columns measured as the solver does, so that
-    /// it does not depend on units; estimated from below, seldom by more than 2. Infinite where C_q is singular.   \[-\]
-    ///
-    /// Errors: a motion of another system.
-    pub fn condition(&self, motion: &Motion) -> Result<Series> {
-        let values = (0..motion.len()).map(|k| self.condition_at(motion.q(k), motion.times()[k])).collect::<Result<_>>()?;
-        Ok(Series::new("condition number", "-", motion.times(), values))
-    }
-
-    fn condition_at(&self, q: &[f64], t: f64) -> Result<f64> {
-        if redundant::is_redundant(self) {
-            return Ok(self.condition_of_all_rows(self.jacobian(q, t)?, q, t));
-        }
-        let mut linear = self.linearized(q, t)?;
-        Ok(if linear.factor().is_ok() { linear.condition() } else { f64::INFINITY })
-    }
-
-    /// The same where there are more rows than columns, by singular values.
-    fn condition_of_all_rows(&self, mut c_q: DMatrix<f64>, q: &[f64], t: f64) -> f64 {
-        let measures = self.model().measure(q, t);
-        c_q.column_iter_mut().zip(&measures.sizes).for_each(|(mut column, size)| column *= *size);
-        c_q.row_iter_mut().zip(&measures.norms).for_each(|(mut row, norm)| row /= *norm);
-        let singular = c_q.singular_values();
-        singular.max() / singular.min()
-    }
-
     /// Names of the constraints in their order.
     pub fn constraint_names(&self) -> Vec<&str> {
         self.equations.blocks.iter().map(|block| block.name.as_str()).collect()
@@ -160,130 +130,6 @@ impl System {
         Ok(())
     }
 
-    /// C(q, t), in the unit of each row. Errors: wrong length, not finite.
-    pub fn residual(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
-        let instant = self.instant(q, t)?;
-        let mut c = vec![0.0; self.n_equations()];
-        self.finite(self.equations.residual(&instant, &mut c), &instant)?;
-        Ok(c)
-    }
-
-    /// C_q(q, t), m × n. Errors: wrong length, not finite.
-    pub fn jacobian(&self, q: &[f64], t: f64) -> Result<DMatrix<f64>> {
-        let mut values = vec![0.0; self.equations.entries.len()];
-        self.linearize(&self.instant(q, t)?, &mut values)?;
-        let mut c_q = DMatrix::zeros(self.n_equations(), self.n_coordinates());
-        for (entry, value) in self.equations.entries.iter().zip(values) {
-            if let Some(place) = *entry {
-                c_q[place] += value;
-            }
-        }
-        Ok(c_q)
-    }
-
-    /// C_t(q, t), in the unit of each row a second. Errors: wrong length, not finite.
-    pub fn c_t(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
-        let instant = self.instant(q, t)?;
-        let mut rhs = vec![0.0; self.n_equations()];
-        self.equations.velocity_rhs(&instant, &mut rhs);
-        self.finite(finite(&rhs, "C_t"), &instant)?;
-        Ok(rhs.into_iter().map(|x| 0.0 - x).collect())
-    }
-
-    /// Q_d = −(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt, in the unit of each row a second squared. Errors: wrong length, not finite.
-    pub fn acceleration_rhs(&self, q: &[f64], qd: &[f64], t: f64) -> Result<Vec<f64>> {
-        let mut instant = self.instant(q, t)?;
-        self.check(qd, "velocities")?;
-        self.equations.set_rates(qd, &mut instant);
-        let mut q_d = vec![0.0; self.n_equations()];
-        self.equations.acceleration_rhs(&instant, &mut q_d);
-        self.finite(finite(&q_d, "Q_d"), &instant)?;
-        Ok(q_d)
-    }
-
-    /// q̇ at a position q, from C_q q̇ = −C_t. Errors: wrong length, not finite, singular.
-    pub fn velocity(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
-        let rhs: Vec<f64> = self.c_t(q, t)?.into_iter().map(|x| -x).collect();
-        let qd = self.solved(q, t, &rhs)?;
-        self.check(&qd, "velocities")?;
-        Ok(qd)
-    }
-
-    /// q̈ at a position q and velocity q̇, from C_q q̈ = Q_d. Errors: wrong length, not finite, singular.
-    pub fn acceleration(&self, q: &[f64], qd: &[f64], t: f64) -> Result<Vec<f64>> {
-        let q_d = self.acceleration_rhs(q, qd, t)?;
-        let qdd = self.solved(q, t, &q_d)?;
-        self.check(&qdd, "accelerations")?;
-        Ok(qdd)
-    }
-
-    /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s): the right side of C_q q⃛, in the unit of each row a second cubed.
-    ///
-    /// Errors: wrong length, not finite, a hand-written constraint without [`Constraint::jerk_rhs`].
-    pub fn jerk_rhs(&self, q: &[f64], qd: &[f64], qdd: &[f64], t: f64) -> Result<Vec<f64>> {
-        let instant = self.instant(q, t)?;
-        self.check(qd, "velocities")?;
-        self.check(qdd, "accelerations")?;
-        let rhs = self.model().jerk_rhs(q, t, qd, qdd)?;
-        rhs.map_err(|bad| self.equations.not_finite(bad, &instant))
-    }
-
-    /// q⃛ at a position q, velocity q̇ and acceleration q̈, from C_q q⃛ = −g‴(0). Errors: those of [`System::jerk_rhs`], singular.
-    pub fn jerk(&self, q: &[f64], qd: &[f64], qdd: &[f64], t: f64) -> Result<Vec<f64>> {
-        let rhs = self.jerk_rhs(q, qd, qdd, t)?;
-        let qddd = self.solved(q, t, &rhs)?;
-        self.check(&qddd, "jerk")?;
-        Ok(qddd)
-    }
-
-    /// Position, velocity and acceleration at time t, assembled from the initial guess into the preferred assembly.
-    /// Errors: no convergence, singular, not finite.
-    pub fn position(&self, t: f64) -> Result<Solution> {
-        if redundant::is_redundant(self) {
-            return redundant::at(self, time(t)?, None);
-        }
-        let options = Options::default();
-        let mut newton = Newton::new(self, &options);
-        let outcome = assembly::assemble(&mut newton, time(t)?).map_err(|error| error.explained(self))?;
-        Ok(newton.solution(t, outcome))
-    }
-
-    /// Position, velocity and acceleration at time t by damped Newton steps from q0 (length n), nothing preferred.
-    /// Errors: wrong length, no convergence, singular, not finite.
-    pub fn solve_at(&self, t: f64, q0: &[f64]) -> Result<Solution> {
-        self.check(q0, "start")?;
-        if redundant::is_redundant(self) {
-            return redundant::at(self, time(t)?, Some(q0));
-        }
-        let options = Options::default();
-        let mut newton = Newton::new(self, &options);
-        newton.q.copy_from_slice(q0);
-        let outcome = assembly::from_start(&mut newton, time(t)?, Steps::Damped)?;
-        Ok(newton.solution(t, outcome))
-    }
-
-    /// Position, velocity and acceleration at each of the times, which must only increase or only decrease.   \[s\]
-    ///
-    /// Errors: no convergence, singular, not finite; each carries the motion up to it ([`Error::motion`]).
-    pub fn run(&self, times: impl AsRef<[f64]>) -> Result<Motion> {
-        self.run_with(times, &Options::default())
-    }
-
-    /// The same with other options.
-    pub fn run_with(&self, times: impl AsRef<[f64]>, options: &Options) -> Result<Motion> {
-        let mut motion = newton::sweep::run(self, times.as_ref(), options)?;
-        self.note_limits(&mut motion);
-        Ok(motion)
-    }
-
-    /// Many cases of this system: in each of them the named parameters (such as `A.u_i.x`) and initial values (such as `rocker.theta`) are
-    /// others. See [`Sweep`].
-    ///
-    /// Errors: a name that is neither a parameter nor a coordinate.
-    pub fn sweep(&self, names: impl IntoIterator<Item = impl AsRef<str>>) -> Result<Sweep<'_>> {
-        Sweep::new(self, names)
-    }
-
     /// An error by name unless every constraint knows its part of the jerk.
     pub(crate) fn knows_jerk(&self) -> Result<()> {
         let still = vec![0.0; self.n_coordinates()];
@@ -303,46 +149,6 @@ impl System {
     pub(crate) fn is_meant(&self, t: f64, q: &[f64]) -> bool {
         let instant = self.equations.instant_at(t, q);
         self.equations.blocks.iter().all(|block| block.constraint.wrong_branch(&instant.of(block)).is_none())
-    }
-
-    /// What the mechanism is at time t, assembled from the initial guess: counts, rank, dependencies and freedoms by name.
-    ///
-    /// Errors: t not finite, nothing finite near the guess.
-    pub fn diagnose(&self, t: f64) -> Result<Diagnosis> {
-        diagnosis::diagnose(self.model(), Start::Guess(&self.initial), time(t)?)
-    }
-
-    /// The same at a pose q (length n), brought onto C = 0 first where it is off.
-    ///
-    /// Errors: wrong length, not finite.
-    pub fn diagnose_at(&self, t: f64, q: &[f64]) -> Result<Diagnosis> {
-        self.check(q, "pose")?;
-        diagnosis::diagnose(self.model(), Start::Pose(q), time(t)?)
-    }
-
-    /// All assemblies that are found at time t, in the order of their labels; the same each time.
-    ///
-    /// The search goes on until nothing new turns up for a while, so for difficult mechanisms ask for more patience
-    /// ([`System::assemblies_with`]). None is an empty list.
-    ///
-    /// Errors: t not finite, a mechanism that is free to move.
-    pub fn assemblies(&self, t: f64) -> Result<Vec<Assembly>> {
-        self.assemblies_with(t, &AssemblyOptions::default())
-    }
-
-    /// The same with other options.
-    pub fn assemblies_with(&self, t: f64, options: &AssemblyOptions) -> Result<Vec<Assembly>> {
-        modes::all(self.model(), &self.initial, time(t)?, options)
-    }
-
-    /// The assembly of a label that [`System::assemblies`] gave out.
-    ///
-    /// Errors: those of [`System::assemblies`]; no assembly of that name.
-    pub fn assembly(&self, t: f64, label: &Label) -> Result<Assembly> {
-        let all = self.assemblies(t)?;
-        let known = || all.iter().map(|assembly| assembly.label.to_string()).collect();
-        let found = all.iter().find(|assembly| assembly.label == *label).cloned();
-        found.ok_or_else(|| Error::UnknownName { what: "assembly", name: label.to_string(), known: known() })
     }
 
     pub(crate) fn model(&self) -> Model<'_> {
@@ -394,20 +200,6 @@ impl System {
         }
     }
 
-    /// The instant at q and t, if they are well given.
-    fn instant(&self, q: &[f64], t: f64) -> Result<Instant> {
-        self.check(q, "coordinates")?;
-        Ok(self.equations.instant_at(time(t)?, q))
-    }
-
-    /// The values of C_q at an instant.
-    fn linearize(&self, instant: &Instant, values: &mut [f64]) -> Result<()> {
-        let mut c = vec![0.0; self.n_equations()];
-        self.equations.set_constants(values);
-        self.equations.linearize(instant, &mut c, values);
-        self.finite(self.equations.finite(&c, values), instant)
-    }
-
     fn check(&self, q: &[f64], what: &str) -> Result<()> {
         let (expected, found) = (self.n_coordinates(), q.len());
         if expected != found {
@@ -417,34 +209,6 @@ impl System {
             Some(k) => Err(self.layout.not_finite(k, q[k])),
             None => Ok(()),
         }
-    }
-
-    fn finite(&self, result: std::result::Result<(), Bad>, instant: &Instant) -> Result<()> {
-        result.map_err(|bad| self.equations.not_finite(bad, instant))
-    }
-
-    /// C_q⁻¹ times the right side, with the sizes of that point; in the sense of least squares where there are more equations.
-    fn solved(&self, q: &[f64], t: f64, rhs: &[f64]) -> Result<Vec<f64>> {
-        if redundant::is_redundant(self) {
-            return redundant::solved(self, q, t, rhs);
-        }
-        let mut linear = self.linearized(q, t)?;
-        linear.factor().map_err(|found| self.singular(t, &found, None))?;
-        linear.rhs_mut().copy_from_slice(rhs);
-        linear.solve();
-        Ok(linear.solution().to_vec())
-    }
-
-    /// C_q(q, t) with the sizes of that point, ready to be factored.
-    fn linearized(&self, q: &[f64], t: f64) -> Result<Linear> {
-        let instant = self.instant(q, t)?;
-        let mut linear = self.linear();
-        linear.forget();
-        self.linearize(&instant, linear.values_mut())?;
-        let sizes = scale::sizes(&self.layout, &self.equations, linear.values(), q, &self.links);
-        linear.set_sizes(&sizes);
-        linear.measure();
-        Ok(linear)
     }
 }
 

@@ -6,6 +6,7 @@ use super::mechanism::BodyKind;
 use super::{FORMAT, is_first};
 use crate::coordinates::MechanismId;
 use crate::error::{Error, Result};
+use crate::follow::SingularPosition;
 use crate::law::Break;
 use crate::layout::Layout;
 use crate::motion::{Event, Motion, Series};
@@ -46,6 +47,9 @@ pub struct MotionData {
     /// What has happened on the way.
     #[serde(default)]
     pub events: Vec<Event>,
+    /// Singular positions that were met.
+    #[serde(default)]
+    pub singular_positions: Vec<SingularPosition>,
     /// Derived quantities.
     pub outputs: Vec<OutputData>,
 }
@@ -97,6 +101,7 @@ impl Motion {
             residuals: self.residuals().to_vec(),
             breaks: self.breaks.iter().map(BreakData::of).collect(),
             events: self.events.clone(),
+            singular_positions: self.singular.clone(),
             outputs: self.outputs().iter().map(output).collect(),
         }
     }
@@ -127,7 +132,8 @@ impl Motion {
             return Err(fail("the worst equation is none of the equations".to_string()));
         }
         let happened = data.events.iter().map(|event| &event.t);
-        let all = data.times.iter().chain(&q).chain(&qd).chain(&qdd).chain(&qddd).chain(&data.residuals).chain(happened);
+        let singular = data.singular_positions.iter().flat_map(SingularPosition::numbers);
+        let all = data.times.iter().chain(&q).chain(&qd).chain(&qdd).chain(&qddd).chain(&data.residuals).chain(happened).chain(singular);
         if let Some(value) = all.into_iter().find(|x| !x.is_finite()) {
             return Err(fail(format!("{value} is among its numbers")));
         }
@@ -146,6 +152,7 @@ impl Motion {
             worst: data.worst.map(|row| (largest, row)),
             breaks: data.breaks.iter().map(BreakData::crossed).collect(),
             events: data.events.clone(),
+            singular: data.singular_positions.clone(),
             outputs: Vec::new(),
         };
         for output in &data.outputs {

@@ -65,13 +65,13 @@ impl Linear {
     fn nearly(&mut self) -> Singular {
         let mut found = Singular { rank: self.n - 1, pivot: SINGULAR, columns: Vec::new(), rows: Vec::new() };
         if self.record_only().is_some() {
-            let (left, right, condition) = self.nearly_null();
+            let (left, right, [largest, smallest]) = self.nearly_null();
             let shared = |v: &[f64]| {
                 let mut share = vec![0.0; v.len()];
                 rank::add_shares(&mut share, v);
                 rank::shared(&share)
             };
-            (found.columns, found.rows, found.pivot) = (shared(&right), shared(&left), condition.recip());
+            (found.columns, found.rows, found.pivot) = (shared(&right), shared(&left), smallest / largest);
         }
         found
     }

@@ -11,12 +11,18 @@ use super::Motion;
 pub enum EventKind {
     /// A joint's measure passes the end of its range: a stop, the end of a slot.
     Limit,
+    /// A toggle: beyond it there is no position.
+    TurningPoint,
+    /// A change point: branches of the motion cross.
+    Bifurcation,
 }
 
 impl std::fmt::Display for EventKind {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             EventKind::Limit => "limit",
+            EventKind::TurningPoint => "turning point",
+            EventKind::Bifurcation => "bifurcation",
         })
     }
 }

@@ -23,6 +23,9 @@ pub trait Dual: sealed::Sealed + DualNum<Primitive = f64> + Copy + Send + Sync +
     /// A zero tangent times a derivative that is not finite is zero.
     fn chain(self, f: [f64; 4]) -> Self;
 
+    /// self · b.
+    fn times(self, b: Self) -> Self;
+
     /// self / b by the recurrence (q b)⁽ⁿ⁾ = a⁽ⁿ⁾, with a's real part divided by b's as in `f64`.
     fn quotient(self, b: Self) -> Self;
 }
@@ -38,10 +41,10 @@ fn term(tangent: f64, derivative: f64) -> f64 {
 }
 
 /// [`Dual`] for a number with parts `re` and the listed ones, from its chain rule and its quotient, `q` being its real part
-/// and `r` the divisor's reciprocal.
+/// and `r` the divisor's reciprocal; and whether its larger operations are inlined.
 macro_rules! dual {
     (
-        $number:ident [$($part:ident),*],
+        $number:ident [$($part:ident),*], #[$inline:meta],
         chain |$x:ident, $f:ident| $chain:expr,
         quotient |$a:ident, $b:ident, $q:ident, $r:ident| $quotient:expr
     ) => {
@@ -68,13 +71,18 @@ macro_rules! dual {
                 Self { re: x, ..self }
             }
 
-            #[inline]
+            #[$inline]
             fn chain(self, $f: [f64; 4]) -> Self {
                 let $x = self;
                 $chain
             }
 
-            #[inline]
+            #[$inline]
+            fn times(self, b: Self) -> Self {
+                self * b
+            }
+
+            #[$inline]
             fn quotient(self, $b: Self) -> Self {
                 let ($a, $q, $r) = (self, self.re / $b.re, $b.re.recip());
                 $quotient
@@ -83,12 +91,12 @@ macro_rules! dual {
     };
 }
 
-dual! { Dual64 [eps],
+dual! { Dual64 [eps], #[inline],
     chain |x, f| Dual64::new(f[0], term(x.eps, f[1])),
     quotient |a, b, q, r| Dual64::new(q, (a.eps - q * b.eps) * r)
 }
 
-dual! { Dual2_64 [v1, v2],
+dual! { Dual2_64 [v1, v2], #[inline],
     chain |x, f| Dual2_64::new(f[0], term(x.v1, f[1]), term(x.v2, f[1]) + term(x.v1 * x.v1, f[2])),
     quotient |a, b, q, r| {
         let q1 = (a.v1 - q * b.v1) * r;
@@ -97,7 +105,8 @@ dual! { Dual2_64 [v1, v2],
     }
 }
 
-dual! { Dual3_64 [v1, v2, v3],
+// Third derivatives are asked for seldom, and of every joint: calls make a quarter of the code, compiled in every program.
+dual! { Dual3_64 [v1, v2, v3], #[inline(never)],
     chain |x, f| {
         let second = term(x.v2, f[1]) + term(x.v1 * x.v1, f[2]);
         let third = term(x.v3, f[1]) + 3.0 * term(x.v1 * x.v2, f[2]) + term(x.v1 * x.v1 * x.v1, f[3]);
@@ -111,7 +120,7 @@ dual! { Dual3_64 [v1, v2, v3],
     }
 }
 
-dual! { HyperDual64 [eps1, eps2, eps1eps2],
+dual! { HyperDual64 [eps1, eps2, eps1eps2], #[inline],
     chain |x, f| {
         let mixed = term(x.eps1eps2, f[1]) + term(x.eps1 * x.eps2, f[2]);
         HyperDual64::new(f[0], term(x.eps1, f[1]), term(x.eps2, f[1]), mixed)
@@ -148,6 +157,11 @@ impl Dual for f64 {
     #[inline]
     fn chain(self, f: [f64; 4]) -> Self {
         f[0]
+    }
+
+    #[inline]
+    fn times(self, b: Self) -> Self {
+        self * b
     }
 
     #[inline]

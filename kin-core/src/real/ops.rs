@@ -82,7 +82,7 @@ macro_rules! operator {
 // Each line: the operator on two numbers; on a number and an f64; on an f64 and a number.
 operator!(Add::add, AddAssign::add_assign, |a, b| Real(a.0 + b.0), Real(a.0 + b), Real(b.0 + a));
 operator!(Sub::sub, SubAssign::sub_assign, |a, b| Real(a.0 - b.0), Real(a.0 - b), Real(-b.0 + a));
-operator!(Mul::mul, MulAssign::mul_assign, |a, b| Real(a.0 * b.0), Real(a.0 * b), Real(b.0 * a));
+operator!(Mul::mul, MulAssign::mul_assign, |a, b| Real(a.0.times(b.0)), Real(a.0 * b), Real(b.0 * a));
 operator!(Div::div, DivAssign::div_assign, |a, b| quotient(a, b), quotient(a, b.into()), quotient(a.into(), b));
 operator!(Rem::rem, RemAssign::rem_assign, |a, b| remainder(a, b), remainder(a, b.into()), remainder(a.into(), b));
 

@@ -155,6 +155,7 @@ impl Equations {
             all.asked.note(all.blocks.len(), constraint.as_ref());
             all.append(layout, name, constraint);
         }
+        all.plan.finish();
         all
     }
 
