@@ -69,7 +69,7 @@ fn main() -> kin::Result<()> {
     motion.write_json(format!("{OUT}/motion.json"))?; // with the events
 
     // 5. Pictures: the blade is told; the sequence shows the motion at its dead centres and between.
-    let blade = [vec2(0.03, 0.0), tip];
+    let blade = [arm.start(), tip];
     let scene = Scene::new(&system).trace("tip", arm, tip).outline(arm, Outline::line(blade));
     for (side, dead_centre) in ["one", "other"].into_iter().zip(swing.all()) {
         scene.pose(&system.at(&motion, dead_centre.t)?, dead_centre.t)?.save(format!("{OUT}/dead_centre_{side}.svg"))?;

@@ -1,6 +1,9 @@
 //! The one trait of the library: what a constraint C(q, t) = 0 can be asked for.
 
 use crate::algebra::Vec3;
+use crate::blame::graph::{Graph, Outside};
+use crate::blame::third::Along;
+use crate::blame::{Asked, Blame};
 use crate::coordinates::Argument;
 use crate::data::Describer;
 use crate::lanes::InLanes;
@@ -166,8 +169,12 @@ pub trait Constraint: CloneBoxed + Send + Sync {
     ///
     /// False, and nothing written, where that is not known (default): a run that is asked for the jerk then ends with an error by name.
     fn jerk_rhs(&self, at: &At<'_>, qd: &Rates<'_>, qdd: &Rates<'_>, rhs: &mut [f64]) -> bool {
-        let _ = (at, qd, qdd, rhs);
-        false
+        let mut known = false;
+        self.graph(&mut |graph, parameters, outside| {
+            graph.jerk_rhs(&Along::new(&self.arguments(), at, qd, qdd), parameters, outside, rhs);
+            known = true;
+        });
+        known
     }
 
     /// Shows each numeric parameter with its name (`k`, `u_i.x`, `c[2]`).
@@ -248,9 +255,18 @@ pub trait Constraint: CloneBoxed + Send + Sync {
         to.refuse("it was not made by `#[constraint]`, so its parameters are not known");
     }
 
-    /// Where a value or derivative is not finite: the sub-expression that made it so, as the user wrote it.
-    fn not_finite(&self, at: &At<'_>) -> Option<&str> {
-        let _ = at;
-        None
+    /// Why a term is not finite: the sub-expression that made it so, as the user wrote it. Asked only when a run has failed; `None` where
+    /// that is not known (default).
+    fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
+        let mut found = None;
+        self.graph(&mut |graph, parameters, outside| found = graph.blame(asked, parameters, outside));
+        found
+    }
+
+    /// Shows its equation as a table of steps, with the values of its parameters and what computes the rest; nothing where there is no table
+    /// (default). Emitted on the symbolic route.
+    #[doc(hidden)]
+    fn graph(&self, with: &mut dyn FnMut(&Graph, &[f64], Outside<'_>)) {
+        let _ = with;
     }
 }

@@ -8,6 +8,7 @@ extern crate self as kin;
 
 pub mod algebra;
 mod assembly;
+pub mod blame;
 pub mod check;
 pub mod constraint;
 pub mod coordinates;

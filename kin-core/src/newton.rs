@@ -395,7 +395,7 @@ impl<'a> Newton<'a> {
     pub(crate) fn error(&mut self, failure: Failure, t: f64, last: Option<f64>) -> Error {
         let equations = self.system.equations();
         match failure {
-            Failure::NotFinite(bad) => equations.not_finite(bad, &self.instant),
+            Failure::NotFinite(bad) => equations.not_finite(bad, self.system.layout(), &self.instant),
             Failure::Singular(found) => self.system.singular(t, &found, self.unmet()),
             Failure::NoConvergence { row, residual } => {
                 let (constraint, row) = self.system.row_name(row);

@@ -1,5 +1,6 @@
 //! Many cases of one system: other parameters and initial values in each, spread over the cores of the machine.
 
+mod check;
 mod kept;
 mod lockstep;
 mod predictor;

@@ -42,17 +42,21 @@ pub(crate) fn from_start(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Resul
 
 /// Takes the characteristic sizes of the point in hand; without C_q if that is not finite there.
 fn measure(newton: &mut Newton<'_>, t: f64) {
-    let sizes = sizes(newton, t);
-    // Where the first look at the model was far off, the measures taken with it are worth nothing.
+    let finite = newton.linearize(t).is_ok();
+    take(newton, sizes(newton, finite));
+}
+
+/// Takes these sizes. Where the first look at the model was far off, the measures taken with it are worth nothing.
+fn take(newton: &mut Newton<'_>, sizes: Vec<f64>) {
     if differ(&sizes, &newton.sizes, 8.0) {
         newton.linear.forget();
     }
     newton.set_sizes(sizes);
 }
 
-fn sizes(newton: &mut Newton<'_>, t: f64) -> Vec<f64> {
-    let values: &[f64] = if newton.linearize(t).is_ok() { newton.linear.values() } else { &[] };
-    let system = newton.system;
+/// Characteristic sizes of the point in hand, by its C_q if that is finite.
+fn sizes(newton: &Newton<'_>, finite: bool) -> Vec<f64> {
+    let (system, values) = (newton.system, if finite { newton.linear.values() } else { &[] });
     scale::sizes(system.layout(), system.equations(), values, &newton.q, system.links())
 }
 
@@ -63,10 +67,11 @@ fn differ(sizes: &[f64], others: &[f64], factor: f64) -> bool {
 /// Newton from the point in hand; then once more with the sizes of the solution, which takes no step, if they are others.
 fn attempt(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Result<Outcome> {
     let tried = newton.solve(t, steps).and_then(|outcome| {
-        if !differ(&sizes(newton, t), &newton.sizes, SAME) {
+        let sizes = sizes(newton, true);
+        if !differ(&sizes, &newton.sizes, SAME) {
             return Ok(outcome);
         }
-        measure(newton, t);
+        take(newton, sizes);
         newton.solve(t, steps)
     });
     let outcome = tried.map_err(|failure| newton.error(failure, t, None))?;

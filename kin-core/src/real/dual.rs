@@ -1,11 +1,33 @@
 //! The numbers under [`Real`](super::Real): num-dual's scalars, with composition and division that are right at the edges.
 
-use num_dual::{Dual2_64, Dual3_64, Dual64, DualNum, HyperDual64};
+use std::fmt::{Debug, Display};
+use std::ops::{Add, Mul, Neg, Sub};
+
+use num_dual::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
 /// A scalar of num-dual that Kin computes with: `f64`, `Dual64`, `Dual2_64`, `Dual3_64` or `HyperDual64`.
 ///
 /// Write functions for the dual route as `fn f<D: Dual>(x: Real<D>) -> Real<D>`. The trait is sealed.
-pub trait Dual: sealed::Sealed + DualNum<Primitive = f64> + Copy + Send + Sync + 'static {
+pub trait Dual:
+    sealed::Sealed
+    + Add<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<Output = Self>
+    + Mul<f64, Output = Self>
+    + Neg<Output = Self>
+    + Debug
+    + Display
+    + Copy
+    + Send
+    + Sync
+    + 'static
+{
+    /// Whether the number notes where it ceases to be finite: only when a failure is looked into.
+    #[doc(hidden)]
+    const TRACED: bool = false;
+
     /// The real part.
     fn value(&self) -> f64;
 
@@ -18,19 +40,21 @@ pub trait Dual: sealed::Sealed + DualNum<Primitive = f64> + Copy + Send + Sync +
     /// The same derivatives at another real part.
     fn with_value(self, x: f64) -> Self;
 
+    /// The same value without derivatives.
+    fn still(self) -> Self {
+        Self::constant(self.value())
+    }
+
     /// Composition with a scalar function (Faà di Bruno): `f` is its value and first three derivatives at the real part.
     ///
     /// A zero tangent times a derivative that is not finite is zero.
     fn chain(self, f: [f64; 4]) -> Self;
 
-    /// self · b.
-    fn times(self, b: Self) -> Self;
-
     /// self / b by the recurrence (q b)⁽ⁿ⁾ = a⁽ⁿ⁾, with a's real part divided by b's as in `f64`.
     fn quotient(self, b: Self) -> Self;
 }
 
-mod sealed {
+pub(super) mod sealed {
     pub trait Sealed {}
 }
 
@@ -41,10 +65,10 @@ fn term(tangent: f64, derivative: f64) -> f64 {
 }
 
 /// [`Dual`] for a number with parts `re` and the listed ones, from its chain rule and its quotient, `q` being its real part
-/// and `r` the divisor's reciprocal; and whether its larger operations are inlined.
+/// and `r` the divisor's reciprocal.
 macro_rules! dual {
     (
-        $number:ident [$($part:ident),*], #[$inline:meta],
+        $number:ident [$($part:ident),*],
         chain |$x:ident, $f:ident| $chain:expr,
         quotient |$a:ident, $b:ident, $q:ident, $r:ident| $quotient:expr
     ) => {
@@ -71,18 +95,13 @@ macro_rules! dual {
                 Self { re: x, ..self }
             }
 
-            #[$inline]
+            #[inline]
             fn chain(self, $f: [f64; 4]) -> Self {
                 let $x = self;
                 $chain
             }
 
-            #[$inline]
-            fn times(self, b: Self) -> Self {
-                self * b
-            }
-
-            #[$inline]
+            #[inline]
             fn quotient(self, $b: Self) -> Self {
                 let ($a, $q, $r) = (self, self.re / $b.re, $b.re.recip());
                 $quotient
@@ -91,12 +110,12 @@ macro_rules! dual {
     };
 }
 
-dual! { Dual64 [eps], #[inline],
+dual! { Dual64 [eps],
     chain |x, f| Dual64::new(f[0], term(x.eps, f[1])),
     quotient |a, b, q, r| Dual64::new(q, (a.eps - q * b.eps) * r)
 }
 
-dual! { Dual2_64 [v1, v2], #[inline],
+dual! { Dual2_64 [v1, v2],
     chain |x, f| Dual2_64::new(f[0], term(x.v1, f[1]), term(x.v2, f[1]) + term(x.v1 * x.v1, f[2])),
     quotient |a, b, q, r| {
         let q1 = (a.v1 - q * b.v1) * r;
@@ -105,8 +124,7 @@ dual! { Dual2_64 [v1, v2], #[inline],
     }
 }
 
-// Third derivatives are asked for seldom, and of every joint: calls make a quarter of the code, compiled in every program.
-dual! { Dual3_64 [v1, v2, v3], #[inline(never)],
+dual! { Dual3_64 [v1, v2, v3],
     chain |x, f| {
         let second = term(x.v2, f[1]) + term(x.v1 * x.v1, f[2]);
         let third = term(x.v3, f[1]) + 3.0 * term(x.v1 * x.v2, f[2]) + term(x.v1 * x.v1 * x.v1, f[3]);
@@ -120,7 +138,7 @@ dual! { Dual3_64 [v1, v2, v3], #[inline(never)],
     }
 }
 
-dual! { HyperDual64 [eps1, eps2, eps1eps2], #[inline],
+dual! { HyperDual64 [eps1, eps2, eps1eps2],
     chain |x, f| {
         let mixed = term(x.eps1eps2, f[1]) + term(x.eps1 * x.eps2, f[2]);
         HyperDual64::new(f[0], term(x.eps1, f[1]), term(x.eps2, f[1]), mixed)
@@ -157,11 +175,6 @@ impl Dual for f64 {
     #[inline]
     fn chain(self, f: [f64; 4]) -> Self {
         f[0]
-    }
-
-    #[inline]
-    fn times(self, b: Self) -> Self {
-        self * b
     }
 
     #[inline]

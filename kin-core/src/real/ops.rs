@@ -82,7 +82,7 @@ macro_rules! operator {
 // Each line: the operator on two numbers; on a number and an f64; on an f64 and a number.
 operator!(Add::add, AddAssign::add_assign, |a, b| Real(a.0 + b.0), Real(a.0 + b), Real(b.0 + a));
 operator!(Sub::sub, SubAssign::sub_assign, |a, b| Real(a.0 - b.0), Real(a.0 - b), Real(-b.0 + a));
-operator!(Mul::mul, MulAssign::mul_assign, |a, b| Real(a.0.times(b.0)), Real(a.0 * b), Real(b.0 * a));
+operator!(Mul::mul, MulAssign::mul_assign, |a, b| Real(a.0 * b.0), Real(a.0 * b), Real(b.0 * a));
 operator!(Div::div, DivAssign::div_assign, |a, b| quotient(a, b), quotient(a, b.into()), quotient(a.into(), b));
 operator!(Rem::rem, RemAssign::rem_assign, |a, b| remainder(a, b), remainder(a, b.into()), remainder(a.into(), b));
 
@@ -90,7 +90,7 @@ operator!(Rem::rem, RemAssign::rem_assign, |a, b| remainder(a, b), remainder(a, 
 #[inline]
 fn quotient<D: Dual>(a: Real<D>, b: Real<D>) -> Real<D> {
     let q = Real(a.0.quotient(b.0));
-    if q.is_finite() || !(a.is_constant() && b.is_constant()) { q } else { q.value().into() }
+    if q.is_finite() || !(a.is_constant() && b.is_constant()) { q } else { Real(q.0.still()) }
 }
 
 /// a % b = a − n b with the whole number n = trunc(a/b), which changes nowhere but at jumps.

@@ -3,7 +3,9 @@
 pub(crate) mod lanes;
 
 use std::ops::Range;
+use std::sync::Arc;
 
+use crate::blame::{Culprit, Term};
 use crate::constraint::Constraint;
 use crate::error::Error;
 use crate::layout::{Layout, Place};
@@ -23,7 +25,12 @@ pub(crate) struct Block {
     rates: u32,
     /// Whether all its values of C_q are the same for good.
     constant: bool,
-    /// Where each argument's state begins among its states, and its first column.
+    arguments: Arc<Arguments>,
+}
+
+/// Where each argument's state begins among those of its constraint, and its first column: constraints of one kind share it.
+#[derive(Debug, PartialEq)]
+struct Arguments {
     first_state: Vec<usize>,
     first_column: Vec<usize>,
 }
@@ -104,7 +111,7 @@ impl Instant {
 impl Block {
     #[inline(always)]
     fn at<'a>(&'a self, at: At<'a>) -> At<'a> {
-        at.further(self.states as usize, self.timed.first as usize, &self.first_state)
+        at.further(self.states as usize, self.timed.first as usize, &self.arguments.first_state)
     }
 }
 
@@ -151,23 +158,29 @@ impl Equations {
     pub(crate) fn new(layout: &Layout, constraints: Vec<(String, Box<dyn Constraint>)>) -> Self {
         let (entries, constants, plan, asked) = (Vec::new(), Vec::new(), StatePlan::default(), Asked::default());
         let mut all = Equations { blocks: Vec::new(), plan, entries, constants, rows: 0, timed: 0, asked };
+        let mut kinds: Vec<Arc<Arguments>> = Vec::new();
+        all.blocks.reserve_exact(constraints.len());
         for (name, constraint) in constraints {
             all.asked.note(all.blocks.len(), constraint.as_ref());
-            all.append(layout, name, constraint);
+            all.append(layout, name, constraint, &mut kinds);
         }
         all.plan.finish();
         all
     }
 
-    fn append(&mut self, layout: &Layout, name: String, constraint: Box<dyn Constraint>) {
+    fn append(&mut self, layout: &Layout, name: String, constraint: Box<dyn Constraint>, kinds: &mut Vec<Arc<Arguments>>) {
         let (first_state, first_rate) = (self.plan.len(), self.plan.columns.len());
-        let (mut states, mut columns) = (Vec::new(), Vec::new());
+        let mut arguments = Arguments { first_state: Vec::new(), first_column: Vec::new() };
         for argument in constraint.arguments() {
             let place = layout.place(&argument.target).unwrap_or(Place::Ground(0.0));
             let (state, column) = self.plan.argument(&argument.target, place);
-            states.push(state - first_state);
-            columns.push(column - first_rate);
+            arguments.first_state.push(state - first_state);
+            arguments.first_column.push(column - first_rate);
         }
+        let arguments = kinds.iter().find(|known| ***known == arguments).cloned().unwrap_or_else(|| {
+            kinds.push(Arc::new(arguments));
+            kinds[kinds.len() - 1].clone()
+        });
         let first = self.entries.len();
         let own = &self.plan.columns[first_rate..];
         let place = |column: usize| own.get(column).filter(|place| **place != GROUND).map(|place| *place as usize);
@@ -187,8 +200,7 @@ impl Equations {
             values: Span::new(first..self.entries.len()),
             rates: first_rate as u32,
             constant: self.constants[first..].iter().all(Option::is_some),
-            first_state: states,
-            first_column: columns,
+            arguments,
             constraint,
         });
     }
@@ -293,7 +305,7 @@ impl Equations {
         rhs.fill(0.0);
         let (at, rates) = (instant.at(), Rates::new(&instant.rates, &[]));
         for block in self.asked.q_d.iter().map(|&k| &self.blocks[k]) {
-            let rates = rates.further(block.rates as usize, &block.first_column);
+            let rates = rates.further(block.rates as usize, &block.arguments.first_column);
             block.constraint.acceleration_rhs(&block.at(at), &rates, t_dot, &mut rhs[block.rows.range()]);
         }
     }
@@ -308,7 +320,7 @@ impl Equations {
         let (at, qd, qdd) = (instant.at(), Rates::new(&instant.rates, &[]), Rates::new(&instant.second_rates, &[]));
         // A constraint without second derivatives has no third ones.
         for block in self.asked.q_d.iter().map(|&k| &self.blocks[k]) {
-            let [qd, qdd] = [qd, qdd].map(|rates| rates.further(block.rates as usize, &block.first_column));
+            let [qd, qdd] = [qd, qdd].map(|rates| rates.further(block.rates as usize, &block.arguments.first_column));
             if !block.constraint.jerk_rhs(&block.at(at), &qd, &qdd, &mut rhs[block.rows.range()]) {
                 return Err(block.rows().start);
             }
@@ -325,8 +337,8 @@ impl Equations {
             self.plan.set_rates(rates, &mut columns);
             columns
         });
-        let rates =
-            [&rates[0], &rates[1], &rates[2]].map(|columns| Rates::new(columns, &[]).further(block.rates as usize, &block.first_column));
+        let rates = [&rates[0], &rates[1], &rates[2]]
+            .map(|columns| Rates::new(columns, &[]).further(block.rates as usize, &block.arguments.first_column));
         block.constraint.measure(k, &instant.of(block), &rates)
     }
 
@@ -352,15 +364,18 @@ impl Equations {
     }
 
     /// The error for what is not finite at an instant.
-    pub(crate) fn not_finite(&self, bad: Bad, instant: &Instant) -> Error {
+    pub(crate) fn not_finite(&self, bad: Bad, layout: &Layout, instant: &Instant) -> Error {
         let found = self.block_of(bad.row);
-        let expression = found.and_then(|(block, _)| block.constraint.not_finite(&instant.of(block)));
+        let culprit = found.map(|(block, row)| {
+            let rates = Rates::new(&instant.rates, &[]).further(block.rates as usize, &block.arguments.first_column);
+            Culprit::of(block, layout, instant.of(block), rates, row, Term::named(bad.quantity))
+        });
         Error::NotFinite {
             t: instant.t,
             constraint: found.map(|(block, _)| block.name.clone()).unwrap_or_default(),
             row: found.map(|(block, local)| block.row(local).to_string()).unwrap_or_default(),
             quantity: bad.quantity,
-            expression: expression.map(str::to_string),
+            culprit: Box::new(culprit.unwrap_or_default()),
             motion: None,
         }
     }

@@ -117,7 +117,7 @@ impl System {
         self.check(qd, "velocities")?;
         self.check(qdd, "accelerations")?;
         let rhs = self.model().jerk_rhs(q, t, qd, qdd)?;
-        rhs.map_err(|bad| self.equations.not_finite(bad, &instant))
+        rhs.map_err(|bad| self.equations.not_finite(bad, &self.layout, &instant))
     }
 
     /// q⃛ at a position q, velocity q̇ and acceleration q̈, from C_q q⃛ = −g‴(0). Errors: those of [`System::jerk_rhs`], singular.
@@ -143,7 +143,7 @@ impl System {
     }
 
     fn finite(&self, result: std::result::Result<(), Bad>, instant: &Instant) -> Result<()> {
-        result.map_err(|bad| self.equations.not_finite(bad, instant))
+        result.map_err(|bad| self.equations.not_finite(bad, &self.layout, instant))
     }
 
     /// C_q⁻¹ times the right side, with the sizes of that point; in the sense of least squares where there are more equations.
