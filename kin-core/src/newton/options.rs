@@ -40,7 +40,7 @@ pub struct Options {
     /// (later times) before giving up; default true. Without it plain Newton steps from the guess are all that is done.
     pub rescue: bool,
     /// Solve for the jerk q⃛ too, C_q q⃛ = −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), with the matrix of q̇ and q̈; default false.
-    /// Cases of a sweep are run one by one then.
+    /// Cases of a sweep are run one by one then. At a time that is itself a change point C_q does not tell the jerk: an error.
     pub jerk: bool,
     /// Whether each step is checked to stay on its branch, and which branch is taken where branches cross; default [`Follow::Smooth`].
     pub follow: Follow,

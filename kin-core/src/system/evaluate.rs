@@ -405,6 +405,19 @@ impl Equations {
         Ok(())
     }
 
+    /// Measure k of a constraint with its first three derivatives, at rows of q, q̇, q̈ and q⃛ (or nothing).
+    pub(crate) fn measure(&self, block: &Block, k: usize, t: f64, [q, qd, qdd, qddd]: [&[f64]; 4]) -> [f64; 4] {
+        let instant = self.instant_at(t, q);
+        let still = vec![0.0; q.len()];
+        let rates = [qd, qdd, if qddd.is_empty() { &still } else { qddd }].map(|rates| {
+            let mut columns = vec![0.0; self.plan.columns.len()];
+            self.plan.set_rates(rates, &mut columns);
+            columns
+        });
+        let rates = [&rates[0], &rates[1], &rates[2]].map(|columns| block.rates(columns));
+        block.constraint.measure(k, &instant.of(block), &rates)
+    }
+
     /// The error for a constraint that does not know its part of the jerk, by one of its rows.
     pub(crate) fn no_jerk(&self, row: usize) -> Error {
         let reason = "its part of the jerk is not known; implement `Constraint::jerk_rhs`, or run without `Options::jerk`".to_string();
