@@ -37,7 +37,8 @@ pub struct Options {
     /// q̇ and q̈ at all three times, where that has been nearer.
     pub predict: bool,
     /// Where plain Newton fails, damp it, look for the assembly from other starts (first time), and approach in smaller steps of time
-    /// (later times) before giving up; default true. Without it plain Newton steps from the guess are all that is done.
+    /// (later times) before giving up; default true. Without it plain Newton steps from the guess are all that is
+    /// done, but for what [`Options::follow`] asks.
     pub rescue: bool,
     /// Solve for the jerk q⃛ too, C_q q⃛ = −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), with the matrix of q̇ and q̈; default false.
     /// Cases of a sweep are run one by one then. At a time that is itself a change point C_q does not tell the jerk: an error.
