@@ -33,6 +33,7 @@ fn main() -> kin::Result<()> {
     m.add("motor", drive_angle(crank, Law::ramp(TAU)))?; // one turn a second
 
     // 3. Motion, and how uneven it is: the share of a turn in which the ram goes to the left.
+    m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 1.0, 721))?;
     let x = motion.coordinate(ram.x());

@@ -40,6 +40,7 @@ fn main() -> kin::Result<()> {
     m.add("motor", drive_turn(first, ground, axis, axis, Law::ramp(PI)))?; // half a turn a second
 
     // 3. Motion: speeds about each shaft's own axis, from the velocity of the tip of its cross.
+    m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 4.0, 1201))?;
     let speed = |body: SpatialBody, along: Vec3| -> Vec<f64> {

@@ -77,7 +77,7 @@ pub struct Workload {
 
 /// The workloads' protocol: from the last solution, until the residual is below 1e-10.
 pub fn as_defined() -> Options {
-    Options { stop: Stop::ResidualOnly(1e-10), predict: false, rescue: false, ..Options::default() }
+    Options { stop: Stop::ResidualOnly(1e-10), predict: false, rescue: false, follow: Follow::Unchecked, ..Options::default() }
 }
 
 /// By hand, and Kin's routes: as defined, with prediction as well, as it comes (`Options::default()`), and on dual numbers as defined.

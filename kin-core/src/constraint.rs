@@ -152,6 +152,14 @@ pub trait Constraint: CloneBoxed + Send + Sync {
     /// r(q̇, ṫ) = −\[(C_q q̇)_q q̇ + 2 ṫ C_qt q̇ + ṫ² C_tt\] into `q_d` (length m); with ṫ = 1 the right side of C_q q̈ = Q_d.   \[row/s²\]
     fn acceleration_rhs(&self, at: &At<'_>, qd: &Rates<'_>, t_dot: f64, q_d: &mut [f64]);
 
+    /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s) into `rhs` (length m): the right side of C_q q⃛ = −g‴(0), for the jerk.   \[row/s³\]
+    ///
+    /// False, and nothing written, where that is not known (default): a run that is asked for the jerk then ends with an error by name.
+    fn jerk_rhs(&self, at: &At<'_>, qd: &Rates<'_>, qdd: &Rates<'_>, rhs: &mut [f64]) -> bool {
+        let _ = (at, qd, qdd, rhs);
+        false
+    }
+
     /// Shows each numeric parameter with its name (`k`, `u_i.x`, `c[2]`).
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         let _ = visit;

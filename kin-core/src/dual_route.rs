@@ -104,6 +104,10 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
         acceleration_rhs(&self.0, at, qd, t_dot, q_d);
     }
 
+    fn jerk_rhs(&self, at: &At<'_>, qd: &Rates<'_>, qdd: &Rates<'_>, rhs: &mut [f64]) -> bool {
+        jerk_rhs(&self.0, at, qd, qdd, rhs)
+    }
+
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         self.0.parameters(visit);
     }
@@ -188,16 +192,19 @@ pub fn mixed<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, q:
     equation.evaluate(&seeded, Real(HyperDual64::new(t, 0.0, 1.0, 0.0))).map(|x| x.0.eps1eps2)
 }
 
-/// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), by one `Dual3_64` evaluation.   \[row/s³\]
+/// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), by one `Dual3_64` evaluation.   \[row/s³\] It is always known.
 pub fn jerk_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
     equation: &E,
-    q: &[f64; N],
-    qd: &[f64; N],
-    qdd: &[f64; N],
-    t: f64,
-) -> [f64; M] {
+    at: &At<'_>,
+    qd: &Rates<'_>,
+    qdd: &Rates<'_>,
+    rhs: &mut [f64],
+) -> bool {
+    let q = gather::<N>(E::ARGUMENTS, at);
+    let [qd, qdd] = [qd, qdd].map(|rates| gather_rates::<N>(E::ARGUMENTS, rates));
     let seeded = std::array::from_fn(|k| Real(Dual3_64::new(q[k], qd[k], qdd[k], 0.0)));
-    equation.evaluate(&seeded, Real(Dual3_64::new(t, 1.0, 0.0, 0.0))).map(|x| -x.0.v3)
+    write(rhs, equation.evaluate(&seeded, Real(Dual3_64::new(at.t, 1.0, 0.0, 0.0))).map(|x| -x.0.v3));
+    true
 }
 
 /// Local coordinates of a constraint, its arguments' one after the other.

@@ -79,6 +79,44 @@ pub enum Error {
         motion: Option<Box<Motion>>,
     },
 
+    /// A toggle: the mechanism cannot be driven beyond it, and stands still there for an infinite rate of what it moves.
+    #[error(
+        "t = {} s: a toggle: beyond this time there is no position. {}{}",
+        text::time(*.t),
+        text::toggle(.movable, .dependent, .diagnosis),
+        text::kept(.motion)
+    )]
+    Toggle {
+        /// The time t* of the toggle.   \[s\]
+        t: f64,
+        /// The time that was asked for.   \[s\]
+        asked: f64,
+        /// Bodies and coordinates that can move at t* although everything that drives stands still.
+        movable: Vec<String>,
+        /// Equations that depend on one another at t*.
+        dependent: Vec<String>,
+        /// What is wrong at the time that was asked for, by name, and how near the parts can come.
+        diagnosis: Option<Box<Diagnosis>>,
+        /// What was computed before; its last [`Motion::singular_positions`] is the toggle.
+        motion: Option<Box<Motion>>,
+    },
+
+    /// A step that may have left its branch, and cannot be made any shorter.
+    #[error(
+        "t = {} s: beyond this time the run cannot be shown to stay on its branch ({reason}).\n  A law or constraint with a kink, or a position \
+         that is singular in more than one way; `Follow::Unchecked` goes on without asking.{}",
+        text::time(*.t),
+        text::kept(.motion)
+    )]
+    CannotFollow {
+        /// The last time at which the branch is known.   \[s\]
+        t: f64,
+        /// What was objected to.
+        reason: &'static str,
+        /// What was computed before.
+        motion: Option<Box<Motion>>,
+    },
+
     /// A position that closes, but not as it is meant: the equations hold for an axis turned by 180° too.
     #[error(
         "t = {} s: `{constraint}` ({kind}) closes the wrong way: {reason}.\n  Give a better guess of the poses, or turn one of the directions \
@@ -223,7 +261,7 @@ pub enum Error {
         reason: String,
     },
 
-    /// A hand-written constraint that contradicts itself.
+    /// A hand-written constraint that contradicts itself, or does not know what is asked of it.
     #[error("`{constraint}` ({kind}): {reason}")]
     InvalidConstraint {
         /// The constraint.

@@ -51,6 +51,25 @@ pub(crate) fn add(x: &mut [f64], y: &[f64]) {
     x.last_chunk_mut().into_iter().for_each(|four| *four = end.to_array());
 }
 
+/// How far q + h q̇ + ½ h² q̈ from either end of a step h is from the other end, by shares, and how far the ends are apart, by `turns`; the
+/// largest of each. All vectors must have the same length.
+pub(crate) fn miss(h: f64, [q, qd, qdd]: [&[f64]; 3], [r, rd, rdd]: [&[f64]; 3], shares: &[f64], turns: &[f64]) -> [f64; 2] {
+    let (h, half, mut miss, mut reach) = (f64x4::splat(h), f64x4::splat(0.5 * h), f64x4::ZERO, f64x4::ZERO);
+    let mut see = |[q, qd, qdd, r, rd, rdd, share, turn]: [f64x4; 8]| {
+        let d = r - q;
+        let (forward, back) = (d - h * (qd + half * qdd), d - h * (rd - half * rdd));
+        miss = miss.fast_max(forward.abs().fast_max(back.abs()) * share);
+        reach = reach.fast_max(d.abs() * turn);
+    };
+    let all = [q, qd, qdd, r, rd, rdd, shares, turns];
+    let whole = all.map(|x| x.as_chunks::<4>().0);
+    for k in 0..q.len() / 4 {
+        see(whole.map(|x| x.get(k).map_or(f64x4::ZERO, |four| f64x4::new(*four))));
+    }
+    see(all.map(|x| last(x, 0.0)));
+    [miss, reach].map(|most| most.to_array().into_iter().fold(0.0, f64::max))
+}
+
 /// x = −y
 pub(crate) fn negate(x: &mut [f64], y: &[f64]) {
     for (four, terms) in x.as_chunks_mut().0.iter_mut().zip(y.as_chunks().0) {

@@ -13,6 +13,7 @@ mod condition;
 mod echelon;
 pub(crate) mod lanes;
 mod order;
+mod orientation;
 mod program;
 mod record;
 mod replay;
@@ -166,6 +167,11 @@ impl Linear {
     /// One over that; 1 for a row that has been zero.
     pub(crate) fn row_units(&self) -> &[f64] {
         &self.row_units
+    }
+
+    /// s_j over the largest share of each column; what a unit of the measured unknown is.
+    pub(crate) fn column_units(&self) -> &[f64] {
+        &self.column_units
     }
 
     /// Forgets how large rows and columns have been.

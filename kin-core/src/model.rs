@@ -2,8 +2,10 @@
 //!
 //! What looks at a mechanism that cannot be driven (diagnosis, assembly from afar, redundant mechanisms) stands on this; the driver does not.
 
+use crate::error::Error;
 use crate::layout::{Layout, Unit};
 use crate::linear::Sparse;
+use crate::newton::JERK_RHS;
 use crate::random::Random;
 use crate::system::evaluate::{Bad, Equations, finite};
 use crate::system::scale;
@@ -68,6 +70,14 @@ impl Model<'_> {
         self.equations.second_order(&instant, t_dot, &mut rhs);
         finite(&rhs, "Q_d")?;
         Ok(rhs)
+    }
+
+    /// −g‴(0), the right side for the jerk; the outer error is for a constraint that does not know it.
+    pub(crate) fn jerk_rhs(&self, q: &[f64], t: f64, qd: &[f64], qdd: &[f64]) -> Result<Result<Vec<f64>, Bad>, Error> {
+        let (mut instant, mut rhs) = (self.equations.instant_at(t, q), vec![0.0; self.m()]);
+        self.equations.set_rates(qd, &mut instant);
+        self.equations.jerk_rhs(qdd, &mut instant, &mut rhs).map_err(|row| self.equations.no_jerk(row))?;
+        Ok(finite(&rhs, JERK_RHS).map(|()| rhs))
     }
 
     /// The non-zeros of C_q as (row, column, value).

@@ -8,7 +8,7 @@ pub(crate) mod redundant;
 pub(crate) mod sweep;
 mod watch;
 
-pub use options::{Options, Report, Stop};
+pub use options::{Follow, Options, Report, Stop};
 pub use watch::CrossedBreak;
 
 use crate::error::Error;
@@ -26,6 +26,9 @@ pub(crate) const DOUBTFUL: f64 = 1e-7;
 
 /// A row that is off by more than this, of the norm of the row, is told as not met where C_q is singular.   \[-\]
 const UNMET: f64 = 1e-2;
+
+/// What the right side for the jerk is called.
+pub(crate) const JERK_RHS: &str = "the right side for the jerk";
 
 /// A damped step turns no body by more than this.   \[rad\]
 const TURN: f64 = 1.0;
@@ -71,6 +74,8 @@ pub(crate) struct Newton<'a> {
     pub q: Vec<f64>,
     pub qd: Vec<f64>,
     pub qdd: Vec<f64>,
+    /// q⃛ where it is asked for, else empty.
+    pub qddd: Vec<f64>,
     pub c: Vec<f64>,
     before: Vec<f64>,
     pub instant: Instant,
@@ -97,6 +102,7 @@ impl<'a> Newton<'a> {
             q: system.initial().to_vec(),
             qd: vec![0.0; n],
             qdd: vec![0.0; n],
+            qddd: vec![0.0; if options.jerk { n } else { 0 }],
             c: vec![0.0; n],
             before: vec![0.0; n],
             instant: equations.instant(),
@@ -321,10 +327,36 @@ impl<'a> Newton<'a> {
         equations.acceleration_rhs(&self.instant, self.linear.rhs_mut());
         self.linear.solve();
         // A right side that is not finite makes solutions that are not.
-        if fours::take(&mut self.qdd, self.linear.solution()) && finite {
+        if !(fours::take(&mut self.qdd, self.linear.solution()) && finite) {
+            return Err(Failure::NotFinite(self.overflow()));
+        }
+        if self.options.jerk { self.jerk() } else { Ok(()) }
+    }
+
+    /// q⃛ from C_q q⃛ = −g‴(0), with the same factors.
+    fn jerk(&mut self) -> Result<(), Failure> {
+        let (equations, rhs) = (self.system.equations(), self.linear.rhs_mut());
+        let known = equations.jerk_rhs(&self.qdd, &mut self.instant, rhs).map_err(|row| Bad { row, quantity: JERK_RHS });
+        let right_side = known.and_then(|()| finite(rhs, JERK_RHS));
+        self.linear.solve();
+        if fours::take(&mut self.qddd, self.linear.solution()) && right_side.is_ok() {
             return Ok(());
         }
-        Err(Failure::NotFinite(self.overflow()))
+        Err(Failure::NotFinite(right_side.err().unwrap_or(Bad { row: self.worst().0, quantity: "q'''" })))
+    }
+
+    /// 1 / s_j, one over the characteristic size of each coordinate.
+    pub(crate) fn shares(&self) -> &[f64] {
+        &self.shares
+    }
+
+    /// |C_q⁻¹ (C_q v)_q v| by the sizes, with the matrix in hand; the rates of the instant are lost.
+    pub(crate) fn bend(&mut self, v: &[f64]) -> f64 {
+        let equations = self.system.equations();
+        equations.set_rates(v, &mut self.instant);
+        equations.second_order(&self.instant, 0.0, self.linear.rhs_mut());
+        self.linear.solve();
+        fours::largest_share(self.linear.solution(), &self.shares)
     }
 
     /// What is not finite in the right sides or their solutions.

@@ -1,5 +1,6 @@
 //! Many cases of one system: other parameters and initial values in each, spread over the cores of the machine.
 
+mod kept;
 mod lockstep;
 mod predictor;
 
@@ -17,8 +18,8 @@ use crate::system::evaluate::lanes::Crew;
 use crate::system::parameters::CasePlace;
 use lockstep::Lockstep;
 
-/// Cases that are handed to a thread at once.
-const BATCH: usize = 8;
+/// Cases that are handed to a thread at once: as many as there are lanes, or a multiple.
+const BATCH: usize = 16;
 
 /// Many cases of one [`System`]: one row of numbers a case, one number for each name.
 ///
@@ -48,8 +49,8 @@ const BATCH: usize = 8;
 /// Results come in the order of the cases and do not depend on the number of threads. Of a motion only what the closure gives back is kept,
 /// so memory grows with the results alone.
 ///
-/// Where constraints have kernels over lanes (the library's joints and drivers, and your own with `#[constraint(lanes)]`), as many cases as
-/// the machine has SIMD lanes advance together; the others' are evaluated lane by lane. Lanes, and the company of other cases in them,
+/// Where constraints have kernels over lanes (the library's joints and drivers, and your own with `#[constraint(lanes)]`), two
+/// SIMD registers of cases advance together (16 with AVX-512); the others' are evaluated lane by lane. Lanes, and the company of other cases in them,
 /// change results by rounding only: by no more than the tolerance of the stop rule. A case that fails in its lane is run again alone.
 pub struct Sweep<'a> {
     system: &'a System,
@@ -130,7 +131,7 @@ impl<'a> Sweep<'a> {
         job.report(0);
         let all = || match self.lanes {
             Lanes::Off => job.one_by_one(),
-            _ if self.system.n_coordinates() == 0 || newton::redundant::is_redundant(self.system) => job.one_by_one(),
+            _ if self.options.jerk || self.system.n_coordinates() == 0 || newton::redundant::is_redundant(self.system) => job.one_by_one(),
             Lanes::Best if !self.system.has_lanes() => job.one_by_one(),
             Lanes::Best => Lanes::Best.dispatch(&job).unwrap_or_else(|job| job.one_by_one()),
             lanes => lanes.dispatch(&job).unwrap_or_else(|_| Err(not_there(lanes))),
@@ -240,7 +241,7 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
             if (before & !active).any() {
                 lockstep.fill(active);
             }
-            if lockstep.keep(t, active) {
+            if lockstep.keep(t) {
                 lockstep.flush(&mut motions);
             }
         }

@@ -129,6 +129,12 @@ impl System {
         Ok(())
     }
 
+    /// An error by name unless every constraint knows its part of the jerk.
+    pub(crate) fn knows_jerk(&self) -> Result<()> {
+        let still = vec![0.0; self.n_coordinates()];
+        self.model().jerk_rhs(&self.initial, 0.0, &still, &still).map(|_| ())
+    }
+
     /// Whether no law of its constraints has a break; a run has to look for those time by time.
     pub(crate) fn is_smooth(&self) -> bool {
         let (mut smooth, instant) = (true, self.equations.instant_at(0.0, &self.initial));
@@ -183,16 +189,13 @@ impl System {
             Err(bad) => return model.not_finite(bad, q, t),
         };
         let found = diagnosis::singular(&model, &point.values, &model.measure(q, t));
-        let mut movable: Vec<String> = found.columns.iter().filter_map(|&k| Some(self.layout.owner(k)?.name.clone())).collect();
-        movable.dedup();
-        let dependent = found.rows.iter().map(|&row| self.equations.equation(row)).collect();
         Error::SingularAt {
             t,
             n: self.n_coordinates(),
             rank: found.rank,
             pivot: found.pivot,
-            movable,
-            dependent,
+            movable: found.movable,
+            dependent: found.dependent,
             unmet,
             diagnosis: None,
             motion: None,

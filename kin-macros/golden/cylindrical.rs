@@ -924,6 +924,16 @@ const _: () = {
                 true, u[3]), ::kin::rt::attachment(1, true, u[4])
             ]
         }
+        #[cold]
+        fn jerk_rhs(
+            &self,
+            at: &::kin::rt::At<'_>,
+            qd: &::kin::rt::Rates<'_>,
+            qdd: &::kin::rt::Rates<'_>,
+            rhs: &mut [f64],
+        ) -> bool {
+            ::kin::dual_route::jerk_rhs(self, at, qd, qdd, rhs)
+        }
         fn description(&self) -> &str {
             "A cylindrical joint: the axes are parallel and the line between two of their points is along them.      [–, –, m, m]"
         }

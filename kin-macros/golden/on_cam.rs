@@ -329,6 +329,16 @@ const _: () = {
         fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::rt::InLanes> {
             ::core::option::Option::Some(self)
         }
+        #[cold]
+        fn jerk_rhs(
+            &self,
+            at: &::kin::rt::At<'_>,
+            qd: &::kin::rt::Rates<'_>,
+            qdd: &::kin::rt::Rates<'_>,
+            rhs: &mut [f64],
+        ) -> bool {
+            ::kin::dual_route::jerk_rhs(self, at, qd, qdd, rhs)
+        }
         fn description(&self) -> &str {
             "Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]"
         }

@@ -219,6 +219,16 @@ const _: () = {
         fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::rt::InLanes> {
             ::core::option::Option::Some(self)
         }
+        #[cold]
+        fn jerk_rhs(
+            &self,
+            at: &::kin::rt::At<'_>,
+            qd: &::kin::rt::Rates<'_>,
+            qdd: &::kin::rt::Rates<'_>,
+            rhs: &mut [f64],
+        ) -> bool {
+            ::kin::dual_route::jerk_rhs(self, at, qd, qdd, rhs)
+        }
         fn description(&self) -> &str {
             "Pin joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      [m]"
         }

@@ -255,6 +255,16 @@ const _: () = {
             }
             ::core::option::Option::None
         }
+        #[cold]
+        fn jerk_rhs(
+            &self,
+            at: &::kin::rt::At<'_>,
+            qd: &::kin::rt::Rates<'_>,
+            qdd: &::kin::rt::Rates<'_>,
+            rhs: &mut [f64],
+        ) -> bool {
+            ::kin::dual_route::jerk_rhs(self, at, qd, qdd, rhs)
+        }
         fn description(&self) -> &str {
             "Loop closure of the slider-crank, crank driven at ω.      [m]"
         }

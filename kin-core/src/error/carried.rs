@@ -15,7 +15,9 @@ impl Error {
             | Error::NotFinite { motion, .. }
             | Error::CannotBeDriven { motion, .. }
             | Error::WrongBranch { motion, .. }
-            | Error::LawJumps { motion, .. } => motion.as_deref(),
+            | Error::LawJumps { motion, .. }
+            | Error::Toggle { motion, .. }
+            | Error::CannotFollow { motion, .. } => motion.as_deref(),
             _ => None,
         }
     }
@@ -24,7 +26,9 @@ impl Error {
     pub fn diagnosis(&self) -> Option<&Diagnosis> {
         match self {
             Error::CannotBeDriven { diagnosis, .. } => Some(diagnosis),
-            Error::SingularAt { diagnosis, .. } | Error::NoConvergence { diagnosis, .. } => diagnosis.as_deref(),
+            Error::SingularAt { diagnosis, .. } | Error::NoConvergence { diagnosis, .. } | Error::Toggle { diagnosis, .. } => {
+                diagnosis.as_deref()
+            }
             _ => None,
         }
     }
@@ -33,7 +37,9 @@ impl Error {
     pub(crate) fn explained(mut self, system: &System, options: &Options) -> Error {
         /// Coordinates up to which a failing run is examined by itself; [`System::diagnose`] does it for any number.
         const EXAMINED: usize = 1500;
-        if let Error::SingularAt { t, diagnosis, motion, .. } | Error::NoConvergence { t, diagnosis, motion, .. } = &mut self
+        if let Error::SingularAt { t, diagnosis, motion, .. }
+        | Error::NoConvergence { t, diagnosis, motion, .. }
+        | Error::Toggle { asked: t, diagnosis, motion, .. } = &mut self
             && system.n_coordinates() <= EXAMINED
         {
             let options = DiagnosisOptions { search: options.search.clone(), ..DiagnosisOptions::default() };
@@ -51,7 +57,9 @@ impl Error {
         | Error::NotFinite { motion, .. }
         | Error::CannotBeDriven { motion, .. }
         | Error::WrongBranch { motion, .. }
-        | Error::LawJumps { motion, .. } = &mut self
+        | Error::LawJumps { motion, .. }
+        | Error::Toggle { motion, .. }
+        | Error::CannotFollow { motion, .. } = &mut self
             && !computed.is_empty()
         {
             *motion = Some(Box::new(computed));

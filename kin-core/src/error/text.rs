@@ -72,6 +72,12 @@ pub(super) fn singular(
     text + &kept(motion)
 }
 
+/// What can move at a toggle, and what is asked for beyond it.
+pub(super) fn toggle(movable: &[String], dependent: &[String], diagnosis: &Option<Box<Diagnosis>>) -> String {
+    let moves = format!("There {} can move although what drives stands still", list(movable));
+    format!("{moves}, and {} depend on one another.{}", list(dependent), details(diagnosis))
+}
+
 /// The sub-expression that is to blame.
 pub(super) fn because(expression: &Option<String>) -> String {
     expression.as_ref().map(|text| format!(", because of `{text}`")).unwrap_or_default()

@@ -10,6 +10,7 @@ use std::collections::HashMap;
 use super::active::{Active, NONE, Side};
 use super::cells::{PLUS, Term};
 use super::code::SMALL;
+use super::orientation::Orientation;
 use super::program::Program;
 use super::{SINGULAR, solving};
 
@@ -33,6 +34,14 @@ pub(super) struct Input<'a> {
     pub column_units: &'a [f64],
 }
 
+impl Input<'_> {
+    /// Row and column of each value that is not zero for good.
+    fn places(&self) -> impl Iterator<Item = (u32, u32)> {
+        let constants = self.constants.iter().copied().chain(std::iter::repeat(None));
+        self.entries.iter().zip(constants).filter_map(|(entry, constant)| entry.filter(|_| constant != Some(0.0)))
+    }
+}
+
 /// Where right side, solution and three constants stand, after the values.
 #[derive(Clone, Copy)]
 pub(super) struct Places {
@@ -52,6 +61,7 @@ pub(super) struct Recording {
     pub watched: Vec<(u32, u32, u32)>,
     /// Row, column and value of the other pivots.
     pub constant: Vec<(u32, u32, f64)>,
+    pub orientation: Orientation,
 }
 
 impl Recording {
@@ -146,7 +156,8 @@ pub(super) fn record(input: &Input<'_>, places: Places, memory: &mut Vec<f64>) -
         recorder.eliminate(pivot);
     }
     solving::write(&mut recorder);
-    let Recorder { mut recording, memory, .. } = recorder;
+    let Recorder { mut recording, memory, pivots, .. } = recorder;
+    recording.orientation = Orientation::new(&pivots, &recording.constant, input.places());
     memory.resize(memory.len().max(SMALL), 0.0);
     recording.solve.finish(memory.len());
     let order = recording.factor.finish(memory.len());

@@ -69,6 +69,23 @@ impl Predictor {
         std::mem::swap(&mut self.past[0].qdd, qdd);
     }
 
+    /// The step that has ended is taken back: the last solution's rates are what they were.
+    pub(super) fn retreat(&mut self, qd: &mut Vec<f64>, qdd: &mut Vec<f64>) {
+        std::mem::swap(&mut self.past[0].qd, qd);
+        std::mem::swap(&mut self.past[0].qdd, qdd);
+        self.forget();
+    }
+
+    /// What is known of older times than the last one counts no more.
+    pub(super) fn forget(&mut self) {
+        self.equal = 0;
+    }
+
+    /// q̇ and q̈ before the step that has ended.
+    pub(super) fn before(&self) -> [&[f64]; 2] {
+        [&self.past[0].qd, &self.past[0].qdd]
+    }
+
     /// Whether the last three times lie a step h apart.
     fn knows(&self, h: f64) -> bool {
         self.equal >= 2 && same(h, self.h)

@@ -27,7 +27,7 @@ pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<M
     let (mut driver, outcome) = Driver::assembled(system, options, first)?;
     let mut keep = |t: f64, driver: &Driver<'_>, outcome: Outcome, motion: &mut Motion| {
         motion.cross(watch.look(system, &system.equations().instant_at(t, &driver.q))?);
-        motion.append(t, [&driver.q, &driver.qd, &driver.qdd], outcome, driver.worst);
+        motion.append(t, driver.rows(), outcome, driver.worst);
         Ok(())
     };
     keep(first, &driver, outcome, &mut motion)?;
@@ -56,7 +56,7 @@ pub(crate) fn solved(system: &System, q: &[f64], t: f64, rhs: &[f64]) -> Result<
     let (model, options) = (system.model(), Options::default());
     let tall = Tall::new(model.m(), model.n(), &model.equations.entries);
     let measures = model.measure(q, t);
-    let mut driver = Driver { model, options: &options, measures, tall, t, q: q.to_vec(), qd: vec![], qdd: vec![], worst: 0 };
+    let mut driver = Driver { model, options: &options, measures, tall, t, q: q.to_vec(), qd: vec![], qdd: vec![], qddd: vec![], worst: 0 };
     match driver.factor(t) {
         Some(_) => Ok(driver.solved(rhs.iter().copied())),
         None => Err(blamed(model, Start::Pose(q), t, &options)),
@@ -73,6 +73,8 @@ struct Driver<'a> {
     q: Vec<f64>,
     qd: Vec<f64>,
     qdd: Vec<f64>,
+    /// q⃛ where it is asked for, else empty.
+    qddd: Vec<f64>,
     /// The row with the largest |C_i|.
     worst: usize,
 }
@@ -96,7 +98,8 @@ impl<'a> Driver<'a> {
         let tall = Tall::new(model.m(), model.n(), &model.equations.entries);
         let (n, q) = (model.n(), found.place.q);
         let steps = found.place.steps;
-        let mut driver = Driver { model, options, measures: found.measures, tall, t, q, qd: vec![0.0; n], qdd: vec![0.0; n], worst: 0 };
+        let mut driver =
+            Driver { model, options, measures: found.measures, tall, t, q, qd: vec![0.0; n], qdd: vec![0.0; n], qddd: vec![], worst: 0 };
         let solved = driver.solve(t).and_then(|outcome| driver.rates(t).map(|()| outcome));
         let Some(outcome) = solved else { return Err(blamed(model, Start::Pose(&driver.q), t, options)) };
         match driver.wrong(t) {
@@ -210,25 +213,37 @@ impl<'a> Driver<'a> {
         y.iter().zip(sizes).map(|(y, size)| y * size).collect()
     }
 
-    /// q̇ and q̈ with the matrix in hand; `None` where they are not finite or the equations ask for different ones.
+    /// q̇ and q̈ with the matrix in hand, and q⃛ where it is asked for; `None` where they are not finite or the equations ask for different ones.
     fn rates(&mut self, t: f64) -> Option<()> {
-        let c_t = self.model.c_t(&self.q, t).ok()?;
-        self.qd = self.solved(c_t.iter().map(|c_t| -c_t));
-        let q_d = self.model.second_order(&self.q, t, &self.qd, 1.0).ok()?;
-        self.qdd = self.solved(q_d.iter().copied());
-        let finite = self.qd.iter().chain(&self.qdd).all(|x| x.is_finite());
         let values = self.model.linearize(&self.q, t).ok()?.values;
-        let agree = |solution: &[f64], rhs: &mut dyn Iterator<Item = f64>| {
-            let mut rows: Vec<(f64, f64)> = rhs.map(|rhs| (-rhs, rhs.abs())).collect();
-            for (row, column, value) in self.model.entries(&values) {
-                let term = value * solution[column];
-                rows[row] = (rows[row].0 + term, rows[row].1 + term.abs());
-            }
-            let rows = rows.iter().zip(&self.measures.norms);
-            let largest = rows.clone().fold(0.0_f64, |m, ((_, size), norm)| m.max(size / norm));
-            rows.clone().all(|((sum, _), norm)| sum.abs() <= CONSISTENT * largest * norm)
-        };
-        (finite && agree(&self.qd, &mut c_t.iter().map(|c_t| -c_t)) && agree(&self.qdd, &mut q_d.iter().copied())).then_some(())
+        let c_t = self.model.c_t(&self.q, t).ok()?;
+        self.qd = self.agreed(&values, &c_t.iter().map(|c_t| -c_t).collect::<Vec<f64>>())?;
+        let q_d = self.model.second_order(&self.q, t, &self.qd, 1.0).ok()?;
+        self.qdd = self.agreed(&values, &q_d)?;
+        if self.options.jerk {
+            let rhs = self.model.jerk_rhs(&self.q, t, &self.qd, &self.qdd).ok()?.ok()?;
+            self.qddd = self.agreed(&values, &rhs)?;
+        }
+        Some(())
+    }
+
+    /// The solution of C_q x = the right side, if it is finite and meets every row.
+    fn agreed(&mut self, values: &[f64], rhs: &[f64]) -> Option<Vec<f64>> {
+        let solution = self.solved(rhs.iter().copied());
+        let mut rows: Vec<(f64, f64)> = rhs.iter().map(|rhs| (-rhs, rhs.abs())).collect();
+        for (row, column, value) in self.model.entries(values) {
+            let term = value * solution[column];
+            rows[row] = (rows[row].0 + term, rows[row].1 + term.abs());
+        }
+        let rows = rows.iter().zip(&self.measures.norms);
+        let largest = rows.clone().fold(0.0_f64, |m, ((_, size), norm)| m.max(size / norm));
+        let met = rows.clone().all(|((sum, _), norm)| sum.abs() <= CONSISTENT * largest * norm);
+        (met && solution.iter().all(|x| x.is_finite())).then_some(solution)
+    }
+
+    /// q, q̇, q̈, and q⃛ or nothing.
+    fn rows(&self) -> [&[f64]; 4] {
+        [&self.q, &self.qd, &self.qdd, &self.qddd]
     }
 }
 

@@ -82,6 +82,8 @@ pub(crate) struct Instant {
     timed: Vec<f64>,
     states: Vec<f64>,
     rates: Vec<f64>,
+    /// Second rates of the columns, where the jerk is asked for; else empty.
+    second_rates: Vec<f64>,
 }
 
 impl Instant {
@@ -113,7 +115,7 @@ impl Block {
 pub(crate) struct Bad {
     /// Global row.
     pub row: usize,
-    /// `C`, `C_q`, `C_t`, `Q_d`, `q'` or `q''`.
+    /// `C`, `C_q`, `C_t`, `Q_d`, `q'`, `q''`, `q'''` or the right side of the last.
     pub quantity: &'static str,
 }
 
@@ -157,6 +159,7 @@ impl Equations {
             all.asked.note(all.blocks.len(), constraint.as_ref());
             all.append(layout, name, constraint);
         }
+        all.plan.finish();
         all
     }
 
@@ -197,7 +200,13 @@ impl Equations {
 
     /// Room for an instant: all coordinates at zero, no time set yet.
     pub(crate) fn instant(&self) -> Instant {
-        Instant { t: f64::NAN, timed: vec![0.0; self.timed], states: self.plan.states(), rates: vec![0.0; self.plan.columns.len()] }
+        Instant {
+            t: f64::NAN,
+            timed: vec![0.0; self.timed],
+            states: self.plan.states(),
+            rates: vec![0.0; self.plan.columns.len()],
+            second_rates: vec![],
+        }
     }
 
     /// The instant at coordinates q and time t.
@@ -292,6 +301,34 @@ impl Equations {
             let rates = rates.further(block.rates as usize, &block.first_column);
             block.constraint.acceleration_rhs(&block.at(at), &rates, t_dot, &mut rhs[block.rows.range()]);
         }
+    }
+
+    /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), along the rates of the instant and q̈, whether it is finite or not.
+    ///
+    /// Errors: the first row of a constraint that does not know it.
+    pub(crate) fn jerk_rhs(&self, qdd: &[f64], instant: &mut Instant, rhs: &mut [f64]) -> Result<(), usize> {
+        instant.second_rates.resize(self.plan.columns.len(), 0.0);
+        self.plan.set_rates(qdd, &mut instant.second_rates);
+        rhs.fill(0.0);
+        let (at, qd, qdd) = (instant.at(), Rates::new(&instant.rates, &[]), Rates::new(&instant.second_rates, &[]));
+        // A constraint without second derivatives has no third ones.
+        for block in self.asked.q_d.iter().map(|&k| &self.blocks[k]) {
+            let [qd, qdd] = [qd, qdd].map(|rates| rates.further(block.rates as usize, &block.first_column));
+            if !block.constraint.jerk_rhs(&block.at(at), &qd, &qdd, &mut rhs[block.rows.range()]) {
+                return Err(block.rows().start);
+            }
+        }
+        Ok(())
+    }
+
+    /// The error for a constraint that does not know its part of the jerk, by one of its rows.
+    pub(crate) fn no_jerk(&self, row: usize) -> Error {
+        let reason = "its part of the jerk is not known; implement `Constraint::jerk_rhs`, or run without `Options::jerk`".to_string();
+        let [constraint, kind] = match self.block_of(row) {
+            Some((block, _)) => [block.name.clone(), block.constraint.kind().to_string()],
+            None => Default::default(),
+        };
+        Error::InvalidConstraint { constraint, kind, reason }
     }
 
     /// The constraint that a global row belongs to, and its local row.

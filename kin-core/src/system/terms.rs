@@ -19,21 +19,37 @@ impl System {
         Ok(Series::new("condition number", "-", motion.times(), values))
     }
 
-    fn condition_at(&self, q: &[f64], t: f64) -> Result<f64> {
-        if redundant::is_redundant(self) {
-            return Ok(self.condition_of_all_rows(self.jacobian(q, t)?, q, t));
-        }
-        let mut linear = self.linearized(q, t)?;
-        Ok(if linear.factor() { linear.condition() } else { f64::INFINITY })
+    /// The smallest singular value of C_q at each time of a motion of this system, measured as in [`System::condition`]: how near the
+    /// mechanism is to a singular position; estimated from above, seldom by more than 2. Zero where C_q is singular.   \[-\]
+    ///
+    /// Errors: a motion of another system.
+    pub fn smallest_singular_value(&self, motion: &Motion) -> Result<Series> {
+        let values = (0..motion.len()).map(|k| Ok(self.singular_values_at(motion.q(k), motion.times()[k])?[1])).collect::<Result<_>>()?;
+        Ok(Series::new("smallest singular value", "-", motion.times(), values))
     }
 
-    /// The same where there are more rows than columns, by singular values.
-    fn condition_of_all_rows(&self, mut c_q: DMatrix<f64>, q: &[f64], t: f64) -> f64 {
+    fn condition_at(&self, q: &[f64], t: f64) -> Result<f64> {
+        let [largest, smallest] = self.singular_values_at(q, t)?;
+        let condition = largest / smallest;
+        Ok(if condition.is_finite() { condition } else { f64::INFINITY })
+    }
+
+    /// The largest and the smallest singular value.
+    fn singular_values_at(&self, q: &[f64], t: f64) -> Result<[f64; 2]> {
+        if redundant::is_redundant(self) {
+            return Ok(self.singular_values_of_all_rows(self.jacobian(q, t)?, q, t));
+        }
+        let mut linear = self.linearized(q, t)?;
+        Ok(if linear.factor() { linear.singular_values() } else { [1.0, 0.0] })
+    }
+
+    /// The same where there are more rows than columns.
+    fn singular_values_of_all_rows(&self, mut c_q: DMatrix<f64>, q: &[f64], t: f64) -> [f64; 2] {
         let measures = self.model().measure(q, t);
         c_q.column_iter_mut().zip(&measures.sizes).for_each(|(mut column, size)| column *= *size);
         c_q.row_iter_mut().zip(&measures.norms).for_each(|(mut row, norm)| row /= *norm);
         let singular = c_q.singular_values();
-        singular.max() / singular.min()
+        [singular.max(), singular.min()]
     }
 
     /// C(q, t), in the unit of each row. Errors: wrong length, not finite.
@@ -94,6 +110,25 @@ impl System {
     }
 
     /// The instant at q and t, if they are well given.
+    /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s): the right side of C_q q⃛, in the unit of each row a second cubed.
+    ///
+    /// Errors: wrong length, not finite, a hand-written constraint without [`crate::Constraint::jerk_rhs`].
+    pub fn jerk_rhs(&self, q: &[f64], qd: &[f64], qdd: &[f64], t: f64) -> Result<Vec<f64>> {
+        let instant = self.instant(q, t)?;
+        self.check(qd, "velocities")?;
+        self.check(qdd, "accelerations")?;
+        let rhs = self.model().jerk_rhs(q, t, qd, qdd)?;
+        rhs.map_err(|bad| self.equations.not_finite(bad, &instant))
+    }
+
+    /// q⃛ at a position q, velocity q̇ and acceleration q̈, from C_q q⃛ = −g‴(0). Errors: those of [`System::jerk_rhs`], singular.
+    pub fn jerk(&self, q: &[f64], qd: &[f64], qdd: &[f64], t: f64) -> Result<Vec<f64>> {
+        let rhs = self.jerk_rhs(q, qd, qdd, t)?;
+        let qddd = self.solved(q, t, &rhs)?;
+        self.check(&qddd, "jerk")?;
+        Ok(qddd)
+    }
+
     fn instant(&self, q: &[f64], t: f64) -> Result<Instant> {
         self.check(q, "coordinates")?;
         Ok(self.equations.instant_at(time(t)?, q))

@@ -67,6 +67,7 @@ impl<'a> Frame<'a> {
         let (describe, as_data) = (described::describe(source), described::described(source, &kind, &n, &m));
         let is_driver = is_driver(source);
         let description = super::description(&source.attributes);
+        let jerk = functions::jerk();
         let (refusal, branch) = (demands::refusal(source), demands::branch(source));
         let laws = lowered.map(|lowered| functions::laws(&source.arguments, lowered)).unwrap_or_default();
         quote! {
@@ -96,6 +97,7 @@ impl<'a> Frame<'a> {
                     #describe
                     #kernels
                     #in_lanes
+                    #jerk
                     fn description(&self) -> &str {
                         #description
                     }

@@ -193,6 +193,22 @@ pub fn dual() -> TokenStream {
     }
 }
 
+/// The right side for the jerk, by dual numbers on either route: it is asked for seldom, and one more derivative of the graph is much code.
+pub fn jerk() -> TokenStream {
+    quote! {
+        #[cold]
+        fn jerk_rhs(
+            &self,
+            at: &::kin::rt::At<'_>,
+            qd: &::kin::rt::Rates<'_>,
+            qdd: &::kin::rt::Rates<'_>,
+            rhs: &mut [f64],
+        ) -> bool {
+            ::kin::dual_route::jerk_rhs(self, at, qd, qdd, rhs)
+        }
+    }
+}
+
 /// After a mistake: nothing is computed.
 pub fn nothing() -> TokenStream {
     quote! {
