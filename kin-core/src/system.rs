@@ -192,14 +192,13 @@ impl System {
             Err(bad) => return model.not_finite(bad, q, t),
         };
         let found = diagnosis::singular(&model, &point.values, &model.measure(q, t));
-        let [movable, dependent] = found.names(&model);
         Error::SingularAt {
             t,
             n: self.n_coordinates(),
             rank: found.rank,
             pivot: found.pivot,
-            movable,
-            dependent,
+            movable: found.movable,
+            dependent: found.dependent,
             unmet,
             diagnosis: None,
             motion: None,
