@@ -15,6 +15,7 @@ mod freedom;
 mod generic;
 mod options;
 mod order;
+mod repeats;
 mod singular;
 mod text;
 
