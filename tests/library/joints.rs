@@ -149,7 +149,7 @@ fn bodies_exchanged_with_their_parameters_close_at_the_same_poses() {
     assert!(exchanged >= 20, "{exchanged}");
 }
 
-/// −g‴(0) by `Dual3_64` against a central difference of g″ = C_q q̈ − Q_d along the motion q + s q̇ + ½ s² q̈.
+/// −g‴(0), from the table of the equation's steps, against the body with dual numbers and a central difference of g″ = C_q q̈ − Q_d along the motion q + s q̇ + ½ s² q̈.
 #[test]
 fn jerk_right_side_is_the_rate_of_the_acceleration_equation() {
     let mut worst = 0.0_f64;
@@ -168,6 +168,8 @@ fn jerk_right_side_is_the_rate_of_the_acceleration_equation() {
         let slope = |h: f64| (second(h) - second(-h)) / (2.0 * h);
         let difference = (slope(1e-4) * 4.0 - slope(2e-4)) / 3.0;
         let jerk = kin::jerk_rhs(sample.constraint(), &q, &qd, &qdd, t).expect("the library knows it");
+        let by_dual = kin::jerk_rhs(sample.by_dual().as_ref(), &q, &qd, &qdd, t).expect("dual numbers know it");
+        assert!((&jerk - &by_dual).amax() < 1e-12 * (1.0 + jerk.amax()), "{name}: jerk right side {jerk} by dual numbers {by_dual}");
         let error = (&jerk + &difference).amax() / (1.0 + jerk.amax());
         assert!(error < 1e-6, "{name}: jerk right side {jerk} by differences {}", -difference);
         worst = worst.max(error);
