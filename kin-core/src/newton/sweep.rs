@@ -255,8 +255,8 @@ impl<'a> Sweep<'a> {
             }
             Landed::Singular(q, branch) => {
                 if newton.options.jerk {
-                    let qddd = jerk_between(newton, &q, &branch, to).map_err(|failure| newton.error(failure, to, Some(t)))?;
-                    newton.qddd.copy_from_slice(&qddd);
+                    let jerk = jerk_between(newton, &q, &branch, to).map_err(|failure| newton.error(failure, to, Some(t)))?;
+                    newton.qddd.copy_from_slice(&jerk);
                 }
                 newton.q.copy_from_slice(&q);
                 newton.linearize(to).map_err(|failure| newton.error(failure, to, Some(t)))?;
