@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use kin::dual_route::Equation;
 use kin::prelude::*;
-use kin::{Options, Stop, by_dual};
+use kin::{Follow, Options, Stop, by_dual};
 
 use crate::measure::{Contestant, Figure, cpu, median, race};
 

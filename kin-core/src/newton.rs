@@ -14,7 +14,7 @@ pub use watch::CrossedBreak;
 
 use crate::error::Error;
 use crate::fours::{self, Fours};
-use crate::linear::{Linear, Singular};
+use crate::linear::Linear;
 use crate::system::evaluate::{Bad, Instant};
 use crate::system::{Solution, System};
 
@@ -41,8 +41,13 @@ const HALVINGS: usize = 24;
 #[derive(Clone, Debug)]
 pub(crate) enum Failure {
     NotFinite(Bad),
-    Singular(Singular),
-    NoConvergence { row: usize, residual: f64 },
+    Singular,
+    /// A constraint that closes the wrong way.
+    WrongBranch(usize),
+    NoConvergence {
+        row: usize,
+        residual: f64,
+    },
 }
 
 /// What an attempt that succeeded did.
@@ -74,7 +79,7 @@ pub(crate) struct Newton<'a> {
     pub qddd: Fours,
     pub c: Fours,
     before: Vec<f64>,
-    instant: Instant,
+    pub instant: Instant,
     pub linear: Linear,
     /// s_j, the characteristic size of each coordinate.
     pub sizes: Vec<f64>,
@@ -138,8 +143,8 @@ impl<'a> Newton<'a> {
     fn iterate(&mut self, t: f64, steps: Steps, mut changed: bool) -> Result<Outcome, Failure> {
         let (mut previous, mut iteration) = (f64::INFINITY, 0);
         loop {
-            if changed {
-                self.linear.factor().map_err(Failure::Singular)?;
+            if changed && !self.linear.factor() {
+                return Err(Failure::Singular);
             }
             if let Stop::ResidualOnly(bound) = self.options.stop
                 && self.residual < bound
@@ -165,10 +170,13 @@ impl<'a> Newton<'a> {
         }
     }
 
-    /// The outcome, unless the position is singular for all that rounding lets one tell.
+    /// The outcome, unless the position is singular for all that rounding lets one tell, or not what is meant.
     fn regular(&mut self, iterations: usize) -> Result<Outcome, Failure> {
         if self.linear.smallest_pivot() < DOUBTFUL {
-            return Err(Failure::Singular(self.linear.diagnose()));
+            return Err(Failure::Singular);
+        }
+        if let Some(block) = self.system.equations().first_wrong(&self.instant) {
+            return Err(Failure::WrongBranch(block));
         }
         Ok(Outcome { iterations, residual: self.residual })
     }
@@ -176,7 +184,7 @@ impl<'a> Newton<'a> {
     /// Why the iteration came to no end: where C is met and still every step is long, C_q is singular for all practical purposes.
     fn failure(&mut self) -> Failure {
         if matches!(self.options.stop, Stop::Converged { .. }) && self.met() {
-            return Failure::Singular(self.linear.diagnose());
+            return Failure::Singular;
         }
         let (row, residual) = self.worst();
         Failure::NoConvergence { row, residual }
@@ -325,23 +333,13 @@ impl<'a> Newton<'a> {
         Solution { t, q: self.q.to_vec(), qd: self.qd.to_vec(), qdd: self.qdd.to_vec(), report }
     }
 
-    /// The error for a position that closes but not as it is meant, such as with an axis turned by 180°.
-    pub(crate) fn meant(&self) -> Result<(), Error> {
-        for block in &self.system.equations().blocks {
-            if let Some(reason) = block.constraint.wrong_branch(&self.instant.of(block)) {
-                let (constraint, kind) = (block.name.clone(), block.constraint.kind().to_string());
-                return Err(Error::WrongBranch { t: self.instant.t(), constraint, kind, reason: reason.to_string(), motion: None });
-            }
-        }
-        Ok(())
-    }
-
     /// The error that tells a failure in the user's names.
     pub(crate) fn error(&mut self, failure: Failure, t: f64, last: Option<f64>) -> Error {
         let equations = self.system.equations();
         match failure {
-            Failure::NotFinite(bad) => equations.not_finite(bad, &self.instant),
-            Failure::Singular(found) => self.system.singular(t, &found, self.unmet()),
+            Failure::NotFinite(bad) => equations.not_finite(bad, self.system.layout(), &self.instant),
+            Failure::WrongBranch(block) => equations.closes_wrong(block, &self.instant),
+            Failure::Singular => self.system.singular(t, &self.q, self.unmet()),
             Failure::NoConvergence { row, residual } => {
                 let (constraint, row) = self.system.row_name(row);
                 Error::NoConvergence {

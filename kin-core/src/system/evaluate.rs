@@ -5,13 +5,16 @@ pub(crate) mod lanes;
 mod linear;
 mod sides;
 
-use crate::constraint::Constraint;
+use std::sync::Arc;
+
+use crate::blame::{Culprit, Term};
+use crate::constraint::{Constraint, Route};
 use crate::error::Error;
 use crate::layout::{Layout, Place};
 use crate::state::At;
 use crate::system::states::{GROUND, StatePlan};
 pub(crate) use block::Block;
-use block::{Span, from};
+use block::{Arguments, Span, from};
 use linear::{LinearRows, Sums};
 
 /// What constraints read at one instant: the time, what they make of it alone, states of their arguments and rates of their columns.
@@ -47,7 +50,7 @@ impl Instant {
     /// Turns what one constraint has seen to what another one sees: less to write than all of it.
     #[inline(always)]
     fn show<'a>(&'a self, block: &'a Block, at: &mut At<'a>) {
-        at.turn(from(&self.states, block.states), &block.first_state, from(&self.timed, block.timed.first));
+        at.turn(from(&self.states, block.states), &block.arguments.first_state, from(&self.timed, block.timed.first));
     }
 }
 
@@ -92,6 +95,8 @@ struct Asked {
     /// Those that are not linear whose C_t, or Q_d, can be other than zero.
     c_t: Vec<usize>,
     q_d: Vec<usize>,
+    /// Those that can hold and yet not be meant so.
+    branches: Vec<usize>,
     /// Whether some C_q depends on t.
     c_q_on_t: bool,
 }
@@ -110,8 +115,10 @@ impl Equations {
             still: Vec::new(),
             asked: Asked::default(),
         };
+        let mut kinds: Vec<Arc<Arguments>> = Vec::new();
+        all.blocks.reserve_exact(constraints.len());
         for (name, constraint) in constraints {
-            all.append(layout, name, constraint);
+            all.append(layout, name, constraint, &mut kinds);
             all.ask(all.blocks.len() - 1);
         }
         all.plan.finish();
@@ -134,6 +141,7 @@ impl Equations {
             (linear.is_none() && depends.c_on_t, &mut asked.c),
             (linear.is_none() && depends.c_t, &mut asked.c_t),
             (linear.is_none() && depends.q_d, &mut asked.q_d),
+            (block.constraint.has_branches(), &mut asked.branches),
         ];
         lists.into_iter().filter(|(asked, _)| *asked).for_each(|(_, list)| list.push(k));
         asked.c_q_on_t |= depends.c_q_on_t;
@@ -141,15 +149,19 @@ impl Equations {
         if depends.c_on_t { asked.linear.extend(linear) } else { asked.steady.extend(linear) }
     }
 
-    fn append(&mut self, layout: &Layout, name: String, constraint: Box<dyn Constraint>) {
+    fn append(&mut self, layout: &Layout, name: String, constraint: Box<dyn Constraint>, kinds: &mut Vec<Arc<Arguments>>) {
         let (first_state, first_rate) = (self.plan.len(), self.plan.columns.len());
-        let (mut states, mut columns) = (Vec::new(), Vec::new());
+        let mut arguments = Arguments { first_state: Vec::new(), first_column: Vec::new() };
         for argument in constraint.arguments() {
             let place = layout.place(&argument.target).unwrap_or(Place::Ground(0.0));
             let (state, column) = self.plan.argument(&argument.target, place);
-            states.push(state - first_state);
-            columns.push(column - first_rate);
+            arguments.first_state.push(state - first_state);
+            arguments.first_column.push(column - first_rate);
         }
+        let arguments = kinds.iter().find(|known| ***known == arguments).cloned().unwrap_or_else(|| {
+            kinds.push(Arc::new(arguments));
+            kinds[kinds.len() - 1].clone()
+        });
         let first = self.entries.len();
         let own = &self.plan.columns[first_rate..];
         let place = |column: usize| own.get(column).filter(|place| **place != GROUND).map(|place| *place as usize);
@@ -169,8 +181,8 @@ impl Equations {
             values: Span::new(first..self.entries.len()),
             rates: first_rate as u32,
             constant: self.constants[first..].iter().all(Option::is_some),
-            first_state: states,
-            first_column: columns,
+            drives: constraint.is_driver(),
+            arguments,
             constraint,
         });
     }
@@ -193,7 +205,7 @@ impl Equations {
 
     /// Where all coordinates are zero, as a constraint sees it.
     fn origin<'a>(&'a self, t: f64, block: &'a Block) -> At<'a> {
-        At::new(t, from(self.plan.origin(), block.states), &block.first_state)
+        At::new(t, from(self.plan.origin(), block.states), &block.arguments.first_state)
     }
 
     /// The instant at coordinates q and time t.
@@ -289,16 +301,62 @@ impl Equations {
         self.block_of(row).map(|(block, local)| block.equation(local)).unwrap_or_default()
     }
 
+    /// The constraints that can close the wrong way.
+    pub(crate) fn branches(&self) -> &[usize] {
+        &self.asked.branches
+    }
+
+    /// What is wrong with how a constraint closes.
+    pub(crate) fn wrong_branch(&self, block: usize, instant: &Instant) -> Option<&str> {
+        let block = self.blocks.get(block)?;
+        block.constraint.wrong_branch(&instant.of(block))
+    }
+
+    /// The first constraint that closes the wrong way, such as with an axis turned by 180°.
+    pub(crate) fn first_wrong(&self, instant: &Instant) -> Option<usize> {
+        self.asked.branches.iter().copied().find(|block| self.wrong_branch(*block, instant).is_some())
+    }
+
+    /// The error for it.
+    pub(crate) fn closes_wrong(&self, block: usize, instant: &Instant) -> Error {
+        let (name, kind) = self.blocks.get(block).map(|block| (block.name.as_str(), block.constraint.kind())).unwrap_or_default();
+        let reason = self.wrong_branch(block, instant).unwrap_or_default().to_string();
+        Error::WrongBranch { t: instant.t, constraint: name.to_string(), kind: kind.to_string(), reason, motion: None }
+    }
+
+    /// Hand-written constraints need not say that they drive: it is seen from their values at a few times.
+    pub(crate) fn find_drivers(&mut self, q: &[f64]) {
+        /// Times that no law repeats itself at.   \[s\]
+        const TIMES: [f64; 4] = [0.0, 0.073_205_08, 0.414_213_56, 1.732_050_8];
+        let silent = |block: &Block| block.constraint.route() == Route::Hand && !block.drives && block.constraint.depends().c_on_t;
+        if !self.blocks.iter().any(silent) {
+            return;
+        }
+        let instants = TIMES.map(|t| self.instant_at(t, q));
+        let values = |block: &Block, instant: &Instant| {
+            let mut c = vec![0.0; block.rows().len()];
+            block.constraint.residual(&instant.of(block), &mut c);
+            c
+        };
+        for block in self.blocks.iter_mut().filter(|block| silent(block)) {
+            let first = values(block, &instants[0]);
+            block.drives = instants[1..].iter().any(|instant| values(block, instant) != first);
+        }
+    }
+
     /// The error for what is not finite at an instant.
-    pub(crate) fn not_finite(&self, bad: Bad, instant: &Instant) -> Error {
+    pub(crate) fn not_finite(&self, bad: Bad, layout: &Layout, instant: &Instant) -> Error {
         let found = self.block_of(bad.row);
-        let expression = found.and_then(|(block, _)| block.constraint.not_finite(&instant.of(block)));
+        let culprit = found.map(|(block, row)| {
+            let rates = block.rates(&instant.rates);
+            Culprit::of(block, layout, instant.of(block), rates, row, Term::named(bad.quantity))
+        });
         Error::NotFinite {
             t: instant.t,
             constraint: found.map(|(block, _)| block.name.clone()).unwrap_or_default(),
             row: found.map(|(block, local)| block.row(local).to_string()).unwrap_or_default(),
             quantity: bad.quantity,
-            expression: expression.map(str::to_string),
+            culprit: Box::new(culprit.unwrap_or_default()),
             motion: None,
         }
     }

@@ -1,6 +1,7 @@
 //! One constraint in a system, and where its numbers stand.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use crate::constraint::Constraint;
 use crate::state::Rates;
@@ -18,9 +19,16 @@ pub(crate) struct Block {
     pub(super) rates: u32,
     /// Whether all its values of C_q are the same for good.
     pub(super) constant: bool,
-    /// Where each argument's state begins among its states, and its first column.
-    pub(super) first_state: Vec<usize>,
-    pub(super) first_column: Vec<usize>,
+    /// Whether it drives.
+    pub drives: bool,
+    pub(super) arguments: Arc<Arguments>,
+}
+
+/// Where each argument's state begins among those of its constraint, and its first column: constraints of one kind share it.
+#[derive(Debug, PartialEq)]
+pub(super) struct Arguments {
+    pub first_state: Vec<usize>,
+    pub first_column: Vec<usize>,
 }
 
 /// A stretch of a list. 32 bits: no sum of two overflows, so that taking it costs one check.
@@ -70,7 +78,7 @@ impl Block {
     /// The rates of all columns as the constraint sees them.
     #[inline(always)]
     pub(super) fn rates<'a>(&'a self, all: &'a [f64]) -> Rates<'a> {
-        Rates::new(from(all, self.rates), &self.first_column)
+        Rates::new(from(all, self.rates), &self.arguments.first_column)
     }
 }
 
