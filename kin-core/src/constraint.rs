@@ -1,6 +1,7 @@
 //! The one trait of the library: what a constraint C(q, t) = 0 can be asked for.
 
 use crate::algebra::Vec3;
+use crate::blame::{Asked, Blame};
 use crate::coordinates::Argument;
 use crate::data::Describer;
 use crate::lanes::InLanes;
@@ -97,7 +98,8 @@ pub trait Constraint: CloneBoxed + Send + Sync {
     /// How its derivatives are obtained.
     fn route(&self) -> Route;
 
-    /// Whether it is a driving constraint, one in which time appears (the function has a [`crate::Time`] argument).
+    /// Whether it is a driving constraint, one in which time appears (the function has a [`crate::Time`] argument). A hand-written constraint
+    /// (default `false`) counts as one too where its value is seen to change with t alone.
     fn is_driver(&self) -> bool {
         false
     }
@@ -204,7 +206,12 @@ pub trait Constraint: CloneBoxed + Send + Sync {
         None
     }
 
-    /// Where C = 0 holds but not as it is meant, such as an axis turned by 180°: what is wrong. Looked at when a position has been found.
+    /// Whether [`Constraint::wrong_branch`] can have anything to say. `true` promises nothing (default).
+    fn has_branches(&self) -> bool {
+        true
+    }
+
+    /// Where C = 0 holds but not as it is meant, such as an axis turned by 180°: what is wrong. Looked at whenever a position has been found.
     fn wrong_branch(&self, at: &At<'_>) -> Option<&str> {
         let _ = at;
         None
@@ -220,9 +227,10 @@ pub trait Constraint: CloneBoxed + Send + Sync {
         to.refuse("it was not made by `#[constraint]`, so its parameters are not known");
     }
 
-    /// Where a value or derivative is not finite: the sub-expression that made it so, as the user wrote it.
-    fn not_finite(&self, at: &At<'_>) -> Option<&str> {
-        let _ = at;
+    /// Why a term is not finite: the sub-expression that made it so, as the user wrote it. Asked only when a run has failed; `None` where
+    /// that is not known (default).
+    fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
+        let _ = asked;
         None
     }
 }

@@ -5,6 +5,7 @@
 
 use num_dual::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
+use crate::blame::{Asked, Blame};
 use crate::constraint::{Attachment, Constraint, Dependence, Route};
 use crate::coordinates::Argument;
 use crate::data::Describer;
@@ -136,12 +137,21 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
         self.0.refusal()
     }
 
+    fn has_branches(&self) -> bool {
+        self.0.has_branches()
+    }
+
     fn wrong_branch(&self, at: &At<'_>) -> Option<&str> {
         self.0.wrong_branch(at)
     }
 
     fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
         self.0.laws(at, visit);
+    }
+
+    /// By its own route: what is not finite on one is not on the other.
+    fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
+        self.0.blame(asked)
     }
 }
 
@@ -205,44 +215,54 @@ pub fn jerk_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
 
 /// Local coordinates of a constraint, its arguments' one after the other.
 fn gather<const N: usize>(arguments: &[ArgumentKind], at: &At<'_>) -> [f64; N] {
-    collect(arguments, |k, kind, next| match kind {
-        ArgumentKind::Planar => {
-            let s = at.planar(k);
-            [s.r.x, s.r.y, s.theta].into_iter().for_each(next);
+    collect(|next| each_coordinate(arguments.iter().copied(), at, next))
+}
+
+/// Shows the local coordinates of a constraint, its arguments' one after the other.
+pub(crate) fn each_coordinate(arguments: impl IntoIterator<Item = ArgumentKind>, at: &At<'_>, next: &mut dyn FnMut(f64)) {
+    for (k, kind) in arguments.into_iter().enumerate() {
+        match kind {
+            ArgumentKind::Planar => {
+                let s = at.planar(k);
+                [s.r.x, s.r.y, s.theta].into_iter().for_each(&mut *next);
+            }
+            ArgumentKind::Spatial => {
+                let s = at.spatial(k);
+                [s.r.x, s.r.y, s.r.z, s.p.e0, s.p.e1, s.p.e2, s.p.e3].into_iter().for_each(&mut *next);
+            }
+            ArgumentKind::Coord => next(at.coord(k).value),
         }
-        ArgumentKind::Spatial => {
-            let s = at.spatial(k);
-            [s.r.x, s.r.y, s.r.z, s.p.e0, s.p.e1, s.p.e2, s.p.e3].into_iter().for_each(next);
-        }
-        ArgumentKind::Coord => next(at.coord(k).value),
-    })
+    }
 }
 
 /// Local rates of a constraint, its arguments' one after the other.
 fn gather_rates<const N: usize>(arguments: &[ArgumentKind], qd: &Rates<'_>) -> [f64; N] {
-    collect(arguments, |k, kind, next| match kind {
-        ArgumentKind::Planar => {
-            let s = qd.planar(k);
-            s.r.into_iter().chain([s.theta]).for_each(next);
+    collect(|next| {
+        for (k, kind) in arguments.iter().enumerate() {
+            match kind {
+                ArgumentKind::Planar => {
+                    let s = qd.planar(k);
+                    s.r.into_iter().chain([s.theta]).for_each(&mut *next);
+                }
+                ArgumentKind::Spatial => {
+                    let s = qd.spatial(k);
+                    s.r.into_iter().chain(s.p).for_each(&mut *next);
+                }
+                ArgumentKind::Coord => next(qd.coord(k)),
+            }
         }
-        ArgumentKind::Spatial => {
-            let s = qd.spatial(k);
-            s.r.into_iter().chain(s.p).for_each(next);
-        }
-        ArgumentKind::Coord => next(qd.coord(k)),
     })
 }
 
-fn collect<const N: usize>(arguments: &[ArgumentKind], mut show: impl FnMut(usize, ArgumentKind, &mut dyn FnMut(f64))) -> [f64; N] {
+/// The first N of the numbers that are shown.
+fn collect<const N: usize>(show: impl FnOnce(&mut dyn FnMut(f64))) -> [f64; N] {
     let mut q = [0.0; N];
     let mut places = q.iter_mut();
-    for (k, &kind) in arguments.iter().enumerate() {
-        show(k, kind, &mut |value| {
-            if let Some(place) = places.next() {
-                *place = value;
-            }
-        });
-    }
+    show(&mut |value| {
+        if let Some(place) = places.next() {
+            *place = value;
+        }
+    });
     q
 }
 

@@ -10,13 +10,11 @@ mod active;
 mod cells;
 mod code;
 mod condition;
-mod diagnosis;
 mod echelon;
 pub(crate) mod lanes;
 mod order;
 mod orientation;
 mod program;
-mod rank;
 mod record;
 mod replay;
 mod solving;
@@ -24,8 +22,7 @@ mod tall;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use echelon::{Echelon, Sparse, reduced};
-pub(crate) use rank::Singular;
+pub(crate) use echelon::{Echelon, RANK, Sparse, reduced};
 
 use std::sync::Arc;
 
@@ -232,13 +229,8 @@ impl Linear {
         self.smallest
     }
 
-    /// A = L U. The values must be finite and measured.
-    pub(crate) fn factor(&mut self) -> Result<(), Singular> {
-        if self.factors() { Ok(()) } else { Err(self.diagnose()) }
-    }
-
-    /// The same without a word about what is singular.
-    pub(crate) fn factors(&mut self) -> bool {
+    /// A = L U; false if A is singular. The values must be finite and measured.
+    pub(crate) fn factor(&mut self) -> bool {
         if self.settled {
             return true;
         }
@@ -333,23 +325,24 @@ impl Linear {
         }
     }
 
-    /// Records the elimination at the values as written, and runs it; `None` where there are not enough pivots.
-    fn record_only(&mut self) -> Option<()> {
+    /// Records the elimination at the values as written, and runs it; false where there are not enough pivots.
+    fn record(&mut self) -> bool {
         self.recordings += 1;
         (self.told, self.settled, self.best, self.recording) = (false, false, 0.0, None);
         let mut memory = std::mem::take(&mut self.memory);
         memory.truncate(self.places.zero as usize + 1);
         let recorded = record::record(&self.input(), self.places, &mut memory);
         self.memory = memory;
-        self.recording = Some(Arc::new(recorded.ok()?));
+        let Some(recorded) = recorded else { return false };
+        self.recording = Some(Arc::new(recorded));
         self.replay();
-        Some(())
+        true
     }
 
     /// Records the elimination at the values as written; false, and nothing recorded, if they are singular.
     pub(crate) fn prepare(&mut self) -> bool {
         self.measure();
-        let regular = self.record_only().is_some() && (self.n == 0 || self.smallest > SINGULAR && self.condition() < CONDITION);
+        let regular = self.record() && (self.n == 0 || self.smallest > SINGULAR && self.condition() < CONDITION);
         if !regular {
             self.recording = None;
         }

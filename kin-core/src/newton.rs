@@ -13,7 +13,7 @@ pub use watch::CrossedBreak;
 
 use crate::error::Error;
 use crate::fours;
-use crate::linear::{Linear, Singular};
+use crate::linear::Linear;
 use crate::system::evaluate::{Bad, Instant, finite};
 use crate::system::{Solution, System};
 
@@ -40,8 +40,13 @@ const HALVINGS: usize = 24;
 #[derive(Clone, Debug)]
 pub(crate) enum Failure {
     NotFinite(Bad),
-    Singular(Singular),
-    NoConvergence { row: usize, residual: f64 },
+    Singular,
+    /// A constraint that closes the wrong way.
+    WrongBranch(usize),
+    NoConvergence {
+        row: usize,
+        residual: f64,
+    },
 }
 
 /// What an attempt that succeeded did.
@@ -73,7 +78,7 @@ pub(crate) struct Newton<'a> {
     pub qddd: Vec<f64>,
     pub c: Vec<f64>,
     before: Vec<f64>,
-    instant: Instant,
+    pub instant: Instant,
     pub linear: Linear,
     /// s_j, the characteristic size of each coordinate.
     pub sizes: Vec<f64>,
@@ -121,7 +126,7 @@ impl<'a> Newton<'a> {
     /// Newton's method from the point in hand; on success the matrix at the solution is factored.
     pub(crate) fn solve(&mut self, t: f64, steps: Steps) -> Result<Outcome, Failure> {
         self.linearize(t)?;
-        self.linear.factor().map_err(Failure::Singular)?;
+        self.factor()?;
         self.iterate(t, steps)
     }
 
@@ -132,9 +137,13 @@ impl<'a> Newton<'a> {
         let changed = equations.relinearize(&self.instant, &mut self.c, self.linear.values_mut());
         self.measure(changed)?;
         if changed {
-            self.linear.factor().map_err(Failure::Singular)?;
+            self.factor()?;
         }
         self.iterate(t, steps)
+    }
+
+    fn factor(&mut self) -> Result<(), Failure> {
+        if self.linear.factor() { Ok(()) } else { Err(Failure::Singular) }
     }
 
     /// Newton's method with the matrix of the point in hand factored.
@@ -161,14 +170,17 @@ impl<'a> Newton<'a> {
             self.step(if correction <= STALL { Steps::Full } else { steps })?;
             (self.steps, iteration) = (self.steps + 1, iteration + 1);
             self.linearize(t)?;
-            self.linear.factor().map_err(Failure::Singular)?;
+            self.factor()?;
         }
     }
 
-    /// The outcome, unless the position is singular for all that rounding lets one tell.
+    /// The outcome, unless the position is singular for all that rounding lets one tell, or not what is meant.
     fn regular(&mut self, iterations: usize) -> Result<Outcome, Failure> {
         if self.linear.smallest_pivot() < DOUBTFUL {
-            return Err(Failure::Singular(self.linear.diagnose()));
+            return Err(Failure::Singular);
+        }
+        if let Some(block) = self.system.equations().first_wrong(&self.instant) {
+            return Err(Failure::WrongBranch(block));
         }
         Ok(Outcome { iterations, residual: self.residual })
     }
@@ -176,7 +188,7 @@ impl<'a> Newton<'a> {
     /// Why the iteration came to no end: where C is met and still every step is long, C_q is singular for all practical purposes.
     fn failure(&mut self) -> Failure {
         if matches!(self.options.stop, Stop::Converged { .. }) && self.met() {
-            return Failure::Singular(self.linear.diagnose());
+            return Failure::Singular;
         }
         let (row, residual) = self.worst();
         Failure::NoConvergence { row, residual }
@@ -371,23 +383,13 @@ impl<'a> Newton<'a> {
         Solution { t, q: self.q, qd: self.qd, qdd: self.qdd, report }
     }
 
-    /// The error for a position that closes but not as it is meant, such as with an axis turned by 180°.
-    pub(crate) fn meant(&self) -> Result<(), Error> {
-        for block in &self.system.equations().blocks {
-            if let Some(reason) = block.constraint.wrong_branch(&self.instant.of(block)) {
-                let (constraint, kind) = (block.name.clone(), block.constraint.kind().to_string());
-                return Err(Error::WrongBranch { t: self.instant.t(), constraint, kind, reason: reason.to_string(), motion: None });
-            }
-        }
-        Ok(())
-    }
-
     /// The error that tells a failure in the user's names.
     pub(crate) fn error(&mut self, failure: Failure, t: f64, last: Option<f64>) -> Error {
         let equations = self.system.equations();
         match failure {
-            Failure::NotFinite(bad) => equations.not_finite(bad, &self.instant),
-            Failure::Singular(found) => self.system.singular(t, &found, self.unmet()),
+            Failure::NotFinite(bad) => equations.not_finite(bad, self.system.layout(), &self.instant),
+            Failure::WrongBranch(block) => equations.closes_wrong(block, &self.instant),
+            Failure::Singular => self.system.singular(t, &self.q, self.unmet()),
             Failure::NoConvergence { row, residual } => {
                 let (constraint, row) = self.system.row_name(row);
                 Error::NoConvergence {

@@ -271,6 +271,11 @@ impl<'a> Rates<'a> {
         self.0.own().first_chunk()
     }
 
+    /// The rate of a local column; zero if there is no such column.
+    pub fn column(&self, k: usize) -> f64 {
+        self.0.own().get(k).copied().unwrap_or_default()
+    }
+
     /// Rates of argument `k`, a planar body; zero if there is no such argument.
     pub fn planar(&self, k: usize) -> PlanarRate {
         let [x, y, theta] = self.0.argument(k).unwrap_or_default();

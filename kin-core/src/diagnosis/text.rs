@@ -51,7 +51,9 @@ impl Diagnosis {
         let told = |found: &&Dependency| matches!(found.class, Class::Contradictory { level: Level::Position, .. });
         let dependencies: Vec<&Dependency> = self.dependencies.iter().filter(|found| !told(found)).collect();
         lines(f, &dependencies, "dependency", "dependencies")?;
-        lines(f, &self.freedoms, "freedom", "freedoms")?;
+        // What gives a little or is free only here is so because the gap is the smallest.
+        let real = |freedom: &&Freedom| self.gaps.is_empty() || freedom.persistence == Persistence::Always;
+        lines(f, &self.freedoms.iter().filter(real).collect::<Vec<_>>(), "freedom", "freedoms")?;
         self.advice(f)
     }
 
@@ -61,7 +63,7 @@ impl Diagnosis {
         if here && self.gaps.is_empty() {
             write!(f, "\n  A toggle or change point: begin, or step, elsewhere.")?;
         }
-        if stiff {
+        if stiff && self.gaps.is_empty() {
             write!(f, "\n  Bodies stand in a special position, such as in line: change a dimension.")?;
         }
         if self.changes.is_empty() {
@@ -207,11 +209,19 @@ impl Display for Change {
             Change::Remove { constraint, or } => {
                 write!(f, "remove `{constraint}`, or {}, or replace one by a measurement", list(or).replace(" and ", " or "))
             }
+            Change::Fit { constraint, missing, or_drop, of } => {
+                write!(f, "change a dimension by which `{constraint}` can be met, {} is missing", number(*missing))?;
+                match or_drop.len() {
+                    0 => Ok(()),
+                    all if all == *of => f.write_str(", or remove it"),
+                    _ => write!(f, ", or drop {} of it", rows_named(or_drop)),
+                }
+            }
             Change::Limit { constraint, coordinate, reached } => {
                 write!(f, "let `{constraint}` stay within reach, which ends near {coordinate} = {reached:.4}")
             }
             Change::Drop { constraint, rows, instead } => {
-                let rows = if rows.len() == 1 { format!("row {}", rows[0]) } else { format!("rows {}", rows.join(", ")) };
+                let rows = rows_named(rows);
                 match instead {
                     Some(joint) => write!(f, "make `{constraint}` {joint} (drops {rows})"),
                     None => write!(f, "drop {rows} of `{constraint}`"),
@@ -221,6 +231,11 @@ impl Display for Change {
             Change::Drive { coordinate, .. } => write!(f, "drive or hold `{coordinate}`"),
         }
     }
+}
+
+/// "row x", "rows x, y".
+fn rows_named(rows: &[String]) -> String {
+    format!("{} {}", if rows.len() == 1 { "row" } else { "rows" }, rows.join(", "))
 }
 
 struct Vector([f64; 3]);

@@ -11,13 +11,13 @@ use crate::layout::Unit;
 use crate::newton::Newton;
 
 /// A prediction may miss by this share of the smallest pivot.   \[-\]
-const EASY: f64 = 0.05;
+pub(crate) const EASY: f64 = 0.05;
 
 /// The estimate of Newton and Kantorovich, |C_q⁻¹ (C_q v)_q v| / |v| of the miss v, that is safe; ½ would still do.   \[-\]
 const SAFE: f64 = 0.25;
 
 /// No body turns by more than this in one step.   \[rad\]
-const REACH: f64 = 1.0;
+pub(crate) const REACH: f64 = 1.0;
 
 /// What is wrong with a step.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -104,7 +104,7 @@ impl Walk<'_, '_> {
             return self.cross(found, next, s);
         }
         if self.sign * next.dt() <= 0.0 {
-            let Some(turn) = turning::locate(&mut self.curve, &self.here, &next, s) else { return Ok(None) };
+            let Some((turn, s)) = turning::locate(&mut self.curve, &self.here, &next, s) else { return Ok(None) };
             if self.before(turn.t()) > -AT_END {
                 return Err(Lost::Turned(Box::new(self.told(SingularKind::TurningPoint, &turn.x, Vec::new()))));
             }
@@ -220,7 +220,7 @@ impl Walk<'_, '_> {
 
     fn told(&self, kind: SingularKind, x: &[f64], branches: Vec<Branch>) -> SingularPosition {
         let (t, q) = x.split_last().map(|(t, q)| (*t, q)).unwrap_or_default();
-        SingularPosition::new(self.newton.system, kind, t, q, &self.newton.sizes, branches)
+        SingularPosition::new(self.newton.system, kind, t, q, branches)
     }
 }
 

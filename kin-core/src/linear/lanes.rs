@@ -124,6 +124,20 @@ impl<S: Level> WideLinear<S> {
         self.smallest
     }
 
+    /// Of each block whose determinant can change its sign, that sign at the last factoring, −1 or 1, into `signs`.
+    #[inline(always)]
+    pub(crate) fn orientation(&self, signs: &mut Vec<Wide<S>>) {
+        signs.clear();
+        let Some(recording) = &self.recorder.recording else { return };
+        let number = |negative: bool| Wide::splat(self.simd, if negative { -1.0 } else { 1.0 });
+        signs.extend(recording.orientation.blocks.iter().map(|negative| number(*negative)));
+        let zero = Wide::splat(self.simd, 0.0);
+        for &(place, block) in &recording.orientation.pivots {
+            let sign = &mut signs[block as usize];
+            *sign = self.memory[place as usize].lt(zero).select(-*sign, *sign);
+        }
+    }
+
     /// Measures rows and columns of the values as written in the lanes that are wanted; true where all values are finite.
     #[inline(always)]
     pub(crate) fn measure(&mut self, wanted: Mask<S>) -> Mask<S> {
@@ -209,7 +223,7 @@ impl<S: Level> WideLinear<S> {
         recorder.set_sizes(&sizes);
         recorder.values_mut().iter_mut().zip(&self.memory).for_each(|(value, x)| *value = of_lane(x));
         recorder.measure();
-        let recorded = recorder.factor().is_ok();
+        let recorded = recorder.factor();
         self.recorded_anew = true;
         if recorded {
             self.load();

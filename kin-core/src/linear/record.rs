@@ -134,9 +134,8 @@ impl Lists {
     }
 }
 
-/// Chooses all pivots and writes both programs; the rows and columns that are left where there is no further pivot. The memory holds the
-/// values.
-pub(super) fn record(input: &Input<'_>, places: Places, memory: &mut Vec<f64>) -> Result<Recording, Vec<(u32, u32)>> {
+/// Chooses all pivots and writes both programs; `None` where there is no further pivot. The memory holds the values.
+pub(super) fn record(input: &Input<'_>, places: Places, memory: &mut Vec<f64>) -> Option<Recording> {
     let mut recorder = Recorder {
         input,
         places,
@@ -153,7 +152,7 @@ pub(super) fn record(input: &Input<'_>, places: Places, memory: &mut Vec<f64>) -
     };
     recorder.fill();
     for _ in 0..input.n {
-        let Some(pivot) = recorder.choose() else { return Err(recorder.left()) };
+        let pivot = recorder.choose()?;
         recorder.eliminate(pivot);
     }
     solving::write(&mut recorder);
@@ -163,7 +162,7 @@ pub(super) fn record(input: &Input<'_>, places: Places, memory: &mut Vec<f64>) -
     recording.solve.finish(memory.len());
     let order = recording.factor.finish(memory.len());
     recording.reorder(&order);
-    Ok(recording)
+    Some(recording)
 }
 
 impl Recorder<'_> {
@@ -192,16 +191,6 @@ impl Recorder<'_> {
             self.active.recount(Side::Row, line);
             self.active.recount(Side::Column, line);
         }
-    }
-
-    /// Rows and columns without a pivot.
-    fn left(&self) -> Vec<(u32, u32)> {
-        let (mut rows, mut columns) = (vec![true; self.input.n], vec![true; self.input.n]);
-        for pivot in &self.pivots {
-            (rows[pivot.row as usize], columns[pivot.column as usize]) = (false, false);
-        }
-        let open = |lines: Vec<bool>| (0..).zip(lines).filter(|line| line.1).map(|line| line.0).collect::<Vec<u32>>();
-        open(rows).into_iter().zip(open(columns)).collect()
     }
 
     /// The next pivot, if there is one.

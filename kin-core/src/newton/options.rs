@@ -1,5 +1,6 @@
 //! How positions are solved: the stop rule and the means, and the report of what was done.
 
+use crate::assembly::SearchOptions;
 use crate::error::{Error, Result};
 
 /// When Newton's iteration has converged.
@@ -43,6 +44,10 @@ pub struct Options {
     pub jerk: bool,
     /// Whether each step is checked to stay on its branch, and which branch is taken where branches cross; default [`Follow::Smooth`].
     pub follow: Follow,
+    /// Halvings of one step of time at most before the run is given up, where steps are rescued; default 12.
+    pub halvings: u32,
+    /// How the first position is looked for, where that is rescued, and what is wrong where there is none.
+    pub search: SearchOptions,
 }
 
 /// How a run follows its branch.
@@ -70,13 +75,28 @@ impl Follow {
 
 impl Default for Options {
     fn default() -> Self {
-        Options { max_iterations: 50, stop: Stop::default(), predict: true, rescue: true, jerk: false, follow: Follow::default() }
+        Options {
+            max_iterations: 50,
+            stop: Stop::default(),
+            predict: true,
+            rescue: true,
+            jerk: false,
+            follow: Follow::default(),
+            halvings: 12,
+            search: SearchOptions::default(),
+        }
     }
 }
 
 impl Options {
-    /// An error unless the tolerance is a positive finite number.
+    /// A step of time shorter than this is given up.
+    pub(crate) fn smallest_step(&self, step: f64) -> f64 {
+        step.abs() * 0.5_f64.powi(self.halvings.min(1000) as i32)
+    }
+
+    /// An error unless the tolerance is a positive finite number and there is something to do.
     pub(crate) fn check(&self) -> Result<()> {
+        self.search.check()?;
         let (Stop::Converged { tolerance } | Stop::ResidualOnly(tolerance)) = self.stop;
         if tolerance.is_finite() && tolerance > 0.0 {
             return Ok(());

@@ -8,9 +8,6 @@ use crate::follow::{self, Branch, Check, Landed, Lost, Objection, SingularKind, 
 use crate::motion::Motion;
 use crate::system::System;
 
-/// A step of time is halved at most this often before the sweep gives up.
-const HALVINGS: i32 = 12;
-
 /// A step in which nothing moves by more than this, and that is objected to all the same, leads past a singular position.   \[-\]
 const SHORT: f64 = 0.05;
 
@@ -30,22 +27,20 @@ pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<M
     let mut motion = Motion::new(system, times.len());
     let (mut sweep, mut watch) = (Sweep::new(system, options), Watch::default());
     for &t in times {
-        let reached = sweep.reach(t).and_then(|outcome| Ok((outcome, watch.look(&sweep.newton, t)?)));
+        let reached = sweep.reach(t).and_then(|outcome| Ok((outcome, watch.look(system, &sweep.newton.instant)?)));
         match reached {
             Ok((outcome, crossed)) => {
                 sweep.passed.drain(..).for_each(|found| motion.add_singular(found));
-                motion.push(t, &sweep.newton, outcome, crossed);
+                motion.cross(crossed);
+                motion.push(t, &sweep.newton, outcome);
             }
             Err(error) => {
                 sweep.passed.drain(..).for_each(|found| motion.add_singular(found));
-                return Err(error.with_motion(motion).explained(system));
+                return Err(error.with_motion(motion).explained(system, options));
             }
         }
     }
-    match sweep.newton.meant() {
-        Ok(()) => Ok(motion),
-        Err(error) => Err(error.with_motion(motion)),
-    }
+    Ok(motion)
 }
 
 /// Times must be finite and strictly increasing or strictly decreasing.
@@ -142,13 +137,13 @@ impl<'a> Sweep<'a> {
 
     /// Whether a step is as short as plain steps of time become: then Newton's are damped.
     fn is_last_resort(&self, h: f64, whole: f64) -> bool {
-        self.check.is_none() && h.abs() <= whole.abs() * 0.5_f64.powi(HALVINGS)
+        self.check.is_none() && h.abs() <= self.newton.options.smallest_step(whole)
     }
 
     /// Whether shorter steps of time will help no more, by what the rates in hand move in this one.
     fn is_short(&self, h: f64, whole: f64, trouble: &Trouble) -> bool {
         if self.check.is_none() {
-            return !self.newton.options.rescue || h.abs() <= whole.abs() * 0.5_f64.powi(HALVINGS);
+            return !self.newton.options.rescue || h.abs() <= self.newton.options.smallest_step(whole);
         }
         let rates = self.newton.qd.iter().zip(&self.newton.qdd).zip(self.newton.shares());
         let moved = largest(rates.map(|((qd, qdd), share)| (h * qd).abs().max((0.5 * h * h * qdd).abs()) * share));

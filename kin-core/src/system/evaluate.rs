@@ -5,7 +5,8 @@ pub(crate) mod lanes;
 use std::ops::Range;
 use std::sync::Arc;
 
-use crate::constraint::Constraint;
+use crate::blame::{Culprit, Term};
+use crate::constraint::{Constraint, Route};
 use crate::error::Error;
 use crate::layout::{Layout, Place};
 use crate::state::{At, Rates};
@@ -24,6 +25,8 @@ pub(crate) struct Block {
     rates: u32,
     /// Whether all its values of C_q are the same for good.
     constant: bool,
+    /// Whether it drives.
+    pub drives: bool,
     arguments: Arc<Arguments>,
 }
 
@@ -148,6 +151,8 @@ struct Asked {
     /// Those whose C_t, or Q_d, can be other than zero.
     c_t: Vec<usize>,
     q_d: Vec<usize>,
+    /// Those that can hold and yet not be meant so.
+    branches: Vec<usize>,
     /// Whether some C_q depends on t.
     c_q_on_t: bool,
 }
@@ -201,6 +206,7 @@ impl Equations {
             values: Span::new(first..self.entries.len()),
             rates: first_rate as u32,
             constant: self.constants[first..].iter().all(Option::is_some),
+            drives: constraint.is_driver(),
             arguments,
             constraint,
         });
@@ -350,16 +356,62 @@ impl Equations {
         self.block_of(row).map(|(block, local)| block.equation(local)).unwrap_or_default()
     }
 
+    /// The constraints that can close the wrong way.
+    pub(crate) fn branches(&self) -> &[usize] {
+        &self.asked.branches
+    }
+
+    /// What is wrong with how a constraint closes.
+    pub(crate) fn wrong_branch(&self, block: usize, instant: &Instant) -> Option<&str> {
+        let block = self.blocks.get(block)?;
+        block.constraint.wrong_branch(&instant.of(block))
+    }
+
+    /// The first constraint that closes the wrong way, such as with an axis turned by 180°.
+    pub(crate) fn first_wrong(&self, instant: &Instant) -> Option<usize> {
+        self.asked.branches.iter().copied().find(|block| self.wrong_branch(*block, instant).is_some())
+    }
+
+    /// The error for it.
+    pub(crate) fn closes_wrong(&self, block: usize, instant: &Instant) -> Error {
+        let (name, kind) = self.blocks.get(block).map(|block| (block.name.as_str(), block.constraint.kind())).unwrap_or_default();
+        let reason = self.wrong_branch(block, instant).unwrap_or_default().to_string();
+        Error::WrongBranch { t: instant.t, constraint: name.to_string(), kind: kind.to_string(), reason, motion: None }
+    }
+
+    /// Hand-written constraints need not say that they drive: it is seen from their values at a few times.
+    pub(crate) fn find_drivers(&mut self, q: &[f64]) {
+        /// Times that no law repeats itself at.   \[s\]
+        const TIMES: [f64; 4] = [0.0, 0.073_205_08, 0.414_213_56, 1.732_050_8];
+        let silent = |block: &Block| block.constraint.route() == Route::Hand && !block.drives && block.constraint.depends().c_on_t;
+        if !self.blocks.iter().any(silent) {
+            return;
+        }
+        let instants = TIMES.map(|t| self.instant_at(t, q));
+        let values = |block: &Block, instant: &Instant| {
+            let mut c = vec![0.0; block.rows().len()];
+            block.constraint.residual(&instant.of(block), &mut c);
+            c
+        };
+        for block in self.blocks.iter_mut().filter(|block| silent(block)) {
+            let first = values(block, &instants[0]);
+            block.drives = instants[1..].iter().any(|instant| values(block, instant) != first);
+        }
+    }
+
     /// The error for what is not finite at an instant.
-    pub(crate) fn not_finite(&self, bad: Bad, instant: &Instant) -> Error {
+    pub(crate) fn not_finite(&self, bad: Bad, layout: &Layout, instant: &Instant) -> Error {
         let found = self.block_of(bad.row);
-        let expression = found.and_then(|(block, _)| block.constraint.not_finite(&instant.of(block)));
+        let culprit = found.map(|(block, row)| {
+            let rates = Rates::new(&instant.rates, &[]).further(block.rates as usize, &block.arguments.first_column);
+            Culprit::of(block, layout, instant.of(block), rates, row, Term::named(bad.quantity))
+        });
         Error::NotFinite {
             t: instant.t,
             constraint: found.map(|(block, _)| block.name.clone()).unwrap_or_default(),
             row: found.map(|(block, local)| block.row(local).to_string()).unwrap_or_default(),
             quantity: bad.quantity,
-            expression: expression.map(str::to_string),
+            culprit: Box::new(culprit.unwrap_or_default()),
             motion: None,
         }
     }
@@ -385,6 +437,7 @@ impl Asked {
             (depends.c_on_t, &mut self.c),
             (depends.c_t, &mut self.c_t),
             (depends.q_d, &mut self.q_d),
+            (constraint.has_branches(), &mut self.branches),
         ];
         for (asked, list) in lists {
             if asked {

@@ -40,7 +40,7 @@ impl System {
             return Ok(self.singular_values_of_all_rows(self.jacobian(q, t)?, q, t));
         }
         let mut linear = self.linearized(q, t)?;
-        Ok(if linear.factor().is_ok() { linear.singular_values() } else { [1.0, 0.0] })
+        Ok(if linear.factor() { linear.singular_values() } else { [1.0, 0.0] })
     }
 
     /// The same where there are more rows than columns.
@@ -118,7 +118,7 @@ impl System {
         self.check(qd, "velocities")?;
         self.check(qdd, "accelerations")?;
         let rhs = self.model().jerk_rhs(q, t, qd, qdd)?;
-        rhs.map_err(|bad| self.equations.not_finite(bad, &instant))
+        rhs.map_err(|bad| self.equations.not_finite(bad, &self.layout, &instant))
     }
 
     /// q⃛ at a position q, velocity q̇ and acceleration q̈, from C_q q⃛ = −g‴(0). Errors: those of [`System::jerk_rhs`], singular.
@@ -143,7 +143,7 @@ impl System {
     }
 
     fn finite(&self, result: std::result::Result<(), Bad>, instant: &Instant) -> Result<()> {
-        result.map_err(|bad| self.equations.not_finite(bad, instant))
+        result.map_err(|bad| self.equations.not_finite(bad, &self.layout, instant))
     }
 
     /// C_q⁻¹ times the right side, with the sizes of that point; in the sense of least squares where there are more equations.
@@ -152,7 +152,9 @@ impl System {
             return redundant::solved(self, q, t, rhs);
         }
         let mut linear = self.linearized(q, t)?;
-        linear.factor().map_err(|found| self.singular(t, &found, None))?;
+        if !linear.factor() {
+            return Err(self.singular(t, q, None));
+        }
         linear.rhs_mut().copy_from_slice(rhs);
         linear.solve();
         Ok(linear.solution().to_vec())

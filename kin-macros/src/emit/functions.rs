@@ -10,7 +10,7 @@ use crate::graph::{Graph, Node, Op};
 use crate::lower::Lowered;
 use crate::parse::Argument;
 
-/// `residual`, `jacobian`, `linearize`, `velocity_rhs`, `acceleration_rhs` and `not_finite`.
+/// `residual`, `jacobian`, `linearize`, `velocity_rhs`, `acceleration_rhs` and `blame`.
 pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivatives) -> TokenStream {
     let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
     let (m, entries) = (literal(rows.len()), literal(derived.jacobian.len()));
@@ -35,7 +35,7 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
     let velocity = self::velocity(&m, velocity);
     let timed = timed::functions(lowered, &timed);
     let (constants, depends) = (constants(&lowered.graph, derived), depends(&lowered.graph, &rows, derived));
-    let not_finite = not_finite(lowered, arguments, &derived.checks);
+    let blame = super::blame::symbolic(arguments, lowered);
     let ((residual_doc, residual), (linearize_doc, linearize), (right_doc, right_side)) = (residual, linearize, right_side);
     quote! {
         #constants
@@ -62,7 +62,7 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
             let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<#m>() else { return };
             #right_side
         }
-        #not_finite
+        #blame
     }
 }
 
@@ -117,21 +117,6 @@ fn velocity(m: &Literal, code: Option<Code>) -> TokenStream {
         fn velocity_rhs(&self, at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
             let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<#m>() else { return };
             #code
-        }
-    }
-}
-
-fn not_finite(lowered: &Lowered, arguments: &[Argument], checks: &[(String, Vec<Node>)]) -> TokenStream {
-    let checks: Vec<(String, Vec<Node>)> = checks.iter().filter(|(_, nodes)| !nodes.is_empty()).cloned().collect();
-    if checks.is_empty() {
-        return quote!();
-    }
-    let code = Kernel::emit_checks(lowered, arguments, &checks).tokens;
-    quote! {
-        #[cold]
-        fn not_finite(&self, at: &::kin::rt::At<'_>) -> ::core::option::Option<&str> {
-            #code
-            ::core::option::Option::None
         }
     }
 }
