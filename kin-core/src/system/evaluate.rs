@@ -117,7 +117,9 @@ impl Equations {
         };
         let mut kinds: Vec<Arc<Arguments>> = Vec::new();
         all.blocks.reserve_exact(constraints.len());
-        for (name, constraint) in constraints {
+        // Copies made in a row lie side by side in memory: a pass over all of them reads it from end to end.
+        let copies: Vec<Box<dyn Constraint>> = constraints.iter().map(|(_, constraint)| constraint.clone()).collect();
+        for ((name, _), constraint) in constraints.into_iter().zip(copies) {
             all.append(layout, name, constraint, &mut kinds);
             all.ask(all.blocks.len() - 1);
         }
