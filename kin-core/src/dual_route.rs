@@ -6,7 +6,7 @@
 use num_dual::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
 use crate::blame::{Asked, Blame};
-use crate::constraint::{Attachment, Constraint, Dependence, Route};
+use crate::constraint::{Attachment, Constraint, Dependence, Measured, Route};
 use crate::coordinates::Argument;
 use crate::data::Describer;
 use crate::law::Law;
@@ -20,6 +20,12 @@ pub trait Equation<const N: usize, const M: usize>: Constraint + Clone + 'static
 
     /// C(q, t) with any dual numbers.
     fn evaluate<D: Dual>(&self, q: &[Real<D>; N], t: Real<D>) -> [Real<D>; M];
+
+    /// Measure k of [`Constraint::measures`] with any dual numbers.
+    fn measured<D: Dual>(&self, k: usize, q: &[Real<D>; N], t: Real<D>) -> Real<D> {
+        let _ = (k, q, t);
+        Real::from(f64::NAN)
+    }
 
     /// C(q, t) by the function as the user wrote it, in plain f64: the reference for central differences.
     fn plain(&self, q: &[f64; N], t: f64) -> [f64; M];
@@ -107,6 +113,18 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
 
     fn jerk_rhs(&self, at: &At<'_>, qd: &Rates<'_>, qdd: &Rates<'_>, rhs: &mut [f64]) -> bool {
         jerk_rhs(&self.0, at, qd, qdd, rhs)
+    }
+
+    fn measures(&self) -> &[Measured] {
+        self.0.measures()
+    }
+
+    fn measure(&self, k: usize, at: &At<'_>, rates: &[Rates<'_>; 3]) -> [f64; 4] {
+        self.0.measure(k, at, rates)
+    }
+
+    fn ends(&self, k: usize) -> Option<[f64; 2]> {
+        self.0.ends(k)
     }
 
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
@@ -211,6 +229,15 @@ pub fn jerk_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
     let seeded = std::array::from_fn(|k| Real(Dual3_64::new(q[k], qd[k], qdd[k], 0.0)));
     write(rhs, equation.evaluate(&seeded, Real(Dual3_64::new(at.t, 1.0, 0.0, 0.0))).map(|x| -x.0.v3));
     true
+}
+
+/// Measure k and its first three derivatives along a motion with the rates q̇, q̈ and q⃛, by one `Dual3_64` evaluation.
+pub fn measure<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, k: usize, at: &At<'_>, rates: &[Rates<'_>; 3]) -> [f64; 4] {
+    let q = gather::<N>(E::ARGUMENTS, at);
+    let [qd, qdd, qddd] = rates.map(|rates| gather_rates::<N>(E::ARGUMENTS, &rates));
+    let moving = std::array::from_fn(|j| Real(Dual3_64::new(q[j], qd[j], qdd[j], qddd[j])));
+    let x = equation.measured(k, &moving, Real(Dual3_64::new(at.t, 1.0, 0.0, 0.0))).0;
+    [x.re, x.v1, x.v2, x.v3]
 }
 
 /// Local coordinates of a constraint, its arguments' one after the other.

@@ -104,8 +104,9 @@ impl Linear {
     pub(crate) fn new(n: usize, pattern: impl IntoIterator<Item = Option<(usize, usize)>>, constants: &[Option<f64>]) -> Self {
         let inside = |(row, column): (usize, usize)| (row < n && column < n).then_some((row as u32, column as u32));
         let entries: Arc<[_]> = pattern.into_iter().map(|entry| entry.and_then(inside)).collect();
-        let mut sorted: Vec<u32> = (0..entries.len() as u32).filter(|k| entries[*k as usize].is_some()).collect();
-        sorted.sort_by_key(|k| entries[*k as usize]);
+        let mut sorted: Vec<((u32, u32), u32)> = entries.iter().zip(0..).filter_map(|(entry, k)| Some(((*entry)?, k))).collect();
+        sorted.sort_unstable();
+        let sorted: Vec<u32> = sorted.into_iter().map(|(_, k)| k).collect();
         let mut limits = Fours::new(entries.len(), 0.0);
         limits.iter_mut().zip(entries.iter()).filter(|(_, entry)| entry.is_none()).for_each(|(limit, _)| *limit = f64::INFINITY);
         // Values, right side and solution begin at whole fours.

@@ -902,10 +902,14 @@ const _: () = {
             in_order();
         }
         #[cold]
-        fn blame(
+        fn graph(
             &self,
-            asked: &::kin::rt::Asked<'_>,
-        ) -> ::core::option::Option<::kin::rt::Blame> {
+            with: &mut dyn FnMut(
+                &::kin::rt::graph::Graph,
+                &[f64],
+                ::kin::rt::graph::Outside<'_>,
+            ),
+        ) {
             use ::kin::rt::graph::*;
             const GRAPH: &Graph = &Graph {
                 file: ::core::file!(),
@@ -1176,28 +1180,27 @@ const _: () = {
                     "h_j.z",
                 ],
             };
-            GRAPH
-                .blame(
-                    asked,
-                    &[
-                        self.u_i.x,
-                        self.u_i.y,
-                        self.u_i.z,
-                        self.u_j.x,
-                        self.u_j.y,
-                        self.u_j.z,
-                        self.f_i.x,
-                        self.f_i.y,
-                        self.f_i.z,
-                        self.g_i.x,
-                        self.g_i.y,
-                        self.g_i.z,
-                        self.h_j.x,
-                        self.h_j.y,
-                        self.h_j.z,
-                    ],
-                    &nothing_outside,
-                )
+            with(
+                GRAPH,
+                &[
+                    self.u_i.x,
+                    self.u_i.y,
+                    self.u_i.z,
+                    self.u_j.x,
+                    self.u_j.y,
+                    self.u_j.z,
+                    self.f_i.x,
+                    self.f_i.y,
+                    self.f_i.z,
+                    self.g_i.x,
+                    self.g_i.y,
+                    self.g_i.z,
+                    self.h_j.x,
+                    self.h_j.y,
+                    self.h_j.z,
+                ],
+                &nothing_outside,
+            );
         }
         fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
             let mut u = [[0.0_f64; 3]; 5];
@@ -1222,16 +1225,6 @@ const _: () = {
                 true, u[3]), ::kin::rt::attachment(1, true, u[4])
             ]
         }
-        #[cold]
-        fn jerk_rhs(
-            &self,
-            at: &::kin::rt::At<'_>,
-            qd: &::kin::rt::Rates<'_>,
-            qdd: &::kin::rt::Rates<'_>,
-            rhs: &mut [f64],
-        ) -> bool {
-            ::kin::dual_route::jerk_rhs(self, at, qd, qdd, rhs)
-        }
         fn description(&self) -> &str {
             "A cylindrical joint: the axes are parallel and the line between two of their points is along them.      [–, –, m, m]"
         }
@@ -1255,6 +1248,9 @@ const _: () = {
                 || ::kin::rt::Numbers::set_at(&mut self.f_i, &mut index, value)
                 || ::kin::rt::Numbers::set_at(&mut self.g_i, &mut index, value)
                 || ::kin::rt::Numbers::set_at(&mut self.h_j, &mut index, value)
+        }
+        fn has_branches(&self) -> bool {
+            false
         }
     }
     impl ::kin::rt::Described for cylindrical {

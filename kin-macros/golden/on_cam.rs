@@ -281,10 +281,14 @@ const _: () = {
             );
         }
         #[cold]
-        fn blame(
+        fn graph(
             &self,
-            asked: &::kin::rt::Asked<'_>,
-        ) -> ::core::option::Option<::kin::rt::Blame> {
+            with: &mut dyn FnMut(
+                &::kin::rt::graph::Graph,
+                &[f64],
+                ::kin::rt::graph::Outside<'_>,
+            ),
+        ) {
             use ::kin::rt::graph::*;
             const GRAPH: &Graph = &Graph {
                 file: ::core::file!(),
@@ -342,20 +346,19 @@ const _: () = {
                 rows: &[38],
                 parameters: &["tip.x", "tip.y"],
             };
-            GRAPH
-                .blame(
-                    asked,
-                    &[self.tip.x, self.tip.y],
-                    &|number, x, to| match number {
-                        0 => give(&self.profile.jet(x[0].re), to),
-                        1 => {
-                            let value: ::kin::rt::Real<::kin::rt::Dual2_64> = self
-                                .__leaf0([::kin::rt::Real(x[0])]);
-                            to.push(value.0);
-                        }
-                        _ => {}
-                    },
-                )
+            with(
+                GRAPH,
+                &[self.tip.x, self.tip.y],
+                &|number, x, to| match number {
+                    0 => give_law(&self.profile, x, to),
+                    1 => {
+                        let value: ::kin::rt::Real<::kin::rt::Dual3_64> = self
+                            .__leaf0([::kin::rt::Real(x[0])]);
+                        to.push(value.0);
+                    }
+                    _ => {}
+                },
+            );
         }
         fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
             let mut u = [[0.0_f64; 3]; 1];
@@ -365,16 +368,6 @@ const _: () = {
         }
         fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::rt::InLanes> {
             ::core::option::Option::Some(self)
-        }
-        #[cold]
-        fn jerk_rhs(
-            &self,
-            at: &::kin::rt::At<'_>,
-            qd: &::kin::rt::Rates<'_>,
-            qdd: &::kin::rt::Rates<'_>,
-            rhs: &mut [f64],
-        ) -> bool {
-            ::kin::dual_route::jerk_rhs(self, at, qd, qdd, rhs)
         }
         fn description(&self) -> &str {
             "Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]"
@@ -403,6 +396,9 @@ const _: () = {
             let tip = ::core::clone::Clone::clone(&self.tip);
             let profile = ::core::clone::Clone::clone(&self.profile);
             ::core::option::Option::None
+        }
+        fn has_branches(&self) -> bool {
+            false
         }
         fn laws(
             &self,

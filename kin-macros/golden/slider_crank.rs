@@ -233,10 +233,14 @@ const _: () = {
             in_order();
         }
         #[cold]
-        fn blame(
+        fn graph(
             &self,
-            asked: &::kin::rt::Asked<'_>,
-        ) -> ::core::option::Option<::kin::rt::Blame> {
+            with: &mut dyn FnMut(
+                &::kin::rt::graph::Graph,
+                &[f64],
+                ::kin::rt::graph::Outside<'_>,
+            ),
+        ) {
             use ::kin::rt::graph::*;
             const GRAPH: &Graph = &Graph {
                 file: ::core::file!(),
@@ -281,17 +285,7 @@ const _: () = {
                 rows: &[13, 20],
                 parameters: &["l2", "l3", "h", "omega"],
             };
-            GRAPH.blame(asked, &[self.l2, self.l3, self.h, self.omega], &nothing_outside)
-        }
-        #[cold]
-        fn jerk_rhs(
-            &self,
-            at: &::kin::rt::At<'_>,
-            qd: &::kin::rt::Rates<'_>,
-            qdd: &::kin::rt::Rates<'_>,
-            rhs: &mut [f64],
-        ) -> bool {
-            ::kin::dual_route::jerk_rhs(self, at, qd, qdd, rhs)
+            with(GRAPH, &[self.l2, self.l3, self.h, self.omega], &nothing_outside);
         }
         fn description(&self) -> &str {
             "Loop closure of the slider-crank, crank driven at ω.      [m]"
@@ -313,6 +307,9 @@ const _: () = {
                 || ::kin::rt::Numbers::set_at(&mut self.l3, &mut index, value)
                 || ::kin::rt::Numbers::set_at(&mut self.h, &mut index, value)
                 || ::kin::rt::Numbers::set_at(&mut self.omega, &mut index, value)
+        }
+        fn has_branches(&self) -> bool {
+            false
         }
     }
     impl ::kin::rt::Described for slider_crank {

@@ -75,7 +75,9 @@ fn looked_at(cases: usize, mut random: fastrand::Rng) {
         let view = View { unit, turn, shift, order: (0..16).map(|_| random.u64(..)).collect() };
         let found = plans[k].mechanism(&view).diagnose(0.0).unwrap();
         if verdict(&found) != plain[k] {
-            wrong.push(format!("plan {k} {view:?}: {:?} instead of {:?}\n{found}", verdict(&found), plain[k]));
+            let text = format!("plan {k} {view:?}: {:?} instead of {:?}\n{found}", verdict(&found), plain[k]);
+            println!("{text}");
+            wrong.push(text);
         }
     }
     assert!(wrong.is_empty(), "{} of {cases}\n{}", wrong.len(), wrong.join("\n"));
@@ -84,7 +86,7 @@ fn looked_at(cases: usize, mut random: fastrand::Rng) {
 #[test]
 #[ignore = "takes its time: `cargo test --release -- --ignored`"]
 fn verdict_is_the_same_from_thousands_of_sides() {
-    looked_at(20_000, fastrand::Rng::with_seed(1));
+    looked_at(5_000, fastrand::Rng::with_seed(1));
 }
 
 proptest! {

@@ -102,6 +102,11 @@ fn let_go(search: &Search<'_>, found: Found) -> Placed {
         open.push(block);
         found = next;
     }
+    if !found.met {
+        // Nothing that may be let go helps enough: what is off at the nearest place found is told all the same.
+        let rest: Vec<usize> = culprits(&search.model, &found, &open).take(search.options.let_go.max(1)).collect();
+        open.extend(rest);
+    }
     let gaps = open.iter().map(|block| gap(&search.model, &found, search.t, *block, starts)).collect();
     Placed { q: found.place.q, measures: found.measures, gaps }
 }

@@ -56,7 +56,8 @@ pub struct Term {
 pub struct Dependency {
     /// What it means.
     pub class: Class,
-    /// The terms; the first one, with the coefficient 1, is the equation that is called superfluous.
+    /// The terms; the first one, with the coefficient 1, is the equation that is called superfluous. Those of the norms of Euler parameters, which
+    /// nobody wrote, are left out.
     pub terms: Vec<Term>,
 }
 
@@ -98,7 +99,9 @@ fn dependency(examined: &Examined<'_>, rates: &Rates, blocked: &[Vec<f64>], k: u
         let constraint = examined.model().equations.block_of(row).map(|(block, _)| block.name.clone()).unwrap_or_default();
         Term { constraint, equation: examined.model().equations.equation(row), row, coefficient }
     };
-    Dependency { class, terms: combination.iter().map(term).collect() }
+    // The norms of Euler parameters hold whatever the mechanism does: nobody wrote them.
+    let told = combination.iter().filter(|(row, _)| *row == own || !examined.model().is_norm(*row));
+    Dependency { class, terms: told.map(term).collect() }
 }
 
 fn class(examined: &Examined<'_>, rates: &Rates, blocked: &[Vec<f64>], k: usize, combination: &Sparse, unit: f64) -> Class {

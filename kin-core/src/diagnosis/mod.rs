@@ -15,6 +15,7 @@ mod freedom;
 mod generic;
 mod options;
 mod order;
+mod repeats;
 mod singular;
 mod text;
 
@@ -25,4 +26,4 @@ pub use examine::Diagnosis;
 pub(crate) use examine::{Start, diagnose};
 pub use freedom::{BodyMotion, Freedom, How, Persistence};
 pub use options::DiagnosisOptions;
-pub(crate) use singular::singular;
+pub(crate) use singular::{Singular, singular};

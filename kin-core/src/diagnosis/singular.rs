@@ -10,10 +10,10 @@ pub(crate) struct Singular {
     pub rank: usize,
     /// The largest pivot that counted as zero, rows and columns measured.   \[-\]
     pub pivot: f64,
-    /// Coordinates that move in the null space.
-    pub columns: Vec<usize>,
-    /// Rows with a share in some vanishing combination.
-    pub rows: Vec<usize>,
+    /// Bodies and bare coordinates that move in the null space.
+    pub movable: Vec<String>,
+    /// Equations with a share in some vanishing combination.
+    pub dependent: Vec<String>,
 }
 
 /// Pivots below this count as zero; of a matrix that is regular by that the smallest does.   \[-\]
@@ -36,14 +36,9 @@ pub(crate) fn singular(model: &Model<'_>, values: &[f64], measures: &Measures) -
         all.dedup();
         all
     };
-    Singular { rank: found.rank(), pivot: found.left, columns: shared(found.null_space()), rows: shared(found.left_null_space()) }
-}
-
-impl Singular {
-    /// Bodies and coordinates that can move although everything that drives stands still, and the equations that depend on one another.
-    pub(crate) fn names(&self, model: &Model<'_>) -> [Vec<String>; 2] {
-        let mut movable: Vec<String> = self.columns.iter().filter_map(|&k| Some(model.layout.owner(k)?.name.clone())).collect();
-        movable.dedup();
-        [movable, self.rows.iter().map(|&row| model.equations.equation(row)).collect()]
-    }
+    let owner = |k: usize| Some(model.layout.owner(k)?.name.clone());
+    let mut movable: Vec<String> = shared(found.null_space()).into_iter().filter_map(owner).collect();
+    movable.dedup();
+    let dependent = shared(found.left_null_space()).into_iter().map(|row| model.equations.equation(row)).collect();
+    Singular { rank: found.rank(), pivot: found.left, movable, dependent }
 }

@@ -2,8 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::diagnosis;
-use crate::model::Point;
+use crate::diagnosis::{self, Singular};
 use crate::motion::{Event, EventKind};
 use crate::newton::Newton;
 use crate::system::System;
@@ -50,8 +49,8 @@ impl SingularPosition {
     /// At q and t, with names by the null vectors of C_q there.
     pub(super) fn new(system: &System, kind: SingularKind, t: f64, q: &[f64], branches: Vec<Branch>) -> Self {
         let model = system.model();
-        let names = |point: Point| diagnosis::singular(&model, &point.values, &model.measure(q, t)).names(&model);
-        let [movable, dependent] = model.linearize(q, t).map(names).unwrap_or_default();
+        let values = model.linearize(q, t).map(|point| point.values).unwrap_or_else(|_| vec![0.0; model.equations.entries.len()]);
+        let Singular { movable, dependent, .. } = diagnosis::singular(&model, &values, &model.measure(q, t));
         SingularPosition { t, kind, q: q.to_vec(), movable, dependent, branches }
     }
 

@@ -40,15 +40,15 @@ pub struct Options {
     /// (later times) before giving up; default true. Without it plain Newton steps from the guess are all that is
     /// done, but for what [`Options::follow`] asks.
     pub rescue: bool,
+    /// Halvings of one step of time at most before the run is given up, where steps are rescued and not checked; default 12.
+    pub halvings: u32,
+    /// How the first position is looked for, where that is rescued, and what is wrong where there is none.
+    pub search: SearchOptions,
     /// Solve for the jerk q⃛ too, C_q q⃛ = −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), with the matrix of q̇ and q̈; default false.
     /// Cases of a sweep are run one by one then.
     pub jerk: bool,
     /// Whether each step is checked to stay on its branch, and which branch is taken where branches cross; default [`Follow::Smooth`].
     pub follow: Follow,
-    /// Halvings of one step of time at most before the run is given up, where steps are rescued; default 12.
-    pub halvings: u32,
-    /// How the first position is looked for, where that is rescued, and what is wrong where there is none.
-    pub search: SearchOptions,
 }
 
 /// How a run follows its branch.
@@ -81,10 +81,10 @@ impl Default for Options {
             stop: Stop::default(),
             predict: true,
             rescue: true,
-            jerk: false,
-            follow: Follow::default(),
             halvings: 12,
             search: SearchOptions::default(),
+            jerk: false,
+            follow: Follow::default(),
         }
     }
 }

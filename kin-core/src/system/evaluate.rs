@@ -1,88 +1,21 @@
 //! Evaluation of a whole system: states once an iterate, then each constraint into its own block of rows and values.
 
+mod block;
 pub(crate) mod lanes;
 mod linear;
+mod sides;
 
-use std::ops::Range;
 use std::sync::Arc;
 
 use crate::blame::{Culprit, Term};
 use crate::constraint::{Constraint, Route};
 use crate::error::Error;
 use crate::layout::{Layout, Place};
-use crate::state::{At, Rates};
+use crate::state::At;
 use crate::system::states::{GROUND, StatePlan};
+pub(crate) use block::Block;
+use block::{Arguments, Span, from};
 use linear::{LinearRows, Sums};
-
-/// One constraint in a system.
-#[derive(Clone)]
-pub(crate) struct Block {
-    pub name: String,
-    pub constraint: Box<dyn Constraint>,
-    /// Where its numbers of time, its arguments' states, its rows, its values and its columns' rates stand.
-    timed: Span,
-    states: u32,
-    rows: Span,
-    values: Span,
-    rates: u32,
-    /// Whether all its values of C_q are the same for good.
-    constant: bool,
-    /// Whether it drives.
-    pub drives: bool,
-    arguments: Arc<Arguments>,
-}
-
-/// Where each argument's state begins among those of its constraint, and its first column: constraints of one kind share it.
-#[derive(Debug, PartialEq)]
-struct Arguments {
-    first_state: Vec<usize>,
-    first_column: Vec<usize>,
-}
-
-/// A stretch of a list. 32 bits: no sum of two overflows, so that taking it costs one check.
-#[derive(Clone, Copy, Debug)]
-struct Span {
-    first: u32,
-    len: u32,
-}
-
-impl Span {
-    fn new(range: Range<usize>) -> Self {
-        Span { first: range.start as u32, len: range.len() as u32 }
-    }
-
-    fn range(self) -> Range<usize> {
-        self.first as usize..self.first as usize + self.len as usize
-    }
-}
-
-impl Block {
-    /// Where its rows stand among all rows.
-    pub(crate) fn rows(&self) -> Range<usize> {
-        self.rows.range()
-    }
-
-    /// Where its values stand among all values of C_q.
-    pub(crate) fn values(&self) -> Range<usize> {
-        self.values.range()
-    }
-
-    /// Name of local row `k`; empty for a constraint of one row.
-    pub(crate) fn row(&self, k: usize) -> &str {
-        match self.constraint.rows() {
-            [_] => "",
-            rows => rows.get(k).copied().unwrap_or(""),
-        }
-    }
-
-    /// Name of the equation in local row `k`, such as `A.x`.
-    pub(crate) fn equation(&self, k: usize) -> String {
-        match self.row(k) {
-            "" => self.name.clone(),
-            row => format!("{}.{row}", self.name),
-        }
-    }
-}
 
 /// What constraints read at one instant: the time, what they make of it alone, states of their arguments and rates of their columns.
 #[derive(Clone, Debug)]
@@ -121,20 +54,6 @@ impl Instant {
     }
 }
 
-impl Block {
-    /// The rates of all columns as the constraint sees them.
-    #[inline(always)]
-    fn rates<'a>(&'a self, all: &'a [f64]) -> Rates<'a> {
-        Rates::new(from(all, self.rates), &self.arguments.first_column)
-    }
-}
-
-/// What begins there, with all that follows: a constraint knows how much of it is its own.
-#[inline(always)]
-fn from(all: &[f64], first: u32) -> &[f64] {
-    &all[first as usize..]
-}
-
 /// What of a constraint is not finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Bad {
@@ -157,6 +76,8 @@ pub(crate) struct Equations {
     /// How many numbers constraints make of the time alone.
     timed: usize,
     linear: LinearRows,
+    /// No rates at all, for as many columns as there are.
+    still: Vec<f64>,
     asked: Asked,
 }
 
@@ -171,7 +92,7 @@ struct Asked {
     /// Those that are linear, with the numbers of their rows among linear rows: those whose C depends on t, and the others.
     linear: Vec<(usize, Span)>,
     steady: Vec<(usize, Span)>,
-    /// Those whose C_t, or Q_d, can be other than zero.
+    /// Those that are not linear whose C_t, or Q_d, can be other than zero.
     c_t: Vec<usize>,
     q_d: Vec<usize>,
     /// Those that can hold and yet not be meant so.
@@ -191,15 +112,19 @@ impl Equations {
             rows: 0,
             timed: 0,
             linear: LinearRows::default(),
+            still: Vec::new(),
             asked: Asked::default(),
         };
         let mut kinds: Vec<Arc<Arguments>> = Vec::new();
         all.blocks.reserve_exact(constraints.len());
-        for (name, constraint) in constraints {
+        // Copies made in a row lie side by side in memory: a pass over all of them reads it from end to end.
+        let copies: Vec<Box<dyn Constraint>> = constraints.iter().map(|(_, constraint)| constraint.clone()).collect();
+        for ((name, _), constraint) in constraints.into_iter().zip(copies) {
             all.append(layout, name, constraint, &mut kinds);
             all.ask(all.blocks.len() - 1);
         }
         all.plan.finish();
+        all.still = vec![0.0; all.plan.columns.len()];
         all
     }
 
@@ -216,8 +141,8 @@ impl Equations {
             (block.timed.len > 0, &mut asked.timed),
             (linear.is_none(), &mut asked.curved),
             (linear.is_none() && depends.c_on_t, &mut asked.c),
-            (depends.c_t, &mut asked.c_t),
-            (depends.q_d, &mut asked.q_d),
+            (linear.is_none() && depends.c_t, &mut asked.c_t),
+            (linear.is_none() && depends.q_d, &mut asked.q_d),
             (block.constraint.has_branches(), &mut asked.branches),
         ];
         lists.into_iter().filter(|(asked, _)| *asked).for_each(|(_, list)| list.push(k));
@@ -270,22 +195,19 @@ impl Equations {
             t: f64::NAN,
             timed: vec![0.0; self.timed],
             states: self.plan.origin().to_vec(),
-            rates: vec![0.0; self.plan.columns.len()],
+            rates: self.still.clone(),
             second_rates: vec![],
             linear: self.linear.sums(),
         };
-        self.set_linear(&self.asked.steady, &mut instant);
+        for (block, rows) in self.asked.steady.iter().map(|(k, rows)| (&self.blocks[*k], *rows)) {
+            block.constraint.residual(&self.origin(0.0, block), &mut instant.linear.at_zero[rows.range()]);
+        }
         instant
     }
 
-    /// C(0, t) of linear rows.
-    fn set_linear(&self, asked: &[(usize, Span)], instant: &mut Instant) {
-        for &(k, rows) in asked {
-            let block = &self.blocks[k];
-            let origin = At::new(instant.t, from(self.plan.origin(), block.states), &block.arguments.first_state);
-            let origin = origin.with_timed(&instant.timed[block.timed.range()]);
-            block.constraint.residual(&origin, &mut instant.linear.at_zero[rows.range()]);
-        }
+    /// Where all coordinates are zero, as a constraint sees it.
+    fn origin<'a>(&'a self, t: f64, block: &'a Block) -> At<'a> {
+        At::new(t, from(self.plan.origin(), block.states), &block.arguments.first_state)
     }
 
     /// The instant at coordinates q and time t.
@@ -298,12 +220,17 @@ impl Equations {
 
     /// What depends on the time and on parameters alone is evaluated here, once a time.
     pub(crate) fn set_time(&self, t: f64, instant: &mut Instant) {
-        instant.t = t;
-        for &k in &self.asked.timed {
-            let block = &self.blocks[k];
-            block.constraint.at_time(t, &mut instant.timed[block.timed.range()]);
+        let Instant { timed, linear: Sums { at_zero, velocity, acceleration, .. }, .. } = instant;
+        for block in self.asked.timed.iter().map(|&k| &self.blocks[k]) {
+            block.constraint.at_time(t, &mut timed[block.timed.range()]);
         }
-        self.set_linear(&self.asked.linear, instant);
+        for (block, rows) in self.asked.linear.iter().map(|(k, rows)| (&self.blocks[*k], rows.range())) {
+            let at = self.origin(t, block).with_timed(&timed[block.timed.range()]);
+            block.constraint.residual(&at, &mut at_zero[rows.clone()]);
+            block.constraint.velocity_rhs(&at, &mut velocity[rows.clone()]);
+            block.constraint.acceleration_rhs(&at, &block.rates(&self.still), 1.0, &mut acceleration[rows]);
+        }
+        instant.t = t;
     }
 
     pub(crate) fn set_position(&self, q: &[f64], instant: &mut Instant) {
@@ -363,56 +290,6 @@ impl Equations {
         finite(c, "C")?;
         let mut own = values.iter().zip(&self.entries).filter_map(|(value, entry)| entry.map(|(row, _)| (row, value)));
         own.find(|(_, value)| !value.is_finite()).map_or(Ok(()), |(row, _)| Err(Bad { row, quantity: "C_q" }))
-    }
-
-    /// −C_t, whether it is finite or not.
-    pub(crate) fn velocity_rhs(&self, instant: &Instant, rhs: &mut [f64]) {
-        rhs.fill(0.0);
-        for block in self.asked.c_t.iter().map(|&k| &self.blocks[k]) {
-            block.constraint.velocity_rhs(&instant.of(block), &mut rhs[block.rows.range()]);
-        }
-    }
-
-    /// Q_d, whether it is finite or not.
-    pub(crate) fn acceleration_rhs(&self, instant: &Instant, q_d: &mut [f64]) {
-        self.second_order(instant, 1.0, q_d);
-    }
-
-    /// −[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt] along the rates v of the instant, whether it is finite or not.
-    pub(crate) fn second_order(&self, instant: &Instant, t_dot: f64, rhs: &mut [f64]) {
-        rhs.fill(0.0);
-        let mut at = instant.at();
-        for block in self.asked.q_d.iter().map(|&k| &self.blocks[k]) {
-            instant.show(block, &mut at);
-            block.constraint.acceleration_rhs(&at, &block.rates(&instant.rates), t_dot, &mut rhs[block.rows.range()]);
-        }
-    }
-
-    /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), along the rates of the instant and q̈, whether it is finite or not.
-    ///
-    /// Errors: the first row of a constraint that does not know it.
-    pub(crate) fn jerk_rhs(&self, qdd: &[f64], instant: &mut Instant, rhs: &mut [f64]) -> Result<(), usize> {
-        instant.second_rates.resize(self.plan.columns.len(), 0.0);
-        self.plan.set_rates(qdd, &mut instant.second_rates);
-        rhs.fill(0.0);
-        // A constraint without second derivatives has no third ones.
-        for block in self.asked.q_d.iter().map(|&k| &self.blocks[k]) {
-            let [qd, qdd] = [&instant.rates, &instant.second_rates].map(|rates| block.rates(rates));
-            if !block.constraint.jerk_rhs(&instant.of(block), &qd, &qdd, &mut rhs[block.rows.range()]) {
-                return Err(block.rows().start);
-            }
-        }
-        Ok(())
-    }
-
-    /// The error for a constraint that does not know its part of the jerk, by one of its rows.
-    pub(crate) fn no_jerk(&self, row: usize) -> Error {
-        let reason = "its part of the jerk is not known; implement `Constraint::jerk_rhs`, or run without `Options::jerk`".to_string();
-        let [constraint, kind] = match self.block_of(row) {
-            Some((block, _)) => [block.name.clone(), block.constraint.kind().to_string()],
-            None => Default::default(),
-        };
-        Error::InvalidConstraint { constraint, kind, reason }
     }
 
     /// The constraint that a global row belongs to, and its local row.

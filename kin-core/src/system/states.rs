@@ -46,17 +46,26 @@ struct State {
 type Copies = [u32; 2];
 
 impl Shared {
-    /// Puts together who reads the same state.
+    /// Puts together who reads the same state: counts, then places, for systems can be large.
     fn sort(&mut self) {
-        let mut asked = std::mem::take(&mut self.asked);
-        asked.sort_by_key(|(first, ..)| *first);
-        self.copies = asked.iter().map(|(.., copies)| *copies).collect();
-        let state = |same: &[(u32, bool, Copies)]| State {
-            first: same[0].0,
-            readers: same.len() as u32,
-            trig: same.iter().any(|(_, trig, _)| *trig),
-        };
-        self.states = asked.chunk_by(|a, b| a.0 == b.0).map(state).collect();
+        let asked = std::mem::take(&mut self.asked);
+        let n = asked.iter().map(|(first, ..)| first + 1).max().unwrap_or(0);
+        let mut states: Vec<State> = (0..n).map(|first| State { first, readers: 0, trig: false }).collect();
+        for (first, trig, _) in &asked {
+            let state = &mut states[*first as usize];
+            state.readers += 1;
+            state.trig |= trig;
+        }
+        let next = |end: &mut usize, state: &State| Some(std::mem::replace(end, *end + state.readers as usize));
+        let mut places: Vec<usize> = states.iter().scan(0, next).collect();
+        self.copies = vec![[0; 2]; asked.len()];
+        for (first, _, copies) in asked {
+            let place = &mut places[first as usize];
+            self.copies[*place] = copies;
+            *place += 1;
+        }
+        states.retain(|state| state.readers > 0);
+        self.states = states;
     }
 }
 

@@ -109,7 +109,6 @@ impl System {
         Ok(qdd)
     }
 
-    /// The instant at q and t, if they are well given.
     /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s): the right side of C_q q⃛, in the unit of each row a second cubed.
     ///
     /// Errors: wrong length, not finite, a hand-written constraint without [`crate::Constraint::jerk_rhs`].
@@ -129,6 +128,7 @@ impl System {
         Ok(qddd)
     }
 
+    /// The instant at q and t, if they are well given.
     fn instant(&self, q: &[f64], t: f64) -> Result<Instant> {
         self.check(q, "coordinates")?;
         Ok(self.equations.instant_at(time(t)?, q))

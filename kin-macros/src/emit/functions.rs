@@ -183,20 +183,7 @@ pub fn dual() -> TokenStream {
         fn acceleration_rhs(&self, at: &::kin::rt::At<'_>, qd: &::kin::rt::Rates<'_>, t_dot: f64, q_d: &mut [f64]) {
             ::kin::dual_route::acceleration_rhs(self, at, qd, t_dot, q_d);
         }
-    }
-}
-
-/// The right side for the jerk, by dual numbers on either route: it is asked for seldom, and one more derivative of the graph is much code.
-pub fn jerk() -> TokenStream {
-    quote! {
-        #[cold]
-        fn jerk_rhs(
-            &self,
-            at: &::kin::rt::At<'_>,
-            qd: &::kin::rt::Rates<'_>,
-            qdd: &::kin::rt::Rates<'_>,
-            rhs: &mut [f64],
-        ) -> bool {
+        fn jerk_rhs(&self, at: &::kin::rt::At<'_>, qd: &::kin::rt::Rates<'_>, qdd: &::kin::rt::Rates<'_>, rhs: &mut [f64]) -> bool {
             ::kin::dual_route::jerk_rhs(self, at, qd, qdd, rhs)
         }
     }

@@ -24,8 +24,10 @@ struct Term {
 /// What the rows come to at one instant.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sums {
-    /// C(0, t)
+    /// C(0, t), −C_t and −C_tt, which is all that Q_d has here.
     pub at_zero: Vec<f64>,
+    pub velocity: Vec<f64>,
+    pub acceleration: Vec<f64>,
     /// C_q q
     products: Vec<f64>,
 }
@@ -59,7 +61,7 @@ impl LinearRows {
     /// Room for an instant, all coordinates at zero.
     pub(super) fn sums(&self) -> Sums {
         let zeros = || vec![0.0; self.rows.len()];
-        Sums { at_zero: zeros(), products: zeros() }
+        Sums { at_zero: zeros(), velocity: zeros(), acceleration: zeros(), products: zeros() }
     }
 
     pub(super) fn set_position(&self, q: &[f64], sums: &mut Sums) {
@@ -75,6 +77,13 @@ impl LinearRows {
     pub(super) fn write(&self, sums: &Sums, c: &mut [f64]) {
         for ((row, at_zero), product) in self.rows.iter().zip(&sums.at_zero).zip(&sums.products) {
             c[*row as usize] = product + at_zero;
+        }
+    }
+
+    /// Their part of a right side, times a factor.
+    pub(super) fn write_side(&self, side: &[f64], factor: f64, rhs: &mut [f64]) {
+        for (row, x) in self.rows.iter().zip(side) {
+            rhs[*row as usize] = factor * x;
         }
     }
 }
