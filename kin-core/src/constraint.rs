@@ -73,12 +73,14 @@ pub struct Dependence {
     pub c_t: bool,
     /// Q_d can be other than zero; if not, [`Constraint::acceleration_rhs`] writes zeros for every q̇ and ṫ.
     pub q_d: bool,
+    /// C can be other than linear in the coordinates; if not, C(q, t) = C_q q + C(0, t) with a C_q that never changes.
+    pub curved: bool,
 }
 
 impl Default for Dependence {
     /// Everything may depend on everything.
     fn default() -> Self {
-        Dependence { c_on_t: true, c_q_on_t: true, c_t: true, q_d: true }
+        Dependence { c_on_t: true, c_q_on_t: true, c_t: true, q_d: true, curved: true }
     }
 }
 
@@ -111,7 +113,8 @@ pub trait Constraint: CloneBoxed + Send + Sync {
     /// How its derivatives are obtained.
     fn route(&self) -> Route;
 
-    /// Whether it is a driving constraint, one in which time appears (the function has a [`crate::Time`] argument).
+    /// Whether it is a driving constraint, one in which time appears (the function has a [`crate::Time`] argument). A hand-written constraint
+    /// (default `false`) counts as one too where its value is seen to change with t alone.
     fn is_driver(&self) -> bool {
         false
     }
@@ -239,7 +242,12 @@ pub trait Constraint: CloneBoxed + Send + Sync {
         None
     }
 
-    /// Where C = 0 holds but not as it is meant, such as an axis turned by 180°: what is wrong. Looked at when a position has been found.
+    /// Whether [`Constraint::wrong_branch`] can have anything to say. `true` promises nothing (default).
+    fn has_branches(&self) -> bool {
+        true
+    }
+
+    /// Where C = 0 holds but not as it is meant, such as an axis turned by 180°: what is wrong. Looked at whenever a position has been found.
     fn wrong_branch(&self, at: &At<'_>) -> Option<&str> {
         let _ = at;
         None

@@ -155,6 +155,10 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
         self.0.refusal()
     }
 
+    fn has_branches(&self) -> bool {
+        self.0.has_branches()
+    }
+
     fn wrong_branch(&self, at: &At<'_>) -> Option<&str> {
         self.0.wrong_branch(at)
     }

@@ -55,9 +55,13 @@ pub enum Error {
 
     /// C_q has no inverse at a position: the mechanism stands in a toggle or a change point, or is wrongly constrained.
     #[error(
-        "t = {} s: C_q ({n} x {n}) has rank {rank}; smallest relative pivot {pivot:.1e}.{}",
-        text::time(*.t),
-        text::singular(.movable, .dependent, .unmet, .diagnosis, .motion)
+        "{}{}",
+        text::diagnosed(.diagnosis, || format!(
+            "t = {} s: C_q ({n} x {n}) has rank {rank}; smallest relative pivot {pivot:.1e}.{}",
+            text::time(*.t),
+            text::singular(.movable, .dependent, .unmet)
+        )),
+        text::kept(.motion)
     )]
     SingularAt {
         /// Time.   \[s\]

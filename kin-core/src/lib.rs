@@ -28,6 +28,7 @@ pub mod mechanism;
 mod model;
 pub mod motion;
 pub mod newton;
+mod random;
 pub mod real;
 #[doc(hidden)]
 pub mod rt;
@@ -39,7 +40,7 @@ pub mod terms;
 mod testing;
 
 pub use algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
-pub use assembly::{Assembly, AssemblyOptions, Label};
+pub use assembly::{Assembly, AssemblyOptions, Label, SearchOptions};
 pub use constraint::{Attached, Attachment, Constraint, Dependence, Measured, Route};
 pub use coordinates::{
     Coord, Coordinate, Ground, Link, Planar, PlanarBody, Spatial, SpatialBody, SpatialLink, Target, Time, any_coord, any_planar,

@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::layout::{Layout, Unit};
 use crate::linear::Sparse;
 use crate::newton::JERK_RHS;
+use crate::random::Random;
 use crate::system::evaluate::{Bad, Equations, finite};
 use crate::system::scale;
 
@@ -87,7 +88,7 @@ impl Model<'_> {
 
     /// Whether a row belongs to a driving constraint.
     pub(crate) fn drives(&self, row: usize) -> bool {
-        self.equations.block_of(row).is_some_and(|(block, _)| block.constraint.is_driver())
+        self.equations.block_of(row).is_some_and(|(block, _)| block.drives)
     }
 
     /// Whether a row is the norm of a body's Euler parameters.
@@ -165,28 +166,5 @@ impl Model<'_> {
     /// Whether a coordinate turns something: its changes are limited.
     pub(crate) fn turns(&self, column: usize) -> bool {
         self.layout.units[column] != Unit::Metre
-    }
-}
-
-/// SplitMix64: the same numbers for the same seed, everywhere.
-#[derive(Clone, Debug)]
-pub(crate) struct Random(u64);
-
-impl Random {
-    pub(crate) fn new(seed: u64) -> Self {
-        Random(seed)
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    /// Uniform in (−1, 1).
-    pub(crate) fn number(&mut self) -> f64 {
-        (self.next() >> 11) as f64 * 2.0_f64.powi(-52) - 1.0
     }
 }

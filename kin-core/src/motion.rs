@@ -69,8 +69,12 @@ impl Motion {
         }
     }
 
-    pub(crate) fn push(&mut self, t: f64, newton: &Newton<'_>, outcome: Outcome, crossed: Vec<CrossedBreak>) {
+    /// Breaks that were crossed on the way to the next time.
+    pub(crate) fn cross(&mut self, crossed: Vec<CrossedBreak>) {
         self.breaks.extend(crossed);
+    }
+
+    pub(crate) fn push(&mut self, t: f64, newton: &Newton<'_>, outcome: Outcome) {
         let worst = if self.is_worse(outcome) { newton.worst().0 } else { 0 };
         self.append(t, [&newton.q, &newton.qd, &newton.qdd, &newton.qddd], outcome, worst);
     }
@@ -80,6 +84,7 @@ impl Motion {
     }
 
     /// q, q̇, q̈ and q⃛ (or nothing) at one more time; `worst` is the row with the largest |C_i|.
+    #[inline]
     pub(crate) fn append(&mut self, t: f64, [q, qd, qdd, qddd]: [&[f64]; 4], outcome: Outcome, worst: usize) {
         if self.is_worse(outcome) {
             self.worst = Some((outcome.residual, worst));

@@ -249,8 +249,7 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
         }
         lockstep.flush(&mut motions);
         let done = |lane: usize, motion: &Motion| {
-            let last = motion.len().saturating_sub(1);
-            active.lane(lane) && crew.systems[lane].is_meant(self.times[last], motion.q(last))
+            active.lane(lane) && crew.systems[lane].all_meant((0..motion.len()).map(|k| (motion.times()[k], motion.q(k))))
         };
         motions.into_iter().enumerate().map(|(lane, motion)| done(lane, &motion).then_some(motion)).collect()
     }

@@ -11,9 +11,10 @@ use std::sync::Arc;
 
 use crate::constraint::Constraint;
 use crate::coordinates::Target;
+use crate::diagnosis;
 use crate::error::{Error, Result};
 use crate::layout::Layout;
-use crate::linear::{Linear, Singular};
+use crate::linear::Linear;
 use crate::measure::Limit;
 use crate::model::Model;
 use crate::newton::Report;
@@ -58,11 +59,12 @@ impl System {
     pub(crate) fn new(
         name: String,
         layout: Layout,
-        equations: Equations,
+        mut equations: Equations,
         initial: Vec<f64>,
         preferred: Vec<(usize, f64)>,
         links: Vec<f64>,
     ) -> Self {
+        equations.find_drivers(&initial);
         let linear = prepared(&layout, &equations, &initial, &links);
         let rows = (0..equations.rows).map(|row| equations.equation(row)).collect();
         System { name, layout: Arc::new(layout), equations, rows, initial, preferred, links, linear, limits: Vec::new() }
@@ -145,10 +147,10 @@ impl System {
         smooth
     }
 
-    /// Whether a position that closes is meant by all constraints, none of which has, say, its axis turned by 180°.
-    pub(crate) fn is_meant(&self, t: f64, q: &[f64]) -> bool {
-        let instant = self.equations.instant_at(t, q);
-        self.equations.blocks.iter().all(|block| block.constraint.wrong_branch(&instant.of(block)).is_none())
+    /// Whether positions that close are meant by all constraints, none of which has, say, its axis turned by 180°.
+    pub(crate) fn all_meant<'q>(&self, mut positions: impl Iterator<Item = (f64, &'q [f64])>) -> bool {
+        self.equations.branches().is_empty()
+            || positions.all(|(t, q)| self.equations.first_wrong(&self.equations.instant_at(t, q)).is_none())
     }
 
     pub(crate) fn model(&self) -> Model<'_> {
@@ -182,18 +184,21 @@ impl System {
         found.map(|(block, local)| (block.name.clone(), block.row(local).to_string())).unwrap_or_default()
     }
 
-    /// The error for a singular matrix at time t.
-    pub(crate) fn singular(&self, t: f64, found: &Singular, unmet: Option<String>) -> Error {
-        let mut movable: Vec<String> = found.columns.iter().filter_map(|&k| Some(self.layout.owner(k)?.name.clone())).collect();
-        movable.dedup();
-        let dependent = found.rows.iter().map(|&row| self.equations.equation(row)).collect();
+    /// The error for a singular matrix at a pose and time.
+    pub(crate) fn singular(&self, t: f64, q: &[f64], unmet: Option<String>) -> Error {
+        let model = self.model();
+        let point = match model.linearize(q, t) {
+            Ok(point) => point,
+            Err(bad) => return model.not_finite(bad, q, t),
+        };
+        let found = diagnosis::singular(&model, &point.values, &model.measure(q, t));
         Error::SingularAt {
             t,
             n: self.n_coordinates(),
             rank: found.rank,
             pivot: found.pivot,
-            movable,
-            dependent,
+            movable: found.movable,
+            dependent: found.dependent,
             unmet,
             diagnosis: None,
             motion: None,

@@ -1249,6 +1249,9 @@ const _: () = {
                 || ::kin::rt::Numbers::set_at(&mut self.g_i, &mut index, value)
                 || ::kin::rt::Numbers::set_at(&mut self.h_j, &mut index, value)
         }
+        fn has_branches(&self) -> bool {
+            false
+        }
     }
     impl ::kin::rt::Described for cylindrical {
         const KIND: &'static str = "cylindrical";

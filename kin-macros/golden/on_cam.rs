@@ -397,6 +397,9 @@ const _: () = {
             let profile = ::core::clone::Clone::clone(&self.profile);
             ::core::option::Option::None
         }
+        fn has_branches(&self) -> bool {
+            false
+        }
         fn laws(
             &self,
             at: &::kin::rt::At<'_>,

@@ -296,6 +296,9 @@ const _: () = {
             ::kin::rt::Numbers::set_at(&mut self.u_i, &mut index, value)
                 || ::kin::rt::Numbers::set_at(&mut self.u_j, &mut index, value)
         }
+        fn has_branches(&self) -> bool {
+            false
+        }
     }
     impl ::kin::rt::InLanes for revolute {
         fn kernels(&self) -> ::kin::rt::LaneKernels {

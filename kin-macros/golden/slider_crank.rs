@@ -308,6 +308,9 @@ const _: () = {
                 || ::kin::rt::Numbers::set_at(&mut self.h, &mut index, value)
                 || ::kin::rt::Numbers::set_at(&mut self.omega, &mut index, value)
         }
+        fn has_branches(&self) -> bool {
+            false
+        }
     }
     impl ::kin::rt::Described for slider_crank {
         const KIND: &'static str = "slider_crank";

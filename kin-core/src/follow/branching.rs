@@ -104,7 +104,7 @@ impl<'a> Reduced<'a> {
         let c_t = self.model.c_t(q, *t).ok()?;
         let values = point.values.iter().chain(&c_t).chain(&self.b).chain(self.phi.iter().flatten());
         self.linear.values_mut().iter_mut().zip(values).for_each(|(place, value)| *place = *value);
-        (self.linear.measure() && self.linear.factors()).then_some(point.c)
+        (self.linear.measure() && self.linear.factor()).then_some(point.c)
     }
 
     /// B (y, m) = (r, e): y and m.

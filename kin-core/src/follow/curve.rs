@@ -146,14 +146,14 @@ impl<'a> Curve<'a> {
         let border = border.iter().zip(&self.sizes).map(|(dx, size)| dx / (size * size));
         let values = point.values.iter().copied().chain(c_t).chain(border);
         self.linear.values_mut().iter_mut().zip(values).for_each(|(place, value)| *place = value);
-        (self.linear.measure() && self.linear.factors()).then_some(point.c)
+        (self.linear.measure() && self.linear.factor()).then_some(point.c)
     }
 
     /// The signs of C_q's blocks and its smallest pivot, at the x that was factored last.
     fn blocks(&mut self) -> Option<(Vec<bool>, f64)> {
         let values = self.own.values().len();
         self.own.values_mut().copy_from_slice(&self.linear.values()[..values]);
-        if !(self.own.measure() && self.own.factors()) {
+        if !(self.own.measure() && self.own.factor()) {
             return None;
         }
         let mut blocks = Vec::new();

@@ -220,7 +220,7 @@ impl Walk<'_, '_> {
 
     fn told(&self, kind: SingularKind, x: &[f64], branches: Vec<Branch>) -> SingularPosition {
         let (t, q) = x.split_last().map(|(t, q)| (*t, q)).unwrap_or_default();
-        SingularPosition::new(self.newton.system, kind, t, q, &self.newton.sizes, branches)
+        SingularPosition::new(self.newton.system, kind, t, q, branches)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::linear::Linear;
+use crate::diagnosis::{self, Singular};
 use crate::motion::{Event, EventKind};
 use crate::newton::Newton;
 use crate::system::System;
@@ -47,19 +47,10 @@ pub struct SingularPosition {
 
 impl SingularPosition {
     /// At q and t, with names by the null vectors of C_q there.
-    pub(super) fn new(system: &System, kind: SingularKind, t: f64, q: &[f64], sizes: &[f64], branches: Vec<Branch>) -> Self {
+    pub(super) fn new(system: &System, kind: SingularKind, t: f64, q: &[f64], branches: Vec<Branch>) -> Self {
         let model = system.model();
-        let mut linear: Linear = system.linear();
-        linear.forget();
-        linear.set_sizes(sizes);
-        if let Ok(point) = model.linearize(q, t) {
-            linear.values_mut().copy_from_slice(&point.values);
-        }
-        linear.measure();
-        let found = linear.diagnose();
-        let mut movable: Vec<String> = found.columns.iter().filter_map(|&k| Some(model.layout.owner(k)?.name.clone())).collect();
-        movable.dedup();
-        let dependent = found.rows.iter().map(|&row| model.equations.equation(row)).collect();
+        let values = model.linearize(q, t).map(|point| point.values).unwrap_or_else(|_| vec![0.0; model.equations.entries.len()]);
+        let Singular { movable, dependent, .. } = diagnosis::singular(&model, &values, &model.measure(q, t));
         SingularPosition { t, kind, q: q.to_vec(), movable, dependent, branches }
     }
 

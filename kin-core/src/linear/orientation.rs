@@ -133,7 +133,7 @@ impl Linear {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Random;
+    use crate::random::Random;
 
     /// A matrix of that pattern with random numbers, and the sign of its determinant by nalgebra.
     fn signs(linear: &mut Linear, pattern: &[(usize, usize)], n: usize, random: &mut Random) -> bool {
@@ -155,7 +155,7 @@ mod tests {
             let mut fresh = Linear::new(5, pattern.iter().copied().map(Some), &[]);
             fresh.values_mut().copy_from_slice(replayed.values());
             replayed.measure();
-            if !replayed.factors() || !fresh.prepare() {
+            if !replayed.factor() || !fresh.prepare() {
                 continue;
             }
             assert_eq!((replayed.is_negative(), fresh.is_negative()), (negative, negative));
@@ -176,7 +176,7 @@ mod tests {
         let mut of = |a: f64, b: f64| {
             linear.values_mut().copy_from_slice(&[1.0, a, 0.5, 1.0, 3.0, 4.0, 1.0, b, 0.5, 1.0]);
             linear.measure();
-            assert!(linear.factors());
+            assert!(linear.factor());
             let mut negative = Vec::new();
             linear.orientation(&mut negative);
             (negative, linear.is_negative())

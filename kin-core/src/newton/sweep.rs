@@ -5,16 +5,17 @@ use super::watch::Watch;
 use super::{Failure, Follow, Newton, Options, Outcome, Steps, assembly, largest, redundant};
 use crate::error::{Error, Result};
 use crate::follow::{self, Branch, Check, Landed, Lost, Objection, SingularKind, SingularPosition};
+use crate::fours::Fours;
 use crate::motion::Motion;
 use crate::system::System;
-
-/// A step of time is halved at most this often before the sweep gives up.
-const HALVINGS: i32 = 12;
 
 /// A step in which nothing moves by more than this, and that is objected to all the same, leads past a singular position.   \[-\]
 const SHORT: f64 = 0.05;
 
-/// Steps of time that go on for this share of the time asked for are taken back for no reason.   \[-\]
+/// The same of a step of this share of the time asked for, where hardly anything moves.   \[-\]
+const AT_REST: f64 = 1.0 / 64.0;
+
+/// No step of time is shorter than this share of the time asked for.   \[-\]
 const SHORTEST: f64 = 1e-9;
 
 /// Position, velocity and acceleration at each of the times.
@@ -30,22 +31,20 @@ pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<M
     let mut motion = Motion::new(system, times.len());
     let (mut sweep, mut watch) = (Sweep::new(system, options), Watch::default());
     for &t in times {
-        let reached = sweep.reach(t).and_then(|outcome| Ok((outcome, watch.look(&sweep.newton, t)?)));
+        let reached = sweep.reach(t).and_then(|outcome| Ok((outcome, watch.look(system, &sweep.newton.instant)?)));
         match reached {
             Ok((outcome, crossed)) => {
                 sweep.passed.drain(..).for_each(|found| motion.add_singular(found));
-                motion.push(t, &sweep.newton, outcome, crossed);
+                motion.cross(crossed);
+                motion.push(t, &sweep.newton, outcome);
             }
             Err(error) => {
                 sweep.passed.drain(..).for_each(|found| motion.add_singular(found));
-                return Err(error.with_motion(motion).explained(system));
+                return Err(error.with_motion(motion).explained(system, options));
             }
         }
     }
-    match sweep.newton.meant() {
-        Ok(()) => Ok(motion),
-        Err(error) => Err(error.with_motion(motion)),
-    }
+    Ok(motion)
 }
 
 /// Times must be finite and strictly increasing or strictly decreasing.
@@ -67,9 +66,9 @@ pub(crate) fn check(times: &[f64]) -> Result<()> {
 /// The last solved time, its point, and the means to go on from it.
 struct Sweep<'a> {
     newton: Newton<'a>,
-    /// The last time with a solution, and its position.
+    /// The last time with a solution, and its position, which a failure goes back to.
     last: Option<f64>,
-    q: Vec<f64>,
+    q: Fours,
     predictor: Predictor,
     /// Whether everything in hand is that of the last solution.
     untouched: bool,
@@ -92,7 +91,7 @@ impl<'a> Sweep<'a> {
         Sweep {
             newton: Newton::new(system, options),
             last: None,
-            q: vec![0.0; n],
+            q: Fours::new(n, 0.0),
             predictor: Predictor::new(n),
             untouched: false,
             check: (options.follow != Follow::Unchecked).then(|| Check::new(&system.layout().units)),
@@ -142,18 +141,20 @@ impl<'a> Sweep<'a> {
 
     /// Whether a step is as short as plain steps of time become: then Newton's are damped.
     fn is_last_resort(&self, h: f64, whole: f64) -> bool {
-        self.check.is_none() && h.abs() <= whole.abs() * 0.5_f64.powi(HALVINGS)
+        self.check.is_none() && h.abs() <= self.newton.options.smallest_step(whole)
     }
 
     /// Whether shorter steps of time will help no more, by what the rates in hand move in this one.
     fn is_short(&self, h: f64, whole: f64, trouble: &Trouble) -> bool {
         if self.check.is_none() {
-            return !self.newton.options.rescue || h.abs() <= whole.abs() * 0.5_f64.powi(HALVINGS);
+            return !self.newton.options.rescue || h.abs() <= self.newton.options.smallest_step(whole);
         }
         let rates = self.newton.qd.iter().zip(&self.newton.qdd).zip(self.newton.shares());
         let moved = largest(rates.map(|((qd, qdd), share)| (h * qd).abs().max((0.5 * h * h * qdd).abs()) * share));
         let long = matches!(trouble, Trouble::Objected(Objection::Long));
-        (moved <= SHORT && !long) || h.abs() <= SHORTEST * whole.abs()
+        // Where all stands still the rates say little.
+        let moves = moved >= 0.1 * SHORT || h.abs() <= AT_REST * whole.abs();
+        (moved <= SHORT && moves && !long) || h.abs() <= SHORTEST * whole.abs()
     }
 
     /// The position in hand becomes the last one; a prediction writes all of the next anew.
@@ -252,19 +253,38 @@ impl<'a> Sweep<'a> {
                 self.check.iter_mut().for_each(|check| check.accept(newton));
                 outcome
             }
-            Landed::Singular(q, Branch { qd, qdd }) => {
+            Landed::Singular(q, branch) => {
+                if newton.options.jerk {
+                    let jerk = jerk_between(newton, &q, &branch, to).map_err(|failure| newton.error(failure, to, Some(t)))?;
+                    newton.qddd.copy_from_slice(&jerk);
+                }
                 newton.q.copy_from_slice(&q);
                 newton.linearize(to).map_err(|failure| newton.error(failure, to, Some(t)))?;
-                if newton.options.jerk {
-                    return Err(newton.singular(to));
-                }
-                (newton.qd, newton.qdd) = (qd, qdd);
+                newton.qd.copy_from_slice(&branch.qd);
+                newton.qdd.copy_from_slice(&branch.qdd);
                 self.check.iter_mut().for_each(Check::leave_open);
                 Outcome { iterations: 0, residual: newton.worst().1 }
             }
         };
         Ok(outcome)
     }
+}
+
+/// q⃛ at a singular position on one of its branches: from the means of what it is a little before and after, twice (Richardson).
+fn jerk_between(newton: &mut Newton<'_>, q: &[f64], Branch { qd, qdd }: &Branch, t: f64) -> std::result::Result<Vec<f64>, Failure> {
+    /// What moves most moves by this to the nearer ones.   \[-\]
+    const NEAR: f64 = 0.05;
+    let rates = qd.iter().zip(qdd).zip(newton.shares()).map(|((qd, qdd), share)| (qd.abs() * share).max((qdd.abs() * share).sqrt()));
+    let fastest = largest(rates);
+    let mut jerk = vec![0.0; q.len()];
+    for (steps, weight) in [(-1.0, 2.0 / 3.0), (1.0, 2.0 / 3.0), (-2.0, -1.0 / 6.0), (2.0, -1.0 / 6.0)] {
+        let h = steps * NEAR / fastest;
+        newton.q.iter_mut().zip(q).zip(qd.iter().zip(qdd)).for_each(|((next, q), (qd, qdd))| *next = q + h * (qd + 0.5 * h * qdd));
+        newton.solve(t + h, Steps::Near)?;
+        newton.rates()?;
+        jerk.iter_mut().zip(&newton.qddd).for_each(|(jerk, qddd)| *jerk += weight * qddd);
+    }
+    Ok(jerk)
 }
 
 /// The error of a run that turning points end.

@@ -40,7 +40,7 @@ impl System {
             return Ok(self.singular_values_of_all_rows(self.jacobian(q, t)?, q, t));
         }
         let mut linear = self.linearized(q, t)?;
-        Ok(if linear.factor().is_ok() { linear.singular_values() } else { [1.0, 0.0] })
+        Ok(if linear.factor() { linear.singular_values() } else { [1.0, 0.0] })
     }
 
     /// The same where there are more rows than columns.
@@ -152,7 +152,9 @@ impl System {
             return redundant::solved(self, q, t, rhs);
         }
         let mut linear = self.linearized(q, t)?;
-        linear.factor().map_err(|found| self.singular(t, &found, None))?;
+        if !linear.factor() {
+            return Err(self.singular(t, q, None));
+        }
         linear.rhs_mut().copy_from_slice(rhs);
         linear.solve();
         Ok(linear.solution().to_vec())
