@@ -49,7 +49,7 @@ fn worst(system: &System, times: &[f64], h: f64) -> f64 {
 }
 
 /// How long each example runs.   [s]
-const SECONDS: [(&str, f64); 14] = [
+const SECONDS: [(&str, f64); 15] = [
     ("01_slider_crank", 1.0),
     ("02_two_link_manipulator", 24.0),
     ("03_custom_constraint", 1.0),
@@ -64,6 +64,7 @@ const SECONDS: [(&str, f64); 14] = [
     ("12_hookes_joint", 4.0),
     ("13_stewart_platform", 8.0),
     ("14_sweep_four_bars", 6.28),
+    ("15_windscreen_wiper", 1.0),
 ];
 
 #[test]
@@ -234,4 +235,46 @@ fn sweeps_have_it_too() {
     });
     // θ⃛ = −½ 2³ cos 2t
     assert!(jerks.unwrap().iter().all(|(jerk, count)| (jerk + 4.0 * 1.0_f64.cos()).abs() < 1e-12 && *count == 2));
+}
+
+/// A function of the user's, of which only the dual numbers know derivatives.
+fn bump<D: kin::Dual>(x: kin::Real<D>) -> kin::Real<D> {
+    (-(x * x)).exp() * x.sin()
+}
+
+/// The user's function inside a symbolic equation.      [m]
+#[constraint(symbolic)]
+fn on_bump(b: Planar, k: f64, t: Time) -> f64 {
+    b.r.y - k * bump(b.r.x) * (1.0 + 0.1 * t)
+}
+
+/// A body that only runs on dual numbers: Σ (k x)ⁿ / n! up to a bound that is a parameter.      [m]
+#[constraint(dual)]
+fn on_series(b: Planar, k: f64, terms: usize) -> f64 {
+    let mut sum = 1.0;
+    let mut term = 1.0;
+    let mut n = 1.0;
+    while n < terms as f64 {
+        term = term * k * b.r.x / n;
+        sum = sum + term;
+        n += 1.0;
+    }
+    b.r.y - sum
+}
+
+#[test]
+fn users_functions_and_the_dual_route() {
+    for which in 0..2 {
+        let mut m = Mechanism::new("bead");
+        let bead = m.planar("bead", pose(0.1, 0.5, 0.0)).unwrap();
+        if which == 0 {
+            m.add("wire", on_bump(bead, 0.7)).unwrap();
+        } else {
+            m.add("wire", on_series(bead, 0.9, 12)).unwrap();
+        }
+        m.add("upright", drive_angle(bead, Law::constant(0.0))).unwrap();
+        m.add("motor", drive(bead.x(), Law::sine(1.1, 1.3, 0.2))).unwrap();
+        let off = worst(&m.build().unwrap(), &linspace(0.05, 4.0, 33), 1e-4);
+        assert!(off < 1e-8, "{which}: {off:.1e}");
+    }
 }

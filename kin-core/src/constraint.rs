@@ -1,6 +1,9 @@
 //! The one trait of the library: what a constraint C(q, t) = 0 can be asked for.
 
 use crate::algebra::Vec3;
+use crate::blame::graph::{Graph, Outside};
+use crate::blame::third::Along;
+use crate::blame::{Asked, Blame};
 use crate::coordinates::Argument;
 use crate::data::Describer;
 use crate::lanes::InLanes;
@@ -46,6 +49,17 @@ pub enum Attached {
     Direction(Vec3),
 }
 
+/// What can be asked of a joint beside its equations: an angle, a slide.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Measured {
+    /// Its name, such as `slide`.
+    pub name: &'static str,
+    /// Its unit, such as `m`.
+    pub unit: &'static str,
+    /// Whether it is an angle that is known up to whole turns, which a motion counts from one time to the next.
+    pub turns: bool,
+}
+
 /// Which terms of C(q, t) can change or be other than zero, at any q, t and parameters: what a solver need not ask for.
 ///
 /// Facts known before the program runs. `true` promises nothing, so [`Dependence::default`] (all `true`) is right for every constraint.
@@ -59,12 +73,14 @@ pub struct Dependence {
     pub c_t: bool,
     /// Q_d can be other than zero; if not, [`Constraint::acceleration_rhs`] writes zeros for every q̇ and ṫ.
     pub q_d: bool,
+    /// C can be other than linear in the coordinates; if not, C(q, t) = C_q q + C(0, t) with a C_q that never changes.
+    pub curved: bool,
 }
 
 impl Default for Dependence {
     /// Everything may depend on everything.
     fn default() -> Self {
-        Dependence { c_on_t: true, c_q_on_t: true, c_t: true, q_d: true }
+        Dependence { c_on_t: true, c_q_on_t: true, c_t: true, q_d: true, curved: true }
     }
 }
 
@@ -156,8 +172,12 @@ pub trait Constraint: CloneBoxed + Send + Sync {
     ///
     /// False, and nothing written, where that is not known (default): a run that is asked for the jerk then ends with an error by name.
     fn jerk_rhs(&self, at: &At<'_>, qd: &Rates<'_>, qdd: &Rates<'_>, rhs: &mut [f64]) -> bool {
-        let _ = (at, qd, qdd, rhs);
-        false
+        let mut known = false;
+        self.graph(&mut |graph, parameters, outside| {
+            graph.jerk_rhs(&Along::new(&self.arguments(), at, qd, qdd), parameters, outside, rhs);
+            known = true;
+        });
+        known
     }
 
     /// Shows each numeric parameter with its name (`k`, `u_i.x`, `c[2]`).
@@ -186,6 +206,23 @@ pub trait Constraint: CloneBoxed + Send + Sync {
 
     /// The same for kernels over lanes, if it has them (`#[constraint(lanes)]`): several mechanisms of a sweep advance together.
     fn in_lanes(&self) -> Option<&dyn InLanes> {
+        None
+    }
+
+    /// What can be asked of it beside its equations (`#[measure(slide = …, "m")]`); default nothing.
+    fn measures(&self) -> &[Measured] {
+        &[]
+    }
+
+    /// Measure k of [`Constraint::measures`] with its first three derivatives along the rates q̇, q̈ and q⃛.
+    fn measure(&self, k: usize, at: &At<'_>, rates: &[Rates<'_>; 3]) -> [f64; 4] {
+        let _ = (k, at, rates);
+        [f64::NAN; 4]
+    }
+
+    /// Where the range of measure k ends, if it does: the ends of a slot.
+    fn ends(&self, k: usize) -> Option<[f64; 2]> {
+        let _ = k;
         None
     }
 
@@ -226,9 +263,18 @@ pub trait Constraint: CloneBoxed + Send + Sync {
         to.refuse("it was not made by `#[constraint]`, so its parameters are not known");
     }
 
-    /// Where a value or derivative is not finite: the sub-expression that made it so, as the user wrote it.
-    fn not_finite(&self, at: &At<'_>) -> Option<&str> {
-        let _ = at;
-        None
+    /// Why a term is not finite: the sub-expression that made it so, as the user wrote it. Asked only when a run has failed; `None` where
+    /// that is not known (default).
+    fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
+        let mut found = None;
+        self.graph(&mut |graph, parameters, outside| found = graph.blame(asked, parameters, outside));
+        found
+    }
+
+    /// Shows its equation as a table of steps, with the values of its parameters and what computes the rest; nothing where there is no table
+    /// (default). Emitted on the symbolic route.
+    #[doc(hidden)]
+    fn graph(&self, with: &mut dyn FnMut(&Graph, &[f64], Outside<'_>)) {
+        let _ = with;
     }
 }

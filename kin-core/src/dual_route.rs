@@ -5,7 +5,8 @@
 
 use num_dual::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
-use crate::constraint::{Attachment, Constraint, Dependence, Route};
+use crate::blame::{Asked, Blame};
+use crate::constraint::{Attachment, Constraint, Dependence, Measured, Route};
 use crate::coordinates::Argument;
 use crate::data::Describer;
 use crate::law::Law;
@@ -19,6 +20,12 @@ pub trait Equation<const N: usize, const M: usize>: Constraint + Clone + 'static
 
     /// C(q, t) with any dual numbers.
     fn evaluate<D: Dual>(&self, q: &[Real<D>; N], t: Real<D>) -> [Real<D>; M];
+
+    /// Measure k of [`Constraint::measures`] with any dual numbers.
+    fn measured<D: Dual>(&self, k: usize, q: &[Real<D>; N], t: Real<D>) -> Real<D> {
+        let _ = (k, q, t);
+        Real::from(f64::NAN)
+    }
 
     /// C(q, t) by the function as the user wrote it, in plain f64: the reference for central differences.
     fn plain(&self, q: &[f64; N], t: f64) -> [f64; M];
@@ -108,6 +115,18 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
         jerk_rhs(&self.0, at, qd, qdd, rhs)
     }
 
+    fn measures(&self) -> &[Measured] {
+        self.0.measures()
+    }
+
+    fn measure(&self, k: usize, at: &At<'_>, rates: &[Rates<'_>; 3]) -> [f64; 4] {
+        self.0.measure(k, at, rates)
+    }
+
+    fn ends(&self, k: usize) -> Option<[f64; 2]> {
+        self.0.ends(k)
+    }
+
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         self.0.parameters(visit);
     }
@@ -146,6 +165,11 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
 
     fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
         self.0.laws(at, visit);
+    }
+
+    /// By its own route: what is not finite on one is not on the other.
+    fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
+        self.0.blame(asked)
     }
 }
 
@@ -207,46 +231,65 @@ pub fn jerk_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
     true
 }
 
+/// Measure k and its first three derivatives along a motion with the rates q̇, q̈ and q⃛, by one `Dual3_64` evaluation.
+pub fn measure<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, k: usize, at: &At<'_>, rates: &[Rates<'_>; 3]) -> [f64; 4] {
+    let q = gather::<N>(E::ARGUMENTS, at);
+    let [qd, qdd, qddd] = rates.map(|rates| gather_rates::<N>(E::ARGUMENTS, &rates));
+    let moving = std::array::from_fn(|j| Real(Dual3_64::new(q[j], qd[j], qdd[j], qddd[j])));
+    let x = equation.measured(k, &moving, Real(Dual3_64::new(at.t, 1.0, 0.0, 0.0))).0;
+    [x.re, x.v1, x.v2, x.v3]
+}
+
 /// Local coordinates of a constraint, its arguments' one after the other.
 fn gather<const N: usize>(arguments: &[ArgumentKind], at: &At<'_>) -> [f64; N] {
-    collect(arguments, |k, kind, next| match kind {
-        ArgumentKind::Planar => {
-            let s = at.planar(k);
-            [s.r.x, s.r.y, s.theta].into_iter().for_each(next);
+    collect(|next| each_coordinate(arguments.iter().copied(), at, next))
+}
+
+/// Shows the local coordinates of a constraint, its arguments' one after the other.
+pub(crate) fn each_coordinate(arguments: impl IntoIterator<Item = ArgumentKind>, at: &At<'_>, next: &mut dyn FnMut(f64)) {
+    for (k, kind) in arguments.into_iter().enumerate() {
+        match kind {
+            ArgumentKind::Planar => {
+                let s = at.planar(k);
+                [s.r.x, s.r.y, s.theta].into_iter().for_each(&mut *next);
+            }
+            ArgumentKind::Spatial => {
+                let s = at.spatial(k);
+                [s.r.x, s.r.y, s.r.z, s.p.e0, s.p.e1, s.p.e2, s.p.e3].into_iter().for_each(&mut *next);
+            }
+            ArgumentKind::Coord => next(at.coord(k).value),
         }
-        ArgumentKind::Spatial => {
-            let s = at.spatial(k);
-            [s.r.x, s.r.y, s.r.z, s.p.e0, s.p.e1, s.p.e2, s.p.e3].into_iter().for_each(next);
-        }
-        ArgumentKind::Coord => next(at.coord(k).value),
-    })
+    }
 }
 
 /// Local rates of a constraint, its arguments' one after the other.
 fn gather_rates<const N: usize>(arguments: &[ArgumentKind], qd: &Rates<'_>) -> [f64; N] {
-    collect(arguments, |k, kind, next| match kind {
-        ArgumentKind::Planar => {
-            let s = qd.planar(k);
-            s.r.into_iter().chain([s.theta]).for_each(next);
+    collect(|next| {
+        for (k, kind) in arguments.iter().enumerate() {
+            match kind {
+                ArgumentKind::Planar => {
+                    let s = qd.planar(k);
+                    s.r.into_iter().chain([s.theta]).for_each(&mut *next);
+                }
+                ArgumentKind::Spatial => {
+                    let s = qd.spatial(k);
+                    s.r.into_iter().chain(s.p).for_each(&mut *next);
+                }
+                ArgumentKind::Coord => next(qd.coord(k)),
+            }
         }
-        ArgumentKind::Spatial => {
-            let s = qd.spatial(k);
-            s.r.into_iter().chain(s.p).for_each(next);
-        }
-        ArgumentKind::Coord => next(qd.coord(k)),
     })
 }
 
-fn collect<const N: usize>(arguments: &[ArgumentKind], mut show: impl FnMut(usize, ArgumentKind, &mut dyn FnMut(f64))) -> [f64; N] {
+/// The first N of the numbers that are shown.
+fn collect<const N: usize>(show: impl FnOnce(&mut dyn FnMut(f64))) -> [f64; N] {
     let mut q = [0.0; N];
     let mut places = q.iter_mut();
-    for (k, &kind) in arguments.iter().enumerate() {
-        show(k, kind, &mut |value| {
-            if let Some(place) = places.next() {
-                *place = value;
-            }
-        });
-    }
+    show(&mut |value| {
+        if let Some(place) = places.next() {
+            *place = value;
+        }
+    });
     q
 }
 

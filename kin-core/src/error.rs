@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::blame::Culprit;
 use crate::diagnosis::Diagnosis;
 use crate::motion::Motion;
 
@@ -167,10 +168,9 @@ pub enum Error {
 
     /// A constraint gave a value or derivative that is infinite or not a number.
     #[error(
-        "t = {} s: {quantity} of `{constraint}`{} is not finite{}.{}",
+        "t = {} s: {quantity} of `{constraint}`{} is not finite{culprit}{}",
         text::time(*.t),
         text::row(.row),
-        text::because(.expression),
         text::kept(.motion)
     )]
     NotFinite {
@@ -182,8 +182,8 @@ pub enum Error {
         row: String,
         /// `C`, `C_q`, `C_t`, `Q_d`, or `q'`, `q''` where only the solution overflows.
         quantity: &'static str,
-        /// The sub-expression that made it so, where the constraint knows it.
-        expression: Option<String>,
+        /// The sub-expression that made it so, as the user wrote it, and the values that went into it.
+        culprit: Box<Culprit>,
         /// What was computed before.
         motion: Option<Box<Motion>>,
     },

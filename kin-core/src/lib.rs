@@ -8,6 +8,7 @@ extern crate self as kin;
 
 pub mod algebra;
 mod assembly;
+pub mod blame;
 pub mod check;
 pub mod constraint;
 pub mod coordinates;
@@ -22,6 +23,7 @@ pub mod lanes;
 pub mod law;
 mod layout;
 mod linear;
+pub mod measure;
 pub mod mechanism;
 mod model;
 pub mod motion;
@@ -39,7 +41,7 @@ mod testing;
 
 pub use algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
 pub use assembly::{Assembly, AssemblyOptions, Label, SearchOptions};
-pub use constraint::{Attached, Attachment, Constraint, Dependence, Route};
+pub use constraint::{Attached, Attachment, Constraint, Dependence, Measured, Route};
 pub use coordinates::{
     Coord, Coordinate, Ground, Link, Planar, PlanarBody, Spatial, SpatialBody, SpatialLink, Target, Time, any_coord, any_planar,
     any_spatial,
@@ -52,6 +54,7 @@ pub use joints::spatial;
 pub use kin_macros::{constraint, law};
 pub use lanes::Lanes;
 pub use law::{Break, Ends, Law, LawFunction};
+pub use measure::{Crossing, Extreme, Extremes, Measure};
 pub use mechanism::{ConstraintId, Marker, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose};
 pub use motion::{Event, EventKind, Line, Motion, PointMotion, Quantity, RotationMotion, Series};
 pub use nalgebra;
@@ -60,4 +63,4 @@ pub use num_dual;
 pub use real::{Dual, Real};
 pub use sweep::Sweep;
 pub use system::{Solution, System};
-pub use terms::{Terms, dual_terms, jerk_rhs, terms};
+pub use terms::{Terms, dual_terms, jerk_rhs, measure, terms};

@@ -84,6 +84,7 @@ impl Motion {
     }
 
     /// q, q̇, q̈ and q⃛ (or nothing) at one more time; `worst` is the row with the largest |C_i|.
+    #[inline]
     pub(crate) fn append(&mut self, t: f64, [q, qd, qdd, qddd]: [&[f64]; 4], outcome: Outcome, worst: usize) {
         if self.is_worse(outcome) {
             self.worst = Some((outcome.residual, worst));

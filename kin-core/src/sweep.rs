@@ -1,5 +1,6 @@
 //! Many cases of one system: other parameters and initial values in each, spread over the cores of the machine.
 
+mod check;
 mod kept;
 mod lockstep;
 mod predictor;
@@ -51,7 +52,8 @@ const BATCH: usize = 16;
 ///
 /// Where constraints have kernels over lanes (the library's joints and drivers, and your own with `#[constraint(lanes)]`), two
 /// SIMD registers of cases advance together (16 with AVX-512); the others' are evaluated lane by lane. Lanes, and the company of other cases in them,
-/// change results by rounding only: by no more than the tolerance of the stop rule. A case that fails in its lane is run again alone.
+/// change results by rounding only: by no more than the tolerance of the stop rule. A case that fails in its lane is run again alone. Limits of
+/// joints are not looked at: ask a run of the case for them.
 pub struct Sweep<'a> {
     system: &'a System,
     names: Vec<String>,
@@ -181,7 +183,7 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
             |system, first, cases| {
                 let run = |(k, case): (usize, &C)| {
                     self.sweep.set(system, case.as_ref());
-                    (self.keep)(first + k, system.run_with(self.times, &self.sweep.options))
+                    (self.keep)(first + k, newton::sweep::run(system, self.times, &self.sweep.options))
                 };
                 cases.iter().enumerate().map(run).collect()
             },

@@ -15,6 +15,7 @@ use crate::diagnosis;
 use crate::error::{Error, Result};
 use crate::layout::Layout;
 use crate::linear::Linear;
+use crate::measure::Limit;
 use crate::model::Model;
 use crate::newton::Report;
 use evaluate::Equations;
@@ -35,6 +36,8 @@ pub struct System {
     links: Vec<f64>,
     /// The linear solver with the elimination recorded at the initial guess, if C_q is regular there.
     linear: Linear,
+    /// Ranges that measures should keep to.
+    pub(crate) limits: Vec<Limit>,
 }
 
 /// Position, velocity and acceleration at one time.
@@ -64,7 +67,7 @@ impl System {
         equations.find_drivers(&initial);
         let linear = prepared(&layout, &equations, &initial, &links);
         let rows = (0..equations.rows).map(|row| equations.equation(row)).collect();
-        System { name, layout: Arc::new(layout), equations, rows, initial, preferred, links, linear }
+        System { name, layout: Arc::new(layout), equations, rows, initial, preferred, links, linear, limits: Vec::new() }
     }
 
     /// Name of the mechanism.

@@ -94,6 +94,14 @@ pub fn jerk_rhs(constraint: &dyn Constraint, q: &[f64], qd: &[f64], qdd: &[f64],
     constraint.jerk_rhs(&local.at(t), &local.rates(), &second.rates(), rhs.as_mut_slice()).then_some(rhs)
 }
 
+/// Measure k of a constraint ([`Constraint::measures`]) and its first three derivatives where its arguments' coordinates, first, second and third
+/// rates are these; missing ones count as zero.
+pub fn measure(constraint: &dyn Constraint, k: usize, [q, qd, qdd, qddd]: [&[f64]; 4], t: f64) -> [f64; 4] {
+    let arguments = constraint.arguments();
+    let [first, second, third] = [qd, qdd, qddd].map(|rates| Local::new(&arguments, q, rates));
+    constraint.measure(k, &first.at(t), &[first.rates(), second.rates(), third.rates()])
+}
+
 /// The states and rates of one constraint's arguments, standing alone.
 pub(crate) struct Local {
     pub states: Vec<f64>,

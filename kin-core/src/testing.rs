@@ -7,6 +7,7 @@ mod refused;
 mod whole;
 
 use crate::algebra::Vec2;
+use crate::blame::{Asked, Blame, Input, Part};
 use crate::constraint::{Constraint, Route};
 use crate::coordinates::{Argument, Coordinate, PlanarBody, Target, Trig};
 use crate::law::Law;
@@ -237,8 +238,15 @@ impl Constraint for Root {
         q_d[0] = 0.25 * qd.coord(0).powi(2) / at.coord(0).value.powf(1.5);
     }
 
-    fn not_finite(&self, at: &At<'_>) -> Option<&str> {
-        (at.coord(0).value < 0.0).then_some("x.sqrt()")
+    fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
+        (asked.q[0] < 0.0).then(|| Blame {
+            expression: "x.sqrt()".into(),
+            source: None,
+            part: Part::Value,
+            value: f64::NAN,
+            operands: vec![asked.q[0]],
+            inputs: vec![Input::Column(0)],
+        })
     }
 }
 

@@ -281,44 +281,84 @@ const _: () = {
             );
         }
         #[cold]
-        fn not_finite(&self, at: &::kin::rt::At<'_>) -> ::core::option::Option<&str> {
-            let ::core::option::Option::Some(state) = at.states::<10>() else {
-                return ::core::option::Option::None
+        fn graph(
+            &self,
+            with: &mut dyn FnMut(
+                &::kin::rt::graph::Graph,
+                &[f64],
+                ::kin::rt::graph::Outside<'_>,
+            ),
+        ) {
+            use ::kin::rt::graph::*;
+            const GRAPH: &Graph = &Graph {
+                file: ::core::file!(),
+                expressions: &[
+                    ("follower.point(tip)", 1, 1),
+                    ("cam.local(follower.point(tip))", 1, 1),
+                    ("p.y.atan2(p.x)", 1, 1),
+                    ("p.norm()", 1, 1),
+                    ("profile.at(phi)", 1, 1),
+                    ("p.norm() - profile.at(phi)", 1, 1),
+                    ("wear(phi, MOST_WEAR)", 1, 1),
+                    ("p.norm() - profile.at(phi) + wear(phi, MOST_WEAR)", 1, 1),
+                ],
+                steps: &[
+                    (65535, Parameter(0)),
+                    (65535, Parameter(1)),
+                    (0, Column(3)),
+                    (0, Column(4)),
+                    (0, Column(5)),
+                    (0, Call(Sin, 4)),
+                    (0, Column(5)),
+                    (0, Call(Cos, 6)),
+                    (0, Call2(Product, 0, 7)),
+                    (0, Call2(Product, 1, 5)),
+                    (0, Call2(Difference, 8, 9)),
+                    (0, Call2(Product, 0, 5)),
+                    (0, Call2(Product, 1, 7)),
+                    (0, Call2(Sum, 11, 12)),
+                    (0, Call2(Sum, 2, 10)),
+                    (0, Call2(Sum, 3, 13)),
+                    (1, Column(0)),
+                    (1, Column(1)),
+                    (1, Column(2)),
+                    (1, Call(Sin, 18)),
+                    (1, Column(2)),
+                    (1, Call(Cos, 20)),
+                    (1, Call2(Difference, 14, 16)),
+                    (1, Call2(Difference, 15, 17)),
+                    (1, Call2(Product, 21, 22)),
+                    (1, Call2(Product, 19, 23)),
+                    (1, Call2(Sum, 24, 25)),
+                    (1, Call2(Product, 19, 22)),
+                    (1, Call2(Product, 21, 23)),
+                    (1, Call2(Difference, 28, 27)),
+                    (2, Call2(Atan2, 29, 26)),
+                    (3, Call2(Product, 26, 26)),
+                    (3, Call2(Product, 29, 29)),
+                    (3, Call2(Sum, 31, 32)),
+                    (3, Call(Sqrt, 33)),
+                    (4, Law(0, 30, 0)),
+                    (5, Call2(Difference, 34, 35)),
+                    (6, Foreign(1, &[30], 0)),
+                    (7, Call2(Sum, 36, 37)),
+                ],
+                rows: &[38],
+                parameters: &["tip.x", "tip.y"],
             };
-            let follower_x = state[5];
-            let follower_cos = state[9];
-            let follower_sin = state[8];
-            let cam_x = state[0];
-            let t0 = (follower_x
-                + ((self.tip.x * follower_cos) - (self.tip.y * follower_sin))) - cam_x;
-            let follower_y = state[6];
-            let cam_y = state[1];
-            let t1 = (follower_y
-                + ((self.tip.x * follower_sin) + (self.tip.y * follower_cos))) - cam_y;
-            let cam_cos = state[4];
-            let cam_sin = state[3];
-            let t2 = (cam_cos * t0) + (cam_sin * t1);
-            let t3 = (cam_cos * t1) - (cam_sin * t0);
-            let t4 = f64::atan2(t3, t2);
-            let t5 = (t2 * t2) + (t3 * t3);
-            let t6 = f64::sqrt(t5);
-            let law0: [f64; 4] = self.profile.jet(t4);
-            let leaf1: ::kin::rt::Real<f64> = self.__leaf0([::kin::rt::Real(t4)]);
-            let leaf2: ::kin::rt::Real<::kin::rt::Dual64> = self
-                .__leaf0([::kin::rt::Real(::kin::rt::Dual64::new(t4, 1.0))]);
-            if ![t4, t2 / t5, -(t3 / t5)].into_iter().all(f64::is_finite) {
-                return ::core::option::Option::Some("p.y.atan2(p.x)");
-            }
-            if ![t6, 1.0 / (2.0 * t6)].into_iter().all(f64::is_finite) {
-                return ::core::option::Option::Some("p.norm()");
-            }
-            if ![law0[0], law0[1]].into_iter().all(f64::is_finite) {
-                return ::core::option::Option::Some("profile.at(phi)");
-            }
-            if ![leaf1.0, leaf2.0.eps].into_iter().all(f64::is_finite) {
-                return ::core::option::Option::Some("wear(phi, MOST_WEAR)");
-            }
-            ::core::option::Option::None
+            with(
+                GRAPH,
+                &[self.tip.x, self.tip.y],
+                &|number, x, to| match number {
+                    0 => give_law(&self.profile, x, to),
+                    1 => {
+                        let value: ::kin::rt::Real<::kin::rt::Dual3_64> = self
+                            .__leaf0([::kin::rt::Real(x[0])]);
+                        to.push(value.0);
+                    }
+                    _ => {}
+                },
+            );
         }
         fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
             let mut u = [[0.0_f64; 3]; 1];
@@ -328,16 +368,6 @@ const _: () = {
         }
         fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::rt::InLanes> {
             ::core::option::Option::Some(self)
-        }
-        #[cold]
-        fn jerk_rhs(
-            &self,
-            at: &::kin::rt::At<'_>,
-            qd: &::kin::rt::Rates<'_>,
-            qdd: &::kin::rt::Rates<'_>,
-            rhs: &mut [f64],
-        ) -> bool {
-            ::kin::dual_route::jerk_rhs(self, at, qd, qdd, rhs)
         }
         fn description(&self) -> &str {
             "Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]"

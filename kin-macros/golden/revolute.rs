@@ -205,6 +205,68 @@ const _: () = {
             );
             in_order();
         }
+        #[cold]
+        fn graph(
+            &self,
+            with: &mut dyn FnMut(
+                &::kin::rt::graph::Graph,
+                &[f64],
+                ::kin::rt::graph::Outside<'_>,
+            ),
+        ) {
+            use ::kin::rt::graph::*;
+            const GRAPH: &Graph = &Graph {
+                file: ::core::file!(),
+                expressions: &[
+                    ("i.point(u_i)", 1, 1),
+                    ("j.point(u_j)", 1, 1),
+                    ("i.point(u_i) - j.point(u_j)", 1, 1),
+                ],
+                steps: &[
+                    (65535, Parameter(0)),
+                    (65535, Parameter(1)),
+                    (65535, Parameter(2)),
+                    (65535, Parameter(3)),
+                    (0, Column(0)),
+                    (0, Column(1)),
+                    (0, Column(2)),
+                    (0, Call(Sin, 6)),
+                    (0, Column(2)),
+                    (0, Call(Cos, 8)),
+                    (0, Call2(Product, 0, 9)),
+                    (0, Call2(Product, 1, 7)),
+                    (0, Call2(Difference, 10, 11)),
+                    (0, Call2(Product, 0, 7)),
+                    (0, Call2(Product, 1, 9)),
+                    (0, Call2(Sum, 13, 14)),
+                    (0, Call2(Sum, 4, 12)),
+                    (0, Call2(Sum, 5, 15)),
+                    (1, Column(3)),
+                    (1, Column(4)),
+                    (1, Column(5)),
+                    (1, Call(Sin, 20)),
+                    (1, Column(5)),
+                    (1, Call(Cos, 22)),
+                    (1, Call2(Product, 2, 23)),
+                    (1, Call2(Product, 3, 21)),
+                    (1, Call2(Difference, 24, 25)),
+                    (1, Call2(Product, 2, 21)),
+                    (1, Call2(Product, 3, 23)),
+                    (1, Call2(Sum, 27, 28)),
+                    (1, Call2(Sum, 18, 26)),
+                    (1, Call2(Sum, 19, 29)),
+                    (2, Call2(Difference, 16, 30)),
+                    (2, Call2(Difference, 17, 31)),
+                ],
+                rows: &[32, 33],
+                parameters: &["u_i.x", "u_i.y", "u_j.x", "u_j.y"],
+            };
+            with(
+                GRAPH,
+                &[self.u_i.x, self.u_i.y, self.u_j.x, self.u_j.y],
+                &nothing_outside,
+            );
+        }
         fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
             let mut u = [[0.0_f64; 3]; 2];
             u[0][0] = self.u_i.x;
@@ -218,16 +280,6 @@ const _: () = {
         }
         fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::rt::InLanes> {
             ::core::option::Option::Some(self)
-        }
-        #[cold]
-        fn jerk_rhs(
-            &self,
-            at: &::kin::rt::At<'_>,
-            qd: &::kin::rt::Rates<'_>,
-            qdd: &::kin::rt::Rates<'_>,
-            rhs: &mut [f64],
-        ) -> bool {
-            ::kin::dual_route::jerk_rhs(self, at, qd, qdd, rhs)
         }
         fn description(&self) -> &str {
             "Pin joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      [m]"

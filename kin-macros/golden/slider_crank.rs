@@ -233,37 +233,59 @@ const _: () = {
             in_order();
         }
         #[cold]
-        fn not_finite(&self, at: &::kin::rt::At<'_>) -> ::core::option::Option<&str> {
-            let ::core::option::Option::Some(state) = at.states::<6>() else {
-                return ::core::option::Option::None
-            };
-            let t0 = at.t * self.omega;
-            let (s1, c1) = t0.sin_cos();
-            let theta3_cos = state[2];
-            let theta3_sin = state[1];
-            if ![c1, -s1].into_iter().all(f64::is_finite) {
-                return ::core::option::Option::Some("theta2.cos()");
-            }
-            if ![theta3_cos].into_iter().all(f64::is_finite) {
-                return ::core::option::Option::Some("theta3.cos()");
-            }
-            if ![s1, c1].into_iter().all(f64::is_finite) {
-                return ::core::option::Option::Some("theta2.sin()");
-            }
-            if ![theta3_sin].into_iter().all(f64::is_finite) {
-                return ::core::option::Option::Some("theta3.sin()");
-            }
-            ::core::option::Option::None
-        }
-        #[cold]
-        fn jerk_rhs(
+        fn graph(
             &self,
-            at: &::kin::rt::At<'_>,
-            qd: &::kin::rt::Rates<'_>,
-            qdd: &::kin::rt::Rates<'_>,
-            rhs: &mut [f64],
-        ) -> bool {
-            ::kin::dual_route::jerk_rhs(self, at, qd, qdd, rhs)
+            with: &mut dyn FnMut(
+                &::kin::rt::graph::Graph,
+                &[f64],
+                ::kin::rt::graph::Outside<'_>,
+            ),
+        ) {
+            use ::kin::rt::graph::*;
+            const GRAPH: &Graph = &Graph {
+                file: ::core::file!(),
+                expressions: &[
+                    ("omega * t", 1, 1),
+                    ("theta2.cos()", 1, 1),
+                    ("l2 * theta2.cos()", 1, 1),
+                    ("theta3.cos()", 1, 1),
+                    ("l3 * theta3.cos()", 1, 1),
+                    ("l2 * theta2.cos() + l3 * theta3.cos()", 1, 1),
+                    ("l2 * theta2.cos() + l3 * theta3.cos() - x", 1, 1),
+                    ("theta2.sin()", 1, 1),
+                    ("l2 * theta2.sin()", 1, 1),
+                    ("theta3.sin()", 1, 1),
+                    ("l3 * theta3.sin()", 1, 1),
+                    ("l2 * theta2.sin() + l3 * theta3.sin()", 1, 1),
+                    ("l2 * theta2.sin() + l3 * theta3.sin() - h", 1, 1),
+                ],
+                steps: &[
+                    (65535, Column(1)),
+                    (65535, Time),
+                    (65535, Parameter(0)),
+                    (65535, Parameter(1)),
+                    (65535, Parameter(2)),
+                    (65535, Parameter(3)),
+                    (0, Call2(Product, 1, 5)),
+                    (1, Call(Cos, 6)),
+                    (2, Call2(Product, 2, 7)),
+                    (3, Column(0)),
+                    (3, Call(Cos, 9)),
+                    (4, Call2(Product, 3, 10)),
+                    (5, Call2(Sum, 8, 11)),
+                    (6, Call2(Difference, 12, 0)),
+                    (7, Call(Sin, 6)),
+                    (8, Call2(Product, 2, 14)),
+                    (9, Column(0)),
+                    (9, Call(Sin, 16)),
+                    (10, Call2(Product, 3, 17)),
+                    (11, Call2(Sum, 15, 18)),
+                    (12, Call2(Difference, 19, 4)),
+                ],
+                rows: &[13, 20],
+                parameters: &["l2", "l3", "h", "omega"],
+            };
+            with(GRAPH, &[self.l2, self.l3, self.h, self.omega], &nothing_outside);
         }
         fn description(&self) -> &str {
             "Loop closure of the slider-crank, crank driven at ω.      [m]"

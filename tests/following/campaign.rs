@@ -170,3 +170,48 @@ fn random_spatial_four_bars_stay_on_their_branch_or_stop_at_their_toggle() {
     println!("{tried} spatial four-bars, {toggles} of them end in a toggle");
     assert!(toggles > tried / 5);
 }
+
+/// A Stewart platform whose legs swing far, each in its own time; it has up to forty assemblies, and toggles.
+fn stewart(random: &mut Random) -> kin::Result<System> {
+    let corner = |k: usize, size: f64, spread: f64| {
+        let angle = TAU * (k / 2) as f64 / 3.0 + if k.is_multiple_of(2) { -spread } else { spread };
+        vec3(size * angle.cos(), size * angle.sin(), 0.0)
+    };
+    let mut m = Mechanism::new("Stewart platform");
+    let platform = m.spatial("platform", SpatialPose::at(vec3(0.0, 0.0, 1.0)))?;
+    for k in 0..6 {
+        let (p, b) = (corner(k, 0.5, PI / 4.0), corner(k, 1.0, PI / 12.0));
+        let (length, phase) = ((p + vec3(0.0, 0.0, 1.0) - b).norm(), random.within(0.0, TAU));
+        let law = Law::sine(random.within(0.05, 0.2), random.within(0.5, 1.5), phase);
+        let offset = Law::constant(length - law.at(0.0));
+        m.add(&format!("leg {k}"), spatial::drive_distance(platform, Ground, p, b, law + offset))?;
+    }
+    m.build()
+}
+
+/// Where there is no closed form, a grid that is fifty times finer: the same motion, or the same toggle.
+#[test]
+fn random_stewart_platforms_move_alike_on_coarse_and_fine_grids() {
+    let mut random = Random(fastrand::Rng::with_seed(3));
+    let (all, mut toggles) = (count() / 20, 0);
+    for number in 0..all {
+        let system = stewart(&mut random).unwrap();
+        let points = random.0.usize(8..20);
+        let (coarse, fine) = (system.run(linspace(0.0, 8.0, points + 1)), system.run(linspace(0.0, 8.0, 50 * points + 1)));
+        let (coarse, fine) = match (&coarse, &fine) {
+            (Ok(coarse), Ok(fine)) => (coarse, fine),
+            (Err(kin::Error::Toggle { t, motion: Some(one), .. }), Err(kin::Error::Toggle { t: other, motion: Some(two), .. })) => {
+                assert!((t - other).abs() < 1e-9, "{number}: {t} {other}");
+                toggles += 1;
+                (one.as_ref(), two.as_ref())
+            }
+            (coarse, fine) => panic!("{number}, {points} points: {coarse:?} {fine:?}"),
+        };
+        for k in 0..coarse.len() {
+            let error = coarse.q(k).iter().zip(fine.q(50 * k)).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+            assert!(error < 1e-9, "{number}, {points} points, {k}: {error:e}");
+        }
+    }
+    println!("{all} Stewart platforms, {toggles} of them end in a toggle");
+    assert!(toggles < all);
+}

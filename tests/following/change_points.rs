@@ -98,6 +98,21 @@ fn parallelogram_stays_a_parallelogram() {
     }
 }
 
+/// The jerk where a grid has the position among its times, against that of times beside it.
+#[test]
+fn jerk_at_a_change_point_is_that_of_its_branch() {
+    let law = Law::polynomial(&[0.0, 1.2, 0.3, 0.1]);
+    let system = slider_crank(1.0, 1.0, law, 0.0).unwrap();
+    let crossing = system.run([0.0, 1.5]).unwrap().singular_positions()[0].t;
+    let times = [0.0, crossing - 0.2, crossing, crossing + 0.2];
+    let motion = system.run_with(times, &Options { jerk: true, ..Options::default() }).unwrap();
+    // The rod turns as much as the crank: φ = −θ, and the slider is at 2 cos θ.
+    let qddd = motion.qddd(2);
+    let (theta, rate, second, third) = (motion.q(2)[2], motion.qd(2)[2], motion.qdd(2)[2], 0.6);
+    let slider = 2.0 * (theta.sin() * (rate.powi(3) - third) - 3.0 * theta.cos() * rate * second);
+    assert!((qddd[2] - third).abs() < 1e-6 && (qddd[5] + third).abs() < 1e-4 && (qddd[6] - slider).abs() < 1e-3, "{qddd:?} {slider}");
+}
+
 /// Turned into the antiparallelogram at the first flat position and back at the third: the loop does not turn over while it is one.
 #[test]
 fn parallelogram_becomes_an_antiparallelogram_where_it_is_asked_to() {

@@ -63,3 +63,34 @@ fn checks_are_an_option() {
     let stays = motion.is_ok_and(|motion| (0..11).all(|k| bar.error(motion.q(k), 1.0) < 1e-9));
     assert!(!stays);
 }
+/// Cases of a sweep in SIMD lanes: each is on its branch, or ends at its toggle, as it is alone; the ground's length differs from case to case.
+#[test]
+fn sweeps_in_lanes_stay_on_their_branches() {
+    let grounds: Vec<f64> = (0..60).map(|k| 1.2 + 0.055 * f64::from(k)).collect();
+    let bar = |ground| FourBar { driven: 1.0, next: 2.0, last: 2.3, ground, by_coupler: false };
+    let start = 0.4;
+    let (system, _) = bar(grounds[0]).system(Law::linear(start, TAU), start, 1.0).unwrap();
+    let names: Vec<String> = std::iter::once("C.u_j.x".to_string()).chain(system.coordinate_names().iter().cloned()).collect();
+    let cases: Vec<Vec<f64>> =
+        grounds.iter().map(|ground| std::iter::once(*ground).chain(bar(*ground).pose(start, 1.0).unwrap()).collect()).collect();
+    for points in [21, 90] {
+        let times = linspace(0.0, 2.0, points);
+        let found = system.sweep(&names).unwrap().run(&cases, &times, |case, motion| (case, motion)).unwrap();
+        let mut toggles = 0;
+        for (case, result) in found {
+            let bar = bar(grounds[case]);
+            let end = bar.toggle(start, 1.0).map(|angle| (angle - start) / TAU);
+            let motion = match (&result, end) {
+                (Ok(motion), None) => motion,
+                (Err(kin::Error::Toggle { t, motion: Some(motion), .. }), Some(end)) => {
+                    assert!((t - end).abs() < 1e-10, "{case}: {t} {end}");
+                    toggles += 1;
+                    motion
+                }
+                (result, end) => panic!("{case}: toggle at {end:?}: {result:?}"),
+            };
+            assert!((0..motion.len()).all(|k| bar.error(motion.q(k), 1.0) < 1e-8), "{case}");
+        }
+        assert!(toggles > 5 && toggles < 55, "{toggles}");
+    }
+}

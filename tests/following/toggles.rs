@@ -96,3 +96,17 @@ fn driver_that_swings_beyond_the_toggle_and_back_does_not_hide_it() {
         assert!((0..points).all(|k| bar.error(motion.q(k), 1.0) < 1e-9));
     }
 }
+
+/// A time of the grid so near before the toggle that the curve has turned round when the next one is met: the position is that of the way there.
+#[test]
+fn time_just_before_a_toggle_is_met_before_the_curve_turns() {
+    let bar = FourBar { driven: 0.7, next: 1.0, last: 1.8, ground: 2.3, by_coupler: false };
+    let end = bar.toggle(0.2, 1.0).unwrap();
+    for gap in [1e-2, 1e-4, 1e-6, 1e-8, 1e-10] {
+        let (system, _) = bar.system(Law::linear(0.2, 1.0), 0.2, -1.0).unwrap();
+        let error = system.run([0.0, end - 0.4, end - 0.2 - gap, end]).unwrap_err();
+        let (found, motion) = toggle(&error);
+        assert!((found - end + 0.2).abs() < 1e-12, "{gap}: {found}");
+        assert!(motion.len() == 3 && bar.error(motion.q(2), -1.0) < 1e-14 / gap.sqrt() * 10.0, "{gap}: {:e}", bar.error(motion.q(2), -1.0));
+    }
+}

@@ -9,6 +9,8 @@ use nalgebra::{DMatrix, DVector};
 /// What the tests ask of a joint.
 pub trait Sample {
     fn constraint(&self) -> &dyn Constraint;
+    /// The same on the dual route.
+    fn by_dual(&self) -> Box<dyn Constraint>;
     fn compare(&self, seed: u64) -> Result<Report, Box<Mismatch>>;
     fn at(&self, q: &[f64], qd: &[f64], t: f64) -> Result<Report, Box<Mismatch>>;
 }
@@ -22,6 +24,10 @@ pub fn sample<E: Equation<N, M> + Clone + 'static, const N: usize, const M: usiz
 impl<E: Equation<N, M> + Clone, const N: usize, const M: usize> Sample for Of<E, N, M> {
     fn constraint(&self) -> &dyn Constraint {
         &self.0
+    }
+
+    fn by_dual(&self) -> Box<dyn Constraint> {
+        Box::new(kin::by_dual(self.0.clone()))
     }
 
     fn compare(&self, seed: u64) -> Result<Report, Box<Mismatch>> {

@@ -253,6 +253,6 @@ impl Diagnosis {
 impl Model<'_> {
     /// The error for what is not finite at a pose.
     pub(crate) fn not_finite(&self, bad: crate::system::evaluate::Bad, q: &[f64], t: f64) -> Error {
-        self.equations.not_finite(bad, &self.equations.instant_at(t, q))
+        self.equations.not_finite(bad, self.layout, &self.equations.instant_at(t, q))
     }
 }

@@ -74,11 +74,6 @@ pub(super) fn toggle(movable: &[String], dependent: &[String], diagnosis: &Optio
     format!("{moves}, and {} depend on one another.{}", list(dependent), details(diagnosis))
 }
 
-/// The sub-expression that is to blame.
-pub(super) fn because(expression: &Option<String>) -> String {
-    expression.as_ref().map(|text| format!(", because of `{text}`")).unwrap_or_default()
-}
-
 /// That nothing is lost.
 pub(super) fn kept(motion: &Option<Box<Motion>>) -> String {
     let Some(&last) = motion.as_ref().and_then(|motion| motion.times().last()) else { return String::new() };

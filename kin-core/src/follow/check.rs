@@ -6,18 +6,18 @@
 //! tell whether Newton's method from the prediction must end there (the estimate of Newton and Kantorovich): they see equations that
 //! are linear along it, as those of a chain are in its lengths.
 
-use crate::fours;
+use crate::fours::{self, Fours};
 use crate::layout::Unit;
 use crate::newton::Newton;
 
 /// A prediction may miss by this share of the smallest pivot.   \[-\]
-const EASY: f64 = 0.05;
+pub(crate) const EASY: f64 = 0.05;
 
 /// The estimate of Newton and Kantorovich, |C_q⁻¹ (C_q v)_q v| / |v| of the miss v, that is safe; ½ would still do.   \[-\]
 const SAFE: f64 = 0.25;
 
 /// No body turns by more than this in one step.   \[rad\]
-const REACH: f64 = 1.0;
+pub(crate) const REACH: f64 = 1.0;
 
 /// What is wrong with a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,7 +41,7 @@ impl Objection {
 }
 
 /// One end of a step: q, q̇, q̈.
-pub(crate) type End<'a> = [&'a [f64]; 3];
+pub(crate) type End<'a> = [&'a Fours; 3];
 
 /// What was seen at the last position that was accepted.
 pub(crate) struct Check {
@@ -50,15 +50,15 @@ pub(crate) struct Check {
     /// The same of the position in hand.
     now: Vec<bool>,
     /// 1 for coordinates that turn, 0 for lengths.
-    turns: Vec<f64>,
-    miss: Vec<f64>,
+    turns: Fours,
+    miss: Fours,
 }
 
 impl Check {
     pub(crate) fn new(units: &[Unit]) -> Self {
-        let turns = units.iter().map(|unit| f64::from(u8::from(*unit != Unit::Metre))).collect();
+        let turns: Vec<f64> = units.iter().map(|unit| f64::from(u8::from(*unit != Unit::Metre))).collect();
         let room = || Vec::with_capacity(units.len());
-        Check { negative: room(), pivot: f64::INFINITY, now: room(), turns, miss: Vec::with_capacity(units.len()) }
+        Check { negative: room(), pivot: f64::INFINITY, now: room(), turns: turns[..].into(), miss: Fours::new(units.len(), 0.0) }
     }
 
     /// Takes the position in hand as it is.
@@ -75,7 +75,7 @@ impl Check {
 
     /// Judges the step h from one end to the position in hand, and accepts that if there is no objection.
     pub(crate) fn judge(&mut self, newton: &mut Newton<'_>, h: f64, from: End<'_>) -> Result<(), Objection> {
-        let (pivot, to) = (newton.linear.smallest_pivot(), [&newton.q[..], &newton.qd, &newton.qdd]);
+        let (pivot, to) = (newton.linear.smallest_pivot(), [&newton.q, &newton.qd, &newton.qdd]);
         let [miss, reach] = fours::miss(h, from, to, newton.shares(), &self.turns);
         if reach > REACH {
             return Err(Objection::Long);
@@ -96,10 +96,11 @@ impl Check {
     /// The estimate of Newton and Kantorovich at the position in hand, along the miss of the prediction; larger by as much as `miss`, which is
     /// that from either end, is larger.
     fn is_safe(&mut self, newton: &mut Newton<'_>, h: f64, [q, qd, qdd]: End<'_>, miss: f64) -> bool {
-        self.miss.clear();
-        let ends = newton.q.iter().zip(q).zip(qd.iter().zip(qdd));
-        self.miss.extend(ends.map(|((to, q), (qd, qdd))| to - q - h * (qd + 0.5 * h * qdd)));
-        let own = fours::largest_share(&self.miss, newton.shares());
+        let ends = newton.q.iter().zip(q.iter()).zip(qd.iter().zip(qdd.iter()));
+        for (miss, ((to, q), (qd, qdd))) in self.miss.iter_mut().zip(ends) {
+            *miss = to - q - h * (qd + 0.5 * h * qdd);
+        }
+        let own = fours::largest_share(self.miss.whole(), newton.shares().whole());
         own > 0.0 && newton.bend(&self.miss) * (miss / own) <= SAFE * own
     }
 }

@@ -13,6 +13,6 @@ mod root;
 mod singular;
 mod turning;
 
-pub(crate) use check::{Check, Objection};
+pub(crate) use check::{Check, EASY, Objection, REACH};
 pub(crate) use passage::{Landed, Lost, pass};
 pub use singular::{Branch, SingularKind, SingularPosition};

@@ -104,7 +104,7 @@ impl Walk<'_, '_> {
             return self.cross(found, next, s);
         }
         if self.sign * next.dt() <= 0.0 {
-            let Some(turn) = turning::locate(&mut self.curve, &self.here, &next, s) else { return Ok(None) };
+            let Some((turn, s)) = turning::locate(&mut self.curve, &self.here, &next, s) else { return Ok(None) };
             if self.before(turn.t()) > -AT_END {
                 return Err(Lost::Turned(Box::new(self.told(SingularKind::TurningPoint, &turn.x, Vec::new()))));
             }

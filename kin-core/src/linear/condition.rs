@@ -24,6 +24,7 @@ impl Linear {
     /// Vectors that the transpose and the matrix nearly take to zero, by the measures of rows and columns, and the largest and the
     /// smallest singular value.
     pub(crate) fn nearly_null(&mut self) -> (Vec<f64>, Vec<f64>, [f64; 2]) {
+        let rhs = self.rhs_mut().to_vec();
         let mut random = Random::new(0);
         let mut left: Vec<f64> = (0..self.n).map(|_| sign_and_size(&mut random)).collect();
         let (mut inverse, mut direct) = (0.0_f64, 0.0_f64);
@@ -42,13 +43,15 @@ impl Linear {
             v = self.apply(&v, true);
             direct = direct.max(normalise(&mut v));
         }
+        // The right side may be waiting for a matrix that has to be judged first.
+        self.rhs_mut().copy_from_slice(&rhs);
         (left, right, [direct, inverse.recip()])
     }
 
     /// v becomes the inverse of the measured matrix times v.
     fn apply_inverse(&mut self, v: &mut [f64]) {
         let units = self.row_units.clone();
-        for ((b, v), unit) in self.rhs_mut().iter_mut().zip(v.iter()).zip(&units) {
+        for ((b, v), unit) in self.rhs_mut().iter_mut().zip(v.iter()).zip(units.iter()) {
             *b = v / unit;
         }
         self.solve();
@@ -67,7 +70,7 @@ impl Linear {
         if let Some(recording) = &self.recording {
             recording.solve.run_transposed(&self.memory, &mut adjoint);
         }
-        for ((v, b), unit) in v.iter_mut().zip(&adjoint[rhs..]).zip(&self.row_units) {
+        for ((v, b), unit) in v.iter_mut().zip(&adjoint[rhs..]).zip(self.row_units.iter()) {
             *v = b / unit;
         }
     }

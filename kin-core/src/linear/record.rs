@@ -11,7 +11,7 @@ use super::active::{Active, NONE, Side};
 use super::cells::{PLUS, Term};
 use super::code::SMALL;
 use super::orientation::Orientation;
-use super::program::Program;
+use super::program::{Kind, Program};
 use super::{SINGULAR, solving};
 
 /// A pivot is at least this share of the largest cell in its row.   \[-\]
@@ -55,22 +55,54 @@ pub(super) struct Places {
 pub(super) struct Recording {
     pub factor: Program,
     pub solve: Program,
-    /// What made each number that is factored one of order 1 when it was recorded, in the order of the code.
+    /// What made each number that is factored one of order 1 when it was recorded.
     pub weights: Vec<f64>,
     /// Step, row and column of each pivot that is no constant.
     pub watched: Vec<(u32, u32, u32)>,
     /// Row, column and value of the other pivots.
     pub constant: Vec<(u32, u32, f64)>,
     pub orientation: Orientation,
+    /// Where in the memory the numbers that are factored begin, each kind of them in whole fours, and where they end.
+    pub factored: Factored,
+}
+
+/// The numbers that are factored: pivots (one over them), multipliers, and all others.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Factored {
+    pub cells: usize,
+    pub multipliers: usize,
+    pub pivots: usize,
+    pub end: usize,
 }
 
 impl Recording {
-    /// Weights in the order in which the code runs.
-    fn reorder(&mut self, order: &[u32]) {
-        let mut place = vec![0; order.len()];
-        (0..).zip(order).for_each(|(now, before)| place[*before as usize] = now);
-        self.weights = order.iter().map(|before| self.weights[*before as usize]).collect();
-        self.watched.iter_mut().for_each(|(step, _, _)| *step = place[*step as usize]);
+    /// Places the numbers that are factored behind the constants, kind by kind; `begin` is where constants begin.
+    fn arrange(&mut self, begin: usize, memory: &mut Vec<f64>) {
+        let mut kinds = vec![None; memory.len()];
+        self.factor.written().for_each(|(kind, out)| kinds[out as usize] = Some(kind));
+        let mut places: Vec<u32> = (0..memory.len() as u32).collect();
+        let mut end = begin;
+        for old in (begin..memory.len()).filter(|old| kinds[*old].is_none()) {
+            (places[old], memory[end]) = (end as u32, memory[old]);
+            end += 1;
+        }
+        let mut place = |wanted: fn(Kind) -> bool| {
+            let first = end.next_multiple_of(4);
+            end = first;
+            for old in (begin..kinds.len()).filter(|old| kinds[*old].is_some_and(wanted)) {
+                places[old] = end as u32;
+                end += 1;
+            }
+            first
+        };
+        let cells = place(|kind| matches!(kind, Kind::Plain | Kind::Negated));
+        let (multipliers, pivots) = (place(|kind| kind == Kind::Scaled), place(|kind| kind == Kind::Pivot));
+        self.factored = Factored { cells, multipliers, pivots, end: end.next_multiple_of(4) };
+        memory.resize(self.factored.end, 0.0);
+        memory[cells..].fill(0.0);
+        self.orientation.pivots.iter_mut().for_each(|(place, _)| *place = places[*place as usize]);
+        self.factor.rename(&places);
+        self.solve.rename(&places);
     }
 }
 
@@ -158,10 +190,10 @@ pub(super) fn record(input: &Input<'_>, places: Places, memory: &mut Vec<f64>) -
     solving::write(&mut recorder);
     let Recorder { mut recording, memory, pivots, .. } = recorder;
     recording.orientation = Orientation::new(&pivots, &recording.constant, input.places());
+    recording.arrange(places.zero as usize + 1, memory);
     memory.resize(memory.len().max(SMALL), 0.0);
+    recording.factor.finish(memory.len());
     recording.solve.finish(memory.len());
-    let order = recording.factor.finish(memory.len());
-    recording.reorder(&order);
     Some(recording)
 }
 

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Motion;
+use crate::error::text::time;
 
 /// What kind of thing an [`Event`] is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -42,7 +43,7 @@ pub struct Event {
 
 impl std::fmt::Display for Event {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "t = {} s: {}", self.t, self.text)
+        write!(f, "t = {} s: {}", time(self.t), self.text)
     }
 }
 

@@ -37,7 +37,8 @@ pub struct Options {
     /// q̇ and q̈ at all three times, where that has been nearer.
     pub predict: bool,
     /// Where plain Newton fails, damp it, look for the assembly from other starts (first time), and approach in smaller steps of time
-    /// (later times) before giving up; default true. Without it plain Newton steps from the guess are all that is done.
+    /// (later times) before giving up; default true. Without it plain Newton steps from the guess are all that is
+    /// done, but for what [`Options::follow`] asks.
     pub rescue: bool,
     /// Halvings of one step of time at most before the run is given up, where steps are rescued and not checked; default 12.
     pub halvings: u32,

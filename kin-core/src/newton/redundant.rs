@@ -5,10 +5,12 @@
 //! superfluous changes on the way (whatever row of a parallelogram's third crank is left out, twice in a turn it is the one that is needed).
 
 use super::watch::Watch;
-use super::{Options, Outcome, Report, Stop};
+use super::{Follow, Options, Outcome, Report, Stop};
 use crate::assembly::search::{self, Found};
 use crate::diagnosis::{self, DiagnosisOptions, Start};
 use crate::error::{Error, Result};
+use crate::follow::{EASY, Objection, REACH};
+use crate::fours::{self, Fours};
 use crate::linear::Tall;
 use crate::model::{Measures, Model, Point};
 use crate::motion::Motion;
@@ -114,7 +116,7 @@ impl<'a> Driver<'a> {
         let (mut h, mut iterations) = (to - self.t, 0);
         loop {
             let target = if (to - self.t).abs() <= h.abs() * 1.001 { to } else { self.t + h };
-            let before = self.q.clone();
+            let before = [self.q.clone(), self.qd.clone(), self.qdd.clone()];
             if self.options.predict {
                 self.predict(target - self.t);
             }
@@ -125,13 +127,22 @@ impl<'a> Driver<'a> {
                 if self.rates(target).is_none() {
                     return Err(blamed(self.model, Start::Pose(&self.q), target, self.options));
                 }
+                if self.is_objected_to(target - self.t, &before) {
+                    [self.q, self.qd, self.qdd] = before;
+                    if h.abs() <= smallest {
+                        let reason = Objection::Missed.reason();
+                        return Err(Error::CannotFollow { t: self.t, reason, motion: None });
+                    }
+                    h *= 0.5;
+                    continue;
+                }
                 self.t = target;
                 if target == to {
                     return Ok(Outcome { iterations, ..*outcome });
                 }
                 h *= 2.0;
             } else {
-                self.q = before;
+                [self.q, ..] = before;
                 if !self.options.rescue || h.abs() <= smallest {
                     if let Some(error) = wrong {
                         return Err(error);
@@ -141,6 +152,16 @@ impl<'a> Driver<'a> {
                 h *= 0.5;
             }
         }
+    }
+
+    /// Whether a prediction of the step h, from either end, misses the other by more than what is sure to be one branch. Signs of
+    /// determinants, which rectangular matrices have not, are not asked.
+    fn is_objected_to(&self, h: f64, [q, qd, qdd]: &[Vec<f64>; 3]) -> bool {
+        let shares: Vec<f64> = self.measures.sizes.iter().map(|size| size.recip()).collect();
+        let turns: Vec<f64> = (0..q.len()).map(|column| f64::from(u8::from(self.model.turns(column)))).collect();
+        let [q, qd, qdd, r, rd, rdd] = [q, qd, qdd, &self.q, &self.qd, &self.qdd].map(|x| Fours::from(&x[..]));
+        let [miss, reach] = fours::miss(h, [&q, &qd, &qdd], [&r, &rd, &rdd], &Fours::from(&shares[..]), &Fours::from(&turns[..]));
+        self.options.follow != Follow::Unchecked && (reach > REACH || miss > EASY * self.tall.smallest_pivot())
     }
 
     /// The error for a position that is not what is meant.

@@ -5,13 +5,17 @@ use super::watch::Watch;
 use super::{Failure, Follow, Newton, Options, Outcome, Steps, assembly, largest, redundant};
 use crate::error::{Error, Result};
 use crate::follow::{self, Branch, Check, Landed, Lost, Objection, SingularKind, SingularPosition};
+use crate::fours::Fours;
 use crate::motion::Motion;
 use crate::system::System;
 
 /// A step in which nothing moves by more than this, and that is objected to all the same, leads past a singular position.   \[-\]
 const SHORT: f64 = 0.05;
 
-/// Steps of time that go on for this share of the time asked for are taken back for no reason.   \[-\]
+/// The same of a step of this share of the time asked for, where hardly anything moves.   \[-\]
+const AT_REST: f64 = 1.0 / 64.0;
+
+/// No step of time is shorter than this share of the time asked for.   \[-\]
 const SHORTEST: f64 = 1e-9;
 
 /// Position, velocity and acceleration at each of the times.
@@ -62,9 +66,9 @@ pub(crate) fn check(times: &[f64]) -> Result<()> {
 /// The last solved time, its point, and the means to go on from it.
 struct Sweep<'a> {
     newton: Newton<'a>,
-    /// The last time with a solution, and its position.
+    /// The last time with a solution, and its position, which a failure goes back to.
     last: Option<f64>,
-    q: Vec<f64>,
+    q: Fours,
     predictor: Predictor,
     /// Whether everything in hand is that of the last solution.
     untouched: bool,
@@ -87,7 +91,7 @@ impl<'a> Sweep<'a> {
         Sweep {
             newton: Newton::new(system, options),
             last: None,
-            q: vec![0.0; n],
+            q: Fours::new(n, 0.0),
             predictor: Predictor::new(n),
             untouched: false,
             check: (options.follow != Follow::Unchecked).then(|| Check::new(&system.layout().units)),
@@ -148,7 +152,9 @@ impl<'a> Sweep<'a> {
         let rates = self.newton.qd.iter().zip(&self.newton.qdd).zip(self.newton.shares());
         let moved = largest(rates.map(|((qd, qdd), share)| (h * qd).abs().max((0.5 * h * h * qdd).abs()) * share));
         let long = matches!(trouble, Trouble::Objected(Objection::Long));
-        (moved <= SHORT && !long) || h.abs() <= SHORTEST * whole.abs()
+        // Where all stands still the rates say little.
+        let moves = moved >= 0.1 * SHORT || h.abs() <= AT_REST * whole.abs();
+        (moved <= SHORT && moves && !long) || h.abs() <= SHORTEST * whole.abs()
     }
 
     /// The position in hand becomes the last one; a prediction writes all of the next anew.
@@ -247,16 +253,38 @@ impl<'a> Sweep<'a> {
                 self.check.iter_mut().for_each(|check| check.accept(newton));
                 outcome
             }
-            Landed::Singular(q, Branch { qd, qdd }) => {
+            Landed::Singular(q, branch) => {
+                if newton.options.jerk {
+                    let jerk = jerk_between(newton, &q, &branch, to).map_err(|failure| newton.error(failure, to, Some(t)))?;
+                    newton.qddd.copy_from_slice(&jerk);
+                }
                 newton.q.copy_from_slice(&q);
                 newton.linearize(to).map_err(|failure| newton.error(failure, to, Some(t)))?;
-                (newton.qd, newton.qdd) = (qd, qdd);
+                newton.qd.copy_from_slice(&branch.qd);
+                newton.qdd.copy_from_slice(&branch.qdd);
                 self.check.iter_mut().for_each(Check::leave_open);
                 Outcome { iterations: 0, residual: newton.worst().1 }
             }
         };
         Ok(outcome)
     }
+}
+
+/// q⃛ at a singular position on one of its branches: from the means of what it is a little before and after, twice (Richardson).
+fn jerk_between(newton: &mut Newton<'_>, q: &[f64], Branch { qd, qdd }: &Branch, t: f64) -> std::result::Result<Vec<f64>, Failure> {
+    /// What moves most moves by this to the nearer ones.   \[-\]
+    const NEAR: f64 = 0.05;
+    let rates = qd.iter().zip(qdd).zip(newton.shares()).map(|((qd, qdd), share)| (qd.abs() * share).max((qdd.abs() * share).sqrt()));
+    let fastest = largest(rates);
+    let mut jerk = vec![0.0; q.len()];
+    for (steps, weight) in [(-1.0, 2.0 / 3.0), (1.0, 2.0 / 3.0), (-2.0, -1.0 / 6.0), (2.0, -1.0 / 6.0)] {
+        let h = steps * NEAR / fastest;
+        newton.q.iter_mut().zip(q).zip(qd.iter().zip(qdd)).for_each(|((next, q), (qd, qdd))| *next = q + h * (qd + 0.5 * h * qdd));
+        newton.solve(t + h, Steps::Near)?;
+        newton.rates()?;
+        jerk.iter_mut().zip(&newton.qddd).for_each(|(jerk, qddd)| *jerk += weight * qddd);
+    }
+    Ok(jerk)
 }
 
 /// The error of a run that turning points end.

@@ -38,12 +38,19 @@ struct Asked {
 impl Watch {
     /// Looks at the laws at a time that was solved: the breaks crossed since the last one. A jump of a value, or of the slope of a law of time,
     /// is an error.
+    #[inline]
     pub(super) fn look(&mut self, system: &System, instant: &Instant) -> Result<Vec<CrossedBreak>, Error> {
+        match self.last.replace(instant.t()) {
+            None => self.asked = questions(system, instant),
+            Some(before) if !self.asked.is_empty() => return self.cross(system, instant, before),
+            Some(_) => {}
+        }
+        Ok(Vec::new())
+    }
+
+    /// Asks every law with breaks, which was asked at the time `before`.
+    fn cross(&mut self, system: &System, instant: &Instant, before: f64) -> Result<Vec<CrossedBreak>, Error> {
         let t = instant.t();
-        let Some(before) = self.last.replace(t) else {
-            self.asked = questions(system, instant);
-            return Ok(Vec::new());
-        };
         let mut crossed = Vec::new();
         for asked in &mut self.asked {
             let block = &system.equations().blocks[asked.block];

@@ -1,11 +1,33 @@
 //! The numbers under [`Real`](super::Real): num-dual's scalars, with composition and division that are right at the edges.
 
-use num_dual::{Dual2_64, Dual3_64, Dual64, DualNum, HyperDual64};
+use std::fmt::{Debug, Display};
+use std::ops::{Add, Mul, Neg, Sub};
+
+use num_dual::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
 /// A scalar of num-dual that Kin computes with: `f64`, `Dual64`, `Dual2_64`, `Dual3_64` or `HyperDual64`.
 ///
 /// Write functions for the dual route as `fn f<D: Dual>(x: Real<D>) -> Real<D>`. The trait is sealed.
-pub trait Dual: sealed::Sealed + DualNum<Primitive = f64> + Copy + Send + Sync + 'static {
+pub trait Dual:
+    sealed::Sealed
+    + Add<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<Output = Self>
+    + Mul<f64, Output = Self>
+    + Neg<Output = Self>
+    + Debug
+    + Display
+    + Copy
+    + Send
+    + Sync
+    + 'static
+{
+    /// Whether the number notes where it ceases to be finite: only when a failure is looked into.
+    #[doc(hidden)]
+    const TRACED: bool = false;
+
     /// The real part.
     fn value(&self) -> f64;
 
@@ -18,6 +40,11 @@ pub trait Dual: sealed::Sealed + DualNum<Primitive = f64> + Copy + Send + Sync +
     /// The same derivatives at another real part.
     fn with_value(self, x: f64) -> Self;
 
+    /// The same value without derivatives.
+    fn still(self) -> Self {
+        Self::constant(self.value())
+    }
+
     /// Composition with a scalar function (Faà di Bruno): `f` is its value and first three derivatives at the real part.
     ///
     /// A zero tangent times a derivative that is not finite is zero.
@@ -27,7 +54,7 @@ pub trait Dual: sealed::Sealed + DualNum<Primitive = f64> + Copy + Send + Sync +
     fn quotient(self, b: Self) -> Self;
 }
 
-mod sealed {
+pub(super) mod sealed {
     pub trait Sealed {}
 }
 

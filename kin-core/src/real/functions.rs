@@ -25,7 +25,7 @@ macro_rules! steps {
             $(#[$doc])*
             #[inline]
             pub fn $name(self) -> Self {
-                Self::constant(self.value().$name())
+                Real(self.0.still()).with_value(self.value().$name())
             }
         )*}
     };

@@ -17,11 +17,13 @@ mod ops;
 mod pair;
 #[cfg(test)]
 mod sweep;
+mod traced;
 
 use std::fmt;
 
 pub use dual::Dual;
 pub(crate) use ops::{assign, by_ref};
+pub(crate) use traced::{Fault, TIME, Traced, ended, fault_of};
 
 /// A number with derivatives along one or two directions; `D` says which: `f64` (none), `Dual64` (first), `Dual2_64` (second),
 /// `Dual3_64` (third) or `HyperDual64` (mixed second). Same unit as the quantity it stands for.

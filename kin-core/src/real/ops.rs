@@ -90,7 +90,7 @@ operator!(Rem::rem, RemAssign::rem_assign, |a, b| remainder(a, b), remainder(a, 
 #[inline]
 fn quotient<D: Dual>(a: Real<D>, b: Real<D>) -> Real<D> {
     let q = Real(a.0.quotient(b.0));
-    if q.is_finite() || !(a.is_constant() && b.is_constant()) { q } else { q.value().into() }
+    if q.is_finite() || !(a.is_constant() && b.is_constant()) { q } else { Real(q.0.still()) }
 }
 
 /// a % b = a − n b with the whole number n = trunc(a/b), which changes nowhere but at jumps.

@@ -98,12 +98,12 @@ fn turn<S: Level>(simd: S, all: &[Wide<S>], own: &mut Vec<[f64; 4]>) {
     let fours = all.len().div_ceil(4);
     own.resize(Wide::<S>::LANES * fours, [0.0; 4]);
     let (squares, rest) = if Wide::<S>::LANES.is_multiple_of(4) { all.as_chunks::<4>() } else { (&[][..], all) };
-    for (k, [a, b, c, d]) in squares.iter().enumerate() {
-        for lanes in 0..Wide::<S>::LANES / 4 {
-            let square = [four(a, lanes), four(b, lanes), four(c, lanes), four(d, lanes)];
-            for (lane, turned) in (4 * lanes..).zip(simd.turn(square)) {
-                own[lane * fours + k] = turned;
-            }
+    for (lanes, rows) in own.chunks_exact_mut((4 * fours).max(1)).enumerate() {
+        let (first, rest) = rows.split_at_mut(2 * fours);
+        let ((one, two), (three, four)) = (first.split_at_mut(fours), rest.split_at_mut(fours));
+        for ((((square, one), two), three), four) in squares.iter().zip(one).zip(two).zip(three).zip(four) {
+            let [a, b, c, d] = square;
+            [*one, *two, *three, *four] = simd.turn([of(a, lanes), of(b, lanes), of(c, lanes), of(d, lanes)]);
         }
     }
     for (k, x) in (4 * squares.len()..).zip(rest) {
@@ -115,6 +115,6 @@ fn turn<S: Level>(simd: S, all: &[Wide<S>], own: &mut Vec<[f64; 4]>) {
 
 /// Four of the lanes.
 #[inline(always)]
-fn four<S: Level>(x: &Wide<S>, lanes: usize) -> [f64; 4] {
+fn of<S: Level>(x: &Wide<S>, lanes: usize) -> [f64; 4] {
     x.as_slice().as_chunks().0[lanes]
 }

@@ -5,12 +5,13 @@
 
 use pulp::NullaryFnOnce;
 
+use super::check::Check;
 use super::kept::Kept;
 use super::predictor::Predictor;
 use crate::lanes::{Level, Mask, Wide};
 use crate::linear::lanes::WideLinear;
 use crate::motion::Motion;
-use crate::newton::{DOUBTFUL, Newton, Options, STALL, Stop, assembly, rounding};
+use crate::newton::{DOUBTFUL, Follow, Newton, Options, STALL, Stop, assembly, rounding};
 use crate::system::System;
 use crate::system::evaluate::lanes::{Crew, WideEquations, WideInstant};
 use crate::system::scale;
@@ -37,6 +38,8 @@ pub(super) struct Lockstep<'o, S: Level> {
     /// max |C_i|, and Newton steps, at the last time.
     residual: Wide<S>,
     iterations: Wide<S>,
+    /// What each step is judged by, if that is asked for.
+    check: Option<Check<S>>,
     kept: Kept<S>,
 }
 
@@ -86,6 +89,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
             sizes: room(),
             per_size: room(),
             residual: zero,
+            check: (options.follow != Follow::Unchecked).then(|| Check::new(simd, &typical.layout().units)),
             iterations: zero,
             kept: Kept::new(simd, n),
         }
@@ -179,13 +183,16 @@ impl<'o, S: Level> Lockstep<'o, S> {
         }
         let done = self.solve(crew, wanted, t, false, false);
         self.t = t;
-        self.rates(crew, done)
+        let done = self.rates(crew, done);
+        self.check.iter_mut().for_each(|check| check.accept(&self.linear));
+        done
     }
 
     /// A later one, from the prediction or the last position.
     #[inline(always)]
     fn step(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
         let h = t - self.t;
+        self.check.iter_mut().for_each(|check| check.begin([&self.q, &self.qd, &self.qdd]));
         if self.options.predict {
             self.before.copy_from_slice(&self.q);
             self.predictor.predict(h, [&self.before, &self.qd, &self.qdd], &mut self.q);
@@ -197,7 +204,11 @@ impl<'o, S: Level> Lockstep<'o, S> {
             self.predictor.advance(h, &self.qd, &self.qdd);
         }
         self.t = t;
-        self.rates(crew, done)
+        let done = self.rates(crew, done);
+        match &mut self.check {
+            Some(check) => done & check.judge(h, [&self.q, &self.qd, &self.qdd], &self.per_size, &self.linear),
+            None => done,
+        }
     }
 
     /// Newton's method in all lanes that are wanted; gives those that converge, their matrices factored. `near`: corrections must shrink;

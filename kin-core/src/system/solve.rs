@@ -49,12 +49,14 @@ impl System {
     ///
     /// Errors: no convergence, singular, not finite; each carries the motion up to it ([`Error::motion`]).
     pub fn run(&self, times: impl AsRef<[f64]>) -> Result<Motion> {
-        newton::sweep::run(self, times.as_ref(), &Options::default())
+        self.run_with(times, &Options::default())
     }
 
     /// The same with other options.
     pub fn run_with(&self, times: impl AsRef<[f64]>, options: &Options) -> Result<Motion> {
-        newton::sweep::run(self, times.as_ref(), options)
+        let mut motion = newton::sweep::run(self, times.as_ref(), options)?;
+        self.note_limits(&mut motion);
+        Ok(motion)
     }
 
     /// Many cases of this system: in each of them the named parameters (such as `A.u_i.x`) and initial values (such as `rocker.theta`) are

@@ -12,7 +12,7 @@ pub(crate) struct StatePlan {
     planar: Shared,
     spatial: Shared,
     coords: Shared,
-    /// The states to begin with: those of the ground, which stay, and of coordinates that are zero.
+    /// The states where all coordinates are zero; those of the ground are there for good.
     states: Vec<f64>,
     /// The coordinate whose rate each local column has; `GROUND` on the ground.
     pub(super) columns: Vec<u32>,
@@ -46,17 +46,26 @@ struct State {
 type Copies = [u32; 2];
 
 impl Shared {
-    /// Puts together who reads the same state.
+    /// Puts together who reads the same state: counts, then places, for systems can be large.
     fn sort(&mut self) {
-        let mut asked = std::mem::take(&mut self.asked);
-        asked.sort_by_key(|(first, ..)| *first);
-        self.copies = asked.iter().map(|(.., copies)| *copies).collect();
-        let state = |same: &[(u32, bool, Copies)]| State {
-            first: same[0].0,
-            readers: same.len() as u32,
-            trig: same.iter().any(|(_, trig, _)| *trig),
-        };
-        self.states = asked.chunk_by(|a, b| a.0 == b.0).map(state).collect();
+        let asked = std::mem::take(&mut self.asked);
+        let n = asked.iter().map(|(first, ..)| first + 1).max().unwrap_or(0);
+        let mut states: Vec<State> = (0..n).map(|first| State { first, readers: 0, trig: false }).collect();
+        for (first, trig, _) in &asked {
+            let state = &mut states[*first as usize];
+            state.readers += 1;
+            state.trig |= trig;
+        }
+        let next = |end: &mut usize, state: &State| Some(std::mem::replace(end, *end + state.readers as usize));
+        let mut places: Vec<usize> = states.iter().scan(0, next).collect();
+        self.copies = vec![[0; 2]; asked.len()];
+        for (first, _, copies) in asked {
+            let place = &mut places[first as usize];
+            self.copies[*place] = copies;
+            *place += 1;
+        }
+        states.retain(|state| state.readers > 0);
+        self.states = states;
     }
 }
 
@@ -71,7 +80,8 @@ impl StatePlan {
                 (&mut self.planar, false)
             }
             Target::Spatial(_) => {
-                self.states.extend(SpatialState::ground().to_array());
+                let own = matches!(place, Place::Own { .. });
+                self.states.extend(if own { [0.0; SPATIAL_STATE] } else { SpatialState::ground().to_array() });
                 (&mut self.spatial, false)
             }
             Target::Coord(_, trig) => {
@@ -99,9 +109,9 @@ impl StatePlan {
         self.states.len()
     }
 
-    /// States of the right number; those of the ground are there for good.
-    pub(super) fn states(&self) -> Vec<f64> {
-        self.states.clone()
+    /// The states where all coordinates are zero; those of the ground are there for good.
+    pub(super) fn origin(&self) -> &[f64] {
+        &self.states
     }
 
     /// The states at coordinates q.
@@ -109,8 +119,7 @@ impl StatePlan {
         let mut copies = &self.planar.copies[..];
         for state in &self.planar.states {
             let own = take(&mut copies, state.readers);
-            let Some(&[x, y, theta]) = from(q, state.first) else { continue };
-            let Some([_, _, known, sin, cos]) = last(own, states) else { continue };
+            let (&[x, y, theta], &[_, _, known, sin, cos]) = (from(q, state.first), from(states, own[0][0]));
             // An angle that has not moved, as a driven one in Newton's last step, keeps its sine and cosine.
             let (sin, cos) = if known == theta { (sin, cos) } else { theta.sin_cos() };
             copy::<_, _, 0>(&[x, y, theta, sin, cos], own, states);
@@ -119,11 +128,8 @@ impl StatePlan {
         let mut copies = &self.coords.copies[..];
         for state in &self.coords.states {
             let own = take(&mut copies, state.readers);
-            let value = q[state.first as usize];
-            let now = match last(own, states) {
-                Some([known, sin, cos]) if known == value => [value, sin, cos],
-                _ => CoordState::new(value, state.trig).to_array(),
-            };
+            let (&[value], &[known, sin, cos]) = (from(q, state.first), from(states, own[0][0]));
+            let now = if known == value { [value, sin, cos] } else { CoordState::new(value, state.trig).to_array() };
             copy::<_, _, 0>(&now, own, states);
         }
     }
@@ -144,17 +150,16 @@ impl Shared {
         let mut copies = &self.copies[..];
         for state in &self.states {
             let own = take(&mut copies, state.readers);
-            if let Some(numbers) = from::<_, N>(numbers, state.first) {
-                copy::<_, _, WHAT>(numbers, own, all);
-            }
+            copy::<_, _, WHAT>(from::<_, N>(numbers, state.first), own, all);
         }
     }
 }
 
-/// The N numbers that begin there.
+/// The N numbers that begin there (32 bits: the end does not overflow, so one check will do).
 #[inline(always)]
-fn from<T, const N: usize>(all: &[T], first: u32) -> Option<&[T; N]> {
-    all.get(first as usize..)?.first_chunk()
+fn from<T, const N: usize>(all: &[T], first: u32) -> &[T; N] {
+    let own = &all[first as usize..first as usize + N];
+    own.first_chunk().unwrap_or_else(|| unreachable!("a slice of that length"))
 }
 
 /// The copies of the next state.
@@ -163,12 +168,6 @@ fn take<'a>(copies: &mut &'a [Copies], readers: u32) -> &'a [Copies] {
     let (own, rest) = copies.split_at(readers as usize);
     *copies = rest;
     own
-}
-
-/// The state as it was last copied.
-#[inline(always)]
-fn last<const N: usize>(copies: &[Copies], states: &[f64]) -> Option<[f64; N]> {
-    from(states, copies.first()?[0]).copied()
 }
 
 /// Copies a state (`WHAT` 0) or its rates (1) to all its readers.
@@ -194,7 +193,7 @@ mod tests {
         assert_eq!(plan.argument(&target(Trig::Unused), Place::Ground(1.0)), (3, 1));
         assert_eq!(plan.argument(&target(Trig::Used), place), (6, 2));
         plan.finish();
-        let mut states = plan.states();
+        let mut states = plan.origin().to_vec();
         plan.set_states(&[0.0, 0.0, 0.5], &mut states);
         let half = CoordState::new(0.5, true).to_array();
         assert_eq!((&states[..3], &states[6..]), (&half[..], &half[..]));
@@ -209,7 +208,7 @@ mod tests {
         let mut plan = StatePlan::default();
         plan.argument(&Target::Planar(any_planar()), Place::Own { item: 0, first: 0 });
         plan.finish();
-        let mut states = plan.states();
+        let mut states = plan.origin().to_vec();
         for theta in [0.0, 0.5, 0.5, -0.0, f64::NAN, f64::NAN, 0.5, 1e300] {
             plan.set_states(&[1.0, 2.0, theta], &mut states);
             let expected = PlanarState::new([1.0, 2.0, theta]).to_array();

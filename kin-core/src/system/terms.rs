@@ -109,7 +109,6 @@ impl System {
         Ok(qdd)
     }
 
-    /// The instant at q and t, if they are well given.
     /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s): the right side of C_q q⃛, in the unit of each row a second cubed.
     ///
     /// Errors: wrong length, not finite, a hand-written constraint without [`crate::Constraint::jerk_rhs`].
@@ -118,7 +117,7 @@ impl System {
         self.check(qd, "velocities")?;
         self.check(qdd, "accelerations")?;
         let rhs = self.model().jerk_rhs(q, t, qd, qdd)?;
-        rhs.map_err(|bad| self.equations.not_finite(bad, &instant))
+        rhs.map_err(|bad| self.equations.not_finite(bad, &self.layout, &instant))
     }
 
     /// q⃛ at a position q, velocity q̇ and acceleration q̈, from C_q q⃛ = −g‴(0). Errors: those of [`System::jerk_rhs`], singular.
@@ -129,6 +128,7 @@ impl System {
         Ok(qddd)
     }
 
+    /// The instant at q and t, if they are well given.
     fn instant(&self, q: &[f64], t: f64) -> Result<Instant> {
         self.check(q, "coordinates")?;
         Ok(self.equations.instant_at(time(t)?, q))
@@ -143,7 +143,7 @@ impl System {
     }
 
     fn finite(&self, result: std::result::Result<(), Bad>, instant: &Instant) -> Result<()> {
-        result.map_err(|bad| self.equations.not_finite(bad, instant))
+        result.map_err(|bad| self.equations.not_finite(bad, &self.layout, instant))
     }
 
     /// C_q⁻¹ times the right side, with the sizes of that point; in the sense of least squares where there are more equations.

@@ -62,7 +62,7 @@ fn toggle_has_its_time() {
     let error = system.run(linspace(0.0, 2.0, 21)).unwrap_err();
     let Error::Toggle { t, asked, movable, .. } = &error else { panic!("{error}") };
     assert!((t - end).abs() < 1e-12 && (asked - 1.0).abs() < 1e-12, "{t} {end} {asked}");
-    assert_eq!(movable, &["theta3"]);
+    assert_eq!(movable, &["theta3", "x"]);
     assert_eq!(error.motion().unwrap().len(), 10);
     // Unchecked, the end is where no step succeeds any more.
     let error = system.run_with(linspace(0.0, 2.0, 21), &Options { follow: Follow::Unchecked, ..Options::default() }).unwrap_err();
@@ -144,6 +144,7 @@ fn not_finite_names_the_constraint_and_keeps_the_motion() {
     assert_eq!(error.motion().unwrap().len(), 2);
 
     let error = system.residual(&[-1.0], 0.0).unwrap_err();
-    assert!(matches!(&error, Error::NotFinite { quantity: "C", expression: Some(text), .. } if text == "x.sqrt()"), "{error}");
+    let told = "C of `slot` is not finite: `x.sqrt()` is not a number (operand -1).\n  at x = -1.";
+    assert!(matches!(&error, Error::NotFinite { quantity: "C", .. }) && error.to_string().contains(told), "{error}");
     assert!(matches!(system.jacobian(&[0.0], 0.0), Err(Error::NotFinite { quantity: "C_q", .. })));
 }

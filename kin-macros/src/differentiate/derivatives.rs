@@ -1,7 +1,7 @@
 //! What the stage hands on: every derivative of the rows that emitted code computes, as nodes of the same graph.
 
-use super::{Jets, Partial, rules};
-use crate::graph::{Column, Graph, Input, LeafNumber, Node, Op, Part};
+use super::{Jets, Partial};
+use crate::graph::{Column, Graph, Input, Node, Op, Part};
 use crate::lower::Lowered;
 use crate::parse::{Argument, Kind};
 
@@ -13,8 +13,6 @@ pub struct Derivatives {
     pub velocity_rhs: Vec<Node>,
     /// −g″(0)
     pub acceleration_rhs: Vec<Node>,
-    /// Numbers that must be finite, with the user's text.
-    pub checks: Vec<(String, Vec<Node>)>,
 }
 
 impl Derivatives {
@@ -36,8 +34,7 @@ impl Derivatives {
             let second = jets.of(g, row).second;
             acceleration_rhs.push(g.neg(second));
         }
-        let checks = lowered.risks.iter().map(|risk| (risk.text.clone(), checked(&mut lowered.graph, risk.node))).collect();
-        Derivatives { jacobian, velocity_rhs, acceleration_rhs, checks }
+        Derivatives { jacobian, velocity_rhs, acceleration_rhs }
     }
 
     /// Slots whose sine or cosine some output reads.
@@ -45,7 +42,6 @@ impl Derivatives {
         let mut outputs: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
         outputs.extend(self.jacobian.iter().map(|entry| entry.2));
         outputs.extend(self.velocity_rhs.iter().chain(&self.acceleration_rhs));
-        outputs.extend(self.checks.iter().flat_map(|(_, nodes)| nodes));
         let reads = |node: Node| match lowered.graph.op(node) {
             Op::Input(Input::State(slot, Part::Sin | Part::Cos)) => Some(slot),
             _ => None,
@@ -70,7 +66,7 @@ fn jacobian(g: &mut Graph, rows: &[Node], arguments: &[Argument]) -> Vec<(usize,
 }
 
 /// Number of a column among those of all arguments.
-fn local_column(arguments: &[Argument], column: Column) -> usize {
+pub fn local_column(arguments: &[Argument], column: Column) -> usize {
     let (mut slot, mut first) = (0, 0);
     for argument in arguments {
         let slots = argument.kind.slots();
@@ -87,25 +83,4 @@ fn local_column(arguments: &[Argument], column: Column) -> usize {
         first += argument.kind.columns();
     }
     first
-}
-
-/// A risky operation's value and its derivatives by its own operands.
-fn checked(g: &mut Graph, node: Node) -> Vec<Node> {
-    let mut all = vec![node];
-    match g.op(node) {
-        Op::Call(f, a) if g.depends(a).varies() => all.push(rules::derivative(g, f, a, node)),
-        Op::Call2(f, a, b) => {
-            let (by_a, by_b) = rules::derivatives2(g, f, a, b, node);
-            all.extend([(a, by_a), (b, by_b)].into_iter().filter(|(x, _)| g.depends(*x).varies()).map(|(_, d)| d));
-        }
-        Op::Law(law, x, order) => all.push(g.law(law, x, order + 1)),
-        Op::Leaf(of) => {
-            for k in 0..g.leaves[of.leaf].arguments.len() {
-                all.push(g.leaf_output(of.leaf, of.output, LeafNumber::Partial(k)));
-            }
-        }
-        _ => {}
-    }
-    all.retain(|&n| g.constant_value(n).is_none());
-    all
 }

@@ -7,6 +7,6 @@ mod rules;
 #[cfg(test)]
 mod tests;
 
-pub use derivatives::Derivatives;
+pub use derivatives::{Derivatives, local_column};
 pub use jets::Jets;
 pub use partial::Partial;

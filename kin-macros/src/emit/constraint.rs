@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::lanes::{self, LaneCode};
-use super::{attachments, demands, described, functions, rewrite, template, written};
+use super::{attachments, blame, demands, described, functions, measures, rewrite, template, written};
 use crate::differentiate::Derivatives;
 use crate::lower::Lowered;
 use crate::parse::{Argument, ConstraintFn, Kind, Shape};
@@ -15,6 +15,8 @@ struct Frame<'a> {
     n: usize,
     row_names: Vec<String>,
     pattern: Vec<(usize, usize)>,
+    /// The user's body for dual numbers.
+    dual: syn::Block,
     /// Slots whose sine or cosine is read.
     trig: Vec<usize>,
     /// Kernels over lanes, where they are asked for.
@@ -28,7 +30,7 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
     let pattern = derived.jacobian.iter().map(|(row, column, _)| (*row, *column)).collect();
     let trig = derived.trig(&lowered);
     let lanes = source.lanes.then(|| lanes::lanes(&source.name, &source.arguments, &lowered, &derived));
-    let frame = Frame { trig, lanes, ..Frame::new(source, row_names, pattern) };
+    let frame = Frame { trig, lanes, ..Frame::new(source, rewrite::dual(&source.body, &source.arguments), row_names, pattern) };
     let kernels = functions::symbolic(&source.arguments, &mut lowered, &derived);
     let attachments = attachments::symbolic(&source.arguments, &lowered);
     let leaves: Vec<TokenStream> =
@@ -41,13 +43,14 @@ pub fn dual(source: &ConstraintFn) -> TokenStream {
     let row_names = row_names(&source.output);
     let n = columns(&source.arguments);
     let pattern = (0..row_names.len()).flat_map(|row| (0..n).map(move |column| (row, column))).collect();
-    let (kernels, attachments) = (functions::dual(), attachments::dual(source));
-    Frame::new(source, row_names, pattern).emit(quote!(::kin::Route::Dual), &quote!(#kernels #attachments), &[], None)
+    let (body, expressions) = rewrite::traced(&source.body, &source.arguments);
+    let (kernels, attachments, blame) = (functions::dual(), attachments::dual(source), blame::dual(&expressions.all));
+    Frame::new(source, body, row_names, pattern).emit(quote!(::kin::Route::Dual), &quote!(#kernels #attachments #blame), &[], None)
 }
 
 impl<'a> Frame<'a> {
-    fn new(source: &'a ConstraintFn, row_names: Vec<String>, pattern: Vec<(usize, usize)>) -> Self {
-        Frame { source, n: columns(&source.arguments), row_names, pattern, trig: vec![], lanes: None }
+    fn new(source: &'a ConstraintFn, dual: syn::Block, row_names: Vec<String>, pattern: Vec<(usize, usize)>) -> Self {
+        Frame { source, n: columns(&source.arguments), row_names, pattern, dual, trig: vec![], lanes: None }
     }
 
     fn emit(&self, route: TokenStream, kernels: &TokenStream, leaves: &[TokenStream], lowered: Option<&Lowered>) -> TokenStream {
@@ -55,7 +58,8 @@ impl<'a> Frame<'a> {
         let (name, n, m) = (&source.name, literal(self.n), literal(self.row_names.len()));
         let (declaration, equations) = (self.declaration(), self.equations());
         let body = rewrite::plain(&source.body, &source.arguments);
-        let written = written::written(name, &written::inputs(&source.arguments), &source.output_type, &body, lowered);
+        let written =
+            written::written(name, &written::inputs(&source.arguments), &source.output_type, &body, &measures::written(source), lowered);
         let leaves = if leaves.is_empty() { quote!() } else { quote!(impl #name { #(#leaves)* }) };
         let kind = syn::ext::IdentExt::unraw(name).to_string();
         let (row_names, pattern) = (&self.row_names, self.pattern.iter().map(|(row, column)| (literal(*row), literal(*column))));
@@ -67,7 +71,7 @@ impl<'a> Frame<'a> {
         let (describe, as_data) = (described::describe(source), described::described(source, &kind, &n, &m));
         let is_driver = is_driver(source);
         let description = super::description(&source.attributes);
-        let jerk = functions::jerk();
+        let measures = measures::methods(source);
         let (refusal, branch) = (demands::refusal(source), demands::branch(source));
         let laws = lowered.map(|lowered| functions::laws(&source.arguments, lowered)).unwrap_or_default();
         quote! {
@@ -97,7 +101,7 @@ impl<'a> Frame<'a> {
                     #describe
                     #kernels
                     #in_lanes
-                    #jerk
+                    #measures
                     fn description(&self) -> &str {
                         #description
                     }
@@ -196,10 +200,11 @@ impl<'a> Frame<'a> {
         let (n, m) = (literal(self.n), literal(self.row_names.len()));
         let (q, t, value) = (super::own("q"), super::own("t"), super::own("value"));
         let (states, parameters) = (states(&source.arguments, &q, &t), super::dual_bindings(&source.arguments));
-        let (body, ty) = (rewrite::dual(&source.body, &source.arguments), rewrite::lifted_type(&source.output_type));
+        let (body, ty) = (&self.dual, rewrite::lifted_type(&source.output_type));
+        let prepared = quote!(#(#states)* #(#parameters)*);
+        let measure = measures::evaluation(source, &n, [&q, &t], &prepared);
         let evaluation = written::silent(quote! {
-            #(#states)*
-            #(#parameters)*
+            #prepared
             let #value = (move || -> #ty #body)();
         });
         let inputs = written_inputs(&source.arguments, &q, &t);
@@ -212,6 +217,7 @@ impl<'a> Frame<'a> {
             fn plain(&self, #q: &[f64; #n], #t: f64) -> [f64; #m] {
                 ::kin::rt::rows(__WRITTEN(#(#inputs),*))
             }
+            #measure
         }
     }
 }

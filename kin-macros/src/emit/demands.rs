@@ -31,8 +31,7 @@ fn method(requirements: &[Demand], arguments: &[Argument], own: &[TokenStream]) 
     if requirements.is_empty() && own.is_empty() {
         return quote!();
     }
-    let parameters: Vec<&Argument> = arguments.iter().filter(|argument| argument.kind.slots() == 0 && argument.kind.is_field()).collect();
-    let bindings = parameters.iter().map(|argument| &argument.name);
+    let parameters = parameters(arguments);
     let checks = requirements.iter().map(|demand| {
         let (condition, text) = (&demand.condition, &demand.text);
         let shown = parameters
@@ -46,7 +45,7 @@ fn method(requirements: &[Demand], arguments: &[Argument], own: &[TokenStream]) 
             return ::core::option::Option::Some(::kin::rt::refused(#text, &[#(#shown),*]));
         })
     });
-    let bindings = bindings.map(|name| quote!(let #name = ::core::clone::Clone::clone(&self.#name);));
+    let bindings = bindings(arguments);
     quote! {
         #[cold]
         fn refusal(&self) -> ::core::option::Option<::std::string::String> {
@@ -56,6 +55,16 @@ fn method(requirements: &[Demand], arguments: &[Argument], own: &[TokenStream]) 
             ::core::option::Option::None
         }
     }
+}
+
+fn parameters(arguments: &[Argument]) -> Vec<&Argument> {
+    arguments.iter().filter(|argument| argument.kind.slots() == 0 && argument.kind.is_field()).collect()
+}
+
+/// The user's names for the parameters, in plain f64.
+pub fn bindings(arguments: &[Argument]) -> Vec<TokenStream> {
+    let names = parameters(arguments).into_iter().map(|argument| &argument.name);
+    names.map(|name| quote!(let #name = ::core::clone::Clone::clone(&self.#name);)).collect()
 }
 
 /// Whether a name stands in an expression.

@@ -10,7 +10,7 @@ use crate::graph::{Graph, Node, Op};
 use crate::lower::Lowered;
 use crate::parse::Argument;
 
-/// `residual`, `jacobian`, `linearize`, `velocity_rhs`, `acceleration_rhs` and `not_finite`.
+/// `residual`, `jacobian`, `linearize`, `velocity_rhs`, `acceleration_rhs` and `blame`.
 pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivatives) -> TokenStream {
     let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
     let (m, entries) = (literal(rows.len()), literal(derived.jacobian.len()));
@@ -35,7 +35,7 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
     let velocity = self::velocity(&m, velocity);
     let timed = timed::functions(lowered, &timed);
     let (constants, depends) = (constants(&lowered.graph, derived), depends(&lowered.graph, &rows, derived));
-    let not_finite = not_finite(lowered, arguments, &derived.checks);
+    let blame = super::blame::symbolic(arguments, lowered);
     let ((residual_doc, residual), (linearize_doc, linearize), (right_doc, right_side)) = (residual, linearize, right_side);
     quote! {
         #constants
@@ -62,7 +62,7 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
             let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<#m>() else { return };
             #right_side
         }
-        #not_finite
+        #blame
     }
 }
 
@@ -91,11 +91,19 @@ fn depends(g: &Graph, rows: &[Node], derived: &Derivatives) -> TokenStream {
     let on_t = |n: &Node| g.depends(*n).on_t;
     let (c, c_q) = (rows.iter().any(on_t), derived.jacobian.iter().any(|entry| on_t(&entry.2)));
     let [c_t, q_d] = [&derived.velocity_rhs, &derived.acceleration_rhs].map(|side| side.iter().any(|&n| !g.is_zero(n)));
+    let constant = derived.jacobian.iter().all(|entry| g.constant_value(entry.2).is_some());
+    let curved = !(constant && is_smooth(g, rows));
     quote! {
         fn depends(&self) -> ::kin::Dependence {
-            ::kin::Dependence { c_on_t: #c, c_q_on_t: #c_q, c_t: #c_t, q_d: #q_d }
+            ::kin::Dependence { c_on_t: #c, c_q_on_t: #c_q, c_t: #c_t, q_d: #q_d, curved: #curved }
         }
     }
+}
+
+/// Whether coordinates enter by sums and products alone: with a constant gradient that makes rows linear, which a step or a kink would not.
+fn is_smooth(g: &Graph, rows: &[Node]) -> bool {
+    let smooth = |op: Op| matches!(op, Op::Input(_) | Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::Neg(_));
+    g.reachable(rows).into_iter().all(|node| !g.depends(node).on_q || smooth(g.op(node)))
 }
 
 fn commented(what: &str, code: Code) -> (String, TokenStream) {
@@ -117,21 +125,6 @@ fn velocity(m: &Literal, code: Option<Code>) -> TokenStream {
         fn velocity_rhs(&self, at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
             let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<#m>() else { return };
             #code
-        }
-    }
-}
-
-fn not_finite(lowered: &Lowered, arguments: &[Argument], checks: &[(String, Vec<Node>)]) -> TokenStream {
-    let checks: Vec<(String, Vec<Node>)> = checks.iter().filter(|(_, nodes)| !nodes.is_empty()).cloned().collect();
-    if checks.is_empty() {
-        return quote!();
-    }
-    let code = Kernel::emit_checks(lowered, arguments, &checks).tokens;
-    quote! {
-        #[cold]
-        fn not_finite(&self, at: &::kin::rt::At<'_>) -> ::core::option::Option<&str> {
-            #code
-            ::core::option::Option::None
         }
     }
 }
@@ -190,20 +183,7 @@ pub fn dual() -> TokenStream {
         fn acceleration_rhs(&self, at: &::kin::rt::At<'_>, qd: &::kin::rt::Rates<'_>, t_dot: f64, q_d: &mut [f64]) {
             ::kin::dual_route::acceleration_rhs(self, at, qd, t_dot, q_d);
         }
-    }
-}
-
-/// The right side for the jerk, by dual numbers on either route: it is asked for seldom, and one more derivative of the graph is much code.
-pub fn jerk() -> TokenStream {
-    quote! {
-        #[cold]
-        fn jerk_rhs(
-            &self,
-            at: &::kin::rt::At<'_>,
-            qd: &::kin::rt::Rates<'_>,
-            qdd: &::kin::rt::Rates<'_>,
-            rhs: &mut [f64],
-        ) -> bool {
+        fn jerk_rhs(&self, at: &::kin::rt::At<'_>, qd: &::kin::rt::Rates<'_>, qdd: &::kin::rt::Rates<'_>, rhs: &mut [f64]) -> bool {
             ::kin::dual_route::jerk_rhs(self, at, qd, qdd, rhs)
         }
     }

@@ -55,8 +55,6 @@ pub struct Kernel<'a> {
     fused: bool,
     /// Parts of states (true) and rates that are read, by slot.
     read: HashSet<(usize, Part, bool)>,
-    /// What is returned where states are missing.
-    missing: TokenStream,
     /// Whether outputs are written one after the other, as they stand.
     scheduled: bool,
     /// How many numbers were evaluated once a time, and whether they are read.
@@ -115,23 +113,7 @@ impl<'a> Kernel<'a> {
                 self.statements.push(quote!(#in_order();));
             }
         }
-        self.finish(quote!())
-    }
-
-    /// Code that returns the text of the first risk whose numbers are not all finite.
-    pub fn emit_checks(lowered: &'a Lowered, arguments: &[Argument], checks: &[(String, Vec<Node>)]) -> Code {
-        let mut kernel = Kernel { missing: quote!(::core::option::Option::None), ..Kernel::new(lowered, arguments) };
-        let nodes: Vec<Node> = checks.iter().flat_map(|(_, nodes)| nodes.clone()).collect();
-        kernel.count_uses(&nodes);
-        kernel.graph().reachable(&nodes).into_iter().for_each(|node| kernel.name(node));
-        let tests: Vec<TokenStream> = checks
-            .iter()
-            .map(|(text, nodes)| {
-                let values: Vec<TokenStream> = nodes.iter().map(|&n| kernel.expression(n)).collect();
-                quote!(if ![#(#values),*].into_iter().all(f64::is_finite) { return ::core::option::Option::Some(#text); })
-            })
-            .collect();
-        kernel.finish(quote!(#(#tests)*))
+        self.finish()
     }
 
     fn new(lowered: &'a Lowered, arguments: &[Argument]) -> Self {
@@ -150,7 +132,6 @@ impl<'a> Kernel<'a> {
             evaluations: HashMap::new(),
             fused: false,
             read: HashSet::new(),
-            missing: quote!(),
             scheduled: false,
             timed: 0,
             reads_timed: false,
@@ -161,7 +142,7 @@ impl<'a> Kernel<'a> {
         &self.lowered.graph
     }
 
-    fn finish(self, outputs: TokenStream) -> Code {
+    fn finish(self) -> Code {
         let bindings = self.bindings();
         let timed = self.reads_timed.then(|| timed::binding(self.timed));
         let statements = self.statements;
@@ -169,7 +150,7 @@ impl<'a> Kernel<'a> {
         let fma = if self.fused { quote!(let #fma = ::kin::rt::fma;) } else { quote!() };
         let items = &self.lowered.items;
         let items = if items.is_empty() { quote!() } else { quote!(#(#[allow(unused)] #items)*) };
-        Code { tokens: quote!(#items #fma #timed #bindings #(#statements)* #outputs), operations: self.operations }
+        Code { tokens: quote!(#items #fma #timed #bindings #(#statements)*), operations: self.operations }
     }
 
     /// The states and rates as arrays of known length, if any of their numbers is read.
@@ -177,8 +158,8 @@ impl<'a> Kernel<'a> {
         let read = |states: bool| self.read.iter().any(|(_, _, state)| *state == states);
         let states: usize = self.slots.iter().map(|slot| slot.state_parts().len()).sum();
         let rates: usize = self.slots.iter().map(|slot| slot.columns().len()).sum();
-        let states = binding("state", quote!(at.states), states, read(true), &self.missing);
-        let rates = binding("rate", quote!(qd.columns), rates, read(false), &self.missing);
+        let states = binding("state", quote!(at.states), states, read(true));
+        let rates = binding("rate", quote!(qd.columns), rates, read(false));
         quote!(#states #rates)
     }
 

@@ -1,6 +1,7 @@
 //! Last stage: from the graph, and from the user's own body, to Rust. `quote` begins here.
 
 mod attachments;
+mod blame;
 pub mod constraint;
 mod demands;
 mod described;
@@ -8,6 +9,7 @@ mod functions;
 mod kernel;
 mod lanes;
 pub mod law;
+mod measures;
 mod rewrite;
 mod slots;
 pub mod stand_in;

@@ -50,9 +50,9 @@ impl Slot {
 }
 
 /// `let Some(state) = at.states::<10>() else { return };`
-pub fn binding(name: &str, source: TokenStream, length: usize, is_read: bool, missing: &TokenStream) -> TokenStream {
+pub fn binding(name: &str, source: TokenStream, length: usize, is_read: bool) -> TokenStream {
     let (name, length) = (super::own(name), Literal::usize_unsuffixed(length));
-    if is_read { quote!(let ::core::option::Option::Some(#name) = #source::<#length>() else { return #missing };) } else { quote!() }
+    if is_read { quote!(let ::core::option::Option::Some(#name) = #source::<#length>() else { return };) } else { quote!() }
 }
 
 /// The state arguments, one a slot, with names that nothing else in emitted code has.

@@ -95,7 +95,7 @@ impl Reader {
             ("from_axis_angle", Components::Euler, 2) => {
                 let (angle, axis) = (arguments.pop().unwrap_or(Value::Poison), arguments.remove(0));
                 let (axis, angle) = (self.convertible(axis, 3, call.place(0)), self.scalar(angle, call.place(1)));
-                Value::Euler(self.axis_angle(&axis, angle, call.at))
+                Value::Euler(self.axis_angle(&axis, angle))
             }
             ("skew", Components::Matrix(3), 1) => {
                 let v = self.convertible(arguments.remove(0), 3, call.place(0));
@@ -136,12 +136,11 @@ impl Reader {
     }
 
     /// (cos φ/2, u sin φ/2)
-    fn axis_angle(&mut self, axis: &[Node], angle: Node, at: &dyn ToTokens) -> Vec<Node> {
+    fn axis_angle(&mut self, axis: &[Node], angle: Node) -> Vec<Node> {
         let half = self.graph.constant(0.5);
         let half = self.graph.mul(half, angle);
         let (sin, cos) = (self.graph.call(Function::Sin, half), self.graph.call(Function::Cos, half));
         let norm = self.norm(axis);
-        self.risk(norm, at);
         let unit: Vec<Node> = axis.iter().map(|&n| self.graph.div(n, norm)).collect();
         std::iter::once(cos).chain(unit.into_iter().map(|n| self.graph.mul(n, sin))).collect()
     }

@@ -52,7 +52,7 @@ impl Reader {
                 let no = self.graph.and(not, b);
                 self.graph.or(yes, no)
             }
-            Value::Opaque(template) => self.opaque(template, OpaqueKind::Condition, at)[0],
+            Value::Opaque(template) => self.opaque(template, OpaqueKind::Condition)[0],
             Value::Poison | Value::Never => self.graph.bool(true),
             other => {
                 self.mistake(at, format!("this must be a condition (bool), but it is {}", other.name()));
@@ -161,8 +161,18 @@ impl Reader {
         }
     }
 
-    /// Arithmetic with values of the graph in it is done in the graph; anything else is computed as a whole.
+    /// An opaque value in a place of `shape`; its nodes are of the expression that it comes from.
     fn opaque_shaped(&mut self, template: Template, shape: &Shape, at: &dyn ToTokens) -> Value {
+        let (first, expression) = (self.graph.len(), self.expressions.of_template(&template));
+        let value = self.computed(template, shape, at);
+        if let Some(expression) = expression {
+            self.expressions.give(first..self.graph.len(), expression);
+        }
+        value
+    }
+
+    /// Arithmetic with values of the graph in it is done in the graph; anything else is computed as a whole.
+    fn computed(&mut self, template: Template, shape: &Shape, at: &dyn ToTokens) -> Value {
         let (known, scalar) = (!template.nodes().is_empty(), *shape == Shape::Scalar);
         let components = matches!(shape, Shape::Vector(_) | Shape::Matrix(_) | Shape::Euler);
         match template {
@@ -190,7 +200,7 @@ impl Reader {
                 self.negated(a)
             }
             template => {
-                let nodes = self.opaque(template, OpaqueKind::Numbers(shape.clone()), at);
+                let nodes = self.opaque(template, OpaqueKind::Numbers(shape.clone()));
                 Value::from_numbers(shape, &mut nodes.into_iter()).unwrap_or(Value::Poison)
             }
         }
@@ -202,10 +212,10 @@ impl Reader {
     }
 
     /// Components of an opaque value. Where it depends on coordinates or time it is a leaf, called with numbers that carry derivatives.
-    fn opaque(&mut self, template: Template, kind: OpaqueKind, at: &dyn ToTokens) -> Vec<Node> {
+    fn opaque(&mut self, template: Template, kind: OpaqueKind) -> Vec<Node> {
         let count = if let OpaqueKind::Numbers(shape) = &kind { shape.len() } else { 1 };
         if kind != OpaqueKind::Condition && self.varies(&template) {
-            return self.leaf(template, kind, count, at);
+            return self.leaf(template, kind, count);
         }
         let template = self.guarded(template);
         let nodes = template.nodes();
@@ -233,7 +243,7 @@ impl Reader {
         }
     }
 
-    fn leaf(&mut self, template: Template, kind: OpaqueKind, count: usize, at: &dyn ToTokens) -> Vec<Node> {
+    fn leaf(&mut self, template: Template, kind: OpaqueKind, count: usize) -> Vec<Node> {
         let key = format!("{} as {kind:?}", template.key());
         let number = match self.leaf_index.get(&key) {
             Some(&number) => number,
@@ -244,9 +254,7 @@ impl Reader {
                 number
             }
         };
-        let outputs: Vec<Node> = (0..count).map(|k| self.graph.leaf_output(number, k, LeafNumber::Value)).collect();
-        outputs.iter().for_each(|&output| self.risk(output, at));
-        outputs
+        (0..count).map(|k| self.graph.leaf_output(number, k, LeafNumber::Value)).collect()
     }
 
     /// A value as it is handed to something that only rustc knows.

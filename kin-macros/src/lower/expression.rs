@@ -21,6 +21,18 @@ impl Reader {
         if self.graph.len() > MOST_NODES || self.expressions_read > MOST_EXPRESSIONS {
             return Err(Unreadable::new(expression, "an equation this long"));
         }
+        let first = self.graph.len();
+        let value = self.by_kind(expression)?;
+        if !matches!(expression, Expr::Paren(_) | Expr::Group(_)) {
+            self.expressions.ended(expression, first..self.graph.len());
+            if let Value::Opaque(template) = &value {
+                self.expressions.note(template, expression);
+            }
+        }
+        Ok(value)
+    }
+
+    fn by_kind(&mut self, expression: &Expr) -> Read {
         match expression {
             Expr::Lit(literal) => self.literal(literal),
             Expr::Path(path) => self.path(path),

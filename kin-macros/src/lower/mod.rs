@@ -10,6 +10,7 @@ mod function;
 mod method;
 mod operator;
 mod pattern;
+pub mod place;
 mod rotation;
 mod rows;
 mod scope;
@@ -27,6 +28,7 @@ use crate::error::Mistakes;
 use crate::graph::{Graph, Input, Node};
 use crate::parse::{Argument, ConstraintFn, Kind, Shape};
 
+pub use place::Expressions;
 pub use rows::Row;
 use scope::Scopes;
 use template::Template;
@@ -41,8 +43,8 @@ pub struct Lowered {
     pub opaques: Vec<OpaqueValue>,
     pub laws: Vec<Template>,
     pub leaves: Vec<OpaqueValue>,
-    /// Operations that can fail to be finite, with the user's text.
-    pub risks: Vec<Risk>,
+    /// The expressions that the nodes are of.
+    pub expressions: Expressions,
     /// Points and directions that do not move in their bodies.
     pub attachments: Vec<Attachment>,
     /// Items of the body that emitted code repeats: imports, types, constants whose value is not known here.
@@ -69,12 +71,6 @@ pub struct OpaqueValue {
 pub enum OpaqueKind {
     Numbers(Shape),
     Condition,
-}
-
-/// A node whose value or derivative may not be finite.
-pub struct Risk {
-    pub node: Node,
-    pub text: String,
 }
 
 /// Why the body has no graph.
@@ -146,7 +142,7 @@ struct Reader {
     law_index: HashMap<String, usize>,
     leaves: Vec<OpaqueValue>,
     leaf_index: HashMap<String, usize>,
-    risks: Vec<Risk>,
+    expressions: Expressions,
     /// Rotation matrices, each with the Euler parameters that it is made of.
     rotations: HashMap<Vec<Node>, Vec<Node>>,
     attachments: Vec<Attachment>,
@@ -175,7 +171,7 @@ impl Reader {
             law_index: HashMap::new(),
             leaves: Vec::new(),
             leaf_index: HashMap::new(),
-            risks: Vec::new(),
+            expressions: Expressions::default(),
             rotations: HashMap::new(),
             attachments: Vec::new(),
             repeated_items: Vec::new(),
@@ -206,7 +202,7 @@ impl Reader {
             opaques: self.opaques,
             laws: self.laws,
             leaves: self.leaves,
-            risks: self.risks,
+            expressions: self.expressions,
             attachments: self.attachments,
             items: self.repeated_items,
         })
@@ -260,23 +256,6 @@ impl Reader {
         self.mistakes.add(tokens, message);
         Value::Poison
     }
-
-    /// Notes an operation that may not be finite.
-    fn risk(&mut self, node: Node, tokens: &dyn ToTokens) {
-        if self.graph.constant_value(node).is_none() && !self.risks.iter().any(|risk| risk.node == node) {
-            self.risks.push(Risk { node, text: source_text(tokens) });
-        }
-    }
-}
-
-/// What the user wrote.
-fn source_text(tokens: &dyn ToTokens) -> String {
-    let tokens = tokens.to_token_stream();
-    let whole = tokens.clone().into_iter().next().and_then(|first| {
-        let last = tokens.clone().into_iter().last()?;
-        first.span().join(last.span())?.source_text()
-    });
-    whole.unwrap_or_else(|| tidy(&tokens.to_string()))
 }
 
 /// A token stream's text without the blanks that nobody writes.

@@ -80,7 +80,7 @@ impl Reader {
             (Value::Condition(a), Value::Condition(b)) => self.conditions(op, a, b, at)?,
             (left, right) => match comparison(&op) {
                 Some(comparison) => self.compared(comparison, op, &left, &right, at)?,
-                None => match self.arithmetic(op, &left, &right, at) {
+                None => match self.arithmetic(op, &left, &right) {
                     Some(value) => value,
                     None => self.operator_mistake(op, &left, &right, at),
                 },
@@ -93,14 +93,14 @@ impl Reader {
         if matches!(left, Value::Poison) || matches!(right, Value::Poison) {
             return Value::Poison;
         }
-        self.arithmetic(op, left, right, at).unwrap_or_else(|| {
+        self.arithmetic(op, left, right).unwrap_or_else(|| {
             self.mistake(at, format!("there is no `{}` between {} and {}", op.to_token_stream(), left.name(), right.name()))
         })
     }
 
     /// `left op right` of numbers, vectors and matrices; `None` where Rust has no such operator.
-    fn arithmetic(&mut self, op: BinOp, left: &Value, right: &Value, at: &dyn ToTokens) -> Option<Value> {
-        let value = match (op, left, right) {
+    fn arithmetic(&mut self, op: BinOp, left: &Value, right: &Value) -> Option<Value> {
+        Some(match (op, left, right) {
             (op, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(self.scalars(op, *a, *b)?),
             (BinOp::Mul(_), Value::Matrix(n, m), Value::Vector(v)) if *n == v.len() => Value::Vector(self.matrix_vector(m, v)),
             (BinOp::Mul(_), Value::Matrix(n, a), Value::Matrix(m, b)) if n == m => Value::Matrix(*n, self.matrix_matrix(*n, a, b)),
@@ -110,11 +110,7 @@ impl Reader {
             (BinOp::Add(_), left, right) => self.pairs(left, right, Graph::add)?,
             (BinOp::Sub(_), left, right) => self.pairs(left, right, Graph::sub)?,
             _ => return None,
-        };
-        if let (BinOp::Div(_) | BinOp::Rem(_), Some((nodes, _))) = (op, value.numbers()) {
-            nodes.into_iter().for_each(|n| self.risk(n, at));
-        }
-        Some(value)
+        })
     }
 
     fn scalars(&mut self, op: BinOp, a: Node, b: Node) -> Option<Node> {

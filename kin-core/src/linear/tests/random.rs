@@ -129,7 +129,7 @@ impl Sparse {
 
     /// |b − A x| / (|A| |x| + |b|) in largest norms, rows and columns by the measures of the solver.
     fn backward_error(&self, linear: &Linear, x: &[f64], b: &[f64]) -> f64 {
-        let mut r: Vec<f64> = b.iter().zip(&linear.row_units).map(|(b, unit)| b * unit).collect();
+        let mut r: Vec<f64> = b.iter().zip(linear.row_units.iter()).map(|(b, unit)| b * unit).collect();
         let largest = |all: &[f64]| all.iter().fold(0.0_f64, |m, x| if x.abs() <= m { m } else { x.abs() });
         let (b_norm, mut rows) = (largest(&r), vec![0.0; self.n]);
         let x: Vec<f64> = x.iter().zip(&linear.column_units).map(|(x, unit)| x / unit).collect();

@@ -219,7 +219,7 @@ fn linearize_lane_by_lane<S: Level>(
         take(states, lane, &mut scratch.states);
         take(c, lane, &mut scratch.c);
         take(values, lane, &mut scratch.values);
-        block.constraint.linearize(&At::new(t, &scratch.states, &block.first_state), &mut scratch.c, &mut scratch.values);
+        block.constraint.linearize(&At::new(t, &scratch.states, &block.arguments.first_state), &mut scratch.c, &mut scratch.values);
         put(&scratch.c, lane, c);
         put(&scratch.values, lane, values);
     }
@@ -240,9 +240,9 @@ fn right_side_lane_by_lane<S: Level>(
         take(&instant.states[own.states.range()], lane, &mut scratch.states);
         take(&instant.rates[own.rates.range()], lane, &mut scratch.rates);
         take(rhs, lane, &mut scratch.c);
-        let at = At::new(instant.t, &scratch.states, &block.first_state);
+        let at = At::new(instant.t, &scratch.states, &block.arguments.first_state);
         if second {
-            let rates = Rates::new(&scratch.rates, &block.first_column);
+            let rates = Rates::new(&scratch.rates, &block.arguments.first_column);
             block.constraint.acceleration_rhs(&at, &rates, 1.0, &mut scratch.c);
         } else {
             block.constraint.velocity_rhs(&at, &mut scratch.c);

@@ -21,7 +21,7 @@ impl StatePlan {
         let mut copies = &self.planar.copies[..];
         for state in &self.planar.states {
             let own = take(&mut copies, state.readers);
-            let (Some(&[x, y, theta]), Some(&[_, _, known, sin, cos])) = (from(q, state.first), from(states, own[0][0])) else { continue };
+            let (&[x, y, theta], &[_, _, known, sin, cos]) = (from(q, state.first), from(states, own[0][0]));
             // Angles that have not moved in any lane, as driven ones in Newton's last step, keep their sine and cosine.
             let (sin, cos) = if theta.differ(known).any() { theta.sin_cos() } else { (sin, cos) };
             for &[begin, _] in own {

@@ -6,6 +6,7 @@
 mod foreign;
 mod lift;
 mod macros;
+mod mark;
 mod nature;
 mod scopes;
 
@@ -15,6 +16,7 @@ use syn::visit::Visit;
 use syn::visit_mut::{self, VisitMut};
 use syn::{Block, Expr, FnArg, Item, ItemFn, Pat, Stmt, Type, parse_quote};
 
+use crate::lower::Expressions;
 use crate::parse::{Argument, Kind};
 use lift::Lifter;
 use scopes::{Inputs, Name, Nature, Scopes, Variable};
@@ -34,6 +36,13 @@ pub fn plain_law(body: &Block, parameters: &[Argument], variable: &Ident) -> Blo
 /// The body generic over `Real<__D>`.
 pub fn dual(body: &Block, arguments: &[Argument]) -> Block {
     rewrite(body, arguments, Copy::Dual, None)
+}
+
+/// The same with the end of each expression marked, and the expressions by their numbers.
+pub fn traced(body: &Block, arguments: &[Argument]) -> (Block, Expressions) {
+    let mut rewriter = Rewriter { expressions: Some(Expressions::default()), ..Rewriter::new(Copy::Dual) };
+    let body = rewriter.rewrite(body, arguments, None);
+    (body, rewriter.expressions.unwrap_or_default())
 }
 
 /// The body of a law generic over `Real<__D>`.
@@ -60,16 +69,7 @@ enum Copy {
 }
 
 fn rewrite(body: &Block, arguments: &[Argument], copy: Copy, variable: Option<&Ident>) -> Block {
-    let mut rewriter = Rewriter { copy, dual: dual_parameter(), scopes: Scopes::default() };
-    loop {
-        rewriter.scopes.restart();
-        rewriter.declare_arguments(arguments, variable);
-        let mut rewritten = body.clone();
-        rewriter.visit_block_mut(&mut rewritten);
-        if !rewriter.scopes.changed() {
-            return rewritten;
-        }
-    }
+    Rewriter::new(copy).rewrite(body, arguments, variable)
 }
 
 struct Rewriter {
@@ -77,31 +77,16 @@ struct Rewriter {
     /// The dual number that the code in hand is generic over.
     dual: Ident,
     scopes: Scopes,
+    /// The expressions whose ends are marked, if any are.
+    expressions: Option<Expressions>,
 }
 
 impl VisitMut for Rewriter {
     fn visit_expr_mut(&mut self, expression: &mut Expr) {
-        match expression {
-            Expr::Path(_) => self.path(expression),
-            Expr::Lit(_) => self.literal(expression),
-            Expr::Field(_) | Expr::Index(_) | Expr::Unary(syn::ExprUnary { op: syn::UnOp::Deref(_), .. })
-                if self.is_foreign(expression) =>
-            {
-                self.place(expression);
-                self.lift_place(expression);
-            }
-            Expr::MethodCall(_) => self.method_call(expression),
-            Expr::Call(_) => self.call(expression),
-            Expr::Struct(literal) => self.struct_literal(literal),
-            Expr::Reference(reference) if reference.mutability.is_some() => self.place(&mut reference.expr),
-            Expr::Assign(assign) => self.assignment(&mut assign.left, &mut assign.right),
-            Expr::Binary(binary) if is_compound(&binary.op) => self.assignment(&mut binary.left, &mut binary.right),
-            Expr::Cast(_) => self.cast(expression),
-            Expr::Closure(closure) => drop(self.closure(closure, Nature::ANY)),
-            Expr::Macro(call) => self.macro_call(&mut call.mac),
-            // Array lengths are no numbers of the equation.
-            Expr::Repeat(repeat) => self.visit_expr_mut(&mut repeat.expr),
-            _ => visit_mut::visit_expr_mut(self, expression),
+        let number = self.number_to_mark(expression);
+        self.by_kind(expression);
+        if let Some(number) = number {
+            self.mark(expression, number);
         }
     }
 
@@ -207,6 +192,48 @@ impl VisitMut for Rewriter {
 }
 
 impl Rewriter {
+    fn new(copy: Copy) -> Self {
+        Rewriter { copy, dual: dual_parameter(), scopes: Scopes::default(), expressions: None }
+    }
+
+    /// The body rewritten, as often as something new is learnt of its variables.
+    fn rewrite(&mut self, body: &Block, arguments: &[Argument], variable: Option<&Ident>) -> Block {
+        loop {
+            self.scopes.restart();
+            self.declare_arguments(arguments, variable);
+            let mut rewritten = body.clone();
+            self.visit_block_mut(&mut rewritten);
+            if !self.scopes.changed() {
+                return rewritten;
+            }
+        }
+    }
+
+    fn by_kind(&mut self, expression: &mut Expr) {
+        match expression {
+            Expr::Path(_) => self.path(expression),
+            Expr::Lit(_) => self.literal(expression),
+            Expr::Field(_) | Expr::Index(_) | Expr::Unary(syn::ExprUnary { op: syn::UnOp::Deref(_), .. })
+                if self.is_foreign(expression) =>
+            {
+                self.place(expression);
+                self.lift_place(expression);
+            }
+            Expr::MethodCall(_) => self.method_call(expression),
+            Expr::Call(_) => self.call(expression),
+            Expr::Struct(literal) => self.struct_literal(literal),
+            Expr::Reference(reference) if reference.mutability.is_some() => self.place(&mut reference.expr),
+            Expr::Assign(assign) => self.assignment(&mut assign.left, &mut assign.right),
+            Expr::Binary(binary) if is_compound(&binary.op) => self.assignment(&mut binary.left, &mut binary.right),
+            Expr::Cast(_) => self.cast(expression),
+            Expr::Closure(closure) => drop(self.closure(closure, Nature::ANY)),
+            Expr::Macro(call) => self.macro_call(&mut call.mac),
+            // Array lengths are no numbers of the equation.
+            Expr::Repeat(repeat) => self.visit_expr_mut(&mut repeat.expr),
+            _ => visit_mut::visit_expr_mut(self, expression),
+        }
+    }
+
     fn declare_arguments(&mut self, arguments: &[Argument], variable: Option<&Ident>) {
         for argument in arguments {
             let varies = matches!(argument.kind, Kind::Planar | Kind::Spatial | Kind::Coord | Kind::Coords(_) | Kind::Time);

@@ -71,16 +71,11 @@ impl Reader {
         if !self.counted(count, call) {
             return Ok(Some(Value::Poison));
         }
-        let norm = |reader: &mut Self| {
-            let norm = reader.norm(v);
-            reader.risk(norm, call.whole);
-            norm
-        };
         Ok(Some(match call.name.as_str() {
-            "norm" => Value::Scalar(norm(self)),
+            "norm" => Value::Scalar(self.norm(v)),
             "norm_squared" => Value::Scalar(self.dot(v, v)),
             "normalize" => {
-                let norm = norm(self);
+                let norm = self.norm(v);
                 kind.value(v.iter().map(|&n| self.graph.div(n, norm)).collect())
             }
             "to_array" => Value::Array(v.iter().copied().map(Value::Scalar).collect()),
@@ -98,7 +93,6 @@ impl Reader {
                 let w = self.other(kind, call);
                 let f = if name == "component_mul" { Graph::mul } else { Graph::div };
                 let products: Vec<Node> = v.iter().zip(w).map(|(&a, b)| f(&mut self.graph, a, b)).collect();
-                products.iter().for_each(|&n| self.risk(n, call.whole));
                 kind.value(products)
             }
         }))

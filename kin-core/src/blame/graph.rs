@@ -1,0 +1,95 @@
+//! The equation of a constraint as static data: its steps in the order in which the compiler read them, each with the expression it is of.
+//! Written by `#[constraint]`, read when something has failed, and for the jerk.
+
+use num_dual::Dual3_64;
+
+use crate::law::Law;
+
+pub use super::function::{Function, Function2};
+
+/// One step, from the results of steps before it. A condition counts as 1 or 0.
+#[derive(Clone, Copy, Debug)]
+#[allow(missing_docs)]
+pub enum Step {
+    /// The coordinate of a local column.
+    Column(u16),
+    Time,
+    /// A parameter, by its number.
+    Parameter(u16),
+    Constant(f64),
+    Negated(u16),
+    Call(Function, u16),
+    Call2(Function2, u16, u16),
+    /// xⁿ
+    Power(u16, i32),
+    /// The second if the first holds, else the third.
+    Select(u16, u16, u16),
+    Compare(Comparison, u16, u16),
+    Both(u16, u16),
+    Either(u16, u16),
+    Not(u16),
+    /// Number `component` of what only the user's program can compute: which, from what.
+    Foreign(u16, &'static [u16], u16),
+    /// Derivative number `order` of a law, 0 or 1: which, where.
+    Law(u16, u16, u8),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Comparison {
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual,
+    Equal,
+    NotEqual,
+}
+
+impl Comparison {
+    pub(super) fn holds(self, a: f64, b: f64) -> bool {
+        match self {
+            Comparison::Less => a < b,
+            Comparison::LessEqual => a <= b,
+            Comparison::Greater => a > b,
+            Comparison::GreaterEqual => a >= b,
+            Comparison::Equal => a == b,
+            Comparison::NotEqual => a != b,
+        }
+    }
+}
+
+/// An expression of the user's: as it is written, line and column, both counted from 1.
+pub type Expression = (&'static str, u32, u32);
+
+/// The steps of a constraint's rows.
+#[derive(Clone, Copy, Debug)]
+pub struct Graph {
+    /// The file that the expressions stand in.
+    pub file: &'static str,
+    /// The expressions.
+    pub expressions: &'static [Expression],
+    /// Each step with the number of its expression.
+    pub steps: &'static [(u16, Step)],
+    /// The step of each row.
+    pub rows: &'static [u16],
+    /// The names of the parameters.
+    pub parameters: &'static [&'static str],
+}
+
+/// Computes what only the user's program can: its number, the numbers it is made of, and where to put the results. A law gives its value and four derivatives ([`give_law`]).
+pub type Outside<'a> = &'a dyn Fn(usize, &[Dual3_64], &mut Vec<Dual3_64>);
+
+/// Of an equation in which everything is known.
+pub fn nothing_outside(_: usize, _: &[Dual3_64], _: &mut Vec<Dual3_64>) {}
+
+/// Hands over a law's jet at the first number: its value and four derivatives.
+pub fn give_law(law: &Law, x: &[Dual3_64], to: &mut Vec<Dual3_64>) {
+    let Some(x) = x.first() else { return };
+    give(&law.jet(x.re), to);
+    give(&[law.fourth(x.re)], to);
+}
+
+/// Hands over plain numbers.
+pub fn give(numbers: &[f64], to: &mut Vec<Dual3_64>) {
+    to.extend(numbers.iter().copied().map(Dual3_64::from_re));
+}
