@@ -101,6 +101,7 @@ const _: () = {
                 c_q_on_t: false,
                 c_t: true,
                 q_d: true,
+                curved: true,
             }
         }
         fn n_timed(&self) -> usize {
