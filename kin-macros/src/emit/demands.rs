@@ -6,33 +6,43 @@ use quote::{ToTokens, quote};
 use super::written;
 use crate::parse::{Argument, ConstraintFn, Demand, Kind};
 
-/// `refusal`: the first requirement that does not hold, then what the parameters themselves refuse. Laws of a constraint with time in it
+/// `refusal`: what the parameters themselves refuse, then the first requirement that does not hold. Laws of a constraint with time in it
 /// drive the motion.
 pub fn refusal(source: &ConstraintFn) -> TokenStream {
-    let own = source.arguments.iter().filter(|argument| matches!(argument.kind, Kind::Law | Kind::Axis));
-    let own: Vec<TokenStream> = own.map(own_refusal).collect();
-    method(&source.requirements, &source.arguments, &own)
+    method(&source.requirements, &source.arguments, |argument| matches!(argument.kind, Kind::Law | Kind::Axis))
 }
 
 /// `refusal` of a law.
 pub fn law_refusal(requirements: &[Demand], parameters: &[Argument]) -> TokenStream {
-    let own: Vec<TokenStream> = parameters.iter().filter(|argument| argument.kind == Kind::Law).map(own_refusal).collect();
-    method(requirements, parameters, &own)
+    method(requirements, parameters, |argument| argument.kind == Kind::Law)
 }
 
-fn own_refusal(argument: &Argument) -> TokenStream {
-    let (name, text) = (&argument.name, argument.name.to_string());
-    quote!(if let ::core::option::Option::Some(why) = ::kin::rt::Refuses::refusal(&self.#name) {
-        return ::core::option::Option::Some(::std::format!("{}: {why}", #text));
-    })
-}
-
-fn method(requirements: &[Demand], arguments: &[Argument], own: &[TokenStream]) -> TokenStream {
+fn method(requirements: &[Demand], arguments: &[Argument], can_refuse: impl Fn(&Argument) -> bool) -> TokenStream {
+    let own: Vec<TokenStream> = arguments
+        .iter()
+        .filter(|argument| can_refuse(argument))
+        .map(|argument| {
+            let (name, text) = (&argument.name, argument.name.to_string());
+            quote!((#text, &self.#name))
+        })
+        .collect();
     if requirements.is_empty() && own.is_empty() {
         return quote!();
     }
+    let own = (!own.is_empty()).then(|| {
+        quote!(if let ::core::option::Option::Some(why) = ::kin::rt::refusal(&[#(#own),*]) {
+            return ::core::option::Option::Some(why);
+        })
+    });
     let parameters: Vec<&Argument> = arguments.iter().filter(|argument| argument.kind.slots() == 0 && argument.kind.is_field()).collect();
-    let bindings = parameters.iter().map(|argument| &argument.name);
+    let asked = |argument: &&&Argument| requirements.iter().any(|demand| mentions(&demand.condition, &argument.name));
+    let bindings = parameters.iter().filter(asked).map(|argument| {
+        let name = &argument.name;
+        match argument.kind {
+            Kind::Numbers(_) | Kind::Axis => quote!(let #name = self.#name;),
+            _ => quote!(let #name = ::core::clone::Clone::clone(&self.#name);),
+        }
+    });
     let checks = requirements.iter().map(|demand| {
         let (condition, text) = (&demand.condition, &demand.text);
         let shown = parameters
@@ -46,11 +56,10 @@ fn method(requirements: &[Demand], arguments: &[Argument], own: &[TokenStream]) 
             return ::core::option::Option::Some(::kin::rt::refused(#text, &[#(#shown),*]));
         })
     });
-    let bindings = bindings.map(|name| quote!(let #name = ::core::clone::Clone::clone(&self.#name);));
     quote! {
         #[cold]
         fn refusal(&self) -> ::core::option::Option<::std::string::String> {
-            #(#own)*
+            #own
             #(#bindings)*
             #(#checks)*
             ::core::option::Option::None
