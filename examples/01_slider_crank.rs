@@ -45,6 +45,7 @@ fn main() -> kin::Result<()> {
     m.add("loop", slider_crank(theta3, x, L2, L3, H, OMEGA))?;
 
     // 3. Motion: one turn of the crank, a degree at a time.
+    m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 1.0, 361))?;
     println!("{}\n", motion.summary());

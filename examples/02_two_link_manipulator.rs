@@ -26,6 +26,7 @@ fn main() -> kin::Result<()> {
     // 3. Motion: θ2 = θ20 + ω2 t and θ3 = θ30 + ω3 t close the system.
     m.add("motor 2", drive_angle(link2, Law::linear(PI / 6.0, 0.5)))?; // rad, rad/s
     m.add("motor 3", drive_angle(link3, Law::linear(PI / 12.0, 0.75)))?;
+    m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 24.0, 2401))?;
 

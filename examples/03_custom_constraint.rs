@@ -42,6 +42,7 @@ fn main() -> kin::Result<()> {
     // 5. Motion: the motor turns once a second; of the two assemblies, the one with the pin in the right half of the slot.
     m.add("motor", drive_angle(disc, Law::ramp(TAU)))?; // rad/s
     m.prefer(arm, 0.0); // rad
+    m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 1.0, 1001))?;
     println!("{}", motion.summary());

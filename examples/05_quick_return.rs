@@ -32,19 +32,20 @@ fn main() -> kin::Result<()> {
     m.add("guide", prismatic(ram, ground, vec2(0.0, 0.0), vec2(0.0, height), vec2(0.0, 1.0), 0.0))?;
     m.add("motor", drive_angle(crank, Law::ramp(TAU)))?; // one turn a second
 
-    // 3. Motion, and how uneven it is: the share of a turn in which the ram goes to the left.
+    // 3. Motion, and how uneven it is: the ram turns round where its rate is zero, found by solving the pose there.
+    m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 1.0, 721))?;
     let x = motion.coordinate(ram.x());
-    let cutting = x.rate.values().iter().filter(|v| **v < 0.0).count() as f64 / motion.len() as f64;
+    let ram_turns = system.extremes(&motion, ram.x())?;
+    let by_angles = (0.5 * PI + (r / depth).asin()) / (0.5 * PI - (r / depth).asin());
     println!("{}", motion.summary());
-    println!("cutting takes {:.3} of a turn, by the angles {:.3}", cutting, 0.5 + (r / depth).asin() / PI);
-    println!(
-        "ram: stroke {:.3} m, fastest {:.2} m/s one way and {:.2} m/s back",
-        x.value.max() - x.value.min(),
-        x.rate.min(),
-        x.rate.max()
-    );
+    if let Some(ratio) = ram_turns.time_ratio() {
+        println!("cutting takes {ratio:.9} times as long as the way back, by the angles {by_angles:.9}");
+    }
+    println!("ram: stroke {:.6} m, fastest {:.2} m/s one way and {:.2} m/s back", ram_turns.stroke(), x.rate.min(), x.rate.max());
+    let pin = system.measure(&motion, "slot.slide")?.value;
+    println!("the pin moves in the slot from {:.3} m to {:.3} m of {lever_length} m", pin.min(), pin.max());
     motion.add_point("E", ram, vec2(0.0, 0.0))?;
     motion.add_point("D", lever, lever_end)?;
     motion.write_csv(format!("{OUT}/motion.csv"))?;

@@ -23,6 +23,7 @@ fn main() -> kin::Result<()> {
     m.add("motor", drive_angle(crank, Law::ramp(TAU)))?; // one turn a second
 
     // 2. Motion, beside the formula.
+    m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 2.0, 721))?;
     let x = motion.coordinate(yoke.x());

@@ -34,6 +34,7 @@ fn main() -> kin::Result<()> {
     m.add("motor", drive_angle(cam, Law::linear(deg(90.0), -PI)))?; // clockwise, a turn in two seconds
 
     // 3. Motion: the lift at the entries of the table.
+    m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 2.0, 961))?;
     let lift = motion.coordinate(follower.y());

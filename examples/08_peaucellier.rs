@@ -39,6 +39,7 @@ fn main() -> kin::Result<()> {
     m.add("motor", drive_angle(qc, Law::sine(0.8, PI, 0.0)))?; // ±46°, two seconds a swing
 
     // 3. Motion: how straight is it?
+    m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 2.0, 801))?;
     let drawn = motion.point(ad, ad.end());

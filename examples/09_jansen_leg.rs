@@ -50,6 +50,7 @@ fn main() -> kin::Result<()> {
     m.add("motor", drive_angle(crank, Law::ramp(-TAU)))?; // clockwise, one step a second
 
     // 4. Motion: how flat is the step?
+    m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 1.0, 721))?;
     let path = motion.point(shin, foot - u);

@@ -56,6 +56,7 @@ fn main() -> kin::Result<()> {
     m.prefer(upper, deg(80.0)); // elbow up
 
     // 3. Motion: what the motors would have to do.
+    m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, SECONDS, 10_001))?;
     let (shoulder, elbow) = (motion.coordinate(upper.theta()), motion.coordinate(fore.theta()));

@@ -41,6 +41,7 @@ fn main() -> kin::Result<()> {
     m.add("motor", drive_angle(carrier, Law::ramp(TAU / 8.0)))?; // one turn in eight seconds
 
     // 3. Motion.
+    m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 8.0, 1601))?;
     let sun_turns = motion.coordinate(sun.theta());

@@ -39,14 +39,14 @@ fn main() -> kin::Result<()> {
     m.add("sliding bearing", spatial::cylindrical(last, ground, x * half, b + x * (2.0 * half), axis, x))?;
     m.add("motor", drive_turn(first, ground, axis, axis, Law::ramp(PI)))?; // half a turn a second
 
-    // 3. Motion: speeds about each shaft's own axis, from the velocity of the tip of its cross.
+    // 3. Motion: speeds about each shaft's own axis, from the rates of its Euler parameters.
+    m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 4.0, 1201))?;
-    let speed = |body: SpatialBody, along: Vec3| -> Vec<f64> {
-        let (tip, foot) = (motion.point(body, y), motion.point(body, vec3(0.0, 0.0, 0.0)));
-        (0..motion.len()).map(|k| (tip.r()[k] - foot.r()[k]).cross(tip.v()[k] - foot.v()[k]).dot(along)).collect()
-    };
-    let speeds = [("first", speed(first, x)), ("middle", speed(middle, along)), ("last", speed(last, x))];
+    let mut speeds = Vec::new();
+    for (name, body) in [("first", first), ("middle", middle), ("last", last)] {
+        speeds.push((name, motion.rotation(body)?.in_body().about(x).values().to_vec()));
+    }
     motion.add_point("A", first, x * half)?;
     motion.add_point("tip", middle, x * -half + z * 0.06)?;
     for (name, values) in speeds {

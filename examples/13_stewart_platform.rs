@@ -36,6 +36,7 @@ fn main() -> kin::Result<()> {
     }
 
     // 3. Motion.
+    m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 8.0, 1601))?;
     let centre = motion.point(plate, vec3(0.0, 0.0, 0.0));

@@ -23,7 +23,7 @@ const MOST: f64 = 5.5; // to here
 type Links = [f64; 4];
 
 // 1. One four-bar, frames at mid-link; the crank turns once in 2π seconds.
-fn four_bar([a, b, c, d]: Links) -> kin::Result<(System, Link)> {
+fn four_bar([a, b, c, d]: Links) -> kin::Result<(Mechanism, Link)> {
     let mut m = Mechanism::new("four-bar");
     let (crank, coupler, rocker) = (m.link("crank", a)?, m.link("coupler", b)?, m.link("rocker", c)?);
     m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start()))?;
@@ -32,7 +32,7 @@ fn four_bar([a, b, c, d]: Links) -> kin::Result<(System, Link)> {
     m.add("C", revolute(m.ground(), rocker, vec2(d, 0.0), rocker.start()))?;
     m.add("motor", drive_angle(crank, Law::ramp(1.0)))?;
     m.prefer(rocker, deg(100.0));
-    Ok((m.build()?, rocker))
+    Ok((m, rocker))
 }
 
 // 2. What differs from case to case, by name, and the numbers of one case: a link of length 2 u reaches from −u to u.
@@ -52,7 +52,9 @@ fn main() -> kin::Result<()> {
     let links: Vec<Links> = (0..COUNT).map(links_of).collect();
     let cases: Vec<_> = links.iter().copied().map(case).collect();
     let times = linspace(0.0, TAU, 361);
-    let (system, rocker) = four_bar([1.0, 3.5, 3.0, 4.0])?;
+    let (mechanism, rocker) = four_bar([1.0, 3.5, 3.0, 4.0])?;
+    mechanism.write_json(format!("{OUT}/mechanism.json"))?;
+    let system = mechanism.build()?;
 
     // 3. The sweep. Of each motion two numbers are kept; of a failure, its message.
     let style = ProgressStyle::with_template("{bar:40} {pos} of {len} four-bars, {per_sec}").unwrap_or(ProgressStyle::default_bar());
@@ -72,7 +74,8 @@ fn main() -> kin::Result<()> {
     if let Some(([a, b, c, d], widest)) = turning.iter().max_by(|x, y| x.1.swing.total_cmp(&y.1.swing)) {
         println!("widest swing {:.1}° with links {a:.3}, {b:.3}, {c:.3} m, pins {d:.3} m apart,", widest.swing.to_degrees());
         println!("  at up to {:.2} rad/s² for a crank at 1 rad/s", widest.acceleration);
-        let (system, rocker) = four_bar([*a, *b, *c, *d])?;
+        let (mechanism, rocker) = four_bar([*a, *b, *c, *d])?;
+        let system = mechanism.build()?;
         let (mut motion, scene) = (system.run(&times)?, Scene::new(&system));
         motion.add_point("C", rocker, rocker.start())?;
         motion.write_csv(format!("{OUT}/motion.csv"))?;

@@ -119,7 +119,7 @@ fn progress_counts_up_to_all() {
     sweep.run(&cases, [0.0, 0.1], |_, _| ()).unwrap();
     drop(sweep);
     assert_eq!((told[0], told[told.len() - 1]), ((0, 50), (50, 50)));
-    assert!(told.len() > 5 && told.windows(2).all(|pair| pair[0].0 < pair[1].0));
+    assert!(told.len() > 3 && told.windows(2).all(|pair| pair[0].0 < pair[1].0));
 }
 
 #[test]
@@ -310,5 +310,31 @@ fn constraints_without_kernels_go_lane_by_lane() {
     };
     for (lanes, alone) in run(Lanes::Best).iter().zip(run(Lanes::Off)) {
         assert!(far(lanes, &alone) < 1e-10, "{:e}", far(lanes, &alone));
+    }
+}
+
+#[test]
+fn spatial_bodies_go_over_lanes_too() {
+    use kin::joints::drivers::spatial::{drive_orientation, drive_point, drive_turn};
+    use kin::joints::spatial::revolute;
+    let mut m = Mechanism::new("spatial arm");
+    let (arm, hand) =
+        (m.spatial("arm", SpatialPose::at(Vec3::zeros())).unwrap(), m.spatial("hand", SpatialPose::at(vec3(1.5, 0.0, 0.0))).unwrap());
+    let (x, z) = (vec3(1.0, 0.0, 0.0), Axis::along(vec3(0.0, 0.0, 1.0)));
+    m.add("at", drive_point(arm, Vec3::zeros(), Law::sine(0.3, 1.0, 0.0), Law::ramp(0.1), Law::constant(0.0))).unwrap();
+    m.add("turned", drive_orientation(arm, m.ground(), Law::ramp(0.4), Law::constant(0.1), Law::constant(0.0))).unwrap();
+    m.add("wrist", revolute(arm, hand, x, -0.5 * x, z, z.h)).unwrap();
+    m.add("motor", drive_turn(arm, hand, z, z, Law::sine(0.5, 2.0, 0.0))).unwrap();
+    let (system, times) = (m.build().unwrap(), linspace(0.0, 1.0, 21));
+    let cases: Vec<[f64; 1]> = (0..20).map(|k| [0.5 + 0.05 * f64::from(k)]).collect();
+    let run = |lanes| {
+        let sweep = system.sweep(["wrist.u_i.x"]).unwrap().lanes(lanes);
+        sweep.run(&cases, &times, |_, motion| numbers(&motion.unwrap()))
+    };
+    let alone = run(Lanes::Off).unwrap();
+    let tried: Vec<_> = [1, 2, 4, 8].into_iter().filter_map(|lanes| run(Lanes::Only(lanes)).ok()).collect();
+    assert!(tried.len() >= 2, "one lane is there on every machine");
+    for (found, alone) in tried.iter().flat_map(|found| found.iter().zip(&alone)) {
+        assert!(far(found, alone) < 1e-10);
     }
 }

@@ -8,6 +8,7 @@ pub(crate) mod function;
 pub(crate) mod graph;
 mod interpret;
 mod jet;
+pub(crate) mod third;
 pub(crate) mod trace;
 
 use std::fmt;
@@ -205,7 +206,7 @@ fn global(argument: &Argument, layout: &Layout) -> Vec<Option<usize>> {
     (0..kind(argument).columns()).map(|k| first.map(|first| first + k)).collect()
 }
 
-fn kind(argument: &Argument) -> ArgumentKind {
+pub(crate) fn kind(argument: &Argument) -> ArgumentKind {
     match argument.target {
         Target::Planar(_) => ArgumentKind::Planar,
         Target::Spatial(_) => ArgumentKind::Spatial,

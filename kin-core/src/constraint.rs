@@ -1,6 +1,8 @@
 //! The one trait of the library: what a constraint C(q, t) = 0 can be asked for.
 
 use crate::algebra::Vec3;
+use crate::blame::graph::{Graph, Outside};
+use crate::blame::third::Along;
 use crate::blame::{Asked, Blame};
 use crate::coordinates::Argument;
 use crate::data::Describer;
@@ -47,6 +49,17 @@ pub enum Attached {
     Direction(Vec3),
 }
 
+/// What can be asked of a joint beside its equations: an angle, a slide.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Measured {
+    /// Its name, such as `slide`.
+    pub name: &'static str,
+    /// Its unit, such as `m`.
+    pub unit: &'static str,
+    /// Whether it is an angle that is known up to whole turns, which a motion counts from one time to the next.
+    pub turns: bool,
+}
+
 /// Which terms of C(q, t) can change or be other than zero, at any q, t and parameters: what a solver need not ask for.
 ///
 /// Facts known before the program runs. `true` promises nothing, so [`Dependence::default`] (all `true`) is right for every constraint.
@@ -60,12 +73,14 @@ pub struct Dependence {
     pub c_t: bool,
     /// Q_d can be other than zero; if not, [`Constraint::acceleration_rhs`] writes zeros for every q̇ and ṫ.
     pub q_d: bool,
+    /// C can be other than linear in the coordinates; if not, C(q, t) = C_q q + C(0, t) with a C_q that never changes.
+    pub curved: bool,
 }
 
 impl Default for Dependence {
     /// Everything may depend on everything.
     fn default() -> Self {
-        Dependence { c_on_t: true, c_q_on_t: true, c_t: true, q_d: true }
+        Dependence { c_on_t: true, c_q_on_t: true, c_t: true, q_d: true, curved: true }
     }
 }
 
@@ -98,7 +113,8 @@ pub trait Constraint: CloneBoxed + Send + Sync {
     /// How its derivatives are obtained.
     fn route(&self) -> Route;
 
-    /// Whether it is a driving constraint, one in which time appears (the function has a [`crate::Time`] argument).
+    /// Whether it is a driving constraint, one in which time appears (the function has a [`crate::Time`] argument). A hand-written constraint
+    /// (default `false`) counts as one too where its value is seen to change with t alone.
     fn is_driver(&self) -> bool {
         false
     }
@@ -152,6 +168,18 @@ pub trait Constraint: CloneBoxed + Send + Sync {
     /// r(q̇, ṫ) = −\[(C_q q̇)_q q̇ + 2 ṫ C_qt q̇ + ṫ² C_tt\] into `q_d` (length m); with ṫ = 1 the right side of C_q q̈ = Q_d.   \[row/s²\]
     fn acceleration_rhs(&self, at: &At<'_>, qd: &Rates<'_>, t_dot: f64, q_d: &mut [f64]);
 
+    /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s) into `rhs` (length m): the right side of C_q q⃛ = −g‴(0), for the jerk.   \[row/s³\]
+    ///
+    /// False, and nothing written, where that is not known (default): a run that is asked for the jerk then ends with an error by name.
+    fn jerk_rhs(&self, at: &At<'_>, qd: &Rates<'_>, qdd: &Rates<'_>, rhs: &mut [f64]) -> bool {
+        let mut known = false;
+        self.graph(&mut |graph, parameters, outside| {
+            graph.jerk_rhs(&Along::new(&self.arguments(), at, qd, qdd), parameters, outside, rhs);
+            known = true;
+        });
+        known
+    }
+
     /// Shows each numeric parameter with its name (`k`, `u_i.x`, `c[2]`).
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         let _ = visit;
@@ -181,6 +209,23 @@ pub trait Constraint: CloneBoxed + Send + Sync {
         None
     }
 
+    /// What can be asked of it beside its equations (`#[measure(slide = …, "m")]`); default nothing.
+    fn measures(&self) -> &[Measured] {
+        &[]
+    }
+
+    /// Measure k of [`Constraint::measures`] with its first three derivatives along the rates q̇, q̈ and q⃛.
+    fn measure(&self, k: usize, at: &At<'_>, rates: &[Rates<'_>; 3]) -> [f64; 4] {
+        let _ = (k, at, rates);
+        [f64::NAN; 4]
+    }
+
+    /// Where the range of measure k ends, if it does: the ends of a slot.
+    fn ends(&self, k: usize) -> Option<[f64; 2]> {
+        let _ = k;
+        None
+    }
+
     /// The points and directions of its bodies that its equation speaks of, `b.point(u)` and `b.direction(h)` with nothing that moves
     /// inside: for drawings and messages. Empty where that is not known (default).
     fn attachments(&self) -> Vec<Attachment> {
@@ -197,7 +242,12 @@ pub trait Constraint: CloneBoxed + Send + Sync {
         None
     }
 
-    /// Where C = 0 holds but not as it is meant, such as an axis turned by 180°: what is wrong. Looked at when a position has been found.
+    /// Whether [`Constraint::wrong_branch`] can have anything to say. `true` promises nothing (default).
+    fn has_branches(&self) -> bool {
+        true
+    }
+
+    /// Where C = 0 holds but not as it is meant, such as an axis turned by 180°: what is wrong. Looked at whenever a position has been found.
     fn wrong_branch(&self, at: &At<'_>) -> Option<&str> {
         let _ = at;
         None
@@ -216,7 +266,15 @@ pub trait Constraint: CloneBoxed + Send + Sync {
     /// Why a term is not finite: the sub-expression that made it so, as the user wrote it. Asked only when a run has failed; `None` where
     /// that is not known (default).
     fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
-        let _ = asked;
-        None
+        let mut found = None;
+        self.graph(&mut |graph, parameters, outside| found = graph.blame(asked, parameters, outside));
+        found
+    }
+
+    /// Shows its equation as a table of steps, with the values of its parameters and what computes the rest; nothing where there is no table
+    /// (default). Emitted on the symbolic route.
+    #[doc(hidden)]
+    fn graph(&self, with: &mut dyn FnMut(&Graph, &[f64], Outside<'_>)) {
+        let _ = with;
     }
 }

@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use crate::blame::Culprit;
-use crate::diagnosis::{self, Diagnosis, Start};
+use crate::diagnosis::Diagnosis;
 use crate::motion::Motion;
-use crate::system::System;
 
+mod carried;
 pub(crate) mod text;
 
 /// `Result` with Kin's [`Error`].
@@ -55,9 +55,13 @@ pub enum Error {
 
     /// C_q has no inverse at a position: the mechanism stands in a toggle or a change point, or is wrongly constrained.
     #[error(
-        "t = {} s: C_q ({n} x {n}) has rank {rank}; smallest relative pivot {pivot:.1e}.{}",
-        text::time(*.t),
-        text::singular(.movable, .dependent, .unmet, .diagnosis, .motion)
+        "{}{}",
+        text::diagnosed(.diagnosis, || format!(
+            "t = {} s: C_q ({n} x {n}) has rank {rank}; smallest relative pivot {pivot:.1e}.{}",
+            text::time(*.t),
+            text::singular(.movable, .dependent, .unmet)
+        )),
+        text::kept(.motion)
     )]
     SingularAt {
         /// Time.   \[s\]
@@ -76,6 +80,44 @@ pub enum Error {
         unmet: Option<String>,
         /// What is wrong there, by name.
         diagnosis: Option<Box<Diagnosis>>,
+        /// What was computed before.
+        motion: Option<Box<Motion>>,
+    },
+
+    /// A toggle: the mechanism cannot be driven beyond it, and stands still there for an infinite rate of what it moves.
+    #[error(
+        "t = {} s: a toggle: beyond this time there is no position. {}{}",
+        text::time(*.t),
+        text::toggle(.movable, .dependent, .diagnosis),
+        text::kept(.motion)
+    )]
+    Toggle {
+        /// The time t* of the toggle.   \[s\]
+        t: f64,
+        /// The time that was asked for.   \[s\]
+        asked: f64,
+        /// Bodies and coordinates that can move at t* although everything that drives stands still.
+        movable: Vec<String>,
+        /// Equations that depend on one another at t*.
+        dependent: Vec<String>,
+        /// What is wrong at the time that was asked for, by name, and how near the parts can come.
+        diagnosis: Option<Box<Diagnosis>>,
+        /// What was computed before; its last [`Motion::singular_positions`] is the toggle.
+        motion: Option<Box<Motion>>,
+    },
+
+    /// A step that may have left its branch, and cannot be made any shorter.
+    #[error(
+        "t = {} s: beyond this time the run cannot be shown to stay on its branch ({reason}).\n  A law or constraint with a kink, or a position \
+         that is singular in more than one way; `Follow::Unchecked` goes on without asking.{}",
+        text::time(*.t),
+        text::kept(.motion)
+    )]
+    CannotFollow {
+        /// The last time at which the branch is known.   \[s\]
+        t: f64,
+        /// What was objected to.
+        reason: &'static str,
         /// What was computed before.
         motion: Option<Box<Motion>>,
     },
@@ -223,7 +265,7 @@ pub enum Error {
         reason: String,
     },
 
-    /// A hand-written constraint that contradicts itself.
+    /// A hand-written constraint that contradicts itself, or does not know what is asked of it.
     #[error("`{constraint}` ({kind}): {reason}")]
     InvalidConstraint {
         /// The constraint.
@@ -347,59 +389,6 @@ pub enum Error {
         /// The system's reason.
         source: std::io::Error,
     },
-}
-
-impl Error {
-    /// What a failing run had computed before it failed; `None` for errors of other operations.
-    pub fn motion(&self) -> Option<&Motion> {
-        match self {
-            Error::NoConvergence { motion, .. }
-            | Error::SingularAt { motion, .. }
-            | Error::NotFinite { motion, .. }
-            | Error::CannotBeDriven { motion, .. }
-            | Error::WrongBranch { motion, .. }
-            | Error::LawJumps { motion, .. } => motion.as_deref(),
-            _ => None,
-        }
-    }
-
-    /// What is wrong with the mechanism, by name, where the error is of that kind.
-    pub fn diagnosis(&self) -> Option<&Diagnosis> {
-        match self {
-            Error::CannotBeDriven { diagnosis, .. } => Some(diagnosis),
-            Error::SingularAt { diagnosis, .. } | Error::NoConvergence { diagnosis, .. } => diagnosis.as_deref(),
-            _ => None,
-        }
-    }
-
-    /// The same error with what is wrong with the mechanism at that time, by name, as far as the size of the system allows to look for it.
-    pub(crate) fn explained(mut self, system: &System) -> Error {
-        /// Coordinates up to which a failing run is examined by itself; [`System::diagnose`] does it for any number.
-        const EXAMINED: usize = 1500;
-        if let Error::SingularAt { t, diagnosis, motion, .. } | Error::NoConvergence { t, diagnosis, motion, .. } = &mut self
-            && system.n_coordinates() <= EXAMINED
-        {
-            let last = motion.as_ref().and_then(|motion| Some(motion.q(motion.len().checked_sub(1)?)));
-            let start = last.map_or(Start::Guess(system.initial()), Start::Pose);
-            *diagnosis = diagnosis::diagnose(system.model(), start, *t).ok().map(Box::new);
-        }
-        self
-    }
-
-    /// The same error, carrying what was computed before.
-    pub(crate) fn with_motion(mut self, computed: Motion) -> Error {
-        if let Error::NoConvergence { motion, .. }
-        | Error::SingularAt { motion, .. }
-        | Error::NotFinite { motion, .. }
-        | Error::CannotBeDriven { motion, .. }
-        | Error::WrongBranch { motion, .. }
-        | Error::LawJumps { motion, .. } = &mut self
-            && !computed.is_empty()
-        {
-            *motion = Some(Box::new(computed));
-        }
-        self
-    }
 }
 
 impl std::fmt::Debug for Error {

@@ -1,82 +1,133 @@
-//! The few loops over whole vectors that every step takes, four numbers at a time: the compiler, left alone, unrolls them for long vectors,
-//! which costs short ones more than the work itself. The last four overlap those before where that does no harm.
+//! Vectors in whole fours, and the few loops over them that every step takes: no loop has an odd end to look after, which would cost short
+//! vectors more than the work itself.
+
+use std::ops::{Deref, DerefMut};
 
 use wide::f64x4;
 
-/// The largest |x|, 0 of none; infinite if a number is not finite.
-pub(crate) fn largest(x: &[f64]) -> f64 {
+/// Four numbers that are computed together.
+pub(crate) type Four = [f64; 4];
+
+/// n numbers in whole fours; those beyond n stay zero.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Fours {
+    n: usize,
+    fours: Vec<Four>,
+}
+
+impl Fours {
+    /// n times x.
+    pub(crate) fn new(n: usize, x: f64) -> Self {
+        let mut all = Fours { n, fours: vec![[0.0; 4]; n.div_ceil(4)] };
+        all.fill(x);
+        all
+    }
+
+    /// All of them, with the zeros at the end.
+    pub(crate) fn whole(&self) -> &[Four] {
+        &self.fours
+    }
+
+    pub(crate) fn whole_mut(&mut self) -> &mut [Four] {
+        &mut self.fours
+    }
+}
+
+impl From<&[f64]> for Fours {
+    fn from(numbers: &[f64]) -> Self {
+        let mut all = Fours::new(numbers.len(), 0.0);
+        all.copy_from_slice(numbers);
+        all
+    }
+}
+
+impl Deref for Fours {
+    type Target = [f64];
+
+    fn deref(&self) -> &[f64] {
+        &self.fours.as_flattened()[..self.n]
+    }
+}
+
+impl DerefMut for Fours {
+    fn deref_mut(&mut self) -> &mut [f64] {
+        &mut self.fours.as_flattened_mut()[..self.n]
+    }
+}
+
+impl<'a> IntoIterator for &'a Fours {
+    type Item = &'a f64;
+    type IntoIter = std::slice::Iter<'a, f64>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+/// x = −y; the largest |y|, infinite if a number is not finite.
+#[inline]
+pub(crate) fn oppose(x: &mut [Four], y: &[Four]) -> f64 {
     let mut seen = Seen::default();
-    x.as_chunks().0.iter().for_each(|four| seen.see(f64x4::new(*four)));
-    seen.see(last(x, 0.0));
+    for (x, y) in x.iter_mut().zip(y) {
+        let y = f64x4::new(*y);
+        *x = (-y).to_array();
+        seen.see(y);
+    }
     seen.largest()
 }
 
-/// The largest |x_i| · share_i of finite shares; infinite if a number is not finite.
-pub(crate) fn largest_share(x: &[f64], shares: &[f64]) -> f64 {
+/// The largest |x_i| · share_i of finite shares, 0 of none; infinite if a number is not finite.
+pub(crate) fn largest_share(x: &[Four], shares: &[Four]) -> f64 {
     let mut seen = Seen::default();
     pairs(x, shares).for_each(|(four, shares)| seen.see(four * shares));
-    seen.see(last(x, 0.0) * last(shares, 0.0));
     seen.largest()
 }
 
 /// Whether |x_i| ≤ limit_i everywhere.
-pub(crate) fn inside(x: &[f64], limits: &[f64]) -> bool {
-    let inside = last(x, 0.0).abs().simd_le(last(limits, 1.0));
-    pairs(x, limits).fold(inside, |inside, (four, limits)| inside & four.abs().simd_le(limits)).all()
+#[inline]
+pub(crate) fn inside(x: &[Four], limits: &[Four]) -> bool {
+    pairs(x, limits).fold(f64x4::ZERO.simd_eq(f64x4::ZERO), |inside, (four, limits)| inside & four.abs().simd_le(limits)).all()
 }
 
 /// x = y; whether all numbers are finite.
-pub(crate) fn take(x: &mut [f64], y: &[f64]) -> bool {
+#[inline]
+pub(crate) fn take(x: &mut [Four], y: &[Four]) -> bool {
     let mut odd = f64x4::ZERO;
-    for (four, numbers) in x.as_chunks_mut().0.iter_mut().zip(y.as_chunks().0) {
-        *four = *numbers;
-        odd += f64x4::new(*numbers) * f64x4::ZERO;
+    for (x, y) in x.iter_mut().zip(y) {
+        *x = *y;
+        odd += f64x4::new(*y) * f64x4::ZERO;
     }
-    match x.last_chunk_mut::<4>().zip(y.last_chunk()) {
-        Some((four, numbers)) => *four = *numbers,
-        None => x.copy_from_slice(y),
-    }
-    (odd + last(y, 0.0) * f64x4::ZERO).reduce_add() == 0.0
+    odd.reduce_add() == 0.0
 }
 
 /// x += y
-pub(crate) fn add(x: &mut [f64], y: &[f64]) {
-    let Some((end, terms)) = x.last_chunk().copied().zip(y.last_chunk().copied()) else {
-        return x.iter_mut().zip(y).for_each(|(x, y)| *x += y);
-    };
-    for (four, terms) in x.as_chunks_mut().0.iter_mut().zip(y.as_chunks().0) {
-        *four = (f64x4::new(*four) + f64x4::new(*terms)).to_array();
-    }
-    let end = f64x4::new(end) + f64x4::new(terms);
-    x.last_chunk_mut().into_iter().for_each(|four| *four = end.to_array());
-}
-
-/// x = −y
-pub(crate) fn negate(x: &mut [f64], y: &[f64]) {
-    for (four, terms) in x.as_chunks_mut().0.iter_mut().zip(y.as_chunks().0) {
-        *four = (-f64x4::new(*terms)).to_array();
-    }
-    match x.last_chunk_mut::<4>().zip(y.last_chunk()) {
-        Some((four, terms)) => *four = (-f64x4::new(*terms)).to_array(),
-        None => x.iter_mut().zip(y).for_each(|(x, y)| *x = -y),
+#[inline]
+pub(crate) fn add(x: &mut [Four], y: &[Four]) {
+    for (x, y) in x.iter_mut().zip(y) {
+        *x = (f64x4::new(*x) + f64x4::new(*y)).to_array();
     }
 }
 
-/// The whole fours of two vectors side by side.
-fn pairs(x: &[f64], y: &[f64]) -> impl Iterator<Item = (f64x4, f64x4)> {
-    x.as_chunks().0.iter().zip(y.as_chunks().0).map(|(x, y)| (f64x4::new(*x), f64x4::new(*y)))
+/// How far q + h q̇ + ½ h² q̈ from either end of a step h is from the other end, by shares, and how far the ends are apart, by `turns`; the
+/// largest of each.
+pub(crate) fn miss(h: f64, from: [&Fours; 3], to: [&Fours; 3], shares: &Fours, turns: &Fours) -> [f64; 2] {
+    let (h, half, mut miss, mut reach) = (f64x4::splat(h), f64x4::splat(0.5 * h), f64x4::ZERO, f64x4::ZERO);
+    let [q, qd, qdd] = from.map(|x| x.whole().iter());
+    let [r, rd, rdd] = to.map(|x| x.whole().iter());
+    let ends = q.zip(qd).zip(qdd).zip(r).zip(rd).zip(rdd);
+    for ((((((q, qd), qdd), r), rd), rdd), (share, turn)) in ends.zip(shares.whole().iter().zip(turns.whole())) {
+        let [q, qd, qdd, r, rd, rdd, share, turn] = [q, qd, qdd, r, rd, rdd, share, turn].map(|four| f64x4::new(*four));
+        let d = r - q;
+        let (forward, back) = (d - h * (qd + half * qdd), d - h * (rd - half * rdd));
+        miss = miss.fast_max(forward.abs().fast_max(back.abs()) * share);
+        reach = reach.fast_max(d.abs() * turn);
+    }
+    [miss, reach].map(|most| most.to_array().into_iter().fold(0.0, f64::max))
 }
 
-/// The last four numbers; where there are fewer, padded.
-#[inline(always)]
-fn last(x: &[f64], padding: f64) -> f64x4 {
-    f64x4::new(x.last_chunk().copied().unwrap_or_else(|| padded(x, padding)))
-}
-
-fn padded(x: &[f64], padding: f64) -> [f64; 4] {
-    let mut four = [padding; 4];
-    four.iter_mut().zip(x).for_each(|(four, x)| *four = *x);
-    four
+/// The fours of two vectors side by side.
+fn pairs(x: &[Four], y: &[Four]) -> impl Iterator<Item = (f64x4, f64x4)> {
+    x.iter().zip(y).map(|(x, y)| (f64x4::new(*x), f64x4::new(*y)))
 }
 
 /// The largest numbers so far, and something that is 0 while all of them are finite.
@@ -93,9 +144,11 @@ impl Seen {
         self.odd += four * f64x4::ZERO;
     }
 
+    #[inline(always)]
     fn largest(&self) -> f64 {
         let [a, b, c, d] = self.largest.to_array();
-        if self.odd.reduce_add() == 0.0 { a.max(b).max(c.max(d)) } else { f64::INFINITY }
+        let larger = |x: f64, y: f64| if x > y { x } else { y };
+        if self.odd.reduce_add() == 0.0 { larger(larger(a, b), larger(c, d)) } else { f64::INFINITY }
     }
 }
 
@@ -106,25 +159,29 @@ mod tests {
     #[test]
     fn every_place_counts() {
         for n in 0..12 {
-            let x: Vec<f64> = (0..n).map(|k| 1.0 - 0.1 * k as f64).collect();
-            let (halves, limits) = (vec![0.5; n], vec![5.0; n]);
-            assert_eq!((largest(&x), largest_share(&x, &halves)), if n > 0 { (1.0, 0.5) } else { (0.0, 0.0) });
-            assert!(inside(&x, &x.iter().map(|x| x.abs()).collect::<Vec<_>>()));
+            let all = |x: f64| Fours::new(n, x);
+            let mut x = all(0.0);
+            x.iter_mut().enumerate().for_each(|(k, x)| *x = 1.0 - 0.1 * k as f64);
+            let (x, halves, limits) = (x, all(0.5), all(5.0));
+            let largest = |x: &Fours| oppose(all(0.0).whole_mut(), x.whole());
+            let share = |x: &Fours| largest_share(x.whole(), halves.whole());
+            assert_eq!((largest(&x), share(&x)), if n > 0 { (1.0, 0.5) } else { (0.0, 0.0) });
+            assert!(inside(x.whole(), x.whole()));
             for k in 0..n {
                 for odd in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
                     let mut x = x.clone();
                     x[k] = odd;
-                    assert_eq!((largest(&x), largest_share(&x, &halves)), (f64::INFINITY, f64::INFINITY));
-                    assert!(!inside(&x, &limits) && !take(&mut vec![0.0; n], &x));
+                    assert_eq!((largest(&x), share(&x)), (f64::INFINITY, f64::INFINITY));
+                    assert!(!inside(x.whole(), limits.whole()) && !take(all(0.0).whole_mut(), x.whole()));
                 }
                 let mut x = x.clone();
                 x[k] = -7.0;
-                assert!(largest(&x) == 7.0 && largest_share(&x, &halves) == 3.5 && !inside(&x, &limits));
+                assert!(largest(&x) == 7.0 && share(&x) == 3.5 && !inside(x.whole(), limits.whole()));
             }
-            let (mut sum, mut opposite, mut taken) = (x.clone(), vec![3.0; n], vec![3.0; n]);
-            assert!(take(&mut taken, &x) && taken == x);
-            add(&mut sum, &x);
-            negate(&mut opposite, &x);
+            let (mut sum, mut opposite, mut taken) = (x.clone(), all(3.0), all(3.0));
+            assert!(take(taken.whole_mut(), x.whole()) && taken == x);
+            add(sum.whole_mut(), x.whole());
+            oppose(opposite.whole_mut(), x.whole());
             assert!((0..n).all(|k| sum[k] == 2.0 * x[k] && opposite[k] == -x[k]));
         }
     }

@@ -14,7 +14,7 @@ pub use kernel::{InLanes, LaneAt, LaneKernel, LaneKernels, LaneRates};
 pub use level::Level;
 pub use number::{Mask, Wide};
 
-/// How many cases of a sweep advance together.
+/// How many cases of a sweep advance together: two registers of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Lanes {
     /// As many as the machine has lanes, where some constraint has kernels for them.
@@ -22,7 +22,7 @@ pub enum Lanes {
     Best,
     /// One after the other.
     Off,
-    /// So many: 8 (AVX-512), 4 (AVX2 with FMA), 2 (Neon) or 1 (anywhere), whatever the constraints have.
+    /// Registers of so many lanes: 8 (AVX-512), 4 (AVX2 with FMA), 2 (Neon) or 1 (anywhere), whatever the constraints have.
     Only(usize),
 }
 

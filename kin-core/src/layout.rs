@@ -17,10 +17,11 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// The unit of the coordinate (`order` 0), its rate (1) or its second rate (2), such as `m/s^2`.
+    /// The unit of the coordinate (`order` 0), its rate (1), its second rate (2) or its third (3), such as `m/s^2`.
     pub fn text(self, order: usize) -> &'static str {
-        const TEXT: [[&str; 3]; 3] = [["m", "m/s", "m/s^2"], ["rad", "rad/s", "rad/s^2"], ["-", "1/s", "1/s^2"]];
-        TEXT[self as usize][order.min(2)]
+        const TEXT: [[&str; 4]; 3] =
+            [["m", "m/s", "m/s^2", "m/s^3"], ["rad", "rad/s", "rad/s^2", "rad/s^3"], ["-", "1/s", "1/s^2", "1/s^3"]];
+        TEXT[self as usize][order.min(3)]
     }
 }
 

@@ -16,16 +16,19 @@ pub mod data;
 pub mod diagnosis;
 pub mod dual_route;
 pub mod error;
+mod follow;
 mod fours;
 pub mod joints;
 pub mod lanes;
 pub mod law;
 mod layout;
 mod linear;
+pub mod measure;
 pub mod mechanism;
 mod model;
 pub mod motion;
 pub mod newton;
+mod random;
 pub mod real;
 #[doc(hidden)]
 pub mod rt;
@@ -37,8 +40,8 @@ pub mod terms;
 mod testing;
 
 pub use algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
-pub use assembly::{Assembly, AssemblyOptions, Label};
-pub use constraint::{Attached, Attachment, Constraint, Dependence, Route};
+pub use assembly::{Assembly, AssemblyOptions, Label, SearchOptions};
+pub use constraint::{Attached, Attachment, Constraint, Dependence, Measured, Route};
 pub use coordinates::{
     Coord, Coordinate, Ground, Link, Planar, PlanarBody, Spatial, SpatialBody, SpatialLink, Target, Time, any_coord, any_planar,
     any_spatial,
@@ -46,16 +49,18 @@ pub use coordinates::{
 pub use data::Registry;
 pub use dual_route::by_dual;
 pub use error::{Error, Result};
+pub use follow::{Branch, SingularKind, SingularPosition};
 pub use joints::spatial;
 pub use kin_macros::{constraint, law};
 pub use lanes::Lanes;
 pub use law::{Break, Ends, Law, LawFunction};
+pub use measure::{Crossing, Extreme, Extremes, Measure};
 pub use mechanism::{ConstraintId, Marker, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose};
-pub use motion::{CoordinateMotion, Motion, PointMotion, Series};
+pub use motion::{Event, EventKind, Line, Motion, PointMotion, Quantity, RotationMotion, Series};
 pub use nalgebra;
-pub use newton::{CrossedBreak, Options, Report, Stop};
+pub use newton::{CrossedBreak, Follow, Options, Report, Stop};
 pub use num_dual;
 pub use real::{Dual, Real};
 pub use sweep::Sweep;
 pub use system::{Solution, System};
-pub use terms::{Terms, dual_terms, jerk_rhs, terms};
+pub use terms::{Terms, dual_terms, jerk_rhs, measure, terms};

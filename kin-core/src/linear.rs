@@ -10,12 +10,11 @@ mod active;
 mod cells;
 mod code;
 mod condition;
-mod diagnosis;
 mod echelon;
 pub(crate) mod lanes;
 mod order;
+mod orientation;
 mod program;
-mod rank;
 mod record;
 mod replay;
 mod solving;
@@ -23,14 +22,12 @@ mod tall;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use echelon::{Echelon, Sparse, reduced};
-pub(crate) use rank::Singular;
+pub(crate) use echelon::{Echelon, RANK, Sparse, reduced};
 
 use std::sync::Arc;
 
-use crate::fours;
-use code::Seen;
-use record::{Input, Places, Recording};
+use crate::fours::{self, Four, Fours};
+use record::{Factored, Input, Places, Recording};
 pub(crate) use tall::Tall;
 
 /// A pivot below this measure is zero; the rounding of an elimination of moderate size stays below.   \[-\]
@@ -74,14 +71,15 @@ pub(crate) struct Linear {
     /// max_i |a_ij| s_j / norm_i of each column, the largest so far.
     tops: Vec<f64>,
     /// 1 / norm_i, and s_j / top_j.
-    row_units: Vec<f64>,
+    row_units: Fours,
     column_units: Vec<f64>,
     /// A value above its limit is not finite, or its row and column are to be measured anew; infinite on the ground.
-    limits: Vec<f64>,
+    limits: Fours,
     recording: Option<Arc<Recording>>,
-    /// What makes each number that is factored one of order 1, by the measures, and what was seen when it was last factored.
-    weights: Vec<f64>,
-    seen: Seen,
+    /// What makes each number that is factored one of order 1, by the measures, in the order of the memory.
+    weights: Fours,
+    /// What multipliers and others may come to.
+    bounds: Fours,
     /// Whether the recording's weights know the measures.
     told: bool,
     /// Whether there is nothing to compute and nothing to judge until the measures change: all pivots are constants.
@@ -89,6 +87,9 @@ pub(crate) struct Linear {
     /// The smallest constant pivot, and the smallest of all at the last factoring.
     smallest_constant: f64,
     smallest: f64,
+    /// Whether a multiplier, or another number, has grown beyond what is allowed at the last factoring.
+    grown: bool,
+    refined: bool,
     /// The largest that `smallest` has been since the recording.
     best: f64,
     /// Right side and solution while they are refined.
@@ -103,32 +104,38 @@ impl Linear {
     pub(crate) fn new(n: usize, pattern: impl IntoIterator<Item = Option<(usize, usize)>>, constants: &[Option<f64>]) -> Self {
         let inside = |(row, column): (usize, usize)| (row < n && column < n).then_some((row as u32, column as u32));
         let entries: Arc<[_]> = pattern.into_iter().map(|entry| entry.and_then(inside)).collect();
-        let mut sorted: Vec<u32> = (0..entries.len() as u32).filter(|k| entries[*k as usize].is_some()).collect();
-        sorted.sort_by_key(|k| entries[*k as usize]);
-        let limits = entries.iter().map(|entry| if entry.is_some() { 0.0 } else { f64::INFINITY }).collect();
-        let (rhs, solution) = (entries.len() as u32, (entries.len() + n) as u32);
+        let mut sorted: Vec<((u32, u32), u32)> = entries.iter().zip(0..).filter_map(|(entry, k)| Some(((*entry)?, k))).collect();
+        sorted.sort_unstable();
+        let sorted: Vec<u32> = sorted.into_iter().map(|(_, k)| k).collect();
+        let mut limits = Fours::new(entries.len(), 0.0);
+        limits.iter_mut().zip(entries.iter()).filter(|(_, entry)| entry.is_none()).for_each(|(limit, _)| *limit = f64::INFINITY);
+        // Values, right side and solution begin at whole fours.
+        let (rhs, length) = (entries.len().next_multiple_of(4), n.next_multiple_of(4));
+        let (solution, zero) = (rhs + length, rhs + 2 * length);
         Linear {
             n,
             sorted: sorted.into(),
             constants: constants.into(),
-            memory: vec![0.0; entries.len() + 2 * n + 1],
-            places: Places { rhs, solution, zero: solution + n as u32 },
+            memory: vec![0.0; zero + 1],
+            places: Places { rhs: rhs as u32, solution: solution as u32, zero: zero as u32 },
             entries,
             sizes: vec![1.0; n],
             norms: vec![0.0; n],
             tops: vec![0.0; n],
-            row_units: vec![1.0; n],
+            row_units: Fours::new(n, 1.0),
             column_units: vec![1.0; n],
             limits,
             recording: None,
-            weights: Vec::new(),
-            seen: Seen::default(),
+            weights: Fours::default(),
+            bounds: Fours::default(),
             told: false,
             settled: false,
             smallest_constant: f64::INFINITY,
             smallest: 0.0,
+            grown: false,
+            refined: false,
             best: 0.0,
-            known: vec![0.0; 2 * n],
+            known: vec![0.0; 2 * length],
             recordings: 0,
         }
     }
@@ -153,12 +160,22 @@ impl Linear {
 
     /// The right side, to be written before [`Linear::solve`].
     pub(crate) fn rhs_mut(&mut self) -> &mut [f64] {
-        &mut self.memory[self.places.rhs as usize..self.places.solution as usize]
+        &mut self.memory[self.places.rhs as usize..][..self.n]
+    }
+
+    /// The same in whole fours; what is written beyond the end does not count.
+    pub(crate) fn whole_rhs_mut(&mut self) -> &mut [Four] {
+        self.memory[self.places.rhs as usize..self.places.solution as usize].as_chunks_mut().0
     }
 
     /// What [`Linear::solve`] has found.
     pub(crate) fn solution(&self) -> &[f64] {
-        &self.memory[self.places.solution as usize..self.places.zero as usize]
+        &self.memory[self.places.solution as usize..][..self.n]
+    }
+
+    /// The same in whole fours, zeros at the end.
+    pub(crate) fn whole_solution(&self) -> &[Four] {
+        self.memory[self.places.solution as usize..self.places.zero as usize].as_chunks().0
     }
 
     /// max_j |a_ij| s_j of each row, the largest since the start or [`Linear::forget`].
@@ -167,8 +184,13 @@ impl Linear {
     }
 
     /// One over that; 1 for a row that has been zero.
-    pub(crate) fn row_units(&self) -> &[f64] {
+    pub(crate) fn row_units(&self) -> &Fours {
         &self.row_units
+    }
+
+    /// s_j over the largest share of each column; what a unit of the measured unknown is.
+    pub(crate) fn column_units(&self) -> &[f64] {
+        &self.column_units
     }
 
     /// Forgets how large rows and columns have been.
@@ -183,7 +205,7 @@ impl Linear {
 
     /// Measures rows and columns of the values as written, before [`Linear::factor`]; false if one of them is not finite.
     pub(crate) fn measure(&mut self) -> bool {
-        fours::inside(self.values(), &self.limits) || self.measure_anew()
+        fours::inside(self.memory[..self.places.rhs as usize].as_chunks().0, self.limits.whole()) || self.measure_anew()
     }
 
     /// The same where something has grown, or is not finite.
@@ -212,7 +234,7 @@ impl Linear {
         for ((unit, top), size) in self.column_units.iter_mut().zip(&self.tops).zip(&self.sizes) {
             *unit = if *top > 0.0 { size / top } else { *size };
         }
-        for (entry, limit) in self.entries.iter().zip(&mut self.limits) {
+        for (entry, limit) in self.entries.iter().zip(self.limits.iter_mut()) {
             if let Some((i, j)) = entry.map(|(i, j)| (i as usize, j as usize)) {
                 *limit = SLACK * self.norms[i] * self.tops[j].min(1.0) / self.sizes[j];
             }
@@ -225,13 +247,8 @@ impl Linear {
         self.smallest
     }
 
-    /// A = L U. The values must be finite and measured.
-    pub(crate) fn factor(&mut self) -> Result<(), Singular> {
-        if self.factors() { Ok(()) } else { Err(self.diagnose()) }
-    }
-
-    /// The same without a word about what is singular.
-    pub(crate) fn factors(&mut self) -> bool {
+    /// A = L U; false if A is singular. The values must be finite and measured.
+    pub(crate) fn factor(&mut self) -> bool {
         if self.settled {
             return true;
         }
@@ -251,7 +268,7 @@ impl Linear {
     pub(crate) fn solve(&mut self) {
         let Some(recording) = &self.recording else { return };
         recording.solve.run(&mut self.memory);
-        if self.seen.cell > REFINED {
+        if self.refined {
             self.refine();
         }
     }
@@ -261,38 +278,46 @@ impl Linear {
     fn refine(&mut self) {
         let mut known = std::mem::take(&mut self.known);
         known.copy_from_slice(&self.memory[self.places.rhs as usize..self.places.zero as usize]);
-        let x = &known[self.n..];
-        let (values, rest) = self.memory.split_at_mut(self.entries.len());
+        let (b, x) = known.split_at(known.len() / 2);
+        let (values, rhs) = self.memory.split_at_mut(self.places.rhs as usize);
         for (entry, value) in self.entries.iter().zip(values) {
             if let Some((i, j)) = entry {
-                rest[*i as usize] -= *value * x[*j as usize];
+                rhs[*i as usize] -= *value * x[*j as usize];
             }
         }
         if let Some(recording) = &self.recording {
             recording.solve.run(&mut self.memory);
         }
-        let (b, x) = known.split_at(self.n);
-        self.rhs_mut().copy_from_slice(b);
-        let solution = &mut self.memory[self.places.solution as usize..];
+        let (rhs, solution) = self.memory[self.places.rhs as usize..].split_at_mut(b.len());
+        rhs.copy_from_slice(b);
         solution.iter_mut().zip(x).for_each(|(solution, x)| *solution += x);
         self.known = known;
     }
 
-    /// Runs the recorded elimination on the values as written.
+    /// Runs the recorded elimination on the values as written, and looks at what it has computed.
     fn replay(&mut self) {
         if !self.told {
             self.tell_watch();
         }
         let Some(recording) = &self.recording else { return };
-        self.seen = recording.factor.run_watched(&mut self.memory, &self.weights);
-        self.smallest = if self.seen.smallest >= self.smallest_constant { self.smallest_constant } else { self.seen.smallest };
+        recording.factor.run(&mut self.memory);
+        let Factored { cells, multipliers, pivots, end } = recording.factored;
+        let largest = |from: usize, to: usize| {
+            let weights = &self.weights.whole()[(from - cells) / 4..(to - cells) / 4];
+            fours::largest_share(self.memory[from..to].as_chunks().0, weights)
+        };
+        let inside = fours::inside(self.memory[cells..pivots].as_chunks().0, self.bounds.whole());
+        self.refined = !inside && largest(cells, multipliers) > REFINED;
+        self.grown = !inside && largest(multipliers, pivots) > GROWTH;
+        // Pivots stand there inverted: the largest is the smallest pivot, and a number that is not finite none at all.
+        self.smallest = self.smallest_constant.min(largest(pivots, end).recip());
         self.best = self.best.max(self.smallest);
     }
 
     /// Whether the last replay can be trusted as the recording could.
     fn fits(&self) -> bool {
         let faded = self.best * if self.smallest < SUSPICIOUS { 0.5 } else { FADED };
-        self.seen.multiplier <= GROWTH && self.smallest > SINGULAR && self.smallest >= faded
+        !self.grown && self.smallest > SINGULAR && self.smallest >= faded
     }
 
     /// Tells the watch how pivots are measured.
@@ -300,9 +325,14 @@ impl Linear {
         self.told = true;
         let Some(recording) = &self.recording else { return };
         let unit = |row: u32, column: u32| self.row_units[row as usize] * self.column_units[column as usize];
-        self.weights.clone_from(&recording.weights);
-        for &(step, row, column) in &recording.watched {
-            self.weights[step as usize] = unit(row, column);
+        let mut weights = recording.weights.clone();
+        recording.watched.iter().for_each(|&(step, row, column)| weights[step as usize] = unit(row, column).recip());
+        let Factored { cells, multipliers, pivots, end } = recording.factored;
+        self.weights = Fours::new(end - cells, 0.0);
+        recording.factor.written().zip(weights).for_each(|((_, place), weight)| self.weights[place as usize - cells] = weight);
+        self.bounds = Fours::new(pivots - cells, 0.0);
+        for (k, (bound, weight)) in self.bounds.iter_mut().zip(self.weights.iter()).enumerate() {
+            *bound = if cells + k < multipliers { REFINED } else { GROWTH } / weight;
         }
         let constant = recording.constant.iter().map(|&(row, column, value)| value.abs() * unit(row, column));
         self.smallest_constant = constant.fold(f64::INFINITY, f64::min);
@@ -326,23 +356,24 @@ impl Linear {
         }
     }
 
-    /// Records the elimination at the values as written, and runs it; `None` where there are not enough pivots.
-    fn record_only(&mut self) -> Option<()> {
+    /// Records the elimination at the values as written, and runs it; false where there are not enough pivots.
+    fn record(&mut self) -> bool {
         self.recordings += 1;
         (self.told, self.settled, self.best, self.recording) = (false, false, 0.0, None);
         let mut memory = std::mem::take(&mut self.memory);
         memory.truncate(self.places.zero as usize + 1);
         let recorded = record::record(&self.input(), self.places, &mut memory);
         self.memory = memory;
-        self.recording = Some(Arc::new(recorded.ok()?));
+        let Some(recorded) = recorded else { return false };
+        self.recording = Some(Arc::new(recorded));
         self.replay();
-        Some(())
+        true
     }
 
     /// Records the elimination at the values as written; false, and nothing recorded, if they are singular.
     pub(crate) fn prepare(&mut self) -> bool {
         self.measure();
-        let regular = self.record_only().is_some() && (self.n == 0 || self.smallest > SINGULAR && self.condition() < CONDITION);
+        let regular = self.record() && (self.n == 0 || self.smallest > SINGULAR && self.condition() < CONDITION);
         if !regular {
             self.recording = None;
         }

@@ -15,6 +15,7 @@ use crate::coordinates::{Coordinate, Ground, Link, MechanismId, PlanarBody, Spat
 use crate::diagnosis::Diagnosis;
 use crate::error::{Error, Result};
 use crate::layout::{Kind, Layout, Place};
+use crate::measure::Limit;
 use crate::system::System;
 use crate::system::evaluate::Equations;
 
@@ -56,6 +57,8 @@ pub struct Mechanism {
     pub(crate) links: Vec<(usize, f64)>,
     /// A mistake in a method that returns nothing; told at build.
     mistake: Option<Error>,
+    /// Ranges that measures should keep to.
+    pub(crate) limits: Vec<Limit>,
 }
 
 /// A constraint of a mechanism, in the order of adding.
@@ -96,6 +99,7 @@ impl Mechanism {
             names: HashSet::new(),
             links: Vec::new(),
             mistake: None,
+            limits: Vec::new(),
         }
     }
 
@@ -307,6 +311,8 @@ impl Mechanism {
             guess[column] = value;
         }
         let equations = Equations::new(&self.layout, self.constraints);
-        Ok(System::new(self.name, self.layout, equations, guess, self.preferred, links))
+        let mut system = System::new(self.name, self.layout, equations, guess, self.preferred, links);
+        system.set_limits(self.limits)?;
+        Ok(system)
     }
 }

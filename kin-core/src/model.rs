@@ -2,8 +2,11 @@
 //!
 //! What looks at a mechanism that cannot be driven (diagnosis, assembly from afar, redundant mechanisms) stands on this; the driver does not.
 
+use crate::error::Error;
 use crate::layout::{Layout, Unit};
 use crate::linear::Sparse;
+use crate::newton::JERK_RHS;
+use crate::random::Random;
 use crate::system::evaluate::{Bad, Equations, finite};
 use crate::system::scale;
 
@@ -69,6 +72,14 @@ impl Model<'_> {
         Ok(rhs)
     }
 
+    /// −g‴(0), the right side for the jerk; the outer error is for a constraint that does not know it.
+    pub(crate) fn jerk_rhs(&self, q: &[f64], t: f64, qd: &[f64], qdd: &[f64]) -> Result<Result<Vec<f64>, Bad>, Error> {
+        let (mut instant, mut rhs) = (self.equations.instant_at(t, q), vec![0.0; self.m()]);
+        self.equations.set_rates(qd, &mut instant);
+        self.equations.jerk_rhs(qdd, &mut instant, &mut rhs).map_err(|row| self.equations.no_jerk(row))?;
+        Ok(finite(&rhs, JERK_RHS).map(|()| rhs))
+    }
+
     /// The non-zeros of C_q as (row, column, value).
     pub(crate) fn entries<'b>(&'b self, values: &'b [f64]) -> impl Iterator<Item = (usize, usize, f64)> + 'b {
         let entries = self.equations.entries.iter().zip(values);
@@ -77,7 +88,7 @@ impl Model<'_> {
 
     /// Whether a row belongs to a driving constraint.
     pub(crate) fn drives(&self, row: usize) -> bool {
-        self.equations.block_of(row).is_some_and(|(block, _)| block.constraint.is_driver())
+        self.equations.block_of(row).is_some_and(|(block, _)| block.drives)
     }
 
     /// Whether a row is the norm of a body's Euler parameters.
@@ -155,28 +166,5 @@ impl Model<'_> {
     /// Whether a coordinate turns something: its changes are limited.
     pub(crate) fn turns(&self, column: usize) -> bool {
         self.layout.units[column] != Unit::Metre
-    }
-}
-
-/// SplitMix64: the same numbers for the same seed, everywhere.
-#[derive(Clone, Debug)]
-pub(crate) struct Random(u64);
-
-impl Random {
-    pub(crate) fn new(seed: u64) -> Self {
-        Random(seed)
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    /// Uniform in (−1, 1).
-    pub(crate) fn number(&mut self) -> f64 {
-        (self.next() >> 11) as f64 * 2.0_f64.powi(-52) - 1.0
     }
 }

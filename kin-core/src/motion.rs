@@ -1,21 +1,31 @@
 //! What a sweep gives: position, velocity and acceleration over time, with names and units, and what is derived from them.
 
 mod csv;
+mod event;
+mod planar;
 mod point;
+mod quantity;
+mod rotation;
 mod series;
 
+pub use event::{Event, EventKind};
+pub use planar::Line;
 pub use point::{Body, PointMotion, Vector};
+pub use quantity::Quantity;
+pub use rotation::RotationMotion;
 pub use series::Series;
 
 use std::sync::Arc;
 
 use crate::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
 use crate::error::{Error, Result};
+use crate::follow::SingularPosition;
 use crate::layout::{Layout, Place};
 use crate::newton::{CrossedBreak, Newton, Outcome};
 use crate::system::System;
+pub(crate) use quantity::MARKS;
 
-/// q, q̇ and q̈ at each time, all finite, and a report of how they were found.
+/// q, q̇ and q̈ at each time (q⃛ too where it was asked for), all finite, and a report of how they were found.
 #[derive(Clone)]
 pub struct Motion {
     pub(crate) name: String,
@@ -25,31 +35,16 @@ pub struct Motion {
     pub(crate) q: Vec<f64>,
     pub(crate) qd: Vec<f64>,
     pub(crate) qdd: Vec<f64>,
+    /// Empty unless the jerk was asked for.
+    pub(crate) qddd: Vec<f64>,
     pub(crate) iterations: Vec<usize>,
     pub(crate) residuals: Vec<f64>,
     /// The largest residual of all times, and its row.
     pub(crate) worst: Option<(f64, usize)>,
     pub(crate) outputs: Vec<Series>,
     pub(crate) breaks: Vec<CrossedBreak>,
-}
-
-/// What is told of one time beside its numbers; `worst` is the row of the largest residual.
-#[derive(Clone, Copy)]
-pub(crate) struct Pushed {
-    pub t: f64,
-    pub outcome: Outcome,
-    pub worst: usize,
-}
-
-/// One coordinate over time, with its rates.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CoordinateMotion {
-    /// q_k   \[m or rad\]
-    pub value: Series,
-    /// q̇_k   \[m/s or rad/s\]
-    pub rate: Series,
-    /// q̈_k   \[m/s² or rad/s²\]
-    pub second_rate: Series,
+    pub(crate) events: Vec<Event>,
+    pub(crate) singular: Vec<SingularPosition>,
 }
 
 impl Motion {
@@ -63,26 +58,34 @@ impl Motion {
             q: room(),
             qd: room(),
             qdd: room(),
+            qddd: Vec::new(),
             iterations: Vec::with_capacity(times),
             residuals: Vec::with_capacity(times),
             worst: None,
             outputs: Vec::new(),
             breaks: Vec::new(),
+            events: Vec::new(),
+            singular: Vec::new(),
         }
     }
 
-    pub(crate) fn push(&mut self, t: f64, newton: &Newton<'_>, outcome: Outcome, crossed: Vec<CrossedBreak>) {
+    /// Breaks that were crossed on the way to the next time.
+    pub(crate) fn cross(&mut self, crossed: Vec<CrossedBreak>) {
         self.breaks.extend(crossed);
+    }
+
+    pub(crate) fn push(&mut self, t: f64, newton: &Newton<'_>, outcome: Outcome) {
         let worst = if self.is_worse(outcome) { newton.worst().0 } else { 0 };
-        self.append(t, [&newton.q, &newton.qd, &newton.qdd], outcome, worst);
+        self.append(t, [&newton.q, &newton.qd, &newton.qdd, &newton.qddd], outcome, worst);
     }
 
     fn is_worse(&self, outcome: Outcome) -> bool {
         self.worst.is_none_or(|(known, _)| outcome.residual > known)
     }
 
-    /// q, q̇, q̈ at one more time; `worst` is the row with the largest |C_i|.
-    pub(crate) fn append(&mut self, t: f64, [q, qd, qdd]: [&[f64]; 3], outcome: Outcome, worst: usize) {
+    /// q, q̇, q̈ and q⃛ (or nothing) at one more time; `worst` is the row with the largest |C_i|.
+    #[inline]
+    pub(crate) fn append(&mut self, t: f64, [q, qd, qdd, qddd]: [&[f64]; 4], outcome: Outcome, worst: usize) {
         if self.is_worse(outcome) {
             self.worst = Some((outcome.residual, worst));
         }
@@ -90,24 +93,19 @@ impl Motion {
         self.q.extend_from_slice(q);
         self.qd.extend_from_slice(qd);
         self.qdd.extend_from_slice(qdd);
+        self.qddd.extend_from_slice(qddd);
         self.iterations.push(outcome.iterations);
         self.residuals.push(outcome.residual);
     }
 
-    /// The same of several times at once, from rows of q, of q̇ and of q̈ that stand elsewhere: as many as there are reports.
-    pub(crate) fn push_all<T>(&mut self, reports: &[Pushed], rows: [&[T]; 3], number: impl Fn(&T) -> f64 + Copy) {
-        let count = reports.len() * self.layout.len();
-        for (own, rows) in [&mut self.q, &mut self.qd, &mut self.qdd].into_iter().zip(rows) {
-            own.extend(rows.iter().take(count).map(number));
-        }
-        for report in reports {
-            self.times.push(report.t);
-            self.iterations.push(report.outcome.iterations);
-            self.residuals.push(report.outcome.residual);
-            if self.worst.is_none_or(|(known, _)| report.outcome.residual > known) {
-                self.worst = Some((report.outcome.residual, report.worst));
-            }
-        }
+    /// The same of several times at once: rows of q, of q̇ and of q̈, residuals and numbers of Newton steps; `worst` is the largest residual
+    /// of all times so far, and its row.
+    pub(crate) fn push_all(&mut self, times: &[f64], [q, qd, qdd, residuals, steps]: [&[f64]; 5], worst: (f64, usize)) {
+        let kinds =
+            [(&mut self.times, times), (&mut self.q, q), (&mut self.qd, qd), (&mut self.qdd, qdd), (&mut self.residuals, residuals)];
+        kinds.into_iter().for_each(|(all, more)| all.extend_from_slice(more));
+        self.iterations.extend(steps.iter().map(|steps| *steps as usize));
+        self.worst = Some(worst);
     }
 
     /// Name of the mechanism.
@@ -145,6 +143,16 @@ impl Motion {
         self.row(&self.qdd, k)
     }
 
+    /// q⃛ at time k; empty beyond the last time, and where the run was not asked for the jerk ([`crate::Options::jerk`]).   \[m/s³, rad/s³\]
+    pub fn qddd(&self, k: usize) -> &[f64] {
+        self.row(&self.qddd, k)
+    }
+
+    /// Whether it holds the jerk.
+    pub fn has_jerk(&self) -> bool {
+        self.qddd.len() == self.q.len() && !self.is_empty()
+    }
+
     fn row<'a>(&self, all: &'a [f64], k: usize) -> &'a [f64] {
         let n = self.layout.len();
         let first = k.saturating_mul(n);
@@ -179,19 +187,18 @@ impl Motion {
     /// One coordinate over time, with its rates: a bare one, or a body's such as `crank.theta()`. Those of the ground stand still.
     ///
     /// A coordinate of another mechanism has no history here: it gives an empty one, and [`Motion::try_coordinate`] an error.
-    pub fn coordinate(&self, coordinate: impl Into<Coordinate>) -> CoordinateMotion {
-        let empty = || Series::new("", "", &[], Vec::new());
-        let none = |_| CoordinateMotion { value: empty(), rate: empty(), second_rate: empty() };
-        self.try_coordinate(coordinate).unwrap_or_else(none)
+    pub fn coordinate(&self, coordinate: impl Into<Coordinate>) -> Quantity {
+        self.try_coordinate(coordinate).unwrap_or_else(|_| Quantity::new("", [""; 4], &[], Default::default()))
     }
 
     /// The same; a coordinate of another mechanism is an error.
-    pub fn try_coordinate(&self, coordinate: impl Into<Coordinate>) -> Result<CoordinateMotion> {
+    pub fn try_coordinate(&self, coordinate: impl Into<Coordinate>) -> Result<Quantity> {
         match self.layout.coordinate(&coordinate.into()) {
             Some(Place::Own { first, .. }) => Ok(self.column(first)),
             Some(Place::Ground(value)) => {
-                let constant = |mark: &str, value: f64| Series::new(format!("ground{mark}"), "-", &self.times, vec![value; self.len()]);
-                Ok(CoordinateMotion { value: constant("", value), rate: constant("'", 0.0), second_rate: constant("''", 0.0) })
+                let still = if self.has_jerk() { self.len() } else { 0 };
+                let orders = [vec![value; self.len()], vec![0.0; self.len()], vec![0.0; self.len()], vec![0.0; still]];
+                Ok(Quantity::new("ground", ["-"; 4], &self.times, orders))
             }
             None => {
                 let (mechanism, place, argument) = (self.name.to_string(), "coordinate".to_string(), "coordinate".to_string());
@@ -219,20 +226,18 @@ impl Motion {
     /// The coordinate of that name, such as `crank.theta`, over time.
     ///
     /// Errors: no such coordinate.
-    pub fn named(&self, name: &str) -> Result<CoordinateMotion> {
+    pub fn named(&self, name: &str) -> Result<Quantity> {
         match self.layout.names.iter().position(|known| known == name) {
             Some(column) => Ok(self.column(column)),
             None => Err(Error::UnknownName { what: "coordinate", name: name.to_string(), known: self.layout.names.clone() }),
         }
     }
 
-    fn column(&self, column: usize) -> CoordinateMotion {
-        let (name, unit) = (&self.layout.names[column], self.layout.units[column]);
-        let series = |all: &[f64], order: usize, mark: &str| {
-            let values = all.iter().skip(column).step_by(self.layout.len()).copied().collect();
-            Series::new(format!("{name}{mark}"), unit.text(order), &self.times, values)
-        };
-        CoordinateMotion { value: series(&self.q, 0, ""), rate: series(&self.qd, 1, "'"), second_rate: series(&self.qdd, 2, "''") }
+    fn column(&self, column: usize) -> Quantity {
+        let unit = self.layout.units[column];
+        let values = |all: &Vec<f64>| all.iter().skip(column).step_by(self.layout.len()).copied().collect();
+        let orders = [&self.q, &self.qd, &self.qdd, &self.qddd].map(values);
+        Quantity::new(&self.layout.names[column], [0, 1, 2, 3].map(|order| unit.text(order)), &self.times, orders)
     }
 
     /// Adds a derived quantity to the file: one value a time.
@@ -273,6 +278,17 @@ impl Motion {
     /// The breaks of laws that were crossed, where a derivative of the motion jumps, in the order of time.
     pub fn breaks(&self) -> &[CrossedBreak] {
         &self.breaks
+    }
+
+    /// The singular positions that were met, change points and at last a toggle, in the order of time; they are among
+    /// [`Motion::events`] too.
+    pub fn singular_positions(&self) -> &[SingularPosition] {
+        &self.singular
+    }
+
+    pub(crate) fn add_singular(&mut self, found: SingularPosition) {
+        self.add_event(found.event());
+        self.singular.push(found);
     }
 
     /// One line: counts, Newton steps a time (the first position apart, which is found from a guess) and the largest residual.

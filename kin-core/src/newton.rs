@@ -4,17 +4,18 @@ pub(crate) mod assembly;
 mod driven;
 mod options;
 pub(crate) mod predictor;
+mod rates;
 pub(crate) mod redundant;
 pub(crate) mod sweep;
 mod watch;
 
-pub use options::{Options, Report, Stop};
+pub use options::{Follow, Options, Report, Stop};
 pub use watch::CrossedBreak;
 
 use crate::error::Error;
-use crate::fours;
-use crate::linear::{Linear, Singular};
-use crate::system::evaluate::{Bad, Instant, finite};
+use crate::fours::{self, Fours};
+use crate::linear::Linear;
+use crate::system::evaluate::{Bad, Instant};
 use crate::system::{Solution, System};
 
 /// A correction that stalls above this share of its coordinate is no rounding but a singular position.   \[-\]
@@ -27,6 +28,9 @@ pub(crate) const DOUBTFUL: f64 = 1e-7;
 /// A row that is off by more than this, of the norm of the row, is told as not met where C_q is singular.   \[-\]
 const UNMET: f64 = 1e-2;
 
+/// What the right side for the jerk is called.
+pub(crate) const JERK_RHS: &str = "the right side for the jerk";
+
 /// A damped step turns no body by more than this.   \[rad\]
 const TURN: f64 = 1.0;
 
@@ -37,8 +41,13 @@ const HALVINGS: usize = 24;
 #[derive(Clone, Debug)]
 pub(crate) enum Failure {
     NotFinite(Bad),
-    Singular(Singular),
-    NoConvergence { row: usize, residual: f64 },
+    Singular,
+    /// A constraint that closes the wrong way.
+    WrongBranch(usize),
+    NoConvergence {
+        row: usize,
+        residual: f64,
+    },
 }
 
 /// What an attempt that succeeded did.
@@ -63,17 +72,19 @@ pub(crate) enum Steps {
 pub(crate) struct Newton<'a> {
     pub system: &'a System,
     pub options: &'a Options,
-    pub q: Vec<f64>,
-    pub qd: Vec<f64>,
-    pub qdd: Vec<f64>,
-    pub c: Vec<f64>,
+    pub q: Fours,
+    pub qd: Fours,
+    pub qdd: Fours,
+    /// q⃛ where it is asked for, else empty.
+    pub qddd: Fours,
+    pub c: Fours,
     before: Vec<f64>,
-    instant: Instant,
+    pub instant: Instant,
     pub linear: Linear,
     /// s_j, the characteristic size of each coordinate.
     pub sizes: Vec<f64>,
     /// 1 / s_j
-    shares: Vec<f64>,
+    shares: Fours,
     /// What is left of what each row is allowed to be off.
     left: Vec<f64>,
     /// max |C_i| at the last linearization.
@@ -89,15 +100,16 @@ impl<'a> Newton<'a> {
         Newton {
             system,
             options,
-            q: system.initial().to_vec(),
-            qd: vec![0.0; n],
-            qdd: vec![0.0; n],
-            c: vec![0.0; n],
+            q: system.initial().into(),
+            qd: Fours::new(n, 0.0),
+            qdd: Fours::new(n, 0.0),
+            qddd: Fours::new(if options.jerk { n } else { 0 }, 0.0),
+            c: Fours::new(n, 0.0),
             before: vec![0.0; n],
             instant: equations.instant(),
             linear: system.linear(),
             sizes: vec![1.0; n],
-            shares: vec![1.0; n],
+            shares: Fours::new(n, 1.0),
             left: vec![0.0; n],
             residual: 0.0,
             steps: 0,
@@ -115,8 +127,7 @@ impl<'a> Newton<'a> {
     /// Newton's method from the point in hand; on success the matrix at the solution is factored.
     pub(crate) fn solve(&mut self, t: f64, steps: Steps) -> Result<Outcome, Failure> {
         self.linearize(t)?;
-        self.linear.factor().map_err(Failure::Singular)?;
-        self.iterate(t, steps)
+        self.iterate(t, steps, true)
     }
 
     /// The same where the point in hand is the solution of another time: only what depends on the time is evaluated at first.
@@ -125,21 +136,22 @@ impl<'a> Newton<'a> {
         equations.set_time(t, &mut self.instant);
         let changed = equations.relinearize(&self.instant, &mut self.c, self.linear.values_mut());
         self.measure(changed)?;
-        if changed {
-            self.linear.factor().map_err(Failure::Singular)?;
-        }
-        self.iterate(t, steps)
+        self.iterate(t, steps, changed)
     }
 
-    /// Newton's method with the matrix of the point in hand factored.
-    fn iterate(&mut self, t: f64, steps: Steps) -> Result<Outcome, Failure> {
+    /// Newton's method from what was evaluated at the point in hand; `changed` tells whether C_q has to be factored yet.
+    fn iterate(&mut self, t: f64, steps: Steps, mut changed: bool) -> Result<Outcome, Failure> {
         let (mut previous, mut iteration) = (f64::INFINITY, 0);
         loop {
+            if changed && !self.linear.factor() {
+                return Err(Failure::Singular);
+            }
             if let Stop::ResidualOnly(bound) = self.options.stop
                 && self.residual < bound
             {
                 return self.regular(iteration);
             }
+            self.linear.solve();
             let correction = self.correction();
             if self.converged(correction, previous) {
                 // The correction costs nothing any more, and keeps errors of predictions from adding up.
@@ -153,16 +165,18 @@ impl<'a> Newton<'a> {
             }
             previous = correction;
             self.step(if correction <= STALL { Steps::Full } else { steps })?;
-            (self.steps, iteration) = (self.steps + 1, iteration + 1);
+            (self.steps, iteration, changed) = (self.steps + 1, iteration + 1, true);
             self.linearize(t)?;
-            self.linear.factor().map_err(Failure::Singular)?;
         }
     }
 
-    /// The outcome, unless the position is singular for all that rounding lets one tell.
+    /// The outcome, unless the position is singular for all that rounding lets one tell, or not what is meant.
     fn regular(&mut self, iterations: usize) -> Result<Outcome, Failure> {
         if self.linear.smallest_pivot() < DOUBTFUL {
-            return Err(Failure::Singular(self.linear.diagnose()));
+            return Err(Failure::Singular);
+        }
+        if let Some(block) = self.system.equations().first_wrong(&self.instant) {
+            return Err(Failure::WrongBranch(block));
         }
         Ok(Outcome { iterations, residual: self.residual })
     }
@@ -170,7 +184,7 @@ impl<'a> Newton<'a> {
     /// Why the iteration came to no end: where C is met and still every step is long, C_q is singular for all practical purposes.
     fn failure(&mut self) -> Failure {
         if matches!(self.options.stop, Stop::Converged { .. }) && self.met() {
-            return Failure::Singular(self.linear.diagnose());
+            return Failure::Singular;
         }
         let (row, residual) = self.worst();
         Failure::NoConvergence { row, residual }
@@ -187,31 +201,35 @@ impl<'a> Newton<'a> {
         self.measure(true)
     }
 
-    /// Measures C, and C_q if that is asked for; an error where a number is not finite.
+    /// Makes −C the right side and measures C, and C_q if that is asked for; an error where a number is not finite.
+    #[inline(always)]
     fn measure(&mut self, matrix: bool) -> Result<(), Failure> {
-        self.residual = fours::largest(&self.c);
-        if (!matrix || self.linear.measure()) && self.residual < f64::INFINITY {
-            return Ok(());
-        }
+        self.residual = fours::oppose(self.linear.whole_rhs_mut(), self.c.whole());
+        if (!matrix || self.linear.measure()) && self.residual < f64::INFINITY { Ok(()) } else { self.finite() }
+    }
+
+    /// An error unless C and C_q are finite.
+    #[cold]
+    fn finite(&self) -> Result<(), Failure> {
         self.system.equations().finite(&self.c, self.linear.values()).map_err(Failure::NotFinite)
     }
 
-    /// C_q dq = −C; gives max |dq_j|, each against what may be asked of it, or more if that is within the tolerance.
-    fn correction(&mut self) -> f64 {
-        fours::negate(self.linear.rhs_mut(), &self.c);
-        self.linear.solve();
-        let (dq, tolerance) = match self.options.stop {
-            Stop::Converged { tolerance } => (self.linear.solution(), tolerance),
+    /// max |dq_j| of the correction in hand, each against what may be asked of it, or more if that is within the tolerance.
+    fn correction(&self) -> f64 {
+        let tolerance = match self.options.stop {
+            Stop::Converged { tolerance } => tolerance,
             // Nothing asks for more, where steps are taken as they come.
             Stop::ResidualOnly(_) if !self.options.rescue => return f64::INFINITY,
-            Stop::ResidualOnly(_) => (self.linear.solution(), f64::INFINITY),
+            Stop::ResidualOnly(_) => f64::INFINITY,
         };
-        let shares = fours::largest_share(dq, &self.shares);
-        if shares <= tolerance {
-            return shares;
-        }
-        let rounding = rounding(tolerance);
-        largest(dq.iter().zip(&self.q).zip(&self.sizes).map(|((dq, q), size)| dq.abs() / (size + rounding * q.abs())))
+        let shares = fours::largest_share(self.linear.whole_solution(), self.shares.whole());
+        if shares <= tolerance { shares } else { self.correction_but_for_rounding(rounding(tolerance)) }
+    }
+
+    /// The same where rounding of q is allowed for.
+    fn correction_but_for_rounding(&self, rounding: f64) -> f64 {
+        let all = self.linear.solution().iter().zip(self.q.iter()).zip(&self.sizes);
+        largest(all.map(|((dq, q), size)| dq.abs() / (size + rounding * q.abs())))
     }
 
     /// The stop rule that tests the correction too.
@@ -227,12 +245,12 @@ impl<'a> Newton<'a> {
             Stop::Converged { tolerance } => tolerance,
             Stop::ResidualOnly(bound) => return self.residual < bound,
         };
-        fours::largest_share(&self.c, self.linear.row_units()) <= tolerance || self.met_but_for_rounding(tolerance)
+        fours::largest_share(self.c.whole(), self.linear.row_units().whole()) <= tolerance || self.met_but_for_rounding(tolerance)
     }
 
     /// The same where rounding of q, which makes Σ_j |∂C_i/∂q_j| |q_j| ε of row i, is allowed for.
     fn met_but_for_rounding(&mut self, tolerance: f64) -> bool {
-        for ((left, c), norm) in self.left.iter_mut().zip(&self.c).zip(self.linear.norms()) {
+        for ((left, c), norm) in self.left.iter_mut().zip(self.c.iter()).zip(self.linear.norms()) {
             *left = tolerance * norm - c.abs();
         }
         for (entry, value) in self.system.equations().entries.iter().zip(self.linear.values()) {
@@ -267,7 +285,7 @@ impl<'a> Newton<'a> {
 
     /// q += dq
     fn correct(&mut self) {
-        fours::add(&mut self.q, self.linear.solution());
+        fours::add(self.q.whole_mut(), self.linear.whole_solution());
     }
 
     /// q += λ dq with the largest λ = 1, ½, ¼, … that lets Σ (C_i / norm_i)² fall (Armijo) and turns nothing too far.
@@ -299,33 +317,9 @@ impl<'a> Newton<'a> {
         self.c.iter().zip(self.linear.norms()).map(|(c, norm)| (c / norm).powi(2)).sum()
     }
 
-    /// q̇ from C_q q̇ = −C_t and q̈ from C_q q̈ = Q_d, with the matrix that [`Newton::solve`] has left factored.
-    pub(crate) fn rates(&mut self) -> Result<(), Failure> {
-        let equations = self.system.equations();
-        equations.velocity_rhs(&self.instant, self.linear.rhs_mut());
-        self.linear.solve();
-        let finite = fours::take(&mut self.qd, self.linear.solution());
-        equations.set_rates(&self.qd, &mut self.instant);
-        equations.acceleration_rhs(&self.instant, self.linear.rhs_mut());
-        self.linear.solve();
-        // A right side that is not finite makes solutions that are not.
-        if fours::take(&mut self.qdd, self.linear.solution()) && finite {
-            return Ok(());
-        }
-        Err(Failure::NotFinite(self.overflow()))
-    }
-
-    /// What is not finite in the right sides or their solutions.
-    fn overflow(&mut self) -> Bad {
-        let equations = self.system.equations();
-        let own_row = |bad: Bad| Bad { row: self.worst().0, ..bad };
-        let (qd, qdd) = (finite(&self.qd, "q'").map_err(own_row), finite(&self.qdd, "q''").map_err(own_row));
-        let rhs = self.linear.rhs_mut();
-        equations.velocity_rhs(&self.instant, rhs);
-        let c_t = finite(rhs, "C_t");
-        equations.acceleration_rhs(&self.instant, rhs);
-        let q_d = finite(rhs, "Q_d");
-        c_t.and(qd).and(q_d).and(qdd).err().unwrap_or(Bad { row: 0, quantity: "q''" })
+    /// 1 / s_j, one over the characteristic size of each coordinate.
+    pub(crate) fn shares(&self) -> &Fours {
+        &self.shares
     }
 
     /// What is in hand, to keep.
@@ -336,18 +330,7 @@ impl<'a> Newton<'a> {
             worst: self.system.equations().equation(self.worst().0),
             smallest_pivot: self.linear.smallest_pivot(),
         };
-        Solution { t, q: self.q, qd: self.qd, qdd: self.qdd, report }
-    }
-
-    /// The error for a position that closes but not as it is meant, such as with an axis turned by 180°.
-    pub(crate) fn meant(&self) -> Result<(), Error> {
-        for block in &self.system.equations().blocks {
-            if let Some(reason) = block.constraint.wrong_branch(&self.instant.of(block)) {
-                let (constraint, kind) = (block.name.clone(), block.constraint.kind().to_string());
-                return Err(Error::WrongBranch { t: self.instant.t(), constraint, kind, reason: reason.to_string(), motion: None });
-            }
-        }
-        Ok(())
+        Solution { t, q: self.q.to_vec(), qd: self.qd.to_vec(), qdd: self.qdd.to_vec(), report }
     }
 
     /// The error that tells a failure in the user's names.
@@ -355,7 +338,8 @@ impl<'a> Newton<'a> {
         let equations = self.system.equations();
         match failure {
             Failure::NotFinite(bad) => equations.not_finite(bad, self.system.layout(), &self.instant),
-            Failure::Singular(found) => self.system.singular(t, &found, self.unmet()),
+            Failure::WrongBranch(block) => equations.closes_wrong(block, &self.instant),
+            Failure::Singular => self.system.singular(t, &self.q, self.unmet()),
             Failure::NoConvergence { row, residual } => {
                 let (constraint, row) = self.system.row_name(row);
                 Error::NoConvergence {

@@ -177,58 +177,54 @@ pub struct At<'a> {
     /// Time t.   \[s\]
     pub t: f64,
     states: Part<'a>,
-    timed: Part<'a>,
+    timed: &'a [f64],
 }
 
-/// The numbers of one constraint among those of all: where they begin, and where in them each argument begins.
-#[derive(Clone, Copy, Debug, Default)]
+/// The numbers of one constraint, perhaps with those of others after them, and where in them each argument begins.
+#[derive(Clone, Copy, Debug)]
 struct Part<'a> {
-    all: &'a [f64],
-    begin: usize,
+    own: &'a [f64],
     first: &'a [usize],
 }
 
 impl<'a> Part<'a> {
-    #[inline]
-    fn own(&self) -> &'a [f64] {
-        self.all.get(self.begin..).unwrap_or_default()
-    }
-
     /// The N numbers of argument `k`.
     fn argument<const N: usize>(&self, k: usize) -> Option<[f64; N]> {
-        self.own().get(*self.first.get(k)?..)?.first_chunk().copied()
+        self.own.get(*self.first.get(k)?..)?.first_chunk().copied()
     }
 }
 
 impl<'a> At<'a> {
     /// Time t, the states of all arguments one after the other ([`PlanarState::to_array`] and the like), and where each one begins.
+    #[inline]
     pub fn new(t: f64, states: &'a [f64], first: &'a [usize]) -> Self {
-        At { t, states: Part { all: states, begin: 0, first }, timed: Part::default() }
+        At { t, states: Part { own: states, first }, timed: &[] }
     }
 
     /// The same with what [`crate::Constraint::at_time`] has made of the time; constraints make it themselves where it is not there.
     #[must_use]
+    #[inline]
     pub fn with_timed(self, timed: &'a [f64]) -> Self {
-        At { timed: Part { all: timed, ..Part::default() }, ..self }
+        At { timed, ..self }
     }
 
-    /// The instant for a constraint whose states and numbers of time begin further on, and its arguments in them at `first`.
-    #[inline]
-    pub(crate) fn further(self, states: usize, timed: usize, first: &'a [usize]) -> Self {
-        At { t: self.t, states: Part { begin: states, first, ..self.states }, timed: Part { begin: timed, ..self.timed } }
+    /// Turns to another constraint at the same time.
+    #[inline(always)]
+    pub(crate) fn turn(&mut self, states: &'a [f64], first: &'a [usize], timed: &'a [f64]) {
+        (self.states, self.timed) = (Part { own: states, first }, timed);
     }
 
     /// What the constraint has made of the time alone, if it was asked to.
     #[inline]
     pub fn timed(&self) -> &'a [f64] {
-        self.timed.own()
+        self.timed
     }
 
     /// All states as an array of known length, for emitted code.
     #[doc(hidden)]
     #[inline]
     pub fn states<const N: usize>(&self) -> Option<&'a [f64; N]> {
-        self.states.own().first_chunk()
+        self.states.own.first_chunk()
     }
 
     /// State of argument `k`, a planar body; the ground's if there is no such argument.
@@ -254,26 +250,21 @@ pub struct Rates<'a>(Part<'a>);
 
 impl<'a> Rates<'a> {
     /// The rate of each local column, and the first column of each argument.
-    pub fn new(qd: &'a [f64], first: &'a [usize]) -> Self {
-        Rates(Part { all: qd, begin: 0, first })
-    }
-
-    /// The rates of a constraint whose columns begin further on, and its arguments in them at `first`.
     #[inline]
-    pub(crate) fn further(self, columns: usize, first: &'a [usize]) -> Self {
-        Rates(Part { begin: columns, first, ..self.0 })
+    pub fn new(qd: &'a [f64], first: &'a [usize]) -> Self {
+        Rates(Part { own: qd, first })
     }
 
     /// The rates of all columns as an array of known length, for emitted code.
     #[doc(hidden)]
     #[inline]
     pub fn columns<const N: usize>(&self) -> Option<&'a [f64; N]> {
-        self.0.own().first_chunk()
+        self.0.own.first_chunk()
     }
 
     /// The rate of a local column; zero if there is no such column.
     pub fn column(&self, k: usize) -> f64 {
-        self.0.own().get(k).copied().unwrap_or_default()
+        self.0.own.get(k).copied().unwrap_or_default()
     }
 
     /// Rates of argument `k`, a planar body; zero if there is no such argument.

@@ -1,5 +1,7 @@
 //! Many cases of one system: other parameters and initial values in each, spread over the cores of the machine.
 
+mod check;
+mod kept;
 mod lockstep;
 mod predictor;
 
@@ -17,8 +19,8 @@ use crate::system::evaluate::lanes::Crew;
 use crate::system::parameters::CasePlace;
 use lockstep::Lockstep;
 
-/// Cases that are handed to a thread at once.
-const BATCH: usize = 8;
+/// Cases that are handed to a thread at once: as many as there are lanes, or a multiple.
+const BATCH: usize = 16;
 
 /// Many cases of one [`System`]: one row of numbers a case, one number for each name.
 ///
@@ -48,9 +50,10 @@ const BATCH: usize = 8;
 /// Results come in the order of the cases and do not depend on the number of threads. Of a motion only what the closure gives back is kept,
 /// so memory grows with the results alone.
 ///
-/// Where constraints have kernels over lanes (the library's joints and drivers, and your own with `#[constraint(lanes)]`), as many cases as
-/// the machine has SIMD lanes advance together; the others' are evaluated lane by lane. Lanes, and the company of other cases in them,
-/// change results by rounding only: by no more than the tolerance of the stop rule. A case that fails in its lane is run again alone.
+/// Where constraints have kernels over lanes (the library's joints and drivers, and your own with `#[constraint(lanes)]`), two
+/// SIMD registers of cases advance together (16 with AVX-512); the others' are evaluated lane by lane. Lanes, and the company of other cases in them,
+/// change results by rounding only: by no more than the tolerance of the stop rule. A case that fails in its lane is run again alone. Limits of
+/// joints are not looked at: ask a run of the case for them.
 pub struct Sweep<'a> {
     system: &'a System,
     names: Vec<String>,
@@ -130,7 +133,7 @@ impl<'a> Sweep<'a> {
         job.report(0);
         let all = || match self.lanes {
             Lanes::Off => job.one_by_one(),
-            _ if self.system.n_coordinates() == 0 || newton::redundant::is_redundant(self.system) => job.one_by_one(),
+            _ if self.options.jerk || self.system.n_coordinates() == 0 || newton::redundant::is_redundant(self.system) => job.one_by_one(),
             Lanes::Best if !self.system.has_lanes() => job.one_by_one(),
             Lanes::Best => Lanes::Best.dispatch(&job).unwrap_or_else(|job| job.one_by_one()),
             lanes => lanes.dispatch(&job).unwrap_or_else(|_| Err(not_there(lanes))),
@@ -180,7 +183,7 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
             |system, first, cases| {
                 let run = |(k, case): (usize, &C)| {
                     self.sweep.set(system, case.as_ref());
-                    (self.keep)(first + k, system.run_with(self.times, &self.sweep.options))
+                    (self.keep)(first + k, newton::sweep::run(system, self.times, &self.sweep.options))
                 };
                 cases.iter().enumerate().map(run).collect()
             },
@@ -240,14 +243,13 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
             if (before & !active).any() {
                 lockstep.fill(active);
             }
-            if lockstep.keep(t, active) {
+            if lockstep.keep(t) {
                 lockstep.flush(&mut motions);
             }
         }
         lockstep.flush(&mut motions);
         let done = |lane: usize, motion: &Motion| {
-            let last = motion.len().saturating_sub(1);
-            active.lane(lane) && crew.systems[lane].is_meant(self.times[last], motion.q(last))
+            active.lane(lane) && crew.systems[lane].all_meant((0..motion.len()).map(|k| (motion.times()[k], motion.q(k))))
         };
         motions.into_iter().enumerate().map(|(lane, motion)| done(lane, &motion).then_some(motion)).collect()
     }

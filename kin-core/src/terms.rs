@@ -85,13 +85,21 @@ where
     all
 }
 
-/// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s): the right side of C_q q⃛, for the jerk, by `Dual3_64`.   \[row/s³\]
-pub fn jerk_rhs<E, const N: usize, const M: usize>(equation: &E, q: &[f64], qd: &[f64], qdd: &[f64], t: f64) -> DVector<f64>
-where
-    E: Equation<N, M>,
-{
-    let fixed = |values: &[f64]| std::array::from_fn(|k| values.get(k).copied().unwrap_or(0.0));
-    DVector::from_row_slice(&dual_route::jerk_rhs::<E, N, M>(equation, &fixed(q), &fixed(qd), &fixed(qdd), t))
+/// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s): the right side of C_q q⃛, for the jerk; `None` where the constraint does not know
+/// it.   \[row/s³\]
+pub fn jerk_rhs(constraint: &dyn Constraint, q: &[f64], qd: &[f64], qdd: &[f64], t: f64) -> Option<DVector<f64>> {
+    let arguments = constraint.arguments();
+    let (local, second) = (Local::new(&arguments, q, qd), Local::new(&arguments, q, qdd));
+    let mut rhs = DVector::zeros(constraint.rows().len());
+    constraint.jerk_rhs(&local.at(t), &local.rates(), &second.rates(), rhs.as_mut_slice()).then_some(rhs)
+}
+
+/// Measure k of a constraint ([`Constraint::measures`]) and its first three derivatives where its arguments' coordinates, first, second and third
+/// rates are these; missing ones count as zero.
+pub fn measure(constraint: &dyn Constraint, k: usize, [q, qd, qdd, qddd]: [&[f64]; 4], t: f64) -> [f64; 4] {
+    let arguments = constraint.arguments();
+    let [first, second, third] = [qd, qdd, qddd].map(|rates| Local::new(&arguments, q, rates));
+    constraint.measure(k, &first.at(t), &[first.rates(), second.rates(), third.rates()])
 }
 
 /// The states and rates of one constraint's arguments, standing alone.

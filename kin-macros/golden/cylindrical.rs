@@ -144,6 +144,7 @@ const _: () = {
                 c_q_on_t: false,
                 c_t: false,
                 q_d: true,
+                curved: true,
             }
         }
         /// C: 119 operations
@@ -909,10 +910,14 @@ const _: () = {
             in_order();
         }
         #[cold]
-        fn blame(
+        fn graph(
             &self,
-            asked: &::kin::rt::Asked<'_>,
-        ) -> ::core::option::Option<::kin::rt::Blame> {
+            with: &mut dyn FnMut(
+                &::kin::rt::graph::Graph,
+                &[f64],
+                ::kin::rt::graph::Outside<'_>,
+            ),
+        ) {
             use ::kin::rt::graph::*;
             const GRAPH: &Graph = &Graph {
                 file: ::core::file!(),
@@ -1183,28 +1188,27 @@ const _: () = {
                     "h_j.z",
                 ],
             };
-            GRAPH
-                .blame(
-                    asked,
-                    &[
-                        self.u_i.x,
-                        self.u_i.y,
-                        self.u_i.z,
-                        self.u_j.x,
-                        self.u_j.y,
-                        self.u_j.z,
-                        self.f_i.x,
-                        self.f_i.y,
-                        self.f_i.z,
-                        self.g_i.x,
-                        self.g_i.y,
-                        self.g_i.z,
-                        self.h_j.x,
-                        self.h_j.y,
-                        self.h_j.z,
-                    ],
-                    &nothing_outside,
-                )
+            with(
+                GRAPH,
+                &[
+                    self.u_i.x,
+                    self.u_i.y,
+                    self.u_i.z,
+                    self.u_j.x,
+                    self.u_j.y,
+                    self.u_j.z,
+                    self.f_i.x,
+                    self.f_i.y,
+                    self.f_i.z,
+                    self.g_i.x,
+                    self.g_i.y,
+                    self.g_i.z,
+                    self.h_j.x,
+                    self.h_j.y,
+                    self.h_j.z,
+                ],
+                &nothing_outside,
+            );
         }
         fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
             let mut u = [[0.0_f64; 3]; 5];
@@ -1251,6 +1255,9 @@ const _: () = {
                 || ::kin::rt::Numbers::set_at(&mut self.f_i, &mut index, value)
                 || ::kin::rt::Numbers::set_at(&mut self.g_i, &mut index, value)
                 || ::kin::rt::Numbers::set_at(&mut self.h_j, &mut index, value)
+        }
+        fn has_branches(&self) -> bool {
+            false
         }
     }
     impl ::kin::rt::Described for cylindrical {

@@ -102,6 +102,7 @@ const _: () = {
                 c_q_on_t: false,
                 c_t: false,
                 q_d: true,
+                curved: true,
             }
         }
         /// C: 25 operations
@@ -288,10 +289,14 @@ const _: () = {
             );
         }
         #[cold]
-        fn blame(
+        fn graph(
             &self,
-            asked: &::kin::rt::Asked<'_>,
-        ) -> ::core::option::Option<::kin::rt::Blame> {
+            with: &mut dyn FnMut(
+                &::kin::rt::graph::Graph,
+                &[f64],
+                ::kin::rt::graph::Outside<'_>,
+            ),
+        ) {
             use ::kin::rt::graph::*;
             const GRAPH: &Graph = &Graph {
                 file: ::core::file!(),
@@ -349,20 +354,19 @@ const _: () = {
                 rows: &[38],
                 parameters: &["tip.x", "tip.y"],
             };
-            GRAPH
-                .blame(
-                    asked,
-                    &[self.tip.x, self.tip.y],
-                    &|number, x, to| match number {
-                        0 => give(&self.profile.jet(x[0].re), to),
-                        1 => {
-                            let value: ::kin::rt::Real<::kin::rt::Dual2_64> = self
-                                .__leaf0([::kin::rt::Real(x[0])]);
-                            to.push(value.0);
-                        }
-                        _ => {}
-                    },
-                )
+            with(
+                GRAPH,
+                &[self.tip.x, self.tip.y],
+                &|number, x, to| match number {
+                    0 => give_law(&self.profile, x, to),
+                    1 => {
+                        let value: ::kin::rt::Real<::kin::rt::Dual3_64> = self
+                            .__leaf0([::kin::rt::Real(x[0])]);
+                        to.push(value.0);
+                    }
+                    _ => {}
+                },
+            );
         }
         fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
             let mut u = [[0.0_f64; 3]; 1];
@@ -396,6 +400,9 @@ const _: () = {
                 return ::core::option::Option::Some(why);
             }
             ::core::option::Option::None
+        }
+        fn has_branches(&self) -> bool {
+            false
         }
         fn laws(
             &self,

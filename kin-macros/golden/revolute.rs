@@ -92,6 +92,7 @@ const _: () = {
                 c_q_on_t: false,
                 c_t: false,
                 q_d: true,
+                curved: true,
             }
         }
         /// C: 10 operations
@@ -213,10 +214,14 @@ const _: () = {
             in_order();
         }
         #[cold]
-        fn blame(
+        fn graph(
             &self,
-            asked: &::kin::rt::Asked<'_>,
-        ) -> ::core::option::Option<::kin::rt::Blame> {
+            with: &mut dyn FnMut(
+                &::kin::rt::graph::Graph,
+                &[f64],
+                ::kin::rt::graph::Outside<'_>,
+            ),
+        ) {
             use ::kin::rt::graph::*;
             const GRAPH: &Graph = &Graph {
                 file: ::core::file!(),
@@ -264,12 +269,11 @@ const _: () = {
                 rows: &[32, 33],
                 parameters: &["u_i.x", "u_i.y", "u_j.x", "u_j.y"],
             };
-            GRAPH
-                .blame(
-                    asked,
-                    &[self.u_i.x, self.u_i.y, self.u_j.x, self.u_j.y],
-                    &nothing_outside,
-                )
+            with(
+                GRAPH,
+                &[self.u_i.x, self.u_i.y, self.u_j.x, self.u_j.y],
+                &nothing_outside,
+            );
         }
         fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
             let mut u = [[0.0_f64; 3]; 2];
@@ -296,6 +300,9 @@ const _: () = {
         fn set_parameter_at(&mut self, mut index: usize, value: f64) -> bool {
             ::kin::rt::Numbers::set_at(&mut self.u_i, &mut index, value)
                 || ::kin::rt::Numbers::set_at(&mut self.u_j, &mut index, value)
+        }
+        fn has_branches(&self) -> bool {
+            false
         }
     }
     impl ::kin::rt::InLanes for revolute {

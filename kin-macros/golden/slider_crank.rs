@@ -110,6 +110,7 @@ const _: () = {
                 c_q_on_t: false,
                 c_t: true,
                 q_d: true,
+                curved: true,
             }
         }
         fn n_timed(&self) -> usize {
@@ -242,10 +243,14 @@ const _: () = {
             in_order();
         }
         #[cold]
-        fn blame(
+        fn graph(
             &self,
-            asked: &::kin::rt::Asked<'_>,
-        ) -> ::core::option::Option<::kin::rt::Blame> {
+            with: &mut dyn FnMut(
+                &::kin::rt::graph::Graph,
+                &[f64],
+                ::kin::rt::graph::Outside<'_>,
+            ),
+        ) {
             use ::kin::rt::graph::*;
             const GRAPH: &Graph = &Graph {
                 file: ::core::file!(),
@@ -290,7 +295,7 @@ const _: () = {
                 rows: &[13, 20],
                 parameters: &["l2", "l3", "h", "omega"],
             };
-            GRAPH.blame(asked, &[self.l2, self.l3, self.h, self.omega], &nothing_outside)
+            with(GRAPH, &[self.l2, self.l3, self.h, self.omega], &nothing_outside);
         }
         fn description(&self) -> &str {
             "Loop closure of the slider-crank, crank driven at ω.      [m]"
@@ -312,6 +317,9 @@ const _: () = {
                 || ::kin::rt::Numbers::set_at(&mut self.l3, &mut index, value)
                 || ::kin::rt::Numbers::set_at(&mut self.h, &mut index, value)
                 || ::kin::rt::Numbers::set_at(&mut self.omega, &mut index, value)
+        }
+        fn has_branches(&self) -> bool {
+            false
         }
     }
     impl ::kin::rt::Described for slider_crank {

@@ -1,6 +1,7 @@
 //! First stage: from a Rust function to a [`ConstraintFn`], its signature read by name. `syn`'s items end here, its expressions in `lower`.
 
 mod demand;
+mod measure;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use syn::parse::Parser;
@@ -10,6 +11,7 @@ use syn::{Attribute, Block, Expr, ExprLit, FnArg, ItemFn, Lit, Pat, ReturnType, 
 
 use crate::error::Mistakes;
 pub use demand::Demand;
+pub use measure::Measure;
 
 /// A function under `#[constraint]`, with its signature understood.
 pub struct ConstraintFn {
@@ -27,6 +29,8 @@ pub struct ConstraintFn {
     pub requirements: Vec<Demand>,
     /// What holds of the pose that is meant, where the equations have others.
     pub branches: Vec<Demand>,
+    /// What can be asked of it beside its equations.
+    pub measures: Vec<Measure>,
 }
 
 /// What the attribute asks for.
@@ -125,6 +129,7 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<Cons
     refuse_qualifiers(&function, &mut mistakes);
     let requirements = demand::take(&mut function.attrs, "require", &mut mistakes);
     let branches = demand::take(&mut function.attrs, "branch", &mut mistakes);
+    let measures = measure::take(&mut function.attrs, &mut mistakes);
     let arguments: Vec<Argument> = function.sig.inputs.iter().filter_map(|input| mistakes.catch(argument(input))).collect();
     if mistakes.is_empty() && !arguments.iter().any(|a| a.kind.slots() > 0) {
         mistakes.add(&function.sig.ident, NO_COORDINATES);
@@ -144,6 +149,7 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<Cons
         lanes,
         requirements,
         branches,
+        measures,
     })
 }
 

@@ -1,5 +1,7 @@
 //! The verdict does not depend on the unit of length, on the order of declaration, or on where the mechanism stands.
 
+use std::f64::consts::PI;
+
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -47,6 +49,44 @@ fn every_verdict_reads_back_from_its_file() {
         assert_eq!(read.to_string(), found.to_string());
     }
     std::fs::remove_dir_all(folder).unwrap();
+}
+
+/// The second plan turned by −1.497 rad: at the smallest gap its joints once were called of full rank.
+#[test]
+fn contradictory_third_crank_keeps_its_mobility_however_it_is_turned() {
+    let plan = &plans()[1];
+    let plain = verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap());
+    for k in -30..30 {
+        let view = View { turn: -1.497 + 0.001 * f64::from(k), ..View::plain() };
+        let found = plan.mechanism(&view).diagnose(0.0).unwrap();
+        assert_eq!(verdict(&found), plain, "turned by {}:\n{found}", view.turn);
+    }
+}
+
+/// Every plan from many sides; what differs is counted, so that one run shows all.
+fn looked_at(cases: usize, mut random: fastrand::Rng) {
+    let plans = plans();
+    let plain: Vec<Vec<String>> = plans.iter().map(|plan| verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap())).collect();
+    let mut wrong = Vec::new();
+    for case in 0..cases {
+        let k = case % plans.len();
+        let mut number = |size: f64| size * (2.0 * random.f64() - 1.0);
+        let (unit, turn, shift) = (10.0_f64.powf(number(3.0)), number(PI), [number(3.0), number(3.0)]);
+        let view = View { unit, turn, shift, order: (0..16).map(|_| random.u64(..)).collect() };
+        let found = plans[k].mechanism(&view).diagnose(0.0).unwrap();
+        if verdict(&found) != plain[k] {
+            let text = format!("plan {k} {view:?}: {:?} instead of {:?}\n{found}", verdict(&found), plain[k]);
+            println!("{text}");
+            wrong.push(text);
+        }
+    }
+    assert!(wrong.is_empty(), "{} of {cases}\n{}", wrong.len(), wrong.join("\n"));
+}
+
+#[test]
+#[ignore = "takes its time: `cargo test --release -- --ignored`"]
+fn verdict_is_the_same_from_thousands_of_sides() {
+    looked_at(5_000, fastrand::Rng::with_seed(1));
 }
 
 proptest! {

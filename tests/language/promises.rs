@@ -6,10 +6,10 @@ use kin::prelude::*;
 use kin::rt::{At, Rates};
 use kin::{Dependence, any_coord as c, any_planar as p};
 
-/// C depends on t, C_q does, C_t can be other than zero, Q_d can.
-fn promised(constraint: &impl Constraint) -> [bool; 4] {
-    let Dependence { c_on_t, c_q_on_t, c_t, q_d } = constraint.depends();
-    [c_on_t, c_q_on_t, c_t, q_d]
+/// C depends on t, C_q does, C_t can be other than zero, Q_d can, C is not linear.
+fn promised(constraint: &impl Constraint) -> [bool; 5] {
+    let Dependence { c_on_t, c_q_on_t, c_t, q_d, curved } = constraint.depends();
+    [c_on_t, c_q_on_t, c_t, q_d, curved]
 }
 
 #[constraint]
@@ -20,6 +20,11 @@ fn geared(a: Coord, b: Coord, ratio: f64) -> f64 {
 #[constraint]
 fn stepped(a: Coord, t: Time) -> f64 {
     a * a - t.floor()
+}
+
+#[constraint]
+fn wrapped(a: Coord, t: Time) -> f64 {
+    a - (a / 2.0).floor() * 2.0 - t
 }
 
 #[constraint]
@@ -38,11 +43,12 @@ fn searched(a: Coord) -> f64 {
 
 #[test]
 fn terms_that_vanish_and_terms_without_time_are_promised() {
-    assert_eq!(promised(&revolute(p(), p(), vec2(1.0, 0.0), vec2(0.0, 1.0))), [false, false, false, true]);
-    assert_eq!(promised(&geared(c(), c(), 3.0)), [false, false, false, false]);
-    assert_eq!(promised(&drive(c(), Law::ramp(2.0))), [true, false, true, true]);
-    assert_eq!(promised(&stepped(c())), [true, false, false, true]);
-    assert_eq!(promised(&growing(c())), [true, true, true, true]);
+    assert_eq!(promised(&revolute(p(), p(), vec2(1.0, 0.0), vec2(0.0, 1.0))), [false, false, false, true, true]);
+    assert_eq!(promised(&geared(c(), c(), 3.0)), [false, false, false, false, true]);
+    assert_eq!(promised(&drive(c(), Law::ramp(2.0))), [true, false, true, true, false]);
+    assert!(!promised(&fixed(p(), vec2(1.0, 0.0), 0.5))[4] && promised(&wrapped(c()))[4]);
+    assert_eq!(promised(&stepped(c())), [true, false, false, true, true]);
+    assert_eq!(promised(&growing(c())), [true, true, true, true, true]);
 }
 
 #[test]
@@ -124,6 +130,7 @@ fn a_false_promise_is_found_by_the_check() {
     said(broken(Dependence { c_q_on_t: false, ..all }, None), "C_q, promised not to change with t");
     said(broken(Dependence { c_t: false, ..all }, None), "C_t, promised to be zero");
     said(broken(Dependence { q_d: false, ..all }, None), "Q_d, promised to be zero");
+    said(broken(Dependence { curved: false, ..all }, None), "C, promised to be linear");
     said(broken(all, Some(1.0)), "an entry of C_q, promised to be constant");
 }
 

@@ -149,7 +149,7 @@ fn bodies_exchanged_with_their_parameters_close_at_the_same_poses() {
     assert!(exchanged >= 20, "{exchanged}");
 }
 
-/// −g‴(0) by `Dual3_64` against a central difference of g″ = C_q q̈ − Q_d along the motion q + s q̇ + ½ s² q̈.
+/// −g‴(0), from the table of the equation's steps, against the body with dual numbers and a central difference of g″ = C_q q̈ − Q_d along the motion q + s q̇ + ½ s² q̈.
 #[test]
 fn jerk_right_side_is_the_rate_of_the_acceleration_equation() {
     let mut worst = 0.0_f64;
@@ -167,12 +167,50 @@ fn jerk_right_side_is_the_rate_of_the_acceleration_equation() {
         // of two steps the one that is farther from the truth by 16 times: Richardson
         let slope = |h: f64| (second(h) - second(-h)) / (2.0 * h);
         let difference = (slope(1e-4) * 4.0 - slope(2e-4)) / 3.0;
-        let jerk = sample.jerk_rhs(&q, &qd, &qdd, t);
+        let jerk = kin::jerk_rhs(sample.constraint(), &q, &qd, &qdd, t).expect("the library knows it");
+        let by_dual = kin::jerk_rhs(sample.by_dual().as_ref(), &q, &qd, &qdd, t).expect("dual numbers know it");
+        assert!((&jerk - &by_dual).amax() < 1e-12 * (1.0 + jerk.amax()), "{name}: jerk right side {jerk} by dual numbers {by_dual}");
         let error = (&jerk + &difference).amax() / (1.0 + jerk.amax());
         assert!(error < 1e-6, "{name}: jerk right side {jerk} by differences {}", -difference);
         worst = worst.max(error);
     });
     println!("jerk right side: worst {worst:.1e}");
+}
+
+/// Measures by `Dual3_64` against central differences of the value and of the first two derivatives along a motion.
+#[test]
+fn measures_have_the_rates_of_their_values() {
+    let (mut worst, mut seen) = (0.0_f64, std::collections::BTreeSet::new());
+    each(600, |joint, name, random| {
+        let sample = (joint.make)(random);
+        let n = columns(sample.constraint());
+        let [qd, qdd, qddd] = [random.numbers(n), random.numbers(n), random.numbers(n)];
+        let q = on_manifold(sample.constraint(), random, 0.0);
+        for (k, told) in sample.constraint().measures().iter().enumerate() {
+            seen.insert(format!("{} {name}.{}", joint.group, told.name));
+            let at = |s: f64| {
+                let along = |x: [&[f64]; 4]| -> Vec<f64> {
+                    (0..n).map(|j| x[0][j] + s * (x[1][j] + s * (0.5 * x[2][j] + s / 6.0 * x[3][j]))).collect()
+                };
+                let zero = vec![0.0; n];
+                let [q, v, a] = [along([&q, &qd, &qdd, &qddd]), along([&qd, &qdd, &qddd, &zero]), along([&qdd, &qddd, &zero, &zero])];
+                kin::measure(sample.constraint(), k, [&q, &v, &a, &qddd], s)
+            };
+            let (here, h) = (at(0.0), 1e-4);
+            let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|s| at(s * h));
+            for order in 0..3 {
+                // over the cut of an angle its value jumps by a turn
+                let near = |x: f64| if order == 0 && told.turns { x - TAU * ((x - here[0]) / TAU).round() } else { x };
+                let slope = (near(a[order]) - 8.0 * near(b[order]) + 8.0 * near(c[order]) - near(d[order])) / (12.0 * h);
+                let error = (slope - here[order + 1]).abs() / (1.0 + here.iter().fold(0.0_f64, |m, x| m.max(x.abs())));
+                assert!(error < 1e-6, "{name}.{}: derivative {} is {}, by differences {slope}", told.name, order + 1, here[order + 1]);
+                worst = worst.max(error);
+            }
+            assert!(!told.unit.is_empty());
+        }
+    });
+    println!("rates of measures: worst {worst:.1e}; {seen:?}");
+    assert!(seen.len() >= 20, "{seen:?}");
 }
 
 /// The table holds every constraint of the library: a joint that is added without a line here is found by its name.

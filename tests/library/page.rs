@@ -15,7 +15,7 @@ Made from the code by `KIN_BLESS=1 cargo test --test library page`; a test compa
 Each joint is a function whose body is its equation; derivatives are Kin's. `i`, `j` are bodies (the ground is one), `u_i`, `u_j` local positions, `h_i`,
 `h_j` local directions, R and A position and rotation of a body, r_P = R + A ū. In the pictures body i is blue, body j grey, what is driven orange.
 *Rows* are the freedoms removed. *Left* are the freedoms left between two bodies, or to one body in the world. *Ex.* marks joints whose bodies may be
-exchanged together with their parameters.
+exchanged together with their parameters. *Measures* are what `System::measure` can be asked for by name, such as `\"slot.slide\"`.
 ";
 
 /// A paragraph of a doc comment as one line of a table.

@@ -9,9 +9,10 @@ use nalgebra::{DMatrix, DVector};
 /// What the tests ask of a joint.
 pub trait Sample {
     fn constraint(&self) -> &dyn Constraint;
+    /// The same on the dual route.
+    fn by_dual(&self) -> Box<dyn Constraint>;
     fn compare(&self, seed: u64) -> Result<Report, Box<Mismatch>>;
     fn at(&self, q: &[f64], qd: &[f64], t: f64) -> Result<Report, Box<Mismatch>>;
-    fn jerk_rhs(&self, q: &[f64], qd: &[f64], qdd: &[f64], t: f64) -> DVector<f64>;
 }
 
 struct Of<E, const N: usize, const M: usize>(E);
@@ -25,6 +26,10 @@ impl<E: Equation<N, M> + Clone, const N: usize, const M: usize> Sample for Of<E,
         &self.0
     }
 
+    fn by_dual(&self) -> Box<dyn Constraint> {
+        Box::new(kin::by_dual(self.0.clone()))
+    }
+
     fn compare(&self, seed: u64) -> Result<Report, Box<Mismatch>> {
         kin::check::compare_from::<E, N, M>(&self.0, seed)
     }
@@ -32,10 +37,6 @@ impl<E: Equation<N, M> + Clone, const N: usize, const M: usize> Sample for Of<E,
     fn at(&self, q: &[f64], qd: &[f64], t: f64) -> Result<Report, Box<Mismatch>> {
         let fixed = |values: &[f64]| std::array::from_fn(|k| values[k]);
         kin::check::at::<E, N, M>(&self.0, &fixed(q), &fixed(qd), t)
-    }
-
-    fn jerk_rhs(&self, q: &[f64], qd: &[f64], qdd: &[f64], t: f64) -> DVector<f64> {
-        kin::jerk_rhs::<E, N, M>(&self.0, q, qd, qdd, t)
     }
 }
 

@@ -44,6 +44,14 @@ impl Axis {
     }
 }
 
+impl<T: Scalar> Vec3<T> {
+    /// The axis along a direction that does not move: [`Axis::along`] for any numbers, for measures of joints that hold the direction alone.
+    pub fn axis(self) -> Axis<T> {
+        let Vec3 { x, y, z } = self;
+        Axis::along(Vec3::new(x.value(), y.value(), z.value())).map(|v| Vec3::new(v.x.into(), v.y.into(), v.z.into()))
+    }
+}
+
 impl<T: Scalar> Axis<T> {
     /// An axis of other numbers.
     pub(crate) fn map<S>(self, number: impl Fn(Vec3<T>) -> Vec3<S>) -> Axis<S> {

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use crate::coordinates::Target;
 use crate::layout::{Kind, Layout, Place, Unit};
-use crate::linear::Echelon;
+use crate::linear::{Echelon, RANK};
 use crate::model::{Measures, Model};
 use crate::state::SpatialState;
 
@@ -92,7 +92,7 @@ fn signs(model: &Model<'_>, measures: &Measures, q: &[f64], t: f64) -> Vec<i8> {
     if model.m() == model.n()
         && let Ok(point) = model.linearize(q, t)
     {
-        signs.push(Echelon::new(model.scaled(&point.values, measures, &|_| true), model.n()).sign());
+        signs.push(Echelon::new(model.scaled(&point.values, measures, &|_| true), model.n(), RANK).sign());
     }
     let mut known: Vec<(Option<usize>, Option<usize>)> = Vec::new();
     for block in &model.equations.blocks {

@@ -2,9 +2,12 @@
 
 mod label;
 pub(crate) mod modes;
+pub(crate) mod options;
 pub(crate) mod search;
 pub(crate) mod squares;
 mod turn;
+pub(crate) mod turned_over;
 
 pub use label::Label;
 pub use modes::{Assembly, AssemblyOptions};
+pub use options::SearchOptions;

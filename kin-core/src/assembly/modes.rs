@@ -4,13 +4,17 @@
 //! neighbourhoods push steps away (P. E. Farrell, Á. Birkisson, S. W. Funke, Deflation techniques for finding distinct solutions of nonlinear partial differential
 //! equations, SIAM J. Sci. Comput. 37, 2015). With M = Π (1 + ρ²/d_k²) the step of M C = 0 is Newton's step times 1 / (1 − ∇ln M · Δq).
 
+use std::time::Duration;
+
 use super::label::{Label, canonical, labelled};
+use super::options::{Clock, at_least_one};
 use super::squares::{Place, Squares};
 use super::turn;
 use crate::error::{Error, Result};
 use crate::layout::{Kind, Unit};
 use crate::linear::{Linear, Tall};
-use crate::model::{Measures, Model, Point, Random};
+use crate::model::{Measures, Model, Point};
+use crate::random::Random;
 
 /// How assemblies are looked for. All fields have defaults: `AssemblyOptions { seed: 7, ..AssemblyOptions::default() }`.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,11 +27,13 @@ pub struct AssemblyOptions {
     pub steps: usize,
     /// The same seed gives the same assemblies; default 0.
     pub seed: u64,
+    /// Time after which no other start is begun. With a limit the result can depend on the machine; default none.
+    pub time_limit: Option<Duration>,
 }
 
 impl Default for AssemblyOptions {
     fn default() -> Self {
-        AssemblyOptions { starts: 4000, patience: 100, steps: 60, seed: 0 }
+        AssemblyOptions { starts: 4000, patience: 100, steps: 60, seed: 0, time_limit: None }
     }
 }
 
@@ -43,12 +49,15 @@ pub struct Assembly {
 
 /// All assemblies that are found, in the order of their labels.
 pub(crate) fn all(model: Model<'_>, guess: &[f64], t: f64, options: &AssemblyOptions) -> Result<Vec<Assembly>> {
+    at_least_one(options.starts, "starts")?;
+    at_least_one(options.steps, "steps")?;
+    let clock = Clock::new(options.time_limit);
     let measures = model.measure(guess, t);
     let mut modes = Modes::new(model, &measures, options);
     let mut random = Random::new(options.seed);
     let mut idle = 0;
     for start in 0..options.starts {
-        if idle > options.patience + 20 * modes.found.len() {
+        if idle > options.patience + 20 * modes.found.len() || clock.is_up() {
             break;
         }
         let from = modes.start(guess, start, &mut random);
@@ -243,7 +252,7 @@ impl Solver {
             Solver::Square(linear) => {
                 linear.values_mut().copy_from_slice(&point.values);
                 linear.measure();
-                if !linear.factors() {
+                if !linear.factor() {
                     return None;
                 }
                 linear.rhs_mut().iter_mut().zip(&point.c).for_each(|(rhs, c)| *rhs = -c);

@@ -7,8 +7,8 @@ use crate::model::{Measures, Model, Point};
 /// No step turns a body by more than this.   \[rad\]
 const TURN: f64 = 1.0;
 
-/// Steps at most, unless the options say otherwise.
-pub(crate) const STEPS: usize = 200;
+/// So many steps in a row that raise the sum of squares are enough.
+const IDLE: usize = 200;
 
 /// The damping, against rows and columns of order 1: where it starts and where it may go.   \[-\]
 const START: f64 = 1e-2;
@@ -24,7 +24,7 @@ const FLAT: f64 = 1e-11;
 /// What the norms of Euler parameters weigh: where not everything can be met, bodies are to stay rigid.   \[-\]
 const RIGID: f64 = 10.0;
 
-/// Σ (w_i C_i / norm_i)² + Σ (h (q_p − v_p) / s_p)², unknowns y_j = dq_j / s_j, and y_n = dt / s_t where time is free too.
+/// Σ (w_i (C_i + shift_i) / norm_i)² + Σ (h (q_p − v_p) / s_p)², unknowns y_j = dq_j / s_j, and y_n = dt / s_t where time is free too.
 ///
 /// Each step solves \[I, J; Jᵀ, −λ I\] (r, y) = (−c, 0), which is (Jᵀ J + λ I) y = −Jᵀ c without squaring J: among the steps that serve
 /// equally well it is the shortest.
@@ -33,6 +33,8 @@ pub(crate) struct Squares<'a> {
     measures: &'a Measures,
     /// w_i; a row of weight 0 is left out.
     pub weights: Vec<f64>,
+    /// What is added to each C_i, zero at first.   \[unit of the row\]
+    pub shifts: Vec<f64>,
     /// Coordinates that are held softly: (column, value, h).
     pub holds: Vec<(usize, f64, f64)>,
     time_is_free: bool,
@@ -61,16 +63,21 @@ impl<'a> Squares<'a> {
         places.extend((0..if time_is_free { m } else { 0 }).map(|row| Some((row, n - 1))));
         let tall = Tall::new(m + holds.len(), n, &places);
         let weights = (0..m).map(|row| if model.is_norm(row) { RIGID } else { 1.0 }).collect();
-        Squares { model, measures, weights, holds, time_is_free, tall, damping: START }
+        Squares { model, measures, weights, shifts: vec![0.0; m], holds, time_is_free, tall, damping: START }
     }
 
     /// The place at (q, t); `None` where C or C_q is not finite.
     pub(crate) fn place(&self, q: &[f64], t: f64) -> Option<Place> {
         let point = self.model.linearize(q, t).ok()?;
-        let rows = point.c.iter().zip(&self.weights).zip(&self.measures.norms).map(|((c, weight), norm)| (weight * c / norm).powi(2));
+        let rows = (0..self.weights.len()).map(|row| (self.weight(row) * (point.c[row] + self.shifts[row])).powi(2));
         let held = self.holds.iter().map(|&hold| self.offset(q, hold).powi(2));
         let merit = rows.chain(held).sum::<f64>();
         merit.is_finite().then(|| Place { q: q.to_vec(), t, merit, steps: 0, point })
+    }
+
+    /// w_i / norm_i
+    fn weight(&self, row: usize) -> f64 {
+        self.weights[row] / self.measures.norms[row]
     }
 
     /// h (q_p − v_p) / s_p
@@ -83,7 +90,7 @@ impl<'a> Squares<'a> {
         let mut here = from;
         self.damping = START;
         let (begun, mut idle, mut flat) = (here.steps, 0, 0);
-        while here.steps - begun < steps && here.merit > ZERO && DAMPING.contains(&self.damping) && idle < STEPS {
+        while here.steps - begun < steps && here.merit > ZERO && DAMPING.contains(&self.damping) && idle < IDLE {
             let Some((next, length)) = self.step(&here) else {
                 self.damping *= 4.0;
                 idle += 1;
@@ -131,19 +138,18 @@ impl<'a> Squares<'a> {
     /// The values of the scaled matrix in the order of its places, and −c.
     fn rows(&self, here: &Place) -> (Vec<f64>, Vec<f64>) {
         let m = self.weights.len();
-        let weight = |row: usize| self.weights[row] / self.measures.norms[row];
         let entries = self.model.equations.entries.iter().zip(&here.point.values);
         let scaled = |(entry, value): (&Option<(usize, usize)>, &f64)| match *entry {
-            Some((row, column)) if self.weights[row] != 0.0 => weight(row) * value * self.measures.sizes[column],
+            Some((row, column)) if self.weights[row] != 0.0 => self.weight(row) * value * self.measures.sizes[column],
             _ => 0.0,
         };
         let mut jacobian: Vec<f64> = entries.map(scaled).collect();
         jacobian.extend(self.holds.iter().map(|hold| hold.2));
         if self.time_is_free {
             let c_t = self.model.c_t(&here.q, here.t).unwrap_or_else(|_| vec![0.0; m]);
-            jacobian.extend((0..m).map(|row| weight(row) * c_t[row] * self.measures.time));
+            jacobian.extend((0..m).map(|row| self.weight(row) * c_t[row] * self.measures.time));
         }
-        let rows = (0..m).map(|row| -weight(row) * here.point.c[row]);
+        let rows = (0..m).map(|row| -self.weight(row) * (here.point.c[row] + self.shifts[row]));
         let held = self.holds.iter().map(|&hold| -self.offset(&here.q, hold));
         (jacobian, rows.chain(held).collect())
     }

@@ -2,11 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Rem, Sub};
 
-use num_dual::Dual2_64;
-
-use crate::real::Real;
-
-type Number = Real<Dual2_64>;
+use crate::real::{Dual, Real};
 
 macro_rules! functions {
     ($(#[$doc:meta])* $name:ident($function:ty) { $($variant:ident => $f:expr,)* }) => {
@@ -16,8 +12,8 @@ macro_rules! functions {
         pub enum $name { $($variant),* }
 
         impl $name {
-            /// The function with two derivatives.
-            pub(super) fn by_dual(self) -> $function {
+            /// The function with as many derivatives as the numbers have.
+            pub(super) fn by_dual<D: Dual>(self) -> $function {
                 match self { $($name::$variant => $f),* }
             }
         }
@@ -26,7 +22,7 @@ macro_rules! functions {
 
 functions! {
     /// A function of one number, named after f64's.
-    Function(fn(Number) -> Number) {
+    Function(fn(Real<D>) -> Real<D>) {
         Sin => Real::sin,
         Cos => Real::cos,
         Tan => Real::tan,
@@ -60,7 +56,7 @@ functions! {
 
 functions! {
     /// A function of two numbers.
-    Function2(fn(Number, Number) -> Number) {
+    Function2(fn(Real<D>, Real<D>) -> Real<D>) {
         Sum => Add::add,
         Difference => Sub::sub,
         Product => Mul::mul,

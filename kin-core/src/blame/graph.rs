@@ -1,7 +1,9 @@
 //! The equation of a constraint as static data: its steps in the order in which the compiler read them, each with the expression it is of.
-//! Written by `#[constraint]`, read when something has failed.
+//! Written by `#[constraint]`, read when something has failed, and for the jerk.
 
-use num_dual::Dual2_64;
+use num_dual::Dual3_64;
+
+use crate::law::Law;
 
 pub use super::function::{Function, Function2};
 
@@ -74,13 +76,20 @@ pub struct Graph {
     pub parameters: &'static [&'static str],
 }
 
-/// Computes what only the user's program can: its number, the numbers it is made of, and where to put the results. A law gives its jet.
-pub type Outside<'a> = &'a dyn Fn(usize, &[Dual2_64], &mut Vec<Dual2_64>);
+/// Computes what only the user's program can: its number, the numbers it is made of, and where to put the results. A law gives its value and four derivatives ([`give_law`]).
+pub type Outside<'a> = &'a dyn Fn(usize, &[Dual3_64], &mut Vec<Dual3_64>);
 
 /// Of an equation in which everything is known.
-pub fn nothing_outside(_: usize, _: &[Dual2_64], _: &mut Vec<Dual2_64>) {}
+pub fn nothing_outside(_: usize, _: &[Dual3_64], _: &mut Vec<Dual3_64>) {}
+
+/// Hands over a law's jet at the first number: its value and four derivatives.
+pub fn give_law(law: &Law, x: &[Dual3_64], to: &mut Vec<Dual3_64>) {
+    let Some(x) = x.first() else { return };
+    give(&law.jet(x.re), to);
+    give(&[law.fourth(x.re)], to);
+}
 
 /// Hands over plain numbers.
-pub fn give(numbers: &[f64], to: &mut Vec<Dual2_64>) {
-    to.extend(numbers.iter().copied().map(Dual2_64::from_re));
+pub fn give(numbers: &[f64], to: &mut Vec<Dual3_64>) {
+    to.extend(numbers.iter().copied().map(Dual3_64::from_re));
 }

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use num_dual::Dual3_64;
+
 use super::graph::{Graph, Outside, Step};
 use super::jet::Jet;
 use super::{Asked, Blame, Direction, Input, Part, Source};
@@ -131,7 +133,7 @@ impl Run<'_> {
             Step::Not(a) => truth(!holds(jets, a)),
             Step::Law(law, x, order) => {
                 let (x, mut jet) = (of(x), Vec::new());
-                (self.outside)(usize::from(law), &[num_dual::Dual2_64::from_re(x.value)], &mut jet);
+                (self.outside)(usize::from(law), &[Dual3_64::from_re(x.value)], &mut jet);
                 let f = |k: usize| jet.get(usize::from(order) + k).map_or(f64::NAN, |f| f.re);
                 x.chain([f(0), f(1), f(2)])
             }
@@ -144,12 +146,12 @@ impl Run<'_> {
 
     /// The user's own function: its derivatives by each of its arguments, and the second one along the direction.
     fn foreign(&self, number: usize, operands: &[Jet], component: usize) -> Jet {
-        let call = |operands: Vec<num_dual::Dual2_64>| {
+        let call = |operands: Vec<Dual3_64>| {
             let mut results = Vec::new();
             (self.outside)(number, &operands, &mut results);
-            results.get(component).copied().unwrap_or(num_dual::Dual2_64::from_re(f64::NAN))
+            results.get(component).copied().unwrap_or(Dual3_64::from_re(f64::NAN))
         };
-        let still = |operand: &Jet| num_dual::Dual2_64::from_re(operand.value);
+        let still = |operand: &Jet| Dual3_64::from_re(operand.value);
         let value = call(operands.iter().map(still).collect()).re;
         if operands.iter().all(|operand| operand.slopes.is_none()) {
             return Jet::constant(value);
@@ -161,7 +163,15 @@ impl Run<'_> {
             seeded[k].v1 = 1.0;
             first += call(seeded).v1 * rate;
         }
-        let along = call(operands.iter().map(|operand| operand.dual()).collect());
+        let along = call(
+            operands
+                .iter()
+                .map(|operand| {
+                    let number = operand.dual();
+                    Dual3_64::new(number.re, number.v1, number.v2, 0.0)
+                })
+                .collect(),
+        );
         Jet { value, slopes: Some([first, along.v2]) }
     }
 }

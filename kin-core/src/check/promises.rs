@@ -27,6 +27,9 @@ pub(super) fn broken<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     promise("C_q, promised not to change with t", depends.c_q_on_t, &now.c_q, &later.c_q);
     promise("C_t, promised to be zero", depends.c_t, &zero, &column(&now.c_t));
     promise("Q_d, promised to be zero", depends.q_d, &zero, &column(&now.q_d));
+    let origin = dual_terms::<E, N, M>(equation, &[0.0; N], qd, t);
+    let linear = column(&origin.c) + &now.c_q * DMatrix::from_column_slice(N, 1, q);
+    promise("C, promised to be linear", depends.curved, &linear, &column(&now.c));
     for (&(row, column), constant) in equation.pattern().iter().zip(equation.constants()) {
         let Some(constant) = *constant else { continue };
         let (promised, found) = (DMatrix::from_element(1, 1, constant), DMatrix::from_element(1, 1, now.c_q[(row, column)]));

@@ -10,6 +10,7 @@ use crate::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
 use crate::dual_route::ArgumentKind;
 use crate::error::{Error, Result};
 use crate::layout::{Kind, Place};
+use crate::measure::Limit;
 use crate::mechanism::Mechanism;
 
 /// A mechanism as data: bodies, constraints with their parameters, laws.
@@ -24,6 +25,20 @@ pub struct MechanismData {
     pub bodies: Vec<BodyData>,
     /// Constraints in their order.
     pub constraints: Vec<ConstraintData>,
+    /// Ranges that measures should keep to.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub limits: Vec<LimitData>,
+}
+
+/// The range that a measure of a joint or a coordinate should keep to; `None` for no end.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LimitData {
+    /// The measure or coordinate, such as `slot.slide`.
+    pub measure: String,
+    /// Its lower end, in its unit.
+    pub from: Option<f64>,
+    /// Its upper end.
+    pub to: Option<f64>,
 }
 
 /// A body or bare coordinate with its guess.
@@ -115,7 +130,10 @@ impl Mechanism {
         let bodies = bodies.collect();
         let constraints = self.constraints.iter().map(|(name, constraint)| self.constraint_data(name, constraint.as_ref()));
         let constraints = constraints.collect::<Result<_>>()?;
-        Ok(MechanismData { format: FORMAT, name: self.name.clone(), bodies, constraints })
+        let end = |x: f64| Some(x).filter(|x| x.is_finite());
+        let limit = |Limit { name, ends: [from, to] }: &Limit| LimitData { measure: name.clone(), from: end(*from), to: end(*to) };
+        let limits = self.limits.iter().map(limit).collect();
+        Ok(MechanismData { format: FORMAT, name: self.name.clone(), bodies, constraints, limits })
     }
 
     fn constraint_data(&self, name: &str, constraint: &dyn Constraint) -> Result<ConstraintData> {
@@ -160,6 +178,9 @@ impl Mechanism {
             let made = registry.constraint(kind, arguments, parameters, &mechanism);
             let constraint = made.map_err(|reason| Error::Data { place: format!("constraint `{name}`"), reason })?;
             mechanism.add_boxed(name, constraint)?;
+        }
+        for LimitData { measure, from, to } in &data.limits {
+            mechanism.limit(measure, from.unwrap_or(f64::NEG_INFINITY), to.unwrap_or(f64::INFINITY))?;
         }
         Ok(mechanism)
     }

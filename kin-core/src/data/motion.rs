@@ -6,9 +6,10 @@ use super::mechanism::BodyKind;
 use super::{FORMAT, is_first};
 use crate::coordinates::MechanismId;
 use crate::error::{Error, Result};
+use crate::follow::SingularPosition;
 use crate::law::Break;
 use crate::layout::Layout;
-use crate::motion::{Motion, Series};
+use crate::motion::{Event, Motion, Series};
 use crate::newton::CrossedBreak;
 
 /// A motion as data, without loss.
@@ -33,6 +34,9 @@ pub struct MotionData {
     pub qd: Vec<Vec<f64>>,
     /// q̈ at each time.   \[m/s², rad/s²\]
     pub qdd: Vec<Vec<f64>>,
+    /// q⃛ at each time, where the run was asked for the jerk.   \[m/s³, rad/s³\]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub qddd: Vec<Vec<f64>>,
     /// Newton steps at each time.
     pub iterations: Vec<usize>,
     /// max |C_i| at each time.
@@ -40,6 +44,12 @@ pub struct MotionData {
     /// Breaks of laws that the run has crossed.
     #[serde(default)]
     pub breaks: Vec<BreakData>,
+    /// What has happened on the way.
+    #[serde(default)]
+    pub events: Vec<Event>,
+    /// Singular positions that were met.
+    #[serde(default)]
+    pub singular_positions: Vec<SingularPosition>,
     /// Derived quantities.
     pub outputs: Vec<OutputData>,
 }
@@ -86,9 +96,12 @@ impl Motion {
             q: rows(Motion::q),
             qd: rows(Motion::qd),
             qdd: rows(Motion::qdd),
+            qddd: if self.has_jerk() { rows(Motion::qddd) } else { Vec::new() },
             iterations: self.iterations().to_vec(),
             residuals: self.residuals().to_vec(),
             breaks: self.breaks.iter().map(BreakData::of).collect(),
+            events: self.events.clone(),
+            singular_positions: self.singular.clone(),
             outputs: self.outputs().iter().map(output).collect(),
         }
     }
@@ -111,13 +124,16 @@ impl Motion {
             false => Err(fail(format!("{what} needs {times} rows of {width} numbers"))),
         };
         let (q, qd, qdd) = (flat("q", &data.q)?, flat("qd", &data.qd)?, flat("qdd", &data.qdd)?);
+        let qddd = if data.qddd.is_empty() { Vec::new() } else { flat("qddd", &data.qddd)? };
         if data.iterations.len() != times || data.residuals.len() != times {
             return Err(fail(format!("iterations and residuals need {times} numbers")));
         }
         if data.worst.is_some_and(|row| row >= data.equations.len()) {
             return Err(fail("the worst equation is none of the equations".to_string()));
         }
-        let all = data.times.iter().chain(&q).chain(&qd).chain(&qdd).chain(&data.residuals);
+        let happened = data.events.iter().map(|event| &event.t);
+        let singular = data.singular_positions.iter().flat_map(SingularPosition::numbers);
+        let all = data.times.iter().chain(&q).chain(&qd).chain(&qdd).chain(&qddd).chain(&data.residuals).chain(happened).chain(singular);
         if let Some(value) = all.into_iter().find(|x| !x.is_finite()) {
             return Err(fail(format!("{value} is among its numbers")));
         }
@@ -130,10 +146,13 @@ impl Motion {
             q,
             qd,
             qdd,
+            qddd,
             iterations: data.iterations.clone(),
             residuals: data.residuals.clone(),
             worst: data.worst.map(|row| (largest, row)),
             breaks: data.breaks.iter().map(BreakData::crossed).collect(),
+            events: data.events.clone(),
+            singular: data.singular_positions.clone(),
             outputs: Vec::new(),
         };
         for output in &data.outputs {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::contradiction::Gap;
+use super::contradiction::{Asks, Gap};
 use super::dependency::{Class, Dependency};
 use super::examine::Examined;
 use super::freedom::{Freedom, Persistence};
@@ -16,17 +16,26 @@ pub enum Change {
     Remove {
         /// The constraint.
         constraint: String,
-        /// Constraints of which any could be left out in its place: other drivers that contradict it.
+        /// Constraints of which any could be left out in its place: other drivers that contradict it, or joints of one row.
         or: Vec<String>,
+    },
+    /// Change a dimension by which a joint can be met.
+    Fit {
+        /// The joint.
+        constraint: String,
+        /// What is missing.   \[unit of the joint's rows\]
+        missing: f64,
+        /// Names of its rows that could be left out in place of it; all of them if the whole joint could.
+        or_drop: Vec<String>,
+        /// How many rows it has.
+        of: usize,
     },
     /// Ask less of a driver: what it asks for is beyond what the mechanism can reach.
     Limit {
         /// The driver.
         constraint: String,
-        /// The coordinate it drives.
-        coordinate: String,
-        /// The nearest that was found to what it asks.   \[m or rad\]
-        reached: f64,
+        /// For a driver of one coordinate: what it asks for, and the nearest to it that was found.
+        asks: Option<Asks>,
     },
     /// Leave some rows of a constraint out: a joint that holds less.
     Drop {
@@ -52,26 +61,28 @@ pub enum Change {
 /// another pose, not for another model.
 pub(super) fn least(examined: &Examined<'_>, gaps: &[Gap], dependencies: &[Dependency], freedoms: &[Freedom]) -> Vec<Change> {
     let mut changes: Vec<Change> = Vec::new();
-    for gap in gaps {
-        if let Some(asks) = gap.asks.as_ref().filter(|_| !gap.lasting) {
-            let (constraint, coordinate) = (gap.constraint.clone(), asks.coordinate.clone());
-            changes.push(Change::Limit { constraint, coordinate, reached: asks.stands });
-            continue;
-        }
-        let others = dependencies.iter().filter(|found| found.terms.iter().any(|term| gap.rows.contains(&term.row)));
-        let driver = gap.rows.iter().all(|row| examined.model.drives(*row));
-        let others = others.flat_map(|found| found.terms.iter().filter(|term| examined.model.drives(term.row)));
-        let mut or: Vec<String> = others.map(|term| term.constraint.clone()).filter(|name| driver && *name != gap.constraint).collect();
-        or.dedup();
-        changes.push(Change::Remove { constraint: gap.constraint.clone(), or });
-    }
+    changes.extend(gaps.iter().map(|gap| for_gap(examined, gap, dependencies)));
     let gone = |row: usize| gaps.iter().any(|gap| gap.rows.contains(&row));
     let lasting = dependencies.iter().filter(|found| found.class != Class::OnlyHere);
-    let rows: Vec<usize> = lasting.filter_map(|found| found.terms.first()).map(|term| term.row).filter(|row| !gone(*row)).collect();
+    let (mut rows, mut conflicts) = (Vec::new(), Vec::new());
+    for found in lasting {
+        match found.terms.first() {
+            Some(own) if gone(own.row) => {}
+            Some(own) if found.class != Class::Redundant && examined.model().drives(own.row) => {
+                conflicts.push((own.constraint.clone(), found))
+            }
+            Some(own) => rows.push(own.row),
+            None => {}
+        }
+    }
+    conflicts.dedup_by(|a, b| a.0 == b.0);
+    changes.extend(
+        conflicts.into_iter().map(|(constraint, found)| Change::Remove { or: others(examined, &constraint, &[found]), constraint }),
+    );
     changes.extend(leave_out(examined, &rows));
     let lasting = freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Always);
-    let names = &examined.model.layout.names;
-    let turn = |name: &String| names.iter().position(|known| known == name).is_some_and(|k| examined.model.layout.units[k] == Unit::One);
+    let names = &examined.model().layout.names;
+    let turn = |name: &String| names.iter().position(|known| known == name).is_some_and(|k| examined.model().layout.units[k] == Unit::One);
     changes.extend(lasting.map(|freedom| Change::Drive {
         turn: turn(&freedom.coordinate),
         coordinate: freedom.coordinate.clone(),
@@ -80,10 +91,49 @@ pub(super) fn least(examined: &Examined<'_>, gaps: &[Gap], dependencies: &[Depen
     changes
 }
 
+/// What closes a gap: less asked of a driver, one driver less, or another dimension.
+fn for_gap(examined: &Examined<'_>, gap: &Gap, dependencies: &[Dependency]) -> Change {
+    let model = examined.model();
+    let constraint = gap.constraint.clone();
+    if gap.rows.iter().all(|row| model.drives(*row)) {
+        if !gap.lasting {
+            return Change::Limit { constraint, asks: gap.asks.clone() };
+        }
+        let sets: Vec<&Dependency> =
+            dependencies.iter().filter(|found| found.terms.iter().any(|term| gap.rows.contains(&term.row))).collect();
+        return Change::Remove { or: others(examined, &constraint, &sets), constraint };
+    }
+    let own = |found: &Dependency| found.terms.first().map(|term| term.row).filter(|row| gap.rows.contains(row));
+    let mut rows: Vec<usize> = dependencies.iter().filter_map(own).collect();
+    rows.sort_unstable();
+    let name = |row: &usize| model.equations.block_of(*row).map(|(block, local)| block.row(local).to_string());
+    let or_drop = rows.iter().filter_map(name).collect();
+    Change::Fit { constraint, missing: gap.size(), or_drop, of: gap.rows.len() }
+}
+
+/// What could be removed in place of a driver that is in conflict: other drivers; where there are none, joints of one row.
+fn others(examined: &Examined<'_>, own: &str, sets: &[&Dependency]) -> Vec<String> {
+    let names = |wanted: &dyn Fn(usize) -> bool| {
+        let mut all: Vec<String> = Vec::new();
+        for term in sets.iter().flat_map(|found| &found.terms).filter(|term| term.constraint != own && wanted(term.row)) {
+            if !all.contains(&term.constraint) {
+                all.push(term.constraint.clone());
+            }
+        }
+        all
+    };
+    let model = examined.model();
+    let drivers = names(&|row| model.drives(row));
+    if !drivers.is_empty() {
+        return drivers;
+    }
+    names(&|row| model.equations.block_of(row).is_some_and(|(block, _)| block.rows().len() == 1))
+}
+
 /// The rows by constraint.
 fn leave_out(examined: &Examined<'_>, rows: &[usize]) -> Vec<Change> {
     let mut changes = Vec::new();
-    for block in &examined.model.equations.blocks {
+    for block in &examined.model().equations.blocks {
         let own: Vec<usize> = rows.iter().filter(|row| block.rows().contains(row)).map(|row| row - block.rows().start).collect();
         if own.is_empty() {
             continue;

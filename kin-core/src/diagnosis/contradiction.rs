@@ -3,20 +3,16 @@
 use serde::{Deserialize, Serialize};
 
 use super::examine::Start;
+use super::options::DiagnosisOptions;
 use super::order;
+use crate::assembly::options::Clock;
 use crate::assembly::search::{self, Found};
-use crate::assembly::squares::{STEPS, Squares};
+use crate::assembly::squares::Squares;
 use crate::error::{Error, Result};
 use crate::model::{Measures, Model};
 
-/// Starts from which a pose is looked for before it is said that there is none.
-pub(crate) const STARTS: usize = 12;
-
 /// A share of the largest residual above this takes part in what cannot be met.   \[-\]
 const SHARE: f64 = 0.02;
-
-/// Constraints that are let go at most.
-const LET_GO: usize = 6;
 
 /// A constraint that cannot be met together with all others.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -65,11 +61,12 @@ pub(super) struct Placed {
 }
 
 /// A pose of the mechanism; where there is none, one at which as few constraints as possible are open, and these as little as possible.
-pub(super) fn place(model: Model<'_>, start: Start<'_>, t: f64) -> Result<Placed> {
+pub(super) fn place(model: Model<'_>, start: Start<'_>, t: f64, options: &DiagnosisOptions) -> Result<Placed> {
     let all = |_: usize| true;
+    let clock = options.search.clock();
     let found = match start {
-        Start::Guess(q) => search::search(model, q, t, &all, STARTS),
-        Start::Pose(q) => search::descend(model, q, t, &all, false),
+        Start::Guess(q) => search::search(model, q, t, &all, &options.search),
+        Start::Pose(q) => search::descend(model, q, t, &all, false, options.search.steps),
     };
     let q = match start {
         Start::Guess(q) | Start::Pose(q) => q,
@@ -81,41 +78,64 @@ pub(super) fn place(model: Model<'_>, start: Start<'_>, t: f64) -> Result<Placed
     if found.met {
         return Ok(Placed { q: found.place.q, measures: found.measures, gaps: Vec::new() });
     }
-    Ok(let_go(model, found, t))
+    Ok(let_go(&Search { model, t, options, clock }, found))
 }
 
 fn nowhere(t: f64) -> Error {
     Error::InvalidTimes { reason: format!("nothing is finite at t = {t}") }
 }
 
+/// What stays the same while constraints are let go.
+struct Search<'a> {
+    model: Model<'a>,
+    t: f64,
+    options: &'a DiagnosisOptions,
+    clock: Clock,
+}
+
 /// Lets constraints go, one after the other, until the rest can be met; then brings them as near as the rest allows.
-fn let_go(model: Model<'_>, found: Found, t: f64) -> Placed {
+fn let_go(search: &Search<'_>, found: Found) -> Placed {
     let (starts, mut found) = (found.starts, found);
     let mut open: Vec<usize> = Vec::new();
-    while !found.met && open.len() < LET_GO {
-        let Some((block, next)) = most_telling(&model, &found, t, &open) else { break };
+    while !found.met && open.len() < search.options.let_go && !search.clock.is_up() {
+        let Some((block, next)) = search.most_telling(&found, &open) else { break };
         open.push(block);
         found = next;
     }
-    let gaps = open.iter().map(|block| gap(&model, &found, t, *block, starts)).collect();
+    if !found.met {
+        // Nothing that may be let go helps enough: what is off at the nearest place found is told all the same.
+        let rest: Vec<usize> = culprits(&search.model, &found, &open).take(search.options.let_go.max(1)).collect();
+        open.extend(rest);
+    }
+    let gaps = open.iter().map(|block| gap(&search.model, &found, search.t, *block, starts)).collect();
     Placed { q: found.place.q, measures: found.measures, gaps }
 }
 
-/// The first constraint without which the others can be met; else the one without which they are nearest to it.
-fn most_telling(model: &Model<'_>, found: &Found, t: f64, open: &[usize]) -> Option<(usize, Found)> {
-    /// What must be gone of the sum of squares.   \[-\]
-    const HELPS: f64 = 0.1;
-    let mut best: Option<(usize, Found)> = None;
-    for block in culprits(model, found, open) {
-        let Some(next) = without(*model, found, t, open, block) else { continue };
-        if next.met && near(model, found, &next, block) {
-            return Some((block, next));
+impl Search<'_> {
+    /// The first constraint without which the others can be met; else the one without which they are nearest to it.
+    fn most_telling(&self, found: &Found, open: &[usize]) -> Option<(usize, Found)> {
+        /// What must be gone of the sum of squares.   \[-\]
+        const HELPS: f64 = 0.1;
+        let mut best: Option<(usize, Found)> = None;
+        for block in culprits(&self.model, found, open) {
+            let Some(next) = self.without(found, open, block) else { continue };
+            if next.met && near(&self.model, found, &next, block) {
+                return Some((block, next));
+            }
+            if best.as_ref().is_none_or(|(_, best)| next.place.merit < best.place.merit) {
+                best = Some((block, next));
+            }
         }
-        if best.as_ref().is_none_or(|(_, best)| next.place.merit < best.place.merit) {
-            best = Some((block, next));
-        }
+        best.filter(|(_, best)| best.place.merit < (1.0 - HELPS) * found.place.merit)
     }
-    best.filter(|(_, best)| best.place.merit < (1.0 - HELPS) * found.place.merit)
+
+    /// The pose where one more constraint is let go, and as near to being met as the others allow.
+    fn without(&self, found: &Found, open: &[usize], block: usize) -> Option<Found> {
+        let (model, t, steps) = (self.model, self.t, self.options.search.steps);
+        let rows: Vec<usize> = open.iter().chain([&block]).flat_map(|block| model.equations.blocks[*block].rows()).collect();
+        let near = nearest(&model, &found.measures, &found.place.q, t, &|_| true, &rows, steps);
+        search::descend(model, &near, t, &|row| !rows.contains(&row), false, steps)
+    }
 }
 
 /// Whether a constraint that is let go is off by no more than its share in what could not be met lets one expect: by more it is so in
@@ -132,13 +152,6 @@ fn near(model: &Model<'_>, found: &Found, next: &Found, block: usize) -> bool {
     let largest = shares.clone().fold(0.0_f64, f64::max);
     let taking_part = shares.filter(|share| *share > SHARE * largest).count() as f64;
     size(next) * size(found) <= EXPECTED * merit && size(next) <= EXPECTED * (taking_part * merit).sqrt()
-}
-
-/// The pose where one more constraint is let go, and as near to being met as the others allow.
-fn without(model: Model<'_>, found: &Found, t: f64, open: &[usize], block: usize) -> Option<Found> {
-    let rows: Vec<usize> = open.iter().chain([&block]).flat_map(|block| model.equations.blocks[*block].rows()).collect();
-    let near = nearest(model, found, t, &rows);
-    search::descend(model, &near, t, &|row| !rows.contains(&row), false)
 }
 
 /// The constraints that take part in what cannot be met, the first that is called superfluous first.
@@ -158,16 +171,35 @@ fn culprits(model: &Model<'_>, found: &Found, open: &[usize]) -> impl Iterator<I
     blocks.into_iter()
 }
 
-/// The pose at which these rows are as nearly met as the others allow, from the one found.
-fn nearest(model: Model<'_>, found: &Found, t: f64, rows: &[usize]) -> Vec<f64> {
-    /// What the rows weigh against the others, stage by stage.   \[-\]
+/// The pose at which these rows are as nearly met as the other active ones allow, near the one given: the rows weigh ever less against the
+/// others, and then the others are shifted by what they are still off, until they are met (method of multipliers; J. Nocedal, S. J. Wright,
+/// Numerical Optimization, section 17.3). So at the smallest gap the equations that hold it open depend on one another to half the digits at least.
+pub(super) fn nearest(
+    model: &Model<'_>,
+    measures: &Measures,
+    from: &[f64],
+    t: f64,
+    active: &dyn Fn(usize) -> bool,
+    rows: &[usize],
+    steps: usize,
+) -> Vec<f64> {
+    /// What the rows weigh against the others, stage by stage, and the rounds of shifts after that, each of which is worth some five digits.   \[-\]
     const WEIGHTS: [f64; 3] = [3e-1, 3e-2, 3e-3];
-    let mut q = found.place.q.clone();
-    for weight in WEIGHTS {
-        let mut squares = Squares::new(model, &found.measures, Vec::new(), false);
-        rows.iter().for_each(|row| squares.weights[*row] = weight);
+    const ROUNDS: usize = 3;
+    let mut q = from.to_vec();
+    let mut squares = Squares::new(*model, measures, Vec::new(), false);
+    (0..model.m()).filter(|row| !active(*row)).for_each(|row| squares.weights[row] = 0.0);
+    for round in 0..WEIGHTS.len() + ROUNDS {
+        match WEIGHTS.get(round) {
+            Some(weight) => rows.iter().for_each(|row| squares.weights[*row] = *weight),
+            None => {
+                let Ok(point) = model.linearize(&q, t) else { break };
+                let others = (0..model.m()).filter(|row| !rows.contains(row));
+                others.for_each(|row| squares.shifts[row] += point.c[row]);
+            }
+        }
         let Some(place) = squares.place(&q, t) else { break };
-        q = squares.minimise(place, STEPS).q;
+        q = squares.minimise(place, steps).q;
     }
     q
 }

@@ -56,7 +56,8 @@ pub struct Term {
 pub struct Dependency {
     /// What it means.
     pub class: Class,
-    /// The terms; the first one, with the coefficient 1, is the equation that is called superfluous.
+    /// The terms; the first one, with the coefficient 1, is the equation that is called superfluous. Those of the norms of Euler parameters, which
+    /// nobody wrote, are left out.
     pub terms: Vec<Term>,
 }
 
@@ -85,38 +86,39 @@ pub(super) fn all(examined: &Examined<'_>) -> Vec<Dependency> {
 }
 
 fn dependency(examined: &Examined<'_>, rates: &Rates, blocked: &[Vec<f64>], k: usize, own: usize, vector: &Sparse) -> Dependency {
-    let norms = &examined.measures.norms;
+    let norms = &examined.measures().norms;
     let unit = norms[own];
     let mut combination: Sparse = vector.iter().map(|(row, y)| (*row, y * unit / norms[*row])).collect();
-    if combination.iter().any(|(row, _)| examined.gaps.iter().any(|gap| gap.rows.contains(row))) {
+    if combination.iter().any(|(row, _)| examined.open(*row)) {
         // At a smallest gap the pose is known to fewer digits, and so are the coefficients.
         combination.retain(|(row, z)| *row == own || (z * norms[*row] / unit).abs() > OPEN);
     }
     combination.sort_by_key(|(row, _)| (*row != own, *row));
     let class = class(examined, rates, blocked, k, &combination, unit);
     let term = |&(row, coefficient): &(usize, f64)| {
-        let constraint = examined.model.equations.block_of(row).map(|(block, _)| block.name.clone()).unwrap_or_default();
-        Term { constraint, equation: examined.model.equations.equation(row), row, coefficient }
+        let constraint = examined.model().equations.block_of(row).map(|(block, _)| block.name.clone()).unwrap_or_default();
+        Term { constraint, equation: examined.model().equations.equation(row), row, coefficient }
     };
-    Dependency { class, terms: combination.iter().map(term).collect() }
+    // The norms of Euler parameters hold whatever the mechanism does: nobody wrote them.
+    let told = combination.iter().filter(|(row, _)| *row == own || !examined.model().is_norm(*row));
+    Dependency { class, terms: told.map(term).collect() }
 }
 
 fn class(examined: &Examined<'_>, rates: &Rates, blocked: &[Vec<f64>], k: usize, combination: &Sparse, unit: f64) -> Class {
-    let open = |row: usize| examined.gaps.iter().any(|gap| gap.rows.contains(&row));
     let position = left_over(&rates.c, combination, 0.0);
-    if combination.iter().any(|(row, _)| open(*row)) && position.abs() > 1e-9 * unit {
+    if combination.iter().any(|(row, _)| examined.open(*row)) && position.abs() > 1e-9 * unit {
         return Class::Contradictory { level: Level::Position, residual: position };
     }
     let bends = |v: &Vec<f64>| {
-        let along = examined.model.second_order(examined.q, examined.t, v, 0.0).unwrap_or_default();
-        left_over(&along, combination, unit * v.iter().zip(&examined.measures.sizes).map(|(v, s)| (v / s).powi(2)).sum::<f64>()) != 0.0
+        let along = examined.model().second_order(examined.q, examined.t, v, 0.0).unwrap_or_default();
+        left_over(&along, combination, unit * v.iter().zip(&examined.measures().sizes).map(|(v, s)| (v / s).powi(2)).sum::<f64>()) != 0.0
     };
     if !examined.persists(k, Side::Rows) || blocked.iter().any(bends) {
         return Class::OnlyHere;
     }
-    let fastest = unit / examined.measures.time;
+    let fastest = unit / examined.measures().time;
     for (level, rhs, size) in
-        [(Level::Velocity, &rates.velocity, fastest), (Level::Acceleration, &rates.acceleration, fastest / examined.measures.time)]
+        [(Level::Velocity, &rates.velocity, fastest), (Level::Acceleration, &rates.acceleration, fastest / examined.measures().time)]
     {
         let residual = left_over(rhs, combination, size);
         if residual != 0.0 {
@@ -144,7 +146,7 @@ struct Rates {
 
 impl Rates {
     fn new(examined: &Examined<'_>) -> Self {
-        let Examined { model, q, t, .. } = *examined;
+        let (model, q, t) = (examined.model(), examined.q, examined.t);
         let c = model.linearize(q, t).map(|point| point.c).unwrap_or_default();
         let velocity = model.c_t(q, t).unwrap_or_default();
         let determined = examined.here.free.is_empty();
@@ -156,7 +158,7 @@ impl Rates {
 
 /// q̇ from C_q q̇ = −C_t, in the sense of least squares.
 fn velocities(examined: &Examined<'_>, c_t: &[f64]) -> Option<Vec<f64>> {
-    let Examined { model, q, t, measures, .. } = *examined;
+    let (model, measures, q, t) = (examined.model(), examined.measures(), examined.q, examined.t);
     let point = model.linearize(q, t).ok()?;
     let mut tall = Tall::new(model.m(), model.n(), &model.equations.entries);
     let scale = |entry: &Option<(usize, usize)>| entry.map_or(0.0, |(row, column)| measures.sizes[column] / measures.norms[row]);

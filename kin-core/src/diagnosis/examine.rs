@@ -6,7 +6,8 @@ use super::change::{self, Change};
 use super::contradiction::{self, Gap};
 use super::dependency::{self, Class, Dependency};
 use super::freedom::{self, Freedom, Persistence};
-use super::generic::{self, Nearby};
+use super::generic::{Nearby, Walk};
+use super::options::DiagnosisOptions;
 use super::order;
 use crate::error::{Error, Result};
 use crate::linear::{Echelon, Sparse, reduced};
@@ -88,9 +89,9 @@ impl Orders {
     }
 }
 
-/// Rank at a pose.
-pub(super) fn ranked(model: &Model<'_>, values: &[f64], measures: &Measures, orders: &Orders) -> Ranked {
-    let found = Echelon::new(model.scaled(values, measures, &|_| true), model.n());
+/// Rank at a pose, where pivots below `least` count as zero.
+pub(super) fn ranked(model: &Model<'_>, values: &[f64], measures: &Measures, orders: &Orders, least: f64) -> Ranked {
+    let found = Echelon::new(model.scaled(values, measures, &|_| true), model.n(), least);
     Ranked {
         rank: found.rank(),
         gap: found.smallest / found.left.max(f64::EPSILON),
@@ -100,75 +101,91 @@ pub(super) fn ranked(model: &Model<'_>, values: &[f64], measures: &Measures, ord
 }
 
 /// Examines a mechanism at time t.
-pub(crate) fn diagnose(model: Model<'_>, start: Start<'_>, t: f64) -> Result<Diagnosis> {
-    let place = contradiction::place(model, start, t)?;
+pub(crate) fn diagnose(model: Model<'_>, start: Start<'_>, t: f64, options: &DiagnosisOptions) -> Result<Diagnosis> {
+    options.check()?;
+    let place = contradiction::place(model, start, t, options)?;
     let (q, measures) = (&place.q, &place.measures);
     let point = model.linearize(q, t).map_err(|bad| model.not_finite(bad, q, t))?;
     // What is open is what is told: at a smallest gap other coefficients are known to fewer digits.
     let open: Vec<usize> = place.gaps.iter().flat_map(|gap| gap.rows.iter().copied()).collect();
+    let walk = Walk { model: &model, measures, open: &open, steps: options.search.steps };
     let orders = Orders::new(&model).after(&open, &[]);
-    let here = ranked(&model, &point.values, measures, &orders);
-    let culprit = |row: usize| place.gaps.iter().any(|gap| gap.rows.contains(&row));
+    let here = ranked(&model, &point.values, measures, &orders, walk.least());
     let full = here.rank == model.n().min(model.m());
-    let nearby = if !full { generic::nearby(&model, q, t, measures, &|row| !culprit(row), &orders) } else { None };
+    let nearby = if full { None } else { walk.nearby(q, t, options.poses, &orders) };
     let most = nearby.as_ref().filter(|nearby| nearby.ranked.rank > here.rank);
     let here = match most {
         // What holds at nearby poses is told first, what is so only here after it.
         Some(Nearby { ranked: most, .. }) => {
             let rows: Vec<usize> = most.dependent.iter().map(|(row, _)| *row).collect();
             let columns: Vec<usize> = most.free.iter().map(|(column, _)| *column).collect();
-            ranked(&model, &point.values, measures, &orders.after(&rows, &columns).after(&open, &[]))
+            ranked(&model, &point.values, measures, &orders.after(&rows, &columns).after(&open, &[]), walk.least())
         }
         None => here,
     };
-    let examined = Examined { model, q, t, measures, here, nearby: nearby.as_ref(), gaps: &place.gaps };
-    let dependencies = dependency::all(&examined);
-    let gaps = lasting(&examined, &dependencies);
-    let freedoms = freedom::all(&examined);
-    let stiff = freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Infinitesimal).count();
-    let changes = change::least(&examined, &gaps, &dependencies, &freedoms);
-    let drivers = (0..model.m()).filter(|row| model.drives(*row)).count();
-    Ok(Diagnosis {
-        mechanism: model.name.to_string(),
-        t,
-        q: q.clone(),
-        coordinates: model.n(),
-        equations: model.m(),
-        drivers,
-        gruebler: model.n() as isize - (model.m() - drivers) as isize,
-        mobility: examined.mobility().saturating_sub(stiff),
-        rank: examined.here.rank,
-        nearby_rank: examined.nearby_rank(),
-        moves: full || nearby.is_some(),
-        gap: examined.here.gap,
-        gaps,
-        dependencies,
-        freedoms,
-        changes,
-    })
-}
-
-/// The gaps, and whether they are there to stay.
-fn lasting(examined: &Examined<'_>, dependencies: &[Dependency]) -> Vec<Gap> {
-    let lasting = |gap: &Gap| {
-        let mut all = dependencies.iter().enumerate().filter(|(k, _)| examined.persists(*k, Side::Rows));
-        all.any(|(_, found)| found.terms.iter().any(|term| gap.rows.contains(&term.row)))
-    };
-    examined.gaps.iter().map(|gap| Gap { lasting: lasting(gap), ..gap.clone() }).collect()
+    Ok(Examined { walk, q, t, here, nearby: nearby.as_ref(), gaps: &place.gaps }.told(full))
 }
 
 /// All that is known before it is put into words.
 pub(super) struct Examined<'a> {
-    pub model: Model<'a>,
+    pub walk: Walk<'a>,
     pub q: &'a [f64],
     pub t: f64,
-    pub measures: &'a Measures,
     pub here: Ranked,
     pub nearby: Option<&'a Nearby>,
     pub gaps: &'a [Gap],
 }
 
-impl Examined<'_> {
+impl<'a> Examined<'a> {
+    pub(super) fn model(&self) -> &'a Model<'a> {
+        self.walk.model
+    }
+
+    pub(super) fn measures(&self) -> &'a Measures {
+        self.walk.measures
+    }
+
+    /// Whether an equation belongs to a constraint that cannot be met.
+    pub(super) fn open(&self, row: usize) -> bool {
+        self.walk.open.contains(&row)
+    }
+
+    fn told(&self, full: bool) -> Diagnosis {
+        let model = self.model();
+        let dependencies = dependency::all(self);
+        let gaps = self.lasting(&dependencies);
+        let freedoms = freedom::all(self);
+        let changes = change::least(self, &gaps, &dependencies, &freedoms);
+        let drivers = (0..model.m()).filter(|row| model.drives(*row)).count();
+        Diagnosis {
+            mechanism: model.name.to_string(),
+            t: self.t,
+            q: self.q.to_vec(),
+            coordinates: model.n(),
+            equations: model.m(),
+            drivers,
+            gruebler: model.n() as isize - (model.m() - drivers) as isize,
+            mobility: self.mobility(&freedoms),
+            rank: self.here.rank,
+            nearby_rank: self.nearby_rank(),
+            moves: full || self.nearby.is_some(),
+            gap: self.here.gap,
+            gaps,
+            dependencies,
+            freedoms,
+            changes,
+        }
+    }
+
+    /// The gaps, and whether they are there to stay.
+    fn lasting(&self, dependencies: &[Dependency]) -> Vec<Gap> {
+        let lasting = |gap: &Gap| {
+            let mut all = dependencies.iter().enumerate().filter(|(k, _)| self.persists(*k, Side::Rows));
+            all.any(|(_, found)| found.terms.iter().any(|term| gap.rows.contains(&term.row)))
+        };
+        self.gaps.iter().map(|gap| Gap { lasting: lasting(gap), ..gap.clone() }).collect()
+    }
+
     pub(super) fn nearby_rank(&self) -> usize {
         self.nearby.map_or(self.here.rank, |nearby| nearby.ranked.rank.max(self.here.rank))
     }
@@ -176,18 +193,21 @@ impl Examined<'_> {
     /// Whether what is so at this pose is so at nearby ones, for the k-th of the vectors.
     pub(super) fn persists(&self, k: usize, side: Side) -> bool {
         let lasting = match side {
-            Side::Rows => self.model.m() - self.nearby_rank(),
-            Side::Columns => self.model.n() - self.nearby_rank(),
+            Side::Rows => self.model().m() - self.nearby_rank(),
+            Side::Columns => self.model().n() - self.nearby_rank(),
         };
         k < lasting
     }
 
-    /// n less the rank of the joints, at a nearby pose where there is one.
-    fn mobility(&self) -> usize {
+    /// n less the rank of the joints, at a nearby pose where there is one; what gives to first order only is no freedom.
+    fn mobility(&self, freedoms: &[Freedom]) -> usize {
+        let model = self.model();
         let (q, t) = self.nearby.map_or((self.q, self.t), |nearby| (&nearby.q, nearby.t));
-        let Ok(point) = self.model.linearize(q, t) else { return 0 };
-        let joints = self.model.scaled(&point.values, self.measures, &|row| !self.model.drives(row));
-        self.model.n() - Echelon::new(joints, self.model.n()).rank()
+        let Ok(point) = model.linearize(q, t) else { return 0 };
+        let joints = model.scaled(&point.values, self.measures(), &|row| !model.drives(row));
+        let rank = Echelon::new(joints, model.n(), self.walk.least()).rank();
+        let stiff = freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Infinitesimal).count();
+        (model.n() - rank).saturating_sub(stiff)
     }
 }
 

@@ -3,7 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use super::examine::{Examined, Side};
-use super::generic;
 use crate::algebra::Vec3;
 use crate::layout::{Item, Kind};
 
@@ -100,7 +99,7 @@ pub(super) fn all(examined: &Examined<'_>) -> Vec<Freedom> {
             Freedom {
                 persistence: persistence(examined, k, &direction),
                 motions: motions(examined, &direction),
-                coordinate: examined.model.layout.names[*column].clone(),
+                coordinate: examined.model().layout.names[*column].clone(),
                 direction,
             }
         })
@@ -117,32 +116,30 @@ fn persistence(examined: &Examined<'_>, k: usize, direction: &[f64]) -> Persiste
     if !examined.persists(k, Side::Columns) {
         return Persistence::OnlyHere;
     }
-    let open = |row: usize| examined.gaps.iter().any(|gap| gap.rows.contains(&row));
-    let v: Vec<f64> = direction.iter().zip(&examined.measures.sizes).map(|(v, size)| v / size).chain([0.0]).collect();
-    let moves = |v| generic::moves(&examined.model, examined.q, examined.t, v, examined.measures, &|row| !open(row));
-    if k >= LOOKED_AT || moves(&v) { Persistence::Always } else { Persistence::Infinitesimal }
+    let v: Vec<f64> = direction.iter().zip(&examined.measures().sizes).map(|(v, size)| v / size).chain([0.0]).collect();
+    if k >= LOOKED_AT || examined.walk.moves(examined.q, examined.t, &v) { Persistence::Always } else { Persistence::Infinitesimal }
 }
 
 /// The k-th vector in coordinates, the largest scaled entry 1.
 fn direction(examined: &Examined<'_>, k: usize) -> Vec<f64> {
     let vector = &examined.here.free[k].1;
     let largest = vector.iter().fold(0.0_f64, |m, (_, x)| m.max(x.abs()));
-    let mut v = vec![0.0; examined.model.n()];
-    vector.iter().for_each(|(column, x)| v[*column] = x / largest * examined.measures.sizes[*column]);
+    let mut v = vec![0.0; examined.model().n()];
+    vector.iter().for_each(|(column, x)| v[*column] = x / largest * examined.measures().sizes[*column]);
     v
 }
 
 /// What each body does, those that move as one together.
 fn motions(examined: &Examined<'_>, v: &[f64]) -> Vec<BodyMotion> {
-    let length = examined.model.layout.items.iter().find_map(|item| match item.kind {
-        Kind::Planar | Kind::Spatial | Kind::Length => Some(examined.measures.sizes[item.first]),
+    let length = examined.model().layout.items.iter().find_map(|item| match item.kind {
+        Kind::Planar | Kind::Spatial | Kind::Length => Some(examined.measures().sizes[item.first]),
         Kind::Angle => None,
     });
     let length = length.unwrap_or(1.0);
     let mut all: Vec<BodyMotion> = Vec::new();
-    for item in &examined.model.layout.items {
+    for item in &examined.model().layout.items {
         let columns = item.first..item.first + item.kind.coordinates().len();
-        let share = columns.clone().map(|k| (v[k] / examined.measures.sizes[k]).abs()).fold(0.0, f64::max);
+        let share = columns.clone().map(|k| (v[k] / examined.measures().sizes[k]).abs()).fold(0.0, f64::max);
         if share <= STILL {
             continue;
         }

@@ -13,13 +13,17 @@ mod dependency;
 mod examine;
 mod freedom;
 mod generic;
+mod options;
 mod order;
+mod repeats;
+mod singular;
 mod text;
 
 pub use change::Change;
-pub(crate) use contradiction::STARTS;
 pub use contradiction::{Asks, Gap};
 pub use dependency::{Class, Dependency, Level, Term};
 pub use examine::Diagnosis;
 pub(crate) use examine::{Start, diagnose};
 pub use freedom::{BodyMotion, Freedom, How, Persistence};
+pub use options::DiagnosisOptions;
+pub(crate) use singular::{Singular, singular};

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::layout::Unit;
+use crate::layout::{Place, Unit};
 use crate::model::Model;
 
 /// Rows in the order in which they are the first to be called superfluous: drivers, then joints, the last name first; the norms of Euler
@@ -10,7 +10,7 @@ use crate::model::Model;
 pub(super) fn of_rows(model: &Model<'_>) -> Vec<usize> {
     let key = |row: usize| {
         let (name, local, class) = match model.equations.block_of(row) {
-            Some((block, local)) if block.constraint.is_driver() => (block.name.as_str(), local, 0),
+            Some((block, local)) if block.drives => (block.name.as_str(), local, 0),
             Some((block, local)) => (block.name.as_str(), local, if block.constraint.kind() == "euler_norm" { 2 } else { 1 }),
             None => ("", 0, 2),
         };
@@ -24,16 +24,38 @@ pub(super) fn of_rows(model: &Model<'_>) -> Vec<usize> {
     rows
 }
 
-/// Columns in the order in which they are the first to be called free: angles, then lengths, then Euler parameters; by name.
+/// Columns in the order in which they are the first to be called free: angles, then lengths, then Euler parameters; of these the bodies that a joint
+/// holds to the ground first, where a motor is likely to stand; by name.
 pub(super) fn of_columns(model: &Model<'_>) -> Vec<usize> {
     let class = |column: usize| match model.layout.units[column] {
         Unit::Radian => 0,
         Unit::Metre => 1,
         Unit::One => 2,
     };
+    let grounded = grounded(model);
     let mut columns: Vec<usize> = (0..model.n()).collect();
-    columns.sort_by(|a, b| class(*a).cmp(&class(*b)).then_with(|| natural(&model.layout.names[*a], &model.layout.names[*b])));
+    columns.sort_by(|a, b| {
+        let key = |column: usize| (class(column), !grounded[column]);
+        key(*a).cmp(&key(*b)).then_with(|| natural(&model.layout.names[*a], &model.layout.names[*b]))
+    });
     columns
+}
+
+/// Whether a joint holds the body of a column to the ground.
+fn grounded(model: &Model<'_>) -> Vec<bool> {
+    let mut grounded = vec![false; model.n()];
+    for block in model.equations.blocks.iter().filter(|block| !block.drives) {
+        let arguments = block.constraint.arguments();
+        let places: Vec<Place> = arguments.iter().filter_map(|argument| model.layout.place(&argument.target)).collect();
+        if places.iter().any(|place| matches!(place, Place::Ground(_))) {
+            let items = places.iter().filter_map(|place| match place {
+                Place::Own { item, .. } => model.layout.items.get(*item),
+                Place::Ground(_) => None,
+            });
+            items.for_each(|item| grounded[item.first..item.first + item.kind.coordinates().len()].fill(true));
+        }
+    }
+    grounded
 }
 
 /// Names with numbers in them by the size of the numbers: `pin 2` before `pin 10`.

@@ -7,6 +7,7 @@ use super::contradiction::Gap;
 use super::dependency::{Class, Dependency, Level, Term};
 use super::examine::Diagnosis;
 use super::freedom::{BodyMotion, Freedom, How, Persistence};
+use super::repeats;
 use crate::error::text::{count, list, time};
 
 /// Dependencies and freedoms that are written out.
@@ -47,11 +48,14 @@ impl Diagnosis {
             write!(f, "\n  The count is right by chance: what is superfluous hides what is missing.")?;
         }
         self.gaps.iter().try_for_each(|gap| write!(f, "\n  {}", GapLine(gap, self)))?;
-        // A conflict of positions is told with its gap.
-        let told = |found: &&Dependency| matches!(found.class, Class::Contradictory { level: Level::Position, .. });
+        // A conflict of positions is told with its gap, and so are other equations of the same constraint.
+        let open = |found: &Dependency| found.terms.first().is_some_and(|own| self.gaps.iter().any(|gap| gap.rows.contains(&own.row)));
+        let told = |found: &Dependency| open(found) || matches!(found.class, Class::Contradictory { level: Level::Position, .. });
         let dependencies: Vec<&Dependency> = self.dependencies.iter().filter(|found| !told(found)).collect();
-        lines(f, &dependencies, "dependency", "dependencies")?;
-        lines(f, &self.freedoms, "freedom", "freedoms")?;
+        lines(f, &repeats::gathered(&dependencies), "dependency", "dependencies")?;
+        // What gives a little or is free only here is so because the gap is the smallest.
+        let real = |freedom: &&Freedom| self.gaps.is_empty() || freedom.persistence == Persistence::Always;
+        lines(f, &self.freedoms.iter().filter(real).collect::<Vec<_>>(), "freedom", "freedoms")?;
         self.advice(f)
     }
 
@@ -61,7 +65,7 @@ impl Diagnosis {
         if here && self.gaps.is_empty() {
             write!(f, "\n  A toggle or change point: begin, or step, elsewhere.")?;
         }
-        if stiff {
+        if stiff && self.gaps.is_empty() {
             write!(f, "\n  Bodies stand in a special position, such as in line: change a dimension.")?;
         }
         if self.changes.is_empty() {
@@ -133,7 +137,8 @@ impl Display for Dependency {
                     Level::Acceleration => "ask for different accelerations",
                 };
                 let names: Vec<String> = self.constraints().iter().map(ToString::to_string).collect();
-                write!(f, "contradictory: {} {what}: `{name}`{} leaves {}.", list(&names), Sum(others), number(residual))
+                let off = number(residual.abs());
+                write!(f, "contradictory: {} {what}: `{name}`{}, and they are off by {off}.", list(&names), Sum(others))
             }
         }
     }
@@ -207,11 +212,21 @@ impl Display for Change {
             Change::Remove { constraint, or } => {
                 write!(f, "remove `{constraint}`, or {}, or replace one by a measurement", list(or).replace(" and ", " or "))
             }
-            Change::Limit { constraint, coordinate, reached } => {
+            Change::Fit { constraint, missing, or_drop, of } => {
+                write!(f, "change a dimension by which `{constraint}` can be met, {} is missing", number(*missing))?;
+                match or_drop.len() {
+                    0 => Ok(()),
+                    all if all == *of => f.write_str(", or remove it"),
+                    _ => write!(f, ", or drop {} of it", rows_named(or_drop)),
+                }
+            }
+            Change::Limit { constraint, asks: Some(asks) } => {
+                let (coordinate, reached) = (&asks.coordinate, asks.stands);
                 write!(f, "let `{constraint}` stay within reach, which ends near {coordinate} = {reached:.4}")
             }
+            Change::Limit { constraint, asks: None } => write!(f, "let `{constraint}` stay within reach"),
             Change::Drop { constraint, rows, instead } => {
-                let rows = if rows.len() == 1 { format!("row {}", rows[0]) } else { format!("rows {}", rows.join(", ")) };
+                let rows = rows_named(rows);
                 match instead {
                     Some(joint) => write!(f, "make `{constraint}` {joint} (drops {rows})"),
                     None => write!(f, "drop {rows} of `{constraint}`"),
@@ -223,21 +238,28 @@ impl Display for Change {
     }
 }
 
+/// "row x", "rows x, y".
+fn rows_named(rows: &[String]) -> String {
+    format!("{} {}", if rows.len() == 1 { "row" } else { "rows" }, rows.join(", "))
+}
+
 struct Vector([f64; 3]);
 
 impl Display for Vector {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let [x, y, z] = self.0.map(number);
+        let largest = self.0.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        let [x, y, z] = self.0.map(|x| number(if x.abs() < 1e-6 * largest { 0.0 } else { x }));
         write!(f, "({x}, {y}, {z})")
     }
 }
 
-/// Three decimals where that says enough, else three digits.
+/// Three decimals, or three digits of what is smaller; as a power of ten where it is far from 1.
 fn number(x: f64) -> String {
     match x.abs() {
         0.0 => "0.000".to_string(),
         size if (0.1..1e4).contains(&size) => format!("{x:.3}"),
         size if size < 1e-12 => "0.000".to_string(),
+        size if (1e-4..0.1).contains(&size) => format!("{x:.decimals$}", decimals = (2.0 - size.log10().floor()) as usize),
         _ => format!("{x:.2e}"),
     }
 }

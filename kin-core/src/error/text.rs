@@ -44,18 +44,14 @@ fn details(diagnosis: &Option<Box<Diagnosis>>) -> String {
     diagnosis.as_ref().map(|diagnosis| diagnosis.details().to_string()).unwrap_or_default()
 }
 
+/// The whole diagnosis where it has found what is wrong, else what the solver has to say.
+pub(super) fn diagnosed(diagnosis: &Option<Box<Diagnosis>>, solver: impl Fn() -> String) -> String {
+    let found = diagnosis.as_ref().filter(|diagnosis| !diagnosis.can_be_driven());
+    found.map_or_else(solver, |diagnosis| diagnosis.to_string())
+}
+
 /// What can move and what depends on what.
-pub(super) fn singular(
-    movable: &[String],
-    dependent: &[String],
-    unmet: &Option<String>,
-    diagnosis: &Option<Box<Diagnosis>>,
-    motion: &Option<Box<Motion>>,
-) -> String {
-    let found = details(diagnosis);
-    if !found.is_empty() {
-        return found + &kept(motion);
-    }
+pub(super) fn singular(movable: &[String], dependent: &[String], unmet: &Option<String>) -> String {
     let mut text = String::new();
     if !movable.is_empty() {
         text += &format!("\n  free to move though the drivers stand still: {}.", list(movable));
@@ -69,7 +65,13 @@ pub(super) fn singular(
             format!("\n  `{name}` cannot be met there: the dependent equations contradict one another (remove one), or the guess is poor.")
         }
     };
-    text + &kept(motion)
+    text
+}
+
+/// What can move at a toggle, and what is asked for beyond it.
+pub(super) fn toggle(movable: &[String], dependent: &[String], diagnosis: &Option<Box<Diagnosis>>) -> String {
+    let moves = format!("There {} can move although what drives stands still", list(movable));
+    format!("{moves}, and {} depend on one another.{}", list(dependent), details(diagnosis))
 }
 
 /// That nothing is lost.

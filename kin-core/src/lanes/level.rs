@@ -11,10 +11,24 @@ pub trait Level: Simd {
 
     /// The kernels compiled for it.
     fn table(kernels: &LaneKernels) -> Table<Self>;
+
+    /// The transpose of a square of numbers, without leaving registers where the machine can.
+    #[inline(always)]
+    fn turn(self, square: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
+        let [a, b, c, d] = square;
+        [[a[0], b[0], c[0], d[0]], [a[1], b[1], c[1], d[1]], [a[2], b[2], c[2], d[2]], [a[3], b[3], c[3], d[3]]]
+    }
+}
+
+/// By the shuffles of AVX.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+fn shuffle(simd: pulp::x86::V3, square: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
+    pulp::cast(simd.deinterleave_shfl_f64s(pulp::cast::<_, [pulp::f64x4; 4]>(square)))
 }
 
 macro_rules! levels {
-    ($($(#[$when:meta])* $token:ty, $field:ident, $align:ident, $bytes:literal;)*) => {$(
+    ($($(#[$when:meta])* $token:ty, $field:ident, $align:ident, $bytes:literal $(, $avx:expr)?;)*) => {$(
         /// As long as a register.
         $(#[$when])*
         #[derive(Clone, Copy)]
@@ -28,13 +42,21 @@ macro_rules! levels {
             fn table(kernels: &LaneKernels) -> Table<Self> {
                 kernels.$field
             }
+
+            $(
+                #[inline(always)]
+                fn turn(self, square: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
+                    let avx: fn(Self) -> pulp::x86::V3 = $avx;
+                    shuffle(avx(self), square)
+                }
+            )?
         }
     )*};
 }
 
 levels! {
-    #[cfg(target_arch = "x86_64")] pulp::x86::V4, v4, Align64, 64;
-    #[cfg(target_arch = "x86_64")] pulp::x86::V3, v3, Align32, 32;
+    #[cfg(target_arch = "x86_64")] pulp::x86::V4, v4, Align64, 64, |v4| *v4;
+    #[cfg(target_arch = "x86_64")] pulp::x86::V3, v3, Align32, 32, |v3| v3;
     #[cfg(target_arch = "aarch64")] pulp::aarch64::Neon, neon, Align16, 16;
     pulp::Scalar, scalar, Align8, 8;
 }

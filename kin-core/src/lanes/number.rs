@@ -1,4 +1,7 @@
 //! Numbers over lanes, with f64's names: what emitted kernels compute with.
+//!
+//! A number is two registers: what is found out once for all lanes (which step comes next, where its numbers stand, which function is
+//! called) then serves twice as many cases, and two chains of operations run side by side.
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Rem, Sub};
 
@@ -8,11 +11,19 @@ use super::Level;
 
 /// One number for each lane.
 #[derive(Clone, Copy)]
-pub struct Wide<S: Level>(pub(super) S, pub(super) S::f64s, [S::Align; 0]);
+pub struct Wide<S: Level>(pub(super) S, pub(super) [S::f64s; 2], [S::Align; 0]);
 
 /// One condition for each lane.
 #[derive(Clone, Copy)]
-pub struct Mask<S: Level>(pub(super) S, pub(super) S::m64s);
+pub struct Mask<S: Level>(pub(super) S, pub(super) [S::m64s; 2]);
+
+/// An operation of `pulp` on both registers.
+macro_rules! both {
+    ($simd:expr, $function:ident, $($x:expr),+) => {
+        [$simd.$function($($x[0]),+), $simd.$function($($x[1]),+)]
+    };
+}
+pub(super) use both;
 
 macro_rules! operator {
     ($($trait:ident $method:ident $function:ident;)*) => {$(
@@ -21,7 +32,7 @@ macro_rules! operator {
 
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                Wide::new(self.0, self.0.$function(self.1, other.1))
+                Wide::new(self.0, both!(self.0, $function, self.1, other.1))
             }
         }
     )*};
@@ -39,7 +50,7 @@ impl<S: Level> Neg for Wide<S> {
 
     #[inline(always)]
     fn neg(self) -> Self {
-        Wide::new(self.0, self.0.neg_f64s(self.1))
+        Wide::new(self.0, both!(self.0, neg_f64s, self.1))
     }
 }
 
@@ -81,14 +92,14 @@ lane_by_lane! {
 
 impl<S: Level> Wide<S> {
     #[inline(always)]
-    pub(super) fn new(simd: S, numbers: S::f64s) -> Self {
+    pub(super) fn new(simd: S, numbers: [S::f64s; 2]) -> Self {
         Wide(simd, numbers, [])
     }
 
     /// The same number in every lane.
     #[inline(always)]
     pub fn splat(simd: S, x: f64) -> Self {
-        Wide::new(simd, simd.splat_f64s(x))
+        Wide::new(simd, [simd.splat_f64s(x); 2])
     }
 
     /// Another number, the same in every lane.
@@ -98,30 +109,30 @@ impl<S: Level> Wide<S> {
     }
 
     /// How many lanes there are.
-    pub const LANES: usize = S::F64_LANES;
+    pub const LANES: usize = 2 * S::F64_LANES;
 
     /// The numbers, lane by lane.
     #[inline(always)]
     pub fn as_slice(&self) -> &[f64] {
-        bytemuck::cast_slice(std::slice::from_ref(&self.1))
+        bytemuck::cast_slice(&self.1)
     }
 
     /// The numbers, lane by lane, to be written.
     #[inline(always)]
     pub fn as_mut_slice(&mut self) -> &mut [f64] {
-        bytemuck::cast_slice_mut(std::slice::from_mut(&mut self.1))
+        bytemuck::cast_slice_mut(&mut self.1)
     }
 
     /// a b + c, rounded once.
     #[inline(always)]
     pub fn mul_add(self, b: Self, c: Self) -> Self {
-        Wide::new(self.0, self.0.mul_add_e_f64s(self.1, b.1, c.1))
+        Wide::new(self.0, both!(self.0, mul_add_e_f64s, self.1, b.1, c.1))
     }
 
     /// c − a b, rounded once.
     #[inline(always)]
     pub fn negative_mul_add(self, b: Self, c: Self) -> Self {
-        Wide::new(self.0, self.0.negate_mul_add_e_f64s(self.1, b.1, c.1))
+        Wide::new(self.0, both!(self.0, negate_mul_add_e_f64s, self.1, b.1, c.1))
     }
 
     /// 1 / x
@@ -133,13 +144,19 @@ impl<S: Level> Wide<S> {
     /// √x
     #[inline(always)]
     pub fn sqrt(self) -> Self {
-        Wide::new(self.0, self.0.sqrt_f64s(self.1))
+        Wide::new(self.0, both!(self.0, sqrt_f64s, self.1))
     }
 
     /// |x|
     #[inline(always)]
     pub fn abs(self) -> Self {
-        Wide::new(self.0, self.0.abs_f64s(self.1))
+        Wide::new(self.0, both!(self.0, abs_f64s, self.1))
+    }
+
+    /// The larger one; of a NaN and a number one of the two.
+    #[inline(always)]
+    pub(crate) fn or_larger(self, other: Self) -> Self {
+        Wide::new(self.0, both!(self.0, max_f64s, self.1, other.1))
     }
 
     /// The larger one; the other one of a NaN.
@@ -200,7 +217,7 @@ macro_rules! comparison {
                 $(#[$doc])*
                 #[inline(always)]
                 pub fn $name(self, other: Self) -> Mask<S> {
-                    Mask(self.0, self.0.$function(self.1, other.1))
+                    Mask(self.0, both!(self.0, $function, self.1, other.1))
                 }
             )*
 
@@ -243,13 +260,13 @@ impl<S: Level> Mask<S> {
     /// `a` where it is true, else `b`.
     #[inline(always)]
     pub fn select(self, a: Wide<S>, b: Wide<S>) -> Wide<S> {
-        Wide::new(self.0, self.0.select_f64s(self.1, a.1, b.1))
+        Wide::new(self.0, both!(self.0, select_f64s, self.1, a.1, b.1))
     }
 
     /// Whether it is true in some lane.
     #[inline(always)]
     pub fn any(self) -> bool {
-        bytemuck::bytes_of(&self.1).iter().fold(0, |any, byte| any | byte) != 0
+        self.0.first_true_m64s(self.0.or_m64s(self.1[0], self.1[1])) < S::F64_LANES
     }
 
     /// Whether it is true in a lane.
@@ -269,7 +286,7 @@ impl<S: Level> BitAnd for Mask<S> {
 
     #[inline(always)]
     fn bitand(self, other: Self) -> Self {
-        Mask(self.0, self.0.and_m64s(self.1, other.1))
+        Mask(self.0, both!(self.0, and_m64s, self.1, other.1))
     }
 }
 
@@ -278,7 +295,7 @@ impl<S: Level> BitOr for Mask<S> {
 
     #[inline(always)]
     fn bitor(self, other: Self) -> Self {
-        Mask(self.0, self.0.or_m64s(self.1, other.1))
+        Mask(self.0, both!(self.0, or_m64s, self.1, other.1))
     }
 }
 
@@ -287,6 +304,6 @@ impl<S: Level> Not for Mask<S> {
 
     #[inline(always)]
     fn not(self) -> Self {
-        Mask(self.0, self.0.not_m64s(self.1))
+        Mask(self.0, both!(self.0, not_m64s, self.1))
     }
 }

@@ -5,7 +5,7 @@
 //! on machines that cannot fuse, f64's own functions are called lane by lane.
 
 use super::Level;
-use super::number::{Mask, Wide};
+use super::number::{Mask, Wide, both};
 
 /// π/2 in three parts.
 const PARTS: [f64; 3] = [std::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17, -1.497_384_904_859_169_8e-33];
@@ -68,9 +68,9 @@ impl<S: Level> Wide<S> {
         let most = one - half;
         let cos = most + (z * z).mul_add(polynomial(COS, z), (one - most) - half);
         // Sine and cosine change places in odd quarters and their signs in two of four.
-        let quarter = simd.transmute_u64s_f64s(rounded.1);
+        let quarter = both!(simd, transmute_u64s_f64s, rounded.1);
         let (odd, back) = (has_bit(simd, quarter, 1), has_bit(simd, quarter, 2));
-        let left = has_bit(simd, simd.add_u64s(quarter, simd.splat_u64s(1)), 2);
+        let left = has_bit(simd, both!(simd, add_u64s, quarter, [simd.splat_u64s(1); 2]), 2);
         let (s, c) = (odd.select(cos, sin), odd.select(sin, cos));
         let (mut sin, mut cos) = (back.select(-s, s), left.select(-c, c));
         let large = !self.abs().le(Wide::splat(simd, LARGEST));
@@ -92,9 +92,9 @@ fn polynomial<S: Level>(c: [f64; 6], z: Wide<S>) -> Wide<S> {
 }
 
 #[inline(always)]
-fn has_bit<S: Level>(simd: S, bits: S::u64s, bit: u64) -> Mask<S> {
-    let bit = simd.splat_u64s(bit);
-    Mask(simd, simd.equal_u64s(simd.and_u64s(bits, bit), bit))
+fn has_bit<S: Level>(simd: S, bits: [S::u64s; 2], bit: u64) -> Mask<S> {
+    let bit = [simd.splat_u64s(bit); 2];
+    Mask(simd, both!(simd, equal_u64s, both!(simd, and_u64s, bits, bit), bit))
 }
 
 #[cfg(test)]

@@ -22,21 +22,6 @@ pub(super) enum Code {
     Large(Flat<u32>),
 }
 
-/// What was seen of the numbers that were computed, each times its weight.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Seen {
-    /// The smallest pivot, the largest multiplier, and the largest other number.
-    pub smallest: f64,
-    pub multiplier: f64,
-    pub cell: f64,
-}
-
-impl Default for Seen {
-    fn default() -> Self {
-        Seen { smallest: f64::INFINITY, multiplier: 0.0, cell: 0.0 }
-    }
-}
-
 impl Default for Code {
     fn default() -> Self {
         Code::new(0)
@@ -59,20 +44,9 @@ impl Code {
 
     /// Runs all steps.
     pub(super) fn run(&self, memory: &mut [f64]) {
-        self.run_with(memory, &mut Blind);
-    }
-
-    /// Runs all steps and tells what was seen; one weight a step.
-    pub(super) fn run_watched(&self, memory: &mut [f64], weights: &[f64]) -> Seen {
-        let mut watch = Weighing { weights: weights.iter(), seen: Seen::default() };
-        self.run_with(memory, &mut watch);
-        watch.seen
-    }
-
-    fn run_with<W: Watch>(&self, memory: &mut [f64], watch: &mut W) {
         match self {
-            Code::Small(flat) => memory.first_chunk_mut().into_iter().for_each(|memory| flat.run(memory, watch)),
-            Code::Large(flat) => flat.run(memory, watch),
+            Code::Small(flat) => memory.first_chunk_mut().into_iter().for_each(|memory| flat.run(memory)),
+            Code::Large(flat) => flat.run(memory),
         }
     }
 }
@@ -182,10 +156,10 @@ impl Shape {
 
 /// Runs the copy of the interpreter for an opcode.
 macro_rules! by_opcode {
-    ($run:expr, $shapes:expr, $places:expr, $memory:expr, $watch:expr; $($opcode:literal)*) => {
+    ($run:expr, $shapes:expr, $places:expr, $memory:expr; $($opcode:literal)*) => {
         match $run.opcode {
-            $($opcode => short::<P, W, $opcode, { Shape::of($opcode).length() }>($run.steps, $places, $memory, $watch),)*
-            _ => long($shapes.next().map(|shape| (*shape, $run.steps)), $places, $memory, $watch),
+            $($opcode => short::<P, $opcode, { Shape::of($opcode).length() }>($run.steps, $places, $memory),)*
+            _ => long($shapes.next().map(|shape| (*shape, $run.steps)), $places, $memory),
         }
     };
 }
@@ -204,10 +178,10 @@ impl<P: Place> Flat<P> {
     }
 
     #[rustfmt::skip]
-    fn run<W: Watch>(&self, memory: &mut P::Memory, watch: &mut W) {
+    fn run(&self, memory: &mut P::Memory) {
         let (mut places, mut shapes) = (&self.places[..], self.long.iter());
         for run in &self.runs {
-            places = by_opcode!(run, shapes, places, memory, watch;
+            places = by_opcode!(run, shapes, places, memory;
                 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31
                 32 33 34 35 36 37 38 39 40 41 42 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58 59 60 61 62 63
                 64 65 66 67 68 69 70 71 72 73 74 75 76 77 78 79 80 81 82 83 84 85 86 87 88 89 90 91 92 93 94 95
@@ -217,65 +191,29 @@ impl<P: Place> Flat<P> {
     }
 }
 
-/// What looks at the numbers as they are computed; of a pivot before it is inverted.
-trait Watch {
-    fn see(&mut self, kind: Kind, x: f64);
-}
-
-/// Nobody looks.
-struct Blind;
-
-impl Watch for Blind {
-    #[inline(always)]
-    fn see(&mut self, _: Kind, _: f64) {}
-}
-
-/// Weighs each number with its own weight.
-struct Weighing<'a> {
-    weights: std::slice::Iter<'a, f64>,
-    seen: Seen,
-}
-
-impl Watch for Weighing<'_> {
-    #[inline(always)]
-    fn see(&mut self, kind: Kind, x: f64) {
-        let share = x.abs() * self.weights.next().copied().unwrap_or(1.0);
-        match kind {
-            Kind::Plain | Kind::Negated => self.seen.cell = above(self.seen.cell, share),
-            Kind::Scaled => self.seen.multiplier = above(self.seen.multiplier, share),
-            Kind::Pivot => self.seen.smallest = below(self.seen.smallest, share),
-        }
-    }
-}
-
 /// Steps whose shape is known when the interpreter is compiled; gives the places of the steps after them.
 #[inline(always)]
-fn short<'a, P: Place, W: Watch, const OPCODE: u8, const LENGTH: usize>(
-    steps: u32,
-    mut places: &'a [P],
-    memory: &mut P::Memory,
-    watch: &mut W,
-) -> &'a [P] {
+fn short<'a, P: Place, const OPCODE: u8, const LENGTH: usize>(steps: u32, mut places: &'a [P], memory: &mut P::Memory) -> &'a [P] {
     // Runs are mostly short: a loop that counts its places first (`chunks_exact`) is unrolled, which costs more than it saves.
     for _ in 0..steps {
         let Some((own, rest)) = places.split_first_chunk::<LENGTH>() else { break };
-        compute(const { Shape::of(OPCODE) }, own, memory, watch);
+        compute(const { Shape::of(OPCODE) }, own, memory);
         places = rest;
     }
     places
 }
 
 #[inline(never)]
-fn long<'a, P: Place, W: Watch>(run: Option<(Shape, u32)>, places: &'a [P], memory: &mut P::Memory, watch: &mut W) -> &'a [P] {
+fn long<'a, P: Place>(run: Option<(Shape, u32)>, places: &'a [P], memory: &mut P::Memory) -> &'a [P] {
     let Some((shape, steps)) = run else { return places };
     let (own, rest) = places.split_at(shape.length() * steps as usize);
-    own.chunks_exact(shape.length()).for_each(|own| compute(shape, own, memory, watch));
+    own.chunks_exact(shape.length()).for_each(|own| compute(shape, own, memory));
     rest
 }
 
 /// One step; `places` are its own.
 #[inline(always)]
-fn compute<P: Place, W: Watch>(shape: Shape, places: &[P], memory: &mut P::Memory, watch: &mut W) {
+fn compute<P: Place>(shape: Shape, places: &[P], memory: &mut P::Memory) {
     let Shape { kind, products, plus, minus } = shape;
     let (factors, terms) = places[2..].split_at(2 * products);
     let start = places[1].get(memory);
@@ -291,7 +229,6 @@ fn compute<P: Place, W: Watch>(shape: Shape, places: &[P], memory: &mut P::Memor
     if kind == Kind::Scaled {
         x *= terms[plus + minus].get(memory);
     }
-    watch.see(kind, x);
     places[0].set(memory, if kind == Kind::Pivot { x.recip() } else { x });
 }
 
@@ -299,14 +236,4 @@ fn compute<P: Place, W: Watch>(shape: Shape, places: &[P], memory: &mut P::Memor
 #[inline(always)]
 fn sum(x: f64, a: f64, b: f64) -> f64 {
     if cfg!(target_feature = "fma") { a.mul_add(b, x) } else { x + a * b }
-}
-
-/// The larger one; NaN is larger than all.
-fn above(known: f64, x: f64) -> f64 {
-    if x <= known { known } else { x }
-}
-
-/// The smaller one; NaN is smaller than all.
-fn below(known: f64, x: f64) -> f64 {
-    if x >= known { known } else { x }
 }

@@ -1,6 +1,7 @@
 //! How near a factored matrix is to a singular one, by inverse iteration with the recorded program and its transpose.
 
 use super::Linear;
+use crate::random::Random;
 
 /// Rounds of A⁻¹, then A⁻ᵀ.
 const ROUNDS: usize = 3;
@@ -9,13 +10,23 @@ impl Linear {
     /// An estimate (from below, seldom by more than 2) of the 2-norm condition number of the matrix by the measures of its rows and
     /// columns; infinite where it overflows.   \[-\]
     pub(crate) fn condition(&mut self) -> f64 {
+        let [largest, smallest] = self.nearly_null().2;
+        let condition = largest / smallest;
+        if condition.is_finite() { condition } else { f64::INFINITY }
+    }
+
+    /// Estimates of the largest singular value of the matrix by the measures of its rows and columns (from below), and of the smallest (from
+    /// above).   \[-\]
+    pub(crate) fn singular_values(&mut self) -> [f64; 2] {
         self.nearly_null().2
     }
 
-    /// Vectors that the transpose and the matrix nearly take to zero, and the condition number.
-    pub(super) fn nearly_null(&mut self) -> (Vec<f64>, Vec<f64>, f64) {
-        let mut state = 0x9E37_79B9_7F4A_7C15_u64;
-        let mut left: Vec<f64> = (0..self.n).map(|_| sign_and_size(&mut state)).collect();
+    /// Vectors that the transpose and the matrix nearly take to zero, by the measures of rows and columns, and the largest and the
+    /// smallest singular value.
+    pub(crate) fn nearly_null(&mut self) -> (Vec<f64>, Vec<f64>, [f64; 2]) {
+        let rhs = self.rhs_mut().to_vec();
+        let mut random = Random::new(0);
+        let mut left: Vec<f64> = (0..self.n).map(|_| sign_and_size(&mut random)).collect();
         let (mut inverse, mut direct) = (0.0_f64, 0.0_f64);
         normalise(&mut left);
         let (mut v, mut right) = (left.clone(), Vec::new());
@@ -32,14 +43,15 @@ impl Linear {
             v = self.apply(&v, true);
             direct = direct.max(normalise(&mut v));
         }
-        let condition = inverse * direct;
-        (left, right, if condition.is_finite() { condition } else { f64::INFINITY })
+        // The right side may be waiting for a matrix that has to be judged first.
+        self.rhs_mut().copy_from_slice(&rhs);
+        (left, right, [direct, inverse.recip()])
     }
 
     /// v becomes the inverse of the measured matrix times v.
-    pub(super) fn apply_inverse(&mut self, v: &mut [f64]) {
+    fn apply_inverse(&mut self, v: &mut [f64]) {
         let units = self.row_units.clone();
-        for ((b, v), unit) in self.rhs_mut().iter_mut().zip(v.iter()).zip(&units) {
+        for ((b, v), unit) in self.rhs_mut().iter_mut().zip(v.iter()).zip(units.iter()) {
             *b = v / unit;
         }
         self.solve();
@@ -49,7 +61,7 @@ impl Linear {
     }
 
     /// The same with the transpose.
-    pub(super) fn apply_inverse_transposed(&mut self, v: &mut [f64]) {
+    fn apply_inverse_transposed(&mut self, v: &mut [f64]) {
         let mut adjoint = vec![0.0; self.memory.len()];
         let (rhs, solution) = (self.places.rhs as usize, self.places.solution as usize);
         for ((x, v), unit) in adjoint[solution..].iter_mut().zip(v.iter()).zip(&self.column_units) {
@@ -58,7 +70,7 @@ impl Linear {
         if let Some(recording) = &self.recording {
             recording.solve.run_transposed(&self.memory, &mut adjoint);
         }
-        for ((v, b), unit) in v.iter_mut().zip(&adjoint[rhs..]).zip(&self.row_units) {
+        for ((v, b), unit) in v.iter_mut().zip(&adjoint[rhs..]).zip(self.row_units.iter()) {
             *v = b / unit;
         }
     }
@@ -89,8 +101,7 @@ fn normalise(v: &mut [f64]) -> f64 {
 }
 
 /// Numbers of either sign between ½ and 1, always the same ones.
-fn sign_and_size(state: &mut u64) -> f64 {
-    *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-    let size = 0.5 + 0.5 * (*state >> 12) as f64 / (1_u64 << 52) as f64;
-    if *state & (1 << 11) == 0 { size } else { -size }
+fn sign_and_size(random: &mut Random) -> f64 {
+    let x = random.number();
+    0.5 * x + 0.5_f64.copysign(x)
 }

@@ -3,7 +3,7 @@
 //! Gaussian elimination with sparse pivots as long as good ones are left, then with the largest entry of what remains: large mechanisms
 //! stay sparse, and the last pivots, which decide on the rank, are found by complete pivoting. Rows and columns must be scaled to order 1.
 
-/// A pivot below this counts as zero.   \[-\]
+/// A pivot below this counts as zero, as a rule.   \[-\]
 pub(crate) const RANK: f64 = 1e-9;
 
 /// Sparse pivots are at least this, and at least [`THRESHOLD`] of the largest entry of their row.   \[-\]
@@ -41,17 +41,24 @@ struct Step {
 }
 
 impl Echelon {
-    /// Eliminates the rows, each by its columns and values; repeated columns add up.
-    pub(crate) fn new(rows: Vec<Sparse>, n: usize) -> Self {
+    /// Eliminates the rows, each by its columns and values; repeated columns add up. Pivots below `least` count as zero ([`RANK`] as a rule).
+    pub(crate) fn new(rows: Vec<Sparse>, n: usize, least: f64) -> Self {
+        Self::of_rank_at_most(rows, n, least, n)
+    }
+
+    /// The same, where all but so many pivots count as zero anyway, the largest first.
+    pub(crate) fn of_rank_at_most(rows: Vec<Sparse>, n: usize, least: f64, most: usize) -> Self {
         let m = rows.len();
         let mut work = Work::new(rows, n);
         let mut steps = Vec::new();
-        while let Some((row, column)) = work.sparse_pivot() {
+        while steps.len() < most
+            && let Some((row, column)) = work.sparse_pivot()
+        {
             steps.push(work.eliminate(row, column));
         }
         let left = loop {
             match work.largest() {
-                Some((row, column, size)) if size > RANK => steps.push(work.eliminate(row, column)),
+                Some((row, column, size)) if size > least && steps.len() < most => steps.push(work.eliminate(row, column)),
                 Some((_, _, size)) => break size,
                 None => break 0.0,
             }
@@ -320,7 +327,7 @@ mod tests {
             let matrix = nalgebra::DMatrix::from_fn(m, n, |i, j| rows[i][j].1);
             let values = matrix.clone().singular_values();
             prop_assume!(values.iter().all(|x| *x < 1e-12 || *x > 1e-4));
-            let found = Echelon::new(rows.clone(), n);
+            let found = Echelon::new(rows.clone(), n, RANK);
             if m == n && found.rank() == n {
                 prop_assert_eq!(f64::from(found.sign()), matrix.determinant().signum());
             }
@@ -349,8 +356,8 @@ mod tests {
 
     #[test]
     fn nothing_is_no_panic() {
-        let found = Echelon::new(Vec::new(), 3);
+        let found = Echelon::new(Vec::new(), 3, RANK);
         assert_eq!((found.rank(), found.null_space().len()), (0, 3));
-        assert_eq!(Echelon::new(vec![vec![]; 2], 0).left_null_space().len(), 2);
+        assert_eq!(Echelon::new(vec![vec![]; 2], 0, RANK).left_null_space().len(), 2);
     }
 }

@@ -3,8 +3,9 @@
 //! One recording serves all lanes. Where one of them does not fit it any more, the elimination is recorded anew at the numbers of that lane;
 //! lanes that fit neither are told to their owner, who goes on without them.
 
+use super::program::Kind;
 use super::record::Recording;
-use super::replay::{Form, Replay, SMALL};
+use super::replay::{Replay, SMALL};
 use super::{FADED, GROWTH, Linear, REFINED, SINGULAR, SLACK, SUSPICIOUS};
 use crate::lanes::{Level, Mask, Wide};
 
@@ -102,11 +103,11 @@ impl<S: Level> WideLinear<S> {
     }
 
     pub(crate) fn rhs_mut(&mut self) -> &mut [Wide<S>] {
-        &mut self.memory[self.recorder.places.rhs as usize..self.recorder.places.solution as usize]
+        &mut self.memory[self.recorder.places.rhs as usize..][..self.recorder.n]
     }
 
     pub(crate) fn solution(&self) -> &[Wide<S>] {
-        &self.memory[self.recorder.places.solution as usize..self.recorder.places.zero as usize]
+        &self.memory[self.recorder.places.solution as usize..][..self.recorder.n]
     }
 
     pub(crate) fn norms(&self) -> &[Wide<S>] {
@@ -122,6 +123,20 @@ impl<S: Level> WideLinear<S> {
     #[inline(always)]
     pub(crate) fn smallest_pivot(&self) -> Wide<S> {
         self.smallest
+    }
+
+    /// Of each block whose determinant can change its sign, that sign at the last factoring, −1 or 1, into `signs`.
+    #[inline(always)]
+    pub(crate) fn orientation(&self, signs: &mut Vec<Wide<S>>) {
+        signs.clear();
+        let Some(recording) = &self.recorder.recording else { return };
+        let number = |negative: bool| Wide::splat(self.simd, if negative { -1.0 } else { 1.0 });
+        signs.extend(recording.orientation.blocks.iter().map(|negative| number(*negative)));
+        let zero = Wide::splat(self.simd, 0.0);
+        for &(place, block) in &recording.orientation.pivots {
+            let sign = &mut signs[block as usize];
+            *sign = self.memory[place as usize].lt(zero).select(-*sign, *sign);
+        }
     }
 
     /// Measures rows and columns of the values as written in the lanes that are wanted; true where all values are finite.
@@ -209,7 +224,7 @@ impl<S: Level> WideLinear<S> {
         recorder.set_sizes(&sizes);
         recorder.values_mut().iter_mut().zip(&self.memory).for_each(|(value, x)| *value = of_lane(x));
         recorder.measure();
-        let recorded = recorder.factor().is_ok();
+        let recorded = recorder.factor();
         self.recorded_anew = true;
         if recorded {
             self.load();
@@ -223,13 +238,13 @@ impl<S: Level> WideLinear<S> {
         let Recording { factor, solve, weights, .. } = recording.as_ref();
         (self.factor, self.solve) = (Replay::new(factor), Replay::new(solve));
         let zero = Wide::splat(self.simd, 0.0);
-        let written: Vec<(Form, u32)> = self.factor.ends.iter().map(|end| self.factor.written(*end)).collect();
-        let weighted = |wanted: fn(Form) -> bool| {
-            let all = written.iter().zip(weights).filter(|((form, _), _)| wanted(*form));
+        let written: Vec<(Kind, u32)> = factor.written().collect();
+        let weighted = |wanted: fn(Kind) -> bool| {
+            let all = written.iter().zip(weights).filter(|((kind, _), _)| wanted(*kind));
             all.map(|((_, place), weight)| (*place, *weight)).collect::<Vec<_>>()
         };
-        self.multipliers = weighted(|form| form == Form::Scaled);
-        self.cells = weighted(|form| !matches!(form, Form::Scaled | Form::Pivot));
+        self.multipliers = weighted(|kind| kind == Kind::Scaled);
+        self.cells = weighted(|kind| matches!(kind, Kind::Plain | Kind::Negated));
         self.pivots = recording.watched.iter().map(|&(step, row, column)| (written[step as usize].1, [row, column], zero)).collect();
         // What is no value, right side or solution is a constant, or computed before it is read.
         let known = self.recorder.places.zero as usize;

@@ -40,21 +40,28 @@ impl Waiting {
     /// A step waits for the one that writes what it reads, and for all that have read or written before what it writes.
     fn new(steps: &[Ordered]) -> Self {
         let mut waiting = Waiting { counts: vec![0; steps.len()], first: vec![NONE; steps.len()], links: Vec::new() };
-        let mut writer: HashMap<u32, u32> = HashMap::new();
-        let mut readers: HashMap<u32, Vec<u32>> = HashMap::new();
+        let places = steps.iter().flat_map(|step| step.reads.iter().chain([&step.out])).max().map_or(0, |last| *last as usize + 1);
+        // By place: who has written it, and who has read that: linked lists of (step, next).
+        let (mut writer, mut readers, mut reads) = (vec![NONE; places], vec![NONE; places], Vec::<(u32, u32)>::new());
         for (k, step) in (0..).zip(steps) {
+            for place in step.reads.iter().map(|place| *place as usize).filter(|place| writer[*place] != NONE) {
+                waiting.wait(k, writer[place]);
+            }
+            let out = step.out as usize;
+            let mut next = std::mem::replace(&mut readers[out], NONE);
+            while next != NONE {
+                let (before, after) = reads[next as usize];
+                waiting.wait(k, before);
+                next = after;
+            }
+            let before = std::mem::replace(&mut writer[out], k);
+            if before != NONE {
+                waiting.wait(k, before);
+            }
             for place in &step.reads {
-                if let Some(&before) = writer.get(place) {
-                    waiting.wait(k, before);
-                }
+                let next = std::mem::replace(&mut readers[*place as usize], reads.len() as u32);
+                reads.push((k, next));
             }
-            for before in readers.remove(&step.out).unwrap_or_default() {
-                waiting.wait(k, before);
-            }
-            if let Some(before) = writer.insert(step.out, k) {
-                waiting.wait(k, before);
-            }
-            step.reads.iter().for_each(|place| readers.entry(*place).or_default().push(k));
         }
         waiting
     }

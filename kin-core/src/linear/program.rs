@@ -3,7 +3,7 @@
 //! Each step writes one number that is a sum of products of numbers already there. The same program makes the factors, solves with them,
 //! and, backwards, solves with the transpose; [`code`](super::code) is the form in which it is replayed.
 
-use super::code::{Code, Seen, Shape};
+use super::code::{Code, Shape};
 use super::order::{Ordered, order};
 
 /// What a step does with `start − Σ products + Σ plus − Σ minus`.
@@ -60,8 +60,8 @@ impl Program {
         self.terms.extend_from_slice(minus);
     }
 
-    /// Writes the code for a memory of that many numbers, to be called after the last step; gives the order in which it runs the steps.
-    pub(super) fn finish(&mut self, memory: usize) -> Vec<u32> {
+    /// Writes the code for a memory of that many numbers, to be called after the last step.
+    pub(super) fn finish(&mut self, memory: usize) {
         let (mut products, mut terms) = (&self.products[..], &self.terms[..]);
         let mut own = |step: &Step| Operands {
             products: take(&mut products, step.products),
@@ -72,9 +72,7 @@ impl Program {
         let ordered: Vec<Ordered> = self.steps.iter().zip(&operands).map(|(step, operands)| step.ordered(operands)).collect();
         let (order, mut code) = (order(&ordered), Code::new(memory));
         order.iter().for_each(|&k| code.push(&self.steps[k as usize], &operands[k as usize]));
-        self.code = code;
-        self.order.clone_from(&order);
-        order
+        (self.code, self.order) = (code, order);
     }
 
     /// Shows each step with its operands, in the order of the code.
@@ -89,6 +87,18 @@ impl Program {
         self.order.iter().for_each(|&k| show(&self.steps[k as usize], operands[k as usize]));
     }
 
+    /// What each step writes, in the order in which they were appended.
+    pub(super) fn written(&self) -> impl Iterator<Item = (Kind, u32)> {
+        self.steps.iter().map(|step| (step.kind, step.out))
+    }
+
+    /// Gives each number another place.
+    pub(super) fn rename(&mut self, places: &[u32]) {
+        let steps = self.steps.iter_mut().flat_map(|step| [&mut step.out, &mut step.start, &mut step.scale]);
+        let operands = self.products.iter_mut().flatten().chain(&mut self.terms);
+        steps.chain(operands).for_each(|place| *place = places[*place as usize]);
+    }
+
     /// How many steps there are.
     pub(super) fn len(&self) -> usize {
         self.steps.len()
@@ -97,11 +107,6 @@ impl Program {
     /// Runs all steps.
     pub(super) fn run(&self, memory: &mut [f64]) {
         self.code.run(memory);
-    }
-
-    /// Runs all steps and tells what was seen, each number times its weight; weights in the order of [`Program::finish`].
-    pub(super) fn run_watched(&self, memory: &mut [f64], weights: &[f64]) -> Seen {
-        self.code.run_watched(memory, weights)
     }
 
     /// The transpose of a program that is linear in its last factors and its starts: what was `out` comes in, what was read comes out,

@@ -10,7 +10,8 @@ use std::collections::HashMap;
 use super::active::{Active, NONE, Side};
 use super::cells::{PLUS, Term};
 use super::code::SMALL;
-use super::program::Program;
+use super::orientation::Orientation;
+use super::program::{Kind, Program};
 use super::{SINGULAR, solving};
 
 /// A pivot is at least this share of the largest cell in its row.   \[-\]
@@ -33,6 +34,14 @@ pub(super) struct Input<'a> {
     pub column_units: &'a [f64],
 }
 
+impl Input<'_> {
+    /// Row and column of each value that is not zero for good.
+    fn places(&self) -> impl Iterator<Item = (u32, u32)> {
+        let constants = self.constants.iter().copied().chain(std::iter::repeat(None));
+        self.entries.iter().zip(constants).filter_map(|(entry, constant)| entry.filter(|_| constant != Some(0.0)))
+    }
+}
+
 /// Where right side, solution and three constants stand, after the values.
 #[derive(Clone, Copy)]
 pub(super) struct Places {
@@ -46,21 +55,54 @@ pub(super) struct Places {
 pub(super) struct Recording {
     pub factor: Program,
     pub solve: Program,
-    /// What made each number that is factored one of order 1 when it was recorded, in the order of the code.
+    /// What made each number that is factored one of order 1 when it was recorded.
     pub weights: Vec<f64>,
     /// Step, row and column of each pivot that is no constant.
     pub watched: Vec<(u32, u32, u32)>,
     /// Row, column and value of the other pivots.
     pub constant: Vec<(u32, u32, f64)>,
+    pub orientation: Orientation,
+    /// Where in the memory the numbers that are factored begin, each kind of them in whole fours, and where they end.
+    pub factored: Factored,
+}
+
+/// The numbers that are factored: pivots (one over them), multipliers, and all others.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Factored {
+    pub cells: usize,
+    pub multipliers: usize,
+    pub pivots: usize,
+    pub end: usize,
 }
 
 impl Recording {
-    /// Weights in the order in which the code runs.
-    fn reorder(&mut self, order: &[u32]) {
-        let mut place = vec![0; order.len()];
-        (0..).zip(order).for_each(|(now, before)| place[*before as usize] = now);
-        self.weights = order.iter().map(|before| self.weights[*before as usize]).collect();
-        self.watched.iter_mut().for_each(|(step, _, _)| *step = place[*step as usize]);
+    /// Places the numbers that are factored behind the constants, kind by kind; `begin` is where constants begin.
+    fn arrange(&mut self, begin: usize, memory: &mut Vec<f64>) {
+        let mut kinds = vec![None; memory.len()];
+        self.factor.written().for_each(|(kind, out)| kinds[out as usize] = Some(kind));
+        let mut places: Vec<u32> = (0..memory.len() as u32).collect();
+        let mut end = begin;
+        for old in (begin..memory.len()).filter(|old| kinds[*old].is_none()) {
+            (places[old], memory[end]) = (end as u32, memory[old]);
+            end += 1;
+        }
+        let mut place = |wanted: fn(Kind) -> bool| {
+            let first = end.next_multiple_of(4);
+            end = first;
+            for old in (begin..kinds.len()).filter(|old| kinds[*old].is_some_and(wanted)) {
+                places[old] = end as u32;
+                end += 1;
+            }
+            first
+        };
+        let cells = place(|kind| matches!(kind, Kind::Plain | Kind::Negated));
+        let (multipliers, pivots) = (place(|kind| kind == Kind::Scaled), place(|kind| kind == Kind::Pivot));
+        self.factored = Factored { cells, multipliers, pivots, end: end.next_multiple_of(4) };
+        memory.resize(self.factored.end, 0.0);
+        memory[cells..].fill(0.0);
+        self.orientation.pivots.iter_mut().for_each(|(place, _)| *place = places[*place as usize]);
+        self.factor.rename(&places);
+        self.solve.rename(&places);
     }
 }
 
@@ -124,9 +166,8 @@ impl Lists {
     }
 }
 
-/// Chooses all pivots and writes both programs; the rows and columns that are left where there is no further pivot. The memory holds the
-/// values.
-pub(super) fn record(input: &Input<'_>, places: Places, memory: &mut Vec<f64>) -> Result<Recording, Vec<(u32, u32)>> {
+/// Chooses all pivots and writes both programs; `None` where there is no further pivot. The memory holds the values.
+pub(super) fn record(input: &Input<'_>, places: Places, memory: &mut Vec<f64>) -> Option<Recording> {
     let mut recorder = Recorder {
         input,
         places,
@@ -143,16 +184,17 @@ pub(super) fn record(input: &Input<'_>, places: Places, memory: &mut Vec<f64>) -
     };
     recorder.fill();
     for _ in 0..input.n {
-        let Some(pivot) = recorder.choose() else { return Err(recorder.left()) };
+        let pivot = recorder.choose()?;
         recorder.eliminate(pivot);
     }
     solving::write(&mut recorder);
-    let Recorder { mut recording, memory, .. } = recorder;
+    let Recorder { mut recording, memory, pivots, .. } = recorder;
+    recording.orientation = Orientation::new(&pivots, &recording.constant, input.places());
+    recording.arrange(places.zero as usize + 1, memory);
     memory.resize(memory.len().max(SMALL), 0.0);
+    recording.factor.finish(memory.len());
     recording.solve.finish(memory.len());
-    let order = recording.factor.finish(memory.len());
-    recording.reorder(&order);
-    Ok(recording)
+    Some(recording)
 }
 
 impl Recorder<'_> {
@@ -181,16 +223,6 @@ impl Recorder<'_> {
             self.active.recount(Side::Row, line);
             self.active.recount(Side::Column, line);
         }
-    }
-
-    /// Rows and columns without a pivot.
-    fn left(&self) -> Vec<(u32, u32)> {
-        let (mut rows, mut columns) = (vec![true; self.input.n], vec![true; self.input.n]);
-        for pivot in &self.pivots {
-            (rows[pivot.row as usize], columns[pivot.column as usize]) = (false, false);
-        }
-        let open = |lines: Vec<bool>| (0..).zip(lines).filter(|line| line.1).map(|line| line.0).collect::<Vec<u32>>();
-        open(rows).into_iter().zip(open(columns)).collect()
     }
 
     /// The next pivot, if there is one.

@@ -44,8 +44,6 @@ struct Step {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Replay {
     steps: Vec<Step>,
-    /// For each recorded step the one that completes its number.
-    pub ends: Vec<usize>,
 }
 
 /// A memory that is addressed by 32 bits, of which only as many count as it needs.
@@ -103,7 +101,7 @@ impl Replay {
             let places = [step.out, start.unwrap_or(step.start), step.scale];
             self.write(form, places, own_products, own_plus, own_minus);
             if last {
-                return self.ends.push(self.steps.len() - 1);
+                return;
             }
             start = Some(step.out);
         }
@@ -116,12 +114,6 @@ impl Replay {
         let all = all.chain(plus.iter().copied()).chain(minus.iter().copied());
         places.iter_mut().zip(all).for_each(|(place, own)| *place = own);
         self.steps.push(Step { opcode: (form as usize * SHAPES + shape) as u8, places });
-    }
-
-    /// What the number that step `k` completes is, and its place.
-    pub(super) fn written(&self, k: usize) -> (Form, u32) {
-        let step = &self.steps[k];
-        (form(usize::from(step.opcode)), step.places[0])
     }
 
     /// Runs all steps.

@@ -28,7 +28,7 @@ impl Tall {
         self.linear.values_mut().iter_mut().zip(all).for_each(|(place, value)| *place = value);
         self.linear.forget();
         self.linear.measure();
-        self.linear.factors()
+        self.linear.factor()
     }
 
     /// The smallest pivot of the last factoring.   \[-\]

@@ -22,7 +22,7 @@ fn solution_satisfies_the_equations() {
     let rows = [0.0, 2.0, 1.0, 1.0, 1e-3, 4.0, -3.0, 1.0, 0.5];
     let mut linear = dense(3, &rows);
     linear.measure();
-    linear.factor().unwrap();
+    assert!(linear.factor());
     let x = solve(&mut linear, &[1.0, -2.0, 0.25]);
     for (row, b) in rows.chunks(3).zip([1.0, -2.0, 0.25]) {
         let ax: f64 = row.iter().zip(&x).map(|(a, x)| a * x).sum();
@@ -35,7 +35,7 @@ fn repeated_places_add_and_the_grounds_are_dropped() {
     let mut linear = Linear::new(1, [Some((0, 0)), None, Some((0, 0))], &[]);
     linear.values_mut().copy_from_slice(&[1.5, 100.0, 0.5]);
     linear.measure();
-    linear.factor().unwrap();
+    assert!(linear.factor());
     assert_eq!(solve(&mut linear, &[4.0]), [2.0]);
 }
 
@@ -46,11 +46,11 @@ fn verdict_does_not_depend_on_units() {
         let mut good = dense(2, &[1.0, 0.3 / u, 0.0, 1e-9]);
         good.set_sizes(&[0.5 / u, 1.0]);
         good.measure();
-        assert!(good.factor().is_ok());
+        assert!(good.factor());
         let mut bad = dense(2, &[1.0, 0.3 / u, 2.0, 0.6 / u]);
         bad.set_sizes(&[0.5 / u, 1.0]);
         bad.measure();
-        assert_eq!(bad.factor().unwrap_err().rank, 1);
+        assert!(!bad.factor());
     }
 }
 
@@ -58,21 +58,21 @@ fn verdict_does_not_depend_on_units() {
 fn row_that_fades_is_seen_to_fade() {
     let mut linear = dense(2, &[-1.0, -1.0, 1.0, 0.0]);
     linear.measure();
-    linear.factor().unwrap();
+    assert!(linear.factor());
     assert!(linear.smallest_pivot() > 0.9);
     linear.values_mut()[2] = 1e-8;
     linear.measure();
-    linear.factor().unwrap();
+    assert!(linear.factor());
     assert!(linear.smallest_pivot() < 2e-8);
     linear.forget();
     linear.measure();
-    linear.factor().unwrap();
+    assert!(linear.factor());
     assert!(linear.smallest_pivot() > 0.9);
 }
 
 #[test]
 fn nothing_is_singular_about_no_coordinates() {
     let mut linear = Linear::new(0, [], &[]);
-    assert!(linear.factor().is_ok());
+    assert!(linear.factor());
     linear.solve();
 }

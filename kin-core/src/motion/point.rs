@@ -1,8 +1,10 @@
-//! Points of bodies over time: r, v and a.
+//! Points of bodies over time: r, v, a and jerk.
 
-use num_dual::Dual2_64;
+use std::ops::Range;
 
-use super::{Motion, Series};
+use num_dual::Dual3_64;
+
+use super::{MARKS, Motion, Series};
 use crate::algebra::{Vec2, Vec3};
 use crate::coordinates::{Link, PlanarBody, SpatialBody, SpatialLink, Target};
 use crate::error::{Error, Result};
@@ -11,13 +13,15 @@ use crate::mechanism::Marker;
 use crate::real::Real;
 use crate::state::{PlanarState, SpatialState};
 
-/// Position, velocity and acceleration of a point of a body, one of each a time.
+/// Position, velocity and acceleration of a point of a body, one of each a time, and its jerk where the run was asked for it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointMotion<V> {
     times: Vec<f64>,
     r: Vec<V>,
     v: Vec<V>,
     a: Vec<V>,
+    /// Empty unless the run was asked for the jerk.
+    jerk: Vec<V>,
 }
 
 /// A vector of the plane or of space.
@@ -53,9 +57,10 @@ pub trait Body {
     #[doc(hidden)]
     fn target(self) -> Target;
 
-    /// r, v, a of the local point u where the body's coordinates, rates and second rates are these (those of the ground: none).
+    /// r, v, a and jerk of the local point u where the body's q, q̇, q̈ and q⃛ are these (those of the ground: none; without q⃛ the jerk means
+    /// nothing).
     #[doc(hidden)]
-    fn point(u: Self::Vector, q: &[f64], qd: &[f64], qdd: &[f64]) -> [Self::Vector; 3];
+    fn point(u: Self::Vector, orders: [&[f64]; 4]) -> [Self::Vector; 4];
 
     /// ū of a global point where the body's coordinates are these (those of the ground: none).
     #[doc(hidden)]
@@ -73,18 +78,20 @@ impl Body for PlanarBody {
         Target::Planar(self)
     }
 
-    /// r = R + A ū,  v = Ṙ + θ̇ A_θ ū,  a = R̈ + θ̈ A_θ ū − θ̇² A ū   (lecture, "Velocity" and "Acceleration")
-    fn point(u: Vec2, q: &[f64], qd: &[f64], qdd: &[f64]) -> [Vec2; 3] {
-        let (&[x, y, theta], &[vx, vy, w], &[ax, ay, alpha]) = (q, qd, qdd) else {
-            return [u, Vec2::new(0.0, 0.0), Vec2::new(0.0, 0.0)];
-        };
+    /// r = R + A ū,  v = Ṙ + θ̇ A_θ ū,  a = R̈ + θ̈ A_θ ū − θ̇² A ū   (lecture, "Velocity" and "Acceleration"), and from there
+    /// ȧ = R⃛ + (θ⃛ − θ̇³) A_θ ū − 3 θ̇ θ̈ A ū
+    fn point(u: Vec2, [q, qd, qdd, qddd]: [&[f64]; 4]) -> [Vec2; 4] {
+        let (&[x, y, theta], &[vx, vy, w], &[ax, ay, alpha]) = (q, qd, qdd) else { return still(u) };
+        let [jx, jy, zeta] = qddd.first_chunk().copied().unwrap_or_default();
         let au = PlanarState::new([x, y, theta]).direction(u);
         // A_θ ū, the 90° turn of A ū
         let turned = Vec2::new(-au.y, au.x);
+        let (across, along) = (zeta - w * w * w, 3.0 * w * alpha);
         [
             Vec2::new(x + au.x, y + au.y),
             Vec2::new(vx + w * turned.x, vy + w * turned.y),
             Vec2::new(ax + alpha * turned.x - w * w * au.x, ay + alpha * turned.y - w * w * au.y),
+            Vec2::new(jx + across * turned.x - along * au.x, jy + across * turned.y - along * au.y),
         ]
     }
 
@@ -107,8 +114,8 @@ macro_rules! as_its_body {
                 self.body.target()
             }
 
-            fn point(u: $vector, q: &[f64], qd: &[f64], qdd: &[f64]) -> [$vector; 3] {
-                $body::point(u, q, qd, qdd)
+            fn point(u: $vector, orders: [&[f64]; 4]) -> [$vector; 4] {
+                $body::point(u, orders)
             }
 
             fn local(point: $vector, q: &[f64]) -> $vector {
@@ -132,15 +139,12 @@ impl Body for SpatialBody {
         Target::Spatial(self)
     }
 
-    /// r = R + A(p) ū and its first two derivatives along p(t), by second-order dual numbers.
-    fn point(u: Vec3, q: &[f64], qd: &[f64], qdd: &[f64]) -> [Vec3; 3] {
-        let jet = |k: usize| Some(Real(Dual2_64::new(*q.get(k)?, *qd.get(k)?, *qdd.get(k)?)));
-        let jets: Vec<Real<Dual2_64>> = (0..7).filter_map(jet).collect();
-        let Ok(jets) = <[Real<Dual2_64>; 7]>::try_from(jets) else {
-            return [u, Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.0, 0.0, 0.0)];
-        };
+    /// r = R + A(p) ū and its derivatives along p(t), by third-order dual numbers.
+    fn point(u: Vec3, orders: [&[f64]; 4]) -> [Vec3; 4] {
+        let Some(jets) = jets(orders) else { return still(u) };
         let r = SpatialState::new(jets).point(u);
-        [Vec3::new(r.x.0.re, r.y.0.re, r.z.0.re), Vec3::new(r.x.0.v1, r.y.0.v1, r.z.0.v1), Vec3::new(r.x.0.v2, r.y.0.v2, r.z.0.v2)]
+        let order = |part: fn(&Dual3_64) -> f64| Vec3::new(part(&r.x.0), part(&r.y.0), part(&r.z.0));
+        [order(|x| x.re), order(|x| x.v1), order(|x| x.v2), order(|x| x.v3)]
     }
 
     fn local(point: Vec3, q: &[f64]) -> Vec3 {
@@ -152,13 +156,25 @@ impl Body for SpatialBody {
     }
 }
 
+/// A point of the ground: it stays where it is.
+fn still<V: Default>(u: V) -> [V; 4] {
+    [u, V::default(), V::default(), V::default()]
+}
+
+/// The coordinates of a body as they move, from q, q̇, q̈ and q⃛ (zero if it is not there); `None` without N of each of the others.
+pub(super) fn jets<const N: usize>([q, qd, qdd, qddd]: [&[f64]; 4]) -> Option<[Real<Dual3_64>; N]> {
+    let ([q, qd, qdd], qddd) = ([q, qd, qdd].map(|row| row.first_chunk::<N>()), qddd.first_chunk::<N>());
+    let (q, qd, qdd, qddd) = (q?, qd?, qdd?, qddd.unwrap_or(&[0.0; N]));
+    Some(std::array::from_fn(|k| Real(Dual3_64::new(q[k], qd[k], qdd[k], qddd[k]))))
+}
+
 impl Motion {
     /// Position, velocity and acceleration over time of the point with local position `local` of a body or link; the ground as a body
     /// is welcome too.   \[m, m/s, m/s²\]
     ///
     /// A body of another mechanism has no history here: it gives an empty one, and [`Motion::try_point`] an error.
     pub fn point<B: Body>(&self, body: B, local: impl Into<B::Vector>) -> PointMotion<B::Vector> {
-        self.try_point(body, local).unwrap_or_else(|_| PointMotion { times: Vec::new(), r: Vec::new(), v: Vec::new(), a: Vec::new() })
+        self.try_point(body, local).unwrap_or_else(|_| PointMotion { times: vec![], r: vec![], v: vec![], a: vec![], jerk: vec![] })
     }
 
     /// Position, velocity and acceleration of a marker over time.   \[m, m/s, m/s²\]
@@ -178,23 +194,36 @@ impl Motion {
     /// As [`Motion::point`], with an error for a body of another mechanism.
     pub fn try_point<B: Body>(&self, body: B, local: impl Into<B::Vector>) -> Result<PointMotion<B::Vector>> {
         let (local, target) = (local.into(), body.target());
-        let columns = match self.layout.place(&target) {
-            Some(Place::Own { first, .. }) => first..first + target.columns(),
-            Some(Place::Ground(_)) => 0..0,
-            None => {
-                let (mechanism, place, argument) = (self.name.to_string(), "point".to_string(), "body".to_string());
-                return Err(Error::ForeignBody { mechanism, place, argument });
-            }
-        };
-        let (mut r, mut v, mut a) = (Vec::with_capacity(self.len()), Vec::with_capacity(self.len()), Vec::with_capacity(self.len()));
+        let columns = self.columns(&target, "point")?;
+        let room = || Vec::with_capacity(self.len());
+        let mut all = PointMotion { times: self.times().to_vec(), r: room(), v: room(), a: room(), jerk: Vec::new() };
         for k in 0..self.len() {
-            let [q, qd, qdd] = [self.q(k), self.qd(k), self.qdd(k)].map(|row| row.get(columns.clone()).unwrap_or_default());
-            let [rk, vk, ak] = B::point(local, q, qd, qdd);
-            r.push(rk);
-            v.push(vk);
-            a.push(ak);
+            let [r, v, a, jerk] = B::point(local, self.orders(k, columns.clone()));
+            all.r.push(r);
+            all.v.push(v);
+            all.a.push(a);
+            if self.has_jerk() {
+                all.jerk.push(jerk);
+            }
         }
-        Ok(PointMotion { times: self.times().to_vec(), r, v, a })
+        Ok(all)
+    }
+
+    /// The columns of a body, none of the ground's; `place` is what asks.
+    pub(crate) fn columns(&self, target: &Target, place: &str) -> Result<Range<usize>> {
+        match self.layout.place(target) {
+            Some(Place::Own { first, .. }) => Ok(first..first + target.columns()),
+            Some(Place::Ground(_)) => Ok(0..0),
+            None => {
+                let (mechanism, place, argument) = (self.name.to_string(), place.to_string(), "body".to_string());
+                Err(Error::ForeignBody { mechanism, place, argument })
+            }
+        }
+    }
+
+    /// q, q̇, q̈ and q⃛ (or nothing) of these columns at time k.
+    pub(crate) fn orders(&self, k: usize, columns: Range<usize>) -> [&[f64]; 4] {
+        [self.q(k), self.qd(k), self.qdd(k), self.qddd(k)].map(|row| row.get(columns.clone()).unwrap_or_default())
     }
 }
 
@@ -219,6 +248,11 @@ impl<V: Vector> PointMotion<V> {
         &self.a
     }
 
+    /// ȧ, global components; empty unless the run was asked for the jerk ([`crate::Options::jerk`]).   \[m/s³\]
+    pub fn jerk(&self) -> &[V] {
+        &self.jerk
+    }
+
     /// |v| over time.   \[m/s\]
     pub fn speed(&self) -> Series {
         Series::new("speed", "m/s", &self.times, self.v.iter().map(size).collect())
@@ -229,13 +263,19 @@ impl<V: Vector> PointMotion<V> {
         Series::new("acceleration", "m/s^2", &self.times, self.a.iter().map(size).collect())
     }
 
-    /// Each component of r, v and a over time, named x, y, x', y', x'', ….
+    /// |ȧ| over time; empty unless the run was asked for the jerk.   \[m/s³\]
+    pub fn jerk_magnitude(&self) -> Series {
+        let times = if self.jerk.is_empty() { &[] } else { &self.times[..] };
+        Series::new("jerk", "m/s^3", times, self.jerk.iter().map(size).collect())
+    }
+
+    /// Each component of r, v and a (and of the jerk, where it is known) over time, named x, y, x', y', x'', ….
     pub fn components(&self) -> Vec<Series> {
-        let quantities = [(&self.r, "", "m"), (&self.v, "'", "m/s"), (&self.a, "''", "m/s^2")];
-        let component = |(all, mark, unit): (&Vec<V>, &'static str, &'static str), k: usize| {
+        let orders = [&self.r, &self.v, &self.a, &self.jerk].into_iter().zip(MARKS).zip(["m", "m/s", "m/s^2", "m/s^3"]);
+        let component = |((all, mark), unit): ((&Vec<V>, &'static str), &'static str), k: usize| {
             Series::new(format!("{}{mark}", V::NAMES[k]), unit, &self.times, all.iter().map(|x| x.component(k)).collect())
         };
-        quantities.into_iter().flat_map(|quantity| (0..V::NAMES.len()).map(move |k| component(quantity, k))).collect()
+        orders.filter(|((all, _), _)| !all.is_empty()).flat_map(|order| (0..V::NAMES.len()).map(move |k| component(order, k))).collect()
     }
 }
 
@@ -250,14 +290,13 @@ mod tests {
 
     #[test]
     fn planar_formulas_are_the_derivatives_along_the_motion() {
-        let (q, qd, qdd) = ([0.3, -1.2, 2.1], [0.7, 0.2, -3.0], [1.5, -0.4, 11.0]);
+        let orders: [&[f64]; 4] = [&[0.3, -1.2, 2.1], &[0.7, 0.2, -3.0], &[1.5, -0.4, 11.0], &[-6.0, 2.5, 70.0]];
         let u = Vec2::new(0.4, -0.9);
-        let [r, v, a] = PlanarBody::point(u, &q, &qd, &qdd);
-        let jets: [Real<Dual2_64>; 3] = std::array::from_fn(|k| Real(Dual2_64::new(q[k], qd[k], qdd[k])));
-        let exact = PlanarState::new(jets).point(u);
-        for (found, exact) in [([r.x, v.x, a.x], exact.x.0), ([r.y, v.y, a.y], exact.y.0)] {
-            for (found, exact) in found.into_iter().zip([exact.re, exact.v1, exact.v2]) {
-                assert!((found - exact).abs() < 1e-14 * (1.0 + exact.abs()), "{found} {exact}");
+        let exact = PlanarState::new(jets(orders).unwrap()).point(u);
+        for (order, found) in PlanarBody::point(u, orders).into_iter().enumerate() {
+            for (found, exact) in [(found.x, exact.x.0), (found.y, exact.y.0)] {
+                let exact = [exact.re, exact.v1, exact.v2, exact.v3][order];
+                assert!((found - exact).abs() < 1e-13 * (1.0 + exact.abs()), "{found} {exact}");
             }
         }
     }
@@ -271,13 +310,11 @@ mod tests {
         let pd = [-0.5 * w * s, 0.0, 0.0, 0.5 * w * c];
         let pdd = [-0.5 * alpha * s - 0.25 * w * w * c, 0.0, 0.0, 0.5 * alpha * c - 0.25 * w * w * s];
         let join = |r: [f64; 3], p: [f64; 4]| [r[0], r[1], r[2], p[0], p[1], p[2], p[3]];
-        let spatial = SpatialBody::point(
-            Vec3::new(0.4, -0.9, 0.2),
-            &join([0.3, -1.2, 5.0], p),
-            &join([0.7, 0.2, 0.0], pd),
-            &join([1.5, -0.4, 0.0], pdd),
-        );
-        let planar = PlanarBody::point(Vec2::new(0.4, -0.9), &[0.3, -1.2, theta], &[0.7, 0.2, w], &[1.5, -0.4, alpha]);
+        let orders = [join([0.3, -1.2, 5.0], p), join([0.7, 0.2, 0.0], pd), join([1.5, -0.4, 0.0], pdd)];
+        let [q, qd, qdd] = &orders;
+        let spatial = SpatialBody::point(Vec3::new(0.4, -0.9, 0.2), [q, qd, qdd, &[]]);
+        let planar = PlanarBody::point(Vec2::new(0.4, -0.9), [&[0.3, -1.2, theta], &[0.7, 0.2, w], &[1.5, -0.4, alpha], &[]]);
+        let (spatial, planar) = (&spatial[..3], &planar[..3]);
         for (spatial, planar) in spatial.iter().zip(planar) {
             assert!((spatial.x - planar.x).abs() < 1e-14 && (spatial.y - planar.y).abs() < 1e-14);
         }

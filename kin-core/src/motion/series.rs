@@ -14,6 +14,14 @@ impl Series {
         Series { name: name.into(), unit: unit.into(), times: times.to_vec(), values }
     }
 
+    pub(crate) fn rename(&mut self, name: String) {
+        self.name = name;
+    }
+
+    pub(crate) fn values_mut(&mut self) -> &mut [f64] {
+        &mut self.values
+    }
+
     /// Its name, such as `crank.theta'`.
     pub fn name(&self) -> &str {
         &self.name

@@ -5,12 +5,9 @@
 //! then ever more softly, then not at all; Newton ends it. Where that fails too, the same from a few other starts, always the same ones.
 
 use super::{Failure, Newton, Outcome, Steps, driven, largest};
-use crate::assembly::search;
+use crate::assembly::{search, turned_over};
 use crate::error::{Error, Result};
 use crate::system::scale;
-
-/// Starts that are tried.
-const STARTS: usize = 16;
 
 /// A preferred coordinate that ends this near is in the preferred assembly.   \[rad, or typical lengths\]
 const NEAR: f64 = std::f64::consts::FRAC_PI_4;
@@ -42,17 +39,21 @@ pub(crate) fn from_start(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Resul
 
 /// Takes the characteristic sizes of the point in hand; without C_q if that is not finite there.
 fn measure(newton: &mut Newton<'_>, t: f64) {
-    let sizes = sizes(newton, t);
-    // Where the first look at the model was far off, the measures taken with it are worth nothing.
+    let finite = newton.linearize(t).is_ok();
+    take(newton, sizes(newton, finite));
+}
+
+/// Takes these sizes. Where the first look at the model was far off, the measures taken with it are worth nothing.
+fn take(newton: &mut Newton<'_>, sizes: Vec<f64>) {
     if differ(&sizes, &newton.sizes, 8.0) {
         newton.linear.forget();
     }
     newton.set_sizes(sizes);
 }
 
-fn sizes(newton: &mut Newton<'_>, t: f64) -> Vec<f64> {
-    let values: &[f64] = if newton.linearize(t).is_ok() { newton.linear.values() } else { &[] };
-    let system = newton.system;
+/// Characteristic sizes of the point in hand, by its C_q if that is finite.
+fn sizes(newton: &Newton<'_>, finite: bool) -> Vec<f64> {
+    let (system, values) = (newton.system, if finite { newton.linear.values() } else { &[] });
     scale::sizes(system.layout(), system.equations(), values, &newton.q, system.links())
 }
 
@@ -63,14 +64,27 @@ fn differ(sizes: &[f64], others: &[f64], factor: f64) -> bool {
 /// Newton from the point in hand; then once more with the sizes of the solution, which takes no step, if they are others.
 fn attempt(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Result<Outcome> {
     let tried = newton.solve(t, steps).and_then(|outcome| {
-        if !differ(&sizes(newton, t), &newton.sizes, SAME) {
+        let sizes = sizes(newton, true);
+        if !differ(&sizes, &newton.sizes, SAME) {
             return Ok(outcome);
         }
-        measure(newton, t);
+        take(newton, sizes);
         newton.solve(t, steps)
     });
-    let outcome = tried.map_err(|failure| newton.error(failure, t, None))?;
-    newton.meant().map(|()| outcome)
+    tried.map_err(|failure| newton.error(failure, t, None))
+}
+
+/// Damped Newton from the point in hand; where it ends with an axis turned by 180°, once more with that body turned over.
+fn attempt_any_way_up(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
+    let tried = attempt(newton, t, Steps::Damped);
+    if let Err(Error::WrongBranch { .. }) = tried
+        && let Some(found) = turned_over::mended(newton.system.model(), &newton.q, t, &|_| true, newton.options.search.steps)
+    {
+        newton.steps += found.place.steps;
+        newton.q.copy_from_slice(&found.place.q);
+        return attempt(newton, t, Steps::Damped);
+    }
+    tried
 }
 
 /// Start after start until one ends in the preferred assembly; else the nearest to it, else the error that says most.
@@ -78,32 +92,36 @@ fn search(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     let preferred = newton.system.preferred();
     let mut failure: Option<Error> = None;
     driven::turn(newton, t);
-    let guess = newton.q.clone();
+    let guess = newton.q.to_vec();
     if preferred.is_empty() {
-        match attempt(newton, t, Steps::Damped) {
+        match attempt_any_way_up(newton, t) {
             Ok(outcome) => return Ok(outcome),
             Err(error) => failure = Some(error),
         }
     }
     let mut best: Option<(f64, Vec<f64>)> = None;
-    for start in 0..STARTS {
+    let clock = newton.options.search.clock();
+    for start in 0..newton.options.search.starts.max(1) {
+        if start > 0 && clock.is_up() {
+            break;
+        }
         place(newton, &guess, start);
         approach(newton, t);
-        match attempt(newton, t, Steps::Damped) {
+        match attempt_any_way_up(newton, t) {
             Ok(outcome) => {
                 let far = distance(newton);
                 if far <= NEAR {
                     return Ok(outcome);
                 }
                 if best.as_ref().is_none_or(|(known, _)| far < *known) {
-                    best = Some((far, newton.q.clone()));
+                    best = Some((far, newton.q.to_vec()));
                 }
             }
             Err(error) => failure = Some(more_telling(failure, error)),
         }
     }
     if let Some((_, q)) = best {
-        newton.q = q;
+        newton.q.copy_from_slice(&q);
         return attempt(newton, t, Steps::Damped);
     }
     Err(failure.unwrap_or_else(|| newton.error(Failure::NoConvergence { row: 0, residual: f64::INFINITY }, t, None)))
@@ -134,7 +152,8 @@ fn distance(newton: &Newton<'_>) -> f64 {
 
 /// The guess, from the second start on with everything but the preferred coordinates moved at random.
 fn place(newton: &mut Newton<'_>, guess: &[f64], start: usize) {
-    newton.q = search::start_from(&newton.system.model(), guess, &newton.sizes, start, STARTS);
+    let start = search::start_from(&newton.system.model(), guess, &newton.sizes, start, &newton.options.search);
+    newton.q.copy_from_slice(&start);
     for &(column, value) in newton.system.preferred() {
         newton.q[column] = value;
     }
@@ -142,8 +161,8 @@ fn place(newton: &mut Newton<'_>, guess: &[f64], start: usize) {
 
 /// Damped least squares from the point in hand, the preferred coordinates held ever more softly.
 fn approach(newton: &mut Newton<'_>, t: f64) {
-    if let Some(found) = search::descend(newton.system.model(), &newton.q, t, &|_| true, true) {
+    if let Some(found) = search::descend(newton.system.model(), &newton.q, t, &|_| true, true, newton.options.search.steps) {
         newton.steps += found.place.steps;
-        newton.q = found.place.q;
+        newton.q.copy_from_slice(&found.place.q);
     }
 }

@@ -81,7 +81,7 @@ impl Rows {
         let mut angles = vec![true; newton.c.len()];
         entries.iter().for_each(|&(row, column, _)| angles[row] &= units[column] == Unit::Radian);
         let (open, columns) = (vec![0; newton.c.len()], vec![Vec::new(); newton.q.len()]);
-        let mut rows = Rows { c: newton.c.clone(), sum: open.clone(), open, columns };
+        let mut rows = Rows { c: newton.c.to_vec(), sum: open.clone(), open, columns };
         for &(row, column, value) in entries.iter().filter(|(row, _, _)| angles[*row]) {
             rows.open[row] += 1;
             rows.sum[row] += column;

@@ -1,5 +1,6 @@
 //! How positions are solved: the stop rule and the means, and the report of what was done.
 
+use crate::assembly::SearchOptions;
 use crate::error::{Error, Result};
 
 /// When Newton's iteration has converged.
@@ -36,19 +37,67 @@ pub struct Options {
     /// q̇ and q̈ at all three times, where that has been nearer.
     pub predict: bool,
     /// Where plain Newton fails, damp it, look for the assembly from other starts (first time), and approach in smaller steps of time
-    /// (later times) before giving up; default true. Without it plain Newton steps from the guess are all that is done.
+    /// (later times) before giving up; default true. Without it plain Newton steps from the guess are all that is
+    /// done, but for what [`Options::follow`] asks.
     pub rescue: bool,
+    /// Halvings of one step of time at most before the run is given up, where steps are rescued and not checked; default 12.
+    pub halvings: u32,
+    /// How the first position is looked for, where that is rescued, and what is wrong where there is none.
+    pub search: SearchOptions,
+    /// Solve for the jerk q⃛ too, C_q q⃛ = −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), with the matrix of q̇ and q̈; default false.
+    /// Cases of a sweep are run one by one then.
+    pub jerk: bool,
+    /// Whether each step is checked to stay on its branch, and which branch is taken where branches cross; default [`Follow::Smooth`].
+    pub follow: Follow,
+}
+
+/// How a run follows its branch.
+///
+/// A step that cannot be shown to stay on its branch is taken in smaller ones, which are not kept: a coarse grid gives the same motion as a
+/// fine one. A toggle ends the run with [`crate::Error::Toggle`] at its time; change points are passed, and told by
+/// [`crate::Motion::singular_positions`]. Mechanisms with redundant equations are checked by prediction alone: at a singular position their runs end.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum Follow {
+    /// Nothing is checked: whatever position Newton's method finds is taken. On a coarse grid it can be one of another assembly.
+    Unchecked,
+    /// Checked; at a change point the run goes on smoothly (q̇ and q̈ do not jump).
+    #[default]
+    Smooth,
+    /// Checked; at the change points with these numbers, counted from 0 in the order in which the run meets them, it turns into the other branch.
+    Turning(Vec<usize>),
+}
+
+impl Follow {
+    /// Whether the run turns into the other branch at the change point of that number.
+    pub(crate) fn turns(&self, number: usize) -> bool {
+        matches!(self, Follow::Turning(numbers) if numbers.contains(&number))
+    }
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Options { max_iterations: 50, stop: Stop::default(), predict: true, rescue: true }
+        Options {
+            max_iterations: 50,
+            stop: Stop::default(),
+            predict: true,
+            rescue: true,
+            halvings: 12,
+            search: SearchOptions::default(),
+            jerk: false,
+            follow: Follow::default(),
+        }
     }
 }
 
 impl Options {
-    /// An error unless the tolerance is a positive finite number.
+    /// A step of time shorter than this is given up.
+    pub(crate) fn smallest_step(&self, step: f64) -> f64 {
+        step.abs() * 0.5_f64.powi(self.halvings.min(1000) as i32)
+    }
+
+    /// An error unless the tolerance is a positive finite number and there is something to do.
     pub(crate) fn check(&self) -> Result<()> {
+        self.search.check()?;
         let (Stop::Converged { tolerance } | Stop::ResidualOnly(tolerance)) = self.stop;
         if tolerance.is_finite() && tolerance > 0.0 {
             return Ok(());

@@ -4,10 +4,13 @@
 //! Every time is solved for all equations in the sense of least squares. To leave the superfluous ones out would not do: which equations are
 //! superfluous changes on the way (whatever row of a parallelogram's third crank is left out, twice in a turn it is the one that is needed).
 
-use super::{Options, Outcome, Report, Stop};
+use super::watch::Watch;
+use super::{Follow, Options, Outcome, Report, Stop};
 use crate::assembly::search::{self, Found};
-use crate::diagnosis::{self, STARTS, Start};
+use crate::diagnosis::{self, DiagnosisOptions, Start};
 use crate::error::{Error, Result};
+use crate::follow::{EASY, Objection, REACH};
+use crate::fours::{self, Fours};
 use crate::linear::Tall;
 use crate::model::{Measures, Model, Point};
 use crate::motion::Motion;
@@ -16,39 +19,34 @@ use crate::system::{Solution, System};
 /// Equations at a solution may differ by this share of their terms in velocities.   \[-\]
 const CONSISTENT: f64 = 1e-8;
 
-/// A step of time is halved at most this often before the sweep gives up.
-const HALVINGS: i32 = 12;
-
 /// A correction that stalls above this share of its coordinate is no rounding.   \[-\]
 const STALL: f64 = 1e-9;
 
 /// Position, velocity and acceleration at each of the times, which are checked, as the options are.
 pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<Motion> {
-    let mut motion = Motion::new(system, times.len());
-    let mut driver: Option<Driver<'_>> = None;
-    for &t in times {
-        let reached = match &mut driver {
-            Some(driver) => driver.advance(t),
-            None => Driver::assembled(system, options, t).map(|(made, outcome)| {
-                driver = Some(made);
-                outcome
-            }),
-        };
-        match (reached, &driver) {
-            (Ok(outcome), Some(driver)) => motion.append(t, [&driver.q, &driver.qd, &driver.qdd], outcome, driver.worst),
-            (Ok(_), None) => {}
-            (Err(error), _) => return Err(error.with_motion(motion)),
+    let (mut motion, mut watch) = (Motion::new(system, times.len()), Watch::default());
+    let Some((&first, later)) = times.split_first() else { return Ok(motion) };
+    let (mut driver, outcome) = Driver::assembled(system, options, first)?;
+    let mut keep = |t: f64, driver: &Driver<'_>, outcome: Outcome, motion: &mut Motion| {
+        motion.cross(watch.look(system, &system.equations().instant_at(t, &driver.q))?);
+        motion.append(t, driver.rows(), outcome, driver.worst);
+        Ok(())
+    };
+    keep(first, &driver, outcome, &mut motion)?;
+    for &t in later {
+        let reached = driver.advance(t).and_then(|outcome| keep(t, &driver, outcome, &mut motion));
+        if let Err(error) = reached {
+            return Err(error.with_motion(motion));
         }
     }
     Ok(motion)
 }
 
 /// Position, velocity and acceleration at one time; from the guess, or from a start that is near.
-pub(crate) fn at(system: &System, t: f64, start: Option<&[f64]>) -> Result<Solution> {
-    let options = Options::default();
+pub(crate) fn at(system: &System, t: f64, start: Option<&[f64]>, options: &Options) -> Result<Solution> {
     let (driver, outcome) = match start {
-        None => Driver::assembled(system, &options, t)?,
-        Some(start) => Driver::from_start(system, &options, t, start)?,
+        None => Driver::assembled(system, options, t)?,
+        Some(start) => Driver::from_start(system, options, t, start)?,
     };
     let worst = system.equations().equation(driver.worst);
     let report = Report { iterations: outcome.iterations, residual: outcome.residual, worst, smallest_pivot: driver.tall.smallest_pivot() };
@@ -60,10 +58,10 @@ pub(crate) fn solved(system: &System, q: &[f64], t: f64, rhs: &[f64]) -> Result<
     let (model, options) = (system.model(), Options::default());
     let tall = Tall::new(model.m(), model.n(), &model.equations.entries);
     let measures = model.measure(q, t);
-    let mut driver = Driver { model, options: &options, measures, tall, t, q: q.to_vec(), qd: vec![], qdd: vec![], worst: 0 };
+    let mut driver = Driver { model, options: &options, measures, tall, t, q: q.to_vec(), qd: vec![], qdd: vec![], qddd: vec![], worst: 0 };
     match driver.factor(t) {
         Some(_) => Ok(driver.solved(rhs.iter().copied())),
-        None => Err(blamed(model, Start::Pose(q), t)),
+        None => Err(blamed(model, Start::Pose(q), t, &options)),
     }
 }
 
@@ -77,6 +75,8 @@ struct Driver<'a> {
     q: Vec<f64>,
     qd: Vec<f64>,
     qdd: Vec<f64>,
+    /// q⃛ where it is asked for, else empty.
+    qddd: Vec<f64>,
     /// The row with the largest |C_i|.
     worst: usize,
 }
@@ -84,45 +84,57 @@ struct Driver<'a> {
 impl<'a> Driver<'a> {
     /// Assembled from the guess, into the preferred assembly.
     fn assembled(system: &'a System, options: &'a Options, t: f64) -> Result<(Self, Outcome)> {
-        let found = search::search(system.model(), system.initial(), t, &|_| true, STARTS);
+        let found = search::search(system.model(), system.initial(), t, &|_| true, &options.search);
         Self::found(system, options, t, found, system.initial())
     }
 
     /// Assembled from a start, nothing preferred.
     fn from_start(system: &'a System, options: &'a Options, t: f64, start: &[f64]) -> Result<(Self, Outcome)> {
-        let found = search::descend(system.model(), start, t, &|_| true, false);
+        let found = search::descend(system.model(), start, t, &|_| true, false, options.search.steps);
         Self::found(system, options, t, found, start)
     }
 
     fn found(system: &'a System, options: &'a Options, t: f64, found: Option<Found>, start: &[f64]) -> Result<(Self, Outcome)> {
         let model = system.model();
-        let Some(found) = found.filter(|found| found.met) else { return Err(blamed(model, Start::Guess(start), t)) };
+        let Some(found) = found.filter(|found| found.met) else { return Err(blamed(model, Start::Guess(start), t, options)) };
         let tall = Tall::new(model.m(), model.n(), &model.equations.entries);
         let (n, q) = (model.n(), found.place.q);
         let steps = found.place.steps;
-        let mut driver = Driver { model, options, measures: found.measures, tall, t, q, qd: vec![0.0; n], qdd: vec![0.0; n], worst: 0 };
+        let mut driver =
+            Driver { model, options, measures: found.measures, tall, t, q, qd: vec![0.0; n], qdd: vec![0.0; n], qddd: vec![], worst: 0 };
         let solved = driver.solve(t).and_then(|outcome| driver.rates(t).map(|()| outcome));
-        match solved {
-            Some(outcome) => Ok((driver, Outcome { iterations: outcome.iterations + steps, ..outcome })),
-            None => Err(blamed(model, Start::Pose(&driver.q), t)),
+        let Some(outcome) = solved else { return Err(blamed(model, Start::Pose(&driver.q), t, options)) };
+        match driver.wrong(t) {
+            None => Ok((driver, Outcome { iterations: outcome.iterations + steps, ..outcome })),
+            Some(error) => Err(error),
         }
     }
 
     /// To another time, in smaller steps of time where that is needed.
     fn advance(&mut self, to: f64) -> Result<Outcome> {
-        let smallest = (to - self.t).abs() * 0.5_f64.powi(HALVINGS);
+        let smallest = self.options.smallest_step(to - self.t);
         let (mut h, mut iterations) = (to - self.t, 0);
         loop {
             let target = if (to - self.t).abs() <= h.abs() * 1.001 { to } else { self.t + h };
-            let before = self.q.clone();
+            let before = [self.q.clone(), self.qd.clone(), self.qdd.clone()];
             if self.options.predict {
                 self.predict(target - self.t);
             }
             let solved = self.solve(target);
-            if let Some(outcome) = &solved {
+            let wrong = solved.and_then(|_| self.wrong(target));
+            if let (Some(outcome), None) = (&solved, &wrong) {
                 iterations += outcome.iterations;
                 if self.rates(target).is_none() {
-                    return Err(blamed(self.model, Start::Pose(&self.q), target));
+                    return Err(blamed(self.model, Start::Pose(&self.q), target, self.options));
+                }
+                if self.is_objected_to(target - self.t, &before) {
+                    [self.q, self.qd, self.qdd] = before;
+                    if h.abs() <= smallest {
+                        let reason = Objection::Missed.reason();
+                        return Err(Error::CannotFollow { t: self.t, reason, motion: None });
+                    }
+                    h *= 0.5;
+                    continue;
                 }
                 self.t = target;
                 if target == to {
@@ -130,13 +142,32 @@ impl<'a> Driver<'a> {
                 }
                 h *= 2.0;
             } else {
-                self.q = before;
+                [self.q, ..] = before;
                 if !self.options.rescue || h.abs() <= smallest {
-                    return Err(blamed(self.model, Start::Guess(&self.q), target));
+                    if let Some(error) = wrong {
+                        return Err(error);
+                    }
+                    return Err(blamed(self.model, Start::Guess(&self.q), target, self.options));
                 }
                 h *= 0.5;
             }
         }
+    }
+
+    /// Whether a prediction of the step h, from either end, misses the other by more than what is sure to be one branch. Signs of
+    /// determinants, which rectangular matrices have not, are not asked.
+    fn is_objected_to(&self, h: f64, [q, qd, qdd]: &[Vec<f64>; 3]) -> bool {
+        let shares: Vec<f64> = self.measures.sizes.iter().map(|size| size.recip()).collect();
+        let turns: Vec<f64> = (0..q.len()).map(|column| f64::from(u8::from(self.model.turns(column)))).collect();
+        let [q, qd, qdd, r, rd, rdd] = [q, qd, qdd, &self.q, &self.qd, &self.qdd].map(|x| Fours::from(&x[..]));
+        let [miss, reach] = fours::miss(h, [&q, &qd, &qdd], [&r, &rd, &rdd], &Fours::from(&shares[..]), &Fours::from(&turns[..]));
+        self.options.follow != Follow::Unchecked && (reach > REACH || miss > EASY * self.tall.smallest_pivot())
+    }
+
+    /// The error for a position that is not what is meant.
+    fn wrong(&self, t: f64) -> Option<Error> {
+        let (equations, instant) = (self.model.equations, self.model.equations.instant_at(t, &self.q));
+        equations.first_wrong(&instant).map(|block| equations.closes_wrong(block, &instant))
     }
 
     /// q + h q̇ + ½ h² q̈
@@ -203,31 +234,44 @@ impl<'a> Driver<'a> {
         y.iter().zip(sizes).map(|(y, size)| y * size).collect()
     }
 
-    /// q̇ and q̈ with the matrix in hand; `None` where they are not finite or the equations ask for different ones.
+    /// q̇ and q̈ with the matrix in hand, and q⃛ where it is asked for; `None` where they are not finite or the equations ask for different ones.
     fn rates(&mut self, t: f64) -> Option<()> {
-        let c_t = self.model.c_t(&self.q, t).ok()?;
-        self.qd = self.solved(c_t.iter().map(|c_t| -c_t));
-        let q_d = self.model.second_order(&self.q, t, &self.qd, 1.0).ok()?;
-        self.qdd = self.solved(q_d.iter().copied());
-        let finite = self.qd.iter().chain(&self.qdd).all(|x| x.is_finite());
         let values = self.model.linearize(&self.q, t).ok()?.values;
-        let agree = |solution: &[f64], rhs: &mut dyn Iterator<Item = f64>| {
-            let mut rows: Vec<(f64, f64)> = rhs.map(|rhs| (-rhs, rhs.abs())).collect();
-            for (row, column, value) in self.model.entries(&values) {
-                let term = value * solution[column];
-                rows[row] = (rows[row].0 + term, rows[row].1 + term.abs());
-            }
-            let rows = rows.iter().zip(&self.measures.norms);
-            let largest = rows.clone().fold(0.0_f64, |m, ((_, size), norm)| m.max(size / norm));
-            rows.clone().all(|((sum, _), norm)| sum.abs() <= CONSISTENT * largest * norm)
-        };
-        (finite && agree(&self.qd, &mut c_t.iter().map(|c_t| -c_t)) && agree(&self.qdd, &mut q_d.iter().copied())).then_some(())
+        let c_t = self.model.c_t(&self.q, t).ok()?;
+        self.qd = self.agreed(&values, &c_t.iter().map(|c_t| -c_t).collect::<Vec<f64>>())?;
+        let q_d = self.model.second_order(&self.q, t, &self.qd, 1.0).ok()?;
+        self.qdd = self.agreed(&values, &q_d)?;
+        if self.options.jerk {
+            let rhs = self.model.jerk_rhs(&self.q, t, &self.qd, &self.qdd).ok()?.ok()?;
+            self.qddd = self.agreed(&values, &rhs)?;
+        }
+        Some(())
+    }
+
+    /// The solution of C_q x = the right side, if it is finite and meets every row.
+    fn agreed(&mut self, values: &[f64], rhs: &[f64]) -> Option<Vec<f64>> {
+        let solution = self.solved(rhs.iter().copied());
+        let mut rows: Vec<(f64, f64)> = rhs.iter().map(|rhs| (-rhs, rhs.abs())).collect();
+        for (row, column, value) in self.model.entries(values) {
+            let term = value * solution[column];
+            rows[row] = (rows[row].0 + term, rows[row].1 + term.abs());
+        }
+        let rows = rows.iter().zip(&self.measures.norms);
+        let largest = rows.clone().fold(0.0_f64, |m, ((_, size), norm)| m.max(size / norm));
+        let met = rows.clone().all(|((sum, _), norm)| sum.abs() <= CONSISTENT * largest * norm);
+        (met && solution.iter().all(|x| x.is_finite())).then_some(solution)
+    }
+
+    /// q, q̇, q̈, and q⃛ or nothing.
+    fn rows(&self) -> [&[f64]; 4] {
+        [&self.q, &self.qd, &self.qdd, &self.qddd]
     }
 }
 
 /// The error for a mechanism that cannot be driven there, with its diagnosis.
-fn blamed(model: Model<'_>, start: Start<'_>, t: f64) -> Error {
-    match diagnosis::diagnose(model, start, t) {
+fn blamed(model: Model<'_>, start: Start<'_>, t: f64, options: &Options) -> Error {
+    let options = DiagnosisOptions { search: options.search.clone(), ..DiagnosisOptions::default() };
+    match diagnosis::diagnose(model, start, t, &options) {
         Ok(diagnosis) => Error::CannotBeDriven { diagnosis: Box::new(diagnosis), motion: None },
         Err(error) => error,
     }

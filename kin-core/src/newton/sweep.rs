@@ -2,34 +2,49 @@
 
 use super::predictor::{Last, Predictor};
 use super::watch::Watch;
-use super::{Failure, Newton, Options, Outcome, Steps, assembly, redundant};
+use super::{Failure, Follow, Newton, Options, Outcome, Steps, assembly, largest, redundant};
 use crate::error::{Error, Result};
+use crate::follow::{self, Branch, Check, Landed, Lost, Objection, SingularKind, SingularPosition};
+use crate::fours::Fours;
 use crate::motion::Motion;
 use crate::system::System;
 
-/// A step of time is halved at most this often before the sweep gives up.
-const HALVINGS: i32 = 12;
+/// A step in which nothing moves by more than this, and that is objected to all the same, leads past a singular position.   \[-\]
+const SHORT: f64 = 0.05;
+
+/// The same of a step of this share of the time asked for, where hardly anything moves.   \[-\]
+const AT_REST: f64 = 1.0 / 64.0;
+
+/// No step of time is shorter than this share of the time asked for.   \[-\]
+const SHORTEST: f64 = 1e-9;
 
 /// Position, velocity and acceleration at each of the times.
 pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<Motion> {
     options.check()?;
     check(times)?;
+    if options.jerk {
+        system.knows_jerk()?;
+    }
     if redundant::is_redundant(system) {
         return redundant::run(system, times, options);
     }
     let mut motion = Motion::new(system, times.len());
     let (mut sweep, mut watch) = (Sweep::new(system, options), Watch::default());
     for &t in times {
-        let reached = sweep.reach(t).and_then(|outcome| Ok((outcome, watch.look(&sweep.newton, t)?)));
+        let reached = sweep.reach(t).and_then(|outcome| Ok((outcome, watch.look(system, &sweep.newton.instant)?)));
         match reached {
-            Ok((outcome, crossed)) => motion.push(t, &sweep.newton, outcome, crossed),
-            Err(error) => return Err(error.with_motion(motion).explained(system)),
+            Ok((outcome, crossed)) => {
+                sweep.passed.drain(..).for_each(|found| motion.add_singular(found));
+                motion.cross(crossed);
+                motion.push(t, &sweep.newton, outcome);
+            }
+            Err(error) => {
+                sweep.passed.drain(..).for_each(|found| motion.add_singular(found));
+                return Err(error.with_motion(motion).explained(system, options));
+            }
         }
     }
-    match sweep.newton.meant() {
-        Ok(()) => Ok(motion),
-        Err(error) => Err(error.with_motion(motion)),
-    }
+    Ok(motion)
 }
 
 /// Times must be finite and strictly increasing or strictly decreasing.
@@ -51,25 +66,49 @@ pub(crate) fn check(times: &[f64]) -> Result<()> {
 /// The last solved time, its point, and the means to go on from it.
 struct Sweep<'a> {
     newton: Newton<'a>,
-    /// The last time with a solution, and its position.
+    /// The last time with a solution, and its position, which a failure goes back to.
     last: Option<f64>,
-    q: Vec<f64>,
+    q: Fours,
     predictor: Predictor,
     /// Whether everything in hand is that of the last solution.
     untouched: bool,
+    /// What each step is judged by, if that is asked for.
+    check: Option<Check>,
+    /// Singular positions that have been met since the last time, and how many bifurcations there were before.
+    passed: Vec<SingularPosition>,
+    bifurcations: usize,
+}
+
+/// Why a step of time was not taken.
+enum Trouble {
+    Failed(Failure),
+    Objected(Objection),
 }
 
 impl<'a> Sweep<'a> {
     fn new(system: &'a System, options: &'a Options) -> Self {
         let n = system.n_coordinates();
-        Sweep { newton: Newton::new(system, options), last: None, q: vec![0.0; n], predictor: Predictor::new(n), untouched: false }
+        Sweep {
+            newton: Newton::new(system, options),
+            last: None,
+            q: Fours::new(n, 0.0),
+            predictor: Predictor::new(n),
+            untouched: false,
+            check: (options.follow != Follow::Unchecked).then(|| Check::new(&system.layout().units)),
+            passed: Vec::new(),
+            bifurcations: 0,
+        }
     }
 
     /// Solves at time t, from the guess or from the last solved time.
     fn reach(&mut self, t: f64) -> Result<Outcome> {
         self.newton.steps_before = self.newton.steps;
         let outcome = match self.last {
-            None => assembly::assemble(&mut self.newton, t)?,
+            None => {
+                let outcome = assembly::assemble(&mut self.newton, t)?;
+                self.check.iter_mut().for_each(|check| check.accept(&self.newton));
+                outcome
+            }
             Some(from) => self.advance(from, t)?,
         };
         (self.last, self.untouched) = (Some(t), true);
@@ -78,31 +117,44 @@ impl<'a> Sweep<'a> {
 
     /// From one solved time to the next, in one step if that works.
     fn advance(&mut self, from: f64, to: f64) -> Result<Outcome> {
-        let smallest = (to - from).abs() * 0.5_f64.powi(HALVINGS);
         let (mut t, mut h) = (from, to - from);
         loop {
             let target = if (to - t).abs() <= h.abs() * 1.001 { to } else { t + h };
             self.keep();
-            match self.step(target - t, target, h.abs() <= smallest) {
-                Ok(outcome) => {
-                    self.settle(target - t, outcome);
-                    self.newton.rates().map_err(|failure| self.newton.error(failure, target, Some(t)))?;
-                    if target == to {
-                        return Ok(outcome);
-                    }
+            match self.attempt(target - t, target, self.is_last_resort(h, to - from)) {
+                Ok(outcome) if target == to => return Ok(outcome),
+                Ok(_) => {
                     t = target;
                     h *= 2.0;
                 }
-                Err(failure) => {
-                    if !self.newton.options.rescue || h.abs() <= smallest {
-                        return Err(self.newton.error(failure, target, Some(t)));
-                    }
+                Err(trouble) => {
                     self.newton.q.copy_from_slice(&self.q);
                     self.untouched = false;
+                    if self.is_short(target - t, to - from, &trouble) {
+                        return self.give_up(trouble, t, target, to);
+                    }
                     h *= 0.5;
                 }
             }
         }
+    }
+
+    /// Whether a step is as short as plain steps of time become: then Newton's are damped.
+    fn is_last_resort(&self, h: f64, whole: f64) -> bool {
+        self.check.is_none() && h.abs() <= self.newton.options.smallest_step(whole)
+    }
+
+    /// Whether shorter steps of time will help no more, by what the rates in hand move in this one.
+    fn is_short(&self, h: f64, whole: f64, trouble: &Trouble) -> bool {
+        if self.check.is_none() {
+            return !self.newton.options.rescue || h.abs() <= self.newton.options.smallest_step(whole);
+        }
+        let rates = self.newton.qd.iter().zip(&self.newton.qdd).zip(self.newton.shares());
+        let moved = largest(rates.map(|((qd, qdd), share)| (h * qd).abs().max((0.5 * h * h * qdd).abs()) * share));
+        let long = matches!(trouble, Trouble::Objected(Objection::Long));
+        // Where all stands still the rates say little.
+        let moves = moved >= 0.1 * SHORT || h.abs() <= AT_REST * whole.abs();
+        (moved <= SHORT && moves && !long) || h.abs() <= SHORTEST * whole.abs()
     }
 
     /// The position in hand becomes the last one; a prediction writes all of the next anew.
@@ -112,6 +164,22 @@ impl<'a> Sweep<'a> {
         } else {
             self.q.copy_from_slice(&self.newton.q);
         }
+    }
+
+    /// One step of time with its rates, judged; after trouble the rates in hand are those before it.
+    fn attempt(&mut self, h: f64, target: f64, last_resort: bool) -> std::result::Result<Outcome, Trouble> {
+        let outcome = self.step(h, target, last_resort).map_err(Trouble::Failed)?;
+        self.settle(h, outcome);
+        let newton = &mut self.newton;
+        let judged = newton.rates().map_err(Trouble::Failed).and_then(|()| {
+            let Some(check) = &mut self.check else { return Ok(()) };
+            let [qd, qdd] = self.predictor.before();
+            check.judge(newton, h, [&self.q, qd, qdd]).map_err(Trouble::Objected)
+        });
+        if judged.is_err() {
+            self.predictor.retreat(&mut newton.qd, &mut newton.qdd);
+        }
+        judged.map(|()| outcome)
     }
 
     /// One step of time by Newton steps from the prediction; damped from the last solution if it is the last resort.
@@ -136,17 +204,92 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// A step h has succeeded; the rates in hand are still those of the time before.
+    /// A step h has succeeded; the rates in hand are still those of the time before, and become the past.
     fn settle(&mut self, h: f64, outcome: Outcome) {
         self.untouched = true;
         let newton = &mut self.newton;
-        if !newton.options.predict {
-            return;
-        }
-        if outcome.iterations > 0 {
+        if newton.options.predict && outcome.iterations > 0 {
             let last = Last { q: &self.q, qd: &newton.qd, qdd: &newton.qdd };
             self.predictor.compare(h, last, &newton.q, &newton.sizes);
         }
         self.predictor.advance(h, &mut newton.qd, &mut newton.qdd);
     }
+
+    /// Short steps of time from t to `target` help no more: the curve is followed as far as `to`, if that can be done.
+    fn give_up(&mut self, trouble: Trouble, t: f64, target: f64, to: f64) -> Result<Outcome> {
+        if self.check.is_some() {
+            let (before, options) = (self.bifurcations, self.newton.options);
+            match follow::pass(&self.newton, &self.q, t, to, &|number| options.follow.turns(before + number)) {
+                Ok(passage) => {
+                    self.bifurcations += passage.passed.len();
+                    self.passed.extend(passage.passed);
+                    return self.land(passage.landed, t, to);
+                }
+                Err(Lost::Turned(found)) => {
+                    let error = toggle(&found, to);
+                    self.passed.push(*found);
+                    return Err(error);
+                }
+                Err(Lost::Lost) => {}
+            }
+        }
+        Err(match trouble {
+            Trouble::Failed(failure) => self.newton.error(failure, target, Some(t)),
+            Trouble::Objected(objection) => Error::CannotFollow { t, reason: objection.reason(), motion: None },
+        })
+    }
+
+    /// Takes what the curve has led to as the position at time `to`.
+    fn land(&mut self, landed: Landed, t: f64, to: f64) -> Result<Outcome> {
+        self.predictor.forget();
+        self.untouched = false;
+        let newton = &mut self.newton;
+        let outcome = match landed {
+            Landed::Regular(q) => {
+                newton.q.copy_from_slice(&q);
+                let solved = newton.solve(to, Steps::Near);
+                let outcome = solved.and_then(|outcome| newton.rates().map(|()| outcome));
+                let outcome = outcome.map_err(|failure| newton.error(failure, to, Some(t)))?;
+                self.check.iter_mut().for_each(|check| check.accept(newton));
+                outcome
+            }
+            Landed::Singular(q, branch) => {
+                if newton.options.jerk {
+                    let jerk = jerk_between(newton, &q, &branch, to).map_err(|failure| newton.error(failure, to, Some(t)))?;
+                    newton.qddd.copy_from_slice(&jerk);
+                }
+                newton.q.copy_from_slice(&q);
+                newton.linearize(to).map_err(|failure| newton.error(failure, to, Some(t)))?;
+                newton.qd.copy_from_slice(&branch.qd);
+                newton.qdd.copy_from_slice(&branch.qdd);
+                self.check.iter_mut().for_each(Check::leave_open);
+                Outcome { iterations: 0, residual: newton.worst().1 }
+            }
+        };
+        Ok(outcome)
+    }
+}
+
+/// q⃛ at a singular position on one of its branches: from the means of what it is a little before and after, twice (Richardson).
+fn jerk_between(newton: &mut Newton<'_>, q: &[f64], Branch { qd, qdd }: &Branch, t: f64) -> std::result::Result<Vec<f64>, Failure> {
+    /// What moves most moves by this to the nearer ones.   \[-\]
+    const NEAR: f64 = 0.05;
+    let rates = qd.iter().zip(qdd).zip(newton.shares()).map(|((qd, qdd), share)| (qd.abs() * share).max((qdd.abs() * share).sqrt()));
+    let fastest = largest(rates);
+    let mut jerk = vec![0.0; q.len()];
+    for (steps, weight) in [(-1.0, 2.0 / 3.0), (1.0, 2.0 / 3.0), (-2.0, -1.0 / 6.0), (2.0, -1.0 / 6.0)] {
+        let h = steps * NEAR / fastest;
+        newton.q.iter_mut().zip(q).zip(qd.iter().zip(qdd)).for_each(|((next, q), (qd, qdd))| *next = q + h * (qd + 0.5 * h * qdd));
+        newton.solve(t + h, Steps::Near)?;
+        newton.rates()?;
+        jerk.iter_mut().zip(&newton.qddd).for_each(|(jerk, qddd)| *jerk += weight * qddd);
+    }
+    Ok(jerk)
+}
+
+/// The error of a run that turning points end.
+fn toggle(found: &SingularPosition, asked: f64) -> Error {
+    debug_assert_eq!(found.kind, SingularKind::TurningPoint);
+    let SingularPosition { t, movable, dependent, .. } = found.clone();
+    Error::Toggle { t, asked, movable, dependent, diagnosis: None, motion: None }
 }

@@ -2,9 +2,10 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::Newton;
 use crate::error::Error;
 use crate::law::Break;
+use crate::system::System;
+use crate::system::evaluate::Instant;
 
 /// A break of a law that a run has crossed: there a derivative of the motion jumps.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,16 +38,24 @@ struct Asked {
 impl Watch {
     /// Looks at the laws at a time that was solved: the breaks crossed since the last one. A jump of a value, or of the slope of a law of time,
     /// is an error.
-    pub(super) fn look(&mut self, newton: &Newton<'_>, t: f64) -> Result<Vec<CrossedBreak>, Error> {
-        let Some(before) = self.last.replace(t) else {
-            self.asked = questions(newton);
-            return Ok(Vec::new());
-        };
+    #[inline]
+    pub(super) fn look(&mut self, system: &System, instant: &Instant) -> Result<Vec<CrossedBreak>, Error> {
+        match self.last.replace(instant.t()) {
+            None => self.asked = questions(system, instant),
+            Some(before) if !self.asked.is_empty() => return self.cross(system, instant, before),
+            Some(_) => {}
+        }
+        Ok(Vec::new())
+    }
+
+    /// Asks every law with breaks, which was asked at the time `before`.
+    fn cross(&mut self, system: &System, instant: &Instant, before: f64) -> Result<Vec<CrossedBreak>, Error> {
+        let t = instant.t();
         let mut crossed = Vec::new();
         for asked in &mut self.asked {
-            let block = &newton.system.equations().blocks[asked.block];
+            let block = &system.equations().blocks[asked.block];
             let (mut number, mut jump) = (0, None);
-            block.constraint.laws(&newton.instant.of(block), &mut |law, function, x| {
+            block.constraint.laws(&instant.of(block), &mut |law, function, x| {
                 number += 1;
                 if number != asked.number + 1 {
                     return;
@@ -56,7 +65,7 @@ impl Watch {
                 let turn = if (x - from).abs() > PI && function.is_periodic(TAU) { TAU * ((from - x) / TAU).round() } else { 0.0 };
                 let found = function.breaks(from, x + turn).into_iter().filter(|b| b.x != from);
                 for found in found {
-                    if found.order == 0 || (found.order == 1 && is_of_time(newton, asked.block, asked.number, x)) {
+                    if found.order == 0 || (found.order == 1 && is_of_time(system, instant, asked.block, asked.number, x)) {
                         jump = Some(found);
                     }
                     let (constraint, law) = (block.name.clone(), law.to_owned());
@@ -73,11 +82,11 @@ impl Watch {
 }
 
 /// Every question to a law with breaks.
-fn questions(newton: &Newton<'_>) -> Vec<Asked> {
+fn questions(system: &System, instant: &Instant) -> Vec<Asked> {
     let mut all = Vec::new();
-    for (block, found) in newton.system.equations().blocks.iter().enumerate() {
+    for (block, found) in system.equations().blocks.iter().enumerate() {
         let mut number = 0;
-        found.constraint.laws(&newton.instant.of(found), &mut |_, law, x| {
+        found.constraint.laws(&instant.of(found), &mut |_, law, x| {
             if !law.is_smooth() {
                 all.push(Asked { block, number, x });
             }
@@ -88,9 +97,9 @@ fn questions(newton: &Newton<'_>) -> Vec<Asked> {
 }
 
 /// Whether what a law is asked for moves with the time alone.
-fn is_of_time(newton: &Newton<'_>, block: usize, wanted: usize, now: f64) -> bool {
-    let block = &newton.system.equations().blocks[block];
-    let mut later = newton.instant.of(block).with_timed(&[]);
+fn is_of_time(system: &System, instant: &Instant, block: usize, wanted: usize, now: f64) -> bool {
+    let block = &system.equations().blocks[block];
+    let mut later = instant.of(block).with_timed(&[]);
     later.t += 1.0;
     let (mut number, mut moves) = (0, false);
     block.constraint.laws(&later, &mut |_, _, x| {

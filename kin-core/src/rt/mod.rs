@@ -16,7 +16,7 @@ mod timed;
 
 pub use crate::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
 pub use crate::blame::{Asked, Blame};
-pub use crate::constraint::{Attached, Attachment};
+pub use crate::constraint::{Attached, Attachment, Measured};
 pub use crate::coordinates::{Argument, Target, Trig};
 pub use crate::data::{Described, Describer, Reader, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold};
 pub use crate::dual_route::{ArgumentKind, Equation};
@@ -24,7 +24,7 @@ pub use crate::lanes::{InLanes, LaneAt, LaneKernel, LaneKernels, LaneRates, Leve
 pub use crate::law::LawFunction;
 pub use crate::real::{Dual, Real};
 pub use crate::state::{At, PlanarState, Rates, SpatialState};
-pub use num_dual::{Dual2_64, Dual64};
+pub use num_dual::{Dual2_64, Dual3_64, Dual64};
 
 pub use argument::{IntoConstant, IntoJet, IntoPlain, IntoReference, Jet, Nothing};
 pub use argument::{constant_argument, plain_argument, reference_argument};

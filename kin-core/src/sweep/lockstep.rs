@@ -5,17 +5,16 @@
 
 use pulp::NullaryFnOnce;
 
+use super::check::Check;
+use super::kept::Kept;
 use super::predictor::Predictor;
 use crate::lanes::{Level, Mask, Wide};
 use crate::linear::lanes::WideLinear;
-use crate::motion::{Motion, Pushed};
-use crate::newton::{DOUBTFUL, Newton, Options, Outcome, STALL, Stop, assembly, rounding};
+use crate::motion::Motion;
+use crate::newton::{DOUBTFUL, Follow, Newton, Options, STALL, Stop, assembly, rounding};
 use crate::system::System;
 use crate::system::evaluate::lanes::{Crew, WideEquations, WideInstant};
 use crate::system::scale;
-
-/// Times that are kept before they are appended to the motions.
-const KEPT: usize = 8;
 
 /// The points in hand, one a lane, and the space to work in.
 pub(super) struct Lockstep<'o, S: Level> {
@@ -39,10 +38,9 @@ pub(super) struct Lockstep<'o, S: Level> {
     /// max |C_i|, and Newton steps, at the last time.
     residual: Wide<S>,
     iterations: Wide<S>,
-    /// q, q̇ and q̈ of the last few times, what is told of them in each lane, and the largest residual of each lane so far.
-    kept: [Vec<Wide<S>>; 3],
-    reports: Vec<Vec<Pushed>>,
-    largest: Vec<f64>,
+    /// What each step is judged by, if that is asked for.
+    check: Option<Check<S>>,
+    kept: Kept<S>,
 }
 
 /// Something that all lanes do, on its way into the function that has the machine's instructions.
@@ -91,27 +89,30 @@ impl<'o, S: Level> Lockstep<'o, S> {
             sizes: room(),
             per_size: room(),
             residual: zero,
+            check: (options.follow != Follow::Unchecked).then(|| Check::new(simd, &typical.layout().units)),
             iterations: zero,
-            kept: [0; 3].map(|_| Vec::with_capacity(KEPT * n)),
-            reports: vec![Vec::with_capacity(KEPT); Wide::<S>::LANES],
-            largest: vec![-1.0; Wide::<S>::LANES],
+            kept: Kept::new(simd, n),
         }
     }
 
     /// The first position of every system, at time t; gives the lanes of `wanted` that have one.
     pub(super) fn first(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
         self.predictor.begin();
-        self.largest.fill(-1.0);
+        self.kept.begin();
         self.equations.set_parameters(crew, &mut self.instant);
         let mut steps = Wide::splat(self.simd, 0.0);
         let mut started = vec![false; Wide::<S>::LANES];
         for (lane, system) in crew.systems.iter().enumerate().filter(|(lane, _)| wanted.lane(*lane)) {
-            let mut newton = Newton::new(system, self.options);
             // Breaks of laws are looked for time by time, which is not done here.
-            started[lane] = system.is_smooth() && (!self.options.rescue || assembly::assemble(&mut newton, t).is_ok());
-            steps.as_mut_slice()[lane] = newton.steps as f64;
-            put(&newton.q, lane, &mut self.q);
-            put(&newton.sizes, lane, &mut self.sizes);
+            started[lane] = system.is_smooth();
+            put(system.initial(), lane, &mut self.q);
+            if self.options.rescue && started[lane] {
+                let mut newton = Newton::new(system, self.options);
+                started[lane] = assembly::assemble(&mut newton, t).is_ok();
+                steps.as_mut_slice()[lane] = newton.steps as f64;
+                put(&newton.q, lane, &mut self.q);
+                put(&newton.sizes, lane, &mut self.sizes);
+            }
         }
         let wanted = wanted & Mask::from_fn(self.simd, |lane| started.get(lane).is_some_and(|started| *started));
         self.fill(wanted);
@@ -147,31 +148,14 @@ impl<'o, S: Level> Lockstep<'o, S> {
         self.simd.vectorize(Task { lanes: self, crew, wanted, t, first: false })
     }
 
-    /// Keeps what the lanes that are `active` have at time t, for [`Lockstep::flush`]; true where it is time for that.
-    pub(super) fn keep(&mut self, t: f64, active: Mask<S>) -> bool {
-        for (kept, now) in self.kept.iter_mut().zip([&self.q, &self.qd, &self.qdd]) {
-            kept.extend_from_slice(now);
-        }
-        let open = active.as_numbers();
-        for (lane, reports) in self.reports.iter_mut().enumerate().filter(|(lane, _)| open.as_slice()[*lane] != 0.0) {
-            let (iterations, residual) = (self.iterations.as_slice()[lane] as usize, self.residual.as_slice()[lane]);
-            let mut worst = 0;
-            if residual > self.largest[lane] {
-                self.largest[lane] = residual;
-                worst = self.c.iter().position(|c| c.as_slice()[lane].abs() == residual).unwrap_or_default();
-            }
-            reports.push(Pushed { t, outcome: Outcome { iterations, residual }, worst });
-        }
-        self.kept[0].len() >= KEPT * self.q.len()
+    /// Keeps what the lanes have at time t, for [`Lockstep::flush`]; true where it is time for that.
+    pub(super) fn keep(&mut self, t: f64) -> bool {
+        self.kept.keep(t, [&self.q, &self.qd, &self.qdd], &self.c, self.residual, self.iterations)
     }
 
-    /// Appends what was kept to the motions. Kept times are few, so that they are still at hand.
+    /// Appends what was kept to the motions.
     pub(super) fn flush(&mut self, motions: &mut [Motion]) {
-        for (lane, (motion, reports)) in motions.iter_mut().zip(&mut self.reports).enumerate() {
-            motion.push_all(reports, [0, 1, 2].map(|k| &self.kept[k][..]), |x| x.as_slice()[lane]);
-            reports.clear();
-        }
-        self.kept.iter_mut().for_each(Vec::clear);
+        self.kept.flush(motions);
     }
 
     /// C and C_q at the point in hand.
@@ -199,13 +183,16 @@ impl<'o, S: Level> Lockstep<'o, S> {
         }
         let done = self.solve(crew, wanted, t, false, false);
         self.t = t;
-        self.rates(crew, done)
+        let done = self.rates(crew, done);
+        self.check.iter_mut().for_each(|check| check.accept(&self.linear));
+        done
     }
 
     /// A later one, from the prediction or the last position.
     #[inline(always)]
     fn step(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
         let h = t - self.t;
+        self.check.iter_mut().for_each(|check| check.begin([&self.q, &self.qd, &self.qdd]));
         if self.options.predict {
             self.before.copy_from_slice(&self.q);
             self.predictor.predict(h, [&self.before, &self.qd, &self.qdd], &mut self.q);
@@ -217,7 +204,11 @@ impl<'o, S: Level> Lockstep<'o, S> {
             self.predictor.advance(h, &self.qd, &self.qdd);
         }
         self.t = t;
-        self.rates(crew, done)
+        let done = self.rates(crew, done);
+        match &mut self.check {
+            Some(check) => done & check.judge(h, [&self.q, &self.qd, &self.qdd], &self.per_size, &self.linear),
+            None => done,
+        }
     }
 
     /// Newton's method in all lanes that are wanted; gives those that converge, their matrices factored. `near`: corrections must shrink;
@@ -228,7 +219,9 @@ impl<'o, S: Level> Lockstep<'o, S> {
         let (zero, mut previous) = (Wide::splat(simd, 0.0), Wide::splat(simd, f64::INFINITY));
         let (mut open, mut done) = (wanted, Mask::splat(simd, false));
         self.iterations = zero;
-        self.last.fill(zero);
+        if self.options.predict {
+            self.last.fill(zero);
+        }
         self.equations.set_time(t, crew, &mut self.instant);
         for iteration in 0..=self.options.max_iterations {
             let changed = if still && iteration == 0 {
@@ -290,15 +283,13 @@ impl<'o, S: Level> Lockstep<'o, S> {
     /// max |C_i|; true in the lanes where C is finite.
     #[inline(always)]
     fn measured(&mut self) -> Mask<S> {
-        let largest = Wide::splat(self.simd, f64::MAX);
-        let (mut residual, mut finite) = (Wide::splat(self.simd, 0.0), Mask::splat(self.simd, true));
+        let (mut largest, mut sum) = (Wide::splat(self.simd, 0.0), Wide::splat(self.simd, 0.0));
         for c in &self.c {
-            let size = c.abs();
-            finite = finite & size.le(largest);
-            residual = size.gt(residual).select(size, residual);
+            // What is not finite may be lost among the largest, not in a sum.
+            (largest, sum) = (c.abs().or_larger(largest), sum + c.abs());
         }
-        self.residual = residual;
-        finite
+        self.residual = largest;
+        sum.le(Wide::splat(self.simd, f64::MAX))
     }
 
     /// C_q dq = −C; gives max |dq_j| against what may be asked of it, and where it is finite.
@@ -312,12 +303,12 @@ impl<'o, S: Level> Lockstep<'o, S> {
         if matches!(self.options.stop, Stop::ResidualOnly(_)) && !self.options.rescue {
             return (Wide::splat(simd, f64::INFINITY), Mask::splat(simd, true));
         }
-        let (mut shares, mut finite) = (Wide::splat(simd, 0.0), Mask::splat(self.simd, true));
+        let (mut shares, mut sum) = (Wide::splat(simd, 0.0), Wide::splat(simd, 0.0));
         for (dq, per_size) in self.linear.solution().iter().zip(&self.per_size) {
             let share = dq.abs() * *per_size;
-            finite = finite & share.le(Wide::splat(simd, f64::MAX));
-            shares = share.gt(shares).select(share, shares);
+            (shares, sum) = (share.or_larger(shares), sum + share);
         }
+        let finite = sum.le(Wide::splat(simd, f64::MAX));
         let Stop::Converged { tolerance } = self.options.stop else { return (shares, finite) };
         let within = shares.le(Wide::splat(simd, tolerance));
         if !(!within).any() {
@@ -377,11 +368,11 @@ impl<'o, S: Level> Lockstep<'o, S> {
         self.equations.acceleration_rhs(crew, &self.instant, self.linear.rhs_mut());
         self.linear.solve();
         self.qdd.copy_from_slice(self.linear.solution());
-        let (largest, mut finite) = (Wide::splat(self.simd, f64::MAX), done);
+        let mut sum = Wide::splat(self.simd, 0.0);
         for (qd, qdd) in self.qd.iter().zip(&self.qdd) {
-            finite = finite & qd.abs().le(largest) & qdd.abs().le(largest);
+            sum = sum + (qd.abs() + qdd.abs());
         }
-        finite
+        done & sum.le(Wide::splat(self.simd, f64::MAX))
     }
 }
 

@@ -1,78 +1,21 @@
 //! Evaluation of a whole system: states once an iterate, then each constraint into its own block of rows and values.
 
+mod block;
 pub(crate) mod lanes;
+mod linear;
+mod sides;
 
-use std::ops::Range;
+use std::sync::Arc;
 
 use crate::blame::{Culprit, Term};
-use crate::constraint::Constraint;
+use crate::constraint::{Constraint, Route};
 use crate::error::Error;
 use crate::layout::{Layout, Place};
-use crate::state::{At, Rates};
+use crate::state::At;
 use crate::system::states::{GROUND, StatePlan};
-
-/// One constraint in a system.
-#[derive(Clone)]
-pub(crate) struct Block {
-    pub name: String,
-    pub constraint: Box<dyn Constraint>,
-    /// Where its numbers of time, its arguments' states, its rows, its values and its columns' rates stand.
-    timed: Span,
-    states: u32,
-    rows: Span,
-    values: Span,
-    rates: u32,
-    /// Whether all its values of C_q are the same for good.
-    constant: bool,
-    /// Where each argument's state begins among its states, and its first column.
-    first_state: Vec<usize>,
-    first_column: Vec<usize>,
-}
-
-/// A stretch of a list. 32 bits: no sum of two overflows, so that taking it costs one check.
-#[derive(Clone, Copy, Debug)]
-struct Span {
-    first: u32,
-    len: u32,
-}
-
-impl Span {
-    fn new(range: Range<usize>) -> Self {
-        Span { first: range.start as u32, len: range.len() as u32 }
-    }
-
-    fn range(self) -> Range<usize> {
-        self.first as usize..self.first as usize + self.len as usize
-    }
-}
-
-impl Block {
-    /// Where its rows stand among all rows.
-    pub(crate) fn rows(&self) -> Range<usize> {
-        self.rows.range()
-    }
-
-    /// Where its values stand among all values of C_q.
-    pub(crate) fn values(&self) -> Range<usize> {
-        self.values.range()
-    }
-
-    /// Name of local row `k`; empty for a constraint of one row.
-    pub(crate) fn row(&self, k: usize) -> &str {
-        match self.constraint.rows() {
-            [_] => "",
-            rows => rows.get(k).copied().unwrap_or(""),
-        }
-    }
-
-    /// Name of the equation in local row `k`, such as `A.x`.
-    pub(crate) fn equation(&self, k: usize) -> String {
-        match self.row(k) {
-            "" => self.name.clone(),
-            row => format!("{}.{row}", self.name),
-        }
-    }
-}
+pub(crate) use block::Block;
+use block::{Arguments, Span, from};
+use linear::{LinearRows, Sums};
 
 /// What constraints read at one instant: the time, what they make of it alone, states of their arguments and rates of their columns.
 #[derive(Clone, Debug)]
@@ -81,6 +24,9 @@ pub(crate) struct Instant {
     timed: Vec<f64>,
     states: Vec<f64>,
     rates: Vec<f64>,
+    /// Second rates of the columns, where the jerk is asked for; else empty.
+    second_rates: Vec<f64>,
+    linear: Sums,
 }
 
 impl Instant {
@@ -89,21 +35,22 @@ impl Instant {
         self.t
     }
 
-    /// The instant as the first constraint sees it; the others look further on.
-    fn at(&self) -> At<'_> {
-        At::new(self.t, &self.states, &[]).with_timed(&self.timed)
-    }
-
     /// The instant as a constraint sees it.
     pub(crate) fn of<'a>(&'a self, block: &'a Block) -> At<'a> {
-        block.at(self.at())
+        let mut at = self.at();
+        self.show(block, &mut at);
+        at
     }
-}
 
-impl Block {
+    /// The instant as nobody sees it yet.
+    fn at(&self) -> At<'_> {
+        At::new(self.t, &[], &[])
+    }
+
+    /// Turns what one constraint has seen to what another one sees: less to write than all of it.
     #[inline(always)]
-    fn at<'a>(&'a self, at: At<'a>) -> At<'a> {
-        at.further(self.states as usize, self.timed.first as usize, &self.first_state)
+    fn show<'a>(&'a self, block: &'a Block, at: &mut At<'a>) {
+        at.turn(from(&self.states, block.states), &block.arguments.first_state, from(&self.timed, block.timed.first));
     }
 }
 
@@ -112,7 +59,7 @@ impl Block {
 pub(crate) struct Bad {
     /// Global row.
     pub row: usize,
-    /// `C`, `C_q`, `C_t`, `Q_d`, `q'` or `q''`.
+    /// `C`, `C_q`, `C_t`, `Q_d`, `q'`, `q''`, `q'''` or the right side of the last.
     pub quantity: &'static str,
 }
 
@@ -128,6 +75,9 @@ pub(crate) struct Equations {
     pub rows: usize,
     /// How many numbers constraints make of the time alone.
     timed: usize,
+    linear: LinearRows,
+    /// No rates at all, for as many columns as there are.
+    still: Vec<f64>,
     asked: Asked,
 }
 
@@ -136,11 +86,17 @@ pub(crate) struct Equations {
 struct Asked {
     /// Those that make numbers of the time alone.
     timed: Vec<usize>,
-    /// Those whose C depends on t.
+    /// Those that are not linear, and those of them whose C depends on t.
+    curved: Vec<usize>,
     c: Vec<usize>,
-    /// Those whose C_t, or Q_d, can be other than zero.
+    /// Those that are linear, with the numbers of their rows among linear rows: those whose C depends on t, and the others.
+    linear: Vec<(usize, Span)>,
+    steady: Vec<(usize, Span)>,
+    /// Those that are not linear whose C_t, or Q_d, can be other than zero.
     c_t: Vec<usize>,
     q_d: Vec<usize>,
+    /// Those that can hold and yet not be meant so.
+    branches: Vec<usize>,
     /// Whether some C_q depends on t.
     c_q_on_t: bool,
 }
@@ -148,24 +104,66 @@ struct Asked {
 impl Equations {
     /// Lays the constraints out one after the other. Their arguments must be of this layout.
     pub(crate) fn new(layout: &Layout, constraints: Vec<(String, Box<dyn Constraint>)>) -> Self {
-        let (entries, constants, plan, asked) = (Vec::new(), Vec::new(), StatePlan::default(), Asked::default());
-        let mut all = Equations { blocks: Vec::new(), plan, entries, constants, rows: 0, timed: 0, asked };
-        for (name, constraint) in constraints {
-            all.asked.note(all.blocks.len(), constraint.as_ref());
-            all.append(layout, name, constraint);
+        let mut all = Equations {
+            blocks: Vec::new(),
+            plan: StatePlan::default(),
+            entries: Vec::new(),
+            constants: Vec::new(),
+            rows: 0,
+            timed: 0,
+            linear: LinearRows::default(),
+            still: Vec::new(),
+            asked: Asked::default(),
+        };
+        let mut kinds: Vec<Arc<Arguments>> = Vec::new();
+        all.blocks.reserve_exact(constraints.len());
+        // Copies made in a row lie side by side in memory: a pass over all of them reads it from end to end.
+        let copies: Vec<Box<dyn Constraint>> = constraints.iter().map(|(_, constraint)| constraint.clone()).collect();
+        for ((name, _), constraint) in constraints.into_iter().zip(copies) {
+            all.append(layout, name, constraint, &mut kinds);
+            all.ask(all.blocks.len() - 1);
         }
+        all.plan.finish();
+        all.still = vec![0.0; all.plan.columns.len()];
         all
     }
 
-    fn append(&mut self, layout: &Layout, name: String, constraint: Box<dyn Constraint>) {
+    /// Constraint `k` is asked for what it has.
+    fn ask(&mut self, k: usize) {
+        let (block, asked) = (&self.blocks[k], &mut self.asked);
+        let depends = block.constraint.depends();
+        let mut linear = None;
+        if !depends.curved {
+            let (entries, values) = (&self.entries[block.values()], &self.constants[block.values()]);
+            linear = self.linear.append(block.rows(), entries, values).map(Span::new);
+        }
+        let lists = [
+            (block.timed.len > 0, &mut asked.timed),
+            (linear.is_none(), &mut asked.curved),
+            (linear.is_none() && depends.c_on_t, &mut asked.c),
+            (linear.is_none() && depends.c_t, &mut asked.c_t),
+            (linear.is_none() && depends.q_d, &mut asked.q_d),
+            (block.constraint.has_branches(), &mut asked.branches),
+        ];
+        lists.into_iter().filter(|(asked, _)| *asked).for_each(|(_, list)| list.push(k));
+        asked.c_q_on_t |= depends.c_q_on_t;
+        let linear = linear.map(|rows| (k, rows));
+        if depends.c_on_t { asked.linear.extend(linear) } else { asked.steady.extend(linear) }
+    }
+
+    fn append(&mut self, layout: &Layout, name: String, constraint: Box<dyn Constraint>, kinds: &mut Vec<Arc<Arguments>>) {
         let (first_state, first_rate) = (self.plan.len(), self.plan.columns.len());
-        let (mut states, mut columns) = (Vec::new(), Vec::new());
+        let mut arguments = Arguments { first_state: Vec::new(), first_column: Vec::new() };
         for argument in constraint.arguments() {
             let place = layout.place(&argument.target).unwrap_or(Place::Ground(0.0));
             let (state, column) = self.plan.argument(&argument.target, place);
-            states.push(state - first_state);
-            columns.push(column - first_rate);
+            arguments.first_state.push(state - first_state);
+            arguments.first_column.push(column - first_rate);
         }
+        let arguments = kinds.iter().find(|known| ***known == arguments).cloned().unwrap_or_else(|| {
+            kinds.push(Arc::new(arguments));
+            kinds[kinds.len() - 1].clone()
+        });
         let first = self.entries.len();
         let own = &self.plan.columns[first_rate..];
         let place = |column: usize| own.get(column).filter(|place| **place != GROUND).map(|place| *place as usize);
@@ -185,15 +183,31 @@ impl Equations {
             values: Span::new(first..self.entries.len()),
             rates: first_rate as u32,
             constant: self.constants[first..].iter().all(Option::is_some),
-            first_state: states,
-            first_column: columns,
+            drives: constraint.is_driver(),
+            arguments,
             constraint,
         });
     }
 
     /// Room for an instant: all coordinates at zero, no time set yet.
     pub(crate) fn instant(&self) -> Instant {
-        Instant { t: f64::NAN, timed: vec![0.0; self.timed], states: self.plan.states(), rates: vec![0.0; self.plan.columns.len()] }
+        let mut instant = Instant {
+            t: f64::NAN,
+            timed: vec![0.0; self.timed],
+            states: self.plan.origin().to_vec(),
+            rates: self.still.clone(),
+            second_rates: vec![],
+            linear: self.linear.sums(),
+        };
+        for (block, rows) in self.asked.steady.iter().map(|(k, rows)| (&self.blocks[*k], *rows)) {
+            block.constraint.residual(&self.origin(0.0, block), &mut instant.linear.at_zero[rows.range()]);
+        }
+        instant
+    }
+
+    /// Where all coordinates are zero, as a constraint sees it.
+    fn origin<'a>(&'a self, t: f64, block: &'a Block) -> At<'a> {
+        At::new(t, from(self.plan.origin(), block.states), &block.arguments.first_state)
     }
 
     /// The instant at coordinates q and time t.
@@ -206,15 +220,22 @@ impl Equations {
 
     /// What depends on the time and on parameters alone is evaluated here, once a time.
     pub(crate) fn set_time(&self, t: f64, instant: &mut Instant) {
-        instant.t = t;
-        for &k in &self.asked.timed {
-            let block = &self.blocks[k];
-            block.constraint.at_time(t, &mut instant.timed[block.timed.range()]);
+        let Instant { timed, linear: Sums { at_zero, velocity, acceleration, .. }, .. } = instant;
+        for block in self.asked.timed.iter().map(|&k| &self.blocks[k]) {
+            block.constraint.at_time(t, &mut timed[block.timed.range()]);
         }
+        for (block, rows) in self.asked.linear.iter().map(|(k, rows)| (&self.blocks[*k], rows.range())) {
+            let at = self.origin(t, block).with_timed(&timed[block.timed.range()]);
+            block.constraint.residual(&at, &mut at_zero[rows.clone()]);
+            block.constraint.velocity_rhs(&at, &mut velocity[rows.clone()]);
+            block.constraint.acceleration_rhs(&at, &block.rates(&self.still), 1.0, &mut acceleration[rows]);
+        }
+        instant.t = t;
     }
 
     pub(crate) fn set_position(&self, q: &[f64], instant: &mut Instant) {
         self.plan.set_states(q, &mut instant.states);
+        self.linear.set_position(q, &mut instant.linear);
     }
 
     pub(crate) fn set_rates(&self, qd: &[f64], instant: &mut Instant) {
@@ -223,9 +244,10 @@ impl Equations {
 
     /// C(q, t).
     pub(crate) fn residual(&self, instant: &Instant, c: &mut [f64]) -> Result<(), Bad> {
-        for block in &self.blocks {
+        for block in self.asked.curved.iter().map(|&k| &self.blocks[k]) {
             block.constraint.residual(&instant.of(block), &mut c[block.rows.range()]);
         }
+        self.linear.write(&instant.linear, c);
         finite(c, "C")
     }
 
@@ -236,15 +258,17 @@ impl Equations {
 
     /// C(q, t) and the values of C_q, whether they are finite or not.
     pub(crate) fn linearize(&self, instant: &Instant, c: &mut [f64], values: &mut [f64]) {
-        let at = instant.at();
-        for block in &self.blocks {
-            let (at, c) = (block.at(at), &mut c[block.rows.range()]);
+        let mut at = instant.at();
+        for block in self.asked.curved.iter().map(|&k| &self.blocks[k]) {
+            let c = &mut c[block.rows.range()];
+            instant.show(block, &mut at);
             if block.constant {
                 block.constraint.residual(&at, c);
             } else {
                 block.constraint.linearize(&at, c, &mut values[block.values.range()]);
             }
         }
+        self.linear.write(&instant.linear, c);
     }
 
     /// The same where only the time has changed since; false if C_q has not changed with it.
@@ -257,6 +281,7 @@ impl Equations {
                 block.constraint.residual(&instant.of(block), c);
             }
         }
+        self.linear.write(&instant.linear, c);
         self.asked.c_q_on_t
     }
 
@@ -265,29 +290,6 @@ impl Equations {
         finite(c, "C")?;
         let mut own = values.iter().zip(&self.entries).filter_map(|(value, entry)| entry.map(|(row, _)| (row, value)));
         own.find(|(_, value)| !value.is_finite()).map_or(Ok(()), |(row, _)| Err(Bad { row, quantity: "C_q" }))
-    }
-
-    /// −C_t, whether it is finite or not.
-    pub(crate) fn velocity_rhs(&self, instant: &Instant, rhs: &mut [f64]) {
-        rhs.fill(0.0);
-        for block in self.asked.c_t.iter().map(|&k| &self.blocks[k]) {
-            block.constraint.velocity_rhs(&instant.of(block), &mut rhs[block.rows.range()]);
-        }
-    }
-
-    /// Q_d, whether it is finite or not.
-    pub(crate) fn acceleration_rhs(&self, instant: &Instant, q_d: &mut [f64]) {
-        self.second_order(instant, 1.0, q_d);
-    }
-
-    /// −[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt] along the rates v of the instant, whether it is finite or not.
-    pub(crate) fn second_order(&self, instant: &Instant, t_dot: f64, rhs: &mut [f64]) {
-        rhs.fill(0.0);
-        let (at, rates) = (instant.at(), Rates::new(&instant.rates, &[]));
-        for block in self.asked.q_d.iter().map(|&k| &self.blocks[k]) {
-            let rates = rates.further(block.rates as usize, &block.first_column);
-            block.constraint.acceleration_rhs(&block.at(at), &rates, t_dot, &mut rhs[block.rows.range()]);
-        }
     }
 
     /// The constraint that a global row belongs to, and its local row.
@@ -301,11 +303,54 @@ impl Equations {
         self.block_of(row).map(|(block, local)| block.equation(local)).unwrap_or_default()
     }
 
+    /// The constraints that can close the wrong way.
+    pub(crate) fn branches(&self) -> &[usize] {
+        &self.asked.branches
+    }
+
+    /// What is wrong with how a constraint closes.
+    pub(crate) fn wrong_branch(&self, block: usize, instant: &Instant) -> Option<&str> {
+        let block = self.blocks.get(block)?;
+        block.constraint.wrong_branch(&instant.of(block))
+    }
+
+    /// The first constraint that closes the wrong way, such as with an axis turned by 180°.
+    pub(crate) fn first_wrong(&self, instant: &Instant) -> Option<usize> {
+        self.asked.branches.iter().copied().find(|block| self.wrong_branch(*block, instant).is_some())
+    }
+
+    /// The error for it.
+    pub(crate) fn closes_wrong(&self, block: usize, instant: &Instant) -> Error {
+        let (name, kind) = self.blocks.get(block).map(|block| (block.name.as_str(), block.constraint.kind())).unwrap_or_default();
+        let reason = self.wrong_branch(block, instant).unwrap_or_default().to_string();
+        Error::WrongBranch { t: instant.t, constraint: name.to_string(), kind: kind.to_string(), reason, motion: None }
+    }
+
+    /// Hand-written constraints need not say that they drive: it is seen from their values at a few times.
+    pub(crate) fn find_drivers(&mut self, q: &[f64]) {
+        /// Times that no law repeats itself at.   \[s\]
+        const TIMES: [f64; 4] = [0.0, 0.073_205_08, 0.414_213_56, 1.732_050_8];
+        let silent = |block: &Block| block.constraint.route() == Route::Hand && !block.drives && block.constraint.depends().c_on_t;
+        if !self.blocks.iter().any(silent) {
+            return;
+        }
+        let instants = TIMES.map(|t| self.instant_at(t, q));
+        let values = |block: &Block, instant: &Instant| {
+            let mut c = vec![0.0; block.rows().len()];
+            block.constraint.residual(&instant.of(block), &mut c);
+            c
+        };
+        for block in self.blocks.iter_mut().filter(|block| silent(block)) {
+            let first = values(block, &instants[0]);
+            block.drives = instants[1..].iter().any(|instant| values(block, instant) != first);
+        }
+    }
+
     /// The error for what is not finite at an instant.
     pub(crate) fn not_finite(&self, bad: Bad, layout: &Layout, instant: &Instant) -> Error {
         let found = self.block_of(bad.row);
         let culprit = found.map(|(block, row)| {
-            let rates = Rates::new(&instant.rates, &[]).further(block.rates as usize, &block.first_column);
+            let rates = block.rates(&instant.rates);
             Culprit::of(block, layout, instant.of(block), rates, row, Term::named(bad.quantity))
         });
         Error::NotFinite {
@@ -327,24 +372,5 @@ pub(crate) fn finite(rows: &[f64], quantity: &'static str) -> Result<(), Bad> {
     match rows.iter().position(|x| !x.is_finite()) {
         Some(row) => Err(Bad { row, quantity }),
         None => Ok(()),
-    }
-}
-
-impl Asked {
-    /// Constraint `k` is asked for what it has.
-    fn note(&mut self, k: usize, constraint: &dyn Constraint) {
-        let depends = constraint.depends();
-        let lists = [
-            (constraint.n_timed() > 0, &mut self.timed),
-            (depends.c_on_t, &mut self.c),
-            (depends.c_t, &mut self.c_t),
-            (depends.q_d, &mut self.q_d),
-        ];
-        for (asked, list) in lists {
-            if asked {
-                list.push(k);
-            }
-        }
-        self.c_q_on_t |= depends.c_q_on_t;
     }
 }

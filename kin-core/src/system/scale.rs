@@ -29,8 +29,8 @@ fn lever(layout: &Layout, equations: &Equations, values: &[f64]) -> Option<f64> 
         levers.push(per_angle / per_length);
     }
     levers.retain(|lever| lever.is_finite() && *lever > 0.0);
-    levers.sort_by(f64::total_cmp);
-    levers.get(levers.len() / 2).copied()
+    let middle = levers.len() / 2;
+    (middle < levers.len()).then(|| *levers.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
 /// The largest length that the model states.

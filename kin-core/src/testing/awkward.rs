@@ -8,6 +8,7 @@ use crate::algebra::Vec2;
 use crate::coordinates::Ground;
 use crate::error::Error;
 use crate::mechanism::{Mechanism, linspace};
+use crate::newton::{Follow, Options};
 use crate::system::System;
 
 /// Two points at a fixed distance: |r_P − r_Q| − l = 0.   \[m\]
@@ -42,23 +43,32 @@ fn flat_parallelogram_is_singular_by_name() {
 }
 
 #[test]
-fn failing_run_keeps_what_it_computed() {
+fn flat_parallelogram_ends_a_run_that_is_not_checked() {
     // Flat at t = 0, which the sweep reaches from above.
-    let error = parallelogram(Law::linear(0.0, 1.0)).run([0.3, 0.2, 0.1, 0.0]).unwrap_err();
+    let (system, times) = (parallelogram(Law::linear(0.0, 1.0)), [0.3, 0.2, 0.1, 0.0]);
+    let error = system.run_with(times, &Options { follow: Follow::Unchecked, ..Options::default() }).unwrap_err();
     assert!(matches!(error, Error::SingularAt { t: 0.0, .. }), "{error}");
     assert_eq!(error.motion().unwrap().times(), [0.3, 0.2, 0.1]);
     assert!(error.to_string().contains("`error.motion()`"), "{error}");
+    let motion = system.run(times).unwrap();
+    assert_eq!((motion.len(), motion.singular_positions().len()), (4, 1));
+    assert!((motion.qd(3)[8] - 1.0).abs() < 1e-9, "{:?}", motion.qd(3));
 }
 
 #[test]
-fn toggle_is_no_convergence_with_the_last_time() {
+fn toggle_has_its_time() {
     // l2 = 1, l3 = 0.8: sin t = 0.8 is the end.
-    let end = 0.8_f64.asin();
-    let error = slider_crank([1.0, 0.8, 0.0], 1.0, [0.0, 1.8]).run(linspace(0.0, 2.0, 21)).unwrap_err();
+    let (system, end) = (slider_crank([1.0, 0.8, 0.0], 1.0, [0.0, 1.8]), 0.8_f64.asin());
+    let error = system.run(linspace(0.0, 2.0, 21)).unwrap_err();
+    let Error::Toggle { t, asked, movable, .. } = &error else { panic!("{error}") };
+    assert!((t - end).abs() < 1e-12 && (asked - 1.0).abs() < 1e-12, "{t} {end} {asked}");
+    assert_eq!(movable, &["theta3", "x"]);
+    assert_eq!(error.motion().unwrap().len(), 10);
+    // Unchecked, the end is where no step succeeds any more.
+    let error = system.run_with(linspace(0.0, 2.0, 21), &Options { follow: Follow::Unchecked, ..Options::default() }).unwrap_err();
     let Error::NoConvergence { constraint, row, last: Some(last), .. } = &error else { panic!("{error}") };
     assert_eq!((constraint.as_str(), row.as_str()), ("loop", "y"));
     assert!(*last <= end && *last > end - 1e-3, "{last} {end}");
-    assert_eq!(error.motion().unwrap().len(), 10);
 }
 
 #[test]

@@ -14,7 +14,7 @@ use crate::lower::place::Expression;
 use crate::lower::{Lowered, OpaqueKind};
 use crate::parse::{Argument, Kind};
 
-/// `blame` of the symbolic route.
+/// `graph` of the symbolic route, which `blame` stands on, and the jerk.
 pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
     let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
     let mut table =
@@ -30,7 +30,7 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
     let (steps, outside) = (&table.steps, table.outside());
     quote! {
         #[cold]
-        fn blame(&self, asked: &::kin::rt::Asked<'_>) -> ::core::option::Option<::kin::rt::Blame> {
+        fn graph(&self, with: &mut dyn FnMut(&::kin::rt::graph::Graph, &[f64], ::kin::rt::graph::Outside<'_>)) {
             use ::kin::rt::graph::*;
             const GRAPH: &Graph = &Graph {
                 file: ::core::file!(),
@@ -39,7 +39,7 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
                 rows: &[#(#rows),*],
                 parameters: &[#(#names),*],
             };
-            GRAPH.blame(asked, &[#(#values),*], #outside)
+            with(GRAPH, &[#(#values),*], #outside);
         }
     }
 }
@@ -218,7 +218,7 @@ impl Table<'_> {
         match what {
             Outside::Law(law) => {
                 let law = template::place(&self.lowered.laws[law]);
-                quote!(give(&#law.jet(#x[0].re), #to))
+                quote!(give_law(&#law, #x, #to))
             }
             Outside::Opaque(number) => self.opaque(number, x, to),
             Outside::Leaf(leaf) => self.leaf(leaf, x, to),
@@ -254,7 +254,7 @@ impl Table<'_> {
         let kind = &self.lowered.leaves[leaf.call].kind;
         let OpaqueKind::Numbers(shape) = kind else { return quote!() };
         let inputs = (0..leaf.arguments.len()).map(literal).map(|k| quote!(::kin::rt::Real(#x[#k])));
-        let ty = template::shape_type(shape, &quote!(::kin::rt::Real<::kin::rt::Dual2_64>));
+        let ty = template::shape_type(shape, &quote!(::kin::rt::Real<::kin::rt::Dual3_64>));
         let results = (0..shape.len()).map(|k| template::component(&value, kind, k));
         quote! {
             let #value: #ty = self.#function([#(#inputs),*]);

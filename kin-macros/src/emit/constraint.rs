@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::lanes::{self, LaneCode};
-use super::{attachments, blame, demands, described, functions, rewrite, template, written};
+use super::{attachments, blame, demands, described, functions, measures, rewrite, template, written};
 use crate::differentiate::Derivatives;
 use crate::lower::Lowered;
 use crate::parse::{Argument, ConstraintFn, Kind, Shape};
@@ -58,7 +58,8 @@ impl<'a> Frame<'a> {
         let (name, n, m) = (&source.name, literal(self.n), literal(self.row_names.len()));
         let (declaration, equations) = (self.declaration(), self.equations());
         let body = rewrite::plain(&source.body, &source.arguments);
-        let written = written::written(name, &written::inputs(&source.arguments), &source.output_type, &body, lowered);
+        let written =
+            written::written(name, &written::inputs(&source.arguments), &source.output_type, &body, &measures::written(source), lowered);
         let leaves = if leaves.is_empty() { quote!() } else { quote!(impl #name { #(#leaves)* }) };
         let kind = syn::ext::IdentExt::unraw(name).to_string();
         let (row_names, pattern) = (&self.row_names, self.pattern.iter().map(|(row, column)| (literal(*row), literal(*column))));
@@ -70,6 +71,7 @@ impl<'a> Frame<'a> {
         let (describe, as_data) = (described::describe(source), described::described(source, &kind, &n, &m));
         let is_driver = is_driver(source);
         let description = super::description(&source.attributes);
+        let measures = measures::methods(source);
         let (refusal, branch) = (demands::refusal(source), demands::branch(source));
         let laws = lowered.map(|lowered| functions::laws(&source.arguments, lowered)).unwrap_or_default();
         quote! {
@@ -99,6 +101,7 @@ impl<'a> Frame<'a> {
                     #describe
                     #kernels
                     #in_lanes
+                    #measures
                     fn description(&self) -> &str {
                         #description
                     }
@@ -198,9 +201,10 @@ impl<'a> Frame<'a> {
         let (q, t, value) = (super::own("q"), super::own("t"), super::own("value"));
         let (states, parameters) = (states(&source.arguments, &q, &t), super::dual_bindings(&source.arguments));
         let (body, ty) = (&self.dual, rewrite::lifted_type(&source.output_type));
+        let prepared = quote!(#(#states)* #(#parameters)*);
+        let measure = measures::evaluation(source, &n, [&q, &t], &prepared);
         let evaluation = written::silent(quote! {
-            #(#states)*
-            #(#parameters)*
+            #prepared
             let #value = (move || -> #ty #body)();
         });
         let inputs = written_inputs(&source.arguments, &q, &t);
@@ -213,6 +217,7 @@ impl<'a> Frame<'a> {
             fn plain(&self, #q: &[f64; #n], #t: f64) -> [f64; #m] {
                 ::kin::rt::rows(__WRITTEN(#(#inputs),*))
             }
+            #measure
         }
     }
 }

@@ -34,15 +34,7 @@ fn method(requirements: &[Demand], arguments: &[Argument], can_refuse: impl Fn(&
             return ::core::option::Option::Some(why);
         })
     });
-    let parameters: Vec<&Argument> = arguments.iter().filter(|argument| argument.kind.slots() == 0 && argument.kind.is_field()).collect();
-    let asked = |argument: &&&Argument| requirements.iter().any(|demand| mentions(&demand.condition, &argument.name));
-    let bindings = parameters.iter().filter(asked).map(|argument| {
-        let name = &argument.name;
-        match argument.kind {
-            Kind::Numbers(_) | Kind::Axis => quote!(let #name = self.#name;),
-            _ => quote!(let #name = ::core::clone::Clone::clone(&self.#name);),
-        }
-    });
+    let parameters = parameters(arguments);
     let checks = requirements.iter().map(|demand| {
         let (condition, text) = (&demand.condition, &demand.text);
         let shown = parameters
@@ -56,6 +48,7 @@ fn method(requirements: &[Demand], arguments: &[Argument], can_refuse: impl Fn(&
             return ::core::option::Option::Some(::kin::rt::refused(#text, &[#(#shown),*]));
         })
     });
+    let bindings = bindings(arguments, requirements.iter().map(|demand| &demand.condition));
     quote! {
         #[cold]
         fn refusal(&self) -> ::core::option::Option<::std::string::String> {
@@ -65,6 +58,25 @@ fn method(requirements: &[Demand], arguments: &[Argument], can_refuse: impl Fn(&
             ::core::option::Option::None
         }
     }
+}
+
+fn parameters(arguments: &[Argument]) -> Vec<&Argument> {
+    arguments.iter().filter(|argument| argument.kind.slots() == 0 && argument.kind.is_field()).collect()
+}
+
+/// The user's names for the parameters that stand in some expressions, in plain f64.
+pub fn bindings<'a>(arguments: &[Argument], expressions: impl Iterator<Item = &'a syn::Expr>) -> Vec<TokenStream> {
+    let expressions: Vec<&syn::Expr> = expressions.collect();
+    let bound = parameters(arguments).into_iter().filter(|argument| expressions.iter().any(|e| mentions(e, &argument.name)));
+    bound
+        .map(|argument| {
+            let name = &argument.name;
+            match argument.kind {
+                Kind::Numbers(_) | Kind::Axis => quote!(let #name = self.#name;),
+                _ => quote!(let #name = ::core::clone::Clone::clone(&self.#name);),
+            }
+        })
+        .collect()
 }
 
 /// Whether a name stands in an expression.
@@ -79,10 +91,14 @@ fn mentions(expression: &impl ToTokens, name: &Ident) -> bool {
     within(expression.to_token_stream(), name)
 }
 
-/// `wrong_branch`: the first condition on the pose that does not hold.
+/// `wrong_branch`: the first condition on the pose that does not hold; that there is none, if so.
 pub fn branch(source: &ConstraintFn) -> TokenStream {
     if source.branches.is_empty() {
-        return quote!();
+        return quote! {
+            fn has_branches(&self) -> bool {
+                false
+            }
+        };
     }
     let inputs = written::inputs(&source.arguments);
     let (names, types): (Vec<_>, Vec<_>) = inputs.into_iter().unzip();

@@ -91,11 +91,19 @@ fn depends(g: &Graph, rows: &[Node], derived: &Derivatives) -> TokenStream {
     let on_t = |n: &Node| g.depends(*n).on_t;
     let (c, c_q) = (rows.iter().any(on_t), derived.jacobian.iter().any(|entry| on_t(&entry.2)));
     let [c_t, q_d] = [&derived.velocity_rhs, &derived.acceleration_rhs].map(|side| side.iter().any(|&n| !g.is_zero(n)));
+    let constant = derived.jacobian.iter().all(|entry| g.constant_value(entry.2).is_some());
+    let curved = !(constant && is_smooth(g, rows));
     quote! {
         fn depends(&self) -> ::kin::Dependence {
-            ::kin::Dependence { c_on_t: #c, c_q_on_t: #c_q, c_t: #c_t, q_d: #q_d }
+            ::kin::Dependence { c_on_t: #c, c_q_on_t: #c_q, c_t: #c_t, q_d: #q_d, curved: #curved }
         }
     }
+}
+
+/// Whether coordinates enter by sums and products alone: with a constant gradient that makes rows linear, which a step or a kink would not.
+fn is_smooth(g: &Graph, rows: &[Node]) -> bool {
+    let smooth = |op: Op| matches!(op, Op::Input(_) | Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::Neg(_));
+    g.reachable(rows).into_iter().all(|node| !g.depends(node).on_q || smooth(g.op(node)))
 }
 
 fn commented(what: &str, code: Code) -> (String, TokenStream) {
@@ -174,6 +182,9 @@ pub fn dual() -> TokenStream {
         }
         fn acceleration_rhs(&self, at: &::kin::rt::At<'_>, qd: &::kin::rt::Rates<'_>, t_dot: f64, q_d: &mut [f64]) {
             ::kin::dual_route::acceleration_rhs(self, at, qd, t_dot, q_d);
+        }
+        fn jerk_rhs(&self, at: &::kin::rt::At<'_>, qd: &::kin::rt::Rates<'_>, qdd: &::kin::rt::Rates<'_>, rhs: &mut [f64]) -> bool {
+            ::kin::dual_route::jerk_rhs(self, at, qd, qdd, rhs)
         }
     }
 }

@@ -25,7 +25,14 @@ fn written(source: &LawFn, lowered: Option<&Lowered>) -> TokenStream {
     let mut inputs = vec![(quote!(#variable), quote!(f64))];
     inputs.extend(written::inputs(&source.parameters));
     let owner = proc_macro2::Ident::new("__Law", proc_macro2::Span::mixed_site());
-    written::written(&owner, &inputs, &syn::parse_quote!(f64), &rewrite::plain_law(&source.body, &source.parameters, variable), lowered)
+    written::written(
+        &owner,
+        &inputs,
+        &syn::parse_quote!(f64),
+        &rewrite::plain_law(&source.body, &source.parameters, variable),
+        &[],
+        lowered,
+    )
 }
 
 fn symbolic(source: &LawFn, mut lowered: Lowered) -> (TokenStream, Vec<TokenStream>) {

@@ -9,6 +9,7 @@ mod functions;
 mod kernel;
 mod lanes;
 pub mod law;
+mod measures;
 mod rewrite;
 mod slots;
 pub mod stand_in;

@@ -18,6 +18,7 @@ pub fn written(
     inputs: &[(TokenStream, TokenStream)],
     output: &Type,
     body: &Block,
+    measures: &[TokenStream],
     lowered: Option<&Lowered>,
 ) -> TokenStream {
     let constants = lowered.map(|lowered| constants(owner, lowered)).unwrap_or_default();
@@ -31,7 +32,7 @@ pub fn written(
         #constants
         /// The function as it was written.
         const __WRITTEN: fn(#(#types),*) -> #output = |#(#names),*| #body;
-        const __SOUND: bool = { let _ = __WRITTEN; true };
+        const __SOUND: bool = { let _ = __WRITTEN; #(let _ = #measures;)* true };
         type __Dual<D> = ::kin::rt::If<__SOUND, D>;
         type __Real<D> = ::kin::rt::Real<__Dual<D>>;
     }

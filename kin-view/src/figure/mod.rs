@@ -8,7 +8,7 @@ use std::path::Path;
 use kuva::backend::svg::SvgBackend;
 use kuva::render::figure::Figure as Page;
 
-use kin::{CoordinateMotion, Result};
+use kin::{Quantity, Result};
 
 pub use panel::Panel;
 pub(crate) use thin::thinned_path;
@@ -29,7 +29,7 @@ impl Figure {
     }
 
     /// One coordinate with its rates over time, one panel each.
-    pub fn of_coordinate(name: &str, motion: &CoordinateMotion) -> Figure {
+    pub fn of_coordinate(name: &str, motion: &Quantity) -> Figure {
         let panel = |title: &str, label: &str, series| Panel::over_time(title, label).series(label, series);
         Figure::new([
             panel(name, "q", &motion.value),

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use kin::{CoordinateMotion, Motion, Result, Series, Vec3};
+use kin::{Motion, Quantity, Result, Series, Vec3};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
@@ -66,7 +66,7 @@ impl Page {
     }
 
     /// Three charts of one coordinate: q, q̇ and q̈.
-    pub fn coordinate(self, title: &str, motion: &CoordinateMotion) -> Page {
+    pub fn coordinate(self, title: &str, motion: &Quantity) -> Page {
         self.chart(title, [("q", &motion.value)])
             .chart(&format!("{title}, velocity"), [("q̇", &motion.rate)])
             .chart(&format!("{title}, acceleration"), [("q̈", &motion.second_rate)])

@@ -37,10 +37,12 @@ pub fn belt(i: Planar, j: Planar, frame: Planar, r_i: f64, r_j: f64, phase: f64)
 ///
 /// Removes 1 freedom. `i`: the pinion, centre `u_i`, pitch radius `radius`; `j`: the rack, a point `u_j` and the direction `h_j` of its pitch line,
 /// of any length, with the pinion to its left (a negative radius: to its right); `phase`: φ, the angle of the pinion in the rack when its centre
-/// stands over `u_j`. Along h_j the pinion turns clockwise.
+/// stands over `u_j`. Along h_j the pinion turns clockwise. Measures: `slide`, the way of the centre along h_j; `angle`, θ_i − θ_j.
 #[constraint(lanes)]
 #[require(radius != 0.0, "a pinion needs a radius")]
 #[require(h_j.norm() > 0.0, "the rack needs a direction with a length above zero")]
+#[measure(slide = h_j.dot(j.local(i.point(u_i)) - u_j) / h_j.norm(), "m")]
+#[measure(angle = i.theta - j.theta, "rad")]
 pub fn rack_and_pinion(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_j: Vec2, radius: f64, phase: f64) -> f64 {
     let s = j.local(i.point(u_i)) - u_j;
     h_j.normalize().dot(s) + radius * (i.theta - j.theta - phase)
@@ -49,10 +51,13 @@ pub fn rack_and_pinion(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_j: Vec2, ra
 /// Wheel that rolls without slip: h_j × (s − ū_j) − r = 0 and h_j · (s − ū_j) + r (θ_i − θ_j − φ) = 0.      \[m, m\]
 ///
 /// Removes 2 freedoms: contact, and slip. `i`: the wheel, centre `u_i`, `radius`: r; `j`: the track, a point `u_j` and the direction `h_j` of its
-/// line, of any length, with the wheel to its left; `phase`: φ, the angle of the wheel in the track when its centre stands over `u_j`.
+/// line, of any length, with the wheel to its left; `phase`: φ, the angle of the wheel in the track when its centre stands over `u_j`. Measures:
+/// `slide`, the way of the centre along h_j; `angle`, θ_i − θ_j.
 #[constraint(lanes)]
 #[require(radius > 0.0, "a wheel needs a radius above zero")]
 #[require(h_j.norm() > 0.0, "the track needs a direction with a length above zero")]
+#[measure(slide = h_j.dot(j.local(i.point(u_i)) - u_j) / h_j.norm(), "m")]
+#[measure(angle = i.theta - j.theta, "rad")]
 pub fn rolling(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_j: Vec2, radius: f64, phase: f64) -> (f64, f64) {
     let (s, h) = (j.local(i.point(u_i)) - u_j, h_j.normalize());
     let contact = h.cross(s) - radius;

@@ -8,8 +8,10 @@ use kin_macros::constraint;
 
 /// A point of body i stays on the curve y = f(x) of body j: s_y − f(s_x) = 0, s the point as body j sees it.      \[m\]
 ///
-/// Removes 1 freedom. `u_i`: the point; `curve`: f.
+/// Removes 1 freedom. `u_i`: the point; `curve`: f. Measures: `slide`, s_x; `angle`, θ_i − θ_j.
 #[constraint(lanes)]
+#[measure(slide = j.local(i.point(u_i)).x, "m")]
+#[measure(angle = i.theta - j.theta, "rad")]
 pub fn point_on_curve(i: Planar, j: Planar, u_i: Vec2, curve: Law) -> f64 {
     let s = j.local(i.point(u_i));
     s.y - curve.at(s.x)
@@ -18,9 +20,10 @@ pub fn point_on_curve(i: Planar, j: Planar, u_i: Vec2, curve: Law) -> f64 {
 /// Cam with a knife-edge follower: |s| − ρ(φ) = 0, s the tip and φ its angle as the cam sees them.      \[m\]
 ///
 /// Removes 1 freedom. `tip`: local to the follower; `profile`: ρ, the distance of the cam's edge from the origin of its frame at the angle φ,
-/// counter-clockwise from its x-axis; it has to be 2π-periodic.
+/// counter-clockwise from its x-axis; it has to be 2π-periodic. Measure: `contact`, φ.
 #[constraint(lanes)]
 #[require(profile.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π (see `Law::periodic`)")]
+#[measure(contact = cam.local(follower.point(tip)).y.atan2(cam.local(follower.point(tip)).x), "rad", turns)]
 pub fn cam_knife_edge(cam: Planar, follower: Planar, tip: Vec2, profile: Law) -> f64 {
     let s = cam.local(follower.point(tip));
     s.norm() - profile.at(s.y.atan2(s.x))

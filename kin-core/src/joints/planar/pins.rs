@@ -17,8 +17,9 @@ pub fn fixed(j: Planar, r: Vec2, theta: f64) -> (f64, f64, f64) {
 /// Pin joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      \[m\]
 ///
 /// Removes 2 freedoms. `u_i`, `u_j`: local position of P in either body. Lecture, "Constraint Library: Revolute"; Shabana,
-/// *Computational Dynamics*, 3rd ed., section 3.4.
+/// *Computational Dynamics*, 3rd ed., section 3.4. Measure: `angle`, θ_i − θ_j.
 #[constraint(lanes)]
+#[measure(angle = i.theta - j.theta, "rad")]
 pub fn revolute(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> Vec2 {
     i.point(u_i) - j.point(u_j)
 }

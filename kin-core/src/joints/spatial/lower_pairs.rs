@@ -31,10 +31,12 @@ pub fn weld(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, p_ij: EulerParameters)
 /// Hinge: r_Pi − r_Pj = 0 (at-point) and f_i · h_j = g_i · h_j = 0 (two dot-1).      \[m, –, –\]
 ///
 /// Removes 5 freedoms. `u_i`, `u_j`: local position of P on the axis; `h_i`, `h_j`: the axis in either body. The equations hold for opposite axes
-/// too; a position found with h_i · h_j < 0 is told as an error. Haug, section 9.4.
+/// too; a position found with h_i · h_j < 0 is told as an error. Haug, section 9.4. Measure: `angle`, the turn of f_i from the f that
+/// `Axis::along` gives h_j.
 #[constraint]
 #[require(h_j.norm() > 0.0, "the axis in body j needs a length above zero")]
 #[branch(i.direction(h_i.h).dot(j.direction(h_j)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
+#[measure(angle = i.direction(h_i.f).dot(j.direction(h_j.axis().g)).atan2(i.direction(h_i.f).dot(j.direction(h_j.axis().f))), "rad", turns)]
 pub fn revolute(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, h_j: Vec3) -> (Vec3, f64, f64) {
     let point = i.point(u_i) - j.point(u_j);
     let h = j.direction(h_j);
@@ -46,9 +48,10 @@ pub fn revolute(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, h_j: Ve
 /// Sliding joint: the vector part of p_ij* p_j* p_i is zero, and f_i · d = g_i · d = 0 (two dot-2) with d = r_Pi − r_Pj.      \[–, m, m\]
 ///
 /// Removes 5 freedoms. `u_i`, `u_j`: points on the slide; `h_i`: its direction in body i; `p_ij`: Euler parameters of body i as body j sees it.
-/// There is no second solution.
+/// There is no second solution. Measure: `slide`, h_i · d.
 #[constraint]
 #[require(p_ij.norm() > 0.0, "Euler parameters are not all zero")]
+#[measure(slide = i.direction(h_i.h).dot(i.point(u_i) - j.point(u_j)), "m")]
 pub fn prismatic(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, p_ij: EulerParameters) -> (Vec3, f64, f64) {
     let turn = p_ij.conjugate().product(j.p.conjugate().product(i.p)).vector();
     let d = i.point(u_i) - j.point(u_j);
@@ -61,10 +64,12 @@ pub fn prismatic(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, p_ij: 
 ///
 /// Removes 4 freedoms. `u_i`, `u_j`: points on the axis; `h_i`, `h_j`: the axis in either body. These are h_i × h_j = 0 and h_i × d = 0 of the
 /// lecture ("Cylindrical Joint Constraint") in the two directions across h_i, which keep full rank at every pose. The equations hold for opposite
-/// axes too; a position found with h_i · h_j < 0 is told as an error.
+/// axes too; a position found with h_i · h_j < 0 is told as an error. Measures: `angle`, as of [`revolute`](fn@revolute); `slide`, d along h_j.
 #[constraint]
 #[require(h_j.norm() > 0.0, "the axis in body j needs a length above zero")]
 #[branch(i.direction(h_i.h).dot(j.direction(h_j)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
+#[measure(angle = i.direction(h_i.f).dot(j.direction(h_j.axis().g)).atan2(i.direction(h_i.f).dot(j.direction(h_j.axis().f))), "rad", turns)]
+#[measure(slide = j.direction(h_j).dot(i.point(u_i) - j.point(u_j)) / h_j.norm(), "m")]
 pub fn cylindrical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, h_j: Vec3) -> [f64; 4] {
     let (f, g, h) = (i.direction(h_i.f), i.direction(h_i.g), j.direction(h_j));
     let d = i.point(u_i) - j.point(u_j);
@@ -86,10 +91,11 @@ pub fn universal(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Vec3, h_j: V
 /// Planar joint: f_i · h_j = g_i · h_j = 0 (two dot-1) and h_j · (r_Pi − r_Pj) = 0 (dot-2).      \[–, –, m\]
 ///
 /// Removes 3 freedoms. `u_i`, `u_j`: points of the common plane; `h_i`, `h_j`: its normal in either body. The equations hold for opposite normals
-/// too; a position found with h_i · h_j < 0 is told as an error. Haug, section 9.4.
+/// too; a position found with h_i · h_j < 0 is told as an error. Haug, section 9.4. Measure: `angle`, as of [`revolute`](fn@revolute).
 #[constraint]
 #[require(h_j.norm() > 0.0, "the normal in body j needs a length above zero")]
 #[branch(i.direction(h_i.h).dot(j.direction(h_j)) > 0.0, "its normals are opposite: h_i · h_j < 0")]
+#[measure(angle = i.direction(h_i.f).dot(j.direction(h_j.axis().g)).atan2(i.direction(h_i.f).dot(j.direction(h_j.axis().f))), "rad", turns)]
 pub fn planar(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, h_j: Vec3) -> (f64, f64, f64) {
     let h = j.direction(h_j);
     let f = i.direction(h_i.f).dot(h);
@@ -103,10 +109,12 @@ pub fn planar(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, h_j: Vec3
 /// Removes 5 freedoms. `u_i`, `u_j`: points on the axis; `h_i`, `h_j`: the axis in either body, with f_i over f_j where the points meet; `lead`: way
 /// of i along h_j per turn about h_j, above zero for a right-hand thread. The turn of f_i is taken back by 2π h_j · d / lead and what is left is zero,
 /// so that any number of turns is counted without a jump. The equations hold for opposite axes too; a position found with h_i · h_j < 0 is told as
-/// an error. Haug, section 9.4.
+/// an error. Haug, section 9.4. Measures: `angle`, the turn of f_i from f_j; `slide`, h_j · d.
 #[constraint]
 #[require(lead != 0.0, "a screw needs a lead; without one it is a `revolute`")]
 #[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
+#[measure(angle = i.direction(h_i.f).dot(j.direction(h_j.g)).atan2(i.direction(h_i.f).dot(j.direction(h_j.f))), "rad", turns)]
+#[measure(slide = j.direction(h_j.h).dot(i.point(u_i) - j.point(u_j)), "m")]
 pub fn screw(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, h_j: Axis, lead: f64) -> [f64; 5] {
     let (f, g, h) = (j.direction(h_j.f), j.direction(h_j.g), i.direction(h_i.h));
     let d = i.point(u_i) - j.point(u_j);

@@ -25,8 +25,10 @@ pub fn distance(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, length: f64) -> f6
 
 /// Ball on a line: f_j · d = g_j · d = 0 with d = r_Pi − r_Pj.      \[m, m\]
 ///
-/// Removes 2 freedoms. `u_i`: the ball; `u_j`: a point of the line, `h_j`: its direction; f_j and g_j are across it.
+/// Removes 2 freedoms. `u_i`: the ball; `u_j`: a point of the line, `h_j`: its direction; f_j and g_j are across it. Measure: `slide`,
+/// h_j · d.
 #[constraint]
+#[measure(slide = j.direction(h_j.h).dot(i.point(u_i) - j.point(u_j)), "m")]
 pub fn point_on_line(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_j: Axis) -> (f64, f64) {
     let d = i.point(u_i) - j.point(u_j);
     let f = j.direction(h_j.f).dot(d);

@@ -1,8 +1,6 @@
 //! Evaluation over lanes: several systems of one pattern at once, by kernels where constraints have them, else lane by lane.
 
-use std::ops::Range;
-
-use super::Equations;
+use super::{Equations, Span};
 use crate::lanes::{InLanes, LaneAt, LaneRates, Level, Table, Wide};
 use crate::state::{At, Rates};
 use crate::system::System;
@@ -11,14 +9,15 @@ use crate::system::System;
 struct WideBlock<S: Level> {
     /// Its kernels, if it has them.
     table: Option<Table<S>>,
-    /// Where what it knows of parameters stands, and what of the time.
-    known: [Range<usize>; 2],
-    n_known: usize,
+    /// Where what it knows stands: of parameters, of the time, and both together.
+    of_parameters: Span,
+    of_time: Span,
+    known: Span,
     /// Where its arguments' states, its rows, its values and its columns' rates stand.
-    states: Range<usize>,
-    rows: Range<usize>,
-    values: Range<usize>,
-    rates: Range<usize>,
+    states: Span,
+    rows: Span,
+    values: Span,
+    rates: Span,
     /// Whether it is the same in all lanes.
     same: bool,
     /// Whether its C, or C_q, depends on the time.
@@ -79,22 +78,20 @@ impl<S: Level> WideEquations<S> {
         let ends = equations.blocks.iter().skip(1).map(|next| (next.states as usize, next.rates as usize));
         let ends = ends.chain([(plan.len(), plan.n_columns())]);
         for ((block, varied), (states, rates)) in equations.blocks.iter().zip(varied).zip(ends) {
-            let (states, rates) = (block.states as usize..states, block.rates as usize..rates);
-            let (rows, values) = (block.rows(), block.values());
             let kernels = block.constraint.in_lanes();
             let [parameters, times] = kernels.map_or([0, 0], InLanes::n_known);
-            let known = [n_known..n_known + parameters, n_known + parameters..n_known + parameters + times];
-            n_known = known[1].end;
+            let (first, between) = (n_known, n_known + parameters);
+            n_known = between + times;
             let depends = block.constraint.depends();
-            let table = kernels.map(|kernels| S::table(&kernels.kernels()));
             blocks.push(WideBlock {
-                table,
-                known,
-                n_known: parameters + times,
-                states,
-                rows,
-                values,
-                rates,
+                table: kernels.map(|kernels| S::table(&kernels.kernels())),
+                of_parameters: Span::new(first..between),
+                of_time: Span::new(between..n_known),
+                known: Span::new(first..n_known),
+                states: Span::new(block.states as usize..states),
+                rows: block.rows,
+                values: block.values,
+                rates: Span::new(block.rates as usize..rates),
                 same: !varied,
                 on_t: depends.c_on_t || depends.c_q_on_t,
                 c_t: depends.c_t,
@@ -120,7 +117,7 @@ impl<S: Level> WideEquations<S> {
     pub(crate) fn set_parameters(&mut self, crew: &Crew<'_>, instant: &mut WideInstant<S>) {
         for (block, own) in self.blocks.iter().zip(&crew.own).filter(|(block, _)| block.table.is_some()) {
             let write = |constraint: &dyn InLanes, known: &mut [f64]| constraint.of_parameters(known);
-            fill(&mut instant.known[block.known[0].clone()], block.same, own, &mut self.scratch.known, write);
+            fill(&mut instant.known[block.of_parameters.range()], block.same, own, &mut self.scratch.known, write);
         }
     }
 
@@ -128,9 +125,9 @@ impl<S: Level> WideEquations<S> {
     #[inline(always)]
     pub(crate) fn set_time(&mut self, t: f64, crew: &Crew<'_>, instant: &mut WideInstant<S>) {
         instant.t = t;
-        for (block, own) in self.blocks.iter().zip(&crew.own).filter(|(block, _)| !block.known[1].is_empty()) {
+        for (block, own) in self.blocks.iter().zip(&crew.own).filter(|(block, _)| block.of_time.len > 0) {
             let write = |constraint: &dyn InLanes, known: &mut [f64]| constraint.of_time(t, known);
-            fill(&mut instant.known[block.known[1].clone()], block.same, own, &mut self.scratch.known, write);
+            fill(&mut instant.known[block.of_time.range()], block.same, own, &mut self.scratch.known, write);
         }
     }
 
@@ -143,38 +140,32 @@ impl<S: Level> WideEquations<S> {
     #[inline(always)]
     pub(crate) fn set_rates(&self, crew: &Crew<'_>, qd: &[Wide<S>], instant: &mut WideInstant<S>) {
         let Some(system) = crew.systems.first() else { return };
-        system.equations().plan.set_wide_rates(qd, &mut instant.rates);
+        system.equations().plan.set_rates(qd, &mut instant.rates);
     }
 
     /// C and the values of C_q that are not the same for good.
     #[inline(always)]
     pub(crate) fn linearize(&mut self, crew: &Crew<'_>, instant: &WideInstant<S>, c: &mut [Wide<S>], values: &mut [Wide<S>]) {
-        let (mut c, mut values, mut states, mut known) = (c, values, &instant.states[..], &instant.known[..]);
-        for (k, block) in self.blocks.iter().enumerate() {
-            // Blocks lie one after the other: one check for each slice.
-            let (own_c, own_values, own_states, own_known);
-            (own_c, c) = c.split_at_mut(block.rows.len());
-            (own_values, values) = values.split_at_mut(block.values.len());
-            (own_states, states) = states.split_at(block.states.len());
-            (own_known, known) = known.split_at(block.n_known);
-            match block.table {
-                Some(table) => (table.linearize)(&LaneAt::new(self.simd, own_states, own_known, &crew.own[k]), own_c, own_values),
-                None => linearize_lane_by_lane(&mut self.scratch, k, crew, instant.t, own_states, own_c, own_values),
-            }
-        }
+        self.linearize_some(false, crew, instant, c, values);
     }
 
     /// The same where only the time has changed since; false if C_q has not changed with it.
     #[inline(always)]
     pub(crate) fn relinearize(&mut self, crew: &Crew<'_>, instant: &WideInstant<S>, c: &mut [Wide<S>], values: &mut [Wide<S>]) -> bool {
-        for (k, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.on_t) {
-            let (c, values) = (&mut c[block.rows.clone()], &mut values[block.values.clone()]);
+        self.linearize_some(true, crew, instant, c, values);
+        self.c_q_on_t
+    }
+
+    /// All constraints, or only those that depend on the time.
+    #[inline(always)]
+    fn linearize_some(&mut self, on_t: bool, crew: &Crew<'_>, instant: &WideInstant<S>, c: &mut [Wide<S>], values: &mut [Wide<S>]) {
+        for (k, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.on_t || !on_t) {
+            let (c, values) = (&mut c[block.rows.range()], &mut values[block.values.range()]);
             match block.table {
-                Some(table) => (table.linearize)(&self.at(k, crew, instant), c, values),
-                None => linearize_lane_by_lane(&mut self.scratch, k, crew, instant.t, &instant.states[block.states.clone()], c, values),
+                Some(table) => (table.linearize)(&block.at(self.simd, k, crew, instant), c, values),
+                None => linearize_lane_by_lane(&mut self.scratch, k, crew, instant.t, &instant.states[block.states.range()], c, values),
             }
         }
-        self.c_q_on_t
     }
 
     /// −C_t; rows that are always zero are cleared.
@@ -182,9 +173,9 @@ impl<S: Level> WideEquations<S> {
     pub(crate) fn velocity_rhs(&mut self, crew: &Crew<'_>, instant: &WideInstant<S>, rhs: &mut [Wide<S>]) {
         rhs.fill(Wide::splat(self.simd, 0.0));
         for (k, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.c_t) {
-            let rhs = &mut rhs[block.rows.clone()];
+            let rhs = &mut rhs[block.rows.range()];
             match block.table {
-                Some(table) => (table.velocity_rhs)(&self.at(k, crew, instant), rhs),
+                Some(table) => (table.velocity_rhs)(&block.at(self.simd, k, crew, instant), rhs),
                 None => right_side_lane_by_lane(&mut self.scratch, (k, block), crew, instant, false, rhs),
             }
         }
@@ -195,21 +186,21 @@ impl<S: Level> WideEquations<S> {
     pub(crate) fn acceleration_rhs(&mut self, crew: &Crew<'_>, instant: &WideInstant<S>, q_d: &mut [Wide<S>]) {
         q_d.fill(Wide::splat(self.simd, 0.0));
         for (k, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.q_d) {
-            let q_d = &mut q_d[block.rows.clone()];
-            let rates = LaneRates(&instant.rates[block.rates.clone()]);
+            let q_d = &mut q_d[block.rows.range()];
+            let rates = LaneRates(&instant.rates[block.rates.range()]);
             match block.table {
-                Some(table) => (table.acceleration_rhs)(&self.at(k, crew, instant), &rates, q_d),
+                Some(table) => (table.acceleration_rhs)(&block.at(self.simd, k, crew, instant), &rates, q_d),
                 None => right_side_lane_by_lane(&mut self.scratch, (k, block), crew, instant, true, q_d),
             }
         }
     }
+}
 
-    /// The instant as constraint `k` sees it.
+impl<S: Level> WideBlock<S> {
+    /// The instant as it sees it, being constraint `k`.
     #[inline(always)]
-    fn at<'a>(&self, k: usize, crew: &'a Crew<'_>, instant: &'a WideInstant<S>) -> LaneAt<'a, S> {
-        let block = &self.blocks[k];
-        let known = block.known[0].start..block.known[1].end;
-        LaneAt::new(self.simd, &instant.states[block.states.clone()], &instant.known[known], &crew.own[k])
+    fn at<'a>(&self, simd: S, k: usize, crew: &'a Crew<'_>, instant: &'a WideInstant<S>) -> LaneAt<'a, S> {
+        LaneAt::new(simd, &instant.states[self.states.range()], &instant.known[self.known.range()], &crew.own[k])
     }
 }
 
@@ -228,7 +219,7 @@ fn linearize_lane_by_lane<S: Level>(
         take(states, lane, &mut scratch.states);
         take(c, lane, &mut scratch.c);
         take(values, lane, &mut scratch.values);
-        block.constraint.linearize(&At::new(t, &scratch.states, &block.first_state), &mut scratch.c, &mut scratch.values);
+        block.constraint.linearize(&At::new(t, &scratch.states, &block.arguments.first_state), &mut scratch.c, &mut scratch.values);
         put(&scratch.c, lane, c);
         put(&scratch.values, lane, values);
     }
@@ -246,12 +237,12 @@ fn right_side_lane_by_lane<S: Level>(
 ) {
     for (lane, system) in crew.systems.iter().enumerate() {
         let block = &system.equations().blocks[k];
-        take(&instant.states[own.states.clone()], lane, &mut scratch.states);
-        take(&instant.rates[own.rates.clone()], lane, &mut scratch.rates);
+        take(&instant.states[own.states.range()], lane, &mut scratch.states);
+        take(&instant.rates[own.rates.range()], lane, &mut scratch.rates);
         take(rhs, lane, &mut scratch.c);
-        let at = At::new(instant.t, &scratch.states, &block.first_state);
+        let at = At::new(instant.t, &scratch.states, &block.arguments.first_state);
         if second {
-            let rates = Rates::new(&scratch.rates, &block.first_column);
+            let rates = Rates::new(&scratch.rates, &block.arguments.first_column);
             block.constraint.acceleration_rhs(&at, &rates, 1.0, &mut scratch.c);
         } else {
             block.constraint.velocity_rhs(&at, &mut scratch.c);

@@ -1,7 +1,8 @@
 //! States over lanes: the same plan for several mechanisms at once.
 
-use super::{GROUND, StatePlan};
+use super::{StatePlan, from, take};
 use crate::lanes::{Level, Wide};
+use crate::state::SPATIAL_STATE;
 
 impl StatePlan {
     /// States of the right number, those of the ground in all lanes.
@@ -17,53 +18,24 @@ impl StatePlan {
     /// The states at coordinates q.
     #[inline(always)]
     pub(crate) fn set_wide_states<S: Level>(&self, q: &[Wide<S>], states: &mut [Wide<S>]) {
-        for shared in &self.planar {
-            let (first, own) = (shared.first, shared.copies[0][0] as usize);
-            let (x, y, theta) = (q[first], q[first + 1], q[first + 2]);
-            let (mut sin, mut cos) = (states[own + 3], states[own + 4]);
+        let mut copies = &self.planar.copies[..];
+        for state in &self.planar.states {
+            let own = take(&mut copies, state.readers);
+            let (&[x, y, theta], &[_, _, known, sin, cos]) = (from(q, state.first), from(states, own[0][0]));
             // Angles that have not moved in any lane, as driven ones in Newton's last step, keep their sine and cosine.
-            if theta.differ(states[own + 2]).any() {
-                (sin, cos) = theta.sin_cos();
-            }
-            for &[begin, _] in &shared.copies {
+            let (sin, cos) = if theta.differ(known).any() { theta.sin_cos() } else { (sin, cos) };
+            for &[begin, _] in own {
                 let Some(state) = states.get_mut(begin as usize..).and_then(|states| states.first_chunk_mut()) else { continue };
                 *state = [x, y, theta, sin, cos];
             }
         }
-        for shared in &self.spatial {
-            let Some(&q) = q.get(shared.first..).and_then(|q| q.first_chunk::<7>()) else { continue };
-            super::copy::<_, _, 0>(&spatial(q), &shared.copies, states);
-        }
-        for shared in &self.coords {
-            let value = q[shared.first];
-            let (sin, cos) = if shared.trig { value.sin_cos() } else { (value.all(0.0), value.all(0.0)) };
-            super::copy::<_, _, 0>(&[value, sin, cos], &shared.copies, states);
-        }
-    }
-
-    /// The rates of each local column at q̇; those of the ground stay as they are.
-    #[inline(always)]
-    pub(crate) fn set_wide_rates<S: Level>(&self, qd: &[Wide<S>], rates: &mut [Wide<S>]) {
-        for (rate, &column) in rates.iter_mut().zip(&self.columns) {
-            if column != GROUND {
-                *rate = qd[column as usize];
-            }
+        self.spatial.copy::<_, SPATIAL_STATE, 0>(q, states);
+        let mut copies = &self.coords.copies[..];
+        for state in &self.coords.states {
+            let own = take(&mut copies, state.readers);
+            let value = q[state.first as usize];
+            let (sin, cos) = if state.trig { value.sin_cos() } else { (value.all(0.0), value.all(0.0)) };
+            super::copy::<_, _, 0>(&[value, sin, cos], own, states);
         }
     }
-}
-
-/// R, p and A = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ, as a constraint reads them.
-#[inline(always)]
-fn spatial<S: Level>([x, y, z, e0, e1, e2, e3]: [Wide<S>; 7]) -> [Wide<S>; 16] {
-    let one = x.all(1.0);
-    let [a11, a22, a33] = [twice(e0 * e0 + e1 * e1) - one, twice(e0 * e0 + e2 * e2) - one, twice(e0 * e0 + e3 * e3) - one];
-    let (a12, a21) = (twice(e1 * e2 - e0 * e3), twice(e1 * e2 + e0 * e3));
-    let (a13, a31) = (twice(e1 * e3 + e0 * e2), twice(e1 * e3 - e0 * e2));
-    let (a23, a32) = (twice(e2 * e3 - e0 * e1), twice(e2 * e3 + e0 * e1));
-    [x, y, z, e0, e1, e2, e3, a11, a12, a13, a21, a22, a23, a31, a32, a33]
-}
-
-#[inline(always)]
-fn twice<S: Level>(x: Wide<S>) -> Wide<S> {
-    x + x
 }

@@ -1,0 +1,63 @@
+//! What happens on the way: at one time, to something with a name.
+
+use serde::{Deserialize, Serialize};
+
+use super::Motion;
+use crate::error::text::time;
+
+/// What kind of thing an [`Event`] is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum EventKind {
+    /// A joint's measure passes the end of its range: a stop, the end of a slot.
+    Limit,
+    /// A toggle: beyond it there is no position.
+    TurningPoint,
+    /// A change point: branches of the motion cross.
+    Bifurcation,
+}
+
+impl std::fmt::Display for EventKind {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            EventKind::Limit => "limit",
+            EventKind::TurningPoint => "turning point",
+            EventKind::Bifurcation => "bifurcation",
+        })
+    }
+}
+
+/// Something that happens at one time of a motion, between the times of the grid as a rule.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Event {
+    /// When it happens.   \[s\]
+    pub t: f64,
+    /// What kind of thing it is.
+    pub kind: EventKind,
+    /// What it happens to, by the user's name, such as `slot.slide`.
+    pub name: String,
+    /// What happens, as a sentence.
+    pub text: String,
+}
+
+impl std::fmt::Display for Event {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "t = {} s: {}", time(self.t), self.text)
+    }
+}
+
+impl Motion {
+    /// What has happened on the way, in the order in which it was run through.
+    pub fn events(&self) -> &[Event] {
+        &self.events
+    }
+
+    /// Puts an event where its time belongs: after those that a run in this direction meets before it.
+    pub(crate) fn add_event(&mut self, event: Event) {
+        let backwards = matches!(self.times[..], [first, .., last] if last < first);
+        let later = |known: &Event| if backwards { known.t < event.t } else { known.t > event.t };
+        let place = self.events.iter().position(later).unwrap_or(self.events.len());
+        self.events.insert(place, event);
+    }
+}

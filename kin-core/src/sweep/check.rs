@@ -1,0 +1,67 @@
+//! Steps of time judged over lanes, by what [`crate::follow`] sees without a further evaluation. A lane that is objected to is not looked at any
+//! closer here: its case is run alone.
+
+use crate::follow::{EASY, REACH};
+use crate::lanes::{Level, Mask, Wide};
+use crate::layout::Unit;
+use crate::linear::lanes::WideLinear;
+
+/// What was seen at the last positions that were accepted.
+pub(super) struct Check<S: Level> {
+    simd: S,
+    /// −1 or 1 of each block of C_q, there and at the positions in hand.
+    signs: Vec<Wide<S>>,
+    now: Vec<Wide<S>>,
+    pivot: Wide<S>,
+    /// q, q̇, q̈ there.
+    from: [Vec<Wide<S>>; 3],
+    turns: Vec<bool>,
+}
+
+impl<S: Level> Check<S> {
+    pub(super) fn new(simd: S, units: &[Unit]) -> Self {
+        let zero = Wide::splat(simd, 0.0);
+        let turns = units.iter().map(|unit| *unit != Unit::Metre).collect();
+        let from = [0; 3].map(|_| vec![zero; units.len()]);
+        Check { simd, signs: Vec::new(), now: Vec::new(), pivot: zero, from, turns }
+    }
+
+    /// Takes the positions in hand as they are.
+    #[inline(always)]
+    pub(super) fn accept(&mut self, linear: &WideLinear<S>) {
+        linear.orientation(&mut self.signs);
+        self.pivot = linear.smallest_pivot();
+    }
+
+    /// A step begins at these q, q̇, q̈.
+    #[inline(always)]
+    pub(super) fn begin(&mut self, from: [&[Wide<S>]; 3]) {
+        self.from.iter_mut().zip(from).for_each(|(own, from)| own.copy_from_slice(from));
+    }
+
+    /// True in the lanes where there is no objection to the step h that has ended at these; what is seen there is kept for the next.
+    #[inline(always)]
+    pub(super) fn judge(&mut self, h: f64, to: [&[Wide<S>]; 3], per_size: &[Wide<S>], linear: &WideLinear<S>) -> Mask<S> {
+        let simd = self.simd;
+        let (whole, half, zero) = (Wide::splat(simd, h), Wide::splat(simd, 0.5 * h), Wide::splat(simd, 0.0));
+        let (mut miss, mut reach) = (zero, zero);
+        for (j, per_size) in per_size.iter().enumerate() {
+            let [[q, qd, qdd], [r, rd, rdd]] = [[0, 1, 2].map(|k| self.from[k][j]), [0, 1, 2].map(|k| to[k][j])];
+            let d = r - q;
+            let (forward, back) = (d - whole * (qd + half * qdd), d - whole * (rd - half * rdd));
+            miss = miss.max(forward.abs().max(back.abs()) * *per_size);
+            if self.turns[j] {
+                reach = reach.max(d.abs());
+            }
+        }
+        let pivot = linear.smallest_pivot();
+        let mut good = miss.le(Wide::splat(simd, EASY) * pivot.min(self.pivot)) & reach.le(Wide::splat(simd, REACH));
+        linear.orientation(&mut self.now);
+        if self.now.len() == self.signs.len() {
+            good = self.now.iter().zip(&self.signs).fold(good, |good, (now, before)| good & (*now * *before).gt(zero));
+        }
+        std::mem::swap(&mut self.now, &mut self.signs);
+        self.pivot = pivot;
+        good
+    }
+}

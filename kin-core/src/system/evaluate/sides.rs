@@ -1,0 +1,72 @@
+//! Right sides of a whole system: what asks for rates, beside C and C_q.
+
+use super::{Block, Equations, Instant};
+use crate::error::Error;
+
+impl Equations {
+    /// −C_t, whether it is finite or not.
+    pub(crate) fn velocity_rhs(&self, instant: &Instant, rhs: &mut [f64]) {
+        rhs.fill(0.0);
+        for block in self.asked.c_t.iter().map(|&k| &self.blocks[k]) {
+            block.constraint.velocity_rhs(&instant.of(block), &mut rhs[block.rows.range()]);
+        }
+        self.linear.write_side(&instant.linear.velocity, 1.0, rhs);
+    }
+
+    /// Q_d, whether it is finite or not.
+    pub(crate) fn acceleration_rhs(&self, instant: &Instant, q_d: &mut [f64]) {
+        self.second_order(instant, 1.0, q_d);
+    }
+
+    /// −[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt] along the rates v of the instant, whether it is finite or not.
+    pub(crate) fn second_order(&self, instant: &Instant, t_dot: f64, rhs: &mut [f64]) {
+        rhs.fill(0.0);
+        let mut at = instant.at();
+        for block in self.asked.q_d.iter().map(|&k| &self.blocks[k]) {
+            instant.show(block, &mut at);
+            block.constraint.acceleration_rhs(&at, &block.rates(&instant.rates), t_dot, &mut rhs[block.rows.range()]);
+        }
+        self.linear.write_side(&instant.linear.acceleration, t_dot * t_dot, rhs);
+    }
+
+    /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), along the rates of the instant and q̈, whether it is finite or not.
+    ///
+    /// Errors: the first row of a constraint that does not know it.
+    pub(crate) fn jerk_rhs(&self, qdd: &[f64], instant: &mut Instant, rhs: &mut [f64]) -> Result<(), usize> {
+        instant.second_rates.resize(self.plan.columns.len(), 0.0);
+        self.plan.set_rates(qdd, &mut instant.second_rates);
+        rhs.fill(0.0);
+        // A constraint without second derivatives has no third ones.
+        let linear = self.asked.linear.iter().map(|(k, _)| k);
+        for block in self.asked.q_d.iter().chain(linear).map(|&k| &self.blocks[k]) {
+            let [qd, qdd] = [&instant.rates, &instant.second_rates].map(|rates| block.rates(rates));
+            if !block.constraint.jerk_rhs(&instant.of(block), &qd, &qdd, &mut rhs[block.rows.range()]) {
+                return Err(block.rows().start);
+            }
+        }
+        Ok(())
+    }
+
+    /// Measure k of a constraint with its first three derivatives, at rows of q, q̇, q̈ and q⃛ (or nothing).
+    pub(crate) fn measure(&self, block: &Block, k: usize, t: f64, [q, qd, qdd, qddd]: [&[f64]; 4]) -> [f64; 4] {
+        let instant = self.instant_at(t, q);
+        let still = vec![0.0; q.len()];
+        let rates = [qd, qdd, if qddd.is_empty() { &still } else { qddd }].map(|rates| {
+            let mut columns = vec![0.0; self.plan.columns.len()];
+            self.plan.set_rates(rates, &mut columns);
+            columns
+        });
+        let rates = [&rates[0], &rates[1], &rates[2]].map(|columns| block.rates(columns));
+        block.constraint.measure(k, &instant.of(block), &rates)
+    }
+
+    /// The error for a constraint that does not know its part of the jerk, by one of its rows.
+    pub(crate) fn no_jerk(&self, row: usize) -> Error {
+        let reason = "its part of the jerk is not known; implement `Constraint::jerk_rhs`, or run without `Options::jerk`".to_string();
+        let [constraint, kind] = match self.block_of(row) {
+            Some((block, _)) => [block.name.clone(), block.constraint.kind().to_string()],
+            None => Default::default(),
+        };
+        Error::InvalidConstraint { constraint, kind, reason }
+    }
+}

@@ -1,0 +1,94 @@
+//! What can be asked of a joint beside its equations, with its rates by dual numbers: `#[measure(…)]`.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+use syn::{Block, parse_quote};
+
+use super::{demands, rewrite, written};
+use crate::parse::{ConstraintFn, Measure};
+
+/// `measures`, `ends` and `measure` of `impl Constraint`; nothing where there is none.
+pub fn methods(source: &ConstraintFn) -> TokenStream {
+    if source.measures.is_empty() {
+        return quote!();
+    }
+    let told = source.measures.iter().map(|Measure { name, unit, turns, .. }| {
+        let name = syn::ext::IdentExt::unraw(name).to_string();
+        quote!(::kin::rt::Measured { name: #name, unit: #unit, turns: #turns })
+    });
+    let mentioned = source.measures.iter().filter_map(|measure| measure.ends.as_ref()).flat_map(|(from, to)| [from, to]);
+    let (bindings, number) = (demands::bindings(&source.arguments, mentioned), super::own("number"));
+    let ends = numbered(source).filter_map(|(k, measure)| measure.ends.as_ref().map(|(from, to)| quote!(#k => [#from, #to],)));
+    let ends: Vec<TokenStream> = ends.collect();
+    let ends = if ends.is_empty() {
+        quote!()
+    } else {
+        quote! {
+            fn ends(&self, #number: usize) -> ::core::option::Option<[f64; 2]> {
+                #(#bindings)*
+                let ends: [f64; 2] = match #number {
+                    #(#ends)*
+                    _ => return ::core::option::Option::None,
+                };
+                ::core::option::Option::Some(ends)
+            }
+        }
+    };
+    quote! {
+        fn measures(&self) -> &[::kin::rt::Measured] {
+            &[#(#told),*]
+        }
+        #ends
+        #[cold]
+        fn measure(&self, k: usize, at: &::kin::rt::At<'_>, rates: &[::kin::rt::Rates<'_>; 3]) -> [f64; 4] {
+            ::kin::dual_route::measure(self, k, at, rates)
+        }
+    }
+}
+
+/// `measured` of `impl Equation`, where `prepared` binds the names of the signature for dual numbers.
+pub fn evaluation(source: &ConstraintFn, n: &Literal, [q, t]: [&Ident; 2], prepared: &TokenStream) -> TokenStream {
+    if source.measures.is_empty() {
+        return quote!();
+    }
+    let (k, value) = (super::own("k"), super::own("value"));
+    let arms = numbered(source).map(|(number, measure)| {
+        let body = rewrite::dual(&block(measure), &source.arguments);
+        quote!(#number => (move || -> ::kin::rt::Real<__D> #body)(),)
+    });
+    let evaluation = written::silent(quote! {
+        #prepared
+        let #value: ::kin::rt::Real<__D> = match #k {
+            #(#arms)*
+            _ => ::core::convert::From::from(0.0),
+        };
+    });
+    quote! {
+        fn measured<__D: ::kin::rt::Dual>(&self, #k: usize, #q: &[::kin::rt::Real<__D>; #n], #t: ::kin::rt::Real<__D>) -> ::kin::rt::Real<__D> {
+            #evaluation
+            #value
+        }
+    }
+}
+
+/// The measures as they were written, in f64: their mistakes are found here, once. Each is of the type of a function.
+pub fn written(source: &ConstraintFn) -> Vec<TokenStream> {
+    let (names, types): (Vec<_>, Vec<_>) = written::inputs(&source.arguments).into_iter().unzip();
+    let copy = |measure: &Measure| {
+        let body = rewrite::plain(&block(measure), &source.arguments);
+        quote!({
+            const __MEASURED: fn(#(#types),*) -> f64 = |#(#names),*| #body;
+            __MEASURED
+        })
+    };
+    source.measures.iter().map(copy).collect()
+}
+
+fn numbered(source: &ConstraintFn) -> impl Iterator<Item = (Literal, &Measure)> {
+    source.measures.iter().enumerate().map(|(k, measure)| (Literal::usize_unsuffixed(k), measure))
+}
+
+fn block(measure: &Measure) -> Block {
+    let value = &measure.value;
+    parse_quote!({ #value })
+}

@@ -1,0 +1,280 @@
+//! The jerk: of every example's mechanism against differences of its accelerations, of redundant and spatial mechanisms, of points, in files.
+
+use kin::prelude::*;
+use kin::{Options, Registry, Solution};
+
+/// The examples' own constraints.
+mod own {
+    use kin::prelude::*;
+
+    /// Loop closure of the offset slider-crank.      [m]
+    #[constraint]
+    pub fn slider_crank(theta3: Coord, x: Coord, t: Time, l2: f64, l3: f64, h: f64, omega: f64) -> [f64; 2] {
+        let theta2 = omega * t;
+        [l2 * theta2.cos() + l3 * theta3.cos() - x, l2 * theta2.sin() + l3 * theta3.sin() - h]
+    }
+
+    /// Pin in a parabolic slot.      [m]
+    #[constraint]
+    pub fn parabolic_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
+        let s = j.local(i.point(u_i));
+        s.y - k * s.x * s.x
+    }
+}
+
+fn with_jerk() -> Options {
+    Options { jerk: true, ..Options::default() }
+}
+
+/// The largest difference of the jerk at the times from five-point differences of q̈ around them, by the largest number of the jerk.
+fn worst(system: &System, times: &[f64], h: f64) -> f64 {
+    let motion = system.run_with(times, &with_jerk()).expect("runs");
+    assert!(motion.has_jerk());
+    let mut off = 0.0_f64;
+    for (k, t) in times.iter().enumerate() {
+        let beside = |s: f64| -> Vec<f64> {
+            let near: Vec<f64> = (0..motion.names().len()).map(|j| motion.q(k)[j] + s * h * motion.qd(k)[j]).collect();
+            let Solution { qdd, .. } = system.solve_at(t + s * h, &near).expect("solves");
+            qdd
+        };
+        let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(beside);
+        let jerk = motion.qddd(k);
+        let size = jerk.iter().chain(motion.qdd(k)).fold(1.0_f64, |m, x| m.max(x.abs()));
+        for (j, known) in jerk.iter().enumerate() {
+            let difference = (a[j] - 8.0 * b[j] + 8.0 * c[j] - d[j]) / (12.0 * h);
+            off = off.max((difference - known).abs() / size);
+        }
+    }
+    off
+}
+
+/// How long each example runs.   [s]
+const SECONDS: [(&str, f64); 15] = [
+    ("01_slider_crank", 1.0),
+    ("02_two_link_manipulator", 24.0),
+    ("03_custom_constraint", 1.0),
+    ("04_four_bar", 1.0),
+    ("05_quick_return", 1.0),
+    ("06_scotch_yoke", 2.0),
+    ("07_cam_follower", 2.0),
+    ("08_peaucellier", 2.0),
+    ("09_jansen_leg", 1.0),
+    ("10_drawn_path", 6.0),
+    ("11_epicyclic_gears", 8.0),
+    ("12_hookes_joint", 4.0),
+    ("13_stewart_platform", 8.0),
+    ("14_sweep_four_bars", 6.28),
+    ("15_windscreen_wiper", 1.0),
+];
+
+#[test]
+fn every_example() {
+    let root = env!("CARGO_MANIFEST_DIR");
+    let examples = std::fs::read_dir(format!("{root}/examples")).expect("readable").filter(|file| {
+        let name = file.as_ref().expect("an entry").file_name();
+        name.to_string_lossy().starts_with(|first: char| first.is_ascii_digit())
+    });
+    assert_eq!(examples.count(), SECONDS.len(), "an example without its mechanism here; copy its mechanism.json to tests/data/examples/");
+    let registry = Registry::new().with::<own::slider_crank>().with::<own::parabolic_slot>();
+    for (name, seconds) in SECONDS {
+        let mechanism = Mechanism::read_json(format!("{root}/tests/data/examples/{name}.json"), &registry).expect("reads back");
+        // odd numbers, off the knots of splines and the dwells of cams
+        let times: Vec<f64> = (0..=97).map(|k| seconds * (k as f64 + 0.137) / 98.3).collect();
+        let off = worst(&mechanism.build().expect("builds"), &times, 1e-5 * seconds);
+        println!("{name}: {off:.1e}");
+        assert!(off < 1e-8, "{name}: off by {off:.1e}");
+    }
+}
+
+/// A hand-written constraint that says nothing of the jerk: x² + y² = 1.
+#[derive(Clone)]
+struct OnUnitCircle(PlanarBody);
+
+impl Constraint for OnUnitCircle {
+    fn kind(&self) -> &str {
+        "on_unit_circle"
+    }
+    fn route(&self) -> Route {
+        Route::Hand
+    }
+    fn arguments(&self) -> Vec<kin::coordinates::Argument> {
+        vec![kin::coordinates::Argument { name: "b", target: kin::Target::Planar(self.0) }]
+    }
+    fn rows(&self) -> &[&str] {
+        &["1"]
+    }
+    fn pattern(&self) -> &[(usize, usize)] {
+        &[(0, 0), (0, 1)]
+    }
+    fn residual(&self, at: &kin::state::At<'_>, c: &mut [f64]) {
+        let r = at.planar(0).r;
+        c[0] = r.x * r.x + r.y * r.y - 1.0;
+    }
+    fn jacobian(&self, at: &kin::state::At<'_>, c_q: &mut [f64]) {
+        let r = at.planar(0).r;
+        c_q.copy_from_slice(&[2.0 * r.x, 2.0 * r.y]);
+    }
+    fn velocity_rhs(&self, _: &kin::state::At<'_>, rhs: &mut [f64]) {
+        rhs[0] = 0.0;
+    }
+    fn acceleration_rhs(&self, _: &kin::state::At<'_>, qd: &kin::state::Rates<'_>, _: f64, q_d: &mut [f64]) {
+        let [x, y] = qd.planar(0).r;
+        q_d[0] = -2.0 * (x * x + y * y);
+    }
+}
+
+#[test]
+fn a_constraint_that_does_not_know_it_is_named() {
+    let mut m = Mechanism::new("ring");
+    let bead = m.planar("bead", pose(1.0, 0.1, 0.0)).unwrap();
+    m.add("ring", OnUnitCircle(bead)).unwrap();
+    m.add("upright", drive_angle(bead, Law::constant(0.0))).unwrap();
+    m.add("motor", drive(bead.y(), Law::sine(0.5, 1.0, 0.0))).unwrap();
+    let system = m.build().unwrap();
+    assert!(system.run([0.0, 0.1]).is_ok());
+    let error = system.run_with([0.0, 0.1], &with_jerk()).unwrap_err().to_string();
+    assert_eq!(
+        error,
+        "`ring` (on_unit_circle): its part of the jerk is not known; implement `Constraint::jerk_rhs`, or run without `Options::jerk`"
+    );
+}
+
+/// A parallelogram with a third crank: more equations than coordinates.
+fn three_cranks() -> System {
+    let mut m = Mechanism::new("parallelogram");
+    let (ground, law) = (m.ground(), Law::ramp(1.0) + Law::sine(0.4, 2.0, 0.3));
+    let coupler = m.planar("coupler", pose(0.94, 0.34, 0.0)).unwrap();
+    for (k, pivot) in [vec2(0.0, 0.0), vec2(2.0, 0.0), vec2(0.8, -0.5)].into_iter().enumerate() {
+        let crank = m.link_between(&format!("crank {k}"), pivot, pivot + vec2(0.94, 0.34)).unwrap();
+        m.add(&format!("O{k}"), revolute(ground, crank, pivot, crank.start())).unwrap();
+        m.add(&format!("A{k}"), revolute(crank, coupler, crank.end(), pivot)).unwrap();
+        if k == 0 {
+            m.add("motor", drive_angle(crank, law.clone())).unwrap();
+        }
+    }
+    m.build().unwrap()
+}
+
+#[test]
+fn redundant_equations() {
+    let system = three_cranks();
+    assert!(system.n_equations() > system.n_coordinates());
+    let off = worst(&system, &linspace(0.1, 6.0, 23), 1e-4);
+    assert!(off < 1e-8, "{off:.1e}");
+}
+
+#[test]
+fn a_point_against_differences_of_its_acceleration() {
+    let mut m = Mechanism::new("spun plate on a shaft");
+    let axis = kin::Axis::along(Vec3::z());
+    let shaft = m.spatial("shaft", SpatialPose::at(vec3(0.0, 0.0, 0.0))).unwrap();
+    let plate = m.spatial("plate", SpatialPose::at(vec3(0.5, 0.0, 0.0))).unwrap();
+    m.add("O", spatial::revolute(shaft, m.ground(), vec3(0.0, 0.0, 0.0), vec3(0.0, 0.0, 0.0), axis, Vec3::z())).unwrap();
+    m.add("A", spatial::revolute(plate, shaft, vec3(0.0, 0.0, 0.0), vec3(0.5, 0.0, 0.0), Vec3::x(), Vec3::x())).unwrap();
+    m.add("motor", spatial::drive_turn(shaft, m.ground(), axis, axis, Law::ramp(2.0) + Law::sine(0.2, 3.0, 0.0))).unwrap();
+    let along = kin::Axis::along(Vec3::x());
+    m.add("spin", spatial::drive_turn(plate, shaft, along, along, Law::polynomial(&[0.0, 3.0, 0.5]))).unwrap();
+    let h = 1e-4;
+    let times: Vec<f64> = (0..40).flat_map(|k| (-2..=2).map(move |s| 0.3 + 0.1 * k as f64 + h * f64::from(s))).collect();
+    let motion = m.build().unwrap().run_with(times, &with_jerk()).unwrap();
+    let p = motion.point(plate, vec3(0.1, 0.2, -0.3));
+    for k in (2..motion.len()).step_by(5) {
+        let a = p.a();
+        let difference = (a[k - 2] - a[k - 1] * 8.0 + a[k + 1] * 8.0 - a[k + 2]) / (12.0 * h);
+        assert!((difference - p.jerk()[k]).norm() < 1e-7 * (1.0 + difference.norm()), "{difference:?} {:?}", p.jerk()[k]);
+        assert!((p.jerk_magnitude().values()[k] - p.jerk()[k].norm()).abs() < 1e-12 * (1.0 + difference.norm()));
+    }
+    assert_eq!(p.components().iter().map(Series::name).collect::<Vec<_>>()[9..], ["x'''", "y'''", "z'''"]);
+}
+
+/// A slider that follows a cubic spline: its jerk is constant between the knots, and at a knot it is that of the part to the right.
+#[test]
+fn at_a_break_it_is_that_of_the_right() {
+    let table = [(0.0, 0.0), (1.0, 0.3), (2.0, -0.1), (3.0, 0.4), (4.0, 0.0)];
+    let law = Law::spline(&table, kin::law::Ends::Natural);
+    let mut m = Mechanism::new("slider");
+    let x = m.length("x", 0.0).unwrap();
+    m.add("motor", drive(x, law)).unwrap();
+    let motion = m.build().unwrap().run_with([0.5, 1.0, 1.5, 2.0, 2.5], &with_jerk()).unwrap();
+    let jerk = motion.coordinate(x).third_rate;
+    let [left, first, middle, second, right] = jerk.values() else { panic!("five times") };
+    assert!((first - middle).abs() < 1e-12 && (second - right).abs() < 1e-12 && (left - first).abs() > 1.0);
+    assert_eq!((jerk.name(), jerk.unit()), ("x'''", "m/s^3"));
+}
+
+#[test]
+fn files_have_it_where_it_was_asked_for() {
+    let system = three_cranks();
+    let times = linspace(0.0, 1.0, 11);
+    let (plain, motion) = (system.run(&times).unwrap(), system.run_with(&times, &with_jerk()).unwrap());
+    assert!(!plain.has_jerk() && plain.qddd(3).is_empty() && plain.named("coupler.R_x").unwrap().third_rate.values().is_empty());
+    assert!(plain.headers().iter().all(|header| !header.contains("'''")));
+    let headers = motion.headers();
+    assert_eq!(headers[1 + 3 * system.n_coordinates()], "coupler.R_x''' [m/s^3]");
+    assert_eq!(headers.last().map(String::as_str), Some("crank 2.theta''' [rad/s^3]"));
+    let text = serde_json::to_string(&motion.data()).unwrap();
+    let back = Motion::from_data(&serde_json::from_str(&text).unwrap()).unwrap();
+    assert!((0..motion.len()).all(|k| back.qddd(k) == motion.qddd(k)) && back.has_jerk());
+    assert!(!serde_json::to_string(&plain.data()).unwrap().contains("qddd"));
+    let mut cut = motion.data();
+    cut.qddd.pop();
+    assert!(Motion::from_data(&cut).unwrap_err().to_string().contains("qddd needs 11 rows"));
+}
+
+#[test]
+fn sweeps_have_it_too() {
+    let mut m = Mechanism::new("arm");
+    let arm = m.link("arm", 1.0).unwrap();
+    m.add("O", revolute(m.ground(), arm, vec2(0.0, 0.0), arm.start())).unwrap();
+    m.add("motor", drive_angle(arm, Law::sine(0.5, 2.0, 0.0))).unwrap();
+    let system = m.build().unwrap();
+    let cases = [[-0.5], [-0.6], [-0.7]];
+    let jerks = system.sweep(["O.u_j.x"]).unwrap().options(with_jerk()).run(&cases, [0.0, 0.5], |_, motion| {
+        let motion = motion.unwrap();
+        (motion.qddd(1)[2], motion.point(arm, arm.start()).jerk().len())
+    });
+    // θ⃛ = −½ 2³ cos 2t
+    assert!(jerks.unwrap().iter().all(|(jerk, count)| (jerk + 4.0 * 1.0_f64.cos()).abs() < 1e-12 && *count == 2));
+}
+
+/// A function of the user's, of which only the dual numbers know derivatives.
+fn bump<D: kin::Dual>(x: kin::Real<D>) -> kin::Real<D> {
+    (-(x * x)).exp() * x.sin()
+}
+
+/// The user's function inside a symbolic equation.      [m]
+#[constraint(symbolic)]
+fn on_bump(b: Planar, k: f64, t: Time) -> f64 {
+    b.r.y - k * bump(b.r.x) * (1.0 + 0.1 * t)
+}
+
+/// A body that only runs on dual numbers: Σ (k x)ⁿ / n! up to a bound that is a parameter.      [m]
+#[constraint(dual)]
+fn on_series(b: Planar, k: f64, terms: usize) -> f64 {
+    let mut sum = 1.0;
+    let mut term = 1.0;
+    let mut n = 1.0;
+    while n < terms as f64 {
+        term = term * k * b.r.x / n;
+        sum = sum + term;
+        n += 1.0;
+    }
+    b.r.y - sum
+}
+
+#[test]
+fn users_functions_and_the_dual_route() {
+    for which in 0..2 {
+        let mut m = Mechanism::new("bead");
+        let bead = m.planar("bead", pose(0.1, 0.5, 0.0)).unwrap();
+        if which == 0 {
+            m.add("wire", on_bump(bead, 0.7)).unwrap();
+        } else {
+            m.add("wire", on_series(bead, 0.9, 12)).unwrap();
+        }
+        m.add("upright", drive_angle(bead, Law::constant(0.0))).unwrap();
+        m.add("motor", drive(bead.x(), Law::sine(1.1, 1.3, 0.2))).unwrap();
+        let off = worst(&m.build().unwrap(), &linspace(0.05, 4.0, 33), 1e-4);
+        assert!(off < 1e-8, "{which}: {off:.1e}");
+    }
+}

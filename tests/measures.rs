@@ -1,0 +1,435 @@
+//! What people ask a mechanism for, against closed forms: angular velocities, angles, slides, dead centres, limits, instant centres.
+
+use kin::prelude::*;
+use kin::{Event, EventKind, Options, Quantity};
+
+/// Crank, coupler, rocker, distance of the ground pins: the crank turns all the way round.   [m]
+const LINKS: [f64; 4] = [1.0, 3.5, 3.0, 4.0];
+
+struct FourBar {
+    system: System,
+    crank: Link,
+    coupler: Link,
+    rocker: Link,
+}
+
+/// Its crank at θ = 2π t.
+fn crank_rocker() -> FourBar {
+    let mut m = Mechanism::new("four-bar");
+    let ground = m.ground();
+    let [crank, coupler, rocker] =
+        [("crank", 0), ("coupler", 1), ("rocker", 2)].map(|(name, k)| m.link(name, LINKS[k]).expect("a new name"));
+    m.add("O", revolute(crank, ground, crank.start(), vec2(0.0, 0.0))).unwrap();
+    m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).unwrap();
+    m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).unwrap();
+    m.add("C", revolute(rocker, ground, rocker.start(), vec2(LINKS[3], 0.0))).unwrap();
+    m.add("motor", drive_angle(crank, Law::ramp(TAU))).unwrap();
+    m.prefer(rocker, deg(100.0));
+    FourBar { system: m.build().unwrap(), crank, coupler, rocker }
+}
+
+fn near(found: f64, exact: f64, tolerance: f64) {
+    assert!((found - exact).abs() <= tolerance, "{found} instead of {exact}, off by {:.1e}", (found - exact).abs());
+}
+
+/// The angle at C of a triangle with sides a and b there and c across.
+fn corner(a: f64, b: f64, c: f64) -> f64 {
+    ((a * a + b * b - c * c) / (2.0 * a * b)).acos()
+}
+
+#[test]
+fn dead_centres_and_time_ratio_of_a_crank_rocker() {
+    let [a, b, c, d] = LINKS;
+    // crank and coupler in line: stretched, and folded with the crank pointing away
+    let (stretched, folded) = (corner(a + b, d, c), PI + corner(b - a, d, c));
+    let ratio = {
+        let forth = folded - stretched;
+        forth.max(TAU - forth) / forth.min(TAU - forth)
+    };
+    for steps in [10, 37, 361] {
+        let FourBar { system, crank, rocker, .. } = crank_rocker();
+        let motion = system.run(linspace(0.0, 1.0, steps + 1)).unwrap();
+        let swing = system.extremes(&motion, rocker.theta()).unwrap();
+        let [first, second] = swing.all() else { panic!("two dead centres, not {:?}", swing.all()) };
+        near(first.t, stretched / TAU, 1e-12);
+        near(second.t, folded / TAU, 1e-12);
+        assert!(!first.is_max && second.is_max);
+        near(first.value, PI - corner(c, d, a + b), 1e-12);
+        near(second.value, PI - corner(c, d, b - a), 1e-12);
+        near(swing.stroke(), corner(c, d, a + b) - corner(c, d, b - a), 1e-12);
+        near(swing.time_ratio().unwrap(), ratio, 1e-11);
+        near(swing.max().1, folded / TAU, 1e-12);
+        // the pose there
+        let pose = system.at(&motion, first.t).unwrap();
+        near(pose.coordinate(crank.theta()).value.values()[0], stretched, 1e-11);
+        near(pose.coordinate(rocker.theta()).rate.values()[0], 0.0, 1e-10);
+        // backwards in time the same
+        let back = system.run(linspace(1.0, 0.0, steps + 1)).unwrap();
+        let swing = system.extremes(&back, "rocker.theta").unwrap();
+        assert_eq!(swing.all().iter().map(|extreme| extreme.is_max).collect::<Vec<_>>(), [true, false]);
+        near(swing.all()[1].t, stretched / TAU, 1e-12);
+    }
+}
+
+#[test]
+fn transmission_angle_of_a_crank_rocker() {
+    let FourBar { system, coupler, rocker, .. } = crank_rocker();
+    let motion = system.run(linspace(0.0, 1.0, 181)).unwrap();
+    let angle = motion.transmission_angle(coupler, rocker).unwrap();
+    let [a, b, c, d] = LINKS;
+    for (k, t) in motion.times().iter().enumerate() {
+        let (sin, cos) = (TAU * t).sin_cos();
+        let whole = ((b * b + c * c - a * a - d * d + 2.0 * a * d * cos) / (2.0 * b * c)).acos();
+        let rate = TAU * a * d * sin / (b * c * whole.sin());
+        near(angle.value.values()[k], whole.min(PI - whole), 1e-12);
+        near(angle.rate.values()[k], if whole > 0.5 * PI { -rate } else { rate }, 1e-10);
+    }
+    // worst where the crank lies along the ground, on either side
+    let worst = system.extremes(&motion, |m: &Motion| m.transmission_angle(coupler, rocker)).unwrap();
+    near(
+        worst.min().0,
+        [corner(b, c, d - a), corner(b, c, d + a)].map(|whole| whole.min(PI - whole)).into_iter().fold(PI, f64::min),
+        1e-12,
+    );
+    assert!(worst.all().iter().any(|extreme| (extreme.t - 0.5).abs() < 1e-11), "{worst:?}");
+    assert_eq!((angle.value.name(), angle.rate.name(), angle.second_rate.unit()), ("transmission angle", "transmission angle'", "rad/s^2"));
+}
+
+#[test]
+fn transmission_angle_of_a_slider_is_that_against_the_direction_across_its_way() {
+    let mut m = Mechanism::new("slider-crank");
+    let (ground, (l2, l3)) = (m.ground(), (0.1, 0.3));
+    let crank = m.link("crank", l2).unwrap();
+    let rod = m.link("rod", l3).unwrap();
+    let slider = m.planar("slider", pose(0.4, 0.0, 0.0)).unwrap();
+    m.add("O", revolute(crank, ground, crank.start(), vec2(0.0, 0.0))).unwrap();
+    m.add("A", revolute(crank, rod, crank.end(), rod.start())).unwrap();
+    m.add("B", revolute(rod, slider, rod.end(), vec2(0.0, 0.0))).unwrap();
+    m.add("guide", prismatic(slider, ground, vec2(0.0, 0.0), vec2(0.1, 0.0), vec2(0.0, 2.0), 0.0)).unwrap();
+    m.add("motor", drive_angle(crank, Law::ramp(TAU))).unwrap();
+    let system = m.build().unwrap();
+    let motion = system.run(linspace(0.0, 1.0, 73)).unwrap();
+    let angle = motion.transmission_angle(rod, (ground, vec2(0.0, 1.0))).unwrap().value;
+    let slide = system.measure(&motion, "guide.slide").unwrap();
+    let x = motion.coordinate(slider.x());
+    for (k, t) in motion.times().iter().enumerate() {
+        near(angle.values()[k], 0.5 * PI - (l2 * (TAU * t).sin() / l3).asin().abs(), 1e-12);
+        near(slide.value.values()[k], x.value.values()[k] - 0.1, 1e-14);
+        near(slide.rate.values()[k], x.rate.values()[k], 1e-13);
+        near(slide.second_rate.values()[k], x.second_rate.values()[k], 1e-12);
+    }
+    let stroke = system.extremes(&motion, "guide.slide").unwrap();
+    near(stroke.stroke(), 2.0 * l2, 1e-13);
+    near(stroke.time_ratio().unwrap_or(1.0), 1.0, 1e-9);
+    assert_eq!(stroke.unit(), "m");
+}
+
+#[test]
+fn angles_of_joints_count_turns() {
+    let FourBar { system, crank, coupler, .. } = crank_rocker();
+    let motion = system.run_with(linspace(0.0, 3.0, 331), &Options { jerk: true, ..Options::default() }).unwrap();
+    let angle = system.measure(&motion, "O.angle").unwrap();
+    near(angle.value.max(), 6.0 * PI, 1e-12);
+    let relative = motion.relative_angle(crank, coupler).unwrap();
+    let at_a = system.measure(&motion, "A.angle").unwrap();
+    for k in 0..motion.len() {
+        for (a, b) in [(&relative.value, &at_a.value), (&relative.rate, &at_a.rate), (&relative.third_rate, &at_a.third_rate)] {
+            near(a.values()[k], b.values()[k], 1e-9);
+        }
+    }
+    // A level that is passed once a turn.
+    let passed = system.crossings(&motion, "O.angle", 2.0 * PI + 1.0).unwrap();
+    assert!(passed.len() == 1 && passed[0].rises);
+    near(passed[0].t, 1.0 + 1.0 / TAU, 1e-13);
+    let names = system.measures();
+    assert_eq!(names, ["O.angle", "A.angle", "B.angle", "C.angle"]);
+}
+
+/// A screw that is turned and a nut that cannot turn; a shaft that turns and slides.
+#[test]
+fn angle_and_slide_of_spatial_joints() {
+    let (axis, zero) = (kin::Axis::along(Vec3::z()), vec3(0.0, 0.0, 0.0));
+    let law = || Law::linear(0.3, 5.0) + Law::sine(0.2, 3.0, 0.0);
+    let mut m = Mechanism::new("screw and shaft");
+    let screw = m.spatial("screw", SpatialPose::at(zero)).unwrap();
+    let shaft = m.spatial("shaft", SpatialPose::at(vec3(1.0, 0.0, 0.0))).unwrap();
+    m.add("thread", spatial::screw(screw, m.ground(), zero, zero, axis, axis, 0.02)).unwrap();
+    m.add("motor", spatial::drive_turn(screw, m.ground(), axis, axis, law())).unwrap();
+    m.add("bearing", spatial::cylindrical(shaft, m.ground(), zero, vec3(1.0, 0.0, 0.0), axis, Vec3::z() * 3.0)).unwrap();
+    m.add("spin", spatial::drive_turn(shaft, m.ground(), axis, axis, Law::ramp(-4.0))).unwrap();
+    m.add("push", spatial::drive_slide(shaft, m.ground(), zero, vec3(1.0, 0.0, 0.0), axis, Law::sine(0.1, 1.0, 0.0))).unwrap();
+    let system = m.build().unwrap();
+    let motion = system.run(linspace(0.0, 10.0, 101)).unwrap();
+    let measure = |name: &str| system.measure(&motion, name).unwrap();
+    let check = |found: &Quantity, exact: &dyn Fn(f64) -> [f64; 3]| {
+        for (k, t) in motion.times().iter().enumerate() {
+            let found = [&found.value, &found.rate, &found.second_rate].map(|series| series.values()[k]);
+            found.into_iter().zip(exact(*t)).for_each(|(found, exact)| near(found, exact, 1e-10));
+        }
+    };
+    let turn = |t: f64| {
+        let (sin, cos) = (3.0 * t).sin_cos();
+        [0.3 + 5.0 * t + 0.2 * sin, 5.0 + 0.6 * cos, -1.8 * sin]
+    };
+    check(&measure("thread.angle"), &turn);
+    check(&measure("thread.slide"), &|t| turn(t).map(|x| 0.02 / TAU * x));
+    check(&measure("bearing.angle"), &|t| [-4.0 * t, -4.0, 0.0]);
+    check(&measure("bearing.slide"), &|t| [0.1 * t.sin(), 0.1 * t.cos(), -0.1 * t.sin()]);
+}
+
+#[test]
+fn shafts_of_a_hookes_joint() {
+    let (beta, omega, zero) = (deg(35.0), 2.0, vec3(0.0, 0.0, 0.0));
+    let (x, y, z) = (Vec3::x(), Vec3::y(), Vec3::z());
+    let along = vec3(beta.cos(), 0.0, beta.sin());
+    let mut m = Mechanism::new("Hooke's joint");
+    let driving = m.spatial("driving", SpatialPose::at(zero)).unwrap();
+    let driven = m.spatial("driven", SpatialPose::turned(zero, -y, beta)).unwrap();
+    m.add("bearing", spatial::revolute(driving, m.ground(), zero, zero, x, x)).unwrap();
+    m.add("cross", spatial::universal(driving, driven, zero, zero, y, z)).unwrap();
+    m.add("direction", spatial::parallel(driven, m.ground(), x, along)).unwrap();
+    let axis = kin::Axis::along(x);
+    m.add("motor", spatial::drive_turn(driving, m.ground(), axis, axis, Law::ramp(omega))).unwrap();
+    let motion = m.build().unwrap().run(linspace(0.0, 4.0, 201)).unwrap();
+    let rotation = motion.rotation(driven).unwrap();
+    let speed = rotation.about(along);
+    for (k, t) in motion.times().iter().enumerate() {
+        // Norton: ω2 = ω1 cos β / (1 − sin² β cos² θ), θ from where the driving fork lies in the plane of the shafts; here it begins across it
+        let (sin, cos) = (omega * t).sin_cos();
+        let below = 1.0 - (beta.sin() * sin).powi(2);
+        let exact = omega * beta.cos() / below;
+        near(speed.values()[k], exact, 1e-11);
+        // about its own axis, and nothing across it
+        near(rotation.in_body().about(x).values()[k], exact, 1e-11);
+        near(rotation.speed().values()[k], exact, 1e-11);
+        let alpha = 2.0 * omega * omega * beta.cos() * beta.sin().powi(2) * sin * cos / below.powi(2);
+        near(rotation.alpha()[k].dot(along), alpha, 1e-10);
+    }
+}
+
+#[test]
+fn omega_of_a_precessing_body() {
+    let (zero, axis, along) = (vec3(0.0, 0.0, 0.0), kin::Axis::along(Vec3::z()), kin::Axis::along(Vec3::x()));
+    let mut m = Mechanism::new("top");
+    let table = m.spatial("table", SpatialPose::at(zero)).unwrap();
+    let top = m.spatial("top", SpatialPose::at(zero)).unwrap();
+    m.add("O", spatial::revolute(table, m.ground(), zero, zero, axis, Vec3::z())).unwrap();
+    m.add("A", spatial::revolute(top, table, zero, zero, along, Vec3::x())).unwrap();
+    // precession φ = 0.7 t + 0.1 t², spin ψ = 9 t + 0.2 sin 2 t
+    m.add("precession", spatial::drive_turn(table, m.ground(), axis, axis, Law::polynomial(&[0.0, 0.7, 0.1]))).unwrap();
+    m.add("spin", spatial::drive_turn(top, table, along, along, Law::ramp(9.0) + Law::sine(0.2, 2.0, 0.0))).unwrap();
+    let mut motion = m.build().unwrap().run_with(linspace(0.0, 5.0, 251), &Options { jerk: true, ..Options::default() }).unwrap();
+    let rotation = motion.rotation(top).unwrap();
+    for (k, &t) in motion.times().iter().enumerate() {
+        let (phi, w, w1) = (0.7 * t + 0.1 * t * t, 0.7 + 0.2 * t, 0.2);
+        let [s, s1, s2] = [9.0 + 0.4 * (2.0 * t).cos(), -0.8 * (2.0 * t).sin(), -1.6 * (2.0 * t).cos()];
+        // h, the axis of spin, and h across it in the plane of the table: h' = φ' across, across' = −φ' h
+        let (h, across) = (vec3(phi.cos(), phi.sin(), 0.0), vec3(-phi.sin(), phi.cos(), 0.0));
+        let omega = Vec3::z() * w + h * s;
+        let alpha = Vec3::z() * w1 + h * s1 + across * (s * w);
+        let rate = h * (s2 - s * w * w) + across * (2.0 * s1 * w + s * w1);
+        assert!((rotation.omega()[k] - omega).norm() < 1e-10, "{:?} {omega:?}", rotation.omega()[k]);
+        assert!((rotation.alpha()[k] - alpha).norm() < 1e-9, "{:?} {alpha:?}", rotation.alpha()[k]);
+        assert!((rotation.alpha_rate()[k] - rate).norm() < 1e-8, "{:?} {rate:?}", rotation.alpha_rate()[k]);
+        near(rotation.in_body().omega()[k].x, s, 1e-10);
+    }
+    motion.add_rotation("top", top).unwrap();
+    assert_eq!(motion.outputs()[3].name(), "top.alpha_x");
+    assert!(motion.rotation(kin::any_spatial()).unwrap_err().to_string().contains("not of the mechanism \"top\""));
+}
+
+#[test]
+fn instant_centre_of_a_coupler_is_where_crank_and_rocker_meet() {
+    let FourBar { system, crank, coupler, rocker } = crank_rocker();
+    let motion = system.run(linspace(0.0, 1.0, 91)).unwrap();
+    let centres = motion.instant_centre(coupler, system_ground()).unwrap();
+    let pins = [motion.point(crank, crank.end()), motion.point(rocker, rocker.end())];
+    let c = vec2(LINKS[3], 0.0);
+    for (k, centre) in centres.iter().enumerate() {
+        let (a, b) = (pins[0].r()[k], pins[1].r()[k]);
+        let Some(p) = centre else { panic!("it turns at time {k}") };
+        // on both lines
+        let size = 1.0 + p.norm();
+        near(a.cross(*p) / size, 0.0, 1e-9);
+        near((b - c).cross(*p - c) / size, 0.0, 1e-9);
+    }
+    // the pin is the centre of its own two bodies
+    for (p, a) in motion.instant_centre(crank, coupler).unwrap().iter().zip(pins[0].r()) {
+        assert!((p.unwrap() - *a).norm() < 1e-10);
+    }
+}
+
+/// The ground, without a mechanism at hand.
+fn system_ground() -> PlanarBody {
+    Mechanism::new("any").ground().into()
+}
+
+#[test]
+fn a_body_that_only_slides_has_no_instant_centre() {
+    let mut m = Mechanism::new("slider");
+    let slider = m.planar("slider", pose(0.1, 0.0, 0.0)).unwrap();
+    m.add("guide", prismatic(slider, m.ground(), vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(0.0, 1.0), 0.0)).unwrap();
+    m.add("motor", drive(slider.x(), Law::sine(0.3, 1.0, 0.0))).unwrap();
+    let motion = m.build().unwrap().run(linspace(0.0, 1.0, 5)).unwrap();
+    assert_eq!(motion.instant_centre(slider, system_ground()).unwrap(), [None; 5]);
+}
+
+/// x = 0.3 sin t in a slot from 0.1 left of the origin to 0.2 right of it.
+fn short_slot(scale: f64) -> Mechanism {
+    let mut m = Mechanism::new("pin in a slot");
+    let pin = m.planar("pin", pose(0.0, 0.0, 0.0)).unwrap();
+    m.add("slot", pin_in_slot(pin, m.ground(), vec2(0.0, 0.0), vec2(-0.1 * scale, 0.0), vec2(0.2 * scale, 0.0))).unwrap();
+    m.add("upright", drive_angle(pin, Law::constant(0.0))).unwrap();
+    m.add("motor", drive(pin.x(), Law::sine(0.3 * scale, 1.0, 0.0))).unwrap();
+    m
+}
+
+#[test]
+fn a_run_tells_when_a_pin_passes_the_end_of_its_slot() {
+    for (scale, steps) in [(1.0, 200), (1e3, 23), (1e-3, 9)] {
+        let system = short_slot(scale).build().unwrap();
+        let motion = system.run(linspace(0.0, TAU, steps)).unwrap();
+        let upper = (2.0_f64 / 3.0).asin();
+        let lower = (1.0_f64 / 3.0).asin();
+        let exact = [upper, PI - upper, PI + lower, TAU - lower];
+        let events: &[Event] = motion.events();
+        assert_eq!(events.len(), 4, "{steps} times: {events:?}");
+        for (event, exact) in events.iter().zip(exact) {
+            near(event.t, exact, 1e-12);
+            assert!(event.kind == EventKind::Limit && event.name == "slot.slide");
+        }
+        if scale == 1.0 {
+            let texts: Vec<&str> = events.iter().map(|event| event.text.as_str()).collect();
+            assert_eq!(texts[0], "`slot.slide` passes its upper end, 0.3 m");
+            assert_eq!(texts[1], "`slot.slide` comes back from beyond its upper end, 0.3 m");
+            assert_eq!(texts[2], "`slot.slide` passes its lower end, 0 m");
+            let text = serde_json::to_string(&motion.data()).unwrap();
+            assert_eq!(Motion::from_data(&serde_json::from_str(&text).unwrap()).unwrap().events(), events);
+        }
+        // backwards the same four, in the order of the run
+        let back = system.run(linspace(TAU, 0.0, steps)).unwrap();
+        let times: Vec<f64> = back.events().iter().map(|event| event.t).collect();
+        times.iter().zip(exact.iter().rev()).for_each(|(found, exact)| near(*found, *exact, 1e-12));
+        assert!(back.events()[0].text.contains("passes its lower end") && back.events()[3].text.contains("comes back"));
+    }
+}
+
+#[test]
+fn limits_can_be_asked_for_by_name() {
+    let mut m = short_slot(1.0);
+    m.limit("slot.slide", f64::NEG_INFINITY, 0.25).unwrap();
+    m.limit("pin.R_x", -0.35, 0.35).unwrap();
+    let text = serde_json::to_string(&m.data().unwrap()).unwrap();
+    let again = Mechanism::from_data(&serde_json::from_str(&text).unwrap(), &kin::Registry::new()).unwrap();
+    for m in [m, again] {
+        let motion = m.build().unwrap().run(linspace(0.0, TAU, 50)).unwrap();
+        let times: Vec<f64> = motion.events().iter().map(|event| event.t).collect();
+        assert_eq!(times.len(), 2);
+        near(times[0], 0.5_f64.asin(), 1e-12);
+    }
+    // a run that begins outside says so
+    let motion = short_slot(1.0).build().unwrap().run(linspace(1.0, 1.1, 3)).unwrap();
+    assert_eq!(motion.events()[0].to_string(), "t = 1 s: `slot.slide` is 0.352441295 m at the start, beyond its upper end, 0.3 m");
+    let mut m = short_slot(1.0);
+    let error = m.limit("slot.slide", 1.0, 0.0).unwrap_err().to_string();
+    assert_eq!(error, "`slot.slide` (limit): its limits are 1 and 0; give a smaller one and a larger one");
+    m.limit("slot.turn", 0.0, 1.0).unwrap();
+    let error = m.build().unwrap_err().to_string();
+    assert_eq!(error, "`slot` (pin_in_slot): there is no `slot.turn`; what can be asked of this joint is `slot.slide` and `slot.angle`");
+}
+
+#[test]
+fn two_extremes_within_one_step_are_found() {
+    let mut m = Mechanism::new("slider");
+    let x = m.length("x", 0.0).unwrap();
+    // x = t³ − 0.12 t: extremes at ± 0.2
+    m.add("motor", drive(x, Law::polynomial(&[0.0, -0.12, 0.0, 1.0]))).unwrap();
+    let system = m.build().unwrap();
+    let motion = system.run([-1.0, -0.5, 0.5, 1.0]).unwrap();
+    let found = system.extremes(&motion, x).unwrap();
+    let [first, second] = found.all() else { panic!("{found:?}") };
+    near(first.t, -0.2, 1e-13);
+    near(second.t, 0.2, 1e-13);
+    near(first.value, 0.016, 1e-15);
+    assert!(first.is_max && !second.is_max && found.time_ratio().is_none());
+    near(found.max().0, 0.88, 1e-15);
+}
+
+#[test]
+fn a_rest_is_one_extreme() {
+    let mut m = Mechanism::new("dwell");
+    let x = m.length("x", 0.0).unwrap();
+    let rise = Law::polynomial(&[0.0, 0.0, 0.0, 10.0, -15.0, 6.0]);
+    let law = Law::sequence(0.0, [(1.0, rise.clone()), (1.0, Law::constant(1.0)), (1.0, Law::constant(1.0) - rise)]);
+    m.add("motor", drive(x, law)).unwrap();
+    let system = m.build().unwrap();
+    let motion = system.run(linspace(0.05, 2.95, 59)).unwrap();
+    let found = system.extremes(&motion, "x").unwrap();
+    let [top] = found.all() else { panic!("{found:?}") };
+    assert!(top.is_max && (top.t - 1.0).abs() < 0.051 && (top.value - 1.0).abs() < 1e-9, "{top:?}");
+}
+
+#[test]
+fn one_pose_at_one_time() {
+    let FourBar { system, crank, rocker, .. } = crank_rocker();
+    let motion = system.run(linspace(0.0, 1.0, 21)).unwrap();
+    let pose = system.at(&motion, 0.3217).unwrap();
+    assert_eq!(pose.times(), [0.3217]);
+    near(pose.coordinate(crank.theta()).value.values()[0], 0.3217 * TAU, 1e-13);
+    let alone = system.run([0.3217]).unwrap();
+    near(pose.coordinate(rocker.theta()).value.values()[0], alone.coordinate(rocker.theta()).value.values()[0], 1e-12);
+    near(pose.coordinate(rocker.theta()).second_rate.values()[0], alone.coordinate(rocker.theta()).second_rate.values()[0], 1e-9);
+    let outside = system.at(&motion, 1.5).unwrap_err().to_string();
+    assert_eq!(outside, "times: t = 1.5 s is outside of the motion, which goes from 0 s to 1 s");
+    let other = short_slot(1.0).build().unwrap().run([0.0, 1.0]).unwrap();
+    assert!(system.at(&other, 0.5).unwrap_err().to_string().contains("a motion of \"pin in a slot\", not of \"four-bar\""));
+}
+
+/// Pin in a bent slot, which tells where in it the pin is.      [m]
+#[constraint]
+#[measure(along = j.local(i.point(u_i)).x, "m", ends = (-reach, reach))]
+#[measure(steepness = (2.0 * k * j.local(i.point(u_i)).x).atan(), "rad")]
+fn bent_slot(i: Planar, j: Planar, u_i: Vec2, k: f64, reach: f64) -> f64 {
+    let s = j.local(i.point(u_i));
+    s.y - k * s.x * s.x
+}
+
+#[test]
+fn a_joint_of_ones_own_has_measures_too() {
+    let mut m = Mechanism::new("bead");
+    let bead = m.planar("bead", pose(0.0, 0.0, 0.0)).unwrap();
+    m.add("slot", bent_slot(bead, m.ground(), vec2(0.0, 0.0), 2.0, 0.15)).unwrap();
+    m.add("upright", drive_angle(bead, Law::constant(0.0))).unwrap();
+    m.add("motor", drive(bead.x(), Law::sine(0.3, 1.0, 0.0))).unwrap();
+    let mut system = m.build().unwrap();
+    let motion = system.run(linspace(0.0, 3.0, 31)).unwrap();
+    let steep = system.measure(&motion, "slot.steepness").unwrap();
+    for (k, t) in motion.times().iter().enumerate() {
+        let (x, v) = (0.3 * t.sin(), 0.3 * t.cos());
+        near(steep.value.values()[k], (4.0 * x).atan(), 1e-13);
+        near(steep.rate.values()[k], 4.0 * v / (1.0 + 16.0 * x * x), 1e-12);
+    }
+    near(motion.events()[0].t, 0.5_f64.asin(), 1e-12);
+    // the end is a parameter like any other
+    system.set("slot.reach", 1.0).unwrap();
+    assert!(system.run(linspace(0.0, 3.0, 31)).unwrap().events().is_empty());
+}
+
+#[test]
+fn what_cannot_be_asked_is_told_by_name() {
+    let FourBar { system, .. } = crank_rocker();
+    let motion = system.run([0.0, 0.1]).unwrap();
+    let said = |name: &str| system.measure(&motion, name).unwrap_err().to_string();
+    assert_eq!(said("A.slide"), "`A` (revolute): there is no `A.slide`; what can be asked of this joint is `A.angle`");
+    assert_eq!(said("A"), "`A` (revolute): there is no `A`; what can be asked of this joint is `A.angle`");
+    assert_eq!(
+        said("motor.angle"),
+        "`motor` (drive_angle): there is no `motor.angle`: this joint has no measure. Ask for a point, an angle between bodies or a \
+         coordinate instead"
+    );
+    assert!(
+        said("D.angle").starts_with("there is no measure or coordinate `D.angle`; there are `O.angle`, `A.angle`"),
+        "{}",
+        said("D.angle")
+    );
+}

@@ -1,0 +1,9 @@
+use kin::prelude::*;
+
+#[constraint]
+#[measure(height = b.r.y)]
+fn f(b: Planar, k: f64) -> f64 {
+    b.r.x - k
+}
+
+fn main() {}
