@@ -315,6 +315,26 @@ fn a_run_tells_when_a_pin_passes_the_end_of_its_slot() {
 }
 
 #[test]
+fn the_motion_before_a_toggle_has_its_events() {
+    let mut m = Mechanism::new("two links on a slide");
+    let (ground, crank, rod) = (m.ground(), m.link("crank", 1.0).unwrap(), m.link("rod", 2.0).unwrap());
+    let slider = m.planar("slider", pose(2.5, 0.0, 0.0)).unwrap();
+    m.add("O", revolute(crank, ground, crank.start(), vec2(0.0, 0.0))).unwrap();
+    m.add("A", revolute(crank, rod, crank.end(), rod.start())).unwrap();
+    m.add("B", revolute(rod, slider, rod.end(), vec2(0.0, 0.0))).unwrap();
+    m.add("guide", prismatic(slider, ground, vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(0.0, 1.0), 0.0)).unwrap();
+    m.add("motor", drive(slider.x(), Law::linear(2.5, 0.3))).unwrap();
+    m.limit("guide.slide", 0.0, 2.8).unwrap();
+    m.prefer(crank, 0.7);
+    // the links are in line at x = 3, after the limit
+    let error = m.build().unwrap().run(linspace(0.0, 3.0, 31)).unwrap_err();
+    let [limit, toggle] = error.motion().unwrap().events() else { panic!("{:?}", error.motion().unwrap().events()) };
+    near(limit.t, 1.0, 1e-12);
+    assert!(limit.kind == EventKind::Limit && toggle.kind == EventKind::TurningPoint);
+    near(toggle.t, 0.5 / 0.3, 1e-9);
+}
+
+#[test]
 fn limits_can_be_asked_for_by_name() {
     let mut m = short_slot(1.0);
     m.limit("slot.slide", f64::NEG_INFINITY, 0.25).unwrap();

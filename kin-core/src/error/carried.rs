@@ -52,18 +52,28 @@ impl Error {
 
     /// The same error, carrying what was computed before.
     pub(crate) fn with_motion(mut self, computed: Motion) -> Error {
-        if let Error::NoConvergence { motion, .. }
-        | Error::SingularAt { motion, .. }
-        | Error::NotFinite { motion, .. }
-        | Error::CannotBeDriven { motion, .. }
-        | Error::WrongBranch { motion, .. }
-        | Error::LawJumps { motion, .. }
-        | Error::Toggle { motion, .. }
-        | Error::CannotFollow { motion, .. } = &mut self
-            && !computed.is_empty()
-        {
-            *motion = Some(Box::new(computed));
+        if let Some(place) = self.carried().filter(|_| !computed.is_empty()) {
+            *place = Some(Box::new(computed));
         }
         self
+    }
+
+    /// What was computed before, to be added to.
+    pub(crate) fn motion_mut(&mut self) -> Option<&mut Motion> {
+        self.carried()?.as_deref_mut()
+    }
+
+    fn carried(&mut self) -> Option<&mut Option<Box<Motion>>> {
+        match self {
+            Error::NoConvergence { motion, .. }
+            | Error::SingularAt { motion, .. }
+            | Error::NotFinite { motion, .. }
+            | Error::CannotBeDriven { motion, .. }
+            | Error::WrongBranch { motion, .. }
+            | Error::LawJumps { motion, .. }
+            | Error::Toggle { motion, .. }
+            | Error::CannotFollow { motion, .. } => Some(motion),
+            _ => None,
+        }
     }
 }

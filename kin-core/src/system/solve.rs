@@ -54,9 +54,12 @@ impl System {
 
     /// The same with other options.
     pub fn run_with(&self, times: impl AsRef<[f64]>, options: &Options) -> Result<Motion> {
-        let mut motion = newton::sweep::run(self, times.as_ref(), options)?;
-        self.note_limits(&mut motion);
-        Ok(motion)
+        let mut run = newton::sweep::run(self, times.as_ref(), options);
+        match &mut run {
+            Ok(motion) => self.note_limits(motion),
+            Err(error) => error.motion_mut().into_iter().for_each(|motion| self.note_limits(motion)),
+        }
+        run
     }
 
     /// Many cases of this system: in each of them the named parameters (such as `A.u_i.x`) and initial values (such as `rocker.theta`) are
