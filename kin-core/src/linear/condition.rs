@@ -3,14 +3,15 @@
 use super::Linear;
 use crate::random::Random;
 
-/// Rounds of A⁻¹, then A⁻ᵀ.
+/// Rounds of A⁻¹, then A⁻ᵀ, for a verdict, and for numbers that are shown.
 const ROUNDS: usize = 3;
+const ROUNDS_SHOWN: usize = 30;
 
 impl Linear {
     /// An estimate (from below, seldom by more than 2) of the 2-norm condition number of the matrix by the measures of its rows and
     /// columns; infinite where it overflows.   \[-\]
     pub(crate) fn condition(&mut self) -> f64 {
-        let [largest, smallest] = self.nearly_null().2;
+        let [largest, smallest] = self.nearly_null_after(ROUNDS).2;
         let condition = largest / smallest;
         if condition.is_finite() { condition } else { f64::INFINITY }
     }
@@ -18,26 +19,30 @@ impl Linear {
     /// Estimates of the largest singular value of the matrix by the measures of its rows and columns (from below), and of the smallest (from
     /// above).   \[-\]
     pub(crate) fn singular_values(&mut self) -> [f64; 2] {
-        self.nearly_null().2
+        self.nearly_null_after(ROUNDS_SHOWN).2
     }
 
     /// Vectors that the transpose and the matrix nearly take to zero, by the measures of rows and columns, and the largest and the
     /// smallest singular value.
     pub(crate) fn nearly_null(&mut self) -> (Vec<f64>, Vec<f64>, [f64; 2]) {
+        self.nearly_null_after(ROUNDS)
+    }
+
+    fn nearly_null_after(&mut self, rounds: usize) -> (Vec<f64>, Vec<f64>, [f64; 2]) {
         let rhs = self.rhs_mut().to_vec();
         let mut random = Random::new(0);
         let mut left: Vec<f64> = (0..self.n).map(|_| sign_and_size(&mut random)).collect();
         let (mut inverse, mut direct) = (0.0_f64, 0.0_f64);
         normalise(&mut left);
         let (mut v, mut right) = (left.clone(), Vec::new());
-        for _ in 0..ROUNDS {
+        for _ in 0..rounds {
             self.apply_inverse(&mut left);
             inverse = inverse.max(normalise(&mut left));
             right.clone_from(&left);
             self.apply_inverse_transposed(&mut left);
             inverse = inverse.max(normalise(&mut left));
         }
-        for _ in 0..ROUNDS {
+        for _ in 0..rounds {
             v = self.apply(&v, false);
             direct = direct.max(normalise(&mut v));
             v = self.apply(&v, true);

@@ -4,13 +4,13 @@
 //! goes on as an antiparallelogram, the rocker the other way round, and changes back one turn later. Locomotives have a second set of rods at a
 //! right angle, so that theirs never can.
 //!
-//! `cargo run --release --example 15_change_points`
+//! `cargo run --release --example 16_change_points`
 
 use kin::prelude::*;
 use kin::{Error, Follow, Options};
 use kin_view::{Figure, Panel, Scene};
 
-const OUT: &str = "out/15_change_points";
+const OUT: &str = "out/16_change_points";
 
 /// Crank and rocker of 1 m, coupler and ground of 2 m.
 fn parallelogram() -> kin::Result<(Mechanism, [Link; 3])> {
@@ -31,6 +31,7 @@ fn main() -> kin::Result<()> {
     // 1. A crank that turns once a second, from 60°: the run passes both flat positions of each turn and stays what it is.
     let (mut m, [crank, coupler, rocker]) = parallelogram()?;
     m.add("motor", drive_angle(crank, Law::linear(deg(60.0), TAU)))?;
+    m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let times = linspace(0.0, 2.0, 241);
     let smooth = system.run(&times)?;
