@@ -31,6 +31,7 @@ fn main() -> kin::Result<()> {
     // 1. A crank that turns once a second, from 60°: the run passes both flat positions of each turn and stays what it is.
     let (mut m, [crank, coupler, rocker]) = parallelogram()?;
     m.add("motor", drive_angle(crank, Law::linear(deg(60.0), TAU)))?;
+    m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let times = linspace(0.0, 2.0, 241);
     let smooth = system.run(&times)?;

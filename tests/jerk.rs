@@ -49,7 +49,7 @@ fn worst(system: &System, times: &[f64], h: f64) -> f64 {
 }
 
 /// How long each example runs.   [s]
-const SECONDS: [(&str, f64); 15] = [
+const SECONDS: [(&str, f64); 16] = [
     ("01_slider_crank", 1.0),
     ("02_two_link_manipulator", 24.0),
     ("03_custom_constraint", 1.0),
@@ -64,7 +64,8 @@ const SECONDS: [(&str, f64); 15] = [
     ("12_hookes_joint", 4.0),
     ("13_stewart_platform", 8.0),
     ("14_sweep_four_bars", 6.28),
-    ("15_windscreen_wiper", 1.0),
+    ("15_change_points", 2.0),
+    ("16_windscreen_wiper", 1.0),
 ];
 
 #[test]

@@ -4,13 +4,13 @@
 //! the very time at which the rate is zero. Beside that the page has the angle at which the rod pushes the arm (the nearer to 90°, the better), the
 //! jerk of the blade's tip, which is what one hears, and the list of what happened on the way: the blade passes the edge of the glass.
 //!
-//! `cargo run --release --example 15_windscreen_wiper`
+//! `cargo run --release --example 16_windscreen_wiper`
 
 use kin::Options;
 use kin::prelude::*;
 use kin_view::{Figure, Outline, Panel, Scene};
 
-const OUT: &str = "out/15_windscreen_wiper";
+const OUT: &str = "out/16_windscreen_wiper";
 
 fn main() -> kin::Result<()> {
     // 1. Geometry and constraints: a crank-rocker whose arm carries the blade; one turn of the crank in a second.
