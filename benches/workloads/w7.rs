@@ -42,7 +42,7 @@ pub fn run() -> Vec<Figure> {
         let column = |unit: &dyn Fn(&Vec<Times>) -> f64| median(samples.iter().map(unit).collect());
         let per_second = MECHANISMS as f64 / column(&|round| round[k].0.as_secs_f64());
         let step = column(&|round| round[k].1.as_nanos() as f64) / (MECHANISMS * STEPS) as f64;
-        let ratio = column(&|round| round[0].0.as_secs_f64() / round[k].0.as_secs_f64());
+        let ratio = column(&|round| round[0].1.as_secs_f64() / round[k].1.as_secs_f64());
         eprintln!("{:>10} {peer:<14} {per_second:>12.0} mechanisms a second, {step:.1} ns of CPU a step, {ratio:.2} of hand-written", "W7");
         figures.push(Figure::new("W7", *peer, "mechanisms_per_s", per_second));
         figures.push(Figure::new("W7", *peer, "ns_per_step", step));

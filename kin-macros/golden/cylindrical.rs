@@ -66,11 +66,18 @@ const _: () = {
             ::kin::Route::Symbolic
         }
         fn arguments(&self) -> ::std::vec::Vec<::kin::rt::Argument> {
-            ::std::vec![
-                ::kin::rt::Argument { name : "i", target :
-                ::kin::rt::Target::Spatial(self.i) }, ::kin::rt::Argument { name : "j",
-                target : ::kin::rt::Target::Spatial(self.j) }
-            ]
+            ::kin::rt::arguments(
+                &[
+                    ::kin::rt::Argument {
+                        name: "i",
+                        target: ::kin::rt::Target::Spatial(self.i),
+                    },
+                    ::kin::rt::Argument {
+                        name: "j",
+                        target: ::kin::rt::Target::Spatial(self.j),
+                    },
+                ],
+            )
         }
         fn rows(&self) -> &[&str] {
             &["1", "2", "3", "4"]
@@ -137,6 +144,7 @@ const _: () = {
                 c_q_on_t: false,
                 c_t: false,
                 q_d: true,
+                curved: true,
             }
         }
         /// C: 119 operations
@@ -617,7 +625,7 @@ const _: () = {
             in_order();
         }
         fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
-            rhs.iter_mut().take(4).for_each(|value| *value = 0.0);
+            ::kin::rt::no_velocity(rhs, 4);
         }
         /// Q_d for t_dot = 1: 315 operations
         fn acceleration_rhs(
@@ -1219,11 +1227,10 @@ const _: () = {
             u[4][0] = self.u_j.x;
             u[4][1] = self.u_j.y;
             u[4][2] = self.u_j.z;
-            ::std::vec![
-                ::kin::rt::attachment(0, false, u[0]), ::kin::rt::attachment(0, false,
-                u[1]), ::kin::rt::attachment(1, false, u[2]), ::kin::rt::attachment(0,
-                true, u[3]), ::kin::rt::attachment(1, true, u[4])
-            ]
+            ::kin::rt::attachments(
+                &[(0, false), (0, false), (1, false), (0, true), (1, true)],
+                &u,
+            )
         }
         fn description(&self) -> &str {
             "A cylindrical joint: the axes are parallel and the line between two of their points is along them.      [–, –, m, m]"
@@ -1259,18 +1266,16 @@ const _: () = {
             14,
             4,
         >>::ARGUMENTS;
-        fn read(
-            from: &mut ::kin::rt::Reader<'_>,
-        ) -> ::core::result::Result<Self, ::std::string::String> {
+        fn read(from: &mut ::kin::rt::Reader<'_>) -> ::core::option::Option<Self> {
             use ::kin::rt::{SoughtBySerde as _, Unsought as _};
-            ::core::result::Result::Ok(cylindrical {
-                i: from.spatial()?,
-                j: from.spatial()?,
-                u_i: from.get("u_i")?,
-                u_j: from.get("u_j")?,
-                f_i: from.get("f_i")?,
-                g_i: from.get("g_i")?,
-                h_j: from.get("h_j")?,
+            ::core::option::Option::Some(cylindrical {
+                i: from.spatial(),
+                j: from.spatial(),
+                u_i: from.get("u_i"),
+                u_j: from.get("u_j"),
+                f_i: from.get("f_i"),
+                g_i: from.get("g_i"),
+                h_j: from.get("h_j"),
             })
         }
     }

@@ -72,11 +72,18 @@ const _: () = {
             ::kin::Route::Symbolic
         }
         fn arguments(&self) -> ::std::vec::Vec<::kin::rt::Argument> {
-            ::std::vec![
-                ::kin::rt::Argument { name : "cam", target :
-                ::kin::rt::Target::Planar(self.cam) }, ::kin::rt::Argument { name :
-                "follower", target : ::kin::rt::Target::Planar(self.follower) }
-            ]
+            ::kin::rt::arguments(
+                &[
+                    ::kin::rt::Argument {
+                        name: "cam",
+                        target: ::kin::rt::Target::Planar(self.cam),
+                    },
+                    ::kin::rt::Argument {
+                        name: "follower",
+                        target: ::kin::rt::Target::Planar(self.follower),
+                    },
+                ],
+            )
         }
         fn rows(&self) -> &[&str] {
             &["1"]
@@ -95,6 +102,7 @@ const _: () = {
                 c_q_on_t: false,
                 c_t: false,
                 q_d: true,
+                curved: true,
             }
         }
         /// C: 25 operations
@@ -194,7 +202,7 @@ const _: () = {
             c_q[4] = -t18;
         }
         fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
-            rhs.iter_mut().take(1).for_each(|value| *value = 0.0);
+            ::kin::rt::no_velocity(rhs, 1);
         }
         /// Q_d for t_dot = 1: 87 operations
         fn acceleration_rhs(
@@ -364,7 +372,7 @@ const _: () = {
             let mut u = [[0.0_f64; 3]; 1];
             u[0][0] = self.tip.x;
             u[0][1] = self.tip.y;
-            ::std::vec![::kin::rt::attachment(1, true, u[0])]
+            ::kin::rt::attachments(&[(1, true)], &u)
         }
         fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::rt::InLanes> {
             ::core::option::Option::Some(self)
@@ -386,15 +394,11 @@ const _: () = {
         }
         #[cold]
         fn refusal(&self) -> ::core::option::Option<::std::string::String> {
-            if let ::core::option::Option::Some(why) = ::kin::rt::Refuses::refusal(
-                &self.profile,
+            if let ::core::option::Option::Some(why) = ::kin::rt::refusal(
+                &[("profile", &self.profile)],
             ) {
-                return ::core::option::Option::Some(
-                    ::std::format!("{}: {why}", "profile"),
-                );
+                return ::core::option::Option::Some(why);
             }
-            let tip = ::core::clone::Clone::clone(&self.tip);
-            let profile = ::core::clone::Clone::clone(&self.profile);
             ::core::option::Option::None
         }
         fn has_branches(&self) -> bool {
@@ -640,15 +644,13 @@ const _: () = {
             6,
             1,
         >>::ARGUMENTS;
-        fn read(
-            from: &mut ::kin::rt::Reader<'_>,
-        ) -> ::core::result::Result<Self, ::std::string::String> {
+        fn read(from: &mut ::kin::rt::Reader<'_>) -> ::core::option::Option<Self> {
             use ::kin::rt::{SoughtBySerde as _, Unsought as _};
-            ::core::result::Result::Ok(on_cam {
-                cam: from.planar()?,
-                follower: from.planar()?,
-                tip: from.get("tip")?,
-                profile: from.get("profile")?,
+            ::core::option::Option::Some(on_cam {
+                cam: from.planar(),
+                follower: from.planar(),
+                tip: from.get("tip"),
+                profile: from.get("profile"),
             })
         }
     }

@@ -50,11 +50,18 @@ const _: () = {
             ::kin::Route::Symbolic
         }
         fn arguments(&self) -> ::std::vec::Vec<::kin::rt::Argument> {
-            ::std::vec![
-                ::kin::rt::Argument { name : "i", target : ::kin::rt::Target::Planar(self
-                .i) }, ::kin::rt::Argument { name : "j", target :
-                ::kin::rt::Target::Planar(self.j) }
-            ]
+            ::kin::rt::arguments(
+                &[
+                    ::kin::rt::Argument {
+                        name: "i",
+                        target: ::kin::rt::Target::Planar(self.i),
+                    },
+                    ::kin::rt::Argument {
+                        name: "j",
+                        target: ::kin::rt::Target::Planar(self.j),
+                    },
+                ],
+            )
         }
         fn rows(&self) -> &[&str] {
             &["x", "y"]
@@ -85,6 +92,7 @@ const _: () = {
                 c_q_on_t: false,
                 c_t: false,
                 q_d: true,
+                curved: true,
             }
         }
         /// C: 10 operations
@@ -167,7 +175,7 @@ const _: () = {
             c_q[7] = t3;
         }
         fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
-            rhs.iter_mut().take(2).for_each(|value| *value = 0.0);
+            ::kin::rt::no_velocity(rhs, 2);
         }
         /// Q_d for t_dot = 1: 14 operations
         fn acceleration_rhs(
@@ -273,10 +281,7 @@ const _: () = {
             u[0][1] = self.u_i.y;
             u[1][0] = self.u_j.x;
             u[1][1] = self.u_j.y;
-            ::std::vec![
-                ::kin::rt::attachment(0, true, u[0]), ::kin::rt::attachment(1, true,
-                u[1])
-            ]
+            ::kin::rt::attachments(&[(0, true), (1, true)], &u)
         }
         fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::rt::InLanes> {
             ::core::option::Option::Some(self)
@@ -408,15 +413,13 @@ const _: () = {
             6,
             2,
         >>::ARGUMENTS;
-        fn read(
-            from: &mut ::kin::rt::Reader<'_>,
-        ) -> ::core::result::Result<Self, ::std::string::String> {
+        fn read(from: &mut ::kin::rt::Reader<'_>) -> ::core::option::Option<Self> {
             use ::kin::rt::{SoughtBySerde as _, Unsought as _};
-            ::core::result::Result::Ok(revolute {
-                i: from.planar()?,
-                j: from.planar()?,
-                u_i: from.get("u_i")?,
-                u_j: from.get("u_j")?,
+            ::core::option::Option::Some(revolute {
+                i: from.planar(),
+                j: from.planar(),
+                u_i: from.get("u_i"),
+                u_j: from.get("u_j"),
             })
         }
     }

@@ -68,12 +68,21 @@ const _: () = {
             true
         }
         fn arguments(&self) -> ::std::vec::Vec<::kin::rt::Argument> {
-            ::std::vec![
-                ::kin::rt::Argument { name : "theta3", target :
-                ::kin::rt::Target::Coord(self.theta3, ::kin::rt::Trig::Used) },
-                ::kin::rt::Argument { name : "x", target : ::kin::rt::Target::Coord(self
-                .x, ::kin::rt::Trig::Unused) }
-            ]
+            ::kin::rt::arguments(
+                &[
+                    ::kin::rt::Argument {
+                        name: "theta3",
+                        target: ::kin::rt::Target::Coord(
+                            self.theta3,
+                            ::kin::rt::Trig::Used,
+                        ),
+                    },
+                    ::kin::rt::Argument {
+                        name: "x",
+                        target: ::kin::rt::Target::Coord(self.x, ::kin::rt::Trig::Unused),
+                    },
+                ],
+            )
         }
         fn rows(&self) -> &[&str] {
             &["1", "2"]
@@ -101,6 +110,7 @@ const _: () = {
                 c_q_on_t: false,
                 c_t: true,
                 q_d: true,
+                curved: true,
             }
         }
         fn n_timed(&self) -> usize {
@@ -318,17 +328,15 @@ const _: () = {
             2,
             2,
         >>::ARGUMENTS;
-        fn read(
-            from: &mut ::kin::rt::Reader<'_>,
-        ) -> ::core::result::Result<Self, ::std::string::String> {
+        fn read(from: &mut ::kin::rt::Reader<'_>) -> ::core::option::Option<Self> {
             use ::kin::rt::{SoughtBySerde as _, Unsought as _};
-            ::core::result::Result::Ok(slider_crank {
-                theta3: from.coord()?,
-                x: from.coord()?,
-                l2: from.get("l2")?,
-                l3: from.get("l3")?,
-                h: from.get("h")?,
-                omega: from.get("omega")?,
+            ::core::option::Option::Some(slider_crank {
+                theta3: from.coord(),
+                x: from.coord(),
+                l2: from.get("l2"),
+                l3: from.get("l3"),
+                h: from.get("h"),
+                omega: from.get("omega"),
             })
         }
     }

@@ -9,4 +9,5 @@ mod models;
 mod plan;
 mod planar;
 mod random;
+mod space;
 mod spatial;

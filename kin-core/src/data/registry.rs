@@ -20,11 +20,12 @@ pub trait Described: Constraint + Sized + 'static {
     const KIND: &'static str;
     /// What its arguments are, in order.
     const ARGUMENTS: &'static [ArgumentKind];
-    /// From bodies and parameters. Errors: what is wrong with them.
-    fn read(from: &mut Reader<'_>) -> Result<Self, String>;
+    /// From bodies and parameters. What is wrong with them is noted in the reader, which gives something in its place; `None` where there is
+    /// nothing to give.
+    fn read(from: &mut Reader<'_>) -> Option<Self>;
 }
 
-type Make = fn(&mut Reader<'_>) -> Result<Box<dyn Constraint>, String>;
+type Make = fn(&mut Reader<'_>) -> Option<Box<dyn Constraint>>;
 type MakeLaw = Arc<dyn Fn(&LawReader<'_>) -> Result<Law, String> + Send + Sync>;
 
 /// Constructors of constraints and laws by their kinds. Constraints of one name with other arguments (`revolute` of planar and of spatial
@@ -49,7 +50,7 @@ impl Registry {
 
     /// A constraint of one's own too: `Registry::new().with::<parabolic_slot>()`, after a function under `#[constraint]`.
     pub fn with<C: Described>(mut self) -> Registry {
-        fn make<C: Described>(from: &mut Reader<'_>) -> Result<Box<dyn Constraint>, String> {
+        fn make<C: Described>(from: &mut Reader<'_>) -> Option<Box<dyn Constraint>> {
             C::read(from).map(|constraint| Box::new(constraint) as Box<dyn Constraint>)
         }
         self.constraints.insert((C::KIND.to_string(), C::ARGUMENTS.to_vec()), make::<C>);
@@ -85,11 +86,13 @@ impl Registry {
     ) -> Result<Box<dyn Constraint>, String> {
         let kinds: Vec<ArgumentKind> = arguments.iter().map(ArgumentData::kind).collect();
         let make = self.constraints.get(&(kind.to_string(), kinds)).ok_or_else(|| self.unknown(kind, arguments.len()))?;
-        let mut reader = Reader { arguments: arguments.iter(), parameters, mechanism, registry: self, asked: Vec::new() };
-        let made = make(&mut reader)?;
-        match parameters.keys().find(|name| !reader.asked.contains(name)) {
-            Some(name) => Err(format!("`{kind}` has no parameter `{name}`")),
-            None => Ok(made),
+        let mut reader = Reader { arguments: arguments.iter(), parameters, mechanism, registry: self, asked: Vec::new(), failure: None };
+        let made = make(&mut reader);
+        let unknown = || parameters.keys().find(|name| !reader.asked.contains(name));
+        match (made, &reader.failure, unknown()) {
+            (_, Some(reason), _) => Err(reason.clone()),
+            (_, None, Some(name)) => Err(format!("`{kind}` has no parameter `{name}`")),
+            (made, None, None) => made.ok_or_else(|| format!("`{kind}` cannot be made")),
         }
     }
 
@@ -108,48 +111,67 @@ pub struct Reader<'a> {
     mechanism: &'a Mechanism,
     registry: &'a Registry,
     asked: Vec<&'a String>,
+    /// The first thing that is wrong with them.
+    failure: Option<String>,
 }
 
 impl<'a> Reader<'a> {
-    /// The next argument, a planar body.
-    pub fn planar(&mut self) -> Result<PlanarBody, String> {
-        match self.arguments.next() {
+    /// The next argument, a planar body; the ground where there is none.
+    pub fn planar(&mut self) -> PlanarBody {
+        let found = match self.arguments.next() {
             Some(ArgumentData::Planar(None)) => Ok(Ground.into()),
             Some(ArgumentData::Planar(Some(name))) => self.mechanism.planar_named(name).ok_or_else(|| format!("no planar body `{name}`")),
             _ => Err("a planar body is missing".to_string()),
-        }
+        };
+        self.noted(found).unwrap_or(Ground.into())
     }
 
-    /// The next argument, a spatial body.
-    pub fn spatial(&mut self) -> Result<SpatialBody, String> {
-        match self.arguments.next() {
+    /// The next argument, a spatial body; the ground where there is none.
+    pub fn spatial(&mut self) -> SpatialBody {
+        let found = match self.arguments.next() {
             Some(ArgumentData::Spatial(None)) => Ok(Ground.into()),
             Some(ArgumentData::Spatial(Some(name))) => {
                 self.mechanism.spatial_named(name).ok_or_else(|| format!("no spatial body `{name}`"))
             }
             _ => Err("a spatial body is missing".to_string()),
-        }
+        };
+        self.noted(found).unwrap_or(Ground.into())
     }
 
-    /// The next argument, a bare coordinate.
-    pub fn coord(&mut self) -> Result<Coordinate, String> {
-        match self.arguments.next() {
+    /// The next argument, a bare coordinate; one of the ground's where there is none.
+    pub fn coord(&mut self) -> Coordinate {
+        let found = match self.arguments.next() {
             Some(ArgumentData::Coord(name)) => self.mechanism.coordinate_named(name).ok_or_else(|| format!("no coordinate `{name}`")),
             Some(ArgumentData::GroundCoord(axis)) => Ok(Coordinate::Planar(Ground.into(), *axis)),
             Some(ArgumentData::SpatialGroundCoord(axis)) => Ok(Coordinate::Spatial(Ground.into(), *axis)),
             _ => Err("a coordinate is missing".to_string()),
-        }
+        };
+        self.noted(found).unwrap_or(Coordinate::Planar(Ground.into(), 0))
     }
 
-    /// The parameter of that name.
-    pub fn get<T: Datum>(&mut self, name: &str) -> Result<T, String> {
-        let value = self.value(name)?;
-        T::from_value(value, self.registry).map_err(|reason| format!("its parameter `{name}`: {reason}"))
+    /// The parameter of that name; not a number where there is none.
+    pub fn get<T: Datum>(&mut self, name: &str) -> T {
+        let registry = self.registry;
+        self.value(name, &mut |value| T::from_value(value, registry)).unwrap_or_else(T::absent)
     }
 
-    pub(super) fn value(&mut self, name: &str) -> Result<&'a Value, String> {
-        let (known, value) = self.parameters.get_key_value(name).ok_or_else(|| format!("its parameter `{name}` is missing"))?;
+    /// What can be made of the parameter of that name.
+    pub(super) fn value<T>(&mut self, name: &str, read: &mut dyn FnMut(&Value) -> Result<T, String>) -> Option<T> {
+        let Some((known, value)) = self.parameters.get_key_value(name) else {
+            return self.noted(Err(format!("its parameter `{name}` is missing")));
+        };
         self.asked.push(known);
-        Ok(value)
+        self.noted(read(value).map_err(|reason| format!("its parameter `{name}`: {reason}")))
+    }
+
+    /// Remembers the first failure.
+    pub(super) fn noted<T>(&mut self, found: Result<T, String>) -> Option<T> {
+        match found {
+            Ok(value) => Some(value),
+            Err(reason) => {
+                self.failure.get_or_insert(reason);
+                None
+            }
+        }
     }
 }

@@ -17,9 +17,15 @@ pub trait Datum: Sized {
     fn to_value(&self) -> Result<Value, String>;
     /// From JSON; the registry knows laws. Errors: what is wrong with it.
     fn from_value(value: &Value, registry: &Registry) -> Result<Self, String>;
+    /// What stands in the place of a value that could not be read: not a number.
+    fn absent() -> Self;
 }
 
 impl Datum for f64 {
+    fn absent() -> Self {
+        f64::NAN
+    }
+
     fn to_value(&self) -> Result<Value, String> {
         serde_json::Number::from_f64(*self).map(Value::Number).ok_or_else(|| format!("{self} is no number of JSON"))
     }
@@ -30,6 +36,10 @@ impl Datum for f64 {
 }
 
 impl<T: Datum, const N: usize> Datum for [T; N] {
+    fn absent() -> Self {
+        std::array::from_fn(|_| T::absent())
+    }
+
     fn to_value(&self) -> Result<Value, String> {
         self.iter().map(T::to_value).collect::<Result<Vec<_>, _>>().map(Value::Array)
     }
@@ -45,6 +55,10 @@ impl<T: Datum, const N: usize> Datum for [T; N] {
 macro_rules! lists {
     ($($ty:ident($($c:ident),*);)*) => {$(
         impl Datum for $ty {
+            fn absent() -> Self {
+                $ty { $($c: Datum::absent()),* }
+            }
+
             fn to_value(&self) -> Result<Value, String> {
                 [$(self.$c),*].to_value()
             }
@@ -69,6 +83,10 @@ lists! {
 macro_rules! tuples {
     ($($n:literal ($($T:ident $i:tt),*);)*) => {$(
         impl<$($T: Datum),*> Datum for ($($T,)*) {
+            fn absent() -> Self {
+                ($($T::absent(),)*)
+            }
+
             fn to_value(&self) -> Result<Value, String> {
                 Ok(Value::Array(vec![$(self.$i.to_value()?),*]))
             }
@@ -89,6 +107,10 @@ tuples! {
 }
 
 impl Datum for Law {
+    fn absent() -> Self {
+        Law::constant(f64::NAN)
+    }
+
     fn to_value(&self) -> Result<Value, String> {
         serde_json::to_value(LawData::of(self)).map_err(|error| error.to_string())
     }
@@ -168,24 +190,24 @@ impl<T> Sought<T> {
 /// With serde.
 pub trait SoughtBySerde<T> {
     /// The parameter of that name.
-    fn get(&self, name: &str, from: &mut super::Reader<'_>) -> Result<T, String>;
+    fn get(&self, name: &str, from: &mut super::Reader<'_>) -> Option<T>;
 }
 
 /// Without it.
 pub trait Unsought<T> {
     /// Refuses.
-    fn get(&self, name: &str, from: &mut super::Reader<'_>) -> Result<T, String>;
+    fn get(&self, name: &str, from: &mut super::Reader<'_>) -> Option<T>;
 }
 
 impl<T: Serialize + DeserializeOwned> SoughtBySerde<T> for Sought<T> {
-    fn get(&self, name: &str, from: &mut super::Reader<'_>) -> Result<T, String> {
-        serde_json::from_value(from.value(name)?.clone()).map_err(|error| format!("its parameter `{name}`: {error}"))
+    fn get(&self, name: &str, from: &mut super::Reader<'_>) -> Option<T> {
+        from.value(name, &mut |value| serde_json::from_value(value.clone()).map_err(|error| error.to_string()))
     }
 }
 
 impl<T> Unsought<T> for &Sought<T> {
-    fn get(&self, name: &str, _: &mut super::Reader<'_>) -> Result<T, String> {
-        Err(without_serde::<T>(name))
+    fn get(&self, name: &str, from: &mut super::Reader<'_>) -> Option<T> {
+        from.noted(Err(without_serde::<T>(name)))
     }
 }
 

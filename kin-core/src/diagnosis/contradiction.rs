@@ -122,7 +122,8 @@ impl Search<'_> {
             if next.met && near(&self.model, found, &next, block) {
                 return Some((block, next));
             }
-            if best.as_ref().is_none_or(|(_, best)| next.place.merit < best.place.merit) {
+            // Of two that are met the first stays: what is left of them is rounding.
+            if best.as_ref().is_none_or(|(_, best)| !best.met && (next.met || next.place.merit < best.place.merit)) {
                 best = Some((block, next));
             }
         }
@@ -143,9 +144,10 @@ impl Search<'_> {
 fn near(model: &Model<'_>, found: &Found, next: &Found, block: usize) -> bool {
     /// What is within expectation.   \[-\]
     const EXPECTED: f64 = 4.0;
-    let size = |found: &Found| {
+    // By the same norms: those of the other place are measured around it.
+    let size = |at: &Found| {
         let rows = model.equations.blocks[block].rows();
-        rows.map(|row| (found.place.point.c[row] / found.measures.norms[row]).powi(2)).sum::<f64>().sqrt()
+        rows.map(|row| (at.place.point.c[row] / found.measures.norms[row]).powi(2)).sum::<f64>().sqrt()
     };
     let merit = found.place.merit;
     let shares = found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs());

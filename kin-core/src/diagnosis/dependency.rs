@@ -18,7 +18,8 @@ pub enum Class {
     Contradictory {
         /// In positions, velocities or accelerations.
         level: Level,
-        /// Σ coefficient · equation, which should be zero and cannot be.   \[unit of the dependent row; /s; /s²\]
+        /// Σ coefficient · equation, which should be zero and cannot be. Of several equations of a constraint with a gap it can be zero for
+        /// some: those across the gap.   \[unit of the dependent row; /s; /s²\]
         residual: f64,
     },
     /// The equations depend on one another at this pose, not at nearby ones.
@@ -105,9 +106,9 @@ fn dependency(examined: &Examined<'_>, rates: &Rates, blocked: &[Vec<f64>], k: u
 }
 
 fn class(examined: &Examined<'_>, rates: &Rates, blocked: &[Vec<f64>], k: usize, combination: &Sparse, unit: f64) -> Class {
-    let position = left_over(&rates.c, combination, 0.0);
-    if combination.iter().any(|(row, _)| examined.open(*row)) && position.abs() > 1e-9 * unit {
-        return Class::Contradictory { level: Level::Position, residual: position };
+    if combination.iter().any(|(row, _)| examined.open(*row)) {
+        // A gap has a direction, and no axis needs to be along it: all equations of an open constraint are told alike.
+        return Class::Contradictory { level: Level::Position, residual: left_over(&rates.c, combination, 0.0) };
     }
     let bends = |v: &Vec<f64>| {
         let along = examined.model().second_order(examined.q, examined.t, v, 0.0).unwrap_or_default();

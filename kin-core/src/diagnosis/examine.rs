@@ -119,7 +119,7 @@ pub(crate) fn diagnose(model: Model<'_>, start: Start<'_>, t: f64, options: &Dia
         Some(Nearby { ranked: most, .. }) => {
             let rows: Vec<usize> = most.dependent.iter().map(|(row, _)| *row).collect();
             let columns: Vec<usize> = most.free.iter().map(|(column, _)| *column).collect();
-            ranked(&model, &point.values, measures, &orders.after(&rows, &columns).after(&open, &[]), walk.least())
+            ranked(&model, &point.values, measures, &orders.after(&rows, &columns), walk.least())
         }
         None => here,
     };

@@ -210,7 +210,8 @@ impl Display for Change {
         match self {
             Change::Remove { constraint, or } if or.is_empty() => write!(f, "remove `{constraint}`"),
             Change::Remove { constraint, or } => {
-                write!(f, "remove `{constraint}`, or {}, or replace one by a measurement", list(or).replace(" and ", " or "))
+                let or: Vec<String> = or.iter().map(|name| format!("`{name}`")).collect();
+                write!(f, "remove `{constraint}`, or {}, or replace one by a measurement", or.join(", or "))
             }
             Change::Fit { constraint, missing, or_drop, of } => {
                 write!(f, "change a dimension by which `{constraint}` can be met, {} is missing", number(*missing))?;

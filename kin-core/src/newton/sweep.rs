@@ -15,6 +15,10 @@ const SHORT: f64 = 0.05;
 /// The same of a step of this share of the time asked for, where hardly anything moves.   \[-\]
 const AT_REST: f64 = 1.0 / 64.0;
 
+/// The curve is followed for this many of the last, short steps of time at least, and for this share of the time asked for.
+const PASSED_STEPS: f64 = 32.0;
+const PASSED_SHARE: f64 = 1.0 / 64.0;
+
 /// No step of time is shorter than this share of the time asked for.   \[-\]
 const SHORTEST: f64 = 1e-9;
 
@@ -130,10 +134,17 @@ impl<'a> Sweep<'a> {
                 Err(trouble) => {
                     self.newton.q.copy_from_slice(&self.q);
                     self.untouched = false;
-                    if self.is_short(target - t, to - from, &trouble) {
-                        return self.give_up(trouble, t, target, to);
+                    if !self.is_short(target - t, to - from, &trouble) {
+                        h *= 0.5;
+                        continue;
                     }
-                    h *= 0.5;
+                    let ahead = (PASSED_STEPS * h.abs()).max(PASSED_SHARE * (to - from).abs());
+                    let goal = if (to - t).abs() <= 1.001 * ahead { to } else { t + ahead.copysign(h) };
+                    let outcome = self.give_up(trouble, t, target, (goal, to))?;
+                    if goal == to {
+                        return Ok(outcome);
+                    }
+                    t = goal;
                 }
             }
         }
@@ -215,15 +226,15 @@ impl<'a> Sweep<'a> {
         self.predictor.advance(h, &mut newton.qd, &mut newton.qdd);
     }
 
-    /// Short steps of time from t to `target` help no more: the curve is followed as far as `to`, if that can be done.
-    fn give_up(&mut self, trouble: Trouble, t: f64, target: f64, to: f64) -> Result<Outcome> {
+    /// Short steps of time from t to `target` help no more: the curve is followed as far as `goal`, if that can be done; `to` was asked for.
+    fn give_up(&mut self, trouble: Trouble, t: f64, target: f64, (goal, to): (f64, f64)) -> Result<Outcome> {
         if self.check.is_some() {
             let (before, options) = (self.bifurcations, self.newton.options);
-            match follow::pass(&self.newton, &self.q, t, to, &|number| options.follow.turns(before + number)) {
+            match follow::pass(&self.newton, &self.q, t, goal, &|number| options.follow.turns(before + number)) {
                 Ok(passage) => {
                     self.bifurcations += passage.passed.len();
                     self.passed.extend(passage.passed);
-                    return self.land(passage.landed, t, to);
+                    return self.land(passage.landed, t, goal);
                 }
                 Err(Lost::Turned(found)) => {
                     let error = toggle(&found, to);

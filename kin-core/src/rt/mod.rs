@@ -35,7 +35,7 @@ pub use kernel::{fma, in_order};
 pub use lift::{Absent, Constants, Lift, Lower, absent, constants, lowered};
 pub use numbers::Numbers;
 pub use parameter::{Parameter, is_parameter};
-pub use refused::{Refuses, refused};
+pub use refused::{Refuses, refusal, refused};
 pub use rows::{Rows, rows};
 pub use sound::{If, Sound, Then};
 pub use timed::timed;
@@ -46,8 +46,21 @@ pub fn jet_by_dual(x: f64, f: impl FnOnce(Real<num_dual::Dual3_64>) -> Real<num_
     [y.re, y.v1, y.v2, y.v3]
 }
 
-/// The local point (or direction) of argument `argument` with these components.
-pub fn attachment(argument: usize, is_point: bool, [x, y, z]: [f64; 3]) -> Attachment {
-    let v = Vec3::new(x, y, z);
-    Attachment { argument, what: if is_point { Attached::Point(v) } else { Attached::Direction(v) } }
+/// The local points (or directions) of arguments, with their components.
+pub fn attachments(all: &[(usize, bool)], components: &[[f64; 3]]) -> Vec<Attachment> {
+    let attachment = |(&(argument, is_point), &[x, y, z]): (&(usize, bool), &[f64; 3])| {
+        let v = Vec3::new(x, y, z);
+        Attachment { argument, what: if is_point { Attached::Point(v) } else { Attached::Direction(v) } }
+    };
+    all.iter().zip(components).map(attachment).collect()
+}
+
+/// The arguments of a constraint.
+pub fn arguments(all: &[Argument]) -> Vec<Argument> {
+    all.to_vec()
+}
+
+/// −C_t of a constraint without time.
+pub fn no_velocity(rhs: &mut [f64], rows: usize) {
+    rhs.iter_mut().take(rows).for_each(|value| *value = 0.0);
 }

@@ -44,15 +44,15 @@ fn method(all: Vec<(usize, bool)>, code: &TokenStream) -> TokenStream {
         return quote!();
     }
     let (u, n) = (Ident::new("u", Span::mixed_site()), Literal::usize_unsuffixed(all.len()));
-    let made = all.iter().enumerate().map(|(k, (slot, is_point))| {
-        let (k, slot) = (Literal::usize_unsuffixed(k), Literal::usize_unsuffixed(*slot));
-        quote!(::kin::rt::attachment(#slot, #is_point, #u[#k]))
+    let made = all.iter().map(|(slot, is_point)| {
+        let slot = Literal::usize_unsuffixed(*slot);
+        quote!((#slot, #is_point))
     });
     quote! {
         fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
             let mut #u = [[0.0_f64; 3]; #n];
             #code
-            ::std::vec![#(#made),*]
+            ::kin::rt::attachments(&[#(#made),*], &#u)
         }
     }
 }

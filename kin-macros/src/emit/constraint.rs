@@ -187,7 +187,7 @@ impl<'a> Frame<'a> {
             };
             all.push(quote!(::kin::rt::Argument { name: #text, target: #target }));
         }
-        quote!(::std::vec![#(#all),*])
+        quote!(::kin::rt::arguments(&[#(#all),*]))
     }
 
     fn trig(&self, slot: usize) -> TokenStream {

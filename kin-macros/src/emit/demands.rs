@@ -6,31 +6,34 @@ use quote::{ToTokens, quote};
 use super::written;
 use crate::parse::{Argument, ConstraintFn, Demand, Kind};
 
-/// `refusal`: the first requirement that does not hold, then what the parameters themselves refuse. Laws of a constraint with time in it
+/// `refusal`: what the parameters themselves refuse, then the first requirement that does not hold. Laws of a constraint with time in it
 /// drive the motion.
 pub fn refusal(source: &ConstraintFn) -> TokenStream {
-    let own = source.arguments.iter().filter(|argument| matches!(argument.kind, Kind::Law | Kind::Axis));
-    let own: Vec<TokenStream> = own.map(own_refusal).collect();
-    method(&source.requirements, &source.arguments, &own)
+    method(&source.requirements, &source.arguments, |argument| matches!(argument.kind, Kind::Law | Kind::Axis))
 }
 
 /// `refusal` of a law.
 pub fn law_refusal(requirements: &[Demand], parameters: &[Argument]) -> TokenStream {
-    let own: Vec<TokenStream> = parameters.iter().filter(|argument| argument.kind == Kind::Law).map(own_refusal).collect();
-    method(requirements, parameters, &own)
+    method(requirements, parameters, |argument| argument.kind == Kind::Law)
 }
 
-fn own_refusal(argument: &Argument) -> TokenStream {
-    let (name, text) = (&argument.name, argument.name.to_string());
-    quote!(if let ::core::option::Option::Some(why) = ::kin::rt::Refuses::refusal(&self.#name) {
-        return ::core::option::Option::Some(::std::format!("{}: {why}", #text));
-    })
-}
-
-fn method(requirements: &[Demand], arguments: &[Argument], own: &[TokenStream]) -> TokenStream {
+fn method(requirements: &[Demand], arguments: &[Argument], can_refuse: impl Fn(&Argument) -> bool) -> TokenStream {
+    let own: Vec<TokenStream> = arguments
+        .iter()
+        .filter(|argument| can_refuse(argument))
+        .map(|argument| {
+            let (name, text) = (&argument.name, argument.name.to_string());
+            quote!((#text, &self.#name))
+        })
+        .collect();
     if requirements.is_empty() && own.is_empty() {
         return quote!();
     }
+    let own = (!own.is_empty()).then(|| {
+        quote!(if let ::core::option::Option::Some(why) = ::kin::rt::refusal(&[#(#own),*]) {
+            return ::core::option::Option::Some(why);
+        })
+    });
     let parameters = parameters(arguments);
     let checks = requirements.iter().map(|demand| {
         let (condition, text) = (&demand.condition, &demand.text);
@@ -45,11 +48,11 @@ fn method(requirements: &[Demand], arguments: &[Argument], own: &[TokenStream]) 
             return ::core::option::Option::Some(::kin::rt::refused(#text, &[#(#shown),*]));
         })
     });
-    let bindings = bindings(arguments);
+    let bindings = bindings(arguments, requirements.iter().map(|demand| &demand.condition));
     quote! {
         #[cold]
         fn refusal(&self) -> ::core::option::Option<::std::string::String> {
-            #(#own)*
+            #own
             #(#bindings)*
             #(#checks)*
             ::core::option::Option::None
@@ -61,10 +64,19 @@ fn parameters(arguments: &[Argument]) -> Vec<&Argument> {
     arguments.iter().filter(|argument| argument.kind.slots() == 0 && argument.kind.is_field()).collect()
 }
 
-/// The user's names for the parameters, in plain f64.
-pub fn bindings(arguments: &[Argument]) -> Vec<TokenStream> {
-    let names = parameters(arguments).into_iter().map(|argument| &argument.name);
-    names.map(|name| quote!(let #name = ::core::clone::Clone::clone(&self.#name);)).collect()
+/// The user's names for the parameters that stand in some expressions, in plain f64.
+pub fn bindings<'a>(arguments: &[Argument], expressions: impl Iterator<Item = &'a syn::Expr>) -> Vec<TokenStream> {
+    let expressions: Vec<&syn::Expr> = expressions.collect();
+    let bound = parameters(arguments).into_iter().filter(|argument| expressions.iter().any(|e| mentions(e, &argument.name)));
+    bound
+        .map(|argument| {
+            let name = &argument.name;
+            match argument.kind {
+                Kind::Numbers(_) | Kind::Axis => quote!(let #name = self.#name;),
+                _ => quote!(let #name = ::core::clone::Clone::clone(&self.#name);),
+            }
+        })
+        .collect()
 }
 
 /// Whether a name stands in an expression.

@@ -29,15 +29,15 @@ pub fn described(source: &ConstraintFn, kind: &str, n: &Literal, m: &Literal) ->
     let fields = source.arguments.iter().filter(|argument| argument.kind.is_field()).map(|argument| {
         let (field, text, ty) = (&argument.name, text(argument), super::field_type(argument));
         let value = match argument.kind {
-            Kind::Planar => quote!(from.planar()?),
-            Kind::Spatial => quote!(from.spatial()?),
-            Kind::Coord => quote!(from.coord()?),
+            Kind::Planar => quote!(from.planar()),
+            Kind::Spatial => quote!(from.spatial()),
+            Kind::Coord => quote!(from.coord()),
             Kind::Coords(n) => {
-                let each = std::iter::repeat_n(quote!(from.coord()?), n);
+                let each = std::iter::repeat_n(quote!(from.coord()), n);
                 quote!([#(#each),*])
             }
             Kind::Other => quote!((&::kin::rt::Sought::<#ty>::new()).get(#text, from)?),
-            _ => quote!(from.get(#text)?),
+            _ => quote!(from.get(#text)),
         };
         quote!(#field: #value)
     });
@@ -45,9 +45,9 @@ pub fn described(source: &ConstraintFn, kind: &str, n: &Literal, m: &Literal) ->
         impl ::kin::rt::Described for #name {
             const KIND: &'static str = #kind;
             const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<#n, #m>>::ARGUMENTS;
-            fn read(from: &mut ::kin::rt::Reader<'_>) -> ::core::result::Result<Self, ::std::string::String> {
+            fn read(from: &mut ::kin::rt::Reader<'_>) -> ::core::option::Option<Self> {
                 use ::kin::rt::{SoughtBySerde as _, Unsought as _};
-                ::core::result::Result::Ok(#name { #(#fields),* })
+                ::core::option::Option::Some(#name { #(#fields),* })
             }
         }
     }

@@ -115,7 +115,7 @@ fn velocity(m: &Literal, code: Option<Code>) -> TokenStream {
     let Some(code) = code else {
         return quote! {
             fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
-                rhs.iter_mut().take(#m).for_each(|value| *value = 0.0);
+                ::kin::rt::no_velocity(rhs, #m);
             }
         };
     };

@@ -16,7 +16,8 @@ pub fn methods(source: &ConstraintFn) -> TokenStream {
         let name = syn::ext::IdentExt::unraw(name).to_string();
         quote!(::kin::rt::Measured { name: #name, unit: #unit, turns: #turns })
     });
-    let (bindings, number) = (demands::bindings(&source.arguments), super::own("number"));
+    let mentioned = source.measures.iter().filter_map(|measure| measure.ends.as_ref()).flat_map(|(from, to)| [from, to]);
+    let (bindings, number) = (demands::bindings(&source.arguments, mentioned), super::own("number"));
     let ends = numbered(source).filter_map(|(k, measure)| measure.ends.as_ref().map(|(from, to)| quote!(#k => [#from, #to],)));
     let ends: Vec<TokenStream> = ends.collect();
     let ends = if ends.is_empty() {
