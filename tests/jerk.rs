@@ -66,7 +66,7 @@ const SECONDS: [(&str, f64); 16] = [
     ("11_epicyclic_gears", 8.0),
     ("12_hookes_joint", 4.0),
     ("13_stewart_platform", 8.0),
-    ("14_sweep_four_bars", 6.28),
+    ("14_sweep_four_bars", 6.0),
     ("15_windscreen_wiper", 1.0),
     // Short of its first change point.
     ("16_change_points", 0.25),

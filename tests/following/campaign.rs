@@ -142,7 +142,8 @@ fn random_spatial_four_bars_stay_on_their_branch_or_stop_at_their_toggle() {
     while tried < count() / 10 {
         let bar = Rssr::random(&mut random);
         let (start, side, speed) = (random.within(0.0, TAU), random.sign(), random.sign());
-        if !(bar.room(start, bar.rod) > 1e-3) {
+        let room = bar.room(start, bar.rod);
+        if room.is_nan() || room <= 1e-3 {
             continue;
         }
         tried += 1;
