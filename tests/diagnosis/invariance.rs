@@ -56,8 +56,8 @@ fn every_verdict_reads_back_from_its_file() {
 fn contradictory_third_crank_keeps_its_mobility_however_it_is_turned() {
     let plan = &plans()[1];
     let plain = verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap());
-    for k in -30..30 {
-        let view = View { turn: -1.497 + 0.001 * f64::from(k), ..View::plain() };
+    for k in -4..5 {
+        let view = View { turn: -1.497 + 0.006 * f64::from(k), ..View::plain() };
         let found = plan.mechanism(&view).diagnose(0.0).unwrap();
         assert_eq!(verdict(&found), plain, "turned by {}:\n{found}", view.turn);
     }

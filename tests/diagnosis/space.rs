@@ -157,6 +157,19 @@ fn verdict_is_the_same_in_other_units_orders_and_places() {
     looked_at(27, fastrand::Rng::with_seed(7));
 }
 
+/// From here each of two contradictory motors seemed too far off once the other was met, and rounding chose between them.
+#[test]
+fn contradictory_motor_is_the_last_by_name_from_any_side() {
+    let view = View {
+        unit: 0.011610808764544369,
+        turn: EulerParameters::new(-0.3107540375599144, 0.4259037722483244, -0.8334590889670408, 0.16548066939400916),
+        shift: v(-0.565048274278931, 0.003838361875629026, 2.6645635340030767),
+        order: vec![3, 5, 1, 6, 2, 4, 8, 7],
+    };
+    let found = plans()[5].mechanism(&view).diagnose(0.0).unwrap();
+    assert_eq!(found.gaps[0].constraint, "motor 2", "{found}");
+}
+
 #[test]
 #[ignore = "takes its time: `cargo test --release -- --ignored`"]
 fn verdict_is_the_same_from_thousands_of_sides() {

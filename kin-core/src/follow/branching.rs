@@ -138,8 +138,8 @@ impl<'a> Reduced<'a> {
             let hessian = self.hessian(&x)?;
             let step = -(hessian.try_inverse()? * gradient);
             gone += step;
-            let near = gone.norm() <= reach;
-            if !near {
+            let moved = gone.norm();
+            if moved.is_nan() || moved > reach {
                 return None;
             }
             for (x, (a, b)) in x.iter_mut().zip(self.v[0].iter().zip(&self.v[1])) {
@@ -187,8 +187,8 @@ impl<'a> Reduced<'a> {
     /// q̇ and q̈ on a branch at x: q̈ is determined but for what can move while the drivers stand still, and that by the terms of third order.
     fn rates(&mut self, curve: &Curve<'_>, x: &[f64], dx: &[f64]) -> Option<Branch> {
         let (dt, time) = (*dx.last()?, *curve.sizes.last()?);
-        let moves = (dt / time).abs() > STANDS;
-        if !moves {
+        let pace = (dt / time).abs();
+        if pace.is_nan() || pace <= STANDS {
             return None;
         }
         let v: Vec<f64> = dx.iter().map(|dx| dx / dt).collect();

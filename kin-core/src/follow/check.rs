@@ -81,8 +81,7 @@ impl Check {
             return Err(Objection::Long);
         }
         // Not a number counts as missed.
-        let easy = miss <= EASY * pivot.min(self.pivot);
-        if !easy && !self.is_safe(newton, h, from, miss) {
+        if (miss.is_nan() || miss > EASY * pivot.min(self.pivot)) && !self.is_safe(newton, h, from, miss) {
             return Err(Objection::Missed);
         }
         newton.linear.orientation(&mut self.now);

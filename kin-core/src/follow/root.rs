@@ -33,8 +33,8 @@ mod tests {
 
     #[test]
     fn roots_are_found_to_rounding() {
-        let functions: [(fn(f64) -> f64, f64); 3] =
-            [(|s| s.cos(), 0.5 * std::f64::consts::PI), (|s| s.powi(9) - 1.0, 1.0), (|s| 1.0 - s, 1.0)];
+        type Case = (fn(f64) -> f64, f64);
+        let functions: [Case; 3] = [(|s| s.cos(), 0.5 * std::f64::consts::PI), (|s| s.powi(9) - 1.0, 1.0), (|s| 1.0 - s, 1.0)];
         for (f, expected) in functions {
             let mut evaluations = 0;
             let found = root((0.0, f(0.0)), (3.0, f(3.0)), 1e-15, |s| {

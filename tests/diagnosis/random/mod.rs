@@ -148,12 +148,12 @@ fn all_right(name: &str, seeds: std::ops::Range<u64>, make: fn(u64, Fault) -> Me
 
 #[test]
 fn planar_mechanisms_run_or_their_fault_is_named() {
-    all_right("planar", 0..25, planar::mechanism);
+    all_right("planar", 0..20, planar::mechanism);
 }
 
 #[test]
 fn spatial_mechanisms_run_or_their_fault_is_named() {
-    all_right("spatial", 0..10, spatial::mechanism);
+    all_right("spatial", 0..8, spatial::mechanism);
 }
 
 #[test]
