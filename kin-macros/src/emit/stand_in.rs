@@ -113,8 +113,8 @@ fn constraint_of(visibility: &Visibility, name: &Ident, inputs: &[TokenStream]) 
             impl ::kin::rt::Described for #name {
                 const KIND: &'static str = "";
                 const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[];
-                fn read(_: &mut ::kin::rt::Reader<'_>) -> ::core::result::Result<Self, ::std::string::String> {
-                    ::core::result::Result::Ok(#name {})
+                fn read(_: &mut ::kin::rt::Reader<'_>) -> ::core::option::Option<Self> {
+                    ::core::option::Option::Some(#name {})
                 }
             }
             impl ::kin::rt::Equation<0, 0> for #name {
