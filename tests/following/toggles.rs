@@ -74,6 +74,43 @@ fn verdict_does_not_depend_on_the_unit_of_length() {
     }
 }
 
+/// Neither does it depend on the order in which parts are declared: the slider-driven slider-crank, its bodies and constraints in many orders.
+#[test]
+fn verdict_does_not_depend_on_the_order_of_the_parts() {
+    let (a, b, speed) = (1.0, 2.5, 0.4);
+    let orders = [[0, 1, 2, 3, 4], [4, 3, 2, 1, 0], [2, 4, 0, 3, 1], [3, 0, 4, 1, 2]];
+    for (bodies, joints) in [[0, 1, 2], [2, 1, 0], [1, 2, 0]].into_iter().flat_map(|bodies| orders.map(|joints| (bodies, joints))) {
+        let mut m = Mechanism::new("pump");
+        let (mut crank, mut rod, mut slider) = (None, None, None);
+        for body in bodies {
+            match body {
+                0 => crank = Some(m.link("crank", a).unwrap()),
+                1 => rod = Some(m.link("rod", b).unwrap()),
+                _ => slider = Some(m.planar("slider", pose(2.4, 0.0, 0.0)).unwrap()),
+            }
+        }
+        let (crank, rod, slider) = (crank.unwrap(), rod.unwrap(), slider.unwrap());
+        let zero = vec2(0.0, 0.0);
+        for joint in joints {
+            match joint {
+                0 => m.add("O", revolute(Ground, crank, zero, crank.start())),
+                1 => m.add("A", revolute(crank, rod, crank.end(), rod.start())),
+                2 => m.add("B", revolute(rod, slider, rod.end(), zero)),
+                3 => m.add("guide", prismatic(slider, Ground, zero, zero, vec2(0.0, 1.0), 0.0)),
+                _ => m.add("motor", drive(slider.x(), Law::linear(2.4, speed))),
+            }
+            .unwrap();
+        }
+        m.prefer(crank, deg(60.0));
+        let error = m.build().unwrap().run(linspace(0.0, 5.0, 11)).unwrap_err();
+        let (found, motion) = toggle(&error);
+        assert!((found - (a + b - 2.4) / speed).abs() < 1e-10, "{bodies:?} {joints:?}: {found}");
+        let mut movable = motion.singular_positions()[0].movable.clone();
+        movable.sort();
+        assert_eq!((motion.len(), &movable[..]), (6, &["crank".to_string(), "rod".to_string()][..]), "{bodies:?} {joints:?}");
+    }
+}
+
 /// A motor that comes to rest at the toggle: the grid reaches t* or the run ends there, and nothing turns over.
 #[test]
 fn driver_that_swings_beyond_the_toggle_and_back_does_not_hide_it() {
