@@ -2,7 +2,7 @@
 //! values that went into it. Looked for when a run has failed and never before, so that kernels pay nothing for it.
 //!
 //! On the symbolic route the equation is kept as a table of its steps ([`graph::Graph`]) and interpreted with second-order jets; on the dual
-//! route the user's body runs once more with numbers that know where they went wrong ([`trace`]).
+//! route the user's body runs once more with numbers that know where they went wrong (`trace.rs`).
 
 pub(crate) mod function;
 pub(crate) mod graph;
