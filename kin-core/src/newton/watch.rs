@@ -36,22 +36,21 @@ struct Asked {
 }
 
 impl Watch {
-    /// Looks at the laws at a time that was solved: the breaks crossed since the last one. A jump of a value, or of the slope of a law of time,
-    /// is an error.
+    /// Looks at the laws at a time that was solved, and appends the breaks crossed since the last one. A jump of a value, or of the slope of a
+    /// law of time, is an error.
     #[inline]
-    pub(super) fn look(&mut self, system: &System, instant: &Instant) -> Result<Vec<CrossedBreak>, Error> {
+    pub(super) fn look(&mut self, system: &System, instant: &Instant, crossed: &mut Vec<CrossedBreak>) -> Result<(), Error> {
         match self.last.replace(instant.t()) {
             None => self.asked = questions(system, instant),
-            Some(before) if !self.asked.is_empty() => return self.cross(system, instant, before),
+            Some(before) if !self.asked.is_empty() => return self.cross(system, instant, before, crossed),
             Some(_) => {}
         }
-        Ok(Vec::new())
+        Ok(())
     }
 
     /// Asks every law with breaks, which was asked at the time `before`.
-    fn cross(&mut self, system: &System, instant: &Instant, before: f64) -> Result<Vec<CrossedBreak>, Error> {
+    fn cross(&mut self, system: &System, instant: &Instant, before: f64, crossed: &mut Vec<CrossedBreak>) -> Result<(), Error> {
         let t = instant.t();
-        let mut crossed = Vec::new();
         for asked in &mut self.asked {
             let block = &system.equations().blocks[asked.block];
             let (mut number, mut jump) = (0, None);
@@ -77,7 +76,7 @@ impl Watch {
                 return Err(Error::LawJumps { t, constraint, law, at: found.x, order: found.order, motion: None });
             }
         }
-        Ok(crossed)
+        Ok(())
     }
 }
 

@@ -15,7 +15,7 @@ use crate::state::At;
 use crate::system::states::{GROUND, StatePlan};
 pub(crate) use block::Block;
 use block::{Arguments, Span, from};
-use linear::{LinearRows, Sums};
+use linear::{LinearRows, Sides};
 
 /// What constraints read at one instant: the time, what they make of it alone, states of their arguments and rates of their columns.
 #[derive(Clone, Debug)]
@@ -26,7 +26,8 @@ pub(crate) struct Instant {
     rates: Vec<f64>,
     /// Second rates of the columns, where the jerk is asked for; else empty.
     second_rates: Vec<f64>,
-    linear: Sums,
+    /// Of each row that is linear for good.
+    linear: Sides,
 }
 
 impl Instant {
@@ -89,9 +90,9 @@ struct Asked {
     /// Those that are not linear, and those of them whose C depends on t.
     curved: Vec<usize>,
     c: Vec<usize>,
-    /// Those that are linear, with the numbers of their rows among linear rows: those whose C depends on t, and the others.
-    linear: Vec<(usize, Span)>,
-    steady: Vec<(usize, Span)>,
+    /// Those that are linear: those whose C depends on t, and the others.
+    linear: Vec<Straight>,
+    steady: Vec<Straight>,
     /// Those that are not linear whose C_t, or Q_d, can be other than zero.
     c_t: Vec<usize>,
     q_d: Vec<usize>,
@@ -99,6 +100,16 @@ struct Asked {
     branches: Vec<usize>,
     /// Whether some C_q depends on t.
     c_q_on_t: bool,
+}
+
+/// A constraint that is linear in the coordinates for good.
+#[derive(Clone, Copy)]
+struct Straight {
+    block: usize,
+    /// Its rows among linear rows.
+    rows: Span,
+    /// Where among its numbers of the time it tells what its rows come to, if it does.
+    told: Option<u32>,
 }
 
 impl Equations {
@@ -135,7 +146,10 @@ impl Equations {
         let mut linear = None;
         if !depends.curved {
             let (entries, values) = (&self.entries[block.values()], &self.constants[block.values()]);
-            linear = self.linear.append(block.rows(), entries, values).map(Span::new);
+            // On the ground coordinates are not zero, as those who tell take them to be.
+            let told = block.constraint.sides_of_time().filter(|_| entries.iter().all(Option::is_some));
+            let told = told.map(|first| block.timed.first + first as u32);
+            linear = self.linear.append(block.rows(), entries, values).map(|rows| Straight { block: k, rows: Span::new(rows), told });
         }
         let lists = [
             (block.timed.len > 0, &mut asked.timed),
@@ -147,7 +161,6 @@ impl Equations {
         ];
         lists.into_iter().filter(|(asked, _)| *asked).for_each(|(_, list)| list.push(k));
         asked.c_q_on_t |= depends.c_q_on_t;
-        let linear = linear.map(|rows| (k, rows));
         if depends.c_on_t { asked.linear.extend(linear) } else { asked.steady.extend(linear) }
     }
 
@@ -197,10 +210,11 @@ impl Equations {
             states: self.plan.origin().to_vec(),
             rates: self.still.clone(),
             second_rates: vec![],
-            linear: self.linear.sums(),
+            linear: self.linear.sides(),
         };
-        for (block, rows) in self.asked.steady.iter().map(|(k, rows)| (&self.blocks[*k], *rows)) {
-            block.constraint.residual(&self.origin(0.0, block), &mut instant.linear.at_zero[rows.range()]);
+        for straight in &self.asked.steady {
+            let block = &self.blocks[straight.block];
+            block.constraint.residual(&self.origin(0.0, block), &mut instant.linear.at_zero[straight.rows.range()]);
         }
         instant
     }
@@ -220,34 +234,42 @@ impl Equations {
 
     /// What depends on the time and on parameters alone is evaluated here, once a time.
     pub(crate) fn set_time(&self, t: f64, instant: &mut Instant) {
-        let Instant { timed, linear: Sums { at_zero, velocity, acceleration, .. }, .. } = instant;
+        let Instant { timed, linear, .. } = instant;
         for block in self.asked.timed.iter().map(|&k| &self.blocks[k]) {
             block.constraint.at_time(t, &mut timed[block.timed.range()]);
         }
-        for (block, rows) in self.asked.linear.iter().map(|(k, rows)| (&self.blocks[*k], rows.range())) {
-            let at = self.origin(t, block).with_timed(&timed[block.timed.range()]);
-            block.constraint.residual(&at, &mut at_zero[rows.clone()]);
-            block.constraint.velocity_rhs(&at, &mut velocity[rows.clone()]);
-            block.constraint.acceleration_rhs(&at, &block.rates(&self.still), 1.0, &mut acceleration[rows]);
+        for straight in &self.asked.linear {
+            match straight.told {
+                Some(first) => linear.take(straight.rows.range(), from(timed, first)),
+                None => self.ask_sides(*straight, t, timed, linear),
+            }
         }
         instant.t = t;
     }
 
+    /// Asks a linear constraint for its sides.
+    fn ask_sides(&self, Straight { block, rows, .. }: Straight, t: f64, timed: &[f64], linear: &mut Sides) {
+        let (block, rows) = (&self.blocks[block], rows.range());
+        let at = self.origin(t, block).with_timed(&timed[block.timed.range()]);
+        block.constraint.residual(&at, &mut linear.at_zero[rows.clone()]);
+        block.constraint.velocity_rhs(&at, &mut linear.velocity[rows.clone()]);
+        block.constraint.acceleration_rhs(&at, &block.rates(&self.still), 1.0, &mut linear.acceleration[rows]);
+    }
+
     pub(crate) fn set_position(&self, q: &[f64], instant: &mut Instant) {
         self.plan.set_states(q, &mut instant.states);
-        self.linear.set_position(q, &mut instant.linear);
     }
 
     pub(crate) fn set_rates(&self, qd: &[f64], instant: &mut Instant) {
         self.plan.set_rates(qd, &mut instant.rates);
     }
 
-    /// C(q, t).
-    pub(crate) fn residual(&self, instant: &Instant, c: &mut [f64]) -> Result<(), Bad> {
+    /// C(q, t) at an instant of that q.
+    pub(crate) fn residual(&self, q: &[f64], instant: &Instant, c: &mut [f64]) -> Result<(), Bad> {
         for block in self.asked.curved.iter().map(|&k| &self.blocks[k]) {
             block.constraint.residual(&instant.of(block), &mut c[block.rows.range()]);
         }
-        self.linear.write(&instant.linear, c);
+        self.linear.write(q, &instant.linear.at_zero, c);
         finite(c, "C")
     }
 
@@ -256,8 +278,8 @@ impl Equations {
         values.iter_mut().zip(&self.constants).for_each(|(value, constant)| *value = constant.unwrap_or(*value));
     }
 
-    /// C(q, t) and the values of C_q, whether they are finite or not.
-    pub(crate) fn linearize(&self, instant: &Instant, c: &mut [f64], values: &mut [f64]) {
+    /// C(q, t) and the values of C_q at an instant of that q, whether they are finite or not.
+    pub(crate) fn linearize(&self, q: &[f64], instant: &Instant, c: &mut [f64], values: &mut [f64]) {
         let mut at = instant.at();
         for block in self.asked.curved.iter().map(|&k| &self.blocks[k]) {
             let c = &mut c[block.rows.range()];
@@ -268,11 +290,11 @@ impl Equations {
                 block.constraint.linearize(&at, c, &mut values[block.values.range()]);
             }
         }
-        self.linear.write(&instant.linear, c);
+        self.linear.write(q, &instant.linear.at_zero, c);
     }
 
     /// The same where only the time has changed since; false if C_q has not changed with it.
-    pub(crate) fn relinearize(&self, instant: &Instant, c: &mut [f64], values: &mut [f64]) -> bool {
+    pub(crate) fn relinearize(&self, q: &[f64], instant: &Instant, c: &mut [f64], values: &mut [f64]) -> bool {
         for block in self.asked.c.iter().map(|&k| &self.blocks[k]) {
             let c = &mut c[block.rows.range()];
             if self.asked.c_q_on_t {
@@ -281,7 +303,7 @@ impl Equations {
                 block.constraint.residual(&instant.of(block), c);
             }
         }
-        self.linear.write(&instant.linear, c);
+        self.linear.write(q, &instant.linear.at_zero, c);
         self.asked.c_q_on_t
     }
 

@@ -12,7 +12,7 @@ pub use words::number;
 use words::{comparison_method, sign};
 
 use super::slots::{Slot, binding, slots};
-use super::timed;
+use super::timed::{self, Timed};
 use crate::graph::{Function, Function2, Graph, Input, Node, Op, Part};
 use crate::lower::{Lowered, OpaqueKind};
 use crate::parse::Argument;
@@ -69,8 +69,8 @@ pub struct Code {
 }
 
 impl<'a> Kernel<'a> {
-    /// Code for `outputs` after the scheduler has had a look at it; nodes in `timed` (sorted) were evaluated before.
-    pub fn scheduled(lowered: &'a mut Lowered, arguments: &[Argument], timed: &[Node], outputs: &[(TokenStream, Node)]) -> Code {
+    /// Code for `outputs` after the scheduler has had a look at it; what is in `timed` was evaluated before.
+    pub fn scheduled(lowered: &'a mut Lowered, arguments: &[Argument], timed: &Timed, outputs: &[(TokenStream, Node)]) -> Code {
         let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
         let nodes = timed::read(&mut lowered.graph, timed, &nodes);
         let nodes = schedule::prepare(&mut lowered.graph, &nodes);

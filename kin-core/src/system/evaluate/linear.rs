@@ -6,14 +6,12 @@ use std::ops::Range;
 /// The rows of such constraints, one after the other.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LinearRows {
-    /// Which one each is among all rows.
-    rows: Vec<u32>,
     /// The first term of each row, and the others.
     first: Vec<Term>,
     others: Vec<Term>,
 }
 
-/// A factor times a coordinate, in a row by its number among linear ones.
+/// A factor times a coordinate, in one of all rows.
 #[derive(Clone, Copy, Debug)]
 struct Term {
     row: u32,
@@ -21,15 +19,21 @@ struct Term {
     factor: f64,
 }
 
-/// What the rows come to at one instant.
+/// What the rows come to at one time: C(0, t), −C_t and −C_tt, which is all that Q_d has here.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Sums {
-    /// C(0, t), −C_t and −C_tt, which is all that Q_d has here.
+pub(super) struct Sides {
     pub at_zero: Vec<f64>,
     pub velocity: Vec<f64>,
     pub acceleration: Vec<f64>,
-    /// C_q q
-    products: Vec<f64>,
+}
+
+impl Sides {
+    /// Takes those of some rows: three numbers of each.
+    pub(super) fn take(&mut self, rows: Range<usize>, told: &[f64]) {
+        for (row, &[at_zero, velocity, acceleration]) in rows.zip(told.as_chunks().0) {
+            (self.at_zero[row], self.velocity[row], self.acceleration[row]) = (at_zero, velocity, acceleration);
+        }
+    }
 }
 
 impl LinearRows {
@@ -41,7 +45,7 @@ impl LinearRows {
         entries: &[Option<(usize, usize)>],
         values: &[Option<f64>],
     ) -> Option<Range<usize>> {
-        let from = self.rows.len();
+        let from = self.first.len();
         let own = entries.iter().zip(values).filter_map(|(entry, value)| entry.map(|entry| Some((entry, (*value)?))));
         let mut known: Vec<((usize, usize), f64)> = own.collect::<Option<_>>()?;
         known.sort_by_key(|(entry, _)| *entry);
@@ -49,41 +53,33 @@ impl LinearRows {
             return None;
         }
         for row in known.chunk_by(|a, b| a.0.0 == b.0.0) {
-            let number = self.rows.len() as u32;
-            self.rows.push(row[0].0.0 as u32);
-            let mut terms = row.iter().map(|&((_, column), factor)| Term { row: number, column: column as u32, factor });
+            let mut terms = row.iter().map(|&((row, column), factor)| Term { row: row as u32, column: column as u32, factor });
             self.first.extend(terms.next());
             self.others.extend(terms);
         }
-        Some(from..self.rows.len())
+        Some(from..self.first.len())
     }
 
-    /// Room for an instant, all coordinates at zero.
-    pub(super) fn sums(&self) -> Sums {
-        let zeros = || vec![0.0; self.rows.len()];
-        Sums { at_zero: zeros(), velocity: zeros(), acceleration: zeros(), products: zeros() }
-    }
-
-    pub(super) fn set_position(&self, q: &[f64], sums: &mut Sums) {
-        for (product, term) in sums.products.iter_mut().zip(&self.first) {
-            *product = term.factor * q[term.column as usize];
-        }
-        for term in &self.others {
-            sums.products[term.row as usize] += term.factor * q[term.column as usize];
-        }
+    /// Room for the sides of all rows.
+    pub(super) fn sides(&self) -> Sides {
+        let zeros = || vec![0.0; self.first.len()];
+        Sides { at_zero: zeros(), velocity: zeros(), acceleration: zeros() }
     }
 
     /// C of these rows.
-    pub(super) fn write(&self, sums: &Sums, c: &mut [f64]) {
-        for ((row, at_zero), product) in self.rows.iter().zip(&sums.at_zero).zip(&sums.products) {
-            c[*row as usize] = product + at_zero;
+    pub(super) fn write(&self, q: &[f64], at_zero: &[f64], c: &mut [f64]) {
+        for (term, at_zero) in self.first.iter().zip(at_zero) {
+            c[term.row as usize] = term.factor * q[term.column as usize] + at_zero;
+        }
+        for term in &self.others {
+            c[term.row as usize] += term.factor * q[term.column as usize];
         }
     }
 
     /// Their part of a right side, times a factor.
     pub(super) fn write_side(&self, side: &[f64], factor: f64, rhs: &mut [f64]) {
-        for (row, x) in self.rows.iter().zip(side) {
-            rhs[*row as usize] = factor * x;
+        for (term, x) in self.first.iter().zip(side) {
+            rhs[term.row as usize] = factor * x;
         }
     }
 }

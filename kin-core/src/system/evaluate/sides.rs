@@ -37,7 +37,7 @@ impl Equations {
         self.plan.set_rates(qdd, &mut instant.second_rates);
         rhs.fill(0.0);
         // A constraint without second derivatives has no third ones.
-        let linear = self.asked.linear.iter().map(|(k, _)| k);
+        let linear = self.asked.linear.iter().map(|linear| &linear.block);
         for block in self.asked.q_d.iter().chain(linear).map(|&k| &self.blocks[k]) {
             let [qd, qdd] = [&instant.rates, &instant.second_rates].map(|rates| block.rates(rates));
             if !block.constraint.jerk_rhs(&instant.of(block), &qd, &qdd, &mut rhs[block.rows.range()]) {
