@@ -142,7 +142,7 @@ impl System {
     pub(crate) fn is_smooth(&self) -> bool {
         let (mut smooth, instant) = (true, self.equations.instant_at(0.0, &self.initial));
         for block in &self.equations.blocks {
-            block.constraint.laws(&instant.of(block), &mut |_, law, _| smooth &= law.is_smooth());
+            block.constraint.laws(&self.equations.at(block, &instant), &mut |_, law, _| smooth &= law.is_smooth());
         }
         smooth
     }

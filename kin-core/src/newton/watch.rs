@@ -54,7 +54,7 @@ impl Watch {
         for asked in &mut self.asked {
             let block = &system.equations().blocks[asked.block];
             let (mut number, mut jump) = (0, None);
-            block.constraint.laws(&instant.of(block), &mut |law, function, x| {
+            block.constraint.laws(&system.equations().at(block, instant), &mut |law, function, x| {
                 number += 1;
                 if number != asked.number + 1 {
                     return;
@@ -85,7 +85,7 @@ fn questions(system: &System, instant: &Instant) -> Vec<Asked> {
     let mut all = Vec::new();
     for (block, found) in system.equations().blocks.iter().enumerate() {
         let mut number = 0;
-        found.constraint.laws(&instant.of(found), &mut |_, law, x| {
+        found.constraint.laws(&system.equations().at(found, instant), &mut |_, law, x| {
             if !law.is_smooth() {
                 all.push(Asked { block, number, x });
             }
@@ -98,7 +98,7 @@ fn questions(system: &System, instant: &Instant) -> Vec<Asked> {
 /// Whether what a law is asked for moves with the time alone.
 fn is_of_time(system: &System, instant: &Instant, block: usize, wanted: usize, now: f64) -> bool {
     let block = &system.equations().blocks[block];
-    let mut later = instant.of(block).with_timed(&[]);
+    let mut later = system.equations().at(block, instant).with_timed(&[]);
     later.t += 1.0;
     let (mut number, mut moves) = (0, false);
     block.constraint.laws(&later, &mut |_, _, x| {
