@@ -255,8 +255,9 @@ fn gather<'a, const N: usize>(arguments: &[ArgumentKind], numbers: impl Fn(usize
     let mut all = [0.0; N];
     let mut rest = &mut all[..];
     for (k, kind) in arguments.iter().enumerate() {
-        let Some((own, others)) = std::mem::take(&mut rest).split_at_mut_checked(kind.columns()) else { break };
-        own.iter_mut().zip(numbers(k, own.len())).for_each(|(place, number)| *place = *number);
+        let n = kind.columns();
+        let Some((own, others)) = std::mem::take(&mut rest).split_at_mut_checked(n) else { break };
+        own.iter_mut().zip(numbers(k, n)).for_each(|(place, number)| *place = *number);
         rest = others;
     }
     all

@@ -344,10 +344,12 @@ impl Equations {
             block.constraint.residual(&self.at(block, instant), &mut c);
             c
         };
-        for block in self.blocks.iter_mut().filter(|block| silent(block)) {
+        let changes = |block: &Block| {
             let first = values(block, &instants[0]);
-            block.drives = instants[1..].iter().any(|instant| values(block, instant) != first);
-        }
+            instants[1..].iter().any(|instant| values(block, instant) != first)
+        };
+        let drives: Vec<bool> = self.blocks.iter().map(|block| block.drives || (silent(block) && changes(block))).collect();
+        self.blocks.iter_mut().zip(drives).for_each(|(block, drives)| block.drives = drives);
     }
 
     /// The error for what is not finite at an instant.

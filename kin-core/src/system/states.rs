@@ -122,17 +122,17 @@ impl StatePlan {
     /// The states at coordinates q.
     pub(super) fn set_states(&self, q: &[f64], states: &mut [f64]) {
         for &[first, begin] in &self.planar {
-            let (&[x, y, theta], state) = (from(q, first), from_mut::<PLANAR_STATE>(states, begin));
+            let (&[x, y, theta], state) = (from(q, first), from_mut::<_, PLANAR_STATE>(states, begin));
             let [_, _, known, sin, cos] = *state;
             // An angle that has not moved, as a driven one in Newton's last step, keeps its sine and cosine.
             let (sin, cos) = if known == theta { (sin, cos) } else { theta.sin_cos() };
             *state = [x, y, theta, sin, cos];
         }
         for &[first, begin] in &self.spatial {
-            *from_mut::<SPATIAL_STATE>(states, begin) = *from(q, first);
+            *from_mut::<_, SPATIAL_STATE>(states, begin) = *from(q, first);
         }
         for &Coord { coordinate, begin, trig } in &self.coords {
-            let (&[value], state) = (from(q, coordinate), from_mut::<COORD_STATE>(states, begin));
+            let (&[value], state) = (from(q, coordinate), from_mut::<_, COORD_STATE>(states, begin));
             if state[0] != value {
                 *state = CoordState::new(value, trig).to_array();
             }
@@ -154,7 +154,7 @@ fn from<T, const N: usize>(all: &[T], first: u32) -> &[T; N] {
 
 /// The same, to be written.
 #[inline(always)]
-fn from_mut<const N: usize>(all: &mut [f64], first: u32) -> &mut [f64; N] {
+fn from_mut<T, const N: usize>(all: &mut [T], first: u32) -> &mut [T; N] {
     let own = &mut all[first as usize..first as usize + N];
     own.first_chunk_mut().unwrap_or_else(|| unreachable!("a slice of that length"))
 }

@@ -58,7 +58,7 @@ impl Equations {
             all
         });
         let rates = [&rates[0], &rates[1], &rates[2]].map(|all| self.rates(block, all));
-        block.constraint.measure(k, &self.at(block, instant), &rates)
+        block.constraint.measure(k, &self.at(block, &instant), &rates)
     }
 
     /// The error for a constraint that does not know its part of the jerk, by one of its rows.
