@@ -150,8 +150,8 @@ pub trait Constraint: CloneBoxed + Send + Sync {
         let _ = (t, timed);
     }
 
-    /// Where among these numbers the three of each row begin that are all there is to a constraint which is linear in the coordinates for good
-    /// ([`Dependence::curved`] is false): C(0, t), −C_t and −C_tt. Who tells is not asked for them. Default: not told.
+    /// Where among these numbers C(0, t), −C_t and −C_tt stand, m numbers each one after the other: with C_q they are all there is to a
+    /// constraint which is linear in the coordinates for good ([`Dependence::curved`] is false). Who tells is not asked for them. Default: not told.
     fn sides_of_time(&self) -> Option<usize> {
         None
     }

@@ -125,12 +125,15 @@ pub(crate) fn miss(h: f64, from: [&Fours; 3], to: [&Fours; 3], shares: &Fours, t
     [miss, reach].map(|most| most.to_array().into_iter().fold(0.0, f64::max))
 }
 
-/// Defines a walk over the fours of two vectors side by side. Vectors of mechanisms are short: up to three fours are written out after those
-/// that come four at a time, for a loop that LLVM unrolls takes longer to begin and to end than to run.
+/// Defines a walk over the fours of two vectors side by side. Vectors of mechanisms are short: up to three fours, and what is left of more after
+/// those that come four at a time, are written out, for a loop that LLVM unrolls takes longer to begin and to end than to run.
 macro_rules! walk {
-    ($name:ident, $x:ty, $as_chunks:ident) => {
+    ($name:ident, $few:ident, $x:ty, $as_chunks:ident) => {
         #[inline(always)]
         fn $name<'a>(x: $x, y: &'a [Four], mut see: impl FnMut(<$x as IntoIterator>::Item, &'a Four)) {
+            if x.len() < 4 {
+                return $few(x, y, see);
+            }
             let ((x, end), (y, y_end)) = (x.$as_chunks::<4>(), y.as_chunks::<4>());
             for ([a, b, c, d], [p, q, r, s]) in x.into_iter().zip(y) {
                 see(a, p);
@@ -138,25 +141,30 @@ macro_rules! walk {
                 see(c, r);
                 see(d, s);
             }
-            match (end, y_end) {
-                ([a], [p]) => see(a, p),
-                ([a, b], [p, q]) => {
-                    see(a, p);
-                    see(b, q);
-                }
+            $few(end, y_end, see);
+        }
+
+        #[inline(always)]
+        fn $few<'a>(x: $x, y: &'a [Four], mut see: impl FnMut(<$x as IntoIterator>::Item, &'a Four)) {
+            match (x, y) {
                 ([a, b, c], [p, q, r]) => {
                     see(a, p);
                     see(b, q);
                     see(c, r);
                 }
-                (end, y_end) => end.into_iter().zip(y_end).for_each(|(a, p)| see(a, p)),
+                ([a, b], [p, q]) => {
+                    see(a, p);
+                    see(b, q);
+                }
+                ([a], [p]) => see(a, p),
+                _ => {}
             }
         }
     };
 }
 
-walk!(each, &'a [Four], as_chunks);
-walk!(each_mut, &'a mut [Four], as_chunks_mut);
+walk!(each, few, &'a [Four], as_chunks);
+walk!(each_mut, few_mut, &'a mut [Four], as_chunks_mut);
 
 /// The largest numbers so far, and something that is 0 while all of them are finite.
 #[derive(Default)]

@@ -13,7 +13,7 @@ use crate::state::{At, Rates};
 use crate::system::states::{Planned, StatePlan};
 pub(crate) use block::Block;
 use block::{Span, from};
-use linear::{LinearRows, Sides};
+use linear::LinearRows;
 
 /// What constraints read at one instant: the time, what they make of it alone, states and rates.
 #[derive(Clone, Debug)]
@@ -24,8 +24,6 @@ pub(crate) struct Instant {
     rates: Vec<f64>,
     /// Second rates of the columns, where the jerk is asked for; else empty.
     second_rates: Vec<f64>,
-    /// Of each row that is linear for good.
-    linear: Sides,
 }
 
 impl Instant {
@@ -84,10 +82,9 @@ struct Asked {
 #[derive(Clone, Copy)]
 struct Straight {
     block: usize,
-    /// Its rows among linear rows.
-    rows: Span,
-    /// Where among its numbers of the time it tells what its rows come to, if it does.
-    told: Option<u32>,
+    /// Where what its rows come to stands among the numbers of the time, and whether the constraint writes it there itself.
+    sides: usize,
+    told: bool,
 }
 
 impl Equations {
@@ -123,8 +120,11 @@ impl Equations {
             let (entries, values) = (&self.entries[block.values()], &self.constants[block.values()]);
             // On the ground coordinates are not zero, as those who tell take them to be.
             let told = block.constraint.sides_of_time().filter(|_| entries.iter().all(Option::is_some));
-            let told = told.map(|first| block.timed.first + first as u32);
-            linear = self.linear.append(block.rows(), entries, values).map(|rows| Straight { block: k, rows: Span::new(rows), told });
+            let sides = told.map_or(self.timed, |first| block.timed.first as usize + first);
+            if self.linear.append(block.rows(), entries, values, sides) {
+                linear = Some(Straight { block: k, sides, told: told.is_some() });
+                self.timed += if told.is_some() { 0 } else { 3 * block.rows().len() };
+            }
         }
         let lists = [
             (block.timed.len > 0, &mut asked.timed),
@@ -174,12 +174,8 @@ impl Equations {
             states: self.plan.origin().to_vec(),
             rates: self.plan.no_rates(),
             second_rates: vec![],
-            linear: self.linear.sides(),
         };
-        for straight in &self.asked.steady {
-            let block = &self.blocks[straight.block];
-            block.constraint.residual(&self.origin(0.0, block), &mut instant.linear.at_zero[straight.rows.range()]);
-        }
+        self.asked.steady.iter().for_each(|steady| self.ask_sides(*steady, 0.0, &mut instant));
         instant
     }
 
@@ -220,22 +216,19 @@ impl Equations {
         for block in self.asked.timed.iter().map(|&k| &self.blocks[k]) {
             block.constraint.at_time(t, &mut instant.timed[block.timed.range()]);
         }
-        for straight in &self.asked.linear {
-            match straight.told {
-                Some(first) => instant.linear.take(straight.rows.range(), from(&instant.timed, first)),
-                None => self.ask_sides(*straight, t, instant),
-            }
-        }
+        self.asked.linear.iter().filter(|linear| !linear.told).for_each(|linear| self.ask_sides(*linear, t, instant));
         instant.t = t;
     }
 
-    /// Asks a linear constraint for its sides; its Q_d does not depend on the rates.
-    fn ask_sides(&self, Straight { block, rows, .. }: Straight, t: f64, Instant { timed, rates, linear, .. }: &mut Instant) {
-        let (block, rows) = (&self.blocks[block], rows.range());
+    /// Asks a linear constraint that does not tell what its rows come to; its Q_d does not depend on the rates.
+    fn ask_sides(&self, Straight { block, sides, .. }: Straight, t: f64, instant: &mut Instant) {
+        let block = &self.blocks[block];
+        let (timed, asked) = instant.timed.split_at_mut(sides);
         let at = self.origin(t, block).with_timed(&timed[block.timed.range()]);
-        block.constraint.residual(&at, &mut linear.at_zero[rows.clone()]);
-        block.constraint.velocity_rhs(&at, &mut linear.velocity[rows.clone()]);
-        block.constraint.acceleration_rhs(&at, &self.rates(block, rates), 1.0, &mut linear.acceleration[rows]);
+        let m = block.rows().len();
+        block.constraint.residual(&at, &mut asked[..m]);
+        block.constraint.velocity_rhs(&at, &mut asked[m..2 * m]);
+        block.constraint.acceleration_rhs(&at, &self.rates(block, &instant.rates), 1.0, &mut asked[2 * m..3 * m]);
     }
 
     pub(crate) fn set_position(&self, q: &[f64], instant: &mut Instant) {
@@ -251,7 +244,7 @@ impl Equations {
         for block in self.asked.curved.iter().map(|&k| &self.blocks[k]) {
             block.constraint.residual(&self.at(block, instant), &mut c[block.rows.range()]);
         }
-        self.linear.write(q, &instant.linear.at_zero, c);
+        self.linear.write(q, &instant.timed, c);
         finite(c, "C")
     }
 
@@ -272,7 +265,7 @@ impl Equations {
                 block.constraint.linearize(&at, c, &mut values[block.values.range()]);
             }
         }
-        self.linear.write(q, &instant.linear.at_zero, c);
+        self.linear.write(q, &instant.timed, c);
     }
 
     /// The same where only the time has changed since; false if C_q has not changed with it.
@@ -285,7 +278,7 @@ impl Equations {
                 block.constraint.residual(&self.at(block, instant), c);
             }
         }
-        self.linear.write(q, &instant.linear.at_zero, c);
+        self.linear.write(q, &instant.timed, c);
         self.asked.c_q_on_t
     }
 

@@ -13,7 +13,7 @@ use crate::lower::Lowered;
 pub struct Timed {
     /// What the other functions read (sorted).
     read: Vec<Node>,
-    /// C(0, t), −C_t and −C_tt of each row of a constraint that is linear for good: all that a solver wants to know of it.
+    /// C(0, t) of all rows, −C_t and −C_tt, of a constraint that is linear for good: all that a solver wants to know of it.
     sides: Vec<Node>,
 }
 
@@ -30,12 +30,13 @@ impl Timed {
     }
 }
 
-/// C(0, t), −C_t and −C_tt of each row, if that can be told.
+/// C(0, t) of all rows, −C_t and −C_tt, if that can be told.
 fn sides(g: &mut Graph, rows: &[Node], derived: &Derivatives) -> Option<Vec<Node>> {
     let zero = g.zero();
     let side = |side: &[Node], k: usize| side.get(k).copied().unwrap_or(zero);
-    let all = rows.iter().enumerate().flat_map(|(k, row)| [*row, side(&derived.velocity_rhs, k), side(&derived.acceleration_rhs, k)]);
-    all.collect::<Vec<Node>>().into_iter().map(|node| at_origin(g, node)).collect()
+    let sides = [&derived.velocity_rhs, &derived.acceleration_rhs].into_iter().flat_map(|own| (0..rows.len()).map(|k| side(own, k)));
+    let all: Vec<Node> = rows.iter().copied().chain(sides).collect();
+    all.into_iter().map(|node| at_origin(g, node)).collect()
 }
 
 /// A part of a linear row where all coordinates and their rates are zero, and ṫ = 1.

@@ -6,9 +6,19 @@ use std::ops::Range;
 /// The rows of such constraints, one after the other.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LinearRows {
-    /// The first term of each row, and the others.
-    first: Vec<Term>,
+    rows: Vec<Row>,
+    /// Terms after the first one of each row.
     others: Vec<Term>,
+}
+
+/// One of all rows with its first term.
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    first: Term,
+    /// Where what it comes to at one time stands among the numbers of the time: C(0, t), and so much further on each −C_t and −C_tt, which is
+    /// all that Q_d has here.
+    sides: u32,
+    step: u32,
 }
 
 /// A factor times a coordinate, in one of all rows.
@@ -19,57 +29,42 @@ struct Term {
     factor: f64,
 }
 
-/// What the rows come to at one time: C(0, t), −C_t and −C_tt, which is all that Q_d has here.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Sides {
-    pub at_zero: Vec<f64>,
-    pub velocity: Vec<f64>,
-    pub acceleration: Vec<f64>,
-}
-
-impl Sides {
-    /// Takes those of some rows: three numbers of each.
-    pub(super) fn take(&mut self, rows: Range<usize>, told: &[f64]) {
-        for (row, &[at_zero, velocity, acceleration]) in rows.zip(told.as_chunks().0) {
-            (self.at_zero[row], self.velocity[row], self.acceleration[row]) = (at_zero, velocity, acceleration);
-        }
-    }
+/// Which right side: −C_t, or Q_d.
+#[derive(Clone, Copy)]
+pub(super) enum Side {
+    Velocity = 1,
+    Acceleration,
 }
 
 impl LinearRows {
-    /// Appends rows with the entries and values of C_q in them; gives their numbers among linear rows, or nothing if they are not all known
-    /// or a row has none.
+    /// Appends rows with the entries and values of C_q in them, whose numbers of the time begin at `sides`: C(0, t) of all rows, −C_t, −C_tt; false if
+    /// the values are not all known or a row has none.
     pub(super) fn append(
         &mut self,
         rows: Range<usize>,
         entries: &[Option<(usize, usize)>],
         values: &[Option<f64>],
-    ) -> Option<Range<usize>> {
-        let from = self.first.len();
+        sides: usize,
+    ) -> bool {
         let own = entries.iter().zip(values).filter_map(|(entry, value)| entry.map(|entry| Some((entry, (*value)?))));
-        let mut known: Vec<((usize, usize), f64)> = own.collect::<Option<_>>()?;
+        let Some(mut known) = own.collect::<Option<Vec<((usize, usize), f64)>>>() else { return false };
         known.sort_by_key(|(entry, _)| *entry);
         if !rows.clone().all(|row| known.iter().any(|((i, _), _)| *i == row)) {
-            return None;
+            return false;
         }
-        for row in known.chunk_by(|a, b| a.0.0 == b.0.0) {
+        for (k, row) in known.chunk_by(|a, b| a.0.0 == b.0.0).enumerate() {
             let mut terms = row.iter().map(|&((row, column), factor)| Term { row: row as u32, column: column as u32, factor });
-            self.first.extend(terms.next());
+            self.rows.extend(terms.next().map(|first| Row { first, sides: (sides + k) as u32, step: rows.len() as u32 }));
             self.others.extend(terms);
         }
-        Some(from..self.first.len())
+        true
     }
 
-    /// Room for the sides of all rows.
-    pub(super) fn sides(&self) -> Sides {
-        let zeros = || vec![0.0; self.first.len()];
-        Sides { at_zero: zeros(), velocity: zeros(), acceleration: zeros() }
-    }
-
-    /// C of these rows.
-    pub(super) fn write(&self, q: &[f64], at_zero: &[f64], c: &mut [f64]) {
-        for (term, at_zero) in self.first.iter().zip(at_zero) {
-            c[term.row as usize] = term.factor * q[term.column as usize] + at_zero;
+    /// C of these rows, with the numbers of the time.
+    #[inline]
+    pub(super) fn write(&self, q: &[f64], timed: &[f64], c: &mut [f64]) {
+        for Row { first, sides, .. } in &self.rows {
+            c[first.row as usize] = first.factor * q[first.column as usize] + timed[*sides as usize];
         }
         for term in &self.others {
             c[term.row as usize] += term.factor * q[term.column as usize];
@@ -77,9 +72,10 @@ impl LinearRows {
     }
 
     /// Their part of a right side, times a factor.
-    pub(super) fn write_side(&self, side: &[f64], factor: f64, rhs: &mut [f64]) {
-        for (term, x) in self.first.iter().zip(side) {
-            rhs[term.row as usize] = factor * x;
+    #[inline]
+    pub(super) fn write_side(&self, side: Side, timed: &[f64], factor: f64, rhs: &mut [f64]) {
+        for Row { first, sides, step } in &self.rows {
+            rhs[first.row as usize] = factor * timed[*sides as usize + side as usize * *step as usize];
         }
     }
 }

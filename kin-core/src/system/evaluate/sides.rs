@@ -1,5 +1,6 @@
 //! Right sides of a whole system: what asks for rates, beside C and C_q.
 
+use super::linear::Side;
 use super::{Block, Equations, Instant};
 use crate::error::Error;
 use crate::state::At;
@@ -11,7 +12,7 @@ impl Equations {
         for block in self.asked.c_t.iter().map(|&k| &self.blocks[k]) {
             block.constraint.velocity_rhs(&self.at(block, instant), &mut rhs[block.rows.range()]);
         }
-        self.linear.write_side(&instant.linear.velocity, 1.0, rhs);
+        self.linear.write_side(Side::Velocity, &instant.timed, 1.0, rhs);
     }
 
     /// Q_d, whether it is finite or not.
@@ -27,7 +28,7 @@ impl Equations {
             self.show(block, instant, &mut at);
             block.constraint.acceleration_rhs(&at, &self.rates(block, &instant.rates), t_dot, &mut rhs[block.rows.range()]);
         }
-        self.linear.write_side(&instant.linear.acceleration, t_dot * t_dot, rhs);
+        self.linear.write_side(Side::Acceleration, &instant.timed, t_dot * t_dot, rhs);
     }
 
     /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), along the rates of the instant and q̈, whether it is finite or not.
