@@ -98,13 +98,16 @@ impl Motion {
         self.residuals.push(outcome.residual);
     }
 
-    /// The same of several times at once: rows of q, of q̇ and of q̈, residuals and numbers of Newton steps; `worst` is the largest residual
-    /// of all times so far, and its row.
-    pub(crate) fn push_all(&mut self, times: &[f64], [q, qd, qdd, residuals, steps]: [&[f64]; 5], worst: (f64, usize)) {
-        let kinds =
-            [(&mut self.times, times), (&mut self.q, q), (&mut self.qd, qd), (&mut self.qdd, qdd), (&mut self.residuals, residuals)];
+    /// The same of several times at once: rows of q, of q̇ and of q̈, residuals and numbers of Newton steps; to be completed.
+    pub(crate) fn push_all(&mut self, [q, qd, qdd, residuals]: [&[f64]; 4], steps: impl Iterator<Item = usize>) {
+        let kinds = [(&mut self.q, q), (&mut self.qd, qd), (&mut self.qdd, qdd), (&mut self.residuals, residuals)];
         kinds.into_iter().for_each(|(all, more)| all.extend_from_slice(more));
-        self.iterations.extend(steps.iter().map(|steps| *steps as usize));
+        self.iterations.extend(steps);
+    }
+
+    /// The times of all that was pushed, the largest residual and its row.
+    pub(crate) fn complete(&mut self, times: &[f64], worst: (f64, usize)) {
+        self.times.extend_from_slice(times);
         self.worst = Some(worst);
     }
 

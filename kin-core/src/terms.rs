@@ -129,6 +129,11 @@ impl Local {
         local
     }
 
+    /// Of each argument, where its state and its rates begin.
+    pub(crate) fn places(&self) -> Vec<[u32; 2]> {
+        self.first_state.iter().zip(&self.first_column).map(|(state, column)| [*state as u32, *column as u32]).collect()
+    }
+
     fn at(&self, t: f64) -> At<'_> {
         At::new(t, &self.states, &self.first_state)
     }

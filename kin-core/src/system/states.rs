@@ -2,6 +2,8 @@
 
 mod lanes;
 
+pub(crate) use lanes::WidePlan;
+
 use crate::coordinates::{Target, Trig};
 use crate::layout::Place;
 use crate::state::{CoordState, PlanarState, SPATIAL_STATE, SpatialState};

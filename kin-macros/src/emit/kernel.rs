@@ -11,7 +11,7 @@ use quote::{ToTokens, quote};
 pub use words::number;
 use words::{comparison_method, sign};
 
-use super::slots::{Slot, binding, slots};
+use super::slots::{Slot, binding, list, slots};
 use super::timed;
 use crate::graph::{Function, Function2, Graph, Input, Node, Op, Part};
 use crate::lower::{Lowered, OpaqueKind};
@@ -155,6 +155,9 @@ impl<'a> Kernel<'a> {
 
     /// The states and rates as arrays of known length, if any of their numbers is read.
     fn bindings(&self) -> TokenStream {
+        if self.numbers == Numbers::Wide {
+            return self.bindings_of_arguments();
+        }
         let read = |states: bool| self.read.iter().any(|(_, _, state)| *state == states);
         let states: usize = self.slots.iter().map(|slot| slot.state_parts().len()).sum();
         let rates: usize = self.slots.iter().map(|slot| slot.columns().len()).sum();
@@ -163,15 +166,32 @@ impl<'a> Kernel<'a> {
         quote!(#states #rates)
     }
 
+    /// The same over lanes, where the state of each argument, and its rates, stand by themselves.
+    fn bindings_of_arguments(&self) -> TokenStream {
+        let binding = |slot: usize, of_state: bool| {
+            let is_read = self.read.iter().any(|&(read, _, state)| (read, state) == (slot, of_state));
+            let (source, length) = match of_state {
+                true => (quote!(at.state), self.slots[slot].state_parts().len()),
+                false => (quote!(qd.of), self.slots[slot].columns().len()),
+            };
+            let (name, number, length) = (list(of_state, slot), Literal::usize_unsuffixed(slot), Literal::usize_unsuffixed(length));
+            is_read.then(|| quote!(let ::core::option::Option::Some(#name) = #source::<#length>(#number) else { return };))
+        };
+        (0..self.slots.len()).flat_map(|slot| [binding(slot, true), binding(slot, false)]).flatten().collect()
+    }
+
     /// The name of a number of a state or of the rates, read just before it is needed first: registers are few.
     fn reading(&mut self, slot: usize, part: Part, of_state: bool) -> Ident {
         let parts = |slot: &Slot| if of_state { slot.state_parts() } else { slot.columns() };
         let name = if of_state { self.slots[slot].state(part) } else { self.slots[slot].rate(part) };
         if self.read.insert((slot, part, of_state)) {
-            let first: usize = self.slots[..slot].iter().map(|slot| parts(slot).len()).sum();
             let place = parts(&self.slots[slot]).iter().position(|&p| p == part).unwrap_or(0);
+            let before: usize = self.slots[..slot].iter().map(|slot| parts(slot).len()).sum();
+            let (source, first) = match self.numbers {
+                Numbers::Plain => (super::own(if of_state { "state" } else { "rate" }), before),
+                Numbers::Wide => (list(of_state, slot), 0),
+            };
             let place = Literal::usize_unsuffixed(first + place);
-            let source = super::own(if of_state { "state" } else { "rate" });
             self.statements.push(quote!(let #name = #source[#place];));
         }
         name

@@ -55,6 +55,11 @@ pub fn binding(name: &str, source: TokenStream, length: usize, is_read: bool) ->
     if is_read { quote!(let ::core::option::Option::Some(#name) = #source::<#length>() else { return };) } else { quote!() }
 }
 
+/// The name of the state of one argument, or of its rates, over lanes.
+pub fn list(of_state: bool, slot: usize) -> Ident {
+    super::own(&format!("{}{slot}", if of_state { "state" } else { "rate" }))
+}
+
 /// The state arguments, one a slot, with names that nothing else in emitted code has.
 pub fn slots(arguments: &[Argument]) -> Vec<Slot> {
     let plain = |argument: &Argument| argument.name.to_string().trim_start_matches("r#").to_owned();
@@ -74,7 +79,7 @@ pub fn slots(arguments: &[Argument]) -> Vec<Slot> {
 /// Names of the emitted functions' own arguments and temporaries, and keywords that came as raw identifiers.
 fn is_taken(name: &str) -> bool {
     let prefix = name.trim_end_matches(|c: char| c.is_ascii_digit());
-    let temporary = prefix.len() < name.len() && matches!(prefix, "t" | "s" | "c" | "o" | "law" | "leaf" | "known" | "call");
+    let temporary = prefix.len() < name.len() && matches!(prefix, "t" | "s" | "c" | "o" | "law" | "leaf" | "known" | "call" | "state" | "rate");
     let own = matches!(
         name,
         "at" | "qd" | "c" | "c_q" | "q_d" | "rhs" | "t_dot" | "x" | "f" | "timed" | "own" | "state" | "rate" | "fma" | "in_order"
