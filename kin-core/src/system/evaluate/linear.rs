@@ -7,13 +7,15 @@ use std::ops::Range;
 #[derive(Clone, Debug, Default)]
 pub(super) struct LinearRows {
     rows: Vec<Row>,
-    /// Terms after the first one of each row.
+    /// Terms after the first one of each row, row by row.
     others: Vec<Term>,
 }
 
-/// One of all rows with its first term.
+/// One of all rows with its first term, and how many others it has.
 #[derive(Clone, Copy, Debug)]
 struct Row {
+    row: u32,
+    others: u32,
     first: Term,
     /// Where what it comes to at one time stands among the numbers of the time: C(0, t), and so much further on each −C_t and −C_tt, which is
     /// all that Q_d has here.
@@ -21,12 +23,18 @@ struct Row {
     step: u32,
 }
 
-/// A factor times a coordinate, in one of all rows.
+/// A factor times a coordinate.
 #[derive(Clone, Copy, Debug)]
 struct Term {
-    row: u32,
     column: u32,
     factor: f64,
+}
+
+impl Term {
+    #[inline(always)]
+    fn at(self, q: &[f64]) -> f64 {
+        self.factor * q[self.column as usize]
+    }
 }
 
 /// Which right side: −C_t, or Q_d.
@@ -52,9 +60,12 @@ impl LinearRows {
         if !rows.clone().all(|row| known.iter().any(|((i, _), _)| *i == row)) {
             return false;
         }
-        for (k, row) in known.chunk_by(|a, b| a.0.0 == b.0.0).enumerate() {
-            let mut terms = row.iter().map(|&((row, column), factor)| Term { row: row as u32, column: column as u32, factor });
-            self.rows.extend(terms.next().map(|first| Row { first, sides: (sides + k) as u32, step: rows.len() as u32 }));
+        let step = rows.len() as u32;
+        for (k, terms) in known.chunk_by(|a, b| a.0.0 == b.0.0).enumerate() {
+            let (row, sides) = (terms[0].0.0 as u32, (sides + k) as u32);
+            let mut terms = terms.iter().map(|&((_, column), factor)| Term { column: column as u32, factor });
+            let first = terms.next();
+            self.rows.extend(first.map(|first| Row { row, others: terms.len() as u32, first, sides, step }));
             self.others.extend(terms);
         }
         true
@@ -63,19 +74,22 @@ impl LinearRows {
     /// C of these rows, with the numbers of the time.
     #[inline]
     pub(super) fn write(&self, q: &[f64], timed: &[f64], c: &mut [f64]) {
-        for Row { first, sides, .. } in &self.rows {
-            c[first.row as usize] = first.factor * q[first.column as usize] + timed[*sides as usize];
-        }
-        for term in &self.others {
-            c[term.row as usize] += term.factor * q[term.column as usize];
+        let mut others = self.others.iter();
+        for row in &self.rows {
+            let mut sum = row.first.at(q);
+            // Coordinates first: the difference of two angles is small, and so is its rounding.
+            for _ in 0..row.others {
+                sum += others.next().map_or(0.0, |term| term.at(q));
+            }
+            c[row.row as usize] = sum + timed[row.sides as usize];
         }
     }
 
     /// Their part of a right side, times a factor.
     #[inline]
     pub(super) fn write_side(&self, side: Side, timed: &[f64], factor: f64, rhs: &mut [f64]) {
-        for Row { first, sides, step } in &self.rows {
-            rhs[first.row as usize] = factor * timed[*sides as usize + side as usize * *step as usize];
+        for row in &self.rows {
+            rhs[row.row as usize] = factor * timed[row.sides as usize + side as usize * row.step as usize];
         }
     }
 }
