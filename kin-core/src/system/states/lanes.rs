@@ -4,7 +4,7 @@
 
 use super::{GROUND, State, StatePlan, from};
 use crate::lanes::{Level, Wide};
-use crate::state::{COORD_STATE, PLANAR_STATE, SPATIAL_STATE};
+use crate::state::{CoordState, PlanarState, SPATIAL_STATE};
 
 /// Where states stand over lanes, and which coordinates make them up.
 pub(crate) struct WidePlan {
@@ -29,13 +29,13 @@ impl WidePlan {
         let mut moved = Moved(vec![NOWHERE; plan.states.len()]);
         let mut copies = &plan.planar.copies[..];
         for state in &plan.planar.states {
-            let place = wide.room(PLANAR_STATE);
+            let place = wide.room(&PlanarState::ground().to_array());
             wide.planar.push([state.first, place]);
             moved.put(state, place, &mut copies);
         }
         let mut copies = &plan.spatial.copies[..];
         for state in &plan.spatial.states {
-            let place = wide.room(SPATIAL_STATE);
+            let place = wide.room(&[0.0; SPATIAL_STATE]);
             wide.spatial.push([state.first, place]);
             moved.put(state, place, &mut copies);
         }
@@ -47,10 +47,10 @@ impl WidePlan {
         (wide, moved)
     }
 
-    /// Room for one more state.
-    fn room(&mut self, length: usize) -> u32 {
+    /// Room for one more state, which is this where all coordinates are zero.
+    fn room(&mut self, state: &[f64]) -> u32 {
         let place = self.states.len() as u32;
-        self.states.resize(self.states.len() + length, 0.0);
+        self.states.extend_from_slice(state);
         place
     }
 
@@ -60,7 +60,7 @@ impl WidePlan {
         if let Some(body) = angle {
             return self.planar[body][1] + 2;
         }
-        let place = self.room(COORD_STATE);
+        let place = self.room(&CoordState::new(0.0, true).to_array());
         self.coords.push(([state.first, place], state.trig));
         place
     }
@@ -70,9 +70,7 @@ impl WidePlan {
         if moved.0[scalar] != NOWHERE {
             return moved.0[scalar];
         }
-        let place = self.states.len() as u32;
-        self.states.extend_from_slice(&plan.states[scalar..scalar + length]);
-        place
+        self.room(&plan.states[scalar..scalar + length])
     }
 
     /// The states where all coordinates are zero.
@@ -126,5 +124,47 @@ impl StatePlan {
     /// The coordinate whose rate a local column has, or `ground`.
     pub(crate) fn coordinate(&self, column: usize, ground: u32) -> u32 {
         if self.columns[column] == GROUND { ground } else { self.columns[column] }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::coordinates::{Coordinate, Target, Trig, any_planar, any_spatial};
+    use crate::layout::Place;
+
+    #[test]
+    fn every_argument_finds_its_own_state_once() {
+        let (own, ground) = (|first| Place::Own { item: 0, first }, Place::Ground(0.0));
+        let coordinate = |trig| Target::Coord(Coordinate::Planar(any_planar(), 2), trig);
+        let arguments = [
+            (Target::Planar(any_planar()), own(0), 5),
+            (Target::Planar(any_planar()), ground, 5),
+            (coordinate(Trig::Used), own(2), 3),
+            (Target::Spatial(any_spatial()), own(4), 7),
+            (Target::Planar(any_planar()), own(0), 5),
+            (coordinate(Trig::Used), own(3), 3),
+            (coordinate(Trig::Used), Place::Ground(0.25), 3),
+            (Target::Spatial(any_spatial()), ground, 7),
+        ];
+        let mut plan = StatePlan::default();
+        let begins: Vec<usize> = arguments.iter().map(|(target, place, _)| plan.argument(target, *place).0).collect();
+        plan.finish();
+        let (mut wide, moved) = WidePlan::new(&plan);
+        let places: Vec<u32> = begins.iter().zip(&arguments).map(|(begin, (.., n))| wide.place(&plan, &moved, *begin, *n)).collect();
+        assert_eq!(places[0], places[4]);
+        assert_eq!(places[2], places[0] + 2);
+        let simd = pulp::Scalar::new();
+        let (mut scalar, mut states) = (plan.origin().to_vec(), wide.states(simd));
+        // An angle of zero first: its state is there before it has moved.
+        for theta in [0.0, 0.7, 0.7, -2.0] {
+            let q: Vec<f64> = [1.0, 2.0, theta, 0.3].into_iter().chain((0..7).map(|k| 0.1 * f64::from(k))).collect();
+            plan.set_states(&q, &mut scalar);
+            wide.set_states(&q.iter().map(|x| Wide::splat(simd, *x)).collect::<Vec<_>>(), &mut states);
+            for ((begin, place), (.., length)) in begins.iter().zip(&places).zip(&arguments) {
+                let found: Vec<f64> = states[*place as usize..][..*length].iter().map(|x| x.as_slice()[0]).collect();
+                assert_eq!(found, scalar[*begin..begin + length]);
+            }
+        }
     }
 }
