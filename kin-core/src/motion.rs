@@ -69,11 +69,6 @@ impl Motion {
         }
     }
 
-    /// Breaks that were crossed on the way to the next time.
-    pub(crate) fn cross(&mut self, crossed: Vec<CrossedBreak>) {
-        self.breaks.extend(crossed);
-    }
-
     pub(crate) fn push(&mut self, t: f64, newton: &Newton<'_>, outcome: Outcome) {
         let worst = if self.is_worse(outcome) { newton.worst().0 } else { 0 };
         self.append(t, [&newton.q, &newton.qd, &newton.qdd, &newton.qddd], outcome, worst);

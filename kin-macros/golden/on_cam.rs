@@ -110,19 +110,20 @@ const _: () = {
             let ::core::option::Option::Some(c) = c.first_chunk_mut::<1>() else {
                 return
             };
-            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
-            let follower_x = state[5];
-            let follower_cos = state[9];
-            let follower_sin = state[8];
-            let cam_x = state[0];
+            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
+            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
+            let follower_x = state1[0];
+            let follower_cos = state1[4];
+            let follower_sin = state1[3];
+            let cam_x = state0[0];
             let t0 = (follower_x
                 + ((self.tip.x * follower_cos) - (self.tip.y * follower_sin))) - cam_x;
-            let follower_y = state[6];
-            let cam_y = state[1];
+            let follower_y = state1[1];
+            let cam_y = state0[1];
             let t1 = (follower_y
                 + ((self.tip.x * follower_sin) + (self.tip.y * follower_cos))) - cam_y;
-            let cam_cos = state[4];
-            let cam_sin = state[3];
+            let cam_cos = state0[4];
+            let cam_sin = state0[3];
             let t2 = (cam_cos * t0) + (cam_sin * t1);
             let t3 = (cam_cos * t1) - (cam_sin * t0);
             let t4 = f64::atan2(t3, t2);
@@ -143,20 +144,21 @@ const _: () = {
                 return
             };
             let fma = ::kin::rt::fma;
-            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
+            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
             let in_order = ::kin::rt::in_order;
-            let follower_cos = state[9];
-            let follower_sin = state[8];
+            let follower_cos = state1[4];
+            let follower_sin = state1[3];
             let t0 = (self.tip.x * follower_cos) - (self.tip.y * follower_sin);
-            let follower_x = state[5];
-            let cam_x = state[0];
+            let follower_x = state1[0];
+            let cam_x = state0[0];
             let t1 = (follower_x + t0) - cam_x;
             let t2 = (self.tip.x * follower_sin) + (self.tip.y * follower_cos);
-            let follower_y = state[6];
-            let cam_y = state[1];
+            let follower_y = state1[1];
+            let cam_y = state0[1];
             let t3 = (follower_y + t2) - cam_y;
-            let cam_cos = state[4];
-            let cam_sin = state[3];
+            let cam_cos = state0[4];
+            let cam_sin = state0[3];
             let t4 = (cam_cos * t1) + (cam_sin * t3);
             let t5 = (cam_cos * t3) - (cam_sin * t1);
             let t6 = (t4 * t4) + (t5 * t5);
@@ -216,37 +218,39 @@ const _: () = {
                 return
             };
             let fma = ::kin::rt::fma;
-            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
-            let ::core::option::Option::Some(rate) = qd.columns::<6>() else { return };
-            let follower_sin = state[8];
-            let follower_cos = state[9];
+            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
+            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
+            let ::core::option::Option::Some(rate0) = qd.of::<3>(0) else { return };
+            let ::core::option::Option::Some(rate1) = qd.of::<3>(1) else { return };
+            let follower_sin = state1[3];
+            let follower_cos = state1[4];
             let t0 = (self.tip.x * follower_sin) + (self.tip.y * follower_cos);
-            let follower_y = state[6];
-            let cam_y = state[1];
+            let follower_y = state1[1];
+            let cam_y = state0[1];
             let t1 = (follower_y + t0) - cam_y;
             let t2 = (self.tip.x * follower_cos) - (self.tip.y * follower_sin);
-            let follower_x = state[5];
-            let cam_x = state[0];
+            let follower_x = state1[0];
+            let cam_x = state0[0];
             let t3 = (follower_x + t2) - cam_x;
-            let cam_cos = state[4];
-            let cam_sin = state[3];
+            let cam_cos = state0[4];
+            let cam_sin = state0[3];
             let t4 = (cam_cos * t1) - (cam_sin * t3);
             let t5 = (cam_cos * t3) + (cam_sin * t1);
             let t6 = f64::atan2(t4, t5);
             let t7 = (t5 * t5) + (t4 * t4);
             let t8 = t5 / t7;
-            let follower_theta_d = rate[5];
+            let follower_theta_d = rate1[2];
             let t9 = t0 * follower_theta_d;
-            let follower_x_d = rate[3];
-            let cam_x_d = rate[0];
+            let follower_x_d = rate1[0];
+            let cam_x_d = rate0[0];
             let t10 = (follower_x_d - t9) - cam_x_d;
             let t11 = cam_sin * t10;
-            let cam_theta_d = rate[2];
+            let cam_theta_d = rate0[2];
             let t12 = cam_cos * cam_theta_d;
             let t13 = cam_sin * cam_theta_d;
             let t14 = t2 * follower_theta_d;
-            let follower_y_d = rate[4];
-            let cam_y_d = rate[1];
+            let follower_y_d = rate1[1];
+            let cam_y_d = rate0[1];
             let t15 = (follower_y_d + t14) - cam_y_d;
             let t16 = fma(cam_cos, t15, fma(-t1, t13, fma(-t3, t12, -t11)));
             let t17 = cam_cos * t10;
@@ -410,19 +414,20 @@ const _: () = {
             visit: &mut dyn FnMut(&str, &::kin::Law, f64),
         ) {
             let mut x = [0.0; 1];
-            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
-            let follower_y = state[6];
-            let follower_sin = state[8];
-            let follower_cos = state[9];
-            let cam_y = state[1];
+            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
+            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
+            let follower_y = state1[1];
+            let follower_sin = state1[3];
+            let follower_cos = state1[4];
+            let cam_y = state0[1];
             let t0 = (follower_y
                 + ((self.tip.x * follower_sin) + (self.tip.y * follower_cos))) - cam_y;
-            let follower_x = state[5];
-            let cam_x = state[0];
+            let follower_x = state1[0];
+            let cam_x = state0[0];
             let t1 = (follower_x
                 + ((self.tip.x * follower_cos) - (self.tip.y * follower_sin))) - cam_x;
-            let cam_cos = state[4];
-            let cam_sin = state[3];
+            let cam_cos = state0[4];
+            let cam_sin = state0[3];
             x[0] = f64::atan2(
                 (cam_cos * t0) - (cam_sin * t1),
                 (cam_cos * t1) + (cam_sin * t0),
@@ -502,28 +507,25 @@ const _: () = {
             c: &mut [::kin::rt::Wide<__S>],
             c_q: &mut [::kin::rt::Wide<__S>],
         ) {
-            let ::core::option::Option::Some(c) = c.first_chunk_mut::<1>() else {
-                return
-            };
-            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<6>() else {
-                return
-            };
+            let ::core::option::Option::Some(c) = at.rows::<1>(c) else { return };
+            let ::core::option::Option::Some(c_q) = at.values::<6>(c_q) else { return };
             let ::core::option::Option::Some(&[known0, known1]) = at.known::<2>() else {
                 return
             };
-            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
-            let follower_cos = state[9];
-            let follower_sin = state[8];
+            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
+            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
+            let follower_cos = state1[4];
+            let follower_sin = state1[3];
             let t0 = (known0 * follower_cos) - (known1 * follower_sin);
-            let follower_x = state[5];
-            let cam_x = state[0];
+            let follower_x = state1[0];
+            let cam_x = state0[0];
             let t1 = (follower_x + t0) - cam_x;
             let t2 = (known0 * follower_sin) + (known1 * follower_cos);
-            let follower_y = state[6];
-            let cam_y = state[1];
+            let follower_y = state1[1];
+            let cam_y = state0[1];
             let t3 = (follower_y + t2) - cam_y;
-            let cam_cos = state[4];
-            let cam_sin = state[3];
+            let cam_cos = state0[4];
+            let cam_sin = state0[3];
             let t4 = (cam_cos * t1) + (cam_sin * t3);
             let t5 = (cam_cos * t3) - (cam_sin * t1);
             let t6 = (t4 * t4) + (t5 * t5);
@@ -559,9 +561,7 @@ const _: () = {
             at: &::kin::rt::LaneAt<'_, __S>,
             rhs: &mut [::kin::rt::Wide<__S>],
         ) {
-            let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<0>() else {
-                return
-            };
+            let ::core::option::Option::Some(rhs) = at.rows::<0>(rhs) else { return };
             let ::core::option::Option::Some(&[known0, known1]) = at.known::<2>() else {
                 return
             };
@@ -572,43 +572,43 @@ const _: () = {
             qd: &::kin::rt::LaneRates<'_, __S>,
             q_d: &mut [::kin::rt::Wide<__S>],
         ) {
-            let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<1>() else {
-                return
-            };
+            let ::core::option::Option::Some(q_d) = at.rows::<1>(q_d) else { return };
             let ::core::option::Option::Some(&[known0, known1]) = at.known::<2>() else {
                 return
             };
-            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
-            let ::core::option::Option::Some(rate) = qd.columns::<6>() else { return };
-            let follower_cos = state[9];
-            let follower_sin = state[8];
+            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
+            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
+            let ::core::option::Option::Some(rate0) = qd.of::<3>(0) else { return };
+            let ::core::option::Option::Some(rate1) = qd.of::<3>(1) else { return };
+            let follower_cos = state1[4];
+            let follower_sin = state1[3];
             let t0 = (known0 * follower_cos) - (known1 * follower_sin);
-            let follower_x = state[5];
-            let cam_x = state[0];
+            let follower_x = state1[0];
+            let cam_x = state0[0];
             let t1 = (follower_x + t0) - cam_x;
             let t2 = (known0 * follower_sin) + (known1 * follower_cos);
-            let follower_y = state[6];
-            let cam_y = state[1];
+            let follower_y = state1[1];
+            let cam_y = state0[1];
             let t3 = (follower_y + t2) - cam_y;
-            let cam_cos = state[4];
-            let cam_sin = state[3];
+            let cam_cos = state0[4];
+            let cam_sin = state0[3];
             let t4 = (cam_cos * t1) + (cam_sin * t3);
             let t5 = (cam_cos * t3) - (cam_sin * t1);
             let t6 = (t4 * t4) + (t5 * t5);
             let t7 = at.splat(2.0) * ::kin::rt::Wide::sqrt(t6);
             let t8 = at.splat(1.0) / t7;
-            let follower_theta_d = rate[5];
+            let follower_theta_d = rate1[2];
             let t9 = t0 * follower_theta_d;
-            let follower_y_d = rate[4];
-            let cam_y_d = rate[1];
+            let follower_y_d = rate1[1];
+            let cam_y_d = rate0[1];
             let t10 = (follower_y_d + t9) - cam_y_d;
             let t11 = cam_cos * t10;
             let t12 = t2 * follower_theta_d;
-            let follower_x_d = rate[3];
-            let cam_x_d = rate[0];
+            let follower_x_d = rate1[0];
+            let cam_x_d = rate0[0];
             let t13 = (follower_x_d - t12) - cam_x_d;
             let t14 = cam_sin * t13;
-            let cam_theta_d = rate[2];
+            let cam_theta_d = rate0[2];
             let t15 = (cam_theta_d * (t1 * cam_theta_d)) + (follower_theta_d * t9);
             let t16 = (cam_theta_d * (t3 * cam_theta_d)) + (follower_theta_d * t12);
             let t17 = (at.splat(2.0) * (cam_theta_d * (t11 - t14)))

@@ -75,8 +75,8 @@ impl Compare<'_> {
         let rates = wide(simd, &locals, |local| &local.rates);
         let known = self.known(t).into_iter().map(|x| Wide::splat(simd, x)).collect::<Vec<_>>();
         let own = [vec![self.kernels; Wide::<S>::LANES]];
-        let arguments = locals.first().map(Local::places).unwrap_or_default();
-        let instant = LaneInstant { simd, states: &states, rates: &rates, known: &known, arguments: &arguments, own: &own };
+        let arguments = locals.first().map(|local| &local.arguments[..]).unwrap_or_default();
+        let instant = LaneInstant { simd, states: &states, rates: &rates, known: &known, arguments, own: &own };
         let alone = [LaneBlock { number: 0, arguments: 0, known: 0, rows: 0, values: 0 }];
         let (table, rows) = (S::table(&self.kernels.kernels()), self.constraint.rows().len());
         let zeros = || vec![Wide::splat(simd, 0.0); rows];

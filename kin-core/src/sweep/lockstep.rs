@@ -80,7 +80,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
         let mut newton = Newton::new(typical, options);
         // Where that fails each group of cases records for itself.
         let _ = assembly::assemble(&mut newton, t);
-        let equations = WideEquations::new(simd, typical.equations(), varied, n);
+        let equations = WideEquations::new(simd, typical.equations(), varied);
         let room = || vec![zero; n];
         Lockstep {
             simd,

@@ -49,15 +49,17 @@ impl Slot {
     }
 }
 
-/// `let Some(state) = at.states::<10>() else { return };`
-pub fn binding(name: &str, source: TokenStream, length: usize, is_read: bool) -> TokenStream {
-    let (name, length) = (super::own(name), Literal::usize_unsuffixed(length));
-    if is_read { quote!(let ::core::option::Option::Some(#name) = #source::<#length>() else { return };) } else { quote!() }
+/// The numbers of argument `k`'s state, or of its rates, in emitted code.
+pub fn source(k: usize, of_state: bool) -> Ident {
+    super::own(&format!("{}{k}", if of_state { "state" } else { "rate" }))
 }
 
-/// The name of the state of one argument, or of its rates, over lanes.
-pub fn list(of_state: bool, slot: usize) -> Ident {
-    super::own(&format!("{}{slot}", if of_state { "state" } else { "rate" }))
+/// `let Some(state0) = at.state::<5>(0) else { return };`
+pub fn binding(k: usize, of_state: bool, length: usize) -> TokenStream {
+    let name = source(k, of_state);
+    let (k, length) = (Literal::usize_unsuffixed(k), Literal::usize_unsuffixed(length));
+    let numbers = if of_state { quote!(at.state) } else { quote!(qd.of) };
+    quote!(let ::core::option::Option::Some(#name) = #numbers::<#length>(#k) else { return };)
 }
 
 /// The state arguments, one a slot, with names that nothing else in emitted code has.
@@ -83,7 +85,7 @@ fn is_taken(name: &str) -> bool {
         prefix.len() < name.len() && matches!(prefix, "t" | "s" | "c" | "o" | "law" | "leaf" | "known" | "call" | "state" | "rate");
     let own = matches!(
         name,
-        "at" | "qd" | "c" | "c_q" | "q_d" | "rhs" | "t_dot" | "x" | "f" | "timed" | "own" | "state" | "rate" | "fma" | "in_order"
+        "at" | "qd" | "c" | "c_q" | "q_d" | "rhs" | "t_dot" | "x" | "f" | "timed" | "own" | "fma" | "in_order"
     );
     temporary || own || syn::parse_str::<Ident>(name).is_err()
 }

@@ -1,10 +1,9 @@
 //! Evaluation over lanes: several systems of one pattern at once, by kernels where constraints have them, else lane by lane.
 
-use super::{Equations, Span};
+use super::{Equations, Span, StatePlan};
 use crate::lanes::{InLanes, LaneBlock, LaneInstant, Level, Table, Wide};
-use crate::state::{At, Rates};
+use crate::state::{At, Rates, SPATIAL_STATE};
 use crate::system::System;
-use crate::system::states::WidePlan;
 
 /// One constraint over lanes.
 struct WideBlock {
@@ -35,10 +34,7 @@ pub(crate) struct WideEquations<S: Level> {
     simd: S,
     blocks: Vec<WideBlock>,
     groups: Vec<Group<S>>,
-    plan: WidePlan,
-    /// Of every argument, where its state and its rates begin, and how many numbers they are.
-    arguments: Vec<[u32; 2]>,
-    lengths: Vec<[u32; 2]>,
+    plan: StatePlan,
     /// Whether some C_q depends on the time.
     c_q_on_t: bool,
     n_known: usize,
@@ -78,48 +74,30 @@ impl<'a> Crew<'a> {
 }
 
 impl<S: Level> WideEquations<S> {
-    /// Those of `equations`; `varied` are the constraints that differ from lane to lane. The rates of the ground stand at `ground`.
-    pub(crate) fn new(simd: S, equations: &Equations, varied: &[bool], ground: usize) -> Self {
-        let (plan, moved) = WidePlan::new(&equations.plan);
+    /// Those of `equations`; `varied` are the constraints that differ from lane to lane.
+    pub(crate) fn new(simd: S, equations: &Equations, varied: &[bool]) -> Self {
         let mut all = WideEquations {
             simd,
             blocks: Vec::new(),
             groups: Vec::new(),
-            plan,
-            arguments: Vec::new(),
-            lengths: Vec::new(),
+            plan: equations.plan.clone(),
             c_q_on_t: equations.blocks.iter().any(|block| block.constraint.depends().c_q_on_t),
             n_known: 0,
             scratch: Scratch::default(),
         };
-        let ends = equations.blocks.iter().skip(1).map(|next| [next.states as usize, next.rates as usize]);
-        let ends = ends.chain([[equations.plan.len(), equations.plan.n_columns()]]);
-        for ((block, varied), ends) in equations.blocks.iter().zip(varied).zip(ends) {
-            let arguments = all.arguments.len();
-            let own = [&block.arguments.first_state, &block.arguments.first_column];
-            let begins = [block.states, block.rates].map(|begin| begin as usize);
-            for k in 0..own[0].len() {
-                let [state, column] = [0, 1].map(|what| begins[what] + own[what][k]);
-                let end = |what: usize| own[what].get(k + 1).map_or(ends[what], |next| begins[what] + next);
-                let [states, columns] = [end(0) - state, end(1) - column];
-                let place = all.plan.place(&equations.plan, &moved, state, states);
-                all.arguments.push([place, equations.plan.coordinate(column, ground as u32)]);
-                all.lengths.push([states as u32, columns as u32]);
-            }
-            all.append(block, *varied, Span::new(arguments..all.arguments.len()));
-        }
+        equations.blocks.iter().zip(varied).for_each(|(block, varied)| all.append(block, *varied));
         all
     }
 
     /// One more constraint.
-    fn append(&mut self, block: &super::Block, varied: bool, arguments: Span) {
+    fn append(&mut self, block: &super::Block, varied: bool) {
         let (kernels, depends) = (block.constraint.in_lanes(), block.constraint.depends());
         let [parameters, times] = kernels.map_or([0, 0], InLanes::n_known);
         let (first, between) = (self.n_known, self.n_known + parameters);
         self.n_known = between + times;
         let place = LaneBlock {
             number: self.blocks.len() as u32,
-            arguments: arguments.first,
+            arguments: block.arguments.first,
             known: first as u32,
             rows: block.rows.first,
             values: block.values.first,
@@ -146,7 +124,7 @@ impl<S: Level> WideEquations<S> {
         self.blocks.push(WideBlock {
             of_parameters: Span::new(first..between),
             of_time: Span::new(between..self.n_known),
-            arguments,
+            arguments: block.arguments,
             rows: block.rows,
             values: block.values,
             same: !varied,
@@ -164,7 +142,7 @@ impl<S: Level> WideEquations<S> {
 
     /// Room for an instant.
     pub(crate) fn instant(&self) -> WideInstant<S> {
-        WideInstant { t: f64::NAN, known: vec![Wide::splat(self.simd, 0.0); self.n_known], states: self.plan.states(self.simd) }
+        WideInstant { t: f64::NAN, known: vec![Wide::splat(self.simd, 0.0); self.n_known], states: self.plan.wide_states(self.simd) }
     }
 
     /// What depends on parameters alone.
@@ -187,7 +165,7 @@ impl<S: Level> WideEquations<S> {
 
     #[inline(always)]
     pub(crate) fn set_position(&self, q: &[Wide<S>], instant: &mut WideInstant<S>) {
-        self.plan.set_states(q, &mut instant.states);
+        self.plan.set_wide_states(q, &mut instant.states);
     }
 
     /// C and the values of C_q that are not the same for good.
@@ -213,12 +191,12 @@ impl<S: Level> WideEquations<S> {
         c: &mut [Wide<S>],
         values: &mut [Wide<S>],
     ) {
-        let seen = seen(self.simd, &self.arguments, crew, instant, &[]);
+        let seen = seen(self.simd, self.plan.arguments(), crew, instant, &[]);
         for (group, blocks) in self.groups.iter().map(|group| (group, some(group))).filter(|(_, blocks)| !blocks.is_empty()) {
             match group.table {
                 Some(table) => (table.linearize)(&seen, blocks, c, values),
                 None => {
-                    let alone = LaneByLane { blocks: &self.blocks, lengths: &self.lengths, seen: &seen, crew, t: instant.t };
+                    let alone = LaneByLane { blocks: &self.blocks, seen: &seen, crew, t: instant.t };
                     blocks.iter().for_each(|place| alone.linearize(&mut self.scratch, place, c, values));
                 }
             }
@@ -228,12 +206,12 @@ impl<S: Level> WideEquations<S> {
     /// −C_t in the rows where it can be other than zero.
     #[inline(always)]
     pub(crate) fn velocity_rhs(&mut self, crew: &Crew<'_>, instant: &WideInstant<S>, rhs: &mut [Wide<S>]) {
-        let seen = seen(self.simd, &self.arguments, crew, instant, &[]);
+        let seen = seen(self.simd, self.plan.arguments(), crew, instant, &[]);
         for group in self.groups.iter().filter(|group| !group.c_t.is_empty()) {
             match group.table {
                 Some(table) => (table.velocity_rhs)(&seen, &group.c_t, rhs),
                 None => {
-                    let alone = LaneByLane { blocks: &self.blocks, lengths: &self.lengths, seen: &seen, crew, t: instant.t };
+                    let alone = LaneByLane { blocks: &self.blocks, seen: &seen, crew, t: instant.t };
                     group.c_t.iter().for_each(|place| alone.right_side(&mut self.scratch, place, false, rhs));
                 }
             }
@@ -243,12 +221,12 @@ impl<S: Level> WideEquations<S> {
     /// Q_d in the rows where it can be other than zero; `rates` are q̇ and, behind it, the ground's.
     #[inline(always)]
     pub(crate) fn acceleration_rhs(&mut self, crew: &Crew<'_>, instant: &WideInstant<S>, rates: &[Wide<S>], q_d: &mut [Wide<S>]) {
-        let seen = seen(self.simd, &self.arguments, crew, instant, rates);
+        let seen = seen(self.simd, self.plan.arguments(), crew, instant, rates);
         for group in self.groups.iter().filter(|group| !group.q_d.is_empty()) {
             match group.table {
                 Some(table) => (table.acceleration_rhs)(&seen, &group.q_d, q_d),
                 None => {
-                    let alone = LaneByLane { blocks: &self.blocks, lengths: &self.lengths, seen: &seen, crew, t: instant.t };
+                    let alone = LaneByLane { blocks: &self.blocks, seen: &seen, crew, t: instant.t };
                     group.q_d.iter().for_each(|place| alone.right_side(&mut self.scratch, place, true, q_d));
                 }
             }
@@ -271,7 +249,6 @@ fn seen<'a, S: Level>(
 /// Constraints without kernels: each lane by itself, by the constraint that is there.
 struct LaneByLane<'a, 's, S: Level> {
     blocks: &'a [WideBlock],
-    lengths: &'a [[u32; 2]],
     seen: &'a LaneInstant<'s, S>,
     crew: &'a Crew<'a>,
     t: f64,
@@ -287,7 +264,7 @@ impl<S: Level> LaneByLane<'_, '_, S> {
             self.gather(0, own, self.seen.states, lane, &mut scratch.states);
             take(c, lane, &mut scratch.c);
             take(values, lane, &mut scratch.values);
-            let at = At::new(self.t, &scratch.states, &block.arguments.first_state);
+            let at = At::new(self.t, &scratch.states, self.arguments(own));
             block.constraint.linearize(&at, &mut scratch.c, &mut scratch.values);
             put(&scratch.c, lane, c);
             put(&scratch.values, lane, values);
@@ -304,10 +281,10 @@ impl<S: Level> LaneByLane<'_, '_, S> {
             let block = &system.equations().blocks[place.number as usize];
             self.gather(0, own, self.seen.states, lane, &mut scratch.states);
             take(rhs, lane, &mut scratch.c);
-            let at = At::new(self.t, &scratch.states, &block.arguments.first_state);
+            let at = At::new(self.t, &scratch.states, self.arguments(own));
             if second {
                 self.gather(1, own, self.seen.rates, lane, &mut scratch.rates);
-                let rates = Rates::new(&scratch.rates, &block.arguments.first_column);
+                let rates = Rates::new(&scratch.rates, self.arguments(own));
                 block.constraint.acceleration_rhs(&at, &rates, 1.0, &mut scratch.c);
             } else {
                 block.constraint.velocity_rhs(&at, &mut scratch.c);
@@ -316,12 +293,17 @@ impl<S: Level> LaneByLane<'_, '_, S> {
         }
     }
 
-    /// The states (`what` 0) or rates (1) of a constraint's arguments in one lane, one after the other.
+    fn arguments(&self, own: &WideBlock) -> &[[u32; 2]] {
+        &self.seen.arguments[own.arguments.range()]
+    }
+
+    /// The states (`what` 0) or rates (1) of a constraint's arguments in one lane, where they stand among those of all; with what follows, for
+    /// an argument has at most seven numbers.
     fn gather(&self, what: usize, own: &WideBlock, all: &[Wide<S>], lane: usize, numbers: &mut Vec<f64>) {
-        numbers.clear();
-        for (place, length) in self.seen.arguments[own.arguments.range()].iter().zip(&self.lengths[own.arguments.range()]) {
-            let state = &all[place[what] as usize..][..length[what] as usize];
-            numbers.extend(state.iter().map(|x| x.as_slice()[lane]));
+        numbers.resize(all.len(), 0.0);
+        for argument in self.arguments(own) {
+            let places = argument[what] as usize..all.len().min(argument[what] as usize + SPATIAL_STATE);
+            numbers[places.clone()].iter_mut().zip(&all[places]).for_each(|(number, x)| *number = x.as_slice()[lane]);
         }
     }
 }
