@@ -507,12 +507,8 @@ const _: () = {
             c: &mut [::kin::rt::Wide<__S>],
             c_q: &mut [::kin::rt::Wide<__S>],
         ) {
-            let ::core::option::Option::Some(c) = c.first_chunk_mut::<1>() else {
-                return
-            };
-            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<6>() else {
-                return
-            };
+            let ::core::option::Option::Some(c) = at.rows::<1>(c) else { return };
+            let ::core::option::Option::Some(c_q) = at.values::<6>(c_q) else { return };
             let ::core::option::Option::Some(&[known0, known1]) = at.known::<2>() else {
                 return
             };
@@ -565,9 +561,7 @@ const _: () = {
             at: &::kin::rt::LaneAt<'_, __S>,
             rhs: &mut [::kin::rt::Wide<__S>],
         ) {
-            let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<0>() else {
-                return
-            };
+            let ::core::option::Option::Some(rhs) = at.rows::<0>(rhs) else { return };
             let ::core::option::Option::Some(&[known0, known1]) = at.known::<2>() else {
                 return
             };
@@ -578,9 +572,7 @@ const _: () = {
             qd: &::kin::rt::LaneRates<'_, __S>,
             q_d: &mut [::kin::rt::Wide<__S>],
         ) {
-            let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<1>() else {
-                return
-            };
+            let ::core::option::Option::Some(q_d) = at.rows::<1>(q_d) else { return };
             let ::core::option::Option::Some(&[known0, known1]) = at.known::<2>() else {
                 return
             };

@@ -345,12 +345,8 @@ const _: () = {
             c: &mut [::kin::rt::Wide<__S>],
             c_q: &mut [::kin::rt::Wide<__S>],
         ) {
-            let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
-                return
-            };
-            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<8>() else {
-                return
-            };
+            let ::core::option::Option::Some(c) = at.rows::<2>(c) else { return };
+            let ::core::option::Option::Some(c_q) = at.values::<8>(c_q) else { return };
             let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
                 .known::<4>() else { return };
             let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
@@ -379,9 +375,7 @@ const _: () = {
             at: &::kin::rt::LaneAt<'_, __S>,
             rhs: &mut [::kin::rt::Wide<__S>],
         ) {
-            let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<0>() else {
-                return
-            };
+            let ::core::option::Option::Some(rhs) = at.rows::<0>(rhs) else { return };
             let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
                 .known::<4>() else { return };
         }
@@ -391,9 +385,7 @@ const _: () = {
             qd: &::kin::rt::LaneRates<'_, __S>,
             q_d: &mut [::kin::rt::Wide<__S>],
         ) {
-            let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<2>() else {
-                return
-            };
+            let ::core::option::Option::Some(q_d) = at.rows::<2>(q_d) else { return };
             let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
                 .known::<4>() else { return };
             let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };

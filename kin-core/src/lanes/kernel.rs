@@ -41,20 +41,14 @@ pub struct LaneAt<'a, S: Level> {
     known: &'a [Wide<S>],
     arguments: &'a [[u32; 2]],
     own: &'a [Vec<&'a dyn InLanes>],
-    number: u32,
+    block: LaneBlock,
 }
 
 impl<'a, S: Level> LaneInstant<'a, S> {
     #[inline(always)]
     fn at(&self, block: &LaneBlock) -> LaneAt<'a, S> {
-        LaneAt {
-            simd: self.simd,
-            states: self.states,
-            known: from(self.known, block.known),
-            arguments: from(self.arguments, block.arguments),
-            own: self.own,
-            number: block.number,
-        }
+        let LaneInstant { simd, states, known, arguments, own, .. } = *self;
+        LaneAt { simd, states, known, arguments, own, block: *block }
     }
 }
 
@@ -68,20 +62,32 @@ impl<'a, S: Level> LaneAt<'a, S> {
     /// The state of an argument, by its number, as an array of known length.
     #[inline(always)]
     pub fn state<const N: usize>(&self, argument: usize) -> Option<&'a [Wide<S>; N]> {
-        chunk(self.states, self.arguments.get(argument)?[0])
+        chunk(self.states, self.arguments.get(self.block.arguments as usize + argument)?[0])
     }
 
     /// What is known of parameters and time as an array of known length.
     #[inline(always)]
     pub fn known<const N: usize>(&self) -> Option<&'a [Wide<S>; N]> {
-        self.known.first_chunk()
+        chunk(self.known, self.block.known)
+    }
+
+    /// The constraint's own of all rows, to be written.
+    #[inline(always)]
+    pub fn rows<'x, const N: usize>(&self, all: &'x mut [Wide<S>]) -> Option<&'x mut [Wide<S>; N]> {
+        chunk_mut(all, self.block.rows)
+    }
+
+    /// The constraint's own of all values of C_q, to be written.
+    #[inline(always)]
+    pub fn values<'x, const N: usize>(&self, all: &'x mut [Wide<S>]) -> Option<&'x mut [Wide<S>; N]> {
+        chunk_mut(all, self.block.values)
     }
 
     /// What only f64 can do, lane by lane: [`InLanes::evaluate`].
     #[inline(always)]
     pub fn evaluate<const N: usize, const M: usize>(&self, number: usize, x: [Wide<S>; N]) -> [Wide<S>; M] {
         let mut y = [self.splat(0.0); M];
-        let lanes = self.own.get(self.number as usize).map(Vec::as_slice).unwrap_or_default();
+        let lanes = self.own.get(self.block.number as usize).map(Vec::as_slice).unwrap_or_default();
         for (lane, constraint) in lanes.iter().enumerate().take(Wide::<S>::LANES) {
             let (own_x, mut own_y) = (x.map(|x| x.as_slice()[lane]), [0.0; M]);
             constraint.evaluate(number, &own_x, &mut own_y);
@@ -96,13 +102,14 @@ impl<'a, S: Level> LaneAt<'a, S> {
 pub struct LaneRates<'a, S: Level> {
     rates: &'a [Wide<S>],
     arguments: &'a [[u32; 2]],
+    first: u32,
 }
 
 impl<'a, S: Level> LaneRates<'a, S> {
     /// The rates of an argument, by its number, as an array of known length.
     #[inline(always)]
     pub fn of<const N: usize>(&self, argument: usize) -> Option<&'a [Wide<S>; N]> {
-        chunk(self.rates, self.arguments.get(argument)?[1])
+        chunk(self.rates, self.arguments.get(self.first as usize + argument)?[1])
     }
 }
 
@@ -112,16 +119,10 @@ fn chunk<T, const N: usize>(all: &[T], first: u32) -> Option<&[T; N]> {
     all.get(first as usize..first as usize + N)?.first_chunk()
 }
 
-/// What begins there, with all that follows.
-#[inline(always)]
-fn from<T>(all: &[T], first: u32) -> &[T] {
-    all.get(first as usize..).unwrap_or_default()
-}
-
 /// The same, to be written.
 #[inline(always)]
-fn from_mut<T>(all: &mut [T], first: u32) -> &mut [T] {
-    all.get_mut(first as usize..).unwrap_or_default()
+fn chunk_mut<T, const N: usize>(all: &mut [T], first: u32) -> Option<&mut [T; N]> {
+    all.get_mut(first as usize..first as usize + N)?.first_chunk_mut()
 }
 
 /// What a constraint does for kernels over lanes with plain numbers, in each lane by itself.
@@ -142,7 +143,8 @@ pub trait InLanes: Send + Sync {
     fn evaluate(&self, number: usize, x: &[f64], y: &mut [f64]);
 }
 
-/// C, C_q, −C_t and Q_d over lanes. Methods are written `#[inline(always)]`: they are compiled for each kind of machine.
+/// C, C_q, −C_t and Q_d over lanes, among those of all constraints. Methods are written `#[inline(always)]`: they are compiled for each kind
+/// of machine.
 pub trait LaneKernel {
     /// C and C_q together.
     fn linearize<S: Level>(at: &LaneAt<'_, S>, c: &mut [Wide<S>], c_q: &mut [Wide<S>]);
@@ -235,7 +237,7 @@ impl<S: Level, K: LaneKernel> NullaryFnOnce for Call<'_, '_, Both<'_, S>, S, K> 
     fn call(self) {
         let Call(instant, blocks, Both(c, c_q), _) = self;
         for block in blocks {
-            K::linearize(&instant.at(block), from_mut(c, block.rows), from_mut(c_q, block.values));
+            K::linearize(&instant.at(block), c, c_q);
         }
     }
 }
@@ -251,7 +253,7 @@ impl<S: Level, K: LaneKernel> NullaryFnOnce for Call<'_, '_, Velocity<'_, S>, S,
     fn call(self) {
         let Call(instant, blocks, Velocity(rhs), _) = self;
         for block in blocks {
-            K::velocity_rhs(&instant.at(block), from_mut(rhs, block.rows));
+            K::velocity_rhs(&instant.at(block), rhs);
         }
     }
 }
@@ -267,8 +269,8 @@ impl<S: Level, K: LaneKernel> NullaryFnOnce for Call<'_, '_, Acceleration<'_, S>
     fn call(self) {
         let Call(instant, blocks, Acceleration(q_d), _) = self;
         for block in blocks {
-            let at = instant.at(block);
-            K::acceleration_rhs(&at, &LaneRates { rates: instant.rates, arguments: at.arguments }, from_mut(q_d, block.rows));
+            let rates = LaneRates { rates: instant.rates, arguments: instant.arguments, first: block.arguments };
+            K::acceleration_rhs(&instant.at(block), &rates, q_d);
         }
     }
 }

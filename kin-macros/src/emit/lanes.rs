@@ -76,13 +76,13 @@ pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &Lowered, derived: &
                     c: &mut [::kin::rt::Wide<__S>],
                     c_q: &mut [::kin::rt::Wide<__S>],
                 ) {
-                    let ::core::option::Option::Some(c) = c.first_chunk_mut::<#m>() else { return };
-                    let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<#entries>() else { return };
+                    let ::core::option::Option::Some(c) = at.rows::<#m>(c) else { return };
+                    let ::core::option::Option::Some(c_q) = at.values::<#entries>(c_q) else { return };
                     #linearize
                 }
                 #[inline(always)]
                 fn velocity_rhs<__S: ::kin::rt::Level>(at: &::kin::rt::LaneAt<'_, __S>, rhs: &mut [::kin::rt::Wide<__S>]) {
-                    let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<#m_velocity>() else { return };
+                    let ::core::option::Option::Some(rhs) = at.rows::<#m_velocity>(rhs) else { return };
                     #velocity
                 }
                 #[inline(always)]
@@ -91,7 +91,7 @@ pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &Lowered, derived: &
                     qd: &::kin::rt::LaneRates<'_, __S>,
                     q_d: &mut [::kin::rt::Wide<__S>],
                 ) {
-                    let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<#m>() else { return };
+                    let ::core::option::Option::Some(q_d) = at.rows::<#m>(q_d) else { return };
                     #acceleration
                 }
             }
