@@ -76,14 +76,20 @@ pub trait InLanes: Send + Sync {
     /// How many numbers the kernels want that depend on parameters alone, and how many that depend on the time too.
     fn n_known(&self) -> [usize; 2];
 
-    /// The numbers that depend on parameters alone.
-    fn of_parameters(&self, known: &mut [f64]);
+    /// The numbers that depend on parameters alone; default none.
+    fn of_parameters(&self, known: &mut [f64]) {
+        let _ = known;
+    }
 
-    /// The numbers that depend on the time too.
-    fn of_time(&self, t: f64, known: &mut [f64]);
+    /// The numbers that depend on the time too; default none.
+    fn of_time(&self, t: f64, known: &mut [f64]) {
+        let _ = (t, known);
+    }
 
-    /// What depends on coordinates and only f64 can do, such as a law or a function of the user's, by its number.
-    fn evaluate(&self, number: usize, x: &[f64], y: &mut [f64]);
+    /// What depends on coordinates and only f64 can do, such as a law or a function of the user's, by its number; default nothing.
+    fn evaluate(&self, number: usize, x: &[f64], y: &mut [f64]) {
+        let _ = (number, x, y);
+    }
 }
 
 /// C, C_q, −C_t and Q_d over lanes. Methods are written `#[inline(always)]`: they are compiled for each kind of machine.
@@ -91,8 +97,11 @@ pub trait LaneKernel {
     /// C and C_q together.
     fn linearize<S: Level>(at: &LaneAt<'_, S>, c: &mut [Wide<S>], c_q: &mut [Wide<S>]);
 
-    /// The right side of C_q q̇ = −C_t.
-    fn velocity_rhs<S: Level>(at: &LaneAt<'_, S>, rhs: &mut [Wide<S>]);
+    /// The right side of C_q q̇ = −C_t; default nothing, of a constraint without time.
+    #[inline(always)]
+    fn velocity_rhs<S: Level>(at: &LaneAt<'_, S>, rhs: &mut [Wide<S>]) {
+        let _ = (at, rhs);
+    }
 
     /// Q_d.
     fn acceleration_rhs<S: Level>(at: &LaneAt<'_, S>, qd: &LaneRates<'_, S>, q_d: &mut [Wide<S>]);
@@ -143,7 +152,6 @@ kernels! {
     #[cfg(target_arch = "x86_64")] v4 pulp::x86::V4;
     #[cfg(target_arch = "x86_64")] v3 pulp::x86::V3;
     #[cfg(target_arch = "aarch64")] neon pulp::aarch64::Neon;
-    scalar pulp::Scalar;
 }
 
 /// A kernel on its way into the function that has the machine's instructions.

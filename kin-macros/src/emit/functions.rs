@@ -1,7 +1,7 @@
 //! The functions of `impl Constraint` that compute something, on either route.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use super::kernel::{Code, Kernel};
 use super::timed;
@@ -14,12 +14,14 @@ use crate::parse::Argument;
 pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivatives) -> TokenStream {
     let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
     let (m, entries) = (literal(rows.len()), literal(derived.jacobian.len()));
-    let place = |name: &str, k: usize| {
-        let (name, k) = (proc_macro2::Ident::new(name, proc_macro2::Span::call_site()), literal(k));
-        quote!(#name[#k])
+    let outputs = |name: &str, nodes: &[Node]| -> Vec<(TokenStream, Node)> {
+        let name = |k: usize| super::own(&format!("{name}_{k}")).into_token_stream();
+        nodes.iter().enumerate().map(|(k, &node)| (name(k), node)).collect()
     };
-    let outputs =
-        |name: &str, nodes: &[Node]| -> Vec<(TokenStream, Node)> { nodes.iter().enumerate().map(|(k, &n)| (place(name, k), n)).collect() };
+    let written = |outputs: &[(TokenStream, Node)], list: TokenStream| {
+        let names: Vec<&TokenStream> = outputs.iter().map(|output| &output.0).collect();
+        super::chunk(&names, quote!(#list.first_chunk_mut()))
+    };
     let c = outputs("c", &rows);
     let values: Vec<Node> = derived.jacobian.iter().map(|entry| entry.2).collect();
     let c_q = outputs("c_q", &values);
@@ -28,38 +30,35 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
     let all: Vec<Node> = both.iter().chain(&rhs).chain(&q_d).map(|output| output.1).collect();
     let timed = timed::select(lowered, &all);
     let mut kernel = |outputs: &[(TokenStream, Node)]| Kernel::scheduled(lowered, arguments, &timed, outputs);
-    let residual = commented("C", kernel(&c));
     let linearize = commented("C and C_q", kernel(&both));
     let right_side = commented("Q_d for t_dot = 1", kernel(&q_d));
-    let velocity = (!rhs.is_empty()).then(|| kernel(&rhs));
+    let velocity = (!rhs.is_empty()).then(|| (written(&rhs, quote!(rhs)), kernel(&rhs)));
     let velocity = self::velocity(&m, velocity);
+    let (to_c, to_c_q, to_q_d) = (written(&c, quote!(c)), written(&c_q, quote!(c_q)), written(&q_d, quote!(q_d)));
     let timed = timed::functions(lowered, &timed);
     let (constants, depends) = (constants(&lowered.graph, derived), depends(&lowered.graph, &rows, derived));
     let blame = super::blame::symbolic(arguments, lowered);
-    let ((residual_doc, residual), (linearize_doc, linearize), (right_doc, right_side)) = (residual, linearize, right_side);
+    let ((linearize_doc, linearize), (right_doc, right_side)) = (linearize, right_side);
     quote! {
         #constants
         #depends
         #timed
-        #[doc = #residual_doc]
         fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
-            let ::core::option::Option::Some(c) = c.first_chunk_mut::<#m>() else { return };
-            #residual
+            self.linearize(at, c, &mut [0.0; #entries]);
         }
-        #[doc = " C_q, and C on the way"]
         fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
             self.linearize(at, &mut [0.0; #m], c_q);
         }
         #[doc = #linearize_doc]
         fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
-            let ::core::option::Option::Some(c) = c.first_chunk_mut::<#m>() else { return };
-            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<#entries>() else { return };
+            #to_c
+            #to_c_q
             #linearize
         }
         #velocity
         #[doc = #right_doc]
         fn acceleration_rhs(&self, at: &::kin::rt::At<'_>, qd: &::kin::rt::Rates<'_>, t_dot: f64, q_d: &mut [f64]) {
-            let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<#m>() else { return };
+            #to_q_d
             #right_side
         }
         #blame
@@ -111,8 +110,8 @@ fn commented(what: &str, code: Code) -> (String, TokenStream) {
 }
 
 /// −C_t; a constraint without time only clears the place.
-fn velocity(m: &Literal, code: Option<Code>) -> TokenStream {
-    let Some(code) = code else {
+fn velocity(m: &Literal, code: Option<(TokenStream, Code)>) -> TokenStream {
+    let Some((to_rhs, code)) = code else {
         return quote! {
             fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
                 ::kin::rt::no_velocity(rhs, #m);
@@ -123,7 +122,7 @@ fn velocity(m: &Literal, code: Option<Code>) -> TokenStream {
     quote! {
         #[doc = #doc]
         fn velocity_rhs(&self, at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
-            let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<#m>() else { return };
+            #to_rhs
             #code
         }
     }
@@ -143,26 +142,20 @@ pub fn laws(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
     if asked.is_empty() {
         return quote!();
     }
-    let outputs: Vec<_> = asked
-        .iter()
-        .enumerate()
-        .map(|(k, (_, x))| {
-            let k = literal(k);
-            (quote!(x[#k]), *x)
-        })
-        .collect();
-    let code = Kernel::emit(lowered, arguments, &outputs).tokens;
+    let nodes: Vec<Node> = asked.iter().map(|(_, x)| *x).collect();
+    let (code, values) = Kernel::plain(lowered, arguments).values(&nodes);
+    let code = code.tokens;
     let shown = asked.iter().enumerate().map(|(k, (law, _))| {
-        let (k, place) = (literal(k), super::template::place(&lowered.laws[*law]));
+        let (x, place) = (super::own(&format!("x_{k}")), super::template::place(&lowered.laws[*law]));
         let name = crate::lower::tidy(&place.to_string()).replace(' ', "");
         let name = name.trim_start_matches("self.");
-        quote!(visit(#name, &#place, x[#k]);)
+        quote!(visit(#name, &#place, #x);)
     });
-    let n = literal(asked.len());
+    let names = (0..asked.len()).map(|k| super::own(&format!("x_{k}")));
     quote! {
         fn laws(&self, at: &::kin::rt::At<'_>, visit: &mut dyn FnMut(&str, &::kin::Law, f64)) {
-            let mut x = [0.0; #n];
             #code
+            let [#(#names),*] = [#(#values),*];
             #(#shown)*
         }
     }

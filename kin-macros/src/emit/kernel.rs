@@ -69,7 +69,8 @@ pub struct Code {
 }
 
 impl<'a> Kernel<'a> {
-    /// Code for `outputs` after the scheduler has had a look at it; nodes in `timed` (sorted) were evaluated before.
+    /// Code for `outputs` after the scheduler has had a look at it, each written behind the reference given with it; nodes in `timed` (sorted)
+    /// were evaluated before.
     pub fn scheduled(lowered: &'a mut Lowered, arguments: &[Argument], timed: &[Node], outputs: &[(TokenStream, Node)]) -> Code {
         let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
         let nodes = timed::read(&mut lowered.graph, timed, &nodes);
@@ -78,9 +79,9 @@ impl<'a> Kernel<'a> {
         Kernel { scheduled: true, timed: timed.len(), ..Kernel::new(lowered, arguments) }.write(&outputs)
     }
 
-    /// Code that computes `outputs` and writes each to the place given with it.
-    pub fn emit(lowered: &'a Lowered, arguments: &[Argument], outputs: &[(TokenStream, Node)]) -> Code {
-        Kernel::new(lowered, arguments).write(outputs)
+    /// Code in plain numbers, as it comes.
+    pub fn plain(lowered: &'a Lowered, arguments: &[Argument]) -> Self {
+        Kernel::new(lowered, arguments)
     }
 
     /// A kernel in which some nodes have a name already; what these are computed from is not looked at.
@@ -93,25 +94,42 @@ impl<'a> Kernel<'a> {
         Kernel { numbers: Numbers::Wide, lane_by_lane, ..Kernel::from_given(lowered, arguments, given) }
     }
 
+    /// Code before the values of `nodes`, and these as expressions, conditions as 1 or 0.
+    pub fn values(mut self, nodes: &[Node]) -> (Code, Vec<TokenStream>) {
+        self.count_uses(nodes);
+        let mut values: Vec<TokenStream> = vec![quote!(); nodes.len()];
+        for group in order(self.graph(), nodes, |node| self.named.contains_key(&node)) {
+            group.nodes.into_iter().for_each(|node| self.name(node));
+            values[group.output] = self.output(nodes[group.output]);
+        }
+        (self.finish(), values)
+    }
+
+    /// A result as a number.
+    fn output(&mut self, node: Node) -> TokenStream {
+        let value = self.expression(node);
+        if is_condition(self.lowered, node) { quote!(if #value { 1.0 } else { 0.0 }) } else { value }
+    }
+
     /// Code that computes `outputs` and writes each to the place given with it, conditions as 1 or 0.
     pub fn write(mut self, outputs: &[(TokenStream, Node)]) -> Code {
         let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
         self.count_uses(&nodes);
-        let in_order = super::own("in_order");
+        let put = super::own("put");
         let groups = order(self.graph(), &nodes, |node| self.named.contains_key(&node));
         let fenced = self.scheduled && groups.len() > 1;
         if fenced {
-            self.statements.push(quote!(let #in_order = ::kin::rt::in_order;));
+            self.statements.push(quote!(let #put = ::kin::rt::put;));
         }
         for group in groups {
             group.nodes.into_iter().for_each(|node| self.name(node));
             let (place, node) = &outputs[group.output];
-            let value = self.expression(*node);
-            let value = if is_condition(self.lowered, *node) { quote!(if #value { 1.0 } else { 0.0 }) } else { value };
-            self.statements.push(quote!(#place = #value;));
-            if fenced && group.computes {
-                self.statements.push(quote!(#in_order();));
-            }
+            let value = self.output(*node);
+            self.statements.push(match self.scheduled {
+                true if fenced && group.computes => quote!(#put(#place, #value);),
+                true => quote!(*#place = #value;),
+                false => quote!(#place = #value;),
+            });
         }
         self.finish()
     }
@@ -155,19 +173,48 @@ impl<'a> Kernel<'a> {
 
     /// The states and rates as arrays of known length, if any of their numbers is read.
     fn bindings(&self) -> TokenStream {
-        let read = |states: bool| self.read.iter().any(|(_, _, state)| *state == states);
-        let states: usize = self.slots.iter().map(|slot| slot.state_parts().len()).sum();
-        let rates: usize = self.slots.iter().map(|slot| slot.columns().len()).sum();
-        let states = binding("state", quote!(at.states), states, read(true));
-        let rates = binding("rate", quote!(qd.columns), rates, read(false));
-        quote!(#states #rates)
+        match self.numbers {
+            Numbers::Plain => {
+                let (states, rates) = (self.references(true), self.references(false));
+                let bind = |names: &[TokenStream], source| super::chunk(names, source);
+                [states.map(|names| bind(&names, quote!(at.states()))), rates.map(|names| bind(&names, quote!(qd.columns())))]
+                    .into_iter()
+                    .flatten()
+                    .collect()
+            }
+            Numbers::Wide => {
+                let read = |states: bool| self.read.iter().any(|(_, _, state)| *state == states);
+                let states: usize = self.slots.iter().map(|slot| slot.state_parts().len()).sum();
+                let rates: usize = self.slots.iter().map(|slot| slot.columns().len()).sum();
+                let states = binding("state", quote!(at.states), states, read(true));
+                let rates = binding("rate", quote!(qd.columns), rates, read(false));
+                quote!(#states #rates)
+            }
+        }
+    }
+
+    /// A name for each number of the states, or of the rates, and `_` for those that are not read; nothing where none is.
+    fn references(&self, of_state: bool) -> Option<Vec<TokenStream>> {
+        let names = self.slots.iter().enumerate().flat_map(|(k, slot)| {
+            let parts = if of_state { slot.state_parts() } else { slot.columns() };
+            parts.into_iter().map(move |part| {
+                let name = if of_state { slot.state(part) } else { slot.rate(part) };
+                if self.read.contains(&(k, part, of_state)) { quote!(#name) } else { quote!(_) }
+            })
+        });
+        self.read.iter().any(|(_, _, state)| *state == of_state).then(|| names.collect())
     }
 
     /// The name of a number of a state or of the rates, read just before it is needed first: registers are few.
     fn reading(&mut self, slot: usize, part: Part, of_state: bool) -> Ident {
         let parts = |slot: &Slot| if of_state { slot.state_parts() } else { slot.columns() };
         let name = if of_state { self.slots[slot].state(part) } else { self.slots[slot].rate(part) };
-        if self.read.insert((slot, part, of_state)) {
+        if !self.read.insert((slot, part, of_state)) {
+            return name;
+        }
+        if self.numbers == Numbers::Plain {
+            self.statements.push(quote!(let #name = *#name;));
+        } else {
             let first: usize = self.slots[..slot].iter().map(|slot| parts(slot).len()).sum();
             let place = parts(&self.slots[slot]).iter().position(|&p| p == part).unwrap_or(0);
             let place = Literal::usize_unsuffixed(first + place);
@@ -209,7 +256,8 @@ impl<'a> Kernel<'a> {
         {
             return;
         }
-        let depth = 1 + self.graph().operands(node).iter().map(|n| self.depth[n.index()]).max().unwrap_or(0);
+        let mut depth = 1;
+        self.graph().each_operand(node, |operand| depth = depth.max(1 + self.depth[operand.index()]));
         if self.uses[node.index()] > 1 || depth > DEEPEST {
             let value = self.written(node);
             let name = self.temporary(value);

@@ -60,6 +60,15 @@ pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &Lowered, derived: &
     let (linearize, velocity, acceleration) = (kernel(&both), kernel(&rhs), kernel(&q_d));
     let (m, entries) = (literal(lowered.rows.len()), literal(derived.jacobian.len()));
     let m_velocity = literal(rhs.len());
+    let velocity = (!rhs.is_empty()).then(|| {
+        quote! {
+            #[inline(always)]
+            fn velocity_rhs<__S: ::kin::rt::Level>(at: &::kin::rt::LaneAt<'_, __S>, rhs: &mut [::kin::rt::Wide<__S>]) {
+                let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<#m_velocity>() else { return };
+                #velocity
+            }
+        }
+    });
     let in_lanes = outside.in_lanes(name, arguments, lowered);
     LaneCode {
         method: quote! {
@@ -80,11 +89,7 @@ pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &Lowered, derived: &
                     let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<#entries>() else { return };
                     #linearize
                 }
-                #[inline(always)]
-                fn velocity_rhs<__S: ::kin::rt::Level>(at: &::kin::rt::LaneAt<'_, __S>, rhs: &mut [::kin::rt::Wide<__S>]) {
-                    let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<#m_velocity>() else { return };
-                    #velocity
-                }
+                #velocity
                 #[inline(always)]
                 fn acceleration_rhs<__S: ::kin::rt::Level>(
                     at: &::kin::rt::LaneAt<'_, __S>,
@@ -151,13 +156,36 @@ impl Outside {
         quote!(#bind #code)
     }
 
-    /// `impl InLanes`.
+    /// `impl InLanes`: what there is to compute.
     fn in_lanes(&self, name: &Ident, arguments: &[Argument], lowered: &Lowered) -> TokenStream {
         let [n_parameters, n_times] = [0, 1].map(|k| literal(self.known[k].len()));
-        let [parameters, times] = [0, 1].map(|k| outputs("known", &self.known[k], HashMap::new(), arguments, lowered));
-        let numbers = (0..).map(literal);
-        let bodies = self.evaluations.iter().map(|evaluation| evaluation.body(arguments, lowered));
-        let arms = numbers.zip(bodies).map(|(number, body)| quote!(#number => { #body }));
+        let method = |k: usize, signature: TokenStream, t: TokenStream| {
+            let code = outputs("known", &self.known[k], HashMap::new(), arguments, lowered);
+            (!self.known[k].is_empty()).then(|| {
+                quote! {
+                    fn #signature {
+                        let (at, t_dot) = (&::kin::rt::At::new(#t, &[], &[]), 1.0);
+                        #code
+                    }
+                }
+            })
+        };
+        let of_parameters = method(0, quote!(of_parameters(&self, known: &mut [f64])), quote!(0.0));
+        let of_time = method(1, quote!(of_time(&self, t: f64, known: &mut [f64])), quote!(t));
+        let arms = self.evaluations.iter().enumerate().map(|(number, evaluation)| {
+            let (number, body) = (literal(number), evaluation.body(arguments, lowered));
+            quote!(#number => { #body })
+        });
+        let evaluate = (!self.evaluations.is_empty()).then(|| {
+            quote! {
+                fn evaluate(&self, number: usize, x: &[f64], y: &mut [f64]) {
+                    match number {
+                        #(#arms)*
+                        _ => {}
+                    }
+                }
+            }
+        });
         quote! {
             impl ::kin::rt::InLanes for #name {
                 fn kernels(&self) -> ::kin::rt::LaneKernels {
@@ -166,22 +194,9 @@ impl Outside {
                 fn n_known(&self) -> [usize; 2] {
                     [#n_parameters, #n_times]
                 }
-                fn of_parameters(&self, known: &mut [f64]) {
-                    let ::core::option::Option::Some(known) = known.first_chunk_mut::<#n_parameters>() else { return };
-                    let (at, t_dot) = (&::kin::rt::At::new(0.0, &[], &[]), 1.0);
-                    #parameters
-                }
-                fn of_time(&self, t: f64, known: &mut [f64]) {
-                    let ::core::option::Option::Some(known) = known.first_chunk_mut::<#n_times>() else { return };
-                    let (at, t_dot) = (&::kin::rt::At::new(t, &[], &[]), 1.0);
-                    #times
-                }
-                fn evaluate(&self, number: usize, x: &[f64], y: &mut [f64]) {
-                    match number {
-                        #(#arms)*
-                        _ => {}
-                    }
-                }
+                #of_parameters
+                #of_time
+                #evaluate
             }
         }
     }
@@ -190,7 +205,7 @@ impl Outside {
 impl Evaluation {
     /// In plain numbers, from `x` to `y`.
     fn body(&self, arguments: &[Argument], lowered: &Lowered) -> TokenStream {
-        let (n, m) = (literal(self.inputs.len()), literal(self.outputs.len()));
+        let n = literal(self.inputs.len());
         let names: Vec<Ident> = (0..self.inputs.len()).map(|k| own(&format!("known{k}"))).collect();
         let given = self.inputs.iter().zip(&names).map(|(&node, name)| {
             let value = if is_condition(lowered, node) { quote!((#name != 0.0)) } else { quote!(#name) };
@@ -199,20 +214,20 @@ impl Evaluation {
         let code = outputs("y", &self.outputs, given.collect(), arguments, lowered);
         quote! {
             let ::core::option::Option::Some(&[#(#names),*]) = x.first_chunk::<#n>() else { return };
-            let ::core::option::Option::Some(y) = y.first_chunk_mut::<#m>() else { return };
             #code
         }
     }
 }
 
-/// Plain code that writes nodes to the places of a list, conditions as 1 or 0.
+/// Plain code that writes nodes to a list, conditions as 1 or 0.
 fn outputs(list: &str, nodes: &[Node], given: HashMap<Node, TokenStream>, arguments: &[Argument], lowered: &Lowered) -> TokenStream {
-    let list = Ident::new(list, Span::call_site());
-    let places = nodes.iter().enumerate().map(|(k, &node)| {
-        let k = literal(k);
-        (quote!(#list[#k]), node)
-    });
-    Kernel::from_given(lowered, arguments, given).write(&places.collect::<Vec<_>>()).tokens
+    let (code, values) = Kernel::from_given(lowered, arguments, given).values(nodes);
+    let (code, list) = (code.tokens, Ident::new(list, Span::call_site()));
+    quote! {
+        let ::core::option::Option::Some(#list) = #list.first_chunk_mut() else { return };
+        #code
+        *#list = [#(#values),*];
+    }
 }
 
 /// What an evaluation that only f64 can do is known by; the nodes that come out of the same one have the same key.

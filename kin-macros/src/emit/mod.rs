@@ -94,6 +94,11 @@ fn dual_bindings(arguments: &[Argument]) -> Vec<TokenStream> {
         .collect()
 }
 
+/// `let Some([a, b, _]) = source else { return };`: the first numbers of a list by name.
+fn chunk(names: &[impl quote::ToTokens], source: TokenStream) -> TokenStream {
+    quote!(let ::core::option::Option::Some([#(#names),*]) = #source else { return };)
+}
+
 /// A name of emitted code that no name of the user's can meet.
 fn own(name: &str) -> proc_macro2::Ident {
     proc_macro2::Ident::new(name, proc_macro2::Span::mixed_site())

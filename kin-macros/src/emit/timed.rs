@@ -54,12 +54,7 @@ pub fn functions(lowered: &Lowered, timed: &[Node]) -> TokenStream {
         return quote!();
     }
     let n = Literal::usize_unsuffixed(timed.len());
-    let place = |k: usize| {
-        let k = Literal::usize_unsuffixed(k);
-        quote!(timed[#k])
-    };
-    let outputs: Vec<(TokenStream, Node)> = timed.iter().enumerate().map(|(k, &node)| (place(k), node)).collect();
-    let code = Kernel::emit(lowered, &[], &outputs);
+    let (code, values) = Kernel::plain(lowered, &[]).values(timed);
     let (doc, code) = (format!(" What depends on t and parameters alone: {} operations", code.operations), code.tokens);
     quote! {
         fn n_timed(&self) -> usize {
@@ -67,9 +62,10 @@ pub fn functions(lowered: &Lowered, timed: &[Node]) -> TokenStream {
         }
         #[doc = #doc]
         fn at_time(&self, t: f64, timed: &mut [f64]) {
-            let ::core::option::Option::Some(timed) = timed.first_chunk_mut::<#n>() else { return };
+            let ::core::option::Option::Some(timed) = timed.first_chunk_mut() else { return };
             let at = ::kin::rt::At::new(t, &[], &[]);
             #code
+            *timed = [#(#values),*];
         }
     }
 }
