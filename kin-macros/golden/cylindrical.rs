@@ -205,23 +205,10 @@ const _: () = {
                 ],
             ) = c_q.first_chunk_mut() else { return };
             let fma = ::kin::rt::fma;
-            let ::core::option::Option::Some(
-                [i_x,
-                i_y,
-                i_z,
-                i_e0,
-                i_e1,
-                i_e2,
-                i_e3,
-                j_x,
-                j_y,
-                j_z,
-                j_e0,
-                j_e1,
-                j_e2,
-                j_e3,
-                ],
-            ) = at.states() else { return };
+            let ::core::option::Option::Some([i_x, i_y, i_z, i_e0, i_e1, i_e2, i_e3]) = at
+                .state(0) else { return };
+            let ::core::option::Option::Some([j_x, j_y, j_z, j_e0, j_e1, j_e2, j_e3]) = at
+                .state(1) else { return };
             let put = ::kin::rt::put;
             let i_e0 = *i_e0;
             let t0 = 2.0 * i_e0;
@@ -490,23 +477,10 @@ const _: () = {
             let ::core::option::Option::Some([q_d_0, q_d_1, q_d_2, q_d_3]) = q_d
                 .first_chunk_mut() else { return };
             let fma = ::kin::rt::fma;
-            let ::core::option::Option::Some(
-                [i_x,
-                i_y,
-                i_z,
-                i_e0,
-                i_e1,
-                i_e2,
-                i_e3,
-                j_x,
-                j_y,
-                j_z,
-                j_e0,
-                j_e1,
-                j_e2,
-                j_e3,
-                ],
-            ) = at.states() else { return };
+            let ::core::option::Option::Some([i_x, i_y, i_z, i_e0, i_e1, i_e2, i_e3]) = at
+                .state(0) else { return };
+            let ::core::option::Option::Some([j_x, j_y, j_z, j_e0, j_e1, j_e2, j_e3]) = at
+                .state(1) else { return };
             let ::core::option::Option::Some(
                 [i_x_d,
                 i_y_d,
@@ -515,7 +489,10 @@ const _: () = {
                 i_e1_d,
                 i_e2_d,
                 i_e3_d,
-                j_x_d,
+                ],
+            ) = qd.of(0) else { return };
+            let ::core::option::Option::Some(
+                [j_x_d,
                 j_y_d,
                 j_z_d,
                 j_e0_d,
@@ -523,7 +500,7 @@ const _: () = {
                 j_e2_d,
                 j_e3_d,
                 ],
-            ) = qd.columns() else { return };
+            ) = qd.of(1) else { return };
             let put = ::kin::rt::put;
             let j_e3 = *j_e3;
             let j_e2 = *j_e2;

@@ -126,19 +126,16 @@ const _: () = {
                 ],
             ) = c_q.first_chunk_mut() else { return };
             let fma = ::kin::rt::fma;
+            let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
+                .state(0) else { return };
             let ::core::option::Option::Some(
-                [cam_x,
-                cam_y,
-                _,
-                cam_sin,
-                cam_cos,
-                follower_x,
+                [follower_x,
                 follower_y,
                 _,
                 follower_sin,
                 follower_cos,
                 ],
-            ) = at.states() else { return };
+            ) = at.state(1) else { return };
             let put = ::kin::rt::put;
             let follower_cos = *follower_cos;
             let follower_sin = *follower_sin;
@@ -205,28 +202,24 @@ const _: () = {
                 return
             };
             let fma = ::kin::rt::fma;
+            let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
+                .state(0) else { return };
             let ::core::option::Option::Some(
-                [cam_x,
-                cam_y,
-                _,
-                cam_sin,
-                cam_cos,
-                follower_x,
+                [follower_x,
                 follower_y,
                 _,
                 follower_sin,
                 follower_cos,
                 ],
-            ) = at.states() else { return };
+            ) = at.state(1) else { return };
+            let ::core::option::Option::Some([cam_x_d, cam_y_d, cam_theta_d]) = qd.of(0)
+            else { return };
             let ::core::option::Option::Some(
-                [cam_x_d,
-                cam_y_d,
-                cam_theta_d,
-                follower_x_d,
+                [follower_x_d,
                 follower_y_d,
                 follower_theta_d,
                 ],
-            ) = qd.columns() else { return };
+            ) = qd.of(1) else { return };
             let follower_sin = *follower_sin;
             let follower_cos = *follower_cos;
             let t0 = (self.tip.x * follower_sin) + (self.tip.y * follower_cos);
@@ -411,19 +404,16 @@ rows 38
             at: &::kin::rt::At<'_>,
             visit: &mut dyn FnMut(&str, &::kin::Law, f64),
         ) {
+            let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
+                .state(0) else { return };
             let ::core::option::Option::Some(
-                [cam_x,
-                cam_y,
-                _,
-                cam_sin,
-                cam_cos,
-                follower_x,
+                [follower_x,
                 follower_y,
                 _,
                 follower_sin,
                 follower_cos,
                 ],
-            ) = at.states() else { return };
+            ) = at.state(1) else { return };
             let follower_y = *follower_y;
             let follower_sin = *follower_sin;
             let follower_cos = *follower_cos;
@@ -507,28 +497,43 @@ rows 38
             c: &mut [::kin::rt::Wide<__S>],
             c_q: &mut [::kin::rt::Wide<__S>],
         ) {
-            let ::core::option::Option::Some(c) = c.first_chunk_mut::<1>() else {
+            let ::core::option::Option::Some([c_0]) = c.first_chunk_mut() else {
                 return
             };
-            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<6>() else {
+            let ::core::option::Option::Some(
+                [c_q_0,
+                c_q_1,
+                c_q_2,
+                c_q_3,
+                c_q_4,
+                c_q_5,
+                ],
+            ) = c_q.first_chunk_mut() else { return };
+            let ::core::option::Option::Some(&[known0, known1]) = at.known() else {
                 return
             };
-            let ::core::option::Option::Some(&[known0, known1]) = at.known::<2>() else {
-                return
-            };
-            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
-            let follower_cos = state[9];
-            let follower_sin = state[8];
+            let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
+                .state(0) else { return };
+            let ::core::option::Option::Some(
+                [follower_x,
+                follower_y,
+                _,
+                follower_sin,
+                follower_cos,
+                ],
+            ) = at.state(1) else { return };
+            let follower_cos = *follower_cos;
+            let follower_sin = *follower_sin;
             let t0 = (known0 * follower_cos) - (known1 * follower_sin);
-            let follower_x = state[5];
-            let cam_x = state[0];
+            let follower_x = *follower_x;
+            let cam_x = *cam_x;
             let t1 = (follower_x + t0) - cam_x;
             let t2 = (known0 * follower_sin) + (known1 * follower_cos);
-            let follower_y = state[6];
-            let cam_y = state[1];
+            let follower_y = *follower_y;
+            let cam_y = *cam_y;
             let t3 = (follower_y + t2) - cam_y;
-            let cam_cos = state[4];
-            let cam_sin = state[3];
+            let cam_cos = *cam_cos;
+            let cam_sin = *cam_sin;
             let t4 = (cam_cos * t1) + (cam_sin * t3);
             let t5 = (cam_cos * t3) - (cam_sin * t1);
             let t6 = (t4 * t4) + (t5 * t5);
@@ -536,7 +541,7 @@ rows 38
             let t8 = ::kin::rt::Wide::atan2(t5, t4);
             let call0: [::kin::rt::Wide<__S>; 3] = at.evaluate::<1, 3>(0, [t8]);
             let call1: [::kin::rt::Wide<__S>; 2] = at.evaluate::<1, 2>(1, [t8]);
-            c[0] = (t7 - call0[0]) + call1[0];
+            *c_0 = (t7 - call0[0]) + call1[0];
             let t9 = at.splat(1.0) / (at.splat(2.0) * t7);
             let t10 = (t0 * cam_sin) - (t2 * cam_cos);
             let t11 = (t2 * cam_sin) + (t0 * cam_cos);
@@ -545,19 +550,19 @@ rows 38
             let t14 = (t12 * t11) - (t13 * t10);
             let t15 = ((at.splat(2.0) * (t9 * ((t4 * t10) + (t5 * t11))))
                 - (call0[1] * t14)) + (call1[1] * t14);
-            c_q[5] = t15;
-            c_q[2] = ((t4 * t12) + (t5 * t13)) * (call0[1] - call1[1]);
+            *c_q_5 = t15;
+            *c_q_2 = ((t4 * t12) + (t5 * t13)) * (call0[1] - call1[1]);
             let t16 = (cam_sin * t12) + (cam_cos * t13);
             let t17 = ((at.splat(2.0) * (((cam_sin * t5) - (cam_cos * t4)) * t9))
                 - (t16 * call0[1])) + (t16 * call1[1]);
-            c_q[0] = t17;
+            *c_q_0 = t17;
             let t18 = (cam_sin * t13) - (cam_cos * t12);
             let t19 = (call1[1] * t18)
                 - ((at.splat(2.0) * (t9 * ((cam_sin * t4) + (cam_cos * t5))))
                     + (call0[1] * t18));
-            c_q[1] = t19;
-            c_q[3] = -t17;
-            c_q[4] = -t19;
+            *c_q_1 = t19;
+            *c_q_3 = -t17;
+            *c_q_4 = -t19;
         }
         #[inline(always)]
         fn acceleration_rhs<__S: ::kin::rt::Level>(
@@ -565,43 +570,59 @@ rows 38
             qd: &::kin::rt::LaneRates<'_, __S>,
             q_d: &mut [::kin::rt::Wide<__S>],
         ) {
-            let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<1>() else {
+            let ::core::option::Option::Some([q_d_0]) = q_d.first_chunk_mut() else {
                 return
             };
-            let ::core::option::Option::Some(&[known0, known1]) = at.known::<2>() else {
+            let ::core::option::Option::Some(&[known0, known1]) = at.known() else {
                 return
             };
-            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
-            let ::core::option::Option::Some(rate) = qd.columns::<6>() else { return };
-            let follower_cos = state[9];
-            let follower_sin = state[8];
+            let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
+                .state(0) else { return };
+            let ::core::option::Option::Some(
+                [follower_x,
+                follower_y,
+                _,
+                follower_sin,
+                follower_cos,
+                ],
+            ) = at.state(1) else { return };
+            let ::core::option::Option::Some([cam_x_d, cam_y_d, cam_theta_d]) = qd.of(0)
+            else { return };
+            let ::core::option::Option::Some(
+                [follower_x_d,
+                follower_y_d,
+                follower_theta_d,
+                ],
+            ) = qd.of(1) else { return };
+            let follower_cos = *follower_cos;
+            let follower_sin = *follower_sin;
             let t0 = (known0 * follower_cos) - (known1 * follower_sin);
-            let follower_x = state[5];
-            let cam_x = state[0];
+            let follower_x = *follower_x;
+            let cam_x = *cam_x;
             let t1 = (follower_x + t0) - cam_x;
             let t2 = (known0 * follower_sin) + (known1 * follower_cos);
-            let follower_y = state[6];
-            let cam_y = state[1];
+            let follower_y = *follower_y;
+            let cam_y = *cam_y;
             let t3 = (follower_y + t2) - cam_y;
-            let cam_cos = state[4];
-            let cam_sin = state[3];
+            let cam_cos = *cam_cos;
+            let cam_sin = *cam_sin;
             let t4 = (cam_cos * t1) + (cam_sin * t3);
             let t5 = (cam_cos * t3) - (cam_sin * t1);
             let t6 = (t4 * t4) + (t5 * t5);
             let t7 = at.splat(2.0) * ::kin::rt::Wide::sqrt(t6);
             let t8 = at.splat(1.0) / t7;
-            let follower_theta_d = rate[5];
+            let follower_theta_d = *follower_theta_d;
             let t9 = t0 * follower_theta_d;
-            let follower_y_d = rate[4];
-            let cam_y_d = rate[1];
+            let follower_y_d = *follower_y_d;
+            let cam_y_d = *cam_y_d;
             let t10 = (follower_y_d + t9) - cam_y_d;
             let t11 = cam_cos * t10;
             let t12 = t2 * follower_theta_d;
-            let follower_x_d = rate[3];
-            let cam_x_d = rate[0];
+            let follower_x_d = *follower_x_d;
+            let cam_x_d = *cam_x_d;
             let t13 = (follower_x_d - t12) - cam_x_d;
             let t14 = cam_sin * t13;
-            let cam_theta_d = rate[2];
+            let cam_theta_d = *cam_theta_d;
             let t15 = (cam_theta_d * (t1 * cam_theta_d)) + (follower_theta_d * t9);
             let t16 = (cam_theta_d * (t3 * cam_theta_d)) + (follower_theta_d * t12);
             let t17 = (at.splat(2.0) * (cam_theta_d * (t11 - t14)))
@@ -627,7 +648,7 @@ rows 38
             let t33 = t31 - t32;
             let call1: [::kin::rt::Wide<__S>; 1] = at
                 .evaluate::<3, 1>(2, [t30, t29, t33]);
-            q_d[0] = -(((at.splat(2.0) * t26)
+            *q_d_0 = -(((at.splat(2.0) * t26)
                 - ((t29 * (t29 * call0[2])) + (call0[1] * t33))) + call1[0]);
         }
     }

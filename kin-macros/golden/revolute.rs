@@ -118,19 +118,10 @@ const _: () = {
                 ],
             ) = c_q.first_chunk_mut() else { return };
             let fma = ::kin::rt::fma;
-            let ::core::option::Option::Some(
-                [i_x,
-                i_y,
-                _,
-                i_sin,
-                i_cos,
-                j_x,
-                j_y,
-                _,
-                j_sin,
-                j_cos,
-                ],
-            ) = at.states() else { return };
+            let ::core::option::Option::Some([i_x, i_y, _, i_sin, i_cos]) = at.state(0)
+            else { return };
+            let ::core::option::Option::Some([j_x, j_y, _, j_sin, j_cos]) = at.state(1)
+            else { return };
             let put = ::kin::rt::put;
             *c_q_0 = 1.0;
             *c_q_2 = -1.0;
@@ -169,21 +160,18 @@ const _: () = {
             let ::core::option::Option::Some([q_d_0, q_d_1]) = q_d.first_chunk_mut()
             else { return };
             let fma = ::kin::rt::fma;
-            let ::core::option::Option::Some(
-                [_,
-                _,
-                _,
-                i_sin,
-                i_cos,
-                _,
-                _,
-                _,
-                j_sin,
-                j_cos,
-                ],
-            ) = at.states() else { return };
-            let ::core::option::Option::Some([_, _, i_theta_d, _, _, j_theta_d]) = qd
-                .columns() else { return };
+            let ::core::option::Option::Some([_, _, _, i_sin, i_cos]) = at.state(0) else {
+                return
+            };
+            let ::core::option::Option::Some([_, _, _, j_sin, j_cos]) = at.state(1) else {
+                return
+            };
+            let ::core::option::Option::Some([_, _, i_theta_d]) = qd.of(0) else {
+                return
+            };
+            let ::core::option::Option::Some([_, _, j_theta_d]) = qd.of(1) else {
+                return
+            };
             let put = ::kin::rt::put;
             let i_theta_d = *i_theta_d;
             let t0 = i_theta_d * i_theta_d;
@@ -320,33 +308,35 @@ rows 32 33
             c: &mut [::kin::rt::Wide<__S>],
             c_q: &mut [::kin::rt::Wide<__S>],
         ) {
-            let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
+            let ::core::option::Option::Some([c_0, c_1]) = c.first_chunk_mut() else {
                 return
             };
-            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<8>() else {
-                return
-            };
+            let ::core::option::Option::Some([_, c_q_1, _, c_q_3, _, c_q_5, _, c_q_7]) = c_q
+                .first_chunk_mut() else { return };
             let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
-                .known::<4>() else { return };
-            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
-            let j_sin = state[8];
-            let j_cos = state[9];
+                .known() else { return };
+            let ::core::option::Option::Some([i_x, i_y, _, i_sin, i_cos]) = at.state(0)
+            else { return };
+            let ::core::option::Option::Some([j_x, j_y, _, j_sin, j_cos]) = at.state(1)
+            else { return };
+            let j_sin = *j_sin;
+            let j_cos = *j_cos;
             let t0 = (known2 * j_sin) + (known3 * j_cos);
-            c_q[3] = t0;
-            let i_sin = state[3];
-            let i_cos = state[4];
+            *c_q_3 = t0;
+            let i_sin = *i_sin;
+            let i_cos = *i_cos;
             let t1 = (known0 * i_sin) + (known1 * i_cos);
-            let i_y = state[1];
-            let j_y = state[6];
-            c[1] = (i_y + t1) - (j_y + t0);
-            c_q[1] = -t1;
+            let i_y = *i_y;
+            let j_y = *j_y;
+            *c_1 = (i_y + t1) - (j_y + t0);
+            *c_q_1 = -t1;
             let t2 = (known0 * i_cos) - (known1 * i_sin);
-            c_q[5] = t2;
+            *c_q_5 = t2;
             let t3 = (known2 * j_cos) - (known3 * j_sin);
-            let i_x = state[0];
-            let j_x = state[5];
-            c[0] = (i_x + t2) - (j_x + t3);
-            c_q[7] = -t3;
+            let i_x = *i_x;
+            let j_x = *j_x;
+            *c_0 = (i_x + t2) - (j_x + t3);
+            *c_q_7 = -t3;
         }
         #[inline(always)]
         fn acceleration_rhs<__S: ::kin::rt::Level>(
@@ -354,24 +344,33 @@ rows 32 33
             qd: &::kin::rt::LaneRates<'_, __S>,
             q_d: &mut [::kin::rt::Wide<__S>],
         ) {
-            let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<2>() else {
+            let ::core::option::Option::Some([q_d_0, q_d_1]) = q_d.first_chunk_mut()
+            else { return };
+            let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
+                .known() else { return };
+            let ::core::option::Option::Some([_, _, _, i_sin, i_cos]) = at.state(0) else {
                 return
             };
-            let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
-                .known::<4>() else { return };
-            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
-            let ::core::option::Option::Some(rate) = qd.columns::<6>() else { return };
-            let j_theta_d = rate[5];
+            let ::core::option::Option::Some([_, _, _, j_sin, j_cos]) = at.state(1) else {
+                return
+            };
+            let ::core::option::Option::Some([_, _, i_theta_d]) = qd.of(0) else {
+                return
+            };
+            let ::core::option::Option::Some([_, _, j_theta_d]) = qd.of(1) else {
+                return
+            };
+            let j_theta_d = *j_theta_d;
             let t0 = j_theta_d * j_theta_d;
-            let i_theta_d = rate[2];
+            let i_theta_d = *i_theta_d;
             let t1 = i_theta_d * i_theta_d;
-            let j_cos = state[9];
-            let j_sin = state[8];
-            let i_cos = state[4];
-            let i_sin = state[3];
-            q_d[0] = -((((known2 * j_cos) - (known3 * j_sin)) * t0)
+            let j_cos = *j_cos;
+            let j_sin = *j_sin;
+            let i_cos = *i_cos;
+            let i_sin = *i_sin;
+            *q_d_0 = -((((known2 * j_cos) - (known3 * j_sin)) * t0)
                 - (((known0 * i_cos) - (known1 * i_sin)) * t1));
-            q_d[1] = -((((known2 * j_sin) + (known3 * j_cos)) * t0)
+            *q_d_1 = -((((known2 * j_sin) + (known3 * j_cos)) * t0)
                 - (((known0 * i_sin) + (known1 * i_cos)) * t1));
         }
     }

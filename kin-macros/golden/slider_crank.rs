@@ -154,8 +154,11 @@ const _: () = {
                     &own
                 }
             };
-            let ::core::option::Option::Some([_, theta3_sin, theta3_cos, x_arg, _, _]) = at
-                .states() else { return };
+            let ::core::option::Option::Some([_, theta3_sin, theta3_cos]) = at.state(0)
+            else { return };
+            let ::core::option::Option::Some([x_arg, _, _]) = at.state(1) else {
+                return
+            };
             let put = ::kin::rt::put;
             *c_q_1 = -1.0;
             let theta3_cos = *theta3_cos;
@@ -203,11 +206,9 @@ const _: () = {
                     &own
                 }
             };
-            let ::core::option::Option::Some([_, theta3_sin, theta3_cos, _, _, _]) = at
-                .states() else { return };
-            let ::core::option::Option::Some([theta3_d, _]) = qd.columns() else {
-                return
-            };
+            let ::core::option::Option::Some([_, theta3_sin, theta3_cos]) = at.state(0)
+            else { return };
+            let ::core::option::Option::Some([theta3_d]) = qd.of(0) else { return };
             let put = ::kin::rt::put;
             let theta3_d = *theta3_d;
             let t0 = theta3_d * theta3_d;

@@ -87,7 +87,8 @@ fn numbers(text: &str) -> Option<Vec<u16>> {
 mod tests {
     use super::*;
 
-    static SLOT: Table = Table::new("slot.rs", "\nat 3 5 k * x\nparameters k\nrows 3\n- Parameter 0\n0 Column 2\n0 Product 0 1\n- Atan2 2 1");
+    static SLOT: Table =
+        Table::new("slot.rs", "\nat 3 5 k * x\nparameters k\nrows 3\n- Parameter 0\n0 Column 2\n0 Product 0 1\n- Atan2 2 1");
 
     #[test]
     fn a_table_is_read() {

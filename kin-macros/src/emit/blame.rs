@@ -121,9 +121,8 @@ impl Table<'_> {
 
     fn step(&mut self, node: Node) -> String {
         let graph = &self.lowered.graph;
-        let of = |name: &str, operands: &[Node]| {
-            operands.iter().fold(name.to_owned(), |step, operand| format!("{step} {}", self.of(*operand)))
-        };
+        let of =
+            |name: &str, operands: &[Node]| operands.iter().fold(name.to_owned(), |step, operand| format!("{step} {}", self.of(*operand)));
         match graph.op(node) {
             Op::Input(input) => self.input(node, input),
             Op::Constant(bits) => format!("Constant {:?}", f64::from_bits(bits)),
@@ -201,7 +200,7 @@ impl Table<'_> {
     }
 
     fn opaque(&self, number: usize, x: &Ident, to: &Ident) -> TokenStream {
-        let (graph, values) = (&self.lowered.graph, own("values"));
+        let graph = &self.lowered.graph;
         let count = match &self.lowered.opaques[number].kind {
             OpaqueKind::Numbers(shape) => shape.len(),
             OpaqueKind::Condition => 1,
@@ -211,15 +210,13 @@ impl Table<'_> {
             (node, if super::kernel::is_condition(self.lowered, node) { quote!((#x[#k].re != 0.0)) } else { quote!(#x[#k].re) })
         });
         let kernel = Kernel::from_given(self.lowered, self.arguments, given.collect());
-        let outputs = (0..count).filter_map(|k| {
-            let (node, k) = (graph.existing(Op::Opaque(number, k))?, literal(k));
-            Some((quote!(#values[#k]), node))
-        });
-        let (code, count) = (kernel.write(&outputs.collect::<Vec<_>>()).tokens, literal(count));
+        let found: Vec<Option<Node>> = (0..count).map(|k| graph.existing(Op::Opaque(number, k))).collect();
+        let (code, values) = kernel.values(&found.iter().copied().flatten().collect::<Vec<Node>>());
+        let (code, mut values) = (code.tokens, values.into_iter());
+        let values = found.iter().map(|node| node.and_then(|_| values.next()).unwrap_or_else(|| quote!(0.0)));
         quote! {
-            let mut #values = [0.0; #count];
             #code
-            ::kin::rt::graph::give(&#values, #to)
+            ::kin::rt::graph::give(&[#(#values),*], #to)
         }
     }
 

@@ -1,10 +1,10 @@
 //! The functions of `impl Constraint` that compute something, on either route.
 
-use proc_macro2::{Literal, TokenStream};
-use quote::{ToTokens, quote};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
 
 use super::kernel::{Code, Kernel};
-use super::timed;
+use super::timed::{self, Timed};
 use crate::differentiate::Derivatives;
 use crate::graph::{Graph, Node, Op};
 use crate::lower::Lowered;
@@ -14,29 +14,22 @@ use crate::parse::Argument;
 pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivatives) -> TokenStream {
     let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
     let (m, entries) = (literal(rows.len()), literal(derived.jacobian.len()));
-    let outputs = |name: &str, nodes: &[Node]| -> Vec<(TokenStream, Node)> {
-        let name = |k: usize| super::own(&format!("{name}_{k}")).into_token_stream();
-        nodes.iter().enumerate().map(|(k, &node)| (name(k), node)).collect()
-    };
-    let written = |outputs: &[(TokenStream, Node)], list: TokenStream| {
-        let names: Vec<&TokenStream> = outputs.iter().map(|output| &output.0).collect();
-        super::chunk(&names, quote!(#list.first_chunk_mut()))
-    };
-    let c = outputs("c", &rows);
+    let (to_c, c) = outputs("c", &rows, |_| true);
     let values: Vec<Node> = derived.jacobian.iter().map(|entry| entry.2).collect();
-    let c_q = outputs("c_q", &values);
-    let both: Vec<_> = c.iter().chain(&c_q).cloned().collect();
-    let (rhs, q_d) = (outputs("rhs", &derived.velocity_rhs), outputs("q_d", &derived.acceleration_rhs));
+    let (to_c_q, c_q) = outputs("c_q", &values, |_| true);
+    let both: Vec<_> = c.into_iter().chain(c_q).collect();
+    let (to_rhs, rhs) = outputs("rhs", &derived.velocity_rhs, |_| true);
+    let (to_q_d, q_d) = outputs("q_d", &derived.acceleration_rhs, |_| true);
     let all: Vec<Node> = both.iter().chain(&rhs).chain(&q_d).map(|output| output.1).collect();
-    let timed = timed::select(lowered, &all);
-    let mut kernel = |outputs: &[(TokenStream, Node)]| Kernel::scheduled(lowered, arguments, &timed, outputs);
+    let linear = is_linear(&lowered.graph, &rows, derived);
+    let timed = Timed::new(lowered, &all, derived, linear);
+    let mut kernel = |outputs: &[(Ident, Node)]| Kernel::scheduled(lowered, arguments, &timed, outputs);
     let linearize = commented("C and C_q", kernel(&both));
     let right_side = commented("Q_d for t_dot = 1", kernel(&q_d));
-    let velocity = (!rhs.is_empty()).then(|| (written(&rhs, quote!(rhs)), kernel(&rhs)));
+    let velocity = (!rhs.is_empty()).then(|| (to_rhs, kernel(&rhs)));
     let velocity = self::velocity(&m, velocity);
-    let (to_c, to_c_q, to_q_d) = (written(&c, quote!(c)), written(&c_q, quote!(c_q)), written(&q_d, quote!(q_d)));
     let timed = timed::functions(lowered, &timed);
-    let (constants, depends) = (constants(&lowered.graph, derived), depends(&lowered.graph, &rows, derived));
+    let (constants, depends) = (constants(&lowered.graph, derived), depends(&lowered.graph, &rows, derived, linear));
     let blame = super::blame::symbolic(arguments, lowered);
     let ((linearize_doc, linearize), (right_doc, right_side)) = (linearize, right_side);
     quote! {
@@ -65,6 +58,16 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
     }
 }
 
+/// References to the places of a list by name, `let Some([c_0, c_1]) = c.first_chunk_mut() else { return };`, and what is written behind those
+/// that are `wanted`.
+pub fn outputs(list: &str, nodes: &[Node], wanted: impl Fn(Node) -> bool) -> (TokenStream, Vec<(Ident, Node)>) {
+    let name = |k: usize| super::own(&format!("{list}_{k}"));
+    let all: Vec<Option<(Ident, Node)>> = nodes.iter().enumerate().map(|(k, &node)| wanted(node).then(|| (name(k), node))).collect();
+    let list = Ident::new(list, proc_macro2::Span::call_site());
+    let names = all.iter().map(|output| output.as_ref().map(|(name, _)| name.clone()));
+    (super::chunk(names, quote!(#list.first_chunk_mut())), all.into_iter().flatten().collect())
+}
+
 /// The entries of C_q that are numbers for good, for the solver; nothing where there are none.
 fn constants(g: &Graph, derived: &Derivatives) -> TokenStream {
     let known: Vec<Option<f64>> = derived.jacobian.iter().map(|entry| g.constant_value(entry.2).filter(|c| c.is_finite())).collect();
@@ -86,12 +89,11 @@ fn constants(g: &Graph, derived: &Derivatives) -> TokenStream {
 }
 
 /// Which terms can change with t or be other than zero, for the solver.
-fn depends(g: &Graph, rows: &[Node], derived: &Derivatives) -> TokenStream {
+fn depends(g: &Graph, rows: &[Node], derived: &Derivatives, linear: bool) -> TokenStream {
     let on_t = |n: &Node| g.depends(*n).on_t;
     let (c, c_q) = (rows.iter().any(on_t), derived.jacobian.iter().any(|entry| on_t(&entry.2)));
     let [c_t, q_d] = [&derived.velocity_rhs, &derived.acceleration_rhs].map(|side| side.iter().any(|&n| !g.is_zero(n)));
-    let constant = derived.jacobian.iter().all(|entry| g.constant_value(entry.2).is_some());
-    let curved = !(constant && is_smooth(g, rows));
+    let curved = !linear;
     quote! {
         fn depends(&self) -> ::kin::Dependence {
             ::kin::Dependence { c_on_t: #c, c_q_on_t: #c_q, c_t: #c_t, q_d: #q_d, curved: #curved }
@@ -99,10 +101,12 @@ fn depends(g: &Graph, rows: &[Node], derived: &Derivatives) -> TokenStream {
     }
 }
 
-/// Whether coordinates enter by sums and products alone: with a constant gradient that makes rows linear, which a step or a kink would not.
-fn is_smooth(g: &Graph, rows: &[Node]) -> bool {
+/// Whether the rows are linear in the coordinates for good: with a gradient of numbers, and coordinates that enter by sums and products alone,
+/// for steps and kinks have such gradients too.
+fn is_linear(g: &Graph, rows: &[Node], derived: &Derivatives) -> bool {
     let smooth = |op: Op| matches!(op, Op::Input(_) | Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::Neg(_));
-    g.reachable(rows).into_iter().all(|node| !g.depends(node).on_q || smooth(g.op(node)))
+    derived.jacobian.iter().all(|entry| g.constant_value(entry.2).is_some())
+        && g.reachable(rows).into_iter().all(|node| !g.depends(node).on_q || smooth(g.op(node)))
 }
 
 fn commented(what: &str, code: Code) -> (String, TokenStream) {

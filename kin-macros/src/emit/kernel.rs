@@ -12,7 +12,7 @@ pub use words::number;
 use words::{comparison_method, sign};
 
 use super::slots::{Slot, binding, slots};
-use super::timed;
+use super::timed::{self, Timed};
 use crate::graph::{Function, Function2, Graph, Input, Node, Op, Part};
 use crate::lower::{Lowered, OpaqueKind};
 use crate::parse::Argument;
@@ -69,9 +69,8 @@ pub struct Code {
 }
 
 impl<'a> Kernel<'a> {
-    /// Code for `outputs` after the scheduler has had a look at it, each written behind the reference given with it; nodes in `timed` (sorted)
-    /// were evaluated before.
-    pub fn scheduled(lowered: &'a mut Lowered, arguments: &[Argument], timed: &[Node], outputs: &[(TokenStream, Node)]) -> Code {
+    /// Code for `outputs` after the scheduler has had a look at it; what is in `timed` was evaluated before.
+    pub fn scheduled(lowered: &'a mut Lowered, arguments: &[Argument], timed: &Timed, outputs: &[(Ident, Node)]) -> Code {
         let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
         let nodes = timed::read(&mut lowered.graph, timed, &nodes);
         let nodes = schedule::prepare(&mut lowered.graph, &nodes);
@@ -111,8 +110,8 @@ impl<'a> Kernel<'a> {
         if is_condition(self.lowered, node) { quote!(if #value { 1.0 } else { 0.0 }) } else { value }
     }
 
-    /// Code that computes `outputs` and writes each to the place given with it, conditions as 1 or 0.
-    pub fn write(mut self, outputs: &[(TokenStream, Node)]) -> Code {
+    /// Code that computes `outputs` and writes each behind the reference given with it.
+    pub fn write(mut self, outputs: &[(Ident, Node)]) -> Code {
         let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
         self.count_uses(&nodes);
         let put = super::own("put");
@@ -125,11 +124,7 @@ impl<'a> Kernel<'a> {
             group.nodes.into_iter().for_each(|node| self.name(node));
             let (place, node) = &outputs[group.output];
             let value = self.output(*node);
-            self.statements.push(match self.scheduled {
-                true if fenced && group.computes => quote!(#put(#place, #value);),
-                true => quote!(*#place = #value;),
-                false => quote!(#place = #value;),
-            });
+            self.statements.push(if fenced && group.computes { quote!(#put(#place, #value);) } else { quote!(*#place = #value;) });
         }
         self.finish()
     }
@@ -171,57 +166,31 @@ impl<'a> Kernel<'a> {
         Code { tokens: quote!(#items #fma #timed #bindings #(#statements)*), operations: self.operations }
     }
 
-    /// The states and rates as arrays of known length, if any of their numbers is read.
+    /// The numbers of states and rates of arguments, of those that are read.
     fn bindings(&self) -> TokenStream {
-        match self.numbers {
-            Numbers::Plain => {
-                let (states, rates) = (self.references(true), self.references(false));
-                let bind = |names: &[TokenStream], source| super::chunk(names, source);
-                [states.map(|names| bind(&names, quote!(at.states()))), rates.map(|names| bind(&names, quote!(qd.columns())))]
-                    .into_iter()
-                    .flatten()
-                    .collect()
-            }
-            Numbers::Wide => {
-                let read = |states: bool| self.read.iter().any(|(_, _, state)| *state == states);
-                let states: usize = self.slots.iter().map(|slot| slot.state_parts().len()).sum();
-                let rates: usize = self.slots.iter().map(|slot| slot.columns().len()).sum();
-                let states = binding("state", quote!(at.states), states, read(true));
-                let rates = binding("rate", quote!(qd.columns), rates, read(false));
-                quote!(#states #rates)
-            }
-        }
-    }
-
-    /// A name for each number of the states, or of the rates, and `_` for those that are not read; nothing where none is.
-    fn references(&self, of_state: bool) -> Option<Vec<TokenStream>> {
-        let names = self.slots.iter().enumerate().flat_map(|(k, slot)| {
-            let parts = if of_state { slot.state_parts() } else { slot.columns() };
-            parts.into_iter().map(move |part| {
-                let name = if of_state { slot.state(part) } else { slot.rate(part) };
-                if self.read.contains(&(k, part, of_state)) { quote!(#name) } else { quote!(_) }
-            })
-        });
-        self.read.iter().any(|(_, _, state)| *state == of_state).then(|| names.collect())
+        let of = |k: usize, of_state: bool| {
+            let parts = if of_state { self.slots[k].state_parts() } else { self.slots[k].columns() };
+            let read = |part: &Part| self.read.contains(&(k, *part, of_state));
+            parts
+                .iter()
+                .any(read)
+                .then(|| binding(k, of_state, parts.iter().map(|part| read(part).then(|| self.name_of(k, *part, of_state)))))
+        };
+        let all = [true, false].into_iter().flat_map(|of_state| (0..self.slots.len()).filter_map(move |k| of(k, of_state)));
+        all.collect()
     }
 
     /// The name of a number of a state or of the rates, read just before it is needed first: registers are few.
     fn reading(&mut self, slot: usize, part: Part, of_state: bool) -> Ident {
-        let parts = |slot: &Slot| if of_state { slot.state_parts() } else { slot.columns() };
-        let name = if of_state { self.slots[slot].state(part) } else { self.slots[slot].rate(part) };
-        if !self.read.insert((slot, part, of_state)) {
-            return name;
-        }
-        if self.numbers == Numbers::Plain {
+        let name = self.name_of(slot, part, of_state);
+        if self.read.insert((slot, part, of_state)) {
             self.statements.push(quote!(let #name = *#name;));
-        } else {
-            let first: usize = self.slots[..slot].iter().map(|slot| parts(slot).len()).sum();
-            let place = parts(&self.slots[slot]).iter().position(|&p| p == part).unwrap_or(0);
-            let place = Literal::usize_unsuffixed(first + place);
-            let source = super::own(if of_state { "state" } else { "rate" });
-            self.statements.push(quote!(let #name = #source[#place];));
         }
         name
+    }
+
+    fn name_of(&self, slot: usize, part: Part, of_state: bool) -> Ident {
+        if of_state { self.slots[slot].state(part) } else { self.slots[slot].rate(part) }
     }
 
     fn count_uses(&mut self, outputs: &[Node]) {

@@ -10,7 +10,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 use super::kernel::{Evaluations, Kernel, is_condition};
-use super::own;
+use super::{functions, own};
 use crate::differentiate::Derivatives;
 use crate::graph::{Graph, Input, LeafNumber, Node, Op};
 use crate::lower::Lowered;
@@ -38,33 +38,24 @@ struct Outside {
 
 pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &Lowered, derived: &Derivatives) -> LaneCode {
     let g = &lowered.graph;
-    let places = |place: &str, nodes: &mut dyn Iterator<Item = Node>| -> Vec<(TokenStream, Node)> {
-        let place = Ident::new(place, Span::call_site());
-        let write = |(k, node)| {
-            let k = literal(k);
-            (quote!(#place[#k]), node)
-        };
-        nodes.enumerate().map(write).collect()
-    };
-    let c = places("c", &mut lowered.rows.iter().map(|row| row.node));
+    let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
+    let values: Vec<Node> = derived.jacobian.iter().map(|entry| entry.2).collect();
+    let (to_c, c) = functions::outputs("c", &rows, |_| true);
     // What is the same for good has been written before.
-    let mut both = places("c_q", &mut derived.jacobian.iter().map(|entry| entry.2));
-    both.retain(|(_, node)| g.constant_value(*node).is_none_or(|constant| !constant.is_finite()));
-    both.splice(0..0, c);
-    let rhs = places("rhs", &mut derived.velocity_rhs.iter().copied());
-    let q_d = places("q_d", &mut derived.acceleration_rhs.iter().copied());
+    let (to_c_q, c_q) = functions::outputs("c_q", &values, |node| g.constant_value(node).is_none_or(|constant| !constant.is_finite()));
+    let both: Vec<_> = c.into_iter().chain(c_q).collect();
+    let (to_rhs, rhs) = functions::outputs("rhs", &derived.velocity_rhs, |_| true);
+    let (to_q_d, q_d) = functions::outputs("q_d", &derived.acceleration_rhs, |_| true);
 
     let all: Vec<Node> = both.iter().chain(&rhs).chain(&q_d).map(|(_, node)| *node).collect();
     let outside = Outside::new(lowered, &all);
-    let kernel = |outputs: &[(TokenStream, Node)]| outside.kernel(lowered, arguments, outputs);
+    let kernel = |outputs: &[(Ident, Node)]| outside.kernel(lowered, arguments, outputs);
     let (linearize, velocity, acceleration) = (kernel(&both), kernel(&rhs), kernel(&q_d));
-    let (m, entries) = (literal(lowered.rows.len()), literal(derived.jacobian.len()));
-    let m_velocity = literal(rhs.len());
     let velocity = (!rhs.is_empty()).then(|| {
         quote! {
             #[inline(always)]
             fn velocity_rhs<__S: ::kin::rt::Level>(at: &::kin::rt::LaneAt<'_, __S>, rhs: &mut [::kin::rt::Wide<__S>]) {
-                let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<#m_velocity>() else { return };
+                #to_rhs
                 #velocity
             }
         }
@@ -85,8 +76,8 @@ pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &Lowered, derived: &
                     c: &mut [::kin::rt::Wide<__S>],
                     c_q: &mut [::kin::rt::Wide<__S>],
                 ) {
-                    let ::core::option::Option::Some(c) = c.first_chunk_mut::<#m>() else { return };
-                    let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<#entries>() else { return };
+                    #to_c
+                    #to_c_q
                     #linearize
                 }
                 #velocity
@@ -96,7 +87,7 @@ pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &Lowered, derived: &
                     qd: &::kin::rt::LaneRates<'_, __S>,
                     q_d: &mut [::kin::rt::Wide<__S>],
                 ) {
-                    let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<#m>() else { return };
+                    #to_q_d
                     #acceleration
                 }
             }
@@ -131,7 +122,7 @@ impl Outside {
     }
 
     /// One kernel: what is known by name, evaluations by their calls.
-    fn kernel(&self, lowered: &Lowered, arguments: &[Argument], outputs: &[(TokenStream, Node)]) -> TokenStream {
+    fn kernel(&self, lowered: &Lowered, arguments: &[Argument], outputs: &[(Ident, Node)]) -> TokenStream {
         let known: Vec<Node> = self.known.concat();
         let names: Vec<Ident> = (0..known.len()).map(|k| own(&format!("known{k}"))).collect();
         let given = known.iter().zip(&names).map(|(&node, name)| {
@@ -148,10 +139,9 @@ impl Outside {
             })
             .collect();
         let code = Kernel::over_lanes(lowered, arguments, given.collect(), calls).write(outputs).tokens;
-        let n = literal(names.len());
         let bind = match names.len() {
             0 => quote!(),
-            _ => quote!(let ::core::option::Option::Some(&[#(#names),*]) = at.known::<#n>() else { return };),
+            _ => quote!(let ::core::option::Option::Some(&[#(#names),*]) = at.known() else { return };),
         };
         quote!(#bind #code)
     }

@@ -94,8 +94,9 @@ fn dual_bindings(arguments: &[Argument]) -> Vec<TokenStream> {
         .collect()
 }
 
-/// `let Some([a, b, _]) = source else { return };`: the first numbers of a list by name.
-fn chunk(names: &[impl quote::ToTokens], source: TokenStream) -> TokenStream {
+/// `let Some([a, _, c]) = source else { return };`: the first numbers of a list by name, those that have one.
+fn chunk(names: impl Iterator<Item = Option<proc_macro2::Ident>>, source: TokenStream) -> TokenStream {
+    let names = names.map(|name| name.map_or_else(|| quote!(_), |name| quote!(#name)));
     quote!(let ::core::option::Option::Some([#(#names),*]) = #source else { return };)
 }
 
