@@ -70,6 +70,21 @@ fn derivatives_and_breaks_are_those_of_the_law() {
     }
 }
 
+/// A number just below zero, brought into the period, is the period itself by rounding: there the law is what it is at zero.
+#[test]
+fn periodic_laws_just_below_zero() {
+    let spline = Law::spline(&wave(), Ends::Periodic);
+    let repeated = Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::linear(1.0, -1.0))]).periodic(2.0);
+    for (law, period) in [(spline, 4.0), (repeated, 2.0)] {
+        for x in [-1e-17, -3e-17, -1e-300] {
+            for turn in [0.0, period] {
+                let (below, zero) = (law.jet(x + turn), law.jet(0.0));
+                assert!((0..3).all(|k| (below[k] - zero[k]).abs() < 1e-12), "{} at {x}: {below:?} instead of {zero:?}", law.kind());
+            }
+        }
+    }
+}
+
 /// A smooth law has no break anywhere; the others have what they list, and no listed break is of no effect (`compare_law` looks at each).
 #[test]
 fn breaks_are_listed() {

@@ -178,6 +178,12 @@ impl LawFunction for Sequence {
     }
 }
 
+/// What x is beyond the last whole period: 0 ≤ … < period. (Of a number just below zero `rem_euclid` alone makes the period itself, by rounding.)
+pub(super) fn within(x: f64, period: f64) -> f64 {
+    let rest = x.rem_euclid(period);
+    if rest >= period { 0.0 } else { rest }
+}
+
 #[derive(Clone)]
 struct Periodic {
     law: Law,
@@ -186,7 +192,7 @@ struct Periodic {
 
 impl LawFunction for Periodic {
     fn jet(&self, x: f64) -> [f64; 4] {
-        self.law.jet(x.rem_euclid(self.period))
+        self.law.jet(within(x, self.period))
     }
 
     fn kind(&self) -> &str {
@@ -202,7 +208,7 @@ impl LawFunction for Periodic {
     }
 
     fn fourth(&self, x: f64) -> f64 {
-        self.law.fourth(x.rem_euclid(self.period))
+        self.law.fourth(within(x, self.period))
     }
 
     fn breaks(&self, from: f64, to: f64) -> Vec<Break> {

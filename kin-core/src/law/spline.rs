@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::sequence::within;
 use super::{Break, Law, LawFunction};
 use crate::proof::{Interval, ONE, Series, piecewise, repeated};
 use crate::error::{Error, Result};
@@ -106,7 +107,8 @@ impl Spline {
     /// x brought into the table, and where it is there: interval, or outside of it.
     fn place(&self, x: f64) -> (f64, usize) {
         let (first, last) = (self.table[0].0, self.table[self.table.len() - 1].0);
-        let x = if self.ends == Ends::Periodic { first + (x - first).rem_euclid(last - first) } else { x };
+        let turned = || Some(first + within(x - first, last - first)).filter(|x| *x < last).unwrap_or(first);
+        let x = if self.ends == Ends::Periodic { turned() } else { x };
         let after = self.table.partition_point(|(knot, _)| *knot <= x);
         (x, after)
     }

@@ -35,6 +35,9 @@ pub(super) struct Place<'a> {
 /// The smallest distance, in characteristic sizes, within which no other solution is looked for.   \[-\]
 const LEAST: f64 = 1e-6;
 
+/// Beyond this an equation, in units of order 1, counts as missed: the position is not one that only rounding keeps from being proved.   \[-\]
+const MISSED: f64 = 1e-4;
+
 /// Krawczyk's test with coordinates and rows in units of order 1, `sizes` being those of coordinates.
 pub(super) struct Test<'a> {
     pub bounds: &'a Bounds<'a>,
@@ -58,12 +61,11 @@ impl Test<'_> {
         let b = frame.residual(&weighted);
         let worst = b.iter().fold(0.0_f64, |m, b| m.max(*b));
         let spread = place.q.iter().zip(self.sizes).map(|(q, size)| q.radius() / size).fold(0.0, f64::max);
-        let apart = || {
-            let worst = (0..weighted.len()).max_by(|i, j| weighted[*i].mag().total_cmp(&weighted[*j].mag())).unwrap_or(0);
-            Fault::Apart(worst, place.c.get(worst).map_or(0.0, |c| c.mag()))
-        };
         let radius = spread.max(4.0 * worst).max(LEAST);
-        let fault = || if worst > spread { apart() } else { singular() };
+        let fault = || {
+            let missed = (0..weighted.len()).max_by(|i, j| weighted[*i].mag().total_cmp(&weighted[*j].mag()));
+            missed.filter(|row| weighted[*row].mag() > MISSED).map_or_else(singular, |row| Fault::Apart(row, place.c[row].mag()))
+        };
         if radius.is_nan() || radius >= 1.0 {
             return Err(fault());
         }

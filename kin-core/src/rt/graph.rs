@@ -3,3 +3,4 @@
 pub use crate::blame::graph::{Comparison::*, Function::*, Function2::*, Step::*};
 pub use crate::blame::graph::{Given, Graph, Outside, give, give_law, nothing_outside};
 pub use crate::blame::trace::{Body, blame as traced};
+pub use crate::proof::Series;

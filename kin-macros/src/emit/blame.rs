@@ -14,33 +14,64 @@ use crate::lower::place::Expression;
 use crate::lower::{Lowered, OpaqueKind};
 use crate::parse::{Argument, Kind};
 
-/// `graph` of the symbolic route, which `blame` stands on, and the jerk.
+/// `graph` of the symbolic route, which `blame` stands on, and the jerk, and proofs.
 pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
-    let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
-    let mut table =
-        Table { arguments, lowered, steps: vec![], numbers: HashMap::new(), expressions: vec![], parameters: vec![], outside: vec![] };
-    for node in lowered.graph.reachable(&rows) {
-        let step = table.step(node);
-        table.push(node, step);
-    }
-    let rows = rows.iter().map(|&row| table.of(row)).collect::<Vec<_>>();
-    let expressions = listed(table.expressions.iter().map(|&k| &lowered.expressions.all[k]));
-    let names = table.parameters.iter().map(|&k| parameter_name(&lowered.parameters[k], arguments));
-    let values = table.parameters.iter().map(|&k| &lowered.parameters[k]);
-    let (steps, outside) = (&table.steps, table.outside());
+    let Written { graph, values, outside } = Written::of(arguments, lowered);
     quote! {
         #[cold]
         fn graph(&self, with: &mut dyn FnMut(&::kin::rt::graph::Graph, &[f64], ::kin::rt::graph::Outside<'_>)) {
             use ::kin::rt::graph::*;
-            const GRAPH: &Graph = &Graph {
+            const GRAPH: &Graph = &#graph;
+            with(GRAPH, &#values, #outside);
+        }
+    }
+}
+
+/// `over` of a law: its steps, its variable being column 0.
+pub fn law(parameters: &[Argument], lowered: &Lowered) -> TokenStream {
+    let Written { graph, values, outside } = Written::of(parameters, lowered);
+    let x = own("x");
+    quote! {
+        #[cold]
+        fn over(&self, #x: &::kin::rt::graph::Series) -> ::core::option::Option<::kin::rt::graph::Series> {
+            use ::kin::rt::graph::*;
+            const GRAPH: &Graph = &#graph;
+            GRAPH.law_over(#x, &#values, #outside)
+        }
+    }
+}
+
+/// The table of an equation, the values of its parameters, and what computes what the table cannot.
+struct Written {
+    graph: TokenStream,
+    values: TokenStream,
+    outside: TokenStream,
+}
+
+impl Written {
+    fn of(arguments: &[Argument], lowered: &Lowered) -> Self {
+        let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
+        let mut table =
+            Table { arguments, lowered, steps: vec![], numbers: HashMap::new(), expressions: vec![], parameters: vec![], outside: vec![] };
+        for node in lowered.graph.reachable(&rows) {
+            let step = table.step(node);
+            table.push(node, step);
+        }
+        let rows = rows.iter().map(|&row| table.of(row)).collect::<Vec<_>>();
+        let expressions = listed(table.expressions.iter().map(|&k| &lowered.expressions.all[k]));
+        let names = table.parameters.iter().map(|&k| parameter_name(&lowered.parameters[k], arguments));
+        let values = table.parameters.iter().map(|&k| &lowered.parameters[k]);
+        let steps = &table.steps;
+        let graph = quote! {
+            Graph {
                 file: ::core::file!(),
                 expressions: &[#(#expressions),*],
                 steps: &[#(#steps),*],
                 rows: &[#(#rows),*],
                 parameters: &[#(#names),*],
-            };
-            with(GRAPH, &[#(#values),*], #outside);
-        }
+            }
+        };
+        Written { graph, values: quote!([#(#values),*]), outside: table.outside() }
     }
 }
 
@@ -196,8 +227,9 @@ impl Table<'_> {
                 call(f, &self.of(node))
             }
             Input::Time => quote!(Time),
+            Input::Variable => quote!(Column(0)),
             // Not of an equation's own value.
-            Input::Rate(..) | Input::TimeRate | Input::Variable | Input::Timed(_) => quote!(Constant(f64::NAN)),
+            Input::Rate(..) | Input::TimeRate | Input::Timed(_) => quote!(Constant(f64::NAN)),
         }
     }
 
