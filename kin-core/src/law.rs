@@ -6,6 +6,7 @@ mod combine;
 mod motion;
 mod rise;
 mod sequence;
+mod shapes;
 mod spline;
 
 pub use spline::Ends;

@@ -55,6 +55,7 @@ use crate::layout::Unit;
 use crate::motion::Motion;
 use crate::system::{System, scale};
 use bounds::Bounds;
+pub(crate) use bounds::Part;
 pub(crate) use interval::{Interval, ONE};
 use krawczyk::{Around, Fault, Test};
 pub(crate) use pieces::{piecewise, repeated};

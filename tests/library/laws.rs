@@ -60,6 +60,7 @@ pub fn all() -> Vec<Line> {
     ]
 }
 
+/// And those of intervals, of which proofs are made: each law has them (no derivative is left out but those beyond a break).
 #[test]
 fn derivatives_and_breaks_are_those_of_the_law() {
     for Line { name, law, from, to } in all() {
@@ -67,6 +68,21 @@ fn derivatives_and_breaks_are_those_of_the_law() {
         let worst = check::compare_law(&law, from, to).unwrap_or_else(|mismatch| panic!("{name}: {mismatch}"));
         println!("{name:20} {worst:.1e}  {} breaks", law.breaks(from, to).len());
         assert!(!law.description().is_empty(), "{name}");
+    }
+}
+
+/// Each law drives a coordinate over its whole range, breaks and all: proved, so its bounds are known, and narrow enough.
+#[test]
+fn motions_by_every_law_can_be_proved() {
+    for Line { name, law, from, to } in all() {
+        let mut m = Mechanism::new(name);
+        let x = m.length("x", law.at(from)).unwrap();
+        m.add("motor", drive(x, law)).unwrap();
+        let system = m.build().unwrap();
+        let proof = system.prove(&system.run(linspace(from, to, 38)).unwrap()).unwrap();
+        println!("{proof}");
+        assert!(proof.is_complete(), "{proof}");
+        assert!((0..38).all(|k| proof.error(k).is_some_and(|error| error[0] < 1e-12)), "{proof}");
     }
 }
 

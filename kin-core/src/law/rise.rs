@@ -1,10 +1,8 @@
 //! Rises: from 0 to a height over a length, with a dwell before and after. Those of cams and of machines that index.
 
-mod bounds;
-
 use std::f64::consts::{PI, TAU};
 
-use super::{Break, Law, LawFunction};
+use super::{Break, Law, LawFunction, shapes};
 use crate::proof::{Interval, Series, piecewise};
 
 impl Law {
@@ -100,8 +98,8 @@ impl Shape {
             Shape::Cycloidal => Some(x - (pi(2.0) * x).sin_cos().0 / pi(2.0)),
             Shape::Polynomial345 => Some(powers(&[10.0, -15.0, 6.0], 3)),
             Shape::Polynomial4567 => Some(powers(&[35.0, -84.0, 70.0, -20.0], 4)),
-            Shape::ModifiedSine => bounds::mirrored(&x, &bounds::modified_sine),
-            Shape::ModifiedTrapezoid => bounds::mirrored(&x, &bounds::modified_trapezoid),
+            Shape::ModifiedSine => shapes::mirrored(&x, &shapes::modified_sine),
+            Shape::ModifiedTrapezoid => shapes::mirrored(&x, &shapes::modified_trapezoid),
         }
     }
 

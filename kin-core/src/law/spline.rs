@@ -4,8 +4,8 @@ use std::path::Path;
 
 use super::sequence::within;
 use super::{Break, Law, LawFunction};
-use crate::proof::{Interval, ONE, Series, piecewise, repeated};
 use crate::error::{Error, Result};
+use crate::proof::{Interval, ONE, Series, piecewise, repeated};
 
 /// What a spline does at the ends of its table.
 #[derive(Clone, Copy, Debug, PartialEq)]

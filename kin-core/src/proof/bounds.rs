@@ -1,12 +1,11 @@
 //! C and C_q of a whole system over boxes and intervals of time.
 
-use std::collections::HashSet;
-
 use super::equation::Inputs;
 use super::interval::{Interval, ONE, ZERO};
 use super::series::Series;
 use crate::blame::graph::Graph;
 use crate::blame::{Source, columns, kind};
+use crate::constraint::Constraint;
 use crate::dual_route::each_coordinate;
 use crate::error::Error;
 use crate::system::System;
@@ -14,9 +13,9 @@ use crate::system::evaluate::Block;
 
 /// An equation of which no bounds are known over a box, and the expression that makes it so.
 #[derive(Clone, Debug)]
-pub(super) struct Unknown {
-    pub row: usize,
-    pub expression: Option<(&'static str, Option<Source>)>,
+pub(crate) struct Unknown {
+    pub(super) row: usize,
+    pub(super) expression: Option<(&'static str, Option<Source>)>,
 }
 
 /// The equations of a system, to be asked for bounds.
@@ -26,8 +25,10 @@ pub(super) struct Bounds<'a> {
 }
 
 /// One constraint, and what stands behind its columns.
-struct Part<'a> {
-    block: &'a Block,
+pub(crate) struct Part<'a> {
+    constraint: &'a dyn Constraint,
+    /// Its first row among all.
+    first: usize,
     columns: Vec<Column>,
 }
 
@@ -44,12 +45,14 @@ impl<'a> Bounds<'a> {
         let equations = system.equations();
         let instant = equations.instant_at(0.0, system.initial());
         let part = |block: &'a Block| {
-            readable(block)?;
-            let (arguments, mut values) = (block.constraint.arguments(), Vec::new());
+            let constraint = block.constraint.as_ref();
+            let what = || format!("a motion with `{}` ({})", block.name, constraint.kind());
+            unreadable(constraint).map_or(Ok(()), |reason| Err(Error::CannotBeProved { what: what(), reason }))?;
+            let (arguments, mut values) = (constraint.arguments(), Vec::new());
             each_coordinate(arguments.iter().map(kind), &instant.of(block), &mut |value| values.push(value));
             let places = arguments.iter().flat_map(|argument| columns(argument, system.layout()));
             let columns = places.zip(values).map(|(place, value)| place.map_or(Column::Fixed(value), Column::Own)).collect();
-            Ok(Part { block, columns })
+            Ok(Part { constraint, first: block.rows().start, columns })
         };
         Ok(Bounds { system, parts: equations.blocks.iter().map(part).collect::<Result<_, Error>>()? })
     }
@@ -57,35 +60,20 @@ impl<'a> Bounds<'a> {
     /// Every row of C along q and t.
     pub(super) fn residual(&self, q: &[Series], t: Series) -> Result<Vec<Series>, Unknown> {
         let mut c = Vec::with_capacity(self.system.n_equations());
-        for part in &self.parts {
-            let local: Vec<Series> = part.columns.iter().map(|column| column.of(q)).collect();
-            part.run(&local, t, 1, &mut |_| true, &mut |_, y| c.push(y))?;
-        }
+        self.parts.iter().try_for_each(|part| part.residual(q, t, &mut c))?;
         Ok(c)
     }
 
-    /// The entries (row, column, values) of C_q over a box of positions and an interval of time.
-    pub(super) fn jacobian(&self, q: &[Interval], t: Interval) -> Result<Vec<(usize, usize, Interval)>, Unknown> {
-        let (mut entries, t) = (Vec::new(), Series::constant(t));
-        for part in &self.parts {
-            let still: Vec<Series> = part.columns.iter().map(|column| Series::constant(column.of(q).into())).collect();
-            for (k, column) in part.columns.iter().enumerate() {
-                let Column::Own(column) = *column else { continue };
-                let rows = part.entries(k);
-                let first = part.block.rows().start;
-                if let Some(constants) = rows.iter().map(|(row, constant)| Some((*row, (*constant)?))).collect::<Option<Vec<_>>>() {
-                    entries.extend(constants.into_iter().map(|(row, value)| (first + row, column, Interval::from(value))));
-                    continue;
-                }
-                let mut local = still.clone();
-                local[k] = Series::variable(still[k].value(), ONE, 2);
-                let asked: HashSet<usize> = rows.iter().map(|(row, _)| *row).collect();
-                part.run(&local, t, 2, &mut |row| asked.contains(&row), &mut |row, y| entries.push((row, column, y.at(1))))?;
-            }
-        }
+    /// The entries of C_q over a box of positions and an interval of time.
+    pub(super) fn jacobian(&self, q: &[Interval], t: Interval) -> Result<Vec<Entry>, Unknown> {
+        let mut entries = Vec::new();
+        self.parts.iter().try_for_each(|part| part.jacobian(q, t, &mut entries))?;
         Ok(entries)
     }
 }
+
+/// Row, column and values of an entry of C_q.
+pub(crate) type Entry = (usize, usize, Interval);
 
 impl Column {
     fn of<T: Copy + From<Fixed>>(self, q: &[T]) -> T {
@@ -111,12 +99,41 @@ impl From<Fixed> for Series {
     }
 }
 
-impl Part<'_> {
+impl<'a> Part<'a> {
+    /// A constraint alone, its columns being all there are; `None` for one that is not known as steps.
+    pub(crate) fn alone(constraint: &'a dyn Constraint) -> Option<Self> {
+        let columns = constraint.arguments().iter().map(|argument| argument.target.columns()).sum();
+        unreadable(constraint).is_none().then(|| Part { constraint, first: 0, columns: (0..columns).map(Column::Own).collect() })
+    }
+
+    /// Appends its rows of C along q and t.
+    pub(crate) fn residual(&self, q: &[Series], t: Series, c: &mut Vec<Series>) -> Result<(), Unknown> {
+        let local: Vec<Series> = self.columns.iter().map(|column| column.of(q)).collect();
+        self.run(&local, t, 1, &|_| true, &mut |_, y| c.push(y))
+    }
+
+    /// Appends its entries of C_q over a box and an interval of time.
+    pub(crate) fn jacobian(&self, q: &[Interval], t: Interval, entries: &mut Vec<Entry>) -> Result<(), Unknown> {
+        let still: Vec<Series> = self.columns.iter().map(|column| Series::constant(column.of(q))).collect();
+        for (k, column) in self.columns.iter().enumerate() {
+            let Column::Own(column) = *column else { continue };
+            let rows = self.rows_of(k);
+            if let Some(constants) = rows.iter().map(|(row, constant)| Some((*row, (*constant)?))).collect::<Option<Vec<_>>>() {
+                entries.extend(constants.into_iter().map(|(row, value)| (self.first + row, column, Interval::from(value))));
+                continue;
+            }
+            let mut local = still.clone();
+            local[k] = Series::variable(still[k].value(), ONE, 2);
+            let asked = |row: usize| rows.iter().any(|(known, _)| *known == row);
+            self.run(&local, Series::constant(t), 2, &asked, &mut |row, y| entries.push((self.first + row, column, y.at(1))))?;
+        }
+        Ok(())
+    }
+
     /// The rows that depend on a local column, each with its entry if that never changes.
-    fn entries(&self, column: usize) -> Vec<(usize, Option<f64>)> {
-        let constraint = &self.block.constraint;
-        let constants = constraint.constants();
-        let all = constraint.pattern().iter().enumerate();
+    fn rows_of(&self, column: usize) -> Vec<(usize, Option<f64>)> {
+        let constants = self.constraint.constants();
+        let all = self.constraint.pattern().iter().enumerate();
         all.filter(|(_, entry)| entry.1 == column).map(|(k, entry)| (entry.0, constants.get(k).copied().flatten())).collect()
     }
 
@@ -126,39 +143,46 @@ impl Part<'_> {
         columns: &[Series],
         t: Series,
         len: usize,
-        asked: &mut dyn FnMut(usize) -> bool,
+        asked: &dyn Fn(usize) -> bool,
         give: &mut dyn FnMut(usize, Series),
     ) -> Result<(), Unknown> {
-        let (first, mut unknown) = (self.block.rows().start, None);
-        self.block.constraint.graph(&mut |graph: &Graph, parameters, outside| {
+        let mut unknown = None;
+        self.constraint.graph(&mut |graph: &Graph, parameters, outside| {
             let results = graph.series(&Inputs { columns, t, parameters, outside });
             for row in (0..graph.rows.len()).filter(|row| asked(*row)) {
                 let y = graph.row(row, &results);
                 if y.len() < len || !y.known().iter().all(|c| c.is_finite()) {
-                    unknown = Some(Unknown { row: first + row, expression: graph.unknown(row, &results, len) });
+                    unknown = Some(Unknown { row: self.first + row, expression: graph.unknown(row, &results, len) });
                     return;
                 }
-                give(first + row, y);
+                give(row, y);
             }
         });
         unknown.map_or(Ok(()), Err)
     }
 }
 
-/// An error by name unless bounds of a constraint can be had.
-fn readable(block: &Block) -> Result<(), Error> {
+/// Why bounds of a constraint cannot be had at all, if so.
+fn unreadable(constraint: &dyn Constraint) -> Option<String> {
     let mut reason = Some(format!(
         "it takes the {} route, and only the symbolic one leaves its equation as steps of which bounds over an interval can be had",
-        block.constraint.route()
+        constraint.route()
     ));
-    block.constraint.graph(&mut |graph, _, outside| reason = graph.opaque(outside));
-    let what = || format!("a motion with `{}` ({})", block.name, block.constraint.kind());
-    reason.map_or(Ok(()), |reason| Err(Error::CannotBeProved { what: what(), reason }))
+    constraint.graph(&mut |graph, _, outside| reason = graph.opaque(outside));
+    reason
 }
 
 /// Σ c_j σʲ over −1 ≤ σ ≤ 1, by Taylor's formula: its coefficients at σ = 0 and, for the remainder, over all σ.
 pub(super) fn taylor(at: &Series, over: &Series) -> Interval {
     let Some(last) = over.len().checked_sub(1) else { return over.value() };
-    let unit = |k: usize| if k == 0 { ONE } else if k.is_multiple_of(2) { ZERO.hull(ONE) } else { Interval::ball(1.0) };
+    let unit = |k: usize| {
+        if k == 0 {
+            ONE
+        } else if k.is_multiple_of(2) {
+            ZERO.hull(ONE)
+        } else {
+            Interval::ball(1.0)
+        }
+    };
     (0..last).map(|k| at.at(k) * unit(k)).fold(over.at(last) * unit(last), |sum, term| sum + term)
 }

@@ -71,7 +71,9 @@ impl Graph {
                     }
                 }
                 Step::Foreign(..) if moving => {
-                    return Some("it calls a function of yours, of which no bounds over an interval are known; write its expression out".to_string());
+                    return Some(
+                        "it calls a function of yours, of which no bounds over an interval are known; write its expression out".to_string(),
+                    );
                 }
                 _ => {}
             }
@@ -94,7 +96,15 @@ fn result(step: Step, known: &[Series], inputs: &Inputs<'_>) -> Series {
     let of = |k: u16| known.get(usize::from(k)).copied().unwrap_or(UNKNOWN);
     let value = |k: u16| if of(k).turns() == 0 { of(k).value() } else { UNKNOWN.value() };
     let parameter = |k: u16| inputs.parameters.get(usize::from(k)).map_or(UNKNOWN, |x| Series::constant(Interval::from(*x)));
-    let truth = |[never, always]: [bool; 2]| Series::constant(if never { ZERO } else if always { ONE } else { ZERO.hull(ONE) });
+    let truth = |[never, always]: [bool; 2]| {
+        Series::constant(if never {
+            ZERO
+        } else if always {
+            ONE
+        } else {
+            ZERO.hull(ONE)
+        })
+    };
     // a condition as [never, always]
     let held = |k: u16| [value(k) == ZERO, !value(k).contains(0.0)];
     match step {

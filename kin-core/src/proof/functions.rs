@@ -121,7 +121,13 @@ impl Series {
             Function::Sqrt => x.sqrt(),
             Function::Cbrt => x.power(x.value().cbrt(), whole(1) / whole(3)),
             Function::Abs => x.abs(),
-            Function::Signum => if x.value() == ZERO { UNKNOWN } else { x.step(f64::signum) },
+            Function::Signum => {
+                if x.value() == ZERO {
+                    UNKNOWN
+                } else {
+                    x.step(f64::signum)
+                }
+            }
             Function::Floor => x.step(f64::floor),
             Function::Ceil => x.step(f64::ceil),
             Function::Round => x.step(f64::round),

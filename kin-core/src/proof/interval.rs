@@ -116,7 +116,13 @@ impl Interval {
 
     /// |x|
     pub(crate) fn abs(self) -> Self {
-        if self.contains(0.0) { Interval { lo: 0.0, hi: self.mag() } } else if self.lo > 0.0 { self } else { -self }
+        if self.contains(0.0) {
+            Interval { lo: 0.0, hi: self.mag() }
+        } else if self.lo > 0.0 {
+            self
+        } else {
+            -self
+        }
     }
 
     /// √x of what is not below zero in it; nothing is known where all of it is.

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::bounds::{Bounds, Unknown};
+use super::bounds::{Bounds, Entry, Unknown};
 use super::interval::{Interval, ONE, ZERO, down, up};
 
 /// What is known around an approximate position at every time of an interval. Lengths and angles by coordinate.
@@ -95,7 +95,7 @@ impl Test<'_> {
     }
 
     /// Bounds of |I − A C_q|.
-    fn contraction(&self, frame: &Frame, entries: &[(usize, usize, Interval)]) -> DMatrix<f64> {
+    fn contraction(&self, frame: &Frame, entries: &[Entry]) -> DMatrix<f64> {
         let n = self.sizes.len();
         let mut columns = vec![vec![ZERO; n]; n];
         for (k, column) in columns.iter_mut().enumerate() {

@@ -84,7 +84,8 @@ fn shifted(c: &[Interval; 6], by: Interval) -> [Interval; 6] {
 /// Whether the solutions of two tests at one time, whose positions are so far apart, are one and the same: that of one is where the other one has
 /// no second solution.
 fn joined(a: &Around, b: &Around, apart: &[f64]) -> bool {
-    let within = |a: &Around, b: &Around| a.inner.iter().zip(apart).zip(&b.outer).all(|((inner, apart), outer)| up(inner + apart) <= *outer);
+    let within =
+        |a: &Around, b: &Around| a.inner.iter().zip(apart).zip(&b.outer).all(|((inner, apart), outer)| up(inner + apart) <= *outer);
     within(a, b) || within(b, a)
 }
 

@@ -76,7 +76,13 @@ fn evaluate(source: &LawFn) -> TokenStream {
     }
 }
 
-fn emit(source: &LawFn, [jet, over]: [&TokenStream; 2], written: &TokenStream, leaves: &[TokenStream], evaluate: &TokenStream) -> TokenStream {
+fn emit(
+    source: &LawFn,
+    [jet, over]: [&TokenStream; 2],
+    written: &TokenStream,
+    leaves: &[TokenStream],
+    evaluate: &TokenStream,
+) -> TokenStream {
     let (attributes, visibility, name) = (&source.attributes, &source.visibility, &source.name);
     let names: Vec<_> = source.parameters.iter().map(|a| &a.name).collect();
     let types: Vec<_> = source.parameters.iter().map(|a| &a.ty).collect();
