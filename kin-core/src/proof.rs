@@ -38,6 +38,8 @@ mod bounds;
 mod elementary;
 mod equation;
 mod functions;
+#[cfg(test)]
+mod inclusion;
 mod interval;
 mod krawczyk;
 mod pieces;

@@ -13,7 +13,7 @@ macro_rules! functions {
 
         impl $name {
             /// The function with as many derivatives as the numbers have.
-            pub(super) fn by_dual<D: Dual>(self) -> $function {
+            pub(crate) fn by_dual<D: Dual>(self) -> $function {
                 match self { $($name::$variant => $f),* }
             }
         }

@@ -70,7 +70,7 @@ impl Interval {
         self.lo.abs().max(self.hi.abs())
     }
 
-    /// Half its width, or more.
+    /// Half its width.
     pub(crate) fn radius(self) -> f64 {
         0.5 * up(self.hi - self.lo)
     }
