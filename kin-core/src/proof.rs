@@ -1,38 +1,39 @@
-//! That a motion is the motion, proved: [`System::prove`].
+//! That a motion is the motion, proved: [`System::prove`](crate::System::prove).
 //!
 //! # What is shown
-//! For a step from t_k to t_(k+1) let p(t) be the polynomial of fifth degree through q, q̇ and q̈ at both ends, as computed. It is shown that at every t of
-//! the step there is exactly one solution of C(q, t) = 0 in a tube around p(t) ([`Tube::alone`]), that it is continuous in t, that it stays much
-//! nearer than that ([`Tube::radius`]), and that it is the solution beside the computed position at either end, whose distance from it is bounded
-//! as well ([`Proof::error`]). Solutions of neighbouring steps are the same where they meet, so that proved steps in a row are one motion.
+//! For a step from t_k to t_(k+1) let p(t) be the polynomial of fifth degree through q, q̇ and q̈ at both ends, as computed. Shown is that at every
+//! t of the step C(q, t) = 0 has a solution no further from p(t) than [`Tube::radius`], and no other one within [`Tube::alone`]; that this solution
+//! is continuous in t; and that it is the one beside the computed position at either end, whose distance from it is bounded too
+//! ([`Proof::error`]). Solutions of neighbouring steps are the same where they meet: proved steps in a row are one motion.
 //!
 //! # How
-//! The step is cut into pieces. With T the times of a piece, A near C_q⁻¹ in its middle, Y the box of |y_j| ≤ ρ s_j (s_j the characteristic size of a coordinate):
-//! * **C along the curve**, c(t) = C(p(t), t), is bounded over T by Taylor's formula, Σ_(k<6) c_k σᵏ + c_6 σ⁶ with c_k at the middle of T and c_6 over all
-//!   of T (`series.rs`). So the bound shrinks like the error of the interpolation, h⁶, and not like the step.
-//! * **C_q over p(T) + Y**, first derivatives over the box, gives R ≥ |I − A C_q|, entry by entry.
-//! * **Krawczyk's test** (`krawczyk.rs`): for b ≥ |A c(T)| and y > 0 with z = b + R y < y ≤ ρ s, the map y ↦ y − A C(p(t) + y, t) takes the box of y into that of z
-//!   at each t of T: there is a solution within z (Brouwer). R y < y makes the spectral radius of R less than 1 (Collatz and Wielandt), so every matrix
-//!   between the bounds of C_q is regular, the means of C_q along lines in the box among them: C has no value twice in Y, there is no second solution
-//!   within ρ s. One solution at every t, in a closed set, of a continuous C: it is continuous in t. Krawczyk, *Computing* 4 (1969); Neumaier, *Interval
-//!   Methods for Systems of Equations*, ch. 5.
-//! * **Joins**. At the time u where two pieces meet each has one solution. If z of one fits into ρ s of the other (the curve is the same, but at the ends of a step,
-//!   where the difference of both curves is added), the solution of the one is a solution in the other's box, in which there is only one: they are the same.
-//!   The computed positions at t_k are pieces of their own, one time long; steps are joined to them, and through them to one another.
+//! The step is cut into pieces. With T the times of a piece, A near C_q⁻¹ in its middle, and Y the box |y_j| ≤ ρ s_j (s_j the characteristic size
+//! of a coordinate):
+//! * **C along the curve**, c(t) = C(p(t), t), is bounded over T by Taylor's formula, Σ_(k<6) c_k σᵏ + c_6 σ⁶ with c_k at the middle of T and c_6 over
+//!   all of T (`series.rs`): the bound shrinks like the error of the interpolation, h⁶, and not like the step.
+//! * **C_q over p(T) + Y**, its entries over that box, gives R ≥ |I − A C_q| entry by entry.
+//! * **Krawczyk's test** (`krawczyk.rs`): for b ≥ |A c(T)| and y > 0 with z = b + R y < y ≤ ρ s, the map y ↦ y − A C(p(t) + y, t) takes the box of y into
+//!   that of z at each t of T: there is a solution within z (Brouwer). R y < y makes the spectral radius of R less than 1 (Collatz and Wielandt), so
+//!   every matrix between the bounds of C_q is regular, the means of C_q along straight lines in the box among them. So C has no value twice in
+//!   the box: there is no second solution within ρ s. The only solution, at every t, of a continuous C in a closed box is continuous in t.
+//!   Krawczyk, *Computing* 4 (1969); Neumaier, *Interval Methods for Systems of Equations*, ch. 5.
+//! * **Joins.** At the time at which two pieces meet each has one solution. If the z of one lies in the box ρ s of the other (around the same p; at the ends
+//!   of a step what p has lost by rounding is added), the solution of the first is a solution in the second's box, where there is only one: they are
+//!   the same. Each computed position is a piece of its own, without length; steps are joined to those at their ends, and through them to
+//!   one another.
 //!
-//! Pieces that fail are halved, 14 times at most, and at most 1024 pieces are tested in a step: then it is told where and why. At a singular position
-//! (a toggle, a change point) C_q has no regular bounds, so no step over one is ever proved.
+//! Pieces that fail are halved, 14 times at most, and at most 1024 are tested in a step; then it is told when and why. At a singular position (a
+//! toggle, a change point) the bounds of C_q hold a singular matrix: no step over one is ever proved.
 //!
 //! # What it stands on
-//! * Interval arithmetic is rounded outwards (`interval.rs`). No crate does it: `inari` needs particular instructions and, for functions, GMP. Functions of the platform
-//!   are allowed an error of 8 units in the last place.
-//! * The equation is the one that the user wrote, with its parameters as they are in memory: its steps (`blame/graph.rs`) are interpreted, not the code that was
+//! * Interval arithmetic rounded outwards (`interval.rs`); f64's functions are allowed an error of 8 units in the last place.
+//! * The equation as it was written, with its parameters as they are in memory: its steps (`blame/graph.rs`) are interpreted, not the code that was
 //!   made of them. What the user's program computes of parameters alone is taken as it gives it.
-//! * Laws are those meant by their formulas (π is π), and pieces of a law that meet but for rounding meet (`pieces.rs`); at their seams as many derivatives count as agree.
-//!   An angle from `atan2` goes on across its cut; what reads it up to whole turns (sine, cosine, a law that repeats) may.
+//! * Laws as their formulas mean them (π is π). Pieces of a law that meet but for rounding meet (`pieces.rs`), and at their seam as many derivatives count
+//!   as agree. An angle by `atan2` goes on across its cut where what reads it (sine, cosine, a law that repeats) does not mind whole turns.
 //!
-//! What cannot be proved: mechanisms with superfluous equations (a computed zero does not show that the equations left over hold exactly), constraints on the
-//! dual route or written by hand, laws without an expression, `if` while its condition changes within a piece.
+//! What cannot be proved: mechanisms with superfluous equations (numbers do not show that those left over hold exactly), constraints on the dual
+//! route or written by hand, laws without an expression; and steps in which the condition of an `if` changes.
 
 mod bounds;
 mod elementary;
@@ -72,11 +73,9 @@ const LARGEST: usize = 400;
 pub struct Proof {
     name: String,
     units: Vec<Unit>,
-    positions: Vec<Result2>,
+    positions: Vec<std::result::Result<Tube, Doubt>>,
     steps: Vec<StepProof>,
 }
-
-type Result2 = std::result::Result<Tube, Doubt>;
 
 /// One step of a motion.
 #[derive(Clone, Debug)]
@@ -91,10 +90,10 @@ pub struct StepProof {
     pub tube: std::result::Result<Tube, Doubt>,
 }
 
-/// How near the solution is, and how far from it there is no other: one number for each coordinate.   \[m, rad\]
+/// How near the solution is, and how far away the next one at least: one number for each coordinate.   \[m, rad\]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tube {
-    /// The solution is no further from the interpolated (or computed) position than this.
+    /// At every time there is a solution no further than this from the position interpolated by q, q̇ and q̈ at both ends.
     pub radius: Vec<f64>,
     /// No other solution is within this distance of that position.
     pub alone: Vec<f64>,
@@ -137,13 +136,13 @@ pub enum DoubtReason {
 }
 
 impl System {
-    /// Whether the motion is the motion: for each step a proof by interval bounds that exactly one continuous solution leads from one computed position
-    /// to the next, or the reason why that could not be shown. See [`crate::proof`] for what is shown, and what it stands on.
+    /// For each step of a motion a proof, by interval bounds, that exactly one continuous motion leads from one computed position to the next, or what
+    /// stands in the way of one. See [`crate::proof`] for what exactly is shown, and what it stands on.
     ///
-    /// It costs about as much as some hundred runs; steps go to all cores.
+    /// It takes some hundred times as long as the run did, and goes to all cores; with the number n of coordinates it grows like n³.
     ///
-    /// Errors: [`Error::CannotBeProved`] for a mechanism with superfluous equations, with more than 400 coordinates, or with a constraint or law of which no bounds
-    /// can be had; a motion of another system.
+    /// Errors: [`Error::CannotBeProved`] for a mechanism with superfluous equations or with more than 400 coordinates, and for a constraint or law of
+    /// which no bounds can be had; a motion of another system.
     pub fn prove(&self, motion: &Motion) -> Result<Proof> {
         self.own(motion)?;
         self.provable()?;

@@ -16,7 +16,8 @@ pub(super) fn outside(constraint: &dyn Constraint, q: &[f64], qd: &[f64], t: f64
     let Some(part) = Part::alone(constraint) else { return (all, known) };
     let mut spread = Spread(t.to_bits());
     let rows = constraint.rows();
-    for width in WIDTHS {
+    let narrow = spread.next() < 0.0;
+    for width in WIDTHS.into_iter().skip(usize::from(!narrow)).step_by(2) {
         let mut around = |x: f64| Interval::new(x - width * (2.0 + spread.next()), x + width * (2.0 + spread.next()));
         let (boxes, times) = (q.iter().map(|q| around(*q)).collect::<Vec<_>>(), around(t));
         let along: Vec<Series> = boxes.iter().zip(qd).map(|(q, qd)| Series::variable(*q, Interval::from(*qd), FULL)).collect();
@@ -25,7 +26,7 @@ pub(super) fn outside(constraint: &dyn Constraint, q: &[f64], qd: &[f64], t: f64
         if found.and_then(|()| part.jacobian(&boxes, times, &mut c_q)).is_err() {
             continue;
         }
-        known |= width > 0.0;
+        known = true;
         let mut check = |name: String, bounds: Interval, value: f64, size: f64| {
             // what is computed at the point is off by rounding of what it is computed from
             let slack = 1e-12 * (1.0 + size + bounds.mag().min(1e6 * (1.0 + value.abs())));

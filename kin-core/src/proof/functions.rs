@@ -1,7 +1,7 @@
 //! The functions of an equation's steps on series, from the differential equation of each: y′ = f′(x) x′ (Moore, ch. 11).
 
 use super::interval::{Interval, ONE, ZERO};
-use super::series::{Series, UNKNOWN};
+use super::series::{ORDER, Series, UNKNOWN};
 use crate::blame::graph::{Function, Function2};
 
 impl Series {
@@ -25,11 +25,10 @@ impl Series {
         if x.is_constant() {
             return (Series::constant(s(x.value())), Series::constant(c(x.value())));
         }
-        let (mut sines, mut cosines) = (vec![s(x.value())], vec![c(x.value())]);
+        let (mut sines, mut cosines) = ([ZERO; ORDER + 1], [ZERO; ORDER + 1]);
+        (sines[0], cosines[0]) = (s(x.value()), c(x.value()));
         for k in 1..len {
-            let (next_s, next_c) = (x.slope_times(&cosines, k), sign * x.slope_times(&sines, k));
-            sines.push(next_s);
-            cosines.push(next_c);
+            (sines[k], cosines[k]) = (x.slope_times(&cosines, k), sign * x.slope_times(&sines, k));
         }
         (Series::of(&sines, len), Series::of(&cosines, len))
     }
@@ -50,7 +49,7 @@ impl Series {
         let len = if x0.contains(0.0) { len.min(1) } else { len };
         Series::recurring(value, len, |k, y| {
             let term = |j: usize| (a * whole(k - j) - whole(j)) * self.at(k - j) * y[j];
-            (0..k).map(term).fold(ZERO, |sum, term| sum + term) / (whole(k) * x0)
+            (k.saturating_sub(self.degree())..k).map(term).fold(ZERO, |sum, term| sum + term) / (whole(k) * x0)
         })
     }
 

@@ -18,19 +18,21 @@ const FULL: usize = ORDER + 1;
 pub struct Series {
     c: [Interval; FULL],
     len: usize,
+    /// Coefficients beyond this one are zero: most of what an equation is made of does not move, or along a line.
+    degree: usize,
     /// 0, or a whole number k: the function is this one up to k whole turns, k 2π n for some whole n at each point.
     turns: u32,
 }
 
 /// Nothing is known of it.
-pub(crate) const UNKNOWN: Series = Series { c: [ALL; FULL], len: 0, turns: 0 };
+pub(crate) const UNKNOWN: Series = Series { c: [ALL; FULL], len: 0, degree: ORDER, turns: 0 };
 
 impl Series {
     /// A number that does not change.
     pub(crate) fn constant(x: Interval) -> Self {
         let mut c = [ZERO; FULL];
         c[0] = x;
-        Series { c, len: FULL, turns: 0 }
+        Series { c, len: FULL, degree: 0, turns: 0 }
     }
 
     /// x + v σ, `len` coefficients of which are asked for.
@@ -42,17 +44,18 @@ impl Series {
     pub(crate) fn of(c: &[Interval], len: usize) -> Self {
         let mut series = Series { len: len.min(FULL), ..Series::constant(ZERO) };
         series.c.iter_mut().zip(c).for_each(|(to, from)| *to = *from);
+        series.degree = series.c.iter().rposition(|c| *c != ZERO).unwrap_or(0);
         series
     }
 
     /// Coefficients from a recurrence: each from those before it.
     pub(super) fn recurring(first: Interval, len: usize, next: impl Fn(usize, &[Interval]) -> Interval) -> Self {
-        let mut c = [ALL; FULL];
+        let mut c = [ZERO; FULL];
         c[0] = first;
         for k in 1..len {
             c[k] = next(k, &c);
         }
-        Series { c, len, turns: 0 }
+        Series { c, len, degree: len.saturating_sub(1), turns: 0 }
     }
 
     /// How many coefficients are known.
@@ -77,7 +80,12 @@ impl Series {
 
     /// Whether it is known not to change.
     pub(crate) fn is_constant(&self) -> bool {
-        self.len == FULL && self.c[1..].iter().all(|c| *c == ZERO)
+        self.len == FULL && self.degree == 0
+    }
+
+    /// Coefficients beyond this one are zero.
+    pub(super) fn degree(&self) -> usize {
+        self.degree
     }
 
     pub(crate) fn turns(&self) -> u32 {
@@ -102,9 +110,9 @@ impl Series {
 
     /// Coefficient by coefficient.
     fn each(&self, other: &Self, f: impl Fn(Interval, Interval) -> Interval) -> Self {
-        let (len, mut c) = (self.len.min(other.len), [ALL; FULL]);
-        (0..len).for_each(|k| c[k] = f(self.c[k], other.c[k]));
-        Series { c, len, turns: 0 }
+        let (len, degree, mut c) = (self.len.min(other.len), self.degree.max(other.degree), [ZERO; FULL]);
+        (0..len.min(degree + 1)).for_each(|k| c[k] = f(self.c[k], other.c[k]));
+        Series { c, len, degree, turns: 0 }
     }
 
     /// A function that is this one somewhere and the other elsewhere.
@@ -151,7 +159,7 @@ impl Series {
 
     /// Σ j x_j r_(k−j) / k over j = 1 … k: coefficient k of ∫ r x′.
     pub(super) fn slope_times(&self, r: &[Interval], k: usize) -> Interval {
-        let terms = (1..=k).map(|j| Interval::from(j as f64) * self.c[j] * r[k - j]);
+        let terms = (1..=k.min(self.degree)).map(|j| Interval::from(j as f64) * self.c[j] * r[k - j]);
         terms.fold(ZERO, Add::add) / Interval::from(k as f64)
     }
 
@@ -203,20 +211,19 @@ impl Mul for Series {
 
     fn mul(self, other: Self) -> Self {
         let turns = match (self.turns, other.turns) {
-            (0, 0) => 0,
+            (0, 0) => Some(0),
             // a whole multiple of whole turns
-            (turns, 0) => whole(&other).map_or(0, |n| turns.saturating_mul(n)),
-            (0, turns) => whole(&self).map_or(0, |n| turns.saturating_mul(n)),
-            _ => 0,
+            (turns, 0) => whole(&other).and_then(|n| turns.checked_mul(n)),
+            (0, turns) => whole(&self).and_then(|n| turns.checked_mul(n)),
+            _ => None,
         };
-        if turns == 0 && (self.turns, other.turns) != (0, 0) {
-            return UNKNOWN;
+        let Some(turns) = turns else { return UNKNOWN };
+        let (len, degree, mut c) = (self.len.min(other.len), self.degree + other.degree, [ZERO; FULL]);
+        for (k, c) in c.iter_mut().enumerate().take(len.min(degree + 1)) {
+            let both = k.saturating_sub(other.degree)..=k.min(self.degree);
+            *c = both.map(|j| self.c[j] * other.c[k - j]).fold(ZERO, Add::add);
         }
-        let (len, mut c) = (self.len.min(other.len), [ALL; FULL]);
-        for k in 0..len {
-            c[k] = (0..=k).map(|j| self.c[j] * other.c[k - j]).fold(ZERO, Add::add);
-        }
-        Series { c, len, turns }
+        Series { c, len, degree: degree.min(ORDER), turns }
     }
 }
 
@@ -236,7 +243,7 @@ impl Div for Series {
             return UNKNOWN;
         }
         Series::recurring(self.c[0] / other.c[0], len, |k, q| {
-            let known = (1..=k).map(|j| other.c[j] * q[k - j]).fold(ZERO, Add::add);
+            let known = (1..=k.min(other.degree)).map(|j| other.c[j] * q[k - j]).fold(ZERO, Add::add);
             (self.c[k] - known) / other.c[0]
         })
     }

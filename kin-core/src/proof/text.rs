@@ -43,12 +43,12 @@ pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     doubt.map_or(Ok(()), |doubt| write!(f, "{}{doubt}", if unproved.is_some() { ": " } else { "\n  " }))
 }
 
-/// The sizes of lengths and of angles and numbers, as far as there are such coordinates.
+/// The sizes of lengths, of angles and of Euler parameters, as far as there are such coordinates.
 fn sizes(proof: &Proof, of: &dyn Fn(usize) -> f64, join: fn(f64, f64) -> f64) -> String {
-    let of = |wanted: &dyn Fn(Unit) -> bool| (0..proof.units.len()).filter(|k| wanted(proof.units[*k])).map(of).reduce(join);
-    let (lengths, others) = (of(&|unit| unit == Unit::Metre), of(&|unit| unit != Unit::Metre));
-    let texts = [lengths.map(|x| format!("{x:.1e} m")), others.map(|x| format!("{x:.1e} rad"))];
-    texts.into_iter().flatten().collect::<Vec<_>>().join(" and ")
+    let of = |unit: Unit| (0..proof.units.len()).filter(|k| proof.units[*k] == unit).map(of).reduce(join);
+    let names = [(Unit::Metre, "m"), (Unit::Radian, "rad"), (Unit::One, "in Euler parameters")];
+    let texts = names.into_iter().filter_map(|(unit, name)| Some(format!("{:.1e} {name}", of(unit)?)));
+    texts.collect::<Vec<_>>().join(" and ")
 }
 
 impl fmt::Display for Doubt {
