@@ -123,7 +123,7 @@ fn linearize<const M: usize, const E: usize, const S: usize>(
     c: &mut [f64; M],
     c_q: &mut [f64; E],
 ) {
-    constraint.linearize(&At::new(0.0, states, &[0, S / 2]), c, c_q);
+    constraint.linearize(&At::new(0.0, states, &[[0, 0], [S as u32 / 2, 0]]), c, c_q);
 }
 
 #[inline(never)]
@@ -133,7 +133,8 @@ fn right_side<const M: usize, const S: usize, const N: usize>(
     qd: &[f64; N],
     q_d: &mut [f64; M],
 ) {
-    constraint.acceleration_rhs(&At::new(0.0, states, &[0, S / 2]), &Rates::new(qd, &[0, N / 2]), 1.0, q_d);
+    let arguments = [[0, 0], [S as u32 / 2, N as u32 / 2]];
+    constraint.acceleration_rhs(&At::new(0.0, states, &arguments), &Rates::new(qd, &arguments), 1.0, q_d);
 }
 
 fn vec2_at(p: &[f64], k: usize) -> Vec2 {

@@ -13,8 +13,7 @@ pub(crate) mod trace;
 
 use std::fmt;
 
-use crate::coordinates::{Argument, Target};
-use crate::dual_route::{ArgumentKind, each_coordinate};
+use crate::coordinates::Argument;
 use crate::layout::{Layout, Place};
 use crate::state::{At, Rates};
 use crate::system::evaluate::Block;
@@ -178,8 +177,9 @@ impl Culprit {
         let arguments = block.constraint.arguments();
         let columns: Vec<Option<usize>> = arguments.iter().flat_map(|argument| columns(argument, layout)).collect();
         let moves: Vec<bool> = columns.iter().map(Option::is_some).collect();
-        let (mut q, qd) = (Vec::new(), (0..columns.len()).map(|k| rates.column(k)).collect::<Vec<_>>());
-        each_coordinate(arguments.iter().map(kind), &at, &mut |value| q.push(value));
+        let counts = || arguments.iter().map(|argument| argument.target.columns()).enumerate();
+        let q: Vec<f64> = counts().flat_map(|(k, n)| at.coordinates(k, n)).copied().collect();
+        let qd: Vec<f64> = counts().flat_map(|(k, n)| rates.columns(k, n)).copied().collect();
         let asked = |term| Asked { t: at.t, q: &q, qd: &qd, row, term, moves: &moves };
         let blame = term.and_then(|term| block.constraint.blame(&asked(term)));
         let coordinate = |column: usize| Some((layout.names.get((*columns.get(column)?)?)?.clone(), *q.get(column)?));
@@ -203,15 +203,7 @@ pub(crate) fn columns(argument: &Argument, layout: &Layout) -> Vec<Option<usize>
         Some(Place::Own { first, .. }) => Some(first),
         _ => None,
     };
-    (0..kind(argument).columns()).map(|k| first.map(|first| first + k)).collect()
-}
-
-pub(crate) fn kind(argument: &Argument) -> ArgumentKind {
-    match argument.target {
-        Target::Planar(_) => ArgumentKind::Planar,
-        Target::Spatial(_) => ArgumentKind::Spatial,
-        Target::Coord(..) => ArgumentKind::Coord,
-    }
+    (0..argument.target.columns()).map(|k| first.map(|first| first + k)).collect()
 }
 
 impl fmt::Display for Source {

@@ -150,6 +150,12 @@ pub trait Constraint: CloneBoxed + Send + Sync {
         let _ = (t, timed);
     }
 
+    /// Where among these numbers C(0, t), −C_t and −C_tt stand, m numbers each one after the other: with C_q they are all there is to a
+    /// constraint which is linear in the coordinates for good ([`Dependence::curved`] is false). Who tells is not asked for them. Default: not told.
+    fn sides_of_time(&self) -> Option<usize> {
+        None
+    }
+
     /// C(q, t) into `c` (length m).
     fn residual(&self, at: &At<'_>, c: &mut [f64]);
 

@@ -175,13 +175,13 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
 
 /// C(q, t) with plain numbers.
 pub fn residual<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, at: &At<'_>, c: &mut [f64]) {
-    let q = gather::<N>(E::ARGUMENTS, at).map(Real::<f64>::from);
+    let q = coordinates::<N>(E::ARGUMENTS, at).map(Real::<f64>::from);
     write(c, equation.evaluate(&q, Real::from(at.t)).map(|x| x.0));
 }
 
 /// C_q, one `Dual64` evaluation a column.
 pub fn jacobian<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, at: &At<'_>, c_q: &mut [f64]) {
-    let q = gather::<N>(E::ARGUMENTS, at);
+    let q = coordinates::<N>(E::ARGUMENTS, at);
     for column in 0..N {
         let seeded = std::array::from_fn(|k| Real(Dual64::new(q[k], if k == column { 1.0 } else { 0.0 })));
         let c = equation.evaluate(&seeded, Real::from(at.t));
@@ -193,7 +193,7 @@ pub fn jacobian<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E,
 
 /// −C_t by one `Dual64` evaluation along t.
 pub fn velocity_rhs<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, at: &At<'_>, rhs: &mut [f64]) {
-    let q = gather::<N>(E::ARGUMENTS, at).map(Real::<Dual64>::from);
+    let q = coordinates::<N>(E::ARGUMENTS, at).map(Real::<Dual64>::from);
     write(rhs, equation.evaluate(&q, Real(Dual64::new(at.t, 1.0))).map(|x| -x.0.eps));
 }
 
@@ -205,7 +205,7 @@ pub fn acceleration_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
     t_dot: f64,
     q_d: &mut [f64],
 ) {
-    let (q, qd) = (gather::<N>(E::ARGUMENTS, at), gather_rates::<N>(E::ARGUMENTS, qd));
+    let (q, qd) = (coordinates::<N>(E::ARGUMENTS, at), self::rates::<N>(E::ARGUMENTS, qd));
     let seeded = std::array::from_fn(|k| Real(Dual2_64::new(q[k], qd[k], 0.0)));
     write(q_d, equation.evaluate(&seeded, Real(Dual2_64::new(at.t, t_dot, 0.0))).map(|x| -x.0.v2));
 }
@@ -224,8 +224,8 @@ pub fn jerk_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
     qdd: &Rates<'_>,
     rhs: &mut [f64],
 ) -> bool {
-    let q = gather::<N>(E::ARGUMENTS, at);
-    let [qd, qdd] = [qd, qdd].map(|rates| gather_rates::<N>(E::ARGUMENTS, rates));
+    let q = coordinates::<N>(E::ARGUMENTS, at);
+    let [qd, qdd] = [qd, qdd].map(|rates| self::rates::<N>(E::ARGUMENTS, rates));
     let seeded = std::array::from_fn(|k| Real(Dual3_64::new(q[k], qd[k], qdd[k], 0.0)));
     write(rhs, equation.evaluate(&seeded, Real(Dual3_64::new(at.t, 1.0, 0.0, 0.0))).map(|x| -x.0.v3));
     true
@@ -233,64 +233,34 @@ pub fn jerk_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
 
 /// Measure k and its first three derivatives along a motion with the rates q̇, q̈ and q⃛, by one `Dual3_64` evaluation.
 pub fn measure<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, k: usize, at: &At<'_>, rates: &[Rates<'_>; 3]) -> [f64; 4] {
-    let q = gather::<N>(E::ARGUMENTS, at);
-    let [qd, qdd, qddd] = rates.map(|rates| gather_rates::<N>(E::ARGUMENTS, &rates));
+    let q = coordinates::<N>(E::ARGUMENTS, at);
+    let [qd, qdd, qddd] = rates.map(|rates| self::rates::<N>(E::ARGUMENTS, &rates));
     let moving = std::array::from_fn(|j| Real(Dual3_64::new(q[j], qd[j], qdd[j], qddd[j])));
     let x = equation.measured(k, &moving, Real(Dual3_64::new(at.t, 1.0, 0.0, 0.0))).0;
     [x.re, x.v1, x.v2, x.v3]
 }
 
 /// Local coordinates of a constraint, its arguments' one after the other.
-fn gather<const N: usize>(arguments: &[ArgumentKind], at: &At<'_>) -> [f64; N] {
-    collect(|next| each_coordinate(arguments.iter().copied(), at, next))
-}
-
-/// Shows the local coordinates of a constraint, its arguments' one after the other.
-pub(crate) fn each_coordinate(arguments: impl IntoIterator<Item = ArgumentKind>, at: &At<'_>, next: &mut dyn FnMut(f64)) {
-    for (k, kind) in arguments.into_iter().enumerate() {
-        match kind {
-            ArgumentKind::Planar => {
-                let s = at.planar(k);
-                [s.r.x, s.r.y, s.theta].into_iter().for_each(&mut *next);
-            }
-            ArgumentKind::Spatial => {
-                let s = at.spatial(k);
-                [s.r.x, s.r.y, s.r.z, s.p.e0, s.p.e1, s.p.e2, s.p.e3].into_iter().for_each(&mut *next);
-            }
-            ArgumentKind::Coord => next(at.coord(k).value),
-        }
-    }
+fn coordinates<const N: usize>(arguments: &[ArgumentKind], at: &At<'_>) -> [f64; N] {
+    gather(arguments, |k, n| at.coordinates(k, n))
 }
 
 /// Local rates of a constraint, its arguments' one after the other.
-fn gather_rates<const N: usize>(arguments: &[ArgumentKind], qd: &Rates<'_>) -> [f64; N] {
-    collect(|next| {
-        for (k, kind) in arguments.iter().enumerate() {
-            match kind {
-                ArgumentKind::Planar => {
-                    let s = qd.planar(k);
-                    s.r.into_iter().chain([s.theta]).for_each(&mut *next);
-                }
-                ArgumentKind::Spatial => {
-                    let s = qd.spatial(k);
-                    s.r.into_iter().chain(s.p).for_each(&mut *next);
-                }
-                ArgumentKind::Coord => next(qd.coord(k)),
-            }
-        }
-    })
+fn rates<const N: usize>(arguments: &[ArgumentKind], qd: &Rates<'_>) -> [f64; N] {
+    gather(arguments, |k, n| qd.columns(k, n))
 }
 
-/// The first N of the numbers that are shown.
-fn collect<const N: usize>(show: impl FnOnce(&mut dyn FnMut(f64))) -> [f64; N] {
-    let mut q = [0.0; N];
-    let mut places = q.iter_mut();
-    show(&mut |value| {
-        if let Some(place) = places.next() {
-            *place = value;
-        }
-    });
-    q
+/// The numbers of all arguments one after the other: `numbers` gives the n of argument k. What is missing is zero.
+fn gather<'a, const N: usize>(arguments: &[ArgumentKind], numbers: impl Fn(usize, usize) -> &'a [f64]) -> [f64; N] {
+    let mut all = [0.0; N];
+    let mut rest = &mut all[..];
+    for (k, kind) in arguments.iter().enumerate() {
+        let n = kind.columns();
+        let Some((own, others)) = std::mem::take(&mut rest).split_at_mut_checked(n) else { break };
+        own.iter_mut().zip(numbers(k, n)).for_each(|(place, number)| *place = *number);
+        rest = others;
+    }
+    all
 }
 
 fn write<const M: usize>(out: &mut [f64], values: [f64; M]) {

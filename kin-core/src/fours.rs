@@ -68,44 +68,44 @@ impl<'a> IntoIterator for &'a Fours {
 #[inline]
 pub(crate) fn oppose(x: &mut [Four], y: &[Four]) -> f64 {
     let mut seen = Seen::default();
-    for (x, y) in x.iter_mut().zip(y) {
+    each_mut(x, y, |x, y| {
         let y = f64x4::new(*y);
         *x = (-y).to_array();
         seen.see(y);
-    }
+    });
     seen.largest()
 }
 
 /// The largest |x_i| · share_i of finite shares, 0 of none; infinite if a number is not finite.
 pub(crate) fn largest_share(x: &[Four], shares: &[Four]) -> f64 {
     let mut seen = Seen::default();
-    pairs(x, shares).for_each(|(four, shares)| seen.see(four * shares));
+    each(x, shares, |four, shares| seen.see(f64x4::new(*four) * f64x4::new(*shares)));
     seen.largest()
 }
 
 /// Whether |x_i| ≤ limit_i everywhere.
 #[inline]
 pub(crate) fn inside(x: &[Four], limits: &[Four]) -> bool {
-    pairs(x, limits).fold(f64x4::ZERO.simd_eq(f64x4::ZERO), |inside, (four, limits)| inside & four.abs().simd_le(limits)).all()
+    let mut all = f64x4::ZERO.simd_eq(f64x4::ZERO);
+    each(x, limits, |four, limits| all &= f64x4::new(*four).abs().simd_le(f64x4::new(*limits)));
+    all.all()
 }
 
 /// x = y; whether all numbers are finite.
 #[inline]
 pub(crate) fn take(x: &mut [Four], y: &[Four]) -> bool {
     let mut odd = f64x4::ZERO;
-    for (x, y) in x.iter_mut().zip(y) {
+    each_mut(x, y, |x, y| {
         *x = *y;
         odd += f64x4::new(*y) * f64x4::ZERO;
-    }
+    });
     odd.reduce_add() == 0.0
 }
 
 /// x += y
 #[inline]
 pub(crate) fn add(x: &mut [Four], y: &[Four]) {
-    for (x, y) in x.iter_mut().zip(y) {
-        *x = (f64x4::new(*x) + f64x4::new(*y)).to_array();
-    }
+    each_mut(x, y, |x, y| *x = (f64x4::new(*x) + f64x4::new(*y)).to_array());
 }
 
 /// How far q + h q̇ + ½ h² q̈ from either end of a step h is from the other end, by shares, and how far the ends are apart, by `turns`; the
@@ -125,10 +125,46 @@ pub(crate) fn miss(h: f64, from: [&Fours; 3], to: [&Fours; 3], shares: &Fours, t
     [miss, reach].map(|most| most.to_array().into_iter().fold(0.0, f64::max))
 }
 
-/// The fours of two vectors side by side.
-fn pairs(x: &[Four], y: &[Four]) -> impl Iterator<Item = (f64x4, f64x4)> {
-    x.iter().zip(y).map(|(x, y)| (f64x4::new(*x), f64x4::new(*y)))
+/// Defines a walk over the fours of two vectors side by side. Vectors of mechanisms are short: up to three fours, and what is left of more after
+/// those that come four at a time, are written out, for a loop that LLVM unrolls takes longer to begin and to end than to run.
+macro_rules! walk {
+    ($name:ident, $few:ident, $x:ty, $as_chunks:ident) => {
+        #[inline(always)]
+        fn $name<'a>(x: $x, y: &'a [Four], mut see: impl FnMut(<$x as IntoIterator>::Item, &'a Four)) {
+            if x.len() < 4 {
+                return $few(x, y, see);
+            }
+            let ((x, end), (y, y_end)) = (x.$as_chunks::<4>(), y.as_chunks::<4>());
+            for ([a, b, c, d], [p, q, r, s]) in x.into_iter().zip(y) {
+                see(a, p);
+                see(b, q);
+                see(c, r);
+                see(d, s);
+            }
+            $few(end, y_end, see);
+        }
+
+        #[inline(always)]
+        fn $few<'a>(x: $x, y: &'a [Four], mut see: impl FnMut(<$x as IntoIterator>::Item, &'a Four)) {
+            match (x, y) {
+                ([a, b, c], [p, q, r]) => {
+                    see(a, p);
+                    see(b, q);
+                    see(c, r);
+                }
+                ([a, b], [p, q]) => {
+                    see(a, p);
+                    see(b, q);
+                }
+                ([a], [p]) => see(a, p),
+                _ => {}
+            }
+        }
+    };
 }
+
+walk!(each, few, &'a [Four], as_chunks);
+walk!(each_mut, few_mut, &'a mut [Four], as_chunks_mut);
 
 /// The largest numbers so far, and something that is 0 while all of them are finite.
 #[derive(Default)]

@@ -9,7 +9,7 @@ mod level;
 mod number;
 mod trig;
 
-pub(crate) use kernel::Table;
+pub(crate) use kernel::{LaneBlock, LaneInstant, Table};
 pub use kernel::{InLanes, LaneAt, LaneKernel, LaneKernels, LaneRates};
 pub use level::Level;
 pub use number::{Mask, Wide};

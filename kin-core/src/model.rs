@@ -49,7 +49,7 @@ impl Model<'_> {
     pub(crate) fn linearize(&self, q: &[f64], t: f64) -> Result<Point, Bad> {
         let mut point = Point { c: vec![0.0; self.m()], values: vec![0.0; self.equations.entries.len()] };
         self.equations.set_constants(&mut point.values);
-        self.equations.linearize(&self.equations.instant_at(t, q), &mut point.c, &mut point.values);
+        self.equations.linearize(q, &self.equations.instant_at(t, q), &mut point.c, &mut point.values);
         self.equations.finite(&point.c, &point.values)?;
         Ok(point)
     }

@@ -69,11 +69,6 @@ impl Motion {
         }
     }
 
-    /// Breaks that were crossed on the way to the next time.
-    pub(crate) fn cross(&mut self, crossed: Vec<CrossedBreak>) {
-        self.breaks.extend(crossed);
-    }
-
     pub(crate) fn push(&mut self, t: f64, newton: &Newton<'_>, outcome: Outcome) {
         let worst = if self.is_worse(outcome) { newton.worst().0 } else { 0 };
         self.append(t, [&newton.q, &newton.qd, &newton.qdd, &newton.qddd], outcome, worst);
@@ -98,13 +93,16 @@ impl Motion {
         self.residuals.push(outcome.residual);
     }
 
-    /// The same of several times at once: rows of q, of q̇ and of q̈, residuals and numbers of Newton steps; `worst` is the largest residual
-    /// of all times so far, and its row.
-    pub(crate) fn push_all(&mut self, times: &[f64], [q, qd, qdd, residuals, steps]: [&[f64]; 5], worst: (f64, usize)) {
-        let kinds =
-            [(&mut self.times, times), (&mut self.q, q), (&mut self.qd, qd), (&mut self.qdd, qdd), (&mut self.residuals, residuals)];
+    /// The same of several times at once: rows of q, of q̇ and of q̈, residuals and numbers of Newton steps; to be completed.
+    pub(crate) fn push_all(&mut self, [q, qd, qdd, residuals]: [&[f64]; 4], steps: impl Iterator<Item = usize>) {
+        let kinds = [(&mut self.q, q), (&mut self.qd, qd), (&mut self.qdd, qdd), (&mut self.residuals, residuals)];
         kinds.into_iter().for_each(|(all, more)| all.extend_from_slice(more));
-        self.iterations.extend(steps.iter().map(|steps| *steps as usize));
+        self.iterations.extend(steps);
+    }
+
+    /// The times of all that was pushed, the largest residual and its row.
+    pub(crate) fn complete(&mut self, times: &[f64], worst: (f64, usize)) {
+        self.times.extend_from_slice(times);
         self.worst = Some(worst);
     }
 

@@ -134,7 +134,7 @@ impl<'a> Newton<'a> {
     pub(crate) fn solve_on(&mut self, t: f64, steps: Steps) -> Result<Outcome, Failure> {
         let equations = self.system.equations();
         equations.set_time(t, &mut self.instant);
-        let changed = equations.relinearize(&self.instant, &mut self.c, self.linear.values_mut());
+        let changed = equations.relinearize(&self.q, &self.instant, &mut self.c, self.linear.values_mut());
         self.measure(changed)?;
         self.iterate(t, steps, changed)
     }
@@ -197,7 +197,7 @@ impl<'a> Newton<'a> {
             equations.set_time(t, &mut self.instant);
         }
         equations.set_position(&self.q, &mut self.instant);
-        equations.linearize(&self.instant, &mut self.c, self.linear.values_mut());
+        equations.linearize(&self.q, &self.instant, &mut self.c, self.linear.values_mut());
         self.measure(true)
     }
 
@@ -303,7 +303,7 @@ impl<'a> Newton<'a> {
                 *q = before + lambda * dq;
             }
             equations.set_position(&self.q, &mut self.instant);
-            let finite = equations.residual(&self.instant, &mut self.c).is_ok();
+            let finite = equations.residual(&self.q, &self.instant, &mut self.c).is_ok();
             if finite && self.merit() <= (1.0 - 0.5 * lambda) * merit {
                 return Ok(());
             }

@@ -22,7 +22,7 @@
 //!   the same. Each computed position is a piece of its own, without length; steps are joined to those at their ends, and through them to
 //!   one another.
 //!
-//! Pieces that fail are halved, 14 times at most, and at most 1024 are tested in a step; then it is told when and why. At a singular position (a
+//! Pieces that fail are halved, 14 times at most, and at most 256 are tested in a step; then it is told when and why. At a singular position (a
 //! toggle, a change point) the bounds of C_q hold a singular matrix: no step over one is ever proved.
 //!
 //! # What it stands on

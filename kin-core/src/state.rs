@@ -168,37 +168,25 @@ impl CoordState {
     }
 }
 
-/// The instant as one constraint sees it: time, and the states of its own arguments one after the other.
+/// The instant as one constraint sees it: time, and the states of its own arguments.
 ///
-/// States are evaluated once an iterate and shared by everything that the constraint is asked for. Arguments count by their position in the
-/// signature; a `[Coord; N]` counts as N arguments.
+/// States are evaluated once an iterate and shared by all constraints on a body, and by everything that they are asked for. Arguments count by
+/// their position in the signature; a `[Coord; N]` counts as N arguments.
 #[derive(Clone, Copy, Debug)]
 pub struct At<'a> {
     /// Time t.   \[s\]
     pub t: f64,
-    states: Part<'a>,
+    states: &'a [f64],
+    arguments: &'a [[u32; 2]],
     timed: &'a [f64],
 }
 
-/// The numbers of one constraint, perhaps with those of others after them, and where in them each argument begins.
-#[derive(Clone, Copy, Debug)]
-struct Part<'a> {
-    own: &'a [f64],
-    first: &'a [usize],
-}
-
-impl<'a> Part<'a> {
-    /// The N numbers of argument `k`.
-    fn argument<const N: usize>(&self, k: usize) -> Option<[f64; N]> {
-        self.own.get(*self.first.get(k)?..)?.first_chunk().copied()
-    }
-}
-
 impl<'a> At<'a> {
-    /// Time t, the states of all arguments one after the other ([`PlanarState::to_array`] and the like), and where each one begins.
+    /// Time t, the states of all bodies ([`PlanarState::to_array`] and the like), and for each argument where its state begins among them,
+    /// and its rates among those of [`Rates::new`].
     #[inline]
-    pub fn new(t: f64, states: &'a [f64], first: &'a [usize]) -> Self {
-        At { t, states: Part { own: states, first }, timed: &[] }
+    pub fn new(t: f64, states: &'a [f64], arguments: &'a [[u32; 2]]) -> Self {
+        At { t, states, arguments, timed: &[] }
     }
 
     /// The same with what [`crate::Constraint::at_time`] has made of the time; constraints make it themselves where it is not there.
@@ -208,10 +196,10 @@ impl<'a> At<'a> {
         At { timed, ..self }
     }
 
-    /// Turns to another constraint at the same time.
+    /// Turns to another constraint at the same instant.
     #[inline(always)]
-    pub(crate) fn turn(&mut self, states: &'a [f64], first: &'a [usize], timed: &'a [f64]) {
-        (self.states, self.timed) = (Part { own: states, first }, timed);
+    pub(crate) fn turn(&mut self, arguments: &'a [[u32; 2]], timed: &'a [f64]) {
+        (self.arguments, self.timed) = (arguments, timed);
     }
 
     /// What the constraint has made of the time alone, if it was asked to.
@@ -220,67 +208,81 @@ impl<'a> At<'a> {
         self.timed
     }
 
-    /// All states as an array of known length, for emitted code.
+    /// The N numbers of the state of argument `k`, for emitted code.
     #[doc(hidden)]
-    #[inline]
-    pub fn states<const N: usize>(&self) -> Option<&'a [f64; N]> {
-        self.states.own.first_chunk()
+    #[inline(always)]
+    pub fn state<const N: usize>(&self, k: usize) -> Option<&'a [f64; N]> {
+        numbers(self.states, self.arguments.get(k)?[0])
+    }
+
+    /// The n coordinates of argument `k`, with which its state begins; none if there is no such argument.
+    pub(crate) fn coordinates(&self, k: usize, n: usize) -> &'a [f64] {
+        self.arguments.get(k).and_then(|[begin, _]| self.states.get(*begin as usize..)?.get(..n)).unwrap_or_default()
     }
 
     /// State of argument `k`, a planar body; the ground's if there is no such argument.
     pub fn planar(&self, k: usize) -> PlanarState {
-        self.states.argument(k).map_or_else(PlanarState::ground, PlanarState::from_array)
+        self.state(k).copied().map_or_else(PlanarState::ground, PlanarState::from_array)
     }
 
     /// State of argument `k`, a spatial body; the ground's if there is no such argument.
     pub fn spatial(&self, k: usize) -> SpatialState {
-        self.states.argument(k).map_or_else(SpatialState::ground, SpatialState::new)
+        self.state(k).copied().map_or_else(SpatialState::ground, SpatialState::new)
     }
 
     /// State of argument `k`, a bare coordinate; zero if there is no such argument.
     pub fn coord(&self, k: usize) -> CoordState {
-        let [value, sin, cos] = self.states.argument(k).unwrap_or([0.0, 0.0, 1.0]);
+        let [value, sin, cos] = self.state(k).copied().unwrap_or([0.0, 0.0, 1.0]);
         CoordState { value, sin, cos }
     }
 }
 
-/// The rates of one constraint's coordinates: its columns, one after the other.
+/// The rates of one constraint's arguments.
 #[derive(Clone, Copy, Debug)]
-pub struct Rates<'a>(Part<'a>);
+pub struct Rates<'a> {
+    rates: &'a [f64],
+    arguments: &'a [[u32; 2]],
+}
 
 impl<'a> Rates<'a> {
-    /// The rate of each local column, and the first column of each argument.
+    /// The rates of all coordinates, and for each argument where its state begins ([`At::new`]), and its rates.
     #[inline]
-    pub fn new(qd: &'a [f64], first: &'a [usize]) -> Self {
-        Rates(Part { own: qd, first })
+    pub fn new(rates: &'a [f64], arguments: &'a [[u32; 2]]) -> Self {
+        Rates { rates, arguments }
     }
 
-    /// The rates of all columns as an array of known length, for emitted code.
+    /// The N rates of argument `k`, for emitted code.
     #[doc(hidden)]
-    #[inline]
-    pub fn columns<const N: usize>(&self) -> Option<&'a [f64; N]> {
-        self.0.own.first_chunk()
+    #[inline(always)]
+    pub fn of<const N: usize>(&self, k: usize) -> Option<&'a [f64; N]> {
+        numbers(self.rates, self.arguments.get(k)?[1])
     }
 
-    /// The rate of a local column; zero if there is no such column.
-    pub fn column(&self, k: usize) -> f64 {
-        self.0.own.get(k).copied().unwrap_or_default()
+    /// The n rates of argument `k`; none if there is no such argument.
+    pub(crate) fn columns(&self, k: usize, n: usize) -> &'a [f64] {
+        self.arguments.get(k).and_then(|[_, begin]| self.rates.get(*begin as usize..)?.get(..n)).unwrap_or_default()
     }
 
     /// Rates of argument `k`, a planar body; zero if there is no such argument.
     pub fn planar(&self, k: usize) -> PlanarRate {
-        let [x, y, theta] = self.0.argument(k).unwrap_or_default();
+        let [x, y, theta] = self.of(k).copied().unwrap_or_default();
         PlanarRate { r: [x, y], theta }
     }
 
     /// Rates of argument `k`, a spatial body; zero if there is no such argument.
     pub fn spatial(&self, k: usize) -> SpatialRate {
-        let [x, y, z, e0, e1, e2, e3] = self.0.argument(k).unwrap_or_default();
+        let [x, y, z, e0, e1, e2, e3] = self.of(k).copied().unwrap_or_default();
         SpatialRate { r: [x, y, z], p: [e0, e1, e2, e3] }
     }
 
     /// Rate of argument `k`, a bare coordinate; zero if there is no such argument.
     pub fn coord(&self, k: usize) -> f64 {
-        self.0.argument::<1>(k).unwrap_or_default()[0]
+        self.of(k).map_or(0.0, |&[rate]| rate)
     }
+}
+
+/// The N numbers that begin there (32 bits: the end does not overflow, so one check will do).
+#[inline(always)]
+fn numbers<const N: usize>(all: &[f64], begin: u32) -> Option<&[f64; N]> {
+    all.get(begin as usize..begin as usize + N)?.first_chunk()
 }

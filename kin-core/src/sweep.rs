@@ -243,11 +243,12 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
             if (before & !active).any() {
                 lockstep.fill(active);
             }
-            if lockstep.keep(t) {
+            if lockstep.keep() {
                 lockstep.flush(&mut motions);
             }
         }
         lockstep.flush(&mut motions);
+        lockstep.complete(self.times, &mut motions);
         let done = |lane: usize, motion: &Motion| {
             active.lane(lane) && crew.systems[lane].all_meant((0..motion.len()).map(|k| (motion.times()[k], motion.q(k))))
         };

@@ -142,7 +142,7 @@ impl System {
     pub(crate) fn is_smooth(&self) -> bool {
         let (mut smooth, instant) = (true, self.equations.instant_at(0.0, &self.initial));
         for block in &self.equations.blocks {
-            block.constraint.laws(&instant.of(block), &mut |_, law, _| smooth &= law.is_smooth());
+            block.constraint.laws(&self.equations.at(block, &instant), &mut |_, law, _| smooth &= law.is_smooth());
         }
         smooth
     }
@@ -235,7 +235,7 @@ fn prepared(layout: &Layout, equations: &Equations, initial: &[f64], links: &[f6
     }
     let mut c = vec![0.0; equations.rows];
     equations.set_constants(linear.values_mut());
-    equations.linearize(&equations.instant_at(0.0, initial), &mut c, linear.values_mut());
+    equations.linearize(initial, &equations.instant_at(0.0, initial), &mut c, linear.values_mut());
     if equations.finite(&c, linear.values()).is_ok() {
         linear.set_sizes(&scale::sizes(layout, equations, linear.values(), initial, links));
         linear.prepare();

@@ -106,18 +106,16 @@ pub fn measure(constraint: &dyn Constraint, k: usize, [q, qd, qdd, qddd]: [&[f64
 pub(crate) struct Local {
     pub states: Vec<f64>,
     pub rates: Vec<f64>,
-    /// Where each argument's state begins, and its first column.
-    first_state: Vec<usize>,
-    first_column: Vec<usize>,
+    /// Where each argument's state and its rates begin.
+    pub arguments: Vec<[u32; 2]>,
 }
 
 impl Local {
     pub(crate) fn new(arguments: &[Argument], q: &[f64], qd: &[f64]) -> Self {
-        let mut local = Local { states: Vec::new(), rates: Vec::new(), first_state: Vec::new(), first_column: Vec::new() };
+        let mut local = Local { states: Vec::new(), rates: Vec::new(), arguments: Vec::new() };
         for argument in arguments {
             let column = local.rates.len();
-            local.first_state.push(local.states.len());
-            local.first_column.push(column);
+            local.arguments.push([local.states.len() as u32, column as u32]);
             let q = |k: usize| q.get(column + k).copied().unwrap_or(0.0);
             match argument.target {
                 Target::Planar(_) => local.states.extend(PlanarState::new(std::array::from_fn(q)).to_array()),
@@ -130,10 +128,10 @@ impl Local {
     }
 
     fn at(&self, t: f64) -> At<'_> {
-        At::new(t, &self.states, &self.first_state)
+        At::new(t, &self.states, &self.arguments)
     }
 
     fn rates(&self) -> Rates<'_> {
-        Rates::new(&self.rates, &self.first_column)
+        Rates::new(&self.rates, &self.arguments)
     }
 }

@@ -153,13 +153,14 @@ const _: () = {
                 return
             };
             let fma = ::kin::rt::fma;
-            let ::core::option::Option::Some(state) = at.states::<14>() else { return };
+            let ::core::option::Option::Some(state0) = at.state::<7>(0) else { return };
+            let ::core::option::Option::Some(state1) = at.state::<7>(1) else { return };
             let in_order = ::kin::rt::in_order;
-            let i_e0 = state[3];
+            let i_e0 = state0[3];
             let t0 = 2.0 * i_e0;
-            let i_e3 = state[6];
-            let i_e2 = state[5];
-            let i_e1 = state[4];
+            let i_e3 = state0[6];
+            let i_e2 = state0[5];
+            let i_e1 = state0[4];
             let t1 = fma(self.f_i.z, i_e3, fma(self.f_i.y, i_e2, self.f_i.x * i_e1));
             let t2 = 2.0 * i_e1;
             let t3 = fma(
@@ -171,11 +172,11 @@ const _: () = {
                     -self.f_i.x,
                 ),
             );
-            let j_e0 = state[10];
+            let j_e0 = state1[3];
             let t4 = 2.0 * j_e0;
-            let j_e3 = state[13];
-            let j_e2 = state[12];
-            let j_e1 = state[11];
+            let j_e3 = state1[6];
+            let j_e2 = state1[5];
+            let j_e1 = state1[4];
             let t5 = fma(self.h_j.z, j_e3, fma(self.h_j.y, j_e2, self.h_j.x * j_e1));
             let t6 = 2.0 * j_e1;
             let t7 = fma(
@@ -244,8 +245,8 @@ const _: () = {
                 ),
             );
             let t18 = fma(self.u_j.z, t12, fma(self.u_j.y, t8, self.u_j.x * t6));
-            let i_x = state[0];
-            let j_x = state[7];
+            let i_x = state0[0];
+            let j_x = state1[0];
             let t19 = ((fma(-j_e1, t18, t17) - self.u_i.x) + i_x) - j_x;
             let t20 = fma(
                 -t4,
@@ -260,8 +261,8 @@ const _: () = {
                     ),
                 ),
             );
-            let i_y = state[1];
-            let j_y = state[8];
+            let i_y = state0[1];
+            let j_y = state1[1];
             let t21 = ((fma(-j_e2, t18, t20) - self.u_i.y) + i_y) - j_y;
             let t22 = fma(
                 -j_e0,
@@ -276,8 +277,8 @@ const _: () = {
                     ),
                 ),
             );
-            let i_z = state[2];
-            let j_z = state[9];
+            let i_z = state0[2];
+            let j_z = state1[2];
             let t23 = ((fma(-j_e3, t18, t22) - self.u_i.z) + i_z) - j_z;
             c[2] = fma(t15, t23, fma(t11, t21, t3 * t19));
             in_order();
@@ -327,18 +328,19 @@ const _: () = {
                 return
             };
             let fma = ::kin::rt::fma;
-            let ::core::option::Option::Some(state) = at.states::<14>() else { return };
+            let ::core::option::Option::Some(state0) = at.state::<7>(0) else { return };
+            let ::core::option::Option::Some(state1) = at.state::<7>(1) else { return };
             let in_order = ::kin::rt::in_order;
-            let i_e0 = state[3];
+            let i_e0 = state0[3];
             let t0 = 2.0 * i_e0;
             let t1 = self.f_i.x * t0;
-            let i_e3 = state[6];
+            let i_e3 = state0[6];
             let t2 = 2.0 * i_e3;
             let t3 = fma(-self.f_i.y, t2, t1);
-            let i_e2 = state[5];
+            let i_e2 = state0[5];
             let t4 = 2.0 * i_e2;
             let t5 = fma(self.f_i.z, t4, t3);
-            let i_e1 = state[4];
+            let i_e1 = state0[4];
             let t6 = 2.0 * i_e1;
             let t7 = fma(self.f_i.z, t2, fma(self.f_i.y, t4, self.f_i.x * t6));
             let t8 = fma(i_e1, t7, fma(i_e0, t5, -self.f_i.x));
@@ -381,17 +383,17 @@ const _: () = {
             c_q[32] = t29;
             in_order();
             c_q[39] = -t29;
-            let j_e0 = state[10];
+            let j_e0 = state1[3];
             let t30 = 2.0 * j_e0;
             let t31 = self.h_j.x * t30;
-            let j_e2 = state[12];
+            let j_e2 = state1[5];
             let t32 = 2.0 * j_e2;
             let t33 = fma(self.h_j.z, t32, t31);
             let t34 = self.h_j.y * t30;
-            let j_e1 = state[11];
+            let j_e1 = state1[4];
             let t35 = 2.0 * j_e1;
             let t36 = fma(-self.h_j.z, t35, t34);
-            let j_e3 = state[13];
+            let j_e3 = state1[6];
             let t37 = 2.0 * j_e3;
             let t38 = fma(self.h_j.z, t37, fma(self.h_j.y, t32, self.h_j.x * t35));
             let t39 = fma(self.h_j.z, t37, t38);
@@ -504,35 +506,35 @@ const _: () = {
             let t94 = self.u_i.x * t0;
             let t95 = fma(-self.u_i.y, t2, t94);
             let t96 = fma(self.u_i.z, t4, t95);
-            let i_x = state[0];
+            let i_x = state0[0];
             let t97 = (fma(
                 -j_e0,
                 t84,
                 fma(i_e0, t96, fma(-j_e1, t78, fma(i_e1, t93, self.u_j.x))),
             ) - self.u_i.x) + i_x;
-            let j_x = state[7];
+            let j_x = state1[0];
             let t98 = t97 - j_x;
             let t99 = self.u_i.y * t0;
             let t100 = fma(-self.u_i.z, t6, t99);
             let t101 = fma(self.u_i.x, t2, t100);
-            let i_y = state[1];
+            let i_y = state0[1];
             let t102 = (fma(
                 -j_e0,
                 t87,
                 fma(i_e0, t101, fma(-j_e2, t78, fma(i_e2, t93, self.u_j.y))),
             ) - self.u_i.y) + i_y;
-            let j_y = state[8];
+            let j_y = state1[1];
             let t103 = t102 - j_y;
             let t104 = self.u_i.z * t0;
             let t105 = fma(-self.u_i.x, t4, t104);
             let t106 = fma(self.u_i.y, t6, t105);
-            let i_z = state[2];
+            let i_z = state0[2];
             let t107 = (fma(
                 -j_e3,
                 t78,
                 fma(-j_e0, t89, fma(i_e3, t93, fma(i_e0, t106, self.u_j.z))),
             ) - self.u_i.z) + i_z;
-            let j_z = state[9];
+            let j_z = state1[2];
             let t108 = t107 - j_z;
             c[2] = fma(t16, t108, fma(t12, t103, t8 * t98));
             in_order();
@@ -639,51 +641,53 @@ const _: () = {
                 return
             };
             let fma = ::kin::rt::fma;
-            let ::core::option::Option::Some(state) = at.states::<14>() else { return };
-            let ::core::option::Option::Some(rate) = qd.columns::<14>() else { return };
+            let ::core::option::Option::Some(state0) = at.state::<7>(0) else { return };
+            let ::core::option::Option::Some(state1) = at.state::<7>(1) else { return };
+            let ::core::option::Option::Some(rate0) = qd.of::<7>(0) else { return };
+            let ::core::option::Option::Some(rate1) = qd.of::<7>(1) else { return };
             let in_order = ::kin::rt::in_order;
-            let j_e3 = state[13];
-            let j_e2 = state[12];
-            let j_e0 = state[10];
+            let j_e3 = state1[6];
+            let j_e2 = state1[5];
+            let j_e0 = state1[3];
             let t0 = fma(-self.h_j.y, j_e3, fma(self.h_j.z, j_e2, self.h_j.x * j_e0));
-            let j_e1 = state[11];
+            let j_e1 = state1[4];
             let t1 = fma(self.h_j.z, j_e3, fma(self.h_j.y, j_e2, self.h_j.x * j_e1));
             let t2 = fma(2.0, fma(j_e1, t1, j_e0 * t0), -self.h_j.x);
-            let i_e3_d = rate[6];
-            let i_e2_d = rate[5];
-            let i_e0_d = rate[3];
+            let i_e3_d = rate0[6];
+            let i_e2_d = rate0[5];
+            let i_e0_d = rate0[3];
             let t3 = fma(
                 -self.f_i.y,
                 i_e3_d,
                 fma(self.f_i.z, i_e2_d, self.f_i.x * i_e0_d),
             );
-            let i_e1_d = rate[4];
+            let i_e1_d = rate0[4];
             let t4 = fma(
                 self.f_i.z,
                 i_e3_d,
                 fma(self.f_i.y, i_e2_d, self.f_i.x * i_e1_d),
             );
             let t5 = fma(i_e1_d, t4, i_e0_d * t3);
-            let j_e3_d = rate[13];
-            let j_e2_d = rate[12];
-            let j_e0_d = rate[10];
+            let j_e3_d = rate1[6];
+            let j_e2_d = rate1[5];
+            let j_e0_d = rate1[3];
             let t6 = fma(
                 -self.h_j.y,
                 j_e3_d,
                 fma(self.h_j.z, j_e2_d, self.h_j.x * j_e0_d),
             );
-            let j_e1_d = rate[11];
+            let j_e1_d = rate1[4];
             let t7 = fma(
                 self.h_j.z,
                 j_e3_d,
                 fma(self.h_j.y, j_e2_d, self.h_j.x * j_e1_d),
             );
             let t8 = fma(j_e1_d, t7, j_e0_d * t6);
-            let i_e3 = state[6];
-            let i_e2 = state[5];
-            let i_e0 = state[3];
+            let i_e3 = state0[6];
+            let i_e2 = state0[5];
+            let i_e0 = state0[3];
             let t9 = fma(-self.f_i.y, i_e3, fma(self.f_i.z, i_e2, self.f_i.x * i_e0));
-            let i_e1 = state[4];
+            let i_e1 = state0[4];
             let t10 = fma(self.f_i.z, i_e3, fma(self.f_i.y, i_e2, self.f_i.x * i_e1));
             let t11 = fma(2.0, fma(i_e1, t10, i_e0 * t9), -self.f_i.x);
             let t12 = fma(
@@ -795,7 +799,7 @@ const _: () = {
                 j_e3_d,
                 fma(self.u_j.y, j_e2_d, self.u_j.x * j_e1_d),
             );
-            let i_x_d = rate[0];
+            let i_x_d = rate0[0];
             let t61 = fma(
                 -2.0,
                 fma(j_e1, t60, fma(t59, j_e1_d, fma(j_e0, t58, t57 * j_e0_d))),
@@ -805,15 +809,15 @@ const _: () = {
                     i_x_d,
                 ),
             );
-            let j_x_d = rate[7];
+            let j_x_d = rate1[0];
             let t62 = t61 - j_x_d;
-            let i_x = state[0];
+            let i_x = state0[0];
             let t63 = (fma(
                 -2.0,
                 fma(j_e1, t59, j_e0 * t57),
                 fma(2.0, fma(i_e1, t55, i_e0 * t53), self.u_j.x),
             ) - self.u_i.x) + i_x;
-            let j_x = state[7];
+            let j_x = state1[0];
             let t64 = t63 - j_x;
             let t65 = fma(
                 -j_e1_d,
@@ -832,7 +836,7 @@ const _: () = {
                 j_e1_d,
                 fma(self.u_j.x, j_e3_d, self.u_j.y * j_e0_d),
             );
-            let i_y_d = rate[1];
+            let i_y_d = rate0[1];
             let t70 = fma(
                 -2.0,
                 fma(j_e2, t60, fma(t59, j_e2_d, fma(j_e0, t69, t68 * j_e0_d))),
@@ -842,15 +846,15 @@ const _: () = {
                     i_y_d,
                 ),
             );
-            let j_y_d = rate[8];
+            let j_y_d = rate1[1];
             let t71 = t70 - j_y_d;
-            let i_y = state[1];
+            let i_y = state0[1];
             let t72 = (fma(
                 -2.0,
                 fma(j_e2, t59, j_e0 * t68),
                 fma(2.0, fma(i_e2, t55, i_e0 * t66), self.u_j.y),
             ) - self.u_i.y) + i_y;
-            let j_y = state[8];
+            let j_y = state1[1];
             let t73 = t72 - j_y;
             let t74 = fma(
                 -j_e2_d,
@@ -874,7 +878,7 @@ const _: () = {
                 j_e2_d,
                 fma(self.u_j.y, j_e1_d, self.u_j.z * j_e0_d),
             );
-            let i_z_d = rate[2];
+            let i_z_d = rate0[2];
             let t80 = fma(
                 -2.0,
                 fma(j_e3, t60, fma(t59, j_e3_d, fma(j_e0, t79, t78 * j_e0_d))),
@@ -884,15 +888,15 @@ const _: () = {
                     i_z_d,
                 ),
             );
-            let j_z_d = rate[9];
+            let j_z_d = rate1[2];
             let t81 = t80 - j_z_d;
-            let i_z = state[2];
+            let i_z = state0[2];
             let t82 = (fma(
                 -2.0,
                 fma(j_e3, t59, j_e0 * t78),
                 fma(2.0, fma(i_e3, t55, i_e0 * t76), self.u_j.z),
             ) - self.u_i.z) + i_z;
-            let j_z = state[9];
+            let j_z = state1[2];
             let t83 = t82 - j_z;
             let t84 = fma(
                 -j_e3_d,

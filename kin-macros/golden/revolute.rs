@@ -101,14 +101,15 @@ const _: () = {
                 return
             };
             let fma = ::kin::rt::fma;
-            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
+            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
             let in_order = ::kin::rt::in_order;
-            let j_sin = state[8];
-            let j_cos = state[9];
-            let i_sin = state[3];
-            let i_cos = state[4];
-            let i_x = state[0];
-            let j_x = state[5];
+            let j_sin = state1[3];
+            let j_cos = state1[4];
+            let i_sin = state0[3];
+            let i_cos = state0[4];
+            let i_x = state0[0];
+            let j_x = state1[0];
             c[0] = fma(
                 self.u_j.y,
                 j_sin,
@@ -119,8 +120,8 @@ const _: () = {
                 ),
             ) - j_x;
             in_order();
-            let i_y = state[1];
-            let j_y = state[6];
+            let i_y = state0[1];
+            let j_y = state1[1];
             c[1] = fma(
                 -self.u_j.y,
                 j_cos,
@@ -145,22 +146,23 @@ const _: () = {
                 return
             };
             let fma = ::kin::rt::fma;
-            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
+            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
+            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
             let in_order = ::kin::rt::in_order;
             c_q[0] = 1.0;
             c_q[2] = -1.0;
             c_q[4] = 1.0;
             c_q[6] = -1.0;
-            let j_cos = state[9];
-            let j_sin = state[8];
+            let j_cos = state1[4];
+            let j_sin = state1[3];
             let t0 = fma(self.u_j.y, j_cos, self.u_j.x * j_sin);
             c_q[3] = t0;
             in_order();
-            let i_cos = state[4];
-            let i_sin = state[3];
+            let i_cos = state0[4];
+            let i_sin = state0[3];
             let t1 = fma(-self.u_i.y, i_cos, -(self.u_i.x * i_sin));
-            let i_y = state[1];
-            let j_y = state[6];
+            let i_y = state0[1];
+            let j_y = state1[1];
             c[1] = ((i_y - t1) - j_y) - t0;
             in_order();
             c_q[1] = t1;
@@ -168,8 +170,8 @@ const _: () = {
             c_q[5] = t2;
             in_order();
             let t3 = fma(-self.u_j.x, j_cos, self.u_j.y * j_sin);
-            let i_x = state[0];
-            let j_x = state[5];
+            let i_x = state0[0];
+            let j_x = state1[0];
             c[0] = ((i_x + t2) - j_x) + t3;
             in_order();
             c_q[7] = t3;
@@ -189,17 +191,19 @@ const _: () = {
                 return
             };
             let fma = ::kin::rt::fma;
-            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
-            let ::core::option::Option::Some(rate) = qd.columns::<6>() else { return };
+            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
+            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
+            let ::core::option::Option::Some(rate0) = qd.of::<3>(0) else { return };
+            let ::core::option::Option::Some(rate1) = qd.of::<3>(1) else { return };
             let in_order = ::kin::rt::in_order;
-            let i_theta_d = rate[2];
+            let i_theta_d = rate0[2];
             let t0 = i_theta_d * i_theta_d;
-            let j_theta_d = rate[5];
+            let j_theta_d = rate1[2];
             let t1 = j_theta_d * j_theta_d;
-            let j_cos = state[9];
-            let j_sin = state[8];
-            let i_cos = state[4];
-            let i_sin = state[3];
+            let j_cos = state1[4];
+            let j_sin = state1[3];
+            let i_cos = state0[4];
+            let i_sin = state0[3];
             q_d[1] = fma(
                 -fma(self.u_j.y, j_cos, self.u_j.x * j_sin),
                 t1,
@@ -349,23 +353,24 @@ const _: () = {
             };
             let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
                 .known::<4>() else { return };
-            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
-            let j_sin = state[8];
-            let j_cos = state[9];
+            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
+            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
+            let j_sin = state1[3];
+            let j_cos = state1[4];
             let t0 = (known2 * j_sin) + (known3 * j_cos);
             c_q[3] = t0;
-            let i_sin = state[3];
-            let i_cos = state[4];
+            let i_sin = state0[3];
+            let i_cos = state0[4];
             let t1 = (known0 * i_sin) + (known1 * i_cos);
-            let i_y = state[1];
-            let j_y = state[6];
+            let i_y = state0[1];
+            let j_y = state1[1];
             c[1] = (i_y + t1) - (j_y + t0);
             c_q[1] = -t1;
             let t2 = (known0 * i_cos) - (known1 * i_sin);
             c_q[5] = t2;
             let t3 = (known2 * j_cos) - (known3 * j_sin);
-            let i_x = state[0];
-            let j_x = state[5];
+            let i_x = state0[0];
+            let j_x = state1[0];
             c[0] = (i_x + t2) - (j_x + t3);
             c_q[7] = -t3;
         }
@@ -391,16 +396,18 @@ const _: () = {
             };
             let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
                 .known::<4>() else { return };
-            let ::core::option::Option::Some(state) = at.states::<10>() else { return };
-            let ::core::option::Option::Some(rate) = qd.columns::<6>() else { return };
-            let j_theta_d = rate[5];
+            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
+            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
+            let ::core::option::Option::Some(rate0) = qd.of::<3>(0) else { return };
+            let ::core::option::Option::Some(rate1) = qd.of::<3>(1) else { return };
+            let j_theta_d = rate1[2];
             let t0 = j_theta_d * j_theta_d;
-            let i_theta_d = rate[2];
+            let i_theta_d = rate0[2];
             let t1 = i_theta_d * i_theta_d;
-            let j_cos = state[9];
-            let j_sin = state[8];
-            let i_cos = state[4];
-            let i_sin = state[3];
+            let j_cos = state1[4];
+            let j_sin = state1[3];
+            let i_cos = state0[4];
+            let i_sin = state0[3];
             q_d[0] = -((((known2 * j_cos) - (known3 * j_sin)) * t0)
                 - (((known0 * i_cos) - (known1 * i_sin)) * t1));
             q_d[1] = -((((known2 * j_sin) + (known3 * j_cos)) * t0)

@@ -145,13 +145,14 @@ const _: () = {
                     &own
                 }
             };
-            let ::core::option::Option::Some(state) = at.states::<6>() else { return };
+            let ::core::option::Option::Some(state0) = at.state::<3>(0) else { return };
+            let ::core::option::Option::Some(state1) = at.state::<3>(1) else { return };
             let in_order = ::kin::rt::in_order;
-            let theta3_cos = state[2];
-            let x_arg = state[3];
+            let theta3_cos = state0[2];
+            let x_arg = state1[0];
             c[0] = fma(self.l3, theta3_cos, timed[1]) - x_arg;
             in_order();
-            let theta3_sin = state[1];
+            let theta3_sin = state0[1];
             c[1] = fma(self.l3, theta3_sin, timed[3]) - self.h;
             in_order();
         }
@@ -175,17 +176,18 @@ const _: () = {
                     &own
                 }
             };
-            let ::core::option::Option::Some(state) = at.states::<6>() else { return };
+            let ::core::option::Option::Some(state0) = at.state::<3>(0) else { return };
+            let ::core::option::Option::Some(state1) = at.state::<3>(1) else { return };
             let in_order = ::kin::rt::in_order;
             c_q[1] = -1.0;
-            let theta3_cos = state[2];
+            let theta3_cos = state0[2];
             let t0 = self.l3 * theta3_cos;
             c_q[2] = t0;
             in_order();
-            let x_arg = state[3];
+            let x_arg = state1[0];
             c[0] = (t0 - x_arg) + timed[1];
             in_order();
-            let theta3_sin = state[1];
+            let theta3_sin = state0[1];
             let t1 = self.l3 * theta3_sin;
             c_q[0] = -t1;
             in_order();
@@ -229,16 +231,16 @@ const _: () = {
                     &own
                 }
             };
-            let ::core::option::Option::Some(state) = at.states::<6>() else { return };
-            let ::core::option::Option::Some(rate) = qd.columns::<2>() else { return };
+            let ::core::option::Option::Some(state0) = at.state::<3>(0) else { return };
+            let ::core::option::Option::Some(rate0) = qd.of::<1>(0) else { return };
             let in_order = ::kin::rt::in_order;
-            let theta3_d = rate[0];
+            let theta3_d = rate0[0];
             let t0 = theta3_d * theta3_d;
             let t1 = self.omega * t_dot;
-            let theta3_cos = state[2];
+            let theta3_cos = state0[2];
             q_d[0] = fma(self.l2, t1 * (timed[0] * t1), self.l3 * (theta3_cos * t0));
             in_order();
-            let theta3_sin = state[1];
+            let theta3_sin = state0[1];
             q_d[1] = fma(self.l2, t1 * (timed[2] * t1), self.l3 * (theta3_sin * t0));
             in_order();
         }

@@ -82,7 +82,8 @@ fn prismatic_right_side_is_minus_d1_to_d4() {
 fn right_side(constraint: &dyn Constraint, q: &[f64; 6], qd: &[f64; 6]) -> [f64; 2] {
     let states = [[q[0], q[1], q[2]], [q[3], q[4], q[5]]].map(|body| PlanarState::new(body).to_array()).concat();
     let mut r = [f64::NAN; 2];
-    constraint.acceleration_rhs(&At::new(0.0, &states, &[0, PLANAR_STATE]), &Rates::new(qd, &[0, 3]), 0.0, &mut r);
+    let arguments = [[0, 0], [PLANAR_STATE as u32, 3]];
+    constraint.acceleration_rhs(&At::new(0.0, &states, &arguments), &Rates::new(qd, &arguments), 0.0, &mut r);
     r
 }
 

@@ -4,9 +4,7 @@
 use num_dual::Dual3_64;
 
 use super::graph::{Given, Graph, Outside, Step, jet_of_law};
-use super::kind;
 use crate::coordinates::Argument;
-use crate::dual_route::each_coordinate;
 use crate::real::Real;
 use crate::state::{At, Rates};
 
@@ -22,10 +20,10 @@ impl Along {
     /// q + s q̇ + ½ s² q̈ at the time t + s.
     pub(crate) fn new(arguments: &[Argument], at: &At<'_>, qd: &Rates<'_>, qdd: &Rates<'_>) -> Self {
         let mut columns = Vec::new();
-        each_coordinate(arguments.iter().map(kind), at, &mut |q| {
-            let k = columns.len();
-            columns.push(Real(Dual3_64::new(q, qd.column(k), qdd.column(k), 0.0)));
-        });
+        for (k, n) in arguments.iter().map(|argument| argument.target.columns()).enumerate() {
+            let moving = at.coordinates(k, n).iter().zip(qd.columns(k, n)).zip(qdd.columns(k, n));
+            columns.extend(moving.map(|((q, qd), qdd)| Real(Dual3_64::new(*q, *qd, *qdd, 0.0))));
+        }
         Along { columns, t: Real(Dual3_64::new(at.t, 1.0, 0.0, 0.0)) }
     }
 }

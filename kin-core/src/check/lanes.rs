@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::{ROUTES_TOLERANCE, Spread};
 use crate::constraint::Constraint;
-use crate::lanes::{InLanes, LaneAt, LaneRates, Lanes, Level, Wide, WithLevel};
+use crate::lanes::{InLanes, LaneBlock, LaneInstant, Lanes, Level, Wide, WithLevel};
 use crate::terms::{Local, terms};
 
 /// A term that a kernel over lanes and the constraint itself do not agree on.
@@ -74,16 +74,18 @@ impl Compare<'_> {
         let states = wide(simd, &locals, |local| &local.states);
         let rates = wide(simd, &locals, |local| &local.rates);
         let known = self.known(t).into_iter().map(|x| Wide::splat(simd, x)).collect::<Vec<_>>();
-        let own = vec![self.kernels; Wide::<S>::LANES];
-        let at = LaneAt::new(simd, &states, &known, &own);
+        let own = [vec![self.kernels; Wide::<S>::LANES]];
+        let arguments = locals.first().map(|local| &local.arguments[..]).unwrap_or_default();
+        let instant = LaneInstant { simd, states: &states, rates: &rates, known: &known, arguments, own: &own };
+        let alone = [LaneBlock { number: 0, arguments: 0, known: 0, rows: 0, values: 0 }];
         let (table, rows) = (S::table(&self.kernels.kernels()), self.constraint.rows().len());
         let zeros = || vec![Wide::splat(simd, 0.0); rows];
         let (mut c, mut rhs, mut q_d) = (zeros(), zeros(), zeros());
         let constant = |k: usize| self.constraint.constants().get(k).copied().flatten().unwrap_or(0.0);
         let mut values: Vec<Wide<S>> = (0..self.constraint.pattern().len()).map(|k| Wide::splat(simd, constant(k))).collect();
-        (table.linearize)(&at, &mut c, &mut values);
-        (table.velocity_rhs)(&at, &mut rhs);
-        (table.acceleration_rhs)(&at, &LaneRates(&rates), &mut q_d);
+        (table.linearize)(&instant, &alone, &mut c, &mut values);
+        (table.velocity_rhs)(&instant, &alone, &mut rhs);
+        (table.acceleration_rhs)(&instant, &alone, &mut q_d);
         for (lane, state) in group.iter().enumerate() {
             let of_lane = |all: &[Wide<S>]| DVector::from_iterator(all.len(), all.iter().map(|x| x.as_slice()[lane]));
             self.compare(state, t, [of_lane(&c), of_lane(&values), -of_lane(&rhs), of_lane(&q_d)])?;

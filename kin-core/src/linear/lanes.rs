@@ -4,10 +4,13 @@
 //! lanes that fit neither are told to their owner, who goes on without them.
 
 use super::program::Kind;
-use super::record::Recording;
+use super::record::{Places, Recording};
 use super::replay::{Replay, SMALL};
 use super::{FADED, GROWTH, Linear, REFINED, SINGULAR, SLACK, SUSPICIOUS};
 use crate::lanes::{Level, Mask, Wide};
+
+/// Rates that the ground has for any argument: as many as a spatial body.
+const GROUND: usize = 7;
 
 /// Square matrices of one pattern, one in each lane.
 pub(crate) struct WideLinear<S: Level> {
@@ -17,13 +20,19 @@ pub(crate) struct WideLinear<S: Level> {
     first: Linear,
     recorded_anew: bool,
     memory: Vec<Wide<S>>,
+    areas: Areas,
     factor: Replay,
-    solve: Replay,
+    /// From C to the correction, from −C_t to q̇, from Q_d to q̈.
+    correct: Replay,
+    velocity: Replay,
+    acceleration: Replay,
+    /// The rows of −C_t, and of Q_d, that are zero for good.
+    zeros: [Vec<u32>; 2],
     /// Whether all places of the memory are below [`SMALL`].
     small: bool,
-    /// The multipliers and the other numbers that are factored: their places, and what makes each one of order 1.
-    multipliers: Vec<(u32, f64)>,
-    cells: Vec<(u32, f64)>,
+    /// The numbers that are factored but for the pivots, multipliers and others: where they begin, and the share of what is allowed that each
+    /// unit of them is.
+    judged: [(usize, Vec<f64>); 2],
     /// The pivots that are no constants: their places, row and column, and one over what makes each a share of these.
     pivots: Vec<(u32, [u32; 2], Wide<S>)>,
     sizes: Vec<Wide<S>>,
@@ -36,27 +45,66 @@ pub(crate) struct WideLinear<S: Level> {
     fresh: bool,
     /// Whether the weights of pivots know the measures.
     told: bool,
-    smallest_constant: Wide<S>,
-    smallest: Wide<S>,
+    /// One over the smallest constant pivot, and over the smallest of all at the last factoring; the smallest that this has been.
+    inverse_constant: Wide<S>,
+    inverse: Wide<S>,
     best: Wide<S>,
 }
 
+/// Where right sides and solutions stand in the memory that the recording knows nothing of: behind its zero, before what it computes.
+#[derive(Clone, Copy)]
+struct Areas {
+    recorded: Places,
+    n: usize,
+    velocity: usize,
+    rates: usize,
+    acceleration: usize,
+    second_rates: usize,
+    end: usize,
+}
+
+impl Areas {
+    fn new(recorded: Places, n: usize) -> Self {
+        let velocity = recorded.zero as usize + 1;
+        let rates = velocity + n;
+        let acceleration = rates + n + GROUND;
+        Areas { recorded, n, velocity, rates, acceleration, second_rates: acceleration + n, end: acceleration + 2 * n }
+    }
+
+    /// Where a number of the recording stands here.
+    fn moved(&self, place: u32) -> u32 {
+        if place <= self.recorded.zero { place } else { place - self.recorded.zero - 1 + self.end as u32 }
+    }
+
+    /// The same for a program with a right side and a solution of its own.
+    fn moved_to(&self, rhs: usize, solution: usize, place: u32) -> u32 {
+        let own = [(self.recorded.rhs, rhs), (self.recorded.solution, solution)];
+        let inside = |(first, _): &(u32, usize)| (*first..*first + self.n as u32).contains(&place);
+        own.into_iter().find(inside).map_or_else(|| self.moved(place), |(first, new)| place - first + new as u32)
+    }
+}
+
 impl<S: Level> WideLinear<S> {
-    /// Matrices of the pattern that `recorder` was made for, with its recording if it has one.
-    pub(crate) fn new(simd: S, recorder: Linear) -> Self {
+    /// Matrices of the pattern that `recorder` was made for, with its recording if it has one; −C_t, and Q_d, can be other than zero in the
+    /// rows `asked`.
+    pub(crate) fn new(simd: S, recorder: Linear, asked: [Vec<usize>; 2]) -> Self {
         let (n, number) = (recorder.n, |x: f64| Wide::splat(simd, x));
         let varies = |k: &u32| recorder.constants.get(*k as usize).copied().flatten().is_none();
         let varying: Vec<u32> = recorder.sorted.iter().copied().filter(varies).collect();
+        let areas = Areas::new(recorder.places, n);
         let mut linear = WideLinear {
             simd,
             first: recorder.clone(),
             recorded_anew: false,
-            memory: vec![number(0.0); recorder.places.zero as usize + 1],
+            memory: vec![number(0.0); areas.end],
+            areas,
             factor: Replay::default(),
-            solve: Replay::default(),
+            correct: Replay::default(),
+            velocity: Replay::default(),
+            acceleration: Replay::default(),
+            zeros: asked.map(|asked| (0..n).filter(|row| !asked.contains(row)).map(|row| recorder.places.rhs + row as u32).collect()),
             small: false,
-            multipliers: Vec::new(),
-            cells: Vec::new(),
+            judged: Default::default(),
             pivots: Vec::new(),
             sizes: vec![number(1.0); n],
             norms: vec![number(0.0); n],
@@ -65,9 +113,9 @@ impl<S: Level> WideLinear<S> {
             varying,
             fresh: true,
             told: false,
-            smallest_constant: number(0.0),
-            smallest: number(0.0),
-            best: number(0.0),
+            inverse_constant: number(0.0),
+            inverse: number(f64::INFINITY),
+            best: number(f64::INFINITY),
             recorder,
         };
         let constants = linear.recorder.constants.clone();
@@ -81,7 +129,7 @@ impl<S: Level> WideLinear<S> {
         let zero = Wide::splat(self.simd, 0.0);
         self.norms.fill(zero);
         self.tops.fill(zero);
-        (self.fresh, self.best) = (true, zero);
+        (self.fresh, self.best) = (true, Wide::splat(self.simd, f64::INFINITY));
         if std::mem::take(&mut self.recorded_anew) {
             self.recorder = self.first.clone();
             self.load();
@@ -94,20 +142,56 @@ impl<S: Level> WideLinear<S> {
         self.set_limits();
     }
 
-    pub(crate) fn values_mut(&mut self) -> &mut [Wide<S>] {
-        &mut self.memory[..self.recorder.entries.len()]
+    /// C, and the values of C_q, to be written.
+    pub(crate) fn written(&mut self) -> (&mut [Wide<S>], &mut [Wide<S>]) {
+        let (values, rest) = self.memory.split_at_mut(self.areas.recorded.rhs as usize);
+        (&mut rest[..self.areas.n], &mut values[..self.recorder.entries.len()])
+    }
+
+    pub(crate) fn c(&self) -> &[Wide<S>] {
+        self.area(self.areas.recorded.rhs as usize)
     }
 
     pub(crate) fn values(&self) -> &[Wide<S>] {
         &self.memory[..self.recorder.entries.len()]
     }
 
-    pub(crate) fn rhs_mut(&mut self) -> &mut [Wide<S>] {
-        &mut self.memory[self.recorder.places.rhs as usize..][..self.recorder.n]
+    /// What is to be taken from q.
+    pub(crate) fn correction(&self) -> &[Wide<S>] {
+        self.area(self.areas.recorded.solution as usize)
     }
 
-    pub(crate) fn solution(&self) -> &[Wide<S>] {
-        &self.memory[self.recorder.places.solution as usize..][..self.recorder.n]
+    /// −C_t, to be written.
+    pub(crate) fn velocity_rhs(&mut self) -> &mut [Wide<S>] {
+        &mut self.memory[self.areas.velocity..][..self.areas.n]
+    }
+
+    /// q̇ with the rates of the ground behind it, and Q_d, to be written.
+    pub(crate) fn acceleration_rhs(&mut self) -> (&[Wide<S>], &mut [Wide<S>]) {
+        let (rates, rest) = self.memory[self.areas.rates..].split_at_mut(self.areas.n + GROUND);
+        (rates, &mut rest[..self.areas.n])
+    }
+
+    /// q̇
+    pub(crate) fn rates(&self) -> &[Wide<S>] {
+        self.area(self.areas.rates)
+    }
+
+    /// q̈
+    pub(crate) fn second_rates(&self) -> &[Wide<S>] {
+        self.area(self.areas.second_rates)
+    }
+
+    /// q̇ and q̈, to be written.
+    pub(crate) fn all_rates(&mut self) -> [&mut [Wide<S>]; 2] {
+        let Areas { n, rates, second_rates, .. } = self.areas;
+        let (first, second) = self.memory.split_at_mut(second_rates);
+        [&mut first[rates..rates + n], &mut second[..n]]
+    }
+
+    #[inline(always)]
+    fn area(&self, first: usize) -> &[Wide<S>] {
+        &self.memory[first..first + self.areas.n]
     }
 
     pub(crate) fn norms(&self) -> &[Wide<S>] {
@@ -122,7 +206,13 @@ impl<S: Level> WideLinear<S> {
     /// The smallest pivot of the last factoring, by the measures of its row and column.   \[-\]
     #[inline(always)]
     pub(crate) fn smallest_pivot(&self) -> Wide<S> {
-        self.smallest
+        self.inverse.reciprocal()
+    }
+
+    /// The lanes in which it is at least that.
+    #[inline(always)]
+    pub(crate) fn regular(&self, least: f64) -> Mask<S> {
+        self.inverse.le(Wide::splat(self.simd, 1.0 / least))
     }
 
     /// Of each block whose determinant can change its sign, that sign at the last factoring, −1 or 1, into `signs`.
@@ -135,7 +225,7 @@ impl<S: Level> WideLinear<S> {
         let zero = Wide::splat(self.simd, 0.0);
         for &(place, block) in &recording.orientation.pivots {
             let sign = &mut signs[block as usize];
-            *sign = self.memory[place as usize].lt(zero).select(-*sign, *sign);
+            *sign = self.memory[self.areas.moved(place) as usize].lt(zero).select(-*sign, *sign);
         }
     }
 
@@ -170,9 +260,7 @@ impl<S: Level> WideLinear<S> {
             self.tops[j] = grown.select(self.tops[j].max(share), self.tops[j]);
         }
         self.set_limits();
-        let largest = Wide::splat(self.simd, f64::MAX);
-        let finite = |all, k: &u32| all & self.memory[*k as usize].abs().le(largest);
-        self.recorder.sorted.iter().fold(Mask::splat(self.simd, true), finite)
+        self.finite()
     }
 
     fn set_limits(&mut self) {
@@ -200,6 +288,7 @@ impl<S: Level> WideLinear<S> {
     #[cold]
     #[inline(never)]
     fn factor_anew(&mut self, wanted: Mask<S>) -> Mask<S> {
+        let wanted = wanted & self.finite();
         let mut fits = if self.recorder.recording.is_some() { wanted & self.replay() } else { wanted & !wanted };
         for lane in 0..Wide::<S>::LANES {
             if !wanted.lane(lane) || fits.lane(lane) {
@@ -212,6 +301,13 @@ impl<S: Level> WideLinear<S> {
             }
         }
         fits
+    }
+
+    /// The lanes in which all values are finite.
+    fn finite(&self) -> Mask<S> {
+        let largest = Wide::splat(self.simd, f64::MAX);
+        let finite = |all, k: &u32| all & self.memory[*k as usize].abs().le(largest);
+        self.recorder.sorted.iter().fold(Mask::splat(self.simd, true), finite)
     }
 
     /// Records the elimination at the numbers of a lane; false if they are singular.
@@ -235,23 +331,38 @@ impl<S: Level> WideLinear<S> {
     /// Takes over the recording, if there is one.
     fn load(&mut self) {
         let Some(recording) = &self.recorder.recording else { return };
-        let Recording { factor, solve, weights, .. } = recording.as_ref();
-        (self.factor, self.solve) = (Replay::new(factor), Replay::new(solve));
-        let zero = Wide::splat(self.simd, 0.0);
+        let Recording { factor, solve, weights, factored, .. } = recording.as_ref();
+        let (areas, zero) = (self.areas, self.recorder.places.zero);
+        self.factor = Replay::new(factor, |place| areas.moved(place), [], zero);
+        self.correct = Replay::new(solve, |place| areas.moved(place), [], zero);
+        let to = |rhs, solution| move |place| areas.moved_to(rhs, solution, place);
+        let [velocity, acceleration] = [0, 1].map(|k| self.zeros[k].iter().copied());
+        self.velocity = Replay::new(solve, to(areas.velocity, areas.rates), velocity, zero);
+        self.acceleration = Replay::new(solve, to(areas.acceleration, areas.second_rates), acceleration, zero);
         let written: Vec<(Kind, u32)> = factor.written().collect();
-        let weighted = |wanted: fn(Kind) -> bool| {
-            let all = written.iter().zip(weights).filter(|((kind, _), _)| wanted(*kind));
-            all.map(|((_, place), weight)| (*place, *weight)).collect::<Vec<_>>()
+        let allowed = |kind: Kind| if kind == Kind::Scaled { GROWTH } else { REFINED };
+        let shares = |first: usize, end: usize| {
+            let mut shares = vec![0.0; end - first];
+            for ((kind, place), weight) in written.iter().zip(weights).filter(|((_, place), _)| (first..end).contains(&(*place as usize))) {
+                shares[*place as usize - first] = weight / allowed(*kind);
+            }
+            // The end is filled up to whole fours.
+            shares.truncate(shares.iter().rposition(|share| *share != 0.0).map_or(0, |last| last + 1));
+            (areas.moved(first as u32) as usize, shares)
         };
-        self.multipliers = weighted(|kind| kind == Kind::Scaled);
-        self.cells = weighted(|kind| matches!(kind, Kind::Plain | Kind::Negated));
-        self.pivots = recording.watched.iter().map(|&(step, row, column)| (written[step as usize].1, [row, column], zero)).collect();
+        self.judged = [shares(factored.cells, factored.multipliers), shares(factored.multipliers, factored.pivots)];
+        let none = Wide::splat(self.simd, 0.0);
+        let pivot = |&(step, row, column): &(u32, u32, u32)| (areas.moved(written[step as usize].1), [row, column], none);
+        self.pivots = recording.watched.iter().map(pivot).collect();
         // What is no value, right side or solution is a constant, or computed before it is read.
-        let known = self.recorder.places.zero as usize;
-        self.memory.truncate(known);
-        self.memory.extend(self.recorder.memory.iter().skip(known).map(|x| Wide::splat(self.simd, *x)));
-        self.memory.resize(self.memory.len().max(SMALL), Wide::splat(self.simd, 0.0));
-        (self.small, self.told, self.best) = (self.memory.len() <= SMALL, false, Wide::splat(self.simd, 0.0));
+        self.memory.truncate(areas.end);
+        self.memory.extend(self.recorder.memory.iter().skip(zero as usize + 1).map(|x| Wide::splat(self.simd, *x)));
+        self.small = areas.moved(factored.end as u32) as usize <= SMALL;
+        self.memory.resize(if self.small { SMALL } else { self.memory.len() }, none);
+        for place in [&self.correct, &self.velocity, &self.acceleration].into_iter().flat_map(|replay| &replay.zeros) {
+            self.memory[*place as usize] = none;
+        }
+        (self.told, self.best) = (false, Wide::splat(self.simd, f64::INFINITY));
     }
 
     /// Runs the recorded elimination; true in the lanes that it fits.
@@ -261,27 +372,23 @@ impl<S: Level> WideLinear<S> {
             self.tell_watch();
         }
         let simd = self.simd;
-        match self.memory.first_chunk_mut::<SMALL>().filter(|_| self.small) {
-            Some(memory) => self.factor.run(simd, memory),
-            None => self.factor.run(simd, &mut self.memory[..]),
-        }
-        let (mut largest_inverse, mut sound) = (self.smallest_constant.reciprocal(), Mask::splat(simd, true));
+        run(simd, &self.factor, self.small, &mut self.memory);
+        let mut inverse = self.inverse_constant;
         for &(place, _, per_unit) in &self.pivots {
-            let inverse = self.memory[place as usize].abs() * per_unit;
-            // A NaN counts as the worst.
-            largest_inverse = inverse.le(largest_inverse).select(largest_inverse, inverse);
+            // What is not a number shows in the solution.
+            inverse = (self.memory[place as usize].abs() * per_unit).or_larger(inverse);
         }
-        for &(place, weight) in &self.multipliers {
-            sound = sound & (self.memory[place as usize].abs() * Wide::splat(simd, weight)).le(Wide::splat(simd, GROWTH));
+        let mut share = Wide::splat(simd, 0.0);
+        for (first, shares) in &self.judged {
+            for (x, own) in self.memory[*first..].iter().zip(shares) {
+                share = (x.abs() * Wide::splat(simd, *own)).or_larger(share);
+            }
         }
-        for &(place, weight) in &self.cells {
-            sound = sound & (self.memory[place as usize].abs() * Wide::splat(simd, weight)).le(Wide::splat(simd, REFINED));
-        }
-        let smallest = largest_inverse.reciprocal();
-        self.smallest = smallest;
-        self.best = self.best.max(smallest);
-        let faded = self.best * smallest.lt(Wide::splat(simd, SUSPICIOUS)).select(Wide::splat(simd, 0.5), Wide::splat(simd, FADED));
-        sound & smallest.gt(Wide::splat(simd, SINGULAR)) & smallest.ge(faded)
+        let number = |x: f64| Wide::splat(simd, x);
+        self.inverse = inverse;
+        self.best = inverse.or_smaller(self.best);
+        let faded = inverse.gt(number(1.0 / SUSPICIOUS)).select(number(0.5), number(FADED));
+        share.le(number(1.0)) & inverse.lt(number(1.0 / SINGULAR)) & (inverse * faded).le(self.best)
     }
 
     /// Tells the watch how pivots are measured.
@@ -300,15 +407,33 @@ impl<S: Level> WideLinear<S> {
             *per_unit = unit(*row, *column).reciprocal();
         }
         let constant = recording.constant.iter().map(|&(row, column, value)| Wide::splat(self.simd, value.abs()) * unit(row, column));
-        self.smallest_constant = constant.fold(Wide::splat(self.simd, f64::INFINITY), |smallest, x| smallest.min(x));
+        self.inverse_constant = constant.fold(zero, |largest, x| largest.max(x.reciprocal()));
     }
 
-    /// A x = b with the factors at hand: from the right side to the solution.
+    /// From C to the correction, with the factors at hand.
     #[inline(always)]
-    pub(crate) fn solve(&mut self) {
-        match self.memory.first_chunk_mut::<SMALL>().filter(|_| self.small) {
-            Some(memory) => self.solve.run(self.simd, memory),
-            None => self.solve.run(self.simd, &mut self.memory[..]),
-        }
+    pub(crate) fn correct(&mut self) {
+        run(self.simd, &self.correct, self.small, &mut self.memory);
+    }
+
+    /// From −C_t to q̇.
+    #[inline(always)]
+    pub(crate) fn solve_velocity(&mut self) {
+        run(self.simd, &self.velocity, self.small, &mut self.memory);
+    }
+
+    /// From Q_d to q̈.
+    #[inline(always)]
+    pub(crate) fn solve_acceleration(&mut self) {
+        run(self.simd, &self.acceleration, self.small, &mut self.memory);
+    }
+}
+
+/// Runs a program on the memory, whose places are all below [`SMALL`] if it is `small`.
+#[inline(always)]
+fn run<S: Level>(simd: S, replay: &Replay, small: bool, memory: &mut [Wide<S>]) {
+    match memory.first_chunk_mut::<SMALL>() {
+        Some(memory) if small => replay.run(simd, memory),
+        _ => replay.run(simd, memory),
     }
 }

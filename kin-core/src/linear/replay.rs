@@ -1,12 +1,15 @@
-//! The code of a recorded elimination as lanes replay it: steps of a fixed form, each with its operands beside its opcode.
+//! The code of a recorded elimination as lanes replay it.
 //!
-//! Of the common forms the interpreter has a loop-free copy each; a longer step is cut into several that add up in its own place. A memory of
-//! at most 256 numbers is addressed by bytes, which cannot leave it: there no access is checked.
+//! Steps of one form follow one another in runs, as in [`code`](super::code); a longer step is cut into several that add up in its own place. A
+//! memory of at most 256 numbers is addressed by bytes, which cannot leave it: there no access is checked.
 
+use std::collections::HashSet;
 use std::marker::PhantomData;
 
 use pulp::NullaryFnOnce;
 
+use super::code::Shape;
+use super::order::{Ordered, order};
 use super::program::{Kind, Operands, Program, Step as Recorded};
 use crate::lanes::{Level, Wide};
 
@@ -33,17 +36,31 @@ pub(super) enum Form {
     Pivot,
 }
 
-/// A step: what it does, and where its number goes, where it starts, its scale and its operands.
-#[derive(Clone, Copy, Debug)]
-struct Step {
-    opcode: u8,
-    places: [u32; 9],
-}
-
-/// The steps of a program, in order.
+/// The steps of a program: how many of one opcode follow one another, and their places one after the other, where each writes, where it
+/// starts, its operands and its scale.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Replay {
-    steps: Vec<Step>,
+    runs: Vec<Run>,
+    places: Vec<u32>,
+    /// What is zero for good, and must be so before it is run.
+    pub zeros: Vec<u32>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Run {
+    opcode: u8,
+    steps: u32,
+}
+
+/// A recorded step with its operands.
+struct Step {
+    kind: Kind,
+    out: u32,
+    start: u32,
+    scale: u32,
+    products: Vec<[u32; 2]>,
+    plus: Vec<u32>,
+    minus: Vec<u32>,
 }
 
 /// A memory that is addressed by 32 bits, of which only as many count as it needs.
@@ -77,13 +94,21 @@ impl<S: Level> Memory<S> for [Wide<S>] {
 }
 
 impl Replay {
-    pub(super) fn new(program: &Program) -> Self {
-        let mut replay = Replay::default();
-        program.each(|step, operands| replay.push(step, operands));
+    /// The program with its numbers in other places, `moved`. Those of `zeros`, and what comes of them alone, are zero for good: they are
+    /// neither looked at nor written. `zero` is the recorded place of a zero.
+    pub(super) fn new(program: &Program, moved: impl Fn(u32) -> u32, zeros: impl IntoIterator<Item = u32>, zero: u32) -> Self {
+        let mut steps = Vec::new();
+        let mut known = Zeros { places: zeros.into_iter().chain([zero]).collect(), written: HashSet::new() };
+        program.each(|step, operands| steps.extend(known.fold(Step::new(step, operands), zero)));
+        steps.iter_mut().for_each(|step| step.places_mut().for_each(|place| *place = moved(*place)));
+        let ordered: Vec<Ordered> = steps.iter().map(Step::ordered).collect();
+        let mut replay = Replay { zeros: known.places.into_iter().map(&moved).collect(), ..Replay::default() };
+        order(&ordered).into_iter().for_each(|k| replay.push(&steps[k as usize]));
         replay
     }
 
-    fn push(&mut self, step: &Recorded, Operands { mut products, mut plus, mut minus }: Operands<'_>) {
+    fn push(&mut self, step: &Step) {
+        let (mut products, mut plus, mut minus) = (&step.products[..], &step.plus[..], &step.minus[..]);
         let mut start = None;
         loop {
             let (own_products, own_plus, own_minus);
@@ -98,8 +123,11 @@ impl Replay {
                 Kind::Pivot if last => Form::Pivot,
                 _ => Form::Plain,
             };
-            let places = [step.out, start.unwrap_or(step.start), step.scale];
-            self.write(form, places, own_products, own_plus, own_minus);
+            let shape = (own_products.len() * (MOST[1] + 1) + own_plus.len()) * (MOST[2] + 1) + own_minus.len();
+            self.write((form as usize * SHAPES + shape) as u8);
+            self.places.extend([step.out, start.unwrap_or(step.start)]);
+            let operands = own_products.iter().flatten().chain(own_plus).chain(own_minus);
+            self.places.extend(operands.chain((form == Form::Scaled).then_some(&step.scale)));
             if last {
                 return;
             }
@@ -107,51 +135,101 @@ impl Replay {
         }
     }
 
-    fn write(&mut self, form: Form, [out, start, scale]: [u32; 3], products: &[[u32; 2]], plus: &[u32], minus: &[u32]) {
-        let shape = (products.len() * (MOST[1] + 1) + plus.len()) * (MOST[2] + 1) + minus.len();
-        let mut places = [0; 9];
-        let all = [out, start, scale].into_iter().chain(products.iter().flatten().copied());
-        let all = all.chain(plus.iter().copied()).chain(minus.iter().copied());
-        places.iter_mut().zip(all).for_each(|(place, own)| *place = own);
-        self.steps.push(Step { opcode: (form as usize * SHAPES + shape) as u8, places });
+    /// One more step of that opcode.
+    fn write(&mut self, opcode: u8) {
+        match self.runs.last_mut() {
+            Some(run) if run.opcode == opcode => run.steps += 1,
+            _ => self.runs.push(Run { opcode, steps: 1 }),
+        }
     }
 
     /// Runs all steps.
     ///
     /// A function of its own: inlined without optimisation, the copies of the interpreter would need more stack than a thread has.
     pub(super) fn run<S: Level, M: Memory<S> + ?Sized>(&self, simd: S, memory: &mut M) {
-        simd.vectorize(Run(&self.steps, memory, PhantomData::<S>));
+        simd.vectorize(Replaying(self, memory, PhantomData::<S>));
+    }
+}
+
+/// The places of which it is known that they hold zeros, and those that have been written.
+struct Zeros {
+    places: HashSet<u32>,
+    written: HashSet<u32>,
+}
+
+impl Zeros {
+    /// The step without its zeros; none if it would write a zero where one is.
+    fn fold(&mut self, mut step: Step, zero: u32) -> Option<Step> {
+        let is_zero = |place: &u32| self.places.contains(place);
+        step.products.retain(|[a, b]| !is_zero(a) && !is_zero(b));
+        step.plus.retain(|place| !is_zero(place));
+        step.minus.retain(|place| !is_zero(place));
+        if is_zero(&step.start) {
+            let others = if step.kind == Kind::Negated { &mut step.minus } else { &mut step.plus };
+            step.start = others.pop().unwrap_or(zero);
+        }
+        let vanishes = step.start == zero && step.products.is_empty() && step.plus.is_empty() && step.minus.is_empty();
+        if vanishes && step.kind != Kind::Pivot {
+            self.places.insert(step.out);
+            return self.written.contains(&step.out).then_some(step);
+        }
+        self.places.remove(&step.out);
+        self.written.insert(step.out);
+        Some(step)
+    }
+}
+
+impl Step {
+    fn new(&Recorded { kind, out, start, scale, .. }: &Recorded, Operands { products, plus, minus }: Operands<'_>) -> Self {
+        Step { kind, out, start, scale, products: products.to_vec(), plus: plus.to_vec(), minus: minus.to_vec() }
+    }
+
+    fn places_mut(&mut self) -> impl Iterator<Item = &mut u32> {
+        let own = [&mut self.out, &mut self.start, &mut self.scale].into_iter();
+        own.chain(self.products.iter_mut().flatten()).chain(&mut self.plus).chain(&mut self.minus)
+    }
+
+    fn ordered(&self) -> Ordered {
+        let scale = (self.kind == Kind::Scaled).then_some(self.scale);
+        let terms = self.plus.iter().chain(&self.minus).copied();
+        Ordered {
+            shape: Shape { kind: self.kind, products: self.products.len(), plus: self.plus.len(), minus: self.minus.len() },
+            out: self.out,
+            reads: self.products.iter().flatten().copied().chain(terms).chain([self.start]).chain(scale).collect(),
+        }
     }
 }
 
 /// A replay on its way into the function that has the machine's instructions.
-struct Run<'r, S, M: ?Sized>(&'r [Step], &'r mut M, PhantomData<S>);
+struct Replaying<'r, S, M: ?Sized>(&'r Replay, &'r mut M, PhantomData<S>);
 
-impl<S: Level, M: Memory<S> + ?Sized> NullaryFnOnce for Run<'_, S, M> {
+impl<S: Level, M: Memory<S> + ?Sized> NullaryFnOnce for Replaying<'_, S, M> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        let Run(steps, memory, _) = self;
-        for step in steps {
-            by_opcode(step, memory);
+        let Replaying(replay, memory, _) = self;
+        let mut places = &replay.places[..];
+        for run in &replay.runs {
+            places = by_opcode(*run, places, memory);
         }
     }
 }
 
 macro_rules! copies {
-    ($step:expr, $memory:expr; $($opcode:literal)*) => {
-        match $step.opcode {
-            $($opcode => compute::<S, M, $opcode>(&$step.places, $memory),)*
-            _ => {}
+    ($run:expr, $places:expr, $memory:expr; $($opcode:literal)*) => {
+        match $run.opcode {
+            $($opcode => steps::<S, M, $opcode, { length($opcode) }>($run.steps, $places, $memory),)*
+            _ => $places,
         }
     };
 }
 
+/// The steps of a run; gives the places of those after it.
 #[rustfmt::skip]
 #[inline(always)]
-fn by_opcode<S: Level, M: Memory<S> + ?Sized>(step: &Step, memory: &mut M) {
-    copies!(step, memory;
+fn by_opcode<'p, S: Level, M: Memory<S> + ?Sized>(run: Run, places: &'p [u32], memory: &mut M) -> &'p [u32] {
+    copies!(run, places, memory;
         0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29
         30 31 32 33 34 35 36 37 38 39 40 41 42 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58 59)
 }
@@ -172,29 +250,50 @@ const fn shape(opcode: usize) -> [usize; 3] {
     [shape / (MOST[1] + 1) / (MOST[2] + 1), shape / (MOST[2] + 1) % (MOST[1] + 1), shape % (MOST[2] + 1)]
 }
 
-/// A step that is known when the interpreter is compiled.
+/// How many places a step has.
+const fn length(opcode: usize) -> usize {
+    let [products, plus, minus] = shape(opcode);
+    2 + 2 * products + plus + minus + matches!(form(opcode), Form::Scaled) as usize
+}
+
+/// Steps of a form that is known when the interpreter is compiled; gives the places of the steps after them.
 #[inline(always)]
-fn compute<S: Level, M: Memory<S> + ?Sized, const OPCODE: usize>(places: &[u32; 9], memory: &mut M) {
+fn steps<'p, S: Level, M: Memory<S> + ?Sized, const OPCODE: usize, const LENGTH: usize>(
+    steps: u32,
+    mut places: &'p [u32],
+    memory: &mut M,
+) -> &'p [u32] {
+    for _ in 0..steps {
+        let Some((own, rest)) = places.split_first_chunk::<LENGTH>() else { break };
+        compute::<S, M, OPCODE>(own, memory);
+        places = rest;
+    }
+    places
+}
+
+/// One step; `places` are its own.
+#[inline(always)]
+fn compute<S: Level, M: Memory<S> + ?Sized, const OPCODE: usize>(places: &[u32], memory: &mut M) {
     let (form, [products, plus, minus]) = const { (form(OPCODE), shape(OPCODE)) };
     let start = memory.get(places[1]);
     let mut x = if matches!(form, Form::Negated) { -start } else { start };
     let added = matches!(form, Form::Negated | Form::Added);
     if products > 0 {
-        let (a, b) = (memory.get(places[3]), memory.get(places[4]));
+        let (a, b) = (memory.get(places[2]), memory.get(places[3]));
         x = if added { a.mul_add(b, x) } else { a.negative_mul_add(b, x) };
     }
     if products > 1 {
-        let (a, b) = (memory.get(places[5]), memory.get(places[6]));
+        let (a, b) = (memory.get(places[4]), memory.get(places[5]));
         x = if added { a.mul_add(b, x) } else { a.negative_mul_add(b, x) };
     }
     if plus > 0 {
-        x = x + memory.get(places[3 + 2 * products]);
+        x = x + memory.get(places[2 + 2 * products]);
     }
     if minus > 0 {
-        x = x - memory.get(places[3 + 2 * products + plus]);
+        x = x - memory.get(places[2 + 2 * products + plus]);
     }
     if matches!(form, Form::Scaled) {
-        x = x * memory.get(places[2]);
+        x = x * memory.get(places[2 + 2 * products + plus + minus]);
     }
     memory.set(places[0], if matches!(form, Form::Pivot) { x.reciprocal() } else { x });
 }

@@ -28,7 +28,7 @@ pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<M
     let Some((&first, later)) = times.split_first() else { return Ok(motion) };
     let (mut driver, outcome) = Driver::assembled(system, options, first)?;
     let mut keep = |t: f64, driver: &Driver<'_>, outcome: Outcome, motion: &mut Motion| {
-        motion.cross(watch.look(system, &system.equations().instant_at(t, &driver.q))?);
+        watch.look(system, &system.equations().instant_at(t, &driver.q), &mut motion.breaks)?;
         motion.append(t, driver.rows(), outcome, driver.worst);
         Ok(())
     };

@@ -35,17 +35,14 @@ pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<M
     let mut motion = Motion::new(system, times.len());
     let (mut sweep, mut watch) = (Sweep::new(system, options), Watch::default());
     for &t in times {
-        let reached = sweep.reach(t).and_then(|outcome| Ok((outcome, watch.look(system, &sweep.newton.instant)?)));
-        match reached {
-            Ok((outcome, crossed)) => {
-                sweep.passed.drain(..).for_each(|found| motion.add_singular(found));
-                motion.cross(crossed);
-                motion.push(t, &sweep.newton, outcome);
-            }
-            Err(error) => {
-                sweep.passed.drain(..).for_each(|found| motion.add_singular(found));
-                return Err(error.with_motion(motion).explained(system, options));
-            }
+        let reached = sweep.reach(t);
+        if !sweep.passed.is_empty() {
+            sweep.passed.drain(..).for_each(|found| motion.add_singular(found));
+        }
+        let watched = reached.and_then(|outcome| watch.look(system, &sweep.newton.instant, &mut motion.breaks).map(|()| outcome));
+        match watched {
+            Ok(outcome) => motion.push(t, &sweep.newton, outcome),
+            Err(error) => return Err(error.with_motion(motion).explained(system, options)),
         }
     }
     Ok(motion)
@@ -125,7 +122,7 @@ impl<'a> Sweep<'a> {
         loop {
             let target = if (to - t).abs() <= h.abs() * 1.001 { to } else { t + h };
             self.keep();
-            match self.attempt(target - t, target, self.is_last_resort(h, to - from)) {
+            match self.attempt(target - t, target, to - from) {
                 Ok(outcome) if target == to => return Ok(outcome),
                 Ok(_) => {
                     t = target;
@@ -151,6 +148,7 @@ impl<'a> Sweep<'a> {
     }
 
     /// Whether a step is as short as plain steps of time become: then Newton's are damped.
+    #[cold]
     fn is_last_resort(&self, h: f64, whole: f64) -> bool {
         self.check.is_none() && h.abs() <= self.newton.options.smallest_step(whole)
     }
@@ -177,9 +175,9 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// One step of time with its rates, judged; after trouble the rates in hand are those before it.
-    fn attempt(&mut self, h: f64, target: f64, last_resort: bool) -> std::result::Result<Outcome, Trouble> {
-        let outcome = self.step(h, target, last_resort).map_err(Trouble::Failed)?;
+    /// One step of time, of a whole that was asked for, with its rates, judged; after trouble the rates in hand are those before it.
+    fn attempt(&mut self, h: f64, target: f64, whole: f64) -> std::result::Result<Outcome, Trouble> {
+        let outcome = self.step(h, target, whole).map_err(Trouble::Failed)?;
         self.settle(h, outcome);
         let newton = &mut self.newton;
         let judged = newton.rates().map_err(Trouble::Failed).and_then(|()| {
@@ -194,7 +192,7 @@ impl<'a> Sweep<'a> {
     }
 
     /// One step of time by Newton steps from the prediction; damped from the last solution if it is the last resort.
-    fn step(&mut self, h: f64, target: f64, last_resort: bool) -> std::result::Result<Outcome, Failure> {
+    fn step(&mut self, h: f64, target: f64, whole: f64) -> std::result::Result<Outcome, Failure> {
         let newton = &mut self.newton;
         let steps = if newton.options.rescue { Steps::Near } else { Steps::Full };
         let result = if newton.options.predict {
@@ -207,9 +205,9 @@ impl<'a> Sweep<'a> {
             newton.solve(target, steps)
         };
         match result {
-            Err(_) if last_resort && newton.options.rescue => {
-                newton.q.copy_from_slice(&self.q);
-                newton.solve(target, Steps::Damped)
+            Err(_) if self.newton.options.rescue && self.is_last_resort(h, whole) => {
+                self.newton.q.copy_from_slice(&self.q);
+                self.newton.solve(target, Steps::Damped)
             }
             result => result,
         }

@@ -36,26 +36,25 @@ struct Asked {
 }
 
 impl Watch {
-    /// Looks at the laws at a time that was solved: the breaks crossed since the last one. A jump of a value, or of the slope of a law of time,
-    /// is an error.
+    /// Looks at the laws at a time that was solved, and appends the breaks crossed since the last one. A jump of a value, or of the slope of a
+    /// law of time, is an error.
     #[inline]
-    pub(super) fn look(&mut self, system: &System, instant: &Instant) -> Result<Vec<CrossedBreak>, Error> {
+    pub(super) fn look(&mut self, system: &System, instant: &Instant, crossed: &mut Vec<CrossedBreak>) -> Result<(), Error> {
         match self.last.replace(instant.t()) {
             None => self.asked = questions(system, instant),
-            Some(before) if !self.asked.is_empty() => return self.cross(system, instant, before),
+            Some(before) if !self.asked.is_empty() => return self.cross(system, instant, before, crossed),
             Some(_) => {}
         }
-        Ok(Vec::new())
+        Ok(())
     }
 
     /// Asks every law with breaks, which was asked at the time `before`.
-    fn cross(&mut self, system: &System, instant: &Instant, before: f64) -> Result<Vec<CrossedBreak>, Error> {
+    fn cross(&mut self, system: &System, instant: &Instant, before: f64, crossed: &mut Vec<CrossedBreak>) -> Result<(), Error> {
         let t = instant.t();
-        let mut crossed = Vec::new();
         for asked in &mut self.asked {
             let block = &system.equations().blocks[asked.block];
             let (mut number, mut jump) = (0, None);
-            block.constraint.laws(&instant.of(block), &mut |law, function, x| {
+            block.constraint.laws(&system.equations().at(block, instant), &mut |law, function, x| {
                 number += 1;
                 if number != asked.number + 1 {
                     return;
@@ -77,7 +76,7 @@ impl Watch {
                 return Err(Error::LawJumps { t, constraint, law, at: found.x, order: found.order, motion: None });
             }
         }
-        Ok(crossed)
+        Ok(())
     }
 }
 
@@ -86,7 +85,7 @@ fn questions(system: &System, instant: &Instant) -> Vec<Asked> {
     let mut all = Vec::new();
     for (block, found) in system.equations().blocks.iter().enumerate() {
         let mut number = 0;
-        found.constraint.laws(&instant.of(found), &mut |_, law, x| {
+        found.constraint.laws(&system.equations().at(found, instant), &mut |_, law, x| {
             if !law.is_smooth() {
                 all.push(Asked { block, number, x });
             }
@@ -99,7 +98,7 @@ fn questions(system: &System, instant: &Instant) -> Vec<Asked> {
 /// Whether what a law is asked for moves with the time alone.
 fn is_of_time(system: &System, instant: &Instant, block: usize, wanted: usize, now: f64) -> bool {
     let block = &system.equations().blocks[block];
-    let mut later = instant.of(block).with_timed(&[]);
+    let mut later = system.equations().at(block, instant).with_timed(&[]);
     later.t += 1.0;
     let (mut number, mut moves) = (0, false);
     block.constraint.laws(&later, &mut |_, _, x| {

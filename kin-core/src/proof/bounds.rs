@@ -4,9 +4,8 @@ use super::equation::Inputs;
 use super::interval::{Interval, ONE, ZERO};
 use super::series::Series;
 use crate::blame::graph::Graph;
-use crate::blame::{Source, columns, kind};
+use crate::blame::{Source, columns};
 use crate::constraint::Constraint;
-use crate::dual_route::each_coordinate;
 use crate::error::Error;
 use crate::system::System;
 use crate::system::evaluate::Block;
@@ -48,10 +47,10 @@ impl<'a> Bounds<'a> {
             let constraint = block.constraint.as_ref();
             let what = || format!("a motion with `{}` ({})", block.name, constraint.kind());
             unreadable(constraint).map_or(Ok(()), |reason| Err(Error::CannotBeProved { what: what(), reason }))?;
-            let (arguments, mut values) = (constraint.arguments(), Vec::new());
-            each_coordinate(arguments.iter().map(kind), &instant.of(block), &mut |value| values.push(value));
+            let (arguments, at) = (constraint.arguments(), equations.at(block, &instant));
+            let values = arguments.iter().enumerate().flat_map(|(k, argument)| at.coordinates(k, argument.target.columns()));
             let places = arguments.iter().flat_map(|argument| columns(argument, system.layout()));
-            let columns = places.zip(values).map(|(place, value)| place.map_or(Column::Fixed(value), Column::Own)).collect();
+            let columns = places.zip(values).map(|(place, value)| place.map_or(Column::Fixed(*value), Column::Own)).collect();
             Ok(Part { constraint, first: block.rows().start, columns })
         };
         Ok(Bounds { system, parts: equations.blocks.iter().map(part).collect::<Result<_, Error>>()? })

@@ -8,7 +8,7 @@ use crate::motion::Motion;
 
 /// A step is halved so often at most, and tested in so many pieces.
 const DEEPEST: u32 = 14;
-const MOST: usize = 1024;
+const MOST: usize = 256;
 
 /// The polynomials that stand for the positions between two times, over 0 ≤ u ≤ 1, and the time t0 + u dt.
 pub(super) struct Curve {

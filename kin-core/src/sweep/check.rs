@@ -39,10 +39,10 @@ impl<S: Level> Check<S> {
         self.from.iter_mut().zip(from).for_each(|(own, from)| own.copy_from_slice(from));
     }
 
-    /// True in the lanes where there is no objection to the step h that has ended at these; what is seen there is kept for the next.
+    /// True in the lanes where there is no objection to the step h that has ended at q and its rates; what is seen there is kept for the next.
     #[inline(always)]
-    pub(super) fn judge(&mut self, h: f64, to: [&[Wide<S>]; 3], per_size: &[Wide<S>], linear: &WideLinear<S>) -> Mask<S> {
-        let simd = self.simd;
+    pub(super) fn judge(&mut self, h: f64, q: &[Wide<S>], per_size: &[Wide<S>], linear: &WideLinear<S>) -> Mask<S> {
+        let (simd, to) = (self.simd, [q, linear.rates(), linear.second_rates()]);
         let (whole, half, zero) = (Wide::splat(simd, h), Wide::splat(simd, 0.5 * h), Wide::splat(simd, 0.0));
         let (mut miss, mut reach) = (zero, zero);
         for (j, per_size) in per_size.iter().enumerate() {

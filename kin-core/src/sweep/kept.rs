@@ -11,9 +11,13 @@ const TIMES: usize = 8;
 /// What is kept of each time: q, q̇, q̈, the largest residual and the number of Newton steps.
 const KINDS: usize = 5;
 
+/// 2⁵²: added to a whole number below 2³² it leaves that in the last bits.
+const WHOLE: f64 = 4_503_599_627_370_496.0;
+
 pub(super) struct Kept<S: Level> {
     simd: S,
-    times: Vec<f64>,
+    /// How many times are kept.
+    times: usize,
     kinds: [Vec<Wide<S>>; KINDS],
     /// The same lane by lane, in fours.
     own: [Vec<[f64; 4]>; KINDS],
@@ -25,12 +29,12 @@ pub(super) struct Kept<S: Level> {
 impl<S: Level> Kept<S> {
     /// For n coordinates.
     pub(super) fn new(simd: S, n: usize) -> Self {
-        let room = [n, n, n, 1, 1];
+        let room = [n, n, n, 1, 1].map(|n| TIMES * n);
         Kept {
             simd,
-            times: Vec::with_capacity(TIMES),
-            kinds: room.map(|n| Vec::with_capacity(TIMES * n)),
-            own: room.map(|n| Vec::with_capacity(TIMES * n * Wide::<S>::LANES / 4 + 1)),
+            times: 0,
+            kinds: room.map(|n| vec![Wide::splat(simd, 0.0); n]),
+            own: room.map(|n| vec![[0.0; 4]; Wide::<S>::LANES * n / 4]),
             largest: Wide::splat(simd, -1.0),
             worst: vec![0; Wide::<S>::LANES],
         }
@@ -38,23 +42,26 @@ impl<S: Level> Kept<S> {
 
     /// Forgets everything, for other cases.
     pub(super) fn begin(&mut self) {
-        self.largest = Wide::splat(self.simd, -1.0);
+        (self.times, self.largest) = (0, Wide::splat(self.simd, -1.0));
     }
 
     /// Keeps one more time: q, q̇, q̈, and C with its size and the number of Newton steps; true where it is time to append.
-    pub(super) fn keep(&mut self, t: f64, coordinates: [&[Wide<S>]; 3], c: &[Wide<S>], residual: Wide<S>, steps: Wide<S>) -> bool {
-        self.times.push(t);
-        for (kept, now) in self.kinds.iter_mut().zip(coordinates.into_iter().chain([&[residual][..], &[steps]])) {
-            kept.extend_from_slice(now);
+    #[inline(always)]
+    pub(super) fn keep(&mut self, [q, qd, qdd, c]: [&[Wide<S>]; 4], residual: Wide<S>, steps: Wide<S>) -> bool {
+        for (kept, now) in self.kinds.iter_mut().zip([q, qd, qdd, &[residual], &[steps]]) {
+            kept[self.times * now.len()..][..now.len()].copy_from_slice(now);
         }
+        self.times += 1;
         let grown = residual.gt(self.largest);
         if grown.any() {
             self.note(grown, c, residual);
         }
-        self.times.len() >= TIMES
+        self.times == TIMES
     }
 
     /// The row of the residual where it is the largest so far.
+    #[cold]
+    #[inline(never)]
     fn note(&mut self, grown: Mask<S>, c: &[Wide<S>], residual: Wide<S>) {
         self.largest = grown.select(residual, self.largest);
         for (lane, worst) in self.worst.iter_mut().enumerate().filter(|(lane, _)| grown.lane(*lane)) {
@@ -68,13 +75,21 @@ impl<S: Level> Kept<S> {
         self.simd.vectorize(Turn(self));
         for (lane, motion) in motions.iter_mut().enumerate() {
             let own = |k: usize| {
-                let (count, fours) = (self.kinds[k].len(), self.kinds[k].len().div_ceil(4));
+                let count = self.kinds[k].len() / TIMES * self.times;
+                let fours = count.div_ceil(4);
                 self.own[k][lane * fours..][..fours].as_flattened().split_at(count).0
             };
-            motion.push_all(&self.times, std::array::from_fn(own), (self.largest.as_slice()[lane], self.worst[lane]));
+            let [q, qd, qdd, residuals, steps] = std::array::from_fn(own);
+            motion.push_all([q, qd, qdd, residuals], steps.iter().map(|steps| (steps + WHOLE).to_bits() as u32 as usize));
         }
-        self.times.clear();
-        self.kinds.iter_mut().for_each(Vec::clear);
+        self.times = 0;
+    }
+
+    /// Completes the motions, which have come to the end of these times.
+    pub(super) fn complete(&self, times: &[f64], motions: &mut [Motion]) {
+        for (lane, motion) in motions.iter_mut().enumerate() {
+            motion.complete(times, (self.largest.as_slice()[lane], self.worst[lane]));
+        }
     }
 }
 
@@ -86,17 +101,18 @@ impl<S: Level> NullaryFnOnce for Turn<'_, S> {
 
     #[inline(always)]
     fn call(self) {
-        for (all, own) in self.0.kinds.iter().zip(&mut self.0.own) {
-            turn(self.0.simd, all, own);
+        let Kept { simd, times, kinds, own, .. } = self.0;
+        for (all, own) in kinds.iter().zip(own) {
+            turn(*simd, &all[..all.len() / TIMES * *times], own);
         }
     }
 }
 
 /// From numbers over lanes to lanes of numbers, each filled up to a multiple of 4: by squares of four numbers and four lanes.
 #[inline(always)]
-fn turn<S: Level>(simd: S, all: &[Wide<S>], own: &mut Vec<[f64; 4]>) {
+fn turn<S: Level>(simd: S, all: &[Wide<S>], own: &mut [[f64; 4]]) {
     let fours = all.len().div_ceil(4);
-    own.resize(Wide::<S>::LANES * fours, [0.0; 4]);
+    let own = &mut own[..Wide::<S>::LANES * fours];
     let (squares, rest) = if Wide::<S>::LANES.is_multiple_of(4) { all.as_chunks::<4>() } else { (&[][..], all) };
     for (lanes, rows) in own.chunks_exact_mut((4 * fours).max(1)).enumerate() {
         let (first, rest) = rows.split_at_mut(2 * fours);

@@ -26,9 +26,6 @@ pub(super) struct Lockstep<'o, S: Level> {
     predictor: Predictor<S>,
     t: f64,
     q: Vec<Wide<S>>,
-    qd: Vec<Wide<S>>,
-    qdd: Vec<Wide<S>>,
-    c: Vec<Wide<S>>,
     before: Vec<Wide<S>>,
     /// The correction that a lane had in hand when it converged.
     last: Vec<Wide<S>>,
@@ -62,6 +59,19 @@ impl<S: Level> NullaryFnOnce for Task<'_, '_, '_, S> {
     }
 }
 
+/// What is kept of a time, on the same way.
+struct Keep<'x, 'o, S: Level>(&'x mut Lockstep<'o, S>);
+
+impl<S: Level> NullaryFnOnce for Keep<'_, '_, S> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn call(self) -> bool {
+        let Lockstep { kept, linear, q, residual, iterations, .. } = self.0;
+        kept.keep([q, linear.rates(), linear.second_rates(), linear.c()], *residual, *iterations)
+    }
+}
+
 impl<'o, S: Level> Lockstep<'o, S> {
     /// For systems such as `typical`, which has the numbers of one case; `varied` are the constraints that differ from case to case.
     /// The elimination is recorded at the first position of that case.
@@ -75,15 +85,12 @@ impl<'o, S: Level> Lockstep<'o, S> {
         Lockstep {
             simd,
             options,
-            instant: equations.instant(typical.equations()),
+            instant: equations.instant(),
+            linear: WideLinear::new(simd, newton.linear, equations.asked()),
             equations,
-            linear: WideLinear::new(simd, newton.linear),
             predictor: Predictor::new(simd, n),
             t: f64::NAN,
             q: room(),
-            qd: room(),
-            qdd: room(),
-            c: room(),
             before: room(),
             last: room(),
             sizes: room(),
@@ -138,7 +145,8 @@ impl<'o, S: Level> Lockstep<'o, S> {
     /// Gives the lanes that are not `alive` the numbers of one that is, so that nothing odd is computed there.
     pub(super) fn fill(&mut self, alive: Mask<S>) {
         let Some(model) = (0..Wide::<S>::LANES).find(|lane| alive.lane(*lane)) else { return };
-        for x in [&mut self.q, &mut self.qd, &mut self.qdd, &mut self.sizes].into_iter().flatten() {
+        let [qd, qdd] = self.linear.all_rates();
+        for x in [&mut self.q[..], qd, qdd, &mut self.sizes].into_iter().flatten() {
             *x = alive.select(*x, Wide::splat(self.simd, x.as_slice()[model]));
         }
     }
@@ -148,9 +156,9 @@ impl<'o, S: Level> Lockstep<'o, S> {
         self.simd.vectorize(Task { lanes: self, crew, wanted, t, first: false })
     }
 
-    /// Keeps what the lanes have at time t, for [`Lockstep::flush`]; true where it is time for that.
-    pub(super) fn keep(&mut self, t: f64) -> bool {
-        self.kept.keep(t, [&self.q, &self.qd, &self.qdd], &self.c, self.residual, self.iterations)
+    /// Keeps what the lanes have, for [`Lockstep::flush`]; true where it is time for that.
+    pub(super) fn keep(&mut self) -> bool {
+        self.simd.vectorize(Keep(self))
     }
 
     /// Appends what was kept to the motions.
@@ -158,11 +166,17 @@ impl<'o, S: Level> Lockstep<'o, S> {
         self.kept.flush(motions);
     }
 
+    /// Completes the motions, which have come to the end of these times.
+    pub(super) fn complete(&self, times: &[f64], motions: &mut [Motion]) {
+        self.kept.complete(times, motions);
+    }
+
     /// C and C_q at the point in hand.
     #[inline(always)]
     fn look(&mut self, crew: &Crew<'_>) {
-        self.equations.set_position(crew, &self.q, &mut self.instant);
-        self.equations.linearize(crew, &self.instant, &mut self.c, self.linear.values_mut());
+        self.equations.set_position(&self.q, &mut self.instant);
+        let (c, values) = self.linear.written();
+        self.equations.linearize(crew, &self.instant, c, values);
     }
 
     /// Characteristic sizes of every lane at the point in hand.
@@ -181,7 +195,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
         for (per_size, size) in self.per_size.iter_mut().zip(&self.sizes) {
             *per_size = size.reciprocal();
         }
-        let done = self.solve(crew, wanted, t, false, false);
+        let done = self.solve(crew, wanted, t, true);
         self.t = t;
         let done = self.rates(crew, done);
         self.check.iter_mut().for_each(|check| check.accept(&self.linear));
@@ -192,30 +206,32 @@ impl<'o, S: Level> Lockstep<'o, S> {
     #[inline(always)]
     fn step(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
         let h = t - self.t;
-        self.check.iter_mut().for_each(|check| check.begin([&self.q, &self.qd, &self.qdd]));
+        self.check.iter_mut().for_each(|check| check.begin([&self.q, self.linear.rates(), self.linear.second_rates()]));
         if self.options.predict {
             self.before.copy_from_slice(&self.q);
-            self.predictor.predict(h, [&self.before, &self.qd, &self.qdd], &mut self.q);
+            self.predictor.predict(h, [&self.before, self.linear.rates(), self.linear.second_rates()], &mut self.q);
         }
-        let done = self.solve(crew, wanted, t, self.options.rescue, !self.options.predict);
+        let done = self.solve(crew, wanted, t, false);
         if self.options.predict {
-            let stepped = self.iterations.is_true();
-            self.predictor.compare(h, [&self.before, &self.qd, &self.qdd], &self.q, &self.per_size, stepped);
-            self.predictor.advance(h, &self.qd, &self.qdd);
+            let (stepped, [qd, qdd]) = (self.iterations.is_true(), [self.linear.rates(), self.linear.second_rates()]);
+            self.predictor.compare(h, [&self.before, qd, qdd], &self.q, &self.per_size, stepped);
+            self.predictor.advance(h, qd, qdd);
         }
         self.t = t;
         let done = self.rates(crew, done);
         match &mut self.check {
-            Some(check) => done & check.judge(h, [&self.q, &self.qd, &self.qdd], &self.per_size, &self.linear),
+            Some(check) => done & check.judge(h, &self.q, &self.per_size, &self.linear),
             None => done,
         }
     }
 
-    /// Newton's method in all lanes that are wanted; gives those that converge, their matrices factored. `near`: corrections must shrink;
-    /// `still`: only the time is another one than at the last evaluation.
+    /// Newton's method in all lanes that are wanted; gives those that converge, their matrices factored.
     #[inline(always)]
-    fn solve(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64, near: bool, still: bool) -> Mask<S> {
+    fn solve(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64, first: bool) -> Mask<S> {
         let simd = self.simd;
+        // Near a position that is known corrections must shrink. Without prediction only the time is another one than there.
+        let (near, still) = (!first && self.options.rescue, !first && !self.options.predict);
+        let mut measured = false;
         let (zero, mut previous) = (Wide::splat(simd, 0.0), Wide::splat(simd, f64::INFINITY));
         let (mut open, mut done) = (wanted, Mask::splat(simd, false));
         self.iterations = zero;
@@ -225,7 +241,8 @@ impl<'o, S: Level> Lockstep<'o, S> {
         self.equations.set_time(t, crew, &mut self.instant);
         for iteration in 0..=self.options.max_iterations {
             let changed = if still && iteration == 0 {
-                self.equations.relinearize(crew, &self.instant, &mut self.c, self.linear.values_mut())
+                let (c, values) = self.linear.written();
+                self.equations.relinearize(crew, &self.instant, c, values)
             } else {
                 self.look(crew);
                 true
@@ -233,7 +250,10 @@ impl<'o, S: Level> Lockstep<'o, S> {
             open = open & self.measured();
             // Lanes that are done stay as they are, and so do their factors.
             if changed {
-                open = open & self.linear.measure(open);
+                // From one iterate of a step to the next the values hardly change.
+                if first || !std::mem::replace(&mut measured, true) {
+                    open = open & self.linear.measure(open);
+                }
                 let fits = self.linear.factor(open | done);
                 (open, done) = (open & fits, done & fits);
             }
@@ -248,7 +268,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
             let (correction, finite) = self.correction();
             if let Stop::Converged { tolerance } = self.options.stop {
                 let converged = open & finite & self.converged(open, correction, previous, tolerance);
-                for (last, dq) in self.last.iter_mut().zip(self.linear.solution()) {
+                for (last, dq) in self.last.iter_mut().zip(self.linear.correction()) {
                     *last = converged.select(*dq, *last);
                 }
                 (done, open) = (done | converged, open & !converged);
@@ -261,8 +281,8 @@ impl<'o, S: Level> Lockstep<'o, S> {
                 break;
             }
             previous = open.select(correction, previous);
-            for (q, dq) in self.q.iter_mut().zip(self.linear.solution()) {
-                *q = open.select(*q + *dq, *q);
+            for (q, dq) in self.q.iter_mut().zip(self.linear.correction()) {
+                *q = open.select(*q - *dq, *q);
             }
             self.iterations = self.iterations + open.as_numbers();
         }
@@ -274,17 +294,17 @@ impl<'o, S: Level> Lockstep<'o, S> {
     fn finish(&mut self, done: Mask<S>) -> Mask<S> {
         if self.options.predict {
             for (q, last) in self.q.iter_mut().zip(&self.last) {
-                *q = *q + *last;
+                *q = *q - *last;
             }
         }
-        done & self.linear.smallest_pivot().ge(Wide::splat(self.simd, DOUBTFUL))
+        done & self.linear.regular(DOUBTFUL)
     }
 
     /// max |C_i|; true in the lanes where C is finite.
     #[inline(always)]
     fn measured(&mut self) -> Mask<S> {
         let (mut largest, mut sum) = (Wide::splat(self.simd, 0.0), Wide::splat(self.simd, 0.0));
-        for c in &self.c {
+        for c in self.linear.c() {
             // What is not finite may be lost among the largest, not in a sum.
             (largest, sum) = (c.abs().or_larger(largest), sum + c.abs());
         }
@@ -292,19 +312,16 @@ impl<'o, S: Level> Lockstep<'o, S> {
         sum.le(Wide::splat(self.simd, f64::MAX))
     }
 
-    /// C_q dq = −C; gives max |dq_j| against what may be asked of it, and where it is finite.
+    /// C_q dq = C, which is to be taken from q; gives max |dq_j| against what may be asked of it, and where it is finite.
     #[inline(always)]
     fn correction(&mut self) -> (Wide<S>, Mask<S>) {
-        for (rhs, c) in self.linear.rhs_mut().iter_mut().zip(&self.c) {
-            *rhs = -*c;
-        }
-        self.linear.solve();
+        self.linear.correct();
         let simd = self.simd;
         if matches!(self.options.stop, Stop::ResidualOnly(_)) && !self.options.rescue {
             return (Wide::splat(simd, f64::INFINITY), Mask::splat(simd, true));
         }
         let (mut shares, mut sum) = (Wide::splat(simd, 0.0), Wide::splat(simd, 0.0));
-        for (dq, per_size) in self.linear.solution().iter().zip(&self.per_size) {
+        for (dq, per_size) in self.linear.correction().iter().zip(&self.per_size) {
             let share = dq.abs() * *per_size;
             (shares, sum) = (share.or_larger(shares), sum + share);
         }
@@ -316,7 +333,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
         }
         // Rounding of a large coordinate is no error.
         let (rounding, mut allowed) = (Wide::splat(simd, rounding(tolerance)), Wide::splat(simd, 0.0));
-        for ((dq, q), size) in self.linear.solution().iter().zip(&self.q).zip(&self.sizes) {
+        for ((dq, q), size) in self.linear.correction().iter().zip(&self.q).zip(&self.sizes) {
             let share = dq.abs() / rounding.mul_add(q.abs(), *size);
             allowed = share.gt(allowed).select(share, allowed);
         }
@@ -333,7 +350,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
             return stalled;
         }
         let mut met = Mask::splat(self.simd, true);
-        for (c, norm) in self.c.iter().zip(self.linear.norms()) {
+        for (c, norm) in self.linear.c().iter().zip(self.linear.norms()) {
             met = met & c.abs().le(Wide::splat(simd, tolerance) * *norm);
         }
         if (open & within & !met).any() {
@@ -348,7 +365,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
     fn met_but_for_rounding(&self, tolerance: f64) -> Mask<S> {
         let simd = self.simd;
         let left = |(c, norm): (&Wide<S>, &Wide<S>)| Wide::splat(simd, tolerance) * *norm - c.abs();
-        let mut left: Vec<Wide<S>> = self.c.iter().zip(self.linear.norms()).map(left).collect();
+        let mut left: Vec<Wide<S>> = self.linear.c().iter().zip(self.linear.norms()).map(left).collect();
         for (entry, value) in self.linear.entries().iter().zip(self.linear.values()) {
             if let Some((row, column)) = *entry {
                 let allowed = Wide::splat(simd, tolerance * rounding(tolerance)) * (*value * self.q[column as usize]).abs();
@@ -361,15 +378,13 @@ impl<'o, S: Level> Lockstep<'o, S> {
     /// q̇ and q̈ with the matrices at hand; gives the lanes of `done` where both are finite.
     #[inline(always)]
     fn rates(&mut self, crew: &Crew<'_>, done: Mask<S>) -> Mask<S> {
-        self.equations.velocity_rhs(crew, &self.instant, self.linear.rhs_mut());
-        self.linear.solve();
-        self.qd.copy_from_slice(self.linear.solution());
-        self.equations.set_rates(crew, &self.qd, &mut self.instant);
-        self.equations.acceleration_rhs(crew, &self.instant, self.linear.rhs_mut());
-        self.linear.solve();
-        self.qdd.copy_from_slice(self.linear.solution());
+        self.equations.velocity_rhs(crew, &self.instant, self.linear.velocity_rhs());
+        self.linear.solve_velocity();
+        let (rates, q_d) = self.linear.acceleration_rhs();
+        self.equations.acceleration_rhs(crew, &self.instant, rates, q_d);
+        self.linear.solve_acceleration();
         let mut sum = Wide::splat(self.simd, 0.0);
-        for (qd, qdd) in self.qd.iter().zip(&self.qdd) {
+        for (qd, qdd) in self.linear.rates().iter().zip(self.linear.second_rates()) {
             sum = sum + (qd.abs() + qdd.abs());
         }
         done & sum.le(Wide::splat(self.simd, f64::MAX))

@@ -5,19 +5,17 @@ pub(crate) mod lanes;
 mod linear;
 mod sides;
 
-use std::sync::Arc;
-
 use crate::blame::{Culprit, Term};
 use crate::constraint::{Constraint, Route};
 use crate::error::Error;
 use crate::layout::{Layout, Place};
-use crate::state::At;
-use crate::system::states::{GROUND, StatePlan};
+use crate::state::{At, Rates};
+use crate::system::states::{Planned, StatePlan};
 pub(crate) use block::Block;
-use block::{Arguments, Span, from};
-use linear::{LinearRows, Sums};
+use block::{Span, from};
+use linear::LinearRows;
 
-/// What constraints read at one instant: the time, what they make of it alone, states of their arguments and rates of their columns.
+/// What constraints read at one instant: the time, what they make of it alone, states and rates.
 #[derive(Clone, Debug)]
 pub(crate) struct Instant {
     t: f64,
@@ -26,31 +24,12 @@ pub(crate) struct Instant {
     rates: Vec<f64>,
     /// Second rates of the columns, where the jerk is asked for; else empty.
     second_rates: Vec<f64>,
-    linear: Sums,
 }
 
 impl Instant {
     /// The time, not a number before one was set.
     pub(crate) fn t(&self) -> f64 {
         self.t
-    }
-
-    /// The instant as a constraint sees it.
-    pub(crate) fn of<'a>(&'a self, block: &'a Block) -> At<'a> {
-        let mut at = self.at();
-        self.show(block, &mut at);
-        at
-    }
-
-    /// The instant as nobody sees it yet.
-    fn at(&self) -> At<'_> {
-        At::new(self.t, &[], &[])
-    }
-
-    /// Turns what one constraint has seen to what another one sees: less to write than all of it.
-    #[inline(always)]
-    fn show<'a>(&'a self, block: &'a Block, at: &mut At<'a>) {
-        at.turn(from(&self.states, block.states), &block.arguments.first_state, from(&self.timed, block.timed.first));
     }
 }
 
@@ -76,8 +55,6 @@ pub(crate) struct Equations {
     /// How many numbers constraints make of the time alone.
     timed: usize,
     linear: LinearRows,
-    /// No rates at all, for as many columns as there are.
-    still: Vec<f64>,
     asked: Asked,
 }
 
@@ -89,9 +66,9 @@ struct Asked {
     /// Those that are not linear, and those of them whose C depends on t.
     curved: Vec<usize>,
     c: Vec<usize>,
-    /// Those that are linear, with the numbers of their rows among linear rows: those whose C depends on t, and the others.
-    linear: Vec<(usize, Span)>,
-    steady: Vec<(usize, Span)>,
+    /// Those that are linear: those whose C depends on t, and the others.
+    linear: Vec<Straight>,
+    steady: Vec<Straight>,
     /// Those that are not linear whose C_t, or Q_d, can be other than zero.
     c_t: Vec<usize>,
     q_d: Vec<usize>,
@@ -101,30 +78,36 @@ struct Asked {
     c_q_on_t: bool,
 }
 
+/// A constraint that is linear in the coordinates for good.
+#[derive(Clone, Copy)]
+struct Straight {
+    block: usize,
+    /// Where what its rows come to stands among the numbers of the time, and whether the constraint writes it there itself.
+    sides: usize,
+    told: bool,
+}
+
 impl Equations {
     /// Lays the constraints out one after the other. Their arguments must be of this layout.
     pub(crate) fn new(layout: &Layout, constraints: Vec<(String, Box<dyn Constraint>)>) -> Self {
         let mut all = Equations {
             blocks: Vec::new(),
-            plan: StatePlan::default(),
+            plan: StatePlan::new(layout.len()),
             entries: Vec::new(),
             constants: Vec::new(),
             rows: 0,
             timed: 0,
             linear: LinearRows::default(),
-            still: Vec::new(),
             asked: Asked::default(),
         };
-        let mut kinds: Vec<Arc<Arguments>> = Vec::new();
+        let mut planned = Planned::new(layout.len());
         all.blocks.reserve_exact(constraints.len());
         // Copies made in a row lie side by side in memory: a pass over all of them reads it from end to end.
         let copies: Vec<Box<dyn Constraint>> = constraints.iter().map(|(_, constraint)| constraint.clone()).collect();
         for ((name, _), constraint) in constraints.into_iter().zip(copies) {
-            all.append(layout, name, constraint, &mut kinds);
+            all.append(layout, name, constraint, &mut planned);
             all.ask(all.blocks.len() - 1);
         }
-        all.plan.finish();
-        all.still = vec![0.0; all.plan.columns.len()];
         all
     }
 
@@ -135,7 +118,13 @@ impl Equations {
         let mut linear = None;
         if !depends.curved {
             let (entries, values) = (&self.entries[block.values()], &self.constants[block.values()]);
-            linear = self.linear.append(block.rows(), entries, values).map(Span::new);
+            // On the ground coordinates are not zero, as those who tell take them to be.
+            let told = block.constraint.sides_of_time().filter(|_| entries.iter().all(Option::is_some));
+            let sides = told.map_or(self.timed, |first| block.timed.first as usize + first);
+            if self.linear.append(block.rows(), entries, values, sides) {
+                linear = Some(Straight { block: k, sides, told: told.is_some() });
+                self.timed += if told.is_some() { 0 } else { 3 * block.rows().len() };
+            }
         }
         let lists = [
             (block.timed.len > 0, &mut asked.timed),
@@ -147,27 +136,17 @@ impl Equations {
         ];
         lists.into_iter().filter(|(asked, _)| *asked).for_each(|(_, list)| list.push(k));
         asked.c_q_on_t |= depends.c_q_on_t;
-        let linear = linear.map(|rows| (k, rows));
         if depends.c_on_t { asked.linear.extend(linear) } else { asked.steady.extend(linear) }
     }
 
-    fn append(&mut self, layout: &Layout, name: String, constraint: Box<dyn Constraint>, kinds: &mut Vec<Arc<Arguments>>) {
-        let (first_state, first_rate) = (self.plan.len(), self.plan.columns.len());
-        let mut arguments = Arguments { first_state: Vec::new(), first_column: Vec::new() };
+    fn append(&mut self, layout: &Layout, name: String, constraint: Box<dyn Constraint>, planned: &mut Planned) {
+        let (first_argument, first) = (self.plan.arguments().len(), self.entries.len());
+        planned.columns.clear();
         for argument in constraint.arguments() {
             let place = layout.place(&argument.target).unwrap_or(Place::Ground(0.0));
-            let (state, column) = self.plan.argument(&argument.target, place);
-            arguments.first_state.push(state - first_state);
-            arguments.first_column.push(column - first_rate);
+            self.plan.argument(&argument.target, place, planned);
         }
-        let arguments = kinds.iter().find(|known| ***known == arguments).cloned().unwrap_or_else(|| {
-            kinds.push(Arc::new(arguments));
-            kinds[kinds.len() - 1].clone()
-        });
-        let first = self.entries.len();
-        let own = &self.plan.columns[first_rate..];
-        let place = |column: usize| own.get(column).filter(|place| **place != GROUND).map(|place| *place as usize);
-        let global = |&(row, column): &(usize, usize)| Some((self.rows + row, place(column)?));
+        let global = |&(row, column): &(usize, usize)| Some((self.rows + row, (*planned.columns.get(column)?)?));
         self.entries.extend(constraint.pattern().iter().map(global));
         self.constants.extend_from_slice(constraint.constants());
         self.constants.resize(self.entries.len(), None);
@@ -178,13 +157,11 @@ impl Equations {
         self.blocks.push(Block {
             name,
             timed: Span::new(timed),
-            states: first_state as u32,
+            arguments: Span::new(first_argument..self.plan.arguments().len()),
             rows: Span::new(rows),
             values: Span::new(first..self.entries.len()),
-            rates: first_rate as u32,
             constant: self.constants[first..].iter().all(Option::is_some),
             drives: constraint.is_driver(),
-            arguments,
             constraint,
         });
     }
@@ -195,19 +172,35 @@ impl Equations {
             t: f64::NAN,
             timed: vec![0.0; self.timed],
             states: self.plan.origin().to_vec(),
-            rates: self.still.clone(),
+            rates: self.plan.no_rates(),
             second_rates: vec![],
-            linear: self.linear.sums(),
         };
-        for (block, rows) in self.asked.steady.iter().map(|(k, rows)| (&self.blocks[*k], *rows)) {
-            block.constraint.residual(&self.origin(0.0, block), &mut instant.linear.at_zero[rows.range()]);
-        }
+        self.asked.steady.iter().for_each(|steady| self.ask_sides(*steady, 0.0, &mut instant));
         instant
     }
 
+    /// The instant as a constraint sees it.
+    pub(crate) fn at<'a>(&'a self, block: &Block, instant: &'a Instant) -> At<'a> {
+        let mut at = At::new(instant.t, &instant.states, &[]);
+        self.show(block, instant, &mut at);
+        at
+    }
+
+    /// Turns what one constraint has seen to what another one sees: less to write than all of it.
+    #[inline(always)]
+    fn show<'a>(&'a self, block: &Block, instant: &'a Instant, at: &mut At<'a>) {
+        at.turn(from(self.plan.arguments(), block.arguments.first), from(&instant.timed, block.timed.first));
+    }
+
     /// Where all coordinates are zero, as a constraint sees it.
-    fn origin<'a>(&'a self, t: f64, block: &'a Block) -> At<'a> {
-        At::new(t, from(self.plan.origin(), block.states), &block.arguments.first_state)
+    fn origin(&self, t: f64, block: &Block) -> At<'_> {
+        At::new(t, self.plan.origin(), from(self.plan.arguments(), block.arguments.first))
+    }
+
+    /// The rates of all coordinates as a constraint sees them.
+    #[inline(always)]
+    fn rates<'a>(&'a self, block: &Block, rates: &'a [f64]) -> Rates<'a> {
+        Rates::new(rates, from(self.plan.arguments(), block.arguments.first))
     }
 
     /// The instant at coordinates q and time t.
@@ -220,34 +213,38 @@ impl Equations {
 
     /// What depends on the time and on parameters alone is evaluated here, once a time.
     pub(crate) fn set_time(&self, t: f64, instant: &mut Instant) {
-        let Instant { timed, linear: Sums { at_zero, velocity, acceleration, .. }, .. } = instant;
         for block in self.asked.timed.iter().map(|&k| &self.blocks[k]) {
-            block.constraint.at_time(t, &mut timed[block.timed.range()]);
+            block.constraint.at_time(t, &mut instant.timed[block.timed.range()]);
         }
-        for (block, rows) in self.asked.linear.iter().map(|(k, rows)| (&self.blocks[*k], rows.range())) {
-            let at = self.origin(t, block).with_timed(&timed[block.timed.range()]);
-            block.constraint.residual(&at, &mut at_zero[rows.clone()]);
-            block.constraint.velocity_rhs(&at, &mut velocity[rows.clone()]);
-            block.constraint.acceleration_rhs(&at, &block.rates(&self.still), 1.0, &mut acceleration[rows]);
-        }
+        self.asked.linear.iter().filter(|linear| !linear.told).for_each(|linear| self.ask_sides(*linear, t, instant));
         instant.t = t;
+    }
+
+    /// Asks a linear constraint that does not tell what its rows come to; its Q_d does not depend on the rates.
+    fn ask_sides(&self, Straight { block, sides, .. }: Straight, t: f64, instant: &mut Instant) {
+        let block = &self.blocks[block];
+        let (timed, asked) = instant.timed.split_at_mut(sides);
+        let at = self.origin(t, block).with_timed(&timed[block.timed.range()]);
+        let m = block.rows().len();
+        block.constraint.residual(&at, &mut asked[..m]);
+        block.constraint.velocity_rhs(&at, &mut asked[m..2 * m]);
+        block.constraint.acceleration_rhs(&at, &self.rates(block, &instant.rates), 1.0, &mut asked[2 * m..3 * m]);
     }
 
     pub(crate) fn set_position(&self, q: &[f64], instant: &mut Instant) {
         self.plan.set_states(q, &mut instant.states);
-        self.linear.set_position(q, &mut instant.linear);
     }
 
     pub(crate) fn set_rates(&self, qd: &[f64], instant: &mut Instant) {
         self.plan.set_rates(qd, &mut instant.rates);
     }
 
-    /// C(q, t).
-    pub(crate) fn residual(&self, instant: &Instant, c: &mut [f64]) -> Result<(), Bad> {
+    /// C(q, t) at an instant of that q.
+    pub(crate) fn residual(&self, q: &[f64], instant: &Instant, c: &mut [f64]) -> Result<(), Bad> {
         for block in self.asked.curved.iter().map(|&k| &self.blocks[k]) {
-            block.constraint.residual(&instant.of(block), &mut c[block.rows.range()]);
+            block.constraint.residual(&self.at(block, instant), &mut c[block.rows.range()]);
         }
-        self.linear.write(&instant.linear, c);
+        self.linear.write(q, &instant.timed, c);
         finite(c, "C")
     }
 
@@ -256,32 +253,32 @@ impl Equations {
         values.iter_mut().zip(&self.constants).for_each(|(value, constant)| *value = constant.unwrap_or(*value));
     }
 
-    /// C(q, t) and the values of C_q, whether they are finite or not.
-    pub(crate) fn linearize(&self, instant: &Instant, c: &mut [f64], values: &mut [f64]) {
-        let mut at = instant.at();
+    /// C(q, t) and the values of C_q at an instant of that q, whether they are finite or not.
+    pub(crate) fn linearize(&self, q: &[f64], instant: &Instant, c: &mut [f64], values: &mut [f64]) {
+        let mut at = At::new(instant.t, &instant.states, &[]);
         for block in self.asked.curved.iter().map(|&k| &self.blocks[k]) {
             let c = &mut c[block.rows.range()];
-            instant.show(block, &mut at);
+            self.show(block, instant, &mut at);
             if block.constant {
                 block.constraint.residual(&at, c);
             } else {
                 block.constraint.linearize(&at, c, &mut values[block.values.range()]);
             }
         }
-        self.linear.write(&instant.linear, c);
+        self.linear.write(q, &instant.timed, c);
     }
 
     /// The same where only the time has changed since; false if C_q has not changed with it.
-    pub(crate) fn relinearize(&self, instant: &Instant, c: &mut [f64], values: &mut [f64]) -> bool {
+    pub(crate) fn relinearize(&self, q: &[f64], instant: &Instant, c: &mut [f64], values: &mut [f64]) -> bool {
         for block in self.asked.c.iter().map(|&k| &self.blocks[k]) {
             let c = &mut c[block.rows.range()];
             if self.asked.c_q_on_t {
-                block.constraint.linearize(&instant.of(block), c, &mut values[block.values.range()]);
+                block.constraint.linearize(&self.at(block, instant), c, &mut values[block.values.range()]);
             } else {
-                block.constraint.residual(&instant.of(block), c);
+                block.constraint.residual(&self.at(block, instant), c);
             }
         }
-        self.linear.write(&instant.linear, c);
+        self.linear.write(q, &instant.timed, c);
         self.asked.c_q_on_t
     }
 
@@ -311,7 +308,7 @@ impl Equations {
     /// What is wrong with how a constraint closes.
     pub(crate) fn wrong_branch(&self, block: usize, instant: &Instant) -> Option<&str> {
         let block = self.blocks.get(block)?;
-        block.constraint.wrong_branch(&instant.of(block))
+        block.constraint.wrong_branch(&self.at(block, instant))
     }
 
     /// The first constraint that closes the wrong way, such as with an axis turned by 180°.
@@ -337,21 +334,23 @@ impl Equations {
         let instants = TIMES.map(|t| self.instant_at(t, q));
         let values = |block: &Block, instant: &Instant| {
             let mut c = vec![0.0; block.rows().len()];
-            block.constraint.residual(&instant.of(block), &mut c);
+            block.constraint.residual(&self.at(block, instant), &mut c);
             c
         };
-        for block in self.blocks.iter_mut().filter(|block| silent(block)) {
+        let changes = |block: &Block| {
             let first = values(block, &instants[0]);
-            block.drives = instants[1..].iter().any(|instant| values(block, instant) != first);
-        }
+            instants[1..].iter().any(|instant| values(block, instant) != first)
+        };
+        let drives: Vec<bool> = self.blocks.iter().map(|block| block.drives || (silent(block) && changes(block))).collect();
+        self.blocks.iter_mut().zip(drives).for_each(|(block, drives)| block.drives = drives);
     }
 
     /// The error for what is not finite at an instant.
     pub(crate) fn not_finite(&self, bad: Bad, layout: &Layout, instant: &Instant) -> Error {
         let found = self.block_of(bad.row);
         let culprit = found.map(|(block, row)| {
-            let rates = block.rates(&instant.rates);
-            Culprit::of(block, layout, instant.of(block), rates, row, Term::named(bad.quantity))
+            let rates = self.rates(block, &instant.rates);
+            Culprit::of(block, layout, self.at(block, instant), rates, row, Term::named(bad.quantity))
         });
         Error::NotFinite {
             t: instant.t,

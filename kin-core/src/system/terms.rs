@@ -56,14 +56,14 @@ impl System {
     pub fn residual(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
         let instant = self.instant(q, t)?;
         let mut c = vec![0.0; self.n_equations()];
-        self.finite(self.equations.residual(&instant, &mut c), &instant)?;
+        self.finite(self.equations.residual(q, &instant, &mut c), &instant)?;
         Ok(c)
     }
 
     /// C_q(q, t), m × n. Errors: wrong length, not finite.
     pub fn jacobian(&self, q: &[f64], t: f64) -> Result<DMatrix<f64>> {
         let mut values = vec![0.0; self.equations.entries.len()];
-        self.linearize(&self.instant(q, t)?, &mut values)?;
+        self.linearize(q, &self.instant(q, t)?, &mut values)?;
         let mut c_q = DMatrix::zeros(self.n_equations(), self.n_coordinates());
         for (entry, value) in self.equations.entries.iter().zip(values) {
             if let Some(place) = *entry {
@@ -135,10 +135,10 @@ impl System {
     }
 
     /// The values of C_q at an instant.
-    fn linearize(&self, instant: &Instant, values: &mut [f64]) -> Result<()> {
+    fn linearize(&self, q: &[f64], instant: &Instant, values: &mut [f64]) -> Result<()> {
         let mut c = vec![0.0; self.n_equations()];
         self.equations.set_constants(values);
-        self.equations.linearize(instant, &mut c, values);
+        self.equations.linearize(q, instant, &mut c, values);
         self.finite(self.equations.finite(&c, values), instant)
     }
 
@@ -165,7 +165,7 @@ impl System {
         let instant = self.instant(q, t)?;
         let mut linear = self.linear();
         linear.forget();
-        self.linearize(&instant, linear.values_mut())?;
+        self.linearize(q, &instant, linear.values_mut())?;
         let sizes = scale::sizes(&self.layout, &self.equations, linear.values(), q, &self.links);
         linear.set_sizes(&sizes);
         linear.measure();

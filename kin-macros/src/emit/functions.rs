@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::kernel::{Code, Kernel};
-use super::timed;
+use super::timed::{self, Timed};
 use crate::differentiate::Derivatives;
 use crate::graph::{Graph, Node, Op};
 use crate::lower::Lowered;
@@ -26,7 +26,8 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
     let both: Vec<_> = c.iter().chain(&c_q).cloned().collect();
     let (rhs, q_d) = (outputs("rhs", &derived.velocity_rhs), outputs("q_d", &derived.acceleration_rhs));
     let all: Vec<Node> = both.iter().chain(&rhs).chain(&q_d).map(|output| output.1).collect();
-    let timed = timed::select(lowered, &all);
+    let linear = is_linear(&lowered.graph, &rows, derived);
+    let timed = Timed::new(lowered, &all, derived, linear);
     let mut kernel = |outputs: &[(TokenStream, Node)]| Kernel::scheduled(lowered, arguments, &timed, outputs);
     let residual = commented("C", kernel(&c));
     let linearize = commented("C and C_q", kernel(&both));
@@ -34,7 +35,7 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
     let velocity = (!rhs.is_empty()).then(|| kernel(&rhs));
     let velocity = self::velocity(&m, velocity);
     let timed = timed::functions(lowered, &timed);
-    let (constants, depends) = (constants(&lowered.graph, derived), depends(&lowered.graph, &rows, derived));
+    let (constants, depends) = (constants(&lowered.graph, derived), depends(&lowered.graph, &rows, derived, linear));
     let blame = super::blame::symbolic(arguments, lowered);
     let ((residual_doc, residual), (linearize_doc, linearize), (right_doc, right_side)) = (residual, linearize, right_side);
     quote! {
@@ -87,12 +88,11 @@ fn constants(g: &Graph, derived: &Derivatives) -> TokenStream {
 }
 
 /// Which terms can change with t or be other than zero, for the solver.
-fn depends(g: &Graph, rows: &[Node], derived: &Derivatives) -> TokenStream {
+fn depends(g: &Graph, rows: &[Node], derived: &Derivatives, linear: bool) -> TokenStream {
     let on_t = |n: &Node| g.depends(*n).on_t;
     let (c, c_q) = (rows.iter().any(on_t), derived.jacobian.iter().any(|entry| on_t(&entry.2)));
     let [c_t, q_d] = [&derived.velocity_rhs, &derived.acceleration_rhs].map(|side| side.iter().any(|&n| !g.is_zero(n)));
-    let constant = derived.jacobian.iter().all(|entry| g.constant_value(entry.2).is_some());
-    let curved = !(constant && is_smooth(g, rows));
+    let curved = !linear;
     quote! {
         fn depends(&self) -> ::kin::Dependence {
             ::kin::Dependence { c_on_t: #c, c_q_on_t: #c_q, c_t: #c_t, q_d: #q_d, curved: #curved }
@@ -100,10 +100,12 @@ fn depends(g: &Graph, rows: &[Node], derived: &Derivatives) -> TokenStream {
     }
 }
 
-/// Whether coordinates enter by sums and products alone: with a constant gradient that makes rows linear, which a step or a kink would not.
-fn is_smooth(g: &Graph, rows: &[Node]) -> bool {
+/// Whether the rows are linear in the coordinates for good: with a gradient of numbers, and coordinates that enter by sums and products alone,
+/// for steps and kinks have such gradients too.
+fn is_linear(g: &Graph, rows: &[Node], derived: &Derivatives) -> bool {
     let smooth = |op: Op| matches!(op, Op::Input(_) | Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::Neg(_));
-    g.reachable(rows).into_iter().all(|node| !g.depends(node).on_q || smooth(g.op(node)))
+    derived.jacobian.iter().all(|entry| g.constant_value(entry.2).is_some())
+        && g.reachable(rows).into_iter().all(|node| !g.depends(node).on_q || smooth(g.op(node)))
 }
 
 fn commented(what: &str, code: Code) -> (String, TokenStream) {

@@ -11,8 +11,8 @@ use quote::{ToTokens, quote};
 pub use words::number;
 use words::{comparison_method, sign};
 
-use super::slots::{Slot, binding, slots};
-use super::timed;
+use super::slots::{Slot, binding, slots, source};
+use super::timed::{self, Timed};
 use crate::graph::{Function, Function2, Graph, Input, Node, Op, Part};
 use crate::lower::{Lowered, OpaqueKind};
 use crate::parse::Argument;
@@ -69,8 +69,8 @@ pub struct Code {
 }
 
 impl<'a> Kernel<'a> {
-    /// Code for `outputs` after the scheduler has had a look at it; nodes in `timed` (sorted) were evaluated before.
-    pub fn scheduled(lowered: &'a mut Lowered, arguments: &[Argument], timed: &[Node], outputs: &[(TokenStream, Node)]) -> Code {
+    /// Code for `outputs` after the scheduler has had a look at it; what is in `timed` was evaluated before.
+    pub fn scheduled(lowered: &'a mut Lowered, arguments: &[Argument], timed: &Timed, outputs: &[(TokenStream, Node)]) -> Code {
         let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
         let nodes = timed::read(&mut lowered.graph, timed, &nodes);
         let nodes = schedule::prepare(&mut lowered.graph, &nodes);
@@ -153,25 +153,24 @@ impl<'a> Kernel<'a> {
         Code { tokens: quote!(#items #fma #timed #bindings #(#statements)*), operations: self.operations }
     }
 
-    /// The states and rates as arrays of known length, if any of their numbers is read.
+    /// The states and rates of arguments as arrays of known length, of those that are read.
     fn bindings(&self) -> TokenStream {
-        let read = |states: bool| self.read.iter().any(|(_, _, state)| *state == states);
-        let states: usize = self.slots.iter().map(|slot| slot.state_parts().len()).sum();
-        let rates: usize = self.slots.iter().map(|slot| slot.columns().len()).sum();
-        let states = binding("state", quote!(at.states), states, read(true));
-        let rates = binding("rate", quote!(qd.columns), rates, read(false));
-        quote!(#states #rates)
+        let of = |k: usize, of_state: bool| {
+            let parts = if of_state { self.slots[k].state_parts() } else { self.slots[k].columns() };
+            let is_read = self.read.iter().any(|&(slot, _, state)| (slot, state) == (k, of_state));
+            is_read.then(|| binding(k, of_state, parts.len()))
+        };
+        let all = [true, false].into_iter().flat_map(|of_state| (0..self.slots.len()).filter_map(move |k| of(k, of_state)));
+        all.collect()
     }
 
     /// The name of a number of a state or of the rates, read just before it is needed first: registers are few.
     fn reading(&mut self, slot: usize, part: Part, of_state: bool) -> Ident {
-        let parts = |slot: &Slot| if of_state { slot.state_parts() } else { slot.columns() };
         let name = if of_state { self.slots[slot].state(part) } else { self.slots[slot].rate(part) };
         if self.read.insert((slot, part, of_state)) {
-            let first: usize = self.slots[..slot].iter().map(|slot| parts(slot).len()).sum();
-            let place = parts(&self.slots[slot]).iter().position(|&p| p == part).unwrap_or(0);
-            let place = Literal::usize_unsuffixed(first + place);
-            let source = super::own(if of_state { "state" } else { "rate" });
+            let parts = if of_state { self.slots[slot].state_parts() } else { self.slots[slot].columns() };
+            let place = Literal::usize_unsuffixed(parts.iter().position(|&p| p == part).unwrap_or(0));
+            let source = source(slot, of_state);
             self.statements.push(quote!(let #name = #source[#place];));
         }
         name

@@ -49,10 +49,17 @@ impl Slot {
     }
 }
 
-/// `let Some(state) = at.states::<10>() else { return };`
-pub fn binding(name: &str, source: TokenStream, length: usize, is_read: bool) -> TokenStream {
-    let (name, length) = (super::own(name), Literal::usize_unsuffixed(length));
-    if is_read { quote!(let ::core::option::Option::Some(#name) = #source::<#length>() else { return };) } else { quote!() }
+/// The numbers of argument `k`'s state, or of its rates, in emitted code.
+pub fn source(k: usize, of_state: bool) -> Ident {
+    super::own(&format!("{}{k}", if of_state { "state" } else { "rate" }))
+}
+
+/// `let Some(state0) = at.state::<5>(0) else { return };`
+pub fn binding(k: usize, of_state: bool, length: usize) -> TokenStream {
+    let name = source(k, of_state);
+    let (k, length) = (Literal::usize_unsuffixed(k), Literal::usize_unsuffixed(length));
+    let numbers = if of_state { quote!(at.state) } else { quote!(qd.of) };
+    quote!(let ::core::option::Option::Some(#name) = #numbers::<#length>(#k) else { return };)
 }
 
 /// The state arguments, one a slot, with names that nothing else in emitted code has.
@@ -74,10 +81,10 @@ pub fn slots(arguments: &[Argument]) -> Vec<Slot> {
 /// Names of the emitted functions' own arguments and temporaries, and keywords that came as raw identifiers.
 fn is_taken(name: &str) -> bool {
     let prefix = name.trim_end_matches(|c: char| c.is_ascii_digit());
-    let temporary = prefix.len() < name.len() && matches!(prefix, "t" | "s" | "c" | "o" | "law" | "leaf" | "known" | "call");
+    let temporary = prefix.len() < name.len() && matches!(prefix, "t" | "s" | "c" | "o" | "law" | "leaf" | "known" | "call" | "state" | "rate");
     let own = matches!(
         name,
-        "at" | "qd" | "c" | "c_q" | "q_d" | "rhs" | "t_dot" | "x" | "f" | "timed" | "own" | "state" | "rate" | "fma" | "in_order"
+        "at" | "qd" | "c" | "c_q" | "q_d" | "rhs" | "t_dot" | "x" | "f" | "timed" | "own" | "fma" | "in_order"
     );
     temporary || own || syn::parse_str::<Ident>(name).is_err()
 }

@@ -5,12 +5,74 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::kernel::{Kernel, is_condition};
-use crate::graph::{Graph, Input, Node, Op};
+use crate::differentiate::Derivatives;
+use crate::graph::{Graph, Input, Node, Op, Part};
 use crate::lower::Lowered;
+
+/// The numbers of a constraint that are evaluated once a time.
+pub struct Timed {
+    /// What the other functions read (sorted).
+    read: Vec<Node>,
+    /// C(0, t) of all rows, −C_t and −C_tt, of a constraint that is linear for good: all that a solver wants to know of it.
+    sides: Vec<Node>,
+}
+
+impl Timed {
+    pub fn new(lowered: &mut Lowered, outputs: &[Node], derived: &Derivatives, linear: bool) -> Self {
+        let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
+        let on_t = rows.iter().any(|row| lowered.graph.depends(*row).on_t);
+        let sides = if linear && on_t { sides(&mut lowered.graph, &rows, derived) } else { None };
+        Timed { read: select(lowered, outputs), sides: sides.unwrap_or_default() }
+    }
+
+    pub fn len(&self) -> usize {
+        self.read.len() + self.sides.len()
+    }
+}
+
+/// C(0, t) of all rows, −C_t and −C_tt, if that can be told.
+fn sides(g: &mut Graph, rows: &[Node], derived: &Derivatives) -> Option<Vec<Node>> {
+    let zero = g.zero();
+    let side = |side: &[Node], k: usize| side.get(k).copied().unwrap_or(zero);
+    let sides = [&derived.velocity_rhs, &derived.acceleration_rhs].into_iter().flat_map(|own| (0..rows.len()).map(|k| side(own, k)));
+    let all: Vec<Node> = rows.iter().copied().chain(sides).collect();
+    all.into_iter().map(|node| at_origin(g, node)).collect()
+}
+
+/// A part of a linear row where all coordinates and their rates are zero, and ṫ = 1.
+fn at_origin(g: &mut Graph, node: Node) -> Option<Node> {
+    Some(match g.op(node) {
+        Op::Input(Input::State(_, Part::Sin | Part::Cos)) => return None,
+        Op::Input(Input::State(..) | Input::Rate(..)) => g.zero(),
+        Op::Input(Input::TimeRate) => g.constant(1.0),
+        _ if !g.reachable(&[node]).into_iter().any(|n| matches!(g.op(n), Op::Input(Input::State(..) | Input::Rate(..) | Input::TimeRate))) => node,
+        Op::Neg(a) => {
+            let a = at_origin(g, a)?;
+            g.neg(a)
+        }
+        Op::Powi(a, n) => {
+            let a = at_origin(g, a)?;
+            g.powi(a, n)
+        }
+        Op::Add(a, b) => {
+            let (a, b) = (at_origin(g, a)?, at_origin(g, b)?);
+            g.add(a, b)
+        }
+        Op::Sub(a, b) => {
+            let (a, b) = (at_origin(g, a)?, at_origin(g, b)?);
+            g.sub(a, b)
+        }
+        Op::Mul(a, b) => {
+            let (a, b) = (at_origin(g, a)?, at_origin(g, b)?);
+            g.mul(a, b)
+        }
+        _ => return None,
+    })
+}
 
 /// Of what `outputs` need, the largest parts that depend on t and parameters alone and call a function. Conditions are computed where they
 /// are used.
-pub fn select(lowered: &Lowered, outputs: &[Node]) -> Vec<Node> {
+fn select(lowered: &Lowered, outputs: &[Node]) -> Vec<Node> {
     let g = &lowered.graph;
     let order = g.reachable(outputs);
     let found = |list: &[Node], node: &Node| list.binary_search(node).is_ok();
@@ -32,7 +94,8 @@ pub fn select(lowered: &Lowered, outputs: &[Node]) -> Vec<Node> {
 }
 
 /// The outputs with what was evaluated once a time read where it stands.
-pub fn read(g: &mut Graph, timed: &[Node], outputs: &[Node]) -> Vec<Node> {
+pub fn read(g: &mut Graph, timed: &Timed, outputs: &[Node]) -> Vec<Node> {
+    let timed = &timed.read;
     if timed.is_empty() {
         return outputs.to_vec();
     }
@@ -48,9 +111,9 @@ pub fn read(g: &mut Graph, timed: &[Node], outputs: &[Node]) -> Vec<Node> {
     outputs.iter().map(|output| read[output.index()].unwrap_or(*output)).collect()
 }
 
-/// `n_timed` and `at_time`; nothing where there is nothing of the kind.
-pub fn functions(lowered: &Lowered, timed: &[Node]) -> TokenStream {
-    if timed.is_empty() {
+/// `n_timed`, `at_time` and `sides_of_time`; nothing where there is nothing of the kind.
+pub fn functions(lowered: &Lowered, timed: &Timed) -> TokenStream {
+    if timed.len() == 0 {
         return quote!();
     }
     let n = Literal::usize_unsuffixed(timed.len());
@@ -58,10 +121,20 @@ pub fn functions(lowered: &Lowered, timed: &[Node]) -> TokenStream {
         let k = Literal::usize_unsuffixed(k);
         quote!(timed[#k])
     };
-    let outputs: Vec<(TokenStream, Node)> = timed.iter().enumerate().map(|(k, &node)| (place(k), node)).collect();
+    let all = timed.read.iter().chain(&timed.sides).enumerate();
+    let outputs: Vec<(TokenStream, Node)> = all.map(|(k, &node)| (place(k), node)).collect();
     let code = Kernel::emit(lowered, &[], &outputs);
     let (doc, code) = (format!(" What depends on t and parameters alone: {} operations", code.operations), code.tokens);
+    let first = Literal::usize_unsuffixed(timed.read.len());
+    let sides = (!timed.sides.is_empty()).then(|| {
+        quote! {
+            fn sides_of_time(&self) -> ::core::option::Option<usize> {
+                ::core::option::Option::Some(#first)
+            }
+        }
+    });
     quote! {
+        #sides
         fn n_timed(&self) -> usize {
             #n
         }

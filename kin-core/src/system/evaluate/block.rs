@@ -1,34 +1,23 @@
 //! One constraint in a system, and where its numbers stand.
 
 use std::ops::Range;
-use std::sync::Arc;
 
 use crate::constraint::Constraint;
-use crate::state::Rates;
 
 /// One constraint in a system.
 #[derive(Clone)]
 pub(crate) struct Block {
     pub name: String,
     pub constraint: Box<dyn Constraint>,
-    /// Where its numbers of time, its arguments' states, its rows, its values and its columns' rates stand.
+    /// Where its numbers of time, its arguments, its rows and its values stand.
     pub(super) timed: Span,
-    pub(super) states: u32,
+    pub(super) arguments: Span,
     pub(super) rows: Span,
     pub(super) values: Span,
-    pub(super) rates: u32,
     /// Whether all its values of C_q are the same for good.
     pub(super) constant: bool,
     /// Whether it drives.
     pub drives: bool,
-    pub(super) arguments: Arc<Arguments>,
-}
-
-/// Where each argument's state begins among those of its constraint, and its first column: constraints of one kind share it.
-#[derive(Debug, PartialEq)]
-pub(super) struct Arguments {
-    pub first_state: Vec<usize>,
-    pub first_column: Vec<usize>,
 }
 
 /// A stretch of a list. 32 bits: no sum of two overflows, so that taking it costs one check.
@@ -74,16 +63,10 @@ impl Block {
             row => format!("{}.{row}", self.name),
         }
     }
-
-    /// The rates of all columns as the constraint sees them.
-    #[inline(always)]
-    pub(super) fn rates<'a>(&'a self, all: &'a [f64]) -> Rates<'a> {
-        Rates::new(from(all, self.rates), &self.arguments.first_column)
-    }
 }
 
 /// What begins there, with all that follows: a constraint knows how much of it is its own.
 #[inline(always)]
-pub(super) fn from(all: &[f64], first: u32) -> &[f64] {
+pub(super) fn from<T>(all: &[T], first: u32) -> &[T] {
     &all[first as usize..]
 }

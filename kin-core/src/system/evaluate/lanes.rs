@@ -1,36 +1,40 @@
 //! Evaluation over lanes: several systems of one pattern at once, by kernels where constraints have them, else lane by lane.
 
-use super::{Equations, Span};
-use crate::lanes::{InLanes, LaneAt, LaneRates, Level, Table, Wide};
-use crate::state::{At, Rates};
+use super::{Equations, Span, StatePlan};
+use crate::lanes::{InLanes, LaneBlock, LaneInstant, Level, Table, Wide};
+use crate::state::{At, Rates, SPATIAL_STATE};
 use crate::system::System;
 
-/// How one constraint is evaluated over lanes.
-struct WideBlock<S: Level> {
-    /// Its kernels, if it has them.
-    table: Option<Table<S>>,
-    /// Where what it knows stands: of parameters, of the time, and both together.
+/// One constraint over lanes.
+struct WideBlock {
+    /// Where what it knows stands: of parameters, and of the time.
     of_parameters: Span,
     of_time: Span,
-    known: Span,
-    /// Where its arguments' states, its rows, its values and its columns' rates stand.
-    states: Span,
+    /// Where its arguments, its rows and its values stand.
+    arguments: Span,
     rows: Span,
     values: Span,
-    rates: Span,
     /// Whether it is the same in all lanes.
     same: bool,
-    /// Whether its C, or C_q, depends on the time.
-    on_t: bool,
-    /// Whether its C_t, or Q_d, can be other than zero.
-    c_t: bool,
-    q_d: bool,
+}
+
+/// Constraints that are evaluated by one call of a kernel, or lane by lane; by what they are asked for.
+struct Group<S: Level> {
+    table: Option<Table<S>>,
+    all: Vec<LaneBlock>,
+    /// Those whose C, or C_q, depends on the time.
+    on_t: Vec<LaneBlock>,
+    /// Those whose C_t, or Q_d, can be other than zero.
+    c_t: Vec<LaneBlock>,
+    q_d: Vec<LaneBlock>,
 }
 
 /// All constraints of a system over lanes.
 pub(crate) struct WideEquations<S: Level> {
     simd: S,
-    blocks: Vec<WideBlock<S>>,
+    blocks: Vec<WideBlock>,
+    groups: Vec<Group<S>>,
+    plan: StatePlan,
     /// Whether some C_q depends on the time.
     c_q_on_t: bool,
     n_known: usize,
@@ -47,12 +51,11 @@ struct Scratch {
     values: Vec<f64>,
 }
 
-/// What constraints read at one instant, over lanes.
+/// What constraints read at one instant, over lanes, but for the rates.
 pub(crate) struct WideInstant<S: Level> {
     t: f64,
     known: Vec<Wide<S>>,
     states: Vec<Wide<S>>,
-    rates: Vec<Wide<S>>,
 }
 
 /// The systems of all lanes, with their constraints as kernels over lanes see them.
@@ -73,49 +76,78 @@ impl<'a> Crew<'a> {
 impl<S: Level> WideEquations<S> {
     /// Those of `equations`; `varied` are the constraints that differ from lane to lane.
     pub(crate) fn new(simd: S, equations: &Equations, varied: &[bool]) -> Self {
-        let (mut n_known, mut blocks) = (0, Vec::new());
-        let plan = &equations.plan;
-        let ends = equations.blocks.iter().skip(1).map(|next| (next.states as usize, next.rates as usize));
-        let ends = ends.chain([(plan.len(), plan.n_columns())]);
-        for ((block, varied), (states, rates)) in equations.blocks.iter().zip(varied).zip(ends) {
-            let kernels = block.constraint.in_lanes();
-            let [parameters, times] = kernels.map_or([0, 0], InLanes::n_known);
-            let (first, between) = (n_known, n_known + parameters);
-            n_known = between + times;
-            let depends = block.constraint.depends();
-            blocks.push(WideBlock {
-                table: kernels.map(|kernels| S::table(&kernels.kernels())),
-                of_parameters: Span::new(first..between),
-                of_time: Span::new(between..n_known),
-                known: Span::new(first..n_known),
-                states: Span::new(block.states as usize..states),
-                rows: block.rows,
-                values: block.values,
-                rates: Span::new(block.rates as usize..rates),
-                same: !varied,
-                on_t: depends.c_on_t || depends.c_q_on_t,
-                c_t: depends.c_t,
-                q_d: depends.q_d,
-            });
+        let mut all = WideEquations {
+            simd,
+            blocks: Vec::new(),
+            groups: Vec::new(),
+            plan: equations.plan.clone(),
+            c_q_on_t: equations.blocks.iter().any(|block| block.constraint.depends().c_q_on_t),
+            n_known: 0,
+            scratch: Scratch::default(),
+        };
+        equations.blocks.iter().zip(varied).for_each(|(block, varied)| all.append(block, *varied));
+        all
+    }
+
+    /// One more constraint.
+    fn append(&mut self, block: &super::Block, varied: bool) {
+        let (kernels, depends) = (block.constraint.in_lanes(), block.constraint.depends());
+        let [parameters, times] = kernels.map_or([0, 0], InLanes::n_known);
+        let (first, between) = (self.n_known, self.n_known + parameters);
+        self.n_known = between + times;
+        let place = LaneBlock {
+            number: self.blocks.len() as u32,
+            arguments: block.arguments.first,
+            known: first as u32,
+            rows: block.rows.first,
+            values: block.values.first,
+        };
+        let table = kernels.map(|kernels| S::table(&kernels.kernels()));
+        let same = |group: &&mut Group<S>| match (&group.table, &table) {
+            (Some(known), Some(table)) => known.is(table),
+            (known, table) => known.is_none() && table.is_none(),
+        };
+        let known = self.groups.iter_mut().find(same);
+        let mut new = Group { table, all: Vec::new(), on_t: Vec::new(), c_t: Vec::new(), q_d: Vec::new() };
+        let is_new = known.is_none();
+        let group = known.unwrap_or(&mut new);
+        let lists = [
+            (true, &mut group.all),
+            (depends.c_on_t || depends.c_q_on_t, &mut group.on_t),
+            (depends.c_t, &mut group.c_t),
+            (depends.q_d, &mut group.q_d),
+        ];
+        lists.into_iter().filter(|(asked, _)| *asked).for_each(|(_, list)| list.push(place));
+        if is_new {
+            self.groups.push(new);
         }
-        let c_q_on_t = equations.blocks.iter().any(|block| block.constraint.depends().c_q_on_t);
-        WideEquations { simd, blocks, c_q_on_t, n_known, scratch: Scratch::default() }
+        self.blocks.push(WideBlock {
+            of_parameters: Span::new(first..between),
+            of_time: Span::new(between..self.n_known),
+            arguments: block.arguments,
+            rows: block.rows,
+            values: block.values,
+            same: !varied,
+        });
+    }
+
+    /// The rows whose right sides −C_t, or Q_d, can be other than zero.
+    pub(crate) fn asked(&self) -> [Vec<usize>; 2] {
+        let rows = |list: fn(&Group<S>) -> &Vec<LaneBlock>| {
+            let asked = self.groups.iter().flat_map(list).map(|place| &self.blocks[place.number as usize]);
+            asked.flat_map(|block| block.rows.range()).collect()
+        };
+        [rows(|group| &group.c_t), rows(|group| &group.q_d)]
     }
 
     /// Room for an instant.
-    pub(crate) fn instant(&self, equations: &Equations) -> WideInstant<S> {
-        let zero = Wide::splat(self.simd, 0.0);
-        WideInstant {
-            t: f64::NAN,
-            known: vec![zero; self.n_known],
-            states: equations.plan.wide_states(self.simd),
-            rates: vec![zero; equations.plan.n_columns()],
-        }
+    pub(crate) fn instant(&self) -> WideInstant<S> {
+        WideInstant { t: f64::NAN, known: vec![Wide::splat(self.simd, 0.0); self.n_known], states: self.plan.wide_states(self.simd) }
     }
 
     /// What depends on parameters alone.
     pub(crate) fn set_parameters(&mut self, crew: &Crew<'_>, instant: &mut WideInstant<S>) {
-        for (block, own) in self.blocks.iter().zip(&crew.own).filter(|(block, _)| block.table.is_some()) {
+        for (block, own) in self.blocks.iter().zip(&crew.own).filter(|(block, _)| block.of_parameters.len > 0) {
             let write = |constraint: &dyn InLanes, known: &mut [f64]| constraint.of_parameters(known);
             fill(&mut instant.known[block.of_parameters.range()], block.same, own, &mut self.scratch.known, write);
         }
@@ -132,122 +164,147 @@ impl<S: Level> WideEquations<S> {
     }
 
     #[inline(always)]
-    pub(crate) fn set_position(&self, crew: &Crew<'_>, q: &[Wide<S>], instant: &mut WideInstant<S>) {
-        let Some(system) = crew.systems.first() else { return };
-        system.equations().plan.set_wide_states(q, &mut instant.states);
-    }
-
-    #[inline(always)]
-    pub(crate) fn set_rates(&self, crew: &Crew<'_>, qd: &[Wide<S>], instant: &mut WideInstant<S>) {
-        let Some(system) = crew.systems.first() else { return };
-        system.equations().plan.set_rates(qd, &mut instant.rates);
+    pub(crate) fn set_position(&self, q: &[Wide<S>], instant: &mut WideInstant<S>) {
+        self.plan.set_wide_states(q, &mut instant.states);
     }
 
     /// C and the values of C_q that are not the same for good.
     #[inline(always)]
     pub(crate) fn linearize(&mut self, crew: &Crew<'_>, instant: &WideInstant<S>, c: &mut [Wide<S>], values: &mut [Wide<S>]) {
-        self.linearize_some(false, crew, instant, c, values);
+        self.linearize_some(|group| &group.all, crew, instant, c, values);
     }
 
     /// The same where only the time has changed since; false if C_q has not changed with it.
     #[inline(always)]
     pub(crate) fn relinearize(&mut self, crew: &Crew<'_>, instant: &WideInstant<S>, c: &mut [Wide<S>], values: &mut [Wide<S>]) -> bool {
-        self.linearize_some(true, crew, instant, c, values);
+        self.linearize_some(|group| &group.on_t, crew, instant, c, values);
         self.c_q_on_t
     }
 
-    /// All constraints, or only those that depend on the time.
+    /// All constraints, or only some of each group.
     #[inline(always)]
-    fn linearize_some(&mut self, on_t: bool, crew: &Crew<'_>, instant: &WideInstant<S>, c: &mut [Wide<S>], values: &mut [Wide<S>]) {
-        for (k, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.on_t || !on_t) {
-            let (c, values) = (&mut c[block.rows.range()], &mut values[block.values.range()]);
-            match block.table {
-                Some(table) => (table.linearize)(&block.at(self.simd, k, crew, instant), c, values),
-                None => linearize_lane_by_lane(&mut self.scratch, k, crew, instant.t, &instant.states[block.states.range()], c, values),
+    fn linearize_some(
+        &mut self,
+        some: impl Fn(&Group<S>) -> &Vec<LaneBlock>,
+        crew: &Crew<'_>,
+        instant: &WideInstant<S>,
+        c: &mut [Wide<S>],
+        values: &mut [Wide<S>],
+    ) {
+        let seen = seen(self.simd, self.plan.arguments(), crew, instant, &[]);
+        for (group, blocks) in self.groups.iter().map(|group| (group, some(group))).filter(|(_, blocks)| !blocks.is_empty()) {
+            match group.table {
+                Some(table) => (table.linearize)(&seen, blocks, c, values),
+                None => {
+                    let alone = LaneByLane { blocks: &self.blocks, seen: &seen, crew, t: instant.t };
+                    blocks.iter().for_each(|place| alone.linearize(&mut self.scratch, place, c, values));
+                }
             }
         }
     }
 
-    /// −C_t; rows that are always zero are cleared.
+    /// −C_t in the rows where it can be other than zero.
     #[inline(always)]
     pub(crate) fn velocity_rhs(&mut self, crew: &Crew<'_>, instant: &WideInstant<S>, rhs: &mut [Wide<S>]) {
-        rhs.fill(Wide::splat(self.simd, 0.0));
-        for (k, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.c_t) {
-            let rhs = &mut rhs[block.rows.range()];
-            match block.table {
-                Some(table) => (table.velocity_rhs)(&block.at(self.simd, k, crew, instant), rhs),
-                None => right_side_lane_by_lane(&mut self.scratch, (k, block), crew, instant, false, rhs),
+        let seen = seen(self.simd, self.plan.arguments(), crew, instant, &[]);
+        for group in self.groups.iter().filter(|group| !group.c_t.is_empty()) {
+            match group.table {
+                Some(table) => (table.velocity_rhs)(&seen, &group.c_t, rhs),
+                None => {
+                    let alone = LaneByLane { blocks: &self.blocks, seen: &seen, crew, t: instant.t };
+                    group.c_t.iter().for_each(|place| alone.right_side(&mut self.scratch, place, false, rhs));
+                }
             }
         }
     }
 
-    /// Q_d; rows that are always zero are cleared.
+    /// Q_d in the rows where it can be other than zero; `rates` are q̇ and, behind it, the ground's.
     #[inline(always)]
-    pub(crate) fn acceleration_rhs(&mut self, crew: &Crew<'_>, instant: &WideInstant<S>, q_d: &mut [Wide<S>]) {
-        q_d.fill(Wide::splat(self.simd, 0.0));
-        for (k, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.q_d) {
-            let q_d = &mut q_d[block.rows.range()];
-            let rates = LaneRates(&instant.rates[block.rates.range()]);
-            match block.table {
-                Some(table) => (table.acceleration_rhs)(&block.at(self.simd, k, crew, instant), &rates, q_d),
-                None => right_side_lane_by_lane(&mut self.scratch, (k, block), crew, instant, true, q_d),
+    pub(crate) fn acceleration_rhs(&mut self, crew: &Crew<'_>, instant: &WideInstant<S>, rates: &[Wide<S>], q_d: &mut [Wide<S>]) {
+        let seen = seen(self.simd, self.plan.arguments(), crew, instant, rates);
+        for group in self.groups.iter().filter(|group| !group.q_d.is_empty()) {
+            match group.table {
+                Some(table) => (table.acceleration_rhs)(&seen, &group.q_d, q_d),
+                None => {
+                    let alone = LaneByLane { blocks: &self.blocks, seen: &seen, crew, t: instant.t };
+                    group.q_d.iter().for_each(|place| alone.right_side(&mut self.scratch, place, true, q_d));
+                }
             }
         }
     }
 }
 
-impl<S: Level> WideBlock<S> {
-    /// The instant as it sees it, being constraint `k`.
-    #[inline(always)]
-    fn at<'a>(&self, simd: S, k: usize, crew: &'a Crew<'_>, instant: &'a WideInstant<S>) -> LaneAt<'a, S> {
-        LaneAt::new(simd, &instant.states[self.states.range()], &instant.known[self.known.range()], &crew.own[k])
-    }
+/// The instant as kernels see it.
+#[inline(always)]
+fn seen<'a, S: Level>(
+    simd: S,
+    arguments: &'a [[u32; 2]],
+    crew: &'a Crew<'_>,
+    instant: &'a WideInstant<S>,
+    rates: &'a [Wide<S>],
+) -> LaneInstant<'a, S> {
+    LaneInstant { simd, states: &instant.states, rates, known: &instant.known, arguments, own: &crew.own }
 }
 
-#[inline(never)]
-fn linearize_lane_by_lane<S: Level>(
-    scratch: &mut Scratch,
-    k: usize,
-    crew: &Crew<'_>,
+/// Constraints without kernels: each lane by itself, by the constraint that is there.
+struct LaneByLane<'a, 's, S: Level> {
+    blocks: &'a [WideBlock],
+    seen: &'a LaneInstant<'s, S>,
+    crew: &'a Crew<'a>,
     t: f64,
-    states: &[Wide<S>],
-    c: &mut [Wide<S>],
-    values: &mut [Wide<S>],
-) {
-    for (lane, system) in crew.systems.iter().enumerate() {
-        let block = &system.equations().blocks[k];
-        take(states, lane, &mut scratch.states);
-        take(c, lane, &mut scratch.c);
-        take(values, lane, &mut scratch.values);
-        block.constraint.linearize(&At::new(t, &scratch.states, &block.arguments.first_state), &mut scratch.c, &mut scratch.values);
-        put(&scratch.c, lane, c);
-        put(&scratch.values, lane, values);
-    }
 }
 
-/// −C_t, or Q_d if `second`.
-#[inline(never)]
-fn right_side_lane_by_lane<S: Level>(
-    scratch: &mut Scratch,
-    (k, own): (usize, &WideBlock<S>),
-    crew: &Crew<'_>,
-    instant: &WideInstant<S>,
-    second: bool,
-    rhs: &mut [Wide<S>],
-) {
-    for (lane, system) in crew.systems.iter().enumerate() {
-        let block = &system.equations().blocks[k];
-        take(&instant.states[own.states.range()], lane, &mut scratch.states);
-        take(&instant.rates[own.rates.range()], lane, &mut scratch.rates);
-        take(rhs, lane, &mut scratch.c);
-        let at = At::new(instant.t, &scratch.states, &block.arguments.first_state);
-        if second {
-            let rates = Rates::new(&scratch.rates, &block.arguments.first_column);
-            block.constraint.acceleration_rhs(&at, &rates, 1.0, &mut scratch.c);
-        } else {
-            block.constraint.velocity_rhs(&at, &mut scratch.c);
+impl<S: Level> LaneByLane<'_, '_, S> {
+    #[inline(never)]
+    fn linearize(&self, scratch: &mut Scratch, place: &LaneBlock, c: &mut [Wide<S>], values: &mut [Wide<S>]) {
+        let own = &self.blocks[place.number as usize];
+        let (c, values) = (&mut c[own.rows.range()], &mut values[own.values.range()]);
+        for (lane, system) in self.crew.systems.iter().enumerate() {
+            let block = &system.equations().blocks[place.number as usize];
+            self.gather(0, own, self.seen.states, lane, &mut scratch.states);
+            take(c, lane, &mut scratch.c);
+            take(values, lane, &mut scratch.values);
+            let at = At::new(self.t, &scratch.states, self.arguments(own));
+            block.constraint.linearize(&at, &mut scratch.c, &mut scratch.values);
+            put(&scratch.c, lane, c);
+            put(&scratch.values, lane, values);
         }
-        put(&scratch.c, lane, rhs);
+    }
+
+    /// −C_t, or Q_d if `second`.
+    #[inline(never)]
+    fn right_side(&self, scratch: &mut Scratch, place: &LaneBlock, second: bool, rhs: &mut [Wide<S>]) {
+        let own = &self.blocks[place.number as usize];
+        let rhs = &mut rhs[own.rows.range()];
+        rhs.fill(Wide::splat(self.seen.simd, 0.0));
+        for (lane, system) in self.crew.systems.iter().enumerate() {
+            let block = &system.equations().blocks[place.number as usize];
+            self.gather(0, own, self.seen.states, lane, &mut scratch.states);
+            take(rhs, lane, &mut scratch.c);
+            let at = At::new(self.t, &scratch.states, self.arguments(own));
+            if second {
+                self.gather(1, own, self.seen.rates, lane, &mut scratch.rates);
+                let rates = Rates::new(&scratch.rates, self.arguments(own));
+                block.constraint.acceleration_rhs(&at, &rates, 1.0, &mut scratch.c);
+            } else {
+                block.constraint.velocity_rhs(&at, &mut scratch.c);
+            }
+            put(&scratch.c, lane, rhs);
+        }
+    }
+
+    fn arguments(&self, own: &WideBlock) -> &[[u32; 2]] {
+        &self.seen.arguments[own.arguments.range()]
+    }
+
+    /// The states (`what` 0) or rates (1) of a constraint's arguments in one lane, where they stand among those of all; with what follows, for
+    /// an argument has at most seven numbers.
+    fn gather(&self, what: usize, own: &WideBlock, all: &[Wide<S>], lane: usize, numbers: &mut Vec<f64>) {
+        numbers.resize(all.len(), 0.0);
+        for argument in self.arguments(own) {
+            let places = argument[what] as usize..all.len().min(argument[what] as usize + SPATIAL_STATE);
+            numbers[places.clone()].iter_mut().zip(&all[places]).for_each(|(number, x)| *number = x.as_slice()[lane]);
+        }
     }
 }
 

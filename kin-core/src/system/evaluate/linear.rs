@@ -6,84 +6,90 @@ use std::ops::Range;
 /// The rows of such constraints, one after the other.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LinearRows {
-    /// Which one each is among all rows.
-    rows: Vec<u32>,
-    /// The first term of each row, and the others.
-    first: Vec<Term>,
+    rows: Vec<Row>,
+    /// Terms after the first one of each row, row by row.
     others: Vec<Term>,
 }
 
-/// A factor times a coordinate, in a row by its number among linear ones.
+/// One of all rows with its first term, and how many others it has.
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    row: u32,
+    others: u32,
+    first: Term,
+    /// Where what it comes to at one time stands among the numbers of the time: C(0, t), and so much further on each −C_t and −C_tt, which is
+    /// all that Q_d has here.
+    sides: u32,
+    step: u32,
+}
+
+/// A factor times a coordinate.
 #[derive(Clone, Copy, Debug)]
 struct Term {
-    row: u32,
     column: u32,
     factor: f64,
 }
 
-/// What the rows come to at one instant.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Sums {
-    /// C(0, t), −C_t and −C_tt, which is all that Q_d has here.
-    pub at_zero: Vec<f64>,
-    pub velocity: Vec<f64>,
-    pub acceleration: Vec<f64>,
-    /// C_q q
-    products: Vec<f64>,
+impl Term {
+    #[inline(always)]
+    fn at(self, q: &[f64]) -> f64 {
+        self.factor * q[self.column as usize]
+    }
+}
+
+/// Which right side: −C_t, or Q_d.
+#[derive(Clone, Copy)]
+pub(super) enum Side {
+    Velocity = 1,
+    Acceleration,
 }
 
 impl LinearRows {
-    /// Appends rows with the entries and values of C_q in them; gives their numbers among linear rows, or nothing if they are not all known
-    /// or a row has none.
+    /// Appends rows with the entries and values of C_q in them, whose numbers of the time begin at `sides`: C(0, t) of all rows, −C_t, −C_tt; false if
+    /// the values are not all known or a row has none.
     pub(super) fn append(
         &mut self,
         rows: Range<usize>,
         entries: &[Option<(usize, usize)>],
         values: &[Option<f64>],
-    ) -> Option<Range<usize>> {
-        let from = self.rows.len();
+        sides: usize,
+    ) -> bool {
         let own = entries.iter().zip(values).filter_map(|(entry, value)| entry.map(|entry| Some((entry, (*value)?))));
-        let mut known: Vec<((usize, usize), f64)> = own.collect::<Option<_>>()?;
+        let Some(mut known) = own.collect::<Option<Vec<((usize, usize), f64)>>>() else { return false };
         known.sort_by_key(|(entry, _)| *entry);
         if !rows.clone().all(|row| known.iter().any(|((i, _), _)| *i == row)) {
-            return None;
+            return false;
         }
-        for row in known.chunk_by(|a, b| a.0.0 == b.0.0) {
-            let number = self.rows.len() as u32;
-            self.rows.push(row[0].0.0 as u32);
-            let mut terms = row.iter().map(|&((_, column), factor)| Term { row: number, column: column as u32, factor });
-            self.first.extend(terms.next());
+        let step = rows.len() as u32;
+        for (k, terms) in known.chunk_by(|a, b| a.0.0 == b.0.0).enumerate() {
+            let (row, sides) = (terms[0].0.0 as u32, (sides + k) as u32);
+            let mut terms = terms.iter().map(|&((_, column), factor)| Term { column: column as u32, factor });
+            let first = terms.next();
+            self.rows.extend(first.map(|first| Row { row, others: terms.len() as u32, first, sides, step }));
             self.others.extend(terms);
         }
-        Some(from..self.rows.len())
+        true
     }
 
-    /// Room for an instant, all coordinates at zero.
-    pub(super) fn sums(&self) -> Sums {
-        let zeros = || vec![0.0; self.rows.len()];
-        Sums { at_zero: zeros(), velocity: zeros(), acceleration: zeros(), products: zeros() }
-    }
-
-    pub(super) fn set_position(&self, q: &[f64], sums: &mut Sums) {
-        for (product, term) in sums.products.iter_mut().zip(&self.first) {
-            *product = term.factor * q[term.column as usize];
-        }
-        for term in &self.others {
-            sums.products[term.row as usize] += term.factor * q[term.column as usize];
-        }
-    }
-
-    /// C of these rows.
-    pub(super) fn write(&self, sums: &Sums, c: &mut [f64]) {
-        for ((row, at_zero), product) in self.rows.iter().zip(&sums.at_zero).zip(&sums.products) {
-            c[*row as usize] = product + at_zero;
+    /// C of these rows, with the numbers of the time.
+    #[inline]
+    pub(super) fn write(&self, q: &[f64], timed: &[f64], c: &mut [f64]) {
+        let mut others = self.others.iter();
+        for row in &self.rows {
+            let mut sum = row.first.at(q);
+            // Coordinates first: the difference of two angles is small, and so is its rounding.
+            for _ in 0..row.others {
+                sum += others.next().map_or(0.0, |term| term.at(q));
+            }
+            c[row.row as usize] = sum + timed[row.sides as usize];
         }
     }
 
     /// Their part of a right side, times a factor.
-    pub(super) fn write_side(&self, side: &[f64], factor: f64, rhs: &mut [f64]) {
-        for (row, x) in self.rows.iter().zip(side) {
-            rhs[*row as usize] = factor * x;
+    #[inline]
+    pub(super) fn write_side(&self, side: Side, timed: &[f64], factor: f64, rhs: &mut [f64]) {
+        for row in &self.rows {
+            rhs[row.row as usize] = factor * timed[row.sides as usize + side as usize * row.step as usize];
         }
     }
 }

@@ -1,16 +1,18 @@
 //! Right sides of a whole system: what asks for rates, beside C and C_q.
 
+use super::linear::Side;
 use super::{Block, Equations, Instant};
 use crate::error::Error;
+use crate::state::At;
 
 impl Equations {
     /// −C_t, whether it is finite or not.
     pub(crate) fn velocity_rhs(&self, instant: &Instant, rhs: &mut [f64]) {
         rhs.fill(0.0);
         for block in self.asked.c_t.iter().map(|&k| &self.blocks[k]) {
-            block.constraint.velocity_rhs(&instant.of(block), &mut rhs[block.rows.range()]);
+            block.constraint.velocity_rhs(&self.at(block, instant), &mut rhs[block.rows.range()]);
         }
-        self.linear.write_side(&instant.linear.velocity, 1.0, rhs);
+        self.linear.write_side(Side::Velocity, &instant.timed, 1.0, rhs);
     }
 
     /// Q_d, whether it is finite or not.
@@ -21,26 +23,26 @@ impl Equations {
     /// −[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt] along the rates v of the instant, whether it is finite or not.
     pub(crate) fn second_order(&self, instant: &Instant, t_dot: f64, rhs: &mut [f64]) {
         rhs.fill(0.0);
-        let mut at = instant.at();
+        let mut at = At::new(instant.t, &instant.states, &[]);
         for block in self.asked.q_d.iter().map(|&k| &self.blocks[k]) {
-            instant.show(block, &mut at);
-            block.constraint.acceleration_rhs(&at, &block.rates(&instant.rates), t_dot, &mut rhs[block.rows.range()]);
+            self.show(block, instant, &mut at);
+            block.constraint.acceleration_rhs(&at, &self.rates(block, &instant.rates), t_dot, &mut rhs[block.rows.range()]);
         }
-        self.linear.write_side(&instant.linear.acceleration, t_dot * t_dot, rhs);
+        self.linear.write_side(Side::Acceleration, &instant.timed, t_dot * t_dot, rhs);
     }
 
     /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), along the rates of the instant and q̈, whether it is finite or not.
     ///
     /// Errors: the first row of a constraint that does not know it.
     pub(crate) fn jerk_rhs(&self, qdd: &[f64], instant: &mut Instant, rhs: &mut [f64]) -> Result<(), usize> {
-        instant.second_rates.resize(self.plan.columns.len(), 0.0);
+        instant.second_rates.resize(instant.rates.len(), 0.0);
         self.plan.set_rates(qdd, &mut instant.second_rates);
         rhs.fill(0.0);
         // A constraint without second derivatives has no third ones.
-        let linear = self.asked.linear.iter().map(|(k, _)| k);
+        let linear = self.asked.linear.iter().map(|linear| &linear.block);
         for block in self.asked.q_d.iter().chain(linear).map(|&k| &self.blocks[k]) {
-            let [qd, qdd] = [&instant.rates, &instant.second_rates].map(|rates| block.rates(rates));
-            if !block.constraint.jerk_rhs(&instant.of(block), &qd, &qdd, &mut rhs[block.rows.range()]) {
+            let [qd, qdd] = [&instant.rates, &instant.second_rates].map(|rates| self.rates(block, rates));
+            if !block.constraint.jerk_rhs(&self.at(block, instant), &qd, &qdd, &mut rhs[block.rows.range()]) {
                 return Err(block.rows().start);
             }
         }
@@ -52,12 +54,12 @@ impl Equations {
         let instant = self.instant_at(t, q);
         let still = vec![0.0; q.len()];
         let rates = [qd, qdd, if qddd.is_empty() { &still } else { qddd }].map(|rates| {
-            let mut columns = vec![0.0; self.plan.columns.len()];
-            self.plan.set_rates(rates, &mut columns);
-            columns
+            let mut all = self.plan.no_rates();
+            self.plan.set_rates(rates, &mut all);
+            all
         });
-        let rates = [&rates[0], &rates[1], &rates[2]].map(|columns| block.rates(columns));
-        block.constraint.measure(k, &instant.of(block), &rates)
+        let rates = [&rates[0], &rates[1], &rates[2]].map(|all| self.rates(block, all));
+        block.constraint.measure(k, &self.at(block, &instant), &rates)
     }
 
     /// The error for a constraint that does not know its part of the jerk, by one of its rows.
