@@ -9,8 +9,8 @@ mod level;
 mod number;
 mod trig;
 
-pub(crate) use kernel::{LaneBlock, LaneInstant, Table};
 pub use kernel::{InLanes, LaneAt, LaneKernel, LaneKernels, LaneRates};
+pub(crate) use kernel::{LaneBlock, LaneInstant, Table};
 pub use level::Level;
 pub use number::{Mask, Wide};
 

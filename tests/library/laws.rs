@@ -3,6 +3,8 @@
 use kin::prelude::*;
 use kin::{Break, check};
 
+use crate::hermite;
+
 /// A law by the name of its constructor, and the part of it that is looked at.
 pub struct Line {
     pub name: &'static str,
@@ -71,17 +73,23 @@ fn derivatives_and_breaks_are_those_of_the_law() {
     }
 }
 
-/// Each law drives a coordinate over its whole range, breaks and all: proved, so its bounds are known, and narrow enough.
+/// Each law drives a coordinate over its whole range, breaks and all: proved, so its bounds are known, and narrow enough; and the law is in the tube.
 #[test]
 fn motions_by_every_law_can_be_proved() {
     for Line { name, law, from, to } in all() {
         let mut m = Mechanism::new(name);
         let x = m.length("x", law.at(from)).unwrap();
-        m.add("motor", drive(x, law)).unwrap();
+        m.add("motor", drive(x, law.clone())).unwrap();
         let system = m.build().unwrap();
-        let proof = system.prove(&system.run(linspace(from, to, 38)).unwrap()).unwrap();
+        let motion = system.run(linspace(from, to, 38)).unwrap();
+        let proof = system.prove(&motion).unwrap();
         println!("{proof}");
         assert!(proof.is_complete(), "{proof}");
+        for (step, u) in proof.steps().iter().flat_map(|step| (0..=16).map(move |k| (step, f64::from(k) / 16.0))) {
+            let (t, radius) = (step.from + u * (step.to - step.from), step.tube.as_ref().unwrap().radius[0]);
+            let off = (hermite::interpolated(&motion, step.step, u)[0] - law.at(t)).abs();
+            assert!(off <= radius + 1e-13, "{name}: at {t} off by {off:e}, tube {radius:e}");
+        }
         assert!((0..38).all(|k| proof.error(k).is_some_and(|error| error[0] < 1e-12)), "{proof}");
     }
 }

@@ -3,6 +3,7 @@
 use kin::prelude::*;
 use kin::{Follow, Options, StepProof, Tube};
 
+use crate::hermite::interpolated;
 use crate::models::FourBar;
 
 /// How many a test run takes; `KIN_CAMPAIGN=10000` is the whole campaign, for a release build.
@@ -50,22 +51,6 @@ impl Case {
 
 fn sign(random: &mut fastrand::Rng) -> f64 {
     if random.bool() { 1.0 } else { -1.0 }
-}
-
-/// The polynomial that meets q, q̇ and q̈ at both ends, by Hermite's own base: what a tube is around.
-fn interpolated(motion: &Motion, k: usize, u: f64) -> Vec<f64> {
-    let h = motion.times()[k + 1] - motion.times()[k];
-    let (u2, u3, u4, u5) = (u * u, u.powi(3), u.powi(4), u.powi(5));
-    let base = [
-        1.0 - 10.0 * u3 + 15.0 * u4 - 6.0 * u5,
-        h * (u - 6.0 * u3 + 8.0 * u4 - 3.0 * u5),
-        h * h * (0.5 * u2 - 1.5 * u3 + 1.5 * u4 - 0.5 * u5),
-        10.0 * u3 - 15.0 * u4 + 6.0 * u5,
-        h * (-4.0 * u3 + 7.0 * u4 - 3.0 * u5),
-        h * h * (0.5 * u3 - u4 + 0.5 * u5),
-    ];
-    let rows = [motion.q(k), motion.qd(k), motion.qdd(k), motion.q(k + 1), motion.qd(k + 1), motion.qdd(k + 1)];
-    (0..rows[0].len()).map(|j| rows.iter().zip(base).map(|(row, b)| row[j] * b).sum()).collect()
 }
 
 /// Whether the closed form is in the tube at 9 times of a step, and the other assembly is not where nothing else is said to be.

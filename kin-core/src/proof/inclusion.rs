@@ -2,6 +2,7 @@
 
 use proptest::prelude::*;
 
+use super::bounds::taylor;
 use super::interval::{ALL, Interval, ONE, UNIT, ZERO};
 use super::series::{ORDER, Series};
 use crate::blame::graph::{Function, Function2};
@@ -77,6 +78,21 @@ proptest! {
             let exact = crate::real::Real(num_dual::Dual3_64::new(a, 1.0, 0.0, 0.0)).powi(n).0;
             let bounds = Series::variable(x, ONE, ORDER + 1).powi(n);
             inside(&bounds, [exact.re, exact.v1, exact.v2, exact.v3], &format!("power {n} of {x:?} at {a}"))?;
+        }
+    }
+
+    /// By its coefficients in the middle and over all of the interval a function is bounded, one that rises hardly wider than by its values.
+    #[test]
+    fn taylor_has_its_remainder(middle in -3.0..3.0_f64, half in 0.01..0.4_f64, share in -1.0..1.0_f64) {
+        for f in FUNCTIONS {
+            let along = |x: Interval| Series::variable(x, Interval::from(half), ORDER + 1).call(f);
+            let (at, over) = (along(Interval::from(middle)), along(Interval::new(middle - half, middle + half)));
+            let value = f.by_dual()(crate::real::Real(middle + share * half)).0;
+            let bounds = taylor(&at, &over);
+            prop_assert!(!value.is_finite() || bounds.contains(value), "{f:?} at {middle} + {share} of {half}: {value} is not in {bounds:?}");
+            if f == Function::Exp {
+                prop_assert!(bounds.radius() < 1.2 * over.at(0).radius());
+            }
         }
     }
 

@@ -45,7 +45,13 @@ fn at_origin(g: &mut Graph, node: Node) -> Option<Node> {
         Op::Input(Input::State(_, Part::Sin | Part::Cos)) => return None,
         Op::Input(Input::State(..) | Input::Rate(..)) => g.zero(),
         Op::Input(Input::TimeRate) => g.constant(1.0),
-        _ if !g.reachable(&[node]).into_iter().any(|n| matches!(g.op(n), Op::Input(Input::State(..) | Input::Rate(..) | Input::TimeRate))) => node,
+        _ if !g
+            .reachable(&[node])
+            .into_iter()
+            .any(|n| matches!(g.op(n), Op::Input(Input::State(..) | Input::Rate(..) | Input::TimeRate))) =>
+        {
+            node
+        }
         Op::Neg(a) => {
             let a = at_origin(g, a)?;
             g.neg(a)

@@ -47,13 +47,7 @@ pub(super) enum Side {
 impl LinearRows {
     /// Appends rows with the entries and values of C_q in them, whose numbers of the time begin at `sides`: C(0, t) of all rows, −C_t, −C_tt; false if
     /// the values are not all known or a row has none.
-    pub(super) fn append(
-        &mut self,
-        rows: Range<usize>,
-        entries: &[Option<(usize, usize)>],
-        values: &[Option<f64>],
-        sides: usize,
-    ) -> bool {
+    pub(super) fn append(&mut self, rows: Range<usize>, entries: &[Option<(usize, usize)>], values: &[Option<f64>], sides: usize) -> bool {
         let own = entries.iter().zip(values).filter_map(|(entry, value)| entry.map(|entry| Some((entry, (*value)?))));
         let Some(mut known) = own.collect::<Option<Vec<((usize, usize), f64)>>>() else { return false };
         known.sort_by_key(|(entry, _)| *entry);
