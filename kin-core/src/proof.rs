@@ -188,11 +188,15 @@ impl System {
         Err(Error::CannotBeProved { what: format!("a motion of \"{}\"", self.name()), reason })
     }
 
-    /// Characteristic sizes of coordinates at the beginning of a motion.
+    /// Characteristic sizes of coordinates in a motion.
     fn sizes_of(&self, motion: &Motion) -> Vec<f64> {
-        let (q, t) = (motion.q(0), motion.times().first().copied().unwrap_or_default());
-        let values = self.model().linearize(q, t).map(|point| point.values).unwrap_or_default();
-        scale::sizes(self.layout(), self.equations(), &values, q, self.links())
+        let t = motion.times().first().copied().unwrap_or_default();
+        let values = self.model().linearize(motion.q(0), t).map(|point| point.values).unwrap_or_default();
+        let mut largest = vec![0.0_f64; self.n_coordinates()];
+        for k in 0..motion.len() {
+            largest.iter_mut().zip(motion.q(k)).for_each(|(largest, q)| *largest = largest.max(q.abs()));
+        }
+        scale::sizes(self.layout(), self.equations(), &values, &largest, self.links())
     }
 
     fn doubt(&self, (t, fault): Failure, sizes: &[f64]) -> Doubt {

@@ -66,7 +66,7 @@ impl Test<'_> {
             let missed = (0..weighted.len()).max_by(|i, j| weighted[*i].mag().total_cmp(&weighted[*j].mag()));
             missed.filter(|row| weighted[*row].mag() > MISSED).map_or_else(singular, |row| Fault::Apart(row, place.c[row].mag()))
         };
-        if radius.is_nan() || radius >= 1.0 {
+        if !radius.is_finite() {
             return Err(fault());
         }
         let reach = |j: usize| Interval::ball(radius * self.sizes[j]);
