@@ -8,6 +8,7 @@ pub(crate) mod function;
 pub(crate) mod graph;
 mod interpret;
 mod jet;
+pub(crate) mod table;
 pub(crate) mod third;
 pub(crate) mod trace;
 

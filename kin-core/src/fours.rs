@@ -102,6 +102,11 @@ pub(crate) fn take(x: &mut [Four], y: &[Four]) -> bool {
     odd.reduce_add() == 0.0
 }
 
+/// x = y
+pub(crate) fn copy(x: &mut [Four], y: &[Four]) {
+    each_mut(x, y, |x, y| *x = *y);
+}
+
 /// x += y
 #[inline]
 pub(crate) fn add(x: &mut [Four], y: &[Four]) {

@@ -79,7 +79,7 @@ impl Motion {
     }
 
     /// q, q̇, q̈ and q⃛ (or nothing) at one more time; `worst` is the row with the largest |C_i|.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn append(&mut self, t: f64, [q, qd, qdd, qddd]: [&[f64]; 4], outcome: Outcome, worst: usize) {
         if self.is_worse(outcome) {
             self.worst = Some((outcome.residual, worst));
@@ -88,7 +88,9 @@ impl Motion {
         self.q.extend_from_slice(q);
         self.qd.extend_from_slice(qd);
         self.qdd.extend_from_slice(qdd);
-        self.qddd.extend_from_slice(qddd);
+        if !qddd.is_empty() {
+            self.qddd.extend_from_slice(qddd);
+        }
         self.iterations.push(outcome.iterations);
         self.residuals.push(outcome.residual);
     }

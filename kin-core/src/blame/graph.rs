@@ -1,5 +1,5 @@
 //! The equation of a constraint as static data: its steps in the order in which the compiler read them, each with the expression it is of.
-//! Written by `#[constraint]`, read when something has failed, and for the jerk.
+//! Written by `#[constraint]` as text ([`super::table`]), read when something has failed, and for the jerk.
 
 use num_dual::Dual3_64;
 
@@ -46,6 +46,18 @@ pub enum Comparison {
 }
 
 impl Comparison {
+    pub(super) fn named(name: &str) -> Option<Self> {
+        Some(match name {
+            "Less" => Comparison::Less,
+            "LessEqual" => Comparison::LessEqual,
+            "Greater" => Comparison::Greater,
+            "GreaterEqual" => Comparison::GreaterEqual,
+            "Equal" => Comparison::Equal,
+            "NotEqual" => Comparison::NotEqual,
+            _ => return None,
+        })
+    }
+
     pub(super) fn holds(self, a: f64, b: f64) -> bool {
         match self {
             Comparison::Less => a < b,
@@ -62,7 +74,7 @@ impl Comparison {
 pub type Expression = (&'static str, u32, u32);
 
 /// The steps of a constraint's rows.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Graph {
     /// The file that the expressions stand in.
     pub file: &'static str,

@@ -1,7 +1,8 @@
 //! The code of a recorded elimination as lanes replay it.
 //!
-//! Steps of one form follow one another in runs, as in [`code`](super::code); a longer step is cut into several that add up in its own place. A
-//! memory of at most 256 numbers is addressed by bytes, which cannot leave it: there no access is checked.
+//! Steps are of a fixed form, each with its operands beside its opcode; a longer one is cut into several that add up in its own place. Runs of
+//! steps of one form, as in [`code`](super::code), do not pay here: with few products a step they are short. A memory of at most 256 numbers
+//! is addressed by bytes, which cannot leave it: there no access is checked.
 
 use std::collections::HashSet;
 use std::marker::PhantomData;
@@ -36,20 +37,19 @@ pub(super) enum Form {
     Pivot,
 }
 
-/// The steps of a program: how many of one opcode follow one another, and their places one after the other, where each writes, where it
-/// starts, its operands and its scale.
+/// The steps of a program, in order.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Replay {
-    runs: Vec<Run>,
-    places: Vec<u32>,
+    code: Vec<Coded>,
     /// What is zero for good, and must be so before it is run.
     pub zeros: Vec<u32>,
 }
 
+/// What a step does, and where it writes, where it starts, its operands and its scale.
 #[derive(Clone, Copy, Debug)]
-struct Run {
+struct Coded {
     opcode: u8,
-    steps: u32,
+    places: [u32; 9],
 }
 
 /// A recorded step with its operands.
@@ -124,22 +124,15 @@ impl Replay {
                 _ => Form::Plain,
             };
             let shape = (own_products.len() * (MOST[1] + 1) + own_plus.len()) * (MOST[2] + 1) + own_minus.len();
-            self.write((form as usize * SHAPES + shape) as u8);
-            self.places.extend([step.out, start.unwrap_or(step.start)]);
-            let operands = own_products.iter().flatten().chain(own_plus).chain(own_minus);
-            self.places.extend(operands.chain((form == Form::Scaled).then_some(&step.scale)));
+            let operands = own_products.iter().flatten().chain(own_plus).chain(own_minus).copied();
+            let all = [step.out, start.unwrap_or(step.start)].into_iter().chain(operands).chain([step.scale]);
+            let mut places = [0; 9];
+            places.iter_mut().zip(all).for_each(|(place, own)| *place = own);
+            self.code.push(Coded { opcode: (form as usize * SHAPES + shape) as u8, places });
             if last {
                 return;
             }
             start = Some(step.out);
-        }
-    }
-
-    /// One more step of that opcode.
-    fn write(&mut self, opcode: u8) {
-        match self.runs.last_mut() {
-            Some(run) if run.opcode == opcode => run.steps += 1,
-            _ => self.runs.push(Run { opcode, steps: 1 }),
         }
     }
 
@@ -209,29 +202,29 @@ impl<S: Level, M: Memory<S> + ?Sized> NullaryFnOnce for Replaying<'_, S, M> {
     #[inline(always)]
     fn call(self) {
         let Replaying(replay, memory, _) = self;
-        let mut places = &replay.places[..];
-        for run in &replay.runs {
-            places = by_opcode(*run, places, memory);
+        for step in &replay.code {
+            by_opcode(step, memory);
         }
     }
 }
 
 macro_rules! copies {
-    ($run:expr, $places:expr, $memory:expr; $($opcode:literal)*) => {
-        match $run.opcode {
-            $($opcode => steps::<S, M, $opcode, { length($opcode) }>($run.steps, $places, $memory),)*
-            _ => $places,
+    ($step:expr, $memory:expr; $($opcode:literal)*) => {
+        // Each number of six bits has its copy, so that none of them has to be checked.
+        match $step.opcode & 63 {
+            $($opcode => compute::<S, M, $opcode>(&$step.places, $memory),)*
+            _ => {}
         }
     };
 }
 
-/// The steps of a run; gives the places of those after it.
 #[rustfmt::skip]
 #[inline(always)]
-fn by_opcode<'p, S: Level, M: Memory<S> + ?Sized>(run: Run, places: &'p [u32], memory: &mut M) -> &'p [u32] {
-    copies!(run, places, memory;
+fn by_opcode<S: Level, M: Memory<S> + ?Sized>(step: &Coded, memory: &mut M) {
+    copies!(step, memory;
         0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29
-        30 31 32 33 34 35 36 37 38 39 40 41 42 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58 59)
+        30 31 32 33 34 35 36 37 38 39 40 41 42 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58 59
+        60 61 62 63)
 }
 
 const fn form(opcode: usize) -> Form {
@@ -250,30 +243,9 @@ const fn shape(opcode: usize) -> [usize; 3] {
     [shape / (MOST[1] + 1) / (MOST[2] + 1), shape / (MOST[2] + 1) % (MOST[1] + 1), shape % (MOST[2] + 1)]
 }
 
-/// How many places a step has.
-const fn length(opcode: usize) -> usize {
-    let [products, plus, minus] = shape(opcode);
-    2 + 2 * products + plus + minus + matches!(form(opcode), Form::Scaled) as usize
-}
-
-/// Steps of a form that is known when the interpreter is compiled; gives the places of the steps after them.
+/// A step of a form that is known when the interpreter is compiled.
 #[inline(always)]
-fn steps<'p, S: Level, M: Memory<S> + ?Sized, const OPCODE: usize, const LENGTH: usize>(
-    steps: u32,
-    mut places: &'p [u32],
-    memory: &mut M,
-) -> &'p [u32] {
-    for _ in 0..steps {
-        let Some((own, rest)) = places.split_first_chunk::<LENGTH>() else { break };
-        compute::<S, M, OPCODE>(own, memory);
-        places = rest;
-    }
-    places
-}
-
-/// One step; `places` are its own.
-#[inline(always)]
-fn compute<S: Level, M: Memory<S> + ?Sized, const OPCODE: usize>(places: &[u32], memory: &mut M) {
+fn compute<S: Level, M: Memory<S> + ?Sized, const OPCODE: usize>(places: &[u32; 9], memory: &mut M) {
     let (form, [products, plus, minus]) = const { (form(OPCODE), shape(OPCODE)) };
     let start = memory.get(places[1]);
     let mut x = if matches!(form, Form::Negated) { -start } else { start };

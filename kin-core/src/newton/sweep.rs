@@ -5,7 +5,7 @@ use super::watch::Watch;
 use super::{Failure, Follow, Newton, Options, Outcome, Steps, assembly, largest, redundant};
 use crate::error::{Error, Result};
 use crate::follow::{self, Branch, Check, Landed, Lost, Objection, SingularKind, SingularPosition};
-use crate::fours::Fours;
+use crate::fours::{self, Fours};
 use crate::motion::Motion;
 use crate::system::System;
 
@@ -171,7 +171,7 @@ impl<'a> Sweep<'a> {
         if self.newton.options.predict {
             std::mem::swap(&mut self.q, &mut self.newton.q);
         } else {
-            self.q.copy_from_slice(&self.newton.q);
+            fours::copy(self.q.whole_mut(), self.newton.q.whole());
         }
     }
 
@@ -179,13 +179,14 @@ impl<'a> Sweep<'a> {
     fn attempt(&mut self, h: f64, target: f64, whole: f64) -> std::result::Result<Outcome, Trouble> {
         let outcome = self.step(h, target, whole).map_err(Trouble::Failed)?;
         self.settle(h, outcome);
+        let remembers = self.remembers();
         let newton = &mut self.newton;
         let judged = newton.rates().map_err(Trouble::Failed).and_then(|()| {
             let Some(check) = &mut self.check else { return Ok(()) };
             let [qd, qdd] = self.predictor.before();
             check.judge(newton, h, [&self.q, qd, qdd]).map_err(Trouble::Objected)
         });
-        if judged.is_err() {
+        if judged.is_err() && remembers {
             self.predictor.retreat(&mut newton.qd, &mut newton.qdd);
         }
         judged.map(|()| outcome)
@@ -213,9 +214,17 @@ impl<'a> Sweep<'a> {
         }
     }
 
+    /// Whether rates of earlier times are asked for.
+    fn remembers(&self) -> bool {
+        self.newton.options.predict || self.check.is_some()
+    }
+
     /// A step h has succeeded; the rates in hand are still those of the time before, and become the past.
     fn settle(&mut self, h: f64, outcome: Outcome) {
         self.untouched = true;
+        if !self.remembers() {
+            return;
+        }
         let newton = &mut self.newton;
         if newton.options.predict && outcome.iterations > 0 {
             let last = Last { q: &self.q, qd: &newton.qd, qdd: &newton.qdd };

@@ -167,7 +167,10 @@ fn unreadable(constraint: &dyn Constraint) -> Option<String> {
         "it takes the {} route, and only the symbolic one leaves its equation as steps of which bounds over an interval can be had",
         constraint.route()
     ));
-    constraint.graph(&mut |graph, _, outside| reason = graph.opaque(outside));
+    constraint.graph(&mut |graph, _, outside| {
+        let whole = graph.rows.len() == constraint.rows().len();
+        reason = if whole { graph.opaque(outside) } else { Some("its steps are too many to be kept".to_string()) };
+    });
     reason
 }
 

@@ -2,11 +2,12 @@
 
 use pulp::NullaryFnOnce;
 
-use crate::lanes::{Level, Mask, Wide};
+use crate::lanes::{Level, Wide};
 use crate::motion::Motion;
 
-/// Times that are kept: few, so that they are still at hand, and a multiple of 4.
-const TIMES: usize = 8;
+/// Times that are kept, a multiple of 4: with fewer the motions are written in pieces too short for the memory, with more what is kept is not
+/// at hand any more.
+const TIMES: usize = 16;
 
 /// What is kept of each time: q, q̇, q̈, the largest residual and the number of Newton steps.
 const KINDS: usize = 5;
@@ -21,9 +22,9 @@ pub(super) struct Kept<S: Level> {
     kinds: [Vec<Wide<S>>; KINDS],
     /// The same lane by lane, in fours.
     own: [Vec<[f64; 4]>; KINDS],
-    /// The largest residual of each lane so far, and its row.
+    /// The largest residual of each lane so far, and C there.
     largest: Wide<S>,
-    worst: Vec<usize>,
+    worst: Vec<Wide<S>>,
 }
 
 impl<S: Level> Kept<S> {
@@ -36,7 +37,7 @@ impl<S: Level> Kept<S> {
             kinds: room.map(|n| vec![Wide::splat(simd, 0.0); n]),
             own: room.map(|n| vec![[0.0; 4]; Wide::<S>::LANES * n / 4]),
             largest: Wide::splat(simd, -1.0),
-            worst: vec![0; Wide::<S>::LANES],
+            worst: vec![Wide::splat(simd, 0.0); n],
         }
     }
 
@@ -54,20 +55,12 @@ impl<S: Level> Kept<S> {
         self.times += 1;
         let grown = residual.gt(self.largest);
         if grown.any() {
-            self.note(grown, c, residual);
+            self.largest = grown.select(residual, self.largest);
+            for (worst, c) in self.worst.iter_mut().zip(c) {
+                *worst = grown.select(*c, *worst);
+            }
         }
         self.times == TIMES
-    }
-
-    /// The row of the residual where it is the largest so far.
-    #[cold]
-    #[inline(never)]
-    fn note(&mut self, grown: Mask<S>, c: &[Wide<S>], residual: Wide<S>) {
-        self.largest = grown.select(residual, self.largest);
-        for (lane, worst) in self.worst.iter_mut().enumerate().filter(|(lane, _)| grown.lane(*lane)) {
-            let row = c.iter().position(|c| c.as_slice()[lane].abs() == residual.as_slice()[lane]);
-            *worst = row.unwrap_or_default();
-        }
     }
 
     /// Appends what was kept to the motions, one a lane.
@@ -88,7 +81,9 @@ impl<S: Level> Kept<S> {
     /// Completes the motions, which have come to the end of these times.
     pub(super) fn complete(&self, times: &[f64], motions: &mut [Motion]) {
         for (lane, motion) in motions.iter_mut().enumerate() {
-            motion.complete(times, (self.largest.as_slice()[lane], self.worst[lane]));
+            let largest = self.largest.as_slice()[lane];
+            let row = self.worst.iter().position(|c| c.as_slice()[lane].abs() == largest);
+            motion.complete(times, (largest, row.unwrap_or_default()));
         }
     }
 }

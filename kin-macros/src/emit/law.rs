@@ -44,18 +44,11 @@ fn symbolic(source: &LawFn, mut lowered: Lowered) -> (TokenStream, Vec<TokenStre
         let next = by_x.of(g, derivatives[k]);
         derivatives.push(next);
     }
-    let outputs: Vec<_> = derivatives
-        .into_iter()
-        .enumerate()
-        .map(|(k, node)| {
-            let k = proc_macro2::Literal::usize_unsuffixed(k);
-            (quote!(f[#k]), node)
-        })
-        .collect();
-    let code = Kernel::emit(&lowered, &source.parameters, &outputs).tokens;
+    let (code, values) = Kernel::plain(&lowered, &source.parameters).values(&derivatives);
+    let code = code.tokens;
     let leaves =
         lowered.leaves.iter().enumerate().map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items)).collect();
-    (quote!(let mut f = [0.0; 4]; #code f), leaves)
+    (quote!(#code [#(#values),*]), leaves)
 }
 
 /// The user's body generic over dual numbers.

@@ -6,7 +6,7 @@ use super::*;
 use crate::random::Random;
 
 impl Random {
-    fn below(&mut self, n: usize) -> usize {
+    pub(super) fn below(&mut self, n: usize) -> usize {
         (self.next() % n as u64) as usize
     }
 
@@ -19,7 +19,7 @@ impl Random {
 
 /// How a random system is made awkward.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
+pub(super) enum Kind {
     Plain,
     /// Nothing on the diagonal.
     Hollow,
@@ -40,15 +40,15 @@ enum Kind {
 const KINDS: [Kind; 8] =
     [Kind::Plain, Kind::Hollow, Kind::Permuted, Kind::Scaled, Kind::Dependent, Kind::NearlyDependent, Kind::Empty, Kind::Structural];
 
-struct Sparse {
-    n: usize,
-    entries: Vec<(usize, usize)>,
-    values: Vec<f64>,
-    constants: Vec<Option<f64>>,
+pub(super) struct Sparse {
+    pub n: usize,
+    pub entries: Vec<(usize, usize)>,
+    pub values: Vec<f64>,
+    pub constants: Vec<Option<f64>>,
 }
 
 impl Sparse {
-    fn random(n: usize, kind: Kind, random: &mut Random) -> Sparse {
+    pub(super) fn random(n: usize, kind: Kind, random: &mut Random) -> Sparse {
         let rows = random.permutation(n);
         let mut a = Sparse { n, entries: Vec::new(), values: Vec::new(), constants: Vec::new() };
         let shift = usize::from(kind == Kind::Hollow);
@@ -117,7 +117,7 @@ impl Sparse {
         }
     }
 
-    fn linear(&self) -> Linear {
+    pub(super) fn linear(&self) -> Linear {
         Linear::new(self.n, self.entries.iter().copied().map(Some), &self.constants)
     }
 
