@@ -14,22 +14,53 @@ use crate::lower::place::Expression;
 use crate::lower::{Lowered, OpaqueKind};
 use crate::parse::{Argument, Kind};
 
-/// `graph` of the symbolic route, which `blame` stands on, and the jerk.
+/// `graph` of the symbolic route, which `blame` stands on, and the jerk, and proofs.
 pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
-    let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
-    let mut table =
-        Table { arguments, lowered, steps: vec![], numbers: HashMap::new(), expressions: vec![], parameters: vec![], outside: vec![] };
-    for node in lowered.graph.reachable(&rows) {
-        let step = table.step(node);
-        table.push(node, &step);
-    }
-    let (text, outside) = (table.text(&rows), table.outside());
-    let values = table.parameters.iter().map(|&k| &lowered.parameters[k]);
+    let Written { table, values, outside } = Written::of(arguments, lowered);
     quote! {
         #[cold]
         fn graph(&self, with: &mut dyn FnMut(&::kin::rt::graph::Graph, &[f64], ::kin::rt::graph::Outside<'_>)) {
-            static TABLE: ::kin::rt::graph::Table = ::kin::rt::graph::Table::new(::core::file!(), #text);
-            with(TABLE.graph(), &[#(#values),*], #outside);
+            static TABLE: ::kin::rt::graph::Table = #table;
+            with(TABLE.graph(), &#values, #outside);
+        }
+    }
+}
+
+/// `over` of a law: its steps, its variable being column 0.
+pub fn law(parameters: &[Argument], lowered: &Lowered) -> TokenStream {
+    let Written { table, values, outside } = Written::of(parameters, lowered);
+    let x = own("x");
+    quote! {
+        #[cold]
+        fn over(&self, #x: &::kin::rt::graph::Series) -> ::core::option::Option<::kin::rt::graph::Series> {
+            static TABLE: ::kin::rt::graph::Table = #table;
+            TABLE.graph().law_over(#x, &#values, #outside)
+        }
+    }
+}
+
+/// The table of an equation, the values of its parameters, and what computes what the table cannot.
+struct Written {
+    table: TokenStream,
+    values: TokenStream,
+    outside: TokenStream,
+}
+
+impl Written {
+    fn of(arguments: &[Argument], lowered: &Lowered) -> Self {
+        let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
+        let mut table =
+            Table { arguments, lowered, steps: vec![], numbers: HashMap::new(), expressions: vec![], parameters: vec![], outside: vec![] };
+        for node in lowered.graph.reachable(&rows) {
+            let step = table.step(node);
+            table.push(node, &step);
+        }
+        let text = table.text(&rows);
+        let values = table.parameters.iter().map(|&k| &lowered.parameters[k]);
+        Written {
+            table: quote!(::kin::rt::graph::Table::new(::core::file!(), #text)),
+            values: quote!([#(#values),*]),
+            outside: table.outside(),
         }
     }
 }
@@ -170,8 +201,9 @@ impl Table<'_> {
                 format!("{part:?} {}", self.of(node))
             }
             Input::Time => "Time".to_owned(),
+            Input::Variable => "Column 0".to_owned(),
             // Not of an equation's own value.
-            Input::Rate(..) | Input::TimeRate | Input::Variable | Input::Timed(_) => "Constant NaN".to_owned(),
+            Input::Rate(..) | Input::TimeRate | Input::Timed(_) => "Constant NaN".to_owned(),
         }
     }
 
