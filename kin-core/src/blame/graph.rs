@@ -89,19 +89,19 @@ pub struct Graph {
 }
 
 /// Computes what only the user's program can: its number, the numbers it is made of, and where to put the results. A law gives its value and four derivatives ([`give_law`]).
-pub type Outside<'a> = &'a dyn Fn(usize, &[Dual3_64], &mut Vec<Dual3_64>);
+pub type Outside<'a> = &'a dyn Fn(usize, &[Dual3_64], &mut Given);
 
-/// Of an equation in which everything is known.
-pub fn nothing_outside(_: usize, _: &[Dual3_64], _: &mut Vec<Dual3_64>) {}
+/// The results.
+pub type Given = Vec<Dual3_64>;
 
 /// Hands over a law's jet at the first number: its value and four derivatives.
-pub fn give_law(law: &Law, x: &[Dual3_64], to: &mut Vec<Dual3_64>) {
+pub fn give_law(law: &Law, x: &[Dual3_64], to: &mut Given) {
     let Some(x) = x.first() else { return };
     give(&law.jet(x.re), to);
     give(&[law.fourth(x.re)], to);
 }
 
 /// Hands over plain numbers.
-pub fn give(numbers: &[f64], to: &mut Vec<Dual3_64>) {
+pub fn give(numbers: &[f64], to: &mut Given) {
     to.extend(numbers.iter().copied().map(Dual3_64::from_re));
 }

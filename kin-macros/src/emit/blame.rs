@@ -14,7 +14,7 @@ use crate::lower::place::Expression;
 use crate::lower::{Lowered, OpaqueKind};
 use crate::parse::{Argument, Kind};
 
-/// `graph` of the symbolic route, which `blame` stands on, and the jerk.
+/// `table` and `outside` of the symbolic route, which `blame` stands on, and the jerk.
 pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
     let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
     let mut table =
@@ -27,10 +27,11 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
     let values = table.parameters.iter().map(|&k| &lowered.parameters[k]);
     quote! {
         #[cold]
-        fn graph(&self, with: &mut dyn FnMut(&::kin::rt::graph::Graph, &[f64], ::kin::rt::graph::Outside<'_>)) {
+        fn table(&self) -> ::core::option::Option<(&'static ::kin::rt::graph::Graph, ::std::vec::Vec<f64>)> {
             static TABLE: ::kin::rt::graph::Table = ::kin::rt::graph::Table::new(::core::file!(), #text);
-            with(TABLE.graph(), &[#(#values),*], #outside);
+            TABLE.with(&[#(#values),*])
         }
+        #outside
     }
 }
 
@@ -178,14 +179,19 @@ impl Table<'_> {
     /// The function that computes what the table cannot.
     fn outside(&self) -> TokenStream {
         if self.outside.is_empty() {
-            return quote!(&::kin::rt::graph::nothing_outside);
+            return quote!();
         }
         let (number, x, to) = (own("number"), own("x"), own("to"));
         let cases = self.outside.iter().enumerate().map(|(k, what)| {
             let (k, code) = (literal(k), self.computed(*what, &x, &to));
             quote!(#k => { #code })
         });
-        quote!(&|#number, #x, #to| match #number { #(#cases)* _ => {} })
+        quote! {
+            #[cold]
+            fn outside(&self, #number: usize, #x: &[::kin::rt::graph::Dual3_64], #to: &mut ::kin::rt::graph::Given) {
+                match #number { #(#cases)* _ => {} }
+            }
+        }
     }
 
     fn computed(&self, what: Outside, x: &Ident, to: &Ident) -> TokenStream {
