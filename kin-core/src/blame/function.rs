@@ -18,7 +18,7 @@ macro_rules! functions {
             }
 
             /// The function with as many derivatives as the numbers have.
-            pub(super) fn by_dual<D: Dual>(self) -> $function {
+            pub(crate) fn by_dual<D: Dual>(self) -> $function {
                 match self { $($name::$variant => $f),* }
             }
         }

@@ -88,20 +88,56 @@ pub struct Graph {
     pub parameters: &'static [&'static str],
 }
 
-/// Computes what only the user's program can: its number, the numbers it is made of, and where to put the results. A law gives its value and four derivatives ([`give_law`]).
+/// Computes what only the user's program can: its number, the numbers it is made of, and where to put the results.
 pub type Outside<'a> = &'a dyn Fn(usize, &[Dual3_64], &mut Given);
 
-/// The results.
-pub type Given = Vec<Dual3_64>;
+/// What only the user's program can compute: numbers, or the law that stands there.
+#[derive(Default)]
+pub struct Given {
+    numbers: Vec<Dual3_64>,
+    law: Option<Law>,
+}
 
-/// Hands over a law's jet at the first number: its value and four derivatives.
-pub fn give_law(law: &Law, x: &[Dual3_64], to: &mut Given) {
-    let Some(x) = x.first() else { return };
-    give(&law.jet(x.re), to);
-    give(&[law.fourth(x.re)], to);
+impl Given {
+    /// What number `number` of the outside makes of these.
+    pub(crate) fn by(outside: Outside<'_>, number: u16, operands: &[Dual3_64]) -> Given {
+        let mut given = Given::default();
+        outside(usize::from(number), operands, &mut given);
+        given
+    }
+
+    /// One more number.
+    pub fn push(&mut self, number: Dual3_64) {
+        self.numbers.push(number);
+    }
+
+    /// Number k; not a number where there is none.
+    pub(crate) fn number(&self, k: u16) -> Dual3_64 {
+        self.numbers.get(usize::from(k)).copied().unwrap_or(Dual3_64::from_re(f64::NAN))
+    }
+
+    /// The law.
+    pub(crate) fn law(&self) -> Option<&Law> {
+        self.law.as_ref()
+    }
+}
+
+/// Derivative number `order` of a law at x, with the three that follow; what is not known is not a number.
+pub(crate) fn jet_of_law(outside: Outside<'_>, number: u16, x: f64, order: u8) -> [f64; 4] {
+    let Some(law) = Given::by(outside, number, &[]).law else { return [f64::NAN; 4] };
+    let [f, f1, f2, f3] = law.jet(x);
+    if order == 0 { [f, f1, f2, f3] } else { [f1, f2, f3, law.fourth(x)] }
+}
+
+/// Of an equation in which everything is known.
+pub fn nothing_outside(_: usize, _: &[Dual3_64], _: &mut Given) {}
+
+/// Hands over a law.
+pub fn give_law(law: &Law, _: &[Dual3_64], to: &mut Given) {
+    to.law = Some(law.clone());
 }
 
 /// Hands over plain numbers.
 pub fn give(numbers: &[f64], to: &mut Given) {
-    to.extend(numbers.iter().copied().map(Dual3_64::from_re));
+    numbers.iter().for_each(|number| to.push(Dual3_64::from_re(*number)));
 }

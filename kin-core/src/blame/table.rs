@@ -27,7 +27,7 @@ impl Table {
     }
 
     /// The steps. What is read stays for good, as if it had been compiled; a text that is no table has none.
-    fn graph(&'static self) -> &'static Graph {
+    pub fn graph(&'static self) -> &'static Graph {
         self.graph.get_or_init(|| read(self.file, self.text).unwrap_or_else(|| Graph { file: self.file, ..Graph::default() }))
     }
 }

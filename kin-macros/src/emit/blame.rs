@@ -14,24 +14,71 @@ use crate::lower::place::Expression;
 use crate::lower::{Lowered, OpaqueKind};
 use crate::parse::{Argument, Kind};
 
-/// `table` and `outside` of the symbolic route, which `blame` stands on, and the jerk.
+/// `table` and `outside` of the symbolic route, which `blame` stands on, the jerk, and proofs.
 pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
-    let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
-    let mut table =
-        Table { arguments, lowered, steps: vec![], numbers: HashMap::new(), expressions: vec![], parameters: vec![], outside: vec![] };
-    for node in lowered.graph.reachable(&rows) {
-        let step = table.step(node);
-        table.push(node, &step);
-    }
-    let (text, outside) = (table.text(&rows), table.outside());
-    let values = table.parameters.iter().map(|&k| &lowered.parameters[k]);
+    let Written { table, values, outside } = Written::of(arguments, lowered);
+    let [number, x, to] = outside_names();
+    let outside = outside.map(|outside| {
+        quote! {
+            #[cold]
+            fn outside(&self, #number: usize, #x: &[::kin::rt::graph::Dual3_64], #to: &mut ::kin::rt::graph::Given) {
+                #outside
+            }
+        }
+    });
     quote! {
         #[cold]
         fn table(&self) -> ::core::option::Option<(&'static ::kin::rt::graph::Graph, ::std::vec::Vec<f64>)> {
-            static TABLE: ::kin::rt::graph::Table = ::kin::rt::graph::Table::new(::core::file!(), #text);
-            TABLE.with(&[#(#values),*])
+            static TABLE: ::kin::rt::graph::Table = #table;
+            TABLE.with(&#values)
         }
         #outside
+    }
+}
+
+/// `over` of a law: its steps, its variable being column 0.
+pub fn law(parameters: &[Argument], lowered: &Lowered) -> TokenStream {
+    let Written { table, values, outside } = Written::of(parameters, lowered);
+    let [number, x, to] = outside_names();
+    let outside = outside.map_or_else(|| quote!(::kin::rt::graph::nothing_outside), |outside| quote!(|#number, #x, #to| #outside));
+    quote! {
+        #[cold]
+        fn over(&self, #x: &::kin::rt::graph::Series) -> ::core::option::Option<::kin::rt::graph::Series> {
+            static TABLE: ::kin::rt::graph::Table = #table;
+            TABLE.graph().law_over(#x, &#values, &#outside)
+        }
+    }
+}
+
+/// The table of an equation, the values of its parameters, and what computes what the table cannot.
+struct Written {
+    table: TokenStream,
+    values: TokenStream,
+    /// By its number, from `x` into `to`; nothing where there is nothing of the kind.
+    outside: Option<TokenStream>,
+}
+
+/// What is asked for by its number, what it is computed from, and where it goes.
+fn outside_names() -> [Ident; 3] {
+    ["number", "x", "to"].map(own)
+}
+
+impl Written {
+    fn of(arguments: &[Argument], lowered: &Lowered) -> Self {
+        let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
+        let mut table =
+            Table { arguments, lowered, steps: vec![], numbers: HashMap::new(), expressions: vec![], parameters: vec![], outside: vec![] };
+        for node in lowered.graph.reachable(&rows) {
+            let step = table.step(node);
+            table.push(node, &step);
+        }
+        let text = table.text(&rows);
+        let values = table.parameters.iter().map(|&k| &lowered.parameters[k]);
+        Written {
+            table: quote!(::kin::rt::graph::Table::new(::core::file!(), #text)),
+            values: quote!([#(#values),*]),
+            outside: table.outside(),
+        }
     }
 }
 
@@ -171,27 +218,20 @@ impl Table<'_> {
                 format!("{part:?} {}", self.of(node))
             }
             Input::Time => "Time".to_owned(),
+            Input::Variable => "Column 0".to_owned(),
             // Not of an equation's own value.
-            Input::Rate(..) | Input::TimeRate | Input::Variable | Input::Timed(_) => "Constant NaN".to_owned(),
+            Input::Rate(..) | Input::TimeRate | Input::Timed(_) => "Constant NaN".to_owned(),
         }
     }
 
     /// The function that computes what the table cannot.
-    fn outside(&self) -> TokenStream {
-        if self.outside.is_empty() {
-            return quote!();
-        }
-        let (number, x, to) = (own("number"), own("x"), own("to"));
+    fn outside(&self) -> Option<TokenStream> {
+        let [number, x, to] = outside_names();
         let cases = self.outside.iter().enumerate().map(|(k, what)| {
             let (k, code) = (literal(k), self.computed(*what, &x, &to));
             quote!(#k => { #code })
         });
-        quote! {
-            #[cold]
-            fn outside(&self, #number: usize, #x: &[::kin::rt::graph::Dual3_64], #to: &mut ::kin::rt::graph::Given) {
-                match #number { #(#cases)* _ => {} }
-            }
-        }
+        (!self.outside.is_empty()).then(|| quote!(match #number { #(#cases)* _ => {} }))
     }
 
     fn computed(&self, what: Outside, x: &Ident, to: &Ident) -> TokenStream {
