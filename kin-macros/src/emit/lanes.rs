@@ -128,9 +128,11 @@ impl Outside {
     /// One kernel: what is known by name, evaluations by their calls.
     fn kernel(&self, lowered: &Lowered, arguments: &[Argument], outputs: &[(TokenStream, Node)]) -> TokenStream {
         let known: Vec<Node> = self.known.concat();
-        let names: Vec<Ident> = (0..known.len()).map(|k| own(&format!("known{k}"))).collect();
-        let given = known.iter().zip(&names).map(|(&node, name)| {
-            let value = if is_condition(lowered, node) { quote!(#name.is_true()) } else { quote!(#name) };
+        // Read where they are used: registers are few.
+        let list = own("known");
+        let given = known.iter().enumerate().map(|(k, &node)| {
+            let k = literal(k);
+            let value = if is_condition(lowered, node) { quote!(#list[#k].is_true()) } else { quote!(#list[#k]) };
             (node, value)
         });
         let calls: Evaluations = self
@@ -143,11 +145,8 @@ impl Outside {
             })
             .collect();
         let code = Kernel::over_lanes(lowered, arguments, given.collect(), calls).write(outputs).tokens;
-        let n = literal(names.len());
-        let bind = match names.len() {
-            0 => quote!(),
-            _ => quote!(let ::core::option::Option::Some(&[#(#names),*]) = at.known::<#n>() else { return };),
-        };
+        let n = literal(known.len());
+        let bind = (!known.is_empty()).then(|| quote!(let ::core::option::Option::Some(#list) = at.known::<#n>() else { return };));
         quote!(#bind #code)
     }
 
