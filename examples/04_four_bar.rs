@@ -36,6 +36,8 @@ fn main() -> kin::Result<()> {
     println!("{}", motion.summary());
     println!("the coupler point reaches {:.3} m/s", motion.point(coupler, p).speed().max());
 
+    println!("{}", system.prove(&motion)?); // by interval bounds: nothing else moves like this
+
     // 3. Figures.
     let scene = Scene::new(&system).trace("P", coupler, p);
     scene.pose(&motion, 0.2)?.save(format!("{OUT}/pose.svg"))?;

@@ -36,6 +36,7 @@ fn main() -> kin::Result<()> {
     let times = linspace(0.0, 2.0, 241);
     let smooth = system.run(&times)?;
     smooth.events().iter().for_each(|event| println!("{event}"));
+    println!("{}", system.prove(&smooth)?); // not over the flat positions, beyond which there are two motions
 
     // 2. The same, turned into the other branch at the first flat position and back at the third.
     let options = Options { follow: Follow::Turning(vec![0, 2]), ..Options::default() };

@@ -8,6 +8,7 @@ pub(crate) mod function;
 pub(crate) mod graph;
 mod interpret;
 mod jet;
+pub(crate) mod table;
 pub(crate) mod third;
 pub(crate) mod trace;
 
@@ -175,7 +176,7 @@ impl Culprit {
     /// Asks a constraint of a system why a term of its local row `row` is not finite.
     pub(crate) fn of(block: &Block, layout: &Layout, at: At<'_>, rates: Rates<'_>, row: usize, term: Option<Term>) -> Culprit {
         let arguments = block.constraint.arguments();
-        let columns: Vec<Option<usize>> = arguments.iter().flat_map(|argument| global(argument, layout)).collect();
+        let columns: Vec<Option<usize>> = arguments.iter().flat_map(|argument| columns(argument, layout)).collect();
         let moves: Vec<bool> = columns.iter().map(Option::is_some).collect();
         let counts = || arguments.iter().map(|argument| argument.target.columns()).enumerate();
         let q: Vec<f64> = counts().flat_map(|(k, n)| at.coordinates(k, n)).copied().collect();
@@ -198,7 +199,7 @@ impl Culprit {
 }
 
 /// The coordinates of a mechanism behind an argument's columns; `None` on the ground.
-fn global(argument: &Argument, layout: &Layout) -> Vec<Option<usize>> {
+pub(crate) fn columns(argument: &Argument, layout: &Layout) -> Vec<Option<usize>> {
     let first = match layout.place(&argument.target) {
         Some(Place::Own { first, .. }) => Some(first),
         _ => None,

@@ -14,6 +14,7 @@
 //! kin::check::law(&Law::sine(2.0, 3.0, 0.5), 0.0, 4.0);
 //! ```
 
+mod bounds;
 mod central;
 mod lanes;
 mod law;
@@ -37,6 +38,8 @@ pub struct Report {
     pub routes: f64,
     /// Largest difference of C, C_q, C_t, and of Q_d from central differences, relative as above.
     pub differences: f64,
+    /// Number of states at which interval bounds of C and C_q over boxes around it, those of [`crate::System::prove`], were known; all values lie within.
+    pub bounded: usize,
     /// Number of states compared. States where the function or a derivative is not finite are left out.
     pub states: usize,
 }
@@ -48,7 +51,7 @@ pub const DIFFERENCES_TOLERANCE: f64 = 1e-6;
 /// The seed of the states of [`derivatives`] and [`compare`]: the same ones in every run.
 pub const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// Asserts that all routes to the derivatives of `equation` agree, at 24 states spread over ±2 (m, rad, /s; Euler
+/// Asserts that all routes to the derivatives of `equation` agree and lie within their interval bounds, at 24 states spread over ±2 (m, rad, /s; Euler
 /// parameters near length one) and t in 0..4 s, the same in every run.
 ///
 /// For a test: panics with a table of the entries that do not agree, and their state. [`compare`] returns the same as a value.
@@ -68,7 +71,7 @@ pub fn compare<E: Equation<N, M> + Clone, const N: usize, const M: usize>(equati
 
 /// The same at 24 other states, which `seed` chooses.
 pub fn compare_from<E: Equation<N, M> + Clone, const N: usize, const M: usize>(equation: &E, seed: u64) -> Result<Report, Box<Mismatch>> {
-    let mut report = Report { routes: 0.0, differences: 0.0, states: 0 };
+    let mut report = Report { routes: 0.0, differences: 0.0, bounded: 0, states: 0 };
     let mut spread = Spread(seed);
     for number in 1..=24 {
         let (mut q, qd) = (spread.vector::<N>(), spread.vector::<N>());
@@ -103,7 +106,7 @@ pub fn at<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     qd: &[f64; N],
     t: f64,
 ) -> Result<Report, Box<Mismatch>> {
-    let mut report = Report { routes: 0.0, differences: 0.0, states: 0 };
+    let mut report = Report { routes: 0.0, differences: 0.0, bounded: 0, states: 0 };
     at_state::<E, N, M>(equation, q, qd, t, &mut report)?;
     Ok(report)
 }
@@ -135,6 +138,9 @@ fn at_state<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
         }
     }
     entries.extend(promises::broken::<E, N, M>(equation, q, qd, t, &dual));
+    let (outside, bounded) = bounds::outside(equation, q, qd, t, &dual);
+    report.bounded += usize::from(bounded);
+    entries.extend(outside);
     match entries.is_empty() {
         true => Ok(()),
         false => Err(Box::new(Mismatch::new(equation, entries, q, qd, t))),

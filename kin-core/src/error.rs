@@ -265,6 +265,15 @@ pub enum Error {
         reason: String,
     },
 
+    /// A motion that interval bounds cannot say anything about.
+    #[error("{what} cannot be proved: {reason}")]
+    CannotBeProved {
+        /// Of which mechanism, or with which constraint.
+        what: String,
+        /// Why.
+        reason: String,
+    },
+
     /// A hand-written constraint that contradicts itself, or does not know what is asked of it.
     #[error("`{constraint}` ({kind}): {reason}")]
     InvalidConstraint {

@@ -22,7 +22,7 @@ pub enum Lanes {
     Best,
     /// One after the other.
     Off,
-    /// Registers of so many lanes: 8 (AVX-512), 4 (AVX2 with FMA), 2 (Neon) or 1 (anywhere), whatever the constraints have.
+    /// Registers of so many lanes: 8 (AVX-512), 4 (AVX2 with FMA) or 2 (Neon), whatever the constraints have.
     Only(usize),
 }
 
@@ -48,9 +48,6 @@ impl Lanes {
         #[cfg(target_arch = "aarch64")]
         if let Some(simd) = pulp::aarch64::Neon::try_new().filter(|_| wanted(2)) {
             return Ok(work.run(simd));
-        }
-        if self == Lanes::Only(1) {
-            return Ok(work.run(pulp::Scalar::new()));
         }
         let _ = wanted;
         Err(work)

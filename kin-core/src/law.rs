@@ -6,6 +6,7 @@ mod combine;
 mod motion;
 mod rise;
 mod sequence;
+mod shapes;
 mod spline;
 
 pub use spline::Ends;
@@ -13,6 +14,7 @@ pub use spline::Ends;
 use std::fmt;
 use std::sync::Arc;
 
+use crate::proof::Series;
 use crate::real::{Dual, Real};
 
 /// A function f of one variable that knows its derivatives; implement it for a law of one's own, then wrap it with [`Law::new`].
@@ -65,6 +67,14 @@ pub trait LawFunction: Send + Sync {
     /// Numbers that make it the law it is but are no parameters, such as where the points of a table stand.
     fn fixed_numbers(&self) -> Vec<(String, f64)> {
         Vec::new()
+    }
+
+    /// The law of a function with interval bounds, for [`crate::System::prove`]; `None` (default) where they are not known: then nothing can be proved
+    /// of a motion that it drives.
+    #[doc(hidden)]
+    fn over(&self, x: &Series) -> Option<Series> {
+        let _ = x;
+        None
     }
 
     /// The same law with one parameter changed; `None` if there is none of that name.
@@ -124,6 +134,11 @@ impl Law {
     /// f⁗(x), where it is known.
     pub fn fourth(&self, x: f64) -> f64 {
         self.0.fourth(x)
+    }
+
+    /// The law of a function with interval bounds, where they are known.
+    pub(crate) fn over(&self, x: &Series) -> Option<Series> {
+        self.0.over(x)
     }
 
     /// Where derivatives up to the third jump between `from` and `to`, both included, in increasing order of x.

@@ -28,6 +28,7 @@ pub mod mechanism;
 mod model;
 pub mod motion;
 pub mod newton;
+pub mod proof;
 mod random;
 pub mod real;
 #[doc(hidden)]
@@ -60,6 +61,7 @@ pub use motion::{Event, EventKind, Line, Motion, PointMotion, Quantity, Rotation
 pub use nalgebra;
 pub use newton::{CrossedBreak, Follow, Options, Report, Stop};
 pub use num_dual;
+pub use proof::{Doubt, DoubtReason, Proof, StepProof, Tube};
 pub use real::{Dual, Real};
 pub use sweep::Sweep;
 pub use system::{Solution, System};

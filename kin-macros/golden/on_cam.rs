@@ -105,60 +105,50 @@ const _: () = {
                 curved: true,
             }
         }
-        /// C: 25 operations
         fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
-            let ::core::option::Option::Some(c) = c.first_chunk_mut::<1>() else {
-                return
-            };
-            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
-            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
-            let follower_x = state1[0];
-            let follower_cos = state1[4];
-            let follower_sin = state1[3];
-            let cam_x = state0[0];
-            let t0 = (follower_x
-                + ((self.tip.x * follower_cos) - (self.tip.y * follower_sin))) - cam_x;
-            let follower_y = state1[1];
-            let cam_y = state0[1];
-            let t1 = (follower_y
-                + ((self.tip.x * follower_sin) + (self.tip.y * follower_cos))) - cam_y;
-            let cam_cos = state0[4];
-            let cam_sin = state0[3];
-            let t2 = (cam_cos * t0) + (cam_sin * t1);
-            let t3 = (cam_cos * t1) - (cam_sin * t0);
-            let t4 = f64::atan2(t3, t2);
-            let law0: [f64; 4] = self.profile.jet(t4);
-            let leaf1: ::kin::rt::Real<f64> = self.__leaf0([::kin::rt::Real(t4)]);
-            c[0] = (f64::sqrt((t2 * t2) + (t3 * t3)) - law0[0]) + leaf1.0;
+            self.linearize(at, c, &mut [0.0; 6]);
         }
-        /// C_q, and C on the way
         fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
             self.linearize(at, &mut [0.0; 1], c_q);
         }
         /// C and C_q: 60 operations
         fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
-            let ::core::option::Option::Some(c) = c.first_chunk_mut::<1>() else {
+            let ::core::option::Option::Some([c_0]) = c.first_chunk_mut() else {
                 return
             };
-            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<6>() else {
-                return
-            };
+            let ::core::option::Option::Some(
+                [c_q_0,
+                c_q_1,
+                c_q_2,
+                c_q_3,
+                c_q_4,
+                c_q_5,
+                ],
+            ) = c_q.first_chunk_mut() else { return };
             let fma = ::kin::rt::fma;
-            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
-            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
-            let in_order = ::kin::rt::in_order;
-            let follower_cos = state1[4];
-            let follower_sin = state1[3];
+            let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
+                .state(0) else { return };
+            let ::core::option::Option::Some(
+                [follower_x,
+                follower_y,
+                _,
+                follower_sin,
+                follower_cos,
+                ],
+            ) = at.state(1) else { return };
+            let put = ::kin::rt::put;
+            let follower_cos = *follower_cos;
+            let follower_sin = *follower_sin;
             let t0 = (self.tip.x * follower_cos) - (self.tip.y * follower_sin);
-            let follower_x = state1[0];
-            let cam_x = state0[0];
+            let follower_x = *follower_x;
+            let cam_x = *cam_x;
             let t1 = (follower_x + t0) - cam_x;
             let t2 = (self.tip.x * follower_sin) + (self.tip.y * follower_cos);
-            let follower_y = state1[1];
-            let cam_y = state0[1];
+            let follower_y = *follower_y;
+            let cam_y = *cam_y;
             let t3 = (follower_y + t2) - cam_y;
-            let cam_cos = state0[4];
-            let cam_sin = state0[3];
+            let cam_cos = *cam_cos;
+            let cam_sin = *cam_sin;
             let t4 = (cam_cos * t1) + (cam_sin * t3);
             let t5 = (cam_cos * t3) - (cam_sin * t1);
             let t6 = (t4 * t4) + (t5 * t5);
@@ -166,8 +156,7 @@ const _: () = {
             let t8 = f64::atan2(t5, t4);
             let law0: [f64; 4] = self.profile.jet(t8);
             let leaf1: ::kin::rt::Real<f64> = self.__leaf0([::kin::rt::Real(t8)]);
-            c[0] = (t7 - law0[0]) + leaf1.0;
-            in_order();
+            put(c_0, (t7 - law0[0]) + leaf1.0);
             let leaf2: ::kin::rt::Real<::kin::rt::Dual64> = self
                 .__leaf0([::kin::rt::Real(::kin::rt::Dual64::new(t8, 1.0))]);
             let t9 = t4 / t6;
@@ -176,32 +165,27 @@ const _: () = {
             let t12 = t5 / t6;
             let t13 = fma(-t12, t11, t9 * t10);
             let t14 = (2.0 * 1.0) / (2.0 * t7);
-            c_q[5] = fma(
-                t14,
-                fma(t5, t10, t4 * t11),
-                fma(-law0[1], t13, leaf2.0.eps * t13),
+            put(
+                c_q_5,
+                fma(t14, fma(t5, t10, t4 * t11), fma(-law0[1], t13, leaf2.0.eps * t13)),
             );
-            in_order();
-            c_q[2] = fma(t5, t12, t4 * t9) * (law0[1] - leaf2.0.eps);
-            in_order();
+            put(c_q_2, fma(t5, t12, t4 * t9) * (law0[1] - leaf2.0.eps));
             let t15 = fma(cam_cos, t12, cam_sin * t9);
             let t16 = fma(
                 fma(-cam_cos, t4, cam_sin * t5),
                 t14,
                 fma(-t15, law0[1], t15 * leaf2.0.eps),
             );
-            c_q[0] = t16;
-            in_order();
+            put(c_q_0, t16);
             let t17 = fma(-cam_cos, t9, cam_sin * t12);
             let t18 = fma(
                 -t14,
                 fma(cam_cos, t5, cam_sin * t4),
                 fma(-law0[1], t17, leaf2.0.eps * t17),
             );
-            c_q[1] = t18;
-            in_order();
-            c_q[3] = -t16;
-            c_q[4] = -t18;
+            put(c_q_1, t18);
+            *c_q_3 = -t16;
+            *c_q_4 = -t18;
         }
         fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
             ::kin::rt::no_velocity(rhs, 1);
@@ -214,43 +198,57 @@ const _: () = {
             t_dot: f64,
             q_d: &mut [f64],
         ) {
-            let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<1>() else {
+            let ::core::option::Option::Some([q_d_0]) = q_d.first_chunk_mut() else {
                 return
             };
             let fma = ::kin::rt::fma;
-            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
-            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
-            let ::core::option::Option::Some(rate0) = qd.of::<3>(0) else { return };
-            let ::core::option::Option::Some(rate1) = qd.of::<3>(1) else { return };
-            let follower_sin = state1[3];
-            let follower_cos = state1[4];
+            let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
+                .state(0) else { return };
+            let ::core::option::Option::Some(
+                [follower_x,
+                follower_y,
+                _,
+                follower_sin,
+                follower_cos,
+                ],
+            ) = at.state(1) else { return };
+            let ::core::option::Option::Some([cam_x_d, cam_y_d, cam_theta_d]) = qd.of(0)
+            else { return };
+            let ::core::option::Option::Some(
+                [follower_x_d,
+                follower_y_d,
+                follower_theta_d,
+                ],
+            ) = qd.of(1) else { return };
+            let follower_sin = *follower_sin;
+            let follower_cos = *follower_cos;
             let t0 = (self.tip.x * follower_sin) + (self.tip.y * follower_cos);
-            let follower_y = state1[1];
-            let cam_y = state0[1];
+            let follower_y = *follower_y;
+            let cam_y = *cam_y;
             let t1 = (follower_y + t0) - cam_y;
             let t2 = (self.tip.x * follower_cos) - (self.tip.y * follower_sin);
-            let follower_x = state1[0];
-            let cam_x = state0[0];
+            let follower_x = *follower_x;
+            let cam_x = *cam_x;
             let t3 = (follower_x + t2) - cam_x;
-            let cam_cos = state0[4];
-            let cam_sin = state0[3];
+            let cam_cos = *cam_cos;
+            let cam_sin = *cam_sin;
             let t4 = (cam_cos * t1) - (cam_sin * t3);
             let t5 = (cam_cos * t3) + (cam_sin * t1);
             let t6 = f64::atan2(t4, t5);
             let t7 = (t5 * t5) + (t4 * t4);
             let t8 = t5 / t7;
-            let follower_theta_d = rate1[2];
+            let follower_theta_d = *follower_theta_d;
             let t9 = t0 * follower_theta_d;
-            let follower_x_d = rate1[0];
-            let cam_x_d = rate0[0];
+            let follower_x_d = *follower_x_d;
+            let cam_x_d = *cam_x_d;
             let t10 = (follower_x_d - t9) - cam_x_d;
             let t11 = cam_sin * t10;
-            let cam_theta_d = rate0[2];
+            let cam_theta_d = *cam_theta_d;
             let t12 = cam_cos * cam_theta_d;
             let t13 = cam_sin * cam_theta_d;
             let t14 = t2 * follower_theta_d;
-            let follower_y_d = rate1[1];
-            let cam_y_d = rate0[1];
+            let follower_y_d = *follower_y_d;
+            let cam_y_d = *cam_y_d;
             let t15 = (follower_y_d + t14) - cam_y_d;
             let t16 = fma(cam_cos, t15, fma(-t1, t13, fma(-t3, t12, -t11)));
             let t17 = cam_cos * t10;
@@ -286,7 +284,7 @@ const _: () = {
                 t29 * fma(t4, t24, fma(t16, t16, fma(t5, t26, t18 * t18))),
             );
             let law1: [f64; 4] = self.profile.jet(t6);
-            q_d[0] = fma(
+            *q_d_0 = fma(
                 law1[1],
                 t27,
                 fma(t20, t20 * law1[2], fma(-2.0, t30, -leaf0.0.v2)),
@@ -301,68 +299,64 @@ const _: () = {
                 ::kin::rt::graph::Outside<'_>,
             ),
         ) {
-            use ::kin::rt::graph::*;
-            const GRAPH: &Graph = &Graph {
-                file: ::core::file!(),
-                expressions: &[
-                    ("follower.point(tip)", 1, 1),
-                    ("cam.local(follower.point(tip))", 1, 1),
-                    ("p.y.atan2(p.x)", 1, 1),
-                    ("p.norm()", 1, 1),
-                    ("profile.at(phi)", 1, 1),
-                    ("p.norm() - profile.at(phi)", 1, 1),
-                    ("wear(phi, MOST_WEAR)", 1, 1),
-                    ("p.norm() - profile.at(phi) + wear(phi, MOST_WEAR)", 1, 1),
-                ],
-                steps: &[
-                    (65535, Parameter(0)),
-                    (65535, Parameter(1)),
-                    (0, Column(3)),
-                    (0, Column(4)),
-                    (0, Column(5)),
-                    (0, Call(Sin, 4)),
-                    (0, Column(5)),
-                    (0, Call(Cos, 6)),
-                    (0, Call2(Product, 0, 7)),
-                    (0, Call2(Product, 1, 5)),
-                    (0, Call2(Difference, 8, 9)),
-                    (0, Call2(Product, 0, 5)),
-                    (0, Call2(Product, 1, 7)),
-                    (0, Call2(Sum, 11, 12)),
-                    (0, Call2(Sum, 2, 10)),
-                    (0, Call2(Sum, 3, 13)),
-                    (1, Column(0)),
-                    (1, Column(1)),
-                    (1, Column(2)),
-                    (1, Call(Sin, 18)),
-                    (1, Column(2)),
-                    (1, Call(Cos, 20)),
-                    (1, Call2(Difference, 14, 16)),
-                    (1, Call2(Difference, 15, 17)),
-                    (1, Call2(Product, 21, 22)),
-                    (1, Call2(Product, 19, 23)),
-                    (1, Call2(Sum, 24, 25)),
-                    (1, Call2(Product, 19, 22)),
-                    (1, Call2(Product, 21, 23)),
-                    (1, Call2(Difference, 28, 27)),
-                    (2, Call2(Atan2, 29, 26)),
-                    (3, Call2(Product, 26, 26)),
-                    (3, Call2(Product, 29, 29)),
-                    (3, Call2(Sum, 31, 32)),
-                    (3, Call(Sqrt, 33)),
-                    (4, Law(0, 30, 0)),
-                    (5, Call2(Difference, 34, 35)),
-                    (6, Foreign(1, &[30], 0)),
-                    (7, Call2(Sum, 36, 37)),
-                ],
-                rows: &[38],
-                parameters: &["tip.x", "tip.y"],
-            };
+            static TABLE: ::kin::rt::graph::Table = ::kin::rt::graph::Table::new(
+                ::core::file!(),
+                r##"
+at 1 1 follower.point(tip)
+at 1 1 cam.local(follower.point(tip))
+at 1 1 p.y.atan2(p.x)
+at 1 1 p.norm()
+at 1 1 profile.at(phi)
+at 1 1 p.norm() - profile.at(phi)
+at 1 1 wear(phi, MOST_WEAR)
+at 1 1 p.norm() - profile.at(phi) + wear(phi, MOST_WEAR)
+parameters tip.x tip.y
+rows 38
+- Parameter 0
+- Parameter 1
+0 Column 3
+0 Column 4
+0 Column 5
+0 Sin 4
+0 Column 5
+0 Cos 6
+0 Product 0 7
+0 Product 1 5
+0 Difference 8 9
+0 Product 0 5
+0 Product 1 7
+0 Sum 11 12
+0 Sum 2 10
+0 Sum 3 13
+1 Column 0
+1 Column 1
+1 Column 2
+1 Sin 18
+1 Column 2
+1 Cos 20
+1 Difference 14 16
+1 Difference 15 17
+1 Product 21 22
+1 Product 19 23
+1 Sum 24 25
+1 Product 19 22
+1 Product 21 23
+1 Difference 28 27
+2 Atan2 29 26
+3 Product 26 26
+3 Product 29 29
+3 Sum 31 32
+3 Sqrt 33
+4 Law 0 30 0
+5 Difference 34 35
+6 Foreign 1 0 30
+7 Sum 36 37"##,
+            );
             with(
-                GRAPH,
+                TABLE.graph(),
                 &[self.tip.x, self.tip.y],
                 &|number, x, to| match number {
-                    0 => give_law(&self.profile, x, to),
+                    0 => ::kin::rt::graph::give_law(&self.profile, x, to),
                     1 => {
                         let value: ::kin::rt::Real<::kin::rt::Dual3_64> = self
                             .__leaf0([::kin::rt::Real(x[0])]);
@@ -373,10 +367,7 @@ const _: () = {
             );
         }
         fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
-            let mut u = [[0.0_f64; 3]; 1];
-            u[0][0] = self.tip.x;
-            u[0][1] = self.tip.y;
-            ::kin::rt::attachments(&[(1, true)], &u)
+            ::kin::rt::attachments(&[(1, true, [self.tip.x, self.tip.y, 0.0])])
         }
         fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::rt::InLanes> {
             ::core::option::Option::Some(self)
@@ -413,26 +404,35 @@ const _: () = {
             at: &::kin::rt::At<'_>,
             visit: &mut dyn FnMut(&str, &::kin::Law, f64),
         ) {
-            let mut x = [0.0; 1];
-            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
-            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
-            let follower_y = state1[1];
-            let follower_sin = state1[3];
-            let follower_cos = state1[4];
-            let cam_y = state0[1];
+            let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
+                .state(0) else { return };
+            let ::core::option::Option::Some(
+                [follower_x,
+                follower_y,
+                _,
+                follower_sin,
+                follower_cos,
+                ],
+            ) = at.state(1) else { return };
+            let follower_y = *follower_y;
+            let follower_sin = *follower_sin;
+            let follower_cos = *follower_cos;
+            let cam_y = *cam_y;
             let t0 = (follower_y
                 + ((self.tip.x * follower_sin) + (self.tip.y * follower_cos))) - cam_y;
-            let follower_x = state1[0];
-            let cam_x = state0[0];
+            let follower_x = *follower_x;
+            let cam_x = *cam_x;
             let t1 = (follower_x
                 + ((self.tip.x * follower_cos) - (self.tip.y * follower_sin))) - cam_x;
-            let cam_cos = state0[4];
-            let cam_sin = state0[3];
-            x[0] = f64::atan2(
-                (cam_cos * t0) - (cam_sin * t1),
-                (cam_cos * t1) + (cam_sin * t0),
-            );
-            visit("profile", &self.profile, x[0]);
+            let cam_cos = *cam_cos;
+            let cam_sin = *cam_sin;
+            let [x_0] = [
+                f64::atan2(
+                    (cam_cos * t0) - (cam_sin * t1),
+                    (cam_cos * t1) + (cam_sin * t0),
+                ),
+            ];
+            visit("profile", &self.profile, x_0);
         }
     }
     impl ::kin::rt::InLanes for on_cam {
@@ -443,49 +443,39 @@ const _: () = {
             [2, 0]
         }
         fn of_parameters(&self, known: &mut [f64]) {
-            let ::core::option::Option::Some(known) = known.first_chunk_mut::<2>() else {
-                return
-            };
             let (at, t_dot) = (&::kin::rt::At::new(0.0, &[], &[]), 1.0);
-            known[0] = self.tip.x;
-            known[1] = self.tip.y;
-        }
-        fn of_time(&self, t: f64, known: &mut [f64]) {
-            let ::core::option::Option::Some(known) = known.first_chunk_mut::<0>() else {
+            let ::core::option::Option::Some(known) = known.first_chunk_mut() else {
                 return
             };
-            let (at, t_dot) = (&::kin::rt::At::new(t, &[], &[]), 1.0);
+            *known = [self.tip.x, self.tip.y];
         }
         fn evaluate(&self, number: usize, x: &[f64], y: &mut [f64]) {
             match number {
                 0 => {
                     let ::core::option::Option::Some(&[known0]) = x.first_chunk::<1>()
                     else { return };
-                    let ::core::option::Option::Some(y) = y.first_chunk_mut::<3>() else {
+                    let ::core::option::Option::Some(y) = y.first_chunk_mut() else {
                         return
                     };
                     let law0: [f64; 4] = self.profile.jet(known0);
-                    y[0] = law0[0];
-                    y[1] = law0[1];
-                    y[2] = law0[2];
+                    *y = [law0[0], law0[1], law0[2]];
                 }
                 1 => {
                     let ::core::option::Option::Some(&[known0]) = x.first_chunk::<1>()
                     else { return };
-                    let ::core::option::Option::Some(y) = y.first_chunk_mut::<2>() else {
+                    let ::core::option::Option::Some(y) = y.first_chunk_mut() else {
                         return
                     };
                     let leaf0: ::kin::rt::Real<f64> = self
                         .__leaf0([::kin::rt::Real(known0)]);
-                    y[0] = leaf0.0;
                     let leaf1: ::kin::rt::Real<::kin::rt::Dual64> = self
                         .__leaf0([::kin::rt::Real(::kin::rt::Dual64::new(known0, 1.0))]);
-                    y[1] = leaf1.0.eps;
+                    *y = [leaf0.0, leaf1.0.eps];
                 }
                 2 => {
                     let ::core::option::Option::Some(&[known0, known1, known2]) = x
                         .first_chunk::<3>() else { return };
-                    let ::core::option::Option::Some(y) = y.first_chunk_mut::<1>() else {
+                    let ::core::option::Option::Some(y) = y.first_chunk_mut() else {
                         return
                     };
                     let leaf0: ::kin::rt::Real<::kin::rt::Dual2_64> = self
@@ -494,7 +484,7 @@ const _: () = {
                                 ::kin::rt::Dual2_64::new(known0, known1, known2),
                             ),
                         ]);
-                    y[0] = leaf0.0.v2;
+                    *y = [leaf0.0.v2];
                 }
                 _ => {}
             }
@@ -507,25 +497,41 @@ const _: () = {
             c: &mut [::kin::rt::Wide<__S>],
             c_q: &mut [::kin::rt::Wide<__S>],
         ) {
-            let ::core::option::Option::Some(c) = at.rows::<1>(c) else { return };
-            let ::core::option::Option::Some(c_q) = at.values::<6>(c_q) else { return };
-            let ::core::option::Option::Some(&[known0, known1]) = at.known::<2>() else {
+            let ::core::option::Option::Some([c_0]) = at.rows(c) else { return };
+            let ::core::option::Option::Some(
+                [c_q_0,
+                c_q_1,
+                c_q_2,
+                c_q_3,
+                c_q_4,
+                c_q_5,
+                ],
+            ) = at.values(c_q) else { return };
+            let ::core::option::Option::Some(&[known0, known1]) = at.known() else {
                 return
             };
-            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
-            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
-            let follower_cos = state1[4];
-            let follower_sin = state1[3];
+            let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
+                .state(0) else { return };
+            let ::core::option::Option::Some(
+                [follower_x,
+                follower_y,
+                _,
+                follower_sin,
+                follower_cos,
+                ],
+            ) = at.state(1) else { return };
+            let follower_cos = *follower_cos;
+            let follower_sin = *follower_sin;
             let t0 = (known0 * follower_cos) - (known1 * follower_sin);
-            let follower_x = state1[0];
-            let cam_x = state0[0];
+            let follower_x = *follower_x;
+            let cam_x = *cam_x;
             let t1 = (follower_x + t0) - cam_x;
             let t2 = (known0 * follower_sin) + (known1 * follower_cos);
-            let follower_y = state1[1];
-            let cam_y = state0[1];
+            let follower_y = *follower_y;
+            let cam_y = *cam_y;
             let t3 = (follower_y + t2) - cam_y;
-            let cam_cos = state0[4];
-            let cam_sin = state0[3];
+            let cam_cos = *cam_cos;
+            let cam_sin = *cam_sin;
             let t4 = (cam_cos * t1) + (cam_sin * t3);
             let t5 = (cam_cos * t3) - (cam_sin * t1);
             let t6 = (t4 * t4) + (t5 * t5);
@@ -533,7 +539,7 @@ const _: () = {
             let t8 = ::kin::rt::Wide::atan2(t5, t4);
             let call0: [::kin::rt::Wide<__S>; 3] = at.evaluate::<1, 3>(0, [t8]);
             let call1: [::kin::rt::Wide<__S>; 2] = at.evaluate::<1, 2>(1, [t8]);
-            c[0] = (t7 - call0[0]) + call1[0];
+            *c_0 = (t7 - call0[0]) + call1[0];
             let t9 = at.splat(1.0) / (at.splat(2.0) * t7);
             let t10 = (t0 * cam_sin) - (t2 * cam_cos);
             let t11 = (t2 * cam_sin) + (t0 * cam_cos);
@@ -542,29 +548,19 @@ const _: () = {
             let t14 = (t12 * t11) - (t13 * t10);
             let t15 = ((at.splat(2.0) * (t9 * ((t4 * t10) + (t5 * t11))))
                 - (call0[1] * t14)) + (call1[1] * t14);
-            c_q[5] = t15;
-            c_q[2] = ((t4 * t12) + (t5 * t13)) * (call0[1] - call1[1]);
+            *c_q_5 = t15;
+            *c_q_2 = ((t4 * t12) + (t5 * t13)) * (call0[1] - call1[1]);
             let t16 = (cam_sin * t12) + (cam_cos * t13);
             let t17 = ((at.splat(2.0) * (((cam_sin * t5) - (cam_cos * t4)) * t9))
                 - (t16 * call0[1])) + (t16 * call1[1]);
-            c_q[0] = t17;
+            *c_q_0 = t17;
             let t18 = (cam_sin * t13) - (cam_cos * t12);
             let t19 = (call1[1] * t18)
                 - ((at.splat(2.0) * (t9 * ((cam_sin * t4) + (cam_cos * t5))))
                     + (call0[1] * t18));
-            c_q[1] = t19;
-            c_q[3] = -t17;
-            c_q[4] = -t19;
-        }
-        #[inline(always)]
-        fn velocity_rhs<__S: ::kin::rt::Level>(
-            at: &::kin::rt::LaneAt<'_, __S>,
-            rhs: &mut [::kin::rt::Wide<__S>],
-        ) {
-            let ::core::option::Option::Some(rhs) = at.rows::<0>(rhs) else { return };
-            let ::core::option::Option::Some(&[known0, known1]) = at.known::<2>() else {
-                return
-            };
+            *c_q_1 = t19;
+            *c_q_3 = -t17;
+            *c_q_4 = -t19;
         }
         #[inline(always)]
         fn acceleration_rhs<__S: ::kin::rt::Level>(
@@ -572,43 +568,57 @@ const _: () = {
             qd: &::kin::rt::LaneRates<'_, __S>,
             q_d: &mut [::kin::rt::Wide<__S>],
         ) {
-            let ::core::option::Option::Some(q_d) = at.rows::<1>(q_d) else { return };
-            let ::core::option::Option::Some(&[known0, known1]) = at.known::<2>() else {
+            let ::core::option::Option::Some([q_d_0]) = at.rows(q_d) else { return };
+            let ::core::option::Option::Some(&[known0, known1]) = at.known() else {
                 return
             };
-            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
-            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
-            let ::core::option::Option::Some(rate0) = qd.of::<3>(0) else { return };
-            let ::core::option::Option::Some(rate1) = qd.of::<3>(1) else { return };
-            let follower_cos = state1[4];
-            let follower_sin = state1[3];
+            let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
+                .state(0) else { return };
+            let ::core::option::Option::Some(
+                [follower_x,
+                follower_y,
+                _,
+                follower_sin,
+                follower_cos,
+                ],
+            ) = at.state(1) else { return };
+            let ::core::option::Option::Some([cam_x_d, cam_y_d, cam_theta_d]) = qd.of(0)
+            else { return };
+            let ::core::option::Option::Some(
+                [follower_x_d,
+                follower_y_d,
+                follower_theta_d,
+                ],
+            ) = qd.of(1) else { return };
+            let follower_cos = *follower_cos;
+            let follower_sin = *follower_sin;
             let t0 = (known0 * follower_cos) - (known1 * follower_sin);
-            let follower_x = state1[0];
-            let cam_x = state0[0];
+            let follower_x = *follower_x;
+            let cam_x = *cam_x;
             let t1 = (follower_x + t0) - cam_x;
             let t2 = (known0 * follower_sin) + (known1 * follower_cos);
-            let follower_y = state1[1];
-            let cam_y = state0[1];
+            let follower_y = *follower_y;
+            let cam_y = *cam_y;
             let t3 = (follower_y + t2) - cam_y;
-            let cam_cos = state0[4];
-            let cam_sin = state0[3];
+            let cam_cos = *cam_cos;
+            let cam_sin = *cam_sin;
             let t4 = (cam_cos * t1) + (cam_sin * t3);
             let t5 = (cam_cos * t3) - (cam_sin * t1);
             let t6 = (t4 * t4) + (t5 * t5);
             let t7 = at.splat(2.0) * ::kin::rt::Wide::sqrt(t6);
             let t8 = at.splat(1.0) / t7;
-            let follower_theta_d = rate1[2];
+            let follower_theta_d = *follower_theta_d;
             let t9 = t0 * follower_theta_d;
-            let follower_y_d = rate1[1];
-            let cam_y_d = rate0[1];
+            let follower_y_d = *follower_y_d;
+            let cam_y_d = *cam_y_d;
             let t10 = (follower_y_d + t9) - cam_y_d;
             let t11 = cam_cos * t10;
             let t12 = t2 * follower_theta_d;
-            let follower_x_d = rate1[0];
-            let cam_x_d = rate0[0];
+            let follower_x_d = *follower_x_d;
+            let cam_x_d = *cam_x_d;
             let t13 = (follower_x_d - t12) - cam_x_d;
             let t14 = cam_sin * t13;
-            let cam_theta_d = rate0[2];
+            let cam_theta_d = *cam_theta_d;
             let t15 = (cam_theta_d * (t1 * cam_theta_d)) + (follower_theta_d * t9);
             let t16 = (cam_theta_d * (t3 * cam_theta_d)) + (follower_theta_d * t12);
             let t17 = (at.splat(2.0) * (cam_theta_d * (t11 - t14)))
@@ -634,7 +644,7 @@ const _: () = {
             let t33 = t31 - t32;
             let call1: [::kin::rt::Wide<__S>; 1] = at
                 .evaluate::<3, 1>(2, [t30, t29, t33]);
-            q_d[0] = -(((at.splat(2.0) * t26)
+            *q_d_0 = -(((at.splat(2.0) * t26)
                 - ((t29 * (t29 * call0[2])) + (call0[1] * t33))) + call1[0]);
         }
     }
@@ -664,10 +674,9 @@ const _: () = {
             q: &[::kin::rt::Real<__D>; 6],
             t: ::kin::rt::Real<__D>,
         ) -> [::kin::rt::Real<__D>; 1] {
-            let cam = ::kin::rt::PlanarState::<__Real<__D>>::new([q[0], q[1], q[2]]);
-            let follower = ::kin::rt::PlanarState::<
-                __Real<__D>,
-            >::new([q[3], q[4], q[5]]);
+            let mut q = ::kin::rt::Columns(q);
+            let cam: ::kin::rt::PlanarState<__Real<__D>> = q.planar();
+            let follower: ::kin::rt::PlanarState<__Real<__D>> = q.planar();
             let tip: ::kin::rt::Vec2<__Real<__D>> = ::kin::rt::Lift::lift(self.tip);
             let profile = self.profile.clone();
             let value = (move || -> __Real<__D> {
@@ -686,13 +695,9 @@ const _: () = {
         }
         #[inline]
         fn plain(&self, q: &[f64; 6], t: f64) -> [f64; 1] {
+            let mut q = ::kin::rt::Columns(q);
             ::kin::rt::rows(
-                __WRITTEN(
-                    ::kin::rt::PlanarState::new([q[0], q[1], q[2]]),
-                    ::kin::rt::PlanarState::new([q[3], q[4], q[5]]),
-                    self.tip,
-                    self.profile.clone(),
-                ),
+                __WRITTEN(q.planar(), q.planar(), self.tip, self.profile.clone()),
             )
         }
     }

@@ -95,86 +95,56 @@ const _: () = {
                 curved: true,
             }
         }
-        /// C: 10 operations
         fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
-            let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
-                return
-            };
-            let fma = ::kin::rt::fma;
-            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
-            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
-            let in_order = ::kin::rt::in_order;
-            let j_sin = state1[3];
-            let j_cos = state1[4];
-            let i_sin = state0[3];
-            let i_cos = state0[4];
-            let i_x = state0[0];
-            let j_x = state1[0];
-            c[0] = fma(
-                self.u_j.y,
-                j_sin,
-                fma(
-                    -self.u_j.x,
-                    j_cos,
-                    fma(-self.u_i.y, i_sin, fma(self.u_i.x, i_cos, i_x)),
-                ),
-            ) - j_x;
-            in_order();
-            let i_y = state0[1];
-            let j_y = state1[1];
-            c[1] = fma(
-                -self.u_j.y,
-                j_cos,
-                fma(
-                    -self.u_j.x,
-                    j_sin,
-                    fma(self.u_i.y, i_cos, fma(self.u_i.x, i_sin, i_y)),
-                ),
-            ) - j_y;
-            in_order();
+            self.linearize(at, c, &mut [0.0; 8]);
         }
-        /// C_q, and C on the way
         fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
             self.linearize(at, &mut [0.0; 2], c_q);
         }
         /// C and C_q: 14 operations
         fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
-            let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
+            let ::core::option::Option::Some([c_0, c_1]) = c.first_chunk_mut() else {
                 return
             };
-            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<8>() else {
-                return
-            };
+            let ::core::option::Option::Some(
+                [c_q_0,
+                c_q_1,
+                c_q_2,
+                c_q_3,
+                c_q_4,
+                c_q_5,
+                c_q_6,
+                c_q_7,
+                ],
+            ) = c_q.first_chunk_mut() else { return };
             let fma = ::kin::rt::fma;
-            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
-            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
-            let in_order = ::kin::rt::in_order;
-            c_q[0] = 1.0;
-            c_q[2] = -1.0;
-            c_q[4] = 1.0;
-            c_q[6] = -1.0;
-            let j_cos = state1[4];
-            let j_sin = state1[3];
+            let ::core::option::Option::Some([i_x, i_y, _, i_sin, i_cos]) = at.state(0)
+            else { return };
+            let ::core::option::Option::Some([j_x, j_y, _, j_sin, j_cos]) = at.state(1)
+            else { return };
+            let put = ::kin::rt::put;
+            *c_q_0 = 1.0;
+            *c_q_2 = -1.0;
+            *c_q_4 = 1.0;
+            *c_q_6 = -1.0;
+            let j_cos = *j_cos;
+            let j_sin = *j_sin;
             let t0 = fma(self.u_j.y, j_cos, self.u_j.x * j_sin);
-            c_q[3] = t0;
-            in_order();
-            let i_cos = state0[4];
-            let i_sin = state0[3];
+            put(c_q_3, t0);
+            let i_cos = *i_cos;
+            let i_sin = *i_sin;
             let t1 = fma(-self.u_i.y, i_cos, -(self.u_i.x * i_sin));
-            let i_y = state0[1];
-            let j_y = state1[1];
-            c[1] = ((i_y - t1) - j_y) - t0;
-            in_order();
-            c_q[1] = t1;
+            let i_y = *i_y;
+            let j_y = *j_y;
+            put(c_1, ((i_y - t1) - j_y) - t0);
+            *c_q_1 = t1;
             let t2 = fma(-self.u_i.y, i_sin, self.u_i.x * i_cos);
-            c_q[5] = t2;
-            in_order();
+            put(c_q_5, t2);
             let t3 = fma(-self.u_j.x, j_cos, self.u_j.y * j_sin);
-            let i_x = state0[0];
-            let j_x = state1[0];
-            c[0] = ((i_x + t2) - j_x) + t3;
-            in_order();
-            c_q[7] = t3;
+            let i_x = *i_x;
+            let j_x = *j_x;
+            put(c_0, ((i_x + t2) - j_x) + t3);
+            *c_q_7 = t3;
         }
         fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
             ::kin::rt::no_velocity(rhs, 2);
@@ -187,35 +157,46 @@ const _: () = {
             t_dot: f64,
             q_d: &mut [f64],
         ) {
-            let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<2>() else {
+            let ::core::option::Option::Some([q_d_0, q_d_1]) = q_d.first_chunk_mut()
+            else { return };
+            let fma = ::kin::rt::fma;
+            let ::core::option::Option::Some([_, _, _, i_sin, i_cos]) = at.state(0) else {
                 return
             };
-            let fma = ::kin::rt::fma;
-            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
-            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
-            let ::core::option::Option::Some(rate0) = qd.of::<3>(0) else { return };
-            let ::core::option::Option::Some(rate1) = qd.of::<3>(1) else { return };
-            let in_order = ::kin::rt::in_order;
-            let i_theta_d = rate0[2];
+            let ::core::option::Option::Some([_, _, _, j_sin, j_cos]) = at.state(1) else {
+                return
+            };
+            let ::core::option::Option::Some([_, _, i_theta_d]) = qd.of(0) else {
+                return
+            };
+            let ::core::option::Option::Some([_, _, j_theta_d]) = qd.of(1) else {
+                return
+            };
+            let put = ::kin::rt::put;
+            let i_theta_d = *i_theta_d;
             let t0 = i_theta_d * i_theta_d;
-            let j_theta_d = rate1[2];
+            let j_theta_d = *j_theta_d;
             let t1 = j_theta_d * j_theta_d;
-            let j_cos = state1[4];
-            let j_sin = state1[3];
-            let i_cos = state0[4];
-            let i_sin = state0[3];
-            q_d[1] = fma(
-                -fma(self.u_j.y, j_cos, self.u_j.x * j_sin),
-                t1,
-                fma(self.u_i.y, i_cos, self.u_i.x * i_sin) * t0,
+            let j_cos = *j_cos;
+            let j_sin = *j_sin;
+            let i_cos = *i_cos;
+            let i_sin = *i_sin;
+            put(
+                q_d_1,
+                fma(
+                    -fma(self.u_j.y, j_cos, self.u_j.x * j_sin),
+                    t1,
+                    fma(self.u_i.y, i_cos, self.u_i.x * i_sin) * t0,
+                ),
             );
-            in_order();
-            q_d[0] = fma(
-                -fma(-self.u_j.y, j_sin, self.u_j.x * j_cos),
-                t1,
-                fma(-self.u_i.y, i_sin, self.u_i.x * i_cos) * t0,
+            put(
+                q_d_0,
+                fma(
+                    -fma(-self.u_j.y, j_sin, self.u_j.x * j_cos),
+                    t1,
+                    fma(-self.u_i.y, i_sin, self.u_i.x * i_cos) * t0,
+                ),
             );
-            in_order();
         }
         #[cold]
         fn graph(
@@ -226,66 +207,62 @@ const _: () = {
                 ::kin::rt::graph::Outside<'_>,
             ),
         ) {
-            use ::kin::rt::graph::*;
-            const GRAPH: &Graph = &Graph {
-                file: ::core::file!(),
-                expressions: &[
-                    ("i.point(u_i)", 1, 1),
-                    ("j.point(u_j)", 1, 1),
-                    ("i.point(u_i) - j.point(u_j)", 1, 1),
-                ],
-                steps: &[
-                    (65535, Parameter(0)),
-                    (65535, Parameter(1)),
-                    (65535, Parameter(2)),
-                    (65535, Parameter(3)),
-                    (0, Column(0)),
-                    (0, Column(1)),
-                    (0, Column(2)),
-                    (0, Call(Sin, 6)),
-                    (0, Column(2)),
-                    (0, Call(Cos, 8)),
-                    (0, Call2(Product, 0, 9)),
-                    (0, Call2(Product, 1, 7)),
-                    (0, Call2(Difference, 10, 11)),
-                    (0, Call2(Product, 0, 7)),
-                    (0, Call2(Product, 1, 9)),
-                    (0, Call2(Sum, 13, 14)),
-                    (0, Call2(Sum, 4, 12)),
-                    (0, Call2(Sum, 5, 15)),
-                    (1, Column(3)),
-                    (1, Column(4)),
-                    (1, Column(5)),
-                    (1, Call(Sin, 20)),
-                    (1, Column(5)),
-                    (1, Call(Cos, 22)),
-                    (1, Call2(Product, 2, 23)),
-                    (1, Call2(Product, 3, 21)),
-                    (1, Call2(Difference, 24, 25)),
-                    (1, Call2(Product, 2, 21)),
-                    (1, Call2(Product, 3, 23)),
-                    (1, Call2(Sum, 27, 28)),
-                    (1, Call2(Sum, 18, 26)),
-                    (1, Call2(Sum, 19, 29)),
-                    (2, Call2(Difference, 16, 30)),
-                    (2, Call2(Difference, 17, 31)),
-                ],
-                rows: &[32, 33],
-                parameters: &["u_i.x", "u_i.y", "u_j.x", "u_j.y"],
-            };
+            static TABLE: ::kin::rt::graph::Table = ::kin::rt::graph::Table::new(
+                ::core::file!(),
+                r##"
+at 1 1 i.point(u_i)
+at 1 1 j.point(u_j)
+at 1 1 i.point(u_i) - j.point(u_j)
+parameters u_i.x u_i.y u_j.x u_j.y
+rows 32 33
+- Parameter 0
+- Parameter 1
+- Parameter 2
+- Parameter 3
+0 Column 0
+0 Column 1
+0 Column 2
+0 Sin 6
+0 Column 2
+0 Cos 8
+0 Product 0 9
+0 Product 1 7
+0 Difference 10 11
+0 Product 0 7
+0 Product 1 9
+0 Sum 13 14
+0 Sum 4 12
+0 Sum 5 15
+1 Column 3
+1 Column 4
+1 Column 5
+1 Sin 20
+1 Column 5
+1 Cos 22
+1 Product 2 23
+1 Product 3 21
+1 Difference 24 25
+1 Product 2 21
+1 Product 3 23
+1 Sum 27 28
+1 Sum 18 26
+1 Sum 19 29
+2 Difference 16 30
+2 Difference 17 31"##,
+            );
             with(
-                GRAPH,
+                TABLE.graph(),
                 &[self.u_i.x, self.u_i.y, self.u_j.x, self.u_j.y],
-                &nothing_outside,
+                &::kin::rt::graph::nothing_outside,
             );
         }
         fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
-            let mut u = [[0.0_f64; 3]; 2];
-            u[0][0] = self.u_i.x;
-            u[0][1] = self.u_i.y;
-            u[1][0] = self.u_j.x;
-            u[1][1] = self.u_j.y;
-            ::kin::rt::attachments(&[(0, true), (1, true)], &u)
+            ::kin::rt::attachments(
+                &[
+                    (0, true, [self.u_i.x, self.u_i.y, 0.0]),
+                    (1, true, [self.u_j.x, self.u_j.y, 0.0]),
+                ],
+            )
         }
         fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::rt::InLanes> {
             ::core::option::Option::Some(self)
@@ -317,25 +294,11 @@ const _: () = {
             [4, 0]
         }
         fn of_parameters(&self, known: &mut [f64]) {
-            let ::core::option::Option::Some(known) = known.first_chunk_mut::<4>() else {
-                return
-            };
             let (at, t_dot) = (&::kin::rt::At::new(0.0, &[], &[]), 1.0);
-            known[0] = self.u_i.x;
-            known[1] = self.u_i.y;
-            known[2] = self.u_j.x;
-            known[3] = self.u_j.y;
-        }
-        fn of_time(&self, t: f64, known: &mut [f64]) {
-            let ::core::option::Option::Some(known) = known.first_chunk_mut::<0>() else {
+            let ::core::option::Option::Some(known) = known.first_chunk_mut() else {
                 return
             };
-            let (at, t_dot) = (&::kin::rt::At::new(t, &[], &[]), 1.0);
-        }
-        fn evaluate(&self, number: usize, x: &[f64], y: &mut [f64]) {
-            match number {
-                _ => {}
-            }
+            *known = [self.u_i.x, self.u_i.y, self.u_j.x, self.u_j.y];
         }
     }
     impl ::kin::rt::LaneKernel for revolute {
@@ -345,39 +308,33 @@ const _: () = {
             c: &mut [::kin::rt::Wide<__S>],
             c_q: &mut [::kin::rt::Wide<__S>],
         ) {
-            let ::core::option::Option::Some(c) = at.rows::<2>(c) else { return };
-            let ::core::option::Option::Some(c_q) = at.values::<8>(c_q) else { return };
+            let ::core::option::Option::Some([c_0, c_1]) = at.rows(c) else { return };
+            let ::core::option::Option::Some([_, c_q_1, _, c_q_3, _, c_q_5, _, c_q_7]) = at
+                .values(c_q) else { return };
             let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
-                .known::<4>() else { return };
-            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
-            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
-            let j_sin = state1[3];
-            let j_cos = state1[4];
+                .known() else { return };
+            let ::core::option::Option::Some([i_x, i_y, _, i_sin, i_cos]) = at.state(0)
+            else { return };
+            let ::core::option::Option::Some([j_x, j_y, _, j_sin, j_cos]) = at.state(1)
+            else { return };
+            let j_sin = *j_sin;
+            let j_cos = *j_cos;
             let t0 = (known2 * j_sin) + (known3 * j_cos);
-            c_q[3] = t0;
-            let i_sin = state0[3];
-            let i_cos = state0[4];
+            *c_q_3 = t0;
+            let i_sin = *i_sin;
+            let i_cos = *i_cos;
             let t1 = (known0 * i_sin) + (known1 * i_cos);
-            let i_y = state0[1];
-            let j_y = state1[1];
-            c[1] = (i_y + t1) - (j_y + t0);
-            c_q[1] = -t1;
+            let i_y = *i_y;
+            let j_y = *j_y;
+            *c_1 = (i_y + t1) - (j_y + t0);
+            *c_q_1 = -t1;
             let t2 = (known0 * i_cos) - (known1 * i_sin);
-            c_q[5] = t2;
+            *c_q_5 = t2;
             let t3 = (known2 * j_cos) - (known3 * j_sin);
-            let i_x = state0[0];
-            let j_x = state1[0];
-            c[0] = (i_x + t2) - (j_x + t3);
-            c_q[7] = -t3;
-        }
-        #[inline(always)]
-        fn velocity_rhs<__S: ::kin::rt::Level>(
-            at: &::kin::rt::LaneAt<'_, __S>,
-            rhs: &mut [::kin::rt::Wide<__S>],
-        ) {
-            let ::core::option::Option::Some(rhs) = at.rows::<0>(rhs) else { return };
-            let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
-                .known::<4>() else { return };
+            let i_x = *i_x;
+            let j_x = *j_x;
+            *c_0 = (i_x + t2) - (j_x + t3);
+            *c_q_7 = -t3;
         }
         #[inline(always)]
         fn acceleration_rhs<__S: ::kin::rt::Level>(
@@ -385,24 +342,34 @@ const _: () = {
             qd: &::kin::rt::LaneRates<'_, __S>,
             q_d: &mut [::kin::rt::Wide<__S>],
         ) {
-            let ::core::option::Option::Some(q_d) = at.rows::<2>(q_d) else { return };
+            let ::core::option::Option::Some([q_d_0, q_d_1]) = at.rows(q_d) else {
+                return
+            };
             let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
-                .known::<4>() else { return };
-            let ::core::option::Option::Some(state0) = at.state::<5>(0) else { return };
-            let ::core::option::Option::Some(state1) = at.state::<5>(1) else { return };
-            let ::core::option::Option::Some(rate0) = qd.of::<3>(0) else { return };
-            let ::core::option::Option::Some(rate1) = qd.of::<3>(1) else { return };
-            let j_theta_d = rate1[2];
+                .known() else { return };
+            let ::core::option::Option::Some([_, _, _, i_sin, i_cos]) = at.state(0) else {
+                return
+            };
+            let ::core::option::Option::Some([_, _, _, j_sin, j_cos]) = at.state(1) else {
+                return
+            };
+            let ::core::option::Option::Some([_, _, i_theta_d]) = qd.of(0) else {
+                return
+            };
+            let ::core::option::Option::Some([_, _, j_theta_d]) = qd.of(1) else {
+                return
+            };
+            let j_theta_d = *j_theta_d;
             let t0 = j_theta_d * j_theta_d;
-            let i_theta_d = rate0[2];
+            let i_theta_d = *i_theta_d;
             let t1 = i_theta_d * i_theta_d;
-            let j_cos = state1[4];
-            let j_sin = state1[3];
-            let i_cos = state0[4];
-            let i_sin = state0[3];
-            q_d[0] = -((((known2 * j_cos) - (known3 * j_sin)) * t0)
+            let j_cos = *j_cos;
+            let j_sin = *j_sin;
+            let i_cos = *i_cos;
+            let i_sin = *i_sin;
+            *q_d_0 = -((((known2 * j_cos) - (known3 * j_sin)) * t0)
                 - (((known0 * i_cos) - (known1 * i_sin)) * t1));
-            q_d[1] = -((((known2 * j_sin) + (known3 * j_cos)) * t0)
+            *q_d_1 = -((((known2 * j_sin) + (known3 * j_cos)) * t0)
                 - (((known0 * i_sin) + (known1 * i_cos)) * t1));
         }
     }
@@ -432,8 +399,9 @@ const _: () = {
             q: &[::kin::rt::Real<__D>; 6],
             t: ::kin::rt::Real<__D>,
         ) -> [::kin::rt::Real<__D>; 2] {
-            let i = ::kin::rt::PlanarState::<__Real<__D>>::new([q[0], q[1], q[2]]);
-            let j = ::kin::rt::PlanarState::<__Real<__D>>::new([q[3], q[4], q[5]]);
+            let mut q = ::kin::rt::Columns(q);
+            let i: ::kin::rt::PlanarState<__Real<__D>> = q.planar();
+            let j: ::kin::rt::PlanarState<__Real<__D>> = q.planar();
             let u_i: ::kin::rt::Vec2<__Real<__D>> = ::kin::rt::Lift::lift(self.u_i);
             let u_j: ::kin::rt::Vec2<__Real<__D>> = ::kin::rt::Lift::lift(self.u_j);
             let value = (move || -> ::kin::rt::Vec2<__Real<__D>> {
@@ -443,14 +411,8 @@ const _: () = {
         }
         #[inline]
         fn plain(&self, q: &[f64; 6], t: f64) -> [f64; 2] {
-            ::kin::rt::rows(
-                __WRITTEN(
-                    ::kin::rt::PlanarState::new([q[0], q[1], q[2]]),
-                    ::kin::rt::PlanarState::new([q[3], q[4], q[5]]),
-                    self.u_i,
-                    self.u_j,
-                ),
-            )
+            let mut q = ::kin::rt::Columns(q);
+            ::kin::rt::rows(__WRITTEN(q.planar(), q.planar(), self.u_i, self.u_j))
         }
     }
 };

@@ -118,22 +118,23 @@ const _: () = {
         }
         /// What depends on t and parameters alone: 8 operations
         fn at_time(&self, t: f64, timed: &mut [f64]) {
-            let ::core::option::Option::Some(timed) = timed.first_chunk_mut::<6>() else {
+            let ::core::option::Option::Some(timed) = timed.first_chunk_mut() else {
                 return
             };
             let at = ::kin::rt::At::new(t, &[], &[]);
             let t0 = at.t * self.omega;
             let (s1, c1) = t0.sin_cos();
-            timed[0] = c1;
-            timed[2] = s1;
-            timed[1] = self.l2 * c1;
-            timed[5] = -(self.l2 * (self.omega * c1));
-            timed[3] = self.l2 * s1;
-            timed[4] = self.l2 * (self.omega * s1);
+            *timed = [
+                c1,
+                self.l2 * c1,
+                s1,
+                self.l2 * s1,
+                self.l2 * (self.omega * s1),
+                -(self.l2 * (self.omega * c1)),
+            ];
         }
-        /// C: 4 operations
         fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
-            let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
+            let ::core::option::Option::Some([c_0, c_1]) = c.first_chunk_mut() else {
                 return
             };
             let fma = ::kin::rt::fma;
@@ -145,29 +146,28 @@ const _: () = {
                     &own
                 }
             };
-            let ::core::option::Option::Some(state0) = at.state::<3>(0) else { return };
-            let ::core::option::Option::Some(state1) = at.state::<3>(1) else { return };
-            let in_order = ::kin::rt::in_order;
-            let theta3_cos = state0[2];
-            let x_arg = state1[0];
-            c[0] = fma(self.l3, theta3_cos, timed[1]) - x_arg;
-            in_order();
-            let theta3_sin = state0[1];
-            c[1] = fma(self.l3, theta3_sin, timed[3]) - self.h;
-            in_order();
+            let ::core::option::Option::Some([_, theta3_sin, theta3_cos]) = at.state(0)
+            else { return };
+            let ::core::option::Option::Some([x_arg, _, _]) = at.state(1) else {
+                return
+            };
+            let put = ::kin::rt::put;
+            let theta3_cos = *theta3_cos;
+            let x_arg = *x_arg;
+            put(c_0, fma(self.l3, theta3_cos, timed[1]) - x_arg);
+            let theta3_sin = *theta3_sin;
+            put(c_1, fma(self.l3, theta3_sin, timed[3]) - self.h);
         }
-        /// C_q, and C on the way
         fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
             self.linearize(at, &mut [0.0; 2], c_q);
         }
         /// C and C_q: 6 operations
         fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
-            let ::core::option::Option::Some(c) = c.first_chunk_mut::<2>() else {
+            let ::core::option::Option::Some([c_0, c_1]) = c.first_chunk_mut() else {
                 return
             };
-            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<3>() else {
-                return
-            };
+            let ::core::option::Option::Some([c_q_0, c_q_1, c_q_2]) = c_q
+                .first_chunk_mut() else { return };
             let own: [f64; 6];
             let timed = match at.timed().first_chunk() {
                 ::core::option::Option::Some(timed) => timed,
@@ -176,29 +176,27 @@ const _: () = {
                     &own
                 }
             };
-            let ::core::option::Option::Some(state0) = at.state::<3>(0) else { return };
-            let ::core::option::Option::Some(state1) = at.state::<3>(1) else { return };
-            let in_order = ::kin::rt::in_order;
-            c_q[1] = -1.0;
-            let theta3_cos = state0[2];
+            let ::core::option::Option::Some([_, theta3_sin, theta3_cos]) = at.state(0)
+            else { return };
+            let ::core::option::Option::Some([x_arg, _, _]) = at.state(1) else {
+                return
+            };
+            let put = ::kin::rt::put;
+            *c_q_1 = -1.0;
+            let theta3_cos = *theta3_cos;
             let t0 = self.l3 * theta3_cos;
-            c_q[2] = t0;
-            in_order();
-            let x_arg = state1[0];
-            c[0] = (t0 - x_arg) + timed[1];
-            in_order();
-            let theta3_sin = state0[1];
+            put(c_q_2, t0);
+            let x_arg = *x_arg;
+            put(c_0, (t0 - x_arg) + timed[1]);
+            let theta3_sin = *theta3_sin;
             let t1 = self.l3 * theta3_sin;
-            c_q[0] = -t1;
-            in_order();
-            c[1] = (t1 - self.h) + timed[3];
-            in_order();
+            put(c_q_0, -t1);
+            put(c_1, (t1 - self.h) + timed[3]);
         }
         /// −C_t: 0 operations
         fn velocity_rhs(&self, at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
-            let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<2>() else {
-                return
-            };
+            let ::core::option::Option::Some([rhs_0, rhs_1]) = rhs.first_chunk_mut()
+            else { return };
             let own: [f64; 6];
             let timed = match at.timed().first_chunk() {
                 ::core::option::Option::Some(timed) => timed,
@@ -207,9 +205,9 @@ const _: () = {
                     &own
                 }
             };
-            let in_order = ::kin::rt::in_order;
-            rhs[0] = timed[4];
-            rhs[1] = timed[5];
+            let put = ::kin::rt::put;
+            *rhs_0 = timed[4];
+            *rhs_1 = timed[5];
         }
         /// Q_d for t_dot = 1: 12 operations
         fn acceleration_rhs(
@@ -219,9 +217,8 @@ const _: () = {
             t_dot: f64,
             q_d: &mut [f64],
         ) {
-            let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<2>() else {
-                return
-            };
+            let ::core::option::Option::Some([q_d_0, q_d_1]) = q_d.first_chunk_mut()
+            else { return };
             let fma = ::kin::rt::fma;
             let own: [f64; 6];
             let timed = match at.timed().first_chunk() {
@@ -231,18 +228,17 @@ const _: () = {
                     &own
                 }
             };
-            let ::core::option::Option::Some(state0) = at.state::<3>(0) else { return };
-            let ::core::option::Option::Some(rate0) = qd.of::<1>(0) else { return };
-            let in_order = ::kin::rt::in_order;
-            let theta3_d = rate0[0];
+            let ::core::option::Option::Some([_, theta3_sin, theta3_cos]) = at.state(0)
+            else { return };
+            let ::core::option::Option::Some([theta3_d]) = qd.of(0) else { return };
+            let put = ::kin::rt::put;
+            let theta3_d = *theta3_d;
             let t0 = theta3_d * theta3_d;
             let t1 = self.omega * t_dot;
-            let theta3_cos = state0[2];
-            q_d[0] = fma(self.l2, t1 * (timed[0] * t1), self.l3 * (theta3_cos * t0));
-            in_order();
-            let theta3_sin = state0[1];
-            q_d[1] = fma(self.l2, t1 * (timed[2] * t1), self.l3 * (theta3_sin * t0));
-            in_order();
+            let theta3_cos = *theta3_cos;
+            put(q_d_0, fma(self.l2, t1 * (timed[0] * t1), self.l3 * (theta3_cos * t0)));
+            let theta3_sin = *theta3_sin;
+            put(q_d_1, fma(self.l2, t1 * (timed[2] * t1), self.l3 * (theta3_sin * t0)));
         }
         #[cold]
         fn graph(
@@ -253,51 +249,51 @@ const _: () = {
                 ::kin::rt::graph::Outside<'_>,
             ),
         ) {
-            use ::kin::rt::graph::*;
-            const GRAPH: &Graph = &Graph {
-                file: ::core::file!(),
-                expressions: &[
-                    ("omega * t", 1, 1),
-                    ("theta2.cos()", 1, 1),
-                    ("l2 * theta2.cos()", 1, 1),
-                    ("theta3.cos()", 1, 1),
-                    ("l3 * theta3.cos()", 1, 1),
-                    ("l2 * theta2.cos() + l3 * theta3.cos()", 1, 1),
-                    ("l2 * theta2.cos() + l3 * theta3.cos() - x", 1, 1),
-                    ("theta2.sin()", 1, 1),
-                    ("l2 * theta2.sin()", 1, 1),
-                    ("theta3.sin()", 1, 1),
-                    ("l3 * theta3.sin()", 1, 1),
-                    ("l2 * theta2.sin() + l3 * theta3.sin()", 1, 1),
-                    ("l2 * theta2.sin() + l3 * theta3.sin() - h", 1, 1),
-                ],
-                steps: &[
-                    (65535, Column(1)),
-                    (65535, Time),
-                    (65535, Parameter(0)),
-                    (65535, Parameter(1)),
-                    (65535, Parameter(2)),
-                    (65535, Parameter(3)),
-                    (0, Call2(Product, 1, 5)),
-                    (1, Call(Cos, 6)),
-                    (2, Call2(Product, 2, 7)),
-                    (3, Column(0)),
-                    (3, Call(Cos, 9)),
-                    (4, Call2(Product, 3, 10)),
-                    (5, Call2(Sum, 8, 11)),
-                    (6, Call2(Difference, 12, 0)),
-                    (7, Call(Sin, 6)),
-                    (8, Call2(Product, 2, 14)),
-                    (9, Column(0)),
-                    (9, Call(Sin, 16)),
-                    (10, Call2(Product, 3, 17)),
-                    (11, Call2(Sum, 15, 18)),
-                    (12, Call2(Difference, 19, 4)),
-                ],
-                rows: &[13, 20],
-                parameters: &["l2", "l3", "h", "omega"],
-            };
-            with(GRAPH, &[self.l2, self.l3, self.h, self.omega], &nothing_outside);
+            static TABLE: ::kin::rt::graph::Table = ::kin::rt::graph::Table::new(
+                ::core::file!(),
+                r##"
+at 1 1 omega * t
+at 1 1 theta2.cos()
+at 1 1 l2 * theta2.cos()
+at 1 1 theta3.cos()
+at 1 1 l3 * theta3.cos()
+at 1 1 l2 * theta2.cos() + l3 * theta3.cos()
+at 1 1 l2 * theta2.cos() + l3 * theta3.cos() - x
+at 1 1 theta2.sin()
+at 1 1 l2 * theta2.sin()
+at 1 1 theta3.sin()
+at 1 1 l3 * theta3.sin()
+at 1 1 l2 * theta2.sin() + l3 * theta3.sin()
+at 1 1 l2 * theta2.sin() + l3 * theta3.sin() - h
+parameters l2 l3 h omega
+rows 13 20
+- Column 1
+- Time
+- Parameter 0
+- Parameter 1
+- Parameter 2
+- Parameter 3
+0 Product 1 5
+1 Cos 6
+2 Product 2 7
+3 Column 0
+3 Cos 9
+4 Product 3 10
+5 Sum 8 11
+6 Difference 12 0
+7 Sin 6
+8 Product 2 14
+9 Column 0
+9 Sin 16
+10 Product 3 17
+11 Sum 15 18
+12 Difference 19 4"##,
+            );
+            with(
+                TABLE.graph(),
+                &[self.l2, self.l3, self.h, self.omega],
+                &::kin::rt::graph::nothing_outside,
+            );
         }
         fn description(&self) -> &str {
             "Loop closure of the slider-crank, crank driven at ω.      [m]"
@@ -352,8 +348,9 @@ const _: () = {
             q: &[::kin::rt::Real<__D>; 2],
             t: ::kin::rt::Real<__D>,
         ) -> [::kin::rt::Real<__D>; 2] {
-            let theta3: __Real<__D> = q[0];
-            let x: __Real<__D> = q[1];
+            let mut q = ::kin::rt::Columns(q);
+            let theta3: __Real<__D> = q.coord();
+            let x: __Real<__D> = q.coord();
             let t: __Real<__D> = t;
             let l2: __Real<__D> = ::kin::rt::Lift::lift(self.l2);
             let l3: __Real<__D> = ::kin::rt::Lift::lift(self.l3);
@@ -370,8 +367,9 @@ const _: () = {
         }
         #[inline]
         fn plain(&self, q: &[f64; 2], t: f64) -> [f64; 2] {
+            let mut q = ::kin::rt::Columns(q);
             ::kin::rt::rows(
-                __WRITTEN(q[0], q[1], t, self.l2, self.l3, self.h, self.omega),
+                __WRITTEN(q.coord(), q.coord(), t, self.l2, self.l3, self.h, self.omega),
             )
         }
     }

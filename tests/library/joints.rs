@@ -24,6 +24,8 @@ fn symbolic_is_dual_is_central_difference() {
         assert_eq!(sample.constraint().route(), Route::Symbolic, "{name}");
         let report = sample.compare(7).unwrap_or_else(|mismatch| panic!("{mismatch}"));
         assert!(report.states >= 20, "{name}: {} states", report.states);
+        // bounds hold at all of them, and are known where nothing jumps
+        assert!(report.bounded >= 20, "{name}: bounds at {} states", report.bounded);
         worst = [worst[0].max(report.routes), worst[1].max(report.differences)];
     });
     println!("{} joints: routes within {:.1e}, central differences within {:.1e}", all().len(), worst[0], worst[1]);

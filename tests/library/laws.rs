@@ -3,6 +3,8 @@
 use kin::prelude::*;
 use kin::{Break, check};
 
+use crate::hermite;
+
 /// A law by the name of its constructor, and the part of it that is looked at.
 pub struct Line {
     pub name: &'static str,
@@ -60,6 +62,7 @@ pub fn all() -> Vec<Line> {
     ]
 }
 
+/// And those of intervals, of which proofs are made: each law has them (no derivative is left out but those beyond a break).
 #[test]
 fn derivatives_and_breaks_are_those_of_the_law() {
     for Line { name, law, from, to } in all() {
@@ -67,6 +70,42 @@ fn derivatives_and_breaks_are_those_of_the_law() {
         let worst = check::compare_law(&law, from, to).unwrap_or_else(|mismatch| panic!("{name}: {mismatch}"));
         println!("{name:20} {worst:.1e}  {} breaks", law.breaks(from, to).len());
         assert!(!law.description().is_empty(), "{name}");
+    }
+}
+
+/// Each law drives a coordinate over its whole range, breaks and all: proved, so its bounds are known, and narrow enough; and the law is in the tube.
+#[test]
+fn motions_by_every_law_can_be_proved() {
+    for Line { name, law, from, to } in all() {
+        let mut m = Mechanism::new(name);
+        let x = m.length("x", law.at(from)).unwrap();
+        m.add("motor", drive(x, law.clone())).unwrap();
+        let system = m.build().unwrap();
+        let motion = system.run(linspace(from, to, 38)).unwrap();
+        let proof = system.prove(&motion).unwrap();
+        println!("{proof}");
+        assert!(proof.is_complete(), "{proof}");
+        for (step, u) in proof.steps().iter().flat_map(|step| (0..=16).map(move |k| (step, f64::from(k) / 16.0))) {
+            let (t, radius) = (step.from + u * (step.to - step.from), step.tube.as_ref().unwrap().radius[0]);
+            let off = (hermite::interpolated(&motion, step.step, u)[0] - law.at(t)).abs();
+            assert!(off <= radius + 1e-13, "{name}: at {t} off by {off:e}, tube {radius:e}");
+        }
+        assert!((0..38).all(|k| proof.error(k).is_some_and(|error| error[0] < 1e-12)), "{proof}");
+    }
+}
+
+/// A number just below zero, brought into the period, is the period itself by rounding: there the law is what it is at zero.
+#[test]
+fn periodic_laws_just_below_zero() {
+    let spline = Law::spline(&wave(), Ends::Periodic);
+    let repeated = Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::linear(1.0, -1.0))]).periodic(2.0);
+    for (law, period) in [(spline, 4.0), (repeated, 2.0)] {
+        for x in [-1e-17, -3e-17, -1e-300] {
+            for turn in [0.0, period] {
+                let (below, zero) = (law.jet(x + turn), law.jet(0.0));
+                assert!((0..3).all(|k| (below[k] - zero[k]).abs() < 1e-12), "{} at {x}: {below:?} instead of {zero:?}", law.kind());
+            }
+        }
     }
 }
 

@@ -2,6 +2,8 @@
 
 mod checker;
 mod composed;
+#[path = "../data/hermite.rs"]
+mod hermite;
 mod joints;
 mod laws;
 mod page;

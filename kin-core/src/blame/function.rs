@@ -12,8 +12,13 @@ macro_rules! functions {
         pub enum $name { $($variant),* }
 
         impl $name {
+            /// The function of that name.
+            pub(super) fn named(name: &str) -> Option<Self> {
+                match name { $(stringify!($variant) => Some($name::$variant),)* _ => None }
+            }
+
             /// The function with as many derivatives as the numbers have.
-            pub(super) fn by_dual<D: Dual>(self) -> $function {
+            pub(crate) fn by_dual<D: Dual>(self) -> $function {
                 match self { $($name::$variant => $f),* }
             }
         }

@@ -1,5 +1,5 @@
 //! The equation of a constraint as static data: its steps in the order in which the compiler read them, each with the expression it is of.
-//! Written by `#[constraint]`, read when something has failed, and for the jerk.
+//! Written by `#[constraint]` as text ([`super::table`]), read when something has failed, and for the jerk.
 
 use num_dual::Dual3_64;
 
@@ -46,6 +46,18 @@ pub enum Comparison {
 }
 
 impl Comparison {
+    pub(super) fn named(name: &str) -> Option<Self> {
+        Some(match name {
+            "Less" => Comparison::Less,
+            "LessEqual" => Comparison::LessEqual,
+            "Greater" => Comparison::Greater,
+            "GreaterEqual" => Comparison::GreaterEqual,
+            "Equal" => Comparison::Equal,
+            "NotEqual" => Comparison::NotEqual,
+            _ => return None,
+        })
+    }
+
     pub(super) fn holds(self, a: f64, b: f64) -> bool {
         match self {
             Comparison::Less => a < b,
@@ -62,7 +74,7 @@ impl Comparison {
 pub type Expression = (&'static str, u32, u32);
 
 /// The steps of a constraint's rows.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Graph {
     /// The file that the expressions stand in.
     pub file: &'static str,
@@ -76,20 +88,56 @@ pub struct Graph {
     pub parameters: &'static [&'static str],
 }
 
-/// Computes what only the user's program can: its number, the numbers it is made of, and where to put the results. A law gives its value and four derivatives ([`give_law`]).
-pub type Outside<'a> = &'a dyn Fn(usize, &[Dual3_64], &mut Vec<Dual3_64>);
+/// Computes what only the user's program can: its number, the numbers it is made of, and where to put the results.
+pub type Outside<'a> = &'a dyn Fn(usize, &[Dual3_64], &mut Given);
+
+/// What only the user's program can compute: numbers, or the law that stands there.
+#[derive(Default)]
+pub struct Given {
+    numbers: Vec<Dual3_64>,
+    law: Option<Law>,
+}
+
+impl Given {
+    /// What number `number` of the outside makes of these.
+    pub(crate) fn by(outside: Outside<'_>, number: u16, operands: &[Dual3_64]) -> Given {
+        let mut given = Given::default();
+        outside(usize::from(number), operands, &mut given);
+        given
+    }
+
+    /// One more number.
+    pub fn push(&mut self, number: Dual3_64) {
+        self.numbers.push(number);
+    }
+
+    /// Number k; not a number where there is none.
+    pub(crate) fn number(&self, k: u16) -> Dual3_64 {
+        self.numbers.get(usize::from(k)).copied().unwrap_or(Dual3_64::from_re(f64::NAN))
+    }
+
+    /// The law.
+    pub(crate) fn law(&self) -> Option<&Law> {
+        self.law.as_ref()
+    }
+}
+
+/// Derivative number `order` of a law at x, with the three that follow; what is not known is not a number.
+pub(crate) fn jet_of_law(outside: Outside<'_>, number: u16, x: f64, order: u8) -> [f64; 4] {
+    let Some(law) = Given::by(outside, number, &[]).law else { return [f64::NAN; 4] };
+    let [f, f1, f2, f3] = law.jet(x);
+    if order == 0 { [f, f1, f2, f3] } else { [f1, f2, f3, law.fourth(x)] }
+}
 
 /// Of an equation in which everything is known.
-pub fn nothing_outside(_: usize, _: &[Dual3_64], _: &mut Vec<Dual3_64>) {}
+pub fn nothing_outside(_: usize, _: &[Dual3_64], _: &mut Given) {}
 
-/// Hands over a law's jet at the first number: its value and four derivatives.
-pub fn give_law(law: &Law, x: &[Dual3_64], to: &mut Vec<Dual3_64>) {
-    let Some(x) = x.first() else { return };
-    give(&law.jet(x.re), to);
-    give(&[law.fourth(x.re)], to);
+/// Hands over a law.
+pub fn give_law(law: &Law, _: &[Dual3_64], to: &mut Given) {
+    to.law = Some(law.clone());
 }
 
 /// Hands over plain numbers.
-pub fn give(numbers: &[f64], to: &mut Vec<Dual3_64>) {
-    to.extend(numbers.iter().copied().map(Dual3_64::from_re));
+pub fn give(numbers: &[f64], to: &mut Given) {
+    numbers.iter().for_each(|number| to.push(Dual3_64::from_re(*number)));
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use num_dual::Dual3_64;
 
-use super::graph::{Graph, Outside, Step};
+use super::graph::{Given, Graph, Outside, Step, jet_of_law};
 use super::jet::Jet;
 use super::{Asked, Blame, Direction, Input, Part, Source};
 
@@ -24,18 +24,18 @@ impl Graph {
     /// Back from a result that is not finite to the step all of whose operands are.
     fn origin(&self, row: u16, jets: &[Jet], last: Part) -> Option<(u16, Part)> {
         let (mut step, mut part) = (row, fault(jets, row, last)?);
-        while let Some(next) = self.operands(step, jets).into_iter().find_map(|k| Some((k, fault(jets, k, part)?))) {
+        while let Some(next) = self.operands(step, &|c| holds(jets, c)).into_iter().find_map(|k| Some((k, fault(jets, k, part)?))) {
             (step, part) = next;
         }
         Some((step, part))
     }
 
     /// The steps that a result comes from: of a selection that which is taken.
-    fn operands(&self, step: u16, jets: &[Jet]) -> Vec<u16> {
+    pub(crate) fn operands(&self, step: u16, holds: &dyn Fn(u16) -> bool) -> Vec<u16> {
         let all = match self.steps.get(usize::from(step)).map(|(_, step)| *step) {
             Some(Step::Negated(a) | Step::Call(_, a) | Step::Power(a, _) | Step::Law(_, a, _)) => vec![a],
             Some(Step::Call2(_, a, b)) => vec![a, b],
-            Some(Step::Select(c, a, b)) => vec![if holds(jets, c) { a } else { b }],
+            Some(Step::Select(c, a, b)) => vec![if holds(c) { a } else { b }],
             Some(Step::Foreign(_, operands, _)) => operands.to_vec(),
             _ => vec![],
         };
@@ -57,7 +57,7 @@ impl Graph {
             source: expression.filter(|_| name.is_none()).map(|&(_, line, column)| Source { file: self.file, line, column }),
             part,
             value: value(&step),
-            operands: self.operands(step, jets).iter().map(value).collect(),
+            operands: self.operands(step, &|c| holds(jets, c)).iter().map(value).collect(),
             inputs: self.inputs(step, jets, parameters),
         }
     }
@@ -67,7 +67,7 @@ impl Graph {
         let (mut seen, mut open) = (BTreeSet::new(), vec![step]);
         while let Some(step) = open.pop() {
             if seen.insert(step) {
-                open.extend(self.operands(step, jets));
+                open.extend(self.operands(step, &|c| holds(jets, c)));
             }
         }
         let steps = || seen.iter().filter_map(|&step| Some(self.steps.get(usize::from(step))?.1));
@@ -132,25 +132,20 @@ impl Run<'_> {
             Step::Either(a, b) => truth(holds(jets, a) || holds(jets, b)),
             Step::Not(a) => truth(!holds(jets, a)),
             Step::Law(law, x, order) => {
-                let (x, mut jet) = (of(x), Vec::new());
-                (self.outside)(usize::from(law), &[Dual3_64::from_re(x.value)], &mut jet);
-                let f = |k: usize| jet.get(usize::from(order) + k).map_or(f64::NAN, |f| f.re);
-                x.chain([f(0), f(1), f(2)])
+                let x = of(x);
+                let [f, f1, f2, _] = jet_of_law(self.outside, law, x.value, order);
+                x.chain([f, f1, f2])
             }
             Step::Foreign(number, operands, component) => {
                 let operands: Vec<Jet> = operands.iter().map(|&k| of(k)).collect();
-                self.foreign(usize::from(number), &operands, usize::from(component))
+                self.foreign(number, &operands, component)
             }
         }
     }
 
     /// The user's own function: its derivatives by each of its arguments, and the second one along the direction.
-    fn foreign(&self, number: usize, operands: &[Jet], component: usize) -> Jet {
-        let call = |operands: Vec<Dual3_64>| {
-            let mut results = Vec::new();
-            (self.outside)(number, &operands, &mut results);
-            results.get(component).copied().unwrap_or(Dual3_64::from_re(f64::NAN))
-        };
+    fn foreign(&self, number: u16, operands: &[Jet], component: u16) -> Jet {
+        let call = |operands: Vec<Dual3_64>| Given::by(self.outside, number, &operands).number(component);
         let still = |operand: &Jet| Dual3_64::from_re(operand.value);
         let value = call(operands.iter().map(still).collect()).re;
         if operands.iter().all(|operand| operand.slopes.is_none()) {

@@ -3,9 +3,9 @@
 
 use num_dual::Dual3_64;
 
-use super::graph::{Graph, Outside, Step};
+use super::graph::{Given, Graph, Outside, Step, jet_of_law};
 use crate::coordinates::Argument;
-use crate::real::{Dual, Real};
+use crate::real::Real;
 use crate::state::{At, Rates};
 
 type Number = Real<Dual3_64>;
@@ -62,20 +62,10 @@ fn number(step: Step, known: &[Number], along: &Along, parameters: &[f64], outsi
         Step::Both(a, b) => truth(holds(a) && holds(b)),
         Step::Either(a, b) => truth(holds(a) || holds(b)),
         Step::Not(a) => truth(!holds(a)),
-        Step::Law(law, x, order) => slope_of_law(usize::from(law), of(x), usize::from(order), outside),
+        Step::Law(law, x, order) => of(x).chain(jet_of_law(outside, law, of(x).value(), order)),
         Step::Foreign(number, operands, component) => {
             let operands: Vec<Dual3_64> = operands.iter().map(|&k| of(k).0).collect();
-            let mut results = Vec::new();
-            outside(usize::from(number), &operands, &mut results);
-            results.get(usize::from(component)).map_or(missing, |result| Real(*result))
+            Real(Given::by(outside, number, &operands).number(component))
         }
     }
-}
-
-/// The law (order 0) or its slope (1) at x.
-fn slope_of_law(law: usize, x: Number, order: usize, outside: Outside<'_>) -> Number {
-    let mut jet = Vec::new();
-    outside(law, &[Dual3_64::from_re(x.value())], &mut jet);
-    let f = |k: usize| jet.get(order + k).map_or(f64::NAN, |f| f.value());
-    x.chain([f(0), f(1), f(2), f(3)])
 }

@@ -28,7 +28,8 @@ impl fmt::Debug for LawMismatch {
 
 impl std::error::Error for LawMismatch {}
 
-/// Asserts that f′, f″ and f‴ of a law are the derivatives of f, f′ and f″ between `from` and `to`, and that its breaks are as it lists them.
+/// Asserts that f′, f″ and f‴ of a law are the derivatives of f, f′ and f″ between `from` and `to`, that its breaks are as it
+/// lists them, and that all of these lie within their interval bounds, where it knows those.
 ///
 /// For a test: panics with a table. [`compare_law`] returns the same as a value.
 pub fn law(law: &Law, from: f64, to: f64) {
@@ -60,6 +61,7 @@ pub fn compare_law(law: &Law, from: f64, to: f64) -> Result<f64, LawMismatch> {
         }
     }
     lines.extend(breaks.iter().filter_map(|b| at_break(law, b.x, b.order, h, &sizes)));
+    lines.extend(super::bounds::of_law(law, from, to, &sizes));
     lines.truncate(16);
     if lines.is_empty() { Ok(worst) } else { Err(LawMismatch { kind: law.kind().to_owned(), lines }) }
 }

@@ -133,14 +133,20 @@ pub trait InLanes: Send + Sync {
     /// How many numbers the kernels want that depend on parameters alone, and how many that depend on the time too.
     fn n_known(&self) -> [usize; 2];
 
-    /// The numbers that depend on parameters alone.
-    fn of_parameters(&self, known: &mut [f64]);
+    /// The numbers that depend on parameters alone; default none.
+    fn of_parameters(&self, known: &mut [f64]) {
+        let _ = known;
+    }
 
-    /// The numbers that depend on the time too.
-    fn of_time(&self, t: f64, known: &mut [f64]);
+    /// The numbers that depend on the time too; default none.
+    fn of_time(&self, t: f64, known: &mut [f64]) {
+        let _ = (t, known);
+    }
 
-    /// What depends on coordinates and only f64 can do, such as a law or a function of the user's, by its number.
-    fn evaluate(&self, number: usize, x: &[f64], y: &mut [f64]);
+    /// What depends on coordinates and only f64 can do, such as a law or a function of the user's, by its number; default nothing.
+    fn evaluate(&self, number: usize, x: &[f64], y: &mut [f64]) {
+        let _ = (number, x, y);
+    }
 }
 
 /// C, C_q, −C_t and Q_d over lanes, among those of all constraints. Methods are written `#[inline(always)]`: they are compiled for each kind
@@ -149,25 +155,28 @@ pub trait LaneKernel {
     /// C and C_q together.
     fn linearize<S: Level>(at: &LaneAt<'_, S>, c: &mut [Wide<S>], c_q: &mut [Wide<S>]);
 
-    /// The right side of C_q q̇ = −C_t.
-    fn velocity_rhs<S: Level>(at: &LaneAt<'_, S>, rhs: &mut [Wide<S>]);
+    /// The right side of C_q q̇ = −C_t; default nothing, of a constraint without time.
+    #[inline(always)]
+    fn velocity_rhs<S: Level>(at: &LaneAt<'_, S>, rhs: &mut [Wide<S>]) {
+        let _ = (at, rhs);
+    }
 
     /// Q_d.
     fn acceleration_rhs<S: Level>(at: &LaneAt<'_, S>, qd: &LaneRates<'_, S>, q_d: &mut [Wide<S>]);
 }
 
-/// From the instant to C and the values of C_q of several constraints.
-type Linearize<S> = fn(&LaneInstant<'_, S>, &[LaneBlock], &mut [Wide<S>], &mut [Wide<S>]);
-
-/// From the instant to a right side.
-type RightSide<S> = fn(&LaneInstant<'_, S>, &[LaneBlock], &mut [Wide<S>]);
-
-/// Kernels as functions for one kind of machine, each for several constraints at once: a call costs as much as half a kernel.
-pub struct Table<S: Level> {
-    pub(crate) linearize: Linearize<S>,
-    pub(crate) velocity_rhs: RightSide<S>,
-    pub(crate) acceleration_rhs: RightSide<S>,
+/// What the constraints of a kind are asked for, and where it is written.
+enum Asked<'x, S: Level> {
+    /// C and the values of C_q.
+    Linear(&'x mut [Wide<S>], &'x mut [Wide<S>]),
+    /// −C_t
+    Velocity(&'x mut [Wide<S>]),
+    /// Q_d
+    Acceleration(&'x mut [Wide<S>]),
 }
+
+/// Kernels as one function for one kind of machine, each for several constraints at once: a call costs as much as half a kernel.
+pub struct Table<S: Level>(fn(&LaneInstant<'_, S>, &[LaneBlock], Asked<'_, S>));
 
 impl<S: Level> Clone for Table<S> {
     fn clone(&self) -> Self {
@@ -179,14 +188,27 @@ impl<S: Level> Copy for Table<S> {}
 
 impl<S: Level> Table<S> {
     fn of<K: LaneKernel>() -> Self {
-        Table { linearize: linearize::<S, K>, velocity_rhs: velocity_rhs::<S, K>, acceleration_rhs: acceleration_rhs::<S, K> }
+        Table(|instant, blocks, asked| instant.simd.vectorize(Call(instant, blocks, asked, PhantomData::<K>)))
     }
 
     /// Whether one call can serve constraints of both.
     pub(crate) fn is(&self, other: &Self) -> bool {
-        std::ptr::fn_addr_eq(self.linearize, other.linearize)
-            && std::ptr::fn_addr_eq(self.velocity_rhs, other.velocity_rhs)
-            && std::ptr::fn_addr_eq(self.acceleration_rhs, other.acceleration_rhs)
+        std::ptr::fn_addr_eq(self.0, other.0)
+    }
+
+    /// C and the values of C_q of several constraints.
+    pub(crate) fn linearize(&self, instant: &LaneInstant<'_, S>, blocks: &[LaneBlock], c: &mut [Wide<S>], c_q: &mut [Wide<S>]) {
+        (self.0)(instant, blocks, Asked::Linear(c, c_q));
+    }
+
+    /// −C_t
+    pub(crate) fn velocity_rhs(&self, instant: &LaneInstant<'_, S>, blocks: &[LaneBlock], rhs: &mut [Wide<S>]) {
+        (self.0)(instant, blocks, Asked::Velocity(rhs));
+    }
+
+    /// Q_d
+    pub(crate) fn acceleration_rhs(&self, instant: &LaneInstant<'_, S>, blocks: &[LaneBlock], q_d: &mut [Wide<S>]) {
+        (self.0)(instant, blocks, Asked::Acceleration(q_d));
     }
 }
 
@@ -211,66 +233,34 @@ kernels! {
     #[cfg(target_arch = "x86_64")] v4 pulp::x86::V4;
     #[cfg(target_arch = "x86_64")] v3 pulp::x86::V3;
     #[cfg(target_arch = "aarch64")] neon pulp::aarch64::Neon;
-    scalar pulp::Scalar;
 }
 
-/// A kernel on its way into the function that has the machine's instructions: which one, what it reads, and where it writes.
-struct Call<'x, 'a, W, S: Level, K>(&'x LaneInstant<'a, S>, &'x [LaneBlock], W, PhantomData<K>);
+/// Kernels on their way into the function that has the machine's instructions: one for all three, what it takes to get there is compiled once.
+struct Call<'x, 'a, S: Level, K>(&'x LaneInstant<'a, S>, &'x [LaneBlock], Asked<'x, S>, PhantomData<K>);
 
-/// C and C_q, to be written.
-struct Both<'x, S: Level>(&'x mut [Wide<S>], &'x mut [Wide<S>]);
-
-/// −C_t, to be written.
-struct Velocity<'x, S: Level>(&'x mut [Wide<S>]);
-
-/// Q_d, to be written.
-struct Acceleration<'x, S: Level>(&'x mut [Wide<S>]);
-
-fn linearize<S: Level, K: LaneKernel>(instant: &LaneInstant<'_, S>, blocks: &[LaneBlock], c: &mut [Wide<S>], c_q: &mut [Wide<S>]) {
-    instant.simd.vectorize(Call(instant, blocks, Both(c, c_q), PhantomData::<K>));
-}
-
-impl<S: Level, K: LaneKernel> NullaryFnOnce for Call<'_, '_, Both<'_, S>, S, K> {
+impl<S: Level, K: LaneKernel> NullaryFnOnce for Call<'_, '_, S, K> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        let Call(instant, blocks, Both(c, c_q), _) = self;
-        for block in blocks {
-            K::linearize(&instant.at(block), c, c_q);
-        }
-    }
-}
-
-fn velocity_rhs<S: Level, K: LaneKernel>(instant: &LaneInstant<'_, S>, blocks: &[LaneBlock], rhs: &mut [Wide<S>]) {
-    instant.simd.vectorize(Call(instant, blocks, Velocity(rhs), PhantomData::<K>));
-}
-
-impl<S: Level, K: LaneKernel> NullaryFnOnce for Call<'_, '_, Velocity<'_, S>, S, K> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        let Call(instant, blocks, Velocity(rhs), _) = self;
-        for block in blocks {
-            K::velocity_rhs(&instant.at(block), rhs);
-        }
-    }
-}
-
-fn acceleration_rhs<S: Level, K: LaneKernel>(instant: &LaneInstant<'_, S>, blocks: &[LaneBlock], q_d: &mut [Wide<S>]) {
-    instant.simd.vectorize(Call(instant, blocks, Acceleration(q_d), PhantomData::<K>));
-}
-
-impl<S: Level, K: LaneKernel> NullaryFnOnce for Call<'_, '_, Acceleration<'_, S>, S, K> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        let Call(instant, blocks, Acceleration(q_d), _) = self;
-        for block in blocks {
-            let rates = LaneRates { rates: instant.rates, arguments: instant.arguments, first: block.arguments };
-            K::acceleration_rhs(&instant.at(block), &rates, q_d);
+        let Call(instant, blocks, asked, _) = self;
+        match asked {
+            Asked::Linear(c, c_q) => {
+                for block in blocks {
+                    K::linearize(&instant.at(block), c, c_q);
+                }
+            }
+            Asked::Velocity(rhs) => {
+                for block in blocks {
+                    K::velocity_rhs(&instant.at(block), rhs);
+                }
+            }
+            Asked::Acceleration(q_d) => {
+                for block in blocks {
+                    let rates = LaneRates { rates: instant.rates, arguments: instant.arguments, first: block.arguments };
+                    K::acceleration_rhs(&instant.at(block), &rates, q_d);
+                }
+            }
         }
     }
 }

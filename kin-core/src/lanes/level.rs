@@ -58,5 +58,4 @@ levels! {
     #[cfg(target_arch = "x86_64")] pulp::x86::V4, v4, Align64, 64, |v4| *v4;
     #[cfg(target_arch = "x86_64")] pulp::x86::V3, v3, Align32, 32, |v3| v3;
     #[cfg(target_arch = "aarch64")] pulp::aarch64::Neon, neon, Align16, 16;
-    pulp::Scalar, scalar, Align8, 8;
 }

@@ -133,7 +133,7 @@ mod tests {
         numbers.extend((1..4000).map(|k| f64::from(k) * 15_915.494_309_189_535 * std::f64::consts::FRAC_PI_2));
         numbers.extend((0..40_000).map(|k| (f64::from(k) * 0.618_033_988_7).fract() * 20.0 - 10.0));
         numbers.extend((0..10_000).map(|k| 10.0_f64.powf((f64::from(k) * 0.618_033_988_7).fract() * 24.0 - 12.0)));
-        for lanes in [1, 2, 4, 8] {
+        for lanes in [2, 4, 8] {
             let Ok(found) = Lanes::Only(lanes).dispatch(All(&numbers)) else { continue };
             for (x, (sin, cos)) in numbers.iter().zip(found) {
                 assert!(units(sin, x.sin()) <= 2.0 && units(cos, x.cos()) <= 2.0, "{lanes} lanes, x = {x}: {sin} {cos}");
@@ -143,7 +143,7 @@ mod tests {
 
     #[test]
     fn what_has_no_sine_has_none_here() {
-        for lanes in [1, 2, 4, 8] {
+        for lanes in [2, 4, 8] {
             let Ok(found) = Lanes::Only(lanes).dispatch(All(&[f64::NAN, f64::INFINITY, f64::NEG_INFINITY])) else { continue };
             assert!(found.iter().all(|(sin, cos)| sin.is_nan() && cos.is_nan()));
         }

@@ -1,6 +1,7 @@
 //! Lines, polynomials, sines and Fourier series.
 
 use super::{Law, LawFunction};
+use crate::proof::Series;
 
 impl Law {
     /// f(x) = c.
@@ -57,6 +58,10 @@ impl LawFunction for Ramp {
         "A constant rate: f(x) = rate · x."
     }
 
+    fn over(&self, x: &Series) -> Option<Series> {
+        Some(x.times(self.rate))
+    }
+
     fn fourth(&self, _: f64) -> f64 {
         0.0
     }
@@ -110,6 +115,10 @@ impl LawFunction for Polynomial {
         }
     }
 
+    fn over(&self, x: &Series) -> Option<Series> {
+        Some(self.c.iter().rev().fold(x.times(0.0), |sum, c| (sum * *x).plus(*c)))
+    }
+
     fn fourth(&self, x: f64) -> f64 {
         24.0 * self.taylor(x)[4]
     }
@@ -153,6 +162,10 @@ impl LawFunction for Sine {
             "harmonic" => "A harmonic: f(x) = mean + amplitude · sin x.",
             _ => "A sine: f(x) = amplitude · sin(omega · x + phase).",
         }
+    }
+
+    fn over(&self, x: &Series) -> Option<Series> {
+        Some(x.times(self.omega).plus(self.phase).sin_cos().0.times(self.amplitude).plus(self.mean))
     }
 
     fn fourth(&self, x: f64) -> f64 {
@@ -218,6 +231,15 @@ impl LawFunction for Fourier {
 
     fn description(&self) -> &str {
         "A Fourier series: f(x) = mean + Σ a_k cos(k · omega · x) + b_k sin(k · omega · x)."
+    }
+
+    fn over(&self, x: &Series) -> Option<Series> {
+        let term = |(k, (a, b)): (f64, &(f64, f64))| {
+            let (sin, cos) = x.times(self.omega).times(k).sin_cos();
+            cos.times(*a) + sin.times(*b)
+        };
+        let harmonics = (1..).map(f64::from).zip(&self.pairs);
+        Some(harmonics.map(term).fold(x.times(0.0).plus(self.mean), |sum, term| sum + term))
     }
 
     fn fourth(&self, x: f64) -> f64 {

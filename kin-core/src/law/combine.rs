@@ -4,6 +4,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use super::breaks::{left_jet, merged, preimages};
 use super::{Break, Law, LawFunction};
+use crate::proof::Series;
 
 impl Law {
     /// f(g(x)), this law after `inner`.
@@ -111,6 +112,10 @@ impl LawFunction for Sum {
         "The sum of two laws: f(x) + g(x)."
     }
 
+    fn over(&self, x: &Series) -> Option<Series> {
+        Some(self.first.over(x)? + self.second.over(x)?)
+    }
+
     fn fourth(&self, x: f64) -> f64 {
         self.first.fourth(x) + self.second.fourth(x)
     }
@@ -144,6 +149,10 @@ impl LawFunction for Product {
         "The product of two laws: f(x) · g(x)."
     }
 
+    fn over(&self, x: &Series) -> Option<Series> {
+        Some(self.first.over(x)? * self.second.over(x)?)
+    }
+
     fn fourth(&self, x: f64) -> f64 {
         let ([f, f1, f2, f3], [g, g1, g2, g3]) = (self.first.jet(x), self.second.jet(x));
         self.first.fourth(x) * g + 4.0 * (f3 * g1 + f1 * g3) + 6.0 * f2 * g2 + f * self.second.fourth(x)
@@ -174,6 +183,10 @@ impl LawFunction for Multiple {
 
     fn description(&self) -> &str {
         "A multiple of a law: factor · f(x)."
+    }
+
+    fn over(&self, x: &Series) -> Option<Series> {
+        Some(self.law.over(x)?.times(self.factor))
     }
 
     fn fourth(&self, x: f64) -> f64 {
@@ -241,6 +254,10 @@ impl LawFunction for Composed {
 
     fn description(&self) -> &str {
         "A law of a law: f(g(x))."
+    }
+
+    fn over(&self, x: &Series) -> Option<Series> {
+        self.outer.over(&self.inner.over(x)?)
     }
 
     fn fourth(&self, x: f64) -> f64 {

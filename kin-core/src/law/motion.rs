@@ -1,6 +1,7 @@
 //! Motions from rest to rest within limits: trapezoidal velocity and its smoother kin, the S-curve.
 
 use super::{Break, Law, LawFunction};
+use crate::proof::{Interval, Series, piecewise};
 
 impl Law {
     /// Rest to rest over a distance with trapezoidal velocity: constant acceleration up to the speed, then constant speed, then as it came;
@@ -130,6 +131,19 @@ impl LawFunction for Move {
             }
             None => "Trapezoidal velocity: rest to rest over a distance with constant acceleration up to a speed.",
         }
+    }
+
+    fn over(&self, x: &Series) -> Option<Series> {
+        let seams: Vec<f64> = self.pieces.iter().map(|piece| piece.start).chain([self.end]).collect();
+        piecewise(x, &seams, &|k, x| {
+            let Some(before) = k.checked_sub(1) else { return Some(x.times(0.0)) };
+            let Some(piece) = self.pieces.get(before) else { return Some(x.times(0.0).plus(self.distance)) };
+            // begun where the piece before has ended, but for rounding
+            let near = |x: f64, size: f64| Series::constant(Interval::near(x, size));
+            let (s, v, a) = (near(piece.s, self.distance), near(piece.v, self.speed), near(piece.a, self.acceleration));
+            let t = x.plus(-piece.start);
+            Some(s + t * (v + t * (a.times(0.5) + t * Series::constant(Interval::from(piece.j) / Interval::from(6.0)))))
+        })
     }
 
     fn fourth(&self, _: f64) -> f64 {

@@ -2,7 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::{Break, Law, LawFunction};
+use super::{Break, Law, LawFunction, shapes};
+use crate::proof::{Interval, Series, piecewise};
 
 impl Law {
     /// Simple harmonic rise: f(x) = h/2 (1 − cos(π x/β)) for 0 ≤ x ≤ β, 0 before and h after. Its acceleration jumps at both ends.
@@ -84,6 +85,21 @@ impl Shape {
             }
             Shape::ModifiedSine => mirrored(x, modified_sine),
             Shape::ModifiedTrapezoid => mirrored(x, modified_trapezoid),
+        }
+    }
+
+    /// s of a function of ξ with bounds.
+    fn over(self, x: &Series) -> Option<Series> {
+        let pi = |factor: f64| Series::constant(Interval::pi(factor));
+        let x = *x;
+        let powers = |c: &[f64], first: i32| x.powi(first) * c.iter().rev().fold(x.times(0.0), |sum, c| (sum * x).plus(*c));
+        match self {
+            Shape::Harmonic => Some((-(pi(1.0) * x).sin_cos().1).plus(1.0).times(0.5)),
+            Shape::Cycloidal => Some(x - (pi(2.0) * x).sin_cos().0 / pi(2.0)),
+            Shape::Polynomial345 => Some(powers(&[10.0, -15.0, 6.0], 3)),
+            Shape::Polynomial4567 => Some(powers(&[35.0, -84.0, 70.0, -20.0], 4)),
+            Shape::ModifiedSine => shapes::mirrored(&x, &shapes::modified_sine),
+            Shape::ModifiedTrapezoid => shapes::mirrored(&x, &shapes::modified_trapezoid),
         }
     }
 
@@ -182,6 +198,16 @@ impl LawFunction for Rise {
             Shape::ModifiedSine => "Modified sine rise: f″ of quarter sines and a long cosine between; 0 before and h after.",
             Shape::ModifiedTrapezoid => "Modified trapezoidal rise: f″ a trapezoid with sine ramps; 0 before and h after.",
         }
+    }
+
+    fn over(&self, x: &Series) -> Option<Series> {
+        piecewise(x, &[0.0, self.length], &|k, x| {
+            Some(match k {
+                0 => x.times(0.0),
+                1 => self.shape.over(&(*x / Series::constant(Interval::from(self.length))))?.times(self.height),
+                _ => x.times(0.0).plus(self.height),
+            })
+        })
     }
 
     fn fourth(&self, x: f64) -> f64 {

@@ -2,6 +2,7 @@
 
 use super::breaks::{left_jet, merged, order_of_jump};
 use super::{Break, Law, LawFunction};
+use crate::proof::{Interval, Series, piecewise, repeated};
 
 impl Law {
     /// Parts one after the other from x = `start` on, each for its length and with its own variable counted from its beginning: over a part that
@@ -76,6 +77,21 @@ impl LawFunction for Sequence {
 
     fn description(&self) -> &str {
         "Laws one after the other, each over its length: f(x) = f_k(x − x_k)."
+    }
+
+    fn over(&self, x: &Series) -> Option<Series> {
+        let placed: Vec<(f64, f64, &Law)> = self.placed().collect();
+        let end = placed.last().map(|(begin, length, _)| begin + length);
+        let seams: Vec<f64> = placed.iter().map(|(begin, ..)| *begin).chain(end).collect();
+        piecewise(x, &seams, &|k, x| {
+            let held = |law: &Law, x0: f64| Some(x.times(0.0) + law.over(&Series::constant(Interval::from(x0)))?);
+            match (k.checked_sub(1).map(|k| placed.get(k)), placed.first(), placed.last()) {
+                (Some(Some((begin, _, law))), ..) => law.over(&x.plus(-begin)),
+                (None, Some((_, _, law)), _) => held(law, 0.0),
+                (Some(None), _, Some((_, length, law))) => held(law, *length),
+                _ => None,
+            }
+        })
     }
 
     fn fourth(&self, x: f64) -> f64 {
@@ -162,6 +178,12 @@ impl LawFunction for Sequence {
     }
 }
 
+/// What x is beyond the last whole period: 0 ≤ … < period. (Of a number just below zero `rem_euclid` alone makes the period itself, by rounding.)
+pub(super) fn within(x: f64, period: f64) -> f64 {
+    let rest = x.rem_euclid(period);
+    if rest >= period { 0.0 } else { rest }
+}
+
 #[derive(Clone)]
 struct Periodic {
     law: Law,
@@ -170,7 +192,7 @@ struct Periodic {
 
 impl LawFunction for Periodic {
     fn jet(&self, x: f64) -> [f64; 4] {
-        self.law.jet(x.rem_euclid(self.period))
+        self.law.jet(within(x, self.period))
     }
 
     fn kind(&self) -> &str {
@@ -181,8 +203,12 @@ impl LawFunction for Periodic {
         "The part of a law over one period, over and over."
     }
 
+    fn over(&self, x: &Series) -> Option<Series> {
+        repeated(x, 0.0, self.period, &|x| self.law.over(x))
+    }
+
     fn fourth(&self, x: f64) -> f64 {
-        self.law.fourth(x.rem_euclid(self.period))
+        self.law.fourth(within(x, self.period))
     }
 
     fn breaks(&self, from: f64, to: f64) -> Vec<Break> {

@@ -2,8 +2,10 @@
 
 use std::path::Path;
 
+use super::sequence::within;
 use super::{Break, Law, LawFunction};
 use crate::error::{Error, Result};
+use crate::proof::{Interval, ONE, Series, piecewise, repeated};
 
 /// What a spline does at the ends of its table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -105,7 +107,8 @@ impl Spline {
     /// x brought into the table, and where it is there: interval, or outside of it.
     fn place(&self, x: f64) -> (f64, usize) {
         let (first, last) = (self.table[0].0, self.table[self.table.len() - 1].0);
-        let x = if self.ends == Ends::Periodic { first + (x - first).rem_euclid(last - first) } else { x };
+        let turned = || Some(first + within(x - first, last - first)).filter(|x| *x < last).unwrap_or(first);
+        let x = if self.ends == Ends::Periodic { turned() } else { x };
         let after = self.table.partition_point(|(knot, _)| *knot <= x);
         (x, after)
     }
@@ -117,6 +120,24 @@ impl Spline {
         let (t, j) = (x - self.table[k].0, (m1 - m0) / h);
         let v = slope - h * (2.0 * m0 + m1) / 6.0;
         [self.table[k].1 + t * (v + t * (m0 / 2.0 + t * j / 6.0)), v + t * (m0 + t * j / 2.0), m0 + t * j, j]
+    }
+
+    /// The polynomial of interval k, with bounds. The curvatures are those that a rounded elimination has found: what is meant is near them.
+    fn cubic(&self, k: usize, x: &Series) -> Series {
+        let number = |x: f64| Interval::from(x);
+        let size = self.curvature.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
+        let [m0, m1] = [k, k + 1].map(|k| Interval::near(self.curvature[k], size));
+        let ((x0, y0), (x1, y1)) = (self.table[k], self.table[k + 1]);
+        let h = number(x1) - number(x0);
+        let v = (number(y1) - number(y0)) / h - h * (number(2.0) * m0 + m1) / number(6.0);
+        let (half, third) = (m0 / number(2.0), (m1 - m0) / (number(6.0) * h));
+        let t = x.plus(-x0);
+        Series::constant(number(y0)) + t * (Series::constant(v) + t * (Series::constant(half) + t * Series::constant(third)))
+    }
+
+    /// The line with the first two coefficients of an end, t from there.
+    fn line(&self, end: Series, t: &Series) -> Series {
+        Series::constant(end.at(0)) + *t * Series::constant(end.at(1))
     }
 
     /// Third derivative right of knot k.
@@ -176,6 +197,25 @@ impl LawFunction for Spline {
 
     fn description(&self) -> &str {
         "A cubic spline through a table, natural, clamped or periodic."
+    }
+
+    fn over(&self, x: &Series) -> Option<Series> {
+        let (first, last) = (self.table.first()?.0, self.table.last()?.0);
+        let knots: Vec<f64> = self.table.iter().map(|(x, _)| *x).collect();
+        match self.ends {
+            _ if self.curvature.is_empty() => None,
+            Ends::Periodic => repeated(x, first, last - first, &|x| {
+                let inner = &knots[1..knots.len() - 1];
+                piecewise(&x.plus(first), inner, &|k, x| Some(self.cubic(k, x)))
+            }),
+            _ => piecewise(x, &knots, &|k, x| {
+                Some(match k {
+                    0 => self.line(self.cubic(0, &Series::variable(Interval::from(first), ONE, 2)), &x.plus(-first)),
+                    k if k < knots.len() => self.cubic(k - 1, x),
+                    k => self.line(self.cubic(k - 2, &Series::variable(Interval::from(last), ONE, 2)), &x.plus(-last)),
+                })
+            }),
+        }
     }
 
     fn fourth(&self, _: f64) -> f64 {

@@ -54,22 +54,24 @@ fn outside(motion: &Motion, t: f64) -> Error {
 
 /// q by the polynomial of fifth degree that meets q, q̇ and q̈ at both ends of step k.
 fn interpolated(motion: &Motion, k: usize, t: f64) -> Vec<f64> {
-    let times = motion.times();
-    let (Some(&from), Some(&to)) = (times.get(k), times.get(k + 1)) else { return motion.q(k).to_vec() };
-    let h = to - from;
-    let s = (t - from) / h;
-    let ends = [motion.orders(k, 0..motion.names().len()), motion.orders(k + 1, 0..motion.names().len())];
-    let value = |j: usize| quintic(ends.map(|[q, qd, qdd, _]| [q[j], h * qd[j], h * h * qdd[j]]), s);
-    (0..motion.names().len()).map(value).collect()
+    let (Some(&from), Some(&to)) = (motion.times().get(k), motion.times().get(k + 1)) else { return motion.q(k).to_vec() };
+    let u = (t - from) / (to - from);
+    motion.quintics(k).iter().map(|c| c.iter().rev().fold(0.0, |sum, c| sum * u + c)).collect()
 }
 
-/// The polynomial of fifth degree over 0 ≤ s ≤ 1 with these values, slopes and second slopes at its ends (quintic Hermite interpolation).
-fn quintic([[x0, v0, a0], [x1, v1, a1]]: [[f64; 3]; 2], s: f64) -> f64 {
+impl Motion {
+    /// For each coordinate the polynomial of fifth degree, c0 + c1 u + … over 0 ≤ u ≤ 1, that meets q, q̇ and q̈ at both ends of step k.
+    pub(crate) fn quintics(&self, k: usize) -> Vec<[f64; 6]> {
+        let h = self.times.get(k + 1).zip(self.times.get(k)).map_or(0.0, |(to, from)| to - from);
+        let ends = [k, k + 1].map(|k| (self.q(k), self.qd(k), self.qdd(k)));
+        (0..self.layout.len()).map(|j| quintic(ends.map(|(q, qd, qdd)| [q[j], h * qd[j], h * h * qdd[j]]))).collect()
+    }
+}
+
+/// The polynomial of fifth degree over 0 ≤ u ≤ 1 with these values, slopes and second slopes at its ends (quintic Hermite interpolation).
+fn quintic([[x0, v0, a0], [x1, v1, a1]]: [[f64; 3]; 2]) -> [f64; 6] {
     let (x, v, a) = (x1 - (x0 + v0 + 0.5 * a0), v1 - (v0 + a0), a1 - a0);
-    let cubic = 10.0 * x - 4.0 * v + 0.5 * a;
-    let quartic = -15.0 * x + 7.0 * v - a;
-    let fifth = 6.0 * x - 3.0 * v + 0.5 * a;
-    x0 + s * (v0 + s * (0.5 * a0 + s * (cubic + s * (quartic + s * fifth))))
+    [x0, v0, 0.5 * a0, 10.0 * x - 4.0 * v + 0.5 * a, -15.0 * x + 7.0 * v - a, 6.0 * x - 3.0 * v + 0.5 * a]
 }
 
 #[cfg(test)]
@@ -85,7 +87,8 @@ mod tests {
             [x(s), v, 2.0 * c[2] + s * (6.0 * c[3] + s * (12.0 * c[4] + s * 20.0 * c[5]))]
         };
         for s in [0.0, 0.2, 0.5, 0.9, 1.0] {
-            assert!((quintic([slopes(0.0), slopes(1.0)], s) - x(s)).abs() < 1e-14);
+            let found = quintic([slopes(0.0), slopes(1.0)]).iter().rev().fold(0.0, |sum, c| sum * s + c);
+            assert!((found - x(s)).abs() < 1e-14);
         }
     }
 

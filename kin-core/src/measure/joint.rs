@@ -48,7 +48,7 @@ impl System {
     }
 
     /// An error unless the motion is one of this system.
-    pub(super) fn own(&self, motion: &Motion) -> Result<()> {
+    pub(crate) fn own(&self, motion: &Motion) -> Result<()> {
         let (expected, found) = (self.n_coordinates(), motion.names().len());
         match motion.names() == self.coordinate_names() {
             true => Ok(()),

@@ -1,5 +1,6 @@
 //! Names for the tables of [`crate::blame`], as emitted code writes them.
 
-pub use crate::blame::graph::{Comparison::*, Function::*, Function2::*, Step::*};
-pub use crate::blame::graph::{Graph, Outside, give, give_law, nothing_outside};
+pub use crate::blame::graph::{Given, Graph, Outside, give, give_law, nothing_outside};
+pub use crate::blame::table::Table;
 pub use crate::blame::trace::{Body, blame as traced};
+pub use crate::proof::Series;

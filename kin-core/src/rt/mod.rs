@@ -2,6 +2,7 @@
 
 mod argument;
 mod cast;
+mod columns;
 mod ended;
 mod foreign;
 pub mod graph;
@@ -29,9 +30,10 @@ pub use num_dual::{Dual2_64, Dual3_64, Dual64};
 pub use argument::{IntoConstant, IntoJet, IntoPlain, IntoReference, Jet, Nothing};
 pub use argument::{constant_argument, plain_argument, reference_argument};
 pub use cast::{Cast, Whole, cast, whole};
+pub use columns::Columns;
 pub use ended::ended;
 pub use foreign::{Foreign, LiftAny, LiftNumbers, LowerAny, LowerReal, ReceiveAny, ReceiveNumbers, ReceiveReference};
-pub use kernel::{fma, in_order};
+pub use kernel::{fma, put};
 pub use lift::{Absent, Constants, Lift, Lower, absent, constants, lowered};
 pub use numbers::Numbers;
 pub use parameter::{Parameter, is_parameter};
@@ -46,13 +48,13 @@ pub fn jet_by_dual(x: f64, f: impl FnOnce(Real<num_dual::Dual3_64>) -> Real<num_
     [y.re, y.v1, y.v2, y.v3]
 }
 
-/// The local points (or directions) of arguments, with their components.
-pub fn attachments(all: &[(usize, bool)], components: &[[f64; 3]]) -> Vec<Attachment> {
-    let attachment = |(&(argument, is_point), &[x, y, z]): (&(usize, bool), &[f64; 3])| {
+/// The local points (true) and directions of arguments, with their components.
+pub fn attachments(all: &[(usize, bool, [f64; 3])]) -> Vec<Attachment> {
+    let attachment = |&(argument, is_point, [x, y, z]): &(usize, bool, [f64; 3])| {
         let v = Vec3::new(x, y, z);
         Attachment { argument, what: if is_point { Attached::Point(v) } else { Attached::Direction(v) } }
     };
-    all.iter().zip(components).map(attachment).collect()
+    all.iter().map(attachment).collect()
 }
 
 /// The arguments of a constraint.

@@ -223,9 +223,7 @@ impl Equations {
     /// Asks a linear constraint that does not tell what its rows come to; its Q_d does not depend on the rates.
     fn ask_sides(&self, Straight { block, sides, .. }: Straight, t: f64, instant: &mut Instant) {
         let block = &self.blocks[block];
-        let (timed, asked) = instant.timed.split_at_mut(sides);
-        let at = self.origin(t, block).with_timed(&timed[block.timed.range()]);
-        let m = block.rows().len();
+        let (at, m, asked) = (self.origin(t, block), block.rows().len(), &mut instant.timed[sides..]);
         block.constraint.residual(&at, &mut asked[..m]);
         block.constraint.velocity_rhs(&at, &mut asked[m..2 * m]);
         block.constraint.acceleration_rhs(&at, &self.rates(block, &instant.rates), 1.0, &mut asked[2 * m..3 * m]);

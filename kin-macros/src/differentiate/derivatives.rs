@@ -55,8 +55,11 @@ fn jacobian(g: &mut Graph, rows: &[Node], arguments: &[Argument]) -> Vec<(usize,
     let mut partials: Vec<Partial> = columns.iter().map(|&column| Partial::by_column(column)).collect();
     let mut entries = Vec::new();
     for (k, &row) in rows.iter().enumerate() {
+        // The same for each column: all of them have seen the rows before.
+        let unknown = partials.first().map(|partial| partial.unknown(g, row)).unwrap_or_default();
         for (column, partial) in columns.iter().zip(&mut partials) {
-            let value = partial.of(g, row);
+            partial.of_all(g, &unknown);
+            let value = partial.known(row);
             if !g.is_zero(value) {
                 entries.push((k, local_column(arguments, *column), value));
             }

@@ -1,8 +1,6 @@
 //! Second-order jets: of g(s) = C(q + s q̇, t + s ṫ), the derivatives g′(0) and g″(0). −g″(0) is the whole acceleration right side.
 
-use std::collections::HashMap;
-
-use super::rules;
+use super::{Memo, rules};
 use crate::graph::{Direction, Graph, Input, LeafNumber, LeafUse, Node, Op, Part};
 
 /// First and second derivative along the motion.
@@ -16,12 +14,12 @@ pub struct Jet {
 /// f′(u), which can contain f(u) again.
 #[derive(Default)]
 pub struct Jets {
-    first: HashMap<Node, Node>,
-    second: HashMap<Node, Second>,
+    first: Memo<Node>,
+    second: Memo<Second>,
 }
 
 /// A second derivative as `outer + 2 cross`: the products of first derivatives are gathered through sums, and doubled once.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 struct Second {
     outer: Node,
     cross: Node,
@@ -41,30 +39,30 @@ impl Jets {
     /// The jet of `node`.
     pub fn of(&mut self, g: &mut Graph, node: Node) -> Jet {
         let first = self.first(g, node);
-        for inner in g.unknown(&[node], |n| self.second.contains_key(&n)) {
+        for inner in g.unknown(&[node], |n| self.second.has(n)) {
             let second = self.second_rule(g, inner);
-            self.second.insert(inner, second);
+            self.second.set(inner, second);
         }
-        Jet { first, second: self.second[&node].whole(g) }
+        Jet { first, second: self.second.of(node).whole(g) }
     }
 
     fn first(&mut self, g: &mut Graph, node: Node) -> Node {
-        for inner in g.unknown(&[node], |n| self.first.contains_key(&n)) {
+        for inner in g.unknown(&[node], |n| self.first.has(n)) {
             let first = self.first_rule(g, inner);
-            self.first.insert(inner, first);
+            self.first.set(inner, first);
         }
-        self.first[&node]
+        self.first.of(node)
     }
 
     fn known(&self, g: &mut Graph, node: Node) -> Jet {
-        Jet { first: self.first[&node], second: self.second[&node].whole(g) }
+        Jet { first: self.first.of(node), second: self.second.of(node).whole(g) }
     }
 
     fn first_rule(&mut self, g: &mut Graph, node: Node) -> Node {
         if !g.depends(node).varies() {
             return g.zero();
         }
-        let d = |n: Node| self.first[&n];
+        let d = |n: Node| self.first.of(n);
         match g.op(node) {
             Op::Input(input) => input_jet(g, input).first,
             Op::Add(a, b) => g.add(d(a), d(b)),
@@ -92,7 +90,7 @@ impl Jets {
         if !g.depends(node).varies() {
             return plain(zero);
         }
-        let dd = |n: Node| self.second[&n];
+        let dd = |n: Node| self.second.of(n);
         match g.op(node) {
             Op::Input(input) => plain(input_jet(g, input).second),
             Op::Add(a, b) => both(g, Graph::add, dd(a), dd(b)),
@@ -124,7 +122,7 @@ impl Jets {
     /// y = a/b:  y″ = (a″ − 2 y′ b′ − y b″)/b
     fn quotient(&self, g: &mut Graph, a: Node, b: Node, y: Node) -> Node {
         let (ja, jb) = (self.known(g, a), self.known(g, b));
-        let cross = g.mul(self.first[&y], jb.first);
+        let cross = g.mul(self.first.of(y), jb.first);
         let cross = double(g, cross);
         let last = g.mul(y, jb.second);
         let numerator = g.sub(ja.second, cross);
@@ -136,7 +134,7 @@ impl Jets {
     fn chain_first(&self, g: &mut Graph, arguments: &[Argument]) -> Node {
         let zero = g.zero();
         arguments.iter().fold(zero, |sum, (a, derivative)| {
-            let inner = self.first[a];
+            let inner = self.first.of(*a);
             if g.is_zero(inner) {
                 return sum;
             }

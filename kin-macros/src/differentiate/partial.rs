@@ -1,8 +1,6 @@
 //! First derivatives by one column of C_q, by t, or by the variable of a law.
 
-use std::collections::HashMap;
-
-use super::rules;
+use super::{Memo, rules};
 use crate::graph::{Column, Graph, Input, LeafNumber, LeafUse, Node, Op, Part};
 
 /// What to differentiate by.
@@ -16,37 +14,54 @@ pub enum By {
 /// Derivatives by one quantity; each node is differentiated once.
 pub struct Partial {
     by: By,
-    memo: HashMap<Node, Node>,
+    memo: Memo<Node>,
 }
 
 impl Partial {
     pub fn by_column(column: Column) -> Self {
-        Partial { by: By::Column(column), memo: HashMap::new() }
+        Partial { by: By::Column(column), memo: Memo::default() }
     }
 
     pub fn by_time() -> Self {
-        Partial { by: By::Time, memo: HashMap::new() }
+        Partial { by: By::Time, memo: Memo::default() }
     }
 
     pub fn by_variable() -> Self {
-        Partial { by: By::Variable, memo: HashMap::new() }
+        Partial { by: By::Variable, memo: Memo::default() }
     }
 
     /// The derivative of `node`.
     pub fn of(&mut self, g: &mut Graph, node: Node) -> Node {
-        if !g.depends(node).varies() {
-            return g.zero();
-        }
-        // Operands come before their users, so a loop over them replaces a recursion as deep as the expression.
-        for inner in g.unknown(&[node], |n| self.memo.contains_key(&n)) {
-            let derivative = self.rule(g, inner);
-            self.memo.insert(inner, derivative);
-        }
-        self.memo[&node]
+        let unknown = self.unknown(g, node);
+        self.of_all(g, &unknown);
+        self.known(node)
     }
 
-    fn known(&self, node: Node) -> Node {
-        self.memo[&node]
+    /// What has to be differentiated before `node`, and itself. Operands come before their users, so a loop over them replaces a recursion as
+    /// deep as the expression.
+    pub fn unknown(&self, g: &Graph, node: Node) -> Vec<Node> {
+        g.unknown(&[node], |n| self.memo.has(n))
+    }
+
+    /// Differentiates what is [`Partial::unknown`].
+    pub fn of_all(&mut self, g: &mut Graph, unknown: &[Node]) {
+        let zero = g.zero();
+        for &node in unknown {
+            let derivative = if self.is_still(g, node) { zero } else { self.rule(g, node) };
+            self.memo.set(node, derivative);
+        }
+    }
+
+    /// The derivative of a node that is not unknown.
+    pub fn known(&self, node: Node) -> Node {
+        self.memo.of(node)
+    }
+
+    /// Whether nothing that a node is computed from has a derivative.
+    fn is_still(&self, g: &Graph, node: Node) -> bool {
+        let mut still = !matches!(g.op(node), Op::Input(_));
+        g.each_operand(node, |operand| still &= g.is_zero(self.known(operand)));
+        still
     }
 
     /// The derivative of `node` from those of its operands.

@@ -1,58 +1,51 @@
 //! The points and directions of its bodies that a constraint speaks of, for drawings and messages.
 
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use syn::visit::Visit;
 
 use super::kernel::Kernel;
+use crate::graph::Node;
 use crate::lower::Lowered;
 use crate::parse::{Argument, ConstraintFn, Kind, Shape};
 
 /// From the graph: everything that is fixed in a body, whatever it is computed from.
 pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
     let all = &lowered.attachments;
-    let place = |k: usize, axis: usize| {
-        let (u, k, axis) = (Ident::new("u", Span::mixed_site()), Literal::usize_unsuffixed(k), Literal::usize_unsuffixed(axis));
-        quote!(#u[#k][#axis])
-    };
-    let outputs: Vec<_> =
-        all.iter().enumerate().flat_map(|(k, a)| a.local.iter().enumerate().map(move |(axis, node)| (place(k, axis), *node))).collect();
-    let code = Kernel::emit(lowered, arguments, &outputs).tokens;
-    method(all.iter().map(|a| (a.slot, a.is_point)).collect(), &code)
+    let nodes: Vec<Node> = all.iter().flat_map(|a| a.local.iter().copied()).collect();
+    let (code, values) = Kernel::plain(lowered, arguments).values(&nodes);
+    let mut values = values.into_iter();
+    let listed = all.iter().map(|a| listed(a.slot, a.is_point, values.by_ref().take(a.local.len()).collect()));
+    method(&code.tokens, listed.collect())
 }
 
 /// Of a body that nobody could read: the points and directions that are parameters, `i.point(u_i)`.
 pub fn dual(source: &ConstraintFn) -> TokenStream {
     let mut search = Search { arguments: &source.arguments, found: Vec::new() };
     search.visit_block(&source.body);
-    let u = Ident::new("u", Span::mixed_site());
-    let writes = search.found.iter().enumerate().map(|(k, (_, _, parameter, n))| {
-        let (k, parts) = (Literal::usize_unsuffixed(k), [quote!(x), quote!(y), quote!(z)]);
-        let writes = parts.iter().take(*n).enumerate().map(|(axis, part)| {
-            let axis = Literal::usize_unsuffixed(axis);
-            quote!(#u[#k][#axis] = self.#parameter.#part;)
-        });
-        quote!(#(#writes)*)
+    let listed = search.found.iter().map(|(slot, is_point, parameter, n)| {
+        let parts = [quote!(x), quote!(y), quote!(z)];
+        listed(*slot, *is_point, parts.iter().take(*n).map(|part| quote!(self.#parameter.#part)).collect())
     });
-    let code = quote!(#(#writes)*);
-    method(search.found.iter().map(|(slot, is_point, ..)| (*slot, *is_point)).collect(), &code)
+    method(&quote!(), listed.collect())
 }
 
-/// `attachments`, where `code` writes the components of each into `u`.
-fn method(all: Vec<(usize, bool)>, code: &TokenStream) -> TokenStream {
+/// One of them: `(0, true, [self.u_i.x, self.u_i.y, 0.0])`.
+fn listed(slot: usize, is_point: bool, mut components: Vec<TokenStream>) -> TokenStream {
+    let slot = Literal::usize_unsuffixed(slot);
+    components.resize(3, quote!(0.0));
+    quote!((#slot, #is_point, [#(#components),*]))
+}
+
+/// `attachments`: nothing where there is none.
+fn method(code: &TokenStream, all: Vec<TokenStream>) -> TokenStream {
     if all.is_empty() {
         return quote!();
     }
-    let (u, n) = (Ident::new("u", Span::mixed_site()), Literal::usize_unsuffixed(all.len()));
-    let made = all.iter().map(|(slot, is_point)| {
-        let slot = Literal::usize_unsuffixed(*slot);
-        quote!((#slot, #is_point))
-    });
     quote! {
         fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
-            let mut #u = [[0.0_f64; 3]; #n];
             #code
-            ::kin::rt::attachments(&[#(#made),*], &#u)
+            ::kin::rt::attachments(&[#(#all),*])
         }
     }
 }

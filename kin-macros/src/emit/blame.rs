@@ -3,43 +3,64 @@
 
 use std::collections::HashMap;
 
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::kernel::{Kernel, number};
+use super::kernel::Kernel;
 use super::{own, template};
 use crate::differentiate::local_column;
-use crate::graph::{Column, Comparison, Function, Input, LeafUse, Node, Op, Part};
+use crate::graph::{Column, Input, LeafUse, Node, Op, Part};
 use crate::lower::place::Expression;
 use crate::lower::{Lowered, OpaqueKind};
 use crate::parse::{Argument, Kind};
 
-/// `graph` of the symbolic route, which `blame` stands on, and the jerk.
+/// `graph` of the symbolic route, which `blame` stands on, and the jerk, and proofs.
 pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
-    let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
-    let mut table =
-        Table { arguments, lowered, steps: vec![], numbers: HashMap::new(), expressions: vec![], parameters: vec![], outside: vec![] };
-    for node in lowered.graph.reachable(&rows) {
-        let step = table.step(node);
-        table.push(node, step);
-    }
-    let rows = rows.iter().map(|&row| table.of(row)).collect::<Vec<_>>();
-    let expressions = listed(table.expressions.iter().map(|&k| &lowered.expressions.all[k]));
-    let names = table.parameters.iter().map(|&k| parameter_name(&lowered.parameters[k], arguments));
-    let values = table.parameters.iter().map(|&k| &lowered.parameters[k]);
-    let (steps, outside) = (&table.steps, table.outside());
+    let Written { table, values, outside } = Written::of(arguments, lowered);
     quote! {
         #[cold]
         fn graph(&self, with: &mut dyn FnMut(&::kin::rt::graph::Graph, &[f64], ::kin::rt::graph::Outside<'_>)) {
-            use ::kin::rt::graph::*;
-            const GRAPH: &Graph = &Graph {
-                file: ::core::file!(),
-                expressions: &[#(#expressions),*],
-                steps: &[#(#steps),*],
-                rows: &[#(#rows),*],
-                parameters: &[#(#names),*],
-            };
-            with(GRAPH, &[#(#values),*], #outside);
+            static TABLE: ::kin::rt::graph::Table = #table;
+            with(TABLE.graph(), &#values, #outside);
+        }
+    }
+}
+
+/// `over` of a law: its steps, its variable being column 0.
+pub fn law(parameters: &[Argument], lowered: &Lowered) -> TokenStream {
+    let Written { table, values, outside } = Written::of(parameters, lowered);
+    let x = own("x");
+    quote! {
+        #[cold]
+        fn over(&self, #x: &::kin::rt::graph::Series) -> ::core::option::Option<::kin::rt::graph::Series> {
+            static TABLE: ::kin::rt::graph::Table = #table;
+            TABLE.graph().law_over(#x, &#values, #outside)
+        }
+    }
+}
+
+/// The table of an equation, the values of its parameters, and what computes what the table cannot.
+struct Written {
+    table: TokenStream,
+    values: TokenStream,
+    outside: TokenStream,
+}
+
+impl Written {
+    fn of(arguments: &[Argument], lowered: &Lowered) -> Self {
+        let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
+        let mut table =
+            Table { arguments, lowered, steps: vec![], numbers: HashMap::new(), expressions: vec![], parameters: vec![], outside: vec![] };
+        for node in lowered.graph.reachable(&rows) {
+            let step = table.step(node);
+            table.push(node, &step);
+        }
+        let text = table.text(&rows);
+        let values = table.parameters.iter().map(|&k| &lowered.parameters[k]);
+        Written {
+            table: quote!(::kin::rt::graph::Table::new(::core::file!(), #text)),
+            values: quote!([#(#values),*]),
+            outside: table.outside(),
         }
     }
 }
@@ -82,11 +103,11 @@ enum Outside {
     Leaf(usize),
 }
 
-/// The table while it is being written.
+/// The table while it is being written: lines that `kin_core::blame::table` reads.
 struct Table<'a> {
     arguments: &'a [Argument],
     lowered: &'a Lowered,
-    steps: Vec<TokenStream>,
+    steps: Vec<String>,
     /// The step of each node.
     numbers: HashMap<Node, usize>,
     /// Numbers of the expressions and parameters that are in it.
@@ -96,115 +117,100 @@ struct Table<'a> {
 }
 
 impl Table<'_> {
-    fn push(&mut self, node: Node, step: TokenStream) {
-        let expression = self.lowered.expressions.of(node).map_or(usize::from(u16::MAX), |k| place(&mut self.expressions, k));
-        let expression = literal(expression);
+    /// The whole table as one literal: to the compiler one token.
+    fn text(&self, rows: &[Node]) -> Literal {
+        let mut text = String::new();
+        for Expression { text: written, line, column } in self.expressions.iter().map(|&k| &self.lowered.expressions.all[k]) {
+            text.push_str(&format!("\nat {line} {column} {}", written.replace('\n', " ")));
+        }
+        text.push_str("\nparameters");
+        for &k in &self.parameters {
+            text.push_str(&format!(" {}", parameter_name(&self.lowered.parameters[k], self.arguments)));
+        }
+        text.push_str("\nrows");
+        for &row in rows {
+            text.push_str(&format!(" {}", self.of(row)));
+        }
+        for step in &self.steps {
+            text.push('\n');
+            text.push_str(step);
+        }
+        readable(&text)
+    }
+
+    fn push(&mut self, node: Node, step: &str) {
+        let expression = self.lowered.expressions.of(node).map(|k| place(&mut self.expressions, k));
+        let expression = expression.map_or_else(|| "-".to_owned(), |number| number.to_string());
         self.numbers.insert(node, self.steps.len());
-        self.steps.push(quote!((#expression, #step)));
+        self.steps.push(format!("{expression} {step}"));
     }
 
     /// The step of a node that has one.
-    fn of(&self, node: Node) -> Literal {
-        literal(self.numbers.get(&node).copied().unwrap_or_default())
+    fn of(&self, node: Node) -> usize {
+        self.numbers.get(&node).copied().unwrap_or_default()
     }
 
-    fn step(&mut self, node: Node) -> TokenStream {
+    fn step(&mut self, node: Node) -> String {
         let graph = &self.lowered.graph;
-        let of = |node: Node| self.of(node);
-        let two = |name: &str, a: Node, b: Node| {
-            let (name, a, b) = (word(name), of(a), of(b));
-            quote!(Call2(#name, #a, #b))
-        };
-        let pair = |name: &str, a: Node, b: Node| {
-            let (name, a, b) = (word(name), of(a), of(b));
-            quote!(#name(#a, #b))
-        };
+        let of =
+            |name: &str, operands: &[Node]| operands.iter().fold(name.to_owned(), |step, operand| format!("{step} {}", self.of(*operand)));
         match graph.op(node) {
             Op::Input(input) => self.input(node, input),
-            Op::Constant(bits) => {
-                let value = number(f64::from_bits(bits));
-                quote!(Constant(#value))
-            }
-            Op::Truth(holds) => {
-                let value = number(if holds { 1.0 } else { 0.0 });
-                quote!(Constant(#value))
-            }
-            Op::Add(a, b) => two("Sum", a, b),
-            Op::Sub(a, b) => two("Difference", a, b),
-            Op::Mul(a, b) => two("Product", a, b),
-            Op::Div(a, b) => two("Quotient", a, b),
-            Op::Call2(f, a, b) => two(&format!("{f:?}"), a, b),
-            Op::Call(f, a) => {
-                let a = of(a);
-                call(f, &a)
-            }
-            Op::Neg(a) => {
-                let a = of(a);
-                quote!(Negated(#a))
-            }
-            Op::Not(a) => {
-                let a = of(a);
-                quote!(Not(#a))
-            }
-            Op::Powi(a, n) => {
-                let (a, n) = (of(a), Literal::i32_unsuffixed(n));
-                quote!(Power(#a, #n))
-            }
-            Op::Select(c, a, b) => {
-                let (c, a, b) = (of(c), of(a), of(b));
-                quote!(Select(#c, #a, #b))
-            }
-            Op::Compare(comparison, a, b) => {
-                let (comparison, a, b) = (compared(comparison), of(a), of(b));
-                quote!(Compare(#comparison, #a, #b))
-            }
-            Op::And(a, b) => pair("Both", a, b),
-            Op::Or(a, b) => pair("Either", a, b),
+            Op::Constant(bits) => format!("Constant {:?}", f64::from_bits(bits)),
+            Op::Truth(holds) => format!("Constant {}", u8::from(holds)),
+            Op::Add(a, b) => of("Sum", &[a, b]),
+            Op::Sub(a, b) => of("Difference", &[a, b]),
+            Op::Mul(a, b) => of("Product", &[a, b]),
+            Op::Div(a, b) => of("Quotient", &[a, b]),
+            Op::Call2(f, a, b) => of(&format!("{f:?}"), &[a, b]),
+            Op::Call(f, a) => of(&format!("{f:?}"), &[a]),
+            Op::Neg(a) => of("Negated", &[a]),
+            Op::Not(a) => of("Not", &[a]),
+            Op::Powi(a, n) => format!("Power {} {n}", self.of(a)),
+            Op::Select(c, a, b) => of("Select", &[c, a, b]),
+            Op::Compare(comparison, a, b) => of(&format!("{comparison:?}"), &[a, b]),
+            Op::And(a, b) => of("Both", &[a, b]),
+            Op::Or(a, b) => of("Either", &[a, b]),
             Op::Law(law, x, order) => {
-                let (x, order) = (of(x), Literal::u8_unsuffixed(order));
-                let law = literal(place(&mut self.outside, Outside::Law(law)));
-                quote!(Law(#law, #x, #order))
+                let law = place(&mut self.outside, Outside::Law(law));
+                format!("Law {law} {} {order}", self.of(x))
             }
             Op::Opaque(number, component) => self.foreign(node, Outside::Opaque(number), component),
             Op::Leaf(LeafUse { leaf, output, .. }) => self.foreign(node, Outside::Leaf(leaf), output),
             // Made by the scheduler, which works on a kernel's own nodes.
-            Op::Fma(..) => quote!(Constant(f64::NAN)),
+            Op::Fma(..) => "Constant NaN".to_owned(),
         }
     }
 
-    fn foreign(&mut self, node: Node, what: Outside, component: usize) -> TokenStream {
-        let operands: Vec<Literal> = self.lowered.graph.operands(node).into_iter().map(|operand| self.of(operand)).collect();
-        let (number, component) = (literal(place(&mut self.outside, what)), literal(component));
-        quote!(Foreign(#number, &[#(#operands),*], #component))
+    fn foreign(&mut self, node: Node, what: Outside, component: usize) -> String {
+        let number = place(&mut self.outside, what);
+        let operands = self.lowered.graph.operands(node);
+        operands.iter().fold(format!("Foreign {number} {component}"), |step, operand| format!("{step} {}", self.of(*operand)))
     }
 
-    fn input(&mut self, node: Node, input: Input) -> TokenStream {
+    fn input(&mut self, node: Node, input: Input) -> String {
         match input {
-            Input::Parameter(k) => {
-                let k = literal(place(&mut self.parameters, k));
-                quote!(Parameter(#k))
-            }
+            Input::Parameter(k) => format!("Parameter {}", place(&mut self.parameters, k)),
             Input::State(argument, part) => {
                 let coordinate = if matches!(part, Part::Sin | Part::Cos) { Part::Theta } else { part };
-                let column = literal(local_column(self.arguments, Column { argument, part: coordinate }));
-                let f = match part {
-                    Part::Sin => Function::Sin,
-                    Part::Cos => Function::Cos,
-                    _ => return quote!(Column(#column)),
-                };
-                self.push(node, quote!(Column(#column)));
-                call(f, &self.of(node))
+                let column = format!("Column {}", local_column(self.arguments, Column { argument, part: coordinate }));
+                if coordinate == part {
+                    return column;
+                }
+                self.push(node, &column);
+                format!("{part:?} {}", self.of(node))
             }
-            Input::Time => quote!(Time),
+            Input::Time => "Time".to_owned(),
+            Input::Variable => "Column 0".to_owned(),
             // Not of an equation's own value.
-            Input::Rate(..) | Input::TimeRate | Input::Variable | Input::Timed(_) => quote!(Constant(f64::NAN)),
+            Input::Rate(..) | Input::TimeRate | Input::Timed(_) => "Constant NaN".to_owned(),
         }
     }
 
     /// The function that computes what the table cannot.
     fn outside(&self) -> TokenStream {
         if self.outside.is_empty() {
-            return quote!(&nothing_outside);
+            return quote!(&::kin::rt::graph::nothing_outside);
         }
         let (number, x, to) = (own("number"), own("x"), own("to"));
         let cases = self.outside.iter().enumerate().map(|(k, what)| {
@@ -218,7 +224,7 @@ impl Table<'_> {
         match what {
             Outside::Law(law) => {
                 let law = template::place(&self.lowered.laws[law]);
-                quote!(give_law(&#law, #x, #to))
+                quote!(::kin::rt::graph::give_law(&#law, #x, #to))
             }
             Outside::Opaque(number) => self.opaque(number, x, to),
             Outside::Leaf(leaf) => self.leaf(leaf, x, to),
@@ -226,7 +232,7 @@ impl Table<'_> {
     }
 
     fn opaque(&self, number: usize, x: &Ident, to: &Ident) -> TokenStream {
-        let (graph, values) = (&self.lowered.graph, own("values"));
+        let graph = &self.lowered.graph;
         let count = match &self.lowered.opaques[number].kind {
             OpaqueKind::Numbers(shape) => shape.len(),
             OpaqueKind::Condition => 1,
@@ -236,15 +242,13 @@ impl Table<'_> {
             (node, if super::kernel::is_condition(self.lowered, node) { quote!((#x[#k].re != 0.0)) } else { quote!(#x[#k].re) })
         });
         let kernel = Kernel::from_given(self.lowered, self.arguments, given.collect());
-        let outputs = (0..count).filter_map(|k| {
-            let (node, k) = (graph.existing(Op::Opaque(number, k))?, literal(k));
-            Some((quote!(#values[#k]), node))
-        });
-        let (code, count) = (kernel.write(&outputs.collect::<Vec<_>>()).tokens, literal(count));
+        let found: Vec<Option<Node>> = (0..count).map(|k| graph.existing(Op::Opaque(number, k))).collect();
+        let (code, values) = kernel.values(&found.iter().copied().flatten().collect::<Vec<Node>>());
+        let (code, mut values) = (code.tokens, values.into_iter());
+        let values = found.iter().map(|node| node.and_then(|_| values.next()).unwrap_or_else(|| quote!(0.0)));
         quote! {
-            let mut #values = [0.0; #count];
             #code
-            give(&#values, #to)
+            ::kin::rt::graph::give(&[#(#values),*], #to)
         }
     }
 
@@ -271,17 +275,10 @@ fn place<T: PartialEq>(list: &mut Vec<T>, item: T) -> usize {
     })
 }
 
-fn call(f: Function, of: &Literal) -> TokenStream {
-    let f = word(&format!("{f:?}"));
-    quote!(Call(#f, #of))
-}
-
-fn compared(comparison: Comparison) -> Ident {
-    word(&format!("{comparison:?}"))
-}
-
-fn word(name: &str) -> Ident {
-    Ident::new(name, Span::call_site())
+/// A text over several lines as it stands, so that it can be read in the expansion.
+fn readable(text: &str) -> Literal {
+    let raw = format!("r##\"{text}\"##");
+    raw.parse().unwrap_or_else(|_| Literal::string(text))
 }
 
 fn literal(k: usize) -> Literal {

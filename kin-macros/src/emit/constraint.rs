@@ -215,6 +215,7 @@ impl<'a> Frame<'a> {
             }
             #[inline]
             fn plain(&self, #q: &[f64; #n], #t: f64) -> [f64; #m] {
+                let mut #q = ::kin::rt::Columns(#q);
                 ::kin::rt::rows(__WRITTEN(#(#inputs),*))
             }
             #measure
@@ -225,44 +226,45 @@ impl<'a> Frame<'a> {
 /// The user's names for bodies, coordinates and time, bound to states made of the columns `q` and the time `t`.
 fn states(arguments: &[Argument], q: &Ident, t: &Ident) -> Vec<TokenStream> {
     let scalar = quote!(::kin::rt::Real<__D>);
-    let bound = with_columns(arguments).map(|(argument, columns)| {
-        let (name, mutable, count) = (&argument.name, super::mutable(argument), literal(columns.len()));
-        match argument.kind {
-            Kind::Planar => quote!(let #mutable #name = ::kin::rt::PlanarState::<#scalar>::new([#(#q[#columns]),*]);),
-            Kind::Spatial => quote!(let #mutable #name = ::kin::rt::SpatialState::<#scalar>::new([#(#q[#columns]),*]);),
-            Kind::Coord => quote!(let #mutable #name: #scalar = #(#q[#columns])*;),
-            Kind::Coords(_) => quote!(let #mutable #name: [#scalar; #count] = [#(#q[#columns]),*];),
-            Kind::Time => quote!(let #mutable #name: #scalar = #t;),
-            _ => quote!(),
-        }
+    let bound = arguments.iter().filter_map(|argument| {
+        let (name, mutable, next) = (&argument.name, super::mutable(argument), next(argument, q, t)?);
+        let ty = match argument.kind {
+            Kind::Planar => quote!(::kin::rt::PlanarState<#scalar>),
+            Kind::Spatial => quote!(::kin::rt::SpatialState<#scalar>),
+            Kind::Coords(n) => {
+                let n = literal(n);
+                quote!([#scalar; #n])
+            }
+            _ => scalar.clone(),
+        };
+        Some(quote!(let #mutable #name: #ty = #next;))
     });
-    bound.collect()
+    std::iter::once(quote!(let mut #q = ::kin::rt::Columns(#q);)).chain(bound).collect()
+}
+
+/// The value of an argument that is no parameter, made of the columns that are left.
+fn next(argument: &Argument, q: &Ident, t: &Ident) -> Option<TokenStream> {
+    Some(match argument.kind {
+        Kind::Planar => quote!(#q.planar()),
+        Kind::Spatial => quote!(#q.spatial()),
+        Kind::Coord => quote!(#q.coord()),
+        Kind::Coords(_) => quote!(#q.coords()),
+        Kind::Time => quote!(#t),
+        _ => return None,
+    })
 }
 
 /// What the function as it was written is called with.
 fn written_inputs(arguments: &[Argument], q: &Ident, t: &Ident) -> Vec<TokenStream> {
-    let inputs = with_columns(arguments).map(|(argument, columns)| {
+    let inputs = arguments.iter().map(|argument| {
         let name = &argument.name;
         match argument.kind {
-            Kind::Planar => quote!(::kin::rt::PlanarState::new([#(#q[#columns]),*])),
-            Kind::Spatial => quote!(::kin::rt::SpatialState::new([#(#q[#columns]),*])),
-            Kind::Coord => quote!(#(#q[#columns])*),
-            Kind::Coords(_) => quote!([#(#q[#columns]),*]),
-            Kind::Time => quote!(#t),
             Kind::Numbers(_) | Kind::Axis => quote!(self.#name),
             Kind::Law | Kind::Other => quote!(self.#name.clone()),
+            _ => next(argument, q, t).unwrap_or_default(),
         }
     });
     inputs.collect()
-}
-
-/// Each argument with the numbers of its columns.
-fn with_columns(arguments: &[Argument]) -> impl Iterator<Item = (&Argument, Vec<Literal>)> {
-    arguments.iter().scan(0, |first, argument| {
-        let columns = *first..*first + argument.kind.columns();
-        *first = columns.end;
-        Some((argument, columns.map(literal).collect()))
-    })
 }
 
 fn kinds(argument: &Argument) -> Vec<TokenStream> {

@@ -1,6 +1,6 @@
 //! The functions of `impl Constraint` that compute something, on either route.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::kernel::{Code, Kernel};
@@ -14,57 +14,62 @@ use crate::parse::Argument;
 pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivatives) -> TokenStream {
     let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
     let (m, entries) = (literal(rows.len()), literal(derived.jacobian.len()));
-    let place = |name: &str, k: usize| {
-        let (name, k) = (proc_macro2::Ident::new(name, proc_macro2::Span::call_site()), literal(k));
-        quote!(#name[#k])
-    };
-    let outputs =
-        |name: &str, nodes: &[Node]| -> Vec<(TokenStream, Node)> { nodes.iter().enumerate().map(|(k, &n)| (place(name, k), n)).collect() };
-    let c = outputs("c", &rows);
+    let (to_c, c) = outputs("c", quote!(c.first_chunk_mut()), &rows, |_| true);
     let values: Vec<Node> = derived.jacobian.iter().map(|entry| entry.2).collect();
-    let c_q = outputs("c_q", &values);
-    let both: Vec<_> = c.iter().chain(&c_q).cloned().collect();
-    let (rhs, q_d) = (outputs("rhs", &derived.velocity_rhs), outputs("q_d", &derived.acceleration_rhs));
+    let (to_c_q, c_q) = outputs("c_q", quote!(c_q.first_chunk_mut()), &values, |_| true);
+    let both: Vec<_> = c.iter().cloned().chain(c_q).collect();
+    let (to_rhs, rhs) = outputs("rhs", quote!(rhs.first_chunk_mut()), &derived.velocity_rhs, |_| true);
+    let (to_q_d, q_d) = outputs("q_d", quote!(q_d.first_chunk_mut()), &derived.acceleration_rhs, |_| true);
     let all: Vec<Node> = both.iter().chain(&rhs).chain(&q_d).map(|output| output.1).collect();
     let linear = is_linear(&lowered.graph, &rows, derived);
     let timed = Timed::new(lowered, &all, derived, linear);
-    let mut kernel = |outputs: &[(TokenStream, Node)]| Kernel::scheduled(lowered, arguments, &timed, outputs);
-    let residual = commented("C", kernel(&c));
+    let on_t = rows.iter().any(|row| lowered.graph.depends(*row).on_t);
+    let mut kernel = |outputs: &[(Ident, Node)]| Kernel::scheduled(lowered, arguments, &timed, outputs);
+    // Where only the time has changed a constraint may be asked for C alone; all others seldom are.
+    let alone = !linear && on_t;
+    let residual = alone.then(|| kernel(&c).tokens).map(|residual| quote!(#to_c #residual));
+    let residual = residual.unwrap_or_else(|| quote!(self.linearize(at, c, &mut [0.0; #entries]);));
     let linearize = commented("C and C_q", kernel(&both));
     let right_side = commented("Q_d for t_dot = 1", kernel(&q_d));
-    let velocity = (!rhs.is_empty()).then(|| kernel(&rhs));
+    let velocity = (!rhs.is_empty()).then(|| (to_rhs, kernel(&rhs)));
     let velocity = self::velocity(&m, velocity);
     let timed = timed::functions(lowered, &timed);
     let (constants, depends) = (constants(&lowered.graph, derived), depends(&lowered.graph, &rows, derived, linear));
     let blame = super::blame::symbolic(arguments, lowered);
-    let ((residual_doc, residual), (linearize_doc, linearize), (right_doc, right_side)) = (residual, linearize, right_side);
+    let ((linearize_doc, linearize), (right_doc, right_side)) = (linearize, right_side);
     quote! {
         #constants
         #depends
         #timed
-        #[doc = #residual_doc]
         fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
-            let ::core::option::Option::Some(c) = c.first_chunk_mut::<#m>() else { return };
             #residual
         }
-        #[doc = " C_q, and C on the way"]
         fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
             self.linearize(at, &mut [0.0; #m], c_q);
         }
         #[doc = #linearize_doc]
         fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
-            let ::core::option::Option::Some(c) = c.first_chunk_mut::<#m>() else { return };
-            let ::core::option::Option::Some(c_q) = c_q.first_chunk_mut::<#entries>() else { return };
+            #to_c
+            #to_c_q
             #linearize
         }
         #velocity
         #[doc = #right_doc]
         fn acceleration_rhs(&self, at: &::kin::rt::At<'_>, qd: &::kin::rt::Rates<'_>, t_dot: f64, q_d: &mut [f64]) {
-            let ::core::option::Option::Some(q_d) = q_d.first_chunk_mut::<#m>() else { return };
+            #to_q_d
             #right_side
         }
         #blame
     }
+}
+
+/// References to the places of a list by name, `let Some([c_0, c_1]) = c.first_chunk_mut() else { return };`, and what is written behind those
+/// that are `wanted`.
+pub fn outputs(list: &str, places: TokenStream, nodes: &[Node], wanted: impl Fn(Node) -> bool) -> (TokenStream, Vec<(Ident, Node)>) {
+    let name = |k: usize| super::own(&format!("{list}_{k}"));
+    let all: Vec<Option<(Ident, Node)>> = nodes.iter().enumerate().map(|(k, &node)| wanted(node).then(|| (name(k), node))).collect();
+    let names = all.iter().map(|output| output.as_ref().map(|(name, _)| name.clone()));
+    (super::chunk(names, places), all.into_iter().flatten().collect())
 }
 
 /// The entries of C_q that are numbers for good, for the solver; nothing where there are none.
@@ -113,8 +118,8 @@ fn commented(what: &str, code: Code) -> (String, TokenStream) {
 }
 
 /// −C_t; a constraint without time only clears the place.
-fn velocity(m: &Literal, code: Option<Code>) -> TokenStream {
-    let Some(code) = code else {
+fn velocity(m: &Literal, code: Option<(TokenStream, Code)>) -> TokenStream {
+    let Some((to_rhs, code)) = code else {
         return quote! {
             fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
                 ::kin::rt::no_velocity(rhs, #m);
@@ -125,7 +130,7 @@ fn velocity(m: &Literal, code: Option<Code>) -> TokenStream {
     quote! {
         #[doc = #doc]
         fn velocity_rhs(&self, at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
-            let ::core::option::Option::Some(rhs) = rhs.first_chunk_mut::<#m>() else { return };
+            #to_rhs
             #code
         }
     }
@@ -145,26 +150,20 @@ pub fn laws(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
     if asked.is_empty() {
         return quote!();
     }
-    let outputs: Vec<_> = asked
-        .iter()
-        .enumerate()
-        .map(|(k, (_, x))| {
-            let k = literal(k);
-            (quote!(x[#k]), *x)
-        })
-        .collect();
-    let code = Kernel::emit(lowered, arguments, &outputs).tokens;
+    let nodes: Vec<Node> = asked.iter().map(|(_, x)| *x).collect();
+    let (code, values) = Kernel::plain(lowered, arguments).values(&nodes);
+    let code = code.tokens;
     let shown = asked.iter().enumerate().map(|(k, (law, _))| {
-        let (k, place) = (literal(k), super::template::place(&lowered.laws[*law]));
+        let (x, place) = (super::own(&format!("x_{k}")), super::template::place(&lowered.laws[*law]));
         let name = crate::lower::tidy(&place.to_string()).replace(' ', "");
         let name = name.trim_start_matches("self.");
-        quote!(visit(#name, &#place, x[#k]);)
+        quote!(visit(#name, &#place, #x);)
     });
-    let n = literal(asked.len());
+    let names = (0..asked.len()).map(|k| super::own(&format!("x_{k}")));
     quote! {
         fn laws(&self, at: &::kin::rt::At<'_>, visit: &mut dyn FnMut(&str, &::kin::Law, f64)) {
-            let mut x = [0.0; #n];
             #code
+            let [#(#names),*] = [#(#values),*];
             #(#shown)*
         }
     }

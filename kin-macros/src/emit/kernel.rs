@@ -11,7 +11,7 @@ use quote::{ToTokens, quote};
 pub use words::number;
 use words::{comparison_method, sign};
 
-use super::slots::{Slot, binding, slots, source};
+use super::slots::{Slot, binding, slots};
 use super::timed::{self, Timed};
 use crate::graph::{Function, Function2, Graph, Input, Node, Op, Part};
 use crate::lower::{Lowered, OpaqueKind};
@@ -70,7 +70,7 @@ pub struct Code {
 
 impl<'a> Kernel<'a> {
     /// Code for `outputs` after the scheduler has had a look at it; what is in `timed` was evaluated before.
-    pub fn scheduled(lowered: &'a mut Lowered, arguments: &[Argument], timed: &Timed, outputs: &[(TokenStream, Node)]) -> Code {
+    pub fn scheduled(lowered: &'a mut Lowered, arguments: &[Argument], timed: &Timed, outputs: &[(Ident, Node)]) -> Code {
         let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
         let nodes = timed::read(&mut lowered.graph, timed, &nodes);
         let nodes = schedule::prepare(&mut lowered.graph, &nodes);
@@ -78,9 +78,9 @@ impl<'a> Kernel<'a> {
         Kernel { scheduled: true, timed: timed.len(), ..Kernel::new(lowered, arguments) }.write(&outputs)
     }
 
-    /// Code that computes `outputs` and writes each to the place given with it.
-    pub fn emit(lowered: &'a Lowered, arguments: &[Argument], outputs: &[(TokenStream, Node)]) -> Code {
-        Kernel::new(lowered, arguments).write(outputs)
+    /// Code in plain numbers, as it comes.
+    pub fn plain(lowered: &'a Lowered, arguments: &[Argument]) -> Self {
+        Kernel::new(lowered, arguments)
     }
 
     /// A kernel in which some nodes have a name already; what these are computed from is not looked at.
@@ -93,25 +93,38 @@ impl<'a> Kernel<'a> {
         Kernel { numbers: Numbers::Wide, lane_by_lane, ..Kernel::from_given(lowered, arguments, given) }
     }
 
-    /// Code that computes `outputs` and writes each to the place given with it, conditions as 1 or 0.
-    pub fn write(mut self, outputs: &[(TokenStream, Node)]) -> Code {
+    /// Code before the values of `nodes`, and these as expressions, conditions as 1 or 0.
+    pub fn values(mut self, nodes: &[Node]) -> (Code, Vec<TokenStream>) {
+        self.count_uses(nodes);
+        let mut values: Vec<TokenStream> = vec![quote!(); nodes.len()];
+        for group in order(self.graph(), nodes, |node| self.named.contains_key(&node)) {
+            group.nodes.into_iter().for_each(|node| self.name(node));
+            values[group.output] = self.output(nodes[group.output]);
+        }
+        (self.finish(), values)
+    }
+
+    /// A result as a number.
+    fn output(&mut self, node: Node) -> TokenStream {
+        let value = self.expression(node);
+        if is_condition(self.lowered, node) { quote!(if #value { 1.0 } else { 0.0 }) } else { value }
+    }
+
+    /// Code that computes `outputs` and writes each behind the reference given with it.
+    pub fn write(mut self, outputs: &[(Ident, Node)]) -> Code {
         let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
         self.count_uses(&nodes);
-        let in_order = super::own("in_order");
+        let put = super::own("put");
         let groups = order(self.graph(), &nodes, |node| self.named.contains_key(&node));
         let fenced = self.scheduled && groups.len() > 1;
         if fenced {
-            self.statements.push(quote!(let #in_order = ::kin::rt::in_order;));
+            self.statements.push(quote!(let #put = ::kin::rt::put;));
         }
         for group in groups {
             group.nodes.into_iter().for_each(|node| self.name(node));
             let (place, node) = &outputs[group.output];
-            let value = self.expression(*node);
-            let value = if is_condition(self.lowered, *node) { quote!(if #value { 1.0 } else { 0.0 }) } else { value };
-            self.statements.push(quote!(#place = #value;));
-            if fenced && group.computes {
-                self.statements.push(quote!(#in_order();));
-            }
+            let value = self.output(*node);
+            self.statements.push(if fenced && group.computes { quote!(#put(#place, #value);) } else { quote!(*#place = #value;) });
         }
         self.finish()
     }
@@ -153,12 +166,15 @@ impl<'a> Kernel<'a> {
         Code { tokens: quote!(#items #fma #timed #bindings #(#statements)*), operations: self.operations }
     }
 
-    /// The states and rates of arguments as arrays of known length, of those that are read.
+    /// The numbers of states and rates of arguments, of those that are read.
     fn bindings(&self) -> TokenStream {
         let of = |k: usize, of_state: bool| {
             let parts = if of_state { self.slots[k].state_parts() } else { self.slots[k].columns() };
-            let is_read = self.read.iter().any(|&(slot, _, state)| (slot, state) == (k, of_state));
-            is_read.then(|| binding(k, of_state, parts.len()))
+            let read = |part: &Part| self.read.contains(&(k, *part, of_state));
+            parts
+                .iter()
+                .any(read)
+                .then(|| binding(k, of_state, parts.iter().map(|part| read(part).then(|| self.name_of(k, *part, of_state)))))
         };
         let all = [true, false].into_iter().flat_map(|of_state| (0..self.slots.len()).filter_map(move |k| of(k, of_state)));
         all.collect()
@@ -166,14 +182,15 @@ impl<'a> Kernel<'a> {
 
     /// The name of a number of a state or of the rates, read just before it is needed first: registers are few.
     fn reading(&mut self, slot: usize, part: Part, of_state: bool) -> Ident {
-        let name = if of_state { self.slots[slot].state(part) } else { self.slots[slot].rate(part) };
+        let name = self.name_of(slot, part, of_state);
         if self.read.insert((slot, part, of_state)) {
-            let parts = if of_state { self.slots[slot].state_parts() } else { self.slots[slot].columns() };
-            let place = Literal::usize_unsuffixed(parts.iter().position(|&p| p == part).unwrap_or(0));
-            let source = source(slot, of_state);
-            self.statements.push(quote!(let #name = #source[#place];));
+            self.statements.push(quote!(let #name = *#name;));
         }
         name
+    }
+
+    fn name_of(&self, slot: usize, part: Part, of_state: bool) -> Ident {
+        if of_state { self.slots[slot].state(part) } else { self.slots[slot].rate(part) }
     }
 
     fn count_uses(&mut self, outputs: &[Node]) {
@@ -208,7 +225,8 @@ impl<'a> Kernel<'a> {
         {
             return;
         }
-        let depth = 1 + self.graph().operands(node).iter().map(|n| self.depth[n.index()]).max().unwrap_or(0);
+        let mut depth = 1;
+        self.graph().each_operand(node, |operand| depth = depth.max(1 + self.depth[operand.index()]));
         if self.uses[node.index()] > 1 || depth > DEEPEST {
             let value = self.written(node);
             let name = self.temporary(value);

@@ -10,7 +10,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 use super::kernel::{Evaluations, Kernel, is_condition};
-use super::{own, timed};
+use super::{functions, own, timed};
 use crate::differentiate::Derivatives;
 use crate::graph::{Graph, Input, LeafNumber, Node, Op};
 use crate::lower::Lowered;
@@ -39,28 +39,30 @@ struct Outside {
 
 pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &mut Lowered, derived: &Derivatives) -> LaneCode {
     let g = &lowered.graph;
-    let places = |place: &str, nodes: &mut dyn Iterator<Item = Node>| -> Vec<(TokenStream, Node)> {
-        let place = Ident::new(place, Span::call_site());
-        let write = |(k, node)| {
-            let k = literal(k);
-            (quote!(#place[#k]), node)
-        };
-        nodes.enumerate().map(write).collect()
-    };
-    let c = places("c", &mut lowered.rows.iter().map(|row| row.node));
+    let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
+    let values: Vec<Node> = derived.jacobian.iter().map(|entry| entry.2).collect();
+    let (to_c, c) = functions::outputs("c", quote!(at.rows(c)), &rows, |_| true);
     // What is the same for good has been written before.
-    let mut both = places("c_q", &mut derived.jacobian.iter().map(|entry| entry.2));
-    both.retain(|(_, node)| g.constant_value(*node).is_none_or(|constant| !constant.is_finite()));
-    both.splice(0..0, c);
-    let rhs = places("rhs", &mut derived.velocity_rhs.iter().copied());
-    let q_d = places("q_d", &mut derived.acceleration_rhs.iter().copied());
+    let (to_c_q, c_q) = functions::outputs("c_q", quote!(at.values(c_q)), &values, |node| {
+        g.constant_value(node).is_none_or(|constant| !constant.is_finite())
+    });
+    let both: Vec<_> = c.into_iter().chain(c_q).collect();
+    let (to_rhs, rhs) = functions::outputs("rhs", quote!(at.rows(rhs)), &derived.velocity_rhs, |_| true);
+    let (to_q_d, q_d) = functions::outputs("q_d", quote!(at.rows(q_d)), &derived.acceleration_rhs, |_| true);
 
     let all: Vec<Node> = both.iter().chain(&rhs).chain(&q_d).map(|(_, node)| *node).collect();
     let outside = Outside::new(lowered, &all);
-    let mut kernel = |outputs: &[(TokenStream, Node)]| outside.kernel(lowered, arguments, outputs);
+    let mut kernel = |outputs: &[(Ident, Node)]| outside.kernel(lowered, arguments, outputs);
     let (linearize, velocity, acceleration) = (kernel(&both), kernel(&rhs), kernel(&q_d));
-    let (m, entries) = (literal(lowered.rows.len()), literal(derived.jacobian.len()));
-    let m_velocity = literal(rhs.len());
+    let velocity = (!rhs.is_empty()).then(|| {
+        quote! {
+            #[inline(always)]
+            fn velocity_rhs<__S: ::kin::rt::Level>(at: &::kin::rt::LaneAt<'_, __S>, rhs: &mut [::kin::rt::Wide<__S>]) {
+                #to_rhs
+                #velocity
+            }
+        }
+    });
     let in_lanes = outside.in_lanes(name, arguments, lowered);
     LaneCode {
         method: quote! {
@@ -77,22 +79,18 @@ pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &mut Lowered, derive
                     c: &mut [::kin::rt::Wide<__S>],
                     c_q: &mut [::kin::rt::Wide<__S>],
                 ) {
-                    let ::core::option::Option::Some(c) = at.rows::<#m>(c) else { return };
-                    let ::core::option::Option::Some(c_q) = at.values::<#entries>(c_q) else { return };
+                    #to_c
+                    #to_c_q
                     #linearize
                 }
-                #[inline(always)]
-                fn velocity_rhs<__S: ::kin::rt::Level>(at: &::kin::rt::LaneAt<'_, __S>, rhs: &mut [::kin::rt::Wide<__S>]) {
-                    let ::core::option::Option::Some(rhs) = at.rows::<#m_velocity>(rhs) else { return };
-                    #velocity
-                }
+                #velocity
                 #[inline(always)]
                 fn acceleration_rhs<__S: ::kin::rt::Level>(
                     at: &::kin::rt::LaneAt<'_, __S>,
                     qd: &::kin::rt::LaneRates<'_, __S>,
                     q_d: &mut [::kin::rt::Wide<__S>],
                 ) {
-                    let ::core::option::Option::Some(q_d) = at.rows::<#m>(q_d) else { return };
+                    #to_q_d
                     #acceleration
                 }
             }
@@ -127,18 +125,19 @@ impl Outside {
     }
 
     /// One kernel, after the scheduler has had a look at it where all that is known are numbers and nothing is an evaluation.
-    fn kernel(&self, lowered: &mut Lowered, arguments: &[Argument], outputs: &[(TokenStream, Node)]) -> TokenStream {
+    fn kernel(&self, lowered: &mut Lowered, arguments: &[Argument], outputs: &[(Ident, Node)]) -> TokenStream {
         let known: Vec<Node> = self.known.concat();
         let n = literal(known.len());
         let list = own("known");
         let bind = (!known.is_empty()).then(|| quote!(let ::core::option::Option::Some(#list) = at.known::<#n>() else { return };));
         let numbers = self.evaluations.is_empty() && !known.iter().any(|&node| is_condition(lowered, node));
-        let code = if numbers { scheduled(&known, lowered, arguments, outputs) } else { self.as_written(&known, lowered, arguments, outputs) };
+        let code =
+            if numbers { scheduled(&known, lowered, arguments, outputs) } else { self.as_written(&known, lowered, arguments, outputs) };
         quote!(#bind #code)
     }
 
     /// The kernel as the graph has it: what is known by its place, evaluations by their calls.
-    fn as_written(&self, known: &[Node], lowered: &Lowered, arguments: &[Argument], outputs: &[(TokenStream, Node)]) -> TokenStream {
+    fn as_written(&self, known: &[Node], lowered: &Lowered, arguments: &[Argument], outputs: &[(Ident, Node)]) -> TokenStream {
         // Read where they are used: registers are few.
         let list = own("known");
         let given = known.iter().enumerate().map(|(k, &node)| {
@@ -158,13 +157,36 @@ impl Outside {
         Kernel::over_lanes(lowered, arguments, given.collect(), calls).write(outputs).tokens
     }
 
-    /// `impl InLanes`.
+    /// `impl InLanes`: what there is to compute.
     fn in_lanes(&self, name: &Ident, arguments: &[Argument], lowered: &Lowered) -> TokenStream {
         let [n_parameters, n_times] = [0, 1].map(|k| literal(self.known[k].len()));
-        let [parameters, times] = [0, 1].map(|k| outputs("known", &self.known[k], HashMap::new(), arguments, lowered));
-        let numbers = (0..).map(literal);
-        let bodies = self.evaluations.iter().map(|evaluation| evaluation.body(arguments, lowered));
-        let arms = numbers.zip(bodies).map(|(number, body)| quote!(#number => { #body }));
+        let method = |k: usize, signature: TokenStream, t: TokenStream| {
+            let code = outputs("known", &self.known[k], HashMap::new(), arguments, lowered);
+            (!self.known[k].is_empty()).then(|| {
+                quote! {
+                    fn #signature {
+                        let (at, t_dot) = (&::kin::rt::At::new(#t, &[], &[]), 1.0);
+                        #code
+                    }
+                }
+            })
+        };
+        let of_parameters = method(0, quote!(of_parameters(&self, known: &mut [f64])), quote!(0.0));
+        let of_time = method(1, quote!(of_time(&self, t: f64, known: &mut [f64])), quote!(t));
+        let arms = self.evaluations.iter().enumerate().map(|(number, evaluation)| {
+            let (number, body) = (literal(number), evaluation.body(arguments, lowered));
+            quote!(#number => { #body })
+        });
+        let evaluate = (!self.evaluations.is_empty()).then(|| {
+            quote! {
+                fn evaluate(&self, number: usize, x: &[f64], y: &mut [f64]) {
+                    match number {
+                        #(#arms)*
+                        _ => {}
+                    }
+                }
+            }
+        });
         quote! {
             impl ::kin::rt::InLanes for #name {
                 fn kernels(&self) -> ::kin::rt::LaneKernels {
@@ -173,29 +195,16 @@ impl Outside {
                 fn n_known(&self) -> [usize; 2] {
                     [#n_parameters, #n_times]
                 }
-                fn of_parameters(&self, known: &mut [f64]) {
-                    let ::core::option::Option::Some(known) = known.first_chunk_mut::<#n_parameters>() else { return };
-                    let (at, t_dot) = (&::kin::rt::At::new(0.0, &[], &[]), 1.0);
-                    #parameters
-                }
-                fn of_time(&self, t: f64, known: &mut [f64]) {
-                    let ::core::option::Option::Some(known) = known.first_chunk_mut::<#n_times>() else { return };
-                    let (at, t_dot) = (&::kin::rt::At::new(t, &[], &[]), 1.0);
-                    #times
-                }
-                fn evaluate(&self, number: usize, x: &[f64], y: &mut [f64]) {
-                    match number {
-                        #(#arms)*
-                        _ => {}
-                    }
-                }
+                #of_parameters
+                #of_time
+                #evaluate
             }
         }
     }
 }
 
 /// A kernel of fused operations that reads what is known by its place.
-fn scheduled(known: &[Node], lowered: &mut Lowered, arguments: &[Argument], outputs: &[(TokenStream, Node)]) -> TokenStream {
+fn scheduled(known: &[Node], lowered: &mut Lowered, arguments: &[Argument], outputs: &[(Ident, Node)]) -> TokenStream {
     let places: HashMap<Node, usize> = known.iter().copied().zip(0..).collect();
     let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
     let nodes = timed::read_at(&mut lowered.graph, |node| places.get(&node).copied(), &nodes);
@@ -207,7 +216,7 @@ fn scheduled(known: &[Node], lowered: &mut Lowered, arguments: &[Argument], outp
 impl Evaluation {
     /// In plain numbers, from `x` to `y`.
     fn body(&self, arguments: &[Argument], lowered: &Lowered) -> TokenStream {
-        let (n, m) = (literal(self.inputs.len()), literal(self.outputs.len()));
+        let n = literal(self.inputs.len());
         let names: Vec<Ident> = (0..self.inputs.len()).map(|k| own(&format!("known{k}"))).collect();
         let given = self.inputs.iter().zip(&names).map(|(&node, name)| {
             let value = if is_condition(lowered, node) { quote!((#name != 0.0)) } else { quote!(#name) };
@@ -216,20 +225,20 @@ impl Evaluation {
         let code = outputs("y", &self.outputs, given.collect(), arguments, lowered);
         quote! {
             let ::core::option::Option::Some(&[#(#names),*]) = x.first_chunk::<#n>() else { return };
-            let ::core::option::Option::Some(y) = y.first_chunk_mut::<#m>() else { return };
             #code
         }
     }
 }
 
-/// Plain code that writes nodes to the places of a list, conditions as 1 or 0.
+/// Plain code that writes nodes to a list, conditions as 1 or 0.
 fn outputs(list: &str, nodes: &[Node], given: HashMap<Node, TokenStream>, arguments: &[Argument], lowered: &Lowered) -> TokenStream {
-    let list = Ident::new(list, Span::call_site());
-    let places = nodes.iter().enumerate().map(|(k, &node)| {
-        let k = literal(k);
-        (quote!(#list[#k]), node)
-    });
-    Kernel::from_given(lowered, arguments, given).write(&places.collect::<Vec<_>>()).tokens
+    let (code, values) = Kernel::from_given(lowered, arguments, given).values(nodes);
+    let (code, list) = (code.tokens, Ident::new(list, Span::call_site()));
+    quote! {
+        let ::core::option::Option::Some(#list) = #list.first_chunk_mut() else { return };
+        #code
+        *#list = [#(#values),*];
+    }
 }
 
 /// What an evaluation that only f64 can do is known by; the nodes that come out of the same one have the same key.

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::kernel::Kernel;
-use super::{demands, rewrite, template, written};
+use super::{blame, demands, rewrite, template, written};
 use crate::differentiate::Partial;
 use crate::lower::Lowered;
 use crate::parse::LawFn;
@@ -12,11 +12,12 @@ use crate::parse::LawFn;
 /// The law with its derivatives to third order, symbolic where the body could be read.
 pub fn law(source: &LawFn, lowered: Option<Lowered>) -> TokenStream {
     let written = written(source, lowered.as_ref());
+    let over = lowered.as_ref().map(|lowered| blame::law(&source.parameters, lowered));
     let (jet, leaves) = match lowered {
         Some(lowered) => symbolic(source, lowered),
         None => (quote!(::kin::rt::jet_by_dual(x, |x| self.evaluate(x))), vec![]),
     };
-    emit(source, &jet, &written, &leaves, &evaluate(source))
+    emit(source, [&jet, &over.unwrap_or_default()], &written, &leaves, &evaluate(source))
 }
 
 /// The function as it was written; nobody calls it, but rustc reads it.
@@ -43,18 +44,11 @@ fn symbolic(source: &LawFn, mut lowered: Lowered) -> (TokenStream, Vec<TokenStre
         let next = by_x.of(g, derivatives[k]);
         derivatives.push(next);
     }
-    let outputs: Vec<_> = derivatives
-        .into_iter()
-        .enumerate()
-        .map(|(k, node)| {
-            let k = proc_macro2::Literal::usize_unsuffixed(k);
-            (quote!(f[#k]), node)
-        })
-        .collect();
-    let code = Kernel::emit(&lowered, &source.parameters, &outputs).tokens;
+    let (code, values) = Kernel::plain(&lowered, &source.parameters).values(&derivatives);
+    let code = code.tokens;
     let leaves =
         lowered.leaves.iter().enumerate().map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items)).collect();
-    (quote!(let mut f = [0.0; 4]; #code f), leaves)
+    (quote!(#code [#(#values),*]), leaves)
 }
 
 /// The user's body generic over dual numbers.
@@ -75,7 +69,13 @@ fn evaluate(source: &LawFn) -> TokenStream {
     }
 }
 
-fn emit(source: &LawFn, jet: &TokenStream, written: &TokenStream, leaves: &[TokenStream], evaluate: &TokenStream) -> TokenStream {
+fn emit(
+    source: &LawFn,
+    [jet, over]: [&TokenStream; 2],
+    written: &TokenStream,
+    leaves: &[TokenStream],
+    evaluate: &TokenStream,
+) -> TokenStream {
     let (attributes, visibility, name) = (&source.attributes, &source.visibility, &source.name);
     let names: Vec<_> = source.parameters.iter().map(|a| &a.name).collect();
     let types: Vec<_> = source.parameters.iter().map(|a| &a.ty).collect();
@@ -111,6 +111,7 @@ fn emit(source: &LawFn, jet: &TokenStream, written: &TokenStream, leaves: &[Toke
                     fn description(&self) -> &str {
                         #description
                     }
+                    #over
                     #visit
                     #refusal
                     fn with_parameter(&self, name: &str, value: f64) -> ::core::option::Option<::kin::Law> {

@@ -94,6 +94,12 @@ fn dual_bindings(arguments: &[Argument]) -> Vec<TokenStream> {
         .collect()
 }
 
+/// `let Some([a, _, c]) = source else { return };`: the first numbers of a list by name, those that have one.
+fn chunk(names: impl Iterator<Item = Option<proc_macro2::Ident>>, source: TokenStream) -> TokenStream {
+    let names = names.map(|name| name.map_or_else(|| quote!(_), |name| quote!(#name)));
+    quote!(let ::core::option::Option::Some([#(#names),*]) = #source else { return };)
+}
+
 /// A name of emitted code that no name of the user's can meet.
 fn own(name: &str) -> proc_macro2::Ident {
     proc_macro2::Ident::new(name, proc_macro2::Span::mixed_site())

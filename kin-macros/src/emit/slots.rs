@@ -49,17 +49,10 @@ impl Slot {
     }
 }
 
-/// The numbers of argument `k`'s state, or of its rates, in emitted code.
-pub fn source(k: usize, of_state: bool) -> Ident {
-    super::own(&format!("{}{k}", if of_state { "state" } else { "rate" }))
-}
-
-/// `let Some(state0) = at.state::<5>(0) else { return };`
-pub fn binding(k: usize, of_state: bool, length: usize) -> TokenStream {
-    let name = source(k, of_state);
-    let (k, length) = (Literal::usize_unsuffixed(k), Literal::usize_unsuffixed(length));
-    let numbers = if of_state { quote!(at.state) } else { quote!(qd.of) };
-    quote!(let ::core::option::Option::Some(#name) = #numbers::<#length>(#k) else { return };)
+/// `let Some([i_x, _, i_theta, ..]) = at.state(0) else { return };`: the numbers of argument `k`'s state, or of its rates, by name.
+pub fn binding(k: usize, of_state: bool, names: impl Iterator<Item = Option<Ident>>) -> TokenStream {
+    let (k, numbers) = (Literal::usize_unsuffixed(k), if of_state { quote!(at.state) } else { quote!(qd.of) });
+    super::chunk(names, quote!(#numbers(#k)))
 }
 
 /// The state arguments, one a slot, with names that nothing else in emitted code has.
@@ -78,11 +71,13 @@ pub fn slots(arguments: &[Argument]) -> Vec<Slot> {
     slots
 }
 
+/// What names of temporaries and outputs begin with; a number follows.
+const TEMPORARIES: &[&str] = &["t", "s", "c", "o", "law", "leaf", "known", "call", "c_", "c_q_", "q_d_", "rhs_", "x_"];
+
 /// Names of the emitted functions' own arguments and temporaries, and keywords that came as raw identifiers.
 fn is_taken(name: &str) -> bool {
     let prefix = name.trim_end_matches(|c: char| c.is_ascii_digit());
-    let temporary =
-        prefix.len() < name.len() && matches!(prefix, "t" | "s" | "c" | "o" | "law" | "leaf" | "known" | "call" | "state" | "rate");
-    let own = matches!(name, "at" | "qd" | "c" | "c_q" | "q_d" | "rhs" | "t_dot" | "x" | "f" | "timed" | "known" | "own" | "fma" | "in_order");
+    let temporary = prefix.len() < name.len() && TEMPORARIES.contains(&prefix);
+    let own = matches!(name, "at" | "qd" | "c" | "c_q" | "q_d" | "rhs" | "t_dot" | "x" | "f" | "timed" | "known" | "own" | "fma" | "put");
     temporary || own || syn::parse_str::<Ident>(name).is_err()
 }

@@ -124,13 +124,8 @@ pub fn functions(lowered: &Lowered, timed: &Timed) -> TokenStream {
         return quote!();
     }
     let n = Literal::usize_unsuffixed(timed.len());
-    let place = |k: usize| {
-        let k = Literal::usize_unsuffixed(k);
-        quote!(timed[#k])
-    };
-    let all = timed.read.iter().chain(&timed.sides).enumerate();
-    let outputs: Vec<(TokenStream, Node)> = all.map(|(k, &node)| (place(k), node)).collect();
-    let code = Kernel::emit(lowered, &[], &outputs);
+    let all: Vec<Node> = timed.read.iter().chain(&timed.sides).copied().collect();
+    let (code, values) = Kernel::plain(lowered, &[]).values(&all);
     let (doc, code) = (format!(" What depends on t and parameters alone: {} operations", code.operations), code.tokens);
     let first = Literal::usize_unsuffixed(timed.read.len());
     let sides = (!timed.sides.is_empty()).then(|| {
@@ -147,9 +142,10 @@ pub fn functions(lowered: &Lowered, timed: &Timed) -> TokenStream {
         }
         #[doc = #doc]
         fn at_time(&self, t: f64, timed: &mut [f64]) {
-            let ::core::option::Option::Some(timed) = timed.first_chunk_mut::<#n>() else { return };
+            let ::core::option::Option::Some(timed) = timed.first_chunk_mut() else { return };
             let at = ::kin::rt::At::new(t, &[], &[]);
             #code
+            *timed = [#(#values),*];
         }
     }
 }

@@ -2,6 +2,7 @@
 //! while building. Nodes are numbered in order of creation; nothing depends on hash iteration.
 
 pub mod functions;
+mod hash;
 #[cfg(test)]
 pub mod interpret;
 mod simplify;
@@ -12,7 +13,7 @@ pub use functions::{Function, Function2};
 pub use simplify::is_power_of_two;
 
 /// A scalar (or a condition) in a [`Graph`].
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug, Default)]
 pub struct Node(u32);
 
 /// What the code around an emitted kernel provides.
@@ -131,7 +132,7 @@ pub struct Direction {
 pub struct Graph {
     ops: Vec<Op>,
     depends: Vec<Depends>,
-    index: HashMap<Op, Node>,
+    index: HashMap<Op, Node, hash::Quick>,
     /// What each opaque value is computed from.
     pub opaques: Vec<Vec<Node>>,
     pub leaves: Vec<Leaf>,
@@ -237,7 +238,11 @@ impl Graph {
         let depends = match op {
             Op::Input(Input::State(..) | Input::Variable) => Depends { on_q: true, on_t: false },
             Op::Input(Input::Time) => Depends { on_q: false, on_t: true },
-            _ => self.operands(node).iter().fold(Depends::default(), |all, &n| all.or(self.depends(n))),
+            _ => {
+                let mut all = Depends::default();
+                self.each_operand(node, |operand| all = all.or(self.depends(operand)));
+                all
+            }
         };
         self.depends.push(depends);
         self.index.insert(op, node);
@@ -343,14 +348,17 @@ impl Graph {
 
     /// `nodes` and what they are computed from, in order of creation, without going beyond what is known already.
     pub fn unknown(&self, nodes: &[Node], known: impl Fn(Node) -> bool) -> Vec<Node> {
-        let mut seen = std::collections::BTreeSet::new();
-        let mut open = nodes.to_vec();
+        let mut seen = vec![false; self.ops.len()];
+        let (mut open, mut found) = (nodes.to_vec(), Vec::new());
         while let Some(node) = open.pop() {
-            if !known(node) && seen.insert(node) {
-                open.extend(self.operands(node));
+            if !seen[node.index()] && !known(node) {
+                seen[node.index()] = true;
+                found.push(node);
+                self.each_operand(node, |operand| open.push(operand));
             }
         }
-        seen.into_iter().collect()
+        found.sort_unstable();
+        found
     }
 
     /// Every node needed for `outputs`, in order of creation: operands come before their users.

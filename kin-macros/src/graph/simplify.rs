@@ -309,6 +309,10 @@ impl Graph {
             let rest = combine(self, a, b);
             return Some(self.mul(least, rest)); // 4 x + 2 y → 2 (2 x + y)
         }
+        let is_product = |node| matches!(self.op(node), Op::Mul(..));
+        if !is_product(a) && !is_product(b) {
+            return None; // two different factors
+        }
         let (mut left, mut right) = (self.factors(a), self.factors(b));
         let mut common = Vec::new();
         left.retain(|x| match right.iter().position(|y| y == x) {

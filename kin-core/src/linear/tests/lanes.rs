@@ -1,7 +1,6 @@
 //! The same systems over lanes: each lane solves its own, whatever rows of its right sides are zero for good.
 
 use super::random::{Kind, Sparse};
-use super::*;
 use crate::lanes::{Lanes, Level, Mask, Wide, WithLevel};
 use crate::linear::lanes::WideLinear;
 use crate::random::Random;

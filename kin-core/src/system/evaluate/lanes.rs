@@ -194,7 +194,7 @@ impl<S: Level> WideEquations<S> {
         let seen = seen(self.simd, self.plan.arguments(), crew, instant, &[]);
         for (group, blocks) in self.groups.iter().map(|group| (group, some(group))).filter(|(_, blocks)| !blocks.is_empty()) {
             match group.table {
-                Some(table) => (table.linearize)(&seen, blocks, c, values),
+                Some(table) => table.linearize(&seen, blocks, c, values),
                 None => {
                     let alone = LaneByLane { blocks: &self.blocks, seen: &seen, crew, t: instant.t };
                     blocks.iter().for_each(|place| alone.linearize(&mut self.scratch, place, c, values));
@@ -209,7 +209,7 @@ impl<S: Level> WideEquations<S> {
         let seen = seen(self.simd, self.plan.arguments(), crew, instant, &[]);
         for group in self.groups.iter().filter(|group| !group.c_t.is_empty()) {
             match group.table {
-                Some(table) => (table.velocity_rhs)(&seen, &group.c_t, rhs),
+                Some(table) => table.velocity_rhs(&seen, &group.c_t, rhs),
                 None => {
                     let alone = LaneByLane { blocks: &self.blocks, seen: &seen, crew, t: instant.t };
                     group.c_t.iter().for_each(|place| alone.right_side(&mut self.scratch, place, false, rhs));
@@ -224,7 +224,7 @@ impl<S: Level> WideEquations<S> {
         let seen = seen(self.simd, self.plan.arguments(), crew, instant, rates);
         for group in self.groups.iter().filter(|group| !group.q_d.is_empty()) {
             match group.table {
-                Some(table) => (table.acceleration_rhs)(&seen, &group.q_d, q_d),
+                Some(table) => table.acceleration_rhs(&seen, &group.q_d, q_d),
                 None => {
                     let alone = LaneByLane { blocks: &self.blocks, seen: &seen, crew, t: instant.t };
                     group.q_d.iter().for_each(|place| alone.right_side(&mut self.scratch, place, true, q_d));

@@ -1,0 +1,190 @@
+//! C and C_q of a whole system over boxes and intervals of time.
+
+use super::equation::Inputs;
+use super::interval::{Interval, ONE, ZERO};
+use super::series::Series;
+use crate::blame::graph::Graph;
+use crate::blame::{Source, columns};
+use crate::constraint::Constraint;
+use crate::error::Error;
+use crate::system::System;
+use crate::system::evaluate::Block;
+
+/// An equation of which no bounds are known over a box, and the expression that makes it so.
+#[derive(Clone, Debug)]
+pub(crate) struct Unknown {
+    pub(super) row: usize,
+    pub(super) expression: Option<(&'static str, Option<Source>)>,
+}
+
+/// The equations of a system, to be asked for bounds.
+pub(super) struct Bounds<'a> {
+    pub system: &'a System,
+    parts: Vec<Part<'a>>,
+}
+
+/// One constraint, and what stands behind its columns.
+pub(crate) struct Part<'a> {
+    constraint: &'a dyn Constraint,
+    /// Its first row among all.
+    first: usize,
+    columns: Vec<Column>,
+}
+
+#[derive(Clone, Copy)]
+enum Column {
+    Own(usize),
+    /// On the ground.
+    Fixed(f64),
+}
+
+impl<'a> Bounds<'a> {
+    /// The constraints of a system; an error by name for one that is not known as steps.
+    pub(super) fn new(system: &'a System) -> Result<Self, Error> {
+        let equations = system.equations();
+        let instant = equations.instant_at(0.0, system.initial());
+        let part = |block: &'a Block| {
+            let constraint = block.constraint.as_ref();
+            let what = || format!("a motion with `{}` ({})", block.name, constraint.kind());
+            unreadable(constraint).map_or(Ok(()), |reason| Err(Error::CannotBeProved { what: what(), reason }))?;
+            let (arguments, at) = (constraint.arguments(), equations.at(block, &instant));
+            let values = arguments.iter().enumerate().flat_map(|(k, argument)| at.coordinates(k, argument.target.columns()));
+            let places = arguments.iter().flat_map(|argument| columns(argument, system.layout()));
+            let columns = places.zip(values).map(|(place, value)| place.map_or(Column::Fixed(*value), Column::Own)).collect();
+            Ok(Part { constraint, first: block.rows().start, columns })
+        };
+        Ok(Bounds { system, parts: equations.blocks.iter().map(part).collect::<Result<_, Error>>()? })
+    }
+
+    /// Every row of C along q and t.
+    pub(super) fn residual(&self, q: &[Series], t: Series) -> Result<Vec<Series>, Unknown> {
+        let mut c = Vec::with_capacity(self.system.n_equations());
+        self.parts.iter().try_for_each(|part| part.residual(q, t, &mut c))?;
+        Ok(c)
+    }
+
+    /// The entries of C_q over a box of positions and an interval of time.
+    pub(super) fn jacobian(&self, q: &[Interval], t: Interval) -> Result<Vec<Entry>, Unknown> {
+        let mut entries = Vec::new();
+        self.parts.iter().try_for_each(|part| part.jacobian(q, t, &mut entries))?;
+        Ok(entries)
+    }
+}
+
+/// Row, column and values of an entry of C_q.
+pub(crate) type Entry = (usize, usize, Interval);
+
+impl Column {
+    fn of<T: Copy + From<Fixed>>(self, q: &[T]) -> T {
+        match self {
+            Column::Own(k) => q.get(k).copied().unwrap_or(T::from(Fixed(f64::NAN))),
+            Column::Fixed(x) => T::from(Fixed(x)),
+        }
+    }
+}
+
+/// A number that does not move.
+struct Fixed(f64);
+
+impl From<Fixed> for Interval {
+    fn from(x: Fixed) -> Self {
+        Interval::from(x.0)
+    }
+}
+
+impl From<Fixed> for Series {
+    fn from(x: Fixed) -> Self {
+        Series::constant(Interval::from(x.0))
+    }
+}
+
+impl<'a> Part<'a> {
+    /// A constraint alone, its columns being all there are; `None` for one that is not known as steps.
+    pub(crate) fn alone(constraint: &'a dyn Constraint) -> Option<Self> {
+        let columns = constraint.arguments().iter().map(|argument| argument.target.columns()).sum();
+        unreadable(constraint).is_none().then(|| Part { constraint, first: 0, columns: (0..columns).map(Column::Own).collect() })
+    }
+
+    /// Appends its rows of C along q and t.
+    pub(crate) fn residual(&self, q: &[Series], t: Series, c: &mut Vec<Series>) -> Result<(), Unknown> {
+        let local: Vec<Series> = self.columns.iter().map(|column| column.of(q)).collect();
+        self.run(&local, t, 1, &|_| true, &mut |_, y| c.push(y))
+    }
+
+    /// Appends its entries of C_q over a box and an interval of time.
+    pub(crate) fn jacobian(&self, q: &[Interval], t: Interval, entries: &mut Vec<Entry>) -> Result<(), Unknown> {
+        let still: Vec<Series> = self.columns.iter().map(|column| Series::constant(column.of(q))).collect();
+        for (k, column) in self.columns.iter().enumerate() {
+            let Column::Own(column) = *column else { continue };
+            let rows = self.rows_of(k);
+            if let Some(constants) = rows.iter().map(|(row, constant)| Some((*row, (*constant)?))).collect::<Option<Vec<_>>>() {
+                entries.extend(constants.into_iter().map(|(row, value)| (self.first + row, column, Interval::from(value))));
+                continue;
+            }
+            let mut local = still.clone();
+            local[k] = Series::variable(still[k].value(), ONE, 2);
+            let asked = |row: usize| rows.iter().any(|(known, _)| *known == row);
+            self.run(&local, Series::constant(t), 2, &asked, &mut |row, y| entries.push((self.first + row, column, y.at(1))))?;
+        }
+        Ok(())
+    }
+
+    /// The rows that depend on a local column, each with its entry if that never changes.
+    fn rows_of(&self, column: usize) -> Vec<(usize, Option<f64>)> {
+        let constants = self.constraint.constants();
+        let all = self.constraint.pattern().iter().enumerate();
+        all.filter(|(_, entry)| entry.1 == column).map(|(k, entry)| (entry.0, constants.get(k).copied().flatten())).collect()
+    }
+
+    /// Gives the rows that are asked for, at least `len` coefficients of each.
+    fn run(
+        &self,
+        columns: &[Series],
+        t: Series,
+        len: usize,
+        asked: &dyn Fn(usize) -> bool,
+        give: &mut dyn FnMut(usize, Series),
+    ) -> Result<(), Unknown> {
+        let mut unknown = None;
+        self.constraint.graph(&mut |graph: &Graph, parameters, outside| {
+            let results = graph.series(&Inputs { columns, t, parameters, outside });
+            for row in (0..graph.rows.len()).filter(|row| asked(*row)) {
+                let y = graph.row(row, &results);
+                if y.len() < len || !y.known().iter().all(|c| c.is_finite()) {
+                    unknown = Some(Unknown { row: self.first + row, expression: graph.unknown(row, &results, len) });
+                    return;
+                }
+                give(row, y);
+            }
+        });
+        unknown.map_or(Ok(()), Err)
+    }
+}
+
+/// Why bounds of a constraint cannot be had at all, if so.
+fn unreadable(constraint: &dyn Constraint) -> Option<String> {
+    let mut reason = Some(format!(
+        "it takes the {} route, and only the symbolic one leaves its equation as steps of which bounds over an interval can be had",
+        constraint.route()
+    ));
+    constraint.graph(&mut |graph, _, outside| {
+        let whole = graph.rows.len() == constraint.rows().len();
+        reason = if whole { graph.opaque(outside) } else { Some("its steps are too many to be kept".to_string()) };
+    });
+    reason
+}
+
+/// Σ c_j σʲ over −1 ≤ σ ≤ 1, by Taylor's formula: its coefficients at σ = 0 and, for the remainder, over all σ.
+pub(super) fn taylor(at: &Series, over: &Series) -> Interval {
+    let Some(last) = over.len().checked_sub(1) else { return over.value() };
+    let unit = |k: usize| {
+        if k == 0 {
+            ONE
+        } else if k.is_multiple_of(2) {
+            ZERO.hull(ONE)
+        } else {
+            Interval::ball(1.0)
+        }
+    };
+    (0..last).map(|k| at.at(k) * unit(k)).fold(over.at(last) * unit(last), |sum, term| sum + term)
+}

@@ -1,0 +1,158 @@
+//! The elementary functions over an interval. Where a function has no value for some of the numbers, nothing is known ([`ALL`]).
+
+use super::interval::{ALL, ALLOWED, Interval, ONE, PI, UNIT, down};
+
+/// A bound below the function whose computed value is y.
+fn below(y: f64) -> f64 {
+    down(y - ALLOWED * f64::EPSILON * y.abs() - f64::MIN_POSITIVE)
+}
+
+/// A bound above it.
+fn above(y: f64) -> f64 {
+    -below(-y)
+}
+
+impl Interval {
+    /// An increasing function.
+    fn rising(self, f: fn(f64) -> f64) -> Self {
+        Interval::new(below(f(self.lo())), above(f(self.hi())))
+    }
+
+    /// An increasing function that is defined between two numbers.
+    fn rising_within(self, from: f64, to: f64, f: fn(f64) -> f64) -> Self {
+        if self.lo() < from || self.hi() > to { ALL } else { self.rising(f) }
+    }
+
+    /// f over it, f being sin or cos, whose largest values stand at `peak` + 4k quarters of a turn.
+    fn wave(self, f: fn(f64) -> f64, peak: f64) -> Self {
+        if !self.is_finite() || self.mag() > 1e9 {
+            return UNIT;
+        }
+        let quarters = self / (PI * Interval::from(0.5));
+        // whether a number peak + 4k is among the quarters
+        let has = |peak: f64| ((quarters.lo() - peak) / 4.0).ceil() <= ((quarters.hi() - peak) / 4.0).floor();
+        let (a, b) = (f(self.lo()), f(self.hi()));
+        let hi = if has(peak) { 1.0 } else { above(a.max(b)).min(1.0) };
+        let lo = if has(peak + 2.0) { -1.0 } else { below(a.min(b)).max(-1.0) };
+        Interval::new(lo, hi)
+    }
+
+    pub(crate) fn sin(self) -> Self {
+        self.wave(f64::sin, 1.0)
+    }
+
+    pub(crate) fn cos(self) -> Self {
+        self.wave(f64::cos, 0.0)
+    }
+
+    pub(crate) fn tan(self) -> Self {
+        let quarters = self / (PI * Interval::from(0.5));
+        let has_pole = ((quarters.lo() - 1.0) / 2.0).ceil() <= ((quarters.hi() - 1.0) / 2.0).floor();
+        if has_pole || self.mag() > 1e9 { ALL } else { self.rising(f64::tan) }
+    }
+
+    pub(crate) fn asin(self) -> Self {
+        self.rising_within(-1.0, 1.0, f64::asin)
+    }
+
+    pub(crate) fn acos(self) -> Self {
+        (-self).rising_within(-1.0, 1.0, |x| (-x).acos())
+    }
+
+    pub(crate) fn atan(self) -> Self {
+        self.rising(f64::atan)
+    }
+
+    pub(crate) fn sinh(self) -> Self {
+        self.rising(f64::sinh)
+    }
+
+    pub(crate) fn cosh(self) -> Self {
+        let size = self.abs().rising(f64::cosh);
+        size.common(Interval::new(1.0, f64::INFINITY)).unwrap_or(ALL)
+    }
+
+    pub(crate) fn tanh(self) -> Self {
+        self.rising(f64::tanh)
+    }
+
+    pub(crate) fn asinh(self) -> Self {
+        self.rising(f64::asinh)
+    }
+
+    pub(crate) fn acosh(self) -> Self {
+        self.rising_within(1.0, f64::INFINITY, f64::acosh)
+    }
+
+    pub(crate) fn atanh(self) -> Self {
+        self.rising_within(-1.0, 1.0, f64::atanh)
+    }
+
+    pub(crate) fn exp(self) -> Self {
+        let y = self.rising(f64::exp);
+        Interval::new(y.lo().max(0.0), y.hi())
+    }
+
+    pub(crate) fn exp_m1(self) -> Self {
+        self.rising(f64::exp_m1)
+    }
+
+    pub(crate) fn ln(self) -> Self {
+        self.rising_within(0.0, f64::INFINITY, f64::ln)
+    }
+
+    pub(crate) fn ln_1p(self) -> Self {
+        self.rising_within(-1.0, f64::INFINITY, f64::ln_1p)
+    }
+
+    pub(crate) fn cbrt(self) -> Self {
+        self.rising(f64::cbrt)
+    }
+
+    /// xᵃ for x > 0.
+    pub(crate) fn powf(self, a: Self) -> Self {
+        if self.lo() > 0.0 { (a * self.ln()).exp() } else { ALL }
+    }
+
+    /// √(x² + y²)
+    pub(crate) fn hypot(self, other: Self) -> Self {
+        (self.sqr() + other.sqr()).sqrt()
+    }
+
+    /// The angle of (x, y), self being y, over a box without the origin. Over one that reaches across the negative x-axis angles go on beyond π
+    /// and the second result is true: those of points below the axis are a whole turn less.
+    pub(crate) fn atan2(self, x: Self) -> (Self, bool) {
+        let y = self;
+        if x.contains(0.0) && y.contains(0.0) {
+            return (ALL, false);
+        }
+        let cut = x.hi() < 0.0 && y.lo() < 0.0 && y.hi() >= 0.0;
+        // turned by half a turn the box is on the right, where no cut is
+        let angle = |y: f64, x: f64| if cut { (-y).atan2(-x) } else { y.atan2(x) };
+        // a zero y below the axis belongs to it: its sign says nothing
+        let corner = |y: f64, x: f64| angle(if y == 0.0 { 0.0 } else { y }, x);
+        let all = [corner(y.lo(), x.lo()), corner(y.lo(), x.hi()), corner(y.hi(), x.lo()), corner(y.hi(), x.hi())];
+        let (lo, hi) = all.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), a| (lo.min(a), hi.max(a)));
+        let around = Interval::new(below(lo), above(hi));
+        (if cut { around + PI } else { around }, cut)
+    }
+
+    /// f over it, f being constant between jumps; `None` where it jumps.
+    pub(crate) fn step(self, f: fn(f64) -> f64) -> Option<Self> {
+        let (a, b) = (f(self.lo()), f(self.hi()));
+        (a == b && a.is_finite()).then(|| Interval::from(a))
+    }
+
+    /// xⁿ
+    pub(crate) fn powi(self, n: u32) -> Self {
+        match n {
+            0 => ONE,
+            1 => self,
+            _ if n.is_multiple_of(2) => self.sqr().powi(n / 2),
+            _ if !self.is_finite() => ALL,
+            _ if self.lo() >= 0.0 => self * self.powi(n - 1),
+            _ if self.hi() <= 0.0 => -(-self).powi(n),
+            _ => Interval::new(Interval::from(self.lo()).powi(n).lo(), Interval::from(self.hi()).powi(n).hi()),
+        }
+    }
+}

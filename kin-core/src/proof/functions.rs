@@ -1,0 +1,217 @@
+//! The functions of an equation's steps on series, from the differential equation of each: y′ = f′(x) x′ (Moore, ch. 11).
+
+use super::interval::{Interval, ONE, ZERO};
+use super::series::{ORDER, Series, UNKNOWN};
+use crate::blame::graph::{Function, Function2};
+
+impl Series {
+    /// (sin x, cos x): s′ = c x′, c′ = −s x′.
+    pub(crate) fn sin_cos(self) -> (Series, Series) {
+        // whole turns are nothing to them
+        self.pair(Interval::sin, Interval::cos, -ONE)
+    }
+
+    /// (sinh x, cosh x): s′ = c x′, c′ = s x′.
+    fn hyperbolic(self) -> (Series, Series) {
+        if self.turns() > 0 { (UNKNOWN, UNKNOWN) } else { self.pair(Interval::sinh, Interval::cosh, ONE) }
+    }
+
+    /// s′ = c x′, c′ = `sign` s x′.
+    fn pair(self, s: fn(Interval) -> Interval, c: fn(Interval) -> Interval, sign: Interval) -> (Series, Series) {
+        let (x, len) = (self, self.len());
+        if len == 0 {
+            return (UNKNOWN, UNKNOWN);
+        }
+        if x.is_constant() {
+            return (Series::constant(s(x.value())), Series::constant(c(x.value())));
+        }
+        let (mut sines, mut cosines) = ([ZERO; ORDER + 1], [ZERO; ORDER + 1]);
+        (sines[0], cosines[0]) = (s(x.value()), c(x.value()));
+        for k in 1..len {
+            (sines[k], cosines[k]) = (x.slope_times(&cosines, k), sign * x.slope_times(&sines, k));
+        }
+        (Series::of(&sines, len), Series::of(&cosines, len))
+    }
+
+    /// eˣ: y′ = y x′.
+    pub(crate) fn exp(self) -> Series {
+        Series::recurring(self.value().exp(), self.len(), |k, y| self.slope_times(y, k))
+    }
+
+    fn ln(self) -> Series {
+        self.integral(self.value().ln(), &self.recip())
+    }
+
+    /// xᵃ with the values given: x y′ = a y x′.
+    fn power(self, value: Interval, a: Interval) -> Series {
+        let (x0, len) = (self.value(), self.len());
+        // at zero a power has values, but no derivatives
+        let len = if x0.contains(0.0) { len.min(1) } else { len };
+        Series::recurring(value, len, |k, y| {
+            let term = |j: usize| (a * whole(k - j) - whole(j)) * self.at(k - j) * y[j];
+            (k.saturating_sub(self.degree())..k).map(term).fold(ZERO, |sum, term| sum + term) / (whole(k) * x0)
+        })
+    }
+
+    /// √x, as far as no x is below zero.
+    pub(crate) fn sqrt(self) -> Series {
+        if self.value().lo() < 0.0 { UNKNOWN } else { self.power(self.value().sqrt(), Interval::from(0.5)) }
+    }
+
+    /// xⁿ, by products.
+    pub(crate) fn powi(self, n: i32) -> Series {
+        match n.unsigned_abs() {
+            _ if n < 0 => self.powi(n.saturating_neg()).recip(),
+            0 => Series::constant(ONE),
+            1 => self,
+            n if n.is_multiple_of(2) => self.sqr().powi((n / 2) as i32),
+            n => {
+                let product = self * self.powi((n - 1) as i32);
+                if product.len() > 0 { product.with_value(self.value().powi(n)) } else { product }
+            }
+        }
+    }
+
+    /// |x|; over 0 its slope is between that of −x and that of x.
+    fn abs(self) -> Series {
+        let x = self.value();
+        if x.lo() >= 0.0 {
+            self
+        } else if x.hi() <= 0.0 {
+            -self
+        } else {
+            self.hull(&-self).with_value(x.abs()).cut(2)
+        }
+    }
+
+    /// A function that is constant between jumps.
+    fn step(self, f: fn(f64) -> f64) -> Series {
+        if self.len() == 0 { UNKNOWN } else { self.value().step(f).map_or(UNKNOWN, Series::constant) }
+    }
+
+    /// What f is of this.
+    pub(crate) fn call(self, f: Function) -> Series {
+        let x = self;
+        if x.len() == 0 || (x.turns() > 0 && !matches!(f, Function::Sin | Function::Cos)) {
+            return UNKNOWN;
+        }
+        let one = || Series::constant(ONE);
+        let log = |base: f64| Interval::from(base).ln();
+        let y = match f {
+            Function::Sin => x.sin_cos().0,
+            Function::Cos => x.sin_cos().1,
+            Function::Tan => x.integral(x.value().tan(), &x.sin_cos().1.sqr().recip()),
+            Function::Asin => x.integral(x.value().asin(), &(one() - x.sqr()).sqrt().recip()),
+            Function::Acos => x.integral(x.value().acos(), &-(one() - x.sqr()).sqrt().recip()),
+            Function::Atan => x.integral(x.value().atan(), &(one() + x.sqr()).recip()),
+            Function::Sinh => x.hyperbolic().0,
+            Function::Cosh => x.hyperbolic().1,
+            Function::Tanh => x.integral(x.value().tanh(), &x.hyperbolic().1.sqr().recip()),
+            Function::Asinh => x.integral(x.value().asinh(), &(one() + x.sqr()).sqrt().recip()),
+            Function::Acosh => x.integral(x.value().acosh(), &(x.sqr() - one()).sqrt().recip()),
+            Function::Atanh => x.integral(x.value().atanh(), &(one() - x.sqr()).recip()),
+            Function::Exp => x.exp(),
+            Function::Exp2 => (x * Series::constant(log(2.0))).exp(),
+            Function::ExpM1 => x.exp().with_value(x.value().exp_m1()),
+            Function::Ln => x.ln(),
+            Function::Ln1p => (one() + x).ln().with_value(x.value().ln_1p()),
+            Function::Log2 => x.ln() * Series::constant(log(2.0).recip()),
+            Function::Log10 => x.ln() * Series::constant(log(10.0).recip()),
+            Function::Sqrt => x.sqrt(),
+            Function::Cbrt => x.power(x.value().cbrt(), whole(1) / whole(3)),
+            Function::Abs => x.abs(),
+            Function::Signum => {
+                if x.value() == ZERO {
+                    UNKNOWN
+                } else {
+                    x.step(f64::signum)
+                }
+            }
+            Function::Floor => x.step(f64::floor),
+            Function::Ceil => x.step(f64::ceil),
+            Function::Round => x.step(f64::round),
+            Function::Trunc => x.step(f64::trunc),
+            Function::Fract => x - x.step(f64::trunc),
+        };
+        // of a constant the derivatives are 0, whatever those of f are
+        let y = if x.is_constant() && y.len() > 0 { Series::constant(y.value()) } else { y };
+        if y.value().is_finite() { y } else { UNKNOWN }
+    }
+
+    /// What f is of this and another.
+    pub(crate) fn call2(self, f: Function2, other: Series) -> Series {
+        let (a, b) = (self, other);
+        match f {
+            Function2::Sum => a + b,
+            Function2::Difference => a - b,
+            Function2::Product => a * b,
+            Function2::Quotient => a / b,
+            _ if a.len().min(b.len()) == 0 || a.turns() + b.turns() > 0 => UNKNOWN,
+            Function2::Atan2 => a.atan2(b),
+            Function2::Hypot => a.hypot(b),
+            Function2::Powf => a.powf(b),
+            Function2::Max => a.larger(b),
+            Function2::Min => -(-a).larger(-b),
+            Function2::Rem => a - b * (a / b).step(f64::trunc),
+            Function2::RemEuclid => a - b * a.whole_quotient(b),
+            Function2::DivEuclid => a.whole_quotient(b),
+        }
+    }
+
+    /// The n of a = n b + rest, 0 ≤ rest < |b|.
+    fn whole_quotient(self, b: Series) -> Series {
+        let quotient = self / b;
+        if b.value().lo() > 0.0 { quotient.step(f64::floor) } else { quotient.step(f64::ceil) }
+    }
+
+    /// The angle θ of (x, y), self being y: θ′ = (x y′ − y x′)/(x² + y²). Across the negative x-axis it goes on, and is known up to whole turns.
+    fn atan2(self, x: Series) -> Series {
+        let y = self;
+        let (value, across) = y.value().atan2(x.value());
+        if !value.is_finite() {
+            return UNKNOWN;
+        }
+        if x.is_constant() && y.is_constant() {
+            return if across { UNKNOWN } else { Series::constant(value) };
+        }
+        let r2 = x.sqr() + y.sqr();
+        let (along, across_slope) = (y.integral(ZERO, &(x / r2)), x.integral(ZERO, &(y / r2)));
+        (along - across_slope).with_value(value).up_to(u32::from(across))
+    }
+
+    fn hypot(self, other: Series) -> Series {
+        if self.is_constant() && other.is_constant() {
+            return Series::constant(self.value().hypot(other.value()));
+        }
+        (self.sqr() + other.sqr()).sqrt()
+    }
+
+    fn powf(self, a: Series) -> Series {
+        if a.is_constant() && a.value().is_thin() && a.value().lo().fract() == 0.0 && a.value().mag() < 1e6 {
+            return self.powi(a.value().lo() as i32);
+        }
+        if self.value().lo() <= 0.0 {
+            return UNKNOWN;
+        }
+        match a.is_constant() {
+            true => self.power(self.value().powf(a.value()), a.value()),
+            false => (a * self.ln()).exp(),
+        }
+    }
+
+    /// The larger of both; over a tie the slope is between theirs.
+    fn larger(self, other: Series) -> Series {
+        let (a, b) = (self.value(), other.value());
+        if a.lo() >= b.hi() {
+            self
+        } else if b.lo() >= a.hi() {
+            other
+        } else {
+            self.hull(&other).with_value(Interval::new(a.lo().max(b.lo()), a.hi().max(b.hi()))).cut(2)
+        }
+    }
+}
+
+fn whole(k: usize) -> Interval {
+    Interval::from(k as f64)
+}

@@ -1,0 +1,146 @@
+//! Krawczyk's test: that near an approximate position there is exactly one solution, for every time of an interval.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::bounds::{Bounds, Entry, Unknown};
+use super::interval::{Interval, ONE, ZERO, down, up};
+
+/// What is known around an approximate position at every time of an interval. Lengths and angles by coordinate.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Around {
+    /// The solution is no further away than this.
+    pub inner: Vec<f64>,
+    /// There is no other one within this.
+    pub outer: Vec<f64>,
+}
+
+/// Why nothing could be shown.
+#[derive(Clone, Debug)]
+pub(super) enum Fault {
+    Unknown(Unknown),
+    /// A row of C that is too far from zero, and by how much.
+    Apart(usize, f64),
+    /// C_q may be singular, near this position and time.
+    Singular(Vec<f64>, f64),
+}
+
+/// Approximate positions over an interval of time: a middle, all positions, and C at these.
+pub(super) struct Place<'a> {
+    pub middle: (Vec<f64>, f64),
+    pub q: &'a [Interval],
+    pub t: Interval,
+    pub c: &'a [Interval],
+}
+
+/// The smallest distance, in characteristic sizes, within which no other solution is looked for.   \[-\]
+const LEAST: f64 = 1e-6;
+
+/// Beyond this an equation, in units of order 1, counts as missed: the position is not one that only rounding keeps from being proved.   \[-\]
+const MISSED: f64 = 1e-4;
+
+/// Krawczyk's test with coordinates and rows in units of order 1, `sizes` being those of coordinates.
+pub(super) struct Test<'a> {
+    pub bounds: &'a Bounds<'a>,
+    pub sizes: &'a [f64],
+}
+
+/// C_q⁻¹ near the middle, and the factors by which rows are of order 1.
+struct Frame {
+    inverse: DMatrix<f64>,
+    weights: Vec<f64>,
+}
+
+impl Test<'_> {
+    /// With A near C_q⁻¹ and I − A C_q bounded by R over a box of radius ρ around the positions, and A C by b: where b + R y < y ≤ ρ there is a
+    /// solution within b + R y (Brouwer), and C has no two equal values in the box: R has no eigenvalue of 1 or more (Collatz and Wielandt), so that no
+    /// mean of the C_q in the box is singular.
+    pub(super) fn around(&self, place: &Place<'_>) -> Result<Around, Fault> {
+        let singular = || Fault::Singular(place.middle.0.clone(), place.middle.1);
+        let frame = self.frame(place).ok_or_else(singular)?;
+        let weighted: Vec<Interval> = place.c.iter().zip(&frame.weights).map(|(c, w)| *c * Interval::from(*w)).collect();
+        let b = frame.residual(&weighted);
+        let worst = b.iter().fold(0.0_f64, |m, b| m.max(*b));
+        let spread = place.q.iter().zip(self.sizes).map(|(q, size)| q.radius() / size).fold(0.0, f64::max);
+        let radius = spread.max(4.0 * worst).max(LEAST);
+        let fault = || {
+            let missed = (0..weighted.len()).max_by(|i, j| weighted[*i].mag().total_cmp(&weighted[*j].mag()));
+            missed.filter(|row| weighted[*row].mag() > MISSED).map_or_else(singular, |row| Fault::Apart(row, place.c[row].mag()))
+        };
+        if !radius.is_finite() {
+            return Err(fault());
+        }
+        let reach = |j: usize| Interval::ball(radius * self.sizes[j]);
+        let q: Vec<Interval> = place.q.iter().enumerate().map(|(j, q)| *q + reach(j)).collect();
+        let entries = self.bounds.jacobian(&q, place.t).map_err(Fault::Unknown)?;
+        let r = self.contraction(&frame, &entries);
+        let inner = settled(&b, &r, radius).ok_or_else(fault)?;
+        let scaled = |y: &[f64], outwards: fn(f64) -> f64| y.iter().zip(self.sizes).map(|(y, size)| outwards(y * size)).collect();
+        Ok(Around { inner: scaled(&inner, up), outer: scaled(&vec![radius; inner.len()], down) })
+    }
+
+    /// The frame at the middle; `None` where C_q has no inverse, or is not finite.
+    fn frame(&self, place: &Place<'_>) -> Option<Frame> {
+        let (n, (q, t)) = (self.sizes.len(), &place.middle);
+        let model = self.bounds.system.model();
+        let point = model.linearize(q, *t).ok()?;
+        let mut c_q = DMatrix::<f64>::zeros(n, n);
+        model.entries(&point.values).for_each(|(row, column, value)| c_q[(row, column)] += value * self.sizes[column]);
+        let weights: Vec<f64> = c_q.row_iter().map(|row| row.amax().recip()).collect();
+        if !weights.iter().all(|w| w.is_finite()) {
+            return None;
+        }
+        c_q.row_iter_mut().zip(&weights).for_each(|(mut row, w)| row *= *w);
+        let inverse = c_q.try_inverse()?;
+        inverse.iter().all(|x| x.is_finite()).then_some(Frame { inverse, weights })
+    }
+
+    /// Bounds of |I − A C_q|.
+    fn contraction(&self, frame: &Frame, entries: &[Entry]) -> DMatrix<f64> {
+        let n = self.sizes.len();
+        let mut columns = vec![vec![ZERO; n]; n];
+        for (k, column) in columns.iter_mut().enumerate() {
+            column[k] = -ONE;
+        }
+        for (row, column, value) in entries {
+            let value = *value * Interval::from(self.sizes[*column]) * Interval::from(frame.weights[*row]);
+            let products = frame.inverse.column(*row);
+            for (sum, a) in columns[*column].iter_mut().zip(products.iter()) {
+                *sum = *sum + Interval::from(*a) * value;
+            }
+        }
+        DMatrix::from_fn(n, n, |row, column| columns[column][row].mag())
+    }
+}
+
+impl Frame {
+    /// Bounds of |A C|, C in units of order 1.
+    fn residual(&self, c: &[Interval]) -> Vec<f64> {
+        let mut sums = vec![ZERO; c.len()];
+        for (column, c) in self.inverse.column_iter().zip(c) {
+            sums.iter_mut().zip(column.iter()).for_each(|(sum, a)| *sum = *sum + Interval::from(*a) * *c);
+        }
+        sums.into_iter().map(Interval::mag).collect()
+    }
+}
+
+/// b + R y for a y above it and not above `radius`, all operations rounded upwards; `None` where there is none.
+fn settled(b: &[f64], r: &DMatrix<f64>, radius: f64) -> Option<Vec<f64>> {
+    /// Above what was found, so that the next one may stay below.
+    const ROOM: f64 = 1.02;
+    let applied = |y: &DVector<f64>| -> Vec<f64> {
+        let row = |(k, b): (usize, &f64)| r.row(k).iter().zip(y.iter()).fold(*b, |sum, (r, y)| up(sum + up(r * y)));
+        b.iter().enumerate().map(row).collect()
+    };
+    let mut y = DVector::from_iterator(b.len(), b.iter().map(|b| ROOM * b + 1e-20));
+    for _ in 0..200 {
+        let z = applied(&y);
+        if z.iter().zip(y.iter()).all(|(z, y)| z < y) {
+            return Some(z);
+        }
+        if !z.iter().all(|z| ROOM * z + 1e-20 <= radius) {
+            return None;
+        }
+        y.iter_mut().zip(&z).for_each(|(y, z)| *y = ROOM * z + 1e-20);
+    }
+    None
+}

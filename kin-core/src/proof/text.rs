@@ -1,0 +1,76 @@
+//! A proof in words.
+
+use std::fmt;
+
+use super::{Doubt, DoubtReason, Proof, Tube};
+use crate::error::text::{count, time};
+use crate::layout::Unit;
+
+/// The verdict, and the first step of which there is none.
+pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let (all, proved) = (proof.steps.len(), proof.proved());
+    let ends = proof.steps.first().zip(proof.steps.last()).map(|(first, last)| (time(first.from), time(last.to)));
+    match ends {
+        Some((from, to)) if proved == all => write!(
+            f,
+            "{}: {} proved: from t = {from} s to {to} s exactly one continuous motion leads through the computed positions.",
+            proof.name,
+            if all == 1 { "the step is".to_string() } else { format!("all {all} steps are") }
+        )?,
+        Some(_) => write!(f, "{}: {proved} of {} proved.", proof.name, count(all, "step"))?,
+        None => {
+            let found = proof.positions.iter().filter(|position| position.is_ok()).count();
+            write!(f, "{}: {found} of {} proved.", proof.name, count(proof.positions.len(), "position"))?;
+        }
+    }
+    let tubes: Vec<&Tube> = proof.steps.iter().filter_map(|step| step.tube.as_ref().ok()).collect();
+    let positions: Vec<&Tube> = proof.positions.iter().filter_map(|position| position.as_ref().ok()).collect();
+    let largest = |tubes: &[&Tube]| sizes(proof, &|k| tubes.iter().fold(0.0, |m, tube| tube.radius[k].max(m)), f64::max);
+    let least = |tubes: &[&Tube]| sizes(proof, &|k| tubes.iter().fold(f64::INFINITY, |m, tube| tube.alone[k].min(m)), f64::min);
+    if !tubes.is_empty() {
+        let (radius, alone) = (largest(&tubes), least(&tubes));
+        write!(f, "\n  It is within {radius} of the positions interpolated between them; no other is within {alone}.")?;
+    }
+    if !positions.is_empty() {
+        write!(f, "\n  Computed positions are off by no more than {}.", largest(&positions))?;
+    }
+    if let Some(step) = proof.first_unproved() {
+        let (number, from, to) = (step.step + 1, time(step.from), time(step.to));
+        write!(f, "\n  First not proved: step {number}, from t = {from} s to {to} s")?;
+    }
+    let unproved = proof.first_unproved().and_then(|step| step.tube.as_ref().err());
+    let doubt = unproved.or_else(|| proof.positions.iter().find_map(|position| position.as_ref().err()));
+    doubt.map_or(Ok(()), |doubt| write!(f, "{}{doubt}", if unproved.is_some() { ": " } else { "\n  " }))
+}
+
+/// The sizes of lengths, of angles and of Euler parameters, as far as there are such coordinates.
+fn sizes(proof: &Proof, of: &dyn Fn(usize) -> f64, join: fn(f64, f64) -> f64) -> String {
+    let of = |unit: Unit| (0..proof.units.len()).filter(|k| proof.units[*k] == unit).map(of).reduce(join);
+    let names = [(Unit::Metre, "m"), (Unit::Radian, "rad"), (Unit::One, "in Euler parameters")];
+    let texts = names.into_iter().filter_map(|(unit, name)| Some(format!("{:.1e} {name}", of(unit)?)));
+    texts.collect::<Vec<_>>().join(" and ")
+}
+
+impl fmt::Display for Doubt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let t = time(self.t);
+        match &self.reason {
+            DoubtReason::Singular { coordinate } => {
+                write!(f, "near t = {t} s C_q may be singular; what is loosest there is `{coordinate}`.")
+            }
+            DoubtReason::Apart { equation, by } => write!(
+                f,
+                "near t = {t} s the positions between both ends miss `{equation}` by {by:.1e}: the ends may be on different branches, or the step is too \
+                 large."
+            ),
+            DoubtReason::Unbounded { equation, expression, source } => {
+                write!(f, "near t = {t} s no bounds of `{equation}` are known")?;
+                if let Some(expression) = expression {
+                    write!(f, ": `{expression}` jumps there, or has no value or slope")?;
+                }
+                source.map_or(Ok(()), |source| write!(f, " ({source})"))?;
+                f.write_str(".")
+            }
+        }
+    }
+}

@@ -1,0 +1,12 @@
+//! Proofs by interval bounds: what holds is proved, what does not is not, and no verdict depends on units.
+
+#[path = "../data/hermite.rs"]
+mod hermite;
+#[path = "../following/models.rs"]
+mod models;
+#[path = "../data/own.rs"]
+mod own;
+mod random;
+mod refused;
+mod singular;
+mod whole_turns;
