@@ -510,9 +510,7 @@ rows 38
                 c_q_5,
                 ],
             ) = at.values(c_q) else { return };
-            let ::core::option::Option::Some(&[known0, known1]) = at.known() else {
-                return
-            };
+            let ::core::option::Option::Some(known) = at.known::<2>() else { return };
             let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
                 .state(0) else { return };
             let ::core::option::Option::Some(
@@ -525,11 +523,11 @@ rows 38
             ) = at.state(1) else { return };
             let follower_cos = *follower_cos;
             let follower_sin = *follower_sin;
-            let t0 = (known0 * follower_cos) - (known1 * follower_sin);
+            let t0 = (known[0] * follower_cos) - (known[1] * follower_sin);
             let follower_x = *follower_x;
             let cam_x = *cam_x;
             let t1 = (follower_x + t0) - cam_x;
-            let t2 = (known0 * follower_sin) + (known1 * follower_cos);
+            let t2 = (known[0] * follower_sin) + (known[1] * follower_cos);
             let follower_y = *follower_y;
             let cam_y = *cam_y;
             let t3 = (follower_y + t2) - cam_y;
@@ -572,9 +570,7 @@ rows 38
             q_d: &mut [::kin::rt::Wide<__S>],
         ) {
             let ::core::option::Option::Some([q_d_0]) = at.rows(q_d) else { return };
-            let ::core::option::Option::Some(&[known0, known1]) = at.known() else {
-                return
-            };
+            let ::core::option::Option::Some(known) = at.known::<2>() else { return };
             let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
                 .state(0) else { return };
             let ::core::option::Option::Some(
@@ -595,11 +591,11 @@ rows 38
             ) = qd.of(1) else { return };
             let follower_cos = *follower_cos;
             let follower_sin = *follower_sin;
-            let t0 = (known0 * follower_cos) - (known1 * follower_sin);
+            let t0 = (known[0] * follower_cos) - (known[1] * follower_sin);
             let follower_x = *follower_x;
             let cam_x = *cam_x;
             let t1 = (follower_x + t0) - cam_x;
-            let t2 = (known0 * follower_sin) + (known1 * follower_cos);
+            let t2 = (known[0] * follower_sin) + (known[1] * follower_cos);
             let follower_y = *follower_y;
             let cam_y = *cam_y;
             let t3 = (follower_y + t2) - cam_y;
