@@ -212,8 +212,8 @@ macro_rules! copies {
     ($step:expr, $memory:expr; $($opcode:literal)*) => {
         // Six bits: the table of copies has a place for each number of them, so that none has to be checked.
         match $step.opcode & 63 {
-            $($opcode => compute::<S, M, $opcode>(&$step.places, $memory),)*
-            59 | 60 | 61 | 62 | 63 => compute::<S, M, 59>(&$step.places, $memory),
+            $($opcode => compute(const { form($opcode) }, const { shape($opcode) }, &$step.places, $memory),)*
+            59 | 60 | 61 | 62 | 63 => compute(const { form(59) }, const { shape(59) }, &$step.places, $memory),
             _ => {}
         }
     };
@@ -222,6 +222,10 @@ macro_rules! copies {
 #[rustfmt::skip]
 #[inline(always)]
 fn by_opcode<S: Level, M: Memory<S> + ?Sized>(step: &Coded, memory: &mut M) {
+    // Without optimisation the copies would need more than half the stack of a thread.
+    if cfg!(debug_assertions) {
+        return compute(form(step.opcode.into()), shape(step.opcode.into()), &step.places, memory);
+    }
     copies!(step, memory;
         0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29
         30 31 32 33 34 35 36 37 38 39 40 41 42 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58)
@@ -243,10 +247,9 @@ const fn shape(opcode: usize) -> [usize; 3] {
     [shape / (MOST[1] + 1) / (MOST[2] + 1), shape / (MOST[2] + 1) % (MOST[1] + 1), shape % (MOST[2] + 1)]
 }
 
-/// A step of a form that is known when the interpreter is compiled.
+/// One step.
 #[inline(always)]
-fn compute<S: Level, M: Memory<S> + ?Sized, const OPCODE: usize>(places: &[u32; 9], memory: &mut M) {
-    let (form, [products, plus, minus]) = const { (form(OPCODE), shape(OPCODE)) };
+fn compute<S: Level, M: Memory<S> + ?Sized>(form: Form, [products, plus, minus]: [usize; 3], places: &[u32; 9], memory: &mut M) {
     let start = memory.get(places[1]);
     let mut x = if matches!(form, Form::Negated) { -start } else { start };
     let added = matches!(form, Form::Negated | Form::Added);
