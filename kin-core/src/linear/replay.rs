@@ -213,7 +213,7 @@ macro_rules! copies {
         // Six bits: the table of copies has a place for each number of them, so that none has to be checked.
         match $step.opcode & 63 {
             $($opcode => compute::<S, M, $opcode>(&$step.places, $memory),)*
-            59 | 60 | 61 | 62 | 63 => compute::<S, M, 59>(&$step.places, $memory),
+            59..=63 => compute::<S, M, 59>(&$step.places, $memory),
             _ => {}
         }
     };
