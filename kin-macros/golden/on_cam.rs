@@ -291,14 +291,11 @@ const _: () = {
             );
         }
         #[cold]
-        fn graph(
+        fn table(
             &self,
-            with: &mut dyn FnMut(
-                &::kin::rt::graph::Graph,
-                &[f64],
-                ::kin::rt::graph::Outside<'_>,
-            ),
-        ) {
+        ) -> ::core::option::Option<
+            (&'static ::kin::rt::graph::Graph, ::std::vec::Vec<f64>),
+        > {
             static TABLE: ::kin::rt::graph::Table = ::kin::rt::graph::Table::new(
                 ::core::file!(),
                 r##"
@@ -352,19 +349,24 @@ rows 38
 6 Foreign 1 0 30
 7 Sum 36 37"##,
             );
-            with(
-                TABLE.graph(),
-                &[self.tip.x, self.tip.y],
-                &|number, x, to| match number {
-                    0 => ::kin::rt::graph::give_law(&self.profile, x, to),
-                    1 => {
-                        let value: ::kin::rt::Real<::kin::rt::Dual3_64> = self
-                            .__leaf0([::kin::rt::Real(x[0])]);
-                        to.push(value.0);
-                    }
-                    _ => {}
-                },
-            );
+            TABLE.with(&[self.tip.x, self.tip.y])
+        }
+        #[cold]
+        fn outside(
+            &self,
+            number: usize,
+            x: &[::kin::rt::graph::Dual3_64],
+            to: &mut ::kin::rt::graph::Given,
+        ) {
+            match number {
+                0 => ::kin::rt::graph::give_law(&self.profile, x, to),
+                1 => {
+                    let value: ::kin::rt::Real<::kin::rt::Dual3_64> = self
+                        .__leaf0([::kin::rt::Real(x[0])]);
+                    to.push(value.0);
+                }
+                _ => {}
+            }
         }
         fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
             ::kin::rt::attachments(&[(1, true, [self.tip.x, self.tip.y, 0.0])])
@@ -376,16 +378,17 @@ rows 38
             "Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]"
         }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-            ::kin::rt::Numbers::visit(&self.tip, "tip", visit);
-            ::kin::rt::Numbers::visit(&self.profile, "profile", visit);
+            ::kin::rt::visit(&[("tip", &self.tip), ("profile", &self.profile)], visit);
         }
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-            ::kin::rt::Numbers::set(&mut self.tip, "tip", name, value)
-                || ::kin::rt::Numbers::set(&mut self.profile, "profile", name, value)
+            ::kin::rt::set(
+                &mut [("tip", &mut self.tip), ("profile", &mut self.profile)],
+                name,
+                value,
+            )
         }
-        fn set_parameter_at(&mut self, mut index: usize, value: f64) -> bool {
-            ::kin::rt::Numbers::set_at(&mut self.tip, &mut index, value)
-                || ::kin::rt::Numbers::set_at(&mut self.profile, &mut index, value)
+        fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
+            ::kin::rt::set_at(&mut [&mut self.tip, &mut self.profile], index, value)
         }
         #[cold]
         fn refusal(&self) -> ::core::option::Option<::std::string::String> {

@@ -199,14 +199,11 @@ const _: () = {
             );
         }
         #[cold]
-        fn graph(
+        fn table(
             &self,
-            with: &mut dyn FnMut(
-                &::kin::rt::graph::Graph,
-                &[f64],
-                ::kin::rt::graph::Outside<'_>,
-            ),
-        ) {
+        ) -> ::core::option::Option<
+            (&'static ::kin::rt::graph::Graph, ::std::vec::Vec<f64>),
+        > {
             static TABLE: ::kin::rt::graph::Table = ::kin::rt::graph::Table::new(
                 ::core::file!(),
                 r##"
@@ -250,11 +247,7 @@ rows 32 33
 2 Difference 16 30
 2 Difference 17 31"##,
             );
-            with(
-                TABLE.graph(),
-                &[self.u_i.x, self.u_i.y, self.u_j.x, self.u_j.y],
-                &::kin::rt::graph::nothing_outside,
-            );
+            TABLE.with(&[self.u_i.x, self.u_i.y, self.u_j.x, self.u_j.y])
         }
         fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
             ::kin::rt::attachments(
@@ -271,16 +264,17 @@ rows 32 33
             "Pin joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      [m]"
         }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-            ::kin::rt::Numbers::visit(&self.u_i, "u_i", visit);
-            ::kin::rt::Numbers::visit(&self.u_j, "u_j", visit);
+            ::kin::rt::visit(&[("u_i", &self.u_i), ("u_j", &self.u_j)], visit);
         }
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-            ::kin::rt::Numbers::set(&mut self.u_i, "u_i", name, value)
-                || ::kin::rt::Numbers::set(&mut self.u_j, "u_j", name, value)
+            ::kin::rt::set(
+                &mut [("u_i", &mut self.u_i), ("u_j", &mut self.u_j)],
+                name,
+                value,
+            )
         }
-        fn set_parameter_at(&mut self, mut index: usize, value: f64) -> bool {
-            ::kin::rt::Numbers::set_at(&mut self.u_i, &mut index, value)
-                || ::kin::rt::Numbers::set_at(&mut self.u_j, &mut index, value)
+        fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
+            ::kin::rt::set_at(&mut [&mut self.u_i, &mut self.u_j], index, value)
         }
         fn has_branches(&self) -> bool {
             false
