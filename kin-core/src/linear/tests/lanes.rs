@@ -27,10 +27,14 @@ impl WithLevel for Together<'_> {
         wide.begin(&vec![Wide::splat(simd, 1.0); n]);
         wide.written().1.copy_from_slice(&values);
         let fits = wide.measure(all) & wide.factor(all);
-        let b = [&(0..n).collect(), &asked[0], &asked[1]].map(|rows| right_side(simd, n, rows, random));
-        wide.written().0.copy_from_slice(&b[0]);
-        wide.velocity_rhs().copy_from_slice(&b[1]);
-        wide.acceleration_rhs().1.copy_from_slice(&b[2]);
+        let every: Vec<usize> = (0..n).collect();
+        let b = [&every, &asked[0], &asked[1]].map(|rows| right_side(simd, n, rows, random));
+        // What is zero for good is not looked at.
+        wide.velocity_rhs().fill(Wide::splat(simd, f64::NAN));
+        wide.acceleration_rhs().1.fill(Wide::splat(simd, f64::NAN));
+        every.iter().for_each(|row| wide.written().0[*row] = b[0][*row]);
+        asked[0].iter().for_each(|row| wide.velocity_rhs()[*row] = b[1][*row]);
+        asked[1].iter().for_each(|row| wide.acceleration_rhs().1[*row] = b[2][*row]);
         wide.correct();
         wide.solve_velocity();
         wide.solve_acceleration();
@@ -57,8 +61,8 @@ fn vary<S: Level>(simd: S, value: f64, constant: Option<f64>, random: &mut Rando
     all
 }
 
-/// Random numbers in these rows; in the others what must not be looked at, if they are not all of them.
-fn right_side<S: Level>(simd: S, n: usize, rows: &Vec<usize>, random: &mut Random) -> Vec<Wide<S>> {
+/// Random numbers in these rows, zero in the others.
+fn right_side<S: Level>(simd: S, n: usize, rows: &[usize], random: &mut Random) -> Vec<Wide<S>> {
     let mut b = vec![Wide::splat(simd, 0.0); n];
     rows.iter().for_each(|row| b[*row].as_mut_slice().iter_mut().for_each(|x| *x = random.number()));
     b
