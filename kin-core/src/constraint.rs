@@ -1,7 +1,9 @@
 //! The one trait of the library: what a constraint C(q, t) = 0 can be asked for.
 
+use num_dual::Dual3_64;
+
 use crate::algebra::Vec3;
-use crate::blame::graph::{Graph, Outside};
+use crate::blame::graph::{Given, Graph, Outside};
 use crate::blame::third::Along;
 use crate::blame::{Asked, Blame};
 use crate::coordinates::Argument;
@@ -277,10 +279,23 @@ pub trait Constraint: CloneBoxed + Send + Sync {
         found
     }
 
-    /// Shows its equation as a table of steps, with the values of its parameters and what computes the rest; nothing where there is no table
-    /// (default). Emitted on the symbolic route.
+    /// Shows its equation as a table of steps, with the values of its parameters and what computes the rest; nothing where there is no table.
     #[doc(hidden)]
     fn graph(&self, with: &mut dyn FnMut(&Graph, &[f64], Outside<'_>)) {
-        let _ = with;
+        if let Some((graph, parameters)) = self.table() {
+            with(graph, &parameters, &|number, x, to| self.outside(number, x, to));
+        }
+    }
+
+    /// The table of steps and the values of its parameters. Emitted on the symbolic route; default none.
+    #[doc(hidden)]
+    fn table(&self) -> Option<(&'static Graph, Vec<f64>)> {
+        None
+    }
+
+    /// What the table cannot say and only the user's program can compute, by its number; default nothing. Emitted with the table.
+    #[doc(hidden)]
+    fn outside(&self, number: usize, x: &[Dual3_64], to: &mut Given) {
+        let _ = (number, x, to);
     }
 }

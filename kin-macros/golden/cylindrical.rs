@@ -766,14 +766,11 @@ const _: () = {
             put(q_d_3, (-4.0) * fma(t48, t84, fma(t83, t46, fma(t52, t81, t85))));
         }
         #[cold]
-        fn graph(
+        fn table(
             &self,
-            with: &mut dyn FnMut(
-                &::kin::rt::graph::Graph,
-                &[f64],
-                ::kin::rt::graph::Outside<'_>,
-            ),
-        ) {
+        ) -> ::core::option::Option<
+            (&'static ::kin::rt::graph::Graph, ::std::vec::Vec<f64>),
+        > {
             static TABLE: ::kin::rt::graph::Table = ::kin::rt::graph::Table::new(
                 ::core::file!(),
                 r##"
@@ -1024,27 +1021,26 @@ rows 218 223 228 233
 9 Product 89 213
 9 Sum 231 232"##,
             );
-            with(
-                TABLE.graph(),
-                &[
-                    self.u_i.x,
-                    self.u_i.y,
-                    self.u_i.z,
-                    self.u_j.x,
-                    self.u_j.y,
-                    self.u_j.z,
-                    self.f_i.x,
-                    self.f_i.y,
-                    self.f_i.z,
-                    self.g_i.x,
-                    self.g_i.y,
-                    self.g_i.z,
-                    self.h_j.x,
-                    self.h_j.y,
-                    self.h_j.z,
-                ],
-                &::kin::rt::graph::nothing_outside,
-            );
+            TABLE
+                .with(
+                    &[
+                        self.u_i.x,
+                        self.u_i.y,
+                        self.u_i.z,
+                        self.u_j.x,
+                        self.u_j.y,
+                        self.u_j.z,
+                        self.f_i.x,
+                        self.f_i.y,
+                        self.f_i.z,
+                        self.g_i.x,
+                        self.g_i.y,
+                        self.g_i.z,
+                        self.h_j.x,
+                        self.h_j.y,
+                        self.h_j.z,
+                    ],
+                )
         }
         fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
             ::kin::rt::attachments(
@@ -1061,25 +1057,42 @@ rows 218 223 228 233
             "A cylindrical joint: the axes are parallel and the line between two of their points is along them.      [–, –, m, m]"
         }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-            ::kin::rt::Numbers::visit(&self.u_i, "u_i", visit);
-            ::kin::rt::Numbers::visit(&self.u_j, "u_j", visit);
-            ::kin::rt::Numbers::visit(&self.f_i, "f_i", visit);
-            ::kin::rt::Numbers::visit(&self.g_i, "g_i", visit);
-            ::kin::rt::Numbers::visit(&self.h_j, "h_j", visit);
+            ::kin::rt::visit(
+                &[
+                    ("u_i", &self.u_i),
+                    ("u_j", &self.u_j),
+                    ("f_i", &self.f_i),
+                    ("g_i", &self.g_i),
+                    ("h_j", &self.h_j),
+                ],
+                visit,
+            );
         }
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-            ::kin::rt::Numbers::set(&mut self.u_i, "u_i", name, value)
-                || ::kin::rt::Numbers::set(&mut self.u_j, "u_j", name, value)
-                || ::kin::rt::Numbers::set(&mut self.f_i, "f_i", name, value)
-                || ::kin::rt::Numbers::set(&mut self.g_i, "g_i", name, value)
-                || ::kin::rt::Numbers::set(&mut self.h_j, "h_j", name, value)
+            ::kin::rt::set(
+                &mut [
+                    ("u_i", &mut self.u_i),
+                    ("u_j", &mut self.u_j),
+                    ("f_i", &mut self.f_i),
+                    ("g_i", &mut self.g_i),
+                    ("h_j", &mut self.h_j),
+                ],
+                name,
+                value,
+            )
         }
-        fn set_parameter_at(&mut self, mut index: usize, value: f64) -> bool {
-            ::kin::rt::Numbers::set_at(&mut self.u_i, &mut index, value)
-                || ::kin::rt::Numbers::set_at(&mut self.u_j, &mut index, value)
-                || ::kin::rt::Numbers::set_at(&mut self.f_i, &mut index, value)
-                || ::kin::rt::Numbers::set_at(&mut self.g_i, &mut index, value)
-                || ::kin::rt::Numbers::set_at(&mut self.h_j, &mut index, value)
+        fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
+            ::kin::rt::set_at(
+                &mut [
+                    &mut self.u_i,
+                    &mut self.u_j,
+                    &mut self.f_i,
+                    &mut self.g_i,
+                    &mut self.h_j,
+                ],
+                index,
+                value,
+            )
         }
         fn has_branches(&self) -> bool {
             false

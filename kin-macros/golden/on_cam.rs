@@ -291,14 +291,11 @@ const _: () = {
             );
         }
         #[cold]
-        fn graph(
+        fn table(
             &self,
-            with: &mut dyn FnMut(
-                &::kin::rt::graph::Graph,
-                &[f64],
-                ::kin::rt::graph::Outside<'_>,
-            ),
-        ) {
+        ) -> ::core::option::Option<
+            (&'static ::kin::rt::graph::Graph, ::std::vec::Vec<f64>),
+        > {
             static TABLE: ::kin::rt::graph::Table = ::kin::rt::graph::Table::new(
                 ::core::file!(),
                 r##"
@@ -352,19 +349,24 @@ rows 38
 6 Foreign 1 0 30
 7 Sum 36 37"##,
             );
-            with(
-                TABLE.graph(),
-                &[self.tip.x, self.tip.y],
-                &|number, x, to| match number {
-                    0 => ::kin::rt::graph::give_law(&self.profile, x, to),
-                    1 => {
-                        let value: ::kin::rt::Real<::kin::rt::Dual3_64> = self
-                            .__leaf0([::kin::rt::Real(x[0])]);
-                        to.push(value.0);
-                    }
-                    _ => {}
-                },
-            );
+            TABLE.with(&[self.tip.x, self.tip.y])
+        }
+        #[cold]
+        fn outside(
+            &self,
+            number: usize,
+            x: &[::kin::rt::graph::Dual3_64],
+            to: &mut ::kin::rt::graph::Given,
+        ) {
+            match number {
+                0 => ::kin::rt::graph::give_law(&self.profile, x, to),
+                1 => {
+                    let value: ::kin::rt::Real<::kin::rt::Dual3_64> = self
+                        .__leaf0([::kin::rt::Real(x[0])]);
+                    to.push(value.0);
+                }
+                _ => {}
+            }
         }
         fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
             ::kin::rt::attachments(&[(1, true, [self.tip.x, self.tip.y, 0.0])])
@@ -376,16 +378,17 @@ rows 38
             "Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]"
         }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-            ::kin::rt::Numbers::visit(&self.tip, "tip", visit);
-            ::kin::rt::Numbers::visit(&self.profile, "profile", visit);
+            ::kin::rt::visit(&[("tip", &self.tip), ("profile", &self.profile)], visit);
         }
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-            ::kin::rt::Numbers::set(&mut self.tip, "tip", name, value)
-                || ::kin::rt::Numbers::set(&mut self.profile, "profile", name, value)
+            ::kin::rt::set(
+                &mut [("tip", &mut self.tip), ("profile", &mut self.profile)],
+                name,
+                value,
+            )
         }
-        fn set_parameter_at(&mut self, mut index: usize, value: f64) -> bool {
-            ::kin::rt::Numbers::set_at(&mut self.tip, &mut index, value)
-                || ::kin::rt::Numbers::set_at(&mut self.profile, &mut index, value)
+        fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
+            ::kin::rt::set_at(&mut [&mut self.tip, &mut self.profile], index, value)
         }
         #[cold]
         fn refusal(&self) -> ::core::option::Option<::std::string::String> {
@@ -507,9 +510,7 @@ rows 38
                 c_q_5,
                 ],
             ) = at.values(c_q) else { return };
-            let ::core::option::Option::Some(&[known0, known1]) = at.known() else {
-                return
-            };
+            let ::core::option::Option::Some(known) = at.known::<2>() else { return };
             let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
                 .state(0) else { return };
             let ::core::option::Option::Some(
@@ -522,11 +523,11 @@ rows 38
             ) = at.state(1) else { return };
             let follower_cos = *follower_cos;
             let follower_sin = *follower_sin;
-            let t0 = (known0 * follower_cos) - (known1 * follower_sin);
+            let t0 = (known[0] * follower_cos) - (known[1] * follower_sin);
             let follower_x = *follower_x;
             let cam_x = *cam_x;
             let t1 = (follower_x + t0) - cam_x;
-            let t2 = (known0 * follower_sin) + (known1 * follower_cos);
+            let t2 = (known[0] * follower_sin) + (known[1] * follower_cos);
             let follower_y = *follower_y;
             let cam_y = *cam_y;
             let t3 = (follower_y + t2) - cam_y;
@@ -569,9 +570,7 @@ rows 38
             q_d: &mut [::kin::rt::Wide<__S>],
         ) {
             let ::core::option::Option::Some([q_d_0]) = at.rows(q_d) else { return };
-            let ::core::option::Option::Some(&[known0, known1]) = at.known() else {
-                return
-            };
+            let ::core::option::Option::Some(known) = at.known::<2>() else { return };
             let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
                 .state(0) else { return };
             let ::core::option::Option::Some(
@@ -592,11 +591,11 @@ rows 38
             ) = qd.of(1) else { return };
             let follower_cos = *follower_cos;
             let follower_sin = *follower_sin;
-            let t0 = (known0 * follower_cos) - (known1 * follower_sin);
+            let t0 = (known[0] * follower_cos) - (known[1] * follower_sin);
             let follower_x = *follower_x;
             let cam_x = *cam_x;
             let t1 = (follower_x + t0) - cam_x;
-            let t2 = (known0 * follower_sin) + (known1 * follower_cos);
+            let t2 = (known[0] * follower_sin) + (known[1] * follower_cos);
             let follower_y = *follower_y;
             let cam_y = *cam_y;
             let t3 = (follower_y + t2) - cam_y;

@@ -199,14 +199,11 @@ const _: () = {
             );
         }
         #[cold]
-        fn graph(
+        fn table(
             &self,
-            with: &mut dyn FnMut(
-                &::kin::rt::graph::Graph,
-                &[f64],
-                ::kin::rt::graph::Outside<'_>,
-            ),
-        ) {
+        ) -> ::core::option::Option<
+            (&'static ::kin::rt::graph::Graph, ::std::vec::Vec<f64>),
+        > {
             static TABLE: ::kin::rt::graph::Table = ::kin::rt::graph::Table::new(
                 ::core::file!(),
                 r##"
@@ -250,11 +247,7 @@ rows 32 33
 2 Difference 16 30
 2 Difference 17 31"##,
             );
-            with(
-                TABLE.graph(),
-                &[self.u_i.x, self.u_i.y, self.u_j.x, self.u_j.y],
-                &::kin::rt::graph::nothing_outside,
-            );
+            TABLE.with(&[self.u_i.x, self.u_i.y, self.u_j.x, self.u_j.y])
         }
         fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
             ::kin::rt::attachments(
@@ -271,16 +264,17 @@ rows 32 33
             "Pin joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      [m]"
         }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-            ::kin::rt::Numbers::visit(&self.u_i, "u_i", visit);
-            ::kin::rt::Numbers::visit(&self.u_j, "u_j", visit);
+            ::kin::rt::visit(&[("u_i", &self.u_i), ("u_j", &self.u_j)], visit);
         }
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-            ::kin::rt::Numbers::set(&mut self.u_i, "u_i", name, value)
-                || ::kin::rt::Numbers::set(&mut self.u_j, "u_j", name, value)
+            ::kin::rt::set(
+                &mut [("u_i", &mut self.u_i), ("u_j", &mut self.u_j)],
+                name,
+                value,
+            )
         }
-        fn set_parameter_at(&mut self, mut index: usize, value: f64) -> bool {
-            ::kin::rt::Numbers::set_at(&mut self.u_i, &mut index, value)
-                || ::kin::rt::Numbers::set_at(&mut self.u_j, &mut index, value)
+        fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
+            ::kin::rt::set_at(&mut [&mut self.u_i, &mut self.u_j], index, value)
         }
         fn has_branches(&self) -> bool {
             false
@@ -311,30 +305,29 @@ rows 32 33
             let ::core::option::Option::Some([c_0, c_1]) = at.rows(c) else { return };
             let ::core::option::Option::Some([_, c_q_1, _, c_q_3, _, c_q_5, _, c_q_7]) = at
                 .values(c_q) else { return };
-            let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
-                .known() else { return };
+            let ::core::option::Option::Some(known) = at.known::<4>() else { return };
             let ::core::option::Option::Some([i_x, i_y, _, i_sin, i_cos]) = at.state(0)
             else { return };
             let ::core::option::Option::Some([j_x, j_y, _, j_sin, j_cos]) = at.state(1)
             else { return };
-            let j_sin = *j_sin;
             let j_cos = *j_cos;
-            let t0 = (known2 * j_sin) + (known3 * j_cos);
+            let j_sin = *j_sin;
+            let t0 = ::kin::rt::Wide::mul_add(known[3], j_cos, known[2] * j_sin);
             *c_q_3 = t0;
-            let i_sin = *i_sin;
             let i_cos = *i_cos;
-            let t1 = (known0 * i_sin) + (known1 * i_cos);
+            let i_sin = *i_sin;
+            let t1 = ::kin::rt::Wide::mul_add(-known[1], i_cos, -(known[0] * i_sin));
             let i_y = *i_y;
             let j_y = *j_y;
-            *c_1 = (i_y + t1) - (j_y + t0);
-            *c_q_1 = -t1;
-            let t2 = (known0 * i_cos) - (known1 * i_sin);
+            *c_1 = ((i_y - j_y) - t1) - t0;
+            *c_q_1 = t1;
+            let t2 = ::kin::rt::Wide::mul_add(-known[1], i_sin, known[0] * i_cos);
             *c_q_5 = t2;
-            let t3 = (known2 * j_cos) - (known3 * j_sin);
+            let t3 = ::kin::rt::Wide::mul_add(-known[2], j_cos, known[3] * j_sin);
             let i_x = *i_x;
             let j_x = *j_x;
-            *c_0 = (i_x + t2) - (j_x + t3);
-            *c_q_7 = -t3;
+            *c_0 = ((i_x - j_x) + t2) + t3;
+            *c_q_7 = t3;
         }
         #[inline(always)]
         fn acceleration_rhs<__S: ::kin::rt::Level>(
@@ -345,8 +338,7 @@ rows 32 33
             let ::core::option::Option::Some([q_d_0, q_d_1]) = at.rows(q_d) else {
                 return
             };
-            let ::core::option::Option::Some(&[known0, known1, known2, known3]) = at
-                .known() else { return };
+            let ::core::option::Option::Some(known) = at.known::<4>() else { return };
             let ::core::option::Option::Some([_, _, _, i_sin, i_cos]) = at.state(0) else {
                 return
             };
@@ -359,18 +351,24 @@ rows 32 33
             let ::core::option::Option::Some([_, _, j_theta_d]) = qd.of(1) else {
                 return
             };
-            let j_theta_d = *j_theta_d;
-            let t0 = j_theta_d * j_theta_d;
             let i_theta_d = *i_theta_d;
-            let t1 = i_theta_d * i_theta_d;
+            let t0 = i_theta_d * i_theta_d;
+            let j_theta_d = *j_theta_d;
+            let t1 = j_theta_d * j_theta_d;
             let j_cos = *j_cos;
             let j_sin = *j_sin;
             let i_cos = *i_cos;
             let i_sin = *i_sin;
-            *q_d_0 = -((((known2 * j_cos) - (known3 * j_sin)) * t0)
-                - (((known0 * i_cos) - (known1 * i_sin)) * t1));
-            *q_d_1 = -((((known2 * j_sin) + (known3 * j_cos)) * t0)
-                - (((known0 * i_sin) + (known1 * i_cos)) * t1));
+            *q_d_1 = ::kin::rt::Wide::mul_add(
+                -::kin::rt::Wide::mul_add(known[3], j_cos, known[2] * j_sin),
+                t1,
+                ::kin::rt::Wide::mul_add(known[1], i_cos, known[0] * i_sin) * t0,
+            );
+            *q_d_0 = ::kin::rt::Wide::mul_add(
+                -::kin::rt::Wide::mul_add(-known[3], j_sin, known[2] * j_cos),
+                t1,
+                ::kin::rt::Wide::mul_add(-known[1], i_sin, known[0] * i_cos) * t0,
+            );
         }
     }
     impl ::kin::rt::Described for revolute {

@@ -241,14 +241,11 @@ const _: () = {
             put(q_d_1, fma(self.l2, t1 * (timed[2] * t1), self.l3 * (theta3_sin * t0)));
         }
         #[cold]
-        fn graph(
+        fn table(
             &self,
-            with: &mut dyn FnMut(
-                &::kin::rt::graph::Graph,
-                &[f64],
-                ::kin::rt::graph::Outside<'_>,
-            ),
-        ) {
+        ) -> ::core::option::Option<
+            (&'static ::kin::rt::graph::Graph, ::std::vec::Vec<f64>),
+        > {
             static TABLE: ::kin::rt::graph::Table = ::kin::rt::graph::Table::new(
                 ::core::file!(),
                 r##"
@@ -289,32 +286,40 @@ rows 13 20
 11 Sum 15 18
 12 Difference 19 4"##,
             );
-            with(
-                TABLE.graph(),
-                &[self.l2, self.l3, self.h, self.omega],
-                &::kin::rt::graph::nothing_outside,
-            );
+            TABLE.with(&[self.l2, self.l3, self.h, self.omega])
         }
         fn description(&self) -> &str {
             "Loop closure of the slider-crank, crank driven at ω.      [m]"
         }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-            ::kin::rt::Numbers::visit(&self.l2, "l2", visit);
-            ::kin::rt::Numbers::visit(&self.l3, "l3", visit);
-            ::kin::rt::Numbers::visit(&self.h, "h", visit);
-            ::kin::rt::Numbers::visit(&self.omega, "omega", visit);
+            ::kin::rt::visit(
+                &[
+                    ("l2", &self.l2),
+                    ("l3", &self.l3),
+                    ("h", &self.h),
+                    ("omega", &self.omega),
+                ],
+                visit,
+            );
         }
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-            ::kin::rt::Numbers::set(&mut self.l2, "l2", name, value)
-                || ::kin::rt::Numbers::set(&mut self.l3, "l3", name, value)
-                || ::kin::rt::Numbers::set(&mut self.h, "h", name, value)
-                || ::kin::rt::Numbers::set(&mut self.omega, "omega", name, value)
+            ::kin::rt::set(
+                &mut [
+                    ("l2", &mut self.l2),
+                    ("l3", &mut self.l3),
+                    ("h", &mut self.h),
+                    ("omega", &mut self.omega),
+                ],
+                name,
+                value,
+            )
         }
-        fn set_parameter_at(&mut self, mut index: usize, value: f64) -> bool {
-            ::kin::rt::Numbers::set_at(&mut self.l2, &mut index, value)
-                || ::kin::rt::Numbers::set_at(&mut self.l3, &mut index, value)
-                || ::kin::rt::Numbers::set_at(&mut self.h, &mut index, value)
-                || ::kin::rt::Numbers::set_at(&mut self.omega, &mut index, value)
+        fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
+            ::kin::rt::set_at(
+                &mut [&mut self.l2, &mut self.l3, &mut self.h, &mut self.omega],
+                index,
+                value,
+            )
         }
         fn has_branches(&self) -> bool {
             false

@@ -21,6 +21,11 @@ impl Table {
         Table { file, text, graph: OnceLock::new() }
     }
 
+    /// The steps, with the values of the parameters.
+    pub fn with(&'static self, parameters: &[f64]) -> Option<(&'static Graph, Vec<f64>)> {
+        Some((self.graph(), parameters.to_vec()))
+    }
+
     /// The steps. What is read stays for good, as if it had been compiled; a text that is no table has none.
     pub fn graph(&'static self) -> &'static Graph {
         self.graph.get_or_init(|| read(self.file, self.text).unwrap_or_else(|| Graph { file: self.file, ..Graph::default() }))

@@ -105,11 +105,11 @@ pub(super) struct Flat<P> {
     long: Vec<Shape>,
 }
 
-/// Steps of one shape that follow one another: their opcode, and how many they are.
+/// Steps of one shape that follow one another: their opcode, and how many come after the first one.
 #[derive(Clone, Copy, Debug)]
 struct Run {
     opcode: u8,
-    steps: u32,
+    more: u32,
 }
 
 /// What steps do, and with how many operands.
@@ -158,8 +158,8 @@ impl Shape {
 macro_rules! by_opcode {
     ($run:expr, $shapes:expr, $places:expr, $memory:expr; $($opcode:literal)*) => {
         match $run.opcode {
-            $($opcode => short::<P, $opcode, { Shape::of($opcode).length() }>($run.steps, $places, $memory),)*
-            _ => long($shapes.next().map(|shape| (*shape, $run.steps)), $places, $memory),
+            $($opcode => short::<P, $opcode, { Shape::of($opcode).length() }>($run.more, $places, $memory),)*
+            _ => long($shapes.next().map(|shape| (*shape, $run.more + 1)), $places, $memory),
         }
     };
 }
@@ -167,11 +167,14 @@ macro_rules! by_opcode {
 impl<P: Place> Flat<P> {
     fn push(&mut self, step: &Step, Operands { products, plus, minus }: &Operands<'_>) {
         let shape = step.shape();
-        if self.last.replace(shape) != Some(shape) {
-            self.runs.push(Run { opcode: shape.opcode(), steps: 0 });
-            self.long.extend((shape.opcode() == LONG).then_some(shape));
+        match self.runs.last_mut() {
+            Some(run) if self.last == Some(shape) => run.more += 1,
+            _ => {
+                self.runs.push(Run { opcode: shape.opcode(), more: 0 });
+                self.long.extend((shape.opcode() == LONG).then_some(shape));
+            }
         }
-        self.runs.last_mut().into_iter().for_each(|run| run.steps += 1);
+        self.last = Some(shape);
         let scale = (step.kind == Kind::Scaled).then_some(step.scale);
         let all = [step.out, step.start].into_iter().chain(products.iter().flatten().copied());
         self.places.extend(all.chain(plus.iter().copied()).chain(minus.iter().copied()).chain(scale).map(P::new));
@@ -193,12 +196,15 @@ impl<P: Place> Flat<P> {
 
 /// Steps whose shape is known when the interpreter is compiled; gives the places of the steps after them.
 #[inline(always)]
-fn short<'a, P: Place, const OPCODE: u8, const LENGTH: usize>(steps: u32, mut places: &'a [P], memory: &mut P::Memory) -> &'a [P] {
+fn short<'a, P: Place, const OPCODE: u8, const LENGTH: usize>(mut more: u32, mut places: &'a [P], memory: &mut P::Memory) -> &'a [P] {
     // Runs are mostly short: a loop that counts its places first (`chunks_exact`) is unrolled, which costs more than it saves.
-    for _ in 0..steps {
-        let Some((own, rest)) = places.split_first_chunk::<LENGTH>() else { break };
+    while let Some((own, rest)) = places.split_first_chunk::<LENGTH>() {
         compute(const { Shape::of(OPCODE) }, own, memory);
         places = rest;
+        if more == 0 {
+            break;
+        }
+        more -= 1;
     }
     places
 }

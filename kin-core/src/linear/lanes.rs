@@ -3,10 +3,11 @@
 //! One recording serves all lanes. Where one of them does not fit it any more, the elimination is recorded anew at the numbers of that lane;
 //! lanes that fit neither are told to their owner, who goes on without them.
 
+mod measures;
 mod recorded;
 
 use super::replay::{Replay, SMALL};
-use super::{FADED, Linear, SINGULAR, SLACK, SUSPICIOUS};
+use super::{FADED, Linear, SINGULAR, SUSPICIOUS};
 use crate::lanes::{Level, Mask, Wide};
 use recorded::{Areas, GROUND};
 
@@ -194,49 +195,6 @@ impl<S: Level> WideLinear<S> {
         }
     }
 
-    /// Measures rows and columns of the values as written in the lanes that are wanted; true where all values are finite.
-    #[inline(always)]
-    pub(crate) fn measure(&mut self, wanted: Mask<S>) -> Mask<S> {
-        let mut inside = Mask::splat(self.simd, true);
-        for (place, limit) in self.varying.iter().zip(&self.limits) {
-            inside = inside & self.memory[*place as usize].abs().le(*limit);
-        }
-        let grown = if std::mem::take(&mut self.fresh) { Mask::splat(self.simd, true) } else { wanted & !inside };
-        if grown.any() { self.measure_anew(grown) } else { inside }
-    }
-
-    /// The same where something has grown, or is not finite.
-    #[cold]
-    #[inline(never)]
-    fn measure_anew(&mut self, grown: Mask<S>) -> Mask<S> {
-        let zero = Wide::splat(self.simd, 0.0);
-        let same_place = |a: &u32, b: &u32| self.recorder.entries[*a as usize] == self.recorder.entries[*b as usize];
-        let size = |same: &[u32]| {
-            let (i, j) = self.recorder.entries[same[0] as usize].unwrap_or_default();
-            let value = same.iter().fold(zero, |sum, k| sum + self.memory[*k as usize]);
-            (i as usize, j as usize, value.abs() * self.sizes[j as usize])
-        };
-        let sizes: Vec<(usize, usize, Wide<S>)> = self.recorder.sorted.chunk_by(same_place).map(size).collect();
-        for &(i, _, size) in &sizes {
-            self.norms[i] = grown.select(self.norms[i].max(size), self.norms[i]);
-        }
-        for &(i, j, size) in &sizes {
-            let share = size.gt(zero).select(size / self.norms[i], zero);
-            self.tops[j] = grown.select(self.tops[j].max(share), self.tops[j]);
-        }
-        self.set_limits();
-        self.finite()
-    }
-
-    fn set_limits(&mut self) {
-        let (slack, one) = (Wide::splat(self.simd, SLACK), Wide::splat(self.simd, 1.0));
-        for (place, limit) in self.varying.iter().zip(&mut self.limits) {
-            let Some((i, j)) = self.recorder.entries[*place as usize].map(|(i, j)| (i as usize, j as usize)) else { continue };
-            *limit = slack * self.norms[i] * self.tops[j].min(one) / self.sizes[j];
-        }
-        self.told = false;
-    }
-
     /// A = L U in every lane; true in those of `wanted` where the factors can be trusted.
     #[inline(always)]
     pub(crate) fn factor(&mut self, wanted: Mask<S>) -> Mask<S> {
@@ -266,13 +224,6 @@ impl<S: Level> WideLinear<S> {
             }
         }
         fits
-    }
-
-    /// The lanes in which all values are finite.
-    fn finite(&self) -> Mask<S> {
-        let largest = Wide::splat(self.simd, f64::MAX);
-        let finite = |all, k: &u32| all & self.memory[*k as usize].abs().le(largest);
-        self.recorder.sorted.iter().fold(Mask::splat(self.simd, true), finite)
     }
 
     /// Records the elimination at the numbers of a lane; false if they are singular.
@@ -317,25 +268,6 @@ impl<S: Level> WideLinear<S> {
         self.best = inverse.or_smaller(self.best);
         let faded = inverse.gt(number(1.0 / SUSPICIOUS)).select(number(0.5), number(FADED));
         share.le(number(1.0)) & inverse.lt(number(1.0 / SINGULAR)) & (inverse * faded).le(self.best)
-    }
-
-    /// Tells the watch how pivots are measured.
-    #[cold]
-    #[inline(never)]
-    fn tell_watch(&mut self) {
-        self.told = true;
-        let Some(recording) = &self.recorder.recording else { return };
-        let (zero, one) = (Wide::splat(self.simd, 0.0), Wide::splat(self.simd, 1.0));
-        let (norms, tops, sizes) = (&self.norms, &self.tops, &self.sizes);
-        let unit = |row: u32, column: u32| {
-            let (norm, top, size) = (norms[row as usize], tops[column as usize], sizes[column as usize]);
-            norm.gt(zero).select(one / norm, one) * top.gt(zero).select(size / top, size)
-        };
-        for (_, [row, column], per_unit) in &mut self.pivots {
-            *per_unit = unit(*row, *column).reciprocal();
-        }
-        let constant = recording.constant.iter().map(|&(row, column, value)| Wide::splat(self.simd, value.abs()) * unit(row, column));
-        self.inverse_constant = constant.fold(zero, |largest, x| largest.max(x.reciprocal()));
     }
 
     /// From C to the correction, with the factors at hand.

@@ -210,9 +210,10 @@ impl<S: Level, M: Memory<S> + ?Sized> NullaryFnOnce for Replaying<'_, S, M> {
 
 macro_rules! copies {
     ($step:expr, $memory:expr; $($opcode:literal)*) => {
-        // Each number of six bits has its copy, so that none of them has to be checked.
+        // Six bits: the table of copies has a place for each number of them, so that none has to be checked.
         match $step.opcode & 63 {
             $($opcode => compute::<S, M, $opcode>(&$step.places, $memory),)*
+            59 | 60 | 61 | 62 | 63 => compute::<S, M, 59>(&$step.places, $memory),
             _ => {}
         }
     };
@@ -223,8 +224,7 @@ macro_rules! copies {
 fn by_opcode<S: Level, M: Memory<S> + ?Sized>(step: &Coded, memory: &mut M) {
     copies!(step, memory;
         0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29
-        30 31 32 33 34 35 36 37 38 39 40 41 42 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58 59
-        60 61 62 63)
+        30 31 32 33 34 35 36 37 38 39 40 41 42 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58)
 }
 
 const fn form(opcode: usize) -> Form {

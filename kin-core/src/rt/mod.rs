@@ -35,7 +35,7 @@ pub use ended::ended;
 pub use foreign::{Foreign, LiftAny, LiftNumbers, LowerAny, LowerReal, ReceiveAny, ReceiveNumbers, ReceiveReference};
 pub use kernel::{fma, put};
 pub use lift::{Absent, Constants, Lift, Lower, absent, constants, lowered};
-pub use numbers::Numbers;
+pub use numbers::{Numbers, set, set_at, visit};
 pub use parameter::{Parameter, is_parameter};
 pub use refused::{Refuses, refusal, refused};
 pub use rows::{Rows, rows};

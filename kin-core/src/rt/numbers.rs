@@ -13,6 +13,21 @@ pub trait Numbers {
     fn set_at(&mut self, index: &mut usize, value: f64) -> bool;
 }
 
+/// Shows the numbers of some parameters.
+pub fn visit(parameters: &[(&str, &dyn Numbers)], visit: &mut dyn FnMut(&str, f64)) {
+    parameters.iter().for_each(|(name, parameter)| parameter.visit(name, visit));
+}
+
+/// Sets the number called `wanted` among them; false if there is none.
+pub fn set(parameters: &mut [(&str, &mut dyn Numbers)], wanted: &str, value: f64) -> bool {
+    parameters.iter_mut().any(|(name, parameter)| parameter.set(name, wanted, value))
+}
+
+/// Sets the number that `index` others come before; false if there are not as many.
+pub fn set_at(parameters: &mut [&mut dyn Numbers], mut index: usize, value: f64) -> bool {
+    parameters.iter_mut().any(|parameter| parameter.set_at(&mut index, value))
+}
+
 impl Numbers for f64 {
     fn visit(&self, name: &str, visit: &mut dyn FnMut(&str, f64)) {
         visit(name, *self);

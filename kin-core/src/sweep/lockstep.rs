@@ -13,7 +13,7 @@ use crate::linear::lanes::WideLinear;
 use crate::motion::Motion;
 use crate::newton::{DOUBTFUL, Follow, Newton, Options, STALL, Stop, assembly, rounding};
 use crate::system::System;
-use crate::system::evaluate::lanes::{Crew, WideEquations, WideInstant};
+use crate::system::evaluate::lanes::{Crew, WideEquations, WideInstant, put};
 use crate::system::scale;
 
 /// The points in hand, one a lane, and the space to work in.
@@ -55,7 +55,7 @@ impl<S: Level> NullaryFnOnce for Task<'_, '_, '_, S> {
     #[inline(always)]
     fn call(self) -> Mask<S> {
         let Task { lanes, crew, wanted, t, first } = self;
-        if first { lanes.settle(crew, wanted, t) } else { lanes.step(crew, wanted, t) }
+        lanes.step(crew, wanted, t, first)
     }
 }
 
@@ -189,30 +189,20 @@ impl<'o, S: Level> Lockstep<'o, S> {
         }
     }
 
-    /// The first position: Newton from the point in hand.
+    /// Position, velocity and acceleration at a time: the first, by Newton's method from the point in hand, or a later one, from the prediction
+    /// or the last position.
     #[inline(always)]
-    fn settle(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
-        for (per_size, size) in self.per_size.iter_mut().zip(&self.sizes) {
-            *per_size = size.reciprocal();
-        }
-        let done = self.solve(crew, wanted, t, true);
-        self.t = t;
-        let done = self.rates(crew, done);
-        self.check.iter_mut().for_each(|check| check.accept(&self.linear));
-        done
-    }
-
-    /// A later one, from the prediction or the last position.
-    #[inline(always)]
-    fn step(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
+    fn step(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64, first: bool) -> Mask<S> {
         let h = t - self.t;
-        self.check.iter_mut().for_each(|check| check.begin([&self.q, self.linear.rates(), self.linear.second_rates()]));
-        if self.options.predict {
-            self.before.copy_from_slice(&self.q);
-            self.predictor.predict(h, [&self.before, self.linear.rates(), self.linear.second_rates()], &mut self.q);
+        if first {
+            for (per_size, size) in self.per_size.iter_mut().zip(&self.sizes) {
+                *per_size = size.reciprocal();
+            }
+        } else {
+            self.predict(h);
         }
-        let done = self.solve(crew, wanted, t, false);
-        if self.options.predict {
+        let done = self.solve(crew, wanted, t, first);
+        if !first && self.options.predict {
             let (stepped, [qd, qdd]) = (self.iterations.is_true(), [self.linear.rates(), self.linear.second_rates()]);
             self.predictor.compare(h, [&self.before, qd, qdd], &self.q, &self.per_size, stepped);
             self.predictor.advance(h, qd, qdd);
@@ -220,8 +210,25 @@ impl<'o, S: Level> Lockstep<'o, S> {
         self.t = t;
         let done = self.rates(crew, done);
         match &mut self.check {
-            Some(check) => done & check.judge(h, &self.q, &self.per_size, &self.linear),
             None => done,
+            Some(check) if first => {
+                check.accept(&self.linear);
+                done
+            }
+            Some(check) => done & check.judge(h, &self.q, &self.per_size, &self.linear),
+        }
+    }
+
+    /// A step h begins.
+    #[inline(always)]
+    fn predict(&mut self, h: f64) {
+        let [qd, qdd] = [self.linear.rates(), self.linear.second_rates()];
+        if let Some(check) = &mut self.check {
+            check.begin([&self.q, qd, qdd]);
+        }
+        if self.options.predict {
+            self.before.copy_from_slice(&self.q);
+            self.predictor.predict(h, [&self.before, qd, qdd], &mut self.q);
         }
     }
 
@@ -389,9 +396,4 @@ impl<'o, S: Level> Lockstep<'o, S> {
         }
         done & sum.le(Wide::splat(self.simd, f64::MAX))
     }
-}
-
-/// Puts the numbers of one lane among those of the others.
-fn put<S: Level>(own: &[f64], lane: usize, all: &mut [Wide<S>]) {
-    all.iter_mut().zip(own).for_each(|(x, own)| x.as_mut_slice()[lane] = *own);
 }

@@ -175,7 +175,11 @@ impl Equations {
             rates: self.plan.no_rates(),
             second_rates: vec![],
         };
-        self.asked.steady.iter().for_each(|steady| self.ask_sides(*steady, 0.0, &mut instant));
+        for steady in &self.asked.steady {
+            let block = &self.blocks[steady.block];
+            block.constraint.at_time(0.0, &mut instant.timed[block.timed.range()]);
+            self.ask_sides(*steady, 0.0, &mut instant);
+        }
         instant
     }
 
@@ -224,8 +228,7 @@ impl Equations {
     fn ask_sides(&self, Straight { block, sides, .. }: Straight, t: f64, instant: &mut Instant) {
         let block = &self.blocks[block];
         let (timed, asked) = instant.timed.split_at_mut(sides);
-        let at = self.origin(t, block).with_timed(&timed[block.timed.range()]);
-        let m = block.rows().len();
+        let (at, m) = (self.origin(t, block).with_timed(&timed[block.timed.range()]), block.rows().len());
         block.constraint.residual(&at, &mut asked[..m]);
         block.constraint.velocity_rhs(&at, &mut asked[m..2 * m]);
         block.constraint.acceleration_rhs(&at, &self.rates(block, &instant.rates), 1.0, &mut asked[2 * m..3 * m]);

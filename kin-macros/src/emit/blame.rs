@@ -14,27 +14,38 @@ use crate::lower::place::Expression;
 use crate::lower::{Lowered, OpaqueKind};
 use crate::parse::{Argument, Kind};
 
-/// `graph` of the symbolic route, which `blame` stands on, and the jerk, and proofs.
+/// `table` and `outside` of the symbolic route, which `blame` stands on, the jerk, and proofs.
 pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
     let Written { table, values, outside } = Written::of(arguments, lowered);
+    let [number, x, to] = outside_names();
+    let outside = outside.map(|outside| {
+        quote! {
+            #[cold]
+            fn outside(&self, #number: usize, #x: &[::kin::rt::graph::Dual3_64], #to: &mut ::kin::rt::graph::Given) {
+                #outside
+            }
+        }
+    });
     quote! {
         #[cold]
-        fn graph(&self, with: &mut dyn FnMut(&::kin::rt::graph::Graph, &[f64], ::kin::rt::graph::Outside<'_>)) {
+        fn table(&self) -> ::core::option::Option<(&'static ::kin::rt::graph::Graph, ::std::vec::Vec<f64>)> {
             static TABLE: ::kin::rt::graph::Table = #table;
-            with(TABLE.graph(), &#values, #outside);
+            TABLE.with(&#values)
         }
+        #outside
     }
 }
 
 /// `over` of a law: its steps, its variable being column 0.
 pub fn law(parameters: &[Argument], lowered: &Lowered) -> TokenStream {
     let Written { table, values, outside } = Written::of(parameters, lowered);
-    let x = own("x");
+    let [number, x, to] = outside_names();
+    let outside = outside.map_or_else(|| quote!(::kin::rt::graph::nothing_outside), |outside| quote!(|#number, #x, #to| #outside));
     quote! {
         #[cold]
         fn over(&self, #x: &::kin::rt::graph::Series) -> ::core::option::Option<::kin::rt::graph::Series> {
             static TABLE: ::kin::rt::graph::Table = #table;
-            TABLE.graph().law_over(#x, &#values, #outside)
+            TABLE.graph().law_over(#x, &#values, &#outside)
         }
     }
 }
@@ -43,7 +54,13 @@ pub fn law(parameters: &[Argument], lowered: &Lowered) -> TokenStream {
 struct Written {
     table: TokenStream,
     values: TokenStream,
-    outside: TokenStream,
+    /// By its number, from `x` into `to`; nothing where there is nothing of the kind.
+    outside: Option<TokenStream>,
+}
+
+/// What is asked for by its number, what it is computed from, and where it goes.
+fn outside_names() -> [Ident; 3] {
+    ["number", "x", "to"].map(own)
 }
 
 impl Written {
@@ -208,16 +225,13 @@ impl Table<'_> {
     }
 
     /// The function that computes what the table cannot.
-    fn outside(&self) -> TokenStream {
-        if self.outside.is_empty() {
-            return quote!(&::kin::rt::graph::nothing_outside);
-        }
-        let (number, x, to) = (own("number"), own("x"), own("to"));
+    fn outside(&self) -> Option<TokenStream> {
+        let [number, x, to] = outside_names();
         let cases = self.outside.iter().enumerate().map(|(k, what)| {
             let (k, code) = (literal(k), self.computed(*what, &x, &to));
             quote!(#k => { #code })
         });
-        quote!(&|#number, #x, #to| match #number { #(#cases)* _ => {} })
+        (!self.outside.is_empty()).then(|| quote!(match #number { #(#cases)* _ => {} }))
     }
 
     fn computed(&self, what: Outside, x: &Ident, to: &Ident) -> TokenStream {

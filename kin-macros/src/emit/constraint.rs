@@ -29,9 +29,9 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
     let row_names = lowered.rows.iter().map(|row| row.name.clone()).collect();
     let pattern = derived.jacobian.iter().map(|(row, column, _)| (*row, *column)).collect();
     let trig = derived.trig(&lowered);
-    let lanes = source.lanes.then(|| lanes::lanes(&source.name, &source.arguments, &lowered, &derived));
-    let frame = Frame { trig, lanes, ..Frame::new(source, rewrite::dual(&source.body, &source.arguments), row_names, pattern) };
     let kernels = functions::symbolic(&source.arguments, &mut lowered, &derived);
+    let lanes = source.lanes.then(|| lanes::lanes(&source.name, &source.arguments, &mut lowered, &derived));
+    let frame = Frame { trig, lanes, ..Frame::new(source, rewrite::dual(&source.body, &source.arguments), row_names, pattern) };
     let attachments = attachments::symbolic(&source.arguments, &lowered);
     let leaves: Vec<TokenStream> =
         lowered.leaves.iter().enumerate().map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items)).collect();

@@ -293,6 +293,7 @@ impl<'a> Kernel<'a> {
             Op::Sub(a, b) => self.infix(a, quote!(-), b),
             Op::Mul(a, b) => self.infix(a, quote!(*), b),
             Op::Div(a, b) => self.infix(a, quote!(/), b),
+            Op::Fma(a, b, c) if self.numbers == Numbers::Wide => self.function("mul_add", &[a, b, c]),
             Op::Fma(a, b, c) => {
                 self.fused = true;
                 let (fma, a, b, c) = (super::own("fma"), self.expression(a), self.expression(b), self.expression(c));
@@ -357,6 +358,10 @@ impl<'a> Kernel<'a> {
             Input::TimeRate => quote!(t_dot),
             Input::Variable => quote!(x),
             Input::Parameter(k) => self.lowered.parameters[k].clone(),
+            Input::Timed(k) if self.numbers == Numbers::Wide => {
+                let (known, k) = (super::own("known"), Literal::usize_unsuffixed(k));
+                quote!(#known[#k])
+            }
             Input::Timed(k) => {
                 self.reads_timed = true;
                 let k = Literal::usize_unsuffixed(k);

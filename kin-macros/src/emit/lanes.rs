@@ -10,11 +10,12 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 use super::kernel::{Evaluations, Kernel, is_condition};
-use super::{functions, own};
+use super::{functions, own, timed};
 use crate::differentiate::Derivatives;
 use crate::graph::{Graph, Input, LeafNumber, Node, Op};
 use crate::lower::Lowered;
 use crate::parse::Argument;
+use crate::schedule;
 
 /// The method of `impl Constraint`, and the two implementations beside it.
 pub struct LaneCode {
@@ -36,7 +37,7 @@ struct Outside {
     evaluations: Vec<Evaluation>,
 }
 
-pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &Lowered, derived: &Derivatives) -> LaneCode {
+pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &mut Lowered, derived: &Derivatives) -> LaneCode {
     let g = &lowered.graph;
     let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
     let values: Vec<Node> = derived.jacobian.iter().map(|entry| entry.2).collect();
@@ -51,7 +52,7 @@ pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &Lowered, derived: &
 
     let all: Vec<Node> = both.iter().chain(&rhs).chain(&q_d).map(|(_, node)| *node).collect();
     let outside = Outside::new(lowered, &all);
-    let kernel = |outputs: &[(Ident, Node)]| outside.kernel(lowered, arguments, outputs);
+    let mut kernel = |outputs: &[(Ident, Node)]| outside.kernel(lowered, arguments, outputs);
     let (linearize, velocity, acceleration) = (kernel(&both), kernel(&rhs), kernel(&q_d));
     let velocity = (!rhs.is_empty()).then(|| {
         quote! {
@@ -123,12 +124,25 @@ impl Outside {
         Outside { known: [of_parameters, of_time], evaluations }
     }
 
-    /// One kernel: what is known by name, evaluations by their calls.
-    fn kernel(&self, lowered: &Lowered, arguments: &[Argument], outputs: &[(Ident, Node)]) -> TokenStream {
+    /// One kernel, after the scheduler has had a look at it where all that is known are numbers and nothing is an evaluation.
+    fn kernel(&self, lowered: &mut Lowered, arguments: &[Argument], outputs: &[(Ident, Node)]) -> TokenStream {
         let known: Vec<Node> = self.known.concat();
-        let names: Vec<Ident> = (0..known.len()).map(|k| own(&format!("known{k}"))).collect();
-        let given = known.iter().zip(&names).map(|(&node, name)| {
-            let value = if is_condition(lowered, node) { quote!(#name.is_true()) } else { quote!(#name) };
+        let n = literal(known.len());
+        let list = own("known");
+        let bind = (!known.is_empty()).then(|| quote!(let ::core::option::Option::Some(#list) = at.known::<#n>() else { return };));
+        let numbers = self.evaluations.is_empty() && !known.iter().any(|&node| is_condition(lowered, node));
+        let code =
+            if numbers { scheduled(&known, lowered, arguments, outputs) } else { self.as_written(&known, lowered, arguments, outputs) };
+        quote!(#bind #code)
+    }
+
+    /// The kernel as the graph has it: what is known by its place, evaluations by their calls.
+    fn as_written(&self, known: &[Node], lowered: &Lowered, arguments: &[Argument], outputs: &[(Ident, Node)]) -> TokenStream {
+        // Read where they are used: registers are few.
+        let list = own("known");
+        let given = known.iter().enumerate().map(|(k, &node)| {
+            let k = literal(k);
+            let value = if is_condition(lowered, node) { quote!(#list[#k].is_true()) } else { quote!(#list[#k]) };
             (node, value)
         });
         let calls: Evaluations = self
@@ -140,12 +154,7 @@ impl Outside {
                 all.outputs.iter().enumerate().map(move |(slot, &node)| (node, (number, slot, count)))
             })
             .collect();
-        let code = Kernel::over_lanes(lowered, arguments, given.collect(), calls).write(outputs).tokens;
-        let bind = match names.len() {
-            0 => quote!(),
-            _ => quote!(let ::core::option::Option::Some(&[#(#names),*]) = at.known() else { return };),
-        };
-        quote!(#bind #code)
+        Kernel::over_lanes(lowered, arguments, given.collect(), calls).write(outputs).tokens
     }
 
     /// `impl InLanes`: what there is to compute.
@@ -192,6 +201,16 @@ impl Outside {
             }
         }
     }
+}
+
+/// A kernel of fused operations that reads what is known by its place.
+fn scheduled(known: &[Node], lowered: &mut Lowered, arguments: &[Argument], outputs: &[(Ident, Node)]) -> TokenStream {
+    let places: HashMap<Node, usize> = known.iter().copied().zip(0..).collect();
+    let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
+    let nodes = timed::read_at(&mut lowered.graph, |node| places.get(&node).copied(), &nodes);
+    let nodes = schedule::prepare(&mut lowered.graph, &nodes);
+    let outputs: Vec<_> = outputs.iter().zip(nodes).map(|((place, _), node)| (place.clone(), node)).collect();
+    Kernel::over_lanes(lowered, arguments, HashMap::new(), Evaluations::new()).write(&outputs).tokens
 }
 
 impl Evaluation {

@@ -48,22 +48,15 @@ fn parameter_methods(arguments: &[Argument]) -> (TokenStream, TokenStream) {
     let texts: Vec<String> = numeric.iter().map(|name| syn::ext::IdentExt::unraw(*name).to_string()).collect();
     let visit = quote! {
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-            #(::kin::rt::Numbers::visit(&self.#numeric, #texts, visit);)*
+            ::kin::rt::visit(&[#((#texts, &self.#numeric)),*], visit);
         }
-    };
-    let (set, set_at) = match numeric[..] {
-        [] => (quote!(false), quote!(false)),
-        _ => (
-            quote!(#(::kin::rt::Numbers::set(&mut self.#numeric, #texts, name, value))||*),
-            quote!(#(::kin::rt::Numbers::set_at(&mut self.#numeric, &mut index, value))||*),
-        ),
     };
     let set = quote! {
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-            #set
+            ::kin::rt::set(&mut [#((#texts, &mut self.#numeric)),*], name, value)
         }
-        fn set_parameter_at(&mut self, mut index: usize, value: f64) -> bool {
-            #set_at
+        fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
+            ::kin::rt::set_at(&mut [#(&mut self.#numeric),*], index, value)
         }
     };
     (visit, set)

@@ -78,6 +78,6 @@ const TEMPORARIES: &[&str] = &["t", "s", "c", "o", "law", "leaf", "known", "call
 fn is_taken(name: &str) -> bool {
     let prefix = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let temporary = prefix.len() < name.len() && TEMPORARIES.contains(&prefix);
-    let own = matches!(name, "at" | "qd" | "c" | "c_q" | "q_d" | "rhs" | "t_dot" | "x" | "f" | "timed" | "own" | "fma" | "put");
+    let own = matches!(name, "at" | "qd" | "c" | "c_q" | "q_d" | "rhs" | "t_dot" | "x" | "f" | "timed" | "known" | "own" | "fma" | "put");
     temporary || own || syn::parse_str::<Ident>(name).is_err()
 }

@@ -101,16 +101,17 @@ fn select(lowered: &Lowered, outputs: &[Node]) -> Vec<Node> {
 
 /// The outputs with what was evaluated once a time read where it stands.
 pub fn read(g: &mut Graph, timed: &Timed, outputs: &[Node]) -> Vec<Node> {
-    let timed = &timed.read;
-    if timed.is_empty() {
-        return outputs.to_vec();
-    }
-    let nodes = g.reachable_from(outputs, |node| timed.binary_search(&node).is_ok());
+    if timed.read.is_empty() { outputs.to_vec() } else { read_at(g, |node| timed.read.binary_search(&node).ok(), outputs) }
+}
+
+/// The outputs with nodes that were evaluated before read where they stand.
+pub fn read_at(g: &mut Graph, place: impl Fn(Node) -> Option<usize>, outputs: &[Node]) -> Vec<Node> {
+    let nodes = g.reachable_from(outputs, |node| place(node).is_some());
     let mut read: Vec<Option<Node>> = vec![None; g.len()];
     for node in nodes {
-        let built = match timed.binary_search(&node) {
-            Ok(k) => g.input(Input::Timed(k)),
-            Err(_) => g.with_operands(node, |operand| read[operand.index()].unwrap_or(operand)),
+        let built = match place(node) {
+            Some(k) => g.input(Input::Timed(k)),
+            None => g.with_operands(node, |operand| read[operand.index()].unwrap_or(operand)),
         };
         read[node.index()] = Some(built);
     }

@@ -160,10 +160,6 @@ impl Depends {
 }
 
 impl Node {
-    pub fn numbered(number: usize) -> Self {
-        Node(number as u32)
-    }
-
     /// Its number: what it is computed from has smaller ones.
     pub fn index(self) -> usize {
         self.0 as usize

@@ -3,7 +3,7 @@
 //! A product that several sums share is computed once where a sum can begin with it, which saves that sum a multiplication; elsewhere each sum
 //! multiplies for itself, since a fused product costs nothing.
 
-use super::edges;
+use super::{Lists, edges};
 use crate::graph::{Graph, Node, Op};
 
 /// A longer sum is left in parts: a chain is computed one term after the other.
@@ -18,11 +18,10 @@ pub fn fuse(g: &mut Graph, outputs: &[Node]) -> Vec<Node> {
     let mut fusion = Fusion::new(g, outputs, &nodes);
     fusion.share_beginnings(&nodes);
     let negated = fusion.negated(g, outputs, &nodes);
-    fusion.built = (0..g.len()).map(|k| (false, Node::numbered(k))).collect();
+    fusion.built = vec![(false, Node::default()); g.len()];
     for node in nodes {
-        if fusion.values[node.index()] {
-            fusion.built[node.index()] = fusion.build(g, node, negated[node.index()]);
-        }
+        let is_value = fusion.values[node.index()];
+        fusion.built[node.index()] = if is_value { fusion.build(g, node, negated[node.index()]) } else { (false, node) };
     }
     outputs.iter().map(|&output| fusion.plain(g, output)).collect()
 }
@@ -32,7 +31,7 @@ struct Fusion {
     /// Whether it is needed as such.
     values: Vec<bool>,
     /// The terms of a sum that is needed; else none.
-    sums: Vec<Vec<Term>>,
+    sums: Lists<Term>,
     /// What stands for it.
     built: Vec<Signed>,
 }
@@ -54,7 +53,7 @@ impl Fusion {
         let is_alone = |node: Node| is_free(node) && uses[node.index()] == 1;
         let mut values = vec![false; g.len()];
         let mut products = vec![false; g.len()];
-        let mut sums = vec![Vec::new(); g.len()];
+        let mut sums = Lists::new(g);
         outputs.iter().for_each(|output| values[output.index()] = true);
         for &node in nodes.iter().rev() {
             let needed = values[node.index()];
@@ -64,7 +63,7 @@ impl Fusion {
                     let kind = if matches!(g.op(term), Op::Mul(..)) && is_free(term) { &mut products } else { &mut values };
                     kind[term.index()] = true;
                 }
-                sums[node.index()] = terms;
+                *sums.to(node) = terms;
             } else if needed || products[node.index()] {
                 g.each_operand(node, |operand| values[operand.index()] = true);
             }
@@ -73,13 +72,13 @@ impl Fusion {
     }
 
     fn is_sum(&self, node: Node) -> bool {
-        !self.sums[node.index()].is_empty()
+        !self.sums.of(node).is_empty()
     }
 
     /// Products to compute once, because sums without a better beginning share them: those that most sums share first.
     fn share_beginnings(&mut self, nodes: &[Node]) {
-        let is_open = |terms: &&Vec<Term>| !terms.is_empty() && !terms.iter().any(|(_, term)| self.values[term.index()]);
-        let mut open: Vec<&Vec<Term>> = nodes.iter().map(|node| &self.sums[node.index()]).filter(is_open).collect();
+        let is_open = |terms: &&[Term]| !terms.is_empty() && !terms.iter().any(|(_, term)| self.values[term.index()]);
+        let mut open: Vec<&[Term]> = nodes.iter().map(|node| self.sums.of(*node)).filter(is_open).collect();
         let mut counts = vec![0; self.values.len()];
         open.iter().flat_map(|terms| terms.iter()).for_each(|(_, product)| counts[product.index()] += 1);
         let mut chosen = Vec::new();
@@ -107,7 +106,7 @@ impl Fusion {
             let vote = votes[node.index()];
             negated[node.index()] = vote < 0 && turns(node);
             if self.is_sum(node) {
-                let terms = &self.sums[node.index()];
+                let terms = self.sums.of(node);
                 // Only minuses and no product to fuse them with: one of the terms had better turn.
                 let all_minus = terms.iter().all(|(minus, term)| *minus != negated[node.index()] && self.values[term.index()]);
                 if let (true, Some((_, term))) = (all_minus, terms.iter().find(|(_, term)| turns(*term))) {
@@ -128,7 +127,7 @@ impl Fusion {
 
     fn build(&self, g: &mut Graph, node: Node, negated: bool) -> Signed {
         if self.is_sum(node) {
-            return (negated, self.sum(g, &self.sums[node.index()], negated));
+            return (negated, self.sum(g, self.sums.of(node), negated));
         }
         match g.op(node) {
             Op::Neg(a) => {

@@ -17,6 +17,31 @@ pub use order::order;
 
 use crate::graph::{Graph, Node, Op};
 
+/// A list for some of a graph's nodes. Most have none: without optimization even an empty `Vec` each takes time.
+struct Lists<T> {
+    /// Of each node the number of its list; 0 is the empty one.
+    places: Vec<usize>,
+    lists: Vec<Vec<T>>,
+}
+
+impl<T> Lists<T> {
+    fn new(g: &Graph) -> Self {
+        Lists { places: vec![0; g.len()], lists: vec![Vec::new()] }
+    }
+
+    fn of(&self, node: Node) -> &[T] {
+        &self.lists[self.places[node.index()]]
+    }
+
+    fn to(&mut self, node: Node) -> &mut Vec<T> {
+        if self.places[node.index()] == 0 {
+            self.places[node.index()] = self.lists.len();
+            self.lists.push(Vec::new());
+        }
+        &mut self.lists[self.places[node.index()]]
+    }
+}
+
 /// Nodes with the values of `outputs`, made for few operations.
 pub fn prepare(g: &mut Graph, outputs: &[Node]) -> Vec<Node> {
     let outside = fuse::fuse(g, outputs);

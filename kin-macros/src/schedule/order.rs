@@ -1,5 +1,6 @@
 //! In which order to compute: each output as soon as it can be had, and next the one after which fewest values wait for a later use.
 
+use super::Lists;
 use crate::graph::{Graph, Node, Op};
 
 /// What to compute, and which output is complete then (by its number).
@@ -15,21 +16,22 @@ const CANDIDATES: usize = 8;
 
 /// Every node needed for `outputs` beyond those that are `given`, operands before their users, cut where an output is complete.
 pub fn order(g: &Graph, outputs: &[Node], given: impl Fn(Node) -> bool) -> Vec<Group> {
-    let mut known: Vec<bool> = (0..g.len()).map(|k| given(Node::numbered(k))).collect();
-    let mut seen = vec![usize::MAX; g.len()];
+    let (nodes, mut known) = (g.reachable_from(outputs, &given), vec![false; g.len()]);
+    nodes.iter().for_each(|&node| known[node.index()] = given(node));
+    let (mut seen, mut turn) = (vec![0; g.len()], 0);
     // Which outputs wait for a node, and for how many each.
-    let mut waiting: Vec<Vec<usize>> = vec![Vec::new(); g.len()];
+    let mut waiting: Lists<usize> = Lists::new(g);
     let mut missing = vec![0; outputs.len()];
     for (k, &output) in outputs.iter().enumerate() {
-        for node in needed(g, output, &known, &mut seen, k) {
-            waiting[node.index()].push(k);
+        turn += 1;
+        for node in needed(g, output, &known, &mut seen, turn) {
+            waiting.to(node).push(k);
             missing[k] += 1;
         }
     }
-    let mut left = super::uses(g, &g.reachable(outputs), outputs);
+    let mut left = super::uses(g, &nodes, outputs);
     let mut open: Vec<usize> = (0..outputs.len()).collect();
     let mut groups = Vec::new();
-    let mut turn = outputs.len();
     while !open.is_empty() {
         open.sort_by_key(|&output| missing[output]);
         let mut best: Option<((isize, usize), usize, Vec<Node>)> = None;
@@ -47,7 +49,7 @@ pub fn order(g: &Graph, outputs: &[Node], given: impl Fn(Node) -> bool) -> Vec<G
         for node in &nodes {
             known[node.index()] = true;
             g.each_operand(*node, |operand| left[operand.index()] -= 1);
-            waiting[node.index()].iter().for_each(|&other| missing[other] -= 1);
+            waiting.of(*node).iter().for_each(|&other| missing[other] -= 1);
         }
         let computes = nodes.iter().any(|node| takes_place(g, *node));
         groups.push(Group { nodes, output, computes });

@@ -1,5 +1,6 @@
 //! Powers of two: 2 (a b + c d) is (2 a) b + (2 c) d, which costs less where 2 a and 2 c serve other sums too.
 
+use super::Lists;
 use crate::graph::{Graph, Input, Node, Op, is_power_of_two};
 
 /// The outputs with all powers of two inwards as far as they go; `None` where there are none.
@@ -53,7 +54,7 @@ struct Scaling {
     /// Nodes whose own value is needed: a power had better go elsewhere.
     firm: Vec<bool>,
     uses: Vec<usize>,
-    demands: Vec<Vec<Demand>>,
+    demands: Lists<Demand>,
 }
 
 impl Scaling {
@@ -66,11 +67,11 @@ impl Scaling {
                 g.each_operand(node, |operand| firm[operand.index()] = true);
             }
         }
-        Scaling { firm, uses: super::uses(g, nodes, outputs), demands: vec![Vec::new(); g.len()] }
+        Scaling { firm, uses: super::uses(g, nodes, outputs), demands: Lists::new(g) }
     }
 
     fn demand(&mut self, node: Node, k: i32) {
-        let demands = &mut self.demands[node.index()];
+        let demands = self.demands.to(node);
         if !demands.iter().any(|demand| demand.k == k) {
             demands.push(Demand { k, plan: Plan::Outside, built: node });
         }
@@ -78,15 +79,15 @@ impl Scaling {
 
     /// 2ᵏ times `node`, which has been built.
     fn of(&self, node: Node, k: i32) -> Node {
-        self.demands[node.index()].iter().find(|demand| demand.k == k).map_or(node, |demand| demand.built)
+        self.demands.of(node).iter().find(|demand| demand.k == k).map_or(node, |demand| demand.built)
     }
 
     /// Decides how each power that is asked of `node` is made, and asks its operands for what that takes.
     fn plan(&mut self, g: &Graph, node: Node) {
         let mut done = 0;
-        while let Some(&Demand { k, .. }) = self.demands[node.index()].get(done) {
+        while let Some(&Demand { k, .. }) = self.demands.of(node).get(done) {
             let plan = self.choose(g, node, k);
-            self.demands[node.index()][done].plan = plan;
+            self.demands.to(node)[done].plan = plan;
             done += 1;
             match plan {
                 Plan::Outside => self.demand(node, 0),
@@ -119,7 +120,7 @@ impl Scaling {
 
     /// How well 2ᵏ goes to a factor: where it is asked for anyway, to sums that are shared and not needed as such, to coordinates.
     fn rank(&self, g: &Graph, node: Node, k: i32) -> (bool, bool, bool) {
-        let asked = self.demands[node.index()].iter().any(|demand| demand.k == k);
+        let asked = self.demands.of(node).iter().any(|demand| demand.k == k);
         let (input, moves) = match g.op(node) {
             Op::Input(input) => (true, matches!(input, Input::State(..) | Input::Rate(..))),
             _ => (false, false),
@@ -130,16 +131,16 @@ impl Scaling {
 
     fn build(&mut self, g: &mut Graph, node: Node) {
         // What is multiplied outside is multiplied from the plain value: that one first.
-        self.demands[node.index()].sort_by_key(|demand| demand.k != 0);
-        for place in 0..self.demands[node.index()].len() {
-            let Demand { k, plan, .. } = self.demands[node.index()][place];
+        self.demands.to(node).sort_by_key(|demand| demand.k != 0);
+        for place in 0..self.demands.of(node).len() {
+            let Demand { k, plan, .. } = self.demands.of(node)[place];
             let built = match plan {
                 Plan::Outside => times(g, 2f64.powi(k), self.of(node, 0)),
                 Plan::Absorbed(x, k) => self.of(x, k),
                 Plan::Constant(c, x) => times(g, c, self.of(x, 0)),
                 Plan::Operands(first, second) => self.rebuilt(g, node, first, second),
             };
-            self.demands[node.index()][place].built = built;
+            self.demands.to(node)[place].built = built;
         }
     }
 

@@ -336,6 +336,7 @@ fn take<S: Level>(all: &[Wide<S>], lane: usize, own: &mut Vec<f64>) {
     own.extend(all.iter().map(|x| x.as_slice()[lane]));
 }
 
-fn put<S: Level>(own: &[f64], lane: usize, all: &mut [Wide<S>]) {
+/// Puts the numbers of one lane among those of the others.
+pub(crate) fn put<S: Level>(own: &[f64], lane: usize, all: &mut [Wide<S>]) {
     all.iter_mut().zip(own).for_each(|(x, own)| x.as_mut_slice()[lane] = *own);
 }
