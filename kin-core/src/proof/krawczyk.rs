@@ -69,7 +69,7 @@ impl Test<'_> {
         if !radius.is_finite() {
             return Err(fault());
         }
-        let reach = |j: usize| Interval::ball(radius * self.sizes[j]);
+        let reach = |j: usize| Interval::ball(up(radius * self.sizes[j]));
         let q: Vec<Interval> = place.q.iter().enumerate().map(|(j, q)| *q + reach(j)).collect();
         let entries = self.bounds.jacobian(&q, place.t).map_err(Fault::Unknown)?;
         let r = self.contraction(&frame, &entries);
