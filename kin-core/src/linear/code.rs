@@ -159,7 +159,7 @@ macro_rules! by_opcode {
     ($run:expr, $shapes:expr, $places:expr, $memory:expr; $($opcode:literal)*) => {
         match $run.opcode {
             $($opcode => short::<P, $opcode, { Shape::of($opcode).length() }>($run.more, $places, $memory),)*
-            _ => long($shapes.next().map(|shape| (*shape, $run.more + 1)), $places, $memory),
+            160..=255 => long($shapes.next().map(|shape| (*shape, $run.more + 1)), $places, $memory),
         }
     };
 }

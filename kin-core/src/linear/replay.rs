@@ -212,6 +212,7 @@ macro_rules! copies {
     ($step:expr, $memory:expr; $($opcode:literal)*) => {
         // Six bits: the table of copies has a place for each number of them, so that none has to be checked.
         match $step.opcode & 63 {
+            $($opcode => compute(const { form($opcode) }, const { shape($opcode) }, &$step.places, $memory),)*
             59..=63 => compute(const { form(59) }, const { shape(59) }, &$step.places, $memory),
             _ => {}
         }
