@@ -315,6 +315,7 @@ impl Equations {
     }
 
     /// The first constraint that closes the wrong way, such as with an axis turned by 180°.
+    #[inline]
     pub(crate) fn first_wrong(&self, instant: &Instant) -> Option<usize> {
         self.asked.branches.iter().copied().find(|block| self.wrong_branch(*block, instant).is_some())
     }
