@@ -107,17 +107,6 @@ pub(crate) fn copy(x: &mut [Four], y: &[Four]) {
     each_mut(x, y, |x, y| *x = *y);
 }
 
-/// x = 0
-pub(crate) fn clear(x: &mut [Four]) {
-    match x {
-        // Written out: calling for so little takes longer.
-        [a] => *a = [0.0; 4],
-        [a, b] => (*a, *b) = ([0.0; 4], [0.0; 4]),
-        [a, b, c] => (*a, *b, *c) = ([0.0; 4], [0.0; 4], [0.0; 4]),
-        more => more.fill([0.0; 4]),
-    }
-}
-
 /// x += y
 #[inline]
 pub(crate) fn add(x: &mut [Four], y: &[Four]) {

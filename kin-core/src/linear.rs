@@ -163,12 +163,6 @@ impl Linear {
         &mut self.memory[self.places.rhs as usize..][..self.n]
     }
 
-    /// The same, all zeros.
-    pub(crate) fn zero_rhs(&mut self) -> &mut [f64] {
-        fours::clear(self.whole_rhs_mut());
-        self.rhs_mut()
-    }
-
     /// The same in whole fours; what is written beyond the end does not count.
     pub(crate) fn whole_rhs_mut(&mut self) -> &mut [Four] {
         self.memory[self.places.rhs as usize..self.places.solution as usize].as_chunks_mut().0

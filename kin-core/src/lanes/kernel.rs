@@ -243,22 +243,16 @@ impl<S: Level, K: LaneKernel> NullaryFnOnce for Call<'_, '_, S, K> {
 
     #[inline(always)]
     fn call(self) {
-        let Call(instant, blocks, asked, _) = self;
-        match asked {
-            Asked::Linear(c, c_q) => {
-                for block in blocks {
-                    K::linearize(&instant.at(block), c, c_q);
-                }
-            }
-            Asked::Velocity(rhs) => {
-                for block in blocks {
-                    K::velocity_rhs(&instant.at(block), rhs);
-                }
-            }
-            Asked::Acceleration(q_d) => {
-                for block in blocks {
+        let Call(instant, blocks, mut asked, _) = self;
+        // One loop around all three: it is compiled for each kernel and each kind of machine.
+        for block in blocks {
+            let at = instant.at(block);
+            match &mut asked {
+                Asked::Linear(c, c_q) => K::linearize(&at, c, c_q),
+                Asked::Velocity(rhs) => K::velocity_rhs(&at, rhs),
+                Asked::Acceleration(q_d) => {
                     let rates = LaneRates { rates: instant.rates, arguments: instant.arguments, first: block.arguments };
-                    K::acceleration_rhs(&instant.at(block), &rates, q_d);
+                    K::acceleration_rhs(&at, &rates, q_d);
                 }
             }
         }

@@ -6,21 +6,23 @@ use crate::error::Error;
 use crate::state::At;
 
 impl Equations {
-    /// −C_t, whether it is finite or not, into a right side of zeros.
+    /// −C_t, whether it is finite or not.
     pub(crate) fn velocity_rhs(&self, instant: &Instant, rhs: &mut [f64]) {
+        rhs.fill(0.0);
         for block in self.asked.c_t.iter().map(|&k| &self.blocks[k]) {
             block.constraint.velocity_rhs(&self.at(block, instant), &mut rhs[block.rows.range()]);
         }
         self.linear.write_side(Side::Velocity, &instant.timed, 1.0, rhs);
     }
 
-    /// Q_d, whether it is finite or not, into a right side of zeros.
+    /// Q_d, whether it is finite or not.
     pub(crate) fn acceleration_rhs(&self, instant: &Instant, q_d: &mut [f64]) {
         self.second_order(instant, 1.0, q_d);
     }
 
-    /// −[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt] along the rates v of the instant, whether it is finite or not, into a right side of zeros.
+    /// −[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt] along the rates v of the instant, whether it is finite or not.
     pub(crate) fn second_order(&self, instant: &Instant, t_dot: f64, rhs: &mut [f64]) {
+        rhs.fill(0.0);
         let mut at = At::new(instant.t, &instant.states, &[]);
         for block in self.asked.q_d.iter().map(|&k| &self.blocks[k]) {
             self.show(block, instant, &mut at);
@@ -29,13 +31,13 @@ impl Equations {
         self.linear.write_side(Side::Acceleration, &instant.timed, t_dot * t_dot, rhs);
     }
 
-    /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), along the rates of the instant and q̈, whether it is finite or not, into a
-    /// right side of zeros.
+    /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), along the rates of the instant and q̈, whether it is finite or not.
     ///
     /// Errors: the first row of a constraint that does not know it.
     pub(crate) fn jerk_rhs(&self, qdd: &[f64], instant: &mut Instant, rhs: &mut [f64]) -> Result<(), usize> {
         instant.second_rates.resize(instant.rates.len(), 0.0);
         self.plan.set_rates(qdd, &mut instant.second_rates);
+        rhs.fill(0.0);
         // A constraint without second derivatives has no third ones.
         let linear = self.asked.linear.iter().map(|linear| &linear.block);
         for block in self.asked.q_d.iter().chain(linear).map(|&k| &self.blocks[k]) {
