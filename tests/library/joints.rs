@@ -31,6 +31,22 @@ fn symbolic_is_dual_is_central_difference() {
     println!("{} joints: routes within {:.1e}, central differences within {:.1e}", all().len(), worst[0], worst[1]);
 }
 
+/// Drivers that are linear in the coordinates tell a solver with their numbers of the time all that it wants to know: that it is right is among
+/// what the comparison above compares.
+#[test]
+fn linear_drivers_tell_their_sides() {
+    let mut telling = Vec::new();
+    each(100, |joint, name, random| {
+        let sample = (joint.make)(random);
+        if sample.constraint().sides_of_time().is_some() && !telling.contains(&name.to_owned()) {
+            telling.push(name.to_owned());
+        }
+    });
+    for name in ["drive", "drive_angle", "drive_relative_angle"] {
+        assert!(telling.iter().any(|told| told == name), "{name} is not among {telling:?}");
+    }
+}
+
 /// Bodies that coincide, angles of whole quarters, axes along the frames': where products vanish and square roots stand at zero.
 #[test]
 fn routes_agree_at_degenerate_poses() {

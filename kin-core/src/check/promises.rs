@@ -6,7 +6,8 @@ use super::{Entry, ROUTES_TOLERANCE, column, distance};
 use crate::dual_route::Equation;
 use crate::terms::{Terms, dual_terms};
 
-/// The terms that are not what [`Constraint::depends`](crate::Constraint::depends) or `constants` promises, and how far off they are.
+/// The terms that are not what [`Constraint::depends`](crate::Constraint::depends), `constants` or `sides_of_time` promises, and how far off
+/// they are.
 pub(super) fn broken<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     equation: &E,
     q: &[f64; N],
@@ -30,6 +31,15 @@ pub(super) fn broken<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     let origin = dual_terms::<E, N, M>(equation, &[0.0; N], qd, t);
     let linear = column(&origin.c) + &now.c_q * DMatrix::from_column_slice(N, 1, q);
     promise("C, promised to be linear", depends.curved, &linear, &column(&now.c));
+    let told = equation.sides_of_time().map(|first| {
+        let mut timed = vec![f64::NAN; equation.n_timed()];
+        equation.at_time(t, &mut timed);
+        timed.get(first..first + 3 * M).map_or(DMatrix::from_element(M, 3, f64::NAN), |sides| DMatrix::from_column_slice(M, 3, sides))
+    });
+    if let Some(told) = told {
+        let sides = DMatrix::from_columns(&[origin.c.clone(), -&now.c_t, -&now.c_tt]);
+        promise("C(0, t), -C_t and -C_tt, told with the numbers of the time", false, &told, &sides);
+    }
     for (&(row, column), constant) in equation.pattern().iter().zip(equation.constants()) {
         let Some(constant) = *constant else { continue };
         let (promised, found) = (DMatrix::from_element(1, 1, constant), DMatrix::from_element(1, 1, now.c_q[(row, column)]));
