@@ -69,7 +69,7 @@ fn what_is_promised_holds() {
 
 /// a² (1 + t) with promises of one's own choice.
 #[derive(Clone)]
-struct Claims(Dependence, [Option<f64>; 1]);
+struct Claims(Dependence, [Option<f64>; 1], Option<usize>, Coordinate);
 
 impl Constraint for Claims {
     fn kind(&self) -> &str {
@@ -79,7 +79,10 @@ impl Constraint for Claims {
         Route::Hand
     }
     fn arguments(&self) -> Vec<Argument> {
-        growing(c()).arguments()
+        growing(self.3).arguments()
+    }
+    fn sides_of_time(&self) -> Option<usize> {
+        self.2
     }
     fn rows(&self) -> &[&str] {
         &["1"]
@@ -95,6 +98,8 @@ impl Constraint for Claims {
     }
     fn residual(&self, at: &At<'_>, c: &mut [f64]) {
         kin::dual_route::residual(self, at, c);
+        // Of an argument that is not its own it sees nothing.
+        c[0] += at.coord(1).value;
     }
     fn jacobian(&self, at: &At<'_>, c_q: &mut [f64]) {
         kin::dual_route::jacobian(self, at, c_q);
@@ -120,10 +125,11 @@ impl Equation<1, 1> for Claims {
 #[test]
 fn a_false_promise_is_found_by_the_check() {
     let all = Dependence::default();
-    let broken = |depends, constant| match kin::check::compare(&Claims(depends, [constant])) {
+    let told = |depends, constant, sides| match kin::check::compare(&Claims(depends, [constant], sides, c())) {
         Ok(_) => String::new(),
         Err(mismatch) => mismatch.to_string(),
     };
+    let broken = |depends, constant| told(depends, constant, None);
     assert_eq!(broken(all, None), "");
     let said = |text: String, promise: &str| assert!(text.contains(promise), "{text}");
     said(broken(Dependence { c_on_t: false, ..all }, None), "C, promised not to change with t");
@@ -132,6 +138,22 @@ fn a_false_promise_is_found_by_the_check() {
     said(broken(Dependence { q_d: false, ..all }, None), "Q_d, promised to be zero");
     said(broken(Dependence { curved: false, ..all }, None), "C, promised to be linear");
     said(broken(all, Some(1.0)), "an entry of C_q, promised to be constant");
+    said(told(all, None, Some(0)), "told with the numbers of the time");
+}
+
+#[test]
+fn a_constraint_sees_its_own_arguments_and_is_believed_what_can_be() {
+    let straight = Dependence { curved: false, ..Dependence::default() };
+    for (depends, sides, c) in
+        [(Dependence::default(), None, 8.0), (straight, None, 2.0), (straight, Some(5), 2.0), (straight, Some(usize::MAX), 2.0)]
+    {
+        let mut m = Mechanism::new("claims");
+        let (x, y) = (m.length("x", 1.0).unwrap(), m.length("y", 1.0).unwrap());
+        m.add("claims", Claims(depends, [Some(1.0)], sides, x)).unwrap();
+        m.add("hold", drive(y, Law::constant(7.0))).unwrap();
+        let system = m.build().unwrap();
+        assert_eq!(system.residual(&[2.0, 7.0], 1.0).unwrap(), [c, 0.0], "{depends:?} {sides:?}");
+    }
 }
 
 /// Motor and cam: laws of the time, and functions of the time and of parameters.

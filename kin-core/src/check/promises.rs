@@ -32,9 +32,11 @@ pub(super) fn broken<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     let linear = column(&origin.c) + &now.c_q * DMatrix::from_column_slice(N, 1, q);
     promise("C, promised to be linear", depends.curved, &linear, &column(&now.c));
     let told = equation.sides_of_time().map(|first| {
-        let mut timed = vec![f64::NAN; equation.n_timed()];
+        let mut timed = vec![f64::INFINITY; equation.n_timed()];
         equation.at_time(t, &mut timed);
-        timed.get(first..first + 3 * M).map_or(DMatrix::from_element(M, 3, f64::NAN), |sides| DMatrix::from_column_slice(M, 3, sides))
+        timed
+            .get(first..first.saturating_add(3 * M))
+            .map_or(DMatrix::from_element(M, 3, f64::INFINITY), |sides| DMatrix::from_column_slice(M, 3, sides))
     });
     if let Some(told) = told {
         let sides = DMatrix::from_columns(&[origin.c.clone(), -&now.c_t, -&now.c_tt]);

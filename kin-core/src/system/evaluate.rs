@@ -119,7 +119,9 @@ impl Equations {
         if !depends.curved {
             let (entries, values) = (&self.entries[block.values()], &self.constants[block.values()]);
             // On the ground coordinates are not zero, as those who tell take them to be.
-            let told = block.constraint.sides_of_time().filter(|_| entries.iter().all(Option::is_some));
+            let can_tell = depends.c_on_t && entries.iter().all(Option::is_some);
+            let is_whole = |first: &usize| first.saturating_add(3 * block.rows().len()) <= block.timed.len as usize;
+            let told = block.constraint.sides_of_time().filter(|first| can_tell && is_whole(first));
             let sides = told.map_or(self.timed, |first| block.timed.first as usize + first);
             if self.linear.append(block.rows(), entries, values, sides) {
                 linear = Some(Straight { block: k, sides, told: told.is_some() });
@@ -193,18 +195,18 @@ impl Equations {
     /// Turns what one constraint has seen to what another one sees: less to write than all of it.
     #[inline(always)]
     fn show<'a>(&'a self, block: &Block, instant: &'a Instant, at: &mut At<'a>) {
-        at.turn(from(self.plan.arguments(), block.arguments.first), from(&instant.timed, block.timed.first));
+        at.turn(&self.plan.arguments()[block.arguments.range()], from(&instant.timed, block.timed.first));
     }
 
     /// Where all coordinates are zero, as a constraint sees it.
     fn origin(&self, t: f64, block: &Block) -> At<'_> {
-        At::new(t, self.plan.origin(), from(self.plan.arguments(), block.arguments.first))
+        At::new(t, self.plan.origin(), &self.plan.arguments()[block.arguments.range()])
     }
 
     /// The rates of all coordinates as a constraint sees them.
     #[inline(always)]
     fn rates<'a>(&'a self, block: &Block, rates: &'a [f64]) -> Rates<'a> {
-        Rates::new(rates, from(self.plan.arguments(), block.arguments.first))
+        Rates::new(rates, &self.plan.arguments()[block.arguments.range()])
     }
 
     /// The instant at coordinates q and time t.

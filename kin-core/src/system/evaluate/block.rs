@@ -67,6 +67,6 @@ impl Block {
 
 /// What begins there, with all that follows: a constraint knows how much of it is its own.
 #[inline(always)]
-pub(super) fn from<T>(all: &[T], first: u32) -> &[T] {
+pub(super) fn from(all: &[f64], first: u32) -> &[f64] {
     &all[first as usize..]
 }
