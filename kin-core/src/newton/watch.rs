@@ -50,7 +50,7 @@ impl Watch {
 
     /// Asks every law with breaks, which was asked at the time `before`.
     fn cross(&mut self, system: &System, instant: &Instant, before: f64, crossed: &mut Vec<CrossedBreak>) -> Result<(), Error> {
-        let t = instant.t();
+        let (t, known) = (instant.t(), crossed.len());
         for asked in &mut self.asked {
             let block = &system.equations().blocks[asked.block];
             let (mut number, mut jump) = (0, None);
@@ -73,6 +73,8 @@ impl Watch {
             });
             if let (Some(found), Some(last)) = (jump, crossed.last()) {
                 let (constraint, law) = (last.constraint.clone(), last.law.clone());
+                // The run ends before them.
+                crossed.truncate(known);
                 return Err(Error::LawJumps { t, constraint, law, at: found.x, order: found.order, motion: None });
             }
         }
