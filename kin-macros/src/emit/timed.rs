@@ -36,42 +36,30 @@ fn sides(g: &mut Graph, rows: &[Node], derived: &Derivatives) -> Option<Vec<Node
     let side = |side: &[Node], k: usize| side.get(k).copied().unwrap_or(zero);
     let sides = [&derived.velocity_rhs, &derived.acceleration_rhs].into_iter().flat_map(|own| (0..rows.len()).map(|k| side(own, k)));
     let all: Vec<Node> = rows.iter().copied().chain(sides).collect();
-    all.into_iter().map(|node| at_origin(g, node)).collect()
+    // Each node once: parts may be shared many times over.
+    let mut known: Vec<Option<Node>> = vec![None; g.len()];
+    for node in g.reachable(&all) {
+        known[node.index()] = at_origin(g, node, |operand| known[operand.index()]);
+    }
+    all.into_iter().map(|node| known[node.index()]).collect()
 }
 
-/// A part of a linear row where all coordinates and their rates are zero, and ṫ = 1.
-fn at_origin(g: &mut Graph, node: Node) -> Option<Node> {
-    Some(match g.op(node) {
+/// A part of a linear row where all coordinates and their rates are zero, and ṫ = 1; `of` tells what its operands are there.
+fn at_origin(g: &mut Graph, node: Node, of: impl Fn(Node) -> Option<Node>) -> Option<Node> {
+    let op = g.op(node);
+    if g.operands(node).into_iter().all(|operand| of(operand) == Some(operand)) && !matches!(op, Op::Input(_)) {
+        return Some(node);
+    }
+    Some(match op {
         Op::Input(Input::State(_, Part::Sin | Part::Cos)) => return None,
         Op::Input(Input::State(..) | Input::Rate(..)) => g.zero(),
         Op::Input(Input::TimeRate) => g.constant(1.0),
-        _ if !g
-            .reachable(&[node])
-            .into_iter()
-            .any(|n| matches!(g.op(n), Op::Input(Input::State(..) | Input::Rate(..) | Input::TimeRate))) =>
-        {
-            node
-        }
-        Op::Neg(a) => {
-            let a = at_origin(g, a)?;
-            g.neg(a)
-        }
-        Op::Powi(a, n) => {
-            let a = at_origin(g, a)?;
-            g.powi(a, n)
-        }
-        Op::Add(a, b) => {
-            let (a, b) = (at_origin(g, a)?, at_origin(g, b)?);
-            g.add(a, b)
-        }
-        Op::Sub(a, b) => {
-            let (a, b) = (at_origin(g, a)?, at_origin(g, b)?);
-            g.sub(a, b)
-        }
-        Op::Mul(a, b) => {
-            let (a, b) = (at_origin(g, a)?, at_origin(g, b)?);
-            g.mul(a, b)
-        }
+        Op::Input(_) => node,
+        Op::Neg(a) => g.neg(of(a)?),
+        Op::Powi(a, n) => g.powi(of(a)?, n),
+        Op::Add(a, b) => g.add(of(a)?, of(b)?),
+        Op::Sub(a, b) => g.sub(of(a)?, of(b)?),
+        Op::Mul(a, b) => g.mul(of(a)?, of(b)?),
         _ => return None,
     })
 }

@@ -11,7 +11,11 @@ const LONGEST: Duration = Duration::from_secs(20);
 
 /// The expansion of one constraint on a coordinate `x` and a number `k`.
 fn expanded(body: &str) -> String {
-    let item = format!("fn f(x: Coord, k: f64, n: usize) -> f64 {{ {body} }}");
+    expanded_with("x: Coord, k: f64, n: usize", body)
+}
+
+fn expanded_with(inputs: &str, body: &str) -> String {
+    let item = format!("fn f({inputs}) -> f64 {{ {body} }}");
     let item: TokenStream = item.parse().unwrap_or_else(|error| panic!("{error}: {body}"));
     let start = Instant::now();
     let expansion = expand::constraint(TokenStream::new(), item).to_string();
@@ -109,6 +113,14 @@ fn branches_do_not_double_the_work() {
         (0..40).fold("let f0 = |y: f64| y.sin();".to_owned(), |all, i| format!("{all} let f{} = |y: f64| f{i}(y) + f{i}(k * y);", i + 1));
     let expansion = expanded(&format!("{closures} f40(x)"));
     assert!(is_symbolic(&expansion) || is_dual(&expansion));
+}
+
+/// Each sum is read twice: told apart, the paths to the bottom are more than anybody can count.
+#[test]
+fn shared_parts_of_linear_rows_do_not_double_the_work() {
+    let sums = "let c = a + b; let a = b; let b = c;".repeat(60);
+    let expansion = expanded_with("x: Coord, y: Coord, t: Time", &format!("let a = x; let b = y - t; {sums} b"));
+    assert!(is_symbolic(&expansion) && expansion.contains("sides_of_time"));
 }
 
 #[test]
