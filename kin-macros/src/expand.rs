@@ -3,9 +3,11 @@
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use quote::quote;
 
-use crate::lower::{Failure, Unreadable};
-use crate::parse::{Choice, ConstraintFn};
-use crate::{emit, limits, lower, parse};
+use kin_language::lower::{Failure, Unreadable};
+use kin_language::parse::{Choice, ConstraintFn};
+use kin_language::{limits, lower, parse};
+
+use crate::emit;
 
 /// `#[constraint]`
 pub fn constraint(attribute: TokenStream, item: TokenStream) -> TokenStream {

@@ -4,18 +4,11 @@
 //! The stages, in the order data moves: `parse` → `lower` (over `graph`) → `differentiate` → `emit`.
 #![forbid(unsafe_code)]
 
-mod differentiate;
+mod derivatives;
 mod emit;
-mod error;
 mod expand;
-mod graph;
-mod limits;
-mod lower;
-mod parse;
-mod schedule;
 #[cfg(test)]
 mod tests;
-mod vocabulary;
 
 use proc_macro::TokenStream;
 

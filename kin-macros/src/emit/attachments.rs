@@ -5,9 +5,9 @@ use quote::quote;
 use syn::visit::Visit;
 
 use super::kernel::Kernel;
-use crate::graph::Node;
-use crate::lower::Lowered;
-use crate::parse::{Argument, ConstraintFn, Kind, Shape};
+use kin_graph::Node;
+use kin_language::lower::Lowered;
+use kin_language::parse::{Argument, ConstraintFn, Kind, Shape};
 
 /// From the graph: everything that is fixed in a body, whatever it is computed from.
 pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {

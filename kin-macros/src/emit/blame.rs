@@ -8,11 +8,11 @@ use quote::quote;
 
 use super::kernel::Kernel;
 use super::{own, template};
-use crate::differentiate::local_column;
-use crate::graph::{Column, Input, LeafUse, Node, Op, Part};
-use crate::lower::place::Expression;
-use crate::lower::{Lowered, OpaqueKind};
-use crate::parse::{Argument, Kind};
+use crate::derivatives::local_column;
+use kin_graph::{Column, Input, LeafUse, Node, Op, Part};
+use kin_language::lower::place::Expression;
+use kin_language::lower::{Lowered, OpaqueKind};
+use kin_language::parse::{Argument, Kind};
 
 /// `table` and `outside` of the symbolic route, which `blame` stands on, the jerk, and proofs.
 pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
@@ -248,7 +248,7 @@ impl Table<'_> {
     fn opaque(&self, number: usize, x: &Ident, to: &Ident) -> TokenStream {
         let graph = &self.lowered.graph;
         let count = match &self.lowered.opaques[number].kind {
-            OpaqueKind::Numbers(shape) => shape.len(),
+            OpaqueKind::Numbers(shape) => shape.count(),
             OpaqueKind::Condition => 1,
         };
         let given = graph.opaques[number].iter().enumerate().map(|(k, &node)| {
@@ -273,7 +273,7 @@ impl Table<'_> {
         let OpaqueKind::Numbers(shape) = kind else { return quote!() };
         let inputs = (0..leaf.arguments.len()).map(literal).map(|k| quote!(::kin::rt::Real(#x[#k])));
         let ty = template::shape_type(shape, &quote!(::kin::rt::Real<::kin::rt::Dual3_64>));
-        let results = (0..shape.len()).map(|k| template::component(&value, kind, k));
+        let results = (0..shape.count()).map(|k| template::component(&value, kind, k));
         quote! {
             let #value: #ty = self.#function([#(#inputs),*]);
             #(#to.push(#results.0);)*

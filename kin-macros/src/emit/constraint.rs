@@ -5,9 +5,9 @@ use quote::quote;
 
 use super::lanes::{self, LaneCode};
 use super::{attachments, blame, demands, described, functions, measures, rewrite, template, written};
-use crate::differentiate::Derivatives;
-use crate::lower::Lowered;
-use crate::parse::{Argument, ConstraintFn, Kind, Shape};
+use crate::derivatives::Derivatives;
+use kin_language::lower::Lowered;
+use kin_language::parse::{Argument, ConstraintFn, Kind, Shape};
 
 /// What both routes need to know.
 struct Frame<'a> {
@@ -299,7 +299,7 @@ fn rows(output: &Shape) -> usize {
         Shape::Array(inner, n) => n * rows(inner),
         Shape::Tuple(all) => all.iter().map(rows).sum(),
         Shape::Any => 1,
-        shape => shape.len(),
+        shape => shape.count(),
     }
 }
 

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
 use super::written;
-use crate::parse::{Argument, ConstraintFn, Demand, Kind};
+use kin_language::parse::{Argument, ConstraintFn, Demand, Kind};
 
 /// `refusal`: what the parameters themselves refuse, then the first requirement that does not hold. Laws of a constraint with time in it
 /// drive the motion.

@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use crate::parse::{Argument, ConstraintFn, Kind};
+use kin_language::parse::{Argument, ConstraintFn, Kind};
 
 /// `Constraint::describe`: every parameter under its name.
 pub fn describe(source: &ConstraintFn) -> TokenStream {

@@ -5,10 +5,10 @@ use quote::quote;
 
 use super::kernel::{Code, Kernel};
 use super::timed::{self, Timed};
-use crate::differentiate::Derivatives;
-use crate::graph::{Graph, Node, Op};
-use crate::lower::Lowered;
-use crate::parse::Argument;
+use crate::derivatives::Derivatives;
+use kin_graph::{Graph, Node, Op};
+use kin_language::lower::Lowered;
+use kin_language::parse::Argument;
 
 /// `residual`, `jacobian`, `linearize`, `velocity_rhs`, `acceleration_rhs` and `blame`.
 pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivatives) -> TokenStream {
@@ -155,7 +155,7 @@ pub fn laws(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
     let code = code.tokens;
     let shown = asked.iter().enumerate().map(|(k, (law, _))| {
         let (x, place) = (super::own(&format!("x_{k}")), super::template::place(&lowered.laws[*law]));
-        let name = crate::lower::tidy(&place.to_string()).replace(' ', "");
+        let name = kin_language::lower::tidy(&place.to_string()).replace(' ', "");
         let name = name.trim_start_matches("self.");
         quote!(visit(#name, &#place, #x);)
     });

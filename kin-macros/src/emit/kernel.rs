@@ -13,10 +13,10 @@ use words::{comparison_method, sign};
 
 use super::slots::{Slot, binding, slots};
 use super::timed::{self, Timed};
-use crate::graph::{Function, Function2, Graph, Input, Node, Op, Part};
-use crate::lower::{Lowered, OpaqueKind};
-use crate::parse::Argument;
-use crate::schedule::{self, order};
+use kin_graph::schedule::{self, order};
+use kin_graph::{Function, Function2, Graph, Input, Node, Op, Part};
+use kin_language::lower::{Lowered, OpaqueKind};
+use kin_language::parse::Argument;
 
 /// Nested this deep, an expression gets a name although it is used once.
 const DEEPEST: usize = 5;

@@ -11,11 +11,11 @@ use quote::quote;
 
 use super::kernel::{Evaluations, Kernel, is_condition};
 use super::{functions, own, timed};
-use crate::differentiate::Derivatives;
-use crate::graph::{Graph, Input, LeafNumber, Node, Op};
-use crate::lower::Lowered;
-use crate::parse::Argument;
-use crate::schedule;
+use crate::derivatives::Derivatives;
+use kin_graph::schedule;
+use kin_graph::{Graph, Input, LeafNumber, Node, Op};
+use kin_language::lower::Lowered;
+use kin_language::parse::Argument;
 
 /// The method of `impl Constraint`, and the two implementations beside it.
 pub struct LaneCode {

@@ -5,9 +5,9 @@ use quote::quote;
 
 use super::kernel::Kernel;
 use super::{blame, demands, rewrite, template, written};
-use crate::differentiate::Partial;
-use crate::lower::Lowered;
-use crate::parse::LawFn;
+use kin_graph::differentiate::Partial;
+use kin_language::lower::Lowered;
+use kin_language::parse::LawFn;
 
 /// The law with its derivatives to third order, symbolic where the body could be read.
 pub fn law(source: &LawFn, lowered: Option<Lowered>) -> TokenStream {

@@ -5,7 +5,7 @@ use quote::quote;
 use syn::{Block, parse_quote};
 
 use super::{demands, rewrite, written};
-use crate::parse::{ConstraintFn, Measure};
+use kin_language::parse::{ConstraintFn, Measure};
 
 /// `measures`, `ends` and `measure` of `impl Constraint`; nothing where there is none.
 pub fn methods(source: &ConstraintFn) -> TokenStream {

@@ -20,7 +20,7 @@ mod written;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::parse::{Argument, Kind};
+use kin_language::parse::{Argument, Kind};
 
 /// Type of a field of the emitted struct.
 fn field_type(argument: &Argument) -> TokenStream {

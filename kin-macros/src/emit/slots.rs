@@ -3,8 +3,8 @@
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
-use crate::graph::Part;
-use crate::parse::{Argument, Kind};
+use kin_graph::Part;
+use kin_language::parse::{Argument, Kind};
 
 /// One state argument in emitted code.
 pub struct Slot {

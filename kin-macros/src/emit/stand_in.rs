@@ -5,7 +5,7 @@ use quote::quote;
 use syn::{FnArg, Ident, Item, ItemFn, Type, Visibility};
 
 use super::functions;
-use crate::parse::{ConstraintFn, Kind, LawFn};
+use kin_language::parse::{ConstraintFn, Kind, LawFn};
 
 /// For a constraint whose signature was understood.
 pub fn constraint(source: &ConstraintFn) -> TokenStream {

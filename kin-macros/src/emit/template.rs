@@ -4,11 +4,11 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 
 use super::written::silent;
-use crate::graph::{Graph, Node};
-use crate::lower::template::Template;
-use crate::lower::{OpaqueKind, OpaqueValue, component_paths};
-use crate::parse::Shape;
-use crate::vocabulary::{is_number_method, is_reading_method, is_std_function};
+use kin_graph::{Graph, Node};
+use kin_language::lower::template::Template;
+use kin_language::lower::{OpaqueKind, OpaqueValue, component_paths};
+use kin_language::parse::Shape;
+use kin_language::vocabulary::{is_number_method, is_reading_method, is_std_function};
 
 /// The expression in plain numbers.
 pub fn plain(template: &Template, value: &mut dyn FnMut(Node) -> TokenStream) -> TokenStream {
@@ -209,7 +209,7 @@ pub fn build(shape: &Shape, numbers: &mut dyn Iterator<Item = TokenStream>) -> T
         Shape::Scalar | Shape::Any => numbers.next().unwrap_or_default(),
         Shape::Vector(_) | Shape::Matrix(_) | Shape::Euler => {
             let name = type_name(shape);
-            let all: Vec<TokenStream> = (0..shape.len()).map_while(|_| numbers.next()).collect();
+            let all: Vec<TokenStream> = (0..shape.count()).map_while(|_| numbers.next()).collect();
             quote!(::kin::rt::#name::new(#(#all),*))
         }
         Shape::Array(inner, n) => {

@@ -5,9 +5,9 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::kernel::{Kernel, is_condition};
-use crate::differentiate::Derivatives;
-use crate::graph::{Graph, Input, Node, Op, Part};
-use crate::lower::Lowered;
+use crate::derivatives::Derivatives;
+use kin_graph::{Graph, Input, Node, Op, Part};
+use kin_language::lower::Lowered;
 
 /// The numbers of a constraint that are evaluated once a time.
 pub struct Timed {

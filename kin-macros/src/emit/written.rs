@@ -8,8 +8,8 @@ use syn::visit_mut::{self, VisitMut};
 use syn::{Block, Type};
 
 use super::template;
-use crate::lower::Lowered;
-use crate::parse::{Argument, Kind};
+use kin_language::lower::Lowered;
+use kin_language::parse::{Argument, Kind};
 
 /// Constants and types for the copies to stand on: `__WRITTEN` is the function, `__SOUND` whether it compiles, `__Dual` and `__Real` are types
 /// that stand if it does.
@@ -40,7 +40,7 @@ pub fn written(
 
 /// `__CONSTANTS`: whether constants and the user's parameters are of the types they were taken for. A wrong one is blamed at its token.
 fn constants(owner: &Ident, lowered: &Lowered) -> TokenStream {
-    let constant = |value: &&crate::lower::OpaqueValue| value.template.nodes().is_empty();
+    let constant = |value: &&kin_language::lower::OpaqueValue| value.template.nodes().is_empty();
     let checks: Vec<TokenStream> = lowered
         .opaques
         .iter()

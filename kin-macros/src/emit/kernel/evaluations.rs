@@ -5,8 +5,8 @@ use quote::quote;
 
 use super::{Kernel, is_condition, number};
 use crate::emit::template;
-use crate::graph::{Leaf, LeafNumber, LeafUse, Node, Op};
-use crate::lower::OpaqueKind;
+use kin_graph::{Leaf, LeafNumber, LeafUse, Node, Op};
+use kin_language::lower::OpaqueKind;
 
 impl Kernel<'_> {
     /// Nodes that come out of an evaluation with several results: laws, opaque values, leaves.

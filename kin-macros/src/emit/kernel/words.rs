@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use crate::graph::Comparison;
+use kin_graph::Comparison;
 
 /// A number as a literal.
 pub fn number(value: f64) -> TokenStream {

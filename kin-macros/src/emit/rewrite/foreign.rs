@@ -9,7 +9,7 @@ use syn::{Expr, ExprMethodCall, Lit, UnOp, parse_quote, parse_quote_spanned};
 
 use super::scopes::Nature;
 use super::{Copy, Rewriter};
-use crate::vocabulary::{
+use kin_language::vocabulary::{
     is_changing_method, is_kin_function, is_kin_type, is_number_function, is_number_method, is_reading_method, is_std_function, names,
 };
 

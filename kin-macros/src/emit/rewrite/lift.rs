@@ -7,7 +7,7 @@ use syn::visit_mut::{self, VisitMut};
 use syn::{Arm, Expr, Lit, Pat, Type, parse_quote, parse_quote_spanned};
 
 use super::{Copy, Rewriter};
-use crate::vocabulary::is_integer;
+use kin_language::vocabulary::is_integer;
 
 /// f64 → `Real<D>` in types.
 pub struct Lifter<'a>(pub &'a Ident);

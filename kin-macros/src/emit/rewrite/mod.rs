@@ -16,8 +16,8 @@ use syn::visit::Visit;
 use syn::visit_mut::{self, VisitMut};
 use syn::{Block, Expr, FnArg, Item, ItemFn, Pat, Stmt, Type, parse_quote};
 
-use crate::lower::Expressions;
-use crate::parse::{Argument, Kind};
+use kin_language::lower::Expressions;
+use kin_language::parse::{Argument, Kind};
 use lift::Lifter;
 use scopes::{Inputs, Name, Nature, Scopes, Variable};
 

@@ -6,7 +6,7 @@ use syn::{Block, Expr, Stmt, UnOp};
 
 use super::Rewriter;
 use super::scopes::{Name, Nature, Variable};
-use crate::vocabulary::{is_kin_function, is_kin_type, is_number_function, is_number_method, is_std_function};
+use kin_language::vocabulary::{is_kin_function, is_kin_type, is_number_function, is_number_method, is_std_function};
 
 impl Rewriter {
     pub fn nature(&self, expression: &Expr) -> Nature {

@@ -1,0 +1,34 @@
+//! Differentiation over the graph, by its own constructors: derivatives are born simplified and share what they have in common.
+
+mod jets;
+mod partial;
+mod rules;
+#[cfg(test)]
+mod tests;
+
+use crate::Node;
+
+pub use jets::Jets;
+pub use partial::Partial;
+
+/// What has been found of each node, by its number.
+#[derive(Default)]
+struct Memo<T>(Vec<Option<T>>);
+
+impl<T: Copy + Default> Memo<T> {
+    fn has(&self, node: Node) -> bool {
+        matches!(self.0.get(node.index()), Some(Some(_)))
+    }
+
+    /// Of a node that has been looked at.
+    fn of(&self, node: Node) -> T {
+        self.0.get(node.index()).copied().flatten().unwrap_or_default()
+    }
+
+    fn set(&mut self, node: Node, value: T) {
+        if self.0.len() <= node.index() {
+            self.0.resize(node.index() + 1, None);
+        }
+        self.0[node.index()] = Some(value);
+    }
+}

@@ -1,0 +1,147 @@
+//! First derivatives by one column of C_q, by t, or by the variable of a law.
+
+use super::{Memo, rules};
+use crate::{Column, Graph, Input, LeafNumber, LeafUse, Node, Op, Part};
+
+/// What to differentiate by.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum By {
+    Column(Column),
+    Time,
+    Variable,
+}
+
+/// Derivatives by one quantity; each node is differentiated once.
+pub struct Partial {
+    by: By,
+    memo: Memo<Node>,
+}
+
+impl Partial {
+    pub fn by_column(column: Column) -> Self {
+        Partial { by: By::Column(column), memo: Memo::default() }
+    }
+
+    pub fn by_time() -> Self {
+        Partial { by: By::Time, memo: Memo::default() }
+    }
+
+    pub fn by_variable() -> Self {
+        Partial { by: By::Variable, memo: Memo::default() }
+    }
+
+    /// The derivative of `node`.
+    pub fn of(&mut self, g: &mut Graph, node: Node) -> Node {
+        let unknown = self.unknown(g, node);
+        self.of_all(g, &unknown);
+        self.known(node)
+    }
+
+    /// What has to be differentiated before `node`, and itself. Operands come before their users, so a loop over them replaces a recursion as
+    /// deep as the expression.
+    pub fn unknown(&self, g: &Graph, node: Node) -> Vec<Node> {
+        g.unknown(&[node], |n| self.memo.has(n))
+    }
+
+    /// Differentiates what is [`Partial::unknown`].
+    pub fn of_all(&mut self, g: &mut Graph, unknown: &[Node]) {
+        let zero = g.zero();
+        for &node in unknown {
+            let derivative = if self.is_still(g, node) { zero } else { self.rule(g, node) };
+            self.memo.set(node, derivative);
+        }
+    }
+
+    /// The derivative of a node that is not unknown.
+    pub fn known(&self, node: Node) -> Node {
+        self.memo.of(node)
+    }
+
+    /// Whether nothing that a node is computed from has a derivative.
+    fn is_still(&self, g: &Graph, node: Node) -> bool {
+        let mut still = !matches!(g.op(node), Op::Input(_));
+        g.each_operand(node, |operand| still &= g.is_zero(self.known(operand)));
+        still
+    }
+
+    /// The derivative of `node` from those of its operands.
+    fn rule(&mut self, g: &mut Graph, node: Node) -> Node {
+        if !g.depends(node).varies() {
+            return g.zero();
+        }
+        match g.op(node) {
+            Op::Input(input) => input_derivative(g, input, self.by),
+            Op::Add(a, b) => g.add(self.known(a), self.known(b)),
+            Op::Sub(a, b) => g.sub(self.known(a), self.known(b)),
+            Op::Neg(a) => g.neg(self.known(a)),
+            Op::Mul(a, b) => {
+                let (left, right) = (g.mul(self.known(a), b), g.mul(a, self.known(b)));
+                g.add(left, right) // a′ b + a b′
+            }
+            Op::Fma(a, b, c) => {
+                let (left, right) = (g.mul(self.known(a), b), g.mul(a, self.known(b)));
+                let product = g.add(left, right);
+                g.add(product, self.known(c)) // a′ b + a b′ + c′
+            }
+            Op::Div(a, b) => {
+                let product = g.mul(node, self.known(b));
+                let numerator = g.sub(self.known(a), product);
+                g.div(numerator, b) // (a′ − y b′) / b
+            }
+            Op::Call(f, a) => self.chain(g, a, |g| rules::derivative(g, f, a, node)),
+            Op::Powi(a, n) => self.chain(g, a, |g| rules::power_derivative(g, a, n)),
+            Op::Law(law, a, order) => self.chain(g, a, |g| g.law(law, a, order + 1)),
+            Op::Call2(f, a, b) => {
+                let (by_a, by_b) = rules::derivatives2(g, f, a, b, node);
+                let (left, right) = (g.mul(by_a, self.known(a)), g.mul(by_b, self.known(b)));
+                g.add(left, right)
+            }
+            Op::Select(c, a, b) => g.select(c, self.known(a), self.known(b)),
+            Op::Leaf(of) => self.leaf(g, of),
+            Op::Constant(_) | Op::Opaque(..) | Op::Truth(_) | Op::Compare(..) | Op::And(..) | Op::Or(..) | Op::Not(_) => g.zero(),
+        }
+    }
+
+    /// f′ a′, where f′ is only built if a′ is not a structural zero.
+    fn chain(&self, g: &mut Graph, a: Node, outer: impl FnOnce(&mut Graph) -> Node) -> Node {
+        let inner = self.known(a);
+        if g.is_zero(inner) {
+            return inner;
+        }
+        let outer = outer(g);
+        g.mul(outer, inner)
+    }
+
+    /// Σ ∂f/∂aₖ aₖ′ for a call of the user's generic function.
+    fn leaf(&self, g: &mut Graph, of: LeafUse) -> Node {
+        let arguments = g.leaves[of.leaf].arguments.clone();
+        let zero = g.zero();
+        arguments.iter().enumerate().fold(zero, |sum, (k, &a)| {
+            let inner = self.known(a);
+            if g.is_zero(inner) {
+                return sum;
+            }
+            let outer = g.leaf_output(of.leaf, of.output, LeafNumber::Partial(k));
+            let term = g.mul(outer, inner);
+            g.add(sum, term)
+        })
+    }
+}
+
+/// Derivative of an input: the coordinates themselves, and the parts of states that are functions of them.
+fn input_derivative(g: &mut Graph, input: Input, by: By) -> Node {
+    let (argument, part) = match (input, by) {
+        (Input::Time, By::Time) | (Input::Variable, By::Variable) => return g.constant(1.0),
+        (Input::State(argument, part), By::Column(column)) if argument == column.argument => (argument, (part, column.part)),
+        _ => return g.zero(),
+    };
+    let state = |g: &mut Graph, part| g.input(Input::State(argument, part));
+    match part {
+        (Part::Sin, Part::Theta) => state(g, Part::Cos),
+        (Part::Cos, Part::Theta) => {
+            let sin = state(g, Part::Sin);
+            g.neg(sin)
+        }
+        (of, by) => g.constant(if of == by { 1.0 } else { 0.0 }),
+    }
+}

@@ -1,0 +1,124 @@
+//! Every derivative rule, at ordinary and at nasty points, against central differences and against the second-order jets.
+
+use std::collections::HashMap;
+
+use super::{Jets, Partial};
+use crate::testing::value;
+use crate::{Function, Function2, Graph, Input, Part};
+
+/// Ordinary points of each function, away from kinks.
+fn ordinary(f: Function) -> &'static [f64] {
+    match f {
+        Function::Asin | Function::Acos | Function::Atanh => &[-0.7, 0.1, 0.6],
+        Function::Acosh => &[1.3, 2.5],
+        Function::Ln | Function::Log2 | Function::Log10 | Function::Sqrt => &[0.3, 1.0, 4.7],
+        Function::Ln1p => &[-0.5, 0.2, 3.0],
+        _ => &[-2.3, -0.4, 0.35, 1.7],
+    }
+}
+
+#[test]
+fn every_function_agrees_with_central_differences() {
+    let h = 1e-5;
+    for &f in Function::ALL {
+        let mut g = Graph::default();
+        let x = g.input(Input::Variable);
+        let y = g.call(f, x);
+        let mut d = Partial::by_variable();
+        let first = d.of(&mut g, y);
+        let second = d.of(&mut g, first);
+        for &at in ordinary(f) {
+            let eval = |node, x| value(&g, node, &HashMap::from([(Input::Variable, x)]));
+            for (node, derivative) in [(y, first), (first, second)] {
+                let central = (eval(node, at + h) - eval(node, at - h)) / (2.0 * h);
+                let exact = eval(derivative, at);
+                assert!((exact - central).abs() < 1e-7 * (1.0 + exact.abs()), "{f:?} at {at}: {exact} is not {central}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_function_of_two_agrees_with_central_differences() {
+    let h = 1e-5;
+    let [p, q] = [0, 1].map(|k| Input::State(k, Part::Theta));
+    for &f in Function2::ALL {
+        let mut g = Graph::default();
+        let (x, y) = (g.input(p), g.input(q));
+        let z = g.call2(f, x, y);
+        let columns = g.columns(&[z]);
+        for at in [[0.7, 1.9], [2.6, 0.45], [1.1, 3.0]] {
+            let eval = |g: &Graph, node, at: [f64; 2]| value(g, node, &HashMap::from([(p, at[0]), (q, at[1])]));
+            for (k, column) in columns.iter().enumerate() {
+                let exact = Partial::by_column(*column).of(&mut g, z);
+                let (mut up, mut down) = (at, at);
+                up[k] += h;
+                down[k] -= h;
+                let central = (eval(&g, z, up) - eval(&g, z, down)) / (2.0 * h);
+                let exact = eval(&g, exact, at);
+                assert!((exact - central).abs() < 1e-8 * (1.0 + exact.abs()), "{f:?} at {at:?} by {k}: {exact} is not {central}");
+            }
+        }
+    }
+}
+
+#[test]
+fn derivatives_at_nasty_points_are_the_documented_ones() {
+    let cases = [
+        (Function::Abs, 0.0, 1.0),
+        (Function::Abs, -0.0, 1.0),
+        (Function::Signum, 0.0, 0.0),
+        (Function::Floor, 1.0, 0.0),
+        (Function::Fract, 2.0, 1.0),
+        (Function::Sin, 0.0, 1.0),
+        (Function::Cos, 0.0, 0.0),
+        (Function::Tanh, 0.0, 1.0),
+        (Function::Asinh, 0.0, 1.0),
+        (Function::Ln1p, 0.0, 1.0),
+        (Function::ExpM1, 0.0, 1.0),
+    ];
+    for (f, at, expected) in cases {
+        let mut g = Graph::default();
+        let x = g.input(Input::Variable);
+        let y = g.call(f, x);
+        let first = Partial::by_variable().of(&mut g, y);
+        assert_eq!(value(&g, first, &HashMap::from([(Input::Variable, at)])), expected, "{f:?} at {at}");
+    }
+}
+
+/// Along x = x0 + v s the second jet is f″ v², for any composition.
+#[test]
+fn jets_are_derivatives_along_the_motion() {
+    let (state, rate) = (Input::State(0, Part::R(0)), Input::Rate(0, Part::R(0)));
+    for &f in Function::ALL {
+        let mut g = Graph::default();
+        let x = g.input(state);
+        let half = g.constant(0.5);
+        let inner = g.mul(half, x);
+        let y = g.call(f, inner);
+        let y = g.div(y, x);
+        let column = g.columns(&[y])[0];
+        let mut d = Partial::by_column(column);
+        let first = d.of(&mut g, y);
+        let second = d.of(&mut g, first);
+        let jet = Jets::default().of(&mut g, y);
+        for &at in ordinary(f) {
+            let inputs = HashMap::from([(state, 2.0 * at), (rate, 1.7)]);
+            let pairs = [(value(&g, first, &inputs) * 1.7, jet.first), (value(&g, second, &inputs) * 1.7 * 1.7, jet.second)];
+            for (expected, node) in pairs {
+                let got = value(&g, node, &inputs);
+                assert!((got - expected).abs() < 1e-12 * (1.0 + expected.abs()), "{f:?} at {at}: {got} is not {expected}");
+            }
+        }
+    }
+}
+
+/// x^1.5 at 0 has value and slope 0; an exponent that is a plain number must bring in no logarithm.
+#[test]
+fn power_of_zero_is_finite() {
+    let mut g = Graph::default();
+    let (x, e) = (g.input(Input::Variable), g.constant(1.5));
+    let y = g.call2(Function2::Powf, x, e);
+    let first = Partial::by_variable().of(&mut g, y);
+    assert_eq!(value(&g, first, &HashMap::from([(Input::Variable, 0.0)])), 0.0);
+}

@@ -1,0 +1,16 @@
+//! The equation as data: a hash-consed scalar graph over one list of functions, with exact simplification, derivatives by its own
+//! constructors, and the schedule that turns it into code for few operations.
+//!
+//! The rooms, in the order in which they stand on one another: `functions` → `graph` → `differentiate` → `schedule`. Nothing here knows the
+//! language that an equation was written in, or the solver that it is for.
+#![forbid(unsafe_code)]
+
+pub mod differentiate;
+pub mod functions;
+pub mod graph;
+pub mod schedule;
+#[cfg(test)]
+mod testing;
+
+pub use functions::{Function, Function2};
+pub use graph::{Column, Comparison, Depends, Direction, Graph, Input, Leaf, LeafNumber, LeafUse, Node, Op, Part, is_power_of_two};

@@ -1,0 +1,248 @@
+//! Calls: vectors and matrices by their constructors, f64's functions as paths, functions of the body's own and of the user's.
+
+use quote::ToTokens;
+use syn::{Expr, ExprCall, ExprPath};
+
+use super::template::Template;
+use super::value::{Components, Value};
+use super::{Read, Reader, Unreadable};
+use crate::vocabulary::{is_std_function, names};
+use kin_graph::{Function, Function2, Graph, Node};
+
+pub use crate::vocabulary::is_number_function;
+
+impl Reader {
+    pub fn call(&mut self, call: &ExprCall) -> Read {
+        let places: Vec<&Expr> = call.args.iter().collect();
+        let callee = match strip(&call.func) {
+            Expr::Path(path) => match path.path.get_ident().and_then(|name| self.scopes.get(&name.to_string()).cloned()) {
+                Some(variable) => variable,
+                None => {
+                    let arguments = self.expressions(call.args.iter())?;
+                    return self.call_path(path, arguments, &places, call);
+                }
+            },
+            other => self.expression(other)?,
+        };
+        let arguments = self.expressions(call.args.iter())?;
+        match callee.referent() {
+            Value::Function(function) => self.apply(&function, arguments, &places, call),
+            Value::Opaque(Template::Path(path)) => self.call_path(&path, arguments, &places, call),
+            Value::Opaque(template) if !template.has_choice() => self.own_function(template, arguments, &places, call),
+            Value::Opaque(_) => Err(Unreadable::new(&call.func, "a call of one of two functions")),
+            value @ (Value::Poison | Value::Never) => Ok(value),
+            other => Ok(self.mistake(&call.func, format!("{} cannot be called", other.name()))),
+        }
+    }
+
+    /// A call of a function by its name.
+    pub fn call_path(&mut self, path: &ExprPath, arguments: Vec<Value>, places: &[&Expr], at: &dyn ToTokens) -> Read {
+        let names = names(path);
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let call = Call { path, places, at };
+        match names[..] {
+            [.., "vec2"] => Ok(self.make(Components::Vector(2), arguments, &call)),
+            [.., "vec3"] => Ok(self.make(Components::Vector(3), arguments, &call)),
+            [.., ty @ ("Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters"), function] => self.associated(ty, function, arguments, &call),
+            ["f64", "from"] => self.number_from(arguments, &call),
+            ["f64", function] => self.number_function(function, arguments, &call),
+            [.., "array", "from_fn"] if arguments.len() == 1 => self.array_from_fn(arguments, &call),
+            _ => {
+                let path = Template::Path(call.path.clone());
+                self.own_function(path, arguments, places, at)
+            }
+        }
+    }
+
+    /// A constructor from its components.
+    fn make(&mut self, kind: Components, arguments: Vec<Value>, call: &Call) -> Value {
+        match self.numbers(kind.len(), arguments, call) {
+            Some(nodes) => kind.value(nodes),
+            None => Value::Poison,
+        }
+    }
+
+    /// The arguments as `n` numbers.
+    fn numbers(&mut self, n: usize, arguments: Vec<Value>, call: &Call) -> Option<Vec<Node>> {
+        if arguments.len() != n {
+            let name = super::tidy(&call.path.to_token_stream().to_string());
+            self.mistake(call.path, format!("`{name}` takes {n} number{}, not {}", if n == 1 { "" } else { "s" }, arguments.len()));
+            return None;
+        }
+        Some(arguments.into_iter().enumerate().map(|(k, value)| self.scalar(value, call.place(k))).collect())
+    }
+
+    /// Constructors and other functions of vector and matrix types.
+    fn associated(&mut self, ty: &str, function: &str, mut arguments: Vec<Value>, call: &Call) -> Read {
+        let n = if ty.ends_with('2') { 2 } else { 3 };
+        let kind = match ty {
+            "EulerParameters" => Components::Euler,
+            ty if ty.starts_with('V') => Components::Vector(n),
+            _ => Components::Matrix(n),
+        };
+        let axis = ["x", "y", "z"].iter().position(|name| *name == function);
+        Ok(match (function, kind, arguments.len()) {
+            ("new", kind, _) => self.make(kind, arguments, call),
+            ("zeros" | "default", Components::Vector(_) | Components::Matrix(_), 0) | ("zeros", _, 0) => self.constants(kind, |_| false),
+            ("x" | "y" | "z", Components::Vector(_), 0) => self.constants(kind, |k| Some(k) == axis),
+            ("identity", Components::Matrix(n), 0) => self.constants(kind, |k| k % n == k / n),
+            ("identity" | "default", Components::Euler, 0) => self.constants(kind, |k| k == 0),
+            ("rotation", Components::Matrix(2), 1) => {
+                let Some(angle) = self.numbers(1, arguments, call) else { return Ok(Value::Poison) };
+                let (sin, cos) = (self.graph.call(Function::Sin, angle[0]), self.graph.call(Function::Cos, angle[0]));
+                Value::Matrix(2, vec![cos, self.graph.neg(sin), sin, cos])
+            }
+            ("from_axis_angle", Components::Euler, 2) => {
+                let (angle, axis) = (arguments.pop().unwrap_or(Value::Poison), arguments.remove(0));
+                let (axis, angle) = (self.convertible(axis, 3, call.place(0)), self.scalar(angle, call.place(1)));
+                Value::Euler(self.axis_angle(&axis, angle))
+            }
+            ("skew", Components::Matrix(3), 1) => {
+                let v = self.convertible(arguments.remove(0), 3, call.place(0));
+                Value::Matrix(3, self.skew(&v))
+            }
+            ("from_rows" | "from_columns", Components::Matrix(n), 1) | ("from", Components::Matrix(n), 1) => {
+                let rows = self.rows_of(arguments.remove(0), n, call)?;
+                Value::Matrix(n, if function == "from_columns" { super::state::transpose(&rows) } else { rows })
+            }
+            ("from", kind, 1) => match arguments.remove(0).referent() {
+                value if value.components().is_some_and(|(own, _)| own == kind) => value,
+                Value::Array(all) | Value::Tuple(all) if all.len() == kind.len() => {
+                    kind.value(all.into_iter().map(|part| self.scalar(part, call.place(0))).collect())
+                }
+                value => self.shaped(value, &kind.shape(), call.place(0)),
+            },
+            _ => return Err(Unreadable::new(call.path, format!("`{ty}::{function}`"))),
+        })
+    }
+
+    fn constants(&mut self, kind: Components, is_one: impl Fn(usize) -> bool) -> Value {
+        kind.value((0..kind.len()).map(|k| self.graph.constant(if is_one(k) { 1.0 } else { 0.0 })).collect())
+    }
+
+    /// The entries of n rows, given as an array of vectors or arrays.
+    fn rows_of(&mut self, value: Value, n: usize, call: &Call) -> Read<Vec<Node>> {
+        match value.referent() {
+            Value::Matrix(side, m) if side == n => Ok(m),
+            Value::Array(rows) if rows.len() == n => Ok(rows.into_iter().flat_map(|row| self.convertible(row, n, call.place(0))).collect()),
+            _ => Err(Unreadable::new(call.path, "a matrix from this")),
+        }
+    }
+
+    /// ã, with ã b = a × b.
+    fn skew(&mut self, a: &[Node]) -> Vec<Node> {
+        let (zero, minus) = (self.graph.zero(), [a[0], a[1], a[2]].map(|n| self.graph.neg(n)));
+        vec![zero, minus[2], a[1], a[2], zero, minus[0], minus[1], a[0], zero]
+    }
+
+    /// (cos φ/2, u sin φ/2)
+    fn axis_angle(&mut self, axis: &[Node], angle: Node) -> Vec<Node> {
+        let half = self.graph.constant(0.5);
+        let half = self.graph.mul(half, angle);
+        let (sin, cos) = (self.graph.call(Function::Sin, half), self.graph.call(Function::Cos, half));
+        let norm = self.norm(axis);
+        let unit: Vec<Node> = axis.iter().map(|&n| self.graph.div(n, norm)).collect();
+        std::iter::once(cos).chain(unit.into_iter().map(|n| self.graph.mul(n, sin))).collect()
+    }
+
+    fn number_from(&mut self, mut arguments: Vec<Value>, call: &Call) -> Read {
+        match (arguments.len(), arguments.pop().map(Value::referent)) {
+            (1, Some(Value::Integer(k))) => Ok(Value::Scalar(self.graph.constant(k as f64))),
+            (1, Some(Value::Scalar(n))) => Ok(Value::Scalar(n)),
+            (1, Some(value)) => {
+                let template = self.template(value, call.at)?;
+                Ok(Value::Opaque(Template::Call(Box::new(Template::Path(call.path.clone())), vec![template])))
+            }
+            _ => Ok(self.mistake(call.at, "`f64::from` takes one argument")),
+        }
+    }
+
+    /// `f64::sin(x)`
+    fn number_function(&mut self, function: &str, mut arguments: Vec<Value>, call: &Call) -> Read {
+        if arguments.is_empty() {
+            return Ok(self.mistake(call.at, format!("`f64::{function}` needs an argument")));
+        }
+        let first = arguments.remove(0);
+        let x = self.scalar(first, call.place(0));
+        if function == "powi" && arguments.len() == 1 {
+            return self.power(x, arguments.remove(0), call.place(1), call.at);
+        }
+        let known = Function::from_method(function).is_some()
+            || Function2::from_method(function).is_some()
+            || matches!(function, "sin_cos" | "recip" | "to_radians" | "to_degrees" | "copysign" | "log" | "mul_add" | "clamp");
+        if !known {
+            return Err(Unreadable::new(call.path, format!("`f64::{function}`")));
+        }
+        let rest: Vec<Node> = arguments.into_iter().enumerate().map(|(k, value)| self.scalar(value, call.place(k + 1))).collect();
+        Ok(self.scalar_function(x, function, &rest, call.at))
+    }
+
+    /// `std::array::from_fn(f)`, of the length in its type arguments or that of its place.
+    fn array_from_fn(&mut self, mut arguments: Vec<Value>, call: &Call) -> Read {
+        let value = arguments.remove(0).referent();
+        let Some(place) = call.places.first() else { return Err(Unreadable::new(call.path, "a function that is not a closure")) };
+        let f = self.function(value, place)?;
+        let given = call.path.path.segments.last().and_then(|last| match &last.arguments {
+            syn::PathArguments::AngleBracketed(given) => given.args.iter().nth(1),
+            _ => None,
+        });
+        match given {
+            Some(syn::GenericArgument::Const(length)) => {
+                let ty: syn::Type = syn::parse_quote!([_; #length]);
+                self.typed(Value::Generator(f), &ty, call.at)
+            }
+            _ => Ok(Value::Generator(f)),
+        }
+    }
+
+    /// A function of the user's: repeated in emitted code, called with numbers that carry derivatives where its arguments do.
+    fn own_function(&mut self, callee: Template, arguments: Vec<Value>, places: &[&Expr], at: &dyn ToTokens) -> Read {
+        let mut templates = Vec::new();
+        for (k, value) in arguments.into_iter().enumerate() {
+            let place = places.get(k).map_or(at, |place| *place as &dyn ToTokens);
+            templates.push(self.template(value, place)?);
+        }
+        let std = matches!(&callee, Template::Path(path) if is_std_function(path));
+        if std && templates.iter().any(|template| !template.nodes().is_empty()) {
+            return Err(Unreadable::new(at, "this function of the standard library"));
+        }
+        Ok(Value::Opaque(Template::Call(Box::new(callee), templates)))
+    }
+
+    pub fn norm(&mut self, v: &[Node]) -> Node {
+        let square = self.dot(v, v);
+        self.graph.call(Function::Sqrt, square)
+    }
+
+    /// a (1 − t) + b t
+    pub fn lerp(&mut self, a: &[Node], b: &[Node], t: Node) -> Vec<Node> {
+        let one = self.graph.constant(1.0);
+        let rest = self.graph.sub(one, t);
+        let weighted = |g: &mut Graph, a: Node, b: Node| {
+            let (a, b) = (g.mul(a, rest), g.mul(b, t));
+            g.add(a, b)
+        };
+        a.iter().zip(b).map(|(&a, &b)| weighted(&mut self.graph, a, b)).collect()
+    }
+}
+
+/// A call by name, with the expressions of its arguments, for messages.
+struct Call<'a> {
+    path: &'a ExprPath,
+    places: &'a [&'a Expr],
+    at: &'a dyn ToTokens,
+}
+
+impl Call<'_> {
+    fn place(&self, k: usize) -> &dyn ToTokens {
+        self.places.get(k).map_or(self.at, |place| *place as &dyn ToTokens)
+    }
+}
+
+fn strip(expression: &Expr) -> &Expr {
+    match expression {
+        Expr::Paren(inner) => strip(&inner.expr),
+        Expr::Group(inner) => strip(&inner.expr),
+        other => other,
+    }
+}

@@ -1,0 +1,330 @@
+//! From values to what a place asks for: a number, a vector, a condition, a value of a type that is written there. An opaque value becomes
+//! what its place says; unless a place says otherwise it is a number.
+
+use quote::{ToTokens, quote};
+use syn::{BinOp, Type, UnOp};
+
+use crate::parse::{Shape, literal_length, shape};
+use crate::vocabulary::is_integer;
+use kin_graph::{Input, LeafNumber, Node, Part};
+
+use super::template::Template;
+use super::value::Value;
+use super::{OpaqueKind, OpaqueValue, Read, Reader, Unreadable};
+
+impl Reader {
+    /// A number; a mistake at `at` (and some number) if it is something else.
+    pub fn scalar(&mut self, value: Value, at: &dyn ToTokens) -> Node {
+        match self.shaped(value, &Shape::Scalar, at) {
+            Value::Scalar(node) => node,
+            _ => self.poison(),
+        }
+    }
+
+    /// A vector of `n` components, or a mistake at `at`.
+    pub fn vector(&mut self, value: Value, n: usize, at: &dyn ToTokens) -> Vec<Node> {
+        match self.shaped(value, &Shape::Vector(n), at) {
+            Value::Vector(nodes) => nodes,
+            _ => vec![self.poison(); n],
+        }
+    }
+
+    /// A vector, or an array or tuple that converts into one.
+    pub fn convertible(&mut self, value: Value, n: usize, at: &dyn ToTokens) -> Vec<Node> {
+        match value.referent() {
+            Value::Array(all) | Value::Tuple(all) if all.len() == n => all.into_iter().map(|part| self.scalar(part, at)).collect(),
+            value => self.vector(value, n, at),
+        }
+    }
+
+    /// Stands for a number after a mistake; depends on a coordinate, so that no second message follows from it.
+    fn poison(&mut self) -> Node {
+        self.graph.input(Input::State(0, Part::Theta))
+    }
+
+    /// A condition, or a mistake at `at`.
+    pub fn condition(&mut self, value: Value, at: &dyn ToTokens) -> Node {
+        match value.referent() {
+            Value::Condition(node) => node,
+            Value::Opaque(Template::Choice(condition, a, b)) => {
+                let (a, b) = (self.condition(Value::Opaque(*a), at), self.condition(Value::Opaque(*b), at));
+                let (yes, not) = (self.graph.and(condition, a), self.graph.not(condition));
+                let no = self.graph.and(not, b);
+                self.graph.or(yes, no)
+            }
+            Value::Opaque(template) => self.opaque(template, OpaqueKind::Condition)[0],
+            Value::Poison | Value::Never => self.graph.bool(true),
+            other => {
+                self.mistake(at, format!("this must be a condition (bool), but it is {}", other.name()));
+                self.graph.bool(true)
+            }
+        }
+    }
+
+    /// A value of `shape`, or a mistake at `at`.
+    pub fn shaped(&mut self, value: Value, shape: &Shape, at: &dyn ToTokens) -> Value {
+        match (value, shape) {
+            (Value::Reference(inner), shape) => self.shaped(*inner, shape, at),
+            (Value::Poison, _) => Value::Poison,
+            (Value::Never, shape) => self.nowhere(shape),
+            (value, Shape::Any) => value,
+            (Value::Scalar(n), Shape::Scalar) => Value::Scalar(n),
+            (Value::Into(inner), shape) => self.converted(*inner, shape, at),
+            (Value::Array(all), Shape::Array(inner, n)) if all.len() == *n => {
+                Value::Array(all.into_iter().map(|v| self.shaped(v, inner, at)).collect())
+            }
+            (Value::Tuple(all), Shape::Tuple(shapes)) if all.len() == shapes.len() => {
+                Value::Tuple(all.into_iter().zip(shapes).map(|(v, s)| self.shaped(v, s, at)).collect())
+            }
+            (Value::Opaque(template), shape) => self.opaque_shaped(template, shape, at),
+            (Value::Integer(k), Shape::Scalar) => self.mistake(at, format!("`{k}` is an integer; a number is written `{k}.0`")),
+            (Value::Law(_), Shape::Scalar) => {
+                let name = at.to_token_stream();
+                self.mistake(at, format!("`{name}` is a Law: ask it for a value with `{name}.at(x)`"))
+            }
+            (Value::Euler(_), Shape::Vector(_)) => self.mistake(at, "Euler parameters are not a vector; `p.vector()` is (e1, e2, e3)"),
+            (value, shape) if value.components().is_some_and(|(kind, _)| kind.shape() == *shape) => value,
+            (other, shape) => self.mistake(at, format!("expected {}, but this is {}", shape.name(), other.name())),
+        }
+    }
+
+    /// `value.into()` in a place of `shape`.
+    fn converted(&mut self, value: Value, shape: &Shape, at: &dyn ToTokens) -> Value {
+        match (value.referent(), shape) {
+            (Value::Vector(v), Shape::Array(inner, n)) if **inner == Shape::Scalar && v.len() == *n => {
+                Value::Array(v.into_iter().map(Value::Scalar).collect())
+            }
+            (Value::Integer(k), Shape::Scalar) => Value::Scalar(self.graph.constant(k as f64)),
+            (value, Shape::Vector(n)) => Value::Vector(self.convertible(value, *n, at)),
+            (value, shape) => self.shaped(value, shape, at),
+        }
+    }
+
+    /// A value of `shape` where there is none: not a number.
+    pub fn nowhere(&mut self, shape: &Shape) -> Value {
+        let nan = self.graph.constant(f64::NAN);
+        Value::from_numbers(shape, &mut std::iter::repeat(nan)).unwrap_or(Value::Never)
+    }
+
+    /// A value under a type that is written there.
+    pub fn typed(&mut self, value: Value, ty: &Type, at: &dyn ToTokens) -> Read {
+        let value = match (value, ty) {
+            (Value::Poison, _) => return Ok(Value::Poison),
+            (Value::Reference(inner), Type::Reference(ty)) => return Ok(Value::Reference(Box::new(self.typed(*inner, &ty.elem, at)?))),
+            (value, Type::Reference(ty)) => return self.typed(value, &ty.elem, at),
+            (value, Type::Paren(ty)) => return self.typed(value, &ty.elem, at),
+            (value, Type::Group(ty)) => return self.typed(value, &ty.elem, at),
+            (value, Type::Infer(_)) => return Ok(value),
+            (Value::Generator(f), ty) => return self.generated(&f, ty, at),
+            (Value::Array(all), Type::Array(array)) if literal_length(&array.len).is_none_or(|n| n == all.len()) => {
+                return all.into_iter().map(|part| self.typed(part, &array.elem, at)).collect::<Read<_>>().map(Value::Array);
+            }
+            (Value::Tuple(all), Type::Tuple(tuple)) if all.len() == tuple.elems.len() => {
+                return all.into_iter().zip(&tuple.elems).map(|(part, ty)| self.typed(part, ty, at)).collect::<Read<_>>().map(Value::Tuple);
+            }
+            (value, _) => value,
+        };
+        match (shape(ty), named(ty).as_str()) {
+            (Some(shape), _) => Ok(self.shaped(value, &shape, at)),
+            (None, "bool") => Ok(Value::Condition(self.condition(value, at))),
+            (None, name) if is_integer(name) => self.typed_integer(value, name, at),
+            (None, "Vec") => self.typed_list(value, ty, at),
+            (None, name) => match value {
+                Value::Opaque(_) | Value::Never | Value::Unassigned => Ok(value),
+                Value::Function(_) if !matches!(ty, Type::Path(_)) => Ok(value),
+                Value::Law(_) if name == "Law" => Ok(value),
+                _ => Err(Unreadable::new(ty, format!("a value of type `{}`", super::tidy(&ty.to_token_stream().to_string())))),
+            },
+        }
+    }
+
+    fn typed_integer(&mut self, value: Value, name: &str, at: &dyn ToTokens) -> Read {
+        match value.referent() {
+            value @ (Value::Integer(_) | Value::Opaque(_) | Value::Never | Value::Poison) => Ok(value),
+            Value::Into(_) => Err(Unreadable::new(at, "a conversion into an integer")),
+            other => Ok(self.mistake(at, format!("expected {name}, but this is {}", other.name()))),
+        }
+    }
+
+    /// `Vec<T>`, as long as its length is known here.
+    fn typed_list(&mut self, value: Value, ty: &Type, at: &dyn ToTokens) -> Read {
+        let (Value::Array(all), Type::Path(path)) = (value, ty) else { return Err(Unreadable::new(ty, "a list of unknown length")) };
+        let part = path.path.segments.last().and_then(|last| match &last.arguments {
+            syn::PathArguments::AngleBracketed(arguments) => arguments.args.first(),
+            _ => None,
+        });
+        match part {
+            Some(syn::GenericArgument::Type(part)) => {
+                all.into_iter().map(|value| self.typed(value, part, at)).collect::<Read<_>>().map(Value::Array)
+            }
+            _ => Ok(Value::Array(all)),
+        }
+    }
+
+    /// An opaque value in a place of `shape`; its nodes are of the expression that it comes from.
+    fn opaque_shaped(&mut self, template: Template, shape: &Shape, at: &dyn ToTokens) -> Value {
+        let (first, expression) = (self.graph.len(), self.expressions.of_template(&template));
+        let value = self.computed(template, shape, at);
+        if let Some(expression) = expression {
+            self.expressions.give(first..self.graph.len(), expression);
+        }
+        value
+    }
+
+    /// Arithmetic with values of the graph in it is done in the graph; anything else is computed as a whole.
+    fn computed(&mut self, template: Template, shape: &Shape, at: &dyn ToTokens) -> Value {
+        let (known, scalar) = (!template.nodes().is_empty(), *shape == Shape::Scalar);
+        let components = matches!(shape, Shape::Vector(_) | Shape::Matrix(_) | Shape::Euler);
+        match template {
+            Template::Numbers(nodes, own, _) if own == *shape => {
+                Value::from_numbers(shape, &mut nodes.into_iter()).unwrap_or(Value::Poison)
+            }
+            Template::Binary(a, op, b) if known && (scalar && is_arithmetic(&op) || components && is_sum(&op)) => {
+                let (a, b) = (self.opaque_shaped(*a, shape, at), self.opaque_shaped(*b, shape, at));
+                self.combined(op, &a, &b, at)
+            }
+            Template::Binary(a, op @ BinOp::Mul(_), b) if components && is_number(&a) => {
+                let (a, b) = (self.opaque_shaped(*a, &Shape::Scalar, at), self.opaque_shaped(*b, shape, at));
+                self.combined(op, &a, &b, at)
+            }
+            Template::Binary(a, op @ (BinOp::Mul(_) | BinOp::Div(_)), b) if components && is_number(&b) => {
+                let (a, b) = (self.opaque_shaped(*a, shape, at), self.opaque_shaped(*b, &Shape::Scalar, at));
+                self.combined(op, &a, &b, at)
+            }
+            Template::Choice(condition, a, b) => {
+                let (a, b) = (self.opaque_shaped(*a, shape, at), self.opaque_shaped(*b, shape, at));
+                self.select(condition, &a, &b).unwrap_or(Value::Poison)
+            }
+            Template::Unary(UnOp::Neg(_), a) if known && (scalar || components) => {
+                let a = self.opaque_shaped(*a, shape, at);
+                self.negated(a)
+            }
+            template => {
+                let nodes = self.opaque(template, OpaqueKind::Numbers(shape.clone()));
+                Value::from_numbers(shape, &mut nodes.into_iter()).unwrap_or(Value::Poison)
+            }
+        }
+    }
+
+    /// Whether a template depends on a coordinate or on time.
+    pub fn varies(&self, template: &Template) -> bool {
+        template.nodes().iter().any(|&n| self.graph.depends(n).varies())
+    }
+
+    /// Components of an opaque value. Where it depends on coordinates or time it is a leaf, called with numbers that carry derivatives.
+    fn opaque(&mut self, template: Template, kind: OpaqueKind) -> Vec<Node> {
+        let count = if let OpaqueKind::Numbers(shape) = &kind { shape.count() } else { 1 };
+        if kind != OpaqueKind::Condition && self.varies(&template) {
+            return self.leaf(template, kind, count);
+        }
+        let template = self.guarded(template);
+        let nodes = template.nodes();
+        let key = format!("{} as {kind:?}", template.key());
+        let number = *self.opaque_index.entry(key).or_insert_with(|| {
+            self.opaques.push(OpaqueValue { template, kind });
+            self.graph.opaques.push(nodes);
+            self.opaques.len() - 1
+        });
+        (0..count).map(|k| self.graph.opaque(number, k)).collect()
+    }
+
+    /// What may panic is not computed where a branch around it is not taken, so far as that depends on parameters only.
+    fn guarded(&mut self, template: Template) -> Template {
+        if !template.may_panic() {
+            return template;
+        }
+        let always = self.graph.bool(true);
+        let conditions = self.path.clone();
+        let constant = conditions.into_iter().filter(|&c| !self.graph.depends(c).varies()).collect::<Vec<_>>();
+        let all = constant.into_iter().fold(always, |all, c| self.graph.and(all, c));
+        match self.graph.truth(all) {
+            Some(_) => template,
+            None => Template::When(all, Box::new(template)),
+        }
+    }
+
+    fn leaf(&mut self, template: Template, kind: OpaqueKind, count: usize) -> Vec<Node> {
+        let key = format!("{} as {kind:?}", template.key());
+        let number = match self.leaf_index.get(&key) {
+            Some(&number) => number,
+            None => {
+                let number = self.graph.leaf(self.leaves.len(), template.nodes());
+                self.leaves.push(OpaqueValue { template, kind });
+                self.leaf_index.insert(key, number);
+                number
+            }
+        };
+        (0..count).map(|k| self.graph.leaf_output(number, k, LeafNumber::Value)).collect()
+    }
+
+    /// A value as it is handed to something that only rustc knows.
+    pub fn template(&mut self, value: Value, at: &dyn ToTokens) -> Read<Template> {
+        if let Some((nodes, shape)) = value.numbers()
+            && !matches!(value, Value::Reference(_))
+        {
+            return Ok(Template::Numbers(nodes, shape, super::first_span(at)));
+        }
+        let mut all = |values: Vec<Value>| values.into_iter().map(|part| self.template(part, at)).collect::<Read<Vec<_>>>();
+        Ok(match value {
+            Value::Opaque(template) if template.has_choice() => {
+                return Err(Unreadable::new(at, "one of two values of unknown type handed to a function of your own"));
+            }
+            Value::Opaque(template) | Value::Law(template) => template,
+            Value::Reference(inner) => Template::Reference(Box::new(self.template(*inner, at)?)),
+            Value::Tuple(parts) => Template::Tuple(all(parts)?),
+            Value::Array(parts) => Template::Array(all(parts)?),
+            Value::Integer(k) => {
+                let k = proc_macro2::Literal::i64_unsuffixed(k);
+                Template::Tokens(quote!(#k))
+            }
+            Value::Poison => Template::Tokens(quote!(())),
+            Value::Condition(node) if self.graph.truth(node).is_some() => {
+                let truth = self.graph.truth(node) == Some(true);
+                Template::Tokens(quote!(#truth))
+            }
+            other => return Err(Unreadable::new(at, format!("{} handed to a function of your own", other.name()))),
+        })
+    }
+}
+
+fn is_sum(op: &BinOp) -> bool {
+    matches!(op, BinOp::Add(_) | BinOp::Sub(_))
+}
+
+pub fn is_arithmetic(op: &BinOp) -> bool {
+    is_sum(op) || matches!(op, BinOp::Mul(_) | BinOp::Div(_) | BinOp::Rem(_))
+}
+
+fn is_number(template: &Template) -> bool {
+    matches!(template, Template::Numbers(_, Shape::Scalar, _))
+}
+
+/// The last name of a type's path.
+fn named(ty: &Type) -> String {
+    match ty {
+        Type::Path(path) => path.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default(),
+        _ => String::new(),
+    }
+}
+
+impl Reader {
+    /// `std::array::from_fn(f)` of the length that its type says.
+    fn generated(&mut self, f: &super::function::Function, ty: &Type, at: &dyn ToTokens) -> Read {
+        let Type::Array(array) = ty else { return Err(Unreadable::new(at, "an array whose length is not known here")) };
+        let length = match literal_length(&array.len) {
+            Some(n) => i64::try_from(n).ok(),
+            None => match self.expression(&array.len)? {
+                Value::Integer(n) => Some(n),
+                _ => None,
+            },
+        };
+        let Some(n) = length.filter(|n| (0..=super::MOST_TURNS).contains(n)) else {
+            return Err(Unreadable::new(&array.len, "an array whose length is not known here"));
+        };
+        let all = (0..n).map(|k| {
+            let part = self.apply(f, vec![Value::Integer(k)], &[], at)?;
+            self.typed(part, &array.elem, at)
+        });
+        all.collect::<Read<_>>().map(Value::Array)
+    }
+}

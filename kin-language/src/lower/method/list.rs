@@ -1,0 +1,164 @@
+//! Methods of arrays, and of iterators over values known one by one.
+
+use syn::GenericArgument;
+
+use super::Call;
+use crate::lower::function::Function;
+use crate::lower::value::Value;
+use crate::lower::{Read, Reader, Unreadable};
+use crate::vocabulary::is_integer;
+use kin_graph::{Comparison, Graph};
+
+impl Reader {
+    /// A method of an array (`array`) or of an iterator.
+    pub(super) fn list_method(&mut self, all: Vec<Value>, array: bool, call: Call) -> Read {
+        let call = &call;
+        let iterator = |all: Vec<Value>| Ok(Value::Iterator(all));
+        match (call.name.as_str(), &call.arguments[..]) {
+            ("len", []) => Ok(Value::Integer(all.len() as i64)),
+            ("is_empty", []) => Ok(Value::Condition(self.graph.bool(all.is_empty()))),
+            ("iter", []) => iterator(all.into_iter().map(|value| Value::Reference(Box::new(value))).collect()),
+            ("into_iter", []) => iterator(all),
+            ("copied" | "cloned", []) => iterator(all.into_iter().map(Value::referent).collect()),
+            ("rev", []) => iterator(all.into_iter().rev().collect()),
+            ("enumerate", []) => iterator((0..).zip(all).map(|(k, value)| Value::Tuple(vec![Value::Integer(k), value])).collect()),
+            ("to_vec" | "collect" | "as_slice", []) => Ok(Value::Array(all.into_iter().map(Value::referent).collect())),
+            ("concat", []) => self.flattened(all, call).map(Value::Array),
+            ("flatten", []) => self.flattened(all, call).map(Value::Iterator),
+            ("sum", []) => self.folded(all, true, call),
+            ("product", []) => self.folded(all, false, call),
+            ("map" | "flat_map" | "filter" | "any" | "all", [f]) => {
+                let f = self.function(f.clone().referent(), call.places[0])?;
+                self.list_method_with(all, array, &f, call)
+            }
+            ("fold", [start, f]) => {
+                let f = self.function(f.clone().referent(), call.places[1])?;
+                all.into_iter().try_fold(start.clone(), |sum, value| self.apply(&f, vec![sum, value], &[], call))
+            }
+            ("zip" | "chain", [other]) => {
+                let Some(items) = self.elements(other.clone(), call.places[0])? else { return Ok(Value::Poison) };
+                match call.name.as_str() {
+                    "zip" => iterator(all.into_iter().zip(items).map(|(a, b)| Value::Tuple(vec![a, b])).collect()),
+                    _ => iterator(all.into_iter().chain(items).collect()),
+                }
+            }
+            ("contains", [one]) => self.contains(all, one.clone().referent(), call),
+            ("skip" | "take" | "step_by" | "windows" | "chunks" | "chunks_exact", [count]) => {
+                self.counted_part(all, count.clone().referent(), call)
+            }
+            _ => Err(Unreadable::new(&call.whole.method, format!("`{}` of an array or iterator", call.name))),
+        }
+    }
+
+    fn list_method_with(&mut self, all: Vec<Value>, array: bool, f: &Function, call: &Call) -> Read {
+        let mut each = |value: &Value| self.apply(f, vec![value.clone()], &[], call);
+        let results = all.iter().map(&mut each).collect::<Read<Vec<Value>>>()?;
+        match call.name.as_str() {
+            "map" if array => Ok(Value::Array(results)),
+            "map" => Ok(Value::Iterator(results)),
+            "flat_map" => self.flattened(results, call).map(Value::Iterator),
+            "filter" => {
+                let mut kept = Vec::new();
+                for (value, result) in all.into_iter().zip(results) {
+                    let condition = self.condition(result, call);
+                    match self.graph.truth(condition) {
+                        Some(true) => kept.push(value),
+                        Some(false) => {}
+                        None => return Err(Unreadable::new(&call.whole.method, "a `filter` by a condition that is open here")),
+                    }
+                }
+                Ok(Value::Iterator(kept))
+            }
+            name => {
+                let any = name == "any";
+                let join = if any { Graph::or } else { Graph::and };
+                let start = self.graph.bool(!any);
+                let joined = results.into_iter().fold(start, |sum, result| {
+                    let condition = self.condition(result, call);
+                    join(&mut self.graph, sum, condition)
+                });
+                Ok(Value::Condition(joined))
+            }
+        }
+    }
+
+    fn flattened(&mut self, all: Vec<Value>, call: &Call) -> Read<Vec<Value>> {
+        let mut flat = Vec::new();
+        for part in all {
+            match part.referent() {
+                Value::Array(inner) | Value::Iterator(inner) => flat.extend(inner),
+                _ => return Err(Unreadable::new(&call.whole.method, format!("`{}` of these", call.name))),
+            }
+        }
+        Ok(flat)
+    }
+
+    fn counted_part(&mut self, all: Vec<Value>, count: Value, call: &Call) -> Read {
+        let count = match count {
+            Value::Integer(k) => usize::try_from(k).map_err(|_| Unreadable::new(call.places[0], "a count out of range"))?,
+            _ => return Err(Unreadable::new(call.places[0], "a count that is not known here")),
+        };
+        let lists = |parts: Vec<Vec<Value>>| parts.into_iter().map(Value::Array).collect();
+        Ok(Value::Iterator(match (call.name.as_str(), count) {
+            ("skip", k) => all.into_iter().skip(k).collect(),
+            ("take", k) => all.into_iter().take(k).collect(),
+            (_, 0) => return Err(Unreadable::new(&call.whole.method, "a step of nothing")),
+            ("step_by", k) => all.into_iter().step_by(k).collect(),
+            ("windows", k) => lists(all.windows(k).map(<[Value]>::to_vec).collect()),
+            ("chunks", k) => lists(all.chunks(k).map(<[Value]>::to_vec).collect()),
+            (_, k) => lists(all.chunks_exact(k).map(<[Value]>::to_vec).collect()),
+        }))
+    }
+
+    fn contains(&mut self, all: Vec<Value>, one: Value, call: &Call) -> Read {
+        let mut any = self.graph.bool(false);
+        for value in all {
+            let same = match (value.referent(), &one) {
+                (Value::Integer(a), Value::Integer(b)) => self.graph.bool(a == *b),
+                (Value::Scalar(a), Value::Scalar(b)) => self.graph.compare(Comparison::Equal, a, *b),
+                _ => return Err(Unreadable::new(&call.whole.method, "`contains` of these")),
+            };
+            any = self.graph.or(any, same);
+        }
+        Ok(Value::Condition(any))
+    }
+
+    /// The sum (`plus`) or product of integers, numbers, or vectors.
+    fn folded(&mut self, all: Vec<Value>, plus: bool, call: &Call) -> Read {
+        let given = call.whole.turbofish.as_ref().and_then(|given| match given.args.first() {
+            Some(GenericArgument::Type(ty)) => Some(ty),
+            _ => None,
+        });
+        let integer = given.is_some_and(|ty| is_integer(&quote::ToTokens::to_token_stream(ty).to_string()));
+        let all: Vec<Value> = all.into_iter().map(Value::referent).collect();
+        if integer || matches!(all.first(), Some(Value::Integer(_))) {
+            let known: Option<Vec<i64>> = all.iter().map(|value| if let Value::Integer(k) = value { Some(*k) } else { None }).collect();
+            let sum = known.and_then(|known| {
+                let mut known = known.into_iter();
+                if plus { known.try_fold(0, i64::checked_add) } else { known.try_fold(1, i64::checked_mul) }
+            });
+            return sum.map(Value::Integer).ok_or_else(|| Unreadable::new(&call.whole.method, "a sum of integers not known here"));
+        }
+        let shape = given.and_then(crate::parse::shape).or_else(|| Some(all.first()?.numbers()?.1)).unwrap_or(crate::parse::Shape::Scalar);
+        let components = Value::from_numbers(&shape, &mut std::iter::repeat(self.graph.zero()));
+        match components.as_ref().and_then(Value::components) {
+            Some((kind, zeros)) if plus => {
+                let mut sum = zeros.to_vec();
+                for value in all {
+                    let value = self.shaped(value, &shape, call);
+                    let Some((_, nodes)) = value.components() else { return Ok(Value::Poison) };
+                    sum = sum.iter().zip(nodes).map(|(&a, &b)| self.graph.add(a, b)).collect();
+                }
+                Ok(kind.value(sum))
+            }
+            _ => {
+                let mut sum = self.graph.constant(if plus { 0.0 } else { 1.0 });
+                for value in all {
+                    let x = self.scalar(value, call);
+                    sum = if plus { self.graph.add(sum, x) } else { self.graph.mul(sum, x) };
+                }
+                Ok(Value::Scalar(sum))
+            }
+        }
+    }
+}

@@ -1,0 +1,168 @@
+//! Methods of numbers, by f64's names, and of integers.
+
+use quote::{ToTokens, quote};
+
+use super::Call;
+use crate::lower::template::Template;
+use crate::lower::value::Value;
+use crate::lower::{Read, Reader, Unreadable, first_span};
+use crate::parse::Shape;
+use kin_graph::{Function, Function2, Node};
+
+impl Reader {
+    pub(super) fn scalar_method(&mut self, n: Node, call: &Call) -> Read {
+        let name = call.name.as_str();
+        if name == "powi" {
+            if !self.counted(1, call) {
+                return Ok(Value::Poison);
+            }
+            return self.power(n, call.arguments[0].clone(), call.places[0], call.whole);
+        }
+        if let "is_nan" | "is_finite" | "is_infinite" | "is_sign_negative" | "is_sign_positive" = name
+            && call.arguments.is_empty()
+        {
+            return Ok(Value::Opaque(Template::Method(Box::new(number(n, call)), call.whole.method.to_token_stream(), vec![])));
+        }
+        let count = match name {
+            _ if Function::from_method(name).is_some() => 0,
+            "sin_cos" | "recip" | "to_radians" | "to_degrees" => 0,
+            _ if Function2::from_method(name).is_some() => 1,
+            "copysign" | "log" => 1,
+            "mul_add" | "clamp" => 2,
+            _ if OTHER_METHODS_OF_F64.contains(&name) => return Err(Unreadable::new(&call.whole.method, format!("`{name}`"))),
+            _ => return Ok(self.unknown(call, "a number", cure(name))),
+        };
+        let Some(arguments) = self.scalars_of(count, call) else { return Ok(Value::Poison) };
+        Ok(self.scalar_function(n, name, &arguments, call.whole))
+    }
+
+    /// xⁿ with an integer n.
+    pub fn power(&mut self, x: Node, exponent: Value, place: &dyn ToTokens, at: &dyn ToTokens) -> Read {
+        match exponent.referent() {
+            Value::Integer(k) if i32::try_from(k).is_ok() => {
+                let power = self.graph.powi(x, k as i32);
+                Ok(Value::Scalar(power))
+            }
+            value @ (Value::Poison | Value::Never) => Ok(value),
+            Value::Opaque(exponent) if !exponent.has_choice() => {
+                let power = Template::Method(Box::new(number(x, at)), quote!(powi), vec![exponent]);
+                Ok(Value::Scalar(self.scalar(Value::Opaque(power), at)))
+            }
+            Value::Opaque(_) => Err(Unreadable::new(place, "an exponent that is not known here")),
+            other => Ok(self.mistake(place, format!("`powi` takes an integer, but this is {}; `powf` takes a number", other.name()))),
+        }
+    }
+
+    /// f(x, …) by f64's names, with as many arguments as it takes.
+    pub fn scalar_function(&mut self, x: Node, name: &str, arguments: &[Node], at: &dyn ToTokens) -> Value {
+        let g = &mut self.graph;
+        let function = (Function::from_method(name), Function2::from_method(name));
+        let y = match (name, function, arguments) {
+            (_, (Some(f), _), []) => g.call(f, x),
+            (_, (_, Some(f)), [y]) => g.call2(f, x, *y),
+            ("sin_cos", _, []) => {
+                let (sin, cos) = (g.call(Function::Sin, x), g.call(Function::Cos, x));
+                return Value::Tuple(vec![Value::Scalar(sin), Value::Scalar(cos)]);
+            }
+            ("recip", _, []) => g.powi(x, -1),
+            ("to_radians", _, []) => {
+                let factor = g.constant(1f64.to_radians());
+                g.mul(factor, x)
+            }
+            ("to_degrees", _, []) => {
+                let factor = g.constant(1f64.to_degrees());
+                g.mul(factor, x)
+            }
+            ("copysign", _, [sign]) => {
+                let (size, sign) = (g.call(Function::Abs, x), g.call(Function::Signum, *sign));
+                g.mul(size, sign)
+            }
+            ("log", _, [base]) => {
+                let (x, base) = (g.call(Function::Ln, x), g.call(Function::Ln, *base));
+                g.div(x, base)
+            }
+            ("mul_add", _, [a, b]) => {
+                let product = g.mul(x, *a);
+                g.add(product, *b)
+            }
+            ("clamp", _, [low, high]) => {
+                let x = g.call2(Function2::Max, x, *low);
+                g.call2(Function2::Min, x, *high)
+            }
+            _ => return self.mistake(at, format!("`{name}` takes another number of arguments")),
+        };
+        Value::Scalar(y)
+    }
+
+    pub(super) fn integer_method(&mut self, k: i64, call: &Call) -> Read {
+        let unreadable = || Unreadable::new(&call.whole.method, "this method of an integer");
+        let argument = match &call.arguments[..] {
+            [] => None,
+            [one] => match one.clone().referent() {
+                Value::Integer(n) => Some(n),
+                _ => return Err(Unreadable::new(call.places[0], "integer arithmetic with something not known here")),
+            },
+            _ => return Err(unreadable()),
+        };
+        let value = match (call.name.as_str(), argument) {
+            ("pow", Some(n)) => u32::try_from(n).ok().and_then(|n| k.checked_pow(n)),
+            ("abs", None) => k.checked_abs(),
+            ("signum", None) => Some(k.signum()),
+            ("rem_euclid", Some(n)) => k.checked_rem_euclid(n),
+            ("div_euclid", Some(n)) => k.checked_div_euclid(n),
+            ("min", Some(n)) => Some(k.min(n)),
+            ("max", Some(n)) => Some(k.max(n)),
+            ("abs_diff", Some(n)) => k.checked_sub(n).and_then(i64::checked_abs),
+            (name, _) if Function::from_method(name).is_some() => {
+                return Ok(self.mistake(&call.whole.receiver, format!("`{k}` is an integer; a number is written `{k}.0`")));
+            }
+            _ => None,
+        };
+        value.map(Value::Integer).ok_or_else(unreadable)
+    }
+}
+
+fn number(n: Node, at: &dyn ToTokens) -> Template {
+    Template::Numbers(vec![n], Shape::Scalar, first_span(at))
+}
+
+/// Good Rust, but not for the interpreter.
+const OTHER_METHODS_OF_F64: &[&str] = &[
+    "total_cmp",
+    "partial_cmp",
+    "is_normal",
+    "is_subnormal",
+    "classify",
+    "to_bits",
+    "to_string",
+    "round_ties_even",
+    "midpoint",
+    "next_up",
+    "next_down",
+    "eq",
+    "ne",
+    "lt",
+    "le",
+    "gt",
+    "ge",
+    "add",
+    "sub",
+    "mul",
+    "div",
+    "rem",
+    "neg",
+    "try_into",
+    "to_le_bytes",
+    "to_be_bytes",
+];
+
+fn cure(name: &str) -> &'static str {
+    match name {
+        "pow" => "; `powi` takes an integer, `powf` a number",
+        "square" => "; write `x * x` or `x.powi(2)`",
+        "arctan2" | "atan_2" => "; it is `y.atan2(x)`",
+        "norm" => "; the size of a number is `abs()`",
+        "arcsin" | "arccos" | "arctan" => "; f64's names are `asin`, `acos`, `atan`",
+        _ => "; it has those of f64, such as `sin`, `sqrt`, `atan2`, `powi`, `hypot`, `max`",
+    }
+}

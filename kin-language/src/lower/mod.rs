@@ -1,0 +1,301 @@
+//! Second stage: reads the body by abstract interpretation over typed values. Each expression becomes a `Value` over the scalar graph;
+//! what cannot be read is [`Unreadable`] and sends the whole constraint to the dual route; a mistake is collected and reading goes on.
+
+mod assign;
+mod branch;
+mod call;
+mod coerce;
+mod expression;
+mod function;
+mod method;
+mod operator;
+mod pattern;
+pub mod place;
+mod rotation;
+mod rows;
+mod scope;
+mod state;
+mod statement;
+pub mod template;
+mod value;
+
+use std::collections::HashMap;
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{ToTokens, quote};
+
+use crate::error::Mistakes;
+use crate::parse::{Argument, ConstraintFn, Kind, Shape};
+use kin_graph::{Graph, Input, Node};
+
+pub use place::Expressions;
+pub use rows::Row;
+use scope::Scopes;
+use template::Template;
+use value::Value;
+
+/// The body as a graph, with everything emitted code needs to know about its inputs.
+pub struct Lowered {
+    pub graph: Graph,
+    pub rows: Vec<Row>,
+    /// How emitted code reads each numeric parameter.
+    pub parameters: Vec<TokenStream>,
+    pub opaques: Vec<OpaqueValue>,
+    pub laws: Vec<Template>,
+    pub leaves: Vec<OpaqueValue>,
+    /// The expressions that the nodes are of.
+    pub expressions: Expressions,
+    /// Points and directions that do not move in their bodies.
+    pub attachments: Vec<Attachment>,
+    /// Items of the body that emitted code repeats: imports, types, constants whose value is not known here.
+    pub items: Vec<syn::Item>,
+}
+
+/// A local point or direction of a body that depends on no coordinate and not on time.
+#[derive(Clone, PartialEq)]
+pub struct Attachment {
+    /// The body, by its slot.
+    pub slot: usize,
+    pub is_point: bool,
+    pub local: Vec<Node>,
+}
+
+/// A value that only rustc can compute, with the shape its place asks for.
+pub struct OpaqueValue {
+    pub template: Template,
+    pub kind: OpaqueKind,
+}
+
+/// What an opaque value is taken for.
+#[derive(Clone, PartialEq, Debug)]
+pub enum OpaqueKind {
+    Numbers(Shape),
+    Condition,
+}
+
+/// Why the body has no graph.
+pub enum Failure {
+    Mistakes(syn::Error),
+    Unreadable(Unreadable),
+}
+
+/// An expression that is good Rust, perhaps, but not for this interpreter.
+pub struct Unreadable {
+    pub span: Span,
+    pub what: String,
+}
+
+impl Unreadable {
+    fn new(at: &dyn ToTokens, what: impl Into<String>) -> Self {
+        Unreadable { span: first_span(at), what: what.into() }
+    }
+}
+
+/// Where an expression begins.
+fn first_span(at: &dyn ToTokens) -> Span {
+    at.to_token_stream().into_iter().next().map_or_else(Span::call_site, |token| token.span())
+}
+
+/// Either a value or the end of reading.
+type Read<T = Value> = Result<T, Unreadable>;
+
+/// Beyond this many nodes straight-line code is no longer a good idea: rustc needs seconds and a deep stack for it.
+const MOST_NODES: usize = 4_000;
+/// Loops are unrolled up to this many turns.
+const MOST_TURNS: i64 = 4_096;
+/// Functions of the body's own call each other this deep.
+const MOST_CALLS: usize = 48;
+/// Expressions are read this often, counting each turn of a loop.
+const MOST_EXPRESSIONS: usize = 1_000_000;
+/// Of how many parts an expression may be that only rustc understands.
+const MOST_PARTS: usize = 250;
+
+/// Reads the body of `source`.
+pub fn constraint(source: &ConstraintFn) -> Result<Lowered, Failure> {
+    let mut reader = Reader::new();
+    reader.declare_arguments(&source.arguments);
+    let value = reader.function_body(&source.body, &source.output_type).map_err(Failure::Unreadable);
+    let rows = value.map(|value| reader.rows(source, &value));
+    reader.finish(rows)
+}
+
+/// Reads the body of a law: a function of the first argument, a number.
+pub fn law(variable: &Ident, parameters: &[Argument], body: &syn::Block) -> Result<Lowered, Failure> {
+    let mut reader = Reader::new();
+    let x = reader.graph.input(Input::Variable);
+    reader.scopes.declare(variable.to_string(), Value::Scalar(x));
+    reader.declare_arguments(parameters);
+    let value = reader.function_body(body, &syn::parse_quote!(f64)).map_err(Failure::Unreadable);
+    let row = value.map(|value| reader.scalar(value, body));
+    reader.finish(row.map(|node| vec![Row { name: String::new(), node }]))
+}
+
+/// The interpreter.
+struct Reader {
+    graph: Graph,
+    scopes: Scopes,
+    mistakes: Mistakes,
+    parameters: Vec<TokenStream>,
+    opaques: Vec<OpaqueValue>,
+    opaque_index: HashMap<String, usize>,
+    laws: Vec<Template>,
+    law_index: HashMap<String, usize>,
+    leaves: Vec<OpaqueValue>,
+    leaf_index: HashMap<String, usize>,
+    expressions: Expressions,
+    /// Rotation matrices, each with the Euler parameters that it is made of.
+    rotations: HashMap<Vec<Node>, Vec<Node>>,
+    attachments: Vec<Attachment>,
+    repeated_items: Vec<syn::Item>,
+    /// Conditions of the branches around what is being read.
+    path: Vec<Node>,
+    /// Number of the scope of the function's own block.
+    body_depth: usize,
+    /// How deep in calls of the body's own functions.
+    calls: usize,
+    expressions_read: usize,
+}
+
+impl Reader {
+    fn new() -> Self {
+        let mut scopes = Scopes::default();
+        scopes.push();
+        Reader {
+            graph: Graph::default(),
+            scopes,
+            mistakes: Mistakes::default(),
+            parameters: Vec::new(),
+            opaques: Vec::new(),
+            opaque_index: HashMap::new(),
+            laws: Vec::new(),
+            law_index: HashMap::new(),
+            leaves: Vec::new(),
+            leaf_index: HashMap::new(),
+            expressions: Expressions::default(),
+            rotations: HashMap::new(),
+            attachments: Vec::new(),
+            repeated_items: Vec::new(),
+            path: Vec::new(),
+            body_depth: 0,
+            calls: 0,
+            expressions_read: 0,
+        }
+    }
+
+    /// The value of the function's body.
+    fn function_body(&mut self, body: &syn::Block, output: &syn::Type) -> Read {
+        self.body_depth = self.scopes.depth() + 1;
+        match self.body(body)?.referent() {
+            value @ Value::Generator(_) => self.typed(value, output, body),
+            Value::Never => Err(Unreadable::new(body, "a body without a value")),
+            value => Ok(value),
+        }
+    }
+
+    /// All that was read. A mistake is worth more than the remark that something else cannot be read.
+    fn finish(self, rows: Result<Vec<Row>, Failure>) -> Result<Lowered, Failure> {
+        self.mistakes.finish().map_err(Failure::Mistakes)?;
+        Ok(Lowered {
+            rows: rows?,
+            graph: self.graph,
+            parameters: self.parameters,
+            opaques: self.opaques,
+            laws: self.laws,
+            leaves: self.leaves,
+            expressions: self.expressions,
+            attachments: self.attachments,
+            items: self.repeated_items,
+        })
+    }
+
+    /// Binds the arguments of the signature; states are numbered in its order, a `[Coord; N]` counting N.
+    fn declare_arguments(&mut self, arguments: &[Argument]) {
+        let mut slot = 0;
+        for argument in arguments {
+            let name = &argument.name;
+            let value = match &argument.kind {
+                Kind::Planar => Value::Planar(slot),
+                Kind::Spatial => Value::Spatial(slot),
+                Kind::Coord => self.coordinate(slot),
+                Kind::Coords(n) => Value::Array((0..*n).map(|k| self.coordinate(slot + k)).collect()),
+                Kind::Time => Value::Scalar(self.graph.input(Input::Time)),
+                Kind::Law => Value::Law(Template::Parameter(name.clone())),
+                Kind::Axis => self.axis(name),
+                Kind::Numbers(shape) => self.parameter(&quote!(self.#name), shape),
+                Kind::Other => Value::Opaque(Template::Parameter(name.clone())),
+            };
+            self.scopes.declare(name.to_string(), value);
+            slot += argument.kind.slots();
+        }
+    }
+
+    /// The unit vectors of an axis.
+    fn axis(&mut self, name: &Ident) -> Value {
+        let fields = [quote!(h), quote!(f), quote!(g)];
+        Value::Axis(fields.map(|field| match self.parameter(&quote!(self.#name.#field), &Shape::Vector(3)) {
+            Value::Vector(v) => v,
+            _ => vec![],
+        }))
+    }
+
+    /// A numeric parameter: one input a number, read where `path` says.
+    fn parameter(&mut self, path: &TokenStream, shape: &Shape) -> Value {
+        let paths = component_paths(path, shape);
+        let nodes: Vec<Node> = paths
+            .into_iter()
+            .map(|path| {
+                self.parameters.push(path);
+                self.graph.input(Input::Parameter(self.parameters.len() - 1))
+            })
+            .collect();
+        Value::from_numbers(shape, &mut nodes.into_iter()).unwrap_or(Value::Poison)
+    }
+
+    /// Notes a mistake at `tokens`; reading goes on without its value.
+    fn mistake(&mut self, tokens: &dyn ToTokens, message: impl std::fmt::Display) -> Value {
+        self.mistakes.add(tokens, message);
+        Value::Poison
+    }
+}
+
+/// A token stream's text without the blanks that nobody writes.
+pub fn tidy(text: &str) -> String {
+    let mut text = text.to_owned();
+    for (from, to) in [
+        (" . ", "."),
+        (" (", "("),
+        ("( ", "("),
+        (" )", ")"),
+        (" ,", ","),
+        ("[ ", "["),
+        (" ]", "]"),
+        (" [", "["),
+        ("& ", "&"),
+        (" :: ", "::"),
+    ] {
+        text = text.replace(from, to);
+    }
+    text
+}
+
+/// How emitted code reads each number of a value at `path`.
+pub fn component_paths(path: &TokenStream, shape: &Shape) -> Vec<TokenStream> {
+    let fields = |names: &[&str]| -> Vec<TokenStream> {
+        names.iter().map(|name| Ident::new(name, Span::call_site())).map(|name| quote!(#path.#name)).collect()
+    };
+    match shape {
+        Shape::Scalar => vec![path.clone()],
+        Shape::Vector(2) => fields(&["x", "y"]),
+        Shape::Vector(_) => fields(&["x", "y", "z"]),
+        Shape::Euler => fields(&["e0", "e1", "e2", "e3"]),
+        Shape::Matrix(2) => fields(&["m11", "m12", "m21", "m22"]),
+        Shape::Matrix(_) => fields(&["m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"]),
+        Shape::Array(inner, n) => indexed(*n).flat_map(|k| component_paths(&quote!(#path[#k]), inner)).collect(),
+        Shape::Tuple(all) => indexed(all.len()).zip(all).flat_map(|(k, s)| component_paths(&quote!(#path.#k), s)).collect(),
+        Shape::Any => vec![],
+    }
+}
+
+fn indexed(n: usize) -> impl Iterator<Item = proc_macro2::Literal> {
+    (0..n).map(proc_macro2::Literal::usize_unsuffixed)
+}

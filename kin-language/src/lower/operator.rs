@@ -1,0 +1,337 @@
+//! Operators, over every pair of kinds for which Rust has them.
+
+use quote::ToTokens;
+use syn::spanned::Spanned;
+use syn::{BinOp, Expr, ExprBinary, UnOp};
+
+use super::coerce::is_arithmetic;
+use super::template::Template;
+use super::value::{Components, Value};
+use super::{Read, Reader, Unreadable};
+use crate::parse::Shape;
+use kin_graph::{Comparison, Function2, Graph, Node};
+
+impl Reader {
+    pub fn unary(&mut self, op: &UnOp, inner: &Expr) -> Read {
+        let value = self.expression(inner)?;
+        Ok(match (op, value) {
+            (UnOp::Deref(_), value) => value,
+            (_, value @ (Value::Poison | Value::Never)) => value,
+            (UnOp::Neg(_), Value::Integer(k)) => Value::Integer(k.wrapping_neg()),
+            (UnOp::Not(_), Value::Integer(_)) => return Err(Unreadable::new(op, "`!` of an integer")),
+            (UnOp::Not(_), Value::Condition(c)) => Value::Condition(self.graph.not(c)),
+            (UnOp::Not(_), Value::Opaque(template)) if !template.nodes().is_empty() => {
+                let condition = self.condition(Value::Opaque(template), inner);
+                Value::Condition(self.graph.not(condition))
+            }
+            (op, Value::Opaque(template)) => Value::Opaque(template.each(&|part| Template::Unary(*op, Box::new(part)))),
+            (UnOp::Neg(_), value) if value.components().is_some() || matches!(value, Value::Scalar(_)) => self.negated(value),
+            (op, other) => self.mistake(op, format!("`{}` does not apply to {}", op.to_token_stream(), other.name())),
+        })
+    }
+
+    /// −value, of a number or of components.
+    pub fn negated(&mut self, value: Value) -> Value {
+        match (value.components(), &value) {
+            (Some((kind, nodes)), _) => kind.value(nodes.iter().map(|&n| self.graph.neg(n)).collect()),
+            (None, Value::Scalar(n)) => Value::Scalar(self.graph.neg(*n)),
+            _ => Value::Poison,
+        }
+    }
+
+    pub fn binary(&mut self, binary: &ExprBinary) -> Read {
+        if let Some(op) = simple(&binary.op) {
+            let right = self.expression(&binary.right)?;
+            let left = self.expression(&binary.left)?;
+            let value = self.operate(op, left, right, binary)?;
+            self.assign(&binary.left, value)?;
+            return Ok(Value::unit());
+        }
+        let left = self.expression(&binary.left)?;
+        let right = match binary.op {
+            BinOp::And(_) | BinOp::Or(_) => self.second_condition(&binary.op, &left, binary)?,
+            _ => self.expression(&binary.right)?,
+        };
+        self.operate(binary.op, left, right, binary)
+    }
+
+    /// The right side of `&&` and `||`, which is not computed where the left side decides.
+    fn second_condition(&mut self, op: &BinOp, left: &Value, binary: &ExprBinary) -> Read {
+        if !matches!(left, Value::Condition(_) | Value::Opaque(_)) {
+            return self.expression(&binary.right);
+        }
+        let first = self.condition(left.clone(), &binary.left);
+        let needed = if matches!(op, BinOp::And(_)) { first } else { self.graph.not(first) };
+        self.path.push(needed);
+        let right = self.expression(&binary.right);
+        self.path.pop();
+        right
+    }
+
+    /// `left op right`.
+    fn operate(&mut self, op: BinOp, left: Value, right: Value, at: &ExprBinary) -> Read {
+        Ok(match (left, right) {
+            (Value::Poison, _) | (_, Value::Poison) => Value::Poison,
+            (Value::Never, _) | (_, Value::Never) => Value::Never,
+            (Value::Opaque(a), Value::Opaque(b)) => self.operate_opaque(op, a, b, at)?,
+            (Value::Opaque(a), right) => self.operate_beside(op, a, right, false, at)?,
+            (left, Value::Opaque(b)) => self.operate_beside(op, b, left, true, at)?,
+            (Value::Integer(a), Value::Integer(b)) => return self.integers(op, a, b, at),
+            (Value::Condition(a), Value::Condition(b)) => self.conditions(op, a, b, at)?,
+            (left, right) => match comparison(&op) {
+                Some(comparison) => self.compared(comparison, op, &left, &right, at)?,
+                None => match self.arithmetic(op, &left, &right) {
+                    Some(value) => value,
+                    None => self.operator_mistake(op, &left, &right, at),
+                },
+            },
+        })
+    }
+
+    /// `left op right` for an operator that is known to apply.
+    pub fn combined(&mut self, op: BinOp, left: &Value, right: &Value, at: &dyn ToTokens) -> Value {
+        if matches!(left, Value::Poison) || matches!(right, Value::Poison) {
+            return Value::Poison;
+        }
+        self.arithmetic(op, left, right).unwrap_or_else(|| {
+            self.mistake(at, format!("there is no `{}` between {} and {}", op.to_token_stream(), left.name(), right.name()))
+        })
+    }
+
+    /// `left op right` of numbers, vectors and matrices; `None` where Rust has no such operator.
+    fn arithmetic(&mut self, op: BinOp, left: &Value, right: &Value) -> Option<Value> {
+        Some(match (op, left, right) {
+            (op, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(self.scalars(op, *a, *b)?),
+            (BinOp::Mul(_), Value::Matrix(n, m), Value::Vector(v)) if *n == v.len() => Value::Vector(self.matrix_vector(m, v)),
+            (BinOp::Mul(_), Value::Matrix(n, a), Value::Matrix(m, b)) if n == m => Value::Matrix(*n, self.matrix_matrix(*n, a, b)),
+            (BinOp::Mul(_), Value::Euler(p), Value::Euler(q)) => Value::Euler(self.euler_product(p, q)),
+            (BinOp::Mul(_), Value::Scalar(s), other) | (BinOp::Mul(_), other, Value::Scalar(s)) => self.each_with(other, *s, Graph::mul)?,
+            (BinOp::Div(_), left, Value::Scalar(s)) => self.each_with(left, *s, Graph::div)?,
+            (BinOp::Add(_), left, right) => self.pairs(left, right, Graph::add)?,
+            (BinOp::Sub(_), left, right) => self.pairs(left, right, Graph::sub)?,
+            _ => return None,
+        })
+    }
+
+    fn scalars(&mut self, op: BinOp, a: Node, b: Node) -> Option<Node> {
+        let g = &mut self.graph;
+        Some(match op {
+            BinOp::Add(_) => g.add(a, b),
+            BinOp::Sub(_) => g.sub(a, b),
+            BinOp::Mul(_) => g.mul(a, b),
+            BinOp::Div(_) => g.div(a, b),
+            BinOp::Rem(_) => g.call2(Function2::Rem, a, b),
+            _ => return None,
+        })
+    }
+
+    fn each_with(&mut self, value: &Value, s: Node, f: fn(&mut Graph, Node, Node) -> Node) -> Option<Value> {
+        let (kind, nodes) = value.components()?;
+        Some(kind.value(nodes.iter().map(|&n| f(&mut self.graph, n, s)).collect()))
+    }
+
+    fn pairs(&mut self, left: &Value, right: &Value, f: fn(&mut Graph, Node, Node) -> Node) -> Option<Value> {
+        let ((kind, a), (other, b)) = (left.components()?, right.components()?);
+        (kind == other).then(|| kind.value(a.iter().zip(b).map(|(&a, &b)| f(&mut self.graph, a, b)).collect()))
+    }
+
+    pub fn matrix_matrix(&mut self, n: usize, a: &[Node], b: &[Node]) -> Vec<Node> {
+        let columns = super::state::transpose(b);
+        (0..n * n).map(|k| self.dot(&a[k / n * n..][..n], &columns[k % n * n..][..n])).collect()
+    }
+
+    /// Between values that only rustc knows: their place decides what they are, but a comparison takes numbers.
+    fn operate_opaque(&mut self, op: BinOp, a: Template, b: Template, at: &ExprBinary) -> Read {
+        let open = a.has_choice() || b.has_choice();
+        let known = [&a, &b].iter().any(|template| self.varies(template));
+        match (comparison(&op), op) {
+            (Some(comparison), _) if open || known => {
+                let (a, b) = (self.scalar(Value::Opaque(a), &at.left), self.scalar(Value::Opaque(b), &at.right));
+                Ok(Value::Condition(self.graph.compare(comparison, a, b)))
+            }
+            (None, BinOp::And(_) | BinOp::Or(_)) if open => {
+                let (a, b) = (self.condition(Value::Opaque(a), &at.left), self.condition(Value::Opaque(b), &at.right));
+                self.conditions(op, a, b, at)
+            }
+            _ if open && !is_arithmetic(&op) => Err(Unreadable::new(at, "this operator on one of two values of unknown type")),
+            _ => Ok(Value::Opaque(Template::Binary(Box::new(a), op, Box::new(b)))),
+        }
+    }
+
+    /// An opaque value beside a known one, on its left unless it is `swapped`.
+    fn operate_beside(&mut self, op: BinOp, opaque: Template, known: Value, swapped: bool, at: &ExprBinary) -> Read {
+        let (place, other_place) = if swapped { (&at.right, &at.left) } else { (&at.left, &at.right) };
+        let factor = matches!(op, BinOp::Mul(_)) || matches!(op, BinOp::Div(_)) && !swapped;
+        let shape = match (&known, op) {
+            (Value::Integer(_), _) => None,
+            (Value::Scalar(_), _) if factor => None,
+            (Value::Condition(_), _) => {
+                let condition = Value::Condition(self.condition(Value::Opaque(opaque), place));
+                let (left, right) = if swapped { (known, condition) } else { (condition, known) };
+                return self.operate(op, left, right, at);
+            }
+            (known, BinOp::Add(_) | BinOp::Sub(_) | BinOp::Eq(_) | BinOp::Ne(_)) => {
+                Some(known.numbers().map_or(Shape::Scalar, |(_, shape)| shape))
+            }
+            _ => Some(Shape::Scalar),
+        };
+        let Some(shape) = shape else {
+            // A factor may belong to a number or to a vector, and an integer to whatever integer it is.
+            let known = self.template(known, other_place)?;
+            let (left, right) = if swapped { (known, opaque) } else { (opaque, known) };
+            return Ok(Value::Opaque(Template::Binary(Box::new(left), op, Box::new(right))));
+        };
+        let taken = self.shaped(Value::Opaque(opaque), &shape, place);
+        let (left, right) = if swapped { (known, taken) } else { (taken, known) };
+        self.operate(op, left, right, at)
+    }
+
+    fn integers(&mut self, op: BinOp, a: i64, b: i64, at: &ExprBinary) -> Read {
+        let value = match op {
+            BinOp::Add(_) => a.checked_add(b),
+            BinOp::Sub(_) => a.checked_sub(b),
+            BinOp::Mul(_) => a.checked_mul(b),
+            BinOp::Div(_) => a.checked_div(b),
+            BinOp::Rem(_) => a.checked_rem(b),
+            BinOp::Shl(_) => u32::try_from(b).ok().and_then(|b| a.checked_shl(b)),
+            BinOp::Shr(_) => u32::try_from(b).ok().and_then(|b| a.checked_shr(b)),
+            BinOp::BitAnd(_) => Some(a & b),
+            BinOp::BitOr(_) => Some(a | b),
+            BinOp::BitXor(_) => Some(a ^ b),
+            _ => {
+                let Some(comparison) = comparison(&op) else { return Err(Unreadable::new(at, "this operator on integers")) };
+                return Ok(Value::Condition(self.graph.bool(comparison.holds(&a, &b))));
+            }
+        };
+        value.map(Value::Integer).ok_or_else(|| Unreadable::new(at, "integer arithmetic out of range"))
+    }
+
+    fn conditions(&mut self, op: BinOp, a: Node, b: Node, at: &ExprBinary) -> Read {
+        let g = &mut self.graph;
+        let differ = |g: &mut Graph| {
+            let (not_a, not_b) = (g.not(a), g.not(b));
+            let (only_a, only_b) = (g.and(a, not_b), g.and(not_a, b));
+            g.or(only_a, only_b)
+        };
+        Ok(Value::Condition(match op {
+            BinOp::And(_) | BinOp::BitAnd(_) => g.and(a, b),
+            BinOp::Or(_) | BinOp::BitOr(_) => g.or(a, b),
+            BinOp::BitXor(_) | BinOp::Ne(_) => differ(g),
+            BinOp::Eq(_) => {
+                let differ = differ(g);
+                g.not(differ)
+            }
+            _ if comparison(&op).is_some() => return Err(Unreadable::new(at, "an order of conditions")),
+            _ => return Ok(self.operator_mistake(op, &Value::Condition(a), &Value::Condition(b), at)),
+        }))
+    }
+
+    /// Comparison of numbers, or equality of several of them.
+    fn compared(&mut self, comparison: Comparison, op: BinOp, left: &Value, right: &Value, at: &ExprBinary) -> Read {
+        if let (Value::Scalar(a), Value::Scalar(b)) = (left, right) {
+            return Ok(Value::Condition(self.graph.compare(comparison, *a, *b)));
+        }
+        let (Some((a, shape)), Some((b, other))) = (left.numbers(), right.numbers()) else {
+            return match (left, right) {
+                (Value::Tuple(_) | Value::Array(_), Value::Tuple(_) | Value::Array(_)) => Err(Unreadable::new(at, "a comparison of these")),
+                _ => Ok(self.operator_mistake(op, left, right, at)),
+            };
+        };
+        if shape != other {
+            return Ok(self.operator_mistake(op, left, right, at));
+        }
+        if !matches!(comparison, Comparison::Equal | Comparison::NotEqual) {
+            return match shape {
+                Shape::Tuple(_) | Shape::Array(..) => Err(Unreadable::new(at, "an order of tuples or arrays")),
+                _ => Ok(self.operator_mistake(op, left, right, at)),
+            };
+        }
+        let always = self.graph.bool(true);
+        let all = a.into_iter().zip(b).fold(always, |all, (a, b)| {
+            let one = self.graph.compare(Comparison::Equal, a, b);
+            self.graph.and(all, one)
+        });
+        Ok(Value::Condition(if comparison == Comparison::Equal { all } else { self.graph.not(all) }))
+    }
+
+    fn operator_mistake(&mut self, op: BinOp, left: &Value, right: &Value, at: &ExprBinary) -> Value {
+        let sign = op.to_token_stream().to_string();
+        for (value, other, place) in [(left, right, &at.left), (right, left, &at.right)] {
+            let name = super::tidy(&place.to_token_stream().to_string());
+            let text = match value {
+                Value::Law(_) => format!("`{name}` is a Law: ask it for a value with `{name}.at(x)`"),
+                Value::Planar(_) | Value::Spatial(_) => {
+                    format!("`{name}` is the state of a body: use `{name}.r`, `{name}.point(u)`, `{name}.direction(h)`, …")
+                }
+                Value::Integer(k) => format!("`{k}` is an integer; beside {} write `{k}.0`", other.name()),
+                _ => continue,
+            };
+            return self.mistake(place, text);
+        }
+        let cure = match (left, right) {
+            (Value::Vector(_), Value::Vector(_)) if matches!(op, BinOp::Mul(_)) => {
+                "; the scalar product is `a.dot(b)`, the vector product `a.cross(b)`"
+            }
+            (Value::Condition(_), _) | (_, Value::Condition(_)) => "; a condition belongs into `if`",
+            _ => "",
+        };
+        let text = format!("there is no `{sign}` between {} and {}{cure}", left.name(), right.name());
+        self.mistakes.push(syn::Error::new(at.op.span(), text));
+        Value::Poison
+    }
+
+    /// The quaternion product p q.
+    pub fn euler_product(&mut self, p: &[Node], q: &[Node]) -> Vec<Node> {
+        const TERMS: [[(usize, bool); 4]; 4] = [
+            [(0, true), (1, false), (2, false), (3, false)],
+            [(1, true), (0, true), (3, false), (2, true)],
+            [(2, true), (3, true), (0, true), (1, false)],
+            [(3, true), (2, false), (1, true), (0, true)],
+        ];
+        // Component k is Σ_j ± p_i q_j, with (i, sign) listed by j.
+        let component = |reader: &mut Self, terms: &[(usize, bool); 4]| {
+            let zero = reader.graph.zero();
+            terms.iter().zip(q).fold(zero, |sum, (&(i, plus), &q)| {
+                let product = reader.graph.mul(p[i], q);
+                if plus { reader.graph.add(sum, product) } else { reader.graph.sub(sum, product) }
+            })
+        };
+        TERMS.iter().map(|terms| component(self, terms)).collect()
+    }
+}
+
+impl Components {
+    pub fn len(self) -> usize {
+        self.shape().count()
+    }
+}
+
+fn comparison(op: &BinOp) -> Option<Comparison> {
+    Some(match op {
+        BinOp::Lt(_) => Comparison::Less,
+        BinOp::Le(_) => Comparison::LessEqual,
+        BinOp::Gt(_) => Comparison::Greater,
+        BinOp::Ge(_) => Comparison::GreaterEqual,
+        BinOp::Eq(_) => Comparison::Equal,
+        BinOp::Ne(_) => Comparison::NotEqual,
+        _ => return None,
+    })
+}
+
+/// The operator of a compound assignment.
+fn simple(op: &BinOp) -> Option<BinOp> {
+    let span = op.span();
+    Some(match op {
+        BinOp::AddAssign(_) => BinOp::Add(syn::token::Plus(span)),
+        BinOp::SubAssign(_) => BinOp::Sub(syn::token::Minus(span)),
+        BinOp::MulAssign(_) => BinOp::Mul(syn::token::Star(span)),
+        BinOp::DivAssign(_) => BinOp::Div(syn::token::Slash(span)),
+        BinOp::RemAssign(_) => BinOp::Rem(syn::token::Percent(span)),
+        BinOp::BitAndAssign(_) => BinOp::BitAnd(syn::token::And(span)),
+        BinOp::BitOrAssign(_) => BinOp::BitOr(syn::token::Or(span)),
+        BinOp::BitXorAssign(_) => BinOp::BitXor(syn::token::Caret(span)),
+        BinOp::ShlAssign(_) => BinOp::Shl(syn::token::Shl(span)),
+        BinOp::ShrAssign(_) => BinOp::Shr(syn::token::Shr(span)),
+        _ => return None,
+    })
+}

@@ -1,0 +1,126 @@
+//! Expressions that only rustc understands: emitted code repeats them as the user wrote them, with values of the graph put in.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::ToTokens;
+
+use crate::parse::Shape;
+use kin_graph::Node;
+
+/// An expression that emitted code repeats.
+#[derive(Clone)]
+pub enum Template {
+    /// As written.
+    Tokens(TokenStream),
+    /// A path that is no variable: a constant, or the name of a function.
+    Path(syn::ExprPath),
+    /// Values of the graph, with the place they come from.
+    Numbers(Vec<Node>, Shape, Span),
+    /// A field of the constraint: a parameter whose type only rustc knows.
+    Parameter(Ident),
+    Call(Box<Template>, Vec<Template>),
+    Method(Box<Template>, TokenStream, Vec<Template>),
+    Field(Box<Template>, syn::Member),
+    Index(Box<Template>, Box<Template>),
+    Binary(Box<Template>, syn::BinOp, Box<Template>),
+    Unary(syn::UnOp, Box<Template>),
+    Cast(Box<Template>, TokenStream),
+    Reference(Box<Template>),
+    Tuple(Vec<Template>),
+    Array(Vec<Template>),
+    /// Does the value match the pattern?
+    Matches(Box<Template>, TokenStream),
+    /// One of two, by a condition; what they are is decided by their place.
+    Choice(Node, Box<Template>, Box<Template>),
+    /// The value, where a condition holds; elsewhere it is not computed.
+    When(Node, Box<Template>),
+}
+
+impl Template {
+    /// The values of the graph in it, in order.
+    pub fn nodes(&self) -> Vec<Node> {
+        let mut nodes = Vec::new();
+        self.visit(&mut |template| match template {
+            Template::Numbers(numbers, ..) => nodes.extend(numbers),
+            Template::When(condition, _) | Template::Choice(condition, ..) => nodes.push(*condition),
+            _ => {}
+        });
+        nodes
+    }
+
+    /// Of how many templates it is made.
+    pub fn size(&self) -> usize {
+        1 + self.parts().into_iter().map(Template::size).sum::<usize>()
+    }
+
+    /// Whether computing it may panic: an index out of range, a division of integers, the user's own functions.
+    pub fn may_panic(&self) -> bool {
+        let mut found = false;
+        self.visit(&mut |template| {
+            found |= matches!(
+                template,
+                Template::Call(..) | Template::Method(..) | Template::Index(..) | Template::Binary(..) | Template::Unary(..)
+            );
+        });
+        found
+    }
+
+    /// Whether it holds a choice that its place has not yet decided on.
+    pub fn has_choice(&self) -> bool {
+        let mut found = false;
+        self.visit(&mut |template| found |= matches!(template, Template::Choice(..)));
+        found
+    }
+
+    /// `f` of the template, or of either side of a choice.
+    pub fn each(self, f: &dyn Fn(Template) -> Template) -> Template {
+        match self {
+            Template::Choice(condition, a, b) => Template::Choice(condition, Box::new(a.each(f)), Box::new(b.each(f))),
+            other => f(other),
+        }
+    }
+
+    fn visit(&self, f: &mut dyn FnMut(&Template)) {
+        f(self);
+        self.parts().into_iter().for_each(|part| part.visit(f));
+    }
+
+    fn parts(&self) -> Vec<&Template> {
+        match self {
+            Template::Tokens(_) | Template::Path(_) | Template::Numbers(..) | Template::Parameter(_) => vec![],
+            Template::Call(callee, all) => std::iter::once(&**callee).chain(all).collect(),
+            Template::Method(receiver, _, all) => std::iter::once(&**receiver).chain(all).collect(),
+            Template::Tuple(all) | Template::Array(all) => all.iter().collect(),
+            Template::Index(a, b) | Template::Binary(a, _, b) | Template::Choice(_, a, b) => vec![a, b],
+            Template::Field(a, _)
+            | Template::Unary(_, a)
+            | Template::Cast(a, _)
+            | Template::Reference(a)
+            | Template::Matches(a, _)
+            | Template::When(_, a) => vec![a],
+        }
+    }
+
+    /// Text that is equal for equal templates.
+    pub fn key(&self) -> String {
+        let list = |all: &[Template]| all.iter().map(Template::key).collect::<Vec<_>>().join(", ");
+        match self {
+            Template::Tokens(tokens) => tokens.to_string(),
+            Template::Path(path) => path.to_token_stream().to_string(),
+            Template::Numbers(nodes, shape, _) => format!("{nodes:?}: {shape:?}"),
+            Template::Parameter(name) => format!("self.{name}"),
+            Template::Call(callee, all) => format!("({})({})", callee.key(), list(all)),
+            Template::Method(receiver, name, all) => format!("({}).{name}({})", receiver.key(), list(all)),
+            Template::Field(base, member) => format!("({}).{}", base.key(), member.to_token_stream()),
+            Template::Index(base, index) => format!("({})[{}]", base.key(), index.key()),
+            Template::Binary(a, op, b) => format!("({}) {} ({})", a.key(), op.to_token_stream(), b.key()),
+            Template::Unary(op, a) => format!("{}({})", op.to_token_stream(), a.key()),
+            Template::Cast(a, ty) => format!("({}) as {ty}", a.key()),
+            Template::Reference(a) => format!("&({})", a.key()),
+            Template::Tuple(all) => format!("({},)", list(all)),
+            Template::Array(all) => format!("[{}]", list(all)),
+            Template::Matches(a, pattern) => format!("({}) matches {pattern}", a.key()),
+            Template::Choice(condition, a, b) => format!("({}) if {condition:?} else ({})", a.key(), b.key()),
+            Template::When(condition, a) => format!("({}) when {condition:?}", a.key()),
+        }
+    }
+}

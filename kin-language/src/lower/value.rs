@@ -1,0 +1,202 @@
+//! What an expression of the body can be while it is read: typed values over the scalar graph.
+
+use crate::parse::Shape;
+use kin_graph::Node;
+
+use super::function::Function;
+use super::template::Template;
+
+/// A value of the body.
+#[derive(Clone)]
+pub enum Value {
+    Scalar(Node),
+    Condition(Node),
+    /// An integer known here.
+    Integer(i64),
+    /// `Vec2` or `Vec3`.
+    Vector(Vec<Node>),
+    /// `Mat2` or `Mat3`: its side, and its entries row by row.
+    Matrix(usize, Vec<Node>),
+    /// Euler parameters e0..e3.
+    Euler(Vec<Node>),
+    Tuple(Vec<Value>),
+    Array(Vec<Value>),
+    /// An iterator over values known one by one.
+    Iterator(Vec<Value>),
+    /// A borrowed value: only the user's own functions can tell it from the value itself.
+    Reference(Box<Value>),
+    /// `value.into()`: its place says what it becomes.
+    Into(Box<Value>),
+    /// `std::array::from_fn(f)`: its place says how long it is.
+    Generator(Function),
+    /// State of an argument.
+    Planar(usize),
+    Spatial(usize),
+    /// A law: how emitted code names it.
+    Law(Template),
+    /// An axis: its unit vectors h, f and g.
+    Axis([Vec<Node>; 3]),
+    Function(Function),
+    /// Something only rustc understands; a number of some shape as soon as its place asks for one.
+    Opaque(Template),
+    /// A variable declared without a value.
+    Unassigned,
+    /// `unreachable!()` and the like: there is no value here.
+    Never,
+    /// What is left of an expression with a mistake in it.
+    Poison,
+}
+
+/// A value made of components that are added, scaled and negated one by one.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Components {
+    Vector(usize),
+    Matrix(usize),
+    Euler,
+}
+
+impl Components {
+    pub fn value(self, nodes: Vec<Node>) -> Value {
+        match self {
+            Components::Vector(_) => Value::Vector(nodes),
+            Components::Matrix(n) => Value::Matrix(n, nodes),
+            Components::Euler => Value::Euler(nodes),
+        }
+    }
+
+    pub fn shape(self) -> Shape {
+        match self {
+            Components::Vector(n) => Shape::Vector(n),
+            Components::Matrix(n) => Shape::Matrix(n),
+            Components::Euler => Shape::Euler,
+        }
+    }
+}
+
+impl Value {
+    pub fn unit() -> Value {
+        Value::Tuple(vec![])
+    }
+
+    /// Of how many values it is made.
+    pub fn size(&self) -> usize {
+        match self {
+            Value::Tuple(all) | Value::Array(all) | Value::Iterator(all) => 1 + all.iter().map(Value::size).sum::<usize>(),
+            Value::Reference(inner) | Value::Into(inner) => inner.size(),
+            Value::Opaque(template) => template.size(),
+            _ => 1,
+        }
+    }
+
+    /// What a reference refers to; any other value itself.
+    pub fn referent(self) -> Value {
+        match self {
+            Value::Reference(inner) => inner.referent(),
+            other => other,
+        }
+    }
+
+    /// Its components, if it has any.
+    pub fn components(&self) -> Option<(Components, &[Node])> {
+        match self {
+            Value::Vector(v) => Some((Components::Vector(v.len()), v)),
+            Value::Matrix(n, m) => Some((Components::Matrix(*n), m)),
+            Value::Euler(p) => Some((Components::Euler, p)),
+            _ => None,
+        }
+    }
+
+    /// How messages call it.
+    pub fn name(&self) -> String {
+        match self {
+            Value::Scalar(_) => "a number".into(),
+            Value::Condition(_) => "a condition".into(),
+            Value::Integer(_) => "an integer".into(),
+            Value::Vector(v) => format!("a Vec{}", v.len()),
+            Value::Matrix(n, _) => format!("a Mat{n}"),
+            Value::Euler(_) => "a set of Euler parameters".into(),
+            Value::Tuple(all) if all.is_empty() => "nothing, `()`".into(),
+            Value::Tuple(all) => format!("a tuple of {}", all.len()),
+            Value::Array(all) => format!("an array of {}", all.len()),
+            Value::Iterator(_) => "an iterator".into(),
+            Value::Reference(inner) | Value::Into(inner) => inner.name(),
+            Value::Generator(_) => "an array of unknown length".into(),
+            Value::Planar(_) => "the state of a planar body".into(),
+            Value::Spatial(_) => "the state of a spatial body".into(),
+            Value::Law(_) => "a Law".into(),
+            Value::Axis(_) => "an Axis".into(),
+            Value::Function(_) => "a function".into(),
+            Value::Opaque(_) => "a value of a type the macro does not know".into(),
+            Value::Unassigned => "a variable without a value".into(),
+            Value::Never => "no value at all".into(),
+            Value::Poison => "a mistake".into(),
+        }
+    }
+
+    /// Nodes and shape of a value made of numbers.
+    pub fn numbers(&self) -> Option<(Vec<Node>, Shape)> {
+        match self {
+            Value::Scalar(n) => Some((vec![*n], Shape::Scalar)),
+            Value::Reference(inner) => inner.numbers(),
+            Value::Array(all) if !all.is_empty() => {
+                let (nodes, shapes) = several(all)?;
+                let same = shapes.iter().all(|shape| *shape == shapes[0]);
+                same.then(|| (nodes, Shape::Array(Box::new(shapes[0].clone()), all.len())))
+            }
+            Value::Tuple(all) if !all.is_empty() => several(all).map(|(nodes, shapes)| (nodes, Shape::Tuple(shapes))),
+            other => other.components().map(|(kind, nodes)| (nodes.to_vec(), kind.shape())),
+        }
+    }
+
+    /// A value of `shape` from its numbers.
+    pub fn from_numbers(shape: &Shape, numbers: &mut dyn Iterator<Item = Node>) -> Option<Value> {
+        let mut take = |n: usize| -> Option<Vec<Node>> {
+            let all: Vec<Node> = (0..n).map_while(|_| numbers.next()).collect();
+            (all.len() == n).then_some(all)
+        };
+        Some(match shape {
+            Shape::Scalar => Value::Scalar(*take(1)?.first()?),
+            Shape::Vector(n) => Value::Vector(take(*n)?),
+            Shape::Matrix(n) => Value::Matrix(*n, take(n * n)?),
+            Shape::Euler => Value::Euler(take(4)?),
+            Shape::Array(inner, n) => Value::Array((0..*n).map(|_| Value::from_numbers(inner, numbers)).collect::<Option<_>>()?),
+            Shape::Tuple(all) => Value::Tuple(all.iter().map(|s| Value::from_numbers(s, numbers)).collect::<Option<_>>()?),
+            Shape::Any => return None,
+        })
+    }
+}
+
+/// Nodes and shapes of several values, if all are made of numbers.
+fn several(all: &[Value]) -> Option<(Vec<Node>, Vec<Shape>)> {
+    let parts: Vec<(Vec<Node>, Shape)> = all.iter().map(Value::numbers).collect::<Option<_>>()?;
+    let nodes = parts.iter().flat_map(|(nodes, _)| nodes.iter().copied()).collect();
+    Some((nodes, parts.into_iter().map(|(_, shape)| shape).collect()))
+}
+
+impl Shape {
+    /// How many numbers it is made of.
+    pub fn count(&self) -> usize {
+        match self {
+            Shape::Scalar => 1,
+            Shape::Vector(n) => *n,
+            Shape::Matrix(n) => n * n,
+            Shape::Euler => 4,
+            Shape::Array(inner, n) => inner.count() * n,
+            Shape::Tuple(all) => all.iter().map(Shape::count).sum(),
+            Shape::Any => 0,
+        }
+    }
+
+    /// How messages call it.
+    pub fn name(&self) -> String {
+        match self {
+            Shape::Scalar => "f64".into(),
+            Shape::Vector(n) => format!("Vec{n}"),
+            Shape::Matrix(n) => format!("Mat{n}"),
+            Shape::Euler => "EulerParameters".into(),
+            Shape::Array(inner, n) => format!("[{}; {n}]", inner.name()),
+            Shape::Tuple(all) => format!("({})", all.iter().map(Shape::name).collect::<Vec<_>>().join(", ")),
+            Shape::Any => "_".into(),
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! What the stage hands on: every derivative of the rows that emitted code computes, as nodes of the same graph.
+
+use kin_graph::differentiate::{Jets, Partial};
+use kin_graph::{Column, Graph, Input, Node, Op, Part};
+use kin_language::lower::Lowered;
+use kin_language::parse::{Argument, Kind};
+
+/// Every derivative of the rows.
+pub struct Derivatives {
+    /// (row, local column, value), structural non-zeros only.
+    pub jacobian: Vec<(usize, usize, Node)>,
+    /// −C_t; empty where nothing depends on time.
+    pub velocity_rhs: Vec<Node>,
+    /// −g″(0)
+    pub acceleration_rhs: Vec<Node>,
+}
+
+impl Derivatives {
+    pub fn new(lowered: &mut Lowered, arguments: &[Argument]) -> Self {
+        let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
+        let g = &mut lowered.graph;
+        let jacobian = jacobian(g, &rows, arguments);
+        let mut velocity_rhs = Vec::new();
+        if rows.iter().any(|&row| g.depends(row).on_t) {
+            let mut by_time = Partial::by_time();
+            for &row in &rows {
+                let c_t = by_time.of(g, row);
+                velocity_rhs.push(g.neg(c_t));
+            }
+        }
+        let mut jets = Jets::default();
+        let mut acceleration_rhs = Vec::new();
+        for &row in &rows {
+            let second = jets.of(g, row).second;
+            acceleration_rhs.push(g.neg(second));
+        }
+        Derivatives { jacobian, velocity_rhs, acceleration_rhs }
+    }
+
+    /// Slots whose sine or cosine some output reads.
+    pub fn trig(&self, lowered: &Lowered) -> Vec<usize> {
+        let mut outputs: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
+        outputs.extend(self.jacobian.iter().map(|entry| entry.2));
+        outputs.extend(self.velocity_rhs.iter().chain(&self.acceleration_rhs));
+        let reads = |node: Node| match lowered.graph.op(node) {
+            Op::Input(Input::State(slot, Part::Sin | Part::Cos)) => Some(slot),
+            _ => None,
+        };
+        lowered.graph.reachable(&outputs).into_iter().filter_map(reads).collect()
+    }
+}
+
+fn jacobian(g: &mut Graph, rows: &[Node], arguments: &[Argument]) -> Vec<(usize, usize, Node)> {
+    let columns = g.columns(rows);
+    let mut partials: Vec<Partial> = columns.iter().map(|&column| Partial::by_column(column)).collect();
+    let mut entries = Vec::new();
+    for (k, &row) in rows.iter().enumerate() {
+        // The same for each column: all of them have seen the rows before.
+        let unknown = partials.first().map(|partial| partial.unknown(g, row)).unwrap_or_default();
+        for (column, partial) in columns.iter().zip(&mut partials) {
+            partial.of_all(g, &unknown);
+            let value = partial.known(row);
+            if !g.is_zero(value) {
+                entries.push((k, local_column(arguments, *column), value));
+            }
+        }
+    }
+    entries
+}
+
+/// Number of a column among those of all arguments.
+pub fn local_column(arguments: &[Argument], column: Column) -> usize {
+    let (mut slot, mut first) = (0, 0);
+    for argument in arguments {
+        let slots = argument.kind.slots();
+        if column.argument < slot + slots {
+            return first
+                + match (&argument.kind, column.part) {
+                    (Kind::Planar, Part::Theta) => 2,
+                    (_, Part::R(k)) => k,
+                    (_, Part::P(k)) => 3 + k,
+                    _ => column.argument - slot,
+                };
+        }
+        slot += slots;
+        first += argument.kind.columns();
+    }
+    first
+}
