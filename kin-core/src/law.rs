@@ -69,12 +69,36 @@ pub trait LawFunction: Send + Sync {
         Vec::new()
     }
 
-    /// The law of a function with interval bounds, for [`crate::System::prove`]; `None` (default) where they are not known: then nothing can be proved
-    /// of a motion that it drives.
-    #[doc(hidden)]
+    /// The law of a function of which bounds are known, for [`crate::System::prove`]; `None` (default) where those of the law are not: then nothing can
+    /// be proved of a motion that it drives.
+    ///
+    /// Either the formula once more, on [`Series`] instead of numbers, or bounds of the derivatives through [`Series::chain`]. What they promise is
+    /// taken for true, and a proof says so; [`crate::check::law`] tries it at random.
+    ///
+    /// ```
+    /// use kin::prelude::*;
+    /// use kin::{LawFunction, proof::Series};
+    /// /// x²
+    /// struct Square;
+    /// impl LawFunction for Square {
+    ///     fn jet(&self, x: f64) -> [f64; 4] {
+    ///         [x * x, 2.0 * x, 2.0, 0.0]
+    ///     }
+    ///     fn over(&self, x: &Series) -> Option<Series> {
+    ///         Some(*x * *x)
+    ///     }
+    /// }
+    /// kin::check::law(&Law::new(Square), -1.0, 2.0);
+    /// ```
     fn over(&self, x: &Series) -> Option<Series> {
         let _ = x;
         None
+    }
+
+    /// The laws on whose word its bounds rest, by their kinds: itself, unless Kin knows its formula.
+    #[doc(hidden)]
+    fn trusted(&self) -> Vec<String> {
+        vec![self.kind().to_string()]
     }
 
     /// The same law with one parameter changed; `None` if there is none of that name.
@@ -141,6 +165,12 @@ impl Law {
         self.0.over(x)
     }
 
+    /// The laws on whose word these bounds rest.
+    #[doc(hidden)]
+    pub fn trusted(&self) -> Vec<String> {
+        self.0.trusted()
+    }
+
     /// Where derivatives up to the third jump between `from` and `to`, both included, in increasing order of x.
     pub fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
         self.0.breaks(from.min(to), to.max(from))
@@ -198,6 +228,11 @@ impl Law {
             None => false,
         }
     }
+}
+
+/// Whose word a law rests on of which Kin knows the formula: that of its parts.
+fn trusted_parts(law: &dyn LawFunction) -> Vec<String> {
+    law.parts().iter().flat_map(|(_, part)| part.trusted()).collect()
 }
 
 impl fmt::Debug for Law {

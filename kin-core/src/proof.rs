@@ -26,15 +26,21 @@
 //! toggle, a change point) the bounds of C_q hold a singular matrix: no step over one is ever proved.
 //!
 //! # What it stands on
-//! * Interval arithmetic rounded outwards (`interval.rs`); f64's functions are allowed an error of 8 units in the last place.
-//! * The equation as it was written, with its parameters as they are in memory: its steps (`blame/graph.rs`) are interpreted, not the code that was
-//!   made of them. What the user's program computes of parameters alone is taken as it gives it.
+//! * Interval arithmetic rounded outwards (`interval.rs`); f64's functions are allowed an error of 8 units in the last place, which is far more than is
+//!   found at their worst arguments (`accuracy.rs`).
+//! * The equation as it was written, decimals as decimals, with its parameters as they are in memory: its steps (`blame/graph.rs`) are interpreted, not
+//!   the code that was made of them. What the user's program computes of parameters alone is taken as it gives it.
+//! * Every row is continuous over the whole box, not only along the curve: what can jump there (floor, `%`, an `if`, an angle over its cut in what does
+//!   not repeat) is no proof, whether C_q has an entry for it or not.
 //! * Laws as their formulas mean them (π is π). Pieces of a law that meet but for rounding meet (`pieces.rs`), and at their seam as many derivatives count
-//!   as agree. An angle by `atan2` goes on across its cut where what reads it (sine, cosine, a law that repeats) does not mind whole turns.
+//!   as agree. An angle by `atan2` goes on across its cut where what reads it (sine, cosine, a law whose formula repeats) does not mind whole turns.
+//! * The bounds of laws of the program's own that tell them, by name: [`Proof::trusted`].
 //!
 //! What cannot be proved: mechanisms with superfluous equations (numbers do not show that those left over hold exactly), constraints on the dual
 //! route or written by hand, laws without an expression; and steps in which the condition of an `if` changes.
 
+#[cfg(test)]
+mod accuracy;
 mod bounds;
 mod elementary;
 mod equation;
@@ -44,6 +50,8 @@ mod inclusion;
 mod interval;
 mod krawczyk;
 mod pieces;
+#[cfg(test)]
+mod seams;
 mod series;
 mod step;
 mod text;
@@ -75,6 +83,7 @@ pub struct Proof {
     units: Vec<Unit>,
     positions: Vec<std::result::Result<Tube, Doubt>>,
     steps: Vec<StepProof>,
+    trusted: Vec<String>,
 }
 
 /// One step of a motion.
@@ -169,6 +178,7 @@ impl System {
             units: self.layout().units.clone(),
             positions: all.into_iter().map(|around| around.map(Tube::from).map_err(&failed)).collect(),
             steps,
+            trusted: bounds.trusted(),
         })
     }
 
@@ -191,7 +201,8 @@ impl System {
     /// Characteristic sizes of coordinates in a motion.
     fn sizes_of(&self, motion: &Motion) -> Vec<f64> {
         let t = motion.times().first().copied().unwrap_or_default();
-        let values = self.model().linearize(motion.q(0), t).map(|point| point.values).unwrap_or_default();
+        let first = if motion.is_empty() { self.initial() } else { motion.q(0) };
+        let values = self.model().linearize(first, t).map(|point| point.values).unwrap_or_default();
         let mut largest = vec![0.0_f64; self.n_coordinates()];
         for k in 0..motion.len() {
             largest.iter_mut().zip(motion.q(k)).for_each(|(largest, q)| *largest = largest.max(q.abs()));
@@ -245,6 +256,12 @@ impl Proof {
     /// How many steps were proved.
     pub fn proved(&self) -> usize {
         self.steps.iter().filter(|step| step.tube.is_ok()).count()
+    }
+
+    /// The laws, each with its constraint, whose bounds are taken on their own word: laws of the program's own that tell them
+    /// ([`crate::LawFunction::over`]).
+    pub fn trusted(&self) -> &[String] {
+        &self.trusted
     }
 
     /// The first step that was not proved.

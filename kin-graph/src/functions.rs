@@ -41,8 +41,8 @@ functions! {
         Cosh = "cosh" => f64::cosh,
         Tanh = "tanh" => f64::tanh,
         Asinh = "asinh" => f64::asinh,
-        Acosh = "acosh" => f64::acosh,
-        Atanh = "atanh" => f64::atanh,
+        Acosh = "acosh" => acosh,
+        Atanh = "atanh" => atanh,
         Exp = "exp" => f64::exp,
         Exp2 = "exp2" => f64::exp2,
         ExpM1 = "exp_m1" => f64::exp_m1,
@@ -74,4 +74,44 @@ functions! {
         DivEuclid = "div_euclid" => f64::div_euclid,
         Rem = "%" => |x, y| x % y,
     }
+}
+
+impl Function {
+    /// Whether f64 has the value of it exactly.
+    pub fn is_exact(self) -> bool {
+        use Function::*;
+        matches!(self, Abs | Signum | Floor | Ceil | Round | Trunc | Fract)
+    }
+}
+
+impl Function2 {
+    /// Whether f64 has the value of it exactly.
+    pub fn is_exact(self) -> bool {
+        matches!(self, Function2::Max | Function2::Min | Function2::Rem)
+    }
+}
+
+/// arcosh x to rounding, NaN below 1. That of the standard library loses all digits near 1: it adds 1 before it takes the logarithm.
+///
+/// With t = x − 1 it is ln(1 + t + √(2 t + t²)); from 2 on ln(2 x − 1/(x + √(x² − 1))), and ln x + ln 2 where 1/x is below rounding.
+pub fn acosh(x: f64) -> f64 {
+    if x < 1.0 {
+        f64::NAN
+    } else if x > 1e9 {
+        x.ln() + std::f64::consts::LN_2
+    } else if x > 2.0 {
+        (2.0 * x - (x + (x * x - 1.0).sqrt()).recip()).ln()
+    } else {
+        let t = x - 1.0;
+        (t + (t * (2.0 + t)).sqrt()).ln_1p()
+    }
+}
+
+/// artanh x to rounding, infinite at ±1, NaN beyond: ½ ln(1 + 2 |x|/(1 − |x|)) of the sign of x. Of a negative x the standard library takes the
+/// logarithm of a difference that is nearly zero.
+pub fn atanh(x: f64) -> f64 {
+    let a = x.abs();
+    let twice = a + a;
+    let y = if a < 0.5 { twice + twice * a / (1.0 - a) } else { twice / (1.0 - a) };
+    (0.5 * y.ln_1p()).copysign(x)
 }

@@ -13,4 +13,6 @@ pub mod schedule;
 mod testing;
 
 pub use functions::{Function, Function2};
-pub use graph::{Column, Comparison, Depends, Direction, Graph, Input, Leaf, LeafNumber, LeafUse, Node, Op, Part, is_power_of_two};
+pub use graph::{
+    Column, Comparison, Decimal, Depends, Direction, Graph, Input, Leaf, LeafNumber, LeafUse, Node, Op, Part, is_power_of_two,
+};

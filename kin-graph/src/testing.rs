@@ -10,6 +10,7 @@ pub fn value(g: &Graph, node: Node, inputs: &HashMap<Input, f64>) -> f64 {
     match g.op(node) {
         Op::Input(input) => inputs[&input],
         Op::Constant(bits) => f64::from_bits(bits),
+        Op::Decimal(k) => g.decimals[k].nearest,
         Op::Add(a, b) => v(a) + v(b),
         Op::Sub(a, b) => v(a) - v(b),
         Op::Mul(a, b) => v(a) * v(b),

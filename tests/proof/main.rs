@@ -6,6 +6,7 @@ mod hermite;
 mod models;
 #[path = "../data/own.rs"]
 mod own;
+mod promises;
 mod random;
 mod refused;
 mod singular;

@@ -13,7 +13,7 @@ macro_rules! functions {
 
         impl $name {
             /// The function of that name.
-            pub(super) fn named(name: &str) -> Option<Self> {
+            pub(crate) fn named(name: &str) -> Option<Self> {
                 match name { $(stringify!($variant) => Some($name::$variant),)* _ => None }
             }
 

@@ -17,6 +17,8 @@ pub enum Step {
     /// A parameter, by its number.
     Parameter(u16),
     Constant(f64),
+    /// A decimal that no f64 is: the nearest one, and whether the decimal is above that.
+    Decimal(f64, bool),
     Negated(u16),
     Call(Function, u16),
     Call2(Function2, u16, u16),
@@ -32,6 +34,19 @@ pub enum Step {
     Foreign(u16, &'static [u16], u16),
     /// Derivative number `order` of a law, 0 or 1: which, where.
     Law(u16, u16, u8),
+}
+
+impl Step {
+    /// Whether any of the steps that it is computed from is such a one.
+    pub(crate) fn reads(&self, such: &dyn Fn(u16) -> bool) -> bool {
+        match *self {
+            Step::Column(_) | Step::Time | Step::Parameter(_) | Step::Constant(_) | Step::Decimal(..) => false,
+            Step::Negated(a) | Step::Call(_, a) | Step::Power(a, _) | Step::Not(a) | Step::Law(_, a, _) => such(a),
+            Step::Call2(_, a, b) | Step::Compare(_, a, b) | Step::Both(a, b) | Step::Either(a, b) => such(a) || such(b),
+            Step::Select(c, a, b) => such(c) || such(a) || such(b),
+            Step::Foreign(_, operands, _) => operands.iter().any(|k| such(*k)),
+        }
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,6 +101,8 @@ pub struct Graph {
     pub rows: &'static [u16],
     /// The names of the parameters.
     pub parameters: &'static [&'static str],
+    /// Whether constants in it have been rounded.
+    pub is_rounded: bool,
 }
 
 /// Computes what only the user's program can: its number, the numbers it is made of, and where to put the results.

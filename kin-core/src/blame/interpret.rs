@@ -121,7 +121,7 @@ impl Run<'_> {
             }
             Step::Time => moving(self.t, self.direction.time),
             Step::Parameter(k) => Jet::constant(self.parameters.get(usize::from(k)).copied().unwrap_or(f64::NAN)),
-            Step::Constant(value) => Jet::constant(value),
+            Step::Constant(value) | Step::Decimal(value, _) => Jet::constant(value),
             Step::Negated(a) => of(a).negated(),
             Step::Call(f, a) => of(a).call(f),
             Step::Call2(f, a, b) => of(a).call2(f, of(b)),

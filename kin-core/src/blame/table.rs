@@ -1,7 +1,7 @@
 //! The table of an equation as emitted code holds it: one text, which costs nothing to compile and is read when somebody first asks for it.
 //!
-//! A line `at LINE COLUMN TEXT` for each expression, the names of the parameters, the steps of the rows, then a line for each step: the number
-//! of its expression (`-` for none), its name, and the numbers of its operands.
+//! A line `at LINE COLUMN TEXT` for each expression, the names of the parameters, `rounded` where constants are not as they were written, the steps of
+//! the rows, then a line for each step: the number of its expression (`-` for none), its name, and the numbers of its operands.
 
 use std::str::FromStr;
 use std::sync::OnceLock;
@@ -34,17 +34,18 @@ impl Table {
 
 fn read(file: &'static str, text: &'static str) -> Option<Graph> {
     let (mut expressions, mut steps) = (Vec::new(), Vec::new());
-    let (mut rows, mut parameters) = (Vec::new(), Vec::new());
+    let (mut rows, mut parameters, mut is_rounded) = (Vec::new(), Vec::new(), false);
     for line in text.lines().filter(|line| !line.is_empty()) {
         let (first, rest) = line.split_once(' ').unwrap_or((line, ""));
         match first {
             "at" => expressions.push(expression(rest)?),
             "parameters" => parameters.extend(rest.split_whitespace()),
+            "rounded" => is_rounded = true,
             "rows" => rows = numbers(rest)?,
             number => steps.push((number.parse().unwrap_or(u16::MAX), step(rest)?)),
         }
     }
-    Some(Graph { file, expressions: expressions.leak(), steps: steps.leak(), rows: rows.leak(), parameters: parameters.leak() })
+    Some(Graph { file, expressions: expressions.leak(), steps: steps.leak(), rows: rows.leak(), parameters: parameters.leak(), is_rounded })
 }
 
 /// `LINE COLUMN TEXT`
@@ -63,6 +64,7 @@ fn step(text: &str) -> Option<Step> {
         "Time" => Step::Time,
         "Parameter" => Step::Parameter(operand(0)?),
         "Constant" => Step::Constant(number(rest, 0)?),
+        "Decimal" => Step::Decimal(number(rest, 0)?, operand(1)? == 1),
         "Negated" => Step::Negated(operand(0)?),
         "Power" => Step::Power(operand(0)?, number(rest, 1)?),
         "Select" => Step::Select(operand(0)?, operand(1)?, operand(2)?),
@@ -111,6 +113,7 @@ mod tests {
         let said = |text: &str| step(text).map(|step| format!("{step:?}"));
         assert_eq!(said("Constant -2.5e-3").as_deref(), Some("Constant(-0.0025)"));
         assert_eq!(said("Constant NaN").as_deref(), Some("Constant(NaN)"));
+        assert_eq!(said("Decimal 0.1 0").as_deref(), Some("Decimal(0.1, false)"));
         assert_eq!(said("Power 4 -3").as_deref(), Some("Power(4, -3)"));
         assert_eq!(said("Foreign 1 2 7 9").as_deref(), Some("Foreign(1, [7, 9], 2)"));
         assert_eq!(said("Foreign 1 2").as_deref(), Some("Foreign(1, [], 2)"));

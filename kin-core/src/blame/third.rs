@@ -52,7 +52,7 @@ fn number(step: Step, known: &[Number], along: &Along, parameters: &[f64], outsi
         Step::Column(k) => along.columns.get(usize::from(k)).copied().unwrap_or(missing),
         Step::Time => along.t,
         Step::Parameter(k) => parameters.get(usize::from(k)).map_or(missing, |value| Number::from(*value)),
-        Step::Constant(value) => Number::from(value),
+        Step::Constant(value) | Step::Decimal(value, _) => Number::from(value),
         Step::Negated(a) => -of(a),
         Step::Call(f, a) => f.by_dual()(of(a)),
         Step::Call2(f, a, b) => f.by_dual()(of(a), of(b)),

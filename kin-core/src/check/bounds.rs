@@ -49,24 +49,46 @@ pub(super) fn outside(constraint: &dyn Constraint, q: &[f64], qd: &[f64], t: f64
     (all, known)
 }
 
-/// Where a law and its derivatives are not within their bounds, in words.
+/// Where a law and its derivatives are not within their bounds, in words: over random intervals, from points to the whole range, at their ends and
+/// inside, and over breaks.
 pub(super) fn of_law(law: &Law, from: f64, to: f64, sizes: &[f64; 4]) -> Vec<String> {
     let mut spread = Spread(from.to_bits() ^ to.to_bits());
+    let mut share = || 0.25 * (spread.next() + 2.0);
     let mut lines = Vec::new();
-    for k in 0..200 {
-        let x = from + (to - from) * (f64::from(k) + 0.5) / 200.0;
-        let width = WIDTHS[k as usize % WIDTHS.len()] * (to - from);
-        let around = Interval::new(x - width * (2.0 + spread.next()), x + width * (2.0 + spread.next()));
-        let Some(bounds) = law.over(&Series::variable(around, ONE, FULL)) else { return lines };
-        let factorial = [1.0, 1.0, 2.0, 6.0];
-        for (order, value) in law.jet(x).into_iter().enumerate().take(bounds.len()) {
-            let known = bounds.at(order) * Interval::from(factorial[order]);
-            // beside a break the law's own rounding decides on which side it is
-            let slack = 1e-11 * (1.0 + sizes[order]);
-            if value < known.lo() - slack || value > known.hi() + slack {
-                lines.push(format!("derivative {order} at x = {x}: {value:e}, which is not within {:e} and {:e}", known.lo(), known.hi()));
+    for k in 0..400 {
+        // widths of all sizes, every eighth one none
+        let width = if k % 8 == 0 { 0.0 } else { (to - from) * 10_f64.powf(-9.0 * share()) };
+        let begin = from + (to - from - width).max(0.0) * share();
+        let (begin, end) = (begin, (begin + width).max(begin));
+        let Some(bounds) = law.over(&Series::variable(Interval::new(begin, end), ONE, FULL)) else { return lines };
+        // a break is passed where it is inside by more than rounding
+        let beside = 1e-9 * (end - begin) + 1e-12 * (begin.abs() + end.abs());
+        for found in law.breaks(begin + beside, end - beside).iter().filter(|_| begin + beside < end - beside) {
+            if bounds.len() > found.order + 1 {
+                let what = format!(
+                    "over the break at x = {}, where derivative {} jumps, {} coefficients are told to be known",
+                    found.x,
+                    found.order,
+                    bounds.len()
+                );
+                lines.push(what);
             }
+        }
+        for x in [begin, begin + (end - begin) * share(), end] {
+            lines.extend(not_within(law, &bounds, x.clamp(begin, end), sizes));
         }
     }
     lines
+}
+
+fn not_within(law: &Law, bounds: &Series, x: f64, sizes: &[f64; 4]) -> Vec<String> {
+    let factorial = [1.0, 1.0, 2.0, 6.0];
+    let outside = |(order, value): (usize, f64)| {
+        let known = bounds.at(order) * Interval::from(factorial[order]);
+        // beside a break the law's own rounding decides on which side it is
+        let slack = 1e-11 * (1.0 + sizes[order]);
+        let found = value < known.lo() - slack || value > known.hi() + slack;
+        found.then(|| format!("derivative {order} at x = {x}: {value:e}, which is not within {:e} and {:e}", known.lo(), known.hi()))
+    };
+    law.jet(x).into_iter().enumerate().take(bounds.len()).filter_map(outside).collect()
 }

@@ -86,11 +86,23 @@ macro_rules! lane_by_lane {
 }
 
 lane_by_lane! {
-    tan asin acos atan sinh cosh tanh asinh acosh atanh exp exp2 exp_m1 ln ln_1p log2 log10 cbrt signum floor ceil round trunc fract;
+    tan asin acos atan sinh cosh tanh asinh exp exp2 exp_m1 ln ln_1p log2 log10 cbrt signum floor ceil round trunc fract;
     atan2 hypot powf rem_euclid div_euclid
 }
 
 impl<S: Level> Wide<S> {
+    /// arcosh, lane by lane.
+    #[inline(always)]
+    pub fn acosh(self) -> Self {
+        self.map(kin_graph::functions::acosh)
+    }
+
+    /// artanh, lane by lane.
+    #[inline(always)]
+    pub fn atanh(self) -> Self {
+        self.map(kin_graph::functions::atanh)
+    }
+
     #[inline(always)]
     pub(super) fn new(simd: S, numbers: [S::f64s; 2]) -> Self {
         Wide(simd, numbers, [])

@@ -1,6 +1,6 @@
 //! Lines, polynomials, sines and Fourier series.
 
-use super::{Law, LawFunction};
+use super::{Law, LawFunction, trusted_parts};
 use crate::proof::Series;
 
 impl Law {
@@ -56,6 +56,10 @@ impl LawFunction for Ramp {
 
     fn description(&self) -> &str {
         "A constant rate: f(x) = rate · x."
+    }
+
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
     }
 
     fn over(&self, x: &Series) -> Option<Series> {
@@ -115,6 +119,10 @@ impl LawFunction for Polynomial {
         }
     }
 
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
+    }
+
     fn over(&self, x: &Series) -> Option<Series> {
         Some(self.c.iter().rev().fold(x.times(0.0), |sum, c| (sum * *x).plus(*c)))
     }
@@ -162,6 +170,10 @@ impl LawFunction for Sine {
             "harmonic" => "A harmonic: f(x) = mean + amplitude · sin x.",
             _ => "A sine: f(x) = amplitude · sin(omega · x + phase).",
         }
+    }
+
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
     }
 
     fn over(&self, x: &Series) -> Option<Series> {
@@ -231,6 +243,10 @@ impl LawFunction for Fourier {
 
     fn description(&self) -> &str {
         "A Fourier series: f(x) = mean + Σ a_k cos(k · omega · x) + b_k sin(k · omega · x)."
+    }
+
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
     }
 
     fn over(&self, x: &Series) -> Option<Series> {

@@ -3,7 +3,7 @@
 use std::ops::{Add, Mul, Neg, Sub};
 
 use super::breaks::{left_jet, merged, preimages};
-use super::{Break, Law, LawFunction};
+use super::{Break, Law, LawFunction, trusted_parts};
 use crate::proof::Series;
 
 impl Law {
@@ -112,6 +112,10 @@ impl LawFunction for Sum {
         "The sum of two laws: f(x) + g(x)."
     }
 
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
+    }
+
     fn over(&self, x: &Series) -> Option<Series> {
         Some(self.first.over(x)? + self.second.over(x)?)
     }
@@ -149,6 +153,10 @@ impl LawFunction for Product {
         "The product of two laws: f(x) · g(x)."
     }
 
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
+    }
+
     fn over(&self, x: &Series) -> Option<Series> {
         Some(self.first.over(x)? * self.second.over(x)?)
     }
@@ -183,6 +191,10 @@ impl LawFunction for Multiple {
 
     fn description(&self) -> &str {
         "A multiple of a law: factor · f(x)."
+    }
+
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
     }
 
     fn over(&self, x: &Series) -> Option<Series> {
@@ -254,6 +266,10 @@ impl LawFunction for Composed {
 
     fn description(&self) -> &str {
         "A law of a law: f(g(x))."
+    }
+
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
     }
 
     fn over(&self, x: &Series) -> Option<Series> {

@@ -1,6 +1,6 @@
 //! Motions from rest to rest within limits: trapezoidal velocity and its smoother kin, the S-curve.
 
-use super::{Break, Law, LawFunction};
+use super::{Break, Law, LawFunction, trusted_parts};
 use crate::proof::{Interval, Series, piecewise};
 
 impl Law {
@@ -131,6 +131,10 @@ impl LawFunction for Move {
             }
             None => "Trapezoidal velocity: rest to rest over a distance with constant acceleration up to a speed.",
         }
+    }
+
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
     }
 
     fn over(&self, x: &Series) -> Option<Series> {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::{Break, Law, LawFunction, shapes};
+use super::{Break, Law, LawFunction, shapes, trusted_parts};
 use crate::proof::{Interval, Series, piecewise};
 
 impl Law {
@@ -198,6 +198,10 @@ impl LawFunction for Rise {
             Shape::ModifiedSine => "Modified sine rise: f″ of quarter sines and a long cosine between; 0 before and h after.",
             Shape::ModifiedTrapezoid => "Modified trapezoidal rise: f″ a trapezoid with sine ramps; 0 before and h after.",
         }
+    }
+
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
     }
 
     fn over(&self, x: &Series) -> Option<Series> {

@@ -1,7 +1,7 @@
 //! Laws one after the other, and over and over.
 
 use super::breaks::{left_jet, merged, order_of_jump};
-use super::{Break, Law, LawFunction};
+use super::{Break, Law, LawFunction, trusted_parts};
 use crate::proof::{Interval, Series, piecewise, repeated};
 
 impl Law {
@@ -77,6 +77,10 @@ impl LawFunction for Sequence {
 
     fn description(&self) -> &str {
         "Laws one after the other, each over its length: f(x) = f_k(x − x_k)."
+    }
+
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
     }
 
     fn over(&self, x: &Series) -> Option<Series> {
@@ -201,6 +205,10 @@ impl LawFunction for Periodic {
 
     fn description(&self) -> &str {
         "The part of a law over one period, over and over."
+    }
+
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
     }
 
     fn over(&self, x: &Series) -> Option<Series> {

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::sequence::within;
-use super::{Break, Law, LawFunction};
+use super::{Break, Law, LawFunction, trusted_parts};
 use crate::error::{Error, Result};
 use crate::proof::{Interval, ONE, Series, piecewise, repeated};
 
@@ -60,13 +60,16 @@ struct Spline {
     ends: Ends,
     /// f″ at each x; empty for a table that is refused.
     curvature: Vec<f64>,
+    /// How far these can be from what is meant.
+    error: f64,
 }
 
 impl Spline {
     fn new(table: Vec<(f64, f64)>, ends: Ends) -> Self {
-        let mut spline = Spline { table, ends, curvature: Vec::new() };
+        let mut spline = Spline { table, ends, curvature: Vec::new(), error: 0.0 };
         if spline.refusal().is_none() {
             spline.curvature = spline.curvatures();
+            spline.error = spline.curvature_error();
         }
         spline
     }
@@ -122,11 +125,38 @@ impl Spline {
         [self.table[k].1 + t * (v + t * (m0 / 2.0 + t * j / 6.0)), v + t * (m0 + t * j / 2.0), m0 + t * j, j]
     }
 
+    /// How far the curvatures can be from the solution of their equations. The diagonals exceed the rest of their rows, so no curvature is off by more than
+    /// the largest of what a row is missed by, over what its diagonal exceeds the rest by.
+    fn curvature_error(&self) -> f64 {
+        let (last, number) = (self.table.len() - 1, |x: f64| Interval::from(x));
+        let m = |k: usize| number(self.curvature[k]);
+        let interval = |k: usize| {
+            let ((x0, y0), (x1, y1)) = (self.table[k], self.table[k + 1]);
+            let h = number(x1) - number(x0);
+            (h, (number(y1) - number(y0)) / h)
+        };
+        let inner = |[a, b]: [usize; 2], [before, at, after]: [usize; 3]| {
+            let ((h0, s0), (h1, s1)) = (interval(a), interval(b));
+            (h0 * m(before) + number(2.0) * (h0 + h1) * m(at) + h1 * m(after) - number(6.0) * (s1 - s0)) / (h0 + h1)
+        };
+        let end = |k: usize, [at, beside]: [usize; 2], rise: &dyn Fn(Interval) -> Interval| {
+            let (h, slope) = interval(k);
+            number(2.0) * m(at) + m(beside) - number(6.0) * rise(slope) / h
+        };
+        let missed = |k: usize| match self.ends {
+            Ends::Natural if k == 0 || k == last => m(k),
+            Ends::Clamped { start, .. } if k == 0 => end(0, [0, 1], &|slope| slope - number(start)),
+            Ends::Clamped { end: to, .. } if k == last => end(last - 1, [last, last - 1], &|slope| number(to) - slope),
+            Ends::Periodic if k == 0 || k == last => inner([last - 1, 0], [last - 1, 0, 1]),
+            _ => inner([k - 1, k], [k - 1, k, k + 1]),
+        };
+        (0..=last).map(|k| missed(k).mag()).fold(0.0, f64::max)
+    }
+
     /// The polynomial of interval k, with bounds. The curvatures are those that a rounded elimination has found: what is meant is near them.
     fn cubic(&self, k: usize, x: &Series) -> Series {
         let number = |x: f64| Interval::from(x);
-        let size = self.curvature.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
-        let [m0, m1] = [k, k + 1].map(|k| Interval::near(self.curvature[k], size));
+        let [m0, m1] = [k, k + 1].map(|k| number(self.curvature[k]) + Interval::ball(self.error));
         let ((x0, y0), (x1, y1)) = (self.table[k], self.table[k + 1]);
         let h = number(x1) - number(x0);
         let v = (number(y1) - number(y0)) / h - h * (number(2.0) * m0 + m1) / number(6.0);
@@ -197,6 +227,10 @@ impl LawFunction for Spline {
 
     fn description(&self) -> &str {
         "A cubic spline through a table, natural, clamped or periodic."
+    }
+
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
     }
 
     fn over(&self, x: &Series) -> Option<Series> {

@@ -3,7 +3,7 @@
 use super::equation::Inputs;
 use super::interval::{Interval, ONE, ZERO};
 use super::series::Series;
-use crate::blame::graph::Graph;
+use crate::blame::graph::{Graph, Outside};
 use crate::blame::{Source, columns};
 use crate::constraint::Constraint;
 use crate::error::Error;
@@ -54,6 +54,16 @@ impl<'a> Bounds<'a> {
             Ok(Part { constraint, first: block.rows().start, columns })
         };
         Ok(Bounds { system, parts: equations.blocks.iter().map(part).collect::<Result<_, Error>>()? })
+    }
+
+    /// The laws whose bounds are taken on their own word, each with its constraint.
+    pub(super) fn trusted(&self) -> Vec<String> {
+        let blocks = self.parts.iter().zip(&self.system.equations().blocks);
+        let mut all: Vec<String> =
+            blocks.flat_map(|(part, block)| part.trusted().into_iter().map(|law| format!("`{law}` in `{}`", block.name))).collect();
+        all.sort();
+        all.dedup();
+        all
     }
 
     /// Every row of C along q and t.
@@ -107,57 +117,59 @@ impl<'a> Part<'a> {
 
     /// Appends its rows of C along q and t.
     pub(crate) fn residual(&self, q: &[Series], t: Series, c: &mut Vec<Series>) -> Result<(), Unknown> {
-        let local: Vec<Series> = self.columns.iter().map(|column| column.of(q)).collect();
-        self.run(&local, t, 1, &|_| true, &mut |_, y| c.push(y))
+        let columns: Vec<Series> = self.columns.iter().map(|column| column.of(q)).collect();
+        self.with(&mut |graph, parameters, outside| {
+            let results = graph.series(&Inputs { columns: &columns, t, parameters, outside });
+            c.extend(self.rows(graph, &results, 1)?);
+            Ok(())
+        })
     }
 
-    /// Appends its entries of C_q over a box and an interval of time.
+    /// Appends its entries of C_q over a box and an interval of time, all that are not zero throughout.
+    ///
+    /// Every row is evaluated over the whole box whether it has an entry or not: floor, `if` and their like jump where their slopes are zero. Nothing
+    /// is taken from what the compiler knows of the entries: its constants are rounded.
     pub(crate) fn jacobian(&self, q: &[Interval], t: Interval, entries: &mut Vec<Entry>) -> Result<(), Unknown> {
-        let still: Vec<Series> = self.columns.iter().map(|column| Series::constant(column.of(q))).collect();
-        for (k, column) in self.columns.iter().enumerate() {
-            let Column::Own(column) = *column else { continue };
-            let rows = self.rows_of(k);
-            if let Some(constants) = rows.iter().map(|(row, constant)| Some((*row, (*constant)?))).collect::<Option<Vec<_>>>() {
-                entries.extend(constants.into_iter().map(|(row, value)| (self.first + row, column, Interval::from(value))));
-                continue;
+        let columns: Vec<Series> = self.columns.iter().map(|column| Series::constant(column.of(q))).collect();
+        self.with(&mut |graph, parameters, outside| {
+            let t = Series::constant(t);
+            let still = graph.series(&Inputs { columns: &columns, t, parameters, outside });
+            self.rows(graph, &still, 1)?;
+            for (k, column) in self.columns.iter().enumerate() {
+                let Column::Own(column) = *column else { continue };
+                let mut moved = columns.clone();
+                moved[k] = Series::variable(columns[k].value(), ONE, 2);
+                let along = graph.series_along(k, &still, &Inputs { columns: &moved, t, parameters, outside });
+                let along = self.rows(graph, &along, 2)?;
+                let all = along.iter().enumerate().map(|(row, y)| (self.first + row, column, y.at(1)));
+                entries.extend(all.filter(|entry| entry.2 != ZERO));
             }
-            let mut local = still.clone();
-            local[k] = Series::variable(still[k].value(), ONE, 2);
-            let asked = |row: usize| rows.iter().any(|(known, _)| *known == row);
-            self.run(&local, Series::constant(t), 2, &asked, &mut |row, y| entries.push((self.first + row, column, y.at(1))))?;
-        }
-        Ok(())
+            Ok(())
+        })
     }
 
-    /// The rows that depend on a local column, each with its entry if that never changes.
-    fn rows_of(&self, column: usize) -> Vec<(usize, Option<f64>)> {
-        let constants = self.constraint.constants();
-        let all = self.constraint.pattern().iter().enumerate();
-        all.filter(|(_, entry)| entry.1 == column).map(|(k, entry)| (entry.0, constants.get(k).copied().flatten())).collect()
+    /// Its rows among the results of the steps, at least `len` coefficients of each.
+    fn rows(&self, graph: &Graph, results: &[Series], len: usize) -> Result<Vec<Series>, Unknown> {
+        let known = |row: usize| {
+            let y = graph.row(row, results);
+            let is_known = y.len() >= len && y.known().iter().all(|c| c.is_finite());
+            is_known.then_some(y).ok_or_else(|| Unknown { row: self.first + row, expression: graph.unknown(row, results, len) })
+        };
+        (0..graph.rows.len()).map(known).collect()
     }
 
-    /// Gives the rows that are asked for, at least `len` coefficients of each.
-    fn run(
-        &self,
-        columns: &[Series],
-        t: Series,
-        len: usize,
-        asked: &dyn Fn(usize) -> bool,
-        give: &mut dyn FnMut(usize, Series),
-    ) -> Result<(), Unknown> {
-        let mut unknown = None;
-        self.constraint.graph(&mut |graph: &Graph, parameters, outside| {
-            let results = graph.series(&Inputs { columns, t, parameters, outside });
-            for row in (0..graph.rows.len()).filter(|row| asked(*row)) {
-                let y = graph.row(row, &results);
-                if y.len() < len || !y.known().iter().all(|c| c.is_finite()) {
-                    unknown = Some(Unknown { row: self.first + row, expression: graph.unknown(row, &results, len) });
-                    return;
-                }
-                give(row, y);
-            }
-        });
-        unknown.map_or(Ok(()), Err)
+    /// The laws whose bounds are taken on their own word.
+    fn trusted(&self) -> Vec<String> {
+        let mut all = Vec::new();
+        self.constraint.graph(&mut |graph: &Graph, _, outside| all = graph.trusted(outside));
+        all
+    }
+
+    /// Shows the steps.
+    fn with(&self, of: &mut dyn FnMut(&Graph, &[f64], Outside<'_>) -> Result<(), Unknown>) -> Result<(), Unknown> {
+        let mut done = Ok(());
+        self.constraint.graph(&mut |graph, parameters, outside| done = of(graph, parameters, outside));
+        done
     }
 }
 

@@ -27,10 +27,24 @@ impl Graph {
         known
     }
 
+    /// The results of steps where only one column moves, `still` being those where none does.
+    pub(super) fn series_along(&self, column: usize, still: &[Series], inputs: &Inputs<'_>) -> Vec<Series> {
+        let (mut known, mut moves) = (still.to_vec(), Vec::with_capacity(self.steps.len()));
+        for (k, (_, step)) in self.steps.iter().enumerate() {
+            let moving = matches!(step, Step::Column(own) if usize::from(*own) == column)
+                || step.reads(&|k| moves.get(usize::from(k)).copied().unwrap_or(false));
+            moves.push(moving);
+            if moving {
+                known[k] = result(*step, &known, inputs);
+            }
+        }
+        known
+    }
+
     /// The result of a row.
     pub(super) fn row(&self, row: usize, results: &[Series]) -> Series {
         let y = self.rows.get(row).and_then(|step| results.get(usize::from(*step))).copied().unwrap_or(UNKNOWN);
-        if y.turns() > 0 { UNKNOWN } else { y }
+        if y.is_open() { UNKNOWN } else { y }
     }
 
     /// The expression, as the user wrote it, because of which fewer than `len` coefficients of a row are known.
@@ -48,16 +62,13 @@ impl Graph {
 
     /// Why no bounds of its results can be had, whatever the position, if so.
     pub(super) fn opaque(&self, outside: Outside<'_>) -> Option<String> {
+        if self.is_rounded {
+            return Some("its constants are rounded before they can be read".to_string());
+        }
         let mut moves = Vec::with_capacity(self.steps.len());
-        for (k, (_, step)) in self.steps.iter().enumerate() {
-            let from = |step: u16| moves.get(usize::from(step)).copied().unwrap_or(false);
-            let moving = match step {
-                Step::Column(_) | Step::Time => true,
-                Step::Select(c, a, b) => from(*c) || from(*a) || from(*b),
-                Step::Compare(_, a, b) | Step::Both(a, b) | Step::Either(a, b) => from(*a) || from(*b),
-                Step::Not(a) => from(*a),
-                _ => self.operands(k as u16, &|_| true).into_iter().any(from),
-            };
+        for (_, step) in self.steps {
+            let moving =
+                matches!(step, Step::Column(_) | Step::Time) || step.reads(&|k| moves.get(usize::from(k)).copied().unwrap_or(false));
             match step {
                 Step::Law(law, ..) => {
                     let law = Given::by(outside, *law, &[]);
@@ -82,6 +93,12 @@ impl Graph {
         None
     }
 
+    /// The laws in it whose bounds are taken on their own word.
+    pub(super) fn trusted(&self, outside: Outside<'_>) -> Vec<String> {
+        let law = |step: &Step| if let Step::Law(law, ..) = step { Given::by(outside, *law, &[]).law().map(Law::trusted) } else { None };
+        self.steps.iter().filter_map(|(_, step)| law(step)).flatten().collect()
+    }
+
     /// A law that is written as an expression of column 0.
     pub fn law_over(&self, x: &Series, parameters: &[f64], outside: Outside<'_>) -> Option<Series> {
         if self.opaque(outside).is_some() {
@@ -94,7 +111,7 @@ impl Graph {
 
 fn result(step: Step, known: &[Series], inputs: &Inputs<'_>) -> Series {
     let of = |k: u16| known.get(usize::from(k)).copied().unwrap_or(UNKNOWN);
-    let value = |k: u16| if of(k).turns() == 0 { of(k).value() } else { UNKNOWN.value() };
+    let value = |k: u16| if of(k).is_open() { UNKNOWN.value() } else { of(k).value() };
     let parameter = |k: u16| inputs.parameters.get(usize::from(k)).map_or(UNKNOWN, |x| Series::constant(Interval::from(*x)));
     let truth = |[never, always]: [bool; 2]| {
         Series::constant(if never {
@@ -112,6 +129,7 @@ fn result(step: Step, known: &[Series], inputs: &Inputs<'_>) -> Series {
         Step::Time => inputs.t,
         Step::Parameter(k) => parameter(k),
         Step::Constant(x) => Series::constant(Interval::from(x)),
+        Step::Decimal(x, above) => Series::constant(if above { Interval::new(x, x.next_up()) } else { Interval::new(x.next_down(), x) }),
         Step::Negated(a) => -of(a),
         Step::Call(f, a) => of(a).call(f),
         Step::Call2(Function2::Product, a, b) if a == b => of(a).sqr(),
@@ -128,16 +146,25 @@ fn result(step: Step, known: &[Series], inputs: &Inputs<'_>) -> Series {
         Step::Not(a) => truth([held(a)[1], held(a)[0]]),
         Step::Law(number, x, order) => Given::by(inputs.outside, number, &[]).law().map_or(UNKNOWN, |law| law_of(law, of(x), order)),
         Step::Foreign(number, operands, component) => {
-            // what only the user's program can compute of parameters is the number that it gives
             let operands: Vec<Series> = operands.iter().map(|&k| of(k)).collect();
-            if !operands.iter().all(Series::is_constant) {
-                return UNKNOWN;
-            }
-            let operands: Vec<Dual3_64> = operands.iter().map(|x| Dual3_64::from_re(x.value().mid())).collect();
-            let number = Given::by(inputs.outside, number, &operands).number(component).re;
-            if number.is_finite() { Series::constant(Interval::from(number)) } else { UNKNOWN }
+            given(inputs.outside, number, component, &operands)
         }
     }
+}
+
+/// What only the user's program can compute of parameters: the number that it gives. What it is computed from is known up to rounding, so it is asked at
+/// both ends and in the middle of that: what jumps between them is not known.
+fn given(outside: Outside<'_>, number: u16, component: u16, operands: &[Series]) -> Series {
+    if !operands.iter().all(|x| x.is_constant() && !x.is_open()) {
+        return UNKNOWN;
+    }
+    let at = |place: fn(Interval) -> f64| {
+        let operands: Vec<Dual3_64> = operands.iter().map(|x| Dual3_64::from_re(place(x.value()))).collect();
+        Interval::from(Given::by(outside, number, &operands).number(component).re)
+    };
+    let all = [at(Interval::lo), at(Interval::mid), at(Interval::hi)];
+    let value = all[0].hull(all[1]).hull(all[2]);
+    if value.is_finite() { Series::constant(value) } else { UNKNOWN }
 }
 
 /// Whether a comparison never holds, and whether it always does.
@@ -156,19 +183,16 @@ fn compared(comparison: Comparison, a: Interval, b: Interval) -> [bool; 2] {
     }
 }
 
-/// The law of x (order 0), or its slope (1).
+/// The law of x (order 0), or its slope (1). Where x is known up to whole turns, so is what the law makes of it: nothing, unless it repeats.
 fn law_of(law: &Law, x: Series, order: u8) -> Series {
     if x.len() == 0 {
         return UNKNOWN;
     }
-    let taylor = |x0: Interval| law.over(&Series::variable(x0, ONE, ORDER + 1)).unwrap_or(UNKNOWN);
-    let mut f = taylor(x.value());
-    if x.turns() > 0 {
-        // x is known up to whole turns: the law has to be the same after them, as its pieces have to meet
-        let turns = Interval::pi(2.0 * f64::from(x.turns()));
-        let (here, there) = (Interval::from(x.value().mid()), Interval::from(x.value().mid()) - turns);
-        f = f.joined(&taylor(x.value() - turns), taylor(here).agreement(&taylor(there)));
+    let f = law.over(&Series::variable(x.value(), ONE, ORDER + 1).up_to(x.turns())).unwrap_or(UNKNOWN);
+    if order == 0 {
+        return x.compose(f.known()).up_to(f.turns());
     }
     let slope: Vec<Interval> = (1..f.len()).map(|k| Interval::from(k as f64) * f.at(k)).collect();
-    x.compose(if order == 0 { f.known() } else { &slope })
+    // the last coefficient that is known may jump: a slope that is the last one is no continuous function
+    if slope.len() < 2 { UNKNOWN } else { x.compose(&slope) }
 }

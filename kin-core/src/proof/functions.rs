@@ -1,7 +1,7 @@
 //! The functions of an equation's steps on series, from the differential equation of each: y′ = f′(x) x′ (Moore, ch. 11).
 
 use super::interval::{Interval, ONE, ZERO};
-use super::series::{ORDER, Series, UNKNOWN};
+use super::series::{ORDER, Series, Turns, UNKNOWN};
 use crate::blame::graph::{Function, Function2};
 
 impl Series {
@@ -13,7 +13,7 @@ impl Series {
 
     /// (sinh x, cosh x): s′ = c x′, c′ = s x′.
     fn hyperbolic(self) -> (Series, Series) {
-        if self.turns() > 0 { (UNKNOWN, UNKNOWN) } else { self.pair(Interval::sinh, Interval::cosh, ONE) }
+        if self.is_open() { (UNKNOWN, UNKNOWN) } else { self.pair(Interval::sinh, Interval::cosh, ONE) }
     }
 
     /// s′ = c x′, c′ = `sign` s x′.
@@ -34,11 +34,11 @@ impl Series {
     }
 
     /// eˣ: y′ = y x′.
-    pub(crate) fn exp(self) -> Series {
+    fn exponential(self) -> Series {
         Series::recurring(self.value().exp(), self.len(), |k, y| self.slope_times(y, k))
     }
 
-    fn ln(self) -> Series {
+    fn logarithm(self) -> Series {
         self.integral(self.value().ln(), &self.recip())
     }
 
@@ -54,14 +54,14 @@ impl Series {
     }
 
     /// √x, as far as no x is below zero.
-    pub(crate) fn sqrt(self) -> Series {
+    fn root(self) -> Series {
         if self.value().lo() < 0.0 { UNKNOWN } else { self.power(self.value().sqrt(), Interval::from(0.5)) }
     }
 
-    /// xⁿ, by products.
-    pub(crate) fn powi(self, n: i32) -> Series {
+    /// xⁿ
+    pub fn powi(self, n: i32) -> Series {
         match n.unsigned_abs() {
-            _ if n < 0 => self.powi(n.saturating_neg()).recip(),
+            _ if n < 0 => n.checked_neg().map_or(UNKNOWN, |n| self.powi(n).recip()),
             0 => Series::constant(ONE),
             1 => self,
             n if n.is_multiple_of(2) => self.sqr().powi((n / 2) as i32),
@@ -73,7 +73,7 @@ impl Series {
     }
 
     /// |x|; over 0 its slope is between that of −x and that of x.
-    fn abs(self) -> Series {
+    fn size(self) -> Series {
         let x = self.value();
         if x.lo() >= 0.0 {
             self
@@ -92,7 +92,7 @@ impl Series {
     /// What f is of this.
     pub(crate) fn call(self, f: Function) -> Series {
         let x = self;
-        if x.len() == 0 || (x.turns() > 0 && !matches!(f, Function::Sin | Function::Cos)) {
+        if x.len() == 0 || (x.is_open() && !matches!(f, Function::Sin | Function::Cos)) {
             return UNKNOWN;
         }
         let one = || Series::constant(ONE);
@@ -101,31 +101,28 @@ impl Series {
             Function::Sin => x.sin_cos().0,
             Function::Cos => x.sin_cos().1,
             Function::Tan => x.integral(x.value().tan(), &x.sin_cos().1.sqr().recip()),
-            Function::Asin => x.integral(x.value().asin(), &(one() - x.sqr()).sqrt().recip()),
-            Function::Acos => x.integral(x.value().acos(), &-(one() - x.sqr()).sqrt().recip()),
+            Function::Asin => x.integral(x.value().asin(), &(one() - x.sqr()).root().recip()),
+            Function::Acos => x.integral(x.value().acos(), &-(one() - x.sqr()).root().recip()),
             Function::Atan => x.integral(x.value().atan(), &(one() + x.sqr()).recip()),
             Function::Sinh => x.hyperbolic().0,
             Function::Cosh => x.hyperbolic().1,
             Function::Tanh => x.integral(x.value().tanh(), &x.hyperbolic().1.sqr().recip()),
-            Function::Asinh => x.integral(x.value().asinh(), &(one() + x.sqr()).sqrt().recip()),
-            Function::Acosh => x.integral(x.value().acosh(), &(x.sqr() - one()).sqrt().recip()),
+            Function::Asinh => x.integral(x.value().asinh(), &(one() + x.sqr()).root().recip()),
+            Function::Acosh => x.integral(x.value().acosh(), &(x.sqr() - one()).root().recip()),
             Function::Atanh => x.integral(x.value().atanh(), &(one() - x.sqr()).recip()),
-            Function::Exp => x.exp(),
-            Function::Exp2 => (x * Series::constant(log(2.0))).exp(),
-            Function::ExpM1 => x.exp().with_value(x.value().exp_m1()),
-            Function::Ln => x.ln(),
-            Function::Ln1p => (one() + x).ln().with_value(x.value().ln_1p()),
-            Function::Log2 => x.ln() * Series::constant(log(2.0).recip()),
-            Function::Log10 => x.ln() * Series::constant(log(10.0).recip()),
-            Function::Sqrt => x.sqrt(),
+            Function::Exp => x.exponential(),
+            Function::Exp2 => (x * Series::constant(log(2.0))).exponential(),
+            Function::ExpM1 => x.exponential().with_value(x.value().exp_m1()),
+            Function::Ln => x.logarithm(),
+            Function::Ln1p => (one() + x).logarithm().with_value(x.value().ln_1p()),
+            Function::Log2 => x.logarithm() * Series::constant(log(2.0).recip()),
+            Function::Log10 => x.logarithm() * Series::constant(log(10.0).recip()),
+            Function::Sqrt => x.root(),
             Function::Cbrt => x.power(x.value().cbrt(), whole(1) / whole(3)),
-            Function::Abs => x.abs(),
+            Function::Abs => x.size(),
             Function::Signum => {
-                if x.value() == ZERO {
-                    UNKNOWN
-                } else {
-                    x.step(f64::signum)
-                }
+                // the sign of a zero is that of its way of being computed
+                if x.value().contains(0.0) { UNKNOWN } else { x.step(f64::signum) }
             }
             Function::Floor => x.step(f64::floor),
             Function::Ceil => x.step(f64::ceil),
@@ -146,7 +143,7 @@ impl Series {
             Function2::Difference => a - b,
             Function2::Product => a * b,
             Function2::Quotient => a / b,
-            _ if a.len().min(b.len()) == 0 || a.turns() + b.turns() > 0 => UNKNOWN,
+            _ if a.is_open() || b.is_open() => UNKNOWN,
             Function2::Atan2 => a.atan2(b),
             Function2::Hypot => a.hypot(b),
             Function2::Powf => a.powf(b),
@@ -171,19 +168,20 @@ impl Series {
         if !value.is_finite() {
             return UNKNOWN;
         }
+        let turns = if across { Turns::ONE } else { Turns::NONE };
         if x.is_constant() && y.is_constant() {
-            return if across { UNKNOWN } else { Series::constant(value) };
+            return Series::constant(value).up_to(turns);
         }
         let r2 = x.sqr() + y.sqr();
         let (along, across_slope) = (y.integral(ZERO, &(x / r2)), x.integral(ZERO, &(y / r2)));
-        (along - across_slope).with_value(value).up_to(u32::from(across))
+        (along - across_slope).with_value(value).up_to(turns)
     }
 
     fn hypot(self, other: Series) -> Series {
         if self.is_constant() && other.is_constant() {
             return Series::constant(self.value().hypot(other.value()));
         }
-        (self.sqr() + other.sqr()).sqrt()
+        (self.sqr() + other.sqr()).root()
     }
 
     fn powf(self, a: Series) -> Series {
@@ -195,7 +193,7 @@ impl Series {
         }
         match a.is_constant() {
             true => self.power(self.value().powf(a.value()), a.value()),
-            false => (a * self.ln()).exp(),
+            false => (a * self.logarithm()).exponential(),
         }
     }
 
@@ -210,6 +208,47 @@ impl Series {
             self.hull(&other).with_value(Interval::new(a.lo().max(b.lo()), a.hi().max(b.hi()))).cut(2)
         }
     }
+}
+
+macro_rules! by_name {
+    ($($(#[$doc:meta])* $name:ident = $function:ident;)*) => {
+        impl Series {$(
+            $(#[$doc])*
+            #[must_use]
+            pub fn $name(self) -> Series {
+                self.call(Function::$function)
+            }
+        )*}
+    };
+}
+
+by_name! {
+    /// sin x
+    sin = Sin;
+    /// cos x
+    cos = Cos;
+    /// tan x
+    tan = Tan;
+    /// arcsin x
+    asin = Asin;
+    /// arccos x
+    acos = Acos;
+    /// arctan x
+    atan = Atan;
+    /// sinh x
+    sinh = Sinh;
+    /// cosh x
+    cosh = Cosh;
+    /// tanh x
+    tanh = Tanh;
+    /// eˣ
+    exp = Exp;
+    /// ln x
+    ln = Ln;
+    /// √x
+    sqrt = Sqrt;
+    /// |x|
+    abs = Abs;
 }
 
 fn whole(k: usize) -> Interval {

@@ -4,7 +4,7 @@ use proptest::prelude::*;
 
 use super::bounds::taylor;
 use super::interval::{ALL, Interval, ONE, UNIT, ZERO};
-use super::series::{ORDER, Series};
+use super::series::{ORDER, Series, Turns};
 use crate::blame::graph::{Function, Function2};
 
 const FUNCTIONS: [Function; 28] = {
@@ -104,7 +104,7 @@ proptest! {
             let mut bounds = along(x, v).call2(f, along(y, w));
             let dual = |a: f64, v: f64| crate::real::Real(num_dual::Dual3_64::new(a, v, 0.0, 0.0));
             let exact = f.by_dual()(dual(a, v), dual(b, w)).0;
-            if bounds.turns() > 0 {
+            if !bounds.turns().is_none() {
                 // across the cut angles go on: those below it are a whole turn less
                 prop_assert!(f == Function2::Atan2);
                 let turned = exact.re + if exact.re < 0.0 { 2.0 * std::f64::consts::PI } else { 0.0 };
@@ -198,9 +198,10 @@ fn edges() {
 fn angles_up_to_whole_turns() {
     let y = Series::variable(Interval::new(-0.01, 0.01), ONE, ORDER + 1);
     let angle = y.call2(Function2::Atan2, Series::constant(-ONE));
-    assert_eq!(angle.turns(), 1);
+    assert_eq!(angle.turns(), Turns::ONE);
     let thrice = (angle.plus(0.5).times(-3.0)).call2(Function2::Sum, angle.times(6.0));
-    assert_eq!((angle.times(-3.0).turns(), thrice.turns(), angle.times(0.5).len(), (angle * angle).len()), (3, 3, 0, 0));
+    assert_eq!((angle.times(-3.0).turns(), thrice.turns()), (Turns { unit: 3, most: 3 }, Turns { unit: 3, most: 9 }));
+    assert_eq!((angle.times(0.5).len(), (angle * angle).len(), angle.times(0.0).turns()), (0, 0, Turns::NONE));
     assert!(thrice.call(Function::Sin).len() > 1 && thrice.call(Function::Exp).len() == 0 && (angle / angle).len() == 0);
     assert!(angle.call2(Function2::Max, angle).len() == 0);
 }

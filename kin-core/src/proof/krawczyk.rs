@@ -133,14 +133,44 @@ fn settled(b: &[f64], r: &DMatrix<f64>, radius: f64) -> Option<Vec<f64>> {
     };
     let mut y = DVector::from_iterator(b.len(), b.iter().map(|b| ROOM * b + 1e-20));
     for _ in 0..200 {
+        if !y.iter().all(|y| *y <= radius) {
+            return None;
+        }
         let z = applied(&y);
         if z.iter().zip(y.iter()).all(|(z, y)| z < y) {
             return Some(z);
         }
-        if !z.iter().all(|z| ROOM * z + 1e-20 <= radius) {
-            return None;
-        }
         y.iter_mut().zip(&z).for_each(|(y, z)| *y = ROOM * z + 1e-20);
     }
     None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// R y < y for some y is the same as a spectral radius below 1: matrices of one row, and one whose rows are large though it is not.
+    #[test]
+    fn a_map_that_does_not_shrink_its_box_proves_nothing() {
+        let one = |r: f64| DMatrix::from_element(1, 1, r);
+        for r in [1.0, 1.0 + 1e-9, 1.2, 1.4, 3.0, f64::INFINITY] {
+            for b in [0.0, 1e-18, 1e-3] {
+                assert_eq!(settled(&[b], &one(r), 1.0), None, "{r} {b}");
+            }
+        }
+        let shear = DMatrix::from_row_slice(2, 2, &[0.5, 1e3, 0.0, 0.5]);
+        assert!(settled(&[1e-12, 1e-12], &shear, 1.0).is_some());
+        assert!(settled(&[1e-12, 1e-12], &DMatrix::from_row_slice(2, 2, &[0.0, 1e3, 2e-3, 0.0]), 1.0).is_none());
+    }
+
+    /// What is told holds the fixed point b/(1 − r), is no more than some percent above it, and stays in the box.
+    #[test]
+    fn the_box_holds_the_fixed_point() {
+        for (b, r) in [(1e-3, 0.0), (1e-3, 0.3), (1e-9, 0.9), (0.2, 0.5)] {
+            let exact = b / (1.0 - r);
+            let found = settled(&[b], &DMatrix::from_element(1, 1, r), 1.0).expect("settles")[0];
+            assert!(found >= exact && found <= 1.3 * exact, "{b} {r}: {found:e} {exact:e}");
+            assert_eq!(settled(&[b], &DMatrix::from_element(1, 1, r), 0.9 * exact), None);
+        }
+    }
 }

@@ -1,24 +1,50 @@
 //! Functions of pieces with interval bounds.
 //!
-//! That the pieces of a law meet is taken from the law: it is told by their bounds, which have to touch at the seam. Numbers that are rounded (where a
-//! piece begins, which value it begins with) stand for what is meant by them; a jump that is more than rounding is seen.
+//! That the pieces of a law meet is taken from the law: it is told by their bounds, which have to touch at the seam and to be narrow there. Numbers that
+//! are rounded (where a piece begins, which value it begins with) stand for what is meant by them; a jump that is more than rounding is seen, and where
+//! bounds are too wide to see one, nothing is known.
 
 use super::interval::{Interval, ONE};
-use super::series::{ORDER, Series, UNKNOWN};
+use super::series::{ORDER, Series, Turns, UNKNOWN};
 
 /// More pieces than these at once say nothing that is of use.
 const MOST: usize = 64;
 
+/// What rounding may leave between two pieces, as a share of the largest number in them, and in units of the last place of the seam.   \[-\]
+const ROUNDING: f64 = 1e-12;
+const PLACES: f64 = 16.0 * f64::EPSILON;
+
+/// Whatever the reason, pieces that are further apart do not meet.   \[-\]
+const APART: f64 = 1e-9;
+
 impl Interval {
     /// x but for rounding in numbers of a size.
     pub(crate) fn near(x: f64, size: f64) -> Self {
-        Interval::from(x) + Interval::ball(16.0 * f64::EPSILON * size)
+        Interval::from(x) + Interval::ball(PLACES * size)
     }
 }
 
+/// A function of one number, with bounds.
+type Piece<'a> = &'a dyn Fn(&Series) -> Option<Series>;
+
 /// A function of x that is `piece(k, x)` between seam k − 1 and seam k; seams increase.
 pub(crate) fn piecewise(x: &Series, seams: &[f64], piece: &dyn Fn(usize, &Series) -> Option<Series>) -> Option<Series> {
-    if x.len() == 0 {
+    let agreement = |k: usize| {
+        let from = k.checked_sub(1).and_then(|before| seams.get(before));
+        let [one, other]: [Piece<'_>; 2] = [&|x| piece(k, x), &|x| piece(k + 1, x)];
+        agreement([one, other], [seams[k]; 2], [from.copied(), seams.get(k + 1).copied()])
+    };
+    along(x, seams, piece, &agreement)
+}
+
+/// The same, `agreement(k)` being of how many coefficients both pieces have the same ones at seam k.
+fn along(
+    x: &Series,
+    seams: &[f64],
+    piece: &dyn Fn(usize, &Series) -> Option<Series>,
+    agreement: &dyn Fn(usize) -> Option<usize>,
+) -> Option<Series> {
+    if x.is_open() {
         return Some(UNKNOWN);
     }
     let seam = |k: usize| seams.get(k).map(|seam| Interval::near(*seam, *seam));
@@ -33,33 +59,66 @@ pub(crate) fn piecewise(x: &Series, seams: &[f64], piece: &dyn Fn(usize, &Series
             return Some(UNKNOWN);
         }
         let y = piece(k, &x.with_value(part))?;
-        whole = Some(match whole.zip(k.checked_sub(1).and_then(seam)) {
+        whole = Some(match whole.zip(k.checked_sub(1)) {
             None => y,
-            Some((before, seam)) => {
-                let there = Series::variable(seam, ONE, ORDER + 1);
-                before.joined(&y, piece(k - 1, &there)?.agreement(&piece(k, &there)?))
-            }
+            Some((before, seam)) => before.joined(&y, agreement(seam)?),
         });
     }
     let y = whole?;
     Some(if x.is_constant() && y.len() > 0 { Series::constant(y.value()) } else { y })
 }
 
+/// Of how many coefficients, from the first, those of one function where it ends are those of the next where it begins; `others` are the other ends
+/// of both, if they have any.
+fn agreement(pieces: [Piece<'_>; 2], at: [f64; 2], others: [Option<f64>; 2]) -> Option<usize> {
+    let of = |k: usize, x: Interval| pieces[k](&Series::variable(x, ONE, ORDER + 1));
+    let exact = [of(0, Interval::from(at[0]))?, of(1, Interval::from(at[1]))?];
+    let around = [of(0, Interval::near(at[0], at[0]))?, of(1, Interval::near(at[1], at[1]))?];
+    let mut all = around.to_vec();
+    for (k, other) in others.into_iter().enumerate() {
+        all.extend(other.map_or(Some(None), |other| of(k, Interval::from(at[k]).hull(Interval::from(other))).map(Some))?);
+    }
+    let place = PLACES * at[0].abs().max(at[1].abs());
+    let known = exact[0].len().min(exact[1].len());
+    let same = (0..known).take_while(|&j| {
+        let size = all.iter().map(|series| series.at(j).mag()).filter(|size| size.is_finite()).fold(0.0, f64::max);
+        let slope = (j + 1) as f64 * (around[0].at(j + 1).mag() + around[1].at(j + 1).mag());
+        let rounding = (ROUNDING * size + place * slope).min(APART * size) + f64::MIN_POSITIVE;
+        around[0].at(j).meets(around[1].at(j)) && (exact[0].at(j) - exact[1].at(j)).mag() <= rounding
+    });
+    Some(same.count())
+}
+
 /// A function of x that is the same after every period: `one` of what x is beyond the last beginning of one.
 pub(crate) fn repeated(x: &Series, start: f64, period: f64, one: &dyn Fn(&Series) -> Option<Series>) -> Option<Series> {
-    let local = x.plus(-start);
+    let Some(local) = wound(&x.plus(-start), period) else { return Some(UNKNOWN) };
     let periods = local.value() / Interval::from(period);
     let (first, last) = (periods.lo().floor(), periods.hi().floor());
     if !(last - first <= MOST as f64 && first.abs() < 1e9 && last.abs() < 1e9) {
         return Some(UNKNOWN);
     }
     let seams: Vec<f64> = (1..=(last - first) as u32).map(|k| (first + f64::from(k)) * period).collect();
-    piecewise(&local, &seams, &|k, x| {
+    let piece = |k: usize, x: &Series| {
         let begin = Interval::from(first + k as f64) * Interval::from(period);
         let local = *x - Series::constant(begin);
         // what lies beside the period by rounding is that of its end
         let size = begin.mag().max(period);
         let inside = Interval::near(0.0, size).hull(Interval::near(period, size));
         local.value().common(inside).map_or(Some(UNKNOWN), |inside| one(&local.with_value(inside)))
-    })
+    };
+    along(&local, &seams, &piece, &|_| agreement([one, one], [period, 0.0], [Some(0.0), Some(period)]))
+}
+
+/// The same number for a function that repeats after a period: whole turns of x that are periods, but for rounding, do not matter to it.
+fn wound(x: &Series, period: f64) -> Option<Series> {
+    let Turns { unit, most } = x.turns();
+    if x.turns().is_none() {
+        return Some(*x);
+    }
+    let turns = Interval::pi(2.0 * f64::from(unit));
+    let count = (turns.mid() / period).round();
+    let lost = (turns - Interval::from(period) * Interval::from(count)).mag();
+    // what so many periods are off, and those that x itself is away from the first
+    let all = Interval::ball(lost) * Interval::from(f64::from(most) + (x.value() / Interval::from(period)).mag() + 1.0);
+    (count >= 1.0 && lost <= 4.0 * f64::EPSILON * turns.mag()).then(|| x.up_to(Turns::NONE).with_value(x.value() + all))
 }

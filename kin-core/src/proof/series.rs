@@ -13,26 +13,87 @@ use super::interval::{ALL, Interval, ONE, ZERO};
 pub(crate) const ORDER: usize = 6;
 const FULL: usize = ORDER + 1;
 
-/// Coefficients c0, c1, … of a function of σ.
+/// A function of σ, −1 ≤ σ ≤ 1, as bounds of its values and of its derivatives there: what [`crate::LawFunction::over`] is asked for.
+///
+/// It is computed with like a number: `+`, `−`, `·`, `/`, and functions under f64's names. All results hold whatever the operands may be between
+/// their bounds, rounding included.
 #[derive(Clone, Copy, Debug)]
 pub struct Series {
     c: [Interval; FULL],
     len: usize,
     /// Coefficients beyond this one are zero: most of what an equation is made of does not move, or along a line.
     degree: usize,
-    /// 0, or a whole number k: the function is this one up to k whole turns, k 2π n for some whole n at each point.
-    turns: u32,
+    turns: Turns,
+}
+
+/// Whole turns that a function may be off by, other ones at other points: 2π `unit` n, n a whole number, |unit n| ≤ `most`. None for 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Turns {
+    pub unit: u32,
+    pub most: u32,
+}
+
+impl Turns {
+    pub const NONE: Turns = Turns { unit: 0, most: 0 };
+    /// What an angle is known up to that may have passed its cut.
+    pub const ONE: Turns = Turns { unit: 1, most: 1 };
+
+    pub fn is_none(self) -> bool {
+        self.most == 0
+    }
+
+    /// Those of a sum.
+    fn and(self, other: Turns) -> Turns {
+        Turns { unit: divisor(self.unit, other.unit), most: self.most.saturating_add(other.most) }
+    }
+
+    /// Those of a multiple, if they are whole turns again.
+    fn times(self, factor: f64) -> Option<Turns> {
+        let times = |n: u32| {
+            let product = f64::from(n) * factor.abs();
+            let is_exact = f64::from(n).mul_add(factor.abs(), -product) == 0.0;
+            (is_exact && product.fract() == 0.0 && (1.0..1e6).contains(&product)).then_some(product as u32)
+        };
+        Some(Turns { unit: times(self.unit)?, most: times(self.most)? })
+    }
 }
 
 /// Nothing is known of it.
-pub(crate) const UNKNOWN: Series = Series { c: [ALL; FULL], len: 0, degree: ORDER, turns: 0 };
+pub(crate) const UNKNOWN: Series = Series { c: [ALL; FULL], len: 0, degree: ORDER, turns: Turns::NONE };
 
 impl Series {
+    /// A number.
+    pub fn number(x: f64) -> Self {
+        Series::constant(Interval::from(x))
+    }
+
+    /// The least and the largest of its values; infinite where they are not known.
+    pub fn values(&self) -> [f64; 2] {
+        if self.is_open() { [f64::NEG_INFINITY, f64::INFINITY] } else { [self.c[0].lo(), self.c[0].hi()] }
+    }
+
+    /// f of it, from bounds \[least, largest\] of f, f′, f″, … (up to the sixth) over all of [`Series::values`].
+    ///
+    /// All but the last of them have to be continuous there: a law with a break between these values gives no more than those up to the derivative
+    /// that jumps, none where it jumps itself.
+    #[must_use]
+    pub fn chain(&self, f: &[[f64; 2]]) -> Self {
+        if self.is_open() {
+            return UNKNOWN;
+        }
+        let mut factorial = 1.0;
+        let coefficients = f.iter().enumerate().take(FULL).map(|(k, [lo, hi])| {
+            factorial *= (k as f64).max(1.0);
+            Interval::new(*lo, *hi) / Interval::from(factorial)
+        });
+        self.compose(&coefficients.collect::<Vec<_>>())
+    }
+
     /// A number that does not change.
     pub(crate) fn constant(x: Interval) -> Self {
         let mut c = [ZERO; FULL];
         c[0] = x;
-        Series { c, len: FULL, degree: 0, turns: 0 }
+        Series { c, len: FULL, degree: 0, turns: Turns::NONE }
     }
 
     /// x + v σ, `len` coefficients of which are asked for.
@@ -55,7 +116,7 @@ impl Series {
         for k in 1..len {
             c[k] = next(k, &c);
         }
-        Series { c, len, degree: len.saturating_sub(1), turns: 0 }
+        Series { c, len, degree: len.saturating_sub(1), turns: Turns::NONE }
     }
 
     /// How many coefficients are known.
@@ -88,12 +149,17 @@ impl Series {
         self.degree
     }
 
-    pub(crate) fn turns(&self) -> u32 {
+    pub(crate) fn turns(&self) -> Turns {
         self.turns
     }
 
-    /// The same, known up to `turns` whole turns alone.
-    pub(super) fn up_to(self, turns: u32) -> Self {
+    /// Whether nothing of it is known, or it only up to whole turns.
+    pub(crate) fn is_open(&self) -> bool {
+        self.len == 0 || !self.turns.is_none()
+    }
+
+    /// The same, known up to whole turns alone.
+    pub(super) fn up_to(self, turns: Turns) -> Self {
         Series { turns, ..self }
     }
 
@@ -112,17 +178,12 @@ impl Series {
     fn each(&self, other: &Self, f: impl Fn(Interval, Interval) -> Interval) -> Self {
         let (len, degree, mut c) = (self.len.min(other.len), self.degree.max(other.degree), [ZERO; FULL]);
         (0..len.min(degree + 1)).for_each(|k| c[k] = f(self.c[k], other.c[k]));
-        Series { c, len, degree, turns: 0 }
+        Series { c, len, degree, turns: Turns::NONE }
     }
 
     /// A function that is this one somewhere and the other elsewhere.
     pub(crate) fn hull(&self, other: &Self) -> Self {
         self.each(other, Interval::hull)
-    }
-
-    /// Of how many coefficients, from the first, those of two series may be the same.
-    pub(super) fn agreement(&self, other: &Self) -> usize {
-        self.known().iter().zip(other.known()).take_while(|(a, b)| a.meets(**b)).count()
     }
 
     /// A function that goes over from this one to the other where so many coefficients of both agree: the first one that does not may jump.
@@ -131,23 +192,27 @@ impl Series {
     }
 
     /// x²
-    pub(crate) fn sqr(self) -> Self {
+    #[must_use]
+    pub fn sqr(self) -> Self {
         let square = self * self;
         if square.len > 0 { square.with_value(self.c[0].sqr()) } else { square }
     }
 
     /// 1/x
-    pub(crate) fn recip(self) -> Self {
+    #[must_use]
+    pub fn recip(self) -> Self {
         Series::constant(ONE) / self
     }
 
     /// factor · x
-    pub(crate) fn times(self, factor: f64) -> Self {
+    #[must_use]
+    pub fn times(self, factor: f64) -> Self {
         self * Series::constant(Interval::from(factor))
     }
 
     /// x + c
-    pub(crate) fn plus(self, c: f64) -> Self {
+    #[must_use]
+    pub fn plus(self, c: f64) -> Self {
         self + Series::constant(Interval::from(c))
     }
 
@@ -172,7 +237,7 @@ impl Series {
         if self.is_constant() {
             return Series::constant(f[0]);
         }
-        let step = self.with_value(ZERO).up_to(0);
+        let step = self.with_value(ZERO).up_to(Turns::NONE);
         f[..len].iter().rev().fold(Series::constant(ZERO), |sum, c| sum * step + Series::constant(*c)).cut(len)
     }
 }
@@ -194,7 +259,7 @@ impl Add for Series {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        self.each(&other, Add::add).up_to(divisor(self.turns, other.turns))
+        self.each(&other, Add::add).up_to(self.turns.and(other.turns))
     }
 }
 
@@ -210,11 +275,14 @@ impl Mul for Series {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        let turns = match (self.turns, other.turns) {
-            (0, 0) => Some(0),
-            // a whole multiple of whole turns
-            (turns, 0) => whole(&other).and_then(|n| turns.checked_mul(n)),
-            (0, turns) => whole(&self).and_then(|n| turns.checked_mul(n)),
+        let is_zero = |x: &Series| x.is_constant() && x.value() == ZERO;
+        if self.len.min(other.len) > 0 && (is_zero(&self) || is_zero(&other)) {
+            return Series::constant(ZERO);
+        }
+        let turns = match (self.turns.is_none(), other.turns.is_none()) {
+            (true, true) => Some(Turns::NONE),
+            (false, true) => number(&other).and_then(|factor| self.turns.times(factor)),
+            (true, false) => number(&self).and_then(|factor| other.turns.times(factor)),
             _ => None,
         };
         let Some(turns) = turns else { return UNKNOWN };
@@ -227,11 +295,9 @@ impl Mul for Series {
     }
 }
 
-/// |n| of a constant whole number n, except 0.
-fn whole(x: &Series) -> Option<u32> {
-    let n = x.value().lo();
-    let fits = x.is_constant() && x.value().is_thin() && n.fract() == 0.0 && n != 0.0 && n.abs() < 1e6;
-    fits.then_some(n.abs() as u32)
+/// The number that it is, if it is one that is known.
+fn number(x: &Series) -> Option<f64> {
+    (x.is_constant() && x.value().is_thin()).then_some(x.value().lo())
 }
 
 impl Div for Series {
@@ -239,7 +305,7 @@ impl Div for Series {
 
     fn div(self, other: Self) -> Self {
         let len = self.len.min(other.len);
-        if len == 0 || other.c[0].contains(0.0) || self.turns + other.turns > 0 {
+        if other.c[0].contains(0.0) || self.is_open() || other.is_open() {
             return UNKNOWN;
         }
         Series::recurring(self.c[0] / other.c[0], len, |k, q| {

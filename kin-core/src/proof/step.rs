@@ -129,3 +129,45 @@ impl Around {
         self
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::joints::drivers::drive;
+    use crate::{Law, Mechanism};
+
+    fn around<const N: usize>(inner: [f64; N], outer: [f64; N]) -> Around {
+        Around { inner: inner.to_vec(), outer: outer.to_vec() }
+    }
+
+    /// The solution of one has to lie where the other one has no second: in all coordinates, with what the positions are apart.
+    #[test]
+    fn solutions_are_the_same_where_one_is_alone_in_the_box_of_the_other() {
+        let (a, b) = (around([0.1, 0.1], [0.2, 0.2]), around([0.15, 0.15], [0.3, 0.3]));
+        assert!(joined(&a, &b, &[0.0; 2]) && joined(&b, &a, &[0.0; 2]));
+        assert!(
+            joined(&a, &b, &[0.19; 2]) && !joined(&a, &b, &[0.21; 2]) && !joined(&a, &b, &[0.0, 0.21]) && !joined(&a, &b, &[0.21, 0.0])
+        );
+        let (wide, narrow) = (around([1.0], [2.0]), around([1e-9], [1e-3]));
+        assert!(joined(&wide, &narrow, &[0.0]) && joined(&narrow, &wide, &[0.0]));
+        let (one, other) = (around([1.0, 1e-3], [2.0, 2e-3]), around([1e-3, 1.0], [2e-3, 2.0]));
+        assert!(!joined(&one, &other, &[0.0; 2]));
+    }
+
+    /// Both computed positions are asked whether theirs is the solution of the step.
+    #[test]
+    fn a_step_is_joined_to_both_positions() {
+        let mut m = Mechanism::new("slider");
+        let x = m.length("x", 1.0).unwrap();
+        m.add("motor", drive(x, Law::linear(1.0, 1.0))).unwrap();
+        let system = m.build().unwrap();
+        let motion = system.run([0.0, 1.0]).unwrap();
+        let (bounds, sizes) = (Bounds::new(&system).unwrap(), [1.0]);
+        let test = Test { bounds: &bounds, sizes: &sizes };
+        let own = [0, 1].map(|k| Curve::still(motion.q(k), motion.times()[k]).around(&test, [0.0, 1.0]).unwrap());
+        let elsewhere = around([5.0], [1e-30]);
+        assert!(step(&bounds, &sizes, &motion, 0, [&own[0], &own[1]]).is_ok());
+        assert!(step(&bounds, &sizes, &motion, 0, [&elsewhere, &own[1]]).is_err());
+        assert!(step(&bounds, &sizes, &motion, 0, [&own[0], &elsewhere]).is_err());
+    }
+}

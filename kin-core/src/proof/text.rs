@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::interval::down;
 use super::{Doubt, DoubtReason, Proof, Tube};
 use crate::error::text::{count, time};
 use crate::layout::Unit;
@@ -25,14 +26,19 @@ pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     }
     let tubes: Vec<&Tube> = proof.steps.iter().filter_map(|step| step.tube.as_ref().ok()).collect();
     let positions: Vec<&Tube> = proof.positions.iter().filter_map(|position| position.as_ref().ok()).collect();
-    let largest = |tubes: &[&Tube]| sizes(proof, &|k| tubes.iter().fold(0.0, |m, tube| tube.radius[k].max(m)), f64::max);
-    let least = |tubes: &[&Tube]| sizes(proof, &|k| tubes.iter().fold(f64::INFINITY, |m, tube| tube.alone[k].min(m)), f64::min);
+    let largest = |tubes: &[&Tube]| sizes(proof, &|k| tubes.iter().fold(0.0, |m, tube| tube.radius[k].max(m)), f64::max, above);
+    // of one step this is beyond its radius, whatever the radius of others is
+    let free = |tube: &Tube, k: usize| down(tube.alone[k] - tube.radius[k]);
+    let least = |tubes: &[&Tube]| sizes(proof, &|k| tubes.iter().fold(f64::INFINITY, |m, tube| free(tube, k).min(m)), f64::min, below);
     if !tubes.is_empty() {
         let (radius, alone) = (largest(&tubes), least(&tubes));
-        write!(f, "\n  It is within {radius} of the positions interpolated between them; no other is within {alone}.")?;
+        write!(f, "\n  It is within {radius} of the positions interpolated between them; no other comes within {alone} of it.")?;
     }
     if !positions.is_empty() {
         write!(f, "\n  Computed positions are off by no more than {}.", largest(&positions))?;
+    }
+    if !proof.trusted.is_empty() {
+        write!(f, "\n  That is trusting the bounds of {}.", proof.trusted.join(", "))?;
     }
     if let Some(step) = proof.first_unproved() {
         let (number, from, to) = (step.step + 1, time(step.from), time(step.to));
@@ -44,11 +50,29 @@ pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
 }
 
 /// The sizes of lengths, of angles and of Euler parameters, as far as there are such coordinates.
-fn sizes(proof: &Proof, of: &dyn Fn(usize) -> f64, join: fn(f64, f64) -> f64) -> String {
+fn sizes(proof: &Proof, of: &dyn Fn(usize) -> f64, join: fn(f64, f64) -> f64, rounded: fn(f64) -> String) -> String {
     let of = |unit: Unit| (0..proof.units.len()).filter(|k| proof.units[*k] == unit).map(of).reduce(join);
     let names = [(Unit::Metre, "m"), (Unit::Radian, "rad"), (Unit::One, "in Euler parameters")];
-    let texts = names.into_iter().filter_map(|(unit, name)| Some(format!("{:.1e} {name}", of(unit)?)));
+    let texts = names.into_iter().filter_map(|(unit, name)| Some(format!("{} {name}", rounded(of(unit)?))));
     texts.collect::<Vec<_>>().join(" and ")
+}
+
+/// A number of two digits that is not below x.
+fn above(x: f64) -> String {
+    rounded(x, 1.0)
+}
+
+/// A number of two digits that is not above x.
+fn below(x: f64) -> String {
+    rounded(x, -1.0)
+}
+
+fn rounded(x: f64, sense: f64) -> String {
+    let text = format!("{x:.1e}");
+    let is_beyond = |text: &str| text.parse::<f64>().is_ok_and(|shown| sense * shown >= sense * x);
+    let power = format!("{x:e}").split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0);
+    // half a unit of the second digit further it is rounded to the next number
+    if is_beyond(&text) { text } else { format!("{:.1e}", x + sense * 0.05 * 10_f64.powi(power)) }
 }
 
 impl fmt::Display for Doubt {
@@ -72,5 +96,25 @@ impl fmt::Display for Doubt {
                 f.write_str(".")
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is said is not less than what was proved to be enough, and not more than what was proved to be free.
+    #[test]
+    fn numbers_are_rounded_outwards() {
+        let mut x = 1.2345e-14;
+        while x < 1e3 {
+            let [high, low] = [above(x), below(x)].map(|text| text.parse::<f64>().unwrap());
+            assert!(low <= x && x <= high && high <= 1.1001 * low, "{x:e}: {low:e} {high:e}");
+            x *= 1.0371;
+        }
+        assert_eq!(
+            [above(1.04e-13), below(9.96e-5), above(9.94e-5), above(2.0), below(0.0)],
+            ["1.1e-13", "9.9e-5", "1.0e-4", "2.0e0", "0.0e0"]
+        );
     }
 }

@@ -2,6 +2,8 @@
 
 use std::f64::consts::{LN_2, LN_10};
 
+use kin_graph::functions::{acosh, atanh};
+
 use super::{Dual, Real};
 
 /// Methods from lines `name(x) = [f, f′, f″, f‴];`.
@@ -69,10 +71,10 @@ functions! {
     acosh(x) = {
         let d = ((x - 1.0).sqrt() * (x + 1.0).sqrt()).recip();
         let d2 = d * d;
-        [x.acosh(), d, -x * d * d2, d * d2 * (2.0 + 3.0 * d2)]
+        [acosh(x), d, -x * d * d2, d * d2 * (2.0 + 3.0 * d2)]
     };
     /// artanh x; infinite at ±1, NaN beyond.
-    atanh(x) = { let d = ((1.0 - x) * (1.0 + x)).recip(); [x.atanh(), d, 2.0 * x * d * d, (6.0 * x * x + 2.0) * d * d * d] };
+    atanh(x) = { let d = ((1.0 - x) * (1.0 + x)).recip(); [atanh(x), d, 2.0 * x * d * d, (6.0 * x * x + 2.0) * d * d * d] };
     /// eˣ.
     exp(x) = [x.exp(); 4];
     /// 2ˣ.

@@ -25,6 +25,7 @@ pub use crate::lanes::{InLanes, LaneAt, LaneKernel, LaneKernels, LaneRates, Leve
 pub use crate::law::LawFunction;
 pub use crate::real::{Dual, Real};
 pub use crate::state::{At, PlanarState, Rates, SpatialState};
+pub use kin_graph::functions::{acosh, atanh};
 pub use num_dual::{Dual2_64, Dual3_64, Dual64};
 
 pub use argument::{IntoConstant, IntoJet, IntoPlain, IntoReference, Jet, Nothing};

@@ -98,7 +98,9 @@ impl Partial {
             }
             Op::Select(c, a, b) => g.select(c, self.known(a), self.known(b)),
             Op::Leaf(of) => self.leaf(g, of),
-            Op::Constant(_) | Op::Opaque(..) | Op::Truth(_) | Op::Compare(..) | Op::And(..) | Op::Or(..) | Op::Not(_) => g.zero(),
+            Op::Constant(_) | Op::Decimal(_) | Op::Opaque(..) | Op::Truth(_) | Op::Compare(..) | Op::And(..) | Op::Or(..) | Op::Not(_) => {
+                g.zero()
+            }
         }
     }
 

@@ -1,6 +1,7 @@
 //! The scalar graph: every value of a constraint as hash-consed nodes. Equal expressions are one node, so common subexpressions vanish
 //! while building. Nodes are numbered in order of creation; nothing depends on hash iteration.
 
+mod decimal;
 mod hash;
 mod simplify;
 
@@ -8,6 +9,7 @@ use std::collections::HashMap;
 
 use crate::{Function, Function2};
 
+pub use decimal::Decimal;
 pub use simplify::is_power_of_two;
 
 /// A scalar (or a condition) in a [`Graph`].
@@ -78,6 +80,8 @@ pub enum Op {
     Input(Input),
     /// Bits of an f64.
     Constant(u64),
+    /// A number that no f64 is, by its number among [`Graph::decimals`]; only in a graph as written.
+    Decimal(usize),
     Add(Node, Node),
     Sub(Node, Node),
     Mul(Node, Node),
@@ -148,6 +152,12 @@ pub struct Graph {
     pub opaques: Vec<Vec<Node>>,
     pub leaves: Vec<Leaf>,
     pub directions: Vec<Direction>,
+    /// The numbers in it that no f64 is.
+    pub decimals: Vec<Decimal>,
+    /// Whether constants stay as they are written wherever f64 would round them.
+    as_written: bool,
+    /// Whether f64 has rounded a constant.
+    rounded: bool,
 }
 
 /// What a node depends on.
@@ -178,6 +188,27 @@ impl Node {
 }
 
 impl Graph {
+    /// A graph in which nothing is rounded: a decimal that no f64 is stays itself, and an operation on constants is done only where its result is exact.
+    pub fn as_written() -> Self {
+        Graph { as_written: true, ..Graph::default() }
+    }
+
+    /// Whether anything in it is not quite as written: then [`Graph::as_written`] has another graph.
+    pub fn is_rounded(&self) -> bool {
+        self.rounded
+    }
+
+    /// Whether constants stay as they are written.
+    pub fn keeps_constants(&self) -> bool {
+        self.as_written
+    }
+
+    /// Whether a node is made of numbers alone.
+    pub fn is_number(&self, node: Node) -> bool {
+        let given = |n: &Node| matches!(self.op(*n), Op::Input(_) | Op::Opaque(..) | Op::Leaf(_) | Op::Law(..));
+        !self.reachable(&[node]).iter().any(given)
+    }
+
     pub fn op(&self, node: Node) -> Op {
         self.ops[node.0 as usize]
     }
@@ -203,7 +234,7 @@ impl Graph {
     /// The nodes that `node` is computed from.
     pub fn operands(&self, node: Node) -> Vec<Node> {
         match self.op(node) {
-            Op::Input(_) | Op::Constant(_) | Op::Truth(_) => vec![],
+            Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) => vec![],
             Op::Neg(a) | Op::Call(_, a) | Op::Powi(a, _) | Op::Law(_, a, _) | Op::Not(a) => vec![a],
             Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) => vec![a, b],
             Op::Call2(_, a, b) | Op::Compare(_, a, b) | Op::And(a, b) | Op::Or(a, b) => vec![a, b],
@@ -216,7 +247,7 @@ impl Graph {
     /// Shows the nodes that `node` is computed from, in their order.
     pub fn each_operand(&self, node: Node, mut show: impl FnMut(Node)) {
         match self.op(node) {
-            Op::Input(_) | Op::Constant(_) | Op::Truth(_) => {}
+            Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) => {}
             Op::Neg(a) | Op::Call(_, a) | Op::Powi(a, _) | Op::Law(_, a, _) | Op::Not(a) => show(a),
             Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) => {
                 show(a);
@@ -264,7 +295,7 @@ impl Graph {
     /// The operation of `node` on other operands. Values of the user's own keep theirs: their text names them.
     pub fn with_operands(&mut self, node: Node, of: impl Fn(Node) -> Node) -> Node {
         let op = match self.op(node) {
-            op @ (Op::Input(_) | Op::Constant(_) | Op::Truth(_) | Op::Opaque(..)) => op,
+            op @ (Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) | Op::Opaque(..)) => op,
             Op::Neg(a) => Op::Neg(of(a)),
             Op::Call(f, a) => Op::Call(f, of(a)),
             Op::Powi(a, n) => Op::Powi(of(a), n),

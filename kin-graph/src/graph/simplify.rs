@@ -1,4 +1,5 @@
 //! Constructors of the graph. Each folds and simplifies exactly: zeros, ones, signs, common factors, constants; never by a tolerance.
+//! Constants are folded as f64 computes them; in a graph as written only where that is exact.
 //! `0 · x → 0` and `x − x → 0` hide a NaN or infinity in x; everything else keeps the value up to rounding.
 
 use super::{Comparison, Function, Function2, Graph, Input, Node, Op, Part};
@@ -22,6 +23,12 @@ impl Graph {
         self.constant_value(a) == Some(1.0)
     }
 
+    /// The result of an operation on constants as f64 computes it, unless it is rounded and the graph is as written.
+    fn folded(&mut self, result: f64, exact: bool) -> Option<Node> {
+        self.rounded |= !exact;
+        (exact || !self.as_written).then(|| self.constant(result))
+    }
+
     /// x, if `a` is −x (or a negative constant).
     fn negated(&mut self, a: Node) -> Option<Node> {
         match self.op(a) {
@@ -32,8 +39,10 @@ impl Graph {
     }
 
     pub fn add(&mut self, a: Node, b: Node) -> Node {
-        if let (Some(x), Some(y)) = (self.constant_value(a), self.constant_value(b)) {
-            return self.constant(x + y); // folded
+        if let (Some(x), Some(y)) = (self.constant_value(a), self.constant_value(b))
+            && let Some(sum) = self.folded(x + y, is_exact_sum(x, y))
+        {
+            return sum;
         }
         if self.is_zero(a) {
             return b; // 0 + b → b
@@ -61,8 +70,10 @@ impl Graph {
     }
 
     pub fn sub(&mut self, a: Node, b: Node) -> Node {
-        if let (Some(x), Some(y)) = (self.constant_value(a), self.constant_value(b)) {
-            return self.constant(x - y); // folded
+        if let (Some(x), Some(y)) = (self.constant_value(a), self.constant_value(b))
+            && let Some(difference) = self.folded(x - y, is_exact_sum(x, -y))
+        {
+            return difference;
         }
         if a == b {
             return self.zero(); // a − a → 0
@@ -102,8 +113,10 @@ impl Graph {
     }
 
     pub fn mul(&mut self, a: Node, b: Node) -> Node {
-        if let (Some(x), Some(y)) = (self.constant_value(a), self.constant_value(b)) {
-            return self.constant(x * y); // folded
+        if let (Some(x), Some(y)) = (self.constant_value(a), self.constant_value(b))
+            && let Some(product) = self.folded(x * y, is_exact_product(x, y, x * y))
+        {
+            return product;
         }
         if self.is_zero(a) || self.is_zero(b) {
             return self.zero(); // 0 b → 0
@@ -134,8 +147,11 @@ impl Graph {
         let (a, b) = if self.constant_value(b).is_some() { (b, a) } else { (a, b) };
         match (self.constant_value(a), self.op(b)) {
             (Some(x), Op::Mul(y, rest)) if self.constant_value(y).is_some() => {
-                let gathered = self.constant(x * self.constant_value(y).unwrap_or(1.0));
-                self.mul(gathered, rest) // c (d x) → (c d) x
+                let y = self.constant_value(y).unwrap_or(1.0);
+                match self.folded(x * y, is_exact_product(x, y, x * y)) {
+                    Some(gathered) => self.mul(gathered, rest), // c (d x) → (c d) x
+                    None => self.intern(Op::Mul(a, b)),
+                }
             }
             (Some(_), _) => self.intern(Op::Mul(a, b)),
             _ => self.mul_variables(a, b),
@@ -146,7 +162,7 @@ impl Graph {
     fn mul_variables(&mut self, a: Node, b: Node) -> Node {
         let (ca, xa) = self.split_constant(a);
         let (cb, xb) = self.split_constant(b);
-        if ca * cb != 1.0 {
+        if ca * cb != 1.0 && is_power_of_two(ca * cb) {
             let product = self.mul(xa, xb);
             let constant = self.constant(ca * cb);
             return self.mul(constant, product); // (c x) (d y) → (c d) (x y)
@@ -168,8 +184,9 @@ impl Graph {
     pub fn div(&mut self, a: Node, b: Node) -> Node {
         if let (Some(x), Some(y)) = (self.constant_value(a), self.constant_value(b))
             && y != 0.0
+            && let Some(quotient) = self.folded(x / y, is_exact_product(x / y, y, x))
         {
-            return self.constant(x / y); // folded
+            return quotient;
         }
         if self.is_zero(a) && !self.is_zero(b) {
             return a; // 0 / b → 0
@@ -208,16 +225,22 @@ impl Graph {
                 let one = self.constant(1.0);
                 self.div(one, a)
             }
-            _ => match self.constant_value(a) {
-                Some(x) => self.constant(x.powi(n)),
+            _ => match self.constant_value(a).and_then(|x| self.folded(x.powi(n), false)) {
+                Some(power) => power,
                 None => self.intern(Op::Powi(a, n)),
             },
         }
     }
 
     pub fn call(&mut self, f: Function, a: Node) -> Node {
+        if let Some(x) = self.constant_value(a) {
+            let y = f.value()(x);
+            let exact = f.is_exact() || f == Function::Sqrt && is_exact_product(y, y, x);
+            if let Some(folded) = self.folded(y, exact) {
+                return folded;
+            }
+        }
         match (f, self.op(a)) {
-            (_, Op::Constant(bits)) => self.constant(f.value()(f64::from_bits(bits))),
             // Sine and cosine of a coordinate are part of its state.
             (Function::Sin, Op::Input(Input::State(argument, Part::Theta))) => self.input(Input::State(argument, Part::Sin)),
             (Function::Cos, Op::Input(Input::State(argument, Part::Theta))) => self.input(Input::State(argument, Part::Cos)),
@@ -231,8 +254,10 @@ impl Graph {
     }
 
     pub fn call2(&mut self, f: Function2, a: Node, b: Node) -> Node {
-        if let (Some(x), Some(y)) = (self.constant_value(a), self.constant_value(b)) {
-            return self.constant(f.value()(x, y));
+        if let (Some(x), Some(y)) = (self.constant_value(a), self.constant_value(b))
+            && let Some(folded) = self.folded(f.value()(x, y), f.is_exact())
+        {
+            return folded;
         }
         match (f, self.constant_value(b)) {
             (Function2::Powf, Some(0.0)) => self.constant(1.0), // x⁰ → 1
@@ -302,7 +327,7 @@ impl Graph {
     /// x (y ± z) for a = x y and b = x z, where they have factors in common.
     fn factor(&mut self, a: Node, b: Node, combine: fn(&mut Graph, Node, Node) -> Node) -> Option<Node> {
         let ((ca, xa), (cb, xb)) = (self.split_constant(a), self.split_constant(b));
-        if ca != cb && ca != 1.0 && cb != 1.0 {
+        if ca != cb && ca != 1.0 && cb != 1.0 && is_power_of_two(ca.max(cb) / ca.min(cb)) {
             let least = self.constant(ca.min(cb));
             let (a, b) = (self.constant(ca / ca.min(cb)), self.constant(cb / ca.min(cb)));
             let (a, b) = (self.mul(a, xa), self.mul(b, xb));
@@ -353,6 +378,21 @@ impl Graph {
 /// Whether multiplying by x only moves the exponent.
 pub fn is_power_of_two(x: f64) -> bool {
     x.is_normal() && x > 0.0 && x.to_bits() & ((1 << 52) - 1) == 0
+}
+
+/// Whether f64 adds x and y without rounding (Knuth).
+fn is_exact_sum(x: f64, y: f64) -> bool {
+    let sum = x + y;
+    let back = sum - x;
+    sum.is_finite() && (x - (sum - back)) + (y - back) == 0.0
+}
+
+/// Whether x y is this number.
+fn is_exact_product(x: f64, y: f64, product: f64) -> bool {
+    /// Above this what a product loses is a number of f64 too.
+    const LEAST: f64 = 1e-250;
+    let zero = product == 0.0 && (x == 0.0 || y == 0.0);
+    zero || product.is_finite() && product.abs() > LEAST && x.mul_add(y, -product) == 0.0
 }
 
 #[cfg(test)]
@@ -408,6 +448,37 @@ mod tests {
         let (four_x, two_x, two_y) = (g.mul(four, x), g.mul(two, x), g.mul(two, y));
         let (sum, inner) = (g.sub(four_x, two_y), g.sub(two_x, y));
         assert_eq!(sum, g.mul(two, inner));
+    }
+
+    /// As written 10¹⁶ + 1 is not 10¹⁶, a third of 3 d is not known to be d, and √2 is not a number of f64.
+    #[test]
+    fn nothing_is_rounded_as_written() {
+        let built = |mut g: Graph| {
+            let x = g.input(Input::Parameter(0));
+            let [large, one, three, four, tenth] = [1e16, 1.0, 3.0, 4.0, 0.1].map(|c| g.constant(c));
+            let sum = g.add(large, one);
+            let sum = g.sub(sum, large);
+            let (third, quarter) = (g.div(one, three), g.div(one, four));
+            let (inner, root, other) = (g.mul(tenth, x), g.call(Function::Sqrt, three), g.call(Function::Sqrt, four));
+            let nested = g.mul(three, inner);
+            let power = g.powi(tenth, 7);
+            let values = [sum, third, quarter, root, other, power].map(|node| g.constant_value(node));
+            (values, matches!(g.op(nested), Op::Mul(_, rest) if rest == inner), g.is_rounded())
+        };
+        assert_eq!(built(Graph::as_written()), ([None, None, Some(0.25), None, Some(2.0), None], true, true));
+        let (values, nested, rounded) = built(Graph::default());
+        assert!(values.iter().all(Option::is_some) && values[0] == Some(0.0) && !nested && rounded);
+    }
+
+    #[test]
+    fn powers_of_two_do_not_overflow() {
+        let (mut g, x, y, _) = three();
+        let (large, small) = (g.constant(2_f64.powi(1000)), g.constant(2_f64.powi(-1000)));
+        let (a, b, c) = (g.mul(large, x), g.mul(small, y), g.mul(large, y));
+        for node in [g.add(a, b), g.sub(b, a), g.mul(a, c)] {
+            let finite = |n: &Node| g.constant_value(*n).is_none_or(|c| c.is_finite() && c != 0.0);
+            assert!(g.reachable(&[node]).iter().all(finite));
+        }
     }
 
     #[test]

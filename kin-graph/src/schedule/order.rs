@@ -95,7 +95,7 @@ fn needed(g: &Graph, output: Node, known: &[bool], seen: &mut [usize], turn: usi
 }
 
 fn is_given(g: &Graph, node: Node) -> bool {
-    matches!(g.op(node), Op::Input(_) | Op::Constant(_) | Op::Truth(_))
+    matches!(g.op(node), Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_))
 }
 
 /// Whether a node takes an operation and a register.

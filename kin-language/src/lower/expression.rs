@@ -69,8 +69,8 @@ impl Reader {
     fn literal(&mut self, literal: &ExprLit) -> Read {
         match &literal.lit {
             Lit::Float(x) if x.suffix() == "f32" => Ok(self.mistake(x, "numbers are `f64`")),
-            Lit::Float(x) => Ok(Value::Scalar(self.graph.constant(x.base10_parse().unwrap_or(f64::NAN)))),
-            Lit::Int(k) if k.suffix() == "f64" => Ok(Value::Scalar(self.graph.constant(k.base10_parse().unwrap_or(f64::NAN)))),
+            Lit::Float(x) => Ok(Value::Scalar(self.graph.decimal(x.base10_digits()))),
+            Lit::Int(k) if k.suffix() == "f64" => Ok(Value::Scalar(self.graph.decimal(k.base10_digits()))),
             Lit::Int(k) => match k.base10_parse() {
                 Ok(k) => Ok(Value::Integer(k)),
                 Err(_) => Err(Unreadable::new(k, "an integer this large")),

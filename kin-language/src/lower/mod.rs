@@ -49,6 +49,8 @@ pub struct Lowered {
     pub attachments: Vec<Attachment>,
     /// Items of the body that emitted code repeats: imports, types, constants whose value is not known here.
     pub items: Vec<syn::Item>,
+    /// The same read once more without rounding constants, where that makes a difference.
+    pub as_written: Option<Box<Lowered>>,
 }
 
 /// A local point or direction of a body that depends on no coordinate and not on time.
@@ -112,22 +114,35 @@ const MOST_PARTS: usize = 250;
 
 /// Reads the body of `source`.
 pub fn constraint(source: &ConstraintFn) -> Result<Lowered, Failure> {
-    let mut reader = Reader::new();
-    reader.declare_arguments(&source.arguments);
-    let value = reader.function_body(&source.body, &source.output_type).map_err(Failure::Unreadable);
-    let rows = value.map(|value| reader.rows(source, &value));
-    reader.finish(rows)
+    with_constants(&|graph| {
+        let mut reader = Reader::new(graph);
+        reader.declare_arguments(&source.arguments);
+        let value = reader.function_body(&source.body, &source.output_type).map_err(Failure::Unreadable);
+        let rows = value.map(|value| reader.rows(source, &value));
+        reader.finish(rows)
+    })
 }
 
 /// Reads the body of a law: a function of the first argument, a number.
 pub fn law(variable: &Ident, parameters: &[Argument], body: &syn::Block) -> Result<Lowered, Failure> {
-    let mut reader = Reader::new();
-    let x = reader.graph.input(Input::Variable);
-    reader.scopes.declare(variable.to_string(), Value::Scalar(x));
-    reader.declare_arguments(parameters);
-    let value = reader.function_body(body, &syn::parse_quote!(f64)).map_err(Failure::Unreadable);
-    let row = value.map(|value| reader.scalar(value, body));
-    reader.finish(row.map(|node| vec![Row { name: String::new(), node }]))
+    with_constants(&|graph| {
+        let mut reader = Reader::new(graph);
+        let x = reader.graph.input(Input::Variable);
+        reader.scopes.declare(variable.to_string(), Value::Scalar(x));
+        reader.declare_arguments(parameters);
+        let value = reader.function_body(body, &syn::parse_quote!(f64)).map_err(Failure::Unreadable);
+        let row = value.map(|value| reader.scalar(value, body));
+        reader.finish(row.map(|node| vec![Row { name: String::new(), node }]))
+    })
+}
+
+/// Reads with constants folded as f64 does, for kernels, and once more with those as they are written, if that is another equation.
+fn with_constants(read: &dyn Fn(Graph) -> Result<Lowered, Failure>) -> Result<Lowered, Failure> {
+    let mut lowered = read(Graph::default())?;
+    if lowered.graph.is_rounded() {
+        lowered.as_written = read(Graph::as_written()).ok().map(Box::new);
+    }
+    Ok(lowered)
 }
 
 /// The interpreter.
@@ -157,11 +172,11 @@ struct Reader {
 }
 
 impl Reader {
-    fn new() -> Self {
+    fn new(graph: Graph) -> Self {
         let mut scopes = Scopes::default();
         scopes.push();
         Reader {
-            graph: Graph::default(),
+            graph,
             scopes,
             mistakes: Mistakes::default(),
             parameters: Vec::new(),
@@ -205,6 +220,7 @@ impl Reader {
             expressions: self.expressions,
             attachments: self.attachments,
             items: self.repeated_items,
+            as_written: None,
         })
     }
 

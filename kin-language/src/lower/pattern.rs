@@ -142,7 +142,7 @@ impl Reader {
             (Lit::Int(k), Value::Integer(n)) => Ok(self.graph.bool(k.base10_parse::<i64>().is_ok_and(|k| k == *n))),
             (Lit::Bool(b), Value::Condition(c)) => Ok(if b.value { *c } else { self.graph.not(*c) }),
             (Lit::Float(x), Value::Scalar(n)) => {
-                let x = self.graph.constant(x.base10_parse().unwrap_or(f64::NAN));
+                let x = self.graph.decimal(x.base10_digits());
                 Ok(self.graph.compare(Comparison::Equal, *n, x))
             }
             _ => Err(Unreadable::new(at, "this pattern")),

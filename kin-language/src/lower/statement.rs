@@ -137,8 +137,8 @@ impl Reader {
     fn is_known(&self, value: &Value) -> bool {
         match value {
             Value::Integer(_) => true,
-            Value::Condition(node) => self.graph.truth(*node).is_some(),
-            value => value.numbers().is_some_and(|(nodes, _)| nodes.iter().all(|&n| self.graph.constant_value(n).is_some())),
+            Value::Condition(node) => self.graph.is_number(*node),
+            value => value.numbers().is_some_and(|(nodes, _)| nodes.iter().all(|&n| self.graph.is_number(n))),
         }
     }
 

@@ -40,12 +40,18 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
 pub fn law(parameters: &[Argument], lowered: &Lowered) -> TokenStream {
     let Written { table, values, outside } = Written::of(parameters, lowered);
     let [number, x, to] = outside_names();
+    let (count, laws) = (literal(lowered.laws.len()), lowered.laws.iter().map(template::place));
     let outside = outside.map_or_else(|| quote!(::kin::rt::graph::nothing_outside), |outside| quote!(|#number, #x, #to| #outside));
     quote! {
         #[cold]
         fn over(&self, #x: &::kin::rt::graph::Series) -> ::core::option::Option<::kin::rt::graph::Series> {
             static TABLE: ::kin::rt::graph::Table = #table;
             TABLE.graph().law_over(#x, &#values, &#outside)
+        }
+        #[cold]
+        fn trusted(&self) -> ::std::vec::Vec<::std::string::String> {
+            let all: [::std::vec::Vec<::std::string::String>; #count] = [#(#laws.trusted()),*];
+            all.concat()
         }
     }
 }
@@ -64,10 +70,21 @@ fn outside_names() -> [Ident; 3] {
 }
 
 impl Written {
-    fn of(arguments: &[Argument], lowered: &Lowered) -> Self {
+    /// The equation as it was written, if it could be read so.
+    fn of(arguments: &[Argument], folded: &Lowered) -> Self {
+        let lowered = folded.as_written.as_deref().unwrap_or(folded);
         let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
-        let mut table =
-            Table { arguments, lowered, steps: vec![], numbers: HashMap::new(), expressions: vec![], parameters: vec![], outside: vec![] };
+        let has_leaves = lowered.leaves.len() == folded.leaves.len();
+        let mut table = Table {
+            arguments,
+            lowered,
+            has_leaves,
+            steps: vec![],
+            numbers: HashMap::new(),
+            expressions: vec![],
+            parameters: vec![],
+            outside: vec![],
+        };
         for node in lowered.graph.reachable(&rows) {
             let step = table.step(node);
             table.push(node, &step);
@@ -124,6 +141,8 @@ enum Outside {
 struct Table<'a> {
     arguments: &'a [Argument],
     lowered: &'a Lowered,
+    /// Whether the functions of its leaves are emitted under the numbers that they have here.
+    has_leaves: bool,
     steps: Vec<String>,
     /// The step of each node.
     numbers: HashMap<Node, usize>,
@@ -143,6 +162,9 @@ impl Table<'_> {
         text.push_str("\nparameters");
         for &k in &self.parameters {
             text.push_str(&format!(" {}", parameter_name(&self.lowered.parameters[k], self.arguments)));
+        }
+        if self.lowered.graph.is_rounded() && !self.lowered.graph.keeps_constants() {
+            text.push_str("\nrounded");
         }
         text.push_str("\nrows");
         for &row in rows {
@@ -174,6 +196,10 @@ impl Table<'_> {
         match graph.op(node) {
             Op::Input(input) => self.input(node, input),
             Op::Constant(bits) => format!("Constant {:?}", f64::from_bits(bits)),
+            Op::Decimal(k) => {
+                let decimal = &graph.decimals[k];
+                format!("Decimal {:?} {}", decimal.nearest, u8::from(decimal.above))
+            }
             Op::Truth(holds) => format!("Constant {}", u8::from(holds)),
             Op::Add(a, b) => of("Sum", &[a, b]),
             Op::Sub(a, b) => of("Difference", &[a, b]),
@@ -271,6 +297,9 @@ impl Table<'_> {
         let (function, value) = (template::leaf_name(leaf.call), own("value"));
         let kind = &self.lowered.leaves[leaf.call].kind;
         let OpaqueKind::Numbers(shape) = kind else { return quote!() };
+        if !self.has_leaves {
+            return quote!();
+        }
         let inputs = (0..leaf.arguments.len()).map(literal).map(|k| quote!(::kin::rt::Real(#x[#k])));
         let ty = template::shape_type(shape, &quote!(::kin::rt::Real<::kin::rt::Dual3_64>));
         let results = (0..shape.count()).map(|k| template::component(&value, kind, k));

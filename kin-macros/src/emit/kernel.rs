@@ -237,7 +237,7 @@ impl<'a> Kernel<'a> {
     }
 
     fn is_leaf_of_expression(&self, node: Node) -> bool {
-        matches!(self.graph().op(node), Op::Input(_) | Op::Constant(_) | Op::Truth(_))
+        matches!(self.graph().op(node), Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_))
     }
 
     fn temporary(&mut self, value: TokenStream) -> Ident {
@@ -274,7 +274,7 @@ impl<'a> Kernel<'a> {
         let simple = self.named.contains_key(&node)
             || match self.graph().op(node) {
                 Op::Constant(bits) => f64::from_bits(bits) >= 0.0,
-                Op::Input(_) | Op::Call(..) | Op::Call2(..) | Op::Powi(..) | Op::Fma(..) => {
+                Op::Input(_) | Op::Decimal(_) | Op::Call(..) | Op::Call2(..) | Op::Powi(..) | Op::Fma(..) => {
                     !matches!(self.graph().op(node), Op::Call2(Function2::Rem, ..))
                 }
                 _ => false,
@@ -287,6 +287,7 @@ impl<'a> Kernel<'a> {
         match self.graph().op(node) {
             Op::Input(input) => self.input(input),
             Op::Constant(bits) => self.constant(f64::from_bits(bits)),
+            Op::Decimal(k) => self.constant(self.graph().decimals[k].nearest),
             Op::Truth(value) if self.numbers == Numbers::Wide => quote!(::kin::rt::Mask::splat(at.simd, #value)),
             Op::Truth(value) => quote!(#value),
             Op::Add(a, b) => self.infix(a, quote!(+), b),
@@ -310,6 +311,10 @@ impl<'a> Kernel<'a> {
             Op::Not(a) => {
                 let a = self.operand(a);
                 quote!(!#a)
+            }
+            Op::Call(f @ (Function::Acosh | Function::Atanh), a) if self.numbers == Numbers::Plain => {
+                let (name, a) = (super::own(f.method()), self.expression(a));
+                quote!(::kin::rt::#name(#a))
             }
             Op::Call(f, a) => self.function(f.method(), &[a]),
             Op::Call2(Function2::Rem, a, b) => self.infix(a, quote!(%), b),

@@ -66,11 +66,11 @@ impl Reader {
             }
             ("recip", _, []) => g.powi(x, -1),
             ("to_radians", _, []) => {
-                let factor = g.constant(1f64.to_radians());
+                let factor = g.constant_of(RADIANS, 1f64.to_radians());
                 g.mul(factor, x)
             }
             ("to_degrees", _, []) => {
-                let factor = g.constant(1f64.to_degrees());
+                let factor = g.constant_of(DEGREES, 1f64.to_degrees());
                 g.mul(factor, x)
             }
             ("copysign", _, [sign]) => {
@@ -125,6 +125,10 @@ impl Reader {
 fn number(n: Node, at: &dyn ToTokens) -> Template {
     Template::Numbers(vec![n], Shape::Scalar, first_span(at))
 }
+
+/// π/180 and 180/π.
+const RADIANS: &str = "0.01745329251994329576923690768488612713442871888541725456";
+const DEGREES: &str = "57.29577951308232087679815481410517033240547246656432154916";
 
 /// Good Rust, but not for the interpreter.
 const OTHER_METHODS_OF_F64: &[&str] = &[

@@ -1,0 +1,101 @@
+//! Where pieces of laws meet, and where they do not; what is not seen is not known.
+
+use super::interval::{Interval, ONE};
+use super::series::{ORDER, Series, Turns};
+use crate::blame::graph::Function2;
+use crate::law::{Ends, Law};
+
+const FULL: usize = ORDER + 1;
+
+/// How many coefficients of a law are known over an interval.
+fn known(law: &Law, lo: f64, hi: f64) -> usize {
+    law.over(&Series::variable(Interval::new(lo, hi), ONE, FULL)).expect("bounds").len()
+}
+
+/// Over a seam the first coefficient that differs may jump, those behind it mean nothing.
+#[test]
+fn kinks_keep_as_many_derivatives_as_agree() {
+    let kink = Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::linear(1.0, -1.0))]);
+    assert_eq!([known(&kink, 0.2, 0.8), known(&kink, 0.9, 1.1), known(&kink, 1.0, 1.0)], [FULL, 2, 2]);
+    for (law, at, order) in [
+        (Law::harmonic_rise(0.3, 2.0), 0.0, 2),
+        (Law::cycloidal(0.3, 2.0), 2.0, 3),
+        (Law::polynomial_4567(0.3, 2.0), 2.0, 4),
+        (Law::modified_trapezoid(0.3, 2.0), 0.25, 3),
+        (Law::trapezoidal(1.0, 0.5, 1.0), 0.5, 2),
+        (Law::s_curve(1.0, 0.5, 1.0, 4.0), 0.25, 3),
+        (Law::spline(&[(0.0, 0.0), (1.0, 0.5), (2.5, 0.1), (3.0, 0.4)], Ends::Natural), 1.0, 3),
+        (Law::sequence(0.0, [(2.0, Law::cycloidal(1.0, 2.0)), (2.0, Law::constant(1.0) - Law::cycloidal(1.0, 2.0))]).periodic(4.0), 6.0, 3),
+    ] {
+        assert_eq!(known(&law, at - 1e-3, at + 1e-3), order + 1, "{law:?} at {at}");
+    }
+}
+
+#[test]
+fn pieces_that_do_not_meet_have_no_value_there() {
+    let meets = |gap: f64| known(&Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::constant(1.0 + gap))]), 0.9, 1.1) > 0;
+    assert_eq!([0.0, 1e-16, 1e-10, -1e-10, 1e-5, 1e-3, 0.1].map(meets), [true, true, false, false, false, false, false]);
+    let repeats = |gap: f64| known(&Law::linear(0.0, gap).periodic(1.0), 0.9, 1.1) > 0;
+    assert_eq!([0.0, 1e-10, 1e-4, 1.0].map(repeats), [true, false, false, false]);
+    // far from the first period as near it
+    let far = Law::sine(0.1, 1.0, 0.2).periodic(std::f64::consts::TAU);
+    assert!(known(&far, 6.28e5, 6.284e5) > 0 || known(&far, 6.283e5, 6.2832e5) > 0);
+}
+
+/// Where bounds are so wide that a jump could hide in them it is as if it were there.
+#[test]
+fn wide_bounds_hide_no_jump() {
+    for omega in [1e9, 1e12, 1e15, 1e17] {
+        let law = Law::sequence(0.0, [(1.0, Law::sine(1.0, omega, 0.0)), (1.0, Law::constant(0.3))]);
+        assert_eq!(known(&law, 0.999_999_999, 1.000_000_001), 0, "{omega}");
+    }
+}
+
+/// An angle that may have passed its cut goes through a law that repeats after a turn, and through no other.
+#[test]
+fn whole_turns_are_nothing_to_laws_that_repeat() {
+    let y = Series::variable(Interval::new(-0.01, 0.01), ONE, FULL);
+    let angle = y.call2(Function2::Atan2, Series::constant(-ONE));
+    assert_eq!(angle.turns(), Turns::ONE);
+    let turn = std::f64::consts::TAU;
+    let known = |law: Law, angle: Series| law.over(&angle).is_some_and(|y| !y.is_open());
+    for law in [
+        Law::sine(1.0, 2.0, 0.3),
+        Law::fourier(0.1, 1.0, &[(0.2, 0.1), (0.0, 0.3)]),
+        Law::constant(3.0),
+        Law::cycloidal(0.0, 1.0).periodic(turn),
+        Law::sine(0.2, 1.0, 0.0).periodic(turn).shifted(1.0),
+        Law::spline(&[(0.0, 0.1), (2.0, 0.3), (turn, 0.1)], Ends::Periodic),
+        Law::sine(1.0, 1.0, 0.0) * Law::harmonic(0.2, 0.1) + 2.0 * Law::sine(1.0, 3.0, 0.0),
+        Law::cycloidal(1.0, 1.0).compose(&Law::sine(1.0, 1.0, 0.0)),
+        Law::sine(1.0, 1.0, 0.0).compose(&Law::linear(0.3, -2.0)),
+        Law::sine(0.2, 3.0, 0.1).periodic(turn / 3.0),
+    ] {
+        assert!(known(law.clone(), angle) && known(law.clone(), angle.times(-3.0)), "{law:?}");
+    }
+    for law in [
+        Law::ramp(1.0),
+        Law::sine(1.0, 0.5, 0.0),
+        Law::polynomial(&[0.0, 0.0, 1.0]),
+        Law::cycloidal(1.0, 4.0),
+        Law::sine(0.2, 0.5, 0.1).periodic(2.0 * turn),
+        Law::sine(0.2, 1.0, 0.1).periodic(turn * (1.0 + 1e-14)),
+        Law::spline(&[(0.0, 0.1), (2.0, 0.3), (6.0, 0.1)], Ends::Periodic),
+        Law::spline(&[(0.0, 0.1), (2.0, 0.3), (6.0, 0.1)], Ends::Natural),
+    ] {
+        assert!(!known(law.clone(), angle), "{law:?}");
+    }
+    // after two turns it is the same
+    assert!(known(Law::sine(1.0, 0.5, 0.0), angle.times(2.0)) && known(Law::sine(0.2, 0.5, 0.1).periodic(2.0 * turn), angle.times(2.0)));
+    // the line through an angle is an angle
+    assert!(Law::ramp(2.0).over(&angle).is_some_and(|y| y.cos().len() > 1));
+}
+
+#[test]
+fn the_cut_of_an_angle_that_is_touched_from_below() {
+    // a zero y is on the axis, and what is below it is a turn away
+    let (angle, across) = Interval::new(-0.1, 0.0).atan2(Interval::new(-2.0, -1.0));
+    assert!(across && angle.contains(std::f64::consts::PI) && angle.contains(3.2));
+    let (_, across) = Interval::new(-0.1, -1e-300).atan2(Interval::new(-2.0, -1.0));
+    assert!(!across);
+}
