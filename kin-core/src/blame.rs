@@ -1,11 +1,9 @@
 //! Who is to blame where something of a constraint is infinite or not a number: the sub-expression as the user wrote it, its place, and the
 //! values that went into it. Looked for when a run has failed and never before, so that kernels pay nothing for it.
 //!
-//! On the symbolic route the equation is kept as a table of its steps ([`graph::Graph`]) and interpreted with second-order jets; on the dual
+//! On the symbolic route the equation is kept as a formula ([`table::Table`]) and evaluated with second-order jets; on the dual
 //! route the user's body runs once more with numbers that know where they went wrong (`trace.rs`).
 
-pub(crate) mod function;
-pub(crate) mod graph;
 mod interpret;
 mod jet;
 pub(crate) mod table;

@@ -3,7 +3,7 @@
 use num_dual::Dual3_64;
 
 use crate::algebra::Vec3;
-use crate::blame::graph::{Given, Graph, Outside};
+use crate::blame::table::{Given, Outside, Table};
 use crate::blame::third::Along;
 use crate::blame::{Asked, Blame};
 use crate::coordinates::Argument;
@@ -181,8 +181,8 @@ pub trait Constraint: CloneBoxed + Send + Sync {
     /// False, and nothing written, where that is not known (default): a run that is asked for the jerk then ends with an error by name.
     fn jerk_rhs(&self, at: &At<'_>, qd: &Rates<'_>, qdd: &Rates<'_>, rhs: &mut [f64]) -> bool {
         let mut known = false;
-        self.graph(&mut |graph, parameters, outside| {
-            graph.jerk_rhs(&Along::new(&self.arguments(), at, qd, qdd), parameters, outside, rhs);
+        self.formula(&mut |table, parameters, outside| {
+            Along::new(&self.arguments(), at, [qd, qdd], parameters, outside).jerk_rhs(table.formula(), rhs);
             known = true;
         });
         known
@@ -275,25 +275,25 @@ pub trait Constraint: CloneBoxed + Send + Sync {
     /// that is not known (default).
     fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
         let mut found = None;
-        self.graph(&mut |graph, parameters, outside| found = graph.blame(asked, parameters, outside));
+        self.formula(&mut |table, parameters, outside| found = table.blame(asked, parameters, outside));
         found
     }
 
-    /// Shows its equation as a table of steps, with the values of its parameters and what computes the rest; nothing where there is no table.
+    /// Shows its equation as a formula, with the values of its parameters and what computes the rest; nothing where there is none.
     #[doc(hidden)]
-    fn graph(&self, with: &mut dyn FnMut(&Graph, &[f64], Outside<'_>)) {
-        if let Some((graph, parameters)) = self.table() {
-            with(graph, &parameters, &|number, x, to| self.outside(number, x, to));
+    fn formula(&self, with: &mut dyn FnMut(&'static Table, &[f64], Outside<'_>)) {
+        if let Some((table, parameters)) = self.table() {
+            with(table, &parameters, &|number, x, to| self.outside(number, x, to));
         }
     }
 
-    /// The table of steps and the values of its parameters. Emitted on the symbolic route; default none.
+    /// Its formula and the values of its parameters. Emitted on the symbolic route; default none.
     #[doc(hidden)]
-    fn table(&self) -> Option<(&'static Graph, Vec<f64>)> {
+    fn table(&self) -> Option<(&'static Table, Vec<f64>)> {
         None
     }
 
-    /// What the table cannot say and only the user's program can compute, by its number; default nothing. Emitted with the table.
+    /// What the formula cannot say and only the user's program can compute, by its number; default nothing. Emitted with the formula.
     #[doc(hidden)]
     fn outside(&self, number: usize, x: &[Dual3_64], to: &mut Given) {
         let _ = (number, x, to);

@@ -1,80 +1,130 @@
-//! The vocabulary: every function of one or two scalars, with its name in Rust. Derivatives are in `differentiate/rules.rs`.
+//! The vocabulary: every function of one or two scalars, one line each, with its name in Rust. Derivatives are in `differentiate/rules.rs`.
+//!
+//! The two lists are macros that hand themselves to another macro, so that whatever has to do something for every function (numbers of another
+//! kind, tests) does it for exactly these: `kin_graph::functions_of_one!(callback)` expands to `callback! { Sin sin "sin"; … }`.
 
-macro_rules! functions {
-    ($(#[$doc:meta])* $name:ident ($value:ty) { $($variant:ident = $method:literal => $function:expr,)* }) => {
+/// Hands every function of one scalar to a macro: its name, f64's method, and the method's name as it is written.
+#[macro_export]
+macro_rules! functions_of_one {
+    ($to:ident) => {
+        $to! {
+            Sin sin "sin";
+            Cos cos "cos";
+            Tan tan "tan";
+            Asin asin "asin";
+            Acos acos "acos";
+            Atan atan "atan";
+            Sinh sinh "sinh";
+            Cosh cosh "cosh";
+            Tanh tanh "tanh";
+            Asinh asinh "asinh";
+            Acosh acosh "acosh";
+            Atanh atanh "atanh";
+            Exp exp "exp";
+            Exp2 exp2 "exp2";
+            ExpM1 exp_m1 "exp_m1";
+            Ln ln "ln";
+            Ln1p ln_1p "ln_1p";
+            Log2 log2 "log2";
+            Log10 log10 "log10";
+            Sqrt sqrt "sqrt";
+            Cbrt cbrt "cbrt";
+            Abs abs "abs";
+            Signum signum "signum";
+            Floor floor "floor";
+            Ceil ceil "ceil";
+            Round round "round";
+            Trunc trunc "trunc";
+            Fract fract "fract";
+        }
+    };
+}
+
+/// Hands every function of two scalars to a macro, as [`functions_of_one`] does; the operator `%` is a method of [`std::ops::Rem`].
+#[macro_export]
+macro_rules! functions_of_two {
+    ($to:ident) => {
+        $to! {
+            Atan2 atan2 "atan2";
+            Hypot hypot "hypot";
+            Powf powf "powf";
+            Max max "max";
+            Min min "min";
+            RemEuclid rem_euclid "rem_euclid";
+            DivEuclid div_euclid "div_euclid";
+            Rem rem "%";
+        }
+    };
+}
+
+macro_rules! vocabulary {
+    ($(#[$doc:meta])* $name:ident: $($variant:ident $method:ident $written:literal;)*) => {
         $(#[$doc])*
         #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
         pub enum $name { $($variant),* }
 
         impl $name {
-            /// Every function, for tests that loop over the list.
-            #[cfg(test)]
+            /// Every function.
             pub const ALL: &'static [$name] = &[$($name::$variant),*];
 
             /// Name of f64's method.
             pub fn method(self) -> &'static str {
-                match self { $($name::$variant => $method),* }
+                match self { $($name::$variant => $written),* }
             }
 
-            /// The function itself, for folding constants.
-            pub fn value(self) -> $value {
-                match self { $($name::$variant => $function),* }
+            /// Its name in the text of a graph.
+            pub fn name(self) -> &'static str {
+                match self { $($name::$variant => stringify!($variant)),* }
             }
 
+            /// The function of that name.
+            pub fn named(name: &str) -> Option<Self> {
+                Self::ALL.iter().copied().find(|f| f.name() == name)
+            }
+
+            /// The function that f64's method of that name is.
             pub fn from_method(name: &str) -> Option<Self> {
-                match name { $($method => Some($name::$variant),)* _ => None }
+                match name { $($written => Some($name::$variant),)* _ => None }
             }
         }
     };
 }
 
-functions! {
-    /// A function of one scalar.
-    Function(fn(f64) -> f64) {
-        Sin = "sin" => f64::sin,
-        Cos = "cos" => f64::cos,
-        Tan = "tan" => f64::tan,
-        Asin = "asin" => f64::asin,
-        Acos = "acos" => f64::acos,
-        Atan = "atan" => f64::atan,
-        Sinh = "sinh" => f64::sinh,
-        Cosh = "cosh" => f64::cosh,
-        Tanh = "tanh" => f64::tanh,
-        Asinh = "asinh" => f64::asinh,
-        Acosh = "acosh" => acosh,
-        Atanh = "atanh" => atanh,
-        Exp = "exp" => f64::exp,
-        Exp2 = "exp2" => f64::exp2,
-        ExpM1 = "exp_m1" => f64::exp_m1,
-        Ln = "ln" => f64::ln,
-        Ln1p = "ln_1p" => f64::ln_1p,
-        Log2 = "log2" => f64::log2,
-        Log10 = "log10" => f64::log10,
-        Sqrt = "sqrt" => f64::sqrt,
-        Cbrt = "cbrt" => f64::cbrt,
-        Abs = "abs" => f64::abs,
-        Signum = "signum" => f64::signum,
-        Floor = "floor" => f64::floor,
-        Ceil = "ceil" => f64::ceil,
-        Round = "round" => f64::round,
-        Trunc = "trunc" => f64::trunc,
-        Fract = "fract" => f64::fract,
-    }
+macro_rules! of_one {
+    ($($variant:ident $method:ident $written:literal;)*) => {
+        vocabulary! { #[doc = "A function of one scalar."] Function: $($variant $method $written;)* }
+
+        impl Function {
+            /// The function itself, for folding constants.
+            pub fn value(self) -> fn(f64) -> f64 {
+                match self {
+                    // Of these two the standard library loses digits.
+                    Function::Acosh => return acosh,
+                    Function::Atanh => return atanh,
+                    _ => {}
+                }
+                match self { $(Function::$variant => f64::$method),* }
+            }
+        }
+    };
 }
 
-functions! {
-    /// A function of two scalars.
-    Function2(fn(f64, f64) -> f64) {
-        Atan2 = "atan2" => f64::atan2,
-        Hypot = "hypot" => f64::hypot,
-        Powf = "powf" => f64::powf,
-        Max = "max" => f64::max,
-        Min = "min" => f64::min,
-        RemEuclid = "rem_euclid" => f64::rem_euclid,
-        DivEuclid = "div_euclid" => f64::div_euclid,
-        Rem = "%" => |x, y| x % y,
-    }
+macro_rules! of_two {
+    ($($variant:ident $method:ident $written:literal;)*) => {
+        vocabulary! { #[doc = "A function of two scalars."] Function2: $($variant $method $written;)* }
+
+        impl Function2 {
+            /// The function itself, for folding constants.
+            pub fn value(self) -> fn(f64, f64) -> f64 {
+                use std::ops::Rem;
+                match self { $(Function2::$variant => |x, y| x.$method(y)),* }
+            }
+        }
+    };
 }
+
+functions_of_one!(of_one);
+functions_of_two!(of_two);
 
 impl Function {
     /// Whether f64 has the value of it exactly.

@@ -6,13 +6,21 @@
 #![forbid(unsafe_code)]
 
 pub mod differentiate;
+mod evaluate;
+mod formula;
 pub mod functions;
 pub mod graph;
+mod number;
 pub mod schedule;
 #[cfg(test)]
 mod testing;
+mod text;
 
+pub use evaluate::{Results, Source, evaluate, evaluate_along};
+pub use formula::{Expression, Formula};
 pub use functions::{Function, Function2};
 pub use graph::{
     Column, Comparison, Decimal, Depends, Direction, Graph, Input, Leaf, LeafNumber, LeafUse, Node, Op, Part, is_power_of_two,
 };
+pub use number::{Condition, Number, Possibly};
+pub use text::Unreadable;

@@ -1,46 +1,34 @@
-//! Values of nodes by plain interpretation, for the tests of the passes.
+//! What the tests of the passes stand on: plain values of nodes, and reproducible random numbers.
 
 use std::collections::HashMap;
 
-use crate::{Graph, Input, Node, Op};
+use crate::evaluate::{Source, evaluate};
+use crate::{Graph, Input, LeafUse, Node};
 
-/// Value of a node by plain interpretation.
-pub fn value(g: &Graph, node: Node, inputs: &HashMap<Input, f64>) -> f64 {
-    let v = |n: Node| value(g, n, inputs);
-    match g.op(node) {
-        Op::Input(input) => inputs[&input],
-        Op::Constant(bits) => f64::from_bits(bits),
-        Op::Decimal(k) => g.decimals[k].nearest,
-        Op::Add(a, b) => v(a) + v(b),
-        Op::Sub(a, b) => v(a) - v(b),
-        Op::Mul(a, b) => v(a) * v(b),
-        Op::Div(a, b) => v(a) / v(b),
-        Op::Fma(a, b, c) => v(a).mul_add(v(b), v(c)),
-        Op::Neg(a) => -v(a),
-        Op::Call(f, a) => f.value()(v(a)),
-        Op::Call2(f, a, b) => f.value()(v(a), v(b)),
-        Op::Powi(a, n) => v(a).powi(n),
-        Op::Select(c, a, b) => v(if truth(g, c, inputs) { a } else { b }),
-        other => panic!("no value for {other:?}"),
+/// Numbers of inputs. There is nothing else in the graphs of these tests.
+pub struct Given(pub HashMap<Input, f64>);
+
+impl Source<f64> for Given {
+    fn input(&self, input: Input) -> f64 {
+        self.0[&input]
+    }
+
+    fn law(&self, law: usize, _: f64, _: u8) -> f64 {
+        panic!("no law {law}")
+    }
+
+    fn opaque(&self, number: usize, _: usize, _: Vec<f64>) -> f64 {
+        panic!("no value {number}")
+    }
+
+    fn leaf(&self, used: LeafUse, _: Vec<f64>) -> f64 {
+        panic!("no leaf {used:?}")
     }
 }
 
-fn truth(g: &Graph, node: Node, inputs: &HashMap<Input, f64>) -> bool {
-    use crate::Comparison::*;
-    let v = |n: Node| value(g, n, inputs);
-    match g.op(node) {
-        Op::Truth(value) => value,
-        Op::Compare(Less, a, b) => v(a) < v(b),
-        Op::Compare(LessEqual, a, b) => v(a) <= v(b),
-        Op::Compare(Greater, a, b) => v(a) > v(b),
-        Op::Compare(GreaterEqual, a, b) => v(a) >= v(b),
-        Op::Compare(Equal, a, b) => v(a) == v(b),
-        Op::Compare(NotEqual, a, b) => v(a) != v(b),
-        Op::And(a, b) => truth(g, a, inputs) && truth(g, b, inputs),
-        Op::Or(a, b) => truth(g, a, inputs) || truth(g, b, inputs),
-        Op::Not(a) => !truth(g, a, inputs),
-        other => panic!("no truth for {other:?}"),
-    }
+/// The value of a node.
+pub fn value(g: &Graph, node: Node, inputs: &HashMap<Input, f64>) -> f64 {
+    evaluate(g, &[node], &Given(inputs.clone())).number(node).unwrap_or(f64::NAN)
 }
 
 /// Reproducible random numbers (SplitMix64).

@@ -769,7 +769,7 @@ const _: () = {
         fn table(
             &self,
         ) -> ::core::option::Option<
-            (&'static ::kin::rt::graph::Graph, ::std::vec::Vec<f64>),
+            (&'static ::kin::rt::graph::Table, ::std::vec::Vec<f64>),
         > {
             static TABLE: ::kin::rt::graph::Table = ::kin::rt::graph::Table::new(
                 ::core::file!(),

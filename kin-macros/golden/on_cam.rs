@@ -294,7 +294,7 @@ const _: () = {
         fn table(
             &self,
         ) -> ::core::option::Option<
-            (&'static ::kin::rt::graph::Graph, ::std::vec::Vec<f64>),
+            (&'static ::kin::rt::graph::Table, ::std::vec::Vec<f64>),
         > {
             static TABLE: ::kin::rt::graph::Table = ::kin::rt::graph::Table::new(
                 ::core::file!(),
@@ -308,46 +308,44 @@ at 1 1 p.norm() - profile.at(phi)
 at 1 1 wear(phi, MOST_WEAR)
 at 1 1 p.norm() - profile.at(phi) + wear(phi, MOST_WEAR)
 parameters tip.x tip.y
-rows 38
+rows 36
 - Parameter 0
 - Parameter 1
 0 Column 3
 0 Column 4
 0 Column 5
 0 Sin 4
-0 Column 5
-0 Cos 6
-0 Product 0 7
+0 Cos 4
+0 Product 0 6
 0 Product 1 5
-0 Difference 8 9
+0 Difference 7 8
 0 Product 0 5
-0 Product 1 7
-0 Sum 11 12
-0 Sum 2 10
-0 Sum 3 13
+0 Product 1 6
+0 Sum 10 11
+0 Sum 2 9
+0 Sum 3 12
 1 Column 0
 1 Column 1
 1 Column 2
-1 Sin 18
-1 Column 2
-1 Cos 20
+1 Sin 17
+1 Cos 17
+1 Difference 13 15
 1 Difference 14 16
-1 Difference 15 17
-1 Product 21 22
-1 Product 19 23
-1 Sum 24 25
-1 Product 19 22
-1 Product 21 23
-1 Difference 28 27
-2 Atan2 29 26
-3 Product 26 26
-3 Product 29 29
-3 Sum 31 32
-3 Sqrt 33
-4 Law 0 30 0
-5 Difference 34 35
-6 Foreign 1 0 30
-7 Sum 36 37"##,
+1 Product 19 20
+1 Product 18 21
+1 Sum 22 23
+1 Product 18 20
+1 Product 19 21
+1 Difference 26 25
+2 Atan2 27 24
+3 Product 24 24
+3 Product 27 27
+3 Sum 29 30
+3 Sqrt 31
+4 Law 0 28 0
+5 Difference 32 33
+6 Foreign 1 0 28
+7 Sum 34 35"##,
             );
             TABLE.with(&[self.tip.x, self.tip.y])
         }

@@ -202,7 +202,7 @@ const _: () = {
         fn table(
             &self,
         ) -> ::core::option::Option<
-            (&'static ::kin::rt::graph::Graph, ::std::vec::Vec<f64>),
+            (&'static ::kin::rt::graph::Table, ::std::vec::Vec<f64>),
         > {
             static TABLE: ::kin::rt::graph::Table = ::kin::rt::graph::Table::new(
                 ::core::file!(),
@@ -211,7 +211,7 @@ at 1 1 i.point(u_i)
 at 1 1 j.point(u_j)
 at 1 1 i.point(u_i) - j.point(u_j)
 parameters u_i.x u_i.y u_j.x u_j.y
-rows 32 33
+rows 30 31
 - Parameter 0
 - Parameter 1
 - Parameter 2
@@ -220,32 +220,30 @@ rows 32 33
 0 Column 1
 0 Column 2
 0 Sin 6
-0 Column 2
-0 Cos 8
-0 Product 0 9
+0 Cos 6
+0 Product 0 8
 0 Product 1 7
-0 Difference 10 11
+0 Difference 9 10
 0 Product 0 7
-0 Product 1 9
-0 Sum 13 14
-0 Sum 4 12
-0 Sum 5 15
+0 Product 1 8
+0 Sum 12 13
+0 Sum 4 11
+0 Sum 5 14
 1 Column 3
 1 Column 4
 1 Column 5
-1 Sin 20
-1 Column 5
-1 Cos 22
-1 Product 2 23
-1 Product 3 21
-1 Difference 24 25
+1 Sin 19
+1 Cos 19
 1 Product 2 21
-1 Product 3 23
-1 Sum 27 28
-1 Sum 18 26
-1 Sum 19 29
-2 Difference 16 30
-2 Difference 17 31"##,
+1 Product 3 20
+1 Difference 22 23
+1 Product 2 20
+1 Product 3 21
+1 Sum 25 26
+1 Sum 17 24
+1 Sum 18 27
+2 Difference 15 28
+2 Difference 16 29"##,
             );
             TABLE.with(&[self.u_i.x, self.u_i.y, self.u_j.x, self.u_j.y])
         }

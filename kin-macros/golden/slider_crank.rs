@@ -244,7 +244,7 @@ const _: () = {
         fn table(
             &self,
         ) -> ::core::option::Option<
-            (&'static ::kin::rt::graph::Graph, ::std::vec::Vec<f64>),
+            (&'static ::kin::rt::graph::Table, ::std::vec::Vec<f64>),
         > {
             static TABLE: ::kin::rt::graph::Table = ::kin::rt::graph::Table::new(
                 ::core::file!(),
@@ -263,7 +263,7 @@ at 1 1 l3 * theta3.sin()
 at 1 1 l2 * theta2.sin() + l3 * theta3.sin()
 at 1 1 l2 * theta2.sin() + l3 * theta3.sin() - h
 parameters l2 l3 h omega
-rows 13 20
+rows 13 19
 - Column 1
 - Time
 - Parameter 0
@@ -280,11 +280,10 @@ rows 13 20
 6 Difference 12 0
 7 Sin 6
 8 Product 2 14
-9 Column 0
-9 Sin 16
-10 Product 3 17
-11 Sum 15 18
-12 Difference 19 4"##,
+9 Sin 9
+10 Product 3 16
+11 Sum 15 17
+12 Difference 18 4"##,
             );
             TABLE.with(&[self.l2, self.l3, self.h, self.omega])
         }

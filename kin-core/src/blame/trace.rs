@@ -1,12 +1,14 @@
 //! Blame on the dual route: the user's body with numbers that know where they went wrong.
 
-use super::graph::Expression;
 use super::{Asked, Blame, Input, Part, Source};
 use crate::constraint::Constraint;
 use crate::dual_route::Equation;
 use crate::real::{Fault, Real, TIME, Traced, fault_of};
 
-/// The expressions of a body that runs on dual numbers: the file they stand in, and each as [`super::graph::Graph`] has it.
+/// An expression of the user's: as it is written, line and column, both counted from 1.
+pub type Expression = (&'static str, u32, u32);
+
+/// The expressions of a body that runs on dual numbers: the file they stand in, and each as it is written with line and column.
 #[derive(Clone, Copy, Debug)]
 pub struct Body {
     /// The file that the expressions stand in.

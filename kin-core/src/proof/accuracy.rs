@@ -1,9 +1,10 @@
 //! How far off the platform's functions are, against values of 60 digits at their worst arguments (`accuracy/generate.py`): bounds rest on that.
 
+use kin_graph::{Function, Function2, Number};
+
 use super::elementary::{LARGE, MORE};
 use super::interval::{ALLOWED, Interval};
 use super::series::Series;
-use crate::blame::graph::{Function, Function2};
 use crate::real::Real;
 
 /// A function at some arguments: its value is `nearest + rest`, to 32 digits.
@@ -30,8 +31,8 @@ impl Value {
         let thin = |k: usize| Series::constant(Interval::from(self.arguments[k]));
         let real = |k: usize| Real(self.arguments[k]);
         match (Function::named(self.name), Function2::named(self.name)) {
-            (Some(f), _) => (f.by_dual()(real(0)).0, thin(0).call(f).value()),
-            (_, Some(f)) => (f.by_dual()(real(0), real(1)).0, thin(0).call2(f, thin(1)).value()),
+            (Some(f), _) => (real(0).call(f).0, thin(0).call(f).value()),
+            (_, Some(f)) => (real(0).call2(f, real(1)).0, thin(0).call2(f, thin(1)).value()),
             _ => panic!("no function `{}`", self.name),
         }
     }

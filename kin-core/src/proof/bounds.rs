@@ -1,9 +1,11 @@
 //! C and C_q of a whole system over boxes and intervals of time.
 
-use super::equation::Inputs;
+use kin_graph::{Formula, Input, Results, evaluate, evaluate_along};
+
+use super::equation::{self, Inputs};
 use super::interval::{Interval, ONE, ZERO};
 use super::series::Series;
-use crate::blame::graph::{Graph, Outside};
+use crate::blame::table::{Outside, Table};
 use crate::blame::{Source, columns};
 use crate::constraint::Constraint;
 use crate::error::Error;
@@ -118,9 +120,10 @@ impl<'a> Part<'a> {
     /// Appends its rows of C along q and t.
     pub(crate) fn residual(&self, q: &[Series], t: Series, c: &mut Vec<Series>) -> Result<(), Unknown> {
         let columns: Vec<Series> = self.columns.iter().map(|column| column.of(q)).collect();
-        self.with(&mut |graph, parameters, outside| {
-            let results = graph.series(&Inputs { columns: &columns, t, parameters, outside });
-            c.extend(self.rows(graph, &results, 1)?);
+        self.with(&mut |table, parameters, outside| {
+            let Formula { graph, rows, .. } = table.formula();
+            let results = evaluate(graph, rows, &Inputs { columns: &columns, t, parameters, outside });
+            c.extend(self.rows(table, &results, 1)?);
             Ok(())
         })
     }
@@ -131,16 +134,18 @@ impl<'a> Part<'a> {
     /// is taken from what the compiler knows of the entries: its constants are rounded.
     pub(crate) fn jacobian(&self, q: &[Interval], t: Interval, entries: &mut Vec<Entry>) -> Result<(), Unknown> {
         let columns: Vec<Series> = self.columns.iter().map(|column| Series::constant(column.of(q))).collect();
-        self.with(&mut |graph, parameters, outside| {
+        self.with(&mut |table, parameters, outside| {
             let t = Series::constant(t);
-            let still = graph.series(&Inputs { columns: &columns, t, parameters, outside });
-            self.rows(graph, &still, 1)?;
+            let Formula { graph, rows, .. } = table.formula();
+            let still = evaluate(graph, rows, &Inputs { columns: &columns, t, parameters, outside });
+            self.rows(table, &still, 1)?;
             for (k, column) in self.columns.iter().enumerate() {
                 let Column::Own(column) = *column else { continue };
                 let mut moved = columns.clone();
                 moved[k] = Series::variable(columns[k].value(), ONE, 2);
-                let along = graph.series_along(k, &still, &Inputs { columns: &moved, t, parameters, outside });
-                let along = self.rows(graph, &along, 2)?;
+                let inputs = Inputs { columns: &moved, t, parameters, outside };
+                let along = evaluate_along(graph, rows, Input::Column(k), &still, &inputs);
+                let along = self.rows(table, &along, 2)?;
                 let all = along.iter().enumerate().map(|(row, y)| (self.first + row, column, y.at(1)));
                 entries.extend(all.filter(|entry| entry.2 != ZERO));
             }
@@ -149,26 +154,26 @@ impl<'a> Part<'a> {
     }
 
     /// Its rows among the results of the steps, at least `len` coefficients of each.
-    fn rows(&self, graph: &Graph, results: &[Series], len: usize) -> Result<Vec<Series>, Unknown> {
+    fn rows(&self, table: &'static Table, results: &Results<Series>, len: usize) -> Result<Vec<Series>, Unknown> {
         let known = |row: usize| {
-            let y = graph.row(row, results);
+            let y = equation::row(table.formula(), row, results);
             let is_known = y.len() >= len && y.known().iter().all(|c| c.is_finite());
-            is_known.then_some(y).ok_or_else(|| Unknown { row: self.first + row, expression: graph.unknown(row, results, len) })
+            is_known.then_some(y).ok_or_else(|| Unknown { row: self.first + row, expression: table.unknown(row, results, len) })
         };
-        (0..graph.rows.len()).map(known).collect()
+        (0..table.formula().rows.len()).map(known).collect()
     }
 
     /// The laws whose bounds are taken on their own word.
     fn trusted(&self) -> Vec<String> {
         let mut all = Vec::new();
-        self.constraint.graph(&mut |graph: &Graph, _, outside| all = graph.trusted(outside));
+        self.constraint.formula(&mut |table, _, outside| all = equation::trusted(table.formula(), outside));
         all
     }
 
     /// Shows the steps.
-    fn with(&self, of: &mut dyn FnMut(&Graph, &[f64], Outside<'_>) -> Result<(), Unknown>) -> Result<(), Unknown> {
+    fn with(&self, of: &mut dyn FnMut(&'static Table, &[f64], Outside<'_>) -> Result<(), Unknown>) -> Result<(), Unknown> {
         let mut done = Ok(());
-        self.constraint.graph(&mut |graph, parameters, outside| done = of(graph, parameters, outside));
+        self.constraint.formula(&mut |table, parameters, outside| done = of(table, parameters, outside));
         done
     }
 }
@@ -179,9 +184,10 @@ fn unreadable(constraint: &dyn Constraint) -> Option<String> {
         "it takes the {} route, and only the symbolic one leaves its equation as steps of which bounds over an interval can be had",
         constraint.route()
     ));
-    constraint.graph(&mut |graph, _, outside| {
-        let whole = graph.rows.len() == constraint.rows().len();
-        reason = if whole { graph.opaque(outside) } else { Some("its steps are too many to be kept".to_string()) };
+    constraint.formula(&mut |table, _, outside| {
+        let formula = table.formula();
+        let whole = formula.rows.len() == constraint.rows().len();
+        reason = if whole { equation::opaque(formula, outside) } else { Some("its steps are too many to be kept".to_string()) };
     });
     reason
 }

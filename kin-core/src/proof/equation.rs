@@ -1,14 +1,15 @@
-//! The steps of an equation on series: the table that `#[constraint]` and `#[law]` leave, interpreted once more.
+//! A formula on series: bounds of an equation's rows over a box, and of a law over an interval.
 
+use kin_graph::{Comparison, Formula, Input, LeafUse, Node, Number, Op, Possibly, Results, Source, evaluate};
 use num_dual::Dual3_64;
 
 use super::interval::{Interval, ONE, ZERO};
 use super::series::{ORDER, Series, UNKNOWN};
-use crate::blame::Source;
-use crate::blame::graph::{Comparison, Function2, Given, Graph, Outside, Step};
+use crate::blame;
+use crate::blame::table::{Given, Outside, Table};
 use crate::law::Law;
 
-/// What the steps begin with.
+/// What an evaluation begins with.
 pub(super) struct Inputs<'a> {
     pub columns: &'a [Series],
     pub t: Series,
@@ -16,155 +17,170 @@ pub(super) struct Inputs<'a> {
     pub outside: Outside<'a>,
 }
 
-impl Graph {
-    /// The result of every step.
-    pub(super) fn series(&self, inputs: &Inputs<'_>) -> Vec<Series> {
-        let mut known = Vec::with_capacity(self.steps.len());
-        for (_, step) in self.steps {
-            let next = result(*step, &known, inputs);
-            known.push(next);
+impl Source<Series> for Inputs<'_> {
+    fn input(&self, input: Input) -> Series {
+        let given = match input {
+            Input::Column(k) => self.columns.get(k).copied(),
+            Input::Time => Some(self.t),
+            Input::Parameter(k) => self.parameters.get(k).map(|x| Series::constant(Interval::from(*x))),
+            _ => None,
+        };
+        given.unwrap_or(UNKNOWN)
+    }
+
+    fn law(&self, law: usize, x: Series, order: u8) -> Series {
+        Given::by(self.outside, law, &[]).law().map_or(UNKNOWN, |law| law_of(law, x, order))
+    }
+
+    /// What only the user's program can compute of parameters: the number that it gives. What it is computed from is known up to rounding, so it is
+    /// asked at both ends and in the middle of that: what jumps between them is not known.
+    fn opaque(&self, number: usize, component: usize, operands: Vec<Series>) -> Series {
+        if !operands.iter().all(|x| x.is_constant() && !x.is_open()) {
+            return UNKNOWN;
         }
-        known
+        let at = |place: fn(Interval) -> f64| {
+            let operands: Vec<Dual3_64> = operands.iter().map(|x| Dual3_64::from_re(place(x.value()))).collect();
+            Interval::from(Given::by(self.outside, number, &operands).number(component).re)
+        };
+        let all = [at(Interval::lo), at(Interval::mid), at(Interval::hi)];
+        let value = all[0].hull(all[1]).hull(all[2]);
+        if value.is_finite() { Series::constant(value) } else { UNKNOWN }
     }
 
-    /// The results of steps where only one column moves, `still` being those where none does.
-    pub(super) fn series_along(&self, column: usize, still: &[Series], inputs: &Inputs<'_>) -> Vec<Series> {
-        let (mut known, mut moves) = (still.to_vec(), Vec::with_capacity(self.steps.len()));
-        for (k, (_, step)) in self.steps.iter().enumerate() {
-            let moving = matches!(step, Step::Column(own) if usize::from(*own) == column)
-                || step.reads(&|k| moves.get(usize::from(k)).copied().unwrap_or(false));
-            moves.push(moving);
-            if moving {
-                known[k] = result(*step, &known, inputs);
-            }
+    fn leaf(&self, _: LeafUse, _: Vec<Series>) -> Series {
+        UNKNOWN
+    }
+}
+
+impl Number for Series {
+    type Condition = Possibly;
+
+    fn constant(x: f64) -> Self {
+        Series::constant(Interval::from(x))
+    }
+
+    fn decimal(nearest: f64, above: bool) -> Self {
+        let other = if above { nearest.next_up() } else { nearest.next_down() };
+        Series::constant(Interval::new(nearest.min(other), nearest.max(other)))
+    }
+
+    fn call(self, f: kin_graph::Function) -> Self {
+        Series::call(self, f)
+    }
+
+    fn call2(self, f: kin_graph::Function2, other: Self) -> Self {
+        Series::call2(self, f, other)
+    }
+
+    fn powi(self, n: i32) -> Self {
+        Series::powi(self, n)
+    }
+
+    fn square(self) -> Self {
+        self.sqr()
+    }
+
+    fn compare(comparison: Comparison, a: &Self, b: &Self) -> Possibly {
+        let [never, always] = compared(comparison, a.all_values(), b.all_values());
+        Possibly { never, always }
+    }
+
+    fn select(condition: &Possibly, a: Self, b: Self) -> Self {
+        match condition {
+            Possibly { never: true, .. } => b,
+            Possibly { always: true, .. } => a,
+            _ => UNKNOWN,
         }
-        known
     }
 
-    /// The result of a row.
-    pub(super) fn row(&self, row: usize, results: &[Series]) -> Series {
-        let y = self.rows.get(row).and_then(|step| results.get(usize::from(*step))).copied().unwrap_or(UNKNOWN);
-        if y.is_open() { UNKNOWN } else { y }
+    fn of_condition(condition: &Possibly) -> Self {
+        Series::constant(match condition {
+            Possibly { never: true, .. } => ZERO,
+            Possibly { always: true, .. } => ONE,
+            _ => ZERO.hull(ONE),
+        })
     }
 
+    fn holds(&self) -> Possibly {
+        Possibly { never: self.all_values() == ZERO, always: !self.all_values().contains(0.0) }
+    }
+}
+
+impl Series {
+    /// All numbers that it may be: everything where it is known up to whole turns.
+    fn all_values(&self) -> Interval {
+        if self.is_open() { UNKNOWN.value() } else { self.value() }
+    }
+}
+
+/// A row's series; one that is known up to whole turns is not known.
+pub(super) fn row(formula: &Formula, row: usize, results: &Results<Series>) -> Series {
+    let y = formula.rows.get(row).and_then(|row| results.number(*row)).unwrap_or(UNKNOWN);
+    if y.is_open() { UNKNOWN } else { y }
+}
+
+/// Why no bounds of a formula's rows can be had, whatever the position, if so.
+pub(super) fn opaque(formula: &Formula, outside: Outside<'_>) -> Option<String> {
+    if formula.is_rounded {
+        return Some("its constants are rounded before they can be read".to_string());
+    }
+    let graph = &formula.graph;
+    graph.reachable(&formula.rows).into_iter().find_map(|node| match graph.op(node) {
+        Op::Law(law, ..) => {
+            let law = Given::by(outside, law, &[]);
+            let law = law.law()?;
+            law.over(&Series::constant(ZERO)).is_none().then(|| {
+                format!(
+                    "of its law `{}` no bounds over an interval are known; write it with `#[law]`, without a loop or call that only Rust can read, or \
+                     take one of the library",
+                    law.kind()
+                )
+            })
+        }
+        Op::Opaque(..) if graph.depends(node).varies() => {
+            Some("it calls a function of yours, of which no bounds over an interval are known; write its expression out".to_string())
+        }
+        _ => None,
+    })
+}
+
+/// The laws in a formula whose bounds are taken on their own word.
+pub(super) fn trusted(formula: &Formula, outside: Outside<'_>) -> Vec<String> {
+    let law = |node: Node| match formula.graph.op(node) {
+        Op::Law(law, ..) => Given::by(outside, law, &[]).law().map(Law::trusted),
+        _ => None,
+    };
+    formula.graph.reachable(&formula.rows).into_iter().filter_map(law).flatten().collect()
+}
+
+impl Table {
     /// The expression, as the user wrote it, because of which fewer than `len` coefficients of a row are known.
-    pub(super) fn unknown(&self, row: usize, results: &[Series], len: usize) -> Option<(&'static str, Option<Source>)> {
-        let known = |step: u16| results.get(usize::from(step)).is_some_and(|y| y.len() >= len);
-        let holds = |step: u16| results.get(usize::from(step)).is_some_and(|y| y.value() != ZERO);
-        let mut step = *self.rows.get(row)?;
-        while let Some(next) = self.operands(step, &holds).into_iter().find(|step| !known(*step)) {
-            step = next;
+    pub(super) fn unknown(
+        &'static self,
+        row: usize,
+        results: &Results<Series>,
+        len: usize,
+    ) -> Option<(&'static str, Option<blame::Source>)> {
+        let formula = self.formula();
+        let known = |node: &Node| results.number(*node).is_some_and(|y| y.len() >= len);
+        let holds = |node: Node| results.condition(node).is_some_and(|condition| !condition.never);
+        let mut node = *formula.rows.get(row)?;
+        while let Some(next) = formula.graph.numbers_behind(node, holds).into_iter().find(|node| !known(node)) {
+            node = next;
         }
-        let (number, _) = self.steps.get(usize::from(step))?;
-        let (text, line, column) = *self.expressions.get(usize::from(*number))?;
-        Some((text, Some(Source { file: self.file, line, column })))
-    }
-
-    /// Why no bounds of its results can be had, whatever the position, if so.
-    pub(super) fn opaque(&self, outside: Outside<'_>) -> Option<String> {
-        if self.is_rounded {
-            return Some("its constants are rounded before they can be read".to_string());
-        }
-        let mut moves = Vec::with_capacity(self.steps.len());
-        for (_, step) in self.steps {
-            let moving =
-                matches!(step, Step::Column(_) | Step::Time) || step.reads(&|k| moves.get(usize::from(k)).copied().unwrap_or(false));
-            match step {
-                Step::Law(law, ..) => {
-                    let law = Given::by(outside, *law, &[]);
-                    let law = law.law()?;
-                    if law.over(&Series::constant(ZERO)).is_none() {
-                        return Some(format!(
-                            "of its law `{}` no bounds over an interval are known; write it with `#[law]`, without a loop or call that only Rust can \
-                             read, or take one of the library",
-                            law.kind()
-                        ));
-                    }
-                }
-                Step::Foreign(..) if moving => {
-                    return Some(
-                        "it calls a function of yours, of which no bounds over an interval are known; write its expression out".to_string(),
-                    );
-                }
-                _ => {}
-            }
-            moves.push(moving);
-        }
-        None
-    }
-
-    /// The laws in it whose bounds are taken on their own word.
-    pub(super) fn trusted(&self, outside: Outside<'_>) -> Vec<String> {
-        let law = |step: &Step| if let Step::Law(law, ..) = step { Given::by(outside, *law, &[]).law().map(Law::trusted) } else { None };
-        self.steps.iter().filter_map(|(_, step)| law(step)).flatten().collect()
+        let expression = formula.expression(node)?;
+        Some((&expression.text, Some(self.source(expression))))
     }
 
     /// A law that is written as an expression of column 0.
-    pub fn law_over(&self, x: &Series, parameters: &[f64], outside: Outside<'_>) -> Option<Series> {
-        if self.opaque(outside).is_some() {
+    pub fn law_over(&'static self, x: &Series, parameters: &[f64], outside: Outside<'_>) -> Option<Series> {
+        let formula = self.formula();
+        if opaque(formula, outside).is_some() {
             return None;
         }
         let inputs = Inputs { columns: &[*x], t: Series::constant(ZERO), parameters, outside };
-        Some(self.row(0, &self.series(&inputs)))
+        Some(row(formula, 0, &evaluate(&formula.graph, &formula.rows, &inputs)))
     }
-}
-
-fn result(step: Step, known: &[Series], inputs: &Inputs<'_>) -> Series {
-    let of = |k: u16| known.get(usize::from(k)).copied().unwrap_or(UNKNOWN);
-    let value = |k: u16| if of(k).is_open() { UNKNOWN.value() } else { of(k).value() };
-    let parameter = |k: u16| inputs.parameters.get(usize::from(k)).map_or(UNKNOWN, |x| Series::constant(Interval::from(*x)));
-    let truth = |[never, always]: [bool; 2]| {
-        Series::constant(if never {
-            ZERO
-        } else if always {
-            ONE
-        } else {
-            ZERO.hull(ONE)
-        })
-    };
-    // a condition as [never, always]
-    let held = |k: u16| [value(k) == ZERO, !value(k).contains(0.0)];
-    match step {
-        Step::Column(k) => inputs.columns.get(usize::from(k)).copied().unwrap_or(UNKNOWN),
-        Step::Time => inputs.t,
-        Step::Parameter(k) => parameter(k),
-        Step::Constant(x) => Series::constant(Interval::from(x)),
-        Step::Decimal(x, above) => Series::constant(if above { Interval::new(x, x.next_up()) } else { Interval::new(x.next_down(), x) }),
-        Step::Negated(a) => -of(a),
-        Step::Call(f, a) => of(a).call(f),
-        Step::Call2(Function2::Product, a, b) if a == b => of(a).sqr(),
-        Step::Call2(f, a, b) => of(a).call2(f, of(b)),
-        Step::Power(a, n) => of(a).powi(n),
-        Step::Select(c, a, b) => match held(c) {
-            [true, _] => of(b),
-            [_, true] => of(a),
-            _ => UNKNOWN,
-        },
-        Step::Compare(comparison, a, b) => truth(compared(comparison, value(a), value(b))),
-        Step::Both(a, b) => truth([held(a)[0] || held(b)[0], held(a)[1] && held(b)[1]]),
-        Step::Either(a, b) => truth([held(a)[0] && held(b)[0], held(a)[1] || held(b)[1]]),
-        Step::Not(a) => truth([held(a)[1], held(a)[0]]),
-        Step::Law(number, x, order) => Given::by(inputs.outside, number, &[]).law().map_or(UNKNOWN, |law| law_of(law, of(x), order)),
-        Step::Foreign(number, operands, component) => {
-            let operands: Vec<Series> = operands.iter().map(|&k| of(k)).collect();
-            given(inputs.outside, number, component, &operands)
-        }
-    }
-}
-
-/// What only the user's program can compute of parameters: the number that it gives. What it is computed from is known up to rounding, so it is asked at
-/// both ends and in the middle of that: what jumps between them is not known.
-fn given(outside: Outside<'_>, number: u16, component: u16, operands: &[Series]) -> Series {
-    if !operands.iter().all(|x| x.is_constant() && !x.is_open()) {
-        return UNKNOWN;
-    }
-    let at = |place: fn(Interval) -> f64| {
-        let operands: Vec<Dual3_64> = operands.iter().map(|x| Dual3_64::from_re(place(x.value()))).collect();
-        Interval::from(Given::by(outside, number, &operands).number(component).re)
-    };
-    let all = [at(Interval::lo), at(Interval::mid), at(Interval::hi)];
-    let value = all[0].hull(all[1]).hull(all[2]);
-    if value.is_finite() { Series::constant(value) } else { UNKNOWN }
 }
 
 /// Whether a comparison never holds, and whether it always does.

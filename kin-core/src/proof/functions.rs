@@ -1,8 +1,9 @@
 //! The functions of an equation's steps on series, from the differential equation of each: y′ = f′(x) x′ (Moore, ch. 11).
 
+use kin_graph::{Function, Function2};
+
 use super::interval::{Interval, ONE, ZERO};
 use super::series::{ORDER, Series, Turns, UNKNOWN};
-use crate::blame::graph::{Function, Function2};
 
 impl Series {
     /// (sin x, cos x): s′ = c x′, c′ = −s x′.
@@ -139,10 +140,6 @@ impl Series {
     pub(crate) fn call2(self, f: Function2, other: Series) -> Series {
         let (a, b) = (self, other);
         match f {
-            Function2::Sum => a + b,
-            Function2::Difference => a - b,
-            Function2::Product => a * b,
-            Function2::Quotient => a / b,
             _ if a.is_open() || b.is_open() => UNKNOWN,
             Function2::Atan2 => a.atan2(b),
             Function2::Hypot => a.hypot(b),

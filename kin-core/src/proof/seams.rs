@@ -1,8 +1,9 @@
 //! Where pieces of laws meet, and where they do not; what is not seen is not known.
 
+use kin_graph::Function2;
+
 use super::interval::{Interval, ONE};
 use super::series::{ORDER, Series, Turns};
-use crate::blame::graph::Function2;
 use crate::law::{Ends, Law};
 
 const FULL: usize = ORDER + 1;

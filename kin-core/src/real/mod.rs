@@ -18,6 +18,7 @@ mod pair;
 #[cfg(test)]
 mod sweep;
 mod traced;
+mod walk;
 
 use std::fmt;
 

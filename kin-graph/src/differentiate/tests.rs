@@ -22,13 +22,13 @@ fn every_function_agrees_with_central_differences() {
     let h = 1e-5;
     for &f in Function::ALL {
         let mut g = Graph::default();
-        let x = g.input(Input::Variable);
+        let x = g.input(Input::Column(0));
         let y = g.call(f, x);
         let mut d = Partial::by_variable();
         let first = d.of(&mut g, y);
         let second = d.of(&mut g, first);
         for &at in ordinary(f) {
-            let eval = |node, x| value(&g, node, &HashMap::from([(Input::Variable, x)]));
+            let eval = |node, x| value(&g, node, &HashMap::from([(Input::Column(0), x)]));
             for (node, derivative) in [(y, first), (first, second)] {
                 let central = (eval(node, at + h) - eval(node, at - h)) / (2.0 * h);
                 let exact = eval(derivative, at);
@@ -79,10 +79,10 @@ fn derivatives_at_nasty_points_are_the_documented_ones() {
     ];
     for (f, at, expected) in cases {
         let mut g = Graph::default();
-        let x = g.input(Input::Variable);
+        let x = g.input(Input::Column(0));
         let y = g.call(f, x);
         let first = Partial::by_variable().of(&mut g, y);
-        assert_eq!(value(&g, first, &HashMap::from([(Input::Variable, at)])), expected, "{f:?} at {at}");
+        assert_eq!(value(&g, first, &HashMap::from([(Input::Column(0), at)])), expected, "{f:?} at {at}");
     }
 }
 
@@ -117,8 +117,8 @@ fn jets_are_derivatives_along_the_motion() {
 #[test]
 fn power_of_zero_is_finite() {
     let mut g = Graph::default();
-    let (x, e) = (g.input(Input::Variable), g.constant(1.5));
+    let (x, e) = (g.input(Input::Column(0)), g.constant(1.5));
     let y = g.call2(Function2::Powf, x, e);
     let first = Partial::by_variable().of(&mut g, y);
-    assert_eq!(value(&g, first, &HashMap::from([(Input::Variable, 0.0)])), 0.0);
+    assert_eq!(value(&g, first, &HashMap::from([(Input::Column(0), 0.0)])), 0.0);
 }

@@ -74,6 +74,12 @@ impl Graph {
         });
         self.intern(Op::Decimal(number))
     }
+
+    /// A decimal of which no more is known than the nearest f64 and whether it is above that: no other node is the same number.
+    pub fn decimal_beside(&mut self, nearest: f64, above: bool) -> Node {
+        self.decimals.push(Decimal { digits: Digits { exponent: 0, digits: String::new() }, nearest, above });
+        self.intern(Op::Decimal(self.decimals.len() - 1))
+    }
 }
 
 #[cfg(test)]

@@ -27,8 +27,8 @@ pub enum Input {
     Time,
     /// ṫ, the factor of every derivative by time.
     TimeRate,
-    /// The variable of a `#[law]`.
-    Variable,
+    /// The coordinate of a local column, where bodies and their states are not told apart; the variable of a law is column 0.
+    Column(usize),
     /// A numeric parameter, by its number.
     Parameter(usize),
     /// What was evaluated once a time, by its number; put in before the scheduler.
@@ -63,6 +63,12 @@ pub enum Comparison {
 }
 
 impl Comparison {
+    /// Every comparison.
+    pub const ALL: [Comparison; 6] = {
+        use Comparison::*;
+        [Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual]
+    };
+
     pub fn holds<T: PartialOrd>(self, a: &T, b: &T) -> bool {
         match self {
             Comparison::Less => a < b,
@@ -105,6 +111,30 @@ pub enum Op {
     Not(Node),
     /// A condition known before the program runs.
     Truth(bool),
+}
+
+impl Op {
+    /// The same operation on other operands; what holds none itself, values and calls of the user's own too, stays as it is.
+    pub fn with_operands(self, of: impl Fn(Node) -> Node) -> Op {
+        match self {
+            Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) | Op::Opaque(..) | Op::Leaf(_) => self,
+            Op::Neg(a) => Op::Neg(of(a)),
+            Op::Call(f, a) => Op::Call(f, of(a)),
+            Op::Powi(a, n) => Op::Powi(of(a), n),
+            Op::Law(law, a, order) => Op::Law(law, of(a), order),
+            Op::Not(a) => Op::Not(of(a)),
+            Op::Add(a, b) => Op::Add(of(a), of(b)),
+            Op::Sub(a, b) => Op::Sub(of(a), of(b)),
+            Op::Mul(a, b) => Op::Mul(of(a), of(b)),
+            Op::Div(a, b) => Op::Div(of(a), of(b)),
+            Op::Call2(f, a, b) => Op::Call2(f, of(a), of(b)),
+            Op::Compare(comparison, a, b) => Op::Compare(comparison, of(a), of(b)),
+            Op::And(a, b) => Op::And(of(a), of(b)),
+            Op::Or(a, b) => Op::Or(of(a), of(b)),
+            Op::Select(c, a, b) => Op::Select(of(c), of(a), of(b)),
+            Op::Fma(a, b, c) => Op::Fma(of(a), of(b), of(c)),
+        }
+    }
 }
 
 /// Which number of which evaluation of a leaf.
@@ -244,6 +274,15 @@ impl Graph {
         }
     }
 
+    /// The nodes whose numbers make that of `node`: its operands, of a selection the one that is taken, of a condition none.
+    pub fn numbers_behind(&self, node: Node, holds: impl Fn(Node) -> bool) -> Vec<Node> {
+        match self.op(node) {
+            Op::Select(c, a, b) => vec![if holds(c) { a } else { b }],
+            Op::Compare(..) | Op::And(..) | Op::Or(..) | Op::Not(_) => vec![],
+            _ => self.operands(node),
+        }
+    }
+
     /// Shows the nodes that `node` is computed from, in their order.
     pub fn each_operand(&self, node: Node, mut show: impl FnMut(Node)) {
         match self.op(node) {
@@ -274,7 +313,7 @@ impl Graph {
         let node = Node(self.ops.len() as u32);
         self.ops.push(op);
         let depends = match op {
-            Op::Input(Input::State(..) | Input::Variable) => Depends { on_q: true, on_t: false },
+            Op::Input(Input::State(..) | Input::Column(_)) => Depends { on_q: true, on_t: false },
             Op::Input(Input::Time) => Depends { on_q: false, on_t: true },
             _ => {
                 let mut all = Depends::default();
@@ -295,23 +334,8 @@ impl Graph {
     /// The operation of `node` on other operands. Values of the user's own keep theirs: their text names them.
     pub fn with_operands(&mut self, node: Node, of: impl Fn(Node) -> Node) -> Node {
         let op = match self.op(node) {
-            op @ (Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) | Op::Opaque(..)) => op,
-            Op::Neg(a) => Op::Neg(of(a)),
-            Op::Call(f, a) => Op::Call(f, of(a)),
-            Op::Powi(a, n) => Op::Powi(of(a), n),
-            Op::Law(law, a, order) => Op::Law(law, of(a), order),
-            Op::Not(a) => Op::Not(of(a)),
-            Op::Add(a, b) => Op::Add(of(a), of(b)),
-            Op::Sub(a, b) => Op::Sub(of(a), of(b)),
-            Op::Mul(a, b) => Op::Mul(of(a), of(b)),
-            Op::Div(a, b) => Op::Div(of(a), of(b)),
-            Op::Call2(f, a, b) => Op::Call2(f, of(a), of(b)),
-            Op::Compare(comparison, a, b) => Op::Compare(comparison, of(a), of(b)),
-            Op::And(a, b) => Op::And(of(a), of(b)),
-            Op::Or(a, b) => Op::Or(of(a), of(b)),
-            Op::Select(c, a, b) => Op::Select(of(c), of(a), of(b)),
-            Op::Fma(a, b, c) => Op::Fma(of(a), of(b), of(c)),
             Op::Leaf(used) => Op::Leaf(self.leaf_with_operands(used, of)),
+            op => op.with_operands(of),
         };
         self.intern(op)
     }

@@ -127,7 +127,7 @@ pub fn constraint(source: &ConstraintFn) -> Result<Lowered, Failure> {
 pub fn law(variable: &Ident, parameters: &[Argument], body: &syn::Block) -> Result<Lowered, Failure> {
     with_constants(&|graph| {
         let mut reader = Reader::new(graph);
-        let x = reader.graph.input(Input::Variable);
+        let x = reader.graph.input(Input::Column(0));
         reader.scopes.declare(variable.to_string(), Value::Scalar(x));
         reader.declare_arguments(parameters);
         let value = reader.function_body(body, &syn::parse_quote!(f64)).map_err(Failure::Unreadable);

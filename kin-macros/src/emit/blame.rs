@@ -9,7 +9,7 @@ use quote::quote;
 use super::kernel::Kernel;
 use super::{own, template};
 use crate::derivatives::local_column;
-use kin_graph::{Column, Input, LeafUse, Node, Op, Part};
+use kin_graph::{Column, Formula, Function, Input, LeafUse, Node, Op, Part};
 use kin_language::lower::place::Expression;
 use kin_language::lower::{Lowered, OpaqueKind};
 use kin_language::parse::{Argument, Kind};
@@ -28,7 +28,7 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
     });
     quote! {
         #[cold]
-        fn table(&self) -> ::core::option::Option<(&'static ::kin::rt::graph::Graph, ::std::vec::Vec<f64>)> {
+        fn table(&self) -> ::core::option::Option<(&'static ::kin::rt::graph::Table, ::std::vec::Vec<f64>)> {
             static TABLE: ::kin::rt::graph::Table = #table;
             TABLE.with(&#values)
         }
@@ -46,7 +46,7 @@ pub fn law(parameters: &[Argument], lowered: &Lowered) -> TokenStream {
         #[cold]
         fn over(&self, #x: &::kin::rt::graph::Series) -> ::core::option::Option<::kin::rt::graph::Series> {
             static TABLE: ::kin::rt::graph::Table = #table;
-            TABLE.graph().law_over(#x, &#values, &#outside)
+            TABLE.law_over(#x, &#values, &#outside)
         }
         #[cold]
         fn trusted(&self) -> ::std::vec::Vec<::std::string::String> {
@@ -75,21 +75,16 @@ impl Written {
         let lowered = folded.as_written.as_deref().unwrap_or(folded);
         let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
         let has_leaves = lowered.leaves.len() == folded.leaves.len();
-        let mut table = Table {
-            arguments,
-            lowered,
-            has_leaves,
-            steps: vec![],
-            numbers: HashMap::new(),
-            expressions: vec![],
-            parameters: vec![],
-            outside: vec![],
-        };
+        let mut formula = Formula::default();
+        formula.is_rounded = lowered.graph.is_rounded() && !lowered.graph.keeps_constants();
+        let mut table = Table { arguments, lowered, has_leaves, formula, nodes: HashMap::new(), parameters: vec![], outside: vec![] };
         for node in lowered.graph.reachable(&rows) {
-            let step = table.step(node);
-            table.push(node, &step);
+            let same = table.node(node);
+            table.nodes.insert(node, same);
         }
-        let text = table.text(&rows);
+        table.formula.rows = rows.iter().map(|&row| table.of(row)).collect();
+        table.formula.parameters = table.parameters.iter().map(|&k| parameter_name(&lowered.parameters[k], arguments)).collect();
+        let text = readable(&table.formula.to_string());
         let values = table.parameters.iter().map(|&k| &lowered.parameters[k]);
         Written {
             table: quote!(::kin::rt::graph::Table::new(::core::file!(), #text)),
@@ -137,117 +132,78 @@ enum Outside {
     Leaf(usize),
 }
 
-/// The table while it is being written: lines that `kin_core::blame::table` reads.
+/// The formula of the rows while it is being made.
 struct Table<'a> {
     arguments: &'a [Argument],
     lowered: &'a Lowered,
     /// Whether the functions of its leaves are emitted under the numbers that they have here.
     has_leaves: bool,
-    steps: Vec<String>,
-    /// The step of each node.
-    numbers: HashMap<Node, usize>,
-    /// Numbers of the expressions and parameters that are in it.
-    expressions: Vec<usize>,
+    formula: Formula,
+    /// The node of the formula that each node of the rows is.
+    nodes: HashMap<Node, Node>,
+    /// Numbers of the parameters that are in it.
     parameters: Vec<usize>,
     outside: Vec<Outside>,
 }
 
 impl Table<'_> {
-    /// The whole table as one literal: to the compiler one token.
-    fn text(&self, rows: &[Node]) -> Literal {
-        let mut text = String::new();
-        for Expression { text: written, line, column } in self.expressions.iter().map(|&k| &self.lowered.expressions.all[k]) {
-            text.push_str(&format!("\nat {line} {column} {}", written.replace('\n', " ")));
-        }
-        text.push_str("\nparameters");
-        for &k in &self.parameters {
-            text.push_str(&format!(" {}", parameter_name(&self.lowered.parameters[k], self.arguments)));
-        }
-        if self.lowered.graph.is_rounded() && !self.lowered.graph.keeps_constants() {
-            text.push_str("\nrounded");
-        }
-        text.push_str("\nrows");
-        for &row in rows {
-            text.push_str(&format!(" {}", self.of(row)));
-        }
-        for step in &self.steps {
-            text.push('\n');
-            text.push_str(step);
-        }
-        readable(&text)
+    /// The formula's node of one that has been put there.
+    fn of(&self, node: Node) -> Node {
+        self.nodes.get(&node).copied().unwrap_or_default()
     }
 
-    fn push(&mut self, node: Node, step: &str) {
-        let expression = self.lowered.expressions.of(node).map(|k| place(&mut self.expressions, k));
-        let expression = expression.map_or_else(|| "-".to_owned(), |number| number.to_string());
-        self.numbers.insert(node, self.steps.len());
-        self.steps.push(format!("{expression} {step}"));
-    }
-
-    /// The step of a node that has one.
-    fn of(&self, node: Node) -> usize {
-        self.numbers.get(&node).copied().unwrap_or_default()
-    }
-
-    fn step(&mut self, node: Node) -> String {
+    /// Puts a node into the formula, whose operands are there.
+    fn node(&mut self, node: Node) -> Node {
         let graph = &self.lowered.graph;
-        let of =
-            |name: &str, operands: &[Node]| operands.iter().fold(name.to_owned(), |step, operand| format!("{step} {}", self.of(*operand)));
-        match graph.op(node) {
+        let op = match graph.op(node) {
             Op::Input(input) => self.input(node, input),
-            Op::Constant(bits) => format!("Constant {:?}", f64::from_bits(bits)),
+            Op::Law(law, x, order) => Op::Law(place(&mut self.outside, Outside::Law(law)), self.of(x), order),
+            Op::Opaque(number, component) => return self.foreign(node, Outside::Opaque(number), component),
+            Op::Leaf(LeafUse { leaf, output, .. }) => return self.foreign(node, Outside::Leaf(leaf), output),
             Op::Decimal(k) => {
                 let decimal = &graph.decimals[k];
-                format!("Decimal {:?} {}", decimal.nearest, u8::from(decimal.above))
+                let expression = self.expression(node);
+                return self.formula.push_decimal(decimal.nearest, decimal.above, expression);
             }
-            Op::Truth(holds) => format!("Constant {}", u8::from(holds)),
-            Op::Add(a, b) => of("Sum", &[a, b]),
-            Op::Sub(a, b) => of("Difference", &[a, b]),
-            Op::Mul(a, b) => of("Product", &[a, b]),
-            Op::Div(a, b) => of("Quotient", &[a, b]),
-            Op::Call2(f, a, b) => of(&format!("{f:?}"), &[a, b]),
-            Op::Call(f, a) => of(&format!("{f:?}"), &[a]),
-            Op::Neg(a) => of("Negated", &[a]),
-            Op::Not(a) => of("Not", &[a]),
-            Op::Powi(a, n) => format!("Power {} {n}", self.of(a)),
-            Op::Select(c, a, b) => of("Select", &[c, a, b]),
-            Op::Compare(comparison, a, b) => of(&format!("{comparison:?}"), &[a, b]),
-            Op::And(a, b) => of("Both", &[a, b]),
-            Op::Or(a, b) => of("Either", &[a, b]),
-            Op::Law(law, x, order) => {
-                let law = place(&mut self.outside, Outside::Law(law));
-                format!("Law {law} {} {order}", self.of(x))
-            }
-            Op::Opaque(number, component) => self.foreign(node, Outside::Opaque(number), component),
-            Op::Leaf(LeafUse { leaf, output, .. }) => self.foreign(node, Outside::Leaf(leaf), output),
-            // Made by the scheduler, which works on a kernel's own nodes.
-            Op::Fma(..) => "Constant NaN".to_owned(),
-        }
+            op => op.with_operands(|operand| self.of(operand)),
+        };
+        let expression = self.expression(node);
+        self.formula.push(op, expression)
     }
 
-    fn foreign(&mut self, node: Node, what: Outside, component: usize) -> String {
+    fn foreign(&mut self, node: Node, what: Outside, component: usize) -> Node {
         let number = place(&mut self.outside, what);
-        let operands = self.lowered.graph.operands(node);
-        operands.iter().fold(format!("Foreign {number} {component}"), |step, operand| format!("{step} {}", self.of(*operand)))
+        let operands = self.lowered.graph.operands(node).into_iter().map(|operand| self.of(operand)).collect();
+        let expression = self.expression(node);
+        self.formula.push_opaque(number, component, operands, expression)
     }
 
-    fn input(&mut self, node: Node, input: Input) -> String {
+    fn input(&mut self, node: Node, input: Input) -> Op {
+        let not_of_a_formula = Op::Constant(f64::NAN.to_bits());
         match input {
-            Input::Parameter(k) => format!("Parameter {}", place(&mut self.parameters, k)),
+            Input::Parameter(k) => Op::Input(Input::Parameter(place(&mut self.parameters, k))),
             Input::State(argument, part) => {
-                let coordinate = if matches!(part, Part::Sin | Part::Cos) { Part::Theta } else { part };
-                let column = format!("Column {}", local_column(self.arguments, Column { argument, part: coordinate }));
-                if coordinate == part {
-                    return column;
-                }
-                self.push(node, &column);
-                format!("{part:?} {}", self.of(node))
+                let function = match part {
+                    Part::Sin => Some(Function::Sin),
+                    Part::Cos => Some(Function::Cos),
+                    _ => None,
+                };
+                let coordinate = if function.is_some() { Part::Theta } else { part };
+                let column = Op::Input(Input::Column(local_column(self.arguments, Column { argument, part: coordinate })));
+                let Some(function) = function else { return column };
+                let expression = self.expression(node);
+                Op::Call(function, self.formula.push(column, expression))
             }
-            Input::Time => "Time".to_owned(),
-            Input::Variable => "Column 0".to_owned(),
-            // Not of an equation's own value.
-            Input::Rate(..) | Input::TimeRate | Input::Timed(_) => "Constant NaN".to_owned(),
+            Input::Time | Input::Column(_) => Op::Input(input),
+            Input::Rate(..) | Input::TimeRate | Input::Timed(_) => not_of_a_formula,
         }
+    }
+
+    /// The number in the formula of the expression that a node is of.
+    fn expression(&mut self, node: Node) -> Option<usize> {
+        let Expression { text, line, column } = &self.lowered.expressions.all[self.lowered.expressions.of(node)?];
+        let expression = kin_graph::Expression { text: text.clone(), line: *line as u32, column: *column as u32 };
+        Some(place(&mut self.formula.expressions, expression))
     }
 
     /// The function that computes what the table cannot.

@@ -361,7 +361,7 @@ impl<'a> Kernel<'a> {
             Input::Time => quote!(at.t),
             Input::TimeRate if self.numbers == Numbers::Wide => quote!(at.splat(1.0)),
             Input::TimeRate => quote!(t_dot),
-            Input::Variable => quote!(x),
+            Input::Column(_) => quote!(x),
             Input::Parameter(k) => self.lowered.parameters[k].clone(),
             Input::Timed(k) if self.numbers == Numbers::Wide => {
                 let (known, k) = (super::own("known"), Literal::usize_unsuffixed(k));

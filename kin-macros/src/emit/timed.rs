@@ -74,7 +74,7 @@ fn select(lowered: &Lowered, outputs: &[Node]) -> Vec<Node> {
     for &node in &order {
         let operands = g.operands(node);
         let any = |list: &[Node]| operands.iter().any(|n| found(list, n));
-        if matches!(g.op(node), Op::Input(Input::State(..) | Input::Rate(..) | Input::TimeRate | Input::Variable)) || any(&moving) {
+        if matches!(g.op(node), Op::Input(Input::State(..) | Input::Rate(..) | Input::TimeRate | Input::Column(_))) || any(&moving) {
             moving.push(node);
         } else if any(&calling) || matches!(g.op(node), Op::Call(..) | Op::Call2(..) | Op::Law(..) | Op::Opaque(..) | Op::Leaf(_)) {
             calling.push(node);

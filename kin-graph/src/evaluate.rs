@@ -1,0 +1,161 @@
+//! The one evaluator: a graph walked by any [`Number`].
+
+use crate::number::{Condition, Number};
+use crate::{Graph, Input, LeafUse, Node, Op};
+
+/// What a graph does not hold itself: its inputs, and what only the user's program can compute.
+pub trait Source<N: Number> {
+    /// The number of an input.
+    fn input(&self, input: Input) -> N;
+
+    /// Derivative number `order` of law number `law` at x.
+    fn law(&self, law: usize, x: N, order: u8) -> N;
+
+    /// Number `component` of what only the user's program can compute of `operands`.
+    fn opaque(&self, number: usize, component: usize, operands: Vec<N>) -> N;
+
+    /// An output of a call of the user's generic function.
+    fn leaf(&self, used: LeafUse, operands: Vec<N>) -> N;
+}
+
+/// The result of a node.
+#[derive(Clone)]
+enum Result<N: Number> {
+    Number(N),
+    Condition(N::Condition),
+}
+
+/// The results of the nodes that were asked for, and of those behind them.
+#[derive(Clone)]
+pub struct Results<N: Number>(Vec<Option<Result<N>>>);
+
+impl<N: Number> Results<N> {
+    /// The number of a node, that of a condition being 1 or 0; `None` of a node that was not needed.
+    pub fn number(&self, node: Node) -> Option<N> {
+        Some(match self.0.get(node.index())?.as_ref()? {
+            Result::Number(number) => number.clone(),
+            Result::Condition(condition) => N::of_condition(condition),
+        })
+    }
+
+    /// Whether a node holds, that of a number being whether it is not 0; `None` of a node that was not needed.
+    pub fn condition(&self, node: Node) -> Option<N::Condition> {
+        Some(match self.0.get(node.index())?.as_ref()? {
+            Result::Number(number) => number.holds(),
+            Result::Condition(condition) => condition.clone(),
+        })
+    }
+}
+
+/// The results of `outputs`. A node is computed after its operands and once; one that has no number in the graph is not a number.
+pub fn evaluate<N: Number>(graph: &Graph, outputs: &[Node], source: &impl Source<N>) -> Results<N> {
+    let mut results = Results((0..graph.len()).map(|_| None).collect());
+    for node in graph.reachable(outputs) {
+        let result = result(graph, node, &results, source);
+        results.0[node.index()] = Some(result);
+    }
+    results
+}
+
+/// The results of `outputs` where only the number of one input is another than in `known`: what does not read it stays as it is.
+pub fn evaluate_along<N: Number>(graph: &Graph, outputs: &[Node], input: Input, known: &Results<N>, source: &impl Source<N>) -> Results<N> {
+    let mut results = known.clone();
+    let mut moves = vec![false; graph.len()];
+    for node in graph.reachable(outputs) {
+        let mut moving = graph.op(node) == Op::Input(input);
+        graph.each_operand(node, |operand| moving |= moves[operand.index()]);
+        if moving {
+            moves[node.index()] = true;
+            let result = result(graph, node, &results, source);
+            results.0[node.index()] = Some(result);
+        }
+    }
+    results
+}
+
+fn result<N: Number>(graph: &Graph, node: Node, known: &Results<N>, source: &impl Source<N>) -> Result<N> {
+    let of = |node: Node| known.number(node).unwrap_or_else(|| N::constant(f64::NAN));
+    let holds = |node: Node| known.condition(node).unwrap_or_else(|| N::Condition::known(false));
+    let operands = || graph.operands(node).into_iter().map(of).collect();
+    Result::Number(match graph.op(node) {
+        Op::Compare(comparison, a, b) => return Result::Condition(N::compare(comparison, &of(a), &of(b))),
+        Op::And(a, b) => return Result::Condition(holds(a).and(holds(b))),
+        Op::Or(a, b) => return Result::Condition(holds(a).or(holds(b))),
+        Op::Not(a) => return Result::Condition(holds(a).negated()),
+        Op::Truth(holds) => return Result::Condition(N::Condition::known(holds)),
+        Op::Input(input) => source.input(input),
+        Op::Constant(bits) => N::constant(f64::from_bits(bits)),
+        Op::Decimal(k) => graph.decimals.get(k).map_or(N::constant(f64::NAN), |decimal| N::decimal(decimal.nearest, decimal.above)),
+        Op::Add(a, b) => of(a) + of(b),
+        Op::Sub(a, b) => of(a) - of(b),
+        Op::Mul(a, b) if a == b => of(a).square(),
+        Op::Mul(a, b) => of(a) * of(b),
+        Op::Div(a, b) => of(a) / of(b),
+        Op::Fma(a, b, c) => of(a).fma(of(b), of(c)),
+        Op::Neg(a) => -of(a),
+        Op::Call(f, a) => of(a).call(f),
+        Op::Call2(f, a, b) => of(a).call2(f, of(b)),
+        Op::Powi(a, n) => of(a).powi(n),
+        Op::Select(c, a, b) => N::select(&holds(c), of(a), of(b)),
+        Op::Law(law, x, order) => source.law(law, of(x), order),
+        Op::Opaque(number, component) => source.opaque(number, component, operands()),
+        Op::Leaf(used) => source.leaf(used, operands()),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::Given;
+    use crate::{Comparison, Function, Function2};
+
+    #[test]
+    fn every_operation_has_the_value_that_it_has_in_rust() {
+        let mut g = Graph::default();
+        let (x, t) = (g.input(Input::Column(0)), g.input(Input::Time));
+        let all = [
+            (Op::Add(x, t), 0.75 + 2.0),
+            (Op::Sub(x, t), 0.75 - 2.0),
+            (Op::Mul(x, t), 1.5),
+            (Op::Mul(t, t), 4.0),
+            (Op::Div(x, t), 0.375),
+            (Op::Fma(x, t, t), 3.5),
+            (Op::Neg(x), -0.75),
+            (Op::Call(Function::Sin, x), 0.75_f64.sin()),
+            (Op::Call2(Function2::Atan2, x, t), 0.75_f64.atan2(2.0)),
+            (Op::Powi(t, -2), 0.25),
+        ];
+        let nodes: Vec<Node> = all.iter().map(|(op, _)| g.raw(*op)).collect();
+        let less = g.raw(Op::Compare(Comparison::Less, x, t));
+        let not = g.raw(Op::Not(less));
+        let (either, both) = (g.raw(Op::Or(less, not)), g.raw(Op::And(less, not)));
+        let chosen = [g.raw(Op::Select(either, x, t)), g.raw(Op::Select(both, x, t))];
+        let outputs: Vec<Node> = nodes.iter().chain(&chosen).copied().collect();
+        let given = Given([(Input::Column(0), 0.75), (Input::Time, 2.0)].into());
+        let results = evaluate(&g, &outputs, &given);
+        for (node, (op, value)) in nodes.iter().zip(all) {
+            assert_eq!(results.number(*node), Some(value), "{op:?}");
+        }
+        assert_eq!(chosen.map(|node| results.number(node)), [Some(0.75), Some(2.0)]);
+        assert_eq!((results.condition(less), results.number(not)), (Some(true), Some(0.0)));
+    }
+
+    #[test]
+    fn along_one_input_the_others_stay_as_they_are() {
+        let mut g = Graph::default();
+        let (x, t) = (g.input(Input::Column(0)), g.input(Input::Time));
+        let (product, root) = (g.raw(Op::Mul(x, t)), g.raw(Op::Call(Function::Sqrt, t)));
+        let still = evaluate(&g, &[product, root], &Given([(Input::Column(0), 3.0), (Input::Time, 4.0)].into()));
+        let moved =
+            evaluate_along(&g, &[product, root], Input::Column(0), &still, &Given([(Input::Column(0), 5.0), (Input::Time, 9.0)].into()));
+        assert_eq!([product, root, x, t].map(|node| moved.number(node)), [Some(20.0), Some(2.0), Some(5.0), Some(4.0)]);
+    }
+
+    #[test]
+    fn only_the_nodes_that_are_needed_are_looked_at() {
+        let mut g = Graph::default();
+        let (x, t) = (g.input(Input::Column(0)), g.input(Input::Time));
+        let results = evaluate(&g, &[x], &Given([(Input::Column(0), 1.0)].into()));
+        assert_eq!((results.number(x), results.number(t)), (Some(1.0), None));
+    }
+}
