@@ -16,3 +16,20 @@ pub mod prelude {
     };
     pub use std::f64::consts::{PI, TAU};
 }
+
+/// The pages of `docs/guide/`: their programs are compiled as tests.
+#[cfg(doctest)]
+mod guide {
+    macro_rules! pages {
+        ($($page:ident $file:literal;)*) => { $(#[doc = include_str!($file)] struct $page;)* };
+    }
+
+    pages! {
+        Constraints "../docs/guide/constraints.md";
+        Mechanisms "../docs/guide/mechanisms.md";
+        Motions "../docs/guide/motions.md";
+        Sweeps "../docs/guide/sweeps.md";
+        Diagnosis "../docs/guide/diagnosis.md";
+        Pictures "../docs/guide/pictures.md";
+    }
+}
