@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use crate::blame::Culprit;
 use crate::diagnosis::Diagnosis;
 use crate::motion::Motion;
+use crate::units::Units;
 
 mod carried;
 pub(crate) mod text;
@@ -28,15 +29,17 @@ pub enum Error {
 
     /// Newton's method did not reach C(q, t) = 0.
     #[error(
-        "t = {} s: no convergence in {}; worst is `{constraint}`{}: |C| = {residual:.1e}.{}",
-        text::time(*.t),
+        "t = {}: no convergence in {}; worst is `{constraint}`{}: |C| = {residual:.1e}.{}",
+        text::at(*.t, .units),
         text::count(*.iterations, "iteration"),
         text::row(.row),
-        text::no_convergence(*.last, .diagnosis, .motion)
+        text::no_convergence(*.last, .units, .diagnosis, .motion)
     )]
     NoConvergence {
         /// Time.   \[s\]
         t: f64,
+        /// What the units of length and time are called.
+        units: Units,
         /// Newton steps taken.
         iterations: usize,
         /// The constraint that is furthest from being met.
@@ -57,8 +60,8 @@ pub enum Error {
     #[error(
         "{}{}",
         text::diagnosed(.diagnosis, || format!(
-            "t = {} s: C_q ({n} x {n}) has rank {rank}; smallest relative pivot {pivot:.1e}.{}",
-            text::time(*.t),
+            "t = {}: C_q ({n} x {n}) has rank {rank}; smallest relative pivot {pivot:.1e}.{}",
+            text::at(*.t, .units),
             text::singular(.movable, .dependent, .unmet)
         )),
         text::kept(.motion)
@@ -66,6 +69,8 @@ pub enum Error {
     SingularAt {
         /// Time.   \[s\]
         t: f64,
+        /// What the units of length and time are called.
+        units: Units,
         /// Number of coordinates.
         n: usize,
         /// Numerical rank of C_q, lengths scaled by the size of the mechanism and rows by their norm.
@@ -86,14 +91,16 @@ pub enum Error {
 
     /// A toggle: the mechanism cannot be driven beyond it, and stands still there for an infinite rate of what it moves.
     #[error(
-        "t = {} s: a toggle: beyond this time there is no position. {}{}",
-        text::time(*.t),
+        "t = {}: a toggle: beyond this time there is no position. {}{}",
+        text::at(*.t, .units),
         text::toggle(.movable, .dependent, .diagnosis),
         text::kept(.motion)
     )]
     Toggle {
         /// The time t* of the toggle.   \[s\]
         t: f64,
+        /// What the units of length and time are called.
+        units: Units,
         /// The time that was asked for.   \[s\]
         asked: f64,
         /// Bodies and coordinates that can move at t* although everything that drives stands still.
@@ -108,14 +115,16 @@ pub enum Error {
 
     /// A step that may have left its branch, and cannot be made any shorter.
     #[error(
-        "t = {} s: beyond this time the run cannot be shown to stay on its branch ({reason}).\n  A law or constraint with a kink, or a position \
+        "t = {}: beyond this time the run cannot be shown to stay on its branch ({reason}).\n  A law or constraint with a kink, or a position \
          that is singular in more than one way; `Follow::Unchecked` goes on without asking.{}",
-        text::time(*.t),
+        text::at(*.t, .units),
         text::kept(.motion)
     )]
     CannotFollow {
         /// The last time at which the branch is known.   \[s\]
         t: f64,
+        /// What the units of length and time are called.
+        units: Units,
         /// What was objected to.
         reason: &'static str,
         /// What was computed before.
@@ -124,14 +133,16 @@ pub enum Error {
 
     /// A position that closes, but not as it is meant: the equations hold for an axis turned by 180° too.
     #[error(
-        "t = {} s: `{constraint}` ({kind}) closes the wrong way: {reason}.\n  Give a better guess of the poses, or turn one of the directions \
+        "t = {}: `{constraint}` ({kind}) closes the wrong way: {reason}.\n  Give a better guess of the poses, or turn one of the directions \
          round.{}",
-        text::time(*.t),
+        text::at(*.t, .units),
         text::kept(.motion)
     )]
     WrongBranch {
         /// Time.   \[s\]
         t: f64,
+        /// What the units of length and time are called.
+        units: Units,
         /// The constraint.
         constraint: String,
         /// Its kind.
@@ -144,9 +155,9 @@ pub enum Error {
 
     /// A law that jumps where it drives the motion.
     #[error(
-        "t = {} s: the law `{law}` of `{constraint}` jumps at {}: its {} there, which no body can follow.\n  Let its parts meet, or stop before \
+        "t = {}: the law `{law}` of `{constraint}` jumps at {}: its {} there, which no body can follow.\n  Let its parts meet, or stop before \
          it.{}",
-        text::time(*.t),
+        text::at(*.t, .units),
         text::time(*.at),
         if *.order == 0 { "value changes" } else { "slope changes" },
         text::kept(.motion)
@@ -154,6 +165,8 @@ pub enum Error {
     LawJumps {
         /// The first time beyond the jump.   \[s\]
         t: f64,
+        /// What the units of length and time are called.
+        units: Units,
         /// The constraint.
         constraint: String,
         /// The law, by its name in the constraint.
@@ -168,14 +181,16 @@ pub enum Error {
 
     /// A constraint gave a value or derivative that is infinite or not a number.
     #[error(
-        "t = {} s: {quantity} of `{constraint}`{} is not finite{culprit}{}",
-        text::time(*.t),
+        "t = {}: {quantity} of `{constraint}`{} is not finite{culprit}{}",
+        text::at(*.t, .units),
         text::row(.row),
         text::kept(.motion)
     )]
     NotFinite {
         /// Time.   \[s\]
         t: f64,
+        /// What the units of length and time are called.
+        units: Units,
         /// The constraint.
         constraint: String,
         /// Its row; empty for a constraint of one row.
@@ -358,12 +373,14 @@ pub enum Error {
     },
 
     /// An output with a value that is infinite or not a number.
-    #[error("the output `{output}` is {value} at t = {} s; give finite numbers", text::time(*.t))]
+    #[error("the output `{output}` is {value} at t = {}; give finite numbers", text::at(*.t, .units))]
     OutputNotFinite {
         /// The output.
         output: String,
         /// Time.   \[s\]
         t: f64,
+        /// What the units of length and time are called.
+        units: Units,
         /// The value.
         value: f64,
     },
@@ -427,6 +444,7 @@ mod tests {
     fn no_convergence_names_the_row_and_the_last_time() {
         let error = Error::NoConvergence {
             t: 0.31,
+            units: Units::default(),
             iterations: 20,
             constraint: "B".into(),
             row: "y".into(),

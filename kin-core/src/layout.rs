@@ -4,6 +4,7 @@ use std::collections::HashSet;
 
 use crate::coordinates::{Coordinate, MechanismId, PlanarBody, SpatialBody, Target};
 use crate::error::{Error, Result};
+use crate::units::Units;
 
 /// Unit of a coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -14,15 +15,6 @@ pub enum Unit {
     Radian,
     /// An Euler parameter.   \[-\]
     One,
-}
-
-impl Unit {
-    /// The unit of the coordinate (`order` 0), its rate (1), its second rate (2) or its third (3), such as `m/s^2`.
-    pub fn text(self, order: usize) -> &'static str {
-        const TEXT: [[&str; 4]; 3] =
-            [["m", "m/s", "m/s^2", "m/s^3"], ["rad", "rad/s", "rad/s^2", "rad/s^3"], ["-", "1/s", "1/s^2", "1/s^3"]];
-        TEXT[self as usize][order.min(3)]
-    }
 }
 
 /// What one declared item is.
@@ -72,12 +64,24 @@ pub(crate) struct Layout {
     pub items: Vec<Item>,
     pub names: Vec<String>,
     pub units: Vec<Unit>,
+    /// What the units are called.
+    pub words: Units,
+    /// Links as (item, length between the pins).   \[m\]
+    pub links: Vec<(usize, f64)>,
     taken: HashSet<String>,
 }
 
 impl Layout {
     pub(crate) fn new(mechanism: MechanismId) -> Self {
-        Layout { mechanism, items: Vec::new(), names: Vec::new(), units: Vec::new(), taken: HashSet::new() }
+        Layout {
+            mechanism,
+            items: Vec::new(),
+            names: Vec::new(),
+            units: Vec::new(),
+            words: Units::default(),
+            links: Vec::new(),
+            taken: HashSet::new(),
+        }
     }
 
     /// Number of coordinates n.
@@ -115,6 +119,16 @@ impl Layout {
             Some((item.name.as_str(), target))
         });
         bodies.collect()
+    }
+
+    /// The unit of coordinate `column` (`order` 0) or of one of its rates, in the mechanism's words.
+    pub(crate) fn unit(&self, column: usize, order: usize) -> String {
+        self.units.get(column).map(|unit| self.words.text(*unit, order)).unwrap_or_default()
+    }
+
+    /// The units of all coordinates.
+    pub(crate) fn unit_words(&self) -> Vec<String> {
+        (0..self.len()).map(|column| self.unit(column, 0)).collect()
     }
 
     /// Where a body or coordinate stands; `None` if it is not of this mechanism.
@@ -190,7 +204,6 @@ mod tests {
         assert_eq!(layout.names[6..], ["platform.e0", "platform.e1", "platform.e2", "platform.e3", "theta3"]);
         assert_eq!(layout.owner(9).unwrap().name, "platform");
         assert_eq!(layout.owner(10).unwrap().name, "theta3");
-        assert_eq!(Unit::Radian.text(2), "rad/s^2");
     }
 
     #[test]

@@ -39,6 +39,7 @@ pub mod system;
 pub mod terms;
 #[cfg(test)]
 mod testing;
+mod units;
 
 pub use algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
 pub use assembly::{Assembly, AssemblyOptions, Label, SearchOptions};
@@ -66,3 +67,4 @@ pub use real::{Dual, Real};
 pub use sweep::Sweep;
 pub use system::{Solution, System};
 pub use terms::{Terms, dual_terms, jerk_rhs, measure, terms};
+pub use units::Units;

@@ -18,6 +18,7 @@ use crate::layout::{Kind, Layout, Place};
 use crate::measure::Limit;
 use crate::system::System;
 use crate::system::evaluate::Equations;
+use crate::units::Units;
 
 /// Bodies, bare coordinates and constraints under one name, in any consistent set of units (metre, radian and second in headers).
 ///
@@ -53,8 +54,6 @@ pub struct Mechanism {
     pub(crate) preferred: Vec<(usize, f64)>,
     pub(crate) constraints: Vec<(String, Box<dyn Constraint>)>,
     names: HashSet<String>,
-    /// Links as (item, length).   \[m\]
-    pub(crate) links: Vec<(usize, f64)>,
     /// A mistake in a method that returns nothing; told at build.
     mistake: Option<Error>,
     /// Ranges that measures should keep to.
@@ -97,7 +96,6 @@ impl Mechanism {
             preferred: Vec::new(),
             constraints: Vec::new(),
             names: HashSet::new(),
-            links: Vec::new(),
             mistake: None,
             limits: Vec::new(),
         }
@@ -106,6 +104,18 @@ impl Mechanism {
     /// Its name.
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// What the units of length and time are called in files, pages and messages: `m.units("mm", "s")`. Words alone: nothing is converted, and all
+    /// numbers have to be in these units. Without it they are `m` and `s`.
+    ///
+    /// A word that is empty is told by [`Mechanism::build`].
+    pub fn units(&mut self, length: &str, time: &str) {
+        let units = Units::new(length, time);
+        match units.missing() {
+            Some(what) => self.mistake = self.mistake.take().or(Some(Error::EmptyName { what })),
+            None => self.layout.words = units,
+        }
     }
 
     /// The ground: the global frame, a planar and a spatial body without coordinates.
@@ -134,7 +144,7 @@ impl Mechanism {
             return Err(Error::InvalidLength { link: name.to_string(), length });
         }
         let body = self.planar(name, pose)?;
-        self.links.extend(body.index.map(|index| (index, length)));
+        self.layout.links.extend(body.index.map(|index| (index, length)));
         Ok(Link { body, length })
     }
 
@@ -305,7 +315,8 @@ impl Mechanism {
             let body = SpatialBody { mechanism: self.layout.mechanism, index: Some(index) };
             self.add(&name, crate::joints::spatial::euler_norm(body))?;
         }
-        let links = self.links.iter().map(|(_, length)| *length).collect();
+        let planar = |(item, _): &&(usize, f64)| self.layout.items[*item].kind == Kind::Planar;
+        let links = self.layout.links.iter().filter(planar).map(|(_, length)| *length).collect();
         let mut guess = self.initial;
         for &(column, value) in &self.preferred {
             guess[column] = value;

@@ -23,6 +23,7 @@ use crate::follow::SingularPosition;
 use crate::layout::{Layout, Place};
 use crate::newton::{CrossedBreak, Newton, Outcome};
 use crate::system::System;
+use crate::units::Units;
 pub(crate) use quantity::MARKS;
 
 /// q, q̇ and q̈ at each time (q⃛ too where it was asked for), all finite, and a report of how they were found.
@@ -165,8 +166,18 @@ impl Motion {
     }
 
     /// Units of the coordinates: `m`, `rad` or `-`.
-    pub fn units(&self) -> Vec<&'static str> {
-        self.layout.units.iter().map(|unit| unit.text(0)).collect()
+    pub fn units(&self) -> Vec<String> {
+        self.layout.unit_words()
+    }
+
+    /// What the units of length and time are called.
+    pub fn unit_words(&self) -> &Units {
+        &self.layout.words
+    }
+
+    /// The times, and what units are called.
+    pub(crate) fn clock(&self) -> (&[f64], &Units) {
+        (&self.times, &self.layout.words)
     }
 
     /// Newton steps taken at each time.
@@ -188,7 +199,7 @@ impl Motion {
     ///
     /// A coordinate of another mechanism has no history here: it gives an empty one, and [`Motion::try_coordinate`] an error.
     pub fn coordinate(&self, coordinate: impl Into<Coordinate>) -> Quantity {
-        self.try_coordinate(coordinate).unwrap_or_else(|_| Quantity::new("", [""; 4], &[], Default::default()))
+        self.try_coordinate(coordinate).unwrap_or_else(|_| Quantity::new("", "", (&[], &self.layout.words), Default::default()))
     }
 
     /// The same; a coordinate of another mechanism is an error.
@@ -198,7 +209,7 @@ impl Motion {
             Some(Place::Ground(value)) => {
                 let still = if self.has_jerk() { self.len() } else { 0 };
                 let orders = [vec![value; self.len()], vec![0.0; self.len()], vec![0.0; self.len()], vec![0.0; still]];
-                Ok(Quantity::new("ground", ["-"; 4], &self.times, orders))
+                Ok(Quantity::new("ground", "-", self.clock(), orders))
             }
             None => {
                 let (mechanism, place, argument) = (self.name.to_string(), "coordinate".to_string(), "coordinate".to_string());
@@ -234,10 +245,9 @@ impl Motion {
     }
 
     fn column(&self, column: usize) -> Quantity {
-        let unit = self.layout.units[column];
         let values = |all: &Vec<f64>| all.iter().skip(column).step_by(self.layout.len()).copied().collect();
         let orders = [&self.q, &self.qd, &self.qdd, &self.qddd].map(values);
-        Quantity::new(&self.layout.names[column], [0, 1, 2, 3].map(|order| unit.text(order)), &self.times, orders)
+        Quantity::new(&self.layout.names[column], &self.layout.unit(column, 0), self.clock(), orders)
     }
 
     /// Adds a derived quantity to the file: one value a time.
@@ -254,9 +264,9 @@ impl Motion {
             return Err(Error::WrongLength { what: format!("output `{name}`"), expected: self.len(), found: values.len() });
         }
         if let Some((t, value)) = self.times.iter().zip(&values).find(|(_, value)| !value.is_finite()) {
-            return Err(Error::OutputNotFinite { output: name.to_string(), t: *t, value: *value });
+            return Err(Error::OutputNotFinite { output: name.to_string(), t: *t, units: self.layout.words.clone(), value: *value });
         }
-        self.outputs.push(Series::new(name, unit, &self.times, values));
+        self.outputs.push(Series::new(name, unit, (&self.times, &self.layout.words), values));
         Ok(())
     }
 

@@ -338,12 +338,13 @@ impl<'a> Newton<'a> {
         let equations = self.system.equations();
         match failure {
             Failure::NotFinite(bad) => equations.not_finite(bad, self.system.layout(), &self.instant),
-            Failure::WrongBranch(block) => equations.closes_wrong(block, &self.instant),
+            Failure::WrongBranch(block) => equations.closes_wrong(block, self.system.layout(), &self.instant),
             Failure::Singular => self.system.singular(t, &self.q, self.unmet()),
             Failure::NoConvergence { row, residual } => {
                 let (constraint, row) = self.system.row_name(row);
                 Error::NoConvergence {
                     t,
+                    units: self.system.unit_words().clone(),
                     iterations: self.steps - self.steps_before,
                     constraint,
                     row,

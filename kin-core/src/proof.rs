@@ -65,6 +65,7 @@ use crate::error::{Error, Result};
 use crate::layout::Unit;
 use crate::motion::Motion;
 use crate::system::{System, scale};
+use crate::units::Units;
 use bounds::Bounds;
 pub(crate) use bounds::Part;
 pub(crate) use interval::{Interval, ONE};
@@ -81,6 +82,7 @@ const LARGEST: usize = 400;
 pub struct Proof {
     name: String,
     units: Vec<Unit>,
+    words: Units,
     positions: Vec<std::result::Result<Tube, Doubt>>,
     steps: Vec<StepProof>,
     trusted: Vec<String>,
@@ -113,6 +115,8 @@ pub struct Tube {
 pub struct Doubt {
     /// Where in the step.   \[s\]
     pub t: f64,
+    /// What the units of length and time are called.
+    pub units: Units,
     /// What.
     pub reason: DoubtReason,
 }
@@ -176,6 +180,7 @@ impl System {
         Ok(Proof {
             name: self.name().to_string(),
             units: self.layout().units.clone(),
+            words: self.unit_words().clone(),
             positions: all.into_iter().map(|around| around.map(Tube::from).map_err(&failed)).collect(),
             steps,
             trusted: bounds.trusted(),
@@ -220,7 +225,7 @@ impl System {
             Fault::Apart(row, by) => DoubtReason::Apart { equation: self.equations().equation(row), by },
             Fault::Singular(q, t) => DoubtReason::Singular { coordinate: self.loosest(&q, t, sizes) },
         };
-        Doubt { t, reason }
+        Doubt { t, units: self.unit_words().clone(), reason }
     }
 
     /// The coordinate that moves most, in its characteristic size, along what C_q nearly leaves free.

@@ -13,11 +13,12 @@ use crate::constraint::Constraint;
 use crate::coordinates::Target;
 use crate::diagnosis;
 use crate::error::{Error, Result};
-use crate::layout::Layout;
+use crate::layout::{Layout, Place};
 use crate::linear::Linear;
 use crate::measure::Limit;
 use crate::model::Model;
 use crate::newton::Report;
+use crate::units::Units;
 use evaluate::Equations;
 
 /// A system C(q, t) = 0 of m equations in n coordinates, m ≥ n; built by [`crate::Mechanism::build`].
@@ -90,9 +91,20 @@ impl System {
         &self.layout.names
     }
 
-    /// Units of the coordinates in their order: `m`, `rad` or `-`.
-    pub fn coordinate_units(&self) -> Vec<&'static str> {
-        self.layout.units.iter().map(|unit| unit.text(0)).collect()
+    /// Units of the coordinates in their order: `m` (or as [`crate::Mechanism::units`] calls it), `rad` or `-`.
+    pub fn coordinate_units(&self) -> Vec<String> {
+        self.layout.unit_words()
+    }
+
+    /// What its units of length and time are called.
+    pub fn unit_words(&self) -> &Units {
+        &self.layout.words
+    }
+
+    /// The length between the two pins of a link; `None` of other bodies.   \[m\]
+    pub fn link_length(&self, body: &Target) -> Option<f64> {
+        let Some(Place::Own { item, .. }) = self.layout.place(body) else { return None };
+        self.layout.links.iter().find(|(known, _)| *known == item).map(|(_, length)| *length)
     }
 
     /// The planar and spatial bodies with their names, in the order of declaration.
@@ -194,6 +206,7 @@ impl System {
         let found = diagnosis::singular(&model, &point.values, &model.measure(q, t));
         Error::SingularAt {
             t,
+            units: self.layout.words.clone(),
             n: self.n_coordinates(),
             rank: found.rank,
             pivot: found.pivot,

@@ -71,7 +71,7 @@ pub fn lengths<const N: usize>(q: [f64; N], add: impl FnOnce(&mut Mechanism, [Co
 pub fn doubt(proof: &Proof, what: &str) -> Doubt {
     assert!(!proof.is_complete(), "{what}: {proof}");
     let step = proof.first_unproved().and_then(|step| step.tube.clone().err());
-    step.unwrap_or_else(|| Doubt { t: f64::NAN, reason: DoubtReason::Singular { coordinate: String::new() } })
+    step.unwrap_or_else(|| Doubt { t: f64::NAN, units: kin::Units::default(), reason: DoubtReason::Singular { coordinate: String::new() } })
 }
 
 /// Where C_q is a constant, `if` jumps all the same: at f = 0.85 both 0.85 and 1.15 are solutions.

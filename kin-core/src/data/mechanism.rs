@@ -12,6 +12,7 @@ use crate::error::{Error, Result};
 use crate::layout::{Kind, Place};
 use crate::measure::Limit;
 use crate::mechanism::Mechanism;
+use crate::units::Units;
 
 /// A mechanism as data: bodies, constraints with their parameters, laws.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -21,6 +22,9 @@ pub struct MechanismData {
     pub format: u32,
     /// Name of the mechanism.
     pub name: String,
+    /// What its units are called.
+    #[serde(default, skip_serializing_if = "Units::is_default")]
+    pub units: Units,
     /// Bodies and bare coordinates in their order.
     pub bodies: Vec<BodyData>,
     /// Constraints in their order.
@@ -124,7 +128,7 @@ impl Mechanism {
             if preferred.iter().all(Option::is_none) {
                 preferred.clear();
             }
-            let length = self.links.iter().find(|(known, _)| *known == index).map(|(_, length)| *length);
+            let length = self.layout.links.iter().find(|(known, _)| *known == index).map(|(_, length)| *length);
             BodyData { name: item.name.clone(), kind: item.kind.into(), guess: self.initial[columns].to_vec(), preferred, length }
         });
         let bodies = bodies.collect();
@@ -133,7 +137,8 @@ impl Mechanism {
         let end = |x: f64| Some(x).filter(|x| x.is_finite());
         let limit = |Limit { name, ends: [from, to] }: &Limit| LimitData { measure: name.clone(), from: end(*from), to: end(*to) };
         let limits = self.limits.iter().map(limit).collect();
-        Ok(MechanismData { format: FORMAT, name: self.name.clone(), bodies, constraints, limits })
+        let units = self.layout.words.clone();
+        Ok(MechanismData { format: FORMAT, name: self.name.clone(), units, bodies, constraints, limits })
     }
 
     fn constraint_data(&self, name: &str, constraint: &dyn Constraint) -> Result<ConstraintData> {
@@ -171,6 +176,7 @@ impl Mechanism {
             return Err(Error::Data { place: format!("mechanism `{}`", data.name), reason });
         }
         let mut mechanism = Mechanism::new(&data.name);
+        mechanism.layout.words = read_units(&data.units)?;
         for body in &data.bodies {
             mechanism.add_body(body)?;
         }
@@ -203,7 +209,7 @@ impl Mechanism {
         match body.length {
             Some(length) if !(length.is_finite() && length > 0.0) => Err(Error::InvalidLength { link: body.name.clone(), length }),
             Some(length) => {
-                self.links.push((index, length));
+                self.layout.links.push((index, length));
                 Ok(())
             }
             None => Ok(()),
@@ -238,6 +244,11 @@ impl Mechanism {
             }
         })
     }
+}
+
+/// The words of a file. Errors: one that is empty.
+pub(super) fn read_units(units: &Units) -> Result<Units> {
+    units.missing().map_or(Ok(units.clone()), |what| Err(Error::EmptyName { what }))
 }
 
 impl From<Kind> for BodyKind {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::mechanism::BodyKind;
+use super::mechanism::{BodyKind, read_units};
 use super::{FORMAT, is_first};
 use crate::coordinates::MechanismId;
 use crate::error::{Error, Result};
@@ -11,6 +11,7 @@ use crate::law::Break;
 use crate::layout::Layout;
 use crate::motion::{Event, Motion, Series};
 use crate::newton::CrossedBreak;
+use crate::units::Units;
 
 /// A motion as data, without loss.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -20,6 +21,9 @@ pub struct MotionData {
     pub format: u32,
     /// Name of the mechanism.
     pub name: String,
+    /// What its units are called.
+    #[serde(default, skip_serializing_if = "Units::is_default")]
+    pub units: Units,
     /// Bodies and bare coordinates in their order, with what they are.
     pub bodies: Vec<(String, BodyKind)>,
     /// Names of the equations.
@@ -89,6 +93,7 @@ impl Motion {
         MotionData {
             format: FORMAT,
             name: self.name().to_string(),
+            units: self.layout.words.clone(),
             bodies: self.layout.items.iter().map(|item| (item.name.clone(), item.kind.into())).collect(),
             equations: self.equations.to_vec(),
             worst: self.worst.map(|(_, row)| row),
@@ -115,6 +120,7 @@ impl Motion {
             return Err(fail(format!("format {} is not known here, only {FORMAT}", data.format)));
         }
         let mut layout = Layout::new(MechanismId::fresh());
+        layout.words = read_units(&data.units)?;
         for (name, kind) in &data.bodies {
             layout.declare(name, (*kind).into())?;
         }

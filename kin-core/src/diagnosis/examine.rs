@@ -12,6 +12,7 @@ use super::order;
 use crate::error::{Error, Result};
 use crate::linear::{Echelon, Sparse, reduced};
 use crate::model::{Measures, Model};
+use crate::units::Units;
 
 /// What a mechanism is at one time and pose: data for programs; `Display` is a report for people.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -21,6 +22,9 @@ pub struct Diagnosis {
     pub mechanism: String,
     /// The time.   \[s\]
     pub t: f64,
+    /// What the units of length and time are called.
+    #[serde(default, skip_serializing_if = "Units::is_default")]
+    pub units: Units,
     /// The pose that was examined: assembled, or where the smallest gap was found.   \[m, rad\]
     pub q: Vec<f64>,
     /// Number of coordinates n.
@@ -160,6 +164,7 @@ impl<'a> Examined<'a> {
         Diagnosis {
             mechanism: model.name.to_string(),
             t: self.t,
+            units: model.layout.words.clone(),
             q: self.q.to_vec(),
             coordinates: model.n(),
             equations: model.m(),

@@ -17,7 +17,14 @@ impl Display for Diagnosis {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let can = if self.can_be_driven() { "can be driven" } else { "cannot be driven" };
         let (n, m) = (count(self.coordinates, "coordinate"), count(self.equations, "equation"));
-        write!(f, "the mechanism \"{}\" {can} at t = {} s: {n}, {m}, rank {}", self.mechanism, time(self.t), self.rank)?;
+        write!(
+            f,
+            "the mechanism \"{}\" {can} at t = {} {}: {n}, {m}, rank {}",
+            self.mechanism,
+            time(self.t),
+            self.units.time(),
+            self.rank
+        )?;
         match self.nearby_rank {
             rank if rank > self.rank => write!(f, " here and {rank} at nearby poses.")?,
             _ if self.dependencies.is_empty() && self.freedoms.is_empty() => write!(f, ".")?,

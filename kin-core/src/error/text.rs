@@ -2,6 +2,7 @@
 
 use crate::diagnosis::Diagnosis;
 use crate::motion::Motion;
+use crate::units::Units;
 
 /// "3 equations", "1 equation".
 pub(crate) fn count(n: usize, what: &str) -> String {
@@ -11,6 +12,11 @@ pub(crate) fn count(n: usize, what: &str) -> String {
 /// A time to nine digits, without the noise of binary fractions.
 pub(crate) fn time(t: f64) -> f64 {
     format!("{t:.8e}").parse().unwrap_or(t)
+}
+
+/// A time with its unit: "0.31 s".
+pub(crate) fn at(t: f64, units: &Units) -> String {
+    format!("{} {}", time(t), units.time())
 }
 
 /// " row y", or nothing for a constraint of one row.
@@ -27,13 +33,13 @@ pub(crate) fn list(names: &[String]) -> String {
 }
 
 /// Where the last position was found, and what to try.
-pub(super) fn no_convergence(last: Option<f64>, diagnosis: &Option<Box<Diagnosis>>, motion: &Option<Box<Motion>>) -> String {
+pub(super) fn no_convergence(last: Option<f64>, units: &Units, diagnosis: &Option<Box<Diagnosis>>, motion: &Option<Box<Motion>>) -> String {
     let found = details(diagnosis);
     match last {
         Some(t) if found.is_empty() => {
-            format!("\n  Nearest solved t = {} s. Try a smaller time step, or the loop cannot close beyond it.{}", time(t), kept(motion))
+            format!("\n  Nearest solved t = {}. Try a smaller time step, or the loop cannot close beyond it.{}", at(t, units), kept(motion))
         }
-        Some(t) => format!("\n  Nearest solved t = {} s.{found}{}", time(t), kept(motion)),
+        Some(t) => format!("\n  Nearest solved t = {}.{found}{}", at(t, units), kept(motion)),
         None if found.is_empty() => "\n  Try a better initial guess, or a preferred assembly; or the loop cannot close.".to_string(),
         None => found,
     }
@@ -76,8 +82,8 @@ pub(super) fn toggle(movable: &[String], dependent: &[String], diagnosis: &Optio
 
 /// That nothing is lost.
 pub(super) fn kept(motion: &Option<Box<Motion>>) -> String {
-    let Some(&last) = motion.as_ref().and_then(|motion| motion.times().last()) else { return String::new() };
-    format!("\n  The motion up to t = {} s is in this error: `error.motion()`.", time(last))
+    let Some((motion, last)) = motion.as_ref().and_then(|motion| Some((motion, *motion.times().last()?))) else { return String::new() };
+    format!("\n  The motion up to t = {} is in this error: `error.motion()`.", at(last, motion.unit_words()))
 }
 
 /// The names there are, nearest guess first.

@@ -6,6 +6,7 @@ use crate::diagnosis::{self, Singular};
 use crate::motion::{Event, EventKind};
 use crate::newton::Newton;
 use crate::system::System;
+use crate::units::Units;
 
 /// What a singular position is to a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -68,7 +69,7 @@ impl SingularPosition {
             SingularKind::TurningPoint => (EventKind::TurningPoint, format!("a toggle, beyond which there is no position: {can}")),
             SingularKind::Bifurcation => (EventKind::Bifurcation, format!("a change point, where branches of the motion cross: {can}")),
         };
-        Event { t: self.t, kind, name: self.movable.join(", "), text }
+        Event { t: self.t, units: Units::default(), kind, name: self.movable.join(", "), text }
     }
 }
 

@@ -44,10 +44,11 @@ pub(super) fn step_of(times: &[f64], t: f64) -> Option<usize> {
 }
 
 fn outside(motion: &Motion, t: f64) -> Error {
+    let s = motion.unit_words().time();
     let reason = match motion.times() {
-        [] => format!("t = {t} s is outside of a motion without times"),
-        [first, .., last] => format!("t = {t} s is outside of the motion, which goes from {first} s to {last} s"),
-        [only] => format!("t = {t} s is outside of the motion, which has the time {only} s alone"),
+        [] => format!("t = {t} {s} is outside of a motion without times"),
+        [first, .., last] => format!("t = {t} {s} is outside of the motion, which goes from {first} {s} to {last} {s}"),
+        [only] => format!("t = {t} {s} is outside of the motion, which has the time {only} {s} alone"),
     };
     Error::InvalidTimes { reason }
 }

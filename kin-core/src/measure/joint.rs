@@ -79,19 +79,13 @@ fn quantity(system: &System, motion: &Motion, name: &str, place: Place) -> Resul
             x[0] += TAU * ((continued(from, x, t - before) - x[0]) / TAU).round();
         }
         if let Some(value) = x.iter().find(|x| !x.is_finite()) {
-            return Err(Error::OutputNotFinite { output: name.to_string(), t, value: *value });
+            return Err(Error::OutputNotFinite { output: name.to_string(), t, units: motion.unit_words().clone(), value: *value });
         }
         last = Some((t, x));
         let known = if motion.has_jerk() { 4 } else { 3 };
         orders.iter_mut().zip(x).take(known).for_each(|(order, x)| order.push(x));
     }
-    let unit = place.told.unit;
-    let rate = |order: &str| match unit {
-        "-" | "" => format!("1/s{order}"),
-        unit => format!("{unit}/s{order}"),
-    };
-    let [first, second, third] = ["", "^2", "^3"].map(rate);
-    Ok(Quantity::new(name, [unit, &first, &second, &third], motion.times(), orders))
+    Ok(Quantity::new(name, &motion.unit_words().told(place.told.unit), motion.clock(), orders))
 }
 
 /// x a step h later, from the rates at both ends.

@@ -6,6 +6,7 @@ use crate::error::{Error, Result};
 use crate::mechanism::Mechanism;
 use crate::motion::{Event, EventKind, Motion};
 use crate::system::System;
+use crate::units::Units;
 
 /// The range that a measure should keep to; an end that is infinite is none.
 #[derive(Clone, Debug, PartialEq)]
@@ -81,7 +82,7 @@ impl System {
 }
 
 fn event(limit: &Limit, t: f64, text: String) -> Event {
-    Event { t, kind: EventKind::Limit, name: limit.name.clone(), text }
+    Event { t, units: Units::default(), kind: EventKind::Limit, name: limit.name.clone(), text }
 }
 
 fn events(system: &System, motion: &Motion, limit: &Limit) -> Result<Vec<Event>> {

@@ -80,6 +80,7 @@ impl Mechanism {
             return Err(Error::InvalidLength { link: name.to_string(), length });
         }
         let body = self.spatial(name, SpatialPose::facing((a + b) * 0.5, b - a))?;
+        self.layout.links.extend(body.index.map(|index| (index, length)));
         Ok(SpatialLink { body, length })
     }
 

@@ -45,11 +45,11 @@ impl Motion {
 
     /// The header of each column.
     pub fn headers(&self) -> Vec<String> {
-        let mut all = vec!["t [s]".to_string()];
+        let mut all = vec![format!("t [{}]", self.unit_words().time())];
         let orders = if self.has_jerk() { 4 } else { 3 };
         for (order, mark) in MARKS.into_iter().enumerate().take(orders) {
-            let coordinates = self.layout.names.iter().zip(&self.layout.units);
-            all.extend(coordinates.map(|(name, unit)| format!("{name}{mark} [{}]", unit.text(order))));
+            let coordinates = self.layout.names.iter().enumerate();
+            all.extend(coordinates.map(|(column, name)| format!("{name}{mark} [{}]", self.layout.unit(column, order))));
         }
         all.extend(self.outputs().iter().map(|output| format!("{} [{}]", output.name(), output.unit())));
         all

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Motion;
 use crate::error::text::time;
+use crate::units::Units;
 
 /// What kind of thing an [`Event`] is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -33,6 +34,9 @@ impl std::fmt::Display for EventKind {
 pub struct Event {
     /// When it happens.   \[s\]
     pub t: f64,
+    /// What the units of length and time are called; a motion to which it is added knows.
+    #[serde(default, skip_serializing_if = "Units::is_default")]
+    pub units: Units,
     /// What kind of thing it is.
     pub kind: EventKind,
     /// What it happens to, by the user's name, such as `slot.slide`.
@@ -43,7 +47,7 @@ pub struct Event {
 
 impl std::fmt::Display for Event {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "t = {} s: {}", time(self.t), self.text)
+        write!(f, "t = {} {}: {}", time(self.t), self.units.time(), self.text)
     }
 }
 
@@ -54,7 +58,8 @@ impl Motion {
     }
 
     /// Puts an event where its time belongs: after those that a run in this direction meets before it.
-    pub(crate) fn add_event(&mut self, event: Event) {
+    pub(crate) fn add_event(&mut self, mut event: Event) {
+        event.units = self.layout.words.clone();
         let backwards = matches!(self.times[..], [first, .., last] if last < first);
         let later = |known: &Event| if backwards { known.t < event.t } else { known.t > event.t };
         let place = self.events.iter().position(later).unwrap_or(self.events.len());

@@ -38,7 +38,7 @@ impl Motion {
         let (a, b) = (self.try_coordinate(a.into().theta())?, self.try_coordinate(b.into().theta())?);
         let orders = [a.orders(), b.orders()];
         let difference = |k: usize| orders[0][k].iter().zip(orders[1][k]).map(|(a, b)| a - b).collect();
-        Ok(Quantity::new("relative angle", Quantity::ANGLE, self.times(), [0, 1, 2, 3].map(difference)))
+        Ok(Quantity::new("relative angle", "rad", self.clock(), [0, 1, 2, 3].map(difference)))
     }
 
     /// The transmission angle over time: between the line of a coupler and that of what it drives, from 0 to π/2, with its rates. The nearer to

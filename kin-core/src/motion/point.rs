@@ -8,15 +8,17 @@ use super::{MARKS, Motion, Series};
 use crate::algebra::{Vec2, Vec3};
 use crate::coordinates::{Link, PlanarBody, SpatialBody, SpatialLink, Target};
 use crate::error::{Error, Result};
-use crate::layout::Place;
+use crate::layout::{Place, Unit};
 use crate::mechanism::Marker;
 use crate::real::Real;
 use crate::state::{PlanarState, SpatialState};
+use crate::units::Units;
 
 /// Position, velocity and acceleration of a point of a body, one of each a time, and its jerk where the run was asked for it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointMotion<V> {
     times: Vec<f64>,
+    units: Units,
     r: Vec<V>,
     v: Vec<V>,
     a: Vec<V>,
@@ -174,7 +176,8 @@ impl Motion {
     ///
     /// A body of another mechanism has no history here: it gives an empty one, and [`Motion::try_point`] an error.
     pub fn point<B: Body>(&self, body: B, local: impl Into<B::Vector>) -> PointMotion<B::Vector> {
-        self.try_point(body, local).unwrap_or_else(|_| PointMotion { times: vec![], r: vec![], v: vec![], a: vec![], jerk: vec![] })
+        let units = self.unit_words().clone();
+        self.try_point(body, local).unwrap_or_else(|_| PointMotion { times: vec![], units, r: vec![], v: vec![], a: vec![], jerk: vec![] })
     }
 
     /// Position, velocity and acceleration of a marker over time.   \[m, m/s, m/s²\]
@@ -196,7 +199,14 @@ impl Motion {
         let (local, target) = (local.into(), body.target());
         let columns = self.columns(&target, "point")?;
         let room = || Vec::with_capacity(self.len());
-        let mut all = PointMotion { times: self.times().to_vec(), r: room(), v: room(), a: room(), jerk: Vec::new() };
+        let mut all = PointMotion {
+            times: self.times().to_vec(),
+            units: self.unit_words().clone(),
+            r: room(),
+            v: room(),
+            a: room(),
+            jerk: Vec::new(),
+        };
         for k in 0..self.len() {
             let [r, v, a, jerk] = B::point(local, self.orders(k, columns.clone()));
             all.r.push(r);
@@ -253,27 +263,33 @@ impl<V: Vector> PointMotion<V> {
         &self.jerk
     }
 
+    /// The unit of r (`order` 0) or of one of its rates.
+    fn unit(&self, order: usize) -> String {
+        self.units.text(Unit::Metre, order)
+    }
+
     /// |v| over time.   \[m/s\]
     pub fn speed(&self) -> Series {
-        Series::new("speed", "m/s", &self.times, self.v.iter().map(size).collect())
+        Series::new("speed", self.unit(1), (&self.times, &self.units), self.v.iter().map(size).collect())
     }
 
     /// |a| over time.   \[m/s²\]
     pub fn acceleration_magnitude(&self) -> Series {
-        Series::new("acceleration", "m/s^2", &self.times, self.a.iter().map(size).collect())
+        Series::new("acceleration", self.unit(2), (&self.times, &self.units), self.a.iter().map(size).collect())
     }
 
     /// |ȧ| over time; empty unless the run was asked for the jerk.   \[m/s³\]
     pub fn jerk_magnitude(&self) -> Series {
         let times = if self.jerk.is_empty() { &[] } else { &self.times[..] };
-        Series::new("jerk", "m/s^3", times, self.jerk.iter().map(size).collect())
+        Series::new("jerk", self.unit(3), (times, &self.units), self.jerk.iter().map(size).collect())
     }
 
     /// Each component of r, v and a (and of the jerk, where it is known) over time, named x, y, x', y', x'', ….
     pub fn components(&self) -> Vec<Series> {
-        let orders = [&self.r, &self.v, &self.a, &self.jerk].into_iter().zip(MARKS).zip(["m", "m/s", "m/s^2", "m/s^3"]);
-        let component = |((all, mark), unit): ((&Vec<V>, &'static str), &'static str), k: usize| {
-            Series::new(format!("{}{mark}", V::NAMES[k]), unit, &self.times, all.iter().map(|x| x.component(k)).collect())
+        let orders = [&self.r, &self.v, &self.a, &self.jerk].into_iter().zip(MARKS).zip(0..);
+        let component = |((all, mark), order): ((&Vec<V>, &'static str), usize), k: usize| {
+            let values = all.iter().map(|x| x.component(k)).collect();
+            Series::new(format!("{}{mark}", V::NAMES[k]), self.unit(order), (&self.times, &self.units), values)
         };
         orders.filter(|((all, _), _)| !all.is_empty()).flat_map(|order| (0..V::NAMES.len()).map(move |k| component(order, k))).collect()
     }

@@ -1,6 +1,7 @@
 //! One number over time with its rates.
 
 use super::Series;
+use crate::units::Units;
 
 /// One number over time with its rates: a coordinate, the angle of a joint, a slide.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,16 +20,13 @@ pub struct Quantity {
 pub(crate) const MARKS: [&str; 4] = ["", "'", "''", "'''"];
 
 impl Quantity {
-    /// Units of an angle and its rates.
-    pub(crate) const ANGLE: [&str; 4] = ["rad", "rad/s", "rad/s^2", "rad/s^3"];
-
-    /// From x, ẋ, ẍ and x⃛ (empty, or one a time), with a unit for each.
-    pub(crate) fn new(name: &str, units: [&str; 4], times: &[f64], orders: [Vec<f64>; 4]) -> Self {
-        let mut orders = orders.into_iter().zip(MARKS).zip(units).map(|((values, mark), unit)| {
+    /// From x in `unit`, ẋ, ẍ and x⃛ (empty, or one a time), with what units are called.
+    pub(crate) fn new(name: &str, unit: &str, (times, units): (&[f64], &Units), orders: [Vec<f64>; 4]) -> Self {
+        let mut orders = orders.into_iter().zip(MARKS).enumerate().map(|(order, (values, mark))| {
             let times = if values.is_empty() { &[] } else { times };
-            Series::new(format!("{name}{mark}"), unit, times, values)
+            Series::new(format!("{name}{mark}"), units.rate(unit, order), (times, units), values)
         });
-        let mut next = || orders.next().unwrap_or_else(|| Series::new("", "", &[], Vec::new()));
+        let mut next = || orders.next().unwrap_or_else(|| Series::new("", "", (&[], units), Vec::new()));
         Quantity { value: next(), rate: next(), second_rate: next(), third_rate: next() }
     }
 

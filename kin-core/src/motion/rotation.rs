@@ -4,12 +4,15 @@ use super::{Motion, Series};
 use crate::algebra::Vec3;
 use crate::coordinates::{SpatialBody, Target};
 use crate::error::Result;
+use crate::layout::Unit;
 use crate::state::SpatialState;
+use crate::units::Units;
 
 /// ω and α of a spatial body, one of each a time, and α̇ where the run was asked for the jerk.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RotationMotion {
     times: Vec<f64>,
+    units: Units,
     omega: Vec<Vec3>,
     alpha: Vec<Vec3>,
     alpha_rate: Vec<Vec3>,
@@ -25,8 +28,8 @@ impl Motion {
     /// A planar body has θ̇ and θ̈ instead: [`Motion::coordinate`]. Errors: a body of another mechanism.
     pub fn rotation(&self, body: impl Into<SpatialBody>) -> Result<RotationMotion> {
         let columns = self.columns(&Target::Spatial(body.into()), "rotation")?;
-        let times = self.times().to_vec();
-        let mut all = RotationMotion { times, omega: vec![], alpha: vec![], alpha_rate: vec![], p: vec![] };
+        let (times, units) = (self.times().to_vec(), self.unit_words().clone());
+        let mut all = RotationMotion { times, units, omega: vec![], alpha: vec![], alpha_rate: vec![], p: vec![] };
         for k in 0..self.len() {
             let orders = self.orders(k, columns.clone()).map(|row| row.get(3..).and_then(|p| p.first_chunk::<4>()).copied());
             // The ground has no coordinates: it stands still.
@@ -92,6 +95,7 @@ impl RotationMotion {
         };
         RotationMotion {
             times: self.times.clone(),
+            units: self.units.clone(),
             omega: local(&self.omega),
             alpha: local(&self.alpha),
             alpha_rate: local(&self.alpha_rate),
@@ -100,23 +104,29 @@ impl RotationMotion {
         }
     }
 
+    /// The unit of an angle's rate.
+    fn unit(&self, order: usize) -> String {
+        self.units.text(Unit::Radian, order)
+    }
+
     /// |ω| over time.   \[rad/s\]
     pub fn speed(&self) -> Series {
-        Series::new("angular speed", "rad/s", &self.times, self.omega.iter().map(|omega| omega.norm()).collect())
+        Series::new("angular speed", self.unit(1), (&self.times, &self.units), self.omega.iter().map(|omega| omega.norm()).collect())
     }
 
     /// ω · h/|h| over time, h in the frame that the components are in: a shaft's speed about its axis is `in_body().about(axis)`.   \[rad/s\]
     pub fn about(&self, h: Vec3) -> Series {
         let h = h / h.norm();
-        Series::new("angular velocity", "rad/s", &self.times, self.omega.iter().map(|omega| omega.dot(h)).collect())
+        Series::new("angular velocity", self.unit(1), (&self.times, &self.units), self.omega.iter().map(|omega| omega.dot(h)).collect())
     }
 
     /// Each component of ω and α over time, named `omega_x`, …, `alpha_z`.
     pub fn components(&self) -> Vec<Series> {
-        let quantities = [("omega", "rad/s", &self.omega), ("alpha", "rad/s^2", &self.alpha)];
+        let quantities = [("omega", 1, &self.omega), ("alpha", 2, &self.alpha)];
         let axes = [("x", 0), ("y", 1), ("z", 2)];
-        let component = |(name, unit, all): (&str, &'static str, &Vec<Vec3>), (axis, k): (&str, usize)| {
-            Series::new(format!("{name}_{axis}"), unit, &self.times, all.iter().map(|v| v.to_array()[k]).collect())
+        let component = |(name, order, all): (&str, usize, &Vec<Vec3>), (axis, k): (&str, usize)| {
+            let values = all.iter().map(|v| v.to_array()[k]).collect();
+            Series::new(format!("{name}_{axis}"), self.unit(order), (&self.times, &self.units), values)
         };
         quantities.into_iter().flat_map(|quantity| axes.map(|axis| component(quantity, axis))).collect()
     }

@@ -1,17 +1,21 @@
 //! One number over time.
 
+use crate::units::Units;
+
 /// One number over time, with its name and unit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
     name: String,
     unit: String,
+    units: Units,
     times: Vec<f64>,
     values: Vec<f64>,
 }
 
 impl Series {
-    pub(crate) fn new(name: impl Into<String>, unit: impl Into<String>, times: &[f64], values: Vec<f64>) -> Self {
-        Series { name: name.into(), unit: unit.into(), times: times.to_vec(), values }
+    /// Values in `unit` at times in the unit that `units` calls it by.
+    pub(crate) fn new(name: impl Into<String>, unit: impl Into<String>, (times, units): (&[f64], &Units), values: Vec<f64>) -> Self {
+        Series { name: name.into(), unit: unit.into(), units: units.clone(), times: times.to_vec(), values }
     }
 
     pub(crate) fn rename(&mut self, name: String) {
@@ -35,6 +39,11 @@ impl Series {
     /// The times.   \[s\]
     pub fn times(&self) -> &[f64] {
         &self.times
+    }
+
+    /// What the units of length and time are called; the times are in the latter.
+    pub fn unit_words(&self) -> &Units {
+        &self.units
     }
 
     /// One value a time.
@@ -74,8 +83,8 @@ mod tests {
 
     #[test]
     fn extremes_and_their_times() {
-        let series = Series::new("x", "m", &[0.0, 1.0, 2.0, 3.0], vec![1.0, 5.0, -2.0, 5.0]);
+        let series = Series::new("x", "m", (&[0.0, 1.0, 2.0, 3.0], &Units::default()), vec![1.0, 5.0, -2.0, 5.0]);
         assert_eq!((series.max(), series.at_max(), series.min(), series.at_min()), (5.0, 1.0, -2.0, 2.0));
-        assert!(Series::new("x", "m", &[], vec![]).max().is_nan());
+        assert!(Series::new("x", "m", (&[], &Units::default()), vec![]).max().is_nan());
     }
 }

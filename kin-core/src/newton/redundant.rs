@@ -131,7 +131,7 @@ impl<'a> Driver<'a> {
                     [self.q, self.qd, self.qdd] = before;
                     if h.abs() <= smallest {
                         let reason = Objection::Missed.reason();
-                        return Err(Error::CannotFollow { t: self.t, reason, motion: None });
+                        return Err(Error::CannotFollow { t: self.t, units: self.model.layout.words.clone(), reason, motion: None });
                     }
                     h *= 0.5;
                     continue;
@@ -167,7 +167,7 @@ impl<'a> Driver<'a> {
     /// The error for a position that is not what is meant.
     fn wrong(&self, t: f64) -> Option<Error> {
         let (equations, instant) = (self.model.equations, self.model.equations.instant_at(t, &self.q));
-        equations.first_wrong(&instant).map(|block| equations.closes_wrong(block, &instant))
+        equations.first_wrong(&instant).map(|block| equations.closes_wrong(block, self.model.layout, &instant))
     }
 
     /// q + h q̇ + ½ h² q̈

@@ -8,6 +8,7 @@ use crate::follow::{self, Branch, Check, Landed, Lost, Objection, SingularKind, 
 use crate::fours::{self, Fours};
 use crate::motion::Motion;
 use crate::system::System;
+use crate::units::Units;
 
 /// A step in which nothing moves by more than this, and that is objected to all the same, leads past a singular position.   \[-\]
 const SHORT: f64 = 0.05;
@@ -248,7 +249,7 @@ impl<'a> Sweep<'a> {
                     return self.land(passage.landed, t, goal);
                 }
                 Err(Lost::Turned(found)) => {
-                    let error = toggle(&found, to);
+                    let error = toggle(&found, to, self.newton.system.unit_words());
                     self.passed.push(*found);
                     return Err(error);
                 }
@@ -257,7 +258,9 @@ impl<'a> Sweep<'a> {
         }
         Err(match trouble {
             Trouble::Failed(failure) => self.newton.error(failure, target, Some(t)),
-            Trouble::Objected(objection) => Error::CannotFollow { t, reason: objection.reason(), motion: None },
+            Trouble::Objected(objection) => {
+                Error::CannotFollow { t, units: self.newton.system.unit_words().clone(), reason: objection.reason(), motion: None }
+            }
         })
     }
 
@@ -310,8 +313,8 @@ fn jerk_between(newton: &mut Newton<'_>, q: &[f64], Branch { qd, qdd }: &Branch,
 }
 
 /// The error of a run that turning points end.
-fn toggle(found: &SingularPosition, asked: f64) -> Error {
+fn toggle(found: &SingularPosition, asked: f64, units: &Units) -> Error {
     debug_assert_eq!(found.kind, SingularKind::TurningPoint);
     let SingularPosition { t, movable, dependent, .. } = found.clone();
-    Error::Toggle { t, asked, movable, dependent, diagnosis: None, motion: None }
+    Error::Toggle { t, units: units.clone(), asked, movable, dependent, diagnosis: None, motion: None }
 }

@@ -75,7 +75,15 @@ impl Watch {
                 let (constraint, law) = (last.constraint.clone(), last.law.clone());
                 // The run ends before them.
                 crossed.truncate(known);
-                return Err(Error::LawJumps { t, constraint, law, at: found.x, order: found.order, motion: None });
+                return Err(Error::LawJumps {
+                    t,
+                    units: system.unit_words().clone(),
+                    constraint,
+                    law,
+                    at: found.x,
+                    order: found.order,
+                    motion: None,
+                });
             }
         }
         Ok(())

@@ -9,12 +9,12 @@ use crate::layout::Unit;
 
 /// The verdict, and the first step of which there is none.
 pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    let (all, proved) = (proof.steps.len(), proof.proved());
+    let (all, proved, s) = (proof.steps.len(), proof.proved(), proof.words.time());
     let ends = proof.steps.first().zip(proof.steps.last()).map(|(first, last)| (time(first.from), time(last.to)));
     match ends {
         Some((from, to)) if proved == all => write!(
             f,
-            "{}: {} proved: from t = {from} s to {to} s exactly one continuous motion leads through the computed positions.",
+            "{}: {} proved: from t = {from} {s} to {to} {s} exactly one continuous motion leads through the computed positions.",
             proof.name,
             if all == 1 { "the step is".to_string() } else { format!("all {all} steps are") }
         )?,
@@ -42,7 +42,7 @@ pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     }
     if let Some(step) = proof.first_unproved() {
         let (number, from, to) = (step.step + 1, time(step.from), time(step.to));
-        write!(f, "\n  First not proved: step {number}, from t = {from} s to {to} s")?;
+        write!(f, "\n  First not proved: step {number}, from t = {from} {s} to {to} {s}")?;
     }
     let unproved = proof.first_unproved().and_then(|step| step.tube.as_ref().err());
     let doubt = unproved.or_else(|| proof.positions.iter().find_map(|position| position.as_ref().err()));
@@ -52,7 +52,7 @@ pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
 /// The sizes of lengths, of angles and of Euler parameters, as far as there are such coordinates.
 fn sizes(proof: &Proof, of: &dyn Fn(usize) -> f64, join: fn(f64, f64) -> f64, rounded: fn(f64) -> String) -> String {
     let of = |unit: Unit| (0..proof.units.len()).filter(|k| proof.units[*k] == unit).map(of).reduce(join);
-    let names = [(Unit::Metre, "m"), (Unit::Radian, "rad"), (Unit::One, "in Euler parameters")];
+    let names = [(Unit::Metre, proof.words.length()), (Unit::Radian, "rad"), (Unit::One, "in Euler parameters")];
     let texts = names.into_iter().filter_map(|(unit, name)| Some(format!("{} {name}", rounded(of(unit)?))));
     texts.collect::<Vec<_>>().join(" and ")
 }
@@ -77,18 +77,18 @@ fn rounded(x: f64, sense: f64) -> String {
 
 impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let t = time(self.t);
+        let (t, s) = (time(self.t), self.units.time());
         match &self.reason {
             DoubtReason::Singular { coordinate } => {
-                write!(f, "near t = {t} s C_q may be singular; what is loosest there is `{coordinate}`.")
+                write!(f, "near t = {t} {s} C_q may be singular; what is loosest there is `{coordinate}`.")
             }
             DoubtReason::Apart { equation, by } => write!(
                 f,
-                "near t = {t} s the positions between both ends miss `{equation}` by {by:.1e}: the ends may be on different branches, or the step is too \
+                "near t = {t} {s} the positions between both ends miss `{equation}` by {by:.1e}: the ends may be on different branches, or the step is too \
                  large."
             ),
             DoubtReason::Unbounded { equation, expression, source } => {
-                write!(f, "near t = {t} s no bounds of `{equation}` are known")?;
+                write!(f, "near t = {t} {s} no bounds of `{equation}` are known")?;
                 if let Some(expression) = expression {
                     write!(f, ": `{expression}` jumps there, or has no value or slope")?;
                 }

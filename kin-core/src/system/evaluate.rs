@@ -323,10 +323,11 @@ impl Equations {
     }
 
     /// The error for it.
-    pub(crate) fn closes_wrong(&self, block: usize, instant: &Instant) -> Error {
+    pub(crate) fn closes_wrong(&self, block: usize, layout: &Layout, instant: &Instant) -> Error {
         let (name, kind) = self.blocks.get(block).map(|block| (block.name.as_str(), block.constraint.kind())).unwrap_or_default();
         let reason = self.wrong_branch(block, instant).unwrap_or_default().to_string();
-        Error::WrongBranch { t: instant.t, constraint: name.to_string(), kind: kind.to_string(), reason, motion: None }
+        let units = layout.words.clone();
+        Error::WrongBranch { t: instant.t, units, constraint: name.to_string(), kind: kind.to_string(), reason, motion: None }
     }
 
     /// Hand-written constraints need not say that they drive: it is seen from their values at a few times.
@@ -360,6 +361,7 @@ impl Equations {
         });
         Error::NotFinite {
             t: instant.t,
+            units: layout.words.clone(),
             constraint: found.map(|(block, _)| block.name.clone()).unwrap_or_default(),
             row: found.map(|(block, local)| block.row(local).to_string()).unwrap_or_default(),
             quantity: bad.quantity,

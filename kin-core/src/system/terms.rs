@@ -16,7 +16,7 @@ impl System {
     /// Errors: a motion of another system.
     pub fn condition(&self, motion: &Motion) -> Result<Series> {
         let values = (0..motion.len()).map(|k| self.condition_at(motion.q(k), motion.times()[k])).collect::<Result<_>>()?;
-        Ok(Series::new("condition number", "-", motion.times(), values))
+        Ok(Series::new("condition number", "-", motion.clock(), values))
     }
 
     /// The smallest singular value of C_q at each time of a motion of this system, measured as in [`System::condition`]: how near the
@@ -25,7 +25,7 @@ impl System {
     /// Errors: a motion of another system.
     pub fn smallest_singular_value(&self, motion: &Motion) -> Result<Series> {
         let values = (0..motion.len()).map(|k| Ok(self.singular_values_at(motion.q(k), motion.times()[k])?[1])).collect::<Result<_>>()?;
-        Ok(Series::new("smallest singular value", "-", motion.times(), values))
+        Ok(Series::new("smallest singular value", "-", motion.clock(), values))
     }
 
     fn condition_at(&self, q: &[f64], t: f64) -> Result<f64> {

@@ -2,12 +2,13 @@
 
 use kin::{Vec2, Vec3, vec2};
 
+use super::forms::Piece;
 use super::hull::{Spread, rounded, spread};
 use super::joints::{Drawn, Held, Slot, is_closed};
-use super::{Drawing, GROUND, Shape, Style};
+use super::{Drawing, GROUND, Shape, Style, link_ends};
 use crate::color::PALETTE;
 use crate::figure::thinned_path;
-use crate::scene::{Look, Scene};
+use crate::scene::{Look, Outline, OutlineKind, Scene};
 
 /// Half the width of a bar, and half the sides of a block in a guide, as shares of the size of all.
 const BAR: f64 = 0.016;
@@ -15,10 +16,22 @@ const BLOCK: [f64; 2] = [0.045, 0.028];
 
 impl Drawing {
     /// Shapes of the ground, then of the bodies in their order.
-    pub(super) fn draw_bodies(&mut self, scene: &Scene, held: &[(String, Held)], drawn: &[(&String, Drawn)], still: &[bool]) {
-        for outline in &scene.ground {
-            let style = if outline.closed { Style::Plate } else { Style::Guide };
-            self.shapes.push(Shape { name: "ground".into(), track: 0, points: outline.points.clone(), style, color: GROUND.into() });
+    pub(super) fn draw_bodies(
+        &mut self,
+        scene: &Scene,
+        held: &[(String, Held)],
+        drawn: &[(&String, Drawn)],
+        still: &[bool],
+        pieces: Vec<Piece>,
+    ) {
+        let ground = &scene.ground;
+        let color = ground.color.as_deref().unwrap_or(GROUND);
+        if !ground.hidden && ground.outlines.is_empty() {
+            self.draw_pieces(ground, 0, color, &pieces);
+        }
+        for outline in ground.outlines.iter().chain(&ground.added).filter(|_| !ground.hidden) {
+            let style = if outline.kind == OutlineKind::Filled { Style::Plate } else { Style::Guide };
+            self.shape(&ground.name, 0, outline.points.clone(), style, color);
         }
         let slots: Vec<(&String, &Slot)> = drawn.iter().filter_map(|(name, joint)| Some((*name, joint.slot.as_ref()?))).collect();
         for (name, slot) in slots.iter().filter(|(_, slot)| slot.track == 0) {
@@ -32,11 +45,16 @@ impl Drawing {
                 None => PALETTE[k % PALETTE.len()],
             };
             let own: Vec<_> = slots.iter().copied().filter(|(_, slot)| slot.track == track).collect();
-            match look.outlines.is_empty() {
-                true if still[track] => {}
-                true => self.draw_by_points(look, track, color, self.held_at(track, held, &own)),
-                false => self.draw_told(look, track, color),
+            if look.outlines.is_empty() {
+                self.draw_pieces(look, track, color, &pieces);
             }
+            match look.outlines.is_empty() {
+                // Points of what stands still are marked as supports; only a link is known to be more than that.
+                true if still[track] && look.length.is_none() => {}
+                true => self.draw_by_points(look, track, color, self.held_at((track, look), held, &own)),
+                false => self.draw_told(&look.outlines, look, track, color),
+            }
+            self.draw_told(&look.added, look, track, color);
             for (name, slot) in &own {
                 self.draw_slot(name, slot, color, still[track]);
             }
@@ -47,8 +65,8 @@ impl Drawing {
         }
     }
 
-    /// Where a body is held, in its frame: points of joints and traces, and its slots.
-    fn held_at(&self, track: usize, held: &[(String, Held)], slots: &[(&String, &Slot)]) -> Vec<Vec3> {
+    /// Where a body is held, in its frame: points of joints and traces, the ends of a link, and its slots.
+    fn held_at(&self, (track, look): (usize, &Look), held: &[(String, Held)], slots: &[(&String, &Slot)]) -> Vec<Vec3> {
         let mut points: Vec<Vec3> = Vec::new();
         let mut add = |p: Vec3| {
             if p.norm().is_finite() && !points.iter().any(|known| (*known - p).norm() < 1e-6 * self.size) {
@@ -56,15 +74,28 @@ impl Drawing {
             }
         };
         held.iter().flat_map(|(_, joint)| &joint.points).filter(|(known, _)| *known == track).for_each(|(_, p)| add(*p));
+        link_ends(look).for_each(&mut add);
         self.traces.iter().filter(|trace| trace.track == track).for_each(|trace| add(trace.local));
         let open = slots.iter().filter(|(_, slot)| !is_closed(&slot.path));
         open.flat_map(|(_, slot)| self.thinned(&slot.path)).for_each(add);
         points
     }
 
-    fn draw_told(&mut self, look: &Look, track: usize, color: &str) {
-        for outline in &look.outlines {
-            let style = if outline.closed { Style::Plate } else { Style::Bar };
+    /// The shapes that joints know of a body.
+    fn draw_pieces(&mut self, look: &Look, track: usize, color: &str, pieces: &[Piece]) {
+        for piece in pieces.iter().filter(|piece| piece.track == track) {
+            let style = if track == 0 && piece.style == Style::Slot { Style::Guide } else { piece.style };
+            self.shape(&look.name, track, piece.points.clone(), style, color);
+        }
+    }
+
+    fn draw_told(&mut self, outlines: &[Outline], look: &Look, track: usize, color: &str) {
+        for outline in outlines {
+            let style = match outline.kind {
+                OutlineKind::Filled => Style::Plate,
+                OutlineKind::Line => Style::Bar,
+                OutlineKind::Edge => Style::Slot,
+            };
             self.shape(&look.name, track, outline.points.clone(), style, color);
         }
     }

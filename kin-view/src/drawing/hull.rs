@@ -45,6 +45,13 @@ fn turn(a: Vec2, b: Vec2, c: Vec2) -> f64 {
     u.x * v.y - u.y * v.x
 }
 
+/// Whether a polygon covers a point, both seen along z: a line to the right crosses its edge an odd number of times.
+pub(crate) fn covers(polygon: &[Vec3], p: Vec3) -> bool {
+    let edges = polygon.iter().zip(polygon.iter().cycle().skip(1));
+    let crossed = edges.filter(|(a, b)| (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y));
+    crossed.count() % 2 == 1
+}
+
 /// In space: the corners of a plate if the points lie in a plane, else lines from their middle to each.
 pub(crate) enum Spread {
     Line(Vec<Vec3>),
@@ -82,6 +89,14 @@ mod tests {
         let inside = (0..50).map(|k| vec2(0.01 * f64::from(k) + 0.2, 0.5));
         let corners = [vec2(0.0, 0.0), vec2(1.0, 0.0), vec2(1.0, 1.0), vec2(0.0, 1.0)];
         assert_eq!(convex(corners.into_iter().chain(inside).collect()), corners);
+    }
+
+    #[test]
+    fn a_polygon_covers_what_is_inside() {
+        let at = |x: f64, y: f64| Vec3::new(x, y, 0.0);
+        let hook = [at(0.0, 0.0), at(3.0, 0.0), at(3.0, 1.0), at(1.0, 1.0), at(1.0, 3.0), at(0.0, 3.0)];
+        assert!(covers(&hook, at(0.5, 2.0)) && covers(&hook, at(2.5, 0.5)));
+        assert!(!covers(&hook, at(2.0, 2.0)) && !covers(&hook, at(-0.1, 0.5)) && !covers(&[], at(0.0, 0.0)));
     }
 
     #[test]

@@ -1,8 +1,9 @@
 //! What joints look like, from how their points move: pins, slots, rods.
 
-use kin::Vec3;
+use kin::{Vec2, Vec3, vec2};
 
 use super::track::{Frame, Track};
+use crate::scene::Form;
 
 /// A joint by its points, on tracks.
 pub(crate) struct Held {
@@ -12,6 +13,10 @@ pub(crate) struct Held {
     pub points: Vec<(usize, Vec3)>,
     /// Tracks of bodies that it speaks of a direction of.
     pub directed: Vec<usize>,
+    /// What it knows of the shapes of its bodies.
+    pub form: Option<Form>,
+    /// Nothing of it is drawn.
+    pub hidden: bool,
 }
 
 /// How it is drawn.
@@ -58,8 +63,20 @@ impl Samples {
     }
 
     /// The path of a point as the body of a track sees it.
-    fn relative(&self, point: (usize, Vec3), track: usize) -> Vec<Vec3> {
+    pub fn relative(&self, point: (usize, Vec3), track: usize) -> Vec<Vec3> {
         self.path(point).zip(&self.frames[track]).map(|(p, frame)| frame.local(p)).collect()
+    }
+
+    /// Where the body of a track sees a point first, in the plane.
+    pub fn seen(&self, point: (usize, Vec3), track: usize) -> Vec2 {
+        let first = self.relative(point, track).into_iter().find(|p| p.norm().is_finite());
+        first.map_or(vec2(f64::NAN, f64::NAN), |p| vec2(p.x, p.y))
+    }
+
+    /// Whether a point never moves as the body of a track sees it.
+    pub fn stays(&self, point: (usize, Vec3), track: usize) -> bool {
+        let path = self.relative(point, track);
+        path.iter().all(|p| (*p - path[0]).norm() <= 1e-6 * self.size)
     }
 
     /// Whether track a does not turn as track b sees it.
@@ -75,7 +92,7 @@ impl Samples {
         let alone = |k: usize| !(0..points.len()).any(|l| points[l].0 != points[k].0 && self.together(points[k], points[l]));
         let lonely: Vec<(usize, Vec3)> = (0..points.len()).filter(|&k| alone(k)).map(|k| points[k]).collect();
         let mut drawn = Drawn { marks: points.clone(), ..Drawn::default() };
-        if lonely.len() < points.len() {
+        if lonely.len() < points.len() || joint.form.is_some() {
             return drawn;
         }
         drawn.slot = self.slot(joint, still);

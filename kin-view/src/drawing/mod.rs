@@ -1,14 +1,17 @@
 //! What there is to draw, once a scene and a motion are known: shapes fixed in tracks, lines between them, marks, traces.
 
 mod bodies;
+mod forms;
 mod hull;
 mod joints;
 mod track;
+mod wheels;
 
-use kin::{Motion, Result, Vec3};
+use kin::{Motion, Result, Units, Vec3};
 
 use crate::color::PALETTE;
-use crate::scene::Scene;
+use crate::scene::{Look, Outline, OutlineKind, Scene};
+use hull::covers;
 use joints::{Held, Samples};
 pub(crate) use track::Track;
 
@@ -18,6 +21,8 @@ pub(crate) struct Drawing {
     /// Whether it all lies in the plane z = 0.
     pub planar: bool,
     pub times: Vec<f64>,
+    /// What the units of length and time are called.
+    pub units: Units,
     pub tracks: Vec<Track>,
     pub shapes: Vec<Shape>,
     /// Lines through points of several tracks.
@@ -57,6 +62,23 @@ pub(crate) struct Line {
     pub name: String,
     pub points: Vec<(usize, Vec3)>,
     pub color: String,
+    pub kind: LineKind,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum LineKind {
+    Told,
+    /// Between two points that a constraint holds at a distance.
+    Rod,
+    /// The thick end of a rod whose length changes.
+    Barrel,
+}
+
+impl LineKind {
+    /// How wide it is drawn.   [px]
+    pub fn width(self) -> f64 {
+        if self == LineKind::Barrel { 9.0 } else { 3.5 }
+    }
 }
 
 /// A marked point, or one whose path is shown.
@@ -88,6 +110,7 @@ impl Drawing {
             name: scene.name.clone(),
             planar: true,
             times: motion.times().to_vec(),
+            units: motion.unit_words().clone(),
             shapes: Vec::new(),
             lines: moving_lines(scene, &mut tracks, motion.len()),
             marks: Vec::new(),
@@ -146,7 +169,8 @@ impl Drawing {
             let tracks: Vec<usize> = joint.bodies.iter().map(|body| self.track(scene, *body)).collect::<Option<_>>()?;
             let points = joint.points.iter().map(|(body, u)| (tracks[*body], *u)).collect();
             let directed = joint.directed.iter().map(|body| tracks[*body]).collect();
-            Some((joint.name.clone(), Held { tracks, points, directed }))
+            let (form, hidden) = (joint.form.clone(), joint.hidden);
+            Some((joint.name.clone(), Held { tracks, points, directed, form, hidden }))
         });
         joints.collect()
     }
@@ -156,10 +180,15 @@ impl Drawing {
         let mut all: Vec<(usize, Vec3)> = held.iter().flat_map(|(_, joint)| joint.points.iter().copied()).collect();
         all.extend(self.traces.iter().map(|trace| (trace.track, trace.local)));
         all.extend(self.lines.iter().flat_map(|line| line.points.iter().copied()));
-        all.extend(scene.ground.iter().flat_map(|outline| outline.points.iter().map(|p| (0, *p))));
+        let told = |look: &Look, track: usize| {
+            let outlines = look.outlines.iter().chain(&look.added);
+            outlines.flat_map(|outline| &outline.points).map(|p| (track, *p)).collect::<Vec<_>>()
+        };
+        all.extend(told(&scene.ground, 0));
         for (k, look) in scene.looks.iter().enumerate() {
             all.push((k + 1, Vec3::new(0.0, 0.0, 0.0)));
-            all.extend(look.outlines.iter().flat_map(|outline| outline.points.iter().map(|p| (k + 1, *p))));
+            all.extend(told(look, k + 1));
+            all.extend(link_ends(look).map(|p| (k + 1, p)));
         }
         self.set_bounds(&all);
     }
@@ -191,19 +220,27 @@ impl Drawing {
     }
 
     fn draw(&mut self, scene: &Scene, held: &[(String, Held)]) {
+        self.draw_all(scene, held);
+        self.let_plates_carry(&scene.ground);
+    }
+
+    fn draw_all(&mut self, scene: &Scene, held: &[(String, Held)]) {
         let samples = self.samples();
-        let still: Vec<bool> = self.tracks.iter().map(|track| track.is_still(1e-9 * self.size)).collect();
-        let drawn: Vec<_> = held.iter().map(|(name, joint)| (name, samples.drawn(joint, &still))).collect();
-        self.draw_bodies(scene, held, &drawn, &still);
+        // At one time alone nothing can be said of what stands still but the ground.
+        let stands = |track: &Track| self.times.len() > 1 && track.is_still(1e-9 * self.size) || matches!(track, Track::Ground);
+        let still: Vec<bool> = self.tracks.iter().map(stands).collect();
+        let shown = held.iter().filter(|(_, joint)| !joint.hidden);
+        let drawn: Vec<_> = shown.map(|(name, joint)| (name, samples.drawn(joint, &still))).collect();
+        self.draw_bodies(scene, held, &drawn, &still, forms::pieces(held, &samples));
         for (name, joint) in &drawn {
             if let Some(rod) = &joint.rod {
-                self.lines.push(Line { name: name.to_string(), points: rod.to_vec(), color: ROD.to_string() });
+                self.draw_rod(name, *rod);
             }
             for &(track, local) in &joint.marks {
                 self.mark(&samples, name, (track, local), still[track]);
             }
         }
-        let told = self.lines.iter().filter(|line| line.color != ROD);
+        let told = self.lines.iter().filter(|line| line.kind == LineKind::Told);
         let mut ends: Vec<(bool, String, (usize, Vec3))> = Vec::new();
         for line in told {
             let last = line.points.len().saturating_sub(1);
@@ -212,13 +249,42 @@ impl Drawing {
         // The last point has the name of its line, also where another line begins there.
         ends.sort_by_key(|(begins, ..)| *begins);
         for (begins, name, point) in ends {
-            self.mark(
-                &samples,
-                &if begins { format!("{name}, start") } else { name },
-                point,
-                self.tracks[point.0].is_still(1e-9 * self.size),
-            );
+            self.mark(&samples, &if begins { format!("{name}, start") } else { name }, point, still[point.0]);
         }
+    }
+
+    /// A pin on a plate that the ground is told to be needs no support.
+    fn let_plates_carry(&mut self, ground: &Look) {
+        let plates: Vec<&Outline> =
+            ground.outlines.iter().chain(&ground.added).filter(|outline| outline.kind == OutlineKind::Filled).collect();
+        for mark in self.marks.iter_mut().filter(|mark| mark.grounded) {
+            let p = self.tracks[mark.track].frame(0).point(mark.local);
+            mark.grounded = !plates.iter().any(|plate| covers(&plate.points, p));
+        }
+    }
+
+    /// A rod between two points; where their distance changes, as a cylinder: a barrel on the body that comes first, and the rod in it.
+    fn draw_rod(&mut self, name: &str, rod: [(usize, Vec3); 2]) {
+        /// How much of a cylinder the barrel is: a share of its least length, and of its greatest.
+        const BARREL: [f64; 2] = [0.92, 0.7];
+        let [from, to] = if rod[0].0 <= rod[1].0 { rod } else { [rod[1], rod[0]] };
+        let ends = |k: usize| [from, to].map(|(track, p)| self.tracks[track].frame(k).point(p));
+        let lengths = (0..self.times.len()).map(|k| (ends(k)[1] - ends(k)[0]).norm()).filter(|length| length.is_finite());
+        let (least, most) = lengths.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
+        let line = |points: Vec<(usize, Vec3)>, kind: LineKind| Line { name: name.to_string(), points, color: ROD.to_string(), kind };
+        self.lines.push(line(vec![from, to], LineKind::Rod));
+        if most - least <= 1e-6 * self.size {
+            return;
+        }
+        let barrel = (BARREL[0] * least).min(BARREL[1] * most);
+        let mouth = |k: usize| {
+            let [a, b] = ends(k);
+            a + (b - a) * (barrel / (b - a).norm())
+        };
+        let mouths: Vec<Vec3> = (0..self.times.len()).map(mouth).collect();
+        self.tracks.push(Track::of_point(&mouths, self.times.len()));
+        let mouth = (self.tracks.len() - 1, Vec3::new(0.0, 0.0, 0.0));
+        self.lines.push(line(vec![from, mouth], LineKind::Barrel));
     }
 
     /// Marks a point, unless one is marked that is always there; a support takes the place of a pin.
@@ -238,6 +304,11 @@ impl Drawing {
     }
 }
 
+/// The ends of a link in its frame; of other bodies none.
+fn link_ends(look: &Look) -> impl Iterator<Item = Vec3> {
+    look.length.into_iter().flat_map(|length| [-0.5, 0.5].map(|share| Vec3::new(share * length, 0.0, 0.0)))
+}
+
 /// Told lines, with a track for each of their points.
 fn moving_lines(scene: &Scene, tracks: &mut Vec<Track>, times: usize) -> Vec<Line> {
     let lines = scene.lines.iter().enumerate().map(|(k, line)| {
@@ -245,7 +316,7 @@ fn moving_lines(scene: &Scene, tracks: &mut Vec<Track>, times: usize) -> Vec<Lin
             tracks.push(Track::of_point(positions, times));
             (tracks.len() - 1, Vec3::new(0.0, 0.0, 0.0))
         });
-        Line { name: line.name.clone(), points: points.collect(), color: PALETTE[k % PALETTE.len()].to_string() }
+        Line { name: line.name.clone(), points: points.collect(), color: PALETTE[k % PALETTE.len()].to_string(), kind: LineKind::Told }
     });
     lines.collect()
 }

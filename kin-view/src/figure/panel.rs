@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use kin::{Series, Vec2, vec2};
+use kin::{Series, Units, Vec2, vec2};
 use kuva::plot::{LinePlot, ScatterPlot};
 use kuva::render::layout::{Layout, TickFormat};
 use kuva::render::plots::Plot;
@@ -57,7 +57,7 @@ impl Panel {
         Panel::new(title, "t [s]", quantity, Axes::Time { span: None, log: true })
     }
 
-    /// The plane of motion, one metre as long upwards as to the right.
+    /// The plane of motion, one metre (or what [`Panel::in_units`] calls it) as long upwards as to the right.
     pub fn plane(title: &str) -> Panel {
         Panel::new(title, "x [m]", "y [m]", Axes::Plane)
     }
@@ -65,6 +65,16 @@ impl Panel {
     /// Any quantity over any other, with the labels of both axes.
     pub fn numbers(title: &str, x_label: &str, y_label: &str) -> Panel {
         Panel::new(title, x_label, y_label, Axes::Numbers)
+    }
+
+    /// Lengths and times in these words: [`kin::Motion::unit_words`]. Quantities over time know them by themselves.
+    pub fn in_units(mut self, units: &Units) -> Panel {
+        match self.axes {
+            Axes::Time { .. } => self.x_label = format!("t [{}]", units.time()),
+            Axes::Plane => [self.x_label, self.y_label] = ["x", "y"].map(|axis| format!("{axis} [{}]", units.length())),
+            Axes::Numbers => {}
+        }
+        self
     }
 
     fn new(title: &str, x_label: &str, y_label: &str, axes: Axes) -> Panel {
@@ -130,6 +140,7 @@ impl Panel {
         if let (Axes::Time { span, .. }, Some(first), Some(last)) = (&mut self.axes, series.times().first(), series.times().last()) {
             let (low, high) = (first.min(*last), first.max(*last));
             *span = Some(span.map_or((low, high), |known| (known.0.min(low), known.1.max(high))));
+            self.x_label = format!("t [{}]", series.unit_words().time());
         }
         series.times().iter().zip(series.values()).map(|(t, value)| vec2(*t, *value)).collect()
     }

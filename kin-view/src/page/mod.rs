@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
 use crate::color::PALETTE;
-use crate::drawing::{Drawing, Mark, Style, Track};
+use crate::drawing::{Drawing, LineKind, Mark, Style, Track};
 use crate::file;
 use crate::picture::escaped;
 use crate::scene::Scene;
@@ -121,12 +121,13 @@ impl Page {
         });
         let lines = drawing.lines.iter().map(|line| {
             let points: Vec<Value> = line.points.iter().map(|(track, p)| json!([track, place(*p, drawing.size)])).collect();
-            json!({ "name": line.name, "color": line.color, "points": points })
+            json!({ "name": line.name, "style": line_style(line.kind), "color": line.color, "points": points })
         });
         let mark = |mark: &Mark| json!({ "name": mark.name, "track": mark.track, "local": place(mark.local, drawing.size), "color": mark.color, "grounded": mark.grounded });
         let times = self.times();
         json!({
             "planar": drawing.planar,
+            "units": [drawing.units.length(), drawing.units.time()],
             "eye": [drawing.eye.0, drawing.eye.1],
             "bounds": drawing.bounds.map(|p| place(p, drawing.size)),
             "size": drawing.size,
@@ -184,6 +185,13 @@ fn style(style: Style) -> &'static str {
         Style::Bar => "bar",
         Style::Slot => "slot",
         Style::Guide => "guide",
+    }
+}
+
+fn line_style(kind: LineKind) -> &'static str {
+    match kind {
+        LineKind::Told | LineKind::Rod => "rod",
+        LineKind::Barrel => "barrel",
     }
 }
 

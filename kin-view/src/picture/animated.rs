@@ -31,7 +31,7 @@ pub(super) fn animated(drawing: &Drawing, seconds: f64) -> String {
         ));
     }
     let lines = drawing.lines.iter().map(|line| {
-        let style = format!("fill=\"none\" stroke=\"{}\" stroke-width=\"3.5\"", line.color);
+        let style = format!("fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"", line.color, line.kind.width());
         animation.points(&line.points, &style, "polyline")
     });
     lines.for_each(|line| svg.push(&line));

@@ -8,7 +8,7 @@ use std::path::Path;
 
 use kin::{Motion, Result, Vec3};
 
-use crate::drawing::{Drawing, Mark, Style};
+use crate::drawing::{Drawing, LineKind, Mark, Style};
 use crate::file;
 use crate::scene::Scene;
 use svg::Svg;
@@ -84,7 +84,7 @@ fn pictured(drawing: &Drawing, frames: &[(usize, f64)]) -> String {
         svg.close();
     }
     if let [(k, _)] = frames {
-        svg.caption(&format!("t = {} s", svg::short(drawing.times[*k])));
+        svg.caption(&format!("t = {} {}", svg::digits(drawing.times[*k]), drawing.units.time()));
     }
     svg.finish()
 }
@@ -100,15 +100,22 @@ fn ground(drawing: &Drawing, view: &View, svg: &mut Svg) {
     }
 }
 
+/// What a list of points is drawn as.
+#[derive(Clone, Copy)]
+enum Drawn {
+    Shape(Style),
+    Line(LineKind),
+}
+
 /// What moves, as it stands at time k; in space the farther first.
 fn moving(drawing: &Drawing, view: &View, k: usize, svg: &mut Svg) {
     let frames: Vec<_> = drawing.tracks.iter().map(|track| track.frame(k)).collect();
     let placed = |points: &[(usize, Vec3)]| points.iter().map(|(track, p)| frames[*track].point(*p)).collect::<Vec<Vec3>>();
     let shapes = drawing.shapes.iter().filter(|shape| shape.track != 0);
     let shapes =
-        shapes.map(|shape| (shape.points.iter().map(|p| frames[shape.track].point(*p)).collect(), Some(shape.style), &shape.color));
-    let lines = drawing.lines.iter().map(|line| (placed(&line.points), None, &line.color));
-    let mut all: Vec<(Vec<Vec3>, Option<Style>, &String)> = shapes.chain(lines).collect();
+        shapes.map(|shape| (shape.points.iter().map(|p| frames[shape.track].point(*p)).collect(), Drawn::Shape(shape.style), &shape.color));
+    let lines = drawing.lines.iter().map(|line| (placed(&line.points), Drawn::Line(line.kind), &line.color));
+    let mut all: Vec<(Vec<Vec3>, Drawn, &String)> = shapes.chain(lines).collect();
     if !drawing.planar {
         let depth = |points: &[Vec3]| points.iter().map(|p| view.depth(*p)).sum::<f64>() / points.len().max(1) as f64;
         all.sort_by(|a, b| depth(&a.0).total_cmp(&depth(&b.0)));
@@ -116,8 +123,8 @@ fn moving(drawing: &Drawing, view: &View, k: usize, svg: &mut Svg) {
     for (points, style, color) in all {
         let points: Vec<_> = points.into_iter().map(|p| view.point(p)).collect();
         match style {
-            Some(style) => shape_of(&points, style, color, svg),
-            None => svg.line(&points, color, 3.5),
+            Drawn::Shape(style) => shape_of(&points, style, color, svg),
+            Drawn::Line(kind) => svg.line(&points, color, kind.width()),
         }
     }
     for mark in drawing.marks.iter().chain(&drawing.traces) {

@@ -141,6 +141,11 @@ pub(crate) fn short(x: f64) -> String {
     if text == "-0" { "0".to_string() } else { text.to_string() }
 }
 
+/// Five digits, however small or large.
+pub(super) fn digits(x: f64) -> String {
+    format!("{x:.4e}").parse::<f64>().unwrap_or(x).to_string()
+}
+
 /// Text that cannot become markup; what XML forbids is left out.
 pub(crate) fn escaped(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());

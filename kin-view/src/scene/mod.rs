@@ -1,28 +1,32 @@
 //! How a mechanism is to be drawn: what its constraints say by themselves, and what the user tells.
 
 mod body;
+mod form;
 mod outline;
 
 use kin::{Attached, Marker, System, Vec3};
 
 pub(crate) use body::Kind;
 pub use body::{Body, Point};
+pub(crate) use form::{Form, Touch};
 pub use outline::Outline;
-pub(crate) use outline::circle;
+pub(crate) use outline::{OutlineKind, circle};
 
 /// How a mechanism is drawn. Bodies, pins, slots and rods come from the mechanism itself: each constraint knows the points of its bodies
 /// that it speaks of. What is told here comes on top, or instead.
 ///
-/// A body is drawn through the points where constraints hold it: one point is a disc, two are a bar, more are a plate. Where points of two
+/// A body is drawn through the points where constraints hold it, a link from end to end: one point is a disc, two are a bar, more are a plate. Where points of two
 /// bodies stay together there is a pin; where a point runs along a path in another body, that path is drawn as a slot (or, if it is closed,
-/// as a disc of that shape); two points without a direction between them are held by a rod. Bodies that stand still look like the ground.
+/// as a disc of that shape); two points without a direction between them are held by a rod. Gears, belts, wheels on racks and tracks, cams and
+/// their rollers and faces have the shapes that their joints know. Bodies that stand still look like the ground.
 ///
 /// A told body of another mechanism, and a colour that is none, change nothing.
 #[derive(Clone)]
 pub struct Scene {
     pub(crate) name: String,
     pub(crate) looks: Vec<Look>,
-    pub(crate) ground: Vec<Outline>,
+    /// The ground; all that is drawn of it is told or of joints.
+    pub(crate) ground: Look,
     pub(crate) joints: Vec<Joint>,
     pub(crate) traces: Vec<Trace>,
     pub(crate) lines: Vec<MovingLine>,
@@ -37,8 +41,12 @@ pub(crate) struct Look {
     pub name: String,
     pub color: Option<String>,
     pub hidden: bool,
+    /// The length between the pins of a link.
+    pub length: Option<f64>,
     /// In place of the default.
     pub outlines: Vec<Outline>,
+    /// Beside what is drawn.
+    pub added: Vec<Outline>,
 }
 
 /// A constraint by the points and directions it speaks of.
@@ -51,6 +59,10 @@ pub(crate) struct Joint {
     pub points: Vec<(usize, Vec3)>,
     /// Those of `bodies` that it speaks of a direction of.
     pub directed: Vec<usize>,
+    /// What it knows of their shapes.
+    pub form: Option<Form>,
+    /// Nothing of it is drawn; its points still tell where its bodies are held.
+    pub hidden: bool,
 }
 
 /// A point whose path is shown.
@@ -73,22 +85,24 @@ impl Scene {
     pub fn new(system: &System) -> Scene {
         let looks = system.bodies().into_iter().filter_map(|(name, target)| {
             let body = Body::of(&target)?;
-            Some(Look { body, name: name.to_string(), color: None, hidden: false, outlines: Vec::new() })
+            Some(Look { length: system.link_length(&target), ..Look::new(body, name) })
         });
         let looks = looks.collect();
         let joints = system.constraints().filter_map(|(name, constraint)| Joint::new(name, constraint)).collect();
         let (name, eye) = (system.name().to_string(), (-1.05, 0.35));
-        Scene { name, looks, ground: Vec::new(), joints, traces: Vec::new(), lines: Vec::new(), eye }
+        let ground = Look::new(kin::Ground.into(), "ground");
+        Scene { name, looks, ground, joints, traces: Vec::new(), lines: Vec::new(), eye }
     }
 
-    /// Draws a body (or the ground) by this outline; several add up. It takes the place of the default.
+    /// Draws a body (or the ground) by this outline; several add up. It takes the place of the default: of bars and plates, wheels and cams.
     pub fn outline(mut self, body: impl Into<Body>, outline: Outline) -> Scene {
-        let body = body.into();
-        if body.is_ground() {
-            self.ground.push(outline);
-        } else if let Some(look) = self.look(body) {
-            look.outlines.push(outline);
-        }
+        self.look(body.into()).into_iter().for_each(|look| look.outlines.push(outline.clone()));
+        self
+    }
+
+    /// Draws this outline of a body (or the ground) beside what is drawn of it anyhow.
+    pub fn add_outline(mut self, body: impl Into<Body>, outline: Outline) -> Scene {
+        self.look(body.into()).into_iter().for_each(|look| look.added.push(outline.clone()));
         self
     }
 
@@ -109,9 +123,9 @@ impl Scene {
         self
     }
 
-    /// Does not draw the points, slots and rods of one constraint.
+    /// Does not draw the points, slots, rods, wheels and cams of one constraint. Its bodies stay as they are.
     pub fn hide_joint(mut self, name: &str) -> Scene {
-        self.joints.retain(|joint| joint.name != name);
+        self.joints.iter_mut().filter(|joint| joint.name == name).for_each(|joint| joint.hidden = true);
         self
     }
 
@@ -144,15 +158,23 @@ impl Scene {
     }
 
     fn look(&mut self, body: Body) -> Option<&mut Look> {
-        self.looks.iter_mut().find(|look| look.body == body)
+        if body.is_ground() { Some(&mut self.ground) } else { self.looks.iter_mut().find(|look| look.body == body) }
+    }
+}
+
+impl Look {
+    fn new(body: Body, name: &str) -> Look {
+        let (color, outlines, added) = (None, Vec::new(), Vec::new());
+        Look { body, name: name.to_string(), color, hidden: false, length: None, outlines, added }
     }
 }
 
 impl Joint {
-    /// `None` if it speaks of no point.
+    /// `None` if it speaks of no point and knows no shape.
     fn new(name: &str, constraint: &dyn kin::Constraint) -> Option<Joint> {
         let arguments = constraint.arguments();
-        let mut joint = Joint { name: name.to_string(), bodies: Vec::new(), points: Vec::new(), directed: Vec::new() };
+        let (bodies, points, directed) = (Vec::new(), Vec::new(), Vec::new());
+        let mut joint = Joint { name: name.to_string(), bodies, points, directed, form: Form::of(constraint), hidden: false };
         let mut place = vec![None; arguments.len()];
         for (place, argument) in place.iter_mut().zip(&arguments) {
             let Some(body) = Body::of(&argument.target) else { continue };
@@ -166,6 +188,6 @@ impl Joint {
                 _ => {}
             }
         }
-        (!joint.points.is_empty()).then_some(joint)
+        (!joint.points.is_empty() || joint.form.is_some()).then_some(joint)
     }
 }

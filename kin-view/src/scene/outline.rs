@@ -10,31 +10,40 @@ use super::Point;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outline {
     pub(crate) points: Vec<Vec3>,
-    pub(crate) closed: bool,
+    pub(crate) kind: OutlineKind,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum OutlineKind {
+    Filled,
+    /// A bar along the points.
+    Line,
+    /// A thin line along the edge of a shape.
+    Edge,
 }
 
 impl Outline {
     /// A filled shape with these corners.
     pub fn polygon<P: Into<Point>>(corners: impl IntoIterator<Item = P>) -> Outline {
-        Outline { points: corners.into_iter().map(|p| p.into().0).collect(), closed: true }
+        Outline { points: corners.into_iter().map(|p| p.into().0).collect(), kind: OutlineKind::Filled }
     }
 
     /// An open line through these points.
     pub fn line<P: Into<Point>>(points: impl IntoIterator<Item = P>) -> Outline {
-        Outline { closed: false, ..Outline::polygon(points) }
+        Outline { kind: OutlineKind::Line, ..Outline::polygon(points) }
     }
 
     /// A disc in the plane.
     pub fn disc(center: impl Into<Vec2>, radius: f64) -> Outline {
-        Outline::polygon(circle(center.into(), radius, 48))
+        Outline::polygon(circle(center.into(), radius, 96))
     }
 
-    /// The edge of the shape alone.
+    /// The edge of the shape alone, as a thin line.
     pub fn hollow(mut self) -> Outline {
-        if self.closed {
+        if self.kind == OutlineKind::Filled {
             self.points.extend(self.points.first().copied());
+            self.kind = OutlineKind::Edge;
         }
-        self.closed = false;
         self
     }
 
@@ -64,6 +73,6 @@ pub(crate) fn circle(center: Vec2, radius: f64, n: usize) -> Vec<Vec2> {
     (0..n).map(|k| center + polar(radius, TAU * k as f64 / n as f64)).collect()
 }
 
-fn polar(radius: f64, angle: f64) -> Vec2 {
+pub(super) fn polar(radius: f64, angle: f64) -> Vec2 {
     vec2(radius * angle.cos(), radius * angle.sin())
 }

@@ -33,8 +33,9 @@ const start = () => {
     for (const chart of charts) chart.show(index);
     slider.value = Math.round(index);
     const t = text(between(data.times, index), 5);
-    time.textContent = `t = ${t} s`;
-    slider.setAttribute("aria-valuetext", `${t} seconds`);
+    const told = `${t} ${data.units[1]}`;
+    time.textContent = `t = ${told}`;
+    slider.setAttribute("aria-valuetext", told);
   };
   const tick = (now) => {
     if (!playing) return;

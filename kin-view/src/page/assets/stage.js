@@ -8,7 +8,7 @@ class Stage {
     this.paths = data.traces.map((trace) => this.styled("path", "path", trace.color));
     this.body = svgElement("g", "", svg);
     this.shapes = data.shapes.map((shape) => this.shape(shape));
-    this.lines = data.lines.map((line) => ({ ...line, element: this.named(this.styled("polyline", "rod", line.color, this.body), line.name) }));
+    this.lines = data.lines.map((line) => ({ ...line, element: this.named(this.styled("polyline", line.style, line.color, this.body), line.name) }));
     this.supports = data.planar ? data.marks.filter((mark) => mark.grounded).map((mark) => this.support(mark)) : [];
     this.trails = data.traces.map((trace) => this.styled("path", "trail", trace.color));
     this.marks = data.marks.map((mark) => this.mark(mark, "pin", 4));
@@ -212,6 +212,6 @@ class Stage {
     const matrix = this.svg.getScreenCTM();
     if (!matrix) return;
     const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
-    where.textContent = `x ${text(p.x)}  y ${text(-p.y)} m`;
+    where.textContent = `x ${text(p.x)}  y ${text(-p.y)} ${this.data.units[0]}`;
   }
 }
