@@ -36,7 +36,7 @@ fn worst(system: &System, times: &[f64], h: f64) -> f64 {
 }
 
 /// How long each example runs.   [s]
-const SECONDS: [(&str, f64); 16] = [
+const SECONDS: [(&str, f64); 22] = [
     ("01_slider_crank", 1.0),
     ("02_two_link_manipulator", 24.0),
     ("03_custom_constraint", 1.0),
@@ -54,6 +54,12 @@ const SECONDS: [(&str, f64); 16] = [
     ("15_windscreen_wiper", 1.0),
     // Short of its first change point.
     ("16_change_points", 0.25),
+    ("17_double_wishbone", 8.0),
+    ("18_excavator", 12.0),
+    ("19_delta_robot", 2.0),
+    ("20_geneva_drive", 6.0),
+    ("21_cam_with_roller", 2.0),
+    ("22_planetary_train", 8.0),
 ];
 
 #[test]
@@ -64,7 +70,7 @@ fn every_example() {
         name.to_string_lossy().starts_with(|first: char| first.is_ascii_digit())
     });
     assert_eq!(examples.count(), SECONDS.len(), "an example without its mechanism here; copy its mechanism.json to tests/data/examples/");
-    let registry = Registry::new().with::<own::slider_crank>().with::<own::parabolic_slot>();
+    let registry = Registry::new().with::<own::slider_crank>().with::<own::parabolic_slot>().with::<own::geneva>();
     for (name, seconds) in SECONDS {
         let mechanism = Mechanism::read_json(format!("{root}/tests/data/examples/{name}.json"), &registry).expect("reads back");
         // odd numbers, off the knots of splines and the dwells of cams

@@ -1,8 +1,12 @@
 //! Known mechanisms, made of the library's joints, against closed forms and identities written here.
 
+mod machines;
 mod planar;
 mod shafts;
 mod spatial_loops;
+
+#[path = "../data/own.rs"]
+mod own;
 
 use kin::Motion;
 
