@@ -60,8 +60,9 @@ pub enum Error {
     #[error(
         "{}{}",
         text::diagnosed(.diagnosis, || format!(
-            "t = {}: C_q ({n} x {n}) has rank {rank}; smallest relative pivot {pivot:.1e}.{}",
+            "t = {}: C_q ({n} x {n}) {}; smallest relative pivot {pivot:.1e}.{}",
             text::at(*.t, .units),
+            text::rank(*.rank, *.n),
             text::singular(.movable, .dependent, .unmet)
         )),
         text::kept(.motion)
@@ -73,7 +74,7 @@ pub enum Error {
         units: Units,
         /// Number of coordinates.
         n: usize,
-        /// Numerical rank of C_q, lengths scaled by the size of the mechanism and rows by their norm.
+        /// Numerical rank of C_q, lengths scaled by the size of the mechanism and rows by their norm; n where it is singular but for rounding.
         rank: usize,
         /// The smallest pivot of the elimination relative to its row.
         pivot: f64,

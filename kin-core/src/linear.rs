@@ -70,6 +70,9 @@ pub(crate) struct Linear {
     norms: Vec<f64>,
     /// max_i |a_ij| s_j / norm_i of each column, the largest so far.
     tops: Vec<f64>,
+    /// Both as they were when they were last confirmed, where they have grown since.
+    confirmed: [Vec<f64>; 2],
+    provisional: bool,
     /// 1 / norm_i, and s_j / top_j.
     row_units: Fours,
     column_units: Vec<f64>,
@@ -122,6 +125,8 @@ impl Linear {
             sizes: vec![1.0; n],
             norms: vec![0.0; n],
             tops: vec![0.0; n],
+            confirmed: [vec![0.0; n], vec![0.0; n]],
+            provisional: false,
             row_units: Fours::new(n, 1.0),
             column_units: vec![1.0; n],
             limits,
@@ -200,7 +205,28 @@ impl Linear {
         }
         self.norms.fill(0.0);
         self.tops.fill(0.0);
+        self.provisional = false;
         self.set_units();
+    }
+
+    /// Whether rows or columns have grown since they were last confirmed.
+    pub(crate) fn is_provisional(&self) -> bool {
+        self.provisional
+    }
+
+    /// How large rows and columns have been counts from now on.
+    #[inline]
+    pub(crate) fn confirm(&mut self) {
+        self.provisional = false;
+    }
+
+    /// Rows and columns are what they were when they were last confirmed: what was seen of them since was not on the way.
+    pub(crate) fn revoke(&mut self) {
+        if std::mem::take(&mut self.provisional) {
+            self.norms.copy_from_slice(&self.confirmed[0]);
+            self.tops.copy_from_slice(&self.confirmed[1]);
+            self.set_units();
+        }
     }
 
     /// Measures rows and columns of the values as written, before [`Linear::factor`]; false if one of them is not finite.
@@ -211,6 +237,10 @@ impl Linear {
     /// The same where something has grown, or is not finite.
     #[cold]
     fn measure_anew(&mut self) -> bool {
+        if !std::mem::replace(&mut self.provisional, true) {
+            self.confirmed[0].copy_from_slice(&self.norms);
+            self.confirmed[1].copy_from_slice(&self.tops);
+        }
         let same_place = |a: &u32, b: &u32| self.entries[*a as usize] == self.entries[*b as usize];
         let size = |same: &[u32]| {
             let (i, j) = self.entries[same[0] as usize].unwrap_or_default();

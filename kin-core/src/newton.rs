@@ -25,6 +25,9 @@ pub(crate) const STALL: f64 = 1e-9;
 /// as much, which is itself at √ε = 1.5e-8.   \[-\]
 pub(crate) const DOUBTFUL: f64 = 1e-7;
 
+/// A position whose smallest pivot is above this is not called singular, whatever has stopped Newton's method there.   \[-\]
+const REGULAR: f64 = 1e-6;
+
 /// A row that is off by more than this, of the norm of the row, is told as not met where C_q is singular.   \[-\]
 const UNMET: f64 = 1e-2;
 
@@ -92,6 +95,8 @@ pub(crate) struct Newton<'a> {
     /// Newton steps of all attempts, and how many there were before this time.
     pub steps: usize,
     pub steps_before: usize,
+    /// Whether a constraint can jump where coordinates move.
+    jumps: bool,
 }
 
 impl<'a> Newton<'a> {
@@ -114,6 +119,7 @@ impl<'a> Newton<'a> {
             residual: 0.0,
             steps: 0,
             steps_before: 0,
+            jumps: options.predict && !equations.jumping().is_empty(),
         }
     }
 
@@ -156,7 +162,7 @@ impl<'a> Newton<'a> {
             if self.converged(correction, previous) {
                 // The correction costs nothing any more, and keeps errors of predictions from adding up.
                 if self.options.predict {
-                    self.correct();
+                    self.correct_last();
                 }
                 return self.regular(iteration);
             }
@@ -172,6 +178,9 @@ impl<'a> Newton<'a> {
 
     /// The outcome, unless the position is singular for all that rounding lets one tell, or not what is meant.
     fn regular(&mut self, iterations: usize) -> Result<Outcome, Failure> {
+        if self.linear.is_provisional() && !self.measured_here() {
+            return Err(Failure::Singular);
+        }
         if self.linear.smallest_pivot() < DOUBTFUL {
             return Err(Failure::Singular);
         }
@@ -179,6 +188,14 @@ impl<'a> Newton<'a> {
             return Err(Failure::WrongBranch(block));
         }
         Ok(Outcome { iterations, residual: self.residual })
+    }
+
+    /// Rows and columns by what they are here and were at positions before: an iterate far off may have had them much larger. False if C_q, which
+    /// is factored anew, is singular.
+    #[cold]
+    fn measured_here(&mut self) -> bool {
+        self.linear.revoke();
+        self.linear.measure() && self.linear.factor()
     }
 
     /// Why the iteration came to no end: where C is met and still every step is long, C_q is singular for all practical purposes.
@@ -288,6 +305,23 @@ impl<'a> Newton<'a> {
         fours::add(self.q.whole_mut(), self.linear.whole_solution());
     }
 
+    /// q += dq where nothing is looked at any more. What can jump is looked at all the same, and dq taken back if that has been done.
+    #[inline(always)]
+    fn correct_last(&mut self) {
+        if self.jumps { self.correct_unless_it_jumps() } else { self.correct() }
+    }
+
+    #[cold]
+    fn correct_unless_it_jumps(&mut self) {
+        self.before.copy_from_slice(&self.q);
+        self.correct();
+        let equations = self.system.equations();
+        if equations.has_jumped(&self.q, &mut self.instant, &self.linear.row_units()[..], &mut self.left) {
+            self.q.copy_from_slice(&self.before);
+            equations.set_position(&self.q, &mut self.instant);
+        }
+    }
+
     /// q += λ dq with the largest λ = 1, ½, ¼, … that lets Σ (C_i / norm_i)² fall (Armijo) and turns nothing too far.
     fn damped(&mut self) -> Result<(), Failure> {
         let equations = self.system.equations();
@@ -339,7 +373,14 @@ impl<'a> Newton<'a> {
         match failure {
             Failure::NotFinite(bad) => equations.not_finite(bad, self.system.layout(), &self.instant),
             Failure::WrongBranch(block) => equations.closes_wrong(block, self.system.layout(), &self.instant),
-            Failure::Singular => self.system.singular(t, &self.q, self.unmet()),
+            Failure::Singular => match self.system.singular(t, &self.q, self.unmet()) {
+                // What stopped the iteration was not there: the iterates went astray.
+                Error::SingularAt { pivot, .. } if pivot > REGULAR => {
+                    let (row, residual) = self.worst();
+                    self.error(Failure::NoConvergence { row, residual }, t, last)
+                }
+                error => error,
+            },
             Failure::NoConvergence { row, residual } => {
                 let (constraint, row) = self.system.row_name(row);
                 Error::NoConvergence {

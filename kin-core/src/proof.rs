@@ -45,6 +45,7 @@ mod bounds;
 mod elementary;
 mod equation;
 mod functions;
+pub(crate) mod held;
 #[cfg(test)]
 mod inclusion;
 mod interval;

@@ -270,7 +270,8 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
                 sweep.set(&mut typical, case.as_ref());
             }
             let varied = sweep.system.varied(&sweep.places);
-            let lockstep = Lockstep::new(simd, &typical, &varied, &sweep.options, self.times[0]);
+            let ends = [self.times[0], self.times[self.times.len() - 1]];
+            let lockstep = Lockstep::new(simd, &typical, &varied, &sweep.options, ends);
             (vec![typical; lanes], lockstep)
         };
         self.batches(worker, |worker, first, cases| {

@@ -59,14 +59,26 @@ pub fn evaluate<N: Number>(graph: &Graph, outputs: &[Node], source: &impl Source
 
 /// The results of `outputs` where only the number of one input is another than in `known`: what does not read it stays as it is.
 pub fn evaluate_along<N: Number>(graph: &Graph, outputs: &[Node], input: Input, known: &Results<N>, source: &impl Source<N>) -> Results<N> {
+    evaluate_beyond(graph, outputs, |node| (graph.op(node) == Op::Input(input)).then(|| source.input(input)), known, source)
+}
+
+/// The same where nodes have other numbers than in `known`, those that `given` gives them.
+pub fn evaluate_beyond<N: Number>(
+    graph: &Graph,
+    outputs: &[Node],
+    given: impl Fn(Node) -> Option<N>,
+    known: &Results<N>,
+    source: &impl Source<N>,
+) -> Results<N> {
     let mut results = known.clone();
     let mut moves = vec![false; graph.len()];
     for node in graph.reachable(outputs) {
-        let mut moving = graph.op(node) == Op::Input(input);
+        let given = given(node);
+        let mut moving = given.is_some();
         graph.each_operand(node, |operand| moving |= moves[operand.index()]);
         if moving {
             moves[node.index()] = true;
-            let result = result(graph, node, &results, source);
+            let result = given.map_or_else(|| result(graph, node, &results, source), Result::Number);
             results.0[node.index()] = Some(result);
         }
     }
@@ -149,6 +161,18 @@ mod tests {
         let moved =
             evaluate_along(&g, &[product, root], Input::Column(0), &still, &Given([(Input::Column(0), 5.0), (Input::Time, 9.0)].into()));
         assert_eq!([product, root, x, t].map(|node| moved.number(node)), [Some(20.0), Some(2.0), Some(5.0), Some(4.0)]);
+    }
+
+    #[test]
+    fn beyond_a_node_with_another_number_the_others_follow() {
+        let mut g = Graph::default();
+        let (x, t) = (g.input(Input::Column(0)), g.input(Input::Time));
+        let root = g.raw(Op::Call(Function::Sqrt, t));
+        let product = g.raw(Op::Mul(x, root));
+        let source = Given([(Input::Column(0), 3.0), (Input::Time, 4.0)].into());
+        let still = evaluate(&g, &[product], &source);
+        let moved = evaluate_beyond(&g, &[product], |node| (node == root).then_some(7.0), &still, &source);
+        assert_eq!([product, root, t].map(|node| moved.number(node)), [Some(21.0), Some(7.0), Some(4.0)]);
     }
 
     #[test]

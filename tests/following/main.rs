@@ -1,7 +1,10 @@
 //! A run stays on its branch, or says that it cannot: coarse grids, toggles, change points.
 
+mod between;
 mod campaign;
 mod change_points;
 mod coarse;
+mod failures;
 mod models;
+mod pairs;
 mod toggles;

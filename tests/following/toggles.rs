@@ -147,3 +147,40 @@ fn time_just_before_a_toggle_is_met_before_the_curve_turns() {
         assert!(motion.len() == 3 && bar.error(motion.q(2), -1.0) < 1e-14 / gap.sqrt() * 10.0, "{gap}: {:e}", bar.error(motion.q(2), -1.0));
     }
 }
+
+/// Four-bars that are mirror images of one another on one crank: all come to their toggle at once, and all of them are named.
+#[test]
+fn loops_that_toggle_together_end_in_one_toggle_that_names_them_all() {
+    for (lengths, start, sense) in [([1.2, 1.3, 0.9, 1.7], 0.4, 1.0), ([2.0, 1.5, 2.2, 3.5], 0.3, 1.0), ([0.8, 0.96, 0.7, 1.34], 0.9, -1.0)]
+    {
+        let [driven, next, last, ground] = lengths;
+        let bar = FourBar { driven, next, last, ground, by_coupler: false };
+        let expected = sense * (bar.toggle(start, sense).unwrap() - start);
+        for loops in [2, 3, 4] {
+            let mut m = Mechanism::new("loops on one crank");
+            let crank = m.link("crank", driven).unwrap();
+            m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).unwrap();
+            m.add("motor", drive_angle(crank, Law::linear(start, sense))).unwrap();
+            let mut guess = bar.pose(start, 1.0).unwrap()[..3].to_vec();
+            for k in 0..loops {
+                let (b, c) = (m.link(&format!("coupler {k}"), next).unwrap(), m.link(&format!("rocker {k}"), last).unwrap());
+                m.add(&format!("A{k}"), revolute(crank, b, crank.end(), b.start())).unwrap();
+                m.add(&format!("B{k}"), revolute(b, c, b.end(), c.end())).unwrap();
+                m.add(&format!("C{k}"), revolute(c, Ground, c.start(), vec2(ground, 0.0))).unwrap();
+                guess.extend_from_slice(&bar.pose(start, if k % 2 == 0 { 1.0 } else { -1.0 }).unwrap()[3..]);
+            }
+            m.set_initial(&guess).unwrap();
+            let system = m.build().unwrap();
+            for points in [2, 11, 301] {
+                let error = system.run(linspace(0.0, 3.0, points)).unwrap_err();
+                let kin::Error::Toggle { t, movable, .. } = &error else { panic!("{loops} {points}: {error}") };
+                assert!((t - expected).abs() < 1e-9, "{loops} {points}: {t} {expected}");
+                for k in 0..loops {
+                    for part in ["coupler", "rocker"] {
+                        assert!(movable.contains(&format!("{part} {k}")), "{loops} {points}: {movable:?}");
+                    }
+                }
+            }
+        }
+    }
+}

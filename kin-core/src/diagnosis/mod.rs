@@ -26,4 +26,4 @@ pub use examine::Diagnosis;
 pub(crate) use examine::{Start, diagnose};
 pub use freedom::{BodyMotion, Freedom, How, Persistence};
 pub use options::DiagnosisOptions;
-pub(crate) use singular::{Singular, singular};
+pub(crate) use singular::{Singular, singular, singular_within};

@@ -6,7 +6,7 @@ use crate::model::{Measures, Model};
 /// Rank and dependencies of a singular matrix.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Singular {
-    /// Number of independent rows, less than n.
+    /// Number of independent rows: n where it is singular but for rounding.
     pub rank: usize,
     /// The largest pivot that counted as zero, rows and columns measured.   \[-\]
     pub pivot: f64,
@@ -24,8 +24,13 @@ const SHARE: f64 = 1e-6;
 
 /// The same at a pose, from the values of C_q there.
 pub(crate) fn singular(model: &Model<'_>, values: &[f64], measures: &Measures) -> Singular {
+    singular_within(model, values, measures, LEAST)
+}
+
+/// The same where pivots below `least` count as zero: of a position that is known no better.
+pub(crate) fn singular_within(model: &Model<'_>, values: &[f64], measures: &Measures, least: f64) -> Singular {
     let n = model.n();
-    let found = Echelon::of_rank_at_most(model.scaled(values, measures, &|_| true), n, LEAST, n.saturating_sub(1));
+    let found = Echelon::of_rank_at_most(model.scaled(values, measures, &|_| true), n, least, n.saturating_sub(1));
     let shared = |space: Vec<Vec<(usize, f64)>>| {
         let mut all: Vec<usize> = Vec::new();
         for vector in space {
@@ -40,5 +45,6 @@ pub(crate) fn singular(model: &Model<'_>, values: &[f64], measures: &Measures) -
     let mut movable: Vec<String> = shared(found.null_space()).into_iter().filter_map(owner).collect();
     movable.dedup();
     let dependent = shared(found.left_null_space()).into_iter().map(|row| model.equations.equation(row)).collect();
-    Singular { rank: found.rank(), pivot: found.left, movable, dependent }
+    let rank = if found.left > least && found.rank() + 1 == n { n } else { found.rank() };
+    Singular { rank, pivot: found.left, movable, dependent }
 }

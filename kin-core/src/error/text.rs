@@ -57,6 +57,10 @@ pub(super) fn diagnosed(diagnosis: &Option<Box<Diagnosis>>, solver: impl Fn() ->
 }
 
 /// What can move and what depends on what.
+pub(super) fn rank(rank: usize, n: usize) -> String {
+    if rank < n { format!("has rank {rank}") } else { "is singular but for rounding".to_string() }
+}
+
 pub(super) fn singular(movable: &[String], dependent: &[String], unmet: &Option<String>) -> String {
     let mut text = String::new();
     if !movable.is_empty() {

@@ -99,16 +99,23 @@ impl Walk<'_, '_> {
 
     /// What a step has come to; `None` where it must be shorter.
     fn judge(&mut self, next: Place, s: f64) -> Result<Option<Stepped>, Lost> {
+        let turns = self.sign * next.dt() <= 0.0;
+        let together = turns && self.turned_over(&next) > 1;
         if next.negative != self.here.negative {
-            let Some(found) = branching::find(&mut self.curve, &self.here, &next, s, self.sign) else { return Ok(None) };
-            return self.cross(found, next, s);
-        }
-        if self.sign * next.dt() <= 0.0 {
-            let Some((turn, s)) = turning::locate(&mut self.curve, &self.here, &next, s) else { return Ok(None) };
-            if self.before(turn.t()) > -AT_END {
-                return Err(Lost::Turned(Box::new(self.told(SingularKind::TurningPoint, &turn.x, Vec::new()))));
+            match branching::find(&mut self.curve, &self.here, &next, s, self.sign) {
+                // Branches on all of which time turns round.
+                Some(found) if turns && found.rates.iter().all(Option::is_none) => return self.turn_together(&next, s),
+                Some(found) => return self.cross(found, next, s),
+                None if together => return self.turn_together(&next, s),
+                None => return Ok(None),
             }
-            return Ok(self.land(&turn, s));
+        }
+        if together {
+            return self.turn_together(&next, s);
+        }
+        if turns {
+            let Some((turn, s)) = turning::locate(&mut self.curve, &self.here, &next, s) else { return Ok(None) };
+            return if self.before(turn.t()) > -AT_END { Err(self.turned(&turn.x)) } else { Ok(self.land(&turn, s)) };
         }
         if let (Some((before, from)), Some((after, to))) = (&self.here.blocks, &next.blocks)
             && before != after
@@ -119,6 +126,28 @@ impl Walk<'_, '_> {
             return Ok(if s > TOGETHER { None } else { self.cross_together(next, s, at) });
         }
         Ok(self.go_on(next, s))
+    }
+
+    /// How many blocks of C_q turn over on the way to a place.
+    fn turned_over(&self, next: &Place) -> usize {
+        let (Some((before, _)), Some((after, _))) = (&self.here.blocks, &next.blocks) else { return 0 };
+        before.iter().zip(after).filter(|(before, after)| before != after).count()
+    }
+
+    /// Time turns round for several loops at once, a place at which the curve is singular: it is found between places on either side.
+    fn turn_together(&self, next: &Place, s: f64) -> Result<Option<Stepped>, Lost> {
+        if s > TOGETHER {
+            return Ok(None);
+        }
+        let Some(x) = turning::between(&self.here, next, s) else { return Ok(None) };
+        if x.last().is_some_and(|t| self.before(*t) > -AT_END) {
+            return Err(self.turned(&x));
+        }
+        Ok(None)
+    }
+
+    fn turned(&self, x: &[f64]) -> Lost {
+        Lost::Turned(Box::new(self.told(SingularKind::TurningPoint, x, Vec::new())))
     }
 
     fn go_on(&mut self, next: Place, s: f64) -> Option<Stepped> {

@@ -46,12 +46,15 @@ pub struct SingularPosition {
     pub branches: Vec<Branch>,
 }
 
+/// Pivots below this vanish at one singular position: where several do so at once q is known to half of its digits.   \[-\]
+const AT_ONCE: f64 = 1e-7;
+
 impl SingularPosition {
     /// At q and t, with names by the null vectors of C_q there.
     pub(super) fn new(system: &System, kind: SingularKind, t: f64, q: &[f64], branches: Vec<Branch>) -> Self {
         let model = system.model();
         let values = model.linearize(q, t).map(|point| point.values).unwrap_or_else(|_| vec![0.0; model.equations.entries.len()]);
-        let Singular { movable, dependent, .. } = diagnosis::singular(&model, &values, &model.measure(q, t));
+        let Singular { movable, dependent, .. } = diagnosis::singular_within(&model, &values, &model.measure(q, t), AT_ONCE);
         SingularPosition { t, kind, q: q.to_vec(), movable, dependent, branches }
     }
 

@@ -90,9 +90,10 @@ impl Default for Options {
 }
 
 impl Options {
-    /// A step of time shorter than this is given up.
-    pub(crate) fn smallest_step(&self, step: f64) -> f64 {
-        step.abs() * 0.5_f64.powi(self.halvings.min(1000) as i32)
+    /// A step of time no longer than this is the last that is tried, of those between two times; times nearer to one another are hardly told apart.
+    pub(crate) fn smallest_step(&self, from: f64, to: f64) -> f64 {
+        let halved = (to - from).abs() * 0.5_f64.powi(self.halvings.min(1000) as i32);
+        halved.max(resolution(from, to))
     }
 
     /// An error unless the tolerance is a positive finite number and there is something to do.
@@ -104,6 +105,11 @@ impl Options {
         }
         Err(Error::InvalidOptions { reason: format!("the tolerance is {tolerance}; give a positive number such as 1e-13") })
     }
+}
+
+/// Steps between two times that are shorter than this are rounding.
+pub(super) fn resolution(from: f64, to: f64) -> f64 {
+    8.0 * f64::EPSILON * from.abs().max(to.abs())
 }
 
 /// What Newton's iteration did at one time.

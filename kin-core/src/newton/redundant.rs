@@ -4,16 +4,19 @@
 //! Every time is solved for all equations in the sense of least squares. To leave the superfluous ones out would not do: which equations are
 //! superfluous changes on the way (whatever row of a parallelogram's third crank is left out, twice in a turn it is the one that is needed).
 
+use super::options::resolution;
+use super::sweep::SHORTEST;
 use super::watch::Watch;
-use super::{Follow, Options, Outcome, Report, Stop};
+use super::{Follow, Options, Outcome, Report, Stop, largest};
 use crate::assembly::search::{self, Found};
 use crate::diagnosis::{self, DiagnosisOptions, Start};
 use crate::error::{Error, Result};
-use crate::follow::{EASY, Objection, REACH};
+use crate::follow::{Drive, EASY, Lever, Objection, REACH, Span};
 use crate::fours::{self, Fours};
 use crate::linear::Tall;
 use crate::model::{Measures, Model, Point};
 use crate::motion::Motion;
+use crate::system::evaluate::Instant;
 use crate::system::{Solution, System};
 
 /// Equations at a solution may differ by this share of their terms in velocities.   \[-\]
@@ -58,7 +61,7 @@ pub(crate) fn solved(system: &System, q: &[f64], t: f64, rhs: &[f64]) -> Result<
     let (model, options) = (system.model(), Options::default());
     let tall = Tall::new(model.m(), model.n(), &model.equations.entries);
     let measures = model.measure(q, t);
-    let mut driver = Driver { model, options: &options, measures, tall, t, q: q.to_vec(), qd: vec![], qdd: vec![], qddd: vec![], worst: 0 };
+    let mut driver = Driver::new(model, &options, measures, tall, t, q.to_vec());
     match driver.factor(t) {
         Some(_) => Ok(driver.solved(rhs.iter().copied())),
         None => Err(blamed(model, Start::Pose(q), t, &options)),
@@ -79,9 +82,16 @@ struct Driver<'a> {
     qddd: Vec<f64>,
     /// The row with the largest |C_i|.
     worst: usize,
+    /// What happens between the ends of a step; taken out while it is asked.
+    drive: Option<Drive>,
 }
 
 impl<'a> Driver<'a> {
+    fn new(model: Model<'a>, options: &'a Options, measures: Measures, tall: Tall, t: f64, q: Vec<f64>) -> Self {
+        let (n, drive) = (model.n(), Drive::new(model.equations));
+        Driver { model, options, measures, tall, t, q, qd: vec![0.0; n], qdd: vec![0.0; n], qddd: vec![], worst: 0, drive: Some(drive) }
+    }
+
     /// Assembled from the guess, into the preferred assembly.
     fn assembled(system: &'a System, options: &'a Options, t: f64) -> Result<(Self, Outcome)> {
         let found = search::search(system.model(), system.initial(), t, &|_| true, &options.search);
@@ -98,10 +108,8 @@ impl<'a> Driver<'a> {
         let model = system.model();
         let Some(found) = found.filter(|found| found.met) else { return Err(blamed(model, Start::Guess(start), t, options)) };
         let tall = Tall::new(model.m(), model.n(), &model.equations.entries);
-        let (n, q) = (model.n(), found.place.q);
         let steps = found.place.steps;
-        let mut driver =
-            Driver { model, options, measures: found.measures, tall, t, q, qd: vec![0.0; n], qdd: vec![0.0; n], qddd: vec![], worst: 0 };
+        let mut driver = Driver::new(model, options, found.measures, tall, t, found.place.q);
         let solved = driver.solve(t).and_then(|outcome| driver.rates(t).map(|()| outcome));
         let Some(outcome) = solved else { return Err(blamed(model, Start::Pose(&driver.q), t, options)) };
         match driver.wrong(t) {
@@ -112,7 +120,8 @@ impl<'a> Driver<'a> {
 
     /// To another time, in smaller steps of time where that is needed.
     fn advance(&mut self, to: f64) -> Result<Outcome> {
-        let smallest = self.options.smallest_step(to - self.t);
+        let smallest = self.options.smallest_step(self.t, to);
+        let shortest = (SHORTEST * (to - self.t).abs()).max(resolution(self.t, to));
         let (mut h, mut iterations) = (to - self.t, 0);
         loop {
             let target = if (to - self.t).abs() <= h.abs() * 1.001 { to } else { self.t + h };
@@ -127,11 +136,11 @@ impl<'a> Driver<'a> {
                 if self.rates(target).is_none() {
                     return Err(blamed(self.model, Start::Pose(&self.q), target, self.options));
                 }
-                if self.is_objected_to(target - self.t, &before) {
+                if let Some(objection) = self.objection(target, &before) {
                     [self.q, self.qd, self.qdd] = before;
-                    if h.abs() <= smallest {
-                        let reason = Objection::Missed.reason();
-                        return Err(Error::CannotFollow { t: self.t, units: self.model.layout.words.clone(), reason, motion: None });
+                    if h.abs() <= shortest {
+                        let units = self.model.layout.words.clone();
+                        return Err(Error::CannotFollow { t: self.t, units, reason: objection.reason(), motion: None });
                     }
                     h *= 0.5;
                     continue;
@@ -154,14 +163,32 @@ impl<'a> Driver<'a> {
         }
     }
 
-    /// Whether a prediction of the step h, from either end, misses the other by more than what is sure to be one branch. Signs of
-    /// determinants, which rectangular matrices have not, are not asked.
-    fn is_objected_to(&self, h: f64, [q, qd, qdd]: &[Vec<f64>; 3]) -> bool {
+    /// What is wrong with the step to `target`: it turns something too far, a prediction from either end misses the other by more than what is sure
+    /// to be one branch, or what drives may move further in between. Signs of determinants, which rectangular matrices have not, are not asked.
+    fn objection(&mut self, target: f64, [q, qd, qdd]: &[Vec<f64>; 3]) -> Option<Objection> {
+        if self.options.follow == Follow::Unchecked {
+            return None;
+        }
+        let (from, pivot) = (self.t, self.tall.smallest_pivot());
         let shares: Vec<f64> = self.measures.sizes.iter().map(|size| size.recip()).collect();
         let turns: Vec<f64> = (0..q.len()).map(|column| f64::from(u8::from(self.model.turns(column)))).collect();
         let [q, qd, qdd, r, rd, rdd] = [q, qd, qdd, &self.q, &self.qd, &self.qdd].map(|x| Fours::from(&x[..]));
-        let [miss, reach] = fours::miss(h, [&q, &qd, &qdd], [&r, &rd, &rdd], &Fours::from(&shares[..]), &Fours::from(&turns[..]));
-        self.options.follow != Follow::Unchecked && (reach > REACH || miss > EASY * self.tall.smallest_pivot())
+        let [miss, reach] =
+            fours::miss(target - from, [&q, &qd, &qdd], [&r, &rd, &rdd], &Fours::from(&shares[..]), &Fours::from(&turns[..]));
+        if reach > REACH {
+            return Some(Objection::Long);
+        }
+        if miss.is_nan() || miss > EASY * pivot {
+            return Some(Objection::Missed(miss));
+        }
+        let mut drive = self.drive.take()?;
+        let equations = self.model.equations;
+        let hidden = (!drive.is_told(from, target, pivot)).then(|| {
+            let mut lever = Squares { instant: equations.instant_at(target, &self.q), driver: self };
+            drive.hidden(Span { equations, from, to: target, pivot }, &mut lever)
+        });
+        self.drive = Some(drive);
+        hidden.flatten().map(Objection::Hidden)
     }
 
     /// The error for a position that is not what is meant.
@@ -201,11 +228,20 @@ impl<'a> Driver<'a> {
             }
             self.q.iter_mut().zip(&dq).for_each(|(q, dq)| *q += dq);
             if converged {
+                if met && self.has_jumped(t) {
+                    self.q.iter_mut().zip(&dq).for_each(|(q, dq)| *q -= dq);
+                }
                 return if met { self.outcome(&point, iterations) } else { None };
             }
             previous = correction;
         }
         None
+    }
+
+    /// Whether what can jump has done so with the last correction.
+    fn has_jumped(&self, t: f64) -> bool {
+        let met = |point: Point| self.model.met(&point, &self.q, &self.measures, &|_| true);
+        !self.model.equations.jumping().is_empty() && !self.model.linearize(&self.q, t).is_ok_and(met)
     }
 
     fn outcome(&mut self, point: &Point, iterations: usize) -> Option<Outcome> {
@@ -265,6 +301,37 @@ impl<'a> Driver<'a> {
     /// q, q̇, q̈, and q⃛ or nothing.
     fn rows(&self) -> [&[f64]; 4] {
         [&self.q, &self.qd, &self.qdd, &self.qddd]
+    }
+}
+
+/// The matrix in hand as a lever, in the sense of least squares.
+struct Squares<'d, 'a> {
+    instant: Instant,
+    driver: &'d mut Driver<'a>,
+}
+
+impl Lever for Squares<'_, '_> {
+    fn instant(&self) -> &Instant {
+        &self.instant
+    }
+
+    fn moved(&mut self, first: usize, b: &[f64]) -> f64 {
+        let m = self.driver.model.m();
+        let rhs: Vec<f64> = (0..m).map(|row| row.checked_sub(first).and_then(|k| b.get(k)).copied().unwrap_or(0.0)).collect();
+        let moved = self.driver.solved(rhs.into_iter());
+        largest(moved.iter().zip(&self.driver.measures.sizes).map(|(x, size)| (x / size).abs()))
+    }
+
+    fn bend(&mut self) -> f64 {
+        f64::INFINITY
+    }
+
+    fn turned(&self) -> f64 {
+        f64::INFINITY
+    }
+
+    fn is_singular_within(&mut self, _: f64) -> bool {
+        true
     }
 }
 

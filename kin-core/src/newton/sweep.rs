@@ -1,5 +1,6 @@
 //! The sweep: from one time to the next with prediction, in smaller steps of time where that is needed.
 
+use super::options::resolution;
 use super::predictor::{Last, Predictor};
 use super::watch::Watch;
 use super::{Failure, Follow, Newton, Options, Outcome, Steps, assembly, largest, redundant};
@@ -21,7 +22,12 @@ const PASSED_STEPS: f64 = 32.0;
 const PASSED_SHARE: f64 = 1.0 / 64.0;
 
 /// No step of time is shorter than this share of the time asked for.   \[-\]
-const SHORTEST: f64 = 1e-9;
+pub(super) const SHORTEST: f64 = 1e-9;
+
+/// Smaller steps of one step of time after which it is asked how many more there will be, and how many there may be.
+const MANY: f64 = 8192.0;
+const MOST: f64 = 4e6;
+const TOO_MANY: &str = "millions of smaller steps lead to the next time, which is too far away: give times that are nearer to one another";
 
 /// Position, velocity and acceleration at each of the times.
 pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<Motion> {
@@ -75,6 +81,8 @@ struct Sweep<'a> {
     /// The last time with a solution, and its position, which a failure goes back to.
     last: Option<f64>,
     q: Fours,
+    /// Where the last failure was.
+    failed: Fours,
     predictor: Predictor,
     /// Whether everything in hand is that of the last solution.
     untouched: bool,
@@ -83,6 +91,14 @@ struct Sweep<'a> {
     /// Singular positions that have been met since the last time, and how many bifurcations there were before.
     passed: Vec<SingularPosition>,
     bifurcations: usize,
+}
+
+/// The step of time that was asked for.
+#[derive(Clone, Copy)]
+struct Asked {
+    whole: f64,
+    /// No shorter one is tried than this.
+    shortest: f64,
 }
 
 /// Why a step of time was not taken.
@@ -98,9 +114,10 @@ impl<'a> Sweep<'a> {
             newton: Newton::new(system, options),
             last: None,
             q: Fours::new(n, 0.0),
+            failed: Fours::new(n, 0.0),
             predictor: Predictor::new(n),
             untouched: false,
-            check: (options.follow != Follow::Unchecked).then(|| Check::new(&system.layout().units)),
+            check: (options.follow != Follow::Unchecked).then(|| Check::new(system)),
             passed: Vec::new(),
             bifurcations: 0,
         }
@@ -118,25 +135,37 @@ impl<'a> Sweep<'a> {
             Some(from) => self.advance(from, t)?,
         };
         (self.last, self.untouched) = (Some(t), true);
+        self.newton.linear.confirm();
         Ok(Outcome { iterations: self.newton.steps - self.newton.steps_before, ..outcome })
     }
 
     /// From one solved time to the next, in one step if that works.
     fn advance(&mut self, from: f64, to: f64) -> Result<Outcome> {
         let (mut t, mut h) = (from, to - from);
+        let shortest = match self.check {
+            None => self.newton.options.smallest_step(from, to),
+            Some(_) => (SHORTEST * h.abs()).max(resolution(from, to)),
+        };
+        let (asked, mut taken) = (Asked { whole: h.abs(), shortest }, 0.0);
         loop {
             let target = if (to - t).abs() <= h.abs() * 1.001 { to } else { t + h };
             self.keep();
-            match self.attempt(target - t, target, to - from) {
+            match self.attempt(target - t, target, asked) {
                 Ok(outcome) if target == to => return Ok(outcome),
                 Ok(_) => {
+                    self.newton.linear.confirm();
                     t = target;
                     h *= 2.0;
+                    taken += 1.0;
+                    if taken >= MANY && taken * asked.whole > MOST * (t - from).abs() {
+                        let units = self.newton.system.unit_words().clone();
+                        return Err(Error::CannotFollow { t, units, reason: TOO_MANY, motion: None });
+                    }
                 }
                 Err(trouble) => {
-                    self.newton.q.copy_from_slice(&self.q);
+                    self.go_back();
                     self.untouched = false;
-                    if !self.is_short(target - t, to - from, &trouble) {
+                    if !self.is_short(target - t, target, asked, &trouble) {
                         h *= 0.5;
                         continue;
                     }
@@ -154,21 +183,45 @@ impl<'a> Sweep<'a> {
 
     /// Whether a step is as short as plain steps of time become: then Newton's are damped.
     #[cold]
-    fn is_last_resort(&self, h: f64, whole: f64) -> bool {
-        self.check.is_none() && h.abs() <= self.newton.options.smallest_step(whole)
+    fn is_last_resort(&self, h: f64, asked: Asked) -> bool {
+        self.check.is_none() && h.abs() <= asked.shortest
     }
 
-    /// Whether shorter steps of time will help no more, by what the rates in hand move in this one.
-    fn is_short(&self, h: f64, whole: f64, trouble: &Trouble) -> bool {
+    /// Whether shorter steps of time to `target` than this will help no more, by what moves in it.
+    fn is_short(&mut self, h: f64, target: f64, Asked { whole, shortest }: Asked, trouble: &Trouble) -> bool {
         if self.check.is_none() {
-            return !self.newton.options.rescue || h.abs() <= self.newton.options.smallest_step(whole);
+            return !self.newton.options.rescue || h.abs() <= shortest;
         }
-        let rates = self.newton.qd.iter().zip(&self.newton.qdd).zip(self.newton.shares());
-        let moved = largest(rates.map(|((qd, qdd), share)| (h * qd).abs().max((0.5 * h * h * qdd).abs()) * share));
-        let long = matches!(trouble, Trouble::Objected(Objection::Long));
+        let unseen = match trouble {
+            Trouble::Objected(Objection::Long) => f64::INFINITY,
+            Trouble::Objected(Objection::Missed(off) | Objection::Hidden(off)) => *off,
+            _ => 0.0,
+        };
+        let moved = self.moved(h, target).max(unseen);
         // Where all stands still the rates say little.
-        let moves = moved >= 0.1 * SHORT || h.abs() <= AT_REST * whole.abs();
-        (moved <= SHORT && moves && !long) || h.abs() <= SHORTEST * whole.abs()
+        let moves = moved >= 0.1 * SHORT || h.abs() <= AT_REST * whole;
+        (moved <= SHORT && moves) || h.abs() <= shortest
+    }
+
+    /// By how much anything moves in a step h from the last solution to `target`: by its rates, and by what drives, which may have stood still.
+    #[cold]
+    fn moved(&mut self, h: f64, target: f64) -> f64 {
+        let newton = &mut self.newton;
+        let rates = newton.qd.iter().zip(&newton.qdd).zip(newton.shares());
+        let by_rates = largest(rates.map(|((qd, qdd), share)| (h * qd).abs().max((0.5 * h * h * qdd).abs()) * share));
+        let known = newton.linearize(target).is_ok() && newton.linear.factor();
+        newton.linear.solve();
+        let driven = if known { fours::largest_share(newton.linear.whole_solution(), newton.shares().whole()) } else { 0.0 };
+        newton.linear.revoke();
+        by_rates.max(driven)
+    }
+
+    /// The last solution is in hand again, and nothing that was seen beyond it.
+    #[cold]
+    fn go_back(&mut self) {
+        self.failed.copy_from_slice(&self.newton.q);
+        self.newton.q.copy_from_slice(&self.q);
+        self.newton.linear.revoke();
     }
 
     /// The position in hand becomes the last one; a prediction writes all of the next anew.
@@ -180,9 +233,9 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// One step of time, of a whole that was asked for, with its rates, judged; after trouble the rates in hand are those before it.
-    fn attempt(&mut self, h: f64, target: f64, whole: f64) -> std::result::Result<Outcome, Trouble> {
-        let outcome = self.step(h, target, whole).map_err(Trouble::Failed)?;
+    /// One step of time, of those that are asked for at once, with its rates, judged; after trouble the rates in hand are those before it.
+    fn attempt(&mut self, h: f64, target: f64, asked: Asked) -> std::result::Result<Outcome, Trouble> {
+        let outcome = self.step(h, target, asked).map_err(Trouble::Failed)?;
         self.settle(h, outcome);
         let remembers = self.remembers();
         let newton = &mut self.newton;
@@ -198,7 +251,7 @@ impl<'a> Sweep<'a> {
     }
 
     /// One step of time by Newton steps from the prediction; damped from the last solution if it is the last resort.
-    fn step(&mut self, h: f64, target: f64, whole: f64) -> std::result::Result<Outcome, Failure> {
+    fn step(&mut self, h: f64, target: f64, asked: Asked) -> std::result::Result<Outcome, Failure> {
         let newton = &mut self.newton;
         let steps = if newton.options.rescue { Steps::Near } else { Steps::Full };
         let result = if newton.options.predict {
@@ -211,7 +264,7 @@ impl<'a> Sweep<'a> {
             newton.solve(target, steps)
         };
         match result {
-            Err(_) if self.newton.options.rescue && self.is_last_resort(h, whole) => {
+            Err(_) if self.newton.options.rescue && self.is_last_resort(h, asked) => {
                 self.newton.q.copy_from_slice(&self.q);
                 self.newton.solve(target, Steps::Damped)
             }
@@ -257,10 +310,14 @@ impl<'a> Sweep<'a> {
             }
         }
         Err(match trouble {
-            Trouble::Failed(failure) => self.newton.error(failure, target, Some(t)),
-            Trouble::Objected(objection) => {
-                Error::CannotFollow { t, units: self.newton.system.unit_words().clone(), reason: objection.reason(), motion: None }
+            Trouble::Failed(failure) => {
+                self.newton.q.copy_from_slice(&self.failed);
+                // For what it says of the equations there.
+                let _ = self.newton.linearize(target);
+                self.newton.error(failure, target, Some(t))
             }
+            Trouble::Objected(Objection::Long) => Error::CannotFollow { t, units: self.newton.system.unit_words().clone(), reason: TOO_MANY, motion: None },
+            Trouble::Objected(objection) => Error::CannotFollow { t, units: self.newton.system.unit_words().clone(), reason: objection.reason(), motion: None },
         })
     }
 

@@ -94,8 +94,11 @@ pub(crate) fn repeated(x: &Series, start: f64, period: f64, one: &dyn Fn(&Series
     let Some(local) = wound(&x.plus(-start), period) else { return Some(UNKNOWN) };
     let periods = local.value() / Interval::from(period);
     let (first, last) = (periods.lo().floor(), periods.hi().floor());
+    let repeats = || agreement([one, one], [period, 0.0], [Some(0.0), Some(period)]);
     if !(last - first <= MOST as f64 && first.abs() < 1e9 && last.abs() < 1e9) {
-        return Some(UNKNOWN);
+        // all there is in one period, wherever in it x may be
+        let whole = one(&local.with_value(Interval::near(0.0, period).hull(Interval::near(period, period))))?;
+        return Some(whole.joined(&whole, repeats()?));
     }
     let seams: Vec<f64> = (1..=(last - first) as u32).map(|k| (first + f64::from(k)) * period).collect();
     let piece = |k: usize, x: &Series| {
@@ -106,7 +109,7 @@ pub(crate) fn repeated(x: &Series, start: f64, period: f64, one: &dyn Fn(&Series
         let inside = Interval::near(0.0, size).hull(Interval::near(period, size));
         local.value().common(inside).map_or(Some(UNKNOWN), |inside| one(&local.with_value(inside)))
     };
-    along(&local, &seams, &piece, &|_| agreement([one, one], [period, 0.0], [Some(0.0), Some(period)]))
+    along(&local, &seams, &piece, &|_| repeats())
 }
 
 /// The same number for a function that repeats after a period: whole turns of x that are periods, but for rounding, do not matter to it.

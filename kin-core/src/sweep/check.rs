@@ -1,10 +1,12 @@
 //! Steps of time judged over lanes, by what [`crate::follow`] sees without a further evaluation. A lane that is objected to is not looked at any
 //! closer here: its case is run alone.
 
-use crate::follow::{EASY, REACH};
+use crate::follow::{self, Drive, EASY, REACH};
 use crate::lanes::{Level, Mask, Wide};
 use crate::layout::Unit;
 use crate::linear::lanes::WideLinear;
+use crate::newton::Newton;
+use crate::system::System;
 
 /// What was seen at the last positions that were accepted.
 pub(super) struct Check<S: Level> {
@@ -16,14 +18,25 @@ pub(super) struct Check<S: Level> {
     /// q, q̇, q̈ there.
     from: [Vec<Wide<S>>; 3],
     turns: Vec<bool>,
+    /// What time does to such systems, and what it does in each lane between the ends of a step: see [`Drive::outlook`].
+    drive: Drive,
+    outlook: [Wide<S>; 4],
 }
 
 impl<S: Level> Check<S> {
-    pub(super) fn new(simd: S, units: &[Unit]) -> Self {
+    pub(super) fn new(simd: S, typical: &System) -> Self {
+        let (units, drive) = (&typical.layout().units, Drive::new(typical.equations()));
         let zero = Wide::splat(simd, 0.0);
         let turns = units.iter().map(|unit| *unit != Unit::Metre).collect();
         let from = [0; 3].map(|_| vec![zero; units.len()]);
-        Check { simd, signs: Vec::new(), now: Vec::new(), pivot: zero, from, turns }
+        Check { simd, signs: Vec::new(), now: Vec::new(), pivot: zero, from, turns, drive, outlook: [zero; 4] }
+    }
+
+    /// A run between these times begins at the position in hand, in a lane; false where it is to be run alone.
+    pub(super) fn foresee(&mut self, lane: usize, newton: &mut Newton<'_>, ends: [f64; 2]) -> bool {
+        let Some(outlook) = follow::outlook(self.drive.clone(), newton, ends) else { return false };
+        self.outlook.iter_mut().zip(outlook).for_each(|(all, own)| all.as_mut_slice()[lane] = own);
+        true
     }
 
     /// Takes the positions in hand as they are.
@@ -55,7 +68,9 @@ impl<S: Level> Check<S> {
             }
         }
         let pivot = linear.smallest_pivot();
-        let mut good = miss.le(Wide::splat(simd, EASY) * pivot.min(self.pivot)) & reach.le(Wide::splat(simd, REACH));
+        let (least, long, [e0, e1, e2, e3]) = (pivot.min(self.pivot), Wide::splat(simd, h.abs()), self.outlook);
+        let off = long.mul_add(long.mul_add(long.mul_add(e3, e2), e1), e0);
+        let mut good = miss.le(Wide::splat(simd, EASY) * least) & reach.le(Wide::splat(simd, REACH)) & off.le(least * least);
         linear.orientation(&mut self.now);
         if self.now.len() == self.signs.len() {
             good = self.now.iter().zip(&self.signs).fold(good, |good, (now, before)| good & (*now * *before).gt(zero));

@@ -37,7 +37,11 @@ pub(super) struct Lockstep<'o, S: Level> {
     iterations: Wide<S>,
     /// What each step is judged by, if that is asked for.
     check: Option<Check<S>>,
+    /// Whether a constraint can jump where coordinates move: then the last correction, after which nothing is looked at, is left out.
+    jumps: bool,
     kept: Kept<S>,
+    /// The first and the last time.
+    ends: [f64; 2],
 }
 
 /// Something that all lanes do, on its way into the function that has the machine's instructions.
@@ -75,11 +79,11 @@ impl<S: Level> NullaryFnOnce for Keep<'_, '_, S> {
 impl<'o, S: Level> Lockstep<'o, S> {
     /// For systems such as `typical`, which has the numbers of one case; `varied` are the constraints that differ from case to case.
     /// The elimination is recorded at the first position of that case.
-    pub(super) fn new(simd: S, typical: &System, varied: &[bool], options: &'o Options, t: f64) -> Self {
+    pub(super) fn new(simd: S, typical: &System, varied: &[bool], options: &'o Options, ends: [f64; 2]) -> Self {
         let (n, zero) = (typical.n_coordinates(), Wide::splat(simd, 0.0));
         let mut newton = Newton::new(typical, options);
         // Where that fails each group of cases records for itself.
-        let _ = assembly::assemble(&mut newton, t);
+        let _ = assembly::assemble(&mut newton, ends[0]);
         let equations = WideEquations::new(simd, typical.equations(), varied);
         let room = || vec![zero; n];
         Lockstep {
@@ -96,9 +100,11 @@ impl<'o, S: Level> Lockstep<'o, S> {
             sizes: room(),
             per_size: room(),
             residual: zero,
-            check: (options.follow != Follow::Unchecked).then(|| Check::new(simd, &typical.layout().units)),
+            check: (options.follow != Follow::Unchecked).then(|| Check::new(simd, typical)),
             iterations: zero,
+            jumps: !typical.equations().jumping().is_empty(),
             kept: Kept::new(simd, n),
+            ends,
         }
     }
 
@@ -113,9 +119,15 @@ impl<'o, S: Level> Lockstep<'o, S> {
             // Breaks of laws are looked for time by time, which is not done here.
             started[lane] = system.is_smooth();
             put(system.initial(), lane, &mut self.q);
-            if self.options.rescue && started[lane] {
-                let mut newton = Newton::new(system, self.options);
-                started[lane] = assembly::assemble(&mut newton, t).is_ok();
+            if !started[lane] || !(self.options.rescue || self.check.is_some()) {
+                continue;
+            }
+            let mut newton = Newton::new(system, self.options);
+            started[lane] = assembly::assemble(&mut newton, t).is_ok();
+            if let Some(check) = &mut self.check {
+                started[lane] &= started[lane] && check.foresee(lane, &mut newton, self.ends);
+            }
+            if self.options.rescue {
                 steps.as_mut_slice()[lane] = newton.steps as f64;
                 put(&newton.q, lane, &mut self.q);
                 put(&newton.sizes, lane, &mut self.sizes);
@@ -299,7 +311,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
     /// The lanes that have a position which is not singular; the last correction costs nothing any more.
     #[inline(always)]
     fn finish(&mut self, done: Mask<S>) -> Mask<S> {
-        if self.options.predict {
+        if self.options.predict && !self.jumps {
             for (q, last) in self.q.iter_mut().zip(&self.last) {
                 *q = *q - *last;
             }

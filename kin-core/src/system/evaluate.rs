@@ -1,9 +1,12 @@
 //! Evaluation of a whole system: states once an iterate, then each constraint into its own block of rows and values.
 
 mod block;
+mod held;
 pub(crate) mod lanes;
 mod linear;
 mod sides;
+
+use std::sync::OnceLock;
 
 use crate::blame::{Culprit, Term};
 use crate::constraint::{Constraint, Route};
@@ -56,6 +59,8 @@ pub(crate) struct Equations {
     timed: usize,
     linear: LinearRows,
     asked: Asked,
+    /// The constraints that can jump, once that has been asked.
+    jumping: OnceLock<Vec<usize>>,
 }
 
 /// The constraints that need to be asked at all, by what they are asked for.
@@ -99,6 +104,7 @@ impl Equations {
             timed: 0,
             linear: LinearRows::default(),
             asked: Asked::default(),
+            jumping: OnceLock::new(),
         };
         let mut planned = Planned::new(layout.len());
         all.blocks.reserve_exact(constraints.len());

@@ -1,0 +1,78 @@
+//! What a step that failed leaves behind: nothing. And runs that must come to an end.
+
+use kin::prelude::*;
+use kin::{Error, Follow, Options};
+
+/// Two bodies in a chain about parallel axes, each with its motor: an iterate far off must not make later matrices look singular.
+#[test]
+fn an_iterate_that_goes_astray_does_not_make_later_positions_look_singular() {
+    let mut random = fastrand::Rng::with_seed(5);
+    for number in 0..40 {
+        let rates = if number == 0 { [15.0, 0.7] } else { [20.0 * random.f64() - 10.0, 20.0 * random.f64() - 10.0] };
+        let mut m = Mechanism::new("chain");
+        let (zero, end, z) = (vec3(0.0, 0.0, 0.0), vec3(1.0, 0.0, 0.0), vec3(0.0, 0.0, 1.0));
+        let (a, b) = (m.spatial("a", SpatialPose::at(zero)).unwrap(), m.spatial("b", SpatialPose::at(end)).unwrap());
+        m.add("O", spatial::revolute(a, Ground, zero, zero, z, z)).unwrap();
+        m.add("A", spatial::revolute(b, a, zero, end, z, z)).unwrap();
+        m.add("first", spatial::drive_turn(a, Ground, z, z, Law::ramp(rates[0]))).unwrap();
+        m.add("second", spatial::drive_turn(b, a, z, z, Law::ramp(rates[1]))).unwrap();
+        let system = m.build().unwrap();
+        let (coarse, fine) = (system.run([0.0, 1.0]), system.run(linspace(0.0, 1.0, 101)).unwrap());
+        let coarse = coarse.unwrap_or_else(|error| panic!("{rates:?}: {error}"));
+        let off = coarse.q(1).iter().zip(fine.q(100)).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+        assert!(off < 1e-9, "{rates:?}: {off:e}");
+    }
+}
+
+/// x² = 1 − t has no solution beyond t = 1.
+#[test]
+fn halvings_without_end_come_to_one() {
+    #[constraint]
+    fn root(x: Coord, t: Time) -> f64 {
+        x * x - (1.0 - t)
+    }
+    let mut m = Mechanism::new("root");
+    let x = m.length("x", 1.0).unwrap();
+    m.add("root", root(x)).unwrap();
+    let system = m.build().unwrap();
+    for halvings in [0, 12, 60, 200, u32::MAX] {
+        for times in [vec![0.0, 2.0], vec![-1e9, 2.0], vec![0.0, 1.0, 1.0 + 1e-12]] {
+            let options = Options { halvings, follow: Follow::Unchecked, ..Options::default() };
+            let Err(error) = system.run_with(&times, &options) else { panic!("{halvings} {times:?}") };
+            assert!(matches!(error, Error::NoConvergence { .. } | Error::SingularAt { .. }), "{error}");
+        }
+    }
+}
+
+/// The last correction is within the tolerance, but may take x over a jump: then it is left out.
+#[test]
+fn a_last_correction_over_a_jump_is_not_taken() {
+    #[constraint]
+    fn floored(x: Coord, z: Coord) -> f64 {
+        z - x.floor()
+    }
+    #[constraint(dual)]
+    fn floored_by_dual(x: Coord, z: Coord) -> f64 {
+        z - x.floor()
+    }
+    for dual in [false, true] {
+        for guess in [1.0 - 1e-16, 1.0 - 1e-14, 1.0, 1.0 + 1e-15, 1.0 + 3e-14] {
+            let mut m = Mechanism::new("steps");
+            let (x, z) = (m.length("x", guess).unwrap(), m.length("z", guess.floor()).unwrap());
+            m.add("motor", drive(x, Law::constant(1.0))).unwrap();
+            if dual {
+                m.add("floor", floored_by_dual(x, z)).unwrap()
+            } else {
+                m.add("floor", floored(x, z)).unwrap()
+            };
+            let system = m.build().unwrap();
+            for options in [Options::default(), Options { predict: false, ..Options::default() }] {
+                let motion = system.run_with([0.0, 1.0], &options).unwrap();
+                for k in 0..2 {
+                    let q = motion.q(k);
+                    assert_eq!(q[1], q[0].floor(), "{guess:e}: {q:?}");
+                }
+            }
+        }
+    }
+}
