@@ -52,6 +52,6 @@ measure '50 constraints'
 
 rm -r src && mkdir src
 cp -r "$root"/kin-core/src/joints/{planar,spatial,drivers} src/
-sed -i 's/crate::\(algebra\|law\)/kin::\1/; s/kin_macros::constraint/kin::constraint/; s/super::drivers/crate::drivers/' $(find src -name '*.rs')
+sed -i 's/crate::\(algebra\|coordinates\|law\)/kin::\1/; s/kin_macros::constraint/kin::constraint/; s/super::drivers/crate::drivers/' $(find src -name '*.rs')
 echo '#![allow(missing_docs)] pub mod drivers; pub mod planar; pub mod spatial;' > src/lib.rs
 measure 'the library of joints'

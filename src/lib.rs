@@ -1,18 +1,40 @@
 #![doc = include_str!("../README.md")]
+//!
+//! # Where things are in this documentation
+//!
+//! | for | see |
+//! |---|---|
+//! | describing a machine | [`Mechanism`], [`joints`], [`spatial`], [`Law`], [`pose`], [`SpatialPose`], [`Axis`] |
+//! | a constraint or law of one's own | [`macro@constraint`], [`macro@law`], [`check`] |
+//! | solving it | [`System`], [`Options`], [`Sweep`], [`Assembly`] |
+//! | what has come out | [`Motion`], [`Quantity`], [`Extremes`], [`Measure`], [`Proof`] |
+//! | what is wrong | [`Error`], [`diagnosis`] |
+//! | files | [`data`], [`Registry`] |
+//! | constraints without the macro, the numbers behind derivatives, what emitted code stands on | [`extend`] |
+//!
+//! Everything outside of [`extend`] is for users to call.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
 pub use kin_core::*;
 
+// Listed under `extend`; these paths are shorter, and those that emitted code and constraints by hand have.
+#[doc(hidden)]
+pub use kin_core::extend::{
+    Attached, Attachment, Dependence, Dual, Lanes, LawFunction, Measured, Real, Target, Terms, blame, by_dual, coordinates, dual_route,
+    dual_terms, jerk_rhs, lanes, measure, real, state, terms,
+};
+
 /// Everything a program with a mechanism in it needs: `use kin::prelude::*;`.
 pub mod prelude {
+    pub use kin_core::extend::{Dual, Real};
     pub use kin_core::joints::drivers::*;
     pub use kin_core::joints::planar::*;
     pub use kin_core::joints::spatial;
     pub use kin_core::{
-        Axis, Constraint, Coord, Coordinate, Dual, Ends, EulerParameters, Ground, Law, Link, Marker, Mat2, Mat3, Mechanism, Motion, Planar,
-        PlanarBody, Pose, Real, Route, Series, Spatial, SpatialBody, SpatialLink, SpatialPose, System, Time, Vec2, Vec3, constraint, deg,
-        law, linspace, pose, vec2, vec3,
+        Axis, Constraint, Coord, Coordinate, Ends, EulerParameters, Ground, Law, Link, Marker, Mat2, Mat3, Mechanism, Motion, Planar,
+        PlanarBody, Pose, Route, Series, Spatial, SpatialBody, SpatialLink, SpatialPose, System, Time, Vec2, Vec3, constraint, deg, law,
+        linspace, pose, vec2, vec3,
     };
     pub use std::f64::consts::{PI, TAU};
 }

@@ -453,3 +453,42 @@ fn what_cannot_be_asked_is_told_by_name() {
         said("D.angle")
     );
 }
+
+/// The distance of two points that move, planar and spatial, with three rates: against differences and closed form; asked for its extremes.
+#[test]
+fn the_distance_of_two_points_is_a_measure() {
+    let FourBar { system, crank, coupler, rocker, .. } = crank_rocker();
+    let motion = system.run_with(linspace(0.0, 1.0, 1001), &Options { jerk: true, ..Options::default() }).unwrap();
+    let (p, q) = (vec2(0.3, 0.4), (1.0, -0.7));
+    let distance = motion.distance(coupler, p, rocker, q).unwrap();
+    assert_eq!((distance.value.unit(), distance.third_rate.unit()), ("m", "m/s^3"));
+    let (r_p, r_q) = (motion.point(coupler, p), motion.point(rocker, q));
+    let orders = [&distance.value, &distance.rate, &distance.second_rate, &distance.third_rate].map(Series::values);
+    for k in 2..motion.len() - 2 {
+        near(orders[0][k], (r_p.r()[k] - r_q.r()[k]).norm(), 1e-14);
+        for order in 0..3 {
+            let x = orders[order];
+            let slope = (x[k - 2] - 8.0 * x[k - 1] + 8.0 * x[k + 1] - x[k + 2]) / (12.0 * 1e-3);
+            near(orders[order + 1][k], slope, 1e-5);
+        }
+    }
+    // Between the crank's pin and a point of the ground it is a circle's: extremes where the pin, the axle and the point are in line.
+    let point = (3.0, 4.0);
+    let ground = PlanarBody::from(Ground);
+    let found = system.extremes(&motion, |m: &Motion| m.distance(crank, crank.end(), ground, point)).unwrap();
+    near(found.max().0, 6.0, 1e-12);
+    near(found.min().0, 4.0, 1e-12);
+    let met = motion.distance(crank, crank.end(), coupler, coupler.start()).unwrap_err().to_string();
+    assert!(met.contains("distance of zero"), "{met}");
+}
+
+#[test]
+fn a_name_may_be_a_string() {
+    let FourBar { system, .. } = crank_rocker();
+    let motion = system.run(linspace(0.0, 1.0, 11)).unwrap();
+    let name = format!("{}.angle", "A");
+    let by_text = system.measure(&motion, "A.angle").unwrap();
+    assert_eq!(system.measure(&motion, &name).unwrap(), by_text);
+    assert_eq!(system.extremes(&motion, &name).unwrap(), system.extremes(&motion, "A.angle").unwrap());
+    assert_eq!(system.measure(&motion, name).unwrap(), by_text);
+}

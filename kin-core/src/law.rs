@@ -4,12 +4,14 @@ mod basic;
 mod breaks;
 mod combine;
 mod motion;
+mod points;
+mod quintic;
 mod rise;
 mod sequence;
 mod shapes;
 mod spline;
 
-pub use spline::Ends;
+pub use points::Ends;
 
 use std::fmt;
 use std::sync::Arc;

@@ -6,19 +6,26 @@
 
 extern crate self as kin;
 
+// What is hidden here is listed in `extend`: ordinary programs do not call it.
+
 pub mod algebra;
 mod assembly;
+#[doc(hidden)]
 pub mod blame;
 pub mod check;
 pub mod constraint;
+#[doc(hidden)]
 pub mod coordinates;
 pub mod data;
 pub mod diagnosis;
+#[doc(hidden)]
 pub mod dual_route;
 pub mod error;
+pub mod extend;
 mod follow;
 mod fours;
 pub mod joints;
+#[doc(hidden)]
 pub mod lanes;
 pub mod law;
 mod layout;
@@ -30,12 +37,15 @@ pub mod motion;
 pub mod newton;
 pub mod proof;
 mod random;
+#[doc(hidden)]
 pub mod real;
 #[doc(hidden)]
 pub mod rt;
+#[doc(hidden)]
 pub mod state;
 pub mod sweep;
 pub mod system;
+#[doc(hidden)]
 pub mod terms;
 #[cfg(test)]
 mod testing;
@@ -43,19 +53,16 @@ mod units;
 
 pub use algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
 pub use assembly::{Assembly, AssemblyOptions, Label, SearchOptions};
-pub use constraint::{Attached, Attachment, Constraint, Dependence, Measured, Route};
+pub use constraint::{Constraint, Route};
 pub use coordinates::{
-    Coord, Coordinate, Ground, Link, Planar, PlanarBody, Spatial, SpatialBody, SpatialLink, Target, Time, any_coord, any_planar,
-    any_spatial,
+    Coord, Coordinate, Ground, Link, Planar, PlanarBody, Spatial, SpatialBody, SpatialLink, Time, any_coord, any_planar, any_spatial,
 };
 pub use data::Registry;
-pub use dual_route::by_dual;
 pub use error::{Error, Result};
 pub use follow::{Branch, SingularKind, SingularPosition};
 pub use joints::spatial;
 pub use kin_macros::{constraint, law};
-pub use lanes::Lanes;
-pub use law::{Break, Ends, Law, LawFunction};
+pub use law::{Break, Ends, Law};
 pub use measure::{Crossing, Extreme, Extremes, Measure};
 pub use mechanism::{ConstraintId, Marker, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose};
 pub use motion::{Event, EventKind, Line, Motion, PointMotion, Quantity, RotationMotion, Series};
@@ -63,8 +70,6 @@ pub use nalgebra;
 pub use newton::{CrossedBreak, Follow, Options, Report, Stop};
 pub use num_dual;
 pub use proof::{Doubt, DoubtReason, Proof, StepProof, Tube};
-pub use real::{Dual, Real};
 pub use sweep::Sweep;
 pub use system::{Solution, System};
-pub use terms::{Terms, dual_terms, jerk_rhs, measure, terms};
 pub use units::Units;

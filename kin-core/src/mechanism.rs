@@ -3,9 +3,11 @@
 pub(crate) mod admission;
 mod place;
 mod pose;
+mod preference;
 
 pub use place::Marker;
 pub use pose::{Pose, SpatialPose, deg, linspace, pose};
+pub use preference::Preferred;
 
 use std::collections::HashSet;
 
@@ -52,6 +54,8 @@ pub struct Mechanism {
     pub(crate) initial: Vec<f64>,
     /// Preferred values as (coordinate, value).
     pub(crate) preferred: Vec<(usize, f64)>,
+    /// Preferred measures as (name, value).
+    pub(crate) asked: Vec<(String, f64)>,
     pub(crate) constraints: Vec<(String, Box<dyn Constraint>)>,
     names: HashSet<String>,
     /// A mistake in a method that returns nothing; told at build.
@@ -64,28 +68,6 @@ pub struct Mechanism {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ConstraintId(usize);
 
-/// What can be preferred: a bare coordinate, or a planar body or link by its angle θ.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Preferred(Coordinate);
-
-impl From<Coordinate> for Preferred {
-    fn from(coordinate: Coordinate) -> Self {
-        Preferred(coordinate)
-    }
-}
-
-impl From<PlanarBody> for Preferred {
-    fn from(body: PlanarBody) -> Self {
-        Preferred(body.theta())
-    }
-}
-
-impl From<Link> for Preferred {
-    fn from(link: Link) -> Self {
-        Preferred(link.theta())
-    }
-}
-
 impl Mechanism {
     /// An empty mechanism.
     pub fn new(name: &str) -> Self {
@@ -94,6 +76,7 @@ impl Mechanism {
             layout: Layout::new(MechanismId::fresh()),
             initial: Vec::new(),
             preferred: Vec::new(),
+            asked: Vec::new(),
             constraints: Vec::new(),
             names: HashSet::new(),
             mistake: None,
@@ -214,27 +197,11 @@ impl Mechanism {
         Ok(ConstraintId(self.constraints.len() - 1))
     }
 
-    /// Which of several assemblies: the one with this coordinate (of a body or link: its angle θ) nearest the value. It is the guess
-    /// too.   \[m or rad\]
-    ///
-    /// A value that is not finite or a body of another mechanism is told by [`Mechanism::build`].
-    pub fn prefer(&mut self, what: impl Into<Preferred>, value: f64) {
-        let coordinate = what.into().0;
-        match self.set_guess("prefer", &coordinate, value) {
-            Ok(Some(column)) => {
-                self.preferred.retain(|(known, _)| *known != column);
-                self.preferred.push((column, value));
-            }
-            Ok(None) => {}
-            Err(error) => self.mistake = self.mistake.take().or(Some(error)),
-        }
-    }
-
     /// Gives another guess for one coordinate.   \[m or rad\]
     ///
     /// Errors: not finite, coordinate of another mechanism.
     pub fn guess(&mut self, coordinate: Coordinate, value: f64) -> Result<()> {
-        self.set_guess("guess", &coordinate, value).map(|_| ())
+        self.set_all("guess", Target::Coord(coordinate, Trig::Unused), &[value])
     }
 
     /// Gives another guess for the pose of a planar body.   \[m, m, rad\]
@@ -263,15 +230,6 @@ impl Mechanism {
         }
         self.initial.copy_from_slice(q);
         Ok(())
-    }
-
-    fn set_guess(&mut self, place: &str, coordinate: &Coordinate, value: f64) -> Result<Option<usize>> {
-        let target = Target::Coord(*coordinate, Trig::Unused);
-        self.set_all(place, target, &[value])?;
-        Ok(match self.layout.coordinate(coordinate) {
-            Some(Place::Own { first, .. }) => Some(first),
-            _ => None,
-        })
     }
 
     /// Writes a guess; for the ground it is nothing to do.
@@ -324,6 +282,7 @@ impl Mechanism {
         let equations = Equations::new(&self.layout, self.constraints);
         let mut system = System::new(self.name, self.layout, equations, guess, self.preferred, links);
         system.set_limits(self.limits)?;
+        system.set_asked(&self.asked)?;
         Ok(system)
     }
 }

@@ -1,6 +1,7 @@
 //! What a sweep gives: position, velocity and acceleration over time, with names and units, and what is derived from them.
 
 mod csv;
+mod distance;
 mod event;
 mod planar;
 mod point;

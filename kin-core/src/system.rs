@@ -9,6 +9,7 @@ mod terms;
 
 use std::sync::Arc;
 
+use crate::assembly::Asked;
 use crate::constraint::Constraint;
 use crate::coordinates::Target;
 use crate::diagnosis;
@@ -34,6 +35,8 @@ pub struct System {
     rows: Arc<[String]>,
     initial: Vec<f64>,
     preferred: Vec<(usize, f64)>,
+    /// Preferred measures of joints.
+    pub(crate) asked: Vec<Asked>,
     links: Vec<f64>,
     /// The linear solver with the elimination recorded at the initial guess, if C_q is regular there.
     linear: Linear,
@@ -68,7 +71,7 @@ impl System {
         equations.find_drivers(&initial);
         let linear = prepared(&layout, &equations, &initial, &links);
         let rows = (0..equations.rows).map(|row| equations.equation(row)).collect();
-        System { name, layout: Arc::new(layout), equations, rows, initial, preferred, links, linear, limits: Vec::new() }
+        System { name, layout: Arc::new(layout), equations, rows, initial, preferred, asked: Vec::new(), links, linear, limits: Vec::new() }
     }
 
     /// Name of the mechanism.
@@ -184,6 +187,14 @@ impl System {
 
     pub(crate) fn preferred(&self) -> &[(usize, f64)] {
         &self.preferred
+    }
+
+    /// Prefers a value of one coordinate, and guesses it.
+    pub(crate) fn prefer_column(&mut self, column: usize, value: f64) {
+        self.initial[column] = value;
+        self.preferred.retain(|(known, _)| *known != column);
+        self.preferred.push((column, value));
+        self.linear.forget();
     }
 
     pub(crate) fn links(&self) -> &[f64] {

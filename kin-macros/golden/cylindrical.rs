@@ -18,20 +18,20 @@ pub struct cylindrical {
 pub fn cylindrical(
     i: impl ::core::convert::Into<::kin::SpatialBody>,
     j: impl ::core::convert::Into<::kin::SpatialBody>,
-    u_i: Vec3,
-    u_j: Vec3,
-    f_i: Vec3,
-    g_i: Vec3,
-    h_j: Vec3,
+    u_i: impl ::kin::rt::Components<3, Scalar = f64>,
+    u_j: impl ::kin::rt::Components<3, Scalar = f64>,
+    f_i: impl ::kin::rt::Components<3, Scalar = f64>,
+    g_i: impl ::kin::rt::Components<3, Scalar = f64>,
+    h_j: impl ::kin::rt::Components<3, Scalar = f64>,
 ) -> cylindrical {
     cylindrical {
         i: ::core::convert::Into::into(i),
         j: ::core::convert::Into::into(j),
-        u_i,
-        u_j,
-        f_i,
-        g_i,
-        h_j,
+        u_i: ::kin::rt::vector(u_i),
+        u_j: ::kin::rt::vector(u_j),
+        f_i: ::kin::rt::vector(f_i),
+        g_i: ::kin::rt::vector(g_i),
+        h_j: ::kin::rt::vector(h_j),
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -138,8 +138,8 @@ const _: () = {
             to.put("g_i", &self.g_i);
             to.put("h_j", &self.h_j);
         }
-        fn depends(&self) -> ::kin::Dependence {
-            ::kin::Dependence {
+        fn depends(&self) -> ::kin::rt::Dependence {
+            ::kin::rt::Dependence {
                 c_on_t: false,
                 c_q_on_t: false,
                 c_t: false,

@@ -15,13 +15,13 @@ struct on_cam {
 fn on_cam(
     cam: impl ::core::convert::Into<::kin::PlanarBody>,
     follower: impl ::core::convert::Into<::kin::PlanarBody>,
-    tip: Vec2,
+    tip: impl ::kin::rt::Components<2, Scalar = f64>,
     profile: Law,
 ) -> on_cam {
     on_cam {
         cam: ::core::convert::Into::into(cam),
         follower: ::core::convert::Into::into(follower),
-        tip,
+        tip: ::kin::rt::vector(tip),
         profile,
     }
 }
@@ -96,8 +96,8 @@ const _: () = {
             to.put("tip", &self.tip);
             to.put("profile", &self.profile);
         }
-        fn depends(&self) -> ::kin::Dependence {
-            ::kin::Dependence {
+        fn depends(&self) -> ::kin::rt::Dependence {
+            ::kin::rt::Dependence {
                 c_on_t: false,
                 c_q_on_t: false,
                 c_t: false,

@@ -15,14 +15,14 @@ pub struct revolute {
 pub fn revolute(
     i: impl ::core::convert::Into<::kin::PlanarBody>,
     j: impl ::core::convert::Into<::kin::PlanarBody>,
-    u_i: Vec2,
-    u_j: Vec2,
+    u_i: impl ::kin::rt::Components<2, Scalar = f64>,
+    u_j: impl ::kin::rt::Components<2, Scalar = f64>,
 ) -> revolute {
     revolute {
         i: ::core::convert::Into::into(i),
         j: ::core::convert::Into::into(j),
-        u_i,
-        u_j,
+        u_i: ::kin::rt::vector(u_i),
+        u_j: ::kin::rt::vector(u_j),
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -86,8 +86,8 @@ const _: () = {
                 ::core::option::Option::None,
             ]
         }
-        fn depends(&self) -> ::kin::Dependence {
-            ::kin::Dependence {
+        fn depends(&self) -> ::kin::rt::Dependence {
+            ::kin::rt::Dependence {
                 c_on_t: false,
                 c_q_on_t: false,
                 c_t: false,

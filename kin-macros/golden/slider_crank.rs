@@ -104,8 +104,8 @@ const _: () = {
                 ::core::option::Option::None,
             ]
         }
-        fn depends(&self) -> ::kin::Dependence {
-            ::kin::Dependence {
+        fn depends(&self) -> ::kin::rt::Dependence {
+            ::kin::rt::Dependence {
                 c_on_t: true,
                 c_q_on_t: false,
                 c_t: true,

@@ -245,7 +245,7 @@ fn the_table_is_complete() {
         }
         let text = std::fs::read_to_string(&path).expect("readable");
         let spatial = path.to_string_lossy().contains("spatial");
-        for name in text.lines().filter_map(|line| line.strip_prefix("pub fn ")?.split('(').next()) {
+        for name in text.lines().filter_map(|line| line.strip_prefix("pub fn ")?.split(['(', '<']).next()) {
             let name = name.to_owned();
             // the norm of Euler parameters comes with every body by itself
             if name != "euler_norm" && !listed.contains(&(spatial, name.clone())) {

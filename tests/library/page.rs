@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::sample::{Argument, Random, arguments};
 use crate::table::Joint;
-use crate::{laws, sketch, table};
+use crate::{laws, signature, sketch, table};
 
 const HEAD: &str = "\
 # The library
@@ -14,6 +14,20 @@ Made from the code by `KIN_BLESS=1 cargo test --test library page`; a test compa
 
 Each joint is a function whose body is its equation; derivatives are Kin's. `i`, `j` are bodies (the ground is one), `u_i`, `u_j` local positions, `h_i`,
 `h_j` local directions, R and A position and rotation of a body, r_P = R + A ū. In the pictures body i is blue, body j grey, what is driven orange.
+
+Points and directions are local, in the frame of their body. Where a machine is drawn in global points, `m.local` says what they are in a body as it is
+drawn, and `m.local_direction` the same of directions:
+
+```rust
+let arm = m.planar(\"arm\", pose(0.2, 0.1, 0.3))?;
+m.add(\"pin\", revolute(arm, m.ground(), m.local(arm, (0.5, 0.4))?, (0.5, 0.4)))?;      // where it is drawn, at (0.5, 0.4)
+```
+
+The lists below say what each joint is called with. `Planar` and `Spatial` take a body, a link or the ground; `Coord` a coordinate (`crank.theta()`,
+`m.angle(…)?`); `Vec2` and `Vec3` a vector, a tuple or an array; `Axis` a direction, or `Axis::new(h, f)` with f, from where angles about h count by the
+right hand; `EulerParameters` (e0, e1, e2, e3), scalar first; `Law` a law. Angles of planar bodies are counter-clockwise positive; *i in j* is body i as
+it is seen from body j.
+
 *Rows* are the freedoms removed. *Left* are the freedoms left between two bodies, or to one body in the world. *Ex.* marks joints whose bodies may be
 exchanged together with their parameters. *Measures* are what `System::measure` can be asked for by name, such as `\"slot.slide\"`.
 ";
@@ -24,15 +38,17 @@ fn tidy(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// The doc comment's first paragraph, its equation and unit, and the rest.
-fn paragraphs(text: &str) -> (String, String) {
+/// The doc comment's first paragraph, its equation and unit; the rest; what it says of signs and directions.
+fn paragraphs(text: &str) -> (String, String, String) {
     let (first, rest) = text.split_once("\n\n").unwrap_or((text, ""));
-    (tidy(first), links(&tidy(rest)))
+    let (rest, signs) = rest.split_once("\n\nSigns: ").unwrap_or((rest, ""));
+    (tidy(first), links(&tidy(rest)), links(&tidy(signs)))
 }
 
 /// Names in documentation that link to code are plain names here.
 fn links(text: &str) -> String {
-    let mut text = text.to_owned();
+    let mut text =
+        text.replace("(fn@super::", "(fn@").replace("[`Axis::along`]", "`Axis::along`").replace("[`Vec3::axis_near`]", "`Vec3::axis_near`");
     while let (Some(from), Some(to)) = (text.find("](fn@"), text.find("](fn@").and_then(|from| Some(from + text[from..].find(')')?))) {
         text.replace_range(from..=to, "");
         if let Some(open) = text[..from].rfind('[') {
@@ -45,7 +61,7 @@ fn links(text: &str) -> String {
 fn line(joint: &Joint) -> String {
     let sample = (joint.make)(&mut Random::new(1));
     let constraint = sample.constraint();
-    let (equation, _) = paragraphs(constraint.description());
+    let (equation, ..) = paragraphs(constraint.description());
     let (rows, own) = (constraint.rows().len(), arguments(constraint));
     let coordinates = own.iter().filter(|argument| matches!(argument, Argument::Coord(_))).count();
     let all = if own.iter().any(|argument| matches!(argument, Argument::Spatial(_))) { 6 } else { 3 };
@@ -53,7 +69,8 @@ fn line(joint: &Joint) -> String {
         1 | 2 => (all + coordinates - rows).to_string(),
         _ => "–".to_owned(),
     };
-    let names: Vec<&str> = constraint.arguments().iter().map(|argument| argument.name).collect();
+    let mut names: Vec<&str> = constraint.arguments().iter().map(|argument| argument.name).collect();
+    names.dedup();
     let picture = format!("library/{}", file(joint));
     let exchanged = if joint.exchanged.is_some() { "✓" } else { "" };
     format!("| ![{}]({picture}) | `{}` ({}) | {equation} | {rows} | {left} | {exchanged} |\n", joint.name(), joint.name(), names.join(", "))
@@ -67,6 +84,7 @@ fn file(joint: &Joint) -> String {
 
 fn page() -> String {
     let mut text = HEAD.to_owned();
+    let signatures = signature::all();
     for (group, title) in [
         ("planar", "Planar joints and couplings (in the prelude)"),
         ("drivers", "Drivers of coordinates and planar bodies (in the prelude)"),
@@ -79,7 +97,9 @@ fn page() -> String {
         text += "\n";
         for joint in &own {
             let sample = (joint.make)(&mut Random::new(1));
-            let _ = writeln!(text, "* **`{}`**: {}", joint.name(), paragraphs(sample.constraint().description()).1);
+            let (_, more, signs) = paragraphs(sample.constraint().description());
+            let given = signature::of(&signatures, joint);
+            let _ = writeln!(text, "* **`{}`** `({given})`: {more} *Signs:* {signs}", joint.name());
         }
     }
     text += "\n## Laws\n\nA break is where a derivative jumps; there the law has the derivatives of its right side.\n\n";
@@ -115,6 +135,33 @@ fn compare(path: &Path, expected: &str, different: &mut Vec<String>) {
     }
     if std::fs::read_to_string(path).unwrap_or_default() != expected {
         different.push(path.display().to_string());
+    }
+}
+
+/// A joint without a word on which way is positive would be tried both ways by everyone.
+#[test]
+fn every_joint_says_which_way_is_positive() {
+    for joint in table::all() {
+        let sample = (joint.make)(&mut Random::new(1));
+        let (equation, _, signs) = paragraphs(sample.constraint().description());
+        assert!(!signs.is_empty(), "`{}` does not tell its signs in a paragraph of their own", joint.name());
+        assert!(equation.contains('[') && equation.ends_with(']'), "`{}` does not tell its units: {equation}", joint.name());
+    }
+}
+
+/// The signatures on the page, taken from the source, have the arguments and parameters that the constraint itself tells.
+#[test]
+fn signatures_are_those_of_the_constraints() {
+    let signatures = signature::all();
+    for joint in table::all() {
+        let sample = (joint.make)(&mut Random::new(1));
+        let given = signature::of(&signatures, &joint);
+        let names: Vec<&str> = given.split(", ").filter_map(|argument| argument.split_once(": ").map(|(name, _)| name)).collect();
+        let mut told: Vec<String> = sample.constraint().arguments().iter().map(|argument| argument.name.to_owned()).collect();
+        sample.constraint().parameters(&mut |name, _| told.extend(name.split(['.', '[']).next().map(str::to_owned)));
+        told.dedup();
+        assert_eq!(told.len(), names.len(), "`{}`: {told:?} {given}", joint.name());
+        assert!(told.iter().all(|name| names.contains(&name.as_str())), "`{}`: {told:?} {given}", joint.name());
     }
 }
 

@@ -75,6 +75,7 @@ fn planar() -> Vec<Joint> {
             let (k_a, k_b, value) = (r.length(), r.number(), r.number());
             sample(coupling(c(), c(), k_b, k_a, value))
         }),
+        of(|r| sample(linear_coupling([c(), c(), c()], [r.length(), r.number(), r.number()], r.number()))),
         of(|r| sample(moving_point(p(), p(), r.law(), r.law(), r.v2()))),
         of(|r| sample(point_on_path(p(), p(), c(), r.law(), r.law(), r.v2()))),
     ]
@@ -166,6 +167,11 @@ fn spatial_joints() -> Vec<Joint> {
         }),
         of(|r| sample(spatial::relative_angle(s(), s(), c(), r.axis(), r.axis()))),
         of(|r| sample(spatial::gear(s(), s(), s(), r.axis(), r.axis(), r.axis(), r.axis(), 3.0, -2.0, r.number()))),
+        of(|r| {
+            let axes = [r.axis(), r.axis(), r.axis(), r.axis()];
+            sample(spatial::gear_by_radii(s(), s(), s(), c(), axes[0], axes[1], axes[2], axes[3], r.length(), -r.length(), r.number()))
+        }),
+        of(|r| sample(spatial::thread(s(), s(), r.v3(), r.v3(), r.axis(), r.axis(), r.length()))),
         of(|r| sample(spatial::rack_and_pinion(s(), s(), r.v3(), r.v3(), r.axis(), r.axis(), r.length(), r.number()))),
     ]
 }
@@ -196,5 +202,9 @@ fn spatial_drivers() -> Vec<Joint> {
         of(|r| sample(spatial::drive_point_along(s(), r.v3(), r.axis(), r.law()))),
         of(|r| sample(spatial::drive_rotation(s(), s(), r.axis(), r.law()))),
         of(|r| sample(spatial::drive_orientation(s(), s(), r.law(), r.law(), r.law()))),
+        of(|r| {
+            let (u_i, u_j, p_i, p_j) = (r.v3(), r.v3(), r.turn(), r.turn());
+            sample(spatial::drive_motion(s(), s(), u_i, u_j, p_i, p_j, r.law(), r.law(), r.law(), r.law(), r.law(), r.law()))
+        }),
     ]
 }

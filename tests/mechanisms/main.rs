@@ -2,6 +2,7 @@
 
 mod machines;
 mod planar;
+mod preferred;
 mod shafts;
 mod spatial_loops;
 

@@ -47,8 +47,19 @@ impl Axis {
 impl<T: Scalar> Vec3<T> {
     /// The axis along a direction that does not move: [`Axis::along`] for any numbers, for measures of joints that hold the direction alone.
     pub fn axis(self) -> Axis<T> {
-        let Vec3 { x, y, z } = self;
-        Axis::along(Vec3::new(x.value(), y.value(), z.value())).map(|v| Vec3::new(v.x.into(), v.y.into(), v.z.into()))
+        Axis::along(self.plain()).map(|v| v.map(Into::into))
+    }
+
+    /// The same with f as near to another direction as may be, the part of it across the axis; where there is none, f is of Kin's choice.
+    pub fn axis_near(self, f: Vec3<T>) -> Axis<T> {
+        let chosen = Axis::new(self.plain(), f.plain());
+        let axis = if chosen.is_sound() { chosen } else { Axis::along(self.plain()) };
+        axis.map(|v| v.map(Into::into))
+    }
+
+    /// Its components as plain numbers.
+    fn plain(self) -> Vec3 {
+        Vec3::new(self.x.value(), self.y.value(), self.z.value())
     }
 }
 

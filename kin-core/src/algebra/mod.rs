@@ -22,8 +22,12 @@ pub use scalar::{Mix, Mixed, Scalar};
 pub use vec2::{Vec2, vec2};
 pub use vec3::{Vec3, vec3};
 
-/// N components of one kind, which the methods of vectors take: a vector of Kin's by value or by reference, nalgebra's, an array, a tuple.
-#[diagnostic::on_unimplemented(message = "`{Self}` is not a vector of {N} components")]
+/// N components of one kind, which joints and the methods of vectors take: a vector of Kin's by value or by reference, nalgebra's, an array, a tuple.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a vector of {N} components",
+    label = "{N} components are wanted here",
+    note = "a vector of the plane is `vec2(x, y)` or `(x, y)`, one of space `vec3(x, y, z)` or `(x, y, z)`; numbers have a point, as `1.0`"
+)]
 pub trait Components<const N: usize> {
     /// What the components are.
     type Scalar: Scalar;

@@ -3,6 +3,7 @@
 mod label;
 pub(crate) mod modes;
 pub(crate) mod options;
+mod preferred;
 pub(crate) mod search;
 pub(crate) mod squares;
 mod turn;
@@ -11,3 +12,4 @@ pub(crate) mod turned_over;
 pub use label::Label;
 pub use modes::{Assembly, AssemblyOptions};
 pub use options::SearchOptions;
+pub(crate) use preferred::{Asked, apart, distance};

@@ -72,10 +72,9 @@ fn better(model: &Model<'_>, new: &Found, known: &Found) -> bool {
     }
 }
 
-/// How far the worst preferred coordinate is from its value, relative to its size.
+/// How far the worst preferred coordinate is from its value.
 fn distance(model: &Model<'_>, found: &Found) -> f64 {
-    let far = |&(column, value): &(usize, f64)| (found.place.q[column] - value).abs() / found.measures.sizes[column];
-    model.preferred.iter().map(far).fold(0.0, f64::max)
+    super::distance(model.layout, model.preferred, &found.place.q, &found.measures.sizes)
 }
 
 /// Least squares from one start, measured anew where that has changed much.

@@ -91,7 +91,8 @@ pub(super) fn shipped(registry: Registry) -> Registry {
         .with_law("s_curve", |law| {
             Ok(Law::s_curve(law.number("distance")?, law.number("speed")?, law.number("acceleration")?, law.number("jerk")?))
         })
-        .with_law("spline", spline)
+        .with_law("spline", |law| spline(law, Law::spline))
+        .with_law("quintic_spline", |law| spline(law, Law::quintic_spline))
         .with_law("sequence", sequence)
         .with_law("periodic", |law| Ok(law.part("law")?.periodic(law.number("period")?)))
         .with_law("product", |law| Ok(law.part("first")? * law.part("second")?))
@@ -100,14 +101,14 @@ pub(super) fn shipped(registry: Registry) -> Registry {
         .with_law("composed", |law| Ok(law.part("outer")?.compose(&law.part("inner")?)))
 }
 
-fn spline(law: &LawReader<'_>) -> Result<Law, String> {
+fn spline(law: &LawReader<'_>, make: fn(&[(f64, f64)], Ends) -> Law) -> Result<Law, String> {
     let table: Vec<(f64, f64)> = law.list("x", 0).into_iter().zip(law.list("y", 0)).collect();
     let ends = match (law.number("periodic"), law.number("start")) {
         (Ok(_), _) => Ends::Periodic,
         (_, Ok(start)) => Ends::Clamped { start, end: law.number("end")? },
         _ => Ends::Natural,
     };
-    Ok(Law::spline(&table, ends))
+    Ok(make(&table, ends))
 }
 
 fn sequence(law: &LawReader<'_>) -> Result<Law, String> {

@@ -32,6 +32,18 @@ pub struct MechanismData {
     /// Ranges that measures should keep to.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub limits: Vec<LimitData>,
+    /// Measures by whose values an assembly is preferred.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub preferred: Vec<PreferredData>,
+}
+
+/// The value that a measure of a joint should have in the assembly that is meant.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PreferredData {
+    /// The measure, such as `elbow.angle`.
+    pub measure: String,
+    /// Its value, in its unit.
+    pub value: f64,
 }
 
 /// The range that a measure of a joint or a coordinate should keep to; `None` for no end.
@@ -138,7 +150,8 @@ impl Mechanism {
         let limit = |Limit { name, ends: [from, to] }: &Limit| LimitData { measure: name.clone(), from: end(*from), to: end(*to) };
         let limits = self.limits.iter().map(limit).collect();
         let units = self.layout.words.clone();
-        Ok(MechanismData { format: FORMAT, name: self.name.clone(), units, bodies, constraints, limits })
+        let preferred = self.asked.iter().map(|(measure, value)| PreferredData { measure: measure.clone(), value: *value }).collect();
+        Ok(MechanismData { format: FORMAT, name: self.name.clone(), units, bodies, constraints, limits, preferred })
     }
 
     fn constraint_data(&self, name: &str, constraint: &dyn Constraint) -> Result<ConstraintData> {
@@ -187,6 +200,9 @@ impl Mechanism {
         }
         for LimitData { measure, from, to } in &data.limits {
             mechanism.limit(measure, from.unwrap_or(f64::NEG_INFINITY), to.unwrap_or(f64::INFINITY))?;
+        }
+        for PreferredData { measure, value } in &data.preferred {
+            mechanism.prefer(measure, *value);
         }
         Ok(mechanism)
     }

@@ -18,6 +18,7 @@ fn registered_planar(registry: Registry) -> Registry {
         .with::<planar::rack_and_pinion>()
         .with::<planar::rolling>()
         .with::<planar::coupling>()
+        .with::<planar::linear_coupling>()
         .with::<planar::point_on_curve>()
         .with::<planar::cam_knife_edge>()
         .with::<planar::cam_flat_face>()
@@ -52,12 +53,15 @@ fn registered_drivers(registry: Registry) -> Registry {
         .with::<drivers::spatial::drive_point_along>()
         .with::<drivers::spatial::drive_rotation>()
         .with::<drivers::spatial::drive_orientation>()
+        .with::<drivers::spatial::drive_motion>()
 }
 
 fn registered_spatial(registry: Registry) -> Registry {
     registry
         .with::<spatial::relative_angle>()
         .with::<spatial::gear>()
+        .with::<spatial::gear_by_radii>()
+        .with::<spatial::thread>()
         .with::<spatial::rack_and_pinion>()
         .with::<spatial::parallel>()
         .with::<spatial::perpendicular>()

@@ -1,83 +1,55 @@
 //! Cubic splines through tables.
 
+use std::ops::Deref;
 use std::path::Path;
 
-use super::sequence::within;
+use super::points::{self, Ends, Points};
 use super::{Break, Law, LawFunction, trusted_parts};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::proof::{Interval, ONE, Series, piecewise, repeated};
-
-/// What a spline does at the ends of its table.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Ends {
-    /// No curvature: it goes on as a line.
-    Natural,
-    /// Given slopes, with which it goes on as a line.
-    Clamped {
-        /// Slope at the first x.
-        start: f64,
-        /// Slope at the last x.
-        end: f64,
-    },
-    /// It repeats: the last y is the first one again.
-    Periodic,
-}
 
 impl Law {
     /// A cubic spline through the points (x, y), x increasing, at least two (three to be periodic): C² between the ends.
     ///
     /// A table that does not increase, or does not repeat though it should, is refused where a mechanism is to use the law.
     pub fn spline(table: &[(f64, f64)], ends: Ends) -> Law {
-        Law::new(Spline::new(table.to_vec(), ends))
+        Law::new(Spline::new(Points { table: table.to_vec(), ends }))
     }
 
     /// A cubic spline through the first two columns of a CSV file; a first line that is no numbers is a header.
     ///
     /// Errors: a file that cannot be read, a line without two numbers, a table that does not increase.
     pub fn spline_from_csv(path: impl AsRef<Path>, ends: Ends) -> Result<Law> {
-        let path = path.as_ref();
-        let fail = |reason: String| Error::Table { path: path.to_path_buf(), reason };
-        let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).trim(csv::Trim::All).from_path(path);
-        let reader = reader.as_mut().map_err(|error| fail(error.to_string()))?;
-        let mut table = Vec::new();
-        for (k, record) in reader.records().enumerate() {
-            let record = record.map_err(|error| fail(error.to_string()))?;
-            let number = |column: usize| record.get(column).and_then(|text| text.parse::<f64>().ok());
-            match (number(0), number(1)) {
-                (Some(x), Some(y)) => table.push((x, y)),
-                _ if k == 0 => {}
-                _ => return Err(fail(format!("line {}: `{}` is not two numbers", k + 1, record.iter().collect::<Vec<_>>().join(",")))),
-            }
-        }
-        let law = Law::spline(&table, ends);
-        law.refusal().map_or(Ok(law), |reason| Err(fail(reason)))
+        points::from_csv(path.as_ref(), |table| Law::spline(table, ends))
     }
 }
 
 #[derive(Clone)]
 struct Spline {
-    table: Vec<(f64, f64)>,
-    ends: Ends,
+    points: Points,
     /// f″ at each x; empty for a table that is refused.
     curvature: Vec<f64>,
     /// How far these can be from what is meant.
     error: f64,
 }
 
+/// Its points are its own.
+impl Deref for Spline {
+    type Target = Points;
+
+    fn deref(&self) -> &Points {
+        &self.points
+    }
+}
+
 impl Spline {
-    fn new(table: Vec<(f64, f64)>, ends: Ends) -> Self {
-        let mut spline = Spline { table, ends, curvature: Vec::new(), error: 0.0 };
+    fn new(points: Points) -> Self {
+        let mut spline = Spline { points, curvature: Vec::new(), error: 0.0 };
         if spline.refusal().is_none() {
             spline.curvature = spline.curvatures();
             spline.error = spline.curvature_error();
         }
         spline
-    }
-
-    /// Width and slope of the straight line over interval k.
-    fn interval(&self, k: usize) -> (f64, f64) {
-        let ((x0, y0), (x1, y1)) = (self.table[k], self.table[k + 1]);
-        (x1 - x0, (y1 - y0) / (x1 - x0))
     }
 
     /// f″ at the knots, from continuity of f′: (h_(k−1) m_(k−1) + 2 (h_(k−1) + h_k) m_k + h_k m_(k+1))/6 = s_k − s_(k−1).
@@ -105,15 +77,6 @@ impl Spline {
                 m
             }
         }
-    }
-
-    /// x brought into the table, and where it is there: interval, or outside of it.
-    fn place(&self, x: f64) -> (f64, usize) {
-        let (first, last) = (self.table[0].0, self.table[self.table.len() - 1].0);
-        let turned = || Some(first + within(x - first, last - first)).filter(|x| *x < last).unwrap_or(first);
-        let x = if self.ends == Ends::Periodic { turned() } else { x };
-        let after = self.table.partition_point(|(knot, _)| *knot <= x);
-        (x, after)
     }
 
     /// Over interval k, at x.
@@ -291,47 +254,18 @@ impl LawFunction for Spline {
     }
 
     fn refusal(&self) -> Option<String> {
-        let least = if self.ends == Ends::Periodic { 3 } else { 2 };
-        if self.table.len() < least {
-            return Some(format!("spline: the table has {} points; it needs {least}", self.table.len()));
-        }
-        if let Some(k) = self.table.iter().position(|(x, y)| !(x.is_finite() && y.is_finite())) {
-            return Some(format!("spline: point {} is ({}, {}); give finite numbers", k + 1, self.table[k].0, self.table[k].1));
-        }
-        if let Some(k) = self.table.windows(2).position(|pair| pair[1].0 <= pair[0].0) {
-            let (before, after) = (self.table[k].0, self.table[k + 1].0);
-            return Some(format!("spline: the table does not increase: x = {before} is followed by {after} (point {})", k + 2));
-        }
-        let (first, last) = (self.table[0].1, self.table[self.table.len() - 1].1);
-        let size = self.table.iter().fold(0.0_f64, |m, (_, y)| m.max(y.abs()));
-        (self.ends == Ends::Periodic && (first - last).abs() > 1e-9 * size)
-            .then(|| format!("spline: a periodic table ends as it begins, but y is {first} at first and {last} at last"))
+        self.points.refusal("spline")
     }
 
-    /// The x of the table, and its ends: `periodic` is 1 where it repeats; `start` and `end` are the slopes where they are given.
     fn fixed_numbers(&self) -> Vec<(String, f64)> {
-        let ends = match self.ends {
-            Ends::Natural => vec![],
-            Ends::Clamped { start, end } => vec![("start".to_string(), start), ("end".to_string(), end)],
-            Ends::Periodic => vec![("periodic".to_string(), 1.0)],
-        };
-        self.table.iter().enumerate().map(|(k, (x, _))| (format!("x[{k}]"), *x)).chain(ends).collect()
+        self.points.fixed_numbers()
     }
 
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-        for (k, (_, y)) in self.table.iter().enumerate() {
-            visit(&format!("y[{k}]"), *y);
-        }
+        self.points.parameters(visit);
     }
 
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
-        let k = (0..self.table.len()).find(|k| name == format!("y[{k}]"))?;
-        let mut table = self.table.clone();
-        table[k].1 = value;
-        if self.ends == Ends::Periodic && (k == 0 || k + 1 == table.len()) {
-            let last = table.len() - 1;
-            (table[0].1, table[last].1) = (value, value);
-        }
-        Some(Law::new(Spline::new(table, self.ends)))
+        Some(Law::new(Spline::new(self.points.with_parameter(name, value)?)))
     }
 }

@@ -9,7 +9,7 @@ use crate::system::System;
 
 /// One measure of one constraint.
 #[derive(Clone, Copy)]
-pub(super) struct Place {
+pub(crate) struct Place {
     pub block: usize,
     pub number: usize,
     pub told: Measured,
@@ -23,7 +23,7 @@ impl System {
     }
 
     /// Where a measure is, by its name.
-    pub(super) fn place_of(&self, name: &str) -> Option<Place> {
+    pub(crate) fn place_of(&self, name: &str) -> Option<Place> {
         let (joint, measure) = name.rsplit_once('.')?;
         let (block, (_, constraint)) = self.constraints().enumerate().find(|(_, (known, _))| *known == joint)?;
         let number = constraint.measures().iter().position(|known| known.name == measure)?;
@@ -31,7 +31,7 @@ impl System {
     }
 
     /// The error for a name that no measure has: what can be asked of that joint, or of all.
-    pub(super) fn no_measure(&self, name: &str) -> Error {
+    pub(crate) fn no_measure(&self, name: &str) -> Error {
         let joint = |name: &str| self.constraints().find(|(known, _)| *known == name);
         let Some((joint, constraint)) = joint(name).or_else(|| joint(name.rsplit_once('.')?.0)) else {
             let known = self.measures().into_iter().chain(self.coordinate_names().iter().cloned()).collect();

@@ -3,6 +3,7 @@
 //! Anything that is one number over time can be asked: by name, by coordinate, or by a function of a motion. Times between those of the grid
 //! are found by solving the pose there, not by interpolation.
 
+mod assemblies;
 mod between;
 mod extremes;
 mod joint;
@@ -18,14 +19,26 @@ use crate::error::Result;
 use crate::motion::{Motion, Quantity};
 use crate::system::System;
 
-/// One number over time that can be asked of a motion: a name (`"slot.slide"` of a joint, `"crank.theta"` of a coordinate), a coordinate
-/// (`crank.theta()`), or a function such as `|m: &Motion| m.transmission_angle(coupler, rocker)`.
+/// One number over time that can be asked of a motion: a name (`"slot.slide"` of a joint, `"crank.theta"` of a coordinate; a `String` too), a
+/// coordinate (`crank.theta()`), or a function such as `|m: &Motion| m.transmission_angle(coupler, rocker)`.
 pub trait Measure {
     /// It over the times of a motion of the system, with its rates.
     fn of(&self, system: &System, motion: &Motion) -> Result<Quantity>;
 }
 
 impl Measure for &str {
+    fn of(&self, system: &System, motion: &Motion) -> Result<Quantity> {
+        joint::named(system, motion, self)
+    }
+}
+
+impl Measure for String {
+    fn of(&self, system: &System, motion: &Motion) -> Result<Quantity> {
+        joint::named(system, motion, self)
+    }
+}
+
+impl Measure for &String {
     fn of(&self, system: &System, motion: &Motion) -> Result<Quantity> {
         joint::named(system, motion, self)
     }

@@ -36,17 +36,18 @@ pub struct SpatialPose {
 
 impl SpatialPose {
     /// The pose with position R and Euler parameters p.
-    pub fn new(r: Vec3, p: EulerParameters) -> Self {
-        SpatialPose { r, p }
+    pub fn new(r: impl Into<Vec3>, p: EulerParameters) -> Self {
+        SpatialPose { r: r.into(), p }
     }
 
     /// Position R, not turned: p = (1, 0, 0, 0).
-    pub fn at(r: Vec3) -> Self {
-        SpatialPose { r, p: EulerParameters::new(1.0, 0.0, 0.0, 0.0) }
+    pub fn at(r: impl Into<Vec3>) -> Self {
+        SpatialPose { r: r.into(), p: EulerParameters::new(1.0, 0.0, 0.0, 0.0) }
     }
 
     /// Turned by `angle` about the direction `axis` through its origin R: p = (cos φ/2, n sin φ/2). A zero axis turns nothing.   \[m, rad\]
-    pub fn turned(r: Vec3, axis: Vec3, angle: f64) -> Self {
+    pub fn turned(r: impl Into<Vec3>, axis: impl Into<Vec3>, angle: f64) -> Self {
+        let (r, axis) = (r.into(), axis.into());
         let largest = axis.x.abs().max(axis.y.abs()).max(axis.z.abs());
         if largest == 0.0 {
             return SpatialPose::at(r);
@@ -59,9 +60,9 @@ impl SpatialPose {
 
     /// At R with the body's x-axis along h of an axis and its y-axis along f: `SpatialPose::facing(r, vec3(1.0, 1.0, 0.0))`, or with both directions
     /// chosen `SpatialPose::facing(r, Axis::new(h, f))`.   \[m, –\]
-    pub fn facing(r: Vec3, x: impl Into<Axis>) -> Self {
+    pub fn facing(r: impl Into<Vec3>, x: impl Into<Axis>) -> Self {
         let Axis { h, f, g } = x.into();
-        SpatialPose { r, p: EulerParameters::from_rotation(Mat3::from_columns([h, f, g])) }
+        SpatialPose { r: r.into(), p: EulerParameters::from_rotation(Mat3::from_columns([h, f, g])) }
     }
 
     /// (R, p/|p|) as coordinates; not finite where p = 0.

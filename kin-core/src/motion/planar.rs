@@ -24,9 +24,9 @@ impl From<Link> for Line {
     }
 }
 
-impl<B: Into<PlanarBody>> From<(B, Vec2)> for Line {
-    fn from((body, h): (B, Vec2)) -> Self {
-        Line { body: body.into(), h }
+impl<B: Into<PlanarBody>, V: Into<Vec2>> From<(B, V)> for Line {
+    fn from((body, h): (B, V)) -> Self {
+        Line { body: body.into(), h: h.into() }
     }
 }
 

@@ -115,7 +115,8 @@ impl RotationMotion {
     }
 
     /// ω · h/|h| over time, h in the frame that the components are in: a shaft's speed about its axis is `in_body().about(axis)`.   \[rad/s\]
-    pub fn about(&self, h: Vec3) -> Series {
+    pub fn about(&self, h: impl Into<Vec3>) -> Series {
+        let h = h.into();
         let h = h / h.norm();
         Series::new("angular velocity", self.unit(1), (&self.times, &self.units), self.omega.iter().map(|omega| omega.dot(h)).collect())
     }

@@ -4,8 +4,8 @@
 //! is preferred, damped least squares on C (Levenberg–Marquardt, which needs no regular C_q) with the preferred coordinates held softly,
 //! then ever more softly, then not at all; Newton ends it. Where that fails too, the same from a few other starts, always the same ones.
 
-use super::{Failure, Newton, Outcome, Steps, driven, largest};
-use crate::assembly::{search, turned_over};
+use super::{Failure, Newton, Outcome, Steps, driven};
+use crate::assembly::{self, search, turned_over};
 use crate::error::{Error, Result};
 use crate::system::scale;
 
@@ -21,7 +21,14 @@ pub(crate) fn assemble(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
         return from_start(newton, t, Steps::Full);
     }
     measure(newton, t);
-    let outcome = search(newton, t)?;
+    let found = search(newton, t);
+    let outcome = match newton.system.nearer(found.is_ok().then_some(&newton.q), t, &newton.options.search) {
+        Some(q) => {
+            newton.q.copy_from_slice(&q);
+            attempt_any_way_up(newton, t).or(found)?
+        }
+        None => found?,
+    };
     newton.rates().map_err(|failure| newton.error(failure, t, None))?;
     Ok(outcome)
 }
@@ -145,9 +152,9 @@ fn more_telling(known: Option<Error>, new: Error) -> Error {
     }
 }
 
-/// How far the worst preferred coordinate is from its value, relative to its size.
+/// How far the worst preferred coordinate is from its value.
 fn distance(newton: &Newton<'_>) -> f64 {
-    largest(newton.system.preferred().iter().map(|&(column, value)| (newton.q[column] - value).abs() / newton.sizes[column]))
+    assembly::distance(newton.system.layout(), newton.system.preferred(), &newton.q, &newton.sizes)
 }
 
 /// The guess, from the second start on with everything but the preferred coordinates moved at random.

@@ -94,7 +94,10 @@ impl<'a> Driver<'a> {
 
     /// Assembled from the guess, into the preferred assembly.
     fn assembled(system: &'a System, options: &'a Options, t: f64) -> Result<(Self, Outcome)> {
-        let found = search::search(system.model(), system.initial(), t, &|_| true, &options.search);
+        let mut found = search::search(system.model(), system.initial(), t, &|_| true, &options.search);
+        if let Some(q) = system.nearer(found.as_ref().filter(|found| found.met).map(|found| &found.place.q[..]), t, &options.search) {
+            found = search::descend(system.model(), &q, t, &|_| true, false, options.search.steps);
+        }
         Self::found(system, options, t, found, system.initial())
     }
 

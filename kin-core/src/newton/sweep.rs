@@ -316,8 +316,12 @@ impl<'a> Sweep<'a> {
                 let _ = self.newton.linearize(target);
                 self.newton.error(failure, target, Some(t))
             }
-            Trouble::Objected(Objection::Long) => Error::CannotFollow { t, units: self.newton.system.unit_words().clone(), reason: TOO_MANY, motion: None },
-            Trouble::Objected(objection) => Error::CannotFollow { t, units: self.newton.system.unit_words().clone(), reason: objection.reason(), motion: None },
+            Trouble::Objected(Objection::Long) => {
+                Error::CannotFollow { t, units: self.newton.system.unit_words().clone(), reason: TOO_MANY, motion: None }
+            }
+            Trouble::Objected(objection) => {
+                Error::CannotFollow { t, units: self.newton.system.unit_words().clone(), reason: objection.reason(), motion: None }
+            }
         })
     }
 

@@ -15,9 +15,9 @@ mod rows;
 mod sound;
 mod timed;
 
-pub use crate::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
+pub use crate::algebra::{Axis, Components, EulerParameters, Mat2, Mat3, Vec2, Vec3};
 pub use crate::blame::{Asked, Blame};
-pub use crate::constraint::{Attached, Attachment, Measured};
+pub use crate::constraint::{Attached, Attachment, Dependence, Measured};
 pub use crate::coordinates::{Argument, Target, Trig};
 pub use crate::data::{Described, Describer, Reader, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold};
 pub use crate::dual_route::{ArgumentKind, Equation};
@@ -56,6 +56,11 @@ pub fn attachments(all: &[(usize, bool, [f64; 3])]) -> Vec<Attachment> {
         Attachment { argument, what: if is_point { Attached::Point(v) } else { Attached::Direction(v) } }
     };
     all.iter().map(attachment).collect()
+}
+
+/// A vector from what a constructor takes for one.
+pub fn vector<V: From<[f64; N]>, const N: usize>(components: impl Components<N, Scalar = f64>) -> V {
+    V::from(components.components())
 }
 
 /// The arguments of a constraint.

@@ -79,7 +79,11 @@ impl System {
 
     /// The same with other options.
     pub fn diagnose_with(&self, t: f64, options: &DiagnosisOptions) -> Result<Diagnosis> {
-        diagnosis::diagnose(self.model(), Start::Guess(&self.initial), time(t)?, options)
+        let t = time(t)?;
+        match self.nearer(None, t, &options.search) {
+            Some(q) => diagnosis::diagnose(self.model(), Start::Pose(&q), t, options),
+            None => diagnosis::diagnose(self.model(), Start::Guess(&self.initial), t, options),
+        }
     }
 
     /// The same at a pose q (length n), brought onto C = 0 first where it is off.

@@ -121,7 +121,7 @@ impl<'a> Frame<'a> {
         }
     }
 
-    /// The struct and its constructor.
+    /// The struct and its constructor, which takes links and the ground as bodies, a direction as an axis, tuples and arrays as vectors.
     fn declaration(&self) -> TokenStream {
         let source = self.source;
         let (visibility, name, attributes) = (&source.visibility, &source.name, &source.attributes);
@@ -132,6 +132,10 @@ impl<'a> Frame<'a> {
             let (name, ty) = (&argument.name, super::field_type(argument));
             match argument.kind {
                 Kind::Planar | Kind::Spatial | Kind::Coord | Kind::Axis => quote!(#name: impl ::core::convert::Into<#ty>),
+                Kind::Numbers(Shape::Vector(n)) => {
+                    let n = literal(n);
+                    quote!(#name: impl ::kin::rt::Components<#n, Scalar = f64>)
+                }
                 _ => quote!(#name: #ty),
             }
         });
@@ -139,6 +143,7 @@ impl<'a> Frame<'a> {
             let name = &argument.name;
             match argument.kind {
                 Kind::Planar | Kind::Spatial | Kind::Coord | Kind::Axis => quote!(#name: ::core::convert::Into::into(#name)),
+                Kind::Numbers(Shape::Vector(_)) => quote!(#name: ::kin::rt::vector(#name)),
                 _ => quote!(#name),
             }
         });

@@ -99,8 +99,8 @@ fn depends(g: &Graph, rows: &[Node], derived: &Derivatives, linear: bool) -> Tok
     let [c_t, q_d] = [&derived.velocity_rhs, &derived.acceleration_rhs].map(|side| side.iter().any(|&n| !g.is_zero(n)));
     let curved = !linear;
     quote! {
-        fn depends(&self) -> ::kin::Dependence {
-            ::kin::Dependence { c_on_t: #c, c_q_on_t: #c_q, c_t: #c_t, q_d: #q_d, curved: #curved }
+        fn depends(&self) -> ::kin::rt::Dependence {
+            ::kin::rt::Dependence { c_on_t: #c, c_q_on_t: #c_q, c_t: #c_t, q_d: #q_d, curved: #curved }
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Bodies of either kind, and points of either dimension.
 
-use kin::{Ground, Link, PlanarBody, SpatialBody, SpatialLink, Target, Vec2, Vec3};
+use kin::extend::Target;
+use kin::{Ground, Link, PlanarBody, SpatialBody, SpatialLink, Vec2, Vec3};
 
 /// A body of a mechanism, planar or spatial, or the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -4,7 +4,8 @@ mod body;
 mod form;
 mod outline;
 
-use kin::{Attached, Marker, System, Vec3};
+use kin::extend::Attached;
+use kin::{Marker, System, Vec3};
 
 pub(crate) use body::Kind;
 pub use body::{Body, Point};

@@ -9,6 +9,8 @@ use kin_macros::constraint;
 /// A point of body i stays on the curve y = f(x) of body j: s_y − f(s_x) = 0, s the point as body j sees it.      \[m\]
 ///
 /// Removes 1 freedom. `u_i`: the point; `curve`: f. Measures: `slide`, s_x; `angle`, θ_i − θ_j.
+///
+/// Signs: the slide grows along x of body j, the row along its y; the angle is the turn of i in j, counter-clockwise positive.
 #[constraint(lanes)]
 #[measure(slide = j.local(i.point(u_i)).x, "m")]
 #[measure(angle = i.theta - j.theta, "rad")]
@@ -19,8 +21,11 @@ pub fn point_on_curve(i: Planar, j: Planar, u_i: Vec2, curve: Law) -> f64 {
 
 /// Cam with a knife-edge follower: |s| − ρ(φ) = 0, s the tip and φ its angle as the cam sees them.      \[m\]
 ///
-/// Removes 1 freedom. `tip`: local to the follower; `profile`: ρ, the distance of the cam's edge from the origin of its frame at the angle φ,
-/// counter-clockwise from its x-axis; it has to be 2π-periodic. Measure: `contact`, φ.
+/// Removes 1 freedom. `tip`: local to the follower; `profile`: ρ, the distance of the cam's edge from the origin of its frame at the angle φ; it
+/// has to be 2π-periodic. Norton, *Cam Design and Manufacturing Handbook*. Measure: `contact`, φ.
+///
+/// Signs: φ is counter-clockwise positive from the cam's own x-axis: as the cam turns counter-clockwise under a tip that stands still, φ falls. The
+/// row is positive outside of the cam.
 #[constraint(lanes)]
 #[require(profile.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π (see `Law::periodic`)")]
 #[measure(contact = cam.local(follower.point(tip)).y.atan2(cam.local(follower.point(tip)).x), "rad", turns)]
@@ -35,6 +40,8 @@ pub fn cam_knife_edge(cam: Planar, follower: Planar, tip: Vec2, profile: Law) ->
 /// the distance from the origin of the cam's frame to the edge's tangent whose normal stands at ψ; it has to be 2π-periodic. For a follower that
 /// slides, h is base radius plus lift (Norton, *Cam Design and Manufacturing Handbook*). The point of contact, which moves on the face by h′, is
 /// not needed.
+///
+/// Signs: ψ is counter-clockwise positive from the cam's own x-axis; the row is positive where the face is off the cam.
 #[constraint(lanes)]
 #[require(support.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π (see `Law::periodic`)")]
 #[require(n.norm() > 0.0, "the normal of the face needs a length above zero")]
@@ -49,6 +56,8 @@ pub fn cam_flat_face(cam: Planar, follower: Planar, u: Vec2, n: Vec2, support: L
 /// Removes 2 freedoms, and brings one of its own, the angle `phi` of the point of contact as the cam sees it: 1 in all. `centre`: of the roller,
 /// local to the follower; `radius`: r; `profile`: ρ(φ), the distance of the edge from the origin of the cam's frame, 2π-periodic. With T = (ρ′, ρ)
 /// in the directions e(φ) and across, n = (ρ, −ρ′)/|T|. A hollow edge must be less curved than the roller. Norton.
+///
+/// Signs: φ is counter-clockwise positive from the cam's own x-axis; n points out of the cam, to the roller's side.
 #[constraint(lanes)]
 #[require(profile.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π (see `Law::periodic`)")]
 #[require(radius >= 0.0, "the radius of a roller cannot be below zero")]

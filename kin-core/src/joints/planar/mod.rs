@@ -7,6 +7,7 @@ mod curves;
 mod moving;
 mod pins;
 mod slides;
+mod terms;
 
 pub use couplings::*;
 pub use curves::*;

@@ -6,6 +6,8 @@ use kin_macros::constraint;
 /// Link with a hinge on body i and a ball on body j: h_i · d = 0 and (|d|² − l²)/(2 l) = 0 with d = r_Pj − r_Pi.      \[m, m\]
 ///
 /// Removes 2 freedoms. `u_i`, `h_i`: the hinge, whose length scales the first row; `u_j`: the ball; `length`: l. The ball is in the hinge's plane. Haug, section 9.4.
+///
+/// Signs: the first row is positive where the ball is on the side to which h_i points.
 #[constraint]
 #[require(length > 0.0, "a link needs a length above zero")]
 #[require(h_i.norm() > 0.0, "the hinge needs an axis with a length above zero")]
@@ -22,6 +24,8 @@ pub fn revolute_spherical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Vec
 /// Removes 4 freedoms. `u_i`, `h_i`, `u_j`, `h_j`: the hinges; `length`: l of the common normal; `twist`: α, from h_i to h_j about d by the right-hand
 /// rule, zero for parallel hinges (Denavit and Hartenberg's link). The equations hold for an opposite h_j too; a position found so is told as an
 /// error. Haug, section 9.4.
+///
+/// Signs: d points from i to j; `twist` is right-handed about d and turns h_i into h_j.
 #[constraint]
 #[require(length > 0.0, "a link needs a length above zero")]
 #[branch(
@@ -43,6 +47,8 @@ pub fn revolute_revolute(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis
 ///
 /// Removes 3 freedoms. `u_i`, `h_i`: the hinge; `u_j`, `h_j`: the axis on which the sleeve turns and slides; `length`: l of the common normal; `twist`: α,
 /// from h_i to h_j about d. The equations hold for an opposite h_j too; a position found so is told as an error. Haug, section 9.4.
+///
+/// Signs: d points from i to the axis of j; `twist` is right-handed about d and turns h_i into h_j.
 #[constraint]
 #[require(length > 0.0, "a link needs a length above zero")]
 #[branch(
@@ -63,6 +69,8 @@ pub fn revolute_cylindrical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: A
 /// Link with a ball on body i and a sleeve on an axis of body j: ((f_j · d)² + (g_j · d)² − l²)/(2 l) = 0 with d = r_Pi − r_Pj.      \[m\]
 ///
 /// Removes 1 freedom. `u_i`: the ball; `u_j`, `h_j`: the axis; `length`: l. A point on a cylinder of radius l. Haug, section 9.4.
+///
+/// Signs: none; the row is positive outside of the cylinder.
 #[constraint]
 #[require(length > 0.0, "a link needs a length above zero")]
 pub fn spherical_cylindrical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_j: Axis, length: f64) -> f64 {

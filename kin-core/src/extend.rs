@@ -1,0 +1,56 @@
+//! What ordinary programs do not call: for constraints and laws written by hand, for comparing derivatives term by term, and what the code that
+//! `#[constraint]` emits stands on.
+//!
+//! A constraint by hand is an `impl` of [`Constraint`](crate::Constraint); what it sees is in [`state`], the bodies that it acts on in
+//! [`coordinates`]. A law by hand is an `impl` of [`LawFunction`].
+
+#[doc(inline)]
+pub use crate::constraint::{Attached, Attachment, Dependence, Measured};
+#[doc(inline)]
+pub use crate::coordinates::Target;
+#[doc(inline)]
+pub use crate::dual_route::by_dual;
+#[doc(inline)]
+pub use crate::lanes::Lanes;
+#[doc(inline)]
+pub use crate::law::LawFunction;
+#[doc(inline)]
+pub use crate::real::{Dual, Real};
+#[doc(inline)]
+pub use crate::terms::{Terms, dual_terms, jerk_rhs, measure, terms};
+
+/// Who is to blame where something of a constraint is infinite or not a number.
+pub mod blame {
+    #[doc(inline)]
+    pub use crate::blame::*;
+}
+
+/// Handles: what a mechanism gives out for its bodies and coordinates, and what constraints hold of them.
+pub mod coordinates {
+    #[doc(inline)]
+    pub use crate::coordinates::*;
+}
+
+/// The second route: a constraint's own equation, evaluated with dual numbers.
+pub mod dual_route {
+    #[doc(inline)]
+    pub use crate::dual_route::*;
+}
+
+/// Several mechanisms at once: numbers over the lanes of a SIMD register.
+pub mod lanes {
+    #[doc(inline)]
+    pub use crate::lanes::*;
+}
+
+/// Numbers that carry derivatives.
+pub mod real {
+    #[doc(inline)]
+    pub use crate::real::*;
+}
+
+/// What a constraint sees: the state of its arguments at one instant.
+pub mod state {
+    #[doc(inline)]
+    pub use crate::state::*;
+}
