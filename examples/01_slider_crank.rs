@@ -51,7 +51,7 @@ fn main() -> kin::Result<()> {
     println!("{}\n", motion.summary());
 
     // 4. Results: Newton beside elimination.
-    let (coupler, slider) = (motion.coordinate(theta3), motion.coordinate(x));
+    let (coupler, slider) = (motion.coordinate(theta3)?, motion.coordinate(x)?);
     let by_newton = [&coupler.value, &slider.value, &coupler.rate, &slider.rate, &coupler.second_rate, &slider.second_rate];
     let by_hand: Vec<[f64; 6]> = motion.times().iter().map(|&t| elimination(t)).collect();
     println!("{:18} {:>9} {:>9}  {:14} from elimination, at most", "over one turn", "least", "greatest", "at crank angle");

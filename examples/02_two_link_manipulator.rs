@@ -31,7 +31,7 @@ fn main() -> kin::Result<()> {
     let mut motion = system.run(linspace(0.0, 24.0, 2401))?;
 
     // 4. Results: the end effector E is the free end of link 3.
-    let e = motion.point(link3, link3.end());
+    let e = motion.point(link3, link3.end())?;
     let (speed, acceleration) = (e.speed(), e.acceleration_magnitude());
     println!("{}", motion.summary());
     println!(
@@ -45,16 +45,16 @@ fn main() -> kin::Result<()> {
     motion.write_csv(format!("{OUT}/motion.csv"))?;
 
     // 5. Figures: the lecture's.
-    let (r2, r3) = (motion.point(link2, vec2(0.0, 0.0)), motion.point(link3, vec2(0.0, 0.0)));
-    let origin = |title, link: Link| {
-        let (x, y) = (motion.coordinate(link.x()), motion.coordinate(link.y()));
-        Panel::over_time(title, "position").series("R_x", &x.value).series("R_y", &y.value)
+    let (r2, r3) = (motion.point(link2, vec2(0.0, 0.0))?, motion.point(link3, vec2(0.0, 0.0))?);
+    let origin = |title, link: Link| -> kin::Result<Panel> {
+        let (x, y) = (motion.coordinate(link.x())?, motion.coordinate(link.y())?);
+        Ok(Panel::over_time(title, "position").series("R_x", &x.value).series("R_y", &y.value))
     };
-    let origins = vec![origin("Origin of link 2", link2), origin("Origin of link 3", link3)];
+    let origins = vec![origin("Origin of link 2", link2)?, origin("Origin of link 3", link3)?];
     Figure::new(origins).save(format!("{OUT}/origins.svg"))?;
 
     let mut paths = Panel::plane("Paths, and the arm every 4 s");
-    let elbow = motion.point(link3, link3.start());
+    let elbow = motion.point(link3, link3.start())?;
     for k in (0..motion.len()).step_by(400) {
         paths = paths.sketch(&[vec2(0.0, 0.0), elbow.r()[k], e.r()[k]]);
     }

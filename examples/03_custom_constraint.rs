@@ -48,11 +48,11 @@ fn main() -> kin::Result<()> {
     println!("{}", motion.summary());
 
     // 6. Results: how unevenly the arm turns, and whether the pin has stayed in the slot.
-    let (pin, disc_angle) = (motion.point(arm, arm.end()), motion.coordinate(disc.theta()).value);
+    let (pin, disc_angle) = (motion.point(arm, arm.end())?, motion.coordinate(disc.theta())?.value);
     let disc_at = |angle: &f64| PlanarState::new([0.0, 0.0, *angle]);
     let in_disc: Vec<Vec2> = pin.r().iter().zip(disc_angle.values()).map(|(p, angle)| disc_at(angle).local(*p)).collect();
     let off_slot: Vec<f64> = in_disc.iter().map(|s| s.y - K * s.x * s.x).collect();
-    let arm_turns = motion.coordinate(arm.theta());
+    let arm_turns = motion.coordinate(arm.theta())?;
     println!("{:28} {:>9} {:>10} {:>9} {:>10}", "over one turn of the disc", "least", "at t [s]", "greatest", "at t [s]");
     for q in [&arm_turns.rate, &arm_turns.second_rate, &pin.speed()] {
         let name = format!("{} [{}]", q.name(), q.unit());
@@ -76,7 +76,7 @@ fn main() -> kin::Result<()> {
     let over_time = vec![
         Panel::over_time("Disc and arm", "angular velocity")
             .series("arm", &arm_turns.rate)
-            .series("disc", &motion.coordinate(disc.theta()).rate),
+            .series("disc", &motion.coordinate(disc.theta())?.rate),
         Panel::over_time("Pin off the slot", "y − k x²").series("residual", off_slot),
     ];
     Figure::new(over_time).save(format!("{OUT}/motion.svg"))?;

@@ -34,7 +34,7 @@ fn main() -> kin::Result<()> {
     motion.write_csv(format!("{OUT}/motion.csv"))?;
     motion.write_json(format!("{OUT}/motion.json"))?;
     println!("{}", motion.summary());
-    println!("the coupler point reaches {:.3} m/s", motion.point(coupler, p).speed().max());
+    println!("the coupler point reaches {:.3} m/s", motion.point(coupler, p)?.speed().max());
 
     println!("{}", system.prove(&motion)?); // by interval bounds: nothing else moves like this
 
@@ -43,8 +43,8 @@ fn main() -> kin::Result<()> {
     scene.pose(&motion, 0.2)?.save(format!("{OUT}/pose.svg"))?;
     scene.sequence(&motion, 9)?.save(format!("{OUT}/sequence.svg"))?;
     scene.animated(&motion, 3.0)?.save(format!("{OUT}/animated.svg"))?;
-    let angles = motion.coordinate(rocker.theta());
-    let speed = motion.point(coupler, p).speed();
+    let angles = motion.coordinate(rocker.theta())?;
+    let speed = motion.point(coupler, p)?.speed();
     scene.page(&motion)?.chart("Speed of P", [("P", &speed)]).coordinate("Rocker", &angles).save(format!("{OUT}/index.html"))?;
     Figure::of_coordinate("Rocker", &angles).save(format!("{OUT}/rocker.svg"))?;
     let condition = Panel::log_over_time("How well C_q can be solved", "condition number").series("κ", &system.condition(&motion)?);

@@ -36,7 +36,7 @@ fn main() -> kin::Result<()> {
     m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 1.0, 721))?;
-    let x = motion.coordinate(ram.x());
+    let x = motion.coordinate(ram.x())?;
     let ram_turns = system.extremes(&motion, ram.x())?;
     let by_angles = (0.5 * PI + (r / depth).asin()) / (0.5 * PI - (r / depth).asin());
     println!("{}", motion.summary());

@@ -26,7 +26,7 @@ fn main() -> kin::Result<()> {
     m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 2.0, 721))?;
-    let x = motion.coordinate(yoke.x());
+    let x = motion.coordinate(yoke.x())?;
     let off = motion.times().iter().zip(x.value.values()).map(|(t, x)| (x - r * (TAU * t).cos()).abs()).fold(0.0, f64::max);
     println!("{}", motion.summary());
     println!("yoke: at most {off:.0e} m from {r} cos(2π t)");

@@ -37,7 +37,7 @@ fn main() -> kin::Result<()> {
     m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 2.0, 961))?;
-    let lift = motion.coordinate(follower.y());
+    let lift = motion.coordinate(follower.y())?;
     let off = LIFT.iter().enumerate().map(|(k, mm)| (lift.value.values()[40 * k] - BASE - 1e-3 * mm).abs()).fold(0.0, f64::max);
     println!("{}", motion.summary());
     println!("lift {:.4} m, at the table's angles within {off:.0e} m of it", lift.value.max() - BASE);

@@ -42,7 +42,7 @@ fn main() -> kin::Result<()> {
     m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 2.0, 801))?;
-    let drawn = motion.point(ad, ad.end());
+    let drawn = motion.point(ad, ad.end())?;
     let off = drawn.r().iter().map(|p| (p.x - d.x).abs()).fold(0.0, f64::max);
     let height = drawn.r().iter().map(|p| p.y).fold(0.0, f64::max);
     println!("{}", motion.summary());

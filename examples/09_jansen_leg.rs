@@ -53,7 +53,7 @@ fn main() -> kin::Result<()> {
     m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 1.0, 721))?;
-    let path = motion.point(shin, foot - u);
+    let path = motion.point(shin, foot - u)?;
     let (low, high) = path.r().iter().fold((f64::MAX, f64::MIN), |(low, high), p| (low.min(p.y), high.max(p.y)));
     let on_ground = path.r().iter().filter(|p| p.y < low + 0.1 * (high - low)).count() as f64 / motion.len() as f64;
     println!("{}", motion.summary());

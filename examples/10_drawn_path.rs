@@ -59,7 +59,7 @@ fn main() -> kin::Result<()> {
     m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, SECONDS, 10_001))?;
-    let (shoulder, elbow) = (motion.coordinate(upper.theta()), motion.coordinate(fore.theta()));
+    let (shoulder, elbow) = (motion.coordinate(upper.theta())?, motion.coordinate(fore.theta())?);
     let relative: Vec<f64> = elbow.value.values().iter().zip(shoulder.value.values()).map(|(fore, upper)| fore - upper).collect();
     println!("{}", motion.summary());
     println!("shoulder: at most {:.2} rad/s and {:.1} rad/s²", shoulder.rate.max(), shoulder.second_rate.max());

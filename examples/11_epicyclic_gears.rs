@@ -44,7 +44,7 @@ fn main() -> kin::Result<()> {
     m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 8.0, 1601))?;
-    let sun_turns = motion.coordinate(sun.theta());
+    let sun_turns = motion.coordinate(sun.theta())?;
     let (first, _) = scene_bodies[0];
     println!("{}", motion.summary());
     println!("the sun turns {:.4} times, by Willis {:.4}", sun_turns.value.max() / TAU, 1.0 + r_ring / r_sun);
@@ -62,9 +62,9 @@ fn main() -> kin::Result<()> {
     }
     scene.pose(&motion, 0.5)?.save(format!("{OUT}/pose.svg"))?;
     scene.animated(&motion, 8.0)?.save(format!("{OUT}/animated.svg"))?;
-    let planet_turns = motion.coordinate(first.theta());
+    let planet_turns = motion.coordinate(first.theta())?;
     let page = scene.page(&motion)?.chart("Angles", [("sun", &sun_turns.value), ("planet", &planet_turns.value)]);
-    page.chart("Speed of the edge", [("edge", &motion.point(first, vec2(r_planet, 0.0)).speed())]).save(format!("{OUT}/index.html"))
+    page.chart("Speed of the edge", [("edge", &motion.point(first, vec2(r_planet, 0.0))?.speed())]).save(format!("{OUT}/index.html"))
 }
 
 /// Half a pitch: where one wheel has a tooth, its partner has a gap.

@@ -39,10 +39,10 @@ fn main() -> kin::Result<()> {
     m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 8.0, 1601))?;
-    let centre = motion.point(plate, vec3(0.0, 0.0, 0.0));
+    let centre = motion.point(plate, vec3(0.0, 0.0, 0.0))?;
     let condition = system.condition(&motion)?;
     let tilt: Vec<f64> =
-        motion.point(plate, Vec3::z()).r().iter().zip(centre.r()).map(|(tip, r)| (tip.z - r.z).clamp(-1.0, 1.0).acos()).collect();
+        motion.point(plate, Vec3::z())?.r().iter().zip(centre.r()).map(|(tip, r)| (tip.z - r.z).clamp(-1.0, 1.0).acos()).collect();
     println!("{}", motion.summary());
     motion.add_point("centre", plate, vec3(0.0, 0.0, 0.0))?;
     motion.add_point("head", plate, heads[0])?;

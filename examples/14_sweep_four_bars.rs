@@ -61,7 +61,7 @@ fn main() -> kin::Result<()> {
     let bar = ProgressBar::new(COUNT as u64).with_style(style);
     let sweep = system.sweep(NAMES)?.progress(|done, _| bar.set_position(done as u64));
     let results = sweep.run(&cases, &times, |_, motion| {
-        let rocker = motion.map_err(|error| error.to_string())?.coordinate(rocker.theta());
+        let rocker = motion.and_then(|motion| motion.coordinate(rocker.theta())).map_err(|error| error.to_string())?;
         let greatest = rocker.second_rate.max().max(-rocker.second_rate.min());
         Ok(Kept { swing: rocker.value.max() - rocker.value.min(), acceleration: greatest })
     })?;
@@ -80,7 +80,7 @@ fn main() -> kin::Result<()> {
         motion.add_point("C", rocker, rocker.start())?;
         motion.write_csv(format!("{OUT}/motion.csv"))?;
         scene.animated(&motion, 3.0)?.save(format!("{OUT}/animated.svg"))?;
-        scene.page(&motion)?.coordinate("Rocker", &motion.coordinate(rocker.theta())).save(format!("{OUT}/index.html"))?;
+        scene.page(&motion)?.coordinate("Rocker", &motion.coordinate(rocker.theta())?).save(format!("{OUT}/index.html"))?;
     }
     let swings = results.iter().map(|kept| kept.as_ref().map_or(f64::NAN, |kept| kept.swing.to_degrees()));
     let map = Map::new("How far the rocker swings", "swing [°]").along_x("coupler [m]", LEAST, MOST, SIDE).along_y(

@@ -40,7 +40,7 @@ fn main() -> kin::Result<()> {
     println!("swing {:.2}°, time ratio {:.4}", swing.stroke().to_degrees(), swing.time_ratio().unwrap_or(f64::NAN));
     for dead_centre in swing.all() {
         let pose = system.at(&motion, dead_centre.t)?; // a motion of one time: ask it anything
-        let (crank, rod) = (pose.coordinate(crank.theta()).value, pose.coordinate(rod.theta()).value);
+        let (crank, rod) = (pose.coordinate(crank.theta())?.value, pose.coordinate(rod.theta())?.value);
         println!(
             "  dead centre at {:.9} s: wiper at {:6.2}°, crank at {:6.2}°, rod at {:6.2}°",
             dead_centre.t,
@@ -54,7 +54,7 @@ fn main() -> kin::Result<()> {
     for event in motion.events() {
         println!("  {event}");
     }
-    let point = motion.point(arm, tip);
+    let point = motion.point(arm, tip)?;
     let jerk = point.jerk_magnitude();
     println!("tip: at most {:.2} m/s, {:.1} m/s², {:.0} m/s³", point.speed().max(), point.acceleration_magnitude().max(), jerk.max());
     let centres = motion.instant_centre(rod, ground)?;
@@ -76,7 +76,7 @@ fn main() -> kin::Result<()> {
     }
     scene.sequence(&motion, 7)?.save(format!("{OUT}/sequence.svg"))?;
     scene.animated(&motion, 2.0)?.save(format!("{OUT}/animated.svg"))?;
-    let angle = motion.coordinate(arm.theta());
+    let angle = motion.coordinate(arm.theta())?;
     let panels = vec![
         Panel::over_time("Wiper", "angle").series("wiper", &angle.value),
         Panel::over_time("How well the rod pushes", "transmission angle").series("μ", &transmission.value),

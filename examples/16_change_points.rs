@@ -67,7 +67,7 @@ fn main() -> kin::Result<()> {
     let scene = Scene::new(&system).trace("middle of the coupler", coupler, vec2(0.0, 0.0));
     scene.sequence(&motion, 9)?.save(format!("{OUT}/sequence.svg"))?;
     scene.animated(&motion, 4.0)?.save(format!("{OUT}/animated.svg"))?;
-    let angle = motion.coordinate(rocker.theta());
+    let angle = motion.coordinate(rocker.theta())?;
     scene.page(&motion)?.coordinate("Rocker", &angle).save(format!("{OUT}/index.html"))?;
     Figure::of_coordinate("Rocker", &angle).save(format!("{OUT}/rocker.svg"))?;
     let near = Panel::log_over_time("How near to a singular position", "smallest singular value");

@@ -64,7 +64,7 @@ fn main() -> kin::Result<()> {
     let mut motion = system.run(linspace(0.0, 8.0, 801))?;
     println!("{}", motion.summary());
     for &(name, side, upright, hub, _) in &sides {
-        let (wheel, spindle) = (motion.point(upright, hub), motion.point(upright, hub + vec3(0.0, side, 0.0)));
+        let (wheel, spindle) = (motion.point(upright, hub)?, motion.point(upright, hub + vec3(0.0, side, 0.0))?);
         let axes = spindle.r().iter().zip(wheel.r()).map(|(tip, r)| *tip - *r);
         let (camber, toe): (Vec<f64>, Vec<f64>) = axes.map(|s| (-s.z.asin().to_degrees(), s.x.atan2(side * s.y).to_degrees())).unzip();
         motion.add_output(&format!("{name} camber"), "°", camber)?;

@@ -52,7 +52,7 @@ fn main() -> kin::Result<()> {
     m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 12.0, 1201))?;
-    let edge = motion.point(bucket, BUCKET[1]);
+    let edge = motion.point(bucket, BUCKET[1])?;
     let deepest = edge.r().iter().map(|p| p.y).fold(f64::MAX, f64::min);
     println!("{}", motion.summary());
     println!("the edge digs {:.2} m deep and moves at {:.2} m/s at most", -deepest, edge.speed().max());
@@ -89,7 +89,7 @@ fn main() -> kin::Result<()> {
     scene.sequence(&motion, 5)?.save(format!("{OUT}/sequence.svg"))?;
     scene.pose(&motion, 6.0)?.save(format!("{OUT}/pose.svg"))?;
     scene.animated(&motion, 10.0)?.save(format!("{OUT}/animated.svg"))?;
-    let angles = [boom, stick, bucket].map(|body| motion.coordinate(body.theta()).value);
+    let angles = [boom, stick, bucket].map(|body| motion.coordinate(body.theta()).unwrap().value);
     let panel = Panel::over_time("Angles", "angle").series("boom", &angles[0]).series("stick", &angles[1]).series("bucket", &angles[2]);
     Figure::new([panel]).save(format!("{OUT}/angles.svg"))?;
     let page = scene.page(&motion)?.chart("Angles", [("boom", &angles[0]), ("stick", &angles[1]), ("bucket", &angles[2])]);

@@ -62,10 +62,10 @@ fn main() -> kin::Result<()> {
     let mut motion = system.run(linspace(0.0, 2.0, 801))?;
     println!("{}", motion.summary());
     for (k, (arm, ..)) in arms.iter().enumerate() {
-        let turn: Vec<f64> = motion.point(*arm, arm.end()).r().iter().map(|elbow| (-elbow.z / ARM).clamp(-1.0, 1.0).asin()).collect();
+        let turn: Vec<f64> = motion.point(*arm, arm.end())?.r().iter().map(|elbow| (-elbow.z / ARM).clamp(-1.0, 1.0).asin()).collect();
         motion.add_output(&format!("motor {}", k + 1), "rad", turn)?;
     }
-    let tool = motion.point(plate, vec3(0.0, 0.0, 0.0));
+    let tool = motion.point(plate, vec3(0.0, 0.0, 0.0))?;
     for turn in motion.outputs() {
         println!("{}: {:.2}° to {:.2}°", turn.name(), turn.min().to_degrees(), turn.max().to_degrees());
     }

@@ -60,7 +60,7 @@ fn main() -> kin::Result<()> {
     m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 6.0, 1201))?;
-    let turn = motion.coordinate(wheel.theta());
+    let turn = motion.coordinate(wheel.theta())?;
     println!("{}", motion.summary());
     println!("from station to station {:.4}°", (turn.value.values()[0] - turn.value.values()[400]).to_degrees());
     println!("wheel: at most {:.3} rad/s and {:.2} rad/s²", -turn.rate.min(), turn.second_rate.max());

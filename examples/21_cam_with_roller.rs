@@ -43,8 +43,8 @@ fn main() -> kin::Result<()> {
     m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 2.0, 961))?;
-    let swing = motion.coordinate(lever.theta());
-    let touch = motion.coordinate(contact);
+    let swing = motion.coordinate(lever.theta())?;
+    let touch = motion.coordinate(contact)?;
     // How far the normal of contact is from the way of the roller's middle: the pressure angle.
     let pressure: Vec<f64> = (0..motion.len())
         .map(|k| {

@@ -62,7 +62,8 @@ fn main() -> kin::Result<()> {
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 8.0, 1601))?;
     println!("{}", motion.summary());
-    let [w_sun, w_ring, w_carrier] = [sun, ring, carrier].map(|wheel| motion.coordinate(wheel.theta()).rate);
+    let rate = |wheel: PlanarBody| motion.coordinate(wheel.theta()).map(|angle| angle.rate);
+    let [w_sun, w_ring, w_carrier] = [rate(sun)?, rate(ring)?, rate(carrier)?];
     let [z_sun, _, z_ring] = TEETH.map(|z| z as f64);
     for k in [200, 800, 1400] {
         let [s, r, c] = [&w_sun, &w_ring, &w_carrier].map(|rate| rate.values()[k]);

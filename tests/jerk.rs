@@ -172,7 +172,7 @@ fn a_point_against_differences_of_its_acceleration() {
     let h = 1e-4;
     let times: Vec<f64> = (0..40).flat_map(|k| (-2..=2).map(move |s| 0.3 + 0.1 * k as f64 + h * f64::from(s))).collect();
     let motion = m.build().unwrap().run_with(times, &with_jerk()).unwrap();
-    let p = motion.point(plate, vec3(0.1, 0.2, -0.3));
+    let p = motion.point(plate, vec3(0.1, 0.2, -0.3)).unwrap();
     for k in (2..motion.len()).step_by(5) {
         let a = p.a();
         let difference = (a[k - 2] - a[k - 1] * 8.0 + a[k + 1] * 8.0 - a[k + 2]) / (12.0 * h);
@@ -191,7 +191,7 @@ fn at_a_break_it_is_that_of_the_right() {
     let x = m.length("x", 0.0).unwrap();
     m.add("motor", drive(x, law)).unwrap();
     let motion = m.build().unwrap().run_with([0.5, 1.0, 1.5, 2.0, 2.5], &with_jerk()).unwrap();
-    let jerk = motion.coordinate(x).third_rate;
+    let jerk = motion.coordinate(x).unwrap().third_rate;
     let [left, first, middle, second, right] = jerk.values() else { panic!("five times") };
     assert!((first - middle).abs() < 1e-12 && (second - right).abs() < 1e-12 && (left - first).abs() > 1.0);
     assert_eq!((jerk.name(), jerk.unit()), ("x'''", "m/s^3"));
@@ -226,7 +226,7 @@ fn sweeps_have_it_too() {
     let cases = [[-0.5], [-0.6], [-0.7]];
     let jerks = system.sweep(["O.u_j.x"]).unwrap().options(with_jerk()).run(&cases, [0.0, 0.5], |_, motion| {
         let motion = motion.unwrap();
-        (motion.qddd(1)[2], motion.point(arm, arm.start()).jerk().len())
+        (motion.qddd(1)[2], motion.point(arm, arm.start()).unwrap().jerk().len())
     });
     // θ⃛ = −½ 2³ cos 2t
     assert!(jerks.unwrap().iter().all(|(jerk, count)| (jerk + 4.0 * 1.0_f64.cos()).abs() < 1e-12 && *count == 2));

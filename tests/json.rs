@@ -97,7 +97,7 @@ fn a_motion_comes_back_without_loss() -> kin::Result<()> {
     }
     assert_eq!((back.summary(), back.worst(), back.units()), (motion.summary(), motion.worst(), motion.units()));
     let arm = back.planar_named("arm").unwrap();
-    assert!(back.point(arm, vec2(0.1, 0.0)).speed().max() > 0.1);
+    assert!(back.point(arm, vec2(0.1, 0.0))?.speed().max() > 0.1);
     assert!(back.spatial_named("plate").is_some() && back.planar_named("plate").is_none());
     Ok(())
 }

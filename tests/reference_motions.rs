@@ -85,7 +85,7 @@ fn two_link_manipulator_moves_as_the_reference() {
             let motion = run(mechanism, &file);
             absolute(&motion, &file).check(&format!("{name} by {by:?}"), 1.0);
 
-            let end = motion.point(bodies[2], vec2(number(&file["parameters"], "l3") / 2.0, 0.0));
+            let end = motion.point(bodies[2], vec2(number(&file["parameters"], "l3") / 2.0, 0.0)).unwrap();
             let mut errors = Errors::default();
             for (order, vectors) in [end.r(), end.v(), end.a()].into_iter().enumerate() {
                 let field = ["value", "d1", "d2"][order];
@@ -106,7 +106,7 @@ fn two_link_manipulator_moves_as_its_closed_form() {
     for by in BOTH {
         let (mechanism, bodies) = build(&file, by).expect("a mechanism");
         let motion = mechanism.build().expect("a square system").run(linspace(0.0, 24.0, 2401)).expect("a motion");
-        let (end, mut errors) = (motion.point(bodies[2], vec2(l3 / 2.0, 0.0)), Errors::default());
+        let (end, mut errors) = (motion.point(bodies[2], vec2(l3 / 2.0, 0.0)).unwrap(), Errors::default());
         for (k, t) in motion.times().iter().enumerate() {
             let (theta2, theta3) = (w2 * t + p("th20"), w3 * t + p("th30"));
             // Derivatives of l e(θ) with θ̇ = ω constant: l e(θ), l ω n(θ), −l ω² e(θ).
@@ -136,8 +136,8 @@ fn slider_crank(name: &str, factor: f64) {
         absolute(&motion, &file).check(&format!("{name} by {by:?}, 12 coordinates"), factor);
         let (motion, theta3, x) = loop_closed(&file, by).expect("a motion");
         let mut errors = Errors::default();
-        outputs(&mut errors, &motion.coordinate(theta3), output(&file, "theta3"));
-        outputs(&mut errors, &motion.coordinate(x), output(&file, "x_B4"));
+        outputs(&mut errors, &motion.coordinate(theta3).unwrap(), output(&file, "theta3"));
+        outputs(&mut errors, &motion.coordinate(x).unwrap(), output(&file, "x_B4"));
         errors.check(&format!("{name} by {by:?}, loop closure"), factor);
     }
 }

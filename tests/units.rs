@@ -46,7 +46,7 @@ fn headers_series_and_measures_have_the_words_of_the_mechanism() -> kin::Result<
     assert_eq!((system.coordinate_units()[0].as_str(), motion.units()[2].as_str()), ("mm", "rad"));
     let slide = system.measure(&motion, "guide.slide")?;
     assert_eq!((slide.value.unit(), slide.rate.unit(), slide.third_rate.unit()), ("mm", "mm/ms", "mm/ms^3"));
-    let point = motion.point(rod, rod.end());
+    let point = motion.point(rod, rod.end())?;
     assert_eq!((point.speed().unit().to_string(), point.jerk_magnitude().unit().to_string()), ("mm/ms".into(), "mm/ms^3".into()));
     let angle = motion.relative_angle(rod, kin::Ground)?;
     assert_eq!((angle.value.unit(), angle.rate.unit()), ("rad", "rad/ms"));
@@ -68,7 +68,7 @@ fn pages_and_charts_have_the_words_of_the_mechanism() -> kin::Result<()> {
         "the script writes metres or seconds by itself"
     );
     assert!(Scene::new(&system).pose(&motion, 0.5)?.svg().contains("t = 0.5 ms<"));
-    let path = motion.point(rod, rod.end());
+    let path = motion.point(rod, rod.end())?;
     let plane = Panel::plane("path").in_units(motion.unit_words()).path("B", path.r());
     let svg = Figure::new([Panel::over_time("slider", "velocity").series("x", &x.rate), plane]).svg();
     no_metre(&svg);

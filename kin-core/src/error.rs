@@ -29,10 +29,13 @@ pub enum Error {
 
     /// Newton's method did not reach C(q, t) = 0.
     #[error(
-        "t = {}: no convergence in {}; worst is `{constraint}`{}: |C| = {residual:.1e}.{}",
+        "t = {}: {}{}",
         text::at(*.t, .units),
-        text::count(*.iterations, "iteration"),
-        text::row(.row),
+        text::unmet(.diagnosis, || format!(
+            "no convergence in {}; worst is `{constraint}`{}: |C| = {residual:.1e}.",
+            text::count(*.iterations, "iteration"),
+            text::row(.row)
+        )),
         text::no_convergence(*.last, .units, .diagnosis, .motion)
     )]
     NoConvergence {
@@ -92,7 +95,7 @@ pub enum Error {
 
     /// A toggle: the mechanism cannot be driven beyond it, and stands still there for an infinite rate of what it moves.
     #[error(
-        "t = {}: a toggle: beyond this time there is no position. {}{}",
+        "t = {}: a toggle: beyond this time there is no position.{}{}",
         text::at(*.t, .units),
         text::toggle(.movable, .dependent, .diagnosis),
         text::kept(.motion)

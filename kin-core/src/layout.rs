@@ -96,7 +96,7 @@ impl Layout {
         }
         let coordinates = kind.coordinates().iter().map(|(suffix, _)| format!("{name}{suffix}"));
         let fresh: Vec<String> = coordinates.collect();
-        if let Some(known) = fresh.iter().map(String::as_str).chain([name]).find(|name| self.taken.contains(*name)) {
+        if let Some(known) = [name].into_iter().chain(fresh.iter().map(String::as_str)).find(|name| self.taken.contains(*name)) {
             return Err(Error::DuplicateName { what: "bodies or coordinates", name: known.to_string() });
         }
         self.taken.insert(name.to_string());

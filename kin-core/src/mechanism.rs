@@ -8,10 +8,11 @@ mod preference;
 pub use place::Marker;
 pub use pose::{Pose, SpatialPose, deg, linspace, pose};
 pub use preference::Preferred;
+use preference::Wish;
 
 use std::collections::HashSet;
 
-use crate::algebra::Vec2;
+use crate::algebra::{EulerParameters, Vec2};
 use crate::constraint::Constraint;
 use crate::coordinates::{Coordinate, Ground, Link, MechanismId, PlanarBody, SpatialBody, Target, Trig};
 use crate::diagnosis::Diagnosis;
@@ -42,11 +43,14 @@ use crate::units::Units;
 /// m.prefer(rocker, deg(100.0));
 ///
 /// let motion = m.build()?.run(linspace(0.0, 1.0, 1001))?;
-/// let p = motion.point(coupler, vec2(0.0, 0.5));
+/// let p = motion.point(coupler, vec2(0.0, 0.5))?;
 /// assert!(p.speed().max() > 6.0);
 /// # Ok(())
 /// # }
 /// ```
+///
+/// A copy is a variant: bodies and coordinates that one has given out are those of the other too.
+#[derive(Clone)]
 pub struct Mechanism {
     pub(crate) name: String,
     pub(crate) layout: Layout,
@@ -58,8 +62,8 @@ pub struct Mechanism {
     pub(crate) asked: Vec<(String, f64)>,
     pub(crate) constraints: Vec<(String, Box<dyn Constraint>)>,
     names: HashSet<String>,
-    /// A mistake in a method that returns nothing; told at build.
-    mistake: Option<Error>,
+    /// What a method that returns nothing could not take; told at build.
+    refused: Option<Refused>,
     /// Ranges that measures should keep to.
     pub(crate) limits: Vec<Limit>,
 }
@@ -67,6 +71,37 @@ pub struct Mechanism {
 /// A constraint of a mechanism, in the order of adding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ConstraintId(usize);
+
+/// What could not be taken where nothing is returned: tried again at build, it gives its error.
+#[derive(Clone)]
+pub(crate) enum Refused {
+    Units(Units),
+    Preference(Wish),
+}
+
+/// What can be added to a mechanism: a constraint, or one that is only known as a `Box<dyn Constraint>`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no constraint",
+    label = "a mechanism takes constraints: what `revolute(…)` and functions with `#[constraint]` return",
+    note = "a function becomes a constraint by `#[constraint]` above it; call it with bodies and parameters"
+)]
+pub trait IntoConstraint {
+    /// The constraint.
+    #[doc(hidden)]
+    fn into_constraint(self) -> Box<dyn Constraint>;
+}
+
+impl<T: Constraint + 'static> IntoConstraint for T {
+    fn into_constraint(self) -> Box<dyn Constraint> {
+        Box::new(self)
+    }
+}
+
+impl IntoConstraint for Box<dyn Constraint> {
+    fn into_constraint(self) -> Box<dyn Constraint> {
+        self
+    }
+}
 
 impl Mechanism {
     /// An empty mechanism.
@@ -79,7 +114,7 @@ impl Mechanism {
             asked: Vec::new(),
             constraints: Vec::new(),
             names: HashSet::new(),
-            mistake: None,
+            refused: None,
             limits: Vec::new(),
         }
     }
@@ -96,7 +131,7 @@ impl Mechanism {
     pub fn units(&mut self, length: &str, time: &str) {
         let units = Units::new(length, time);
         match units.missing() {
-            Some(what) => self.mistake = self.mistake.take().or(Some(Error::EmptyName { what })),
+            Some(_) => self.refused = self.refused.take().or(Some(Refused::Units(units))),
             None => self.layout.words = units,
         }
     }
@@ -180,11 +215,8 @@ impl Mechanism {
     /// Errors, all by name: name empty or taken, a parameter that is not finite or makes no sense (a length below zero, a zero axis, a table
     /// that does not increase), a body of another mechanism, the same body or coordinate
     /// twice, an equation left without coordinates because its bodies are the ground.
-    pub fn add(&mut self, name: &str, constraint: impl Constraint + 'static) -> Result<ConstraintId> {
-        self.add_boxed(name, Box::new(constraint))
-    }
-
-    pub(crate) fn add_boxed(&mut self, name: &str, constraint: Box<dyn Constraint>) -> Result<ConstraintId> {
+    pub fn add(&mut self, name: &str, constraint: impl IntoConstraint) -> Result<ConstraintId> {
+        let constraint = constraint.into_constraint();
         if name.trim().is_empty() {
             return Err(Error::EmptyName { what: "constraint" });
         }
@@ -259,13 +291,44 @@ impl Mechanism {
     /// equations and freedoms by name.
     ///
     /// Errors: those of [`Mechanism::build`] but for the count; t not finite, nothing finite near the guess.
-    pub fn diagnose(self, t: f64) -> Result<Diagnosis> {
-        self.system()?.diagnose(t)
+    pub fn diagnose(&self, t: f64) -> Result<Diagnosis> {
+        self.clone().system()?.diagnose(t)
+    }
+
+    /// The same at a pose q (length n, in the order in which coordinates were declared), brought onto C = 0 first where it is off.   \[m, rad\]
+    ///
+    /// Errors: those of [`Mechanism::diagnose`]; wrong length, not finite.
+    pub fn diagnose_at(&self, t: f64, q: &[f64]) -> Result<Diagnosis> {
+        self.clone().system()?.diagnose_at(t, q)
+    }
+
+    /// Holds every turn that moves nothing else, such as that of a rod between two balls about its own axis: one equation each, named
+    /// `BODY.idle`, by which the body stays turned about that axis as it is at t = 0. Gives the bodies that are held; none where there is no
+    /// such turn.
+    ///
+    /// Errors: those of [`Mechanism::diagnose`].
+    pub fn hold_idle_turns(&mut self) -> Result<Vec<String>> {
+        let found = self.diagnose(0.0)?;
+        let mut held = Vec::new();
+        for freedom in found.lasting_freedoms().filter(|freedom| freedom.idle) {
+            let Some((name, axis)) = freedom.turn() else { continue };
+            let Some(item) = self.layout.items.iter().position(|item| item.name == name) else { continue };
+            let first = self.layout.items[item].first;
+            let Some([_, _, _, e0, e1, e2, e3]) = found.q.get(first..).and_then(|q| q.first_chunk::<7>()).copied() else { continue };
+            let turn = EulerParameters::new(e0, e1, e2, e3);
+            let body = SpatialBody { mechanism: self.layout.mechanism, index: Some(item) };
+            let h = turn.rotation().transpose() * axis;
+            self.add(&format!("{name}.idle"), crate::joints::spatial::held_turn(body, turn, h))?;
+            held.push(name.to_string());
+        }
+        Ok(held)
     }
 
     fn system(mut self) -> Result<System> {
-        if let Some(mistake) = self.mistake.take() {
-            return Err(mistake);
+        match self.refused.take() {
+            Some(Refused::Units(units)) => units.missing().map_or(Ok(()), |what| Err(Error::EmptyName { what }))?,
+            Some(Refused::Preference(wish)) => self.note(wish)?,
+            None => {}
         }
         let spatial = self.layout.items.iter().enumerate().filter(|(_, item)| item.kind == Kind::Spatial);
         let norms: Vec<(String, usize)> = spatial.map(|(index, item)| (format!("{}.p", item.name), index)).collect();

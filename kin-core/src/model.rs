@@ -4,11 +4,14 @@
 
 use crate::error::Error;
 use crate::layout::{Layout, Unit};
-use crate::linear::Sparse;
+use crate::linear::{Echelon, RANK, Sparse};
 use crate::newton::JERK_RHS;
 use crate::random::Random;
 use crate::system::evaluate::{Bad, Equations, finite};
 use crate::system::scale;
+
+/// What rows may be off and count as met, of their norms.   \[-\]
+pub(crate) const TOLERANCE: f64 = 1e-10;
 
 /// What is known of a mechanism before anything is solved.
 #[derive(Clone, Copy)]
@@ -18,6 +21,8 @@ pub(crate) struct Model<'a> {
     pub equations: &'a Equations,
     pub preferred: &'a [(usize, f64)],
     pub links: &'a [f64],
+    /// By how much of their norms rows may be off and count as met, beyond rounding.   \[-\]
+    pub closure: f64,
 }
 
 /// C and the values of C_q at one pose.
@@ -152,15 +157,19 @@ impl Model<'_> {
         rows
     }
 
-    /// Whether C = 0 holds in a row, but for rounding.
+    /// Whether C = 0 holds, but for rounding and what is allowed.
     pub(crate) fn met(&self, point: &Point, q: &[f64], measures: &Measures, active: &dyn Fn(usize) -> bool) -> bool {
-        /// Of the norm of a row.   \[-\]
-        const TOLERANCE: f64 = 1e-10;
-        let mut allowed: Vec<f64> = measures.norms.iter().map(|norm| TOLERANCE * norm).collect();
+        let tolerance = TOLERANCE.max(self.closure);
+        let mut allowed: Vec<f64> = measures.norms.iter().map(|norm| tolerance * norm).collect();
         for (row, column, value) in self.entries(&point.values) {
             allowed[row] += 16.0 * f64::EPSILON * (value * q[column]).abs();
         }
         point.c.iter().zip(allowed).enumerate().all(|(row, (c, allowed))| !active(row) || c.abs() <= allowed)
+    }
+
+    /// The rank of C_q by its values at a pose.
+    pub(crate) fn rank(&self, values: &[f64], measures: &Measures) -> usize {
+        Echelon::new(self.scaled(values, measures, &|_| true), self.n(), RANK).rank()
     }
 
     /// Whether a coordinate turns something: its changes are limited.

@@ -8,6 +8,7 @@ mod point;
 mod quantity;
 mod rotation;
 mod series;
+mod summary;
 
 pub use event::{Event, EventKind};
 pub use planar::Line;
@@ -15,6 +16,7 @@ pub use point::{Body, PointMotion, Vector};
 pub use quantity::Quantity;
 pub use rotation::RotationMotion;
 pub use series::Series;
+pub use summary::Displaced;
 
 use std::sync::Arc;
 
@@ -47,6 +49,10 @@ pub struct Motion {
     pub(crate) breaks: Vec<CrossedBreak>,
     pub(crate) events: Vec<Event>,
     pub(crate) singular: Vec<SingularPosition>,
+    /// The guess that the first position was found from.
+    pub(crate) guess: Vec<f64>,
+    /// By how much of their norms equations contradict one another, where that was allowed.   \[-\]
+    pub(crate) misfit: f64,
 }
 
 impl Motion {
@@ -68,6 +74,8 @@ impl Motion {
             breaks: Vec::new(),
             events: Vec::new(),
             singular: Vec::new(),
+            guess: system.initial().to_vec(),
+            misfit: 0.0,
         }
     }
 
@@ -198,13 +206,8 @@ impl Motion {
 
     /// One coordinate over time, with its rates: a bare one, or a body's such as `crank.theta()`. Those of the ground stand still.
     ///
-    /// A coordinate of another mechanism has no history here: it gives an empty one, and [`Motion::try_coordinate`] an error.
-    pub fn coordinate(&self, coordinate: impl Into<Coordinate>) -> Quantity {
-        self.try_coordinate(coordinate).unwrap_or_else(|_| Quantity::new("", "", (&[], &self.layout.words), Default::default()))
-    }
-
-    /// The same; a coordinate of another mechanism is an error.
-    pub fn try_coordinate(&self, coordinate: impl Into<Coordinate>) -> Result<Quantity> {
+    /// Errors: a coordinate of another mechanism.
+    pub fn coordinate(&self, coordinate: impl Into<Coordinate>) -> Result<Quantity> {
         match self.layout.coordinate(&coordinate.into()) {
             Some(Place::Own { first, .. }) => Ok(self.column(first)),
             Some(Place::Ground(value)) => {
@@ -275,7 +278,7 @@ impl Motion {
     ///
     /// Errors: a body of another mechanism, name empty or taken.
     pub fn add_point<B: Body>(&mut self, name: &str, body: B, local: impl Into<B::Vector>) -> Result<()> {
-        for component in self.try_point(body, local)?.components() {
+        for component in self.point(body, local)?.components() {
             self.add_output(&format!("{name}.{}", component.name()), component.unit(), component.values().to_vec())?;
         }
         Ok(())
@@ -301,33 +304,10 @@ impl Motion {
         self.add_event(found.event());
         self.singular.push(found);
     }
-
-    /// One line: counts, Newton steps a time (the first position apart, which is found from a guess) and the largest residual.
-    pub fn summary(&self) -> String {
-        let (first, rest) = self.iterations.split_at(1.min(self.iterations.len()));
-        let mut steps = if rest.is_empty() { first.to_vec() } else { rest.to_vec() };
-        steps.sort_unstable();
-        let usual = steps.get(steps.len() / 2).copied().unwrap_or(0);
-        let largest = self.worst.map_or(0.0, |(residual, _)| residual);
-        let breaks = match self.breaks.iter().map(|crossed| crossed.found.order).min() {
-            Some(order) => format!(", {} breaks of laws crossed (derivative {order} jumps)", self.breaks.len()),
-            None => String::new(),
-        };
-        format!(
-            "{}: {} coordinates, {} equations, {} times, {usual} Newton step{} a time (worst {}, first position {}), |C| ≤ {largest:.0e}{breaks}",
-            self.name,
-            self.layout.len(),
-            self.equations.len(),
-            self.len(),
-            if usual == 1 { "" } else { "s" },
-            steps.last().copied().unwrap_or(0),
-            first.first().copied().unwrap_or(0),
-        )
-    }
 }
 
 impl std::fmt::Debug for Motion {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "Motion({})", self.summary())
+        write!(f, "Motion({}: {} times)", self.name, self.len())
     }
 }

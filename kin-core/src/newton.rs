@@ -14,16 +14,18 @@ pub use watch::CrossedBreak;
 
 use crate::error::Error;
 use crate::fours::{self, Fours};
-use crate::linear::Linear;
+use crate::linear::{Linear, RANK};
 use crate::system::evaluate::{Bad, Instant};
 use crate::system::{Solution, System};
 
 /// A correction that stalls above this share of its coordinate is no rounding but a singular position.   \[-\]
 pub(crate) const STALL: f64 = 1e-9;
 
-/// A position with a pivot below this cannot be told from a singular one: rounding ε of C moves q by ε / pivot, and so the pivot by about
-/// as much, which is itself at √ε = 1.5e-8.   \[-\]
-pub(crate) const DOUBTFUL: f64 = 1e-7;
+/// A position with a pivot below this cannot be told from a singular one.   \[-\]
+pub(crate) const DOUBTFUL: f64 = RANK;
+
+/// Pivots of the recorded elimination differ from those of a complete one by less than this: below it the latter are asked.   \[-\]
+const SIMILAR: f64 = 30.0;
 
 /// A position whose smallest pivot is above this is not called singular, whatever has stopped Newton's method there.   \[-\]
 const REGULAR: f64 = 1e-6;
@@ -181,7 +183,7 @@ impl<'a> Newton<'a> {
         if self.linear.is_provisional() && !self.measured_here() {
             return Err(Failure::Singular);
         }
-        if self.linear.smallest_pivot() < DOUBTFUL {
+        if self.linear.smallest_pivot() < SIMILAR * DOUBTFUL && self.is_singular() {
             return Err(Failure::Singular);
         }
         if let Some(block) = self.system.equations().first_wrong(&self.instant) {
@@ -196,6 +198,14 @@ impl<'a> Newton<'a> {
     fn measured_here(&mut self) -> bool {
         self.linear.revoke();
         self.linear.measure() && self.linear.factor()
+    }
+
+    /// Whether the rank of C_q at the point in hand is what a diagnosis calls less than n.
+    #[cold]
+    fn is_singular(&self) -> bool {
+        let (model, t) = (self.system.model(), self.instant.t());
+        let values = model.linearize(&self.q, t).map(|point| point.values);
+        values.is_ok_and(|values| model.rank(&values, &model.measure(&self.q, t)) < self.q.len())
     }
 
     /// Why the iteration came to no end: where C is met and still every step is long, C_q is singular for all practical purposes.

@@ -16,7 +16,7 @@ use crate::diagnosis;
 use crate::error::{Error, Result};
 use crate::layout::{Layout, Place};
 use crate::linear::Linear;
-use crate::measure::Limit;
+use crate::measure::{Limit, kinks};
 use crate::model::Model;
 use crate::newton::Report;
 use crate::units::Units;
@@ -42,6 +42,8 @@ pub struct System {
     linear: Linear,
     /// Ranges that measures should keep to.
     pub(crate) limits: Vec<Limit>,
+    /// The constraints with conditions or other kinks, which a run has to look for.
+    switching: Arc<[usize]>,
 }
 
 /// Position, velocity and acceleration at one time.
@@ -71,7 +73,10 @@ impl System {
         equations.find_drivers(&initial);
         let linear = prepared(&layout, &equations, &initial, &links);
         let rows = (0..equations.rows).map(|row| equations.equation(row)).collect();
-        System { name, layout: Arc::new(layout), equations, rows, initial, preferred, asked: Vec::new(), links, linear, limits: Vec::new() }
+        let all = equations.blocks.iter().enumerate();
+        let switching = all.filter(|(_, block)| kinks::switches(block.constraint.as_ref())).map(|(k, _)| k).collect();
+        let (asked, limits) = (Vec::new(), Vec::new());
+        System { name, layout: Arc::new(layout), equations, rows, initial, preferred, asked, links, linear, limits, switching }
     }
 
     /// Name of the mechanism.
@@ -169,7 +174,13 @@ impl System {
     }
 
     pub(crate) fn model(&self) -> Model<'_> {
-        Model { name: &self.name, layout: &self.layout, equations: &self.equations, preferred: &self.preferred, links: &self.links }
+        self.model_within(0.0)
+    }
+
+    /// The same, where redundant equations may contradict one another by a share of their norms.
+    pub(crate) fn model_within(&self, closure: f64) -> Model<'_> {
+        let System { name, layout, equations, preferred, links, .. } = self;
+        Model { name, layout, equations, preferred, links, closure }
     }
 
     pub(crate) fn layout(&self) -> &Arc<Layout> {
@@ -183,6 +194,11 @@ impl System {
     /// A linear solver for C_q, with all that never changes in its place, and measured at the initial guess where that has been done.
     pub(crate) fn linear(&self) -> Linear {
         self.linear.clone()
+    }
+
+    /// The constraints with conditions or other kinks.
+    pub(crate) fn switching(&self) -> &[usize] {
+        &self.switching
     }
 
     pub(crate) fn preferred(&self) -> &[(usize, f64)] {

@@ -212,7 +212,7 @@ fn what_was_not_reached_is_a_gap() -> Result<()> {
     let error = system.run(&asked).unwrap_err();
     let part = error.motion().expect("the motion up to the toggle");
     assert!((80..=101).contains(&part.len()), "{}", part.len());
-    let x = part.coordinate(slider.x());
+    let x = part.coordinate(slider.x())?;
     let page = data(&Scene::new(&system).page(part)?.asked(&asked).chart("x", [("x", &x.value)]).html());
     assert_eq!(page["frames"], 201);
     let column = STANDARD.decode(page["charts"][0]["series"][0]["values"]["d"].as_str().unwrap()).unwrap();

@@ -5,6 +5,7 @@ use std::f64::consts::{PI, TAU};
 use kin::joints::drivers::{drive, drive_angle};
 use kin::joints::planar::*;
 use kin::law::Ends;
+use kin::extend::Target;
 use kin::*;
 use kin_view::Scene;
 use serde_json::Value;
@@ -183,8 +184,8 @@ fn a_cam_with_a_roller_is_drawn_by_its_edge_and_the_roller_touches_it() -> Resul
             assert!((p.norm() - rho).abs() < 1e-5, "({}, {}) is not on the edge", p.x, p.y);
         }
         // The edge is the inner parallel of the path of the roller's centre: nowhere nearer to it than the radius, and somewhere as near.
-        let centre = motion.point(follower, vec2(0.0, 0.01));
-        let angle = motion.coordinate(system_cam(&system).theta());
+        let centre = motion.point(follower, vec2(0.0, 0.01))?;
+        let angle = motion.coordinate(system_cam(&system).theta())?;
         for (r, theta) in centre.r().iter().zip(angle.value.values()).step_by(9) {
             let (sin, cos) = theta.sin_cos();
             let seen = vec3(cos * r.x + sin * r.y, cos * r.y - sin * r.x, 0.0);

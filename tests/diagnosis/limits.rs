@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use kin::diagnosis::{Change, DiagnosisOptions};
+use kin::diagnosis::{Change, DiagnosisOptions, Resize, Size};
 use kin::prelude::*;
 use kin::state::{At, Rates};
 use kin::{AssemblyOptions, Error, Options, SearchOptions};
@@ -101,13 +101,15 @@ fn hand_written_motor_counts_as_a_driver() {
     assert_eq!((found.drivers, found.gruebler, found.mobility), (1, 1, 1));
 }
 
-/// Three cranks of which the third is 0.1 too long: to leave its pin out would let it swing, so a row of it is all that may go.
+/// Three cranks of which the third is 0.1 too long: its length is what does not fit, and no other.
 #[test]
 fn joint_that_cannot_be_met_asks_for_another_dimension() {
     let mut p = parallelogram(1.1, 1.0);
     p.mechanism.add("motor", drive_angle(p.cranks[0], Law::linear(1.0, 1.0))).unwrap();
     let found = p.mechanism.diagnose(0.0).unwrap();
-    let [Change::Fit { constraint, missing, or_drop, .. }] = &found.changes[..] else { panic!("{found}") };
-    assert!(constraint == "O3" && (missing - 0.1).abs() < 1e-9 && or_drop.len() == 1, "{found}");
+    let [Change::Resize { any }] = &found.changes[..] else { panic!("{found}") };
+    let [Resize { of: Size::Length { body }, is, fits, exact, .. }] = &any[..] else { panic!("{found}") };
+    assert!(body == "crank 3" && is == &[1.1] && (fits[0] - 1.0).abs() < 1e-9 && *exact, "{found}");
+    assert!((found.gaps[0].size() - 0.1).abs() < 1e-6, "{found}");
     assert_eq!(found.mobility, 1);
 }

@@ -9,5 +9,7 @@ mod models;
 mod plan;
 mod planar;
 mod random;
+mod silence;
 mod space;
 mod spatial;
+mod verdicts;

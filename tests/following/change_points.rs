@@ -87,7 +87,7 @@ fn parallelogram_stays_a_parallelogram() {
         let flat: Vec<f64> = (1..=6).map(|k| (f64::from(k) * PI - start) / TAU).collect();
         assert_eq!(motion.singular_positions().len(), 6, "{:?}", motion.events());
         flat.iter().zip(motion.singular_positions()).for_each(|(t, found)| is_crossing(found, *t));
-        let (coupler, rocker) = (motion.coordinate(coupler.theta()), motion.coordinate(rocker.theta()));
+        let (coupler, rocker) = (motion.coordinate(coupler.theta()).unwrap(), motion.coordinate(rocker.theta()).unwrap());
         for (k, t) in motion.times().iter().enumerate() {
             let errors = [coupler.value.values()[k], rocker.value.values()[k] - start - TAU * t].map(f64::abs);
             assert!(errors[0].max(errors[1]) < 1e-10, "{t}: {errors:?}");

@@ -51,7 +51,7 @@ fn from_three(p: [Vec3; 3], from: [Vec3; 3], like: Vec3) -> Vec3 {
 #[test]
 fn double_wishbone_is_circles_and_spheres_that_meet() {
     let motion = example("17_double_wishbone", 8.0, 161);
-    let rack = motion.coordinate(spatial_body(&motion, "rack").y()).value;
+    let rack = motion.coordinate(spatial_body(&motion, "rack").y()).unwrap().value;
     for (name, side) in [("left", 1.0), ("right", -1.0)] {
         let at = |x: f64, y: f64, z: f64| vec3(x, side * y, z);
         let [lower_front, lower_rear, lower] = [at(150.0, 350.0, 190.0), at(-170.0, 350.0, 200.0), at(5.0, 725.0, 175.0)];
@@ -75,7 +75,7 @@ fn double_wishbone_is_circles_and_spheres_that_meet() {
             [hub, tip].map(|p| from_three([l, u, o], [lower, upper, outer], p))
         };
         let body = spatial_body(&motion, &format!("{name} upright"));
-        let (wheel, spindle) = (motion.point(body, hub), motion.point(body, tip));
+        let (wheel, spindle) = (motion.point(body, hub).unwrap(), motion.point(body, tip).unwrap());
         let error = worst(&motion, |k, _| {
             let (mut low, mut high) = (-0.4, 0.4);
             let height = |angle: f64| pose(angle, rack.values()[k])[0].z - wheel.r()[k].z;
@@ -92,7 +92,7 @@ fn double_wishbone_is_circles_and_spheres_that_meet() {
     // What the wheel does: at full bump it leans inwards, and toe hardly changes.
     let body = spatial_body(&motion, "left upright");
     let direction = |k: usize| {
-        let r = |y: f64| motion.point(body, vec3(0.0, y, 320.0)).r()[k];
+        let r = |y: f64| motion.point(body, vec3(0.0, y, 320.0)).unwrap().r()[k];
         r(781.0) - r(780.0)
     };
     let bump = direction(20);
@@ -119,7 +119,7 @@ fn between(a: f64, b: f64) -> f64 {
 fn excavator_is_four_triangles() {
     let motion = example("18_excavator", 12.0, 401);
     let [boom, stick, bucket, lever] =
-        ["boom", "stick", "bucket", "lever"].map(|name| motion.coordinate(planar(&motion, name).theta()).value);
+        ["boom", "stick", "bucket", "lever"].map(|name| motion.coordinate(planar(&motion, name).theta()).unwrap().value);
     // Cylinders: moves of three seconds with the polynomial 10 u³ − 15 u⁴ + 6 u⁵.
     let length = |lengths: [f64; 5], t: f64| {
         let k = ((t / 3.0) as usize).min(3);
@@ -153,7 +153,7 @@ fn delta_robot_has_the_motor_angles_of_the_closed_form() {
     let (base, plate, arm, forearm) = (200.0, 60.0, 250.0, 560.0);
     let motion = example("19_delta_robot", 2.0, 401);
     let body = spatial_body(&motion, "plate");
-    let tool = motion.point(body, vec3(0.0, 0.0, 0.0));
+    let tool = motion.point(body, vec3(0.0, 0.0, 0.0)).unwrap();
     let error = worst(&motion, |k, _| {
         let p = tool.r()[k];
         let off = (0..3).map(|number| {
@@ -167,14 +167,14 @@ fn delta_robot_has_the_motor_angles_of_the_closed_form() {
             let [a, b] = [-half, half].map(|half| f.atan2(e) + half);
             let phi = if a.cos() > b.cos() { a } else { b };
             let link = spatial_body(&motion, &format!("arm {}", number + 1));
-            let elbow = motion.point(link, vec3(0.5 * arm, 0.0, 0.0)).r()[k];
+            let elbow = motion.point(link, vec3(0.5 * arm, 0.0, 0.0)).unwrap().r()[k];
             let out = base + arm * phi.cos();
             (elbow - vec3(out * cos, out * sin, -arm * phi.sin())).norm()
         });
         off.fold(0.0, f64::max)
     });
     assert!(error < 1e-9, "elbows are off by {error:e} mm");
-    let tilt = worst(&motion, |k, _| (motion.point(body, vec3(0.0, 0.0, 100.0)).r()[k] - tool.r()[k] - vec3(0.0, 0.0, 100.0)).norm());
+    let tilt = worst(&motion, |k, _| (motion.point(body, vec3(0.0, 0.0, 100.0)).unwrap().r()[k] - tool.r()[k] - vec3(0.0, 0.0, 100.0)).norm());
     assert!(tilt < 1e-9, "the plate is not level by {tilt:e} mm");
     // Half of the way up, across and down: the tool is where the path says.
     let middle = tool.r()[100];
@@ -188,7 +188,7 @@ fn geneva_wheel_goes_by_stations_and_the_closed_form() {
     let step = TAU / stations;
     let c = a / (0.5 * step).sin();
     let motion = example("20_geneva_drive", 12.0, 2401);
-    let wheel = motion.coordinate(planar(&motion, "wheel").theta());
+    let wheel = motion.coordinate(planar(&motion, "wheel").theta()).unwrap();
     let mut at_rest = 0;
     let error = worst(&motion, |k, t| {
         let driver = PI + PI * t;
@@ -250,7 +250,7 @@ fn cam_with_roller_is_a_parallel_curve_that_meets_a_circle() {
     ];
     let (edge, roller, lever, pivot) = (spline(&table, deg(15.0)), 12.0, 95.0, vec2(-90.0, 62.0));
     let motion = example("21_cam_with_roller", 2.0, 121);
-    let centre = motion.point(planar(&motion, "lever"), vec2(0.5 * lever, 0.0));
+    let centre = motion.point(planar(&motion, "lever"), vec2(0.5 * lever, 0.0)).unwrap();
     let error = worst(&motion, |k, t| {
         let theta = -PI * t;
         let at = |phi: f64| {
@@ -284,7 +284,7 @@ fn planetary_train_obeys_willis_and_its_pitch_points_have_one_velocity() {
     let (z_sun, z_ring) = (30.0, 72.0);
     let (r_sun, r_planet, r_ring) = (30.0, 21.0, 72.0);
     let motion = example("22_planetary_train", 8.0, 401);
-    let [sun, ring, carrier] = ["sun", "ring", "carrier"].map(|name| motion.coordinate(planar(&motion, name).theta()));
+    let [sun, ring, carrier] = ["sun", "ring", "carrier"].map(|name| motion.coordinate(planar(&motion, name).theta()).unwrap());
     let error = worst(&motion, |k, _| {
         let equation = |of: fn(&kin::Quantity) -> &Series| {
             let [s, r, c] = [&sun, &ring, &carrier].map(|wheel| of(wheel).values()[k]);
@@ -297,7 +297,7 @@ fn planetary_train_obeys_willis_and_its_pitch_points_have_one_velocity() {
     for number in 0..3 {
         let place = TAU / 3.0 * f64::from(number);
         let planet = planar(&motion, &format!("planet {}", number + 1));
-        let (turn, axle) = (motion.coordinate(planet.theta()), motion.point(planet, vec2(0.0, 0.0)));
+        let (turn, axle) = (motion.coordinate(planet.theta()).unwrap(), motion.point(planet, vec2(0.0, 0.0)).unwrap());
         let slip = worst(&motion, |k, _| {
             let line = carrier.value.values()[k] + place;
             let across = vec2(-line.sin(), line.cos());

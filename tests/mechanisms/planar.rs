@@ -20,8 +20,11 @@ fn four_bar_in_both_assemblies() {
         m.add("motor", drive_angle(crank, Law::ramp(2.0))).unwrap();
         m.prefer(rocker, deg(preferred));
         let motion = m.build().unwrap().run(linspace(0.0, 3.2, 321)).unwrap();
-        let (pin, theta3, theta4) =
-            (motion.point(rocker, rocker.end()), motion.coordinate(coupler.theta()), motion.coordinate(rocker.theta()));
+        let (pin, theta3, theta4) = (
+            motion.point(rocker, rocker.end()).unwrap(),
+            motion.coordinate(coupler.theta()).unwrap(),
+            motion.coordinate(rocker.theta()).unwrap(),
+        );
         let error = worst(&motion, |k, t| {
             let pin_a = vec2((2.0 * t).cos(), (2.0 * t).sin()) * a;
             let to_c = vec2(d, 0.0) - pin_a;
@@ -50,7 +53,7 @@ fn quick_return() {
     m.add("block", pin_in_slot(crank, arm, crank.end(), arm.start(), arm.end())).unwrap();
     m.add("motor", drive_angle(crank, Law::ramp(omega))).unwrap();
     let motion = m.build().unwrap().run(linspace(0.0, TAU / omega, 361)).unwrap();
-    let angle = motion.coordinate(arm.theta());
+    let angle = motion.coordinate(arm.theta()).unwrap();
     let error = worst(&motion, |k, t| angle.value.values()[k] - (d + r * (omega * t).sin()).atan2(r * (omega * t).cos()));
     assert!(error < 1e-13, "{error:e}");
     let error = worst(&motion, |k, t| {
@@ -73,7 +76,7 @@ fn scotch_yoke_is_harmonic() {
     m.add("guide", prismatic(yoke, Ground, O, O, vec2(0.0, 1.0), 0.0)).unwrap();
     m.add("motor", drive_angle(crank, Law::linear(0.1, omega))).unwrap();
     let motion = m.build().unwrap().run(linspace(0.0, 6.0, 601)).unwrap();
-    let x = motion.coordinate(yoke.x());
+    let x = motion.coordinate(yoke.x()).unwrap();
     let phase = |t: f64| 0.1 + omega * t;
     assert!(worst(&motion, |k, t| x.value.values()[k] - r * phase(t).cos()) < 1e-14);
     assert!(worst(&motion, |k, t| x.rate.values()[k] + r * omega * phase(t).sin()) < 1e-13);
@@ -95,12 +98,12 @@ fn epicyclic_gears_follow_willis() {
     m.add("planet and ring", internal_gear(planet, Ground, arm, planet_r, ring_r, 0.0)).unwrap();
     m.add("motor", drive_angle(sun, Law::ramp(10.0))).unwrap();
     let motion = m.build().unwrap().run(linspace(0.0, 20.0, 401)).unwrap();
-    let (arm_angle, planet_angle) = (motion.coordinate(arm.theta()).value, motion.coordinate(planet.theta()).value);
+    let (arm_angle, planet_angle) = (motion.coordinate(arm.theta()).unwrap().value, motion.coordinate(planet.theta()).unwrap().value);
     let arm_rate = 10.0 * sun_r / (sun_r + ring_r);
     assert!(worst(&motion, |k, t| arm_angle.values()[k] - arm_rate * t) < 1e-12, "31 turns of the sun, none lost");
     assert!(worst(&motion, |k, t| planet_angle.values()[k] - arm_rate * (1.0 - ring_r / planet_r) * t) < 1e-12);
     // the point of the planet on the ring stands still
-    let touching = motion.point(planet, vec2(planet_r, 0.0));
+    let touching = motion.point(planet, vec2(planet_r, 0.0)).unwrap();
     assert!(touching.v()[0].norm() < 1e-15, "{:?}", touching.v()[0]);
 }
 
@@ -114,11 +117,11 @@ fn a_rolling_wheel_keeps_to_its_track() {
     m.add("track", rolling(wheel, Ground, O, O, along * 3.0, radius, 0.0)).unwrap();
     m.add("motor", drive_angle(wheel, Law::ramp(-4.0))).unwrap();
     let motion = m.build().unwrap().run(linspace(0.0, 5.0, 101)).unwrap();
-    let centre = motion.point(wheel, O);
+    let centre = motion.point(wheel, O).unwrap();
     assert!(worst(&motion, |k, t| (centre.r()[k] - along * (radius * 4.0 * t) - along.perp() * radius).norm()) < 1e-13);
     // the point that touches the track at this time, in the wheel's own frame
     let error = worst(&motion, |k, t| {
-        let touch = motion.point(wheel, Mat2::rotation(4.0 * t) * (along.perp() * -radius));
+        let touch = motion.point(wheel, Mat2::rotation(4.0 * t) * (along.perp() * -radius)).unwrap();
         touch.v()[k].norm()
     });
     assert!(error < 1e-13, "{error:e}");
@@ -136,7 +139,7 @@ fn cams_lift_as_their_profiles_say() {
         contact(&mut m, cam, rod);
         m.add("motor", drive_angle(cam, Law::ramp(-2.0))).unwrap();
         let motion = m.build().unwrap().run(linspace(0.0, 10.0, 1001)).unwrap();
-        let y = motion.coordinate(rod.y());
+        let y = motion.coordinate(rod.y()).unwrap();
         (y.value.values().to_vec(), y.second_rate.values().to_vec())
     };
     let flat = lift(&|m, cam, rod| {
@@ -179,11 +182,11 @@ fn a_roller_on_an_eccentric_is_a_rod() {
     m.add("roller", cam_roller(cam, rod, phi, O, radius, eccentric(e, disc))).unwrap();
     m.add("motor", drive_angle(cam, Law::ramp(3.0))).unwrap();
     let motion = m.build().unwrap().run(linspace(0.0, 4.0, 801)).unwrap();
-    let y = motion.coordinate(rod.y());
+    let y = motion.coordinate(rod.y()).unwrap();
     let (c, l) = (|t: f64| (3.0 * t).sin_cos(), disc + radius);
     assert!(worst(&motion, |k, t| y.value.values()[k] - (e * c(t).0 + (l * l - (e * c(t).1).powi(2)).sqrt())) < 1e-14);
-    let centre = motion.point(cam, vec2(e, 0.0));
-    let pin = motion.point(rod, O);
+    let centre = motion.point(cam, vec2(e, 0.0)).unwrap();
+    let pin = motion.point(rod, O).unwrap();
     assert!(worst(&motion, |k, _| (pin.r()[k] - centre.r()[k]).norm() - l) < 1e-14);
     assert!(worst(&motion, |k, _| (pin.r()[k] - centre.r()[k]).dot(pin.v()[k] - centre.v()[k])) < 1e-14);
     let rates = |k: usize| (pin.r()[k] - centre.r()[k]).dot(pin.a()[k] - centre.a()[k]) + (pin.v()[k] - centre.v()[k]).norm_squared();
@@ -208,7 +211,7 @@ fn a_block_in_a_slot_has_its_coriolis_acceleration() {
         }
         m.add("motor", drive_angle(disc, Law::ramp(omega))).unwrap();
         let motion = m.build().unwrap().run(linspace(0.0, 2.0, 101)).unwrap();
-        let block = motion.point(block, O);
+        let block = motion.point(block, O).unwrap();
         worst(&motion, |k, t| {
             let turn = Mat2::rotation(omega * t);
             let u = turn * vec2(0.1 + speed * t, 0.05);

@@ -32,7 +32,7 @@ fn hookes_joint() {
     m.add("cross", spatial::perpendicular(i, j, Vec3::y(), -Vec3::z())).unwrap();
     m.add("motor", spatial::drive_turn(i, Ground, Vec3::x(), Vec3::x(), Law::ramp(omega))).unwrap();
     let motion = run(m);
-    let phi = motion.coordinate(phi);
+    let phi = motion.coordinate(phi).unwrap();
     let error = worst(&motion, |k, t| {
         let (s1, c1) = (omega * t).sin_cos();
         let (s2, c2) = phi.value.values()[k].sin_cos();
@@ -61,7 +61,7 @@ fn double_cardan_turns_evenly() {
     m.add("cross 2", spatial::perpendicular(j, k, -Vec3::z(), vec3(-(2.0 * beta).sin(), (2.0 * beta).cos(), 0.0))).unwrap();
     m.add("motor", spatial::drive_turn(i, Ground, Vec3::x(), Vec3::x(), Law::ramp(omega))).unwrap();
     let motion = run(m);
-    let (phi, between) = (motion.coordinate(phi), motion.coordinate(between));
+    let (phi, between) = (motion.coordinate(phi).unwrap(), motion.coordinate(between).unwrap());
     assert!(worst(&motion, |k, t| phi.value.values()[k] - omega * t) < 1e-12);
     assert!(worst(&motion, |k, _| phi.rate.values()[k] - omega) < 1e-11 && worst(&motion, |k, _| phi.second_rate.values()[k]) < 1e-9);
     assert!(between.rate.max() > 1.1 * omega, "the middle shaft does not turn evenly: {}", between.rate.max());
@@ -81,7 +81,7 @@ fn a_constant_velocity_joint_turns_evenly() {
     m.add("turn", spatial::relative_angle(j, Ground, phi, Axis::new(Vec3::x(), Vec3::z()), Axis::new(second, Vec3::z()))).unwrap();
     m.add("motor", spatial::drive_turn(i, Ground, Vec3::x(), Vec3::x(), Law::ramp(omega))).unwrap();
     let motion = run(m);
-    let phi = motion.coordinate(phi);
+    let phi = motion.coordinate(phi).unwrap();
     assert!(worst(&motion, |k, t| phi.value.values()[k] - omega * t) < 1e-12);
     assert!(worst(&motion, |k, _| phi.rate.values()[k] - omega) < 1e-12);
 }
@@ -97,7 +97,7 @@ fn bevel_gears_keep_their_ratio() {
     m.add("mesh", spatial::gear(i, j, Ground, a, b, a, b, 20.0, 30.0, 0.0)).unwrap();
     m.add("motor", spatial::drive_turn(i, Ground, a, a, Law::polynomial(&[0.0, 1.0, 2.0]))).unwrap();
     let motion = run(m);
-    let phi = motion.coordinate(phi);
+    let phi = motion.coordinate(phi).unwrap();
     assert!(worst(&motion, |k, t| phi.value.values()[k] + 2.0 / 3.0 * (t + 2.0 * t * t)) < 1e-11);
     assert!(worst(&motion, |k, _| phi.second_rate.values()[k] + 8.0 / 3.0) < 1e-9);
 }
@@ -114,7 +114,7 @@ fn a_screw_goes_a_lead_a_turn() {
     m.add("turn", spatial::relative_angle(nut, Ground, phi, axis, axis)).unwrap();
     m.add("feed", spatial::drive_slide(nut, Ground, O, at, axis, Law::cycloidal(0.4, 4.0))).unwrap();
     let motion = run(m);
-    let phi = motion.coordinate(phi);
+    let phi = motion.coordinate(phi).unwrap();
     assert!(worst(&motion, |k, t| phi.value.values()[k] - TAU / 0.05 * Law::cycloidal(0.4, 4.0).at(t)) < 1e-10);
     assert!((phi.value.values()[800] - 8.0 * TAU).abs() < 1e-11, "eight turns");
 }
@@ -130,7 +130,7 @@ fn rack_and_pinion() {
     m.add("mesh", spatial::rack_and_pinion(pinion, rack, O, O, z, Axis::new(z, Vec3::x()), r, 0.0)).unwrap();
     m.add("motor", spatial::drive_turn(pinion, Ground, z, z, Law::ramp(3.0))).unwrap();
     let motion = run(m);
-    let x = motion.coordinate(rack.x());
+    let x = motion.coordinate(rack.x()).unwrap();
     // the rack under a pinion that turns counter-clockwise goes along +x
     assert!(worst(&motion, |k, t| x.value.values()[k] - r * 3.0 * t) < 1e-13);
 }

@@ -30,7 +30,7 @@ fn spatial_slider_crank() {
         m.add("motor", spatial::drive_turn(crank, Ground, Vec3::x(), Vec3::x(), Law::ramp(omega))).unwrap();
         // three turns, beginning with the crank up
         let motion = m.build().unwrap().run(linspace(0.0, PI, 601)).unwrap();
-        let x = motion.coordinate(slider.x());
+        let x = motion.coordinate(slider.x()).unwrap();
         let first = [x.value.values()[0], x.rate.values()[0], x.second_rate.values()[0]];
         assert!(first.iter().zip([0.2, 0.24, 1.44]).all(|(found, exact)| (found - exact).abs() < 1e-13), "{first:?}");
         let error = worst(&motion, |k, t| {
@@ -75,7 +75,7 @@ fn stewart_platform_finds_the_pose_of_its_legs() {
     ];
     assert!(found.iter().all(|d| d.abs() < 1e-12), "{found:?}");
     for (k, law) in laws.iter().enumerate() {
-        let end = motion.point(platform, p(k));
+        let end = motion.point(platform, p(k)).unwrap();
         let error = worst(&motion, |n, t| {
             let (d, [l, rate, ..]) = (end.r()[n] - u(k), law.jet(t));
             (d.norm() - l).abs() + (d.dot(end.v()[n]) / l - rate).abs()
@@ -113,7 +113,7 @@ fn bennett_linkage_moves() {
     let exact = |theta: f64| 2.0 * (ratio * (theta / 2.0).tan()).atan();
     m.prefer(phi, exact(1.0));
     let motion = m.build().unwrap().run(linspace(0.0, 2.0, 201)).unwrap();
-    let angle = motion.coordinate(phi).value;
+    let angle = motion.coordinate(phi).unwrap().value;
     let error = worst(&motion, |k, t| angle.values()[k] - exact(1.0 + t));
     assert!(error < 1e-12, "{error:e}");
     let link = spatial::revolute_revolute(any_spatial(), any_spatial(), vec3(b, 0.0, 0.0), vec3(b, 0.0, 0.0), far, far, a, alpha);

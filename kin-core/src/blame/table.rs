@@ -32,6 +32,11 @@ impl Table {
         self.formula.get_or_init(|| self.text.parse().unwrap_or_default())
     }
 
+    /// Whether any of these words is in its text: without reading it.
+    pub(crate) fn has_any(&self, words: &[&str]) -> bool {
+        words.iter().any(|word| self.text.contains(word))
+    }
+
     /// The place of one of its expressions.
     pub(crate) fn source(&self, expression: &Expression) -> Source {
         Source { file: self.file, line: expression.line, column: expression.column }

@@ -196,7 +196,7 @@ impl Mechanism {
         for ConstraintData { name, kind, arguments, parameters } in &data.constraints {
             let made = registry.constraint(kind, arguments, parameters, &mechanism);
             let constraint = made.map_err(|reason| Error::Data { place: format!("constraint `{name}`"), reason })?;
-            mechanism.add_boxed(name, constraint)?;
+            mechanism.add(name, constraint)?;
         }
         for LimitData { measure, from, to } in &data.limits {
             mechanism.limit(measure, from.unwrap_or(f64::NEG_INFINITY), to.unwrap_or(f64::INFINITY))?;

@@ -54,6 +54,12 @@ pub struct MotionData {
     /// Singular positions that were met.
     #[serde(default)]
     pub singular_positions: Vec<SingularPosition>,
+    /// The guess that the first position was found from.   \[m, rad\]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub guess: Vec<f64>,
+    /// By how much of their norms equations contradict one another, where that was allowed.   \[-\]
+    #[serde(default)]
+    pub misfit: f64,
     /// Derived quantities.
     pub outputs: Vec<OutputData>,
 }
@@ -107,6 +113,8 @@ impl Motion {
             breaks: self.breaks.iter().map(BreakData::of).collect(),
             events: self.events.clone(),
             singular_positions: self.singular.clone(),
+            guess: self.guess.clone(),
+            misfit: self.misfit,
             outputs: self.outputs().iter().map(output).collect(),
         }
     }
@@ -139,7 +147,21 @@ impl Motion {
         }
         let happened = data.events.iter().map(|event| &event.t);
         let singular = data.singular_positions.iter().flat_map(SingularPosition::numbers);
-        let all = data.times.iter().chain(&q).chain(&qd).chain(&qdd).chain(&qddd).chain(&data.residuals).chain(happened).chain(singular);
+        if !(data.guess.is_empty() || data.guess.len() == width) {
+            return Err(fail(format!("the guess needs {width} numbers")));
+        }
+        let all = data
+            .guess
+            .iter()
+            .chain([&data.misfit])
+            .chain(&data.times)
+            .chain(&q)
+            .chain(&qd)
+            .chain(&qdd)
+            .chain(&qddd)
+            .chain(&data.residuals)
+            .chain(happened)
+            .chain(singular);
         if let Some(value) = all.into_iter().find(|x| !x.is_finite()) {
             return Err(fail(format!("{value} is among its numbers")));
         }
@@ -159,6 +181,8 @@ impl Motion {
             breaks: data.breaks.iter().map(BreakData::crossed).collect(),
             events: data.events.clone(),
             singular: data.singular_positions.clone(),
+            guess: data.guess.clone(),
+            misfit: data.misfit,
             outputs: Vec::new(),
         };
         for output in &data.outputs {

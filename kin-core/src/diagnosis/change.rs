@@ -4,9 +4,14 @@ use serde::{Deserialize, Serialize};
 
 use super::contradiction::{Asks, Gap};
 use super::dependency::{Class, Dependency};
+use super::dimension::{self, Of};
 use super::examine::Examined;
-use super::freedom::{Freedom, Persistence};
-use crate::layout::Unit;
+use super::freedom::{Freedom, How, Persistence};
+use super::order;
+use super::trial::Trial;
+use crate::layout::{Kind, Place};
+use crate::model::Model;
+use crate::system::evaluate::Block;
 
 /// One thing to change in the model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -30,12 +35,48 @@ pub enum Change {
         /// How many rows it has.
         of: usize,
     },
+    /// Give a dimension another value, any one of these: with it everything closes, and what drives has something to drive.
+    Resize {
+        /// The likeliest first.
+        any: Vec<Resize>,
+    },
+    /// Allow redundant equations to contradict one another by this share of the mechanism's size, [`crate::Options::closure`]: they do so by no more
+    /// than parts of ordinary accuracy.
+    Allow {
+        /// What is to be allowed.   \[-\]
+        closure: f64,
+    },
+    /// Two points of a constraint are exchanged: each is a point of the other's body.
+    Swap {
+        /// The constraint.
+        constraint: String,
+        /// Its bodies in their order.
+        bodies: [String; 2],
+        /// The points that were given for them.   \[m\]
+        points: [Vec<f64>; 2],
+    },
+    /// Points are given in the global frame where those of a body are wanted.
+    Local {
+        /// All of them.
+        points: Vec<GlobalPoint>,
+    },
+    /// Two constraints hold the same end of a body, and none its other end.
+    OtherEnd {
+        /// The constraints.
+        constraints: [String; 2],
+        /// The body.
+        body: String,
+        /// The end that both hold, in the body.   \[m\]
+        point: Vec<f64>,
+    },
     /// Ask less of a driver: what it asks for is beyond what the mechanism can reach.
     Limit {
         /// The driver.
         constraint: String,
         /// For a driver of one coordinate: what it asks for, and the nearest to it that was found.
         asks: Option<Asks>,
+        /// Dimensions that could be others instead.
+        or: Vec<Resize>,
     },
     /// Leave some rows of a constraint out: a joint that holds less.
     Drop {
@@ -50,18 +91,111 @@ pub enum Change {
     Drive {
         /// The coordinate.
         coordinate: String,
-        /// Whether it is an Euler parameter: then the turn of its body is meant.
-        turn: bool,
+        /// The body whose turn is meant by it, where that is no coordinate of its own: of a spatial one.
+        turn: Option<String>,
         /// The bodies that would move with it.
         moves: Vec<String>,
     },
+    /// Join a body to others: no constraint holds it.
+    Join {
+        /// The body or coordinate.
+        body: String,
+    },
+    /// Join two planar bodies that are held by one joint each, or drive both.
+    Pin {
+        /// The bodies.
+        bodies: [String; 2],
+        /// The coordinates that could be driven instead.
+        coordinates: [String; 2],
+    },
+    /// Hold a turn that nothing depends on, [`crate::Mechanism::hold_idle_turns`]; or make the body a `distance` between its points.
+    HoldIdle {
+        /// The bodies that turn as one.
+        bodies: Vec<String>,
+    },
+}
+
+/// Another value for a dimension.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Resize {
+    /// Whose dimension it is.
+    pub of: Size,
+    /// What it is.   \[m, or the unit of the parameter\]
+    pub is: Vec<f64>,
+    /// What would do.
+    pub fits: Vec<f64>,
+    /// Whether only that does; else what is beyond it, seen from what it is, does too.
+    pub exact: bool,
+}
+
+/// What a dimension belongs to.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Size {
+    /// The length of a body between two points that constraints hold.
+    Length {
+        /// The body.
+        body: String,
+    },
+    /// A number of a constraint.
+    Number {
+        /// The constraint.
+        constraint: String,
+        /// Its parameter.
+        parameter: String,
+    },
+    /// A point of a constraint.
+    Point {
+        /// The constraint.
+        constraint: String,
+        /// Its parameter.
+        parameter: String,
+        /// The body in which it is; `None` for the ground.
+        body: Option<String>,
+    },
+}
+
+/// A point that was given in the global frame.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct GlobalPoint {
+    /// The constraint.
+    pub constraint: String,
+    /// Its parameter, such as `u_j`.
+    pub point: String,
+    /// The body in which it is taken.
+    pub body: String,
+    /// The point as it was given.   \[m\]
+    pub given: Vec<f64>,
+    /// Where that is in the body as it is drawn.   \[m\]
+    pub local: Vec<f64>,
 }
 
 /// Rows to leave out for what is superfluous, coordinates to drive for what is free. A dependency or freedom of this pose alone asks for
 /// another pose, not for another model.
 pub(super) fn least(examined: &Examined<'_>, gaps: &[Gap], dependencies: &[Dependency], freedoms: &[Freedom]) -> Vec<Change> {
+    let drivers = gaps.iter().all(|gap| gap.rows.iter().all(|row| examined.model().drives(*row)));
     let mut changes: Vec<Change> = Vec::new();
-    changes.extend(gaps.iter().map(|gap| for_gap(examined, gap, dependencies)));
+    match examined.cures {
+        [] => changes.extend(gaps.iter().map(|gap| for_gap(examined, gap, dependencies))),
+        [Change::Resize { any }] if drivers => {
+            changes.extend(gaps.iter().map(|gap| for_gap(examined, gap, dependencies)));
+            if let [Change::Limit { or, .. }] = &mut changes[..] {
+                or.clone_from(any);
+            }
+        }
+        [allow @ Change::Allow { .. }] => {
+            changes.push(allow.clone());
+            changes.extend(gaps.iter().map(|gap| for_gap(examined, gap, dependencies)));
+        }
+        cures => {
+            // With the cure everything closes and moves: what else is wrong at this pose is so because of it.
+            changes.extend_from_slice(cures);
+            if examined.model().m() >= examined.model().n() {
+                return changes;
+            }
+        }
+    }
     let gone = |row: usize| gaps.iter().any(|gap| gap.rows.contains(&row));
     let lasting = dependencies.iter().filter(|found| found.class != Class::OnlyHere);
     let (mut rows, mut conflicts) = (Vec::new(), Vec::new());
@@ -80,35 +214,148 @@ pub(super) fn least(examined: &Examined<'_>, gaps: &[Gap], dependencies: &[Depen
         conflicts.into_iter().map(|(constraint, found)| Change::Remove { or: others(examined, &constraint, &[found]), constraint }),
     );
     changes.extend(leave_out(examined, &rows));
-    let lasting = freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Always);
-    let names = &examined.model().layout.names;
-    let turn = |name: &String| names.iter().position(|known| known == name).is_some_and(|k| examined.model().layout.units[k] == Unit::One);
-    changes.extend(lasting.map(|freedom| Change::Drive {
-        turn: turn(&freedom.coordinate),
-        coordinate: freedom.coordinate.clone(),
-        moves: freedom.motions.iter().flat_map(|motion| motion.names.iter().cloned()).collect(),
-    }));
+    changes.extend(for_freedoms(examined, freedoms));
+    if changes.is_empty() && gaps.is_empty() {
+        changes.extend(out_of_line(examined, freedoms));
+    }
     changes
+}
+
+/// For bodies that give to first order only: lengths of theirs with which they do not, a little longer than they are.
+fn out_of_line(examined: &Examined<'_>, freedoms: &[Freedom]) -> Option<Change> {
+    const LONGER: f64 = 1.05;
+    let model = examined.model();
+    let stiff = freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Infinitesimal);
+    let names: Vec<&String> = stiff.flat_map(|freedom| &freedom.motions).flat_map(|motion| &motion.names).collect();
+    let mut any = Vec::new();
+    for dimension in dimension::all(model) {
+        let Of::Length(item) = dimension.of else { continue };
+        let (body, value) = (model.layout.items[item].name.clone(), vec![LONGER * dimension.value[0]]);
+        let mut equations = model.equations.clone();
+        if !names.contains(&&body) || !dimension.put(&mut equations, &value) {
+            continue;
+        }
+        let trial = Trial { model: Model { equations: &equations, ..*model }, t: examined.t, without: &[], steps: examined.walk.steps };
+        let stands =
+            trial.closed_beside(examined.q).is_some_and(|found| trial.model.rank(&found.place.point.values, &found.measures) == model.n());
+        if stands {
+            any.push(Resize { of: Size::Length { body }, is: dimension.value, fits: value, exact: true });
+        }
+    }
+    (!any.is_empty()).then_some(Change::Resize { any })
+}
+
+/// What each lasting freedom asks for: a joint for a body that nothing holds, a drive, or nothing but to be held.
+fn for_freedoms(examined: &Examined<'_>, freedoms: &[Freedom]) -> Vec<Change> {
+    let mut changes: Vec<Change> = Vec::new();
+    for freedom in freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Always) {
+        let moves: Vec<String> = freedom.motions.iter().flat_map(|motion| motion.names.iter().cloned()).collect();
+        let change = match &moves[..] {
+            [body] if !is_held(examined, body) => Change::Join { body: body.clone() },
+            _ if freedom.idle => Change::HoldIdle { bodies: moves },
+            _ => drive(examined, freedom, freedoms, moves),
+        };
+        if !changes.contains(&change) {
+            changes.push(change);
+        }
+    }
+    pinned(examined, changes)
+}
+
+/// The same, where two links that hang on one joint each are all that is free: a pin between them is likely to be missing.
+fn pinned(examined: &Examined<'_>, changes: Vec<Change>) -> Vec<Change> {
+    let [Change::Drive { coordinate: x, moves: a, turn: None }, Change::Drive { coordinate: y, moves: b, turn: None }] = &changes[..]
+    else {
+        return changes;
+    };
+    match (&a[..], &b[..]) {
+        ([a], [b]) if a != b && hangs(examined, a) && hangs(examined, b) => {
+            let (mut bodies, mut coordinates) = ([a.clone(), b.clone()], [x.clone(), y.clone()]);
+            if order::natural(&bodies[0], &bodies[1]) == std::cmp::Ordering::Greater {
+                bodies.reverse();
+                coordinates.reverse();
+            }
+            vec![Change::Pin { bodies, coordinates }]
+        }
+        _ => changes,
+    }
+}
+
+/// Whether just one constraint speaks of a planar body.
+fn hangs(examined: &Examined<'_>, name: &str) -> bool {
+    let model = examined.model();
+    let of_it = |place: Place| matches!(place, Place::Own { item, .. } if model.layout.items[item].name == name);
+    let speaks =
+        |block: &&Block| block.constraint.arguments().iter().any(|argument| model.layout.place(&argument.target).is_some_and(of_it));
+    let planar = model.layout.items.iter().any(|item| item.name == name && item.kind == Kind::Planar);
+    planar && model.equations.blocks.iter().filter(speaks).count() == 1
+}
+
+/// Whether any constraint but the norm of its Euler parameters speaks of a body or coordinate.
+fn is_held(examined: &Examined<'_>, name: &str) -> bool {
+    let model = examined.model();
+    let of_it = |place: Place| matches!(place, Place::Own { item, .. } if model.layout.items[item].name == name);
+    let blocks = model.equations.blocks.iter().filter(|block| block.constraint.kind() != "euler_norm");
+    blocks.flat_map(|block| block.constraint.arguments()).any(|argument| model.layout.place(&argument.target).is_some_and(of_it))
+}
+
+/// The coordinate to drive; where its body turns, its angle, and of a spatial body its turn.
+fn drive(examined: &Examined<'_>, freedom: &Freedom, all: &[Freedom], moves: Vec<String>) -> Change {
+    let layout = examined.model().layout;
+    let column = layout.names.iter().position(|known| *known == freedom.coordinate);
+    let item = column.and_then(|column| layout.owner(column));
+    let motion = item.and_then(|item| freedom.motions.iter().find(|motion| motion.names.contains(&item.name)));
+    let turns = motion.is_some_and(|motion| matches!(motion.how, How::TurnsAbout { .. } | How::Screws { .. }));
+    let (mut coordinate, mut turn) = (freedom.coordinate.clone(), None);
+    match item.map(|item| (item, item.kind)) {
+        Some((item, Kind::Spatial)) if turns => turn = Some(item.name.clone()),
+        Some((item, Kind::Planar)) if turns => {
+            let theta = item.first + 2;
+            let own = all.iter().all(|other| other.coordinate == freedom.coordinate || other.direction[theta] == 0.0);
+            if own && freedom.direction[theta] != 0.0 {
+                coordinate.clone_from(&layout.names[theta]);
+            }
+        }
+        _ => {}
+    }
+    Change::Drive { coordinate, turn, moves }
 }
 
 /// What closes a gap: less asked of a driver, one driver less, or another dimension.
 fn for_gap(examined: &Examined<'_>, gap: &Gap, dependencies: &[Dependency]) -> Change {
     let model = examined.model();
     let constraint = gap.constraint.clone();
+    let sets: Vec<&Dependency> = dependencies.iter().filter(|found| found.terms.iter().any(|term| gap.rows.contains(&term.row))).collect();
     if gap.rows.iter().all(|row| model.drives(*row)) {
         if !gap.lasting {
-            return Change::Limit { constraint, asks: gap.asks.clone() };
+            return Change::Limit { constraint, asks: gap.asks.clone(), or: Vec::new() };
         }
-        let sets: Vec<&Dependency> =
-            dependencies.iter().filter(|found| found.terms.iter().any(|term| gap.rows.contains(&term.row))).collect();
-        return Change::Remove { or: others(examined, &constraint, &sets), constraint };
+        let mut or = others(examined, &constraint, &sets);
+        or.retain(|name| can_go(examined, name));
+        return Change::Remove { or, constraint };
     }
-    let own = |found: &Dependency| found.terms.first().map(|term| term.row).filter(|row| gap.rows.contains(row));
-    let mut rows: Vec<usize> = dependencies.iter().filter_map(own).collect();
+    let own = |found: &&Dependency| found.terms.first().map(|term| term.row).filter(|row| gap.rows.contains(row));
+    let mut rows: Vec<usize> = sets.iter().filter_map(own).collect();
     rows.sort_unstable();
+    rows.retain(|row| works_without(examined, &[*row]));
     let name = |row: &usize| model.equations.block_of(*row).map(|(block, local)| block.row(local).to_string());
     let or_drop = rows.iter().filter_map(name).collect();
     Change::Fit { constraint, missing: gap.size(), or_drop, of: gap.rows.len() }
+}
+
+/// Whether everything else closes without a constraint, and moves along it if it drives.
+fn can_go(examined: &Examined<'_>, name: &str) -> bool {
+    let block = examined.model().equations.blocks.iter().find(|block| block.name == name);
+    block.is_some_and(|block| works_without(examined, &block.rows().collect::<Vec<_>>()))
+}
+
+/// Whether the mechanism closes without these equations, and each driver among them has had something to drive; else every driver that is left has.
+fn works_without(examined: &Examined<'_>, rows: &[usize]) -> bool {
+    let model = examined.model();
+    let trial = Trial { model: *model, t: examined.t, without: rows, steps: examined.walk.steps };
+    let own: Vec<usize> = rows.iter().copied().filter(|row| model.drives(*row)).collect();
+    let drivers = if own.is_empty() { super::trial::drivers(model, rows) } else { own };
+    trial.closed(examined.q).is_some_and(|found| trial.moves(&found, &drivers))
 }
 
 /// What could be removed in place of a driver that is in conflict: other drivers; where there are none, joints of one row.

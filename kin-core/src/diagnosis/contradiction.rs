@@ -2,14 +2,21 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::change::{Change, Size};
 use super::examine::Start;
+use super::lengths;
 use super::options::DiagnosisOptions;
 use super::order;
+use super::slips::{self, Slip};
+use super::trial::Trial;
 use crate::assembly::options::Clock;
 use crate::assembly::search::{self, Found};
 use crate::assembly::squares::Squares;
 use crate::error::{Error, Result};
-use crate::model::{Measures, Model};
+use crate::layout::Unit;
+use crate::linear::Tall;
+use crate::model::{Measures, Model, Point};
+use crate::random::Random;
 
 /// A share of the largest residual above this takes part in what cannot be met.   \[-\]
 const SHARE: f64 = 0.02;
@@ -32,6 +39,19 @@ pub struct Gap {
     pub lasting: bool,
     /// From how many starts a pose was looked for.
     pub starts: usize,
+    /// The other drivers, and what those of one coordinate ask for.
+    #[serde(default)]
+    pub against: Vec<Against>,
+}
+
+/// Another driver where one cannot be met.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Against {
+    /// The driver.
+    pub constraint: String,
+    /// What it asks for, where it is one of one coordinate.
+    pub asks: Option<Asks>,
 }
 
 /// What a driver asks for and does not get.
@@ -58,6 +78,8 @@ pub(super) struct Placed {
     pub q: Vec<f64>,
     pub measures: Measures,
     pub gaps: Vec<Gap>,
+    /// What would close the gaps, tried: the first thing that a designer would change.
+    pub cures: Vec<Change>,
 }
 
 /// A pose of the mechanism; where there is none, one at which as few constraints as possible are open, and these as little as possible.
@@ -68,17 +90,21 @@ pub(super) fn place(model: Model<'_>, start: Start<'_>, t: f64, options: &Diagno
         Start::Guess(q) => search::search(model, q, t, &all, &options.search),
         Start::Pose(q) => search::descend(model, q, t, &all, false, options.search.steps),
     };
-    let q = match start {
-        Start::Guess(q) | Start::Pose(q) => q,
+    let (q, drawn) = match start {
+        Start::Guess(q) => (q, Some(q)),
+        Start::Pose(q) => (q, None),
     };
     let Some(found) = found else {
         let bad = model.linearize(q, t).err();
         return Err(bad.map_or_else(|| nowhere(t), |bad| model.not_finite(bad, q, t)));
     };
+    let search = Search { model, t, options, clock };
+    let found = if found.met { found } else { search.off_saddles(found) };
     if found.met {
-        return Ok(Placed { q: found.place.q, measures: found.measures, gaps: Vec::new() });
+        let q = search.polished(&found);
+        return Ok(Placed { q, measures: found.measures, gaps: Vec::new(), cures: Vec::new() });
     }
-    Ok(let_go(&Search { model, t, options, clock }, found))
+    Ok(search.suspected(found, drawn))
 }
 
 fn nowhere(t: f64) -> Error {
@@ -86,38 +112,175 @@ fn nowhere(t: f64) -> Error {
 }
 
 /// What stays the same while constraints are let go.
-struct Search<'a> {
-    model: Model<'a>,
-    t: f64,
-    options: &'a DiagnosisOptions,
-    clock: Clock,
-}
-
-/// Lets constraints go, one after the other, until the rest can be met; then brings them as near as the rest allows.
-fn let_go(search: &Search<'_>, found: Found) -> Placed {
-    let (starts, mut found) = (found.starts, found);
-    let mut open: Vec<usize> = Vec::new();
-    while !found.met && open.len() < search.options.let_go && !search.clock.is_up() {
-        let Some((block, next)) = search.most_telling(&found, &open) else { break };
-        open.push(block);
-        found = next;
-    }
-    if !found.met {
-        // Nothing that may be let go helps enough: what is off at the nearest place found is told all the same.
-        let rest: Vec<usize> = culprits(&search.model, &found, &open).take(search.options.let_go.max(1)).collect();
-        open.extend(rest);
-    }
-    let gaps = open.iter().map(|block| gap(&search.model, &found, search.t, *block, starts)).collect();
-    Placed { q: found.place.q, measures: found.measures, gaps }
+pub(super) struct Search<'a> {
+    pub model: Model<'a>,
+    pub t: f64,
+    pub options: &'a DiagnosisOptions,
+    pub clock: Clock,
 }
 
 impl Search<'_> {
-    /// The first constraint without which the others can be met; else the one without which they are nearest to it.
-    fn most_telling(&self, found: &Found, open: &[usize]) -> Option<(usize, Found)> {
-        /// What must be gone of the sum of squares.   \[-\]
-        const HELPS: f64 = 0.1;
+    /// What was found, or a place beside it from which the sum of squares falls further: where bodies are in line, or drawn one on the other, it can
+    /// be level without being least.
+    fn off_saddles(&self, found: Found) -> Found {
+        const TRIES: u64 = 4;
+        const BESIDE: f64 = 0.05;
+        const LOWER: f64 = 0.999;
+        let mut best = found;
+        for seed in 0..TRIES {
+            let mut random = Random::new(101 + seed);
+            let sizes = &best.measures.sizes;
+            let beside: Vec<f64> = best.place.q.iter().zip(sizes).map(|(q, size)| q + BESIDE * size * random.number()).collect();
+            let Some(next) = search::descend(self.model, &beside, self.t, &|_| true, false, self.options.search.steps) else { continue };
+            if next.met || next.place.merit < LOWER * best.place.merit {
+                best = Found { starts: best.starts, ..next };
+            }
+            if best.met || self.clock.is_up() {
+                break;
+            }
+        }
+        best
+    }
+
+    /// The pose to the last digit. Where two solutions coincide C is met to rounding at half its digits already, and the next ones decide whether the
+    /// position is called singular.
+    fn polished(&self, found: &Found) -> Vec<f64> {
+        const STEPS: usize = 40;
+        let (model, Measures { sizes, norms, .. }) = (&self.model, &found.measures);
+        let mut tall = Tall::new(model.m(), model.n(), &model.equations.entries);
+        let size = |point: &Point| point.c.iter().zip(norms).map(|(c, norm)| (c / norm).powi(2)).sum::<f64>();
+        let (mut q, mut point) = (found.place.q.clone(), found.place.point.clone());
+        for _ in 0..STEPS {
+            let scale = |entry: &Option<(usize, usize)>| entry.map_or(0.0, |(row, column)| sizes[column] / norms[row]);
+            let values: Vec<f64> = model.equations.entries.iter().zip(&point.values).map(|(entry, value)| scale(entry) * value).collect();
+            if !tall.factor(values.iter().copied(), 1e-20) {
+                break;
+            }
+            let y = tall.solve(point.c.iter().zip(norms).map(|(c, norm)| -c / norm));
+            let next: Vec<f64> = q.iter().zip(y).zip(sizes).map(|((q, y), size)| q + y * size).collect();
+            match model.linearize(&next, self.t) {
+                Ok(lower) if size(&lower) < 0.9 * size(&point) => (q, point) = (next, lower),
+                _ => break,
+            }
+        }
+        q
+    }
+
+    /// Who is to blame, in the order in which a designer asks: a slip of the pen, a length out of scale, a driver, a length, a joint.
+    fn suspected(&self, found: Found, drawn: Option<&[f64]>) -> Placed {
+        if let Some(closure) = self.allowance(&found) {
+            return Placed { cures: vec![Change::Allow { closure }], ..self.let_go(found, &[]) };
+        }
+        let part: Vec<usize> = culprits(&self.model, &found, &[]).collect();
+        let length = self.model.layout.units.iter().position(|unit| *unit == Unit::Metre).map_or(1.0, |k| found.measures.sizes[k]);
+        let slip = drawn.and_then(|drawn| slips::find(self, drawn, length));
+        if let Some(Slip { change, block }) = slip {
+            return Placed { cures: vec![change], ..self.let_go(found, &[block]) };
+        }
+        let fits = lengths::that_fit(self, &found, &part, &[], true);
+        if !fits.is_empty() {
+            let joints: Vec<usize> = part.iter().copied().filter(|block| !self.model.equations.blocks[*block].drives).collect();
+            return Placed { cures: vec![Change::Resize { any: fits }], ..self.let_go(found, &joints) };
+        }
+        let placed = self.let_go(found.clone(), &[]);
+        let drivers_alone = placed.gaps.iter().all(|gap| gap.rows.iter().all(|row| self.model.drives(*row)));
+        // A run that has come so far has the lengths it needs; a driver leads it to where it cannot go.
+        if drivers_alone && drawn.is_none() {
+            return placed;
+        }
+        let mut fits = lengths::that_fit(self, &found, &part, &[], false);
+        if drivers_alone {
+            // Beside the driver one length is told: the likeliest.
+            fits.retain(|resize| !matches!(resize.of, Size::Point { .. }));
+            fits.truncate(1);
+        }
+        let cures = if fits.is_empty() { Vec::new() } else { vec![Change::Resize { any: fits }] };
+        Placed { cures, ..placed }
+    }
+
+    /// What would have to be allowed of redundant equations that contradict one another by no more than parts of ordinary accuracy do: three times what
+    /// they are off by here, for it is more elsewhere, to one digit.
+    fn allowance(&self, found: &Found) -> Option<f64> {
+        const ORDINARY: f64 = 1e-5;
+        let shares = found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs());
+        let off = 3.0 * shares.fold(0.0_f64, f64::max);
+        let digit = 10.0_f64.powf(off.log10().floor());
+        (self.model.m() > self.model.n() && off < ORDINARY && digit > 0.0)
+            .then(|| format!("{:.0e}", (off / digit).ceil() * digit).parse().ok())?
+    }
+
+    /// Lets constraints go, one after the other, until the rest can be met; then brings them as near as the rest allows. Those named go first.
+    fn let_go(&self, found: Found, first: &[usize]) -> Placed {
+        let (starts, mut found) = (found.starts, found);
+        let mut open: Vec<usize> = Vec::new();
+        while !found.met && open.len() < self.options.let_go && !self.clock.is_up() {
+            let Some((block, next)) = self.most_telling(&found, &open, first) else { break };
+            open.push(block);
+            found = next;
+        }
+        if !found.met {
+            // Nothing that may be let go helps enough: what is off at the nearest place found is told all the same.
+            let rest: Vec<usize> = culprits(&self.model, &found, &open).take(self.options.let_go.max(1)).collect();
+            open.extend(rest);
+        }
+        let gaps = open.iter().map(|block| gap(&self.model, &found, self.t, *block, starts)).collect();
+        Placed { q: found.place.q, measures: found.measures, gaps, cures: Vec::new() }
+    }
+
+    /// The constraint to let go: one of those named, else a driver, if the joints can be met without the drivers; else the first joint without which
+    /// the others can be met, or are nearest to it.
+    fn most_telling(&self, found: &Found, open: &[usize], first: &[usize]) -> Option<(usize, Found)> {
+        let part: Vec<usize> = culprits(&self.model, found, open).collect();
+        let drives = |block: &usize| self.model.equations.blocks[*block].drives;
+        let named: Vec<usize> = first.iter().copied().filter(|block| part.contains(block)).collect();
+        if !named.is_empty() {
+            return self.best_of(found, open, &named);
+        }
+        if let Some(driver) = self.driver(found, open, part.iter().copied().filter(|block| drives(block))) {
+            return Some(driver);
+        }
+        let joints: Vec<usize> = part.iter().copied().filter(|block| !drives(block)).collect();
+        self.best_of(found, open, &joints).or_else(|| self.best_of(found, open, &part))
+    }
+
+    /// The driver that asks for what cannot be: without it the rest can be met, and it had something to drive.
+    fn driver(&self, found: &Found, open: &[usize], drivers: impl Iterator<Item = usize>) -> Option<(usize, Found)> {
+        let equations = self.model.equations;
+        let let_go = |block: usize| open.iter().copied().chain([block]).flat_map(|block| equations.blocks[block].rows());
         let mut best: Option<(usize, Found)> = None;
-        for block in culprits(&self.model, found, open) {
+        for block in drivers {
+            let without: Vec<usize> = let_go(block).collect();
+            let trial = Trial { model: self.model, t: self.t, without: &without, steps: self.options.search.steps };
+            let own: Vec<usize> = equations.blocks[block].rows().collect();
+            let Some(next) = self.without(found, open, block) else { continue };
+            if !next.met {
+                // One of several drivers too many: the joints must close without any, and leave this one something to drive.
+                let none: Vec<usize> = without.iter().copied().chain((0..self.model.m()).filter(|row| self.model.drives(*row))).collect();
+                let joints = Trial { without: &none, ..trial };
+                let helps = next.place.merit < (1.0 - HELPS) * found.place.merit;
+                if helps && joints.closed(&next.place.q).is_some_and(|closed| joints.moves(&closed, &own)) {
+                    let better = best.as_ref().is_none_or(|(_, best)| !best.met && next.place.merit < best.place.merit);
+                    best = if better { Some((block, next)) } else { best };
+                }
+                continue;
+            }
+            if !trial.moves(&next, &own) {
+                continue;
+            }
+            if near(&self.model, found, &next, block) {
+                return Some((block, next));
+            }
+            if best.as_ref().is_none_or(|(_, best)| !best.met) {
+                best = Some((block, next));
+            }
+        }
+        best
+    }
+
+    /// The first of these without which the others can be met; else the one without which they are nearest to it.
+    fn best_of(&self, found: &Found, open: &[usize], blocks: &[usize]) -> Option<(usize, Found)> {
+        let mut best: Option<(usize, Found)> = None;
+        for &block in blocks {
             let Some(next) = self.without(found, open, block) else { continue };
             if next.met && near(&self.model, found, &next, block) {
                 return Some((block, next));
@@ -138,6 +301,9 @@ impl Search<'_> {
         search::descend(model, &near, t, &|row| !rows.contains(&row), false, steps)
     }
 }
+
+/// What must be gone of the sum of squares for a constraint that is let go to be told.   \[-\]
+const HELPS: f64 = 0.1;
 
 /// Whether a constraint that is let go is off by no more than its share in what could not be met lets one expect: by more it is so in
 /// another assembly, which says nothing about this one.
@@ -217,7 +383,14 @@ fn gap(model: &Model<'_>, found: &Found, t: f64, block: usize, starts: usize) ->
         rows: rows.collect(),
         lasting: false,
         starts,
+        against: against(model, found, t, block.name.as_str()),
     }
+}
+
+/// The drivers but one.
+fn against(model: &Model<'_>, found: &Found, t: f64, but: &str) -> Vec<Against> {
+    let drivers = model.equations.blocks.iter().filter(|block| block.drives && block.name != but);
+    drivers.map(|block| Against { constraint: block.name.clone(), asks: asks(model, found, t, block.rows()) }).collect()
 }
 
 /// For a driver a q_j − f(t) = 0: where the coordinate should be.
@@ -230,6 +403,7 @@ fn asks(model: &Model<'_>, found: &Found, t: f64, rows: std::ops::Range<usize>) 
     let (stands, c) = (found.place.q[column], found.place.point.c[rows.start]);
     let mut q = found.place.q.clone();
     q[column] -= c / value;
-    let reached = model.linearize(&q, t).is_ok_and(|point| point.c[rows.start].abs() <= 1e-9 * c.abs());
+    let rounding = 1e-9 * c.abs() + 1e-12 * (value * found.measures.sizes[column]).abs();
+    let reached = model.linearize(&q, t).is_ok_and(|point| point.c[rows.start].abs() <= rounding);
     reached.then(|| Asks { coordinate: model.layout.names[column].clone(), asked: q[column], stands })
 }

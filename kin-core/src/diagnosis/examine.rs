@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::change::{self, Change};
 use super::contradiction::{self, Gap};
 use super::dependency::{self, Class, Dependency};
+use super::elsewhere::{self, Elsewhere};
 use super::freedom::{self, Freedom, Persistence};
 use super::generic::{Nearby, Walk};
 use super::options::DiagnosisOptions;
@@ -52,6 +53,9 @@ pub struct Diagnosis {
     pub dependencies: Vec<Dependency>,
     /// Motions that nothing holds or drives.
     pub freedoms: Vec<Freedom>,
+    /// Where to begin instead, at a position that is singular alone.
+    #[serde(default)]
+    pub elsewhere: Option<Elsewhere>,
     /// The least change after which the mechanism is exactly constrained; empty where nothing is to be changed or nothing helps.
     pub changes: Vec<Change>,
 }
@@ -112,7 +116,7 @@ pub(crate) fn diagnose(model: Model<'_>, start: Start<'_>, t: f64, options: &Dia
     let point = model.linearize(q, t).map_err(|bad| model.not_finite(bad, q, t))?;
     // What is open is what is told: at a smallest gap other coefficients are known to fewer digits.
     let open: Vec<usize> = place.gaps.iter().flat_map(|gap| gap.rows.iter().copied()).collect();
-    let walk = Walk { model: &model, measures, open: &open, steps: options.search.steps };
+    let walk = Walk { model: &model, measures, open: &open, without: &[], steps: options.search.steps };
     let orders = Orders::new(&model).after(&open, &[]);
     let here = ranked(&model, &point.values, measures, &orders, walk.least());
     let full = here.rank == model.n().min(model.m());
@@ -127,7 +131,7 @@ pub(crate) fn diagnose(model: Model<'_>, start: Start<'_>, t: f64, options: &Dia
         }
         None => here,
     };
-    Ok(Examined { walk, q, t, here, nearby: nearby.as_ref(), gaps: &place.gaps }.told(full))
+    Ok(Examined { walk, q, t, here, nearby: nearby.as_ref(), gaps: &place.gaps, cures: &place.cures }.told(full))
 }
 
 /// All that is known before it is put into words.
@@ -138,6 +142,8 @@ pub(super) struct Examined<'a> {
     pub here: Ranked,
     pub nearby: Option<&'a Nearby>,
     pub gaps: &'a [Gap],
+    /// What would close them, tried.
+    pub cures: &'a [Change],
 }
 
 impl<'a> Examined<'a> {
@@ -178,6 +184,7 @@ impl<'a> Examined<'a> {
             gaps,
             dependencies,
             freedoms,
+            elsewhere: if self.here.rank < self.nearby_rank() && self.gaps.is_empty() { elsewhere::elsewhere(self) } else { None },
             changes,
         }
     }

@@ -4,7 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use super::examine::{Examined, Side};
 use crate::algebra::Vec3;
-use crate::layout::{Item, Kind};
+use crate::constraint::{Attached, Attachment};
+use crate::layout::{Item, Kind, Place};
+use crate::state::SpatialState;
 
 /// Whether a freedom is there to stay.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -82,6 +84,19 @@ pub struct Freedom {
     pub coordinate: String,
     /// The motion in coordinates, C_q q̇ = 0 (length n).   \[m, rad\]
     pub direction: Vec<f64>,
+    /// Whether nothing depends on it: bodies that are held by points of one line turn about that line, a rod between two balls.
+    #[serde(default)]
+    pub idle: bool,
+}
+
+impl Freedom {
+    /// The first body that turns, and the global axis about which it does.
+    pub(crate) fn turn(&self) -> Option<(&str, Vec3)> {
+        self.motions.iter().find_map(|motion| match motion.how {
+            How::Screws { axis: [x, y, z], .. } => Some((motion.names.first()?.as_str(), Vec3::new(x, y, z))),
+            _ => None,
+        })
+    }
 }
 
 /// A share of the largest below this does not move.   \[-\]
@@ -96,14 +111,49 @@ pub(super) fn all(examined: &Examined<'_>) -> Vec<Freedom> {
     found
         .map(|(k, (column, _))| {
             let direction = direction(examined, k);
+            let motions = motions(examined, &direction);
             Freedom {
                 persistence: persistence(examined, k, &direction),
-                motions: motions(examined, &direction),
+                idle: is_idle(examined, &motions),
+                motions,
                 coordinate: examined.model().layout.names[*column].clone(),
                 direction,
             }
         })
         .collect()
+}
+
+/// Whether a motion is a turn of one body, or of several as one, about a line on which all points are by which others hold them.
+fn is_idle(examined: &Examined<'_>, motions: &[BodyMotion]) -> bool {
+    let [BodyMotion { names, how: How::Screws { point, axis, pitch, .. } }] = motions else { return false };
+    let model = examined.model();
+    let (point, axis) = (Vec3::new(point[0], point[1], point[2]), Vec3::new(axis[0], axis[1], axis[2]));
+    let length = examined.measures().sizes[0];
+    let moves = |item: usize| names.contains(&model.layout.items[item].name);
+    let mut holds = 0;
+    for block in model.equations.blocks.iter().filter(|block| block.constraint.kind() != "euler_norm") {
+        let arguments = block.constraint.arguments();
+        let places: Vec<Option<Place>> = arguments.iter().map(|argument| model.layout.place(&argument.target)).collect();
+        let of_it = |k: usize| matches!(places.get(k), Some(Some(Place::Own { item, .. })) if moves(*item));
+        let moving = (0..places.len()).filter(|k| of_it(*k)).count();
+        if moving == 0 || moving == places.len() {
+            continue;
+        }
+        let attachments = block.constraint.attachments();
+        let on_line = |attachment: &Attachment| match (attachment.what, places.get(attachment.argument)) {
+            (Attached::Point(u), Some(Some(Place::Own { first, .. }))) => {
+                let q = examined.q.get(*first..).and_then(|q| q.first_chunk::<7>());
+                q.is_some_and(|q| (SpatialState::new(*q).point(u) - point).cross(axis).norm() <= 1e-6 * length)
+            }
+            _ => false,
+        };
+        let own: Vec<&Attachment> = attachments.iter().filter(|attachment| of_it(attachment.argument)).collect();
+        if own.is_empty() || !own.into_iter().all(on_line) {
+            return false;
+        }
+        holds += 1;
+    }
+    holds > 1 && *pitch == 0.0
 }
 
 /// Motions that are possible to first order only.

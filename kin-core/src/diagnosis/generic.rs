@@ -27,6 +27,8 @@ pub(super) struct Walk<'a> {
     pub measures: &'a Measures,
     /// Equations that cannot be met; they stay as near to it as the others allow.
     pub open: &'a [usize],
+    /// Equations that are left out.
+    pub without: &'a [usize],
     /// Steps to least squares at most.
     pub steps: usize,
 }
@@ -50,7 +52,16 @@ impl Walk<'_> {
     /// or where something is open (which time may close or open further), joints alone are kept.
     pub(super) fn nearby(&self, q: &[f64], t: f64, poses: usize, orders: &Orders) -> Option<Nearby> {
         let in_time = if self.open.is_empty() { self.highest(q, t, Kept::AllInTime, poses, orders) } else { None };
-        in_time.or_else(|| self.highest(q, t, Kept::Joints, poses, orders))
+        let full = self.model.n().min(self.model.m());
+        if in_time.as_ref().is_some_and(|found| found.ranked.rank == full) {
+            return in_time;
+        }
+        // What keeps all may not leave a singular position: a motor in a dead centre stands still.
+        let joints = self.highest(q, t, Kept::Joints, poses, orders);
+        match (in_time, joints) {
+            (Some(a), Some(b)) => Some(if b.ranked.rank > a.ranked.rank { b } else { a }),
+            (a, b) => a.or(b),
+        }
     }
 
     fn highest(&self, q: &[f64], t: f64, kept: Kept, poses: usize, orders: &Orders) -> Option<Nearby> {
@@ -82,7 +93,7 @@ impl Walk<'_> {
     }
 
     fn keeps(&self, kept: Kept, row: usize) -> bool {
-        kept != Kept::Joints || !self.model.drives(row)
+        (kept != Kept::Joints || !self.model.drives(row)) && !self.without.contains(&row)
     }
 
     /// A random direction in which nothing changes to first order, the largest share 1; `None` where only time could go on.
@@ -108,6 +119,12 @@ impl Walk<'_> {
     /// Whether the mechanism can move along v (shares of the coordinates' sizes) with its time standing still.
     pub(super) fn moves(&self, q: &[f64], t: f64, v: &[f64]) -> bool {
         REACH.iter().any(|reach| self.step((q, t), v, *reach, Kept::All).is_some())
+    }
+
+    /// Where the joints alone, drivers let go, can move to along v.
+    pub(super) fn beside(&self, q: &[f64], t: f64, v: &[f64]) -> Option<Vec<f64>> {
+        let v: Vec<f64> = v.iter().copied().chain([0.0]).collect();
+        REACH.iter().find_map(|reach| self.step((q, t), &v, *reach, Kept::Joints)).map(|(q, _)| q)
     }
 
     /// A step along v and back onto C = 0; `None` where that leads back, or nowhere.

@@ -5,23 +5,30 @@
 //! equations a minimal set of them with coefficients, for each freedom left what moves and how, and the least change that helps.
 //!
 //! Ranks are taken with lengths in units of the model's own typical length and every row by its norm, so that verdicts are the same in mm, m
-//! and km. Pivots below 1e-9 of that count as zero; [`Diagnosis::gap`] tells how clear the cut was.
+//! and km. Pivots below 1e-7 of that count as zero, for the solver as for a diagnosis; [`Diagnosis::gap`] tells how clear the cut was.
 
 mod change;
 mod contradiction;
 mod dependency;
+mod dimension;
+mod elsewhere;
 mod examine;
+mod fit;
 mod freedom;
 mod generic;
+mod lengths;
 mod options;
 mod order;
 mod repeats;
 mod singular;
+mod slips;
 mod text;
+mod trial;
 
-pub use change::Change;
-pub use contradiction::{Asks, Gap};
+pub use change::{Change, GlobalPoint, Resize, Size};
+pub use contradiction::{Against, Asks, Gap};
 pub use dependency::{Class, Dependency, Level, Term};
+pub use elsewhere::Elsewhere;
 pub use examine::Diagnosis;
 pub(crate) use examine::{Start, diagnose};
 pub use freedom::{BodyMotion, Freedom, How, Persistence};

@@ -1,6 +1,6 @@
 //! What is said of C_q where a solver has found no pivot: its rank, what is left free, which equations depend on one another.
 
-use crate::linear::Echelon;
+use crate::linear::{Echelon, RANK};
 use crate::model::{Measures, Model};
 
 /// Rank and dependencies of a singular matrix.
@@ -16,15 +16,12 @@ pub(crate) struct Singular {
     pub dependent: Vec<String>,
 }
 
-/// Pivots below this count as zero; of a matrix that is regular by that the smallest does.   \[-\]
-const LEAST: f64 = 1e-10;
-
 /// A share of a null vector below this is rounding.   \[-\]
 const SHARE: f64 = 1e-6;
 
 /// The same at a pose, from the values of C_q there.
 pub(crate) fn singular(model: &Model<'_>, values: &[f64], measures: &Measures) -> Singular {
-    singular_within(model, values, measures, LEAST)
+    singular_within(model, values, measures, RANK)
 }
 
 /// The same where pivots below `least` count as zero: of a position that is known no better.

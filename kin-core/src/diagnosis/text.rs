@@ -2,9 +2,10 @@
 
 use std::fmt::{Display, Formatter, Result};
 
-use super::change::Change;
-use super::contradiction::Gap;
+use super::change::{Change, GlobalPoint, Resize, Size};
+use super::contradiction::{Against, Asks, Gap};
 use super::dependency::{Class, Dependency, Level, Term};
+use super::elsewhere::Elsewhere;
 use super::examine::Diagnosis;
 use super::freedom::{BodyMotion, Freedom, How, Persistence};
 use super::repeats;
@@ -51,30 +52,74 @@ impl Diagnosis {
     }
 
     fn write_details(&self, f: &mut Formatter<'_>) -> Result {
-        if self.count_misleads() {
+        if self.count_misleads() && self.gaps.is_empty() {
             write!(f, "\n  The count is right by chance: what is superfluous hides what is missing.")?;
         }
+        if self.gaps.is_empty() {
+            self.special(f)?;
+        }
+        let told = |change: &&Change| !(self.gaps.is_empty() && matches!(change, Change::Resize { .. }));
+        self.changes.iter().filter(told).filter_map(cause).try_for_each(|cause| write!(f, "\n  {cause}"))?;
         self.gaps.iter().try_for_each(|gap| write!(f, "\n  {}", GapLine(gap, self)))?;
+        if self.is_cured() {
+            return self.advice(f);
+        }
         // A conflict of positions is told with its gap, and so are other equations of the same constraint.
         let open = |found: &Dependency| found.terms.first().is_some_and(|own| self.gaps.iter().any(|gap| gap.rows.contains(&own.row)));
         let told = |found: &Dependency| open(found) || matches!(found.class, Class::Contradictory { level: Level::Position, .. });
         let dependencies: Vec<&Dependency> = self.dependencies.iter().filter(|found| !told(found)).collect();
         lines(f, &repeats::gathered(&dependencies), "dependency", "dependencies")?;
         // What gives a little or is free only here is so because the gap is the smallest.
-        let real = |freedom: &&Freedom| self.gaps.is_empty() || freedom.persistence == Persistence::Always;
+        let real = |freedom: &&Freedom| (self.gaps.is_empty() || freedom.persistence == Persistence::Always) && !self.joins(freedom);
         lines(f, &self.freedoms.iter().filter(real).collect::<Vec<_>>(), "freedom", "freedoms")?;
         self.advice(f)
     }
 
+    /// That the pose is a special one, and what is not: another time, another value, another dimension.
+    fn special(&self, f: &mut Formatter<'_>) -> Result {
+        if self.rank < self.nearby_rank {
+            match &self.elsewhere {
+                Some(Elsewhere::Time(at)) => {
+                    let units = self.units.time();
+                    write!(f, "\n  A toggle or change point: begin at t = {} {units}, or step over this time.", time(*at))?;
+                }
+                Some(Elsewhere::Drive { constraint, asks: Asks { coordinate, stands, .. } }) => {
+                    write!(
+                        f,
+                        "\n  A toggle or change point: let `{constraint}` begin at another value, such as {coordinate} = {stands:.3}."
+                    )?;
+                }
+                None => write!(f, "\n  A toggle or change point: begin, or step, elsewhere.")?,
+            }
+        }
+        let stiff = self.freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Infinitesimal);
+        let names: Vec<String> = stiff.flat_map(|freedom| &freedom.motions).flat_map(|motion| motion.names.clone()).collect();
+        if !names.is_empty() {
+            write!(f, "\n  special position: {} stand in line or the like, and give a little, to first order only.", list(&names))?;
+        }
+        Ok(())
+    }
+
+    /// Whether a change has been tried with which everything closes and moves: what else is wrong at this pose is so because of its cause.
+    fn is_cured(&self) -> bool {
+        self.equations >= self.coordinates
+            && self.changes.iter().any(|change| cause(change).is_some() && !matches!(change, Change::Join { .. } | Change::Pin { .. }))
+    }
+
+    /// Whether a freedom is one of a body that no constraint holds, which its change tells.
+    fn joins(&self, freedom: &Freedom) -> bool {
+        let names = freedom.motions.iter().flat_map(|motion| &motion.names);
+        let joined = |name: &String| {
+            self.changes.iter().any(|change| match change {
+                Change::Join { body } => body == name,
+                Change::Pin { bodies, .. } => bodies.contains(name),
+                _ => false,
+            })
+        };
+        names.into_iter().all(joined)
+    }
+
     fn advice(&self, f: &mut Formatter<'_>) -> Result {
-        let here = self.rank < self.nearby_rank;
-        let stiff = self.freedoms.iter().any(|freedom| freedom.persistence == Persistence::Infinitesimal);
-        if here && self.gaps.is_empty() {
-            write!(f, "\n  A toggle or change point: begin, or step, elsewhere.")?;
-        }
-        if stiff && self.gaps.is_empty() {
-            write!(f, "\n  Bodies stand in a special position, such as in line: change a dimension.")?;
-        }
         if self.changes.is_empty() {
             return Ok(());
         }
@@ -101,6 +146,119 @@ fn more(f: &mut Formatter<'_>, all: usize, one: &str, many: &str) -> Result {
     }
 }
 
+/// What a change says of its cause, where it has been tried: the first thing to be told.
+fn cause(change: &Change) -> Option<String> {
+    match change {
+        Change::Resize { any } if any.len() == 1 => any.first().map(|only| format!("does not fit: {}.", Is(only))),
+        Change::Resize { any } => {
+            let all: Vec<String> = any.iter().map(|resize| Is(resize).to_string()).collect();
+            Some(format!("one of these does not fit: {}.", all.join(", ")))
+        }
+        Change::Allow { closure } => Some(format!(
+            "nearly consistent: redundant equations contradict one another by no more than parts of ordinary accuracy do; `Options::closure({closure:e})` allows it."
+        )),
+        Change::Pin { bodies: [a, b], .. } => {
+            Some(format!("freedoms left: `{a}` and `{b}` are held by one joint each, and nothing drives them."))
+        }
+        Change::Swap { constraint, bodies: [i, j], points: [u, v] } => Some(format!(
+            "exchanged: `{constraint}` takes {} in `{i}`, which is a point of `{j}`, and {} in `{j}`, which is one of `{i}`.",
+            Point(u),
+            Point(v)
+        )),
+        Change::Local { points } => points.first().map(|first| {
+            let others = if points.len() > 1 { format!(" (and {} more)", points.len() - 1) } else { String::new() };
+            format!(
+                "global point: `{}` takes {} in `{}`, where a local point is wanted{others}.",
+                first.constraint,
+                Point(&first.given),
+                first.body
+            )
+        }),
+        Change::Join { body } => Some(format!("freedom left: `{body}` is free in every way; no constraint holds it.")),
+        Change::OtherEnd { constraints: [a, b], body, point } => {
+            Some(format!("same end: `{a}` and `{b}` both hold `{body}` at {}, and nothing its other end.", Point(point)))
+        }
+        _ => None,
+    }
+}
+
+/// "`crank 3` is 1.100 long"
+struct Is<'a>(&'a Resize);
+
+impl Display for Is<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        match &self.0.of {
+            Size::Length { body } => write!(f, "`{body}` is {} long", Point(&self.0.is)),
+            Size::Number { constraint, parameter } => write!(f, "`{constraint}.{parameter}` is {}", Point(&self.0.is)),
+            Size::Point { constraint, body, .. } => {
+                let body = body.as_ref().map_or("the ground".to_string(), |body| format!("`{body}`"));
+                write!(f, "`{constraint}` is at {} of {body}", Point(&self.0.is))
+            }
+        }
+    }
+}
+
+/// "make `crank 3` 1.000 long"
+impl Display for Resize {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let bound = match (self.exact, self.fits.first() > self.is.first()) {
+            (true, _) => "",
+            (false, true) => "at least ",
+            (false, false) => "at most ",
+        };
+        let value =
+            Value { x: self.fits.first().copied().unwrap_or_default(), up: (!self.exact).then_some(self.fits.first() > self.is.first()) };
+        match &self.of {
+            Size::Length { body } => write!(f, "make `{body}` {bound}{value} long"),
+            Size::Number { constraint, parameter } => write!(f, "make `{constraint}.{parameter}` {bound}{value}"),
+            Size::Point { constraint, body, .. } => {
+                let body = body.as_ref().map_or("the ground".to_string(), |body| format!("`{body}`"));
+                write!(f, "move `{constraint}` to {} of {body}", Point(&self.fits))
+            }
+        }
+    }
+}
+
+/// A number to four digits; a bound is rounded to its safe side.
+struct Value {
+    x: f64,
+    up: Option<bool>,
+}
+
+impl Display for Value {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let x = self.x;
+        let step = 10.0_f64.powf(x.abs().log10().floor() - 3.0);
+        if !(x.is_finite() && step.is_finite() && step > 0.0) {
+            return write!(f, "{}", number(x));
+        }
+        let rounded = match self.up {
+            // What is on the step but for rounding stays there.
+            Some(true) => (x / step - 1e-6).ceil() * step,
+            Some(false) => (x / step + 1e-6).floor() * step,
+            None => x,
+        };
+        if (1e-4..1e7).contains(&rounded.abs()) {
+            let decimals = (3.0 - rounded.abs().log10().floor()).max(0.0) as usize;
+            return write!(f, "{rounded:.decimals$}");
+        }
+        write!(f, "{rounded:.3e}")
+    }
+}
+
+/// "(0.500, 0.000)", or the number alone.
+struct Point<'a>(&'a [f64]);
+
+impl Display for Point<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let all: Vec<String> = self.0.iter().map(|x| number(*x)).collect();
+        match &all[..] {
+            [one] => f.write_str(one),
+            all => write!(f, "({})", all.join(", ")),
+        }
+    }
+}
+
 /// A gap, with the constraints it is in conflict with.
 struct GapLine<'a>(&'a Gap, &'a Diagnosis);
 
@@ -114,7 +272,10 @@ impl Display for GapLine<'_> {
                 others.push(name.to_string());
             }
         }
-        let with = if others.is_empty() { "with all others met".to_string() } else { format!("with {}", list(&others)) };
+        let with = match others.is_empty() {
+            true => "with all others met".to_string(),
+            false => format!("with {}", self.named(&others)),
+        };
         let (name, what) = (&gap.constraint, if gap.lasting { "contradictory" } else { "out of reach" });
         match &gap.asks {
             Some(asks) => {
@@ -127,6 +288,21 @@ impl Display for GapLine<'_> {
             0 | 1 => Ok(()),
             starts => write!(f, " (The nearest of {starts} starts.)"),
         }
+    }
+}
+
+impl GapLine<'_> {
+    /// "`motor` (crank.theta = 1.0000), `O`, `A`": drivers first, with what they ask for.
+    fn named(&self, names: &[String]) -> String {
+        let asks = |name: &String| self.0.against.iter().find(|against| against.constraint == *name);
+        let drivers = names.iter().filter_map(asks).map(|Against { constraint, asks }| match asks {
+            Some(Asks { coordinate, asked, .. }) => format!("`{constraint}` ({coordinate} = {asked:.4})"),
+            None => format!("`{constraint}`"),
+        });
+        let drivers: Vec<String> = drivers.collect();
+        let others: Vec<String> = names.iter().filter(|name| asks(name).is_none()).cloned().collect();
+        let others = if others.is_empty() { None } else { Some(list(&others)) };
+        drivers.into_iter().chain(others).collect::<Vec<_>>().join(", ")
     }
 }
 
@@ -228,11 +404,31 @@ impl Display for Change {
                     _ => write!(f, ", or drop {} of it", rows_named(or_drop)),
                 }
             }
-            Change::Limit { constraint, asks: Some(asks) } => {
-                let (coordinate, reached) = (&asks.coordinate, asks.stands);
-                write!(f, "let `{constraint}` stay within reach, which ends near {coordinate} = {reached:.4}")
+            Change::Limit { constraint, asks, or } => {
+                write!(f, "let `{constraint}` stay within reach")?;
+                if let Some(Asks { coordinate, stands, .. }) = asks {
+                    write!(f, ", which ends near {coordinate} = {stands:.4}")?;
+                }
+                or.iter().try_for_each(|resize| write!(f, ", or {resize}"))
             }
-            Change::Limit { constraint, asks: None } => write!(f, "let `{constraint}` stay within reach"),
+            Change::Allow { closure } => {
+                write!(f, "allow it by `Options::closure({closure:e})`, a share of the mechanism's size")
+            }
+            Change::Resize { any } => {
+                let all: Vec<String> = any.iter().map(ToString::to_string).collect();
+                f.write_str(&all.join(", or "))
+            }
+            Change::Swap { constraint, bodies: [i, j], .. } => {
+                write!(f, "give `{constraint}` its bodies in the order of its points, first `{j}`, then `{i}`")
+            }
+            Change::Local { points } => {
+                let one = |point: &GlobalPoint| {
+                    format!("`{}` of `{}` the point {} of `{}`", point.point, point.constraint, Point(&point.local), point.body)
+                };
+                let all: Vec<String> = points.iter().take(SHOWN).map(one).collect();
+                write!(f, "give {} (`m.local(body, point)` finds them)", all.join(", "))
+            }
+            Change::OtherEnd { constraints: [a, b], body, .. } => write!(f, "let `{a}` or `{b}` hold the other end of `{body}`"),
             Change::Drop { constraint, rows, instead } => {
                 let rows = rows_named(rows);
                 match instead {
@@ -240,8 +436,17 @@ impl Display for Change {
                     None => write!(f, "drop {rows} of `{constraint}`"),
                 }
             }
-            Change::Drive { moves, turn: true, .. } => write!(f, "hold or drive the turn of {}", list(moves)),
+            Change::Drive { turn: Some(body), .. } => write!(f, "drive or hold the turn of `{body}`"),
             Change::Drive { coordinate, .. } => write!(f, "drive or hold `{coordinate}`"),
+            Change::Pin { bodies: [a, b], coordinates: [x, y] } => {
+                write!(f, "join `{a}` and `{b}` by a pin, or drive or hold `{x}` and `{y}`")
+            }
+            Change::Join { body } => write!(f, "join `{body}` to another body or the ground, or leave it out"),
+            Change::HoldIdle { bodies } => write!(
+                f,
+                "hold the turn of {} about its own axis, which moves nothing else, by `m.hold_idle_turns()`, or put a `distance` in its place",
+                list(bodies)
+            ),
         }
     }
 }

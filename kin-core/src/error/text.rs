@@ -45,6 +45,12 @@ pub(super) fn no_convergence(last: Option<f64>, units: &Units, diagnosis: &Optio
     }
 }
 
+/// That there is no position, where the diagnosis has found why; else what the solver has to say.
+pub(super) fn unmet(diagnosis: &Option<Box<Diagnosis>>, solver: impl Fn() -> String) -> String {
+    let found = diagnosis.as_ref().filter(|diagnosis| !diagnosis.gaps.is_empty());
+    found.map_or_else(solver, |diagnosis| format!("the mechanism \"{}\" cannot be put together.", diagnosis.mechanism))
+}
+
 /// What is wrong, line by line; nothing where nothing is, or nobody has looked.
 fn details(diagnosis: &Option<Box<Diagnosis>>) -> String {
     diagnosis.as_ref().map(|diagnosis| diagnosis.details().to_string()).unwrap_or_default()
@@ -78,10 +84,10 @@ pub(super) fn singular(movable: &[String], dependent: &[String], unmet: &Option<
     text
 }
 
-/// What can move at a toggle, and what is asked for beyond it.
+/// What is asked for beyond a toggle, and what can move at it.
 pub(super) fn toggle(movable: &[String], dependent: &[String], diagnosis: &Option<Box<Diagnosis>>) -> String {
-    let moves = format!("There {} can move although what drives stands still", list(movable));
-    format!("{moves}, and {} depend on one another.{}", list(dependent), details(diagnosis))
+    let all = format!("There {} can move although what drives stands still, and {} depend on one another.", list(movable), list(dependent));
+    format!("{}\n  {all}", details(diagnosis))
 }
 
 /// That nothing is lost.

@@ -82,6 +82,7 @@ fn registered_spatial(registry: Registry) -> Registry {
         .with::<spatial::moving_point>()
         .with::<spatial::point_on_path>()
         .with::<spatial::euler_norm>()
+        .with::<spatial::held_turn>()
         .with::<spatial::spherical>()
         .with::<spatial::distance>()
         .with::<spatial::point_on_line>()

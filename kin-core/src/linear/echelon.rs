@@ -3,8 +3,9 @@
 //! Gaussian elimination with sparse pivots as long as good ones are left, then with the largest entry of what remains: large mechanisms
 //! stay sparse, and the last pivots, which decide on the rank, are found by complete pivoting. Rows and columns must be scaled to order 1.
 
-/// A pivot below this counts as zero, as a rule.   \[-\]
-pub(crate) const RANK: f64 = 1e-9;
+/// A pivot below this counts as zero, as a rule: rounding ε of C moves q by ε / pivot, and so the pivot by about as much, which is itself at
+/// √ε = 1.5e-8. Solver and diagnosis have this cut alone.   \[-\]
+pub(crate) const RANK: f64 = 1e-7;
 
 /// Sparse pivots are at least this, and at least [`THRESHOLD`] of the largest entry of their row.   \[-\]
 const SAFE: f64 = 0.02;

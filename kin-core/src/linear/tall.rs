@@ -24,9 +24,14 @@ impl Tall {
 
     /// Takes the values, in the order of the places, and λ; false if that is singular.
     pub(crate) fn factor(&mut self, values: impl Iterator<Item = f64> + Clone, damping: f64) -> bool {
+        self.linear.forget();
+        self.factor_again(values, damping)
+    }
+
+    /// The same where the values are near those of the last time: the elimination that was recorded for them is tried first.
+    pub(crate) fn factor_again(&mut self, values: impl Iterator<Item = f64> + Clone, damping: f64) -> bool {
         let all = std::iter::repeat_n(1.0, self.m).chain(std::iter::repeat_n(-damping, self.n)).chain(values.clone()).chain(values);
         self.linear.values_mut().iter_mut().zip(all).for_each(|(place, value)| *place = value);
-        self.linear.forget();
         self.linear.measure();
         self.linear.factor()
     }

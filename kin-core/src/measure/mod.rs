@@ -7,6 +7,7 @@ mod assemblies;
 mod between;
 mod extremes;
 mod joint;
+pub(crate) mod kinks;
 mod limits;
 mod roots;
 
@@ -46,7 +47,7 @@ impl Measure for &String {
 
 impl Measure for Coordinate {
     fn of(&self, _: &System, motion: &Motion) -> Result<Quantity> {
-        motion.try_coordinate(*self)
+        motion.coordinate(*self)
     }
 }
 

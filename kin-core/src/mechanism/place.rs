@@ -20,7 +20,7 @@ use crate::motion::Body;
 /// m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start()))?;
 /// m.add("motor", drive_angle(pin.body, Law::linear((4.0_f64 / 3.0).atan(), 1.0)))?;
 /// let mut motion = m.build()?.run([0.0, 1.0])?;
-/// assert!((motion.marker(&pin).speed().values()[0] - 5.0).abs() < 1e-12);
+/// assert!((motion.marker(&pin)?.speed().values()[0] - 5.0).abs() < 1e-12);
 /// motion.add_marker(&pin)?; // columns `pin.x`, `pin.y`, …
 /// # Ok(())
 /// # }

@@ -1,6 +1,6 @@
 //! Which of several assemblies is meant.
 
-use super::{Mechanism, SpatialPose};
+use super::{Mechanism, Refused, SpatialPose};
 use crate::algebra::EulerParameters;
 use crate::coordinates::{Coordinate, Link, PlanarBody, SpatialBody, SpatialLink, Target, Trig};
 use crate::error::{Error, Result};
@@ -96,12 +96,13 @@ impl Mechanism {
     ///
     /// A value that is not finite, a body of another mechanism or a name that nothing has is told by [`Mechanism::build`].
     pub fn prefer<V>(&mut self, what: impl Preferred<V>, value: V) {
-        if let Err(error) = self.note(what.wish(value)) {
-            self.mistake = self.mistake.take().or(Some(error));
+        let wish = what.wish(value);
+        if self.note(wish.clone()).is_err() {
+            self.refused = self.refused.take().or(Some(Refused::Preference(wish)));
         }
     }
 
-    fn note(&mut self, wish: Wish) -> Result<()> {
+    pub(super) fn note(&mut self, wish: Wish) -> Result<()> {
         match wish {
             Wish::Coordinate(coordinate, value) => self.prefer_all(Target::Coord(coordinate, Trig::Unused), &[value], 0),
             Wish::Pose(body, pose) => self.prefer_all(Target::Spatial(body), &pose.coordinates(), 0),

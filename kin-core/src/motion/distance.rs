@@ -20,7 +20,7 @@ impl Motion {
         b: B,
         q: impl Into<A::Vector>,
     ) -> Result<Quantity> {
-        let (p, q) = (self.try_point(a, p)?, self.try_point(b, q)?);
+        let (p, q) = (self.point(a, p)?, self.point(b, q)?);
         let mut orders: [Vec<f64>; 4] = Default::default();
         for (k, &t) in self.times().iter().enumerate() {
             let components = (0..<A::Vector as Vector>::NAMES.len()).map(|c| component(&p, k, c) - component(&q, k, c));

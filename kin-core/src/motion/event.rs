@@ -17,6 +17,9 @@ pub enum EventKind {
     TurningPoint,
     /// A change point: branches of the motion cross.
     Bifurcation,
+    /// A kink of an equation: the condition of an `if` changes, or `abs`, `max` or `min` takes its other side. Derivatives there are those of one
+    /// side. Of constraints on the dual route kinks are not known.
+    Kink,
 }
 
 impl std::fmt::Display for EventKind {
@@ -25,6 +28,7 @@ impl std::fmt::Display for EventKind {
             EventKind::Limit => "limit",
             EventKind::TurningPoint => "turning point",
             EventKind::Bifurcation => "bifurcation",
+            EventKind::Kink => "kink",
         })
     }
 }

@@ -35,7 +35,7 @@ impl Motion {
     ///
     /// Errors: a body of another mechanism.
     pub fn relative_angle(&self, a: impl Into<PlanarBody>, b: impl Into<PlanarBody>) -> Result<Quantity> {
-        let (a, b) = (self.try_coordinate(a.into().theta())?, self.try_coordinate(b.into().theta())?);
+        let (a, b) = (self.coordinate(a.into().theta())?, self.coordinate(b.into().theta())?);
         let orders = [a.orders(), b.orders()];
         let difference = |k: usize| orders[0][k].iter().zip(orders[1][k]).map(|(a, b)| a - b).collect();
         Ok(Quantity::new("relative angle", "rad", self.clock(), [0, 1, 2, 3].map(difference)))

@@ -171,19 +171,10 @@ pub(super) fn jets<const N: usize>([q, qd, qdd, qddd]: [&[f64]; 4]) -> Option<[R
 }
 
 impl Motion {
-    /// Position, velocity and acceleration over time of the point with local position `local` of a body or link; the ground as a body
-    /// is welcome too.   \[m, m/s, m/s²\]
-    ///
-    /// A body of another mechanism has no history here: it gives an empty one, and [`Motion::try_point`] an error.
-    pub fn point<B: Body>(&self, body: B, local: impl Into<B::Vector>) -> PointMotion<B::Vector> {
-        let units = self.unit_words().clone();
-        self.try_point(body, local).unwrap_or_else(|_| PointMotion { times: vec![], units, r: vec![], v: vec![], a: vec![], jerk: vec![] })
-    }
-
     /// Position, velocity and acceleration of a marker over time.   \[m, m/s, m/s²\]
     ///
-    /// A marker on a body of another mechanism has no history here: it gives an empty one.
-    pub fn marker<B: Body + Copy>(&self, marker: &Marker<B>) -> PointMotion<B::Vector> {
+    /// Errors: a marker on a body of another mechanism.
+    pub fn marker<B: Body + Copy>(&self, marker: &Marker<B>) -> Result<PointMotion<B::Vector>> {
         self.point(marker.body, marker.u)
     }
 
@@ -194,8 +185,11 @@ impl Motion {
         self.add_point(&marker.name, marker.body, marker.u)
     }
 
-    /// As [`Motion::point`], with an error for a body of another mechanism.
-    pub fn try_point<B: Body>(&self, body: B, local: impl Into<B::Vector>) -> Result<PointMotion<B::Vector>> {
+    /// Position, velocity and acceleration over time of the point with local position `local` of a body or link; the ground as a body
+    /// is welcome too.   \[m, m/s, m/s²\]
+    ///
+    /// Errors: a body of another mechanism.
+    pub fn point<B: Body>(&self, body: B, local: impl Into<B::Vector>) -> Result<PointMotion<B::Vector>> {
         let (local, target) = (local.into(), body.target());
         let columns = self.columns(&target, "point")?;
         let room = || Vec::with_capacity(self.len());

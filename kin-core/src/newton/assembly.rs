@@ -70,7 +70,15 @@ fn differ(sizes: &[f64], others: &[f64], factor: f64) -> bool {
 
 /// Newton from the point in hand; then once more with the sizes of the solution, which takes no step, if they are others.
 fn attempt(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Result<Outcome> {
-    let tried = newton.solve(t, steps).and_then(|outcome| {
+    let tried = newton.solve(t, steps).or_else(|failure| match failure {
+        // A derivative without bounds at an earlier start, such as that of an angle at its pole, makes all others seem small.
+        Failure::Singular => {
+            newton.linear.forget();
+            newton.solve(t, steps)
+        }
+        failure => Err(failure),
+    });
+    let tried = tried.and_then(|outcome| {
         let sizes = sizes(newton, true);
         if !differ(&sizes, &newton.sizes, SAME) {
             return Ok(outcome);

@@ -47,6 +47,10 @@ pub struct Options {
     /// Solve for the jerk q⃛ too, C_q q⃛ = −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), with the matrix of q̇ and q̈; default false.
     /// Cases of a sweep are run one by one then.
     pub jerk: bool,
+    /// How far redundant equations may contradict one another, of the norm of each: of the mechanism's size where a row is a length. 0, the
+    /// default, allows what rounding makes (1e-10) and no more; parts of ordinary accuracy, such as an imported assembly, need more. Positions
+    /// are then those of least squares, and the motion and its summary tell the misfit ([`crate::Motion::misfit`]).   \[-\]
+    pub closure: f64,
     /// Whether each step is checked to stay on its branch, and which branch is taken where branches cross; default [`Follow::Smooth`].
     pub follow: Follow,
 }
@@ -84,12 +88,18 @@ impl Default for Options {
             halvings: 12,
             search: SearchOptions::default(),
             jerk: false,
+            closure: 0.0,
             follow: Follow::default(),
         }
     }
 }
 
 impl Options {
+    /// The defaults, with redundant equations allowed to contradict one another by this share of the mechanism's size.   \[-\]
+    pub fn closure(share: f64) -> Options {
+        Options { closure: share, ..Options::default() }
+    }
+
     /// A step of time no longer than this is the last that is tried, of those between two times; times nearer to one another are hardly told apart.
     pub(crate) fn smallest_step(&self, from: f64, to: f64) -> f64 {
         let halved = (to - from).abs() * 0.5_f64.powi(self.halvings.min(1000) as i32);
@@ -99,6 +109,10 @@ impl Options {
     /// An error unless the tolerance is a positive finite number and there is something to do.
     pub(crate) fn check(&self) -> Result<()> {
         self.search.check()?;
+        if !(0.0..=0.1).contains(&self.closure) {
+            let closure = self.closure;
+            return Err(Error::InvalidOptions { reason: format!("the closure is {closure}; give a share of the size from 0 to 0.1") });
+        }
         let (Stop::Converged { tolerance } | Stop::ResidualOnly(tolerance)) = self.stop;
         if tolerance.is_finite() && tolerance > 0.0 {
             return Ok(());

@@ -14,13 +14,14 @@ use crate::error::{Error, Result};
 use crate::follow::{Drive, EASY, Lever, Objection, REACH, Span};
 use crate::fours::{self, Fours};
 use crate::linear::Tall;
-use crate::model::{Measures, Model, Point};
+use crate::model::{Measures, Model, Point, TOLERANCE};
 use crate::motion::Motion;
-use crate::system::evaluate::Instant;
+use crate::system::evaluate::{Instant, finite};
 use crate::system::{Solution, System};
 
-/// Equations at a solution may differ by this share of their terms in velocities.   \[-\]
+/// Equations at a solution may differ by this share of their terms in velocities; where their positions may, by so many times that.   \[-\]
 const CONSISTENT: f64 = 1e-8;
+const ALLOWED: f64 = 30.0;
 
 /// A correction that stalls above this share of its coordinate is no rounding.   \[-\]
 const STALL: f64 = 1e-9;
@@ -31,8 +32,9 @@ pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<M
     let Some((&first, later)) = times.split_first() else { return Ok(motion) };
     let (mut driver, outcome) = Driver::assembled(system, options, first)?;
     let mut keep = |t: f64, driver: &Driver<'_>, outcome: Outcome, motion: &mut Motion| {
-        watch.look(system, &system.equations().instant_at(t, &driver.q), &mut motion.breaks)?;
+        watch.look(system, &driver.instant, &mut motion.breaks)?;
         motion.append(t, driver.rows(), outcome, driver.worst);
+        motion.misfit = driver.misfit;
         Ok(())
     };
     keep(first, &driver, outcome, &mut motion)?;
@@ -59,11 +61,9 @@ pub(crate) fn at(system: &System, t: f64, start: Option<&[f64]>, options: &Optio
 /// C_q x = the right side at a position, in the sense of least squares.
 pub(crate) fn solved(system: &System, q: &[f64], t: f64, rhs: &[f64]) -> Result<Vec<f64>> {
     let (model, options) = (system.model(), Options::default());
-    let tall = Tall::new(model.m(), model.n(), &model.equations.entries);
-    let measures = model.measure(q, t);
-    let mut driver = Driver::new(model, &options, measures, tall, t, q.to_vec());
+    let mut driver = Driver::new(model, &options, t, (q.to_vec(), model.measure(q, t)));
     match driver.factor(t) {
-        Some(_) => Ok(driver.solved(rhs.iter().copied())),
+        Some(()) => Ok(driver.solved(rhs)),
         None => Err(blamed(model, Start::Pose(q), t, &options)),
     }
 }
@@ -74,6 +74,11 @@ struct Driver<'a> {
     options: &'a Options,
     measures: Measures,
     tall: Tall,
+    instant: Instant,
+    /// C and C_q at the last evaluation.
+    point: Point,
+    /// What each value of C_q is multiplied by to be of order 1.
+    scales: Vec<f64>,
     t: f64,
     q: Vec<f64>,
     qd: Vec<f64>,
@@ -82,40 +87,62 @@ struct Driver<'a> {
     qddd: Vec<f64>,
     /// The row with the largest |C_i|.
     worst: usize,
+    /// The largest share of its norm that a row has been off by, where that was allowed.
+    misfit: f64,
     /// What happens between the ends of a step; taken out while it is asked.
     drive: Option<Drive>,
 }
 
 impl<'a> Driver<'a> {
-    fn new(model: Model<'a>, options: &'a Options, measures: Measures, tall: Tall, t: f64, q: Vec<f64>) -> Self {
-        let (n, drive) = (model.n(), Drive::new(model.equations));
-        Driver { model, options, measures, tall, t, q, qd: vec![0.0; n], qdd: vec![0.0; n], qddd: vec![], worst: 0, drive: Some(drive) }
+    fn new(model: Model<'a>, options: &'a Options, t: f64, (q, measures): (Vec<f64>, Measures)) -> Self {
+        let (n, equations) = (model.n(), model.equations);
+        let mut point = Point { c: vec![0.0; model.m()], values: vec![0.0; equations.entries.len()] };
+        equations.set_constants(&mut point.values);
+        let Measures { sizes, norms, .. } = &measures;
+        let scale = |entry: &Option<(usize, usize)>| entry.map_or(0.0, |(row, column)| sizes[column] / norms[row]);
+        Driver {
+            scales: equations.entries.iter().map(scale).collect(),
+            tall: Tall::new(model.m(), n, &equations.entries),
+            instant: equations.instant(),
+            point,
+            model,
+            options,
+            measures,
+            t,
+            q,
+            qd: vec![0.0; n],
+            qdd: vec![0.0; n],
+            qddd: vec![],
+            worst: 0,
+            misfit: 0.0,
+            drive: Some(Drive::new(equations)),
+        }
     }
 
     /// Assembled from the guess, into the preferred assembly.
     fn assembled(system: &'a System, options: &'a Options, t: f64) -> Result<(Self, Outcome)> {
-        let mut found = search::search(system.model(), system.initial(), t, &|_| true, &options.search);
+        let model = system.model_within(options.closure);
+        let mut found = search::search(model, system.initial(), t, &|_| true, &options.search);
         if let Some(q) = system.nearer(found.as_ref().filter(|found| found.met).map(|found| &found.place.q[..]), t, &options.search) {
-            found = search::descend(system.model(), &q, t, &|_| true, false, options.search.steps);
+            found = search::descend(model, &q, t, &|_| true, false, options.search.steps);
         }
         Self::found(system, options, t, found, system.initial())
     }
 
     /// Assembled from a start, nothing preferred.
     fn from_start(system: &'a System, options: &'a Options, t: f64, start: &[f64]) -> Result<(Self, Outcome)> {
-        let found = search::descend(system.model(), start, t, &|_| true, false, options.search.steps);
+        let found = search::descend(system.model_within(options.closure), start, t, &|_| true, false, options.search.steps);
         Self::found(system, options, t, found, start)
     }
 
     fn found(system: &'a System, options: &'a Options, t: f64, found: Option<Found>, start: &[f64]) -> Result<(Self, Outcome)> {
-        let model = system.model();
+        let model = system.model_within(options.closure);
         let Some(found) = found.filter(|found| found.met) else { return Err(blamed(model, Start::Guess(start), t, options)) };
-        let tall = Tall::new(model.m(), model.n(), &model.equations.entries);
         let steps = found.place.steps;
-        let mut driver = Driver::new(model, options, found.measures, tall, t, found.place.q);
+        let mut driver = Driver::new(model, options, t, (found.place.q, found.measures));
         let solved = driver.solve(t).and_then(|outcome| driver.rates(t).map(|()| outcome));
         let Some(outcome) = solved else { return Err(blamed(model, Start::Pose(&driver.q), t, options)) };
-        match driver.wrong(t) {
+        match driver.wrong() {
             None => Ok((driver, Outcome { iterations: outcome.iterations + steps, ..outcome })),
             Some(error) => Err(error),
         }
@@ -133,7 +160,7 @@ impl<'a> Driver<'a> {
                 self.predict(target - self.t);
             }
             let solved = self.solve(target);
-            let wrong = solved.and_then(|_| self.wrong(target));
+            let wrong = solved.and_then(|_| self.wrong());
             if let (Some(outcome), None) = (&solved, &wrong) {
                 iterations += outcome.iterations;
                 if self.rates(target).is_none() {
@@ -195,9 +222,9 @@ impl<'a> Driver<'a> {
     }
 
     /// The error for a position that is not what is meant.
-    fn wrong(&self, t: f64) -> Option<Error> {
-        let (equations, instant) = (self.model.equations, self.model.equations.instant_at(t, &self.q));
-        equations.first_wrong(&instant).map(|block| equations.closes_wrong(block, self.model.layout, &instant))
+    fn wrong(&self) -> Option<Error> {
+        let equations = self.model.equations;
+        equations.first_wrong(&self.instant).map(|block| equations.closes_wrong(block, self.model.layout, &self.instant))
     }
 
     /// q + h q̇ + ½ h² q̈
@@ -211,16 +238,16 @@ impl<'a> Driver<'a> {
     fn solve(&mut self, t: f64) -> Option<Outcome> {
         let mut previous = f64::INFINITY;
         for iterations in 0..=self.options.max_iterations {
-            let point = self.factor(t)?;
-            let residual = point.c.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
+            self.factor(t)?;
+            let residual = self.point.c.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
             if let Stop::ResidualOnly(bound) = self.options.stop
                 && residual < bound
             {
-                return self.outcome(&point, iterations);
+                return Some(self.outcome(iterations));
             }
-            let dq = self.solved(point.c.iter().map(|c| -c));
+            let opposed: Vec<f64> = self.point.c.iter().map(|c| -c).collect();
+            let dq = self.solved(&opposed);
             let correction = dq.iter().zip(&self.measures.sizes).fold(0.0_f64, |m, (dq, size)| m.max((dq / size).abs()));
-            let met = self.model.met(&point, &self.q, &self.measures, &|_| true);
             let converged = match self.options.stop {
                 Stop::Converged { tolerance } => correction <= tolerance || (correction > 0.5 * previous && correction <= STALL),
                 Stop::ResidualOnly(_) => false,
@@ -229,12 +256,13 @@ impl<'a> Driver<'a> {
             if !(correction < previous || converged) {
                 return None;
             }
+            let met = converged && self.model.met(&self.point, &self.q, &self.measures, &|_| true);
             self.q.iter_mut().zip(&dq).for_each(|(q, dq)| *q += dq);
             if converged {
                 if met && self.has_jumped(t) {
                     self.q.iter_mut().zip(&dq).for_each(|(q, dq)| *q -= dq);
                 }
-                return if met { self.outcome(&point, iterations) } else { None };
+                return met.then(|| self.outcome(iterations));
             }
             previous = correction;
         }
@@ -247,57 +275,67 @@ impl<'a> Driver<'a> {
         !self.model.equations.jumping().is_empty() && !self.model.linearize(&self.q, t).is_ok_and(met)
     }
 
-    fn outcome(&mut self, point: &Point, iterations: usize) -> Option<Outcome> {
-        let rows = point.c.iter().map(|c| c.abs()).enumerate();
+    fn outcome(&mut self, iterations: usize) -> Outcome {
+        let rows = self.point.c.iter().map(|c| c.abs()).enumerate();
         let (worst, residual) = rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
+        let share = self.point.c.iter().zip(&self.measures.norms).fold(0.0_f64, |m, (c, norm)| m.max((c / norm).abs()));
+        if share > TOLERANCE {
+            self.misfit = self.misfit.max(share);
+        }
         self.worst = worst;
-        Some(Outcome { iterations, residual })
+        Outcome { iterations, residual }
     }
 
-    /// The matrix at the point in hand, factored.
-    fn factor(&mut self, t: f64) -> Option<Point> {
-        let point = self.model.linearize(&self.q, t).ok()?;
-        let Measures { sizes, norms, .. } = &self.measures;
-        let entries = self.model.equations.entries.iter().zip(&point.values);
-        let values = entries.map(|(entry, value)| entry.map_or(0.0, |(row, column)| value * sizes[column] / norms[row]));
-        if !self.tall.factor(values, 0.0) {
-            return None;
+    /// C and C_q at the point in hand, the matrix factored.
+    fn factor(&mut self, t: f64) -> Option<()> {
+        let (equations, Point { c, values }) = (self.model.equations, &mut self.point);
+        if self.instant.t() != t {
+            equations.set_time(t, &mut self.instant);
         }
-        Some(point)
+        equations.set_position(&self.q, &mut self.instant);
+        equations.linearize(&self.q, &self.instant, c, values);
+        equations.finite(c, values).ok()?;
+        let scaled = self.scales.iter().zip(values.iter()).map(|(scale, value)| scale * value);
+        self.tall.factor_again(scaled, 0.0).then_some(())
     }
 
     /// The solution for a right side in the units of its rows.
-    fn solved(&mut self, rhs: impl Iterator<Item = f64>) -> Vec<f64> {
+    fn solved(&mut self, rhs: &[f64]) -> Vec<f64> {
         let Measures { sizes, norms, .. } = &self.measures;
-        let y = self.tall.solve(rhs.zip(norms).map(|(rhs, norm)| rhs / norm));
+        let y = self.tall.solve(rhs.iter().zip(norms).map(|(rhs, norm)| rhs / norm));
         y.iter().zip(sizes).map(|(y, size)| y * size).collect()
     }
 
     /// q̇ and q̈ with the matrix in hand, and q⃛ where it is asked for; `None` where they are not finite or the equations ask for different ones.
     fn rates(&mut self, t: f64) -> Option<()> {
-        let values = self.model.linearize(&self.q, t).ok()?.values;
-        let c_t = self.model.c_t(&self.q, t).ok()?;
-        self.qd = self.agreed(&values, &c_t.iter().map(|c_t| -c_t).collect::<Vec<f64>>())?;
-        let q_d = self.model.second_order(&self.q, t, &self.qd, 1.0).ok()?;
-        self.qdd = self.agreed(&values, &q_d)?;
+        let equations = self.model.equations;
+        equations.set_position(&self.q, &mut self.instant);
+        let mut rhs = vec![0.0; self.model.m()];
+        equations.velocity_rhs(&self.instant, &mut rhs);
+        self.qd = self.agreed(&rhs)?;
+        equations.set_rates(&self.qd, &mut self.instant);
+        equations.second_order(&self.instant, 1.0, &mut rhs);
+        self.qdd = self.agreed(&rhs)?;
         if self.options.jerk {
             let rhs = self.model.jerk_rhs(&self.q, t, &self.qd, &self.qdd).ok()?.ok()?;
-            self.qddd = self.agreed(&values, &rhs)?;
+            self.qddd = self.agreed(&rhs)?;
         }
         Some(())
     }
 
     /// The solution of C_q x = the right side, if it is finite and meets every row.
-    fn agreed(&mut self, values: &[f64], rhs: &[f64]) -> Option<Vec<f64>> {
-        let solution = self.solved(rhs.iter().copied());
+    fn agreed(&mut self, rhs: &[f64]) -> Option<Vec<f64>> {
+        finite(rhs, "").ok()?;
+        let solution = self.solved(rhs);
         let mut rows: Vec<(f64, f64)> = rhs.iter().map(|rhs| (-rhs, rhs.abs())).collect();
-        for (row, column, value) in self.model.entries(values) {
+        for (row, column, value) in self.model.entries(&self.point.values) {
             let term = value * solution[column];
             rows[row] = (rows[row].0 + term, rows[row].1 + term.abs());
         }
         let rows = rows.iter().zip(&self.measures.norms);
         let largest = rows.clone().fold(0.0_f64, |m, ((_, size), norm)| m.max(size / norm));
-        let met = rows.clone().all(|((sum, _), norm)| sum.abs() <= CONSISTENT * largest * norm);
+        let share = CONSISTENT.max(ALLOWED * self.options.closure);
+        let met = rows.clone().all(|((sum, _), norm)| sum.abs() <= share * largest * norm);
         (met && solution.iter().all(|x| x.is_finite())).then_some(solution)
     }
 
@@ -321,7 +359,7 @@ impl Lever for Squares<'_, '_> {
     fn moved(&mut self, first: usize, b: &[f64]) -> f64 {
         let m = self.driver.model.m();
         let rhs: Vec<f64> = (0..m).map(|row| row.checked_sub(first).and_then(|k| b.get(k)).copied().unwrap_or(0.0)).collect();
-        let moved = self.driver.solved(rhs.into_iter());
+        let moved = self.driver.solved(&rhs);
         largest(moved.iter().zip(&self.driver.measures.sizes).map(|(x, size)| (x / size).abs()))
     }
 

@@ -59,7 +59,7 @@ pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<M
 pub(crate) fn check(times: &[f64]) -> Result<()> {
     let fail = |reason: String| Err(Error::InvalidTimes { reason });
     if times.is_empty() {
-        return fail("there are none".to_string());
+        return fail("there are none; give one at least, or many such as `linspace(0.0, 1.0, 101)`".to_string());
     }
     // As a rule; what only increases between finite times is finite.
     if times.windows(2).all(|pair| pair[0] < pair[1]) && times[0].is_finite() && times[times.len() - 1].is_finite() {

@@ -302,8 +302,14 @@ impl Equations {
 
     /// The constraint that a global row belongs to, and its local row.
     pub(crate) fn block_of(&self, row: usize) -> Option<(&Block, usize)> {
-        let block = self.blocks.get(self.blocks.partition_point(|block| block.rows().end <= row))?;
+        let block = self.blocks.get(self.block_index(row)?)?;
         Some((block, row - block.rows().start))
+    }
+
+    /// The number of the constraint that a global row belongs to.
+    pub(crate) fn block_index(&self, row: usize) -> Option<usize> {
+        let index = self.blocks.partition_point(|block| block.rows().end <= row);
+        (index < self.blocks.len()).then_some(index)
     }
 
     /// Name of the equation in a global row, such as `A.x`.

@@ -56,10 +56,16 @@ impl System {
     pub fn run_with(&self, times: impl AsRef<[f64]>, options: &Options) -> Result<Motion> {
         let mut run = newton::sweep::run(self, times.as_ref(), options);
         match &mut run {
-            Ok(motion) => self.note_limits(motion),
-            Err(error) => error.motion_mut().into_iter().for_each(|motion| self.note_limits(motion)),
+            Ok(motion) => self.note(motion),
+            Err(error) => error.motion_mut().into_iter().for_each(|motion| self.note(motion)),
         }
         run
+    }
+
+    /// Tells a motion what has happened on its way.
+    fn note(&self, motion: &mut Motion) {
+        self.note_limits(motion);
+        self.note_kinks(motion);
     }
 
     /// Many cases of this system: in each of them the named parameters (such as `A.u_i.x`) and initial values (such as `rocker.theta`) are

@@ -29,7 +29,7 @@ use crate::parse::{Argument, ConstraintFn, Kind, Shape};
 use kin_graph::{Graph, Input, Node};
 
 pub use place::Expressions;
-pub use rows::Row;
+pub use rows::{Row, names_as_written};
 use scope::Scopes;
 use template::Template;
 use value::Value;

@@ -34,7 +34,8 @@ impl Reader {
             return vec![];
         }
         let Some(parts) = self.parts(source, value, tail, at) else { return vec![] };
-        let names = row_names(&source.output, tail, &parts);
+        let shapes: Vec<(usize, &Shape)> = parts.iter().map(|(nodes, shape)| (nodes.len(), shape)).collect();
+        let names = row_names(&source.output, tail, &shapes);
         let rows: Vec<Row> = names.into_iter().zip(parts.iter().flat_map(|p| &p.0)).map(|(name, &node)| Row { name, node }).collect();
         self.refuse_constants(source, &parts, tail, &rows);
         rows
@@ -111,21 +112,34 @@ fn elements(tail: Option<&Expr>, n: usize) -> Vec<Option<&Expr>> {
     if all.len() == n { all.into_iter().map(Some).collect() } else { vec![None; n] }
 }
 
-/// Names of the rows: identifiers of a returned tuple or array, else x, y, z of a vector, else numbers from 1.
-fn row_names(output: &Shape, tail: Option<&Expr>, parts: &[(Vec<Node>, Shape)]) -> Vec<String> {
+/// Names of the rows where only the signature and the last expression are known: on the dual route.
+pub fn names_as_written(source: &ConstraintFn) -> Vec<String> {
+    let any = |shape: &Shape| if *shape == Shape::Any { 1 } else { shape.count() };
+    let shapes: Vec<(usize, &Shape)> = match &source.output {
+        Shape::Tuple(all) => all.iter().map(|shape| (any(shape), shape)).collect(),
+        Shape::Array(inner, n) => vec![(any(inner), inner); *n],
+        shape => vec![(any(shape), shape)],
+    };
+    row_names(&source.output, tail(&source.body), &shapes)
+}
+
+/// Names of the rows: identifiers of a returned tuple or array, else x, y, z of a vector, else numbers from 1. `parts` are the numbers of rows and the
+/// shapes of its elements.
+fn row_names(output: &Shape, tail: Option<&Expr>, parts: &[(usize, &Shape)]) -> Vec<String> {
     const AXES: [&str; 3] = ["x", "y", "z"];
     if let (Shape::Vector(n), [_]) = (output, parts) {
         return AXES[..*n].iter().map(ToString::to_string).collect();
     }
     let mut names = Vec::new();
-    for (part, place) in parts.iter().zip(elements(tail, parts.len())) {
+    for ((rows, shape), place) in parts.iter().zip(elements(tail, parts.len())) {
         let name = place.and_then(|place| match place {
             Expr::Path(path) => path.path.get_ident().map(ToString::to_string),
             _ => None,
         });
-        for k in 0..part.0.len() {
-            names.push(match (&name, &part.1) {
+        for k in 0..*rows {
+            names.push(match (&name, shape) {
                 (Some(name), Shape::Scalar) => name.clone(),
+                (Some(name), Shape::Any) if *rows == 1 => name.clone(),
                 (Some(name), Shape::Vector(_)) => format!("{name}.{}", AXES.get(k).unwrap_or(&"?")),
                 (Some(name), _) => format!("{name}.{}", k + 1),
                 (None, _) => (names.len() + 1).to_string(),

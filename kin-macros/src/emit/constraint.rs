@@ -6,7 +6,7 @@ use quote::quote;
 use super::lanes::{self, LaneCode};
 use super::{attachments, blame, demands, described, functions, measures, rewrite, template, written};
 use crate::derivatives::Derivatives;
-use kin_language::lower::Lowered;
+use kin_language::lower::{Lowered, names_as_written};
 use kin_language::parse::{Argument, ConstraintFn, Kind, Shape};
 
 /// What both routes need to know.
@@ -40,7 +40,7 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
 
 /// The constraint on the dual route.
 pub fn dual(source: &ConstraintFn) -> TokenStream {
-    let row_names = row_names(&source.output);
+    let row_names = names_as_written(source);
     let n = columns(&source.arguments);
     let pattern = (0..row_names.len()).flat_map(|row| (0..n).map(move |column| (row, column))).collect();
     let (body, expressions) = rewrite::traced(&source.body, &source.arguments);
@@ -295,24 +295,6 @@ fn is_driver(source: &ConstraintFn) -> TokenStream {
 
 fn columns(arguments: &[Argument]) -> usize {
     arguments.iter().map(|a| a.kind.columns()).sum()
-}
-
-/// Number of rows of a returned type.
-fn rows(output: &Shape) -> usize {
-    match output {
-        Shape::Array(inner, n) if **inner == Shape::Any => *n,
-        Shape::Array(inner, n) => n * rows(inner),
-        Shape::Tuple(all) => all.iter().map(rows).sum(),
-        Shape::Any => 1,
-        shape => shape.count(),
-    }
-}
-
-fn row_names(output: &Shape) -> Vec<String> {
-    match output {
-        Shape::Vector(n) => ["x", "y", "z"][..*n].iter().map(ToString::to_string).collect(),
-        shape => (1..=rows(shape)).map(|k| k.to_string()).collect(),
-    }
 }
 
 fn literal(k: usize) -> Literal {

@@ -42,7 +42,7 @@ impl Track {
         if body.is_ground() {
             return Ok(Track::Ground);
         }
-        let column = |coordinate: Coordinate| motion.try_coordinate(coordinate).map(|c| c.value.values().to_vec());
+        let column = |coordinate: Coordinate| motion.coordinate(coordinate).map(|c| c.value.values().to_vec());
         Ok(match body.0 {
             Kind::Planar(body) => Track::Planar([
                 column(Coordinate::Planar(body, 0))?,
