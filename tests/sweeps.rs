@@ -350,3 +350,69 @@ fn spatial_bodies_go_over_lanes_too() {
         assert!(far(found, alone) < 1e-10);
     }
 }
+
+/// A failing case cost a hundred good ones, because what is wrong with it was looked for.
+#[test]
+fn a_failing_case_is_diagnosed_on_request_only() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    // None of these closes.
+    let cases: Vec<[f64; 8]> = (0..48).map(|k| case([1.0, 0.5 + 0.001 * f64::from(k), 0.5, 4.0])).collect();
+    let swept = |lanes: Lanes, diagnose: bool, cases: &[[f64; 8]]| {
+        let sweep = system.sweep(NAMES).unwrap().lanes(lanes).diagnose(diagnose);
+        sweep.run(cases, times(), |_, motion| motion.err().expect("does not close").diagnosis().is_some()).unwrap()
+    };
+    for lanes in [Lanes::Off, Lanes::Best] {
+        assert!(swept(lanes, false, &cases).iter().all(|diagnosed| !diagnosed));
+    }
+    assert!(swept(Lanes::Best, true, &cases[..1]).iter().all(|diagnosed| *diagnosed));
+    // A run of one case alone says it, as ever.
+    let mut m = Mechanism::new("too long");
+    let x = m.length("x", 0.0).unwrap();
+    m.add("reach", reach(x)).unwrap();
+    assert!(m.build().unwrap().run([0.0]).err().unwrap().diagnosis().is_some());
+}
+
+/// x² + 1 = 0
+#[constraint]
+fn reach(x: Coord) -> f64 {
+    x * x + 1.0
+}
+
+#[test]
+fn a_failing_case_with_redundant_equations_is_diagnosed_on_request_only() {
+    let mut m = Mechanism::new("twice");
+    let (x, y) = (m.length("x", 0.0).unwrap(), m.length("y", 0.0).unwrap());
+    m.add("x", drive(x, Law::ramp(1.0))).unwrap();
+    m.add("y", drive(y, Law::constant(0.0))).unwrap();
+    m.add("y again", drive(y, Law::constant(0.0))).unwrap();
+    let system = m.build().unwrap();
+    for (asked, diagnosed) in [(false, false), (true, true)] {
+        let sweep = system.sweep(["y again.law.c"]).unwrap().diagnose(asked);
+        let swept =
+            sweep.run(&[[0.0], [0.25]], [0.0, 1.0], |_, motion| motion.map_err(|error| (error.diagnosis().is_some(), error.to_string())));
+        let [good, bad] = &swept.unwrap()[..] else { panic!("two cases") };
+        assert!(good.is_ok());
+        let (found, text) = bad.as_ref().err().unwrap();
+        assert_eq!(*found, diagnosed, "{text}");
+        assert!(text.contains("y"), "{text}");
+    }
+}
+
+/// Sixteen motions at once a thread take sixteen times the memory of one.
+#[test]
+fn memory_of_a_sweep_is_that_of_all_motions_under_way() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    let cases: Vec<[f64; 8]> = links(64).into_iter().map(case).collect();
+    let one = 61 * 8 * (3 + 3 * 9);
+    let run = |lanes: Lanes, threads: usize, memory: usize| {
+        let sweep = system.sweep(NAMES).unwrap().lanes(lanes).threads(threads).options(Options { memory, ..Options::default() });
+        sweep.run(&cases, times(), |_, motion| motion.is_ok())
+    };
+    assert!(run(Lanes::Off, 1, one).is_ok_and(|all| all.iter().all(|ok| *ok)));
+    for refused in [run(Lanes::Off, 1, one - 1), run(Lanes::Off, 2, one), run(Lanes::Best, 1, 15 * one / 4)] {
+        let error = refused.expect_err("too much");
+        assert!(matches!(error, Error::NeedsMemory { times: 61, coordinates: 9, .. }), "{error}");
+    }
+    let text = run(Lanes::Off, 2, one).unwrap_err().to_string();
+    assert!(text.contains("2 motions at once of 61 times of 9 coordinates need 29.3 kB; `Options::memory` allows 14.6 kB"), "{text}");
+}

@@ -1,6 +1,6 @@
 //! The one trait of the library: what a constraint C(q, t) = 0 can be asked for.
 
-use num_dual::Dual3_64;
+use crate::real::Dual3_64;
 
 use crate::algebra::Vec3;
 use crate::blame::table::{Given, Outside, Table};

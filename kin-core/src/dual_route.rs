@@ -1,9 +1,9 @@
-//! The second route: a constraint's own equation, evaluated with num-dual's numbers.
+//! The second route: a constraint's own equation, evaluated with dual numbers.
 //!
 //! `Dual64` along each column gives C_q and along t C_t; `Dual2_64` along (q̇, ṫ) gives the whole right side −g″(0);
 //! `HyperDual64` along q̇ and t gives the mixed term C_qt q̇, `Dual3_64` along the motion the right side for the jerk.
 
-use num_dual::{Dual2_64, Dual3_64, Dual64, HyperDual64};
+use crate::real::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
 use crate::blame::{Asked, Blame};
 use crate::constraint::{Attachment, Constraint, Dependence, Measured, Route};
@@ -183,7 +183,7 @@ pub fn residual<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E,
 pub fn jacobian<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, at: &At<'_>, c_q: &mut [f64]) {
     let q = coordinates::<N>(E::ARGUMENTS, at);
     for column in 0..N {
-        let seeded = std::array::from_fn(|k| Real(Dual64::new(q[k], if k == column { 1.0 } else { 0.0 })));
+        let seeded = std::array::from_fn(|k| if k == column { Real(Dual64::new(q[k], 1.0)) } else { Real::from(q[k]) });
         let c = equation.evaluate(&seeded, Real::from(at.t));
         for (value, &(row, _)) in c_q.iter_mut().zip(equation.pattern()).filter(|(_, entry)| entry.1 == column) {
             *value = c[row].0.eps;
@@ -212,8 +212,8 @@ pub fn acceleration_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
 
 /// C_qt q̇ by one `HyperDual64` evaluation along q̇ and t.   \[row/s²\]
 pub fn mixed<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, q: &[f64; N], qd: &[f64; N], t: f64) -> [f64; M] {
-    let seeded = std::array::from_fn(|k| Real(HyperDual64::new(q[k], qd[k], 0.0, 0.0)));
-    equation.evaluate(&seeded, Real(HyperDual64::new(t, 0.0, 1.0, 0.0))).map(|x| x.0.eps1eps2)
+    let seeded = std::array::from_fn(|k| Real(HyperDual64::along_first(q[k], qd[k])));
+    equation.evaluate(&seeded, Real(HyperDual64::along_second(t, 1.0))).map(|x| x.0.eps1eps2)
 }
 
 /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), by one `Dual3_64` evaluation.   \[row/s³\] It is always known.

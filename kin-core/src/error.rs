@@ -345,6 +345,33 @@ pub enum Error {
         reason: String,
     },
 
+    /// Motions that take more memory than [`crate::Options::memory`] allows; nothing has been computed.
+    #[error(
+        "{}{} of {} need {}; `Options::memory` allows {}.\n  {}, or allow more.",
+        if *.motions > 1 { format!("{} motions at once of ", .motions) } else { String::new() },
+        text::count(*.times, "time"),
+        text::count(*.coordinates, "coordinate"),
+        text::bytes(*.needed),
+        text::bytes(*.allowed as f64),
+        if *.motions > 1 {
+            "Run the sweep on fewer threads or without lanes, ask for fewer times"
+        } else {
+            "Keep what is wanted of one part after the other (`System::run_in_parts`), ask for fewer times"
+        }
+    )]
+    NeedsMemory {
+        /// How many motions there are at once: the lanes of all threads of a sweep.
+        motions: usize,
+        /// Times of each.
+        times: usize,
+        /// Coordinates at each time.
+        coordinates: usize,
+        /// What they take.   \[B\]
+        needed: f64,
+        /// What is allowed.   \[B\]
+        allowed: usize,
+    },
+
     /// A case of a sweep with a number that is infinite or not a number.
     #[error("case {case}: `{name}` is {value}; give a finite number")]
     CaseNotFinite {

@@ -11,6 +11,7 @@ mod sequence;
 mod shapes;
 mod spline;
 
+pub(crate) use breaks::MOST_BREAKS;
 pub use points::Ends;
 
 use std::fmt;
@@ -40,10 +41,16 @@ pub trait LawFunction: Send + Sync {
         f64::NAN
     }
 
-    /// The breaks between `from` and `to`, both included, in increasing order of x; none by default: a smooth law.
+    /// The breaks between `from` and `to`, both included, in increasing order of x; none by default: a smooth law. Of more than ten thousand
+    /// the laws of the library give as many: one that repeats has any number of them.
     fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
         let _ = (from, to);
         Vec::new()
+    }
+
+    /// The break between `from` and `to` in which the lowest derivative jumps, also where there are too many to list them.
+    fn sharpest_break(&self, from: f64, to: f64) -> Option<Break> {
+        breaks::sharpest(self.breaks(from, to))
     }
 
     /// Whether there is no break anywhere.
@@ -173,9 +180,15 @@ impl Law {
         self.0.trusted()
     }
 
-    /// Where derivatives up to the third jump between `from` and `to`, both included, in increasing order of x.
+    /// Where derivatives up to the third jump between `from` and `to`, both included, in increasing order of x; of more than ten thousand places
+    /// as many.
     pub fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
         self.0.breaks(from.min(to), to.max(from))
+    }
+
+    /// The break between `from` and `to` in which the lowest derivative jumps.
+    pub fn sharpest_break(&self, from: f64, to: f64) -> Option<Break> {
+        self.0.sharpest_break(from.min(to), to.max(from))
     }
 
     /// Whether no derivative up to the third jumps anywhere.
@@ -194,13 +207,17 @@ impl Law {
         bad.or_else(|| self.0.refusal())
     }
 
-    /// Whether f(x + period) = f(x) for all that can be seen: values and first three derivatives at 24 places, to nine digits.
+    /// Whether f(x + period) = f(x) for all that can be seen: values and first three derivatives at 24 places, each to nine digits of the largest
+    /// of its kind.
     pub fn is_periodic(&self, period: f64) -> bool {
-        (0..24).all(|k| {
-            let x = period * (f64::from(k) * 0.618_033_988_749_894_9).fract();
-            let (a, b) = (self.jet(x), self.jet(x + period));
-            let size = a.iter().zip(&b).fold(0.0_f64, |m, (a, b)| m.max(a.abs()).max(b.abs()));
-            a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= 1e-9 * size)
+        let places = || (0..24).map(|k| period * (f64::from(k) * 0.618_033_988_749_894_9).fract());
+        let jets: Vec<[[f64; 4]; 2]> = places().map(|x| [self.jet(x), self.jet(x + period)]).collect();
+        let size = |k: usize| jets.iter().flatten().fold(0.0_f64, |size, jet| size.max(jet.get(k).map_or(0.0, |f| f.abs())));
+        (0..4).all(|k| {
+            // x is rounded, and with a steep law so is f.
+            let next = if k < 3 { size(k + 1) } else { places().fold(0.0_f64, |size, x| size.max(self.fourth(x).abs())) };
+            let allowed = 1e-9 * size(k) + 8.0 * f64::EPSILON * period * next;
+            jets.iter().all(|[a, b]| (a[k] - b[k]).abs() <= allowed)
         })
     }
 
@@ -273,14 +290,16 @@ impl<D: Dual> LawArgument for Real<D> {
 
     fn through_slope(self, law: &Law) -> Self {
         let [_, f1, f2, f3] = law.jet(self.value());
-        self.chain([f1, f2, f3, law.fourth(self.value())])
+        // Where nothing moves the fourth derivative, which may not be known, is not asked for.
+        let f4 = if self.0.is_at_rest() { 0.0 } else { law.fourth(self.value()) };
+        self.chain([f1, f2, f3, f4])
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use num_dual::Dual2_64;
+    use crate::real::Dual2_64;
 
     #[test]
     fn dual_numbers_go_through_a_law() {

@@ -68,7 +68,6 @@ pub use mechanism::{ConstraintId, IntoConstraint, Marker, Mechanism, Pose, Prefe
 pub use motion::{Displaced, Event, EventKind, Line, Motion, PointMotion, Quantity, RotationMotion, Series};
 pub use nalgebra;
 pub use newton::{CrossedBreak, Follow, Options, Report, Stop};
-pub use num_dual;
 pub use proof::{Doubt, DoubtReason, Proof, StepProof, Tube};
 pub use sweep::Sweep;
 pub use system::{Solution, System};

@@ -118,6 +118,46 @@ impl Motion {
         self.worst = Some(worst);
     }
 
+    /// Its last time alone.
+    pub(crate) fn last(&self) -> Motion {
+        self.rows(self.len().saturating_sub(1))
+    }
+
+    /// The times of this motion and those of a later one; neither's events.
+    pub(crate) fn followed_by(&self, later: &Motion) -> Motion {
+        let mut whole = self.rows(0);
+        whole.times.extend_from_slice(&later.times);
+        let kinds = [(&mut whole.q, &later.q), (&mut whole.qd, &later.qd), (&mut whole.qdd, &later.qdd), (&mut whole.qddd, &later.qddd)];
+        kinds.into_iter().for_each(|(all, more)| all.extend_from_slice(more));
+        whole.iterations.extend_from_slice(&later.iterations);
+        whole.residuals.extend_from_slice(&later.residuals);
+        whole
+    }
+
+    /// The times from number `first` on, without what happened there.
+    fn rows(&self, first: usize) -> Motion {
+        let of = |all: &[f64]| all.get(first * self.layout.len()..).unwrap_or_default().to_vec();
+        Motion {
+            name: self.name.clone(),
+            layout: self.layout.clone(),
+            equations: self.equations.clone(),
+            times: self.times[first..].to_vec(),
+            q: of(&self.q),
+            qd: of(&self.qd),
+            qdd: of(&self.qdd),
+            qddd: of(&self.qddd),
+            iterations: self.iterations[first..].to_vec(),
+            residuals: self.residuals[first..].to_vec(),
+            guess: self.guess.clone(),
+            misfit: self.misfit,
+            worst: self.worst,
+            outputs: Vec::new(),
+            breaks: Vec::new(),
+            events: Vec::new(),
+            singular: Vec::new(),
+        }
+    }
+
     /// Name of the mechanism.
     pub fn name(&self) -> &str {
         &self.name
@@ -289,7 +329,8 @@ impl Motion {
         &self.outputs
     }
 
-    /// The breaks of laws that were crossed, where a derivative of the motion jumps, in the order of time.
+    /// The breaks of laws that were crossed, where a derivative of the motion jumps, in the order of time: the first 100 000 of them, and of one
+    /// law between two times the first ten thousand.
     pub fn breaks(&self) -> &[CrossedBreak] {
         &self.breaks
     }

@@ -13,6 +13,7 @@ use rayon::prelude::*;
 use crate::error::{Error, Result};
 use crate::lanes::{Lanes, Level, Mask, Wide, WithLevel};
 use crate::motion::Motion;
+use crate::newton::sweep::Explain;
 use crate::newton::{self, Options};
 use crate::system::System;
 use crate::system::evaluate::lanes::Crew;
@@ -60,6 +61,7 @@ pub struct Sweep<'a> {
     places: Vec<CasePlace>,
     options: Options,
     lanes: Lanes,
+    explain: Explain,
     threads: Option<usize>,
     progress: Mutex<Option<Progress<'a>>>,
     stop: Option<&'a AtomicBool>,
@@ -73,7 +75,7 @@ impl<'a> Sweep<'a> {
         let names: Vec<String> = names.into_iter().map(|name| name.as_ref().to_string()).collect();
         let places = system.places(&names)?;
         let (options, lanes, progress) = (Options::default(), Lanes::default(), Mutex::new(None));
-        Ok(Sweep { system, names, places, options, lanes, threads: None, progress, stop: None })
+        Ok(Sweep { system, names, places, options, lanes, explain: Explain::No, threads: None, progress, stop: None })
     }
 
     /// Other options than [`Options::default`].
@@ -87,6 +89,14 @@ impl<'a> Sweep<'a> {
     #[must_use]
     pub fn lanes(mut self, lanes: Lanes) -> Self {
         self.lanes = lanes;
+        self
+    }
+
+    /// Whether the error of a case that fails says what is wrong with the mechanism there ([`Error::diagnosis`]), as that of a run does; false
+    /// without it. To find that out takes from a tenth of a second to seconds a case, a thousand times what most cases take.
+    #[must_use]
+    pub fn diagnose(mut self, diagnose: bool) -> Self {
+        self.explain = if diagnose { Explain::Yes } else { Explain::No };
         self
     }
 
@@ -115,10 +125,10 @@ impl<'a> Sweep<'a> {
     /// Runs every case over the times and gives what `keep` makes of each, in the order of the cases.
     ///
     /// `keep` is called with the number of the case and its motion, or with the error that ended it ([`Error::motion`] holds what was
-    /// computed before), by several threads at once.
+    /// computed before; what is wrong with the mechanism is looked for only if [`Sweep::diagnose`] asks), by several threads at once.
     ///
     /// Errors of the sweep as a whole, before anything is computed: a case of the wrong length, a number that is not finite, times that do
-    /// not only increase or only decrease, options out of range; and [`Error::Stopped`].
+    /// not only increase or only decrease, options out of range, motions under way that take too much memory; and [`Error::Stopped`].
     pub fn run<R: Send>(
         &self,
         cases: &[impl AsRef<[f64]> + Sync],
@@ -178,16 +188,28 @@ struct Job<'j, 'a, C, K> {
 impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> Job<'_, '_, C, K> {
     /// Each case by itself.
     fn one_by_one(&self) -> Result<Vec<R>> {
+        self.check_memory(1)?;
         self.batches(
             || self.sweep.system.clone(),
             |system, first, cases| {
                 let run = |(k, case): (usize, &C)| {
                     self.sweep.set(system, case.as_ref());
-                    (self.keep)(first + k, newton::sweep::run(system, self.times, &self.sweep.options))
+                    (self.keep)(first + k, self.alone(system))
                 };
                 cases.iter().enumerate().map(run).collect()
             },
         )
+    }
+
+    /// One case by itself.
+    fn alone(&self, system: &System) -> Result<Motion> {
+        newton::sweep::run(system, self.times, &self.sweep.options, self.sweep.explain)
+    }
+
+    /// An error if the motions that are under way at once, so many a thread, take more memory than is allowed.
+    fn check_memory(&self, lanes: usize) -> Result<()> {
+        let at_once = self.cases.len().min(rayon::current_num_threads().saturating_mul(lanes));
+        self.sweep.options.check_memory(at_once, self.times.len(), self.sweep.system.n_coordinates())
     }
 
     /// All batches, on the threads of this pool.
@@ -225,8 +247,7 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
             self.sweep.set(system, case.as_ref());
         }
         let motions = self.motions(lockstep, &Crew::new(systems), Mask::from_fn(simd, |lane| lane < cases.len()), cases.len());
-        let alone = |system: &System| system.run_with(self.times, &self.sweep.options);
-        let results = motions.into_iter().zip(systems.iter()).map(|(motion, system)| motion.map_or_else(|| alone(system), Ok));
+        let results = motions.into_iter().zip(systems.iter()).map(|(motion, system)| motion.map_or_else(|| self.alone(system), Ok));
         results.enumerate().map(|(lane, motion)| (self.keep)(first + lane, motion)).collect()
     }
 
@@ -264,6 +285,7 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
 
     fn run<S: Level>(self, simd: S) -> Self::Output {
         let (sweep, lanes) = (self.sweep, Wide::<S>::LANES);
+        self.check_memory(lanes)?;
         let worker = || {
             let mut typical = sweep.system.clone();
             if let Some(case) = self.cases.first() {

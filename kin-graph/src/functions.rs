@@ -165,3 +165,35 @@ pub fn atanh(x: f64) -> f64 {
     let y = if a < 0.5 { twice + twice * a / (1.0 - a) } else { twice / (1.0 - a) };
     (0.5 * y.ln_1p()).copysign(x)
 }
+
+impl Function {
+    /// Whether its values are small and finite, whatever the argument.
+    pub fn is_bounded(self) -> bool {
+        use Function::{Acos, Asin, Atan, Cos, Fract, Signum, Sin, Tanh};
+        matches!(self, Sin | Cos | Tanh | Asin | Acos | Atan | Fract | Signum)
+    }
+
+    /// Whether it makes what is large small.
+    pub fn is_logarithmic(self) -> bool {
+        use Function::{Acosh, Asinh, Atanh, Ln, Ln1p, Log2, Log10};
+        matches!(self, Asinh | Acosh | Atanh | Ln | Ln1p | Log2 | Log10)
+    }
+
+    /// Whether it is infinite at some finite argument.
+    pub fn has_poles(self) -> bool {
+        use Function::{Atanh, Ln, Ln1p, Log2, Log10, Tan};
+        matches!(self, Tan | Atanh | Ln | Ln1p | Log2 | Log10)
+    }
+
+    /// Whether it grows as an exponential does.
+    pub fn bursts(self) -> bool {
+        matches!(self, Function::Exp | Function::Exp2 | Function::ExpM1 | Function::Sinh | Function::Cosh)
+    }
+
+    /// Whether its slope is finite wherever its value is.
+    pub fn is_tame(self) -> bool {
+        use Function::{Abs, Asinh, Atan, Ceil, Cos, Cosh, Exp, Exp2, ExpM1, Floor, Fract, Round, Signum, Sin, Sinh, Tan, Tanh, Trunc};
+        let curved = matches!(self, Sin | Cos | Tan | Sinh | Cosh | Tanh | Asinh | Atan | Exp | Exp2 | ExpM1);
+        curved || matches!(self, Abs | Fract | Signum | Floor | Ceil | Round | Trunc)
+    }
+}

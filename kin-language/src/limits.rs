@@ -1,12 +1,67 @@
-//! How deep and how long an item may be: everything that reads it recurses over it, on a stack of a few megabytes.
+//! How deep and how long an item may be: everything that reads it recurses over it, on a stack of a few megabytes. And how many numbers it may
+//! speak of: code is written out for each of them.
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 use crate::error::mistake;
+use crate::parse::{Argument, Kind, Shape};
 
 /// The way to a token may be this long, operators counted once and groups `GROUP` times.
 const LONGEST_WAY: usize = 640;
 const GROUP: usize = 10;
+
+/// Coordinates of all arguments of a constraint: each has a column of C_q, and code of its own in every kernel.
+const MOST_COORDINATES: usize = 256;
+/// Numbers of all parameters, and rows.
+const MOST_NUMBERS: usize = 4_096;
+
+/// Refuses arguments of more coordinates or numbers than code can be written out for, at the one that is too many.
+pub fn arguments(all: &[Argument]) -> syn::Result<()> {
+    let (mut coordinates, mut numbers) = (0_usize, 0_usize);
+    for Argument { kind, ty, .. } in all {
+        coordinates = coordinates.saturating_add(kind.columns());
+        if let Kind::Numbers(shape) = kind {
+            numbers = numbers.saturating_add(count(shape));
+        }
+        if coordinates > MOST_COORDINATES {
+            let text = format!(
+                "a constraint takes {MOST_COORDINATES} coordinates at most, for code is written out for each: add one constraint for each part of \
+                 the equations"
+            );
+            return Err(syn::Error::new_spanned(ty, text));
+        }
+        if numbers > MOST_NUMBERS {
+            let text = format!(
+                "a constraint takes {MOST_NUMBERS} numbers as parameters at most, for code is written out for each: hand over a `Law`, or a type of \
+                 your own with a method"
+            );
+            return Err(syn::Error::new_spanned(ty, text));
+        }
+    }
+    Ok(())
+}
+
+/// Refuses more rows than code can be written out for.
+pub fn rows(shape: &Shape, ty: &syn::Type) -> syn::Result<()> {
+    if count(shape) <= MOST_NUMBERS {
+        return Ok(());
+    }
+    let text =
+        format!("a constraint has {MOST_NUMBERS} rows at most, for code is written out for each: add one constraint for each part of them");
+    Err(syn::Error::new_spanned(ty, text))
+}
+
+/// How many numbers a type has.
+fn count(shape: &Shape) -> usize {
+    match shape {
+        Shape::Scalar | Shape::Any => 1,
+        Shape::Vector(n) => *n,
+        Shape::Matrix(n) => n * n,
+        Shape::Euler => 4,
+        Shape::Array(inner, n) => count(inner).saturating_mul(*n),
+        Shape::Tuple(all) => all.iter().map(count).fold(0, usize::saturating_add),
+    }
+}
 
 /// Refuses an item that would overflow the stack.
 pub fn check(item: &TokenStream) -> syn::Result<()> {

@@ -10,6 +10,7 @@ use syn::spanned::Spanned;
 use syn::{Attribute, Block, Expr, ExprLit, FnArg, ItemFn, Lit, Pat, ReturnType, Type, Visibility};
 
 use crate::error::Mistakes;
+use crate::limits;
 pub use demand::Demand;
 pub use measure::Measure;
 
@@ -134,6 +135,7 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<Cons
     if mistakes.is_empty() && !arguments.iter().any(|a| a.kind.slots() > 0) {
         mistakes.add(&function.sig.ident, NO_COORDINATES);
     }
+    mistakes.catch(limits::arguments(&arguments));
     let output = mistakes.catch(output(&function));
     let Some((output, output_type)) = output else { return Err(mistakes.into_error()) };
     mistakes.finish()?;
@@ -190,6 +192,7 @@ pub fn law(attribute: &TokenStream, item: TokenStream) -> syn::Result<LawFn> {
         None if mistakes.is_empty() => mistakes.add(&function.sig.ident, "a law needs its variable as first argument, an `f64`"),
         None => {}
     }
+    mistakes.catch(limits::arguments(&arguments));
     mistakes.finish()?;
     let variable = arguments.remove(0).name;
     Ok(LawFn {
@@ -395,7 +398,7 @@ fn output(function: &ItemFn) -> syn::Result<(Shape, Type)> {
         ReturnType::Type(_, ty) => ty,
     };
     match shape(ty) {
-        Some(shape) if has_rows(&shape) => Ok((shape, (**ty).clone())),
+        Some(shape) if has_rows(&shape) => limits::rows(&shape, ty).map(|()| (shape, (**ty).clone())),
         Some(Shape::Array(..)) => Err(syn::Error::new(ty.span(), "this has no rows")),
         _ => Err(syn::Error::new_spanned(ty, format!("a constraint returns {WHAT}; lengths are written as numbers"))),
     }

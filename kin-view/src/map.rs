@@ -100,7 +100,9 @@ impl Map {
         let mut paths = vec![String::new(); LEVELS];
         let level = |k: usize| {
             let x = self.values.get(k).copied().filter(|x| x.is_finite())?;
-            Some(if high > low { ((x - low) / (high - low) * (LEVELS - 1) as f64).round() as usize } else { 0 })
+            // Halves: the range may be too large for a number.
+            let share = (0.5 * x - 0.5 * low) / (0.5 * high - 0.5 * low);
+            Some(if high > low { (share * (LEVELS - 1) as f64).round() as usize } else { 0 })
         };
         for row in 0..self.y.count {
             let mut from = 0;
@@ -153,7 +155,7 @@ impl Map {
         }
         for k in 0..5 {
             let share = k as f64 / 4.0;
-            let value = number(low + (high - low) * share);
+            let value = number(low * (1.0 - share) + high * share);
             text += &format!("<text x=\"{}\" y=\"{}\">{value}</text>\n", x + 22.0, short(top + SIDE * (1.0 - share) + 4.0));
         }
         text + &format!(
@@ -169,13 +171,28 @@ impl Axis {
     /// Where a tick stands, as a share of the side, and what it says: middles of the first and last cells are its ends.
     fn tick(&self, share: f64) -> (f64, String) {
         let n = self.count.max(1) as f64;
-        ((0.5 + share * (n - 1.0)) / n, number(self.ends.0 + (self.ends.1 - self.ends.0) * share))
+        ((0.5 + share * (n - 1.0)) / n, number(self.ends.0 * (1.0 - share) + self.ends.1 * share))
     }
 }
 
-/// Three digits.
+/// Three digits; nothing for what is no number.
 fn number(x: f64) -> String {
-    format!("{x:.2e}").parse::<f64>().map_or_else(|_| String::new(), |x| x.to_string())
+    if !x.is_finite() {
+        return String::new();
+    }
+    let text = format!("{x:.2e}");
+    // Rounded up, the largest numbers are none.
+    match text.parse::<f64>() {
+        Ok(x) if x != 0.0 && !(1e-6..1e9).contains(&x.abs()) => {
+            if x.is_finite() {
+                format!("{x:e}")
+            } else {
+                text
+            }
+        }
+        Ok(x) => x.to_string(),
+        Err(_) => String::new(),
+    }
 }
 
 /// The colour at a share from 0 to 1.

@@ -2,10 +2,10 @@
 
 use std::f64::consts::{PI, TAU};
 
+use kin::extend::Target;
 use kin::joints::drivers::{drive, drive_angle};
 use kin::joints::planar::*;
 use kin::law::Ends;
-use kin::extend::Target;
 use kin::*;
 use kin_view::Scene;
 use serde_json::Value;

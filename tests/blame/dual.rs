@@ -50,8 +50,7 @@ fn edge(x: f64) -> f64 {
 fn length(x: Coord, y: Coord) -> f64 {
     vec2(x, y).norm() - 1.0
 }
-// The direction in which it has no slope is all that is known of where it comes from.
-blames!(length_of_nothing, 2, |q| length(q[0], q[1]), Cq, at [0.0, 0.0], 0.0 => "vec2(x, y).norm()", Slope, [("x", 0.0)]);
+blames!(length_of_nothing, 2, |q| length(q[0], q[1]), Cq, at [0.0, 0.0], 0.0 => "vec2(x, y).norm()", Slope, [("x", 0.0), ("y", 0.0)]);
 
 #[constraint(dual)]
 fn bent_twice(x: Coord) -> f64 {

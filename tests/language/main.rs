@@ -2,6 +2,7 @@
 //! agree on both routes and with central differences of the function as it is written.
 
 mod control;
+mod effects;
 mod own;
 mod promises;
 mod values;

@@ -11,6 +11,7 @@ mod page;
 mod quintic;
 mod refused;
 mod sample;
+mod seams;
 mod signature;
 mod signs;
 mod sketch;

@@ -174,7 +174,8 @@ fn delta_robot_has_the_motor_angles_of_the_closed_form() {
         off.fold(0.0, f64::max)
     });
     assert!(error < 1e-9, "elbows are off by {error:e} mm");
-    let tilt = worst(&motion, |k, _| (motion.point(body, vec3(0.0, 0.0, 100.0)).unwrap().r()[k] - tool.r()[k] - vec3(0.0, 0.0, 100.0)).norm());
+    let tilt =
+        worst(&motion, |k, _| (motion.point(body, vec3(0.0, 0.0, 100.0)).unwrap().r()[k] - tool.r()[k] - vec3(0.0, 0.0, 100.0)).norm());
     assert!(tilt < 1e-9, "the plate is not level by {tilt:e} mm");
     // Half of the way up, across and down: the tool is where the path says.
     let middle = tool.r()[100];

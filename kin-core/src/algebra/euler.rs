@@ -108,8 +108,8 @@ impl<T: Scalar> EulerParameters<T> {
 
 #[cfg(test)]
 mod tests {
+    use crate::real::Dual64;
     use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3};
-    use num_dual::Dual64;
 
     use super::*;
     use crate::algebra::vec3;

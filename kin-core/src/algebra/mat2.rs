@@ -75,8 +75,8 @@ impl From<Mat2> for Matrix2<f64> {
 
 #[cfg(test)]
 mod tests {
+    use crate::real::Dual64;
     use nalgebra::{Rotation2, Vector2};
-    use num_dual::Dual64;
 
     use super::*;
     use crate::algebra::vec2;

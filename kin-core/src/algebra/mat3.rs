@@ -90,8 +90,8 @@ impl From<Mat3> for Matrix3<f64> {
 
 #[cfg(test)]
 mod tests {
+    use crate::real::Dual64;
     use nalgebra::Vector3;
-    use num_dual::Dual64;
 
     use super::*;
     use crate::algebra::vec3;

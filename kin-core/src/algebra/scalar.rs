@@ -89,7 +89,7 @@ mod sealed {
 }
 
 macro_rules! scalar {
-    ([$($generics:tt)*] $number:ty, $value:expr, $length:expr) => {
+    ([$($generics:tt)*] $number:ty, $value:expr) => {
         impl<$($generics)*> sealed::Sealed for $number {}
 
         impl<$($generics)*> Scalar for $number {
@@ -125,14 +125,14 @@ macro_rules! scalar {
 
             #[inline]
             fn length<const N: usize>(components: [Self; N]) -> Self {
-                $length(components, squares(components))
+                squares(components).sqrt()
             }
         }
     };
 }
 
-scalar!([] f64, |x| x, |_, squares: f64| squares.sqrt());
-scalar!([D: Dual] Real<D>, Real::value, length);
+scalar!([] f64, |x| x);
+scalar!([D: Dual] Real<D>, Real::value);
 
 /// Σ x², in the order of the components.
 #[inline]
@@ -140,15 +140,9 @@ fn squares<T: Scalar, const N: usize>(components: [T; N]) -> T {
     components.into_iter().map(|x| x * x).reduce(|a, b| a + b).unwrap_or_default()
 }
 
-/// √(Σ x²), from the sum; the components say whether a zero is constant, which its tangents, all zero, cannot.
-#[inline]
-fn length<D: Dual, const N: usize>(components: [Real<D>; N], squares: Real<D>) -> Real<D> {
-    if squares == 0.0 { components.into_iter().map(Real::singular).sum() } else { squares.sqrt() }
-}
-
 #[cfg(test)]
 mod tests {
-    use num_dual::Dual64;
+    use crate::real::Dual64;
 
     use super::*;
 

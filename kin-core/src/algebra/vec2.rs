@@ -87,7 +87,7 @@ impl Components<2> for Vector2<f64> {
 
 #[cfg(test)]
 mod tests {
-    use num_dual::Dual64;
+    use crate::real::Dual64;
 
     use super::*;
 

@@ -93,7 +93,7 @@ impl Components<3> for Vector3<f64> {
 
 #[cfg(test)]
 mod tests {
-    use num_dual::Dual2_64;
+    use crate::real::Dual2_64;
 
     use super::*;
 

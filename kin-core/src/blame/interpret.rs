@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 
 use kin_graph::{Formula, LeafUse, Node, Op, Results, evaluate};
-use num_dual::Dual3_64;
 
 use super::jet::Jet;
 use super::table::{Given, Outside, Table, jet_of_law};
 use super::{Asked, Blame, Direction, Input, Part};
+use crate::real::Dual3_64;
 
 impl Table {
     /// The expression that made a term not finite; `parameters` are the values of the parameters.
@@ -104,7 +104,7 @@ struct Source<'a> {
 
 impl kin_graph::Source<Jet> for Source<'_> {
     fn input(&self, input: kin_graph::Input) -> Jet {
-        let moving = |value: f64, rate: Option<f64>| Jet { value, slopes: rate.map(|rate| [rate, 0.0]) };
+        let moving = |value: f64, rate: Option<f64>| rate.map_or(Jet::still(value), |rate| Jet::moving(value, [rate, 0.0]));
         let constant = |x: Option<&f64>| Jet::still(x.copied().unwrap_or(f64::NAN));
         match input {
             kin_graph::Input::Column(k) => {
@@ -133,15 +133,15 @@ impl kin_graph::Source<Jet> for Source<'_> {
         for (k, operand) in operands.iter().enumerate() {
             let Some([rate, _]) = operand.slopes else { continue };
             let mut seeded: Vec<_> = operands.iter().map(still).collect();
-            seeded[k].v1 = 1.0;
+            seeded[k] = Dual3_64::new(operand.value, 1.0, 0.0, 0.0);
             first += call(seeded).v1 * rate;
         }
         let along = |operand: &Jet| {
-            let number = operand.dual();
-            Dual3_64::new(number.re, number.v1, number.v2, 0.0)
+            let moved = |[first, second]: [f64; 2]| Dual3_64::new(operand.value, first, second, 0.0);
+            operand.slopes.map_or(still(operand), moved)
         };
         let second = call(operands.iter().map(along).collect()).v2;
-        Jet { value, slopes: Some([first, second]) }
+        Jet::moving(value, [first, second])
     }
 
     /// Calls stand in formulas as values of the user's program.

@@ -4,21 +4,26 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use kin_graph::{Function, Function2, Number, compared_by_value};
-use num_dual::Dual2_64;
 
 use super::Part;
-use crate::real::Real;
+use crate::real::{Dual, Dual2_64, Real};
 
 /// g(s), g′(s) and g″(s); `None` where g does not depend on s at all.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Jet {
     pub value: f64,
     pub slopes: Option<[f64; 2]>,
+    /// How it grows, as its number knows it.
+    growth: u8,
 }
 
 impl Jet {
     pub(super) fn still(value: f64) -> Jet {
-        Jet { value, slopes: None }
+        Jet { value, slopes: None, growth: 0 }
+    }
+
+    pub(super) fn moving(value: f64, slopes: [f64; 2]) -> Jet {
+        Jet { value, slopes: Some(slopes), growth: 0 }
     }
 
     /// The first part up to `last` that is not finite.
@@ -30,31 +35,46 @@ impl Jet {
 
     /// f(self), where f is its value and first two derivatives there.
     pub(super) fn chain(self, [value, f1, f2]: [f64; 3]) -> Jet {
-        Jet { value, slopes: self.slopes.map(|[x1, x2]| [f1 * x1, f2 * x1 * x1 + f1 * x2]) }
+        Jet { value, slopes: self.slopes.map(|[x1, x2]| [f1 * x1, x1 * f2 * x1 + f1 * x2]), ..self }
+    }
+
+    /// What a function has made of this number with the tangent 1.
+    fn through(self, y: Real<Dual2_64>) -> Jet {
+        let y = y.0;
+        let slopes = if y.is_constant() { None } else { self.chain([y.re, y.v1, y.v2]).slopes };
+        Jet { value: y.re, slopes, growth: y.marks() }
     }
 
     /// f(self, other): Σ f_k x_k′ and Σ f_kl x_k′ x_l′ + f_k x_k″, partial derivatives by those that depend on s only.
     fn with(self, other: Jet, f: impl Fn(Real<Dual2_64>, Real<Dual2_64>) -> Real<Dual2_64>) -> Jet {
-        let at = |a: f64, b: f64| f(Real(along(self.value, a)), Real(along(other.value, b))).0;
-        let value = at(0.0, 0.0).re;
+        let at = |a: f64, b: f64| f(Real(self.along(a)), Real(other.along(b))).0;
+        let tangent = |jet: &Jet| if jet.slopes.is_some() { 1.0 } else { 0.0 };
+        let moved = at(tangent(&self), tangent(&other));
         let slopes = match (self.slopes, other.slopes) {
             (None, None) => None,
-            (Some(_), None) => self.chain(parts(value, at(1.0, 0.0))).slopes,
-            (None, Some(_)) => other.chain(parts(value, at(0.0, 1.0))).slopes,
+            _ if moved.is_constant() => None,
+            (Some(_), None) => self.chain([moved.re, moved.v1, moved.v2]).slopes,
+            (None, Some(_)) => other.chain([moved.re, moved.v1, moved.v2]).slopes,
             (Some([a1, a2]), Some([b1, b2])) => {
-                let (by_a, by_b, by_both) = (at(1.0, 0.0), at(0.0, 1.0), at(1.0, 1.0));
-                let mixed = 0.5 * (by_both.v2 - by_a.v2 - by_b.v2);
+                let (by_a, by_b) = (at(1.0, 0.0), at(0.0, 1.0));
+                let mixed = 0.5 * (moved.v2 - by_a.v2 - by_b.v2);
                 let second = by_a.v2 * a1 * a1 + 2.0 * mixed * a1 * b1 + by_b.v2 * b1 * b1 + by_a.v1 * a2 + by_b.v1 * b2;
                 Some([by_a.v1 * a1 + by_b.v1 * b1, second])
             }
         };
-        Jet { value, slopes }
+        Jet { value: moved.re, slopes, growth: moved.marks() }
     }
 
-    /// Its numbers as num-dual has them.
+    /// The value with a tangent, which is none where it is 0.
+    fn along(self, tangent: f64) -> Dual2_64 {
+        let x = if tangent == 0.0 { Dual2_64::from_re(self.value) } else { Dual2_64::new(self.value, tangent, 0.0) };
+        x.with_growth_of(self.growth)
+    }
+
+    /// Its numbers as a dual number has them.
+    #[cfg(test)]
     pub(super) fn dual(self) -> Dual2_64 {
-        let [first, second] = self.slopes.unwrap_or_default();
-        Dual2_64::new(self.value, first, second)
+        self.slopes.map_or(Dual2_64::from_re(self.value), |[first, second]| Dual2_64::new(self.value, first, second))
     }
 }
 
@@ -88,33 +108,29 @@ impl Number for Jet {
     }
 
     fn call(self, f: Function) -> Jet {
-        let y = Real(along(self.value, 1.0)).call(f).0;
-        self.chain([y.re, y.v1, y.v2])
+        self.through(Real(self.along(1.0)).call(f))
     }
 
     fn call2(self, f: Function2, other: Jet) -> Jet {
-        self.with(other, |x, y| x.call2(f, y))
+        // Of two the one that is taken, with what it moves by.
+        let first = match f {
+            Function2::Max => self.value >= other.value,
+            Function2::Min => self.value <= other.value,
+            _ => return self.with(other, |x, y| x.call2(f, y)),
+        };
+        if first || other.value.is_nan() { self } else { other }
     }
 
     fn powi(self, n: i32) -> Jet {
-        let y = Real(along(self.value, 1.0)).powi(n).0;
-        self.chain([y.re, y.v1, y.v2])
+        self.through(Real(self.along(1.0)).powi(n))
     }
-}
-
-fn along(x: f64, tangent: f64) -> Dual2_64 {
-    Dual2_64::new(x, tangent, 0.0)
-}
-
-fn parts(value: f64, y: Dual2_64) -> [f64; 3] {
-    [value, y.v1, y.v2]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const X: Jet = Jet { value: 0.0, slopes: Some([1.0, 0.0]) };
+    const X: Jet = Jet { value: 0.0, slopes: Some([1.0, 0.0]), growth: 0 };
 
     #[test]
     fn length_of_nothing_has_no_slope_though_its_square_has() {
@@ -127,7 +143,7 @@ mod tests {
 
     #[test]
     fn chain_of_two_is_that_of_second_order_dual_numbers() {
-        let (a, b) = (Jet { value: 0.7, slopes: Some([0.3, -0.2]) }, Jet { value: 1.9, slopes: Some([-1.1, 0.4]) });
+        let (a, b) = (Jet::moving(0.7, [0.3, -0.2]), Jet::moving(1.9, [-1.1, 0.4]));
         let (x, y) = (Real(a.dual()), Real(b.dual()));
         let functions = [Function2::Powf, Function2::Atan2, Function2::Hypot].map(|f| (a.call2(f, b), x.call2(f, y)));
         for (f, (ours, dual)) in functions.into_iter().chain([(a * b, x * y), (a / b, x / y), (a - b, x - y)]).enumerate() {

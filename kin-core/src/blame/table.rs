@@ -3,8 +3,8 @@
 
 use std::sync::OnceLock;
 
+use crate::real::Dual3_64;
 use kin_graph::{Expression, Formula};
-use num_dual::Dual3_64;
 
 use super::Source;
 use crate::law::Law;

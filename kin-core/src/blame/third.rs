@@ -2,11 +2,10 @@
 //! all that is compiled.
 
 use kin_graph::{Formula, Input, LeafUse, Source, evaluate};
-use num_dual::Dual3_64;
 
 use super::table::{Given, Outside, jet_of_law};
 use crate::coordinates::Argument;
-use crate::real::Real;
+use crate::real::{Dual, Dual3_64, Real};
 use crate::state::{At, Rates};
 
 type Number = Real<Dual3_64>;
@@ -57,7 +56,9 @@ impl Source<Number> for Along<'_> {
     }
 
     fn law(&self, law: usize, x: Number, order: u8) -> Number {
-        x.chain(jet_of_law(self.outside, law, x.value(), order))
+        let [f, f1, f2, f3] = jet_of_law(self.outside, law, x.value(), order);
+        // Where nothing moves the third derivative, which may not be known, is not asked for.
+        x.chain([f, f1, f2, if x.0.is_at_rest() { 0.0 } else { f3 }])
     }
 
     fn opaque(&self, number: usize, component: usize, operands: Vec<Number>) -> Number {

@@ -22,10 +22,10 @@ pub fn blame<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, as
     let part = asked.term.part() as usize;
     asked.directions().into_iter().find_map(|direction| {
         let fault = fault_of(part, || {
-            let rate = |k: usize| direction.columns.get(k).copied().flatten().unwrap_or_default();
+            let rate = |k: usize| direction.columns.get(k).copied().flatten();
             let value = |k: usize| asked.q.get(k).copied().unwrap_or(f64::NAN);
             let seeded = std::array::from_fn(|k| Real(Traced::input(value(k), rate(k), k as u32)));
-            let t = Real(Traced::input(asked.t, direction.time.unwrap_or_default(), TIME));
+            let t = Real(Traced::input(asked.t, direction.time, TIME));
             equation.evaluate(&seeded, t).get(asked.row).map(|row| row.0)
         });
         fault.map(|fault| told(equation, &fault, body, N))

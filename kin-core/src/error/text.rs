@@ -9,6 +9,14 @@ pub(crate) fn count(n: usize, what: &str) -> String {
     if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") }
 }
 
+/// "2.4 GB", to three digits.
+pub(super) fn bytes(n: f64) -> String {
+    let units = [(1e12, "TB"), (1e9, "GB"), (1e6, "MB"), (1e3, "kB")];
+    let (size, unit) = units.into_iter().find(|(size, _)| n >= *size).unwrap_or((1.0, "bytes"));
+    let digits = 2 - ((n / size).max(1.0).log10().floor() as usize).min(2);
+    format!("{:.digits$} {unit}", n / size)
+}
+
 /// A time to nine digits, without the noise of binary fractions.
 pub(crate) fn time(t: f64) -> f64 {
     format!("{t:.8e}").parse().unwrap_or(t)

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-use super::breaks::{left_jet, merged, preimages};
+use super::breaks::{MOST_BREAKS, Samples, left_jet, merged, sharpest};
 use super::{Break, Law, LawFunction, trusted_parts};
 use crate::proof::Series;
 
@@ -75,6 +75,10 @@ macro_rules! two_parts {
 
         fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
             merged([self.$first.breaks(from, to), self.$second.breaks(from, to)].concat())
+        }
+
+        fn sharpest_break(&self, from: f64, to: f64) -> Option<Break> {
+            sharpest([&self.$first, &self.$second].into_iter().filter_map(|law| law.sharpest_break(from, to)))
         }
 
         fn is_smooth(&self) -> bool {
@@ -209,6 +213,10 @@ impl LawFunction for Multiple {
         self.law.breaks(from, to)
     }
 
+    fn sharpest_break(&self, from: f64, to: f64) -> Option<Break> {
+        self.law.sharpest_break(from, to)
+    }
+
     fn is_smooth(&self) -> bool {
         self.law.is_smooth()
     }
@@ -246,9 +254,35 @@ impl Composed {
     fn outer_jet(&self, [g, g1, g2, g3]: [f64; 4]) -> [f64; 4] {
         let falls = [g1, g2, g3].into_iter().find(|d| *d != 0.0).is_some_and(|d| d < 0.0);
         if falls && !self.outer.is_smooth() && !self.outer.breaks(g, g).is_empty() {
-            return left_jet(&self.outer, g, g.abs().max(1e-3));
+            return left_jet(&self.outer, g, 1e-9 * g.abs().max(1e-3));
         }
         self.outer.jet(g)
+    }
+
+    /// The breaks of the inner law, and those of the outer one, by `list`, where the inner law takes their places.
+    fn with_outer<I: IntoIterator<Item = Break>>(
+        &self,
+        mut all: Vec<Break>,
+        from: f64,
+        to: f64,
+        list: impl Fn(&Law, f64, f64) -> I,
+    ) -> Vec<Break> {
+        if self.outer.is_smooth() {
+            return all;
+        }
+        let places: Vec<f64> = [from].into_iter().chain(all.iter().map(|b| b.x)).chain([to]).collect();
+        let least = all.len();
+        for pair in places.windows(2) {
+            let samples = Samples::between(&self.inner, pair[0], pair[1]);
+            let (low, high) = samples.range();
+            for outer in list(&self.outer, low, high) {
+                all.extend(samples.preimages(outer.x).into_iter().map(|x| Break { x, order: outer.order }));
+            }
+            if all.len() - least > MOST_BREAKS {
+                break;
+            }
+        }
+        merged(all)
     }
 }
 
@@ -282,22 +316,13 @@ impl LawFunction for Composed {
         f4 * g1.powi(4) + 6.0 * f3 * g1 * g1 * g2 + f2 * (3.0 * g2 * g2 + 4.0 * g1 * g3) + f1 * g4
     }
 
-    /// Those of the inner law, and those of the outer one where the inner law takes their places.
     fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
-        let mut all = self.inner.breaks(from, to);
-        if self.outer.is_smooth() {
-            return all;
-        }
-        let places: Vec<f64> = [from].into_iter().chain(all.iter().map(|b| b.x)).chain([to]).collect();
-        for pair in places.windows(2) {
-            let samples = (0..=64).map(|k| self.inner.at(pair[0] + (pair[1] - pair[0]) * f64::from(k) / 64.0));
-            let (low, high) = samples.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
-            for outer in self.outer.breaks(low, high) {
-                let found = preimages(&self.inner, outer.x, pair[0], pair[1]);
-                all.extend(found.into_iter().map(|x| Break { x, order: outer.order }));
-            }
-        }
-        merged(all)
+        self.with_outer(self.inner.breaks(from, to), from, to, |outer, low, high| outer.breaks(low, high))
+    }
+
+    fn sharpest_break(&self, from: f64, to: f64) -> Option<Break> {
+        let inner = self.inner.breaks(from, to);
+        sharpest(self.with_outer(inner, from, to, |outer, low, high| outer.sharpest_break(low, high)))
     }
 
     fn is_smooth(&self) -> bool {

@@ -1,6 +1,8 @@
 //! Laws one after the other, and over and over.
 
-use super::breaks::{left_jet, merged, order_of_jump};
+use std::sync::OnceLock;
+
+use super::breaks::{self, Seam, Sizes, merged, sharpest};
 use super::{Break, Law, LawFunction, trusted_parts};
 use crate::proof::{Interval, Series, piecewise, repeated};
 
@@ -18,14 +20,14 @@ impl Law {
     /// assert!(law.refusal().is_none() && law.at(1.25) == 0.02 && law.at(9.0).abs() < 1e-17);
     /// ```
     pub fn sequence(start: f64, parts: impl IntoIterator<Item = (f64, Law)>) -> Law {
-        Law::new(Sequence { start, parts: parts.into_iter().collect() })
+        Law::new(Sequence::new(start, parts.into_iter().collect()))
     }
 
     /// The part of this law over 0 ≤ x < period, over and over: the profile of a cam over one turn, with period 2π.
     ///
     /// Its ends must meet in value; a mechanism refuses a law that jumps. Where a derivative jumps there is a break.
     pub fn periodic(&self, period: f64) -> Law {
-        Law::new(Periodic { law: self.clone(), period })
+        Law::new(Periodic { law: self.clone(), period, seam: OnceLock::new() })
     }
 }
 
@@ -34,9 +36,64 @@ struct Sequence {
     start: f64,
     /// Lengths and laws.
     parts: Vec<(f64, Law)>,
+    /// The beginning of the first part, where two meet, and the end of the last one: looked at once.
+    seams: OnceLock<Vec<Joint>>,
+}
+
+/// One seam: where it is, what jumps there, and the values on both sides.
+#[derive(Clone, Copy)]
+struct Joint {
+    x: f64,
+    order: Option<usize>,
+    values: (f64, f64),
 }
 
 impl Sequence {
+    fn new(start: f64, parts: Vec<(f64, Law)>) -> Self {
+        Sequence { start, parts, seams: OnceLock::new() }
+    }
+
+    /// The seams in order: one more than there are parts.
+    fn seams(&self) -> &[Joint] {
+        self.seams.get_or_init(|| {
+            let sizes: Vec<Sizes> = self.parts.iter().map(|(length, law)| Sizes::of(law, *length)).collect();
+            let mut all = Vec::with_capacity(self.parts.len() + 1);
+            for (k, (begin, length, law)) in self.placed().enumerate() {
+                let (right, shorter) = (law.jet(0.0), length.min(k.checked_sub(1).map_or(length, |before| self.parts[before].0)));
+                let seam = match k.checked_sub(1).map(|before| (&self.parts[before], sizes[before])) {
+                    None => Seam::before(right[0], right, sizes[k], length),
+                    Some(((before, law), size)) => Seam::after(law, *before, size, (right, sizes[k], shorter)),
+                };
+                all.push(Joint { x: begin, order: seam.order(), values: (seam.end(), right[0]) });
+            }
+            if let (Some((begin, length, law)), Some(size)) = (self.placed().last(), sizes.last()) {
+                let held = law.at(length);
+                let seam = Seam::after(law, length, *size, ([held, 0.0, 0.0, 0.0], Sizes::default(), length));
+                all.push(Joint { x: begin + length, order: seam.order(), values: (seam.end(), held) });
+            }
+            all
+        })
+    }
+
+    /// The breaks at its seams.
+    fn joints(&self, from: f64, to: f64) -> impl Iterator<Item = Break> {
+        let jump = |seam: &Joint| seam.order.map(|order| Break { x: seam.x, order });
+        self.seams().iter().filter_map(jump).filter(move |found| (from..=to).contains(&found.x))
+    }
+
+    /// What each part has of its own between two places, by `list`: breaks at its ends are those of the seams.
+    fn own<I: IntoIterator<Item = Break>>(&self, from: f64, to: f64, list: impl Fn(&Law, f64, f64) -> I) -> Vec<Break> {
+        let mut all = Vec::new();
+        for (begin, length, law) in self.placed() {
+            let edge = 1e-14 * length;
+            let (from, to) = ((from - begin).max(edge), (to - begin).min(length - edge));
+            if from <= to {
+                all.extend(list(law, from, to).into_iter().map(|b| Break { x: begin + b.x, ..b }));
+            }
+        }
+        all
+    }
+
     /// Each part with its beginning and its length.
     fn placed(&self) -> impl Iterator<Item = (f64, f64, &Law)> {
         let mut next = self.start;
@@ -103,26 +160,13 @@ impl LawFunction for Sequence {
     }
 
     fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
-        let Some((_, first_length, first)) = self.placed().next() else { return Vec::new() };
-        let mut all = Vec::new();
-        let (mut left, mut length_before) = ([first.at(0.0), 0.0, 0.0, 0.0], first_length);
-        let mut seam = |x: f64, left: [f64; 4], right: [f64; 4], length: f64| {
-            if let Some(order) = order_of_jump(left, right, length).filter(|_| (from..=to).contains(&x)) {
-                all.push(Break { x, order });
-            }
-        };
-        let mut end = self.start;
-        for (begin, length, law) in self.placed() {
-            seam(begin, left, law.jet(0.0), length.min(length_before));
-            (left, length_before, end) = (left_jet(law, length, length), length, begin + length);
-        }
-        seam(end, left, [left[0], 0.0, 0.0, 0.0], length_before);
-        for (begin, length, law) in self.placed() {
-            let inside = |b: &Break| b.x > 1e-12 * length && b.x < length * (1.0 - 1e-12);
-            let own = law.breaks((from - begin).max(0.0), (to - begin).min(length));
-            all.extend(own.into_iter().filter(inside).map(|b| Break { x: begin + b.x, ..b }));
-        }
+        let mut all = self.own(from, to, |law, from, to| law.breaks(from, to));
+        all.extend(self.joints(from, to));
         merged(all)
+    }
+
+    fn sharpest_break(&self, from: f64, to: f64) -> Option<Break> {
+        sharpest(self.own(from, to, |law, from, to| law.sharpest_break(from, to)).into_iter().chain(self.joints(from, to)))
     }
 
     fn is_smooth(&self) -> bool {
@@ -142,14 +186,11 @@ impl LawFunction for Sequence {
                 return Some(format!("{}: {why}", number(k)));
             }
         }
-        let pairs = self.parts.windows(2).enumerate();
-        let apart = pairs.filter(|(_, pair)| {
-            let (length, next) = (pair[0].0, &pair[1].1);
-            order_of_jump(left_jet(&pair[0].1, length, length), next.jet(0.0), length.min(pair[1].0)) == Some(0)
-        });
-        let mut said = apart.map(|(k, pair)| {
-            let (end, begin) = (pair[0].1.at(pair[0].0), pair[1].1.at(0.0));
-            format!("parts {} and {} of the sequence do not meet: the first ends at {end}, the second begins at {begin}", k + 1, k + 2)
+        // The first seam and the last one are those to what is held.
+        let between = self.seams().iter().enumerate().take(self.parts.len()).skip(1);
+        let mut said = between.filter(|(_, seam)| seam.order == Some(0)).map(|(k, seam)| {
+            let (end, begin) = seam.values;
+            format!("parts {k} and {} of the sequence do not meet: the first ends at {end}, the second begins at {begin}", k + 1)
         });
         said.next()
     }
@@ -167,7 +208,7 @@ impl LawFunction for Sequence {
     }
 
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
-        let mut changed = self.clone();
+        let mut changed = Sequence::new(self.start, self.parts.clone());
         if name == "start" {
             changed.start = value;
             return Some(Law::new(changed));
@@ -192,6 +233,26 @@ pub(super) fn within(x: f64, period: f64) -> f64 {
 struct Periodic {
     law: Law,
     period: f64,
+    /// Where the end of a period meets the next one: what jumps, and the value that it ends with.
+    seam: OnceLock<(Option<usize>, f64)>,
+}
+
+impl Periodic {
+    fn seam(&self) -> (Option<usize>, f64) {
+        *self.seam.get_or_init(|| {
+            let sizes = Sizes::of(&self.law, self.period);
+            let seam = Seam::after(&self.law, self.period, sizes, (self.law.jet(0.0), sizes, self.period));
+            (seam.order(), seam.end())
+        })
+    }
+
+    /// The breaks of the first period.
+    fn one(&self) -> Vec<Break> {
+        let mut one = self.law.breaks(0.0, self.period);
+        one.retain(|b| b.x > 1e-14 * self.period && b.x < self.period * (1.0 - 1e-14));
+        one.extend(self.seam().0.map(|order| Break { x: 0.0, order }));
+        merged(one)
+    }
 }
 
 impl LawFunction for Periodic {
@@ -220,16 +281,12 @@ impl LawFunction for Periodic {
     }
 
     fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
-        if !(self.period > 0.0 && (to - from).is_finite() && (to - from) / self.period < 1e6) {
-            return Vec::new();
-        }
-        let mut one = self.law.breaks(0.0, self.period);
-        one.retain(|b| b.x > 1e-12 * self.period && b.x < self.period * (1.0 - 1e-12));
-        let left = left_jet(&self.law, self.period, self.period);
-        one.extend(order_of_jump(left, self.law.jet(0.0), self.period).map(|order| Break { x: 0.0, order }));
-        let (first, last) = ((from / self.period).floor() as i64, (to / self.period).ceil() as i64);
-        let all = (first..=last).flat_map(|turn| one.iter().map(move |b| Break { x: b.x + turn as f64 * self.period, ..*b }));
-        merged(all.filter(|b| (from..=to).contains(&b.x)).collect())
+        breaks::repeated(&self.one(), 0.0, self.period, from, to)
+    }
+
+    /// No period has what the first one has not.
+    fn sharpest_break(&self, from: f64, to: f64) -> Option<Break> {
+        sharpest(self.breaks(from, to.min(from + 2.0 * self.period)))
     }
 
     fn is_smooth(&self) -> bool {
@@ -240,9 +297,11 @@ impl LawFunction for Periodic {
         if self.period <= 0.0 {
             return Some(format!("periodic: the period is above zero (period = {})", self.period));
         }
-        let (begin, end) = (self.law.jet(0.0), left_jet(&self.law, self.period, self.period));
-        let apart = || format!("the law does not repeat after {}: it begins at {} and ends at {}", self.period, begin[0], end[0]);
-        self.law.refusal().or_else(|| (order_of_jump(end, begin, self.period) == Some(0)).then(apart))
+        self.law.refusal().or_else(|| {
+            let ((order, end), begin) = (self.seam(), self.law.at(0.0));
+            let apart = || format!("the law does not repeat after {}: it begins at {begin} and ends at {end}", self.period);
+            (order == Some(0)).then(apart)
+        })
     }
 
     fn parts(&self) -> Vec<(String, Law)> {

@@ -4,7 +4,7 @@ use std::ops::Deref;
 use std::path::Path;
 
 use super::points::{self, Ends, Points};
-use super::{Break, Law, LawFunction, trusted_parts};
+use super::{Break, Law, LawFunction, breaks, trusted_parts};
 use crate::error::Result;
 use crate::proof::{Interval, ONE, Series, piecewise, repeated};
 
@@ -220,7 +220,7 @@ impl LawFunction for Spline {
     }
 
     fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
-        if self.curvature.is_empty() || !(to - from).is_finite() {
+        if self.curvature.is_empty() {
             return Vec::new();
         }
         let last = self.table.len() - 1;
@@ -242,10 +242,10 @@ impl LawFunction for Spline {
         }
         if self.ends == Ends::Periodic {
             let (start, period) = (self.table[0].0, self.table[last].0 - self.table[0].0);
-            let turns = ((from - start) / period).floor() as i64..=((to - start) / period).floor() as i64;
-            one = turns.flat_map(|turn| one.iter().map(move |b| Break { x: b.x + turn as f64 * period, ..*b })).collect();
+            return breaks::repeated(&one, start, period, from, to);
         }
         one.retain(|b| (from..=to).contains(&b.x));
+        one.truncate(breaks::MOST_BREAKS);
         one
     }
 

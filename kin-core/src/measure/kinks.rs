@@ -1,12 +1,12 @@
 //! Kinks of equations that a run passes: where a condition of an `if` changes, and where `abs`, `max` and `min` take their other side.
 
 use kin_graph::{Formula, Function, Function2, Input, LeafUse, Node, Op, Results, Source, evaluate};
-use num_dual::Dual3_64;
 
 use crate::blame::columns;
 use crate::blame::table::{Given, Outside, Table, jet_of_law};
 use crate::constraint::Constraint;
 use crate::motion::{Event, EventKind, Motion};
+use crate::real::Dual3_64;
 use crate::system::System;
 use crate::system::evaluate::Block;
 

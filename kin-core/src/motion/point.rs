@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use num_dual::Dual3_64;
+use crate::real::Dual3_64;
 
 use super::{MARKS, Motion, Series};
 use crate::algebra::{Vec2, Vec3};

@@ -53,6 +53,9 @@ pub struct Options {
     pub closure: f64,
     /// Whether each step is checked to stay on its branch, and which branch is taken where branches cross; default [`Follow::Smooth`].
     pub follow: Follow,
+    /// Bytes that the motion of a run may take, three or four numbers a coordinate and time; default 2³⁰ (1 GiB). A run that needs more is refused
+    /// before it begins; [`crate::System::run_in_parts`] needs the memory of one part.   \[B\]
+    pub memory: usize,
 }
 
 /// How a run follows its branch.
@@ -90,6 +93,7 @@ impl Default for Options {
             jerk: false,
             closure: 0.0,
             follow: Follow::default(),
+            memory: 1 << 30,
         }
     }
 }
@@ -98,6 +102,17 @@ impl Options {
     /// The defaults, with redundant equations allowed to contradict one another by this share of the mechanism's size.   \[-\]
     pub fn closure(share: f64) -> Options {
         Options { closure: share, ..Options::default() }
+    }
+
+    /// An error if so many motions at once, each of so many times and coordinates, take more memory than is allowed.
+    pub(crate) fn check_memory(&self, motions: usize, times: usize, coordinates: usize) -> Result<()> {
+        let (orders, word) = (if self.jerk { 4.0 } else { 3.0 }, std::mem::size_of::<f64>() as f64);
+        // The time, its residual and its number of Newton steps stand beside the coordinates.
+        let needed = motions as f64 * times as f64 * word * (3.0 + orders * coordinates as f64);
+        if needed <= self.memory as f64 {
+            return Ok(());
+        }
+        Err(Error::NeedsMemory { motions, times, coordinates, needed, allowed: self.memory })
     }
 
     /// A step of time no longer than this is the last that is tried, of those between two times; times nearer to one another are hardly told apart.

@@ -5,7 +5,7 @@
 //! superfluous changes on the way (whatever row of a parallelogram's third crank is left out, twice in a turn it is the one that is needed).
 
 use super::options::resolution;
-use super::sweep::SHORTEST;
+use super::sweep::{Explain, SHORTEST};
 use super::watch::Watch;
 use super::{Follow, Options, Outcome, Report, Stop, largest};
 use crate::assembly::search::{self, Found};
@@ -26,31 +26,43 @@ const ALLOWED: f64 = 30.0;
 /// A correction that stalls above this share of its coordinate is no rounding.   \[-\]
 const STALL: f64 = 1e-9;
 
-/// Position, velocity and acceleration at each of the times, which are checked, as the options are.
-pub(crate) fn run(system: &System, times: &[f64], options: &Options) -> Result<Motion> {
-    let (mut motion, mut watch) = (Motion::new(system, times.len()), Watch::default());
-    let Some((&first, later)) = times.split_first() else { return Ok(motion) };
-    let (mut driver, outcome) = Driver::assembled(system, options, first)?;
-    let mut keep = |t: f64, driver: &Driver<'_>, outcome: Outcome, motion: &mut Motion| {
-        watch.look(system, &driver.instant, &mut motion.breaks)?;
+/// A run of such a mechanism from time to time.
+pub(crate) struct Sweep<'a> {
+    system: &'a System,
+    options: &'a Options,
+    explain: Explain,
+    /// None before the first time.
+    driver: Option<Driver<'a>>,
+}
+
+impl<'a> Sweep<'a> {
+    pub(crate) fn new(system: &'a System, options: &'a Options, explain: Explain) -> Self {
+        Sweep { system, options, explain, driver: None }
+    }
+
+    /// Solves at the next time and appends it to the motion.
+    pub(super) fn reach(&mut self, t: f64, watch: &mut Watch, motion: &mut Motion) -> Result<()> {
+        let (driver, outcome) = match &mut self.driver {
+            Some(driver) => {
+                let outcome = driver.advance(t)?;
+                (driver, outcome)
+            }
+            None => {
+                let (driver, outcome) = Driver::assembled(self.system, self.options, t, self.explain)?;
+                (self.driver.insert(driver), outcome)
+            }
+        };
+        watch.look(self.system, &driver.instant, &mut motion.breaks)?;
         motion.append(t, driver.rows(), outcome, driver.worst);
         motion.misfit = driver.misfit;
         Ok(())
-    };
-    keep(first, &driver, outcome, &mut motion)?;
-    for &t in later {
-        let reached = driver.advance(t).and_then(|outcome| keep(t, &driver, outcome, &mut motion));
-        if let Err(error) = reached {
-            return Err(error.with_motion(motion));
-        }
     }
-    Ok(motion)
 }
 
 /// Position, velocity and acceleration at one time; from the guess, or from a start that is near.
 pub(crate) fn at(system: &System, t: f64, start: Option<&[f64]>, options: &Options) -> Result<Solution> {
     let (driver, outcome) = match start {
-        None => Driver::assembled(system, options, t)?,
+        None => Driver::assembled(system, options, t, Explain::Yes)?,
         Some(start) => Driver::from_start(system, options, t, start)?,
     };
     let worst = system.equations().equation(driver.worst);
@@ -61,17 +73,19 @@ pub(crate) fn at(system: &System, t: f64, start: Option<&[f64]>, options: &Optio
 /// C_q x = the right side at a position, in the sense of least squares.
 pub(crate) fn solved(system: &System, q: &[f64], t: f64, rhs: &[f64]) -> Result<Vec<f64>> {
     let (model, options) = (system.model(), Options::default());
-    let mut driver = Driver::new(model, &options, t, (q.to_vec(), model.measure(q, t)));
+    let mut driver = Driver::new(system, (&options, Explain::Yes), t, (q.to_vec(), model.measure(q, t)));
     match driver.factor(t) {
         Some(()) => Ok(driver.solved(rhs)),
-        None => Err(blamed(model, Start::Pose(q), t, &options)),
+        None => Err(driver.blamed(true, t)),
     }
 }
 
 /// The point in hand, and the means to go on from it.
 struct Driver<'a> {
+    system: &'a System,
     model: Model<'a>,
     options: &'a Options,
+    explain: Explain,
     measures: Measures,
     tall: Tall,
     instant: Instant,
@@ -85,6 +99,8 @@ struct Driver<'a> {
     qdd: Vec<f64>,
     /// q⃛ where it is asked for, else empty.
     qddd: Vec<f64>,
+    /// Newton steps since the last time.
+    steps: usize,
     /// The row with the largest |C_i|.
     worst: usize,
     /// The largest share of its norm that a row has been off by, where that was allowed.
@@ -94,7 +110,8 @@ struct Driver<'a> {
 }
 
 impl<'a> Driver<'a> {
-    fn new(model: Model<'a>, options: &'a Options, t: f64, (q, measures): (Vec<f64>, Measures)) -> Self {
+    fn new(system: &'a System, (options, explain): (&'a Options, Explain), t: f64, (q, measures): (Vec<f64>, Measures)) -> Self {
+        let model = system.model_within(options.closure);
         let (n, equations) = (model.n(), model.equations);
         let mut point = Point { c: vec![0.0; model.m()], values: vec![0.0; equations.entries.len()] };
         equations.set_constants(&mut point.values);
@@ -105,14 +122,17 @@ impl<'a> Driver<'a> {
             tall: Tall::new(model.m(), n, &equations.entries),
             instant: equations.instant(),
             point,
+            system,
             model,
             options,
+            explain,
             measures,
             t,
             q,
             qd: vec![0.0; n],
             qdd: vec![0.0; n],
             qddd: vec![],
+            steps: 0,
             worst: 0,
             misfit: 0.0,
             drive: Some(Drive::new(equations)),
@@ -120,28 +140,39 @@ impl<'a> Driver<'a> {
     }
 
     /// Assembled from the guess, into the preferred assembly.
-    fn assembled(system: &'a System, options: &'a Options, t: f64) -> Result<(Self, Outcome)> {
+    fn assembled(system: &'a System, options: &'a Options, t: f64, explain: Explain) -> Result<(Self, Outcome)> {
         let model = system.model_within(options.closure);
         let mut found = search::search(model, system.initial(), t, &|_| true, &options.search);
         if let Some(q) = system.nearer(found.as_ref().filter(|found| found.met).map(|found| &found.place.q[..]), t, &options.search) {
             found = search::descend(model, &q, t, &|_| true, false, options.search.steps);
         }
-        Self::found(system, options, t, found, system.initial())
+        Self::found(system, options, t, found, (system.initial(), explain))
     }
 
     /// Assembled from a start, nothing preferred.
     fn from_start(system: &'a System, options: &'a Options, t: f64, start: &[f64]) -> Result<(Self, Outcome)> {
         let found = search::descend(system.model_within(options.closure), start, t, &|_| true, false, options.search.steps);
-        Self::found(system, options, t, found, start)
+        Self::found(system, options, t, found, (start, Explain::Yes))
     }
 
-    fn found(system: &'a System, options: &'a Options, t: f64, found: Option<Found>, start: &[f64]) -> Result<(Self, Outcome)> {
+    fn found(
+        system: &'a System,
+        options: &'a Options,
+        t: f64,
+        found: Option<Found>,
+        (start, explain): (&[f64], Explain),
+    ) -> Result<(Self, Outcome)> {
         let model = system.model_within(options.closure);
-        let Some(found) = found.filter(|found| found.met) else { return Err(blamed(model, Start::Guess(start), t, options)) };
+        let Some(found) = found.filter(|found| found.met) else {
+            return Err(match explain {
+                Explain::Yes => blamed(model, Start::Guess(start), t, options),
+                Explain::No => unmet(system, start, t, 0, None),
+            });
+        };
         let steps = found.place.steps;
-        let mut driver = Driver::new(model, options, t, (found.place.q, found.measures));
+        let mut driver = Driver::new(system, (options, explain), t, (found.place.q, found.measures));
         let solved = driver.solve(t).and_then(|outcome| driver.rates(t).map(|()| outcome));
-        let Some(outcome) = solved else { return Err(blamed(model, Start::Pose(&driver.q), t, options)) };
+        let Some(outcome) = solved else { return Err(driver.blamed(true, t)) };
         match driver.wrong() {
             None => Ok((driver, Outcome { iterations: outcome.iterations + steps, ..outcome })),
             Some(error) => Err(error),
@@ -153,6 +184,7 @@ impl<'a> Driver<'a> {
         let smallest = self.options.smallest_step(self.t, to);
         let shortest = (SHORTEST * (to - self.t).abs()).max(resolution(self.t, to));
         let (mut h, mut iterations) = (to - self.t, 0);
+        self.steps = 0;
         loop {
             let target = if (to - self.t).abs() <= h.abs() * 1.001 { to } else { self.t + h };
             let before = [self.q.clone(), self.qd.clone(), self.qdd.clone()];
@@ -164,7 +196,7 @@ impl<'a> Driver<'a> {
             if let (Some(outcome), None) = (&solved, &wrong) {
                 iterations += outcome.iterations;
                 if self.rates(target).is_none() {
-                    return Err(blamed(self.model, Start::Pose(&self.q), target, self.options));
+                    return Err(self.blamed(true, target));
                 }
                 if let Some(objection) = self.objection(target, &before) {
                     [self.q, self.qd, self.qdd] = before;
@@ -186,7 +218,7 @@ impl<'a> Driver<'a> {
                     if let Some(error) = wrong {
                         return Err(error);
                     }
-                    return Err(blamed(self.model, Start::Guess(&self.q), target, self.options));
+                    return Err(self.blamed(false, target));
                 }
                 h *= 0.5;
             }
@@ -238,6 +270,7 @@ impl<'a> Driver<'a> {
     fn solve(&mut self, t: f64) -> Option<Outcome> {
         let mut previous = f64::INFINITY;
         for iterations in 0..=self.options.max_iterations {
+            self.steps += 1;
             self.factor(t)?;
             let residual = self.point.c.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
             if let Stop::ResidualOnly(bound) = self.options.stop
@@ -339,6 +372,15 @@ impl<'a> Driver<'a> {
         (met && solution.iter().all(|x| x.is_finite())).then_some(solution)
     }
 
+    /// The error for a time that cannot be reached from the position in hand, which is one that `closes` or a guess of one.
+    fn blamed(&self, closes: bool, t: f64) -> Error {
+        let start = if closes { Start::Pose(&self.q) } else { Start::Guess(&self.q) };
+        match self.explain {
+            Explain::Yes => blamed(self.model, start, t, self.options),
+            Explain::No => unmet(self.system, &self.q, t, self.steps, Some(self.t)),
+        }
+    }
+
     /// q, q̇, q̈, and q⃛ or nothing.
     fn rows(&self) -> [&[f64]; 4] {
         [&self.q, &self.qd, &self.qdd, &self.qddd]
@@ -382,6 +424,21 @@ fn blamed(model: Model<'_>, start: Start<'_>, t: f64, options: &Options) -> Erro
     match diagnosis::diagnose(model, start, t, &options) {
         Ok(diagnosis) => Error::CannotBeDriven { diagnosis: Box::new(diagnosis), motion: None },
         Err(error) => error,
+    }
+}
+
+/// The same error where nobody asks what is wrong: the equation that is furthest from being met.
+fn unmet(system: &System, q: &[f64], t: f64, iterations: usize, last: Option<f64>) -> Error {
+    let (model, instant) = (system.model(), system.equations().instant_at(t, q));
+    match model.linearize(q, t) {
+        Err(bad) => system.equations().not_finite(bad, system.layout(), &instant),
+        Ok(point) => {
+            let rows = point.c.iter().map(|c| c.abs()).enumerate();
+            let (worst, residual) = rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
+            let (constraint, row) = system.row_name(worst);
+            let units = system.layout().words.clone();
+            Error::NoConvergence { t, units, iterations, constraint, row, residual, last, diagnosis: None, motion: None }
+        }
     }
 }
 

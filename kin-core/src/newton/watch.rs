@@ -3,9 +3,12 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::error::Error;
-use crate::law::Break;
+use crate::law::{Break, MOST_BREAKS};
 use crate::system::System;
 use crate::system::evaluate::Instant;
+
+/// Breaks that a run lists at most; it goes on without listing more.
+pub(crate) const MOST_CROSSED: usize = 100_000;
 
 /// A break of a law that a run has crossed: there a derivative of the motion jumps.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,7 +56,7 @@ impl Watch {
         let (t, known) = (instant.t(), crossed.len());
         for asked in &mut self.asked {
             let block = &system.equations().blocks[asked.block];
-            let (mut number, mut jump) = (0, None);
+            let (mut number, mut jumps) = (0, None);
             block.constraint.laws(&system.equations().at(block, instant), &mut |law, function, x| {
                 number += 1;
                 if number != asked.number + 1 {
@@ -62,17 +65,24 @@ impl Watch {
                 let from = std::mem::replace(&mut asked.x, x);
                 // an angle that went over its cut; only a law that repeats is asked there
                 let turn = if (x - from).abs() > PI && function.is_periodic(TAU) { TAU * ((from - x) / TAU).round() } else { 0.0 };
-                let found = function.breaks(from, x + turn).into_iter().filter(|b| b.x != from);
-                for found in found {
-                    if found.order == 0 || (found.order == 1 && is_of_time(system, instant, asked.block, asked.number, x)) {
-                        jump = Some(found);
-                    }
-                    let (constraint, law) = (block.name.clone(), law.to_owned());
-                    crossed.push(CrossedBreak { between: (before, t), constraint, law, found });
+                let stops = |b: &Break| b.order == 0 || (b.order == 1 && is_of_time(system, instant, asked.block, asked.number, x));
+                let named =
+                    |found: Break| CrossedBreak { between: (before, t), constraint: block.name.clone(), law: law.to_owned(), found };
+                let room = MOST_CROSSED.saturating_sub(crossed.len());
+                let all = if room > 0 { function.breaks(from, x + turn) } else { Vec::new() };
+                let full = room == 0 || all.len() >= MOST_BREAKS;
+                let here = all.iter().filter(|b| b.x != from);
+                // The one that is met first.
+                let mut jump = if x + turn < from { here.clone().rfind(|b| stops(b)) } else { here.clone().find(|b| stops(b)) }.copied();
+                if jump.is_none() && full {
+                    jump = function.sharpest_break(from, x + turn).filter(|b| b.x != from && stops(b));
+                }
+                match jump {
+                    Some(found) => jumps = Some(named(found)),
+                    None => crossed.extend(here.take(room).map(|found| named(*found))),
                 }
             });
-            if let (Some(found), Some(last)) = (jump, crossed.last()) {
-                let (constraint, law) = (last.constraint.clone(), last.law.clone());
+            if let Some(CrossedBreak { constraint, law, found, .. }) = jumps {
                 // The run ends before them.
                 crossed.truncate(known);
                 return Err(Error::LawJumps {

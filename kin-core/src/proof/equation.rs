@@ -1,7 +1,7 @@
 //! A formula on series: bounds of an equation's rows over a box, and of a law over an interval.
 
+use crate::real::Dual3_64;
 use kin_graph::{Comparison, Formula, Input, LeafUse, Node, Number, Op, Possibly, Results, Source, evaluate};
-use num_dual::Dual3_64;
 
 use super::interval::{Interval, ONE, ZERO};
 use super::series::{ORDER, Series, UNKNOWN};

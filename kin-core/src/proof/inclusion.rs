@@ -58,11 +58,11 @@ proptest! {
     fn functions_of_one_number((x, a) in interval()) {
         for &f in Function::ALL {
             let bounds = Series::variable(x, ONE, ORDER + 1).call(f);
-            let exact = crate::real::Real(num_dual::Dual3_64::new(a, 1.0, 0.0, 0.0)).call(f).0;
+            let exact = crate::real::Real(crate::real::Dual3_64::new(a, 1.0, 0.0, 0.0)).call(f).0;
             inside(&bounds, [exact.re, exact.v1, exact.v2, exact.v3], &format!("{f:?} of {x:?} at {a}"))?;
         }
         for n in [-3, -1, 0, 1, 2, 5, 8] {
-            let exact = crate::real::Real(num_dual::Dual3_64::new(a, 1.0, 0.0, 0.0)).powi(n).0;
+            let exact = crate::real::Real(crate::real::Dual3_64::new(a, 1.0, 0.0, 0.0)).powi(n).0;
             let bounds = Series::variable(x, ONE, ORDER + 1).powi(n);
             inside(&bounds, [exact.re, exact.v1, exact.v2, exact.v3], &format!("power {n} of {x:?} at {a}"))?;
         }
@@ -89,7 +89,7 @@ proptest! {
         for &f in Function2::ALL {
             let along = |x: Interval, v: f64| Series::variable(x, Interval::from(v), ORDER + 1);
             let mut bounds = along(x, v).call2(f, along(y, w));
-            let dual = |a: f64, v: f64| crate::real::Real(num_dual::Dual3_64::new(a, v, 0.0, 0.0));
+            let dual = |a: f64, v: f64| crate::real::Real(crate::real::Dual3_64::new(a, v, 0.0, 0.0));
             let exact = dual(a, v).call2(f, dual(b, w)).0;
             if !bounds.turns().is_none() {
                 // across the cut angles go on: those below it are a whole turn less

@@ -1,20 +1,34 @@
-//! Functions of one variable: each line a value and three exact derivatives.
+//! Functions of one variable: each line a value and three exact derivatives, or what is made of them.
 
 use std::f64::consts::{LN_2, LN_10};
 
 use kin_graph::functions::{acosh, atanh};
 
-use super::{Dual, Real};
+use super::{Dual, Growth, Real};
 
-/// Methods from lines `name(x) = [f, f′, f″, f‴];`.
+/// Methods from lines `name(x) = [f, f′, f″, f‴];`, all of one growth.
 macro_rules! functions {
-    ($($(#[$doc:meta])* $name:ident($x:ident) = $f:expr;)*) => {
+    ([$growth:expr] $($(#[$doc:meta])* $name:ident($x:ident) = $f:expr;)*) => {
         impl<D: Dual> Real<D> {$(
             $(#[$doc])*
             #[inline]
             pub fn $name(self) -> Self {
                 let $x = self.value();
-                self.chain($f)
+                self.chain($f).noted($growth)
+            }
+        )*}
+    };
+}
+
+/// Methods from lines `name(x) = [f, f′, f″/f′², f‴/f′³];`: of functions that take what is large and make it small.
+macro_rules! scaled_functions {
+    ([$growth:expr] $($(#[$doc:meta])* $name:ident($x:ident) = $f:expr;)*) => {
+        impl<D: Dual> Real<D> {$(
+            $(#[$doc])*
+            #[inline]
+            pub fn $name(self) -> Self {
+                let $x = self.value();
+                Real(self.0.chain_scaled($f)).noted($growth)
             }
         )*}
     };
@@ -47,62 +61,77 @@ macro_rules! questions {
 }
 
 functions! {
+    [Some(Growth::Bounded)]
     /// sin x, x in rad.
     sin(x) = { let (s, c) = x.sin_cos(); [s, c, -s, -c] };
     /// cos x, x in rad.
     cos(x) = { let (s, c) = x.sin_cos(); [c, -s, -c, s] };
-    /// tan x, x in rad.
-    tan(x) = { let t = x.tan(); let d = 1.0 + t * t; [t, d, 2.0 * t * d, d * (2.0 + 6.0 * t * t)] };
+    /// tanh x.
+    tanh(x) = { let (t, d) = (x.tanh(), x.cosh().powi(-2)); [t, d, -2.0 * t * d, d * (4.0 - 6.0 * d)] };
+    /// arctan x in (−π/2, π/2) rad.
+    atan(x) = { let [d, dd, ddd] = atan_slopes(x); [x.atan(), d, dd, ddd] };
     /// arcsin x in \[−π/2, π/2\] rad; infinite slope at ±1, NaN beyond.
     asin(x) = { let [d, dd, ddd] = arc_slopes(x); [x.asin(), d, dd, ddd] };
     /// arccos x in \[0, π\] rad; infinite slope at ±1, NaN beyond.
     acos(x) = { let [d, dd, ddd] = arc_slopes(x); [x.acos(), -d, -dd, -ddd] };
-    /// arctan x in (−π/2, π/2) rad.
-    atan(x) = { let [d, dd, ddd] = atan_slopes(x); [x.atan(), d, dd, ddd] };
+    /// x − trunc x, of the sign of x; slope 1.
+    fract(x) = [x.fract(), 1.0, 0.0, 0.0];
+}
+
+functions! {
+    [Some(Growth::Bursting)]
     /// sinh x.
     sinh(x) = { let (s, c) = (x.sinh(), x.cosh()); [s, c, s, c] };
     /// cosh x.
     cosh(x) = { let (s, c) = (x.sinh(), x.cosh()); [c, s, c, s] };
-    /// tanh x.
-    tanh(x) = { let (t, d) = (x.tanh(), x.cosh().powi(-2)); [t, d, -2.0 * t * d, d * (4.0 - 6.0 * d)] };
-    /// arsinh x.
-    asinh(x) = { let d = x.hypot(1.0).recip(); let d2 = d * d; [x.asinh(), d, -x * d * d2, d * d2 * (2.0 - 3.0 * d2)] };
-    /// arcosh x ≥ 0; infinite slope at 1, NaN below.
-    acosh(x) = {
-        let d = ((x - 1.0).sqrt() * (x + 1.0).sqrt()).recip();
-        let d2 = d * d;
-        [acosh(x), d, -x * d * d2, d * d2 * (2.0 + 3.0 * d2)]
-    };
-    /// artanh x; infinite at ±1, NaN beyond.
-    atanh(x) = { let d = ((1.0 - x) * (1.0 + x)).recip(); [atanh(x), d, 2.0 * x * d * d, (6.0 * x * x + 2.0) * d * d * d] };
     /// eˣ.
     exp(x) = [x.exp(); 4];
     /// 2ˣ.
     exp2(x) = { let p = x.exp2(); [p, p * LN_2, p * (LN_2 * LN_2), p * (LN_2 * LN_2 * LN_2)] };
     /// eˣ − 1, exact near 0.
     exp_m1(x) = { let p = x.exp(); [x.exp_m1(), p, p, p] };
-    /// ln x; −∞ at 0, NaN below.
-    ln(x) = { let r = x.recip(); [x.ln(), r, -r * r, 2.0 * r * r * r] };
-    /// ln(1 + x), exact near 0; −∞ at −1, NaN below.
-    ln_1p(x) = { let r = (1.0 + x).recip(); [x.ln_1p(), r, -r * r, 2.0 * r * r * r] };
-    /// log₂ x; −∞ at 0, NaN below.
-    log2(x) = { let (r, d) = (x.recip(), (x * LN_2).recip()); [x.log2(), d, -d * r, 2.0 * d * r * r] };
-    /// log₁₀ x; −∞ at 0, NaN below.
-    log10(x) = { let (r, d) = (x.recip(), (x * LN_10).recip()); [x.log10(), d, -d * r, 2.0 * d * r * r] };
-    /// √x; infinite slope at 0 unless x is constant, NaN below.
-    sqrt(x) = { let s = x.sqrt(); let d = 0.5 / s; let dd = -0.5 * d / x; [s, d, dd, -1.5 * dd / x] };
-    /// ∛x of the sign of x; infinite slope at 0 unless x is constant.
-    cbrt(x) = { let c = x.cbrt(); let d = (3.0 * c * c).recip(); let dd = -2.0 / 3.0 * d / x; [c, d, dd, -5.0 / 3.0 * dd / x] };
-    /// 1/x; ±∞ at 0.
-    recip(x) = { let r = x.recip(); let r2 = r * r; [r, -r2, 2.0 * r * r2, -6.0 * r2 * r2] };
+}
+
+functions! {
+    [Some(Growth::Pole)]
+    /// tan x, x in rad.
+    tan(x) = { let t = x.tan(); let d = 1.0 + t * t; [t, d, 2.0 * t * d, d * (2.0 + 6.0 * t * t)] };
+    /// artanh x; infinite at ±1, NaN beyond.
+    atanh(x) = { let d = ((1.0 - x) * (1.0 + x)).recip(); [atanh(x), d, 2.0 * x * d * d, (6.0 * x * x + 2.0) * d * d * d] };
+}
+
+functions! {
+    [None]
     /// |x|; slope 1 at 0 and −0.
     abs(x) = [x.abs(), if x >= 0.0 { 1.0 } else { -1.0 }, 0.0, 0.0];
-    /// x − trunc x, of the sign of x; slope 1.
-    fract(x) = [x.fract(), 1.0, 0.0, 0.0];
     /// From degrees to radians: π/180 x.
     to_radians(x) = [x.to_radians(), 1f64.to_radians(), 0.0, 0.0];
     /// From radians to degrees: 180/π x.
     to_degrees(x) = [x.to_degrees(), 1f64.to_degrees(), 0.0, 0.0];
+}
+
+scaled_functions! {
+    [Some(Growth::Logarithmic)]
+    /// arsinh x.
+    asinh(x) = { let d = x.hypot(1.0).recip(); [x.asinh(), d, -x * d, 2.0 - 3.0 * d * d] };
+    /// arcosh x ≥ 0; infinite slope at 1, NaN below.
+    acosh(x) = { let d = ((x - 1.0).sqrt() * (x + 1.0).sqrt()).recip(); [acosh(x), d, -x * d, 2.0 + 3.0 * d * d] };
+    /// ln x; −∞ at 0, NaN below.
+    ln(x) = [x.ln(), x.recip(), -1.0, 2.0];
+    /// ln(1 + x), exact near 0; −∞ at −1, NaN below.
+    ln_1p(x) = [x.ln_1p(), (1.0 + x).recip(), -1.0, 2.0];
+    /// log₂ x; −∞ at 0, NaN below.
+    log2(x) = [x.log2(), (x * LN_2).recip(), -LN_2, 2.0 * LN_2 * LN_2];
+    /// log₁₀ x; −∞ at 0, NaN below.
+    log10(x) = [x.log10(), (x * LN_10).recip(), -LN_10, 2.0 * LN_10 * LN_10];
+}
+
+scaled_functions! {
+    [None]
+    /// √x; infinite slope at 0 unless x is constant, NaN below.
+    sqrt(x) = { let s = x.sqrt(); let r = s.recip(); [s, 0.5 * r, -r, 3.0 * r * r] };
+    /// ∛x of the sign of x; infinite slope at 0 unless x is constant.
+    cbrt(x) = { let c = x.cbrt(); let r = c.recip(); [c, r * r / 3.0, -2.0 * r, 10.0 * r * r] };
 }
 
 steps! {
@@ -136,15 +165,56 @@ impl<D: Dual> Real<D> {
     #[inline]
     pub fn sin_cos(self) -> (Self, Self) {
         let (s, c) = self.value().sin_cos();
-        (self.chain([s, c, -s, -c]), self.chain([c, -s, -c, s]))
+        (self.chain([s, c, -s, -c]).growing(Growth::Bounded), self.chain([c, -s, -c, s]).growing(Growth::Bounded))
+    }
+
+    /// 1/x; ±∞ at 0.
+    #[inline]
+    pub fn recip(self) -> Self {
+        (Self::constant(1.0) / self).with_value(self.value().recip())
     }
 
     /// xⁿ; x⁰ = 1 everywhere, x¹ has slope 1 at 0, and a negative power is infinite at 0.
     #[inline]
     pub fn powi(self, n: i32) -> Self {
         let (x, c) = (self.value(), f64::from(n));
+        if n < 0 {
+            return self.power(x.powi(n), c);
+        }
         let slope = |k: i32, factor: f64| if factor == 0.0 { 0.0 } else { factor * x.powi(n.saturating_sub(k)) };
-        self.chain([x.powi(n), slope(1, c), slope(2, c * (c - 1.0)), slope(3, c * (c - 1.0) * (c - 2.0))])
+        self.chain([x.powi(n), slope(1, c), slope(2, c * (c - 1.0)), slope(3, c * (c - 1.0) * (c - 2.0))]).growing_as_power(c)
+    }
+
+    /// The same number, noted as an n-th power.
+    #[inline]
+    pub(super) fn growing_as_power(self, n: f64) -> Self {
+        match (n < 0.0, n.abs() > 4.0) {
+            (true, true) => self.growing(Growth::BurstingPole),
+            (true, false) => self.growing(Growth::Pole),
+            (false, true) => self.growing(Growth::Bursting),
+            (false, false) => self,
+        }
+    }
+
+    #[inline]
+    fn growing(self, growth: Growth) -> Self {
+        Real(self.0.growing(growth))
+    }
+
+    #[inline]
+    fn noted(self, growth: Option<Growth>) -> Self {
+        growth.map_or(self, |growth| self.growing(growth))
+    }
+
+    /// xⁿ, whose value is y, as y (x/x₀)ⁿ about x₀ = x: no power of x is too large or too small on the way.
+    pub(super) fn power(self, y: f64, n: f64) -> Self {
+        let (x, slopes) = (self.value(), [n, n * (n - 1.0), n * (n - 1.0) * (n - 2.0)]);
+        let power = if x == 0.0 || !x.is_finite() {
+            self.chain([y, slopes[0] * y / x, slopes[1] * y / x / x, slopes[2] * y / x / x / x])
+        } else {
+            ((self / x).chain([1.0, slopes[0], slopes[1], slopes[2]]) * y).with_value(y)
+        };
+        power.growing_as_power(n)
     }
 }
 
@@ -156,16 +226,16 @@ fn arc_slopes(x: f64) -> [f64; 3] {
     [d, x * d / w, (1.0 + 2.0 * x * x) * d / (w * w)]
 }
 
-/// Three derivatives of arctan: w = 1/(1 + x²), −2 x w², (6 − 8w) w², finite for every x.
+/// Three derivatives of arctan: w = 1/(1 + x²), −2 (x w) w, (6 − 8w) w², finite for every x.
 #[inline]
 pub(super) fn atan_slopes(x: f64) -> [f64; 3] {
     let w = (1.0 + x * x).recip();
-    [w, -2.0 * x * w * w, (6.0 - 8.0 * w) * w * w]
+    [w, -2.0 * (x * w) * w, (6.0 - 8.0 * w) * w * w]
 }
 
 #[cfg(test)]
 mod tests {
-    use num_dual::{Dual3_64, Dual64};
+    use crate::real::{Dual3_64, Dual64};
 
     use super::*;
 

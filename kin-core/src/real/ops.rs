@@ -89,8 +89,7 @@ operator!(Rem::rem, RemAssign::rem_assign, |a, b| remainder(a, b), remainder(a, 
 /// a/b; of constants it is constant, though it be not finite.
 #[inline]
 fn quotient<D: Dual>(a: Real<D>, b: Real<D>) -> Real<D> {
-    let q = Real(a.0.quotient(b.0));
-    if q.is_finite() || !(a.is_constant() && b.is_constant()) { q } else { Real(q.0.still()) }
+    Real(a.0.quotient(b.0))
 }
 
 /// a % b = a − n b with the whole number n = trunc(a/b), which changes nowhere but at jumps.
@@ -184,7 +183,7 @@ compare!([D: Dual] f64, Real<D>, |a, b| *a, b.value());
 mod tests {
     use std::f64::consts::PI;
 
-    use num_dual::{Dual2_64, Dual64};
+    use crate::real::{Dual2_64, Dual64};
 
     use super::*;
 

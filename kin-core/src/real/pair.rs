@@ -1,7 +1,7 @@
 //! Functions of two numbers. The second is a number or an `f64`, as `impl Into<Real<D>>`.
 
 use super::functions::atan_slopes;
-use super::{Dual, Real};
+use super::{Dual, Growth, Real};
 
 impl<D: Dual> Real<D> {
     /// The angle of the point (x, y) = (`x`, `self`) in (−π, π] rad, right on both axes; singular at (0, 0) unless both are constant.
@@ -14,7 +14,7 @@ impl<D: Dual> Real<D> {
         let flat = x.value().abs() >= y.value().abs();
         let ratio = if flat { y / x } else { -(x / y) };
         let [d, dd, ddd] = atan_slopes(ratio.value());
-        ratio.chain([angle, d, dd, ddd])
+        Real(ratio.chain([angle, d, dd, ddd]).0.growing(Growth::Bounded))
     }
 
     /// √(x² + y²) without overflow; singular at (0, 0) unless both are constant.
@@ -38,11 +38,16 @@ impl<D: Dual> Real<D> {
         let n = n.into();
         let (x, c) = (self.value(), n.value());
         // At x = 0 the tangents of n drop out, as xⁿ ln x → 0; where they do not, at whole n, a factor 0 meets 0⁻¹ and gives NaN.
+        // Falling powers, and those of large numbers: no lower power is too small for a number.
+        if n.is_constant() && (c < 0.0 || x.abs() > 1.0) {
+            return self.power(x.powf(c), c);
+        }
         if n.is_constant() || x == 0.0 && c > 0.0 {
             let slope = |k: f64, factor: f64| if factor == 0.0 && n.is_constant() { 0.0 } else { factor * x.powf(c - k) };
-            return self.chain([x.powf(c), slope(1.0, c), slope(2.0, c * (c - 1.0)), slope(3.0, c * (c - 1.0) * (c - 2.0))]);
+            let power = self.chain([x.powf(c), slope(1.0, c), slope(2.0, c * (c - 1.0)), slope(3.0, c * (c - 1.0) * (c - 2.0))]);
+            return power.growing_as_power(c);
         }
-        (n * self.ln()).chain([x.powf(c); 4])
+        (n * self.ln()).chain([x.powf(c); 4]).growing_as_power(-5.0)
     }
 
     /// Logarithm of x to a base: ln x / ln base.
@@ -95,7 +100,7 @@ impl<D: Dual> Real<D> {
 mod tests {
     use std::f64::consts::{FRAC_PI_2, PI};
 
-    use num_dual::{Dual2_64, Dual3_64, Dual64, HyperDual64};
+    use crate::real::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
     use super::*;
 

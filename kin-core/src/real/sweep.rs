@@ -1,6 +1,6 @@
 //! One list of functions, each derivative held against central differences of the one below it.
 
-use num_dual::{Dual2_64, Dual3_64, Dual64, HyperDual64};
+use crate::real::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
 use super::Real;
 

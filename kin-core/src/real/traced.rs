@@ -7,9 +7,7 @@ use std::cell::RefCell;
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use num_dual::Dual2_64;
-
-use super::dual::{Dual, sealed};
+use super::dual::{Dual, Dual2_64, Growth, sealed};
 
 /// Faults that are kept: loops make no more of them.
 const MOST_FAULTS: usize = 10_000;
@@ -68,9 +66,10 @@ fn noted(fault: Fault) -> u32 {
 }
 
 impl Traced {
-    /// A coordinate (or the time) with its rate along the direction.
-    pub(crate) fn input(value: f64, rate: f64, bit: u32) -> Self {
-        Traced { number: Dual2_64::new(value, rate, 0.0), faults: [0; 3], inputs: 1 << bit.min(TIME) }
+    /// A coordinate (or the time) with its rate along the direction, if that moves it.
+    pub(crate) fn input(value: f64, rate: Option<f64>, bit: u32) -> Self {
+        let number = rate.map_or(Dual2_64::from_re(value), |rate| Dual2_64::new(value, rate, 0.0));
+        Traced { number, faults: [0; 3], inputs: 1 << bit.min(TIME) }
     }
 
     /// The result of an operation.
@@ -115,6 +114,10 @@ impl Dual for Traced {
         self.number.is_constant()
     }
 
+    fn is_at_rest(&self) -> bool {
+        self.number.is_at_rest()
+    }
+
     fn with_value(self, x: f64) -> Self {
         self.unary(self.number.with_value(x))
     }
@@ -127,8 +130,16 @@ impl Dual for Traced {
         self.unary(self.number.chain(f))
     }
 
+    fn chain_scaled(self, f: [f64; 4]) -> Self {
+        self.unary(self.number.chain_scaled(f))
+    }
+
     fn quotient(self, b: Self) -> Self {
         self.binary(b, self.number.quotient(b.number))
+    }
+
+    fn growing(self, growth: Growth) -> Self {
+        Traced { number: self.number.growing(growth), ..self }
     }
 }
 
@@ -178,7 +189,7 @@ mod tests {
     use crate::real::Real;
 
     fn x(value: f64) -> Real<Traced> {
-        Real(Traced::input(value, 1.0, 0))
+        Real(Traced::input(value, Some(1.0), 0))
     }
 
     #[test]

@@ -3,4 +3,4 @@
 pub use crate::blame::table::{Given, Table, give, give_law, nothing_outside};
 pub use crate::blame::trace::{Body, blame as traced};
 pub use crate::proof::Series;
-pub use num_dual::Dual3_64;
+pub use crate::real::Dual3_64;

@@ -23,10 +23,9 @@ pub use crate::data::{Described, Describer, Reader, Sought, SoughtBySerde, Told,
 pub use crate::dual_route::{ArgumentKind, Equation};
 pub use crate::lanes::{InLanes, LaneAt, LaneKernel, LaneKernels, LaneRates, Level, Mask, Wide};
 pub use crate::law::LawFunction;
-pub use crate::real::{Dual, Real};
+pub use crate::real::{Dual, Dual2_64, Dual3_64, Dual64, Real};
 pub use crate::state::{At, PlanarState, Rates, SpatialState};
 pub use kin_graph::functions::{acosh, atanh};
-pub use num_dual::{Dual2_64, Dual3_64, Dual64};
 
 pub use argument::{IntoConstant, IntoJet, IntoPlain, IntoReference, Jet, Nothing};
 pub use argument::{constant_argument, plain_argument, reference_argument};
@@ -44,8 +43,8 @@ pub use sound::{If, Sound, Then};
 pub use timed::timed;
 
 /// \[f, f′, f″, f‴\] of a function written for any dual number.
-pub fn jet_by_dual(x: f64, f: impl FnOnce(Real<num_dual::Dual3_64>) -> Real<num_dual::Dual3_64>) -> [f64; 4] {
-    let y = f(Real(num_dual::Dual3_64::new(x, 1.0, 0.0, 0.0))).0;
+pub fn jet_by_dual(x: f64, f: impl FnOnce(Real<Dual3_64>) -> Real<Dual3_64>) -> [f64; 4] {
+    let y = f(Real(Dual3_64::new(x, 1.0, 0.0, 0.0))).0;
     [y.re, y.v1, y.v2, y.v3]
 }
 

@@ -4,7 +4,8 @@ use super::{Solution, System, time};
 use crate::assembly::{Assembly, AssemblyOptions, Label, modes};
 use crate::diagnosis::{self, Diagnosis, DiagnosisOptions, Start};
 use crate::error::{Error, Result};
-use crate::motion::Motion;
+use crate::motion::{EventKind, Motion};
+use crate::newton::sweep::Explain;
 use crate::newton::{self, Newton, Options, Steps, assembly, redundant};
 use crate::sweep::Sweep;
 
@@ -54,7 +55,7 @@ impl System {
 
     /// The same with other options.
     pub fn run_with(&self, times: impl AsRef<[f64]>, options: &Options) -> Result<Motion> {
-        let mut run = newton::sweep::run(self, times.as_ref(), options);
+        let mut run = newton::sweep::run(self, times.as_ref(), options, Explain::Yes);
         match &mut run {
             Ok(motion) => self.note(motion),
             Err(error) => error.motion_mut().into_iter().for_each(|motion| self.note(motion)),
@@ -66,6 +67,70 @@ impl System {
     fn note(&self, motion: &mut Motion) {
         self.note_limits(motion);
         self.note_kinks(motion);
+    }
+
+    /// The same of a part of a run, from the end of the part before on.
+    fn note_after(&self, before: Option<&Motion>, part: &mut Motion) {
+        let Some(before) = before.filter(|_| !part.is_empty()) else { return self.note(part) };
+        let (mut whole, start) = (before.followed_by(part), before.times().first().copied());
+        self.note(&mut whole);
+        // What holds at the beginning has been told of the part before.
+        let found =
+            whole.events().iter().filter(|event| matches!(event.kind, EventKind::Limit | EventKind::Kink) && Some(event.t) != start);
+        found.for_each(|event| part.add_event(event.clone()));
+    }
+
+    /// The run of [`System::run_with`] in parts of so many times, for times without end: `keep` is shown one part after the other, each a motion of its
+    /// own that can be asked whatever a motion can be asked, and keeps of it what is wanted. Memory is that of one part, and the times may come from
+    /// any iterator. All numbers are those of the run in one.
+    ///
+    /// ```
+    /// # use kin::prelude::*;
+    /// # fn main() -> kin::Result<()> {
+    /// let mut m = Mechanism::new("crank");
+    /// let crank = m.link("crank", 1.0)?;
+    /// m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start()))?;
+    /// m.add("motor", drive_angle(crank, Law::ramp(1.0)))?;
+    /// let (times, mut highest) = ((0..10_000).map(|k| 0.001 * f64::from(k)), 0.0_f64);
+    /// m.build()?.run_in_parts(times, 1000, &kin::Options::default(), |part| {
+    ///     highest = highest.max(part.point(crank, crank.end()).y().max());
+    ///     Ok(())
+    /// })?;
+    /// assert!((highest - 1.0).abs() < 1e-6);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// A part of no times counts as one of one. Limits of joints are looked at from the last time of the part before on; angles over many turns
+    /// are counted from the beginning of each part.
+    ///
+    /// Errors: those of a run, which carry the part that was under way; those of `keep`, with which the run ends.
+    pub fn run_in_parts(
+        &self,
+        times: impl IntoIterator<Item = f64>,
+        size: usize,
+        options: &Options,
+        mut keep: impl FnMut(&Motion) -> Result<()>,
+    ) -> Result<()> {
+        let (size, mut times) = (size.max(1), times.into_iter().peekable());
+        options.check_memory(1, size, self.n_coordinates())?;
+        let mut run = newton::sweep::Run::new(self, options, Explain::Yes)?;
+        let mut order = newton::sweep::Order::default();
+        let mut before: Option<Motion> = None;
+        while times.peek().is_some() {
+            let mut part = Motion::new(self, size.min(times.size_hint().0.max(1)));
+            for t in times.by_ref().take(size) {
+                let reached = order.check(t).and_then(|()| run.reach(t, &mut part));
+                if let Err(error) = reached {
+                    self.note_after(before.as_ref(), &mut part);
+                    return Err(run.failed(error, part));
+                }
+            }
+            self.note_after(before.as_ref(), &mut part);
+            keep(&part)?;
+            before = Some(part.last());
+        }
+        order.some()
     }
 
     /// Many cases of this system: in each of them the named parameters (such as `A.u_i.x`) and initial values (such as `rocker.theta`) are

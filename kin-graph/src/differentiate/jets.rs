@@ -1,7 +1,9 @@
 //! Second-order jets: of g(s) = C(q + s q̇, t + s ṫ), the derivatives g′(0) and g″(0). −g″(0) is the whole acceleration right side.
 
+use super::moves::{Motion, Moves};
+use super::scaled::{Depth, Tangents, relative_exponent, scaled, where_finite, where_large};
 use super::{Memo, rules};
-use crate::{Direction, Graph, Input, LeafNumber, LeafUse, Node, Op, Part};
+use crate::{Direction, Function2, Graph, Input, LeafNumber, LeafUse, Node, Op, Part};
 
 /// First and second derivative along the motion.
 #[derive(Clone, Copy)]
@@ -16,6 +18,13 @@ pub struct Jet {
 pub struct Jets {
     first: Memo<Node>,
     second: Memo<Second>,
+    moves: Moves,
+}
+
+impl Tangents for Jets {
+    fn tangent(&self, node: Node) -> Node {
+        self.first.of(node)
+    }
 }
 
 /// A second derivative as `outer + 2 cross`: the products of first derivatives are gathered through sums, and doubled once.
@@ -33,7 +42,12 @@ impl Second {
 }
 
 /// An argument of a function, with the function's derivative by it.
-type Argument<'a> = (Node, &'a dyn Fn(&mut Graph) -> Node);
+struct Argument<'a> {
+    node: Node,
+    derivative: &'a dyn Fn(&mut Graph) -> Node,
+    /// Whether the derivative is finite wherever the function is.
+    tame: bool,
+}
 
 impl Jets {
     /// The jet of `node`.
@@ -50,6 +64,7 @@ impl Jets {
         for inner in g.unknown(&[node], |n| self.first.has(n)) {
             let first = self.first_rule(g, inner);
             self.first.set(inner, first);
+            self.moves.note(g, inner, first);
         }
         self.first.of(node)
     }
@@ -73,12 +88,30 @@ impl Jets {
                 let product = sum_of_products(g, [(d(a), b), (a, d(b))]);
                 g.add(product, d(c))
             }
+            Op::Div(a, b) if g.bursts(b) => {
+                let inverse = inverse(g, b);
+                let (left, right) = (scaled(g, self, inverse, a), scaled(g, self, inverse, b));
+                let right = g.mul(node, right);
+                let whole = g.sub(left, right);
+                where_finite(g, b, whole)
+            }
             Op::Div(a, b) => {
                 let yb = g.mul(node, d(b));
                 let numerator = g.sub(d(a), yb);
                 g.div(numerator, b)
             }
+            Op::Powi(a, n) if n < 0 && g.bursts(a) => self.relative_power_first(g, a, f64::from(n), node),
+            Op::Call2(Function2::Powf, a, b) if relative_exponent(g, a, b).is_some() => {
+                let n = relative_exponent(g, a, b).unwrap_or_default();
+                let relative = self.relative_power_first(g, a, n, node);
+                let plain = with_arguments(g, node, |g, arguments| self.chain_first(g, arguments));
+                where_large(g, a, n, relative, plain)
+            }
             Op::Select(c, a, b) => g.select(c, d(a), d(b)),
+            Op::Call2(Function2::Max | Function2::Min, a, b) => {
+                let first = rules::takes_first(g, node);
+                g.select(first, d(a), d(b))
+            }
             Op::Leaf(of) => self.leaf(g, of, LeafNumber::First),
             _ => with_arguments(g, node, |g, arguments| self.chain_first(g, arguments)),
         }
@@ -102,9 +135,21 @@ impl Jets {
                 both(g, Graph::add, product, dd(c))
             }
             Op::Div(a, b) => plain(self.quotient(g, a, b, node)),
+            Op::Powi(a, n) if n < 0 && g.bursts(a) => plain(self.relative_power(g, a, f64::from(n), node)),
+            Op::Call2(Function2::Powf, a, b) if relative_exponent(g, a, b).is_some() => {
+                let n = relative_exponent(g, a, b).unwrap_or_default();
+                let relative = self.relative_power(g, a, n, node);
+                let whole = with_arguments(g, node, |g, arguments| self.chain_second(g, arguments));
+                plain(where_large(g, a, n, relative, whole))
+            }
             Op::Select(c, a, b) => {
                 let (a, b) = (dd(a).whole(g), dd(b).whole(g));
                 plain(g.select(c, a, b))
+            }
+            Op::Call2(Function2::Max | Function2::Min, a, b) => {
+                let first = rules::takes_first(g, node);
+                let (a, b) = (dd(a).whole(g), dd(b).whole(g));
+                plain(g.select(first, a, b))
             }
             Op::Leaf(of) => plain(self.leaf(g, of, LeafNumber::Second)),
             _ => plain(with_arguments(g, node, |g, arguments| self.chain_second(g, arguments))),
@@ -120,7 +165,17 @@ impl Jets {
     }
 
     /// y = a/b:  y″ = (a″ − 2 y′ b′ − y b″)/b
-    fn quotient(&self, g: &mut Graph, a: Node, b: Node, y: Node) -> Node {
+    fn quotient(&mut self, g: &mut Graph, a: Node, b: Node, y: Node) -> Node {
+        if g.bursts(b) {
+            let inverse = inverse(g, b);
+            let first = self.first.of(y);
+            let (whole, relative) = (self.scaled_second(g, inverse, a, Depth::FULL), scaled(g, self, inverse, b));
+            let (cross, bent) = (g.mul(first, relative), self.scaled_second(g, inverse, b, Depth::FULL));
+            let (cross, last) = (double(g, cross), g.mul(y, bent));
+            let whole = g.sub(whole, cross);
+            let whole = g.sub(whole, last);
+            return where_finite(g, b, whole);
+        }
         let (ja, jb) = (self.known(g, a), self.known(g, b));
         let cross = g.mul(self.first.of(y), jb.first);
         let cross = double(g, cross);
@@ -130,16 +185,93 @@ impl Jets {
         g.div(numerator, b)
     }
 
+    /// y = aⁿ:  y′ = n y a′/a
+    fn relative_power_first(&self, g: &mut Graph, a: Node, n: f64, y: Node) -> Node {
+        let (inverse, n) = (inverse(g, a), g.constant(n));
+        let (relative, factor) = (scaled(g, self, inverse, a), g.mul(n, y));
+        let whole = g.mul(factor, relative);
+        where_finite(g, a, whole)
+    }
+
+    /// y = aⁿ, with α = a′/a:  y″ = n y (a″/a + (n − 1) α²)
+    fn relative_power(&mut self, g: &mut Graph, a: Node, n: f64, y: Node) -> Node {
+        let inverse = inverse(g, a);
+        let (relative, bent) = (scaled(g, self, inverse, a), self.scaled_second(g, inverse, a, Depth::FULL));
+        let (square, lower, n) = (g.mul(relative, relative), g.constant(n - 1.0), g.constant(n));
+        let square = g.mul(lower, square);
+        let (sum, factor) = (g.add(bent, square), g.mul(n, y));
+        let whole = g.mul(factor, sum);
+        where_finite(g, a, whole)
+    }
+
+    /// c u″, the factor first: see [`scaled`].
+    fn scaled_second(&mut self, g: &mut Graph, c: Node, u: Node, depth: Depth) -> Node {
+        let second = self.second.of(u).whole(g);
+        if !g.bursts(u) {
+            return g.mul(c, second);
+        }
+        let parts = self.second_parts(g, c, u, depth);
+        parts.unwrap_or_else(|| g.mul(c, second))
+    }
+
+    /// The same taken apart; `None` where that is of no use, or goes too deep.
+    fn second_parts(&mut self, g: &mut Graph, c: Node, u: Node, depth: Depth) -> Option<Node> {
+        Some(match g.op(u) {
+            Op::Neg(a) => {
+                let inner = self.scaled_second(g, c, a, depth.sum()?);
+                g.neg(inner)
+            }
+            Op::Add(a, b) | Op::Sub(a, b) => {
+                let depth = depth.sum()?;
+                let (left, right) = (self.scaled_second(g, c, a, depth), self.scaled_second(g, c, b, depth));
+                if matches!(g.op(u), Op::Add(..)) { g.add(left, right) } else { g.sub(left, right) }
+            }
+            // a″ b + 2 a′ b′ + a b″
+            Op::Mul(a, b) => {
+                let depth = depth.product()?;
+                let (cb, ca) = (g.mul(c, b), g.mul(c, a));
+                let (left, right) = (self.scaled_second(g, cb, a, depth), self.scaled_second(g, ca, b, depth));
+                let cross = scaled(g, self, c, a);
+                let cross = scaled(g, self, cross, b);
+                let (cross, sum) = (double(g, cross), g.add(left, right));
+                g.add(sum, cross)
+            }
+            // f′ a″ + (f′)′ a′
+            Op::Call(f, a) => {
+                let slope = rules::derivative(g, f, a, u);
+                self.first(g, slope);
+                let bent = scaled(g, self, c, slope);
+                let (factor, bent) = (g.mul(c, slope), scaled(g, self, bent, a));
+                let straight = self.scaled_second(g, factor, a, depth.product()?);
+                g.add(straight, bent)
+            }
+            Op::Select(condition, a, b) => {
+                let depth = depth.sum()?;
+                let (left, right) = (self.scaled_second(g, c, a, depth), self.scaled_second(g, c, b, depth));
+                g.select(condition, left, right)
+            }
+            _ => return None,
+        })
+    }
+
     /// y = f(a, …):  y′ = Σ f_a a′. Derivatives by arguments that do not move are not built.
     fn chain_first(&self, g: &mut Graph, arguments: &[Argument]) -> Node {
         let zero = g.zero();
-        arguments.iter().fold(zero, |sum, (a, derivative)| {
-            let inner = self.first.of(*a);
-            if g.is_zero(inner) {
+        arguments.iter().fold(zero, |sum, argument| {
+            let (a, tangent) = (argument.node, self.first.of(argument.node));
+            if g.is_zero(tangent) {
                 return sum;
             }
-            let outer = derivative(g);
-            let term = g.mul(outer, inner);
+            let outer = (argument.derivative)(g);
+            let motion = self.moves.of(a);
+            let term = if g.bursts(a) {
+                let term = scaled(g, self, outer, a);
+                where_finite(g, a, term)
+            } else {
+                let inner = if argument.tame { tangent } else { motion.inner(g, tangent) };
+                g.mul(outer, inner)
+            };
+            let term = if argument.tame { term } else { motion.guard(g, term) };
             g.add(sum, term)
         })
     }
@@ -147,14 +279,25 @@ impl Jets {
     /// y = f(a, …):  y″ = Σ (f_a)′ a′ + f_a a″.
     fn chain_second(&mut self, g: &mut Graph, arguments: &[Argument]) -> Node {
         let mut sum = g.zero();
-        for (a, derivative) in arguments {
-            let inner = self.known(g, *a);
+        for argument in arguments {
+            let a = argument.node;
+            let inner = self.known(g, a);
             if g.is_zero(inner.first) && g.is_zero(inner.second) {
                 continue;
             }
-            let outer = derivative(g);
+            let outer = (argument.derivative)(g);
             let outer_first = self.first(g, outer);
-            let term = sum_of_products(g, [(outer_first, inner.first), (outer, inner.second)]);
+            let motion = self.moves.of(a);
+            let term = if g.bursts(a) {
+                let (bent, straight) = (scaled(g, self, outer_first, a), self.scaled_second(g, outer, a, Depth::FULL));
+                let term = g.add(bent, straight);
+                where_finite(g, a, term)
+            } else {
+                let open = |node: Node| if argument.tame { node } else { motion.inner(g, node) };
+                let [first, second] = [inner.first, inner.second].map(open);
+                sum_of_products(g, [(outer_first, first), (outer, second)])
+            };
+            let term = if argument.tame { term } else { motion.guard(g, term) };
             sum = g.add(sum, term);
         }
         sum
@@ -168,7 +311,9 @@ impl Jets {
             return g.zero();
         }
         let (first, second) = (jets.iter().map(|jet| jet.first).collect(), jets.iter().map(|jet| jet.second).collect());
-        let direction = g.direction(Direction { leaf: of.leaf, first, second });
+        let condition = |a: &Node| if let Motion::When(moves) = self.moves.of(*a) { Some(moves) } else { None };
+        let moves = arguments.iter().map(condition).collect();
+        let direction = g.direction(Direction { leaf: of.leaf, first, second, moves });
         g.leaf_output(of.leaf, of.output, number(direction))
     }
 }
@@ -176,15 +321,21 @@ impl Jets {
 /// The arguments of a function node, each with the function's derivative by it; none for conditions.
 fn with_arguments(g: &mut Graph, node: Node, chain: impl FnOnce(&mut Graph, &[Argument]) -> Node) -> Node {
     match g.op(node) {
-        Op::Call(f, a) => chain(g, &[(a, &|g| rules::derivative(g, f, a, node))]),
-        Op::Powi(a, n) => chain(g, &[(a, &|g| rules::power_derivative(g, a, n))]),
-        Op::Law(law, a, order) => chain(g, &[(a, &|g| g.law(law, a, order + 1))]),
+        Op::Call(f, a) => chain(g, &[Argument { node: a, derivative: &|g| rules::derivative(g, f, a, node), tame: f.is_tame() }]),
+        Op::Powi(a, n) => chain(g, &[Argument { node: a, derivative: &|g| rules::power_derivative(g, a, n), tame: true }]),
+        Op::Law(law, a, order) => chain(g, &[Argument { node: a, derivative: &|g| g.law(law, a, order + 1), tame: false }]),
         Op::Call2(f, a, b) => {
             let by = rules::derivatives2(g, f, a, b, node);
-            chain(g, &[(a, &|_| by.0), (b, &|_| by.1)])
+            let by_a = Argument { node: a, derivative: &|_| by.0, tame: false };
+            chain(g, &[by_a, Argument { node: b, derivative: &|_| by.1, tame: false }])
         }
         _ => g.zero(),
     }
+}
+
+fn inverse(g: &mut Graph, a: Node) -> Node {
+    let one = g.constant(1.0);
+    g.div(one, a)
 }
 
 fn constant(g: &mut Graph) -> Jet {

@@ -1,8 +1,10 @@
 //! Differentiation over the graph, by its own constructors: derivatives are born simplified and share what they have in common.
 
 mod jets;
+mod moves;
 mod partial;
 mod rules;
+mod scaled;
 #[cfg(test)]
 mod tests;
 

@@ -1,7 +1,9 @@
 //! First derivatives by one column of C_q, by t, or by the variable of a law.
 
+use super::moves::Moves;
+use super::scaled::{Tangents, relative_exponent, scaled, where_finite, where_large};
 use super::{Memo, rules};
-use crate::{Column, Graph, Input, LeafNumber, LeafUse, Node, Op, Part};
+use crate::{Column, Function2, Graph, Input, LeafNumber, LeafUse, Node, Op, Part};
 
 /// What to differentiate by.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -15,19 +17,30 @@ pub enum By {
 pub struct Partial {
     by: By,
     memo: Memo<Node>,
+    moves: Moves,
+}
+
+impl Tangents for Partial {
+    fn tangent(&self, node: Node) -> Node {
+        self.known(node)
+    }
 }
 
 impl Partial {
     pub fn by_column(column: Column) -> Self {
-        Partial { by: By::Column(column), memo: Memo::default() }
+        Partial::by(By::Column(column))
     }
 
     pub fn by_time() -> Self {
-        Partial { by: By::Time, memo: Memo::default() }
+        Partial::by(By::Time)
     }
 
     pub fn by_variable() -> Self {
-        Partial { by: By::Variable, memo: Memo::default() }
+        Partial::by(By::Variable)
+    }
+
+    fn by(by: By) -> Self {
+        Partial { by, memo: Memo::default(), moves: Moves::default() }
     }
 
     /// The derivative of `node`.
@@ -49,6 +62,7 @@ impl Partial {
         for &node in unknown {
             let derivative = if self.is_still(g, node) { zero } else { self.rule(g, node) };
             self.memo.set(node, derivative);
+            self.moves.note(g, node, derivative);
         }
     }
 
@@ -83,17 +97,25 @@ impl Partial {
                 let product = g.add(left, right);
                 g.add(product, self.known(c)) // a′ b + a b′ + c′
             }
-            Op::Div(a, b) => {
-                let product = g.mul(node, self.known(b));
-                let numerator = g.sub(self.known(a), product);
-                g.div(numerator, b) // (a′ − y b′) / b
+            Op::Div(a, b) => self.quotient(g, a, b, node),
+            Op::Call(f, a) => self.chain(g, a, f.is_tame(), |g| rules::derivative(g, f, a, node)),
+            Op::Powi(a, n) if n < 0 && g.bursts(a) => self.relative_power(g, a, f64::from(n), node),
+            Op::Powi(a, n) => self.chain(g, a, true, |g| rules::power_derivative(g, a, n)),
+            Op::Law(law, a, order) => self.chain(g, a, false, |g| g.law(law, a, order + 1)),
+            Op::Call2(Function2::Max | Function2::Min, a, b) => {
+                let first = rules::takes_first(g, node);
+                g.select(first, self.known(a), self.known(b))
             }
-            Op::Call(f, a) => self.chain(g, a, |g| rules::derivative(g, f, a, node)),
-            Op::Powi(a, n) => self.chain(g, a, |g| rules::power_derivative(g, a, n)),
-            Op::Law(law, a, order) => self.chain(g, a, |g| g.law(law, a, order + 1)),
+            Op::Call2(Function2::Powf, a, b) if relative_exponent(g, a, b).is_some() => {
+                let n = relative_exponent(g, a, b).unwrap_or_default();
+                let relative = self.relative_power(g, a, n, node);
+                let by_a = rules::derivatives2(g, Function2::Powf, a, b, node).0;
+                let plain = self.chain(g, a, false, |_| by_a);
+                where_large(g, a, n, relative, plain)
+            }
             Op::Call2(f, a, b) => {
                 let (by_a, by_b) = rules::derivatives2(g, f, a, b, node);
-                let (left, right) = (g.mul(by_a, self.known(a)), g.mul(by_b, self.known(b)));
+                let (left, right) = (self.chain(g, a, false, |_| by_a), self.chain(g, b, false, |_| by_b));
                 g.add(left, right)
             }
             Op::Select(c, a, b) => g.select(c, self.known(a), self.known(b)),
@@ -104,27 +126,57 @@ impl Partial {
         }
     }
 
-    /// f′ a′, where f′ is only built if a′ is not a structural zero.
-    fn chain(&self, g: &mut Graph, a: Node, outer: impl FnOnce(&mut Graph) -> Node) -> Node {
-        let inner = self.known(a);
-        if g.is_zero(inner) {
-            return inner;
+    /// f′ a′, where f′ is only built if a′ is not a structural zero. It is zero where a does not move, if f is not `tame`: finite in its slope.
+    fn chain(&mut self, g: &mut Graph, a: Node, tame: bool, outer: impl FnOnce(&mut Graph) -> Node) -> Node {
+        let tangent = self.known(a);
+        if g.is_zero(tangent) {
+            return tangent;
         }
         let outer = outer(g);
-        g.mul(outer, inner)
+        if g.bursts(a) {
+            let term = scaled(g, self, outer, a);
+            let term = where_finite(g, a, term);
+            return if tame { term } else { self.moves.of(a).guard(g, term) };
+        }
+        if tame {
+            return g.mul(outer, tangent);
+        }
+        let motion = self.moves.of(a);
+        let inner = motion.inner(g, tangent);
+        let term = g.mul(outer, inner);
+        motion.guard(g, term)
+    }
+
+    /// y = a/b:  y′ = (a′ − y b′)/b
+    fn quotient(&mut self, g: &mut Graph, a: Node, b: Node, y: Node) -> Node {
+        if !g.bursts(b) {
+            let product = g.mul(y, self.known(b));
+            let numerator = g.sub(self.known(a), product);
+            return g.div(numerator, b);
+        }
+        let one = g.constant(1.0);
+        let inverse = g.div(one, b);
+        let (left, right) = (scaled(g, self, inverse, a), scaled(g, self, inverse, b));
+        let right = g.mul(y, right);
+        let whole = g.sub(left, right);
+        where_finite(g, b, whole)
+    }
+
+    /// y = aⁿ:  y′ = n y a′/a, which does not lose what is small as aⁿ⁻¹ does.
+    fn relative_power(&mut self, g: &mut Graph, a: Node, n: f64, y: Node) -> Node {
+        let (one, factor) = (g.constant(1.0), g.constant(n));
+        let inverse = g.div(one, a);
+        let (relative, factor) = (scaled(g, self, inverse, a), g.mul(factor, y));
+        let whole = g.mul(factor, relative);
+        where_finite(g, a, whole)
     }
 
     /// Σ ∂f/∂aₖ aₖ′ for a call of the user's generic function.
-    fn leaf(&self, g: &mut Graph, of: LeafUse) -> Node {
+    fn leaf(&mut self, g: &mut Graph, of: LeafUse) -> Node {
         let arguments = g.leaves[of.leaf].arguments.clone();
         let zero = g.zero();
         arguments.iter().enumerate().fold(zero, |sum, (k, &a)| {
-            let inner = self.known(a);
-            if g.is_zero(inner) {
-                return sum;
-            }
-            let outer = g.leaf_output(of.leaf, of.output, LeafNumber::Partial(k));
-            let term = g.mul(outer, inner);
+            let term = self.chain(g, a, false, |g| g.leaf_output(of.leaf, of.output, LeafNumber::Partial(k)));
             g.add(sum, term)
         })
     }

@@ -1,6 +1,6 @@
 //! The rule table: the derivative of every function, one line each. With u the argument and y = f(u):
 
-use crate::{Comparison, Function, Function2, Graph, Node};
+use crate::{Comparison, Function, Function2, Graph, Node, Op};
 
 /// dy/du of y = f(u).
 ///
@@ -18,6 +18,7 @@ pub fn derivative(g: &mut Graph, f: Function, u: Node, y: Node) -> Node {
         Function::Sinh  => e.call(Function::Cosh, u),                                     // cosh u
         Function::Cosh  => e.call(Function::Sinh, u),                                     // sinh u
         Function::Tanh  => e.one_minus_square(y),                                         // 1 − y²
+        Function::Asinh if e.0.bursts(u) => { let (one, two) = (e.0.constant(1.0), Function2::Hypot); let r = e.0.call2(two, u, one); e.inverse(r) } // the same, u² being too large
         Function::Asinh => { let u2 = e.square(u); let r = e.plus(u2, 1.0); e.inverse_root(r) }   // 1/√(u² + 1)
         Function::Acosh => { let u2 = e.square(u); let r = e.plus(u2, -1.0); e.inverse_root(r) }  // 1/√(u² − 1)
         Function::Atanh => { let r = e.one_minus_square(u); e.inverse(r) }                // 1/(1 − u²)
@@ -38,7 +39,7 @@ pub fn derivative(g: &mut Graph, f: Function, u: Node, y: Node) -> Node {
 
 /// (∂z/∂u, ∂z/∂v) of z = f(u, v).
 ///
-/// At kinks: `max` takes u where u ≥ v, `min` takes u where u ≤ v.
+/// Not of `max` and `min`, which have the tangent of the one that is taken ([`takes_first`]).
 #[rustfmt::skip]
 pub fn derivatives2(g: &mut Graph, f: Function2, u: Node, v: Node, z: Node) -> (Node, Node) {
     let mut e = Expressions(g);
@@ -46,12 +47,22 @@ pub fn derivatives2(g: &mut Graph, f: Function2, u: Node, v: Node, z: Node) -> (
         Function2::Atan2     => { let r = e.sum_of_squares(u, v); let m = e.0.neg(u); (e.0.div(v, r), e.0.div(m, r)) } // (v, −u)/(u² + v²)
         Function2::Hypot     => (e.0.div(u, z), e.0.div(v, z)),                               // (u, v)/z
         Function2::Powf      => e.power(u, v, z),                                             // (v u^(v−1), z ln u)
-        Function2::Max       => e.choice(Comparison::GreaterEqual, u, v),                     // (1, 0) if u ≥ v, else (0, 1)
-        Function2::Min       => e.choice(Comparison::LessEqual, u, v),                        // (1, 0) if u ≤ v, else (0, 1)
+        Function2::Max | Function2::Min => { let first = takes_first(e.0, z); e.choice(first) } // (1, 0) if u is taken, else (0, 1)
         Function2::Rem       => { let n = e.quotient(u, v, Function::Trunc); (e.0.constant(1.0), e.0.neg(n)) } // (1, −trunc(u/v))
         Function2::RemEuclid => { let n = e.0.call2(Function2::DivEuclid, u, v); (e.0.constant(1.0), e.0.neg(n)) } // (1, −⌊u/v⌋)
         Function2::DivEuclid => (e.0.zero(), e.0.zero()),                                     // 0
     }
+}
+
+/// The condition under which `max` or `min` takes the first of two: it is not beyond the other, or that is not a number.
+pub fn takes_first(g: &mut Graph, z: Node) -> Node {
+    let (comparison, u, v) = match g.op(z) {
+        Op::Call2(Function2::Min, u, v) => (Comparison::LessEqual, u, v),
+        Op::Call2(_, u, v) => (Comparison::GreaterEqual, u, v),
+        _ => return g.bool(true),
+    };
+    let (wins, alone) = (g.compare(comparison, u, v), g.compare(Comparison::NotEqual, v, v));
+    g.or(wins, alone)
 }
 
 /// n uⁿ⁻¹, the derivative of uⁿ.
@@ -113,21 +124,21 @@ impl Expressions<'_> {
         self.0.select(positive, plus, minus)
     }
 
-    fn choice(&mut self, comparison: Comparison, u: Node, v: Node) -> (Node, Node) {
+    fn choice(&mut self, first: Node) -> (Node, Node) {
         let (zero, one) = (self.0.zero(), self.0.constant(1.0));
-        let first = self.0.compare(comparison, u, v);
         (self.0.select(first, one, zero), self.0.select(first, zero, one))
     }
 
-    /// An exponent that depends on nothing has no derivative, so its logarithm must not spoil u ≤ 0.
+    /// An exponent that depends on nothing has no derivative, so its logarithm must not spoil u ≤ 0; of one that does z ln u goes to 0 with z.
     fn power(&mut self, u: Node, v: Node, z: Node) -> (Node, Node) {
         let one = self.0.constant(1.0);
         let lower = self.0.sub(v, one);
         let power = self.0.call2(Function2::Powf, u, lower);
         let by_u = self.0.mul(v, power);
         let by_v = if self.0.depends(v).varies() {
-            let ln = self.call(Function::Ln, u);
-            self.0.mul(z, ln)
+            let (zero, ln) = (self.0.zero(), self.call(Function::Ln, u));
+            let (some, product) = (self.0.compare(Comparison::NotEqual, z, zero), self.0.mul(z, ln));
+            self.0.select(some, product, zero)
         } else {
             self.0.zero()
         };

@@ -170,6 +170,8 @@ pub struct Direction {
     pub leaf: usize,
     pub first: Vec<Node>,
     pub second: Vec<Node>,
+    /// The condition under which each of them moves at all, where there is one.
+    pub moves: Vec<Option<Node>>,
 }
 
 /// The graph. Constructors (in `simplify`) fold and simplify exactly.
@@ -197,6 +199,12 @@ pub struct Depends {
     pub on_q: bool,
     /// On time.
     pub on_t: bool,
+    /// Through a choice between values: `if`, `max`, `min`.
+    chooses: bool,
+    /// Grows as an exponential or a power does: it may overflow though what is made of it does not.
+    bursts: bool,
+    /// May be infinite at a pole, as a quotient and a logarithm are.
+    has_poles: bool,
 }
 
 impl Depends {
@@ -206,7 +214,13 @@ impl Depends {
     }
 
     fn or(self, other: Depends) -> Depends {
-        Depends { on_q: self.on_q || other.on_q, on_t: self.on_t || other.on_t }
+        Depends {
+            on_q: self.on_q || other.on_q,
+            on_t: self.on_t || other.on_t,
+            chooses: self.chooses || other.chooses,
+            bursts: self.bursts || other.bursts,
+            has_poles: self.has_poles || other.has_poles,
+        }
     }
 }
 
@@ -245,6 +259,22 @@ impl Graph {
 
     pub fn depends(&self, node: Node) -> Depends {
         self.depends[node.0 as usize]
+    }
+
+    /// Whether a choice between values lies behind a node.
+    pub fn chooses(&self, node: Node) -> bool {
+        self.depends(node).chooses
+    }
+
+    /// Whether a node moves and grows as an exponential or a power does.
+    pub fn bursts(&self, node: Node) -> bool {
+        self.depends(node).bursts
+    }
+
+    /// Whether a node is infinite only where it has grown too large for a number: never at a pole.
+    pub fn overflows(&self, node: Node) -> bool {
+        let Depends { bursts, has_poles, .. } = self.depends(node);
+        bursts && !has_poles
     }
 
     pub fn constant_value(&self, node: Node) -> Option<f64> {
@@ -301,6 +331,7 @@ impl Graph {
         if let LeafNumber::First(k) | LeafNumber::Second(k) = what {
             operands.extend(&self.directions[k].first);
             operands.extend(&self.directions[k].second);
+            operands.extend(self.directions[k].moves.iter().flatten());
         }
         operands
     }
@@ -313,17 +344,46 @@ impl Graph {
         let node = Node(self.ops.len() as u32);
         self.ops.push(op);
         let depends = match op {
-            Op::Input(Input::State(..) | Input::Column(_)) => Depends { on_q: true, on_t: false },
-            Op::Input(Input::Time) => Depends { on_q: false, on_t: true },
+            Op::Input(Input::State(..) | Input::Column(_)) => Depends { on_q: true, ..Depends::default() },
+            Op::Input(Input::Time) => Depends { on_t: true, ..Depends::default() },
             _ => {
                 let mut all = Depends::default();
                 self.each_operand(node, |operand| all = all.or(self.depends(operand)));
+                all.chooses |= matches!(op, Op::Select(..) | Op::Call2(Function2::Max | Function2::Min, ..));
+                self.note_growth(op, &mut all);
                 all
             }
         };
         self.depends.push(depends);
         self.index.insert(op, node);
         node
+    }
+
+    /// Notes of an operation how it grows, from what is known of its operands.
+    fn note_growth(&self, op: Op, all: &mut Depends) {
+        let falls = |n: Node| self.constant_value(n).is_none_or(|n| n < 0.0);
+        let grows = |n: Node| self.constant_value(n).is_none_or(|n| n.abs() > 4.0);
+        match op {
+            Op::Call(f, _) if f.is_bounded() => (all.bursts, all.has_poles) = (false, false),
+            Op::Call(f, _) => {
+                all.bursts = (all.bursts && !f.is_logarithmic()) || f.bursts();
+                all.has_poles |= f.has_poles();
+            }
+            Op::Powi(_, n) => {
+                all.bursts |= n.unsigned_abs() > 4;
+                all.has_poles |= n < 0;
+            }
+            Op::Call2(Function2::Powf, _, n) => {
+                all.bursts |= grows(n);
+                all.has_poles |= falls(n);
+            }
+            Op::Call2(Function2::Atan2, ..) => (all.bursts, all.has_poles) = (false, false),
+            Op::Div(_, b) => all.has_poles |= self.depends(b).varies(),
+            Op::Law(..) | Op::Leaf(_) | Op::Opaque(..) => (all.bursts, all.has_poles) = (false, true),
+            _ => {}
+        }
+        all.bursts &= all.varies();
+        all.has_poles &= all.varies();
     }
 
     /// The node of `op` as it stands, not simplified.
@@ -345,8 +405,9 @@ impl Graph {
         let Leaf { call, arguments } = self.leaves[used.leaf].clone();
         let leaf = self.leaf(call, all(&arguments));
         let moved = |g: &mut Graph, k: usize| {
-            let Direction { first, second, .. } = g.directions[k].clone();
-            g.direction(Direction { leaf, first: all(&first), second: all(&second) })
+            let Direction { first, second, moves, .. } = g.directions[k].clone();
+            let moves = moves.iter().map(|moves| moves.map(&of)).collect();
+            g.direction(Direction { leaf, first: all(&first), second: all(&second), moves })
         };
         let what = match used.what {
             LeafNumber::First(k) => LeafNumber::First(moved(self, k)),

@@ -289,8 +289,15 @@ impl Graph {
         }
     }
 
+    /// Whether a number is finite.
+    pub fn is_finite(&mut self, a: Node) -> Node {
+        let (size, largest) = (self.call(Function::Abs, a), self.constant(f64::MAX));
+        self.compare(Comparison::LessEqual, size, largest)
+    }
+
     pub fn and(&mut self, a: Node, b: Node) -> Node {
         match (self.truth(a), self.truth(b)) {
+            _ if a == b => a,
             (Some(true), _) => b,
             (_, Some(true)) => a,
             (Some(false), _) | (_, Some(false)) => self.bool(false),
@@ -300,6 +307,7 @@ impl Graph {
 
     pub fn or(&mut self, a: Node, b: Node) -> Node {
         match (self.truth(a), self.truth(b)) {
+            _ if a == b => a,
             (Some(false), _) => b,
             (_, Some(false)) => a,
             (Some(true), _) | (_, Some(true)) => self.bool(true),
@@ -326,6 +334,9 @@ impl Graph {
 
     /// x (y ± z) for a = x y and b = x z, where they have factors in common.
     fn factor(&mut self, a: Node, b: Node, combine: fn(&mut Graph, Node, Node) -> Node) -> Option<Node> {
+        if self.bursts(a) || self.bursts(b) {
+            return None; // the rest could overflow where the terms do not
+        }
         let ((ca, xa), (cb, xb)) = (self.split_constant(a), self.split_constant(b));
         if ca != cb && ca != 1.0 && cb != 1.0 && is_power_of_two(ca.max(cb) / ca.min(cb)) {
             let least = self.constant(ca.min(cb));

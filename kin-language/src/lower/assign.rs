@@ -80,13 +80,13 @@ impl Reader {
     fn put_element(&mut self, whole: &mut Value, at: &Value, value: Value, index: &syn::ExprIndex) -> Option<()> {
         let place = |k: &i64| usize::try_from(*k).ok();
         match (whole, at) {
-            (Value::Array(all), Value::Integer(k)) => all.get_mut(place(k)?).map(|place| *place = value),
-            (Value::Vector(v) | Value::Euler(v), Value::Integer(k)) => {
+            (Value::Array(all), Value::Integer(k, _)) => all.get_mut(place(k)?).map(|place| *place = value),
+            (Value::Vector(v) | Value::Euler(v), Value::Integer(k, _)) => {
                 let node = self.scalar(value, index);
                 v.get_mut(place(k)?).map(|place| *place = node)
             }
             (Value::Matrix(n, m), Value::Tuple(pair)) => {
-                let [Value::Integer(row), Value::Integer(column)] = &pair[..] else { return None };
+                let [Value::Integer(row, _), Value::Integer(column, _)] = &pair[..] else { return None };
                 let (row, column) = (place(row)?, place(column)?);
                 let node = self.scalar(value, index);
                 (column < *n).then_some(())?;

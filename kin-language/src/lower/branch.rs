@@ -75,16 +75,27 @@ impl Reader {
         let (a, b) = match self.both(condition, yes, no)? {
             Outcome::Known(value) => return Ok(value),
             Outcome::Open { a, b, after_no } => {
-                let mut scopes = std::mem::take(&mut self.scopes);
-                let merged = scopes.merge(&after_no, |a, b| self.select(condition, a, b));
-                self.scopes = scopes;
-                if let Err(name) = merged {
-                    return Err(Unreadable::new(at, format!("`{name}`, which is of one kind in one branch and of another in the other,")));
-                }
+                self.with_variables_of_both(condition, &after_no, at)?;
                 (a, b)
             }
         };
         self.joined(condition, &a, &b, at)
+    }
+
+    /// The value of `yes` where the condition holds, with what it did to variables only there; `no` if it is known not to hold.
+    pub fn choose_beside(&mut self, condition: Node, yes: impl FnOnce(&mut Self) -> Read, no: Value, at: &dyn ToTokens) -> Read {
+        match self.both(condition, yes, |_| Ok(no))? {
+            Outcome::Known(value) => Ok(value),
+            Outcome::Open { a, after_no, .. } => self.with_variables_of_both(condition, &after_no, at).map(|()| a),
+        }
+    }
+
+    /// Joins what two branches did to variables; those of the first one are in hand.
+    fn with_variables_of_both(&mut self, condition: Node, after_no: &Scopes, at: &dyn ToTokens) -> Read<()> {
+        let mut scopes = std::mem::take(&mut self.scopes);
+        let merged = scopes.merge(after_no, |a, b| self.select(condition, a, b));
+        self.scopes = scopes;
+        merged.map_err(|name| Unreadable::new(at, format!("`{name}`, which is of one kind in one branch and of another in the other,")))
     }
 
     /// As `choose`, where nothing follows that could see what the branches did to variables.
@@ -149,7 +160,7 @@ impl Reader {
                 let no = self.graph.and(not, *b);
                 Value::Condition(self.graph.or(yes, no))
             }
-            (Value::Integer(a), Value::Integer(b)) if a == b => Value::Integer(*a),
+            (Value::Integer(a, x), Value::Integer(b, y)) if a == b => Value::Integer(*a, x.or(*y)),
             (Value::Tuple(a), Value::Tuple(b)) if a.len() == b.len() => Value::Tuple(self.select_all(condition, a, b)?),
             (Value::Array(a), Value::Array(b)) if a.len() == b.len() => Value::Array(self.select_all(condition, a, b)?),
             (Value::Iterator(a), Value::Iterator(b)) if a.len() == b.len() => Value::Iterator(self.select_all(condition, a, b)?),
@@ -225,7 +236,7 @@ enum Outcome {
 /// Kinds whose mismatch may still be good Rust.
 fn open(value: &Value) -> bool {
     match value {
-        Value::Opaque(_) | Value::Integer(_) | Value::Function(_) | Value::Iterator(_) | Value::Law(_) | Value::Never => true,
+        Value::Opaque(_) | Value::Integer(..) | Value::Function(_) | Value::Iterator(_) | Value::Law(_) | Value::Never => true,
         Value::Planar(_) | Value::Spatial(_) | Value::Axis(_) | Value::Into(_) | Value::Generator(_) => true,
         Value::Tuple(all) | Value::Array(all) => all.iter().any(open),
         Value::Reference(inner) => open(inner),

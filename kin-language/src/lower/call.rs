@@ -147,7 +147,7 @@ impl Reader {
 
     fn number_from(&mut self, mut arguments: Vec<Value>, call: &Call) -> Read {
         match (arguments.len(), arguments.pop().map(Value::referent)) {
-            (1, Some(Value::Integer(k))) => Ok(Value::Scalar(self.graph.constant(k as f64))),
+            (1, Some(Value::Integer(k, _))) => Ok(Value::Scalar(self.graph.constant(k as f64))),
             (1, Some(Value::Scalar(n))) => Ok(Value::Scalar(n)),
             (1, Some(value)) => {
                 let template = self.template(value, call.at)?;

@@ -8,6 +8,7 @@ use crate::parse::{Shape, literal_length, shape};
 use crate::vocabulary::is_integer;
 use kin_graph::{Input, LeafNumber, Node, Part};
 
+use super::integer::{self, IntegerType};
 use super::template::Template;
 use super::value::Value;
 use super::{OpaqueKind, OpaqueValue, Read, Reader, Unreadable};
@@ -77,7 +78,7 @@ impl Reader {
                 Value::Tuple(all.into_iter().zip(shapes).map(|(v, s)| self.shaped(v, s, at)).collect())
             }
             (Value::Opaque(template), shape) => self.opaque_shaped(template, shape, at),
-            (Value::Integer(k), Shape::Scalar) => self.mistake(at, format!("`{k}` is an integer; a number is written `{k}.0`")),
+            (Value::Integer(k, _), Shape::Scalar) => self.mistake(at, format!("`{k}` is an integer; a number is written `{k}.0`")),
             (Value::Law(_), Shape::Scalar) => {
                 let name = at.to_token_stream();
                 self.mistake(at, format!("`{name}` is a Law: ask it for a value with `{name}.at(x)`"))
@@ -94,7 +95,7 @@ impl Reader {
             (Value::Vector(v), Shape::Array(inner, n)) if **inner == Shape::Scalar && v.len() == *n => {
                 Value::Array(v.into_iter().map(Value::Scalar).collect())
             }
-            (Value::Integer(k), Shape::Scalar) => Value::Scalar(self.graph.constant(k as f64)),
+            (Value::Integer(k, _), Shape::Scalar) => Value::Scalar(self.graph.constant(k as f64)),
             (value, Shape::Vector(n)) => Value::Vector(self.convertible(value, *n, at)),
             (value, shape) => self.shaped(value, shape, at),
         }
@@ -140,7 +141,11 @@ impl Reader {
 
     fn typed_integer(&mut self, value: Value, name: &str, at: &dyn ToTokens) -> Read {
         match value.referent() {
-            value @ (Value::Integer(_) | Value::Opaque(_) | Value::Never | Value::Poison) => Ok(value),
+            Value::Integer(k, known) => match IntegerType::named(name) {
+                Some(ty) => integer::typed(k, known, ty).ok_or_else(|| Unreadable::new(at, format!("`{k}` as {name}"))),
+                None => Ok(Value::Integer(k, known)),
+            },
+            value @ (Value::Opaque(_) | Value::Never | Value::Poison) => Ok(value),
             Value::Into(_) => Err(Unreadable::new(at, "a conversion into an integer")),
             other => Ok(self.mistake(at, format!("expected {name}, but this is {}", other.name()))),
         }
@@ -273,7 +278,7 @@ impl Reader {
             Value::Reference(inner) => Template::Reference(Box::new(self.template(*inner, at)?)),
             Value::Tuple(parts) => Template::Tuple(all(parts)?),
             Value::Array(parts) => Template::Array(all(parts)?),
-            Value::Integer(k) => {
+            Value::Integer(k, _) => {
                 let k = proc_macro2::Literal::i64_unsuffixed(k);
                 Template::Tokens(quote!(#k))
             }
@@ -314,7 +319,7 @@ impl Reader {
         let length = match literal_length(&array.len) {
             Some(n) => i64::try_from(n).ok(),
             None => match self.expression(&array.len)? {
-                Value::Integer(n) => Some(n),
+                Value::Integer(n, _) => Some(n),
                 _ => None,
             },
         };
@@ -322,7 +327,7 @@ impl Reader {
             return Err(Unreadable::new(&array.len, "an array whose length is not known here"));
         };
         let all = (0..n).map(|k| {
-            let part = self.apply(f, vec![Value::Integer(k)], &[], at)?;
+            let part = self.apply(f, vec![Value::Integer(k, Some(IntegerType::SIZE))], &[], at)?;
             self.typed(part, &array.elem, at)
         });
         all.collect::<Read<_>>().map(Value::Array)

@@ -4,6 +4,7 @@ use quote::ToTokens;
 use syn::{Expr, ExprLit, Lit, Member};
 
 use super::function::Function;
+use super::integer::IntegerType;
 use super::template::Template;
 use super::value::Value;
 use super::{MOST_EXPRESSIONS, MOST_NODES, MOST_PARTS, MOST_TURNS, Read, Reader, Unreadable};
@@ -72,7 +73,7 @@ impl Reader {
             Lit::Float(x) => Ok(Value::Scalar(self.graph.decimal(x.base10_digits()))),
             Lit::Int(k) if k.suffix() == "f64" => Ok(Value::Scalar(self.graph.decimal(k.base10_digits()))),
             Lit::Int(k) => match k.base10_parse() {
-                Ok(k) => Ok(Value::Integer(k)),
+                Ok(value) => Ok(Value::Integer(value, IntegerType::named(k.suffix()))),
                 Err(_) => Err(Unreadable::new(k, "an integer this large")),
             },
             Lit::Bool(b) => Ok(Value::Condition(self.graph.bool(b.value))),
@@ -143,10 +144,10 @@ impl Reader {
         match (base, at) {
             (Value::Poison, _) | (_, Value::Poison) => Ok(Value::Poison),
             (Value::Matrix(n, m), Value::Tuple(pair)) => match pair[..] {
-                [Value::Integer(r), Value::Integer(c)] if (0..n as i64).contains(&r) && (0..n as i64).contains(&c) => {
+                [Value::Integer(r, _), Value::Integer(c, _)] if (0..n as i64).contains(&r) && (0..n as i64).contains(&c) => {
                     Ok(Value::Scalar(m[r as usize * n + c as usize]))
                 }
-                [Value::Integer(_), Value::Integer(_)] => {
+                [Value::Integer(..), Value::Integer(..)] => {
                     Ok(self.mistake(&index.index, format!("a Mat{n} has rows and columns 0 to {}", n - 1)))
                 }
                 _ => Err(Unreadable::new(&index.index, "an index that is not known here")),
@@ -155,7 +156,7 @@ impl Reader {
                 let at = self.template(at, &index.index)?;
                 Ok(Value::Opaque(base.each(&|part| Template::Index(Box::new(part), Box::new(at.clone())))))
             }
-            (base, Value::Integer(k)) => Ok(self.element(&base, k, index)),
+            (base, Value::Integer(k, _)) => Ok(self.element(&base, k, index)),
             (base, Value::Opaque(at)) => self.element_at_run_time(&base, at, index),
             (base, at) => Ok(self.mistake(&index.index, format!("{} cannot be indexed by {}", base.name(), at.name()))),
         }
@@ -166,7 +167,7 @@ impl Reader {
         let mut bound = |end: &Option<Box<Expr>>, otherwise: usize| match end {
             None => Ok(otherwise),
             Some(end) => match self.expression(end)? {
-                Value::Integer(k) => usize::try_from(k).map_err(|_| Unreadable::new(end, "an index out of range")),
+                Value::Integer(k, _) => usize::try_from(k).map_err(|_| Unreadable::new(end, "an index out of range")),
                 _ => Err(Unreadable::new(end, "an index that is not known here")),
             },
         };
@@ -202,7 +203,7 @@ impl Reader {
     fn repeat(&mut self, repeat: &syn::ExprRepeat) -> Read {
         let value = self.expression(&repeat.expr)?;
         match self.expression(&repeat.len)? {
-            Value::Integer(n) if (0..=MOST_TURNS).contains(&n) && n as usize * value.size() <= MOST_NODES => {
+            Value::Integer(n, _) if (0..=MOST_TURNS).contains(&n) && n as usize * value.size() <= MOST_NODES => {
                 Ok(Value::Array(vec![value; n as usize]))
             }
             _ => Err(Unreadable::new(&repeat.len, "an array whose length is not known here")),
@@ -236,9 +237,9 @@ impl Reader {
         let name = ty.to_string();
         let integer = is_integer(&name);
         Ok(match self.expression(&cast.expr)? {
-            Value::Integer(k) if name == "f64" => Value::Scalar(self.graph.constant(k as f64)),
-            Value::Integer(k) if integer && fits(k, &name) => Value::Integer(k),
-            Value::Integer(_) => return Err(Unreadable::new(&cast.as_token, "this cast of an integer")),
+            Value::Integer(k, _) if name == "f64" => Value::Scalar(self.graph.constant(k as f64)),
+            Value::Integer(k, _) if integer && fits(k, &name) => Value::Integer(k, IntegerType::named(&name)),
+            Value::Integer(..) => return Err(Unreadable::new(&cast.as_token, "this cast of an integer")),
             Value::Scalar(n) if name == "f64" => Value::Scalar(n),
             Value::Scalar(_) if integer => return Err(Unreadable::new(&cast.as_token, "turning a number into an integer")),
             Value::Condition(_) => return Err(Unreadable::new(&cast.as_token, "turning a condition into an integer")),
@@ -250,8 +251,8 @@ impl Reader {
 
     fn range(&mut self, range: &syn::ExprRange) -> Read {
         let (Some(start), Some(end)) = (&range.start, &range.end) else { return Err(Unreadable::new(range, "a range without an end")) };
-        let (from, to) = match (self.expression(start)?, self.expression(end)?) {
-            (Value::Integer(a), Value::Integer(b)) => (a, b),
+        let (from, to, ty) = match (self.expression(start)?, self.expression(end)?) {
+            (Value::Integer(a, x), Value::Integer(b, y)) => (a, b, x.or(y)),
             (Value::Poison, _) | (_, Value::Poison) => return Ok(Value::Poison),
             _ => return Err(Unreadable::new(range, "a range whose bounds are not known here")),
         };
@@ -259,7 +260,7 @@ impl Reader {
         if to.saturating_sub(from) > MOST_TURNS {
             return Err(Unreadable::new(range, format!("a loop of more than {MOST_TURNS} turns")));
         }
-        Ok(Value::Iterator((from..to).map(Value::Integer).collect()))
+        Ok(Value::Iterator((from..to).map(|k| Value::Integer(k, ty)).collect()))
     }
 }
 

@@ -7,6 +7,7 @@ mod call;
 mod coerce;
 mod expression;
 mod function;
+mod integer;
 mod method;
 mod operator;
 mod pattern;

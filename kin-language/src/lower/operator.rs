@@ -2,9 +2,11 @@
 
 use quote::ToTokens;
 use syn::spanned::Spanned;
+use syn::visit::Visit;
 use syn::{BinOp, Expr, ExprBinary, UnOp};
 
 use super::coerce::is_arithmetic;
+use super::integer::{self, IntegerType};
 use super::template::Template;
 use super::value::{Components, Value};
 use super::{Read, Reader, Unreadable};
@@ -17,8 +19,10 @@ impl Reader {
         Ok(match (op, value) {
             (UnOp::Deref(_), value) => value,
             (_, value @ (Value::Poison | Value::Never)) => value,
-            (UnOp::Neg(_), Value::Integer(k)) => Value::Integer(k.wrapping_neg()),
-            (UnOp::Not(_), Value::Integer(_)) => return Err(Unreadable::new(op, "`!` of an integer")),
+            (UnOp::Neg(_), Value::Integer(k, ty)) => {
+                integer::negated(k, ty).ok_or_else(|| Unreadable::new(op, "integer arithmetic that may overflow"))?
+            }
+            (UnOp::Not(_), Value::Integer(..)) => return Err(Unreadable::new(op, "`!` of an integer")),
             (UnOp::Not(_), Value::Condition(c)) => Value::Condition(self.graph.not(c)),
             (UnOp::Not(_), Value::Opaque(template)) if !template.nodes().is_empty() => {
                 let condition = self.condition(Value::Opaque(template), inner);
@@ -61,7 +65,12 @@ impl Reader {
             return self.expression(&binary.right);
         }
         let first = self.condition(left.clone(), &binary.left);
-        let needed = if matches!(op, BinOp::And(_)) { first } else { self.graph.not(first) };
+        let is_and = matches!(op, BinOp::And(_));
+        let needed = if is_and { first } else { self.graph.not(first) };
+        if changes(&binary.right) {
+            let decided = Value::Condition(self.graph.bool(!is_and));
+            return self.choose_beside(needed, |reader| reader.expression(&binary.right), decided, binary);
+        }
         self.path.push(needed);
         let right = self.expression(&binary.right);
         self.path.pop();
@@ -76,7 +85,7 @@ impl Reader {
             (Value::Opaque(a), Value::Opaque(b)) => self.operate_opaque(op, a, b, at)?,
             (Value::Opaque(a), right) => self.operate_beside(op, a, right, false, at)?,
             (left, Value::Opaque(b)) => self.operate_beside(op, b, left, true, at)?,
-            (Value::Integer(a), Value::Integer(b)) => return self.integers(op, a, b, at),
+            (Value::Integer(a, x), Value::Integer(b, y)) => return self.integers(op, (a, x), (b, y), at),
             (Value::Condition(a), Value::Condition(b)) => self.conditions(op, a, b, at)?,
             (left, right) => match comparison(&op) {
                 Some(comparison) => self.compared(comparison, op, &left, &right, at)?,
@@ -163,7 +172,7 @@ impl Reader {
         let (place, other_place) = if swapped { (&at.right, &at.left) } else { (&at.left, &at.right) };
         let factor = matches!(op, BinOp::Mul(_)) || matches!(op, BinOp::Div(_)) && !swapped;
         let shape = match (&known, op) {
-            (Value::Integer(_), _) => None,
+            (Value::Integer(..), _) => None,
             (Value::Scalar(_), _) if factor => None,
             (Value::Condition(_), _) => {
                 let condition = Value::Condition(self.condition(Value::Opaque(opaque), place));
@@ -186,24 +195,12 @@ impl Reader {
         self.operate(op, left, right, at)
     }
 
-    fn integers(&mut self, op: BinOp, a: i64, b: i64, at: &ExprBinary) -> Read {
-        let value = match op {
-            BinOp::Add(_) => a.checked_add(b),
-            BinOp::Sub(_) => a.checked_sub(b),
-            BinOp::Mul(_) => a.checked_mul(b),
-            BinOp::Div(_) => a.checked_div(b),
-            BinOp::Rem(_) => a.checked_rem(b),
-            BinOp::Shl(_) => u32::try_from(b).ok().and_then(|b| a.checked_shl(b)),
-            BinOp::Shr(_) => u32::try_from(b).ok().and_then(|b| a.checked_shr(b)),
-            BinOp::BitAnd(_) => Some(a & b),
-            BinOp::BitOr(_) => Some(a | b),
-            BinOp::BitXor(_) => Some(a ^ b),
-            _ => {
-                let Some(comparison) = comparison(&op) else { return Err(Unreadable::new(at, "this operator on integers")) };
-                return Ok(Value::Condition(self.graph.bool(comparison.holds(&a, &b))));
-            }
-        };
-        value.map(Value::Integer).ok_or_else(|| Unreadable::new(at, "integer arithmetic out of range"))
+    fn integers(&mut self, op: BinOp, a: (i64, Option<IntegerType>), b: (i64, Option<IntegerType>), at: &ExprBinary) -> Read {
+        if let Some(comparison) = comparison(&op) {
+            return Ok(Value::Condition(self.graph.bool(comparison.holds(&a.0, &b.0))));
+        }
+        // What may overflow is left to rustc, at the token where it may.
+        integer::operate(&op, a, b).ok_or_else(|| Unreadable::new(&at.op, "integer arithmetic that may overflow"))
     }
 
     fn conditions(&mut self, op: BinOp, a: Node, b: Node, at: &ExprBinary) -> Read {
@@ -263,7 +260,7 @@ impl Reader {
                 Value::Planar(_) | Value::Spatial(_) => {
                     format!("`{name}` is the state of a body: use `{name}.r`, `{name}.point(u)`, `{name}.direction(h)`, …")
                 }
-                Value::Integer(k) => format!("`{k}` is an integer; beside {} write `{k}.0`", other.name()),
+                Value::Integer(k, _) => format!("`{k}` is an integer; beside {} write `{k}.0`", other.name()),
                 _ => continue,
             };
             return self.mistake(place, text);
@@ -334,4 +331,25 @@ fn simple(op: &BinOp) -> Option<BinOp> {
         BinOp::ShrAssign(_) => BinOp::Shr(syn::token::Shr(span)),
         _ => return None,
     })
+}
+
+/// Whether an expression may change a variable.
+fn changes(expression: &Expr) -> bool {
+    struct Search(bool);
+    impl Visit<'_> for Search {
+        fn visit_expr_assign(&mut self, _: &syn::ExprAssign) {
+            self.0 = true;
+        }
+        fn visit_expr_binary(&mut self, binary: &ExprBinary) {
+            self.0 |= simple(&binary.op).is_some();
+            syn::visit::visit_expr_binary(self, binary);
+        }
+        fn visit_expr_reference(&mut self, reference: &syn::ExprReference) {
+            self.0 |= reference.mutability.is_some();
+            syn::visit::visit_expr_reference(self, reference);
+        }
+    }
+    let mut search = Search(false);
+    search.visit_expr(expression);
+    search.0
 }

@@ -98,7 +98,7 @@ impl Reader {
             (pattern, Value::Opaque(template)) => self.test_opaque(pattern, template),
             (Pat::Lit(literal), value) => self.test_literal(&literal.lit, value, pattern),
             (Pat::Range(range), value) => self.test_range(range, value),
-            (Pat::Ident(_) | Pat::Path(_), Value::Integer(_) | Value::Scalar(_)) => self.test_constant(pattern, value),
+            (Pat::Ident(_) | Pat::Path(_), Value::Integer(..) | Value::Scalar(_)) => self.test_constant(pattern, value),
             (_, Value::Poison | Value::Never) => Ok(self.graph.bool(true)),
             _ => Err(Unreadable::new(pattern, "this pattern")),
         }
@@ -125,7 +125,7 @@ impl Reader {
     fn test_constant(&mut self, pattern: &Pat, value: &Value) -> Read<Node> {
         let name = pattern.to_token_stream().to_string();
         match (self.scopes.get(&name), value) {
-            (Some(Value::Integer(a)), Value::Integer(b)) => {
+            (Some(Value::Integer(a, _)), Value::Integer(b, _)) => {
                 let same = a == b;
                 Ok(self.graph.bool(same))
             }
@@ -139,7 +139,7 @@ impl Reader {
 
     fn test_literal(&mut self, literal: &Lit, value: &Value, at: &Pat) -> Read<Node> {
         match (literal, value) {
-            (Lit::Int(k), Value::Integer(n)) => Ok(self.graph.bool(k.base10_parse::<i64>().is_ok_and(|k| k == *n))),
+            (Lit::Int(k), Value::Integer(n, _)) => Ok(self.graph.bool(k.base10_parse::<i64>().is_ok_and(|k| k == *n))),
             (Lit::Bool(b), Value::Condition(c)) => Ok(if b.value { *c } else { self.graph.not(*c) }),
             (Lit::Float(x), Value::Scalar(n)) => {
                 let x = self.graph.decimal(x.base10_digits());
@@ -156,7 +156,7 @@ impl Reader {
             let Some(bound) = bound else { continue };
             let one = match (self.expression(bound)?, value) {
                 (Value::Scalar(b), Value::Scalar(n)) => self.graph.compare(comparison, *n, b),
-                (Value::Integer(b), Value::Integer(n)) => self.graph.bool(comparison.holds(n, &b)),
+                (Value::Integer(b, _), Value::Integer(n, _)) => self.graph.bool(comparison.holds(n, &b)),
                 (Value::Opaque(b), Value::Scalar(n)) => {
                     let b = self.scalar(Value::Opaque(b), bound);
                     self.graph.compare(comparison, *n, b)

@@ -136,7 +136,7 @@ impl Reader {
     /// Whether a value holds constants of the graph only.
     fn is_known(&self, value: &Value) -> bool {
         match value {
-            Value::Integer(_) => true,
+            Value::Integer(..) => true,
             Value::Condition(node) => self.graph.is_number(*node),
             value => value.numbers().is_some_and(|(nodes, _)| nodes.iter().all(|&n| self.graph.is_number(n))),
         }

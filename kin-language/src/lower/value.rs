@@ -4,6 +4,7 @@ use crate::parse::Shape;
 use kin_graph::Node;
 
 use super::function::Function;
+use super::integer::IntegerType;
 use super::template::Template;
 
 /// A value of the body.
@@ -11,8 +12,8 @@ use super::template::Template;
 pub enum Value {
     Scalar(Node),
     Condition(Node),
-    /// An integer known here.
-    Integer(i64),
+    /// An integer known here, and its type as far as it is known.
+    Integer(i64, Option<IntegerType>),
     /// `Vec2` or `Vec3`.
     Vector(Vec<Node>),
     /// `Mat2` or `Mat3`: its side, and its entries row by row.
@@ -111,7 +112,7 @@ impl Value {
         match self {
             Value::Scalar(_) => "a number".into(),
             Value::Condition(_) => "a condition".into(),
-            Value::Integer(_) => "an integer".into(),
+            Value::Integer(..) => "an integer".into(),
             Value::Vector(v) => format!("a Vec{}", v.len()),
             Value::Matrix(n, _) => format!("a Mat{n}"),
             Value::Euler(_) => "a set of Euler parameters".into(),

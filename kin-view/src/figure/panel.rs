@@ -109,7 +109,7 @@ impl Panel {
 
     /// Bodies as they stand at one time: thin grey lines without a name.
     pub fn sketch(mut self, points: &[Vec2]) -> Panel {
-        let points = points.iter().map(|p| (p.x, p.y)).collect();
+        let points = points.iter().filter(|p| self.shown(p)).map(|p| (p.x, p.y)).collect();
         self.marks.push(Mark { points, color: "#999999", label: None, style: Style::Thin });
         self
     }
@@ -156,25 +156,89 @@ impl Panel {
 
     /// The lines, and the axes round them.
     pub(super) fn drawn(&self) -> (Vec<Plot>, Layout) {
-        let plots: Vec<Plot> = self.marks.iter().map(Mark::plot).collect();
+        let (x, y) = self.measures();
+        let plots: Vec<Plot> = self.marks.iter().map(|mark| mark.plot(x, y)).collect();
         let layout = Layout::auto_from_plots(&plots).with_title(&self.title).with_title_size(15).with_legend_box(false);
-        let layout = layout.with_x_label(&self.x_label).with_y_label(&self.y_label).with_force_margins(78.0, 140.0);
+        let layout = layout.with_x_label(x.label(&self.x_label)).with_y_label(y.label(&self.y_label)).with_force_margins(78.0, 140.0);
         let layout = layout.with_tick_format(TickFormat::Custom(Arc::new(tick)));
         let layout = match self.axes {
             Axes::Time { span, log } => {
-                let layout = if log { layout.with_log_y() } else { layout };
-                span.into_iter().fold(layout, |layout, (first, last)| layout.with_x_axis_min(first).with_x_axis_max(last))
+                let some = self.marks.iter().any(|mark| !mark.points.is_empty());
+                let layout = if log && some && y == Measure::Plain { layout.with_log_y() } else { layout };
+                let span = span.filter(|(first, last)| first.is_finite() && last.is_finite() && first < last);
+                span.into_iter()
+                    .fold(layout, |layout, (first, last)| layout.with_x_axis_min(x.of_number(first)).with_x_axis_max(x.of_number(last)))
             }
             Axes::Plane => layout.with_equal_aspect(),
             Axes::Numbers => layout,
         };
         (plots, layout)
     }
+
+    /// How numbers are brought onto either axis; both axes of the plane have one measure.
+    fn measures(&self) -> (Measure, Measure) {
+        let points = || self.marks.iter().flat_map(|mark| &mark.points);
+        let span = match self.axes {
+            Axes::Time { span: Some((first, last)), .. } => vec![first, last],
+            _ => vec![],
+        };
+        let (x, y) = (Measure::of(points().map(|p| p.0).chain(span)), Measure::of(points().map(|p| p.1)));
+        match self.axes {
+            Axes::Plane => {
+                let both = Measure::of(points().flat_map(|p| [p.0, p.1]));
+                (both, both)
+            }
+            Axes::Time { log: true, .. } => {
+                let far = points().any(|p| !(1e-100..=SANE).contains(&p.1));
+                (x, if far { Measure::Logarithm } else { Measure::Plain })
+            }
+            _ => (x, y),
+        }
+    }
+}
+
+/// Numbers beyond this are brought nearer before they are drawn: differences of larger ones may be no numbers.
+const SANE: f64 = 1e100;
+
+/// How numbers are brought onto an axis.
+#[derive(Clone, Copy, PartialEq)]
+enum Measure {
+    /// As they are.
+    Plain,
+    /// In units of 10^k, which the label says.
+    Power(i32),
+    /// By their logarithm to the base 10: on a logarithmic axis that is too long to have a tick for each power of ten.
+    Logarithm,
+}
+
+impl Measure {
+    fn of(numbers: impl Iterator<Item = f64>) -> Measure {
+        let largest = numbers.filter(|x| x.is_finite()).fold(0.0_f64, |size, x| size.max(x.abs()));
+        let plain = largest == 0.0 || (SANE.recip()..=SANE).contains(&largest);
+        if plain { Measure::Plain } else { Measure::Power(largest.log10().floor() as i32) }
+    }
+
+    fn of_number(self, x: f64) -> f64 {
+        match self {
+            Measure::Plain => x,
+            // In two steps: 10^k itself may be too small for a number.
+            Measure::Power(k) => x / 10f64.powi(k / 2) / 10f64.powi(k - k / 2),
+            Measure::Logarithm => x.log10(),
+        }
+    }
+
+    fn label(self, text: &str) -> String {
+        match self {
+            Measure::Plain => text.to_string(),
+            Measure::Power(k) => format!("{text} · 1e{k}"),
+            Measure::Logarithm => format!("log₁₀ {text}"),
+        }
+    }
 }
 
 impl Mark {
-    fn plot(&self) -> Plot {
-        let points = self.points.iter().copied();
+    fn plot(&self, x: Measure, y: Measure) -> Plot {
+        let points = self.points.iter().map(|p| (x.of_number(p.0), y.of_number(p.1)));
         if let Style::Dots = self.style {
             let dots = ScatterPlot::new().with_data(points).with_color(self.color).with_size(3.0);
             return Plot::Scatter(self.label.iter().fold(dots, ScatterPlot::with_legend));

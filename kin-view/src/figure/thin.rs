@@ -9,10 +9,11 @@ const INVISIBLE: f64 = 2e-4;
 pub fn thinned(points: &[Vec2]) -> Vec<Vec2> {
     let extent = |pick: fn(&Vec2) -> f64| {
         let (low, high) = points.iter().map(pick).fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
-        (high - low).max(f64::MIN_POSITIVE)
+        // Halves: the whole may be too large for a number.
+        (0.5 * high - 0.5 * low).max(f64::MIN_POSITIVE)
     };
     let (width, height) = (extent(|p| p.x), extent(|p| p.y));
-    let unit: Vec<Vec2> = points.iter().map(|p| vec2(p.x / width, p.y / height)).collect();
+    let unit: Vec<Vec2> = points.iter().map(|p| vec2(0.5 * p.x / width, 0.5 * p.y / height)).collect();
     let kept = kept(&unit, INVISIBLE);
     kept.into_iter().map(|k| points[k]).collect()
 }

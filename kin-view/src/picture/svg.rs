@@ -134,8 +134,9 @@ fn finite(p: &Vec2) -> bool {
     p.x.is_finite() && p.y.is_finite()
 }
 
-/// Two digits after the point, none where there is nothing to say.
+/// Two digits after the point, none where there is nothing to say; 0 for what is no number, which has no place in a picture.
 pub(crate) fn short(x: f64) -> String {
+    let x = if x.is_finite() { x } else { 0.0 };
     let text = format!("{x:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".to_string() } else { text.to_string() }

@@ -32,7 +32,8 @@ impl View {
         let least = drawing.size * 1e-3;
         let scale = ((width - 2.0 * MARGIN) / wide.max(least)).min((height - 2.0 * MARGIN) / tall.max(least));
         let (width, height) = ((wide * scale + 2.0 * MARGIN).max(240.0), (tall * scale + 2.0 * MARGIN).max(160.0));
-        let middle = (low + high) * 0.5;
+        // Half of each first: their sum may be too large.
+        let middle = low * 0.5 + high * 0.5;
         View { right, up, eye, scale, shift: vec2(0.5 * width - scale * middle.x, 0.5 * height + scale * middle.y), width, height }
     }
 

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
-use kin::state::At;
 use kin::extend::Target;
+use kin::state::At;
 use kin::{Constraint, Law, Vec2, vec2};
 
 use super::outline::polar;

@@ -157,9 +157,9 @@ impl Reader {
             }
             "map" => Value::Matrix(n, self.mapped(m, call)?),
             name => match call.arguments[0].clone().referent() {
-                Value::Integer(k) if (0..n as i64).contains(&k) && name == "row" => Value::Vector(row(k as usize)),
-                Value::Integer(k) if (0..n as i64).contains(&k) => Value::Vector((0..n).map(|i| m[i * n + k as usize]).collect()),
-                Value::Integer(k) => self.mistake(call.places[0], format!("a Mat{n} has no {name} {k}")),
+                Value::Integer(k, _) if (0..n as i64).contains(&k) && name == "row" => Value::Vector(row(k as usize)),
+                Value::Integer(k, _) if (0..n as i64).contains(&k) => Value::Vector((0..n).map(|i| m[i * n + k as usize]).collect()),
+                Value::Integer(k, _) => self.mistake(call.places[0], format!("a Mat{n} has no {name} {k}")),
                 _ => return Err(Unreadable::new(call.places[0], "an index that is not known here")),
             },
         })

@@ -1,9 +1,10 @@
 //! Methods of arrays, and of iterators over values known one by one.
 
-use syn::GenericArgument;
+use syn::{BinOp, GenericArgument};
 
 use super::Call;
 use crate::lower::function::Function;
+use crate::lower::integer::{self, IntegerType};
 use crate::lower::value::Value;
 use crate::lower::{Read, Reader, Unreadable};
 use crate::vocabulary::is_integer;
@@ -15,13 +16,15 @@ impl Reader {
         let call = &call;
         let iterator = |all: Vec<Value>| Ok(Value::Iterator(all));
         match (call.name.as_str(), &call.arguments[..]) {
-            ("len", []) => Ok(Value::Integer(all.len() as i64)),
+            ("len", []) => Ok(Value::Integer(all.len() as i64, Some(IntegerType::SIZE))),
             ("is_empty", []) => Ok(Value::Condition(self.graph.bool(all.is_empty()))),
             ("iter", []) => iterator(all.into_iter().map(|value| Value::Reference(Box::new(value))).collect()),
             ("into_iter", []) => iterator(all),
             ("copied" | "cloned", []) => iterator(all.into_iter().map(Value::referent).collect()),
             ("rev", []) => iterator(all.into_iter().rev().collect()),
-            ("enumerate", []) => iterator((0..).zip(all).map(|(k, value)| Value::Tuple(vec![Value::Integer(k), value])).collect()),
+            ("enumerate", []) => {
+                iterator((0..).zip(all).map(|(k, value)| Value::Tuple(vec![Value::Integer(k, Some(IntegerType::SIZE)), value])).collect())
+            }
             ("to_vec" | "collect" | "as_slice", []) => Ok(Value::Array(all.into_iter().map(Value::referent).collect())),
             ("concat", []) => self.flattened(all, call).map(Value::Array),
             ("flatten", []) => self.flattened(all, call).map(Value::Iterator),
@@ -95,7 +98,7 @@ impl Reader {
 
     fn counted_part(&mut self, all: Vec<Value>, count: Value, call: &Call) -> Read {
         let count = match count {
-            Value::Integer(k) => usize::try_from(k).map_err(|_| Unreadable::new(call.places[0], "a count out of range"))?,
+            Value::Integer(k, _) => usize::try_from(k).map_err(|_| Unreadable::new(call.places[0], "a count out of range"))?,
             _ => return Err(Unreadable::new(call.places[0], "a count that is not known here")),
         };
         let lists = |parts: Vec<Vec<Value>>| parts.into_iter().map(Value::Array).collect();
@@ -114,7 +117,7 @@ impl Reader {
         let mut any = self.graph.bool(false);
         for value in all {
             let same = match (value.referent(), &one) {
-                (Value::Integer(a), Value::Integer(b)) => self.graph.bool(a == *b),
+                (Value::Integer(a, _), Value::Integer(b, _)) => self.graph.bool(a == *b),
                 (Value::Scalar(a), Value::Scalar(b)) => self.graph.compare(Comparison::Equal, a, *b),
                 _ => return Err(Unreadable::new(&call.whole.method, "`contains` of these")),
             };
@@ -131,13 +134,14 @@ impl Reader {
         });
         let integer = given.is_some_and(|ty| is_integer(&quote::ToTokens::to_token_stream(ty).to_string()));
         let all: Vec<Value> = all.into_iter().map(Value::referent).collect();
-        if integer || matches!(all.first(), Some(Value::Integer(_))) {
-            let known: Option<Vec<i64>> = all.iter().map(|value| if let Value::Integer(k) = value { Some(*k) } else { None }).collect();
-            let sum = known.and_then(|known| {
-                let mut known = known.into_iter();
-                if plus { known.try_fold(0, i64::checked_add) } else { known.try_fold(1, i64::checked_mul) }
+        if integer || matches!(all.first(), Some(Value::Integer(..))) {
+            let given = given.and_then(|ty| IntegerType::named(&quote::ToTokens::to_token_stream(ty).to_string()));
+            let op: BinOp = if plus { syn::parse_quote!(+) } else { syn::parse_quote!(*) };
+            let sum = all.iter().try_fold(Value::Integer(i64::from(!plus), given), |sum, value| match (sum, value) {
+                (Value::Integer(a, x), Value::Integer(b, y)) => integer::operate(&op, (a, x), (*b, *y)),
+                _ => None,
             });
-            return sum.map(Value::Integer).ok_or_else(|| Unreadable::new(&call.whole.method, "a sum of integers not known here"));
+            return sum.ok_or_else(|| Unreadable::new(&call.whole.method, "a sum of integers not known here"));
         }
         let shape = given.and_then(crate::parse::shape).or_else(|| Some(all.first()?.numbers()?.1)).unwrap_or(crate::parse::Shape::Scalar);
         let components = Value::from_numbers(&shape, &mut std::iter::repeat(self.graph.zero()));

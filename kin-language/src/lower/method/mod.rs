@@ -38,7 +38,7 @@ impl Reader {
             (value, "clone" | "to_owned" | "borrow" | "as_ref" | "as_slice" | "each_ref", []) => Ok(value),
             (value, "into", []) => Ok(Value::Into(Box::new(value))),
             (Value::Scalar(n), ..) => self.scalar_method(n, &call),
-            (Value::Integer(k), ..) => self.integer_method(k, &call),
+            (Value::Integer(k, ty), ..) => self.integer_method(k, ty, &call),
             (Value::Vector(v), ..) => self.vector_method(&v, &call),
             (Value::Matrix(n, m), ..) => self.matrix_method(n, &m, &call),
             (Value::Euler(p), ..) => self.euler_method(&p, &call),

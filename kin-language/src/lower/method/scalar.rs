@@ -3,6 +3,7 @@
 use quote::{ToTokens, quote};
 
 use super::Call;
+use crate::lower::integer::{self, IntegerType};
 use crate::lower::template::Template;
 use crate::lower::value::Value;
 use crate::lower::{Read, Reader, Unreadable, first_span};
@@ -39,7 +40,7 @@ impl Reader {
     /// xⁿ with an integer n.
     pub fn power(&mut self, x: Node, exponent: Value, place: &dyn ToTokens, at: &dyn ToTokens) -> Read {
         match exponent.referent() {
-            Value::Integer(k) if i32::try_from(k).is_ok() => {
+            Value::Integer(k, _) if i32::try_from(k).is_ok() => {
                 let power = self.graph.powi(x, k as i32);
                 Ok(Value::Scalar(power))
             }
@@ -94,16 +95,17 @@ impl Reader {
         Value::Scalar(y)
     }
 
-    pub(super) fn integer_method(&mut self, k: i64, call: &Call) -> Read {
+    pub(super) fn integer_method(&mut self, k: i64, ty: Option<IntegerType>, call: &Call) -> Read {
         let unreadable = || Unreadable::new(&call.whole.method, "this method of an integer");
         let argument = match &call.arguments[..] {
             [] => None,
             [one] => match one.clone().referent() {
-                Value::Integer(n) => Some(n),
+                Value::Integer(n, _) => Some(n),
                 _ => return Err(Unreadable::new(call.places[0], "integer arithmetic with something not known here")),
             },
             _ => return Err(unreadable()),
         };
+        let ty = if call.name == "abs_diff" { None } else { ty };
         let value = match (call.name.as_str(), argument) {
             ("pow", Some(n)) => u32::try_from(n).ok().and_then(|n| k.checked_pow(n)),
             ("abs", None) => k.checked_abs(),
@@ -118,7 +120,9 @@ impl Reader {
             }
             _ => None,
         };
-        value.map(Value::Integer).ok_or_else(unreadable)
+        // The sign of the result is that of the method, not of an overflow.
+        let of = [argument.unwrap_or_default().min(k)];
+        value.and_then(|value| integer::made(value, ty, &of)).ok_or_else(unreadable)
     }
 }
 

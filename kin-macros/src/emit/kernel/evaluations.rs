@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::{Kernel, is_condition, number};
 use crate::emit::template;
-use kin_graph::{Leaf, LeafNumber, LeafUse, Node, Op};
+use kin_graph::{Direction, Leaf, LeafNumber, LeafUse, Node, Op};
 use kin_language::lower::OpaqueKind;
 
 impl Kernel<'_> {
@@ -91,14 +91,12 @@ impl Kernel<'_> {
                     let x = kernel.expression(a);
                     match of.what {
                         LeafNumber::Value => quote!(::kin::rt::Real(#x)),
-                        LeafNumber::Partial(by) => {
-                            let seed = number(if by == k { 1.0 } else { 0.0 });
+                        LeafNumber::Partial(by) if by == k => {
+                            let seed = number(1.0);
                             quote!(::kin::rt::Real(::kin::rt::Dual64::new(#x, #seed)))
                         }
-                        LeafNumber::First(d) | LeafNumber::Second(d) => {
-                            let (first, second) = (kernel.expression(directions[d].first[k]), kernel.expression(directions[d].second[k]));
-                            quote!(::kin::rt::Real(::kin::rt::Dual2_64::new(#x, #first, #second)))
-                        }
+                        LeafNumber::Partial(_) => quote!(::kin::rt::Real::from(#x)),
+                        LeafNumber::First(d) | LeafNumber::Second(d) => along(kernel, &directions[d], k, &x),
                     }
                 })
                 .collect();
@@ -106,5 +104,21 @@ impl Kernel<'_> {
         });
         let component = template::component(&name, &leaf.kind, of.output);
         quote!(#component #field)
+    }
+}
+
+/// Argument k of a leaf along a direction.
+fn along(kernel: &mut Kernel, direction: &Direction, k: usize, x: &TokenStream) -> TokenStream {
+    let graph = kernel.graph();
+    if graph.is_zero(direction.first[k]) && graph.is_zero(direction.second[k]) {
+        return quote!(::kin::rt::Real::from(#x));
+    }
+    let (first, second) = (kernel.expression(direction.first[k]), kernel.expression(direction.second[k]));
+    match direction.moves[k] {
+        None => quote!(::kin::rt::Real(::kin::rt::Dual2_64::new(#x, #first, #second))),
+        Some(moves) => {
+            let moves = kernel.expression(moves);
+            quote!(::kin::rt::Real(::kin::rt::Dual2_64::moving_where(#moves, #x, #first, #second)))
+        }
     }
 }

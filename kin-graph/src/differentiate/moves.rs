@@ -1,0 +1,111 @@
+//! The rule of tangents that vanish.
+//!
+//! f(u)′ = f′(u) u′ is not a number where f′(u) is infinite and u′ is zero, and there are two ways to be zero. Of √(max(1 − a², 0)) with a² > 1 the
+//! side that is taken is a constant: nothing moves there, and the term is zero. Of √(x²) at x = 0 the tangent only happens to be zero: there is no
+//! slope, and it stays not a number, so that the failure is told.
+//!
+//! So a tangent is zero *by structure* where what is differentiated by does not reach the value: the value is made of parameters and constants
+//! alone, or what is taken of `max`, `min`, `clamp`, `if` and `match` is. Then every term that has it for a factor is zero. Everywhere else zero is a
+//! number like any other. The dual route keeps to the same rule by a mark in each number (`kin_core::real`), the search for what is to blame too.
+//!
+//! Here the condition under which a value moves is a node like any other. It is built for values that choose only, so that nothing else pays.
+
+use super::{Memo, rules};
+use crate::{Function2, Graph, Node, Op};
+
+/// Whether a value moves.
+#[derive(Clone, Copy, Default)]
+pub(super) enum Motion {
+    #[default]
+    Never,
+    Always,
+    /// Where a condition holds.
+    When(Node),
+}
+
+/// Of each node whether it moves.
+#[derive(Default)]
+pub(super) struct Moves(Memo<Motion>);
+
+impl Moves {
+    pub fn of(&self, node: Node) -> Motion {
+        self.0.of(node)
+    }
+
+    /// Notes whether a node with a tangent moves, from what is known of its operands.
+    pub fn note(&mut self, g: &mut Graph, node: Node, tangent: Node) {
+        let motion = match g.op(node) {
+            _ if g.is_zero(tangent) => Motion::Never,
+            _ if !g.chooses(node) => Motion::Always,
+            Op::Select(c, a, b) => self.chosen(g, c, a, b),
+            Op::Call2(Function2::Max | Function2::Min, a, b) => {
+                let first = rules::takes_first(g, node);
+                self.chosen(g, first, a, b)
+            }
+            _ => g.operands(node).into_iter().fold(Motion::Never, |motion, operand| either(g, motion, self.of(operand))),
+        };
+        self.0.set(node, motion);
+    }
+
+    fn chosen(&self, g: &mut Graph, c: Node, a: Node, b: Node) -> Motion {
+        let not = g.not(c);
+        let (a, b) = (both(g, c, self.of(a)), both(g, not, self.of(b)));
+        either(g, a, b)
+    }
+}
+
+impl Motion {
+    /// The tangent of something that moves so, where it moves: elsewhere it may be anything.
+    pub fn inner(self, g: &Graph, tangent: Node) -> Node {
+        match (self, g.op(tangent)) {
+            (Motion::When(moves), Op::Select(c, inner, zero)) if c == moves && g.is_zero(zero) => inner,
+            _ => tangent,
+        }
+    }
+
+    /// The term where it moves, else zero.
+    pub fn guard(self, g: &mut Graph, term: Node) -> Node {
+        let zero = g.zero();
+        match self {
+            Motion::Never => zero,
+            Motion::Always => term,
+            Motion::When(moves) => g.select(moves, term, zero),
+        }
+    }
+}
+
+fn both(g: &mut Graph, c: Node, motion: Motion) -> Motion {
+    match motion {
+        Motion::Never => Motion::Never,
+        Motion::Always => when(g, c),
+        Motion::When(moves) => {
+            let both = g.and(c, moves);
+            when(g, both)
+        }
+    }
+}
+
+fn either(g: &mut Graph, a: Motion, b: Motion) -> Motion {
+    match (a, b) {
+        (Motion::Always, _) | (_, Motion::Always) => Motion::Always,
+        (Motion::Never, other) | (other, Motion::Never) => other,
+        (Motion::When(a), Motion::When(b)) if a == b => Motion::When(a),
+        (Motion::When(a), Motion::When(b)) if is_negation(g, a, b) => Motion::Always,
+        (Motion::When(a), Motion::When(b)) => {
+            let either = g.or(a, b);
+            when(g, either)
+        }
+    }
+}
+
+fn is_negation(g: &Graph, a: Node, b: Node) -> bool {
+    g.op(a) == Op::Not(b) || g.op(b) == Op::Not(a)
+}
+
+fn when(g: &Graph, c: Node) -> Motion {
+    match g.truth(c) {
+        Some(true) => Motion::Always,
+        Some(false) => Motion::Never,
+        None => Motion::When(c),
+    }
+}

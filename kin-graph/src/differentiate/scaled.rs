@@ -1,0 +1,124 @@
+//! Products of a factor and a tangent that may be too large for a number on the way, though the product is not.
+//!
+//! In 1/(1 + eᵘ) the divisor and its tangents overflow long before the quotient has anything to say: 0 · ∞ is not a number. Of what grows as an
+//! exponential or a power (`Graph::bursts`) the factor outside is multiplied first, (c eᵘ) u′ for c (eᵘ)′, and where the value itself has
+//! overflowed a function that is finite there is flat. All else is multiplied as it stands: nothing is paid where nothing grows.
+
+use crate::{Comparison, Function, Function2, Graph, Node, Op};
+
+use super::rules;
+
+/// Where tangents of first order are known.
+pub(super) trait Tangents {
+    /// The tangent of a node that has been looked at.
+    fn tangent(&self, node: Node) -> Node;
+}
+
+/// Products and functions inside of one another that are gone into; beyond them tangents are taken as they are.
+const DEEPEST: usize = 6;
+/// The same of sums.
+const LONGEST: usize = 256;
+
+/// How much further a product is taken apart.
+#[derive(Clone, Copy)]
+pub(super) struct Depth {
+    products: usize,
+    sums: usize,
+}
+
+impl Depth {
+    pub const FULL: Depth = Depth { products: DEEPEST, sums: LONGEST };
+
+    /// One product or function deeper.
+    pub fn product(self) -> Option<Depth> {
+        Some(Depth { products: self.products.checked_sub(1)?, ..self })
+    }
+
+    /// One sum deeper.
+    pub fn sum(self) -> Option<Depth> {
+        Some(Depth { sums: self.sums.checked_sub(1)?, ..self })
+    }
+}
+
+/// c u′
+pub(super) fn scaled(g: &mut Graph, by: &impl Tangents, c: Node, u: Node) -> Node {
+    inside(g, by, c, u, Depth::FULL)
+}
+
+fn inside(g: &mut Graph, by: &impl Tangents, c: Node, u: Node, depth: Depth) -> Node {
+    let tangent = by.tangent(u);
+    if g.is_zero(tangent) {
+        return tangent;
+    }
+    let parts = if g.bursts(u) { parts(g, by, c, u, depth) } else { None };
+    parts.unwrap_or_else(|| g.mul(c, tangent))
+}
+
+/// The same taken apart; `None` where that is of no use, or goes too deep.
+fn parts(g: &mut Graph, by: &impl Tangents, c: Node, u: Node, depth: Depth) -> Option<Node> {
+    Some(match g.op(u) {
+        Op::Neg(a) => {
+            let inner = inside(g, by, c, a, depth.sum()?);
+            g.neg(inner)
+        }
+        Op::Add(a, b) | Op::Sub(a, b) => {
+            let depth = depth.sum()?;
+            let (left, right) = (inside(g, by, c, a, depth), inside(g, by, c, b, depth));
+            if matches!(g.op(u), Op::Add(..)) { g.add(left, right) } else { g.sub(left, right) }
+        }
+        Op::Mul(a, b) => {
+            let depth = depth.product()?;
+            let (cb, ca) = (g.mul(c, b), g.mul(c, a));
+            let (left, right) = (inside(g, by, cb, a, depth), inside(g, by, ca, b, depth));
+            g.add(left, right)
+        }
+        Op::Div(a, b) => {
+            let depth = depth.product()?;
+            let over = g.div(c, b);
+            let (left, again) = (inside(g, by, over, a, depth), g.mul(over, u));
+            let right = inside(g, by, again, b, depth);
+            g.sub(left, right)
+        }
+        Op::Call(f, a) => {
+            let slope = rules::derivative(g, f, a, u);
+            let factor = g.mul(c, slope);
+            inside(g, by, factor, a, depth.product()?)
+        }
+        Op::Select(condition, a, b) => {
+            let depth = depth.sum()?;
+            let (left, right) = (inside(g, by, c, a, depth), inside(g, by, c, b, depth));
+            g.select(condition, left, right)
+        }
+        Op::Call2(Function2::Max | Function2::Min, a, b) => {
+            let (first, depth) = (rules::takes_first(g, u), depth.sum()?);
+            let (left, right) = (inside(g, by, c, a, depth), inside(g, by, c, b, depth));
+            g.select(first, left, right)
+        }
+        _ => return None,
+    })
+}
+
+/// The term where u is finite: a function that is finite where u has overflowed is flat there. Not so at a pole, where it may jump.
+pub(super) fn where_finite(g: &mut Graph, u: Node, term: Node) -> Node {
+    if !g.overflows(u) || g.is_zero(term) {
+        return term;
+    }
+    let finite = g.is_finite(u);
+    let zero = g.zero();
+    g.select(finite, term, zero)
+}
+
+/// The exponent of a power whose slope by its base is taken beside its value: a number, the base being one that bursts.
+pub(super) fn relative_exponent(g: &Graph, base: Node, exponent: Node) -> Option<f64> {
+    g.constant_value(exponent).filter(|_| g.bursts(base))
+}
+
+/// What is taken beside the value where a base is larger than 1, where nothing can vanish; a falling power has no zero of the base to fear.
+pub(super) fn where_large(g: &mut Graph, base: Node, exponent: f64, relative: Node, plain: Node) -> Node {
+    if exponent < 0.0 {
+        return relative;
+    }
+    let (size, one) = (g.call(Function::Abs, base), g.constant(1.0));
+    let large = g.compare(Comparison::Greater, size, one);
+    g.select(large, relative, plain)
+}
