@@ -42,6 +42,8 @@
 #[cfg(test)]
 mod accuracy;
 mod bounds;
+#[cfg(test)]
+mod edges;
 mod elementary;
 mod equation;
 mod functions;

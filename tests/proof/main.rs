@@ -1,5 +1,6 @@
 //! Proofs by interval bounds: what holds is proved, what does not is not, and no verdict depends on units.
 
+mod breaking;
 #[path = "../data/hermite.rs"]
 mod hermite;
 #[path = "../following/models.rs"]
@@ -11,3 +12,4 @@ mod random;
 mod refused;
 mod singular;
 mod whole_turns;
+mod wide;

@@ -1,6 +1,7 @@
 //! What cannot be proved, by name; and what stands in the way of a step.
 
 use kin::prelude::*;
+use kin::proof::Series;
 use kin::{DoubtReason, Error, LawFunction, by_dual};
 
 /// A law of which only values are known.
@@ -81,6 +82,104 @@ fn a_law_of_ones_own() {
         let motion = system.run(linspace(-1.0, 2.0, 31)).unwrap();
         let proof = system.prove(&motion).unwrap();
         assert!(proof.is_complete(), "{proof}");
+    }
+}
+
+/// x + x³/10 with its bounds: by its formula, by its derivatives, and by wrong ones.
+struct Own {
+    kind: &'static str,
+    over: fn(&Series) -> Series,
+}
+
+impl LawFunction for Own {
+    fn jet(&self, x: f64) -> [f64; 4] {
+        [x + 0.1 * x.powi(3), 1.0 + 0.3 * x * x, 0.6 * x, 0.6]
+    }
+    fn kind(&self) -> &str {
+        self.kind
+    }
+    fn over(&self, x: &Series) -> Option<Series> {
+        Some((self.over)(x))
+    }
+}
+
+fn by_formula(x: &Series) -> Series {
+    *x + x.powi(3) / Series::number(10.0)
+}
+
+/// Its derivatives rise or fall between the ends of any interval that is not wide; rounding is allowed for.
+fn by_derivatives(x: &Series) -> Series {
+    let [lo, hi] = x.values();
+    let around = |f: fn(f64) -> f64| {
+        let (a, b) = (f(lo), f(hi));
+        let rounding = 1e-14 * (a.abs() + b.abs());
+        [a.min(b) - rounding, a.max(b) + rounding]
+    };
+    let steepest = if lo <= 0.0 && hi >= 0.0 { 1.0 } else { f64::INFINITY };
+    let slope = around(|x| 1.0 + 0.3 * x * x);
+    x.chain(&[
+        around(|x| x + 0.1 * x.powi(3)),
+        [slope[0].min(steepest), slope[1]],
+        around(|x| 0.6 * x),
+        [0.6 - 1e-15, 0.6 + 1e-15],
+        [0.0; 2],
+        [0.0; 2],
+        [0.0; 2],
+    ])
+}
+
+/// A law of one's own may tell its bounds: what rests on them says so.
+#[test]
+fn a_law_that_tells_its_own_bounds() {
+    for (kind, over) in [("by formula", by_formula as fn(&Series) -> Series), ("by derivatives", by_derivatives)] {
+        let own = Law::new(Own { kind, over });
+        kin::check::law(&own, -1.0, 2.0);
+        for (law, trusted) in [(own.clone(), 1), (2.0 * own.clone() + bump(0.4, 0.7), 1), (bump(0.4, 0.7) * Law::ramp(1.0), 0)] {
+            let system = slider(|m, x| m.add("motor", drive(x, law)).map(|_| ()));
+            let proof = system.prove(&system.run(linspace(-1.0, 2.0, 31)).unwrap()).unwrap();
+            assert!(proof.is_complete() && proof.trusted().len() == trusted, "{proof}");
+            let said = format!("That is trusting the bounds of `{kind}` in `motor`.");
+            assert_eq!(proof.to_string().contains(&said), trusted > 0, "{proof}");
+        }
+    }
+}
+
+/// Bounds that do not hold are found at random intervals: values that are off, slopes that are, bounds of points alone, and jumps that are not told.
+#[test]
+fn wrong_bounds_of_a_law_are_found() {
+    let wrong: [(&'static str, fn(&Series) -> Series); 4] = [
+        ("value", |x| by_formula(x) + Series::number(1e-3)),
+        ("slope", |x| {
+            let [lo, hi] = by_formula(x).values();
+            x.chain(&[[lo, hi], [1.0, 1.0]])
+        }),
+        ("middle alone", |x| {
+            let [lo, hi] = x.values();
+            by_formula(&Series::number(0.5 * (lo + hi)))
+        }),
+        ("nothing", |_| Series::number(0.0)),
+    ];
+    for (kind, over) in wrong {
+        assert!(kin::check::compare_law(&Law::new(Own { kind, over }), -1.0, 2.0).is_err(), "{kind}");
+    }
+    let kinked = Law::new(Kinked);
+    let found = kin::check::compare_law(&kinked, -1.0, 1.0).unwrap_err().to_string();
+    assert!(found.contains("over the break at x = 0, where derivative 1 jumps"), "{found}");
+}
+
+/// |x|, whose bounds forget that its slope jumps.
+struct Kinked;
+
+impl LawFunction for Kinked {
+    fn jet(&self, x: f64) -> [f64; 4] {
+        [x.abs(), if x >= 0.0 { 1.0 } else { -1.0 }, 0.0, 0.0]
+    }
+    fn breaks(&self, from: f64, to: f64) -> Vec<kin::Break> {
+        if from <= 0.0 && to >= 0.0 { vec![kin::Break { x: 0.0, order: 1 }] } else { vec![] }
+    }
+    fn over(&self, x: &Series) -> Option<Series> {
+        let [lo, hi] = x.abs().values();
+        Some(x.chain(&[[lo, hi], [-1.0, 1.0], [0.0, 0.0]]))
     }
 }
 

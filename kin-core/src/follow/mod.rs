@@ -9,6 +9,8 @@ mod branching;
 mod check;
 mod curve;
 mod drive;
+#[cfg(test)]
+mod judged;
 mod passage;
 mod root;
 mod singular;

@@ -142,8 +142,8 @@ impl LawFunction for Move {
         piecewise(x, &seams, &|k, x| {
             let Some(before) = k.checked_sub(1) else { return Some(x.times(0.0)) };
             let Some(piece) = self.pieces.get(before) else { return Some(x.times(0.0).plus(self.distance)) };
-            // begun where the piece before has ended, but for rounding
-            let near = |x: f64, size: f64| Series::constant(Interval::near(x, size));
+            // begun where the piece before has ended, but for rounding; at rest, or with no acceleration, exactly so
+            let near = |x: f64, size: f64| Series::constant(Interval::near(x, if x == 0.0 { 0.0 } else { size }));
             let (s, v, a) = (near(piece.s, self.distance), near(piece.v, self.speed), near(piece.a, self.acceleration));
             let t = x.plus(-piece.start);
             Some(s + t * (v + t * (a.times(0.5) + t * Series::constant(Interval::from(piece.j) / Interval::from(6.0)))))

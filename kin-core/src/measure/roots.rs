@@ -205,4 +205,59 @@ mod tests {
         let s = dip([0.08, -0.52], [0.96, 2.0 * 1.4 + 0.48 - 0.0]);
         assert!(s.is_some_and(|s| s > 0.2 && s < 0.45), "{s:?}");
     }
+
+    /// The crossings of a level by a law, on a grid.
+    fn crossings(law: crate::Law, times: &[f64], level: f64) -> Vec<(f64, bool)> {
+        let mut m = crate::Mechanism::new("slider");
+        let x = m.length("x", law.at(times[0])).unwrap();
+        m.add("motor", crate::joints::drivers::drive(x, law)).unwrap();
+        let system = m.build().unwrap();
+        let motion = system.run(times).unwrap();
+        let all = system.crossings(&motion, x, level).unwrap();
+        all.into_iter().map(|Crossing { t, rises }| (t, rises)).collect()
+    }
+
+    /// What is zero at a time of the grid is told once and at that time, where the sign differs on either side; at the ends and where it only touches
+    /// zero it is not.
+    #[test]
+    fn zeros_at_times_of_the_grid() {
+        let line = crate::Law::linear(-2.0, 1.0);
+        for times in [vec![0.0, 1.0, 2.0, 3.0], vec![3.0, 2.0, 1.0, 0.0], vec![1.0, 2.0, 2.5]] {
+            let found = crossings(line.clone(), &times, 0.0);
+            assert!(found.len() == 1 && (found[0].0 - 2.0).abs() < 1e-12 && found[0].1, "{times:?}: {found:?}");
+        }
+        assert_eq!(crossings(line.clone(), &[2.0, 3.0, 4.0], 0.0), []);
+        assert_eq!(crossings(line, &[0.0, 1.0, 2.0], 0.0), []);
+        // (t − 2)², at a time of the grid
+        let touching = crate::Law::polynomial(&[4.0, -4.0, 1.0]);
+        assert_eq!(crossings(touching, &[0.0, 1.0, 2.0, 3.0], 0.0), []);
+        // down through 0 at 1, up again at 3
+        let bowl = crate::Law::polynomial(&[3.0, -4.0, 1.0]);
+        let found = crossings(bowl, &[0.0, 1.0, 2.0, 3.0, 4.0], 0.0);
+        let near = |k: usize, t: f64, rises: bool| found.get(k).is_some_and(|f| (f.0 - t).abs() < 1e-12 && f.1 == rises);
+        assert!(found.len() == 2 && near(0, 1.0, false) && near(1, 3.0, true), "{found:?}");
+    }
+
+    /// Of a rest on the level the first time is told, if the sign differs on either side.
+    #[test]
+    fn rests_on_the_level() {
+        let rise = |first: f64, second: f64| {
+            let up = crate::Law::cycloidal(first, 1.0);
+            crate::Law::constant(-1.0) + up + crate::Law::cycloidal(second, 1.0).shifted(4.0)
+        };
+        let times: Vec<f64> = (0..=12).map(|k| 0.5 * f64::from(k)).collect();
+        let found = crossings(rise(1.0, 1.0), &times, 0.0);
+        assert!(found.len() == 1 && (found[0].0 - 1.0).abs() < 1e-12 && found[0].1, "{found:?}");
+        // back to where it came from
+        assert_eq!(crossings(rise(1.0, -0.5), &times, 0.0), []);
+        // one time of the grid within the rest, two, and three
+        for (count, step) in [(1, 2.5), (2, 1.5), (3, 1.0)] {
+            let times: Vec<f64> = (0..=6).map(|k| step * f64::from(k)).filter(|t| *t < 8.0).collect();
+            let resting = times.iter().filter(|t| (1.0..=4.0).contains(*t)).count();
+            let found = crossings(rise(1.0, 1.0), &times, 0.0);
+            assert!(found.len() <= 1 && resting >= count.min(1), "{found:?}");
+            assert!(found.iter().all(|found| (1.0..=4.0).contains(&found.0) && found.1), "{step}: {found:?}");
+            assert_eq!(found.len(), 1, "{step}");
+        }
+    }
 }

@@ -130,7 +130,7 @@ impl<'a> Part<'a> {
 
     /// Appends its entries of C_q over a box and an interval of time, all that are not zero throughout.
     ///
-    /// Every row is evaluated over the whole box whether it has an entry or not: floor, `if` and their like jump where their slopes are zero. Nothing
+    /// Every row is asked for over the whole box, along each column, whether it has an entry there or not: floor, `if` and their like jump where their slopes are zero. Nothing
     /// is taken from what the compiler knows of the entries: its constants are rounded.
     pub(crate) fn jacobian(&self, q: &[Interval], t: Interval, entries: &mut Vec<Entry>) -> Result<(), Unknown> {
         let columns: Vec<Series> = self.columns.iter().map(|column| Series::constant(column.of(q))).collect();
@@ -138,7 +138,6 @@ impl<'a> Part<'a> {
             let t = Series::constant(t);
             let Formula { graph, rows, .. } = table.formula();
             let still = evaluate(graph, rows, &Inputs { columns: &columns, t, parameters, outside });
-            self.rows(table, &still, 1)?;
             for (k, column) in self.columns.iter().enumerate() {
                 let Column::Own(column) = *column else { continue };
                 let mut moved = columns.clone();
