@@ -359,7 +359,7 @@ fn a_failing_case_is_diagnosed_on_request_only() {
     let cases: Vec<[f64; 8]> = (0..48).map(|k| case([1.0, 0.5 + 0.001 * f64::from(k), 0.5, 4.0])).collect();
     let swept = |lanes: Lanes, diagnose: bool, cases: &[[f64; 8]]| {
         let sweep = system.sweep(NAMES).unwrap().lanes(lanes).diagnose(diagnose);
-        sweep.run(cases, times(), |_, motion| motion.err().expect("does not close").diagnosis().is_some()).unwrap()
+        sweep.run(cases, times(), |_, motion| motion.expect_err("does not close").diagnosis().is_some()).unwrap()
     };
     for lanes in [Lanes::Off, Lanes::Best] {
         assert!(swept(lanes, false, &cases).iter().all(|diagnosed| !diagnosed));

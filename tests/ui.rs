@@ -1,5 +1,6 @@
 //! Mistakes, as rustc shows them: every program of `tests/ui` has one slip, named by its file, and must be refused with exactly the errors
-//! listed in `NAME.message`: where, at which token, and what is said (of rustc's own errors the number only, since their text moves).
+//! listed in `NAME.message`: where, at which token, and what is said (of rustc's own errors the number only, since their text moves). Programs
+//! of `tests/ui/warned` compile, with exactly the warnings listed: those that any function of theirs would have.
 //!
 //! `NAME.stderr` is the whole picture on the pinned toolchain. `KIN_BLESS=1 cargo test --test ui` writes both anew, for review.
 
@@ -19,8 +20,9 @@ const SHOWN: [&str; 5] =
 
 #[test]
 fn every_slip_is_one_error_at_its_token() {
-    let programs = programs();
-    let mut errors = check(&programs);
+    let programs = programs("tests/ui");
+    let mut errors = check("ui", &programs, "error");
+    assert!(!errors.is_empty(), "cargo check says nothing of the programs");
     let pinned = version().starts_with(PINNED);
     if !pinned {
         println!("note: {} is not {PINNED}: the .stderr files are not compared", version());
@@ -41,7 +43,22 @@ fn every_slip_is_one_error_at_its_token() {
     assert!(differences.is_empty(), "{}", differences.join("\n\n"));
 }
 
-/// One error of rustc.
+#[test]
+fn bodies_are_warned_of_like_any_function() {
+    let programs = programs("tests/ui/warned");
+    let errors = check("warned", &programs, "error");
+    assert!(errors.is_empty(), "{:?}", errors.keys());
+    let mut warnings = check("warned", &programs, "warning");
+    let differences = programs.iter().filter_map(|(name, path)| {
+        let warnings = warnings.remove(name).unwrap_or_default();
+        let messages: String = warnings.iter().map(|warning| format!("{}\n", warning.message)).collect();
+        compared(&path.with_extension("message"), &messages)
+    });
+    let differences: Vec<String> = differences.collect();
+    assert!(differences.is_empty(), "{}", differences.join("\n\n"));
+}
+
+/// One error of rustc, or one warning.
 struct Error {
     /// `line:column `token`: message`
     message: String,
@@ -50,22 +67,22 @@ struct Error {
     is_rustcs: bool,
 }
 
-/// The programs by name.
-fn programs() -> BTreeMap<String, PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui");
-    let files = fs::read_dir(&folder).expect("tests/ui can be read").map(|entry| entry.expect("tests/ui can be read").path());
+/// The programs of a folder by name.
+fn programs(folder: &str) -> BTreeMap<String, PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let files = fs::read_dir(&folder).expect("the folder can be read").map(|entry| entry.expect("the folder can be read").path());
     let programs = files.filter(|path| path.extension().is_some_and(|end| end == "rs"));
     programs.map(|path| (path.file_stem().expect("a name").to_string_lossy().into_owned(), path)).collect()
 }
 
-/// The errors of each program: all of them are the binaries of one scratch package, checked at once.
-fn check(programs: &BTreeMap<String, PathBuf>) -> BTreeMap<String, Vec<Error>> {
+/// The errors, or warnings, of each program: all of them are the binaries of one scratch package, checked at once.
+fn check(package: &str, programs: &BTreeMap<String, PathBuf>, level: &str) -> BTreeMap<String, Vec<Error>> {
     let root = env!("CARGO_MANIFEST_DIR");
-    let scratch = Path::new(env!("CARGO_TARGET_TMPDIR")).join("ui");
+    let scratch = Path::new(env!("CARGO_TARGET_TMPDIR")).join(package);
     fs::create_dir_all(&scratch).expect("the scratch package can be made");
     let bins: String = programs.iter().map(|(name, path)| format!("[[bin]]\nname = {name:?}\npath = {path:?}\n")).collect();
     let manifest = format!(
-        "[package]\nname = \"ui\"\nedition = \"2024\"\npublish = false\n[workspace]\n[dependencies]\nkin = {{ path = {root:?} }}\n{bins}"
+        "[package]\nname = \"{package}\"\nedition = \"2024\"\npublish = false\n[workspace]\n[dependencies]\nkin = {{ path = {root:?} }}\n{bins}"
     );
     fs::write(scratch.join("Cargo.toml"), manifest).expect("the scratch package can be written");
     fs::copy(Path::new(root).join("Cargo.lock"), scratch.join("Cargo.lock")).expect("Cargo.lock can be copied");
@@ -73,15 +90,16 @@ fn check(programs: &BTreeMap<String, PathBuf>) -> BTreeMap<String, Vec<Error>> {
     let output = Command::new(env!("CARGO"))
         .args(["check", "--offline", "--bins", "--keep-going", "--message-format=json"])
         .current_dir(&scratch)
-        .env("CARGO_TARGET_DIR", scratch.join("target"))
+        .env("CARGO_TARGET_DIR", Path::new(env!("CARGO_TARGET_TMPDIR")).join("ui/target"))
         .env_remove("RUSTFLAGS")
+        .env_remove("KIN_WARN_DUAL")
         .output()
         .expect("cargo runs");
     let mut errors: BTreeMap<String, Vec<Error>> = BTreeMap::new();
     for line in String::from_utf8_lossy(&output.stdout).lines() {
         let Ok(report) = serde_json::from_str::<Value>(line) else { continue };
         let (name, message) = (&report["target"]["name"], &report["message"]);
-        if message["level"] == "error" && message["spans"].as_array().is_some_and(|spans| !spans.is_empty()) {
+        if message["level"] == level && message["spans"].as_array().is_some_and(|spans| !spans.is_empty()) {
             let name = name.as_str().expect("a target has a name").to_owned();
             assert!(programs.contains_key(&name), "{}", message["rendered"].as_str().unwrap_or_default());
             let (errors, error) = (errors.entry(name).or_default(), error(message));
@@ -91,7 +109,8 @@ fn check(programs: &BTreeMap<String, PathBuf>) -> BTreeMap<String, Vec<Error>> {
             }
         }
     }
-    assert!(!errors.is_empty(), "cargo check says nothing of the programs:\n{}", String::from_utf8_lossy(&output.stderr));
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.code().is_some() && !said.contains("failed to parse manifest"), "{said}");
     errors
 }
 
@@ -100,7 +119,8 @@ fn error(message: &Value) -> Error {
     let places: Vec<String> = spans.filter(|span| span["is_primary"] == true).map(place).collect();
     let code = message["code"]["code"].as_str();
     let text = message["message"].as_str().unwrap_or_default();
-    let said = code.map_or(text.to_owned(), |code| format!("[{code}]"));
+    // Of what is deprecated the text is Kin's.
+    let said = code.filter(|code| *code != "deprecated").map_or(text.to_owned(), |code| format!("[{code}]"));
     let root = format!("{}/", env!("CARGO_MANIFEST_DIR"));
     let rendered = message["rendered"].as_str().unwrap_or_default().trim_end().replace(&root, "");
     Error { message: format!("{}: {said}", places.join(", ")), rendered: rendered + "\n", is_rustcs: code.is_some() }

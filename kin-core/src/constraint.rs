@@ -1,5 +1,7 @@
 //! The one trait of the library: what a constraint C(q, t) = 0 can be asked for.
 
+mod route;
+
 use crate::real::Dual3_64;
 
 use crate::algebra::Vec3;
@@ -12,26 +14,7 @@ use crate::lanes::InLanes;
 use crate::law::Law;
 use crate::state::{At, Rates};
 
-/// How the derivatives of a constraint are obtained.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Route {
-    /// Straight-line code, differentiated at compile time by `#[constraint]`.
-    Symbolic,
-    /// The constraint's own equation evaluated with dual numbers.
-    Dual,
-    /// Written by hand: an `impl Constraint` without the macro.
-    Hand,
-}
-
-impl std::fmt::Display for Route {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Route::Symbolic => "symbolic",
-            Route::Dual => "dual",
-            Route::Hand => "hand-written",
-        })
-    }
-}
+pub use route::{Route, RouteReason};
 
 /// A point or direction fixed in a body that a constraint speaks of.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -114,6 +97,11 @@ pub trait Constraint: CloneBoxed + Send + Sync {
 
     /// How its derivatives are obtained.
     fn route(&self) -> Route;
+
+    /// Why it takes that route; on the dual one where the token stands that the compiler cannot read.
+    fn explain_route(&self) -> RouteReason {
+        RouteReason::of(self.route())
+    }
 
     /// Whether it is a driving constraint, one in which time appears (the function has a [`crate::Time`] argument). A hand-written constraint
     /// (default `false`) counts as one too where its value is seen to change with t alone.

@@ -1,6 +1,10 @@
 //! Handles: what a mechanism gives out for its bodies and coordinates, and what constraints hold of them.
 
+mod given;
+
 use crate::algebra::{Vec2, Vec3};
+
+pub use given::{IntoAxis, IntoCoordinate, IntoPlanarBody, IntoSpatialBody};
 
 /// Marker in the signature of a `#[constraint]` function: the state of a planar body. The constructor takes a [`PlanarBody`].
 pub enum Planar {}

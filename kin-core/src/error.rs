@@ -86,7 +86,7 @@ pub enum Error {
         /// Equations that depend on one another.
         dependent: Vec<String>,
         /// An equation that is far from being met where the search for a position ended; `None` at a position.
-        unmet: Option<String>,
+        unmet: Option<Box<str>>,
         /// What is wrong there, by name.
         diagnosis: Option<Box<Diagnosis>>,
         /// What was computed before.

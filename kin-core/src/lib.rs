@@ -53,9 +53,10 @@ mod units;
 
 pub use algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
 pub use assembly::{Assembly, AssemblyOptions, Label, SearchOptions};
-pub use constraint::{Constraint, Route};
+pub use constraint::{Constraint, Route, RouteReason};
 pub use coordinates::{
-    Coord, Coordinate, Ground, Link, Planar, PlanarBody, Spatial, SpatialBody, SpatialLink, Time, any_coord, any_planar, any_spatial,
+    Coord, Coordinate, Ground, IntoAxis, IntoCoordinate, IntoPlanarBody, IntoSpatialBody, Link, Planar, PlanarBody, Spatial, SpatialBody,
+    SpatialLink, Time, any_coord, any_planar, any_spatial,
 };
 pub use data::Registry;
 pub use error::{Error, Result};

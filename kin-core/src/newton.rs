@@ -289,10 +289,10 @@ impl<'a> Newton<'a> {
     }
 
     /// The equation that is far from being met at the point in hand, if one is.
-    fn unmet(&self) -> Option<String> {
+    fn unmet(&self) -> Option<Box<str>> {
         let shares = self.c.iter().zip(self.linear.norms()).map(|(c, norm)| c.abs() / norm).enumerate();
         let (row, share) = shares.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
-        (share > UNMET).then(|| self.system.equations().equation(row))
+        (share > UNMET).then(|| self.system.equations().equation(row).into())
     }
 
     /// The row with the largest |C_i|, and that; rows as they are written.

@@ -267,7 +267,7 @@ impl Proof {
     }
 
     /// The laws, each with its constraint, whose bounds are taken on their own word: laws of the program's own that tell them
-    /// ([`crate::LawFunction::over`]).
+    /// ([`crate::law::LawFunction::over`]).
     pub fn trusted(&self) -> &[String] {
         &self.trusted
     }

@@ -41,7 +41,7 @@ const BATCH: usize = 16;
 /// // The crank's length is 2 u: half of it on either side of its middle.
 /// let cases: Vec<[f64; 2]> = (1..=20).map(|k| 0.1 * k as f64).map(|u| [-u, u]).collect();
 /// let fastest = system.sweep(["O.u_j.x", "A.u_i.x"])?.run(&cases, &times, |_, motion| {
-///     motion.map(|motion| motion.point(rod, vec2(1.0, 0.0))?.speed().max())
+///     kin::Result::Ok(motion?.point(rod, vec2(1.0, 0.0))?.speed().max())
 /// })?;
 /// assert!(fastest.iter().all(|speed| speed.as_ref().is_ok_and(|speed| *speed > 1.0)));
 /// # Ok(())

@@ -224,7 +224,7 @@ impl System {
     }
 
     /// The error for a singular matrix at a pose and time.
-    pub(crate) fn singular(&self, t: f64, q: &[f64], unmet: Option<String>) -> Error {
+    pub(crate) fn singular(&self, t: f64, q: &[f64], unmet: Option<Box<str>>) -> Error {
         let model = self.model();
         let point = match model.linearize(q, t) {
             Ok(point) => point,

@@ -10,8 +10,11 @@ use std::str::{FromStr, SplitWhitespace};
 use crate::formula::{Expression, Formula};
 use crate::{Comparison, Function, Function2, Graph, Input, Node, Op};
 
+/// An operation made of two operands.
+type OfTwo = fn(Node, Node) -> Op;
+
 /// Operations of operands alone, by their names.
-const ARITHMETIC: [(&str, fn(Node, Node) -> Op); 6] =
+const ARITHMETIC: [(&str, OfTwo); 6] =
     [("Sum", Op::Add), ("Difference", Op::Sub), ("Product", Op::Mul), ("Quotient", Op::Div), ("Both", Op::And), ("Either", Op::Or)];
 
 impl fmt::Display for Formula {
@@ -67,7 +70,7 @@ fn step(graph: &Graph, node: Node, operands: &str) -> String {
         Op::Call2(f, ..) => format!("{}{operands}", f.name()),
         Op::Compare(comparison, ..) => format!("{comparison:?}{operands}"),
         Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) | Op::And(a, b) | Op::Or(a, b) => {
-            let is = |made: fn(Node, Node) -> Op| made(a, b) == graph.op(node);
+            let is = |made: OfTwo| made(a, b) == graph.op(node);
             let name = ARITHMETIC.iter().find(|(_, made)| is(*made)).map_or("", |(name, _)| name);
             format!("{name}{operands}")
         }

@@ -1,16 +1,17 @@
 //! First stage: from a Rust function to a [`ConstraintFn`], its signature read by name. `syn`'s items end here, its expressions in `lower`.
 
+mod alias;
+mod attribute;
 mod demand;
 mod measure;
 
 use proc_macro2::{Ident, Span, TokenStream};
-use syn::parse::Parser;
-use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
 use syn::{Attribute, Block, Expr, ExprLit, FnArg, ItemFn, Lit, Pat, ReturnType, Type, Visibility};
 
 use crate::error::Mistakes;
 use crate::limits;
+use attribute::Asked;
 pub use demand::Demand;
 pub use measure::Measure;
 
@@ -22,10 +23,15 @@ pub struct ConstraintFn {
     pub arguments: Vec<Argument>,
     pub output: Shape,
     pub output_type: Type,
+    /// The body, with types in the place of the names that it gives to them.
     pub body: Block,
+    /// The body as it was written, if it gives names to types.
+    named: Option<Block>,
     pub choice: Choice,
     /// Whether kernels over lanes are asked for.
     pub lanes: bool,
+    /// Whether a warning is asked for where the body cannot be read.
+    pub warn_dual: bool,
     /// What must hold of the parameters.
     pub requirements: Vec<Demand>,
     /// What holds of the pose that is meant, where the equations have others.
@@ -35,14 +41,14 @@ pub struct ConstraintFn {
 }
 
 /// What the attribute asks for.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub enum Choice {
     /// Symbolic where the body can be read, else dual.
     Best,
     /// `#[constraint(symbolic)]`
     Symbolic,
-    /// `#[constraint(dual)]`
-    Dual,
+    /// `#[constraint(dual)]`, with the place of the word.
+    Dual(Span),
 }
 
 /// One argument of the signature.
@@ -124,7 +130,7 @@ impl Shape {
 
 /// Reads the attribute and the signature; every mistake at its own token.
 pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<ConstraintFn> {
-    let (choice, lanes) = choice(attribute)?;
+    let Asked { choice, lanes, warn_dual } = attribute::asked(attribute)?;
     let mut function = item_fn(item)?;
     let mut mistakes = Mistakes::default();
     refuse_qualifiers(&function, &mut mistakes);
@@ -139,6 +145,7 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<Cons
     let output = mistakes.catch(output(&function));
     let Some((output, output_type)) = output else { return Err(mistakes.into_error()) };
     mistakes.finish()?;
+    let (body, named) = bodies(*function.block);
     Ok(ConstraintFn {
         attributes: function.attrs,
         visibility: function.vis,
@@ -146,13 +153,37 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<Cons
         arguments,
         output,
         output_type,
-        body: *function.block,
+        body,
+        named,
         choice,
         lanes,
+        warn_dual,
         requirements,
         branches,
         measures,
     })
+}
+
+impl ConstraintFn {
+    /// The body as it was written.
+    pub fn written(&self) -> &Block {
+        self.named.as_ref().unwrap_or(&self.body)
+    }
+}
+
+impl LawFn {
+    /// The body as it was written.
+    pub fn written(&self) -> &Block {
+        self.named.as_ref().unwrap_or(&self.body)
+    }
+}
+
+/// The body that the compiler reads, and the written one where they differ.
+fn bodies(written: Block) -> (Block, Option<Block>) {
+    match alias::resolved(&written) {
+        Some(body) => (body, Some(written)),
+        None => (written, None),
+    }
 }
 
 /// A function under `#[law]`.
@@ -162,7 +193,9 @@ pub struct LawFn {
     pub name: Ident,
     pub variable: Ident,
     pub parameters: Vec<Argument>,
+    /// As in a [`ConstraintFn`].
     pub body: Block,
+    named: Option<Block>,
     /// What must hold of the parameters.
     pub requirements: Vec<Demand>,
 }
@@ -195,40 +228,21 @@ pub fn law(attribute: &TokenStream, item: TokenStream) -> syn::Result<LawFn> {
     mistakes.catch(limits::arguments(&arguments));
     mistakes.finish()?;
     let variable = arguments.remove(0).name;
+    let (body, named) = bodies(*function.block);
     Ok(LawFn {
         attributes: function.attrs,
         visibility: function.vis,
         name: function.sig.ident,
         variable,
         parameters: arguments,
-        body: *function.block,
+        body,
+        named,
         requirements,
     })
 }
 
 const NO_COORDINATES: &str = "a constraint needs something to constrain: give it an argument of type `Planar`, `Spatial`, `Coord` or \
      `[Coord; N]` (types are read by name: write the name itself, not an alias of it)";
-
-/// The route, and whether kernels over lanes are asked for, which are symbolic.
-fn choice(attribute: TokenStream) -> syn::Result<(Choice, bool)> {
-    let words = Punctuated::<Ident, syn::Token![,]>::parse_terminated.parse2(attribute.clone()).map_err(|_| unknown_choice(&attribute))?;
-    let words: Vec<String> = words.iter().map(ToString::to_string).collect();
-    let words: Vec<&str> = words.iter().map(String::as_str).collect();
-    match words[..] {
-        [] => Ok((Choice::Best, false)),
-        ["symbolic"] => Ok((Choice::Symbolic, false)),
-        ["dual"] => Ok((Choice::Dual, false)),
-        ["lanes"] | ["symbolic", "lanes"] | ["lanes", "symbolic"] => Ok((Choice::Symbolic, true)),
-        ["dual", "lanes"] | ["lanes", "dual"] => {
-            Err(syn::Error::new_spanned(attribute, "kernels over lanes are made of the symbolic derivatives: leave `dual` or `lanes` out"))
-        }
-        _ => Err(unknown_choice(&attribute)),
-    }
-}
-
-fn unknown_choice(attribute: &TokenStream) -> syn::Error {
-    syn::Error::new_spanned(attribute, "`#[constraint]` takes nothing, `symbolic`, `dual` or `lanes`")
-}
 
 pub fn item_fn(item: TokenStream) -> syn::Result<ItemFn> {
     let span = item.clone().into_iter().next().map_or_else(Span::call_site, |token| token.span());
@@ -285,7 +299,7 @@ fn argument(input: &FnArg) -> syn::Result<Argument> {
 }
 
 /// What a type in the signature means, by its name.
-fn kind(ty: &Type) -> syn::Result<Kind> {
+pub fn kind(ty: &Type) -> syn::Result<Kind> {
     match shape(ty) {
         Some(shape) if shape.is_known() => return Ok(Kind::Numbers(shape)),
         Some(_) => return Err(syn::Error::new_spanned(ty, "write the type: it says what the argument is")),

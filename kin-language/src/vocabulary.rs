@@ -2,11 +2,32 @@
 
 use syn::ExprPath;
 
-/// `f64::sin`, but not `f64::EPSILON` or `f64::consts::PI`.
+/// `f64::sin`, but not `f64::EPSILON` or `f64::consts::PI`, and none without a derivative.
 pub fn is_number_function(path: &ExprPath) -> bool {
     let names = names(path);
-    matches!(&names[..], [ty, function] if ty == "f64" && function.starts_with(char::is_lowercase))
+    matches!(&names[..], [ty, function] if ty == "f64" && function.starts_with(char::is_lowercase) && !is_underived(function))
 }
+
+/// Functions of f64 that make a number of something else, or have no derivative: for numbers that do not change they are called as they are.
+pub fn is_underived(name: &str) -> bool {
+    UNDERIVED.contains(&name)
+}
+
+const UNDERIVED: &[&str] = &[
+    "from_bits",
+    "from_str",
+    "from_le_bytes",
+    "from_be_bytes",
+    "from_ne_bytes",
+    "try_from",
+    "to_bits",
+    "to_le_bytes",
+    "to_be_bytes",
+    "to_ne_bytes",
+    "next_up",
+    "next_down",
+    "midpoint",
+];
 
 /// Functions of Kin's that take any numbers.
 pub fn is_kin_function(path: &ExprPath) -> bool {
@@ -28,6 +49,11 @@ pub fn is_std_function(path: &ExprPath) -> bool {
             | ["Box" | "Rc" | "Arc" | "Vec" | "VecDeque" | "Option" | "Result" | "Cell" | "RefCell" | "Default" | "Iterator" | "String", _]
             | ["array" | "iter" | "mem" | "cmp", _]
     )
+}
+
+/// A path that names a struct or a variant, by convention: its last name begins with a capital letter.
+pub fn is_type_name(path: &ExprPath) -> bool {
+    names(path).last().is_some_and(|name| name.starts_with(char::is_uppercase))
 }
 
 /// Types of Kin's that are made of numbers.

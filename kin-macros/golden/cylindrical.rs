@@ -1,7 +1,7 @@
 /// The constraint that [`fn@cylindrical`] makes.
 ///
 /// A cylindrical joint: the axes are parallel and the line between two of their points is along them.      [–, –, m, m]
-#[allow(non_camel_case_types)]
+#[allow(non_camel_case_types, non_snake_case)]
 #[derive(Clone)]
 pub struct cylindrical {
     i: ::kin::SpatialBody,
@@ -16,8 +16,8 @@ pub struct cylindrical {
 #[allow(clippy::too_many_arguments)]
 #[must_use]
 pub fn cylindrical(
-    i: impl ::core::convert::Into<::kin::SpatialBody>,
-    j: impl ::core::convert::Into<::kin::SpatialBody>,
+    i: impl ::kin::IntoSpatialBody,
+    j: impl ::kin::IntoSpatialBody,
     u_i: impl ::kin::rt::Components<3, Scalar = f64>,
     u_j: impl ::kin::rt::Components<3, Scalar = f64>,
     f_i: impl ::kin::rt::Components<3, Scalar = f64>,
@@ -25,8 +25,8 @@ pub fn cylindrical(
     h_j: impl ::kin::rt::Components<3, Scalar = f64>,
 ) -> cylindrical {
     cylindrical {
-        i: ::core::convert::Into::into(i),
-        j: ::core::convert::Into::into(j),
+        i: ::kin::IntoSpatialBody::into_spatial_body(i),
+        j: ::kin::IntoSpatialBody::into_spatial_body(j),
         u_i: ::kin::rt::vector(u_i),
         u_j: ::kin::rt::vector(u_j),
         f_i: ::kin::rt::vector(f_i),
@@ -34,11 +34,13 @@ pub fn cylindrical(
         h_j: ::kin::rt::vector(h_j),
     }
 }
-#[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
 const _: () = {
+    #[allow(unused_imports)]
     use ::kin::rt::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
+    #[allow(unused_imports)]
     use ::kin::rt::{ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _};
     /// The function as it was written.
+    #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     const __WRITTEN: fn(
         ::kin::rt::SpatialState,
         ::kin::rt::SpatialState,
@@ -52,12 +54,16 @@ const _: () = {
         let d = i.point(u_i) - j.point(u_j);
         (f.dot(h), g.dot(h), f.dot(d), g.dot(d))
     };
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     const __SOUND: bool = {
         let _ = __WRITTEN;
         true
     };
+    #[allow(dead_code)]
     type __Dual<D> = ::kin::rt::If<__SOUND, D>;
+    #[allow(dead_code)]
     type __Real<D> = ::kin::rt::Real<__Dual<D>>;
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::Constraint for cylindrical {
         fn kind(&self) -> &str {
             "cylindrical"
@@ -1098,6 +1104,7 @@ rows 218 223 228 233
             false
         }
     }
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::Described for cylindrical {
         const KIND: &'static str = "cylindrical";
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
@@ -1117,6 +1124,7 @@ rows 218 223 228 233
             })
         }
     }
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::Equation<14, 4> for cylindrical {
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[
             ::kin::rt::ArgumentKind::Spatial,

@@ -1,7 +1,7 @@
 /// The constraint that [`fn@on_cam`] makes.
 ///
 /// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]
-#[allow(non_camel_case_types)]
+#[allow(non_camel_case_types, non_snake_case)]
 #[derive(Clone)]
 struct on_cam {
     cam: ::kin::PlanarBody,
@@ -13,23 +13,25 @@ struct on_cam {
 #[allow(clippy::too_many_arguments)]
 #[must_use]
 fn on_cam(
-    cam: impl ::core::convert::Into<::kin::PlanarBody>,
-    follower: impl ::core::convert::Into<::kin::PlanarBody>,
+    cam: impl ::kin::IntoPlanarBody,
+    follower: impl ::kin::IntoPlanarBody,
     tip: impl ::kin::rt::Components<2, Scalar = f64>,
     profile: Law,
 ) -> on_cam {
     on_cam {
-        cam: ::core::convert::Into::into(cam),
-        follower: ::core::convert::Into::into(follower),
+        cam: ::kin::IntoPlanarBody::into_planar_body(cam),
+        follower: ::kin::IntoPlanarBody::into_planar_body(follower),
         tip: ::kin::rt::vector(tip),
         profile,
     }
 }
-#[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
 const _: () = {
+    #[allow(unused_imports)]
     use ::kin::rt::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
+    #[allow(unused_imports)]
     use ::kin::rt::{ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _};
     /// The function as it was written.
+    #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     const __WRITTEN: fn(
         ::kin::rt::PlanarState,
         ::kin::rt::PlanarState,
@@ -47,16 +49,25 @@ const _: () = {
             ))
                 .lowered()
     };
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     const __SOUND: bool = {
         let _ = __WRITTEN;
         true
     };
+    #[allow(dead_code)]
     type __Dual<D> = ::kin::rt::If<__SOUND, D>;
+    #[allow(dead_code)]
     type __Real<D> = ::kin::rt::Real<__Dual<D>>;
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     impl on_cam {
         fn __leaf0<__D: ::kin::rt::Dual>(&self, x: [__Real<__D>; 1]) -> __Real<__D> {
             (&::kin::rt::Foreign(
-                wear(
+                ::kin::rt::callee::<
+                    __SOUND,
+                    _,
+                >(
+                    wear,
+                )(
                     ::kin::rt::Jet(x[0]).argument(),
                     ::kin::rt::constant_argument(MOST_WEAR),
                 ),
@@ -64,6 +75,7 @@ const _: () = {
                 .lifted(::core::marker::PhantomData::<__Dual<__D>>)
         }
     }
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::Constraint for on_cam {
         fn kind(&self) -> &str {
             "on_cam"
@@ -436,6 +448,7 @@ rows 36
             visit("profile", &self.profile, x_0);
         }
     }
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::InLanes for on_cam {
         fn kernels(&self) -> ::kin::rt::LaneKernels {
             ::kin::rt::LaneKernels::of::<Self>()
@@ -491,6 +504,7 @@ rows 36
             }
         }
     }
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::LaneKernel for on_cam {
         #[inline(always)]
         fn linearize<__S: ::kin::rt::Level>(
@@ -645,6 +659,7 @@ rows 36
                 - ((t29 * (t29 * call0[2])) + (call0[1] * t33))) + call1[0]);
         }
     }
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::Described for on_cam {
         const KIND: &'static str = "on_cam";
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
@@ -661,6 +676,7 @@ rows 36
             })
         }
     }
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::Equation<6, 1> for on_cam {
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[
             ::kin::rt::ArgumentKind::Planar,
@@ -681,7 +697,12 @@ rows 36
                 let phi = p.y.atan2(p.x);
                 p.norm() - profile.at(phi)
                     + (&::kin::rt::Foreign(
-                        wear(
+                        ::kin::rt::callee::<
+                            __SOUND,
+                            _,
+                        >(
+                            wear,
+                        )(
                             ::kin::rt::Jet(phi).argument(),
                             ::kin::rt::constant_argument(MOST_WEAR),
                         ),

@@ -1,7 +1,7 @@
 /// The constraint that [`fn@revolute`] makes.
 ///
 /// Pin joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      [m]
-#[allow(non_camel_case_types)]
+#[allow(non_camel_case_types, non_snake_case)]
 #[derive(Clone)]
 pub struct revolute {
     i: ::kin::PlanarBody,
@@ -13,35 +13,41 @@ pub struct revolute {
 #[allow(clippy::too_many_arguments)]
 #[must_use]
 pub fn revolute(
-    i: impl ::core::convert::Into<::kin::PlanarBody>,
-    j: impl ::core::convert::Into<::kin::PlanarBody>,
+    i: impl ::kin::IntoPlanarBody,
+    j: impl ::kin::IntoPlanarBody,
     u_i: impl ::kin::rt::Components<2, Scalar = f64>,
     u_j: impl ::kin::rt::Components<2, Scalar = f64>,
 ) -> revolute {
     revolute {
-        i: ::core::convert::Into::into(i),
-        j: ::core::convert::Into::into(j),
+        i: ::kin::IntoPlanarBody::into_planar_body(i),
+        j: ::kin::IntoPlanarBody::into_planar_body(j),
         u_i: ::kin::rt::vector(u_i),
         u_j: ::kin::rt::vector(u_j),
     }
 }
-#[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
 const _: () = {
+    #[allow(unused_imports)]
     use ::kin::rt::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
+    #[allow(unused_imports)]
     use ::kin::rt::{ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _};
     /// The function as it was written.
+    #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     const __WRITTEN: fn(
         ::kin::rt::PlanarState,
         ::kin::rt::PlanarState,
         Vec2,
         Vec2,
     ) -> Vec2 = |i, j, u_i, u_j| { i.point(u_i) - j.point(u_j) };
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     const __SOUND: bool = {
         let _ = __WRITTEN;
         true
     };
+    #[allow(dead_code)]
     type __Dual<D> = ::kin::rt::If<__SOUND, D>;
+    #[allow(dead_code)]
     type __Real<D> = ::kin::rt::Real<__Dual<D>>;
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::Constraint for revolute {
         fn kind(&self) -> &str {
             "revolute"
@@ -278,6 +284,7 @@ rows 30 31
             false
         }
     }
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::InLanes for revolute {
         fn kernels(&self) -> ::kin::rt::LaneKernels {
             ::kin::rt::LaneKernels::of::<Self>()
@@ -293,6 +300,7 @@ rows 30 31
             *known = [self.u_i.x, self.u_i.y, self.u_j.x, self.u_j.y];
         }
     }
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::LaneKernel for revolute {
         #[inline(always)]
         fn linearize<__S: ::kin::rt::Level>(
@@ -369,6 +377,7 @@ rows 30 31
             );
         }
     }
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::Described for revolute {
         const KIND: &'static str = "revolute";
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
@@ -385,6 +394,7 @@ rows 30 31
             })
         }
     }
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::Equation<6, 2> for revolute {
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[
             ::kin::rt::ArgumentKind::Planar,

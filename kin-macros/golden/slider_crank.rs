@@ -1,7 +1,7 @@
 /// The constraint that [`fn@slider_crank`] makes.
 ///
 /// Loop closure of the slider-crank, crank driven at ω.      [m]
-#[allow(non_camel_case_types)]
+#[allow(non_camel_case_types, non_snake_case)]
 #[derive(Clone)]
 struct slider_crank {
     theta3: ::kin::Coordinate,
@@ -15,27 +15,29 @@ struct slider_crank {
 #[allow(clippy::too_many_arguments)]
 #[must_use]
 fn slider_crank(
-    theta3: impl ::core::convert::Into<::kin::Coordinate>,
-    x: impl ::core::convert::Into<::kin::Coordinate>,
+    theta3: impl ::kin::IntoCoordinate,
+    x: impl ::kin::IntoCoordinate,
     l2: f64,
     l3: f64,
     h: f64,
     omega: f64,
 ) -> slider_crank {
     slider_crank {
-        theta3: ::core::convert::Into::into(theta3),
-        x: ::core::convert::Into::into(x),
+        theta3: ::kin::IntoCoordinate::into_coordinate(theta3),
+        x: ::kin::IntoCoordinate::into_coordinate(x),
         l2,
         l3,
         h,
         omega,
     }
 }
-#[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
 const _: () = {
+    #[allow(unused_imports)]
     use ::kin::rt::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
+    #[allow(unused_imports)]
     use ::kin::rt::{ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _};
     /// The function as it was written.
+    #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     const __WRITTEN: fn(f64, f64, f64, f64, f64, f64, f64) -> [f64; 2] = |
         theta3,
         x,
@@ -51,12 +53,16 @@ const _: () = {
             l2 * theta2.sin() + l3 * theta3.sin() - h,
         ]
     };
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     const __SOUND: bool = {
         let _ = __WRITTEN;
         true
     };
+    #[allow(dead_code)]
     type __Dual<D> = ::kin::rt::If<__SOUND, D>;
+    #[allow(dead_code)]
     type __Real<D> = ::kin::rt::Real<__Dual<D>>;
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::Constraint for slider_crank {
         fn kind(&self) -> &str {
             "slider_crank"
@@ -324,6 +330,7 @@ rows 13 19
             false
         }
     }
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::Described for slider_crank {
         const KIND: &'static str = "slider_crank";
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
@@ -342,6 +349,7 @@ rows 13 19
             })
         }
     }
+    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::Equation<2, 2> for slider_crank {
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[
             ::kin::rt::ArgumentKind::Coord,

@@ -1,6 +1,6 @@
 //! The driver: the stages as a chain, and what happens when one of them finds a mistake.
 
-use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 use kin_language::lower::{Failure, Unreadable};
@@ -8,17 +8,19 @@ use kin_language::parse::{Choice, ConstraintFn};
 use kin_language::{limits, lower, parse};
 
 use crate::emit;
+use crate::emit::DualReason;
 
 /// `#[constraint]`
 pub fn constraint(attribute: TokenStream, item: TokenStream) -> TokenStream {
     let parsed = limits::check(&item).and_then(|()| parse::constraint(attribute, item.clone()));
     let source = match parsed {
         Ok(source) => source,
-        Err(mistakes) => return with_stand_in(&mistakes, &emit::stand_in::constraint_item(without_body(item))),
+        Err(mistakes) => return with_stand_in(&mistakes, &emit::stand_in::constraint_item(item)),
     };
     match (source.choice, lower::constraint(&source)) {
         (_, Err(Failure::Mistakes(mistakes))) => with_stand_in(&mistakes, &emit::stand_in::constraint(&source)),
-        (Choice::Dual, _) | (Choice::Best, Err(Failure::Unreadable(_))) => emit::constraint::dual(&source),
+        (Choice::Dual(asked), _) => emit::constraint::dual(&source, &DualReason::Asked(asked)),
+        (Choice::Best, Err(Failure::Unreadable(why))) => emit::constraint::dual(&source, &DualReason::Unread(&why)),
         (Choice::Symbolic, Err(Failure::Unreadable(why))) => with_stand_in(&refusal(&why, &source), &emit::stand_in::constraint(&source)),
         (_, Ok(lowered)) => emit::constraint::symbolic(&source, lowered),
     }
@@ -29,7 +31,7 @@ pub fn law(attribute: &TokenStream, item: TokenStream) -> TokenStream {
     let parsed = limits::check(&item).and_then(|()| parse::law(attribute, item.clone()));
     let source = match parsed {
         Ok(source) => source,
-        Err(mistakes) => return with_stand_in(&mistakes, &emit::stand_in::law_item(without_body(item))),
+        Err(mistakes) => return with_stand_in(&mistakes, &emit::stand_in::law_item(item)),
     };
     match lower::law(&source.variable, &source.parameters, &source.body) {
         Err(Failure::Mistakes(mistakes)) => with_stand_in(&mistakes, &emit::stand_in::law(&source)),
@@ -38,24 +40,11 @@ pub fn law(attribute: &TokenStream, item: TokenStream) -> TokenStream {
     }
 }
 
-/// The messages, and something that type-checks, so that no further message follows from the first.
+/// Something that type-checks, so that no further message follows from the first, and the messages: behind it, for an editor that completes a word
+/// looks for the place of the word before in the expansion with the word.
 fn with_stand_in(mistakes: &syn::Error, stand_in: &TokenStream) -> TokenStream {
     let messages = mistakes.to_compile_error();
-    quote!(#messages #stand_in)
-}
-
-/// The item with an empty body: of an item with mistakes no more is needed, and the body may be what is wrong.
-fn without_body(item: TokenStream) -> TokenStream {
-    let mut tokens: Vec<TokenTree> = item.into_iter().collect();
-    let is_function = tokens.iter().any(|token| matches!(token, TokenTree::Ident(word) if word == "fn"));
-    if let (true, Some(TokenTree::Group(body))) = (is_function, tokens.last())
-        && body.delimiter() == Delimiter::Brace
-    {
-        let empty = Group::new(Delimiter::Brace, TokenStream::new());
-        tokens.pop();
-        tokens.push(empty.into());
-    }
-    tokens.into_iter().collect()
+    quote!(#stand_in #messages)
 }
 
 /// `#[constraint(symbolic)]` or `#[constraint(lanes)]` on a body that cannot be read.

@@ -264,5 +264,7 @@ fn pairs_of_coarse_and_fine_grids_give_the_same_motion_or_the_same_end() {
     println!("{tried} pairs: {} motions, {} toggles, refused: {:#?}", tally.moved, tally.toggles, tally.refused);
     assert!(tally.refused.len() <= 2 * tried / 1000, "{:#?}", tally.refused);
     assert!(tally.moved > tried / 5 && tally.toggles > tried / 10 && of_family.iter().all(|pairs| *pairs >= tried / 40));
-    assert!(2 * tally.proved >= tally.moved / PROVED, "{} of {} proved", tally.proved, tally.moved / PROVED);
+    // Of a few the share says nothing.
+    let asked = tally.moved / PROVED;
+    assert!(asked < 8 || 2 * tally.proved >= asked, "{} of {asked} proved", tally.proved);
 }

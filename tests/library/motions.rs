@@ -161,8 +161,8 @@ fn more_than_two_coordinates_are_coupled() {
 
     let mut m = Mechanism::new("eight");
     let q: [Coordinate; 8] = std::array::from_fn(|k| m.length(&format!("x{k}"), 0.0).unwrap());
-    for k in 0..7 {
-        m.add(&format!("motor {k}"), drive(q[k], Law::ramp(k as f64))).unwrap();
+    for (k, driven) in q.into_iter().take(7).enumerate() {
+        m.add(&format!("motor {k}"), drive(driven, Law::ramp(k as f64))).unwrap();
     }
     m.add("sum", linear_coupling(q, [1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 2.0], 4.0)).unwrap();
     let motion = m.build().unwrap().run([0.0, 1.0]).unwrap();

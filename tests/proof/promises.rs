@@ -181,9 +181,13 @@ fn a_jump_of_a_law_behind_the_bounds_of_a_sine() {
         let end = (omega * 1.0_f64).sin();
         for jump in [0.0, 0.3] {
             let law = Law::sequence(0.0, [(1.0, Law::sine(1.0, omega, 0.0)), (1.0, Law::constant(end + jump))]);
+            let law = Law::ramp(0.0) + law.compose(&Law::linear(0.0, 1.0));
+            if jump > 0.0 && law.refusal().is_some() {
+                continue; // told where it is added
+            }
             let system = lengths([0.0, 0.0], |m, [x, y]| {
                 m.add("x", drive(x, Law::linear(1.0, 1e-16)))?;
-                m.add("y", follows(x, y, Law::ramp(0.0) + law.compose(&Law::linear(0.0, 1.0))))?;
+                m.add("y", follows(x, y, law))?;
                 Ok(())
             });
             let Ok(motion) = system.run([-1.0, 1.0]) else { continue };

@@ -141,7 +141,7 @@ impl Looked<'_> {
             given: point.value.clone(),
             local: local.clone(),
         };
-        works.then(|| Slip { change: Change::Local { points: wrong.iter().map(told).collect() }, block })
+        works.then_some(Slip { change: Change::Local { points: wrong.iter().map(told).collect() }, block })
     }
 
     fn name(&self, item: Option<usize>) -> String {
@@ -168,15 +168,15 @@ impl Looked<'_> {
             }
             let works = self.works(|equations| {
                 let mut put = |at: &PointAt, from: &PointAt| {
-                    let all = from.value.iter().enumerate();
-                    all.map(|(k, x)| dimension::set(equations, (at.block, at.first + k), *x)).all(|set| set)
+                    let mut all = from.value.iter().enumerate();
+                    all.all(|(k, x)| dimension::set(equations, (at.block, at.first + k), *x))
                 };
                 put(i, j) && put(j, i)
             });
             let constraint = self.model().equations.blocks[i.block].name.clone();
             let bodies = [self.name(i.item), self.name(j.item)];
             let points = [i.value.clone(), j.value.clone()];
-            works.then(|| Slip { change: Change::Swap { constraint, bodies, points }, block: i.block })
+            works.then_some(Slip { change: Change::Swap { constraint, bodies, points }, block: i.block })
         };
         self.pairs().find_map(told)
     }

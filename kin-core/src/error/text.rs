@@ -75,7 +75,7 @@ pub(super) fn rank(rank: usize, n: usize) -> String {
     if rank < n { format!("has rank {rank}") } else { "is singular but for rounding".to_string() }
 }
 
-pub(super) fn singular(movable: &[String], dependent: &[String], unmet: &Option<String>) -> String {
+pub(super) fn singular(movable: &[String], dependent: &[String], unmet: &Option<Box<str>>) -> String {
     let mut text = String::new();
     if !movable.is_empty() {
         text += &format!("\n  free to move though the drivers stand still: {}.", list(movable));

@@ -62,7 +62,7 @@ pub(crate) struct Run<'a> {
 enum Driver<'a> {
     Plain(Box<Sweep<'a>>),
     /// Of a mechanism with more equations than coordinates.
-    Redundant(redundant::Sweep<'a>),
+    Redundant(Box<redundant::Sweep<'a>>),
 }
 
 impl<'a> Run<'a> {
@@ -73,7 +73,7 @@ impl<'a> Run<'a> {
             system.knows_jerk()?;
         }
         let driver = if redundant::is_redundant(system) {
-            Driver::Redundant(redundant::Sweep::new(system, options, explain))
+            Driver::Redundant(Box::new(redundant::Sweep::new(system, options, explain)))
         } else {
             Driver::Plain(Box::new(Sweep::new(system, options)))
         };
@@ -382,7 +382,12 @@ impl<'a> Sweep<'a> {
                 Err(Lost::Lost) => {}
             }
         }
+        let is_far = (target - t).abs() <= SHORTEST * (to - t).abs() && self.check.is_some() && self.moved(target - t, target) > SHORT;
         Err(match trouble {
+            // The shortest step of all still turns bodies too far for Newton's method to find its way.
+            Trouble::Failed(_) if is_far => {
+                Error::CannotFollow { t, units: self.newton.system.unit_words().clone(), reason: TOO_MANY, motion: None }
+            }
             Trouble::Failed(failure) => {
                 self.newton.q.copy_from_slice(&self.failed);
                 // For what it says of the equations there.

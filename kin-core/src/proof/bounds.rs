@@ -110,6 +110,9 @@ impl From<Fixed> for Series {
     }
 }
 
+/// What is done with a formula, the values of its parameters and what computes the rest.
+type Shown<'a> = dyn FnMut(&'static Table, &[f64], Outside<'_>) -> Result<(), Unknown> + 'a;
+
 impl<'a> Part<'a> {
     /// A constraint alone, its columns being all there are; `None` for one that is not known as steps.
     pub(crate) fn alone(constraint: &'a dyn Constraint) -> Option<Self> {
@@ -169,8 +172,8 @@ impl<'a> Part<'a> {
         all
     }
 
-    /// Shows the steps.
-    fn with(&self, of: &mut dyn FnMut(&'static Table, &[f64], Outside<'_>) -> Result<(), Unknown>) -> Result<(), Unknown> {
+    /// Shows the formula.
+    fn with(&self, of: &mut Shown<'_>) -> Result<(), Unknown> {
         let mut done = Ok(());
         self.constraint.formula(&mut |table, parameters, outside| done = of(table, parameters, outside));
         done

@@ -97,7 +97,7 @@ fn comparisons_of_intervals() {
 #[test]
 fn conditions_that_may_hold() {
     let all = [(true, false), (false, true), (false, false)].map(|(never, always)| Possibly { never, always });
-    let [never, always, maybe] = all.clone();
+    let [never, always, maybe] = all;
     for (a, b, both, either) in [
         (&never, &never, &never, &never),
         (&never, &always, &never, &always),
@@ -107,11 +107,11 @@ fn conditions_that_may_hold() {
         (&maybe, &maybe, &maybe, &maybe),
     ] {
         for (a, b) in [(a, b), (b, a)] {
-            assert_eq!((&a.clone().and(b.clone()), &a.clone().or(b.clone())), (both, either));
+            assert_eq!((&a.and(*b), &a.or(*b)), (both, either));
         }
     }
-    assert_eq!(all.clone().map(Condition::negated), [always.clone(), never.clone(), maybe.clone()]);
-    let chosen = all.clone().map(|condition| Series::select(&condition, Series::number(1.0), Series::number(2.0)));
+    assert_eq!(all.map(Condition::negated), [always, never, maybe]);
+    let chosen = all.map(|condition| Series::select(&condition, Series::number(1.0), Series::number(2.0)));
     assert_eq!(
         chosen.map(|chosen| (chosen.len(), chosen.values())),
         [(FULL, [2.0; 2]), (FULL, [1.0; 2]), (0, [f64::NEG_INFINITY, f64::INFINITY])]
@@ -119,7 +119,7 @@ fn conditions_that_may_hold() {
     assert_eq!(all.map(|condition| Series::of_condition(&condition).values()), [[0.0; 2], [1.0; 2], [0.0, 1.0]]);
     let holds =
         [[0.0, 0.0], [0.0, 1.0], [-1.0, 1.0], [0.5, 1.0], [-2.0, -1.0]].map(|[lo, hi]| Series::constant(Interval::new(lo, hi)).holds());
-    assert_eq!(holds, [never, maybe.clone(), maybe, always.clone(), always]);
+    assert_eq!(holds, [never, maybe, maybe, always, always]);
 }
 
 /// Where one is the larger all along, it is that; where they touch too.

@@ -13,7 +13,7 @@ use super::interval::{ALL, Interval, ONE, ZERO};
 pub(crate) const ORDER: usize = 6;
 const FULL: usize = ORDER + 1;
 
-/// A function of σ, −1 ≤ σ ≤ 1, as bounds of its values and of its derivatives there: what [`crate::LawFunction::over`] is asked for.
+/// A function of σ, −1 ≤ σ ≤ 1, as bounds of its values and of its derivatives there: what [`crate::law::LawFunction::over`] is asked for.
 ///
 /// It is computed with like a number: `+`, `−`, `·`, `/`, and functions under f64's names. All results hold whatever the operands may be between
 /// their bounds, rounding included.

@@ -1,6 +1,8 @@
 //! Functions of one variable: each line a value and three exact derivatives, or what is made of them.
 
+use std::cmp::Ordering;
 use std::f64::consts::{LN_2, LN_10};
+use std::num::FpCategory;
 
 use kin_graph::functions::{acosh, atanh};
 
@@ -145,6 +147,8 @@ steps! {
     round;
     /// The whole part, towards 0; slope 0.
     trunc;
+    /// The nearest whole number, halves to the even one; slope 0.
+    round_ties_even;
 }
 
 questions! {
@@ -158,9 +162,25 @@ questions! {
     is_sign_negative;
     /// Whether the real part has no minus sign, +0 included.
     is_sign_positive;
+    /// Whether the real part is neither 0, subnormal, infinite nor NaN.
+    is_normal;
+    /// Whether the real part is subnormal.
+    is_subnormal;
 }
 
 impl<D: Dual> Real<D> {
+    /// The real parts in f64's total order, which has a place for NaN and tells −0 from +0.
+    #[inline]
+    pub fn total_cmp(&self, other: &Self) -> Ordering {
+        self.value().total_cmp(&other.value())
+    }
+
+    /// What kind of number the real part is.
+    #[inline]
+    pub fn classify(self) -> FpCategory {
+        self.value().classify()
+    }
+
     /// (sin x, cos x), x in rad.
     #[inline]
     pub fn sin_cos(self) -> (Self, Self) {

@@ -33,6 +33,24 @@ pub trait IntoJet<T> {
     fn into_jet(self) -> T;
 }
 
+/// A value that carries derivatives as what a field of the user's struct asks for: it must ask for dual numbers.
+#[diagnostic::on_unimplemented(
+    message = "this field holds f64 only, so the derivative of what is put into it would be lost",
+    label = "depends on coordinates or time",
+    note = "keep such numbers in variables, a tuple or an array, or make the type generic and say so: `struct S<T> {{ x: T }}`, `let s: S<f64> = S {{ x }}`"
+)]
+pub trait IntoField<T> {
+    /// The converted value.
+    fn into_field(self) -> T;
+}
+
+#[diagnostic::do_not_recommend]
+impl<S: IntoJet<T>, T> IntoField<T> for S {
+    fn into_field(self) -> T {
+        self.into_jet()
+    }
+}
+
 /// A value and the same value in the other kind of numbers, by reference, as the reference that the user's function asks for.
 pub trait IntoReference<T> {
     /// The reference.
@@ -190,6 +208,14 @@ impl<S> Jet<S> {
         S: IntoJet<T>,
     {
         self.0.into_jet()
+    }
+
+    /// The converted value, for a field.
+    pub fn field<T>(self) -> T
+    where
+        S: IntoField<T>,
+    {
+        self.0.into_field()
     }
 }
 

@@ -3,6 +3,7 @@
 mod argument;
 mod cast;
 mod columns;
+mod editor;
 mod ended;
 mod foreign;
 pub mod graph;
@@ -16,7 +17,7 @@ mod sound;
 mod timed;
 
 pub use crate::algebra::{Axis, Components, EulerParameters, Mat2, Mat3, Vec2, Vec3};
-pub use crate::blame::{Asked, Blame};
+pub use crate::blame::{Asked, Blame, Source};
 pub use crate::constraint::{Attached, Attachment, Dependence, Measured};
 pub use crate::coordinates::{Argument, Target, Trig};
 pub use crate::data::{Described, Describer, Reader, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold};
@@ -27,7 +28,8 @@ pub use crate::real::{Dual, Dual2_64, Dual3_64, Dual64, Real};
 pub use crate::state::{At, PlanarState, Rates, SpatialState};
 pub use kin_graph::functions::{acosh, atanh};
 
-pub use argument::{IntoConstant, IntoJet, IntoPlain, IntoReference, Jet, Nothing};
+pub use crate::{__inside_editor as inside_editor, __outside_editor as outside_editor, __stand_in as stand_in};
+pub use argument::{IntoConstant, IntoField, IntoJet, IntoPlain, IntoReference, Jet, Nothing};
 pub use argument::{constant_argument, plain_argument, reference_argument};
 pub use cast::{Cast, Whole, cast, whole};
 pub use columns::Columns;
@@ -39,7 +41,7 @@ pub use numbers::{Numbers, set, set_at, visit};
 pub use parameter::{Parameter, is_parameter};
 pub use refused::{Refuses, refusal, refused};
 pub use rows::{Rows, rows};
-pub use sound::{If, Sound, Then};
+pub use sound::{If, Sound, Then, callee};
 pub use timed::timed;
 
 /// \[f, f′, f″, f‴\] of a function written for any dual number.

@@ -93,7 +93,7 @@ impl System {
     /// m.add("motor", drive_angle(crank, Law::ramp(1.0)))?;
     /// let (times, mut highest) = ((0..10_000).map(|k| 0.001 * f64::from(k)), 0.0_f64);
     /// m.build()?.run_in_parts(times, 1000, &kin::Options::default(), |part| {
-    ///     highest = highest.max(part.point(crank, crank.end()).y().max());
+    ///     highest = part.point(crank, crank.end())?.r().iter().fold(highest, |highest, r| highest.max(r.y));
     ///     Ok(())
     /// })?;
     /// assert!((highest - 1.0).abs() < 1e-6);

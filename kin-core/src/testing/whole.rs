@@ -34,7 +34,7 @@ fn two_link_manipulator_is_the_closed_form() {
     assert!(motion.residuals().iter().all(|r| *r < 1e-14));
     // Prediction from one time takes one step, prediction from three takes none.
     assert!(motion.iterations()[1..3].iter().all(|n| *n == 1) && motion.iterations()[3..].iter().all(|n| *n == 0));
-    assert!(motion.summary().starts_with("two-link manipulator: 9 coordinates, 9 equations, 2401 times, 0 Newton steps a time"));
+    assert!(motion.summary().starts_with("two-link manipulator: 9 coordinates, 9 equations, 2401 times, predictions met the equations"));
 }
 
 #[test]
@@ -122,7 +122,6 @@ fn coupler_point_moves_as_its_position_does() {
     }
     assert_eq!(p.speed().max(), p.speed().values().iter().fold(0.0, |m: f64, x| m.max(*x)));
     assert!(motion.point(any_planar(), v(0.0, 0.0)).is_err());
-    assert!(motion.point(any_planar(), v(0.0, 0.0)).unwrap().r().is_empty());
     assert_eq!(motion.point(PlanarBody::from(Ground), v(1.0, 2.0)).unwrap().r()[5], v(1.0, 2.0));
 }
 

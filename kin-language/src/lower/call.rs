@@ -1,12 +1,13 @@
 //! Calls: vectors and matrices by their constructors, f64's functions as paths, functions of the body's own and of the user's.
 
+use proc_macro2::Span;
 use quote::ToTokens;
 use syn::{Expr, ExprCall, ExprPath};
 
 use super::template::Template;
 use super::value::{Components, Value};
 use super::{Read, Reader, Unreadable};
-use crate::vocabulary::{is_std_function, names};
+use crate::vocabulary::{is_std_function, is_underived, names};
 use kin_graph::{Function, Function2, Graph, Node};
 
 pub use crate::vocabulary::is_number_function;
@@ -45,6 +46,12 @@ impl Reader {
             [.., "vec3"] => Ok(self.make(Components::Vector(3), arguments, &call)),
             [.., ty @ ("Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters"), function] => self.associated(ty, function, arguments, &call),
             ["f64", "from"] => self.number_from(arguments, &call),
+            ["f64", function] if is_underived(function) => {
+                if let Some(k) = arguments.iter().position(|value| self.value_varies(value)) {
+                    return Ok(self.no_derivative(function, call.place(k)));
+                }
+                self.own_function(Template::Path(path.clone()), arguments, places, at)
+            }
             ["f64", function] => self.number_function(function, arguments, &call),
             [.., "array", "from_fn"] if arguments.len() == 1 => self.array_from_fn(arguments, &call),
             _ => {
@@ -151,7 +158,7 @@ impl Reader {
             (1, Some(Value::Scalar(n))) => Ok(Value::Scalar(n)),
             (1, Some(value)) => {
                 let template = self.template(value, call.at)?;
-                Ok(Value::Opaque(Template::Call(Box::new(Template::Path(call.path.clone())), vec![template])))
+                Ok(Value::Opaque(Template::Call(Box::new(Template::Path(call.path.clone())), vec![template], last_span(call.at))))
             }
             _ => Ok(self.mistake(call.at, "`f64::from` takes one argument")),
         }
@@ -175,6 +182,17 @@ impl Reader {
         }
         let rest: Vec<Node> = arguments.into_iter().enumerate().map(|(k, value)| self.scalar(value, call.place(k + 1))).collect();
         Ok(self.scalar_function(x, function, &rest, call.at))
+    }
+
+    /// Whether a value depends on coordinates or time.
+    pub fn value_varies(&self, value: &Value) -> bool {
+        let numbers = value.clone().referent().numbers();
+        numbers.is_some_and(|(nodes, _)| nodes.iter().any(|&node| self.graph.depends(node).varies()))
+    }
+
+    /// A function of f64 like `to_bits`, of something that depends on coordinates or time.
+    pub fn no_derivative(&mut self, function: &str, at: &dyn ToTokens) -> Value {
+        self.mistake(at, format!("`{function}` has no derivative, and this depends on coordinates or time"))
     }
 
     /// `std::array::from_fn(f)`, of the length in its type arguments or that of its place.
@@ -206,7 +224,7 @@ impl Reader {
         if std && templates.iter().any(|template| !template.nodes().is_empty()) {
             return Err(Unreadable::new(at, "this function of the standard library"));
         }
-        Ok(Value::Opaque(Template::Call(Box::new(callee), templates)))
+        Ok(Value::Opaque(Template::Call(Box::new(callee), templates, last_span(at))))
     }
 
     pub fn norm(&mut self, v: &[Node]) -> Node {
@@ -237,6 +255,11 @@ impl Call<'_> {
     fn place(&self, k: usize) -> &dyn ToTokens {
         self.places.get(k).map_or(self.at, |place| *place as &dyn ToTokens)
     }
+}
+
+/// The place of a call's parentheses, which are its last token.
+fn last_span(at: &dyn ToTokens) -> Span {
+    at.to_token_stream().into_iter().last().map_or_else(Span::call_site, |token| token.span())
 }
 
 fn strip(expression: &Expr) -> &Expr {

@@ -128,6 +128,7 @@ impl Reader {
         match (shape(ty), named(ty).as_str()) {
             (Some(shape), _) => Ok(self.shaped(value, &shape, at)),
             (None, "bool") => Ok(Value::Condition(self.condition(value, at))),
+            (None, "f32") => Ok(self.mistake(ty, "numbers are `f64`")),
             (None, name) if is_integer(name) => self.typed_integer(value, name, at),
             (None, "Vec") => self.typed_list(value, ty, at),
             (None, name) => match value {
@@ -203,6 +204,11 @@ impl Reader {
             Template::Unary(UnOp::Neg(_), a) if known && (scalar || components) => {
                 let a = self.opaque_shaped(*a, shape, at);
                 self.negated(a)
+            }
+            Template::Parameter(name) if scalar && self.no_numbers.contains_key(&name.to_string()) => {
+                let ty = self.no_numbers[&name.to_string()].clone();
+                let cure = if ty == "bool" { format!("if {name} {{ … }} else {{ … }}") } else { format!("{name} as f64") };
+                self.mistake(at, format!("`{name}` is a `{ty}`; a number of it is `{cure}`"))
             }
             template => {
                 let nodes = self.opaque(template, OpaqueKind::Numbers(shape.clone()));

@@ -27,6 +27,7 @@ use quote::{ToTokens, quote};
 
 use crate::error::Mistakes;
 use crate::parse::{Argument, ConstraintFn, Kind, Shape};
+use crate::vocabulary::is_integer;
 use kin_graph::{Graph, Input, Node};
 
 pub use place::Expressions;
@@ -163,6 +164,8 @@ struct Reader {
     rotations: HashMap<Vec<Node>, Vec<Node>>,
     attachments: Vec<Attachment>,
     repeated_items: Vec<syn::Item>,
+    /// Parameters that are integers or conditions, with their types.
+    no_numbers: HashMap<String, String>,
     /// Conditions of the branches around what is being read.
     path: Vec<Node>,
     /// Number of the scope of the function's own block.
@@ -191,6 +194,7 @@ impl Reader {
             rotations: HashMap::new(),
             attachments: Vec::new(),
             repeated_items: Vec::new(),
+            no_numbers: HashMap::new(),
             path: Vec::new(),
             body_depth: 0,
             calls: 0,
@@ -239,7 +243,13 @@ impl Reader {
                 Kind::Law => Value::Law(Template::Parameter(name.clone())),
                 Kind::Axis => self.axis(name),
                 Kind::Numbers(shape) => self.parameter(&quote!(self.#name), shape),
-                Kind::Other => Value::Opaque(Template::Parameter(name.clone())),
+                Kind::Other => {
+                    let ty = argument.ty.to_token_stream().to_string();
+                    if ty == "bool" || is_integer(&ty) {
+                        self.no_numbers.insert(name.to_string(), ty);
+                    }
+                    Value::Opaque(Template::Parameter(name.clone()))
+                }
             };
             self.scopes.declare(name.to_string(), value);
             slot += argument.kind.slots();

@@ -63,6 +63,9 @@ impl Reader {
 
     /// An equation that depends on no coordinate can never be solved for one.
     fn refuse_constants(&mut self, source: &ConstraintFn, parts: &[(Vec<Node>, Shape)], tail: Option<&Expr>, rows: &[Row]) {
+        if !self.mistakes.is_empty() {
+            return;
+        }
         let mut row = rows.iter();
         let places = elements(tail, parts.len());
         for (part, place) in parts.iter().zip(places) {

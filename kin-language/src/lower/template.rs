@@ -17,7 +17,8 @@ pub enum Template {
     Numbers(Vec<Node>, Shape, Span),
     /// A field of the constraint: a parameter whose type only rustc knows.
     Parameter(Ident),
-    Call(Box<Template>, Vec<Template>),
+    /// With the place of its parentheses.
+    Call(Box<Template>, Vec<Template>, Span),
     Method(Box<Template>, TokenStream, Vec<Template>),
     Field(Box<Template>, syn::Member),
     Index(Box<Template>, Box<Template>),
@@ -87,7 +88,7 @@ impl Template {
     fn parts(&self) -> Vec<&Template> {
         match self {
             Template::Tokens(_) | Template::Path(_) | Template::Numbers(..) | Template::Parameter(_) => vec![],
-            Template::Call(callee, all) => std::iter::once(&**callee).chain(all).collect(),
+            Template::Call(callee, all, _) => std::iter::once(&**callee).chain(all).collect(),
             Template::Method(receiver, _, all) => std::iter::once(&**receiver).chain(all).collect(),
             Template::Tuple(all) | Template::Array(all) => all.iter().collect(),
             Template::Index(a, b) | Template::Binary(a, _, b) | Template::Choice(_, a, b) => vec![a, b],
@@ -108,7 +109,7 @@ impl Template {
             Template::Path(path) => path.to_token_stream().to_string(),
             Template::Numbers(nodes, shape, _) => format!("{nodes:?}: {shape:?}"),
             Template::Parameter(name) => format!("self.{name}"),
-            Template::Call(callee, all) => format!("({})({})", callee.key(), list(all)),
+            Template::Call(callee, all, _) => format!("({})({})", callee.key(), list(all)),
             Template::Method(receiver, name, all) => format!("({}).{name}({})", receiver.key(), list(all)),
             Template::Field(base, member) => format!("({}).{}", base.key(), member.to_token_stream()),
             Template::Index(base, index) => format!("({})[{}]", base.key(), index.key()),

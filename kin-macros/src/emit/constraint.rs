@@ -4,10 +4,11 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::lanes::{self, LaneCode};
-use super::{attachments, blame, demands, described, functions, measures, rewrite, template, written};
+use super::route::DualReason;
+use super::{attachments, blame, demands, described, editor, functions, measures, rewrite, template, unlinted, written};
 use crate::derivatives::Derivatives;
 use kin_language::lower::{Lowered, names_as_written};
-use kin_language::parse::{Argument, ConstraintFn, Kind, Shape};
+use kin_language::parse::{Argument, ConstraintFn, Kind};
 
 /// What both routes need to know.
 struct Frame<'a> {
@@ -39,13 +40,16 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
 }
 
 /// The constraint on the dual route.
-pub fn dual(source: &ConstraintFn) -> TokenStream {
+pub fn dual(source: &ConstraintFn, reason: &DualReason) -> TokenStream {
     let row_names = names_as_written(source);
     let n = columns(&source.arguments);
     let pattern = (0..row_names.len()).flat_map(|row| (0..n).map(move |column| (row, column))).collect();
     let (body, expressions) = rewrite::traced(&source.body, &source.arguments);
     let (kernels, attachments, blame) = (functions::dual(), attachments::dual(source), blame::dual(&expressions.all));
-    Frame::new(source, body, row_names, pattern).emit(quote!(::kin::Route::Dual), &quote!(#kernels #attachments #blame), &[], None)
+    let (explained, warning) = (reason.explained(), reason.warning(&source.name, source.warn_dual));
+    let methods = quote!(#explained #kernels #attachments #blame);
+    let constraint = Frame::new(source, body, row_names, pattern).emit(quote!(::kin::Route::Dual), &methods, &[], None);
+    quote!(#constraint #warning)
 }
 
 impl<'a> Frame<'a> {
@@ -56,11 +60,15 @@ impl<'a> Frame<'a> {
     fn emit(&self, route: TokenStream, kernels: &TokenStream, leaves: &[TokenStream], lowered: Option<&Lowered>) -> TokenStream {
         let source = self.source;
         let (name, n, m) = (&source.name, literal(self.n), literal(self.row_names.len()));
-        let (declaration, equations) = (self.declaration(), self.equations());
-        let body = rewrite::plain(&source.body, &source.arguments);
-        let written =
-            written::written(name, &written::inputs(&source.arguments), &source.output_type, &body, &measures::written(source), lowered);
-        let leaves = if leaves.is_empty() { quote!() } else { quote!(impl #name { #(#leaves)* }) };
+        let (declaration, equations) = (declaration(source), self.equations());
+        let body = rewrite::plain(source.written(), &source.arguments);
+        let used = demands::mentioned(source);
+        let inputs = written::inputs(&source.arguments);
+        let (output, attributes) = (&source.output_type, &source.attributes[..]);
+        let copy = written::Copy { inputs: &inputs, output, body: &body, used: &used, attributes };
+        let written = written::written(name, &copy, &measures::written(source), lowered);
+        let (unlinted, edited) = (unlinted(), editor::constraint(source, &body));
+        let leaves = if leaves.is_empty() { quote!() } else { quote!(#unlinted impl #name { #(#leaves)* }) };
         let kind = syn::ext::IdentExt::unraw(name).to_string();
         let (row_names, pattern) = (&self.row_names, self.pattern.iter().map(|(row, column)| (literal(*row), literal(*column))));
         let pattern: Vec<TokenStream> = pattern.map(|(row, column)| quote!((#row, #column))).collect();
@@ -75,12 +83,12 @@ impl<'a> Frame<'a> {
         let (refusal, branch) = (demands::refusal(source), demands::branch(source));
         let laws = lowered.map(|lowered| functions::laws(&source.arguments, lowered)).unwrap_or_default();
         quote! {
+            #edited
             #declaration
-
-            #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
-            const _: () = {
+            ::kin::rt::outside_editor! { const _: () = {
                 #written
                 #leaves
+                #unlinted
                 impl ::kin::Constraint for #name {
                     fn kind(&self) -> &str {
                         #kind
@@ -113,58 +121,12 @@ impl<'a> Frame<'a> {
                 }
                 #lane_kernels
                 #as_data
+                #unlinted
                 impl ::kin::rt::Equation<#n, #m> for #name {
                     const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[#(#kinds),*];
                     #equations
                 }
-            };
-        }
-    }
-
-    /// The struct and its constructor, which takes links and the ground as bodies, a direction as an axis, tuples and arrays as vectors.
-    fn declaration(&self) -> TokenStream {
-        let source = self.source;
-        let (visibility, name, attributes) = (&source.visibility, &source.name, &source.attributes);
-        let fields: Vec<&Argument> = source.arguments.iter().filter(|a| a.kind.is_field()).collect();
-        let names: Vec<_> = fields.iter().map(|a| &a.name).collect();
-        let types = fields.iter().map(|a| super::field_type(a));
-        let inputs = fields.iter().map(|argument| {
-            let (name, ty) = (&argument.name, super::field_type(argument));
-            match argument.kind {
-                Kind::Planar | Kind::Spatial | Kind::Coord | Kind::Axis => quote!(#name: impl ::core::convert::Into<#ty>),
-                Kind::Numbers(Shape::Vector(n)) => {
-                    let n = literal(n);
-                    quote!(#name: impl ::kin::rt::Components<#n, Scalar = f64>)
-                }
-                _ => quote!(#name: #ty),
-            }
-        });
-        let values = fields.iter().map(|argument| {
-            let name = &argument.name;
-            match argument.kind {
-                Kind::Planar | Kind::Spatial | Kind::Coord | Kind::Axis => quote!(#name: ::core::convert::Into::into(#name)),
-                Kind::Numbers(Shape::Vector(_)) => quote!(#name: ::kin::rt::vector(#name)),
-                _ => quote!(#name),
-            }
-        });
-        let docs = super::documentation(attributes);
-        let heading = format!(" The constraint that [`fn@{name}`] makes.");
-        quote! {
-            #[doc = #heading]
-            #[doc = ""]
-            #(#docs)*
-            #[allow(non_camel_case_types)]
-            #[derive(Clone)]
-            #visibility struct #name {
-                #(#names: #types),*
-            }
-
-            #(#attributes)*
-            #[allow(clippy::too_many_arguments)]
-            #[must_use]
-            #visibility fn #name(#(#inputs),*) -> #name {
-                #name { #(#values),* }
-            }
+            }; }
         }
     }
 
@@ -224,6 +186,34 @@ impl<'a> Frame<'a> {
                 ::kin::rt::rows(__WRITTEN(#(#inputs),*))
             }
             #measure
+        }
+    }
+}
+
+/// The struct and its constructor.
+pub fn declaration(source: &ConstraintFn) -> TokenStream {
+    let (visibility, name, attributes) = (&source.visibility, &source.name, &source.attributes);
+    let fields: Vec<&Argument> = source.arguments.iter().filter(|a| a.kind.is_field()).collect();
+    let names: Vec<_> = fields.iter().map(|a| &a.name).collect();
+    let types = fields.iter().map(|a| super::field_type(a));
+    let (inputs, values): (Vec<_>, Vec<_>) = fields.iter().map(|argument| super::constructor_input(argument)).unzip();
+    let docs = super::documentation(attributes);
+    let heading = format!(" The constraint that [`fn@{name}`] makes.");
+    quote! {
+        #[doc = #heading]
+        #[doc = ""]
+        #(#docs)*
+        #[allow(non_camel_case_types, non_snake_case)]
+        #[derive(Clone)]
+        #visibility struct #name {
+            #(#names: #types),*
+        }
+
+        #(#attributes)*
+        #[allow(clippy::too_many_arguments)]
+        #[must_use]
+        #visibility fn #name(#(#names: #inputs),*) -> #name {
+            #name { #(#values),* }
         }
     }
 }

@@ -79,6 +79,27 @@ pub fn bindings<'a>(arguments: &[Argument], expressions: impl Iterator<Item = &'
         .collect()
 }
 
+/// The arguments that attributes speak of: a parameter may be there for a requirement, or for the end of a measure, alone.
+pub fn mentioned(source: &ConstraintFn) -> Vec<Ident> {
+    let demands = source.requirements.iter().chain(&source.branches).map(|demand| &demand.condition);
+    let measures = source.measures.iter().flat_map(|measure| {
+        let ends = measure.ends.iter().flat_map(|(from, to)| [from, to]);
+        std::iter::once(&measure.value).chain(ends)
+    });
+    let expressions: Vec<&syn::Expr> = demands.chain(measures).collect();
+    named(&source.arguments, &expressions)
+}
+
+/// The parameters that the requirements of a law speak of.
+pub fn mentioned_by_law(requirements: &[Demand], parameters: &[Argument]) -> Vec<Ident> {
+    named(parameters, &requirements.iter().map(|demand| &demand.condition).collect::<Vec<_>>())
+}
+
+fn named(arguments: &[Argument], expressions: &[&syn::Expr]) -> Vec<Ident> {
+    let names = arguments.iter().map(|argument| &argument.name);
+    names.filter(|name| expressions.iter().any(|expression| mentions(expression, name))).cloned().collect()
+}
+
 /// Whether a name stands in an expression.
 fn mentions(expression: &impl ToTokens, name: &Ident) -> bool {
     fn within(tokens: TokenStream, name: &Ident) -> bool {

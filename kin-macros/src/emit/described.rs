@@ -25,7 +25,7 @@ pub fn describe(source: &ConstraintFn) -> TokenStream {
 
 /// `impl Described`: what a registry needs to make it anew.
 pub fn described(source: &ConstraintFn, kind: &str, n: &Literal, m: &Literal) -> TokenStream {
-    let name = &source.name;
+    let (name, unlinted) = (&source.name, super::unlinted());
     let fields = source.arguments.iter().filter(|argument| argument.kind.is_field()).map(|argument| {
         let (field, text, ty) = (&argument.name, text(argument), super::field_type(argument));
         let value = match argument.kind {
@@ -42,6 +42,7 @@ pub fn described(source: &ConstraintFn, kind: &str, n: &Literal, m: &Literal) ->
         quote!(#field: #value)
     });
     quote! {
+        #unlinted
         impl ::kin::rt::Described for #name {
             const KIND: &'static str = #kind;
             const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<#n, #m>>::ARGUMENTS;

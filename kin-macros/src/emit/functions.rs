@@ -190,16 +190,6 @@ pub fn dual() -> TokenStream {
     }
 }
 
-/// After a mistake: nothing is computed.
-pub fn nothing() -> TokenStream {
-    quote! {
-        fn residual(&self, _: &::kin::rt::At<'_>, _: &mut [f64]) {}
-        fn jacobian(&self, _: &::kin::rt::At<'_>, _: &mut [f64]) {}
-        fn velocity_rhs(&self, _: &::kin::rt::At<'_>, _: &mut [f64]) {}
-        fn acceleration_rhs(&self, _: &::kin::rt::At<'_>, _: &::kin::rt::Rates<'_>, _: f64, _: &mut [f64]) {}
-    }
-}
-
 fn literal(k: usize) -> Literal {
     Literal::usize_unsuffixed(k)
 }

@@ -63,7 +63,7 @@ pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &mut Lowered, derive
             }
         }
     });
-    let in_lanes = outside.in_lanes(name, arguments, lowered);
+    let (in_lanes, unlinted) = (outside.in_lanes(name, arguments, lowered), super::unlinted());
     LaneCode {
         method: quote! {
             fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::rt::InLanes> {
@@ -71,7 +71,9 @@ pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &mut Lowered, derive
             }
         },
         implementations: quote! {
+            #unlinted
             #in_lanes
+            #unlinted
             impl ::kin::rt::LaneKernel for #name {
                 #[inline(always)]
                 fn linearize<__S: ::kin::rt::Level>(

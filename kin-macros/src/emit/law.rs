@@ -2,38 +2,41 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
+use syn::Block;
 
 use super::kernel::Kernel;
-use super::{blame, demands, rewrite, template, written};
+use super::{blame, demands, editor, rewrite, template, unlinted, written};
 use kin_graph::differentiate::Partial;
 use kin_language::lower::Lowered;
 use kin_language::parse::LawFn;
 
 /// The law with its derivatives to third order, symbolic where the body could be read.
 pub fn law(source: &LawFn, lowered: Option<Lowered>) -> TokenStream {
-    let written = written(source, lowered.as_ref());
+    let body = rewrite::plain_law(source.written(), &source.parameters, &source.variable);
+    let (written, edited) = (written(source, &body, lowered.as_ref()), editor::law(source, &body));
     let over = lowered.as_ref().map(|lowered| blame::law(&source.parameters, lowered));
     let (jet, leaves) = match lowered {
         Some(lowered) => symbolic(source, lowered),
         None => (quote!(::kin::rt::jet_by_dual(x, |x| self.evaluate(x))), vec![]),
     };
-    emit(source, [&jet, &over.unwrap_or_default()], &written, &leaves, &evaluate(source))
+    let emitted = emit(source, [&jet, &over.unwrap_or_default()], &written, &leaves, &evaluate(source));
+    let shown = super::stand_in::law_function(source);
+    quote! {
+        #edited
+        ::kin::rt::outside_editor! { #emitted }
+        ::kin::rt::inside_editor! { #shown }
+    }
 }
 
 /// The function as it was written; nobody calls it, but rustc reads it.
-fn written(source: &LawFn, lowered: Option<&Lowered>) -> TokenStream {
+fn written(source: &LawFn, body: &Block, lowered: Option<&Lowered>) -> TokenStream {
     let variable = &source.variable;
     let mut inputs = vec![(quote!(#variable), quote!(f64))];
     inputs.extend(written::inputs(&source.parameters));
     let owner = proc_macro2::Ident::new("__Law", proc_macro2::Span::mixed_site());
-    written::written(
-        &owner,
-        &inputs,
-        &syn::parse_quote!(f64),
-        &rewrite::plain_law(&source.body, &source.parameters, variable),
-        &[],
-        lowered,
-    )
+    let used = demands::mentioned_by_law(&source.requirements, &source.parameters);
+    let copy = written::Copy { inputs: &inputs, output: &syn::parse_quote!(f64), body, used: &used, attributes: &source.attributes };
+    written::written(&owner, &copy, &[], lowered)
 }
 
 fn symbolic(source: &LawFn, mut lowered: Lowered) -> (TokenStream, Vec<TokenStream>) {
@@ -83,24 +86,26 @@ fn emit(
     let fields: Vec<_> = source.parameters.iter().map(super::field_type).collect();
     let text = syn::ext::IdentExt::unraw(name).to_string();
     let (refusal, description) = (demands::law_refusal(&source.requirements, &source.parameters), super::description(attributes));
+    let unlinted = unlinted();
     quote! {
         #(#attributes)*
         #[allow(clippy::too_many_arguments)]
         #[must_use]
         #visibility fn #name(#(#names: #types),*) -> ::kin::Law {
-            #[allow(non_camel_case_types)]
+            #[allow(non_camel_case_types, non_snake_case)]
             #[derive(Clone)]
             struct __Law {
                 #(#names: #fields),*
             }
-            #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
             const _: () = {
                 #written
+                #unlinted
                 impl __Law {
                     #(#leaves)*
                     #evaluate
                     #set
                 }
+                #unlinted
                 impl ::kin::rt::LawFunction for __Law {
                     fn kind(&self) -> &str {
                         #text

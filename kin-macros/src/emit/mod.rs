@@ -5,12 +5,14 @@ mod blame;
 pub mod constraint;
 mod demands;
 mod described;
+mod editor;
 mod functions;
 mod kernel;
 mod lanes;
 pub mod law;
 mod measures;
 mod rewrite;
+mod route;
 mod slots;
 pub mod stand_in;
 mod template;
@@ -18,9 +20,11 @@ mod timed;
 mod written;
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{quote, quote_spanned};
 
-use kin_language::parse::{Argument, Kind};
+use kin_language::parse::{Argument, Kind, Shape};
+
+pub use route::DualReason;
 
 /// Type of a field of the emitted struct.
 fn field_type(argument: &Argument) -> TokenStream {
@@ -39,6 +43,32 @@ fn field_type(argument: &Argument) -> TokenStream {
             quote!(#ty)
         }
     }
+}
+
+/// What a constructor takes for an argument, and the value of its field. The name stands at the type in the signature, for messages.
+fn constructor_input(argument: &Argument) -> (TokenStream, TokenStream) {
+    let (name, ty) = (&argument.name, field_type(argument));
+    let given = |word: &str, method: &str| {
+        let at = proc_macro2::Span::call_site().located_at(syn::spanned::Spanned::span(&argument.ty));
+        let (word, method) = (proc_macro2::Ident::new(word, at), own(method));
+        (quote_spanned!(at=> impl ::kin::#word), quote!(#name: ::kin::#word::#method(#name)))
+    };
+    match argument.kind {
+        Kind::Planar => given("IntoPlanarBody", "into_planar_body"),
+        Kind::Spatial => given("IntoSpatialBody", "into_spatial_body"),
+        Kind::Coord => given("IntoCoordinate", "into_coordinate"),
+        Kind::Axis => given("IntoAxis", "into_axis"),
+        Kind::Numbers(Shape::Vector(n)) => {
+            let n = proc_macro2::Literal::usize_unsuffixed(n);
+            (quote!(impl ::kin::rt::Components<#n, Scalar = f64>), quote!(#name: ::kin::rt::vector(#name)))
+        }
+        _ => (ty, quote!(#name)),
+    }
+}
+
+/// Lints do not look at code that is not the user's.
+fn unlinted() -> TokenStream {
+    quote!(#[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)])
 }
 
 /// `parameters` and `set_parameter`: laws and vectors know their own parts.

@@ -1,52 +1,95 @@
-//! After a mistake: something of the function's name that type-checks wherever it is used, so that one mistake gives one message.
+//! After a mistake: something of the function's name that type-checks wherever it is used, so that one mistake gives one message. An editor is
+//! shown the function all the same.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use quote::quote;
 use syn::{FnArg, Ident, Item, ItemFn, Type, Visibility};
 
-use super::functions;
-use kin_language::parse::{ConstraintFn, Kind, LawFn};
+use super::{editor, rewrite};
+use kin_language::parse::{Argument, ConstraintFn, Kind, LawFn};
 
 /// For a constraint whose signature was understood.
 pub fn constraint(source: &ConstraintFn) -> TokenStream {
     let inputs = source.arguments.iter().filter(|argument| argument.kind.is_field());
-    let inputs: Vec<TokenStream> = inputs
-        .map(|argument| {
-            let ty = super::field_type(argument);
-            match argument.kind {
-                Kind::Planar | Kind::Spatial | Kind::Coord | Kind::Axis => quote!(impl ::core::convert::Into<#ty>),
-                Kind::Other => anything(),
-                _ => ty,
-            }
-        })
-        .collect();
-    constraint_of(&source.visibility, &source.name, &inputs)
+    let inputs: Vec<TokenStream> = inputs.map(input).collect();
+    let (stand_in, declaration) = (constraint_of(&source.visibility, &source.name, &inputs), super::constraint::declaration(source));
+    let edited = editor::constraint(source, &rewrite::plain(source.written(), &source.arguments));
+    quote! {
+        #edited
+        ::kin::rt::outside_editor! { #stand_in }
+        ::kin::rt::inside_editor! { #declaration }
+    }
 }
 
 /// For a law whose signature was understood.
 pub fn law(source: &LawFn) -> TokenStream {
-    let inputs: Vec<TokenStream> = source
-        .parameters
-        .iter()
-        .map(|argument| if argument.kind == Kind::Other { anything() } else { super::field_type(argument) })
-        .collect();
-    law_of(&source.visibility, &source.name, &inputs)
+    let inputs: Vec<TokenStream> = source.parameters.iter().map(input).collect();
+    let (stand_in, shown) = (law_of(&source.visibility, &source.name, &inputs), law_function(source));
+    let edited = editor::law(source, &rewrite::plain_law(source.written(), &source.parameters, &source.variable));
+    quote! {
+        #edited
+        ::kin::rt::outside_editor! { #stand_in }
+        ::kin::rt::inside_editor! { #shown }
+    }
+}
+
+/// The constructor of a law that is never called.
+pub fn law_function(source: &LawFn) -> TokenStream {
+    let (attributes, visibility, name) = (&source.attributes, &source.visibility, &source.name);
+    let inputs = source.parameters.iter().map(|argument| {
+        let (name, ty) = (&argument.name, &argument.ty);
+        quote!(#name: #ty)
+    });
+    quote! {
+        #(#attributes)*
+        #visibility fn #name(#(#inputs),*) -> ::kin::Law {
+            ::core::unreachable!()
+        }
+    }
 }
 
 /// For any item under `#[constraint]`.
 pub fn constraint_item(item: TokenStream) -> TokenStream {
+    let (item, body) = without_body(item);
     match as_function(item) {
-        Ok(function) => constraint_of(&function.vis, &function.sig.ident, &inputs(&function)),
+        Ok(function) => {
+            let (stand_in, edited) =
+                (constraint_of(&function.vis, &function.sig.ident, &inputs(&function)), editor::unread(&function.sig, &body));
+            quote!(#edited #stand_in)
+        }
         Err(other) => other,
     }
 }
 
 /// For any item under `#[law]`.
 pub fn law_item(item: TokenStream) -> TokenStream {
+    let (item, body) = without_body(item);
     match as_function(item) {
-        Ok(function) => law_of(&function.vis, &function.sig.ident, inputs(&function).get(1..).unwrap_or_default()),
+        Ok(function) => {
+            let parameters = inputs(&function);
+            let stand_in = law_of(&function.vis, &function.sig.ident, parameters.get(1..).unwrap_or_default());
+            let edited = editor::unread(&function.sig, &body);
+            quote!(#edited #stand_in)
+        }
         Err(other) => other,
     }
+}
+
+/// The item with an empty body, and the body, which may be what is wrong with it.
+fn without_body(item: TokenStream) -> (TokenStream, TokenStream) {
+    let mut tokens: Vec<TokenTree> = item.into_iter().collect();
+    let is_function = tokens.iter().any(|token| matches!(token, TokenTree::Ident(word) if word == "fn"));
+    let body = match tokens.pop() {
+        Some(TokenTree::Group(body)) if is_function && body.delimiter() == Delimiter::Brace => {
+            tokens.push(Group::new(Delimiter::Brace, TokenStream::new()).into());
+            TokenTree::from(body).into()
+        }
+        last => {
+            tokens.extend(last);
+            quote!({})
+        }
+    };
+    (tokens.into_iter().collect(), body)
 }
 
 /// The item, if it is a function; else something to emit in its place: itself, if it is Rust.
@@ -56,6 +99,10 @@ fn as_function(item: TokenStream) -> Result<ItemFn, TokenStream> {
         Ok(other) => Err(quote!(#other)),
         Err(_) => Err(quote!()),
     }
+}
+
+fn input(argument: &Argument) -> TokenStream {
+    if argument.kind == Kind::Other { anything() } else { super::constructor_input(argument).0 }
 }
 
 /// What a constructor would take, as far as can be told from a signature with mistakes in it.
@@ -80,7 +127,6 @@ fn anything() -> TokenStream {
 }
 
 fn constraint_of(visibility: &Visibility, name: &Ident, inputs: &[TokenStream]) -> TokenStream {
-    let nothing = functions::nothing();
     quote! {
         #[allow(non_camel_case_types, missing_docs)]
         #[derive(Clone)]
@@ -91,42 +137,7 @@ fn constraint_of(visibility: &Visibility, name: &Ident, inputs: &[TokenStream]) 
             #name {}
         }
 
-        const _: () = {
-            impl ::kin::Constraint for #name {
-                fn kind(&self) -> &str {
-                    ""
-                }
-                fn route(&self) -> ::kin::Route {
-                    ::kin::Route::Dual
-                }
-                fn arguments(&self) -> ::std::vec::Vec<::kin::rt::Argument> {
-                    ::std::vec::Vec::new()
-                }
-                fn rows(&self) -> &[&str] {
-                    &[]
-                }
-                fn pattern(&self) -> &[(usize, usize)] {
-                    &[]
-                }
-                #nothing
-            }
-            impl ::kin::rt::Described for #name {
-                const KIND: &'static str = "";
-                const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[];
-                fn read(_: &mut ::kin::rt::Reader<'_>) -> ::core::option::Option<Self> {
-                    ::core::option::Option::Some(#name {})
-                }
-            }
-            impl ::kin::rt::Equation<0, 0> for #name {
-                const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[];
-                fn evaluate<__D: ::kin::rt::Dual>(&self, _: &[::kin::rt::Real<__D>; 0], _: ::kin::rt::Real<__D>) -> [::kin::rt::Real<__D>; 0] {
-                    []
-                }
-                fn plain(&self, _: &[f64; 0], _: f64) -> [f64; 0] {
-                    []
-                }
-            }
-        };
+        ::kin::rt::stand_in!(#name);
     }
 }
 

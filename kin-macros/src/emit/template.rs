@@ -1,14 +1,15 @@
 //! Expressions of the user's that emitted code repeats, with values of the graph put in.
 
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
+use syn::spanned::Spanned;
 
 use super::written::silent;
 use kin_graph::{Graph, Node};
 use kin_language::lower::template::Template;
 use kin_language::lower::{OpaqueKind, OpaqueValue, component_paths};
 use kin_language::parse::Shape;
-use kin_language::vocabulary::{is_number_method, is_reading_method, is_std_function};
+use kin_language::vocabulary::{is_number_method, is_reading_method, is_std_function, is_type_name};
 
 /// The expression in plain numbers.
 pub fn plain(template: &Template, value: &mut dyn FnMut(Node) -> TokenStream) -> TokenStream {
@@ -50,6 +51,8 @@ enum Use {
     Place,
     /// It is an argument of the user's function, which may ask for f64 or for `Real<D>`.
     Argument,
+    /// It is put into the user's struct.
+    Field,
 }
 
 /// Where it is written.
@@ -94,7 +97,7 @@ impl Writer<'_> {
                 quote!(if #condition { #a } else { #b })
             }
             Template::When(_, a) => self.write(a, using),
-            other if using == Use::Argument => {
+            other if matches!(using, Use::Argument | Use::Field) => {
                 let written = self.write(other, Use::Value);
                 match self.site {
                     Site::Leaf(_) => quote!(::kin::rt::constant_argument(#written)),
@@ -106,7 +109,7 @@ impl Writer<'_> {
                 let place = if let Site::Check = self.site { quote!(__self.#name) } else { quote!(self.#name) };
                 if using == Use::Place { place } else { quote!(#place.clone()) }
             }
-            Template::Call(callee, all) => self.call(callee, all),
+            Template::Call(callee, all, at) => self.call(callee, all, *at),
             Template::Method(receiver, method, all) => {
                 let using = if takes_numbers(receiver, method) { Use::Value } else { Use::Argument };
                 let receiver = self.write(receiver, Use::Place);
@@ -144,13 +147,14 @@ impl Writer<'_> {
             (Use::Place, _) => quote!((#built)),
             (Use::Value, _) => built,
             (Use::Argument, Site::Leaf(graph)) if varies(graph, nodes) => quote_spanned!(at=> ::kin::rt::Jet(#built).argument()),
-            (Use::Argument, Site::Leaf(_)) => quote_spanned!(at=> ::kin::rt::constant_argument(#built)),
-            (Use::Argument, _) => quote_spanned!(at=> ::kin::rt::plain_argument(#built)),
+            (Use::Field, Site::Leaf(graph)) if varies(graph, nodes) => quote_spanned!(at=> ::kin::rt::Jet(#built).field()),
+            (Use::Argument | Use::Field, Site::Leaf(_)) => quote_spanned!(at=> ::kin::rt::constant_argument(#built)),
+            (Use::Argument | Use::Field, _) => quote_spanned!(at=> ::kin::rt::plain_argument(#built)),
         }
     }
 
     fn reference(&mut self, inner: &Template, using: Use) -> TokenStream {
-        let (Template::Numbers(nodes, shape, at), Use::Argument) = (inner, using) else {
+        let (Template::Numbers(nodes, shape, at), Use::Argument | Use::Field) = (inner, using) else {
             let place = self.write(inner, Use::Place);
             return quote!((&#place));
         };
@@ -162,10 +166,18 @@ impl Writer<'_> {
         }
     }
 
-    fn call(&mut self, callee: &Template, all: &[Template]) -> TokenStream {
+    fn call(&mut self, callee: &Template, all: &[Template], at: Span) -> TokenStream {
         let std = matches!(callee, Template::Path(path) if is_std_function(path));
-        let using = if std { Use::Value } else { Use::Argument };
+        let using = match callee {
+            _ if std => Use::Value,
+            Template::Path(path) if is_type_name(path) => Use::Field,
+            _ => Use::Argument,
+        };
         let callee = match callee {
+            // Of unknown type where the function as it was written does not compile: what is wrong with the call is said once.
+            Template::Path(path) if using == Use::Argument && !matches!(self.site, Site::Check) => {
+                quote_spanned!(Span::mixed_site().located_at(path.span())=> ::kin::rt::callee::<__SOUND, _>(#path))
+            }
             Template::Path(path) => path.to_token_stream(),
             other => {
                 let place = self.write(other, Use::Place);
@@ -173,7 +185,9 @@ impl Writer<'_> {
             }
         };
         let all: Vec<_> = all.iter().map(|a| self.write(a, using)).collect();
-        quote!(#callee(#(#all),*))
+        let mut arguments = Group::new(Delimiter::Parenthesis, quote!(#(#all),*));
+        arguments.set_span(at);
+        quote!(#callee #arguments)
     }
 
     /// `as` cannot be applied to `Real`.

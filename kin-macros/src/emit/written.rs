@@ -11,31 +11,60 @@ use super::template;
 use kin_language::lower::Lowered;
 use kin_language::parse::{Argument, Kind};
 
-/// Constants and types for the copies to stand on: `__WRITTEN` is the function, `__SOUND` whether it compiles, `__Dual` and `__Real` are types
-/// that stand if it does.
-pub fn written(
-    owner: &Ident,
-    inputs: &[(TokenStream, TokenStream)],
-    output: &Type,
-    body: &Block,
-    measures: &[TokenStream],
-    lowered: Option<&Lowered>,
-) -> TokenStream {
+/// The function as it was written.
+pub struct Copy<'a> {
+    /// Patterns and types of its arguments.
+    pub inputs: &'a [(TokenStream, TokenStream)],
+    pub output: &'a Type,
+    pub body: &'a Block,
+    /// Arguments that are used outside of the body, in attributes.
+    pub used: &'a [Ident],
+    /// The user's attributes, of which those for lints are of use here.
+    pub attributes: &'a [syn::Attribute],
+}
+
+/// Constants and types for the other copies to stand on: `__WRITTEN` is the function, `__SOUND` whether it compiles, `__Dual` and `__Real` are
+/// types that stand if it does. Lints look at the function as at any other.
+pub fn written(owner: &Ident, copy: &Copy, measures: &[TokenStream], lowered: Option<&Lowered>) -> TokenStream {
     let constants = lowered.map(|lowered| constants(owner, lowered)).unwrap_or_default();
-    let names = inputs.iter().map(|(name, _)| name);
-    let types = inputs.iter().map(|(_, ty)| if constants.is_empty() { ty.clone() } else { quote!(::kin::rt::If<__CONSTANTS, #ty>) });
-    let mut output = output.clone();
-    Known.visit_type_mut(&mut output);
+    let names = copy.inputs.iter().map(|(name, _)| name);
+    let types = copy.inputs.iter().map(|(_, ty)| if constants.is_empty() { ty.clone() } else { quote!(::kin::rt::If<__CONSTANTS, #ty>) });
+    let lints =
+        copy.attributes.iter().filter(|attribute| ["allow", "warn", "deny", "forbid"].iter().any(|word| attribute.path().is_ident(word)));
+    let (output, body, unlinted) = (known(copy.output), using(copy.body, copy.used), super::unlinted());
     quote! {
+        #[allow(unused_imports)]
         use ::kin::rt::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
+        #[allow(unused_imports)]
         use ::kin::rt::{ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _};
         #constants
         /// The function as it was written.
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+        #(#lints)*
         const __WRITTEN: fn(#(#types),*) -> #output = |#(#names),*| #body;
+        #unlinted
         const __SOUND: bool = { let _ = __WRITTEN; #(let _ = #measures;)* true };
+        #[allow(dead_code)]
         type __Dual<D> = ::kin::rt::If<__SOUND, D>;
+        #[allow(dead_code)]
         type __Real<D> = ::kin::rt::Real<__Dual<D>>;
     }
+}
+
+/// A returned type without `_`, which stands for a number.
+pub fn known(output: &Type) -> Type {
+    let mut output = output.clone();
+    Known.visit_type_mut(&mut output);
+    output
+}
+
+/// The body with a statement before it that uses some of its arguments.
+fn using(body: &Block, used: &[Ident]) -> Block {
+    let mut body = body.clone();
+    if !used.is_empty() {
+        body.stmts.insert(0, syn::parse_quote!(let _ = (#(&#used,)*);));
+    }
+    body
 }
 
 /// `__CONSTANTS`: whether constants and the user's parameters are of the types they were taken for. A wrong one is blamed at its token.
@@ -53,9 +82,10 @@ fn constants(owner: &Ident, lowered: &Lowered) -> TokenStream {
     if checks.is_empty() {
         return quote!();
     }
-    let items = &lowered.items;
+    let (items, unlinted) = (&lowered.items, super::unlinted());
     quote! {
         /// Constants and parameters are of the types they were taken for.
+        #unlinted
         const __CONSTANTS: bool = {
             let _ = |__self: &#owner| { #(#items)* #(#checks)* };
             true
@@ -65,7 +95,7 @@ fn constants(owner: &Ident, lowered: &Lowered) -> TokenStream {
 
 /// The arguments of the function as it was written: pattern and type.
 pub fn inputs(arguments: &[Argument]) -> Vec<(TokenStream, TokenStream)> {
-    arguments.iter().map(|argument| (pattern(argument), plain_type(argument))).collect()
+    arguments.iter().map(|argument| (pattern(argument), plain_type(&argument.kind, &argument.ty))).collect()
 }
 
 fn pattern(argument: &Argument) -> TokenStream {
@@ -73,17 +103,18 @@ fn pattern(argument: &Argument) -> TokenStream {
     quote!(#mutable #name)
 }
 
-fn plain_type(argument: &Argument) -> TokenStream {
-    match argument.kind {
+/// The type of an argument inside of the body.
+pub fn plain_type(kind: &Kind, ty: &Type) -> TokenStream {
+    match kind {
         Kind::Planar => quote!(::kin::rt::PlanarState),
         Kind::Spatial => quote!(::kin::rt::SpatialState),
         Kind::Coord | Kind::Time => quote!(f64),
         Kind::Coords(n) => {
-            let n = proc_macro2::Literal::usize_unsuffixed(n);
+            let n = proc_macro2::Literal::usize_unsuffixed(*n);
             quote!([f64; #n])
         }
-        Kind::Other => parameter_type(&argument.ty),
-        Kind::Numbers(_) | Kind::Law | Kind::Axis => argument.ty.to_token_stream(),
+        Kind::Other => parameter_type(ty),
+        Kind::Numbers(_) | Kind::Law | Kind::Axis => ty.to_token_stream(),
     }
 }
 
@@ -93,7 +124,6 @@ pub fn parameter_type(ty: &Type) -> TokenStream {
     quote!(::kin::rt::If<#is_parameter, #ty>)
 }
 
-/// `_` in a returned type is a number.
 struct Known;
 
 impl VisitMut for Known {

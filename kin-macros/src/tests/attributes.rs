@@ -21,6 +21,24 @@ impl Attributed {
     }
 }
 
+/// What the compiler is shown of an expansion, taken out of the macros that choose between it and an editor. What an editor is shown need be
+/// no Rust, since the user's body is in it.
+pub fn compiled(expansion: TokenStream) -> syn::Result<syn::File> {
+    let mut file: syn::File = syn::parse2(expansion)?;
+    let mut items = Vec::new();
+    for item in file.items {
+        match &item {
+            syn::Item::Macro(call) if call.mac.path.segments.last().is_some_and(|last| last.ident == "outside_editor") => {
+                items.extend(syn::parse2::<syn::File>(call.mac.tokens.clone())?.items);
+            }
+            syn::Item::Macro(call) if call.mac.path.segments.last().is_some_and(|last| last.ident == "inside_editor") => {}
+            _ => items.push(item),
+        }
+    }
+    file.items = items;
+    Ok(file)
+}
+
 /// Every item of `file` under one of the two attributes. Works on tokens, so that the item need not be good Rust.
 pub fn attributed(file: TokenStream) -> Vec<Attributed> {
     let mut found = Vec::new();

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use proc_macro2::{Group, Span, TokenStream, TokenTree};
 
-use super::attributes::attributed;
+use super::attributes::{attributed, compiled};
 use super::compared;
 
 #[test]
@@ -16,7 +16,7 @@ fn expansions_are_the_ones_that_were_reviewed() {
     let differences: Vec<String> = constraints
         .iter()
         .filter_map(|constraint| {
-            let file = syn::parse2(constraint.expand()).unwrap_or_else(|error| panic!("`{}` expands to no Rust: {error}", constraint.name));
+            let file = compiled(constraint.expand()).unwrap_or_else(|error| panic!("`{}` expands to no Rust: {error}", constraint.name));
             compared(&folder.join(&constraint.name).with_extension("rs"), &prettyplease::unparse(&file))
         })
         .collect();

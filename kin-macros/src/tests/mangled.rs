@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use proc_macro2::{Group, TokenStream, TokenTree};
 
-use super::attributes::{Attributed, attributed};
+use super::attributes::{Attributed, attributed, compiled};
 use super::rust_files;
 
 /// How many streams are tried.
@@ -26,7 +26,7 @@ fn mangled_constraints_give_messages_and_never_panic() {
         let Ok(expansion) = catch_unwind(AssertUnwindSafe(|| mangled.expand())) else { panic!("the macro panics at\n{text}") };
         let expansion_text = expansion.to_string();
         refused += usize::from(expansion_text.contains("compile_error"));
-        if let Err(error) = syn::parse2::<syn::File>(expansion) {
+        if let Err(error) = compiled(expansion) {
             panic!("the macro emits no Rust ({error}) for\n{text}\n\n{expansion_text}");
         }
     }

@@ -128,7 +128,7 @@ impl Pieces<'_> {
         let (line, crossed) = (at_j - at_i, r_i * r_j < 0.0);
         let (r_i, r_j) = (r_i.abs(), r_j.abs());
         let share = (if crossed { r_i + r_j } else { r_i - r_j }) / line.norm();
-        if !(share.abs() < 1.0) {
+        if share.is_nan() || share.abs() >= 1.0 {
             return; // One pulley stands within the other.
         }
         let (towards, half) = (line.y.atan2(line.x), share.acos());

@@ -94,7 +94,7 @@ pub fn coupling(a: Coord, b: Coord, k_a: f64, k_b: f64, c: f64) -> f64 {
 /// Linear coupling of two to eight coordinates: Σ k_n q_n − c = 0.
 ///
 /// A differential whose cage turns by half of what its two wheels turn: `linear_coupling([left, right, cage], [1.0, 1.0, -2.0], 0.0)`. To drive a sum,
-/// couple it with a coordinate of its own and drive that. The constraint itself is [`struct@linear_coupling`].
+/// couple it with a coordinate of its own and drive that. The constraint itself is [`type@linear_coupling`].
 #[must_use]
 pub fn linear_coupling<const N: usize>(q: [impl Into<Coordinate>; N], k: [f64; N], c: f64) -> linear_coupling {
     const {

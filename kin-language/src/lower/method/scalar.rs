@@ -8,6 +8,7 @@ use crate::lower::template::Template;
 use crate::lower::value::Value;
 use crate::lower::{Read, Reader, Unreadable, first_span};
 use crate::parse::Shape;
+use crate::vocabulary::is_underived;
 use kin_graph::{Function, Function2, Node};
 
 impl Reader {
@@ -24,6 +25,9 @@ impl Reader {
         {
             return Ok(Value::Opaque(Template::Method(Box::new(number(n, call)), call.whole.method.to_token_stream(), vec![])));
         }
+        if is_underived(name) {
+            return self.underived(n, call);
+        }
         let count = match name {
             _ if Function::from_method(name).is_some() => 0,
             "sin_cos" | "recip" | "to_radians" | "to_degrees" => 0,
@@ -35,6 +39,19 @@ impl Reader {
         };
         let Some(arguments) = self.scalars_of(count, call) else { return Ok(Value::Poison) };
         Ok(self.scalar_function(n, name, &arguments, call.whole))
+    }
+
+    /// `k.to_bits()`
+    fn underived(&mut self, n: Node, call: &Call) -> Read {
+        if let Some(place) = (0..call.places.len()).find(|&k| self.value_varies(&call.arguments[k])).map(|k| call.places[k]) {
+            return Ok(self.no_derivative(&call.name, place));
+        }
+        if self.graph.depends(n).varies() {
+            return Ok(self.no_derivative(&call.name, &call.whole.method));
+        }
+        let arguments = call.arguments.iter().zip(&call.places).map(|(value, place)| self.template(value.clone(), *place));
+        let arguments = arguments.collect::<Read<_>>()?;
+        Ok(Value::Opaque(Template::Method(Box::new(number(n, call)), call.whole.method.to_token_stream(), arguments)))
     }
 
     /// xⁿ with an integer n.
@@ -141,12 +158,8 @@ const OTHER_METHODS_OF_F64: &[&str] = &[
     "is_normal",
     "is_subnormal",
     "classify",
-    "to_bits",
     "to_string",
     "round_ties_even",
-    "midpoint",
-    "next_up",
-    "next_down",
     "eq",
     "ne",
     "lt",
@@ -160,8 +173,6 @@ const OTHER_METHODS_OF_F64: &[&str] = &[
     "rem",
     "neg",
     "try_into",
-    "to_le_bytes",
-    "to_be_bytes",
 ];
 
 fn cure(name: &str) -> &'static str {

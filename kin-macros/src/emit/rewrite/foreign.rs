@@ -10,7 +10,8 @@ use syn::{Expr, ExprMethodCall, Lit, UnOp, parse_quote, parse_quote_spanned};
 use super::scopes::Nature;
 use super::{Copy, Rewriter};
 use kin_language::vocabulary::{
-    is_changing_method, is_kin_function, is_kin_type, is_number_function, is_number_method, is_reading_method, is_std_function, names,
+    is_changing_method, is_kin_function, is_kin_type, is_number_function, is_number_method, is_reading_method, is_std_function,
+    is_type_name, is_underived, names,
 };
 
 impl Rewriter {
@@ -115,9 +116,22 @@ impl Rewriter {
                 self.arguments(&mut call.args, Nature::default());
             }
             _ => {
-                call.args.iter_mut().for_each(|argument| self.argument(argument));
-                self.lift_result(expression);
+                let is_struct = is_type_name(&path);
+                let place = if is_struct { Place::Field } else { Place::Argument };
+                call.args.iter_mut().for_each(|argument| self.handed(argument, place));
+                if !is_struct {
+                    self.callee(&mut call.func);
+                    self.lift_result(expression);
+                }
             }
+        }
+    }
+
+    /// The user's function in the dual copy: of unknown type where the function as it was written does not compile, so that what is wrong with
+    /// the call is said once.
+    fn callee(&self, callee: &mut Expr) {
+        if self.copy == Copy::Dual {
+            *callee = parse_quote_spanned!(mixed(callee)=> ::kin::rt::callee::<__SOUND, _>(#callee));
         }
     }
 
@@ -157,7 +171,12 @@ impl Rewriter {
         let name = call.method.to_string();
         let nature = self.nature(&call.receiver);
         let known = is_number_method(&name) || is_reading_method(&name);
-        if !nature.foreign {
+        if !nature.foreign && is_underived(&name) && self.copy == Copy::Dual {
+            // As a function of f64: its arguments are converted.
+            let (method, receiver, arguments) = (&call.method, &call.receiver, call.args.iter());
+            *expression = parse_quote_spanned!(method.span()=> f64::#method(#receiver, #(#arguments),*));
+            self.call(expression);
+        } else if !nature.foreign {
             self.visit_expr_mut(&mut call.receiver);
             self.method_arguments(call, nature);
         } else if known && !self.is_own(&call.receiver) {
@@ -234,6 +253,11 @@ impl Rewriter {
 
     /// An argument of the user's function: as it is, or as the plain or dual number that the function asks for.
     fn argument(&mut self, argument: &mut Expr) {
+        self.handed(argument, Place::Argument);
+    }
+
+    /// What is handed to the user's function, or put into the user's struct.
+    fn handed(&mut self, argument: &mut Expr, place: Place) {
         let nature = self.nature(argument);
         let at = mixed(argument);
         match argument {
@@ -264,6 +288,7 @@ impl Rewriter {
         }
         *argument = match (self.copy, nature.varies) {
             (Copy::Plain, _) => parse_quote_spanned!(at=> ::kin::rt::plain_argument(#argument)),
+            (Copy::Dual, true) if place == Place::Field => parse_quote_spanned!(at=> ::kin::rt::Jet(#argument).field()),
             (Copy::Dual, true) => parse_quote_spanned!(at=> ::kin::rt::Jet(#argument).argument()),
             (Copy::Dual, false) => parse_quote_spanned!(at=> ::kin::rt::constant_argument(#argument)),
         };
@@ -276,13 +301,22 @@ impl Rewriter {
             field.colon_token.get_or_insert_with(Default::default);
             match kin {
                 true => self.visit_expr_mut(&mut field.expr),
-                false => self.argument(&mut field.expr),
+                false => self.handed(&mut field.expr, Place::Field),
             }
         }
         if let Some(rest) = &mut literal.rest {
             self.place(rest);
         }
     }
+}
+
+/// Where a value of this world goes.
+#[derive(Clone, Copy, PartialEq)]
+enum Place {
+    /// Into the user's function.
+    Argument,
+    /// Into the user's struct.
+    Field,
 }
 
 /// Where a message about an expression belongs, though its names are the macro's.

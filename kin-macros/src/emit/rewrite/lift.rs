@@ -41,6 +41,17 @@ pub fn holds_numbers(ty: &Type) -> bool {
     lifted.to_token_stream().to_string() != ty.to_token_stream().to_string()
 }
 
+/// A name that may stand for any type.
+pub fn is_unknown(ty: &Type) -> bool {
+    match ty {
+        Type::Path(path) => path.path.segments.last().is_some_and(|last| {
+            let name = last.ident.to_string();
+            last.arguments.is_empty() && !matches!(name.as_str(), "f64" | "bool" | "char" | "str" | "String") && !is_integer(&name)
+        }),
+        _ => false,
+    }
+}
+
 /// A type that is lifted as a whole, since only numbers and types of the standard library are in it.
 pub fn is_liftable(ty: &Type) -> bool {
     match ty {

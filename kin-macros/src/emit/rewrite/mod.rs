@@ -117,6 +117,7 @@ impl VisitMut for Rewriter {
         let mut inputs = None;
         if let Some(init) = &mut local.init {
             nature = self.nature(&init.expr);
+            self.unname(&mut local.pat, &init.expr, nature);
             match &mut *init.expr {
                 Expr::Closure(closure) => inputs = Some(self.closure(closure, Nature::default())),
                 other => self.visit_expr_mut(other),
@@ -194,6 +195,18 @@ impl VisitMut for Rewriter {
 impl Rewriter {
     fn new(copy: Copy) -> Self {
         Rewriter { copy, dual: dual_parameter(), scopes: Scopes::default(), expressions: None }
+    }
+
+    /// `let x: Length = a + b;`, where only rustc knows that a `Length` is an f64: what is made of numbers alone says itself what it is.
+    fn unname(&self, pattern: &mut Pat, value: &Expr, nature: Nature) {
+        if let Pat::Type(typed) = &*pattern
+            && self.copy == Copy::Dual
+            && !nature.foreign
+            && lift::is_unknown(&typed.ty)
+            && computes(value)
+        {
+            *pattern = (*typed.pat).clone();
+        }
     }
 
     /// The body rewritten, as often as something new is learnt of its variables.
@@ -374,6 +387,18 @@ fn names(pattern: &Pat) -> Vec<String> {
     let mut names = Names(Vec::new());
     names.visit_pat(pattern);
     names.0
+}
+
+/// Whether an expression is a number, or made of some, by its form.
+fn computes(value: &Expr) -> bool {
+    match value {
+        Expr::Paren(inner) => computes(&inner.expr),
+        Expr::Group(inner) => computes(&inner.expr),
+        Expr::Binary(_) | Expr::Unary(_) | Expr::Path(_) | Expr::Field(_) | Expr::Index(_) => true,
+        Expr::Lit(literal) => matches!(literal.lit, syn::Lit::Float(_)),
+        Expr::MethodCall(call) => kin_language::vocabulary::is_number_method(&call.method.to_string()),
+        _ => false,
+    }
 }
 
 fn takes_numbers(function: &ItemFn) -> bool {

@@ -1,0 +1,69 @@
+//! Why a constraint is on the dual route: told by `explain_route`, and warned of where that is asked for.
+
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::quote;
+
+use kin_language::lower::Unreadable;
+
+/// Why the body is not differentiated symbolically.
+pub enum DualReason<'a> {
+    /// `#[constraint(dual)]`, with the place of the word.
+    Asked(Span),
+    Unread(&'a Unreadable),
+}
+
+/// The environment variable that asks for the warning in a whole crate: the `[env]` table of `.cargo/config.toml` is a good place for it.
+const CRATE_WIDE: &str = "KIN_WARN_DUAL";
+
+impl DualReason<'_> {
+    /// `Constraint::explain_route`
+    pub fn explained(&self) -> TokenStream {
+        let reason = match self {
+            DualReason::Asked(span) => {
+                let source = place(*span);
+                quote!(::kin::RouteReason::Asked { source: ::core::option::Option::Some(#source) })
+            }
+            DualReason::Unread(Unreadable { span, what }) => {
+                let source = place(*span);
+                quote!(::kin::RouteReason::Unread { what: #what, source: #source })
+            }
+        };
+        quote! {
+            fn explain_route(&self) -> ::kin::RouteReason {
+                #reason
+            }
+        }
+    }
+
+    /// A warning at the token that cannot be read, if the constraint or the whole crate asks for it. Stable Rust lets a macro warn in one way
+    /// only: by the use of something deprecated.
+    pub fn warning(&self, constraint: &Ident, asked: bool) -> TokenStream {
+        let DualReason::Unread(Unreadable { span, what }) = self else { return quote!() };
+        let everywhere = std::env::var(CRATE_WIDE).is_ok_and(|value| !matches!(value.as_str(), "" | "0"));
+        let warning = (asked || everywhere).then(|| {
+            let note = format!("{what} cannot be read by the compiler, so `{constraint}` is differentiated by dual numbers");
+            let name = Ident::new("dual_route", *span);
+            quote! {
+                #[deprecated(note = #note)]
+                #[allow(non_upper_case_globals)]
+                const #name: () = ();
+                #[warn(deprecated)]
+                let () = #name;
+            }
+        });
+        // Cargo compiles the crate anew when the variable changes, because emitted code reads it.
+        quote! {
+            ::kin::rt::outside_editor! { const _: () = {
+                let _ = ::core::option_env!(#CRATE_WIDE);
+                #warning
+            }; }
+        }
+    }
+}
+
+/// A [`kin::blame::Source`].
+fn place(span: Span) -> TokenStream {
+    let at = span.start();
+    let (line, column) = (Literal::usize_unsuffixed(at.line), Literal::usize_unsuffixed(at.column + 1));
+    quote!(::kin::rt::Source { file: ::core::file!(), line: #line, column: #column })
+}

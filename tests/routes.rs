@@ -1,0 +1,150 @@
+//! Every constraint says why it takes its route; what could not be read before is read now.
+
+use kin::prelude::*;
+use kin::{RouteReason, any_coord, any_planar, by_dual, check};
+
+#[constraint]
+fn read(x: Coord, k: f64) -> f64 {
+    x - k
+}
+
+#[constraint]
+fn series(x: Coord, h: f64) -> f64 {
+    let (mut term, mut sum) = (x, x);
+    while term.abs() > 1e-12 {
+        term = -term * x * x;
+        sum += term;
+    }
+    sum - h
+}
+
+#[constraint]
+fn sum_of_many(x: Coord, n: usize) -> f64 {
+    let mut sum = x;
+    for k in 0..n {
+        sum += x / (k as f64 + 1.0);
+    }
+    sum
+}
+
+#[constraint(dual)]
+fn asked(x: Coord, k: f64) -> f64 {
+    x - k
+}
+
+/// The line, counted from 1, and the column of the first place behind `after` where `text` stands in this file.
+fn place(after: &str, text: &str) -> (u32, u32) {
+    let file = include_str!("routes.rs");
+    let from = file.find(after).unwrap();
+    let at = from + file[from..].find(text).unwrap();
+    let line_start = file[..at].rfind('\n').map_or(0, |k| k + 1);
+    (file[..at].matches('\n').count() as u32 + 1, (at - line_start) as u32 + 1)
+}
+
+fn unread(constraint: &dyn Constraint) -> (&'static str, u32, u32) {
+    match constraint.explain_route() {
+        RouteReason::Unread { what, source } if source.file.ends_with("tests/routes.rs") => (what, source.line, source.column),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_dual_constraint_says_which_token_cannot_be_read() {
+    let (line, column) = place("fn series", "while");
+    assert_eq!(unread(&series(any_coord(), 1.0)), ("`while`", line, column));
+    let text = series(any_coord(), 1.0).explain_route().to_string();
+    assert!(text.ends_with(&format!("routes.rs:{line}:{column} cannot be read by the compiler")), "{text}");
+    let (line, column) = place("fn sum_of_many", "0..n");
+    let (what, found_line, found_column) = unread(&sum_of_many(any_coord(), 3));
+    assert_eq!((found_line, found_column), (line, column), "{what}");
+}
+
+#[test]
+fn other_routes_are_explained_too() {
+    assert_eq!(read(any_coord(), 1.0).explain_route(), RouteReason::Read);
+    let RouteReason::Asked { source: Some(source) } = asked(any_coord(), 1.0).explain_route() else { panic!("asked") };
+    assert_eq!((source.line, source.column), place("#[constraint(dual)]\nfn asked", "dual"));
+    assert_eq!(by_dual(read(any_coord(), 1.0)).explain_route(), RouteReason::Asked { source: None });
+    let joint: Box<dyn Constraint> = Box::new(revolute(any_planar(), any_planar(), vec2(0.0, 0.0), vec2(0.0, 0.0)));
+    assert_eq!(joint.explain_route().to_string(), "symbolic: the compiler has read the whole body");
+}
+
+type Length = f64;
+
+#[constraint]
+fn functions_by_path(a: Coord, k: f64) -> f64 {
+    f64::cos(a) + [a, k].map(f64::sin)[0] + f64::atan2(a, k) - f64::max(a, 1.0)
+}
+
+#[constraint(dual)]
+fn functions_by_path_on_dual_numbers(a: Coord, k: f64) -> f64 {
+    let cosine = f64::cos;
+    cosine(a) - k + f64::powi(a, 2) + f64::clamp(a, -9.0, 9.0)
+}
+
+#[constraint]
+fn bits_of_a_parameter(a: Coord, k: f64, bits: u64) -> f64 {
+    a - f64::from_bits(k.to_bits()) + f64::from_bits(bits) + k.next_up()
+}
+
+#[constraint(dual)]
+fn bits_of_a_parameter_on_dual_numbers(a: Coord, k: f64) -> f64 {
+    a * a - f64::from_bits(k.to_bits()) + k.next_up().midpoint(1.0)
+}
+
+#[constraint]
+fn a_name_for_a_type(a: Coord, k: f64) -> f64 {
+    type T = f64;
+    type Pair = (T, T);
+    fn square(x: T) -> T {
+        x * x
+    }
+    let both: Pair = (a, k);
+    let double = |x: T| -> T { x * 2.0 };
+    T::cos(both.0) + square(a) + double(both.1)
+}
+
+#[constraint(dual)]
+fn a_name_for_a_type_on_dual_numbers(a: Coord, k: f64) -> f64 {
+    type T = f64;
+    let all: Vec<T> = vec![a, k];
+    all[0] * all[1]
+}
+
+#[constraint]
+fn a_name_from_outside(a: Coord, k: Length) -> f64 {
+    let x: Length = a * k;
+    x * a
+}
+
+#[constraint]
+fn ordered(a: Coord, k: f64) -> f64 {
+    if a.total_cmp(&k).is_lt() || f64::total_cmp(&a, &k).is_gt() { a * a } else { k - a }
+}
+
+struct Pair<T> {
+    a: T,
+    b: T,
+}
+
+#[constraint]
+fn a_generic_struct(i: Planar, k: f64) -> f64 {
+    let pair: Pair<f64> = Pair { a: i.r.x, b: k };
+    pair.a * pair.b
+}
+
+#[test]
+fn what_f64_can_do_has_derivatives() {
+    check::derivatives(functions_by_path(any_coord(), 0.7));
+    check::derivatives(functions_by_path_on_dual_numbers(any_coord(), 0.7));
+    check::derivatives(bits_of_a_parameter(any_coord(), 0.7, 0.3_f64.to_bits()));
+    check::derivatives(bits_of_a_parameter_on_dual_numbers(any_coord(), 0.7));
+    check::derivatives(a_name_for_a_type(any_coord(), 0.7));
+    check::derivatives(a_name_for_a_type_on_dual_numbers(any_coord(), 0.7));
+    check::derivatives(a_name_from_outside(any_coord(), 0.7));
+    check::derivatives(ordered(any_coord(), 0.7));
+    check::derivatives(a_generic_struct(any_planar(), 0.7));
+    assert_eq!(functions_by_path(any_coord(), 0.7).route(), Route::Symbolic);
+    assert_eq!(bits_of_a_parameter(any_coord(), 0.7, 1).route(), Route::Symbolic);
+    assert_eq!(a_name_for_a_type(any_coord(), 0.7).route(), Route::Symbolic);
+}

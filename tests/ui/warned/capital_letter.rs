@@ -1,0 +1,10 @@
+use kin::prelude::*;
+
+#[constraint]
+fn offset(i: Planar, L: f64) -> f64 {
+    i.r.x - L
+}
+
+fn main() {
+    let _ = offset(kin::any_planar(), 1.0);
+}

@@ -1,0 +1,10 @@
+use kin::prelude::*;
+
+#[constraint(lanes)]
+fn offset(i: Planar, j: Planar, k: f64) -> f64 {
+    i.r.x - k
+}
+
+fn main() {
+    let _ = offset(kin::any_planar(), kin::any_planar(), 1.0);
+}

@@ -1,0 +1,10 @@
+use kin::prelude::*;
+
+#[constraint]
+fn offset(i: Planar, k: f64, forgotten: f64) -> f64 {
+    i.r.x - k
+}
+
+fn main() {
+    let _ = offset(kin::any_planar(), 1.0, 2.0);
+}
