@@ -14,12 +14,13 @@ pub struct Table {
     file: &'static str,
     text: &'static str,
     formula: OnceLock<Formula>,
+    switches: OnceLock<bool>,
 }
 
 impl Table {
     /// The formula as text, and the file that its expressions stand in.
     pub const fn new(file: &'static str, text: &'static str) -> Self {
-        Table { file, text, formula: OnceLock::new() }
+        Table { file, text, formula: OnceLock::new(), switches: OnceLock::new() }
     }
 
     /// Itself, with the values of the parameters.
@@ -32,9 +33,10 @@ impl Table {
         self.formula.get_or_init(|| self.text.parse().unwrap_or_default())
     }
 
-    /// Whether any of these words is in its text: without reading it.
-    pub(crate) fn has_any(&self, words: &[&str]) -> bool {
-        words.iter().any(|word| self.text.contains(word))
+    /// Whether something in it may switch from one side to another; told from the words of its text, which is not read for it.
+    pub(crate) fn may_switch(&self) -> bool {
+        const WORDS: [&str; 5] = ["Select", "Abs", "Signum", "Max", "Min"];
+        *self.switches.get_or_init(|| WORDS.iter().any(|word| self.text.contains(word)))
     }
 
     /// The place of one of its expressions.

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::contradiction::Asks;
+use super::gap::Asks;
 use super::examine::Examined;
 use crate::assembly::search;
 use crate::linear::Echelon;

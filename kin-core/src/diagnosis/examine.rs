@@ -3,7 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::change::{self, Change};
-use super::contradiction::{self, Gap};
+use super::contradiction;
+use super::gap::Gap;
 use super::dependency::{self, Class, Dependency};
 use super::elsewhere::{self, Elsewhere};
 use super::freedom::{self, Freedom, Persistence};

@@ -7,6 +7,7 @@
 //! Ranks are taken with lengths in units of the model's own typical length and every row by its norm, so that verdicts are the same in mm, m
 //! and km. Pivots below 1e-7 of that count as zero, for the solver as for a diagnosis; [`Diagnosis::gap`] tells how clear the cut was.
 
+mod advice;
 mod change;
 mod contradiction;
 mod dependency;
@@ -14,7 +15,9 @@ mod dimension;
 mod elsewhere;
 mod examine;
 mod fit;
+mod freed;
 mod freedom;
+mod gap;
 mod generic;
 mod lengths;
 mod options;
@@ -26,7 +29,7 @@ mod text;
 mod trial;
 
 pub use change::{Change, GlobalPoint, Resize, Size};
-pub use contradiction::{Against, Asks, Gap};
+pub use gap::{Against, Asks, Gap};
 pub use dependency::{Class, Dependency, Level, Term};
 pub use elsewhere::Elsewhere;
 pub use examine::Diagnosis;

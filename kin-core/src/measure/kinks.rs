@@ -15,7 +15,7 @@ const PLACES: usize = 4;
 
 /// Whether an equation may have anything that switches; on the dual route that is not known.
 pub(crate) fn switches(constraint: &dyn Constraint) -> bool {
-    constraint.table().is_some_and(|(table, _)| table.has_any(&["Select", "Abs", "Signum", "Max", "Min"]))
+    constraint.table().is_some_and(|(table, _)| table.may_switch())
 }
 
 impl System {
