@@ -88,7 +88,7 @@ pub fn drive_orientation(i: Spatial, j: Spatial, yaw: Law, pitch: Law, roll: Law
     p_z.product(p_yx).conjugate().product(j.p.conjugate().product(i.p)).vector()
 }
 
-/// General motion: a frame of body i moves in a frame of body j by six laws: A_jᵀ (r_Pi − r_Pj) − (x, y, z)(t) = 0, and the vector part of
+/// General motion: a frame of body i moves in a frame of body j by six laws: r_Pi − r_Pj − A_j (x, y, z)(t) = 0, and the vector part of
 /// p(t)* p_j* p_i is zero, p = p_z(yaw) p_y(pitch) p_x(roll), A_j, p_i and p_j those of the frames.      \[m, –\]
 ///
 /// Six rows. `u_i`, `p_i`, `u_j`, `p_j`: origin and Euler parameters of the frame in either body (`EulerParameters::default()`: the axes of the body
@@ -122,5 +122,5 @@ pub fn drive_motion(
     let p_yx = EulerParameters::new(cy, 0.0, sy, 0.0).product(EulerParameters::new(cx, sx, 0.0, 0.0));
     // How body i should stand in body j, taken back from how it stands there.
     let meant = frame_j.product(p_z.product(p_yx)).product(frame_i.conjugate());
-    (j.local(i.point(u_i)) - u_j - place, meant.conjugate().product(j.p.conjugate().product(i.p)).vector())
+    (i.point(u_i) - j.point(u_j + place), meant.conjugate().product(j.p.conjugate().product(i.p)).vector())
 }

@@ -91,7 +91,7 @@ pub fn coupling(a: Coord, b: Coord, k_a: f64, k_b: f64, c: f64) -> f64 {
     k_a * a + k_b * b - c
 }
 
-/// Linear coupling of two to eight coordinates: Σ k_n q_n − c = 0.
+/// Linear coupling of two to six coordinates: Σ k_n q_n − c = 0.
 ///
 /// A differential whose cage turns by half of what its two wheels turn: `linear_coupling([left, right, cage], [1.0, 1.0, -2.0], 0.0)`. To drive a sum,
 /// couple it with a coordinate of its own and drive that. The constraint itself is [`type@linear_coupling`].
@@ -100,7 +100,7 @@ pub fn linear_coupling<const N: usize>(q: [impl Into<Coordinate>; N], k: [f64; N
     const {
         assert!(
             2 <= N && N <= TERMS,
-            "`linear_coupling` takes two to eight coordinates: give the sum of some of them a coordinate of its own"
+            "`linear_coupling` takes two to six coordinates: give the sum of some of them a coordinate of its own"
         )
     };
     let mut given = q.into_iter().map(Into::into);

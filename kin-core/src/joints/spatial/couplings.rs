@@ -107,15 +107,14 @@ pub fn gear_by_radii(
 ///
 /// Removes 1 freedom: the one row that makes a [`screw`](fn@super::screw) of a cylindrical joint, or of a slide and a shaft that other joints hold. `u_i`,
 /// `u_j`: points on the axis; `h_i`, `h_j`: the axis in either body, held parallel by another joint, with f_i over f_j where the points meet; `lead`: way
-/// of i along h_j per turn about h_j. Any number of turns is counted. Haug, section 9.4. Measures: `angle`, the turn of f_i from f_j; `slide`, h_j · d.
+/// of i along h_j per turn about h_j. Any number of turns is counted. Haug, section 9.4. Angle and slide are measures of
+/// the joint that holds the axes.
 ///
-/// Signs: the angle is the turn of i in j, right-handed about h_j; the slide grows as i moves along h_j in j; `lead` is above zero for a right-hand
+/// Signs: the turn is that of i in j, right-handed about h_j, the way is that of i along h_j in j; `lead` is above zero for a right-hand
 /// thread.
 #[constraint]
 #[require(lead != 0.0, "a thread needs a lead")]
 #[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
-#[measure(angle = i.direction(h_i.f).dot(j.direction(h_j.g)).atan2(i.direction(h_i.f).dot(j.direction(h_j.f))), "rad", turns)]
-#[measure(slide = j.direction(h_j.h).dot(i.point(u_i) - j.point(u_j)), "m")]
 pub fn thread(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, h_j: Axis, lead: f64) -> f64 {
     let (sin, cos) = (TAU / lead * j.direction(h_j.h).dot(i.point(u_i) - j.point(u_j))).sin_cos();
     let f = i.direction(h_i.f);
