@@ -496,3 +496,42 @@ fn a_name_may_be_a_string() {
     assert_eq!(system.extremes(&motion, &name).unwrap(), system.extremes(&motion, "A.angle").unwrap());
     assert_eq!(system.measure(&motion, name).unwrap(), by_text);
 }
+
+/// A coordinate that follows a law.
+fn followed(law: Law) -> (System, Coordinate) {
+    let mut m = Mechanism::new("one");
+    let x = m.length("x", law.at(0.0)).unwrap();
+    m.add("motor", drive(x, law)).unwrap();
+    (m.build().unwrap(), x)
+}
+
+/// Zeros that lie on times of the grid, with no sign to see between two of them.
+#[test]
+fn what_is_zero_at_a_time_of_the_grid_is_found_there_and_once() {
+    let times = linspace(0.0, 4.0, 17);
+    let crossed = |law: Law, value: f64| {
+        let (system, x) = followed(law);
+        let motion = system.run(&times).unwrap();
+        let found = system.crossings(&motion, x, value).unwrap();
+        found.into_iter().map(|crossing| (crossing.t, crossing.rises)).collect::<Vec<_>>()
+    };
+    // t − 2, 2 − t, and (t − 1)(t − 2)(t − 3), all exactly zero at times of the grid.
+    assert_eq!(crossed(Law::linear(-2.0, 1.0), 0.0), [(2.0, true)]);
+    assert_eq!(crossed(Law::linear(2.0, -1.0), 0.0), [(2.0, false)]);
+    assert_eq!(crossed(Law::polynomial(&[-6.0, 11.0, -6.0, 1.0]), 0.0), [(1.0, true), (2.0, false), (3.0, true)]);
+    // Zero but for rounding at the grid, and properly beside it: where it is, not where the grid is.
+    let beside = 1e-14;
+    let found = crossed(Law::linear(-2.0 - beside, 1.0), 0.0);
+    assert!(matches!(found[..], [(t, true)] if (t - 2.0 - beside).abs() < 4e-15), "{found:?}");
+    // Touched at a time of the grid, and not crossed; at the first and at the last time nothing is seen to be crossed.
+    assert_eq!(crossed(Law::polynomial(&[4.0, -4.0, 1.0]), 0.0), []);
+    assert_eq!(crossed(Law::linear(0.0, 1.0), 0.0), []);
+    assert_eq!(crossed(Law::linear(-4.0, 1.0), 0.0), []);
+    // A rest at zero on the way from below to above: the first time of it.
+    let rest = |there: f64| {
+        let up = |from: f64, by: f64| Law::constant(from) + Law::cycloidal(by, 1.0);
+        Law::sequence(0.0, [(1.0, up(-1.0, 1.0)), (2.0, Law::constant(0.0)), (1.0, up(0.0, there))])
+    };
+    assert_eq!(crossed(rest(1.0), 0.0), [(1.0, true)]);
+    assert_eq!(crossed(rest(-1.0), 0.0), []);
+}

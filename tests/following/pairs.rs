@@ -14,7 +14,7 @@ fn fine() -> usize {
 }
 
 /// Of each so many motions on the fine grid one is proved.
-const PROVED: usize = 20;
+const PROVED: usize = 10;
 
 #[law]
 fn bump(x: f64, base: f64, height: f64, at: f64, width: f64) -> f64 {

@@ -34,8 +34,8 @@ pub(crate) enum Objection {
     Missed(f64),
     /// A block of C_q has turned over.
     TurnedOver,
-    /// What drives may lead further off within the step than its ends tell, by so much in units of order 1.
-    Hidden(f64),
+    /// What drives may lead further off within the step than its ends tell.
+    Hidden,
 }
 
 impl Objection {
@@ -44,7 +44,7 @@ impl Objection {
             Objection::Long => "a step of time turns a body too far",
             Objection::Missed(_) => "the next position is not where this one leads",
             Objection::TurnedOver => "a loop of the mechanism has turned over",
-            Objection::Hidden(_) => "what drives may move further within a step of time than its ends tell",
+            Objection::Hidden => "what drives may move further within a step of time than its ends tell",
         }
     }
 }
@@ -112,10 +112,8 @@ impl Check {
             return Err(Objection::TurnedOver);
         }
         let (to, least) = (newton.instant.t(), pivot.min(self.pivot));
-        if !self.drive.is_told(to - h, to, least)
-            && let Some(off) = self.look(newton, to - h, to, least)
-        {
-            return Err(Objection::Hidden(off));
+        if !self.drive.is_told(to - h, to, least) && self.hides(newton, to - h, to, least) {
+            return Err(Objection::Hidden);
         }
         std::mem::swap(&mut self.now, &mut self.negative);
         self.pivot = pivot;
@@ -123,11 +121,11 @@ impl Check {
         Ok(())
     }
 
-    /// What may happen between two times that their positions do not tell.
+    /// Whether something may happen between two times that their positions do not tell.
     #[cold]
-    fn look(&mut self, newton: &mut Newton<'_>, from: f64, to: f64, pivot: f64) -> Option<f64> {
+    fn hides(&mut self, newton: &mut Newton<'_>, from: f64, to: f64, pivot: f64) -> bool {
         let equations = newton.system.equations();
-        self.drive.hidden(
+        self.drive.hides(
             Span { equations, from, to, pivot },
             &mut Factored { newton, v: &mut self.miss, turns: &self.turns, negative: &self.now },
         )

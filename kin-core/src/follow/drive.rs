@@ -179,9 +179,9 @@ impl Drive {
         self.stretch[0] <= from.min(to) && from.max(to) <= self.stretch[1]
     }
 
-    /// How far the position may be led off unseen, where that is too far to be sure of the step: a look at it with all means.
+    /// Whether the position may be led off unseen, too far to be sure of the step: a look at it with all means.
     #[cold]
-    pub(crate) fn hidden(&mut self, Span { equations, from, to, pivot }: Span<'_>, lever: &mut dyn Lever) -> Option<f64> {
+    pub(crate) fn hides(&mut self, Span { equations, from, to, pivot }: Span<'_>, lever: &mut dyn Lever) -> bool {
         let h = (to - from).abs();
         // By the bounds that are known, by those over a longer stretch, by those over the step alone.
         for reach in [None, Some(self.longest.max(h)), Some(h)] {
@@ -197,11 +197,11 @@ impl Drive {
             self.weigh(equations, lever);
             if self.off.at(h) <= EASY * pivot {
                 self.rely(pivot, reach);
-                return None;
+                return false;
             }
         }
         (self.longest, self.steps, self.looks) = (2.0 * h, 0, 0);
-        if self.is_straight(equations, h, lever) { None } else { Some(self.off.at(h)) }
+        !self.is_straight(equations, h, lever)
     }
 
     /// For steps between two times that are looked at no more: e_k of Σ_k e_k hᵏ ≤ p², where p is the smaller of the smallest pivots at both ends of
@@ -298,6 +298,7 @@ impl Source {
         let known = !self.is_sampled && self.apart && bounds.as_ref().is_some_and(|bounds| bounds.len() == self.terms.len());
         if still {
             self.terms.clear();
+            self.is_sampled = false;
         } else if !known {
             let slopes = bounds.as_ref().and_then(|_| self.slopes(equations, instant));
             self.is_sampled = slopes.is_none();

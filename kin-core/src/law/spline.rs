@@ -1,5 +1,7 @@
 //! Cubic splines through tables.
 
+mod wide;
+
 use std::ops::Deref;
 use std::path::Path;
 
@@ -198,9 +200,14 @@ impl LawFunction for Spline {
 
     fn over(&self, x: &Series) -> Option<Series> {
         let (first, last) = (self.table.first()?.0, self.table.last()?.0);
+        if self.curvature.is_empty() {
+            return None;
+        }
+        if let Some(wide) = self.over_many(x) {
+            return Some(wide);
+        }
         let knots: Vec<f64> = self.table.iter().map(|(x, _)| *x).collect();
         match self.ends {
-            _ if self.curvature.is_empty() => None,
             Ends::Periodic => repeated(x, first, last - first, &|x| {
                 let inner = &knots[1..knots.len() - 1];
                 piecewise(&x.plus(first), inner, &|k, x| Some(self.cubic(k, x)))

@@ -40,7 +40,8 @@ pub struct Options {
     /// (later times) before giving up; default true. Without it plain Newton steps from the guess are all that is
     /// done, but for what [`Options::follow`] asks.
     pub rescue: bool,
-    /// Halvings of one step of time at most before the run is given up, where steps are rescued and not checked; default 12.
+    /// Halvings of one step of time at most before the run is given up, where steps are rescued and not checked; default 12. Times that rounding
+    /// hardly tells apart are not halved any more.
     pub halvings: u32,
     /// How the first position is looked for, where that is rescued, and what is wrong where there is none.
     pub search: SearchOptions,
@@ -61,7 +62,10 @@ pub struct Options {
 /// How a run follows its branch.
 ///
 /// A step that cannot be shown to stay on its branch is taken in smaller ones, which are not kept: a coarse grid gives the same motion as a
-/// fine one. A toggle ends the run with [`crate::Error::Toggle`] at its time; change points are passed, and told by
+/// fine one. What drives is asked for its bounds between both times ([`crate::law::LawFunction::over`]): a motor that goes out and comes back within a step
+/// is followed. A law of one's own without bounds, and constraints on the dual route or written by hand in which time stands, are sampled at the
+/// eighths of each step instead; what they do between those is not seen. Where millions of smaller steps would lead to the next time, the run ends
+/// with [`crate::Error::CannotFollow`]. A toggle ends the run with [`crate::Error::Toggle`] at its time; change points are passed, and told by
 /// [`crate::Motion::singular_positions`]. Mechanisms with redundant equations are checked by prediction alone: at a singular position their runs end.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Follow {

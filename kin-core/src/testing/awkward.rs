@@ -148,3 +148,22 @@ fn not_finite_names_the_constraint_and_keeps_the_motion() {
     assert!(matches!(&error, Error::NotFinite { quantity: "C", .. }) && error.to_string().contains(told), "{error}");
     assert!(matches!(system.jacobian(&[0.0], 0.0), Err(Error::NotFinite { quantity: "C_q", .. })));
 }
+
+/// Where C_q is regular no rank is told that it has not, whatever has stopped Newton's method there.
+#[test]
+fn a_regular_position_is_not_told_as_singular() {
+    use crate::newton::{Failure, Newton, Steps};
+    let (system, options) = (parallelogram(Law::linear(0.4, 1.0)), Options::default());
+    let mut newton = Newton::new(&system, &options);
+    newton.solve(0.0, Steps::Damped).unwrap();
+    let error = newton.error(Failure::Singular, 0.0, None);
+    assert!(matches!(error, Error::NoConvergence { .. }), "{error}");
+    // Nearly flat it is singular but for rounding: the rank is full, and is told as it is.
+    let flat = parallelogram(Law::linear(1e-8, 1.0));
+    let mut newton = Newton::new(&flat, &options);
+    newton.solve(0.0, Steps::Damped).unwrap_err();
+    let error = flat.singular(0.0, &newton.q, None);
+    let Error::SingularAt { rank, pivot, .. } = &error else { panic!("{error}") };
+    assert!(*rank == 9 && *pivot > 1e-10 && *pivot < 1e-6, "{rank} {pivot:e}");
+    assert!(error.to_string().contains("C_q (9 x 9) is singular but for rounding"), "{error}");
+}
