@@ -1,8 +1,9 @@
 //! Derivatives where C is smooth though something on the way is not, or overflows: on both routes, up to the jerk, against 80-digit values
 //! (`data/smooth.py`). And the other way round: a slope that does not exist is told.
 
+use kin::extend::{dual_terms, terms};
 use kin::prelude::*;
-use kin::{Error, any_coord, dual_terms, terms};
+use kin::{Error, any_coord};
 use serde_json::Value;
 
 /// A function of one's own, which the compiler calls as it is.
@@ -32,8 +33,8 @@ fn by_both_routes<E: kin::dual_route::Equation<2, 1> + Clone>(equation: &E, q: &
     assert_eq!(equation.route(), Route::Symbolic);
     let (own, dual) = (terms(equation, q, &qd, 0.0), dual_terms::<E, 2, 1>(equation, q, &qd, 0.0));
     let jerks = [
-        kin::jerk_rhs(equation, q, &qd, &qdd, 0.0).expect("known")[0],
-        kin::jerk_rhs(&kin::by_dual::<E, 2, 1>(equation.clone()), q, &qd, &qdd, 0.0).expect("known")[0],
+        kin::extend::jerk_rhs(equation, q, &qd, &qdd, 0.0).expect("known")[0],
+        kin::extend::jerk_rhs(&kin::extend::by_dual::<E, 2, 1>(equation.clone()), q, &qd, &qdd, 0.0).expect("known")[0],
     ];
     // Q_d is that of q̇ alone; the reference goes along q̈ too, which adds −C_q q̈.
     let all = [(own, jerks[0]), (dual, jerks[1])];
