@@ -6,7 +6,8 @@ mod options;
 pub(crate) mod predictor;
 mod rates;
 pub(crate) mod redundant;
-pub(crate) mod sweep;
+pub(crate) mod run;
+mod sweep;
 mod told;
 mod watch;
 

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use crate::error::{Error, Result};
 use crate::lanes::{Lanes, Level, Mask, Wide, WithLevel};
 use crate::motion::Motion;
-use crate::newton::sweep::Explain;
+use crate::newton::run::Explain;
 use crate::newton::{self, Options};
 use crate::system::System;
 use crate::system::evaluate::lanes::Crew;
@@ -137,7 +137,7 @@ impl<'a> Sweep<'a> {
     ) -> Result<Vec<R>> {
         let times = times.as_ref();
         self.options.check()?;
-        newton::sweep::check(times)?;
+        newton::run::check(times)?;
         self.check(cases)?;
         let job = Job { sweep: self, cases, times, keep: &keep, done: Mutex::new(0) };
         job.report(0);
@@ -203,7 +203,7 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
 
     /// One case by itself.
     fn alone(&self, system: &System) -> Result<Motion> {
-        newton::sweep::run(system, self.times, &self.sweep.options, self.sweep.explain)
+        newton::run::run(system, self.times, &self.sweep.options, self.sweep.explain)
     }
 
     /// An error if the motions that are under way at once, so many a thread, take more memory than is allowed.

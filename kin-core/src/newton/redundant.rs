@@ -7,7 +7,8 @@
 mod judged;
 
 use super::options::resolution;
-use super::sweep::{Explain, SHORTEST};
+use super::run::Explain;
+use super::sweep::SHORTEST;
 use super::watch::Watch;
 use super::{Options, Outcome, Report, Stop};
 use crate::assembly::search::{self, Found};

@@ -15,6 +15,7 @@
 
 mod dual;
 mod functions;
+mod moving;
 mod ops;
 mod pair;
 #[cfg(test)]
@@ -24,8 +25,9 @@ mod walk;
 
 use std::fmt;
 
+pub use dual::Dual;
 pub(crate) use dual::Growth;
-pub use dual::{Dual, Dual2_64, Dual3_64, Dual64, HyperDual64, Moving};
+pub use moving::{Dual2_64, Dual3_64, Dual64, HyperDual64, Moving};
 pub(crate) use ops::{assign, by_ref};
 pub(crate) use traced::{Fault, TIME, Traced, ended, fault_of};
 

@@ -7,7 +7,8 @@ use std::cell::RefCell;
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use super::dual::{Dual, Dual2_64, Growth, sealed};
+use super::Dual2_64;
+use super::dual::{Dual, Growth, sealed};
 
 /// Faults that are kept: loops make no more of them.
 const MOST_FAULTS: usize = 10_000;

@@ -5,7 +5,7 @@ use crate::assembly::{Assembly, AssemblyOptions, Label, modes};
 use crate::diagnosis::{self, Diagnosis, DiagnosisOptions, Start};
 use crate::error::{Error, Result};
 use crate::motion::{EventKind, Motion};
-use crate::newton::sweep::Explain;
+use crate::newton::run::Explain;
 use crate::newton::{self, Newton, Options, Steps, assembly, redundant};
 use crate::sweep::Sweep;
 
@@ -55,7 +55,7 @@ impl System {
 
     /// The same with other options.
     pub fn run_with(&self, times: impl AsRef<[f64]>, options: &Options) -> Result<Motion> {
-        let mut run = newton::sweep::run(self, times.as_ref(), options, Explain::Yes);
+        let mut run = newton::run::run(self, times.as_ref(), options, Explain::Yes);
         match &mut run {
             Ok(motion) => self.note(motion),
             Err(error) => error.motion_mut().into_iter().for_each(|motion| self.note(motion)),
@@ -114,8 +114,8 @@ impl System {
     ) -> Result<()> {
         let (size, mut times) = (size.max(1), times.into_iter().peekable());
         options.check_memory(1, size, self.n_coordinates())?;
-        let mut run = newton::sweep::Run::new(self, options, Explain::Yes)?;
-        let mut order = newton::sweep::Order::default();
+        let mut run = newton::run::Run::new(self, options, Explain::Yes)?;
+        let mut order = newton::run::Order::default();
         let mut before: Option<Motion> = None;
         while times.peek().is_some() {
             let mut part = Motion::new(self, size.min(times.size_hint().0.max(1)));
