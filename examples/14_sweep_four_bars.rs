@@ -9,7 +9,6 @@
 
 use std::io::Write;
 
-use indicatif::{ProgressBar, ProgressStyle};
 use kin::prelude::*;
 use kin_view::{Map, Scene};
 
@@ -57,15 +56,13 @@ fn main() -> kin::Result<()> {
     let system = mechanism.build()?;
 
     // 3. The sweep. Of each motion two numbers are kept; of a failure, its message.
-    let style = ProgressStyle::with_template("{bar:40} {pos} of {len} four-bars, {per_sec}").unwrap_or(ProgressStyle::default_bar());
-    let bar = ProgressBar::new(COUNT as u64).with_style(style);
-    let sweep = system.sweep(NAMES)?.progress(|done, _| bar.set_position(done as u64));
+    let sweep = system.sweep(NAMES)?.progress(|done, all| eprint!("\r{done} of {all} four-bars"));
     let results = sweep.run(&cases, &times, |_, motion| {
         let rocker = motion.and_then(|motion| motion.coordinate(rocker.theta())).map_err(|error| error.to_string())?;
         let greatest = rocker.second_rate.max().max(-rocker.second_rate.min());
         Ok(Kept { swing: rocker.value.max() - rocker.value.min(), acceleration: greatest })
     })?;
-    bar.finish();
+    eprintln!();
 
     // 4. Results: a row for each four-bar, and the motion of the one that swings widest.
     write(&links, &results).map_err(|source| kin::Error::File { path: OUT.into(), source })?;

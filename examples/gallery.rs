@@ -9,7 +9,7 @@ use kin_view::Gallery;
 type Failure = Box<dyn std::error::Error>;
 
 fn main() -> Result<(), Failure> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples");
+    let folder = env!("CARGO_MANIFEST_DIR");
     let mut names: Vec<String> = std::fs::read_dir(folder)?
         .filter_map(|file| file.ok()?.file_name().to_str()?.strip_suffix(".rs").map(String::from))
         .filter(|name| name.starts_with(|first: char| first.is_ascii_digit()))

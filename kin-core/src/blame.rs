@@ -82,6 +82,7 @@ pub struct Source {
 
 /// What a constraint answers: the first expression that is not finite though everything it is made of is.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Blame {
     /// The expression as the user wrote it.
     pub expression: String,
@@ -99,6 +100,7 @@ pub struct Blame {
 
 /// The expression that is to blame, in the names of the mechanism: what an error tells.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Culprit {
     /// The expression with its place and its part; `None` where only the constraint is known.
     pub found: Option<Found>,
@@ -109,6 +111,7 @@ pub struct Culprit {
 
 /// The expression that is to blame.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Found {
     /// The expression as the user wrote it.
     pub expression: String,

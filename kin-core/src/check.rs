@@ -33,6 +33,7 @@ use central::Central;
 
 /// How far apart two routes are, at the worst.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Report {
     /// Largest difference of a term between the constraint's own route and dual numbers, relative to 1 + the largest entry of the term.
     pub routes: f64,

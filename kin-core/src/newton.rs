@@ -16,8 +16,8 @@ pub use watch::CrossedBreak;
 
 use crate::fours::{self, Fours};
 use crate::linear::{Linear, RANK};
-use crate::system::evaluate::{Bad, Instant};
 use crate::system::System;
+use crate::system::evaluate::{Bad, Instant};
 
 /// A correction that stalls above this share of its coordinate is no rounding but a singular position.   \[-\]
 pub(crate) const STALL: f64 = 1e-9;

@@ -93,6 +93,7 @@ pub struct Proof {
 
 /// One step of a motion.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct StepProof {
     /// Its number, counted from 0: it goes from time k of the motion to the next.
     pub step: usize,
@@ -106,6 +107,7 @@ pub struct StepProof {
 
 /// How near the solution is, and how far away the next one at least: one number for each coordinate.   \[m, rad\]
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Tube {
     /// At every time there is a solution no further than this from the position interpolated by q, q̇ and q̈ at both ends.
     pub radius: Vec<f64>,
@@ -115,6 +117,7 @@ pub struct Tube {
 
 /// What stands in the way of a proof, and when.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Doubt {
     /// Where in the step.   \[s\]
     pub t: f64,

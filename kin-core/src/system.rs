@@ -48,6 +48,7 @@ pub struct System {
 
 /// Position, velocity and acceleration at one time.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Solution {
     /// Time t.   \[s\]
     pub t: f64,

@@ -1,7 +1,7 @@
 //! A word that may not be wrong once: constructions in which a proof would be one, each as small as it can be made.
 
 use kin::prelude::*;
-use kin::{Doubt, DoubtReason, Proof};
+use kin::{Doubt, Proof};
 
 #[constraint]
 fn gated(x: Coord, f: Law, t: Time) -> f64 {
@@ -71,7 +71,7 @@ pub fn lengths<const N: usize>(q: [f64; N], add: impl FnOnce(&mut Mechanism, [Co
 pub fn doubt(proof: &Proof, what: &str) -> Doubt {
     assert!(!proof.is_complete(), "{what}: {proof}");
     let step = proof.first_unproved().and_then(|step| step.tube.clone().err());
-    step.unwrap_or_else(|| Doubt { t: f64::NAN, units: kin::Units::default(), reason: DoubtReason::Singular { coordinate: String::new() } })
+    step.unwrap_or_else(|| panic!("{what}: {proof}"))
 }
 
 /// Where C_q is a constant, `if` jumps all the same: at f = 0.85 both 0.85 and 1.15 are solutions.

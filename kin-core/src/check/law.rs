@@ -6,6 +6,7 @@ use crate::law::Law;
 
 /// Where a law's derivatives do not agree with it.
 #[derive(Clone, PartialEq)]
+#[non_exhaustive]
 pub struct LawMismatch {
     /// What kind of law.
     pub kind: String,

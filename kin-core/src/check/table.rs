@@ -13,6 +13,7 @@ const SHOWN: usize = 16;
 
 /// The terms of a constraint on which its routes do not agree, at one state.
 #[derive(Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Mismatch {
     /// Kind of the constraint.
     pub kind: String,
@@ -32,6 +33,7 @@ pub struct Mismatch {
 
 /// One number of a term, on all routes.
 #[derive(Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Entry {
     /// Such as `C_q[x, crank.theta]`.
     pub name: String,

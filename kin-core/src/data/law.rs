@@ -9,6 +9,7 @@ use crate::law::{Ends, Law};
 
 /// A law as data.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct LawData {
     /// Its kind, such as `ramp`: what a [`Registry`] looks up.
     pub kind: String,

@@ -16,6 +16,7 @@ use crate::units::Units;
 
 /// A mechanism as data: bodies, constraints with their parameters, laws.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct MechanismData {
     /// Version of this format.
     #[serde(default = "is_first")]
@@ -39,6 +40,7 @@ pub struct MechanismData {
 
 /// The value that a measure of a joint should have in the assembly that is meant.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct PreferredData {
     /// The measure, such as `elbow.angle`.
     pub measure: String,
@@ -48,6 +50,7 @@ pub struct PreferredData {
 
 /// The range that a measure of a joint or a coordinate should keep to; `None` for no end.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct LimitData {
     /// The measure or coordinate, such as `slot.slide`.
     pub measure: String,
@@ -59,6 +62,7 @@ pub struct LimitData {
 
 /// A body or bare coordinate with its guess.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct BodyData {
     /// Its name.
     pub name: String,
@@ -77,6 +81,7 @@ pub struct BodyData {
 /// What a body is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
+#[non_exhaustive]
 pub enum BodyKind {
     /// R_x, R_y, θ
     Planar,
@@ -90,6 +95,7 @@ pub enum BodyKind {
 
 /// A constraint by its kind, arguments and parameters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct ConstraintData {
     /// Its name.
     pub name: String,
@@ -105,6 +111,7 @@ pub struct ConstraintData {
 /// An argument of a constraint: `None` is the ground.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
+#[non_exhaustive]
 pub enum ArgumentData {
     /// A planar body.
     Planar(Option<String>),

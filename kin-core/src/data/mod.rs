@@ -16,7 +16,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 pub use law::{LawData, LawReader};
-pub use mechanism::{ArgumentData, BodyData, BodyKind, ConstraintData, MechanismData, PreferredData};
+pub use mechanism::{ArgumentData, BodyData, BodyKind, ConstraintData, LimitData, MechanismData, PreferredData};
 pub use motion::{BreakData, MotionData, OutputData};
 pub use registry::{Described, Reader, Registry};
 pub use value::{Datum, Describer, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold};

@@ -15,6 +15,7 @@ use crate::units::Units;
 
 /// A motion as data, without loss.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct MotionData {
     /// Version of this format.
     #[serde(default = "is_first")]
@@ -66,6 +67,7 @@ pub struct MotionData {
 
 /// A break of a law that a run has crossed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct BreakData {
     /// The last time before it, and the first one after it or at it.   \[s\]
     pub between: (f64, f64),
@@ -81,6 +83,7 @@ pub struct BreakData {
 
 /// A derived quantity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct OutputData {
     /// Its name.
     pub name: String,

@@ -2,11 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::gap::{Asks, Gap};
 use super::dependency::{Class, Dependency};
 use super::examine::Examined;
 use super::freed::{for_freedoms, out_of_line};
 use super::freedom::Freedom;
+use super::gap::{Asks, Gap};
 use super::trial::Trial;
 
 /// One thing to change in the model.
@@ -127,6 +127,7 @@ pub struct Resize {
 
 /// What a dimension belongs to.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub enum Size {
     /// The length of a body between two points that constraints hold.
     Length {

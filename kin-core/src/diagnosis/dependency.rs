@@ -11,6 +11,7 @@ const OPEN: f64 = 1e-4;
 
 /// What a dependency means.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub enum Class {
     /// One equation repeats others, at nearby poses too, and all can be met: harmless.
     Redundant,
@@ -28,6 +29,7 @@ pub enum Class {
 
 /// Where a contradiction shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub enum Level {
     /// C(q, t) = 0 has no solution there.
     Position,

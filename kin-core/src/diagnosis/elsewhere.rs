@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::gap::Asks;
 use super::examine::Examined;
+use super::gap::Asks;
 use crate::assembly::search;
 use crate::linear::Echelon;
 use crate::model::Model;

@@ -4,10 +4,10 @@ use serde::{Deserialize, Serialize};
 
 use super::change::{self, Change};
 use super::contradiction;
-use super::gap::Gap;
 use super::dependency::{self, Class, Dependency};
 use super::elsewhere::{self, Elsewhere};
 use super::freedom::{self, Freedom, Persistence};
+use super::gap::Gap;
 use super::generic::{Nearby, Walk};
 use super::options::DiagnosisOptions;
 use super::order;

@@ -10,6 +10,7 @@ use crate::state::SpatialState;
 
 /// Whether a freedom is there to stay.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub enum Persistence {
     /// Here and at nearby poses: nothing holds or drives it.
     Always,

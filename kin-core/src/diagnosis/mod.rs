@@ -29,11 +29,11 @@ mod text;
 mod trial;
 
 pub use change::{Change, GlobalPoint, Resize, Size};
-pub use gap::{Against, Asks, Gap};
 pub use dependency::{Class, Dependency, Level, Term};
 pub use elsewhere::Elsewhere;
 pub use examine::Diagnosis;
 pub(crate) use examine::{Start, diagnose};
 pub use freedom::{BodyMotion, Freedom, How, Persistence};
+pub use gap::{Against, Asks, Gap};
 pub use options::DiagnosisOptions;
 pub(crate) use singular::{Singular, singular, singular_within};

@@ -4,11 +4,11 @@ use std::fmt::{Display, Formatter, Result};
 
 use super::advice::cause;
 use super::change::Change;
-use super::gap::{Against, Asks, Gap};
 use super::dependency::{Class, Dependency, Level, Term};
 use super::elsewhere::Elsewhere;
 use super::examine::Diagnosis;
 use super::freedom::{BodyMotion, Freedom, How, Persistence};
+use super::gap::{Against, Asks, Gap};
 use super::repeats;
 use crate::error::text::{count, list, time};
 

@@ -21,6 +21,7 @@ pub enum SingularKind {
 
 /// One branch through a singular position, by its rates there.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct Branch {
     /// q̇   \[m/s, rad/s\]
     pub qd: Vec<f64>,
@@ -30,6 +31,7 @@ pub struct Branch {
 
 /// A position at which C_q is singular, met by a motion between times of the grid or at one of them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct SingularPosition {
     /// When it is reached.   \[s\]
     pub t: f64,

@@ -11,6 +11,7 @@ const CLOSED: f64 = 1e-9;
 
 /// Where a measure turns round.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Extreme {
     /// When.   \[s\]
     pub t: f64,

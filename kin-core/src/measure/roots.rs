@@ -14,6 +14,7 @@ const STEPS: usize = 100;
 
 /// A quantity passes a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Crossing {
     /// When.   \[s\]
     pub t: f64,

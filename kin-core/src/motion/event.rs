@@ -35,6 +35,7 @@ impl std::fmt::Display for EventKind {
 
 /// Something that happens at one time of a motion, between the times of the grid as a rule.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct Event {
     /// When it happens.   \[s\]
     pub t: f64,

@@ -5,6 +5,7 @@ use crate::units::Units;
 
 /// One number over time with its rates: a coordinate, the angle of a joint, a slide.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Quantity {
     /// x   \[m or rad\]
     pub value: Series,

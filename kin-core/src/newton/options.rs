@@ -147,6 +147,7 @@ pub(super) fn resolution(from: f64, to: f64) -> f64 {
 
 /// What Newton's iteration did at one time.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Report {
     /// Newton steps taken, those of rescued attempts included.
     pub iterations: usize,

@@ -40,7 +40,7 @@ pub(crate) struct Run<'a> {
 enum Driver<'a> {
     Plain(Box<Sweep<'a>>),
     /// Of a mechanism with more equations than coordinates.
-    Redundant(redundant::Sweep<'a>),
+    Redundant(Box<redundant::Sweep<'a>>),
 }
 
 impl<'a> Run<'a> {
@@ -51,7 +51,7 @@ impl<'a> Run<'a> {
             system.knows_jerk()?;
         }
         let driver = if redundant::is_redundant(system) {
-            Driver::Redundant(redundant::Sweep::new(system, options, explain))
+            Driver::Redundant(Box::new(redundant::Sweep::new(system, options, explain)))
         } else {
             Driver::Plain(Box::new(Sweep::new(system, options)))
         };

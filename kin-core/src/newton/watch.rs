@@ -12,6 +12,7 @@ pub(crate) const MOST_CROSSED: usize = 100_000;
 
 /// A break of a law that a run has crossed: there a derivative of the motion jumps.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct CrossedBreak {
     /// The last time before it, and the first one after it or at it.   \[s\]
     pub between: (f64, f64),

@@ -61,7 +61,9 @@ macro_rules! operators {
         impl<T: $op<Output = T>> $op for Moving<T> {
             type Output = Self;
 
+            // A result moves as soon as one of both does, whatever the operation.
             #[inline]
+            #[allow(clippy::suspicious_arithmetic_impl)]
             fn $f(self, other: Self) -> Self {
                 Moving { number: self.number.$f(other.number), marks: self.marks | other.marks }
             }

@@ -208,7 +208,7 @@ impl Reader {
             Template::Parameter(name) if scalar && self.no_numbers.contains_key(&name.to_string()) => {
                 let ty = self.no_numbers[&name.to_string()].clone();
                 let cure = if ty == "bool" { format!("if {name} {{ … }} else {{ … }}") } else { format!("{name} as f64") };
-                self.mistake(at, format!("`{name}` is a `{ty}`; a number of it is `{cure}`"))
+                self.mistake(&name, format!("`{name}` is a `{ty}`; a number of it is `{cure}`"))
             }
             template => {
                 let nodes = self.opaque(template, OpaqueKind::Numbers(shape.clone()));

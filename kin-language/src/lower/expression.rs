@@ -91,6 +91,7 @@ impl Reader {
                 self.expressions_read += size;
                 match value {
                     Value::Opaque(_) if size > MOST_PARTS => Err(Unreadable::new(path, "a value this long in the making")),
+                    Value::Opaque(Template::Parameter(name)) => Ok(Value::Opaque(Template::Parameter(at(name, path)))),
                     value => Ok(value),
                 }
             }
@@ -262,6 +263,14 @@ impl Reader {
         }
         Ok(Value::Iterator((from..to).map(|k| Value::Integer(k, ty)).collect()))
     }
+}
+
+/// A parameter's name where it stands in the body, for messages.
+fn at(mut name: syn::Ident, path: &syn::ExprPath) -> syn::Ident {
+    if let Some(word) = path.path.get_ident() {
+        name.set_span(word.span());
+    }
+    name
 }
 
 /// Whether an integer keeps its value under `as`.

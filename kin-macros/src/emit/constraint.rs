@@ -197,6 +197,7 @@ pub fn declaration(source: &ConstraintFn) -> TokenStream {
     let names: Vec<_> = fields.iter().map(|a| &a.name).collect();
     let types = fields.iter().map(|a| super::field_type(a));
     let (inputs, values): (Vec<_>, Vec<_>) = fields.iter().map(|argument| super::constructor_input(argument)).unzip();
+    let silent = fields.iter().map(|argument| super::warned_elsewhere(&argument.name));
     let docs = super::documentation(attributes);
     let heading = format!(" The constraint that [`fn@{name}`] makes.");
     quote! {
@@ -212,7 +213,7 @@ pub fn declaration(source: &ConstraintFn) -> TokenStream {
         #(#attributes)*
         #[allow(clippy::too_many_arguments)]
         #[must_use]
-        #visibility fn #name(#(#names: #inputs),*) -> #name {
+        #visibility fn #name(#(#silent #names: #inputs),*) -> #name {
             #name { #(#values),* }
         }
     }

@@ -82,6 +82,7 @@ fn emit(
     let (attributes, visibility, name) = (&source.attributes, &source.visibility, &source.name);
     let names: Vec<_> = source.parameters.iter().map(|a| &a.name).collect();
     let types: Vec<_> = source.parameters.iter().map(|a| &a.ty).collect();
+    let silent = names.iter().map(|name| super::warned_elsewhere(name));
     let (visit, set) = super::parameter_methods(&source.parameters);
     let fields: Vec<_> = source.parameters.iter().map(super::field_type).collect();
     let text = syn::ext::IdentExt::unraw(name).to_string();
@@ -91,7 +92,7 @@ fn emit(
         #(#attributes)*
         #[allow(clippy::too_many_arguments)]
         #[must_use]
-        #visibility fn #name(#(#names: #types),*) -> ::kin::Law {
+        #visibility fn #name(#(#silent #names: #types),*) -> ::kin::Law {
             #[allow(non_camel_case_types, non_snake_case)]
             #[derive(Clone)]
             struct __Law {

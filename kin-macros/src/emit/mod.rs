@@ -66,9 +66,14 @@ fn constructor_input(argument: &Argument) -> (TokenStream, TokenStream) {
     }
 }
 
+/// An argument that is called `L` is warned of once: in the function as it was written, not in the constructor too.
+fn warned_elsewhere(name: &proc_macro2::Ident) -> TokenStream {
+    if name.to_string().contains(char::is_uppercase) { quote!(#[allow(non_snake_case)]) } else { quote!() }
+}
+
 /// Lints do not look at code that is not the user's.
 fn unlinted() -> TokenStream {
-    quote!(#[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)])
+    quote!(#[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)])
 }
 
 /// `parameters` and `set_parameter`: laws and vectors know their own parts.
