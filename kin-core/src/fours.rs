@@ -83,6 +83,13 @@ pub(crate) fn largest_share(x: &[Four], shares: &[Four]) -> f64 {
     seen.largest()
 }
 
+/// The largest |x_i|; infinite if a number is not finite.
+pub(crate) fn largest(x: &[Four]) -> f64 {
+    let mut seen = Seen::default();
+    x.iter().for_each(|four| seen.see(f64x4::new(*four)));
+    seen.largest()
+}
+
 /// Whether |x_i| ≤ limit_i everywhere.
 #[inline]
 pub(crate) fn inside(x: &[Four], limits: &[Four]) -> bool {

@@ -11,6 +11,7 @@ mod cells;
 mod code;
 mod condition;
 mod echelon;
+mod independent;
 pub(crate) mod lanes;
 mod measures;
 mod order;
@@ -24,6 +25,7 @@ mod tall;
 mod tests;
 
 pub(crate) use echelon::{Echelon, RANK, Sparse, reduced};
+pub(crate) use independent::Independent;
 
 use std::sync::Arc;
 

@@ -160,6 +160,10 @@ impl Model<'_> {
     /// Whether C = 0 holds, but for rounding and what is allowed.
     pub(crate) fn met(&self, point: &Point, q: &[f64], measures: &Measures, active: &dyn Fn(usize) -> bool) -> bool {
         let tolerance = TOLERANCE.max(self.closure);
+        // As a rule rounding needs no allowance of its own.
+        if point.c.iter().zip(&measures.norms).all(|(c, norm)| c.abs() <= tolerance * norm) {
+            return true;
+        }
         let mut allowed: Vec<f64> = measures.norms.iter().map(|norm| tolerance * norm).collect();
         for (row, column, value) in self.entries(&point.values) {
             allowed[row] += 16.0 * f64::EPSILON * (value * q[column]).abs();

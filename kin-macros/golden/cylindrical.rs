@@ -54,7 +54,7 @@ const _: () = {
         let d = i.point(u_i) - j.point(u_j);
         (f.dot(h), g.dot(h), f.dot(d), g.dot(d))
     };
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     const __SOUND: bool = {
         let _ = __WRITTEN;
         true
@@ -63,7 +63,7 @@ const _: () = {
     type __Dual<D> = ::kin::rt::If<__SOUND, D>;
     #[allow(dead_code)]
     type __Real<D> = ::kin::rt::Real<__Dual<D>>;
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::Constraint for cylindrical {
         fn kind(&self) -> &str {
             "cylindrical"
@@ -1104,7 +1104,7 @@ rows 218 223 228 233
             false
         }
     }
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::Described for cylindrical {
         const KIND: &'static str = "cylindrical";
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
@@ -1124,7 +1124,7 @@ rows 218 223 228 233
             })
         }
     }
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::Equation<14, 4> for cylindrical {
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[
             ::kin::rt::ArgumentKind::Spatial,

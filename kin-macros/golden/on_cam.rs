@@ -49,7 +49,7 @@ const _: () = {
             ))
                 .lowered()
     };
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     const __SOUND: bool = {
         let _ = __WRITTEN;
         true
@@ -58,7 +58,7 @@ const _: () = {
     type __Dual<D> = ::kin::rt::If<__SOUND, D>;
     #[allow(dead_code)]
     type __Real<D> = ::kin::rt::Real<__Dual<D>>;
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl on_cam {
         fn __leaf0<__D: ::kin::rt::Dual>(&self, x: [__Real<__D>; 1]) -> __Real<__D> {
             (&::kin::rt::Foreign(
@@ -75,7 +75,7 @@ const _: () = {
                 .lifted(::core::marker::PhantomData::<__Dual<__D>>)
         }
     }
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::Constraint for on_cam {
         fn kind(&self) -> &str {
             "on_cam"
@@ -448,7 +448,7 @@ rows 36
             visit("profile", &self.profile, x_0);
         }
     }
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::InLanes for on_cam {
         fn kernels(&self) -> ::kin::rt::LaneKernels {
             ::kin::rt::LaneKernels::of::<Self>()
@@ -504,7 +504,7 @@ rows 36
             }
         }
     }
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::LaneKernel for on_cam {
         #[inline(always)]
         fn linearize<__S: ::kin::rt::Level>(
@@ -659,7 +659,7 @@ rows 36
                 - ((t29 * (t29 * call0[2])) + (call0[1] * t33))) + call1[0]);
         }
     }
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::Described for on_cam {
         const KIND: &'static str = "on_cam";
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
@@ -676,7 +676,7 @@ rows 36
             })
         }
     }
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::Equation<6, 1> for on_cam {
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[
             ::kin::rt::ArgumentKind::Planar,

@@ -38,7 +38,7 @@ const _: () = {
         Vec2,
         Vec2,
     ) -> Vec2 = |i, j, u_i, u_j| { i.point(u_i) - j.point(u_j) };
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     const __SOUND: bool = {
         let _ = __WRITTEN;
         true
@@ -47,7 +47,7 @@ const _: () = {
     type __Dual<D> = ::kin::rt::If<__SOUND, D>;
     #[allow(dead_code)]
     type __Real<D> = ::kin::rt::Real<__Dual<D>>;
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::Constraint for revolute {
         fn kind(&self) -> &str {
             "revolute"
@@ -284,7 +284,7 @@ rows 30 31
             false
         }
     }
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::InLanes for revolute {
         fn kernels(&self) -> ::kin::rt::LaneKernels {
             ::kin::rt::LaneKernels::of::<Self>()
@@ -300,7 +300,7 @@ rows 30 31
             *known = [self.u_i.x, self.u_i.y, self.u_j.x, self.u_j.y];
         }
     }
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::LaneKernel for revolute {
         #[inline(always)]
         fn linearize<__S: ::kin::rt::Level>(
@@ -377,7 +377,7 @@ rows 30 31
             );
         }
     }
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::Described for revolute {
         const KIND: &'static str = "revolute";
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
@@ -394,7 +394,7 @@ rows 30 31
             })
         }
     }
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::Equation<6, 2> for revolute {
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[
             ::kin::rt::ArgumentKind::Planar,

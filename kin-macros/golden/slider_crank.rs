@@ -53,7 +53,7 @@ const _: () = {
             l2 * theta2.sin() + l3 * theta3.sin() - h,
         ]
     };
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     const __SOUND: bool = {
         let _ = __WRITTEN;
         true
@@ -62,7 +62,7 @@ const _: () = {
     type __Dual<D> = ::kin::rt::If<__SOUND, D>;
     #[allow(dead_code)]
     type __Real<D> = ::kin::rt::Real<__Dual<D>>;
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::Constraint for slider_crank {
         fn kind(&self) -> &str {
             "slider_crank"
@@ -330,7 +330,7 @@ rows 13 19
             false
         }
     }
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::Described for slider_crank {
         const KIND: &'static str = "slider_crank";
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
@@ -349,7 +349,7 @@ rows 13 19
             })
         }
     }
-    #[allow(unused, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::rt::Equation<2, 2> for slider_crank {
         const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[
             ::kin::rt::ArgumentKind::Coord,

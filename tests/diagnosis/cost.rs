@@ -47,41 +47,49 @@ fn three_thousand_coordinates_within_half_a_minute() {
     limited(1000, 30.0);
 }
 
-/// Three cranks and a coupler, with the motor turning the first. The third crank holds the coupler at a point, or only on a line: then no equation is
-/// superfluous, and away from where the line is along the crank the motion is the same.
+/// Ten times three cranks and a coupler, turned together by one motor. The third crank holds its coupler at a point, or only on a line: then no equation
+/// is superfluous, and away from where the line is along the crank the motion is the same.
 fn cranks(redundant: bool) -> System {
     let mut m = Mechanism::new("cranks");
     let pivots = [vec2(0.0, 0.0), vec2(2.0, 0.0), vec2(0.8, -0.5)];
-    let coupler = m.planar("coupler", pose(0.5, 0.8, 0.0)).unwrap();
-    let cranks = [1, 2, 3].map(|k| m.link(&format!("crank {k}"), 1.0).unwrap());
-    for (k, (crank, pivot)) in cranks.iter().zip(pivots).enumerate() {
-        m.add(&format!("O{}", k + 1), revolute(m.ground(), *crank, pivot, crank.start())).unwrap();
-        if k < 2 || redundant {
-            m.add(&format!("A{}", k + 1), revolute(*crank, coupler, crank.end(), pivot)).unwrap();
-        } else {
-            m.add("A3", point_on_line(*crank, coupler, crank.end(), pivot, vec2(1.0, 0.2))).unwrap();
+    let mut turned: Option<PlanarBody> = None;
+    for n in 0..10 {
+        let coupler = m.planar(&format!("coupler {n}"), pose(0.5, 0.8, 0.0)).unwrap();
+        let cranks = [1, 2, 3].map(|k| m.link(&format!("crank {n}.{k}"), 1.0).unwrap());
+        for (k, (crank, pivot)) in cranks.iter().zip(pivots).enumerate() {
+            m.add(&format!("O{n}.{k}"), revolute(m.ground(), *crank, pivot, crank.start())).unwrap();
+            if k < 2 || redundant {
+                m.add(&format!("A{n}.{k}"), revolute(*crank, coupler, crank.end(), pivot)).unwrap();
+            } else {
+                m.add(&format!("A{n}.{k}"), point_on_line(*crank, coupler, crank.end(), pivot, vec2(1.0, 0.2))).unwrap();
+            }
         }
+        let driven = match turned {
+            None => m.add("motor", drive_angle(cranks[0], Law::linear(0.6, 1.0))),
+            Some(before) => m.add(&format!("belt {n}"), coupling(before.theta(), cranks[0].theta(), 1.0, -1.0, 0.0)),
+        };
+        driven.unwrap();
+        turned = Some(cranks[0].into());
     }
-    m.add("motor", drive_angle(cranks[0], Law::linear(0.6, 1.0))).unwrap();
     m.build().unwrap()
 }
 
-/// What one Newton step takes with all that belongs to it, the least of several runs.
+/// A run takes so long for each Newton step with all that belongs to it.   \[s\]
 fn step(system: &System) -> f64 {
-    let times = kin::linspace(0.0, 1.0, 400);
-    let run = || {
-        let begun = now();
-        let motion = system.run(&times).unwrap();
-        let steps: usize = motion.iterations().iter().skip(1).map(|steps| steps + 1).sum();
-        (now() - begun).as_secs_f64() / steps as f64
-    };
-    (0..7).map(|_| run()).fold(f64::INFINITY, f64::min)
+    let times = kin::linspace(0.0, 1.0, 1000);
+    let begun = now();
+    let motion = system.run(&times).unwrap();
+    let steps: usize = motion.iterations().iter().skip(1).map(|steps| steps + 1).sum();
+    (now() - begun).as_secs_f64() / steps as f64
 }
 
+/// The median of ratios taken side by side.
 #[test]
 fn redundant_step_takes_at_most_twice_a_square_one() {
-    let (redundant, square) = (step(&cranks(true)), step(&cranks(false)));
-    println!("redundant {:.1} µs, square {:.1} µs a step: {:.2}", 1e6 * redundant, 1e6 * square, redundant / square);
-    let limit = if cfg!(debug_assertions) { 4.0 } else { 2.0 };
-    assert!(redundant < limit * square, "{redundant} {square}");
+    let (redundant, square) = (cranks(true), cranks(false));
+    let mut ratios: Vec<f64> = (0..if cfg!(debug_assertions) { 3 } else { 15 }).map(|_| step(&redundant) / step(&square)).collect();
+    ratios.sort_by(f64::total_cmp);
+    let ratio = ratios[ratios.len() / 2];
+    println!("{ratio:.2} of {ratios:.2?}");
+    assert!(ratio < if cfg!(debug_assertions) { 4.0 } else { 2.0 }, "{ratios:.2?}");
 }

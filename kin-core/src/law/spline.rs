@@ -203,20 +203,19 @@ impl LawFunction for Spline {
         if self.curvature.is_empty() {
             return None;
         }
-        if let Some(wide) = self.over_many(x) {
-            return Some(wide);
-        }
         let knots: Vec<f64> = self.table.iter().map(|(x, _)| *x).collect();
         match self.ends {
             Ends::Periodic => repeated(x, first, last - first, &|x| {
-                let inner = &knots[1..knots.len() - 1];
-                piecewise(&x.plus(first), inner, &|k, x| Some(self.cubic(k, x)))
+                let (x, inner) = (x.plus(first), &knots[1..knots.len() - 1]);
+                self.over_many(&x).or_else(|| piecewise(&x, inner, &|k, x| Some(self.cubic(k, x))))
             }),
-            _ => piecewise(x, &knots, &|k, x| {
-                Some(match k {
-                    0 => self.line(self.cubic(0, &Series::variable(Interval::from(first), ONE, 2)), &x.plus(-first)),
-                    k if k < knots.len() => self.cubic(k - 1, x),
-                    k => self.line(self.cubic(k - 2, &Series::variable(Interval::from(last), ONE, 2)), &x.plus(-last)),
+            _ => self.over_many(x).or_else(|| {
+                piecewise(x, &knots, &|k, x| {
+                    Some(match k {
+                        0 => self.line(self.cubic(0, &Series::variable(Interval::from(first), ONE, 2)), &x.plus(-first)),
+                        k if k < knots.len() => self.cubic(k - 1, x),
+                        k => self.line(self.cubic(k - 2, &Series::variable(Interval::from(last), ONE, 2)), &x.plus(-last)),
+                    })
                 })
             }),
         }

@@ -23,15 +23,19 @@ impl Tall {
     }
 
     /// Takes the values, in the order of the places, and λ; false if that is singular.
-    pub(crate) fn factor(&mut self, values: impl Iterator<Item = f64> + Clone, damping: f64) -> bool {
+    pub(crate) fn factor(&mut self, values: impl Iterator<Item = f64>, damping: f64) -> bool {
         self.linear.forget();
         self.factor_again(values, damping)
     }
 
     /// The same where the values are near those of the last time: the elimination that was recorded for them is tried first.
-    pub(crate) fn factor_again(&mut self, values: impl Iterator<Item = f64> + Clone, damping: f64) -> bool {
-        let all = std::iter::repeat_n(1.0, self.m).chain(std::iter::repeat_n(-damping, self.n)).chain(values.clone()).chain(values);
-        self.linear.values_mut().iter_mut().zip(all).for_each(|(place, value)| *place = value);
+    pub(crate) fn factor_again(&mut self, values: impl Iterator<Item = f64>, damping: f64) -> bool {
+        let (identity, rest) = self.linear.values_mut().split_at_mut(self.m);
+        let (below, places) = rest.split_at_mut(self.n);
+        identity.fill(1.0);
+        below.fill(-damping);
+        let (upper, lower) = places.split_at_mut(places.len() / 2);
+        upper.iter_mut().zip(lower).zip(values).for_each(|((upper, lower), value)| (*upper, *lower) = (value, value));
         self.linear.measure();
         self.linear.factor()
     }
@@ -47,6 +51,11 @@ impl Tall {
         self.linear.rhs_mut()[..self.m].iter_mut().zip(b).for_each(|(place, b)| *place = b);
         self.linear.solve();
         &self.linear.solution()[self.m..]
+    }
+
+    /// b − A x of the last solution, row by row.
+    pub(crate) fn leave(&self, left: &mut [f64]) {
+        left.copy_from_slice(&self.linear.solution()[..self.m]);
     }
 }
 

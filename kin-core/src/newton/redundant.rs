@@ -1,25 +1,31 @@
 //! Mechanisms with more equations than coordinates, all of which can be met: the third crank of a parallelogram, a spatial four-bar of
 //! five-row revolutes, a slider in two guides.
 //!
-//! Every time is solved for all equations in the sense of least squares. To leave the superfluous ones out would not do: which equations are
-//! superfluous changes on the way (whatever row of a parallelogram's third crank is left out, twice in a turn it is the one that is needed).
+//! As many independent equations are solved as there are coordinates, and the others asked to be met ([`crate::linear::Independent`]); where they may
+//! contradict one another a little ([`Options::closure`]), all of them in the sense of least squares.
 
+mod errors;
 mod judged;
+mod solver;
 
 use super::options::resolution;
+use super::predictor::{Last, Predictor};
 use super::run::Explain;
 use super::sweep::SHORTEST;
 use super::watch::Watch;
 use super::{Options, Outcome, Report, Stop};
 use crate::assembly::search::{self, Found};
-use crate::diagnosis::{self, DiagnosisOptions, Start};
+use crate::diagnosis::Start;
 use crate::error::{Error, Result};
 use crate::follow::Drive;
+use crate::fours::{self, Fours};
 use crate::linear::Tall;
 use crate::model::{Measures, Model, Point, TOLERANCE};
 use crate::motion::Motion;
 use crate::system::evaluate::{Instant, finite};
 use crate::system::{Solution, System};
+use errors::{blamed, unmet};
+use solver::Solver;
 
 /// Equations at a solution may differ by this share of their terms in velocities; where their positions may, by so many times that.   \[-\]
 const CONSISTENT: f64 = 1e-8;
@@ -68,18 +74,30 @@ pub(crate) fn at(system: &System, t: f64, start: Option<&[f64]>, options: &Optio
         Some(start) => Driver::from_start(system, options, t, start)?,
     };
     let worst = system.equations().equation(driver.worst);
-    let report = Report { iterations: outcome.iterations, residual: outcome.residual, worst, smallest_pivot: driver.tall.smallest_pivot() };
-    Ok(Solution { t, q: driver.q, qd: driver.qd, qdd: driver.qdd, report })
+    let report =
+        Report { iterations: outcome.iterations, residual: outcome.residual, worst, smallest_pivot: driver.solver.smallest_pivot() };
+    Ok(Solution { t, q: driver.q.to_vec(), qd: driver.qd.to_vec(), qdd: driver.qdd.to_vec(), report })
 }
 
 /// C_q x = the right side at a position, in the sense of least squares.
 pub(crate) fn solved(system: &System, q: &[f64], t: f64, rhs: &[f64]) -> Result<Vec<f64>> {
-    let (model, options) = (system.model(), Options::default());
-    let mut driver = Driver::new(system, (&options, Explain::Yes), t, (q.to_vec(), model.measure(q, t)));
-    match driver.factor(t) {
-        Some(()) => Ok(driver.solved(rhs)),
-        None => Err(driver.blamed(true, t)),
+    let model = system.model();
+    let (measures, m, n) = (model.measure(q, t), model.m(), model.n());
+    let instant = || model.equations.instant_at(t, q);
+    let point = model.linearize(q, t).map_err(|bad| model.equations.not_finite(bad, model.layout, &instant()))?;
+    let mut tall = Tall::new(m, n, &model.equations.entries);
+    let scaled = scales(&model, &measures).into_iter().zip(&point.values).map(|(scale, value)| scale * value);
+    if !tall.factor(scaled, 0.0) {
+        return Err(blamed(model, Start::Pose(q), t, &Options::default()));
     }
+    let y = tall.solve(rhs.iter().zip(&measures.norms).map(|(rhs, norm)| rhs / norm));
+    Ok(y.iter().zip(&measures.sizes).map(|(y, size)| y * size).collect())
+}
+
+/// What each value of C_q is multiplied by to be of order 1.
+fn scales(model: &Model<'_>, Measures { sizes, norms, .. }: &Measures) -> Vec<f64> {
+    let scale = |entry: &Option<(usize, usize)>| entry.map_or(0.0, |(row, column)| sizes[column] / norms[row]);
+    model.equations.entries.iter().map(scale).collect()
 }
 
 /// The point in hand, and the means to go on from it.
@@ -89,16 +107,26 @@ struct Driver<'a> {
     options: &'a Options,
     explain: Explain,
     measures: Measures,
-    tall: Tall,
+    solver: Solver,
     instant: Instant,
     /// C and C_q at the last evaluation.
     point: Point,
     /// What each value of C_q is multiplied by to be of order 1.
     scales: Vec<f64>,
+    /// By these rows, and changes of coordinates, are of order 1; and 1 for what turns something.
+    row_shares: Fours,
+    shares: Fours,
+    turns: Fours,
+    predictor: Predictor,
+    /// A right side, and the solution for it.
+    rhs: Fours,
+    x: Fours,
     t: f64,
-    q: Vec<f64>,
-    qd: Vec<f64>,
-    qdd: Vec<f64>,
+    /// The last solution, while the next one is looked for.
+    last: Fours,
+    q: Fours,
+    qd: Fours,
+    qdd: Fours,
     /// q⃛ where it is asked for, else empty.
     qddd: Vec<f64>,
     /// Newton steps since the last time.
@@ -117,11 +145,13 @@ impl<'a> Driver<'a> {
         let (n, equations) = (model.n(), model.equations);
         let mut point = Point { c: vec![0.0; model.m()], values: vec![0.0; equations.entries.len()] };
         equations.set_constants(&mut point.values);
-        let Measures { sizes, norms, .. } = &measures;
-        let scale = |entry: &Option<(usize, usize)>| entry.map_or(0.0, |(row, column)| sizes[column] / norms[row]);
+        let [row_shares, shares] =
+            [&measures.norms, &measures.sizes].map(|sizes| sizes.iter().map(|size| size.recip()).collect::<Vec<_>>());
+        let turns: Vec<f64> = (0..n).map(|column| f64::from(u8::from(model.turns(column)))).collect();
+        let zeros = || Fours::new(n, 0.0);
         Driver {
-            scales: equations.entries.iter().map(scale).collect(),
-            tall: Tall::new(model.m(), n, &equations.entries),
+            scales: scales(&model, &measures),
+            solver: Solver::new(&model),
             instant: equations.instant(),
             point,
             system,
@@ -129,10 +159,17 @@ impl<'a> Driver<'a> {
             options,
             explain,
             measures,
+            row_shares: Fours::from(&row_shares[..]),
+            shares: Fours::from(&shares[..]),
+            turns: Fours::from(&turns[..]),
+            predictor: Predictor::new(n),
+            rhs: Fours::new(model.m(), 0.0),
+            x: zeros(),
             t,
-            q,
-            qd: vec![0.0; n],
-            qdd: vec![0.0; n],
+            last: zeros(),
+            q: Fours::from(&q[..]),
+            qd: zeros(),
+            qdd: zeros(),
             qddd: vec![],
             steps: 0,
             worst: 0,
@@ -189,19 +226,22 @@ impl<'a> Driver<'a> {
         self.steps = 0;
         loop {
             let target = if (to - self.t).abs() <= h.abs() * 1.001 { to } else { self.t + h };
-            let before = [self.q.clone(), self.qd.clone(), self.qdd.clone()];
+            fours::copy(self.last.whole_mut(), self.q.whole());
             if self.options.predict {
-                self.predict(target - self.t);
+                let last = Last { q: &self.last, qd: &self.qd, qdd: &self.qdd };
+                self.predictor.predict(target - self.t, last, &mut self.q);
             }
             let solved = self.solve(target);
             let wrong = solved.and_then(|_| self.wrong());
             if let (Some(outcome), None) = (&solved, &wrong) {
                 iterations += outcome.iterations;
+                self.settle(target - self.t, outcome.iterations);
                 if self.rates(target).is_none() {
                     return Err(self.blamed(true, target));
                 }
-                if let Some(objection) = self.objection(target, &before) {
-                    [self.q, self.qd, self.qdd] = before;
+                if let Some(objection) = self.objection(target) {
+                    self.predictor.retreat(&mut self.qd, &mut self.qdd);
+                    fours::copy(self.q.whole_mut(), self.last.whole());
                     if h.abs() <= shortest {
                         let units = self.model.layout.words.clone();
                         return Err(Error::CannotFollow { t: self.t, units, reason: objection.reason(), motion: None });
@@ -215,7 +255,7 @@ impl<'a> Driver<'a> {
                 }
                 h *= 2.0;
             } else {
-                [self.q, ..] = before;
+                fours::copy(self.q.whole_mut(), self.last.whole());
                 if !self.options.rescue || h.abs() <= smallest {
                     if let Some(error) = wrong {
                         return Err(error);
@@ -227,17 +267,19 @@ impl<'a> Driver<'a> {
         }
     }
 
+    /// A step h has succeeded; the rates in hand are still those of the time before, and become the past.
+    fn settle(&mut self, h: f64, iterations: usize) {
+        if self.options.predict && iterations > 0 {
+            let last = Last { q: &self.last, qd: &self.qd, qdd: &self.qdd };
+            self.predictor.compare(h, last, &self.q, &self.measures.sizes);
+        }
+        self.predictor.advance(h, &mut self.qd, &mut self.qdd);
+    }
+
     /// The error for a position that is not what is meant.
     fn wrong(&self) -> Option<Error> {
         let equations = self.model.equations;
         equations.first_wrong(&self.instant).map(|block| equations.closes_wrong(block, self.model.layout, &self.instant))
-    }
-
-    /// q + h q̇ + ½ h² q̈
-    fn predict(&mut self, h: f64) {
-        for ((q, qd), qdd) in self.q.iter_mut().zip(&self.qd).zip(&self.qdd) {
-            *q += h * (qd + 0.5 * h * qdd);
-        }
     }
 
     /// Newton's steps in the sense of least squares, which must shrink; on success the matrix at the solution is factored.
@@ -246,15 +288,14 @@ impl<'a> Driver<'a> {
         for iterations in 0..=self.options.max_iterations {
             self.steps += 1;
             self.factor(t)?;
-            let residual = self.point.c.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
             if let Stop::ResidualOnly(bound) = self.options.stop
-                && residual < bound
+                && self.point.c.iter().all(|c| c.abs() < bound)
             {
                 return Some(self.outcome(iterations));
             }
-            let opposed: Vec<f64> = self.point.c.iter().map(|c| -c).collect();
-            let dq = self.solved(&opposed);
-            let correction = dq.iter().zip(&self.measures.sizes).fold(0.0_f64, |m, (dq, size)| m.max((dq / size).abs()));
+            self.rhs.iter_mut().zip(&self.point.c).for_each(|(rhs, c)| *rhs = -c);
+            self.solve_for_rhs();
+            let correction = fours::largest_share(self.x.whole(), self.shares.whole());
             let converged = match self.options.stop {
                 Stop::Converged { tolerance } => correction <= tolerance || (correction > 0.5 * previous && correction <= STALL),
                 Stop::ResidualOnly(_) => false,
@@ -264,10 +305,10 @@ impl<'a> Driver<'a> {
                 return None;
             }
             let met = converged && self.model.met(&self.point, &self.q, &self.measures, &|_| true);
-            self.q.iter_mut().zip(&dq).for_each(|(q, dq)| *q += dq);
+            fours::add(self.q.whole_mut(), self.x.whole());
             if converged {
                 if met && self.has_jumped(t) {
-                    self.q.iter_mut().zip(&dq).for_each(|(q, dq)| *q -= dq);
+                    self.q.iter_mut().zip(&self.x).for_each(|(q, dq)| *q -= dq);
                 }
                 return met.then(|| self.outcome(iterations));
             }
@@ -285,9 +326,9 @@ impl<'a> Driver<'a> {
     fn outcome(&mut self, iterations: usize) -> Outcome {
         let rows = self.point.c.iter().map(|c| c.abs()).enumerate();
         let (worst, residual) = rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
-        let share = self.point.c.iter().zip(&self.measures.norms).fold(0.0_f64, |m, (c, norm)| m.max((c / norm).abs()));
-        if share > TOLERANCE {
-            self.misfit = self.misfit.max(share);
+        if self.options.closure > 0.0 {
+            let share = self.point.c.iter().zip(&self.row_shares).fold(0.0_f64, |m, (c, share)| m.max((c * share).abs()));
+            self.misfit = self.misfit.max(if share > TOLERANCE { share } else { 0.0 });
         }
         self.worst = worst;
         Outcome { iterations, residual }
@@ -303,47 +344,43 @@ impl<'a> Driver<'a> {
         equations.linearize(&self.q, &self.instant, c, values);
         equations.finite(c, values).ok()?;
         let scaled = self.scales.iter().zip(values.iter()).map(|(scale, value)| scale * value);
-        self.tall.factor_again(scaled, 0.0).then_some(())
+        self.solver.factor(scaled).then_some(())
     }
 
-    /// The solution for a right side in the units of its rows.
-    fn solved(&mut self, rhs: &[f64]) -> Vec<f64> {
-        let Measures { sizes, norms, .. } = &self.measures;
-        let y = self.tall.solve(rhs.iter().zip(norms).map(|(rhs, norm)| rhs / norm));
-        y.iter().zip(sizes).map(|(y, size)| y * size).collect()
+    /// C_q x = the right side in hand, whose rows are brought to order 1.
+    fn solve_for_rhs(&mut self) {
+        self.rhs.iter_mut().zip(&self.row_shares).for_each(|(rhs, share)| *rhs *= share);
+        let y = self.solver.solve(&self.rhs);
+        self.x.iter_mut().zip(y).zip(&self.measures.sizes).for_each(|((x, y), size)| *x = y * size);
     }
 
     /// q̇ and q̈ with the matrix in hand, and q⃛ where it is asked for; `None` where they are not finite or the equations ask for different ones.
     fn rates(&mut self, t: f64) -> Option<()> {
         let equations = self.model.equations;
         equations.set_position(&self.q, &mut self.instant);
-        let mut rhs = vec![0.0; self.model.m()];
-        equations.velocity_rhs(&self.instant, &mut rhs);
-        self.qd = self.agreed(&rhs)?;
+        equations.velocity_rhs(&self.instant, &mut self.rhs);
+        self.agree()?;
+        fours::copy(self.qd.whole_mut(), self.x.whole());
         equations.set_rates(&self.qd, &mut self.instant);
-        equations.second_order(&self.instant, 1.0, &mut rhs);
-        self.qdd = self.agreed(&rhs)?;
+        equations.second_order(&self.instant, 1.0, &mut self.rhs);
+        self.agree()?;
+        fours::copy(self.qdd.whole_mut(), self.x.whole());
         if self.options.jerk {
-            let rhs = self.model.jerk_rhs(&self.q, t, &self.qd, &self.qdd).ok()?.ok()?;
-            self.qddd = self.agreed(&rhs)?;
+            self.rhs.copy_from_slice(&self.model.jerk_rhs(&self.q, t, &self.qd, &self.qdd).ok()?.ok()?);
+            self.agree()?;
+            self.qddd = self.x.to_vec();
         }
         Some(())
     }
 
-    /// The solution of C_q x = the right side, if it is finite and meets every row.
-    fn agreed(&mut self, rhs: &[f64]) -> Option<Vec<f64>> {
-        finite(rhs, "").ok()?;
-        let solution = self.solved(rhs);
-        let mut rows: Vec<(f64, f64)> = rhs.iter().map(|rhs| (-rhs, rhs.abs())).collect();
-        for (row, column, value) in self.model.entries(&self.point.values) {
-            let term = value * solution[column];
-            rows[row] = (rows[row].0 + term, rows[row].1 + term.abs());
-        }
-        let rows = rows.iter().zip(&self.measures.norms);
-        let largest = rows.clone().fold(0.0_f64, |m, ((_, size), norm)| m.max(size / norm));
+    /// Solves for the right side in hand; `None` where the solution is not finite or does not meet every row.
+    fn agree(&mut self) -> Option<()> {
+        finite(&self.rhs, "").ok()?;
+        self.solve_for_rhs();
+        let terms = fours::largest(self.rhs.whole()).max(fours::largest_share(self.x.whole(), self.shares.whole()));
+        self.solver.leave(&mut self.rhs);
         let share = CONSISTENT.max(ALLOWED * self.options.closure);
-        let met = rows.clone().all(|((sum, _), norm)| sum.abs() <= share * largest * norm);
-        (met && solution.iter().all(|x| x.is_finite())).then_some(solution)
+        (terms.is_finite() && fours::largest(self.rhs.whole()) <= share * terms).then_some(())
     }
 
     /// The error for a time that cannot be reached from the position in hand, which is one that `closes` or a guess of one.
@@ -358,30 +395,6 @@ impl<'a> Driver<'a> {
     /// q, q̇, q̈, and q⃛ or nothing.
     fn rows(&self) -> [&[f64]; 4] {
         [&self.q, &self.qd, &self.qdd, &self.qddd]
-    }
-}
-
-/// The error for a mechanism that cannot be driven there, with its diagnosis.
-fn blamed(model: Model<'_>, start: Start<'_>, t: f64, options: &Options) -> Error {
-    let options = DiagnosisOptions { search: options.search.clone(), ..DiagnosisOptions::default() };
-    match diagnosis::diagnose(model, start, t, &options) {
-        Ok(diagnosis) => Error::CannotBeDriven { diagnosis: Box::new(diagnosis), motion: None },
-        Err(error) => error,
-    }
-}
-
-/// The same error where nobody asks what is wrong: the equation that is furthest from being met.
-fn unmet(system: &System, q: &[f64], t: f64, iterations: usize, last: Option<f64>) -> Error {
-    let (model, instant) = (system.model(), system.equations().instant_at(t, q));
-    match model.linearize(q, t) {
-        Err(bad) => system.equations().not_finite(bad, system.layout(), &instant),
-        Ok(point) => {
-            let rows = point.c.iter().map(|c| c.abs()).enumerate();
-            let (worst, residual) = rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
-            let (constraint, row) = system.row_name(worst);
-            let units = system.layout().words.clone();
-            Error::NoConvergence { t, units, iterations, constraint, row, residual, last, diagnosis: None, motion: None }
-        }
     }
 }
 

@@ -41,7 +41,7 @@ pub use numbers::{Numbers, set, set_at, visit};
 pub use parameter::{Parameter, is_parameter};
 pub use refused::{Refuses, refusal, refused};
 pub use rows::{Rows, rows};
-pub use sound::{If, Sound, Then};
+pub use sound::{If, Sound, Then, callee};
 pub use timed::timed;
 
 /// \[f, f′, f″, f‴\] of a function written for any dual number.

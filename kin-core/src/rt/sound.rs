@@ -9,11 +9,26 @@ pub struct Sound<const YES: bool>;
 pub trait Then {
     /// `T`.
     type Type<T>;
+    /// The value itself.
+    fn then<T>(value: T) -> Self::Type<T>;
 }
 
 impl Then for Sound<true> {
     type Type<T> = T;
+    #[inline(always)]
+    fn then<T>(value: T) -> T {
+        value
+    }
 }
 
 /// `T`, if the constant `SOUND` compiles.
 pub type If<const SOUND: bool, T> = <Sound<SOUND> as Then>::Type<T>;
+
+/// The user's function, if the constant `SOUND` compiles: rustc is silent about calls of something of an unknown type.
+#[inline(always)]
+pub fn callee<const SOUND: bool, F>(function: F) -> If<SOUND, F>
+where
+    Sound<SOUND>: Then,
+{
+    Sound::<SOUND>::then(function)
+}

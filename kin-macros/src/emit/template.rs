@@ -2,6 +2,7 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
+use syn::spanned::Spanned;
 
 use super::written::silent;
 use kin_graph::{Graph, Node};
@@ -145,10 +146,8 @@ impl Writer<'_> {
         match (using, self.site) {
             (Use::Place, _) => quote!((#built)),
             (Use::Value, _) => built,
-            (Use::Argument, Site::Leaf(graph)) if varies(graph, nodes) => {
-                quote_spanned!(at=> ::kin::rt::Jet::argument(::kin::rt::Jet(#built)))
-            }
-            (Use::Field, Site::Leaf(graph)) if varies(graph, nodes) => quote_spanned!(at=> ::kin::rt::Jet::field(::kin::rt::Jet(#built))),
+            (Use::Argument, Site::Leaf(graph)) if varies(graph, nodes) => quote_spanned!(at=> ::kin::rt::Jet(#built).argument()),
+            (Use::Field, Site::Leaf(graph)) if varies(graph, nodes) => quote_spanned!(at=> ::kin::rt::Jet(#built).field()),
             (Use::Argument | Use::Field, Site::Leaf(_)) => quote_spanned!(at=> ::kin::rt::constant_argument(#built)),
             (Use::Argument | Use::Field, _) => quote_spanned!(at=> ::kin::rt::plain_argument(#built)),
         }
@@ -161,7 +160,7 @@ impl Writer<'_> {
         };
         let (built, at) = (self.built(nodes, shape), Span::mixed_site().located_at(*at));
         match self.site {
-            Site::Leaf(graph) if varies(graph, nodes) => quote_spanned!(at=> ::kin::rt::Jet::argument(::kin::rt::Jet(&#built))),
+            Site::Leaf(graph) if varies(graph, nodes) => quote_spanned!(at=> ::kin::rt::Jet(&#built).argument()),
             Site::Leaf(_) => quote_spanned!(at=> ::kin::rt::reference_argument(&::kin::rt::constants(&#built), &#built)),
             _ => quote_spanned!(at=> ::kin::rt::reference_argument(&#built, &::kin::rt::Lift::<f64>::lift(#built))),
         }
@@ -175,6 +174,10 @@ impl Writer<'_> {
             _ => Use::Argument,
         };
         let callee = match callee {
+            // Of unknown type where the function as it was written does not compile: what is wrong with the call is said once.
+            Template::Path(path) if using == Use::Argument && !matches!(self.site, Site::Check) => {
+                quote_spanned!(Span::mixed_site().located_at(path.span())=> ::kin::rt::callee::<__SOUND, _>(#path))
+            }
             Template::Path(path) => path.to_token_stream(),
             other => {
                 let place = self.write(other, Use::Place);

@@ -1,7 +1,7 @@
 //! A spline over many of its knots at once: what points and curvatures of each interval allow, in a few operations an interval.
 
 use super::{Ends, Spline};
-use crate::proof::{Interval, Series};
+use crate::proof::{Interval, ONE, Series};
 
 /// So many intervals are many.
 const MANY: usize = 16;
@@ -10,29 +10,22 @@ const MANY: usize = 16;
 type Bounds = [Interval; 4];
 
 impl Spline {
-    /// The spline with bounds over an interval with many knots in it; `None` where there are few.
+    /// The spline with bounds over an interval with many knots in it, of one period of it where it repeats; `None` where there are few.
     pub(super) fn over_many(&self, x: &Series) -> Option<Series> {
         let ([lo, hi], last) = (x.values(), self.table.len() - 1);
         let before = |x: f64| self.table.partition_point(|(knot, _)| *knot <= x);
         let (first, end) = (self.table[0].0, self.table[last].0);
-        // A periodic one repeats: what spans many of its intervals is given the bounds of all of them.
-        let (from, to) = match self.ends {
-            Ends::Periodic if (hi - lo) * last as f64 >= MANY as f64 * (end - first) => (0, last),
-            Ends::Periodic => (0, 0),
-            _ => (before(lo).saturating_sub(1), before(hi).min(last)),
-        };
-        if to.saturating_sub(from) < MANY {
+        let (from, to) = (before(lo).saturating_sub(1), before(hi).min(last));
+        if x.is_open() || to.saturating_sub(from) < MANY {
             return None;
         }
         let mut all = (from..to).map(|k| self.bounds(k)).reduce(hull)?;
-        if self.ends != Ends::Periodic {
-            // Straight on from the ends.
-            let zero = Interval::from(0.0);
-            for (knot, beyond) in [(0, lo.min(first) - first), (last, hi.max(end) - end)].into_iter().filter(|(_, beyond)| *beyond != 0.0) {
-                let [_, slope, ..] = self.bounds(knot.min(last - 1));
-                let way = Interval::from(beyond).hull(zero);
-                all = hull(all, [Interval::from(self.table[knot].1) + slope * way, slope, zero, zero]);
-            }
+        // Straight on from the ends; where it repeats, by rounding alone.
+        let zero = Interval::from(0.0);
+        for (knot, beyond) in [(0, lo.min(first) - first), (last, hi.max(end) - end)].into_iter().filter(|(_, beyond)| *beyond != 0.0) {
+            let there = self.cubic(knot.min(last - 1), &Series::variable(Interval::from(self.table[knot].0), ONE, 2));
+            let way = Interval::from(beyond).hull(zero);
+            all = hull(all, [there.at(0) + there.at(1) * way, there.at(1), zero, zero]);
         }
         // Where a clamped one goes over into its line its curvature jumps.
         let jumps = matches!(self.ends, Ends::Clamped { .. }) && (lo <= first || hi >= end);
@@ -62,7 +55,6 @@ fn hull(a: Bounds, b: Bounds) -> Bounds {
 mod tests {
     use super::*;
     use crate::law::Law;
-    use crate::proof::ONE;
     use crate::random::Random;
 
     /// Inside of these bounds are all jets, and they are not wider than a few times what is inside.

@@ -1,24 +1,21 @@
 //! Steps of redundant mechanisms, judged by what they have: no signs of determinants.
 
-use super::super::{Follow, largest};
+use super::super::Follow;
 use super::Driver;
 use crate::follow::{EASY, Lever, Objection, REACH, Span};
-use crate::fours::{self, Fours};
+use crate::fours;
 use crate::system::evaluate::Instant;
 
 impl Driver<'_> {
     /// What is wrong with the step to `target`: it turns something too far, a prediction from either end misses the other by more than what is sure
     /// to be one branch, or what drives may move further in between. Signs of determinants, which rectangular matrices have not, are not asked.
-    pub(super) fn objection(&mut self, target: f64, [q, qd, qdd]: &[Vec<f64>; 3]) -> Option<Objection> {
+    pub(super) fn objection(&mut self, target: f64) -> Option<Objection> {
         if self.options.follow == Follow::Unchecked {
             return None;
         }
-        let (from, pivot) = (self.t, self.tall.smallest_pivot());
-        let shares: Vec<f64> = self.measures.sizes.iter().map(|size| size.recip()).collect();
-        let turns: Vec<f64> = (0..q.len()).map(|column| f64::from(u8::from(self.model.turns(column)))).collect();
-        let [q, qd, qdd, r, rd, rdd] = [q, qd, qdd, &self.q, &self.qd, &self.qdd].map(|x| Fours::from(&x[..]));
-        let [miss, reach] =
-            fours::miss(target - from, [&q, &qd, &qdd], [&r, &rd, &rdd], &Fours::from(&shares[..]), &Fours::from(&turns[..]));
+        let (from, pivot) = (self.t, self.solver.smallest_pivot());
+        let ([qd, qdd], to) = (self.predictor.before(), [&self.q, &self.qd, &self.qdd]);
+        let [miss, reach] = fours::miss(target - from, [&self.last, qd, qdd], to, &self.shares, &self.turns);
         if reach > REACH {
             return Some(Objection::Long);
         }
@@ -48,10 +45,11 @@ impl Lever for Squares<'_, '_> {
     }
 
     fn moved(&mut self, first: usize, b: &[f64]) -> f64 {
-        let m = self.driver.model.m();
-        let rhs: Vec<f64> = (0..m).map(|row| row.checked_sub(first).and_then(|k| b.get(k)).copied().unwrap_or(0.0)).collect();
-        let moved = self.driver.solved(&rhs);
-        largest(moved.iter().zip(&self.driver.measures.sizes).map(|(x, size)| (x / size).abs()))
+        let driver = &mut *self.driver;
+        driver.rhs.fill(0.0);
+        driver.rhs.iter_mut().skip(first).zip(b).for_each(|(place, b)| *place = *b);
+        driver.solve_for_rhs();
+        fours::largest_share(driver.x.whole(), driver.shares.whole())
     }
 
     fn bend(&mut self) -> f64 {

@@ -120,9 +120,18 @@ impl Rewriter {
                 let place = if is_struct { Place::Field } else { Place::Argument };
                 call.args.iter_mut().for_each(|argument| self.handed(argument, place));
                 if !is_struct {
+                    self.callee(&mut call.func);
                     self.lift_result(expression);
                 }
             }
+        }
+    }
+
+    /// The user's function in the dual copy: of unknown type where the function as it was written does not compile, so that what is wrong with
+    /// the call is said once.
+    fn callee(&self, callee: &mut Expr) {
+        if self.copy == Copy::Dual {
+            *callee = parse_quote_spanned!(mixed(callee)=> ::kin::rt::callee::<__SOUND, _>(#callee));
         }
     }
 
@@ -279,8 +288,8 @@ impl Rewriter {
         }
         *argument = match (self.copy, nature.varies) {
             (Copy::Plain, _) => parse_quote_spanned!(at=> ::kin::rt::plain_argument(#argument)),
-            (Copy::Dual, true) if place == Place::Field => parse_quote_spanned!(at=> ::kin::rt::Jet::field(::kin::rt::Jet(#argument))),
-            (Copy::Dual, true) => parse_quote_spanned!(at=> ::kin::rt::Jet::argument(::kin::rt::Jet(#argument))),
+            (Copy::Dual, true) if place == Place::Field => parse_quote_spanned!(at=> ::kin::rt::Jet(#argument).field()),
+            (Copy::Dual, true) => parse_quote_spanned!(at=> ::kin::rt::Jet(#argument).argument()),
             (Copy::Dual, false) => parse_quote_spanned!(at=> ::kin::rt::constant_argument(#argument)),
         };
     }
