@@ -13,8 +13,7 @@ pub(crate) mod text;
 /// `Result` with Kin's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// Everything that can go wrong from the first body to the last file. `Debug` prints the same text as `Display`, so that
-/// `fn main() -> kin::Result<()>` reads well.
+/// Everything that can go wrong from the first body to the last file. `Debug` prints what `Display` does, so that errors of `main` read well.
 #[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -28,16 +27,8 @@ pub enum Error {
     },
 
     /// Newton's method did not reach C(q, t) = 0.
-    #[error(
-        "t = {}: {}{}",
-        text::at(*.t, .units),
-        text::unmet(.diagnosis, || format!(
-            "no convergence in {}; worst is `{constraint}`{}: |C| = {residual:.1e}.",
-            text::count(*.iterations, "iteration"),
-            text::row(.row)
-        )),
-        text::no_convergence(*.last, .units, .diagnosis, .motion)
-    )]
+    #[error("t = {}: {}{}", text::at(*.t, .units), text::unmet(.diagnosis, || text::worst(*.iterations, .constraint, .row, *.residual)),
+        text::no_convergence(*.last, .units, .diagnosis, .motion))]
     NoConvergence {
         /// Time.   \[s\]
         t: f64,
@@ -60,16 +51,8 @@ pub enum Error {
     },
 
     /// C_q has no inverse at a position: the mechanism stands in a toggle or a change point, or is wrongly constrained.
-    #[error(
-        "{}{}",
-        text::diagnosed(.diagnosis, || format!(
-            "t = {}: C_q ({n} x {n}) {}; smallest relative pivot {pivot:.1e}.{}",
-            text::at(*.t, .units),
-            text::rank(*.rank, *.n),
-            text::singular(.movable, .dependent, .unmet)
-        )),
-        text::kept(.motion)
-    )]
+    #[error("{}{}", text::diagnosed(.diagnosis, || text::singular(&text::at(*.t, .units), [*.rank, *.n], *.pivot,
+        [.movable, .dependent], .unmet)), text::kept(.motion))]
     SingularAt {
         /// Time.   \[s\]
         t: f64,
@@ -94,12 +77,8 @@ pub enum Error {
     },
 
     /// A toggle: the mechanism cannot be driven beyond it, and stands still there for an infinite rate of what it moves.
-    #[error(
-        "t = {}: a toggle: beyond this time there is no position.{}{}",
-        text::at(*.t, .units),
-        text::toggle(.movable, .dependent, .diagnosis),
-        text::kept(.motion)
-    )]
+    #[error("t = {}: a toggle: beyond this time there is no position.{}{}", text::at(*.t, .units),
+        text::toggle(.movable, .dependent, .diagnosis), text::kept(.motion))]
     Toggle {
         /// The time t* of the toggle.   \[s\]
         t: f64,
@@ -118,12 +97,8 @@ pub enum Error {
     },
 
     /// A step that may have left its branch, and cannot be made any shorter.
-    #[error(
-        "t = {}: beyond this time the run cannot be shown to stay on its branch ({reason}).\n  A law or constraint with a kink, or a position \
-         that is singular in more than one way; `Follow::Unchecked` goes on without asking.{}",
-        text::at(*.t, .units),
-        text::kept(.motion)
-    )]
+    #[error("t = {}: beyond this time the run cannot be shown to stay on its branch ({reason}).\n  A law or constraint with a kink, or a \
+        position that is singular in more than one way; `Follow::Unchecked` goes on without asking.{}", text::at(*.t, .units), text::kept(.motion))]
     CannotFollow {
         /// The last time at which the branch is known.   \[s\]
         t: f64,
@@ -136,12 +111,8 @@ pub enum Error {
     },
 
     /// A position that closes, but not as it is meant: the equations hold for an axis turned by 180° too.
-    #[error(
-        "t = {}: `{constraint}` ({kind}) closes the wrong way: {reason}.\n  Give a better guess of the poses, or turn one of the directions \
-         round.{}",
-        text::at(*.t, .units),
-        text::kept(.motion)
-    )]
+    #[error("t = {}: `{constraint}` ({kind}) closes the wrong way: {reason}.\n  Give a better guess of the poses, or turn one of the \
+        directions round.{}", text::at(*.t, .units), text::kept(.motion))]
     WrongBranch {
         /// Time.   \[s\]
         t: f64,
@@ -158,14 +129,8 @@ pub enum Error {
     },
 
     /// A law that jumps where it drives the motion.
-    #[error(
-        "t = {}: the law `{law}` of `{constraint}` jumps at {}: its {} there, which no body can follow.\n  Let its parts meet, or stop before \
-         it.{}",
-        text::at(*.t, .units),
-        text::time(*.at),
-        if *.order == 0 { "value changes" } else { "slope changes" },
-        text::kept(.motion)
-    )]
+    #[error("t = {}: the law `{law}` of `{constraint}` jumps at {}: its {} there, which no body can follow.\n  Let its parts meet, or stop \
+        before it.{}", text::at(*.t, .units), text::time(*.at), if *.order == 0 { "value changes" } else { "slope changes" }, text::kept(.motion))]
     LawJumps {
         /// The first time beyond the jump.   \[s\]
         t: f64,
@@ -184,12 +149,7 @@ pub enum Error {
     },
 
     /// A constraint gave a value or derivative that is infinite or not a number.
-    #[error(
-        "t = {}: {quantity} of `{constraint}`{} is not finite{culprit}{}",
-        text::at(*.t, .units),
-        text::row(.row),
-        text::kept(.motion)
-    )]
+    #[error("t = {}: {quantity} of `{constraint}`{} is not finite{culprit}{}", text::at(*.t, .units), text::row(.row), text::kept(.motion))]
     NotFinite {
         /// Time.   \[s\]
         t: f64,
@@ -346,19 +306,7 @@ pub enum Error {
     },
 
     /// Motions that take more memory than [`crate::Options::memory`] allows; nothing has been computed.
-    #[error(
-        "{}{} of {} need {}; `Options::memory` allows {}.\n  {}, or allow more.",
-        if *.motions > 1 { format!("{} motions at once of ", .motions) } else { String::new() },
-        text::count(*.times, "time"),
-        text::count(*.coordinates, "coordinate"),
-        text::bytes(*.needed),
-        text::bytes(*.allowed as f64),
-        if *.motions > 1 {
-            "Run the sweep on fewer threads or without lanes, ask for fewer times"
-        } else {
-            "Keep what is wanted of one part after the other (`System::run_in_parts`), ask for fewer times"
-        }
-    )]
+    #[error("{}", text::needs_memory([*.motions, *.times, *.coordinates], [*.needed, *.allowed as f64]))]
     NeedsMemory {
         /// How many motions there are at once: the lanes of all threads of a sweep.
         motions: usize,
@@ -448,44 +396,5 @@ pub enum Error {
     },
 }
 
-impl std::fmt::Debug for Error {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        std::fmt::Display::fmt(self, f)
-    }
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn debug_is_display() {
-        let error = Error::EmptyName { what: "body" };
-        assert_eq!(format!("{error:?}"), "a body needs a name");
-    }
-
-    #[test]
-    fn error_is_small_and_crosses_threads() {
-        fn sent<T: Send + Sync + 'static>() {}
-        sent::<Error>();
-        assert!(std::mem::size_of::<Error>() <= 128);
-    }
-
-    #[test]
-    fn no_convergence_names_the_row_and_the_last_time() {
-        let error = Error::NoConvergence {
-            t: 0.31,
-            units: Units::default(),
-            iterations: 20,
-            constraint: "B".into(),
-            row: "y".into(),
-            residual: 0.04,
-            last: Some(0.3),
-            diagnosis: None,
-            motion: None,
-        };
-        let text = error.to_string();
-        assert!(text.starts_with("t = 0.31 s: no convergence in 20 iterations; worst is `B` row y: |C| = 4.0e-2."), "{text}");
-        assert!(text.contains("t = 0.3 s"), "{text}");
-    }
-}
+mod tests;

@@ -148,24 +148,10 @@ impl Motion {
         if data.worst.is_some_and(|row| row >= data.equations.len()) {
             return Err(fail("the worst equation is none of the equations".to_string()));
         }
-        let happened = data.events.iter().map(|event| &event.t);
-        let singular = data.singular_positions.iter().flat_map(SingularPosition::numbers);
         if !(data.guess.is_empty() || data.guess.len() == width) {
             return Err(fail(format!("the guess needs {width} numbers")));
         }
-        let all = data
-            .guess
-            .iter()
-            .chain([&data.misfit])
-            .chain(&data.times)
-            .chain(&q)
-            .chain(&qd)
-            .chain(&qdd)
-            .chain(&qddd)
-            .chain(&data.residuals)
-            .chain(happened)
-            .chain(singular);
-        if let Some(value) = all.into_iter().find(|x| !x.is_finite()) {
+        if let Some(value) = data.numbers().find(|x| !x.is_finite()) {
             return Err(fail(format!("{value} is among its numbers")));
         }
         let largest = data.residuals.iter().copied().fold(0.0, f64::max);
@@ -192,6 +178,17 @@ impl Motion {
             motion.add_output(&output.name, &output.unit, output.values.clone())?;
         }
         Ok(motion)
+    }
+}
+
+impl MotionData {
+    /// All numbers that have to be finite.
+    fn numbers(&self) -> impl Iterator<Item = f64> {
+        let rows = [&self.q, &self.qd, &self.qdd, &self.qddd].into_iter().flatten().flatten();
+        let happened = self.events.iter().map(|event| &event.t);
+        let singular = self.singular_positions.iter().flat_map(SingularPosition::numbers);
+        let alone = self.guess.iter().chain([&self.misfit]).chain(&self.times).chain(&self.residuals);
+        alone.chain(rows).chain(happened).chain(singular).copied()
     }
 }
 

@@ -70,13 +70,16 @@ pub(super) fn diagnosed(diagnosis: &Option<Box<Diagnosis>>, solver: impl Fn() ->
     found.map_or_else(solver, |diagnosis| diagnosis.to_string())
 }
 
-/// What can move and what depends on what.
-pub(super) fn rank(rank: usize, n: usize) -> String {
-    if rank < n { format!("has rank {rank}") } else { "is singular but for rounding".to_string() }
-}
-
-pub(super) fn singular(movable: &[String], dependent: &[String], unmet: &Option<Box<str>>) -> String {
-    let mut text = String::new();
+/// That C_q is singular, with what can move and what depends on what.
+pub(super) fn singular(
+    at: &str,
+    [rank, n]: [usize; 2],
+    pivot: f64,
+    [movable, dependent]: [&[String]; 2],
+    unmet: &Option<Box<str>>,
+) -> String {
+    let rank = if rank < n { format!("has rank {rank}") } else { "is singular but for rounding".to_string() };
+    let mut text = format!("t = {at}: C_q ({n} x {n}) {rank}; smallest relative pivot {pivot:.1e}.");
     if !movable.is_empty() {
         text += &format!("\n  free to move though the drivers stand still: {}.", list(movable));
     }
@@ -107,4 +110,21 @@ pub(super) fn kept(motion: &Option<Box<Motion>>) -> String {
 /// The names there are, nearest guess first.
 pub(super) fn known(known: &[String]) -> String {
     if known.is_empty() { String::new() } else { format!("; there are {}", list(known)) }
+}
+
+/// How far Newton's method has come.
+pub(super) fn worst(iterations: usize, constraint: &str, of: &str, residual: f64) -> String {
+    format!("no convergence in {}; worst is `{constraint}`{}: |C| = {residual:.1e}.", count(iterations, "iteration"), row(of))
+}
+
+/// What motions need and may have, and how to need less.
+pub(super) fn needs_memory([motions, times, coordinates]: [usize; 3], sizes: [f64; 2]) -> String {
+    let (all, cure) = if motions > 1 {
+        (format!("{motions} motions at once of "), "Run the sweep on fewer threads or without lanes, ask for fewer times")
+    } else {
+        (String::new(), "Keep what is wanted of one part after the other (`System::run_in_parts`), ask for fewer times")
+    };
+    let [needed, allowed] = sizes.map(bytes);
+    let (times, coordinates) = (count(times, "time"), count(coordinates, "coordinate"));
+    format!("{all}{times} of {coordinates} need {needed}; `Options::memory` allows {allowed}.\n  {cure}, or allow more.")
 }

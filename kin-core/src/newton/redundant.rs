@@ -19,13 +19,13 @@ use crate::diagnosis::Start;
 use crate::error::{Error, Result};
 use crate::follow::Drive;
 use crate::fours::{self, Fours};
-use crate::linear::Tall;
 use crate::model::{Measures, Model, Point, TOLERANCE};
 use crate::motion::Motion;
 use crate::system::evaluate::{Instant, finite};
 use crate::system::{Solution, System};
 use errors::{blamed, unmet};
-use solver::Solver;
+pub(crate) use solver::solved;
+use solver::{Solver, scales};
 
 /// Equations at a solution may differ by this share of their terms in velocities; where their positions may, by so many times that.   \[-\]
 const CONSISTENT: f64 = 1e-8;
@@ -77,27 +77,6 @@ pub(crate) fn at(system: &System, t: f64, start: Option<&[f64]>, options: &Optio
     let report =
         Report { iterations: outcome.iterations, residual: outcome.residual, worst, smallest_pivot: driver.solver.smallest_pivot() };
     Ok(Solution { t, q: driver.q.to_vec(), qd: driver.qd.to_vec(), qdd: driver.qdd.to_vec(), report })
-}
-
-/// C_q x = the right side at a position, in the sense of least squares.
-pub(crate) fn solved(system: &System, q: &[f64], t: f64, rhs: &[f64]) -> Result<Vec<f64>> {
-    let model = system.model();
-    let (measures, m, n) = (model.measure(q, t), model.m(), model.n());
-    let instant = || model.equations.instant_at(t, q);
-    let point = model.linearize(q, t).map_err(|bad| model.equations.not_finite(bad, model.layout, &instant()))?;
-    let mut tall = Tall::new(m, n, &model.equations.entries);
-    let scaled = scales(&model, &measures).into_iter().zip(&point.values).map(|(scale, value)| scale * value);
-    if !tall.factor(scaled, 0.0) {
-        return Err(blamed(model, Start::Pose(q), t, &Options::default()));
-    }
-    let y = tall.solve(rhs.iter().zip(&measures.norms).map(|(rhs, norm)| rhs / norm));
-    Ok(y.iter().zip(&measures.sizes).map(|(y, size)| y * size).collect())
-}
-
-/// What each value of C_q is multiplied by to be of order 1.
-fn scales(model: &Model<'_>, Measures { sizes, norms, .. }: &Measures) -> Vec<f64> {
-    let scale = |entry: &Option<(usize, usize)>| entry.map_or(0.0, |(row, column)| sizes[column] / norms[row]);
-    model.equations.entries.iter().map(scale).collect()
 }
 
 /// The point in hand, and the means to go on from it.

@@ -252,8 +252,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
         let simd = self.simd;
         // Near a position that is known corrections must shrink. Without prediction only the time is another one than there.
         let (near, still) = (!first && self.options.rescue, !first && !self.options.predict);
-        let mut measured = false;
-        let (zero, mut previous) = (Wide::splat(simd, 0.0), Wide::splat(simd, f64::INFINITY));
+        let (zero, mut previous, mut measured) = (Wide::splat(simd, 0.0), Wide::splat(simd, f64::INFINITY), false);
         let (mut open, mut done) = (wanted, Mask::splat(simd, false));
         self.iterations = zero;
         if self.options.predict {

@@ -70,55 +70,17 @@ impl<'a> Frame<'a> {
         let (unlinted, edited) = (unlinted(), editor::constraint(source, &body));
         let leaves = if leaves.is_empty() { quote!() } else { quote!(#unlinted impl #name { #(#leaves)* }) };
         let kind = syn::ext::IdentExt::unraw(name).to_string();
-        let (row_names, pattern) = (&self.row_names, self.pattern.iter().map(|(row, column)| (literal(*row), literal(*column))));
-        let pattern: Vec<TokenStream> = pattern.map(|(row, column)| quote!((#row, #column))).collect();
-        let described = self.arguments();
-        let (visit, set) = super::parameter_methods(&source.arguments);
         let kinds = source.arguments.iter().flat_map(kinds);
-        let (in_lanes, lane_kernels) = self.lanes.as_ref().map(|lanes| (&lanes.method, &lanes.implementations)).unzip();
-        let (describe, as_data) = (described::describe(source), described::described(source, &kind, &n, &m));
-        let is_driver = is_driver(source);
-        let description = super::description(&source.attributes);
-        let measures = measures::methods(source);
-        let (refusal, branch) = (demands::refusal(source), demands::branch(source));
-        let laws = lowered.map(|lowered| functions::laws(&source.arguments, lowered)).unwrap_or_default();
+        let lane_kernels = self.lanes.as_ref().map(|lanes| &lanes.implementations);
+        let as_data = described::described(source, &kind, &n, &m);
+        let constraint = self.constraint(&kind, route, kernels, lowered);
         quote! {
             #edited
             #declaration
             ::kin::rt::outside_editor! { const _: () = {
                 #written
                 #leaves
-                #unlinted
-                impl ::kin::Constraint for #name {
-                    fn kind(&self) -> &str {
-                        #kind
-                    }
-                    fn route(&self) -> ::kin::Route {
-                        #route
-                    }
-                    #is_driver
-                    fn arguments(&self) -> ::std::vec::Vec<::kin::rt::Argument> {
-                        #described
-                    }
-                    fn rows(&self) -> &[&str] {
-                        &[#(#row_names),*]
-                    }
-                    fn pattern(&self) -> &[(usize, usize)] {
-                        &[#(#pattern),*]
-                    }
-                    #describe
-                    #kernels
-                    #in_lanes
-                    #measures
-                    fn description(&self) -> &str {
-                        #description
-                    }
-                    #visit
-                    #set
-                    #refusal
-                    #branch
-                    #laws
-                }
+                #constraint
                 #lane_kernels
                 #as_data
                 #unlinted
@@ -127,6 +89,54 @@ impl<'a> Frame<'a> {
                     #equations
                 }
             }; }
+        }
+    }
+
+    /// `impl Constraint`
+    fn constraint(&self, kind: &str, route: TokenStream, kernels: &TokenStream, lowered: Option<&Lowered>) -> TokenStream {
+        let (source, unlinted) = (self.source, unlinted());
+        let name = &source.name;
+        let (row_names, pattern) = (&self.row_names, self.pattern.iter().map(|(row, column)| (literal(*row), literal(*column))));
+        let pattern: Vec<TokenStream> = pattern.map(|(row, column)| quote!((#row, #column))).collect();
+        let (described, describe) = (self.arguments(), described::describe(source));
+        let (visit, set) = super::parameter_methods(&source.arguments);
+        let in_lanes = self.lanes.as_ref().map(|lanes| &lanes.method);
+        let (is_driver, description) = (is_driver(source), super::description(&source.attributes));
+        let measures = measures::methods(source);
+        let (refusal, branch) = (demands::refusal(source), demands::branch(source));
+        let laws = lowered.map(|lowered| functions::laws(&source.arguments, lowered)).unwrap_or_default();
+        quote! {
+            #unlinted
+            impl ::kin::Constraint for #name {
+                fn kind(&self) -> &str {
+                    #kind
+                }
+                fn route(&self) -> ::kin::Route {
+                    #route
+                }
+                #is_driver
+                fn arguments(&self) -> ::std::vec::Vec<::kin::rt::Argument> {
+                    #described
+                }
+                fn rows(&self) -> &[&str] {
+                    &[#(#row_names),*]
+                }
+                fn pattern(&self) -> &[(usize, usize)] {
+                    &[#(#pattern),*]
+                }
+                #describe
+                #kernels
+                #in_lanes
+                #measures
+                fn description(&self) -> &str {
+                    #description
+                }
+                #visit
+                #set
+                #refusal
+                #branch
+                #laws
+            }
         }
     }
 

@@ -37,6 +37,15 @@ struct Outside {
     evaluations: Vec<Evaluation>,
 }
 
+/// What says that there are kernels over lanes.
+fn method() -> TokenStream {
+    quote! {
+        fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::rt::InLanes> {
+            ::core::option::Option::Some(self)
+        }
+    }
+}
+
 pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &mut Lowered, derived: &Derivatives) -> LaneCode {
     let g = &lowered.graph;
     let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
@@ -65,11 +74,7 @@ pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &mut Lowered, derive
     });
     let (in_lanes, unlinted) = (outside.in_lanes(name, arguments, lowered), super::unlinted());
     LaneCode {
-        method: quote! {
-            fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::rt::InLanes> {
-                ::core::option::Option::Some(self)
-            }
-        },
+        method: method(),
         implementations: quote! {
             #unlinted
             #in_lanes

@@ -110,12 +110,7 @@ impl Writer<'_> {
                 if using == Use::Place { place } else { quote!(#place.clone()) }
             }
             Template::Call(callee, all, at) => self.call(callee, all, *at),
-            Template::Method(receiver, method, all) => {
-                let using = if takes_numbers(receiver, method) { Use::Value } else { Use::Argument };
-                let receiver = self.write(receiver, Use::Place);
-                let all: Vec<_> = all.iter().map(|a| self.write(a, using)).collect();
-                quote!(#receiver.#method(#(#all),*))
-            }
+            Template::Method(receiver, method, all) => self.method(receiver, method, all),
             Template::Field(base, member) => {
                 let base = self.write(base, Use::Place);
                 quote!(#base.#member)
@@ -138,6 +133,13 @@ impl Writer<'_> {
                 quote!(::core::matches!(#a, #pattern))
             }
         }
+    }
+
+    fn method(&mut self, receiver: &Template, method: &TokenStream, all: &[Template]) -> TokenStream {
+        let using = if takes_numbers(receiver, method) { Use::Value } else { Use::Argument };
+        let receiver = self.write(receiver, Use::Place);
+        let all: Vec<_> = all.iter().map(|a| self.write(a, using)).collect();
+        quote!(#receiver.#method(#(#all),*))
     }
 
     /// Values of the graph, converted where the user's function may ask for another kind of number.

@@ -1,7 +1,12 @@
 //! More equations than coordinates, solved for as many of them or in the sense of least squares.
 
+use super::super::Options;
+use super::errors::blamed;
+use crate::diagnosis::Start;
+use crate::error::Result;
 use crate::linear::{Independent, Tall};
-use crate::model::Model;
+use crate::model::{Measures, Model};
+use crate::system::System;
 
 /// The means to solve C_q x = b; rows and columns of order 1.
 pub(super) enum Solver {
@@ -52,4 +57,25 @@ impl Solver {
             Solver::LeastSquares(tall) => tall.smallest_pivot(),
         }
     }
+}
+
+/// C_q x = the right side at a position, in the sense of least squares.
+pub(crate) fn solved(system: &System, q: &[f64], t: f64, rhs: &[f64]) -> Result<Vec<f64>> {
+    let model = system.model();
+    let (measures, m, n) = (model.measure(q, t), model.m(), model.n());
+    let instant = || model.equations.instant_at(t, q);
+    let point = model.linearize(q, t).map_err(|bad| model.equations.not_finite(bad, model.layout, &instant()))?;
+    let mut tall = Tall::new(m, n, &model.equations.entries);
+    let scaled = scales(&model, &measures).into_iter().zip(&point.values).map(|(scale, value)| scale * value);
+    if !tall.factor(scaled, 0.0) {
+        return Err(blamed(model, Start::Pose(q), t, &Options::default()));
+    }
+    let y = tall.solve(rhs.iter().zip(&measures.norms).map(|(rhs, norm)| rhs / norm));
+    Ok(y.iter().zip(&measures.sizes).map(|(y, size)| y * size).collect())
+}
+
+/// What each value of C_q is multiplied by to be of order 1.
+pub(super) fn scales(model: &Model<'_>, Measures { sizes, norms, .. }: &Measures) -> Vec<f64> {
+    let scale = |entry: &Option<(usize, usize)>| entry.map_or(0.0, |(row, column)| sizes[column] / norms[row]);
+    model.equations.entries.iter().map(scale).collect()
 }

@@ -4,6 +4,7 @@
 //! user's types, the user's functions) is lifted where it comes in, and calls of the user's functions hand over what they ask for.
 
 mod foreign;
+mod inner;
 mod lift;
 mod macros;
 mod mark;
@@ -14,12 +15,13 @@ use proc_macro2::{Ident, Span};
 use quote::ToTokens;
 use syn::visit::Visit;
 use syn::visit_mut::{self, VisitMut};
-use syn::{Block, Expr, FnArg, Item, ItemFn, Pat, Stmt, Type, parse_quote};
+use syn::{Block, Expr, Item, Pat, Stmt, Type};
 
+use inner::takes_numbers;
 use kin_language::lower::Expressions;
 use kin_language::parse::{Argument, Kind};
 use lift::Lifter;
-use scopes::{Inputs, Name, Nature, Scopes, Variable};
+use scopes::{Name, Nature, Scopes, Variable};
 
 pub use lift::is_liftable;
 
@@ -293,57 +295,6 @@ impl Rewriter {
         }
     }
 
-    /// Numbers for the arguments of a function inside the body, which are bound when it is gone through.
-    fn input_bindings(&mut self, function: &ItemFn) -> Inputs {
-        let inputs = function.sig.inputs.iter().map(|input| match input {
-            FnArg::Typed(typed) => names(&typed.pat).len(),
-            FnArg::Receiver(_) => 0,
-        });
-        let counts: Vec<usize> = inputs.collect();
-        counts.into_iter().map(|count| (0..count).map(|_| self.scopes.binding(Nature::default())).collect()).collect()
-    }
-
-    /// A function inside the body becomes generic itself, if numbers go in or out.
-    fn inner_item(&mut self, function: &mut ItemFn) {
-        let Some(Name::Function { inputs, lifted }) = self.scopes.get(&function.sig.ident.to_string()).cloned() else { return };
-        let outside = self.scopes.enter_function();
-        let (copy, dual) = (self.copy, self.dual.clone());
-        self.scopes.push();
-        for (input, numbers) in function.sig.inputs.iter().zip(inputs) {
-            if let FnArg::Typed(typed) = input {
-                for (name, number) in names(&typed.pat).into_iter().zip(numbers) {
-                    self.scopes.declare(name, Name::Variable(Variable { number, own: false, inputs: None }));
-                }
-            }
-        }
-        if lifted && copy == Copy::Dual {
-            self.dual = Ident::new("__E", Span::call_site());
-            visit_mut::visit_signature_mut(self, &mut function.sig);
-            function.sig.generics = parse_quote!(<__E: ::kin::rt::Dual>);
-        } else {
-            self.copy = Copy::Plain;
-        }
-        self.visit_block_mut(&mut function.block);
-        (self.copy, self.dual) = (copy, dual);
-        self.scopes.leave_function(outside);
-    }
-
-    /// A closure whose arguments are of a nature; their numbers.
-    fn closure(&mut self, closure: &mut syn::ExprClosure, nature: Nature) -> Inputs {
-        self.scopes.push();
-        let mut inputs = Inputs::new();
-        for input in &mut closure.inputs {
-            inputs.push(self.declare(input, nature));
-            self.lift_pattern(input);
-        }
-        if let syn::ReturnType::Type(_, ty) = &mut closure.output {
-            self.lift_type(ty);
-        }
-        self.visit_expr_mut(&mut closure.body);
-        self.scopes.pop();
-        inputs
-    }
-
     /// `place = value` and `place += value`
     fn assignment(&mut self, place: &mut Expr, value: &mut Expr) {
         let nature = self.nature(value);
@@ -399,11 +350,6 @@ fn computes(value: &Expr) -> bool {
         Expr::MethodCall(call) => kin_language::vocabulary::is_number_method(&call.method.to_string()),
         _ => false,
     }
-}
-
-fn takes_numbers(function: &ItemFn) -> bool {
-    let inputs = function.sig.inputs.iter().any(|input| matches!(input, FnArg::Typed(typed) if lift::holds_numbers(&typed.ty)));
-    inputs || matches!(&function.sig.output, syn::ReturnType::Type(_, ty) if lift::holds_numbers(ty))
 }
 
 fn is_compound(op: &syn::BinOp) -> bool {

@@ -1,0 +1,34 @@
+//! What errors say and how large they are.
+
+use super::*;
+
+#[test]
+fn debug_is_display() {
+    let error = Error::EmptyName { what: "body" };
+    assert_eq!(format!("{error:?}"), "a body needs a name");
+}
+
+#[test]
+fn error_is_small_and_crosses_threads() {
+    fn sent<T: Send + Sync + 'static>() {}
+    sent::<Error>();
+    assert!(std::mem::size_of::<Error>() <= 128);
+}
+
+#[test]
+fn no_convergence_names_the_row_and_the_last_time() {
+    let error = Error::NoConvergence {
+        t: 0.31,
+        units: Units::default(),
+        iterations: 20,
+        constraint: "B".into(),
+        row: "y".into(),
+        residual: 0.04,
+        last: Some(0.3),
+        diagnosis: None,
+        motion: None,
+    };
+    let text = error.to_string();
+    assert!(text.starts_with("t = 0.31 s: no convergence in 20 iterations; worst is `B` row y: |C| = 4.0e-2."), "{text}");
+    assert!(text.contains("t = 0.3 s"), "{text}");
+}

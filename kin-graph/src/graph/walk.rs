@@ -1,0 +1,109 @@
+//! From a node to those that it is computed from.
+
+use super::{Column, Graph, Input, LeafNumber, LeafUse, Node, Op, Part};
+
+impl Graph {
+    /// The nodes that `node` is computed from.
+    pub fn operands(&self, node: Node) -> Vec<Node> {
+        match self.op(node) {
+            Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) => vec![],
+            Op::Neg(a) | Op::Call(_, a) | Op::Powi(a, _) | Op::Law(_, a, _) | Op::Not(a) => vec![a],
+            Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) => vec![a, b],
+            Op::Call2(_, a, b) | Op::Compare(_, a, b) | Op::And(a, b) | Op::Or(a, b) => vec![a, b],
+            Op::Select(a, b, c) | Op::Fma(a, b, c) => vec![a, b, c],
+            Op::Opaque(number, _) => self.opaques[number].clone(),
+            Op::Leaf(LeafUse { leaf, what, .. }) => self.leaf_operands(leaf, what),
+        }
+    }
+
+    /// The nodes whose numbers make that of `node`: its operands, of a selection the one that is taken, of a condition none.
+    pub fn numbers_behind(&self, node: Node, holds: impl Fn(Node) -> bool) -> Vec<Node> {
+        match self.op(node) {
+            Op::Select(c, a, b) => vec![if holds(c) { a } else { b }],
+            Op::Compare(..) | Op::And(..) | Op::Or(..) | Op::Not(_) => vec![],
+            _ => self.operands(node),
+        }
+    }
+
+    /// Shows the nodes that `node` is computed from, in their order.
+    pub fn each_operand(&self, node: Node, mut show: impl FnMut(Node)) {
+        match self.op(node) {
+            Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) => {}
+            Op::Neg(a) | Op::Call(_, a) | Op::Powi(a, _) | Op::Law(_, a, _) | Op::Not(a) => show(a),
+            Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) => {
+                show(a);
+                show(b);
+            }
+            _ => self.operands(node).into_iter().for_each(show),
+        }
+    }
+
+    fn leaf_operands(&self, leaf: usize, what: LeafNumber) -> Vec<Node> {
+        let mut operands = self.leaves[leaf].arguments.clone();
+        if let LeafNumber::First(k) | LeafNumber::Second(k) = what {
+            operands.extend(&self.directions[k].first);
+            operands.extend(&self.directions[k].second);
+            operands.extend(self.directions[k].moves.iter().flatten());
+        }
+        operands
+    }
+
+    /// All columns that `outputs` can depend on.
+    pub fn columns(&self, outputs: &[Node]) -> Vec<Column> {
+        let mut columns: Vec<Column> = Vec::new();
+        for node in self.reachable(outputs) {
+            if let Op::Input(Input::State(argument, part)) = self.op(node) {
+                columns.extend(coordinates_behind(part).iter().map(|&part| Column { argument, part }));
+            }
+        }
+        columns.sort();
+        columns.dedup();
+        columns
+    }
+
+    /// `nodes` and what they are computed from, in order of creation, without going beyond what is known already.
+    pub fn unknown(&self, nodes: &[Node], known: impl Fn(Node) -> bool) -> Vec<Node> {
+        let mut seen = vec![false; self.ops.len()];
+        let (mut open, mut found) = (nodes.to_vec(), Vec::new());
+        while let Some(node) = open.pop() {
+            if !seen[node.index()] && !known(node) {
+                seen[node.index()] = true;
+                found.push(node);
+                self.each_operand(node, |operand| open.push(operand));
+            }
+        }
+        found.sort_unstable();
+        found
+    }
+
+    /// Every node needed for `outputs`, in order of creation: operands come before their users.
+    pub fn reachable(&self, outputs: &[Node]) -> Vec<Node> {
+        self.reachable_from(outputs, |_| false)
+    }
+
+    /// The same where the operands of `known` nodes are not needed.
+    pub fn reachable_from(&self, outputs: &[Node], known: impl Fn(Node) -> bool) -> Vec<Node> {
+        let mut seen = vec![false; self.ops.len()];
+        let mut open: Vec<Node> = outputs.to_vec();
+        while let Some(node) = open.pop() {
+            if !std::mem::replace(&mut seen[node.0 as usize], true) && !known(node) {
+                self.each_operand(node, |operand| open.push(operand));
+            }
+        }
+        (0..self.ops.len()).filter(|&k| seen[k]).map(|k| Node(k as u32)).collect()
+    }
+}
+
+/// The coordinates that a part of a state is a function of.
+fn coordinates_behind(part: Part) -> &'static [Part] {
+    match part {
+        Part::R(0) => &[Part::R(0)],
+        Part::R(1) => &[Part::R(1)],
+        Part::R(_) => &[Part::R(2)],
+        Part::Theta | Part::Sin | Part::Cos => &[Part::Theta],
+        Part::P(0) => &[Part::P(0)],
+        Part::P(1) => &[Part::P(1)],
+        Part::P(2) => &[Part::P(2)],
+        Part::P(_) => &[Part::P(3)],
+    }
+}

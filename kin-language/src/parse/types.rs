@@ -1,0 +1,184 @@
+//! The types of a signature, by their names: they say what an argument is.
+
+use syn::{Expr, ExprLit, Lit, Type};
+
+/// What an argument is, by the name of its type.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Kind {
+    Planar,
+    Spatial,
+    Coord,
+    Coords(usize),
+    Time,
+    Law,
+    /// An axis: its direction and two others across it.
+    Axis,
+    /// A parameter made of numbers.
+    Numbers(Shape),
+    /// Any other parameter: `usize`, `bool`, a type of the user's.
+    Other,
+}
+
+impl Kind {
+    /// How many of the constraint's arguments it is (bodies and coordinates; not parameters, not time).
+    pub fn slots(&self) -> usize {
+        match self {
+            Kind::Planar | Kind::Spatial | Kind::Coord => 1,
+            Kind::Coords(n) => *n,
+            _ => 0,
+        }
+    }
+
+    /// Number of columns of C_q.
+    pub fn columns(&self) -> usize {
+        match self {
+            Kind::Planar => 3,
+            Kind::Spatial => 7,
+            _ => self.slots(),
+        }
+    }
+
+    /// Whether the constructor takes it and the struct holds it.
+    pub fn is_field(&self) -> bool {
+        *self != Kind::Time
+    }
+}
+
+/// A type made of numbers.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub enum Shape {
+    #[default]
+    Scalar,
+    Vector(usize),
+    Matrix(usize),
+    /// `EulerParameters`
+    Euler,
+    Array(Box<Shape>, usize),
+    Tuple(Vec<Shape>),
+    /// `_`: whatever the value is.
+    Any,
+}
+
+impl Shape {
+    /// Whether no part of it is `_`.
+    fn is_known(&self) -> bool {
+        match self {
+            Shape::Any => false,
+            Shape::Array(inner, _) => inner.is_known(),
+            Shape::Tuple(all) => all.iter().all(Shape::is_known),
+            _ => true,
+        }
+    }
+}
+
+/// What a type in the signature means, by its name.
+pub fn kind(ty: &Type) -> syn::Result<Kind> {
+    match shape(ty) {
+        Some(shape) if shape.is_known() => return Ok(Kind::Numbers(shape)),
+        Some(_) => return Err(syn::Error::new_spanned(ty, "write the type: it says what the argument is")),
+        None => {}
+    }
+    match ty {
+        Type::Path(path) => named_kind(path),
+        Type::Array(array) if last_name(&array.elem).as_deref() == Some("Coord") => match literal_length(&array.len) {
+            Some(0) => Err(syn::Error::new_spanned(&array.len, "an array of no coordinates constrains nothing")),
+            Some(n) => Ok(Kind::Coords(n)),
+            None => Err(syn::Error::new_spanned(
+                &array.len,
+                "write the number of coordinates as a literal: the columns of C_q are counted here",
+            )),
+        },
+        Type::Array(array) if is_marker(&array.elem) => Err(syn::Error::new_spanned(ty, "only `Coord` comes in arrays: name each body")),
+        Type::Reference(reference) => Err(reference_mistake(reference)),
+        Type::ImplTrait(_) => Err(syn::Error::new_spanned(ty, "write the type itself: a parameter is a field of the constraint")),
+        _ => Ok(Kind::Other),
+    }
+}
+
+fn named_kind(path: &syn::TypePath) -> syn::Result<Kind> {
+    let Some(last) = path.path.segments.last() else { return Ok(Kind::Other) };
+    let kind = match last.ident.to_string().as_str() {
+        "Planar" => Kind::Planar,
+        "Spatial" => Kind::Spatial,
+        "Coord" => Kind::Coord,
+        "Time" => Kind::Time,
+        "Law" => return Ok(Kind::Law),
+        "Axis" => return Ok(Kind::Axis),
+        "f32" => return Err(syn::Error::new_spanned(path, "numbers are `f64`")),
+        "PlanarBody" | "Link" => {
+            return Err(syn::Error::new_spanned(path, "inside the function a planar body is its state: write `Planar`"));
+        }
+        "SpatialBody" => return Err(syn::Error::new_spanned(path, "inside the function a spatial body is its state: write `Spatial`")),
+        "Coordinate" => return Err(syn::Error::new_spanned(path, "inside the function a coordinate is its value: write `Coord`")),
+        "Real" => return Err(syn::Error::new_spanned(path, "write `f64`: the macro makes the function generic over dual numbers itself")),
+        "Self" => return Err(syn::Error::new_spanned(path, "there is no `Self` here: write the type itself")),
+        _ => return Ok(Kind::Other),
+    };
+    match last.arguments.is_empty() {
+        true => Ok(kind),
+        false => Err(syn::Error::new_spanned(&last.arguments, format!("`{}` takes no type arguments here", last.ident))),
+    }
+}
+
+fn reference_mistake(reference: &syn::TypeReference) -> syn::Error {
+    let text = match is_marker(&reference.elem) {
+        true => format!("write `{}`: the state is a value, there is nothing to borrow", last_name(&reference.elem).unwrap_or_default()),
+        false => {
+            "a parameter is a field of the constraint, so it is owned: write the type without `&` (`[f64; N]`, `Vec<f64>`, `String`)".into()
+        }
+    };
+    syn::Error::new_spanned(reference, text)
+}
+
+fn is_marker(ty: &Type) -> bool {
+    matches!(last_name(ty).as_deref(), Some("Planar" | "Spatial" | "Coord" | "Time"))
+}
+
+fn last_name(ty: &Type) -> Option<String> {
+    match ty {
+        Type::Path(path) => path.path.segments.last().map(|s| s.ident.to_string()),
+        _ => None,
+    }
+}
+
+/// A type made of numbers; `None` if it is anything else.
+pub fn shape(ty: &Type) -> Option<Shape> {
+    match ty {
+        Type::Path(path) if path.qself.is_none() => {
+            let last = path.path.segments.last()?;
+            let plain = last.arguments.is_empty() || matches!(&last.arguments, syn::PathArguments::AngleBracketed(a) if a.args.len() == 1);
+            match last.ident.to_string().as_str() {
+                "f64" => Some(Shape::Scalar),
+                "Vec2" if plain => Some(Shape::Vector(2)),
+                "Vec3" if plain => Some(Shape::Vector(3)),
+                "Mat2" if plain => Some(Shape::Matrix(2)),
+                "Mat3" if plain => Some(Shape::Matrix(3)),
+                "EulerParameters" if plain => Some(Shape::Euler),
+                _ => None,
+            }
+        }
+        Type::Array(array) => Some(Shape::Array(Box::new(shape(&array.elem)?), literal_length(&array.len)?)),
+        Type::Tuple(tuple) if !tuple.elems.is_empty() => Some(Shape::Tuple(tuple.elems.iter().map(shape).collect::<Option<_>>()?)),
+        Type::Infer(_) => Some(Shape::Any),
+        Type::Paren(inner) => shape(&inner.elem),
+        Type::Group(inner) => shape(&inner.elem),
+        _ => None,
+    }
+}
+
+pub fn literal_length(length: &Expr) -> Option<usize> {
+    match length {
+        Expr::Lit(ExprLit { lit: Lit::Int(n), .. }) => n.base10_parse().ok(),
+        _ => None,
+    }
+}
+
+/// Whether a value of it is one row or more.
+pub(super) fn has_rows(shape: &Shape) -> bool {
+    match shape {
+        Shape::Scalar | Shape::Vector(_) => true,
+        Shape::Matrix(_) | Shape::Euler | Shape::Any => false,
+        Shape::Array(inner, n) => *n > 0 && (**inner == Shape::Any || has_rows(inner)),
+        Shape::Tuple(all) => all.iter().all(|s| *s == Shape::Any || has_rows(s)),
+    }
+}

@@ -1,0 +1,91 @@
+//! The limits that CONTRIBUTING.md states, of every file of the workspace that is written by hand.
+
+use std::path::{Path, PathBuf};
+
+use proc_macro2::Span;
+use syn::spanned::Spanned;
+use syn::visit::{self, Visit};
+
+/// Lines of a file, and of a function from its signature to its end.
+const FILE: usize = 400;
+const FUNCTION: usize = 60;
+
+/// Every Rust file but expansions that are stored to be compared, and programs that are wrong on purpose.
+fn files() -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let left_out = ["target", "out", "golden", "ui", "data"];
+    let (mut open, mut found) = (vec![root.to_path_buf()], Vec::new());
+    while let Some(path) = open.pop() {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if path.is_dir() && path != root && (name.starts_with('.') || left_out.contains(&name.as_str()) && !path.join("mod.rs").exists()) {
+            continue;
+        } else if path.is_dir() {
+            open.extend(path.read_dir().expect("readable").map(|entry| entry.expect("an entry").path()));
+        } else if name.ends_with(".rs") {
+            found.push(path);
+        }
+    }
+    found.sort();
+    found
+}
+
+/// Functions that are too long, with their lines.
+struct Long {
+    found: Vec<(String, usize)>,
+    /// An example reads from top to bottom.
+    is_example: bool,
+}
+
+impl Long {
+    fn look(&mut self, name: &syn::Ident, from: Span, block: &syn::Block) {
+        let lines = block.span().end().line + 1 - from.start().line;
+        if lines > FUNCTION && !(self.is_example && name == "main") {
+            self.found.push((name.to_string(), lines));
+        }
+    }
+}
+
+impl<'a> Visit<'a> for Long {
+    fn visit_item_fn(&mut self, function: &'a syn::ItemFn) {
+        self.look(&function.sig.ident, function.sig.span(), &function.block);
+        visit::visit_item_fn(self, function);
+    }
+
+    fn visit_impl_item_fn(&mut self, function: &'a syn::ImplItemFn) {
+        self.look(&function.sig.ident, function.sig.span(), &function.block);
+        visit::visit_impl_item_fn(self, function);
+    }
+
+    fn visit_trait_item_fn(&mut self, function: &'a syn::TraitItemFn) {
+        if let Some(block) = &function.default {
+            self.look(&function.sig.ident, function.sig.span(), block);
+        }
+        visit::visit_trait_item_fn(self, function);
+    }
+}
+
+#[test]
+fn files_and_functions_are_short() {
+    let (all, mut long) = (files(), Vec::new());
+    assert!(all.len() > 300, "{} files are not all of them", all.len());
+    for path in all {
+        let text = std::fs::read_to_string(&path).expect("readable");
+        let lines = text.lines().count();
+        if lines > FILE {
+            long.push(format!("{}: {lines} lines", path.display()));
+        }
+        let file = syn::parse_file(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let mut functions = Long { found: Vec::new(), is_example: path.parent().is_some_and(|folder| folder.ends_with("examples")) };
+        functions.visit_file(&file);
+        long.extend(functions.found.iter().map(|(name, lines)| format!("{}: `{name}` has {lines} lines", path.display())));
+    }
+    assert!(long.is_empty(), "at most {FILE} lines a file and {FUNCTION} a function:\n{}", long.join("\n"));
+}
+
+#[test]
+fn a_long_function_is_seen() {
+    let text = format!("fn short() {{}}\nimpl A {{ fn long() {{ {} }} }}", "call();\n".repeat(FUNCTION));
+    let mut functions = Long { found: Vec::new(), is_example: false };
+    functions.visit_file(&syn::parse_file(&text).expect("is Rust"));
+    assert_eq!(functions.found, [("long".to_string(), FUNCTION + 1)]);
+}

@@ -1,0 +1,172 @@
+//! Sweeps over constraints of one's own, over spatial bodies, and over cases that fail.
+
+use kin::prelude::*;
+use kin::{Error, Lanes, Options, any_coord, any_planar, any_spatial, vec3};
+
+use crate::{NAMES, case, far, four_bar, kinds_of_machine, links, numbers, times};
+
+const MOST_WEAR: f64 = 1e-3;
+
+fn wear<D: Dual>(phi: Real<D>, most: f64) -> Real<D> {
+    most * phi.sin().powi(2)
+}
+
+/// Branches, functions, a law of a coordinate, a function of one's own, a table, time.
+#[constraint(lanes)]
+fn odd(
+    cam: Planar,
+    follower: Planar,
+    phi: Coord,
+    t: Time,
+    tip: Vec2,
+    profile: Law,
+    table: [f64; 3],
+    which: usize,
+    on: bool,
+) -> (f64, f64, f64) {
+    let p = cam.local(follower.point(tip));
+    let angle = p.y.atan2(p.x);
+    let lift = if p.x > 0.2 {
+        p.norm()
+    } else if on && p.y < t {
+        (p.x.abs() + 1.0).ln() * phi
+    } else {
+        p.x.max(p.y) - phi.powi(3)
+    };
+    let slide = lift - profile.at(angle) + wear(angle, MOST_WEAR) + table[which] * t.cos();
+    (slide, phi.tan().sinh() % 3.0 - (2.0 * t).exp() / 100.0, phi.sin() * phi.cos() - t.sqrt() * table[0] + phi.powf(2.0))
+}
+
+/// The norm and rotation matrix of a spatial body.
+#[constraint(symbolic, lanes)]
+fn tilted(body: Spatial, u: Vec3, h: Vec3) -> Vec3 {
+    body.point(u).cross(body.direction(h)) + body.a() * h
+}
+
+#[test]
+fn kernels_of_ones_own_are_its_equations() {
+    let law = Law::sine(0.7, 2.0, 0.3);
+    let own = odd(any_planar(), any_planar(), any_coord(), vec2(0.3, -0.2), law, [0.3, -0.2, 0.9], 1, true);
+    assert_eq!(kin::check::lanes(&own).unwrap(), kinds_of_machine());
+    assert_eq!(kin::check::lanes(&tilted(any_spatial(), vec3(0.1, 0.7, -0.3), vec3(0.0, 0.6, 0.8))).unwrap(), kinds_of_machine());
+    kin::check::derivatives(tilted(any_spatial(), vec3(0.1, 0.7, -0.3), vec3(0.0, 0.6, 0.8)));
+}
+
+/// A slot without kernels over lanes.
+#[constraint]
+fn slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
+    let s = j.local(i.point(u_i));
+    s.y - k * s.x * s.x
+}
+
+#[test]
+fn constraints_without_kernels_go_lane_by_lane() {
+    let mut m = Mechanism::new("quick return");
+    let (disc, arm) = (m.planar("disc", pose(0.0, 0.0, 0.0)).unwrap(), m.link("arm", 0.12).unwrap());
+    m.add("O", revolute(m.ground(), disc, vec2(0.0, 0.0), vec2(0.0, 0.0))).unwrap();
+    m.add("C", revolute(m.ground(), arm, vec2(0.05, 0.0), arm.start())).unwrap();
+    m.add("slot", slot(arm, disc, arm.end(), 4.0)).unwrap();
+    m.add("motor", drive_angle(disc, Law::sine(0.3, 1.0, 0.2))).unwrap();
+    m.prefer(arm, 0.0);
+    let system = m.build().unwrap();
+    let cases: Vec<[f64; 2]> = (0..13).map(|k| [3.0 + 0.2 * f64::from(k), 0.04 + 0.001 * f64::from(k)]).collect();
+    let run = |lanes| {
+        let sweep = system.sweep(["slot.k", "C.u_i.x"]).unwrap().lanes(lanes);
+        sweep.run(&cases, linspace(0.0, 3.0, 61), |_, motion| numbers(&motion.unwrap())).unwrap()
+    };
+    for (lanes, alone) in run(Lanes::Best).iter().zip(run(Lanes::Off)) {
+        assert!(far(lanes, &alone) < 1e-10, "{:e}", far(lanes, &alone));
+    }
+}
+
+#[test]
+fn spatial_bodies_go_over_lanes_too() {
+    use kin::joints::drivers::spatial::{drive_orientation, drive_point, drive_turn};
+    use kin::joints::spatial::revolute;
+    let mut m = Mechanism::new("spatial arm");
+    let (arm, hand) =
+        (m.spatial("arm", SpatialPose::at(Vec3::zeros())).unwrap(), m.spatial("hand", SpatialPose::at(vec3(1.5, 0.0, 0.0))).unwrap());
+    let (x, z) = (vec3(1.0, 0.0, 0.0), Axis::along(vec3(0.0, 0.0, 1.0)));
+    m.add("at", drive_point(arm, Vec3::zeros(), Law::sine(0.3, 1.0, 0.0), Law::ramp(0.1), Law::constant(0.0))).unwrap();
+    m.add("turned", drive_orientation(arm, m.ground(), Law::ramp(0.4), Law::constant(0.1), Law::constant(0.0))).unwrap();
+    m.add("wrist", revolute(arm, hand, x, -0.5 * x, z, z.h)).unwrap();
+    m.add("motor", drive_turn(arm, hand, z, z, Law::sine(0.5, 2.0, 0.0))).unwrap();
+    let (system, times) = (m.build().unwrap(), linspace(0.0, 1.0, 21));
+    let cases: Vec<[f64; 1]> = (0..20).map(|k| [0.5 + 0.05 * f64::from(k)]).collect();
+    let run = |lanes| {
+        let sweep = system.sweep(["wrist.u_i.x"]).unwrap().lanes(lanes);
+        sweep.run(&cases, &times, |_, motion| numbers(&motion.unwrap()))
+    };
+    let alone = run(Lanes::Off).unwrap();
+    let tried: Vec<_> = [2, 4, 8].into_iter().filter_map(|lanes| run(Lanes::Only(lanes)).ok()).collect();
+    assert_eq!(tried.len(), kinds_of_machine());
+    for (found, alone) in tried.iter().flat_map(|found| found.iter().zip(&alone)) {
+        assert!(far(found, alone) < 1e-10);
+    }
+}
+
+/// A failing case cost a hundred good ones, because what is wrong with it was looked for.
+#[test]
+fn a_failing_case_is_diagnosed_on_request_only() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    // None of these closes.
+    let cases: Vec<[f64; 8]> = (0..48).map(|k| case([1.0, 0.5 + 0.001 * f64::from(k), 0.5, 4.0])).collect();
+    let swept = |lanes: Lanes, diagnose: bool, cases: &[[f64; 8]]| {
+        let sweep = system.sweep(NAMES).unwrap().lanes(lanes).diagnose(diagnose);
+        sweep.run(cases, times(), |_, motion| motion.expect_err("does not close").diagnosis().is_some()).unwrap()
+    };
+    for lanes in [Lanes::Off, Lanes::Best] {
+        assert!(swept(lanes, false, &cases).iter().all(|diagnosed| !diagnosed));
+    }
+    assert!(swept(Lanes::Best, true, &cases[..1]).iter().all(|diagnosed| *diagnosed));
+    // A run of one case alone says it, as ever.
+    let mut m = Mechanism::new("too long");
+    let x = m.length("x", 0.0).unwrap();
+    m.add("reach", reach(x)).unwrap();
+    assert!(m.build().unwrap().run([0.0]).err().unwrap().diagnosis().is_some());
+}
+
+/// x² + 1 = 0
+#[constraint]
+fn reach(x: Coord) -> f64 {
+    x * x + 1.0
+}
+
+#[test]
+fn a_failing_case_with_redundant_equations_is_diagnosed_on_request_only() {
+    let mut m = Mechanism::new("twice");
+    let (x, y) = (m.length("x", 0.0).unwrap(), m.length("y", 0.0).unwrap());
+    m.add("x", drive(x, Law::ramp(1.0))).unwrap();
+    m.add("y", drive(y, Law::constant(0.0))).unwrap();
+    m.add("y again", drive(y, Law::constant(0.0))).unwrap();
+    let system = m.build().unwrap();
+    for (asked, diagnosed) in [(false, false), (true, true)] {
+        let sweep = system.sweep(["y again.law.c"]).unwrap().diagnose(asked);
+        let swept =
+            sweep.run(&[[0.0], [0.25]], [0.0, 1.0], |_, motion| motion.map_err(|error| (error.diagnosis().is_some(), error.to_string())));
+        let [good, bad] = &swept.unwrap()[..] else { panic!("two cases") };
+        assert!(good.is_ok());
+        let (found, text) = bad.as_ref().err().unwrap();
+        assert_eq!(*found, diagnosed, "{text}");
+        assert!(text.contains("y"), "{text}");
+    }
+}
+
+/// Sixteen motions at once a thread take sixteen times the memory of one.
+#[test]
+fn memory_of_a_sweep_is_that_of_all_motions_under_way() {
+    let system = four_bar([1.0, 3.5, 3.0, 4.0]);
+    let cases: Vec<[f64; 8]> = links(64).into_iter().map(case).collect();
+    let one = 61 * 8 * (3 + 3 * 9);
+    let run = |lanes: Lanes, threads: usize, memory: usize| {
+        let sweep = system.sweep(NAMES).unwrap().lanes(lanes).threads(threads).options(Options { memory, ..Options::default() });
+        sweep.run(&cases, times(), |_, motion| motion.is_ok())
+    };
+    assert!(run(Lanes::Off, 1, one).is_ok_and(|all| all.iter().all(|ok| *ok)));
+    for refused in [run(Lanes::Off, 1, one - 1), run(Lanes::Off, 2, one), run(Lanes::Best, 1, 15 * one / 4)] {
+        let error = refused.expect_err("too much");
+        assert!(matches!(error, Error::NeedsMemory { times: 61, coordinates: 9, .. }), "{error}");
+    }
+    let text = run(Lanes::Off, 2, one).unwrap_err().to_string();
+    assert!(text.contains("2 motions at once of 61 times of 9 coordinates need 29.3 kB; `Options::memory` allows 14.6 kB"), "{text}");
+}
