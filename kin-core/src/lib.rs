@@ -11,6 +11,7 @@ extern crate self as kin;
 // What is hidden here is listed in `extend`: ordinary programs do not call it.
 
 pub mod algebra;
+mod ask;
 mod assembly;
 #[doc(hidden)]
 pub mod blame;

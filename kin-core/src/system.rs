@@ -3,7 +3,6 @@
 pub(crate) mod evaluate;
 pub(crate) mod parameters;
 pub(crate) mod scale;
-mod solve;
 mod states;
 mod terms;
 
@@ -246,7 +245,7 @@ impl System {
         }
     }
 
-    fn check(&self, q: &[f64], what: &str) -> Result<()> {
+    pub(crate) fn check(&self, q: &[f64], what: &str) -> Result<()> {
         let (expected, found) = (self.n_coordinates(), q.len());
         if expected != found {
             return Err(Error::WrongLength { what: what.to_string(), expected, found });
@@ -284,6 +283,6 @@ fn prepared(layout: &Layout, equations: &Equations, initial: &[f64], links: &[f6
     linear
 }
 
-fn time(t: f64) -> Result<f64> {
+pub(crate) fn time(t: f64) -> Result<f64> {
     if t.is_finite() { Ok(t) } else { Err(Error::InvalidTimes { reason: format!("t is {t}; give a finite time") }) }
 }

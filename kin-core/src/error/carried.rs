@@ -1,10 +1,8 @@
 //! What errors of a failing run carry: the motion before it and what is wrong with the mechanism.
 
 use super::Error;
-use crate::diagnosis::{self, Diagnosis, DiagnosisOptions, Start};
+use crate::diagnosis::Diagnosis;
 use crate::motion::Motion;
-use crate::newton::Options;
-use crate::system::System;
 
 impl Error {
     /// What a failing run had computed before it failed; `None` for errors of other operations.
@@ -31,23 +29,6 @@ impl Error {
             }
             _ => None,
         }
-    }
-
-    /// The same error with what is wrong with the mechanism at that time, by name, as far as the size of the system allows to look for it.
-    pub(crate) fn explained(mut self, system: &System, options: &Options) -> Error {
-        /// Coordinates up to which a failing run is examined by itself; [`System::diagnose`] does it for any number.
-        const EXAMINED: usize = 1500;
-        if let Error::SingularAt { t, diagnosis, motion, .. }
-        | Error::NoConvergence { t, diagnosis, motion, .. }
-        | Error::Toggle { asked: t, diagnosis, motion, .. } = &mut self
-            && system.n_coordinates() <= EXAMINED
-        {
-            let options = DiagnosisOptions { search: options.search.clone(), ..DiagnosisOptions::default() };
-            let last = motion.as_ref().and_then(|motion| Some(motion.q(motion.len().checked_sub(1)?)));
-            let start = last.map_or(Start::Guess(system.initial()), Start::Pose);
-            *diagnosis = diagnosis::diagnose(system.model(), start, *t, &options).ok().map(Box::new);
-        }
-        self
     }
 
     /// The same error, carrying what was computed before.

@@ -1,6 +1,5 @@
 //! What a system is asked for: positions, motions, sweeps, diagnoses, assemblies.
 
-use super::{Solution, System, time};
 use crate::assembly::{Assembly, AssemblyOptions, Label, modes};
 use crate::diagnosis::{self, Diagnosis, DiagnosisOptions, Start};
 use crate::error::{Error, Result};
@@ -8,6 +7,7 @@ use crate::motion::{EventKind, Motion};
 use crate::newton::run::Explain;
 use crate::newton::{self, Newton, Options, Steps, assembly, redundant};
 use crate::sweep::Sweep;
+use crate::system::{Solution, System, time};
 
 impl System {
     /// Position, velocity and acceleration at time t, assembled from the initial guess into the preferred assembly.
@@ -153,7 +153,7 @@ impl System {
         let t = time(t)?;
         match self.nearer(None, t, &options.search) {
             Some(q) => diagnosis::diagnose(self.model(), Start::Pose(&q), t, options),
-            None => diagnosis::diagnose(self.model(), Start::Guess(&self.initial), t, options),
+            None => diagnosis::diagnose(self.model(), Start::Guess(self.initial()), t, options),
         }
     }
 
@@ -182,7 +182,7 @@ impl System {
 
     /// The same with other options.
     pub fn assemblies_with(&self, t: f64, options: &AssemblyOptions) -> Result<Vec<Assembly>> {
-        modes::all(self.model(), &self.initial, time(t)?, options)
+        modes::all(self.model(), self.initial(), time(t)?, options)
     }
 
     /// The assembly of a label that [`System::assemblies`] gave out.
@@ -198,5 +198,24 @@ impl System {
         let known = || all.iter().map(|assembly| assembly.label.to_string()).collect();
         let found = all.iter().find(|assembly| assembly.label == *label).cloned();
         found.ok_or_else(|| Error::UnknownName { what: "assembly", name: label.to_string(), known: known() })
+    }
+}
+
+impl Error {
+    /// The same error with what is wrong with the mechanism at that time, by name, as far as the size of the system allows to look for it.
+    pub(crate) fn explained(mut self, system: &System, options: &Options) -> Error {
+        /// Coordinates up to which a failing run is examined by itself; [`System::diagnose`] does it for any number.
+        const EXAMINED: usize = 1500;
+        if let Error::SingularAt { t, diagnosis, motion, .. }
+        | Error::NoConvergence { t, diagnosis, motion, .. }
+        | Error::Toggle { asked: t, diagnosis, motion, .. } = &mut self
+            && system.n_coordinates() <= EXAMINED
+        {
+            let options = DiagnosisOptions { search: options.search.clone(), ..DiagnosisOptions::default() };
+            let last = motion.as_ref().and_then(|motion| Some(motion.q(motion.len().checked_sub(1)?)));
+            let start = last.map_or(Start::Guess(system.initial()), Start::Pose);
+            *diagnosis = diagnosis::diagnose(system.model(), start, *t, &options).ok().map(Box::new);
+        }
+        self
     }
 }

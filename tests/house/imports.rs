@@ -1,0 +1,224 @@
+//! Imports of `kin-core` go from the bottom up: each file of it is read, each `use` and each path in it followed to the file where it leads.
+//!
+//! What still goes up stands in `upward.txt`, file by file. Nothing may be added to it; what no longer goes up has to be taken out.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+use syn::visit::{self, Visit};
+
+/// A module by its path from the root of the crate.
+type Module = Vec<String>;
+
+/// The rooms, each of which may import from those before it and from its own.
+const ROOMS: [(&str, &[&str]); 8] = [
+    ("numbers", &["real", "algebra", "fours", "random", "lanes"]),
+    ("emitted code", &["rt"]),
+    (
+        "mechanisms",
+        &["coordinates", "state", "constraint", "dual_route", "terms", "law", "joints", "mechanism", "layout", "units", "error"],
+    ),
+    ("linear algebra", &["linear"]),
+    ("equations", &["system", "model"]),
+    ("solving", &["newton", "follow", "assembly", "sweep", "motion"]),
+    ("asking", &["measure", "diagnosis", "proof", "blame", "check", "ask"]),
+    ("data", &["data"]),
+];
+
+/// Items of `kin-core` by file: what they import, and what they give on.
+#[derive(Default)]
+struct File {
+    imports: BTreeSet<Vec<String>>,
+    gives_on: BTreeMap<String, Vec<String>>,
+    /// Names that come from elsewhere: what a path in the file may begin with.
+    names: BTreeMap<String, Vec<String>>,
+}
+
+fn module(root: &Path, path: &Path) -> Module {
+    let path = path.strip_prefix(root).expect("below the root").with_extension("");
+    let mut parts: Vec<String> = path.iter().map(|part| part.to_string_lossy().into_owned()).collect();
+    if parts.last().is_some_and(|last| last == "mod" || last == "lib") {
+        parts.pop();
+    }
+    parts
+}
+
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let (mut open, mut found) = (vec![folder.to_path_buf()], Vec::new());
+    while let Some(path) = open.pop() {
+        if path.is_dir() {
+            open.extend(path.read_dir().expect("readable").map(|entry| entry.expect("an entry").path()));
+        } else if path.extension().is_some_and(|end| end == "rs") {
+            found.push(path);
+        }
+    }
+    found
+}
+
+fn is_test(attributes: &[syn::Attribute]) -> bool {
+    attributes.iter().any(|attribute| attribute.path().is_ident("cfg") && quote_of(attribute).contains("test"))
+}
+
+fn quote_of(attribute: &syn::Attribute) -> String {
+    attribute.meta.require_list().map(|list| list.tokens.to_string()).unwrap_or_default()
+}
+
+/// Reads a file; modules of tests are told apart.
+struct Reader<'a> {
+    here: &'a Module,
+    file: File,
+    tests: Vec<Module>,
+}
+
+impl Reader<'_> {
+    /// The path from the root of the crate, if it is one within the crate.
+    fn whole(&self, path: &[String]) -> Option<Vec<String>> {
+        let (first, rest) = path.split_first()?;
+        match first.as_str() {
+            "crate" => Some(rest.to_vec()),
+            "self" => Some([&self.here[..], rest].concat()),
+            "super" => {
+                let up = path.iter().take_while(|part| *part == "super").count();
+                Some([self.here.get(..self.here.len().checked_sub(up)?)?, &path[up..]].concat())
+            }
+            name => self.file.names.get(name).map(|known| [&known[..], rest].concat()),
+        }
+    }
+
+    fn tree(&mut self, before: &[String], tree: &syn::UseTree, public: bool) {
+        match tree {
+            syn::UseTree::Path(path) => self.tree(&[before, &[path.ident.to_string()]].concat(), &path.tree, public),
+            syn::UseTree::Group(group) => group.items.iter().for_each(|tree| self.tree(before, tree, public)),
+            syn::UseTree::Name(name) => self.brought(before, &name.ident.to_string(), &name.ident.to_string(), public),
+            syn::UseTree::Rename(name) => self.brought(before, &name.ident.to_string(), &name.rename.to_string(), public),
+            syn::UseTree::Glob(_) => {}
+        }
+    }
+
+    fn brought(&mut self, before: &[String], item: &str, name: &str, public: bool) {
+        let path = if item == "self" { before.to_vec() } else { [before, &[item.to_string()]].concat() };
+        let name = if name == "self" { path.last().cloned().unwrap_or_default() } else { name.to_string() };
+        // A module of this file's own may be named without `self`.
+        let Some(whole) = self.whole(&path).or_else(|| public.then(|| [&self.here[..], &path[..]].concat())) else { return };
+        self.file.names.insert(name.clone(), whole.clone());
+        if public {
+            self.file.gives_on.insert(name, whole);
+        } else {
+            self.file.imports.insert(whole);
+        }
+    }
+}
+
+impl<'a> Visit<'a> for Reader<'_> {
+    fn visit_item(&mut self, item: &'a syn::Item) {
+        let attributes = match item {
+            syn::Item::Mod(module) => &module.attrs,
+            syn::Item::Use(import) => &import.attrs,
+            syn::Item::Fn(function) => &function.attrs,
+            syn::Item::Impl(block) => &block.attrs,
+            _ => return visit::visit_item(self, item),
+        };
+        match item {
+            syn::Item::Mod(module) if is_test(attributes) => self.tests.push([&self.here[..], &[module.ident.to_string()]].concat()),
+            _ if is_test(attributes) => {}
+            syn::Item::Use(import) => self.tree(&[], &import.tree, !matches!(import.vis, syn::Visibility::Inherited)),
+            _ => visit::visit_item(self, item),
+        }
+    }
+
+    fn visit_path(&mut self, path: &'a syn::Path) {
+        let parts: Vec<String> = path.segments.iter().map(|part| part.ident.to_string()).collect();
+        if parts.len() > 1
+            && let Some(whole) = self.whole(&parts)
+        {
+            self.file.imports.insert(whole);
+        }
+        visit::visit_path(self, path);
+    }
+}
+
+struct House {
+    files: BTreeMap<Module, File>,
+}
+
+impl House {
+    fn read(root: &Path) -> Self {
+        let (mut files, mut tests) = (BTreeMap::new(), Vec::new());
+        for path in sources(root) {
+            let text = std::fs::read_to_string(&path).expect("readable");
+            let here = module(root, &path);
+            let mut reader = Reader { here: &here, file: File::default(), tests: Vec::new() };
+            reader.visit_file(&syn::parse_file(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display())));
+            let (file, own) = (reader.file, reader.tests);
+            tests.extend(own);
+            files.insert(here, file);
+        }
+        files.retain(|module: &Module, _| !tests.iter().any(|test| module.starts_with(test)));
+        House { files }
+    }
+
+    /// The file in which a path ends, after all that is given on.
+    fn end(&self, path: &[String], depth: usize) -> Option<&Module> {
+        let (module, file) = (0..=path.len()).rev().find_map(|k| self.files.get_key_value(&path[..k]))?;
+        match path.get(module.len()).and_then(|name| file.gives_on.get(name)) {
+            Some(further) if depth < 8 && further != path => {
+                self.end(&[&further[..], &path[module.len() + 1..]].concat(), depth + 1).or(Some(module))
+            }
+            _ => Some(module),
+        }
+    }
+
+    /// All pairs of a file and one that it imports from.
+    fn edges(&self) -> BTreeSet<(&Module, &Module)> {
+        let of = |(here, file)| file_edges(self, here, file);
+        self.files.iter().flat_map(of).collect()
+    }
+}
+
+fn file_edges<'a>(house: &'a House, here: &'a Module, file: &'a File) -> impl Iterator<Item = (&'a Module, &'a Module)> {
+    let ends = file.imports.iter().filter_map(|path| house.end(path, 0));
+    ends.filter(move |there| *there != here).map(move |there| (here, there))
+}
+
+/// The number of a module's room; `None` of the crate's own root and of what is for all.
+fn room(module: &Module) -> Option<usize> {
+    let first = module.first()?;
+    ROOMS.iter().position(|(_, modules)| modules.contains(&first.as_str()))
+}
+
+fn house() -> House {
+    House::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("kin-core/src"))
+}
+
+#[test]
+fn imports_go_down_but_for_those_that_are_listed() {
+    let house = house();
+    let up = |(from, to): &(&Module, &Module)| room(from).zip(room(to)).is_some_and(|(from, to)| from < to);
+    let found: BTreeSet<String> =
+        house.edges().into_iter().filter(up).map(|(from, to)| format!("{} -> {}", from.join("/"), to.join("/"))).collect();
+    let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/house/upward.txt")).expect("the list");
+    let listed: BTreeSet<String> = text.lines().filter(|line| !line.is_empty() && !line.starts_with('#')).map(str::to_string).collect();
+    let (more, less): (Vec<_>, Vec<_>) = (found.difference(&listed).collect(), listed.difference(&found).collect());
+    assert!(more.is_empty(), "these import from a room above their own: {more:#?}");
+    assert!(less.is_empty(), "these no longer do: take them out of upward.txt: {less:#?}");
+}
+
+#[test]
+fn every_module_has_a_room() {
+    let known = ["extend", "testing", "lib"];
+    let homeless: BTreeSet<String> =
+        house().files.keys().filter(|module| !module.is_empty() && room(module).is_none()).map(|module| module[0].clone()).collect();
+    let homeless: Vec<&String> = homeless.iter().filter(|name| !known.contains(&name.as_str())).collect();
+    assert!(homeless.is_empty(), "in no room: {homeless:?}");
+}
+
+/// Paths that are given on lead to where things are, and tests do not count.
+#[test]
+fn paths_are_followed_to_their_files() {
+    let house = house();
+    let end = |path: &str| house.end(&path.split("::").map(str::to_string).collect::<Vec<_>>(), 0).map(|module| module.join("/"));
+    assert_eq!(end("linear::Echelon").as_deref(), Some("linear/echelon"));
+    assert_eq!(end("Mechanism").as_deref(), Some("mechanism"));
+    assert_eq!(end("motion::Series").as_deref(), Some("motion/series"));
+    assert!(house.files.keys().all(|module| module.first().is_none_or(|first| first != "testing")));
+}

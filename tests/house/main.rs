@@ -1,0 +1,4 @@
+//! How the workspace is built: short files and functions, imports from the bottom up.
+
+mod imports;
+mod limits;
