@@ -103,8 +103,13 @@ function expect(what, holds, found) {
 }
 
 async function diagnostics(name) {
-  const report = await request("textDocument/diagnostic", { textDocument: { uri: uri(name) } }).catch(() => null);
-  return [...(report?.items ?? []), ...(published.get(uri(name)) ?? [])];
+  const report = await request("textDocument/diagnostic", { textDocument: { uri: uri(name) } });
+  return [...report.items, ...(published.get(uri(name)) ?? [])];
+}
+
+/** Diagnostics where `typed` stands in the place of `replaced` behind `after`. */
+async function diagnosed(name, after, replaced, typed) {
+  return typedInstead(name, after, replaced, typed, () => diagnostics(name));
 }
 
 async function labels(name, position) {
@@ -117,16 +122,22 @@ async function hover(name, position) {
   return found?.contents?.value ?? "";
 }
 
-/** Completion where `typed` stands in the place of `replaced` behind `after`. */
-async function completed(name, after, replaced, typed) {
+/** What `ask` finds where `typed` stands in the place of `replaced` behind `after`. */
+async function typedInstead(name, after, replaced, typed, ask) {
   const original = texts[name];
   const from = original.indexOf(replaced, original.indexOf(after));
+  if (from < 0) throw new Error(`${name}: there is no "${replaced}" behind "${after}"`);
   texts[name] = original.slice(0, from) + typed + original.slice(from + replaced.length);
   type(name, texts[name]);
-  const found = await labels(name, place(name, after, typed, typed.length));
+  const found = await ask();
   texts[name] = original;
   type(name, original);
   return found;
+}
+
+/** Completion where `typed` stands in the place of `replaced` behind `after`. */
+async function completed(name, after, replaced, typed) {
+  return typedInstead(name, after, replaced, typed, () => labels(name, place(name, after, typed, typed.length)));
 }
 
 function edits(change, name) {
@@ -159,6 +170,18 @@ async function main() {
   const shown = await diagnostics("constraints");
   expect("no false error among fifty constraints", shown.length === 0, shown.map((d) => `${d.range.start.line + 1}: ${d.message}`).slice(0, 20));
   console.log(`     ${shown.length} diagnostics of ${texts.constraints.match(/#\[constraint/g).length} constraints`);
+
+  // A server that looks into no body would show no error either: a slip in one of them is shown, at its line.
+  for (const [after, right, wrong] of [
+    ["fn parabolic_slot", "s.y - k", "s.nothing() - k"],
+    ["fn cylindrical(", "j.direction(h_j)", "j.direction(h_j, 1.0)"],
+    ["fn own_type", "gains.scaled(r.x)", "gains.scaled(r.nowhere)"],
+  ]) {
+    const slips = await diagnosed("constraints", after, right, wrong);
+    const line = place("constraints", after, right).line;
+    const there = slips.length > 0 && slips.every((d) => Math.abs(d.range.start.line - line) <= 1);
+    expect(`a slip in a body is shown there: ${wrong}`, there, slips.map((d) => `${d.range.start.line + 1}: ${d.message}`));
+  }
 
   // Hover: the types are those that the body sees.
   const slot = "fn parabolic_slot";
