@@ -51,6 +51,8 @@ pub struct Motion {
     pub(crate) singular: Vec<SingularPosition>,
     /// The guess that the first position was found from.
     pub(crate) guess: Vec<f64>,
+    /// Drivers of turns in space that begin beyond a turn, with the angle: bodies there do not show how often they have turned.   \[rad\]
+    pub(crate) beyond_a_turn: Vec<(String, f64)>,
     /// By how much of their norms equations contradict one another, where that was allowed.   \[-\]
     pub(crate) misfit: f64,
 }
@@ -75,6 +77,7 @@ impl Motion {
             events: Vec::new(),
             singular: Vec::new(),
             guess: system.initial().to_vec(),
+            beyond_a_turn: Vec::new(),
             misfit: 0.0,
         }
     }
@@ -149,6 +152,7 @@ impl Motion {
             iterations: self.iterations[first..].to_vec(),
             residuals: self.residuals[first..].to_vec(),
             guess: self.guess.clone(),
+            beyond_a_turn: self.beyond_a_turn.clone(),
             misfit: self.misfit,
             worst: self.worst,
             outputs: Vec::new(),

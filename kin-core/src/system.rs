@@ -6,6 +6,7 @@ pub(crate) mod scale;
 mod states;
 mod terms;
 
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use crate::assembly::Asked;
@@ -19,7 +20,7 @@ use crate::measure::{Limit, kinks};
 use crate::model::Model;
 use crate::newton::Report;
 use crate::units::Units;
-use evaluate::Equations;
+use evaluate::{Block, Equations};
 
 /// A system C(q, t) = 0 of m equations in n coordinates, m ≥ n; built by [`crate::Mechanism::build`].
 ///
@@ -156,6 +157,26 @@ impl System {
     pub(crate) fn knows_jerk(&self) -> Result<()> {
         let still = vec![0.0; self.n_coordinates()];
         self.model().jerk_rhs(&self.initial, 0.0, &still, &still).map(|_| ())
+    }
+
+    /// Drivers of turns in space whose angle at time t is more than a turn.   \[rad\]
+    pub(crate) fn beyond_a_turn(&self, t: f64) -> Vec<(String, f64)> {
+        let mut found = Vec::new();
+        let turns = |block: &&Block| ["drive_turn", "drive_rotation", "drive_orientation"].contains(&block.constraint.kind());
+        let mut all = self.equations.blocks.iter().filter(turns).peekable();
+        if all.peek().is_none() {
+            return found;
+        }
+        let instant = self.equations.instant_at(t, &self.initial);
+        for block in all {
+            block.constraint.laws(&self.equations.at(block, &instant), &mut |_, law, x| {
+                let angle = law.at(x);
+                if angle.is_finite() && angle.abs() > TAU {
+                    found.push((block.name.clone(), angle));
+                }
+            });
+        }
+        found
     }
 
     /// Whether no law of its constraints has a break; a run has to look for those time by time.

@@ -8,6 +8,7 @@ mod limits;
 mod models;
 mod plan;
 mod planar;
+mod planted;
 mod random;
 mod silence;
 mod space;

@@ -58,6 +58,9 @@ pub struct MotionData {
     /// The guess that the first position was found from.   \[m, rad\]
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub guess: Vec<f64>,
+    /// Drivers of turns in space that begin beyond a turn, with the angle.   \[rad\]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub beyond_a_turn: Vec<(String, f64)>,
     /// By how much of their norms equations contradict one another, where that was allowed.   \[-\]
     #[serde(default)]
     pub misfit: f64,
@@ -117,6 +120,7 @@ impl Motion {
             events: self.events.clone(),
             singular_positions: self.singular.clone(),
             guess: self.guess.clone(),
+            beyond_a_turn: self.beyond_a_turn.clone(),
             misfit: self.misfit,
             outputs: self.outputs().iter().map(output).collect(),
         }
@@ -171,6 +175,7 @@ impl Motion {
             events: data.events.clone(),
             singular: data.singular_positions.clone(),
             guess: data.guess.clone(),
+            beyond_a_turn: data.beyond_a_turn.clone(),
             misfit: data.misfit,
             outputs: Vec::new(),
         };
@@ -188,7 +193,8 @@ impl MotionData {
         let happened = self.events.iter().map(|event| &event.t);
         let singular = self.singular_positions.iter().flat_map(SingularPosition::numbers);
         let alone = self.guess.iter().chain([&self.misfit]).chain(&self.times).chain(&self.residuals);
-        alone.chain(rows).chain(happened).chain(singular).copied()
+        let begun = self.beyond_a_turn.iter().map(|(_, angle)| angle);
+        alone.chain(rows).chain(happened).chain(singular).chain(begun).copied()
     }
 }
 

@@ -112,7 +112,8 @@ struct Point<'a>(&'a [f64]);
 
 impl Display for Point<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let all: Vec<String> = self.0.iter().map(|x| number(*x)).collect();
+        let largest = self.0.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        let all: Vec<String> = self.0.iter().map(|x| number(if x.abs() < 1e-6 * largest { 0.0 } else { *x })).collect();
         match &all[..] {
             [one] => f.write_str(one),
             all => write!(f, "({})", all.join(", ")),
@@ -136,13 +137,7 @@ impl Display for Change {
                     _ => write!(f, ", or drop {} of it", rows_named(or_drop)),
                 }
             }
-            Change::Limit { constraint, asks, or } => {
-                write!(f, "let `{constraint}` stay within reach")?;
-                if let Some(Asks { coordinate, stands, .. }) = asks {
-                    write!(f, ", which ends near {coordinate} = {stands:.4}")?;
-                }
-                or.iter().try_for_each(|resize| write!(f, ", or {resize}"))
-            }
+            Change::Limit { constraint, asks, or } => limit(f, constraint, asks.as_ref(), or),
             Change::Allow { closure } => {
                 write!(f, "allow it by `Options::closure({closure:e})`, a share of the mechanism's size")
             }
@@ -173,6 +168,10 @@ impl Display for Change {
             Change::Pin { bodies: [a, b], coordinates: [x, y] } => {
                 write!(f, "join `{a}` and `{b}` by a pin, or drive or hold `{x}` and `{y}`")
             }
+            Change::Loosen { constraints } => {
+                let all: Vec<String> = constraints.iter().take(SHOWN).map(|name| format!("`{name}`")).collect();
+                write!(f, "for a mechanism that moves let one of {} hold less, and add a motor", all.join(", "))
+            }
             Change::Join { body } => write!(f, "join `{body}` to another body or the ground, or leave it out"),
             Change::HoldIdle { bodies } => write!(
                 f,
@@ -181,6 +180,20 @@ impl Display for Change {
             ),
         }
     }
+}
+
+/// "let `motor` stay within reach, which ends near crank.theta = 0.7638, or make `coupler` at least 0.5607 long"
+fn limit(f: &mut Formatter<'_>, constraint: &str, asks: Option<&Asks>, or: &[Resize]) -> Result {
+    match asks.filter(|asks| asks.is_more_than_a_turn()) {
+        Some(asks) => {
+            write!(f, "give `{constraint}` radians, which `deg({:.1})` makes of degrees, or let it stay within reach", asks.asked)?;
+        }
+        None => write!(f, "let `{constraint}` stay within reach")?,
+    }
+    if let Some(Asks { coordinate, stands, .. }) = asks {
+        write!(f, ", which ends near {coordinate} = {stands:.4}")?;
+    }
+    or.iter().try_for_each(|resize| write!(f, ", or {resize}"))
 }
 
 /// "row x", "rows x, y".

@@ -7,6 +7,7 @@ use super::examine::Examined;
 use super::freed::{for_freedoms, out_of_line};
 use super::freedom::Freedom;
 use super::gap::{Asks, Gap};
+use super::order;
 use super::trial::Trial;
 
 /// One thing to change in the model.
@@ -91,6 +92,11 @@ pub enum Change {
         turn: Option<String>,
         /// The bodies that would move with it.
         moves: Vec<String>,
+    },
+    /// Let one of these joints hold less, and add a motor: together they hold everything, and nothing drives.
+    Loosen {
+        /// The joints.
+        constraints: Vec<String>,
     },
     /// Join a body to others: no constraint holds it.
     Join {
@@ -214,8 +220,19 @@ pub(super) fn least(examined: &Examined<'_>, gaps: &[Gap], dependencies: &[Depen
     changes.extend(for_freedoms(examined, freedoms));
     if changes.is_empty() && gaps.is_empty() {
         changes.extend(out_of_line(examined, freedoms));
+        changes.extend(loosened(examined, dependencies));
     }
     changes
+}
+
+/// Of a mechanism without a driver that its joints hold at a special position alone: those of which one could hold less.
+fn loosened(examined: &Examined<'_>, dependencies: &[Dependency]) -> Option<Change> {
+    let model = examined.model();
+    let is_driven = (0..model.m()).any(|row| model.drives(row));
+    let mut constraints: Vec<String> = dependencies.iter().flat_map(Dependency::constraints).map(str::to_string).collect();
+    constraints.sort_by(|a, b| order::natural(a, b));
+    constraints.dedup();
+    (!is_driven && !constraints.is_empty()).then_some(Change::Loosen { constraints })
 }
 
 /// What closes a gap: less asked of a driver, one driver less, or another dimension.

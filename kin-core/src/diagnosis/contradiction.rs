@@ -51,7 +51,11 @@ pub(super) fn place(model: Model<'_>, start: Start<'_>, t: f64, options: &Diagno
         let q = search.polished(&found);
         return Ok(Placed { q, measures: found.measures, gaps: Vec::new(), cures: Vec::new() });
     }
-    Ok(search.suspected(found, drawn))
+    let mut placed = search.suspected(found, drawn);
+    if let Some(drawn) = drawn {
+        placed.gaps.iter_mut().for_each(|gap| gap.seen_from(model.layout, drawn));
+    }
+    Ok(placed)
 }
 
 fn nowhere(t: f64) -> Error {

@@ -63,7 +63,7 @@ fn other_value(examined: &Examined<'_>) -> Option<Elsewhere> {
         let mut own = model.entries(&point.values).filter(|(known, _, value)| *known == row && *value != 0.0);
         let (Some((_, column, _)), None) = (own.next(), own.next()) else { return None };
         let (asked, stands) = (examined.q[column], nearby.q[column]);
-        let asks = Asks { coordinate: model.layout.names[column].clone(), asked, stands };
+        let asks = Asks::new(model.layout.names[column].clone(), asked, stands);
         (asked != stands).then(|| Elsewhere::Drive { constraint: block.name.clone(), asks })
     })
 }

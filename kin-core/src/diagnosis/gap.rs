@@ -1,8 +1,11 @@
 //! What cannot be met, by how much, and what its drivers ask for.
 
+use std::f64::consts::TAU;
+
 use serde::{Deserialize, Serialize};
 
 use crate::assembly::search::Found;
+use crate::layout::{Layout, Unit};
 use crate::model::Model;
 
 /// A constraint that cannot be met together with all others.
@@ -48,9 +51,34 @@ pub struct Asks {
     pub asked: f64,
     /// Where it stands.   \[m or rad\]
     pub stands: f64,
+    /// By how much an angle that is asked of a first position lies beyond its guess; `None` of lengths and of later positions.   \[rad\]
+    #[serde(default)]
+    pub beyond_guess: Option<f64>,
+}
+
+impl Asks {
+    pub(super) fn new(coordinate: String, asked: f64, stands: f64) -> Self {
+        Asks { coordinate, asked, stands, beyond_guess: None }
+    }
+
+    /// Whether an angle is asked for that is more than a turn from its guess, as degrees in the place of radians are.
+    pub(super) fn is_more_than_a_turn(&self) -> bool {
+        self.beyond_guess.is_some_and(|beyond| beyond.abs() > TAU)
+    }
+
+    fn seen_from(&mut self, layout: &Layout, guess: &[f64]) {
+        let column = layout.names.iter().position(|name| *name == self.coordinate);
+        self.beyond_guess = column.filter(|column| layout.units[*column] == Unit::Radian).map(|column| self.asked - guess[column]);
+    }
 }
 
 impl Gap {
+    /// Notes how far angles that are asked for are from their guess.
+    pub(super) fn seen_from(&mut self, layout: &Layout, guess: &[f64]) {
+        let others = self.against.iter_mut().filter_map(|other| other.asks.as_mut());
+        self.asks.iter_mut().chain(others).for_each(|asks| asks.seen_from(layout, guess));
+    }
+
     /// |C| of the constraint: the length of the gap for a joint that holds two points together.   \[unit of the row\]
     pub fn size(&self) -> f64 {
         self.residual.iter().map(|c| c * c).sum::<f64>().sqrt()
@@ -90,5 +118,5 @@ fn asks(model: &Model<'_>, found: &Found, t: f64, rows: std::ops::Range<usize>) 
     q[column] -= c / value;
     let rounding = 1e-9 * c.abs() + 1e-12 * (value * found.measures.sizes[column]).abs();
     let reached = model.linearize(&q, t).is_ok_and(|point| point.c[rows.start].abs() <= rounding);
-    reached.then(|| Asks { coordinate: model.layout.names[column].clone(), asked: q[column], stands })
+    reached.then(|| Asks::new(model.layout.names[column].clone(), q[column], stands))
 }

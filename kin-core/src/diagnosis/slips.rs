@@ -159,11 +159,16 @@ impl Looked<'_> {
         let told = |(i, j): (&PointAt, &PointAt)| {
             let ends = self.is_end(&j.value, i.item, i.block) && (j.item.is_none() || self.is_end(&i.value, j.item, i.block))
                 || i.item.is_none() && self.is_end(&i.value, j.item, i.block) && !self.is_end(&j.value, j.item, i.block);
-            let one_is_right = self.is_end(&i.value, i.item, i.block) && self.is_end(&j.value, j.item, i.block);
+            // A link and a body of any other shape: the link's end is given for that body, and a point that is no end for the link.
+            let foreign_end = |own: &PointAt, other: &PointAt| self.is_end(&other.value, own.item, i.block) && other.item.is_some();
+            let link = foreign_end(i, j) || foreign_end(j, i);
+            let [i_is_right, j_is_right] = [i, j].map(|point| self.is_end(&point.value, point.item, i.block));
+            let one_is_right = i_is_right && j_is_right;
             let drawn = |a: &PointAt, u: &PointAt| self.global(a, &u.value);
             let meet = |a: Option<[f64; 3]>, b: Option<[f64; 3]>| matches!((a, b), (Some(a), Some(b)) if !self.apart(a, b));
             let as_drawn = meet(drawn(i, j), drawn(j, i)) && !meet(drawn(i, i), drawn(j, j));
-            if !((ends && !one_is_right) || as_drawn) || i.value == j.value {
+            let likely = ends && !one_is_right || link && !i_is_right && !j_is_right || as_drawn;
+            if !likely || i.value == j.value {
                 return None;
             }
             let works = self.works(|equations| {

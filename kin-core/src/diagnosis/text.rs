@@ -96,7 +96,8 @@ impl Diagnosis {
         let stiff = self.freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Infinitesimal);
         let names: Vec<String> = stiff.flat_map(|freedom| &freedom.motions).flat_map(|motion| motion.names.clone()).collect();
         if !names.is_empty() {
-            write!(f, "\n  special position: {} stand in line or the like, and give a little, to first order only.", list(&names))?;
+            let (give, move_on) = if names.len() == 1 { ("gives", "moves") } else { ("give", "move") };
+            write!(f, "\n  special position: {} {give} a little, as bars in line do, and {move_on} no further.", list(&names))?;
         }
         Ok(())
     }
@@ -168,7 +169,8 @@ impl Display for GapLine<'_> {
         match &gap.asks {
             Some(asks) => {
                 let (coordinate, [asked, stands]) = (&asks.coordinate, different(asks.asked, asks.stands));
-                write!(f, "{what}: `{name}` asks for {coordinate} = {asked}; {with} it stands at {stands}.")
+                let turn = if asks.is_more_than_a_turn() { ", more than a turn from its guess" } else { "" };
+                write!(f, "{what}: `{name}` asks for {coordinate} = {asked}{turn}; {with} it stands at {stands}.")
             }
             None => write!(f, "{what}: `{name}` cannot be met; {with} it is off by {} at the least.", number(gap.size())),
         }?;
@@ -184,7 +186,10 @@ impl GapLine<'_> {
     fn named(&self, names: &[String]) -> String {
         let asks = |name: &String| self.0.against.iter().find(|against| against.constraint == *name);
         let drivers = names.iter().filter_map(asks).map(|Against { constraint, asks }| match asks {
-            Some(Asks { coordinate, asked, .. }) => format!("`{constraint}` ({coordinate} = {asked:.4})"),
+            Some(asks) => {
+                let turn = if asks.is_more_than_a_turn() { ", more than a turn from its guess" } else { "" };
+                format!("`{constraint}` ({} = {:.4}{turn})", asks.coordinate, asks.asked)
+            }
             None => format!("`{constraint}`"),
         });
         let drivers: Vec<String> = drivers.collect();

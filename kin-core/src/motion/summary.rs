@@ -38,7 +38,10 @@ impl Motion {
         if !told.is_empty() {
             text += &format!("\n  first position, from where it is drawn: {}", told.join(", "));
         }
-        for hint in displaced.iter().filter_map(|body| body.hint.as_ref()).take(SHOWN) {
+        let begun = self.beyond_a_turn.iter().map(|(driver, angle)| {
+            format!("`{driver}` begins at {angle:.1} rad, more than a turn: angles are radians, `deg({angle:.1})` makes them of degrees.")
+        });
+        for hint in begun.chain(displaced.into_iter().filter_map(|body| body.hint)).take(SHOWN) {
             text += &format!("\n  hint: {hint}");
         }
         text

@@ -24,6 +24,7 @@ pub(crate) fn run(system: &System, times: &[f64], options: &Options, explain: Ex
             return Err(run.failed(error, motion));
         }
     }
+    motion.beyond_a_turn = times.first().map(|&t| system.beyond_a_turn(t)).unwrap_or_default();
     Ok(motion)
 }
 
