@@ -100,7 +100,7 @@ fn result<N: Number>(graph: &Graph, node: Node, known: &Results<N>, source: &imp
         Op::Decimal(k) => graph.decimals.get(k).map_or(N::constant(f64::NAN), |decimal| N::decimal(decimal.nearest, decimal.above)),
         Op::Add(a, b) => of(a) + of(b),
         Op::Sub(a, b) => of(a) - of(b),
-        Op::Mul(a, b) if a == b => of(a).square(),
+        Op::Mul(a, b) if a == b => of(a).squared(),
         Op::Mul(a, b) => of(a) * of(b),
         Op::Div(a, b) => of(a) / of(b),
         Op::Fma(a, b, c) => of(a).fma(of(b), of(c)),

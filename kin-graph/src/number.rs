@@ -28,7 +28,7 @@ pub trait Number: Clone + Neg<Output = Self> + Add<Output = Self> + Sub<Output =
     fn powi(self, n: i32) -> Self;
 
     /// self · self, where it is known that both factors are the same number.
-    fn square(self) -> Self {
+    fn squared(self) -> Self {
         self.clone() * self
     }
 

@@ -42,7 +42,7 @@ const _: () = {
         let phi = p.y.atan2(p.x);
         p.norm() - profile.at(phi)
             + (&::kin::rt::Foreign(
-                wear(
+                (wear)(
                     ::kin::rt::plain_argument(phi),
                     ::kin::rt::plain_argument(MOST_WEAR),
                 ),

@@ -1,6 +1,6 @@
 use kin::prelude::*;
 
-const UP: Vec2 = vec2(0.0, 1.0);
+const UP: Vec2 = Vec2 { x: 0.0, y: 1.0 };
 
 #[constraint]
 fn level(x: Coord) -> f64 {

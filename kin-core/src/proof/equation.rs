@@ -76,7 +76,7 @@ impl Number for Series {
         Series::powi(self, n)
     }
 
-    fn square(self) -> Self {
+    fn squared(self) -> Self {
         self.sqr()
     }
 

@@ -137,7 +137,11 @@ impl Reader {
         match self.select(condition, a, b) {
             Some(value) => Ok(value),
             None if open(a) || open(b) => Err(Unreadable::new(at, "branches of kinds that cannot be joined here")),
-            None => Ok(self.mistake(at, format!("the branches differ: {} and {}", a.name(), b.name()))),
+            None => {
+                let nothing = |value: &Value| matches!(value, Value::Tuple(all) if all.is_empty());
+                let cure = if nothing(a) || nothing(b) { "; give the other one a value too, as in `else { 0.0 }`" } else { "" };
+                Ok(self.mistake(at, format!("the branches differ: {} and {}{cure}", a.name(), b.name())))
+            }
         }
     }
 

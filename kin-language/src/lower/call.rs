@@ -28,11 +28,14 @@ impl Reader {
         let arguments = self.expressions(call.args.iter())?;
         match callee.referent() {
             Value::Function(function) => self.apply(&function, arguments, &places, call),
-            Value::Opaque(Template::Path(path)) => self.call_path(&path, arguments, &places, call),
+            Value::Opaque(Template::Path(path, _)) => self.call_path(&path, arguments, &places, call),
             Value::Opaque(template) if !template.has_choice() => self.own_function(template, arguments, &places, call),
             Value::Opaque(_) => Err(Unreadable::new(&call.func, "a call of one of two functions")),
             value @ (Value::Poison | Value::Never) => Ok(value),
-            other => Ok(self.mistake(&call.func, format!("{} cannot be called", other.name()))),
+            other => {
+                let name = super::tidy(&call.func.to_token_stream().to_string());
+                Ok(self.mistake(&call.func, not_called(&other, &name)))
+            }
         }
     }
 
@@ -50,12 +53,12 @@ impl Reader {
                 if let Some(k) = arguments.iter().position(|value| self.value_varies(value)) {
                     return Ok(self.no_derivative(function, call.place(k)));
                 }
-                self.own_function(Template::Path(path.clone()), arguments, places, at)
+                self.own_function(Template::path(path), arguments, places, at)
             }
             ["f64", function] => self.number_function(function, arguments, &call),
             [.., "array", "from_fn"] if arguments.len() == 1 => self.array_from_fn(arguments, &call),
             _ => {
-                let path = Template::Path(call.path.clone());
+                let path = Template::path(call.path);
                 self.own_function(path, arguments, places, at)
             }
         }
@@ -73,7 +76,7 @@ impl Reader {
     fn numbers(&mut self, n: usize, arguments: Vec<Value>, call: &Call) -> Option<Vec<Node>> {
         if arguments.len() != n {
             let name = super::tidy(&call.path.to_token_stream().to_string());
-            self.mistake(call.path, format!("`{name}` takes {n} number{}, not {}", if n == 1 { "" } else { "s" }, arguments.len()));
+            self.mistake(call.path, super::counted(&format!("`{name}`"), n, "number", arguments.len()));
             return None;
         }
         Some(arguments.into_iter().enumerate().map(|(k, value)| self.scalar(value, call.place(k))).collect())
@@ -158,7 +161,7 @@ impl Reader {
             (1, Some(Value::Scalar(n))) => Ok(Value::Scalar(n)),
             (1, Some(value)) => {
                 let template = self.template(value, call.at)?;
-                Ok(Value::Opaque(Template::Call(Box::new(Template::Path(call.path.clone())), vec![template], last_span(call.at))))
+                Ok(Value::Opaque(Template::Call(Box::new(Template::path(call.path)), vec![template], last_span(call.at))))
             }
             _ => Ok(self.mistake(call.at, "`f64::from` takes one argument")),
         }
@@ -220,7 +223,7 @@ impl Reader {
             let place = places.get(k).map_or(at, |place| *place as &dyn ToTokens);
             templates.push(self.template(value, place)?);
         }
-        let std = matches!(&callee, Template::Path(path) if is_std_function(path));
+        let std = matches!(&callee, Template::Path(path, _) if is_std_function(path));
         if std && templates.iter().any(|template| !template.nodes().is_empty()) {
             return Err(Unreadable::new(at, "this function of the standard library"));
         }
@@ -254,6 +257,17 @@ struct Call<'a> {
 impl Call<'_> {
     fn place(&self, k: usize) -> &dyn ToTokens {
         self.places.get(k).map_or(self.at, |place| *place as &dyn ToTokens)
+    }
+}
+
+/// That what is called is no function, and what was meant by it.
+fn not_called(value: &Value, name: &str) -> String {
+    match value {
+        Value::Law(_) => format!("`{name}` is a Law: ask it for a value with `{name}.at(x)`"),
+        Value::Scalar(_) => format!("`{name}` is a number, which cannot be called; a product is written `{name} * x`"),
+        Value::Vector(_) => format!("`{name}` is {}, which cannot be called; its components are fields, `{name}.x`", value.name()),
+        Value::Array(_) => format!("`{name}` is {}, which cannot be called; an element of it is `{name}[0]`", value.name()),
+        _ => format!("`{name}` is {}, which cannot be called", value.name()),
     }
 }
 

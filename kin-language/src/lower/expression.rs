@@ -1,7 +1,9 @@
 //! Expressions: the table of what is read how.
 
+use std::rc::Rc;
+
 use quote::ToTokens;
-use syn::{Expr, ExprLit, Lit, Member};
+use syn::{Expr, ExprLit, Ident, Lit, Member};
 
 use super::function::Function;
 use super::integer::IntegerType;
@@ -96,8 +98,18 @@ impl Reader {
                 }
             }
             None if super::call::is_number_function(path) => Ok(Value::Function(Function::Path(std::rc::Rc::new(path.clone())))),
-            None => Ok(Value::Opaque(Template::Path(path.clone()))),
+            None => Ok(Value::Opaque(Template::Path(path.clone(), self.variables_beside(path)))),
         }
+    }
+
+    /// The variables around a word in small letters.
+    fn variables_beside(&self, path: &syn::ExprPath) -> Rc<[Ident]> {
+        let Some(word) = path.path.get_ident() else { return Rc::from([]) };
+        if word.to_string().chars().any(char::is_uppercase) {
+            return Rc::from([]);
+        }
+        let names = self.scopes.variables().into_iter().filter_map(|name| syn::parse_str::<Ident>(name).ok());
+        names.map(|name| at(name, path)).collect()
     }
 
     fn reference(&mut self, reference: &syn::ExprReference) -> Read {
@@ -308,6 +320,9 @@ fn field_cure(base: &Value, name: &str) -> &'static str {
         (Value::Spatial(_), "theta") => "; a spatial body has Euler parameters, `p`",
         (Value::Spatial(_), _) => "; it has `r`, `p`, and the methods `a()`, `point(u)`, `direction(h)`, `local(p)`",
         (Value::Axis(_), _) => "; it has `h`, and `f` and `g` across it",
+        (Value::Vector(v), _) if v.len() == 2 => "; it has `x` and `y`",
+        (Value::Vector(_), _) => "; it has `x`, `y` and `z`",
+        (Value::Euler(_), _) => "; it has `e0`, `e1`, `e2` and `e3`",
         (Value::Law(_), _) => "; ask it for a value with `.at(x)`",
         _ => "",
     }

@@ -50,7 +50,7 @@ impl Reader {
     pub fn function(&mut self, value: Value, at: &Expr) -> Read<Function> {
         match value {
             Value::Function(function) => Ok(function),
-            Value::Opaque(Template::Path(path)) => Ok(Function::Path(Rc::new(path))),
+            Value::Opaque(Template::Path(path, _)) => Ok(Function::Path(Rc::new(path))),
             _ => Err(Unreadable::new(at, "a function that is not a closure")),
         }
     }
@@ -72,7 +72,7 @@ impl Reader {
 
     fn apply_closure(&mut self, closure: &Closure, arguments: Vec<Value>, at: &dyn ToTokens) -> Read {
         if closure.inputs.len() != arguments.len() {
-            let text = format!("this closure takes {} arguments, not {}", closure.inputs.len(), arguments.len());
+            let text = super::counted("this closure", closure.inputs.len(), "argument", arguments.len());
             return Ok(self.mistake(at, text));
         }
         let mut scopes = closure.scopes.clone();
@@ -90,7 +90,7 @@ impl Reader {
     /// A function inside the body sees none of its variables.
     fn apply_inner(&mut self, item: &ItemFn, depth: usize, arguments: Vec<Value>, at: &dyn ToTokens) -> Read {
         if item.sig.inputs.len() != arguments.len() {
-            let text = format!("`{}` takes {} arguments, not {}", item.sig.ident, item.sig.inputs.len(), arguments.len());
+            let text = super::counted(&format!("`{}`", item.sig.ident), item.sig.inputs.len(), "argument", arguments.len());
             return Ok(self.mistake(at, text));
         }
         let scopes = self.scopes.around_function(depth);

@@ -285,6 +285,11 @@ impl Reader {
     }
 }
 
+/// "`vec2` takes 2 numbers, not 1"
+fn counted(what: &str, takes: usize, of: &str, given: usize) -> String {
+    format!("{what} takes {takes} {of}{}, not {given}", if takes == 1 { "" } else { "s" })
+}
+
 /// A token stream's text without the blanks that nobody writes.
 pub fn tidy(text: &str) -> String {
     let mut text = text.to_owned();

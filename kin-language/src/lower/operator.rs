@@ -79,9 +79,13 @@ impl Reader {
 
     /// `left op right`.
     fn operate(&mut self, op: BinOp, left: Value, right: Value, at: &ExprBinary) -> Read {
+        let number = |value: &Value| matches!(value, Value::Scalar(_) | Value::Vector(_));
         Ok(match (left, right) {
             (Value::Poison, _) | (_, Value::Poison) => Value::Poison,
             (Value::Never, _) | (_, Value::Never) => Value::Never,
+            (left, right) if matches!(op, BinOp::BitXor(_)) && (number(&left) || number(&right)) => {
+                self.mistake(&at.op, "`^` is no power: write `x.powi(2)`, or `x.powf(y)` where the exponent is no whole number")
+            }
             (Value::Opaque(a), Value::Opaque(b)) => self.operate_opaque(op, a, b, at)?,
             (Value::Opaque(a), right) => self.operate_beside(op, a, right, false, at)?,
             (left, Value::Opaque(b)) => self.operate_beside(op, b, left, true, at)?,

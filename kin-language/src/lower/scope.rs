@@ -1,6 +1,6 @@
 //! Variables while the body is read.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 use super::value::Value;
 
@@ -64,6 +64,11 @@ impl Scopes {
         }
         let last = self.scopes.len() - 1;
         &mut self.scopes[last]
+    }
+
+    /// The names of all variables that are seen, each once.
+    pub fn variables(&self) -> BTreeSet<&str> {
+        self.scopes.iter().flat_map(|scope| scope.variables.keys().map(String::as_str)).collect()
     }
 
     pub fn get(&self, name: &str) -> Option<&Value> {

@@ -1,5 +1,7 @@
 //! Expressions that only rustc understands: emitted code repeats them as the user wrote them, with values of the graph put in.
 
+use std::rc::Rc;
+
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::ToTokens;
 
@@ -11,8 +13,9 @@ use kin_graph::Node;
 pub enum Template {
     /// As written.
     Tokens(TokenStream),
-    /// A path that is no variable: a constant, or the name of a function.
-    Path(syn::ExprPath),
+    /// A path that is no variable: a constant, or the name of a function. Of a word in small letters, which may be a slip of the pen, the variables
+    /// around it too: rustc then says the same of it in every copy of the body, and once.
+    Path(syn::ExprPath, Rc<[Ident]>),
     /// Values of the graph, with the place they come from.
     Numbers(Vec<Node>, Shape, Span),
     /// A field of the constraint: a parameter whose type only rustc knows.
@@ -37,6 +40,11 @@ pub enum Template {
 }
 
 impl Template {
+    /// A path by itself.
+    pub fn path(path: &syn::ExprPath) -> Self {
+        Template::Path(path.clone(), Rc::from([]))
+    }
+
     /// The values of the graph in it, in order.
     pub fn nodes(&self) -> Vec<Node> {
         let mut nodes = Vec::new();
@@ -87,7 +95,7 @@ impl Template {
 
     fn parts(&self) -> Vec<&Template> {
         match self {
-            Template::Tokens(_) | Template::Path(_) | Template::Numbers(..) | Template::Parameter(_) => vec![],
+            Template::Tokens(_) | Template::Path(..) | Template::Numbers(..) | Template::Parameter(_) => vec![],
             Template::Call(callee, all, _) => std::iter::once(&**callee).chain(all).collect(),
             Template::Method(receiver, _, all) => std::iter::once(&**receiver).chain(all).collect(),
             Template::Tuple(all) | Template::Array(all) => all.iter().collect(),
@@ -106,7 +114,7 @@ impl Template {
         let list = |all: &[Template]| all.iter().map(Template::key).collect::<Vec<_>>().join(", ");
         match self {
             Template::Tokens(tokens) => tokens.to_string(),
-            Template::Path(path) => path.to_token_stream().to_string(),
+            Template::Path(path, _) => path.to_token_stream().to_string(),
             Template::Numbers(nodes, shape, _) => format!("{nodes:?}: {shape:?}"),
             Template::Parameter(name) => format!("self.{name}"),
             Template::Call(callee, all, _) => format!("({})({})", callee.key(), list(all)),

@@ -19,15 +19,24 @@ pub fn take(attributes: &mut Vec<Attribute>, word: &str, mistakes: &mut Mistakes
     let (own, others) = attributes.drain(..).partition(|attribute| attribute.path().is_ident(word));
     *attributes = others;
     let own: Vec<Attribute> = own;
-    own.iter().filter_map(|attribute| mistakes.catch(attribute.parse_args_with(demand))).collect()
+    own.iter().filter_map(|attribute| mistakes.catch(attribute.parse_args_with(|input: ParseStream| demand(input, word)))).collect()
 }
 
-fn demand(input: ParseStream) -> syn::Result<Demand> {
-    let condition: Expr = input.parse()?;
+fn demand(input: ParseStream, word: &str) -> syn::Result<Demand> {
+    let form =
+        |error: syn::Error| syn::Error::new(error.span(), format!("write a condition, and a text if it needs one: {}", form_of(word)));
+    let condition: Expr = input.parse().map_err(form)?;
     let _: Option<Token![,]> = input.parse()?;
     let text = match input.is_empty() {
         true => format!("`{}` does not hold", tidy(&condition.to_token_stream().to_string())),
-        false => input.parse::<LitStr>()?.value(),
+        false => input.parse::<LitStr>().map_err(form)?.value(),
     };
     Ok(Demand { condition, text })
+}
+
+fn form_of(word: &str) -> &'static str {
+    match word {
+        "branch" => "`#[branch(h_i.dot(h_j) > 0.0, \"its axes are opposite\")]`",
+        _ => "`#[require(length > 0.0, \"a rod has a length\")]`",
+    }
 }

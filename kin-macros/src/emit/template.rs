@@ -104,7 +104,11 @@ impl Writer<'_> {
                     Site::Kernel | Site::Check => quote!(::kin::rt::plain_argument(#written)),
                 }
             }
-            Template::Path(path) => path.to_token_stream(),
+            Template::Path(path, around) if around.is_empty() || using == Use::Place => path.to_token_stream(),
+            Template::Path(path, around) => {
+                let (names, units) = (around.iter(), around.iter().map(|_| quote!(())));
+                quote!({ let [#(#names),*] = [#(#units),*]; #path })
+            }
             Template::Parameter(name) => {
                 let place = if let Site::Check = self.site { quote!(__self.#name) } else { quote!(self.#name) };
                 if using == Use::Place { place } else { quote!(#place.clone()) }
@@ -169,18 +173,18 @@ impl Writer<'_> {
     }
 
     fn call(&mut self, callee: &Template, all: &[Template], at: Span) -> TokenStream {
-        let std = matches!(callee, Template::Path(path) if is_std_function(path));
+        let std = matches!(callee, Template::Path(path, _) if is_std_function(path));
         let using = match callee {
             _ if std => Use::Value,
-            Template::Path(path) if is_type_name(path) => Use::Field,
+            Template::Path(path, _) if is_type_name(path) => Use::Field,
             _ => Use::Argument,
         };
         let callee = match callee {
             // Of unknown type where the function as it was written does not compile: what is wrong with the call is said once.
-            Template::Path(path) if using == Use::Argument && !matches!(self.site, Site::Check) => {
+            Template::Path(path, _) if using == Use::Argument && !matches!(self.site, Site::Check) => {
                 quote_spanned!(Span::mixed_site().located_at(path.span())=> ::kin::rt::callee::<__SOUND, _>(#path))
             }
-            Template::Path(path) => path.to_token_stream(),
+            Template::Path(path, _) => path.to_token_stream(),
             other => {
                 let place = self.write(other, Use::Place);
                 quote!((#place))

@@ -52,6 +52,7 @@ impl Reader {
             (Value::Condition(_), "then" | "then_some" | "not" | "cmp" | "eq" | "ne", _) => {
                 Err(Unreadable::new(&whole.method, format!("`{}` of a condition", call.name)))
             }
+            (Value::Condition(_), ..) => Ok(self.unknown(&call, "a condition", "; a number of it is `if … { 1.0 } else { 0.0 }`")),
             (other, ..) => Ok(self.unknown(&call, &other.name(), "")),
         }
     }
@@ -64,7 +65,7 @@ impl Reader {
     fn counted(&mut self, count: usize, call: &Call) -> bool {
         let found = call.arguments.len();
         if found != count {
-            let text = format!("`{}` takes {count} argument{}, not {found}", call.name, if count == 1 { "" } else { "s" });
+            let text = super::counted(&format!("`{}`", call.name), count, "argument", found);
             self.mistake(&call.whole.method, text);
         }
         found == count

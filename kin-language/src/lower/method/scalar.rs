@@ -6,7 +6,7 @@ use super::Call;
 use crate::lower::integer::{self, IntegerType};
 use crate::lower::template::Template;
 use crate::lower::value::Value;
-use crate::lower::{Read, Reader, Unreadable, first_span};
+use crate::lower::{Read, Reader, Unreadable, counted, first_span};
 use crate::parse::Shape;
 use crate::vocabulary::is_underived;
 use kin_graph::{Function, Function2, Node};
@@ -107,9 +107,21 @@ impl Reader {
                 let x = g.call2(Function2::Max, x, *low);
                 g.call2(Function2::Min, x, *high)
             }
-            _ => return self.mistake(at, format!("`{name}` takes another number of arguments")),
+            _ => return self.miscounted(name, 1 + arguments.len(), at),
         };
         Value::Scalar(y)
+    }
+
+    /// That a function of f64's is given too few numbers or too many, the one before the dot among them.
+    fn miscounted(&mut self, name: &str, given: usize, at: &dyn ToTokens) -> Value {
+        let (takes, form) = match name {
+            "mul_add" | "clamp" => (3, format!("x.{name}(a, b)")),
+            "copysign" | "log" => (2, format!("x.{name}(y)")),
+            _ if Function2::from_method(name).is_some() => (2, format!("x.{name}(y)")),
+            _ => (1, format!("x.{name}()")),
+        };
+        let text = counted(&format!("`{name}`"), takes, "number", given);
+        self.mistake(at, format!("{text}: it is written `{form}`"))
     }
 
     pub(super) fn integer_method(&mut self, k: i64, ty: Option<IntegerType>, call: &Call) -> Read {

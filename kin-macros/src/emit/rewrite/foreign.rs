@@ -128,11 +128,12 @@ impl Rewriter {
     }
 
     /// The user's function in the dual copy: of unknown type where the function as it was written does not compile, so that what is wrong with
-    /// the call is said once.
+    /// the call is said once. In the plain copy it is in parentheses: where there is no such function, rustc then says the same of both.
     fn callee(&self, callee: &mut Expr) {
-        if self.copy == Copy::Dual {
-            *callee = parse_quote_spanned!(mixed(callee)=> ::kin::rt::callee::<__SOUND, _>(#callee));
-        }
+        *callee = match self.copy {
+            Copy::Dual => parse_quote_spanned!(mixed(callee)=> ::kin::rt::callee::<__SOUND, _>(#callee)),
+            Copy::Plain => parse_quote_spanned!(callee.span()=> (#callee)),
+        };
     }
 
     /// A call of a closure or function of the body's own.
