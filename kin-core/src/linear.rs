@@ -76,6 +76,7 @@ pub(crate) struct Linear {
     /// Both as they were when they were last confirmed, where they have grown since.
     confirmed: [Vec<f64>; 2],
     provisional: bool,
+    faint: bool,
     /// 1 / norm_i, and s_j / top_j.
     row_units: Fours,
     column_units: Vec<f64>,
@@ -130,6 +131,7 @@ impl Linear {
             tops: vec![0.0; n],
             confirmed: [vec![0.0; n], vec![0.0; n]],
             provisional: false,
+            faint: false,
             row_units: Fours::new(n, 1.0),
             column_units: vec![1.0; n],
             limits,

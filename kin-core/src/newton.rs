@@ -178,7 +178,8 @@ impl<'a> Newton<'a> {
         if self.linear.is_provisional() && !self.measured_here() {
             return Err(Failure::Singular);
         }
-        if self.linear.smallest_pivot() < SIMILAR * DOUBTFUL && self.is_singular() {
+        let is_doubtful = self.linear.smallest_pivot() < SIMILAR * DOUBTFUL || self.linear.is_faint();
+        if is_doubtful && self.is_singular() {
             return Err(Failure::Singular);
         }
         if let Some(block) = self.system.equations().first_wrong(&self.instant) {

@@ -59,6 +59,29 @@ fn solver_and_diagnosis_have_one_cut_for_ranks() {
     }
 }
 
+/// A scissor lift, one of whose links is put together on top of the other: then both guides of its table hold the same, and it turns freely.
+#[test]
+fn a_coordinate_that_only_rounding_holds_is_free() {
+    let mut m = Mechanism::new("lift");
+    let a = m.link_between("a", vec2(0.0, 0.0), vec2(1.0, 0.8)).unwrap();
+    let b = m.link("b", 1.64_f64.sqrt()).unwrap();
+    let (g, table, o, along) = (m.ground(), m.planar("table", pose(0.0, 0.8, 0.0)).unwrap(), vec2(0.0, 0.0), vec2(1.0, 0.0));
+    m.add("foot a", revolute(a, g, a.start(), o)).unwrap();
+    m.add("cross", revolute(a, b, o, o)).unwrap();
+    m.add("top b", revolute(b, table, b.end(), o)).unwrap();
+    m.add("roller b", point_on_line(b, g, b.start(), vec2(1.0, 0.0), along)).unwrap();
+    m.add("roller a", point_on_line(a, table, a.end(), o, along)).unwrap();
+    m.add("motor", drive_angle(a, Law::linear(0.6, 0.2))).unwrap();
+    let system: System = m.build().unwrap();
+    // Of the pose beside the guess all say so; assembly finds the other one, of a lift that is one.
+    let found = system.diagnose(0.0).unwrap();
+    assert!(found.rank == 8 && found.to_string().contains("`table`"), "{found}");
+    assert!(!agreed(&system));
+    let lift = system.position(0.0).unwrap();
+    assert!(lift.report.smallest_pivot > 0.1 && (lift.q[5] + 0.6 + PI).sin().abs() < 1e-12, "{lift:?}");
+    assert!((lift.qd[7] - 0.2 * 1.64_f64.sqrt() * 0.6_f64.cos()).abs() < 1e-12, "{lift:?}");
+}
+
 /// Two bars in line, and a parallelogram at its change point: the refusal of a position carries the verdict of the diagnosis.
 #[test]
 fn refusal_and_diagnosis_tell_the_same_rank() {

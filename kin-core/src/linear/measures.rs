@@ -1,6 +1,6 @@
 //! How large rows and columns are, and have been: by these pivots are chosen and judged.
 
-use super::{Linear, SLACK};
+use super::{Linear, RANK, SLACK};
 use crate::fours::{self, Fours};
 
 impl Linear {
@@ -17,6 +17,11 @@ impl Linear {
     /// s_j over the largest share of each column; what a unit of the measured unknown is.
     pub(crate) fn column_units(&self) -> &[f64] {
         &self.column_units
+    }
+
+    /// Whether a column is so small that only a look at the whole tells it from zero.
+    pub(crate) fn is_faint(&self) -> bool {
+        self.faint
     }
 
     /// Forgets how large rows and columns have been.
@@ -90,6 +95,7 @@ impl Linear {
                 *limit = SLACK * self.norms[i] * self.tops[j].min(1.0) / self.sizes[j];
             }
         }
+        self.faint = self.tops.iter().any(|top| *top <= RANK);
         (self.told, self.settled) = (false, false);
     }
 }
