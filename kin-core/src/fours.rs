@@ -121,9 +121,9 @@ pub(crate) fn add(x: &mut [Four], y: &[Four]) {
 }
 
 /// How far q + h q̇ + ½ h² q̈ from either end of a step h is from the other end, by shares, and how far the ends are apart, by `turns`; the
-/// largest of each.
+/// largest of each. Where something is not a number the first is none either: the larger of two numbers says nothing of that.
 pub(crate) fn miss(h: f64, from: [&Fours; 3], to: [&Fours; 3], shares: &Fours, turns: &Fours) -> [f64; 2] {
-    let (h, half, mut miss, mut reach) = (f64x4::splat(h), f64x4::splat(0.5 * h), f64x4::ZERO, f64x4::ZERO);
+    let (h, half, mut miss, mut reach, mut all) = (f64x4::splat(h), f64x4::splat(0.5 * h), f64x4::ZERO, f64x4::ZERO, f64x4::ZERO);
     let [q, qd, qdd] = from.map(|x| x.whole().iter());
     let [r, rd, rdd] = to.map(|x| x.whole().iter());
     let ends = q.zip(qd).zip(qdd).zip(r).zip(rd).zip(rdd);
@@ -133,8 +133,10 @@ pub(crate) fn miss(h: f64, from: [&Fours; 3], to: [&Fours; 3], shares: &Fours, t
         let (forward, back) = (d - h * (qd + half * qdd), d - h * (rd - half * rdd));
         miss = miss.fast_max(forward.abs().fast_max(back.abs()) * share);
         reach = reach.fast_max(d.abs() * turn);
+        all += forward + back;
     }
-    [miss, reach].map(|most| most.to_array().into_iter().fold(0.0, f64::max))
+    let [miss, reach] = [miss, reach].map(|most| most.to_array().into_iter().fold(0.0, f64::max));
+    [if all.reduce_add().is_nan() { f64::NAN } else { miss }, reach]
 }
 
 /// Defines a walk over the fours of two vectors side by side. Vectors of mechanisms are short: up to three fours, and what is left of more after

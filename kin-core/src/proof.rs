@@ -46,6 +46,10 @@ mod bounds;
 mod edges;
 mod elementary;
 mod equation;
+#[cfg(test)]
+mod exact;
+#[cfg(test)]
+mod formulas;
 mod functions;
 pub(crate) mod held;
 #[cfg(test)]
@@ -175,12 +179,12 @@ impl System {
                 Curve::still(motion.q(k), t).around(&Test { bounds: &bounds, sizes: &sizes }, [0.0, 1.0]).map_err(|fault| (t, fault))
             })
             .collect();
-        let steps = (0..motion.len().saturating_sub(1)).into_par_iter().map(|k| {
-            let ends = [all[k].as_ref().map_err(Clone::clone), all[k + 1].as_ref().map_err(Clone::clone)];
-            let [first, last] = ends;
-            let around = first.and_then(|first| step(&bounds, &sizes, motion, k, [first, last?]));
-            let (from, to) = (motion.times()[k], motion.times()[k + 1]);
-            StepProof { step: k, from, to, tube: around.map(Tube::from).map_err(&failed) }
+        let times = motion.times();
+        let ends = all.par_iter().zip(all.get(1..).unwrap_or_default()).zip(times.par_iter().zip(times.get(1..).unwrap_or_default()));
+        let steps = ends.enumerate().map(|(k, ((first, last), (from, to)))| {
+            let both = first.as_ref().and_then(|first| Ok([first, last.as_ref()?])).map_err(Clone::clone);
+            let around = both.and_then(|ends| step(&bounds, &sizes, motion, k, ends));
+            StepProof { step: k, from: *from, to: *to, tube: around.map(Tube::from).map_err(&failed) }
         });
         let steps = steps.collect();
         Ok(Proof {
@@ -290,5 +294,56 @@ impl Proof {
 impl fmt::Display for Proof {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         text::proof(self, f)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::joints::drivers::drive;
+    use crate::{Law, Mechanism};
+
+    /// So many lengths, each with a motor.
+    fn lengths(count: usize) -> System {
+        let mut m = Mechanism::new("row");
+        for k in 0..count {
+            let x = m.length(&format!("x{k}"), 0.0).unwrap();
+            m.add(&format!("motor {k}"), drive(x, Law::linear(0.1, 1.0))).unwrap();
+        }
+        m.build().unwrap()
+    }
+
+    #[test]
+    fn the_largest_mechanism_that_is_proved() {
+        let prove = |system: System| system.prove(&system.run([0.0]).unwrap());
+        assert!(prove(lengths(110)).unwrap().is_complete());
+        let error = prove(lengths(401)).unwrap_err().to_string();
+        assert!(error.contains("it has 401 coordinates; up to 400"), "{error}");
+    }
+
+    /// Rows of sizes far apart, two of them nearly alike, another one of them without any slope.
+    #[kin_macros::constraint]
+    fn nearly_alike(x: Coord, y: Coord, z: Coord, w: Coord) -> [f64; 4] {
+        [x + y, 1e-6 * (x - y), z + w, z + 1.001 * w]
+    }
+
+    #[kin_macros::constraint]
+    fn flat(x: Coord, y: Coord) -> [f64; 2] {
+        [x + y * y, y * y * y]
+    }
+
+    /// What can move most, in its own size, while each equation in its own is nearly met.
+    #[test]
+    fn the_loosest_coordinate() {
+        let mut m = Mechanism::new("loose");
+        let [x, y, z, w] = ["x", "y", "z", "w"].map(|name| m.length(name, 0.0).unwrap());
+        m.add("rows", nearly_alike(x, y, z, w)).unwrap();
+        let system = m.build().unwrap();
+        let loosest = |sizes: [f64; 4]| system.loosest(&[0.0; 4], 0.0, &sizes);
+        assert_eq!([loosest([1.0, 1.0, 1.0, 10.0]), loosest([1.0, 1.0, 10.0, 1.0])], ["z", "w"]);
+        let mut m = Mechanism::new("flat");
+        let [x, y] = ["x", "y"].map(|name| m.length(name, 0.0).unwrap());
+        m.add("rows", flat(x, y)).unwrap();
+        assert_eq!(m.build().unwrap().loosest(&[0.0; 2], 0.0, &[1.0; 2]), "y");
     }
 }

@@ -104,15 +104,16 @@ impl Check {
             return Err(Objection::Long);
         }
         newton.linear.orientation(&mut self.now);
+        let (t, least) = (newton.instant.t(), pivot.min(self.pivot));
         // Not a number counts as missed.
-        if (miss.is_nan() || miss > EASY * pivot.min(self.pivot)) && !self.is_safe(newton, h, from, miss) {
+        if (miss.is_nan() || miss > EASY * least) && !self.is_safe(newton, h, from, miss) {
             return Err(Objection::Missed(miss));
         }
         if self.now != self.negative && self.now.len() == self.negative.len() {
             return Err(Objection::TurnedOver);
         }
-        let (to, least) = (newton.instant.t(), pivot.min(self.pivot));
-        if !self.drive.is_told(to - h, to, least) && self.hides(newton, to - h, to, least) {
+        let [from, to] = [t - h, t];
+        if !self.drive.is_told(from, to, least) && self.hides(newton, from, to, least) {
             return Err(Objection::Hidden);
         }
         std::mem::swap(&mut self.now, &mut self.negative);

@@ -172,3 +172,116 @@ impl<'a> Curve<'a> {
         a.iter().zip(b).zip(&self.sizes).map(|((a, b), size)| a / size * (b / size)).sum()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Mechanism, constraint};
+
+    /// A circle of radius 1 about (x0, 0), and y beside it.
+    #[constraint]
+    fn circle(x: Coord, y: Coord, t: Time, x0: f64, k: f64) -> [f64; 2] {
+        [(x - x0) * (x - x0) + t * t - 1.0, y - k * (x - x0)]
+    }
+
+    #[constraint]
+    fn cube(x: Coord, t: Time) -> f64 {
+        x * x * x - 1.0 - t
+    }
+
+    /// A wave, in time of order 1.
+    #[constraint]
+    fn wave(x: Coord, t: Time) -> f64 {
+        x - 0.01 * (10.0 * std::f64::consts::PI * t).sin()
+    }
+
+    fn system(x0: f64, k: f64) -> System {
+        let mut m = Mechanism::new("circle");
+        let [x, y] = ["x", "y"].map(|name| m.length(name, 0.8).expect("a new name"));
+        m.add("c", circle(x, y, x0, k)).expect("adds");
+        m.build().expect("builds")
+    }
+
+    fn of_one(add: impl FnOnce(&mut Mechanism, crate::coordinates::Coordinate)) -> System {
+        let mut m = Mechanism::new("one");
+        let x = m.length("x", 1.0).expect("a new name");
+        add(&mut m, x);
+        m.build().expect("builds")
+    }
+
+    /// Tangent, curvature, rates and pivots of a place, by measures that are not 1; the direction asked along need not be that of the curve.
+    #[test]
+    fn a_place_on_a_circle() {
+        let (system, sizes) = (system(0.0, 3.0), [2.0, 5.0]);
+        let mut curve = Curve::new(&system, &sizes, 0.5);
+        for sign in [1.0, -1.0] {
+            let place = curve.place(vec![0.8, 2.4, 0.6], &[0.0, 0.3 * sign, sign]).expect("is regular");
+            assert!((curve.dot(&place.dx, &place.dx) - 1.0).abs() < 1e-14 && curve.dot(&place.dx, &place.ddx).abs() < 1e-13);
+            assert!(place.dt() * sign > 0.0 && place.t() == 0.6 && place.negative == curve.linear.is_negative());
+            let [qd, qdd] = place.rates();
+            let (v, a) = (-0.75, -1.0 / 0.512);
+            for (found, exact) in qd.iter().zip([v, 3.0 * v]).chain(qdd.iter().zip([a, 3.0 * a])) {
+                assert!((found - exact).abs() < 1e-12, "{qd:?} {qdd:?}");
+            }
+            assert_eq!((qd.len(), qdd.len()), (2, 2));
+            let ahead = place.ahead(0.1);
+            let off = (0..3).map(|k| (ahead[k] - place.x[k] - 0.1 * place.dx[k] - 0.005 * place.ddx[k]).abs()).fold(0.0, f64::max);
+            assert!(off < 1e-15);
+            assert_eq!(place.blocks.expect("is regular").0.len(), 1);
+        }
+    }
+
+    /// A step is as good as its prediction, and goes no further than the curve is straight; either way along.
+    #[test]
+    fn steps_along_a_circle() {
+        let system = system(0.0, 0.0);
+        let mut curve = Curve::new(&system, &[1.0, 1.0], 1.0);
+        let here = curve.place(vec![0.8, 0.0, 0.6], &[0.0, 0.0, 1.0]).expect("is regular");
+        for s in [0.01, 0.2, -0.2, 0.05] {
+            let (place, off) = curve.at(&here, s).expect("settles");
+            assert!((off - s.powi(4) / 8.0).abs() < s.abs().powi(5), "{off}");
+            assert!((place.x[0].hypot(place.x[2]) - 1.0).abs() < 1e-15 && curve.step(&here, s).is_some());
+            assert!((place.x[2].atan2(place.x[0]) - 0.6_f64.atan2(0.8) - s).abs() < s.abs().powi(3));
+        }
+        assert!(curve.step(&here, 0.5).is_none() && curve.at(&here, 0.5).is_some());
+
+        let system = of_one(|m, x| assert!(m.add("c", wave(x)).is_ok()));
+        let mut curve = Curve::new(&system, &[1.0], 1.0);
+        let here = curve.place(vec![0.0, 0.0], &[0.0, 1.0]).expect("is regular");
+        let (_, off) = curve.at(&here, 0.02).expect("settles");
+        assert!(off > 0.01 * 0.02 && off < 0.04 * 0.02 && curve.step(&here, 0.02).is_some());
+        let s = 0.2 * (1.0 + (0.1 * std::f64::consts::PI).powi(2)).sqrt();
+        let (place, off) = curve.at(&here, s).expect("settles");
+        assert!(off > 0.05 && off < 0.08 && curve.dot(&place.dx, &here.dx) > 0.99 && curve.step(&here, s).is_none());
+    }
+
+    /// Newton's method has to converge from the first: what shrinks slowly may end anywhere.
+    #[test]
+    fn corrections_that_shrink() {
+        let system = system(0.0, 0.0);
+        let mut curve = Curve::new(&system, &[1.0, 1.0], 1.0);
+        let mut from = |radius: f64| {
+            let mut x = [0.8 * radius, 0.0, 0.6 * radius];
+            let first = curve.correct(&mut x, &[-0.6, 0.0, 0.8])?;
+            assert!((x[0] - 0.8).abs() < 1e-14 && (x[2] - 0.6).abs() < 1e-14, "{x:?}");
+            Some(first)
+        };
+        assert!((from(1.3).expect("settles") - 0.69 / 2.6).abs() < 1e-14 && from(2.0).is_none() && from(0.7).is_some());
+
+        let system = of_one(|m, x| assert!(m.add("c", cube(x)).is_ok()));
+        assert!(Curve::new(&system, &[1.0], 1.0).correct(&mut [10.0, 0.0], &[0.0, 1.0]).is_none());
+    }
+
+    /// Far from zero corrections end where rounding does.
+    #[test]
+    fn corrections_end_in_rounding() {
+        let system = system(1e5, 0.0);
+        let mut curve = Curve::new(&system, &[1.0, 1.0], 1.0);
+        for k in 0..40 {
+            let angle = 0.1 + 0.03 * f64::from(k);
+            let mut x = [1e5 + 1.1 * angle.cos(), 0.0, 1.1 * angle.sin()];
+            assert!(curve.correct(&mut x, &[-angle.sin(), 0.0, angle.cos()]).is_some(), "{angle}");
+            assert!(((x[0] - 1e5).hypot(x[2]) - 1.0).abs() < 1e-10);
+        }
+    }
+}

@@ -342,3 +342,6 @@ impl Source {
         self.terms.iter_mut().zip(most).for_each(|(term, most)| term.bound = Bound([most, 0.0, 0.0, 0.0]));
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -12,6 +12,8 @@ mod drive;
 #[cfg(test)]
 mod judged;
 mod passage;
+#[cfg(test)]
+mod passed;
 mod root;
 mod singular;
 mod turning;

@@ -35,3 +35,66 @@ fn quintic([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 6] {
     let (p, q, r) = (x - a - b - c, y - b - 2.0 * c, z - c);
     [a, b, c, 10.0 * p - 4.0 * q + r, -15.0 * p + 7.0 * q - 2.0 * r, 6.0 * p - 3.0 * q + r]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Mechanism, System, constraint};
+
+    #[constraint]
+    fn circle(x: Coord, t: Time) -> f64 {
+        x * x + (t - 2.0) * (t - 2.0) - 1.0
+    }
+
+    fn system() -> System {
+        let mut m = Mechanism::new("circle");
+        let x = m.length("x", 1.0).expect("a new name");
+        m.add("c", circle(x)).expect("adds");
+        m.build().expect("builds")
+    }
+
+    /// Places at two angles of the circle, which turns round at t = 3 and x = 0.
+    fn places(curve: &mut Curve<'_>, [a, b]: [f64; 2]) -> (Place, Place, f64) {
+        let mut at = |angle: f64| {
+            let (sin, cos) = angle.sin_cos();
+            curve.place(vec![cos, 2.0 + sin], &[-sin, cos]).expect("is regular")
+        };
+        (at(a), at(b), b - a)
+    }
+
+    /// By the curve itself, by what is interpolated, and where the time is one that is asked for; whatever time is measured by.
+    #[test]
+    fn where_time_turns_round() {
+        let (system, quarter) = (system(), 0.5 * std::f64::consts::PI);
+        for (time, [before, behind]) in [(1.0, [0.05, 0.03]), (1.0, [0.01, 0.1]), (0.5, [0.05, 0.03]), (1e3, [0.02, 0.02])] {
+            let mut curve = Curve::new(&system, &[1.0], time);
+            let (here, next, _) = places(&mut curve, [quarter - before, quarter + behind]);
+            // By the measures the arc has another length.
+            let gone: Vec<f64> = here.x.iter().zip(&next.x).map(|(a, b)| b - a).collect();
+            let s = curve.dot(&gone, &here.dx);
+            let (place, found) = locate(&mut curve, &here, &next, s).expect("turns round");
+            assert!((place.t() - 3.0).abs() < 1e-15 && place.x[0].abs() < 1e-9 && found > 0.0 && found < 1.2 * s.abs(), "{time} {place:?}");
+        }
+        let mut curve = Curve::new(&system, &[1.0], 1.0);
+        let (here, next, s) = places(&mut curve, [quarter - 0.05, quarter + 0.03]);
+        let x = between(&here, &next, s).expect("turns round");
+        assert!(x[0].abs() < 1e-9 && (x[1] - 3.0).abs() < 1e-11, "{x:?}");
+        let (here, next, s) = places(&mut curve, [0.3, 0.4]);
+        assert!(between(&here, &next, s).is_none_or(|x| (x[1] - 3.0).abs() > 1e-3));
+        for to in [2.3, 2.35, 2.0 + 0.3_f64.sin()] {
+            let place = at_time(&mut curve, &here, &next, s, to).expect("comes to it");
+            assert!(
+                (place.t() - to).abs() <= 8.0 * f64::EPSILON * to && (place.x[0] - (1.0 - (to - 2.0) * (to - 2.0)).sqrt()).abs() < 1e-14
+            );
+        }
+    }
+
+    /// Value, slope and half the second derivative at both ends are those given.
+    #[test]
+    fn a_polynomial_by_both_ends() {
+        let (begin, end) = ([1.0, -2.0, 0.5], [3.0, 0.25, -4.0]);
+        let c = quintic(begin, end);
+        let sum = |weight: fn(i32) -> i32| (0..6).map(|k| f64::from(weight(k)) * c[k as usize]).sum::<f64>();
+        assert_eq!(([c[0], c[1], c[2]], [sum(|_| 1), sum(|k| k), sum(|k| k * (k - 1) / 2)]), (begin, end));
+    }
+}

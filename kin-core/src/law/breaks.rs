@@ -186,3 +186,73 @@ fn bisected(f: &dyn Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
     }
     b
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn places(all: &[(f64, usize)]) -> Vec<(f64, usize)> {
+        let all = merged(all.iter().map(|(x, order)| Break { x: *x, order: *order }).collect());
+        all.iter().map(|found| (found.x, found.order)).collect()
+    }
+
+    /// Places that differ by rounding are one, with the sharper break of both, on either side of zero and not beside it.
+    #[test]
+    fn places_that_differ_by_rounding_are_one() {
+        assert_eq!(places(&[(2.0, 0), (1.0 + 1e-13, 1), (1.0, 3)]), [(1.0, 1), (2.0, 0)]);
+        assert_eq!(places(&[(-1.0, 1), (-1.0 - 1e-13, 3), (-2.0, 2)]), [(-2.0, 2), (-1.0 - 1e-13, 1)]);
+        assert_eq!(places(&[(0.0, 2), (1e-13, 3), (-1e-13, 1)]), [(-1e-13, 1), (0.0, 2), (1e-13, 3)]);
+        assert_eq!(places(&[(1.0, 2), (1.0 + 3e-12, 1), (1e6, 3), (1e6 + 5e-7, 2)]), [(1.0, 2), (1.0 + 3e-12, 1), (1e6, 2)]);
+        let many: Vec<(f64, usize)> = (0..=MOST_BREAKS).map(|k| (k as f64, 1)).collect();
+        assert_eq!(places(&many).len(), MOST_BREAKS);
+    }
+
+    /// Carried on by Taylor's formula: exactly for a cubic, and with the fourth derivative in the second and the third.
+    #[test]
+    fn the_left_side_of_an_end() {
+        let near = |found: f64, exact: f64| assert!((found - exact).abs() < 1e-10 * (1.0 + exact.abs()), "{found} {exact}");
+        let cubic = Law::polynomial(&[1.0, -2.0, 3.0, -4.0]);
+        for (x, step) in [(2.0, 0.5), (-1.0, 0.3), (0.7, 0.0)] {
+            left_jet(&cubic, x, step).into_iter().zip(cubic.jet(x)).for_each(|(found, exact)| near(found, exact));
+        }
+        let quartic = Law::polynomial(&[1.0, -2.0, 3.0, -4.0, 5.0]);
+        let (found, exact) = (left_jet(&quartic, 2.0, 0.5), quartic.jet(2.0));
+        near(found[2], exact[2]);
+        near(found[3], exact[3]);
+        near(exact[1] - found[1], 120.0 * 0.5_f64.powi(3) / 6.0);
+    }
+
+    /// A value that is none meets nothing; a derivative that is none jumps nowhere.
+    #[test]
+    fn what_jumps_at_a_seam() {
+        let law = Law::polynomial(&[0.0, 1.0, 1.0]);
+        let order = |right: [f64; 4]| {
+            let seam = Seam::after(&law, 1.0, Sizes::of(&law, 1.0), (right, Sizes::default(), 1.0));
+            assert!((seam.end() - 2.0).abs() < 1e-12);
+            seam.order()
+        };
+        assert_eq!(order([2.0, 3.0, 2.0, 0.0]), None);
+        assert_eq!(
+            [[2.1, 3.0, 2.0, 0.0], [2.0, 3.1, 2.0, 0.0], [2.0, 3.0, 2.1, 0.0], [2.0, 3.0, 2.0, 0.1]].map(order),
+            [0, 1, 2, 3].map(Some)
+        );
+        assert_eq!([[f64::NAN, 3.0, 2.0, 0.0], [2.0, f64::NAN, 2.0, 0.0], [2.0, f64::NAN, 2.1, 0.0]].map(order), [Some(0), None, Some(2)]);
+        assert_eq!(Seam::before(1.0, [1.0, 0.0, 0.0, 5.0], Sizes::of(&law, 1.0), 1.0).order(), Some(3));
+    }
+
+    /// Bounds of the library's own laws are nobody's word.
+    #[test]
+    fn laws_of_the_library_are_not_trusted() {
+        let spline = Law::spline(&[(0.0, 0.0), (1.0, 1.0), (2.0, 0.5)], super::super::Ends::Natural);
+        let plain = [
+            Law::constant(1.0),
+            Law::ramp(1.0),
+            Law::polynomial(&[1.0, 2.0]),
+            Law::harmonic(0.0, 1.0),
+            Law::fourier(0.0, 1.0, &[(1.0, 0.0)]),
+        ];
+        for law in plain.into_iter().chain([spline, Law::cycloidal(1.0, 1.0), Law::sequence(0.0, [(1.0, Law::ramp(1.0))])]) {
+            assert_eq!((law.trusted(), law.kind().is_empty()), (Vec::<String>::new(), false), "{law:?}");
+        }
+    }
+}

@@ -135,6 +135,10 @@ fn the_larger_and_the_size() {
     }
     let size = |lo: f64, hi: f64| (over(lo, hi).abs().len(), over(lo, hi).abs().values());
     assert_eq!([size(0.0, 1.0), size(-1.0, 0.0), size(-1.0, 2.0)], [(FULL, [0.0, 1.0]), (FULL, [0.0, 1.0]), (2, [0.0, 2.0])]);
+    // a zero has the sign of its way of being computed
+    let sign = |lo: f64, hi: f64| over(lo, hi).call(Function::Signum).values();
+    assert_eq!([sign(0.1, 1.0), sign(-1.0, -0.1)], [[1.0; 2], [-1.0; 2]]);
+    assert_eq!([sign(0.0, 1.0), sign(-1.0, 0.0), sign(-1.0, 1.0)], [[f64::NEG_INFINITY, f64::INFINITY]; 3]);
     // the slope of |x| over 0 is between −1 and 1
     assert_eq!((over(-1.0, 2.0).abs().at(1), over(-1.0, 0.0).abs().at(1)), (UNIT, -ONE));
 }
@@ -164,6 +168,7 @@ fn powers() {
     // a whole number only in part, or too large to be multiplied out
     assert!(power(over(-2.0, -1.0), Series::constant(Interval::new(2.0, 2.5))).len() == 0);
     assert!(power(over(-2.0, -1.0), over(2.0, 2.0)).len() == 0 && power(over(0.0, 1.0), Series::number(0.5)).len() == 0);
+    assert!(power(Series::number(-1.0), Series::number(0.5)).len() == 0 && Series::number(1e200).powi(2).values()[1] == f64::INFINITY);
     assert!(power(over(-1.0, 1.0), Series::number(0.5)).len() == 0 && power(over(-1.0, -0.9), Series::number(2e6)).len() == 0);
     near(power(Series::number(1.0), Series::number(2e6)).values(), [1.0, 1.0]);
 }
@@ -224,6 +229,25 @@ fn whole_quotients() {
         over(7.5, 7.6).call2(Function2::DivEuclid, both).len() == 0
             && over(7.9, 8.1).call2(Function2::DivEuclid, Series::number(2.0)).len() == 0
     );
+}
+
+/// A result is known as far as all that it is made of; what does not move stays where it is.
+#[test]
+fn results_are_as_long_as_the_shortest_operand() {
+    let (long, short) = (over(1.0, 2.0), Series::variable(Interval::new(1.0, 2.0), ONE, 3));
+    for (a, b) in [(long, short), (short, long)] {
+        assert_eq!([(a + b).len(), (a - b).len(), (a * b).len(), (a / b).len(), a.hull(&b).len()], [3; 5]);
+    }
+    assert_eq!([long.chain(&[[0.0, 1.0]; 2]).len(), short.chain(&[[0.0, 1.0]; 5]).len()], [2, 3]);
+    assert!(Series::number(1.0).chain(&[[2.0; 2], [1.0; 2]]).is_constant());
+    // At the end of its domain a function has a value, and no slope.
+    assert_eq!([over(0.5, 1.0).asin().len(), over(1.0, 2.0).call(Function::Acosh).len(), over(0.0, 1.0).sqrt().len()], [1; 3]);
+    let still = Series::variable(ONE, Interval::from(0.0), FULL);
+    assert!(still.is_constant() && !still.cut(2).is_constant() && !over(1.0, 2.0).is_constant());
+    assert_eq!((still.degree(), long.degree(), long.sqr().degree()), (0, 1, 2));
+    let unknown = super::series::UNKNOWN;
+    assert!((Series::number(0.0) * unknown).len() == 0 && (unknown * Series::number(0.0)).len() == 0);
+    assert!((still.cut(2) * Series::number(0.0)).is_constant());
 }
 
 /// What nothing is known of makes nothing known.

@@ -24,14 +24,9 @@ fn below_by(y: f64, allowed: f64) -> f64 {
 }
 
 impl Interval {
-    /// An increasing function.
+    /// An increasing function; nothing is known beyond the numbers that it is defined for, where f gives none.
     fn rising(self, f: fn(f64) -> f64) -> Self {
         Interval::new(below(f(self.lo())), above(f(self.hi())))
-    }
-
-    /// An increasing function that is defined between two numbers.
-    fn rising_within(self, from: f64, to: f64, f: fn(f64) -> f64) -> Self {
-        if self.lo() < from || self.hi() > to { ALL } else { self.rising(f) }
     }
 
     /// f over it, f being sin or cos, whose largest values stand at `peak` + 4k quarters of a turn.
@@ -42,7 +37,7 @@ impl Interval {
         // as wide as the quarters are known: of large numbers everything is among them
         let quarters = self / (PI * Interval::from(0.5));
         // whether a number peak + 4k is among the quarters
-        let has = |peak: f64| ((quarters.lo() - peak) / 4.0).ceil() <= ((quarters.hi() - peak) / 4.0).floor();
+        let has = |peak: f64| ((quarters.lo() - peak) / 4.0).ceil() <= (quarters.hi() - peak) / 4.0;
         let (a, b, allowed) = (f(self.lo()), f(self.hi()), self.allowed_of_angles());
         let hi = if has(peak) { 1.0 } else { (-below_by(-a.max(b), allowed)).min(1.0) };
         let lo = if has(peak + 2.0) { -1.0 } else { below_by(a.min(b), allowed).max(-1.0) };
@@ -59,8 +54,8 @@ impl Interval {
 
     pub(crate) fn tan(self) -> Self {
         let quarters = self / (PI * Interval::from(0.5));
-        let has_pole = ((quarters.lo() - 1.0) / 2.0).ceil() <= ((quarters.hi() - 1.0) / 2.0).floor();
-        if has_pole || !self.is_finite() {
+        let has_pole = ((quarters.lo() - 1.0) / 2.0).ceil() <= (quarters.hi() - 1.0) / 2.0;
+        if has_pole {
             return ALL;
         }
         let allowed = self.allowed_of_angles();
@@ -72,11 +67,11 @@ impl Interval {
     }
 
     pub(crate) fn asin(self) -> Self {
-        self.rising_within(-1.0, 1.0, f64::asin)
+        self.rising(f64::asin)
     }
 
     pub(crate) fn acos(self) -> Self {
-        (-self).rising_within(-1.0, 1.0, |x| (-x).acos())
+        (-self).rising(|x| (-x).acos())
     }
 
     pub(crate) fn atan(self) -> Self {
@@ -101,11 +96,11 @@ impl Interval {
     }
 
     pub(crate) fn acosh(self) -> Self {
-        self.rising_within(1.0, f64::INFINITY, acosh)
+        self.rising(acosh)
     }
 
     pub(crate) fn atanh(self) -> Self {
-        self.rising_within(-1.0, 1.0, atanh)
+        self.rising(atanh)
     }
 
     pub(crate) fn exp(self) -> Self {
@@ -118,11 +113,11 @@ impl Interval {
     }
 
     pub(crate) fn ln(self) -> Self {
-        self.rising_within(0.0, f64::INFINITY, f64::ln)
+        self.rising(f64::ln)
     }
 
     pub(crate) fn ln_1p(self) -> Self {
-        self.rising_within(-1.0, f64::INFINITY, f64::ln_1p)
+        self.rising(f64::ln_1p)
     }
 
     pub(crate) fn cbrt(self) -> Self {
@@ -160,7 +155,7 @@ impl Interval {
     /// f over it, f being constant between jumps; `None` where it jumps.
     pub(crate) fn step(self, f: fn(f64) -> f64) -> Option<Self> {
         let (a, b) = (f(self.lo()), f(self.hi()));
-        (a == b && a.is_finite()).then(|| Interval::from(a))
+        (a == b).then(|| Interval::from(a))
     }
 
     /// xⁿ

@@ -201,9 +201,6 @@ fn compared(comparison: Comparison, a: Interval, b: Interval) -> [bool; 2] {
 
 /// The law of x (order 0), or its slope (1). Where x is known up to whole turns, so is what the law makes of it: nothing, unless it repeats.
 fn law_of(law: &Law, x: Series, order: u8) -> Series {
-    if x.len() == 0 {
-        return UNKNOWN;
-    }
     let f = law.over(&Series::variable(x.value(), ONE, ORDER + 1).up_to(x.turns())).unwrap_or(UNKNOWN);
     if order == 0 {
         return x.compose(f.known()).up_to(f.turns());

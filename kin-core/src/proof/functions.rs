@@ -14,18 +14,12 @@ impl Series {
 
     /// (sinh x, cosh x): s′ = c x′, c′ = s x′.
     fn hyperbolic(self) -> (Series, Series) {
-        if self.is_open() { (UNKNOWN, UNKNOWN) } else { self.pair(Interval::sinh, Interval::cosh, ONE) }
+        self.pair(Interval::sinh, Interval::cosh, ONE)
     }
 
     /// s′ = c x′, c′ = `sign` s x′.
     fn pair(self, s: fn(Interval) -> Interval, c: fn(Interval) -> Interval, sign: Interval) -> (Series, Series) {
         let (x, len) = (self, self.len());
-        if len == 0 {
-            return (UNKNOWN, UNKNOWN);
-        }
-        if x.is_constant() {
-            return (Series::constant(s(x.value())), Series::constant(c(x.value())));
-        }
         let (mut sines, mut cosines) = ([ZERO; ORDER + 1], [ZERO; ORDER + 1]);
         (sines[0], cosines[0]) = (s(x.value()), c(x.value()));
         for k in 1..len {
@@ -64,12 +58,8 @@ impl Series {
         match n.unsigned_abs() {
             _ if n < 0 => n.checked_neg().map_or(UNKNOWN, |n| self.powi(n).recip()),
             0 => Series::constant(ONE),
-            1 => self,
             n if n.is_multiple_of(2) => self.sqr().powi((n / 2) as i32),
-            n => {
-                let product = self * self.powi((n - 1) as i32);
-                if product.len() > 0 { product.with_value(self.value().powi(n)) } else { product }
-            }
+            n => (self * self.powi((n - 1) as i32)).with_value(self.value().powi(n)),
         }
     }
 
@@ -87,13 +77,13 @@ impl Series {
 
     /// A function that is constant between jumps.
     fn step(self, f: fn(f64) -> f64) -> Series {
-        if self.len() == 0 { UNKNOWN } else { self.value().step(f).map_or(UNKNOWN, Series::constant) }
+        self.value().step(f).map_or(UNKNOWN, Series::constant)
     }
 
     /// What f is of this.
     pub(crate) fn call(self, f: Function) -> Series {
         let x = self;
-        if x.len() == 0 || (x.is_open() && !matches!(f, Function::Sin | Function::Cos)) {
+        if x.is_open() && !matches!(f, Function::Sin | Function::Cos) {
             return UNKNOWN;
         }
         let one = || Series::constant(ONE);
@@ -131,15 +121,22 @@ impl Series {
             Function::Trunc => x.step(f64::trunc),
             Function::Fract => x - x.step(f64::trunc),
         };
-        // of a constant the derivatives are 0, whatever those of f are
-        let y = if x.is_constant() && y.len() > 0 { Series::constant(y.value()) } else { y };
-        if y.value().is_finite() { y } else { UNKNOWN }
+        y.as_result(x.is_constant())
+    }
+
+    /// A result of what moves, or of what does not: then its derivatives are 0, whatever those of the function are.
+    fn as_result(self, is_constant: bool) -> Series {
+        match self.value().is_finite() {
+            false => UNKNOWN,
+            true if is_constant => Series::constant(self.value()).up_to(self.turns()),
+            true => self,
+        }
     }
 
     /// What f is of this and another.
     pub(crate) fn call2(self, f: Function2, other: Series) -> Series {
         let (a, b) = (self, other);
-        match f {
+        let y = match f {
             _ if a.is_open() || b.is_open() => UNKNOWN,
             Function2::Atan2 => a.atan2(b),
             Function2::Hypot => a.hypot(b),
@@ -149,7 +146,8 @@ impl Series {
             Function2::Rem => a - b * (a / b).step(f64::trunc),
             Function2::RemEuclid => a - b * a.whole_quotient(b),
             Function2::DivEuclid => a.whole_quotient(b),
-        }
+        };
+        y.as_result(a.is_constant() && b.is_constant())
     }
 
     /// The n of a = n b + rest, 0 ≤ rest < |b|.
@@ -182,8 +180,8 @@ impl Series {
     }
 
     fn powf(self, a: Series) -> Series {
-        if a.is_constant() && a.value().is_thin() && a.value().lo().fract() == 0.0 && a.value().mag() < 1e6 {
-            return self.powi(a.value().lo() as i32);
+        if let Some(n) = a.as_number().filter(|n| n.fract() == 0.0 && n.abs() < 1e6) {
+            return self.powi(n as i32);
         }
         if self.value().lo() <= 0.0 {
             return UNKNOWN;

@@ -191,4 +191,13 @@ fn angles_up_to_whole_turns() {
     assert_eq!((angle.times(0.5).len(), (angle * angle).len(), angle.times(0.0).turns()), (0, 0, Turns::NONE));
     assert!(thrice.call(Function::Sin).len() > 1 && thrice.call(Function::Exp).len() == 0 && (angle / angle).len() == 0);
     assert!(angle.call2(Function2::Max, angle).len() == 0);
+    let units = |n: f64, m: f64| (angle.times(n) + angle.times(m)).turns().unit;
+    assert_eq!([units(6.0, 3.0), units(3.0, 6.0), units(4.0, 6.0), units(5.0, 3.0)], [3, 3, 2, 1]);
+    // Only whole multiples of whole turns are whole turns, and those that are counted.
+    let turns = |factor: f64| angle.times(3.0).times(factor).len();
+    assert_eq!([turns(1.5), turns(0.4), turns(1.0 / 3.0), turns(1e7), turns(2.0)], [0, 0, 0, 0, ORDER + 1]);
+    let about = Series::constant(Interval::new(1.0, 3.0));
+    assert_eq!([(angle * about).len(), (about * angle).len(), (angle * (y + Series::number(2.0))).len()], [0; 3]);
+    assert_eq!([(Series::number(2.0) / angle).len(), (angle / Series::number(2.0)).len(), angle.chain(&[[0.0, 1.0]; 3]).len()], [0; 3]);
+    assert_eq!(angle.values(), [f64::NEG_INFINITY, f64::INFINITY]);
 }

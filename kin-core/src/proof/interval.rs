@@ -67,7 +67,7 @@ impl Interval {
 
     /// The largest |x| in it.
     pub(crate) fn mag(self) -> f64 {
-        self.lo.abs().max(self.hi.abs())
+        (-self.lo).max(self.hi)
     }
 
     /// Half its width.
@@ -105,7 +105,7 @@ impl Interval {
 
     /// x², which is not x · y with both from the interval.
     pub(crate) fn sqr(self) -> Self {
-        let (least, most) = if self.contains(0.0) { (0.0, self.mag()) } else { (self.lo.abs().min(self.hi.abs()), self.mag()) };
+        let Interval { lo: least, hi: most } = self.abs();
         Interval::new(down(least * least).max(0.0), if most == 0.0 { 0.0 } else { up(most * most) })
     }
 
@@ -116,13 +116,7 @@ impl Interval {
 
     /// |x|
     pub(crate) fn abs(self) -> Self {
-        if self.contains(0.0) {
-            Interval { lo: 0.0, hi: self.mag() }
-        } else if self.lo > 0.0 {
-            self
-        } else {
-            -self
-        }
+        Interval { lo: self.lo.max(-self.hi).max(0.0), hi: self.mag() }
     }
 
     /// √x of what is not below zero in it; nothing is known where all of it is.
@@ -131,7 +125,7 @@ impl Interval {
             return ALL;
         }
         let root = |x: f64, outwards: fn(f64) -> f64| if x <= 0.0 { 0.0 } else { outwards(x.sqrt()) };
-        Interval::new(root(self.lo, down).max(0.0), root(self.hi, up))
+        Interval::new(root(self.lo, down), root(self.hi, up))
     }
 }
 
@@ -185,11 +179,8 @@ impl Mul for Interval {
         if other == ONE {
             return self;
         }
-        // 0 · ∞ is 0 here: an infinite bound stands for numbers without limit, not for infinity
-        let product = |a: f64, b: f64| if a == 0.0 || b == 0.0 { 0.0 } else { a * b };
-        let all = [product(self.lo, other.lo), product(self.lo, other.hi), product(self.hi, other.lo), product(self.hi, other.hi)];
-        let (lo, hi) = all.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| (lo.min(x), hi.max(x)));
-        Interval::new(down(lo), up(hi))
+        // An infinite bound stands for numbers without limit: 0 · ∞ is 0, which is between the other products.
+        around([self.lo * other.lo, self.lo * other.hi, self.hi * other.lo, self.hi * other.hi])
     }
 }
 
@@ -203,12 +194,73 @@ impl Div for Interval {
         if self == ZERO || other == ONE {
             return self;
         }
-        // the divisor has one sign, so the bounds of the quotient are at its ends; ∞/∞ makes NaN, and that everything
-        let all = [self.lo / other.lo, self.lo / other.hi, self.hi / other.lo, self.hi / other.hi];
-        if all.iter().any(|x| x.is_nan()) {
-            return ALL;
+        // The divisor has one sign, so the bounds of the quotient are at its ends; what ∞/∞ stands for is between the other quotients.
+        around([self.lo / other.lo, self.lo / other.hi, self.hi / other.lo, self.hi / other.hi])
+    }
+}
+
+/// Bounds around what is rounded to these; those that are no numbers are passed over.
+fn around(all: [f64; 4]) -> Interval {
+    let (lo, hi) = all.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| (lo.min(x), hi.max(x)));
+    Interval::new(down(lo), up(hi))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_of_an_interval() {
+        let x = Interval::new(-1.0, 3.0);
+        assert_eq!((x.mid(), x.mag(), (-x).mag(), x.radius()), (1.0, 3.0, 3.0, 2.0_f64.next_up()));
+        assert_eq!((ALL.mid(), Interval::from(5e-324).mid(), Interval::new(-f64::MAX, f64::MAX).mid()), (0.0, 5e-324, 0.0));
+        assert_eq!((Interval::new(-5.0, -3.0).mag(), ZERO.mag()), (5.0, 0.0));
+        // What the width loses by rounding is in the radius.
+        assert!(Interval::new(-1.0, 1e-17).radius() > 0.5);
+        let half = [Interval::new(0.0, f64::INFINITY), Interval::new(f64::NEG_INFINITY, 0.0)];
+        assert!(!half[0].is_finite() && !half[1].is_finite() && x.is_finite());
+    }
+
+    #[test]
+    fn what_two_intervals_have_in_common() {
+        let common = |a: [f64; 2], b: [f64; 2]| Interval::new(a[0], a[1]).common(Interval::new(b[0], b[1])).map(|x| [x.lo, x.hi]);
+        for (a, b, expected) in [
+            ([0.0, 2.0], [1.0, 1.5], Some([1.0, 1.5])),
+            ([0.0, 2.0], [-1.0, 1.0], Some([0.0, 1.0])),
+            ([0.0, 1.0], [1.0, 2.0], Some([1.0, 1.0])),
+            ([0.0, 1.0], [1.5, 2.0], None),
+        ] {
+            assert_eq!((common(a, b), common(b, a)), (expected, expected));
         }
-        let (lo, hi) = all.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| (lo.min(x), hi.max(x)));
-        Interval::new(down(lo), up(hi))
+    }
+
+    /// Zeros and ones lose nothing by rounding: equations are full of them.
+    #[test]
+    fn zeros_and_ones_are_exact() {
+        let x = Interval::new(-0.3, 0.7);
+        assert_eq!([x + ZERO, ZERO + x, x - ZERO, x * ONE, ONE * x, x / ONE], [x; 6]);
+        assert_eq!(
+            [x * ZERO, ZERO * x, ALL * ZERO, ZERO * ALL, ZERO / Interval::new(1.0, 2.0), ZERO.sqrt(), ZERO.sqr(), ZERO.abs()],
+            [ZERO; 8]
+        );
+        assert_eq!((ONE.sqr().lo, ONE.sqrt().contains(1.0)), (1.0_f64.next_down(), true));
+    }
+
+    #[test]
+    fn bounds_without_limit() {
+        let (up, down) = (Interval::new(1.0, f64::INFINITY), Interval::new(f64::NEG_INFINITY, -1.0));
+        let is = |found: Interval, lo: f64, hi: f64| {
+            let near = |x: f64, y: f64| x == y || (x - y).abs() < 1e-15;
+            assert!(near(found.lo, lo) && near(found.hi, hi) && found.lo <= lo && found.hi >= hi, "{found:?} {lo} {hi}");
+        };
+        is(up / up, 0.0, f64::INFINITY);
+        is(down / up, f64::NEG_INFINITY, 0.0);
+        is(ALL / up, f64::NEG_INFINITY, f64::INFINITY);
+        is(Interval::new(-2.0, 3.0) / up, -2.0, 3.0);
+        is(Interval::new(0.0, 1.0) * up, 0.0, f64::INFINITY);
+        is(Interval::new(-1.0, 0.0) * up, f64::NEG_INFINITY, 0.0);
+        is(Interval::new(0.0, f64::INFINITY) * Interval::new(0.0, f64::INFINITY), 0.0, f64::INFINITY);
+        is(Interval::new(0.0, 1.0) * ALL, f64::NEG_INFINITY, f64::INFINITY);
+        is(up * down, f64::NEG_INFINITY, -1.0);
     }
 }

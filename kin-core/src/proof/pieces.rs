@@ -47,9 +47,10 @@ fn along(
     if x.is_open() {
         return Some(UNKNOWN);
     }
-    let seam = |k: usize| seams.get(k).map(|seam| Interval::near(*seam, *seam));
+    let around = |seam: &f64| Interval::near(*seam, *seam);
+    let seam = |k: usize| seams.get(k).map(around);
     let values = x.value();
-    let first = (0..seams.len()).collect::<Vec<_>>().partition_point(|k| seam(*k).is_some_and(|seam| seam.hi() < values.lo()));
+    let first = seams.partition_point(|seam| around(seam).hi() < values.lo());
     let mut whole: Option<Series> = None;
     for k in first..=seams.len() {
         let from = k.checked_sub(1).and_then(seam).map_or(f64::NEG_INFINITY, Interval::lo);
@@ -69,7 +70,7 @@ fn along(
 }
 
 /// Of how many coefficients, from the first, those of one function where it ends are those of the next where it begins; `others` are the other ends
-/// of both, if they have any.
+/// of both, if they have any. No function ends nearer to 0 than the next one begins.
 fn agreement(pieces: [Piece<'_>; 2], at: [f64; 2], others: [Option<f64>; 2]) -> Option<usize> {
     let of = |k: usize, x: Interval| pieces[k](&Series::variable(x, ONE, ORDER + 1));
     let exact = [of(0, Interval::from(at[0]))?, of(1, Interval::from(at[1]))?];
@@ -78,9 +79,8 @@ fn agreement(pieces: [Piece<'_>; 2], at: [f64; 2], others: [Option<f64>; 2]) -> 
     for (k, other) in others.into_iter().enumerate() {
         all.extend(other.map_or(Some(None), |other| of(k, Interval::from(at[k]).hull(Interval::from(other))).map(Some))?);
     }
-    let place = PLACES * at[0].abs().max(at[1].abs());
-    let known = exact[0].len().min(exact[1].len());
-    let same = (0..known).take_while(|&j| {
+    let place = PLACES * at[0].abs();
+    let same = (0..=ORDER).take_while(|&j| {
         let size = all.iter().map(|series| series.at(j).mag()).filter(|size| size.is_finite()).fold(0.0, f64::max);
         let slope = (j + 1) as f64 * (around[0].at(j + 1).mag() + around[1].at(j + 1).mag());
         let rounding = (ROUNDING * size + place * slope).min(APART * size) + f64::MIN_POSITIVE;
@@ -93,9 +93,9 @@ fn agreement(pieces: [Piece<'_>; 2], at: [f64; 2], others: [Option<f64>; 2]) -> 
 pub(crate) fn repeated(x: &Series, start: f64, period: f64, one: &dyn Fn(&Series) -> Option<Series>) -> Option<Series> {
     let Some(local) = wound(&x.plus(-start), period) else { return Some(UNKNOWN) };
     let periods = local.value() / Interval::from(period);
-    let (first, last) = (periods.lo().floor(), periods.hi().floor());
+    let (first, last) = (periods.lo().floor(), periods.hi());
     let repeats = || agreement([one, one], [period, 0.0], [Some(0.0), Some(period)]);
-    if !(last - first <= MOST as f64 && first.abs() < 1e9 && last.abs() < 1e9) {
+    if !(last - first <= MOST as f64 && first.abs() < 1e9) {
         // all there is in one period, wherever in it x may be
         let whole = one(&local.with_value(Interval::near(0.0, period).hull(Interval::near(period, period))))?;
         return Some(whole.joined(&whole, repeats()?));
@@ -105,8 +105,7 @@ pub(crate) fn repeated(x: &Series, start: f64, period: f64, one: &dyn Fn(&Series
         let begin = Interval::from(first + k as f64) * Interval::from(period);
         let local = *x - Series::constant(begin);
         // what lies beside the period by rounding is that of its end
-        let size = begin.mag().max(period);
-        let inside = Interval::near(0.0, size).hull(Interval::near(period, size));
+        let inside = Interval::near(0.0, begin.mag()).hull(Interval::near(period, begin.mag()));
         local.value().common(inside).map_or(Some(UNKNOWN), |inside| one(&local.with_value(inside)))
     };
     along(&local, &seams, &piece, &|_| repeats())
@@ -123,5 +122,27 @@ fn wound(x: &Series, period: f64) -> Option<Series> {
     let lost = (turns - Interval::from(period) * Interval::from(count)).mag();
     // what so many periods are off, and those that x itself is away from the first
     let all = Interval::ball(lost) * Interval::from(f64::from(most) + (x.value() / Interval::from(period)).mag() + 1.0);
-    (count >= 1.0 && lost <= 4.0 * f64::EPSILON * turns.mag()).then(|| x.up_to(Turns::NONE).with_value(x.value() + all))
+    (lost <= 4.0 * f64::EPSILON * turns.mag()).then(|| x.up_to(Turns::NONE).with_value(x.value() + all))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    /// A turn is not quite the period by which it is replaced: each of those that may be off counts, and so does each between the number and zero.
+    #[test]
+    fn what_turns_lose_is_in_the_number() {
+        let x = Series::variable(Interval::from(3.0 * TAU), ONE, ORDER + 1);
+        let lost = (Interval::pi(2.0) - Interval::from(TAU)).mag();
+        let found = wound(&x.up_to(Turns { unit: 1, most: 2 }), TAU).unwrap();
+        let off = found.value() - x.value();
+        assert!(found.turns().is_none() && off.lo() < -5.9 * lost && off.hi() > 5.9 * lost && off.mag() < 6.0 * lost + 1e-14, "{off:?}");
+        let zero = Series::variable(Interval::from(0.0), ONE, ORDER + 1);
+        let found = wound(&zero.up_to(Turns { unit: 1, most: 2 }), TAU).unwrap().value();
+        assert!(found.hi() > 2.99 * lost && found.mag() < 3.01 * lost, "{found:?}");
+        let many = wound(&x.up_to(Turns { unit: 1, most: 100_000 }), TAU).unwrap().value() - x.value();
+        assert!(many.hi() > 1e5 * lost && many.mag() < 1.001e5 * lost, "{many:?}");
+        assert!([100.0, 0.9 * TAU, TAU * (1.0 + 1e-14)].iter().all(|period| wound(&x.up_to(Turns::ONE), *period).is_none()));
+    }
 }

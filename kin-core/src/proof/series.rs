@@ -103,7 +103,7 @@ impl Series {
 
     /// The first `len` coefficients of a polynomial.
     pub(crate) fn of(c: &[Interval], len: usize) -> Self {
-        let mut series = Series { len: len.min(FULL), ..Series::constant(ZERO) };
+        let mut series = Series { len, ..Series::constant(ZERO) };
         series.c.iter_mut().zip(c).for_each(|(to, from)| *to = *from);
         series.degree = series.c.iter().rposition(|c| *c != ZERO).unwrap_or(0);
         series
@@ -142,6 +142,11 @@ impl Series {
     /// Whether it is known not to change.
     pub(crate) fn is_constant(&self) -> bool {
         self.len == FULL && self.degree == 0
+    }
+
+    /// The number that it is, if it is one that is known.
+    pub(super) fn as_number(&self) -> Option<f64> {
+        (self.is_constant() && self.value().is_thin()).then_some(self.value().mid())
     }
 
     /// Coefficients beyond this one are zero.
@@ -194,8 +199,7 @@ impl Series {
     /// x²
     #[must_use]
     pub fn sqr(self) -> Self {
-        let square = self * self;
-        if square.len > 0 { square.with_value(self.c[0].sqr()) } else { square }
+        (self * self).with_value(self.c[0].sqr())
     }
 
     /// 1/x
@@ -281,8 +285,8 @@ impl Mul for Series {
         }
         let turns = match (self.turns.is_none(), other.turns.is_none()) {
             (true, true) => Some(Turns::NONE),
-            (false, true) => number(&other).and_then(|factor| self.turns.times(factor)),
-            (true, false) => number(&self).and_then(|factor| other.turns.times(factor)),
+            (false, true) => other.as_number().and_then(|factor| self.turns.times(factor)),
+            (true, false) => self.as_number().and_then(|factor| other.turns.times(factor)),
             _ => None,
         };
         let Some(turns) = turns else { return UNKNOWN };
@@ -293,11 +297,6 @@ impl Mul for Series {
         }
         Series { c, len, degree: degree.min(ORDER), turns }
     }
-}
-
-/// The number that it is, if it is one that is known.
-fn number(x: &Series) -> Option<f64> {
-    (x.is_constant() && x.value().is_thin()).then_some(x.value().lo())
 }
 
 impl Div for Series {

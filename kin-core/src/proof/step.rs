@@ -89,24 +89,37 @@ fn joined(a: &Around, b: &Around, apart: &[f64]) -> bool {
     within(a, b) || within(b, a)
 }
 
+/// Pieces that are joined to one another: the last of them, how far the next one's positions may be from its, and what holds for all.
+struct Chain {
+    last: Around,
+    apart: Vec<f64>,
+    whole: Option<Around>,
+}
+
+impl Chain {
+    /// Appends a piece, if it is joined to the last.
+    fn append(&mut self, here: &Around) -> bool {
+        if !joined(&self.last, here, &self.apart) {
+            return false;
+        }
+        self.whole = Some(self.whole.take().map_or_else(|| here.clone(), |whole| whole.with(here)));
+        self.last = here.clone();
+        self.apart.fill(0.0);
+        true
+    }
+}
+
 /// What is known around a step's curve, the computed positions at its ends being known already.
 pub(super) fn step(bounds: &Bounds<'_>, sizes: &[f64], motion: &Motion, k: usize, ends: [&Around; 2]) -> Result<Around, Failure> {
     let (curve, test) = (Curve::between(motion, k), Test { bounds, sizes });
     let (to_first, to_last) = (curve.distance(0.0, motion.q(k)), curve.distance(1.0, motion.q(k + 1)));
-    let still = vec![0.0; sizes.len()];
     let (mut open, mut tested) = (vec![[0.0, 1.0]], 0);
-    let (mut before, mut whole): (Option<Around>, Option<Around>) = (None, None);
+    let mut chain = Chain { last: ends[0].clone(), apart: to_first, whole: None };
     while let Some([u0, u1]) = open.pop() {
         tested += 1;
-        let fits = |here: &Around| {
-            let left = before.as_ref().map_or_else(|| joined(ends[0], here, &to_first), |before| joined(before, here, &still));
-            left && (u1 < 1.0 || joined(here, ends[1], &to_last))
-        };
+        let reaches_end = |here: &Around| u1 < 1.0 || joined(here, ends[1], &to_last);
         match curve.around(&test, [u0, u1]) {
-            Ok(here) if fits(&here) => {
-                whole = Some(whole.map_or_else(|| here.clone(), |whole| whole.with(&here)));
-                before = Some(here);
-            }
+            Ok(here) if reaches_end(&here) && chain.append(&here) => {}
             found if u1 - u0 <= 0.5_f64.powi(DEEPEST as i32) || tested >= MOST => {
                 let at = curve.time(0.5 * (u0 + u1));
                 let unjoined = || Fault::Singular(motion.q(k).to_vec(), at);
@@ -118,7 +131,7 @@ pub(super) fn step(bounds: &Bounds<'_>, sizes: &[f64], motion: &Motion, k: usize
             }
         }
     }
-    whole.ok_or_else(|| (curve.t0, Fault::Singular(motion.q(k).to_vec(), curve.t0)))
+    chain.whole.ok_or_else(|| (curve.t0, Fault::Singular(motion.q(k).to_vec(), curve.t0)))
 }
 
 impl Around {
@@ -152,6 +165,28 @@ mod tests {
         assert!(joined(&wide, &narrow, &[0.0]) && joined(&narrow, &wide, &[0.0]));
         let (one, other) = (around([1.0, 1e-3], [2.0, 2e-3]), around([1e-3, 1.0], [2e-3, 2.0]));
         assert!(!joined(&one, &other, &[0.0; 2]));
+    }
+
+    /// What is lost by rounding counts: a solution at the very edge is not within.
+    #[test]
+    fn edges_of_boxes_are_beyond_them() {
+        let (a, b) = (around([1.0], [1.0]), around([9.0], [1.0]));
+        assert!(!joined(&a, &b, &[1e-17]) && joined(&around([0.5], [1.0]), &b, &[1e-17]));
+    }
+
+    /// Each piece is joined to the one before it, and what is told of all holds for each.
+    #[test]
+    fn pieces_are_joined_to_their_neighbours() {
+        let start = around([1e-9, 1e-9], [5.0, 5.0]);
+        let (one, other) = (around([1.0, 1e-3], [2.0, 2e-3]), around([1e-3, 1.0], [2e-3, 2.0]));
+        let chain = |apart: f64| Chain { last: start.clone(), apart: vec![apart; 2], whole: None };
+        let mut pieces = chain(0.1);
+        assert!(chain(0.1).append(&other) && pieces.append(&one) && !pieces.append(&other));
+        assert_eq!(pieces.whole, Some(one.clone()));
+        // The distance is that of the first piece alone.
+        assert!(!chain(9.0).append(&one) && pieces.append(&around([1.5, 1e-4], [1.9, 1e-2])));
+        assert_eq!(pieces.whole, Some(around([1.5, 1e-3], [1.9, 2e-3])));
+        assert_eq!(Curve::still(&[1.0, 2.0], 0.0).distance(0.0, &[1.5, 2.0])[0], 0.5_f64.next_up());
     }
 
     /// Both computed positions are asked whether theirs is the solution of the step.

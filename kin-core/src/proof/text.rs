@@ -102,6 +102,81 @@ impl fmt::Display for Doubt {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::blame::Source;
+    use crate::proof::StepProof;
+    use crate::units::Units;
+
+    fn tube(radius: [f64; 3], alone: [f64; 3]) -> Tube {
+        Tube { radius: radius.to_vec(), alone: alone.to_vec() }
+    }
+
+    fn doubt(t: f64, reason: DoubtReason) -> Doubt {
+        Doubt { t, units: Units::default(), reason }
+    }
+
+    fn proof_of(steps: Vec<Result<Tube, Doubt>>, positions: Vec<Result<Tube, Doubt>>, trusted: &[&str]) -> String {
+        let step = |(k, tube)| StepProof { step: k, from: k as f64, to: k as f64 + 1.0, tube };
+        let proof = Proof {
+            name: "crank".to_string(),
+            units: vec![Unit::Metre, Unit::Radian, Unit::Metre],
+            words: Units::default(),
+            positions,
+            steps: steps.into_iter().enumerate().map(step).collect(),
+            trusted: trusted.iter().map(|law| (*law).to_string()).collect(),
+        };
+        proof.to_string()
+    }
+
+    /// Over all steps the largest radius, and the least of what is free beyond it in one of them.
+    #[test]
+    fn the_verdict_in_words() {
+        let position = tube([1e-15, 2e-15, 3e-15], [1e-6; 3]);
+        let (one, other) = (tube([1e-9, 3e-8, 2e-9], [4e-6, 5e-6, 6e-6]), tube([5e-7, 1e-8, 1e-9], [3e-6, 8e-6, 6e-6]));
+        assert_eq!(
+            proof_of(vec![Ok(one.clone()), Ok(other.clone())], vec![Ok(position.clone()); 3], &["`lift` in `cam`"]),
+            "crank: all 2 steps are proved: from t = 0 s to 2 s exactly one continuous motion leads through the computed positions.\n  \
+             It is within 5.0e-7 m and 3.0e-8 rad of the positions interpolated between them; no other comes within 2.4e-6 m and 4.9e-6 rad of it.\n  \
+             Computed positions are off by no more than 3.0e-15 m and 2.0e-15 rad.\n  That is trusting the bounds of `lift` in `cam`."
+        );
+        let single = proof_of(vec![Ok(one.clone())], vec![], &[]);
+        assert!(
+            single.starts_with("crank: the step is proved: from t = 0 s to 1 s")
+                && !single.contains("Computed")
+                && !single.contains("trust")
+        );
+        let failed = proof_of(
+            vec![Ok(one), Err(doubt(1.5, DoubtReason::Singular { coordinate: "x".to_string() }))],
+            vec![Ok(position.clone()); 3],
+            &[],
+        );
+        assert!(failed.starts_with("crank: 1 of 2 steps proved.\n  It is within"), "{failed}");
+        assert!(
+            failed.ends_with(
+                "First not proved: step 2, from t = 1 s to 2 s: near t = 1.5 s C_q may be singular; what is loosest there is `x`."
+            ),
+            "{failed}"
+        );
+        let alone = proof_of(vec![], vec![Ok(position), Err(doubt(0.0, DoubtReason::Apart { equation: "rod".to_string(), by: 0.1 }))], &[]);
+        assert!(alone.starts_with("crank: 1 of 2 positions proved.\n  Computed positions are off by no more than 3.0e-15 m"), "{alone}");
+        assert!(
+            alone.contains("\n  near t = 0 s the positions between both ends miss `rod` by 1.0e-1:") && !alone.contains("It is within"),
+            "{alone}"
+        );
+    }
+
+    #[test]
+    fn an_equation_without_bounds_in_words() {
+        let unbounded = |expression: Option<&str>, source| {
+            let expression = expression.map(str::to_string);
+            doubt(0.5, DoubtReason::Unbounded { equation: "cam".to_string(), expression, source }).to_string()
+        };
+        assert_eq!(unbounded(None, None), "near t = 0.5 s no bounds of `cam` are known.");
+        let source = Source { file: "cam.rs", line: 3, column: 5 };
+        assert_eq!(
+            unbounded(Some("x.floor()"), Some(source)),
+            format!("near t = 0.5 s no bounds of `cam` are known: `x.floor()` jumps there, or has no value or slope ({source}).")
+        );
+    }
 
     /// What is said is not less than what was proved to be enough, and not more than what was proved to be free.
     #[test]
