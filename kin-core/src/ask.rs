@@ -74,7 +74,7 @@ impl System {
         let Some(before) = before.filter(|_| !part.is_empty()) else { return self.note(part) };
         let (mut whole, start) = (before.followed_by(part), before.times().first().copied());
         self.note(&mut whole);
-        // What holds at the beginning has been told of the part before.
+        // The part before has told of events at its last time, which is where this one begins.
         let found =
             whole.events().iter().filter(|event| matches!(event.kind, EventKind::Limit | EventKind::Kink) && Some(event.t) != start);
         found.for_each(|event| part.add_event(event.clone()));

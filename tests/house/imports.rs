@@ -3,9 +3,11 @@
 //! What still goes up stands in `upward.txt`, file by file. Nothing may be added to it; what no longer goes up has to be taken out.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use syn::visit::{self, Visit};
+
+use crate::{ROOT, rust_files};
 
 /// A module by its path from the root of the crate.
 type Module = Vec<String>;
@@ -41,18 +43,6 @@ fn module(root: &Path, path: &Path) -> Module {
         parts.pop();
     }
     parts
-}
-
-fn sources(folder: &Path) -> Vec<PathBuf> {
-    let (mut open, mut found) = (vec![folder.to_path_buf()], Vec::new());
-    while let Some(path) = open.pop() {
-        if path.is_dir() {
-            open.extend(path.read_dir().expect("readable").map(|entry| entry.expect("an entry").path()));
-        } else if path.extension().is_some_and(|end| end == "rs") {
-            found.push(path);
-        }
-    }
-    found
 }
 
 fn is_test(attributes: &[syn::Attribute]) -> bool {
@@ -142,9 +132,10 @@ struct House {
 }
 
 impl House {
-    fn read(root: &Path) -> Self {
+    fn read(folder: &str) -> Self {
+        let root = &Path::new(ROOT).join(folder);
         let (mut files, mut tests) = (BTreeMap::new(), Vec::new());
-        for path in sources(root) {
+        for path in rust_files(folder) {
             let text = std::fs::read_to_string(&path).expect("readable");
             let here = module(root, &path);
             let mut reader = Reader { here: &here, file: File::default(), tests: Vec::new() };
@@ -187,7 +178,7 @@ fn room(module: &Module) -> Option<usize> {
 }
 
 fn house() -> House {
-    House::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("kin-core/src"))
+    House::read("kin-core/src")
 }
 
 #[test]
@@ -196,7 +187,7 @@ fn imports_go_down_but_for_those_that_are_listed() {
     let up = |(from, to): &(&Module, &Module)| room(from).zip(room(to)).is_some_and(|(from, to)| from < to);
     let found: BTreeSet<String> =
         house.edges().into_iter().filter(up).map(|(from, to)| format!("{} -> {}", from.join("/"), to.join("/"))).collect();
-    let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/house/upward.txt")).expect("the list");
+    let text = std::fs::read_to_string(Path::new(ROOT).join("tests/house/upward.txt")).expect("the list");
     let listed: BTreeSet<String> = text.lines().filter(|line| !line.is_empty() && !line.starts_with('#')).map(str::to_string).collect();
     let (more, less): (Vec<_>, Vec<_>) = (found.difference(&listed).collect(), listed.difference(&found).collect());
     assert!(more.is_empty(), "these import from a room above their own: {more:#?}");

@@ -1,33 +1,14 @@
 //! The limits that CONTRIBUTING.md states, of every file of the workspace that is written by hand.
 
-use std::path::{Path, PathBuf};
-
 use proc_macro2::Span;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
+use crate::rust_files;
+
 /// Lines of a file, and of a function from its signature to its end.
 const FILE: usize = 400;
 const FUNCTION: usize = 60;
-
-/// Every Rust file but expansions that are stored to be compared, and programs that are wrong on purpose.
-fn files() -> Vec<PathBuf> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let left_out = ["target", "out", "golden", "ui", "data"];
-    let (mut open, mut found) = (vec![root.to_path_buf()], Vec::new());
-    while let Some(path) = open.pop() {
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        if path.is_dir() && path != root && (name.starts_with('.') || left_out.contains(&name.as_str()) && !path.join("mod.rs").exists()) {
-            continue;
-        } else if path.is_dir() {
-            open.extend(path.read_dir().expect("readable").map(|entry| entry.expect("an entry").path()));
-        } else if name.ends_with(".rs") {
-            found.push(path);
-        }
-    }
-    found.sort();
-    found
-}
 
 /// Functions that are too long, with their lines.
 struct Long {
@@ -66,7 +47,7 @@ impl<'a> Visit<'a> for Long {
 
 #[test]
 fn files_and_functions_are_short() {
-    let (all, mut long) = (files(), Vec::new());
+    let (all, mut long) = (rust_files("."), Vec::new());
     assert!(all.len() > 300, "{} files are not all of them", all.len());
     for path in all {
         let text = std::fs::read_to_string(&path).expect("readable");

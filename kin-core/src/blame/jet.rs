@@ -13,7 +13,7 @@ use crate::real::{Dual, Dual2_64, Real};
 pub(super) struct Jet {
     pub value: f64,
     pub slopes: Option<[f64; 2]>,
-    /// How it grows, as its number knows it.
+    /// Its growth, which the number itself has noted.
     growth: u8,
 }
 
@@ -38,7 +38,7 @@ impl Jet {
         Jet { value, slopes: self.slopes.map(|[x1, x2]| [f1 * x1, x1 * f2 * x1 + f1 * x2]), ..self }
     }
 
-    /// What a function has made of this number with the tangent 1.
+    /// The value that a function gives of this number with the tangent 1.
     fn through(self, y: Real<Dual2_64>) -> Jet {
         let y = y.0;
         let slopes = if y.is_constant() { None } else { self.chain([y.re, y.v1, y.v2]).slopes };

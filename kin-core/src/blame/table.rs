@@ -33,7 +33,7 @@ impl Table {
         self.formula.get_or_init(|| self.text.parse().unwrap_or_default())
     }
 
-    /// Whether something in it may switch from one side to another; told from the words of its text, which is not read for it.
+    /// True if an operation in it may switch from one side to another. The words of its text tell that, without reading the formula.
     pub(crate) fn may_switch(&self) -> bool {
         const WORDS: [&str; 5] = ["Select", "Abs", "Signum", "Max", "Min"];
         *self.switches.get_or_init(|| WORDS.iter().any(|word| self.text.contains(word)))

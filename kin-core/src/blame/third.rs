@@ -57,7 +57,7 @@ impl Source<Number> for Along<'_> {
 
     fn law(&self, law: usize, x: Number, order: u8) -> Number {
         let [f, f1, f2, f3] = jet_of_law(self.outside, law, x.value(), order);
-        // Where nothing moves the third derivative, which may not be known, is not asked for.
+        // A number that does not move needs no third derivative, and that may not be known.
         x.chain([f, f1, f2, if x.0.is_at_rest() { 0.0 } else { f3 }])
     }
 

@@ -1,10 +1,10 @@
-//! How the derivatives of a constraint are obtained, and why so.
+//! The two routes to the derivatives of a constraint, and the reason for the one that is taken.
 
 use std::fmt;
 
 use crate::blame::Source;
 
-/// How the derivatives of a constraint are obtained.
+/// The way in which the derivatives of a constraint are obtained.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Route {
     /// Straight-line code, differentiated at compile time by `#[constraint]`.

@@ -205,3 +205,6 @@ impl Lever for Factored<'_, '_> {
         is_singular_near(self.newton, self.v, factor, self.negative)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -9,11 +9,7 @@ mod branching;
 mod check;
 mod curve;
 mod drive;
-#[cfg(test)]
-mod judged;
 mod passage;
-#[cfg(test)]
-mod passed;
 mod root;
 mod singular;
 mod turning;

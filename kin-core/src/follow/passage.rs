@@ -259,3 +259,6 @@ fn unit_time(n: usize) -> Vec<f64> {
     direction.iter_mut().last().into_iter().for_each(|last| *last = 1.0);
     direction
 }
+
+#[cfg(test)]
+mod tests;

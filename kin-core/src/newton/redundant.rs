@@ -13,7 +13,7 @@ use super::predictor::{Last, Predictor};
 use super::run::Explain;
 use super::sweep::SHORTEST;
 use super::watch::Watch;
-use super::{Options, Outcome, Report, Stop};
+use super::{Options, Outcome, Report, STALL, Stop};
 use crate::assembly::search::{self, Found};
 use crate::diagnosis::Start;
 use crate::error::{Error, Result};
@@ -30,9 +30,6 @@ use solver::{Solver, scales};
 /// Equations at a solution may differ by this share of their terms in velocities; where their positions may, by so many times that.   \[-\]
 const CONSISTENT: f64 = 1e-8;
 const ALLOWED: f64 = 30.0;
-
-/// A correction that stalls above this share of its coordinate is no rounding.   \[-\]
-const STALL: f64 = 1e-9;
 
 /// A run of such a mechanism from time to time.
 pub(crate) struct Sweep<'a> {

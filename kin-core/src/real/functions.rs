@@ -8,29 +8,16 @@ use kin_graph::functions::{acosh, atanh};
 
 use super::{Dual, Growth, Real};
 
-/// Methods from lines `name(x) = [f, f′, f″, f‴];`, all of one growth.
+/// Methods from lines `name(x) = [f, f′, f″, f‴];`, all of one growth; for `chain_scaled`, of functions that take what is large and make it small,
+/// from lines `name(x) = [f, f′, f″/f′², f‴/f′³];`.
 macro_rules! functions {
-    ([$growth:expr] $($(#[$doc:meta])* $name:ident($x:ident) = $f:expr;)*) => {
+    ([$chain:ident, $growth:expr] $($(#[$doc:meta])* $name:ident($x:ident) = $f:expr;)*) => {
         impl<D: Dual> Real<D> {$(
             $(#[$doc])*
             #[inline]
             pub fn $name(self) -> Self {
                 let $x = self.value();
-                self.chain($f).noted($growth)
-            }
-        )*}
-    };
-}
-
-/// Methods from lines `name(x) = [f, f′, f″/f′², f‴/f′³];`: of functions that take what is large and make it small.
-macro_rules! scaled_functions {
-    ([$growth:expr] $($(#[$doc:meta])* $name:ident($x:ident) = $f:expr;)*) => {
-        impl<D: Dual> Real<D> {$(
-            $(#[$doc])*
-            #[inline]
-            pub fn $name(self) -> Self {
-                let $x = self.value();
-                Real(self.0.chain_scaled($f)).noted($growth)
+                Real(self.0.$chain($f)).noted($growth)
             }
         )*}
     };
@@ -63,7 +50,7 @@ macro_rules! questions {
 }
 
 functions! {
-    [Some(Growth::Bounded)]
+    [chain, Some(Growth::Bounded)]
     /// sin x, x in rad.
     sin(x) = { let (s, c) = x.sin_cos(); [s, c, -s, -c] };
     /// cos x, x in rad.
@@ -81,7 +68,7 @@ functions! {
 }
 
 functions! {
-    [Some(Growth::Bursting)]
+    [chain, Some(Growth::Bursting)]
     /// sinh x.
     sinh(x) = { let (s, c) = (x.sinh(), x.cosh()); [s, c, s, c] };
     /// cosh x.
@@ -95,7 +82,7 @@ functions! {
 }
 
 functions! {
-    [Some(Growth::Pole)]
+    [chain, Some(Growth::Pole)]
     /// tan x, x in rad.
     tan(x) = { let t = x.tan(); let d = 1.0 + t * t; [t, d, 2.0 * t * d, d * (2.0 + 6.0 * t * t)] };
     /// artanh x; infinite at ±1, NaN beyond.
@@ -103,7 +90,7 @@ functions! {
 }
 
 functions! {
-    [None]
+    [chain, None]
     /// |x|; slope 1 at 0 and −0.
     abs(x) = [x.abs(), if x >= 0.0 { 1.0 } else { -1.0 }, 0.0, 0.0];
     /// From degrees to radians: π/180 x.
@@ -112,8 +99,8 @@ functions! {
     to_degrees(x) = [x.to_degrees(), 1f64.to_degrees(), 0.0, 0.0];
 }
 
-scaled_functions! {
-    [Some(Growth::Logarithmic)]
+functions! {
+    [chain_scaled, Some(Growth::Logarithmic)]
     /// arsinh x.
     asinh(x) = { let d = x.hypot(1.0).recip(); [x.asinh(), d, -x * d, 2.0 - 3.0 * d * d] };
     /// arcosh x ≥ 0; infinite slope at 1, NaN below.
@@ -128,8 +115,8 @@ scaled_functions! {
     log10(x) = [x.log10(), (x * LN_10).recip(), -LN_10, 2.0 * LN_10 * LN_10];
 }
 
-scaled_functions! {
-    [None]
+functions! {
+    [chain_scaled, None]
     /// √x; infinite slope at 0 unless x is constant, NaN below.
     sqrt(x) = { let s = x.sqrt(); let r = s.recip(); [s, 0.5 * r, -r, 3.0 * r * r] };
     /// ∛x of the sign of x; infinite slope at 0 unless x is constant.

@@ -1,7 +1,7 @@
 //! What a step is judged by, on x² + x + y = t, x + y = 0: det C_q is 2 x, and so is the smaller pivot beside entries of 1; of a miss v Newton and
 //! Kantorovich estimate v/x.
 
-use super::check::{Check, Objection, REACH};
+use super::{Check, Objection, REACH};
 use crate::fours::Fours;
 use crate::newton::{Newton, Options, Steps};
 use crate::{Law, Mechanism, System, constraint};
