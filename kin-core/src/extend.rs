@@ -5,52 +5,52 @@
 //! [`coordinates`]. A law by hand is an `impl` of [`LawFunction`].
 
 #[doc(inline)]
-pub use crate::constraint::{Attached, Attachment, Dependence, Measured};
+pub use crate::model::constraint::{Attached, Attachment, Dependence, Measured};
 #[doc(inline)]
-pub use crate::coordinates::Target;
+pub use crate::model::coordinates::Target;
 #[doc(inline)]
-pub use crate::dual_route::by_dual;
+pub use crate::model::dual_route::by_dual;
 #[doc(inline)]
-pub use crate::lanes::Lanes;
+pub use crate::model::law::LawFunction;
 #[doc(inline)]
-pub use crate::law::LawFunction;
+pub use crate::model::terms::{Terms, dual_terms, jerk_rhs, measure, terms};
 #[doc(inline)]
-pub use crate::real::{Dual, Real};
+pub use crate::numbers::lanes::Lanes;
 #[doc(inline)]
-pub use crate::terms::{Terms, dual_terms, jerk_rhs, measure, terms};
+pub use crate::numbers::real::{Dual, Real};
 
 /// Who is to blame where something of a constraint is infinite or not a number.
 pub mod blame {
     #[doc(inline)]
-    pub use crate::blame::*;
+    pub use crate::model::blame::*;
 }
 
 /// Handles: what a mechanism gives out for its bodies and coordinates, and what constraints hold of them.
 pub mod coordinates {
     #[doc(inline)]
-    pub use crate::coordinates::*;
+    pub use crate::model::coordinates::*;
 }
 
 /// The second route: a constraint's own equation, evaluated with dual numbers.
 pub mod dual_route {
     #[doc(inline)]
-    pub use crate::dual_route::*;
+    pub use crate::model::dual_route::*;
 }
 
 /// Several mechanisms at once: numbers over the lanes of a SIMD register.
 pub mod lanes {
     #[doc(inline)]
-    pub use crate::lanes::*;
+    pub use crate::numbers::lanes::*;
 }
 
 /// Numbers that carry derivatives.
 pub mod real {
     #[doc(inline)]
-    pub use crate::real::*;
+    pub use crate::numbers::real::*;
 }
 
 /// What a constraint sees: the state of its arguments at one instant.
 pub mod state {
     #[doc(inline)]
-    pub use crate::state::*;
+    pub use crate::model::state::*;
 }

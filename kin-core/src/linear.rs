@@ -29,7 +29,7 @@ pub(crate) use independent::Independent;
 
 use std::sync::Arc;
 
-use crate::fours::{self, Four, Fours};
+use crate::numbers::fours::{self, Four, Fours};
 use record::{Factored, Input, Places, Recording};
 pub(crate) use tall::Tall;
 

@@ -3,23 +3,24 @@
 pub(crate) mod evaluate;
 pub(crate) mod parameters;
 pub(crate) mod scale;
+pub(crate) mod scaled;
 mod states;
 mod terms;
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use crate::assembly::Asked;
-use crate::constraint::Constraint;
-use crate::coordinates::Target;
-use crate::diagnosis;
-use crate::error::{Error, Result};
-use crate::layout::{Layout, Place};
+use crate::ask::diagnosis;
+use crate::ask::measure::{Limit, kinks};
 use crate::linear::Linear;
-use crate::measure::{Limit, kinks};
-use crate::model::Model;
-use crate::newton::Report;
-use crate::units::Units;
+use crate::model::constraint::Constraint;
+use crate::model::coordinates::Target;
+use crate::model::error::{Error, Result};
+use crate::model::layout::{Layout, Place};
+use crate::model::units::Units;
+use crate::solve::assembly::Asked;
+use crate::solve::newton::Report;
+use crate::system::scaled::Model;
 use evaluate::{Block, Equations};
 
 /// A system C(q, t) = 0 of m equations in n coordinates, m ≥ n; built by [`crate::Mechanism::build`].

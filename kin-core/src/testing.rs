@@ -6,13 +6,13 @@ mod models;
 mod refused;
 mod whole;
 
-use crate::algebra::Vec2;
-use crate::blame::{Asked, Blame, Input, Part};
-use crate::constraint::{Constraint, Route};
-use crate::coordinates::{Argument, Coordinate, PlanarBody, Target, Trig};
-use crate::law::Law;
-use crate::mechanism::Pose;
-use crate::state::{At, Rates};
+use crate::model::blame::{Asked, Blame, Input, Part};
+use crate::model::constraint::{Constraint, Route};
+use crate::model::coordinates::{Argument, Coordinate, PlanarBody, Target, Trig};
+use crate::model::law::Law;
+use crate::model::mechanism::Pose;
+use crate::model::state::{At, Rates};
+use crate::numbers::algebra::Vec2;
 
 /// What is the same for all of them.
 macro_rules! hand_written {

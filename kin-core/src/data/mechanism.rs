@@ -5,14 +5,14 @@ use serde_json::{Map, Value};
 
 use super::value::Describer;
 use super::{FORMAT, Registry, is_first};
-use crate::constraint::Constraint;
-use crate::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
-use crate::dual_route::ArgumentKind;
-use crate::error::{Error, Result};
-use crate::layout::{Kind, Place};
-use crate::measure::Limit;
-use crate::mechanism::Mechanism;
-use crate::units::Units;
+use crate::ask::measure::Limit;
+use crate::model::constraint::Constraint;
+use crate::model::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
+use crate::model::dual_route::ArgumentKind;
+use crate::model::error::{Error, Result};
+use crate::model::layout::{Kind, Place};
+use crate::model::mechanism::Mechanism;
+use crate::model::units::Units;
 
 /// A mechanism as data: bodies, constraints with their parameters, laws.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

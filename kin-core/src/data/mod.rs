@@ -21,10 +21,10 @@ pub use motion::{BreakData, MotionData, OutputData};
 pub use registry::{Described, Reader, Registry};
 pub use value::{Datum, Describer, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold};
 
-use crate::diagnosis::Diagnosis;
-use crate::error::{Error, Result};
-use crate::mechanism::Mechanism;
-use crate::motion::Motion;
+use crate::ask::diagnosis::Diagnosis;
+use crate::model::error::{Error, Result};
+use crate::model::mechanism::Mechanism;
+use crate::solve::motion::Motion;
 
 /// Version of the formats; it changes when an older reader would misunderstand.
 const FORMAT: u32 = 1;

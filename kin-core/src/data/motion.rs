@@ -4,14 +4,14 @@ use serde::{Deserialize, Serialize};
 
 use super::mechanism::{BodyKind, read_units};
 use super::{FORMAT, is_first};
-use crate::coordinates::MechanismId;
-use crate::error::{Error, Result};
-use crate::follow::SingularPosition;
-use crate::law::Break;
-use crate::layout::Layout;
-use crate::motion::{Event, Motion, Series};
-use crate::newton::CrossedBreak;
-use crate::units::Units;
+use crate::model::coordinates::MechanismId;
+use crate::model::error::{Error, Result};
+use crate::model::law::Break;
+use crate::model::layout::Layout;
+use crate::model::units::Units;
+use crate::solve::follow::SingularPosition;
+use crate::solve::motion::{Event, Motion, Series};
+use crate::solve::newton::CrossedBreak;
 
 /// A motion as data, without loss.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -8,11 +8,11 @@ use serde_json::{Map, Value};
 use super::law::{LawData, LawReader, shipped};
 use super::mechanism::ArgumentData;
 use super::value::Datum;
-use crate::constraint::Constraint;
-use crate::coordinates::{Coordinate, Ground, PlanarBody, SpatialBody};
-use crate::dual_route::ArgumentKind;
-use crate::law::Law;
-use crate::mechanism::Mechanism;
+use crate::model::constraint::Constraint;
+use crate::model::coordinates::{Coordinate, Ground, PlanarBody, SpatialBody};
+use crate::model::dual_route::ArgumentKind;
+use crate::model::law::Law;
+use crate::model::mechanism::Mechanism;
 
 /// A constraint that can be made anew from data; written by `#[constraint]`.
 pub trait Described: Constraint + Sized + 'static {

@@ -8,8 +8,8 @@ use serde_json::{Map, Value};
 
 use super::Registry;
 use super::law::LawData;
-use crate::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
-use crate::law::Law;
+use crate::model::law::Law;
+use crate::numbers::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
 
 /// A parameter made of numbers, or a law.
 pub trait Datum: Sized {

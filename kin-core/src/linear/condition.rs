@@ -1,7 +1,7 @@
 //! How near a factored matrix is to a singular one, by inverse iteration with the recorded program and its transpose.
 
 use super::Linear;
-use crate::random::Random;
+use crate::numbers::random::Random;
 
 /// Rounds of A⁻¹, then A⁻ᵀ, for a verdict, and for numbers that are shown.
 const ROUNDS: usize = 3;

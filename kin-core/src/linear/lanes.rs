@@ -8,7 +8,7 @@ mod recorded;
 
 use super::replay::{Replay, SMALL};
 use super::{FADED, Linear, SINGULAR, SUSPICIOUS};
-use crate::lanes::{Level, Mask, Wide};
+use crate::numbers::lanes::{Level, Mask, Wide};
 use recorded::{Areas, GROUND};
 
 /// Square matrices of one pattern, one in each lane.

@@ -1,7 +1,7 @@
 //! How large rows and columns are, and have been: by these pivots are chosen and judged.
 
 use super::{Linear, RANK, SLACK};
-use crate::fours::{self, Fours};
+use crate::numbers::fours::{self, Fours};
 
 impl Linear {
     /// max_j |a_ij| s_j of each row, the largest since the start or [`Linear::forget`].

@@ -133,7 +133,7 @@ impl Linear {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::Random;
+    use crate::numbers::random::Random;
 
     /// A matrix of that pattern with random numbers, and the sign of its determinant by nalgebra.
     fn signs(linear: &mut Linear, pattern: &[(usize, usize)], n: usize, random: &mut Random) -> bool {

@@ -12,7 +12,7 @@ use pulp::NullaryFnOnce;
 use super::code::Shape;
 use super::order::{Ordered, order};
 use super::program::{Kind, Operands, Program, Step as Recorded};
-use crate::lanes::{Level, Wide};
+use crate::numbers::lanes::{Level, Wide};
 
 /// Up to this many numbers a memory is addressed by bytes, and must have at least this length.
 pub(super) const SMALL: usize = 256;

@@ -82,7 +82,7 @@ fn nothing_is_singular_about_no_coordinates() {
 /// What is measured of rows and columns is of order 1; the largest singular value still grows with their number.
 #[test]
 fn condition_counts_the_largest_singular_value_and_the_smallest() {
-    let mut random = crate::random::Random::new(3);
+    let mut random = crate::numbers::random::Random::new(3);
     for n in [2, 5, 12, 30] {
         for small in [1.0, 1e-3, 1e-7] {
             let rows: Vec<f64> = (0..n * n).map(|k| 1.0 + small * random.number() * if k % (n + 1) == 0 { 2.0 } else { 1.0 }).collect();

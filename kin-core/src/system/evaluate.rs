@@ -8,11 +8,11 @@ mod sides;
 
 use std::sync::OnceLock;
 
-use crate::blame::{Culprit, Term};
-use crate::constraint::{Constraint, Route};
-use crate::error::Error;
-use crate::layout::{Layout, Place};
-use crate::state::{At, Rates};
+use crate::model::blame::{Culprit, Term};
+use crate::model::constraint::{Constraint, Route};
+use crate::model::error::Error;
+use crate::model::layout::{Layout, Place};
+use crate::model::state::{At, Rates};
 use crate::system::states::{Planned, StatePlan};
 pub(crate) use block::Block;
 use block::{Span, from};

@@ -1,8 +1,8 @@
 //! Parameters by name, such as `slot.k`: read and changed without a rebuild.
 
 use super::System;
-use crate::error::{Error, Result};
-use crate::mechanism::admission::sensible_parameters;
+use crate::model::error::{Error, Result};
+use crate::model::mechanism::admission::sensible_parameters;
 
 /// Where one number of a case goes.
 #[derive(Clone, Copy, Debug, PartialEq)]

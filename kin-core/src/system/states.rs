@@ -2,9 +2,9 @@
 
 mod lanes;
 
-use crate::coordinates::{Target, Trig};
-use crate::layout::Place;
-use crate::state::{COORD_STATE, CoordState, PLANAR_STATE, PlanarState, SPATIAL_STATE, SpatialState};
+use crate::model::coordinates::{Target, Trig};
+use crate::model::layout::Place;
+use crate::model::state::{COORD_STATE, CoordState, PLANAR_STATE, PlanarState, SPATIAL_STATE, SpatialState};
 
 /// Where states stand, which coordinates make them up, and who reads which.
 #[derive(Clone, Debug, Default)]
@@ -162,7 +162,7 @@ fn from_mut<T, const N: usize>(all: &mut [T], first: u32) -> &mut [T; N] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::coordinates::{Coordinate, any_planar};
+    use crate::model::coordinates::{Coordinate, any_planar};
 
     #[test]
     fn one_coordinate_has_one_state_with_sine_if_anyone_asks() {

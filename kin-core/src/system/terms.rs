@@ -4,10 +4,10 @@ use nalgebra::DMatrix;
 
 use super::evaluate::{Bad, Instant, finite};
 use super::{System, scale, time};
-use crate::error::Result;
 use crate::linear::Linear;
-use crate::motion::{Motion, Series};
-use crate::newton::redundant;
+use crate::model::error::Result;
+use crate::solve::motion::{Motion, Series};
+use crate::solve::newton::redundant;
 
 impl System {
     /// The 2-norm condition number of C_q at each time of a motion of this system, rows and columns measured as the solver does, so that

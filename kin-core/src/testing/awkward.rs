@@ -4,11 +4,11 @@ use std::f64::consts::TAU;
 
 use super::models::*;
 use super::*;
-use crate::algebra::Vec2;
-use crate::coordinates::Ground;
-use crate::error::Error;
-use crate::mechanism::{Mechanism, linspace};
-use crate::newton::{Follow, Options};
+use crate::model::coordinates::Ground;
+use crate::model::error::Error;
+use crate::model::mechanism::{Mechanism, linspace};
+use crate::numbers::algebra::Vec2;
+use crate::solve::newton::{Follow, Options};
 use crate::system::System;
 
 /// Two points at a fixed distance: |r_P − r_Q| − l = 0.   \[m\]
@@ -152,7 +152,7 @@ fn not_finite_names_the_constraint_and_keeps_the_motion() {
 /// Where C_q is regular no rank is told that it has not, whatever has stopped Newton's method there.
 #[test]
 fn a_regular_position_is_not_told_as_singular() {
-    use crate::newton::{Failure, Newton, Steps};
+    use crate::solve::newton::{Failure, Newton, Steps};
     let (system, options) = (parallelogram(Law::linear(0.4, 1.0)), Options::default());
     let pose = |angle: f64| {
         let (sin, cos) = angle.sin_cos();

@@ -3,9 +3,9 @@
 use std::f64::consts::{FRAC_PI_6, TAU};
 
 use super::*;
-use crate::algebra::Vec2;
-use crate::coordinates::Link;
-use crate::mechanism::{Mechanism, deg, pose};
+use crate::model::coordinates::Link;
+use crate::model::mechanism::{Mechanism, deg, pose};
+use crate::numbers::algebra::Vec2;
 use crate::system::System;
 
 pub fn v(x: f64, y: f64) -> Vec2 {

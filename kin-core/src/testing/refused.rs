@@ -2,17 +2,17 @@
 
 use super::models::*;
 use super::*;
-use crate::coordinates::{Ground, any_planar};
-use crate::error::Error;
-use crate::mechanism::{Mechanism, SpatialPose, pose};
-use crate::newton::{Options, Stop};
+use crate::model::coordinates::{Ground, any_planar};
+use crate::model::error::Error;
+use crate::model::mechanism::{Mechanism, SpatialPose, pose};
+use crate::solve::newton::{Options, Stop};
 use crate::system::System;
 
 #[test]
 fn systems_cross_threads() {
     fn sent<T: Send + Sync + 'static>() {}
     sent::<System>();
-    sent::<crate::motion::Motion>();
+    sent::<crate::solve::motion::Motion>();
 }
 
 #[test]
@@ -31,7 +31,7 @@ fn not_square_names_what_is_untouched() {
 #[test]
 fn spatial_bodies_bring_their_norm() {
     let mut m = Mechanism::new("space");
-    let p = crate::algebra::Vec3::new(1.0, 2.0, 3.0);
+    let p = crate::numbers::algebra::Vec3::new(1.0, 2.0, 3.0);
     m.spatial("platform", SpatialPose::at(p)).unwrap();
     let error = m.build().unwrap_err();
     let found = error.diagnosis().unwrap();

@@ -4,10 +4,10 @@ use std::f64::consts::{FRAC_PI_6, PI, TAU};
 
 use super::models::*;
 use super::*;
-use crate::coordinates::{Ground, any_planar};
 use crate::joints::{drivers, planar};
-use crate::mechanism::{Mechanism, SpatialPose, linspace, pose};
-use crate::newton::{Options, Stop};
+use crate::model::coordinates::{Ground, any_planar};
+use crate::model::mechanism::{Mechanism, SpatialPose, linspace, pose};
+use crate::solve::newton::{Options, Stop};
 
 /// R3, its velocity and its acceleration in closed form.
 fn two_link_exact(t: f64) -> [[f64; 2]; 3] {
@@ -149,14 +149,20 @@ fn compiled_and_hand_written_constraints_run_together() {
 
 /// A leg of a platform: |r + A u − b| − l(t) = 0.   \[m\]
 #[kin_macros::constraint]
-fn leg(p: crate::coordinates::Spatial, u: crate::algebra::Vec3, b: crate::algebra::Vec3, l: Law, t: crate::coordinates::Time) -> f64 {
+fn leg(
+    p: crate::model::coordinates::Spatial,
+    u: crate::numbers::algebra::Vec3,
+    b: crate::numbers::algebra::Vec3,
+    l: Law,
+    t: crate::model::coordinates::Time,
+) -> f64 {
     (p.point(u) - b).norm() - l.at(t)
 }
 
 /// Gough–Stewart platform (workload W5): six legs, seven coordinates, the norm by itself.
 #[test]
 fn stewart_platform_keeps_its_legs_and_its_norm() {
-    use crate::algebra::{EulerParameters, Vec3};
+    use crate::numbers::algebra::{EulerParameters, Vec3};
     let mut m = Mechanism::new("platform");
     let tilted = SpatialPose::new(Vec3::new(0.1, -0.2, 0.7), EulerParameters::new(2.0, 0.3, 0.2, -0.4));
     let platform = m.spatial("platform", tilted).unwrap();

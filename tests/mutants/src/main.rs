@@ -26,8 +26,20 @@ use tree::Tree;
 type Result<T> = std::result::Result<T, Box<dyn Error + Send + Sync>>;
 
 /// What is changed: folders and files of `kin-core/src`.
-const CODE: [&str; 9] =
-    ["proof.rs", "proof", "follow", "law.rs", "law", "law/spline", "measure/roots.rs", "measure/extremes.rs", "linear/condition.rs"];
+const CODE: [&str; 12] = [
+    "ask/proof.rs",
+    "ask/proof",
+    "numbers/enclosure",
+    "model/formula/bounds.rs",
+    "model/formula/time.rs",
+    "solve/follow",
+    "model/law.rs",
+    "model/law",
+    "model/law/spline",
+    "ask/measure/roots.rs",
+    "ask/measure/extremes.rs",
+    "linear/condition.rs",
+];
 
 /// What is run against it.
 const TESTS: [&str; 15] = [

@@ -1,7 +1,7 @@
 //! Drivers of coordinates and planar bodies.
 
-use crate::algebra::Vec2;
-use crate::law::Law;
+use crate::model::law::Law;
+use crate::numbers::algebra::Vec2;
 use kin_macros::constraint;
 
 /// A coordinate follows a law of time: q − f(t) = 0.      \[unit of q\]

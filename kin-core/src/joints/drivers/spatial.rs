@@ -1,7 +1,7 @@
 //! Drivers of spatial bodies.
 
-use crate::algebra::{Axis, EulerParameters, Vec3, vec3};
-use crate::law::Law;
+use crate::model::law::Law;
+use crate::numbers::algebra::{Axis, EulerParameters, Vec3, vec3};
 use kin_macros::constraint;
 
 /// The turn of body i in body j follows a law of time: the turn of f_i from f_j about h_j, taken back by f(t), is zero.      \[rad\]

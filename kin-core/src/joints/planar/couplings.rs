@@ -1,8 +1,8 @@
 //! Couplings of turns and slides. Angles of planar bodies are never wrapped, so any number of turns is counted.
 
 use super::terms::{self, TERMS};
-use crate::algebra::Vec2;
-use crate::coordinates::{Coordinate, Ground};
+use crate::model::coordinates::{Coordinate, Ground};
+use crate::numbers::algebra::Vec2;
 use kin_macros::constraint;
 
 /// Pair of gears on an arm: r_i (θ_i − θ_arm − φ) + r_j (θ_j − θ_arm) = 0.      \[m\]

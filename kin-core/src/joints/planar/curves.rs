@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use crate::algebra::{Vec2, vec2};
-use crate::law::Law;
+use crate::model::law::Law;
+use crate::numbers::algebra::{Vec2, vec2};
 use kin_macros::constraint;
 
 /// A point of body i stays on the curve y = f(x) of body j: s_y − f(s_x) = 0, s the point as body j sees it.      \[m\]

@@ -1,6 +1,6 @@
 //! Joints that hold points and angles.
 
-use crate::algebra::Vec2;
+use crate::numbers::algebra::Vec2;
 use kin_macros::constraint;
 
 /// A body that does not move: R = r, θ = θ0.      \[m, m, rad\]

@@ -1,6 +1,6 @@
 //! Joints that let something slide.
 
-use crate::algebra::Vec2;
+use crate::numbers::algebra::Vec2;
 use kin_macros::constraint;
 
 /// Sliding joint: θ_i − θ_j − θ0 = 0 and h_i · (r_Pi − r_Pj) = 0.      \[rad, m\]

@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::algebra::{Axis, Vec3};
+use crate::numbers::algebra::{Axis, Vec3};
 use kin_macros::constraint;
 
 /// A coordinate of its own for the turn of body i in body j: the turn of f_i from f_j about h_j, taken back by φ, is zero.      \[rad\]

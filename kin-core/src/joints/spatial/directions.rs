@@ -1,6 +1,6 @@
 //! Directions beside directions; points are free.
 
-use crate::algebra::{Axis, Vec3};
+use crate::numbers::algebra::{Axis, Vec3};
 use kin_macros::constraint;
 
 /// Parallel axes: f_i · h_j = g_i · h_j = 0.      \[–, –\]

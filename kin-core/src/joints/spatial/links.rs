@@ -1,6 +1,6 @@
 //! Links without mass: two joints and the body between them as one constraint.
 
-use crate::algebra::{Axis, Vec3};
+use crate::numbers::algebra::{Axis, Vec3};
 use kin_macros::constraint;
 
 /// Link with a hinge on body i and a ball on body j: h_i · d = 0 and (|d|² − l²)/(2 l) = 0 with d = r_Pj − r_Pi.      \[m, m\]

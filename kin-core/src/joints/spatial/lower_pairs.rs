@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::algebra::{Axis, EulerParameters, Vec3};
+use crate::numbers::algebra::{Axis, EulerParameters, Vec3};
 use kin_macros::constraint;
 
 /// A body that does not move: R − r = 0 and the vector part of p0* p is zero.      \[m, –\]

@@ -1,7 +1,7 @@
 //! Points that move in their body.
 
-use crate::algebra::{Vec3, vec3};
-use crate::law::Law;
+use crate::model::law::Law;
+use crate::numbers::algebra::{Vec3, vec3};
 use kin_macros::constraint;
 
 /// A point that moves in body i by laws of time is a point of body j: R_i + A_i ū_i(t) − R_j − A_j ū_j = 0.      \[m\]

@@ -2,7 +2,7 @@
 
 use kin_macros::constraint;
 
-use crate::algebra::{EulerParameters, Vec3};
+use crate::numbers::algebra::{EulerParameters, Vec3};
 
 /// The norm of a body's Euler parameters: pᵀ p − 1 = 0.      \[–\]
 ///

@@ -1,6 +1,6 @@
 //! Points on points, lines, planes and spheres.
 
-use crate::algebra::{Axis, Vec3};
+use crate::numbers::algebra::{Axis, Vec3};
 use kin_macros::constraint;
 
 /// Ball joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      \[m\]

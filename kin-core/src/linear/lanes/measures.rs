@@ -4,7 +4,7 @@ use pulp::NullaryFnOnce;
 
 use super::super::{Linear, SLACK};
 use super::WideLinear;
-use crate::lanes::{Level, Mask, Wide};
+use crate::numbers::lanes::{Level, Mask, Wide};
 
 /// Matrices that are measured in some lanes, on their way into the function that has the machine's instructions.
 struct Anew<'x, S: Level>(&'x mut WideLinear<S>, Mask<S>);

@@ -5,7 +5,7 @@ use super::super::record::{Places, Recording};
 use super::super::replay::{Replay, SMALL};
 use super::super::{GROWTH, REFINED};
 use super::WideLinear;
-use crate::lanes::{Level, Wide};
+use crate::numbers::lanes::{Level, Wide};
 
 /// Rates that the ground has for any argument: as many as a spatial body.
 pub(super) const GROUND: usize = 7;

@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::super::Linear;
-use crate::random::Random;
+use crate::numbers::random::Random;
 
 /// The condition number of the matrix by the measures of its rows and columns, estimated and exact.
 fn conditions(a: &DMatrix<f64>) -> [f64; 2] {

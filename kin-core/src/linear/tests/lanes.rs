@@ -1,9 +1,9 @@
 //! The same systems over lanes: each lane solves its own, whatever rows of its right sides are zero for good.
 
 use super::random::{Kind, Sparse};
-use crate::lanes::{Lanes, Level, Mask, Wide, WithLevel};
 use crate::linear::lanes::WideLinear;
-use crate::random::Random;
+use crate::numbers::lanes::{Lanes, Level, Mask, Wide, WithLevel};
+use crate::numbers::random::Random;
 
 /// One system in as many lanes as there are, each with numbers near the first one's.
 struct Together<'a>(&'a Sparse, u64);

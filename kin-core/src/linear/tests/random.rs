@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::*;
-use crate::random::Random;
+use crate::numbers::random::Random;
 
 impl Random {
     pub(super) fn below(&mut self, n: usize) -> usize {

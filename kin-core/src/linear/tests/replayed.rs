@@ -1,7 +1,7 @@
 //! What a replay must do: restore constants, notice that it no longer fits, stay flat and linear.
 
 use super::*;
-use crate::random::Random;
+use crate::numbers::random::Random;
 
 /// C_q of a four-bar in absolute coordinates (pins O, A, B, C, then the driver) at its angles; links a, b, c and ground d.
 fn four_bar([a, b, c, _]: [f64; 4], [t2, t3, t4]: [f64; 3]) -> Vec<f64> {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::constraint::Constraint;
+use crate::model::constraint::Constraint;
 
 /// One constraint in a system.
 #[derive(Clone)]

@@ -3,9 +3,9 @@
 use std::collections::HashMap;
 
 use super::{Block, Equations, Instant};
-use crate::blame::table::Table;
-use crate::constraint::Route;
-use crate::proof::held::can_jump;
+use crate::model::constraint::Route;
+use crate::model::formula::Table;
+use crate::model::formula::time::can_jump;
 
 /// A row that was met and is off by more than this, by its measure, has jumped.   \[-\]
 const FAR: f64 = 1e-6;

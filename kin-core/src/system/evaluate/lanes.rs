@@ -1,8 +1,8 @@
 //! Evaluation over lanes: several systems of one pattern at once, by kernels where constraints have them, else lane by lane.
 
 use super::{Equations, Span, StatePlan};
-use crate::lanes::{InLanes, LaneBlock, LaneInstant, Level, Table, Wide};
-use crate::state::{At, Rates, SPATIAL_STATE};
+use crate::model::state::{At, Rates, SPATIAL_STATE};
+use crate::numbers::lanes::{InLanes, LaneBlock, LaneInstant, Level, Table, Wide};
 use crate::system::System;
 
 /// One constraint over lanes.

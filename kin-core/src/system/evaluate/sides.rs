@@ -2,8 +2,8 @@
 
 use super::linear::Side;
 use super::{Block, Equations, Instant};
-use crate::error::Error;
-use crate::state::At;
+use crate::model::error::Error;
+use crate::model::state::At;
 
 impl Equations {
     /// −C_t, whether it is finite or not.

@@ -1,7 +1,7 @@
 //! States over lanes: the same plan for several mechanisms at once.
 
 use super::{COORD_STATE, Coord, PLANAR_STATE, SPATIAL_STATE, StatePlan, from, from_mut};
-use crate::lanes::{Level, Wide};
+use crate::numbers::lanes::{Level, Wide};
 
 impl StatePlan {
     /// The states where all coordinates are zero.

@@ -1,0 +1,221 @@
+//! What a system is asked for: positions, motions, sweeps, diagnoses, assemblies.
+
+use crate::ask::diagnosis::{self, Diagnosis, DiagnosisOptions, Start};
+use crate::model::error::{Error, Result};
+use crate::solve::assembly::{Assembly, AssemblyOptions, Label, modes};
+use crate::solve::motion::{EventKind, Motion};
+use crate::solve::newton::run::Explain;
+use crate::solve::newton::{self, Newton, Options, Steps, assembly, redundant};
+use crate::solve::sweep::Sweep;
+use crate::system::{Solution, System, time};
+
+impl System {
+    /// Position, velocity and acceleration at time t, assembled from the initial guess into the preferred assembly.
+    /// Errors: no convergence, singular, not finite.
+    pub fn position(&self, t: f64) -> Result<Solution> {
+        self.position_with(t, &Options::default())
+    }
+
+    /// The same with other options.
+    pub fn position_with(&self, t: f64, options: &Options) -> Result<Solution> {
+        options.check()?;
+        if redundant::is_redundant(self) {
+            return redundant::at(self, time(t)?, None, options);
+        }
+        let mut newton = Newton::new(self, options);
+        let outcome = assembly::assemble(&mut newton, time(t)?).map_err(|error| error.explained(self, options))?;
+        Ok(newton.solution(t, outcome))
+    }
+
+    /// Position, velocity and acceleration at time t by damped Newton steps from q0 (length n), nothing preferred.
+    /// Errors: wrong length, no convergence, singular, not finite.
+    pub fn solve_at(&self, t: f64, q0: &[f64]) -> Result<Solution> {
+        self.solve_at_with(t, q0, &Options::default())
+    }
+
+    /// The same with other options.
+    pub fn solve_at_with(&self, t: f64, q0: &[f64], options: &Options) -> Result<Solution> {
+        self.check(q0, "start")?;
+        options.check()?;
+        if redundant::is_redundant(self) {
+            return redundant::at(self, time(t)?, Some(q0), options);
+        }
+        let mut newton = Newton::new(self, options);
+        newton.q.copy_from_slice(q0);
+        let outcome = assembly::from_start(&mut newton, time(t)?, Steps::Damped)?;
+        Ok(newton.solution(t, outcome))
+    }
+
+    /// Position, velocity and acceleration at each of the times, which must only increase or only decrease.   \[s\]
+    ///
+    /// Errors: no convergence, singular, not finite; each carries the motion up to it ([`Error::motion`]).
+    pub fn run(&self, times: impl AsRef<[f64]>) -> Result<Motion> {
+        self.run_with(times, &Options::default())
+    }
+
+    /// The same with other options.
+    pub fn run_with(&self, times: impl AsRef<[f64]>, options: &Options) -> Result<Motion> {
+        let mut run = newton::run::run(self, times.as_ref(), options, Explain::Yes);
+        match &mut run {
+            Ok(motion) => self.note(motion),
+            Err(error) => error.motion_mut().into_iter().for_each(|motion| self.note(motion)),
+        }
+        run
+    }
+
+    /// Tells a motion what has happened on its way.
+    fn note(&self, motion: &mut Motion) {
+        self.note_limits(motion);
+        self.note_kinks(motion);
+    }
+
+    /// The same of a part of a run, from the end of the part before on.
+    fn note_after(&self, before: Option<&Motion>, part: &mut Motion) {
+        let Some(before) = before.filter(|_| !part.is_empty()) else { return self.note(part) };
+        let (mut whole, start) = (before.followed_by(part), before.times().first().copied());
+        self.note(&mut whole);
+        // The part before has told of events at its last time, which is where this one begins.
+        let found =
+            whole.events().iter().filter(|event| matches!(event.kind, EventKind::Limit | EventKind::Kink) && Some(event.t) != start);
+        found.for_each(|event| part.add_event(event.clone()));
+    }
+
+    /// The run of [`System::run_with`] in parts of so many times, for times without end: `keep` is shown one part after the other, each a motion of its
+    /// own that can be asked whatever a motion can be asked, and keeps of it what is wanted. Memory is that of one part, and the times may come from
+    /// any iterator. All numbers are those of the run in one.
+    ///
+    /// ```
+    /// # use kin::prelude::*;
+    /// # fn main() -> kin::Result<()> {
+    /// let mut m = Mechanism::new("crank");
+    /// let crank = m.link("crank", 1.0)?;
+    /// m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start()))?;
+    /// m.add("motor", drive_angle(crank, Law::ramp(1.0)))?;
+    /// let (times, mut highest) = ((0..10_000).map(|k| 0.001 * f64::from(k)), 0.0_f64);
+    /// m.build()?.run_in_parts(times, 1000, &kin::Options::default(), |part| {
+    ///     highest = part.point(crank, crank.end())?.r().iter().fold(highest, |highest, r| highest.max(r.y));
+    ///     Ok(())
+    /// })?;
+    /// assert!((highest - 1.0).abs() < 1e-6);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// A part of no times counts as one of one. Limits of joints are looked at from the last time of the part before on; angles over many turns
+    /// are counted from the beginning of each part.
+    ///
+    /// Errors: those of a run, which carry the part that was under way; those of `keep`, with which the run ends.
+    pub fn run_in_parts(
+        &self,
+        times: impl IntoIterator<Item = f64>,
+        size: usize,
+        options: &Options,
+        mut keep: impl FnMut(&Motion) -> Result<()>,
+    ) -> Result<()> {
+        let (size, mut times) = (size.max(1), times.into_iter().peekable());
+        options.check_memory(1, size, self.n_coordinates())?;
+        let mut run = newton::run::Run::new(self, options, Explain::Yes)?;
+        let mut order = newton::run::Order::default();
+        let mut before: Option<Motion> = None;
+        while times.peek().is_some() {
+            let mut part = Motion::new(self, size.min(times.size_hint().0.max(1)));
+            for t in times.by_ref().take(size) {
+                let reached = order.check(t).and_then(|()| run.reach(t, &mut part));
+                if let Err(error) = reached {
+                    self.note_after(before.as_ref(), &mut part);
+                    return Err(run.failed(error, part));
+                }
+            }
+            self.note_after(before.as_ref(), &mut part);
+            keep(&part)?;
+            before = Some(part.last());
+        }
+        order.some()
+    }
+
+    /// Many cases of this system: in each of them the named parameters (such as `A.u_i.x`) and initial values (such as `rocker.theta`) are
+    /// others. See [`Sweep`].
+    ///
+    /// Errors: a name that is neither a parameter nor a coordinate.
+    pub fn sweep(&self, names: impl IntoIterator<Item = impl AsRef<str>>) -> Result<Sweep<'_>> {
+        Sweep::new(self, names)
+    }
+
+    /// What the mechanism is at time t, assembled from the initial guess: counts, rank, dependencies and freedoms by name.
+    ///
+    /// Errors: t not finite, nothing finite near the guess.
+    pub fn diagnose(&self, t: f64) -> Result<Diagnosis> {
+        self.diagnose_with(t, &DiagnosisOptions::default())
+    }
+
+    /// The same with other options.
+    pub fn diagnose_with(&self, t: f64, options: &DiagnosisOptions) -> Result<Diagnosis> {
+        let t = time(t)?;
+        match self.nearer(None, t, &options.search) {
+            Some(q) => diagnosis::diagnose(self.model(), Start::Pose(&q), t, options),
+            None => diagnosis::diagnose(self.model(), Start::Guess(self.initial()), t, options),
+        }
+    }
+
+    /// The same at a pose q (length n), brought onto C = 0 first where it is off.
+    ///
+    /// Errors: wrong length, not finite.
+    pub fn diagnose_at(&self, t: f64, q: &[f64]) -> Result<Diagnosis> {
+        self.diagnose_at_with(t, q, &DiagnosisOptions::default())
+    }
+
+    /// The same with other options.
+    pub fn diagnose_at_with(&self, t: f64, q: &[f64], options: &DiagnosisOptions) -> Result<Diagnosis> {
+        self.check(q, "pose")?;
+        diagnosis::diagnose(self.model(), Start::Pose(q), time(t)?, options)
+    }
+
+    /// All assemblies that are found at time t, in the order of their labels; the same each time.
+    ///
+    /// The search goes on until nothing new turns up for a while, so for difficult mechanisms ask for more patience
+    /// ([`System::assemblies_with`]). None is an empty list.
+    ///
+    /// Errors: t not finite, a mechanism that is free to move.
+    pub fn assemblies(&self, t: f64) -> Result<Vec<Assembly>> {
+        self.assemblies_with(t, &AssemblyOptions::default())
+    }
+
+    /// The same with other options.
+    pub fn assemblies_with(&self, t: f64, options: &AssemblyOptions) -> Result<Vec<Assembly>> {
+        modes::all(self.model(), self.initial(), time(t)?, options)
+    }
+
+    /// The assembly of a label that [`System::assemblies`] gave out.
+    ///
+    /// Errors: those of [`System::assemblies`]; no assembly of that name.
+    pub fn assembly(&self, t: f64, label: &Label) -> Result<Assembly> {
+        self.assembly_with(t, label, &AssemblyOptions::default())
+    }
+
+    /// The same with other options: those that the label was given out with.
+    pub fn assembly_with(&self, t: f64, label: &Label, options: &AssemblyOptions) -> Result<Assembly> {
+        let all = self.assemblies_with(t, options)?;
+        let known = || all.iter().map(|assembly| assembly.label.to_string()).collect();
+        let found = all.iter().find(|assembly| assembly.label == *label).cloned();
+        found.ok_or_else(|| Error::UnknownName { what: "assembly", name: label.to_string(), known: known() })
+    }
+}
+
+impl Error {
+    /// The same error with what is wrong with the mechanism at that time, by name, as far as the size of the system allows to look for it.
+    pub(crate) fn explained(mut self, system: &System, options: &Options) -> Error {
+        /// Coordinates up to which a failing run is examined by itself; [`System::diagnose`] does it for any number.
+        const EXAMINED: usize = 1500;
+        if let Error::SingularAt { t, diagnosis, motion, .. }
+        | Error::NoConvergence { t, diagnosis, motion, .. }
+        | Error::Toggle { asked: t, diagnosis, motion, .. } = &mut self
+            && system.n_coordinates() <= EXAMINED
+        {
+            let options = DiagnosisOptions { search: options.search.clone(), ..DiagnosisOptions::default() };
+            let last = motion.as_ref().and_then(|motion| Some(motion.q(motion.len().checked_sub(1)?)));
+            let start = last.map_or(Start::Guess(system.initial()), Start::Pose);
+            *diagnosis = diagnosis::diagnose(system.model(), start, *t, &options).ok().map(Box::new);
+        }
+        self
+    }
+}

@@ -1,0 +1,217 @@
+//! Checking a constraint or a law of one's own, in one line of a test: symbolic code against dual numbers, term by term, and both against
+//! central differences of the function as it was written.
+//!
+//! ```
+//! use kin::prelude::*;
+//!
+//! #[constraint]
+//! fn parabolic_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
+//!     let s = j.local(i.point(u_i));
+//!     s.y - k * s.x * s.x
+//! }
+//!
+//! kin::check::derivatives(parabolic_slot(kin::any_planar(), kin::any_planar(), vec2(0.1, 0.0), 2.0));
+//! kin::check::law(&Law::sine(2.0, 3.0, 0.5), 0.0, 4.0);
+//! ```
+
+mod bounds;
+mod central;
+mod lanes;
+mod law;
+mod promises;
+mod table;
+
+pub use lanes::{LaneMismatch, lanes};
+pub use law::{LawMismatch, compare_law, law};
+pub use table::{Entry, Mismatch};
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::model::dual_route::{ArgumentKind, Equation};
+use crate::model::terms::{Terms, dual_terms, terms};
+use central::Central;
+
+/// How far apart two routes are, at the worst.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Report {
+    /// Largest difference of a term between the constraint's own route and dual numbers, relative to 1 + the largest entry of the term.
+    pub routes: f64,
+    /// Largest difference of C, C_q, C_t, and of Q_d from central differences, relative as above.
+    pub differences: f64,
+    /// Number of states at which interval bounds of C and C_q over boxes around it, those of [`crate::System::prove`], were known; all values lie within.
+    pub bounded: usize,
+    /// Number of states compared. States where the function or a derivative is not finite are left out.
+    pub states: usize,
+}
+
+/// Largest relative difference between routes that counts as rounding.
+pub const ROUTES_TOLERANCE: f64 = 1e-12;
+/// Largest relative difference from central differences (step 1e-5) that counts as their own error.
+pub const DIFFERENCES_TOLERANCE: f64 = 1e-6;
+/// The seed of the states of [`derivatives`] and [`compare`]: the same ones in every run.
+pub const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
+
+/// Asserts that all routes to the derivatives of `equation` agree and lie within their interval bounds, at 24 states spread over ±2 (m, rad, /s; Euler
+/// parameters near length one) and t in 0..4 s, the same in every run.
+///
+/// For a test: panics with a table of the entries that do not agree, and their state. [`compare`] returns the same as a value.
+pub fn derivatives<E: Equation<N, M> + Clone, const N: usize, const M: usize>(equation: E) {
+    if let Err(mismatch) = compare::<E, N, M>(&equation) {
+        panic!("{mismatch}");
+    }
+    if let Err(mismatch) = lanes(&equation) {
+        panic!("{mismatch}");
+    }
+}
+
+/// Compares all routes to the derivatives of `equation` at 24 states; the first state where they disagree is the error.
+pub fn compare<E: Equation<N, M> + Clone, const N: usize, const M: usize>(equation: &E) -> Result<Report, Box<Mismatch>> {
+    compare_from::<E, N, M>(equation, SEED)
+}
+
+/// The same at 24 other states, which `seed` chooses.
+pub fn compare_from<E: Equation<N, M> + Clone, const N: usize, const M: usize>(equation: &E, seed: u64) -> Result<Report, Box<Mismatch>> {
+    let mut report = Report { routes: 0.0, differences: 0.0, bounded: 0, states: 0 };
+    let mut spread = Spread(seed);
+    for number in 1..=24 {
+        let (mut q, qd) = (spread.vector::<N>(), spread.vector::<N>());
+        let t = spread.next() + 2.0;
+        near_one(E::ARGUMENTS, &mut q, &mut spread);
+        at_state::<E, N, M>(equation, &q, &qd, t, &mut report).map_err(|mut mismatch| {
+            mismatch.place = format!("state {number} of 24, seed {seed:#x}");
+            mismatch
+        })?;
+    }
+    Ok(report)
+}
+
+/// Brings Euler parameters to a length within a tenth of one: an iterate of Newton's method is not farther off.
+fn near_one(arguments: &[ArgumentKind], q: &mut [f64], spread: &mut Spread) {
+    let mut column = 0;
+    for kind in arguments {
+        if *kind == ArgumentKind::Spatial {
+            let p = &mut q[column + 3..column + 7];
+            let norm = p.iter().map(|e| e * e).sum::<f64>().sqrt();
+            let length = 1.0 + 0.05 * spread.next();
+            p.iter_mut().for_each(|e| *e *= length / norm);
+        }
+        column += kind.columns();
+    }
+}
+
+/// Compares all routes at one state of one's own choice.
+pub fn at<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
+    equation: &E,
+    q: &[f64; N],
+    qd: &[f64; N],
+    t: f64,
+) -> Result<Report, Box<Mismatch>> {
+    let mut report = Report { routes: 0.0, differences: 0.0, bounded: 0, states: 0 };
+    at_state::<E, N, M>(equation, q, qd, t, &mut report)?;
+    Ok(report)
+}
+
+fn at_state<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
+    equation: &E,
+    q: &[f64; N],
+    qd: &[f64; N],
+    t: f64,
+    report: &mut Report,
+) -> Result<(), Box<Mismatch>> {
+    let own = terms(equation, q, qd, t);
+    let dual = dual_terms::<E, N, M>(equation, q, qd, t);
+    if !own.is_finite() && !dual.is_finite() {
+        return Ok(());
+    }
+    let central = Some(Central::new::<E, N, M>(equation, q, qd, t)).filter(|central| central.reliable);
+    report.states += 1;
+    let mut entries = Vec::new();
+    for (term, a, b) in pairs(&own, &dual) {
+        let scale = 1.0 + if of_the_right_side(term) { parts(&own) } else { b.amax() };
+        let difference = distance(&a, &b) / scale;
+        let c = central.as_ref().and_then(|central| central.term(term));
+        let differs = c.map_or(0.0, |c| distance(&a, c) / (1.0 + c.amax()));
+        report.routes = report.routes.max(difference);
+        report.differences = report.differences.max(differs);
+        if !(difference <= ROUTES_TOLERANCE && differs <= DIFFERENCES_TOLERANCE) {
+            entries.extend(table::entries(equation, term, &a, &b, c, scale));
+        }
+    }
+    entries.extend(promises::broken::<E, N, M>(equation, q, qd, t, &dual));
+    let (outside, bounded) = bounds::outside(equation, q, qd, t, &dual);
+    report.bounded += usize::from(bounded);
+    entries.extend(outside);
+    match entries.is_empty() {
+        true => Ok(()),
+        false => Err(Box::new(Mismatch::new(equation, entries, q, qd, t))),
+    }
+}
+
+impl Central {
+    /// The terms that central differences give.
+    fn term(&self, term: &str) -> Option<&DMatrix<f64>> {
+        match term {
+            "C" => Some(&self.c),
+            "C_q" => Some(&self.c_q),
+            "C_t" => Some(&self.c_t),
+            "Q_d" => Some(&self.q_d),
+            _ => None,
+        }
+    }
+}
+
+/// max |a − b|; infinite where either is not a number.
+fn distance(a: &DMatrix<f64>, b: &DMatrix<f64>) -> f64 {
+    a.iter().zip(b.iter()).map(|(a, b)| (a - b).abs()).fold(0.0, |m, d| {
+        if d <= m {
+            m
+        } else if d.is_nan() {
+            f64::INFINITY
+        } else {
+            d
+        }
+    })
+}
+
+/// The three parts of Q_d come from one right side, so they are exact to rounding of the largest of them.
+fn of_the_right_side(term: &str) -> bool {
+    matches!(term, "(C_q qd)_q qd" | "C_qt qd" | "C_tt" | "Q_d")
+}
+
+fn parts(own: &Terms) -> f64 {
+    [&own.c_qqd_qd, &own.c_tt, &own.c_qt_qd, &own.q_d].iter().map(|v| v.amax()).fold(0.0, f64::max)
+}
+
+fn column(v: &DVector<f64>) -> DMatrix<f64> {
+    DMatrix::from_column_slice(v.len(), 1, v.as_slice())
+}
+
+fn pairs(a: &Terms, b: &Terms) -> [(&'static str, DMatrix<f64>, DMatrix<f64>); 7] {
+    [
+        ("C", column(&a.c), column(&b.c)),
+        ("C_q", a.c_q.clone(), b.c_q.clone()),
+        ("C_t", column(&a.c_t), column(&b.c_t)),
+        ("(C_q qd)_q qd", column(&a.c_qqd_qd), column(&b.c_qqd_qd)),
+        ("C_qt qd", column(&a.c_qt_qd), column(&b.c_qt_qd)),
+        ("C_tt", column(&a.c_tt), column(&b.c_tt)),
+        ("Q_d", column(&a.q_d), column(&b.q_d)),
+    ]
+}
+
+/// Reproducible numbers spread over ±2 (SplitMix64).
+struct Spread(u64);
+
+impl Spread {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64 * 4.0 - 2.0
+    }
+
+    fn vector<const N: usize>(&mut self) -> [f64; N] {
+        std::array::from_fn(|_| self.next())
+    }
+}

@@ -1,0 +1,324 @@
+//! The pose to look at, and what cannot be met there.
+
+use super::change::{Change, Size};
+use super::examine::Start;
+use super::gap::{Gap, gap};
+use super::lengths;
+use super::options::DiagnosisOptions;
+use super::order;
+use super::slips::{self, Slip};
+use super::trial::Trial;
+use crate::linear::Tall;
+use crate::model::error::{Error, Result};
+use crate::model::layout::Unit;
+use crate::numbers::random::Random;
+use crate::solve::assembly::options::Clock;
+use crate::solve::assembly::search::{self, Found};
+use crate::solve::assembly::squares::Squares;
+use crate::system::scaled::{Measures, Model, Point};
+
+/// A share of the largest residual above this takes part in what cannot be met.   \[-\]
+const SHARE: f64 = 0.02;
+
+/// The pose to look at.
+pub(super) struct Placed {
+    pub q: Vec<f64>,
+    pub measures: Measures,
+    pub gaps: Vec<Gap>,
+    /// What would close the gaps, tried: the first thing that a designer would change.
+    pub cures: Vec<Change>,
+}
+
+/// A pose of the mechanism; where there is none, one at which as few constraints as possible are open, and these as little as possible.
+pub(super) fn place(model: Model<'_>, start: Start<'_>, t: f64, options: &DiagnosisOptions) -> Result<Placed> {
+    let all = |_: usize| true;
+    let clock = options.search.clock();
+    let found = match start {
+        Start::Guess(q) => search::search(model, q, t, &all, &options.search),
+        Start::Pose(q) => search::descend(model, q, t, &all, false, options.search.steps),
+    };
+    let (q, drawn) = match start {
+        Start::Guess(q) => (q, Some(q)),
+        Start::Pose(q) => (q, None),
+    };
+    let Some(found) = found else {
+        let bad = model.linearize(q, t).err();
+        return Err(bad.map_or_else(|| nowhere(t), |bad| model.not_finite(bad, q, t)));
+    };
+    let search = Search { model, t, options, clock };
+    let found = if found.met { found } else { search.off_saddles(found) };
+    if found.met {
+        let q = search.polished(&found);
+        return Ok(Placed { q, measures: found.measures, gaps: Vec::new(), cures: Vec::new() });
+    }
+    let mut placed = search.suspected(found, drawn);
+    if let Some(drawn) = drawn {
+        placed.gaps.iter_mut().for_each(|gap| gap.seen_from(model.layout, drawn));
+    }
+    Ok(placed)
+}
+
+fn nowhere(t: f64) -> Error {
+    Error::InvalidTimes { reason: format!("nothing is finite at t = {t}") }
+}
+
+/// What stays the same while constraints are let go.
+pub(super) struct Search<'a> {
+    pub model: Model<'a>,
+    pub t: f64,
+    pub options: &'a DiagnosisOptions,
+    pub clock: Clock,
+}
+
+impl Search<'_> {
+    /// What was found, or a place beside it from which the sum of squares falls further: where bodies are in line, or drawn one on the other, it can
+    /// be level without being least.
+    fn off_saddles(&self, found: Found) -> Found {
+        const TRIES: u64 = 4;
+        const BESIDE: f64 = 0.05;
+        const LOWER: f64 = 0.999;
+        let mut best = found;
+        for seed in 0..TRIES {
+            let mut random = Random::new(101 + seed);
+            let sizes = &best.measures.sizes;
+            let beside: Vec<f64> = best.place.q.iter().zip(sizes).map(|(q, size)| q + BESIDE * size * random.number()).collect();
+            let Some(next) = search::descend(self.model, &beside, self.t, &|_| true, false, self.options.search.steps) else { continue };
+            if next.met || next.place.merit < LOWER * best.place.merit {
+                best = Found { starts: best.starts, ..next };
+            }
+            if best.met || self.clock.is_up() {
+                break;
+            }
+        }
+        best
+    }
+
+    /// The pose to the last digit. Where two solutions coincide C is met to rounding at half its digits already, and the next ones decide whether the
+    /// position is called singular.
+    fn polished(&self, found: &Found) -> Vec<f64> {
+        const STEPS: usize = 40;
+        let (model, Measures { sizes, norms, .. }) = (&self.model, &found.measures);
+        let mut tall = Tall::new(model.m(), model.n(), &model.equations.entries);
+        let size = |point: &Point| point.c.iter().zip(norms).map(|(c, norm)| (c / norm).powi(2)).sum::<f64>();
+        let (mut q, mut point) = (found.place.q.clone(), found.place.point.clone());
+        for _ in 0..STEPS {
+            let scale = |entry: &Option<(usize, usize)>| entry.map_or(0.0, |(row, column)| sizes[column] / norms[row]);
+            let values: Vec<f64> = model.equations.entries.iter().zip(&point.values).map(|(entry, value)| scale(entry) * value).collect();
+            if !tall.factor(values.iter().copied(), 1e-20) {
+                break;
+            }
+            let y = tall.solve(point.c.iter().zip(norms).map(|(c, norm)| -c / norm));
+            let next: Vec<f64> = q.iter().zip(y).zip(sizes).map(|((q, y), size)| q + y * size).collect();
+            match model.linearize(&next, self.t) {
+                Ok(lower) if size(&lower) < 0.9 * size(&point) => (q, point) = (next, lower),
+                _ => break,
+            }
+        }
+        q
+    }
+
+    /// Who is to blame, in the order in which a designer asks: a slip of the pen, a length out of scale, a driver, a length, a joint.
+    fn suspected(&self, found: Found, drawn: Option<&[f64]>) -> Placed {
+        if let Some(closure) = self.allowance(&found) {
+            return Placed { cures: vec![Change::Allow { closure }], ..self.let_go(found, &[]) };
+        }
+        let part: Vec<usize> = culprits(&self.model, &found, &[]).collect();
+        let length = self.model.layout.units.iter().position(|unit| *unit == Unit::Metre).map_or(1.0, |k| found.measures.sizes[k]);
+        let slip = drawn.and_then(|drawn| slips::find(self, drawn, length));
+        if let Some(Slip { change, block }) = slip {
+            return Placed { cures: vec![change], ..self.let_go(found, &[block]) };
+        }
+        let fits = lengths::that_fit(self, &found, &part, &[], true);
+        if !fits.is_empty() {
+            let joints: Vec<usize> = part.iter().copied().filter(|block| !self.model.equations.blocks[*block].drives).collect();
+            return Placed { cures: vec![Change::Resize { any: fits }], ..self.let_go(found, &joints) };
+        }
+        let placed = self.let_go(found.clone(), &[]);
+        let drivers_alone = placed.gaps.iter().all(|gap| gap.rows.iter().all(|row| self.model.drives(*row)));
+        // A run that has come so far has the lengths it needs; a driver leads it to where it cannot go.
+        if drivers_alone && drawn.is_none() {
+            return placed;
+        }
+        let mut fits = lengths::that_fit(self, &found, &part, &[], false);
+        if drivers_alone {
+            // Beside the driver one length is told: the likeliest.
+            fits.retain(|resize| !matches!(resize.of, Size::Point { .. }));
+            fits.truncate(1);
+        }
+        let cures = if fits.is_empty() { Vec::new() } else { vec![Change::Resize { any: fits }] };
+        Placed { cures, ..placed }
+    }
+
+    /// What would have to be allowed of redundant equations that contradict one another by no more than parts of ordinary accuracy do: three times what
+    /// they are off by here, for it is more elsewhere, to one digit.
+    fn allowance(&self, found: &Found) -> Option<f64> {
+        const ORDINARY: f64 = 1e-5;
+        let shares = found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs());
+        let off = 3.0 * shares.fold(0.0_f64, f64::max);
+        let digit = 10.0_f64.powf(off.log10().floor());
+        (self.model.m() > self.model.n() && off < ORDINARY && digit > 0.0)
+            .then(|| format!("{:.0e}", (off / digit).ceil() * digit).parse().ok())?
+    }
+
+    /// Lets constraints go, one after the other, until the rest can be met; then brings them as near as the rest allows. Those named go first.
+    fn let_go(&self, found: Found, first: &[usize]) -> Placed {
+        let (starts, mut found) = (found.starts, found);
+        let mut open: Vec<usize> = Vec::new();
+        while !found.met && open.len() < self.options.let_go && !self.clock.is_up() {
+            let Some((block, next)) = self.most_telling(&found, &open, first) else { break };
+            open.push(block);
+            found = next;
+        }
+        if !found.met {
+            // Nothing that may be let go helps enough: what is off at the nearest place found is told all the same.
+            let rest: Vec<usize> = culprits(&self.model, &found, &open).take(self.options.let_go.max(1)).collect();
+            open.extend(rest);
+        }
+        let gaps = open.iter().map(|block| gap(&self.model, &found, self.t, *block, starts)).collect();
+        Placed { q: found.place.q, measures: found.measures, gaps, cures: Vec::new() }
+    }
+
+    /// The constraint to let go: one of those named, else a driver, if the joints can be met without the drivers; else the first joint without which
+    /// the others can be met, or are nearest to it.
+    fn most_telling(&self, found: &Found, open: &[usize], first: &[usize]) -> Option<(usize, Found)> {
+        let part: Vec<usize> = culprits(&self.model, found, open).collect();
+        let drives = |block: &usize| self.model.equations.blocks[*block].drives;
+        let named: Vec<usize> = first.iter().copied().filter(|block| part.contains(block)).collect();
+        if !named.is_empty() {
+            return self.best_of(found, open, &named);
+        }
+        if let Some(driver) = self.driver(found, open, part.iter().copied().filter(|block| drives(block))) {
+            return Some(driver);
+        }
+        let joints: Vec<usize> = part.iter().copied().filter(|block| !drives(block)).collect();
+        self.best_of(found, open, &joints).or_else(|| self.best_of(found, open, &part))
+    }
+
+    /// The driver that asks for what cannot be: without it the rest can be met, and it had something to drive.
+    fn driver(&self, found: &Found, open: &[usize], drivers: impl Iterator<Item = usize>) -> Option<(usize, Found)> {
+        let equations = self.model.equations;
+        let let_go = |block: usize| open.iter().copied().chain([block]).flat_map(|block| equations.blocks[block].rows());
+        let mut best: Option<(usize, Found)> = None;
+        for block in drivers {
+            let without: Vec<usize> = let_go(block).collect();
+            let trial = Trial { model: self.model, t: self.t, without: &without, steps: self.options.search.steps };
+            let own: Vec<usize> = equations.blocks[block].rows().collect();
+            let Some(next) = self.without(found, open, block) else { continue };
+            if !next.met {
+                // One of several drivers too many: the joints must close without any, and leave this one something to drive.
+                let none: Vec<usize> = without.iter().copied().chain((0..self.model.m()).filter(|row| self.model.drives(*row))).collect();
+                let joints = Trial { without: &none, ..trial };
+                let helps = next.place.merit < (1.0 - HELPS) * found.place.merit;
+                if helps && joints.closed(&next.place.q).is_some_and(|closed| joints.moves(&closed, &own)) {
+                    let better = best.as_ref().is_none_or(|(_, best)| !best.met && next.place.merit < best.place.merit);
+                    best = if better { Some((block, next)) } else { best };
+                }
+                continue;
+            }
+            if !trial.moves(&next, &own) {
+                continue;
+            }
+            if near(&self.model, found, &next, block) {
+                return Some((block, next));
+            }
+            if best.as_ref().is_none_or(|(_, best)| !best.met) {
+                best = Some((block, next));
+            }
+        }
+        best
+    }
+
+    /// The first of these without which the others can be met; else the one without which they are nearest to it.
+    fn best_of(&self, found: &Found, open: &[usize], blocks: &[usize]) -> Option<(usize, Found)> {
+        let mut best: Option<(usize, Found)> = None;
+        for &block in blocks {
+            let Some(next) = self.without(found, open, block) else { continue };
+            if next.met && near(&self.model, found, &next, block) {
+                return Some((block, next));
+            }
+            // Of two that are met the first stays: what is left of them is rounding.
+            if best.as_ref().is_none_or(|(_, best)| !best.met && (next.met || next.place.merit < best.place.merit)) {
+                best = Some((block, next));
+            }
+        }
+        best.filter(|(_, best)| best.place.merit < (1.0 - HELPS) * found.place.merit)
+    }
+
+    /// The pose where one more constraint is let go, and as near to being met as the others allow.
+    fn without(&self, found: &Found, open: &[usize], block: usize) -> Option<Found> {
+        let (model, t, steps) = (self.model, self.t, self.options.search.steps);
+        let rows: Vec<usize> = open.iter().chain([&block]).flat_map(|block| model.equations.blocks[*block].rows()).collect();
+        let near = nearest(&model, &found.measures, &found.place.q, t, &|_| true, &rows, steps);
+        search::descend(model, &near, t, &|row| !rows.contains(&row), false, steps)
+    }
+}
+
+/// What must be gone of the sum of squares for a constraint that is let go to be told.   \[-\]
+const HELPS: f64 = 0.1;
+
+/// Whether a constraint that is let go is off by no more than its share in what could not be met lets one expect: by more it is so in
+/// another assembly, which says nothing about this one.
+fn near(model: &Model<'_>, found: &Found, next: &Found, block: usize) -> bool {
+    /// What is within expectation.   \[-\]
+    const EXPECTED: f64 = 4.0;
+    // By the same norms: those of the other place are measured around it.
+    let size = |at: &Found| {
+        let rows = model.equations.blocks[block].rows();
+        rows.map(|row| (at.place.point.c[row] / found.measures.norms[row]).powi(2)).sum::<f64>().sqrt()
+    };
+    let merit = found.place.merit;
+    let shares = found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs());
+    let largest = shares.clone().fold(0.0_f64, f64::max);
+    let taking_part = shares.filter(|share| *share > SHARE * largest).count() as f64;
+    size(next) * size(found) <= EXPECTED * merit && size(next) <= EXPECTED * (taking_part * merit).sqrt()
+}
+
+/// The constraints that take part in what cannot be met, the first that is called superfluous first.
+fn culprits(model: &Model<'_>, found: &Found, open: &[usize]) -> impl Iterator<Item = usize> {
+    /// So many are tried.
+    const TRIED: usize = 24;
+    let shares: Vec<f64> = found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs()).collect();
+    let block_of = |row: usize| model.equations.blocks.partition_point(|block| block.rows().end <= row);
+    let closed = |row: usize| !open.contains(&block_of(row));
+    let largest = (0..model.m()).filter(|row| closed(*row)).fold(0.0_f64, |m, row| m.max(shares[row]));
+    let mut blocks: Vec<usize> = Vec::new();
+    for row in order::of_rows(model).into_iter().filter(|row| closed(*row) && shares[*row] > SHARE * largest) {
+        if !blocks.contains(&block_of(row)) && blocks.len() < TRIED {
+            blocks.push(block_of(row));
+        }
+    }
+    blocks.into_iter()
+}
+
+/// The pose at which these rows are as nearly met as the other active ones allow, near the one given: the rows weigh ever less against the
+/// others, and then the others are shifted by what they are still off, until they are met (method of multipliers; J. Nocedal, S. J. Wright,
+/// Numerical Optimization, section 17.3). So at the smallest gap the equations that hold it open depend on one another to half the digits at least.
+pub(super) fn nearest(
+    model: &Model<'_>,
+    measures: &Measures,
+    from: &[f64],
+    t: f64,
+    active: &dyn Fn(usize) -> bool,
+    rows: &[usize],
+    steps: usize,
+) -> Vec<f64> {
+    /// What the rows weigh against the others, stage by stage, and the rounds of shifts after that, each of which is worth some five digits.   \[-\]
+    const WEIGHTS: [f64; 3] = [3e-1, 3e-2, 3e-3];
+    const ROUNDS: usize = 3;
+    let mut q = from.to_vec();
+    let mut squares = Squares::new(*model, measures, Vec::new(), false);
+    (0..model.m()).filter(|row| !active(*row)).for_each(|row| squares.weights[row] = 0.0);
+    for round in 0..WEIGHTS.len() + ROUNDS {
+        match WEIGHTS.get(round) {
+            Some(weight) => rows.iter().for_each(|row| squares.weights[*row] = *weight),
+            None => {
+                let Ok(point) = model.linearize(&q, t) else { break };
+                let others = (0..model.m()).filter(|row| !rows.contains(row));
+                others.for_each(|row| squares.shifts[row] += point.c[row]);
+            }
+        }
+        let Some(place) = squares.place(&q, t) else { break };
+        q = squares.minimise(place, steps).q;
+    }
+    q
+}

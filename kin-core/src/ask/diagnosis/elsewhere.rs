@@ -1,0 +1,69 @@
+//! Where to begin instead of at a singular position: a time, or another value for a driver, tried before it is told.
+
+use serde::{Deserialize, Serialize};
+
+use super::examine::Examined;
+use super::gap::Asks;
+use crate::linear::Echelon;
+use crate::solve::assembly::search;
+use crate::system::scaled::Model;
+
+/// What leads to a position that is not singular.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub enum Elsewhere {
+    /// Another time.   \[s\]
+    Time(f64),
+    /// Another value for a driver.
+    Drive {
+        /// The driver.
+        constraint: String,
+        /// What it asks for now, and what to ask for: where the coordinate stands at a position that is not singular.
+        asks: Asks,
+    },
+}
+
+/// Pivots there are this far from zero.   \[-\]
+const CLEAR: f64 = 1e-4;
+
+/// A time near the one examined, as soon after it as one is found, else before it; where drivers stand still, another value for one.
+pub(super) fn elsewhere(examined: &Examined<'_>) -> Option<Elsewhere> {
+    /// In units of the time in which the fastest driver moves something by one.   \[-\]
+    const STEPS: [f64; 8] = [0.01, 0.03, 0.1, 0.3, -0.01, -0.03, -0.1, -0.3];
+    let (model, t, time) = (examined.model(), examined.t, examined.measures().time);
+    let times = STEPS.iter().map(|step| rounded(t, step * time));
+    let regular = |t: &f64| {
+        let found = search::descend(*model, examined.q, *t, &|_| true, false, examined.walk.steps).filter(|found| found.met);
+        found.is_some_and(|found| is_clear(model, &found.place.q, *t))
+    };
+    times.into_iter().find(regular).map(Elsewhere::Time).or_else(|| other_value(examined))
+}
+
+/// A time to two digits of the step.
+fn rounded(t: f64, step: f64) -> f64 {
+    let digit = 10.0_f64.powf(step.abs().log10().floor() - 1.0);
+    if digit > 0.0 && digit.is_finite() { ((t + step) / digit).round() * digit } else { t + step }
+}
+
+/// Whether C_q is far from singular at a pose.
+fn is_clear(model: &Model<'_>, q: &[f64], t: f64) -> bool {
+    let rank = |values: &[f64]| Echelon::new(model.scaled(values, &model.measure(q, t), &|_| true), model.n(), CLEAR).rank();
+    model.linearize(q, t).is_ok_and(|point| rank(&point.values) == model.n())
+}
+
+/// What a driver of one coordinate would ask for at the nearby position.
+fn other_value(examined: &Examined<'_>) -> Option<Elsewhere> {
+    let (model, nearby) = (examined.model(), examined.nearby?);
+    if !is_clear(model, &nearby.q, nearby.t) {
+        return None;
+    }
+    let point = model.linearize(&nearby.q, examined.t).ok()?;
+    model.equations.blocks.iter().filter(|block| block.drives && block.rows().len() == 1).find_map(|block| {
+        let row = block.rows().start;
+        let mut own = model.entries(&point.values).filter(|(known, _, value)| *known == row && *value != 0.0);
+        let (Some((_, column, _)), None) = (own.next(), own.next()) else { return None };
+        let (asked, stands) = (examined.q[column], nearby.q[column]);
+        let asks = Asks::new(model.layout.names[column].clone(), asked, stands);
+        (asked != stands).then(|| Elsewhere::Drive { constraint: block.name.clone(), asks })
+    })
+}

@@ -1,0 +1,148 @@
+//! Nearby poses of the same assembly: random steps along what is free, back onto C = 0, with always the same random numbers.
+
+use super::contradiction::nearest;
+use super::examine::{Orders, Ranked, ranked};
+use crate::linear::{Echelon, RANK, Sparse};
+use crate::numbers::random::Random;
+use crate::solve::assembly::squares::Squares;
+use crate::system::scaled::{Measures, Model};
+
+/// Steps are of this size, the next one where the one before leads nowhere; in units of the model's length and of one radian.   \[-\]
+const REACH: [f64; 3] = [0.1, 0.03, 0.3];
+
+/// A pose that has come back to within this share of its step has not moved.   \[-\]
+const MOVED: f64 = 0.3;
+
+/// A nearby pose and the rank there.
+pub(super) struct Nearby {
+    pub q: Vec<f64>,
+    pub t: f64,
+    pub ranked: Ranked,
+}
+
+/// What is kept on the way.
+#[derive(Clone, Copy)]
+pub(super) struct Walk<'a> {
+    pub model: &'a Model<'a>,
+    pub measures: &'a Measures,
+    /// Equations that cannot be met; they stay as near to it as the others allow.
+    pub open: &'a [usize],
+    /// Equations that are left out.
+    pub without: &'a [usize],
+    /// Steps to least squares at most.
+    pub steps: usize,
+}
+
+/// Which equations are kept, and whether time goes on.
+#[derive(Clone, Copy, PartialEq)]
+enum Kept {
+    /// All, and time goes on.
+    AllInTime,
+    /// All, while time stands still.
+    All,
+    /// Those that do not drive.
+    Joints,
+}
+
+impl Walk<'_> {
+    /// The nearby pose of the highest rank of so many; `None` where the mechanism cannot move, neither in the course of time nor with its
+    /// drivers let go.
+    ///
+    /// First everything moves on with time, drivers included; where that leads nowhere (drivers that stand still or contradict one another),
+    /// or where something is open (which time may close or open further), joints alone are kept.
+    pub(super) fn nearby(&self, q: &[f64], t: f64, poses: usize, orders: &Orders) -> Option<Nearby> {
+        let in_time = if self.open.is_empty() { self.highest(q, t, Kept::AllInTime, poses, orders) } else { None };
+        let full = self.model.n().min(self.model.m());
+        if in_time.as_ref().is_some_and(|found| found.ranked.rank == full) {
+            return in_time;
+        }
+        // What keeps all may not leave a singular position: a motor in a dead centre stands still.
+        let joints = self.highest(q, t, Kept::Joints, poses, orders);
+        match (in_time, joints) {
+            (Some(a), Some(b)) => Some(if b.ranked.rank > a.ranked.rank { b } else { a }),
+            (a, b) => a.or(b),
+        }
+    }
+
+    fn highest(&self, q: &[f64], t: f64, kept: Kept, poses: usize, orders: &Orders) -> Option<Nearby> {
+        let mut best: Option<Nearby> = None;
+        for seed in 0..poses as u64 {
+            let mut random = Random::new(1 + seed);
+            let tried = REACH.iter().find_map(|reach| {
+                let v = self.tangent(q, t, kept, &mut random)?;
+                self.step((q, t), &v, *reach, kept)
+            });
+            let Some((q, t)) = tried else { continue };
+            let Ok(point) = self.model.linearize(&q, t) else { continue };
+            let ranked = ranked(self.model, &point.values, self.measures, orders, self.least());
+            if best.as_ref().is_none_or(|best| ranked.rank > best.ranked.rank) {
+                let highest = ranked.rank == self.model.n().min(self.model.m());
+                best = Some(Nearby { q, t, ranked });
+                if highest {
+                    break;
+                }
+            }
+        }
+        best
+    }
+
+    /// Pivots below this count as zero: a smallest gap is found to half the digits of a pose.   \[-\]
+    pub(super) fn least(&self) -> f64 {
+        const OPEN: f64 = 1e-5;
+        if self.open.is_empty() { RANK } else { OPEN }
+    }
+
+    fn keeps(&self, kept: Kept, row: usize) -> bool {
+        (kept != Kept::Joints || !self.model.drives(row)) && !self.without.contains(&row)
+    }
+
+    /// A random direction in which nothing changes to first order, the largest share 1; `None` where only time could go on.
+    fn tangent(&self, q: &[f64], t: f64, kept: Kept, random: &mut Random) -> Option<Vec<f64>> {
+        let Walk { model, measures, .. } = *self;
+        let (n, time_is_free) = (model.n(), kept == Kept::AllInTime);
+        let point = model.linearize(q, t).ok()?;
+        let mut rows: Vec<Sparse> = model.scaled(&point.values, measures, &|row| self.keeps(kept, row));
+        if time_is_free {
+            let c_t = model.c_t(q, t).ok()?;
+            rows.iter_mut().enumerate().for_each(|(row, entries)| entries.push((n, c_t[row] * measures.time / measures.norms[row])));
+        }
+        let mut v = vec![0.0; n + 1];
+        for vector in Echelon::new(rows, n + usize::from(time_is_free), self.least()).null_space() {
+            let largest = vector.iter().fold(0.0_f64, |m, (_, x)| m.max(x.abs()));
+            let share = random.number() / largest;
+            vector.iter().for_each(|(k, x)| v[*k] += share * x);
+        }
+        let largest = v[..n].iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        (largest > 1e-6 * v[n].abs() && largest > 0.0).then(|| v.iter().map(|x| x / largest).collect())
+    }
+
+    /// Whether the mechanism can move along v (shares of the coordinates' sizes) with its time standing still.
+    pub(super) fn moves(&self, q: &[f64], t: f64, v: &[f64]) -> bool {
+        REACH.iter().any(|reach| self.step((q, t), v, *reach, Kept::All).is_some())
+    }
+
+    /// Where the joints alone, drivers let go, can move to along v.
+    pub(super) fn beside(&self, q: &[f64], t: f64, v: &[f64]) -> Option<Vec<f64>> {
+        let v: Vec<f64> = v.iter().copied().chain([0.0]).collect();
+        REACH.iter().find_map(|reach| self.step((q, t), &v, *reach, Kept::Joints)).map(|(q, _)| q)
+    }
+
+    /// A step along v and back onto C = 0; `None` where that leads back, or nowhere.
+    fn step(&self, (q, t): (&[f64], f64), v: &[f64], reach: f64, kept: Kept) -> Option<(Vec<f64>, f64)> {
+        let Walk { model, measures, .. } = *self;
+        let (n, time_is_free) = (model.n(), kept == Kept::AllInTime);
+        let mut moved: Vec<f64> = q.iter().zip(v).zip(&measures.sizes).map(|((q, v), size)| q + reach * v * size).collect();
+        let open: Vec<usize> = self.open.iter().copied().filter(|row| self.keeps(kept, *row)).collect();
+        if !open.is_empty() {
+            moved = nearest(model, measures, &moved, t, &|row| self.keeps(kept, row), &open, self.steps);
+        }
+        let active = |row: usize| self.keeps(kept, row) && !self.open.contains(&row);
+        let mut squares = Squares::new(*model, measures, Vec::new(), time_is_free);
+        (0..model.m()).filter(|row| !active(*row)).for_each(|row| squares.weights[row] = 0.0);
+        let from = squares.place(&moved, t + if time_is_free { reach * v[n] * measures.time } else { 0.0 })?;
+        let place = squares.minimise(from, self.steps);
+        let shares = place.q.iter().zip(q).zip(&measures.sizes).map(|((a, b), size)| ((a - b) / size).abs());
+        let far = shares.fold(0.0_f64, f64::max) >= MOVED * reach;
+        (far && model.met(&place.point, &place.q, measures, &active)).then_some((place.q, place.t))
+    }
+}

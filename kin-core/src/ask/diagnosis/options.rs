@@ -1,0 +1,30 @@
+//! How far a mechanism is examined.
+
+use crate::model::error::Result;
+use crate::solve::assembly::SearchOptions;
+use crate::solve::assembly::options::at_least_one;
+
+/// How far a mechanism is examined. All fields have defaults: `DiagnosisOptions { poses: 10, ..DiagnosisOptions::default() }`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DiagnosisOptions {
+    /// How a pose is looked for.
+    pub search: SearchOptions,
+    /// Constraints that are let go at most, where not all can be met; default 6.
+    pub let_go: usize,
+    /// Nearby poses at most at which the rank is taken, where it is less than it could be; default 3.
+    pub poses: usize,
+}
+
+impl Default for DiagnosisOptions {
+    fn default() -> Self {
+        DiagnosisOptions { search: SearchOptions::default(), let_go: 6, poses: 3 }
+    }
+}
+
+impl DiagnosisOptions {
+    /// An error unless there is something to do.
+    pub(crate) fn check(&self) -> Result<()> {
+        self.search.check()?;
+        at_least_one(self.poses, "nearby poses")
+    }
+}

@@ -1,0 +1,96 @@
+//! An order of equations and coordinates that depends on names alone, so that what is told does not change with the order of declaration.
+
+use std::cmp::Ordering;
+
+use crate::model::layout::{Place, Unit};
+use crate::system::scaled::Model;
+
+/// Rows in the order in which they are the first to be called superfluous: drivers, then joints, the last name first; the norms of Euler
+/// parameters never before anything else.
+pub(super) fn of_rows(model: &Model<'_>) -> Vec<usize> {
+    let key = |row: usize| {
+        let (name, local, class) = match model.equations.block_of(row) {
+            Some((block, local)) if block.drives => (block.name.as_str(), local, 0),
+            Some((block, local)) => (block.name.as_str(), local, if block.constraint.kind() == "euler_norm" { 2 } else { 1 }),
+            None => ("", 0, 2),
+        };
+        (class, name, local)
+    };
+    let mut rows: Vec<usize> = (0..model.m()).collect();
+    rows.sort_by(|a, b| {
+        let (a, b) = (key(*a), key(*b));
+        a.0.cmp(&b.0).then_with(|| natural(b.1, a.1)).then(b.2.cmp(&a.2))
+    });
+    rows
+}
+
+/// Columns in the order in which they are the first to be called free: angles, then lengths, then Euler parameters; of these the bodies that a joint
+/// holds to the ground first, where a motor is likely to stand; by name.
+pub(super) fn of_columns(model: &Model<'_>) -> Vec<usize> {
+    let class = |column: usize| match model.layout.units[column] {
+        Unit::Radian => 0,
+        Unit::Metre => 1,
+        Unit::One => 2,
+    };
+    let grounded = grounded(model);
+    let mut columns: Vec<usize> = (0..model.n()).collect();
+    columns.sort_by(|a, b| {
+        let key = |column: usize| (class(column), !grounded[column]);
+        key(*a).cmp(&key(*b)).then_with(|| natural(&model.layout.names[*a], &model.layout.names[*b]))
+    });
+    columns
+}
+
+/// Whether a joint holds the body of a column to the ground.
+fn grounded(model: &Model<'_>) -> Vec<bool> {
+    let mut grounded = vec![false; model.n()];
+    for block in model.equations.blocks.iter().filter(|block| !block.drives) {
+        let arguments = block.constraint.arguments();
+        let places: Vec<Place> = arguments.iter().filter_map(|argument| model.layout.place(&argument.target)).collect();
+        if places.iter().any(|place| matches!(place, Place::Ground(_))) {
+            let items = places.iter().filter_map(|place| match place {
+                Place::Own { item, .. } => model.layout.items.get(*item),
+                Place::Ground(_) => None,
+            });
+            items.for_each(|item| grounded[item.first..item.first + item.kind.coordinates().len()].fill(true));
+        }
+    }
+    grounded
+}
+
+/// Names with numbers in them by the size of the numbers: `pin 2` before `pin 10`.
+pub(super) fn natural(a: &str, b: &str) -> Ordering {
+    let (mut a, mut b) = (a, b);
+    loop {
+        let (x, y) = (digits(a), digits(b));
+        let order = match (x.is_empty(), y.is_empty()) {
+            (false, false) => {
+                let (x, y) = (x.trim_start_matches('0'), y.trim_start_matches('0'));
+                x.len().cmp(&y.len()).then_with(|| x.cmp(y))
+            }
+            _ => a.chars().next().cmp(&b.chars().next()),
+        };
+        if order != Ordering::Equal || a.is_empty() {
+            return order;
+        }
+        let skip =
+            |text: &str, digits: &str| digits.len().max(if digits.is_empty() { text.chars().next().map_or(0, char::len_utf8) } else { 0 });
+        (a, b) = (&a[skip(a, x)..], &b[skip(b, y)..]);
+    }
+}
+
+fn digits(text: &str) -> &str {
+    &text[..text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len())]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_in_names_count_as_numbers() {
+        let mut names = ["pin 10", "pin 2", "motor", "pin 2b", "motor 2", "pin 02", "é", ""];
+        names.sort_by(|a, b| natural(a, b));
+        assert_eq!(names, ["", "motor", "motor 2", "pin 2", "pin 02", "pin 2b", "pin 10", "é"]);
+    }
+}

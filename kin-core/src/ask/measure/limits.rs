@@ -1,0 +1,121 @@
+//! Limits of joints and ends of slots: a run tells by events when it passes them.
+
+use super::roots::{Root, Search, Zero};
+use crate::model::error::text::time;
+use crate::model::error::{Error, Result};
+use crate::model::mechanism::Mechanism;
+use crate::model::units::Units;
+use crate::solve::motion::{Event, EventKind, Motion};
+use crate::system::System;
+
+/// The range that a measure should keep to; an end that is infinite is none.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Limit {
+    /// The measure of a joint, or the coordinate, by name.
+    pub name: String,
+    pub ends: [f64; 2],
+}
+
+impl Limit {
+    /// What is wrong with its ends.
+    fn check(&self) -> Result<()> {
+        let [from, to] = self.ends;
+        if from < to {
+            return Ok(());
+        }
+        let reason = format!("its limits are {from} and {to}; give a smaller one and a larger one");
+        Err(Error::InvalidParameters { constraint: self.name.clone(), kind: "limit".to_string(), reason })
+    }
+}
+
+impl Mechanism {
+    /// The range that a measure of a joint (`"A.angle"`) or a coordinate (`"slider.R_x"`) should keep to, in its unit; infinite for no end. It
+    /// stops nothing: a run tells by an event when an end is passed ([`Motion::events`]). Slots know their ends by themselves.
+    ///
+    /// Errors: limits that are not in order. A name that nothing has is told by [`Mechanism::build`], with what can be asked.
+    pub fn limit(&mut self, measure: &str, from: f64, to: f64) -> Result<()> {
+        let limit = Limit { name: measure.to_string(), ends: [from, to] };
+        limit.check()?;
+        self.limits.retain(|known| known.name != limit.name);
+        self.limits.push(limit);
+        Ok(())
+    }
+}
+
+impl System {
+    /// Takes the limits that were asked for. Errors: a name that nothing has.
+    pub(crate) fn set_limits(&mut self, limits: Vec<Limit>) -> Result<()> {
+        let unknown = |name: &&Limit| self.place_of(&name.name).is_none() && !self.coordinate_names().contains(&name.name);
+        if let Some(limit) = limits.iter().find(unknown) {
+            return Err(self.no_measure(&limit.name));
+        }
+        self.limits = limits;
+        Ok(())
+    }
+
+    /// The limits that were asked for, and the ends that joints have of themselves.
+    fn all_limits(&self) -> Vec<Limit> {
+        let mut all = self.limits.clone();
+        for (joint, constraint) in self.constraints() {
+            for (k, measure) in constraint.measures().iter().enumerate() {
+                let name = format!("{joint}.{}", measure.name);
+                if let Some(ends) = constraint.ends(k)
+                    && !all.iter().any(|limit| limit.name == name)
+                {
+                    all.push(Limit { name, ends });
+                }
+            }
+        }
+        all
+    }
+
+    /// Tells the motion of each limit that it passes. What cannot be told is an event too: a run does not fail for it.
+    pub(crate) fn note_limits(&self, motion: &mut Motion) {
+        for limit in self.all_limits() {
+            let events = events(self, motion, &limit).unwrap_or_else(|error| {
+                let t = motion.times().last().copied().unwrap_or(0.0);
+                vec![event(&limit, t, format!("the limits of `{}` could not be looked at: {error}", limit.name))]
+            });
+            events.into_iter().for_each(|event| motion.add_event(event));
+        }
+    }
+}
+
+fn event(limit: &Limit, t: f64, text: String) -> Event {
+    Event { t, units: Units::default(), kind: EventKind::Limit, name: limit.name.clone(), text }
+}
+
+fn events(system: &System, motion: &Motion, limit: &Limit) -> Result<Vec<Event>> {
+    let (name, [from, to]) = (limit.name.as_str(), limit.ends);
+    let grid = system.measure(motion, name)?.value;
+    let (Some(&start), Some(&first)) = (motion.times().first(), grid.values().first()) else { return Ok(Vec::new()) };
+    let mut all = Vec::new();
+    for (end, side, outside) in [(from, "lower", first < from), (to, "upper", first > to)] {
+        let (shown, unit) = (time(end), grid.unit());
+        if outside {
+            all.push(event(
+                limit,
+                start,
+                format!("`{name}` is {} {unit} at the start, beyond its {side} end, {shown} {unit}", time(first)),
+            ));
+        }
+        // Most motions keep within: one look at the grid is enough unless it comes near.
+        if end.is_infinite() || !comes_near(grid.values(), end) {
+            continue;
+        }
+        for Root { t, rises, .. } in Search::new(system, motion, &name, Zero::Value(end))?.all()? {
+            let forwards = motion.times().last().is_none_or(|last| *last >= start);
+            let leaves = (rises == forwards) == (side == "upper");
+            let way = if leaves { "passes" } else { "comes back from beyond" };
+            all.push(event(limit, t, format!("`{name}` {way} its {side} end, {shown} {unit}")));
+        }
+    }
+    Ok(all)
+}
+
+/// Whether an end lies within the values, or beyond them by no more than they change in a step.
+fn comes_near(values: &[f64], end: f64) -> bool {
+    let (low, high) = values.iter().fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
+    let step = values.windows(2).fold(0.0_f64, |m, pair| m.max((pair[1] - pair[0]).abs()));
+    (low - step..=high + step).contains(&end)
+}

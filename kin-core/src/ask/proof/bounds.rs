@@ -1,0 +1,210 @@
+//! C and C_q of a whole system over boxes and intervals of time.
+
+use kin_graph::{Formula, Input, Results, evaluate, evaluate_along};
+
+use crate::model::blame::{Source, columns};
+use crate::model::constraint::Constraint;
+use crate::model::error::Error;
+use crate::model::formula::bounds::{self as equation, Inputs};
+use crate::model::formula::{Outside, Table};
+use crate::numbers::enclosure::interval::{Interval, ONE, ZERO};
+use crate::numbers::enclosure::series::Series;
+use crate::system::System;
+use crate::system::evaluate::Block;
+
+/// An equation of which no bounds are known over a box, and the expression that makes it so.
+#[derive(Clone, Debug)]
+pub(crate) struct Unknown {
+    pub(super) row: usize,
+    pub(super) expression: Option<(&'static str, Option<Source>)>,
+}
+
+/// The equations of a system, to be asked for bounds.
+pub(super) struct Bounds<'a> {
+    pub system: &'a System,
+    parts: Vec<Part<'a>>,
+}
+
+/// One constraint, and what stands behind its columns.
+pub(crate) struct Part<'a> {
+    constraint: &'a dyn Constraint,
+    /// Its first row among all.
+    first: usize,
+    columns: Vec<Column>,
+}
+
+#[derive(Clone, Copy)]
+enum Column {
+    Own(usize),
+    /// On the ground.
+    Fixed(f64),
+}
+
+impl<'a> Bounds<'a> {
+    /// The constraints of a system; an error by name for one that is not known as steps.
+    pub(super) fn new(system: &'a System) -> Result<Self, Error> {
+        let equations = system.equations();
+        let instant = equations.instant_at(0.0, system.initial());
+        let part = |block: &'a Block| {
+            let constraint = block.constraint.as_ref();
+            let what = || format!("a motion with `{}` ({})", block.name, constraint.kind());
+            unreadable(constraint).map_or(Ok(()), |reason| Err(Error::CannotBeProved { what: what(), reason }))?;
+            let (arguments, at) = (constraint.arguments(), equations.at(block, &instant));
+            let values = arguments.iter().enumerate().flat_map(|(k, argument)| at.coordinates(k, argument.target.columns()));
+            let places = arguments.iter().flat_map(|argument| columns(argument, system.layout()));
+            let columns = places.zip(values).map(|(place, value)| place.map_or(Column::Fixed(*value), Column::Own)).collect();
+            Ok(Part { constraint, first: block.rows().start, columns })
+        };
+        Ok(Bounds { system, parts: equations.blocks.iter().map(part).collect::<Result<_, Error>>()? })
+    }
+
+    /// The laws whose bounds are taken on their own word, each with its constraint.
+    pub(super) fn trusted(&self) -> Vec<String> {
+        let blocks = self.parts.iter().zip(&self.system.equations().blocks);
+        let mut all: Vec<String> =
+            blocks.flat_map(|(part, block)| part.trusted().into_iter().map(|law| format!("`{law}` in `{}`", block.name))).collect();
+        all.sort();
+        all.dedup();
+        all
+    }
+
+    /// Every row of C along q and t.
+    pub(super) fn residual(&self, q: &[Series], t: Series) -> Result<Vec<Series>, Unknown> {
+        let mut c = Vec::with_capacity(self.system.n_equations());
+        self.parts.iter().try_for_each(|part| part.residual(q, t, &mut c))?;
+        Ok(c)
+    }
+
+    /// The entries of C_q over a box of positions and an interval of time.
+    pub(super) fn jacobian(&self, q: &[Interval], t: Interval) -> Result<Vec<Entry>, Unknown> {
+        let mut entries = Vec::new();
+        self.parts.iter().try_for_each(|part| part.jacobian(q, t, &mut entries))?;
+        Ok(entries)
+    }
+}
+
+/// Row, column and values of an entry of C_q.
+pub(crate) type Entry = (usize, usize, Interval);
+
+impl Column {
+    fn of<T: Copy + From<Fixed>>(self, q: &[T]) -> T {
+        match self {
+            Column::Own(k) => q.get(k).copied().unwrap_or(T::from(Fixed(f64::NAN))),
+            Column::Fixed(x) => T::from(Fixed(x)),
+        }
+    }
+}
+
+/// A number that does not move.
+struct Fixed(f64);
+
+impl From<Fixed> for Interval {
+    fn from(x: Fixed) -> Self {
+        Interval::from(x.0)
+    }
+}
+
+impl From<Fixed> for Series {
+    fn from(x: Fixed) -> Self {
+        Series::constant(Interval::from(x.0))
+    }
+}
+
+/// What is done with a formula, the values of its parameters and what computes the rest.
+type Shown<'a> = dyn FnMut(&'static Table, &[f64], Outside<'_>) -> Result<(), Unknown> + 'a;
+
+impl<'a> Part<'a> {
+    /// A constraint alone, its columns being all there are; `None` for one that is not known as steps.
+    pub(crate) fn alone(constraint: &'a dyn Constraint) -> Option<Self> {
+        let columns = constraint.arguments().iter().map(|argument| argument.target.columns()).sum();
+        unreadable(constraint).is_none().then(|| Part { constraint, first: 0, columns: (0..columns).map(Column::Own).collect() })
+    }
+
+    /// Appends its rows of C along q and t.
+    pub(crate) fn residual(&self, q: &[Series], t: Series, c: &mut Vec<Series>) -> Result<(), Unknown> {
+        let columns: Vec<Series> = self.columns.iter().map(|column| column.of(q)).collect();
+        self.with(&mut |table, parameters, outside| {
+            let Formula { graph, rows, .. } = table.formula();
+            let results = evaluate(graph, rows, &Inputs { columns: &columns, t, parameters, outside });
+            c.extend(self.rows(table, &results, 1)?);
+            Ok(())
+        })
+    }
+
+    /// Appends its entries of C_q over a box and an interval of time, all that are not zero throughout.
+    ///
+    /// Every row is asked for over the whole box, along each column, whether it has an entry there or not: floor, `if` and their like jump where their slopes are zero. Nothing
+    /// is taken from what the compiler knows of the entries: its constants are rounded.
+    pub(crate) fn jacobian(&self, q: &[Interval], t: Interval, entries: &mut Vec<Entry>) -> Result<(), Unknown> {
+        let columns: Vec<Series> = self.columns.iter().map(|column| Series::constant(column.of(q))).collect();
+        self.with(&mut |table, parameters, outside| {
+            let t = Series::constant(t);
+            let Formula { graph, rows, .. } = table.formula();
+            let still = evaluate(graph, rows, &Inputs { columns: &columns, t, parameters, outside });
+            for (k, column) in self.columns.iter().enumerate() {
+                let Column::Own(column) = *column else { continue };
+                let mut moved = columns.clone();
+                moved[k] = Series::variable(columns[k].value(), ONE, 2);
+                let inputs = Inputs { columns: &moved, t, parameters, outside };
+                let along = evaluate_along(graph, rows, Input::Column(k), &still, &inputs);
+                let along = self.rows(table, &along, 2)?;
+                let all = along.iter().enumerate().map(|(row, y)| (self.first + row, column, y.at(1)));
+                entries.extend(all.filter(|entry| entry.2 != ZERO));
+            }
+            Ok(())
+        })
+    }
+
+    /// Its rows among the results of the steps, at least `len` coefficients of each.
+    fn rows(&self, table: &'static Table, results: &Results<Series>, len: usize) -> Result<Vec<Series>, Unknown> {
+        let known = |row: usize| {
+            let y = equation::row(table.formula(), row, results);
+            let is_known = y.len() >= len && y.known().iter().all(|c| c.is_finite());
+            is_known.then_some(y).ok_or_else(|| Unknown { row: self.first + row, expression: table.unknown(row, results, len) })
+        };
+        (0..table.formula().rows.len()).map(known).collect()
+    }
+
+    /// The laws whose bounds are taken on their own word.
+    fn trusted(&self) -> Vec<String> {
+        let mut all = Vec::new();
+        self.constraint.formula(&mut |table, _, outside| all = equation::trusted(table.formula(), outside));
+        all
+    }
+
+    /// Shows the formula.
+    fn with(&self, of: &mut Shown<'_>) -> Result<(), Unknown> {
+        let mut done = Ok(());
+        self.constraint.formula(&mut |table, parameters, outside| done = of(table, parameters, outside));
+        done
+    }
+}
+
+/// Why bounds of a constraint cannot be had at all, if so.
+fn unreadable(constraint: &dyn Constraint) -> Option<String> {
+    let mut reason = Some(format!(
+        "it takes the {} route, and only the symbolic one leaves its equation as steps of which bounds over an interval can be had",
+        constraint.route()
+    ));
+    constraint.formula(&mut |table, _, outside| {
+        let formula = table.formula();
+        let whole = formula.rows.len() == constraint.rows().len();
+        reason = if whole { equation::opaque(formula, outside) } else { Some("its steps are too many to be kept".to_string()) };
+    });
+    reason
+}
+
+/// Σ c_j σʲ over −1 ≤ σ ≤ 1, by Taylor's formula: its coefficients at σ = 0 and, for the remainder, over all σ.
+pub(super) fn taylor(at: &Series, over: &Series) -> Interval {
+    let Some(last) = over.len().checked_sub(1) else { return over.value() };
+    let unit = |k: usize| {
+        if k == 0 {
+            ONE
+        } else if k.is_multiple_of(2) {
+            ZERO.hull(ONE)
+        } else {
+            Interval::ball(1.0)
+        }
+    };
+    (0..last).map(|k| at.at(k) * unit(k)).fold(over.at(last) * unit(last), |sum, term| sum + term)
+}

@@ -1,0 +1,75 @@
+//! What emitted code stands on. Not for use by hand: nothing here is part of the public interface.
+
+mod argument;
+mod cast;
+mod columns;
+mod editor;
+mod ended;
+mod foreign;
+pub mod graph;
+mod kernel;
+mod lift;
+mod numbers;
+mod parameter;
+mod refused;
+mod rows;
+mod sound;
+mod timed;
+
+pub use crate::data::{Described, Describer, Reader, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold};
+pub use crate::model::blame::{Asked, Blame, Source};
+pub use crate::model::constraint::{Attached, Attachment, Dependence, Measured};
+pub use crate::model::coordinates::{Argument, Target, Trig};
+pub use crate::model::dual_route::{ArgumentKind, Equation};
+pub use crate::model::law::LawFunction;
+pub use crate::model::state::{At, PlanarState, Rates, SpatialState};
+pub use crate::numbers::algebra::{Axis, Components, EulerParameters, Mat2, Mat3, Vec2, Vec3};
+pub use crate::numbers::lanes::{InLanes, LaneAt, LaneKernel, LaneKernels, LaneRates, Level, Mask, Wide};
+pub use crate::numbers::real::{Dual, Dual2_64, Dual3_64, Dual64, Real};
+pub use kin_graph::functions::{acosh, atanh};
+
+pub use crate::{__inside_editor as inside_editor, __outside_editor as outside_editor, __stand_in as stand_in};
+pub use argument::{IntoConstant, IntoField, IntoJet, IntoPlain, IntoReference, Jet, Nothing};
+pub use argument::{constant_argument, plain_argument, reference_argument};
+pub use cast::{Cast, Whole, cast, whole};
+pub use columns::Columns;
+pub use ended::ended;
+pub use foreign::{Foreign, LiftAny, LiftNumbers, LowerAny, LowerReal, ReceiveAny, ReceiveNumbers, ReceiveReference};
+pub use kernel::{fma, put};
+pub use lift::{Absent, Constants, Lift, Lower, absent, constants, lowered};
+pub use numbers::{Numbers, set, set_at, visit};
+pub use parameter::{Parameter, is_parameter};
+pub use refused::{Refuses, refusal, refused};
+pub use rows::{Rows, rows};
+pub use sound::{If, Sound, Then, callee};
+pub use timed::timed;
+
+/// \[f, f′, f″, f‴\] of a function written for any dual number.
+pub fn jet_by_dual(x: f64, f: impl FnOnce(Real<Dual3_64>) -> Real<Dual3_64>) -> [f64; 4] {
+    let y = f(Real(Dual3_64::new(x, 1.0, 0.0, 0.0))).0;
+    [y.re, y.v1, y.v2, y.v3]
+}
+
+/// The local points (true) and directions of arguments, with their components.
+pub fn attachments(all: &[(usize, bool, [f64; 3])]) -> Vec<Attachment> {
+    let attachment = |&(argument, is_point, [x, y, z]): &(usize, bool, [f64; 3])| {
+        let v = Vec3::new(x, y, z);
+        Attachment { argument, what: if is_point { Attached::Point(v) } else { Attached::Direction(v) } }
+    };
+    all.iter().map(attachment).collect()
+}
+
+/// A vector from what a constructor takes for one.
+pub fn vector<V: From<[f64; N]>, const N: usize>(components: impl Components<N, Scalar = f64>) -> V {
+    V::from(components.components())
+}
+
+/// The arguments of a constraint.
+pub fn arguments(all: &[Argument]) -> Vec<Argument> {
+    all.to_vec()
+}
+
+/// −C_t of a constraint without time.
+pub fn no_velocity(rhs: &mut [f64], rows: usize) {
+    rhs.iter_mut().take(rows).for_each(|value| *value = 0.0);
+}

@@ -1,0 +1,37 @@
+//! Parameters that make no sense, in words.
+
+use super::Numbers;
+use crate::model::law::Law;
+use crate::numbers::algebra::Axis;
+
+/// A parameter that can be wrong by itself.
+pub trait Refuses {
+    /// What is wrong with it.
+    fn refusal(&self) -> Option<String>;
+}
+
+impl Refuses for Law {
+    fn refusal(&self) -> Option<String> {
+        Law::refusal(self)
+    }
+}
+
+impl Refuses for Axis {
+    fn refusal(&self) -> Option<String> {
+        (!self.is_sound()).then(|| "this axis has no direction; give a vector that is not zero, and an f that is not along it".to_string())
+    }
+}
+
+/// The first of these parameters that is wrong by itself, and why.
+pub fn refusal(parameters: &[(&str, &dyn Refuses)]) -> Option<String> {
+    parameters.iter().find_map(|(name, parameter)| Some(format!("{name}: {}", parameter.refusal()?)))
+}
+
+/// The text of a requirement that does not hold, and the numbers in it.
+pub fn refused(text: &str, values: &[(&str, &dyn Numbers)]) -> String {
+    let mut shown = Vec::new();
+    for (name, value) in values {
+        value.visit(name, &mut |name, value| shown.push(format!("{name} = {value}")));
+    }
+    if shown.is_empty() { text.to_string() } else { format!("{text} ({})", shown.join(", ")) }
+}

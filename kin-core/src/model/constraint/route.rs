@@ -1,0 +1,71 @@
+//! The two routes to the derivatives of a constraint, and the reason for the one that is taken.
+
+use std::fmt;
+
+use crate::model::blame::Source;
+
+/// The way in which the derivatives of a constraint are obtained.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Route {
+    /// Straight-line code, differentiated at compile time by `#[constraint]`.
+    Symbolic,
+    /// The constraint's own equation evaluated with dual numbers.
+    Dual,
+    /// Written by hand: an `impl Constraint` without the macro.
+    Hand,
+}
+
+impl fmt::Display for Route {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Route::Symbolic => "symbolic",
+            Route::Dual => "dual",
+            Route::Hand => "hand-written",
+        })
+    }
+}
+
+/// Why a constraint takes its route: what [`crate::Constraint::explain_route`] answers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum RouteReason {
+    /// [`Route::Symbolic`]: the compiler has read the whole body.
+    Read,
+    /// [`Route::Dual`]: something in the body cannot be read by the compiler.
+    Unread {
+        /// What cannot be read, such as `` `while` ``.
+        what: &'static str,
+        /// The token where it begins.
+        source: Source,
+    },
+    /// [`Route::Dual`]: the program asks for it.
+    Asked {
+        /// The word `dual` of `#[constraint(dual)]`; `None` where `by_dual` asks, or an implementation by hand.
+        source: Option<Source>,
+    },
+    /// [`Route::Hand`]: an `impl Constraint` without the macro.
+    Hand,
+}
+
+impl RouteReason {
+    /// What is known from the route alone.
+    pub(super) fn of(route: Route) -> Self {
+        match route {
+            Route::Symbolic => RouteReason::Read,
+            Route::Dual => RouteReason::Asked { source: None },
+            Route::Hand => RouteReason::Hand,
+        }
+    }
+}
+
+impl fmt::Display for RouteReason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            RouteReason::Read => f.write_str("symbolic: the compiler has read the whole body"),
+            RouteReason::Unread { what, source } => write!(f, "dual: {what} at {source} cannot be read by the compiler"),
+            RouteReason::Asked { source: Some(source) } => write!(f, "dual: `#[constraint(dual)]` asks for it at {source}"),
+            RouteReason::Asked { source: None } => f.write_str("dual: the program asks for it"),
+            RouteReason::Hand => f.write_str("hand-written: an `impl Constraint` without the macro"),
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! What a constructor of a constraint takes for its bodies, coordinates and axes. Each takes what converts into the handle; the traits are here,
+//! and not `Into` itself, for what rustc says where something else is given.
+
+use super::{Coordinate, PlanarBody, SpatialBody};
+use crate::numbers::algebra::Axis;
+
+/// What is taken for a planar body: a [`PlanarBody`], a [`crate::Link`], the ground, anything that is `Into<PlanarBody>`.
+#[diagnostic::on_unimplemented(
+    message = "a planar body is wanted here, but this is `{Self}`",
+    label = "not a planar body",
+    note = "a planar body is what `m.planar(…)`, `m.link(…)` or `m.ground()` has given, itself, not a reference to it or its name",
+    note = "the joints and drivers of spatial bodies are in `spatial`, such as `spatial::revolute`"
+)]
+pub trait IntoPlanarBody {
+    /// The handle.
+    fn into_planar_body(self) -> PlanarBody;
+}
+
+#[diagnostic::do_not_recommend]
+impl<T: Into<PlanarBody>> IntoPlanarBody for T {
+    fn into_planar_body(self) -> PlanarBody {
+        self.into()
+    }
+}
+
+/// What is taken for a spatial body: a [`SpatialBody`], a [`crate::SpatialLink`], the ground, anything that is `Into<SpatialBody>`.
+#[diagnostic::on_unimplemented(
+    message = "a spatial body is wanted here, but this is `{Self}`",
+    label = "not a spatial body",
+    note = "a spatial body is what `m.spatial(…)`, `m.spatial_link(…)` or `m.ground()` has given, itself, not a reference to it or its name",
+    note = "the joints and drivers of planar bodies stand without `spatial::`, such as `revolute`"
+)]
+pub trait IntoSpatialBody {
+    /// The handle.
+    fn into_spatial_body(self) -> SpatialBody;
+}
+
+#[diagnostic::do_not_recommend]
+impl<T: Into<SpatialBody>> IntoSpatialBody for T {
+    fn into_spatial_body(self) -> SpatialBody {
+        self.into()
+    }
+}
+
+/// What is taken for a bare coordinate: a [`Coordinate`], anything that is `Into<Coordinate>`.
+#[diagnostic::on_unimplemented(
+    message = "a coordinate is wanted here, but this is `{Self}`",
+    label = "not a coordinate",
+    note = "a coordinate is what `m.angle(…)` or `m.length(…)` has given, or one of a body's: `body.x()`, `body.y()`, `body.theta()`"
+)]
+pub trait IntoCoordinate {
+    /// The handle.
+    fn into_coordinate(self) -> Coordinate;
+}
+
+#[diagnostic::do_not_recommend]
+impl<T: Into<Coordinate>> IntoCoordinate for T {
+    fn into_coordinate(self) -> Coordinate {
+        self.into()
+    }
+}
+
+/// What is taken for an axis: a [`crate::Vec3`] along it, an [`Axis`], anything that is `Into<Axis>`.
+#[diagnostic::on_unimplemented(
+    message = "an axis is wanted here, but this is `{Self}`",
+    label = "not an axis",
+    note = "an axis of a spatial body is a vector along it, `vec3(0.0, 0.0, 1.0)`, or `Axis::new(h, f)` with a second vector across it"
+)]
+pub trait IntoAxis {
+    /// The axis.
+    fn into_axis(self) -> Axis;
+}
+
+#[diagnostic::do_not_recommend]
+impl<T: Into<Axis>> IntoAxis for T {
+    fn into_axis(self) -> Axis {
+        self.into()
+    }
+}

@@ -1,0 +1,268 @@
+//! The second route: a constraint's own equation, evaluated with dual numbers.
+//!
+//! `Dual64` along each column gives C_q and along t C_t; `Dual2_64` along (q̇, ṫ) gives the whole right side −g″(0);
+//! `HyperDual64` along q̇ and t gives the mixed term C_qt q̇, `Dual3_64` along the motion the right side for the jerk.
+
+use crate::numbers::real::{Dual2_64, Dual3_64, Dual64, HyperDual64};
+
+use crate::data::Describer;
+use crate::model::blame::{Asked, Blame};
+use crate::model::constraint::{Attachment, Constraint, Dependence, Measured, Route};
+use crate::model::coordinates::Argument;
+use crate::model::law::Law;
+use crate::model::state::{At, Rates};
+use crate::numbers::real::{Dual, Real};
+
+/// A constraint whose equation can be evaluated with any numbers: N local coordinates, M rows. Written by `#[constraint]`.
+pub trait Equation<const N: usize, const M: usize>: Constraint + Clone + 'static {
+    /// What its arguments are, in order.
+    const ARGUMENTS: &'static [ArgumentKind];
+
+    /// C(q, t) with any dual numbers.
+    fn evaluate<D: Dual>(&self, q: &[Real<D>; N], t: Real<D>) -> [Real<D>; M];
+
+    /// Measure k of [`Constraint::measures`] with any dual numbers.
+    fn measured<D: Dual>(&self, k: usize, q: &[Real<D>; N], t: Real<D>) -> Real<D> {
+        let _ = (k, q, t);
+        Real::from(f64::NAN)
+    }
+
+    /// C(q, t) by the function as the user wrote it, in plain f64: the reference for central differences.
+    fn plain(&self, q: &[f64; N], t: f64) -> [f64; M];
+}
+
+/// What an argument of a constraint is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ArgumentKind {
+    /// A planar body: 3 columns.
+    Planar,
+    /// A spatial body: 7 columns.
+    Spatial,
+    /// A bare coordinate: 1 column.
+    Coord,
+}
+
+impl ArgumentKind {
+    /// Number of columns: 3, 7 or 1.
+    pub fn columns(self) -> usize {
+        match self {
+            ArgumentKind::Planar => 3,
+            ArgumentKind::Spatial => 7,
+            ArgumentKind::Coord => 1,
+        }
+    }
+}
+
+/// A constraint that takes the dual route, whatever route its own `impl Constraint` takes.
+#[derive(Clone, Debug)]
+pub struct ByDual<E, const N: usize, const M: usize>(E);
+
+/// The same constraint on the dual route: each route checks the other.
+pub fn by_dual<E: Equation<N, M>, const N: usize, const M: usize>(equation: E) -> ByDual<E, N, M> {
+    ByDual(equation)
+}
+
+impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E, N, M> {
+    fn kind(&self) -> &str {
+        self.0.kind()
+    }
+
+    fn route(&self) -> Route {
+        Route::Dual
+    }
+
+    fn arguments(&self) -> Vec<Argument> {
+        self.0.arguments()
+    }
+
+    fn rows(&self) -> &[&str] {
+        self.0.rows()
+    }
+
+    fn pattern(&self) -> &[(usize, usize)] {
+        self.0.pattern()
+    }
+
+    fn constants(&self) -> &[Option<f64>] {
+        self.0.constants()
+    }
+
+    fn depends(&self) -> Dependence {
+        self.0.depends()
+    }
+
+    fn is_driver(&self) -> bool {
+        self.0.is_driver()
+    }
+
+    fn residual(&self, at: &At<'_>, c: &mut [f64]) {
+        residual(&self.0, at, c);
+    }
+
+    fn jacobian(&self, at: &At<'_>, c_q: &mut [f64]) {
+        jacobian(&self.0, at, c_q);
+    }
+
+    fn velocity_rhs(&self, at: &At<'_>, rhs: &mut [f64]) {
+        velocity_rhs(&self.0, at, rhs);
+    }
+
+    fn acceleration_rhs(&self, at: &At<'_>, qd: &Rates<'_>, t_dot: f64, q_d: &mut [f64]) {
+        acceleration_rhs(&self.0, at, qd, t_dot, q_d);
+    }
+
+    fn jerk_rhs(&self, at: &At<'_>, qd: &Rates<'_>, qdd: &Rates<'_>, rhs: &mut [f64]) -> bool {
+        jerk_rhs(&self.0, at, qd, qdd, rhs)
+    }
+
+    fn measures(&self) -> &[Measured] {
+        self.0.measures()
+    }
+
+    fn measure(&self, k: usize, at: &At<'_>, rates: &[Rates<'_>; 3]) -> [f64; 4] {
+        self.0.measure(k, at, rates)
+    }
+
+    fn ends(&self, k: usize) -> Option<[f64; 2]> {
+        self.0.ends(k)
+    }
+
+    fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+        self.0.parameters(visit);
+    }
+
+    fn set_parameter(&mut self, name: &str, value: f64) -> bool {
+        self.0.set_parameter(name, value)
+    }
+
+    fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
+        self.0.set_parameter_at(index, value)
+    }
+
+    fn describe(&self, to: &mut Describer) {
+        self.0.describe(to);
+    }
+
+    fn attachments(&self) -> Vec<Attachment> {
+        self.0.attachments()
+    }
+
+    fn description(&self) -> &str {
+        self.0.description()
+    }
+
+    fn refusal(&self) -> Option<String> {
+        self.0.refusal()
+    }
+
+    fn has_branches(&self) -> bool {
+        self.0.has_branches()
+    }
+
+    fn wrong_branch(&self, at: &At<'_>) -> Option<&str> {
+        self.0.wrong_branch(at)
+    }
+
+    fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
+        self.0.laws(at, visit);
+    }
+
+    /// By its own route: what is not finite on one is not on the other.
+    fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
+        self.0.blame(asked)
+    }
+}
+
+/// C(q, t) with plain numbers.
+pub fn residual<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, at: &At<'_>, c: &mut [f64]) {
+    let q = coordinates::<N>(E::ARGUMENTS, at).map(Real::<f64>::from);
+    write(c, equation.evaluate(&q, Real::from(at.t)).map(|x| x.0));
+}
+
+/// C_q, one `Dual64` evaluation a column.
+pub fn jacobian<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, at: &At<'_>, c_q: &mut [f64]) {
+    let q = coordinates::<N>(E::ARGUMENTS, at);
+    for column in 0..N {
+        let seeded = std::array::from_fn(|k| if k == column { Real(Dual64::new(q[k], 1.0)) } else { Real::from(q[k]) });
+        let c = equation.evaluate(&seeded, Real::from(at.t));
+        for (value, &(row, _)) in c_q.iter_mut().zip(equation.pattern()).filter(|(_, entry)| entry.1 == column) {
+            *value = c[row].0.eps;
+        }
+    }
+}
+
+/// −C_t by one `Dual64` evaluation along t.
+pub fn velocity_rhs<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, at: &At<'_>, rhs: &mut [f64]) {
+    let q = coordinates::<N>(E::ARGUMENTS, at).map(Real::<Dual64>::from);
+    write(rhs, equation.evaluate(&q, Real(Dual64::new(at.t, 1.0))).map(|x| -x.0.eps));
+}
+
+/// −g″(0) with g(s) = C(q + s q̇, t + s ṫ), by one `Dual2_64` evaluation.
+pub fn acceleration_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
+    equation: &E,
+    at: &At<'_>,
+    qd: &Rates<'_>,
+    t_dot: f64,
+    q_d: &mut [f64],
+) {
+    let (q, qd) = (coordinates::<N>(E::ARGUMENTS, at), self::rates::<N>(E::ARGUMENTS, qd));
+    let seeded = std::array::from_fn(|k| Real(Dual2_64::new(q[k], qd[k], 0.0)));
+    write(q_d, equation.evaluate(&seeded, Real(Dual2_64::new(at.t, t_dot, 0.0))).map(|x| -x.0.v2));
+}
+
+/// C_qt q̇ by one `HyperDual64` evaluation along q̇ and t.   \[row/s²\]
+pub fn mixed<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, q: &[f64; N], qd: &[f64; N], t: f64) -> [f64; M] {
+    let seeded = std::array::from_fn(|k| Real(HyperDual64::along_first(q[k], qd[k])));
+    equation.evaluate(&seeded, Real(HyperDual64::along_second(t, 1.0))).map(|x| x.0.eps1eps2)
+}
+
+/// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), by one `Dual3_64` evaluation.   \[row/s³\] It is always known.
+pub fn jerk_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
+    equation: &E,
+    at: &At<'_>,
+    qd: &Rates<'_>,
+    qdd: &Rates<'_>,
+    rhs: &mut [f64],
+) -> bool {
+    let q = coordinates::<N>(E::ARGUMENTS, at);
+    let [qd, qdd] = [qd, qdd].map(|rates| self::rates::<N>(E::ARGUMENTS, rates));
+    let seeded = std::array::from_fn(|k| Real(Dual3_64::new(q[k], qd[k], qdd[k], 0.0)));
+    write(rhs, equation.evaluate(&seeded, Real(Dual3_64::new(at.t, 1.0, 0.0, 0.0))).map(|x| -x.0.v3));
+    true
+}
+
+/// Measure k and its first three derivatives along a motion with the rates q̇, q̈ and q⃛, by one `Dual3_64` evaluation.
+pub fn measure<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, k: usize, at: &At<'_>, rates: &[Rates<'_>; 3]) -> [f64; 4] {
+    let q = coordinates::<N>(E::ARGUMENTS, at);
+    let [qd, qdd, qddd] = rates.map(|rates| self::rates::<N>(E::ARGUMENTS, &rates));
+    let moving = std::array::from_fn(|j| Real(Dual3_64::new(q[j], qd[j], qdd[j], qddd[j])));
+    let x = equation.measured(k, &moving, Real(Dual3_64::new(at.t, 1.0, 0.0, 0.0))).0;
+    [x.re, x.v1, x.v2, x.v3]
+}
+
+/// Local coordinates of a constraint, its arguments' one after the other.
+fn coordinates<const N: usize>(arguments: &[ArgumentKind], at: &At<'_>) -> [f64; N] {
+    gather(arguments, |k, n| at.coordinates(k, n))
+}
+
+/// Local rates of a constraint, its arguments' one after the other.
+fn rates<const N: usize>(arguments: &[ArgumentKind], qd: &Rates<'_>) -> [f64; N] {
+    gather(arguments, |k, n| qd.columns(k, n))
+}
+
+/// The numbers of all arguments one after the other: `numbers` gives the n of argument k. What is missing is zero.
+fn gather<'a, const N: usize>(arguments: &[ArgumentKind], numbers: impl Fn(usize, usize) -> &'a [f64]) -> [f64; N] {
+    let mut all = [0.0; N];
+    let mut rest = &mut all[..];
+    for (k, kind) in arguments.iter().enumerate() {
+        let n = kind.columns();
+        let Some((own, others)) = std::mem::take(&mut rest).split_at_mut_checked(n) else { break };
+        own.iter_mut().zip(numbers(k, n)).for_each(|(place, number)| *place = *number);
+        rest = others;
+    }
+    all
+}
+
+fn write<const M: usize>(out: &mut [f64], values: [f64; M]) {
+    out.iter_mut().zip(values).for_each(|(place, value)| *place = value);
+}

@@ -1,0 +1,66 @@
+//! What errors of a failing run carry: the motion before it and what is wrong with the mechanism.
+
+use super::Error;
+use crate::ask::diagnosis::Diagnosis;
+use crate::solve::motion::Motion;
+
+impl Error {
+    /// What a failing run had computed before it failed; `None` for errors of other operations.
+    pub fn motion(&self) -> Option<&Motion> {
+        match self {
+            Error::NoConvergence { motion, .. }
+            | Error::SingularAt { motion, .. }
+            | Error::NotFinite { motion, .. }
+            | Error::CannotBeDriven { motion, .. }
+            | Error::WrongBranch { motion, .. }
+            | Error::LawJumps { motion, .. }
+            | Error::Toggle { motion, .. }
+            | Error::CannotFollow { motion, .. } => motion.as_deref(),
+            _ => None,
+        }
+    }
+
+    /// What is wrong with the mechanism, by name, where the error is of that kind.
+    pub fn diagnosis(&self) -> Option<&Diagnosis> {
+        match self {
+            Error::CannotBeDriven { diagnosis, .. } => Some(diagnosis),
+            Error::SingularAt { diagnosis, .. } | Error::NoConvergence { diagnosis, .. } | Error::Toggle { diagnosis, .. } => {
+                diagnosis.as_deref()
+            }
+            _ => None,
+        }
+    }
+
+    /// The same error, carrying what was computed before.
+    pub(crate) fn with_motion(mut self, computed: Motion) -> Error {
+        if let Some(place) = self.carried().filter(|_| !computed.is_empty()) {
+            *place = Some(Box::new(computed));
+        }
+        self
+    }
+
+    /// What was computed before, to be added to.
+    pub(crate) fn motion_mut(&mut self) -> Option<&mut Motion> {
+        self.carried()?.as_deref_mut()
+    }
+
+    fn carried(&mut self) -> Option<&mut Option<Box<Motion>>> {
+        match self {
+            Error::NoConvergence { motion, .. }
+            | Error::SingularAt { motion, .. }
+            | Error::NotFinite { motion, .. }
+            | Error::CannotBeDriven { motion, .. }
+            | Error::WrongBranch { motion, .. }
+            | Error::LawJumps { motion, .. }
+            | Error::Toggle { motion, .. }
+            | Error::CannotFollow { motion, .. } => Some(motion),
+            _ => None,
+        }
+    }
+}
+
+impl std::fmt::Debug for Error {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(self, f)
+    }
+}

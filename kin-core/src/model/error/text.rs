@@ -1,0 +1,130 @@
+//! The sentences of error messages that depend on what is known.
+
+use crate::ask::diagnosis::Diagnosis;
+use crate::model::units::Units;
+use crate::solve::motion::Motion;
+
+/// "3 equations", "1 equation".
+pub(crate) fn count(n: usize, what: &str) -> String {
+    if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") }
+}
+
+/// "2.4 GB", to three digits.
+pub(super) fn bytes(n: f64) -> String {
+    let units = [(1e12, "TB"), (1e9, "GB"), (1e6, "MB"), (1e3, "kB")];
+    let (size, unit) = units.into_iter().find(|(size, _)| n >= *size).unwrap_or((1.0, "bytes"));
+    let digits = 2 - ((n / size).max(1.0).log10().floor() as usize).min(2);
+    format!("{:.digits$} {unit}", n / size)
+}
+
+/// A time to nine digits, without the noise of binary fractions.
+pub(crate) fn time(t: f64) -> f64 {
+    format!("{t:.8e}").parse().unwrap_or(t)
+}
+
+/// A time with its unit: "0.31 s".
+pub(crate) fn at(t: f64, units: &Units) -> String {
+    format!("{} {}", time(t), units.time())
+}
+
+/// " row y", or nothing for a constraint of one row.
+pub(super) fn row(row: &str) -> String {
+    if row.is_empty() { String::new() } else { format!(" row {row}") }
+}
+
+/// "`a`, `b` and 3 more".
+pub(crate) fn list(names: &[String]) -> String {
+    const SHOWN: usize = 8;
+    let quoted: Vec<String> = names.iter().take(SHOWN).map(|name| format!("`{name}`")).collect();
+    let all = quoted.join(", ");
+    if names.len() > SHOWN { format!("{all} and {} more", names.len() - SHOWN) } else { all }
+}
+
+/// Where the last position was found, and what to try.
+pub(super) fn no_convergence(last: Option<f64>, units: &Units, diagnosis: &Option<Box<Diagnosis>>, motion: &Option<Box<Motion>>) -> String {
+    let found = details(diagnosis);
+    match last {
+        Some(t) if found.is_empty() => {
+            format!("\n  Nearest solved t = {}. Try a smaller time step, or the loop cannot close beyond it.{}", at(t, units), kept(motion))
+        }
+        Some(t) => format!("\n  Nearest solved t = {}.{found}{}", at(t, units), kept(motion)),
+        None if found.is_empty() => "\n  Try a better initial guess, or a preferred assembly; or the loop cannot close.".to_string(),
+        None => found,
+    }
+}
+
+/// That there is no position, where the diagnosis has found why; else what the solver has to say.
+pub(super) fn unmet(diagnosis: &Option<Box<Diagnosis>>, solver: impl Fn() -> String) -> String {
+    let found = diagnosis.as_ref().filter(|diagnosis| !diagnosis.gaps.is_empty());
+    found.map_or_else(solver, |diagnosis| format!("the mechanism \"{}\" cannot be put together.", diagnosis.mechanism))
+}
+
+/// What is wrong, line by line; nothing where nothing is, or nobody has looked.
+fn details(diagnosis: &Option<Box<Diagnosis>>) -> String {
+    diagnosis.as_ref().map(|diagnosis| diagnosis.details().to_string()).unwrap_or_default()
+}
+
+/// The whole diagnosis where it has found what is wrong, else what the solver has to say.
+pub(super) fn diagnosed(diagnosis: &Option<Box<Diagnosis>>, solver: impl Fn() -> String) -> String {
+    let found = diagnosis.as_ref().filter(|diagnosis| !diagnosis.can_be_driven());
+    found.map_or_else(solver, |diagnosis| diagnosis.to_string())
+}
+
+/// That C_q is singular, with what can move and what depends on what.
+pub(super) fn singular(
+    at: &str,
+    [rank, n]: [usize; 2],
+    pivot: f64,
+    [movable, dependent]: [&[String]; 2],
+    unmet: &Option<Box<str>>,
+) -> String {
+    let rank = if rank < n { format!("has rank {rank}") } else { "is singular but for rounding".to_string() };
+    let mut text = format!("t = {at}: C_q ({n} x {n}) {rank}; smallest relative pivot {pivot:.1e}.");
+    if !movable.is_empty() {
+        text += &format!("\n  free to move though the drivers stand still: {}.", list(movable));
+    }
+    if !dependent.is_empty() {
+        text += &format!("\n  dependent equations: {}.", list(dependent));
+    }
+    text += &match unmet {
+        None => "\n  A toggle or change point (start or step elsewhere), or one constraint repeats the others (remove it).".to_string(),
+        Some(name) => {
+            format!("\n  `{name}` cannot be met there: the dependent equations contradict one another (remove one), or the guess is poor.")
+        }
+    };
+    text
+}
+
+/// What is asked for beyond a toggle, and what can move at it.
+pub(super) fn toggle(movable: &[String], dependent: &[String], diagnosis: &Option<Box<Diagnosis>>) -> String {
+    let all = format!("There {} can move although what drives stands still, and {} depend on one another.", list(movable), list(dependent));
+    format!("{}\n  {all}", details(diagnosis))
+}
+
+/// That nothing is lost.
+pub(super) fn kept(motion: &Option<Box<Motion>>) -> String {
+    let Some((motion, last)) = motion.as_ref().and_then(|motion| Some((motion, *motion.times().last()?))) else { return String::new() };
+    format!("\n  The motion up to t = {} is in this error: `error.motion()`.", at(last, motion.unit_words()))
+}
+
+/// The names there are, nearest guess first.
+pub(super) fn known(known: &[String]) -> String {
+    if known.is_empty() { String::new() } else { format!("; there are {}", list(known)) }
+}
+
+/// How far Newton's method has come.
+pub(super) fn worst(iterations: usize, constraint: &str, of: &str, residual: f64) -> String {
+    format!("no convergence in {}; worst is `{constraint}`{}: |C| = {residual:.1e}.", count(iterations, "iteration"), row(of))
+}
+
+/// What motions need and may have, and how to need less.
+pub(super) fn needs_memory([motions, times, coordinates]: [usize; 3], sizes: [f64; 2]) -> String {
+    let (all, cure) = if motions > 1 {
+        (format!("{motions} motions at once of "), "Run the sweep on fewer threads or without lanes, ask for fewer times")
+    } else {
+        (String::new(), "Keep what is wanted of one part after the other (`System::run_in_parts`), ask for fewer times")
+    };
+    let [needed, allowed] = sizes.map(bytes);
+    let (times, coordinates) = (count(times, "time"), count(coordinates, "coordinate"));
+    format!("{all}{times} of {coordinates} need {needed}; `Options::memory` allows {allowed}.\n  {cure}, or allow more.")
+}

@@ -1,0 +1,73 @@
+//! A formula with third-order dual numbers, for the jerk: it is asked for seldom, and code of its own for every constraint would be a quarter of
+//! all that is compiled.
+
+use kin_graph::{Formula, Input, LeafUse, Source, evaluate};
+
+use super::{Given, Outside, jet_of_law};
+use crate::model::coordinates::Argument;
+use crate::model::state::{At, Rates};
+use crate::numbers::real::{Dual, Dual3_64, Real};
+
+type Number = Real<Dual3_64>;
+
+/// A motion of one constraint: its columns with q, q̇, q̈, and the time; and what else its formula is evaluated with.
+pub(crate) struct Along<'a> {
+    columns: Vec<Number>,
+    t: Number,
+    parameters: &'a [f64],
+    outside: Outside<'a>,
+}
+
+impl<'a> Along<'a> {
+    /// q + s q̇ + ½ s² q̈ at the time t + s.
+    pub(crate) fn new(
+        arguments: &[Argument],
+        at: &At<'_>,
+        [qd, qdd]: [&Rates<'_>; 2],
+        parameters: &'a [f64],
+        outside: Outside<'a>,
+    ) -> Self {
+        let mut columns = Vec::new();
+        for (k, n) in arguments.iter().map(|argument| argument.target.columns()).enumerate() {
+            let moving = at.coordinates(k, n).iter().zip(qd.columns(k, n)).zip(qdd.columns(k, n));
+            columns.extend(moving.map(|((q, qd), qdd)| Real(Dual3_64::new(*q, *qd, *qdd, 0.0))));
+        }
+        Along { columns, t: Real(Dual3_64::new(at.t, 1.0, 0.0, 0.0)), parameters, outside }
+    }
+
+    /// −g‴(0) of each row.
+    pub(crate) fn jerk_rhs(&self, formula: &Formula, rhs: &mut [f64]) {
+        let results = evaluate(&formula.graph, &formula.rows, self);
+        for (place, row) in rhs.iter_mut().zip(&formula.rows) {
+            *place = results.number(*row).map_or(f64::NAN, |number| -number.0.v3);
+        }
+    }
+}
+
+impl Source<Number> for Along<'_> {
+    fn input(&self, input: Input) -> Number {
+        let given = match input {
+            Input::Column(k) => self.columns.get(k).copied(),
+            Input::Time => Some(self.t),
+            Input::Parameter(k) => self.parameters.get(k).map(|value| Number::from(*value)),
+            _ => None,
+        };
+        given.unwrap_or(Number::from(f64::NAN))
+    }
+
+    fn law(&self, law: usize, x: Number, order: u8) -> Number {
+        let [f, f1, f2, f3] = jet_of_law(self.outside, law, x.value(), order);
+        // A number that does not move needs no third derivative, and that may not be known.
+        x.chain([f, f1, f2, if x.0.is_at_rest() { 0.0 } else { f3 }])
+    }
+
+    fn opaque(&self, number: usize, component: usize, operands: Vec<Number>) -> Number {
+        let operands: Vec<Dual3_64> = operands.iter().map(|operand| operand.0).collect();
+        Real(Given::by(self.outside, number, &operands).number(component))
+    }
+
+    /// Calls stand in formulas as values of the user's program.
+    fn leaf(&self, _: LeafUse, _: Vec<Number>) -> Number {
+        Number::from(f64::NAN)
+    }
+}

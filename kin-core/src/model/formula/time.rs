@@ -1,0 +1,67 @@
+//! Where time enters a formula: its nodes that move with time alone, bounds of them, and how rows follow them.
+
+use kin_graph::{Formula, Function, Function2, Node, Op, evaluate, evaluate_beyond};
+
+use super::bounds::{Inputs, row};
+use crate::model::formula::Outside;
+use crate::numbers::enclosure::interval::{Interval, ONE};
+use crate::numbers::enclosure::series::{Series, UNKNOWN};
+
+/// The nodes that move with time alone and are read by what moves with coordinates too, or are rows: all that time does is done by them.
+pub(crate) fn signals(formula: &Formula) -> Vec<Node> {
+    let graph = &formula.graph;
+    let needed = graph.reachable(&formula.rows);
+    let mut read = vec![false; graph.len()];
+    formula.rows.iter().for_each(|row| read[row.index()] = true);
+    for node in needed.iter().filter(|node| graph.depends(**node).on_q) {
+        graph.each_operand(*node, |operand| read[operand.index()] = true);
+    }
+    let is_of_time = |node: &Node| graph.depends(*node).on_t && !graph.depends(*node).on_q;
+    needed.into_iter().filter(|node| read[node.index()] && is_of_time(node)).collect()
+}
+
+/// Whether a row can jump where coordinates move.
+pub(crate) fn can_jump(formula: &Formula) -> bool {
+    let jumps = |op: Op| {
+        use Function::{Ceil, Floor, Fract, Round, Signum, Trunc};
+        use Function2::{DivEuclid, Rem, RemEuclid};
+        matches!(op, Op::Call(Floor | Ceil | Round | Trunc | Fract | Signum, _) | Op::Call2(Rem | RemEuclid | DivEuclid, ..))
+            || matches!(op, Op::Select(..) | Op::Opaque(..) | Op::Leaf(_))
+    };
+    let graph = &formula.graph;
+    graph.reachable(&formula.rows).into_iter().any(|node| graph.depends(node).on_q && jumps(graph.op(node)))
+}
+
+/// Signals as functions of time; a condition that may change is not known.
+pub(crate) fn over_time(formula: &Formula, signals: &[Node], t: Series, parameters: &[f64], outside: Outside<'_>) -> Vec<Series> {
+    let graph = &formula.graph;
+    let results = evaluate(graph, signals, &Inputs { columns: &[], t, parameters, outside });
+    let known = |node: &Node| {
+        let y = results.number(*node)?;
+        let is_condition = matches!(graph.op(*node), Op::Compare(..) | Op::And(..) | Op::Or(..) | Op::Not(_));
+        (!y.is_open() && (!is_condition || y.value().is_thin())).then_some(y)
+    };
+    signals.iter().map(|node| known(node).unwrap_or(UNKNOWN)).collect()
+}
+
+/// The slopes of all rows along each of the signals, at coordinates and a time; not numbers where they are not known.
+pub(crate) fn slopes(
+    formula: &Formula,
+    signals: &[Node],
+    (columns, t): (&[f64], f64),
+    parameters: &[f64],
+    outside: Outside<'_>,
+) -> Vec<Vec<f64>> {
+    let still = |x: f64| Series::constant(Interval::from(x));
+    let columns: Vec<Series> = columns.iter().map(|x| still(*x)).collect();
+    let inputs = Inputs { columns: &columns, t: still(t), parameters, outside };
+    let known = evaluate(&formula.graph, &formula.rows, &inputs);
+    let along = |signal: &Node| {
+        let value = known.number(*signal).unwrap_or(UNKNOWN).value();
+        let moving = |node: Node| (node == *signal).then(|| Series::variable(value, ONE, 2));
+        let moved = evaluate_beyond(&formula.graph, &formula.rows, moving, &known, &inputs);
+        let slope = |k: usize| Some(row(formula, k, &moved).at(1)).filter(|slope| slope.is_finite()).map_or(f64::NAN, Interval::mid);
+        (0..formula.rows.len()).map(slope).collect()
+    };
+    signals.iter().map(along).collect()
+}

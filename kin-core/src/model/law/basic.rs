@@ -1,0 +1,292 @@
+//! Lines, polynomials, sines and Fourier series.
+
+use super::{Law, LawFunction, trusted_parts};
+use crate::numbers::enclosure::Series;
+
+impl Law {
+    /// f(x) = c.
+    pub fn constant(c: f64) -> Law {
+        Law::new(Polynomial { kind: "constant", names: &["c"], c: vec![c] })
+    }
+
+    /// f(x) = rate · x.
+    pub fn ramp(rate: f64) -> Law {
+        Law::new(Ramp { rate })
+    }
+
+    /// f(x) = f0 + rate · x.
+    pub fn linear(f0: f64, rate: f64) -> Law {
+        Law::new(Polynomial { kind: "linear", names: &["f0", "rate"], c: vec![f0, rate] })
+    }
+
+    /// f(x) = c\[0\] + c\[1\] x + c\[2\] x² + …; zero for no coefficient.
+    pub fn polynomial(c: &[f64]) -> Law {
+        Law::new(Polynomial { kind: "polynomial", names: &[], c: c.to_vec() })
+    }
+
+    /// f(x) = mean + amplitude · sin x.
+    pub fn harmonic(mean: f64, amplitude: f64) -> Law {
+        Law::new(Sine { kind: "harmonic", mean, amplitude, omega: 1.0, phase: 0.0 })
+    }
+
+    /// f(x) = amplitude · sin(omega · x + phase).
+    pub fn sine(amplitude: f64, omega: f64, phase: f64) -> Law {
+        Law::new(Sine { kind: "sine", mean: 0.0, amplitude, omega, phase })
+    }
+
+    /// f(x) = mean + Σ a_k cos(k · omega · x) + b_k sin(k · omega · x), k = 1, 2, … over the pairs (a_k, b_k).
+    pub fn fourier(mean: f64, omega: f64, pairs: &[(f64, f64)]) -> Law {
+        Law::new(Fourier { mean, omega, pairs: pairs.to_vec() })
+    }
+}
+
+/// rate · x
+struct Ramp {
+    rate: f64,
+}
+
+impl LawFunction for Ramp {
+    fn jet(&self, x: f64) -> [f64; 4] {
+        [self.rate * x, self.rate, 0.0, 0.0]
+    }
+
+    fn kind(&self) -> &str {
+        "ramp"
+    }
+
+    fn description(&self) -> &str {
+        "A constant rate: f(x) = rate · x."
+    }
+
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
+    }
+
+    fn over(&self, x: &Series) -> Option<Series> {
+        Some(x.times(self.rate))
+    }
+
+    fn fourth(&self, _: f64) -> f64 {
+        0.0
+    }
+
+    fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+        visit("rate", self.rate);
+    }
+
+    fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
+        (name == "rate").then(|| Law::ramp(value))
+    }
+}
+
+/// Σ c_k x^k
+#[derive(Clone)]
+struct Polynomial {
+    kind: &'static str,
+    /// Names of the coefficients; `c[k]` where there is none.
+    names: &'static [&'static str],
+    c: Vec<f64>,
+}
+
+impl Polynomial {
+    /// f, f′, f″/2, f‴/6, f⁗/24.
+    fn taylor(&self, x: f64) -> [f64; 5] {
+        let step = |[f, f1, f2, f3, f4]: [f64; 5], c: &f64| [f * x + c, f1 * x + f, f2 * x + f1, f3 * x + f2, f4 * x + f3];
+        self.c.iter().rev().fold([0.0; 5], step)
+    }
+
+    fn name(&self, k: usize) -> String {
+        self.names.get(k).map_or_else(|| format!("c[{k}]"), |name| name.to_string())
+    }
+}
+
+impl LawFunction for Polynomial {
+    /// Horner's rule for all at once.
+    fn jet(&self, x: f64) -> [f64; 4] {
+        let [f, f1, f2, f3, _] = self.taylor(x);
+        [f, f1, 2.0 * f2, 6.0 * f3]
+    }
+
+    fn kind(&self) -> &str {
+        self.kind
+    }
+
+    fn description(&self) -> &str {
+        match self.kind {
+            "constant" => "A constant: f(x) = c.",
+            "linear" => "A line: f(x) = f0 + rate · x.",
+            _ => "A polynomial: f(x) = c[0] + c[1] x + c[2] x² + ….",
+        }
+    }
+
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
+    }
+
+    fn over(&self, x: &Series) -> Option<Series> {
+        Some(self.c.iter().rev().fold(x.times(0.0), |sum, c| (sum * *x).plus(*c)))
+    }
+
+    fn fourth(&self, x: f64) -> f64 {
+        24.0 * self.taylor(x)[4]
+    }
+
+    fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+        self.c.iter().enumerate().for_each(|(k, c)| visit(&self.name(k), *c));
+    }
+
+    fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
+        let mut changed = self.clone();
+        let k = (0..self.c.len()).find(|&k| self.name(k) == name)?;
+        *changed.c.get_mut(k)? = value;
+        Some(Law::new(changed))
+    }
+}
+
+/// mean + amplitude · sin(omega · x + phase)
+#[derive(Clone)]
+struct Sine {
+    kind: &'static str,
+    mean: f64,
+    amplitude: f64,
+    omega: f64,
+    phase: f64,
+}
+
+impl LawFunction for Sine {
+    fn jet(&self, x: f64) -> [f64; 4] {
+        let w = self.omega;
+        let (s, c) = (w * x + self.phase).sin_cos();
+        let (s, c) = (self.amplitude * s, self.amplitude * c);
+        [self.mean + s, w * c, -w * w * s, -w * w * w * c]
+    }
+
+    fn kind(&self) -> &str {
+        self.kind
+    }
+
+    fn description(&self) -> &str {
+        match self.kind {
+            "harmonic" => "A harmonic: f(x) = mean + amplitude · sin x.",
+            _ => "A sine: f(x) = amplitude · sin(omega · x + phase).",
+        }
+    }
+
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
+    }
+
+    fn over(&self, x: &Series) -> Option<Series> {
+        Some(x.times(self.omega).plus(self.phase).sin_cos().0.times(self.amplitude).plus(self.mean))
+    }
+
+    fn fourth(&self, x: f64) -> f64 {
+        self.amplitude * self.omega.powi(4) * (self.omega * x + self.phase).sin()
+    }
+
+    fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+        if self.kind == "harmonic" {
+            visit("mean", self.mean);
+            visit("amplitude", self.amplitude);
+        } else {
+            visit("amplitude", self.amplitude);
+            visit("omega", self.omega);
+            visit("phase", self.phase);
+        }
+    }
+
+    fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
+        let mut changed = self.clone();
+        *match (name, self.kind) {
+            ("amplitude", _) => &mut changed.amplitude,
+            ("mean", "harmonic") => &mut changed.mean,
+            ("omega", "sine") => &mut changed.omega,
+            ("phase", "sine") => &mut changed.phase,
+            _ => return None,
+        } = value;
+        Some(Law::new(changed))
+    }
+}
+
+/// mean + Σ a_k cos(k omega x) + b_k sin(k omega x)
+#[derive(Clone)]
+struct Fourier {
+    mean: f64,
+    omega: f64,
+    pairs: Vec<(f64, f64)>,
+}
+
+impl Fourier {
+    /// The derivatives up to the fourth.
+    fn derivatives(&self, x: f64) -> [f64; 5] {
+        let mut all = [self.mean, 0.0, 0.0, 0.0, 0.0];
+        for (k, (a, b)) in (1..).zip(&self.pairs) {
+            let w = f64::from(k) * self.omega;
+            let (sin, cos) = (w * x).sin_cos();
+            let (even, odd) = (a * cos + b * sin, b * cos - a * sin);
+            let terms = [even, w * odd, -w * w * even, -w * w * w * odd, w.powi(4) * even];
+            all.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
+        }
+        all
+    }
+}
+
+impl LawFunction for Fourier {
+    fn jet(&self, x: f64) -> [f64; 4] {
+        let [f, f1, f2, f3, _] = self.derivatives(x);
+        [f, f1, f2, f3]
+    }
+
+    fn kind(&self) -> &str {
+        "fourier"
+    }
+
+    fn description(&self) -> &str {
+        "A Fourier series: f(x) = mean + Σ a_k cos(k · omega · x) + b_k sin(k · omega · x)."
+    }
+
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
+    }
+
+    fn over(&self, x: &Series) -> Option<Series> {
+        let term = |(k, (a, b)): (f64, &(f64, f64))| {
+            let (sin, cos) = x.times(self.omega).times(k).sin_cos();
+            cos.times(*a) + sin.times(*b)
+        };
+        let harmonics = (1..).map(f64::from).zip(&self.pairs);
+        Some(harmonics.map(term).fold(x.times(0.0).plus(self.mean), |sum, term| sum + term))
+    }
+
+    fn fourth(&self, x: f64) -> f64 {
+        self.derivatives(x)[4]
+    }
+
+    fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+        visit("mean", self.mean);
+        visit("omega", self.omega);
+        for (k, (a, b)) in self.pairs.iter().enumerate() {
+            visit(&format!("a[{}]", k + 1), *a);
+            visit(&format!("b[{}]", k + 1), *b);
+        }
+    }
+
+    fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
+        let mut changed = self.clone();
+        let place = match name {
+            "mean" => &mut changed.mean,
+            "omega" => &mut changed.omega,
+            _ => {
+                let k = (0..self.pairs.len()).find(|k| name.get(1..) == Some(&format!("[{}]", k + 1)))?;
+                let (a, b) = &mut changed.pairs[k];
+                match name.as_bytes().first()? {
+                    b'a' => a,
+                    b'b' => b,
+                    _ => return None,
+                }
+            }
+        };
+        *place = value;
+        Some(Law::new(changed))
+    }
+}

@@ -1,0 +1,191 @@
+//! Motions from rest to rest within limits: trapezoidal velocity and its smoother kin, the S-curve.
+
+use super::{Break, Law, LawFunction, trusted_parts};
+use crate::numbers::enclosure::{Interval, Series, piecewise};
+
+impl Law {
+    /// Rest to rest over a distance with trapezoidal velocity: constant acceleration up to the speed, then constant speed, then as it came;
+    /// without the middle part where the distance is too short. 0 before x = 0, the distance after. Its acceleration jumps. A negative distance is
+    /// a way back.
+    pub fn trapezoidal(distance: f64, speed: f64, acceleration: f64) -> Law {
+        Law::new(Move::new(distance, speed, acceleration, None))
+    }
+
+    /// Rest to rest over a distance with seven pieces of constant jerk, within a speed, an acceleration and a jerk; pieces that do not fit into a
+    /// short distance fall away. 0 before x = 0, the distance after. Its jerk jumps. Biagiotti and Melchiorri, *Trajectory Planning*, section 3.4.
+    pub fn s_curve(distance: f64, speed: f64, acceleration: f64, jerk: f64) -> Law {
+        Law::new(Move::new(distance, speed, acceleration, Some(jerk)))
+    }
+}
+
+/// Pieces of constant third (or second) derivative.
+#[derive(Clone)]
+struct Move {
+    distance: f64,
+    speed: f64,
+    acceleration: f64,
+    /// None: no limit, acceleration jumps.
+    jerk: Option<f64>,
+    pieces: Vec<Piece>,
+    /// Where it comes to rest.
+    end: f64,
+}
+
+/// From x = start on: s + v τ + a τ²/2 + j τ³/6.
+#[derive(Clone, Copy)]
+struct Piece {
+    start: f64,
+    s: f64,
+    v: f64,
+    a: f64,
+    j: f64,
+}
+
+impl Move {
+    fn new(distance: f64, speed: f64, acceleration: f64, jerk: Option<f64>) -> Self {
+        let mut motion = Move { distance, speed, acceleration, jerk, pieces: Vec::new(), end: 0.0 };
+        if motion.is_sound() {
+            match jerk {
+                None => motion.trapezoid(),
+                Some(jerk) => motion.seven_pieces(jerk),
+            }
+        }
+        motion
+    }
+
+    fn is_sound(&self) -> bool {
+        let above_zero = |x: f64| x.is_finite() && x > 0.0;
+        self.distance.is_finite() && above_zero(self.speed) && above_zero(self.acceleration) && self.jerk.is_none_or(above_zero)
+    }
+
+    fn trapezoid(&mut self) {
+        let (d, a) = (self.distance.abs(), self.acceleration);
+        let ramp = (self.speed / a).min((d / a).sqrt());
+        let cruise = (d / (a * ramp) - ramp).max(0.0);
+        let sign = self.distance.signum();
+        self.fill(&[(ramp, sign * a, 0.0), (if ramp > 0.0 { cruise } else { 0.0 }, 0.0, 0.0), (ramp, -sign * a, 0.0)]);
+    }
+
+    fn seven_pieces(&mut self, jerk: f64) {
+        let (d, v, a) = (self.distance.abs(), self.speed, self.acceleration);
+        // the ramp to full speed: t_j of jerk at either end
+        let (mut t_j, mut ramp) =
+            if v * jerk >= a * a { (a / jerk, a / jerk + v / a) } else { ((v / jerk).sqrt(), 2.0 * (v / jerk).sqrt()) };
+        let mut cruise = d / v - ramp;
+        if cruise < 0.0 {
+            cruise = 0.0;
+            (t_j, ramp) = if d >= 2.0 * a.powi(3) / (jerk * jerk) {
+                let t_j = a / jerk;
+                (t_j, 0.5 * t_j + (0.25 * t_j * t_j + d / a).sqrt())
+            } else {
+                let t_j = (0.5 * d / jerk).cbrt();
+                (t_j, 2.0 * t_j)
+            };
+        }
+        let (j, flat) = (self.distance.signum() * jerk, (ramp - 2.0 * t_j).max(0.0));
+        let up = [(t_j, 0.0, j), (flat, 0.0, 0.0), (t_j, 0.0, -j)];
+        let down = [(t_j, 0.0, -j), (flat, 0.0, 0.0), (t_j, 0.0, j)];
+        self.fill(&[up.as_slice(), &[(cruise, 0.0, 0.0)], &down].concat());
+    }
+
+    /// Pieces of (duration, jump of acceleration where jerk has no limit, jerk), one after the other; those without duration are left out.
+    fn fill(&mut self, parts: &[(f64, f64, f64)]) {
+        let mut next = Piece { start: 0.0, s: 0.0, v: 0.0, a: 0.0, j: 0.0 };
+        for &(duration, a, j) in parts.iter().filter(|part| part.0 > 0.0) {
+            let piece = Piece { a: if self.jerk.is_none() { a } else { next.a }, j, ..next };
+            // two pieces of the same jerk are one
+            if self.jerk.is_none() || self.pieces.last().is_none_or(|last| last.j != j) {
+                self.pieces.push(piece);
+            }
+            let [s, v, a, _] = piece.jet(piece.start + duration);
+            next = Piece { start: piece.start + duration, s, v, a, j: 0.0 };
+        }
+        self.end = next.start;
+    }
+}
+
+impl Piece {
+    fn jet(&self, x: f64) -> [f64; 4] {
+        let (t, Piece { s, v, a, j, .. }) = (x - self.start, *self);
+        [s + t * (v + t * (a / 2.0 + t * j / 6.0)), v + t * (a + t * j / 2.0), a + t * j, j]
+    }
+}
+
+impl LawFunction for Move {
+    fn jet(&self, x: f64) -> [f64; 4] {
+        if x >= self.end {
+            return [self.distance, 0.0, 0.0, 0.0];
+        }
+        let piece = self.pieces.iter().rev().find(|piece| x >= piece.start);
+        piece.map_or([0.0; 4], |piece| piece.jet(x))
+    }
+
+    fn kind(&self) -> &str {
+        if self.jerk.is_some() { "s_curve" } else { "trapezoidal" }
+    }
+
+    fn description(&self) -> &str {
+        match self.jerk {
+            Some(_) => {
+                "S-curve: rest to rest over a distance within a speed, an acceleration and a jerk, in seven pieces of constant jerk."
+            }
+            None => "Trapezoidal velocity: rest to rest over a distance with constant acceleration up to a speed.",
+        }
+    }
+
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
+    }
+
+    fn over(&self, x: &Series) -> Option<Series> {
+        let seams: Vec<f64> = self.pieces.iter().map(|piece| piece.start).chain([self.end]).collect();
+        piecewise(x, &seams, &|k, x| {
+            let Some(before) = k.checked_sub(1) else { return Some(x.times(0.0)) };
+            let Some(piece) = self.pieces.get(before) else { return Some(x.times(0.0).plus(self.distance)) };
+            // begun where the piece before has ended, but for rounding; at rest, or with no acceleration, exactly so
+            let near = |x: f64, size: f64| Series::constant(Interval::near(x, if x == 0.0 { 0.0 } else { size }));
+            let (s, v, a) = (near(piece.s, self.distance), near(piece.v, self.speed), near(piece.a, self.acceleration));
+            let t = x.plus(-piece.start);
+            Some(s + t * (v + t * (a.times(0.5) + t * Series::constant(Interval::from(piece.j) / Interval::from(6.0)))))
+        })
+    }
+
+    fn fourth(&self, _: f64) -> f64 {
+        0.0
+    }
+
+    fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
+        let order = if self.jerk.is_some() { 3 } else { 2 };
+        let places = self.pieces.iter().map(|piece| piece.start).chain((!self.pieces.is_empty()).then_some(self.end));
+        places.filter(|x| (from..=to).contains(x)).map(|x| Break { x, order }).collect()
+    }
+
+    fn is_smooth(&self) -> bool {
+        false
+    }
+
+    fn refusal(&self) -> Option<String> {
+        (!self.is_sound())
+            .then(|| format!("{}: speed, acceleration and jerk are above zero; the sign is that of the distance", self.kind()))
+    }
+
+    fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+        visit("distance", self.distance);
+        visit("speed", self.speed);
+        visit("acceleration", self.acceleration);
+        if let Some(jerk) = self.jerk {
+            visit("jerk", jerk);
+        }
+    }
+
+    fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
+        let changed = |[d, v, a]: [f64; 3], j| Some(Law::new(Move::new(d, v, a, j)));
+        match (name, self.jerk) {
+            ("distance", j) => changed([value, self.speed, self.acceleration], j),
+            ("speed", j) => changed([self.distance, value, self.acceleration], j),
+            ("acceleration", j) => changed([self.distance, self.speed, value], j),
+            ("jerk", Some(_)) => changed([self.distance, self.speed, self.acceleration], Some(value)),
+            _ => None,
+        }
+    }
+}

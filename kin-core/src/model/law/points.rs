@@ -1,0 +1,120 @@
+//! Tables that splines go through, and what they do at the ends.
+
+use std::path::Path;
+
+use super::Law;
+use super::sequence::within;
+use crate::model::error::{Error, Result};
+
+/// What a spline does at the ends of its table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Ends {
+    /// No curvature: it goes on as a line.
+    Natural,
+    /// Given slopes, with which it goes on as a line.
+    Clamped {
+        /// Slope at the first x.
+        start: f64,
+        /// Slope at the last x.
+        end: f64,
+    },
+    /// It repeats: the last y is the first one again.
+    Periodic,
+}
+
+/// Points (x, y) with x increasing, and what comes beyond them.
+#[derive(Clone)]
+pub(super) struct Points {
+    pub table: Vec<(f64, f64)>,
+    pub ends: Ends,
+}
+
+impl Points {
+    /// Width of interval k, and the rise over it.
+    pub fn step(&self, k: usize) -> (f64, f64) {
+        let ((x0, y0), (x1, y1)) = (self.table[k], self.table[k + 1]);
+        (x1 - x0, y1 - y0)
+    }
+
+    /// Width and slope of the straight line over interval k.
+    pub fn interval(&self, k: usize) -> (f64, f64) {
+        let (width, rise) = self.step(k);
+        (width, rise / width)
+    }
+
+    /// x brought into the table, and where it is there: interval, or outside of it.
+    pub fn place(&self, x: f64) -> (f64, usize) {
+        let (first, last) = (self.table[0].0, self.table[self.table.len() - 1].0);
+        let turned = || Some(first + within(x - first, last - first)).filter(|x| *x < last).unwrap_or(first);
+        let x = if self.ends == Ends::Periodic { turned() } else { x };
+        let after = self.table.partition_point(|(knot, _)| *knot <= x);
+        (x, after)
+    }
+
+    /// Why no spline goes through them, in the name of that law.
+    pub fn refusal(&self, kind: &str) -> Option<String> {
+        let least = if self.ends == Ends::Periodic { 3 } else { 2 };
+        if self.table.len() < least {
+            return Some(format!("{kind}: the table has {} points; it needs {least}", self.table.len()));
+        }
+        if let Some(k) = self.table.iter().position(|(x, y)| !(x.is_finite() && y.is_finite())) {
+            return Some(format!("{kind}: point {} is ({}, {}); give finite numbers", k + 1, self.table[k].0, self.table[k].1));
+        }
+        if let Some(k) = self.table.windows(2).position(|pair| pair[1].0 <= pair[0].0) {
+            let (before, after) = (self.table[k].0, self.table[k + 1].0);
+            return Some(format!("{kind}: the table does not increase: x = {before} is followed by {after} (point {})", k + 2));
+        }
+        let (first, last) = (self.table[0].1, self.table[self.table.len() - 1].1);
+        let size = self.table.iter().fold(0.0_f64, |m, (_, y)| m.max(y.abs()));
+        (self.ends == Ends::Periodic && (first - last).abs() > 1e-9 * size)
+            .then(|| format!("{kind}: a periodic table ends as it begins, but y is {first} at first and {last} at last"))
+    }
+
+    /// The x of the table, and its ends: `periodic` is 1 where it repeats; `start` and `end` are the slopes where they are given.
+    pub fn fixed_numbers(&self) -> Vec<(String, f64)> {
+        let ends = match self.ends {
+            Ends::Natural => vec![],
+            Ends::Clamped { start, end } => vec![("start".to_string(), start), ("end".to_string(), end)],
+            Ends::Periodic => vec![("periodic".to_string(), 1.0)],
+        };
+        self.table.iter().enumerate().map(|(k, (x, _))| (format!("x[{k}]"), *x)).chain(ends).collect()
+    }
+
+    /// Each y by its name.
+    pub fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+        for (k, (_, y)) in self.table.iter().enumerate() {
+            visit(&format!("y[{k}]"), *y);
+        }
+    }
+
+    /// The same with one y changed, if there is one of that name; both ends of a table that repeats.
+    pub fn with_parameter(&self, name: &str, value: f64) -> Option<Points> {
+        let k = (0..self.table.len()).find(|k| name == format!("y[{k}]"))?;
+        let mut table = self.table.clone();
+        table[k].1 = value;
+        if self.ends == Ends::Periodic && (k == 0 || k + 1 == table.len()) {
+            let last = table.len() - 1;
+            (table[0].1, table[last].1) = (value, value);
+        }
+        Some(Points { table, ends: self.ends })
+    }
+}
+
+/// A law through the first two columns of a CSV file; a first line that is no numbers is a header.
+pub(super) fn from_csv(path: &Path, law: impl Fn(&[(f64, f64)]) -> Law) -> Result<Law> {
+    let fail = |reason: String| Error::Table { path: path.to_path_buf(), reason };
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).trim(csv::Trim::All).from_path(path);
+    let reader = reader.as_mut().map_err(|error| fail(error.to_string()))?;
+    let mut table = Vec::new();
+    for (k, record) in reader.records().enumerate() {
+        let record = record.map_err(|error| fail(error.to_string()))?;
+        let number = |column: usize| record.get(column).and_then(|text| text.parse::<f64>().ok());
+        match (number(0), number(1)) {
+            (Some(x), Some(y)) => table.push((x, y)),
+            _ if k == 0 => {}
+            _ => return Err(fail(format!("line {}: `{}` is not two numbers", k + 1, record.iter().collect::<Vec<_>>().join(",")))),
+        }
+    }
+    let law = law(&table);
+    law.refusal().map_or(Ok(law), |reason| Err(fail(reason)))
+}

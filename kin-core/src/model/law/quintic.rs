@@ -1,0 +1,290 @@
+//! Quintic splines through tables: all derivatives up to the fourth are continuous.
+
+use std::path::Path;
+
+use nalgebra::{Matrix2, Matrix2x3, Vector2};
+
+use super::points::{self, Ends, Points};
+use super::{Break, Law, LawFunction, trusted_parts};
+use crate::model::error::Result;
+use crate::numbers::enclosure::{Interval, ONE, Series, piecewise, repeated};
+
+impl Law {
+    /// A quintic spline through the points (x, y), x increasing, at least two (three to be periodic): C⁴ between the ends, so that acceleration and jerk of
+    /// what it moves are smooth; closed ([`Ends::Periodic`]) it is C⁴ everywhere, as the profile of a cam or a closed path should be. At other ends it has
+    /// no curvature and goes on as a line, with the slope that is given or, for [`Ends::Natural`], with the one of least bending (f⁗ = 0).
+    ///
+    /// A table that does not increase, or does not repeat though it should, is refused where a mechanism is to use the law. C. de Boor, *A Practical Guide to
+    /// Splines*.
+    pub fn quintic_spline(table: &[(f64, f64)], ends: Ends) -> Law {
+        Law::new(Quintic::new(Points { table: table.to_vec(), ends }))
+    }
+
+    /// The same through the first two columns of a CSV file; a first line that is no numbers is a header.
+    ///
+    /// Errors: those of [`Law::spline_from_csv`].
+    pub fn quintic_spline_from_csv(path: impl AsRef<Path>, ends: Ends) -> Result<Law> {
+        points::from_csv(path.as_ref(), |table| Law::quintic_spline(table, ends))
+    }
+}
+
+#[derive(Clone)]
+struct Quintic {
+    points: Points,
+    /// f′ and f″ at each x; empty for a table that is refused.
+    slopes: Vec<[f64; 2]>,
+}
+
+impl Quintic {
+    fn new(points: Points) -> Self {
+        let slopes = if points.refusal("").is_none() { slopes(&points) } else { Vec::new() };
+        Quintic { points, slopes }
+    }
+
+    /// Width of interval k, and its polynomial in u = (x − x_k)/h from 0 to 1.
+    fn piece(&self, k: usize) -> (f64, [f64; 6]) {
+        let (h, rise) = self.points.step(k);
+        let ([v0, a0], [v1, a1]) = (self.slopes[k], self.slopes[k + 1]);
+        (h, hermite(self.points.table[k].1, rise, [h * v0, h * v1], [h * h * a0, h * h * a1]))
+    }
+
+    /// f and its derivatives up to the fourth over interval k, at x.
+    fn inside(&self, k: usize, x: f64) -> [f64; 5] {
+        let (h, mut c) = self.piece(k);
+        let u = (x - self.points.table[k].0) / h;
+        let mut unit = 1.0;
+        std::array::from_fn(|order| {
+            let value = c[..6 - order].iter().rev().fold(0.0, |sum, c| sum * u + c) / unit;
+            (0..5 - order).for_each(|j| c[j] = (j + 1) as f64 * c[j + 1]);
+            unit *= h;
+            value
+        })
+    }
+
+    fn all(&self, x: f64) -> [f64; 5] {
+        if self.slopes.is_empty() || x.is_nan() {
+            return [f64::NAN; 5];
+        }
+        let last = self.points.table.len() - 1;
+        let line = |k: usize, from: f64| {
+            let [y, v, ..] = self.inside(k, from);
+            [y + v * (x - from), v, 0.0, 0.0, 0.0]
+        };
+        match self.points.place(x) {
+            (_, 0) => line(0, self.points.table[0].0),
+            (_, after) if after > last => line(last - 1, self.points.table[last].0),
+            (x, after) => self.inside(after - 1, x),
+        }
+    }
+
+    /// The polynomial of interval k, with bounds. The slopes as they were found are those of the law: with them all pieces meet in value, slope and
+    /// curvature whatever rounding there was, and nothing has to be known of how it spread.
+    fn bounded(&self, k: usize, x: &Series) -> Series {
+        let number = |x: f64| Interval::from(x);
+        let ((x0, y0), (x1, y1)) = (self.points.table[k], self.points.table[k + 1]);
+        let [[v0, a0], [v1, a1]] = [self.slopes[k], self.slopes[k + 1]].map(|slopes| slopes.map(number));
+        let (h, rise) = (number(x1) - number(x0), number(y1) - number(y0));
+        let u = x.plus(-x0) * Series::constant(number(1.0) / h);
+        let w = (-u).plus(1.0);
+        let times = |c: Interval, p: Series| Series::constant(c) * p;
+        let (square, cube) = (u * u, u * u * u);
+        let (rest, rest_cube) = (w * w, w * w * w);
+        // Each number once, with the polynomial that it is multiplied by in factors: so rounding and ranges are least.
+        Series::constant(number(y0))
+            + times(rise, cube * (u * (times(number(6.0), u).plus(-15.0))).plus(10.0))
+            + times(v0 * h, u * rest_cube * times(number(3.0), u).plus(1.0))
+            + times(v1 * h, cube * w * times(number(3.0), u).plus(-4.0))
+            + times(a0 * h * h * number(0.5), square * rest_cube)
+            + times(a1 * h * h * number(0.5), cube * rest)
+    }
+
+    /// The line with the first two coefficients of an end, t from there.
+    fn line(&self, end: &Series, t: &Series) -> Series {
+        Series::constant(end.at(0)) + *t * Series::constant(end.at(1))
+    }
+}
+
+/// The polynomial of fifth degree in u with value y at 0, y + rise at 1, and these slopes and second slopes at both ends (by u).
+fn hermite(y: f64, rise: f64, [v0, v1]: [f64; 2], [a0, a1]: [f64; 2]) -> [f64; 6] {
+    let (x, v, a) = (rise - v0 - 0.5 * a0, v1 - v0 - a0, a1 - a0);
+    [y, v0, 0.5 * a0, 10.0 * x - 4.0 * v + 0.5 * a, 7.0 * v - 15.0 * x - a, 6.0 * x - 3.0 * v + 0.5 * a]
+}
+
+/// Two conditions on (f′, f″) of a knot and of its neighbours.
+#[derive(Clone, Copy)]
+struct Row {
+    below: Matrix2<f64>,
+    diagonal: Matrix2<f64>,
+    above: Matrix2<f64>,
+    right: Vector2<f64>,
+}
+
+/// f′ and f″ at the knots, from continuity of f‴ and f⁗. With widths p before and n after a knot these are, Δ being the rises,
+///
+/// −24 v₋/p² − 3 a₋/p + 36 (1/n² − 1/p²) v + 9 (1/n + 1/p) a + 24 v₊/n² − 3 a₊/n = 60 (Δn/n³ − Δp/p³),
+/// 168 v₋/p³ + 24 a₋/p² + 192 (1/n³ + 1/p³) v + 36 (1/n² − 1/p²) a + 168 v₊/n³ − 24 a₊/n² = 360 (Δn/n⁴ + Δp/p⁴).
+fn slopes(points: &Points) -> Vec<[f64; 2]> {
+    let last = points.table.len() - 1;
+    let inner = |k: usize| row(Some(points.step((k + last - 1) % last)), Some(points.step(k % last)));
+    let rows: Vec<Row> = match points.ends {
+        Ends::Periodic => (0..last).map(inner).collect(),
+        _ => {
+            let before = end(points, row(None, Some(points.step(0))), |ends| ends.0);
+            let after = end(points, row(Some(points.step(last - 1)), None), |ends| ends.1);
+            std::iter::once(before).chain((1..last).map(inner)).chain([after]).collect()
+        }
+    };
+    let mut found = solved(&rows);
+    if points.ends == Ends::Periodic {
+        found.push(found[0]);
+    }
+    found.into_iter().map(|x| [x.x, x.y]).collect()
+}
+
+/// The conditions of a knot between two intervals as (width, rise); at an end only one of them is there.
+fn row(before: Option<(f64, f64)>, after: Option<(f64, f64)>) -> Row {
+    let (mut below, mut diagonal, mut above, mut right) = (Matrix2::zeros(), Matrix2::zeros(), Matrix2::zeros(), Vector2::zeros());
+    if let Some((p, rise)) = before {
+        // The first row in units of 1/p², the second of 1/p³.
+        below += Matrix2::new(-24.0 / (p * p), -3.0 / p, 168.0 / p.powi(3), 24.0 / (p * p));
+        diagonal += Matrix2::new(-36.0 / (p * p), 9.0 / p, 192.0 / p.powi(3), -36.0 / (p * p));
+        right += Vector2::new(-60.0 * rise / p.powi(3), 360.0 * rise / p.powi(4));
+    }
+    if let Some((n, rise)) = after {
+        diagonal += Matrix2::new(36.0 / (n * n), 9.0 / n, 192.0 / n.powi(3), 36.0 / (n * n));
+        above += Matrix2::new(24.0 / (n * n), -3.0 / n, 168.0 / n.powi(3), -24.0 / (n * n));
+        right += Vector2::new(60.0 * rise / n.powi(3), 360.0 * rise / n.powi(4));
+    }
+    Row { below, diagonal, above, right }
+}
+
+/// An end without curvature: with the slope that is given, or with f⁗ = 0, which is the second condition there.
+fn end(points: &Points, row: Row, slope: impl Fn((f64, f64)) -> f64) -> Row {
+    let mut row = row;
+    let (mut first, mut value) = ([0.0, 1.0], 0.0);
+    if let Ends::Clamped { start, end } = points.ends {
+        (first, value) = ([1.0, 0.0], slope((start, end)));
+        row.diagonal.set_row(1, &nalgebra::RowVector2::new(0.0, 1.0));
+        [&mut row.below, &mut row.above].into_iter().for_each(|m| m.fill_row(1, 0.0));
+        row.right.y = 0.0;
+    }
+    row.diagonal.set_row(0, &nalgebra::RowVector2::from(first));
+    [&mut row.below, &mut row.above].into_iter().for_each(|m| m.fill_row(0, 0.0));
+    row.right.x = value;
+    row
+}
+
+/// Solves block rows in a circle: what stands below the first and above the last multiplies the last and the first unknown (zero where the spline
+/// is not closed). The first unknown is set apart; all others are what they are without it plus their share of it.
+fn solved(rows: &[Row]) -> Vec<Vector2<f64>> {
+    let with = |v: Vector2<f64>, m: Matrix2<f64>| Matrix2x3::from_columns(&[v, m.column(0).into(), m.column(1).into()]);
+    let inverse = |m: Matrix2<f64>| m.try_inverse().unwrap_or_else(|| Matrix2::repeat(f64::NAN));
+    let (first, others) = rows.split_at(1);
+    let Some(first) = first.first() else { return Vec::new() };
+    // right sides: without the first unknown, and its two components
+    let mut rights: Vec<Matrix2x3<f64>> = others.iter().map(|row| with(row.right, Matrix2::zeros())).collect();
+    let share = |m: &Matrix2<f64>| with(Vector2::zeros(), -m);
+    if let (Some(right), Some(row)) = (rights.first_mut(), others.first()) {
+        *right += share(&row.below);
+    }
+    if let (Some(right), Some(row)) = (rights.last_mut(), others.last()) {
+        *right += share(&row.above);
+    }
+    let mut pivots: Vec<Matrix2<f64>> = others.iter().map(|row| row.diagonal).collect();
+    for k in 1..others.len() {
+        let factor = others[k].below * inverse(pivots[k - 1]);
+        pivots[k] -= factor * others[k - 1].above;
+        let before = rights[k - 1];
+        rights[k] -= factor * before;
+    }
+    for k in (0..others.len()).rev() {
+        if let Some(after) = rights.get(k + 1).copied() {
+            rights[k] -= others[k].above * after;
+        }
+        rights[k] = inverse(pivots[k]) * rights[k];
+    }
+    let (mut own, mut right) = (first.diagonal, first.right);
+    for (factor, neighbour) in [(first.below, rights.last()), (first.above, rights.first())] {
+        if let Some(neighbour) = neighbour {
+            own += factor * neighbour.fixed_columns::<2>(1);
+            right -= factor * neighbour.column(0);
+        }
+    }
+    let x = inverse(own) * right;
+    std::iter::once(x).chain(rights.iter().map(|right| right.column(0) + right.fixed_columns::<2>(1) * x)).collect()
+}
+
+impl LawFunction for Quintic {
+    fn jet(&self, x: f64) -> [f64; 4] {
+        let [f, f1, f2, f3, _] = self.all(x);
+        [f, f1, f2, f3]
+    }
+
+    fn kind(&self) -> &str {
+        "quintic_spline"
+    }
+
+    fn description(&self) -> &str {
+        "A quintic spline through a table, natural, clamped or periodic: C⁴, so that acceleration and jerk are smooth."
+    }
+
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
+    }
+
+    fn over(&self, x: &Series) -> Option<Series> {
+        let (first, last) = (self.points.table.first()?.0, self.points.table.last()?.0);
+        let knots: Vec<f64> = self.points.table.iter().map(|(x, _)| *x).collect();
+        let at = |x: f64| Series::variable(Interval::from(x), ONE, 2);
+        match self.points.ends {
+            _ if self.slopes.is_empty() => None,
+            Ends::Periodic => repeated(x, first, last - first, &|x| {
+                let inner = &knots[1..knots.len() - 1];
+                piecewise(&x.plus(first), inner, &|k, x| Some(self.bounded(k, x)))
+            }),
+            _ => piecewise(x, &knots, &|k, x| {
+                Some(match k {
+                    0 => self.line(&self.bounded(0, &at(first)), &x.plus(-first)),
+                    k if k < knots.len() => self.bounded(k - 1, x),
+                    k => self.line(&self.bounded(k - 2, &at(last)), &x.plus(-last)),
+                })
+            }),
+        }
+    }
+
+    fn fourth(&self, x: f64) -> f64 {
+        self.all(x)[4]
+    }
+
+    /// Where it becomes a line f‴ jumps; between the ends nothing up to f⁗ does.
+    fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
+        if self.slopes.is_empty() || self.points.ends == Ends::Periodic {
+            return Vec::new();
+        }
+        let last = self.points.table.len() - 1;
+        let size = (0..last).map(|k| self.inside(k, self.points.table[k].0)[3].abs()).fold(0.0, f64::max);
+        let ends = [(0, 0), (last - 1, last)].map(|(k, knot)| (self.points.table[knot].0, self.inside(k, self.points.table[knot].0)[3]));
+        let jumps = ends.into_iter().filter(|(x, third)| (from..=to).contains(x) && third.abs() > 1e-9 * size);
+        jumps.map(|(x, _)| Break { x, order: 3 }).collect()
+    }
+
+    fn is_smooth(&self) -> bool {
+        self.points.ends == Ends::Periodic
+    }
+
+    fn refusal(&self) -> Option<String> {
+        self.points.refusal("quintic_spline")
+    }
+
+    fn fixed_numbers(&self) -> Vec<(String, f64)> {
+        self.points.fixed_numbers()
+    }
+
+    fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+        self.points.parameters(visit);
+    }
+
+    fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
+        Some(Law::new(Quintic::new(self.points.with_parameter(name, value)?)))
+    }
+}

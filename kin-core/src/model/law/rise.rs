@@ -1,0 +1,248 @@
+//! Rises: from 0 to a height over a length, with a dwell before and after. Those of cams and of machines that index.
+
+use std::f64::consts::{PI, TAU};
+
+use super::{Break, Law, LawFunction, shapes, trusted_parts};
+use crate::numbers::enclosure::{Interval, Series, piecewise};
+
+impl Law {
+    /// Simple harmonic rise: f(x) = h/2 (1 − cos(π x/β)) for 0 ≤ x ≤ β, 0 before and h after. Its acceleration jumps at both ends.
+    pub fn harmonic_rise(height: f64, length: f64) -> Law {
+        Law::new(Rise { shape: Shape::Harmonic, height, length })
+    }
+
+    /// Cycloidal rise: f(x) = h (x/β − sin(2π x/β)/2π) for 0 ≤ x ≤ β, 0 before and h after.
+    pub fn cycloidal(height: f64, length: f64) -> Law {
+        Law::new(Rise { shape: Shape::Cycloidal, height, length })
+    }
+
+    /// 3-4-5 polynomial rise: f(x) = h (10 ξ³ − 15 ξ⁴ + 6 ξ⁵), ξ = x/β, for 0 ≤ ξ ≤ 1, 0 before and h after.
+    pub fn polynomial_345(height: f64, length: f64) -> Law {
+        Law::new(Rise { shape: Shape::Polynomial345, height, length })
+    }
+
+    /// 4-5-6-7 polynomial rise: f(x) = h (35 ξ⁴ − 84 ξ⁵ + 70 ξ⁶ − 20 ξ⁷), ξ = x/β, for 0 ≤ ξ ≤ 1, 0 before and h after. No derivative up to the
+    /// third jumps.
+    pub fn polynomial_4567(height: f64, length: f64) -> Law {
+        Law::new(Rise { shape: Shape::Polynomial4567, height, length })
+    }
+
+    /// Modified sine rise: f″ is a sine of period β/2 for an eighth of β, then a cosine of period 3β/2, then the sine again; 0 before and h after.
+    /// Largest acceleration 5.528 h/β².
+    pub fn modified_sine(height: f64, length: f64) -> Law {
+        Law::new(Rise { shape: Shape::ModifiedSine, height, length })
+    }
+
+    /// Modified trapezoidal rise: f″ is a trapezoid whose ramps are quarters of a sine, each an eighth of β long; 0 before and h after. Largest
+    /// acceleration 4.888 h/β².
+    pub fn modified_trapezoid(height: f64, length: f64) -> Law {
+        Law::new(Rise { shape: Shape::ModifiedTrapezoid, height, length })
+    }
+}
+
+/// height · s(x/length)
+#[derive(Clone)]
+struct Rise {
+    shape: Shape,
+    height: f64,
+    length: f64,
+}
+
+/// s(ξ) on 0..1, from 0 to 1.
+#[derive(Clone, Copy)]
+enum Shape {
+    Harmonic,
+    Cycloidal,
+    Polynomial345,
+    Polynomial4567,
+    ModifiedSine,
+    ModifiedTrapezoid,
+}
+
+impl Shape {
+    /// \[s, s′, s″, s‴, s⁗\] for 0 ≤ ξ ≤ 1.
+    fn jet(self, x: f64) -> [f64; 5] {
+        match self {
+            Shape::Harmonic => {
+                let (s, c) = (PI * x).sin_cos();
+                [0.5 * (1.0 - c), 0.5 * PI * s, 0.5 * PI * PI * c, -0.5 * PI.powi(3) * s, -0.5 * PI.powi(4) * c]
+            }
+            Shape::Cycloidal => {
+                let (s, c) = (TAU * x).sin_cos();
+                [x - s / TAU, 1.0 - c, TAU * s, TAU * TAU * c, -TAU.powi(3) * s]
+            }
+            Shape::Polynomial345 => {
+                let s1 = x * x * (30.0 + x * (-60.0 + 30.0 * x));
+                let s2 = x * (60.0 + x * (-180.0 + 120.0 * x));
+                [x.powi(3) * (10.0 + x * (-15.0 + 6.0 * x)), s1, s2, 60.0 + x * (-360.0 + 360.0 * x), -360.0 + 720.0 * x]
+            }
+            Shape::Polynomial4567 => {
+                let s = x.powi(4) * (35.0 + x * (-84.0 + x * (70.0 - 20.0 * x)));
+                let s1 = x.powi(3) * (140.0 + x * (-420.0 + x * (420.0 - 140.0 * x)));
+                let s2 = x * x * (420.0 + x * (-1680.0 + x * (2100.0 - 840.0 * x)));
+                let s3 = x * (840.0 + x * (-5040.0 + x * (8400.0 - 4200.0 * x)));
+                [s, s1, s2, s3, 840.0 + x * (-10080.0 + x * (25200.0 - 16800.0 * x))]
+            }
+            Shape::ModifiedSine => mirrored(x, modified_sine),
+            Shape::ModifiedTrapezoid => mirrored(x, modified_trapezoid),
+        }
+    }
+
+    /// s of a function of ξ with bounds.
+    fn over(self, x: &Series) -> Option<Series> {
+        let pi = |factor: f64| Series::constant(Interval::pi(factor));
+        let x = *x;
+        let powers = |c: &[f64], first: i32| x.powi(first) * c.iter().rev().fold(x.times(0.0), |sum, c| (sum * x).plus(*c));
+        match self {
+            Shape::Harmonic => Some((-(pi(1.0) * x).sin_cos().1).plus(1.0).times(0.5)),
+            Shape::Cycloidal => Some(x - (pi(2.0) * x).sin_cos().0 / pi(2.0)),
+            Shape::Polynomial345 => Some(powers(&[10.0, -15.0, 6.0], 3)),
+            Shape::Polynomial4567 => Some(powers(&[35.0, -84.0, 70.0, -20.0], 4)),
+            Shape::ModifiedSine => shapes::mirrored(&x, &shapes::modified_sine),
+            Shape::ModifiedTrapezoid => shapes::mirrored(&x, &shapes::modified_trapezoid),
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Shape::Harmonic => "harmonic_rise",
+            Shape::Cycloidal => "cycloidal",
+            Shape::Polynomial345 => "polynomial_345",
+            Shape::Polynomial4567 => "polynomial_4567",
+            Shape::ModifiedSine => "modified_sine",
+            Shape::ModifiedTrapezoid => "modified_trapezoid",
+        }
+    }
+
+    /// The lowest derivative that jumps at the ends, if it is one of the first three.
+    fn order(self) -> Option<usize> {
+        match self {
+            Shape::Harmonic => Some(2),
+            Shape::Polynomial4567 => None,
+            _ => Some(3),
+        }
+    }
+}
+
+/// A shape with s(1 − ξ) = 1 − s(ξ), from its first half.
+fn mirrored(x: f64, half: fn(f64) -> [f64; 5]) -> [f64; 5] {
+    if x <= 0.5 {
+        return half(x);
+    }
+    let [s, s1, s2, s3, s4] = half(1.0 - x);
+    [1.0 - s, s1, -s2, s3, -s4]
+}
+
+/// The first eighth of both modified shapes: s″ = a sin 4πξ.
+fn first_eighth(x: f64, a: f64) -> [f64; 5] {
+    let w = 4.0 * PI;
+    let (s, c) = (w * x).sin_cos();
+    [a * (x / w - s / (w * w)), a * (1.0 - c) / w, a * s, a * w * c, -a * w * w * s]
+}
+
+/// From a point on: s″ = a cos w τ, with s and s′ there.
+fn cosine(tau: f64, a: f64, w: f64, [s0, v0]: [f64; 2]) -> [f64; 5] {
+    let (s, c) = (w * tau).sin_cos();
+    [s0 + v0 * tau + a * (1.0 - c) / (w * w), v0 + a * s / w, a * c, -a * w * s, -a * w * w * c]
+}
+
+/// Norton, *Cam Design and Manufacturing Handbook*: s″ = a sin 4πξ to 1/8, then a cos(4π(ξ − 1/8)/3); a = 4π²/(π + 4).
+fn modified_sine(x: f64) -> [f64; 5] {
+    let a = 4.0 * PI * PI / (PI + 4.0);
+    if x < 0.125 {
+        return first_eighth(x, a);
+    }
+    let [s, v, ..] = first_eighth(0.125, a);
+    cosine(x - 0.125, a, 4.0 * PI / 3.0, [s, v])
+}
+
+/// Norton: s″ = a sin 4πξ to 1/8, a to 3/8, then a cos 4π(ξ − 3/8); a = 8π/(2 + π).
+fn modified_trapezoid(x: f64) -> [f64; 5] {
+    let a = 8.0 * PI / (2.0 + PI);
+    if x < 0.125 {
+        return first_eighth(x, a);
+    }
+    let [s, v, ..] = first_eighth(0.125, a);
+    let constant = |tau: f64| [s + v * tau + 0.5 * a * tau * tau, v + a * tau];
+    if x < 0.375 {
+        let [s, v] = constant(x - 0.125);
+        return [s, v, a, 0.0, 0.0];
+    }
+    cosine(x - 0.375, a, 4.0 * PI, constant(0.25))
+}
+
+impl Rise {
+    /// Where in the rise x is, unless it is before or after it.
+    fn inside(&self, x: f64) -> Option<[f64; 5]> {
+        (x >= 0.0 && x < self.length).then(|| self.shape.jet(x / self.length))
+    }
+}
+
+impl LawFunction for Rise {
+    fn jet(&self, x: f64) -> [f64; 4] {
+        let Some([s, s1, s2, s3, _]) = self.inside(x) else { return [if x < 0.0 { 0.0 } else { self.height }, 0.0, 0.0, 0.0] };
+        let (h, l) = (self.height, self.length);
+        [h * s, h * s1 / l, h * s2 / (l * l), h * s3 / (l * l * l)]
+    }
+
+    fn kind(&self) -> &str {
+        self.shape.name()
+    }
+
+    fn description(&self) -> &str {
+        match self.shape {
+            Shape::Harmonic => "Simple harmonic rise: f(x) = h/2 (1 − cos(π x/β)), 0 before and h after.",
+            Shape::Cycloidal => "Cycloidal rise: f(x) = h (x/β − sin(2π x/β)/2π), 0 before and h after.",
+            Shape::Polynomial345 => "3-4-5 polynomial rise: f(x) = h (10 ξ³ − 15 ξ⁴ + 6 ξ⁵), ξ = x/β, 0 before and h after.",
+            Shape::Polynomial4567 => "4-5-6-7 polynomial rise: f(x) = h (35 ξ⁴ − 84 ξ⁵ + 70 ξ⁶ − 20 ξ⁷), ξ = x/β, 0 before and h after.",
+            Shape::ModifiedSine => "Modified sine rise: f″ of quarter sines and a long cosine between; 0 before and h after.",
+            Shape::ModifiedTrapezoid => "Modified trapezoidal rise: f″ a trapezoid with sine ramps; 0 before and h after.",
+        }
+    }
+
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
+    }
+
+    fn over(&self, x: &Series) -> Option<Series> {
+        piecewise(x, &[0.0, self.length], &|k, x| {
+            Some(match k {
+                0 => x.times(0.0),
+                1 => self.shape.over(&(*x / Series::constant(Interval::from(self.length))))?.times(self.height),
+                _ => x.times(0.0).plus(self.height),
+            })
+        })
+    }
+
+    fn fourth(&self, x: f64) -> f64 {
+        self.inside(x).map_or(0.0, |s| self.height * s[4] / self.length.powi(4))
+    }
+
+    fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
+        let ends = self.shape.order().map(|order| [0.0, self.length].map(|x| Break { x, order }));
+        ends.into_iter().flatten().filter(|b| self.height != 0.0 && (from..=to).contains(&b.x)).collect()
+    }
+
+    fn is_smooth(&self) -> bool {
+        self.shape.order().is_none()
+    }
+
+    fn refusal(&self) -> Option<String> {
+        (self.length <= 0.0).then(|| format!("{}: the length of a rise is above zero (length = {})", self.kind(), self.length))
+    }
+
+    fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+        visit("height", self.height);
+        visit("length", self.length);
+    }
+
+    fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
+        let mut changed = self.clone();
+        *match name {
+            "height" => &mut changed.height,
+            "length" => &mut changed.length,
+            _ => return None,
+        } = value;
+        Some(Law::new(changed))
+    }
+}

@@ -1,0 +1,323 @@
+//! Laws one after the other, and over and over.
+
+use std::sync::OnceLock;
+
+use super::breaks::{self, Seam, Sizes, merged, sharpest};
+use super::{Break, Law, LawFunction, trusted_parts};
+use crate::numbers::enclosure::{Interval, Series, piecewise, repeated};
+
+impl Law {
+    /// Parts one after the other from x = `start` on, each for its length and with its own variable counted from its beginning: over a part that
+    /// begins at x_k the law is f_k(x − x_k). Before the first and after the last the end values are held.
+    ///
+    /// Parts must meet in value; a mechanism refuses a sequence that jumps. Where a derivative jumps there is a break.
+    ///
+    /// ```
+    /// use kin::prelude::*;
+    /// // up in 1 s, dwell 0.5 s, down in 1 s
+    /// let (up, down) = (Law::cycloidal(0.02, 1.0), Law::constant(0.02) - Law::cycloidal(0.02, 1.0));
+    /// let law = Law::sequence(0.0, [(1.0, up), (0.5, Law::constant(0.02)), (1.0, down)]);
+    /// assert!(law.refusal().is_none() && law.at(1.25) == 0.02 && law.at(9.0).abs() < 1e-17);
+    /// ```
+    pub fn sequence(start: f64, parts: impl IntoIterator<Item = (f64, Law)>) -> Law {
+        Law::new(Sequence::new(start, parts.into_iter().collect()))
+    }
+
+    /// The part of this law over 0 ≤ x < period, over and over: the profile of a cam over one turn, with period 2π.
+    ///
+    /// Its ends must meet in value; a mechanism refuses a law that jumps. Where a derivative jumps there is a break.
+    pub fn periodic(&self, period: f64) -> Law {
+        Law::new(Periodic { law: self.clone(), period, seam: OnceLock::new() })
+    }
+}
+
+#[derive(Clone)]
+struct Sequence {
+    start: f64,
+    /// Lengths and laws.
+    parts: Vec<(f64, Law)>,
+    /// The beginning of the first part, where two meet, and the end of the last one: looked at once.
+    seams: OnceLock<Vec<Joint>>,
+}
+
+/// One seam: where it is, what jumps there, and the values on both sides.
+#[derive(Clone, Copy)]
+struct Joint {
+    x: f64,
+    order: Option<usize>,
+    values: (f64, f64),
+}
+
+impl Sequence {
+    fn new(start: f64, parts: Vec<(f64, Law)>) -> Self {
+        Sequence { start, parts, seams: OnceLock::new() }
+    }
+
+    /// The seams in order: one more than there are parts.
+    fn seams(&self) -> &[Joint] {
+        self.seams.get_or_init(|| {
+            let sizes: Vec<Sizes> = self.parts.iter().map(|(length, law)| Sizes::of(law, *length)).collect();
+            let mut all = Vec::with_capacity(self.parts.len() + 1);
+            for (k, (begin, length, law)) in self.placed().enumerate() {
+                let (right, shorter) = (law.jet(0.0), length.min(k.checked_sub(1).map_or(length, |before| self.parts[before].0)));
+                let seam = match k.checked_sub(1).map(|before| (&self.parts[before], sizes[before])) {
+                    None => Seam::before(right[0], right, sizes[k], length),
+                    Some(((before, law), size)) => Seam::after(law, *before, size, (right, sizes[k], shorter)),
+                };
+                all.push(Joint { x: begin, order: seam.order(), values: (seam.end(), right[0]) });
+            }
+            if let (Some((begin, length, law)), Some(size)) = (self.placed().last(), sizes.last()) {
+                let held = law.at(length);
+                let seam = Seam::after(law, length, *size, ([held, 0.0, 0.0, 0.0], Sizes::default(), length));
+                all.push(Joint { x: begin + length, order: seam.order(), values: (seam.end(), held) });
+            }
+            all
+        })
+    }
+
+    /// The breaks at its seams.
+    fn joints(&self, from: f64, to: f64) -> impl Iterator<Item = Break> {
+        let jump = |seam: &Joint| seam.order.map(|order| Break { x: seam.x, order });
+        self.seams().iter().filter_map(jump).filter(move |found| (from..=to).contains(&found.x))
+    }
+
+    /// What each part has of its own between two places, by `list`: breaks at its ends are those of the seams.
+    fn own<I: IntoIterator<Item = Break>>(&self, from: f64, to: f64, list: impl Fn(&Law, f64, f64) -> I) -> Vec<Break> {
+        let mut all = Vec::new();
+        for (begin, length, law) in self.placed() {
+            let edge = 1e-14 * length;
+            let (from, to) = ((from - begin).max(edge), (to - begin).min(length - edge));
+            if from <= to {
+                all.extend(list(law, from, to).into_iter().map(|b| Break { x: begin + b.x, ..b }));
+            }
+        }
+        all
+    }
+
+    /// Each part with its beginning and its length.
+    fn placed(&self) -> impl Iterator<Item = (f64, f64, &Law)> {
+        let mut next = self.start;
+        self.parts.iter().map(move |(length, law)| {
+            let begin = next;
+            next += length;
+            (begin, *length, law)
+        })
+    }
+
+    /// The part at x, or the value that is held.
+    fn part(&self, x: f64) -> Result<(f64, &Law), f64> {
+        let mut held = f64::NAN;
+        for (k, (begin, length, law)) in self.placed().enumerate() {
+            if k == 0 && x < begin {
+                return Err(law.at(0.0));
+            }
+            if x < begin + length {
+                return Ok((begin, law));
+            }
+            held = law.at(length);
+        }
+        Err(held)
+    }
+}
+
+impl LawFunction for Sequence {
+    fn jet(&self, x: f64) -> [f64; 4] {
+        match self.part(x) {
+            Ok((begin, law)) => law.jet(x - begin),
+            Err(held) => [held, 0.0, 0.0, 0.0],
+        }
+    }
+
+    fn kind(&self) -> &str {
+        "sequence"
+    }
+
+    fn description(&self) -> &str {
+        "Laws one after the other, each over its length: f(x) = f_k(x − x_k)."
+    }
+
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
+    }
+
+    fn over(&self, x: &Series) -> Option<Series> {
+        let placed: Vec<(f64, f64, &Law)> = self.placed().collect();
+        let end = placed.last().map(|(begin, length, _)| begin + length);
+        let seams: Vec<f64> = placed.iter().map(|(begin, ..)| *begin).chain(end).collect();
+        piecewise(x, &seams, &|k, x| {
+            let held = |law: &Law, x0: f64| Some(x.times(0.0) + law.over(&Series::constant(Interval::from(x0)))?);
+            match (k.checked_sub(1).map(|k| placed.get(k)), placed.first(), placed.last()) {
+                (Some(Some((begin, _, law))), ..) => law.over(&x.plus(-begin)),
+                (None, Some((_, _, law)), _) => held(law, 0.0),
+                (Some(None), _, Some((_, length, law))) => held(law, *length),
+                _ => None,
+            }
+        })
+    }
+
+    fn fourth(&self, x: f64) -> f64 {
+        self.part(x).map_or(0.0, |(begin, law)| law.fourth(x - begin))
+    }
+
+    fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
+        let mut all = self.own(from, to, |law, from, to| law.breaks(from, to));
+        all.extend(self.joints(from, to));
+        merged(all)
+    }
+
+    fn sharpest_break(&self, from: f64, to: f64) -> Option<Break> {
+        sharpest(self.own(from, to, |law, from, to| law.sharpest_break(from, to)).into_iter().chain(self.joints(from, to)))
+    }
+
+    fn is_smooth(&self) -> bool {
+        false
+    }
+
+    fn refusal(&self) -> Option<String> {
+        if self.parts.is_empty() {
+            return Some("sequence: there is no part in it".to_string());
+        }
+        let number = |k: usize| format!("part {} of the sequence", k + 1);
+        for (k, (length, law)) in self.parts.iter().enumerate() {
+            if !(length.is_finite() && *length > 0.0) {
+                return Some(format!("{} has the length {length}; give one above zero", number(k)));
+            }
+            if let Some(why) = law.refusal() {
+                return Some(format!("{}: {why}", number(k)));
+            }
+        }
+        // The first seam and the last one are those to what is held.
+        let between = self.seams().iter().enumerate().take(self.parts.len()).skip(1);
+        let mut said = between.filter(|(_, seam)| seam.order == Some(0)).map(|(k, seam)| {
+            let (end, begin) = seam.values;
+            format!("parts {k} and {} of the sequence do not meet: the first ends at {end}, the second begins at {begin}", k + 1)
+        });
+        said.next()
+    }
+
+    fn parts(&self) -> Vec<(String, Law)> {
+        self.parts.iter().enumerate().map(|(k, (_, law))| (format!("part[{k}].law"), law.clone())).collect()
+    }
+
+    fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+        visit("start", self.start);
+        for (k, (length, law)) in self.parts.iter().enumerate() {
+            visit(&format!("part[{k}].length"), *length);
+            law.parameters(&mut |name, value| visit(&format!("part[{k}].law.{name}"), value));
+        }
+    }
+
+    fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
+        let mut changed = Sequence::new(self.start, self.parts.clone());
+        if name == "start" {
+            changed.start = value;
+            return Some(Law::new(changed));
+        }
+        let (number, rest) = name.strip_prefix("part[")?.split_once("].")?;
+        let (length, law) = changed.parts.get_mut(number.parse::<usize>().ok()?)?;
+        match rest {
+            "length" => *length = value,
+            rest => law.set_parameter(rest.strip_prefix("law.")?, value).then_some(())?,
+        }
+        Some(Law::new(changed))
+    }
+}
+
+/// What x is beyond the last whole period: 0 ≤ … < period. (Of a number just below zero `rem_euclid` alone makes the period itself, by rounding.)
+pub(super) fn within(x: f64, period: f64) -> f64 {
+    let rest = x.rem_euclid(period);
+    if rest >= period { 0.0 } else { rest }
+}
+
+#[derive(Clone)]
+struct Periodic {
+    law: Law,
+    period: f64,
+    /// Where the end of a period meets the next one: what jumps, and the value that it ends with.
+    seam: OnceLock<(Option<usize>, f64)>,
+}
+
+impl Periodic {
+    fn seam(&self) -> (Option<usize>, f64) {
+        *self.seam.get_or_init(|| {
+            let sizes = Sizes::of(&self.law, self.period);
+            let seam = Seam::after(&self.law, self.period, sizes, (self.law.jet(0.0), sizes, self.period));
+            (seam.order(), seam.end())
+        })
+    }
+
+    /// The breaks of the first period.
+    fn one(&self) -> Vec<Break> {
+        let mut one = self.law.breaks(0.0, self.period);
+        one.retain(|b| b.x > 1e-14 * self.period && b.x < self.period * (1.0 - 1e-14));
+        one.extend(self.seam().0.map(|order| Break { x: 0.0, order }));
+        merged(one)
+    }
+}
+
+impl LawFunction for Periodic {
+    fn jet(&self, x: f64) -> [f64; 4] {
+        self.law.jet(within(x, self.period))
+    }
+
+    fn kind(&self) -> &str {
+        "periodic"
+    }
+
+    fn description(&self) -> &str {
+        "The part of a law over one period, over and over."
+    }
+
+    fn trusted(&self) -> Vec<String> {
+        trusted_parts(self)
+    }
+
+    fn over(&self, x: &Series) -> Option<Series> {
+        repeated(x, 0.0, self.period, &|x| self.law.over(x))
+    }
+
+    fn fourth(&self, x: f64) -> f64 {
+        self.law.fourth(within(x, self.period))
+    }
+
+    fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
+        breaks::repeated(&self.one(), 0.0, self.period, from, to)
+    }
+
+    /// No period has what the first one has not.
+    fn sharpest_break(&self, from: f64, to: f64) -> Option<Break> {
+        sharpest(self.breaks(from, to.min(from + 2.0 * self.period)))
+    }
+
+    fn is_smooth(&self) -> bool {
+        self.breaks(0.0, self.period).is_empty()
+    }
+
+    fn refusal(&self) -> Option<String> {
+        if self.period <= 0.0 {
+            return Some(format!("periodic: the period is above zero (period = {})", self.period));
+        }
+        self.law.refusal().or_else(|| {
+            let ((order, end), begin) = (self.seam(), self.law.at(0.0));
+            let apart = || format!("the law does not repeat after {}: it begins at {begin} and ends at {end}", self.period);
+            (order == Some(0)).then(apart)
+        })
+    }
+
+    fn parts(&self) -> Vec<(String, Law)> {
+        vec![("law".to_string(), self.law.clone())]
+    }
+
+    fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+        visit("period", self.period);
+        super::combine::show(&self.law, "law", visit);
+    }
+
+    fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
+        if name == "period" {
+            return Some(self.law.periodic(value));
+        }
+        let mut law = self.law.clone();
+        super::combine::set(&mut law, "law", name, value).then(|| law.periodic(self.period))
+    }
+}

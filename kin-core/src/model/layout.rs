@@ -1,0 +1,229 @@
+//! The global coordinates: bodies and bare coordinates in the order of their declaration, with names and units.
+
+use std::collections::HashSet;
+
+use crate::model::coordinates::{Coordinate, MechanismId, PlanarBody, SpatialBody, Target};
+use crate::model::error::{Error, Result};
+use crate::model::units::Units;
+
+/// Unit of a coordinate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Unit {
+    /// A length.   \[m\]
+    Metre,
+    /// An angle.   \[rad\]
+    Radian,
+    /// An Euler parameter.   \[-\]
+    One,
+}
+
+/// What one declared item is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Planar,
+    Spatial,
+    Angle,
+    Length,
+}
+
+impl Kind {
+    /// Name after the body's and unit of each coordinate.
+    pub(crate) fn coordinates(self) -> &'static [(&'static str, Unit)] {
+        use Unit::*;
+        match self {
+            Kind::Planar => &[(".R_x", Metre), (".R_y", Metre), (".theta", Radian)],
+            Kind::Spatial => &[(".R_x", Metre), (".R_y", Metre), (".R_z", Metre), (".e0", One), (".e1", One), (".e2", One), (".e3", One)],
+            Kind::Angle => &[("", Radian)],
+            Kind::Length => &[("", Metre)],
+        }
+    }
+}
+
+/// A body or a bare coordinate.
+#[derive(Clone, Debug)]
+pub(crate) struct Item {
+    pub name: String,
+    pub kind: Kind,
+    /// Its first global coordinate.
+    pub first: usize,
+}
+
+/// Where a handle points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Place {
+    /// The global frame itself, or one of its coordinates, which is fixed at the value.
+    Ground(f64),
+    /// Coordinates `first..` of the item.
+    Own { item: usize, first: usize },
+}
+
+/// All items of one mechanism.
+#[derive(Clone, Debug)]
+pub(crate) struct Layout {
+    pub mechanism: MechanismId,
+    pub items: Vec<Item>,
+    pub names: Vec<String>,
+    pub units: Vec<Unit>,
+    /// What the units are called.
+    pub words: Units,
+    /// Links as (item, length between the pins).   \[m\]
+    pub links: Vec<(usize, f64)>,
+    taken: HashSet<String>,
+}
+
+impl Layout {
+    pub(crate) fn new(mechanism: MechanismId) -> Self {
+        Layout {
+            mechanism,
+            items: Vec::new(),
+            names: Vec::new(),
+            units: Vec::new(),
+            words: Units::default(),
+            links: Vec::new(),
+            taken: HashSet::new(),
+        }
+    }
+
+    /// Number of coordinates n.
+    pub(crate) fn len(&self) -> usize {
+        self.names.len()
+    }
+
+    /// Appends an item and gives its index.
+    pub(crate) fn declare(&mut self, name: &str, kind: Kind) -> Result<usize> {
+        if name.trim().is_empty() {
+            return Err(Error::EmptyName { what: if kind == Kind::Planar || kind == Kind::Spatial { "body" } else { "coordinate" } });
+        }
+        let coordinates = kind.coordinates().iter().map(|(suffix, _)| format!("{name}{suffix}"));
+        let fresh: Vec<String> = coordinates.collect();
+        if let Some(known) = [name].into_iter().chain(fresh.iter().map(String::as_str)).find(|name| self.taken.contains(*name)) {
+            return Err(Error::DuplicateName { what: "bodies or coordinates", name: known.to_string() });
+        }
+        self.taken.insert(name.to_string());
+        self.taken.extend(fresh.iter().cloned());
+        self.items.push(Item { name: name.to_string(), kind, first: self.names.len() });
+        self.names.extend(fresh);
+        self.units.extend(kind.coordinates().iter().map(|(_, unit)| *unit));
+        Ok(self.items.len() - 1)
+    }
+
+    /// The bodies with their names.
+    pub(crate) fn bodies(&self) -> Vec<(&str, Target)> {
+        let mechanism = self.mechanism;
+        let bodies = self.items.iter().enumerate().filter_map(|(index, item)| {
+            let target = match item.kind {
+                Kind::Planar => Target::Planar(PlanarBody { mechanism, index: Some(index) }),
+                Kind::Spatial => Target::Spatial(SpatialBody { mechanism, index: Some(index) }),
+                Kind::Angle | Kind::Length => return None,
+            };
+            Some((item.name.as_str(), target))
+        });
+        bodies.collect()
+    }
+
+    /// The unit of coordinate `column` (`order` 0) or of one of its rates, in the mechanism's words.
+    pub(crate) fn unit(&self, column: usize, order: usize) -> String {
+        self.units.get(column).map(|unit| self.words.text(*unit, order)).unwrap_or_default()
+    }
+
+    /// The units of all coordinates.
+    pub(crate) fn unit_words(&self) -> Vec<String> {
+        (0..self.len()).map(|column| self.unit(column, 0)).collect()
+    }
+
+    /// Where a body or coordinate stands; `None` if it is not of this mechanism.
+    pub(crate) fn place(&self, target: &Target) -> Option<Place> {
+        match target {
+            Target::Planar(body) => self.body(body.mechanism, body.index, Kind::Planar),
+            Target::Spatial(body) => self.body(body.mechanism, body.index, Kind::Spatial),
+            Target::Coord(coordinate, _) => self.coordinate(coordinate),
+        }
+    }
+
+    /// Where a bare coordinate stands.
+    pub(crate) fn coordinate(&self, coordinate: &Coordinate) -> Option<Place> {
+        match *coordinate {
+            Coordinate::Own { mechanism, index } => {
+                let item = self.items.get(index).filter(|item| matches!(item.kind, Kind::Angle | Kind::Length))?;
+                (mechanism == self.mechanism).then_some(Place::Own { item: index, first: item.first })
+            }
+            Coordinate::Planar(body, axis) if axis < 3 => Some(self.body(body.mechanism, body.index, Kind::Planar)?.axis(axis, 0.0)),
+            Coordinate::Spatial(body, axis) if axis < 7 => {
+                Some(self.body(body.mechanism, body.index, Kind::Spatial)?.axis(axis, if axis == 3 { 1.0 } else { 0.0 }))
+            }
+            _ => None,
+        }
+    }
+
+    fn body(&self, mechanism: MechanismId, index: Option<usize>, kind: Kind) -> Option<Place> {
+        let Some(index) = index else { return Some(Place::Ground(0.0)) };
+        let item = self.items.get(index).filter(|item| item.kind == kind && mechanism == self.mechanism)?;
+        Some(Place::Own { item: index, first: item.first })
+    }
+
+    /// The error for a value of coordinate `column` that is not finite.
+    pub(crate) fn not_finite(&self, column: usize, value: f64) -> Error {
+        let name = self.owner(column).map(|item| item.name.clone()).unwrap_or_default();
+        Error::InitialNotFinite { name, coordinate: self.names.get(column).cloned().unwrap_or_default(), value }
+    }
+
+    /// The item that coordinate `column` belongs to.
+    pub(crate) fn owner(&self, column: usize) -> Option<&Item> {
+        let after = self.items.partition_point(|item| item.first <= column);
+        self.items.get(after.checked_sub(1)?)
+    }
+}
+
+impl Place {
+    /// Coordinate `axis` of a body at this place; `value` is the ground's.
+    fn axis(self, axis: usize, value: f64) -> Place {
+        match self {
+            Place::Ground(_) => Place::Ground(value),
+            Place::Own { item, first } => Place::Own { item, first: first + axis },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::coordinates::{Ground, any_planar};
+
+    fn three() -> Layout {
+        let mut layout = Layout::new(MechanismId(7));
+        layout.declare("crank", Kind::Planar).unwrap();
+        layout.declare("platform", Kind::Spatial).unwrap();
+        layout.declare("theta3", Kind::Angle).unwrap();
+        layout
+    }
+
+    #[test]
+    fn coordinates_come_in_the_order_of_declaration() {
+        let layout = three();
+        assert_eq!(layout.names[..4], ["crank.R_x", "crank.R_y", "crank.theta", "platform.R_x"]);
+        assert_eq!(layout.names[6..], ["platform.e0", "platform.e1", "platform.e2", "platform.e3", "theta3"]);
+        assert_eq!(layout.owner(9).unwrap().name, "platform");
+        assert_eq!(layout.owner(10).unwrap().name, "theta3");
+    }
+
+    #[test]
+    fn names_are_unique_and_not_empty() {
+        let mut layout = three();
+        assert!(matches!(layout.declare("crank", Kind::Length), Err(Error::DuplicateName { .. })));
+        assert!(matches!(layout.declare("crank.theta", Kind::Angle), Err(Error::DuplicateName { .. })));
+        assert!(matches!(layout.declare(" ", Kind::Angle), Err(Error::EmptyName { .. })));
+        assert_eq!(layout.len(), 11);
+    }
+
+    #[test]
+    fn only_handles_of_this_mechanism_have_a_place() {
+        let layout = three();
+        let crank = PlanarBody { mechanism: MechanismId(7), index: Some(0) };
+        assert_eq!(layout.place(&Target::Planar(crank)), Some(Place::Own { item: 0, first: 0 }));
+        assert_eq!(layout.coordinate(&crank.theta()), Some(Place::Own { item: 0, first: 2 }));
+        assert_eq!(layout.place(&Target::Planar(any_planar())), None);
+        assert_eq!(layout.place(&Target::Planar(PlanarBody { mechanism: MechanismId(8), index: Some(0) })), None);
+        assert_eq!(layout.coordinate(&Coordinate::Planar(crank, 3)), None);
+        assert_eq!(layout.coordinate(&PlanarBody::from(Ground).x()), Some(Place::Ground(0.0)));
+    }
+}

@@ -1,0 +1,112 @@
+//! What a constraint must hold to be let into a mechanism.
+
+use crate::model::constraint::Constraint;
+use crate::model::coordinates::{Argument, Target};
+use crate::model::error::{Error, Result};
+use crate::model::layout::{Layout, Place};
+
+/// Refuses, by name: parameters that are not finite or make no sense, bodies of other mechanisms, the same body or coordinate twice, rows without
+/// coordinates, and hand-written constraints that contradict themselves.
+pub(super) fn admit(mechanism: &str, layout: &Layout, name: &str, constraint: &dyn Constraint) -> Result<()> {
+    finite_parameters(name, constraint)?;
+    sensible_parameters(name, constraint)?;
+    let arguments = constraint.arguments();
+    let places = places(mechanism, layout, name, &arguments)?;
+    different(layout, name, &arguments, &places)?;
+    consistent(name, constraint, &arguments)?;
+    movable(name, constraint, &arguments, &places)
+}
+
+fn finite_parameters(name: &str, constraint: &dyn Constraint) -> Result<()> {
+    let mut bad = None;
+    constraint.parameters(&mut |parameter, value| {
+        if !value.is_finite() && bad.is_none() {
+            bad = Some((parameter.to_string(), value));
+        }
+    });
+    match bad {
+        Some((parameter, value)) => Err(Error::ParameterNotFinite { constraint: name.to_string(), parameter, value }),
+        None => Ok(()),
+    }
+}
+
+/// What the constraint itself demands of its parameters (`#[require]`).
+pub(crate) fn sensible_parameters(name: &str, constraint: &dyn Constraint) -> Result<()> {
+    match constraint.refusal() {
+        Some(reason) => Err(Error::InvalidParameters { constraint: name.to_string(), kind: constraint.kind().to_string(), reason }),
+        None => Ok(()),
+    }
+}
+
+fn places(mechanism: &str, layout: &Layout, name: &str, arguments: &[Argument]) -> Result<Vec<Place>> {
+    let place = |argument: &Argument| {
+        layout.place(&argument.target).ok_or_else(|| Error::ForeignBody {
+            mechanism: mechanism.to_string(),
+            place: name.to_string(),
+            argument: argument.name.to_string(),
+        })
+    };
+    arguments.iter().map(place).collect()
+}
+
+/// No coordinate may come in by two arguments: neither a body twice, nor a coordinate twice, nor a body and one of its own.
+fn different(layout: &Layout, name: &str, arguments: &[Argument], places: &[Place]) -> Result<()> {
+    let range = |k: usize| match places[k] {
+        Place::Own { first, .. } => Some(first..first + arguments[k].target.columns()),
+        Place::Ground(_) => None,
+    };
+    for second in 0..arguments.len() {
+        for first in 0..second {
+            let (Some(a), Some(b)) = (range(first), range(second)) else { continue };
+            if a.start < b.end && b.start < a.end {
+                let both_bodies = [first, second].iter().all(|&k| !matches!(arguments[k].target, Target::Coord(..)));
+                let body = layout.owner(a.start).map(|item| item.name.clone()).unwrap_or_default();
+                let coordinate = layout.names.get(a.start.max(b.start)).cloned().unwrap_or_default();
+                return Err(Error::RepeatedBody {
+                    constraint: name.to_string(),
+                    first: arguments[first].name.to_string(),
+                    second: arguments[second].name.to_string(),
+                    name: if both_bodies { body } else { coordinate },
+                });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Rows and pattern of a hand-written constraint must fit each other.
+fn consistent(name: &str, constraint: &dyn Constraint, arguments: &[Argument]) -> Result<()> {
+    let columns: usize = arguments.iter().map(|argument| argument.target.columns()).sum();
+    let rows = constraint.rows().len();
+    let reason = if rows == 0 {
+        "it has no row".to_string()
+    } else if let Some((row, column)) = constraint.pattern().iter().find(|(row, column)| *row >= rows || *column >= columns) {
+        format!("its pattern names row {row}, column {column}, but it has {rows} rows and {columns} columns")
+    } else {
+        return Ok(());
+    };
+    Err(Error::InvalidConstraint { constraint: name.to_string(), kind: constraint.kind().to_string(), reason })
+}
+
+/// Every row must have a coordinate that can move.
+fn movable(name: &str, constraint: &dyn Constraint, arguments: &[Argument], places: &[Place]) -> Result<()> {
+    let own: Vec<bool> = arguments
+        .iter()
+        .zip(places)
+        .flat_map(|(argument, place)| std::iter::repeat_n(matches!(place, Place::Own { .. }), argument.target.columns()))
+        .collect();
+    let rows = constraint.rows();
+    let moves = |row: usize| constraint.pattern().iter().any(|&(r, column)| r == row && own.get(column).copied().unwrap_or(false));
+    let Some(row) = (0..rows.len()).find(|&row| !moves(row)) else { return Ok(()) };
+    let grounded = arguments.iter().zip(places).filter(|(_, place)| matches!(place, Place::Ground(_)));
+    let names: Vec<String> = grounded.map(|(argument, _)| format!("`{}`", argument.name)).collect();
+    Err(Error::NoCoordinates {
+        constraint: name.to_string(),
+        row: if rows.len() == 1 { String::new() } else { rows[row].to_string() },
+        reason: match names.as_slice() {
+            [] => "its row of the pattern is empty; list where C_q may differ from zero".to_string(),
+            [one] => format!("{one} is the ground; give it a body that can move"),
+            [rest @ .., last] => format!("{} and {last} are the ground; give it a body that can move", rest.join(", ")),
+        },
+    })
+}

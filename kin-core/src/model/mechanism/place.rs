@@ -1,0 +1,99 @@
+//! Bodies placed by points, and points found in bodies as they are drawn: frames at mid-link are where people slip.
+
+use super::{Mechanism, SpatialPose};
+use crate::model::coordinates::SpatialLink;
+use crate::model::error::{Error, Result};
+use crate::model::layout::Place;
+use crate::numbers::algebra::Vec3;
+use crate::solve::motion::Body;
+
+/// A named point of a body and a direction there, both in the body's frame.
+///
+/// ```
+/// use kin::prelude::*;
+///
+/// # fn main() -> kin::Result<()> {
+/// let mut m = Mechanism::new("crank");
+/// let crank = m.link_between("crank", (0.0, 0.0), (3.0, 4.0))?;
+/// let pin = m.marker("pin", crank, (3.0, 4.0), (1.0, 0.0))?; // where it is drawn
+/// assert!((pin.u - crank.end()).norm() < 1e-15 && (pin.h - vec2(0.6, -0.8)).norm() < 1e-15);
+/// m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start()))?;
+/// m.add("motor", drive_angle(pin.body, Law::linear((4.0_f64 / 3.0).atan(), 1.0)))?;
+/// let mut motion = m.build()?.run([0.0, 1.0])?;
+/// assert!((motion.marker(&pin)?.speed().values()[0] - 5.0).abs() < 1e-12);
+/// motion.add_marker(&pin)?; // columns `pin.x`, `pin.y`, …
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Marker<B: Body> {
+    /// Its name, for files and figures.
+    pub name: String,
+    /// The body.
+    pub body: B,
+    /// Local position.   \[m\]
+    pub u: B::Vector,
+    /// Local direction, of any length.   \[–\]
+    pub h: B::Vector,
+}
+
+impl<B: Body> Marker<B> {
+    /// A marker by local position and direction; [`Mechanism::marker`] takes global ones.
+    pub fn new(name: &str, body: B, u: impl Into<B::Vector>, h: impl Into<B::Vector>) -> Self {
+        Marker { name: name.to_string(), body, u: u.into(), h: h.into() }
+    }
+}
+
+impl Mechanism {
+    /// ū, where a global point is in a body as it is drawn: at the pose it was declared with or given since.   \[m\]
+    ///
+    /// Errors: a body of another mechanism.
+    pub fn local<B: Body>(&self, body: B, point: impl Into<B::Vector>) -> Result<B::Vector> {
+        self.drawn(body).map(|q| B::local(point.into(), q))
+    }
+
+    /// h̄, a global direction as a body sees it where it is drawn.
+    ///
+    /// Errors: a body of another mechanism.
+    pub fn local_direction<B: Body>(&self, body: B, h: impl Into<B::Vector>) -> Result<B::Vector> {
+        self.drawn(body).map(|q| B::local_direction(h.into(), q))
+    }
+
+    /// A marker at a global point, with a global direction, of a body as it is drawn.   \[m, –\]
+    ///
+    /// Errors: a body of another mechanism, name empty.
+    pub fn marker<B: Body + Copy>(&self, name: &str, body: B, point: impl Into<B::Vector>, h: impl Into<B::Vector>) -> Result<Marker<B>> {
+        if name.trim().is_empty() {
+            return Err(Error::EmptyName { what: "marker" });
+        }
+        Ok(Marker::new(name, body, self.local(body, point)?, self.local_direction(body, h)?))
+    }
+
+    /// A spatial body between two joints at the global points `a` and `b`: their distance is its length, frame at the middle, x-axis from `a` to
+    /// `b`.   \[m\]
+    ///
+    /// Errors: points that coincide or are not finite, name empty or taken.
+    pub fn spatial_link_between(&mut self, name: &str, a: impl Into<Vec3>, b: impl Into<Vec3>) -> Result<SpatialLink> {
+        let (a, b) = (a.into(), b.into());
+        let length = (b - a).norm();
+        if !(length.is_finite() && length > 0.0) {
+            return Err(Error::InvalidLength { link: name.to_string(), length });
+        }
+        let body = self.spatial(name, SpatialPose::facing((a + b) * 0.5, b - a))?;
+        self.layout.links.extend(body.index.map(|index| (index, length)));
+        Ok(SpatialLink { body, length })
+    }
+
+    /// The coordinates of a body as it is drawn; none of the ground's.
+    fn drawn<B: Body>(&self, body: B) -> Result<&[f64]> {
+        let target = body.target();
+        match self.layout.place(&target) {
+            Some(Place::Own { first, .. }) => Ok(self.initial.get(first..first + target.columns()).unwrap_or_default()),
+            Some(Place::Ground(_)) => Ok(&[]),
+            None => {
+                let (mechanism, place, argument) = (self.name.clone(), "marker".to_string(), "body".to_string());
+                Err(Error::ForeignBody { mechanism, place, argument })
+            }
+        }
+    }
+}

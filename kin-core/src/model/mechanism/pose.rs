@@ -1,0 +1,114 @@
+//! Poses of bodies, and small helpers for the numbers of a model.
+
+use crate::numbers::algebra::{Axis, EulerParameters, Mat3, Vec2, Vec3};
+
+/// Position and angle of a planar body: (R_x, R_y, θ).   \[m, m, rad\]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pose {
+    /// R_x   \[m\]
+    pub x: f64,
+    /// R_y   \[m\]
+    pub y: f64,
+    /// θ, counter-clockwise from the global x-axis.   \[rad\]
+    pub theta: f64,
+}
+
+/// The pose (R_x, R_y, θ) of a planar body.   \[m, m, rad\]
+pub fn pose(x: f64, y: f64, theta: f64) -> Pose {
+    Pose { x, y, theta }
+}
+
+impl Pose {
+    /// Frame at the middle between two global points, x-axis from `a` to `b`.
+    pub(crate) fn between(a: Vec2, b: Vec2) -> Pose {
+        pose(0.5 * (a.x + b.x), 0.5 * (a.y + b.y), (b.y - a.y).atan2(b.x - a.x))
+    }
+}
+
+/// Position and Euler parameters of a spatial body: (R, e0, e1, e2, e3), scalar first.   \[m, –\]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpatialPose {
+    /// R   \[m\]
+    pub r: Vec3,
+    /// Euler parameters; any length but zero, a mechanism normalises them.
+    pub p: EulerParameters,
+}
+
+impl SpatialPose {
+    /// The pose with position R and Euler parameters p.
+    pub fn new(r: impl Into<Vec3>, p: EulerParameters) -> Self {
+        SpatialPose { r: r.into(), p }
+    }
+
+    /// Position R, not turned: p = (1, 0, 0, 0).
+    pub fn at(r: impl Into<Vec3>) -> Self {
+        SpatialPose { r: r.into(), p: EulerParameters::new(1.0, 0.0, 0.0, 0.0) }
+    }
+
+    /// Turned by `angle` about the direction `axis` through its origin R: p = (cos φ/2, n sin φ/2). A zero axis turns nothing.   \[m, rad\]
+    pub fn turned(r: impl Into<Vec3>, axis: impl Into<Vec3>, angle: f64) -> Self {
+        let (r, axis) = (r.into(), axis.into());
+        let largest = axis.x.abs().max(axis.y.abs()).max(axis.z.abs());
+        if largest == 0.0 {
+            return SpatialPose::at(r);
+        }
+        let (x, y, z) = (axis.x / largest, axis.y / largest, axis.z / largest);
+        let (sin, cos) = (0.5 * angle).sin_cos();
+        let share = sin / (x * x + y * y + z * z).sqrt();
+        SpatialPose { r, p: EulerParameters::new(cos, share * x, share * y, share * z) }
+    }
+
+    /// At R with the body's x-axis along h of an axis and its y-axis along f: `SpatialPose::facing(r, vec3(1.0, 1.0, 0.0))`, or with both directions
+    /// chosen `SpatialPose::facing(r, Axis::new(h, f))`.   \[m, –\]
+    pub fn facing(r: impl Into<Vec3>, x: impl Into<Axis>) -> Self {
+        let Axis { h, f, g } = x.into();
+        SpatialPose { r: r.into(), p: EulerParameters::from_rotation(Mat3::from_columns([h, f, g])) }
+    }
+
+    /// (R, p/|p|) as coordinates; not finite where p = 0.
+    pub(crate) fn coordinates(self) -> [f64; 7] {
+        let p = [self.p.e0, self.p.e1, self.p.e2, self.p.e3];
+        let largest = p.iter().fold(0.0_f64, |m, e| m.max(e.abs()));
+        let p = p.map(|e| e / largest);
+        let norm = p.iter().map(|e| e * e).sum::<f64>().sqrt();
+        [self.r.x, self.r.y, self.r.z, p[0] / norm, p[1] / norm, p[2] / norm, p[3] / norm]
+    }
+}
+
+/// Degrees in radians: x π/180.
+pub fn deg(x: f64) -> f64 {
+    x.to_radians()
+}
+
+/// `n` numbers from `a` to `b`, evenly spaced, both ends exact; `[a]` for one, none for zero.
+pub fn linspace(a: f64, b: f64, n: usize) -> Vec<f64> {
+    let last = n.saturating_sub(1);
+    (0..n).map(|k| if k == last && k > 0 { b } else { a + (b - a) * (k as f64 / last.max(1) as f64) }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn linspace_has_both_ends() {
+        assert_eq!(linspace(0.0, 1.0, 5), [0.0, 0.25, 0.5, 0.75, 1.0]);
+        assert_eq!(linspace(0.1, 24.0, 241)[240], 24.0);
+        assert_eq!(linspace(2.0, 3.0, 1), [2.0]);
+        assert!(linspace(0.0, 1.0, 0).is_empty());
+    }
+
+    #[test]
+    fn euler_parameters_are_normalised() {
+        let q = SpatialPose::new(Vec3::new(1.0, 2.0, 3.0), EulerParameters::new(1e200, 0.0, 1e200, 0.0)).coordinates();
+        assert!((q[3] - 0.5_f64.sqrt()).abs() < 1e-15 && (q[5] - 0.5_f64.sqrt()).abs() < 1e-15);
+        let turned = SpatialPose::turned(Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.0, 0.0, 2.0), deg(90.0));
+        assert!((turned.p.e0 - 0.5_f64.sqrt()).abs() < 1e-15 && (turned.p.e3 - 0.5_f64.sqrt()).abs() < 1e-15);
+    }
+
+    #[test]
+    fn link_lies_between_its_points() {
+        let pose = Pose::between(Vec2::new(1.0, 1.0), Vec2::new(1.0, 3.0));
+        assert_eq!((pose.x, pose.y, pose.theta), (1.0, 2.0, std::f64::consts::FRAC_PI_2));
+    }
+}

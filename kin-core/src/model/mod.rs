@@ -1,0 +1,14 @@
+//! Mechanisms as they are described: coordinates, what a constraint sees and can be asked for, laws, the equation as data, what can go wrong.
+
+pub mod blame;
+pub mod constraint;
+pub mod coordinates;
+pub mod dual_route;
+pub mod error;
+pub(crate) mod formula;
+pub mod law;
+pub(crate) mod layout;
+pub mod mechanism;
+pub mod state;
+pub mod terms;
+pub(crate) mod units;

@@ -1,0 +1,137 @@
+//! Every term of one constraint at one state, by name: for comparing routes, and with a derivation by hand.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::model::constraint::Constraint;
+use crate::model::coordinates::{Argument, Target};
+use crate::model::dual_route::{self, Equation};
+use crate::model::state::{At, CoordState, PlanarState, Rates, SpatialState};
+
+/// Every term of C(q, t) and its derivatives at one state. Columns are local to the constraint; units are those of the row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Terms {
+    /// C(q, t), m.
+    pub c: DVector<f64>,
+    /// C_q, m × n, zero outside the pattern.
+    pub c_q: DMatrix<f64>,
+    /// C_t, m.
+    pub c_t: DVector<f64>,
+    /// (C_q q̇)_q q̇, m.
+    pub c_qqd_qd: DVector<f64>,
+    /// C_qt q̇, m.
+    pub c_qt_qd: DVector<f64>,
+    /// C_tt, m.
+    pub c_tt: DVector<f64>,
+    /// Q_d = −(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt, m.
+    pub q_d: DVector<f64>,
+}
+
+impl Terms {
+    /// Whether every entry of every term is finite.
+    pub fn is_finite(&self) -> bool {
+        let vectors = [&self.c, &self.c_t, &self.c_qqd_qd, &self.c_qt_qd, &self.c_tt, &self.q_d];
+        vectors.iter().all(|v| v.iter().all(|x| x.is_finite())) && self.c_q.iter().all(|x| x.is_finite())
+    }
+}
+
+/// Every term of `constraint` at local coordinates `q`, rates `qd` and time `t`, on the constraint's own route.
+///
+/// From r(q̇, ṫ) = −\[(C_q q̇)_q q̇ + 2 ṫ C_qt q̇ + ṫ² C_tt\]: −r(q̇, 0) is the first term, −r(0, 1) the last, and the mixed one is what is
+/// left of r(q̇, 1), exact to rounding of the largest of the three. `q` and `qd` are the arguments' coordinates one after the other;
+/// missing ones count as zero.
+pub fn terms(constraint: &dyn Constraint, q: &[f64], qd: &[f64], t: f64) -> Terms {
+    let arguments = constraint.arguments();
+    let m = constraint.rows().len();
+    let local = Local::new(&arguments, q, qd);
+    let still = Local::new(&arguments, q, &[]);
+    let at = local.at(t);
+
+    let mut c = DVector::zeros(m);
+    constraint.residual(&at, c.as_mut_slice());
+
+    let pattern = constraint.pattern();
+    let mut values = vec![0.0; pattern.len()];
+    constraint.jacobian(&at, &mut values);
+    let n = arguments.iter().map(|a| a.target.columns()).sum();
+    let mut c_q = DMatrix::zeros(m, n);
+    for (&(row, column), value) in pattern.iter().zip(values) {
+        c_q[(row, column)] += value;
+    }
+
+    let mut c_t = DVector::zeros(m);
+    constraint.velocity_rhs(&at, c_t.as_mut_slice());
+    c_t.neg_mut();
+
+    let right_side = |rates: &Local, t_dot: f64| {
+        let mut r = DVector::zeros(m);
+        constraint.acceleration_rhs(&at, &rates.rates(), t_dot, r.as_mut_slice());
+        r
+    };
+    let q_d = right_side(&local, 1.0);
+    let c_qqd_qd = -right_side(&local, 0.0);
+    let c_tt = -right_side(&still, 1.0);
+    let c_qt_qd = (-&q_d - &c_qqd_qd - &c_tt) * 0.5;
+    Terms { c, c_q, c_t, c_qqd_qd, c_qt_qd, c_tt, q_d }
+}
+
+/// Every term on the dual route, each by its own kind of number: the mixed term by `HyperDual64`.
+pub fn dual_terms<E, const N: usize, const M: usize>(equation: &E, q: &[f64], qd: &[f64], t: f64) -> Terms
+where
+    E: Equation<N, M> + Clone,
+{
+    let mut all = terms(&dual_route::by_dual::<E, N, M>(equation.clone()), q, qd, t);
+    let fixed = |values: &[f64]| std::array::from_fn(|k| values.get(k).copied().unwrap_or(0.0));
+    all.c_qt_qd = DVector::from_row_slice(&dual_route::mixed::<E, N, M>(equation, &fixed(q), &fixed(qd), t));
+    all
+}
+
+/// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s): the right side of C_q q⃛, for the jerk; `None` where the constraint does not know
+/// it.   \[row/s³\]
+pub fn jerk_rhs(constraint: &dyn Constraint, q: &[f64], qd: &[f64], qdd: &[f64], t: f64) -> Option<DVector<f64>> {
+    let arguments = constraint.arguments();
+    let (local, second) = (Local::new(&arguments, q, qd), Local::new(&arguments, q, qdd));
+    let mut rhs = DVector::zeros(constraint.rows().len());
+    constraint.jerk_rhs(&local.at(t), &local.rates(), &second.rates(), rhs.as_mut_slice()).then_some(rhs)
+}
+
+/// Measure k of a constraint ([`Constraint::measures`]) and its first three derivatives where its arguments' coordinates, first, second and third
+/// rates are these; missing ones count as zero.
+pub fn measure(constraint: &dyn Constraint, k: usize, [q, qd, qdd, qddd]: [&[f64]; 4], t: f64) -> [f64; 4] {
+    let arguments = constraint.arguments();
+    let [first, second, third] = [qd, qdd, qddd].map(|rates| Local::new(&arguments, q, rates));
+    constraint.measure(k, &first.at(t), &[first.rates(), second.rates(), third.rates()])
+}
+
+/// The states and rates of one constraint's arguments, standing alone.
+pub(crate) struct Local {
+    pub states: Vec<f64>,
+    pub rates: Vec<f64>,
+    /// Where each argument's state and its rates begin.
+    pub arguments: Vec<[u32; 2]>,
+}
+
+impl Local {
+    pub(crate) fn new(arguments: &[Argument], q: &[f64], qd: &[f64]) -> Self {
+        let mut local = Local { states: Vec::new(), rates: Vec::new(), arguments: Vec::new() };
+        for argument in arguments {
+            let column = local.rates.len();
+            local.arguments.push([local.states.len() as u32, column as u32]);
+            let q = |k: usize| q.get(column + k).copied().unwrap_or(0.0);
+            match argument.target {
+                Target::Planar(_) => local.states.extend(PlanarState::new(std::array::from_fn(q)).to_array()),
+                Target::Spatial(_) => local.states.extend(SpatialState::new(std::array::from_fn(q)).to_array()),
+                Target::Coord(..) => local.states.extend(CoordState::new(q(0), true).to_array()),
+            }
+            local.rates.extend((column..column + argument.target.columns()).map(|k| qd.get(k).copied().unwrap_or(0.0)));
+        }
+        local
+    }
+
+    fn at(&self, t: f64) -> At<'_> {
+        At::new(t, &self.states, &self.arguments)
+    }
+
+    fn rates(&self) -> Rates<'_> {
+        Rates::new(&self.rates, &self.arguments)
+    }
+}

@@ -1,0 +1,46 @@
+//! Kin's own small vectors and matrices, with nalgebra's names, over `f64` or [`Real<D>`](crate::numbers::real::Real).
+//!
+//! Operands go in by value or by reference, and `f64` mixes with `Real<D>` everywhere: a constant vector times a moving one, a literal on
+//! either side. `From` and `Into` lead to nalgebra and back.
+
+mod axis;
+mod componentwise;
+mod euler;
+mod mat2;
+mod mat3;
+mod matrix;
+mod scalar;
+mod vec2;
+mod vec3;
+mod vector;
+
+pub use axis::Axis;
+pub use euler::EulerParameters;
+pub use mat2::Mat2;
+pub use mat3::Mat3;
+pub use scalar::{Mix, Mixed, Scalar};
+pub use vec2::{Vec2, vec2};
+pub use vec3::{Vec3, vec3};
+
+/// N components of one kind, which joints and the methods of vectors take: a vector of Kin's by value or by reference, nalgebra's, an array, a tuple.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a vector of {N} components",
+    label = "{N} components are wanted here",
+    note = "a vector of the plane is `vec2(x, y)` or `(x, y)`, one of space `vec3(x, y, z)` or `(x, y, z)`; numbers have a point, as `1.0`"
+)]
+pub trait Components<const N: usize> {
+    /// What the components are.
+    type Scalar: Scalar;
+
+    /// The components in order.
+    fn components(self) -> [Self::Scalar; N];
+}
+
+impl<T: Scalar, const N: usize> Components<N> for [T; N] {
+    type Scalar = T;
+
+    #[inline]
+    fn components(self) -> [T; N] {
+        self
+    }
+}

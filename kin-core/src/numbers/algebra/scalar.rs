@@ -1,0 +1,168 @@
+//! What vectors are made of.
+
+use std::fmt;
+use std::iter::Sum;
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use crate::numbers::real::{Dual, Real};
+
+/// A number: `f64`, or `Real<D>` for every [`Dual`] D. It computes and compares with itself and with `f64`. The trait is sealed.
+pub trait Scalar:
+    sealed::Sealed
+    + Mix<Self, Mixed = Self>
+    + Mix<f64, Mixed = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + DivAssign
+    + Sum
+    + From<f64>
+    + PartialOrd
+    + PartialOrd<f64>
+    + Default
+    + fmt::Debug
+    + fmt::Display
+    + Send
+    + Sync
+    + 'static
+{
+    /// The real part.
+    fn value(self) -> f64;
+
+    /// √x.
+    fn sqrt(self) -> Self;
+
+    /// |x|.
+    fn abs(self) -> Self;
+
+    /// (sin x, cos x), x in rad.
+    fn sin_cos(self) -> (Self, Self);
+
+    /// The angle of the point (`x`, `self`).   \[rad\]
+    fn atan2(self, x: Self) -> Self;
+
+    /// √(x² + y²) without overflow.
+    fn hypot(self, y: Self) -> Self;
+
+    /// √(Σ x²), the norm of a vector; a zero vector's is singular unless all its components are constant.
+    fn length<const N: usize>(components: [Self; N]) -> Self;
+}
+
+/// A number that computes with numbers `U`: each with itself, `f64` and `Real<D>` with each other. The result is [`Mixed<Self, U>`](Mixed).
+#[diagnostic::on_unimplemented(
+    message = "no number of Kin is both `{Self}` and `{U}`",
+    note = "numbers are `f64` and `Real<D>`; write 1.0, not 1"
+)]
+pub trait Mix<U>:
+    Copy
+    + Add<U, Output = <Self as Mix<U>>::Mixed>
+    + Sub<U, Output = <Self as Mix<U>>::Mixed>
+    + Mul<U, Output = <Self as Mix<U>>::Mixed>
+    + Div<U, Output = <Self as Mix<U>>::Mixed>
+{
+    /// `Real<D>` if one of the two is, else `f64`.
+    type Mixed: Scalar + From<Self> + From<U>;
+}
+
+/// What `T` and `U` give together: `Real<D>` if one of them is, else `f64`.
+pub type Mixed<T, U> = <T as Mix<U>>::Mixed;
+
+impl Mix<f64> for f64 {
+    type Mixed = f64;
+}
+
+impl<D: Dual> Mix<f64> for Real<D> {
+    type Mixed = Real<D>;
+}
+
+impl<D: Dual> Mix<Real<D>> for f64 {
+    type Mixed = Real<D>;
+}
+
+impl<D: Dual> Mix<Real<D>> for Real<D> {
+    type Mixed = Real<D>;
+}
+
+mod sealed {
+    pub trait Sealed {}
+}
+
+macro_rules! scalar {
+    ([$($generics:tt)*] $number:ty, $value:expr) => {
+        impl<$($generics)*> sealed::Sealed for $number {}
+
+        impl<$($generics)*> Scalar for $number {
+            #[inline]
+            fn value(self) -> f64 {
+                $value(self)
+            }
+
+            #[inline]
+            fn sqrt(self) -> Self {
+                <$number>::sqrt(self)
+            }
+
+            #[inline]
+            fn abs(self) -> Self {
+                <$number>::abs(self)
+            }
+
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                <$number>::sin_cos(self)
+            }
+
+            #[inline]
+            fn atan2(self, x: Self) -> Self {
+                <$number>::atan2(self, x)
+            }
+
+            #[inline]
+            fn hypot(self, y: Self) -> Self {
+                <$number>::hypot(self, y)
+            }
+
+            #[inline]
+            fn length<const N: usize>(components: [Self; N]) -> Self {
+                squares(components).sqrt()
+            }
+        }
+    };
+}
+
+scalar!([] f64, |x| x);
+scalar!([D: Dual] Real<D>, Real::value);
+
+/// Σ x², in the order of the components.
+#[inline]
+fn squares<T: Scalar, const N: usize>(components: [T; N]) -> T {
+    components.into_iter().map(|x| x * x).reduce(|a, b| a + b).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::numbers::real::Dual64;
+
+    use super::*;
+
+    fn parabola<T: Scalar>(x: T) -> T {
+        (x * x - 1.0) / T::from(2.0)
+    }
+
+    #[test]
+    fn one_generic_function_serves_both_kinds() {
+        assert_eq!(parabola(3.0), 4.0);
+        let y = parabola(Real(Dual64::new(3.0, 1.0))).0;
+        assert_eq!((y.re, y.eps), (4.0, 3.0));
+    }
+
+    #[test]
+    fn length_of_zero_is_singular_only_if_it_moves() {
+        let (still, moving) = (Real::<Dual64>::from(0.0), Real(Dual64::new(0.0, 1.0)));
+        let zero = Scalar::length([still, still]).0;
+        assert_eq!((zero.re, zero.eps), (0.0, 0.0));
+        assert!(Scalar::length([still, moving]).0.eps.is_nan());
+        assert_eq!(f64::length([2.0, 3.0, 6.0]), 7.0);
+    }
+}

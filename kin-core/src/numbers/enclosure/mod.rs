@@ -1,0 +1,17 @@
+//! Bounds that hold: intervals rounded outwards, and Taylor series of intervals, through every function of the list.
+
+pub(crate) mod elementary;
+mod functions;
+pub(crate) mod interval;
+pub(crate) mod pieces;
+pub(crate) mod series;
+
+pub(crate) use interval::{Interval, ONE};
+pub(crate) use pieces::{piecewise, repeated};
+pub use series::Series;
+
+#[cfg(test)]
+mod tests {
+    mod accuracy;
+    mod edges;
+}

@@ -1,0 +1,8 @@
+//! Numbers: vectors and matrices, numbers that carry derivatives, lanes of SIMD registers, padded vectors, bounds. Nothing here knows mechanisms.
+
+pub mod algebra;
+pub(crate) mod enclosure;
+pub(crate) mod fours;
+pub mod lanes;
+pub(crate) mod random;
+pub mod real;

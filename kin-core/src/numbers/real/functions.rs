@@ -1,0 +1,270 @@
+//! Functions of one variable: each line a value and three exact derivatives, or what is made of them.
+
+use std::cmp::Ordering;
+use std::f64::consts::{LN_2, LN_10};
+use std::num::FpCategory;
+
+use kin_graph::functions::{acosh, atanh};
+
+use super::{Dual, Growth, Real};
+
+/// Methods from lines `name(x) = [f, f′, f″, f‴];`, all of one growth; for `chain_scaled`, of functions that take what is large and make it small,
+/// from lines `name(x) = [f, f′, f″/f′², f‴/f′³];`.
+macro_rules! functions {
+    ([$chain:ident, $growth:expr] $($(#[$doc:meta])* $name:ident($x:ident) = $f:expr;)*) => {
+        impl<D: Dual> Real<D> {$(
+            $(#[$doc])*
+            #[inline]
+            pub fn $name(self) -> Self {
+                let $x = self.value();
+                Real(self.0.$chain($f)).noted($growth)
+            }
+        )*}
+    };
+}
+
+/// Methods that are constant between jumps.
+macro_rules! steps {
+    ($($(#[$doc:meta])* $name:ident;)*) => {
+        impl<D: Dual> Real<D> {$(
+            $(#[$doc])*
+            #[inline]
+            pub fn $name(self) -> Self {
+                Real(self.0.still()).with_value(self.value().$name())
+            }
+        )*}
+    };
+}
+
+/// Methods that ask about the real part.
+macro_rules! questions {
+    ($($(#[$doc:meta])* $name:ident;)*) => {
+        impl<D: Dual> Real<D> {$(
+            $(#[$doc])*
+            #[inline]
+            pub fn $name(self) -> bool {
+                self.value().$name()
+            }
+        )*}
+    };
+}
+
+functions! {
+    [chain, Some(Growth::Bounded)]
+    /// sin x, x in rad.
+    sin(x) = { let (s, c) = x.sin_cos(); [s, c, -s, -c] };
+    /// cos x, x in rad.
+    cos(x) = { let (s, c) = x.sin_cos(); [c, -s, -c, s] };
+    /// tanh x.
+    tanh(x) = { let (t, d) = (x.tanh(), x.cosh().powi(-2)); [t, d, -2.0 * t * d, d * (4.0 - 6.0 * d)] };
+    /// arctan x in (−π/2, π/2) rad.
+    atan(x) = { let [d, dd, ddd] = atan_slopes(x); [x.atan(), d, dd, ddd] };
+    /// arcsin x in \[−π/2, π/2\] rad; infinite slope at ±1, NaN beyond.
+    asin(x) = { let [d, dd, ddd] = arc_slopes(x); [x.asin(), d, dd, ddd] };
+    /// arccos x in \[0, π\] rad; infinite slope at ±1, NaN beyond.
+    acos(x) = { let [d, dd, ddd] = arc_slopes(x); [x.acos(), -d, -dd, -ddd] };
+    /// x − trunc x, of the sign of x; slope 1.
+    fract(x) = [x.fract(), 1.0, 0.0, 0.0];
+}
+
+functions! {
+    [chain, Some(Growth::Bursting)]
+    /// sinh x.
+    sinh(x) = { let (s, c) = (x.sinh(), x.cosh()); [s, c, s, c] };
+    /// cosh x.
+    cosh(x) = { let (s, c) = (x.sinh(), x.cosh()); [c, s, c, s] };
+    /// eˣ.
+    exp(x) = [x.exp(); 4];
+    /// 2ˣ.
+    exp2(x) = { let p = x.exp2(); [p, p * LN_2, p * (LN_2 * LN_2), p * (LN_2 * LN_2 * LN_2)] };
+    /// eˣ − 1, exact near 0.
+    exp_m1(x) = { let p = x.exp(); [x.exp_m1(), p, p, p] };
+}
+
+functions! {
+    [chain, Some(Growth::Pole)]
+    /// tan x, x in rad.
+    tan(x) = { let t = x.tan(); let d = 1.0 + t * t; [t, d, 2.0 * t * d, d * (2.0 + 6.0 * t * t)] };
+    /// artanh x; infinite at ±1, NaN beyond.
+    atanh(x) = { let d = ((1.0 - x) * (1.0 + x)).recip(); [atanh(x), d, 2.0 * x * d * d, (6.0 * x * x + 2.0) * d * d * d] };
+}
+
+functions! {
+    [chain, None]
+    /// |x|; slope 1 at 0 and −0.
+    abs(x) = [x.abs(), if x >= 0.0 { 1.0 } else { -1.0 }, 0.0, 0.0];
+    /// From degrees to radians: π/180 x.
+    to_radians(x) = [x.to_radians(), 1f64.to_radians(), 0.0, 0.0];
+    /// From radians to degrees: 180/π x.
+    to_degrees(x) = [x.to_degrees(), 1f64.to_degrees(), 0.0, 0.0];
+}
+
+functions! {
+    [chain_scaled, Some(Growth::Logarithmic)]
+    /// arsinh x.
+    asinh(x) = { let d = x.hypot(1.0).recip(); [x.asinh(), d, -x * d, 2.0 - 3.0 * d * d] };
+    /// arcosh x ≥ 0; infinite slope at 1, NaN below.
+    acosh(x) = { let d = ((x - 1.0).sqrt() * (x + 1.0).sqrt()).recip(); [acosh(x), d, -x * d, 2.0 + 3.0 * d * d] };
+    /// ln x; −∞ at 0, NaN below.
+    ln(x) = [x.ln(), x.recip(), -1.0, 2.0];
+    /// ln(1 + x), exact near 0; −∞ at −1, NaN below.
+    ln_1p(x) = [x.ln_1p(), (1.0 + x).recip(), -1.0, 2.0];
+    /// log₂ x; −∞ at 0, NaN below.
+    log2(x) = [x.log2(), (x * LN_2).recip(), -LN_2, 2.0 * LN_2 * LN_2];
+    /// log₁₀ x; −∞ at 0, NaN below.
+    log10(x) = [x.log10(), (x * LN_10).recip(), -LN_10, 2.0 * LN_10 * LN_10];
+}
+
+functions! {
+    [chain_scaled, None]
+    /// √x; infinite slope at 0 unless x is constant, NaN below.
+    sqrt(x) = { let s = x.sqrt(); let r = s.recip(); [s, 0.5 * r, -r, 3.0 * r * r] };
+    /// ∛x of the sign of x; infinite slope at 0 unless x is constant.
+    cbrt(x) = { let c = x.cbrt(); let r = c.recip(); [c, r * r / 3.0, -2.0 * r, 10.0 * r * r] };
+}
+
+steps! {
+    /// 1 for x ≥ +0, −1 for x ≤ −0, NaN for NaN; slope 0.
+    signum;
+    /// The largest whole number ≤ x; slope 0.
+    floor;
+    /// The smallest whole number ≥ x; slope 0.
+    ceil;
+    /// The nearest whole number, halves away from 0; slope 0.
+    round;
+    /// The whole part, towards 0; slope 0.
+    trunc;
+    /// The nearest whole number, halves to the even one; slope 0.
+    round_ties_even;
+}
+
+questions! {
+    /// Whether the real part is finite.
+    is_finite;
+    /// Whether the real part is ±∞.
+    is_infinite;
+    /// Whether the real part is NaN.
+    is_nan;
+    /// Whether the real part has a minus sign, −0 included.
+    is_sign_negative;
+    /// Whether the real part has no minus sign, +0 included.
+    is_sign_positive;
+    /// Whether the real part is neither 0, subnormal, infinite nor NaN.
+    is_normal;
+    /// Whether the real part is subnormal.
+    is_subnormal;
+}
+
+impl<D: Dual> Real<D> {
+    /// The real parts in f64's total order, which has a place for NaN and tells −0 from +0.
+    #[inline]
+    pub fn total_cmp(&self, other: &Self) -> Ordering {
+        self.value().total_cmp(&other.value())
+    }
+
+    /// What kind of number the real part is.
+    #[inline]
+    pub fn classify(self) -> FpCategory {
+        self.value().classify()
+    }
+
+    /// (sin x, cos x), x in rad.
+    #[inline]
+    pub fn sin_cos(self) -> (Self, Self) {
+        let (s, c) = self.value().sin_cos();
+        (self.chain([s, c, -s, -c]).growing(Growth::Bounded), self.chain([c, -s, -c, s]).growing(Growth::Bounded))
+    }
+
+    /// 1/x; ±∞ at 0.
+    #[inline]
+    pub fn recip(self) -> Self {
+        (Self::constant(1.0) / self).with_value(self.value().recip())
+    }
+
+    /// xⁿ; x⁰ = 1 everywhere, x¹ has slope 1 at 0, and a negative power is infinite at 0.
+    #[inline]
+    pub fn powi(self, n: i32) -> Self {
+        let (x, c) = (self.value(), f64::from(n));
+        if n < 0 {
+            return self.power(x.powi(n), c);
+        }
+        let slope = |k: i32, factor: f64| if factor == 0.0 { 0.0 } else { factor * x.powi(n.saturating_sub(k)) };
+        self.chain([x.powi(n), slope(1, c), slope(2, c * (c - 1.0)), slope(3, c * (c - 1.0) * (c - 2.0))]).growing_as_power(c)
+    }
+
+    /// The same number, noted as an n-th power.
+    #[inline]
+    pub(super) fn growing_as_power(self, n: f64) -> Self {
+        match (n < 0.0, n.abs() > 4.0) {
+            (true, true) => self.growing(Growth::BurstingPole),
+            (true, false) => self.growing(Growth::Pole),
+            (false, true) => self.growing(Growth::Bursting),
+            (false, false) => self,
+        }
+    }
+
+    #[inline]
+    fn growing(self, growth: Growth) -> Self {
+        Real(self.0.growing(growth))
+    }
+
+    #[inline]
+    fn noted(self, growth: Option<Growth>) -> Self {
+        growth.map_or(self, |growth| self.growing(growth))
+    }
+
+    /// xⁿ, whose value is y, as y (x/x₀)ⁿ about x₀ = x: no power of x is too large or too small on the way.
+    pub(super) fn power(self, y: f64, n: f64) -> Self {
+        let (x, slopes) = (self.value(), [n, n * (n - 1.0), n * (n - 1.0) * (n - 2.0)]);
+        let power = if x == 0.0 || !x.is_finite() {
+            self.chain([y, slopes[0] * y / x, slopes[1] * y / x / x, slopes[2] * y / x / x / x])
+        } else {
+            ((self / x).chain([1.0, slopes[0], slopes[1], slopes[2]]) * y).with_value(y)
+        };
+        power.growing_as_power(n)
+    }
+}
+
+/// Three derivatives of arcsin: (1 − x²)^(−1/2), x (…)^(−3/2), (1 + 2x²) (…)^(−5/2).
+#[inline]
+fn arc_slopes(x: f64) -> [f64; 3] {
+    let w = (1.0 - x) * (1.0 + x);
+    let d = w.sqrt().recip();
+    [d, x * d / w, (1.0 + 2.0 * x * x) * d / (w * w)]
+}
+
+/// Three derivatives of arctan: w = 1/(1 + x²), −2 (x w) w, (6 − 8w) w², finite for every x.
+#[inline]
+pub(super) fn atan_slopes(x: f64) -> [f64; 3] {
+    let w = (1.0 + x * x).recip();
+    [w, -2.0 * (x * w) * w, (6.0 - 8.0 * w) * w * w]
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::numbers::real::{Dual3_64, Dual64};
+
+    use super::*;
+
+    fn at(f: fn(Real<Dual64>) -> Real<Dual64>, x: f64) -> (f64, f64) {
+        let y = f(Real(Dual64::new(x, 1.0))).0;
+        (y.re, y.eps)
+    }
+
+    #[test]
+    fn edges() {
+        assert_eq!(at(|x| x.abs(), -0.0), (0.0, 1.0));
+        assert!(at(|x| x.abs(), -0.0).0.is_sign_positive());
+        assert_eq!(at(|x| x.powi(0), 0.0), (1.0, 0.0));
+        assert_eq!(at(|x| x.powi(1), 0.0), (0.0, 1.0));
+        assert_eq!(at(|x| x.sqrt(), 0.0), (0.0, f64::INFINITY));
+        assert_eq!(at(|x| x.cbrt(), 0.0), (0.0, f64::INFINITY));
+        assert_eq!(at(|x| x.fract(), 2.0), (0.0, 1.0));
+        assert!(at(|x| x.sqrt(), -1.0).0.is_nan() && at(|x| x.acosh(), 0.5).0.is_nan());
+        assert_eq!(at(|x| x.atan(), 1e200).1, 0.0);
+        let flat = Real(Dual3_64::new(1e200, 1.0, 1.0, 1.0)).atan().0;
+        assert_eq!((flat.v1, flat.v2, flat.v3), (0.0, 0.0, 0.0));
+        let square = Real(Dual3_64::new(0.0, 1.0, 0.0, 0.0)).powi(2).0;
+        assert_eq!((square.v1, square.v2, square.v3), (0.0, 2.0, 0.0));
+    }
+}

@@ -1,0 +1,87 @@
+//! How near a pose is to what is preferred, and the assembly that is nearest where measures of joints are.
+
+use super::modes;
+use super::options::SearchOptions;
+use super::{Assembly, AssemblyOptions};
+use crate::model::error::Result;
+use crate::model::layout::{Kind, Layout, Unit};
+use crate::system::System;
+
+/// A preferred measure of a joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Asked {
+    pub block: usize,
+    pub number: usize,
+    pub is_angle: bool,
+    pub value: f64,
+}
+
+/// What is this near to everything that is preferred needs no other assembly.   \[rad, or typical lengths\]
+const CLOSE: f64 = 1e-3;
+
+/// How far the worst preferred coordinate is from its value: of an angle and of Euler parameters in radians, else relative to its size.
+pub(crate) fn distance(layout: &Layout, preferred: &[(usize, f64)], q: &[f64], sizes: &[f64]) -> f64 {
+    let turns = layout.items.iter().filter(|item| item.kind == Kind::Spatial).map(|item| {
+        let own = item.first + 3..item.first + 7;
+        let pairs = || preferred.iter().filter(|(column, _)| own.contains(column)).map(|&(column, value)| (q[column], value));
+        // p and −p are one turn; |p − p0| is half the angle between, nearly.
+        let sign = if pairs().map(|(q, value)| q * value).sum::<f64>() < 0.0 { -1.0 } else { 1.0 };
+        2.0 * pairs().map(|(q, value)| (sign * q - value).powi(2)).sum::<f64>().sqrt()
+    });
+    let others = preferred.iter().filter(|(column, _)| layout.units[*column] != Unit::One);
+    others.map(|&(column, value)| (q[column] - value).abs() / sizes[column]).chain(turns).fold(0.0, f64::max)
+}
+
+/// How far an angle is from another, whole turns apart; of other numbers the difference.
+pub(crate) fn apart(x: f64, value: f64, is_angle: bool) -> f64 {
+    let d = x - value;
+    if is_angle { (d - std::f64::consts::TAU * (d / std::f64::consts::TAU).round()).abs() } else { d.abs() }
+}
+
+impl System {
+    /// Takes measures that are preferred, by name. Errors: a name that nothing has.
+    pub(crate) fn set_asked(&mut self, all: &[(String, f64)]) -> Result<()> {
+        for (name, value) in all {
+            if let Some(column) = self.coordinate_names().iter().position(|known| known == name) {
+                self.prefer_column(column, *value);
+                continue;
+            }
+            let place = self.place_of(name).ok_or_else(|| self.no_measure(name))?;
+            let is_angle = place.told.turns || place.told.unit == "rad";
+            self.asked.push(Asked { block: place.block, number: place.number, is_angle, value: *value });
+        }
+        Ok(())
+    }
+
+    /// Where no measure is preferred, or the pose is near enough to those that are, nothing; else of all assemblies the one that is nearest to
+    /// everything that is preferred.
+    pub(crate) fn nearer(&self, q: Option<&[f64]>, t: f64, search: &SearchOptions) -> Option<Vec<f64>> {
+        if self.asked.is_empty() || q.is_some_and(|q| self.is_close(q, t)) {
+            return None;
+        }
+        let options = AssemblyOptions { seed: search.seed, time_limit: search.time_limit, ..AssemblyOptions::default() };
+        let all = modes::all(self.model(), self.initial(), t, &options).ok()?;
+        let meant = all.into_iter().filter(|assembly| self.all_meant(std::iter::once((t, &assembly.q[..]))));
+        let nearest = meant.map(|Assembly { q, .. }| (self.far(&q, t), q)).min_by(|a, b| a.0.total_cmp(&b.0));
+        nearest.map(|(_, q)| q)
+    }
+
+    fn is_close(&self, q: &[f64], t: f64) -> bool {
+        self.far(q, t) <= CLOSE
+    }
+
+    /// How far the worst of everything that is preferred is from its value.
+    fn far(&self, q: &[f64], t: f64) -> f64 {
+        let sizes = self.model().measure(q, t).sizes;
+        let length =
+            self.layout().units.iter().zip(&sizes).filter(|(unit, _)| **unit == Unit::Metre).map(|(_, size)| *size).fold(0.0, f64::max);
+        let still = vec![0.0; q.len()];
+        let measures = self.asked.iter().filter_map(|asked| {
+            let block = self.equations().blocks.get(asked.block)?;
+            let [x, ..] = self.equations().measure(block, asked.number, t, [q, &still, &still, &[]]);
+            let unit = if asked.is_angle || length == 0.0 { 1.0 } else { length };
+            Some(apart(x, asked.value, asked.is_angle) / unit)
+        });
+        measures.fold(distance(self.layout(), self.preferred(), q, &sizes), f64::max)
+    }
+}

@@ -1,0 +1,156 @@
+//! Damped least squares on C (Levenberg–Marquardt): more equations than coordinates, dependent ones, and none that can be met, are all the
+//! same to it.
+
+use crate::linear::Tall;
+use crate::system::scaled::{Measures, Model, Point};
+
+/// No step turns a body by more than this.   \[rad\]
+const TURN: f64 = 1.0;
+
+/// So many steps in a row that raise the sum of squares are enough.
+const IDLE: usize = 200;
+
+/// The damping, against rows and columns of order 1: where it starts and where it may go.   \[-\]
+const START: f64 = 1e-2;
+const DAMPING: std::ops::RangeInclusive<f64> = 1e-11..=1e10;
+
+/// A sum of squares below this is zero but for rounding; a step shorter than this is none.   \[-\]
+const ZERO: f64 = 1e-28;
+const SHORT: f64 = 1e-15;
+
+/// Five hardly damped steps in a row that lower the sum of squares by less than this share have reached the bottom.   \[-\]
+const FLAT: f64 = 1e-11;
+
+/// What the norms of Euler parameters weigh: where not everything can be met, bodies are to stay rigid.   \[-\]
+const RIGID: f64 = 10.0;
+
+/// Σ (w_i (C_i + shift_i) / norm_i)² + Σ (h (q_p − v_p) / s_p)², unknowns y_j = dq_j / s_j, and y_n = dt / s_t where time is free too.
+///
+/// Each step solves \[I, J; Jᵀ, −λ I\] (r, y) = (−c, 0), which is (Jᵀ J + λ I) y = −Jᵀ c without squaring J: among the steps that serve
+/// equally well it is the shortest.
+pub(crate) struct Squares<'a> {
+    model: Model<'a>,
+    measures: &'a Measures,
+    /// w_i; a row of weight 0 is left out.
+    pub weights: Vec<f64>,
+    /// What is added to each C_i, zero at first.   \[unit of the row\]
+    pub shifts: Vec<f64>,
+    /// Coordinates that are held softly: (column, value, h).
+    pub holds: Vec<(usize, f64, f64)>,
+    time_is_free: bool,
+    tall: Tall,
+    damping: f64,
+}
+
+/// Where a search stands.
+#[derive(Clone, Debug)]
+pub(crate) struct Place {
+    pub q: Vec<f64>,
+    pub t: f64,
+    /// The sum of squares there.
+    pub merit: f64,
+    /// Steps that led there.
+    pub steps: usize,
+    /// C and C_q there.
+    pub point: Point,
+}
+
+impl<'a> Squares<'a> {
+    pub(crate) fn new(model: Model<'a>, measures: &'a Measures, holds: Vec<(usize, f64, f64)>, time_is_free: bool) -> Self {
+        let (n, m) = (model.n() + usize::from(time_is_free), model.m());
+        let mut places: Vec<Option<(usize, usize)>> = model.equations.entries.clone();
+        places.extend(holds.iter().enumerate().map(|(k, hold)| Some((m + k, hold.0))));
+        places.extend((0..if time_is_free { m } else { 0 }).map(|row| Some((row, n - 1))));
+        let tall = Tall::new(m + holds.len(), n, &places);
+        let weights = (0..m).map(|row| if model.is_norm(row) { RIGID } else { 1.0 }).collect();
+        Squares { model, measures, weights, shifts: vec![0.0; m], holds, time_is_free, tall, damping: START }
+    }
+
+    /// The place at (q, t); `None` where C or C_q is not finite.
+    pub(crate) fn place(&self, q: &[f64], t: f64) -> Option<Place> {
+        let point = self.model.linearize(q, t).ok()?;
+        let rows = (0..self.weights.len()).map(|row| (self.weight(row) * (point.c[row] + self.shifts[row])).powi(2));
+        let held = self.holds.iter().map(|&hold| self.offset(q, hold).powi(2));
+        let merit = rows.chain(held).sum::<f64>();
+        merit.is_finite().then(|| Place { q: q.to_vec(), t, merit, steps: 0, point })
+    }
+
+    /// w_i / norm_i
+    fn weight(&self, row: usize) -> f64 {
+        self.weights[row] / self.measures.norms[row]
+    }
+
+    /// h (q_p − v_p) / s_p
+    fn offset(&self, q: &[f64], (column, value, hold): (usize, f64, f64)) -> f64 {
+        hold * (q[column] - value) / self.measures.sizes[column]
+    }
+
+    /// Lowers the sum of squares as far as it goes.
+    pub(crate) fn minimise(&mut self, from: Place, steps: usize) -> Place {
+        let mut here = from;
+        self.damping = START;
+        let (begun, mut idle, mut flat) = (here.steps, 0, 0);
+        while here.steps - begun < steps && here.merit > ZERO && DAMPING.contains(&self.damping) && idle < IDLE {
+            let Some((next, length)) = self.step(&here) else {
+                self.damping *= 4.0;
+                idle += 1;
+                continue;
+            };
+            if next.merit < here.merit {
+                let falls = next.merit < 0.9 * here.merit;
+                flat = if next.merit < (1.0 - FLAT) * here.merit || self.damping > 1e-8 { 0 } else { flat + 1 };
+                here = next;
+                // Near a place where C is met the damping falls with C itself, so that convergence is quadratic.
+                self.damping = (0.2 * self.damping).min(if falls { here.merit.max(1e-9) } else { f64::INFINITY }).max(*DAMPING.start());
+                idle = 0;
+            } else {
+                self.damping *= 4.0;
+                idle += 1;
+            }
+            if length < SHORT || flat == 5 {
+                break;
+            }
+        }
+        here
+    }
+
+    /// One damped step, and its largest share; `None` where there is none or it turns too far.
+    fn step(&mut self, here: &Place) -> Option<(Place, f64)> {
+        let (jacobian, rhs) = self.rows(here);
+        if !self.tall.factor(jacobian.iter().copied(), self.damping) {
+            return None;
+        }
+        let y = self.tall.solve(rhs.into_iter());
+        let last = y.last().copied().unwrap_or(0.0);
+        let (mut q, mut length) = (here.q.clone(), 0.0_f64);
+        for (column, ((q, y), size)) in q.iter_mut().zip(y).zip(&self.measures.sizes).enumerate() {
+            *q += y * size;
+            if !y.is_finite() || (self.model.turns(column) && y.abs() > TURN) {
+                return None;
+            }
+            length = length.max(y.abs());
+        }
+        let dt = if self.time_is_free { last } else { 0.0 };
+        let next = self.place(&q, here.t + dt * self.measures.time)?;
+        Some((Place { steps: here.steps + 1, ..next }, length.max(dt.abs())))
+    }
+
+    /// The values of the scaled matrix in the order of its places, and −c.
+    fn rows(&self, here: &Place) -> (Vec<f64>, Vec<f64>) {
+        let m = self.weights.len();
+        let entries = self.model.equations.entries.iter().zip(&here.point.values);
+        let scaled = |(entry, value): (&Option<(usize, usize)>, &f64)| match *entry {
+            Some((row, column)) if self.weights[row] != 0.0 => self.weight(row) * value * self.measures.sizes[column],
+            _ => 0.0,
+        };
+        let mut jacobian: Vec<f64> = entries.map(scaled).collect();
+        jacobian.extend(self.holds.iter().map(|hold| hold.2));
+        if self.time_is_free {
+            let c_t = self.model.c_t(&here.q, here.t).unwrap_or_else(|_| vec![0.0; m]);
+            jacobian.extend((0..m).map(|row| self.weight(row) * c_t[row] * self.measures.time));
+        }
+        let rows = (0..m).map(|row| -self.weight(row) * (here.point.c[row] + self.shifts[row]));
+        let held = self.holds.iter().map(|&hold| -self.offset(&here.q, hold));
+        (jacobian, rows.chain(held).collect())
+    }
+}

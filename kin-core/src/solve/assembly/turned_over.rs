@@ -1,0 +1,63 @@
+//! Joints that close the wrong way, with an axis turned by 180°: one of their bodies is turned over, and everything brought back onto C = 0.
+
+use super::search::{Found, descend};
+use crate::model::coordinates::Target;
+use crate::model::layout::Place;
+use crate::numbers::algebra::EulerParameters;
+use crate::system::scaled::Model;
+
+/// From a position that closes the wrong way somewhere to one that closes everywhere as it is meant; `None` where that is not found.
+pub(crate) fn mended(model: Model<'_>, q: &[f64], t: f64, active: &dyn Fn(usize) -> bool, steps: usize) -> Option<Found> {
+    let mut wrong = wrong(&model, q, t, active);
+    let mut here = q.to_vec();
+    while let Some(&block) = wrong.first() {
+        let better = starts(&model, &here, block).into_iter().find_map(|start| {
+            let found = descend(model, &start, t, active, false, steps).filter(|found| found.met)?;
+            let left = self::wrong(&model, &found.place.q, t, active);
+            (left.len() < wrong.len()).then_some((found, left))
+        });
+        let (found, left) = better?;
+        if left.is_empty() {
+            return Some(found);
+        }
+        (here, wrong) = (found.place.q, left);
+    }
+    None
+}
+
+/// The constraints that close the wrong way.
+pub(crate) fn wrong(model: &Model<'_>, q: &[f64], t: f64, active: &dyn Fn(usize) -> bool) -> Vec<usize> {
+    if model.equations.branches().is_empty() {
+        return Vec::new();
+    }
+    let instant = model.equations.instant_at(t, q);
+    let all = model.equations.branches().iter().copied();
+    all.filter(|k| active(model.equations.blocks[*k].rows().start) && model.equations.wrong_branch(*k, &instant).is_some()).collect()
+}
+
+/// The pose with each body of a constraint turned over: a planar one by 180°, a spatial one by 180° about each axis of its frame, one of which is
+/// far from any axis that may be meant.
+fn starts(model: &Model<'_>, q: &[f64], block: usize) -> Vec<Vec<f64>> {
+    let mut all = Vec::new();
+    for argument in model.equations.blocks[block].constraint.arguments() {
+        let Some(Place::Own { first, .. }) = model.layout.place(&argument.target) else { continue };
+        match argument.target {
+            Target::Planar(_) => {
+                let mut turned = q.to_vec();
+                turned[first + 2] += std::f64::consts::PI;
+                all.push(turned);
+            }
+            Target::Spatial(_) => {
+                let p = EulerParameters::new(q[first + 3], q[first + 4], q[first + 5], q[first + 6]);
+                for (x, y, z) in [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)] {
+                    let over = p.product(EulerParameters::new(0.0, x, y, z));
+                    let mut turned = q.to_vec();
+                    turned[first + 3..first + 7].copy_from_slice(&[over.e0, over.e1, over.e2, over.e3]);
+                    all.push(turned);
+                }
+            }
+            Target::Coord(..) => {}
+        }
+    }
+    all
+}

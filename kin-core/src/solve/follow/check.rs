@@ -1,0 +1,210 @@
+//! Whether a step of time has stayed on its branch, from what is at hand: q, q̇, q̈ at both ends, pivots and their signs.
+//!
+//! Two solutions that are near one another lie on either side of a singular position, so det C_q differs in sign between them; and where C_q has
+//! a pivot p, by the measures, no other solution is much nearer than p. So a step is good if no block of C_q has turned over and if
+//! q + h q̇ + ½ h² q̈ from either end meets the other end much nearer than p. Where that is not so, the terms of second order along the miss
+//! tell whether Newton's method from the prediction must end there (the estimate of Newton and Kantorovich): they see equations that
+//! are linear along it, as those of a chain are in its lengths.
+
+use super::drive::{Drive, Lever, Span};
+use crate::model::layout::Unit;
+use crate::numbers::fours::{self, Fours};
+use crate::solve::newton::Newton;
+use crate::system::System;
+use crate::system::evaluate::Instant;
+
+/// A prediction may miss by this share of the smallest pivot.   \[-\]
+pub(crate) const EASY: f64 = 0.05;
+
+/// The estimate of Newton and Kantorovich, |C_q⁻¹ (C_q v)_q v| / |v| of the miss v, that is safe; ½ would still do.   \[-\]
+pub(super) const SAFE: f64 = 0.25;
+
+/// The smallest pivot fades where it is less than this share of what it has been: a singular position may be near.   \[-\]
+const FADED: f64 = 0.5;
+
+/// No body turns by more than this in one step.   \[rad\]
+pub(crate) const REACH: f64 = 1.0;
+
+/// What is wrong with a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Objection {
+    /// Too long to be judged.
+    Long,
+    /// A prediction from one end is too far from the other, by so much in units of order 1, for both to be surely on one branch.
+    Missed(f64),
+    /// A block of C_q has turned over.
+    TurnedOver,
+    /// What drives may lead further off within the step than its ends tell.
+    Hidden,
+}
+
+impl Objection {
+    pub(crate) fn reason(self) -> &'static str {
+        match self {
+            Objection::Long => "a step of time turns a body too far",
+            Objection::Missed(_) => "the next position is not where this one leads",
+            Objection::TurnedOver => "a loop of the mechanism has turned over",
+            Objection::Hidden => "what drives may move further within a step of time than its ends tell",
+        }
+    }
+}
+
+/// One end of a step: q, q̇, q̈.
+pub(crate) type End<'a> = [&'a Fours; 3];
+
+/// What was seen at the last position that was accepted.
+pub(crate) struct Check {
+    negative: Vec<bool>,
+    pivot: f64,
+    /// The largest that the smallest pivot has been.
+    most: f64,
+    /// The same of the position in hand.
+    now: Vec<bool>,
+    /// 1 for coordinates that turn, 0 for lengths.
+    turns: Fours,
+    miss: Fours,
+    /// What happens between the ends of a step.
+    drive: Drive,
+}
+
+impl Check {
+    pub(crate) fn new(system: &System) -> Self {
+        let units = &system.layout().units;
+        let turns: Vec<f64> = units.iter().map(|unit| f64::from(u8::from(*unit != Unit::Metre))).collect();
+        let room = || Vec::with_capacity(units.len());
+        Check {
+            negative: room(),
+            pivot: f64::INFINITY,
+            most: 0.0,
+            now: room(),
+            turns: turns[..].into(),
+            miss: Fours::new(units.len(), 0.0),
+            drive: Drive::new(system.equations()),
+        }
+    }
+
+    /// Takes the position in hand as it is.
+    pub(crate) fn accept(&mut self, newton: &Newton<'_>) {
+        newton.linear.orientation(&mut self.negative);
+        self.pivot = newton.linear.smallest_pivot();
+        self.most = self.most.max(self.pivot);
+    }
+
+    /// The position in hand is singular: the next step is judged by its other end alone.
+    pub(crate) fn leave_open(&mut self) {
+        self.negative.clear();
+        self.pivot = f64::INFINITY;
+    }
+
+    /// Judges the step h from one end to the position in hand, and accepts that if there is no objection.
+    pub(crate) fn judge(&mut self, newton: &mut Newton<'_>, h: f64, from: End<'_>) -> Result<(), Objection> {
+        let (pivot, to) = (newton.linear.smallest_pivot(), [&newton.q, &newton.qd, &newton.qdd]);
+        let [miss, reach] = fours::miss(h, from, to, newton.shares(), &self.turns);
+        if reach > REACH {
+            return Err(Objection::Long);
+        }
+        newton.linear.orientation(&mut self.now);
+        let (t, least) = (newton.instant.t(), pivot.min(self.pivot));
+        // Not a number counts as missed.
+        if (miss.is_nan() || miss > EASY * least) && !self.is_safe(newton, h, from, miss) {
+            return Err(Objection::Missed(miss));
+        }
+        if self.now != self.negative && self.now.len() == self.negative.len() {
+            return Err(Objection::TurnedOver);
+        }
+        let [from, to] = [t - h, t];
+        if !self.drive.is_told(from, to, least) && self.hides(newton, from, to, least) {
+            return Err(Objection::Hidden);
+        }
+        std::mem::swap(&mut self.now, &mut self.negative);
+        self.pivot = pivot;
+        self.most = self.most.max(pivot);
+        Ok(())
+    }
+
+    /// Whether something may happen between two times that their positions do not tell.
+    #[cold]
+    fn hides(&mut self, newton: &mut Newton<'_>, from: f64, to: f64, pivot: f64) -> bool {
+        let equations = newton.system.equations();
+        self.drive.hides(
+            Span { equations, from, to, pivot },
+            &mut Factored { newton, v: &mut self.miss, turns: &self.turns, negative: &self.now },
+        )
+    }
+
+    /// The estimate of Newton and Kantorovich at the position in hand, along the miss of the prediction; larger by as much as `miss`, which is
+    /// that from either end, is larger.
+    fn is_safe(&mut self, newton: &mut Newton<'_>, h: f64, [q, qd, qdd]: End<'_>, miss: f64) -> bool {
+        let ends = newton.q.iter().zip(q.iter()).zip(qd.iter().zip(qdd.iter()));
+        for (miss, ((to, q), (qd, qdd))) in self.miss.iter_mut().zip(ends) {
+            *miss = to - q - h * (qd + 0.5 * h * qdd);
+        }
+        let own = fours::largest_share(self.miss.whole(), newton.shares().whole());
+        let turned = fours::largest_share(self.miss.whole(), self.turns.whole()) * (miss / own);
+        let straight = own > 0.0 && turned <= REACH && newton.bend(&self.miss) * (miss / own) <= SAFE * own;
+        let fades = newton.linear.smallest_pivot().min(self.pivot) < FADED * self.most;
+        straight && !(fades && is_singular_near(newton, &self.miss, miss / own, &self.now))
+    }
+}
+
+/// What [`Drive::outlook`] tells at the position in hand, at which a run between these times begins.
+pub(crate) fn outlook(mut drive: Drive, newton: &mut Newton<'_>, ends: [f64; 2]) -> Option<[f64; 4]> {
+    let (equations, pivot, mut v) = (newton.system.equations(), newton.linear.smallest_pivot(), newton.q.clone());
+    drive.outlook(equations, ends, pivot, &mut Factored { newton, v: &mut v, turns: &Fours::default(), negative: &[] })
+}
+
+/// Whether C_q may be singular within factor · v of the position in hand: at either end of that a block has another sign, or the smallest pivot is
+/// less than half of what it is here. Along a branch that is passed smoothly a change point shows in nothing else.
+#[cold]
+fn is_singular_near(newton: &mut Newton<'_>, v: &[f64], factor: f64, negative: &[bool]) -> bool {
+    let (t, here, pivot, mut signs) = (newton.instant.t(), newton.q.clone(), newton.linear.smallest_pivot(), Vec::new());
+    let mut is_regular = |factor: f64| {
+        newton.q.iter_mut().zip(here.iter().zip(v)).for_each(|(q, (here, v))| *q = here + factor * v);
+        let factored = newton.linearize(t).is_ok() && newton.linear.factor();
+        newton.linear.orientation(&mut signs);
+        factored && signs == negative && newton.linear.smallest_pivot() >= 0.5 * pivot
+    };
+    let is_singular = !(is_regular(-factor) && is_regular(factor));
+    newton.linear.revoke();
+    newton.q.copy_from_slice(&here);
+    let restored = newton.linearize(t).is_ok() && newton.linear.factor();
+    is_singular || !restored
+}
+
+/// The matrix in hand as a lever.
+struct Factored<'f, 'a> {
+    newton: &'f mut Newton<'a>,
+    v: &'f mut Fours,
+    turns: &'f Fours,
+    negative: &'f [bool],
+}
+
+impl Lever for Factored<'_, '_> {
+    fn instant(&self) -> &Instant {
+        &self.newton.instant
+    }
+
+    fn moved(&mut self, first: usize, b: &[f64]) -> f64 {
+        let linear = &mut self.newton.linear;
+        linear.rhs_mut().fill(0.0);
+        linear.rhs_mut().iter_mut().skip(first).zip(b).for_each(|(place, b)| *place = *b);
+        linear.solve();
+        fours::take(self.v.whole_mut(), linear.whole_solution());
+        fours::largest_share(self.v.whole(), self.newton.shares().whole())
+    }
+
+    fn bend(&mut self) -> f64 {
+        self.newton.bend(self.v)
+    }
+
+    fn turned(&self) -> f64 {
+        fours::largest_share(self.v.whole(), self.turns.whole())
+    }
+
+    fn is_singular_within(&mut self, factor: f64) -> bool {
+        is_singular_near(self.newton, self.v, factor, self.negative)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,287 @@
+//! The curve of solutions through x = (q, t), by its arc length s: regular where C_q is not, as long as [C_q C_t] has full rank.
+//!
+//! [C_q C_t; x₀′ᵀ] x′ = (0, 1) and [C_q C_t; x₀′ᵀ] x″ = (−(G_x x′)_x x′, 0) with G(x) = C(q, t); lengths and time are measured by the sizes
+//! of the coordinates and by the time in which the drivers move something of order 1. (H. B. Keller's pseudo-arclength.)
+
+use crate::linear::Linear;
+use crate::system::System;
+use crate::system::scaled::Model;
+
+/// Newton steps of one correction.
+const ITERATIONS: usize = 12;
+
+/// A correction below this is at its end, and one below the second that no longer shrinks is rounding.   \[-\]
+const TOLERANCE: f64 = 1e-13;
+const ROUNDING: f64 = 1e-9;
+
+/// A prediction may be off by this share of its step, the second correction may be this share of the first, and the tangent may turn by an
+/// angle of this cosine.   \[-\]
+const OFF: f64 = 0.05;
+const SHRINKS: f64 = 0.2;
+const STRAIGHT: f64 = 0.97;
+
+/// The curve, and the means to go along it.
+pub(super) struct Curve<'a> {
+    pub model: Model<'a>,
+    /// s_j of each coordinate, and the measure of time.
+    pub sizes: Vec<f64>,
+    pub linear: Linear,
+    /// For C_q alone.
+    own: Linear,
+}
+
+/// A place on the curve.
+#[derive(Clone, Debug)]
+pub(super) struct Place {
+    /// (q, t)
+    pub x: Vec<f64>,
+    /// The tangent x′, of length 1 by the measures.
+    pub dx: Vec<f64>,
+    pub ddx: Vec<f64>,
+    /// Whether det [C_q C_t; x′ᵀ] is negative.
+    pub negative: bool,
+    /// Whether the determinant of each block of C_q is, and its smallest pivot; none where C_q is singular.
+    pub blocks: Option<(Vec<bool>, f64)>,
+}
+
+impl Place {
+    pub(super) fn t(&self) -> f64 {
+        self.x.last().copied().unwrap_or_default()
+    }
+
+    /// dt/ds, by the measure of time or not.
+    pub(super) fn dt(&self) -> f64 {
+        self.dx.last().copied().unwrap_or_default()
+    }
+
+    /// q̇ = q′/t′ and q̈ = (q″ − q̇ t″)/t′²
+    pub(super) fn rates(&self) -> [Vec<f64>; 2] {
+        let (dt, ddt) = (self.dt(), self.ddx.last().copied().unwrap_or_default());
+        let n = self.x.len() - 1;
+        let qd: Vec<f64> = self.dx[..n].iter().map(|dx| dx / dt).collect();
+        let qdd = self.ddx.iter().zip(&qd).map(|(ddx, qd)| (ddx - qd * ddt) / (dt * dt)).collect();
+        [qd, qdd]
+    }
+
+    /// x + s x′ + ½ s² x″
+    pub(super) fn ahead(&self, s: f64) -> Vec<f64> {
+        self.x.iter().zip(&self.dx).zip(&self.ddx).map(|((x, dx), ddx)| x + s * (dx + 0.5 * s * ddx)).collect()
+    }
+}
+
+impl<'a> Curve<'a> {
+    /// The curve of a system with as many equations as coordinates.
+    pub(super) fn new(system: &'a System, sizes: &[f64], time: f64) -> Self {
+        let (model, mut own) = (system.model(), system.linear());
+        let n = model.n();
+        own.set_sizes(sizes);
+        let sizes: Vec<f64> = sizes.iter().copied().chain([time]).collect();
+        let c_t = (0..n).map(|row| Some((row, n)));
+        let border = (0..=n).map(|column| Some((n, column)));
+        let mut linear = Linear::new(n + 1, model.equations.entries.iter().copied().chain(c_t).chain(border), &[]);
+        linear.set_sizes(&sizes);
+        Curve { model, sizes, linear, own }
+    }
+
+    /// The place at x, which is on the curve, with a tangent on the side of `along`.
+    pub(super) fn place(&mut self, x: Vec<f64>, along: &[f64]) -> Option<Place> {
+        self.factor(&x, along)?;
+        let mut dx = self.solve(std::iter::repeat_n(0.0, self.model.n()).chain([1.0]));
+        let length = self.dot(&dx, &dx).sqrt();
+        dx.iter_mut().for_each(|dx| *dx /= length);
+        self.factor(&x, &dx)?;
+        let negative = self.linear.is_negative();
+        let blocks = self.blocks();
+        let (t, q) = x.split_last()?;
+        let (dt, dq) = dx.split_last()?;
+        let rhs = self.model.second_order(q, *t, dq, *dt).ok()?;
+        let ddx = self.solve(rhs.into_iter().chain([0.0]));
+        let finite = dx.iter().chain(&ddx).all(|x| x.is_finite());
+        finite.then_some(Place { x, dx, ddx, negative, blocks })
+    }
+
+    /// One step of length s, if the curve is surely followed by it.
+    pub(super) fn step(&mut self, here: &Place, s: f64) -> Option<Place> {
+        let (place, off) = self.at(here, s)?;
+        (off <= OFF * s.abs() && self.dot(&place.dx, &here.dx) >= STRAIGHT).then_some(place)
+    }
+
+    /// The place a step s further on, and by how much the prediction was off.
+    pub(super) fn at(&mut self, here: &Place, s: f64) -> Option<(Place, f64)> {
+        let mut x = here.ahead(s);
+        let off = self.correct(&mut x, &here.dx)?;
+        Some((self.place(x, &here.dx)?, off))
+    }
+
+    /// Newton's steps across the direction `border`; gives the length of the first one.
+    pub(super) fn correct(&mut self, x: &mut [f64], border: &[f64]) -> Option<f64> {
+        let (mut first, mut previous) = (0.0, f64::INFINITY);
+        for k in 0..ITERATIONS {
+            let c = self.factor(x, border)?;
+            let d = self.solve(c.into_iter().map(|c| -c).chain([0.0]));
+            let size = self.dot(&d, &d).sqrt();
+            if k == 0 {
+                first = size;
+            }
+            // What is not a number does not shrink.
+            let shrinks = size < if k == 1 { SHRINKS * previous } else { previous };
+            let settled = size <= TOLERANCE || (size > 0.5 * previous && size <= ROUNDING);
+            if !(shrinks || settled) {
+                return None;
+            }
+            x.iter_mut().zip(&d).for_each(|(x, d)| *x += d);
+            if settled {
+                return Some(first);
+            }
+            previous = size;
+        }
+        None
+    }
+
+    /// [C_q C_t; borderᵀ] at x, factored; gives C.
+    fn factor(&mut self, x: &[f64], border: &[f64]) -> Option<Vec<f64>> {
+        let (t, q) = x.split_last()?;
+        let point = self.model.linearize(q, *t).ok()?;
+        let c_t = self.model.c_t(q, *t).ok()?;
+        let border = border.iter().zip(&self.sizes).map(|(dx, size)| dx / (size * size));
+        let values = point.values.iter().copied().chain(c_t).chain(border);
+        self.linear.values_mut().iter_mut().zip(values).for_each(|(place, value)| *place = value);
+        (self.linear.measure() && self.linear.factor()).then_some(point.c)
+    }
+
+    /// The signs of C_q's blocks and its smallest pivot, at the x that was factored last.
+    fn blocks(&mut self) -> Option<(Vec<bool>, f64)> {
+        let values = self.own.values().len();
+        self.own.values_mut().copy_from_slice(&self.linear.values()[..values]);
+        if !(self.own.measure() && self.own.factor()) {
+            return None;
+        }
+        let mut blocks = Vec::new();
+        self.own.orientation(&mut blocks);
+        Some((blocks, self.own.smallest_pivot()))
+    }
+
+    fn solve(&mut self, rhs: impl Iterator<Item = f64>) -> Vec<f64> {
+        self.linear.rhs_mut().iter_mut().zip(rhs).for_each(|(place, x)| *place = x);
+        self.linear.solve();
+        self.linear.solution().to_vec()
+    }
+
+    /// The product of two directions by the measures.
+    pub(super) fn dot(&self, a: &[f64], b: &[f64]) -> f64 {
+        a.iter().zip(b).zip(&self.sizes).map(|((a, b), size)| a / size * (b / size)).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Mechanism, constraint};
+
+    /// A circle of radius 1 about (x0, 0), and y beside it.
+    #[constraint]
+    fn circle(x: Coord, y: Coord, t: Time, x0: f64, k: f64) -> [f64; 2] {
+        [(x - x0) * (x - x0) + t * t - 1.0, y - k * (x - x0)]
+    }
+
+    #[constraint]
+    fn cube(x: Coord, t: Time) -> f64 {
+        x * x * x - 1.0 - t
+    }
+
+    /// A wave, in time of order 1.
+    #[constraint]
+    fn wave(x: Coord, t: Time) -> f64 {
+        x - 0.01 * (10.0 * std::f64::consts::PI * t).sin()
+    }
+
+    fn system(x0: f64, k: f64) -> System {
+        let mut m = Mechanism::new("circle");
+        let [x, y] = ["x", "y"].map(|name| m.length(name, 0.8).expect("a new name"));
+        m.add("c", circle(x, y, x0, k)).expect("adds");
+        m.build().expect("builds")
+    }
+
+    fn of_one(add: impl FnOnce(&mut Mechanism, crate::model::coordinates::Coordinate)) -> System {
+        let mut m = Mechanism::new("one");
+        let x = m.length("x", 1.0).expect("a new name");
+        add(&mut m, x);
+        m.build().expect("builds")
+    }
+
+    /// Tangent, curvature, rates and pivots of a place, by measures that are not 1; the direction asked along need not be that of the curve.
+    #[test]
+    fn a_place_on_a_circle() {
+        let (system, sizes) = (system(0.0, 3.0), [2.0, 5.0]);
+        let mut curve = Curve::new(&system, &sizes, 0.5);
+        for sign in [1.0, -1.0] {
+            let place = curve.place(vec![0.8, 2.4, 0.6], &[0.0, 0.3 * sign, sign]).expect("is regular");
+            assert!((curve.dot(&place.dx, &place.dx) - 1.0).abs() < 1e-14 && curve.dot(&place.dx, &place.ddx).abs() < 1e-13);
+            assert!(place.dt() * sign > 0.0 && place.t() == 0.6 && place.negative == curve.linear.is_negative());
+            let [qd, qdd] = place.rates();
+            let (v, a) = (-0.75, -1.0 / 0.512);
+            for (found, exact) in qd.iter().zip([v, 3.0 * v]).chain(qdd.iter().zip([a, 3.0 * a])) {
+                assert!((found - exact).abs() < 1e-12, "{qd:?} {qdd:?}");
+            }
+            assert_eq!((qd.len(), qdd.len()), (2, 2));
+            let ahead = place.ahead(0.1);
+            let off = (0..3).map(|k| (ahead[k] - place.x[k] - 0.1 * place.dx[k] - 0.005 * place.ddx[k]).abs()).fold(0.0, f64::max);
+            assert!(off < 1e-15);
+            assert_eq!(place.blocks.expect("is regular").0.len(), 1);
+        }
+    }
+
+    /// A step is as good as its prediction, and goes no further than the curve is straight; either way along.
+    #[test]
+    fn steps_along_a_circle() {
+        let system = system(0.0, 0.0);
+        let mut curve = Curve::new(&system, &[1.0, 1.0], 1.0);
+        let here = curve.place(vec![0.8, 0.0, 0.6], &[0.0, 0.0, 1.0]).expect("is regular");
+        for s in [0.01, 0.2, -0.2, 0.05] {
+            let (place, off) = curve.at(&here, s).expect("settles");
+            assert!((off - s.powi(4) / 8.0).abs() < s.abs().powi(5), "{off}");
+            assert!((place.x[0].hypot(place.x[2]) - 1.0).abs() < 1e-15 && curve.step(&here, s).is_some());
+            assert!((place.x[2].atan2(place.x[0]) - 0.6_f64.atan2(0.8) - s).abs() < s.abs().powi(3));
+        }
+        assert!(curve.step(&here, 0.5).is_none() && curve.at(&here, 0.5).is_some());
+
+        let system = of_one(|m, x| assert!(m.add("c", wave(x)).is_ok()));
+        let mut curve = Curve::new(&system, &[1.0], 1.0);
+        let here = curve.place(vec![0.0, 0.0], &[0.0, 1.0]).expect("is regular");
+        let (_, off) = curve.at(&here, 0.02).expect("settles");
+        assert!(off > 0.01 * 0.02 && off < 0.04 * 0.02 && curve.step(&here, 0.02).is_some());
+        let s = 0.2 * (1.0 + (0.1 * std::f64::consts::PI).powi(2)).sqrt();
+        let (place, off) = curve.at(&here, s).expect("settles");
+        assert!(off > 0.05 && off < 0.08 && curve.dot(&place.dx, &here.dx) > 0.99 && curve.step(&here, s).is_none());
+    }
+
+    /// Newton's method has to converge from the first: what shrinks slowly may end anywhere.
+    #[test]
+    fn corrections_that_shrink() {
+        let system = system(0.0, 0.0);
+        let mut curve = Curve::new(&system, &[1.0, 1.0], 1.0);
+        let mut from = |radius: f64| {
+            let mut x = [0.8 * radius, 0.0, 0.6 * radius];
+            let first = curve.correct(&mut x, &[-0.6, 0.0, 0.8])?;
+            assert!((x[0] - 0.8).abs() < 1e-14 && (x[2] - 0.6).abs() < 1e-14, "{x:?}");
+            Some(first)
+        };
+        assert!((from(1.3).expect("settles") - 0.69 / 2.6).abs() < 1e-14 && from(2.0).is_none() && from(0.7).is_some());
+
+        let system = of_one(|m, x| assert!(m.add("c", cube(x)).is_ok()));
+        assert!(Curve::new(&system, &[1.0], 1.0).correct(&mut [10.0, 0.0], &[0.0, 1.0]).is_none());
+    }
+
+    /// Far from zero corrections end where rounding does.
+    #[test]
+    fn corrections_end_in_rounding() {
+        let system = system(1e5, 0.0);
+        let mut curve = Curve::new(&system, &[1.0, 1.0], 1.0);
+        for k in 0..40 {
+            let angle = 0.1 + 0.03 * f64::from(k);
+            let mut x = [1e5 + 1.1 * angle.cos(), 0.0, 1.1 * angle.sin()];
+            assert!(curve.correct(&mut x, &[-angle.sin(), 0.0, angle.cos()]).is_some(), "{angle}");
+            assert!(((x[0] - 1e5).hypot(x[2]) - 1.0).abs() < 1e-10);
+        }
+    }
+}

@@ -1,0 +1,348 @@
+//! Whether the ends of a step tell all that time does in between: a motor may go out and come back within it.
+//!
+//! Time enters an equation by signals, functions w(t) that do not depend on q: laws of time, sin ω t, what is made of them. Over a step h a signal
+//! is off its polynomial of second degree at either end by no more than ⅙ h³ max |w‴|, or by ½ h² times the width of w″ where that jumps. Bounds of
+//! these come from the steps of the equation and from the laws in it ([`crate::LawFunction::over`]), over stretches of many steps. Where the
+//! position is led off by no more than a prediction may miss, there is nothing that the ends do not tell.
+//!
+//! Constraints of which no bounds are known (laws of one's own without any, the dual route, written by hand) are sampled: C with q held, at the
+//! eighths of the step.
+//!
+//! A signal that turns round within the step leaves the range between its ends too, and that may be beyond a change point that is passed smoothly there
+//! and back: neither end tells it. So that range, too, may be left by no more than a prediction may miss.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use kin_graph::Node;
+
+use super::check::{EASY, REACH, SAFE};
+use crate::model::formula::Table;
+use crate::model::formula::time as held;
+use crate::numbers::enclosure::{Interval, ONE, Series};
+use crate::system::evaluate::{Equations, Instant};
+
+/// Steps for which it is taken as known how far a signal moves q, and how often that is looked at before bounds are, where they depend on q.
+const KNOWN: u32 = 64;
+const LOOKS: u32 = 4;
+
+/// Where that was looked at earlier q may have become easier to move by this factor, beside what the smallest pivot tells.   \[-\]
+const DRIFT: f64 = 2.0;
+
+/// Whether equations are straight is not asked farther away than this.   \[-\]
+const FARTHEST: f64 = 1e3;
+
+/// Coefficients of Taylor's formula that are asked for.
+const COEFFICIENTS: usize = 4;
+
+/// Samples of a step.
+const SAMPLES: u32 = 8;
+
+/// How a position is moved by what its equations are off.
+pub(crate) trait Lever {
+    /// The position at the end of the step.
+    fn instant(&self) -> &Instant;
+
+    /// max_j |v_j| / s_j of C_q v = b, the right side being zero but for the rows from `first` on.
+    fn moved(&mut self, first: usize, b: &[f64]) -> f64;
+
+    /// max_j |C_q⁻¹ (C_q v)_q v|_j / s_j of the v that was moved last; infinite where it is not known.
+    fn bend(&mut self) -> f64;
+
+    /// max_j |v_j| of the angles among them.
+    fn turned(&self) -> f64;
+
+    /// Whether C_q may be singular within that multiple of the v that was moved last.
+    fn is_singular_within(&mut self, factor: f64) -> bool;
+}
+
+/// One step of time, with the position at its end.
+#[derive(Clone, Copy)]
+pub(crate) struct Span<'a> {
+    pub equations: &'a Equations,
+    pub from: f64,
+    pub to: f64,
+    /// The smaller of the smallest pivots at both ends.
+    pub pivot: f64,
+}
+
+/// All that time does to a system.
+#[derive(Clone)]
+pub(crate) struct Drive {
+    sources: Vec<Source>,
+    /// Whether the ends of any step tell everything.
+    told: bool,
+    /// Bounds hold between these times, and of the next ones for as long.
+    stretch: [f64; 2],
+    longest: f64,
+    /// How far q may be led off by signals with bounds, as a polynomial in the length of a step; the smallest pivot when it was looked at.
+    off: Bound,
+    pivot: f64,
+    /// Steps that need no look, and looks that need no bounds.
+    steps: u32,
+    looks: u32,
+    /// Where samples are taken.
+    scratch: Option<Instant>,
+}
+
+/// A constraint that time moves.
+#[derive(Clone)]
+struct Source {
+    block: usize,
+    /// The nodes of its formula by which time enters; none where it is sampled.
+    signals: Option<Arc<[Node]>>,
+    /// Whether C_q does not depend on time: bounds and slopes are the same for every q then.
+    apart: bool,
+    is_sampled: bool,
+    terms: Vec<Term>,
+}
+
+/// A signal, or a row that is sampled, and what it does.
+#[derive(Clone)]
+struct Term {
+    /// How the rows of the constraint follow it.
+    slopes: Vec<f64>,
+    bound: Bound,
+    /// max_j |dq_j| / s_j of a unit of it.
+    lever: f64,
+}
+
+/// e_0 + e_1 h + e_2 h² + e_3 h³
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Bound([f64; COEFFICIENTS]);
+
+impl Bound {
+    /// Of a function of time about its polynomials of second degree; `None` where it is not known.
+    fn of(y: &Series) -> Option<Self> {
+        let mut bound = Bound::default();
+        let last = y.len().min(COEFFICIENTS).checked_sub(1)?;
+        let c = y.at(last);
+        // Up to the third degree Taylor's formula, and where a coefficient before it jumps by how much.
+        bound.0[last] = if last == 3 { c.mag() } else { 2.0 * c.radius() };
+        // Where it may turn round within the step, by how much it may leave what lies between both ends.
+        match last {
+            2 | 3 if y.at(1).contains(0.0) => bound.0[2] += 0.25 * y.at(2).mag(),
+            1 if y.at(1).contains(0.0) => bound.0[1] += 0.5 * y.at(1).mag(),
+            _ => {}
+        }
+        bound.0.iter().all(|x| x.is_finite()).then_some(bound)
+    }
+
+    #[inline]
+    fn at(&self, h: f64) -> f64 {
+        let [a, b, c, d] = self.0;
+        a + h * (b + h * (c + h * d))
+    }
+
+    fn add(&mut self, factor: f64, other: &Bound) {
+        self.0.iter_mut().zip(other.0).filter(|(_, x)| *x > 0.0).for_each(|(sum, x)| *sum += factor * x);
+    }
+}
+
+impl Drive {
+    pub(crate) fn new(equations: &Equations) -> Self {
+        // Constraints of one kind share their table, and so where time enters.
+        let mut known: HashMap<*const Table, Arc<[Node]>> = HashMap::new();
+        let mut source = |block: usize| {
+            let (constraint, mut signals) = (equations.blocks[block].constraint.as_ref(), None);
+            constraint.formula(&mut |table, _, _| {
+                let of = |formula| known.entry(std::ptr::from_ref(table)).or_insert_with(|| held::signals(formula).into()).clone();
+                signals = Some(table.formula()).filter(|formula| formula.rows.len() == constraint.rows().len()).map(of);
+            });
+            Source { block, signals, apart: !constraint.depends().c_q_on_t, is_sampled: false, terms: Vec::new() }
+        };
+        let sources: Vec<Source> = equations.moved_by_time().map(&mut source).collect();
+        Drive {
+            told: sources.is_empty(),
+            sources,
+            stretch: [f64::NAN; 2],
+            longest: f64::INFINITY,
+            off: Bound::default(),
+            pivot: 0.0,
+            steps: 0,
+            looks: 0,
+            scratch: None,
+        }
+    }
+
+    /// Whether the step surely holds nothing that its ends do not tell, by what was seen before.
+    #[inline]
+    pub(crate) fn is_told(&mut self, from: f64, to: f64, pivot: f64) -> bool {
+        if self.told {
+            return true;
+        }
+        let known = self.steps > 0 && self.covers(from, to);
+        self.steps = self.steps.saturating_sub(1);
+        known && DRIFT * self.off.at((to - from).abs()) * self.pivot <= EASY * pivot * pivot
+    }
+
+    fn covers(&self, from: f64, to: f64) -> bool {
+        self.stretch[0] <= from.min(to) && from.max(to) <= self.stretch[1]
+    }
+
+    /// Whether the position may be led off unseen, too far to be sure of the step: a look at it with all means.
+    #[cold]
+    pub(crate) fn hides(&mut self, Span { equations, from, to, pivot }: Span<'_>, lever: &mut dyn Lever) -> bool {
+        let h = (to - from).abs();
+        // By the bounds that are known, by those over a longer stretch, by those over the step alone.
+        for reach in [None, Some(self.longest.max(h)), Some(h)] {
+            let known = match reach {
+                None => self.covers(from, to) && self.looks > 0,
+                Some(reach) => self.bound(equations, lever.instant(), [from, from + reach.copysign(to - from)], reach == h),
+            };
+            if !known {
+                continue;
+            }
+            self.looks = self.looks.saturating_sub(1);
+            self.sample(equations, lever.instant(), [from, to]);
+            self.weigh(equations, lever);
+            if self.off.at(h) <= EASY * pivot {
+                self.rely(pivot, reach);
+                return false;
+            }
+        }
+        (self.longest, self.steps, self.looks) = (2.0 * h, 0, 0);
+        !self.is_straight(equations, h, lever)
+    }
+
+    /// For steps between two times that are looked at no more: e_k of Σ_k e_k hᵏ ≤ p², where p is the smaller of the smallest pivots at both ends of
+    /// a step h, is what [`Drive::is_told`] asks, with room for what changes meanwhile. The pivot is that of the position in hand. `None` where that
+    /// does not do.
+    pub(crate) fn outlook(
+        &mut self,
+        equations: &Equations,
+        ends: [f64; 2],
+        pivot: f64,
+        lever: &mut dyn Lever,
+    ) -> Option<[f64; COEFFICIENTS]> {
+        let lasting = self.sources.iter().all(|source| source.apart && source.signals.is_some());
+        if !(lasting && self.bound(equations, lever.instant(), ends, false)) {
+            return None;
+        }
+        self.weigh(equations, lever);
+        Some(self.off.0.map(|e| DRIFT * DRIFT * e * pivot / EASY))
+    }
+
+    /// What is known now holds for some steps.
+    fn rely(&mut self, pivot: f64, reach: Option<f64>) {
+        let sampled = self.sources.iter().any(|source| source.is_sampled);
+        (self.pivot, self.steps) = (pivot, if sampled { 0 } else { KNOWN });
+        if let Some(reach) = reach {
+            self.longest = 2.0 * reach;
+            self.looks = if self.sources.iter().all(|source| source.apart) { u32::MAX } else { LOOKS };
+            self.told = !sampled && self.looks == u32::MAX && reach.is_infinite() && self.off == Bound::default();
+        }
+    }
+
+    /// Bounds over a stretch of time; false where some are not known. Over a single step constraints without bounds are sampled.
+    fn bound(&mut self, equations: &Equations, instant: &Instant, [from, to]: [f64; 2], single: bool) -> bool {
+        let t = Series::variable(Interval::new(from.min(to), from.max(to)), ONE, COEFFICIENTS);
+        for source in &mut self.sources {
+            let known = source.bounds(equations, t);
+            if known.is_none() && source.signals.is_some() && !single {
+                return false;
+            }
+            source.take(equations, instant, known);
+        }
+        self.stretch = [from.min(to), from.max(to)];
+        true
+    }
+
+    /// Samples what has no bounds.
+    fn sample(&mut self, equations: &Equations, instant: &Instant, ends: [f64; 2]) {
+        for source in self.sources.iter_mut().filter(|source| source.is_sampled) {
+            let scratch = self.scratch.get_or_insert_with(|| instant.clone());
+            scratch.clone_from(instant);
+            source.sample(equations, scratch, ends);
+        }
+    }
+
+    /// How far all of it may lead q off.
+    fn weigh(&mut self, equations: &Equations, lever: &mut dyn Lever) {
+        self.off = Bound::default();
+        for source in &mut self.sources {
+            let first = equations.blocks[source.block].rows().start;
+            for term in source.terms.iter_mut().filter(|term| term.bound != Bound::default()) {
+                term.lever = lever.moved(first, &term.slopes);
+                self.off.add(term.lever, &term.bound);
+            }
+        }
+    }
+
+    /// Whether the equations are nearly straight along each of the signals, as far as it may have led: then it does not matter where it was.
+    fn is_straight(&self, equations: &Equations, h: f64, lever: &mut dyn Lever) -> bool {
+        let all = self.sources.iter().flat_map(|source| source.terms.iter().map(move |term| (source.block, term)));
+        let moving: Vec<(usize, &Term)> = all.filter(|(_, term)| term.bound != Bound::default()).collect();
+        let count = moving.len() as f64;
+        moving.into_iter().all(|(block, term)| {
+            lever.moved(equations.blocks[block].rows().start, &term.slopes);
+            let off = (count * term.bound.at(h)).min(FARTHEST / term.lever);
+            let bend = if off * lever.turned() <= REACH { lever.bend() } else { f64::INFINITY };
+            off * bend <= SAFE * term.lever && !lever.is_singular_within(off)
+        })
+    }
+}
+
+impl Source {
+    /// Bounds of its signals over a stretch of time, if all are known.
+    fn bounds(&self, equations: &Equations, t: Series) -> Option<Vec<Bound>> {
+        let (signals, mut found) = (self.signals.as_ref()?, None);
+        equations.blocks[self.block].constraint.formula(&mut |table, parameters, outside| {
+            found = held::over_time(table.formula(), signals, t, parameters, outside).iter().map(Bound::of).collect();
+        });
+        found
+    }
+
+    /// Takes bounds of its signals; without any its rows are sampled.
+    fn take(&mut self, equations: &Equations, instant: &Instant, bounds: Option<Vec<Bound>>) {
+        let still = bounds.as_ref().is_some_and(|bounds| bounds.iter().all(|bound| *bound == Bound::default()));
+        let known = !self.is_sampled && self.apart && bounds.as_ref().is_some_and(|bounds| bounds.len() == self.terms.len());
+        if still {
+            self.terms.clear();
+            self.is_sampled = false;
+        } else if !known {
+            let slopes = bounds.as_ref().and_then(|_| self.slopes(equations, instant));
+            self.is_sampled = slopes.is_none();
+            let rows = equations.blocks[self.block].rows().len();
+            let unit = |row: usize| (0..rows).map(|k| f64::from(u8::from(k == row))).collect();
+            let slopes = slopes.unwrap_or_else(|| (0..rows).map(unit).collect());
+            self.terms = slopes.into_iter().map(|slopes| Term { slopes, bound: Bound::default(), lever: 0.0 }).collect();
+        }
+        self.terms.iter_mut().zip(bounds.into_iter().flatten()).for_each(|(term, bound)| term.bound = bound);
+    }
+
+    /// How its rows follow each of its signals, if that is known.
+    fn slopes(&self, equations: &Equations, instant: &Instant) -> Option<Vec<Vec<f64>>> {
+        let (block, mut slopes) = (&equations.blocks[self.block], Vec::new());
+        let (signals, columns) = (self.signals.as_deref()?, equations.columns_of(block, instant));
+        block.constraint.formula(&mut |table, parameters, outside| {
+            slopes = held::slopes(table.formula(), signals, (&columns, instant.t()), parameters, outside);
+        });
+        slopes.iter().flatten().all(|slope| slope.is_finite()).then_some(slopes)
+    }
+
+    /// How far its rows are off their polynomials of second degree at both ends, q held.
+    fn sample(&mut self, equations: &Equations, scratch: &mut Instant, [from, to]: [f64; 2]) {
+        let block = &equations.blocks[self.block];
+        let ends = [from, to].map(|t| (t, equations.held(block, t, scratch)));
+        let (mut most, first, last) = (vec![0.0_f64; self.terms.len()], &ends[0].1[0], &ends[1].1[0]);
+        for k in 0..=SAMPLES {
+            let t = from + (to - from) * f64::from(k) / f64::from(SAMPLES);
+            let [c, ..] = equations.held(block, t, scratch);
+            for (end, [f, f_t, f_tt]) in &ends {
+                let s = t - end;
+                for (row, most) in most.iter_mut().enumerate() {
+                    let off = (c[row] - f[row] - s * (f_t[row] + 0.5 * s * f_tt[row])).abs();
+                    *most = if off.is_nan() { f64::INFINITY } else { most.max(off) };
+                }
+            }
+            for (row, most) in most.iter_mut().enumerate() {
+                *most = most.max(c[row] - first[row].max(last[row])).max(first[row].min(last[row]) - c[row]);
+            }
+        }
+        self.terms.iter_mut().zip(most).for_each(|(term, most)| term.bound = Bound([most, 0.0, 0.0, 0.0]));
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,264 @@
+//! Passing a stretch on which time cannot be the parameter: along the curve, until the time that is asked for.
+
+use super::branching::{self, Branching};
+use super::curve::{Curve, Place};
+use super::singular::{self, Branch, SingularKind, SingularPosition};
+use super::turning;
+use crate::solve::newton::Newton;
+
+/// Steps along the curve.
+const STEPS: usize = 4000;
+
+/// The first step along the curve, the longest and the shortest.   \[-\]
+const FIRST: f64 = 0.01;
+const LONGEST: f64 = 0.1;
+const SHORTEST: f64 = 1e-8;
+
+/// Loops that turn over within a step of this length do so at once.   \[-\]
+const TOGETHER: f64 = 1e-4;
+
+/// Times that differ by this share of the measure of time are one.   \[-\]
+const AT_ONCE: f64 = 1e-7;
+
+/// So near to a toggle, by the measure of time, q is known to fewer than half of its digits: the run has come to it.   \[-\]
+const AT_END: f64 = 1e-12;
+
+/// Where a passage ends.
+pub(crate) enum Landed {
+    /// At a position near which C_q is regular.
+    Regular(Vec<f64>),
+    /// In a bifurcation, with q, q̇ and q̈ on the branch that is taken.
+    Singular(Vec<f64>, Branch),
+}
+
+/// What was found on the way.
+pub(crate) struct Passage {
+    pub landed: Landed,
+    pub passed: Vec<SingularPosition>,
+}
+
+/// Why there is no passage.
+pub(crate) enum Lost {
+    /// Time turns round before the time asked for.
+    Turned(Box<SingularPosition>),
+    /// The curve cannot be followed.
+    Lost,
+}
+
+/// From the position q at time t, with the rates in hand, to the time `to`. `other` tells of each bifurcation, counted from 0, whether to turn
+/// into the other branch there.
+pub(crate) fn pass(newton: &Newton<'_>, q: &[f64], t: f64, to: f64, other: &dyn Fn(usize) -> bool) -> Result<Passage, Lost> {
+    let time = singular::time(newton, q, t, to - t);
+    let mut curve = Curve::new(newton.system, &newton.sizes, time);
+    let sign = (to - t).signum();
+    let along: Vec<f64> = newton.qd.iter().chain([&1.0]).map(|x| sign * x).collect();
+    let length = curve.dot(&along, &along).sqrt();
+    let along: Vec<f64> = along.iter().map(|x| x / length).collect();
+    let x = q.iter().copied().chain([t]).collect();
+    let here = curve.place(x, &along).ok_or(Lost::Lost)?;
+    Walk { newton, curve, sign, to, time, other, here, passed: Vec::new() }.go()
+}
+
+/// On the way along the curve.
+struct Walk<'w, 'a> {
+    newton: &'w Newton<'a>,
+    curve: Curve<'a>,
+    sign: f64,
+    to: f64,
+    time: f64,
+    other: &'w dyn Fn(usize) -> bool,
+    here: Place,
+    passed: Vec<SingularPosition>,
+}
+
+/// What one step has come to.
+enum Stepped {
+    On(Place),
+    Landed(Landed),
+}
+
+impl Walk<'_, '_> {
+    fn go(mut self) -> Result<Passage, Lost> {
+        let mut s = FIRST;
+        for _ in 0..STEPS {
+            let stepped = self.curve.step(&self.here, s).and_then(|next| self.judge(next, s).transpose());
+            match stepped.transpose()? {
+                Some(Stepped::On(place)) => {
+                    self.here = place;
+                    s = (1.5 * s).min(LONGEST);
+                }
+                Some(Stepped::Landed(landed)) => return Ok(Passage { landed, passed: self.passed }),
+                None => s *= 0.5,
+            }
+            if s < SHORTEST {
+                break;
+            }
+        }
+        Err(Lost::Lost)
+    }
+
+    /// What a step has come to; `None` where it must be shorter.
+    fn judge(&mut self, next: Place, s: f64) -> Result<Option<Stepped>, Lost> {
+        let turns = self.sign * next.dt() <= 0.0;
+        let together = turns && self.turned_over(&next) > 1;
+        if next.negative != self.here.negative {
+            match branching::find(&mut self.curve, &self.here, &next, s, self.sign) {
+                // Branches on all of which time turns round.
+                Some(found) if turns && found.rates.iter().all(Option::is_none) => return self.turn_together(&next, s),
+                Some(found) => return self.cross(found, next, s),
+                None if together => return self.turn_together(&next, s),
+                None => return Ok(None),
+            }
+        }
+        if together {
+            return self.turn_together(&next, s);
+        }
+        if turns {
+            let Some((turn, s)) = turning::locate(&mut self.curve, &self.here, &next, s) else { return Ok(None) };
+            return if self.before(turn.t()) > -AT_END { Err(self.turned(&turn.x)) } else { Ok(self.land(&turn, s)) };
+        }
+        if let (Some((before, from)), Some((after, to))) = (&self.here.blocks, &next.blocks)
+            && before != after
+            && before.len() == after.len()
+        {
+            // The pivot that vanishes on the way does so with a slope.
+            let at = s * from / (from + to);
+            return Ok(if s > TOGETHER { None } else { self.cross_together(next, s, at) });
+        }
+        Ok(self.go_on(next, s))
+    }
+
+    /// How many blocks of C_q turn over on the way to a place.
+    fn turned_over(&self, next: &Place) -> usize {
+        let (Some((before, _)), Some((after, _))) = (&self.here.blocks, &next.blocks) else { return 0 };
+        before.iter().zip(after).filter(|(before, after)| before != after).count()
+    }
+
+    /// Time turns round for several loops at once, a place at which the curve is singular: it is found between places on either side.
+    fn turn_together(&self, next: &Place, s: f64) -> Result<Option<Stepped>, Lost> {
+        if s > TOGETHER {
+            return Ok(None);
+        }
+        let Some(x) = turning::between(&self.here, next, s) else { return Ok(None) };
+        if x.last().is_some_and(|t| self.before(*t) > -AT_END) {
+            return Err(self.turned(&x));
+        }
+        Ok(None)
+    }
+
+    fn turned(&self, x: &[f64]) -> Lost {
+        Lost::Turned(Box::new(self.told(SingularKind::TurningPoint, x, Vec::new())))
+    }
+
+    fn go_on(&mut self, next: Place, s: f64) -> Option<Stepped> {
+        if self.before(next.t()) <= 0.0 { self.land(&next, s) } else { Some(Stepped::On(next)) }
+    }
+
+    /// Several loops turn over in a short step, an even number of them: none is told apart from the others, and all go on smoothly.
+    fn cross_together(&mut self, next: Place, s: f64, at: f64) -> Option<Stepped> {
+        let x = self.here.ahead(at);
+        let between = |a: Vec<f64>, b: Vec<f64>| a.iter().zip(&b).map(|(a, b)| a + at / s * (b - a)).collect();
+        let ([qd, qdd], [later, still_later]) = (self.here.rates(), next.rates());
+        let branch = Branch { qd: between(qd, later), qdd: between(qdd, still_later) };
+        let t = x.last().copied()?;
+        if self.before(t).abs() <= AT_ONCE {
+            let (q, rates) = self.moved(&x, &branch, self.to - t);
+            self.passed.push(self.told(SingularKind::Bifurcation, &x, vec![branch]));
+            return Some(Stepped::Landed(Landed::Singular(q, rates)));
+        }
+        if self.before(t) > 0.0 {
+            self.passed.push(self.told(SingularKind::Bifurcation, &x, vec![branch]));
+        }
+        self.go_on(next, s)
+    }
+
+    /// How long before the time asked for, by the measure of time; at it where that is rounding.
+    fn before(&self, t: f64) -> f64 {
+        let left = self.sign * (self.to - t) / self.time;
+        if left.abs() <= 8.0 * f64::EPSILON * (self.to / self.time).abs() { 0.0 } else { left }
+    }
+
+    /// The step leads to the time asked for, or beyond.
+    fn land(&mut self, next: &Place, s: f64) -> Option<Stepped> {
+        let place =
+            if self.before(next.t()) == 0.0 { next.clone() } else { turning::at_time(&mut self.curve, &self.here, next, s, self.to)? };
+        let (_, q) = place.x.split_last()?;
+        Some(Stepped::Landed(Landed::Regular(q.to_vec())))
+    }
+
+    /// The step leads through a bifurcation.
+    fn cross(&mut self, found: Branching, next: Place, s: f64) -> Result<Option<Stepped>, Lost> {
+        let t = found.x.last().copied().unwrap_or_default();
+        let before = self.before(t);
+        if before < -AT_ONCE {
+            return Ok(self.land(&next, s));
+        }
+        let turns = (self.other)(self.passed.len()) && found.rates[1].is_some();
+        let Branching { x, mut tangents, mut rates } = found;
+        if turns {
+            tangents.swap(0, 1);
+            rates.swap(0, 1);
+        }
+        let branches: Vec<Branch> = rates.iter().flatten().cloned().collect();
+        let taken = rates[0].clone();
+        if before <= AT_ONCE {
+            let Some(branch) = taken else { return Ok(None) };
+            self.passed.push(self.told(SingularKind::Bifurcation, &x, branches));
+            let (q, rates) = self.moved(&x, &branch, self.to - t);
+            return Ok(Some(Stepped::Landed(Landed::Singular(q, rates))));
+        }
+        if !turns {
+            if self.sign * next.dt() <= 0.0 {
+                return Ok(None);
+            }
+            self.passed.push(self.told(SingularKind::Bifurcation, &x, branches));
+            return Ok(self.go_on(next, s));
+        }
+        let Some(branch) = taken else { return Ok(None) };
+        let Some(place) = self.turn_into(&x, &tangents[0], &branch, s) else { return Ok(None) };
+        self.passed.push(self.told(SingularKind::Bifurcation, &x, branches));
+        if self.before(place.t()) <= 0.0 {
+            let (q, rates) = self.moved(&x, &branch, self.to - t);
+            let mut start = q.clone();
+            start.push(self.to);
+            // On the other branch, with its tangent there.
+            let along: Vec<f64> = rates.qd.iter().chain([&1.0]).map(|x| self.sign * x).collect();
+            self.curve.correct(&mut start, &unit_time(along.len())).ok_or(Lost::Lost)?;
+            start.pop();
+            return Ok(Some(Stepped::Landed(Landed::Regular(start))));
+        }
+        Ok(Some(Stepped::On(place)))
+    }
+
+    /// The place about s beyond a bifurcation on the branch with that tangent.
+    fn turn_into(&mut self, x: &[f64], dx: &[f64], branch: &Branch, s: f64) -> Option<Place> {
+        let (t, dt) = (*x.last()?, *dx.last()?);
+        let (mut start, _) = self.moved(x, branch, s * dt);
+        start.push(t + s * dt);
+        let off = self.curve.correct(&mut start, dx)?;
+        let place = self.curve.place(start, dx)?;
+        (off <= 0.05 * s && self.curve.dot(&place.dx, dx) > 0.9 && self.sign * place.dt() > 0.0).then_some(place)
+    }
+
+    /// q, and the rates, a time h after the bifurcation on a branch.
+    fn moved(&self, x: &[f64], branch: &Branch, h: f64) -> (Vec<f64>, Branch) {
+        let q = x.iter().zip(branch.qd.iter().zip(&branch.qdd)).map(|(x, (qd, qdd))| x + h * (qd + 0.5 * h * qdd)).collect();
+        let qd = branch.qd.iter().zip(&branch.qdd).map(|(qd, qdd)| qd + h * qdd).collect();
+        (q, Branch { qd, qdd: branch.qdd.clone() })
+    }
+
+    fn told(&self, kind: SingularKind, x: &[f64], branches: Vec<Branch>) -> SingularPosition {
+        let (t, q) = x.split_last().map(|(t, q)| (*t, q)).unwrap_or_default();
+        SingularPosition::new(self.newton.system, kind, t, q, branches)
+    }
+}
+
+/// The direction of time.
+fn unit_time(n: usize) -> Vec<f64> {
+    let mut direction = vec![0.0; n];
+    direction.iter_mut().last().into_iter().for_each(|last| *last = 1.0);
+    direction
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,64 @@
+//! The motion as a table on disk.
+
+use std::io::Write;
+use std::path::Path;
+
+use super::{MARKS, Motion};
+use crate::model::error::{Error, Result};
+
+impl Motion {
+    /// Writes the motion as CSV, making folders that are missing: t, then all q, all q̇, all q̈ (and all q⃛ where the jerk was asked for) in
+    /// the order of the coordinates, then the outputs; headers such as `t [s]`, `crank.R_x [m]`, `crank.R_x' [m/s]`, `crank.R_x'' [m/s^2]`, `crank.R_x''' [m/s^3]`; 17 significant digits.
+    ///
+    /// Errors: a folder or file that cannot be written, by its path.
+    pub fn write_csv(&self, path: impl AsRef<Path>) -> Result<()> {
+        let path = path.as_ref();
+        self.try_csv(path).map_err(|source| Error::File { path: path.to_path_buf(), source })
+    }
+
+    fn try_csv(&self, path: &Path) -> std::io::Result<()> {
+        if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+            std::fs::create_dir_all(folder)?;
+        }
+        let mut table = csv::Writer::from_writer(std::io::BufWriter::new(std::fs::File::create(path)?));
+        self.table(&mut table)?;
+        table.flush()
+    }
+
+    /// Header and rows.
+    fn table(&self, table: &mut csv::Writer<impl Write>) -> std::io::Result<()> {
+        table.write_record(self.headers())?;
+        let mut text = String::new();
+        for k in 0..self.len() {
+            let outputs = self.outputs().iter().filter_map(|output| output.values().get(k));
+            let row =
+                self.times().get(k).into_iter().chain(self.q(k)).chain(self.qd(k)).chain(self.qdd(k)).chain(self.qddd(k)).chain(outputs);
+            for value in row {
+                text.clear();
+                digits(&mut text, *value);
+                table.write_field(&text)?;
+            }
+            table.write_record(None::<&[u8]>)?;
+        }
+        Ok(())
+    }
+
+    /// The header of each column.
+    pub fn headers(&self) -> Vec<String> {
+        let mut all = vec![format!("t [{}]", self.unit_words().time())];
+        let orders = if self.has_jerk() { 4 } else { 3 };
+        for (order, mark) in MARKS.into_iter().enumerate().take(orders) {
+            let coordinates = self.layout.names.iter().enumerate();
+            all.extend(coordinates.map(|(column, name)| format!("{name}{mark} [{}]", self.layout.unit(column, order))));
+        }
+        all.extend(self.outputs().iter().map(|output| format!("{} [{}]", output.name(), output.unit())));
+        all
+    }
+}
+
+/// 17 significant digits: enough to read the same number back.
+fn digits(text: &mut String, value: f64) {
+    use std::fmt::Write;
+    // −0 + 0 is 0, which reads better; writing to a String does not fail.
+    let _ = write!(text, "{:.16e}", value + 0.0);
+}

@@ -1,0 +1,49 @@
+//! One number over time with its rates.
+
+use super::Series;
+use crate::model::units::Units;
+
+/// One number over time with its rates: a coordinate, the angle of a joint, a slide.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Quantity {
+    /// x   \[m or rad\]
+    pub value: Series,
+    /// ẋ   \[m/s or rad/s\]
+    pub rate: Series,
+    /// ẍ   \[m/s² or rad/s²\]
+    pub second_rate: Series,
+    /// x⃛, empty unless the run was asked for the jerk ([`crate::Options::jerk`]).   \[m/s³ or rad/s³\]
+    pub third_rate: Series,
+}
+
+/// What derivatives are called after a name: x, x', x'', x'''.
+pub(crate) const MARKS: [&str; 4] = ["", "'", "''", "'''"];
+
+impl Quantity {
+    /// From x in `unit`, ẋ, ẍ and x⃛ (empty, or one a time), with what units are called.
+    pub(crate) fn new(name: &str, unit: &str, (times, units): (&[f64], &Units), orders: [Vec<f64>; 4]) -> Self {
+        let mut orders = orders.into_iter().zip(MARKS).enumerate().map(|(order, (values, mark))| {
+            let times = if values.is_empty() { &[] } else { times };
+            Series::new(format!("{name}{mark}"), units.rate(unit, order), (times, units), values)
+        });
+        let mut next = || orders.next().unwrap_or_else(|| Series::new("", "", (&[], units), Vec::new()));
+        Quantity { value: next(), rate: next(), second_rate: next(), third_rate: next() }
+    }
+
+    /// x, ẋ, ẍ and x⃛ (or nothing).
+    pub(crate) fn orders(&self) -> [&[f64]; 4] {
+        [self.value.values(), self.rate.values(), self.second_rate.values(), self.third_rate.values()]
+    }
+
+    pub(crate) fn orders_mut(&mut self) -> [&mut [f64]; 4] {
+        [&mut self.value, &mut self.rate, &mut self.second_rate, &mut self.third_rate].map(Series::values_mut)
+    }
+
+    /// The same under another name.
+    pub(crate) fn renamed(mut self, name: &str) -> Self {
+        let all = [&mut self.value, &mut self.rate, &mut self.second_rate, &mut self.third_rate];
+        all.into_iter().zip(MARKS).for_each(|(series, mark)| series.rename(format!("{name}{mark}")));
+        self
+    }
+}

@@ -1,0 +1,193 @@
+//! What a motion says of itself: counts, Newton's steps, residuals, and how far its first position is from where bodies are drawn.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use super::Motion;
+use crate::model::error::text::count;
+use crate::model::layout::{Item, Kind};
+use crate::numbers::algebra::{EulerParameters, Vec3};
+
+/// Bodies that are told at most.
+const SHOWN: usize = 4;
+
+/// Bodies nearer than this share of the mechanism's size, or of a radian, are where they are drawn.   \[-\]
+const THERE: f64 = 1e-3;
+
+/// How far the first position of a body or angle is from its guess.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Displaced {
+    /// The body or bare coordinate.
+    pub name: String,
+    /// How far it has been moved; `None` where nobody has said where it is: a link by its length alone.   \[m\]
+    pub moved: Option<f64>,
+    /// How far it has been turned, of a spatial body between 0 and π.   \[rad\]
+    pub turned: Option<f64>,
+    /// What this looks like, where it is more than assembly has to do as a rule.
+    pub hint: Option<String>,
+}
+
+impl Motion {
+    /// Counts, Newton steps a time (the first position apart, which is found from a guess) and the largest residual in one line; then how far
+    /// the first position is from the drawn one, where it is, the worst first ([`Motion::displaced`]), with a hint where a slip is likely.
+    pub fn summary(&self) -> String {
+        let mut text = self.counts();
+        let displaced = self.displaced();
+        let unit = self.unit_words().length();
+        let told: Vec<String> = displaced.iter().filter_map(|body| body.told(unit)).take(SHOWN).collect();
+        if !told.is_empty() {
+            text += &format!("\n  first position, from where it is drawn: {}", told.join(", "));
+        }
+        let begun = self.beyond_a_turn.iter().map(|(driver, angle)| {
+            format!("`{driver}` begins at {angle:.1} rad, more than a turn: angles are radians, `deg({angle:.1})` makes them of degrees.")
+        });
+        for hint in begun.chain(displaced.into_iter().filter_map(|body| body.hint)).take(SHOWN) {
+            text += &format!("\n  hint: {hint}");
+        }
+        text
+    }
+
+    fn counts(&self) -> String {
+        let (first, rest) = self.iterations.split_at(1.min(self.iterations.len()));
+        let mut steps = if rest.is_empty() { first.to_vec() } else { rest.to_vec() };
+        steps.sort_unstable();
+        let most = steps.last().copied().unwrap_or(0);
+        let newton = match (steps.get(steps.len() / 2).copied().unwrap_or(0), rest.is_empty()) {
+            (_, true) => String::new(),
+            (0, _) if most == 0 => "predictions met the equations at all times, ".to_string(),
+            (0, _) => format!("predictions met the equations at most times (else {} at most), ", count(most, "Newton step")),
+            (usual, _) => format!("{} a time (worst {most}), ", count(usual, "Newton step")),
+        };
+        let largest = self.worst.map_or(0.0, |(residual, _)| residual);
+        let breaks = match self.breaks.iter().map(|crossed| crossed.found.order).min() {
+            Some(order) => format!(", {} breaks of laws crossed (derivative {order} jumps)", self.breaks.len()),
+            None => String::new(),
+        };
+        let misfit = match self.misfit {
+            misfit if misfit > 0.0 => {
+                format!(", equations contradict one another by {misfit:.1e} of the mechanism's size, which was allowed")
+            }
+            _ => String::new(),
+        };
+        format!(
+            "{}: {}, {}, {}, {newton}first position after {}, |C| ≤ {largest:.0e}{misfit}{breaks}",
+            self.name,
+            count(self.layout.len(), "coordinate"),
+            count(self.equations.len(), "equation"),
+            count(self.len(), "time"),
+            count(first.first().copied().unwrap_or(0), "step"),
+        )
+    }
+
+    /// The largest |C| of a motion of redundant equations that were allowed to contradict one another ([`crate::Options::closure`]), of the norm
+    /// of its row: of the mechanism's size where the row is a length. 0 where all are met.   \[-\]
+    pub fn misfit(&self) -> f64 {
+        self.misfit
+    }
+
+    /// How far each body and bare angle is at the first time from its guess, by its share of the mechanism's size, or by radians, the worst
+    /// first. Bodies that are there are left out.
+    pub fn displaced(&self) -> Vec<Displaced> {
+        let (guess, first) = (&self.guess, self.q(0));
+        if guess.len() != first.len() {
+            return Vec::new();
+        }
+        let size = self.drawn_size();
+        let mut all: Vec<(f64, Displaced)> = self.layout.items.iter().filter_map(|item| self.displacement(item, size)).collect();
+        all.sort_by(|a, b| b.0.total_cmp(&a.0).then_with(|| a.1.name.cmp(&b.1.name)));
+        all.into_iter().map(|(_, body)| body).collect()
+    }
+
+    /// One body with its share of what assembly has to do; `None` where it is as it was guessed.
+    fn displacement(&self, item: &Item, size: f64) -> Option<(f64, Displaced)> {
+        let (guess, first) = (&self.guess[..], self.q(0));
+        let drawn = is_drawn(item, guess);
+        let (moved, turned) = match item.kind {
+            Kind::Length => return None,
+            Kind::Angle => (None, Some((first[item.first] - guess[item.first]).abs())),
+            Kind::Planar | Kind::Spatial => {
+                let (a, b) = (origin(item, guess), origin(item, first));
+                let moved = a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+                let turned = match item.kind {
+                    Kind::Planar => (first[item.first + 2] - guess[item.first + 2]).abs(),
+                    _ => turn(&guess[item.first + 3..item.first + 7], &first[item.first + 3..item.first + 7]),
+                };
+                (drawn.then_some(moved), (drawn || turned > TAU).then_some(turned))
+            }
+        };
+        let shares = [moved.map(|moved| if size > 0.0 { moved / size } else { 0.0 }), turned.map(|turned| turned / PI)];
+        let share = shares.into_iter().flatten().fold(0.0, f64::max);
+        if share <= THERE {
+            return None;
+        }
+        let moved = moved.filter(|moved| *moved > THERE * size);
+        let hint = hint(item, moved, turned, (size, self.unit_words().length()));
+        Some((share, Displaced { name: item.name.clone(), moved, turned, hint }))
+    }
+
+    /// How far bodies are drawn from one another and from the origin of the ground; 0 where none is drawn.
+    fn drawn_size(&self) -> f64 {
+        let drawn = self.layout.items.iter().filter(|item| is_drawn(item, &self.guess)).map(|item| origin(item, &self.guess));
+        let origins: Vec<[f64; 3]> = drawn.collect();
+        let spread = |k: usize| {
+            let (low, high) = origins.iter().fold((0.0_f64, 0.0_f64), |(low, high), r| (low.min(r[k]), high.max(r[k])));
+            high - low
+        };
+        spread(0).hypot(spread(1)).hypot(spread(2))
+    }
+}
+
+impl Displaced {
+    /// "`plate` 2.50 m and 0.30 rad"
+    fn told(&self, unit: &str) -> Option<String> {
+        let length = self.moved.filter(|moved| *moved > 0.0).map(|moved| format!("{moved:.4} {unit}"));
+        let angle = self.turned.filter(|turned| *turned > THERE).map(|turned| format!("{turned:.3} rad"));
+        let both: Vec<String> = length.into_iter().chain(angle).collect();
+        (!both.is_empty()).then(|| format!("`{}` {}", self.name, both.join(" and ")))
+    }
+}
+
+/// Whether somebody has said where a body is: links by their lengths alone stand at the origin until they are assembled.
+fn is_drawn(item: &Item, guess: &[f64]) -> bool {
+    match item.kind {
+        Kind::Planar | Kind::Spatial => origin(item, guess) != [0.0; 3],
+        Kind::Angle | Kind::Length => false,
+    }
+}
+
+fn origin(item: &Item, q: &[f64]) -> [f64; 3] {
+    let z = if item.kind == Kind::Spatial { q[item.first + 2] } else { 0.0 };
+    [q[item.first], q[item.first + 1], z]
+}
+
+/// The angle between two orientations, 0 to π.   \[rad\]
+fn turn(a: &[f64], b: &[f64]) -> f64 {
+    let [a, b] = [a, b].map(|p| EulerParameters::new(p[0], p[1], p[2], p[3]));
+    let relative = a.conjugate().product(b);
+    let vector: Vec3 = relative.vector();
+    2.0 * vector.norm().atan2(relative.e0.abs())
+}
+
+fn hint(item: &Item, moved: Option<f64>, turned: Option<f64>, (size, unit): (f64, &str)) -> Option<String> {
+    let name = &item.name;
+    match (moved, turned) {
+        (_, Some(turned)) if item.kind != Kind::Spatial && turned > TAU => Some(format!(
+            "`{name}` stands {turned:.1} rad from its guess, more than a turn: angles are radians, `deg(90.0)` makes them of degrees."
+        )),
+        (Some(moved), _) if size > 0.0 && moved > 0.5 * size => Some(format!(
+            "`{name}` is {moved:.3} {unit} from where it is drawn, more than half the mechanism's size: points of bodies are local ones, \
+             `m.local({}, point)` finds them.",
+            variable(name)
+        )),
+        (_, Some(turned)) if item.kind == Kind::Spatial && turned > FRAC_PI_2 - THERE => Some(format!(
+            "`{name}` is turned by {turned:.3} rad from how it is drawn: axes are seen from their bodies, `m.local_direction({}, h)` finds them.",
+            variable(name)
+        )),
+        _ => None,
+    }
+}
+
+/// A name as a variable is likely to be called.
+fn variable(name: &str) -> String {
+    name.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect()
+}

@@ -1,0 +1,369 @@
+//! Newton's method on C(q, t) = 0, and q̇, q̈ from the matrix of its last check.
+
+pub(crate) mod assembly;
+mod driven;
+mod options;
+pub(crate) mod predictor;
+mod rates;
+pub(crate) mod redundant;
+pub(crate) mod run;
+mod sweep;
+mod told;
+mod watch;
+
+pub use options::{Follow, Options, Report, Stop};
+pub use watch::CrossedBreak;
+
+use crate::linear::{Linear, RANK};
+use crate::numbers::fours::{self, Fours};
+use crate::system::System;
+use crate::system::evaluate::{Bad, Instant};
+
+/// A correction that stalls above this share of its coordinate is no rounding but a singular position.   \[-\]
+pub(crate) const STALL: f64 = 1e-9;
+
+/// A position with a pivot below this cannot be told from a singular one.   \[-\]
+pub(crate) const DOUBTFUL: f64 = RANK;
+
+/// Pivots of the recorded elimination differ from those of a complete one by less than this: below it the latter are asked.   \[-\]
+const SIMILAR: f64 = 30.0;
+
+/// What the right side for the jerk is called.
+pub(crate) const JERK_RHS: &str = "the right side for the jerk";
+
+/// A damped step turns no body by more than this.   \[rad\]
+const TURN: f64 = 1.0;
+
+/// Halvings of one damped step.
+const HALVINGS: usize = 24;
+
+/// Why an attempt failed, without text yet.
+#[derive(Clone, Debug)]
+pub(crate) enum Failure {
+    NotFinite(Bad),
+    Singular,
+    /// A constraint that closes the wrong way.
+    WrongBranch(usize),
+    NoConvergence {
+        row: usize,
+        residual: f64,
+    },
+}
+
+/// What an attempt that succeeded did.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Outcome {
+    pub iterations: usize,
+    pub residual: f64,
+}
+
+/// How an attempt takes its steps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Steps {
+    /// Full steps, whatever they do.
+    Full,
+    /// Full steps that must shrink: the start is near.
+    Near,
+    /// Steps shortened until the residual falls.
+    Damped,
+}
+
+/// The point in hand and the space to work in; stepping allocates nothing.
+pub(crate) struct Newton<'a> {
+    pub system: &'a System,
+    pub options: &'a Options,
+    pub q: Fours,
+    pub qd: Fours,
+    pub qdd: Fours,
+    /// q⃛ where it is asked for, else empty.
+    pub qddd: Fours,
+    pub c: Fours,
+    before: Vec<f64>,
+    pub instant: Instant,
+    pub linear: Linear,
+    /// s_j, the characteristic size of each coordinate.
+    pub sizes: Vec<f64>,
+    /// 1 / s_j
+    shares: Fours,
+    /// What is left of what each row is allowed to be off.
+    left: Vec<f64>,
+    /// max |C_i| at the last linearization.
+    residual: f64,
+    /// Newton steps of all attempts, and how many there were before this time.
+    pub steps: usize,
+    pub steps_before: usize,
+    /// Whether a constraint can jump where coordinates move.
+    jumps: bool,
+}
+
+impl<'a> Newton<'a> {
+    pub(crate) fn new(system: &'a System, options: &'a Options) -> Self {
+        let (n, equations) = (system.n_coordinates(), system.equations());
+        Newton {
+            system,
+            options,
+            q: system.initial().into(),
+            qd: Fours::new(n, 0.0),
+            qdd: Fours::new(n, 0.0),
+            qddd: Fours::new(if options.jerk { n } else { 0 }, 0.0),
+            c: Fours::new(n, 0.0),
+            before: vec![0.0; n],
+            instant: equations.instant(),
+            linear: system.linear(),
+            sizes: vec![1.0; n],
+            shares: Fours::new(n, 1.0),
+            left: vec![0.0; n],
+            residual: 0.0,
+            steps: 0,
+            steps_before: 0,
+            jumps: options.predict && !equations.jumping().is_empty(),
+        }
+    }
+
+    /// Gives each coordinate its characteristic size.
+    fn set_sizes(&mut self, sizes: Vec<f64>) {
+        self.linear.set_sizes(&sizes);
+        self.shares.iter_mut().zip(&sizes).for_each(|(share, size)| *share = size.recip());
+        self.sizes = sizes;
+    }
+
+    /// Newton's method from the point in hand; on success the matrix at the solution is factored.
+    pub(crate) fn solve(&mut self, t: f64, steps: Steps) -> Result<Outcome, Failure> {
+        self.linearize(t)?;
+        self.iterate(t, steps, true)
+    }
+
+    /// The same where the point in hand is the solution of another time: only what depends on the time is evaluated at first.
+    pub(crate) fn solve_on(&mut self, t: f64, steps: Steps) -> Result<Outcome, Failure> {
+        let equations = self.system.equations();
+        equations.set_time(t, &mut self.instant);
+        let changed = equations.relinearize(&self.q, &self.instant, &mut self.c, self.linear.values_mut());
+        self.measure(changed)?;
+        self.iterate(t, steps, changed)
+    }
+
+    /// Newton's method from what was evaluated at the point in hand; `changed` tells whether C_q has to be factored yet.
+    fn iterate(&mut self, t: f64, steps: Steps, mut changed: bool) -> Result<Outcome, Failure> {
+        let (mut previous, mut iteration) = (f64::INFINITY, 0);
+        loop {
+            if changed && !self.linear.factor() {
+                return Err(Failure::Singular);
+            }
+            if let Stop::ResidualOnly(bound) = self.options.stop
+                && self.residual < bound
+            {
+                return self.regular(iteration);
+            }
+            self.linear.solve();
+            let correction = self.correction();
+            if self.converged(correction, previous) {
+                // The correction costs nothing any more, and keeps errors of predictions from adding up.
+                if self.options.predict {
+                    self.correct_last();
+                }
+                return self.regular(iteration);
+            }
+            if iteration == self.options.max_iterations || (steps == Steps::Near && correction > previous) {
+                return Err(self.failure());
+            }
+            previous = correction;
+            self.step(if correction <= STALL { Steps::Full } else { steps })?;
+            (self.steps, iteration, changed) = (self.steps + 1, iteration + 1, true);
+            self.linearize(t)?;
+        }
+    }
+
+    /// The outcome, unless the position is singular for all that rounding lets one tell, or not what is meant.
+    fn regular(&mut self, iterations: usize) -> Result<Outcome, Failure> {
+        if self.linear.is_provisional() && !self.measured_here() {
+            return Err(Failure::Singular);
+        }
+        let is_doubtful = self.linear.smallest_pivot() < SIMILAR * DOUBTFUL || self.linear.is_faint();
+        if is_doubtful && self.is_singular() {
+            return Err(Failure::Singular);
+        }
+        if let Some(block) = self.system.equations().first_wrong(&self.instant) {
+            return Err(Failure::WrongBranch(block));
+        }
+        Ok(Outcome { iterations, residual: self.residual })
+    }
+
+    /// Rows and columns by what they are here and were at positions before: an iterate far off may have had them much larger. False if C_q, which
+    /// is factored anew, is singular.
+    #[cold]
+    fn measured_here(&mut self) -> bool {
+        self.linear.revoke();
+        self.linear.measure() && self.linear.factor()
+    }
+
+    /// Whether the rank of C_q at the point in hand is what a diagnosis calls less than n.
+    #[cold]
+    fn is_singular(&self) -> bool {
+        let (model, t) = (self.system.model(), self.instant.t());
+        let values = model.linearize(&self.q, t).map(|point| point.values);
+        values.is_ok_and(|values| model.rank(&values, &model.measure(&self.q, t)) < self.q.len())
+    }
+
+    /// Why the iteration came to no end: where C is met and still every step is long, C_q is singular for all practical purposes.
+    fn failure(&mut self) -> Failure {
+        if matches!(self.options.stop, Stop::Converged { .. }) && self.met() {
+            return Failure::Singular;
+        }
+        let (row, residual) = self.worst();
+        Failure::NoConvergence { row, residual }
+    }
+
+    /// C and C_q at the point in hand, and the measures of its rows.
+    pub(crate) fn linearize(&mut self, t: f64) -> Result<(), Failure> {
+        let equations = self.system.equations();
+        if self.instant.t() != t {
+            equations.set_time(t, &mut self.instant);
+        }
+        equations.set_position(&self.q, &mut self.instant);
+        equations.linearize(&self.q, &self.instant, &mut self.c, self.linear.values_mut());
+        self.measure(true)
+    }
+
+    /// Makes −C the right side and measures C, and C_q if that is asked for; an error where a number is not finite.
+    #[inline(always)]
+    fn measure(&mut self, matrix: bool) -> Result<(), Failure> {
+        self.residual = fours::oppose(self.linear.whole_rhs_mut(), self.c.whole());
+        if (!matrix || self.linear.measure()) && self.residual < f64::INFINITY { Ok(()) } else { self.finite() }
+    }
+
+    /// An error unless C and C_q are finite.
+    #[cold]
+    fn finite(&self) -> Result<(), Failure> {
+        self.system.equations().finite(&self.c, self.linear.values()).map_err(Failure::NotFinite)
+    }
+
+    /// max |dq_j| of the correction in hand, each against what may be asked of it, or more if that is within the tolerance.
+    fn correction(&self) -> f64 {
+        let tolerance = match self.options.stop {
+            Stop::Converged { tolerance } => tolerance,
+            // Nothing asks for more, where steps are taken as they come.
+            Stop::ResidualOnly(_) if !self.options.rescue => return f64::INFINITY,
+            Stop::ResidualOnly(_) => f64::INFINITY,
+        };
+        let shares = fours::largest_share(self.linear.whole_solution(), self.shares.whole());
+        if shares <= tolerance { shares } else { self.correction_but_for_rounding(rounding(tolerance)) }
+    }
+
+    /// The same where rounding of q is allowed for.
+    fn correction_but_for_rounding(&self, rounding: f64) -> f64 {
+        let all = self.linear.solution().iter().zip(self.q.iter()).zip(&self.sizes);
+        largest(all.map(|((dq, q), size)| dq.abs() / (size + rounding * q.abs())))
+    }
+
+    /// The stop rule that tests the correction too.
+    fn converged(&mut self, correction: f64, previous: f64) -> bool {
+        let Stop::Converged { tolerance } = self.options.stop else { return false };
+        // Newton's steps shrink by squares: one this short that has stopped shrinking is rounding, and no more can be had.
+        (self.met() && correction <= tolerance) || (correction > 0.5 * previous && correction <= STALL)
+    }
+
+    /// Whether C = 0 holds to the tolerance, each row by its own measure.
+    fn met(&mut self) -> bool {
+        let tolerance = match self.options.stop {
+            Stop::Converged { tolerance } => tolerance,
+            Stop::ResidualOnly(bound) => return self.residual < bound,
+        };
+        fours::largest_share(self.c.whole(), self.linear.row_units().whole()) <= tolerance || self.met_but_for_rounding(tolerance)
+    }
+
+    /// The same where rounding of q, which makes Σ_j |∂C_i/∂q_j| |q_j| ε of row i, is allowed for.
+    fn met_but_for_rounding(&mut self, tolerance: f64) -> bool {
+        for ((left, c), norm) in self.left.iter_mut().zip(self.c.iter()).zip(self.linear.norms()) {
+            *left = tolerance * norm - c.abs();
+        }
+        for (entry, value) in self.system.equations().entries.iter().zip(self.linear.values()) {
+            if let Some((row, column)) = *entry {
+                self.left[row] += tolerance * rounding(tolerance) * (value * self.q[column]).abs();
+            }
+        }
+        self.left.iter().all(|left| *left >= 0.0)
+    }
+
+    /// q += dq, or less of it.
+    fn step(&mut self, steps: Steps) -> Result<(), Failure> {
+        if steps == Steps::Damped && !self.met() {
+            return self.damped();
+        }
+        self.correct();
+        Ok(())
+    }
+
+    /// q += dq
+    fn correct(&mut self) {
+        fours::add(self.q.whole_mut(), self.linear.whole_solution());
+    }
+
+    /// q += dq where nothing is looked at any more. What can jump is looked at all the same, and dq taken back if that has been done.
+    #[inline(always)]
+    fn correct_last(&mut self) {
+        if self.jumps { self.correct_unless_it_jumps() } else { self.correct() }
+    }
+
+    #[cold]
+    fn correct_unless_it_jumps(&mut self) {
+        self.before.copy_from_slice(&self.q);
+        self.correct();
+        let equations = self.system.equations();
+        if equations.has_jumped(&self.q, &mut self.instant, &self.linear.row_units()[..], &mut self.left) {
+            self.q.copy_from_slice(&self.before);
+            equations.set_position(&self.q, &mut self.instant);
+        }
+    }
+
+    /// q += λ dq with the largest λ = 1, ½, ¼, … that lets Σ (C_i / norm_i)² fall (Armijo) and turns nothing too far.
+    fn damped(&mut self) -> Result<(), Failure> {
+        let equations = self.system.equations();
+        let units = &self.system.layout().units;
+        let dq = self.linear.solution();
+        let turns = dq.iter().zip(units).filter(|(_, unit)| **unit != crate::model::layout::Unit::Metre).map(|(dq, _)| dq.abs());
+        let mut lambda = (TURN / largest(turns)).min(1.0);
+        let merit = self.merit();
+        let failure = self.failure();
+        self.before.copy_from_slice(&self.q);
+        for _ in 0..HALVINGS {
+            for ((q, before), dq) in self.q.iter_mut().zip(&self.before).zip(self.linear.solution()) {
+                *q = before + lambda * dq;
+            }
+            equations.set_position(&self.q, &mut self.instant);
+            let finite = equations.residual(&self.q, &self.instant, &mut self.c).is_ok();
+            if finite && self.merit() <= (1.0 - 0.5 * lambda) * merit {
+                return Ok(());
+            }
+            lambda *= 0.5;
+        }
+        Err(failure)
+    }
+
+    /// Σ (C_i / norm_i)² with the norms of the last linearization.
+    pub(crate) fn merit(&self) -> f64 {
+        self.c.iter().zip(self.linear.norms()).map(|(c, norm)| (c / norm).powi(2)).sum()
+    }
+
+    /// 1 / s_j, one over the characteristic size of each coordinate.
+    pub(crate) fn shares(&self) -> &Fours {
+        &self.shares
+    }
+}
+
+/// Four roundings of a number in units of the tolerance: a number that large may be off by that much.
+pub(crate) fn rounding(tolerance: f64) -> f64 {
+    4.0 * f64::EPSILON / tolerance
+}
+
+/// The largest of non-negative numbers, 0 of none; NaN counts as infinite.
+pub(crate) fn largest(numbers: impl Iterator<Item = f64>) -> f64 {
+    numbers.fold(0.0, |m, x| {
+        if x <= m {
+            m
+        } else if x.is_nan() {
+            f64::INFINITY
+        } else {
+            x
+        }
+    })
+}

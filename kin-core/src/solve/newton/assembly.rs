@@ -1,0 +1,183 @@
+//! The first position: from a rough guess to C(q, t) = 0, in the preferred assembly.
+//!
+//! Driven bodies are turned to their drivers first. Then, where nothing is preferred, damped Newton steps. Where they fail, or an assembly
+//! is preferred, damped least squares on C (Levenberg–Marquardt, which needs no regular C_q) with the preferred coordinates held softly,
+//! then ever more softly, then not at all; Newton ends it. Where that fails too, the same from a few other starts, always the same ones.
+
+use super::{Failure, Newton, Outcome, Steps, driven};
+use crate::model::error::{Error, Result};
+use crate::solve::assembly::{self, search, turned_over};
+use crate::system::scale;
+
+/// A preferred coordinate that ends this near is in the preferred assembly.   \[rad, or typical lengths\]
+const NEAR: f64 = std::f64::consts::FRAC_PI_4;
+
+/// Sizes of guess and solution that differ by less than this factor are the same.   \[-\]
+const SAME: f64 = 1.25;
+
+/// Solves at the first time t from the system's guess; q̇ and q̈ too.
+pub(crate) fn assemble(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
+    if !newton.options.rescue {
+        return from_start(newton, t, Steps::Full);
+    }
+    measure(newton, t);
+    let found = search(newton, t);
+    let outcome = match newton.system.nearer(found.is_ok().then_some(&newton.q), t, &newton.options.search) {
+        Some(q) => {
+            newton.q.copy_from_slice(&q);
+            attempt_any_way_up(newton, t).or(found)?
+        }
+        None => found?,
+    };
+    newton.rates().map_err(|failure| newton.error(failure, t, None))?;
+    Ok(outcome)
+}
+
+/// Solves at time t from the point in hand by Newton steps of that kind; q̇ and q̈ too.
+pub(crate) fn from_start(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Result<Outcome> {
+    measure(newton, t);
+    if steps == Steps::Damped {
+        driven::turn(newton, t);
+    }
+    let outcome = attempt(newton, t, steps)?;
+    newton.rates().map_err(|failure| newton.error(failure, t, None))?;
+    Ok(outcome)
+}
+
+/// Takes the characteristic sizes of the point in hand; without C_q if that is not finite there.
+fn measure(newton: &mut Newton<'_>, t: f64) {
+    let finite = newton.linearize(t).is_ok();
+    take(newton, sizes(newton, finite));
+}
+
+/// Takes these sizes. Where the first look at the model was far off, the measures taken with it are worth nothing.
+fn take(newton: &mut Newton<'_>, sizes: Vec<f64>) {
+    if differ(&sizes, &newton.sizes, 8.0) {
+        newton.linear.forget();
+    }
+    newton.set_sizes(sizes);
+}
+
+/// Characteristic sizes of the point in hand, by its C_q if that is finite.
+fn sizes(newton: &Newton<'_>, finite: bool) -> Vec<f64> {
+    let (system, values) = (newton.system, if finite { newton.linear.values() } else { &[] });
+    scale::sizes(system.layout(), system.equations(), values, &newton.q, system.links())
+}
+
+fn differ(sizes: &[f64], others: &[f64], factor: f64) -> bool {
+    sizes.iter().zip(others).any(|(size, other)| !(factor.recip()..factor).contains(&(size / other)))
+}
+
+/// Newton from the point in hand; then once more with the sizes of the solution, which takes no step, if they are others.
+fn attempt(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Result<Outcome> {
+    let tried = newton.solve(t, steps).or_else(|failure| match failure {
+        // A derivative without bounds at an earlier start, such as that of an angle at its pole, makes all others seem small.
+        Failure::Singular => {
+            newton.linear.forget();
+            newton.solve(t, steps)
+        }
+        failure => Err(failure),
+    });
+    let tried = tried.and_then(|outcome| {
+        let sizes = sizes(newton, true);
+        if !differ(&sizes, &newton.sizes, SAME) {
+            return Ok(outcome);
+        }
+        take(newton, sizes);
+        newton.solve(t, steps)
+    });
+    tried.map_err(|failure| newton.error(failure, t, None))
+}
+
+/// Damped Newton from the point in hand; where it ends with an axis turned by 180°, once more with that body turned over.
+fn attempt_any_way_up(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
+    let tried = attempt(newton, t, Steps::Damped);
+    if let Err(Error::WrongBranch { .. }) = tried
+        && let Some(found) = turned_over::mended(newton.system.model(), &newton.q, t, &|_| true, newton.options.search.steps)
+    {
+        newton.steps += found.place.steps;
+        newton.q.copy_from_slice(&found.place.q);
+        return attempt(newton, t, Steps::Damped);
+    }
+    tried
+}
+
+/// Start after start until one ends in the preferred assembly; else the nearest to it, else the error that says most.
+fn search(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
+    let preferred = newton.system.preferred();
+    let mut failure: Option<Error> = None;
+    driven::turn(newton, t);
+    let guess = newton.q.to_vec();
+    if preferred.is_empty() {
+        match attempt_any_way_up(newton, t) {
+            Ok(outcome) => return Ok(outcome),
+            Err(error) => failure = Some(error),
+        }
+    }
+    let mut best: Option<(f64, Vec<f64>)> = None;
+    let clock = newton.options.search.clock();
+    for start in 0..newton.options.search.starts.max(1) {
+        if start > 0 && clock.is_up() {
+            break;
+        }
+        place(newton, &guess, start);
+        approach(newton, t);
+        match attempt_any_way_up(newton, t) {
+            Ok(outcome) => {
+                let far = distance(newton);
+                if far <= NEAR {
+                    return Ok(outcome);
+                }
+                if best.as_ref().is_none_or(|(known, _)| far < *known) {
+                    best = Some((far, newton.q.to_vec()));
+                }
+            }
+            Err(error) => failure = Some(more_telling(failure, error)),
+        }
+    }
+    if let Some((_, q)) = best {
+        newton.q.copy_from_slice(&q);
+        return attempt(newton, t, Steps::Damped);
+    }
+    Err(failure.unwrap_or_else(|| newton.error(Failure::NoConvergence { row: 0, residual: f64::INFINITY }, t, None)))
+}
+
+/// A singular position says more than none, and a near miss more than a far one.
+fn more_telling(known: Option<Error>, new: Error) -> Error {
+    let weight = |error: &Error| match error {
+        Error::WrongBranch { .. } => (4, 0.0),
+        Error::SingularAt { unmet: None, .. } => (3, 0.0),
+        Error::NoConvergence { residual, .. } => (2, *residual),
+        Error::SingularAt { .. } => (1, 0.0),
+        _ => (0, 0.0),
+    };
+    match known {
+        Some(known) => {
+            let (a, b) = (weight(&known), weight(&new));
+            if b.0 > a.0 || (b.0 == a.0 && b.1 < a.1) { new } else { known }
+        }
+        None => new,
+    }
+}
+
+/// How far the worst preferred coordinate is from its value.
+fn distance(newton: &Newton<'_>) -> f64 {
+    assembly::distance(newton.system.layout(), newton.system.preferred(), &newton.q, &newton.sizes)
+}
+
+/// The guess, from the second start on with everything but the preferred coordinates moved at random.
+fn place(newton: &mut Newton<'_>, guess: &[f64], start: usize) {
+    let start = search::start_from(&newton.system.model(), guess, &newton.sizes, start, &newton.options.search);
+    newton.q.copy_from_slice(&start);
+    for &(column, value) in newton.system.preferred() {
+        newton.q[column] = value;
+    }
+}
+
+/// Damped least squares from the point in hand, the preferred coordinates held ever more softly.
+fn approach(newton: &mut Newton<'_>, t: f64) {
+    if let Some(found) = search::descend(newton.system.model(), &newton.q, t, &|_| true, true, newton.options.search.steps) {
+        newton.steps += found.place.steps;
+        newton.q.copy_from_slice(&found.place.q);
+    }
+}

@@ -1,0 +1,177 @@
+//! Prediction of the next position from what is known of the last ones.
+//!
+//! q + h q̇ + ½ h² q̈ from the last solution; after three equal steps of time the same from three: q̇ is interpolated by the polynomial that
+//! meets q̇ and q̈ at all three (Hermite), and integrated over the step, so that the error falls from h³ to h⁷. Where the grid is too
+//! coarse for that, the short formula is the better one: whichever would have been nearer at the last time is used for the next.
+
+use wide::f64x4;
+
+use super::largest;
+use crate::numbers::fours::Fours;
+
+/// Weights of q̇ (times h) and of q̈ (times h²) at the last three times, latest first.
+pub(crate) const RATES: [f64; 3] = [-949.0 / 240.0, 38.0 / 15.0, 581.0 / 240.0];
+pub(crate) const SECOND_RATES: [f64; 3] = [637.0 / 240.0, 4.5, 173.0 / 240.0];
+
+/// Steps of time that differ by less than this share are equal.   \[-\]
+const EQUAL: f64 = 1e-9;
+
+/// The rates at the two times before the last one, and which formula to trust.
+#[derive(Clone)]
+pub(super) struct Predictor {
+    past: [Rates; 2],
+    /// The last step of time, and how many equal ones there were.
+    h: f64,
+    equal: usize,
+    trusted: bool,
+}
+
+/// q̇ and q̈ at one time.
+#[derive(Clone)]
+struct Rates {
+    qd: Fours,
+    qdd: Fours,
+}
+
+/// The last solution.
+#[derive(Clone, Copy)]
+pub(super) struct Last<'a> {
+    pub q: &'a Fours,
+    pub qd: &'a Fours,
+    pub qdd: &'a Fours,
+}
+
+impl Predictor {
+    pub(super) fn new(n: usize) -> Self {
+        let rates = || Rates { qd: Fours::new(n, 0.0), qdd: Fours::new(n, 0.0) };
+        Predictor { past: [rates(), rates()], h: f64::NAN, equal: 0, trusted: true }
+    }
+
+    /// The position a step h after the last solution, into `q`.
+    pub(super) fn predict(&self, h: f64, last: Last<'_>, q: &mut Fours) {
+        if self.trusted && self.knows(h) {
+            self.long(h, last).zip(q.whole_mut()).for_each(|(predicted, q)| *q = predicted.to_array());
+        } else {
+            short(h, last).zip(q.whole_mut()).for_each(|(predicted, q)| *q = predicted.to_array());
+        }
+    }
+
+    /// The step h from the last solution has ended at `q` and took Newton steps: was the right formula used?
+    pub(super) fn compare(&mut self, h: f64, last: Last<'_>, q: &[f64], sizes: &[f64]) {
+        if self.knows(h) {
+            self.trusted = far(self.long(h, last), q, sizes) <= far(short(h, last), q, sizes);
+        }
+    }
+
+    /// A step h has ended: what was the last solution's is now the past, and its place is free for new rates.
+    pub(super) fn advance(&mut self, h: f64, qd: &mut Fours, qdd: &mut Fours) {
+        self.equal = if same(h, self.h) { self.equal + 1 } else { 1 };
+        self.h = h;
+        self.past.swap(0, 1);
+        std::mem::swap(&mut self.past[0].qd, qd);
+        std::mem::swap(&mut self.past[0].qdd, qdd);
+    }
+
+    /// The step that has ended is taken back: the last solution's rates are what they were.
+    pub(super) fn retreat(&mut self, qd: &mut Fours, qdd: &mut Fours) {
+        std::mem::swap(&mut self.past[0].qd, qd);
+        std::mem::swap(&mut self.past[0].qdd, qdd);
+        self.forget();
+    }
+
+    /// What is known of older times than the last one counts no more.
+    pub(super) fn forget(&mut self) {
+        self.equal = 0;
+    }
+
+    /// q̇ and q̈ before the step that has ended.
+    pub(super) fn before(&self) -> [&Fours; 2] {
+        [&self.past[0].qd, &self.past[0].qdd]
+    }
+
+    /// Whether the last three times lie a step h apart.
+    fn knows(&self, h: f64) -> bool {
+        self.equal >= 2 && same(h, self.h)
+    }
+
+    fn long(&self, h: f64, last: Last<'_>) -> impl Iterator<Item = f64x4> {
+        let [a, b, c] = RATES.map(|weight| f64x4::splat(weight * h));
+        let [d, e, f] = SECOND_RATES.map(|weight| f64x4::splat(weight * h * h));
+        let [one, two] = &self.past;
+        let rates = fours(last.qd).zip(fours(&one.qd)).zip(fours(&two.qd)).map(move |((x, y), z)| a * x + b * y + c * z);
+        let second_rates = fours(last.qdd).zip(fours(&one.qdd)).zip(fours(&two.qdd)).map(move |((x, y), z)| d * x + e * y + f * z);
+        fours(last.q).zip(rates).zip(second_rates).map(|((q, rates), second_rates)| q + (rates + second_rates))
+    }
+}
+
+pub(crate) fn same(h: f64, other: f64) -> bool {
+    (h - other).abs() <= EQUAL * h.abs()
+}
+
+fn fours(numbers: &Fours) -> impl Iterator<Item = f64x4> {
+    numbers.whole().iter().map(|four| f64x4::new(*four))
+}
+
+/// q + h q̇ + ½ h² q̈
+fn short(h: f64, Last { q, qd, qdd }: Last<'_>) -> impl Iterator<Item = f64x4> {
+    let (h, half) = (f64x4::splat(h), f64x4::splat(0.5 * h));
+    fours(q).zip(fours(qd)).zip(fours(qdd)).map(move |((q, qd), qdd)| q + h * (qd + half * qdd))
+}
+
+/// How far a prediction is from where Newton ended, by the sizes of the coordinates.
+fn far(predicted: impl Iterator<Item = f64x4>, q: &[f64], sizes: &[f64]) -> f64 {
+    largest(predicted.flat_map(f64x4::to_array).zip(q).zip(sizes).map(|((predicted, q), size)| (predicted - q).abs() / size))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn one(x: f64) -> Fours {
+        Fours::new(1, x)
+    }
+
+    /// q = sin t, predicted at t = 1 from what is known a step h apart.
+    fn error(h: f64, known: usize) -> f64 {
+        let mut predictor = Predictor::new(1);
+        for k in (1..known).rev() {
+            let t = 1.0 - h * (k + 1) as f64;
+            predictor.advance(h, &mut one(t.cos()), &mut one(-t.sin()));
+        }
+        let (t, mut q) = (1.0 - h, one(0.0));
+        predictor.predict(h, Last { q: &one(t.sin()), qd: &one(t.cos()), qdd: &one(-t.sin()) }, &mut q);
+        (q[0] - 1.0_f64.sin()).abs()
+    }
+
+    #[test]
+    fn error_falls_by_the_third_power_and_after_three_times_by_the_seventh() {
+        for (known, order) in [(1, 3.0), (2, 3.0), (3, 7.0)] {
+            let found = (error(0.2, known) / error(0.1, known)).log2();
+            assert!((found - order).abs() < 0.6, "{known} times known: order {found}");
+        }
+        assert!(error(0.01, 3) < 1e-15);
+    }
+
+    #[test]
+    fn short_formula_is_used_where_the_long_one_was_farther_off() {
+        let mut predictor = Predictor::new(1);
+        let last = Last { q: &one(0.0), qd: &one(1.0), qdd: &one(0.0) };
+        predictor.advance(1.0, &mut one(5.0), &mut one(0.0));
+        predictor.advance(1.0, &mut one(-5.0), &mut one(0.0));
+        let mut q = one(0.0);
+        predictor.predict(1.0, last, &mut q);
+        assert!(q[0].abs() > 2.0);
+        predictor.compare(1.0, last, &[1.1], &[1.0]);
+        predictor.predict(1.0, last, &mut q);
+        assert_eq!(q[0], 1.0);
+    }
+
+    #[test]
+    fn another_step_of_time_begins_anew() {
+        let mut predictor = Predictor::new(1);
+        [0.1, 0.1].iter().for_each(|h| predictor.advance(*h, &mut one(0.0), &mut one(0.0)));
+        assert!(predictor.knows(0.1 * (1.0 + 1e-12)) && !predictor.knows(0.05));
+        predictor.advance(0.05, &mut one(0.0), &mut one(0.0));
+        assert!(!predictor.knows(0.05));
+    }
+}

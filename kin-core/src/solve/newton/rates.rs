@@ -1,0 +1,57 @@
+//! Velocities, accelerations and jerks, with the matrix of the last check.
+
+use super::{Failure, JERK_RHS, Newton};
+use crate::numbers::fours;
+use crate::system::evaluate::{Bad, finite};
+
+impl Newton<'_> {
+    /// q̇ from C_q q̇ = −C_t and q̈ from C_q q̈ = Q_d, with the matrix that [`Newton::solve`] has left factored.
+    pub(crate) fn rates(&mut self) -> Result<(), Failure> {
+        let equations = self.system.equations();
+        equations.velocity_rhs(&self.instant, self.linear.rhs_mut());
+        self.linear.solve();
+        let finite = fours::take(self.qd.whole_mut(), self.linear.whole_solution());
+        equations.set_rates(&self.qd, &mut self.instant);
+        equations.acceleration_rhs(&self.instant, self.linear.rhs_mut());
+        self.linear.solve();
+        // A right side that is not finite makes solutions that are not.
+        if !(fours::take(self.qdd.whole_mut(), self.linear.whole_solution()) && finite) {
+            return Err(Failure::NotFinite(self.overflow()));
+        }
+        if self.options.jerk { self.jerk() } else { Ok(()) }
+    }
+
+    /// q⃛ from C_q q⃛ = −g‴(0), with the same factors.
+    fn jerk(&mut self) -> Result<(), Failure> {
+        let (equations, rhs) = (self.system.equations(), self.linear.rhs_mut());
+        let known = equations.jerk_rhs(&self.qdd, &mut self.instant, rhs).map_err(|row| Bad { row, quantity: JERK_RHS });
+        let right_side = known.and_then(|()| finite(rhs, JERK_RHS));
+        self.linear.solve();
+        if fours::take(self.qddd.whole_mut(), self.linear.whole_solution()) && right_side.is_ok() {
+            return Ok(());
+        }
+        Err(Failure::NotFinite(right_side.err().unwrap_or(Bad { row: self.worst().0, quantity: "q'''" })))
+    }
+
+    /// |C_q⁻¹ (C_q v)_q v| by the sizes, with the matrix in hand; the rates of the instant are lost.
+    pub(crate) fn bend(&mut self, v: &[f64]) -> f64 {
+        let equations = self.system.equations();
+        equations.set_rates(v, &mut self.instant);
+        equations.second_order(&self.instant, 0.0, self.linear.rhs_mut());
+        self.linear.solve();
+        fours::largest_share(self.linear.whole_solution(), self.shares.whole())
+    }
+
+    /// What is not finite in the right sides or their solutions.
+    fn overflow(&mut self) -> Bad {
+        let equations = self.system.equations();
+        let own_row = |bad: Bad| Bad { row: self.worst().0, ..bad };
+        let (qd, qdd) = (finite(&self.qd, "q'").map_err(own_row), finite(&self.qdd, "q''").map_err(own_row));
+        let rhs = self.linear.rhs_mut();
+        equations.velocity_rhs(&self.instant, rhs);
+        let c_t = finite(rhs, "C_t");
+        equations.acceleration_rhs(&self.instant, rhs);
+        let q_d = finite(rhs, "Q_d");
+        c_t.and(qd).and(q_d).and(qdd).err().unwrap_or(Bad { row: 0, quantity: "q''" })
+    }
+}

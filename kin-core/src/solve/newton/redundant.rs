@@ -1,0 +1,380 @@
+//! Mechanisms with more equations than coordinates, all of which can be met: the third crank of a parallelogram, a spatial four-bar of
+//! five-row revolutes, a slider in two guides.
+//!
+//! As many independent equations are solved as there are coordinates, and the others asked to be met ([`crate::linear::Independent`]); where they may
+//! contradict one another a little ([`Options::closure`]), all of them in the sense of least squares.
+
+mod errors;
+mod judged;
+mod solver;
+
+use super::options::resolution;
+use super::predictor::{Last, Predictor};
+use super::run::Explain;
+use super::sweep::SHORTEST;
+use super::watch::Watch;
+use super::{Options, Outcome, Report, STALL, Stop};
+use crate::ask::diagnosis::Start;
+use crate::model::error::{Error, Result};
+use crate::numbers::fours::{self, Fours};
+use crate::solve::assembly::search::{self, Found};
+use crate::solve::follow::Drive;
+use crate::solve::motion::Motion;
+use crate::system::evaluate::{Instant, finite};
+use crate::system::scaled::{Measures, Model, Point, TOLERANCE};
+use crate::system::{Solution, System};
+use errors::{blamed, unmet};
+pub(crate) use solver::solved;
+use solver::{Solver, scales};
+
+/// Equations at a solution may differ by this share of their terms in velocities; where their positions may, by so many times that.   \[-\]
+const CONSISTENT: f64 = 1e-8;
+const ALLOWED: f64 = 30.0;
+
+/// A run of such a mechanism from time to time.
+pub(crate) struct Sweep<'a> {
+    system: &'a System,
+    options: &'a Options,
+    explain: Explain,
+    /// None before the first time.
+    driver: Option<Driver<'a>>,
+}
+
+impl<'a> Sweep<'a> {
+    pub(crate) fn new(system: &'a System, options: &'a Options, explain: Explain) -> Self {
+        Sweep { system, options, explain, driver: None }
+    }
+
+    /// Solves at the next time and appends it to the motion.
+    pub(super) fn reach(&mut self, t: f64, watch: &mut Watch, motion: &mut Motion) -> Result<()> {
+        let (driver, outcome) = match &mut self.driver {
+            Some(driver) => {
+                let outcome = driver.advance(t)?;
+                (driver, outcome)
+            }
+            None => {
+                let (driver, outcome) = Driver::assembled(self.system, self.options, t, self.explain)?;
+                (self.driver.insert(driver), outcome)
+            }
+        };
+        watch.look(self.system, &driver.instant, &mut motion.breaks)?;
+        motion.append(t, driver.rows(), outcome, driver.worst);
+        motion.misfit = driver.misfit;
+        Ok(())
+    }
+}
+
+/// Position, velocity and acceleration at one time; from the guess, or from a start that is near.
+pub(crate) fn at(system: &System, t: f64, start: Option<&[f64]>, options: &Options) -> Result<Solution> {
+    let (driver, outcome) = match start {
+        None => Driver::assembled(system, options, t, Explain::Yes)?,
+        Some(start) => Driver::from_start(system, options, t, start)?,
+    };
+    let worst = system.equations().equation(driver.worst);
+    let report =
+        Report { iterations: outcome.iterations, residual: outcome.residual, worst, smallest_pivot: driver.solver.smallest_pivot() };
+    Ok(Solution { t, q: driver.q.to_vec(), qd: driver.qd.to_vec(), qdd: driver.qdd.to_vec(), report })
+}
+
+/// The point in hand, and the means to go on from it.
+struct Driver<'a> {
+    system: &'a System,
+    model: Model<'a>,
+    options: &'a Options,
+    explain: Explain,
+    measures: Measures,
+    solver: Solver,
+    instant: Instant,
+    /// C and C_q at the last evaluation.
+    point: Point,
+    /// What each value of C_q is multiplied by to be of order 1.
+    scales: Vec<f64>,
+    /// By these rows, and changes of coordinates, are of order 1; and 1 for what turns something.
+    row_shares: Fours,
+    shares: Fours,
+    turns: Fours,
+    predictor: Predictor,
+    /// A right side, and the solution for it.
+    rhs: Fours,
+    x: Fours,
+    t: f64,
+    /// The last solution, while the next one is looked for.
+    last: Fours,
+    q: Fours,
+    qd: Fours,
+    qdd: Fours,
+    /// q⃛ where it is asked for, else empty.
+    qddd: Vec<f64>,
+    /// Newton steps since the last time.
+    steps: usize,
+    /// The row with the largest |C_i|.
+    worst: usize,
+    /// The largest share of its norm that a row has been off by, where that was allowed.
+    misfit: f64,
+    /// What happens between the ends of a step; taken out while it is asked.
+    drive: Option<Drive>,
+}
+
+impl<'a> Driver<'a> {
+    fn new(system: &'a System, (options, explain): (&'a Options, Explain), t: f64, (q, measures): (Vec<f64>, Measures)) -> Self {
+        let model = system.model_within(options.closure);
+        let (n, equations) = (model.n(), model.equations);
+        let mut point = Point { c: vec![0.0; model.m()], values: vec![0.0; equations.entries.len()] };
+        equations.set_constants(&mut point.values);
+        let [row_shares, shares] =
+            [&measures.norms, &measures.sizes].map(|sizes| sizes.iter().map(|size| size.recip()).collect::<Vec<_>>());
+        let turns: Vec<f64> = (0..n).map(|column| f64::from(u8::from(model.turns(column)))).collect();
+        let zeros = || Fours::new(n, 0.0);
+        Driver {
+            scales: scales(&model, &measures),
+            solver: Solver::new(&model),
+            instant: equations.instant(),
+            point,
+            system,
+            model,
+            options,
+            explain,
+            measures,
+            row_shares: Fours::from(&row_shares[..]),
+            shares: Fours::from(&shares[..]),
+            turns: Fours::from(&turns[..]),
+            predictor: Predictor::new(n),
+            rhs: Fours::new(model.m(), 0.0),
+            x: zeros(),
+            t,
+            last: zeros(),
+            q: Fours::from(&q[..]),
+            qd: zeros(),
+            qdd: zeros(),
+            qddd: vec![],
+            steps: 0,
+            worst: 0,
+            misfit: 0.0,
+            drive: Some(Drive::new(equations)),
+        }
+    }
+
+    /// Assembled from the guess, into the preferred assembly.
+    fn assembled(system: &'a System, options: &'a Options, t: f64, explain: Explain) -> Result<(Self, Outcome)> {
+        let model = system.model_within(options.closure);
+        let mut found = search::search(model, system.initial(), t, &|_| true, &options.search);
+        if let Some(q) = system.nearer(found.as_ref().filter(|found| found.met).map(|found| &found.place.q[..]), t, &options.search) {
+            found = search::descend(model, &q, t, &|_| true, false, options.search.steps);
+        }
+        Self::found(system, options, t, found, (system.initial(), explain))
+    }
+
+    /// Assembled from a start, nothing preferred.
+    fn from_start(system: &'a System, options: &'a Options, t: f64, start: &[f64]) -> Result<(Self, Outcome)> {
+        let found = search::descend(system.model_within(options.closure), start, t, &|_| true, false, options.search.steps);
+        Self::found(system, options, t, found, (start, Explain::Yes))
+    }
+
+    fn found(
+        system: &'a System,
+        options: &'a Options,
+        t: f64,
+        found: Option<Found>,
+        (start, explain): (&[f64], Explain),
+    ) -> Result<(Self, Outcome)> {
+        let model = system.model_within(options.closure);
+        let Some(found) = found.filter(|found| found.met) else {
+            return Err(match explain {
+                Explain::Yes => blamed(model, Start::Guess(start), t, options),
+                Explain::No => unmet(system, start, t, 0, None),
+            });
+        };
+        let steps = found.place.steps;
+        let mut driver = Driver::new(system, (options, explain), t, (found.place.q, found.measures));
+        let solved = driver.solve(t).and_then(|outcome| driver.rates(t).map(|()| outcome));
+        let Some(outcome) = solved else { return Err(driver.blamed(true, t)) };
+        match driver.wrong() {
+            None => Ok((driver, Outcome { iterations: outcome.iterations + steps, ..outcome })),
+            Some(error) => Err(error),
+        }
+    }
+
+    /// To another time, in smaller steps of time where that is needed.
+    fn advance(&mut self, to: f64) -> Result<Outcome> {
+        let smallest = self.options.smallest_step(self.t, to);
+        let shortest = (SHORTEST * (to - self.t).abs()).max(resolution(self.t, to));
+        let (mut h, mut iterations) = (to - self.t, 0);
+        self.steps = 0;
+        loop {
+            let target = if (to - self.t).abs() <= h.abs() * 1.001 { to } else { self.t + h };
+            fours::copy(self.last.whole_mut(), self.q.whole());
+            if self.options.predict {
+                let last = Last { q: &self.last, qd: &self.qd, qdd: &self.qdd };
+                self.predictor.predict(target - self.t, last, &mut self.q);
+            }
+            let solved = self.solve(target);
+            let wrong = solved.and_then(|_| self.wrong());
+            if let (Some(outcome), None) = (&solved, &wrong) {
+                iterations += outcome.iterations;
+                self.settle(target - self.t, outcome.iterations);
+                if self.rates(target).is_none() {
+                    return Err(self.blamed(true, target));
+                }
+                if let Some(objection) = self.objection(target) {
+                    self.predictor.retreat(&mut self.qd, &mut self.qdd);
+                    fours::copy(self.q.whole_mut(), self.last.whole());
+                    if h.abs() <= shortest {
+                        let units = self.model.layout.words.clone();
+                        return Err(Error::CannotFollow { t: self.t, units, reason: objection.reason(), motion: None });
+                    }
+                    h *= 0.5;
+                    continue;
+                }
+                self.t = target;
+                if target == to {
+                    return Ok(Outcome { iterations, ..*outcome });
+                }
+                h *= 2.0;
+            } else {
+                fours::copy(self.q.whole_mut(), self.last.whole());
+                if !self.options.rescue || h.abs() <= smallest {
+                    if let Some(error) = wrong {
+                        return Err(error);
+                    }
+                    return Err(self.blamed(false, target));
+                }
+                h *= 0.5;
+            }
+        }
+    }
+
+    /// A step h has succeeded; the rates in hand are still those of the time before, and become the past.
+    fn settle(&mut self, h: f64, iterations: usize) {
+        if self.options.predict && iterations > 0 {
+            let last = Last { q: &self.last, qd: &self.qd, qdd: &self.qdd };
+            self.predictor.compare(h, last, &self.q, &self.measures.sizes);
+        }
+        self.predictor.advance(h, &mut self.qd, &mut self.qdd);
+    }
+
+    /// The error for a position that is not what is meant.
+    fn wrong(&self) -> Option<Error> {
+        let equations = self.model.equations;
+        equations.first_wrong(&self.instant).map(|block| equations.closes_wrong(block, self.model.layout, &self.instant))
+    }
+
+    /// Newton's steps in the sense of least squares, which must shrink; on success the matrix at the solution is factored.
+    fn solve(&mut self, t: f64) -> Option<Outcome> {
+        let mut previous = f64::INFINITY;
+        for iterations in 0..=self.options.max_iterations {
+            self.steps += 1;
+            self.factor(t)?;
+            if let Stop::ResidualOnly(bound) = self.options.stop
+                && self.point.c.iter().all(|c| c.abs() < bound)
+            {
+                return Some(self.outcome(iterations));
+            }
+            self.rhs.iter_mut().zip(&self.point.c).for_each(|(rhs, c)| *rhs = -c);
+            self.solve_for_rhs();
+            let correction = fours::largest_share(self.x.whole(), self.shares.whole());
+            let converged = match self.options.stop {
+                Stop::Converged { tolerance } => correction <= tolerance || (correction > 0.5 * previous && correction <= STALL),
+                Stop::ResidualOnly(_) => false,
+            };
+            // A correction that is infinite or not a number does not shrink.
+            if !(correction < previous || converged) {
+                return None;
+            }
+            let met = converged && self.model.met(&self.point, &self.q, &self.measures, &|_| true);
+            fours::add(self.q.whole_mut(), self.x.whole());
+            if converged {
+                if met && self.has_jumped(t) {
+                    self.q.iter_mut().zip(&self.x).for_each(|(q, dq)| *q -= dq);
+                }
+                return met.then(|| self.outcome(iterations));
+            }
+            previous = correction;
+        }
+        None
+    }
+
+    /// Whether what can jump has done so with the last correction.
+    fn has_jumped(&self, t: f64) -> bool {
+        let met = |point: Point| self.model.met(&point, &self.q, &self.measures, &|_| true);
+        !self.model.equations.jumping().is_empty() && !self.model.linearize(&self.q, t).is_ok_and(met)
+    }
+
+    fn outcome(&mut self, iterations: usize) -> Outcome {
+        let rows = self.point.c.iter().map(|c| c.abs()).enumerate();
+        let (worst, residual) = rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
+        if self.options.closure > 0.0 {
+            let share = self.point.c.iter().zip(&self.row_shares).fold(0.0_f64, |m, (c, share)| m.max((c * share).abs()));
+            self.misfit = self.misfit.max(if share > TOLERANCE { share } else { 0.0 });
+        }
+        self.worst = worst;
+        Outcome { iterations, residual }
+    }
+
+    /// C and C_q at the point in hand, the matrix factored.
+    fn factor(&mut self, t: f64) -> Option<()> {
+        let (equations, Point { c, values }) = (self.model.equations, &mut self.point);
+        if self.instant.t() != t {
+            equations.set_time(t, &mut self.instant);
+        }
+        equations.set_position(&self.q, &mut self.instant);
+        equations.linearize(&self.q, &self.instant, c, values);
+        equations.finite(c, values).ok()?;
+        let scaled = self.scales.iter().zip(values.iter()).map(|(scale, value)| scale * value);
+        self.solver.factor(scaled).then_some(())
+    }
+
+    /// C_q x = the right side in hand, whose rows are brought to order 1.
+    fn solve_for_rhs(&mut self) {
+        self.rhs.iter_mut().zip(&self.row_shares).for_each(|(rhs, share)| *rhs *= share);
+        let y = self.solver.solve(&self.rhs);
+        self.x.iter_mut().zip(y).zip(&self.measures.sizes).for_each(|((x, y), size)| *x = y * size);
+    }
+
+    /// q̇ and q̈ with the matrix in hand, and q⃛ where it is asked for; `None` where they are not finite or the equations ask for different ones.
+    fn rates(&mut self, t: f64) -> Option<()> {
+        let equations = self.model.equations;
+        equations.set_position(&self.q, &mut self.instant);
+        equations.velocity_rhs(&self.instant, &mut self.rhs);
+        self.agree()?;
+        fours::copy(self.qd.whole_mut(), self.x.whole());
+        equations.set_rates(&self.qd, &mut self.instant);
+        equations.second_order(&self.instant, 1.0, &mut self.rhs);
+        self.agree()?;
+        fours::copy(self.qdd.whole_mut(), self.x.whole());
+        if self.options.jerk {
+            self.rhs.copy_from_slice(&self.model.jerk_rhs(&self.q, t, &self.qd, &self.qdd).ok()?.ok()?);
+            self.agree()?;
+            self.qddd = self.x.to_vec();
+        }
+        Some(())
+    }
+
+    /// Solves for the right side in hand; `None` where the solution is not finite or does not meet every row.
+    fn agree(&mut self) -> Option<()> {
+        finite(&self.rhs, "").ok()?;
+        self.solve_for_rhs();
+        let terms = fours::largest(self.rhs.whole()).max(fours::largest_share(self.x.whole(), self.shares.whole()));
+        self.solver.leave(&mut self.rhs);
+        let share = CONSISTENT.max(ALLOWED * self.options.closure);
+        (terms.is_finite() && fours::largest(self.rhs.whole()) <= share * terms).then_some(())
+    }
+
+    /// The error for a time that cannot be reached from the position in hand, which is one that `closes` or a guess of one.
+    fn blamed(&self, closes: bool, t: f64) -> Error {
+        let start = if closes { Start::Pose(&self.q) } else { Start::Guess(&self.q) };
+        match self.explain {
+            Explain::Yes => blamed(self.model, start, t, self.options),
+            Explain::No => unmet(self.system, &self.q, t, self.steps, Some(self.t)),
+        }
+    }
+
+    /// q, q̇, q̈, and q⃛ or nothing.
+    fn rows(&self) -> [&[f64]; 4] {
+        [&self.q, &self.qd, &self.qdd, &self.qddd]
+    }
+}
+
+/// Whether a system is one for this driver.
+pub(crate) fn is_redundant(system: &System) -> bool {
+    system.n_equations() > system.n_coordinates()
+}

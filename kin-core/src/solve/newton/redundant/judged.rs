@@ -1,0 +1,66 @@
+//! Steps of redundant mechanisms, judged by what they have: no signs of determinants.
+
+use super::super::Follow;
+use super::Driver;
+use crate::numbers::fours;
+use crate::solve::follow::{EASY, Lever, Objection, REACH, Span};
+use crate::system::evaluate::Instant;
+
+impl Driver<'_> {
+    /// What is wrong with the step to `target`: it turns something too far, a prediction from either end misses the other by more than what is sure
+    /// to be one branch, or what drives may move further in between. Signs of determinants, which rectangular matrices have not, are not asked.
+    pub(super) fn objection(&mut self, target: f64) -> Option<Objection> {
+        if self.options.follow == Follow::Unchecked {
+            return None;
+        }
+        let (from, pivot) = (self.t, self.solver.smallest_pivot());
+        let ([qd, qdd], to) = (self.predictor.before(), [&self.q, &self.qd, &self.qdd]);
+        let [miss, reach] = fours::miss(target - from, [&self.last, qd, qdd], to, &self.shares, &self.turns);
+        if reach > REACH {
+            return Some(Objection::Long);
+        }
+        if miss.is_nan() || miss > EASY * pivot {
+            return Some(Objection::Missed(miss));
+        }
+        let mut drive = self.drive.take()?;
+        let equations = self.model.equations;
+        let hides = !drive.is_told(from, target, pivot) && {
+            let mut lever = Squares { instant: equations.instant_at(target, &self.q), driver: self };
+            drive.hides(Span { equations, from, to: target, pivot }, &mut lever)
+        };
+        self.drive = Some(drive);
+        hides.then_some(Objection::Hidden)
+    }
+}
+
+/// The matrix in hand as a lever, in the sense of least squares.
+struct Squares<'d, 'a> {
+    instant: Instant,
+    driver: &'d mut Driver<'a>,
+}
+
+impl Lever for Squares<'_, '_> {
+    fn instant(&self) -> &Instant {
+        &self.instant
+    }
+
+    fn moved(&mut self, first: usize, b: &[f64]) -> f64 {
+        let driver = &mut *self.driver;
+        driver.rhs.fill(0.0);
+        driver.rhs.iter_mut().skip(first).zip(b).for_each(|(place, b)| *place = *b);
+        driver.solve_for_rhs();
+        fours::largest_share(driver.x.whole(), driver.shares.whole())
+    }
+
+    fn bend(&mut self) -> f64 {
+        f64::INFINITY
+    }
+
+    fn turned(&self) -> f64 {
+        f64::INFINITY
+    }
+
+    fn is_singular_within(&mut self, _: f64) -> bool {
+        true
+    }
+}

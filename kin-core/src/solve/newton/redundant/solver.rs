@@ -1,0 +1,81 @@
+//! More equations than coordinates, solved for as many of them or in the sense of least squares.
+
+use super::super::Options;
+use super::errors::blamed;
+use crate::ask::diagnosis::Start;
+use crate::linear::{Independent, Tall};
+use crate::model::error::Result;
+use crate::system::System;
+use crate::system::scaled::{Measures, Model};
+
+/// The means to solve C_q x = b; rows and columns of order 1.
+pub(super) enum Solver {
+    /// Where equations agree, which half the work does for.
+    Independent(Independent),
+    /// Where they may contradict one another a little: no equation is to be believed more than another.
+    LeastSquares(Tall),
+}
+
+impl Solver {
+    pub(super) fn new(model: &Model<'_>) -> Self {
+        let (m, n, places) = (model.m(), model.n(), &model.equations.entries);
+        if model.closure > 0.0 {
+            Solver::LeastSquares(Tall::new(m, n, places))
+        } else {
+            Solver::Independent(Independent::new(m, n, places))
+        }
+    }
+
+    /// Takes the values of C_q in the order of its entries; false if the columns depend on one another.
+    pub(super) fn factor(&mut self, values: impl Iterator<Item = f64>) -> bool {
+        match self {
+            Solver::Independent(rows) => rows.factor(values),
+            Solver::LeastSquares(tall) => tall.factor_again(values, 0.0),
+        }
+    }
+
+    /// x for the right side b.
+    pub(super) fn solve(&mut self, b: &[f64]) -> &[f64] {
+        match self {
+            Solver::Independent(rows) => rows.solve(b),
+            Solver::LeastSquares(tall) => tall.solve(b.iter().copied()),
+        }
+    }
+
+    /// b − C_q x of the last solution, row by row, into `left`, which holds b.
+    pub(super) fn leave(&self, left: &mut [f64]) {
+        match self {
+            Solver::Independent(rows) => rows.leave(left),
+            Solver::LeastSquares(tall) => tall.leave(left),
+        }
+    }
+
+    /// The smallest pivot of the last factoring.   \[-\]
+    pub(super) fn smallest_pivot(&self) -> f64 {
+        match self {
+            Solver::Independent(rows) => rows.smallest_pivot(),
+            Solver::LeastSquares(tall) => tall.smallest_pivot(),
+        }
+    }
+}
+
+/// C_q x = the right side at a position, in the sense of least squares.
+pub(crate) fn solved(system: &System, q: &[f64], t: f64, rhs: &[f64]) -> Result<Vec<f64>> {
+    let model = system.model();
+    let (measures, m, n) = (model.measure(q, t), model.m(), model.n());
+    let instant = || model.equations.instant_at(t, q);
+    let point = model.linearize(q, t).map_err(|bad| model.equations.not_finite(bad, model.layout, &instant()))?;
+    let mut tall = Tall::new(m, n, &model.equations.entries);
+    let scaled = scales(&model, &measures).into_iter().zip(&point.values).map(|(scale, value)| scale * value);
+    if !tall.factor(scaled, 0.0) {
+        return Err(blamed(model, Start::Pose(q), t, &Options::default()));
+    }
+    let y = tall.solve(rhs.iter().zip(&measures.norms).map(|(rhs, norm)| rhs / norm));
+    Ok(y.iter().zip(&measures.sizes).map(|(y, size)| y * size).collect())
+}
+
+/// What each value of C_q is multiplied by to be of order 1.
+pub(super) fn scales(model: &Model<'_>, Measures { sizes, norms, .. }: &Measures) -> Vec<f64> {
+    let scale = |entry: &Option<(usize, usize)>| entry.map_or(0.0, |(row, column)| sizes[column] / norms[row]);
+    model.equations.entries.iter().map(scale).collect()
+}

@@ -1,0 +1,128 @@
+//! A run from its first time to its last one, in one motion or in parts.
+
+use super::sweep::Sweep;
+use super::watch::Watch;
+use super::{Options, redundant};
+use crate::model::error::{Error, Result};
+use crate::solve::motion::Motion;
+use crate::system::System;
+
+/// Whether an error says what is wrong with the mechanism, which takes longer than most runs.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Explain {
+    Yes,
+    No,
+}
+
+/// Position, velocity and acceleration at each of the times.
+pub(crate) fn run(system: &System, times: &[f64], options: &Options, explain: Explain) -> Result<Motion> {
+    check(times)?;
+    options.check_memory(1, times.len(), system.n_coordinates())?;
+    let (mut run, mut motion) = (Run::new(system, options, explain)?, Motion::new(system, times.len()));
+    for &t in times {
+        if let Err(error) = run.reach(t, &mut motion) {
+            return Err(run.failed(error, motion));
+        }
+    }
+    motion.beyond_a_turn = times.first().map(|&t| system.beyond_a_turn(t)).unwrap_or_default();
+    Ok(motion)
+}
+
+/// A run on its way from time to time.
+pub(crate) struct Run<'a> {
+    system: &'a System,
+    options: &'a Options,
+    explain: Explain,
+    driver: Driver<'a>,
+    watch: Watch,
+}
+
+/// What a run goes on with.
+enum Driver<'a> {
+    Plain(Box<Sweep<'a>>),
+    /// Of a mechanism with more equations than coordinates.
+    Redundant(Box<redundant::Sweep<'a>>),
+}
+
+impl<'a> Run<'a> {
+    /// A run that has not begun. Errors: options out of range, a jerk that is not known.
+    pub(crate) fn new(system: &'a System, options: &'a Options, explain: Explain) -> Result<Self> {
+        options.check()?;
+        if options.jerk {
+            system.knows_jerk()?;
+        }
+        let driver = if redundant::is_redundant(system) {
+            Driver::Redundant(Box::new(redundant::Sweep::new(system, options, explain)))
+        } else {
+            Driver::Plain(Box::new(Sweep::new(system, options)))
+        };
+        Ok(Run { system, options, explain, driver, watch: Watch::default() })
+    }
+
+    /// Solves at the next time and appends it to the motion, with what has been met since the last one.
+    #[inline]
+    pub(crate) fn reach(&mut self, t: f64, motion: &mut Motion) -> Result<()> {
+        let sweep = match &mut self.driver {
+            Driver::Plain(sweep) => sweep,
+            Driver::Redundant(sweep) => return sweep.reach(t, &mut self.watch, motion),
+        };
+        let reached = sweep.reach(t);
+        if !sweep.passed.is_empty() {
+            sweep.passed.drain(..).for_each(|found| motion.add_singular(found));
+        }
+        let outcome = reached?;
+        self.watch.look(self.system, &sweep.newton.instant, &mut motion.breaks)?;
+        motion.push(t, &sweep.newton, outcome);
+        Ok(())
+    }
+
+    /// The error that ends the run, with what was computed before and, if it is to be said, what is wrong.
+    pub(crate) fn failed(&self, error: Error, motion: Motion) -> Error {
+        let error = error.with_motion(motion);
+        match (&self.driver, self.explain) {
+            (Driver::Plain(_), Explain::Yes) => error.explained(self.system, self.options),
+            _ => error,
+        }
+    }
+}
+
+/// Times must be finite and strictly increasing or strictly decreasing.
+pub(crate) fn check(times: &[f64]) -> Result<()> {
+    let fail = |reason: String| Err(Error::InvalidTimes { reason });
+    if times.is_empty() {
+        return fail("there are none; give one at least, or many such as `linspace(0.0, 1.0, 101)`".to_string());
+    }
+    // As a rule; what only increases between finite times is finite.
+    if times.windows(2).all(|pair| pair[0] < pair[1]) && times[0].is_finite() && times[times.len() - 1].is_finite() {
+        return Ok(());
+    }
+    if let Some((k, t)) = times.iter().enumerate().find(|(_, t)| !t.is_finite()) {
+        return fail(format!("number {k} is {t}; give finite times"));
+    }
+    let backwards = times.len() > 1 && times[1] < times[0];
+    match times.windows(2).position(|pair| pair[0] == pair[1] || (pair[1] < pair[0]) != backwards) {
+        Some(k) => fail(format!("{} is followed by {}; give times that only increase, or only decrease", times[k], times[k + 1])),
+        None => Ok(()),
+    }
+}
+
+/// The same of times that come one by one.
+#[derive(Default)]
+pub(crate) struct Order {
+    /// The last two times.
+    last: [Option<f64>; 2],
+}
+
+impl Order {
+    /// One more time.
+    pub(crate) fn check(&mut self, t: f64) -> Result<()> {
+        let all: Vec<f64> = self.last.into_iter().flatten().chain([t]).collect();
+        self.last = [self.last[1], Some(t)];
+        check(&all)
+    }
+
+    /// An error if there has been no time.
+    pub(crate) fn some(&self) -> Result<()> {
+        if self.last[1].is_some() { Ok(()) } else { check(&[]) }
+    }
+}

@@ -1,0 +1,102 @@
+//! Where smaller steps of time help no more: along the curve past a singular position, or the end of a run.
+
+use super::super::{Failure, Newton, Outcome, Steps, largest};
+use super::{SHORT, SHORTEST, Sweep, TOO_MANY, Trouble};
+use crate::model::error::{Error, Result};
+use crate::model::units::Units;
+use crate::solve::follow::{self, Branch, Check, Landed, Lost, Objection, SingularKind, SingularPosition};
+
+impl Sweep<'_> {
+    /// Short steps of time from t to `target` help no more: the curve is followed as far as `goal`, if that can be done; `to` was asked for.
+    pub(super) fn give_up(&mut self, trouble: Trouble, t: f64, target: f64, (goal, to): (f64, f64)) -> Result<Outcome> {
+        if self.check.is_some() {
+            let (before, options) = (self.bifurcations, self.newton.options);
+            match follow::pass(&self.newton, &self.q, t, goal, &|number| options.follow.turns(before + number)) {
+                Ok(passage) => {
+                    self.bifurcations += passage.passed.len();
+                    self.passed.extend(passage.passed);
+                    return self.land(passage.landed, t, goal);
+                }
+                Err(Lost::Turned(found)) => {
+                    let error = toggle(&found, to, self.newton.system.unit_words());
+                    self.passed.push(*found);
+                    return Err(error);
+                }
+                Err(Lost::Lost) => {}
+            }
+        }
+        let is_far = (target - t).abs() <= SHORTEST * (to - t).abs() && self.check.is_some() && self.moved(target - t, target) > SHORT;
+        Err(match trouble {
+            // The shortest step of all still turns bodies too far for Newton's method to find its way.
+            Trouble::Failed(_) if is_far => {
+                Error::CannotFollow { t, units: self.newton.system.unit_words().clone(), reason: TOO_MANY, motion: None }
+            }
+            Trouble::Failed(failure) => {
+                self.newton.q.copy_from_slice(&self.failed);
+                // For what it says of the equations there.
+                let _ = self.newton.linearize(target);
+                self.newton.error(failure, target, Some(t))
+            }
+            Trouble::Objected(Objection::Long) => {
+                Error::CannotFollow { t, units: self.newton.system.unit_words().clone(), reason: TOO_MANY, motion: None }
+            }
+            Trouble::Objected(objection) => {
+                Error::CannotFollow { t, units: self.newton.system.unit_words().clone(), reason: objection.reason(), motion: None }
+            }
+        })
+    }
+
+    /// Takes what the curve has led to as the position at time `to`.
+    fn land(&mut self, landed: Landed, t: f64, to: f64) -> Result<Outcome> {
+        self.predictor.forget();
+        self.untouched = false;
+        let newton = &mut self.newton;
+        let outcome = match landed {
+            Landed::Regular(q) => {
+                newton.q.copy_from_slice(&q);
+                let solved = newton.solve(to, Steps::Near);
+                let outcome = solved.and_then(|outcome| newton.rates().map(|()| outcome));
+                let outcome = outcome.map_err(|failure| newton.error(failure, to, Some(t)))?;
+                self.check.iter_mut().for_each(|check| check.accept(newton));
+                outcome
+            }
+            Landed::Singular(q, branch) => {
+                if newton.options.jerk {
+                    let jerk = jerk_between(newton, &q, &branch, to).map_err(|failure| newton.error(failure, to, Some(t)))?;
+                    newton.qddd.copy_from_slice(&jerk);
+                }
+                newton.q.copy_from_slice(&q);
+                newton.linearize(to).map_err(|failure| newton.error(failure, to, Some(t)))?;
+                newton.qd.copy_from_slice(&branch.qd);
+                newton.qdd.copy_from_slice(&branch.qdd);
+                self.check.iter_mut().for_each(Check::leave_open);
+                Outcome { iterations: 0, residual: newton.worst().1 }
+            }
+        };
+        Ok(outcome)
+    }
+}
+
+/// q⃛ at a singular position on one of its branches: from the means of what it is a little before and after, twice (Richardson).
+fn jerk_between(newton: &mut Newton<'_>, q: &[f64], Branch { qd, qdd }: &Branch, t: f64) -> std::result::Result<Vec<f64>, Failure> {
+    /// What moves most moves by this to the nearer ones.   \[-\]
+    const NEAR: f64 = 0.05;
+    let rates = qd.iter().zip(qdd).zip(newton.shares()).map(|((qd, qdd), share)| (qd.abs() * share).max((qdd.abs() * share).sqrt()));
+    let fastest = largest(rates);
+    let mut jerk = vec![0.0; q.len()];
+    for (steps, weight) in [(-1.0, 2.0 / 3.0), (1.0, 2.0 / 3.0), (-2.0, -1.0 / 6.0), (2.0, -1.0 / 6.0)] {
+        let h = steps * NEAR / fastest;
+        newton.q.iter_mut().zip(q).zip(qd.iter().zip(qdd)).for_each(|((next, q), (qd, qdd))| *next = q + h * (qd + 0.5 * h * qdd));
+        newton.solve(t + h, Steps::Near)?;
+        newton.rates()?;
+        jerk.iter_mut().zip(&newton.qddd).for_each(|(jerk, qddd)| *jerk += weight * qddd);
+    }
+    Ok(jerk)
+}
+
+/// The error of a run that turning points end.
+fn toggle(found: &SingularPosition, asked: f64, units: &Units) -> Error {
+    debug_assert_eq!(found.kind, SingularKind::TurningPoint);
+    let SingularPosition { t, movable, dependent, .. } = found.clone();
+    Error::Toggle { t, units: units.clone(), asked, movable, dependent, diagnosis: None, motion: None }
+}

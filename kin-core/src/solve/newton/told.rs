@@ -1,0 +1,68 @@
+//! What is told of the point in hand: what it is, what of it is worst, and why it is none.
+
+use super::{Failure, Newton, Outcome, Report};
+use crate::model::error::Error;
+use crate::system::Solution;
+
+/// A position whose smallest pivot is above this is not called singular, whatever has stopped Newton's method there.   \[-\]
+const REGULAR: f64 = 1e-6;
+
+/// A row that is off by more than this, of the norm of the row, is told as not met where C_q is singular.   \[-\]
+const UNMET: f64 = 1e-2;
+
+impl Newton<'_> {
+    /// The equation that is far from being met at the point in hand, if one is.
+    fn unmet(&self) -> Option<Box<str>> {
+        let shares = self.c.iter().zip(self.linear.norms()).map(|(c, norm)| c.abs() / norm).enumerate();
+        let (row, share) = shares.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
+        (share > UNMET).then(|| self.system.equations().equation(row).into())
+    }
+
+    /// The row with the largest |C_i|, and that; rows as they are written.
+    pub(crate) fn worst(&self) -> (usize, f64) {
+        let rows = self.c.iter().map(|c| c.abs()).enumerate();
+        rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst })
+    }
+
+    /// What is in hand, to keep.
+    pub(crate) fn solution(self, t: f64, outcome: Outcome) -> Solution {
+        let report = Report {
+            iterations: self.steps,
+            residual: outcome.residual,
+            worst: self.system.equations().equation(self.worst().0),
+            smallest_pivot: self.linear.smallest_pivot(),
+        };
+        Solution { t, q: self.q.to_vec(), qd: self.qd.to_vec(), qdd: self.qdd.to_vec(), report }
+    }
+
+    /// The error that tells a failure in the user's names.
+    pub(crate) fn error(&mut self, failure: Failure, t: f64, last: Option<f64>) -> Error {
+        let equations = self.system.equations();
+        match failure {
+            Failure::NotFinite(bad) => equations.not_finite(bad, self.system.layout(), &self.instant),
+            Failure::WrongBranch(block) => equations.closes_wrong(block, self.system.layout(), &self.instant),
+            Failure::Singular => match self.system.singular(t, &self.q, self.unmet()) {
+                // What stopped the iteration was not there: the iterates went astray.
+                Error::SingularAt { pivot, .. } if pivot > REGULAR => {
+                    let (row, residual) = self.worst();
+                    self.error(Failure::NoConvergence { row, residual }, t, last)
+                }
+                error => error,
+            },
+            Failure::NoConvergence { row, residual } => {
+                let (constraint, row) = self.system.row_name(row);
+                Error::NoConvergence {
+                    t,
+                    units: self.system.unit_words().clone(),
+                    iterations: self.steps - self.steps_before,
+                    constraint,
+                    row,
+                    residual,
+                    last,
+                    diagnosis: None,
+                    motion: None,
+                }
+            }
+        }
+    }
+}

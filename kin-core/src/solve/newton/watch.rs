@@ -1,0 +1,130 @@
+//! Which breaks of its laws a run crosses: between two times nothing shows them but the law itself.
+
+use std::f64::consts::{PI, TAU};
+
+use crate::model::error::Error;
+use crate::model::law::{Break, MOST_BREAKS};
+use crate::system::System;
+use crate::system::evaluate::Instant;
+
+/// Breaks that a run lists at most; it goes on without listing more.
+pub(crate) const MOST_CROSSED: usize = 100_000;
+
+/// A break of a law that a run has crossed: there a derivative of the motion jumps.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct CrossedBreak {
+    /// The last time before it, and the first one after it or at it.   \[s\]
+    pub between: (f64, f64),
+    /// The constraint that asks the law.
+    pub constraint: String,
+    /// The law, by its name in the constraint.
+    pub law: String,
+    /// Where in the law it is, and which derivative jumps.
+    pub found: Break,
+}
+
+/// The laws of a system that have breaks, and where they were asked last.
+#[derive(Default)]
+pub(super) struct Watch {
+    asked: Vec<Asked>,
+    last: Option<f64>,
+}
+
+/// One question to a law.
+struct Asked {
+    block: usize,
+    /// Which of the block's questions.
+    number: usize,
+    x: f64,
+}
+
+impl Watch {
+    /// Looks at the laws at a time that was solved, and appends the breaks crossed since the last one. A jump of a value, or of the slope of a
+    /// law of time, is an error.
+    #[inline]
+    pub(super) fn look(&mut self, system: &System, instant: &Instant, crossed: &mut Vec<CrossedBreak>) -> Result<(), Error> {
+        match self.last.replace(instant.t()) {
+            None => self.asked = questions(system, instant),
+            Some(before) if !self.asked.is_empty() => return self.cross(system, instant, before, crossed),
+            Some(_) => {}
+        }
+        Ok(())
+    }
+
+    /// Asks every law with breaks, which was asked at the time `before`.
+    fn cross(&mut self, system: &System, instant: &Instant, before: f64, crossed: &mut Vec<CrossedBreak>) -> Result<(), Error> {
+        let (t, known) = (instant.t(), crossed.len());
+        for asked in &mut self.asked {
+            let block = &system.equations().blocks[asked.block];
+            let (mut number, mut jumps) = (0, None);
+            block.constraint.laws(&system.equations().at(block, instant), &mut |law, function, x| {
+                number += 1;
+                if number != asked.number + 1 {
+                    return;
+                }
+                let from = std::mem::replace(&mut asked.x, x);
+                // an angle that went over its cut; only a law that repeats is asked there
+                let turn = if (x - from).abs() > PI && function.is_periodic(TAU) { TAU * ((from - x) / TAU).round() } else { 0.0 };
+                let stops = |b: &Break| b.order == 0 || (b.order == 1 && is_of_time(system, instant, asked.block, asked.number, x));
+                let named =
+                    |found: Break| CrossedBreak { between: (before, t), constraint: block.name.clone(), law: law.to_owned(), found };
+                let room = MOST_CROSSED.saturating_sub(crossed.len());
+                let all = if room > 0 { function.breaks(from, x + turn) } else { Vec::new() };
+                let full = room == 0 || all.len() >= MOST_BREAKS;
+                let here = all.iter().filter(|b| b.x != from);
+                // The one that is met first.
+                let mut jump = if x + turn < from { here.clone().rfind(|b| stops(b)) } else { here.clone().find(|b| stops(b)) }.copied();
+                if jump.is_none() && full {
+                    jump = function.sharpest_break(from, x + turn).filter(|b| b.x != from && stops(b));
+                }
+                match jump {
+                    Some(found) => jumps = Some(named(found)),
+                    None => crossed.extend(here.take(room).map(|found| named(*found))),
+                }
+            });
+            if let Some(CrossedBreak { constraint, law, found, .. }) = jumps {
+                // The run ends before them.
+                crossed.truncate(known);
+                return Err(Error::LawJumps {
+                    t,
+                    units: system.unit_words().clone(),
+                    constraint,
+                    law,
+                    at: found.x,
+                    order: found.order,
+                    motion: None,
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Every question to a law with breaks.
+fn questions(system: &System, instant: &Instant) -> Vec<Asked> {
+    let mut all = Vec::new();
+    for (block, found) in system.equations().blocks.iter().enumerate() {
+        let mut number = 0;
+        found.constraint.laws(&system.equations().at(found, instant), &mut |_, law, x| {
+            if !law.is_smooth() {
+                all.push(Asked { block, number, x });
+            }
+            number += 1;
+        });
+    }
+    all
+}
+
+/// Whether what a law is asked for moves with the time alone.
+fn is_of_time(system: &System, instant: &Instant, block: usize, wanted: usize, now: f64) -> bool {
+    let block = &system.equations().blocks[block];
+    let mut later = system.equations().at(block, instant).with_timed(&[]);
+    later.t += 1.0;
+    let (mut number, mut moves) = (0, false);
+    block.constraint.laws(&later, &mut |_, _, x| {
+        moves |= number == wanted && x != now;
+        number += 1;
+    });
+    moves
+}
