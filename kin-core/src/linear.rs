@@ -6,20 +6,12 @@
 //! and a row that fades on the way to a toggle is seen to fade. A replay is watched: where pivots fade or multipliers grow, the elimination
 //! is recorded anew at the numbers of that moment. The measures only choose and judge pivots, they never touch the numbers.
 
-mod active;
-mod cells;
-mod code;
 mod condition;
 mod echelon;
 mod independent;
 pub(crate) mod lanes;
 mod measures;
-mod order;
-mod orientation;
-mod program;
-mod record;
-mod replay;
-mod solving;
+mod recorded;
 mod tall;
 #[cfg(test)]
 mod tests;
@@ -30,7 +22,7 @@ pub(crate) use independent::Independent;
 use std::sync::Arc;
 
 use crate::numbers::fours::{self, Four, Fours};
-use record::{Factored, Input, Places, Recording};
+use recorded::record::{Factored, Input, Places, Recording};
 pub(crate) use tall::Tall;
 
 /// A pivot below this measure is zero; the rounding of an elimination of moderate size stays below.   \[-\]
@@ -308,7 +300,7 @@ impl Linear {
         (self.told, self.settled, self.best, self.recording) = (false, false, 0.0, None);
         let mut memory = std::mem::take(&mut self.memory);
         memory.truncate(self.places.zero as usize + 1);
-        let recorded = record::record(&self.input(), self.places, &mut memory);
+        let recorded = recorded::record::record(&self.input(), self.places, &mut memory);
         self.memory = memory;
         let Some(recorded) = recorded else { return false };
         self.recording = Some(Arc::new(recorded));

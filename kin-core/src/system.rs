@@ -1,25 +1,24 @@
 //! A mechanism made ready for solving: fixed order of coordinates and equations, fixed pattern of C_q.
 
 pub(crate) mod evaluate;
+pub(crate) mod measures;
 pub(crate) mod parameters;
 pub(crate) mod scale;
 pub(crate) mod scaled;
+pub(crate) mod singular;
 mod states;
 mod terms;
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use crate::ask::diagnosis;
-use crate::ask::measure::{Limit, kinks};
 use crate::linear::Linear;
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::Target;
 use crate::model::error::{Error, Result};
 use crate::model::layout::{Layout, Place};
+use crate::model::mechanism::Limit;
 use crate::model::units::Units;
-use crate::solve::assembly::Asked;
-use crate::solve::newton::Report;
 use crate::system::scaled::Model;
 use evaluate::{Block, Equations};
 
@@ -37,7 +36,7 @@ pub struct System {
     initial: Vec<f64>,
     preferred: Vec<(usize, f64)>,
     /// Preferred measures of joints.
-    pub(crate) asked: Vec<Asked>,
+    pub(crate) asked: Vec<PreferredMeasure>,
     links: Vec<f64>,
     /// The linear solver with the elimination recorded at the initial guess, if C_q is regular there.
     linear: Linear,
@@ -45,6 +44,29 @@ pub struct System {
     pub(crate) limits: Vec<Limit>,
     /// The constraints with conditions or other kinks, which a run has to look for.
     switching: Arc<[usize]>,
+}
+
+/// A preferred measure of a joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PreferredMeasure {
+    pub block: usize,
+    pub number: usize,
+    pub is_angle: bool,
+    pub value: f64,
+}
+
+/// What Newton's iteration did at one time.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Report {
+    /// Newton steps taken, those of rescued attempts included.
+    pub iterations: usize,
+    /// max |C_i| at the solution, in the unit of its row.
+    pub residual: f64,
+    /// Name of the equation that has it, such as `A.x`; empty for a mechanism without coordinates.
+    pub worst: String,
+    /// The smallest pivot of C_q, relative to its row: near zero close to a singular position.   \[-\]
+    pub smallest_pivot: f64,
 }
 
 /// Position, velocity and acceleration at one time.
@@ -76,7 +98,7 @@ impl System {
         let linear = prepared(&layout, &equations, &initial, &links);
         let rows = (0..equations.rows).map(|row| equations.equation(row)).collect();
         let all = equations.blocks.iter().enumerate();
-        let switching = all.filter(|(_, block)| kinks::switches(block.constraint.as_ref())).map(|(k, _)| k).collect();
+        let switching = all.filter(|(_, block)| switches(block.constraint.as_ref())).map(|(k, _)| k).collect();
         let (asked, limits) = (Vec::new(), Vec::new());
         System { name, layout: Arc::new(layout), equations, rows, initial, preferred, asked, links, linear, limits, switching }
     }
@@ -89,6 +111,11 @@ impl System {
     /// Number of coordinates n.
     pub fn n_coordinates(&self) -> usize {
         self.layout.len()
+    }
+
+    /// Whether there are more equations than coordinates.
+    pub(crate) fn is_redundant(&self) -> bool {
+        self.n_equations() > self.n_coordinates()
     }
 
     /// Number of equations m; more than n if some repeat others.
@@ -252,7 +279,7 @@ impl System {
             Ok(point) => point,
             Err(bad) => return model.not_finite(bad, q, t),
         };
-        let found = diagnosis::singular(&model, &point.values, &model.measure(q, t));
+        let found = singular::singular(&model, &point.values, &model.measure(q, t));
         Error::SingularAt {
             t,
             units: self.layout.words.clone(),
@@ -307,4 +334,9 @@ fn prepared(layout: &Layout, equations: &Equations, initial: &[f64], links: &[f6
 
 pub(crate) fn time(t: f64) -> Result<f64> {
     if t.is_finite() { Ok(t) } else { Err(Error::InvalidTimes { reason: format!("t is {t}; give a finite time") }) }
+}
+
+/// Whether an equation may have anything that switches; on the dual route that is not known.
+fn switches(constraint: &dyn Constraint) -> bool {
+    constraint.table().is_some_and(|(table, _)| table.may_switch())
 }

@@ -1,5 +1,8 @@
 //! The limits that CONTRIBUTING.md states, of every file of the workspace that is written by hand.
 
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
 use proc_macro2::Span;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
@@ -61,6 +64,18 @@ fn files_and_functions_are_short() {
         long.extend(functions.found.iter().map(|(name, lines)| format!("{}: `{name}` has {lines} lines", path.display())));
     }
     assert!(long.is_empty(), "at most {FILE} lines a file and {FUNCTION} a function:\n{}", long.join("\n"));
+}
+
+#[test]
+fn folders_of_the_core_have_few_files() {
+    const MOST: usize = 14;
+    let mut folders: BTreeMap<PathBuf, usize> = BTreeMap::new();
+    for path in rust_files("kin-core/src") {
+        *folders.entry(path.parent().expect("a folder").to_path_buf()).or_default() += 1;
+    }
+    assert!(folders.len() > 20, "{} folders are not all of them", folders.len());
+    let full: Vec<_> = folders.iter().filter(|(_, files)| **files > MOST).collect();
+    assert!(full.is_empty(), "at most {MOST} files in a folder: {full:#?}");
 }
 
 #[test]

@@ -1,10 +1,11 @@
 //! What a system is asked for: positions, motions, sweeps, diagnoses, assemblies.
 
-use crate::ask::diagnosis::{self, Diagnosis, DiagnosisOptions, Start};
+use crate::ask::diagnosis::explain::{EXPLAIN, explained};
+use crate::ask::diagnosis::{self, Diagnosis, DiagnosisOptions};
 use crate::model::error::{Error, Result};
 use crate::solve::assembly::{Assembly, AssemblyOptions, Label, modes};
+use crate::solve::explain::Start;
 use crate::solve::motion::{EventKind, Motion};
-use crate::solve::newton::run::Explain;
 use crate::solve::newton::{self, Newton, Options, Steps, assembly, redundant};
 use crate::solve::sweep::Sweep;
 use crate::system::{Solution, System, time};
@@ -19,11 +20,11 @@ impl System {
     /// The same with other options.
     pub fn position_with(&self, t: f64, options: &Options) -> Result<Solution> {
         options.check()?;
-        if redundant::is_redundant(self) {
-            return redundant::at(self, time(t)?, None, options);
+        if self.is_redundant() {
+            return redundant::at(self, time(t)?, None, options, EXPLAIN);
         }
         let mut newton = Newton::new(self, options);
-        let outcome = assembly::assemble(&mut newton, time(t)?).map_err(|error| error.explained(self, options))?;
+        let outcome = assembly::assemble(&mut newton, time(t)?).map_err(|error| explained(error, self, options))?;
         Ok(newton.solution(t, outcome))
     }
 
@@ -37,8 +38,8 @@ impl System {
     pub fn solve_at_with(&self, t: f64, q0: &[f64], options: &Options) -> Result<Solution> {
         self.check(q0, "start")?;
         options.check()?;
-        if redundant::is_redundant(self) {
-            return redundant::at(self, time(t)?, Some(q0), options);
+        if self.is_redundant() {
+            return redundant::at(self, time(t)?, Some(q0), options, EXPLAIN);
         }
         let mut newton = Newton::new(self, options);
         newton.q.copy_from_slice(q0);
@@ -55,7 +56,7 @@ impl System {
 
     /// The same with other options.
     pub fn run_with(&self, times: impl AsRef<[f64]>, options: &Options) -> Result<Motion> {
-        let mut run = newton::run::run(self, times.as_ref(), options, Explain::Yes);
+        let mut run = newton::run::run(self, times.as_ref(), options, Some(EXPLAIN));
         match &mut run {
             Ok(motion) => self.note(motion),
             Err(error) => error.motion_mut().into_iter().for_each(|motion| self.note(motion)),
@@ -114,7 +115,7 @@ impl System {
     ) -> Result<()> {
         let (size, mut times) = (size.max(1), times.into_iter().peekable());
         options.check_memory(1, size, self.n_coordinates())?;
-        let mut run = newton::run::Run::new(self, options, Explain::Yes)?;
+        let mut run = newton::run::Run::new(self, options, Some(EXPLAIN))?;
         let mut order = newton::run::Order::default();
         let mut before: Option<Motion> = None;
         while times.peek().is_some() {
@@ -201,21 +202,12 @@ impl System {
     }
 }
 
-impl Error {
-    /// The same error with what is wrong with the mechanism at that time, by name, as far as the size of the system allows to look for it.
-    pub(crate) fn explained(mut self, system: &System, options: &Options) -> Error {
-        /// Coordinates up to which a failing run is examined by itself; [`System::diagnose`] does it for any number.
-        const EXAMINED: usize = 1500;
-        if let Error::SingularAt { t, diagnosis, motion, .. }
-        | Error::NoConvergence { t, diagnosis, motion, .. }
-        | Error::Toggle { asked: t, diagnosis, motion, .. } = &mut self
-            && system.n_coordinates() <= EXAMINED
-        {
-            let options = DiagnosisOptions { search: options.search.clone(), ..DiagnosisOptions::default() };
-            let last = motion.as_ref().and_then(|motion| Some(motion.q(motion.len().checked_sub(1)?)));
-            let start = last.map_or(Start::Guess(system.initial()), Start::Pose);
-            *diagnosis = diagnosis::diagnose(system.model(), start, *t, &options).ok().map(Box::new);
-        }
+impl Sweep<'_> {
+    /// Whether the error of a case that fails says what is wrong with the mechanism there ([`Error::diagnosis`]), as that of a run does; false
+    /// without it. To find that out takes from a tenth of a second to seconds a case, a thousand times what most cases take.
+    #[must_use]
+    pub fn diagnose(mut self, diagnose: bool) -> Self {
+        self.explain = diagnose.then_some(EXPLAIN);
         self
     }
 }

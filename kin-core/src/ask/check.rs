@@ -21,9 +21,9 @@ mod law;
 mod promises;
 mod table;
 
+pub use crate::model::mismatch::{Entry, Mismatch};
 pub use lanes::{LaneMismatch, lanes};
 pub use law::{LawMismatch, compare_law, law};
-pub use table::{Entry, Mismatch};
 
 use nalgebra::{DMatrix, DVector};
 

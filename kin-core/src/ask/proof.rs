@@ -50,7 +50,7 @@ use rayon::prelude::*;
 
 use crate::model::blame::Source;
 use crate::model::error::{Error, Result};
-use crate::model::layout::Unit;
+use crate::model::units::Unit;
 use crate::model::units::Units;
 pub use crate::numbers::enclosure::Series;
 use crate::solve::motion::Motion;

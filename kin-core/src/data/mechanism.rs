@@ -3,14 +3,14 @@
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use super::value::Describer;
 use super::{FORMAT, Registry, is_first};
-use crate::ask::measure::Limit;
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
+use crate::model::describer::Describer;
 use crate::model::dual_route::ArgumentKind;
 use crate::model::error::{Error, Result};
 use crate::model::layout::{Kind, Place};
+use crate::model::mechanism::Limit;
 use crate::model::mechanism::Mechanism;
 use crate::model::units::Units;
 

@@ -3,11 +3,11 @@
 //! A motion comes back without loss. A mechanism comes back through a [`Registry`] of constructors, to which a user's own constraints are
 //! added: `Registry::new().with::<parabolic_slot>()`.
 
+mod joints;
 mod law;
 mod mechanism;
 mod motion;
 mod registry;
-pub(crate) mod unbounded;
 mod value;
 
 use std::path::Path;
@@ -15,11 +15,12 @@ use std::path::Path;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
+pub use crate::model::describer::Describer;
 pub use law::{LawData, LawReader};
 pub use mechanism::{ArgumentData, BodyData, BodyKind, ConstraintData, LimitData, MechanismData, PreferredData};
 pub use motion::{BreakData, MotionData, OutputData};
 pub use registry::{Described, Reader, Registry};
-pub use value::{Datum, Describer, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold};
+pub use value::{Datum, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold};
 
 use crate::ask::diagnosis::Diagnosis;
 use crate::model::error::{Error, Result};

@@ -45,7 +45,7 @@ impl Default for Registry {
 impl Registry {
     /// All joints, drivers and laws that ship.
     pub fn new() -> Registry {
-        crate::joints::registered(shipped(Registry { constraints: HashMap::new(), laws: HashMap::new() }))
+        super::joints::registered(shipped(Registry { constraints: HashMap::new(), laws: HashMap::new() }))
     }
 
     /// A constraint of one's own too: `Registry::new().with::<parabolic_slot>()`, after a function under `#[constraint]`.

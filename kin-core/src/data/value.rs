@@ -4,10 +4,11 @@ use std::marker::PhantomData;
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use serde_json::{Map, Value};
+use serde_json::Value;
 
 use super::Registry;
 use super::law::LawData;
+use crate::model::describer::Describer;
 use crate::model::law::Law;
 use crate::numbers::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
 
@@ -121,31 +122,10 @@ impl Datum for Law {
     }
 }
 
-/// The parameters of one constraint, being collected.
-#[derive(Default)]
-pub struct Describer {
-    pub(super) parameters: Map<String, Value>,
-    pub(super) refusal: Option<String>,
-}
-
 impl Describer {
     /// A parameter under its name.
     pub fn put(&mut self, name: &str, value: &impl Datum) {
         self.put_value(name, value.to_value());
-    }
-
-    /// The constraint cannot be described, and why.
-    pub fn refuse(&mut self, reason: impl Into<String>) {
-        self.refusal.get_or_insert(reason.into());
-    }
-
-    fn put_value(&mut self, name: &str, value: Result<Value, String>) {
-        match value {
-            Ok(value) => {
-                self.parameters.insert(name.to_string(), value);
-            }
-            Err(reason) => self.refuse(format!("its parameter `{name}`: {reason}")),
-        }
     }
 }
 

@@ -1,20 +1,15 @@
 //! What emitted code stands on. Not for use by hand: nothing here is part of the public interface.
 
-mod argument;
-mod cast;
 mod columns;
 mod editor;
 mod ended;
-mod foreign;
 pub mod graph;
 mod kernel;
-mod lift;
-mod numbers;
-mod parameter;
 mod refused;
 mod rows;
 mod sound;
 mod timed;
+mod values;
 
 pub use crate::data::{Described, Describer, Reader, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold};
 pub use crate::model::blame::{Asked, Blame, Source};
@@ -29,20 +24,14 @@ pub use crate::numbers::real::{Dual, Dual2_64, Dual3_64, Dual64, Real};
 pub use kin_graph::functions::{acosh, atanh};
 
 pub use crate::{__inside_editor as inside_editor, __outside_editor as outside_editor, __stand_in as stand_in};
-pub use argument::{IntoConstant, IntoField, IntoJet, IntoPlain, IntoReference, Jet, Nothing};
-pub use argument::{constant_argument, plain_argument, reference_argument};
-pub use cast::{Cast, Whole, cast, whole};
 pub use columns::Columns;
 pub use ended::ended;
-pub use foreign::{Foreign, LiftAny, LiftNumbers, LowerAny, LowerReal, ReceiveAny, ReceiveNumbers, ReceiveReference};
 pub use kernel::{fma, put};
-pub use lift::{Absent, Constants, Lift, Lower, absent, constants, lowered};
-pub use numbers::{Numbers, set, set_at, visit};
-pub use parameter::{Parameter, is_parameter};
 pub use refused::{Refuses, refusal, refused};
 pub use rows::{Rows, rows};
 pub use sound::{If, Sound, Then, callee};
 pub use timed::timed;
+pub use values::*;
 
 /// \[f, f′, f″, f‴\] of a function written for any dual number.
 pub fn jet_by_dual(x: f64, f: impl FnOnce(Real<Dual3_64>) -> Real<Dual3_64>) -> [f64; 4] {

@@ -8,7 +8,4 @@
 
 pub mod drivers;
 pub mod planar;
-mod registered;
 pub mod spatial;
-
-pub(crate) use registered::registered;

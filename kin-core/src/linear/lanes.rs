@@ -6,7 +6,7 @@
 mod measures;
 mod recorded;
 
-use super::replay::{Replay, SMALL};
+use super::recorded::replay::{Replay, SMALL};
 use super::{FADED, Linear, SINGULAR, SUSPICIOUS};
 use crate::numbers::lanes::{Level, Mask, Wide};
 use recorded::{Areas, GROUND};

@@ -5,10 +5,10 @@
 
 use crate::numbers::real::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
-use crate::data::Describer;
 use crate::model::blame::{Asked, Blame};
 use crate::model::constraint::{Attachment, Constraint, Dependence, Measured, Route};
 use crate::model::coordinates::Argument;
+use crate::model::describer::Describer;
 use crate::model::law::Law;
 use crate::model::state::{At, Rates};
 use crate::numbers::real::{Dual, Real};

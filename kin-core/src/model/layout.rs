@@ -2,20 +2,9 @@
 
 use std::collections::HashSet;
 
-use crate::model::coordinates::{Coordinate, MechanismId, PlanarBody, SpatialBody, Target};
+use crate::model::coordinates::{Argument, Coordinate, MechanismId, PlanarBody, SpatialBody, Target};
 use crate::model::error::{Error, Result};
-use crate::model::units::Units;
-
-/// Unit of a coordinate.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Unit {
-    /// A length.   \[m\]
-    Metre,
-    /// An angle.   \[rad\]
-    Radian,
-    /// An Euler parameter.   \[-\]
-    One,
-}
+use crate::model::units::{Unit, Units};
 
 /// What one declared item is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -159,6 +148,15 @@ impl Layout {
         let Some(index) = index else { return Some(Place::Ground(0.0)) };
         let item = self.items.get(index).filter(|item| item.kind == kind && mechanism == self.mechanism)?;
         Some(Place::Own { item: index, first: item.first })
+    }
+
+    /// The coordinates behind an argument's columns; `None` on the ground.
+    pub(crate) fn columns(&self, argument: &Argument) -> Vec<Option<usize>> {
+        let first = match self.place(&argument.target) {
+            Some(Place::Own { first, .. }) => Some(first),
+            _ => None,
+        };
+        (0..argument.target.columns()).map(|k| first.map(|first| first + k)).collect()
     }
 
     /// The error for a value of coordinate `column` that is not finite.

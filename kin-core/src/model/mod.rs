@@ -1,14 +1,20 @@
 //! Mechanisms as they are described: coordinates, what a constraint sees and can be asked for, laws, the equation as data, what can go wrong.
 
 pub mod blame;
+pub(crate) mod body;
 pub mod constraint;
 pub mod coordinates;
+pub(crate) mod describer;
 pub mod dual_route;
 pub mod error;
 pub(crate) mod formula;
 pub mod law;
 pub(crate) mod layout;
 pub mod mechanism;
+pub(crate) mod mismatch;
+pub mod motion;
 pub mod state;
 pub mod terms;
 pub(crate) mod units;
+pub mod verdict;
+pub(crate) mod words;

@@ -4,7 +4,16 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use crate::model::layout::Unit;
+/// Unit of a coordinate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Unit {
+    /// A length.   \[m\]
+    Metre,
+    /// An angle.   \[rad\]
+    Radian,
+    /// An Euler parameter.   \[-\]
+    One,
+}
 
 /// The words for the units of length and time; angles are in radians. Nothing is converted: Kin computes in any consistent set of units.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]

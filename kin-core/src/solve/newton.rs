@@ -11,8 +11,9 @@ mod sweep;
 mod told;
 mod watch;
 
-pub use options::{Follow, Options, Report, Stop};
-pub use watch::CrossedBreak;
+pub use crate::model::motion::CrossedBreak;
+pub use crate::system::Report;
+pub use options::{Follow, Options, Stop};
 
 use crate::linear::{Linear, RANK};
 use crate::numbers::fours::{self, Fours};
@@ -27,9 +28,6 @@ pub(crate) const DOUBTFUL: f64 = RANK;
 
 /// Pivots of the recorded elimination differ from those of a complete one by less than this: below it the latter are asked.   \[-\]
 const SIMILAR: f64 = 30.0;
-
-/// What the right side for the jerk is called.
-pub(crate) const JERK_RHS: &str = "the right side for the jerk";
 
 /// A damped step turns no body by more than this.   \[rad\]
 const TURN: f64 = 1.0;
@@ -320,7 +318,7 @@ impl<'a> Newton<'a> {
         let equations = self.system.equations();
         let units = &self.system.layout().units;
         let dq = self.linear.solution();
-        let turns = dq.iter().zip(units).filter(|(_, unit)| **unit != crate::model::layout::Unit::Metre).map(|(dq, _)| dq.abs());
+        let turns = dq.iter().zip(units).filter(|(_, unit)| **unit != crate::model::units::Unit::Metre).map(|(dq, _)| dq.abs());
         let mut lambda = (TURN / largest(turns)).min(1.0);
         let merit = self.merit();
         let failure = self.failure();

@@ -12,8 +12,8 @@ use rayon::prelude::*;
 
 use crate::model::error::{Error, Result};
 use crate::numbers::lanes::{Lanes, Level, Mask, Wide, WithLevel};
+use crate::solve::explain::Explain;
 use crate::solve::motion::Motion;
-use crate::solve::newton::run::Explain;
 use crate::solve::newton::{self, Options};
 use crate::system::System;
 use crate::system::evaluate::lanes::Crew;
@@ -61,7 +61,7 @@ pub struct Sweep<'a> {
     places: Vec<CasePlace>,
     options: Options,
     lanes: Lanes,
-    explain: Explain,
+    pub(crate) explain: Option<Explain>,
     threads: Option<usize>,
     progress: Mutex<Option<Progress<'a>>>,
     stop: Option<&'a AtomicBool>,
@@ -75,7 +75,7 @@ impl<'a> Sweep<'a> {
         let names: Vec<String> = names.into_iter().map(|name| name.as_ref().to_string()).collect();
         let places = system.places(&names)?;
         let (options, lanes, progress) = (Options::default(), Lanes::default(), Mutex::new(None));
-        Ok(Sweep { system, names, places, options, lanes, explain: Explain::No, threads: None, progress, stop: None })
+        Ok(Sweep { system, names, places, options, lanes, explain: None, threads: None, progress, stop: None })
     }
 
     /// Other options than [`Options::default`].
@@ -89,14 +89,6 @@ impl<'a> Sweep<'a> {
     #[must_use]
     pub fn lanes(mut self, lanes: Lanes) -> Self {
         self.lanes = lanes;
-        self
-    }
-
-    /// Whether the error of a case that fails says what is wrong with the mechanism there ([`Error::diagnosis`]), as that of a run does; false
-    /// without it. To find that out takes from a tenth of a second to seconds a case, a thousand times what most cases take.
-    #[must_use]
-    pub fn diagnose(mut self, diagnose: bool) -> Self {
-        self.explain = if diagnose { Explain::Yes } else { Explain::No };
         self
     }
 
@@ -143,7 +135,7 @@ impl<'a> Sweep<'a> {
         job.report(0);
         let all = || match self.lanes {
             Lanes::Off => job.one_by_one(),
-            _ if self.options.jerk || self.system.n_coordinates() == 0 || newton::redundant::is_redundant(self.system) => job.one_by_one(),
+            _ if self.options.jerk || self.system.n_coordinates() == 0 || self.system.is_redundant() => job.one_by_one(),
             Lanes::Best if !self.system.has_lanes() => job.one_by_one(),
             Lanes::Best => Lanes::Best.dispatch(&job).unwrap_or_else(|job| job.one_by_one()),
             lanes => lanes.dispatch(&job).unwrap_or_else(|_| Err(not_there(lanes))),

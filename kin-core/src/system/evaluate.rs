@@ -1,6 +1,7 @@
 //! Evaluation of a whole system: states once an iterate, then each constraint into its own block of rows and values.
 
 mod block;
+mod culprit;
 mod held;
 pub(crate) mod lanes;
 mod linear;
@@ -35,6 +36,9 @@ impl Instant {
         self.t
     }
 }
+
+/// What the right side for the jerk is called.
+pub(crate) const JERK_RHS: &str = "the right side for the jerk";
 
 /// What of a constraint is not finite.
 #[derive(Clone, Copy, Debug, PartialEq)]

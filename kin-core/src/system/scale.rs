@@ -1,6 +1,7 @@
 //! Characteristic sizes: what makes tolerances and ranks the same in mm, m and km.
 
-use crate::model::layout::{Layout, Unit};
+use crate::model::layout::Layout;
+use crate::model::units::Unit;
 use crate::system::evaluate::Equations;
 
 /// The characteristic size s_j of every coordinate: 1 for angles and Euler parameters, for lengths a typical length of the model.

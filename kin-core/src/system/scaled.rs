@@ -4,10 +4,10 @@
 
 use crate::linear::{Echelon, RANK, Sparse};
 use crate::model::error::Error;
-use crate::model::layout::{Layout, Unit};
+use crate::model::layout::Layout;
+use crate::model::units::Unit;
 use crate::numbers::random::Random;
-use crate::solve::newton::JERK_RHS;
-use crate::system::evaluate::{Bad, Equations, finite};
+use crate::system::evaluate::{Bad, Equations, JERK_RHS, finite};
 use crate::system::scale;
 
 /// What rows may be off and count as met, of their norms.   \[-\]
@@ -174,6 +174,11 @@ impl Model<'_> {
     /// The rank of C_q by its values at a pose.
     pub(crate) fn rank(&self, values: &[f64], measures: &Measures) -> usize {
         Echelon::new(self.scaled(values, measures, &|_| true), self.n(), RANK).rank()
+    }
+
+    /// The error for what is not finite at a pose.
+    pub(crate) fn not_finite(&self, bad: Bad, q: &[f64], t: f64) -> Error {
+        self.equations.not_finite(bad, self.layout, &self.equations.instant_at(t, q))
     }
 
     /// Whether a coordinate turns something: its changes are limited.

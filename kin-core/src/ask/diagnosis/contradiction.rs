@@ -1,20 +1,19 @@
 //! The pose to look at, and what cannot be met there.
 
-use super::change::{Change, Size};
-use super::examine::Start;
-use super::gap::{Gap, gap};
-use super::lengths;
-use super::options::DiagnosisOptions;
+use super::cure::lengths;
+use super::cure::slips::{self, Slip};
+use super::cure::trial::Trial;
+use super::gap::gap;
+use super::nearest::nearest;
+use super::options::{DiagnosisOptions, Search};
 use super::order;
-use super::slips::{self, Slip};
-use super::trial::Trial;
 use crate::linear::Tall;
 use crate::model::error::{Error, Result};
-use crate::model::layout::Unit;
+use crate::model::units::Unit;
+use crate::model::verdict::{Change, Gap, Size};
 use crate::numbers::random::Random;
-use crate::solve::assembly::options::Clock;
 use crate::solve::assembly::search::{self, Found};
-use crate::solve::assembly::squares::Squares;
+use crate::solve::explain::Start;
 use crate::system::scaled::{Measures, Model, Point};
 
 /// A share of the largest residual above this takes part in what cannot be met.   \[-\]
@@ -60,14 +59,6 @@ pub(super) fn place(model: Model<'_>, start: Start<'_>, t: f64, options: &Diagno
 
 fn nowhere(t: f64) -> Error {
     Error::InvalidTimes { reason: format!("nothing is finite at t = {t}") }
-}
-
-/// What stays the same while constraints are let go.
-pub(super) struct Search<'a> {
-    pub model: Model<'a>,
-    pub t: f64,
-    pub options: &'a DiagnosisOptions,
-    pub clock: Clock,
 }
 
 impl Search<'_> {
@@ -288,37 +279,4 @@ fn culprits(model: &Model<'_>, found: &Found, open: &[usize]) -> impl Iterator<I
         }
     }
     blocks.into_iter()
-}
-
-/// The pose at which these rows are as nearly met as the other active ones allow, near the one given: the rows weigh ever less against the
-/// others, and then the others are shifted by what they are still off, until they are met (method of multipliers; J. Nocedal, S. J. Wright,
-/// Numerical Optimization, section 17.3). So at the smallest gap the equations that hold it open depend on one another to half the digits at least.
-pub(super) fn nearest(
-    model: &Model<'_>,
-    measures: &Measures,
-    from: &[f64],
-    t: f64,
-    active: &dyn Fn(usize) -> bool,
-    rows: &[usize],
-    steps: usize,
-) -> Vec<f64> {
-    /// What the rows weigh against the others, stage by stage, and the rounds of shifts after that, each of which is worth some five digits.   \[-\]
-    const WEIGHTS: [f64; 3] = [3e-1, 3e-2, 3e-3];
-    const ROUNDS: usize = 3;
-    let mut q = from.to_vec();
-    let mut squares = Squares::new(*model, measures, Vec::new(), false);
-    (0..model.m()).filter(|row| !active(*row)).for_each(|row| squares.weights[row] = 0.0);
-    for round in 0..WEIGHTS.len() + ROUNDS {
-        match WEIGHTS.get(round) {
-            Some(weight) => rows.iter().for_each(|row| squares.weights[*row] = *weight),
-            None => {
-                let Ok(point) = model.linearize(&q, t) else { break };
-                let others = (0..model.m()).filter(|row| !rows.contains(row));
-                others.for_each(|row| squares.shifts[row] += point.c[row]);
-            }
-        }
-        let Some(place) = squares.place(&q, t) else { break };
-        q = squares.minimise(place, steps).q;
-    }
-    q
 }

@@ -1,27 +1,11 @@
 //! Where to begin instead of at a singular position: a time, or another value for a driver, tried before it is told.
 
-use serde::{Deserialize, Serialize};
+use crate::model::verdict::{Asks, Elsewhere};
 
-use super::examine::Examined;
-use super::gap::Asks;
+use super::examined::Examined;
 use crate::linear::Echelon;
 use crate::solve::assembly::search;
 use crate::system::scaled::Model;
-
-/// What leads to a position that is not singular.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[non_exhaustive]
-pub enum Elsewhere {
-    /// Another time.   \[s\]
-    Time(f64),
-    /// Another value for a driver.
-    Drive {
-        /// The driver.
-        constraint: String,
-        /// What it asks for now, and what to ask for: where the coordinate stands at a position that is not singular.
-        asks: Asks,
-    },
-}
 
 /// Pivots there are this far from zero.   \[-\]
 const CLEAR: f64 = 1e-4;

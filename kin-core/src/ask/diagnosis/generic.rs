@@ -1,7 +1,7 @@
 //! Nearby poses of the same assembly: random steps along what is free, back onto C = 0, with always the same random numbers.
 
-use super::contradiction::nearest;
-use super::examine::{Orders, Ranked, ranked};
+use super::nearest::nearest;
+use super::rank::{Orders, Ranked, ranked};
 use crate::linear::{Echelon, RANK, Sparse};
 use crate::numbers::random::Random;
 use crate::solve::assembly::squares::Squares;

@@ -7,33 +7,25 @@
 //! Ranks are taken with lengths in units of the model's own typical length and every row by its norm, so that verdicts are the same in mm, m
 //! and km. Pivots below 1e-7 of that count as zero, for the solver as for a diagnosis; [`Diagnosis::gap`] tells how clear the cut was.
 
-mod advice;
-mod change;
 mod contradiction;
+mod cure;
 mod dependency;
-mod dimension;
 mod elsewhere;
 mod examine;
-mod fit;
-mod freed;
+mod examined;
+pub(crate) mod explain;
 mod freedom;
 mod gap;
 mod generic;
-mod lengths;
+mod nearest;
 mod options;
 mod order;
-mod repeats;
-mod singular;
-mod slips;
-mod text;
-mod trial;
+mod rank;
 
-pub use change::{Change, GlobalPoint, Resize, Size};
-pub use dependency::{Class, Dependency, Level, Term};
-pub use elsewhere::Elsewhere;
-pub use examine::Diagnosis;
-pub(crate) use examine::{Start, diagnose};
-pub use freedom::{BodyMotion, Freedom, How, Persistence};
-pub use gap::{Against, Asks, Gap};
+pub(crate) use examine::diagnose;
 pub use options::DiagnosisOptions;
-pub(crate) use singular::{Singular, singular, singular_within};
+
+pub use crate::model::verdict::{
+    Against, Asks, BodyMotion, Change, Class, Dependency, Diagnosis, Elsewhere, Freedom, Gap, GlobalPoint, How, Level, Persistence, Resize,
+    Size, Term,
+};

@@ -2,7 +2,8 @@
 
 use crate::model::error::Result;
 use crate::solve::assembly::SearchOptions;
-use crate::solve::assembly::options::at_least_one;
+use crate::solve::assembly::options::{Clock, at_least_one};
+use crate::system::scaled::Model;
 
 /// How far a mechanism is examined. All fields have defaults: `DiagnosisOptions { poses: 10, ..DiagnosisOptions::default() }`.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,9 +23,22 @@ impl Default for DiagnosisOptions {
 }
 
 impl DiagnosisOptions {
+    /// The defaults, a pose looked for as a run looks for it.
+    pub(super) fn searching(search: &SearchOptions) -> Self {
+        DiagnosisOptions { search: search.clone(), ..DiagnosisOptions::default() }
+    }
+
     /// An error unless there is something to do.
     pub(crate) fn check(&self) -> Result<()> {
         self.search.check()?;
         at_least_one(self.poses, "nearby poses")
     }
+}
+
+/// A search for a pose, and for what stands in its way: what stays the same all through it.
+pub(super) struct Search<'a> {
+    pub model: Model<'a>,
+    pub t: f64,
+    pub options: &'a DiagnosisOptions,
+    pub clock: Clock,
 }

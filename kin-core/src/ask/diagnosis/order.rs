@@ -2,7 +2,8 @@
 
 use std::cmp::Ordering;
 
-use crate::model::layout::{Place, Unit};
+use crate::model::layout::Place;
+use crate::model::units::Unit;
 use crate::system::scaled::Model;
 
 /// Rows in the order in which they are the first to be called superfluous: drivers, then joints, the last name first; the norms of Euler

@@ -2,8 +2,6 @@
 
 use kin_graph::{Formula, Function, Function2, Input, LeafUse, Node, Op, Results, Source, evaluate};
 
-use crate::model::blame::columns;
-use crate::model::constraint::Constraint;
 use crate::model::formula::{Given, Outside, Table, jet_of_law};
 use crate::numbers::real::Dual3_64;
 use crate::solve::motion::{Event, EventKind, Motion};
@@ -12,11 +10,6 @@ use crate::system::evaluate::Block;
 
 /// Each step of a motion is looked at in so many places; a condition that holds for less than that and not at its ends is not seen.
 const PLACES: usize = 4;
-
-/// Whether an equation may have anything that switches; on the dual route that is not known.
-pub(crate) fn switches(constraint: &dyn Constraint) -> bool {
-    constraint.table().is_some_and(|(table, _)| table.may_switch())
-}
 
 impl System {
     /// Tells the motion of each kink that it passes.
@@ -78,7 +71,7 @@ impl Watched<'_> {
         let instant = self.system.equations().instant_at(0.0, motion.q(0));
         let at = self.system.equations().at(self.block, &instant);
         let still = arguments.iter().enumerate().flat_map(|(k, argument)| at.coordinates(k, argument.target.columns()).to_vec());
-        let moving = arguments.iter().flat_map(|argument| columns(argument, self.system.layout()));
+        let moving = arguments.iter().flat_map(|argument| self.system.layout().columns(argument));
         let columns: Vec<(f64, Option<usize>)> = still.zip(moving).collect();
         move |q| columns.iter().map(|(still, column)| column.and_then(|column| q.get(column)).copied().unwrap_or(*still)).collect()
     }

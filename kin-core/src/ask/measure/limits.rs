@@ -1,46 +1,12 @@
 //! Limits of joints and ends of slots: a run tells by events when it passes them.
 
 use super::roots::{Root, Search, Zero};
-use crate::model::error::text::time;
-use crate::model::error::{Error, Result};
-use crate::model::mechanism::Mechanism;
+use crate::model::error::Result;
+use crate::model::mechanism::Limit;
 use crate::model::units::Units;
+use crate::model::words::time;
 use crate::solve::motion::{Event, EventKind, Motion};
 use crate::system::System;
-
-/// The range that a measure should keep to; an end that is infinite is none.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Limit {
-    /// The measure of a joint, or the coordinate, by name.
-    pub name: String,
-    pub ends: [f64; 2],
-}
-
-impl Limit {
-    /// What is wrong with its ends.
-    fn check(&self) -> Result<()> {
-        let [from, to] = self.ends;
-        if from < to {
-            return Ok(());
-        }
-        let reason = format!("its limits are {from} and {to}; give a smaller one and a larger one");
-        Err(Error::InvalidParameters { constraint: self.name.clone(), kind: "limit".to_string(), reason })
-    }
-}
-
-impl Mechanism {
-    /// The range that a measure of a joint (`"A.angle"`) or a coordinate (`"slider.R_x"`) should keep to, in its unit; infinite for no end. It
-    /// stops nothing: a run tells by an event when an end is passed ([`Motion::events`]). Slots know their ends by themselves.
-    ///
-    /// Errors: limits that are not in order. A name that nothing has is told by [`Mechanism::build`], with what can be asked.
-    pub fn limit(&mut self, measure: &str, from: f64, to: f64) -> Result<()> {
-        let limit = Limit { name: measure.to_string(), ends: [from, to] };
-        limit.check()?;
-        self.limits.retain(|known| known.name != limit.name);
-        self.limits.push(limit);
-        Ok(())
-    }
-}
 
 impl System {
     /// Takes the limits that were asked for. Errors: a name that nothing has.

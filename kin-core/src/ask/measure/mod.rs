@@ -5,6 +5,7 @@
 
 mod assemblies;
 mod between;
+mod condition;
 mod extremes;
 mod joint;
 pub(crate) mod kinks;
@@ -12,7 +13,6 @@ mod limits;
 mod roots;
 
 pub use extremes::{Extreme, Extremes};
-pub(crate) use limits::Limit;
 pub use roots::Crossing;
 
 use crate::model::coordinates::Coordinate;

@@ -2,7 +2,7 @@
 
 use kin_graph::{Formula, Input, Results, evaluate, evaluate_along};
 
-use crate::model::blame::{Source, columns};
+use crate::model::blame::Source;
 use crate::model::constraint::Constraint;
 use crate::model::error::Error;
 use crate::model::formula::bounds::{self as equation, Inputs};
@@ -51,7 +51,7 @@ impl<'a> Bounds<'a> {
             unreadable(constraint).map_or(Ok(()), |reason| Err(Error::CannotBeProved { what: what(), reason }))?;
             let (arguments, at) = (constraint.arguments(), equations.at(block, &instant));
             let values = arguments.iter().enumerate().flat_map(|(k, argument)| at.coordinates(k, argument.target.columns()));
-            let places = arguments.iter().flat_map(|argument| columns(argument, system.layout()));
+            let places = arguments.iter().flat_map(|argument| system.layout().columns(argument));
             let columns = places.zip(values).map(|(place, value)| place.map_or(Column::Fixed(*value), Column::Own)).collect();
             Ok(Part { constraint, first: block.rows().start, columns })
         };

@@ -3,8 +3,8 @@
 use std::fmt;
 
 use super::{Doubt, DoubtReason, Proof, Tube};
-use crate::model::error::text::{count, time};
-use crate::model::layout::Unit;
+use crate::model::units::Unit;
+use crate::model::words::{count, time};
 use crate::numbers::enclosure::interval::down;
 
 /// The verdict, and the first step of which there is none.

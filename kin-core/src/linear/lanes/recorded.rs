@@ -1,8 +1,8 @@
 //! What lanes make of a recording: the same steps on a memory in which right sides and solutions of all three kinds stay where they are.
 
-use super::super::program::Kind;
-use super::super::record::{Places, Recording};
-use super::super::replay::{Replay, SMALL};
+use super::super::recorded::program::Kind;
+use super::super::recorded::record::{Places, Recording};
+use super::super::recorded::replay::{Replay, SMALL};
 use super::super::{GROWTH, REFINED};
 use super::WideLinear;
 use crate::numbers::lanes::{Level, Wide};

@@ -1,8 +1,8 @@
 //! What errors of a failing run carry: the motion before it and what is wrong with the mechanism.
 
 use super::Error;
-use crate::ask::diagnosis::Diagnosis;
-use crate::solve::motion::Motion;
+use crate::model::motion::Motion;
+use crate::model::verdict::Diagnosis;
 
 impl Error {
     /// What a failing run had computed before it failed; `None` for errors of other operations.

@@ -1,11 +1,11 @@
 //! Bodies placed by points, and points found in bodies as they are drawn: frames at mid-link are where people slip.
 
 use super::{Mechanism, SpatialPose};
+use crate::model::body::Body;
 use crate::model::coordinates::SpatialLink;
 use crate::model::error::{Error, Result};
 use crate::model::layout::Place;
 use crate::numbers::algebra::Vec3;
-use crate::solve::motion::Body;
 
 /// A named point of a body and a direction there, both in the body's frame.
 ///

@@ -5,8 +5,9 @@ use std::str::FromStr;
 
 use crate::linear::{Echelon, RANK};
 use crate::model::coordinates::Target;
-use crate::model::layout::{Kind, Layout, Place, Unit};
+use crate::model::layout::{Kind, Layout, Place};
 use crate::model::state::SpatialState;
+use crate::model::units::Unit;
 use crate::system::scaled::{Measures, Model};
 
 /// The name of one assembly among all: a sign vector, and an ordinal among those of the same signs. Written as `+-+ 2`.

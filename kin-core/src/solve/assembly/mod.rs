@@ -12,4 +12,4 @@ pub(crate) mod turned_over;
 pub use label::Label;
 pub use modes::{Assembly, AssemblyOptions};
 pub use options::SearchOptions;
-pub(crate) use preferred::{Asked, apart, distance};
+pub(crate) use preferred::{apart, distance};

@@ -12,7 +12,8 @@ use super::squares::{Place, Squares};
 use super::turn;
 use crate::linear::{Linear, Tall};
 use crate::model::error::{Error, Result};
-use crate::model::layout::{Kind, Unit};
+use crate::model::layout::Kind;
+use crate::model::units::Unit;
 use crate::numbers::random::Random;
 use crate::system::scaled::{Measures, Model, Point};
 

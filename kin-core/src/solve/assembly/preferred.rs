@@ -4,17 +4,9 @@ use super::modes;
 use super::options::SearchOptions;
 use super::{Assembly, AssemblyOptions};
 use crate::model::error::Result;
-use crate::model::layout::{Kind, Layout, Unit};
-use crate::system::System;
-
-/// A preferred measure of a joint.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Asked {
-    pub block: usize,
-    pub number: usize,
-    pub is_angle: bool,
-    pub value: f64,
-}
+use crate::model::layout::{Kind, Layout};
+use crate::model::units::Unit;
+use crate::system::{PreferredMeasure, System};
 
 /// What is this near to everything that is preferred needs no other assembly.   \[rad, or typical lengths\]
 const CLOSE: f64 = 1e-3;
@@ -48,7 +40,7 @@ impl System {
             }
             let place = self.place_of(name).ok_or_else(|| self.no_measure(name))?;
             let is_angle = place.told.turns || place.told.unit == "rad";
-            self.asked.push(Asked { block: place.block, number: place.number, is_angle, value: *value });
+            self.asked.push(PreferredMeasure { block: place.block, number: place.number, is_angle, value: *value });
         }
         Ok(())
     }

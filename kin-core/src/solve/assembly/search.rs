@@ -3,7 +3,7 @@
 use super::options::SearchOptions;
 use super::squares::{Place, Squares};
 use super::{turn, turned_over};
-use crate::model::layout::Unit;
+use crate::model::units::Unit;
 use crate::numbers::random::Random;
 use crate::system::scaled::{Measures, Model};
 

@@ -1,6 +1,6 @@
 //! Driven angles first: rows in which one angle alone is not known yet say where it stands.
 
-use crate::model::layout::Unit;
+use crate::model::units::Unit;
 use crate::system::scaled::Model;
 
 /// Angles that are off by less are left to the search.   \[rad\]

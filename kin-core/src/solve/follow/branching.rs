@@ -8,8 +8,8 @@
 use nalgebra::{Matrix2, SymmetricEigen, Vector2};
 
 use super::curve::{Curve, Place};
-use super::singular::Branch;
 use crate::linear::Linear;
+use crate::model::motion::Branch;
 use crate::system::scaled::Model;
 
 /// Newton steps towards the critical point.

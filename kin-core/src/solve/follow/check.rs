@@ -7,7 +7,7 @@
 //! are linear along it, as those of a chain are in its lengths.
 
 use super::drive::{Drive, Lever, Span};
-use crate::model::layout::Unit;
+use crate::model::units::Unit;
 use crate::numbers::fours::{self, Fours};
 use crate::solve::newton::Newton;
 use crate::system::System;

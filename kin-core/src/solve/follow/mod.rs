@@ -14,7 +14,7 @@ mod root;
 mod singular;
 mod turning;
 
+pub use crate::model::motion::{Branch, SingularKind, SingularPosition};
 pub(crate) use check::{Check, EASY, Objection, REACH, outlook};
 pub(crate) use drive::{Drive, Lever, Span};
 pub(crate) use passage::{Landed, Lost, pass};
-pub use singular::{Branch, SingularKind, SingularPosition};

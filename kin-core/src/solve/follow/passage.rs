@@ -2,8 +2,9 @@
 
 use super::branching::{self, Branching};
 use super::curve::{Curve, Place};
-use super::singular::{self, Branch, SingularKind, SingularPosition};
+use super::singular;
 use super::turning;
+use crate::model::motion::{Branch, SingularKind, SingularPosition};
 use crate::solve::newton::Newton;
 
 /// Steps along the curve.

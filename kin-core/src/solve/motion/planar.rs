@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::{Motion, Quantity};
 use crate::model::coordinates::{Link, PlanarBody, Target};
 use crate::model::error::Result;
-use crate::model::layout::Unit;
+use crate::model::units::Unit;
 use crate::numbers::algebra::Vec2;
 
 /// Angular velocities below this share of the largest of the motion are none.   \[-\]

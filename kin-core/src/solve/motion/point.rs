@@ -2,17 +2,14 @@
 
 use std::ops::Range;
 
-use crate::numbers::real::Dual3_64;
-
 use super::{MARKS, Motion, Series};
-use crate::model::coordinates::{Link, PlanarBody, SpatialBody, SpatialLink, Target};
+use crate::model::body::{Body, Vector};
+use crate::model::coordinates::Target;
 use crate::model::error::{Error, Result};
-use crate::model::layout::{Place, Unit};
+use crate::model::layout::Place;
 use crate::model::mechanism::Marker;
-use crate::model::state::{PlanarState, SpatialState};
+use crate::model::units::Unit;
 use crate::model::units::Units;
-use crate::numbers::algebra::{Vec2, Vec3};
-use crate::numbers::real::Real;
 
 /// Position, velocity and acceleration of a point of a body, one of each a time, and its jerk where the run was asked for it.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,150 +21,6 @@ pub struct PointMotion<V> {
     a: Vec<V>,
     /// Empty unless the run was asked for the jerk.
     jerk: Vec<V>,
-}
-
-/// A vector of the plane or of space.
-pub trait Vector: Copy {
-    /// Names of its components.
-    const NAMES: &'static [&'static str];
-    /// Component k.
-    fn component(&self, k: usize) -> f64;
-}
-
-impl Vector for Vec2 {
-    const NAMES: &'static [&'static str] = &["x", "y"];
-
-    fn component(&self, k: usize) -> f64 {
-        if k == 0 { self.x } else { self.y }
-    }
-}
-
-impl Vector for Vec3 {
-    const NAMES: &'static [&'static str] = &["x", "y", "z"];
-
-    fn component(&self, k: usize) -> f64 {
-        [self.x, self.y, self.z].get(k).copied().unwrap_or(0.0)
-    }
-}
-
-/// A body whose points can be followed.
-pub trait Body {
-    /// `Vec2` or `Vec3`.
-    type Vector: Vector;
-
-    /// What it is to a mechanism.
-    #[doc(hidden)]
-    fn target(self) -> Target;
-
-    /// r, v, a and jerk of the local point u where the body's q, q̇, q̈ and q⃛ are these (those of the ground: none; without q⃛ the jerk means
-    /// nothing).
-    #[doc(hidden)]
-    fn point(u: Self::Vector, orders: [&[f64]; 4]) -> [Self::Vector; 4];
-
-    /// ū of a global point where the body's coordinates are these (those of the ground: none).
-    #[doc(hidden)]
-    fn local(point: Self::Vector, q: &[f64]) -> Self::Vector;
-
-    /// h̄ of a global direction where the body's coordinates are these (those of the ground: none).
-    #[doc(hidden)]
-    fn local_direction(h: Self::Vector, q: &[f64]) -> Self::Vector;
-}
-
-impl Body for PlanarBody {
-    type Vector = Vec2;
-
-    fn target(self) -> Target {
-        Target::Planar(self)
-    }
-
-    /// r = R + A ū,  v = Ṙ + θ̇ A_θ ū,  a = R̈ + θ̈ A_θ ū − θ̇² A ū   (lecture, "Velocity" and "Acceleration"), and from there
-    /// ȧ = R⃛ + (θ⃛ − θ̇³) A_θ ū − 3 θ̇ θ̈ A ū
-    fn point(u: Vec2, [q, qd, qdd, qddd]: [&[f64]; 4]) -> [Vec2; 4] {
-        let (&[x, y, theta], &[vx, vy, w], &[ax, ay, alpha]) = (q, qd, qdd) else { return still(u) };
-        let [jx, jy, zeta] = qddd.first_chunk().copied().unwrap_or_default();
-        let au = PlanarState::new([x, y, theta]).direction(u);
-        // A_θ ū, the 90° turn of A ū
-        let turned = Vec2::new(-au.y, au.x);
-        let (across, along) = (zeta - w * w * w, 3.0 * w * alpha);
-        [
-            Vec2::new(x + au.x, y + au.y),
-            Vec2::new(vx + w * turned.x, vy + w * turned.y),
-            Vec2::new(ax + alpha * turned.x - w * w * au.x, ay + alpha * turned.y - w * w * au.y),
-            Vec2::new(jx + across * turned.x - along * au.x, jy + across * turned.y - along * au.y),
-        ]
-    }
-
-    fn local(point: Vec2, q: &[f64]) -> Vec2 {
-        q.first_chunk().map_or(point, |q| PlanarState::new(*q).local(point))
-    }
-
-    fn local_direction(h: Vec2, q: &[f64]) -> Vec2 {
-        q.first_chunk().map_or(h, |q| PlanarState::new(*q).a().transpose() * h)
-    }
-}
-
-/// A link is followed as its body.
-macro_rules! as_its_body {
-    ($link:ident, $vector:ident, $body:ident) => {
-        impl Body for $link {
-            type Vector = $vector;
-
-            fn target(self) -> Target {
-                self.body.target()
-            }
-
-            fn point(u: $vector, orders: [&[f64]; 4]) -> [$vector; 4] {
-                $body::point(u, orders)
-            }
-
-            fn local(point: $vector, q: &[f64]) -> $vector {
-                $body::local(point, q)
-            }
-
-            fn local_direction(h: $vector, q: &[f64]) -> $vector {
-                $body::local_direction(h, q)
-            }
-        }
-    };
-}
-
-as_its_body!(Link, Vec2, PlanarBody);
-as_its_body!(SpatialLink, Vec3, SpatialBody);
-
-impl Body for SpatialBody {
-    type Vector = Vec3;
-
-    fn target(self) -> Target {
-        Target::Spatial(self)
-    }
-
-    /// r = R + A(p) ū and its derivatives along p(t), by third-order dual numbers.
-    fn point(u: Vec3, orders: [&[f64]; 4]) -> [Vec3; 4] {
-        let Some(jets) = jets(orders) else { return still(u) };
-        let r = SpatialState::new(jets).point(u);
-        let order = |part: fn(&Dual3_64) -> f64| Vec3::new(part(&r.x.0), part(&r.y.0), part(&r.z.0));
-        [order(|x| x.re), order(|x| x.v1), order(|x| x.v2), order(|x| x.v3)]
-    }
-
-    fn local(point: Vec3, q: &[f64]) -> Vec3 {
-        q.first_chunk().map_or(point, |q| SpatialState::new(*q).local(point))
-    }
-
-    fn local_direction(h: Vec3, q: &[f64]) -> Vec3 {
-        q.first_chunk().map_or(h, |q| SpatialState::new(*q).a().transpose() * h)
-    }
-}
-
-/// A point of the ground: it stays where it is.
-fn still<V: Default>(u: V) -> [V; 4] {
-    [u, V::default(), V::default(), V::default()]
-}
-
-/// The coordinates of a body as they move, from q, q̇, q̈ and q⃛ (zero if it is not there); `None` without N of each of the others.
-pub(super) fn jets<const N: usize>([q, qd, qdd, qddd]: [&[f64]; 4]) -> Option<[Real<Dual3_64>; N]> {
-    let ([q, qd, qdd], qddd) = ([q, qd, qdd].map(|row| row.first_chunk::<N>()), qddd.first_chunk::<N>());
-    let (q, qd, qdd, qddd) = (q?, qd?, qdd?, qddd.unwrap_or(&[0.0; N]));
-    Some(std::array::from_fn(|k| Real(Dual3_64::new(q[k], qd[k], qdd[k], qddd[k]))))
 }
 
 impl Motion {
@@ -292,42 +145,4 @@ impl<V: Vector> PointMotion<V> {
 /// |x| without overflow.
 fn size<V: Vector>(x: &V) -> f64 {
     (0..V::NAMES.len()).map(|k| x.component(k)).fold(0.0_f64, f64::hypot)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn planar_formulas_are_the_derivatives_along_the_motion() {
-        let orders: [&[f64]; 4] = [&[0.3, -1.2, 2.1], &[0.7, 0.2, -3.0], &[1.5, -0.4, 11.0], &[-6.0, 2.5, 70.0]];
-        let u = Vec2::new(0.4, -0.9);
-        let exact = PlanarState::new(jets(orders).unwrap()).point(u);
-        for (order, found) in PlanarBody::point(u, orders).into_iter().enumerate() {
-            for (found, exact) in [(found.x, exact.x.0), (found.y, exact.y.0)] {
-                let exact = [exact.re, exact.v1, exact.v2, exact.v3][order];
-                assert!((found - exact).abs() < 1e-13 * (1.0 + exact.abs()), "{found} {exact}");
-            }
-        }
-    }
-
-    #[test]
-    fn spatial_point_turns_like_the_planar_one_about_z() {
-        let (theta, w, alpha) = (0.7_f64, 1.3, -2.0);
-        let (s, c) = (0.5 * theta).sin_cos();
-        // p = (cos θ/2, 0, 0, sin θ/2)
-        let p = [c, 0.0, 0.0, s];
-        let pd = [-0.5 * w * s, 0.0, 0.0, 0.5 * w * c];
-        let pdd = [-0.5 * alpha * s - 0.25 * w * w * c, 0.0, 0.0, 0.5 * alpha * c - 0.25 * w * w * s];
-        let join = |r: [f64; 3], p: [f64; 4]| [r[0], r[1], r[2], p[0], p[1], p[2], p[3]];
-        let orders = [join([0.3, -1.2, 5.0], p), join([0.7, 0.2, 0.0], pd), join([1.5, -0.4, 0.0], pdd)];
-        let [q, qd, qdd] = &orders;
-        let spatial = SpatialBody::point(Vec3::new(0.4, -0.9, 0.2), [q, qd, qdd, &[]]);
-        let planar = PlanarBody::point(Vec2::new(0.4, -0.9), [&[0.3, -1.2, theta], &[0.7, 0.2, w], &[1.5, -0.4, alpha], &[]]);
-        let (spatial, planar) = (&spatial[..3], &planar[..3]);
-        for (spatial, planar) in spatial.iter().zip(planar) {
-            assert!((spatial.x - planar.x).abs() < 1e-14 && (spatial.y - planar.y).abs() < 1e-14);
-        }
-        assert!((spatial[0].z - 5.2).abs() + spatial[1].z.abs() + spatial[2].z.abs() < 1e-14);
-    }
 }

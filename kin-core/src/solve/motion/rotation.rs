@@ -3,8 +3,8 @@
 use super::{Motion, Series};
 use crate::model::coordinates::{SpatialBody, Target};
 use crate::model::error::Result;
-use crate::model::layout::Unit;
 use crate::model::state::SpatialState;
+use crate::model::units::Unit;
 use crate::model::units::Units;
 use crate::numbers::algebra::Vec3;
 

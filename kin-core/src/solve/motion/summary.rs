@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::Motion;
-use crate::model::error::text::count;
 use crate::model::layout::{Item, Kind};
+use crate::model::words::count;
 use crate::numbers::algebra::{EulerParameters, Vec3};
 
 /// Bodies that are told at most.

@@ -2,7 +2,7 @@
 //! reason for 300 turns' worth of careful steps.
 
 use super::{Newton, TURN};
-use crate::model::layout::Unit;
+use crate::model::units::Unit;
 
 /// Rounds in which rows that are not linear in their angles are sorted out.
 const ROUNDS: usize = 64;

@@ -144,17 +144,3 @@ impl Options {
 pub(super) fn resolution(from: f64, to: f64) -> f64 {
     8.0 * f64::EPSILON * from.abs().max(to.abs())
 }
-
-/// What Newton's iteration did at one time.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Report {
-    /// Newton steps taken, those of rescued attempts included.
-    pub iterations: usize,
-    /// max |C_i| at the solution, in the unit of its row.
-    pub residual: f64,
-    /// Name of the equation that has it, such as `A.x`; empty for a mechanism without coordinates.
-    pub worst: String,
-    /// The smallest pivot of C_q, relative to its row: near zero close to a singular position.   \[-\]
-    pub smallest_pivot: f64,
-}

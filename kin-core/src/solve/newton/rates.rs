@@ -1,8 +1,8 @@
 //! Velocities, accelerations and jerks, with the matrix of the last check.
 
-use super::{Failure, JERK_RHS, Newton};
+use super::{Failure, Newton};
 use crate::numbers::fours;
-use crate::system::evaluate::{Bad, finite};
+use crate::system::evaluate::{Bad, JERK_RHS, finite};
 
 impl Newton<'_> {
     /// q̇ from C_q q̇ = −C_t and q̈ from C_q q̈ = Q_d, with the matrix that [`Newton::solve`] has left factored.

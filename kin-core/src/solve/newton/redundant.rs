@@ -10,20 +10,19 @@ mod solver;
 
 use super::options::resolution;
 use super::predictor::{Last, Predictor};
-use super::run::Explain;
 use super::sweep::SHORTEST;
 use super::watch::Watch;
 use super::{Options, Outcome, Report, STALL, Stop};
-use crate::ask::diagnosis::Start;
 use crate::model::error::{Error, Result};
 use crate::numbers::fours::{self, Fours};
 use crate::solve::assembly::search::{self, Found};
+use crate::solve::explain::{Explain, Start};
 use crate::solve::follow::Drive;
 use crate::solve::motion::Motion;
 use crate::system::evaluate::{Instant, finite};
 use crate::system::scaled::{Measures, Model, Point, TOLERANCE};
 use crate::system::{Solution, System};
-use errors::{blamed, unmet};
+use errors::unmet;
 pub(crate) use solver::solved;
 use solver::{Solver, scales};
 
@@ -35,13 +34,13 @@ const ALLOWED: f64 = 30.0;
 pub(crate) struct Sweep<'a> {
     system: &'a System,
     options: &'a Options,
-    explain: Explain,
+    explain: Option<Explain>,
     /// None before the first time.
     driver: Option<Driver<'a>>,
 }
 
 impl<'a> Sweep<'a> {
-    pub(crate) fn new(system: &'a System, options: &'a Options, explain: Explain) -> Self {
+    pub(crate) fn new(system: &'a System, options: &'a Options, explain: Option<Explain>) -> Self {
         Sweep { system, options, explain, driver: None }
     }
 
@@ -65,10 +64,10 @@ impl<'a> Sweep<'a> {
 }
 
 /// Position, velocity and acceleration at one time; from the guess, or from a start that is near.
-pub(crate) fn at(system: &System, t: f64, start: Option<&[f64]>, options: &Options) -> Result<Solution> {
+pub(crate) fn at(system: &System, t: f64, start: Option<&[f64]>, options: &Options, explain: Explain) -> Result<Solution> {
     let (driver, outcome) = match start {
-        None => Driver::assembled(system, options, t, Explain::Yes)?,
-        Some(start) => Driver::from_start(system, options, t, start)?,
+        None => Driver::assembled(system, options, t, Some(explain))?,
+        Some(start) => Driver::from_start(system, options, t, (start, explain))?,
     };
     let worst = system.equations().equation(driver.worst);
     let report =
@@ -81,7 +80,7 @@ struct Driver<'a> {
     system: &'a System,
     model: Model<'a>,
     options: &'a Options,
-    explain: Explain,
+    explain: Option<Explain>,
     measures: Measures,
     solver: Solver,
     instant: Instant,
@@ -116,7 +115,7 @@ struct Driver<'a> {
 }
 
 impl<'a> Driver<'a> {
-    fn new(system: &'a System, (options, explain): (&'a Options, Explain), t: f64, (q, measures): (Vec<f64>, Measures)) -> Self {
+    fn new(system: &'a System, (options, explain): (&'a Options, Option<Explain>), t: f64, (q, measures): (Vec<f64>, Measures)) -> Self {
         let model = system.model_within(options.closure);
         let (n, equations) = (model.n(), model.equations);
         let mut point = Point { c: vec![0.0; model.m()], values: vec![0.0; equations.entries.len()] };
@@ -155,7 +154,7 @@ impl<'a> Driver<'a> {
     }
 
     /// Assembled from the guess, into the preferred assembly.
-    fn assembled(system: &'a System, options: &'a Options, t: f64, explain: Explain) -> Result<(Self, Outcome)> {
+    fn assembled(system: &'a System, options: &'a Options, t: f64, explain: Option<Explain>) -> Result<(Self, Outcome)> {
         let model = system.model_within(options.closure);
         let mut found = search::search(model, system.initial(), t, &|_| true, &options.search);
         if let Some(q) = system.nearer(found.as_ref().filter(|found| found.met).map(|found| &found.place.q[..]), t, &options.search) {
@@ -165,9 +164,9 @@ impl<'a> Driver<'a> {
     }
 
     /// Assembled from a start, nothing preferred.
-    fn from_start(system: &'a System, options: &'a Options, t: f64, start: &[f64]) -> Result<(Self, Outcome)> {
+    fn from_start(system: &'a System, options: &'a Options, t: f64, (start, explain): (&[f64], Explain)) -> Result<(Self, Outcome)> {
         let found = search::descend(system.model_within(options.closure), start, t, &|_| true, false, options.search.steps);
-        Self::found(system, options, t, found, (start, Explain::Yes))
+        Self::found(system, options, t, found, (start, Some(explain)))
     }
 
     fn found(
@@ -175,13 +174,13 @@ impl<'a> Driver<'a> {
         options: &'a Options,
         t: f64,
         found: Option<Found>,
-        (start, explain): (&[f64], Explain),
+        (start, explain): (&[f64], Option<Explain>),
     ) -> Result<(Self, Outcome)> {
         let model = system.model_within(options.closure);
         let Some(found) = found.filter(|found| found.met) else {
             return Err(match explain {
-                Explain::Yes => blamed(model, Start::Guess(start), t, options),
-                Explain::No => unmet(system, start, t, 0, None),
+                Some(explain) => (explain.cannot_be_driven)(model, Start::Guess(start), t, options),
+                None => unmet(system, start, t, 0, None),
             });
         };
         let steps = found.place.steps;
@@ -363,8 +362,8 @@ impl<'a> Driver<'a> {
     fn blamed(&self, closes: bool, t: f64) -> Error {
         let start = if closes { Start::Pose(&self.q) } else { Start::Guess(&self.q) };
         match self.explain {
-            Explain::Yes => blamed(self.model, start, t, self.options),
-            Explain::No => unmet(self.system, &self.q, t, self.steps, Some(self.t)),
+            Some(explain) => (explain.cannot_be_driven)(self.model, start, t, self.options),
+            None => unmet(self.system, &self.q, t, self.steps, Some(self.t)),
         }
     }
 
@@ -372,9 +371,4 @@ impl<'a> Driver<'a> {
     fn rows(&self) -> [&[f64]; 4] {
         [&self.q, &self.qd, &self.qdd, &self.qddd]
     }
-}
-
-/// Whether a system is one for this driver.
-pub(crate) fn is_redundant(system: &System) -> bool {
-    system.n_equations() > system.n_coordinates()
 }

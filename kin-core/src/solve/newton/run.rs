@@ -4,18 +4,12 @@ use super::sweep::Sweep;
 use super::watch::Watch;
 use super::{Options, redundant};
 use crate::model::error::{Error, Result};
+use crate::solve::explain::Explain;
 use crate::solve::motion::Motion;
 use crate::system::System;
 
-/// Whether an error says what is wrong with the mechanism, which takes longer than most runs.
-#[derive(Clone, Copy, PartialEq)]
-pub(crate) enum Explain {
-    Yes,
-    No,
-}
-
 /// Position, velocity and acceleration at each of the times.
-pub(crate) fn run(system: &System, times: &[f64], options: &Options, explain: Explain) -> Result<Motion> {
+pub(crate) fn run(system: &System, times: &[f64], options: &Options, explain: Option<Explain>) -> Result<Motion> {
     check(times)?;
     options.check_memory(1, times.len(), system.n_coordinates())?;
     let (mut run, mut motion) = (Run::new(system, options, explain)?, Motion::new(system, times.len()));
@@ -32,7 +26,7 @@ pub(crate) fn run(system: &System, times: &[f64], options: &Options, explain: Ex
 pub(crate) struct Run<'a> {
     system: &'a System,
     options: &'a Options,
-    explain: Explain,
+    explain: Option<Explain>,
     driver: Driver<'a>,
     watch: Watch,
 }
@@ -46,12 +40,12 @@ enum Driver<'a> {
 
 impl<'a> Run<'a> {
     /// A run that has not begun. Errors: options out of range, a jerk that is not known.
-    pub(crate) fn new(system: &'a System, options: &'a Options, explain: Explain) -> Result<Self> {
+    pub(crate) fn new(system: &'a System, options: &'a Options, explain: Option<Explain>) -> Result<Self> {
         options.check()?;
         if options.jerk {
             system.knows_jerk()?;
         }
-        let driver = if redundant::is_redundant(system) {
+        let driver = if system.is_redundant() {
             Driver::Redundant(Box::new(redundant::Sweep::new(system, options, explain)))
         } else {
             Driver::Plain(Box::new(Sweep::new(system, options)))
@@ -80,7 +74,7 @@ impl<'a> Run<'a> {
     pub(crate) fn failed(&self, error: Error, motion: Motion) -> Error {
         let error = error.with_motion(motion);
         match (&self.driver, self.explain) {
-            (Driver::Plain(_), Explain::Yes) => error.explained(self.system, self.options),
+            (Driver::Plain(_), Some(explain)) => (explain.explained)(error, self.system, self.options),
             _ => error,
         }
     }

@@ -4,25 +4,12 @@ use std::f64::consts::{PI, TAU};
 
 use crate::model::error::Error;
 use crate::model::law::{Break, MOST_BREAKS};
+use crate::model::motion::CrossedBreak;
 use crate::system::System;
 use crate::system::evaluate::Instant;
 
 /// Breaks that a run lists at most; it goes on without listing more.
 pub(crate) const MOST_CROSSED: usize = 100_000;
-
-/// A break of a law that a run has crossed: there a derivative of the motion jumps.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct CrossedBreak {
-    /// The last time before it, and the first one after it or at it.   \[s\]
-    pub between: (f64, f64),
-    /// The constraint that asks the law.
-    pub constraint: String,
-    /// The law, by its name in the constraint.
-    pub law: String,
-    /// Where in the law it is, and which derivative jumps.
-    pub found: Break,
-}
 
 /// The laws of a system that have breaks, and where they were asked last.
 #[derive(Default)]

@@ -2,7 +2,7 @@
 //! closer here: its case is run alone.
 
 use crate::linear::lanes::WideLinear;
-use crate::model::layout::Unit;
+use crate::model::units::Unit;
 use crate::numbers::lanes::{Level, Mask, Wide};
 use crate::solve::follow::{self, Drive, EASY, REACH};
 use crate::solve::newton::Newton;

@@ -1,19 +1,7 @@
 //! Why a mechanism with more equations than coordinates cannot be solved at a time.
 
-use super::super::Options;
-use crate::ask::diagnosis::{self, DiagnosisOptions, Start};
 use crate::model::error::Error;
 use crate::system::System;
-use crate::system::scaled::Model;
-
-/// The error for a mechanism that cannot be driven there, with its diagnosis.
-pub(super) fn blamed(model: Model<'_>, start: Start<'_>, t: f64, options: &Options) -> Error {
-    let options = DiagnosisOptions { search: options.search.clone(), ..DiagnosisOptions::default() };
-    match diagnosis::diagnose(model, start, t, &options) {
-        Ok(diagnosis) => Error::CannotBeDriven { diagnosis: Box::new(diagnosis), motion: None },
-        Err(error) => error,
-    }
-}
 
 /// The same error where nobody asks what is wrong: the equation that is furthest from being met.
 pub(super) fn unmet(system: &System, q: &[f64], t: f64, iterations: usize, last: Option<f64>) -> Error {

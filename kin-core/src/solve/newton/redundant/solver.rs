@@ -1,10 +1,9 @@
 //! More equations than coordinates, solved for as many of them or in the sense of least squares.
 
 use super::super::Options;
-use super::errors::blamed;
-use crate::ask::diagnosis::Start;
 use crate::linear::{Independent, Tall};
 use crate::model::error::Result;
+use crate::solve::explain::{Explain, Start};
 use crate::system::System;
 use crate::system::scaled::{Measures, Model};
 
@@ -60,7 +59,7 @@ impl Solver {
 }
 
 /// C_q x = the right side at a position, in the sense of least squares.
-pub(crate) fn solved(system: &System, q: &[f64], t: f64, rhs: &[f64]) -> Result<Vec<f64>> {
+pub(crate) fn solved(system: &System, q: &[f64], t: f64, rhs: &[f64], explain: Explain) -> Result<Vec<f64>> {
     let model = system.model();
     let (measures, m, n) = (model.measure(q, t), model.m(), model.n());
     let instant = || model.equations.instant_at(t, q);
@@ -68,7 +67,7 @@ pub(crate) fn solved(system: &System, q: &[f64], t: f64, rhs: &[f64]) -> Result<
     let mut tall = Tall::new(m, n, &model.equations.entries);
     let scaled = scales(&model, &measures).into_iter().zip(&point.values).map(|(scale, value)| scale * value);
     if !tall.factor(scaled, 0.0) {
-        return Err(blamed(model, Start::Pose(q), t, &Options::default()));
+        return Err((explain.cannot_be_driven)(model, Start::Pose(q), t, &Options::default()));
     }
     let y = tall.solve(rhs.iter().zip(&measures.norms).map(|(rhs, norm)| rhs / norm));
     Ok(y.iter().zip(&measures.sizes).map(|(y, size)| y * size).collect())

@@ -1,0 +1,88 @@
+//! A cure is tried before it is told: the mechanism with it must close, and what drives must have something to drive.
+
+use super::super::generic::Walk;
+use crate::linear::Echelon;
+use crate::numbers::random::Random;
+use crate::solve::assembly::search::{self, Found};
+use crate::solve::assembly::turned_over;
+use crate::system::scaled::{Measures, Model};
+
+/// Free motions that are tried one by one.
+const BESIDE: usize = 12;
+
+/// A mechanism with something changed or left out, to be put together.
+pub(crate) struct Trial<'a> {
+    pub model: Model<'a>,
+    pub t: f64,
+    /// Equations that are left out.
+    pub without: &'a [usize],
+    /// Steps to least squares at most.
+    pub steps: usize,
+}
+
+/// How much of the way a driver has to itself must be left; a share of a row of order 1.   \[-\]
+const DRIVES: f64 = 1e-4;
+
+impl Trial<'_> {
+    /// The pose near another one at which it closes as it is meant.
+    pub(crate) fn closed(&self, from: &[f64]) -> Option<Found> {
+        let active = |row: usize| !self.without.contains(&row);
+        let found = search::descend(self.model, from, self.t, &active, false, self.steps).filter(|found| found.met)?;
+        if turned_over::wrong(&self.model, &found.place.q, self.t, &active).is_empty() {
+            return Some(found);
+        }
+        turned_over::mended(self.model, &found.place.q, self.t, &active, self.steps)
+    }
+
+    /// The same from the pose, or from beside it: where bodies stand in line, nothing says to which side they are to give way.
+    pub(crate) fn closed_beside(&self, from: &[f64]) -> Option<Found> {
+        const BESIDE: f64 = 0.1;
+        let mut random = Random::new(7);
+        let sizes = self.model.measure(from, self.t).sizes;
+        let beside: Vec<f64> = from.iter().zip(&sizes).map(|(q, size)| q + BESIDE * size * random.number()).collect();
+        self.closed(from).or_else(|| self.closed(&beside))
+    }
+
+    /// Whether every one of these drivers' equations has something to drive at a pose: a motion of the joints along which it changes, and that
+    /// leads somewhere. With no driver at all the joints must have some motion, unless by count they are a structure.
+    pub(crate) fn moves(&self, found: &Found, drivers: &[usize]) -> bool {
+        let (model, measures, q) = (&self.model, &found.measures, &found.place.q);
+        let walk = Walk { model, measures, open: &[], without: self.without, steps: self.steps };
+        let free = free(model, measures, &found.place.point.values, self.without);
+        if drivers.is_empty() {
+            let joints = (0..model.m()).filter(|row| !self.without.contains(row)).count();
+            return joints >= model.n() || free.iter().any(|v| walk.beside(q, self.t, v).is_some());
+        }
+        // In a toggle a driver drives nothing: poses beside it are asked.
+        let beside = free.iter().take(BESIDE).filter_map(|v| walk.beside(q, self.t, v));
+        let poses: Vec<Vec<f64>> = beside.collect();
+        drivers.iter().all(|row| poses.iter().any(|q| self.drives(q, measures, *row)))
+    }
+
+    /// Whether a driver's equation changes along a motion of the joints.
+    fn drives(&self, q: &[f64], measures: &Measures, row: usize) -> bool {
+        let Ok(point) = self.model.linearize(q, self.t) else { return false };
+        let rows = self.model.scaled(&point.values, measures, &|k| k == row);
+        let along = |v: &Vec<f64>| rows[row].iter().map(|(column, value)| value * v[*column]).sum::<f64>();
+        free(&self.model, measures, &point.values, self.without).iter().any(|v| along(v).abs() > DRIVES)
+    }
+}
+
+/// The motions that the joints leave, the largest share of each 1.
+fn free(model: &Model<'_>, measures: &Measures, values: &[f64], without: &[usize]) -> Vec<Vec<f64>> {
+    /// A smallest gap is found to half the digits, so a cure is too.   \[-\]
+    const LEAST: f64 = 1e-6;
+    let joints = model.scaled(values, measures, &|row| !model.drives(row) && !without.contains(&row));
+    let dense = |vector: Vec<(usize, f64)>| {
+        let largest = vector.iter().fold(f64::MIN_POSITIVE, |m, (_, x)| m.max(x.abs()));
+        let mut v = vec![0.0; model.n()];
+        vector.into_iter().for_each(|(k, x)| v[k] = x / largest);
+        v
+    };
+    Echelon::new(joints, model.n(), LEAST).null_space().into_iter().map(dense).collect()
+}
+
+/// The equations of driving constraints, of those that are not left out.
+pub(crate) fn drivers(model: &Model<'_>, without: &[usize]) -> Vec<usize> {
+    (0..model.m()).filter(|row| model.drives(*row) && !without.contains(row)).collect()
+}

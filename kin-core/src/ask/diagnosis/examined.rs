@@ -1,0 +1,53 @@
+//! All that is known of a mechanism at a pose before it is put into words.
+
+use super::generic::{Nearby, Walk};
+use super::rank::Ranked;
+use crate::model::verdict::{Change, Gap};
+use crate::system::scaled::{Measures, Model};
+
+/// All that is known before it is put into words.
+pub(super) struct Examined<'a> {
+    pub walk: Walk<'a>,
+    pub q: &'a [f64],
+    pub t: f64,
+    pub here: Ranked,
+    pub nearby: Option<&'a Nearby>,
+    pub gaps: &'a [Gap],
+    /// What would close them, tried.
+    pub cures: &'a [Change],
+}
+
+impl<'a> Examined<'a> {
+    pub(super) fn model(&self) -> &'a Model<'a> {
+        self.walk.model
+    }
+
+    pub(super) fn measures(&self) -> &'a Measures {
+        self.walk.measures
+    }
+
+    /// Whether an equation belongs to a constraint that cannot be met.
+    pub(super) fn open(&self, row: usize) -> bool {
+        self.walk.open.contains(&row)
+    }
+
+    pub(super) fn nearby_rank(&self) -> usize {
+        self.nearby.map_or(self.here.rank, |nearby| nearby.ranked.rank.max(self.here.rank))
+    }
+
+    /// Whether what is so at this pose is so at nearby ones, for the k-th of the vectors.
+    pub(super) fn persists(&self, k: usize, side: Side) -> bool {
+        let lasting = match side {
+            Side::Rows => self.model().m() - self.nearby_rank(),
+            Side::Columns => self.model().n() - self.nearby_rank(),
+        };
+        k < lasting
+    }
+}
+
+/// Rows or columns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Side {
+    Rows,
+    Columns,
+}

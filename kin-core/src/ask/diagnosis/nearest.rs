@@ -1,0 +1,37 @@
+//! The pose at which equations that cannot be met are as nearly met as the others allow.
+
+use crate::solve::assembly::squares::Squares;
+use crate::system::scaled::{Measures, Model};
+
+/// The pose at which these rows are as nearly met as the other active ones allow, near the one given: the rows weigh ever less against the
+/// others, and then the others are shifted by what they are still off, until they are met (method of multipliers; J. Nocedal, S. J. Wright,
+/// Numerical Optimization, section 17.3). So at the smallest gap the equations that hold it open depend on one another to half the digits at least.
+pub(super) fn nearest(
+    model: &Model<'_>,
+    measures: &Measures,
+    from: &[f64],
+    t: f64,
+    active: &dyn Fn(usize) -> bool,
+    rows: &[usize],
+    steps: usize,
+) -> Vec<f64> {
+    /// What the rows weigh against the others, stage by stage, and the rounds of shifts after that, each of which is worth some five digits.   \[-\]
+    const WEIGHTS: [f64; 3] = [3e-1, 3e-2, 3e-3];
+    const ROUNDS: usize = 3;
+    let mut q = from.to_vec();
+    let mut squares = Squares::new(*model, measures, Vec::new(), false);
+    (0..model.m()).filter(|row| !active(*row)).for_each(|row| squares.weights[row] = 0.0);
+    for round in 0..WEIGHTS.len() + ROUNDS {
+        match WEIGHTS.get(round) {
+            Some(weight) => rows.iter().for_each(|row| squares.weights[*row] = *weight),
+            None => {
+                let Ok(point) = model.linearize(&q, t) else { break };
+                let others = (0..model.m()).filter(|row| !rows.contains(row));
+                others.for_each(|row| squares.shifts[row] += point.c[row]);
+            }
+        }
+        let Some(place) = squares.place(&q, t) else { break };
+        q = squares.minimise(place, steps).q;
+    }
+    q
+}

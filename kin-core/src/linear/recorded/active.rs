@@ -1,0 +1,201 @@
+//! What is left of a matrix while its elimination is recorded: cells in rows and columns, and lines by how many cells they have.
+
+/// No cell, no term, no line.
+pub(crate) const NONE: u32 = u32::MAX;
+
+/// One entry of what is left: constant + Σ terms.
+#[derive(Clone, Debug)]
+pub(crate) struct Cell {
+    pub row: u32,
+    pub column: u32,
+    /// Its value by the measures of its row and column.
+    pub value: f64,
+    /// The part of it that is the same for good, as it stands.
+    pub constant: f64,
+    /// The first of its terms.
+    pub terms: u32,
+    /// Its places in the lists of its row and column.
+    at: [u32; 2],
+}
+
+/// Rows or columns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Side {
+    Row,
+    Column,
+}
+
+/// The cells that are left.
+pub(crate) struct Active {
+    pub cells: Vec<Cell>,
+    /// Cells of each row, and of each column.
+    lines: [Vec<Vec<u32>>; 2],
+    pub counts: [Counts; 2],
+    /// The largest |value| of each row; negative where it must be looked for.
+    tops: Vec<f64>,
+    /// The cell of each column in the row at hand.
+    mark: Vec<u32>,
+}
+
+impl Active {
+    pub(crate) fn new(n: usize) -> Self {
+        Active {
+            cells: Vec::new(),
+            lines: [vec![Vec::new(); n], vec![Vec::new(); n]],
+            counts: [Counts::new(n), Counts::new(n)],
+            tops: vec![-1.0; n],
+            mark: vec![NONE; n],
+        }
+    }
+
+    pub(crate) fn line(&self, side: Side, k: u32) -> &[u32] {
+        &self.lines[side as usize][k as usize]
+    }
+
+    /// A new cell, worth nothing yet.
+    pub(crate) fn insert(&mut self, row: u32, column: u32) -> u32 {
+        let (id, [rows, columns]) = (self.cells.len() as u32, &mut self.lines);
+        let (row_list, column_list) = (&mut rows[row as usize], &mut columns[column as usize]);
+        let at = [row_list.len() as u32, column_list.len() as u32];
+        row_list.push(id);
+        column_list.push(id);
+        self.cells.push(Cell { row, column, value: 0.0, constant: 0.0, terms: NONE, at });
+        id
+    }
+
+    /// Takes a cell out of its row and column.
+    pub(crate) fn remove(&mut self, cell: u32) {
+        self.detach(Side::Row, cell);
+        self.detach(Side::Column, cell);
+    }
+
+    /// Takes a cell out of its row or its column.
+    fn detach(&mut self, side: Side, cell: u32) {
+        let Cell { row, column, at, .. } = self.cells[cell as usize];
+        let line = if side == Side::Row { row } else { column };
+        let (list, place) = (&mut self.lines[side as usize][line as usize], at[side as usize]);
+        list.swap_remove(place as usize);
+        if let Some(&moved) = list.get(place as usize) {
+            self.cells[moved as usize].at[side as usize] = place;
+        }
+        if side == Side::Row {
+            self.tops[row as usize] = -1.0;
+        }
+    }
+
+    /// Takes the row and the column of a pivot out: the other cells of its column, and those of its row.
+    pub(crate) fn take_out(&mut self, pivot: u32) -> (Vec<u32>, Vec<u32>) {
+        let Cell { row, column, .. } = self.cells[pivot as usize];
+        self.counts[Side::Row as usize].remove(row);
+        self.counts[Side::Column as usize].remove(column);
+        let mut upper = std::mem::take(&mut self.lines[Side::Row as usize][row as usize]);
+        let mut lower = std::mem::take(&mut self.lines[Side::Column as usize][column as usize]);
+        upper.retain(|cell| *cell != pivot);
+        lower.retain(|cell| *cell != pivot);
+        for &cell in &upper {
+            self.detach(Side::Column, cell);
+            self.recount(Side::Column, self.cells[cell as usize].column);
+        }
+        for &cell in &lower {
+            self.detach(Side::Row, cell);
+            self.recount(Side::Row, self.cells[cell as usize].row);
+        }
+        (lower, upper)
+    }
+
+    /// Puts a line where its number of cells belongs, to be looked at again.
+    pub(crate) fn recount(&mut self, side: Side, line: u32) {
+        let count = self.line(side, line).len();
+        self.counts[side as usize].put(line, count as u32);
+    }
+
+    /// Remembers which cell of the row stands in which column.
+    pub(crate) fn mark(&mut self, row: u32) {
+        for &cell in &self.lines[Side::Row as usize][row as usize] {
+            self.mark[self.cells[cell as usize].column as usize] = cell;
+        }
+    }
+
+    /// The cell in this column of the marked row.
+    pub(crate) fn marked(&self, column: u32) -> Option<u32> {
+        Some(self.mark[column as usize]).filter(|cell| *cell != NONE)
+    }
+
+    /// Forgets the marks of the row, whose values have changed.
+    pub(crate) fn unmark(&mut self, row: u32) {
+        for &cell in &self.lines[Side::Row as usize][row as usize] {
+            self.mark[self.cells[cell as usize].column as usize] = NONE;
+        }
+        self.tops[row as usize] = -1.0;
+        self.recount(Side::Row, row);
+    }
+
+    /// A cell that is zero for good leaves the marked row.
+    pub(crate) fn vanish(&mut self, cell: u32) {
+        let column = self.cells[cell as usize].column;
+        self.mark[column as usize] = NONE;
+        self.remove(cell);
+        self.recount(Side::Column, column);
+    }
+
+    /// The largest |value| of a row.
+    pub(crate) fn top(&mut self, row: u32) -> f64 {
+        if self.tops[row as usize] < 0.0 {
+            let cells = self.line(Side::Row, row).iter();
+            self.tops[row as usize] = cells.fold(0.0, |top, &cell| self.cells[cell as usize].value.abs().max(top));
+        }
+        self.tops[row as usize]
+    }
+}
+
+/// Lines by their number of cells: doubly linked lists, so that every change takes the same time.
+pub(crate) struct Counts {
+    first: Vec<u32>,
+    next: Vec<u32>,
+    previous: Vec<u32>,
+    /// The list each line stands in; `NONE` if in none.
+    list: Vec<u32>,
+}
+
+impl Counts {
+    fn new(n: usize) -> Self {
+        Counts { first: vec![NONE; n + 1], next: vec![NONE; n], previous: vec![NONE; n], list: vec![NONE; n] }
+    }
+
+    pub(crate) fn first(&self, count: usize) -> u32 {
+        self.first.get(count).copied().unwrap_or(NONE)
+    }
+
+    pub(crate) fn next(&self, line: u32) -> u32 {
+        self.next[line as usize]
+    }
+
+    /// Moves a line to the front of the list of its number of cells.
+    fn put(&mut self, line: u32, count: u32) {
+        self.remove(line);
+        let front = std::mem::replace(&mut self.first[count as usize], line);
+        if front != NONE {
+            self.previous[front as usize] = line;
+        }
+        self.next[line as usize] = front;
+        self.previous[line as usize] = NONE;
+        self.list[line as usize] = count;
+    }
+
+    /// Takes a line out, until it changes.
+    pub(crate) fn remove(&mut self, line: u32) {
+        let k = line as usize;
+        let list = std::mem::replace(&mut self.list[k], NONE);
+        if list == NONE {
+            return;
+        }
+        let (next, previous) = (self.next[k], self.previous[k]);
+        match previous {
+            NONE => self.first[list as usize] = next,
+            _ => self.next[previous as usize] = next,
+        }
+        if next != NONE {
+            self.previous[next as usize] = previous;
+        }
+    }
+}

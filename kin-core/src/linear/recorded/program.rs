@@ -1,0 +1,164 @@
+//! The program of a recorded elimination: which number is computed from which, in what order.
+//!
+//! Each step writes one number that is a sum of products of numbers already there. The same program makes the factors, solves with them,
+//! and, backwards, solves with the transpose; [`code`](super::code) is the form in which it is replayed.
+
+use super::code::{Code, Shape};
+use super::order::{Ordered, order};
+
+/// What a step does with `start − Σ products + Σ plus − Σ minus`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Kind {
+    /// Writes it.
+    Plain,
+    /// Writes Σ products − start + Σ plus − Σ minus instead.
+    Negated,
+    /// Writes it times `scale`; while factoring it is a multiplier, which must not grow.
+    Scaled,
+    /// Writes one over it: it is a pivot, which must not vanish.
+    Pivot,
+}
+
+/// One number to be computed; its operands are the next ones of the program's lists.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Step {
+    pub kind: Kind,
+    pub out: u32,
+    pub start: u32,
+    pub scale: u32,
+    products: u32,
+    plus: u32,
+    minus: u32,
+}
+
+/// The operands of one step.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Operands<'a> {
+    pub products: &'a [[u32; 2]],
+    pub plus: &'a [u32],
+    pub minus: &'a [u32],
+}
+
+/// Steps in the order in which they run.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Program {
+    steps: Vec<Step>,
+    products: Vec<[u32; 2]>,
+    terms: Vec<u32>,
+    /// The order of the code.
+    order: Vec<u32>,
+    code: Code,
+}
+
+impl Program {
+    /// Appends a step.
+    pub(crate) fn push(&mut self, kind: Kind, [out, start, scale]: [u32; 3], products: &[[u32; 2]], plus: &[u32], minus: &[u32]) {
+        let [n_products, n_plus, n_minus] = [products.len(), plus.len(), minus.len()].map(|n| n as u32);
+        self.steps.push(Step { kind, out, start, scale, products: n_products, plus: n_plus, minus: n_minus });
+        self.products.extend_from_slice(products);
+        self.terms.extend_from_slice(plus);
+        self.terms.extend_from_slice(minus);
+    }
+
+    /// Writes the code for a memory of that many numbers, to be called after the last step.
+    pub(crate) fn finish(&mut self, memory: usize) {
+        let (mut products, mut terms) = (&self.products[..], &self.terms[..]);
+        let mut own = |step: &Step| Operands {
+            products: take(&mut products, step.products),
+            plus: take(&mut terms, step.plus),
+            minus: take(&mut terms, step.minus),
+        };
+        let operands: Vec<Operands<'_>> = self.steps.iter().map(&mut own).collect();
+        let ordered: Vec<Ordered> = self.steps.iter().zip(&operands).map(|(step, operands)| step.ordered(operands)).collect();
+        let (order, mut code) = (order(&ordered), Code::new(memory));
+        order.iter().for_each(|&k| code.push(&self.steps[k as usize], &operands[k as usize]));
+        (self.code, self.order) = (code, order);
+    }
+
+    /// Shows each step with its operands, in the order of the code.
+    pub(crate) fn each(&self, mut show: impl FnMut(&Step, Operands<'_>)) {
+        let (mut products, mut terms) = (&self.products[..], &self.terms[..]);
+        let mut own = |step: &Step| Operands {
+            products: take(&mut products, step.products),
+            plus: take(&mut terms, step.plus),
+            minus: take(&mut terms, step.minus),
+        };
+        let operands: Vec<Operands<'_>> = self.steps.iter().map(&mut own).collect();
+        self.order.iter().for_each(|&k| show(&self.steps[k as usize], operands[k as usize]));
+    }
+
+    /// What each step writes, in the order in which they were appended.
+    pub(crate) fn written(&self) -> impl Iterator<Item = (Kind, u32)> {
+        self.steps.iter().map(|step| (step.kind, step.out))
+    }
+
+    /// Gives each number another place.
+    pub(crate) fn rename(&mut self, places: &[u32]) {
+        let steps = self.steps.iter_mut().flat_map(|step| [&mut step.out, &mut step.start, &mut step.scale]);
+        let operands = self.products.iter_mut().flatten().chain(&mut self.terms);
+        steps.chain(operands).for_each(|place| *place = places[*place as usize]);
+    }
+
+    /// How many steps there are.
+    pub(crate) fn len(&self) -> usize {
+        self.steps.len()
+    }
+
+    /// Runs all steps.
+    pub(crate) fn run(&self, memory: &mut [f64]) {
+        self.code.run(memory);
+    }
+
+    /// The transpose of a program that is linear in its last factors and its starts: what was `out` comes in, what was read comes out,
+    /// in `adjoint`; `memory` gives the other factors.
+    pub(crate) fn run_transposed(&self, memory: &[f64], adjoint: &mut [f64]) {
+        let (mut products, mut terms) = (&self.products[..], &self.terms[..]);
+        for step in self.steps.iter().rev() {
+            let minus = take_last(&mut terms, step.minus);
+            let plus = take_last(&mut terms, step.plus);
+            let scale = if step.kind == Kind::Scaled { memory[step.scale as usize] } else { 1.0 };
+            let share = std::mem::take(&mut adjoint[step.out as usize]) * scale;
+            let sign = if step.kind == Kind::Negated { -1.0 } else { 1.0 };
+            adjoint[step.start as usize] += sign * share;
+            take_last(&mut products, step.products).iter().for_each(|&[a, b]| adjoint[b as usize] -= sign * share * memory[a as usize]);
+            plus.iter().for_each(|&k| adjoint[k as usize] += share);
+            minus.iter().for_each(|&k| adjoint[k as usize] -= share);
+        }
+    }
+
+    /// How many numbers it computes and how many operands it reads.
+    #[cfg(test)]
+    pub(crate) fn size(&self) -> (usize, usize) {
+        (self.steps.len(), 2 * self.products.len() + self.terms.len())
+    }
+}
+
+impl Step {
+    /// What the step does, with how many operands.
+    pub(crate) fn shape(&self) -> Shape {
+        let [products, plus, minus] = [self.products, self.plus, self.minus].map(|n| n as usize);
+        Shape { kind: self.kind, products, plus, minus }
+    }
+
+    /// Where it writes and what it reads.
+    fn ordered(&self, operands: &Operands<'_>) -> Ordered {
+        let scale = (self.kind == Kind::Scaled).then_some(self.scale);
+        let terms = operands.plus.iter().chain(operands.minus).copied();
+        let reads = operands.products.iter().flatten().copied().chain(terms).chain([self.start]).chain(scale);
+        Ordered { shape: self.shape(), out: self.out, reads: reads.collect() }
+    }
+}
+
+/// The next `n` of the list.
+fn take<'a, T>(list: &mut &'a [T], n: u32) -> &'a [T] {
+    let (own, rest) = list.split_at(n as usize);
+    *list = rest;
+    own
+}
+
+/// The last `n` of the list.
+fn take_last<'a, T>(list: &mut &'a [T], n: u32) -> &'a [T] {
+    let (rest, own) = list.split_at(list.len() - n as usize);
+    *list = rest;
+    own
+}

@@ -1,0 +1,350 @@
+//! Records an elimination: chooses pivots at real numbers and writes down what each of them computes.
+//!
+//! Pivots are chosen by Markowitz' count (few cells in the row times few in the column) among those that are not small against the largest
+//! of their row. A = L U with L as it comes and the rows of U divided by their pivots, where both have cells; a pivot alone in its column
+//! divides at the end of back substitution instead, and one alone in its row needs no back substitution. What is the same for good is
+//! computed here and never again.
+
+use std::collections::HashMap;
+
+use super::super::SINGULAR;
+use super::active::{Active, NONE, Side};
+use super::cells::{PLUS, Term};
+use super::code::SMALL;
+use super::orientation::Orientation;
+use super::program::{Kind, Program};
+use super::solving;
+
+/// A pivot is at least this share of the largest cell in its row.   \[-\]
+const THRESHOLD: f64 = 0.1;
+
+/// Lines with a possible pivot that are compared.
+const COMPARED: usize = 4;
+
+/// A matrix to be recorded: values as written, measures of rows and columns, and where the memory of the program begins.
+pub(crate) struct Input<'a> {
+    pub n: usize,
+    /// Row and column of each value; `None` for those that stand nowhere.
+    pub entries: &'a [Option<(u32, u32)>],
+    /// Values in the order of rows, then of columns.
+    pub sorted: &'a [u32],
+    /// What is the same for good.
+    pub constants: &'a [Option<f64>],
+    /// One over the measure of each row, and of each column.
+    pub row_units: &'a [f64],
+    pub column_units: &'a [f64],
+}
+
+impl Input<'_> {
+    /// Row and column of each value that is not zero for good.
+    fn places(&self) -> impl Iterator<Item = (u32, u32)> {
+        let constants = self.constants.iter().copied().chain(std::iter::repeat(None));
+        self.entries.iter().zip(constants).filter_map(|(entry, constant)| entry.filter(|_| constant != Some(0.0)))
+    }
+}
+
+/// Where right side, solution and three constants stand, after the values.
+#[derive(Clone, Copy)]
+pub(crate) struct Places {
+    pub rhs: u32,
+    pub solution: u32,
+    pub zero: u32,
+}
+
+/// A recorded elimination.
+#[derive(Default)]
+pub(crate) struct Recording {
+    pub factor: Program,
+    pub solve: Program,
+    /// What made each number that is factored one of order 1 when it was recorded.
+    pub weights: Vec<f64>,
+    /// Step, row and column of each pivot that is no constant.
+    pub watched: Vec<(u32, u32, u32)>,
+    /// Row, column and value of the other pivots.
+    pub constant: Vec<(u32, u32, f64)>,
+    pub orientation: Orientation,
+    /// Where in the memory the numbers that are factored begin, each kind of them in whole fours, and where they end.
+    pub factored: Factored,
+}
+
+/// The numbers that are factored: pivots (one over them), multipliers, and all others.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Factored {
+    pub cells: usize,
+    pub multipliers: usize,
+    pub pivots: usize,
+    pub end: usize,
+}
+
+impl Recording {
+    /// Places the numbers that are factored behind the constants, kind by kind; `begin` is where constants begin.
+    fn arrange(&mut self, begin: usize, memory: &mut Vec<f64>) {
+        let mut kinds = vec![None; memory.len()];
+        self.factor.written().for_each(|(kind, out)| kinds[out as usize] = Some(kind));
+        let mut places: Vec<u32> = (0..memory.len() as u32).collect();
+        let mut end = begin;
+        for old in (begin..memory.len()).filter(|old| kinds[*old].is_none()) {
+            (places[old], memory[end]) = (end as u32, memory[old]);
+            end += 1;
+        }
+        let mut place = |wanted: fn(Kind) -> bool| {
+            let first = end.next_multiple_of(4);
+            end = first;
+            for old in (begin..kinds.len()).filter(|old| kinds[*old].is_some_and(wanted)) {
+                places[old] = end as u32;
+                end += 1;
+            }
+            first
+        };
+        let cells = place(|kind| matches!(kind, Kind::Plain | Kind::Negated));
+        let (multipliers, pivots) = (place(|kind| kind == Kind::Scaled), place(|kind| kind == Kind::Pivot));
+        self.factored = Factored { cells, multipliers, pivots, end: end.next_multiple_of(4) };
+        memory.resize(self.factored.end, 0.0);
+        memory[cells..].fill(0.0);
+        self.orientation.pivots.iter_mut().for_each(|(place, _)| *place = places[*place as usize]);
+        self.factor.rename(&places);
+        self.solve.rename(&places);
+    }
+}
+
+/// A number that elimination has come to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Number {
+    Constant(f64),
+    /// At this place of the memory.
+    At(u32),
+}
+
+/// One over a pivot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Inverse {
+    One,
+    MinusOne,
+    At(u32),
+}
+
+/// One chosen pivot, with the rest of its row in U.
+pub(crate) struct Pivot {
+    pub row: u32,
+    pub column: u32,
+    pub inverse: Inverse,
+    /// Whether its column has cells in L.
+    pub has_lower: bool,
+    pub upper: std::ops::Range<usize>,
+}
+
+/// The elimination while it is recorded.
+pub(crate) struct Recorder<'a> {
+    pub input: &'a Input<'a>,
+    pub places: Places,
+    pub memory: &'a mut Vec<f64>,
+    pub active: Active,
+    pub terms: Vec<Term>,
+    pub constants: HashMap<u64, u32>,
+    pub recording: Recording,
+    pub pivots: Vec<Pivot>,
+    /// Columns and numbers of U, pivot by pivot.
+    pub upper: Vec<(u32, Number)>,
+    /// Columns and numbers of L with the next one of the row, and the first of each row.
+    pub lower: Vec<(u32, Number, u32)>,
+    pub lower_first: Vec<u32>,
+    pub lists: Lists,
+}
+
+/// Operands of one step while they are gathered.
+#[derive(Default)]
+pub(crate) struct Lists {
+    pub products: Vec<[u32; 2]>,
+    pub plus: Vec<u32>,
+    pub minus: Vec<u32>,
+}
+
+impl Lists {
+    pub(crate) fn clear(&mut self) {
+        self.products.clear();
+        self.plus.clear();
+        self.minus.clear();
+    }
+}
+
+/// Chooses all pivots and writes both programs; `None` where there is no further pivot. The memory holds the values.
+pub(crate) fn record(input: &Input<'_>, places: Places, memory: &mut Vec<f64>) -> Option<Recording> {
+    let mut recorder = Recorder {
+        input,
+        places,
+        memory,
+        active: Active::new(input.n),
+        terms: Vec::new(),
+        constants: HashMap::new(),
+        recording: Recording::default(),
+        pivots: Vec::with_capacity(input.n),
+        upper: Vec::new(),
+        lower: Vec::new(),
+        lower_first: vec![NONE; input.n],
+        lists: Lists::default(),
+    };
+    recorder.fill();
+    for _ in 0..input.n {
+        let pivot = recorder.choose()?;
+        recorder.eliminate(pivot);
+    }
+    solving::write(&mut recorder);
+    let Recorder { mut recording, memory, pivots, .. } = recorder;
+    recording.orientation = Orientation::new(&pivots, &recording.constant, input.places());
+    recording.arrange(places.zero as usize + 1, memory);
+    memory.resize(memory.len().max(SMALL), 0.0);
+    recording.factor.finish(memory.len());
+    recording.solve.finish(memory.len());
+    Some(recording)
+}
+
+impl Recorder<'_> {
+    /// The cells of the matrix as written.
+    fn fill(&mut self) {
+        let mut last = None;
+        for &k in self.input.sorted {
+            let Some((row, column)) = self.input.entries[k as usize] else { continue };
+            let value = self.memory[k as usize];
+            let constant = self.input.constants.get(k as usize).copied().flatten().filter(|constant| *constant == value);
+            if constant == Some(0.0) {
+                continue;
+            }
+            let cell = match last {
+                Some((place, cell)) if place == (row, column) => cell,
+                _ => self.active.insert(row, column),
+            };
+            last = Some(((row, column), cell));
+            match constant {
+                Some(constant) => self.active.cells[cell as usize].constant += constant,
+                None => self.add_term(cell, k, PLUS),
+            }
+            self.active.cells[cell as usize].value += self.input.row_units[row as usize] * value * self.input.column_units[column as usize];
+        }
+        for line in (0..self.input.n as u32).rev() {
+            self.active.recount(Side::Row, line);
+            self.active.recount(Side::Column, line);
+        }
+    }
+
+    /// The next pivot, if there is one.
+    fn choose(&mut self) -> Option<u32> {
+        let (mut best, mut compared) = (Candidate::default(), 0);
+        for count in 1..=self.input.n {
+            for side in [Side::Row, Side::Column] {
+                let bound = if side == Side::Row { (count - 1).pow(2) } else { (count - 1) * count };
+                if best.cost <= bound {
+                    return best.cell;
+                }
+                let mut line = self.active.counts[side as usize].first(count);
+                while line != NONE {
+                    let next = self.active.counts[side as usize].next(line);
+                    if !self.compare(side, line, &mut best) {
+                        self.active.counts[side as usize].remove(line);
+                    } else if best.cost <= bound || compared + 1 == COMPARED {
+                        return best.cell;
+                    } else {
+                        compared += 1;
+                    }
+                    line = next;
+                }
+            }
+        }
+        best.cell
+    }
+
+    /// Compares the possible pivots of a line with the best so far; false if there are none.
+    fn compare(&mut self, side: Side, line: u32, best: &mut Candidate) -> bool {
+        let count = self.active.line(side, line).len();
+        let mut found = false;
+        for k in 0..count {
+            let id = self.active.line(side, line)[k];
+            let cell = &self.active.cells[id as usize];
+            let (row, column, size) = (cell.row, cell.column, cell.value.abs());
+            let unit = cell.terms == NONE && cell.constant.abs() == 1.0;
+            let alone = side == Side::Column && count == 1;
+            let enough = if alone { 0.0 } else { THRESHOLD * self.active.top(row) };
+            if size.is_nan() || size <= SINGULAR || size < enough {
+                continue;
+            }
+            found = true;
+            let (rows, columns) = (self.active.line(Side::Column, column).len(), self.active.line(Side::Row, row).len());
+            best.take(Candidate { cell: Some(id), cost: (rows - 1) * (columns - 1), unit, size });
+        }
+        found
+    }
+
+    /// Writes down what the pivot does and updates what is left.
+    fn eliminate(&mut self, pivot: u32) {
+        let cell = self.active.cells[pivot as usize].clone();
+        let (lower, upper) = self.active.take_out(pivot);
+        let divided = !lower.is_empty() && !upper.is_empty();
+        let inverse = self.inverse(pivot);
+        let from = self.upper.len();
+        for &id in &upper {
+            let number = if divided { self.multiplier(id, inverse, cell.column) } else { self.number(id) };
+            self.upper.push((self.active.cells[id as usize].column, number));
+        }
+        self.pivots.push(Pivot {
+            row: cell.row,
+            column: cell.column,
+            inverse,
+            has_lower: !lower.is_empty(),
+            upper: from..self.upper.len(),
+        });
+        for &id in &lower {
+            let (row, number) = (self.active.cells[id as usize].row, self.number(id));
+            let next = std::mem::replace(&mut self.lower_first[row as usize], self.lower.len() as u32);
+            self.lower.push((cell.column, number, next));
+            if divided {
+                self.update(row, number, self.active.cells[id as usize].value / cell.value, from, &upper);
+            }
+        }
+    }
+
+    /// a_ij −= l_i u_j in one row.
+    fn update(&mut self, row: u32, l: Number, share: f64, from: usize, upper: &[u32]) {
+        self.active.mark(row);
+        for (k, &source) in upper.iter().enumerate() {
+            let (column, u) = self.upper[from + k];
+            let cell = self.active.marked(column).unwrap_or_else(|| {
+                let cell = self.active.insert(row, column);
+                self.active.recount(Side::Column, column);
+                cell
+            });
+            let change = share * self.active.cells[source as usize].value;
+            self.active.cells[cell as usize].value -= change;
+            self.subtract(cell, l, u);
+            let now = &self.active.cells[cell as usize];
+            if now.terms == NONE && now.constant == 0.0 {
+                self.active.vanish(cell);
+            }
+        }
+        self.active.unmark(row);
+    }
+}
+
+/// A possible pivot.
+struct Candidate {
+    cell: Option<u32>,
+    /// Markowitz' count.
+    cost: usize,
+    /// Whether it is 1 or −1 for good.
+    unit: bool,
+    size: f64,
+}
+
+impl Default for Candidate {
+    fn default() -> Self {
+        Candidate { cell: None, cost: usize::MAX, unit: false, size: 0.0 }
+    }
+}
+
+impl Candidate {
+    /// Takes the other one if it is better: cheaper, free of division, larger.
+    fn take(&mut self, other: Candidate) {
+        let order = self.cost.cmp(&other.cost).then(other.unit.cmp(&self.unit)).then(other.size.total_cmp(&self.size));
+        if order == std::cmp::Ordering::Greater {
+            *self = other;
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! The expression that is to blame, as an error tells it.
+
+use std::fmt;
+
+use crate::model::words::time;
+
+/// Which of an expression's numbers is not finite, its value being looked at first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Part {
+    /// The value itself.
+    Value,
+    /// A first derivative.
+    Slope,
+    /// A second derivative.
+    Curvature,
+}
+
+/// Where something stands in the user's program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Source {
+    /// The file as the compiler was given it.
+    pub file: &'static str,
+    /// Line, counted from 1.
+    pub line: u32,
+    /// Column, counted from 1.
+    pub column: u32,
+}
+
+/// The expression that is to blame, in the names of the mechanism: what an error tells.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Culprit {
+    /// The expression with its place and its part; `None` where only the constraint is known.
+    pub found: Option<Found>,
+    /// The coordinates (`slider.R_x`), parameters (`slot.k`) and the time (`t`) that it is computed from; where the expression is not known,
+    /// all of the constraint's coordinates.
+    pub inputs: Vec<(String, f64)>,
+}
+
+/// The expression that is to blame.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Found {
+    /// The expression as the user wrote it.
+    pub expression: String,
+    /// Where it stands.
+    pub source: Option<Source>,
+    /// What of it is not finite.
+    pub part: Part,
+    /// Its value, which is finite where only a derivative is not.
+    pub value: f64,
+    /// The numbers it is computed from directly.
+    pub operands: Vec<f64>,
+}
+
+impl fmt::Display for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}:{}", self.file, self.line, self.column)
+    }
+}
+
+/// The end of a sentence that has said what is not finite: why, where, with which values, and what to do.
+impl fmt::Display for Culprit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let values = list(self.inputs.iter().map(|(name, value)| format!("{name} = {}", short(*value))).collect());
+        let Some(found) = &self.found else {
+            return if values.is_empty() { f.write_str(".") } else { write!(f, ", at {values}.") };
+        };
+        let operands = match &found.operands[..] {
+            [] => String::new(),
+            [one] => format!(" (operand {})", short(*one)),
+            all => format!(" (operands {})", list(all.iter().map(|x| short(*x)).collect())),
+        };
+        let expression = &found.expression;
+        match found.part {
+            Part::Value if found.value.is_nan() => write!(f, ": `{expression}` is not a number{operands}.")?,
+            Part::Value => write!(f, ": `{expression}` is {}{operands}.", short(found.value))?,
+            Part::Slope => write!(f, ": `{expression}` has no finite slope{operands}.")?,
+            Part::Curvature => write!(f, ": `{expression}` has no finite second derivative{operands}.")?,
+        }
+        let place = found.source.map(|source| source.to_string());
+        let told: Vec<String> = place.into_iter().chain((!values.is_empty()).then(|| format!("at {values}"))).collect();
+        if !told.is_empty() {
+            write!(f, "\n  {}.", told.join(", "))?;
+        }
+        f.write_str(match found.part {
+            Part::Value => "\n  Begin at another pose, change the parameters, or write `if` around it.",
+            _ => "\n  Stay clear of that pose, or write the equation without this edge: d·d - l*l instead of d.norm() - l.",
+        })
+    }
+}
+
+/// A number to nine digits.
+fn short(x: f64) -> String {
+    if x.is_infinite() {
+        return if x > 0.0 { "infinite" } else { "minus infinite" }.to_string();
+    }
+    time(x).to_string()
+}
+
+/// "a, b and c"; of very many the first ones.
+fn list(mut all: Vec<String>) -> String {
+    const SHOWN: usize = 12;
+    let more = all.len().saturating_sub(SHOWN);
+    all.truncate(SHOWN);
+    if more > 0 {
+        return format!("{} and {more} more", all.join(", "));
+    }
+    match all.pop() {
+        Some(last) if !all.is_empty() => format!("{} and {last}", all.join(", ")),
+        last => last.unwrap_or_default(),
+    }
+}

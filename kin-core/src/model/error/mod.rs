@@ -1,0 +1,399 @@
+//! What can go wrong, in the words of the field: where (time, constraint by name), what, and what to try.
+
+use std::path::PathBuf;
+
+use crate::model::blame::Culprit;
+use crate::model::motion::Motion;
+use crate::model::{units::Units, verdict::Diagnosis, words};
+
+mod carried;
+mod text;
+
+/// `Result` with Kin's [`Error`].
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// Everything that can go wrong from the first body to the last file. `Debug` prints what `Display` does, so that errors of `main` read well.
+#[derive(thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A mechanism that cannot be driven, whatever its pose, and why: equations are missing, or they contradict one another.
+    #[error("{diagnosis}{}", text::kept(.motion))]
+    CannotBeDriven {
+        /// What is wrong, by name.
+        diagnosis: Box<Diagnosis>,
+        /// What was computed before.
+        motion: Option<Box<Motion>>,
+    },
+
+    /// Newton's method did not reach C(q, t) = 0.
+    #[error("t = {}: {}{}", words::at(*.t, .units), text::unmet(.diagnosis, || text::worst(*.iterations, .constraint, .row, *.residual)),
+        text::no_convergence(*.last, .units, .diagnosis, .motion))]
+    NoConvergence {
+        /// Time.   \[s\]
+        t: f64,
+        /// What the units of length and time are called.
+        units: Units,
+        /// Newton steps taken.
+        iterations: usize,
+        /// The constraint that is furthest from being met.
+        constraint: String,
+        /// Its row; empty for a constraint of one row.
+        row: String,
+        /// |C| of that row, in the row's unit.
+        residual: f64,
+        /// The last time at which the position was found.   \[s\]
+        last: Option<f64>,
+        /// What is wrong there, by name, and how near the parts can come.
+        diagnosis: Option<Box<Diagnosis>>,
+        /// What was computed before.
+        motion: Option<Box<Motion>>,
+    },
+
+    /// C_q has no inverse at a position: the mechanism stands in a toggle or a change point, or is wrongly constrained.
+    #[error("{}{}", text::diagnosed(.diagnosis, || text::singular(&words::at(*.t, .units), [*.rank, *.n], *.pivot,
+        [.movable, .dependent], .unmet)), text::kept(.motion))]
+    SingularAt {
+        /// Time.   \[s\]
+        t: f64,
+        /// What the units of length and time are called.
+        units: Units,
+        /// Number of coordinates.
+        n: usize,
+        /// Numerical rank of C_q, lengths scaled by the size of the mechanism and rows by their norm; n where it is singular but for rounding.
+        rank: usize,
+        /// The smallest pivot of the elimination relative to its row.
+        pivot: f64,
+        /// Bodies and coordinates that can move although everything that drives stands still.
+        movable: Vec<String>,
+        /// Equations that depend on one another.
+        dependent: Vec<String>,
+        /// An equation that is far from being met where the search for a position ended; `None` at a position.
+        unmet: Option<Box<str>>,
+        /// What is wrong there, by name.
+        diagnosis: Option<Box<Diagnosis>>,
+        /// What was computed before.
+        motion: Option<Box<Motion>>,
+    },
+
+    /// A toggle: the mechanism cannot be driven beyond it, and stands still there for an infinite rate of what it moves.
+    #[error("t = {}: a toggle: beyond this time there is no position.{}{}", words::at(*.t, .units),
+        text::toggle(.movable, .dependent, .diagnosis), text::kept(.motion))]
+    Toggle {
+        /// The time t* of the toggle.   \[s\]
+        t: f64,
+        /// What the units of length and time are called.
+        units: Units,
+        /// The time that was asked for.   \[s\]
+        asked: f64,
+        /// Bodies and coordinates that can move at t* although everything that drives stands still.
+        movable: Vec<String>,
+        /// Equations that depend on one another at t*.
+        dependent: Vec<String>,
+        /// What is wrong at the time that was asked for, by name, and how near the parts can come.
+        diagnosis: Option<Box<Diagnosis>>,
+        /// What was computed before; its last [`Motion::singular_positions`] is the toggle.
+        motion: Option<Box<Motion>>,
+    },
+
+    /// A step that may have left its branch, and cannot be made any shorter.
+    #[error("t = {}: beyond this time the run cannot be shown to stay on its branch ({reason}).\n  A law or constraint with a kink, or a \
+        position that is singular in more than one way; `Follow::Unchecked` goes on without asking.{}", words::at(*.t, .units), text::kept(.motion))]
+    CannotFollow {
+        /// The last time at which the branch is known.   \[s\]
+        t: f64,
+        /// What the units of length and time are called.
+        units: Units,
+        /// What was objected to.
+        reason: &'static str,
+        /// What was computed before.
+        motion: Option<Box<Motion>>,
+    },
+
+    /// A position that closes, but not as it is meant: the equations hold for an axis turned by 180° too.
+    #[error("t = {}: `{constraint}` ({kind}) closes the wrong way: {reason}.\n  Give a better guess of the poses, or turn one of the \
+        directions round.{}", words::at(*.t, .units), text::kept(.motion))]
+    WrongBranch {
+        /// Time.   \[s\]
+        t: f64,
+        /// What the units of length and time are called.
+        units: Units,
+        /// The constraint.
+        constraint: String,
+        /// Its kind.
+        kind: String,
+        /// What does not hold.
+        reason: String,
+        /// What was computed before.
+        motion: Option<Box<Motion>>,
+    },
+
+    /// A law that jumps where it drives the motion.
+    #[error("t = {}: the law `{law}` of `{constraint}` jumps at {}: its {} there, which no body can follow.\n  Let its parts meet, or stop \
+        before it.{}", words::at(*.t, .units), words::time(*.at), if *.order == 0 { "value changes" } else { "slope changes" }, text::kept(.motion))]
+    LawJumps {
+        /// The first time beyond the jump.   \[s\]
+        t: f64,
+        /// What the units of length and time are called.
+        units: Units,
+        /// The constraint.
+        constraint: String,
+        /// The law, by its name in the constraint.
+        law: String,
+        /// Where in the law.
+        at: f64,
+        /// 0: the value jumps; 1: the slope.
+        order: usize,
+        /// What was computed before.
+        motion: Option<Box<Motion>>,
+    },
+
+    /// A constraint gave a value or derivative that is infinite or not a number.
+    #[error("t = {}: {quantity} of `{constraint}`{} is not finite{culprit}{}", words::at(*.t, .units), words::row(.row), text::kept(.motion))]
+    NotFinite {
+        /// Time.   \[s\]
+        t: f64,
+        /// What the units of length and time are called.
+        units: Units,
+        /// The constraint.
+        constraint: String,
+        /// Its row; empty for a constraint of one row.
+        row: String,
+        /// `C`, `C_q`, `C_t`, `Q_d`, or `q'`, `q''` where only the solution overflows.
+        quantity: &'static str,
+        /// The sub-expression that made it so, as the user wrote it, and the values that went into it.
+        culprit: Box<Culprit>,
+        /// What was computed before.
+        motion: Option<Box<Motion>>,
+    },
+
+    /// A parameter of a constraint is infinite or not a number.
+    #[error("`{constraint}`: the parameter `{parameter}` is {value}; give a finite number")]
+    ParameterNotFinite {
+        /// The constraint.
+        constraint: String,
+        /// The parameter, such as `u_i.x`.
+        parameter: String,
+        /// Its value.
+        value: f64,
+    },
+
+    /// Parameters that make no sense: a length below zero, an axis without direction, a law whose parts do not meet.
+    #[error("`{constraint}` ({kind}): {reason}")]
+    InvalidParameters {
+        /// The constraint.
+        constraint: String,
+        /// Its kind.
+        kind: String,
+        /// What does not hold.
+        reason: String,
+    },
+
+    /// An initial or other value given for a coordinate is infinite or not a number.
+    #[error("`{name}`: the value given for {coordinate} is {value}; give a finite number")]
+    InitialNotFinite {
+        /// The body or bare coordinate.
+        name: String,
+        /// Its coordinate.
+        coordinate: String,
+        /// The value given.
+        value: f64,
+    },
+
+    /// A link must have a length above zero.
+    #[error("the link `{link}` has the length {length}; give one above zero")]
+    InvalidLength {
+        /// The link.
+        link: String,
+        /// The length given.   \[m\]
+        length: f64,
+    },
+
+    /// A body or coordinate of another mechanism.
+    #[error("`{place}`: `{argument}` is not of the mechanism \"{mechanism}\"; use what its own methods gave out")]
+    ForeignBody {
+        /// The mechanism that was asked.
+        mechanism: String,
+        /// The constraint, or the operation.
+        place: String,
+        /// Name of the argument.
+        argument: String,
+    },
+
+    /// The same body or coordinate twice in one constraint.
+    #[error("`{constraint}`: `{first}` and `{second}` are both `{name}`; a constraint needs different bodies and coordinates")]
+    RepeatedBody {
+        /// The constraint.
+        constraint: String,
+        /// Name of the first argument.
+        first: String,
+        /// Name of the second argument.
+        second: String,
+        /// The body or coordinate.
+        name: String,
+    },
+
+    /// An equation left without coordinates, because all its bodies are the ground.
+    #[error("`{constraint}`{} has no coordinate left: {reason}", words::row(.row))]
+    NoCoordinates {
+        /// The constraint.
+        constraint: String,
+        /// Its row; empty for a constraint of one row.
+        row: String,
+        /// Why: which arguments are the ground.
+        reason: String,
+    },
+
+    /// A motion that interval bounds cannot say anything about.
+    #[error("{what} cannot be proved: {reason}")]
+    CannotBeProved {
+        /// Of which mechanism, or with which constraint.
+        what: String,
+        /// Why.
+        reason: String,
+    },
+
+    /// A hand-written constraint that contradicts itself, or does not know what is asked of it.
+    #[error("`{constraint}` ({kind}): {reason}")]
+    InvalidConstraint {
+        /// The constraint.
+        constraint: String,
+        /// Its kind.
+        kind: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+
+    /// A name given twice.
+    #[error("there are two {what} named `{name}`; choose another name for one")]
+    DuplicateName {
+        /// "bodies or coordinates", "constraints", "outputs".
+        what: &'static str,
+        /// The name.
+        name: String,
+    },
+
+    /// A name that is empty.
+    #[error("a {what} needs a name")]
+    EmptyName {
+        /// What has no name.
+        what: &'static str,
+    },
+
+    /// A name that nothing has.
+    #[error("there is no {what} `{name}`{}", text::known(.known))]
+    UnknownName {
+        /// What was looked for.
+        what: &'static str,
+        /// The name given.
+        name: String,
+        /// The names there are.
+        known: Vec<String>,
+    },
+
+    /// Times that no sweep can follow.
+    #[error("times: {reason}")]
+    InvalidTimes {
+        /// What is wrong with them.
+        reason: String,
+    },
+
+    /// A solver option out of its range.
+    #[error("options: {reason}")]
+    InvalidOptions {
+        /// What is wrong with them.
+        reason: String,
+    },
+
+    /// Motions that take more memory than [`crate::Options::memory`] allows; nothing has been computed.
+    #[error("{}", text::needs_memory([*.motions, *.times, *.coordinates], [*.needed, *.allowed as f64]))]
+    NeedsMemory {
+        /// How many motions there are at once: the lanes of all threads of a sweep.
+        motions: usize,
+        /// Times of each.
+        times: usize,
+        /// Coordinates at each time.
+        coordinates: usize,
+        /// What they take.   \[B\]
+        needed: f64,
+        /// What is allowed.   \[B\]
+        allowed: usize,
+    },
+
+    /// A case of a sweep with a number that is infinite or not a number.
+    #[error("case {case}: `{name}` is {value}; give a finite number")]
+    CaseNotFinite {
+        /// The case, counted from 0.
+        case: usize,
+        /// The parameter or coordinate.
+        name: String,
+        /// Its value.
+        value: f64,
+    },
+
+    /// A sweep that was told to stop ([`crate::Sweep::stop_when`]).
+    #[error("the sweep was stopped after {done} of {cases} cases")]
+    Stopped {
+        /// Cases that were done.
+        done: usize,
+        /// Cases there are.
+        cases: usize,
+    },
+
+    /// A list of the wrong length.
+    #[error("{what}: {found} values given, {expected} needed")]
+    WrongLength {
+        /// Of what.
+        what: String,
+        /// The length needed.
+        expected: usize,
+        /// The length given.
+        found: usize,
+    },
+
+    /// An output with a value that is infinite or not a number.
+    #[error("the output `{output}` is {value} at t = {}; give finite numbers", words::at(*.t, .units))]
+    OutputNotFinite {
+        /// The output.
+        output: String,
+        /// Time.   \[s\]
+        t: f64,
+        /// What the units of length and time are called.
+        units: Units,
+        /// The value.
+        value: f64,
+    },
+
+    /// Routes to a derivative that do not agree ([`crate::ask::check::compare`]).
+    #[error(transparent)]
+    Mismatch(#[from] Box<crate::model::mismatch::Mismatch>),
+
+    /// Something that cannot be written as data, or data that do not say what they should.
+    #[error("{place}: {reason}")]
+    Data {
+        /// Where: a file, a mechanism, a constraint by name.
+        place: String,
+        /// What is wrong.
+        reason: String,
+    },
+
+    /// A file with a table that cannot be read, or is no table of a law.
+    #[error("{}: {reason}", .path.display())]
+    Table {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+
+    /// A file that cannot be written.
+    #[error("cannot write {}: {source}", .path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+}
+
+#[cfg(test)]
+mod tests;

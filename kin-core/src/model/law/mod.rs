@@ -1,0 +1,322 @@
+//! Laws: functions of one variable with their derivatives, for motors, cam profiles and other prescribed curves.
+
+mod basic;
+mod breaks;
+mod combine;
+mod jump;
+mod motion;
+mod points;
+mod quintic;
+mod rise;
+mod sequence;
+mod shapes;
+mod spline;
+
+pub(crate) use breaks::MOST_BREAKS;
+pub use jump::Break;
+pub use points::Ends;
+
+use std::fmt;
+use std::sync::Arc;
+
+use crate::numbers::enclosure::Series;
+use crate::numbers::real::{Dual, Real};
+
+/// A function f of one variable that knows its derivatives; implement it for a law of one's own, then wrap it with [`Law::new`].
+pub trait LawFunction: Send + Sync {
+    /// \[f, f′, f″, f‴\] at x, in the unit of f per powers of the unit of x.
+    fn jet(&self, x: f64) -> [f64; 4];
+
+    /// What kind of law this is, such as `ramp`.
+    fn kind(&self) -> &str {
+        "law"
+    }
+
+    /// What it is, in the words of its documentation.
+    fn description(&self) -> &str {
+        ""
+    }
+
+    /// f⁗(x), where it is known; not a number where it is not. Only the jerk of an equation that reads a law's slope asks for it.
+    fn fourth(&self, x: f64) -> f64 {
+        let _ = x;
+        f64::NAN
+    }
+
+    /// The breaks between `from` and `to`, both included, in increasing order of x; none by default: a smooth law. Of more than ten thousand
+    /// the laws of the library give as many: one that repeats has any number of them.
+    fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
+        let _ = (from, to);
+        Vec::new()
+    }
+
+    /// The break between `from` and `to` in which the lowest derivative jumps, also where there are too many to list them.
+    fn sharpest_break(&self, from: f64, to: f64) -> Option<Break> {
+        breaks::sharpest(self.breaks(from, to))
+    }
+
+    /// Whether there is no break anywhere.
+    fn is_smooth(&self) -> bool {
+        true
+    }
+
+    /// Why its parameters make no sense, if so: what uses the law is refused with these words.
+    fn refusal(&self) -> Option<String> {
+        None
+    }
+
+    /// Shows each numeric parameter with its name; a value that is not finite is refused where the law is used.
+    fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+        let _ = visit;
+    }
+
+    /// The laws that it is made of, by the names that their parameters begin with.
+    fn parts(&self) -> Vec<(String, Law)> {
+        Vec::new()
+    }
+
+    /// Numbers that make it the law it is but are no parameters, such as where the points of a table stand.
+    fn fixed_numbers(&self) -> Vec<(String, f64)> {
+        Vec::new()
+    }
+
+    /// The law of a function of which bounds are known, for [`crate::System::prove`]; `None` (default) where those of the law are not: then nothing can
+    /// be proved of a motion that it drives.
+    ///
+    /// Either the formula once more, on [`Series`] instead of numbers, or bounds of the derivatives through [`Series::chain`]. What they promise is
+    /// taken for true, and a proof says so; [`crate::ask::check::law`] tries it at random.
+    ///
+    /// ```
+    /// use kin::prelude::*;
+    /// use kin::{LawFunction, proof::Series};
+    /// /// x²
+    /// struct Square;
+    /// impl LawFunction for Square {
+    ///     fn jet(&self, x: f64) -> [f64; 4] {
+    ///         [x * x, 2.0 * x, 2.0, 0.0]
+    ///     }
+    ///     fn over(&self, x: &Series) -> Option<Series> {
+    ///         Some(*x * *x)
+    ///     }
+    /// }
+    /// kin::check::law(&Law::new(Square), -1.0, 2.0);
+    /// ```
+    fn over(&self, x: &Series) -> Option<Series> {
+        let _ = x;
+        None
+    }
+
+    /// The laws on whose word its bounds rest, by their kinds: itself, unless Kin knows its formula.
+    #[doc(hidden)]
+    fn trusted(&self) -> Vec<String> {
+        vec![self.kind().to_string()]
+    }
+
+    /// The same law with one parameter changed; `None` if there is none of that name.
+    fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
+        let _ = (name, value);
+        None
+    }
+}
+
+/// A function of one variable with its derivatives up to the third: cheap to clone, the same for everyone who holds it.
+///
+/// Constructors give laws, not results: what makes no sense (a parameter that is not finite, a table that does not increase, parts that do not
+/// meet) is told by [`Law::refusal`], and refused by name where a mechanism is to use the law.
+#[derive(Clone)]
+pub struct Law(Arc<dyn LawFunction>);
+
+impl Law {
+    /// A law of one's own.
+    pub fn new(function: impl LawFunction + 'static) -> Self {
+        Law(Arc::new(function))
+    }
+
+    /// \[f, f′, f″, f‴\] at x.
+    pub fn jet(&self, x: f64) -> [f64; 4] {
+        self.0.jet(x)
+    }
+
+    /// f(x), for a plain number or any dual number.
+    pub fn at<X: LawArgument>(&self, x: X) -> X {
+        x.through(self)
+    }
+
+    /// f′(x), for a plain number or any dual number.
+    pub fn slope<X: LawArgument>(&self, x: X) -> X {
+        x.through_slope(self)
+    }
+
+    /// What kind of law this is.
+    pub fn kind(&self) -> &str {
+        self.0.kind()
+    }
+
+    /// What it is, in the words of its documentation.
+    pub fn description(&self) -> &str {
+        self.0.description()
+    }
+
+    /// f⁗(x), where it is known.
+    pub fn fourth(&self, x: f64) -> f64 {
+        self.0.fourth(x)
+    }
+
+    /// The law of a function with interval bounds, where they are known.
+    pub(crate) fn over(&self, x: &Series) -> Option<Series> {
+        self.0.over(x)
+    }
+
+    /// The laws on whose word these bounds rest.
+    #[doc(hidden)]
+    pub fn trusted(&self) -> Vec<String> {
+        self.0.trusted()
+    }
+
+    /// Where derivatives up to the third jump between `from` and `to`, both included, in increasing order of x; of more than ten thousand places
+    /// as many.
+    pub fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
+        self.0.breaks(from.min(to), to.max(from))
+    }
+
+    /// The break between `from` and `to` in which the lowest derivative jumps.
+    pub fn sharpest_break(&self, from: f64, to: f64) -> Option<Break> {
+        self.0.sharpest_break(from.min(to), to.max(from))
+    }
+
+    /// Whether no derivative up to the third jumps anywhere.
+    pub fn is_smooth(&self) -> bool {
+        self.0.is_smooth()
+    }
+
+    /// Why its parameters make no sense, if so.
+    pub fn refusal(&self) -> Option<String> {
+        let mut bad = None;
+        self.parameters(&mut |name, value| {
+            if !value.is_finite() && bad.is_none() {
+                bad = Some(format!("{name} is {value}; give a finite number"));
+            }
+        });
+        bad.or_else(|| self.0.refusal())
+    }
+
+    /// Whether f(x + period) = f(x) for all that can be seen: values and first three derivatives at 24 places, each to nine digits of the largest
+    /// of its kind.
+    pub fn is_periodic(&self, period: f64) -> bool {
+        let places = || (0..24).map(|k| period * (f64::from(k) * 0.618_033_988_749_894_9).fract());
+        let jets: Vec<[[f64; 4]; 2]> = places().map(|x| [self.jet(x), self.jet(x + period)]).collect();
+        let size = |k: usize| jets.iter().flatten().fold(0.0_f64, |size, jet| size.max(jet.get(k).map_or(0.0, |f| f.abs())));
+        (0..4).all(|k| {
+            // x is rounded, and with a steep law so is f.
+            let next = if k < 3 { size(k + 1) } else { places().fold(0.0_f64, |size, x| size.max(self.fourth(x).abs())) };
+            let allowed = 1e-9 * size(k) + 8.0 * f64::EPSILON * period * next;
+            jets.iter().all(|[a, b]| (a[k] - b[k]).abs() <= allowed)
+        })
+    }
+
+    /// Shows each numeric parameter with its name; the parts of a combined law are told apart by `first.`, `second.`, `outer.`, `inner.`.
+    pub fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+        self.0.parameters(visit);
+    }
+
+    /// The laws that it is made of, by the names that their parameters begin with: `first`, `second`.
+    pub fn parts(&self) -> Vec<(String, Law)> {
+        self.0.parts()
+    }
+
+    /// Numbers that make it the law it is but are no parameters, such as where the points of a table stand.
+    pub fn fixed_numbers(&self) -> Vec<(String, f64)> {
+        self.0.fixed_numbers()
+    }
+
+    /// Sets one numeric parameter by the name [`Law::parameters`] gives it; false if there is none of that name, or the law is fixed.
+    /// Clones made before keep the old value.
+    pub fn set_parameter(&mut self, name: &str, value: f64) -> bool {
+        match self.0.with_parameter(name, value) {
+            Some(law) => {
+                *self = law;
+                true
+            }
+            None => false,
+        }
+    }
+}
+
+/// Whose word a law rests on of which Kin knows the formula: that of its parts.
+fn trusted_parts(law: &dyn LawFunction) -> Vec<String> {
+    law.parts().iter().flat_map(|(_, part)| part.trusted()).collect()
+}
+
+impl fmt::Debug for Law {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut all = f.debug_struct(self.kind());
+        self.parameters(&mut |name, value| {
+            all.field(name, &value);
+        });
+        all.finish()
+    }
+}
+
+/// A number that a law can be asked at: `f64`, or [`Real`] where a constraint runs on dual numbers.
+pub trait LawArgument {
+    /// f(self), with the derivatives that the kind of number carries.
+    fn through(self, law: &Law) -> Self;
+
+    /// f′(self), with the derivatives that the kind of number carries.
+    fn through_slope(self, law: &Law) -> Self;
+}
+
+impl LawArgument for f64 {
+    fn through(self, law: &Law) -> f64 {
+        law.jet(self)[0]
+    }
+
+    fn through_slope(self, law: &Law) -> f64 {
+        law.jet(self)[1]
+    }
+}
+
+impl<D: Dual> LawArgument for Real<D> {
+    fn through(self, law: &Law) -> Self {
+        self.chain(law.jet(self.value()))
+    }
+
+    fn through_slope(self, law: &Law) -> Self {
+        let [_, f1, f2, f3] = law.jet(self.value());
+        // Where nothing moves the fourth derivative, which may not be known, is not asked for.
+        let f4 = if self.0.is_at_rest() { 0.0 } else { law.fourth(self.value()) };
+        self.chain([f1, f2, f3, f4])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numbers::real::Dual2_64;
+
+    #[test]
+    fn dual_numbers_go_through_a_law() {
+        let law = Law::sine(2.0, 3.0, 0.5);
+        let [f, f1, f2, _] = law.jet(0.7);
+        let y = law.at(Real(Dual2_64::new(0.7, 1.5, -0.25))).0;
+        assert_eq!(law.at(0.7), f);
+        assert!((y.re - f).abs() < 1e-15 && (y.v1 - f1 * 1.5).abs() < 1e-14);
+        assert!((y.v2 - (f2 * 2.25 - f1 * 0.25)).abs() < 1e-13);
+    }
+
+    #[test]
+    fn clones_keep_their_parameter() {
+        let mut law = Law::ramp(2.0);
+        let old = law.clone();
+        assert!(law.set_parameter("rate", 3.0));
+        assert!(!law.set_parameter("speed", 3.0));
+        assert_eq!((law.at(1.0), old.at(1.0)), (3.0, 2.0));
+        assert_eq!(format!("{law:?}"), "ramp { rate: 3.0 }");
+    }
+
+    #[test]
+    fn laws_cross_threads() {
+        fn sent<T: Send + Sync + Clone + 'static>() {}
+        sent::<Law>();
+    }
+}

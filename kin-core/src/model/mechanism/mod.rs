@@ -1,0 +1,285 @@
+//! A mechanism as it is described: bodies, bare coordinates and named constraints; then built into a [`crate::System`].
+
+pub(crate) mod admission;
+mod limit;
+mod place;
+mod pose;
+mod preference;
+
+pub(crate) use limit::Limit;
+pub use place::Marker;
+pub use pose::{Pose, SpatialPose, deg, linspace, pose};
+pub use preference::Preferred;
+use preference::Wish;
+
+use std::collections::HashSet;
+
+use crate::model::constraint::Constraint;
+use crate::model::coordinates::{Coordinate, Ground, Link, MechanismId, PlanarBody, SpatialBody, Target, Trig};
+use crate::model::error::{Error, Result};
+use crate::model::layout::{Kind, Layout, Place};
+use crate::model::units::Units;
+use crate::numbers::algebra::Vec2;
+
+/// Bodies, bare coordinates and constraints under one name, in any consistent set of units (metre, radian and second in headers).
+///
+/// ```
+/// use kin::prelude::*;
+/// use kin::{Mechanism, deg, linspace};
+///
+/// # fn main() -> kin::Result<()> {
+/// let mut m = Mechanism::new("four-bar");
+/// let ground = m.ground();
+/// let crank = m.link("crank", 1.0)?;
+/// let coupler = m.link("coupler", 3.5)?;
+/// let rocker = m.link("rocker", 3.0)?;
+/// m.add("O", revolute(ground, crank, vec2(0.0, 0.0), crank.start()))?;
+/// m.add("A", revolute(crank, coupler, crank.end(), coupler.start()))?;
+/// m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end()))?;
+/// m.add("C", revolute(ground, rocker, vec2(4.0, 0.0), rocker.start()))?;
+/// m.add("motor", drive_angle(crank, Law::ramp(TAU)))?;
+/// m.prefer(rocker, deg(100.0));
+///
+/// let motion = m.build()?.run(linspace(0.0, 1.0, 1001))?;
+/// let p = motion.point(coupler, vec2(0.0, 0.5))?;
+/// assert!(p.speed().max() > 6.0);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// A copy is a variant: bodies and coordinates that one has given out are those of the other too.
+#[derive(Clone)]
+pub struct Mechanism {
+    pub(crate) name: String,
+    pub(crate) layout: Layout,
+    /// Initial guess of q.
+    pub(crate) initial: Vec<f64>,
+    /// Preferred values as (coordinate, value).
+    pub(crate) preferred: Vec<(usize, f64)>,
+    /// Preferred measures as (name, value).
+    pub(crate) asked: Vec<(String, f64)>,
+    pub(crate) constraints: Vec<(String, Box<dyn Constraint>)>,
+    names: HashSet<String>,
+    /// What a method that returns nothing could not take; told at build.
+    refused: Option<Refused>,
+    /// Ranges that measures should keep to.
+    pub(crate) limits: Vec<Limit>,
+}
+
+/// A constraint of a mechanism, in the order of adding.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct ConstraintId(usize);
+
+/// What could not be taken where nothing is returned: tried again at build, it gives its error.
+#[derive(Clone)]
+pub(crate) enum Refused {
+    Units(Units),
+    Preference(Wish),
+}
+
+/// What can be added to a mechanism: a constraint, or one that is only known as a `Box<dyn Constraint>`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no constraint",
+    label = "a mechanism takes constraints: what `revolute(…)` and functions with `#[constraint]` return",
+    note = "a function becomes a constraint by `#[constraint]` above it; call it with bodies and parameters"
+)]
+pub trait IntoConstraint {
+    /// The constraint.
+    #[doc(hidden)]
+    fn into_constraint(self) -> Box<dyn Constraint>;
+}
+
+impl<T: Constraint + 'static> IntoConstraint for T {
+    fn into_constraint(self) -> Box<dyn Constraint> {
+        Box::new(self)
+    }
+}
+
+impl IntoConstraint for Box<dyn Constraint> {
+    fn into_constraint(self) -> Box<dyn Constraint> {
+        self
+    }
+}
+
+impl Mechanism {
+    /// An empty mechanism.
+    pub fn new(name: &str) -> Self {
+        Mechanism {
+            name: name.to_string(),
+            layout: Layout::new(MechanismId::fresh()),
+            initial: Vec::new(),
+            preferred: Vec::new(),
+            asked: Vec::new(),
+            constraints: Vec::new(),
+            names: HashSet::new(),
+            refused: None,
+            limits: Vec::new(),
+        }
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// What the units of length and time are called in files, pages and messages: `m.units("mm", "s")`. Words alone: nothing is converted, and all
+    /// numbers have to be in these units. Without it they are `m` and `s`.
+    ///
+    /// A word that is empty is told by [`Mechanism::build`].
+    pub fn units(&mut self, length: &str, time: &str) {
+        let units = Units::new(length, time);
+        match units.missing() {
+            Some(_) => self.refused = self.refused.take().or(Some(Refused::Units(units))),
+            None => self.layout.words = units,
+        }
+    }
+
+    /// The ground: the global frame, a planar and a spatial body without coordinates.
+    pub fn ground(&self) -> Ground {
+        Ground
+    }
+
+    /// A planar body between two pins that are `length` apart, frame at the middle; the assembly finds its pose.   \[m\]
+    ///
+    /// Errors: length not above zero, name empty or taken.
+    pub fn link(&mut self, name: &str, length: f64) -> Result<Link> {
+        self.link_at(name, length, pose(0.0, 0.0, 0.0))
+    }
+
+    /// A planar body between two pins at the global points `a` and `b`: their distance is its length, frame at the middle, x-axis from
+    /// `a` to `b`.   \[m\]
+    ///
+    /// Errors: points that coincide or are not finite, name empty or taken.
+    pub fn link_between(&mut self, name: &str, a: impl Into<Vec2>, b: impl Into<Vec2>) -> Result<Link> {
+        let (a, b) = (a.into(), b.into());
+        self.link_at(name, (b.x - a.x).hypot(b.y - a.y), Pose::between(a, b))
+    }
+
+    fn link_at(&mut self, name: &str, length: f64, pose: Pose) -> Result<Link> {
+        if !(length.is_finite() && length > 0.0) {
+            return Err(Error::InvalidLength { link: name.to_string(), length });
+        }
+        let body = self.planar(name, pose)?;
+        self.layout.links.extend(body.index.map(|index| (index, length)));
+        Ok(Link { body, length })
+    }
+
+    /// A planar body with coordinates (R_x, R_y, θ) and their guess.   \[m, m, rad\]
+    ///
+    /// Errors: guess not finite, name empty or taken.
+    pub fn planar(&mut self, name: &str, pose: Pose) -> Result<PlanarBody> {
+        let index = self.declare(name, Kind::Planar, &[pose.x, pose.y, pose.theta])?;
+        Ok(PlanarBody { mechanism: self.layout.mechanism, index: Some(index) })
+    }
+
+    /// A spatial body with coordinates (R, e0, e1, e2, e3) and their guess; p is normalised, and |p|² = 1 becomes an equation of its own,
+    /// named `NAME.p`, when the mechanism is built.   \[m, –\]
+    ///
+    /// Errors: guess not finite or p = 0, name empty or taken.
+    pub fn spatial(&mut self, name: &str, pose: SpatialPose) -> Result<SpatialBody> {
+        let index = self.declare(name, Kind::Spatial, &pose.coordinates())?;
+        Ok(SpatialBody { mechanism: self.layout.mechanism, index: Some(index) })
+    }
+
+    /// A bare coordinate that is an angle, and its guess.   \[rad\]
+    ///
+    /// Errors: guess not finite, name empty or taken.
+    pub fn angle(&mut self, name: &str, guess: f64) -> Result<Coordinate> {
+        let index = self.declare(name, Kind::Angle, &[guess])?;
+        Ok(Coordinate::Own { mechanism: self.layout.mechanism, index })
+    }
+
+    /// A bare coordinate that is a length, and its guess.   \[m\]
+    ///
+    /// Errors: guess not finite, name empty or taken.
+    pub fn length(&mut self, name: &str, guess: f64) -> Result<Coordinate> {
+        let index = self.declare(name, Kind::Length, &[guess])?;
+        Ok(Coordinate::Own { mechanism: self.layout.mechanism, index })
+    }
+
+    pub(crate) fn declare(&mut self, name: &str, kind: Kind, guess: &[f64]) -> Result<usize> {
+        for ((suffix, _), &value) in kind.coordinates().iter().zip(guess) {
+            if !value.is_finite() {
+                return Err(Error::InitialNotFinite { name: name.to_string(), coordinate: format!("{name}{suffix}"), value });
+            }
+        }
+        let index = self.layout.declare(name, kind)?;
+        self.initial.extend_from_slice(guess);
+        Ok(index)
+    }
+
+    /// Adds a constraint under a name.
+    ///
+    /// Errors, all by name: name empty or taken, a parameter that is not finite or makes no sense (a length below zero, a zero axis, a table
+    /// that does not increase), a body of another mechanism, the same body or coordinate
+    /// twice, an equation left without coordinates because its bodies are the ground.
+    pub fn add(&mut self, name: &str, constraint: impl IntoConstraint) -> Result<ConstraintId> {
+        let constraint = constraint.into_constraint();
+        if name.trim().is_empty() {
+            return Err(Error::EmptyName { what: "constraint" });
+        }
+        if self.names.contains(name) {
+            return Err(Error::DuplicateName { what: "constraints", name: name.to_string() });
+        }
+        admission::admit(&self.name, &self.layout, name, constraint.as_ref())?;
+        self.names.insert(name.to_string());
+        self.constraints.push((name.to_string(), constraint));
+        Ok(ConstraintId(self.constraints.len() - 1))
+    }
+
+    /// Gives another guess for one coordinate.   \[m or rad\]
+    ///
+    /// Errors: not finite, coordinate of another mechanism.
+    pub fn guess(&mut self, coordinate: Coordinate, value: f64) -> Result<()> {
+        self.set_all("guess", Target::Coord(coordinate, Trig::Unused), &[value])
+    }
+
+    /// Gives another guess for the pose of a planar body.   \[m, m, rad\]
+    ///
+    /// Errors: not finite, body of another mechanism.
+    pub fn set_pose(&mut self, body: impl Into<PlanarBody>, pose: Pose) -> Result<()> {
+        self.set_all("set_pose", Target::Planar(body.into()), &[pose.x, pose.y, pose.theta])
+    }
+
+    /// Gives another guess for the pose of a spatial body.   \[m, –\]
+    ///
+    /// Errors: not finite or p = 0, body of another mechanism.
+    pub fn set_spatial_pose(&mut self, body: impl Into<SpatialBody>, pose: SpatialPose) -> Result<()> {
+        self.set_all("set_spatial_pose", Target::Spatial(body.into()), &pose.coordinates())
+    }
+
+    /// Gives another guess for all coordinates, in the order of their declaration.   \[m, rad\]
+    ///
+    /// Errors: wrong length, not finite.
+    pub fn set_initial(&mut self, q: &[f64]) -> Result<()> {
+        if q.len() != self.initial.len() {
+            return Err(Error::WrongLength { what: "initial guess".to_string(), expected: self.initial.len(), found: q.len() });
+        }
+        if let Some(k) = q.iter().position(|x| !x.is_finite()) {
+            return Err(self.layout.not_finite(k, q[k]));
+        }
+        self.initial.copy_from_slice(q);
+        Ok(())
+    }
+
+    /// Writes a guess; for the ground it is nothing to do.
+    fn set_all(&mut self, place: &str, target: Target, values: &[f64]) -> Result<()> {
+        let foreign = || Error::ForeignBody { mechanism: self.name.clone(), place: place.to_string(), argument: "body".to_string() };
+        let Place::Own { first, .. } = self.layout.place(&target).ok_or_else(foreign)? else { return Ok(()) };
+        if let Some(k) = values.iter().position(|x| !x.is_finite()) {
+            return Err(self.layout.not_finite(first + k, values[k]));
+        }
+        self.initial.iter_mut().skip(first).zip(values).for_each(|(guess, value)| *guess = *value);
+        Ok(())
+    }
+
+    /// Itself, after what could not be told where nothing is returned. Errors: a word for a unit that is empty, a mistake in a preference.
+    pub(crate) fn settled(mut self) -> Result<Self> {
+        match self.refused.take() {
+            Some(Refused::Units(units)) => units.missing().map_or(Ok(()), |what| Err(Error::EmptyName { what }))?,
+            Some(Refused::Preference(wish)) => self.note(wish)?,
+            None => {}
+        }
+        Ok(self)
+    }
+}

@@ -1,0 +1,73 @@
+//! What happens on the way: at one time, to something with a name.
+
+use serde::{Deserialize, Serialize};
+
+use super::Motion;
+use crate::model::units::Units;
+use crate::model::words::time;
+
+/// What kind of thing an [`Event`] is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum EventKind {
+    /// A joint's measure passes the end of its range: a stop, the end of a slot.
+    Limit,
+    /// A toggle: beyond it there is no position.
+    TurningPoint,
+    /// A change point: branches of the motion cross.
+    Bifurcation,
+    /// A kink of an equation: the condition of an `if` changes, or `abs`, `max` or `min` takes its other side. Derivatives there are those of one
+    /// side. Of constraints on the dual route kinks are not known.
+    Kink,
+}
+
+impl std::fmt::Display for EventKind {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            EventKind::Limit => "limit",
+            EventKind::TurningPoint => "turning point",
+            EventKind::Bifurcation => "bifurcation",
+            EventKind::Kink => "kink",
+        })
+    }
+}
+
+/// Something that happens at one time of a motion, between the times of the grid as a rule.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Event {
+    /// When it happens.   \[s\]
+    pub t: f64,
+    /// What the units of length and time are called; a motion to which it is added knows.
+    #[serde(default, skip_serializing_if = "Units::is_default")]
+    pub units: Units,
+    /// What kind of thing it is.
+    pub kind: EventKind,
+    /// What it happens to, by the user's name, such as `slot.slide`.
+    pub name: String,
+    /// What happens, as a sentence.
+    pub text: String,
+}
+
+impl std::fmt::Display for Event {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "t = {} {}: {}", time(self.t), self.units.time(), self.text)
+    }
+}
+
+impl Motion {
+    /// What has happened on the way, in the order in which it was run through.
+    pub fn events(&self) -> &[Event] {
+        &self.events
+    }
+
+    /// Puts an event where its time belongs: after those that a run in this direction meets before it.
+    pub(crate) fn add_event(&mut self, mut event: Event) {
+        event.units = self.layout.words.clone();
+        let backwards = matches!(self.times[..], [first, .., last] if last < first);
+        let later = |known: &Event| if backwards { known.t < event.t } else { known.t > event.t };
+        let place = self.events.iter().position(later).unwrap_or(self.events.len());
+        self.events.insert(place, event);
+    }
+}

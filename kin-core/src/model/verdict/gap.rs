@@ -1,0 +1,71 @@
+//! Constraints that cannot be met together with all others.
+
+use std::f64::consts::TAU;
+
+use serde::{Deserialize, Serialize};
+
+/// A constraint that cannot be met together with all others.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Gap {
+    /// The constraint.
+    pub constraint: String,
+    /// Its equations, as they are counted in the system.
+    pub rows: Vec<usize>,
+    /// Names of its equations, such as `B.x`.
+    pub equations: Vec<String>,
+    /// What is missing in each equation where all other constraints are met and this one as nearly as was found.   \[unit of the row\]
+    pub residual: Vec<f64>,
+    /// For a driver of one coordinate: the coordinate, what is asked of it, and where it stands at the nearest.   \[m or rad\]
+    pub asks: Option<Asks>,
+    /// Whether its equations depend on the others at nearby poses too: then they contradict one another. If not, something does not reach.
+    pub lasting: bool,
+    /// From how many starts a pose was looked for.
+    pub starts: usize,
+    /// The other drivers, and what those of one coordinate ask for.
+    #[serde(default)]
+    pub against: Vec<Against>,
+}
+
+/// Another driver where one cannot be met.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Against {
+    /// The driver.
+    pub constraint: String,
+    /// What it asks for, where it is one of one coordinate.
+    pub asks: Option<Asks>,
+}
+
+/// What a driver asks for and does not get.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Asks {
+    /// The coordinate.
+    pub coordinate: String,
+    /// What is asked.   \[m or rad\]
+    pub asked: f64,
+    /// Where it stands.   \[m or rad\]
+    pub stands: f64,
+    /// By how much an angle that is asked of a first position lies beyond its guess; `None` of lengths and of later positions.   \[rad\]
+    #[serde(default)]
+    pub beyond_guess: Option<f64>,
+}
+
+impl Asks {
+    pub(crate) fn new(coordinate: String, asked: f64, stands: f64) -> Self {
+        Asks { coordinate, asked, stands, beyond_guess: None }
+    }
+
+    /// Whether an angle is asked for that is more than a turn from its guess, as degrees in the place of radians are.
+    pub(crate) fn is_more_than_a_turn(&self) -> bool {
+        self.beyond_guess.is_some_and(|beyond| beyond.abs() > TAU)
+    }
+}
+
+impl Gap {
+    /// |C| of the constraint: the length of the gap for a joint that holds two points together.   \[unit of the row\]
+    pub fn size(&self) -> f64 {
+        self.residual.iter().map(|c| c * c).sum::<f64>().sqrt()
+    }
+}

@@ -1,0 +1,19 @@
+//! What is wrong with a mechanism, or right with it, as data, and the words for it. `ask/diagnosis/` finds it out.
+
+mod advice;
+mod change;
+mod dependency;
+mod diagnosis;
+mod elsewhere;
+mod freedom;
+mod gap;
+mod repeats;
+mod text;
+mod unbounded;
+
+pub use change::{Change, GlobalPoint, Resize, Size};
+pub use dependency::{Class, Dependency, Level, Term};
+pub use diagnosis::Diagnosis;
+pub use elsewhere::Elsewhere;
+pub use freedom::{BodyMotion, Freedom, How, Persistence};
+pub use gap::{Against, Asks, Gap};

@@ -1,0 +1,24 @@
+//! Why a run has failed is found out by those who ask, in a room above; what solves carries the means to it.
+
+use crate::model::error::Error;
+use crate::solve::newton::Options;
+use crate::system::System;
+use crate::system::scaled::Model;
+
+/// Where an examination begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Start<'a> {
+    /// A guess, from which the mechanism is assembled first.
+    Guess(&'a [f64]),
+    /// A pose at which C = 0 holds, or nearly.
+    Pose(&'a [f64]),
+}
+
+/// What finds out why a run has failed.
+#[derive(Clone, Copy)]
+pub(crate) struct Explain {
+    /// The error of a mechanism that cannot be driven at a time, with its diagnosis.
+    pub cannot_be_driven: fn(Model<'_>, Start<'_>, f64, &Options) -> Error,
+    /// An error of a run with what is wrong with the mechanism at that time, as far as the size of the system allows to look for it.
+    pub explained: fn(Error, &System, &Options) -> Error,
+}
