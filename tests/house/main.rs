@@ -2,6 +2,7 @@
 
 mod imports;
 mod limits;
+mod lists;
 
 use std::path::{Path, PathBuf};
 
