@@ -136,28 +136,29 @@ fn drawn(word: &str, n: &[f64]) -> String {
         "q" => curve(j),
         "w" => curve(i),
         ">" => line(drive, 2.0, "") + &head(n[2], n[3], n[2] - n[0], n[3] - n[1], drive),
-        "@" => {
-            let (x, y, r) = (n[0], n[1], n[2]);
-            let arc = format!(
-                "<path d=\"M{},{} A{r},{r} 0 0 0 {},{}\" fill=\"none\" stroke=\"{drive}\" stroke-width=\"2\"/>\n",
-                x + r,
-                y,
-                x,
-                y - r
-            );
-            arc + &head(x, y - r, -1.0, 0.0, drive)
-        }
-        "g" => {
-            let mut text = line("#111827", 2.0, "");
-            let mut x = n[0];
-            while x < n[2] {
-                let _ = writeln!(text, "<path d=\"M{x},{} l-5,6\" stroke=\"#111827\" stroke-width=\"1\"/>", n[1]);
-                x += 6.0;
-            }
-            text
-        }
+        "@" => arc(n, drive),
+        "g" => line("#111827", 2.0, "") + &hatch(n),
         other => panic!("no stroke is called {other}"),
     }
+}
+
+/// An arrow that turns.
+fn arc(n: &[f64], drive: &str) -> String {
+    let (x, y, r) = (n[0], n[1], n[2]);
+    let arc =
+        format!("<path d=\"M{},{} A{r},{r} 0 0 0 {},{}\" fill=\"none\" stroke=\"{drive}\" stroke-width=\"2\"/>\n", x + r, y, x, y - r);
+    arc + &head(x, y - r, -1.0, 0.0, drive)
+}
+
+/// Strokes below the line of the ground.
+fn hatch(n: &[f64]) -> String {
+    let mut text = String::new();
+    let mut x = n[0];
+    while x < n[2] {
+        let _ = writeln!(text, "<path d=\"M{x},{} l-5,6\" stroke=\"#111827\" stroke-width=\"1\"/>", n[1]);
+        x += 6.0;
+    }
+    text
 }
 
 /// The head of an arrow that ends at (x, y).

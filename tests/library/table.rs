@@ -27,7 +27,10 @@ impl Joint {
 }
 
 pub fn all() -> Vec<Joint> {
-    [planar(), planar_drivers(), spatial_points(), spatial_joints(), spatial_links(), spatial_drivers()].into_iter().flatten().collect()
+    [planar(), planar_drivers(), spatial_points(), spatial_joints(), spatial_couplings(), spatial_links(), spatial_drivers()]
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 fn planar() -> Vec<Joint> {
@@ -165,6 +168,12 @@ fn spatial_joints() -> Vec<Joint> {
             let (u_i, u_j, h_i, h_j) = (r.v3(), r.v3(), r.axis(), r.axis());
             sample(spatial::constant_velocity(s(), s(), u_j, u_i, h_j, h_i))
         }),
+    ]
+}
+
+fn spatial_couplings() -> Vec<Joint> {
+    let of = |make: Make| Joint { group: "spatial", make, exchanged: None };
+    vec![
         of(|r| sample(spatial::relative_angle(s(), s(), c(), r.axis(), r.axis()))),
         of(|r| sample(spatial::gear(s(), s(), s(), r.axis(), r.axis(), r.axis(), r.axis(), 3.0, -2.0, r.number()))),
         of(|r| {

@@ -84,20 +84,14 @@ fn stewart_platform_finds_the_pose_of_its_legs() {
     }
 }
 
-/// Bennett's linkage, a = 1, b = sin β/sin α: of the four rows of the coupler one suffices, and the other three hold by themselves; the angles
-/// of both cranks have tan(φ/2) = tan(θ/2) sin((β + α)/2)/sin((β − α)/2).
-#[test]
-fn bennett_linkage_moves() {
-    let (alpha, beta) = (0.5_f64, 1.1_f64);
-    let (a, b) = (1.0, beta.sin() / alpha.sin());
+/// Bennett's linkage with one of its rods for the coupler: cranks of length b, driven from 1 rad on, and the angle of the other one.
+fn bennett([a, b]: [f64; 2], [alpha, _]: [f64; 2]) -> (Mechanism, Coordinate) {
     // ground link of length a and twist α from A to D; cranks of length b and twist β; coupler of length a and twist α
     let (z_a, z_d) = (Vec3::z(), vec3(0.0, -alpha.sin(), alpha.cos()));
     let d = vec3(a, 0.0, 0.0);
     let mut m = Mechanism::new("Bennett's linkage");
     let crank = m.spatial("crank", SpatialPose::at(O)).unwrap();
     let rocker = m.spatial("rocker", SpatialPose::facing(d, Axis::new(Vec3::x(), z_d.cross(Vec3::x())))).unwrap();
-    // the far hinge of a crank: b along x, its axis turned by β about x
-    let far = vec3(0.0, -beta.sin(), beta.cos());
     m.add("A", spatial::revolute(crank, Ground, O, O, Vec3::z(), z_a)).unwrap();
     m.add("D", spatial::revolute(rocker, Ground, O, d, Vec3::z(), z_d)).unwrap();
     m.add("coupler", spatial::distance(crank, rocker, vec3(b, 0.0, 0.0), vec3(b, 0.0, 0.0), a)).unwrap();
@@ -108,6 +102,18 @@ fn bennett_linkage_moves() {
     .unwrap();
     let phi = m.angle("phi", 0.0).unwrap();
     m.add("phi", spatial::relative_angle(rocker, Ground, phi, Axis::new(Vec3::z(), Vec3::x()), Axis::new(z_d, Vec3::x()))).unwrap();
+    (m, phi)
+}
+
+/// Bennett's linkage, a = 1, b = sin β/sin α: of the four rows of the coupler one suffices, and the other three hold by themselves; the angles
+/// of both cranks have tan(φ/2) = tan(θ/2) sin((β + α)/2)/sin((β − α)/2).
+#[test]
+fn bennett_linkage_moves() {
+    let (alpha, beta) = (0.5_f64, 1.1_f64);
+    let (a, b) = (1.0, beta.sin() / alpha.sin());
+    let (mut m, phi) = bennett([a, b], [alpha, beta]);
+    // the far hinge of a crank: b along x, its axis turned by β about x
+    let far = vec3(0.0, -beta.sin(), beta.cos());
     // two assemblies close the distance: Bennett's is the one with this output angle
     let ratio = ((beta + alpha) / 2.0).sin() / ((beta - alpha) / 2.0).sin();
     let exact = |theta: f64| 2.0 * (ratio * (theta / 2.0).tan()).atan();

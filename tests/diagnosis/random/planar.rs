@@ -99,6 +99,24 @@ impl Making {
         self.bodies.extend([a, b]);
     }
 
+    /// Three rods between two bodies.
+    fn rods(&mut self, unit: usize, i: Placed, j: Placed) {
+        for k in 0..3 {
+            let (p, q) = (self.point(), self.point());
+            let rod = distance(i.body, j.body, i.local(p), j.local(q), (p - q).norm());
+            self.m.add(&format!("rod {unit}.{k}"), rod).unwrap();
+        }
+    }
+
+    /// A wheel that turns with an earlier body.
+    fn wheel(&mut self, unit: usize, i: Placed, j: Placed, at: Vec2) {
+        self.pin(&format!("joint {unit}"), i, j, at);
+        let k = self.bodies[1 + self.random.below(self.bodies.len() - 1)];
+        let ratio = 0.5 + self.random.number().abs();
+        let sum = i.theta + ratio * k.theta;
+        self.m.add(&format!("wheels {unit}"), summed([i.body.theta(), k.body.theta()], [1.0, ratio], sum)).unwrap();
+    }
+
     /// A body on an earlier one; its freedoms are driven.
     fn unit(&mut self, unit: usize) {
         let j = self.earlier();
@@ -128,13 +146,7 @@ impl Making {
                 self.m.add(&name, point_on_circle(i.body, j.body, u_i, j.local(at + h * 0.7), 0.7)).unwrap();
                 (turns, points) = (1, 1);
             }
-            5 => {
-                for k in 0..3 {
-                    let (p, q) = (self.point(), self.point());
-                    let rod = distance(i.body, j.body, i.local(p), j.local(q), (p - q).norm());
-                    self.m.add(&format!("rod {unit}.{k}"), rod).unwrap();
-                }
-            }
+            5 => self.rods(unit, i, j),
             6 => {
                 self.m.add(&name, weld(i.body, j.body, u_i, u_j, i.theta - j.theta)).unwrap();
             }
@@ -144,14 +156,7 @@ impl Making {
                 self.m.add(&name, parabolic_slot(i.body, j.body, u_i, vertex, k)).unwrap();
                 (turns, points) = (1, 1);
             }
-            _ => {
-                // A wheel that turns with an earlier body.
-                self.pin(&name, i, j, at);
-                let k = self.bodies[1 + self.random.below(self.bodies.len() - 1)];
-                let ratio = 0.5 + self.random.number().abs();
-                let sum = i.theta + ratio * k.theta;
-                self.m.add(&format!("wheels {unit}"), summed([i.body.theta(), k.body.theta()], [1.0, ratio], sum)).unwrap();
-            }
+            _ => self.wheel(unit, i, j, at),
         }
         (0..turns).for_each(|_| self.drive_turn(i, j));
         (0..points).for_each(|_| self.drive_point(i));

@@ -117,12 +117,24 @@ fn stairs() -> Vec<Case> {
         let Some(motion) = moved(&system, &[from, to]) else { continue };
         all.push(Case { name: format!("stairs {c} {d}"), honest: false, system, motion, solutions: Box::new(of(c, d)) });
     }
+    all
+}
+
+/// x less its whole multiples of c: one solution for each of them.
+fn rests() -> Vec<Case> {
+    let mut all = Vec::new();
     for (c, from, to) in [(1.0, 0.1, 0.9), (1.0, 0.4, 0.6), (0.01, 0.001, 0.009)] {
         let solutions = move |t: &Wide| (0..5).map(|n| (n as usize, vec![t + w(c) * w(f64::from(n))])).collect::<Vec<_>>();
         let system = lengths([from], |m, [x]| m.add("c", wrapped(x, c)).map(|_| ()));
         let Some(motion) = moved(&system, &linspace(from, to, 3)) else { continue };
         all.push(Case { name: format!("rest after {c}"), honest: false, system, motion, solutions: Box::new(solutions) });
     }
+    all
+}
+
+/// A line that goes on from a unit earlier beyond c.
+fn folds() -> Vec<Case> {
+    let mut all = Vec::new();
     for (c, from, to, honest) in [(0.5, 0.0, 0.45, false), (0.5, 0.1, 0.2, false), (2.0, 0.0, 0.9, true)] {
         let solutions = move |t: &Wide| {
             let (low, high) = (t.clone(), t - 1.0);
@@ -229,5 +241,5 @@ fn last_bits() -> Vec<Case> {
 }
 
 pub fn cases() -> Vec<Case> {
-    [gates(), stairs(), near_one_another(), last_bits()].into_iter().flatten().collect()
+    [gates(), stairs(), rests(), folds(), near_one_another(), last_bits()].into_iter().flatten().collect()
 }

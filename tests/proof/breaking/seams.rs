@@ -173,15 +173,9 @@ fn slopes() -> Vec<Case> {
 
 type Adds = fn(&mut Mechanism, Coordinate, Coordinate, Law) -> kin::Result<()>;
 
-/// x from −0.2 to 0.3: the angle of (−1, x) over its cut.
-fn angles() -> Vec<Case> {
-    let by: [(&str, Adds, fn(&Wide) -> Wide); 4] = [
-        ("angle", |m, x, z, law| m.add("z", by_angle(x, z, law)).map(|_| ()), |x| x.atan2(&w(-1.0))),
-        ("angle back", |m, x, z, law| m.add("z", by_angle_back(x, z, law)).map(|_| ()), |x| 0.5 - x.atan2(&w(-1.0))),
-        ("two angles", |m, x, z, law| m.add("z", by_two_angles(x, z, law)).map(|_| ()), |x| x.atan2(&w(-1.0)) + x.atan2(&w(-3.0))),
-        ("thrice", |m, x, z, law| m.add("z", by_thrice_the_angle(x, z, law)).map(|_| ()), |x| -3.0 * x.atan2(&w(-1.0))),
-    ];
-    let laws: [(&str, Law, fn(&Wide) -> Wide, bool); 9] = [
+/// Laws with their values; true of those that repeat with each turn.
+fn laws_of_angles() -> [(&'static str, Law, fn(&Wide) -> Wide, bool); 9] {
+    [
         ("sine", Law::sine(0.5, 2.0, 0.25), |x| 0.5 * (2.0 * x + 0.25).sin(), true),
         ("harmonic", Law::harmonic(1.0, 0.5), |x| 1.0 + 0.5 * x.sin(), true),
         ("product", Law::harmonic(1.0, 0.5) * Law::sine(0.5, 2.0, 0.25), |x| (1.0 + 0.5 * x.sin()) * (0.5 * (2.0 * x + 0.25).sin()), true),
@@ -204,10 +198,20 @@ fn angles() -> Vec<Case> {
             },
             false,
         ),
+    ]
+}
+
+/// x from −0.2 to 0.3: the angle of (−1, x) over its cut.
+fn angles() -> Vec<Case> {
+    let by: [(&str, Adds, fn(&Wide) -> Wide); 4] = [
+        ("angle", |m, x, z, law| m.add("z", by_angle(x, z, law)).map(|_| ()), |x| x.atan2(&w(-1.0))),
+        ("angle back", |m, x, z, law| m.add("z", by_angle_back(x, z, law)).map(|_| ()), |x| 0.5 - x.atan2(&w(-1.0))),
+        ("two angles", |m, x, z, law| m.add("z", by_two_angles(x, z, law)).map(|_| ()), |x| x.atan2(&w(-1.0)) + x.atan2(&w(-3.0))),
+        ("thrice", |m, x, z, law| m.add("z", by_thrice_the_angle(x, z, law)).map(|_| ()), |x| -3.0 * x.atan2(&w(-1.0))),
     ];
     let mut all = Vec::new();
     for (angle, add, turned) in by {
-        for (name, law, f, honest) in laws.clone() {
+        for (name, law, f, honest) in laws_of_angles() {
             for steps in [1, 4] {
                 let system = lengths([-0.2, 0.0], |m, [x, z]| {
                     m.add("x", drive(x, Law::linear(-0.2, 0.5)))?;

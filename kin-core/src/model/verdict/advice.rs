@@ -124,19 +124,8 @@ impl Display for Point<'_> {
 impl Display for Change {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self {
-            Change::Remove { constraint, or } if or.is_empty() => write!(f, "remove `{constraint}`"),
-            Change::Remove { constraint, or } => {
-                let or: Vec<String> = or.iter().map(|name| format!("`{name}`")).collect();
-                write!(f, "remove `{constraint}`, or {}, or replace one by a measurement", or.join(", or "))
-            }
-            Change::Fit { constraint, missing, or_drop, of } => {
-                write!(f, "change a dimension by which `{constraint}` can be met, {} is missing", number(*missing))?;
-                match or_drop.len() {
-                    0 => Ok(()),
-                    all if all == *of => f.write_str(", or remove it"),
-                    _ => write!(f, ", or drop {} of it", rows_named(or_drop)),
-                }
-            }
+            Change::Remove { constraint, or } => remove(f, constraint, or),
+            Change::Fit { constraint, missing, or_drop, of } => fit(f, constraint, *missing, or_drop, *of),
             Change::Limit { constraint, asks, or } => limit(f, constraint, asks.as_ref(), or),
             Change::Allow { closure } => {
                 write!(f, "allow it by `Options::closure({closure:e})`, a share of the mechanism's size")
@@ -148,38 +137,63 @@ impl Display for Change {
             Change::Swap { constraint, bodies: [i, j], .. } => {
                 write!(f, "give `{constraint}` its bodies in the order of its points, first `{j}`, then `{i}`")
             }
-            Change::Local { points } => {
-                let one = |point: &GlobalPoint| {
-                    format!("`{}` of `{}` the point {} of `{}`", point.point, point.constraint, Point(&point.local), point.body)
-                };
-                let all: Vec<String> = points.iter().take(SHOWN).map(one).collect();
-                write!(f, "give {} (`m.local(body, point)` finds them)", all.join(", "))
-            }
+            Change::Local { points } => local(f, points),
             Change::OtherEnd { constraints: [a, b], body, .. } => write!(f, "let `{a}` or `{b}` hold the other end of `{body}`"),
-            Change::Drop { constraint, rows, instead } => {
-                let rows = rows_named(rows);
-                match instead {
-                    Some(joint) => write!(f, "make `{constraint}` {joint} (drops {rows})"),
-                    None => write!(f, "drop {rows} of `{constraint}`"),
-                }
+            Change::Drop { constraint, rows, instead: Some(joint) } => {
+                write!(f, "make `{constraint}` {joint} (drops {})", rows_named(rows))
             }
+            Change::Drop { constraint, rows, instead: None } => write!(f, "drop {} of `{constraint}`", rows_named(rows)),
             Change::Drive { turn: Some(body), .. } => write!(f, "drive or hold the turn of `{body}`"),
             Change::Drive { coordinate, .. } => write!(f, "drive or hold `{coordinate}`"),
             Change::Pin { bodies: [a, b], coordinates: [x, y] } => {
                 write!(f, "join `{a}` and `{b}` by a pin, or drive or hold `{x}` and `{y}`")
             }
             Change::Loosen { constraints } => {
-                let all: Vec<String> = constraints.iter().take(SHOWN).map(|name| format!("`{name}`")).collect();
-                write!(f, "for a mechanism that moves let one of {} hold less, and add a motor", all.join(", "))
+                let all = quoted(constraints.iter().take(SHOWN));
+                write!(f, "for a mechanism that moves let one of {all} hold less, and add a motor")
             }
             Change::Join { body } => write!(f, "join `{body}` to another body or the ground, or leave it out"),
-            Change::HoldIdle { bodies } => write!(
-                f,
-                "hold the turn of {} about its own axis, which moves nothing else, by `m.hold_idle_turns()`, or put a `distance` in its place",
-                list(bodies)
-            ),
+            Change::HoldIdle { bodies } => hold_idle(f, bodies),
         }
     }
+}
+
+fn quoted<'a>(names: impl Iterator<Item = &'a String>) -> String {
+    names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}
+
+fn remove(f: &mut Formatter<'_>, constraint: &str, or: &[String]) -> Result {
+    write!(f, "remove `{constraint}`")?;
+    if or.is_empty() {
+        return Ok(());
+    }
+    write!(f, ", or {}, or replace one by a measurement", quoted(or.iter()))
+}
+
+fn fit(f: &mut Formatter<'_>, constraint: &str, missing: f64, or_drop: &[String], of: usize) -> Result {
+    write!(f, "change a dimension by which `{constraint}` can be met, {} is missing", number(missing))?;
+    match or_drop.len() {
+        0 => Ok(()),
+        all if all == of => f.write_str(", or remove it"),
+        _ => write!(f, ", or drop {} of it", rows_named(or_drop)),
+    }
+}
+
+fn local(f: &mut Formatter<'_>, points: &[GlobalPoint]) -> Result {
+    let one = |GlobalPoint { point, constraint, local, body, .. }: &GlobalPoint| {
+        format!("`{point}` of `{constraint}` the point {} of `{body}`", Point(local))
+    };
+    let all: Vec<String> = points.iter().take(SHOWN).map(one).collect();
+    write!(f, "give {} (`m.local(body, point)` finds them)", all.join(", "))
+}
+
+fn hold_idle(f: &mut Formatter<'_>, bodies: &[String]) -> Result {
+    let all = list(bodies);
+    write!(
+        f,
+        "hold the turn of {all} about its own axis, which moves nothing else, by `m.hold_idle_turns()`, or put a `distance` \
+         in its place"
+    )
 }
 
 /// "let `motor` stay within reach, which ends near crank.theta = 0.7638, or make `coupler` at least 0.5607 long"

@@ -4,6 +4,7 @@
 //! As many independent equations are solved as there are coordinates, and the others asked to be met ([`crate::linear::Independent`]); where they may
 //! contradict one another a little ([`Options::closure`]), all of them in the sense of least squares.
 
+mod begin;
 mod errors;
 mod judged;
 mod solver;
@@ -15,7 +16,6 @@ use super::watch::Watch;
 use super::{Options, Outcome, Report, STALL, Stop};
 use crate::model::error::{Error, Result};
 use crate::numbers::fours::{self, Fours};
-use crate::solve::assembly::search::{self, Found};
 use crate::solve::explain::{Explain, Start};
 use crate::solve::follow::Drive;
 use crate::solve::motion::Motion;
@@ -23,8 +23,8 @@ use crate::system::evaluate::{Instant, finite};
 use crate::system::scaled::{Measures, Model, Point, TOLERANCE};
 use crate::system::{Solution, System};
 use errors::unmet;
+use solver::Solver;
 pub(crate) use solver::solved;
-use solver::{Solver, scales};
 
 /// Equations at a solution may differ by this share of their terms in velocities; where their positions may, by so many times that.   \[-\]
 const CONSISTENT: f64 = 1e-8;
@@ -114,85 +114,7 @@ struct Driver<'a> {
     drive: Option<Drive>,
 }
 
-impl<'a> Driver<'a> {
-    fn new(system: &'a System, (options, explain): (&'a Options, Option<Explain>), t: f64, (q, measures): (Vec<f64>, Measures)) -> Self {
-        let model = system.model_within(options.closure);
-        let (n, equations) = (model.n(), model.equations);
-        let mut point = Point { c: vec![0.0; model.m()], values: vec![0.0; equations.entries.len()] };
-        equations.set_constants(&mut point.values);
-        let [row_shares, shares] =
-            [&measures.norms, &measures.sizes].map(|sizes| sizes.iter().map(|size| size.recip()).collect::<Vec<_>>());
-        let turns: Vec<f64> = (0..n).map(|column| f64::from(u8::from(model.turns(column)))).collect();
-        let zeros = || Fours::new(n, 0.0);
-        Driver {
-            scales: scales(&model, &measures),
-            solver: Solver::new(&model),
-            instant: equations.instant(),
-            point,
-            system,
-            model,
-            options,
-            explain,
-            measures,
-            row_shares: Fours::from(&row_shares[..]),
-            shares: Fours::from(&shares[..]),
-            turns: Fours::from(&turns[..]),
-            predictor: Predictor::new(n),
-            rhs: Fours::new(model.m(), 0.0),
-            x: zeros(),
-            t,
-            last: zeros(),
-            q: Fours::from(&q[..]),
-            qd: zeros(),
-            qdd: zeros(),
-            qddd: vec![],
-            steps: 0,
-            worst: 0,
-            misfit: 0.0,
-            drive: Some(Drive::new(equations)),
-        }
-    }
-
-    /// Assembled from the guess, into the preferred assembly.
-    fn assembled(system: &'a System, options: &'a Options, t: f64, explain: Option<Explain>) -> Result<(Self, Outcome)> {
-        let model = system.model_within(options.closure);
-        let mut found = search::search(model, system.initial(), t, &|_| true, &options.search);
-        if let Some(q) = system.nearer(found.as_ref().filter(|found| found.met).map(|found| &found.place.q[..]), t, &options.search) {
-            found = search::descend(model, &q, t, &|_| true, false, options.search.steps);
-        }
-        Self::found(system, options, t, found, (system.initial(), explain))
-    }
-
-    /// Assembled from a start, nothing preferred.
-    fn from_start(system: &'a System, options: &'a Options, t: f64, (start, explain): (&[f64], Explain)) -> Result<(Self, Outcome)> {
-        let found = search::descend(system.model_within(options.closure), start, t, &|_| true, false, options.search.steps);
-        Self::found(system, options, t, found, (start, Some(explain)))
-    }
-
-    fn found(
-        system: &'a System,
-        options: &'a Options,
-        t: f64,
-        found: Option<Found>,
-        (start, explain): (&[f64], Option<Explain>),
-    ) -> Result<(Self, Outcome)> {
-        let model = system.model_within(options.closure);
-        let Some(found) = found.filter(|found| found.met) else {
-            return Err(match explain {
-                Some(explain) => (explain.cannot_be_driven)(model, Start::Guess(start), t, options),
-                None => unmet(system, start, t, 0, None),
-            });
-        };
-        let steps = found.place.steps;
-        let mut driver = Driver::new(system, (options, explain), t, (found.place.q, found.measures));
-        let solved = driver.solve(t).and_then(|outcome| driver.rates(t).map(|()| outcome));
-        let Some(outcome) = solved else { return Err(driver.blamed(true, t)) };
-        match driver.wrong() {
-            None => Ok((driver, Outcome { iterations: outcome.iterations + steps, ..outcome })),
-            Some(error) => Err(error),
-        }
-    }
-
+impl Driver<'_> {
     /// To another time, in smaller steps of time where that is needed.
     fn advance(&mut self, to: f64) -> Result<Outcome> {
         let smallest = self.options.smallest_step(self.t, to);

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::model::error::Error;
-use crate::model::law::{Break, MOST_BREAKS};
+use crate::model::law::{Break, Law, MOST_BREAKS};
 use crate::model::motion::CrossedBreak;
 use crate::system::System;
 use crate::system::evaluate::Instant;
@@ -51,23 +51,15 @@ impl Watch {
                     return;
                 }
                 let from = std::mem::replace(&mut asked.x, x);
-                // an angle that went over its cut; only a law that repeats is asked there
-                let turn = if (x - from).abs() > PI && function.is_periodic(TAU) { TAU * ((from - x) / TAU).round() } else { 0.0 };
+                let to = x + turns(function, from, x);
                 let stops = |b: &Break| b.order == 0 || (b.order == 1 && is_of_time(system, instant, asked.block, asked.number, x));
-                let named =
-                    |found: Break| CrossedBreak { between: (before, t), constraint: block.name.clone(), law: law.to_owned(), found };
-                let room = MOST_CROSSED.saturating_sub(crossed.len());
-                let all = if room > 0 { function.breaks(from, x + turn) } else { Vec::new() };
-                let full = room == 0 || all.len() >= MOST_BREAKS;
-                let here = all.iter().filter(|b| b.x != from);
-                // The one that is met first.
-                let mut jump = if x + turn < from { here.clone().rfind(|b| stops(b)) } else { here.clone().find(|b| stops(b)) }.copied();
-                if jump.is_none() && full {
-                    jump = function.sharpest_break(from, x + turn).filter(|b| b.x != from && stops(b));
-                }
-                match jump {
-                    Some(found) => jumps = Some(named(found)),
-                    None => crossed.extend(here.take(room).map(|found| named(*found))),
+                let named = |found: Break| {
+                    let (constraint, law) = (block.name.clone(), law.to_owned());
+                    CrossedBreak { between: (before, t), constraint, law, found }
+                };
+                match between(function, [from, to], MOST_CROSSED.saturating_sub(crossed.len()), stops) {
+                    Ok(all) => crossed.extend(all.into_iter().map(named)),
+                    Err(jump) => jumps = Some(named(jump)),
                 }
             });
             if let Some(CrossedBreak { constraint, law, found, .. }) = jumps {
@@ -86,6 +78,24 @@ impl Watch {
         }
         Ok(())
     }
+}
+
+/// The turns between two arguments of a law: an angle that went over its cut. Only a law that repeats is asked there.   \[rad\]
+fn turns(law: &Law, from: f64, to: f64) -> f64 {
+    if (to - from).abs() > PI && law.is_periodic(TAU) { TAU * ((from - to) / TAU).round() } else { 0.0 }
+}
+
+/// The breaks of a law between two arguments, as many as there is room for; the first one that stops the run, if one does.
+fn between(law: &Law, [from, to]: [f64; 2], room: usize, stops: impl Fn(&Break) -> bool) -> Result<Vec<Break>, Break> {
+    let all = if room > 0 { law.breaks(from, to) } else { Vec::new() };
+    let full = room == 0 || all.len() >= MOST_BREAKS;
+    let here = all.iter().filter(|b| b.x != from);
+    // The one that is met first.
+    let mut jump = if to < from { here.clone().rfind(|b| stops(b)) } else { here.clone().find(|b| stops(b)) }.copied();
+    if jump.is_none() && full {
+        jump = law.sharpest_break(from, to).filter(|b| b.x != from && stops(b));
+    }
+    jump.map_or_else(|| Ok(here.take(room).copied().collect()), Err)
 }
 
 /// Every question to a law with breaks.

@@ -277,10 +277,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
                 let fits = self.linear.factor(open | done);
                 (open, done) = (open & fits, done & fits);
             }
-            let met = match self.options.stop {
-                Stop::ResidualOnly(bound) => self.residual.lt(Wide::splat(simd, bound)),
-                Stop::Converged { .. } => Mask::splat(simd, false),
-            };
+            let met = self.met();
             (done, open) = (done | (open & met), open & !met);
             if !open.any() {
                 break;
@@ -307,6 +304,15 @@ impl<'o, S: Level> Lockstep<'o, S> {
             self.iterations = self.iterations + open.as_numbers();
         }
         self.finish(done)
+    }
+
+    /// The lanes in which the residual alone says that the position is found.
+    #[inline(always)]
+    fn met(&self) -> Mask<S> {
+        match self.options.stop {
+            Stop::ResidualOnly(bound) => self.residual.lt(Wide::splat(self.simd, bound)),
+            Stop::Converged { .. } => Mask::splat(self.simd, false),
+        }
     }
 
     /// The lanes that have a position which is not singular; the last correction costs nothing any more.

@@ -1,0 +1,98 @@
+//! The first position of a mechanism with more equations than coordinates.
+
+use super::errors::unmet;
+use super::solver::{Solver, scales};
+use super::{Driver, Options, Outcome};
+use crate::model::error::Result;
+use crate::numbers::fours::Fours;
+use crate::solve::assembly::search::{self, Found};
+use crate::solve::explain::{Explain, Start};
+use crate::solve::follow::Drive;
+use crate::solve::newton::predictor::Predictor;
+use crate::system::System;
+use crate::system::scaled::{Measures, Point};
+
+impl<'a> Driver<'a> {
+    fn new(system: &'a System, (options, explain): (&'a Options, Option<Explain>), t: f64, (q, measures): (Vec<f64>, Measures)) -> Self {
+        let model = system.model_within(options.closure);
+        let (n, equations) = (model.n(), model.equations);
+        let mut point = Point { c: vec![0.0; model.m()], values: vec![0.0; equations.entries.len()] };
+        equations.set_constants(&mut point.values);
+        let [row_shares, shares] =
+            [&measures.norms, &measures.sizes].map(|sizes| sizes.iter().map(|size| size.recip()).collect::<Vec<_>>());
+        let turns: Vec<f64> = (0..n).map(|column| f64::from(u8::from(model.turns(column)))).collect();
+        let zeros = || Fours::new(n, 0.0);
+        Driver {
+            scales: scales(&model, &measures),
+            solver: Solver::new(&model),
+            instant: equations.instant(),
+            point,
+            system,
+            model,
+            options,
+            explain,
+            measures,
+            row_shares: Fours::from(&row_shares[..]),
+            shares: Fours::from(&shares[..]),
+            turns: Fours::from(&turns[..]),
+            predictor: Predictor::new(n),
+            rhs: Fours::new(model.m(), 0.0),
+            x: zeros(),
+            t,
+            last: zeros(),
+            q: Fours::from(&q[..]),
+            qd: zeros(),
+            qdd: zeros(),
+            qddd: vec![],
+            steps: 0,
+            worst: 0,
+            misfit: 0.0,
+            drive: Some(Drive::new(equations)),
+        }
+    }
+
+    /// Assembled from the guess, into the preferred assembly.
+    pub(super) fn assembled(system: &'a System, options: &'a Options, t: f64, explain: Option<Explain>) -> Result<(Self, Outcome)> {
+        let model = system.model_within(options.closure);
+        let mut found = search::search(model, system.initial(), t, &|_| true, &options.search);
+        if let Some(q) = system.nearer(found.as_ref().filter(|found| found.met).map(|found| &found.place.q[..]), t, &options.search) {
+            found = search::descend(model, &q, t, &|_| true, false, options.search.steps);
+        }
+        Self::found(system, options, t, found, (system.initial(), explain))
+    }
+
+    /// Assembled from a start, nothing preferred.
+    pub(super) fn from_start(
+        system: &'a System,
+        options: &'a Options,
+        t: f64,
+        (start, explain): (&[f64], Explain),
+    ) -> Result<(Self, Outcome)> {
+        let found = search::descend(system.model_within(options.closure), start, t, &|_| true, false, options.search.steps);
+        Self::found(system, options, t, found, (start, Some(explain)))
+    }
+
+    fn found(
+        system: &'a System,
+        options: &'a Options,
+        t: f64,
+        found: Option<Found>,
+        (start, explain): (&[f64], Option<Explain>),
+    ) -> Result<(Self, Outcome)> {
+        let model = system.model_within(options.closure);
+        let Some(found) = found.filter(|found| found.met) else {
+            return Err(match explain {
+                Some(explain) => (explain.cannot_be_driven)(model, Start::Guess(start), t, options),
+                None => unmet(system, start, t, 0, None),
+            });
+        };
+        let steps = found.place.steps;
+        let mut driver = Driver::new(system, (options, explain), t, (found.place.q, found.measures));
+        let solved = driver.solve(t).and_then(|outcome| driver.rates(t).map(|()| outcome));
+        let Some(outcome) = solved else { return Err(driver.blamed(true, t)) };
+        match driver.wrong() {
+            None => Ok((driver, Outcome { iterations: outcome.iterations + steps, ..outcome })),
+            Some(error) => Err(error),
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! Constraints laid out one after the other: rows, values, states, and who is asked for what.
+
+use std::sync::OnceLock;
+
+use super::block::Span;
+use super::linear::LinearRows;
+use super::{Asked, Block, Equations, Instant, Straight};
+use crate::model::constraint::{Constraint, Route};
+use crate::model::layout::{Layout, Place};
+use crate::system::states::{Planned, StatePlan};
+
+impl Equations {
+    /// Lays the constraints out one after the other. Their arguments must be of this layout.
+    pub(crate) fn new(layout: &Layout, constraints: Vec<(String, Box<dyn Constraint>)>) -> Self {
+        let mut all = Equations {
+            blocks: Vec::new(),
+            plan: StatePlan::new(layout.len()),
+            entries: Vec::new(),
+            constants: Vec::new(),
+            rows: 0,
+            timed: 0,
+            linear: LinearRows::default(),
+            asked: Asked::default(),
+            jumping: OnceLock::new(),
+        };
+        let mut planned = Planned::new(layout.len());
+        all.blocks.reserve_exact(constraints.len());
+        // Copies made in a row lie side by side in memory: a pass over all of them reads it from end to end.
+        let copies: Vec<Box<dyn Constraint>> = constraints.iter().map(|(_, constraint)| constraint.clone()).collect();
+        for ((name, _), constraint) in constraints.into_iter().zip(copies) {
+            all.append(layout, name, constraint, &mut planned);
+            all.ask(all.blocks.len() - 1);
+        }
+        all
+    }
+
+    /// Constraint `k` is asked for what it has.
+    fn ask(&mut self, k: usize) {
+        let (block, asked) = (&self.blocks[k], &mut self.asked);
+        let depends = block.constraint.depends();
+        let mut linear = None;
+        if !depends.curved {
+            let (entries, values) = (&self.entries[block.values()], &self.constants[block.values()]);
+            // On the ground coordinates are not zero, as those who tell take them to be.
+            let can_tell = depends.c_on_t && entries.iter().all(Option::is_some);
+            let is_whole = |first: &usize| first.saturating_add(3 * block.rows().len()) <= block.timed.len as usize;
+            let told = block.constraint.sides_of_time().filter(|first| can_tell && is_whole(first));
+            let sides = told.map_or(self.timed, |first| block.timed.first as usize + first);
+            if self.linear.append(block.rows(), entries, values, sides) {
+                linear = Some(Straight { block: k, sides, told: told.is_some() });
+                self.timed += if told.is_some() { 0 } else { 3 * block.rows().len() };
+            }
+        }
+        let lists = [
+            (block.timed.len > 0, &mut asked.timed),
+            (linear.is_none(), &mut asked.curved),
+            (linear.is_none() && depends.c_on_t, &mut asked.c),
+            (linear.is_none() && depends.c_t, &mut asked.c_t),
+            (linear.is_none() && depends.q_d, &mut asked.q_d),
+            (block.constraint.has_branches(), &mut asked.branches),
+        ];
+        lists.into_iter().filter(|(asked, _)| *asked).for_each(|(_, list)| list.push(k));
+        asked.c_q_on_t |= depends.c_q_on_t;
+        if depends.c_on_t { asked.linear.extend(linear) } else { asked.steady.extend(linear) }
+    }
+
+    fn append(&mut self, layout: &Layout, name: String, constraint: Box<dyn Constraint>, planned: &mut Planned) {
+        let (first_argument, first) = (self.plan.arguments().len(), self.entries.len());
+        planned.columns.clear();
+        for argument in constraint.arguments() {
+            let place = layout.place(&argument.target).unwrap_or(Place::Ground(0.0));
+            self.plan.argument(&argument.target, place, planned);
+        }
+        let global = |&(row, column): &(usize, usize)| Some((self.rows + row, (*planned.columns.get(column)?)?));
+        self.entries.extend(constraint.pattern().iter().map(global));
+        self.constants.extend_from_slice(constraint.constants());
+        self.constants.resize(self.entries.len(), None);
+        let rows = self.rows..self.rows + constraint.rows().len();
+        self.rows = rows.end;
+        let timed = self.timed..self.timed + constraint.n_timed();
+        self.timed = timed.end;
+        self.blocks.push(Block {
+            name,
+            timed: Span::new(timed),
+            arguments: Span::new(first_argument..self.plan.arguments().len()),
+            rows: Span::new(rows),
+            values: Span::new(first..self.entries.len()),
+            constant: self.constants[first..].iter().all(Option::is_some),
+            drives: constraint.is_driver(),
+            constraint,
+        });
+    }
+
+    /// Hand-written constraints need not say that they drive: it is seen from their values at a few times.
+    pub(crate) fn find_drivers(&mut self, q: &[f64]) {
+        /// Times that no law repeats itself at.   \[s\]
+        const TIMES: [f64; 4] = [0.0, 0.073_205_08, 0.414_213_56, 1.732_050_8];
+        let silent = |block: &Block| block.constraint.route() == Route::Hand && !block.drives && block.constraint.depends().c_on_t;
+        if !self.blocks.iter().any(silent) {
+            return;
+        }
+        let instants = TIMES.map(|t| self.instant_at(t, q));
+        let values = |block: &Block, instant: &Instant| {
+            let mut c = vec![0.0; block.rows().len()];
+            block.constraint.residual(&self.at(block, instant), &mut c);
+            c
+        };
+        let changes = |block: &Block| {
+            let first = values(block, &instants[0]);
+            instants[1..].iter().any(|instant| values(block, instant) != first)
+        };
+        let drives: Vec<bool> = self.blocks.iter().map(|block| block.drives || (silent(block) && changes(block))).collect();
+        self.blocks.iter_mut().zip(drives).for_each(|(block, drives)| block.drives = drives);
+    }
+}

@@ -1,0 +1,68 @@
+//! Rows by name, and errors that name them.
+
+use super::{Bad, Block, Equations, Instant};
+use crate::model::blame::{Culprit, Term};
+use crate::model::error::Error;
+use crate::model::layout::Layout;
+
+impl Equations {
+    /// The constraint that a global row belongs to, and its local row.
+    pub(crate) fn block_of(&self, row: usize) -> Option<(&Block, usize)> {
+        let block = self.blocks.get(self.block_index(row)?)?;
+        Some((block, row - block.rows().start))
+    }
+
+    /// The number of the constraint that a global row belongs to.
+    pub(crate) fn block_index(&self, row: usize) -> Option<usize> {
+        let index = self.blocks.partition_point(|block| block.rows().end <= row);
+        (index < self.blocks.len()).then_some(index)
+    }
+
+    /// Name of the equation in a global row, such as `A.x`.
+    pub(crate) fn equation(&self, row: usize) -> String {
+        self.block_of(row).map(|(block, local)| block.equation(local)).unwrap_or_default()
+    }
+
+    /// The constraints that can close the wrong way.
+    pub(crate) fn branches(&self) -> &[usize] {
+        &self.asked.branches
+    }
+
+    /// What is wrong with how a constraint closes.
+    pub(crate) fn wrong_branch(&self, block: usize, instant: &Instant) -> Option<&str> {
+        let block = self.blocks.get(block)?;
+        block.constraint.wrong_branch(&self.at(block, instant))
+    }
+
+    /// The first constraint that closes the wrong way, such as with an axis turned by 180°.
+    #[inline]
+    pub(crate) fn first_wrong(&self, instant: &Instant) -> Option<usize> {
+        self.asked.branches.iter().copied().find(|block| self.wrong_branch(*block, instant).is_some())
+    }
+
+    /// The error for it.
+    pub(crate) fn closes_wrong(&self, block: usize, layout: &Layout, instant: &Instant) -> Error {
+        let (name, kind) = self.blocks.get(block).map(|block| (block.name.as_str(), block.constraint.kind())).unwrap_or_default();
+        let reason = self.wrong_branch(block, instant).unwrap_or_default().to_string();
+        let units = layout.words.clone();
+        Error::WrongBranch { t: instant.t, units, constraint: name.to_string(), kind: kind.to_string(), reason, motion: None }
+    }
+
+    /// The error for what is not finite at an instant.
+    pub(crate) fn not_finite(&self, bad: Bad, layout: &Layout, instant: &Instant) -> Error {
+        let found = self.block_of(bad.row);
+        let culprit = found.map(|(block, row)| {
+            let rates = self.rates(block, &instant.rates);
+            Culprit::of(block, layout, self.at(block, instant), rates, row, Term::named(bad.quantity))
+        });
+        Error::NotFinite {
+            t: instant.t,
+            units: layout.words.clone(),
+            constraint: found.map(|(block, _)| block.name.clone()).unwrap_or_default(),
+            row: found.map(|(block, local)| block.row(local).to_string()).unwrap_or_default(),
+            quantity: bad.quantity,
+            culprit: Box::new(culprit.unwrap_or_default()),
+            motion: None,
+        }
+    }
+}
