@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use kin::dual_route::Equation;
 use kin::prelude::*;
-use kin::{Follow, Options, Stop, by_dual};
+use kin::{Engine, Follow, Options, Stop, by_dual};
 
 use crate::measure::{Contestant, Figure, cpu, median, race};
 
@@ -81,7 +81,7 @@ pub fn as_defined() -> Options {
 }
 
 /// By hand, and Kin's routes: as defined, with prediction as well, as defined with each step checked to stay on its branch, as it comes
-/// (`Options::default()`) and as it comes but unchecked, and on dual numbers as defined.
+/// (`Options::default()`), compiled, and as it comes but unchecked, and on dual numbers as defined.
 pub fn routes(hand: impl Fn() -> Table + 'static, model: impl Fn(bool) -> System) -> Vec<Route> {
     let kin = |peer, dual, options| Route { peer, solver: Solver::Kin(Box::new(model(dual)), options) };
     vec![
@@ -90,6 +90,7 @@ pub fn routes(hand: impl Fn() -> Table + 'static, model: impl Fn(bool) -> System
         kin("kin-predictor", false, Options { predict: true, ..as_defined() }),
         kin("kin-checked", false, Options { follow: Follow::Smooth, ..as_defined() }),
         kin("kin-default", false, Options::default()),
+        kin("kin-compiled", false, Options { engine: Engine::Compiled, ..Options::default() }),
         kin("kin-unchecked", false, Options { follow: Follow::Unchecked, ..Options::default() }),
         kin("kin-dual", true, as_defined()),
     ]

@@ -11,7 +11,7 @@ use crate::{ROOT, rust_files};
 type Module = Vec<String>;
 
 /// The rooms, each a folder that may import from those before it and from its own.
-const ROOMS: [&str; 9] = ["numbers", "model", "emitted", "joints", "linear", "system", "solve", "ask", "data"];
+const ROOMS: [&str; 10] = ["numbers", "model", "emitted", "joints", "linear", "system", "program", "solve", "ask", "data"];
 
 /// Items of `kin-core` by file: what they import, and what they give on.
 #[derive(Default)]

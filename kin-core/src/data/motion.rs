@@ -10,7 +10,7 @@ use crate::model::law::Break;
 use crate::model::layout::Layout;
 use crate::model::units::Units;
 use crate::solve::follow::SingularPosition;
-use crate::solve::motion::{Event, Motion, Series};
+use crate::solve::motion::{EngineCounts, Event, Motion, Series};
 use crate::solve::newton::CrossedBreak;
 
 /// A motion as data, without loss.
@@ -177,6 +177,7 @@ impl Motion {
             guess: data.guess.clone(),
             beyond_a_turn: data.beyond_a_turn.clone(),
             misfit: data.misfit,
+            engine: EngineCounts::default(),
             outputs: Vec::new(),
         };
         for output in &data.outputs {

@@ -1,6 +1,7 @@
 //! Positions, velocities and accelerations: Newton's method, runs that stay on their branch, assembly from afar, sweeps, and the motion that comes out.
 
 pub(crate) mod assembly;
+pub(crate) mod compile;
 pub(crate) mod explain;
 pub(crate) mod follow;
 pub mod motion;

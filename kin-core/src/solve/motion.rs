@@ -9,7 +9,7 @@ mod rotation;
 mod summary;
 
 pub use crate::model::body::{Body, Vector};
-pub use crate::model::motion::{Event, EventKind, Motion, Series};
+pub use crate::model::motion::{EngineCounts, Event, EventKind, Motion, Series};
 pub use planar::Line;
 pub use point::PointMotion;
 pub use quantity::Quantity;
@@ -45,6 +45,7 @@ impl Motion {
             guess: system.initial().to_vec(),
             beyond_a_turn: Vec::new(),
             misfit: 0.0,
+            engine: EngineCounts::default(),
         }
     }
 
@@ -53,7 +54,7 @@ impl Motion {
         self.append(t, [&newton.q, &newton.qd, &newton.qdd, &newton.qddd], outcome, worst);
     }
 
-    fn is_worse(&self, outcome: Outcome) -> bool {
+    pub(crate) fn is_worse(&self, outcome: Outcome) -> bool {
         self.worst.is_none_or(|(known, _)| outcome.residual > known)
     }
 
@@ -79,6 +80,16 @@ impl Motion {
         let kinds = [(&mut self.q, q), (&mut self.qd, qd), (&mut self.qdd, qdd), (&mut self.residuals, residuals)];
         kinds.into_iter().for_each(|(all, more)| all.extend_from_slice(more));
         self.iterations.extend(steps);
+    }
+
+    /// Takes the times from number `len` on back, the largest residual being this without them.
+    pub(crate) fn cut(&mut self, len: usize, worst: Option<(f64, usize)>) {
+        let numbers = len * self.layout.len();
+        self.times.truncate(len);
+        [&mut self.q, &mut self.qd, &mut self.qdd].into_iter().for_each(|all| all.truncate(numbers));
+        self.iterations.truncate(len);
+        self.residuals.truncate(len);
+        self.worst = worst;
     }
 
     /// The times of all that was pushed, the largest residual and its row.

@@ -1,6 +1,7 @@
 //! Newton's method on C(q, t) = 0, and q̇, q̈ from the matrix of its last check.
 
 pub(crate) mod assembly;
+pub(crate) mod compiled;
 mod driven;
 mod options;
 pub(crate) mod predictor;
@@ -13,7 +14,7 @@ mod watch;
 
 pub use crate::model::motion::CrossedBreak;
 pub use crate::system::Report;
-pub use options::{Follow, Options, Stop};
+pub use options::{Engine, Follow, Options, Stop};
 
 use crate::linear::{Linear, RANK};
 use crate::numbers::fours::{self, Fours};

@@ -5,6 +5,7 @@ mod decimal;
 mod hash;
 mod logic;
 mod op;
+mod rebuild;
 mod simplify;
 mod walk;
 

@@ -1,5 +1,7 @@
 //! Lines, polynomials, sines and Fourier series.
 
+use kin_graph::{Function, Graph, Node};
+
 use super::{Law, LawFunction, trusted_parts};
 use crate::numbers::enclosure::Series;
 
@@ -48,6 +50,11 @@ struct Ramp {
 impl LawFunction for Ramp {
     fn jet(&self, x: f64) -> [f64; 4] {
         [self.rate * x, self.rate, 0.0, 0.0]
+    }
+
+    fn written(&self, graph: &mut Graph, x: Node) -> Option<Node> {
+        let rate = graph.constant(self.rate);
+        Some(graph.mul(rate, x))
     }
 
     fn kind(&self) -> &str {
@@ -107,6 +114,15 @@ impl LawFunction for Polynomial {
         [f, f1, 2.0 * f2, 6.0 * f3]
     }
 
+    fn written(&self, graph: &mut Graph, x: Node) -> Option<Node> {
+        let zero = graph.zero();
+        let step = |sum, c: &f64| {
+            let (product, c) = (graph.mul(sum, x), graph.constant(*c));
+            graph.add(product, c)
+        };
+        Some(self.c.iter().rev().fold(zero, step))
+    }
+
     fn kind(&self) -> &str {
         self.kind
     }
@@ -159,6 +175,15 @@ impl LawFunction for Sine {
         let (s, c) = (w * x + self.phase).sin_cos();
         let (s, c) = (self.amplitude * s, self.amplitude * c);
         [self.mean + s, w * c, -w * w * s, -w * w * w * c]
+    }
+
+    fn written(&self, graph: &mut Graph, x: Node) -> Option<Node> {
+        let [mean, amplitude, omega, phase] = [self.mean, self.amplitude, self.omega, self.phase].map(|c| graph.constant(c));
+        let turned = graph.mul(omega, x);
+        let angle = graph.add(turned, phase);
+        let sin = graph.call(Function::Sin, angle);
+        let wave = graph.mul(amplitude, sin);
+        Some(graph.add(mean, wave))
     }
 
     fn kind(&self) -> &str {

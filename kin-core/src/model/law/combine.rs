@@ -2,6 +2,8 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
+use kin_graph::{Graph, Node};
+
 use super::breaks::{MOST_BREAKS, Samples, left_jet, merged, sharpest};
 use super::{Break, Law, LawFunction, trusted_parts};
 use crate::numbers::enclosure::Series;
@@ -108,6 +110,11 @@ impl LawFunction for Sum {
         std::array::from_fn(|k| f[k] + g[k])
     }
 
+    fn written(&self, graph: &mut Graph, x: Node) -> Option<Node> {
+        let (first, second) = (self.first.written(graph, x)?, self.second.written(graph, x)?);
+        Some(graph.add(first, second))
+    }
+
     fn kind(&self) -> &str {
         "sum"
     }
@@ -149,6 +156,11 @@ impl LawFunction for Product {
         [f * g, f1 * g + f * g1, f2 * g + 2.0 * f1 * g1 + f * g2, f3 * g + 3.0 * (f2 * g1 + f1 * g2) + f * g3]
     }
 
+    fn written(&self, graph: &mut Graph, x: Node) -> Option<Node> {
+        let (first, second) = (self.first.written(graph, x)?, self.second.written(graph, x)?);
+        Some(graph.mul(first, second))
+    }
+
     fn kind(&self) -> &str {
         "product"
     }
@@ -187,6 +199,11 @@ struct Multiple {
 impl LawFunction for Multiple {
     fn jet(&self, x: f64) -> [f64; 4] {
         self.law.jet(x).map(|f| self.factor * f)
+    }
+
+    fn written(&self, graph: &mut Graph, x: Node) -> Option<Node> {
+        let (factor, law) = (graph.constant(self.factor), self.law.written(graph, x)?);
+        Some(graph.mul(factor, law))
     }
 
     fn kind(&self) -> &str {
@@ -292,6 +309,11 @@ impl LawFunction for Composed {
         let [g, g1, g2, g3] = self.inner.jet(x);
         let [f, f1, f2, f3] = self.outer_jet([g, g1, g2, g3]);
         [f, f1 * g1, f2 * g1 * g1 + f1 * g2, f3 * g1 * g1 * g1 + 3.0 * f2 * g1 * g2 + f1 * g3]
+    }
+
+    fn written(&self, graph: &mut Graph, x: Node) -> Option<Node> {
+        let inner = self.inner.written(graph, x)?;
+        self.outer.written(graph, inner)
     }
 
     fn kind(&self) -> &str {

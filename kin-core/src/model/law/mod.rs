@@ -19,6 +19,8 @@ pub use points::Ends;
 use std::fmt;
 use std::sync::Arc;
 
+use kin_graph::{Graph, Node};
+
 use crate::numbers::enclosure::Series;
 use crate::numbers::real::{Dual, Real};
 
@@ -106,6 +108,13 @@ pub trait LawFunction: Send + Sync {
         None
     }
 
+    /// Itself at x as nodes of a graph, so that a program computes it with all else; `None` (default) where it has to be asked.
+    #[doc(hidden)]
+    fn written(&self, graph: &mut Graph, x: Node) -> Option<Node> {
+        let _ = (graph, x);
+        None
+    }
+
     /// The laws on whose word its bounds rest, by their kinds: itself, unless Kin knows its formula.
     #[doc(hidden)]
     fn trusted(&self) -> Vec<String> {
@@ -135,6 +144,16 @@ impl Law {
     /// \[f, f′, f″, f‴\] at x.
     pub fn jet(&self, x: f64) -> [f64; 4] {
         self.0.jet(x)
+    }
+
+    /// Itself at x as nodes of a graph, if it is known so.
+    pub(crate) fn written(&self, graph: &mut Graph, x: Node) -> Option<Node> {
+        self.0.written(graph, x)
+    }
+
+    /// Whether it is the same law: a clone.
+    pub(crate) fn is(&self, other: &Law) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
     }
 
     /// f(x), for a plain number or any dual number.

@@ -40,9 +40,26 @@ pub struct Motion {
     pub(crate) beyond_a_turn: Vec<(String, f64)>,
     /// By how much of their norms equations contradict one another, where that was allowed.   \[-\]
     pub(crate) misfit: f64,
+    /// How many times a program has computed, and how often it has handed the rest of a block to plain steps.
+    pub(crate) engine: EngineCounts,
+}
+
+/// How a run was computed; all zero where all of it was plain.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct EngineCounts {
+    /// Times that a program has computed; the others are plain steps.
+    pub compiled: usize,
+    /// How often the rest of a block of times was handed back to plain steps.
+    pub handed_back: usize,
 }
 
 impl Motion {
+    /// How many times a program has computed ([`crate::Engine::Compiled`]), and how often it has handed the rest of a block to plain steps.
+    pub fn engine(&self) -> EngineCounts {
+        self.engine
+    }
+
     /// Its last time alone.
     pub(crate) fn last(&self) -> Motion {
         self.rows(self.len().saturating_sub(1))
@@ -76,6 +93,7 @@ impl Motion {
             guess: self.guess.clone(),
             beyond_a_turn: self.beyond_a_turn.clone(),
             misfit: self.misfit,
+            engine: self.engine,
             worst: self.worst,
             outputs: Vec::new(),
             breaks: Vec::new(),

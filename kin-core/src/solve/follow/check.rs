@@ -90,6 +90,16 @@ impl Check {
         self.most = self.most.max(self.pivot);
     }
 
+    /// Whether the ends of a step tell all that time does in between.
+    pub(crate) fn tells(&mut self, from: f64, to: f64, pivot: f64) -> bool {
+        self.drive.is_told(from, to, pivot)
+    }
+
+    /// Positions were accepted elsewhere, on the same sides of all singular ones; the smallest pivot of the last one is this.
+    pub(crate) fn go_on(&mut self, pivot: f64) {
+        self.pivot = pivot;
+    }
+
     /// The position in hand is singular: the next step is judged by its other end alone.
     pub(crate) fn leave_open(&mut self) {
         self.negative.clear();

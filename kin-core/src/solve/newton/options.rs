@@ -54,9 +54,25 @@ pub struct Options {
     pub closure: f64,
     /// Whether each step is checked to stay on its branch, and which branch is taken where branches cross; default [`Follow::Smooth`].
     pub follow: Follow,
+    /// What computes the times of [`crate::System::run`]; default [`Engine::Plain`]. Single positions, runs in parts and sweeps are always plain.
+    pub engine: Engine,
     /// Bytes that the motion of a run may take, three or four numbers a coordinate and time; default 2³⁰ (1 GiB). A run that needs more is refused
     /// before it begins; [`crate::System::run_in_parts`] needs the memory of one part.   \[B\]
     pub memory: usize,
+}
+
+/// What computes the times of a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Engine {
+    /// Constraint by constraint, one time after the other.
+    #[default]
+    Plain,
+    /// All equations as one program ([`crate::System::compile`]), many times at once. Every time is judged as plain steps are; where there is an
+    /// objection plain steps go on from the last time that was accepted. Numbers agree to the tolerance of [`Options::stop`], not to the last digit.
+    ///
+    /// It pays from about a thousand times on. A mechanism that cannot be compiled is an error that names why not.
+    Compiled,
 }
 
 /// How a run follows its branch.
@@ -97,6 +113,7 @@ impl Default for Options {
             jerk: false,
             closure: 0.0,
             follow: Follow::default(),
+            engine: Engine::default(),
             memory: 1 << 30,
         }
     }

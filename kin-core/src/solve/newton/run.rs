@@ -2,21 +2,24 @@
 
 use super::sweep::Sweep;
 use super::watch::Watch;
-use super::{Options, redundant};
+use super::{Options, compiled, redundant};
 use crate::model::error::{Error, Result};
 use crate::solve::explain::Explain;
 use crate::solve::motion::Motion;
 use crate::system::System;
+use crate::system::evaluate::Instant;
 
 /// Position, velocity and acceleration at each of the times.
 pub(crate) fn run(system: &System, times: &[f64], options: &Options, explain: Option<Explain>) -> Result<Motion> {
     check(times)?;
     options.check_memory(1, times.len(), system.n_coordinates())?;
     let (mut run, mut motion) = (Run::new(system, options, explain)?, Motion::new(system, times.len()));
-    for &t in times {
-        if let Err(error) = run.reach(t, &mut motion) {
-            return Err(run.failed(error, motion));
-        }
+    let done = match compiled::is_wanted(options)? {
+        true => compiled::run(&mut run, times, &mut motion),
+        false => times.iter().try_for_each(|t| run.reach(*t, &mut motion)),
+    };
+    if let Err(error) = done {
+        return Err(run.failed(error, motion));
     }
     motion.beyond_a_turn = times.first().map(|&t| system.beyond_a_turn(t)).unwrap_or_default();
     Ok(motion)
@@ -68,6 +71,47 @@ impl<'a> Run<'a> {
         self.watch.look(self.system, &sweep.newton.instant, &mut motion.breaks)?;
         motion.push(t, &sweep.newton, outcome);
         Ok(())
+    }
+
+    /// The system that runs.
+    pub(super) fn system(&self) -> &'a System {
+        self.system
+    }
+
+    /// The plain steps; `None` of a mechanism with more equations than coordinates.
+    pub(super) fn sweep(&self) -> Option<&Sweep<'a>> {
+        match &self.driver {
+            Driver::Plain(sweep) => Some(sweep),
+            Driver::Redundant(_) => None,
+        }
+    }
+
+    /// The same, to be led elsewhere.
+    pub(super) fn sweep_mut(&mut self) -> Option<&mut Sweep<'a>> {
+        match &mut self.driver {
+            Driver::Plain(sweep) => Some(sweep),
+            Driver::Redundant(_) => None,
+        }
+    }
+
+    /// Whether the ends of a step tell all that time does in between.
+    pub(super) fn tells(&mut self, from: f64, to: f64, pivot: f64) -> bool {
+        match &mut self.driver {
+            Driver::Plain(sweep) => sweep.tells(from, to, pivot),
+            Driver::Redundant(_) => false,
+        }
+    }
+
+    /// Looks for breaks of laws on the way to a time that a program has solved.
+    pub(super) fn look(&mut self, instant: &Instant, motion: &mut Motion) -> Result<()> {
+        self.watch.look(self.system, instant, &mut motion.breaks)
+    }
+
+    /// Plain steps go on from the last times of the motion, which a program has solved, the smallest pivot being this.
+    pub(super) fn go_on(&mut self, motion: &Motion, pivot: f64) {
+        if let Driver::Plain(sweep) = &mut self.driver {
+            sweep.go_on(motion, pivot);
+        }
     }
 
     /// The error that ends the run, with what was computed before and, if it is to be said, what is wrong.

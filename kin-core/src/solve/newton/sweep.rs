@@ -1,6 +1,7 @@
 //! The sweep: from one time to the next with prediction, in smaller steps of time where that is needed.
 
 mod beyond;
+mod resumed;
 
 use super::options::resolution;
 use super::predictor::{Last, Predictor};

@@ -1,0 +1,259 @@
+//! C_q x = b as nodes: given rows first, from the last one back to the first, then what is left in blocks that follow one another.
+//!
+//! A block of up to three rows is solved by cofactors: its determinant is guard and orientation at once, and no order of pivots can go wrong. Of a
+//! larger one pivots are taken, by Markowitz' count among those that are large where the guess is, until two are left.
+
+use std::collections::BTreeMap;
+
+use kin_graph::{Graph, Node};
+
+use super::blocks::blocks;
+use super::core::Core;
+use super::reduce::over;
+use super::substitute::Order;
+
+/// A pivot is at least this share of the largest cell in its row, where the guess is.   \[-\]
+const THRESHOLD: f64 = 0.1;
+
+/// Rows that are left of a block of more than [`Core::MOST`].
+const LEFT: usize = 2;
+
+/// The cells that elimination makes, beyond which a mechanism is too much at once.
+const FILL: usize = 64;
+const FILL_FREE: usize = 4096;
+
+/// Cells of one row by columns.
+type Cells = BTreeMap<usize, Node>;
+
+/// All that is known of C_q, by rows of the whole and coordinates.
+pub(super) struct Elimination<'a> {
+    order: &'a Order,
+    /// The cells of given rows beside their own.
+    given: Vec<Vec<(usize, Node)>>,
+    /// The cells of the rows that are left, in torn coordinates, and how much of which given rows is taken from them.
+    cells: Vec<Cells>,
+    multipliers: Vec<Vec<(usize, Node)>>,
+    blocks: Vec<Block>,
+}
+
+/// Rows that are solved together, by their numbers among those that are left; coordinates.
+struct Block {
+    rows: Vec<usize>,
+    pivots: Vec<Pivot>,
+    core: Core,
+}
+
+/// One pivot of a larger block.
+struct Pivot {
+    row: usize,
+    column: usize,
+    inverse: Node,
+    guard: Node,
+    lower: Vec<(usize, Node)>,
+    upper: Vec<(usize, Node)>,
+}
+
+/// Why there is no elimination.
+pub(super) const SINGULAR: &str = "its equations are singular where the guess is";
+pub(super) const TANGLED: &str = "too much of it is tied together";
+
+impl<'a> Elimination<'a> {
+    /// `slopes` are the cells of each row of the whole as nodes of the graph; `numbers` tells nodes at the guess, in units of order 1 by coordinates.
+    pub(super) fn new(
+        graph: &mut Graph,
+        order: &'a Order,
+        slopes: &[Vec<(usize, Node)>],
+        sizes: &[f64],
+        numbers: impl Fn(&Graph, &[Node]) -> Vec<f64>,
+    ) -> Result<Self, &'static str> {
+        let mut all = Elimination {
+            order,
+            given: order.explicit.iter().map(|own| slopes[own.row].iter().filter(|(k, _)| *k != own.column).copied().collect()).collect(),
+            cells: order.rows.iter().map(|row| slopes[*row].iter().copied().collect()).collect(),
+            multipliers: vec![Vec::new(); order.rows.len()],
+            blocks: Vec::new(),
+        };
+        all.take_given(graph)?;
+        let pattern: Vec<Vec<usize>> = all.cells.iter().map(|cells| cells.keys().copied().collect()).collect();
+        for (rows, columns) in blocks(&pattern).ok_or(SINGULAR)? {
+            let block = all.block(graph, rows, columns, sizes, &numbers)?;
+            all.blocks.push(block);
+        }
+        Ok(all)
+    }
+
+    /// Takes the given rows out of those that are left, the last one first: no other given row has its coordinate then.
+    fn take_given(&mut self, graph: &mut Graph) -> Result<(), &'static str> {
+        let mut readers: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for (row, cells) in self.cells.iter().enumerate() {
+            cells.keys().for_each(|column| readers.entry(*column).or_default().push(row));
+        }
+        let (mut made, most) = (0, FILL_FREE + FILL * self.given.len());
+        for (k, own) in self.order.explicit.iter().enumerate().rev() {
+            for row in readers.remove(&own.column).unwrap_or_default() {
+                let Some(cell) = self.cells[row].remove(&own.column) else { continue };
+                let multiplier = over(graph, cell, own.factor);
+                self.multipliers[row].push((k, multiplier));
+                for &(column, slope) in &self.given[k] {
+                    let change = graph.mul(multiplier, slope);
+                    let known = self.cells[row].get(&column).copied();
+                    let cell = match known {
+                        Some(cell) => graph.sub(cell, change),
+                        None => graph.neg(change),
+                    };
+                    if graph.is_zero(cell) {
+                        self.cells[row].remove(&column);
+                        continue;
+                    }
+                    self.cells[row].insert(column, cell);
+                    if known.is_none() {
+                        readers.entry(column).or_default().push(row);
+                        made += 1;
+                    }
+                }
+            }
+            if made > most {
+                return Err(TANGLED);
+            }
+        }
+        Ok(())
+    }
+
+    /// Chooses the pivots of a block, by their numbers at the guess.
+    fn block(
+        &self,
+        graph: &mut Graph,
+        rows: Vec<usize>,
+        columns: Vec<usize>,
+        sizes: &[f64],
+        numbers: &impl Fn(&Graph, &[Node]) -> Vec<f64>,
+    ) -> Result<Block, &'static str> {
+        let mut active: BTreeMap<usize, Cells> = BTreeMap::new();
+        let own = |(column, _): &(&usize, &Node)| columns.contains(column);
+        for &row in &rows {
+            active.insert(row, self.cells[row].iter().filter(own).map(|(column, cell)| (*column, *cell)).collect());
+        }
+        let (mut pivots, most) = (Vec::new(), if rows.len() <= Core::MOST { Core::MOST } else { LEFT });
+        let mut left = columns;
+        while active.len() > most {
+            let (row, column) = choose(graph, &active, sizes, numbers).ok_or(SINGULAR)?;
+            left.retain(|known| *known != column);
+            pivots.push(pivot(graph, &mut active, row, column));
+        }
+        let core = Core::new(graph, active.into_iter().collect(), left);
+        Ok(Block { rows, pivots, core })
+    }
+
+    /// What is to be watched, block by block: pivots and determinants. Signs of their products are the orientations.
+    pub(super) fn guards(&self) -> Vec<Vec<Node>> {
+        let of = |block: &Block| block.pivots.iter().map(|pivot| pivot.guard).chain([block.core.determinant]).collect();
+        self.blocks.iter().map(of).collect()
+    }
+
+    /// The sizes of the blocks.
+    pub(super) fn sizes(&self) -> Vec<usize> {
+        self.blocks.iter().map(|block| block.rows.len()).collect()
+    }
+
+    /// x of C_q x = b, by coordinates; b by rows of the whole.
+    pub(super) fn solve(&self, graph: &mut Graph, b: &[Node]) -> Vec<Node> {
+        let mut x = vec![graph.zero(); b.len()];
+        let rhs: Vec<Node> = (0..self.cells.len()).map(|row| self.rest(graph, row, b)).collect();
+        for block in &self.blocks {
+            self.solve_block(graph, block, &rhs, &mut x);
+        }
+        for (own, cells) in self.order.explicit.iter().zip(&self.given) {
+            let sum = cells.iter().fold(b[own.row], |sum, (column, slope)| {
+                let product = graph.mul(*slope, x[*column]);
+                graph.sub(sum, product)
+            });
+            x[own.column] = over(graph, sum, own.factor);
+        }
+        x
+    }
+
+    /// The right side of a row that is left.
+    fn rest(&self, graph: &mut Graph, row: usize, b: &[Node]) -> Node {
+        self.multipliers[row].iter().fold(b[self.order.rows[row]], |sum, (k, multiplier)| {
+            let product = graph.mul(*multiplier, b[self.order.explicit[*k].row]);
+            graph.sub(sum, product)
+        })
+    }
+
+    fn solve_block(&self, graph: &mut Graph, block: &Block, rhs: &[Node], x: &mut [Node]) {
+        let own = |column: &usize| block.core.columns.contains(column) || block.pivots.iter().any(|pivot| pivot.column == *column);
+        let mut known: BTreeMap<usize, Node> = BTreeMap::new();
+        for &row in &block.rows {
+            let sum = self.cells[row].iter().filter(|(column, _)| !own(column)).fold(rhs[row], |sum, (column, cell)| {
+                let product = graph.mul(*cell, x[*column]);
+                graph.sub(sum, product)
+            });
+            known.insert(row, sum);
+        }
+        for pivot in &block.pivots {
+            let own = known[&pivot.row];
+            for (row, multiplier) in &pivot.lower {
+                let product = graph.mul(*multiplier, own);
+                let sum = graph.sub(known[row], product);
+                known.insert(*row, sum);
+            }
+        }
+        let b: Vec<Node> = block.core.rows.iter().map(|row| known[row]).collect();
+        for (column, node) in block.core.columns.iter().zip(block.core.solve(graph, &b)) {
+            x[*column] = node;
+        }
+        for pivot in block.pivots.iter().rev() {
+            let sum = pivot.upper.iter().fold(known[&pivot.row], |sum, (column, cell)| {
+                let product = graph.mul(*cell, x[*column]);
+                graph.sub(sum, product)
+            });
+            x[pivot.column] = graph.mul(sum, pivot.inverse);
+        }
+    }
+}
+
+/// The next pivot of a block: the cheapest one that is not small in its row.
+fn choose(
+    graph: &Graph,
+    active: &BTreeMap<usize, Cells>,
+    sizes: &[f64],
+    numbers: &impl Fn(&Graph, &[Node]) -> Vec<f64>,
+) -> Option<(usize, usize)> {
+    let all: Vec<(usize, usize, Node)> =
+        active.iter().flat_map(|(row, cells)| cells.iter().map(|(column, cell)| (*row, *column, *cell))).collect();
+    let nodes: Vec<Node> = all.iter().map(|(_, _, cell)| *cell).collect();
+    let values: Vec<f64> = numbers(graph, &nodes).iter().zip(&all).map(|(x, (_, column, _))| (x * sizes[*column]).abs()).collect();
+    let (mut tops, mut counts): (BTreeMap<usize, f64>, BTreeMap<usize, usize>) = Default::default();
+    for ((row, column, _), value) in all.iter().zip(&values) {
+        let top = tops.entry(*row).or_default();
+        *top = top.max(*value);
+        *counts.entry(*column).or_default() += 1;
+    }
+    let cost = |row: &usize, column: &usize| (active[row].len() - 1) * (counts[column] - 1);
+    let possible = all.iter().zip(&values).filter(|((row, _, _), value)| **value > 0.0 && **value >= THRESHOLD * tops[row]);
+    let best = possible.min_by(|((r, c, _), x), ((s, d, _), y)| cost(r, c).cmp(&cost(s, d)).then(y.total_cmp(x)));
+    best.map(|((row, column, _), _)| (*row, *column))
+}
+
+/// Takes a pivot out of what is active.
+fn pivot(graph: &mut Graph, active: &mut BTreeMap<usize, Cells>, row: usize, column: usize) -> Pivot {
+    let mut own = active.remove(&row).unwrap_or_default();
+    let guard = own.remove(&column).unwrap_or_default();
+    let one = graph.constant(1.0);
+    let inverse = graph.div(one, guard);
+    let mut lower = Vec::new();
+    for (other, cells) in active.iter_mut() {
+        let Some(cell) = cells.remove(&column) else { continue };
+        let multiplier = graph.mul(cell, inverse);
+        lower.push((*other, multiplier));
+        for (k, upper) in &own {
+            let change = graph.mul(multiplier, *upper);
+            let cell = match cells.get(k) {
+                Some(known) => graph.sub(*known, change),
+                None => graph.neg(change),
+            };
+            cells.insert(*k, cell);
+        }
+    }
+    Pivot { row, column, inverse, guard, lower, upper: own.into_iter().collect() }
+}

@@ -1,0 +1,206 @@
+//! All equations of a system in one graph: coordinates are those of the system, parameters are folded, equal expressions of different constraints
+//! are one node.
+
+use std::collections::HashMap;
+
+use kin_graph::differentiate::Partial;
+use kin_graph::{Graph, Input, Node, Op};
+
+use super::kind::{FOREIGN, Kind, SELF};
+use crate::model::constraint::Constraint;
+use crate::model::law::Law;
+use crate::model::layout::Place;
+use crate::numbers::real::Dual3_64;
+use crate::system::System;
+
+/// All rows, with what their graph reads.
+pub(crate) struct Whole {
+    pub graph: Graph,
+    pub rows: Vec<Row>,
+    /// The laws of the graph, by their numbers.
+    pub laws: Vec<Law>,
+    /// Number of coordinates.
+    pub n: usize,
+}
+
+/// One row: C, ∂C/∂q_j by coordinates, C_t, and g″(0) along the rates, which is −Q_d.
+pub(crate) struct Row {
+    pub residual: Node,
+    pub slopes: Vec<(usize, Node)>,
+    pub by_time: Node,
+    pub second: Node,
+}
+
+/// What stands in the way of a program.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Refusal {
+    /// The constraint; empty where it is the mechanism itself.
+    pub constraint: String,
+    pub reason: &'static str,
+}
+
+/// Why a constraint without a formula cannot be compiled.
+pub(crate) const UNREAD: &str = "its equation is not known as a formula: it takes the dual route, or is written by hand";
+const ABROAD: &str = "one of its bodies is of another mechanism";
+
+/// Gathers the equations of a system; refuses by name what cannot be read.
+pub(crate) fn gather(system: &System) -> Result<Whole, Refusal> {
+    let mut whole = Whole { graph: Graph::default(), rows: Vec::new(), laws: Vec::new(), n: system.n_coordinates() };
+    let mut kinds: HashMap<usize, Kind> = HashMap::new();
+    for block in &system.equations().blocks {
+        let constraint = block.constraint.as_ref();
+        let refused = |reason| Refusal { constraint: block.name.clone(), reason };
+        let columns = columns(system, constraint).ok_or_else(|| refused(ABROAD))?;
+        let mut done = Err(UNREAD);
+        constraint.formula(&mut |table, parameters, outside| {
+            let key = std::ptr::from_ref(table) as usize;
+            let known = match kinds.entry(key) {
+                std::collections::hash_map::Entry::Occupied(known) => Ok(&*known.into_mut()),
+                std::collections::hash_map::Entry::Vacant(place) => {
+                    Kind::of(table.formula(), constraint.rows().len()).map(|kind| &*place.insert(kind))
+                }
+            };
+            let law = |number| {
+                let mut given = Default::default();
+                outside(number, &[], &mut given);
+                given.law().cloned()
+            };
+            let foreign = |number, component, operands: &[f64]| {
+                let (operands, mut given): (Vec<Dual3_64>, _) =
+                    (operands.iter().map(|x| Dual3_64::from_re(*x)).collect(), Default::default());
+                outside(number, &operands, &mut given);
+                given.number(component).re
+            };
+            done = known.and_then(|kind| whole.append(kind, &Leaves { columns: &columns, parameters, law: &law, foreign: &foreign }));
+        });
+        done.map_err(refused)?;
+    }
+    Ok(whole)
+}
+
+/// What one constraint reads.
+struct Leaves<'a> {
+    columns: &'a [Column],
+    parameters: &'a [f64],
+    law: &'a dyn Fn(usize) -> Option<Law>,
+    foreign: &'a dyn Fn(usize, usize, &[f64]) -> f64,
+}
+
+/// What stands behind a local column.
+#[derive(Clone, Copy)]
+enum Column {
+    Coordinate(usize),
+    /// On the ground.
+    Fixed(f64),
+}
+
+/// The local columns of a constraint.
+fn columns(system: &System, constraint: &dyn Constraint) -> Option<Vec<Column>> {
+    let mut columns = Vec::new();
+    for argument in constraint.arguments() {
+        let count = argument.target.columns();
+        match system.layout().place(&argument.target)? {
+            Place::Own { first, .. } => columns.extend((first..first + count).map(Column::Coordinate)),
+            // A spatial body that is the ground has the Euler parameters (1, 0, 0, 0), a coordinate of the ground its value.
+            Place::Ground(_) if count == 7 => columns.extend((0..7).map(|k| Column::Fixed(if k == 3 { 1.0 } else { 0.0 }))),
+            Place::Ground(_) if count == 3 => columns.extend([Column::Fixed(0.0); 3]),
+            Place::Ground(value) => columns.push(Column::Fixed(value)),
+        }
+    }
+    Some(columns)
+}
+
+impl Whole {
+    /// Appends the rows of a constraint.
+    fn append(&mut self, kind: &Kind, leaves: &Leaves<'_>) -> Result<(), &'static str> {
+        let mut places = vec![Node::default(); kind.graph.len()];
+        for node in kind.graph.reachable(&kind.outputs()) {
+            places[node.index()] = self.node(&kind.graph, node, &places, leaves)?;
+        }
+        for row in &kind.rows {
+            let of = |node: Node| places[node.index()];
+            let mut slopes: Vec<(usize, Node)> = Vec::new();
+            for (column, slope) in &row.slopes {
+                let Some(Column::Coordinate(j)) = leaves.columns.get(*column) else { continue };
+                // A body may be given twice: then its columns add up.
+                match slopes.iter_mut().find(|(known, _)| known == j) {
+                    Some((_, sum)) => *sum = self.graph.add(*sum, of(*slope)),
+                    None => slopes.push((*j, of(*slope))),
+                }
+            }
+            slopes.retain(|(_, slope)| !self.graph.is_zero(*slope));
+            slopes.sort_by_key(|(column, _)| *column);
+            self.rows.push(Row { residual: of(row.residual), slopes, by_time: of(row.by_time), second: of(row.second) });
+        }
+        Ok(())
+    }
+
+    /// One step of a constraint's graph.
+    fn node(&mut self, from: &Graph, node: Node, places: &[Node], leaves: &Leaves<'_>) -> Result<Node, &'static str> {
+        let (of, to) = (|node: Node| places[node.index()], &mut self.graph);
+        Ok(match from.op(node) {
+            Op::Input(Input::State(k, _)) => match leaves.columns.get(k) {
+                Some(Column::Coordinate(j)) => to.input(Input::State(*j, SELF)),
+                Some(Column::Fixed(value)) => to.constant(*value),
+                None => return Err(UNREAD),
+            },
+            Op::Input(Input::Rate(k, _)) => match leaves.columns.get(k) {
+                Some(Column::Coordinate(j)) => to.input(Input::Rate(*j, SELF)),
+                _ => to.zero(),
+            },
+            Op::Input(Input::Parameter(k)) => leaves.parameters.get(k).map(|value| to.constant(*value)).ok_or(UNREAD)?,
+            Op::Input(Input::Time) => to.input(Input::Time),
+            Op::Input(Input::TimeRate) => to.constant(1.0),
+            Op::Law(number, x, order) => {
+                let law = (leaves.law)(number).ok_or(UNREAD)?;
+                match written(&law, order) {
+                    Some((own, f)) => put_in(to, &own, f, of(x)),
+                    None => {
+                        let number = self.law(law);
+                        self.graph.law(number, of(x), order)
+                    }
+                }
+            }
+            Op::Opaque(number, component) => {
+                let operands: Option<Vec<f64>> = from.opaques[number].iter().map(|operand| known(to, of(*operand))).collect();
+                let value = (leaves.foreign)(number, component, &operands.ok_or(FOREIGN)?);
+                to.constant(value)
+            }
+            op => to.rebuilt(op, of).ok_or(UNREAD)?,
+        })
+    }
+
+    /// The number of a law: the same one for laws that are one.
+    fn law(&mut self, law: Law) -> usize {
+        self.laws.iter().position(|known| known.is(&law)).unwrap_or_else(|| {
+            self.laws.push(law);
+            self.laws.len() - 1
+        })
+    }
+}
+
+/// A derivative of a law as a graph of its variable, if the law is known so.
+fn written(law: &Law, order: u8) -> Option<(Graph, Node)> {
+    let mut graph = Graph::default();
+    let x = graph.input(Input::Column(0));
+    let mut f = law.written(&mut graph, x)?;
+    for _ in 0..order {
+        f = Partial::by_variable().of(&mut graph, f);
+    }
+    Some((graph, f))
+}
+
+/// A function of one variable with x put in.
+fn put_in(to: &mut Graph, from: &Graph, f: Node, x: Node) -> Node {
+    let mut places = vec![Node::default(); from.len()];
+    for node in from.reachable(&[f]) {
+        let of = |node: Node| places[node.index()];
+        places[node.index()] = to.rebuilt(from.op(node), of).unwrap_or(x);
+    }
+    places[f.index()]
+}
+
+/// The number of a node that is known already; of a condition 1 or 0.
+fn known(graph: &Graph, node: Node) -> Option<f64> {
+    graph.constant_value(node).or_else(|| graph.truth(node).map(|holds| f64::from(u8::from(holds))))
+}

@@ -1,0 +1,25 @@
+//! A whole mechanism as one program: all equations in one graph, what they give explicitly put in, the rest eliminated, as straight-line stages.
+//!
+//! Pure passes, each a file, in their order: `kind` (derivatives of one kind of constraint), `gather` (all constraints in one graph), `substitute`
+//! (coordinates that a row gives), `eliminate` (the linear systems of what is left), `stages`, `schedule` (the tape).
+//! Then `replay` runs a tape over lanes, and `times` solves many times of one run with it.
+
+mod blocks;
+mod core;
+mod eliminate;
+mod gather;
+mod kind;
+#[cfg(test)]
+pub(crate) mod plant;
+mod reduce;
+mod stages;
+mod substitute;
+mod tape;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use gather::{Refusal, UNREAD};
+#[cfg(test)]
+pub(crate) use stages::Program;
+pub(crate) use stages::{Pose, REDUNDANT, program};
+pub(crate) use tape::{Tape, schedule, times};

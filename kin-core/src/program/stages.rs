@@ -1,0 +1,167 @@
+//! The program: all that a step computes as nodes of one graph, of time and of torn coordinates.
+//!
+//! `time` is whatever depends on time alone, `correct` leads to the next iterate of the torn coordinates, `rates` gives all coordinates with q̇ and q̈,
+//! and `verify` is C as it was written, of the coordinates that were given: nothing of it can cancel against how they were found.
+
+use kin_graph::{Graph, Input, LeafUse, Node, Source, evaluate};
+
+use super::eliminate::Elimination;
+use super::gather::{Refusal, Whole, gather};
+use super::kind::SELF;
+use super::reduce::Reduced;
+use super::substitute::{Order, substitute};
+use crate::model::law::Law;
+use crate::system::System;
+
+/// Where an elimination is chosen.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pose<'a> {
+    pub t: f64,
+    pub q: &'a [f64],
+    /// s_j, the characteristic size of each coordinate.
+    pub sizes: &'a [f64],
+}
+
+/// A whole mechanism as straight-line stages. Inputs are time, [`Input::State`] of torn coordinates, and in `verify` [`Input::Column`] of all coordinates.
+pub(crate) struct Program {
+    pub graph: Graph,
+    pub laws: Vec<Law>,
+    /// The coordinates that are left to Newton's method, and by how much they are to be corrected: C_q Δq = −C.
+    pub torn: Vec<usize>,
+    pub correction: Vec<Node>,
+    /// The rows that are left, and their nodes: −C where all else is put in.
+    pub rows: Vec<usize>,
+    pub left: Vec<Node>,
+    /// Pivots and determinants of each block of the elimination.
+    pub guards: Vec<Vec<Node>>,
+    /// All coordinates, the last correction of each, q̇ and q̈.
+    pub values: Vec<Node>,
+    pub corrections: Vec<Node>,
+    pub rates: Vec<Node>,
+    pub second_rates: Vec<Node>,
+    /// C as written, of the coordinates `values`.
+    pub verify: Vec<Node>,
+    /// Sizes of the blocks that are solved together.
+    pub blocks: Vec<usize>,
+}
+
+/// Why a mechanism with repeated equations cannot be compiled.
+pub(crate) const REDUNDANT: &str = "it has more equations than coordinates";
+
+/// The program of a system, its elimination chosen at a pose.
+pub(crate) fn program(system: &System, pose: Pose<'_>) -> Result<Program, Refusal> {
+    let refused = |reason| Refusal { constraint: String::new(), reason };
+    if system.n_equations() != system.n_coordinates() {
+        return Err(refused(REDUNDANT));
+    }
+    let mut whole = gather(system)?;
+    let slopes = slopes(&whole, pose);
+    let order = substitute(&mut whole, &slopes, pose.sizes);
+    staged(whole, order, pose).map_err(refused)
+}
+
+fn staged(whole: Whole, order: Order, pose: Pose<'_>) -> Result<Program, &'static str> {
+    let (mut reduced, values) = Reduced::new(&whole, &order);
+    let cells: Vec<Vec<(usize, Node)>> =
+        whole.rows.iter().map(|row| row.slopes.iter().map(|(column, slope)| (*column, reduced.of(*slope))).collect()).collect();
+    let at = |graph: &Graph, nodes: &[Node]| numbers(graph, nodes, &At { pose, laws: &whole.laws });
+    let elimination = Elimination::new(&mut reduced.graph, &order, &cells, pose.sizes, at)?;
+    // Given rows are met by what they give.
+    let zero = reduced.graph.zero();
+    let mut b = vec![zero; whole.rows.len()];
+    for &row in &order.rows {
+        let residual = reduced.of(whole.rows[row].residual);
+        b[row] = reduced.graph.neg(residual);
+    }
+    let left = order.rows.iter().map(|row| b[*row]).collect();
+    let corrections = elimination.solve(&mut reduced.graph, &b);
+    let b = opposite(&mut reduced, whole.rows.iter().map(|row| row.by_time));
+    let rates = elimination.solve(&mut reduced.graph, &b);
+    rates.iter().enumerate().for_each(|(column, rate)| reduced.put(Input::Rate(column, SELF), *rate));
+    let b = opposite(&mut reduced, whole.rows.iter().map(|row| row.second));
+    let second_rates = elimination.solve(&mut reduced.graph, &b);
+    let columns: Vec<Node> = (0..whole.n).map(|column| reduced.graph.input(Input::Column(column))).collect();
+    reduced.rewrite(columns.iter().enumerate().map(|(column, node)| (Input::State(column, SELF), *node)));
+    let verify = whole.rows.iter().map(|row| reduced.of(row.residual)).collect();
+    let (graph, guards) = (reduced.graph, elimination.guards());
+    Ok(Program {
+        correction: order.torn.iter().map(|column| corrections[*column]).collect(),
+        guards,
+        blocks: elimination.sizes(),
+        graph,
+        torn: order.torn,
+        rows: order.rows,
+        left,
+        values,
+        corrections,
+        rates,
+        second_rates,
+        verify,
+        laws: whole.laws,
+    })
+}
+
+/// The nodes with their signs changed.
+fn opposite(reduced: &mut Reduced<'_>, nodes: impl Iterator<Item = Node>) -> Vec<Node> {
+    nodes
+        .map(|node| {
+            let node = reduced.of(node);
+            reduced.graph.neg(node)
+        })
+        .collect()
+}
+
+/// The slopes of all rows at a pose.
+fn slopes(whole: &Whole, pose: Pose<'_>) -> Vec<Vec<f64>> {
+    let nodes: Vec<Node> = whole.rows.iter().flat_map(|row| row.slopes.iter().map(|(_, slope)| *slope)).collect();
+    let mut all = numbers(&whole.graph, &nodes, &At { pose, laws: &whole.laws }).into_iter();
+    whole.rows.iter().map(|row| all.by_ref().take(row.slopes.len()).collect()).collect()
+}
+
+/// The numbers of nodes.
+pub(super) fn numbers(graph: &Graph, nodes: &[Node], source: &impl Source<f64>) -> Vec<f64> {
+    let results = evaluate(graph, nodes, source);
+    nodes.iter().map(|node| results.number(*node).unwrap_or(f64::NAN)).collect()
+}
+
+/// A pose as what a graph reads.
+pub(super) struct At<'a> {
+    pub pose: Pose<'a>,
+    pub laws: &'a [Law],
+}
+
+impl Source<f64> for At<'_> {
+    fn input(&self, input: Input) -> f64 {
+        match input {
+            Input::State(column, _) | Input::Column(column) => self.pose.q.get(column).copied().unwrap_or(f64::NAN),
+            Input::Time => self.pose.t,
+            _ => f64::NAN,
+        }
+    }
+
+    fn law(&self, law: usize, x: f64, order: u8) -> f64 {
+        law_at(self.laws, law, x, order)
+    }
+
+    fn opaque(&self, _: usize, _: usize, _: Vec<f64>) -> f64 {
+        f64::NAN
+    }
+
+    fn leaf(&self, _: LeafUse, _: Vec<f64>) -> f64 {
+        f64::NAN
+    }
+}
+
+/// A derivative of a law, by its number.
+pub(super) fn law_at(laws: &[Law], law: usize, x: f64, order: u8) -> f64 {
+    laws.get(law).and_then(|law| law.jet(x).get(usize::from(order)).copied()).unwrap_or(f64::NAN)
+}
+
+#[cfg(test)]
+impl Program {
+    /// All that is asked for, stage by stage.
+    pub(crate) fn outputs(&self) -> Vec<Node> {
+        let stages = [&self.correction, &self.left, &self.values, &self.corrections, &self.rates, &self.second_rates, &self.verify];
+        stages.into_iter().flatten().chain(self.guards.iter().flatten()).copied().collect()
+    }
+}

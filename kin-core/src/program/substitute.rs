@@ -1,0 +1,195 @@
+//! Which coordinates a row gives: q_j = −rest/c, where the row is c q_j + rest with a constant c. The others are torn: Newton's method is left with
+//! them, and with the rows that give nothing.
+
+use std::collections::{BTreeSet, HashSet};
+
+use kin_graph::{Graph, Input, Node, Op};
+
+use super::gather::Whole;
+use super::kind::SELF;
+
+/// A constant factor is at least this share of the largest slope of its row, both by the sizes of coordinates, where the guess is.   \[-\]
+const SHARE: f64 = 0.1;
+
+/// A coordinate that a row gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Explicit {
+    pub row: usize,
+    pub column: usize,
+    /// The constant ∂C_row/∂q_column.
+    pub factor: f64,
+    /// The row without it.
+    pub rest: Node,
+}
+
+/// What is given, each by those before it and what is torn; and what is left.
+#[derive(Debug, Default)]
+pub(crate) struct Order {
+    pub explicit: Vec<Explicit>,
+    pub torn: Vec<usize>,
+    /// The rows that are left, as many as there are torn coordinates.
+    pub rows: Vec<usize>,
+}
+
+/// Of a mechanism with as many rows as coordinates. `slopes` has the value of each slope of each row at the guess, `sizes` the sizes of coordinates.
+pub(crate) fn substitute(whole: &mut Whole, slopes: &[Vec<f64>], sizes: &[f64]) -> Order {
+    let eligible = eligible(whole, slopes, sizes);
+    let mut search = Search::new(whole, eligible);
+    while search.left > 0 {
+        if let Some(row) = search.ready.pop() {
+            search.give(row);
+        } else {
+            search.tear(whole);
+        }
+    }
+    let Search { mut order, used, .. } = search;
+    order.rows = (0..whole.rows.len()).filter(|row| !used[*row]).collect();
+    order
+}
+
+/// Of each row the coordinates that it could give, with factors and rests.
+fn eligible(whole: &mut Whole, slopes: &[Vec<f64>], sizes: &[f64]) -> Vec<Vec<Explicit>> {
+    let mut all = Vec::with_capacity(whole.rows.len());
+    for (row, values) in slopes.iter().enumerate() {
+        let measures = whole.rows[row].slopes.iter().zip(values).map(|((column, _), value)| (value * sizes[*column]).abs());
+        let largest = measures.fold(0.0, f64::max);
+        let mut own = Vec::new();
+        for k in 0..whole.rows[row].slopes.len() {
+            let (column, slope) = whole.rows[row].slopes[k];
+            let large = |factor: &f64| (factor * sizes[column]).abs() >= SHARE * largest && factor.is_finite();
+            let Some(factor) = whole.graph.constant_value(slope).filter(large) else { continue };
+            let residual = whole.rows[row].residual;
+            let split = split(&mut whole.graph, residual, column);
+            own.extend(split.filter(|(own, _)| *own == factor && *own != 0.0).map(|(_, rest)| Explicit { row, column, factor, rest }));
+        }
+        all.push(own);
+    }
+    all
+}
+
+/// A node as c q_j + rest, if it is of that form.
+fn split(graph: &mut Graph, node: Node, column: usize) -> Option<(f64, Node)> {
+    let own = graph.existing(Op::Input(Input::State(column, SELF)))?;
+    if !reads(graph, node, own) {
+        return Some((0.0, node));
+    }
+    Some(match graph.op(node) {
+        _ if node == own => (1.0, graph.zero()),
+        Op::Neg(a) => {
+            let (c, rest) = split(graph, a, column)?;
+            (-c, graph.neg(rest))
+        }
+        Op::Add(a, b) => {
+            let ((c, left), (d, right)) = (split(graph, a, column)?, split(graph, b, column)?);
+            (c + d, graph.add(left, right))
+        }
+        Op::Sub(a, b) => {
+            let ((c, left), (d, right)) = (split(graph, a, column)?, split(graph, b, column)?);
+            (c - d, graph.sub(left, right))
+        }
+        Op::Mul(a, b) => {
+            let (factor, inner) = (graph.constant_value(a), b);
+            let (c, rest) = split(graph, inner, column)?;
+            (factor? * c, graph.mul(a, rest))
+        }
+        Op::Div(a, b) => {
+            let divisor = graph.constant_value(b)?;
+            let (c, rest) = split(graph, a, column)?;
+            (c / divisor, graph.div(rest, b))
+        }
+        _ => return None,
+    })
+}
+
+/// Whether a node is computed from another one. A row is small beside the graph of all.
+fn reads(graph: &Graph, node: Node, wanted: Node) -> bool {
+    let (mut seen, mut open) = (HashSet::new(), vec![node]);
+    while let Some(node) = open.pop() {
+        if node == wanted {
+            return true;
+        }
+        if node > wanted && seen.insert(node) {
+            graph.each_operand(node, |operand| open.push(operand));
+        }
+    }
+    false
+}
+
+struct Search {
+    order: Order,
+    eligible: Vec<Vec<Explicit>>,
+    /// The rows of each coordinate.
+    readers: Vec<Vec<usize>>,
+    known: Vec<bool>,
+    used: Vec<bool>,
+    /// Of each row how many coordinates are not known, and how many of those it could give.
+    unknown: Vec<usize>,
+    could: Vec<usize>,
+    /// Rows with one unknown, which they give, the first one last.
+    ready: Vec<usize>,
+    /// Rows that could give one of their unknowns, by how many there are.
+    open: BTreeSet<(usize, usize)>,
+    left: usize,
+}
+
+impl Search {
+    fn new(whole: &Whole, eligible: Vec<Vec<Explicit>>) -> Self {
+        let mut readers = vec![Vec::new(); whole.n];
+        for (row, own) in whole.rows.iter().enumerate() {
+            own.slopes.iter().for_each(|(column, _)| readers[*column].push(row));
+        }
+        let unknown: Vec<usize> = whole.rows.iter().map(|row| row.slopes.len()).collect();
+        let could: Vec<usize> = eligible.iter().map(Vec::len).collect();
+        let open = (0..unknown.len()).filter(|row| could[*row] > 0).map(|row| (unknown[row], row)).collect();
+        let ready = (0..unknown.len()).rev().filter(|row| unknown[*row] == 1 && could[*row] == 1).collect();
+        let (rows, n) = (whole.rows.len(), whole.n);
+        let order = Order::default();
+        Search { order, eligible, readers, known: vec![false; n], used: vec![false; rows], unknown, could, ready, open, left: n }
+    }
+
+    /// The one unknown of a row is given by it, unless it has become known meanwhile.
+    fn give(&mut self, row: usize) {
+        let Some(found) = self.eligible[row].iter().find(|found| !self.known[found.column]).copied() else { return };
+        if !self.used[row] && self.unknown[row] == 1 {
+            self.used[row] = true;
+            self.order.explicit.push(found);
+            self.note(found.column);
+        }
+    }
+
+    /// Tears a coordinate of the row that is nearest to giving one; one that it could not give, if there is any, and that most rows read.
+    fn tear(&mut self, whole: &Whole) {
+        let row = self.open.first().map(|(_, row)| *row);
+        let column = match row {
+            Some(row) => {
+                let own = whole.rows[row].slopes.iter().map(|(column, _)| *column).filter(|column| !self.known[*column]);
+                let gives = |column: usize| self.eligible[row].iter().any(|found| found.column == column);
+                own.max_by_key(|column| (!gives(*column), self.readers[*column].len(), std::cmp::Reverse(*column)))
+            }
+            None => self.known.iter().position(|known| !known),
+        };
+        if let Some(column) = column {
+            self.order.torn.push(column);
+            self.note(column);
+        }
+    }
+
+    /// A coordinate is known from now on.
+    fn note(&mut self, column: usize) {
+        self.known[column] = true;
+        self.left -= 1;
+        for k in 0..self.readers[column].len() {
+            let row = self.readers[column][k];
+            self.open.remove(&(self.unknown[row], row));
+            self.unknown[row] -= 1;
+            self.could[row] -= usize::from(self.eligible[row].iter().any(|found| found.column == column));
+            if self.used[row] || self.could[row] == 0 {
+                continue;
+            }
+            self.open.insert((self.unknown[row], row));
+            if self.unknown[row] == 1 {
+                self.ready.push(row);
+            }
+        }
+    }
+}

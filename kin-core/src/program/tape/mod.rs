@@ -1,0 +1,123 @@
+//! A program as a tape: steps in runs of one kind, on a memory of numbers, so that what is to be done is found out once a run.
+
+pub(in crate::program) mod replay;
+mod schedule;
+pub(crate) mod times;
+
+pub(crate) use schedule::schedule;
+
+use kin_graph::{Comparison, Function, Function2};
+
+use crate::model::law::Law;
+
+/// What a step does.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub(in crate::program) enum Kind {
+    Add,
+    Sub,
+    Mul,
+    Div,
+    Neg,
+    /// a b + c
+    Fma,
+    /// c − a b
+    NegatedProduct,
+    /// a b − c
+    ProductLess,
+    /// −a b − c
+    NegatedSum,
+    /// Sine into `out`, cosine into `c`.
+    SinCos,
+    /// The derivative of that order of the law of that number, and the two that follow it, into `out`, `b` and `c`.
+    Law(u32, u8),
+    One(Function),
+    Two(Function2),
+    Power(i32),
+    Compare(Comparison),
+    Both,
+    Either,
+    Not,
+    /// `a` holds: `b`, else `c`.
+    Select,
+}
+
+/// Where a step writes, and its operands.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::program) struct Step {
+    pub out: u32,
+    pub a: u32,
+    pub b: u32,
+    pub c: u32,
+}
+
+/// Steps of one kind, by how many there are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::program) struct Run {
+    pub kind: Kind,
+    pub steps: u32,
+}
+
+/// One stage.
+#[derive(Clone, Debug, Default)]
+pub(in crate::program) struct Stage {
+    pub runs: Vec<Run>,
+    pub steps: Vec<Step>,
+}
+
+/// A program on a memory of `places` numbers.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Tape {
+    /// What depends on time alone; what leads to the correction; all else.
+    pub(in crate::program) time: Stage,
+    pub(in crate::program) correct: Stage,
+    pub(in crate::program) rest: Stage,
+    pub(in crate::program) places: usize,
+    pub(in crate::program) constants: Vec<(u32, f64)>,
+    pub(in crate::program) laws: Vec<Law>,
+    /// Where the time stands, and the torn coordinates.
+    pub(in crate::program) t: u32,
+    pub(in crate::program) torn: Vec<u32>,
+    /// Which coordinates are torn.
+    pub(in crate::program) columns: Vec<usize>,
+    pub(in crate::program) correction: Vec<u32>,
+    /// The rows that are left, and where they stand.
+    pub(in crate::program) rows: Vec<usize>,
+    pub(in crate::program) left: Vec<u32>,
+    pub(in crate::program) guards: Vec<Vec<u32>>,
+    /// How many unknowns are solved together, block by block.
+    pub(in crate::program) blocks: Vec<usize>,
+    pub(in crate::program) values: Vec<u32>,
+    pub(in crate::program) corrections: Vec<u32>,
+    pub(in crate::program) rates: Vec<u32>,
+    pub(in crate::program) second_rates: Vec<u32>,
+    pub(in crate::program) verify: Vec<u32>,
+}
+
+impl Stage {
+    /// Appends a step, in the run before it if that is of its kind.
+    pub(in crate::program) fn push(&mut self, kind: Kind, step: Step) {
+        self.steps.push(step);
+        match self.runs.last_mut() {
+            Some(run) if run.kind == kind => run.steps += 1,
+            _ => self.runs.push(Run { kind, steps: 1 }),
+        }
+    }
+}
+
+impl Tape {
+    /// The coordinates that are left to Newton's method.
+    pub(crate) fn torn(&self) -> &[usize] {
+        &self.columns
+    }
+
+    /// How many of them are solved together, block by block.
+    pub(crate) fn blocks(&self) -> &[usize] {
+        &self.blocks
+    }
+
+    /// How many steps and runs it has.
+    pub(crate) fn size(&self) -> [usize; 2] {
+        let stages = [&self.time, &self.correct, &self.rest];
+        [stages.iter().map(|stage| stage.steps.len()).sum(), stages.iter().map(|stage| stage.runs.len()).sum()]
+    }
+}

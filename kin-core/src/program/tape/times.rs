@@ -1,0 +1,342 @@
+//! Many times of one run at once, one a lane: Newton's method on what is torn, rates, C as it was written, and what each time is judged by.
+//!
+//! A lane's digits never depend on its neighbours: one that has converged is not changed any more while others go on.
+
+use std::marker::PhantomData;
+use std::ops::Range;
+
+use pulp::NullaryFnOnce;
+
+use super::replay::Replay;
+use super::{Stage, Tape};
+use crate::numbers::lanes::{Level, Mask, Wide};
+
+/// A coordinate as a polynomial of time.
+pub(crate) type Curve = [f64; 7];
+
+/// Orders of what is computed: q, q̇ and q̈.
+pub(crate) const ORDERS: usize = 3;
+
+/// When lanes have converged, and what they are judged by.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Limits {
+    /// What a correction of each torn coordinate may be.
+    pub correction: Vec<f64>,
+    /// Beside this share of the coordinate itself.
+    pub rounding: f64,
+    /// A correction up to this share of its coordinate's size that does not shrink any more is rounding; sizes of torn coordinates.
+    pub stall: f64,
+    pub sizes: Vec<f64>,
+    /// How far each row may be off.
+    pub rows: Vec<f64>,
+    /// Newton steps at most.
+    pub steps: usize,
+    /// One over the size of each coordinate, and 1 for those that turn, else 0.
+    pub shares: Vec<f64>,
+    pub turns: Vec<f64>,
+}
+
+/// What is known of each lane; numbers of a lane stand at its place.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Judged {
+    /// Whether Newton's method has converged and C = 0 holds as written.
+    pub met: Vec<bool>,
+    /// How far the prediction from either end of a step misses the other, and by how much anything turns; not a number where something is none.
+    pub miss: Vec<f64>,
+    pub reach: Vec<f64>,
+    /// The least of pivots and determinants, as a share of what it was at the mark, and whether a block has turned over.
+    pub pivot: Vec<f64>,
+    pub turned: Vec<bool>,
+    pub residual: Vec<f64>,
+    pub steps: Vec<f64>,
+}
+
+/// A tape with its memory over lanes.
+pub(crate) struct Times<'p, S: Level> {
+    simd: S,
+    tape: &'p Tape,
+    memory: Vec<Wide<S>>,
+    /// q, q̇ and q̈ of each coordinate: the last time before, then those of the lanes.
+    lines: Vec<f64>,
+    /// The same of the lanes, order by order, lane by lane.
+    table: Vec<f64>,
+    /// Pivots and determinants where the signs and sizes were those of a position that is known.
+    marks: Vec<Vec<f64>>,
+    pub judged: Judged,
+}
+
+impl<'p, S: Level> Times<'p, S> {
+    pub(crate) const LANES: usize = Wide::<S>::LANES;
+    const STRIDE: usize = Self::LANES + 1;
+
+    pub(crate) fn new(simd: S, tape: &'p Tape) -> Self {
+        let mut memory = vec![Wide::splat(simd, 0.0); tape.places];
+        tape.constants.iter().for_each(|(place, x)| memory[*place as usize] = Wide::splat(simd, *x));
+        let marks = tape.guards.iter().map(|own| vec![f64::NAN; own.len()]).collect();
+        let room = |lanes: usize| vec![0.0; lanes * ORDERS * tape.values.len()];
+        let (lines, table) = (room(Self::STRIDE), room(Self::LANES));
+        Times { simd, tape, memory, lines, table, marks, judged: Judged::default() }
+    }
+
+    /// Which coordinates are torn.
+    pub(crate) fn torn(&self) -> &[usize] {
+        &self.tape.columns
+    }
+
+    /// The position before the first lane.
+    pub(crate) fn begin(&mut self, before: [&[f64]; ORDERS]) {
+        for (order, all) in before.into_iter().enumerate() {
+            all.iter().enumerate().for_each(|(column, x)| self.lines[Self::line(column, order)] = *x);
+        }
+    }
+
+    /// Pivots and determinants of the first lane become the marks.
+    fn mark(&mut self) {
+        for (marks, guards) in self.marks.iter_mut().zip(&self.tape.guards) {
+            marks.iter_mut().zip(guards).for_each(|(mark, guard)| *mark = self.memory[*guard as usize].as_slice()[0]);
+        }
+    }
+
+    fn line(column: usize, order: usize) -> usize {
+        (column * ORDERS + order) * Self::STRIDE
+    }
+
+    /// q, q̇ or q̈ of a coordinate in all lanes.
+    pub(crate) fn of(&self, column: usize, order: usize) -> &[f64] {
+        let first = Self::line(column, order) + 1;
+        &self.lines[first..first + Self::LANES]
+    }
+
+    /// One order of all coordinates in some lanes, lane after lane.
+    pub(crate) fn rows(&self, order: usize, lanes: Range<usize>) -> &[f64] {
+        let n = self.tape.values.len();
+        let first = order * Self::LANES * n;
+        &self.table[first + lanes.start * n..first + lanes.end * n]
+    }
+
+    /// The row with the largest |C_i| in a lane.
+    pub(crate) fn worst(&self, lane: usize) -> usize {
+        let c = |row: usize| self.memory[self.tape.verify[row] as usize].as_slice()[lane].abs();
+        (0..self.tape.verify.len()).max_by(|a, b| c(*a).total_cmp(&c(*b))).unwrap_or_default()
+    }
+
+    /// Solves at all these times, one a lane; `before` is the time before the first lane. Torn coordinates begin on their curves, powers of the time
+    /// since `origin`.
+    /// Where `begins` is true, pivots and determinants of the first lane become the marks.
+    pub(crate) fn solve(&mut self, before: f64, times: &[f64], (origin, curves): (f64, &[Curve]), limits: &Limits, begins: bool) {
+        let simd = self.simd;
+        simd.vectorize(Solving { times: self, before, all: times, origin, curves, limits, begins });
+    }
+}
+
+/// All of a group, on its way into the function that has the machine's instructions.
+struct Solving<'x, 'p, S: Level> {
+    times: &'x mut Times<'p, S>,
+    before: f64,
+    all: &'x [f64],
+    origin: f64,
+    curves: &'x [Curve],
+    limits: &'x Limits,
+    begins: bool,
+}
+
+impl<S: Level> NullaryFnOnce for Solving<'_, '_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Solving { times, before, all, origin, curves, limits, begins } = self;
+        let (simd, tape) = (times.simd, times.tape);
+        let mut t = Wide::splat(simd, 0.0);
+        let mut from = t;
+        // Lanes beyond the last time repeat it.
+        for (lane, (t, from)) in t.as_mut_slice().iter_mut().zip(from.as_mut_slice()).enumerate() {
+            let own = lane.min(all.len().saturating_sub(1));
+            *t = all[own];
+            *from = if own == 0 { before } else { all[own - 1] };
+        }
+        times.memory[tape.t as usize] = t;
+        let s = t - Wide::splat(simd, origin);
+        for (place, curve) in tape.torn.iter().zip(curves) {
+            let own = curve.iter().rev().fold(Wide::splat(simd, 0.0), |sum, c| sum.mul_add(s, Wide::splat(simd, *c)));
+            times.memory[*place as usize] = own;
+        }
+        times.replay(&tape.time);
+        let (converged, steps) = times.newton(limits);
+        times.replay(&tape.rest);
+        if begins {
+            times.mark();
+        }
+        let (met, residual) = times.verified(limits);
+        let (pivot, turned) = times.guarded();
+        times.write();
+        times.turn();
+        let [miss, reach] = times.missed(t - from, limits);
+        let numbers = [(&mut times.judged.miss, miss), (&mut times.judged.reach, reach), (&mut times.judged.pivot, pivot)];
+        numbers.into_iter().for_each(|(list, wide)| put(list, wide));
+        [(&mut times.judged.residual, residual), (&mut times.judged.steps, steps)].into_iter().for_each(|(list, wide)| put(list, wide));
+        let conditions = [(&mut times.judged.met, converged & met), (&mut times.judged.turned, turned)];
+        for (list, mask) in conditions {
+            list.clear();
+            list.extend(mask.as_numbers().as_slice().iter().map(|x| *x != 0.0));
+        }
+    }
+}
+
+/// Four numbers from there on.
+#[inline(always)]
+fn four(all: &[f64], first: usize) -> [f64; 4] {
+    let own = &all[first..first + 4];
+    [own[0], own[1], own[2], own[3]]
+}
+
+fn put<S: Level>(list: &mut Vec<f64>, wide: Wide<S>) {
+    list.clear();
+    list.extend_from_slice(wide.as_slice());
+}
+
+impl<S: Level> Times<'_, S> {
+    #[inline(always)]
+    fn replay(&mut self, stage: &Stage) {
+        Replay { stage, laws: &self.tape.laws, memory: &mut self.memory, level: PhantomData }.call();
+    }
+
+    /// Newton's method; where it has converged, and after how many steps.
+    #[inline(always)]
+    fn newton(&mut self, limits: &Limits) -> (Mask<S>, Wide<S>) {
+        let (simd, tape) = (self.simd, self.tape);
+        let (mut open, mut steps) = (Mask::splat(simd, true), Wide::splat(simd, 0.0));
+        let mut previous = Wide::splat(simd, f64::INFINITY);
+        if tape.torn.is_empty() {
+            return (open, steps);
+        }
+        for _ in 0..=limits.steps {
+            self.replay(&tape.correct);
+            let (within, largest) = self.within(limits);
+            let stalled = largest.gt(Wide::splat(simd, 0.5) * previous) & largest.le(Wide::splat(simd, limits.stall));
+            open = open & !(within | stalled);
+            if !open.any() {
+                break;
+            }
+            previous = largest;
+            for (place, change) in tape.torn.iter().zip(&tape.correction) {
+                let (own, change) = (self.memory[*place as usize], self.memory[*change as usize]);
+                self.memory[*place as usize] = open.select(own + change, own);
+            }
+            steps = steps + open.as_numbers();
+        }
+        (!open, steps)
+    }
+
+    /// Where the correction in hand and what made it are as small as they have to be, and the largest of it by sizes.
+    #[inline(always)]
+    fn within(&self, limits: &Limits) -> (Mask<S>, Wide<S>) {
+        let (simd, tape) = (self.simd, self.tape);
+        let (mut within, mut largest) = (Mask::splat(simd, true), Wide::splat(simd, 0.0));
+        let own = tape.correction.iter().zip(&tape.torn).zip(limits.correction.iter().zip(&limits.sizes));
+        for ((change, place), (allowed, size)) in own {
+            let (change, q) = (self.memory[*change as usize].abs(), self.memory[*place as usize].abs());
+            let allowed = Wide::splat(simd, limits.rounding).mul_add(q, Wide::splat(simd, *allowed));
+            within = within & change.le(allowed);
+            largest = largest.or_larger(change * Wide::splat(simd, size.recip()));
+        }
+        for (row, place) in tape.rows.iter().zip(&tape.left) {
+            within = within & self.memory[*place as usize].abs().le(Wide::splat(simd, 0.5 * limits.rows[*row]));
+        }
+        (within, largest)
+    }
+
+    /// Where C = 0 holds as it was written, and max |C_i|.
+    #[inline(always)]
+    fn verified(&self, limits: &Limits) -> (Mask<S>, Wide<S>) {
+        let (mut met, mut most) = (Mask::splat(self.simd, true), Wide::splat(self.simd, 0.0));
+        for (place, allowed) in self.tape.verify.iter().zip(&limits.rows) {
+            let c = self.memory[*place as usize].abs();
+            met = met & c.le(Wide::splat(self.simd, *allowed));
+            most = most.or_larger(c);
+        }
+        (met, most)
+    }
+
+    /// The least share of a pivot or determinant of what it was at the mark, and where the sign of a block is another one.
+    #[inline(always)]
+    fn guarded(&self) -> (Wide<S>, Mask<S>) {
+        let one = Wide::splat(self.simd, 1.0);
+        let (mut least, mut turned) = (one, Mask::splat(self.simd, false));
+        for (guards, marks) in self.tape.guards.iter().zip(&self.marks) {
+            let mut product = one;
+            for (guard, mark) in guards.iter().zip(marks) {
+                let share = self.memory[*guard as usize] * Wide::splat(self.simd, mark.recip());
+                let size = share.abs();
+                // What is no number is none of the sizes that do.
+                least = size.le(least).select(size, size.gt(least).select(least, Wide::splat(self.simd, 0.0)));
+                product = product * share;
+            }
+            turned = turned | product.lt(Wide::splat(self.simd, 0.0));
+        }
+        (least, turned)
+    }
+
+    /// q with its last correction, q̇ and q̈ into the lines, behind what stood in the last lane.
+    #[inline(always)]
+    fn write(&mut self) {
+        let tape = self.tape;
+        for column in 0..tape.values.len() {
+            let q = self.memory[tape.values[column] as usize] + self.memory[tape.corrections[column] as usize];
+            let rates = [tape.rates[column], tape.second_rates[column]].map(|place| self.memory[place as usize]);
+            for (order, numbers) in [q, rates[0], rates[1]].into_iter().enumerate() {
+                let first = Self::line(column, order);
+                self.lines[first + 1..first + Self::STRIDE].copy_from_slice(numbers.as_slice());
+            }
+        }
+    }
+
+    /// From lines of coordinates to rows of lanes, by squares that are turned in registers.
+    #[inline(always)]
+    fn turn(&mut self) {
+        let n = self.tape.values.len();
+        for order in 0..ORDERS {
+            let rows = &mut self.table[order * Self::LANES * n..(order + 1) * Self::LANES * n];
+            for column in (0..n / 4 * 4).step_by(4) {
+                for lane in (0..Self::LANES).step_by(4) {
+                    let line = |k: usize| four(&self.lines, Self::line(column + k, order) + 1 + lane);
+                    let square = self.simd.turn([line(0), line(1), line(2), line(3)]);
+                    for (k, own) in square.iter().enumerate() {
+                        let first = (lane + k) * n + column;
+                        rows[first..first + 4].copy_from_slice(own);
+                    }
+                }
+            }
+            for column in n / 4 * 4..n {
+                let line = &self.lines[Self::line(column, order) + 1..][..Self::LANES];
+                line.iter().zip(rows.chunks_exact_mut(n)).for_each(|(x, row)| row[column] = *x);
+            }
+        }
+    }
+
+    /// How far q + h q̇ + ½ h² q̈ from either end of each step misses the other end, and by how much anything turns.
+    #[inline(always)]
+    fn missed(&self, h: Wide<S>, limits: &Limits) -> [Wide<S>; 2] {
+        let simd = self.simd;
+        let zero = Wide::splat(simd, 0.0);
+        let (mut miss, mut reach, mut all) = (zero, zero, zero);
+        let half = Wide::splat(simd, 0.5) * h;
+        for column in 0..self.tape.values.len() {
+            let at = |order: usize, place: usize| {
+                let (first, mut wide) = (Self::line(column, order) + place, zero);
+                wide.as_mut_slice().copy_from_slice(&self.lines[first..first + Self::LANES]);
+                wide
+            };
+            let [q, qd, qdd] = [at(0, 0), at(1, 0), at(2, 0)];
+            let [r, rd, rdd] = [at(0, 1), at(1, 1), at(2, 1)];
+            let d = r - q;
+            let (forward, back) = (d - h * half.mul_add(qdd, qd), d - h * half.negative_mul_add(rdd, rd));
+            let share = Wide::splat(simd, limits.shares[column]);
+            miss = miss.or_larger(forward.abs().or_larger(back.abs()) * share);
+            reach = reach.or_larger(d.abs() * Wide::splat(simd, limits.turns[column]));
+            all = all + (forward + back);
+        }
+        let none = !all.equal(all);
+        [none.select(Wide::splat(simd, f64::NAN), miss), reach]
+    }
+}

@@ -1,0 +1,107 @@
+//! What the program computes is what a system does: positions, velocities and accelerations at the times of a motion.
+
+use kin_graph::{Input, LeafUse, Node, Source, evaluate};
+
+use super::models::{chain, four_bar, gallery};
+use crate::program::stages::{Pose, Program, law_at, program};
+use crate::system::scale;
+use crate::{System, linspace};
+
+/// Coordinates of which only the torn ones are read, and what `verify` is given.
+struct At<'a> {
+    t: f64,
+    q: &'a [f64],
+    given: &'a [f64],
+    program: &'a Program,
+}
+
+impl Source<f64> for At<'_> {
+    fn input(&self, input: Input) -> f64 {
+        match input {
+            Input::State(j, _) if self.program.torn.contains(&j) => self.q[j],
+            Input::Column(j) => self.given[j],
+            Input::Time => self.t,
+            other => unreachable!("{other:?}"),
+        }
+    }
+
+    fn law(&self, law: usize, x: f64, order: u8) -> f64 {
+        law_at(&self.program.laws, law, x, order)
+    }
+
+    fn opaque(&self, _: usize, _: usize, _: Vec<f64>) -> f64 {
+        unreachable!("foreign values are folded")
+    }
+
+    fn leaf(&self, _: LeafUse, _: Vec<f64>) -> f64 {
+        unreachable!("formulas have no leaves")
+    }
+}
+
+pub(in crate::program) fn compiled(system: &System, t: f64, q: &[f64]) -> Result<Program, crate::program::gather::Refusal> {
+    let point = system.model().linearize(q, t).expect("finite");
+    let sizes = scale::sizes(system.layout(), system.equations(), &point.values, q, system.links());
+    program(system, Pose { t, q, sizes: &sizes })
+}
+
+fn largest(pairs: impl Iterator<Item = (f64, f64)>) -> f64 {
+    pairs.fold(0.0, |m, (a, b)| {
+        let off = (a - b).abs() / (1.0 + a.abs());
+        if off <= m { m } else { off }
+    })
+}
+
+/// Newton's method on what is torn, from values that are off; then all coordinates, q̇, q̈ and C beside those of the motion.
+fn difference(program: &Program, t: f64, [q, qd, qdd]: [&[f64]; 3]) -> [f64; 4] {
+    let mut own = q.to_vec();
+    program.torn.iter().enumerate().for_each(|(k, column)| own[*column] += 1e-4 * (k as f64 + 1.0).sin());
+    let of = |nodes: &[Node], q: &[f64], given: &[f64]| {
+        let results = evaluate(&program.graph, nodes, &At { t, q, given, program });
+        nodes.iter().map(|node| results.number(*node).expect("evaluated")).collect::<Vec<f64>>()
+    };
+    for _ in 0..6 {
+        let correction = of(&program.correction, &own, &[]);
+        program.torn.iter().zip(correction).for_each(|(column, change)| own[*column] += change);
+    }
+    let values = of(&program.values, &own, &[]);
+    let verify = of(&program.verify, &own, &values);
+    let [rates, second_rates] = [&program.rates, &program.second_rates].map(|nodes| of(nodes, &own, &[]));
+    let all = |a: &[f64], b: &[f64]| largest(a.iter().copied().zip(b.iter().copied()));
+    [all(q, &values), all(qd, &rates), all(qdd, &second_rates), verify.iter().fold(0.0, |m: f64, c| m.max(c.abs()))]
+}
+
+/// Whether a pivot is less than a hundredth of what it was at the first of two poses.
+fn fades(program: &Program, times: [f64; 2], poses: [&[f64]; 2]) -> bool {
+    let nodes: Vec<Node> = program.guards.iter().flatten().copied().collect();
+    let [marks, now] = [0, 1].map(|k| {
+        let results = evaluate(&program.graph, &nodes, &At { t: times[k], q: poses[k], given: &[], program });
+        nodes.iter().map(|node| results.number(*node).expect("evaluated")).collect::<Vec<f64>>()
+    });
+    now.iter().zip(marks).any(|(now, mark)| now.abs() < 0.01 * mark.abs())
+}
+
+#[test]
+fn the_program_has_the_positions_and_rates_of_the_system() {
+    let own = [("four-bar", four_bar()), ("chain", chain(12))].map(|(name, system)| (name.to_string(), system));
+    let (mut compared, mut refused) = (0, Vec::new());
+    for (name, system) in gallery().into_iter().chain(own) {
+        let Ok(motion) = system.run(linspace(0.0, 0.5, 26)) else { continue };
+        let program = match compiled(&system, 0.0, motion.q(0)) {
+            Ok(program) => program,
+            Err(refusal) => {
+                refused.push((name, refusal.reason));
+                continue;
+            }
+        };
+        compared += 1;
+        for k in (0..motion.len()).step_by(5) {
+            let (t, all) = (motion.times()[k], [motion.q(k), motion.qd(k), motion.qdd(k)]);
+            // Where a pivot has faded another order is to be taken.
+            let faded = fades(&program, [0.0, t], [motion.q(0), motion.q(k)]);
+            let another = faded.then(|| compiled(&system, t, motion.q(k)).expect("as before"));
+            let [q, qd, qdd, c] = difference(another.as_ref().unwrap_or(&program), t, all);
+            assert!(q < 1e-11 && qd < 1e-9 && qdd < 1e-7 && c < 1e-11, "{name} at {k}: {q:e} {qd:e} {qdd:e} {c:e}");
+        }
+    }
+    assert!(compared > 12, "{compared} {refused:?}");
+}

@@ -1,0 +1,118 @@
+//! A tape over lanes computes what the program does, node by node.
+
+use std::marker::PhantomData;
+
+use kin_graph::{Input, LeafUse, Node, Source, evaluate};
+use pulp::NullaryFnOnce;
+
+use super::models::{chain, four_bar, gallery};
+use super::reduced::compiled;
+use crate::linspace;
+use crate::numbers::lanes::{Lanes, Level, Wide, WithLevel};
+use crate::program::schedule;
+use crate::program::stages::{Program, law_at};
+use crate::program::tape::replay::Replay;
+use crate::program::tape::{Stage, Tape};
+
+/// All stages of a tape at one pose for each lane.
+struct Replayed<'a> {
+    tape: &'a Tape,
+    poses: &'a [(f64, Vec<f64>)],
+}
+
+impl WithLevel for Replayed<'_> {
+    type Output = Vec<Vec<f64>>;
+
+    fn run<S: Level>(self, simd: S) -> Self::Output {
+        let tape = self.tape;
+        let mut memory = vec![Wide::splat(simd, f64::NAN); tape.places];
+        tape.constants.iter().for_each(|(place, x)| memory[*place as usize] = Wide::splat(simd, *x));
+        for lane in 0..Wide::<S>::LANES {
+            let (t, q) = &self.poses[lane % self.poses.len()];
+            memory[tape.t as usize].as_mut_slice()[lane] = *t;
+            tape.torn.iter().zip(&tape.columns).for_each(|(place, column)| memory[*place as usize].as_mut_slice()[lane] = q[*column]);
+        }
+        let mut replay = |stage: &Stage| simd.vectorize(Again(Replay { stage, laws: &tape.laws, memory: &mut memory, level: PhantomData }));
+        // What leads to the correction can be replayed any number of times.
+        [&tape.time, &tape.correct, &tape.correct, &tape.rest].into_iter().for_each(&mut replay);
+        let lists = [&tape.correction, &tape.left, &tape.values, &tape.corrections, &tape.rates, &tape.second_rates, &tape.verify];
+        let places: Vec<u32> = lists.into_iter().flatten().chain(tape.guards.iter().flatten()).copied().collect();
+        let of = |lane: usize| places.iter().map(|place| memory[*place as usize].as_slice()[lane]).collect();
+        (0..Wide::<S>::LANES.min(self.poses.len())).map(of).collect()
+    }
+}
+
+struct Again<'a, S: Level>(Replay<'a, S>);
+
+impl<S: Level> NullaryFnOnce for Again<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        self.0.call();
+    }
+}
+
+struct At<'a> {
+    t: f64,
+    q: &'a [f64],
+    given: &'a [f64],
+    program: &'a Program,
+}
+
+impl Source<f64> for At<'_> {
+    fn input(&self, input: Input) -> f64 {
+        match input {
+            Input::State(j, _) => self.q[j],
+            Input::Column(j) => self.given[j],
+            Input::Time => self.t,
+            other => unreachable!("{other:?}"),
+        }
+    }
+
+    fn law(&self, law: usize, x: f64, order: u8) -> f64 {
+        law_at(&self.program.laws, law, x, order)
+    }
+
+    fn opaque(&self, _: usize, _: usize, _: Vec<f64>) -> f64 {
+        unreachable!("foreign values are folded")
+    }
+
+    fn leaf(&self, _: LeafUse, _: Vec<f64>) -> f64 {
+        unreachable!("formulas have no leaves")
+    }
+}
+
+/// All that a program is asked for, number by number, and what its outputs are called.
+fn scalar(program: &Program, t: f64, q: &[f64]) -> Vec<f64> {
+    let of = |nodes: &[Node], given: &[f64]| {
+        let results = evaluate(&program.graph, nodes, &At { t, q, given, program });
+        nodes.iter().map(|node| results.number(*node).expect("evaluated")).collect::<Vec<f64>>()
+    };
+    let given = of(&program.values, &[]);
+    of(&program.outputs(), &given)
+}
+
+#[test]
+fn every_number_of_a_tape_is_that_of_its_program() {
+    let own = [("four-bar", four_bar()), ("chain", chain(12))].map(|(name, system)| (name.to_string(), system));
+    for (name, system) in gallery().into_iter().chain(own) {
+        let Ok(motion) = system.run(linspace(0.0, 0.4, 9)) else { continue };
+        let (program, again) = (compiled(&system, 0.0, motion.q(0)).expect("compiles"), compiled(&system, 0.0, motion.q(0)));
+        let tape = schedule(again.expect("compiles"));
+        let off = |column: usize| 1e-3 * (column as f64).cos();
+        let pose = |k: usize| (motion.times()[k], motion.q(k).iter().enumerate().map(|(column, q)| q + off(column)).collect());
+        let poses: Vec<(f64, Vec<f64>)> = (0..motion.len()).map(pose).collect();
+        for lanes in [2, 4, 8] {
+            let Ok(found) = Lanes::Only(lanes).dispatch(Replayed { tape: &tape, poses: &poses }) else { continue };
+            for ((t, q), found) in poses.iter().zip(found) {
+                let expected = scalar(&program, *t, q);
+                let size = expected.iter().fold(1.0_f64, |m, x| m.max(x.abs()));
+                for (k, (found, expected)) in found.iter().zip(&expected).enumerate() {
+                    let near = (found - expected).abs() <= 1e-11 * size;
+                    assert!(near, "{name}, {lanes} lanes, t = {t}, number {k} of {}: {found} is not {expected}", program.outputs().len());
+                }
+            }
+        }
+    }
+}

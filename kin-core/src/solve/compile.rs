@@ -1,0 +1,87 @@
+//! What a mechanism comes to as one program: what its rows give, what is left to Newton's method, how large it is.
+
+use std::fmt;
+
+use super::newton::{Newton, Options, assembly, compiled};
+use crate::model::error::Result;
+use crate::system::System;
+
+/// A mechanism that can be compiled, as [`crate::Engine::Compiled`] runs it.
+///
+/// ```
+/// use kin::prelude::*;
+/// let mut m = Mechanism::new("crank");
+/// let crank = m.link("crank", 1.0)?;
+/// m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start()))?;
+/// m.add("motor", drive_angle(crank, Law::ramp(2.0)))?;
+/// let compiled = m.build()?.compile()?;
+/// assert!(compiled.unknowns().is_empty() && compiled.substituted().len() == 3);
+/// # Ok::<(), kin::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Compiled {
+    name: String,
+    substituted: Vec<String>,
+    unknowns: Vec<String>,
+    blocks: Vec<usize>,
+    size: [usize; 2],
+}
+
+impl System {
+    /// Compiles all equations to one program, its elimination chosen at the position of t = 0, and tells what came of it. To run with it, set
+    /// [`Options::engine`] to [`crate::Engine::Compiled`].
+    ///
+    /// Errors: what stands in the way, by the name of its constraint; no position at t = 0.
+    pub fn compile(&self) -> Result<Compiled> {
+        let options = Options::default();
+        compiled::can_be(self).map_err(compiled::refused)?;
+        let mut newton = Newton::new(self, &options);
+        assembly::assemble(&mut newton, 0.0)?;
+        let tape = compiled::tape(self, 0.0, &newton.q, &newton.sizes).map_err(compiled::refused)?;
+        let names = self.coordinate_names();
+        let is_torn = |column: &usize| tape.torn().contains(column);
+        let named = |wanted: bool| (0..names.len()).filter(|k| is_torn(k) == wanted).map(|k| names[k].clone()).collect();
+        let (substituted, unknowns) = (named(false), named(true));
+        Ok(Compiled { name: self.name().to_string(), substituted, unknowns, blocks: tape.blocks().to_vec(), size: tape.size() })
+    }
+}
+
+impl Compiled {
+    /// The coordinates that a row gives, each from those before it: nothing is iterated for them.
+    pub fn substituted(&self) -> &[String] {
+        &self.substituted
+    }
+
+    /// The coordinates that are left to Newton's method.
+    pub fn unknowns(&self) -> &[String] {
+        &self.unknowns
+    }
+
+    /// How many of them are solved together, block by block, one block after the other.
+    pub fn blocks(&self) -> &[usize] {
+        &self.blocks
+    }
+
+    /// How many steps the program has: one is an operation, or a function, on many times at once.
+    pub fn steps(&self) -> usize {
+        self.size[0]
+    }
+
+    /// All of it in a few lines.
+    pub fn summary(&self) -> String {
+        let (given, left) = (self.substituted.len(), self.unknowns.len());
+        let mut text = format!("{}: {given} of {} coordinates are given by rows", self.name, given + left);
+        if left > 0 {
+            let blocks: Vec<String> = self.blocks.iter().map(usize::to_string).collect();
+            text += &format!(", {left} left to Newton's method in blocks of {}: {}", blocks.join(", "), self.unknowns.join(", "));
+        }
+        text + &format!("\n  {} steps in {} runs of one kind", self.size[0], self.size[1])
+    }
+}
+
+impl fmt::Display for Compiled {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.summary())
+    }
+}

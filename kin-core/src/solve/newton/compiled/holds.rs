@@ -1,0 +1,59 @@
+//! Whether constraints themselves hold at a time that a program has computed: by their own kernels, with parameters as they are now.
+
+use crate::solve::motion::Motion;
+use crate::solve::newton::Newton;
+use crate::solve::newton::run::Run;
+
+/// How far the sum of a row may be off, of the sum of the sizes of its terms.   \[-\]
+const OFF: f64 = 1e-9;
+
+/// A row whose terms are small is held to this share of the largest row's.   \[-\]
+const SMALL: f64 = 0.01;
+
+impl Run<'_> {
+    /// Whether C = 0, C_q q̇ = −C_t and C_q q̈ = Q_d at the last time of the motion; `allowed` is how far each row may be off. The position in
+    /// hand is that time's then: [`Run::go_on`] makes it another one.
+    pub(super) fn holds(&mut self, motion: &Motion, allowed: &[f64]) -> bool {
+        let Some(last) = motion.len().checked_sub(1) else { return true };
+        self.sweep_mut().is_some_and(|sweep| {
+            let newton = &mut sweep.newton;
+            newton.q.copy_from_slice(motion.q(last));
+            let holds = holds(newton, motion.times()[last], [motion.qd(last), motion.qdd(last)], allowed);
+            // What was measured there counts from now on, or never.
+            if holds {
+                newton.linear.confirm()
+            } else {
+                newton.linear.revoke()
+            }
+            holds
+        })
+    }
+}
+
+fn holds(newton: &mut Newton<'_>, t: f64, [qd, qdd]: [&[f64]; 2], allowed: &[f64]) -> bool {
+    let equations = newton.system.equations();
+    if newton.linearize(t).is_err() {
+        return false;
+    }
+    // The last correction has been made since C was looked at.
+    let met = newton.c.iter().zip(allowed).all(|(c, allowed)| c.abs() <= 2.0 * allowed);
+    equations.velocity_rhs(&newton.instant, newton.linear.rhs_mut());
+    let moves = is_solution(newton, qd);
+    equations.set_rates(qd, &mut newton.instant);
+    equations.acceleration_rhs(&newton.instant, newton.linear.rhs_mut());
+    met && moves && is_solution(newton, qdd)
+}
+
+/// Whether x solves C_q x = b, where b is the right side in hand.
+fn is_solution(newton: &mut Newton<'_>, x: &[f64]) -> bool {
+    let b = newton.linear.rhs_mut().to_vec();
+    let (mut sums, mut sizes): (Vec<f64>, Vec<f64>) = (b.iter().map(|b| -b).collect(), b.iter().map(|b| b.abs()).collect());
+    for (entry, value) in newton.system.equations().entries.iter().zip(newton.linear.values()) {
+        if let Some((row, column)) = *entry {
+            sums[row] += value * x[column];
+            sizes[row] += (value * x[column]).abs();
+        }
+    }
+    let most = sizes.iter().copied().fold(0.0, f64::max);
+    sums.iter().zip(&sizes).all(|(sum, size)| sum.abs() <= OFF * (size + SMALL * most))
+}

@@ -1,0 +1,67 @@
+//! Faults of a generator are planted, and never come to a number.
+
+use super::*;
+use crate::program::{Program, plant};
+use crate::{Engine, Ground, Law, Mechanism, deg, linspace, vec2};
+
+/// A four-bar, its crank's length given.
+fn four_bar(a: f64) -> System {
+    use crate::joints::{drivers::drive_angle, planar::revolute};
+    let mut m = Mechanism::new("four-bar");
+    let (crank, coupler) = (m.link("crank", a).expect("a link"), m.link("coupler", 3.5).expect("a link"));
+    let rocker = m.link("rocker", 3.0).expect("a link");
+    m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).expect("adds");
+    m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).expect("adds");
+    m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).expect("adds");
+    m.add("C", revolute(Ground, rocker, vec2(4.0, 0.0), rocker.start())).expect("adds");
+    m.add("motor", drive_angle(crank, Law::ramp(6.0))).expect("adds");
+    m.prefer(rocker, deg(100.0));
+    m.build().expect("builds")
+}
+
+/// A run by a program that was made of another system, or changed.
+fn run_with(system: &System, times: &[f64], made_of: &System, change: impl Fn(&mut Program)) -> Motion {
+    let options = Options { engine: Engine::Compiled, ..Options::default() };
+    let (mut run, mut motion) = (Run::new(system, &options, None).expect("runs"), Motion::new(system, times.len()));
+    run.reach(times[0], &mut motion).expect("reaches");
+    let newton = &run.sweep().expect("plain steps").newton;
+    let pose = Pose { t: times[0], q: &newton.q, sizes: &newton.sizes };
+    let mut program = program(made_of, pose).expect("compiles");
+    change(&mut program);
+    replay(&mut run, times, &mut motion, &schedule(program)).expect("runs");
+    motion
+}
+
+fn difference(a: &Motion, b: &Motion) -> f64 {
+    let of = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs() / (1.0 + a.abs())).fold(0.0, f64::max);
+    (0..a.len()).map(|k| of(a.q(k), b.q(k)).max(of(a.qd(k), b.qd(k))).max(of(a.qdd(k), b.qdd(k)))).fold(0.0, f64::max)
+}
+
+#[test]
+fn planted_faults_never_come_to_a_number() {
+    let (system, times) = (four_bar(1.0), linspace(0.0, 1.0, 301));
+    let plain = system.run(&times).expect("runs");
+    let whole = run_with(&system, &times, &system, |_| {});
+    assert!(whole.engine.compiled > 280 && difference(&plain, &whole) < 1e-11);
+    let mut planted = 0;
+    for fault in plant::ALL {
+        for k in 0..system.n_coordinates() {
+            let motion = run_with(&system, &times, &system, |program| plant::plant(program, fault, k));
+            assert_eq!(motion.len(), plain.len());
+            let off = difference(&plain, &motion);
+            assert!(off < 1e-11, "{fault:?} {k}: {off:e} {:?}", motion.engine);
+            planted += usize::from(motion.engine.compiled == 0);
+        }
+    }
+    assert!(planted > 25, "{planted} of the faults were noticed; the others changed nothing");
+}
+
+#[test]
+fn a_program_of_another_length_is_not_believed() {
+    let (system, times) = (four_bar(1.0), linspace(0.0, 1.0, 301));
+    let plain = system.run(&times).expect("runs");
+    for a in [1.0 + 1e-6, 0.9] {
+        let motion = run_with(&system, &times, &four_bar(a), |_| {});
+        assert!(motion.engine.compiled == 0 && difference(&plain, &motion) == 0.0, "{a}: {:?}", motion.engine);
+    }
+}

@@ -1,0 +1,31 @@
+//! Plain steps that go on where a program has come to.
+
+use super::Sweep;
+use crate::solve::motion::Motion;
+
+impl Sweep<'_> {
+    /// Whether the ends of a step between two times, with that smallest pivot, tell all that time does in between.
+    pub(in crate::solve::newton) fn tells(&mut self, from: f64, to: f64, pivot: f64) -> bool {
+        self.check.as_mut().is_none_or(|check| check.tells(from, to, pivot))
+    }
+
+    /// The last three times of a motion are those before the next step; at the last one the smallest pivot is this.
+    pub(in crate::solve::newton) fn go_on(&mut self, motion: &Motion, pivot: f64) {
+        let Some(last) = motion.len().checked_sub(1) else { return };
+        let times = motion.times();
+        self.predictor.forget();
+        for k in (0..2).rev().filter(|k| *k < last) {
+            let at = last - 1 - k;
+            self.newton.qd.copy_from_slice(motion.qd(at));
+            self.newton.qdd.copy_from_slice(motion.qdd(at));
+            let h = times[at + 1] - times[at];
+            self.predictor.advance(h, &mut self.newton.qd, &mut self.newton.qdd);
+        }
+        self.newton.q.copy_from_slice(motion.q(last));
+        self.newton.qd.copy_from_slice(motion.qd(last));
+        self.newton.qdd.copy_from_slice(motion.qdd(last));
+        self.last = Some(times[last]);
+        self.untouched = false;
+        self.check.iter_mut().for_each(|check| check.go_on(pivot));
+    }
+}
