@@ -9,11 +9,10 @@ const ROUNDS_SHOWN: usize = 30;
 
 impl Linear {
     /// An estimate (from below, seldom by more than 2) of the 2-norm condition number of the matrix by the measures of its rows and
-    /// columns; infinite where it overflows.   \[-\]
+    /// columns; not finite where it overflows.   \[-\]
     pub(crate) fn condition(&mut self) -> f64 {
         let [largest, smallest] = self.nearly_null_after(ROUNDS).2;
-        let condition = largest / smallest;
-        if condition.is_finite() { condition } else { f64::INFINITY }
+        largest / smallest
     }
 
     /// Estimates of the largest singular value of the matrix by the measures of its rows and columns (from below), and of the smallest (from
@@ -35,18 +34,19 @@ impl Linear {
         let (mut inverse, mut direct) = (0.0_f64, 0.0_f64);
         normalise(&mut left);
         let (mut v, mut right) = (left.clone(), Vec::new());
+        // Each length is no less than the one before it.
         for _ in 0..rounds {
             self.apply_inverse(&mut left);
-            inverse = inverse.max(normalise(&mut left));
+            normalise(&mut left);
             right.clone_from(&left);
             self.apply_inverse_transposed(&mut left);
-            inverse = inverse.max(normalise(&mut left));
+            inverse = normalise(&mut left);
         }
         for _ in 0..rounds {
             v = self.apply(&v, false);
-            direct = direct.max(normalise(&mut v));
+            normalise(&mut v);
             v = self.apply(&v, true);
-            direct = direct.max(normalise(&mut v));
+            direct = normalise(&mut v);
         }
         // The right side may be waiting for a matrix that has to be judged first.
         self.rhs_mut().copy_from_slice(&rhs);
@@ -109,4 +109,33 @@ fn normalise(v: &mut [f64]) -> f64 {
 fn sign_and_size(random: &mut Random) -> f64 {
     let x = random.number();
     0.5 * x + 0.5_f64.copysign(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_vector_is_made_a_unit_vector_unless_it_is_none() {
+        let normalised = |v: [f64; 2]| {
+            let mut unit = v;
+            (normalise(&mut unit), unit)
+        };
+        assert_eq!(normalised([3.0, -4.0]), (5.0, [0.6, -0.8]));
+        let (size, unit) = normalised([3e200, -4e200]);
+        assert!((size / 5e200 - 1.0).abs() < 1e-15 && unit == [0.6, -0.8]);
+        assert_eq!(normalised([0.0, 0.0]), (0.0, [0.0, 0.0]));
+        assert_eq!(normalised([1.0, f64::NEG_INFINITY]), (f64::INFINITY, [1.0, f64::NEG_INFINITY]));
+        assert_eq!((normalised([f64::NAN, 1.0]).0, normalised([1.0, f64::NAN]).0), (f64::INFINITY, f64::INFINITY));
+    }
+
+    #[test]
+    fn a_search_begins_with_numbers_of_either_sign_and_of_one_size() {
+        let mut random = Random::new(0);
+        let all: Vec<f64> = (0..200).map(|_| sign_and_size(&mut random)).collect();
+        assert!(all.iter().all(|x| (0.5..=1.0).contains(&x.abs())));
+        let above = all.iter().filter(|x| **x > 0.0).count();
+        let large = all.iter().filter(|x| x.abs() > 0.75).count();
+        assert!((60..140).contains(&above) && (60..140).contains(&large), "{above} {large}");
+    }
 }

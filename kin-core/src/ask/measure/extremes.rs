@@ -116,3 +116,68 @@ impl Extremes {
         extremes.chain([last]).fold(first, |best, next| if better(next.0, best.0) { next } else { best })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Extremes at times with values, the ends, and whether it comes back.
+    fn extremes(all: &[(f64, f64)], ends: [(f64, f64); 2], closed: bool) -> Extremes {
+        let all = all.iter().map(|(t, value)| Extreme { t: *t, value: *value, is_max: *value > 0.0 }).collect();
+        Extremes { name: "slide".to_string(), unit: "m".to_string(), all, ends, closed }
+    }
+
+    /// Of equal values the first one counts, be it an extreme or an end.
+    #[test]
+    fn the_largest_and_the_smallest_value() {
+        let found = extremes(&[(1.0, 2.0), (2.0, -3.0), (3.0, 2.0), (4.0, -3.0)], [(0.0, 0.5), (5.0, 0.0)], false);
+        assert_eq!((found.max(), found.min(), found.stroke(), found.name(), found.unit()), ((2.0, 1.0), (-3.0, 2.0), 5.0, "slide", "m"));
+        let ends = extremes(&[(1.0, 2.0), (2.0, -3.0)], [(0.0, 2.0), (5.0, -3.0)], false);
+        assert_eq!((ends.max(), ends.min()), ((2.0, 0.0), (-3.0, 2.0)));
+        let ends = extremes(&[(1.0, 2.0), (2.0, -3.0)], [(0.0, -4.0), (5.0, 3.0)], false);
+        assert_eq!((ends.max(), ends.min(), ends.stroke()), ((3.0, 5.0), (-4.0, 0.0), 7.0));
+    }
+
+    /// Whichever stroke comes first, forwards and backwards, and wherever time begins.
+    #[test]
+    fn the_slower_stroke_beside_the_quicker_one() {
+        for sign in [1.0, -1.0] {
+            let at = |t: f64| sign * (t + 2.0);
+            let closed = |a: f64, b: f64, first: f64| extremes(&[(at(a), first), (at(b), -first)], [(at(0.0), 0.0), (at(8.0), 0.0)], true);
+            for (a, b, ratio) in [(1.0, 3.0, 3.0), (1.0, 7.0, 3.0), (2.0, 6.0, 1.0)] {
+                assert_eq!((closed(a, b, 1.0).time_ratio(), closed(a, b, -1.0).time_ratio()), (Some(ratio), Some(ratio)));
+            }
+            let open = |all: &[(f64, f64)]| {
+                extremes(&all.iter().map(|(t, x)| (at(*t), *x)).collect::<Vec<_>>(), [(at(0.0), 9.0), (at(20.0), -9.0)], false)
+            };
+            assert_eq!(open(&[(1.0, 2.0), (2.0, -2.0), (6.0, 2.0), (7.0, -3.0)]).time_ratio(), Some(4.0));
+            assert_eq!(open(&[(1.0, 2.0), (7.0, -2.0), (9.0, 2.0)]).time_ratio(), Some(3.0));
+            assert_eq!(open(&[(1.0, 2.0), (7.0, -2.0)]).time_ratio(), None);
+            assert_eq!(open(&[(1.0, 2.0), (1.0, -2.0), (9.0, 2.0)]).time_ratio(), None);
+        }
+        assert_eq!(extremes(&[(1.0, 1.0)], [(0.0, 0.0), (8.0, 0.0)], true).time_ratio(), None);
+    }
+
+    /// It comes back where both the value and the rate do.
+    #[test]
+    fn whether_a_motion_comes_back() {
+        let closed = |law: crate::Law, to: f64, count: usize| {
+            let mut m = crate::Mechanism::new("slider");
+            let x = m.length("x", law.at(0.0)).unwrap();
+            m.add("motor", crate::joints::drivers::drive(x, law)).unwrap();
+            let system = m.build().unwrap();
+            let motion = system.run(crate::linspace(0.0, to, 21)).unwrap();
+            let found = system.extremes(&motion, x).unwrap();
+            assert_eq!(found.all().len(), count);
+            found.closed
+        };
+        // t (t − 1) (t − 3) is 0 at both ends and has rates 3 and 6; the sine on a slope comes back with its rate alone
+        assert!(!closed(crate::Law::polynomial(&[0.0, 3.0, -4.0, 1.0]), 3.0, 2));
+        let turn = std::f64::consts::TAU;
+        let sine = crate::Law::sine(1.0, 1.0, 0.3);
+        assert!(
+            !closed(sine.clone() + crate::Law::ramp(0.1), turn, 2) && closed(sine.clone(), turn, 2) && closed(-1e6 * sine.clone(), turn, 2)
+        );
+        assert!(closed(sine.clone() + crate::Law::ramp(1e-10 / turn), turn, 2) && !closed(sine + crate::Law::ramp(3e-9 / turn), turn, 2));
+    }
+}

@@ -63,7 +63,7 @@ impl<'a, M: Measure> Search<'a, M> {
         let [x, rates, ..] = grid.orders();
         let largest = |all: &[f64]| all.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         let small = match zero {
-            Zero::Value(level) => ROUNDING * largest(x).max(level.abs()),
+            Zero::Value(_) => ROUNDING * largest(x),
             Zero::Rate => ROUNDING * largest(rates),
         };
         Ok(Search { system, motion, what, grid, zero, small })
@@ -83,8 +83,9 @@ impl<'a, M: Measure> Search<'a, M> {
                     1 | 2 => roots.push(self.root(from, end)?),
                     _ => roots.push(self.told(self.on_grid(before + 1).t, from, self.grid.value.values()[before + 1])),
                 },
-                Some((before, from)) if before + 1 == k => roots.extend(self.hidden(from, end)?.into_iter().flatten()),
-                _ => {}
+                // Also beside a time of the grid at which it is zero.
+                Some((_, from)) => roots.extend(self.hidden(from, end)?.into_iter().flatten()),
+                None => {}
             }
             last = Some((k, end));
         }
@@ -118,7 +119,7 @@ impl<'a, M: Measure> Search<'a, M> {
         Ok([last(x) + turned, last(rate), last(second)])
     }
 
-    /// Two zeros within a step over which the sign stays: where the cubic through values and slopes at the ends dips to the other side, and
+    /// Two zeros between two times over which the sign stays: where the cubic through values and slopes at the ends dips to the other side, and
     /// so does the pose solved there.
     fn hidden(&self, from: End, to: End) -> Result<Option<[Root; 2]>> {
         let h = to.t - from.t;
@@ -133,49 +134,41 @@ impl<'a, M: Measure> Search<'a, M> {
 
     /// The zero between two times with different signs.
     fn root(&self, from: End, to: End) -> Result<Root> {
-        let (mut low, mut high) = (from, to);
-        let mut t = low.t + (high.t - low.t) * (low.f / (low.f - high.f));
+        let (mut low, mut high) = (from.t, to.t);
+        let near = 2.0 * f64::EPSILON * low.abs().max(high.abs());
+        let mut t = low + (high - low) * (from.f / (from.f - to.f));
         for _ in 0..STEPS {
             let x = self.between(t)?;
             let here = self.end(t, x);
-            let step = here.f / here.slope;
-            let near = 2.0 * f64::EPSILON * t.abs().max((to.t - from.t).abs());
-            if here.f == 0.0 || step.abs() <= near || (high.t - low.t).abs() <= near || !here.f.is_finite() {
+            *if here.f.signum() == from.f.signum() { &mut low } else { &mut high } = t;
+            let newton = t - here.f / here.slope;
+            let inside = (newton - low) * (newton - high) <= 0.0;
+            let next = if inside { newton } else { 0.5 * (low + high) };
+            if here.f == 0.0 || (next - t).abs() <= near {
                 return Ok(self.told(t, from, x[0]));
             }
-            if here.f.signum() == low.f.signum() {
-                low = here
-            } else {
-                high = here
-            }
-            let newton = t - step;
-            let inside = (newton - low.t) * (newton - high.t) < 0.0;
-            t = if inside { newton } else { 0.5 * (low.t + high.t) };
+            t = next;
         }
         Ok(self.told(t, from, self.between(t)?[0]))
     }
 
     /// A zero at time t, where `from` lies before it in the order of the motion.
     fn told(&self, t: f64, from: End, x: f64) -> Root {
-        Root { t, x, rises: (from.f < 0.0) == (from.t <= t) }
+        Root { t, x, rises: from.f.is_sign_negative() == (t - from.t).is_sign_positive() }
     }
 }
 
-/// Where the cubic with these values and slopes at s = 0 and s = 1, of one sign, has its dip towards zero, if it crosses it.
+/// Where the cubic with these values and slopes at s = 0 and s = 1, the values of one sign, has its dip towards zero, if it crosses it.
 fn dip([f0, g0]: [f64; 2], [f1, g1]: [f64; 2]) -> Option<f64> {
-    if g0 * f0 >= 0.0 || g1 * f1 <= 0.0 {
-        return None;
-    }
+    let sign = f0.signum();
+    let [f0, g0, f1, g1] = [f0, g0, f1, g1].map(|x| sign * x);
     let cubic = 2.0 * (f0 - f1) + g0 + g1;
-    let square = -3.0 * (f0 - f1) - 2.0 * g0 - g1;
-    // 3 c s² + 2 b s + g0 = 0; the slope changes sign once between the ends.
-    let root = (square * square - 3.0 * cubic * g0).max(0.0).sqrt();
-    let candidates = [(-square + root) / (3.0 * cubic), g0 / (-square - root), g0 / (-square + root), (-square - root) / (3.0 * cubic)];
-    let s = candidates
-        .into_iter()
-        .find(|s| *s > 0.0 && *s < 1.0 && ((3.0 * cubic * s + 2.0 * square) * s + g0).abs() < 1e-6 * (g0.abs() + g1.abs()))?;
+    let square = 3.0 * (f1 - f0) - 2.0 * g0 - g1;
+    // 3 c s² + 2 b s + g0 = 0, where the slope grows: by the form in which nothing cancels
+    let root = (square * square - 3.0 * cubic * g0).sqrt();
+    let s = if square > 0.0 { -g0 / (square + root) } else { (root - square) / (3.0 * cubic) };
     let value = f0 + s * (g0 + s * (square + s * cubic));
-    (value * f0 < 0.0).then_some(s)
+    ((0.0..1.0).contains(&s) && value < 0.0).then_some(s)
 }
 
 impl System {
@@ -190,75 +183,4 @@ impl System {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_dip_below_zero_within_a_step() {
-        // (s − 0.3)(s − 0.7) at 0 and 1
-        let s = dip([0.21, -1.0], [0.21, 1.0]).unwrap();
-        assert!((s - 0.5).abs() < 1e-12);
-        let s = dip([-0.21, 1.0], [-0.21, -1.0]).unwrap();
-        assert!((s - 0.5).abs() < 1e-12);
-        // s² + 1 stays above, and so does a line
-        assert_eq!((dip([1.0, -0.1], [1.0, 0.1]), dip([1.0, -0.5], [0.5, -0.5])), (None, None));
-        // (s − 0.2)(s − 0.4)(s + 1)
-        let s = dip([0.08, -0.52], [0.96, 2.0 * 1.4 + 0.48 - 0.0]);
-        assert!(s.is_some_and(|s| s > 0.2 && s < 0.45), "{s:?}");
-    }
-
-    /// The crossings of a level by a law, on a grid.
-    fn crossings(law: crate::Law, times: &[f64], level: f64) -> Vec<(f64, bool)> {
-        let mut m = crate::Mechanism::new("slider");
-        let x = m.length("x", law.at(times[0])).unwrap();
-        m.add("motor", crate::joints::drivers::drive(x, law)).unwrap();
-        let system = m.build().unwrap();
-        let motion = system.run(times).unwrap();
-        let all = system.crossings(&motion, x, level).unwrap();
-        all.into_iter().map(|Crossing { t, rises }| (t, rises)).collect()
-    }
-
-    /// What is zero at a time of the grid is told once and at that time, where the sign differs on either side; at the ends and where it only touches
-    /// zero it is not.
-    #[test]
-    fn zeros_at_times_of_the_grid() {
-        let line = crate::Law::linear(-2.0, 1.0);
-        for times in [vec![0.0, 1.0, 2.0, 3.0], vec![3.0, 2.0, 1.0, 0.0], vec![1.0, 2.0, 2.5]] {
-            let found = crossings(line.clone(), &times, 0.0);
-            assert!(found.len() == 1 && (found[0].0 - 2.0).abs() < 1e-12 && found[0].1, "{times:?}: {found:?}");
-        }
-        assert_eq!(crossings(line.clone(), &[2.0, 3.0, 4.0], 0.0), []);
-        assert_eq!(crossings(line, &[0.0, 1.0, 2.0], 0.0), []);
-        // (t − 2)², at a time of the grid
-        let touching = crate::Law::polynomial(&[4.0, -4.0, 1.0]);
-        assert_eq!(crossings(touching, &[0.0, 1.0, 2.0, 3.0], 0.0), []);
-        // down through 0 at 1, up again at 3
-        let bowl = crate::Law::polynomial(&[3.0, -4.0, 1.0]);
-        let found = crossings(bowl, &[0.0, 1.0, 2.0, 3.0, 4.0], 0.0);
-        let near = |k: usize, t: f64, rises: bool| found.get(k).is_some_and(|f| (f.0 - t).abs() < 1e-12 && f.1 == rises);
-        assert!(found.len() == 2 && near(0, 1.0, false) && near(1, 3.0, true), "{found:?}");
-    }
-
-    /// Of a rest on the level the first time is told, if the sign differs on either side.
-    #[test]
-    fn rests_on_the_level() {
-        let rise = |first: f64, second: f64| {
-            let up = crate::Law::cycloidal(first, 1.0);
-            crate::Law::constant(-1.0) + up + crate::Law::cycloidal(second, 1.0).shifted(4.0)
-        };
-        let times: Vec<f64> = (0..=12).map(|k| 0.5 * f64::from(k)).collect();
-        let found = crossings(rise(1.0, 1.0), &times, 0.0);
-        assert!(found.len() == 1 && (found[0].0 - 1.0).abs() < 1e-12 && found[0].1, "{found:?}");
-        // back to where it came from
-        assert_eq!(crossings(rise(1.0, -0.5), &times, 0.0), []);
-        // one time of the grid within the rest, two, and three
-        for (count, step) in [(1, 2.5), (2, 1.5), (3, 1.0)] {
-            let times: Vec<f64> = (0..=6).map(|k| step * f64::from(k)).filter(|t| *t < 8.0).collect();
-            let resting = times.iter().filter(|t| (1.0..=4.0).contains(*t)).count();
-            let found = crossings(rise(1.0, 1.0), &times, 0.0);
-            assert!(found.len() <= 1 && resting >= count.min(1), "{found:?}");
-            assert!(found.iter().all(|found| (1.0..=4.0).contains(&found.0) && found.1), "{step}: {found:?}");
-            assert_eq!(found.len(), 1, "{step}");
-        }
-    }
-}
+mod tests;

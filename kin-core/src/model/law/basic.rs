@@ -315,3 +315,35 @@ impl LawFunction for Fourier {
         Some(Law::new(changed))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::law::tests::near;
+
+    #[test]
+    fn fourth_derivatives() {
+        let law = Law::polynomial(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);
+        // 24 · 5 + 120 · 6 x + 360 · 7 x²
+        near(law.fourth(-1.5), 120.0 - 1080.0 + 5670.0, 1e-14);
+        near(Law::sine(2.0, 3.0, 0.5).fourth(0.7), 162.0 * 2.6_f64.sin(), 1e-14);
+        let fourier = Law::fourier(9.0, 2.0, &[(0.5, 0.25), (-1.0, 0.75)]);
+        let [one, two] = [1.4_f64, 2.8].map(f64::sin_cos);
+        near(fourier.fourth(0.7), 16.0 * (0.5 * one.1 + 0.25 * one.0) + 256.0 * (0.75 * two.0 - two.1), 1e-14);
+        assert_eq!((Law::ramp(2.0).fourth(1.0), Law::constant(2.0).fourth(1.0)), (0.0, 0.0));
+    }
+
+    #[test]
+    fn kinds() {
+        let all = [
+            (Law::constant(1.0), "constant"),
+            (Law::ramp(1.0), "ramp"),
+            (Law::linear(0.0, 1.0), "linear"),
+            (Law::polynomial(&[1.0]), "polynomial"),
+            (Law::harmonic(0.0, 1.0), "harmonic"),
+            (Law::sine(1.0, 1.0, 0.0), "sine"),
+            (Law::fourier(0.0, 1.0, &[]), "fourier"),
+        ];
+        all.iter().for_each(|(law, kind)| assert_eq!(law.kind(), *kind));
+    }
+}

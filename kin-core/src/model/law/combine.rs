@@ -270,7 +270,7 @@ impl Composed {
     /// The outer law's jet, that of its left side where a break of it is passed backwards: the right side is that of x.
     fn outer_jet(&self, [g, g1, g2, g3]: [f64; 4]) -> [f64; 4] {
         let falls = [g1, g2, g3].into_iter().find(|d| *d != 0.0).is_some_and(|d| d < 0.0);
-        if falls && !self.outer.is_smooth() && !self.outer.breaks(g, g).is_empty() {
+        if falls && !self.outer.breaks(g, g).is_empty() {
             return left_jet(&self.outer, g, 1e-9 * g.abs().max(1e-3));
         }
         self.outer.jet(g)
@@ -379,3 +379,6 @@ pub(super) fn show(law: &Law, part: &str, visit: &mut dyn FnMut(&str, f64)) {
 pub(super) fn set(law: &mut Law, part: &str, name: &str, value: f64) -> bool {
     name.strip_prefix(part).and_then(|rest| rest.strip_prefix('.')).is_some_and(|rest| law.set_parameter(rest, value))
 }
+
+#[cfg(test)]
+mod tests;

@@ -309,33 +309,4 @@ impl<D: Dual> LawArgument for Real<D> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::numbers::real::Dual2_64;
-
-    #[test]
-    fn dual_numbers_go_through_a_law() {
-        let law = Law::sine(2.0, 3.0, 0.5);
-        let [f, f1, f2, _] = law.jet(0.7);
-        let y = law.at(Real(Dual2_64::new(0.7, 1.5, -0.25))).0;
-        assert_eq!(law.at(0.7), f);
-        assert!((y.re - f).abs() < 1e-15 && (y.v1 - f1 * 1.5).abs() < 1e-14);
-        assert!((y.v2 - (f2 * 2.25 - f1 * 0.25)).abs() < 1e-13);
-    }
-
-    #[test]
-    fn clones_keep_their_parameter() {
-        let mut law = Law::ramp(2.0);
-        let old = law.clone();
-        assert!(law.set_parameter("rate", 3.0));
-        assert!(!law.set_parameter("speed", 3.0));
-        assert_eq!((law.at(1.0), old.at(1.0)), (3.0, 2.0));
-        assert_eq!(format!("{law:?}"), "ramp { rate: 3.0 }");
-    }
-
-    #[test]
-    fn laws_cross_threads() {
-        fn sent<T: Send + Sync + Clone + 'static>() {}
-        sent::<Law>();
-    }
-}
+mod tests;

@@ -59,11 +59,10 @@ impl Move {
     }
 
     fn trapezoid(&mut self) {
-        let (d, a) = (self.distance.abs(), self.acceleration);
-        let ramp = (self.speed / a).min((d / a).sqrt());
-        let cruise = (d / (a * ramp) - ramp).max(0.0);
+        let (d, v, a) = (self.distance.abs(), self.speed, self.acceleration);
+        let (ramp, cruise) = if d * a > v * v { (v / a, d / v - v / a) } else { ((d / a).sqrt(), 0.0) };
         let sign = self.distance.signum();
-        self.fill(&[(ramp, sign * a, 0.0), (if ramp > 0.0 { cruise } else { 0.0 }, 0.0, 0.0), (ramp, -sign * a, 0.0)]);
+        self.fill(&[(ramp, sign * a, 0.0), (cruise, 0.0, 0.0), (ramp, -sign * a, 0.0)]);
     }
 
     fn seven_pieces(&mut self, jerk: f64) {
@@ -71,9 +70,8 @@ impl Move {
         // the ramp to full speed: t_j of jerk at either end
         let (mut t_j, mut ramp) =
             if v * jerk >= a * a { (a / jerk, a / jerk + v / a) } else { ((v / jerk).sqrt(), 2.0 * (v / jerk).sqrt()) };
-        let mut cruise = d / v - ramp;
+        let cruise = d / v - ramp;
         if cruise < 0.0 {
-            cruise = 0.0;
             (t_j, ramp) = if d >= 2.0 * a.powi(3) / (jerk * jerk) {
                 let t_j = a / jerk;
                 (t_j, 0.5 * t_j + (0.25 * t_j * t_j + d / a).sqrt())
@@ -82,7 +80,7 @@ impl Move {
                 (t_j, 2.0 * t_j)
             };
         }
-        let (j, flat) = (self.distance.signum() * jerk, (ramp - 2.0 * t_j).max(0.0));
+        let (j, flat) = (self.distance.signum() * jerk, ramp - 2.0 * t_j);
         let up = [(t_j, 0.0, j), (flat, 0.0, 0.0), (t_j, 0.0, -j)];
         let down = [(t_j, 0.0, -j), (flat, 0.0, 0.0), (t_j, 0.0, j)];
         self.fill(&[up.as_slice(), &[(cruise, 0.0, 0.0)], &down].concat());
@@ -189,3 +187,6 @@ impl LawFunction for Move {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

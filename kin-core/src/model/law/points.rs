@@ -118,3 +118,6 @@ pub(super) fn from_csv(path: &Path, law: impl Fn(&[(f64, f64)]) -> Law) -> Resul
     let law = law(&table);
     law.refusal().map_or(Ok(law), |reason| Err(fail(reason)))
 }
+
+#[cfg(test)]
+mod tests;

@@ -134,11 +134,9 @@ fn slopes(points: &Points) -> Vec<[f64; 2]> {
             std::iter::once(before).chain((1..last).map(inner)).chain([after]).collect()
         }
     };
-    let mut found = solved(&rows);
-    if points.ends == Ends::Periodic {
-        found.push(found[0]);
-    }
-    found.into_iter().map(|x| [x.x, x.y]).collect()
+    // The last knot of one that repeats is the first one again.
+    let found = solved(&rows);
+    (0..=last).map(|k| found[k % found.len()]).map(|x| [x.x, x.y]).collect()
 }
 
 /// The conditions of a knot between two intervals as (width, rise); at an end only one of them is there.
@@ -179,8 +177,7 @@ fn end(points: &Points, row: Row, slope: impl Fn((f64, f64)) -> f64) -> Row {
 fn solved(rows: &[Row]) -> Vec<Vector2<f64>> {
     let with = |v: Vector2<f64>, m: Matrix2<f64>| Matrix2x3::from_columns(&[v, m.column(0).into(), m.column(1).into()]);
     let inverse = |m: Matrix2<f64>| m.try_inverse().unwrap_or_else(|| Matrix2::repeat(f64::NAN));
-    let (first, others) = rows.split_at(1);
-    let Some(first) = first.first() else { return Vec::new() };
+    let Some((first, others)) = rows.split_first() else { return Vec::new() };
     // right sides: without the first unknown, and its two components
     let mut rights: Vec<Matrix2x3<f64>> = others.iter().map(|row| with(row.right, Matrix2::zeros())).collect();
     let share = |m: &Matrix2<f64>| with(Vector2::zeros(), -m);
@@ -286,5 +283,68 @@ impl LawFunction for Quintic {
 
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
         Some(Law::new(Quintic::new(self.points.with_parameter(name, value)?)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::law::tests::{bounded, listed, near};
+
+    const TABLE: [(f64, f64); 6] = [(-0.5, 1.0), (0.5, 1.8), (1.25, 0.2), (2.0, -0.7), (3.5, 0.4), (4.0, 1.0)];
+    const CLAMPED: Ends = Ends::Clamped { start: -1.0, end: 2.0 };
+
+    #[test]
+    fn bounds_of_quintic_splines() {
+        for ends in [Ends::Natural, CLAMPED, Ends::Periodic] {
+            let law = Law::quintic_spline(&TABLE, ends);
+            let points: Vec<(f64, f64)> = (0..40).map(|k| -3.0 + 0.23 * f64::from(k)).map(|x| (x, x)).collect();
+            bounded(&law, &points, 1.0);
+            // all up to the fourth go on at each point inside
+            for (x, y) in &TABLE[1..5] {
+                let (left, right) = (x.next_down(), *x);
+                near(law.at(right), *y, 1e-12);
+                law.jet(left).into_iter().zip(law.jet(right)).for_each(|(left, right)| near(left, right, 1e-10));
+                near(law.fourth(left), law.fourth(right), 1e-9);
+            }
+            bounded(&law, &[(0.6, 0.61), (1.2, 1.3), (-0.6, -0.4), (3.9, 4.1), (-3.0, -2.0), (5.0, 6.0), (2.1, 2.2)], 1e6);
+            assert_eq!((law.kind(), law.is_smooth(), law.trusted().len()), ("quintic_spline", ends == Ends::Periodic, 0));
+            assert!(law.jet(f64::NAN).iter().all(|f| f.is_nan()) && law.fourth(f64::NAN).is_nan());
+        }
+        let refused = Law::quintic_spline(&TABLE[..1], Ends::Natural);
+        assert!(
+            refused.over(&Series::number(0.0)).is_none()
+                && refused.jet(0.0).iter().all(|f| f.is_nan())
+                && listed(&refused, -9.0, 9.0).is_empty()
+        );
+        assert!(Law::quintic_spline(&[], Ends::Natural).over(&Series::number(0.0)).is_none());
+    }
+
+    /// Where it becomes a line its third derivative jumps, unless that is nothing beside the others.
+    #[test]
+    fn breaks_at_the_ends() {
+        let ends = |law: &Law| listed(law, -9.0, 9.0);
+        assert_eq!(
+            (ends(&Law::quintic_spline(&TABLE, Ends::Natural)), ends(&Law::quintic_spline(&TABLE, CLAMPED))),
+            (vec![(-0.5, 3), (4.0, 3)], vec![(-0.5, 3), (4.0, 3)])
+        );
+        assert_eq!(
+            (listed(&Law::quintic_spline(&TABLE, CLAMPED), 0.0, 9.0), ends(&Law::quintic_spline(&TABLE, Ends::Periodic))),
+            (vec![(4.0, 3)], vec![])
+        );
+        for ends in [Ends::Natural, Ends::Clamped { start: 0.0, end: 0.0 }] {
+            assert_eq!(listed(&Law::quintic_spline(&[(0.0, 1.0), (1.0, 1.0), (3.0, 1.0)], ends), -9.0, 9.0), []);
+        }
+        // The third derivative at the beginning is linear in the point in the middle: it is made a share of that in the middle.
+        for sign in [1.0, -1.0] {
+            let law = |y: f64| Law::quintic_spline(&[(0.0, 0.0), (1.0, y), (2.0, sign)], Ends::Clamped { start: 0.0, end: 0.0 });
+            let third = |y: f64, x: f64| law(y).jet(x)[3];
+            let zero = third(0.0, 0.0) / (third(0.0, 0.0) - third(1.0, 0.0));
+            for (share, count) in [(0.8e-9, 1), (1.2e-9, 2), (-0.8e-9, 1), (-1.2e-9, 2)] {
+                let y = zero + share * third(zero, 1.0).abs() / (third(1.0, 0.0) - third(0.0, 0.0));
+                near(third(y, 0.0) / third(y, 1.0).abs() * 1e9, share * 1e9, 1e-3);
+                assert_eq!(ends(&law(y)).len(), count, "{share}");
+            }
+        }
     }
 }

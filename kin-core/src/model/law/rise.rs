@@ -180,7 +180,7 @@ impl Rise {
 
 impl LawFunction for Rise {
     fn jet(&self, x: f64) -> [f64; 4] {
-        let Some([s, s1, s2, s3, _]) = self.inside(x) else { return [if x < 0.0 { 0.0 } else { self.height }, 0.0, 0.0, 0.0] };
+        let Some([s, s1, s2, s3, _]) = self.inside(x) else { return [if x.is_sign_negative() { 0.0 } else { self.height }, 0.0, 0.0, 0.0] };
         let (h, l) = (self.height, self.length);
         [h * s, h * s1 / l, h * s2 / (l * l), h * s3 / (l * l * l)]
     }
@@ -244,5 +244,31 @@ impl LawFunction for Rise {
             _ => return None,
         } = value;
         Some(Law::new(changed))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::law::tests::near;
+
+    /// Where pieces of the modified shapes meet the fourth derivative is that of the right side.
+    #[test]
+    fn fourth_derivatives_where_pieces_meet() {
+        let (h, l) = (0.5, 2.0);
+        let fourth = |law: &Law, x: f64| law.fourth(x * l) * l.powi(4) / h;
+        let (sine, trapezoid) = (Law::modified_sine(h, l), Law::modified_trapezoid(h, l));
+        let a = 4.0 * PI * PI / (PI + 4.0);
+        near(fourth(&sine, 0.125) / a, -(4.0 * PI / 3.0).powi(2), 1e-13);
+        near(fourth(&sine, 0.125_f64.next_down()) / a, -(4.0 * PI).powi(2), 1e-13);
+        let a = 8.0 * PI / (2.0 + PI);
+        assert_eq!((fourth(&trapezoid, 0.125), fourth(&trapezoid, 0.375_f64.next_down())), (0.0, 0.0));
+        near(fourth(&trapezoid, 0.125_f64.next_down()) / a, -(4.0 * PI).powi(2), 1e-13);
+        near(fourth(&trapezoid, 0.375) / a, -(4.0 * PI).powi(2), 1e-13);
+        assert_eq!(
+            [-1.0, 2.0, 3.0].map(|x| (sine.jet(x), sine.fourth(x))),
+            [([0.0; 4], 0.0), ([h, 0.0, 0.0, 0.0], 0.0), ([h, 0.0, 0.0, 0.0], 0.0)]
+        );
+        assert!(Law::polynomial_4567(1.0, 1.0).is_smooth() && !sine.is_smooth());
     }
 }

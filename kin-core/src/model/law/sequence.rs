@@ -57,12 +57,12 @@ impl Sequence {
     fn seams(&self) -> &[Joint] {
         self.seams.get_or_init(|| {
             let sizes: Vec<Sizes> = self.parts.iter().map(|(length, law)| Sizes::of(law, *length)).collect();
-            let mut all = Vec::with_capacity(self.parts.len() + 1);
+            let mut all = Vec::new();
             for (k, (begin, length, law)) in self.placed().enumerate() {
-                let (right, shorter) = (law.jet(0.0), length.min(k.checked_sub(1).map_or(length, |before| self.parts[before].0)));
+                let right = law.jet(0.0);
                 let seam = match k.checked_sub(1).map(|before| (&self.parts[before], sizes[before])) {
                     None => Seam::before(right[0], right, sizes[k], length),
-                    Some(((before, law), size)) => Seam::after(law, *before, size, (right, sizes[k], shorter)),
+                    Some(((before, law), size)) => Seam::after(law, *before, size, (right, sizes[k], length.min(*before))),
                 };
                 all.push(Joint { x: begin, order: seam.order(), values: (seam.end(), right[0]) });
             }
@@ -107,8 +107,9 @@ impl Sequence {
     /// The part at x, or the value that is held.
     fn part(&self, x: f64) -> Result<(f64, &Law), f64> {
         let mut held = f64::NAN;
-        for (k, (begin, length, law)) in self.placed().enumerate() {
-            if k == 0 && x < begin {
+        for (begin, length, law) in self.placed() {
+            // Before the first part: each other one begins where the one before has ended.
+            if x < begin {
                 return Err(law.at(0.0));
             }
             if x < begin + length {
@@ -179,7 +180,7 @@ impl LawFunction for Sequence {
         }
         let number = |k: usize| format!("part {} of the sequence", k + 1);
         for (k, (length, law)) in self.parts.iter().enumerate() {
-            if !(length.is_finite() && *length > 0.0) {
+            if *length <= 0.0 {
                 return Some(format!("{} has the length {length}; give one above zero", number(k)));
             }
             if let Some(why) = law.refusal() {
@@ -284,11 +285,6 @@ impl LawFunction for Periodic {
         breaks::repeated(&self.one(), 0.0, self.period, from, to)
     }
 
-    /// No period has what the first one has not.
-    fn sharpest_break(&self, from: f64, to: f64) -> Option<Break> {
-        sharpest(self.breaks(from, to.min(from + 2.0 * self.period)))
-    }
-
     fn is_smooth(&self) -> bool {
         self.breaks(0.0, self.period).is_empty()
     }
@@ -321,3 +317,6 @@ impl LawFunction for Periodic {
         super::combine::set(&mut law, "law", name, value).then(|| law.periodic(self.period))
     }
 }
+
+#[cfg(test)]
+mod tests;

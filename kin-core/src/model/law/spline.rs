@@ -138,7 +138,8 @@ impl Spline {
     /// Third derivative right of knot k.
     fn third(&self, k: usize) -> f64 {
         let outside = k + 1 == self.table.len() && self.ends != Ends::Periodic;
-        if outside { 0.0 } else { self.inside(k % (self.table.len() - 1), self.table[k % (self.table.len() - 1)].0)[3] }
+        let k = k % (self.table.len() - 1);
+        if outside { 0.0 } else { (self.curvature[k + 1] - self.curvature[k]) / self.step(k).0 }
     }
 }
 
@@ -238,7 +239,7 @@ impl LawFunction for Spline {
             let (end, x) = (k == 0 || k == last, self.table[k].0);
             let (order, found) = match self.ends {
                 Ends::Periodic if k == last => continue,
-                Ends::Periodic => (3, jumps(self.third((k + last - 1) % last), self.third(k))),
+                Ends::Periodic => (3, jumps(self.third(k + last - 1), self.third(k))),
                 _ if end => (outer, if outer == 2 { self.curvature[k] != 0.0 } else { jumps(self.third(k.min(last - 1)), 0.0) }),
                 _ => (3, jumps(self.third(k - 1), self.third(k))),
             };
@@ -275,3 +276,6 @@ impl LawFunction for Spline {
         Some(Law::new(Spline::new(self.points.with_parameter(name, value)?)))
     }
 }
+
+#[cfg(test)]
+mod tests;
