@@ -41,7 +41,7 @@ pub(super) struct Branching {
 
 /// Looks for a crossing between two places of a curve, `s` apart.
 pub(super) fn find(curve: &mut Curve<'_>, here: &Place, next: &Place, s: f64, sign: f64) -> Option<Branching> {
-    let mut reduced = Reduced::new(curve, here)?;
+    let mut reduced = Reduced::new(curve, here);
     let middle = here.x.iter().zip(&next.x).zip(here.dx.iter().zip(&next.dx));
     let x = middle.map(|((a, b), (da, db))| 0.5 * (a + b) + 0.125 * s * (da - db)).collect();
     let (x, hessian) = reduced.critical(x, 2.0 * s.abs())?;
@@ -77,7 +77,7 @@ struct Reduced<'a> {
 
 impl<'a> Reduced<'a> {
     /// By the null vectors of a place that is near.
-    fn new(curve: &mut Curve<'a>, near: &Place) -> Option<Self> {
+    fn new(curve: &mut Curve<'a>, near: &Place) -> Self {
         let (model, n) = (curve.model, curve.model.n());
         let (left, right, _) = curve.linear.nearly_null();
         let b: Vec<f64> = left.iter().zip(curve.linear.row_units()).take(n).map(|(y, unit)| y / unit).collect();
@@ -95,7 +95,7 @@ impl<'a> Reduced<'a> {
         let v = [near.dx.clone(), other];
         let scaled = |v: &Vec<f64>| v.iter().zip(&sizes).map(|(v, size)| v / (size * size)).collect();
         let phi = [0, 1].map(|k| scaled(&v[k]));
-        b.iter().chain(&phi[1]).all(|x| x.is_finite()).then_some(Reduced { model, sizes, linear, b, phi, f: f64::INFINITY, v })
+        Reduced { model, sizes, linear, b, phi, f: f64::INFINITY, v }
     }
 
     /// B at x, factored; gives G.
@@ -173,7 +173,8 @@ impl<'a> Reduced<'a> {
     /// The two directions that an indefinite Hessian takes to zero: λ₁ a² + λ₂ b² = 0 along its axes. Time goes on with `sign`.
     fn tangents(&self, curve: &Curve<'_>, hessian: Matrix2<f64>, sign: f64) -> [Vec<f64>; 2] {
         let SymmetricEigen { eigenvalues, eigenvectors } = SymmetricEigen::new(hessian);
-        let (a, b) = (eigenvalues[1].abs().sqrt(), eigenvalues[0].abs().sqrt());
+        let size = eigenvalues.abs().map(f64::sqrt);
+        let (a, b) = (size[1], size[0]);
         [a, -a].map(|a| {
             let along = eigenvectors * Vector2::new(a, b);
             let mut dx: Vec<f64> = self.v[0].iter().zip(&self.v[1]).map(|(v, w)| along[0] * v + along[1] * w).collect();
@@ -189,7 +190,7 @@ impl<'a> Reduced<'a> {
     fn rates(&mut self, curve: &Curve<'_>, x: &[f64], dx: &[f64]) -> Option<Branch> {
         let (dt, time) = (*dx.last()?, *curve.sizes.last()?);
         let pace = (dt / time).abs();
-        if pace.is_nan() || pace <= STANDS {
+        if pace <= STANDS {
             return None;
         }
         let v: Vec<f64> = dx.iter().map(|dx| dx / dt).collect();
@@ -238,11 +239,12 @@ mod tests {
     use super::*;
     use crate::{Mechanism, System, constraint};
 
-    /// Two curves x = a u + p u² and x = b u + r u² with u = t − 0.3 that cross at x = 1.7, in units far from 1, and y = 3 x + 2 t beside them; they part by `gap`.
+    /// Two curves x = 0.5 u + 0.7 u² and x = b u + 0.2 u² with u = t − 0.3, or −x so, that cross at x = 1.7, in units far from 1, and y = 3 x + 2 t beside them;
+    /// they part by `gap`.
     #[constraint]
-    fn crossing(x: Coord, y: Coord, t: Time, gap: f64, unit: f64) -> [f64; 2] {
-        let (u, v) = (t - 0.3, x - 1.7);
-        [unit * ((v - 0.5 * u - 0.7 * u * u) * (v + 2.0 * u - 0.2 * u * u) - gap), 0.01 * (y - 3.0 * x - 2.0 * t)]
+    fn crossing(x: Coord, y: Coord, t: Time, gap: f64, unit: f64, b: f64, side: f64) -> [f64; 2] {
+        let (u, v) = (t - 0.3, side * (x - 1.7));
+        [unit * ((v - 0.5 * u - 0.7 * u * u) * (v - b * u - 0.2 * u * u) - gap), 0.01 * (y - 3.0 * x - 2.0 * t)]
     }
 
     /// An ellipse, and nothing inside.
@@ -252,16 +254,20 @@ mod tests {
     }
 
     fn system(gap: f64, unit: f64) -> System {
+        with_slope(gap, unit, -2.0, 1.0)
+    }
+
+    fn with_slope(gap: f64, unit: f64, b: f64, side: f64) -> System {
         let mut m = Mechanism::new("crossing");
         let [x, y] = [("x", 1.7), ("y", 5.7)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
-        m.add("c", crossing(x, y, gap, unit)).expect("adds");
+        m.add("c", crossing(x, y, gap, unit, b, side)).expect("adds");
         m.build().expect("builds")
     }
 
-    /// Places before and behind the crossing on the branch x = slope u, and how far they are apart.
-    fn places(curve: &mut Curve<'_>, slope: f64, [before, behind]: [f64; 2]) -> (Place, Place, f64) {
+    /// Places before and behind the crossing on the branch x = slope u + bend u²/2, and how far they are apart.
+    fn places(curve: &mut Curve<'_>, [slope, bend]: [f64; 2], [before, behind]: [f64; 2]) -> (Place, Place, f64) {
         let mut at = |u: f64| {
-            let x = 1.7 + slope * u;
+            let x = 1.7 + slope * u + 0.5 * bend * u * u;
             let mut q = vec![x, 3.0 * x + 2.0 * (0.3 + u), 0.3 + u];
             let along = [slope, 3.0 * slope + 2.0, 1.0];
             curve.correct(&mut q, &along).expect("settles");
@@ -283,12 +289,25 @@ mod tests {
     /// Where they cross, along which tangents, and with which rates on both: from either side, along either branch, in time and against it.
     #[test]
     fn curves_that_cross() {
-        let (systems, sizes) = ([system(0.0, 1e3), system(0.0, -1e-3)], [2.0, 0.5]);
-        let all = systems.iter().flat_map(|system| [(0.5, -2.0, [1.4, 0.4]), (-2.0, 0.5, [0.4, 1.4])].map(|case| (system, case)));
+        let sizes = [2.0, 0.5];
+        let cases = [
+            (1e3, -2.0, 1.0),
+            (-1e-3, -2.0, 1.0),
+            (1e9, -2.0, -1.0),
+            (1e-9, -2.0, 1.0),
+            (1.0, 4.0, 1.0),
+            (1.0, 4.0, -1.0),
+            (-1.0, -0.7, -1.0),
+        ];
+        let systems = cases.map(|(unit, b, side)| (with_slope(0.0, unit, b, side), b, side));
+        let all = systems.iter().flat_map(|(system, b, side)| {
+            [(0.5, *b, [1.4, 0.4]), (*b, 0.5, [0.4, 1.4])]
+                .map(|(slope, other, bend)| (system, (side * slope, side * other, bend.map(|bend| side * bend))))
+        });
         for (system, (slope, other, bend)) in all {
-            for (ends, sign) in [([-0.02, 0.03], 1.0), ([-0.05, 0.01], 1.0), ([-0.001, 0.1], 1.0), ([0.02, -0.03], -1.0)] {
+            for (ends, sign) in [([-0.02, 0.03], 1.0), ([-0.05, 0.01], 1.0), ([-0.001, 0.06], 1.0), ([0.02, -0.03], -1.0)] {
                 let mut curve = Curve::new(system, &sizes, 3.0);
-                let (here, next, s) = places(&mut curve, slope, ends);
+                let (here, next, s) = places(&mut curve, [slope, bend[0]], ends);
                 // Along the curve on which time goes on as asked.
                 let here = if sign < 0.0 {
                     curve.place(here.x.clone(), &here.dx.iter().map(|dx| -dx).collect::<Vec<_>>()).expect("is regular")
@@ -318,17 +337,17 @@ mod tests {
         for (gap, crosses) in [(1e-6, false), (-1e-6, false), (1e-9, false), (-1e-9, false), (1e-15, true), (-1e-15, true)] {
             let system = system(gap, 1e3);
             let mut curve = Curve::new(&system, &[2.0, 0.5], 3.0);
-            let (here, next, s) = places(&mut curve, 0.5, [-0.02, 0.03]);
+            let (here, next, s) = places(&mut curve, [0.5, 1.4], [-0.02, 0.03]);
             let here = curve.place(here.x.clone(), &here.dx).expect("is regular");
             assert_eq!(find(&mut curve, &here, &next, s, 1.0).is_some(), crosses, "{gap}");
         }
         let system = system(0.0, 1e3);
         let mut curve = Curve::new(&system, &[2.0, 0.5], 3.0);
-        let (here, next, s) = places(&mut curve, 0.5, [0.2, 0.21]);
+        let (here, next, s) = places(&mut curve, [0.5, 1.4], [0.2, 0.21]);
         let here = curve.place(here.x.clone(), &here.dx).expect("is regular");
         assert!(find(&mut curve, &here, &next, s, 1.0).is_none());
         // Neither branch goes on as it came.
-        let (here, next, s) = places(&mut curve, 0.5, [-0.01, 0.01]);
+        let (here, next, s) = places(&mut curve, [0.5, 1.4], [-0.01, 0.01]);
         let mut here = curve.place(here.x.clone(), &here.dx).expect("is regular");
         let found = find(&mut curve, &here, &next, s, 1.0).expect("they cross");
         let [one, other] = &found.tangents;
@@ -345,10 +364,12 @@ mod tests {
         m.add("c", ellipse(x, 1e-8)).expect("adds");
         let system = m.build().expect("builds");
         let mut curve = Curve::new(&system, &[1.0], 1.0);
-        let here = curve.place(vec![0.0, -1e-9], &[1.0, 0.0]).expect("is regular");
-        let next = curve.place(vec![0.0, 1e-9], &[1.0, 0.0]).expect("is regular");
-        let here = curve.place(here.x, &here.dx).expect("is regular");
-        assert!(find(&mut curve, &here, &next, 1e-7, 1.0).is_none());
+        for along in [1.0, -1.0] {
+            let here = curve.place(vec![0.0, -1e-9], &[along, 0.0]).expect("is regular");
+            let next = curve.place(vec![0.0, 1e-9], &[along, 0.0]).expect("is regular");
+            let here = curve.place(here.x, &here.dx).expect("is regular");
+            assert!(find(&mut curve, &here, &next, 1e-7, 1.0).is_none());
+        }
     }
 
     /// On a branch along which the drivers stand still there are no rates.

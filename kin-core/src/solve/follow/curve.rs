@@ -272,6 +272,45 @@ mod tests {
         assert!(Curve::new(&system, &[1.0], 1.0).correct(&mut [10.0, 0.0], &[0.0, 1.0]).is_none());
     }
 
+    /// x and −x by turns, never nearer: no rounding, however small it is.
+    #[constraint]
+    fn to_and_fro(x: Coord, t: Time) -> f64 {
+        if x >= t { (x - t).sqrt() } else { -(t - x).sqrt() }
+    }
+
+    #[test]
+    fn corrections_that_go_to_and_fro_do_not_end() {
+        let system = of_one(|m, x| assert!(m.add("c", to_and_fro(x)).is_ok()));
+        for x in [1e-5, -1e-7] {
+            assert!(Curve::new(&system, &[1.0], 1.0).correct(&mut [x, 0.0], &[0.0, 1.0]).is_none());
+        }
+    }
+
+    /// x² + y = 2 + t, 3 x = y + 2, the first one times a factor.
+    #[constraint]
+    fn in_units(x: Coord, y: Coord, t: Time, factor: f64) -> [f64; 2] {
+        [factor * (x * x + y - 2.0 - t), 3.0 * x - y - 2.0]
+    }
+
+    /// Pivots are those of order 1, whatever units equations come to have after a system was built.
+    #[test]
+    fn pivots_do_not_depend_on_units() {
+        let pivot = |factor: f64| {
+            let mut m = Mechanism::new("units");
+            let [x, y] = ["x", "y"].map(|name| m.length(name, 1.0).expect("a new name"));
+            m.add("c", in_units(x, y, 1.0)).expect("adds");
+            let mut system = m.build().expect("builds");
+            system.set("c.factor", factor).expect("sets");
+            let place = Curve::new(&system, &[1.0, 1.0], 1.0).place(vec![1.0, 1.0, 0.0], &[1.0, 3.0, 5.0]).expect("is regular");
+            place.blocks.expect("is regular").1
+        };
+        let exact = pivot(1.0);
+        assert!(exact > 0.1 && exact < 10.0);
+        for factor in [1e6, 1e12] {
+            assert!((pivot(factor) / exact - 1.0).abs() < 1e-9, "{factor}: {} {exact}", pivot(factor));
+        }
+    }
+
     /// Far from zero corrections end where rounding does.
     #[test]
     fn corrections_end_in_rounding() {

@@ -49,15 +49,7 @@ pub(crate) enum Lost {
 /// From the position q at time t, with the rates in hand, to the time `to`. `other` tells of each bifurcation, counted from 0, whether to turn
 /// into the other branch there.
 pub(crate) fn pass(newton: &Newton<'_>, q: &[f64], t: f64, to: f64, other: &dyn Fn(usize) -> bool) -> Result<Passage, Lost> {
-    let time = singular::time(newton, q, t, to - t);
-    let mut curve = Curve::new(newton.system, &newton.sizes, time);
-    let sign = (to - t).signum();
-    let along: Vec<f64> = newton.qd.iter().chain([&1.0]).map(|x| sign * x).collect();
-    let length = curve.dot(&along, &along).sqrt();
-    let along: Vec<f64> = along.iter().map(|x| x / length).collect();
-    let x = q.iter().copied().chain([t]).collect();
-    let here = curve.place(x, &along).ok_or(Lost::Lost)?;
-    Walk { newton, curve, sign, to, time, other, here, passed: Vec::new() }.go()
+    Walk::new(newton, q, t, to, other).ok_or(Lost::Lost)?.go()
 }
 
 /// On the way along the curve.
@@ -78,7 +70,19 @@ enum Stepped {
     Landed(Landed),
 }
 
-impl Walk<'_, '_> {
+impl<'w, 'a> Walk<'w, 'a> {
+    fn new(newton: &'w Newton<'a>, q: &[f64], t: f64, to: f64, other: &'w dyn Fn(usize) -> bool) -> Option<Self> {
+        let time = singular::time(newton, q, t, to - t);
+        let mut curve = Curve::new(newton.system, &newton.sizes, time);
+        let sign = (to - t).signum();
+        let along: Vec<f64> = newton.qd.iter().chain([&1.0]).map(|x| sign * x).collect();
+        let length = curve.dot(&along, &along).sqrt();
+        let along: Vec<f64> = along.iter().map(|x| x / length).collect();
+        let x = q.iter().copied().chain([t]).collect();
+        let here = curve.place(x, &along)?;
+        Some(Walk { newton, curve, sign, to, time, other, here, passed: Vec::new() })
+    }
+
     fn go(mut self) -> Result<Passage, Lost> {
         let mut s = FIRST;
         for _ in 0..STEPS {
@@ -126,7 +130,7 @@ impl Walk<'_, '_> {
             let at = s * from / (from + to);
             return Ok(if s > TOGETHER { None } else { self.cross_together(next, s, at) });
         }
-        Ok(self.go_on(next, s))
+        Ok(self.go_on(next, s, None))
     }
 
     /// How many blocks of C_q turn over on the way to a place.
@@ -151,8 +155,11 @@ impl Walk<'_, '_> {
         Lost::Turned(Box::new(self.told(SingularKind::TurningPoint, x, Vec::new())))
     }
 
-    fn go_on(&mut self, next: Place, s: f64) -> Option<Stepped> {
-        if self.before(next.t()) <= 0.0 { self.land(&next, s) } else { Some(Stepped::On(next)) }
+    /// Past a position, if there is one on the way; a step that has to be shorter comes there once more.
+    fn go_on(&mut self, next: Place, s: f64, passed: Option<SingularPosition>) -> Option<Stepped> {
+        let stepped = if self.before(next.t()) <= 0.0 { self.land(&next, s)? } else { Stepped::On(next) };
+        self.passed.extend(passed);
+        Some(stepped)
     }
 
     /// Several loops turn over in a short step, an even number of them: none is told apart from the others, and all go on smoothly.
@@ -167,10 +174,8 @@ impl Walk<'_, '_> {
             self.passed.push(self.told(SingularKind::Bifurcation, &x, vec![branch]));
             return Some(Stepped::Landed(Landed::Singular(q, rates)));
         }
-        if self.before(t) > 0.0 {
-            self.passed.push(self.told(SingularKind::Bifurcation, &x, vec![branch]));
-        }
-        self.go_on(next, s)
+        let passed = (self.before(t) > 0.0).then(|| self.told(SingularKind::Bifurcation, &x, vec![branch]));
+        self.go_on(next, s, passed)
     }
 
     /// How long before the time asked for, by the measure of time; at it where that is rounding.
@@ -212,19 +217,17 @@ impl Walk<'_, '_> {
             if self.sign * next.dt() <= 0.0 {
                 return Ok(None);
             }
-            self.passed.push(self.told(SingularKind::Bifurcation, &x, branches));
-            return Ok(self.go_on(next, s));
+            let passed = self.told(SingularKind::Bifurcation, &x, branches);
+            return Ok(self.go_on(next, s, Some(passed)));
         }
         let Some(branch) = taken else { return Ok(None) };
         let Some(place) = self.turn_into(&x, &tangents[0], &branch, s) else { return Ok(None) };
         self.passed.push(self.told(SingularKind::Bifurcation, &x, branches));
         if self.before(place.t()) <= 0.0 {
-            let (q, rates) = self.moved(&x, &branch, self.to - t);
-            let mut start = q.clone();
+            let (mut start, _) = self.moved(&x, &branch, self.to - t);
             start.push(self.to);
-            // On the other branch, with its tangent there.
-            let along: Vec<f64> = rates.qd.iter().chain([&1.0]).map(|x| self.sign * x).collect();
-            self.curve.correct(&mut start, &unit_time(along.len())).ok_or(Lost::Lost)?;
+            let direction = unit_time(start.len());
+            self.curve.correct(&mut start, &direction).ok_or(Lost::Lost)?;
             start.pop();
             return Ok(Some(Stepped::Landed(Landed::Regular(start))));
         }

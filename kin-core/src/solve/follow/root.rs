@@ -50,13 +50,13 @@ mod tests {
         assert!((8.0 * small.powi(3) - 1.0).abs() <= 0.1 && (small - 0.5).abs() > 1e-6);
         let back = root((3.0, 2.0), (0.0, -1.0), 0.0, |s| Some(s - 1.0)).unwrap();
         assert!((back - 1.0).abs() < 1e-15, "{back}");
-        for (from, to, at) in [(0.0, 3.0, 1.0), (-3.0, -0.5, -1.0), (-0.5, -3.0, -1.0)] {
+        for (from, to, at) in [(0.0, 3.0, 1.0), (-3.0, -0.5, -1.0), (-0.5, -3.0, -1.0), (0.0, 3e3, 1e3), (-1e-3, -3e-3, -2e-3)] {
             let mut evaluations = 0;
             let jump = root((from, if from < at { -1.0 } else { 1.0 }), (to, if to < at { -1.0 } else { 1.0 }), 0.0, |s| {
                 evaluations += 1;
                 Some(if s < at { -1.0 } else { 1.0 })
             });
-            assert!(jump.is_some_and(|jump| (jump - at).abs() < 1e-15) && evaluations < EVALUATIONS, "{jump:?} {evaluations}");
+            assert!(jump.is_some_and(|jump| (jump / at - 1.0).abs() < 1e-15) && evaluations < EVALUATIONS, "{jump:?} {evaluations}");
         }
     }
 }

@@ -24,3 +24,47 @@ pub(super) fn time(newton: &Newton<'_>, q: &[f64], t: f64, h: f64) -> f64 {
     let fastest = c_t.iter().zip(newton.linear.norms()).fold(0.0_f64, |most, (c_t, norm)| most.max((c_t / norm).abs()));
     if fastest.is_finite() && fastest > 0.0 { fastest.recip() } else { h.abs() }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solve::newton::Options;
+    use crate::{Mechanism, constraint};
+
+    /// a x = k t, and y beside it, on which time does less.
+    #[constraint]
+    fn moved(x: Coord, y: Coord, t: Time, a: f64, k: f64) -> [f64; 2] {
+        [a * x - k * t, y - 1e-3 * t]
+    }
+
+    /// What the fastest driver needs to move something of order 1; the step where all stand still, or where that is no number.
+    #[test]
+    fn the_measure_of_time() {
+        let measure = |a: f64, k: f64, h: f64| {
+            let mut m = Mechanism::new("moved");
+            let [x, y] = ["x", "y"].map(|name| m.length(name, 0.0).expect("a new name"));
+            m.add("c", moved(x, y, a, k)).expect("adds");
+            let system = m.build().expect("builds");
+            let options = Options::default();
+            let mut newton = Newton::new(&system, &options);
+            newton.linearize(0.0).expect("is regular");
+            (time(&newton, &[0.0, 0.0], 0.0, h), newton.linear.norms().to_vec())
+        };
+        for (a, k) in [(1.0, 3.0), (0.5, -20.0), (1e-6, 1e-4)] {
+            let (found, norms) = measure(a, k, 0.1);
+            let exact = (norms[0] / k.abs()).min(norms[1] / 1e-3);
+            assert!((found / exact - 1.0).abs() < 1e-14, "{a} {k}: {found} {exact}");
+        }
+        assert_eq!((measure(1e-20, 1e300, 0.1).0, measure(1e-20, 1e300, -0.1).0), (0.1, 0.1));
+        let still = {
+            let mut m = Mechanism::new("still");
+            let x = m.length("x", 1.0).expect("a new name");
+            m.add("c", crate::joints::drivers::drive(x, crate::Law::constant(1.0))).expect("adds");
+            m.build().expect("builds")
+        };
+        let options = Options::default();
+        let mut newton = Newton::new(&still, &options);
+        newton.linearize(0.0).expect("is regular");
+        assert_eq!([0.25, -0.25].map(|h| time(&newton, &[1.0], 0.0, h)), [0.25, 0.25]);
+    }
+}

@@ -81,7 +81,9 @@ mod tests {
         assert!(x[0].abs() < 1e-9 && (x[1] - 3.0).abs() < 1e-11, "{x:?}");
         let (here, next, s) = places(&mut curve, [0.3, 0.4]);
         assert!(between(&here, &next, s).is_none_or(|x| (x[1] - 3.0).abs() > 1e-3));
-        for to in [2.3, 2.35, 2.0 + 0.3_f64.sin()] {
+        let backwards = places(&mut curve, [0.4, 0.3]);
+        let all = [2.3, 2.35, 2.0 + 0.3_f64.sin()].map(|to| (to, (here.clone(), next.clone(), s)));
+        for (to, (here, next, s)) in all.into_iter().chain([(2.31, backwards.clone()), (2.38, backwards)]) {
             let place = at_time(&mut curve, &here, &next, s, to).expect("comes to it");
             assert!(
                 (place.t() - to).abs() <= 8.0 * f64::EPSILON * to && (place.x[0] - (1.0 - (to - 2.0) * (to - 2.0)).sqrt()).abs() < 1e-14

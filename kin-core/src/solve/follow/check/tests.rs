@@ -1,6 +1,8 @@
 //! What a step is judged by, on x² + x + y = t, x + y = 0: det C_q is 2 x, and so is the smaller pivot beside entries of 1; of a miss v Newton and
 //! Kantorovich estimate v/x.
 
+mod around;
+
 use super::{Check, Objection, REACH};
 use crate::numbers::fours::Fours;
 use crate::solve::newton::{Newton, Options, Steps};
@@ -319,4 +321,21 @@ fn no_body_turns_too_far_in_one_step() {
 fn each_objection_has_its_reason() {
     let all = [Objection::Long, Objection::Missed(0.1), Objection::TurnedOver, Objection::Hidden].map(Objection::reason);
     assert!((0..4).all(|k| !all[k].is_empty() && !all[..k].contains(&all[k])), "{all:?}");
+}
+
+/// A step that is accepted leaves the pivot at its end for the next one, be it larger or smaller than before.
+#[test]
+fn a_step_hands_its_pivot_on() {
+    let (system, options) = (steep_system(100.0), Options::default());
+    let at = |x: f64| (100.0 * x * x, [x, -x]);
+    let missed = |first: f64, second: f64| {
+        let mut led = Led::new(&system, &options);
+        let mut to = |x: f64, miss: f64| {
+            let (t, q) = at(x);
+            led.judge(t, &q, &[miss, -miss])
+        };
+        assert_eq!((to(0.1, 0.0), to(first, 0.0), to(second, 0.0)), (Ok(()), Ok(()), Ok(())));
+        matches!(to(0.1, 0.04), Err(Objection::Missed(_)))
+    };
+    assert_eq!((missed(0.1, 0.1), missed(1e-3, 0.1), missed(0.1, 1e-3)), (false, false, true));
 }

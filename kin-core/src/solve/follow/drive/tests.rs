@@ -233,6 +233,12 @@ fn laws_that_are_sampled() {
     close(of(hill, [0.0, 1.0]), 0.25, true);
     close(of(|t| [t * (t - 1.0), 2.0 * t - 1.0, 2.0, 0.0], [0.0, 1.0]), 0.25, true);
     close(of(hill, [0.0, 0.5]), 0.0, false);
+    // Below its polynomials from both ends; and what goes up or down evenly is between its ends.
+    close(of(|t| [(t - 0.5).powi(4), 4.0 * (t - 0.5).powi(3), 12.0 * (t - 0.5).powi(2), 24.0 * (t - 0.5)], [0.0, 1.0]), 1.0, true);
+    let hollow = |t: f64| [-(t - 0.5).powi(4), -4.0 * (t - 0.5).powi(3), -12.0 * (t - 0.5).powi(2), -24.0 * (t - 0.5)];
+    close(of(hollow, [0.0, 1.0]), 1.0, true);
+    close(of(|t| [3.0 * t, 3.0, 0.0, 0.0], [0.0, 1.0]), 0.0, false);
+    close(of(|t| [1.0 - 3.0 * t, -3.0, 0.0, 0.0], [0.0, 1.0]), 0.0, false);
     let spike = |t: f64| if (t - 0.125).abs() < 0.01 { [1.0, 0.0, 0.0, 0.0] } else { [0.0; 4] };
     close(of(spike, [0.0, 1.0]), 1.0, true);
     close(of(spike, [1.0, 0.0]), 1.0, true);
@@ -263,6 +269,11 @@ fn the_outlook_of_a_run() {
     near(outlook(&driven(Law::linear(1.0, 1.0)), [0.0, 1.0]).expect("is known"), [0.0; 4]);
     assert!(outlook(&stretching(Law::sine(0.1, 1.0, 0.0)), [0.0, 1.0]).is_none());
     assert!(outlook(&driven(Law::new(Silent(|_| [0.0; 4]))), [0.0, 1.0]).is_none());
+    // Without a formula there is nothing that holds for long.
+    let system = driven(Law::sine(1.0, 1.0, 0.0));
+    let (mut unknown, mut lever) = (Drive::new(system.equations()), Known::new(&system));
+    unknown.sources[0].signals = None;
+    assert!(unknown.outlook(system.equations(), [0.0, 1.0], 0.5, &mut lever).is_none());
     let mut m = Mechanism::new("both");
     let [x, y] = ["x", "y"].map(|name| m.length(name, 0.5).expect("a new name"));
     m.add("motor", drive(x, Law::sine(1.0, 1.0, 0.0))).expect("adds");
@@ -328,4 +339,19 @@ fn several_signals() {
     let mut drive = Drive::new(both.equations());
     assert!(!hides(&mut drive, &both, [0.0, 0.1], &mut Known::new(&both)));
     assert_eq!((drive.looks, drive.steps), (LOOKS, 0));
+}
+
+/// What was sampled while no bounds were known is followed by its own slopes as soon as they are.
+#[test]
+fn bounds_that_come_to_be_known() {
+    let system = driven(Law::sine(1.0, 1.0, 0.0));
+    let (mut drive, instant) = (Drive::new(system.equations()), Known::new(&system).instant);
+    let source = &mut drive.sources[0];
+    let bounds = Some(vec![Bound([0.0, 0.0, 0.0, 1.0])]);
+    for _ in 0..2 {
+        source.take(system.equations(), &instant, None);
+        assert!(source.is_sampled && source.terms[0].slopes == [1.0]);
+        source.take(system.equations(), &instant, bounds.clone());
+        assert!(!source.is_sampled && source.terms[0].slopes == [-1.0] && Some(vec![source.terms[0].bound]) == bounds);
+    }
 }

@@ -1,7 +1,9 @@
 //! Positions that are passed, or at which a motion ends, where several loops come to them at once: on equations whose solutions are known.
 
+use super::*;
 use crate::model::error::Error;
 use crate::model::mechanism::linspace;
+use crate::solve::newton::{Options, Steps};
 use crate::{Mechanism, System, constraint};
 
 /// x² = 1 − t²/4: a toggle at t = 2.
@@ -66,4 +68,310 @@ fn loops_that_cross_together() {
             }
         }
     }
+}
+
+/// x = u/2 + u²/5 and x = −2 u + 4 u³ with u = t − 0.3 cross at x = 0.
+#[constraint]
+fn cubic_crossing(x: Coord, t: Time) -> f64 {
+    let u = t - 0.3;
+    (x - 0.5 * u - 0.2 * u * u) * (x + 2.0 * u - 4.0 * u * u * u)
+}
+
+/// Something of a walk that begins at x and t with a rate.
+fn walking<R>(system: &System, [x, qd, t, to]: [f64; 4], other: bool, f: impl FnOnce(Walk<'_, '_>) -> R) -> R {
+    let options = Options::default();
+    let mut newton = Newton::new(system, &options);
+    newton.q.iter_mut().for_each(|q| *q = x);
+    newton.solve(t, Steps::Full).expect("solves");
+    newton.qd.iter_mut().for_each(|rate| *rate = qd);
+    let q = newton.q.to_vec();
+    f(Walk::new(&newton, &q, t, to, &|_| other).expect("is regular"))
+}
+
+fn one(add: impl Fn(&mut Mechanism, &str, crate::model::coordinates::Coordinate)) -> System {
+    loops(1, 0.5, add)
+}
+
+/// Where a walk ends, on which branch if there, and how many positions were passed.
+fn ends(walk: Walk<'_, '_>) -> (f64, Option<Branch>, usize) {
+    let Ok(Passage { landed, passed }) = walk.go() else { panic!("is lost") };
+    match landed {
+        Landed::Regular(q) => {
+            assert_eq!(q.len(), 1);
+            (q[0], None, passed.len())
+        }
+        Landed::Singular(q, branch) => (q[0], Some(branch), passed.len()),
+    }
+}
+
+/// From before a crossing to times before, at and behind it, near and far, straight on or into the other branch, in both senses of time.
+#[test]
+fn through_a_crossing_on_either_branch() {
+    let system = one(|m, name, x| assert!(m.add(name, cubic_crossing(x)).is_ok()));
+    let first = |u: f64| [0.5 * u + 0.2 * u * u, 0.5 + 0.4 * u, 0.4];
+    let second = |u: f64| [-2.0 * u + 4.0 * u.powi(3), -2.0 + 12.0 * u * u, 24.0 * u];
+    for (from, sense) in [(-0.2, 1.0), (0.2, -1.0), (-0.02, 1.0), (0.003, -1.0)] {
+        for turns in [false, true] {
+            for branches in [[first, second], [second, first]] {
+                let [x, qd, _] = branches[0](from);
+                for at in [-0.5 * sense * from.abs(), 0.0, 1e-4, 1e-3, 0.01, 0.1, 0.3] {
+                    let u = sense * at;
+                    let (found, branch, passed) = walking(&system, [x, qd, 0.3 + from, 0.3 + u], turns, ends);
+                    let beyond = at >= 0.0 && sense * (u - from) > 0.0 && u * from <= 0.0;
+                    let exact = branches[usize::from(turns && beyond)](u);
+                    let case = format!("{from} {turns} {u}: {found} {exact:?} {passed}");
+                    assert!((found - exact[0]).abs() < 1e-9 && passed == usize::from(beyond), "{case}");
+                    assert_eq!(branch.is_some(), at == 0.0, "{case}");
+                    branch.iter().for_each(|branch| assert!((branch.qd[0] - exact[1]).abs() < 1e-5, "{case} {branch:?}"));
+                }
+            }
+        }
+    }
+}
+
+/// A toggle is the end of a motion that asks for it or for more, and is found as exactly as it is known; what ends before it is reached.
+#[test]
+fn a_toggle_ends_a_passage() {
+    let system = one(|m, name, x| assert!(m.add(name, arc(x)).is_ok()));
+    let (x, qd) = ((1.0 - 0.25 * 1.9 * 1.9_f64).sqrt(), -0.25 * 1.9 / (1.0 - 0.25 * 1.9 * 1.9_f64).sqrt());
+    for sense in [1.0, -1.0] {
+        for to in [2.5, 2.0, 2.0 - 1e-13] {
+            let lost = walking(&system, [x, sense * qd, sense * 1.9, sense * to], false, |walk| walk.go().map(|_| ()).expect_err("ends"));
+            let Lost::Turned(place) = lost else { panic!("is lost") };
+            assert!(
+                (place.t - sense * 2.0).abs() < 1e-13 && place.q[0].abs() < 1e-6 && place.branches.is_empty(),
+                "{} {:?}",
+                place.t,
+                place.q
+            );
+        }
+        for to in [2.0 - 1e-9, 1.99, 1.95] {
+            let (found, ..) = walking(&system, [x, sense * qd, sense * 1.9, sense * to], false, ends);
+            assert!((found - (1.0 - 0.25 * to * to).sqrt()).abs() < 1e-9, "{to} {found}");
+        }
+    }
+}
+
+/// Times that differ by some last places are one, whatever the sign and the measure of time.
+#[test]
+fn how_long_before_the_time_that_is_asked_for() {
+    let system = one(|m, name, x| assert!(m.add(name, arc(x)).is_ok()));
+    for to in [5.0, -5.0] {
+        walking(&system, [0.8, -0.1, 0.5, to], false, |mut walk| {
+            walk.time = 2.0;
+            let sense = to.signum();
+            assert_eq!((walk.before(to - sense), walk.before(to + 3.0 * sense)), (0.5, -1.5));
+            // an ulp of 5 is 4 ε: twice as many ε as ulps, beside 8 · 2.5
+            let ulps = |k: f64| walk.before(to - sense * k * 4.0 * f64::EPSILON) / f64::EPSILON;
+            assert_eq!([0.0, 9.0, -9.0, 11.0, -11.0].map(ulps), [0.0, 0.0, 0.0, 22.0, -22.0]);
+        });
+    }
+}
+
+#[test]
+fn a_time_after_a_bifurcation() {
+    let system = one(|m, name, x| assert!(m.add(name, arc(x)).is_ok()));
+    walking(&system, [0.8, -0.1, 0.5, 1.0], false, |walk| {
+        let branch = Branch { qd: vec![3.0, -1.0], qdd: vec![8.0, 4.0] };
+        let (q, rates) = walk.moved(&[1.0, 2.0, 9.0], &branch, 0.5);
+        assert_eq!((q, rates.qd, rates.qdd), (vec![3.5, 2.0], vec![7.0, 1.0], vec![8.0, 4.0]));
+    });
+    assert_eq!((unit_time(3), unit_time(1)), (vec![0.0, 0.0, 1.0], vec![1.0]));
+}
+
+/// Blocks are counted that differ, where both are known.
+#[test]
+fn blocks_that_turn_over() {
+    let system = one(|m, name, x| assert!(m.add(name, arc(x)).is_ok()));
+    walking(&system, [0.8, -0.1, 0.5, 1.0], false, |mut walk| {
+        let mut next = walk.here.clone();
+        walk.here.blocks = Some((vec![true, false, true, true], 1.0));
+        next.blocks = Some((vec![true, true, true, false], 1.0));
+        assert_eq!(walk.turned_over(&next), 2);
+        next.blocks = None;
+        assert_eq!(walk.turned_over(&next), 0);
+    });
+}
+
+/// Several loops that turn round together: told between two places that are near one another, unless the time asked for comes before.
+#[test]
+fn turning_round_together() {
+    let system = one(|m, name, x| assert!(m.add(name, arc(x)).is_ok()));
+    walking(&system, [0.02, -25.0, (4.0 - 4.0 * 4e-4_f64).sqrt(), 3.0], false, |mut walk| {
+        // to just before the toggle, and over it
+        let mut s = 0.5 * TOGETHER;
+        let mut next = walk.curve.step(&walk.here, s).expect("is followed");
+        while next.dt() > 0.0 {
+            (walk.here, s) = (next, 0.5 * TOGETHER);
+            next = walk.curve.step(&walk.here, s).expect("is followed");
+        }
+        let turn = *turning::between(&walk.here, &next, s).expect("turns").last().unwrap();
+        assert!((turn - 2.0).abs() < 1e-9);
+        let ends = |walk: &mut Walk<'_, '_>, to: f64| {
+            walk.to = to;
+            match walk.turn_together(&next, s) {
+                Err(Lost::Turned(place)) => (place.t - 2.0).abs() < 1e-9,
+                Ok(None) => false,
+                _ => panic!("is lost"),
+            }
+        };
+        let time = walk.time;
+        let found = [3.0, turn, turn - 5e-13 * time, turn - 5e-12 * time, 1.5].map(|to| ends(&mut walk, to));
+        assert_eq!(found, [true, true, true, false, false]);
+        walk.to = 3.0;
+        assert!(matches!(walk.turn_together(&next, 2.0 * TOGETHER), Ok(None)));
+    });
+}
+
+/// The other branch is taken where it is met as it was foreseen: not too far off, along its tangent, and with time going on.
+#[test]
+fn turning_into_a_branch() {
+    let system = one(|m, name, x| assert!(m.add(name, crossing(x)).is_ok()));
+    walking(&system, [-0.132, 0.38, 0.0, 1.0], true, |mut walk| {
+        let s = 0.05;
+        let tangent = |walk: &Walk<'_, '_>, slope: f64| {
+            let length = walk.curve.dot(&[slope, 1.0], &[slope, 1.0]).sqrt();
+            vec![slope / length, 1.0 / length]
+        };
+        let dx = tangent(&walk, 0.5);
+        let h = s * dx[1];
+        let into = |walk: &mut Walk<'_, '_>, dx: &[f64], off: f64| {
+            // so far beside the branch, by the measures
+            let qdd = 0.4 + 2.0 * off * walk.curve.sizes[0] / (h * h);
+            walk.turn_into(&[0.0, 0.3], dx, &Branch { qd: vec![0.5], qdd: vec![qdd] }, s)
+        };
+        let place = into(&mut walk, &dx, 0.0).expect("is taken");
+        let u = place.t() - 0.3;
+        assert!((place.x[0] - 0.5 * u - 0.2 * u * u).abs() < 1e-12 && (u - h).abs() < 0.2 * h);
+        assert!(
+            into(&mut walk, &dx, 0.03 * s).is_some() && into(&mut walk, &dx, 0.1 * s).is_none() && into(&mut walk, &dx, -0.1 * s).is_none()
+        );
+        // asked for along a direction that is not its own
+        let across = [dx[1] * walk.curve.sizes[0] / walk.curve.sizes[1], -dx[0] * walk.curve.sizes[1] / walk.curve.sizes[0]];
+        let turned = |angle: f64| [0, 1].map(|k| angle.cos() * dx[k] + angle.sin() * across[k]);
+        let skew = |walk: &mut Walk<'_, '_>, angle: f64| {
+            let dx = turned(angle);
+            let h = s * dx[1];
+            walk.turn_into(&[0.0, 0.3], &dx, &Branch { qd: vec![0.5], qdd: vec![0.4] }, s).map(|_| h)
+        };
+        assert!(skew(&mut walk, 0.2).is_some() && skew(&mut walk, 0.7).is_none() && skew(&mut walk, -0.7).is_none());
+        walk.sign = -1.0;
+        assert!(into(&mut walk, &dx, 0.0).is_none());
+    });
+}
+
+/// An even number of loops that turn over in a short step: rates are those of the place between both ends; the time asked for may be before it,
+/// at it, or behind.
+#[test]
+fn crossing_together() {
+    let system = one(|m, name, x| assert!(m.add(name, arc(x)).is_ok()));
+    let at = |t: f64| (1.0 - 0.25 * t * t).sqrt();
+    walking(&system, [at(1.0), -0.25 / at(1.0), 1.0, 3.0], false, |walk| {
+        let (time, sizes) = (walk.time, walk.curve.sizes.clone());
+        let s = 0.01;
+        let cross = |to: f64, share: f64| {
+            walking(&system, [at(1.0), -0.25 / at(1.0), 1.0, 3.0], false, |mut walk| {
+                let next = walk.curve.step(&walk.here, s).expect("is followed");
+                (walk.to, walk.time) = (to, time);
+                let (here, behind) = (walk.here.rates(), next.rates());
+                let stepped = walk.cross_together(next, s, share * s).expect("is followed");
+                (stepped, walk.passed, here, behind)
+            })
+        };
+        let next =
+            walking(&system, [at(1.0), -0.25 / at(1.0), 1.0, 3.0], false, |mut walk| walk.curve.step(&walk.here, s).expect("is followed"));
+        let t = |share: f64| *walk.here.ahead(share * s).last().unwrap();
+        // behind it, at the end of the step and on the way there
+        let (stepped, passed, here, behind) = cross(3.0, 0.25);
+        assert!(matches!(stepped, Stepped::On(_)) && passed.len() == 1 && (passed[0].t - t(0.25)).abs() < 1e-12, "{time} {sizes:?}");
+        for k in 0..2 {
+            let found = [&passed[0].branches[0].qd, &passed[0].branches[0].qdd][k][0];
+            let (a, b) = (here[k][0], behind[k][0]);
+            assert!((found - a - 0.25 * (b - a)).abs() < 1e-9 * (b - a).abs(), "{k}: {found} {a} {b}");
+        }
+        let regular = |to: f64, share: f64| match cross(to, share) {
+            (Stepped::Landed(Landed::Regular(q)), passed, ..) => (q[0], passed.len()),
+            _ => panic!("lands on the curve"),
+        };
+        assert_eq!(regular(next.t(), 0.25), (next.x[0], 1));
+        for (share, asked, count) in [(0.25, 0.75, 1), (0.75, 0.25, 0)] {
+            let (found, passed) = regular(t(asked), share);
+            assert!((found - at(t(asked))).abs() < 1e-12 && passed == count, "{share} {asked}");
+        }
+        // at it, but for a ten-millionth of the measure of time
+        for off in [0.0, 5e-8, -5e-8] {
+            let (stepped, passed, ..) = cross(t(0.5) + off * time, 0.5);
+            let Stepped::Landed(Landed::Singular(q, _)) = stepped else { panic!("lands there") };
+            assert!((q[0] - at(t(0.5) + off * time)).abs() < 1e-7 && passed.len() == 1);
+        }
+    });
+}
+
+/// (x − t) t = 0: along t = 0 x may be anything.
+#[constraint]
+fn standing(x: Coord, t: Time) -> f64 {
+    (x - t) * t
+}
+
+/// Where the drivers stand still on the other branch there is no turning into it.
+#[test]
+fn a_branch_on_which_time_stands_is_not_taken() {
+    let system = one(|m, name, x| assert!(m.add(name, standing(x)).is_ok()));
+    for other in [false, true] {
+        let (found, branch, passed) = walking(&system, [-0.2, 1.0, -0.2, 0.3], other, ends);
+        assert!((found - 0.3).abs() < 1e-12 && branch.is_none() && passed == 1, "{other} {found} {passed}");
+    }
+}
+
+/// x² = 1 − t and x = 1/20 + 3 (t − 0.9975) cross just before the first one turns round.
+#[constraint]
+fn late_crossing(x: Coord, t: Time) -> f64 {
+    (x * x + t - 1.0) * (x - 0.05 - 3.0 * (t - 0.9975))
+}
+
+#[test]
+fn a_crossing_and_a_toggle_within_one_step() {
+    let system = one(|m, name, x| assert!(m.add(name, late_crossing(x)).is_ok()));
+    for x in (0..40).map(|k| 0.1 + 0.005 * f64::from(k)) {
+        let lost = walking(&system, [x, -0.5 / x, 1.0 - x * x, 2.0], false, |walk| walk.go().map(|_| ()).expect_err("ends"));
+        assert!(matches!(lost, Lost::Turned(place) if (place.t - 1.0).abs() < 1e-12 && place.q[0].abs() < 1e-6), "{x}");
+    }
+}
+
+/// A crossing within a step: straight on only where time goes on behind it, and into the other branch no further than the step.
+#[test]
+fn a_step_over_a_crossing() {
+    let system = one(|m, name, x| assert!(m.add(name, crossing(x)).is_ok()));
+    let from = [0.5 * -0.01 + 0.2 * 1e-4, 0.5 - 0.4 * 0.01, 0.29, 5.0];
+    for (other, backwards) in [(false, false), (false, true), (true, false)] {
+        walking(&system, from, other, |mut walk| {
+            let s = 0.05;
+            let mut next = walk.curve.step(&walk.here, s).expect("is followed");
+            let found = branching::find(&mut walk.curve, &walk.here, &next, s, walk.sign).expect("they cross");
+            if backwards {
+                next.dx.iter_mut().for_each(|dx| *dx = -*dx);
+            }
+            let stepped = walk.cross(found, next, s).unwrap_or_else(|_| panic!("is lost"));
+            assert_eq!(matches!(stepped, Some(Stepped::On(_))), !backwards, "{other}");
+            assert_eq!((stepped.is_none(), walk.passed.len()), (backwards, usize::from(!backwards)), "{other}");
+        });
+    }
+}
+
+/// 1.001 y + w = t, y + w = 0: a pivot of a thousandth beside entries of 1.
+#[constraint]
+fn weak(y: Coord, w: Coord, t: Time) -> [f64; 2] {
+    [1.001 * y + w - t, y + w]
+}
+
+/// At a toggle what is weak is not what can move.
+#[test]
+fn what_moves_at_a_toggle() {
+    let mut m = Mechanism::new("weak");
+    let [x, y, w] = [("x", 1.0), ("y", 0.0), ("w", 0.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
+    m.add("arc", arc(x)).expect("adds");
+    m.add("weak", weak(y, w)).expect("adds");
+    let system = m.build().expect("builds");
+    let place = SingularPosition::new(&system, SingularKind::TurningPoint, 2.0, &[0.0, 2000.0, -2000.0], Vec::new());
+    assert_eq!((&place.movable[..], place.dependent.len()), (&["x".to_string()][..], 1), "{place:?}");
 }

@@ -1,0 +1,76 @@
+//! What is asked at the position in hand: what is singular near it, what moves it, what a sweep is told beforehand.
+
+use super::super::{Drive, EASY, Factored, Lever, is_singular_near};
+use super::{Led, steep_system};
+use crate::numbers::fours::Fours;
+use crate::solve::newton::{Newton, Options, Steps};
+use crate::{Law, Mechanism, constraint};
+
+/// √x + y = 1 + t, y = 0: nothing below x = 0.
+#[constraint]
+fn above_zero(x: Coord, y: Coord, t: Time) -> [f64; 2] {
+    [x.sqrt() + y - 1.0 - t, y]
+}
+
+/// Where there is no matrix it counts as singular; what was measured on the way is forgotten, and the position in hand is as it was.
+#[test]
+fn a_look_around_leaves_nothing_behind() {
+    let options = Options::default();
+    let mut m = Mechanism::new("above zero");
+    let [x, y] = [("x", 1.0), ("y", 0.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
+    m.add("c", above_zero(x, y)).expect("adds");
+    let system = m.build().expect("builds");
+    let mut led = Led::new(&system, &options);
+    led.accept(0.0, &[1.0, 0.0]);
+    let signs = led.check.negative.clone();
+    for (v, is_singular) in [(0.2, false), (2.0, true), (-2.0, true)] {
+        assert_eq!(is_singular_near(&mut led.newton, &[v, 0.0], 1.0, &signs), is_singular, "{v}");
+        assert_eq!((led.newton.q[0], led.newton.q[1]), (1.0, 0.0));
+    }
+    // Far away rows are a thousand times as large; that says nothing of here.
+    let system = steep_system(1.0);
+    let mut led = Led::new(&system, &options);
+    led.accept(1.0, &[1.0, -1.0]);
+    let (signs, norms) = (led.check.negative.clone(), led.newton.linear.norms().to_vec());
+    is_singular_near(&mut led.newton, &[1e3, 0.0], 1.0, &signs);
+    assert_eq!(led.newton.linear.norms(), norms);
+}
+
+/// The right side of a lever is zero but for the rows that are asked for, whatever it was before.
+#[test]
+fn a_lever_moves_its_own_rows_alone() {
+    let (system, options) = (steep_system(1.0), Options::default());
+    let mut led = Led::new(&system, &options);
+    led.accept(1.0, &[1.0, -1.0]);
+    let mut v = led.newton.q.clone();
+    led.newton.linear.rhs_mut().fill(7.0);
+    let mut lever = Factored { newton: &mut led.newton, v: &mut v, turns: &Fours::default(), negative: &[] };
+    // C_q = [3 1; 1 1]
+    for (first, b, exact) in
+        [(0, &[1.0][..], [0.5, -0.5]), (1, &[1.0], [-0.5, 1.5]), (0, &[2.0, 4.0], [-1.0, 5.0]), (1, &[1.0], [-0.5, 1.5])]
+    {
+        Lever::moved(&mut lever, first, b);
+        assert!((0..2).all(|k| (lever.v[k] - exact[k]).abs() < 1e-14), "{first} {b:?}: {:?}", [lever.v[0], lever.v[1]]);
+    }
+}
+
+/// What a sweep is told beforehand: four times the third-order term of what drives, by what it moves and by the pivot.
+#[test]
+fn the_outlook_at_a_position() {
+    let options = Options::default();
+    let outlook = |law: Law| {
+        let mut m = Mechanism::new("driven");
+        let x = m.length("x", law.at(0.0)).expect("a new name");
+        m.add("motor", crate::joints::drivers::drive(x, law)).expect("adds");
+        let system = m.build().expect("builds");
+        let mut newton = Newton::new(&system, &options);
+        newton.solve(0.0, Steps::Full).expect("solves");
+        let share = newton.shares()[0];
+        let pivot = newton.linear.smallest_pivot();
+        super::super::outlook(Drive::new(system.equations()), &mut newton, [0.0, 1.0]).map(|e| (e, share, pivot))
+    };
+    let (e, share, pivot) = outlook(Law::sine(1.0, 0.5, 0.1)).expect("is known");
+    let exact = 4.0 * share * (0.125 * 0.1_f64.cos() / 6.0) * pivot / EASY;
+    assert!((e[3] / exact - 1.0).abs() < 1e-9 && e[..3] == [0.0; 3], "{e:?} {exact}");
+    assert_eq!(outlook(Law::ramp(2.0)).map(|found| found.0), Some([0.0; 4]));
+}
