@@ -17,8 +17,14 @@ impl Mistakes {
         self.push(mistake(tokens, message));
     }
 
+    /// What has been said already of the same tokens, in another turn of a loop, is not said again.
     pub fn push(&mut self, error: syn::Error) {
+        let said = |known: &syn::Error| {
+            let (a, b) = (known.span().start(), error.span().start());
+            (a.line, a.column) == (b.line, b.column) && known.to_string() == error.to_string()
+        };
         match &mut self.0 {
+            Some(all) if all.clone().into_iter().any(|known| said(&known)) => {}
             Some(all) => all.combine(error),
             none => *none = Some(error),
         }

@@ -3,6 +3,7 @@
 mod alias;
 mod attribute;
 mod demand;
+mod length;
 mod measure;
 mod types;
 
@@ -35,6 +36,8 @@ pub struct ConstraintFn {
     pub lanes: bool,
     /// Whether a warning is asked for where the body cannot be read.
     pub warn_dual: bool,
+    /// What the attribute says of constants beside the function.
+    pub lengths: Vec<(Ident, syn::LitInt)>,
     /// What must hold of the parameters.
     pub requirements: Vec<Demand>,
     /// What holds of the pose that is meant, where the equations have others.
@@ -64,9 +67,10 @@ pub struct Argument {
 
 /// Reads the attribute and the signature; every mistake at its own token.
 pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<ConstraintFn> {
-    let Asked { choice, lanes, warn_dual } = attribute::asked(attribute)?;
+    let Asked { choice, lanes, warn_dual, lengths } = attribute::asked(attribute)?;
     let mut function = item_fn(item)?;
     let mut mistakes = Mistakes::default();
+    let lengths = length::put(&mut function, &lengths, &mut mistakes);
     refuse_qualifiers(&function, &mut mistakes);
     let requirements = demand::take(&mut function.attrs, "require", &mut mistakes);
     let branches = demand::take(&mut function.attrs, "branch", &mut mistakes);
@@ -92,6 +96,7 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<Cons
         choice,
         lanes,
         warn_dual,
+        lengths,
         requirements,
         branches,
         measures,

@@ -34,7 +34,9 @@ pub fn is_kin_function(path: &ExprPath) -> bool {
     let names = names(path);
     match names.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         [.., "vec2" | "vec3"] => true,
-        [.., "Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters", function] => function.starts_with(char::is_lowercase),
+        [.., "Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "Vector2" | "Vector3", function] => {
+            function.starts_with(char::is_lowercase)
+        }
         _ => false,
     }
 }

@@ -38,7 +38,10 @@ const _: () = {
     #[allow(unused_imports)]
     use ::kin::rt::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
     #[allow(unused_imports)]
-    use ::kin::rt::{ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _};
+    use ::kin::rt::{
+        ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _, TakesAsIs as _,
+        TakesConverted as _,
+    };
     /// The function as it was written.
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     const __WRITTEN: fn(

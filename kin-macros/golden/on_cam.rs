@@ -29,7 +29,10 @@ const _: () = {
     #[allow(unused_imports)]
     use ::kin::rt::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
     #[allow(unused_imports)]
-    use ::kin::rt::{ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _};
+    use ::kin::rt::{
+        ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _, TakesAsIs as _,
+        TakesConverted as _,
+    };
     /// The function as it was written.
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     const __WRITTEN: fn(
@@ -42,10 +45,17 @@ const _: () = {
         let phi = p.y.atan2(p.x);
         p.norm() - profile.at(phi)
             + (&::kin::rt::Foreign(
-                (wear)(
-                    ::kin::rt::plain_argument(phi),
-                    ::kin::rt::plain_argument(MOST_WEAR),
-                ),
+                match (phi, MOST_WEAR) {
+                    (a_0, a_1) => {
+                        let f = wear;
+                        let how = (&::kin::rt::Probe::new(
+                            &f,
+                            (::kin::rt::of(&a_0), ::kin::rt::of(&a_1)),
+                        ))
+                            .marker();
+                        f(how.plain(a_0), how.plain(a_1))
+                    }
+                },
             ))
                 .lowered()
     };
@@ -62,15 +72,17 @@ const _: () = {
     impl on_cam {
         fn __leaf0<__D: ::kin::rt::Dual>(&self, x: [__Real<__D>; 1]) -> __Real<__D> {
             (&::kin::rt::Foreign(
-                ::kin::rt::callee::<
-                    __SOUND,
-                    _,
-                >(
-                    wear,
-                )(
-                    ::kin::rt::Jet(x[0]).argument(),
-                    ::kin::rt::constant_argument(MOST_WEAR),
-                ),
+                match (x[0], MOST_WEAR) {
+                    (a_0, a_1) => {
+                        let f = ::kin::rt::callee::<__SOUND, _>(wear);
+                        let how = (&::kin::rt::Probe::new(
+                            &f,
+                            (::kin::rt::of(&a_0), ::kin::rt::of(&a_1)),
+                        ))
+                            .marker();
+                        f(how.jet(a_0).argument(), how.constant(a_1))
+                    }
+                },
             ))
                 .lifted(::core::marker::PhantomData::<__Dual<__D>>)
         }
@@ -164,8 +176,8 @@ const _: () = {
             let t4 = (cam_cos * t1) + (cam_sin * t3);
             let t5 = (cam_cos * t3) - (cam_sin * t1);
             let t6 = (t4 * t4) + (t5 * t5);
-            let t7 = f64::sqrt(t6);
-            let t8 = f64::atan2(t5, t4);
+            let t7 = ::kin::rt::math::sqrt(t6);
+            let t8 = ::kin::rt::math::atan2(t5, t4);
             let law0: [f64; 4] = self.profile.jet(t8);
             let leaf1: ::kin::rt::Real<f64> = self.__leaf0([::kin::rt::Real(t8)]);
             put(c_0, (t7 - law0[0]) + leaf1.0);
@@ -246,7 +258,7 @@ const _: () = {
             let cam_sin = *cam_sin;
             let t4 = (cam_cos * t1) - (cam_sin * t3);
             let t5 = (cam_cos * t3) + (cam_sin * t1);
-            let t6 = f64::atan2(t4, t5);
+            let t6 = ::kin::rt::math::atan2(t4, t5);
             let t7 = (t5 * t5) + (t4 * t4);
             let t8 = t5 / t7;
             let follower_theta_d = *follower_theta_d;
@@ -288,7 +300,7 @@ const _: () = {
             let t27 = fma(-t19, t26, t25);
             let leaf0: ::kin::rt::Real<::kin::rt::Dual2_64> = self
                 .__leaf0([::kin::rt::Real(::kin::rt::Dual2_64::new(t6, t20, t27))]);
-            let t28 = 2.0 * f64::sqrt(t7);
+            let t28 = 2.0 * ::kin::rt::math::sqrt(t7);
             let t29 = 1.0 / t28;
             let t30 = fma(
                 -t21,
@@ -440,7 +452,7 @@ rows 36
             let cam_cos = *cam_cos;
             let cam_sin = *cam_sin;
             let [x_0] = [
-                f64::atan2(
+                ::kin::rt::math::atan2(
                     (cam_cos * t0) - (cam_sin * t1),
                     (cam_cos * t1) + (cam_sin * t0),
                 ),
@@ -715,7 +727,12 @@ rows 36
         fn plain(&self, q: &[f64; 6], t: f64) -> [f64; 1] {
             let mut q = ::kin::rt::Columns(q);
             ::kin::rt::rows(
-                __WRITTEN(q.planar(), q.planar(), self.tip, self.profile.clone()),
+                __WRITTEN(
+                    q.planar(),
+                    q.planar(),
+                    self.tip,
+                    ::core::clone::Clone::clone(&self.profile),
+                ),
             )
         }
     }

@@ -35,7 +35,10 @@ const _: () = {
     #[allow(unused_imports)]
     use ::kin::rt::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
     #[allow(unused_imports)]
-    use ::kin::rt::{ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _};
+    use ::kin::rt::{
+        ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _, TakesAsIs as _,
+        TakesConverted as _,
+    };
     /// The function as it was written.
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     const __WRITTEN: fn(f64, f64, f64, f64, f64, f64, f64) -> [f64; 2] = |
@@ -129,7 +132,7 @@ const _: () = {
             };
             let at = ::kin::rt::At::new(t, &[], &[]);
             let t0 = at.t * self.omega;
-            let (s1, c1) = t0.sin_cos();
+            let (s1, c1) = ::kin::rt::math::sin_cos(t0);
             *timed = [
                 c1,
                 self.l2 * c1,

@@ -77,6 +77,9 @@ pub fn local_column(arguments: &[Argument], column: Column) -> usize {
             return first
                 + match (&argument.kind, column.part) {
                     (Kind::Planar, Part::Theta) => 2,
+                    (Kind::Planars(_), part) => 3 * (column.argument - slot) + if let Part::R(k) = part { k } else { 2 },
+                    (Kind::Spatials(_), Part::R(k)) => 7 * (column.argument - slot) + k,
+                    (Kind::Spatials(_), Part::P(k)) => 7 * (column.argument - slot) + 3 + k,
                     (_, Part::R(k)) => k,
                     (_, Part::P(k)) => 3 + k,
                     _ => column.argument - slot,

@@ -35,6 +35,7 @@ use proc_macro::TokenStream;
 /// | `Planar` | state of a planar body: `r`, `theta`, `a()`, `point(u)`, `direction(h)`, `local(p)` | anything `Into<PlanarBody>` |
 /// | `Spatial` | state of a spatial body: `r`, `p`, `a()`, `point(u)`, `direction(h)`, `local(p)` | anything `Into<SpatialBody>` |
 /// | `Coord`, `[Coord; N]` | bare coordinates, as numbers | anything `Into<Coordinate>`, `[Coordinate; N]` |
+/// | `[Planar; N]`, `[Spatial; N]` | states of several bodies | arrays of the same |
 /// | `Time` | t   \[s\] | nothing |
 /// | `Law` | a function of one variable: `law.at(x)`, its derivative `law.slope(x)` | a `Law` |
 /// | `Axis` | unit vectors `h` along an axis of a spatial body, `f` and `g` across it | anything `Into<Axis>`: a `Vec3` |
@@ -48,12 +49,15 @@ use proc_macro::TokenStream;
 /// # Routes
 ///
 /// The body is read by the compiler and differentiated symbolically. Calls of functions `fn f<D: Dual>(x: Real<D>) -> Real<D>` are evaluated with
-/// num-dual's numbers inside the symbolic code. A body that cannot be read (a `while`, a loop whose bound is a parameter) runs on dual
+/// num-dual's numbers inside the symbolic code. A body that cannot be read (a loop whose bound is a parameter) runs on dual
 /// numbers as a whole; `Constraint::route` tells which. `#[constraint(symbolic)]` makes such a body a compile error at the token that cannot
 /// be read, `#[constraint(dual)]` asks for dual numbers.
 ///
 /// `#[constraint(lanes)]` (symbolic too) emits the kernels over SIMD lanes as well, for sweeps over many cases of one mechanism: several of
 /// them advance together. Laws and functions of the user's that depend on coordinates are called lane by lane.
+///
+/// `#[constraint(LEGS = 6)]` says what a length with a name is, of a constant or of a const generic: columns are counted here. Of a constant it is
+/// compared with what it is.
 ///
 /// A path or field that the macro cannot know (`MAX_LIFT`, `gains.k`) is an f64 at run time, unless a `let v: Vec2 = …` or its place says
 /// otherwise.

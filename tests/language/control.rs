@@ -143,7 +143,7 @@ fn iterated(a: Coord) -> f64 {
     }
     x
 }
-reads!(a_while_is_dual, Dual, iterated(c()), at [0.0], 0.0 => [0.0]);
+reads!(a_while_over_known_integers, Symbolic, iterated(c()), at [0.0], 0.0 => [0.0]);
 
 #[constraint]
 fn counted(a: Coord, n: usize) -> f64 {

@@ -1,10 +1,15 @@
 //! The language of constraints: small constraints in unusual but honest Rust, each on the route that is promised for it, with derivatives that
 //! agree on both routes and with central differences of the function as it is written.
 
+mod bounded;
 mod control;
+mod corpus;
 mod effects;
+mod generics;
 mod own;
 mod promises;
+mod refused;
+mod twice;
 mod values;
 
 /// A constraint takes the route, all routes to its derivatives agree, and C at a state is the number worked out by hand.

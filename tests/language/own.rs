@@ -114,7 +114,7 @@ reads!(a_cam_with_a_law_of_ones_own, Symbolic, on_cam(p(), p(), vec2(0.0, -0.5),
 fn optional(a: Coord, k: Option<f64>) -> f64 {
     if let Some(k) = k { a * k } else { a.sin() }
 }
-reads!(an_optional_parameter_is_dual, Dual, optional(c(), Some(2.0)), at [3.0], 0.0 => [6.0]);
+reads!(an_optional_parameter_in_both_cases, Symbolic, optional(c(), Some(2.0)), at [3.0], 0.0 => [6.0]);
 
 #[constraint]
 fn of_a_list(a: Coord, list: Vec<f64>) -> (f64, f64) {

@@ -23,6 +23,16 @@ impl<T: Scalar> Columns<'_, T> {
         PlanarState::new(self.coords())
     }
 
+    /// Several planar bodies.
+    pub fn planars<const N: usize>(&mut self) -> [PlanarState<T>; N] {
+        std::array::from_fn(|_| self.planar())
+    }
+
+    /// Several spatial bodies.
+    pub fn spatials<const N: usize>(&mut self) -> [SpatialState<T>; N] {
+        std::array::from_fn(|_| self.spatial())
+    }
+
     /// A spatial body.
     pub fn spatial(&mut self) -> SpatialState<T> {
         SpatialState::new(self.coords())

@@ -5,6 +5,7 @@ mod editor;
 mod ended;
 pub mod graph;
 mod kernel;
+pub mod math;
 mod refused;
 mod rows;
 mod sound;

@@ -250,8 +250,20 @@ impl Graph {
                 self.neg(sin) // sin(−x) → −sin x
             }
             (Function::Cos, Op::Neg(x)) => self.call(Function::Cos, x), // cos(−x) → cos x
+            (Function::Cos, Op::Call(Function::Asin, x)) | (Function::Sin, Op::Call(Function::Acos, x)) => {
+                let rest = self.one_minus_square(x);
+                self.call(Function::Sqrt, rest) // cos(arcsin x), sin(arccos x) → √(1 − x²)
+            }
+            (Function::Tan, Op::Call(Function::Atan, x)) => x, // tan(arctan x) → x
             _ => self.intern(Op::Call(f, a)),
         }
+    }
+
+    /// 1 − x² as (1 − x)(1 + x), which keeps its digits where x is near 1.
+    pub fn one_minus_square(&mut self, x: Node) -> Node {
+        let one = self.constant(1.0);
+        let (below, above) = (self.sub(one, x), self.add(one, x));
+        self.mul(below, above)
     }
 
     pub fn call2(&mut self, f: Function2, a: Node, b: Node) -> Node {

@@ -1,16 +1,18 @@
 //! Assignments: to variables, and to parts of them.
 
 use quote::ToTokens;
-use syn::{Expr, Member};
+use syn::{Expr, ExprPath};
 
-use super::expression::{entry, position};
-use super::scope::OutsideClosure;
+use super::scope::Name;
 use super::value::Value;
 use super::{Read, Reader, Unreadable};
 
 impl Reader {
     pub fn assignment(&mut self, assign: &syn::ExprAssign) -> Read {
-        let value = self.expression(&assign.right)?;
+        let value = self.raw_expression(&assign.right)?;
+        if matches!(value, Value::Left) {
+            return Ok(value);
+        }
         self.assign(&assign.left, value).map(|()| Value::unit())
     }
 
@@ -22,27 +24,16 @@ impl Reader {
             Expr::Tuple(tuple) => self.assign_all(place, tuple.elems.iter(), value, "a tuple"),
             Expr::Array(array) => self.assign_all(place, array.elems.iter(), value, "an array"),
             Expr::Path(path) => self.assign_variable(path, value),
-            Expr::Field(field) => {
-                let mut whole = self.expression(&field.base)?;
-                match self.put_field(&mut whole, &field.member, value) {
-                    Some(()) => self.assign(&field.base, whole),
-                    None => Err(Unreadable::new(place, "an assignment to this place")),
-                }
-            }
-            Expr::Index(index) => {
-                let mut whole = self.expression(&index.expr)?;
-                let at = self.expression(&index.index)?;
-                match self.put_element(&mut whole, &at, value, index) {
-                    Some(()) => self.assign(&index.expr, whole),
-                    None => Err(Unreadable::new(place, "an assignment to this place")),
-                }
-            }
-            other => Err(Unreadable::new(other, "an assignment to this place")),
+            Expr::Index(index) => self.assign_element(index, value),
+            other => match self.place(other)? {
+                Some(place) => self.put_at(&place, value, other).ok_or_else(|| Unreadable::new(other, "an assignment to this place")),
+                None => Err(Unreadable::new(other, "an assignment to this place")),
+            },
         }
     }
 
     fn assign_all<'a>(&mut self, at: &Expr, places: impl ExactSizeIterator<Item = &'a Expr>, value: Value, what: &str) -> Read<()> {
-        let values = match value {
+        let values = match self.loaded(value) {
             Value::Tuple(all) if what == "a tuple" && all.len() == places.len() => all,
             Value::Array(all) if what == "an array" && all.len() == places.len() => all,
             Value::Poison => return Ok(()),
@@ -56,57 +47,28 @@ impl Reader {
         pairs.try_for_each(|(place, value)| self.assign(place, value))
     }
 
-    fn put_field(&mut self, whole: &mut Value, member: &Member, value: Value) -> Option<()> {
-        let name = member.to_token_stream().to_string();
-        match whole {
-            Value::Tuple(all) => name.parse::<usize>().ok().and_then(|k| all.get_mut(k)).map(|place| *place = value),
-            Value::Vector(v) => {
-                let node = self.scalar(value, member);
-                position(&name, &["x", "y", "z"][..v.len()]).map(|k| v[k] = node)
-            }
-            Value::Euler(p) => {
-                let node = self.scalar(value, member);
-                position(&name, &["e0", "e1", "e2", "e3"]).map(|k| p[k] = node)
-            }
-            Value::Matrix(n, m) => {
-                let node = self.scalar(value, member);
-                entry(&name, *n).map(|k| m[k] = node)
-            }
-            Value::Poison => Some(()),
-            _ => None,
+    /// `whole[index] = value`, of which the index may be one of several.
+    fn assign_element(&mut self, index: &syn::ExprIndex, value: Value) -> Read<()> {
+        if let Some(place) = self.place(&Expr::Index(index.clone()))? {
+            return self.put_at(&place, value, index).ok_or_else(|| Unreadable::new(index, "an assignment to this place"));
         }
-    }
-
-    fn put_element(&mut self, whole: &mut Value, at: &Value, value: Value, index: &syn::ExprIndex) -> Option<()> {
-        let place = |k: &i64| usize::try_from(*k).ok();
-        match (whole, at) {
-            (Value::Array(all), Value::Integer(k, _)) => all.get_mut(place(k)?).map(|place| *place = value),
-            (Value::Vector(v) | Value::Euler(v), Value::Integer(k, _)) => {
-                let node = self.scalar(value, index);
-                v.get_mut(place(k)?).map(|place| *place = node)
-            }
-            (Value::Matrix(n, m), Value::Tuple(pair)) => {
-                let [Value::Integer(row, _), Value::Integer(column, _)] = &pair[..] else { return None };
-                let (row, column) = (place(row)?, place(column)?);
-                let node = self.scalar(value, index);
-                (column < *n).then_some(())?;
-                m.get_mut(row * *n + column).map(|place| *place = node)
-            }
-            (Value::Poison, _) | (_, Value::Poison) => Some(()),
-            _ => None,
-        }
-    }
-
-    fn assign_variable(&mut self, path: &syn::ExprPath, value: Value) -> Read<()> {
-        let name = path.path.get_ident().map(ToString::to_string).unwrap_or_default();
-        let place = match self.scopes.get_mut(&name) {
-            Ok(place) => place,
-            Err(OutsideClosure) => return Err(Unreadable::new(path, "a closure that changes a variable around it")),
+        let (Some(whole), Value::Choice(all)) = (self.place(&index.expr)?, self.expression(&index.index)?) else {
+            return Err(Unreadable::new(index, "an assignment to this place"));
         };
-        match place {
-            Some(Value::Reference(_)) => return Err(Unreadable::new(path, "an assignment through a reference")),
-            Some(place) => *place = value,
-            None => drop(self.mistake(path, format!("there is no variable `{name}` to assign to"))),
+        self.each(Value::Choice(all), index, &mut |reader, k| {
+            let Value::Integer(k, _) = k else { return Err(Unreadable::new(&index.index, "an index that is not known here")) };
+            let place = usize::try_from(k).ok().map(|k| whole.index(k));
+            let put = place.and_then(|place| reader.put_at(&place, value.clone(), index));
+            put.map(|()| Value::unit()).ok_or_else(|| Unreadable::new(index, "an assignment to this place"))
+        })
+        .map(drop)
+    }
+
+    fn assign_variable(&mut self, path: &ExprPath, value: Value) -> Read<()> {
+        let name = path.to_token_stream().to_string();
+        match path.path.get_ident().and_then(|name| self.scopes.get(&name.to_string())) {
+            Some(Name::Variable(slot)) => self.store.set(slot, value),
+            _ => drop(self.mistake(path, format!("there is no variable `{name}` to assign to"))),
         }
         Ok(())
     }

@@ -5,19 +5,21 @@ use quote::ToTokens;
 use syn::{Expr, ExprCall, ExprPath};
 
 use super::template::Template;
-use super::value::{Components, Value};
+use super::value::{Adt, Components, Value};
 use super::{Read, Reader, Unreadable};
-use crate::vocabulary::{is_std_function, is_underived, names};
+use crate::vocabulary::{is_std_function, is_type_name, is_underived, names};
 use kin_graph::{Function, Function2, Graph, Node};
-
-pub use crate::vocabulary::is_number_function;
 
 impl Reader {
     pub fn call(&mut self, call: &ExprCall) -> Read {
         let places: Vec<&Expr> = call.args.iter().collect();
         let callee = match strip(&call.func) {
-            Expr::Path(path) => match path.path.get_ident().and_then(|name| self.scopes.get(&name.to_string()).cloned()) {
-                Some(variable) => variable,
+            Expr::Path(path) => match single_name(path).and_then(|(name, given)| Some((self.named(&name)?.clone(), given))) {
+                Some((Value::Function(super::function::Function::Inner(item, depth)), given)) => {
+                    let arguments = self.expressions(call.args.iter())?;
+                    return self.apply_given(&item, depth, arguments, given, call);
+                }
+                Some((variable, _)) => variable,
                 None => {
                     let arguments = self.expressions(call.args.iter())?;
                     return self.call_path(path, arguments, &places, call);
@@ -26,12 +28,35 @@ impl Reader {
             other => self.expression(other)?,
         };
         let arguments = self.expressions(call.args.iter())?;
-        match callee.referent() {
-            Value::Function(function) => self.apply(&function, arguments, &places, call),
-            Value::Opaque(Template::Path(path, _)) => self.call_path(&path, arguments, &places, call),
-            Value::Opaque(template) if !template.has_choice() => self.own_function(template, arguments, &places, call),
+        let callee = self.loaded(callee);
+        self.each(callee, &call.func, &mut |reader, callee| reader.call_of(callee, arguments.clone(), &places, call))
+    }
+
+    /// A call of a function of the body's own, `f::<3>(x)`, within the depth of calls.
+    fn apply_given(
+        &mut self,
+        item: &syn::ItemFn,
+        depth: usize,
+        arguments: Vec<Value>,
+        given: Option<&syn::AngleBracketedGenericArguments>,
+        call: &ExprCall,
+    ) -> Read {
+        self.calls += 1;
+        if self.calls > super::MOST_CALLS {
+            return Err(Unreadable::new(call, "a recursion this deep"));
+        }
+        let value = self.apply_inner(item, depth, arguments, given, call);
+        self.calls -= 1;
+        value
+    }
+
+    fn call_of(&mut self, callee: Value, arguments: Vec<Value>, places: &[&Expr], call: &ExprCall) -> Read {
+        match callee {
+            Value::Function(function) => self.apply(&function, arguments, places, call),
+            Value::Opaque(Template::Path(path, _)) => self.call_path(&path, arguments, places, call),
+            Value::Opaque(template) if !template.has_choice() => self.own_function(template, arguments, places, call),
             Value::Opaque(_) => Err(Unreadable::new(&call.func, "a call of one of two functions")),
-            value @ (Value::Poison | Value::Never) => Ok(value),
+            value @ (Value::Poison | Value::Never | Value::Left) => Ok(value),
             other => {
                 let name = super::tidy(&call.func.to_token_stream().to_string());
                 Ok(self.mistake(&call.func, not_called(&other, &name)))
@@ -40,15 +65,47 @@ impl Reader {
     }
 
     /// A call of a function by its name.
-    pub fn call_path(&mut self, path: &ExprPath, arguments: Vec<Value>, places: &[&Expr], at: &dyn ToTokens) -> Read {
+    pub fn call_path(&mut self, path: &ExprPath, mut arguments: Vec<Value>, places: &[&Expr], at: &dyn ToTokens) -> Read {
+        if let Some(left) = arguments.iter().position(|value| matches!(value, Value::Left)) {
+            return Ok(arguments.swap_remove(left));
+        }
         let names = names(path);
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        if let [.., ty, function] = names[..]
+            && let Some((item, depth)) = self.own.function(ty, function)
+        {
+            return self.apply(&super::function::Function::Inner(item, depth), arguments, places, at);
+        }
         let call = Call { path, places, at };
         match names[..] {
             [.., "vec2"] => Ok(self.make(Components::Vector(2), arguments, &call)),
             [.., "vec3"] => Ok(self.make(Components::Vector(3), arguments, &call)),
+            ["Some" | "Ok" | "Err"] | ["Option", "Some"] | ["Result", "Ok" | "Err"] if arguments.len() == 1 => {
+                Ok(Value::Adt(Adt::new(names[names.len() - 1], arguments.pop())))
+            }
+            ["Box" | "Rc" | "Arc" | "Cell", "new"] | ["drop"] if arguments.len() == 1 => Ok(arguments.remove(0)),
+            [.., "mem", "swap"] | [.., "mem", "replace"] | [.., "mem", "take"] => self.exchange(names[names.len() - 1], arguments, &call),
+            [.., "array", "from_fn"] if arguments.len() == 1 => self.array_from_fn(arguments, &call),
+            ["Vec", "new" | "with_capacity"] => Ok(Value::Array(vec![])),
+            ["Vec", "from"] if matches!(arguments[..], [Value::Array(_)]) => Ok(arguments.remove(0)),
+            [.., "iter", "once"] if arguments.len() == 1 => Ok(Value::Iterator(arguments)),
+            [.., "iter", "empty"] if arguments.is_empty() => Ok(Value::Iterator(vec![])),
+            [
+                ..,
+                ty @ ("Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "Planar" | "Spatial" | "Law" | "Option" | "Vec"),
+                function,
+            ] if !arguments.is_empty()
+                && !matches!(function, "new" | "from" | "from_rows" | "from_columns" | "skew" | "rotation")
+                && function != "from_axis_angle"
+                && self.is_receiver(ty, &arguments[0]) =>
+            {
+                self.method_by_path(path, arguments, places, at)
+            }
+            [.., "Vector2", "new"] => Ok(self.make(Components::Vector(2), arguments, &call)),
+            [.., "Vector3", "new"] => Ok(self.make(Components::Vector(3), arguments, &call)),
             [.., ty @ ("Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters"), function] => self.associated(ty, function, arguments, &call),
             ["f64", "from"] => self.number_from(arguments, &call),
+            ["f64", "default"] if arguments.is_empty() => Ok(Value::Scalar(self.graph.zero())),
             ["f64", function] if is_underived(function) => {
                 if let Some(k) = arguments.iter().position(|value| self.value_varies(value)) {
                     return Ok(self.no_derivative(function, call.place(k)));
@@ -56,7 +113,7 @@ impl Reader {
                 self.own_function(Template::path(path), arguments, places, at)
             }
             ["f64", function] => self.number_function(function, arguments, &call),
-            [.., "array", "from_fn"] if arguments.len() == 1 => self.array_from_fn(arguments, &call),
+            _ if is_type_name(path) => Ok(Value::Adt(Adt::tuple(&path.path, arguments))),
             _ => {
                 let path = Template::path(call.path);
                 self.own_function(path, arguments, places, at)
@@ -115,7 +172,13 @@ impl Reader {
                 let rows = self.rows_of(arguments.remove(0), n, call)?;
                 Value::Matrix(n, if function == "from_columns" { super::state::transpose(&rows) } else { rows })
             }
-            ("from", kind, 1) => match arguments.remove(0).referent() {
+            ("from", kind, 1) => match self.loaded(arguments.remove(0)) {
+                // What only rustc knows may be an array, a tuple or a vector: it is converted there.
+                Value::Opaque(template) if matches!(kind, Components::Vector(_)) && template.nodes().is_empty() => {
+                    let all = vec![template];
+                    let converted = Template::Call(Box::new(Template::path(call.path)), all, last_span(call.at));
+                    self.shaped(Value::Opaque(converted), &kind.shape(), call.place(0))
+                }
                 value if value.components().is_some_and(|(own, _)| own == kind) => value,
                 Value::Array(all) | Value::Tuple(all) if all.len() == kind.len() => {
                     kind.value(all.into_iter().map(|part| self.scalar(part, call.place(0))).collect())
@@ -248,10 +311,10 @@ impl Reader {
 }
 
 /// A call by name, with the expressions of its arguments, for messages.
-struct Call<'a> {
-    path: &'a ExprPath,
-    places: &'a [&'a Expr],
-    at: &'a dyn ToTokens,
+pub struct Call<'a> {
+    pub path: &'a ExprPath,
+    pub places: &'a [&'a Expr],
+    pub at: &'a dyn ToTokens,
 }
 
 impl Call<'_> {
@@ -281,5 +344,15 @@ fn strip(expression: &Expr) -> &Expr {
         Expr::Paren(inner) => strip(&inner.expr),
         Expr::Group(inner) => strip(&inner.expr),
         other => other,
+    }
+}
+
+/// A single name, with the arguments in `f::<3>`.
+fn single_name(path: &ExprPath) -> Option<(String, Option<&syn::AngleBracketedGenericArguments>)> {
+    let segment = path.path.segments.first().filter(|_| path.path.segments.len() == 1 && path.path.leading_colon.is_none())?;
+    match &segment.arguments {
+        syn::PathArguments::None => Some((segment.ident.to_string(), None)),
+        syn::PathArguments::AngleBracketed(given) => Some((segment.ident.to_string(), Some(given))),
+        syn::PathArguments::Parenthesized(_) => None,
     }
 }

@@ -2,13 +2,11 @@
 //! what its place says; unless a place says otherwise it is a number.
 
 use quote::{ToTokens, quote};
-use syn::{BinOp, Type, UnOp};
+use syn::{BinOp, UnOp};
 
-use crate::parse::{Shape, literal_length, shape};
-use crate::vocabulary::is_integer;
+use crate::parse::Shape;
 use kin_graph::{Input, LeafNumber, Node, Part};
 
-use super::integer::{self, IntegerType};
 use super::template::Template;
 use super::value::Value;
 use super::{OpaqueKind, OpaqueValue, Read, Reader, Unreadable};
@@ -32,7 +30,7 @@ impl Reader {
 
     /// A vector, or an array or tuple that converts into one.
     pub fn convertible(&mut self, value: Value, n: usize, at: &dyn ToTokens) -> Vec<Node> {
-        match value.referent() {
+        match self.loaded(value) {
             Value::Array(all) | Value::Tuple(all) if all.len() == n => all.into_iter().map(|part| self.scalar(part, at)).collect(),
             value => self.vector(value, n, at),
         }
@@ -45,8 +43,16 @@ impl Reader {
 
     /// A condition, or a mistake at `at`.
     pub fn condition(&mut self, value: Value, at: &dyn ToTokens) -> Node {
-        match value.referent() {
+        match self.loaded(value) {
             Value::Condition(node) => node,
+            Value::Choice(all) => {
+                let never = self.graph.bool(false);
+                all.into_iter().fold(never, |any, (taken, value)| {
+                    let holds = self.condition(value, at);
+                    let both = self.graph.and(taken, holds);
+                    self.graph.or(any, both)
+                })
+            }
             Value::Opaque(Template::Choice(condition, a, b)) => {
                 let (a, b) = (self.condition(Value::Opaque(*a), at), self.condition(Value::Opaque(*b), at));
                 let (yes, not) = (self.graph.and(condition, a), self.graph.not(condition));
@@ -54,7 +60,7 @@ impl Reader {
                 self.graph.or(yes, no)
             }
             Value::Opaque(template) => self.opaque(template, OpaqueKind::Condition)[0],
-            Value::Poison | Value::Never => self.graph.bool(true),
+            Value::Poison | Value::Never | Value::Left => self.graph.bool(true),
             other => {
                 self.mistake(at, format!("this must be a condition (bool), but it is {}", other.name()));
                 self.graph.bool(true)
@@ -66,7 +72,12 @@ impl Reader {
     pub fn shaped(&mut self, value: Value, shape: &Shape, at: &dyn ToTokens) -> Value {
         match (value, shape) {
             (Value::Reference(inner), shape) => self.shaped(*inner, shape, at),
-            (Value::Poison, _) => Value::Poison,
+            (value @ Value::Place(_), shape) => {
+                let value = self.loaded(value);
+                self.shaped(value, shape, at)
+            }
+            (Value::Choice(all), shape) => self.shaped_choice(all, shape, at),
+            (Value::Poison | Value::Left, _) => Value::Poison,
             (Value::Never, shape) => self.nowhere(shape),
             (value, Shape::Any) => value,
             (Value::Scalar(n), Shape::Scalar) => Value::Scalar(n),
@@ -89,9 +100,21 @@ impl Reader {
         }
     }
 
+    /// One of several values: each as what the place asks for.
+    fn shaped_choice(&mut self, all: Vec<(Node, Value)>, shape: &Shape, at: &dyn ToTokens) -> Value {
+        let mut rest = all.into_iter().rev();
+        let Some((_, last)) = rest.next() else { return Value::Poison };
+        let mut joined = self.shaped(last, shape, at);
+        for (taken, value) in rest {
+            let value = self.shaped(value, shape, at);
+            joined = self.select(taken, &value, &joined).unwrap_or(Value::Poison);
+        }
+        joined
+    }
+
     /// `value.into()` in a place of `shape`.
     fn converted(&mut self, value: Value, shape: &Shape, at: &dyn ToTokens) -> Value {
-        match (value.referent(), shape) {
+        match (self.loaded(value), shape) {
             (Value::Vector(v), Shape::Array(inner, n)) if **inner == Shape::Scalar && v.len() == *n => {
                 Value::Array(v.into_iter().map(Value::Scalar).collect())
             }
@@ -105,66 +128,6 @@ impl Reader {
     pub fn nowhere(&mut self, shape: &Shape) -> Value {
         let nan = self.graph.constant(f64::NAN);
         Value::from_numbers(shape, &mut std::iter::repeat(nan)).unwrap_or(Value::Never)
-    }
-
-    /// A value under a type that is written there.
-    pub fn typed(&mut self, value: Value, ty: &Type, at: &dyn ToTokens) -> Read {
-        let value = match (value, ty) {
-            (Value::Poison, _) => return Ok(Value::Poison),
-            (Value::Reference(inner), Type::Reference(ty)) => return Ok(Value::Reference(Box::new(self.typed(*inner, &ty.elem, at)?))),
-            (value, Type::Reference(ty)) => return self.typed(value, &ty.elem, at),
-            (value, Type::Paren(ty)) => return self.typed(value, &ty.elem, at),
-            (value, Type::Group(ty)) => return self.typed(value, &ty.elem, at),
-            (value, Type::Infer(_)) => return Ok(value),
-            (Value::Generator(f), ty) => return self.generated(&f, ty, at),
-            (Value::Array(all), Type::Array(array)) if literal_length(&array.len).is_none_or(|n| n == all.len()) => {
-                return all.into_iter().map(|part| self.typed(part, &array.elem, at)).collect::<Read<_>>().map(Value::Array);
-            }
-            (Value::Tuple(all), Type::Tuple(tuple)) if all.len() == tuple.elems.len() => {
-                return all.into_iter().zip(&tuple.elems).map(|(part, ty)| self.typed(part, ty, at)).collect::<Read<_>>().map(Value::Tuple);
-            }
-            (value, _) => value,
-        };
-        match (shape(ty), named(ty).as_str()) {
-            (Some(shape), _) => Ok(self.shaped(value, &shape, at)),
-            (None, "bool") => Ok(Value::Condition(self.condition(value, at))),
-            (None, "f32") => Ok(self.mistake(ty, "numbers are `f64`")),
-            (None, name) if is_integer(name) => self.typed_integer(value, name, at),
-            (None, "Vec") => self.typed_list(value, ty, at),
-            (None, name) => match value {
-                Value::Opaque(_) | Value::Never | Value::Unassigned => Ok(value),
-                Value::Function(_) if !matches!(ty, Type::Path(_)) => Ok(value),
-                Value::Law(_) if name == "Law" => Ok(value),
-                _ => Err(Unreadable::new(ty, format!("a value of type `{}`", super::tidy(&ty.to_token_stream().to_string())))),
-            },
-        }
-    }
-
-    fn typed_integer(&mut self, value: Value, name: &str, at: &dyn ToTokens) -> Read {
-        match value.referent() {
-            Value::Integer(k, known) => match IntegerType::named(name) {
-                Some(ty) => integer::typed(k, known, ty).ok_or_else(|| Unreadable::new(at, format!("`{k}` as {name}"))),
-                None => Ok(Value::Integer(k, known)),
-            },
-            value @ (Value::Opaque(_) | Value::Never | Value::Poison) => Ok(value),
-            Value::Into(_) => Err(Unreadable::new(at, "a conversion into an integer")),
-            other => Ok(self.mistake(at, format!("expected {name}, but this is {}", other.name()))),
-        }
-    }
-
-    /// `Vec<T>`, as long as its length is known here.
-    fn typed_list(&mut self, value: Value, ty: &Type, at: &dyn ToTokens) -> Read {
-        let (Value::Array(all), Type::Path(path)) = (value, ty) else { return Err(Unreadable::new(ty, "a list of unknown length")) };
-        let part = path.path.segments.last().and_then(|last| match &last.arguments {
-            syn::PathArguments::AngleBracketed(arguments) => arguments.args.first(),
-            _ => None,
-        });
-        match part {
-            Some(syn::GenericArgument::Type(part)) => {
-                all.into_iter().map(|value| self.typed(value, part, at)).collect::<Read<_>>().map(Value::Array)
-            }
-            _ => Ok(Value::Array(all)),
-        }
     }
 
     /// An opaque value in a place of `shape`; its nodes are of the expression that it comes from.
@@ -245,7 +208,7 @@ impl Reader {
             return template;
         }
         let always = self.graph.bool(true);
-        let conditions = self.path.clone();
+        let conditions: Vec<Node> = self.path.iter().map(|guard| guard.holds).collect();
         let constant = conditions.into_iter().filter(|&c| !self.graph.depends(c).varies()).collect::<Vec<_>>();
         let all = constant.into_iter().fold(always, |all, c| self.graph.and(all, c));
         match self.graph.truth(all) {
@@ -275,15 +238,35 @@ impl Reader {
         {
             return Ok(Template::Numbers(nodes, shape, super::first_span(at)));
         }
-        let mut all = |values: Vec<Value>| values.into_iter().map(|part| self.template(part, at)).collect::<Read<Vec<_>>>();
         Ok(match value {
             Value::Opaque(template) if template.has_choice() => {
                 return Err(Unreadable::new(at, "one of two values of unknown type handed to a function of your own"));
             }
             Value::Opaque(template) | Value::Law(template) => template,
             Value::Reference(inner) => Template::Reference(Box::new(self.template(*inner, at)?)),
-            Value::Tuple(parts) => Template::Tuple(all(parts)?),
-            Value::Array(parts) => Template::Array(all(parts)?),
+            Value::Place(_) => {
+                return Err(Unreadable::new(at, "`&mut` handed to a function of your own"));
+            }
+            Value::Adt(adt) if self.own.is_type(&adt.type_name()) => {
+                return Err(Unreadable::new(at, "a value of a type that is declared in the body"));
+            }
+            Value::Adt(adt) => {
+                let fields = adt.fields.into_iter().map(|(name, value)| Ok((name, self.template(value, at)?))).collect::<Read<_>>()?;
+                Template::Struct(adt.path, fields, adt.braces)
+            }
+            Value::Planar(slot) => {
+                let mut nodes = self.origin(slot, 2);
+                nodes.extend([Part::Theta, Part::Sin, Part::Cos].map(|part| self.graph.input(Input::State(slot, part))));
+                Template::State(nodes, 2, super::first_span(at))
+            }
+            Value::Spatial(slot) => {
+                let mut nodes = self.origin(slot, 3);
+                nodes.extend(self.euler_parameters(slot));
+                nodes.extend(self.rotation(slot, 3));
+                Template::State(nodes, 3, super::first_span(at))
+            }
+            Value::Tuple(parts) => Template::Tuple(self.templates(parts, at)?),
+            Value::Array(parts) => Template::Array(self.templates(parts, at)?),
             Value::Integer(k, _) => {
                 let k = proc_macro2::Literal::i64_unsuffixed(k);
                 Template::Tokens(quote!(#k))
@@ -298,6 +281,12 @@ impl Reader {
     }
 }
 
+impl Reader {
+    fn templates(&mut self, parts: Vec<Value>, at: &dyn ToTokens) -> Read<Vec<Template>> {
+        parts.into_iter().map(|part| self.template(part, at)).collect()
+    }
+}
+
 fn is_sum(op: &BinOp) -> bool {
     matches!(op, BinOp::Add(_) | BinOp::Sub(_))
 }
@@ -308,34 +297,4 @@ pub fn is_arithmetic(op: &BinOp) -> bool {
 
 fn is_number(template: &Template) -> bool {
     matches!(template, Template::Numbers(_, Shape::Scalar, _))
-}
-
-/// The last name of a type's path.
-fn named(ty: &Type) -> String {
-    match ty {
-        Type::Path(path) => path.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default(),
-        _ => String::new(),
-    }
-}
-
-impl Reader {
-    /// `std::array::from_fn(f)` of the length that its type says.
-    fn generated(&mut self, f: &super::function::Function, ty: &Type, at: &dyn ToTokens) -> Read {
-        let Type::Array(array) = ty else { return Err(Unreadable::new(at, "an array whose length is not known here")) };
-        let length = match literal_length(&array.len) {
-            Some(n) => i64::try_from(n).ok(),
-            None => match self.expression(&array.len)? {
-                Value::Integer(n, _) => Some(n),
-                _ => None,
-            },
-        };
-        let Some(n) = length.filter(|n| (0..=super::MOST_TURNS).contains(n)) else {
-            return Err(Unreadable::new(&array.len, "an array whose length is not known here"));
-        };
-        let all = (0..n).map(|k| {
-            let part = self.apply(f, vec![Value::Integer(k, Some(IntegerType::SIZE))], &[], at)?;
-            self.typed(part, &array.elem, at)
-        });
-        all.collect::<Read<_>>().map(Value::Array)
-    }
 }

@@ -8,14 +8,15 @@ use syn::{Expr, ExprLit, Ident, Lit, Member};
 use super::function::Function;
 use super::integer::IntegerType;
 use super::template::Template;
-use super::value::Value;
+use super::value::{Value, entry, position};
 use super::{MOST_EXPRESSIONS, MOST_NODES, MOST_PARTS, MOST_TURNS, Read, Reader, Unreadable};
 use crate::vocabulary::is_integer;
 
 impl Reader {
     /// The value of an expression; of a reference, what it refers to.
     pub fn expression(&mut self, expression: &Expr) -> Read {
-        self.raw_expression(expression).map(Value::referent)
+        let value = self.raw_expression(expression)?;
+        Ok(self.loaded(value))
     }
 
     /// The value of an expression, which may be a reference.
@@ -52,10 +53,20 @@ impl Reader {
             Expr::Array(array) => self.expressions(array.elems.iter()).map(Value::Array),
             Expr::Repeat(repeat) => self.repeat(repeat),
             Expr::Struct(literal) => self.struct_literal(literal),
-            Expr::Block(block) if block.label.is_none() => self.block(&block.block),
+            Expr::Block(block) => match &block.label {
+                None => self.block(&block.block),
+                Some(label) => self.labelled_block(&block.block, label),
+            },
             Expr::If(branch) => self.if_expression(branch),
             Expr::Match(branch) => self.match_expression(branch),
-            Expr::ForLoop(each) if each.label.is_none() => self.for_loop(each),
+            Expr::ForLoop(each) => self.for_loop(each),
+            Expr::While(each) => self.while_loop(each),
+            Expr::Loop(each) => self.endless_loop(each),
+            Expr::Break(leaving) => self.break_expression(leaving),
+            Expr::Continue(leaving) => self.continue_expression(leaving),
+            Expr::Return(leaving) => self.return_expression(leaving),
+            Expr::Try(tried) => self.try_expression(tried),
+            Expr::Let(_) => self.tested_condition(expression).map(Value::Condition),
             Expr::Assign(assign) => self.assignment(assign),
             Expr::Cast(cast) => self.cast(cast),
             Expr::Range(range) => self.range(range),
@@ -85,7 +96,7 @@ impl Reader {
 
     /// A variable, or else a path that only rustc knows.
     fn path(&mut self, path: &syn::ExprPath) -> Read {
-        let known = path.path.get_ident().and_then(|name| self.scopes.get(&name.to_string()).cloned());
+        let known = path.path.get_ident().and_then(|name| self.named(&name.to_string()).cloned());
         match known {
             Some(Value::Unassigned) => Ok(self.mistake(path, "this variable has no value yet")),
             Some(value) => {
@@ -97,9 +108,21 @@ impl Reader {
                     value => Ok(value),
                 }
             }
-            None if super::call::is_number_function(path) => Ok(Value::Function(Function::Path(std::rc::Rc::new(path.clone())))),
+            None if path.path.is_ident("None") => Ok(Value::none()),
+            None if crate::vocabulary::names(path).iter().rev().nth(1).is_some_and(|name| name == "Ordering") => {
+                Ok(Value::Adt(super::value::Adt::new(&crate::vocabulary::names(path).pop().unwrap_or_default(), None)))
+            }
+            None if self.is_own_variant(path) => Ok(Value::Adt(super::value::Adt::tuple(&path.path, vec![]))),
+            None if crate::vocabulary::is_number_function(path) => Ok(Value::Function(Function::Path(std::rc::Rc::new(path.clone())))),
             None => Ok(Value::Opaque(Template::Path(path.clone(), self.variables_beside(path)))),
         }
+    }
+
+    /// `Shape::Flat`, of an enum that the body declares.
+    fn is_own_variant(&self, path: &syn::ExprPath) -> bool {
+        let names = crate::vocabulary::names(path);
+        let ty = names.iter().rev().nth(1).or(names.last().filter(|_| names.len() == 1));
+        ty.is_some_and(|ty| self.own.is_type(ty)) && crate::vocabulary::is_type_name(path)
     }
 
     /// The variables around a word in small letters.
@@ -114,7 +137,7 @@ impl Reader {
 
     fn reference(&mut self, reference: &syn::ExprReference) -> Read {
         if let Some(word) = &reference.mutability {
-            return Err(Unreadable::new(word, "`&mut`"));
+            return self.mutable_reference(&reference.expr, word);
         }
         Ok(match self.raw_expression(&reference.expr)? {
             Value::Opaque(template) => Value::Opaque(template.each(&|part| Template::Reference(Box::new(part)))),
@@ -122,9 +145,30 @@ impl Reader {
         })
     }
 
+    /// `&mut place`, or `&mut` of a value that has no other name.
+    fn mutable_reference(&mut self, of: &Expr, word: &syn::token::Mut) -> Read {
+        if let Some(place) = self.place(of)? {
+            return match self.at_place(&place) {
+                Some(Value::Place(inner)) => Ok(Value::Place(inner)),
+                Some(Value::Opaque(_)) | None => Err(Unreadable::new(word, "`&mut` of what is not known here")),
+                Some(_) => Ok(Value::Place(place)),
+            };
+        }
+        match self.expression(of)? {
+            Value::Opaque(_) | Value::Choice(_) => Err(Unreadable::new(word, "`&mut` of what is not known here")),
+            value => {
+                let slot = self.store.declare(value);
+                Ok(Value::Place(super::scope::Place::whole(slot)))
+            }
+        }
+    }
+
     fn field_expression(&mut self, field: &syn::ExprField) -> Read {
+        if let Some(value) = self.field_of_place(&field.base, &field.member)? {
+            return Ok(value);
+        }
         let base = self.expression(&field.base)?;
-        self.field(base, &field.member)
+        self.each(base, &field.base, &mut |reader, base| reader.field(base, &field.member))
     }
 
     /// `base.member`
@@ -138,8 +182,13 @@ impl Reader {
             Value::Euler(p) => position(&name, &["e0", "e1", "e2", "e3"]).map(|k| Value::Scalar(p[k])),
             Value::Matrix(n, m) => entry(&name, *n).map(|k| Value::Scalar(m[k])),
             Value::Tuple(all) => name.parse::<usize>().ok().and_then(|k| all.get(k).cloned()),
+            Value::Adt(adt) => adt.field(&name).cloned(),
+            Value::Place(_) | Value::Reference(_) | Value::Choice(_) => {
+                let base = self.loaded(base);
+                return self.each(base, member, &mut |reader, base| reader.field(base, member));
+            }
             Value::Opaque(template) => Some(Value::Opaque(template.clone().each(&|part| Template::Field(Box::new(part), member.clone())))),
-            Value::Poison | Value::Never => Some(base.clone()),
+            Value::Poison | Value::Never | Value::Left => Some(base.clone()),
             _ => None,
         };
         Ok(found.unwrap_or_else(|| {
@@ -150,12 +199,26 @@ impl Reader {
 
     fn index(&mut self, index: &syn::ExprIndex) -> Read {
         let base = self.expression(&index.expr)?;
-        if let (Value::Array(all), Expr::Range(range)) = (&base, &*index.index) {
-            return self.slice(all, range);
+        if let Expr::Range(range) = &*index.index
+            && !matches!(base, Value::Opaque(_))
+        {
+            return self.each(base, &index.expr, &mut |reader, base| match base {
+                Value::Array(all) => reader.slice(&all, range),
+                value @ (Value::Poison | Value::Never | Value::Left) => Ok(value),
+                _ => Err(Unreadable::new(range, "a part of this")),
+            });
         }
         let at = self.expression(&index.index)?;
+        self.each_list(vec![base, at], index, &mut |reader, mut both| match (both.pop(), both.pop()) {
+            (Some(at), Some(base)) => reader.element_of(base, at, index),
+            _ => Ok(Value::Poison),
+        })
+    }
+
+    fn element_of(&mut self, base: Value, at: Value, index: &syn::ExprIndex) -> Read {
         match (base, at) {
             (Value::Poison, _) | (_, Value::Poison) => Ok(Value::Poison),
+            (Value::Left, _) | (_, Value::Left) => Ok(Value::Left),
             (Value::Matrix(n, m), Value::Tuple(pair)) => match pair[..] {
                 [Value::Integer(r, _), Value::Integer(c, _)] if (0..n as i64).contains(&r) && (0..n as i64).contains(&c) => {
                     Ok(Value::Scalar(m[r as usize * n + c as usize]))
@@ -177,6 +240,13 @@ impl Reader {
 
     /// `all[from..to]`
     fn slice(&mut self, all: &[Value], range: &syn::ExprRange) -> Read {
+        let (from, to) = self.bounds_of(range, all.len())?;
+        let part = all.get(from..to).ok_or_else(|| Unreadable::new(range, "an index out of range"))?;
+        Ok(Value::Array(part.to_vec()))
+    }
+
+    /// The first place of a range, and the one behind its last.
+    pub fn bounds_of(&mut self, range: &syn::ExprRange, length: usize) -> Read<(usize, usize)> {
         let mut bound = |end: &Option<Box<Expr>>, otherwise: usize| match end {
             None => Ok(otherwise),
             Some(end) => match self.expression(end)? {
@@ -184,10 +254,8 @@ impl Reader {
                 _ => Err(Unreadable::new(end, "an index that is not known here")),
             },
         };
-        let (from, to) = (bound(&range.start, 0)?, bound(&range.end, all.len())?);
-        let to = if matches!(range.limits, syn::RangeLimits::Closed(_)) { to.saturating_add(1) } else { to };
-        let part = all.get(from..to).ok_or_else(|| Unreadable::new(range, "an index out of range"))?;
-        Ok(Value::Array(part.to_vec()))
+        let (from, to) = (bound(&range.start, 0)?, bound(&range.end, length)?);
+        Ok((from, if matches!(range.limits, syn::RangeLimits::Closed(_)) && range.end.is_some() { to.saturating_add(1) } else { to }))
     }
 
     fn element(&mut self, base: &Value, k: i64, index: &syn::ExprIndex) -> Value {
@@ -214,50 +282,49 @@ impl Reader {
     }
 
     fn repeat(&mut self, repeat: &syn::ExprRepeat) -> Read {
-        let value = self.expression(&repeat.expr)?;
-        match self.expression(&repeat.len)? {
+        self.repeated(&repeat.expr, &repeat.len)
+    }
+
+    /// `[value; length]`
+    pub fn repeated(&mut self, value: &Expr, length: &Expr) -> Read {
+        let value = self.expression(value)?;
+        match self.expression(length)? {
             Value::Integer(n, _) if (0..=MOST_TURNS).contains(&n) && n as usize * value.size() <= MOST_NODES => {
                 Ok(Value::Array(vec![value; n as usize]))
             }
-            _ => Err(Unreadable::new(&repeat.len, "an array whose length is not known here")),
+            _ => Err(Unreadable::new(length, "an array whose length is not known here")),
         }
-    }
-
-    /// `Vec2 { x: …, y: … }`
-    fn struct_literal(&mut self, literal: &syn::ExprStruct) -> Read {
-        let name = literal.path.segments.last().map(|s| s.ident.to_string()).unwrap_or_default();
-        let fields: &[&str] = match name.as_str() {
-            "Vec2" => &["x", "y"],
-            "Vec3" => &["x", "y", "z"],
-            _ => return Err(Unreadable::new(literal, "a struct of your own")),
-        };
-        if let Some(dots) = &literal.dot2_token {
-            return Err(Unreadable::new(dots, "the rest of another value"));
-        }
-        let mut nodes = Vec::new();
-        for field in fields {
-            let Some(given) = literal.fields.iter().find(|f| f.member.to_token_stream().to_string() == *field) else {
-                return Ok(self.mistake(literal, format!("`{name}` needs `{field}`")));
-            };
-            let value = self.expression(&given.expr)?;
-            nodes.push(self.scalar(value, &given.expr));
-        }
-        Ok(Value::Vector(nodes))
     }
 
     fn cast(&mut self, cast: &syn::ExprCast) -> Read {
         let ty = cast.ty.to_token_stream();
         let name = ty.to_string();
-        let integer = is_integer(&name);
-        Ok(match self.expression(&cast.expr)? {
+        let value = self.expression(&cast.expr)?;
+        self.each(value, cast, &mut |reader, value| reader.cast_of(value, &ty, &name, cast))
+    }
+
+    fn cast_of(&mut self, value: Value, ty: &proc_macro2::TokenStream, name: &str, cast: &syn::ExprCast) -> Read {
+        let integer = is_integer(name);
+        Ok(match value {
             Value::Integer(k, _) if name == "f64" => Value::Scalar(self.graph.constant(k as f64)),
-            Value::Integer(k, _) if integer && fits(k, &name) => Value::Integer(k, IntegerType::named(&name)),
+            Value::Integer(k, _) if integer && fits(k, name) => Value::Integer(k, IntegerType::named(name)),
+            Value::Integer(k, _) if integer => {
+                let cut = super::integer::cut(k, name);
+                cut.ok_or_else(|| Unreadable::new(&cast.as_token, "this cast of an integer"))?
+            }
             Value::Integer(..) => return Err(Unreadable::new(&cast.as_token, "this cast of an integer")),
             Value::Scalar(n) if name == "f64" => Value::Scalar(n),
-            Value::Scalar(_) if integer => return Err(Unreadable::new(&cast.as_token, "turning a number into an integer")),
-            Value::Condition(_) => return Err(Unreadable::new(&cast.as_token, "turning a condition into an integer")),
+            Value::Scalar(x) if integer => match self.graph.constant_value(x) {
+                Some(x) if x.is_finite() && x.abs() < 1e9 && fits(x as i64, name) => Value::Integer(x as i64, IntegerType::named(name)),
+                _ => return Err(Unreadable::new(&cast.as_token, "turning a number into an integer")),
+            },
+            Value::Condition(holds) if integer => {
+                let [one, zero] = [1, 0].map(|k| Value::Integer(k, IntegerType::named(name)));
+                return self.joined(holds, &one, &zero, cast);
+            }
+            Value::Condition(_) => return Err(Unreadable::new(&cast.as_token, "turning a condition into something else")),
             Value::Opaque(template) => Value::Opaque(template.each(&|part| Template::Cast(Box::new(part), ty.clone()))),
-            value @ (Value::Poison | Value::Never) => value,
+            value @ (Value::Poison | Value::Never | Value::Left) => value,
             other => self.mistake(&cast.as_token, format!("{} cannot be cast to {name}", other.name())),
         })
     }
@@ -299,19 +366,6 @@ fn fits(k: i64, name: &str) -> bool {
     }
 }
 
-pub fn position(name: &str, names: &[&str]) -> Option<usize> {
-    names.iter().position(|n| *n == name)
-}
-
-/// Place of `m12` in a matrix of side `n`.
-pub fn entry(name: &str, n: usize) -> Option<usize> {
-    let digits: Vec<usize> = name.strip_prefix('m')?.chars().filter_map(|c| c.to_digit(10)).map(|d| d as usize).collect();
-    match digits[..] {
-        [r, c] if (1..=n).contains(&r) && (1..=n).contains(&c) => Some((r - 1) * n + c - 1),
-        _ => None,
-    }
-}
-
 fn field_cure(base: &Value, name: &str) -> &'static str {
     match (base, name) {
         (Value::Planar(_), "x" | "y") | (Value::Spatial(_), "x" | "y" | "z") => "; the origin is `.r.x`, `.r.y`",
@@ -331,14 +385,7 @@ fn field_cure(base: &Value, name: &str) -> &'static str {
 /// What the whole expression is called in a remark.
 fn describe(expression: &Expr) -> &'static str {
     match expression {
-        Expr::While(_) => "`while`",
-        Expr::Loop(_) => "`loop`",
-        Expr::Return(_) => "an early `return`",
-        Expr::Break(_) => "`break`",
-        Expr::Continue(_) => "`continue`",
-        Expr::Try(_) => "`?`",
         Expr::Unsafe(_) => "`unsafe`",
-        Expr::ForLoop(_) | Expr::Block(_) => "a label",
         _ => "this expression",
     }
 }

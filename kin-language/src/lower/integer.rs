@@ -98,6 +98,31 @@ pub fn negated(k: i64, ty: Option<IntegerType>) -> Option<Value> {
     k.checked_neg().filter(|value| ty.holds(*value)).map(|value| Value::Integer(value, Some(ty)))
 }
 
+/// `k as name` where bits are cut off.
+pub fn cut(k: i64, name: &str) -> Option<Value> {
+    let value = match name {
+        "u8" => i64::from(k as u8),
+        "i8" => i64::from(k as i8),
+        "u16" => i64::from(k as u16),
+        "i16" => i64::from(k as i16),
+        "u32" => i64::from(k as u32),
+        "i32" => i64::from(k as i32),
+        _ => return None,
+    };
+    Some(Value::Integer(value, IntegerType::named(name)))
+}
+
+/// !k, of a type that is known.
+pub fn inverted(k: i64, ty: Option<IntegerType>) -> Option<Value> {
+    let ty = ty?;
+    let value = match (ty.signed, ty.bits) {
+        (true, _) => !k,
+        (false, bits) if bits < 32 => (1_i64 << bits) - 1 - k,
+        _ => return None,
+    };
+    Some(Value::Integer(value, Some(ty)))
+}
+
 /// The same integer as one of a type; `None` if it is none, or is known to be of another.
 pub fn typed(k: i64, known: Option<IntegerType>, ty: IntegerType) -> Option<Value> {
     (common(known, Some(ty)).is_ok() && ty.holds(k)).then_some(Value::Integer(k, Some(ty)))

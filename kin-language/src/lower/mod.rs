@@ -1,15 +1,24 @@
 //! Second stage: reads the body by abstract interpretation over typed values. Each expression becomes a `Value` over the scalar graph;
 //! what cannot be read is [`Unreadable`] and sends the whole constraint to the dual route; a mistake is collected and reading goes on.
 
+mod apply;
 mod assign;
+mod borrow;
 mod branch;
 mod call;
 mod coerce;
 mod expression;
+mod flow;
 mod function;
+mod generic;
 mod integer;
+mod join;
+mod loops;
+mod matching;
 mod method;
 mod operator;
+mod own;
+mod paths;
 mod pattern;
 pub mod place;
 mod rotation;
@@ -18,6 +27,7 @@ mod scope;
 mod state;
 mod statement;
 pub mod template;
+mod typed;
 mod value;
 
 use std::collections::HashMap;
@@ -30,9 +40,10 @@ use crate::parse::{Argument, ConstraintFn, Kind, Shape};
 use crate::vocabulary::is_integer;
 use kin_graph::{Graph, Input, Node};
 
+use flow::{Frame, Guard};
 pub use place::Expressions;
 pub use rows::{Row, names_as_written};
-use scope::Scopes;
+use scope::{Scopes, Store};
 use template::Template;
 use value::Value;
 
@@ -119,6 +130,10 @@ pub fn constraint(source: &ConstraintFn) -> Result<Lowered, Failure> {
     with_constants(&|graph| {
         let mut reader = Reader::new(graph);
         reader.declare_arguments(&source.arguments);
+        for (name, length) in &source.lengths {
+            let value = Value::count(length.base10_parse().unwrap_or_default());
+            reader.scopes.declare_item(name.to_string(), value);
+        }
         let value = reader.function_body(&source.body, &source.output_type).map_err(Failure::Unreadable);
         let rows = value.map(|value| reader.rows(source, &value));
         reader.finish(rows)
@@ -130,7 +145,7 @@ pub fn law(variable: &Ident, parameters: &[Argument], body: &syn::Block) -> Resu
     with_constants(&|graph| {
         let mut reader = Reader::new(graph);
         let x = reader.graph.input(Input::Column(0));
-        reader.scopes.declare(variable.to_string(), Value::Scalar(x));
+        reader.declare(variable.to_string(), Value::Scalar(x));
         reader.declare_arguments(parameters);
         let value = reader.function_body(body, &syn::parse_quote!(f64)).map_err(Failure::Unreadable);
         let row = value.map(|value| reader.scalar(value, body));
@@ -151,6 +166,9 @@ fn with_constants(read: &dyn Fn(Graph) -> Result<Lowered, Failure>) -> Result<Lo
 struct Reader {
     graph: Graph,
     scopes: Scopes,
+    store: Store,
+    /// What is being read and can be left, outermost first.
+    frames: Vec<Frame>,
     mistakes: Mistakes,
     parameters: Vec<TokenStream>,
     opaques: Vec<OpaqueValue>,
@@ -164,10 +182,16 @@ struct Reader {
     rotations: HashMap<Vec<Node>, Vec<Node>>,
     attachments: Vec<Attachment>,
     repeated_items: Vec<syn::Item>,
+    /// Types that the body declares.
+    own: own::Own,
+    /// Types of parameters that only rustc knows.
+    parameter_types: HashMap<String, syn::Type>,
     /// Parameters that are integers or conditions, with their types.
     no_numbers: HashMap<String, String>,
-    /// Conditions of the branches around what is being read.
-    path: Vec<Node>,
+    /// What is known where something is read: conditions of the branches around it.
+    path: Vec<Guard>,
+    /// What the function itself returns.
+    output: Option<syn::Type>,
     /// Number of the scope of the function's own block.
     body_depth: usize,
     /// How deep in calls of the body's own functions.
@@ -182,6 +206,8 @@ impl Reader {
         Reader {
             graph,
             scopes,
+            store: Store::default(),
+            frames: Vec::new(),
             mistakes: Mistakes::default(),
             parameters: Vec::new(),
             opaques: Vec::new(),
@@ -194,8 +220,11 @@ impl Reader {
             rotations: HashMap::new(),
             attachments: Vec::new(),
             repeated_items: Vec::new(),
+            own: own::Own::default(),
+            parameter_types: HashMap::new(),
             no_numbers: HashMap::new(),
             path: Vec::new(),
+            output: None,
             body_depth: 0,
             calls: 0,
             expressions_read: 0,
@@ -205,7 +234,9 @@ impl Reader {
     /// The value of the function's body.
     fn function_body(&mut self, body: &syn::Block, output: &syn::Type) -> Read {
         self.body_depth = self.scopes.depth() + 1;
-        match self.body(body)?.referent() {
+        self.output = Some(output.clone());
+        let value = self.body(body)?;
+        match self.loaded(value) {
             value @ Value::Generator(_) => self.typed(value, output, body),
             Value::Never => Err(Unreadable::new(body, "a body without a value")),
             value => Ok(value),
@@ -213,8 +244,12 @@ impl Reader {
     }
 
     /// All that was read. A mistake is worth more than the remark that something else cannot be read.
-    fn finish(self, rows: Result<Vec<Row>, Failure>) -> Result<Lowered, Failure> {
+    fn finish(mut self, rows: Result<Vec<Row>, Failure>) -> Result<Lowered, Failure> {
         self.mistakes.finish().map_err(Failure::Mistakes)?;
+        if self.opaques.is_empty() && self.leaves.is_empty() && self.laws.is_empty() {
+            // Nothing that is left to rustc can speak of them.
+            self.repeated_items.clear();
+        }
         Ok(Lowered {
             rows: rows?,
             graph: self.graph,
@@ -238,12 +273,15 @@ impl Reader {
                 Kind::Planar => Value::Planar(slot),
                 Kind::Spatial => Value::Spatial(slot),
                 Kind::Coord => self.coordinate(slot),
+                Kind::Planars(n) => Value::Array((0..*n).map(|k| Value::Planar(slot + k)).collect()),
+                Kind::Spatials(n) => Value::Array((0..*n).map(|k| Value::Spatial(slot + k)).collect()),
                 Kind::Coords(n) => Value::Array((0..*n).map(|k| self.coordinate(slot + k)).collect()),
                 Kind::Time => Value::Scalar(self.graph.input(Input::Time)),
                 Kind::Law => Value::Law(Template::Parameter(name.clone())),
                 Kind::Axis => self.axis(name),
                 Kind::Numbers(shape) => self.parameter(&quote!(self.#name), shape),
                 Kind::Other => {
+                    self.parameter_types.insert(name.to_string(), argument.ty.clone());
                     let ty = argument.ty.to_token_stream().to_string();
                     if ty == "bool" || is_integer(&ty) {
                         self.no_numbers.insert(name.to_string(), ty);
@@ -251,7 +289,7 @@ impl Reader {
                     Value::Opaque(Template::Parameter(name.clone()))
                 }
             };
-            self.scopes.declare(name.to_string(), value);
+            self.declare(name.to_string(), value);
             slot += argument.kind.slots();
         }
     }

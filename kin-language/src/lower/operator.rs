@@ -2,7 +2,6 @@
 
 use quote::ToTokens;
 use syn::spanned::Spanned;
-use syn::visit::Visit;
 use syn::{BinOp, Expr, ExprBinary, UnOp};
 
 use super::coerce::is_arithmetic;
@@ -15,14 +14,32 @@ use kin_graph::{Comparison, Function2, Graph, Node};
 
 impl Reader {
     pub fn unary(&mut self, op: &UnOp, inner: &Expr) -> Read {
-        let value = self.expression(inner)?;
+        let value = match op {
+            UnOp::Deref(_) => self.dereferenced(inner)?,
+            _ => self.expression(inner)?,
+        };
+        self.each(value, inner, &mut |reader, value| reader.unary_of(op, value, inner))
+    }
+
+    /// `*value`: what a reference refers to, which may be a reference itself.
+    fn dereferenced(&mut self, inner: &Expr) -> Read {
+        Ok(match self.raw_expression(inner)? {
+            Value::Reference(inner) => *inner,
+            Value::Place(place) => self.at_place(&place).unwrap_or(Value::Poison),
+            value => value,
+        })
+    }
+
+    fn unary_of(&mut self, op: &UnOp, value: Value, inner: &Expr) -> Read {
         Ok(match (op, value) {
             (UnOp::Deref(_), value) => value,
-            (_, value @ (Value::Poison | Value::Never)) => value,
+            (_, value @ (Value::Poison | Value::Never | Value::Left)) => value,
             (UnOp::Neg(_), Value::Integer(k, ty)) => {
                 integer::negated(k, ty).ok_or_else(|| Unreadable::new(op, "integer arithmetic that may overflow"))?
             }
-            (UnOp::Not(_), Value::Integer(..)) => return Err(Unreadable::new(op, "`!` of an integer")),
+            (UnOp::Not(_), Value::Integer(k, ty)) => {
+                integer::inverted(k, ty).ok_or_else(|| Unreadable::new(op, "`!` of an integer whose type is not known here"))?
+            }
             (UnOp::Not(_), Value::Condition(c)) => Value::Condition(self.graph.not(c)),
             (UnOp::Not(_), Value::Opaque(template)) if !template.nodes().is_empty() => {
                 let condition = self.condition(Value::Opaque(template), inner);
@@ -47,7 +64,10 @@ impl Reader {
         if let Some(op) = simple(&binary.op) {
             let right = self.expression(&binary.right)?;
             let left = self.expression(&binary.left)?;
-            let value = self.operate(op, left, right, binary)?;
+            let value = self.operate_each(op, left, right, binary)?;
+            if matches!(value, Value::Left) {
+                return Ok(value);
+            }
             self.assign(&binary.left, value)?;
             return Ok(Value::unit());
         }
@@ -56,7 +76,15 @@ impl Reader {
             BinOp::And(_) | BinOp::Or(_) => self.second_condition(&binary.op, &left, binary)?,
             _ => self.expression(&binary.right)?,
         };
-        self.operate(binary.op, left, right, binary)
+        self.operate_each(binary.op, left, right, binary)
+    }
+
+    /// `left op right`, of whatever the sides may be.
+    fn operate_each(&mut self, op: BinOp, left: Value, right: Value, at: &ExprBinary) -> Read {
+        self.each_list(vec![left, right], at, &mut |reader, mut sides| match (sides.pop(), sides.pop()) {
+            (Some(right), Some(left)) => reader.operate(op, left, right, at),
+            _ => Ok(Value::Poison),
+        })
     }
 
     /// The right side of `&&` and `||`, which is not computed where the left side decides.
@@ -67,14 +95,17 @@ impl Reader {
         let first = self.condition(left.clone(), &binary.left);
         let is_and = matches!(op, BinOp::And(_));
         let needed = if is_and { first } else { self.graph.not(first) };
-        if changes(&binary.right) {
-            let decided = Value::Condition(self.graph.bool(!is_and));
-            return self.choose_beside(needed, |reader| reader.expression(&binary.right), decided, binary);
-        }
-        self.path.push(needed);
-        let right = self.expression(&binary.right);
-        self.path.pop();
-        right
+        let mut right = Value::Condition(self.graph.bool(!is_and));
+        let read = |reader: &mut Self| {
+            let value = reader.expression(&binary.right)?;
+            match value {
+                Value::Left => return Ok(Value::Left),
+                value => right = value,
+            }
+            Ok(Value::unit())
+        };
+        self.choose(needed, read, |_| Ok(Value::unit()), binary)?;
+        Ok(right)
     }
 
     /// `left op right`.
@@ -82,7 +113,9 @@ impl Reader {
         let number = |value: &Value| matches!(value, Value::Scalar(_) | Value::Vector(_));
         Ok(match (left, right) {
             (Value::Poison, _) | (_, Value::Poison) => Value::Poison,
+            (Value::Left, _) | (_, Value::Left) => Value::Left,
             (Value::Never, _) | (_, Value::Never) => Value::Never,
+            (left @ Value::Adt(_), right) | (left, right @ Value::Adt(_)) => self.operate_own(op, left, right, at)?,
             (left, right) if matches!(op, BinOp::BitXor(_)) && (number(&left) || number(&right)) => {
                 self.mistake(&at.op, "`^` is no power: write `x.powi(2)`, or `x.powf(y)` where the exponent is no whole number")
             }
@@ -335,25 +368,4 @@ fn simple(op: &BinOp) -> Option<BinOp> {
         BinOp::ShrAssign(_) => BinOp::Shr(syn::token::Shr(span)),
         _ => return None,
     })
-}
-
-/// Whether an expression may change a variable.
-fn changes(expression: &Expr) -> bool {
-    struct Search(bool);
-    impl Visit<'_> for Search {
-        fn visit_expr_assign(&mut self, _: &syn::ExprAssign) {
-            self.0 = true;
-        }
-        fn visit_expr_binary(&mut self, binary: &ExprBinary) {
-            self.0 |= simple(&binary.op).is_some();
-            syn::visit::visit_expr_binary(self, binary);
-        }
-        fn visit_expr_reference(&mut self, reference: &syn::ExprReference) {
-            self.0 |= reference.mutability.is_some();
-            syn::visit::visit_expr_reference(self, reference);
-        }
-    }
-    let mut search = Search(false);
-    search.visit_expr(expression);
-    search.0
 }

@@ -1,20 +1,24 @@
 //! Patterns: binding variables in `let`, `for` and closures, and testing in `match`.
 
-use quote::ToTokens;
-use syn::{Lit, Pat, RangeLimits};
+use syn::Pat;
+use syn::visit::Visit;
+use syn::visit_mut::{self, VisitMut};
 
 use super::template::Template;
 use super::value::Value;
 use super::{Read, Reader, Unreadable};
-use kin_graph::{Comparison, Node};
 
 impl Reader {
     /// Binds the variables of an irrefutable pattern.
     pub fn bind(&mut self, pattern: &Pat, value: Value) -> Read<()> {
         match pattern {
             Pat::Wild(_) => Ok(()),
-            Pat::Ident(ident) if ident.subpat.is_none() => {
-                self.scopes.declare(ident.ident.to_string(), value);
+            Pat::Ident(ident) => {
+                let value = if ident.by_ref.is_some() { Value::Reference(Box::new(value)) } else { value };
+                if let Some((_, inner)) = &ident.subpat {
+                    self.bind(inner, value.clone())?;
+                }
+                self.declare(ident.ident.to_string(), value);
                 Ok(())
             }
             Pat::Type(typed) => {
@@ -22,21 +26,60 @@ impl Reader {
                 self.bind(&typed.pat, value)
             }
             Pat::Paren(inner) => self.bind(&inner.pat, value),
-            Pat::Reference(inner) => self.bind(&inner.pat, value.referent()),
+            Pat::Reference(inner) => match value {
+                Value::Reference(value) => self.bind(&inner.pat, *value),
+                value => {
+                    let value = self.loaded(value);
+                    self.bind(&inner.pat, value)
+                }
+            },
+            pattern => match self.outer(value) {
+                Value::Unassigned => names(pattern).into_iter().try_for_each(|name| {
+                    self.declare(name, Value::Unassigned);
+                    Ok(())
+                }),
+                value => self.bind_parts(pattern, value),
+            },
+        }
+    }
+
+    fn bind_parts(&mut self, pattern: &Pat, value: Value) -> Read<()> {
+        match pattern {
             Pat::Tuple(tuple) => self.bind_all(pattern, tuple.elems.iter(), value, "a tuple"),
             Pat::Slice(slice) => self.bind_all(pattern, slice.elems.iter(), value, "an array"),
-            Pat::Struct(fields) => self.bind_fields(fields, value.referent()),
+            Pat::Struct(fields) if !matches!(value, Value::Choice(_)) => self.bind_fields(fields, value),
+            Pat::TupleStruct(_) | Pat::Struct(_) | Pat::Or(_) => self.test(pattern, &value).map(drop),
             other => Err(Unreadable::new(other, "this pattern")),
+        }
+    }
+
+    /// A value whose parts are looked at: of `&mut` of something put together, references to its parts.
+    pub fn outer(&mut self, value: Value) -> Value {
+        let Value::Place(place) = &value else { return value.referent() };
+        match self.at_place(place) {
+            Some(Value::Tuple(all)) => Value::Tuple((0..all.len()).map(|k| Value::Place(place.field(&k.to_string()))).collect()),
+            Some(Value::Array(all)) => Value::Array((0..all.len()).map(|k| Value::Place(place.index(k))).collect()),
+            Some(Value::Adt(mut adt)) => {
+                adt.fields.iter_mut().for_each(|(name, value)| *value = Value::Place(place.field(name)));
+                Value::Adt(adt)
+            }
+            _ => self.loaded(value),
         }
     }
 
     fn bind_all<'a>(&mut self, at: &Pat, parts: impl Iterator<Item = &'a Pat>, value: Value, what: &str) -> Read<()> {
         let parts: Vec<&Pat> = parts.collect();
-        let mut values = match value.referent() {
+        let mut values = match value {
             Value::Tuple(all) if what == "a tuple" => all,
             Value::Array(all) if what == "an array" => all,
-            Value::Poison | Value::Never => return parts.into_iter().try_for_each(|part| self.bind_nothing(part)),
-            Value::Opaque(_) | Value::Generator(_) => return Err(Unreadable::new(at, "taking apart a value of unknown type")),
+            Value::Poison | Value::Never | Value::Left => return parts.into_iter().try_for_each(|part| self.bind_nothing(part)),
+            Value::Opaque(template) if what == "a tuple" && !template.has_choice() && parts.iter().all(|part| rest_of(part).is_none()) => {
+                let member = |k: usize| syn::Member::Unnamed(k.into());
+                (0..parts.len()).map(|k| Value::Opaque(Template::Field(Box::new(template.clone()), member(k)))).collect()
+            }
+            Value::Opaque(_) | Value::Generator(_) | Value::Choice(_) => {
+                return Err(Unreadable::new(at, "taking apart a value of unknown type"));
+            }
             other => {
                 self.mistake(at, format!("this takes apart {what}, but the value is {}", other.name()));
                 return parts.into_iter().try_for_each(|part| self.bind_nothing(part));
@@ -53,7 +96,7 @@ impl Reader {
         let middle = values.split_off(rest);
         parts[..rest].iter().zip(values).try_for_each(|(part, value)| self.bind(part, value))?;
         if let Some(Some(name)) = rest_of(parts[rest]) {
-            self.scopes.declare(name, Value::Array(middle));
+            self.declare(name, Value::Array(middle));
         }
         parts[rest + 1..].iter().zip(after).try_for_each(|(part, value)| self.bind(part, value))
     }
@@ -67,110 +110,17 @@ impl Reader {
     }
 
     /// `let Vec2 { x, y } = v`
-    fn bind_fields(&mut self, pattern: &syn::PatStruct, value: Value) -> Read<()> {
+    pub fn bind_fields(&mut self, pattern: &syn::PatStruct, value: Value) -> Read<()> {
         for field in &pattern.fields {
             let part = self.field(value.clone(), &field.member)?;
             self.bind(&field.pat, part)?;
         }
         Ok(())
     }
-
-    /// The condition under which `value` matches, with its variables bound in the current scope.
-    pub fn test(&mut self, pattern: &Pat, value: &Value) -> Read<Node> {
-        match (pattern, value) {
-            (Pat::Wild(_), _) => Ok(self.graph.bool(true)),
-            (Pat::Ident(ident), _) if ident.subpat.is_none() && !is_constant(&ident.ident) => {
-                self.scopes.declare(ident.ident.to_string(), value.clone());
-                Ok(self.graph.bool(true))
-            }
-            (Pat::Paren(inner), value) => self.test(&inner.pat, value),
-            (Pat::Reference(inner), value) => self.test(&inner.pat, value),
-            (pattern, Value::Reference(inner)) => self.test(pattern, inner),
-            (Pat::Or(or), value) if !binds(pattern) => {
-                let never = self.graph.bool(false);
-                or.cases.iter().try_fold(never, |any, case| {
-                    let one = self.test(case, value)?;
-                    Ok(self.graph.or(any, one))
-                })
-            }
-            (Pat::Tuple(tuple), Value::Tuple(values)) if tuple.elems.len() == values.len() => self.test_all(tuple.elems.iter(), values),
-            (Pat::Slice(slice), Value::Array(values)) if slice.elems.len() == values.len() => self.test_all(slice.elems.iter(), values),
-            (pattern, Value::Opaque(template)) => self.test_opaque(pattern, template),
-            (Pat::Lit(literal), value) => self.test_literal(&literal.lit, value, pattern),
-            (Pat::Range(range), value) => self.test_range(range, value),
-            (Pat::Ident(_) | Pat::Path(_), Value::Integer(..) | Value::Scalar(_)) => self.test_constant(pattern, value),
-            (_, Value::Poison | Value::Never) => Ok(self.graph.bool(true)),
-            _ => Err(Unreadable::new(pattern, "this pattern")),
-        }
-    }
-
-    fn test_all<'a>(&mut self, parts: impl Iterator<Item = &'a Pat>, values: &[Value]) -> Read<Node> {
-        let always = self.graph.bool(true);
-        parts.zip(values).try_fold(always, |all, (part, value)| {
-            let one = self.test(part, value)?;
-            Ok(self.graph.and(all, one))
-        })
-    }
-
-    /// rustc matches values of types that only it knows.
-    fn test_opaque(&mut self, pattern: &Pat, template: &Template) -> Read<Node> {
-        if binds(pattern) || template.has_choice() {
-            return Err(Unreadable::new(pattern, "a pattern that takes a value of unknown type apart"));
-        }
-        let matches = Template::Matches(Box::new(template.clone()), pattern.to_token_stream());
-        Ok(self.condition(Value::Opaque(matches), pattern))
-    }
-
-    /// A constant of the body's own.
-    fn test_constant(&mut self, pattern: &Pat, value: &Value) -> Read<Node> {
-        let name = pattern.to_token_stream().to_string();
-        match (self.scopes.get(&name), value) {
-            (Some(Value::Integer(a, _)), Value::Integer(b, _)) => {
-                let same = a == b;
-                Ok(self.graph.bool(same))
-            }
-            (Some(Value::Scalar(a)), Value::Scalar(b)) => {
-                let a = *a;
-                Ok(self.graph.compare(Comparison::Equal, *b, a))
-            }
-            _ => Err(Unreadable::new(pattern, "a constant in a pattern")),
-        }
-    }
-
-    fn test_literal(&mut self, literal: &Lit, value: &Value, at: &Pat) -> Read<Node> {
-        match (literal, value) {
-            (Lit::Int(k), Value::Integer(n, _)) => Ok(self.graph.bool(k.base10_parse::<i64>().is_ok_and(|k| k == *n))),
-            (Lit::Bool(b), Value::Condition(c)) => Ok(if b.value { *c } else { self.graph.not(*c) }),
-            (Lit::Float(x), Value::Scalar(n)) => {
-                let x = self.graph.decimal(x.base10_digits());
-                Ok(self.graph.compare(Comparison::Equal, *n, x))
-            }
-            _ => Err(Unreadable::new(at, "this pattern")),
-        }
-    }
-
-    fn test_range(&mut self, range: &syn::PatRange, value: &Value) -> Read<Node> {
-        let upper = if matches!(range.limits, RangeLimits::Closed(_)) { Comparison::LessEqual } else { Comparison::Less };
-        let mut all = self.graph.bool(true);
-        for (bound, comparison) in [(&range.start, Comparison::GreaterEqual), (&range.end, upper)] {
-            let Some(bound) = bound else { continue };
-            let one = match (self.expression(bound)?, value) {
-                (Value::Scalar(b), Value::Scalar(n)) => self.graph.compare(comparison, *n, b),
-                (Value::Integer(b, _), Value::Integer(n, _)) => self.graph.bool(comparison.holds(n, &b)),
-                (Value::Opaque(b), Value::Scalar(n)) => {
-                    let b = self.scalar(Value::Opaque(b), bound);
-                    self.graph.compare(comparison, *n, b)
-                }
-                _ => return Err(Unreadable::new(range, "this pattern")),
-            };
-            all = self.graph.and(all, one);
-        }
-        Ok(all)
-    }
 }
 
 /// `..` or `name @ ..`: the name, if there is one.
-fn rest_of(pattern: &Pat) -> Option<Option<String>> {
+pub fn rest_of(pattern: &Pat) -> Option<Option<String>> {
     match pattern {
         Pat::Rest(_) => Some(None),
         Pat::Ident(ident) if ident.subpat.as_ref().is_some_and(|(_, inner)| matches!(**inner, Pat::Rest(_))) => {
@@ -181,21 +131,58 @@ fn rest_of(pattern: &Pat) -> Option<Option<String>> {
 }
 
 /// Names in capitals are constants, not new variables.
-fn is_constant(name: &syn::Ident) -> bool {
+pub fn is_constant(name: &syn::Ident) -> bool {
     name.to_string().chars().next().is_some_and(char::is_uppercase)
 }
 
 /// Whether a pattern brings in a variable.
-fn binds(pattern: &Pat) -> bool {
+pub fn binds(pattern: &Pat) -> bool {
+    !names(pattern).is_empty()
+}
+
+/// The variables that a pattern brings in, in order.
+pub fn names(pattern: &Pat) -> Vec<String> {
+    struct Names(Vec<String>);
+    impl Visit<'_> for Names {
+        fn visit_pat_ident(&mut self, pattern: &syn::PatIdent) {
+            if !is_constant(&pattern.ident) && !self.0.contains(&pattern.ident.to_string()) {
+                self.0.push(pattern.ident.to_string());
+            }
+            syn::visit::visit_pat_ident(self, pattern);
+        }
+    }
+    let mut names = Names(Vec::new());
+    names.visit_pat(pattern);
+    names.0
+}
+
+/// Puts `_` in the place of variables.
+pub struct Blank;
+
+impl VisitMut for Blank {
+    fn visit_pat_mut(&mut self, pattern: &mut Pat) {
+        if let Pat::Ident(ident) = pattern
+            && !is_constant(&ident.ident)
+        {
+            *pattern = match ident.subpat.take() {
+                Some((_, inner)) => *inner,
+                None => syn::parse_quote!(_),
+            };
+        }
+        visit_mut::visit_pat_mut(self, pattern);
+    }
+
+    fn visit_field_pat_mut(&mut self, field: &mut syn::FieldPat) {
+        field.colon_token.get_or_insert_with(Default::default);
+        self.visit_pat_mut(&mut field.pat);
+    }
+}
+
+/// Whether a pattern without variables matches whatever there is: of a tuple, where all of its parts do.
+pub fn is_open(pattern: &Pat) -> bool {
     match pattern {
-        Pat::Ident(ident) => !is_constant(&ident.ident),
-        Pat::Or(or) => or.cases.iter().any(binds),
-        Pat::Paren(inner) => binds(&inner.pat),
-        Pat::Tuple(tuple) => tuple.elems.iter().any(binds),
-        Pat::TupleStruct(tuple) => tuple.elems.iter().any(binds),
-        Pat::Struct(fields) => fields.fields.iter().any(|field| binds(&field.pat)),
-        Pat::Slice(slice) => slice.elems.iter().any(binds),
-        Pat::Reference(inner) => binds(&inner.pat),
+        Pat::Wild(_) | Pat::Rest(_) => true,
+        Pat::Tuple(tuple) => tuple.elems.iter().all(is_open),
         _ => false,
     }
 }

@@ -1,21 +1,70 @@
-//! Variables while the body is read.
+//! Names while the body is read, and the values of variables. A name means a slot of the store, so that closures and references see what becomes
+//! of a variable later; what a branch did to slots is taken back from a log, and joined with what the other one did.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use super::value::Value;
 
-/// Nested scopes, innermost last. Scopes below `floor` belong to the surroundings of a closure and cannot be assigned to.
+/// The number of a variable.
+pub type Slot = usize;
+
+/// A variable, or a part of one.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Place {
+    pub slot: Slot,
+    pub steps: Vec<Step>,
+}
+
+/// On the way to a part.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Step {
+    Field(String),
+    Index(usize),
+    /// From the first to before the second.
+    Slice(usize, usize),
+}
+
+impl Place {
+    /// All of a variable.
+    pub fn whole(slot: Slot) -> Place {
+        Place { slot, steps: vec![] }
+    }
+
+    fn to(&self, step: Step) -> Place {
+        let steps = self.steps.iter().cloned().chain([step]).collect();
+        Place { steps, ..self.clone() }
+    }
+
+    pub fn field(&self, name: &str) -> Place {
+        self.to(Step::Field(name.into()))
+    }
+
+    pub fn index(&self, k: usize) -> Place {
+        self.to(Step::Index(k))
+    }
+
+    pub fn slice(&self, from: usize, to: usize) -> Place {
+        self.to(Step::Slice(from, to))
+    }
+}
+
+/// Nested scopes, innermost last.
 #[derive(Clone, Default)]
 pub struct Scopes {
     scopes: Vec<Scope>,
-    floor: usize,
 }
 
 #[derive(Clone, Default)]
-struct Scope {
-    variables: HashMap<String, Value>,
+pub struct Scope {
+    variables: HashMap<String, Slot>,
     /// Functions and constants, which are seen from before their own line, and from inside of other functions.
     items: HashMap<String, Value>,
+}
+
+/// What a name means.
+pub enum Name<'a> {
+    Variable(Slot),
+    Item(&'a Value),
 }
 
 impl Scopes {
@@ -27,31 +76,29 @@ impl Scopes {
         self.scopes.pop();
     }
 
+    /// The innermost scope, taken off.
+    pub fn take(&mut self) -> Scope {
+        self.scopes.pop().unwrap_or_default()
+    }
+
+    /// The scope put on again.
+    pub fn put(&mut self, scope: Scope) {
+        self.scopes.push(scope);
+    }
+
     /// How many scopes there are.
     pub fn depth(&self) -> usize {
         self.scopes.len()
     }
 
-    /// Forgets what the innermost scope declares.
-    pub fn clear_innermost(&mut self) {
-        if let Some(scope) = self.scopes.last_mut() {
-            *scope = Scope::default();
-        }
-    }
-
-    /// From here on only new variables can be assigned to.
-    pub fn raise_floor(&mut self) {
-        self.floor = self.scopes.len();
-    }
-
     /// What a function sees that is declared in scope number `depth`: the items around it, and none of the variables.
     pub fn around_function(&self, depth: usize) -> Scopes {
         let items = self.scopes.iter().take(depth).map(|scope| Scope { variables: HashMap::new(), items: scope.items.clone() });
-        Scopes { scopes: items.collect(), floor: 0 }
+        Scopes { scopes: items.collect() }
     }
 
-    pub fn declare(&mut self, name: String, value: Value) {
-        self.innermost().variables.insert(name, value);
+    pub fn declare(&mut self, name: String, slot: Slot) {
+        self.innermost().variables.insert(name, slot);
     }
 
     pub fn declare_item(&mut self, name: String, value: Value) {
@@ -71,34 +118,89 @@ impl Scopes {
         self.scopes.iter().flat_map(|scope| scope.variables.keys().map(String::as_str)).collect()
     }
 
-    pub fn get(&self, name: &str) -> Option<&Value> {
-        self.scopes.iter().rev().find_map(|scope| scope.variables.get(name).or_else(|| scope.items.get(name)))
-    }
-
-    /// The variable to assign to; `Err` if it lies outside of a closure.
-    pub fn get_mut(&mut self, name: &str) -> Result<Option<&mut Value>, OutsideClosure> {
-        let Some(level) = self.scopes.iter().rposition(|scope| scope.variables.contains_key(name)) else { return Ok(None) };
-        match level < self.floor {
-            true => Err(OutsideClosure),
-            false => Ok(self.scopes[level].variables.get_mut(name)),
-        }
-    }
-
-    /// Joins two outcomes of a branch, variable by variable; the name of the first that cannot be joined.
-    pub fn merge(&mut self, other: &Scopes, mut join: impl FnMut(&Value, &Value) -> Option<Value>) -> Result<(), String> {
-        for (mine, theirs) in self.scopes.iter_mut().zip(&other.scopes) {
-            let mut names: Vec<String> = mine.variables.keys().cloned().collect();
-            names.sort();
-            for name in names {
-                if let (Some(a), Some(b)) = (mine.variables.get(&name), theirs.variables.get(&name)) {
-                    let joined = join(a, b).ok_or_else(|| name.clone())?;
-                    mine.variables.insert(name, joined);
-                }
-            }
-        }
-        Ok(())
+    pub fn get(&self, name: &str) -> Option<Name<'_>> {
+        self.scopes.iter().rev().find_map(|scope| match scope.variables.get(name) {
+            Some(&slot) => Some(Name::Variable(slot)),
+            None => scope.items.get(name).map(Name::Item),
+        })
     }
 }
 
-/// A closure tries to change a variable around it.
-pub struct OutsideClosure;
+impl Scope {
+    /// Its variables, by name.
+    pub fn variables(&self) -> BTreeMap<String, Slot> {
+        self.variables.iter().map(|(name, &slot)| (name.clone(), slot)).collect()
+    }
+}
+
+/// The values of all variables, and a log of what they were before.
+#[derive(Default)]
+pub struct Store {
+    values: Vec<Value>,
+    log: Vec<(Slot, Value)>,
+    /// Where each branch or loop that is being read began.
+    marks: Vec<Mark>,
+}
+
+/// A place in the log, and how many variables there were.
+#[derive(Clone, Copy)]
+pub struct Mark {
+    log: usize,
+    slots: usize,
+}
+
+/// Values of variables by their slots.
+pub type Changes = BTreeMap<Slot, Value>;
+
+impl Store {
+    pub fn declare(&mut self, value: Value) -> Slot {
+        self.values.push(value);
+        self.values.len() - 1
+    }
+
+    pub fn get(&self, slot: Slot) -> &Value {
+        &self.values[slot]
+    }
+
+    pub fn set(&mut self, slot: Slot, value: Value) {
+        let old = std::mem::replace(&mut self.values[slot], value);
+        if self.marks.last().is_some_and(|mark| slot < mark.slots) {
+            self.log.push((slot, old));
+        }
+    }
+
+    /// From here on changes are told apart.
+    pub fn begin(&mut self) -> Mark {
+        let mark = Mark { log: self.log.len(), slots: self.values.len() };
+        self.marks.push(mark);
+        mark
+    }
+
+    /// The variables that have changed since a mark, as they are now.
+    pub fn changes(&self, since: Mark) -> Changes {
+        let slots = self.log[since.log..].iter().map(|(slot, _)| *slot).filter(|slot| *slot < since.slots);
+        slots.map(|slot| (slot, self.values[slot].clone())).collect()
+    }
+
+    /// The value that a variable had at a mark.
+    pub fn before(&self, since: Mark, slot: Slot) -> &Value {
+        self.log[since.log..].iter().find(|(logged, _)| *logged == slot).map_or(&self.values[slot], |(_, old)| old)
+    }
+
+    /// The changes since the mark taken back.
+    pub fn take_back(&mut self, since: Mark) {
+        while self.log.len() > since.log {
+            if let Some((slot, old)) = self.log.pop() {
+                self.values[slot] = old;
+            }
+        }
+    }
+
+    /// Changes are no longer told apart.
+    pub fn end(&mut self) {
+        self.marks.pop();
+        if self.marks.is_empty() {
+            self.log.clear();
+        }
+    }
+}

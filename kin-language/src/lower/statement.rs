@@ -2,9 +2,10 @@
 
 use std::rc::Rc;
 
-use syn::visit::Visit;
-use syn::{Block, Expr, Item, Local, Pat, Stmt};
+use syn::punctuated::Punctuated;
+use syn::{Block, Expr, Item, Local, Pat, Stmt, Token};
 
+use super::flow::Kind;
 use super::function::Function;
 use super::value::Value;
 use super::{Read, Reader, Unreadable};
@@ -12,10 +13,9 @@ use super::{Read, Reader, Unreadable};
 impl Reader {
     /// The value of a function's body, which may `return` early.
     pub fn body(&mut self, body: &Block) -> Read {
-        self.scopes.push();
-        let value = self.items(&body.stmts).and_then(|()| self.returning(&body.stmts));
-        self.scopes.pop();
-        value
+        self.enter(Kind::Function, None);
+        let value = self.block(body)?;
+        self.exit(value, body)
     }
 
     /// The value of a block: that of its last expression, or nothing.
@@ -30,6 +30,9 @@ impl Reader {
         let mut value = Value::unit();
         for (k, statement) in statements.iter().enumerate() {
             let last = self.statement(statement)?;
+            if matches!(last, Value::Left) {
+                return Ok(last);
+            }
             if k + 1 == statements.len() {
                 value = last;
             }
@@ -40,10 +43,10 @@ impl Reader {
     /// The value of a statement: nothing, unless it is an expression without `;`.
     fn statement(&mut self, statement: &Stmt) -> Read {
         match statement {
-            Stmt::Local(local) => self.let_statement(local).map(|()| Value::unit()),
-            Stmt::Expr(expression, None) => self.expression(expression),
-            Stmt::Expr(expression, Some(_)) => Ok(match self.expression(expression)? {
-                Value::Never => Value::Never,
+            Stmt::Local(local) => self.let_statement(local),
+            Stmt::Expr(expression, None) => self.raw_expression(expression),
+            Stmt::Expr(expression, Some(_)) => Ok(match self.raw_expression(expression)? {
+                value @ (Value::Never | Value::Left) => value,
                 _ => Value::unit(),
             }),
             Stmt::Item(_) => Ok(Value::unit()),
@@ -51,79 +54,36 @@ impl Reader {
         }
     }
 
-    /// Statements up to the first that returns; where a branch returns, the others go on with what follows.
-    fn returning(&mut self, statements: &[Stmt]) -> Read {
-        let Some(place) = statements.iter().position(returns) else { return self.statements(statements) };
-        let (before, after) = statements.split_at(place);
-        self.statements(before)?;
-        match after.first() {
-            Some(Stmt::Expr(Expr::Return(last), _)) => match &last.expr {
-                Some(value) => self.raw_expression(value),
-                None => Ok(Value::unit()),
-            },
-            Some(Stmt::Expr(Expr::If(branch), _)) => self.if_that_returns(branch, &after[1..]),
-            Some(Stmt::Expr(Expr::Block(block), _)) if block.label.is_none() && after.len() == 1 => self.body(&block.block),
-            Some(other) => Err(Unreadable::new(other, "an early `return`")),
-            None => Ok(Value::unit()),
-        }
-    }
-
-    /// `if … { …; return x; }`: the branch that goes on is read together with what follows.
-    fn if_that_returns(&mut self, branch: &syn::ExprIf, rest: &[Stmt]) -> Read {
-        let then: Vec<Stmt> = vec![Stmt::Expr(block_of(branch), None)];
-        let otherwise: Vec<Stmt> = branch.else_branch.iter().map(|(_, otherwise)| Stmt::Expr((**otherwise).clone(), None)).collect();
-        if matches!(*branch.cond, Expr::Let(_)) {
-            return Err(Unreadable::new(&branch.cond, "an early `return`"));
-        }
-        let condition = self.expression(&branch.cond)?;
-        let condition = self.condition(condition, &branch.cond);
-        self.choose_value(condition, |reader| reader.branch_and_rest(then, rest), |reader| reader.branch_and_rest(otherwise, rest), branch)
-    }
-
-    fn branch_and_rest(&mut self, mut branch: Vec<Stmt>, rest: &[Stmt]) -> Read {
-        let inner_return = branch.iter().any(returns);
-        match branch.first() {
-            _ if ends(&branch) || rest.is_empty() => {}
-            // The block of a branch has variables of its own; `else if` has none before its condition.
-            Some(Stmt::Expr(Expr::Block(block), _)) if inner_return => return Err(Unreadable::new(block, "an early `return`")),
-            _ => branch.extend(rest.iter().cloned()),
-        }
-        self.returning(&branch)
-    }
-
-    /// Functions and constants of a block, which are seen from before their own line; other items are repeated in emitted code.
+    /// Functions, constants and types of a block, which are seen from before their own line; other items are repeated in emitted code.
     fn items(&mut self, statements: &[Stmt]) -> Read<()> {
         let items = || statements.iter().filter_map(|statement| if let Stmt::Item(item) = statement { Some(item) } else { None });
         let depth = self.scopes.depth();
         for item in items() {
             if let Item::Fn(function) = item
-                && function.sig.generics.params.is_empty()
+                && !is_over_duals(function)
             {
                 let value = Value::Function(Function::Inner(Rc::new(function.clone()), depth));
                 self.scopes.declare_item(function.sig.ident.to_string(), value);
+            }
+            if let Item::Struct(_) | Item::Enum(_) | Item::Trait(_) = item {
+                self.own.take(item, depth);
             }
         }
         items().try_for_each(|item| self.item(item, depth))
     }
 
     fn item(&mut self, item: &Item, depth: usize) -> Read<()> {
-        match item {
-            Item::Fn(function) if function.sig.generics.params.is_empty() => return Ok(()),
-            Item::Const(constant) => {
-                let scopes = self.scopes.around_function(depth);
-                let value = self.within(scopes, |reader| {
-                    let value = reader.expression(&constant.expr)?;
-                    reader.typed(value, &constant.ty, &constant.expr)
-                });
-                if let Ok(value) = value
-                    && self.is_known(&value)
-                {
-                    self.scopes.declare_item(constant.ident.to_string(), value);
-                    return Ok(());
-                }
-            }
-            Item::Macro(_) | Item::Impl(_) => return Err(Unreadable::new(item, "an item inside the body")),
-            _ => {}
+        let known = match item {
+            Item::Fn(function) => !is_over_duals(function),
+            Item::Const(constant) => self.constant(&constant.ident, &constant.expr, &constant.ty, depth),
+            Item::Static(constant) => self.constant(&constant.ident, &constant.expr, &constant.ty, depth),
+            Item::Impl(_) if !self.own.take(item, depth) => return Err(Unreadable::new(item, "an item inside the body")),
+            Item::Macro(_) => return Err(Unreadable::new(item, "a macro of your own")),
+            _ => false,
+        };
+        let of_types = matches!(item, Item::Struct(_) | Item::Enum(_) | Item::Impl(_) | Item::Trait(_));
+        if known || of_types && depth != self.body_depth {
+            return Ok(());
         }
         // Emitted code repeats an item for the whole body, so it must not come out of an inner block.
         if depth != self.body_depth {
@@ -133,32 +93,60 @@ impl Reader {
         Ok(())
     }
 
+    /// Whether a constant of the body's own is known here.
+    fn constant(&mut self, name: &syn::Ident, value: &Expr, ty: &syn::Type, depth: usize) -> bool {
+        let scopes = self.scopes.around_function(depth);
+        let (frames, path) = (self.frames.len(), self.path.len());
+        let value = self.within(scopes, |reader| {
+            let value = reader.raw_expression(value)?;
+            reader.typed(value, ty, ty)
+        });
+        self.frames.truncate(frames);
+        self.path.truncate(path);
+        match value {
+            Ok(value) if self.is_known(&value) => {
+                self.scopes.declare_item(name.to_string(), value);
+                true
+            }
+            _ => false,
+        }
+    }
+
     /// Whether a value holds constants of the graph only.
     fn is_known(&self, value: &Value) -> bool {
         match value {
-            Value::Integer(..) => true,
+            Value::Integer(..) | Value::Function(_) => true,
             Value::Condition(node) => self.graph.is_number(*node),
+            Value::Reference(inner) => self.is_known(inner),
+            Value::Array(all) | Value::Tuple(all) => all.iter().all(|part| self.is_known(part)),
+            Value::Adt(adt) => adt.fields.iter().all(|(_, part)| self.is_known(part)),
             value => value.numbers().is_some_and(|(nodes, _)| nodes.iter().all(|&n| self.graph.is_number(n))),
         }
     }
 
-    fn let_statement(&mut self, local: &Local) -> Read<()> {
+    fn let_statement(&mut self, local: &Local) -> Read {
         let (pattern, ty) = match &local.pat {
             Pat::Type(typed) => (&*typed.pat, Some(&*typed.ty)),
             pattern => (pattern, None),
         };
         let Some(init) = &local.init else {
-            return self.bind(pattern, Value::Unassigned);
+            return self.bind(pattern, Value::Unassigned).map(|()| Value::unit());
         };
-        if let Some((_, other)) = &init.diverge {
-            return Err(Unreadable::new(other, "`let … else`"));
-        }
         let value = self.raw_expression(&init.expr)?;
+        if matches!(value, Value::Left) {
+            return Ok(value);
+        }
         let value = match ty {
             Some(ty) => self.typed(value, ty, &init.expr)?,
             None => value,
         };
-        self.bind(pattern, value)
+        match &init.diverge {
+            None => self.bind(pattern, value).map(|()| Value::unit()),
+            Some((_, otherwise)) => {
+                let condition = self.test(pattern, &value)?;
+                self.choose(condition, |_| Ok(Value::unit()), |reader| reader.expression(otherwise), local)
+            }
+        }
     }
 
     /// Macros that only say that there is no value here; others are rustc's.
@@ -166,6 +154,9 @@ impl Reader {
         let name = call.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
         match name.as_str() {
             "unreachable" | "panic" | "todo" | "unimplemented" => Ok(Value::Never),
+            // rustc's reading sees to them.
+            "assert" | "assert_eq" | "assert_ne" | "debug_assert" | "debug_assert_eq" | "debug_assert_ne" => Ok(Value::unit()),
+            "vec" => self.vec_macro(call),
             "matches" => self.matches_macro(call),
             _ => Err(Unreadable::new(&call.path, "a macro")),
         }
@@ -188,36 +179,26 @@ impl Reader {
         self.scopes.pop();
         matched.map(Value::Condition)
     }
-}
 
-/// Whether a `return` of the function itself is somewhere in a statement.
-fn returns(statement: &Stmt) -> bool {
-    struct Search(bool);
-    impl Visit<'_> for Search {
-        fn visit_expr_return(&mut self, _: &syn::ExprReturn) {
-            self.0 = true;
+    /// `vec![a, b]`, `vec![x; n]`
+    fn vec_macro(&mut self, call: &syn::Macro) -> Read {
+        if let Ok(list) = call.parse_body_with(Punctuated::<Expr, Token![,]>::parse_terminated) {
+            return self.expressions(list.iter()).map(Value::Array);
         }
-        fn visit_expr_closure(&mut self, _: &syn::ExprClosure) {}
-        fn visit_item(&mut self, _: &Item) {}
-    }
-    let mut search = Search(false);
-    search.visit_stmt(statement);
-    search.0
-}
-
-/// Whether the last of these statements returns, whatever happens.
-fn ends(statements: &[Stmt]) -> bool {
-    match statements.last() {
-        Some(Stmt::Expr(Expr::Return(_), _)) => true,
-        Some(Stmt::Expr(Expr::Block(block), _)) => ends(&block.block.stmts),
-        Some(Stmt::Expr(Expr::If(branch), _)) => {
-            let otherwise = branch.else_branch.as_ref().map(|(_, otherwise)| Stmt::Expr((**otherwise).clone(), None));
-            ends(&branch.then_branch.stmts) && ends(otherwise.as_slice())
+        let repeat = |input: syn::parse::ParseStream| {
+            let value = input.parse()?;
+            input.parse::<Token![;]>()?;
+            Ok((value, input.parse()?))
+        };
+        match call.parse_body_with(repeat) {
+            Ok((value, length)) => self.repeated(&value, &length),
+            Err(_) => Err(Unreadable::new(&call.path, "a macro")),
         }
-        _ => false,
     }
 }
 
-fn block_of(branch: &syn::ExprIf) -> Expr {
-    Expr::Block(syn::ExprBlock { attrs: vec![], label: None, block: branch.then_branch.clone() })
+/// Whether a function is written for dual numbers: then it is called, and not read.
+fn is_over_duals(function: &syn::ItemFn) -> bool {
+    let bounds = quote::ToTokens::to_token_stream(&function.sig.generics).to_string();
+    bounds.split(|c: char| !c.is_alphanumeric()).any(|word| word == "Dual")
 }

@@ -31,6 +31,12 @@ pub enum Template {
     Reference(Box<Template>),
     Tuple(Vec<Template>),
     Array(Vec<Template>),
+    /// A value of a struct or a variant: its path, its fields, and whether they stand in braces.
+    Struct(syn::Path, Vec<(String, Template)>, bool),
+    /// The state of a body, with its numbers: of a planar one R, θ, sin θ, cos θ, of a spatial one R, p, A.
+    State(Vec<Node>, usize, Span),
+    /// What a pattern calls by a name in the value, where that matches.
+    Part(Box<Template>, Box<syn::Pat>, Ident),
     /// Does the value match the pattern?
     Matches(Box<Template>, TokenStream),
     /// One of two, by a condition; what they are is decided by their place.
@@ -49,7 +55,7 @@ impl Template {
     pub fn nodes(&self) -> Vec<Node> {
         let mut nodes = Vec::new();
         self.visit(&mut |template| match template {
-            Template::Numbers(numbers, ..) => nodes.extend(numbers),
+            Template::Numbers(numbers, ..) | Template::State(numbers, ..) => nodes.extend(numbers),
             Template::When(condition, _) | Template::Choice(condition, ..) => nodes.push(*condition),
             _ => {}
         });
@@ -70,6 +76,15 @@ impl Template {
                 Template::Call(..) | Template::Method(..) | Template::Index(..) | Template::Binary(..) | Template::Unary(..)
             );
         });
+        found
+    }
+
+    /// The parts in it that are values only where a pattern matches, those inside of others first.
+    pub fn matched_parts(&self) -> Vec<&Template> {
+        let mut found: Vec<&Template> = self.parts().into_iter().flat_map(Template::matched_parts).collect();
+        if let Template::Part(..) = self {
+            found.push(self);
+        }
         found
     }
 
@@ -95,7 +110,8 @@ impl Template {
 
     fn parts(&self) -> Vec<&Template> {
         match self {
-            Template::Tokens(_) | Template::Path(..) | Template::Numbers(..) | Template::Parameter(_) => vec![],
+            Template::Tokens(_) | Template::Path(..) | Template::Numbers(..) | Template::State(..) | Template::Parameter(_) => vec![],
+            Template::Struct(_, fields, _) => fields.iter().map(|(_, value)| value).collect(),
             Template::Call(callee, all, _) => std::iter::once(&**callee).chain(all).collect(),
             Template::Method(receiver, _, all) => std::iter::once(&**receiver).chain(all).collect(),
             Template::Tuple(all) | Template::Array(all) => all.iter().collect(),
@@ -105,6 +121,7 @@ impl Template {
             | Template::Cast(a, _)
             | Template::Reference(a)
             | Template::Matches(a, _)
+            | Template::Part(a, ..)
             | Template::When(_, a) => vec![a],
         }
     }
@@ -116,6 +133,12 @@ impl Template {
             Template::Tokens(tokens) => tokens.to_string(),
             Template::Path(path, _) => path.to_token_stream().to_string(),
             Template::Numbers(nodes, shape, _) => format!("{nodes:?}: {shape:?}"),
+            Template::State(nodes, dimension, _) => format!("state {nodes:?} {dimension}"),
+            Template::Struct(path, fields, _) => {
+                let fields: Vec<String> = fields.iter().map(|(name, value)| format!("{name}: {}", value.key())).collect();
+                format!("{} {{ {} }}", path.to_token_stream(), fields.join(", "))
+            }
+            Template::Part(value, pattern, name) => format!("{name} of {} in ({})", pattern.to_token_stream(), value.key()),
             Template::Parameter(name) => format!("self.{name}"),
             Template::Call(callee, all, _) => format!("({})({})", callee.key(), list(all)),
             Template::Method(receiver, name, all) => format!("({}).{name}({})", receiver.key(), list(all)),

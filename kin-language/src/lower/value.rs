@@ -5,6 +5,7 @@ use kin_graph::Node;
 
 use super::function::Function;
 use super::integer::IntegerType;
+use super::scope::Place;
 use super::template::Template;
 
 /// A value of the body.
@@ -24,6 +25,12 @@ pub enum Value {
     Array(Vec<Value>),
     /// An iterator over values known one by one.
     Iterator(Vec<Value>),
+    /// A value of a struct, or of a variant of an enum: `Some(x)`, `Link { length, angle }`.
+    Adt(Adt),
+    /// One of several, by conditions of which one holds; of the last it is not asked.
+    Choice(Vec<(Node, Value)>),
+    /// `&mut place`
+    Place(Place),
     /// A borrowed value: only the user's own functions can tell it from the value itself.
     Reference(Box<Value>),
     /// `value.into()`: its place says what it becomes.
@@ -44,8 +51,55 @@ pub enum Value {
     Unassigned,
     /// `unreachable!()` and the like: there is no value here.
     Never,
+    /// Behind `return`, `break` and `continue`: nothing is read here.
+    Left,
     /// What is left of an expression with a mistake in it.
     Poison,
+}
+
+/// A value of a struct or variant.
+#[derive(Clone)]
+pub struct Adt {
+    /// How it was written: `Link`, `Shape::Arc`, `Some`.
+    pub path: syn::Path,
+    /// The name of the struct or variant.
+    pub name: String,
+    /// By their names, or numbers.
+    pub fields: Vec<(String, Value)>,
+    /// Whether it is written with braces.
+    pub braces: bool,
+}
+
+impl Adt {
+    /// `name(value)`, or `name` alone.
+    pub fn new(name: &str, value: Option<Value>) -> Self {
+        let path = proc_macro2::Ident::new(name, proc_macro2::Span::call_site()).into();
+        Adt { path, name: name.into(), fields: value.into_iter().map(|value| ("0".into(), value)).collect(), braces: false }
+    }
+
+    /// `Complex(a, b)`, `Shape::Line(a)`
+    pub fn tuple(path: &syn::Path, arguments: Vec<Value>) -> Self {
+        let name = path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default();
+        let fields = arguments.into_iter().enumerate().map(|(k, value)| (k.to_string(), value)).collect();
+        Adt { path: path.clone(), name, fields, braces: false }
+    }
+
+    /// The name of its type: the second last of the path, if there are two.
+    pub fn type_name(&self) -> String {
+        let segments: Vec<String> = self.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+        match &segments[..] {
+            [.., ty, _] if ty.starts_with(char::is_uppercase) => ty.clone(),
+            _ => self.name.clone(),
+        }
+    }
+
+    pub fn field(&self, name: &str) -> Option<&Value> {
+        self.fields.iter().find(|(field, _)| field == name).map(|(_, value)| value)
+    }
+
+    pub fn field_mut(&mut self, name: &str) -> Option<&mut Value> {
+        self.fields.iter_mut().find(|(field, _)| field == name).map(|(_, value)| value)
+    }
 }
 
 /// A value made of components that are added, scaled and negated one by one.
@@ -79,11 +133,26 @@ impl Value {
         Value::Tuple(vec![])
     }
 
+    pub fn some(value: Value) -> Value {
+        Value::Adt(Adt::new("Some", Some(value)))
+    }
+
+    pub fn none() -> Value {
+        Value::Adt(Adt::new("None", None))
+    }
+
+    /// An index or a count.
+    pub fn count(n: usize) -> Value {
+        Value::Integer(n as i64, Some(IntegerType::SIZE))
+    }
+
     /// Of how many values it is made.
     pub fn size(&self) -> usize {
         match self {
             Value::Tuple(all) | Value::Array(all) | Value::Iterator(all) => 1 + all.iter().map(Value::size).sum::<usize>(),
             Value::Reference(inner) | Value::Into(inner) => inner.size(),
+            Value::Adt(adt) => 1 + adt.fields.iter().map(|(_, value)| value.size()).sum::<usize>(),
+            Value::Choice(all) => 1 + all.iter().map(|(_, value)| value.size()).sum::<usize>(),
             Value::Opaque(template) => template.size(),
             _ => 1,
         }
@@ -128,6 +197,10 @@ impl Value {
             Value::Axis(_) => "an Axis".into(),
             Value::Function(_) => "a function".into(),
             Value::Opaque(_) => "a value of a type the macro does not know".into(),
+            Value::Adt(adt) => format!("a `{}`", adt.type_name()),
+            Value::Choice(all) => all.first().map_or_else(String::new, |(_, value)| value.name()),
+            Value::Place(_) => "a reference to a variable".into(),
+            Value::Left => "no value at all".into(),
             Value::Unassigned => "a variable without a value".into(),
             Value::Never => "no value at all".into(),
             Value::Poison => "a mistake".into(),
@@ -199,5 +272,19 @@ impl Shape {
             Shape::Tuple(all) => format!("({})", all.iter().map(Shape::name).collect::<Vec<_>>().join(", ")),
             Shape::Any => "_".into(),
         }
+    }
+}
+
+/// Place of a name among others.
+pub fn position(name: &str, names: &[&str]) -> Option<usize> {
+    names.iter().position(|n| *n == name)
+}
+
+/// Place of `m12` in a matrix of side `n`.
+pub fn entry(name: &str, n: usize) -> Option<usize> {
+    let digits: Vec<usize> = name.strip_prefix('m')?.chars().filter_map(|c| c.to_digit(10)).map(|d| d as usize).collect();
+    match digits[..] {
+        [r, c] if (1..=n).contains(&r) && (1..=n).contains(&c) => Some((r - 1) * n + c - 1),
+        _ => None,
     }
 }

@@ -14,13 +14,17 @@ pub struct Asked {
     pub lanes: bool,
     /// A warning at the token that cannot be read.
     pub warn_dual: bool,
+    /// Lengths by their names: `LEGS = 6`.
+    pub lengths: Vec<(Ident, syn::LitInt)>,
 }
 
 /// Reads the words; each at most once, and none that contradict each other.
 pub fn asked(attribute: TokenStream) -> syn::Result<Asked> {
-    const WORDS: &str = "`#[constraint]` takes nothing, `symbolic`, `dual`, `lanes` or `warn_dual`";
+    const WORDS: &str = "`#[constraint]` takes nothing, `symbolic`, `dual`, `lanes`, `warn_dual`, or a length: `LEGS = 6`";
     let mistake = |text: &str| syn::Error::new_spanned(&attribute, text);
-    let words = Punctuated::<Ident, syn::Token![,]>::parse_terminated.parse2(attribute.clone()).map_err(|_| mistake(WORDS))?;
+    let given = Punctuated::<Word, syn::Token![,]>::parse_terminated.parse2(attribute.clone()).map_err(|_| mistake(WORDS))?;
+    let lengths: Vec<(Ident, syn::LitInt)> = given.iter().filter_map(|word| Some((word.0.clone(), word.1.clone()?))).collect();
+    let words: Vec<Ident> = given.into_iter().filter(|word| word.1.is_none()).map(|word| word.0).collect();
     let find = |text: &str| words.iter().find(|word| *word == text);
     let (symbolic, dual, lanes, warn_dual) = (find("symbolic"), find("dual"), find("lanes"), find("warn_dual"));
     if [symbolic, dual, lanes, warn_dual].iter().flatten().count() != words.len() {
@@ -38,6 +42,17 @@ pub fn asked(attribute: TokenStream) -> syn::Result<Asked> {
     match (warn_dual, choice) {
         (Some(_), Choice::Dual(_)) => Err(mistake("`warn_dual` warns of what `dual` asks for: leave one of them out")),
         (Some(_), Choice::Symbolic) => Err(mistake("where `symbolic` or `lanes` stands the dual route is an error: leave `warn_dual` out")),
-        _ => Ok(Asked { choice, lanes: lanes.is_some(), warn_dual: warn_dual.is_some() }),
+        _ => Ok(Asked { choice, lanes: lanes.is_some(), warn_dual: warn_dual.is_some(), lengths }),
+    }
+}
+
+/// `symbolic`, or `LEGS = 6`.
+struct Word(Ident, Option<syn::LitInt>);
+
+impl syn::parse::Parse for Word {
+    fn parse(input: syn::parse::ParseStream) -> syn::Result<Self> {
+        let name = input.parse()?;
+        let length = input.parse::<Option<syn::Token![=]>>()?.map(|_| input.parse()).transpose()?;
+        Ok(Word(name, length))
     }
 }

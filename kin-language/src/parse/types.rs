@@ -1,5 +1,6 @@
 //! The types of a signature, by their names: they say what an argument is.
 
+use quote::ToTokens;
 use syn::{Expr, ExprLit, Lit, Type};
 
 /// What an argument is, by the name of its type.
@@ -9,6 +10,9 @@ pub enum Kind {
     Spatial,
     Coord,
     Coords(usize),
+    /// `[Planar; N]` and `[Spatial; N]`
+    Planars(usize),
+    Spatials(usize),
     Time,
     Law,
     /// An axis: its direction and two others across it.
@@ -24,7 +28,7 @@ impl Kind {
     pub fn slots(&self) -> usize {
         match self {
             Kind::Planar | Kind::Spatial | Kind::Coord => 1,
-            Kind::Coords(n) => *n,
+            Kind::Coords(n) | Kind::Planars(n) | Kind::Spatials(n) => *n,
             _ => 0,
         }
     }
@@ -34,6 +38,8 @@ impl Kind {
         match self {
             Kind::Planar => 3,
             Kind::Spatial => 7,
+            Kind::Planars(n) => n.saturating_mul(3),
+            Kind::Spatials(n) => n.saturating_mul(7),
             _ => self.slots(),
         }
     }
@@ -79,19 +85,38 @@ pub fn kind(ty: &Type) -> syn::Result<Kind> {
         None => {}
     }
     match ty {
+        Type::Group(inner) => kind(&inner.elem),
+        Type::Paren(inner) => kind(&inner.elem),
         Type::Path(path) => named_kind(path),
-        Type::Array(array) if last_name(&array.elem).as_deref() == Some("Coord") => match literal_length(&array.len) {
-            Some(0) => Err(syn::Error::new_spanned(&array.len, "an array of no coordinates constrains nothing")),
-            Some(n) => Ok(Kind::Coords(n)),
-            None => Err(syn::Error::new_spanned(
-                &array.len,
-                "write the number of coordinates as a literal: the columns of C_q are counted here",
-            )),
-        },
-        Type::Array(array) if is_marker(&array.elem) => Err(syn::Error::new_spanned(ty, "only `Coord` comes in arrays: name each body")),
+        Type::Array(array) if last_name(&array.elem).as_deref() == Some("Time") => {
+            Err(syn::Error::new_spanned(ty, "there is one time: write `Time`"))
+        }
+        Type::Array(array) if is_marker(&array.elem) => kinds(array),
+        Type::Reference(reference) if is_static(reference) => Ok(Kind::Other),
         Type::Reference(reference) => Err(reference_mistake(reference)),
         Type::ImplTrait(_) => Err(syn::Error::new_spanned(ty, "write the type itself: a parameter is a field of the constraint")),
         _ => Ok(Kind::Other),
+    }
+}
+
+/// `[Coord; N]`, `[Planar; N]`
+fn kinds(array: &syn::TypeArray) -> syn::Result<Kind> {
+    let name = last_name(&array.elem).unwrap_or_default();
+    let (all, each) = if name == "Coord" { ("coordinates", "columns") } else { ("bodies", "coordinates") };
+    match (literal_length(&array.len), name.as_str()) {
+        (Some(0), _) => Err(syn::Error::new_spanned(&array.len, format!("an array of no {all} constrains nothing"))),
+        (Some(n), "Planar") => Ok(Kind::Planars(n)),
+        (Some(n), "Spatial") => Ok(Kind::Spatials(n)),
+        (Some(n), _) => Ok(Kind::Coords(n)),
+        (None, _) => {
+            let length = array.len.to_token_stream().to_string();
+            let cure = match syn::parse_str::<syn::Ident>(&length) {
+                Ok(name) => format!(", or say what `{name}` is, `#[constraint({name} = 6)]`"),
+                Err(_) => String::new(),
+            };
+            let text = format!("write the number of {all} as a literal{cure}: the {each} are counted here");
+            Err(syn::Error::new_spanned(&array.len, text.replace("the columns are", "the columns of C_q are")))
+        }
     }
 }
 
@@ -105,7 +130,11 @@ fn named_kind(path: &syn::TypePath) -> syn::Result<Kind> {
         "Law" => return Ok(Kind::Law),
         "Axis" => return Ok(Kind::Axis),
         "f32" => return Err(syn::Error::new_spanned(path, "numbers are `f64`")),
-        "PlanarBody" | "Link" => {
+        "PlanarBody" => {
+            return Err(syn::Error::new_spanned(path, "inside the function a planar body is its state: write `Planar`"));
+        }
+        // Alone it may be the user's own.
+        "Link" if path.path.segments.first().is_some_and(|first| first.ident == "kin") => {
             return Err(syn::Error::new_spanned(path, "inside the function a planar body is its state: write `Planar`"));
         }
         "SpatialBody" => return Err(syn::Error::new_spanned(path, "inside the function a spatial body is its state: write `Spatial`")),
@@ -124,10 +153,18 @@ fn reference_mistake(reference: &syn::TypeReference) -> syn::Error {
     let text = match is_marker(&reference.elem) {
         true => format!("write `{}`: the state is a value, there is nothing to borrow", last_name(&reference.elem).unwrap_or_default()),
         false => {
-            "a parameter is a field of the constraint, so it is owned: write the type without `&` (`[f64; N]`, `Vec<f64>`, `String`)".into()
+            "a parameter is a field of the constraint, so it is owned: write the type without `&` (`[f64; N]`, `Vec<f64>`, `String`), or `&'static` \
+             for what lives as long as the program"
+                .into()
         }
     };
     syn::Error::new_spanned(reference, text)
+}
+
+/// `&'static T` of a type of its own.
+fn is_static(reference: &syn::TypeReference) -> bool {
+    let lives = reference.lifetime.as_ref().is_some_and(|lifetime| lifetime.ident == "static");
+    lives && reference.mutability.is_none() && !is_marker(&reference.elem)
 }
 
 fn is_marker(ty: &Type) -> bool {
@@ -137,6 +174,8 @@ fn is_marker(ty: &Type) -> bool {
 fn last_name(ty: &Type) -> Option<String> {
     match ty {
         Type::Path(path) => path.path.segments.last().map(|s| s.ident.to_string()),
+        Type::Group(inner) => last_name(&inner.elem),
+        Type::Paren(inner) => last_name(&inner.elem),
         _ => None,
     }
 }

@@ -1,8 +1,9 @@
 //! The emitted constraint: a struct of the function's name, its constructor, `impl Constraint` and `impl Equation`.
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use quote::{quote, quote_spanned};
 
+use super::kernel::Kernel;
 use super::lanes::{self, LaneCode};
 use super::route::DualReason;
 use super::{attachments, blame, demands, described, editor, functions, measures, rewrite, template, unlinted, written};
@@ -16,12 +17,20 @@ struct Frame<'a> {
     n: usize,
     row_names: Vec<String>,
     pattern: Vec<(usize, usize)>,
-    /// The user's body for dual numbers.
-    dual: syn::Block,
+    /// The equation over dual numbers: what computes it, and its rows.
+    dual: Dual,
     /// Slots whose sine or cosine is read.
     trig: Vec<usize>,
     /// Kernels over lanes, where they are asked for.
     lanes: Option<LaneCode>,
+}
+
+/// The equation over dual numbers.
+enum Dual {
+    /// The user's body.
+    Body(syn::Block),
+    /// Out of the graph: the code before the rows, and these.
+    Graph(TokenStream, Vec<TokenStream>),
 }
 
 /// The constraint on the symbolic route.
@@ -32,7 +41,14 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
     let trig = derived.trig(&lowered);
     let kernels = functions::symbolic(&source.arguments, &mut lowered, &derived);
     let lanes = source.lanes.then(|| lanes::lanes(&source.name, &source.arguments, &mut lowered, &derived));
-    let frame = Frame { trig, lanes, ..Frame::new(source, rewrite::dual(&source.body, &source.arguments), row_names, pattern) };
+    let dual = if rewrite::is_sure(&source.body, &source.arguments) {
+        Dual::Body(rewrite::dual(&source.body, &source.arguments))
+    } else {
+        let rows: Vec<kin_graph::Node> = lowered.rows.iter().map(|row| row.node).collect();
+        let (code, rows) = Kernel::over_duals(&lowered, &source.arguments).values(&rows);
+        Dual::Graph(code.tokens, rows)
+    };
+    let frame = Frame { trig, lanes, ..Frame::new(source, dual, row_names, pattern) };
     let attachments = attachments::symbolic(&source.arguments, &lowered);
     let leaves: Vec<TokenStream> =
         lowered.leaves.iter().enumerate().map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items)).collect();
@@ -48,12 +64,12 @@ pub fn dual(source: &ConstraintFn, reason: &DualReason) -> TokenStream {
     let (kernels, attachments, blame) = (functions::dual(), attachments::dual(source), blame::dual(&expressions.all));
     let (explained, warning) = (reason.explained(), reason.warning(&source.name, source.warn_dual));
     let methods = quote!(#explained #kernels #attachments #blame);
-    let constraint = Frame::new(source, body, row_names, pattern).emit(quote!(::kin::Route::Dual), &methods, &[], None);
+    let constraint = Frame::new(source, Dual::Body(body), row_names, pattern).emit(quote!(::kin::Route::Dual), &methods, &[], None);
     quote!(#constraint #warning)
 }
 
 impl<'a> Frame<'a> {
-    fn new(source: &'a ConstraintFn, dual: syn::Block, row_names: Vec<String>, pattern: Vec<(usize, usize)>) -> Self {
+    fn new(source: &'a ConstraintFn, dual: Dual, row_names: Vec<String>, pattern: Vec<(usize, usize)>) -> Self {
         Frame { source, n: columns(&source.arguments), row_names, pattern, dual, trig: vec![], lanes: None }
     }
 
@@ -74,10 +90,12 @@ impl<'a> Frame<'a> {
         let lane_kernels = self.lanes.as_ref().map(|lanes| &lanes.implementations);
         let as_data = described::described(source, &kind, &n, &m);
         let constraint = self.constraint(&kind, route, kernels, lowered);
+        let lengths = lengths(source);
         quote! {
             #edited
             #declaration
             ::kin::rt::outside_editor! { const _: () = {
+                #lengths
                 #written
                 #leaves
                 #constraint
@@ -153,10 +171,15 @@ impl<'a> Frame<'a> {
                 Kind::Planar => quote!(::kin::rt::Target::Planar(self.#name)),
                 Kind::Spatial => quote!(::kin::rt::Target::Spatial(self.#name)),
                 Kind::Coord => quote!(::kin::rt::Target::Coord(self.#name, #trig)),
-                Kind::Coords(n) => {
+                Kind::Coords(n) | Kind::Planars(n) | Kind::Spatials(n) => {
                     for k in 0..n {
                         let (trig, k) = (self.trig(slot - n + k), literal(k));
-                        all.push(quote!(::kin::rt::Argument { name: #text, target: ::kin::rt::Target::Coord(self.#name[#k], #trig) }));
+                        let target = match argument.kind {
+                            Kind::Planars(_) => quote!(Planar(self.#name[#k])),
+                            Kind::Spatials(_) => quote!(Spatial(self.#name[#k])),
+                            _ => quote!(Coord(self.#name[#k], #trig)),
+                        };
+                        all.push(quote!(::kin::rt::Argument { name: #text, target: ::kin::rt::Target::#target }));
                     }
                     continue;
                 }
@@ -177,12 +200,19 @@ impl<'a> Frame<'a> {
         let (n, m) = (literal(self.n), literal(self.row_names.len()));
         let (q, t, value) = (super::own("q"), super::own("t"), super::own("value"));
         let (states, parameters) = (states(&source.arguments, &q, &t), super::dual_bindings(&source.arguments));
-        let (body, ty) = (&self.dual, rewrite::lifted_type(&source.output_type));
+        let ty = rewrite::lifted_type(&source.output_type);
         let prepared = quote!(#(#states)* #(#parameters)*);
         let measure = measures::evaluation(source, &n, [&q, &t], &prepared);
-        let evaluation = written::silent(quote! {
-            #prepared
-            let #value = (move || -> #ty #body)();
+        let evaluation = written::silent(match &self.dual {
+            Dual::Body(body) => quote! {
+                #prepared
+                let #value = (move || -> #ty #body)();
+            },
+            Dual::Graph(code, rows) => quote! {
+                #(#states)*
+                #code
+                let #value: [::kin::rt::Real<__D>; #m] = [#(#rows),*];
+            },
         });
         let inputs = written_inputs(&source.arguments, &q, &t);
         quote! {
@@ -198,6 +228,28 @@ impl<'a> Frame<'a> {
             #measure
         }
     }
+}
+
+/// That constants beside the function are what the attribute says of them.
+fn lengths(source: &ConstraintFn) -> TokenStream {
+    let checks = source.lengths.iter().map(|(name, length)| {
+        let text = format!("`{name}` is not {length}, as `#[constraint({name} = {length})]` says");
+        quote_spanned!(name.span()=> const _: () = ::kin::rt::held(#name == #length, #text);)
+    });
+    let handles = source.arguments.iter().filter(|argument| argument.kind == Kind::Other && is_called_link(&argument.ty)).map(|argument| {
+        let ty = &argument.ty;
+        let text = "inside the function a body is its state: write `Planar` or `Spatial`";
+        quote_spanned!(syn::spanned::Spanned::span(ty)=> const _: () = {
+            use ::kin::rt::Own as _;
+            ::kin::rt::held(::kin::rt::Named::<#ty>::IS_OWN, #text)
+        };)
+    });
+    quote!(#(#checks)* #(#handles)*)
+}
+
+/// Whether a type may be the handle of a body.
+fn is_called_link(ty: &syn::Type) -> bool {
+    matches!(ty, syn::Type::Path(path) if path.path.segments.last().is_some_and(|last| last.ident == "Link" || last.ident == "SpatialLink"))
 }
 
 /// The struct and its constructor.
@@ -237,10 +289,9 @@ fn states(arguments: &[Argument], q: &Ident, t: &Ident) -> Vec<TokenStream> {
         let ty = match argument.kind {
             Kind::Planar => quote!(::kin::rt::PlanarState<#scalar>),
             Kind::Spatial => quote!(::kin::rt::SpatialState<#scalar>),
-            Kind::Coords(n) => {
-                let n = literal(n);
-                quote!([#scalar; #n])
-            }
+            Kind::Planars(n) => super::array(&quote!(::kin::rt::PlanarState<#scalar>), n),
+            Kind::Spatials(n) => super::array(&quote!(::kin::rt::SpatialState<#scalar>), n),
+            Kind::Coords(n) => super::array(&scalar, n),
             _ => scalar.clone(),
         };
         Some(quote!(let #mutable #name: #ty = #next;))
@@ -255,6 +306,8 @@ fn next(argument: &Argument, q: &Ident, t: &Ident) -> Option<TokenStream> {
         Kind::Spatial => quote!(#q.spatial()),
         Kind::Coord => quote!(#q.coord()),
         Kind::Coords(_) => quote!(#q.coords()),
+        Kind::Planars(_) => quote!(#q.planars()),
+        Kind::Spatials(_) => quote!(#q.spatials()),
         Kind::Time => quote!(#t),
         _ => return None,
     })
@@ -266,7 +319,7 @@ fn written_inputs(arguments: &[Argument], q: &Ident, t: &Ident) -> Vec<TokenStre
         let name = &argument.name;
         match argument.kind {
             Kind::Numbers(_) | Kind::Axis => quote!(self.#name),
-            Kind::Law | Kind::Other => quote!(self.#name.clone()),
+            Kind::Law | Kind::Other => quote!(::core::clone::Clone::clone(&self.#name)),
             _ => next(argument, q, t).unwrap_or_default(),
         }
     });
@@ -275,8 +328,8 @@ fn written_inputs(arguments: &[Argument], q: &Ident, t: &Ident) -> Vec<TokenStre
 
 fn kinds(argument: &Argument) -> Vec<TokenStream> {
     let kind = match argument.kind {
-        Kind::Planar => quote!(::kin::rt::ArgumentKind::Planar),
-        Kind::Spatial => quote!(::kin::rt::ArgumentKind::Spatial),
+        Kind::Planar | Kind::Planars(_) => quote!(::kin::rt::ArgumentKind::Planar),
+        Kind::Spatial | Kind::Spatials(_) => quote!(::kin::rt::ArgumentKind::Spatial),
         _ => quote!(::kin::rt::ArgumentKind::Coord),
     };
     vec![kind; argument.kind.slots()]

@@ -134,6 +134,8 @@ pub fn branch(source: &ConstraintFn) -> TokenStream {
                 Kind::Planar => quote!(at.planar(#at)),
                 Kind::Spatial => quote!(at.spatial(#at)),
                 Kind::Coord => quote!(at.coord(#at).value),
+                Kind::Planars(_) => quote!(::core::array::from_fn(|k| at.planar(#at + k))),
+                Kind::Spatials(_) => quote!(::core::array::from_fn(|k| at.spatial(#at + k))),
                 Kind::Coords(_) => quote!(::core::array::from_fn(|k| at.coord(#at + k).value)),
                 Kind::Time => quote!(at.t),
                 _ => quote!(::core::clone::Clone::clone(&self.#name)),

@@ -11,6 +11,9 @@ pub fn describe(source: &ConstraintFn) -> TokenStream {
     let puts = parameters.map(|argument| {
         let (name, text) = (&argument.name, text(argument));
         match argument.kind {
+            Kind::Other if matches!(argument.ty, syn::Type::Reference(_)) => {
+                quote!(::kin::rt::Untold::put(&&::kin::rt::Told(&self.#name), #text, to);)
+            }
             Kind::Other => quote!((&::kin::rt::Told(&self.#name)).put(#text, to);),
             _ => quote!(to.put(#text, &self.#name);),
         }
@@ -32,10 +35,17 @@ pub fn described(source: &ConstraintFn, kind: &str, n: &Literal, m: &Literal) ->
             Kind::Planar => quote!(from.planar()),
             Kind::Spatial => quote!(from.spatial()),
             Kind::Coord => quote!(from.coord()),
-            Kind::Coords(n) => {
-                let each = std::iter::repeat_n(quote!(from.coord()), n);
+            Kind::Coords(n) | Kind::Planars(n) | Kind::Spatials(n) => {
+                let one = match argument.kind {
+                    Kind::Planars(_) => quote!(from.planar()),
+                    Kind::Spatials(_) => quote!(from.spatial()),
+                    _ => quote!(from.coord()),
+                };
+                let each = std::iter::repeat_n(one, n);
                 quote!([#(#each),*])
             }
+            // What lives as long as the program is in no file.
+            Kind::Other if matches!(argument.ty, syn::Type::Reference(_)) => quote!(return ::core::option::Option::None),
             Kind::Other => quote!((&::kin::rt::Sought::<#ty>::new()).get(#text, from)?),
             _ => quote!(from.get(#text)),
         };

@@ -1,12 +1,14 @@
 //! Straight-line code for some outputs of the graph: which nodes get a name, in which order, and how each is written.
 
+mod dual;
 mod evaluations;
+mod inputs;
 mod words;
 
 use std::collections::{HashMap, HashSet};
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::{ToTokens, quote};
+use quote::quote;
 
 pub use words::number;
 use words::{comparison_method, sign};
@@ -14,7 +16,7 @@ use words::{comparison_method, sign};
 use super::slots::{Slot, binding, slots};
 use super::timed::{self, Timed};
 use kin_graph::schedule::{self, order};
-use kin_graph::{Function, Function2, Graph, Input, Node, Op, Part};
+use kin_graph::{Function, Function2, Graph, Node, Op, Part};
 use kin_language::lower::{Lowered, OpaqueKind};
 use kin_language::parse::Argument;
 
@@ -28,6 +30,8 @@ enum Numbers {
     Plain,
     /// One f64 for each lane.
     Wide,
+    /// `Real<__D>`, of the states by the user's names.
+    Dual,
 }
 
 /// Nodes that come out of an evaluation in plain numbers, lane by lane: its number, the place among its results, and how many there are.
@@ -60,6 +64,8 @@ pub struct Kernel<'a> {
     /// How many numbers were evaluated once a time, and whether they are read.
     timed: usize,
     reads_timed: bool,
+    /// Of dual numbers, where each state argument is read, by its slot.
+    places: Vec<TokenStream>,
 }
 
 /// The code, and how many arithmetic operations and function calls it makes.
@@ -91,6 +97,11 @@ impl<'a> Kernel<'a> {
     /// The same over lanes.
     pub fn over_lanes(lowered: &'a Lowered, arguments: &[Argument], given: HashMap<Node, TokenStream>, lane_by_lane: Evaluations) -> Self {
         Kernel { numbers: Numbers::Wide, lane_by_lane, ..Kernel::from_given(lowered, arguments, given) }
+    }
+
+    /// Code in dual numbers: the states have the user's names, the time is `t`.
+    pub fn over_duals(lowered: &'a Lowered, arguments: &'a [Argument]) -> Self {
+        Kernel { numbers: Numbers::Dual, places: dual::places(arguments), ..Kernel::new(lowered, arguments) }
     }
 
     /// Code before the values of `nodes`, and these as expressions, conditions as 1 or 0.
@@ -148,6 +159,7 @@ impl<'a> Kernel<'a> {
             scheduled: false,
             timed: 0,
             reads_timed: false,
+            places: vec![],
         }
     }
 
@@ -255,7 +267,10 @@ impl<'a> Kernel<'a> {
         let (s, c) = (format!("s{}", self.temporaries), format!("c{}", self.temporaries));
         let [s, c] = [s, c].map(|name| Ident::new(&name, Span::mixed_site()));
         self.temporaries += 1;
-        self.statements.push(quote!(let (#s, #c) = #of.sin_cos();));
+        self.statements.push(match self.numbers {
+            Numbers::Plain => quote!(let (#s, #c) = ::kin::rt::math::sin_cos(#of);),
+            _ => quote!(let (#s, #c) = #of.sin_cos();),
+        });
         self.named.insert(sin, quote!(#s));
         self.named.insert(cos, quote!(#c));
         true
@@ -300,9 +315,9 @@ impl<'a> Kernel<'a> {
                 let (fma, a, b, c) = (super::own("fma"), self.expression(a), self.expression(b), self.expression(c));
                 quote!(#fma(#a, #b, #c))
             }
-            Op::And(a, b) => self.infix(a, if self.numbers == Numbers::Plain { quote!(&&) } else { quote!(&) }, b),
-            Op::Or(a, b) => self.infix(a, if self.numbers == Numbers::Plain { quote!(||) } else { quote!(|) }, b),
-            Op::Compare(comparison, a, b) if self.numbers == Numbers::Plain => self.infix(a, sign(comparison), b),
+            Op::And(a, b) => self.infix(a, if self.numbers != Numbers::Wide { quote!(&&) } else { quote!(&) }, b),
+            Op::Or(a, b) => self.infix(a, if self.numbers != Numbers::Wide { quote!(||) } else { quote!(|) }, b),
+            Op::Compare(comparison, a, b) if self.numbers != Numbers::Wide => self.infix(a, sign(comparison), b),
             Op::Compare(comparison, a, b) => self.function(comparison_method(comparison), &[a, b]),
             Op::Neg(a) => {
                 let a = self.operand(a);
@@ -312,21 +327,17 @@ impl<'a> Kernel<'a> {
                 let a = self.operand(a);
                 quote!(!#a)
             }
-            Op::Call(f @ (Function::Acosh | Function::Atanh), a) if self.numbers == Numbers::Plain => {
-                let (name, a) = (super::own(f.method()), self.expression(a));
-                quote!(::kin::rt::#name(#a))
-            }
             Op::Call(f, a) => self.function(f.method(), &[a]),
             Op::Call2(Function2::Rem, a, b) => self.infix(a, quote!(%), b),
             Op::Call2(f, a, b) => self.function(f.method(), &[a, b]),
             Op::Powi(a, n) => {
-                let (ty, a, n) = (self.number_type(), self.expression(a), Literal::i32_unsuffixed(n));
-                quote!(#ty::powi(#a, #n))
+                let (of, a, n) = (self.functions_of(), self.expression(a), Literal::i32_unsuffixed(n));
+                quote!(#of::powi(#a, #n))
             }
             Op::Select(c, a, b) => {
                 let (c, a, b) = (self.expression(c), self.expression(a), self.expression(b));
                 match self.numbers {
-                    Numbers::Plain => quote!(if #c { #a } else { #b }),
+                    Numbers::Plain | Numbers::Dual => quote!(if #c { #a } else { #b }),
                     Numbers::Wide => quote!(::kin::rt::Mask::select(#c, #a, #b)),
                 }
             }
@@ -337,44 +348,32 @@ impl<'a> Kernel<'a> {
 
     fn constant(&self, value: f64) -> TokenStream {
         let value = number(value);
-        if self.numbers == Numbers::Plain { value } else { quote!(at.splat(#value)) }
+        match self.numbers {
+            Numbers::Plain => value,
+            Numbers::Wide => quote!(at.splat(#value)),
+            Numbers::Dual => quote!(::kin::rt::Real::<__D>::from(#value)),
+        }
     }
 
-    fn number_type(&self) -> TokenStream {
-        if self.numbers == Numbers::Plain { quote!(f64) } else { quote!(::kin::rt::Wide) }
+    /// Where the functions of the numbers are.
+    fn functions_of(&self) -> TokenStream {
+        match self.numbers {
+            Numbers::Plain => quote!(::kin::rt::math),
+            Numbers::Wide => quote!(::kin::rt::Wide),
+            Numbers::Dual => quote!(<::kin::rt::Real<__D>>),
+        }
     }
 
     /// A function of the numbers' type.
     fn function(&mut self, name: &str, arguments: &[Node]) -> TokenStream {
-        let (ty, name) = (self.number_type(), Ident::new(name, Span::call_site()));
+        let (of, name) = (self.functions_of(), Ident::new(name, Span::call_site()));
         let arguments: Vec<TokenStream> = arguments.iter().map(|&n| self.expression(n)).collect();
-        quote!(#ty::#name(#(#arguments),*))
+        quote!(#of::#name(#(#arguments),*))
     }
 
     fn infix(&mut self, a: Node, sign: TokenStream, b: Node) -> TokenStream {
         let (a, b) = (self.operand(a), self.operand(b));
         quote!(#a #sign #b)
-    }
-
-    fn input(&mut self, input: Input) -> TokenStream {
-        match input {
-            Input::Time => quote!(at.t),
-            Input::TimeRate if self.numbers == Numbers::Wide => quote!(at.splat(1.0)),
-            Input::TimeRate => quote!(t_dot),
-            Input::Column(_) => quote!(x),
-            Input::Parameter(k) => self.lowered.parameters[k].clone(),
-            Input::Timed(k) if self.numbers == Numbers::Wide => {
-                let (known, k) = (super::own("known"), Literal::usize_unsuffixed(k));
-                quote!(#known[#k])
-            }
-            Input::Timed(k) => {
-                self.reads_timed = true;
-                let k = Literal::usize_unsuffixed(k);
-                quote!(timed[#k])
-            }
-            Input::State(slot, part) => self.reading(slot, part, true).to_token_stream(),
-            Input::Rate(slot, part) => self.reading(slot, part, false).to_token_stream(),
-        }
     }
 }
 

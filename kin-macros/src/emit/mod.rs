@@ -11,6 +11,7 @@ mod kernel;
 mod lanes;
 pub mod law;
 mod measures;
+mod probe;
 mod rewrite;
 mod route;
 mod slots;
@@ -32,10 +33,9 @@ fn field_type(argument: &Argument) -> TokenStream {
         Kind::Planar => quote!(::kin::PlanarBody),
         Kind::Spatial => quote!(::kin::SpatialBody),
         Kind::Coord => quote!(::kin::Coordinate),
-        Kind::Coords(n) => {
-            let n = proc_macro2::Literal::usize_unsuffixed(*n);
-            quote!([::kin::Coordinate; #n])
-        }
+        Kind::Coords(n) => array(&quote!(::kin::Coordinate), *n),
+        Kind::Planars(n) => array(&quote!(::kin::PlanarBody), *n),
+        Kind::Spatials(n) => array(&quote!(::kin::SpatialBody), *n),
         Kind::Other => written::parameter_type(&argument.ty),
         Kind::Axis => quote!(::kin::Axis),
         _ => {
@@ -43,6 +43,12 @@ fn field_type(argument: &Argument) -> TokenStream {
             quote!(#ty)
         }
     }
+}
+
+/// `[ty; n]`
+fn array(ty: &TokenStream, n: usize) -> TokenStream {
+    let n = proc_macro2::Literal::usize_unsuffixed(n);
+    quote!([#ty; #n])
 }
 
 /// What a constructor takes for an argument, and the value of its field. The name stands at the type in the signature, for messages.
@@ -53,7 +59,14 @@ fn constructor_input(argument: &Argument) -> (TokenStream, TokenStream) {
         let (word, method) = (proc_macro2::Ident::new(word, at), own(method));
         (quote_spanned!(at=> impl ::kin::#word), quote!(#name: ::kin::#word::#method(#name)))
     };
+    let several = |word: &str, method: &str, n: usize| {
+        let (one, method) = (given(word, method).0, own(method));
+        let word = proc_macro2::Ident::new(word, proc_macro2::Span::call_site());
+        (array(&one, n), quote!(#name: #name.map(::kin::#word::#method)))
+    };
     match argument.kind {
+        Kind::Planars(n) => several("IntoPlanarBody", "into_planar_body", n),
+        Kind::Spatials(n) => several("IntoSpatialBody", "into_spatial_body", n),
         Kind::Planar => given("IntoPlanarBody", "into_planar_body"),
         Kind::Spatial => given("IntoSpatialBody", "into_spatial_body"),
         Kind::Coord => given("IntoCoordinate", "into_coordinate"),
@@ -114,7 +127,7 @@ fn dual_bindings(arguments: &[Argument]) -> Vec<TokenStream> {
                 }
                 Kind::Other => {
                     let ty = &argument.ty;
-                    quote!(let #mutable #name: __Dual<#ty> = self.#name.clone();)
+                    quote!(let #mutable #name: __Dual<#ty> = ::core::clone::Clone::clone(&self.#name);)
                 }
                 _ => quote!(let #mutable #name = self.#name.clone();),
             }

@@ -13,6 +13,10 @@ pub struct Slot {
 }
 
 impl Slot {
+    pub fn kind(&self) -> &Kind {
+        &self.kind
+    }
+
     /// A name for each number of the state, in the order in which a constraint reads them.
     pub fn state_parts(&self) -> Vec<Part> {
         match self.kind {
@@ -64,8 +68,14 @@ pub fn slots(arguments: &[Argument]) -> Vec<Slot> {
         let extends = |other: &String| name.strip_prefix(other.as_str()).is_some_and(|rest| rest.starts_with('_'));
         let base = if is_taken(name) || names.iter().any(extends) { format!("{name}_arg") } else { name.clone() };
         for k in 0..argument.kind.slots() {
-            let name = if matches!(argument.kind, Kind::Coords(_)) { format!("{base}_{k}") } else { base.clone() };
-            slots.push(Slot { name, kind: argument.kind.clone() });
+            let (kind, several) = match argument.kind {
+                Kind::Planars(_) => (Kind::Planar, true),
+                Kind::Spatials(_) => (Kind::Spatial, true),
+                Kind::Coords(_) => (argument.kind.clone(), true),
+                _ => (argument.kind.clone(), false),
+            };
+            let name = if several { format!("{base}_{k}") } else { base.clone() };
+            slots.push(Slot { name, kind });
         }
     }
     slots

@@ -1,15 +1,18 @@
 //! Expressions of the user's that emitted code repeats, with values of the graph put in.
 
+mod handed;
+
 use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
 
 use super::written::silent;
+use handed::{MOST_ARGUMENTS, is_bindable, renamed};
 use kin_graph::{Graph, Node};
 use kin_language::lower::template::Template;
 use kin_language::lower::{OpaqueKind, OpaqueValue, component_paths};
 use kin_language::parse::Shape;
-use kin_language::vocabulary::{is_number_method, is_reading_method, is_std_function, is_type_name};
+use kin_language::vocabulary::{is_kin_function, is_number_method, is_reading_method, is_std_function, is_type_name};
 
 /// The expression in plain numbers.
 pub fn plain(template: &Template, value: &mut dyn FnMut(Node) -> TokenStream) -> TokenStream {
@@ -17,24 +20,24 @@ pub fn plain(template: &Template, value: &mut dyn FnMut(Node) -> TokenStream) ->
         let (condition, inner) = (value(*condition), plain(inner, value));
         return quote!(if #condition { #inner } else { ::kin::rt::absent() });
     }
-    Writer { value, site: Site::Kernel }.lowered(template)
+    Writer::new(value, Site::Kernel).lowered(template)
 }
 
 /// The expression as a place: parameters are not cloned.
 pub fn place(template: &Template) -> TokenStream {
-    Writer { value: &mut |_| quote!(()), site: Site::Kernel }.write(template, Use::Place)
+    Writer::new(&mut |_| quote!(()), Site::Kernel).write(template, Use::Place)
 }
 
 /// An expression without values of the graph, for rustc to say what is wrong with it; the constraint is `__self`.
 pub fn check(template: &Template) -> TokenStream {
-    Writer { value: &mut |_| quote!(()), site: Site::Check }.lowered(template)
+    Writer::new(&mut |_| quote!(()), Site::Check).lowered(template)
 }
 
 /// Whether the value may come out of a function of the user's, which may give `Real<f64>`.
 fn calls(template: &Template) -> bool {
     use syn::BinOp::{And, Eq, Ge, Gt, Le, Lt, Ne, Or};
     match template {
-        Template::Call(..) | Template::Method(..) => true,
+        Template::Call(..) | Template::Method(..) | Template::Part(..) => true,
         Template::Field(a, _) | Template::Index(a, _) | Template::Unary(_, a) | Template::Reference(a) | Template::Cast(a, _) => calls(a),
         Template::Binary(_, And(_) | Eq(_) | Ge(_) | Gt(_) | Le(_) | Lt(_) | Ne(_) | Or(_), _) => false,
         Template::Binary(a, _, b) => calls(a) || calls(b),
@@ -69,12 +72,38 @@ enum Site<'a> {
 struct Writer<'a> {
     value: &'a mut dyn FnMut(Node) -> TokenStream,
     site: Site<'a>,
+    /// What is called by a name in a value that matches a pattern: its key, and the name here.
+    parts: Vec<(String, Ident)>,
 }
 
-impl Writer<'_> {
+impl<'a> Writer<'a> {
+    fn new(value: &'a mut dyn FnMut(Node) -> TokenStream, site: Site<'a>) -> Self {
+        Writer { value, site, parts: vec![] }
+    }
+
+    /// The expression, inside of the matches that what is in it comes from.
+    fn whole(&mut self, template: &Template) -> TokenStream {
+        let mut matches: Vec<(TokenStream, TokenStream)> = Vec::new();
+        for part in template.matched_parts() {
+            let (Template::Part(value, pattern, name), key) = (part, part.key()) else { continue };
+            if self.parts.iter().any(|(known, _)| *known == key) {
+                continue;
+            }
+            let own = super::own(&format!("part_{}", self.parts.len()));
+            let place = self.write(value, Use::Place);
+            let borrows = matches!(**value, Template::Parameter(_) | Template::Field(..) | Template::Part(..) | Template::Index(..));
+            matches.push((if borrows { quote!(&#place) } else { place }, renamed(pattern, name, &own, borrows)));
+            self.parts.push((key, own));
+        }
+        let inner = self.write(template, Use::Value);
+        matches.into_iter().rev().fold(inner, |inner, (value, pattern)| {
+            quote!(match #value { #pattern => { #inner } #[allow(unreachable_patterns)] _ => ::kin::rt::absent() })
+        })
+    }
+
     /// In plain numbers, though a function of the user's may give `Real<f64>`.
     fn lowered(&mut self, template: &Template) -> TokenStream {
-        let written = self.write(template, Use::Value);
+        let written = self.whole(template);
         if calls(template) { quote!(::kin::rt::lowered(#written)) } else { written }
     }
 
@@ -97,6 +126,13 @@ impl Writer<'_> {
                 quote!(if #condition { #a } else { #b })
             }
             Template::When(_, a) => self.write(a, using),
+            Template::State(nodes, dimension, at) => self.state(nodes, *dimension, Span::mixed_site().located_at(*at), using),
+            Template::Struct(path, fields, braces) => self.structure(path, fields, *braces, using),
+            Template::Part(..) if !matches!(using, Use::Argument | Use::Field) => {
+                let key = template.key();
+                let name = self.parts.iter().find(|(known, _)| *known == key).map(|(_, name)| name);
+                if using == Use::Place { quote!(#name) } else { quote!(#name.clone()) }
+            }
             other if matches!(using, Use::Argument | Use::Field) => {
                 let written = self.write(other, Use::Value);
                 match self.site {
@@ -104,6 +140,7 @@ impl Writer<'_> {
                     Site::Kernel | Site::Check => quote!(::kin::rt::plain_argument(#written)),
                 }
             }
+            Template::Part(..) => quote!(()),
             Template::Path(path, around) if around.is_empty() || using == Use::Place => path.to_token_stream(),
             Template::Path(path, around) => {
                 let (names, units) = (around.iter(), around.iter().map(|_| quote!(())));
@@ -111,8 +148,15 @@ impl Writer<'_> {
             }
             Template::Parameter(name) => {
                 let place = if let Site::Check = self.site { quote!(__self.#name) } else { quote!(self.#name) };
-                if using == Use::Place { place } else { quote!(#place.clone()) }
+                if using == Use::Place { place } else { quote!(::core::clone::Clone::clone(&#place)) }
             }
+            other => self.computed(other),
+        }
+    }
+
+    /// What is computed of parts.
+    fn computed(&mut self, template: &Template) -> TokenStream {
+        match template {
             Template::Call(callee, all, at) => self.call(callee, all, *at),
             Template::Method(receiver, method, all) => self.method(receiver, method, all),
             Template::Field(base, member) => {
@@ -136,6 +180,7 @@ impl Writer<'_> {
                 let a = self.write(a, Use::Place);
                 quote!(::core::matches!(#a, #pattern))
             }
+            _ => quote!(()),
         }
     }
 
@@ -159,21 +204,8 @@ impl Writer<'_> {
         }
     }
 
-    fn reference(&mut self, inner: &Template, using: Use) -> TokenStream {
-        let (Template::Numbers(nodes, shape, at), Use::Argument | Use::Field) = (inner, using) else {
-            let place = self.write(inner, Use::Place);
-            return quote!((&#place));
-        };
-        let (built, at) = (self.built(nodes, shape), Span::mixed_site().located_at(*at));
-        match self.site {
-            Site::Leaf(graph) if varies(graph, nodes) => quote_spanned!(at=> ::kin::rt::Jet(&#built).argument()),
-            Site::Leaf(_) => quote_spanned!(at=> ::kin::rt::reference_argument(&::kin::rt::constants(&#built), &#built)),
-            _ => quote_spanned!(at=> ::kin::rt::reference_argument(&#built, &::kin::rt::Lift::<f64>::lift(#built))),
-        }
-    }
-
     fn call(&mut self, callee: &Template, all: &[Template], at: Span) -> TokenStream {
-        let std = matches!(callee, Template::Path(path, _) if is_std_function(path));
+        let std = matches!(callee, Template::Path(path, _) if is_std_function(path) || is_kin_function(path));
         let using = match callee {
             _ if std => Use::Value,
             Template::Path(path, _) if is_type_name(path) => Use::Field,
@@ -190,6 +222,10 @@ impl Writer<'_> {
                 quote!((#place))
             }
         };
+        if using == Use::Argument && !matches!(self.site, Site::Check) && all.len() <= MOST_ARGUMENTS && all.iter().all(is_bindable) {
+            let arguments = all.iter().map(|argument| self.probed(argument)).collect();
+            return super::probe::call(&callee, arguments, at);
+        }
         let all: Vec<_> = all.iter().map(|a| self.write(a, using)).collect();
         let mut arguments = Group::new(Delimiter::Parenthesis, quote!(#(#all),*));
         arguments.set_span(at);
@@ -300,7 +336,7 @@ pub fn leaf_function(graph: &Graph, leaf: usize, value: &OpaqueValue, items: &[s
         next += 1;
         quote!(#x[#k])
     };
-    let body = Writer { value: &mut value_of, site: Site::Leaf(graph) }.write(&value.template, Use::Value);
+    let body = Writer::new(&mut value_of, Site::Leaf(graph)).whole(&value.template);
     // What has no derivatives, such as an f64, is a constant of the dual copy.
     let body = quote!((&::kin::rt::Foreign(#body)).lifted(::core::marker::PhantomData::<__D>));
     let output = shape_type(shape, &quote!(::kin::rt::Real<__D>));

@@ -36,7 +36,7 @@ pub fn written(owner: &Ident, copy: &Copy, measures: &[TokenStream], lowered: Op
         #[allow(unused_imports)]
         use ::kin::rt::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
         #[allow(unused_imports)]
-        use ::kin::rt::{ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _};
+        use ::kin::rt::{ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _, TakesAsIs as _, TakesConverted as _};
         #constants
         /// The function as it was written.
         #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
@@ -109,10 +109,9 @@ pub fn plain_type(kind: &Kind, ty: &Type) -> TokenStream {
         Kind::Planar => quote!(::kin::rt::PlanarState),
         Kind::Spatial => quote!(::kin::rt::SpatialState),
         Kind::Coord | Kind::Time => quote!(f64),
-        Kind::Coords(n) => {
-            let n = proc_macro2::Literal::usize_unsuffixed(*n);
-            quote!([f64; #n])
-        }
+        Kind::Coords(n) => super::array(&quote!(f64), *n),
+        Kind::Planars(n) => super::array(&quote!(::kin::rt::PlanarState), *n),
+        Kind::Spatials(n) => super::array(&quote!(::kin::rt::SpatialState), *n),
         Kind::Other => parameter_type(ty),
         Kind::Numbers(_) | Kind::Law | Kind::Axis => ty.to_token_stream(),
     }

@@ -12,10 +12,25 @@ const STREAMS: usize = 800;
 
 #[test]
 fn mangled_constraints_give_messages_and_never_panic() {
-    let originals = originals();
+    let refused = refused(&originals(), STREAMS);
+    assert!((STREAMS / 4..STREAMS).contains(&refused), "{refused} of {STREAMS} streams are refused");
+}
+
+/// `KIN_STREAMS=4000` tries as many of them.
+#[test]
+fn mangled_bodies_of_honest_rust_give_messages_and_never_panic() {
+    let streams = std::env::var("KIN_STREAMS").ok().and_then(|n| n.parse().ok()).unwrap_or(STREAMS / 2);
+    let bodies = bodies();
+    assert!(bodies.len() > 60, "only {} bodies", bodies.len());
+    let refused = refused(&bodies, streams);
+    assert!(refused > streams / 8, "{refused} of {streams} streams are refused");
+}
+
+/// How many of so many mangled items are refused.
+fn refused(originals: &[Attributed], streams: usize) -> usize {
     let mut random = SplitMix(0x005E_ED0F_0CA7_C0DE);
     let mut refused = 0;
-    for _ in 0..STREAMS {
+    for _ in 0..streams {
         let original = &originals[random.below(originals.len())];
         let mut item = original.item.clone();
         for _ in 0..1 + random.below(3) {
@@ -30,7 +45,26 @@ fn mangled_constraints_give_messages_and_never_panic() {
             panic!("the macro emits no Rust ({error}) for\n{text}\n\n{expansion_text}");
         }
     }
-    assert!((STREAMS / 4..STREAMS).contains(&refused), "{refused} of {STREAMS} streams are refused");
+    refused
+}
+
+/// The functions of the language's tests that are compiled twice.
+fn bodies() -> Vec<Attributed> {
+    let files = ["../tests/language", "../tests/language/corpus"].into_iter().flat_map(rust_files);
+    let mut all = Vec::new();
+    for (name, path) in files.filter(|(name, _)| name != "twice") {
+        let source = std::fs::read_to_string(path).unwrap_or_default();
+        let tokens: TokenStream = source.parse().unwrap_or_else(|error| panic!("{name}: {error}"));
+        let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+        for three in tokens.windows(3) {
+            let (TokenTree::Ident(word), TokenTree::Group(group)) = (&three[0], &three[2]) else { continue };
+            let item = group.stream().into_iter().skip_while(|token| token.to_string() != "fn");
+            if word == "twice" {
+                all.push(Attributed { name: "f".into(), is_law: false, arguments: TokenStream::new(), item: item.collect() });
+            }
+        }
+    }
+    all
 }
 
 /// Everything under an attribute in the golden source and in the programs with one slip.

@@ -100,7 +100,14 @@ type Array<T, const N: usize> = [T; N];
 type Table<T, const N: usize, const M: usize> = [[T; M]; N];
 type Points2<T, const N: usize> = [Vec2<T>; N];
 type Points3<T, const N: usize> = [Vec3<T>; N];
+type Pairs<T, const N: usize> = [(T, T); N];
+type Triples<T, const N: usize> = [(T, T, T); N];
+type Quadruples<T, const N: usize> = [(T, T, T, T); N];
 type List<T> = Vec<T>;
+type ListOfPairs<T> = Vec<(T, T)>;
+type ListOfTriples<T> = Vec<(T, T, T)>;
+type ListOfQuadruples<T> = Vec<(T, T, T, T)>;
+type ListOfArrays<T, const N: usize> = Vec<[T; N]>;
 type List2<T> = Vec<Vec2<T>>;
 type List3<T> = Vec<Vec3<T>>;
 
@@ -146,6 +153,7 @@ macro_rules! conversions {
 conversions! {
     Scalar; Vec2; Vec3; EulerParameters; Mat2; Mat3; Pair; Triple; Quadruple; Option; List; List2; List3;
     Array[N]; Table[N, M]; Points2[N]; Points3[N];
+    Pairs[N]; Triples[N]; Quadruples[N]; ListOfPairs; ListOfTriples; ListOfQuadruples; ListOfArrays[N];
 }
 
 /// What a function takes as a slice.
@@ -173,7 +181,39 @@ macro_rules! slices {
 
 slices! {
     Array[N] of Scalar; Points2[N] of Vec2; Points3[N] of Vec3; List of Scalar; List2 of Vec2; List3 of Vec3;
+    Pairs[N] of Pair; Triples[N] of Triple; Quadruples[N] of Quadruple;
+    ListOfPairs of Pair; ListOfTriples of Triple; ListOfQuadruples of Quadruple;
 }
+
+impl<'a, D: Dual, const N: usize, const M: usize> IntoReference<&'a [[f64; M]]> for (&'a Table<f64, N, M>, &'a Table<Real<D>, N, M>) {
+    fn into_reference(self) -> &'a [[f64; M]] {
+        self.0
+    }
+}
+
+impl<'a, D: Dual, const N: usize, const M: usize> IntoReference<&'a [[Real<D>; M]]> for (&'a Table<f64, N, M>, &'a Table<Real<D>, N, M>) {
+    fn into_reference(self) -> &'a [[Real<D>; M]] {
+        self.1
+    }
+}
+
+macro_rules! states {
+    ($($kind:ident)*) => {$(
+        impl<'a, D: Dual> IntoReference<&'a $kind> for (&'a $kind, &'a $kind<Real<D>>) {
+            fn into_reference(self) -> &'a $kind {
+                self.0
+            }
+        }
+
+        impl<'a, D: Dual> IntoReference<&'a $kind<Real<D>>> for (&'a $kind, &'a $kind<Real<D>>) {
+            fn into_reference(self) -> &'a $kind<Real<D>> {
+                self.1
+            }
+        }
+    )*};
+}
+
+states! { PlanarState SpatialState }
 
 impl IntoPlain<PlanarState<Real<f64>>> for PlanarState {
     fn into_plain(self) -> PlanarState<Real<f64>> {

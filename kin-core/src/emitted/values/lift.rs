@@ -1,5 +1,6 @@
 //! Between f64 and numbers that carry derivatives, for anything that is made of numbers.
 
+use crate::model::state::{PlanarState, SpatialState};
 use crate::numbers::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
 use crate::numbers::real::{Dual, Real};
 
@@ -55,6 +56,12 @@ impl Absent for f64 {
     }
 }
 
+impl<D: Dual> Absent for Real<D> {
+    fn absent() -> Self {
+        Real::from(f64::NAN)
+    }
+}
+
 impl Absent for bool {
     fn absent() -> bool {
         false
@@ -78,6 +85,20 @@ impl<D: Dual> Lift<D> for Axis {
     type Output = Axis<Real<D>>;
     fn lift(self) -> Axis<Real<D>> {
         self.map(|v| v.lift())
+    }
+}
+
+impl<D: Dual> Lift<D> for PlanarState {
+    type Output = PlanarState<Real<D>>;
+    fn lift(self) -> Self::Output {
+        PlanarState { r: self.r.lift(), theta: self.theta.lift(), sin: self.sin.lift(), cos: self.cos.lift() }
+    }
+}
+
+impl<D: Dual> Lift<D> for SpatialState {
+    type Output = SpatialState<Real<D>>;
+    fn lift(self) -> Self::Output {
+        SpatialState { r: self.r.lift(), p: self.p.lift(), a: self.a.lift() }
     }
 }
 
@@ -118,9 +139,9 @@ macro_rules! components {
             }
         }
 
-        impl Absent for $kind {
+        impl<T: Absent> Absent for $kind<T> {
             fn absent() -> Self {
-                $kind { $($c: f64::NAN),* }
+                $kind { $($c: T::absent()),* }
             }
         }
 

@@ -6,6 +6,7 @@ mod foreign;
 mod lift;
 mod numbers;
 mod parameter;
+mod probe;
 
 pub use argument::{IntoConstant, IntoField, IntoJet, IntoPlain, IntoReference, Jet, Nothing};
 pub use argument::{constant_argument, plain_argument, reference_argument};
@@ -13,4 +14,5 @@ pub use cast::{Cast, Whole, cast, whole};
 pub use foreign::{Foreign, LiftAny, LiftNumbers, LowerAny, LowerReal, ReceiveAny, ReceiveNumbers, ReceiveReference};
 pub use lift::{Absent, Constants, Lift, Lower, absent, constants, lowered};
 pub use numbers::{Numbers, set, set_at, visit};
-pub use parameter::{Parameter, is_parameter};
+pub use parameter::{Named, Own, Parameter, held, is_parameter};
+pub use probe::{AsIs, Converted, Probe, Same, TakesAsIs, TakesConverted, of};

@@ -15,3 +15,31 @@ impl<T: Clone + Send + Sync + 'static> Parameter for T {}
 pub const fn is_parameter<T: Parameter>() -> bool {
     true
 }
+
+/// A type that is called as one of Kin's is.
+pub struct Named<T>(std::marker::PhantomData<T>);
+
+/// What is true of any type of the user's.
+pub trait Own {
+    /// It is no handle of a body.
+    const IS_OWN: bool = true;
+}
+
+impl<T> Own for Named<T> {}
+
+impl Named<crate::model::coordinates::Link> {
+    /// It is a handle.
+    pub const IS_OWN: bool = false;
+}
+
+impl Named<crate::model::coordinates::SpatialLink> {
+    /// It is a handle.
+    pub const IS_OWN: bool = false;
+}
+
+/// Stops the compiler with a text where something does not hold.
+pub const fn held(holds: bool, text: &str) {
+    if !holds {
+        panic!("{}", text);
+    }
+}

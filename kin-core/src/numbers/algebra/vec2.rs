@@ -65,12 +65,6 @@ impl From<Vector2<f64>> for Vec2 {
     }
 }
 
-impl<D: Dual> From<Vector2<f64>> for Vec2<Real<D>> {
-    fn from(a: Vector2<f64>) -> Self {
-        Vec2::<f64>::from(a).into()
-    }
-}
-
 impl From<Vec2> for Vector2<f64> {
     fn from(a: Vec2) -> Self {
         Vector2::new(a.x, a.y)

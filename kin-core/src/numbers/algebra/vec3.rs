@@ -71,12 +71,6 @@ impl From<Vector3<f64>> for Vec3 {
     }
 }
 
-impl<D: Dual> From<Vector3<f64>> for Vec3<Real<D>> {
-    fn from(a: Vector3<f64>) -> Self {
-        Vec3::<f64>::from(a).into()
-    }
-}
-
 impl From<Vec3> for Vector3<f64> {
     fn from(a: Vec3) -> Self {
         Vector3::new(a.x, a.y, a.z)

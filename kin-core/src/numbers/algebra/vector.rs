@@ -18,24 +18,10 @@ macro_rules! vector {
             }
         }
 
-        impl<D: Dual> From<[f64; $n]> for $kind<Real<D>> {
-            #[inline]
-            fn from(a: [f64; $n]) -> Self {
-                $kind::<f64>::from(a).into()
-            }
-        }
-
         impl<T: Scalar> From<$tuple> for $kind<T> {
             #[inline]
             fn from(($($c),*): $tuple) -> Self {
                 $kind { $($c),* }
-            }
-        }
-
-        impl<D: Dual> From<$constants> for $kind<Real<D>> {
-            #[inline]
-            fn from(a: $constants) -> Self {
-                $kind::<f64>::from(a).into()
             }
         }
 

@@ -83,6 +83,22 @@ impl<D: Dual> From<f64> for Real<D> {
     }
 }
 
+impl<D: Dual> From<i32> for Real<D> {
+    /// A whole number, without derivatives.
+    #[inline]
+    fn from(n: i32) -> Self {
+        Self::constant(f64::from(n))
+    }
+}
+
+impl<D: Dual> From<u32> for Real<D> {
+    /// A whole number, without derivatives.
+    #[inline]
+    fn from(n: u32) -> Self {
+        Self::constant(f64::from(n))
+    }
+}
+
 impl<D: Dual> Default for Real<D> {
     /// 0, without derivatives.
     #[inline]

@@ -96,3 +96,16 @@ fn conditions_fold() {
     let never = g.bool(false);
     assert_eq!(g.and(open, never), never);
 }
+
+#[test]
+fn functions_of_inverse_functions_are_roots() {
+    let (mut g, x, ..) = three();
+    let (arcsine, arccosine, arctangent) = (g.call(Function::Asin, x), g.call(Function::Acos, x), g.call(Function::Atan, x));
+    let cosine = g.call(Function::Cos, arcsine);
+    assert!(matches!(g.op(cosine), Op::Call(Function::Sqrt, _)));
+    assert_eq!(g.call(Function::Sin, arccosine), cosine);
+    assert_eq!(g.call(Function::Tan, arctangent), x);
+    // Outside of −1..1 neither has a value, so what is outside stays what it is.
+    let sine = g.call(Function::Sin, arcsine);
+    assert!(matches!(g.op(sine), Op::Call(Function::Sin, _)));
+}

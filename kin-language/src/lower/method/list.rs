@@ -20,22 +20,35 @@ impl Reader {
             ("is_empty", []) => Ok(Value::Condition(self.graph.bool(all.is_empty()))),
             ("iter", []) => iterator(all.into_iter().map(|value| Value::Reference(Box::new(value))).collect()),
             ("into_iter", []) => iterator(all),
-            ("copied" | "cloned", []) => iterator(all.into_iter().map(Value::referent).collect()),
+            ("copied" | "cloned", []) => iterator(all.into_iter().map(|value| self.loaded(value)).collect()),
             ("rev", []) => iterator(all.into_iter().rev().collect()),
             ("enumerate", []) => {
                 iterator((0..).zip(all).map(|(k, value)| Value::Tuple(vec![Value::Integer(k, Some(IntegerType::SIZE)), value])).collect())
             }
-            ("to_vec" | "collect" | "as_slice", []) => Ok(Value::Array(all.into_iter().map(Value::referent).collect())),
+            ("to_vec" | "collect" | "as_slice" | "by_ref" | "fuse" | "peekable" | "into_boxed_slice", [])
+                if call.name != "collect" && !array =>
+            {
+                iterator(all)
+            }
+            ("to_vec" | "collect" | "as_slice" | "into_boxed_slice", []) => {
+                Ok(Value::Array(all.into_iter().map(|value| self.loaded(value)).collect()))
+            }
             ("concat", []) => self.flattened(all, call).map(Value::Array),
             ("flatten", []) => self.flattened(all, call).map(Value::Iterator),
             ("sum", []) => self.folded(all, true, call),
             ("product", []) => self.folded(all, false, call),
             ("map" | "flat_map" | "filter" | "any" | "all", [f]) => {
-                let f = self.function(f.clone().referent(), call.places[0])?;
+                let f = self.function(f.clone(), call.places[0])?;
                 self.list_method_with(all, array, &f, call)
             }
+            ("first" | "last" | "next" | "nth" | "get" | "count" | "split_at" | "split_first" | "split_last" | "try_into" | "unzip", _) => {
+                self.picked(all, call)
+            }
+            ("reduce" | "min_by" | "max_by" | "scan" | "for_each" | "position" | "find" | "take_while" | "skip_while" | "map_while", _) => {
+                self.gone_over(all, call)
+            }
             ("fold", [start, f]) => {
-                let f = self.function(f.clone().referent(), call.places[1])?;
+                let f = self.function(f.clone(), call.places[1])?;
                 all.into_iter().try_fold(start.clone(), |sum, value| self.apply(&f, vec![sum, value], &[], call))
             }
             ("zip" | "chain", [other]) => {
@@ -61,16 +74,18 @@ impl Reader {
             "map" => Ok(Value::Iterator(results)),
             "flat_map" => self.flattened(results, call).map(Value::Iterator),
             "filter" => {
-                let mut kept = Vec::new();
+                let mut kept = Value::Iterator(vec![]);
                 for (value, result) in all.into_iter().zip(results) {
                     let condition = self.condition(result, call);
-                    match self.graph.truth(condition) {
-                        Some(true) => kept.push(value),
-                        Some(false) => {}
-                        None => return Err(Unreadable::new(&call.whole.method, "a `filter` by a condition that is open here")),
-                    }
+                    let longer = lengthened(kept.clone(), &value);
+                    kept = match self.graph.truth(condition) {
+                        Some(true) => longer,
+                        Some(false) => kept,
+                        // One of several lists, of which those of one length are joined element by element.
+                        None => self.joined(condition, &longer, &kept, call)?,
+                    };
                 }
-                Ok(Value::Iterator(kept))
+                Ok(kept)
             }
             name => {
                 let any = name == "any";
@@ -88,8 +103,11 @@ impl Reader {
     fn flattened(&mut self, all: Vec<Value>, call: &Call) -> Read<Vec<Value>> {
         let mut flat = Vec::new();
         for part in all {
-            match part.referent() {
+            match self.loaded(part) {
                 Value::Array(inner) | Value::Iterator(inner) => flat.extend(inner),
+                Value::Adt(adt) if matches!(adt.name.as_str(), "Some" | "None") => {
+                    flat.extend(adt.fields.into_iter().map(|(_, value)| value))
+                }
                 _ => return Err(Unreadable::new(&call.whole.method, format!("`{}` of these", call.name))),
             }
         }
@@ -133,7 +151,7 @@ impl Reader {
             _ => None,
         });
         let integer = given.is_some_and(|ty| is_integer(&quote::ToTokens::to_token_stream(ty).to_string()));
-        let all: Vec<Value> = all.into_iter().map(Value::referent).collect();
+        let all: Vec<Value> = all.into_iter().map(|value| self.loaded(value)).collect();
         if integer || matches!(all.first(), Some(Value::Integer(..))) {
             let given = given.and_then(|ty| IntegerType::named(&quote::ToTokens::to_token_stream(ty).to_string()));
             let op: BinOp = if plus { syn::parse_quote!(+) } else { syn::parse_quote!(*) };
@@ -164,5 +182,17 @@ impl Reader {
                 Ok(Value::Scalar(sum))
             }
         }
+    }
+}
+
+/// A list, or each of several, with one more element.
+fn lengthened(list: Value, value: &Value) -> Value {
+    match list {
+        Value::Iterator(mut all) => {
+            all.push(value.clone());
+            Value::Iterator(all)
+        }
+        Value::Choice(all) => Value::Choice(all.into_iter().map(|(taken, list)| (taken, lengthened(list, value))).collect()),
+        other => other,
     }
 }

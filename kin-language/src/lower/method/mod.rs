@@ -1,8 +1,12 @@
 //! Methods, by the kind of their receiver.
 
+mod changing;
 mod components;
+mod going;
 mod list;
 mod opaque;
+mod option;
+mod order;
 mod scalar;
 mod state;
 
@@ -12,6 +16,7 @@ use syn::{Expr, ExprMethodCall};
 use super::template::Template;
 use super::value::Value;
 use super::{Read, Reader, Unreadable};
+pub use changing::takes_itself;
 use kin_graph::Node;
 
 /// A method call: its name, its arguments' values, and their expressions for messages.
@@ -24,18 +29,57 @@ struct Call<'a> {
 
 impl Reader {
     pub fn method_call(&mut self, whole: &ExprMethodCall) -> Read {
-        let (name, places) = (whole.method.to_string(), whole.args.iter().collect::<Vec<_>>());
+        let name = whole.method.to_string();
         if let ("contains", Expr::Range(range)) = (name.as_str(), strip(&whole.receiver)) {
             return self.range_contains(range, whole);
         }
-        let receiver = self.expression(&whole.receiver)?;
+        if let Some(value) = self.changing_method(&name, whole)? {
+            return Ok(value);
+        }
+        let receiver = self.raw_expression(&whole.receiver)?;
         let arguments = self.expressions(whole.args.iter())?;
-        let call = Call { name, arguments, places, whole };
+        self.method_with(whole, std::iter::once(receiver).chain(arguments).collect())
+    }
+
+    /// A method of the first of some values, the others being its arguments.
+    pub fn method_with(&mut self, whole: &ExprMethodCall, mut all: Vec<Value>) -> Read {
+        let (name, places) = (whole.method.to_string(), whole.args.iter().collect::<Vec<_>>());
+        if let Some(receiver) = all.first_mut() {
+            let old = std::mem::replace(receiver, Value::Poison);
+            *receiver = match old {
+                Value::Reference(_) if name == "iter" || name == "into_iter" => old,
+                Value::Place(_) if matches!(name.as_str(), "iter_mut" | "into_iter") => old,
+                old => self.loaded(old),
+            };
+        }
+        self.each_list(all, &whole.method, &mut |reader, mut all| {
+            let arguments = all.split_off(1);
+            let call = Call { name: name.clone(), arguments, places: places.clone(), whole };
+            reader.method_of(all.pop().unwrap_or(Value::Poison), call)
+        })
+    }
+
+    /// A method of a value of one kind.
+    fn method_of(&mut self, receiver: Value, call: Call) -> Read {
+        let whole = call.whole;
         match (receiver, call.name.as_str(), &call.arguments[..]) {
-            (value @ (Value::Poison | Value::Never), ..) => Ok(value),
+            (value @ (Value::Poison | Value::Never | Value::Left), ..) => Ok(value),
             (Value::Opaque(template), ..) => self.opaque_method(template, call),
             (Value::Iterator(all), ..) => self.list_method(all, false, call),
-            (value, "clone" | "to_owned" | "borrow" | "as_ref" | "as_slice" | "each_ref", []) => Ok(value),
+            (Value::Reference(inner), "into_iter", []) => self.method_of(*inner, Call { name: "iter".into(), ..call }),
+            (Value::Reference(inner), ..) => self.method_of(*inner, call),
+            (value @ Value::Place(_), ..) => match self.elements(value, &whole.receiver)? {
+                Some(all) => Ok(Value::Iterator(all)),
+                None => Ok(Value::Poison),
+            },
+            (Value::Adt(adt), ..) if matches!(adt.name.as_str(), "Some" | "None" | "Ok" | "Err") => self.option_method(adt, &call),
+            (Value::Adt(adt), ..) if order::is_order(&adt.name) => self.order_method(&adt, &call),
+            (value @ Value::Adt(_), ..) => self.method_of_own(value, call),
+            (
+                value,
+                "clone" | "to_owned" | "borrow" | "as_ref" | "as_slice" | "as_mut" | "by_ref" | "each_ref" | "copied" | "cloned",
+                [],
+            ) if !matches!(value, Value::Scalar(_)) || call.name != "copied" => Ok(value),
             (value, "into", []) => Ok(Value::Into(Box::new(value))),
             (Value::Scalar(n), ..) => self.scalar_method(n, &call),
             (Value::Integer(k, ty), ..) => self.integer_method(k, ty, &call),
@@ -49,12 +93,23 @@ impl Reader {
             (Value::Into(_) | Value::Generator(_), ..) => {
                 Err(Unreadable::new(&whole.method, "a method of a value whose type is not known here"))
             }
-            (Value::Condition(_), "then" | "then_some" | "not" | "cmp" | "eq" | "ne", _) => {
-                Err(Unreadable::new(&whole.method, format!("`{}` of a condition", call.name)))
-            }
-            (Value::Condition(_), ..) => Ok(self.unknown(&call, "a condition", "; a number of it is `if … { 1.0 } else { 0.0 }`")),
+            (Value::Condition(holds), ..) => self.condition_method(holds, &call),
             (other, ..) => Ok(self.unknown(&call, &other.name(), "")),
         }
+    }
+
+    /// A method of a value of a struct or an enum.
+    fn method_of_own(&mut self, value: Value, call: Call) -> Read {
+        let Value::Adt(adt) = &value else { return Ok(Value::Poison) };
+        if call.name == "clone" && call.arguments.is_empty() {
+            return Ok(value);
+        }
+        let arguments = std::iter::once(value.clone()).chain(call.arguments.iter().cloned()).collect();
+        if let Some(value) = self.own_method(&adt.type_name(), &call.name, arguments, &call)? {
+            return Ok(value);
+        }
+        let template = self.template(value, &call.whole.receiver)?;
+        self.opaque_method(template, call)
     }
 
     fn unknown(&mut self, call: &Call, receiver: &str, cure: &str) -> Value {

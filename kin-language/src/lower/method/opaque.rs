@@ -1,6 +1,6 @@
 //! Methods of values that only rustc knows.
 
-use quote::{ToTokens, quote};
+use quote::quote;
 
 use super::Call;
 use crate::lower::template::Template;
@@ -14,16 +14,11 @@ impl Reader {
     /// a vector; unless the receiver is a parameter itself, whose type is the user's.
     pub(super) fn opaque_method(&mut self, template: Template, call: Call) -> Read {
         let own = matches!(template, Template::Parameter(_));
-        if own && matches!(call.name.as_str(), "point" | "direction" | "local") {
-            let text = format!(
-                "`{}` has a type the macro does not know, so `{}` cannot be read: types go by name; if it is an alias of `Planar` or \
-                 `Spatial`, write that name itself",
-                call.whole.receiver.to_token_stream(),
-                call.name
-            );
-            return Ok(self.mistake(&call.whole.receiver, text));
+        let applies = call.arguments.iter().any(|value| matches!(value, Value::Function(_)));
+        if self.is_option(&template) || applies && super::option::WITH_CLOSURES.contains(&call.name.as_str()) {
+            return self.option_at_run_time(template, &call);
         }
-        if call.arguments.iter().any(|value| matches!(value, Value::Function(_) | Value::Iterator(_))) {
+        if applies || call.arguments.iter().any(|value| matches!(value, Value::Iterator(_))) {
             return Err(Unreadable::new(&call.whole.method, "a closure handed to a function of your own"));
         }
         let numbers = !template.nodes().is_empty() || call.arguments.iter().any(|value| value.numbers().is_some());
@@ -49,5 +44,28 @@ impl Reader {
             Value::Scalar(n) => self.scalar_method(n, call),
             other => Ok(other),
         }
+    }
+
+    /// Whether a value is a parameter that is declared as an `Option`.
+    fn is_option(&self, template: &Template) -> bool {
+        let Template::Parameter(name) = template else { return false };
+        let named =
+            |ty: &syn::Type| matches!(ty, syn::Type::Path(path) if path.path.segments.last().is_some_and(|last| last.ident == "Option"));
+        self.parameter_types.get(&name.to_string()).is_some_and(named)
+    }
+
+    /// A method of an `Option` that only rustc knows: of `Some` of what is in it, or of `None`.
+    fn option_at_run_time(&mut self, template: Template, call: &Call) -> Read {
+        let held: syn::Pat = syn::parse_quote!(Some(held));
+        self.scopes.push();
+        let matched = self.test(&held, &Value::Opaque(template));
+        let value = self.named("held").cloned().unwrap_or(Value::Poison);
+        self.scopes.pop();
+        let (matched, some, none) = (matched?, Value::some(value), Value::none());
+        let option = self.joined(matched, &some, &none, call)?;
+        self.each(option, call, &mut |reader, value| match value {
+            Value::Adt(adt) => reader.option_method(adt, call),
+            value => Ok(value),
+        })
     }
 }

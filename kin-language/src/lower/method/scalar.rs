@@ -25,6 +25,14 @@ impl Reader {
         {
             return Ok(Value::Opaque(Template::Method(Box::new(number(n, call)), call.whole.method.to_token_stream(), vec![])));
         }
+        if let "total_cmp" | "partial_cmp" = name {
+            let Some(other) = self.scalars_of(1, call) else { return Ok(Value::Poison) };
+            let order = self.order_of(n, other[0]);
+            return match name {
+                "total_cmp" => Ok(order),
+                _ => self.each(order, call, &mut |_, order| Ok(Value::some(order))),
+            };
+        }
         if is_underived(name) {
             return self.underived(n, call);
         }
@@ -165,8 +173,6 @@ const DEGREES: &str = "57.295779513082320876798154814105170332405472466564321549
 
 /// Good Rust, but not for the interpreter.
 const OTHER_METHODS_OF_F64: &[&str] = &[
-    "total_cmp",
-    "partial_cmp",
     "is_normal",
     "is_subnormal",
     "classify",

@@ -14,6 +14,9 @@ impl Kernel<'_> {
         if let Some(&(number, slot, count)) = self.lane_by_lane.get(&node) {
             return Some(self.evaluated_lane_by_lane(node, number, slot, count));
         }
+        if self.numbers == super::Numbers::Dual {
+            return self.dual_evaluation(node);
+        }
         match self.graph().op(node) {
             Op::Law(law, x, order) => {
                 let law_place = template::place(&self.lowered.laws[law]);
@@ -55,7 +58,7 @@ impl Kernel<'_> {
     }
 
     /// The name of an evaluation of a type, the same one each time.
-    fn evaluated(&mut self, key: String, prefix: &str, ty: &TokenStream, value: impl FnOnce(&mut Self) -> TokenStream) -> Ident {
+    pub(super) fn evaluated(&mut self, key: String, prefix: &str, ty: &TokenStream, value: impl FnOnce(&mut Self) -> TokenStream) -> Ident {
         if let Some(name) = self.evaluations.get(&key) {
             return name.clone();
         }

@@ -18,6 +18,7 @@ impl Rewriter {
     /// A variable, or a path that only rustc knows.
     pub fn path(&mut self, expression: &mut Expr) {
         let Expr::Path(path) = expression else { return };
+        self.state_type(path);
         if let Some(inputs) = self.variable(path).and_then(|variable| variable.inputs.clone()) {
             // A closure that goes somewhere else than into a call may be given anything.
             return inputs.into_iter().flatten().for_each(|number| self.scopes.add(number, Nature::ANY));
@@ -94,6 +95,10 @@ impl Rewriter {
             return self.path(&mut call.func);
         }
         let path = path.clone();
+        if names(&path).first().is_some_and(|first| first == "Planar" || first == "Spatial") {
+            call.args.iter_mut().for_each(|argument| self.visit_expr_mut(argument));
+            return self.path(&mut call.func);
+        }
         match names(&path).iter().map(String::as_str).collect::<Vec<_>>()[..] {
             ["f64", "from"] if self.copy == Copy::Dual => {
                 let (at, dual) = (mixed(&call.func), self.dual.clone());
@@ -117,6 +122,14 @@ impl Rewriter {
             }
             _ => {
                 let is_struct = is_type_name(&path);
+                if !is_struct && self.copy == Copy::Plain && self.probes(call) {
+                    self.probed_call(expression);
+                    return self.lift_result(expression);
+                }
+                if is_struct && self.copy == Copy::Plain {
+                    call.args.iter_mut().for_each(|argument| self.visit_expr_mut(argument));
+                    return;
+                }
                 let place = if is_struct { Place::Field } else { Place::Argument };
                 call.args.iter_mut().for_each(|argument| self.handed(argument, place));
                 if !is_struct {
@@ -301,6 +314,7 @@ impl Rewriter {
         for field in &mut literal.fields {
             field.colon_token.get_or_insert_with(Default::default);
             match kin {
+                _ if self.copy == Copy::Plain => self.visit_expr_mut(&mut field.expr),
                 true => self.visit_expr_mut(&mut field.expr),
                 false => self.handed(&mut field.expr, Place::Field),
             }
@@ -321,11 +335,11 @@ enum Place {
 }
 
 /// Where a message about an expression belongs, though its names are the macro's.
-fn mixed(expression: &Expr) -> Span {
+pub(super) fn mixed(expression: &Expr) -> Span {
     Span::mixed_site().located_at(expression.span())
 }
 
 /// A path that names a function, by convention: its last name is in small letters.
-fn is_function_name(path: &syn::ExprPath) -> bool {
+pub(super) fn is_function_name(path: &syn::ExprPath) -> bool {
     names(path).last().is_some_and(|name| name.starts_with(|c: char| c.is_lowercase() || c == '_'))
 }

@@ -34,7 +34,7 @@ impl Rewriter {
         if lifted && copy == Copy::Dual {
             self.dual = Ident::new("__E", Span::call_site());
             visit_mut::visit_signature_mut(self, &mut function.sig);
-            function.sig.generics = parse_quote!(<__E: ::kin::rt::Dual>);
+            function.sig.generics.params.push(parse_quote!(__E: ::kin::rt::Dual));
         } else {
             self.copy = Copy::Plain;
         }
@@ -64,4 +64,10 @@ impl Rewriter {
 pub(super) fn takes_numbers(function: &ItemFn) -> bool {
     let inputs = function.sig.inputs.iter().any(|input| matches!(input, FnArg::Typed(typed) if lift::holds_numbers(&typed.ty)));
     inputs || matches!(&function.sig.output, syn::ReturnType::Type(_, ty) if lift::holds_numbers(ty))
+}
+
+/// Whether a function is written for dual numbers by the user.
+pub(super) fn is_over_duals(function: &ItemFn) -> bool {
+    let bounds = quote::ToTokens::to_token_stream(&function.sig.generics).to_string();
+    bounds.split(|c: char| !c.is_alphanumeric()).any(|word| word == "Dual")
 }

@@ -9,7 +9,9 @@ mod lift;
 mod macros;
 mod mark;
 mod nature;
+mod probed;
 mod scopes;
+mod sure;
 
 use proc_macro2::{Ident, Span};
 use quote::ToTokens;
@@ -24,6 +26,7 @@ use lift::Lifter;
 use scopes::{Name, Nature, Scopes, Variable};
 
 pub use lift::is_liftable;
+pub use sure::is_sure;
 
 /// The body in plain f64: as written, but that calls of the user's generic functions convert numbers.
 pub fn plain(body: &Block, arguments: &[Argument]) -> Block {
@@ -251,7 +254,7 @@ impl Rewriter {
 
     fn declare_arguments(&mut self, arguments: &[Argument], variable: Option<&Ident>) {
         for argument in arguments {
-            let varies = matches!(argument.kind, Kind::Planar | Kind::Spatial | Kind::Coord | Kind::Coords(_) | Kind::Time);
+            let varies = argument.kind.slots() > 0 || argument.kind == Kind::Time;
             let own = argument.kind == Kind::Other && !is_liftable(&argument.ty);
             let number = self.scopes.binding(Nature { varies, foreign: own });
             self.scopes.declare(argument.name.to_string(), Name::Variable(Variable { number, own, inputs: None }));
@@ -282,7 +285,7 @@ impl Rewriter {
         for statement in &block.stmts {
             let Stmt::Item(item) = statement else { continue };
             match item {
-                Item::Fn(function) if function.sig.generics.params.is_empty() => {
+                Item::Fn(function) if !inner::is_over_duals(function) => {
                     let inputs = self.input_bindings(function);
                     let name = Name::Function { inputs, lifted: takes_numbers(function) };
                     self.scopes.declare(function.sig.ident.to_string(), name);

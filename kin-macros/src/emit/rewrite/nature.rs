@@ -60,7 +60,7 @@ impl Rewriter {
             Expr::Tuple(tuple) => tuple.elems.iter().any(|part| self.is_foreign(part)),
             Expr::Array(array) => array.elems.iter().any(|part| self.is_foreign(part)),
             Expr::Repeat(repeat) => self.is_foreign(&repeat.expr),
-            Expr::Closure(closure) => self.is_foreign(&closure.body),
+            Expr::Closure(closure) => !self.is_of_its_own(&closure.body) && self.is_foreign(&closure.body),
             Expr::Block(block) => self.tail_is_foreign(&block.block),
             Expr::If(branch) => {
                 let otherwise = branch.else_branch.as_ref().is_some_and(|(_, otherwise)| self.is_foreign(otherwise));
@@ -70,6 +70,14 @@ impl Rewriter {
             Expr::Macro(call) => super::macros::elements(&call.mac).is_some_and(|all| all.iter().any(|part| self.is_foreign(part))),
             _ => false,
         }
+    }
+
+    /// Whether what a closure gives is a variable that is declared inside of it.
+    fn is_of_its_own(&self, body: &Expr) -> bool {
+        let Expr::Block(block) = body else { return false };
+        let Some(Stmt::Expr(Expr::Path(tail), None)) = block.block.stmts.last() else { return false };
+        let small = |name: &syn::Ident| name.to_string().starts_with(|c: char| c.is_lowercase() || c == '_');
+        tail.path.get_ident().is_some_and(small) && self.variable(tail).is_none() && self.inner_function(tail).is_none()
     }
 
     fn tail_is_foreign(&self, block: &Block) -> bool {

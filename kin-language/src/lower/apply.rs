@@ -1,0 +1,148 @@
+//! How functions inside the body are made and applied.
+
+use std::rc::Rc;
+
+use quote::ToTokens;
+use syn::visit::Visit;
+use syn::{Expr, FnArg, ItemFn, Pat, ReturnType};
+
+use super::flow::Kind;
+use super::function::{Closure, Function};
+use super::generic;
+use super::scope::{Name, Scopes};
+use super::template::Template;
+use super::value::Value;
+use super::{MOST_CALLS, Read, Reader, Unreadable};
+
+impl Reader {
+    /// A closure sees variables as they are when it is called; `move` makes copies of those that it names.
+    pub fn closure(&mut self, closure: &syn::ExprClosure) -> Read {
+        let inputs = closure.inputs.iter().cloned().collect();
+        let (output, body) = (closure.output.clone(), (*closure.body).clone());
+        let mut scopes = self.scopes.clone();
+        if closure.capture.is_some() {
+            scopes.push();
+            for name in named(&closure.body) {
+                if let Some(Name::Variable(slot)) = self.scopes.get(&name) {
+                    let copy = self.store.declare(self.store.get(slot).clone());
+                    scopes.declare(name, copy);
+                }
+            }
+        }
+        Ok(Value::Function(Function::Closure(Rc::new(Closure { inputs, output, body, scopes }))))
+    }
+
+    /// A value as a function, where it may be one.
+    pub fn function(&mut self, value: Value, at: &dyn ToTokens) -> Read<Function> {
+        match self.loaded(value) {
+            Value::Function(function) => Ok(function),
+            Value::Opaque(Template::Path(path, _)) => Ok(Function::Path(Rc::new(path))),
+            _ => Err(Unreadable::new(at, "a function that is not a closure")),
+        }
+    }
+
+    /// The value of a function at `arguments`; `places` are their expressions, for messages.
+    pub fn apply(&mut self, function: &Function, arguments: Vec<Value>, places: &[&Expr], at: &dyn ToTokens) -> Read {
+        self.calls += 1;
+        if self.calls > MOST_CALLS {
+            return Err(Unreadable::new(at, "a recursion this deep"));
+        }
+        let value = match function {
+            Function::Closure(closure) => self.apply_closure(closure, arguments, at),
+            Function::Inner(item, depth) => self.apply_inner(item, *depth, arguments, None, at),
+            Function::Path(path) => self.call_path(path, arguments, places, at),
+        };
+        self.calls -= 1;
+        value
+    }
+
+    fn apply_closure(&mut self, closure: &Closure, arguments: Vec<Value>, at: &dyn ToTokens) -> Read {
+        if closure.inputs.len() != arguments.len() {
+            let text = super::counted("this closure", closure.inputs.len(), "argument", arguments.len());
+            return Ok(self.mistake(at, text));
+        }
+        self.within(closure.scopes.clone(), |reader| {
+            closure.inputs.iter().zip(arguments).try_for_each(|(pattern, value)| reader.bind(pattern, value))?;
+            reader.enter(Kind::Function, None);
+            let value = reader.raw_expression(&closure.body)?;
+            let value = reader.exit(value, &closure.body)?;
+            reader.returned(value, &closure.output, &closure.body)
+        })
+    }
+
+    /// A function inside the body sees none of its variables. `given` are the arguments in `f::<3>(x)`.
+    pub fn apply_inner(
+        &mut self,
+        item: &ItemFn,
+        depth: usize,
+        arguments: Vec<Value>,
+        given: Option<&syn::AngleBracketedGenericArguments>,
+        at: &dyn ToTokens,
+    ) -> Read {
+        if item.sig.inputs.len() != arguments.len() {
+            let text = super::counted(&format!("`{}`", item.sig.ident), item.sig.inputs.len(), "argument", arguments.len());
+            return Ok(self.mistake(at, text));
+        }
+        let scopes = self.scopes.around_function(depth);
+        let generics = generic::found(item, &arguments, given, &|length| self.known_length(length));
+        let meant = generics.as_ref().map(|generics| generics.put_into(item));
+        let item = meant.as_ref().unwrap_or(item);
+        self.within(scopes, |reader| {
+            for (name, length) in generics.iter().flat_map(|generics| &generics.lengths) {
+                reader.scopes.declare_item(name.clone(), Value::count(*length));
+            }
+            for (input, value) in item.sig.inputs.iter().zip(arguments) {
+                match input {
+                    FnArg::Typed(typed) => reader.bind(&Pat::Type(typed.clone()), value)?,
+                    FnArg::Receiver(receiver) => {
+                        let changes = receiver.mutability.is_some() && receiver.reference.is_some();
+                        let value = if changes { value } else { reader.loaded(value) };
+                        reader.declare("self".into(), value);
+                    }
+                }
+            }
+            let value = reader.body(&item.block)?;
+            reader.returned(value, &item.sig.output, &item.block)
+        })
+    }
+
+    /// A length that is a constant of the body's own.
+    fn known_length(&self, length: &Expr) -> Option<usize> {
+        let name = length.to_token_stream().to_string();
+        match (crate::parse::literal_length(length), self.named(&name)) {
+            (Some(n), _) => Some(n),
+            (None, Some(Value::Integer(n, _))) => usize::try_from(*n).ok(),
+            _ => None,
+        }
+    }
+
+    /// Reads something with other variables in sight.
+    pub fn within(&mut self, scopes: Scopes, read: impl FnOnce(&mut Self) -> Read) -> Read {
+        let outer = std::mem::replace(&mut self.scopes, scopes);
+        self.scopes.push();
+        let value = read(self);
+        self.scopes = outer;
+        value
+    }
+
+    fn returned(&mut self, value: Value, output: &ReturnType, at: &dyn ToTokens) -> Read {
+        match output {
+            ReturnType::Default => Ok(value),
+            ReturnType::Type(_, ty) => self.typed(value, ty, at),
+        }
+    }
+}
+
+/// The single names in an expression, each once.
+fn named(expression: &Expr) -> std::collections::BTreeSet<String> {
+    #[derive(Default)]
+    struct Search(std::collections::BTreeSet<String>);
+    impl Visit<'_> for Search {
+        fn visit_ident(&mut self, name: &proc_macro2::Ident) {
+            self.0.insert(name.to_string());
+        }
+    }
+    let mut search = Search::default();
+    search.visit_expr(expression);
+    search.0
+}

@@ -1,0 +1,227 @@
+//! The flow of control: branches by open conditions, and what leaves its place early. `return`, `break` and `continue` are one mechanism: a way
+//! out of a frame, with the condition under which it is taken, its value, and the variables as they were. At the frame's end the ways are joined.
+
+use quote::ToTokens;
+
+use super::scope::{Changes, Mark};
+use super::value::Value;
+use super::{Read, Reader, Unreadable};
+use kin_graph::Node;
+
+/// What can be left.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Kind {
+    Function,
+    Loop,
+    /// One turn of a loop.
+    Turn,
+    Block,
+}
+
+/// Something that is being read and can be left before its end.
+pub struct Frame {
+    kind: Kind,
+    label: Option<String>,
+    exits: Vec<Exit>,
+    /// How long the path was, and where the log stood.
+    path: usize,
+    since: Mark,
+}
+
+/// A way out.
+struct Exit {
+    condition: Node,
+    value: Value,
+    changes: Changes,
+}
+
+/// What is known where something is read: a condition of a branch around it, or that a frame has not been left.
+#[derive(Clone, Copy)]
+pub struct Guard {
+    pub holds: Node,
+    left: Option<usize>,
+}
+
+impl Guard {
+    pub fn branch(holds: Node) -> Self {
+        Guard { holds, left: None }
+    }
+}
+
+/// How many ways out of one frame there may be.
+const MOST_EXITS: usize = 256;
+
+impl Reader {
+    /// Begins a frame.
+    pub fn enter(&mut self, kind: Kind, label: Option<String>) {
+        let since = self.store.begin();
+        self.frames.push(Frame { kind, label, exits: vec![], path: self.path.len(), since });
+    }
+
+    /// How many ways out of the innermost frame have been found.
+    pub fn exits(&self) -> usize {
+        self.frames.last().map_or(0, |frame| frame.exits.len())
+    }
+
+    /// The number of the frame that is left.
+    pub fn frame(&self, wanted: impl Fn(Kind) -> bool, label: Option<&str>) -> Option<usize> {
+        let function = self.frames.iter().rposition(|frame| frame.kind == Kind::Function).unwrap_or(0);
+        let fits = |frame: &Frame| wanted(frame.kind) && (label.is_none() || frame.label.as_deref() == label);
+        (function..self.frames.len()).rev().find(|&k| fits(&self.frames[k]))
+    }
+
+    /// Leaves a frame with a value.
+    pub fn leave(&mut self, number: usize, value: Value, at: &dyn ToTokens) -> Read {
+        let frame = &self.frames[number];
+        if frame.exits.len() == MOST_EXITS {
+            return Err(Unreadable::new(at, "a loop or function with this many ways out"));
+        }
+        let on_the_way: Vec<Node> =
+            self.path[frame.path..].iter().filter(|guard| guard.left.is_none_or(|left| left > number)).map(|guard| guard.holds).collect();
+        // What becomes of variables after the function itself nobody sees.
+        let changes = if number == 0 { Changes::new() } else { self.store.changes(frame.since) };
+        let always = self.graph.bool(true);
+        let condition = on_the_way.into_iter().fold(always, |all, one| self.graph.and(all, one));
+        self.frames[number].exits.push(Exit { condition, value, changes });
+        let never = self.graph.bool(false);
+        self.path.push(Guard { holds: never, left: Some(number) });
+        Ok(Value::Left)
+    }
+
+    /// Ends the innermost frame, whose own end is reached with `value`: all ways out of it are joined.
+    pub fn exit(&mut self, value: Value, at: &dyn ToTokens) -> Read {
+        let Some(Frame { exits, path, since, .. }) = self.frames.pop() else { return Ok(value) };
+        let outside = self.frames.len();
+        let others: Vec<Guard> =
+            self.path.split_off(path).into_iter().filter(|guard| guard.left.is_some_and(|left| left < outside)).collect();
+        self.path.extend(others);
+        let mut value = value;
+        for Exit { condition, value: given, changes } in exits.into_iter().rev() {
+            let reached = !matches!(value, Value::Left);
+            let now = self.store.changes(since);
+            for slot in changes.keys().chain(now.keys()).copied().collect::<std::collections::BTreeSet<_>>() {
+                let then = changes.get(&slot).cloned().unwrap_or_else(|| self.store.before(since, slot).clone());
+                let joined = match reached {
+                    true => self.variable_of_both(condition, &then, &self.store.get(slot).clone(), at)?,
+                    false => then,
+                };
+                self.store.set(slot, joined);
+            }
+            value = match (reached, self.select(condition, &given, &value)) {
+                (false, _) => given,
+                (true, Some(joined)) => joined,
+                (true, None) if matches!(given, Value::Poison) => value,
+                (true, None) => self.mistake(at, format!("this gives {} in one place, and {} in another", given.name(), value.name())),
+            };
+        }
+        self.store.end();
+        Ok(value)
+    }
+
+    /// Reads both branches, unless the condition is known, and joins their values and what they did to variables.
+    pub fn choose(
+        &mut self,
+        condition: Node,
+        yes: impl FnOnce(&mut Self) -> Read,
+        no: impl FnOnce(&mut Self) -> Read,
+        at: &dyn ToTokens,
+    ) -> Read {
+        match self.graph.truth(condition) {
+            Some(true) => return yes(self),
+            Some(false) => return no(self),
+            None => {}
+        }
+        let (depth, since) = (self.path.len(), self.store.begin());
+        self.path.push(Guard::branch(condition));
+        let a = yes(self)?;
+        let left_by_yes = self.path.split_off(depth + 1);
+        let after_yes = self.store.changes(since);
+        self.store.take_back(since);
+        let otherwise = self.graph.not(condition);
+        self.path.truncate(depth);
+        self.path.push(Guard::branch(otherwise));
+        let b = no(self)?;
+        let left_by_no = self.path.split_off(depth + 1);
+        self.path.truncate(depth);
+        self.variables_of_both(condition, [&a, &b], after_yes, since, at)?;
+        self.store.end();
+        self.not_left(condition, &left_by_yes, &left_by_no);
+        self.joined(condition, &a, &b, at)
+    }
+
+    /// Joins what two branches did to variables; those of the second one are in hand.
+    fn variables_of_both(&mut self, condition: Node, values: [&Value; 2], after_yes: Changes, since: Mark, at: &dyn ToTokens) -> Read<()> {
+        let after_no = self.store.changes(since);
+        let slots: std::collections::BTreeSet<usize> = after_yes.keys().chain(after_no.keys()).copied().collect();
+        for slot in slots {
+            let before = self.store.before(since, slot).clone();
+            let a = after_yes.get(&slot).unwrap_or(&before);
+            let b = after_no.get(&slot).unwrap_or(&before);
+            let joined = match values {
+                [Value::Left, Value::Left] => continue,
+                [Value::Left, _] => continue,
+                [_, Value::Left] => a.clone(),
+                _ => self.variable_of_both(condition, a, b, at)?,
+            };
+            self.store.set(slot, joined);
+        }
+        Ok(())
+    }
+
+    fn variable_of_both(&mut self, condition: Node, a: &Value, b: &Value, at: &dyn ToTokens) -> Read {
+        match (a, b) {
+            // It has a value where it is asked for one: rustc sees to it.
+            (Value::Unassigned, other) | (other, Value::Unassigned) => Ok(other.clone()),
+            _ => self
+                .select(condition, a, b)
+                .ok_or_else(|| Unreadable::new(at, "a variable that is of one kind in one branch and of another in the other")),
+        }
+    }
+
+    /// What is known behind two branches: that none of the frames has been left that were left in one of them.
+    fn not_left(&mut self, condition: Node, yes: &[Guard], no: &[Guard]) {
+        let frames: std::collections::BTreeSet<usize> = yes.iter().chain(no).filter_map(|guard| guard.left).collect();
+        let otherwise = self.graph.not(condition);
+        for frame in frames {
+            let mut holds = self.graph.bool(true);
+            for (guards, unless) in [(yes, otherwise), (no, condition)] {
+                let always = self.graph.bool(true);
+                let stays =
+                    guards.iter().filter(|guard| guard.left == Some(frame)).fold(always, |all, guard| self.graph.and(all, guard.holds));
+                let one = self.graph.or(unless, stays);
+                holds = self.graph.and(holds, one);
+            }
+            self.path.push(Guard { holds, left: Some(frame) });
+        }
+    }
+
+    /// One of several values: what `f` makes of each, joined.
+    pub fn each(&mut self, value: Value, at: &dyn ToTokens, f: &mut dyn FnMut(&mut Self, Value) -> Read) -> Read {
+        match value {
+            Value::Choice(all) => self.each_of(&all, at, f),
+            value => f(self, value),
+        }
+    }
+
+    fn each_of(&mut self, all: &[(Node, Value)], at: &dyn ToTokens, f: &mut dyn FnMut(&mut Self, Value) -> Read) -> Read {
+        match all {
+            [] => Ok(Value::Never),
+            [(_, last)] => f(self, last.clone()),
+            [(condition, first), rest @ ..] => {
+                let both = std::cell::RefCell::new(f);
+                self.choose(*condition, |r| (both.borrow_mut())(r, first.clone()), |r| r.each_of(rest, at, *both.borrow_mut()), at)
+            }
+        }
+    }
+
+    /// The same for several values at once.
+    pub fn each_list(&mut self, mut values: Vec<Value>, at: &dyn ToTokens, f: &mut dyn FnMut(&mut Self, Vec<Value>) -> Read) -> Read {
+        let Some(k) = values.iter().position(|value| matches!(value, Value::Choice(_))) else { return f(self, values) };
+        let choice = std::mem::replace(&mut values[k], Value::Poison);
+        self.each(choice, at, &mut |reader, one| {
+            let mut values = values.clone();
+            values[k] = one;
+            reader.each_list(values, at, f)
+        })
+    }
+}

@@ -1,0 +1,153 @@
+//! Functions with generics inside of the body: what their types and lengths are, by the values that they are given.
+
+use std::collections::BTreeMap;
+
+use quote::ToTokens;
+use syn::visit_mut::{self, VisitMut};
+use syn::{Expr, FnArg, GenericArgument, GenericParam, ItemFn, PathArguments, Type, parse_quote};
+
+use super::value::Value;
+
+/// What the generics of a function stand for in one call.
+#[derive(Default)]
+pub struct Found {
+    types: BTreeMap<String, Type>,
+    pub lengths: BTreeMap<String, usize>,
+}
+
+/// What is known of the generics of a function; `None` if it has none.
+pub fn found(
+    item: &ItemFn,
+    arguments: &[Value],
+    given: Option<&syn::AngleBracketedGenericArguments>,
+    length: &dyn Fn(&Expr) -> Option<usize>,
+) -> Option<Found> {
+    let generics = &item.sig.generics;
+    if generics.params.is_empty() && !item.sig.inputs.iter().any(|input| matches!(input, FnArg::Receiver(_))) {
+        return None;
+    }
+    let mut found = Found::default();
+    // Of what nothing is known may be anything.
+    found.types.extend(generics.type_params().map(|parameter| (parameter.ident.to_string(), parse_quote!(_))));
+    let names: Vec<String> = generics.params.iter().filter_map(name).collect();
+    for (name, given) in names.iter().zip(given.iter().flat_map(|given| &given.args)) {
+        match given {
+            GenericArgument::Type(Type::Path(path)) if generics.const_params().any(|parameter| parameter.ident == name) => {
+                let path = &path.path;
+                found.lengths.extend(length(&parse_quote!(#path)).map(|n| (name.clone(), n)));
+            }
+            GenericArgument::Type(ty) => drop(found.types.insert(name.clone(), ty.clone())),
+            GenericArgument::Const(value) => found.lengths.extend(length(value).map(|n| (name.clone(), n))),
+            _ => {}
+        }
+    }
+    for (input, value) in item.sig.inputs.iter().zip(arguments) {
+        if let FnArg::Typed(typed) = input {
+            found.learn(&typed.ty, value, &names);
+        }
+    }
+    Some(found)
+}
+
+/// The name of a type or a length; lifetimes are none.
+fn name(parameter: &GenericParam) -> Option<String> {
+    match parameter {
+        GenericParam::Type(ty) => Some(ty.ident.to_string()),
+        GenericParam::Const(length) => Some(length.ident.to_string()),
+        GenericParam::Lifetime(_) => None,
+    }
+}
+
+impl Found {
+    fn learn(&mut self, ty: &Type, value: &Value, names: &[String]) {
+        match (ty, value) {
+            (ty, Value::Reference(inner)) if !matches!(ty, Type::Reference(_)) => self.learn(ty, inner, names),
+            (Type::Reference(ty), Value::Reference(inner)) => self.learn(&ty.elem, inner, names),
+            (Type::Reference(ty), value) => self.learn(&ty.elem, value, names),
+            (Type::Array(array), Value::Array(all)) => {
+                let length = array.len.to_token_stream().to_string();
+                if names.contains(&length) {
+                    self.lengths.entry(length).or_insert(all.len());
+                }
+                all.iter().take(1).for_each(|part| self.learn(&array.elem, part, names));
+            }
+            (Type::Slice(slice), Value::Array(all)) => all.iter().take(1).for_each(|part| self.learn(&slice.elem, part, names)),
+            (Type::Tuple(tuple), Value::Tuple(all)) => tuple.elems.iter().zip(all).for_each(|(ty, part)| self.learn(ty, part, names)),
+            (Type::Path(path), value) => match (path.path.get_ident(), path.path.segments.last().map(|last| &last.arguments), value) {
+                (Some(name), _, value) if names.contains(&name.to_string()) => {
+                    if let Some(ty) = type_of(value) {
+                        self.types.insert(name.to_string(), ty);
+                    }
+                }
+                (None, Some(PathArguments::AngleBracketed(given)), value) => {
+                    let inner = match value {
+                        Value::Array(all) => all.first(),
+                        Value::Adt(adt) => adt.fields.first().map(|(_, value)| value),
+                        _ => None,
+                    };
+                    if let (Some(GenericArgument::Type(ty)), Some(inner)) = (given.args.first(), inner) {
+                        self.learn(ty, inner, names);
+                    }
+                }
+                _ => {}
+            },
+            _ => {}
+        }
+    }
+
+    /// The function with types in the place of its generics.
+    pub fn put_into(&self, item: &ItemFn) -> ItemFn {
+        let mut item = item.clone();
+        Substitution(&self.types).visit_item_fn_mut(&mut item);
+        item
+    }
+}
+
+/// Types in the place of names.
+pub struct Substitution<'a>(pub &'a BTreeMap<String, Type>);
+
+impl VisitMut for Substitution<'_> {
+    fn visit_type_mut(&mut self, ty: &mut Type) {
+        if let Type::Path(path) = &*ty
+            && let Some(meant) = path.path.get_ident().and_then(|name| self.0.get(&name.to_string()))
+        {
+            *ty = meant.clone();
+            return;
+        }
+        visit_mut::visit_type_mut(self, ty);
+    }
+
+    /// `T::from(x)`
+    fn visit_path_mut(&mut self, path: &mut syn::Path) {
+        if let Some(first) = path.segments.first()
+            && let Some(Type::Path(meant)) = self.0.get(&first.ident.to_string())
+        {
+            let mut whole = meant.path.clone();
+            whole.segments.extend(path.segments.iter().skip(1).cloned());
+            *path = whole;
+        }
+        visit_mut::visit_path_mut(self, path);
+    }
+}
+
+/// The type of a value made of numbers.
+fn type_of(value: &Value) -> Option<Type> {
+    Some(match value {
+        Value::Scalar(_) => parse_quote!(f64),
+        Value::Condition(_) => parse_quote!(bool),
+        Value::Reference(inner) => type_of(inner)?,
+        Value::Vector(_) | Value::Matrix(..) | Value::Euler(_) => {
+            let name = proc_macro2::Ident::new(&value.components()?.0.shape().name(), proc_macro2::Span::call_site());
+            parse_quote!(#name)
+        }
+        Value::Array(all) => {
+            let (ty, n) = (type_of(all.first()?)?, all.len());
+            parse_quote!([#ty; #n])
+        }
+        Value::Adt(adt) => {
+            let name = proc_macro2::Ident::new(&adt.type_name(), proc_macro2::Span::call_site());
+            parse_quote!(#name)
+        }
+        _ => return None,
+    })
+}

@@ -1,0 +1,185 @@
+//! Methods that change what they are called on: of arrays and lists, of iterators, of options, of the body's own types.
+
+use syn::{Expr, ExprMethodCall, FnArg};
+
+use crate::lower::scope::Place;
+use crate::lower::value::Value;
+use crate::lower::{Read, Reader, Unreadable};
+
+/// Methods that are read here.
+const READ: &[&str] = &[
+    "swap",
+    "reverse",
+    "fill",
+    "push",
+    "pop",
+    "insert",
+    "remove",
+    "truncate",
+    "clear",
+    "extend",
+    "extend_from_slice",
+    "copy_from_slice",
+    "clone_from_slice",
+    "rotate_left",
+    "rotate_right",
+    "iter_mut",
+    "first_mut",
+    "last_mut",
+    "get_mut",
+    "split_at_mut",
+    "chunks_mut",
+    "chunks_exact_mut",
+    "sort_by",
+    "sort_unstable_by",
+    "next",
+    "next_back",
+    "nth",
+    "take",
+    "replace",
+];
+
+impl Reader {
+    /// The value of a method that changes its receiver; `None` if it is none, or the receiver is no variable that is known here.
+    pub(super) fn changing_method(&mut self, name: &str, whole: &ExprMethodCall) -> Read<Option<Value>> {
+        let is_variable = matches!(strip(&whole.receiver), Expr::Path(_) | Expr::Field(_) | Expr::Index(_) | Expr::Unary(_));
+        if !is_variable {
+            return Ok(None);
+        }
+        let own = self.own.changes(name);
+        if !READ.contains(&name) && !own {
+            return Ok(None);
+        }
+        let Some(place) = self.looked_into(&whole.receiver)? else { return Ok(None) };
+        match self.at_place(&place).map(Value::referent) {
+            Some(Value::Array(all)) if READ.contains(&name) => {
+                let arguments = self.expressions(whole.args.iter())?;
+                self.change_list(&place, all, arguments, whole)
+            }
+            Some(Value::Iterator(mut all)) => {
+                let k = match (name, whole.args.first()) {
+                    ("next", None) => 0,
+                    ("next_back", None) => all.len().saturating_sub(1),
+                    ("nth", Some(k)) => self.known_count(k)?,
+                    _ => return Ok(None),
+                };
+                let found = (k < all.len()).then(|| all[k].clone());
+                match name {
+                    "next_back" => drop(all.pop()),
+                    _ => drop(all.drain(..all.len().min(k + 1))),
+                }
+                let _ = self.put_at(&place, Value::Iterator(all), whole);
+                Ok(Some(found.map_or(Value::none(), Value::some)))
+            }
+            Some(value @ Value::Adt(_)) if name == "take" && whole.args.is_empty() => {
+                let _ = self.put_at(&place, Value::none(), whole);
+                Ok(Some(value))
+            }
+            Some(value @ Value::Adt(_)) if name == "replace" && whole.args.len() == 1 => {
+                let new = self.expression(&whole.args[0])?;
+                let _ = self.put_at(&place, Value::some(new), whole);
+                Ok(Some(value))
+            }
+            Some(Value::Adt(adt)) if own => {
+                let arguments = self.expressions(whole.args.iter())?;
+                let arguments = std::iter::once(Value::Place(place)).chain(arguments).collect();
+                self.own_method(&adt.type_name(), name, arguments, whole)
+            }
+            _ => Ok(None),
+        }
+    }
+
+    fn known_count(&mut self, at: &Expr) -> Read<usize> {
+        match self.expression(at)? {
+            Value::Integer(k, _) => usize::try_from(k).map_err(|_| Unreadable::new(at, "a count out of range")),
+            _ => Err(Unreadable::new(at, "a count that is not known here")),
+        }
+    }
+
+    fn change_list(&mut self, place: &Place, mut all: Vec<Value>, arguments: Vec<Value>, whole: &ExprMethodCall) -> Read<Option<Value>> {
+        let unknown = || Unreadable::new(&whole.method, "an index that is not known here");
+        let arguments: Vec<Value> = arguments.into_iter().map(|value| self.loaded(value)).collect();
+        let counts: Vec<usize> = arguments.iter().map_while(count).collect();
+        let parts = |ranges: Vec<(usize, usize)>| ranges.into_iter().map(|(from, to)| Value::Place(place.slice(from, to))).collect();
+        let mut result = Value::unit();
+        match (whole.method.to_string().as_str(), &arguments[..], &counts[..]) {
+            ("iter_mut", [], _) => return Ok(Some(Value::Iterator((0..all.len()).map(|k| Value::Place(place.index(k))).collect()))),
+            ("first_mut", [], _) if !all.is_empty() => return Ok(Some(Value::some(Value::Place(place.index(0))))),
+            ("last_mut", [], _) if !all.is_empty() => return Ok(Some(Value::some(Value::Place(place.index(all.len() - 1))))),
+            ("get_mut", [_], &[k]) if k < all.len() => return Ok(Some(Value::some(Value::Place(place.index(k))))),
+            ("get_mut", [_], &[_]) | ("first_mut" | "last_mut", [], _) => return Ok(Some(Value::none())),
+            ("split_at_mut", [_], &[k]) if k <= all.len() => {
+                return Ok(Some(Value::Tuple(parts(vec![(0, k), (k, all.len())]))));
+            }
+            ("chunks_mut" | "chunks_exact_mut", [_], &[k]) if k > 0 => {
+                let exact = whole.method == "chunks_exact_mut";
+                let starts = (0..all.len()).step_by(k).filter(|from| !exact || from + k <= all.len());
+                return Ok(Some(Value::Iterator(parts(starts.map(|from| (from, all.len().min(from + k))).collect()))));
+            }
+            ("swap", [_, _], &[a, b]) if a < all.len() && b < all.len() => all.swap(a, b),
+            ("reverse", [], _) => all.reverse(),
+            ("fill", [value], _) => all.fill(value.clone()),
+            ("push", [value], _) => all.push(value.clone()),
+            ("pop", [], _) => result = all.pop().map_or(Value::none(), Value::some),
+            ("insert", [_, value], &[k, ..]) if k <= all.len() => all.insert(k, value.clone()),
+            ("remove", [_], &[k]) if k < all.len() => result = all.remove(k),
+            ("truncate", [_], &[k]) => all.truncate(k),
+            ("clear", [], _) => all.clear(),
+            ("extend" | "extend_from_slice", [Value::Array(more) | Value::Iterator(more)], _) => {
+                let more: Vec<Value> = more.iter().map(|value| self.loaded(value.clone())).collect();
+                all.extend(more);
+            }
+            ("copy_from_slice" | "clone_from_slice", [Value::Array(more)], _) if more.len() == all.len() => all.clone_from(more),
+            ("rotate_left", [_], &[k]) if k <= all.len() => all.rotate_left(k),
+            ("rotate_right", [_], &[k]) if k <= all.len() => all.rotate_right(k),
+            ("sort_by" | "sort_unstable_by", [_], _) => self.sort(&mut all, arguments[0].clone(), whole)?,
+            ("swap" | "insert" | "remove" | "rotate_left" | "rotate_right", _, [k, ..]) => {
+                let k = counts.iter().find(|k| **k >= all.len()).unwrap_or(k);
+                let text = format!("index {k} is out of range: this is an array of {}", all.len());
+                return Ok(Some(self.mistake(&whole.method, text)));
+            }
+            _ => return Err(unknown()),
+        }
+        match self.put_at(place, Value::Array(all), whole) {
+            Some(()) => Ok(Some(result)),
+            None => Err(Unreadable::new(&whole.method, "a change of a part of this length")),
+        }
+    }
+
+    /// Neighbours are exchanged wherever the first is greater, as often as it can be necessary.
+    fn sort(&mut self, all: &mut [Value], by: Value, whole: &ExprMethodCall) -> Read<()> {
+        let f = self.function(by, &whole.args[0])?;
+        for end in (1..all.len()).rev() {
+            for k in 0..end {
+                let (a, b) = (all[k].clone(), all[k + 1].clone());
+                let inputs = [&a, &b].map(|value| Value::Reference(Box::new(value.clone()))).to_vec();
+                let order = self.apply(&f, inputs, &[], whole)?;
+                let greater = self.is_ordered(order, "Greater", whole)?;
+                let joined = (self.select(greater, &b, &a), self.select(greater, &a, &b));
+                let (Some(first), Some(second)) = joined else { return Err(Unreadable::new(&whole.method, "an order of these")) };
+                (all[k], all[k + 1]) = (first, second);
+            }
+        }
+        Ok(())
+    }
+}
+
+fn count(value: &Value) -> Option<usize> {
+    match value {
+        Value::Integer(k, _) => usize::try_from(*k).ok(),
+        _ => None,
+    }
+}
+
+fn strip(expression: &Expr) -> &Expr {
+    match expression {
+        Expr::Paren(inner) => strip(&inner.expr),
+        Expr::Group(inner) => strip(&inner.expr),
+        other => other,
+    }
+}
+
+/// Whether a method takes `&mut self`.
+pub fn takes_itself(function: &syn::ItemFn) -> bool {
+    matches!(function.sig.inputs.first(), Some(FnArg::Receiver(receiver)) if receiver.reference.is_some() && receiver.mutability.is_some())
+}

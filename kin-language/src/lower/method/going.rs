@@ -1,0 +1,161 @@
+//! Methods of arrays and iterators that pick something out of them, or go over them with a function.
+
+use super::Call;
+use crate::lower::function::Function;
+use crate::lower::scope::Place;
+use crate::lower::value::Value;
+use crate::lower::{Read, Reader, Unreadable};
+use kin_graph::Node;
+
+impl Reader {
+    /// One element, or some of them.
+    pub(super) fn picked(&mut self, mut all: Vec<Value>, call: &Call) -> Read {
+        let count = match call.arguments.first() {
+            None => 0,
+            Some(Value::Integer(k, _)) => usize::try_from(*k).map_err(|_| Unreadable::new(call.places[0], "an index out of range"))?,
+            Some(_) => return Err(Unreadable::new(call.places[0], "an index that is not known here")),
+        };
+        let option = |value: Option<Value>| Ok(value.map_or(Value::none(), Value::some));
+        let borrowed = |value: Value| Value::Reference(Box::new(value));
+        match call.name.as_str() {
+            "first" => option(all.into_iter().next().map(borrowed)),
+            "next" => option(all.into_iter().next()),
+            "last" => option(all.pop()),
+            "nth" => option(all.into_iter().nth(count)),
+            "get" => option(all.into_iter().nth(count).map(borrowed)),
+            "count" => Ok(Value::count(all.len())),
+            "split_at" if count <= all.len() => {
+                let rest = all.split_off(count);
+                Ok(Value::Tuple(vec![Value::Array(all), Value::Array(rest)]))
+            }
+            "split_first" | "split_last" if all.is_empty() => Ok(Value::none()),
+            "split_first" => {
+                let rest = all.split_off(1);
+                option(Some(Value::Tuple(vec![borrowed(all.remove(0)), Value::Array(rest)])))
+            }
+            "split_last" => {
+                let last = all.pop().unwrap_or(Value::Poison);
+                option(Some(Value::Tuple(vec![borrowed(last), Value::Array(all)])))
+            }
+            // Into an array: its length is right where rustc finds it so.
+            "try_into" => Ok(Value::Adt(crate::lower::value::Adt::new("Ok", Some(Value::Array(all))))),
+            "unzip" => {
+                let (mut left, mut right) = (Vec::new(), Vec::new());
+                for pair in all {
+                    match self.loaded(pair) {
+                        Value::Tuple(mut pair) if pair.len() == 2 => {
+                            right.extend(pair.pop());
+                            left.extend(pair.pop());
+                        }
+                        _ => return Err(Unreadable::new(&call.whole.method, "`unzip` of these")),
+                    }
+                }
+                Ok(Value::Tuple(vec![Value::Array(left), Value::Array(right)]))
+            }
+            _ => Err(Unreadable::new(&call.whole.method, "an index out of range")),
+        }
+    }
+
+    /// With a function that is called for the elements one by one.
+    pub(super) fn gone_over(&mut self, all: Vec<Value>, call: &Call) -> Read {
+        let Some(k) = call.arguments.len().checked_sub(1) else { return Err(Unreadable::new(&call.whole.method, "this method")) };
+        let f = self.function(call.arguments[k].clone(), call.places[k])?;
+        let borrowed = |value: &Value| Value::Reference(Box::new(value.clone()));
+        match call.name.as_str() {
+            "for_each" => {
+                for value in all {
+                    self.apply(&f, vec![value], &[], call)?;
+                }
+                Ok(Value::unit())
+            }
+            "reduce" => {
+                let mut all = all.into_iter();
+                let Some(first) = all.next() else { return Ok(Value::none()) };
+                all.try_fold(first, |sum, value| self.apply(&f, vec![sum, value], &[], call)).map(Value::some)
+            }
+            "min_by" | "max_by" => {
+                let is_min = call.name == "min_by";
+                let mut all = all.into_iter();
+                let Some(first) = all.next() else { return Ok(Value::none()) };
+                let best = all.try_fold(first, |best, value| {
+                    let order = self.apply(&f, vec![borrowed(&best), borrowed(&value)], &[], call)?;
+                    // Of equal ones the first is the least, and the last the greatest.
+                    let worse = self.is_ordered(order, "Greater", call)?;
+                    let (held, other) = if is_min { (&value, &best) } else { (&best, &value) };
+                    self.joined(worse, held, other, call)
+                });
+                best.map(Value::some)
+            }
+            "scan" => self.scanned(all, &f, call),
+            "position" | "find" => {
+                let mut conditions = Vec::new();
+                for value in &all {
+                    let input = if call.name == "find" { borrowed(value) } else { value.clone() };
+                    let holds = self.apply(&f, vec![input], &[], call)?;
+                    conditions.push(self.condition(holds, call));
+                }
+                self.first_of(&all, &conditions, call)
+            }
+            _ => self.cut(all, &f, call),
+        }
+    }
+
+    /// With a variable that goes along.
+    fn scanned(&mut self, all: Vec<Value>, f: &Function, call: &Call) -> Read {
+        let state = self.store.declare(call.arguments[0].clone());
+        let place = Value::Place(Place::whole(state));
+        let mut found = Vec::new();
+        for value in all {
+            match self.apply(f, vec![place.clone(), value], &[], call)? {
+                Value::Adt(adt) if adt.name == "Some" => found.extend(adt.fields.into_iter().map(|(_, value)| value)),
+                Value::Adt(adt) if adt.name == "None" => break,
+                _ => return Err(Unreadable::new(&call.whole.method, "a `scan` whose end is open here")),
+            }
+        }
+        Ok(Value::Iterator(found))
+    }
+
+    /// Up to an element, or from one on.
+    fn cut(&mut self, all: Vec<Value>, f: &Function, call: &Call) -> Read {
+        let name = call.name.as_str();
+        let mut kept = Vec::new();
+        let mut skipping = name == "skip_while";
+        for value in all {
+            let input = if name == "map_while" { value.clone() } else { Value::Reference(Box::new(value.clone())) };
+            let result = self.apply(f, vec![input], &[], call)?;
+            if name == "map_while" {
+                match result {
+                    Value::Adt(adt) if adt.name == "Some" => kept.extend(adt.fields.into_iter().map(|(_, value)| value)),
+                    Value::Adt(_) => break,
+                    _ => return Err(Unreadable::new(&call.whole.method, "an end that is open here")),
+                }
+                continue;
+            }
+            let condition = self.condition(result, call);
+            let Some(holds) = self.graph.truth(condition) else {
+                return Err(Unreadable::new(&call.whole.method, format!("a `{name}` by a condition that is open here")));
+            };
+            skipping &= holds;
+            match name {
+                "take_while" if !holds => break,
+                _ if skipping => {}
+                _ => kept.push(value),
+            }
+        }
+        Ok(Value::Iterator(kept))
+    }
+
+    /// The first element whose condition holds, or its place.
+    fn first_of(&mut self, all: &[Value], conditions: &[Node], call: &Call) -> Read {
+        let mut found = Value::none();
+        for (k, (value, &condition)) in all.iter().zip(conditions).enumerate().rev() {
+            let one = Value::some(if call.name == "find" { value.clone() } else { Value::count(k) });
+            found = match self.graph.truth(condition) {
+                Some(true) => one,
+                Some(false) => found,
+                None => self.joined(condition, &one, &found, call)?,
+            };
+        }
+        Ok(found)
+    }
+}

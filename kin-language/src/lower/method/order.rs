@@ -1,0 +1,75 @@
+//! `Ordering`: what `total_cmp` and its like give, and what is made of it.
+
+use quote::ToTokens;
+
+use super::Call;
+use crate::lower::value::{Adt, Value};
+use crate::lower::{Read, Reader, Unreadable};
+use kin_graph::{Comparison, Node};
+
+impl Reader {
+    /// The order of two numbers: one of three.
+    pub fn order_of(&mut self, a: Node, b: Node) -> Value {
+        let less = self.graph.compare(Comparison::Less, a, b);
+        let equal = self.graph.compare(Comparison::Equal, a, b);
+        match (self.graph.truth(less), self.graph.truth(equal)) {
+            (Some(true), _) => return named("Less"),
+            (_, Some(true)) => return named("Equal"),
+            (Some(false), Some(false)) => return named("Greater"),
+            _ => {}
+        }
+        let (not_less, not_equal) = (self.graph.not(less), self.graph.not(equal));
+        let greater = self.graph.and(not_less, not_equal);
+        Value::Choice(vec![(less, named("Less")), (greater, named("Greater")), (equal, named("Equal"))])
+    }
+
+    /// The condition under which an order is the one of that name.
+    pub fn is_ordered(&mut self, order: Value, name: &str, at: &dyn ToTokens) -> Read<Node> {
+        match self.loaded(order) {
+            Value::Adt(adt) => Ok(self.graph.bool(adt.name == name)),
+            Value::Choice(all) => {
+                let never = self.graph.bool(false);
+                let fitting = all.into_iter().filter(|(_, value)| matches!(value, Value::Adt(adt) if adt.name == name));
+                Ok(fitting.fold(never, |any, (taken, _)| self.graph.or(any, taken)))
+            }
+            _ => Err(Unreadable::new(at, "an order that is not known here")),
+        }
+    }
+
+    /// A method of an order.
+    pub(super) fn order_method(&mut self, adt: &Adt, call: &Call) -> Read {
+        let is = |wanted: &[&str]| wanted.contains(&adt.name.as_str());
+        let holds = match call.name.as_str() {
+            "is_lt" => is(&["Less"]),
+            "is_le" => is(&["Less", "Equal"]),
+            "is_gt" => is(&["Greater"]),
+            "is_ge" => is(&["Greater", "Equal"]),
+            "is_eq" => is(&["Equal"]),
+            "is_ne" => is(&["Less", "Greater"]),
+            "reverse" => {
+                return Ok(named(match adt.name.as_str() {
+                    "Less" => "Greater",
+                    "Greater" => "Less",
+                    _ => "Equal",
+                }));
+            }
+            "then" if is(&["Equal"]) && call.arguments.len() == 1 => return Ok(call.arguments[0].clone()),
+            "then_with" if is(&["Equal"]) && call.arguments.len() == 1 => {
+                let f = self.function(call.arguments[0].clone(), call.places[0])?;
+                return self.apply(&f, vec![], &[], call);
+            }
+            "then" | "then_with" => return Ok(Value::Adt(adt.clone())),
+            _ => return Err(Unreadable::new(&call.whole.method, "this method of an order")),
+        };
+        Ok(Value::Condition(self.graph.bool(holds)))
+    }
+}
+
+/// Whether a value of that name is an order.
+pub fn is_order(name: &str) -> bool {
+    matches!(name, "Less" | "Equal" | "Greater")
+}
+
+pub fn named(name: &str) -> Value {
+    Value::Adt(Adt::new(name, None))
+}

@@ -1,0 +1,165 @@
+//! Values under types that are written in the body.
+
+use quote::ToTokens;
+use syn::Type;
+
+use super::integer::{self, IntegerType};
+use super::value::Value;
+use super::{Read, Reader, Unreadable};
+use crate::parse::{Shape, literal_length, shape};
+use crate::vocabulary::is_integer;
+
+impl Reader {
+    /// A value under a type that is written there.
+    pub fn typed(&mut self, value: Value, ty: &Type, at: &dyn ToTokens) -> Read {
+        let value = match (value, ty) {
+            (value @ (Value::Poison | Value::Left), _) => return Ok(value),
+            (value @ Value::Place(_), Type::Reference(_)) => return Ok(value),
+            (value @ Value::Place(_), ty) => {
+                let value = self.loaded(value);
+                return self.typed(value, ty, at);
+            }
+            (value @ Value::Choice(_), ty) => return self.each(value, at, &mut |reader, value| reader.typed(value, ty, at)),
+            (Value::Array(all), Type::Slice(slice)) => {
+                return all.into_iter().map(|part| self.typed(part, &slice.elem, at)).collect::<Read<_>>().map(Value::Array);
+            }
+            (value @ Value::Iterator(_), Type::ImplTrait(_)) => return Ok(value),
+            (Value::Adt(adt), Type::Path(path)) => return self.typed_adt(adt, path, at),
+            (value @ Value::Function(_), Type::ImplTrait(_) | Type::BareFn(_) | Type::TraitObject(_)) => return Ok(value),
+            (Value::Into(inner), ty) if shape(ty).is_none() => return self.typed_into(*inner, ty, at),
+            (Value::Reference(inner), Type::Reference(ty)) => return Ok(Value::Reference(Box::new(self.typed(*inner, &ty.elem, at)?))),
+            (value, Type::Reference(ty)) => return self.typed(value, &ty.elem, at),
+            (value, Type::Paren(ty)) => return self.typed(value, &ty.elem, at),
+            (value, Type::Group(ty)) => return self.typed(value, &ty.elem, at),
+            (value, Type::Infer(_)) => return Ok(value),
+            (Value::Generator(f), ty) => return self.generated(&f, ty, at),
+            (Value::Array(all), Type::Array(array)) if literal_length(&array.len).is_none_or(|n| n == all.len()) => {
+                return all.into_iter().map(|part| self.typed(part, &array.elem, at)).collect::<Read<_>>().map(Value::Array);
+            }
+            (Value::Tuple(all), Type::Tuple(tuple)) if all.len() == tuple.elems.len() => {
+                return all.into_iter().zip(&tuple.elems).map(|(part, ty)| self.typed(part, ty, at)).collect::<Read<_>>().map(Value::Tuple);
+            }
+            (value, _) => value,
+        };
+        match (shape(ty), named(ty).as_str()) {
+            (Some(shape), _) => Ok(self.shaped(value, &shape, at)),
+            (None, "bool") => Ok(Value::Condition(self.condition(value, at))),
+            (None, "f32") => Ok(self.mistake(ty, "numbers are `f64`")),
+            (None, name) if is_integer(name) => self.typed_integer(value, name, at),
+            (None, "Vec") => self.typed_list(value, ty, at),
+            (None, "Vector2") => Ok(self.shaped(value, &Shape::Vector(2), at)),
+            (None, "Vector3") => Ok(self.shaped(value, &Shape::Vector(3), at)),
+            (None, "Box" | "Rc" | "Arc") => self.typed_inside(value, ty, at),
+            (None, "Planar") if matches!(value, Value::Planar(_)) => Ok(value),
+            (None, "Spatial") if matches!(value, Value::Spatial(_)) => Ok(value),
+            (None, "Coord" | "Time") if matches!(value, Value::Scalar(_)) => Ok(value),
+            (None, name) => match value {
+                Value::Opaque(_) | Value::Never | Value::Unassigned => Ok(value),
+                Value::Axis(_) if name == "Axis" => Ok(value),
+                Value::Function(_) if !matches!(ty, Type::Path(_)) => Ok(value),
+                Value::Law(_) if name == "Law" => Ok(value),
+                _ => Err(Unreadable::new(ty, format!("a value of type `{}`", super::tidy(&ty.to_token_stream().to_string())))),
+            },
+        }
+    }
+
+    /// `Option<T>`, or a struct: what is in it is of the type that is written.
+    fn typed_adt(&mut self, mut adt: super::value::Adt, path: &syn::TypePath, at: &dyn ToTokens) -> Read {
+        let last = path.path.segments.last();
+        let given = last.and_then(|last| match &last.arguments {
+            syn::PathArguments::AngleBracketed(given) => given.args.first(),
+            _ => None,
+        });
+        if let (Some(syn::GenericArgument::Type(ty)), "Some" | "Ok") = (given, adt.name.as_str())
+            && last.is_some_and(|last| last.ident == "Option" || last.ident == "Result")
+        {
+            for (_, value) in &mut adt.fields {
+                *value = self.typed(value.clone(), ty, at)?;
+            }
+        }
+        Ok(Value::Adt(adt))
+    }
+
+    /// `value.into()` in a place of a type that is no shape.
+    fn typed_into(&mut self, value: Value, ty: &Type, at: &dyn ToTokens) -> Read {
+        match named(ty).as_str() {
+            "Vector2" | "Vector3" | "Option" => {
+                let value = self.loaded(value);
+                let value = if named(ty) == "Option" && !matches!(value, Value::Adt(_)) { Value::some(value) } else { value };
+                self.typed(value, ty, at)
+            }
+            _ => Err(Unreadable::new(ty, format!("a conversion into `{}`", super::tidy(&ty.to_token_stream().to_string())))),
+        }
+    }
+
+    /// `Box<T>`: what is in it.
+    fn typed_inside(&mut self, value: Value, ty: &Type, at: &dyn ToTokens) -> Read {
+        let Type::Path(path) = ty else { return Ok(value) };
+        match path.path.segments.last().map(|last| &last.arguments) {
+            Some(syn::PathArguments::AngleBracketed(given)) => match given.args.first() {
+                Some(syn::GenericArgument::Type(inner)) => self.typed(value, inner, at),
+                _ => Ok(value),
+            },
+            _ => Ok(value),
+        }
+    }
+
+    fn typed_integer(&mut self, value: Value, name: &str, at: &dyn ToTokens) -> Read {
+        match self.loaded(value) {
+            Value::Integer(k, known) => match IntegerType::named(name) {
+                Some(ty) => integer::typed(k, known, ty).ok_or_else(|| Unreadable::new(at, format!("`{k}` as {name}"))),
+                None => Ok(Value::Integer(k, known)),
+            },
+            value @ (Value::Opaque(_) | Value::Never | Value::Poison) => Ok(value),
+            Value::Into(_) => Err(Unreadable::new(at, "a conversion into an integer")),
+            other => Ok(self.mistake(at, format!("expected {name}, but this is {}", other.name()))),
+        }
+    }
+
+    /// `Vec<T>`, as long as its length is known here.
+    fn typed_list(&mut self, value: Value, ty: &Type, at: &dyn ToTokens) -> Read {
+        let (Value::Array(all) | Value::Iterator(all), Type::Path(path)) = (value, ty) else {
+            return Err(Unreadable::new(ty, "a list of unknown length"));
+        };
+        let part = path.path.segments.last().and_then(|last| match &last.arguments {
+            syn::PathArguments::AngleBracketed(arguments) => arguments.args.first(),
+            _ => None,
+        });
+        match part {
+            Some(syn::GenericArgument::Type(part)) => {
+                all.into_iter().map(|value| self.typed(value, part, at)).collect::<Read<_>>().map(Value::Array)
+            }
+            _ => Ok(Value::Array(all)),
+        }
+    }
+}
+
+/// The last name of a type's path.
+fn named(ty: &Type) -> String {
+    match ty {
+        Type::Path(path) => path.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default(),
+        _ => String::new(),
+    }
+}
+
+impl Reader {
+    /// `std::array::from_fn(f)` of the length that its type says.
+    fn generated(&mut self, f: &super::function::Function, ty: &Type, at: &dyn ToTokens) -> Read {
+        let Type::Array(array) = ty else { return Err(Unreadable::new(at, "an array whose length is not known here")) };
+        let length = match literal_length(&array.len) {
+            Some(n) => i64::try_from(n).ok(),
+            None => match self.expression(&array.len)? {
+                Value::Integer(n, _) => Some(n),
+                _ => None,
+            },
+        };
+        let Some(n) = length.filter(|n| (0..=super::MOST_TURNS).contains(n)) else {
+            return Err(Unreadable::new(&array.len, "an array whose length is not known here"));
+        };
+        let all = (0..n).map(|k| {
+            let part = self.apply(f, vec![Value::Integer(k, Some(IntegerType::SIZE))], &[], at)?;
+            self.typed(part, &array.elem, at)
+        });
+        all.collect::<Read<_>>().map(Value::Array)
+    }
+}

@@ -1,0 +1,59 @@
+//! Signatures with lengths, arrays of bodies, and what lives as long as the program.
+
+use kin::prelude::*;
+
+use crate::twice;
+
+/// Legs of a platform.
+pub const LEGS: usize = 3;
+
+#[constraint(LEGS = 3)]
+pub fn legs(q: [Coord; LEGS], rods: [f64; LEGS]) -> f64 {
+    let mut sum = 0.0;
+    for k in 0..LEGS {
+        sum += q[k].sin() * rods[k];
+    }
+    sum - q.iter().map(|x| x * x).sum::<f64>() / LEGS as f64
+}
+
+#[constraint(N = 4)]
+pub fn mean_of<const N: usize>(q: [Coord; N], w: [f64; N]) -> [f64; N] {
+    let mean = q.iter().sum::<f64>() / N as f64;
+    std::array::from_fn(|k| (q[k] - mean) * w[k])
+}
+
+#[test]
+fn lengths_of_the_attribute() {
+    let constraint = legs(std::array::from_fn(|_| kin::any_coord()), [1.0, 2.0, 3.0]);
+    assert_eq!((constraint.route(), constraint.pattern().len()), (kin::Route::Symbolic, 3));
+    assert_eq!(kin::terms(&constraint, &[0.0, 3.0, 0.0], &[], 0.0).c[0], 2.0 * 3.0_f64.sin() - 3.0);
+    kin::check::derivatives(constraint);
+    let constraint = mean_of(std::array::from_fn(|_| kin::any_coord()), [1.0, 2.0, 3.0, 4.0]);
+    assert_eq!(constraint.route(), kin::Route::Symbolic);
+    assert_eq!(kin::terms(&constraint, &[0.0, 1.0, 2.0, 5.0], &[], 0.0).c.as_slice(), [-2.0, -2.0, 0.0, 12.0]);
+    kin::check::derivatives(constraint);
+}
+
+twice! { Symbolic planar_bodies_in_an_array(planars (vec2(1.0, 0.5)) planar): fn f(chain: [Planar; 3], u: Vec2, ground: Planar) -> [Vec2; 3] {
+    let mut last = ground;
+    chain.map(|body| {
+        let gap = last.point(u) - body.point(-u);
+        last = body;
+        gap
+    })
+} }
+
+twice! { Symbolic spatial_bodies_in_an_array(coord spatials (vec3(0.0, 0.0, 1.0))): fn f(a: Coord, b: [Spatial; 2], h: Vec3) -> (f64, f64) {
+    let [i, j] = b;
+    let mut sum = 0.0;
+    for body in &b {
+        sum += body.direction(h).z + body.r.x;
+    }
+    (i.direction(h).dot(j.r) - a, sum * b.len() as f64)
+} }
+
+twice! { Symbolic what_lives_as_long_as_the_program(coord (&[1.0, 2.0, 3.0]) ("fast") (&(0.5, 2.0))):
+fn f(a: Coord, table: &'static [f64], mode: &'static str, pair: &'static (f64, f64)) -> f64 {
+    let gain = if mode == "fast" { 2.0 } else { 1.0 };
+    a.sin() * table[1] * gain - pair.0 * a * pair.1
+} }
