@@ -32,7 +32,6 @@ impl Linear {
         let mut random = Random::new(0);
         let mut left: Vec<f64> = (0..self.n).map(|_| sign_and_size(&mut random)).collect();
         let (mut inverse, mut direct) = (0.0_f64, 0.0_f64);
-        normalise(&mut left);
         let (mut v, mut right) = (left.clone(), Vec::new());
         // Each length is no less than the one before it.
         for _ in 0..rounds {
