@@ -10,9 +10,9 @@ mod condition;
 mod echelon;
 mod independent;
 pub(crate) mod lanes;
+mod least_squares;
 mod measures;
 mod recorded;
-mod tall;
 #[cfg(test)]
 mod tests;
 
@@ -21,9 +21,9 @@ pub(crate) use independent::Independent;
 
 use std::sync::Arc;
 
-use crate::numbers::fours::{self, Four, Fours};
+use crate::numbers::padded::{self, Padded, Quad};
+pub(crate) use least_squares::LeastSquares;
 use recorded::record::{Factored, Input, Places, Recording};
-pub(crate) use tall::Tall;
 
 /// A pivot below this measure is zero; the rounding of an elimination of moderate size stays below.   \[-\]
 const SINGULAR: f64 = 1e-13;
@@ -70,15 +70,15 @@ pub(crate) struct Linear {
     provisional: bool,
     faint: bool,
     /// 1 / norm_i, and s_j / top_j.
-    row_units: Fours,
+    row_units: Padded,
     column_units: Vec<f64>,
     /// A value above its limit is not finite, or its row and column are to be measured anew; infinite on the ground.
-    limits: Fours,
+    limits: Padded,
     recording: Option<Arc<Recording>>,
     /// What makes each number that is factored one of order 1, by the measures, in the order of the memory.
-    weights: Fours,
+    weights: Padded,
     /// What multipliers and others may come to.
-    bounds: Fours,
+    bounds: Padded,
     /// Whether the recording's weights know the measures.
     told: bool,
     /// Whether there is nothing to compute and nothing to judge until the measures change: all pivots are constants.
@@ -106,7 +106,7 @@ impl Linear {
         let mut sorted: Vec<((u32, u32), u32)> = entries.iter().zip(0..).filter_map(|(entry, k)| Some(((*entry)?, k))).collect();
         sorted.sort_unstable();
         let sorted: Vec<u32> = sorted.into_iter().map(|(_, k)| k).collect();
-        let mut limits = Fours::new(entries.len(), 0.0);
+        let mut limits = Padded::new(entries.len(), 0.0);
         limits.iter_mut().zip(entries.iter()).filter(|(_, entry)| entry.is_none()).for_each(|(limit, _)| *limit = f64::INFINITY);
         // Values, right side and solution begin at whole fours.
         let (rhs, length) = (entries.len().next_multiple_of(4), n.next_multiple_of(4));
@@ -124,12 +124,12 @@ impl Linear {
             confirmed: [vec![0.0; n], vec![0.0; n]],
             provisional: false,
             faint: false,
-            row_units: Fours::new(n, 1.0),
+            row_units: Padded::new(n, 1.0),
             column_units: vec![1.0; n],
             limits,
             recording: None,
-            weights: Fours::default(),
-            bounds: Fours::default(),
+            weights: Padded::default(),
+            bounds: Padded::default(),
             told: false,
             settled: false,
             smallest_constant: f64::INFINITY,
@@ -166,7 +166,7 @@ impl Linear {
     }
 
     /// The same in whole fours; what is written beyond the end does not count.
-    pub(crate) fn whole_rhs_mut(&mut self) -> &mut [Four] {
+    pub(crate) fn whole_rhs_mut(&mut self) -> &mut [Quad] {
         self.memory[self.places.rhs as usize..self.places.solution as usize].as_chunks_mut().0
     }
 
@@ -176,7 +176,7 @@ impl Linear {
     }
 
     /// The same in whole fours, zeros at the end.
-    pub(crate) fn whole_solution(&self) -> &[Four] {
+    pub(crate) fn whole_solution(&self) -> &[Quad] {
         self.memory[self.places.solution as usize..self.places.zero as usize].as_chunks().0
     }
 
@@ -242,9 +242,9 @@ impl Linear {
         let Factored { cells, multipliers, pivots, end } = recording.factored;
         let largest = |from: usize, to: usize| {
             let weights = &self.weights.whole()[(from - cells) / 4..(to - cells) / 4];
-            fours::largest_share(self.memory[from..to].as_chunks().0, weights)
+            padded::largest_share(self.memory[from..to].as_chunks().0, weights)
         };
-        let inside = fours::inside(self.memory[cells..pivots].as_chunks().0, self.bounds.whole());
+        let inside = padded::inside(self.memory[cells..pivots].as_chunks().0, self.bounds.whole());
         self.refined = !inside && largest(cells, multipliers) > REFINED;
         self.grown = !inside && largest(multipliers, pivots) > GROWTH;
         // Pivots stand there inverted: the largest is the smallest pivot, and a number that is not finite none at all.
@@ -266,9 +266,9 @@ impl Linear {
         let mut weights = recording.weights.clone();
         recording.watched.iter().for_each(|&(step, row, column)| weights[step as usize] = unit(row, column).recip());
         let Factored { cells, multipliers, pivots, end } = recording.factored;
-        self.weights = Fours::new(end - cells, 0.0);
+        self.weights = Padded::new(end - cells, 0.0);
         recording.factor.written().zip(weights).for_each(|((_, place), weight)| self.weights[place as usize - cells] = weight);
-        self.bounds = Fours::new(pivots - cells, 0.0);
+        self.bounds = Padded::new(pivots - cells, 0.0);
         for (k, (bound, weight)) in self.bounds.iter_mut().zip(self.weights.iter()).enumerate() {
             *bound = if cells + k < multipliers { REFINED } else { GROWTH } / weight;
         }

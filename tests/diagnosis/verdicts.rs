@@ -260,12 +260,12 @@ fn mechanism_that_cannot_be_built_can_be_asked() {
     assert!(m.diagnose(0.0).unwrap().drivers == 0);
 }
 
-/// Two guides written with a `while`, which only dual numbers run.      [m]
+/// Two guides written with a `while` over a parameter, which only dual numbers run.      [m]
 #[constraint]
 fn guides(i: Planar, u: Vec2) -> (Vec2, f64) {
     let mut k = 0;
     let mut guide2 = i.point(u);
-    while k < 1 {
+    while f64::from(k) < 2.0 * u.x {
         guide2 = guide2 - u;
         k += 1;
     }

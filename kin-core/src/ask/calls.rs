@@ -6,7 +6,7 @@ use crate::model::error::{Error, Result};
 use crate::solve::assembly::{Assembly, AssemblyOptions, Label, modes};
 use crate::solve::explain::Start;
 use crate::solve::motion::{EventKind, Motion};
-use crate::solve::newton::{self, Newton, Options, Steps, assembly, redundant};
+use crate::solve::newton::{self, Newton, Options, Steps, first_position, redundant};
 use crate::solve::sweep::Sweep;
 use crate::system::{Solution, System, time};
 
@@ -24,7 +24,7 @@ impl System {
             return redundant::at(self, time(t)?, None, options, EXPLAIN);
         }
         let mut newton = Newton::new(self, options);
-        let outcome = assembly::assemble(&mut newton, time(t)?).map_err(|error| explained(error, self, options))?;
+        let outcome = first_position::assemble(&mut newton, time(t)?).map_err(|error| explained(error, self, options))?;
         Ok(newton.solution(t, outcome))
     }
 
@@ -43,7 +43,7 @@ impl System {
         }
         let mut newton = Newton::new(self, options);
         newton.q.copy_from_slice(q0);
-        let outcome = assembly::from_start(&mut newton, time(t)?, Steps::Damped)?;
+        let outcome = first_position::from_start(&mut newton, time(t)?, Steps::Damped)?;
         Ok(newton.solution(t, outcome))
     }
 

@@ -13,7 +13,7 @@ const LARGER: f64 = 1.5;
 /// A x = b for an m × n matrix of rank n whose equations agree, rows and columns of order 1.
 ///
 /// Which equations are superfluous changes on the way: rows are chosen whose determinant is large, and chosen anew before those in use become dependent.
-/// Half the work of least squares ([`super::Tall`]), which equations that contradict one another need.
+/// Half the work of least squares ([`super::LeastSquares`]), which equations that contradict one another need.
 #[derive(Clone)]
 pub(crate) struct Independent {
     m: usize,

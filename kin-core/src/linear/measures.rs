@@ -1,7 +1,7 @@
 //! How large rows and columns are, and have been: by these pivots are chosen and judged.
 
 use super::{Linear, RANK, SLACK};
-use crate::numbers::fours::{self, Fours};
+use crate::numbers::padded::{self, Padded};
 
 impl Linear {
     /// max_j |a_ij| s_j of each row, the largest since the start or [`Linear::forget`].
@@ -10,7 +10,7 @@ impl Linear {
     }
 
     /// One over that; 1 for a row that has been zero.
-    pub(crate) fn row_units(&self) -> &Fours {
+    pub(crate) fn row_units(&self) -> &Padded {
         &self.row_units
     }
 
@@ -57,7 +57,7 @@ impl Linear {
 
     /// Measures rows and columns of the values as written, before [`Linear::factor`]; false if one of them is not finite.
     pub(crate) fn measure(&mut self) -> bool {
-        fours::inside(self.memory[..self.places.rhs as usize].as_chunks().0, self.limits.whole()) || self.measure_anew()
+        padded::inside(self.memory[..self.places.rhs as usize].as_chunks().0, self.limits.whole()) || self.measure_anew()
     }
 
     /// The same where something has grown, or is not finite.

@@ -2,7 +2,7 @@
 
 pub mod algebra;
 pub(crate) mod enclosure;
-pub(crate) mod fours;
 pub mod lanes;
+pub(crate) mod padded;
 pub(crate) mod random;
 pub mod real;

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::newton::{Newton, Options, assembly, compiled};
+use super::newton::{Newton, Options, compiled, first_position};
 use crate::model::error::Result;
 use crate::system::System;
 
@@ -37,7 +37,7 @@ impl System {
         let options = Options::default();
         compiled::can_be(self).map_err(compiled::refused)?;
         let mut newton = Newton::new(self, &options);
-        assembly::assemble(&mut newton, 0.0)?;
+        first_position::assemble(&mut newton, 0.0)?;
         let tape = compiled::tape(self, 0.0, &newton.q, &newton.sizes).map_err(compiled::refused)?;
         let names = self.coordinate_names();
         let is_torn = |column: &usize| tape.torn().contains(column);

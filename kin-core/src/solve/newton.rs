@@ -1,23 +1,23 @@
 //! Newton's method on C(q, t) = 0, and q̇, q̈ from the matrix of its last check.
 
-pub(crate) mod assembly;
 pub(crate) mod compiled;
 mod driven;
+pub(crate) mod first_position;
+mod law_breaks;
 mod options;
 pub(crate) mod predictor;
 mod rates;
 pub(crate) mod redundant;
+mod report;
 pub(crate) mod run;
-mod sweep;
-mod told;
-mod watch;
+mod stepper;
 
 pub use crate::model::motion::CrossedBreak;
 pub use crate::system::Report;
 pub use options::{Engine, Follow, Options, Stop};
 
 use crate::linear::{Linear, RANK};
-use crate::numbers::fours::{self, Fours};
+use crate::numbers::padded::{self, Padded};
 use crate::system::System;
 use crate::system::evaluate::{Bad, Instant};
 
@@ -71,19 +71,19 @@ pub(crate) enum Steps {
 pub(crate) struct Newton<'a> {
     pub system: &'a System,
     pub options: &'a Options,
-    pub q: Fours,
-    pub qd: Fours,
-    pub qdd: Fours,
+    pub q: Padded,
+    pub qd: Padded,
+    pub qdd: Padded,
     /// q⃛ where it is asked for, else empty.
-    pub qddd: Fours,
-    pub c: Fours,
+    pub qddd: Padded,
+    pub c: Padded,
     before: Vec<f64>,
     pub instant: Instant,
     pub linear: Linear,
     /// s_j, the characteristic size of each coordinate.
     pub sizes: Vec<f64>,
     /// 1 / s_j
-    shares: Fours,
+    shares: Padded,
     /// What is left of what each row is allowed to be off.
     left: Vec<f64>,
     /// max |C_i| at the last linearization.
@@ -102,15 +102,15 @@ impl<'a> Newton<'a> {
             system,
             options,
             q: system.initial().into(),
-            qd: Fours::new(n, 0.0),
-            qdd: Fours::new(n, 0.0),
-            qddd: Fours::new(if options.jerk { n } else { 0 }, 0.0),
-            c: Fours::new(n, 0.0),
+            qd: Padded::new(n, 0.0),
+            qdd: Padded::new(n, 0.0),
+            qddd: Padded::new(if options.jerk { n } else { 0 }, 0.0),
+            c: Padded::new(n, 0.0),
             before: vec![0.0; n],
             instant: equations.instant(),
             linear: system.linear(),
             sizes: vec![1.0; n],
-            shares: Fours::new(n, 1.0),
+            shares: Padded::new(n, 1.0),
             left: vec![0.0; n],
             residual: 0.0,
             steps: 0,
@@ -226,7 +226,7 @@ impl<'a> Newton<'a> {
     /// Makes −C the right side and measures C, and C_q if that is asked for; an error where a number is not finite.
     #[inline(always)]
     fn measure(&mut self, matrix: bool) -> Result<(), Failure> {
-        self.residual = fours::oppose(self.linear.whole_rhs_mut(), self.c.whole());
+        self.residual = padded::oppose(self.linear.whole_rhs_mut(), self.c.whole());
         if (!matrix || self.linear.measure()) && self.residual < f64::INFINITY { Ok(()) } else { self.finite() }
     }
 
@@ -244,7 +244,7 @@ impl<'a> Newton<'a> {
             Stop::ResidualOnly(_) if !self.options.rescue => return f64::INFINITY,
             Stop::ResidualOnly(_) => f64::INFINITY,
         };
-        let shares = fours::largest_share(self.linear.whole_solution(), self.shares.whole());
+        let shares = padded::largest_share(self.linear.whole_solution(), self.shares.whole());
         if shares <= tolerance { shares } else { self.correction_but_for_rounding(rounding(tolerance)) }
     }
 
@@ -267,7 +267,7 @@ impl<'a> Newton<'a> {
             Stop::Converged { tolerance } => tolerance,
             Stop::ResidualOnly(bound) => return self.residual < bound,
         };
-        fours::largest_share(self.c.whole(), self.linear.row_units().whole()) <= tolerance || self.met_but_for_rounding(tolerance)
+        padded::largest_share(self.c.whole(), self.linear.row_units().whole()) <= tolerance || self.met_but_for_rounding(tolerance)
     }
 
     /// The same where rounding of q, which makes Σ_j |∂C_i/∂q_j| |q_j| ε of row i, is allowed for.
@@ -294,7 +294,7 @@ impl<'a> Newton<'a> {
 
     /// q += dq
     fn correct(&mut self) {
-        fours::add(self.q.whole_mut(), self.linear.whole_solution());
+        padded::add(self.q.whole_mut(), self.linear.whole_solution());
     }
 
     /// q += dq where nothing is looked at any more. What can jump is looked at all the same, and dq taken back if that has been done.
@@ -344,12 +344,12 @@ impl<'a> Newton<'a> {
     }
 
     /// 1 / s_j, one over the characteristic size of each coordinate.
-    pub(crate) fn shares(&self) -> &Fours {
+    pub(crate) fn shares(&self) -> &Padded {
         &self.shares
     }
 }
 
-/// Four roundings of a number in units of the tolerance: a number that large may be off by that much.
+/// Quad roundings of a number in units of the tolerance: a number that large may be off by that much.
 pub(crate) fn rounding(tolerance: f64) -> f64 {
     4.0 * f64::EPSILON / tolerance
 }

@@ -1,8 +1,8 @@
 //! Many cases of one system: other parameters and initial values in each, spread over the cores of the machine.
 
 mod check;
-mod kept;
 mod lockstep;
+mod pending;
 mod predictor;
 
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -16,7 +16,7 @@ use crate::solve::explain::Explain;
 use crate::solve::motion::Motion;
 use crate::solve::newton::{self, Options};
 use crate::system::System;
-use crate::system::evaluate::lanes::Crew;
+use crate::system::evaluate::lanes::LaneSystems;
 use crate::system::parameters::CasePlace;
 use lockstep::Lockstep;
 
@@ -238,13 +238,19 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
             let Some(case) = cases.get(lane).or(cases.first()) else { continue };
             self.sweep.set(system, case.as_ref());
         }
-        let motions = self.motions(lockstep, &Crew::new(systems), Mask::from_fn(simd, |lane| lane < cases.len()), cases.len());
+        let motions = self.motions(lockstep, &LaneSystems::new(systems), Mask::from_fn(simd, |lane| lane < cases.len()), cases.len());
         let results = motions.into_iter().zip(systems.iter()).map(|(motion, system)| motion.map_or_else(|| self.alone(system), Ok));
         results.enumerate().map(|(lane, motion)| (self.keep)(first + lane, motion)).collect()
     }
 
     /// The motions of one group of lanes; none for those that fail.
-    fn motions<S: Level>(&self, lockstep: &mut Lockstep<'_, S>, crew: &Crew<'_>, wanted: Mask<S>, count: usize) -> Vec<Option<Motion>> {
+    fn motions<S: Level>(
+        &self,
+        lockstep: &mut Lockstep<'_, S>,
+        crew: &LaneSystems<'_>,
+        wanted: Mask<S>,
+        count: usize,
+    ) -> Vec<Option<Motion>> {
         let mut motions: Vec<Motion> = crew.systems.iter().take(count).map(|system| Motion::new(system, self.times.len())).collect();
         let mut active = wanted;
         for (k, &t) in self.times.iter().enumerate() {

@@ -17,7 +17,7 @@ fn rod(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, l: f64) -> f64 {
     (i.point(u_i) - j.point(u_j)).norm() - l
 }
 
-/// Four-bar with opposite links alike, flat at t = 0.
+/// Quad-bar with opposite links alike, flat at t = 0.
 fn parallelogram(law: Law) -> System {
     let mut m = Mechanism::new("parallelogram");
     let ground = m.ground();

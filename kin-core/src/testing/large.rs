@@ -5,7 +5,7 @@ use super::*;
 use crate::joints::planar;
 use crate::model::coordinates::Ground;
 use crate::model::mechanism::{Mechanism, pose};
-use crate::solve::newton::{Newton, Options, assembly};
+use crate::solve::newton::{Newton, Options, first_position};
 use crate::system::System;
 
 /// θ_j − θ_i − f(t) = 0.   \[rad\]
@@ -61,7 +61,7 @@ fn chain_of_30_000_coordinates_is_the_recursion() {
     let n = 10_000;
     let (system, options) = (chain(n, 0.0), Options::default());
     let mut newton = Newton::new(&system, &options);
-    assembly::assemble(&mut newton, 0.02).unwrap();
+    first_position::assemble(&mut newton, 0.02).unwrap();
     let exact = poses(n, 0.02);
     let worst = newton.q.iter().zip(&exact).fold(0.0_f64, |m, (q, exact)| m.max((q - exact).abs()));
     assert!(worst < 1e-9, "{worst:e}");

@@ -7,7 +7,7 @@ use super::gap::gap;
 use super::nearest::nearest;
 use super::options::{DiagnosisOptions, Search};
 use super::order;
-use crate::linear::Tall;
+use crate::linear::LeastSquares;
 use crate::model::error::{Error, Result};
 use crate::model::units::Unit;
 use crate::model::verdict::{Change, Gap, Size};
@@ -89,7 +89,7 @@ impl Search<'_> {
     fn polished(&self, found: &Found) -> Vec<f64> {
         const STEPS: usize = 40;
         let (model, Measures { sizes, norms, .. }) = (&self.model, &found.measures);
-        let mut tall = Tall::new(model.m(), model.n(), &model.equations.entries);
+        let mut tall = LeastSquares::new(model.m(), model.n(), &model.equations.entries);
         let size = |point: &Point| point.c.iter().zip(norms).map(|(c, norm)| (c / norm).powi(2)).sum::<f64>();
         let (mut q, mut point) = (found.place.q.clone(), found.place.point.clone());
         for _ in 0..STEPS {

@@ -4,7 +4,7 @@ use crate::model::verdict::{Class, Dependency, Level, Term};
 
 use super::examined::{Examined, Side};
 use super::freedom;
-use crate::linear::{Sparse, Tall};
+use crate::linear::{LeastSquares, Sparse};
 
 /// A coefficient below this, in units of the norms of its rows, is nothing where a gap is open.   \[-\]
 const OPEN: f64 = 1e-4;
@@ -95,7 +95,7 @@ impl Rates {
 fn velocities(examined: &Examined<'_>, c_t: &[f64]) -> Option<Vec<f64>> {
     let (model, measures, q, t) = (examined.model(), examined.measures(), examined.q, examined.t);
     let point = model.linearize(q, t).ok()?;
-    let mut tall = Tall::new(model.m(), model.n(), &model.equations.entries);
+    let mut tall = LeastSquares::new(model.m(), model.n(), &model.equations.entries);
     let scale = |entry: &Option<(usize, usize)>| entry.map_or(0.0, |(row, column)| measures.sizes[column] / measures.norms[row]);
     let values = model.equations.entries.iter().zip(&point.values).map(|(entry, value)| scale(entry) * value);
     if !tall.factor(values, 0.0) {

@@ -4,7 +4,7 @@ use super::nearest::nearest;
 use super::rank::{Orders, Ranked, ranked};
 use crate::linear::{Echelon, RANK, Sparse};
 use crate::numbers::random::Random;
-use crate::solve::assembly::squares::Squares;
+use crate::solve::assembly::levenberg_marquardt::LevenbergMarquardt;
 use crate::system::scaled::{Measures, Model};
 
 /// Steps are of this size, the next one where the one before leads nowhere; in units of the model's length and of one radian.   \[-\]
@@ -137,7 +137,7 @@ impl Walk<'_> {
             moved = nearest(model, measures, &moved, t, &|row| self.keeps(kept, row), &open, self.steps);
         }
         let active = |row: usize| self.keeps(kept, row) && !self.open.contains(&row);
-        let mut squares = Squares::new(*model, measures, Vec::new(), time_is_free);
+        let mut squares = LevenbergMarquardt::new(*model, measures, Vec::new(), time_is_free);
         (0..model.m()).filter(|row| !active(*row)).for_each(|row| squares.weights[row] = 0.0);
         let from = squares.place(&moved, t + if time_is_free { reach * v[n] * measures.time } else { 0.0 })?;
         let place = squares.minimise(from, self.steps);

@@ -1,6 +1,6 @@
 //! The pose at which equations that cannot be met are as nearly met as the others allow.
 
-use crate::solve::assembly::squares::Squares;
+use crate::solve::assembly::levenberg_marquardt::LevenbergMarquardt;
 use crate::system::scaled::{Measures, Model};
 
 /// The pose at which these rows are as nearly met as the other active ones allow, near the one given: the rows weigh ever less against the
@@ -19,7 +19,7 @@ pub(super) fn nearest(
     const WEIGHTS: [f64; 3] = [3e-1, 3e-2, 3e-3];
     const ROUNDS: usize = 3;
     let mut q = from.to_vec();
-    let mut squares = Squares::new(*model, measures, Vec::new(), false);
+    let mut squares = LevenbergMarquardt::new(*model, measures, Vec::new(), false);
     (0..model.m()).filter(|row| !active(*row)).for_each(|row| squares.weights[row] = 0.0);
     for round in 0..WEIGHTS.len() + ROUNDS {
         match WEIGHTS.get(round) {

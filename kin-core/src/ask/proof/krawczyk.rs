@@ -25,7 +25,7 @@ pub(super) enum Fault {
 }
 
 /// Approximate positions over an interval of time: a middle, all positions, and C at these.
-pub(super) struct Place<'a> {
+pub(super) struct Piece<'a> {
     pub middle: (Vec<f64>, f64),
     pub q: &'a [Interval],
     pub t: Interval,
@@ -54,7 +54,7 @@ impl Test<'_> {
     /// With A near C_q⁻¹ and I − A C_q bounded by R over a box of radius ρ around the positions, and A C by b: where b + R y < y ≤ ρ there is a
     /// solution within b + R y (Brouwer), and C has no two equal values in the box: R has no eigenvalue of 1 or more (Collatz and Wielandt), so that no
     /// mean of the C_q in the box is singular.
-    pub(super) fn around(&self, place: &Place<'_>) -> Result<Around, Fault> {
+    pub(super) fn around(&self, place: &Piece<'_>) -> Result<Around, Fault> {
         let singular = || Fault::Singular(place.middle.0.clone(), place.middle.1);
         let frame = self.frame(place).ok_or_else(singular)?;
         let weighted: Vec<Interval> = place.c.iter().zip(&frame.weights).map(|(c, w)| *c * Interval::from(*w)).collect();
@@ -79,7 +79,7 @@ impl Test<'_> {
     }
 
     /// The frame at the middle; `None` where C_q has no inverse, or is not finite.
-    fn frame(&self, place: &Place<'_>) -> Option<Frame> {
+    fn frame(&self, place: &Piece<'_>) -> Option<Frame> {
         let (n, (q, t)) = (self.sizes.len(), &place.middle);
         let model = self.bounds.system.model();
         let point = model.linearize(q, *t).ok()?;
@@ -173,7 +173,7 @@ mod tests {
         let system = m.build().unwrap();
         let bounds = Bounds::new(&system).unwrap();
         let (boxes, c) = (q.map(Interval::from), c.map(Interval::from));
-        Test { bounds: &bounds, sizes: &sizes }.around(&Place { middle: (q.to_vec(), 0.0), q: &boxes, t: ZERO, c: &c })
+        Test { bounds: &bounds, sizes: &sizes }.around(&Piece { middle: (q.to_vec(), 0.0), q: &boxes, t: ZERO, c: &c })
     }
 
     /// The box is as large as it is told to be: one that reaches over to the other root holds no proof, in whatever unit of size.

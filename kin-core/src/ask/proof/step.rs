@@ -1,7 +1,7 @@
 //! One step of a motion: pieces of it for which Krawczyk's test holds, joined to one another and to both computed positions.
 
 use super::bounds::{Bounds, taylor};
-use super::krawczyk::{Around, Fault, Place, Test};
+use super::krawczyk::{Around, Fault, Piece, Test};
 use crate::numbers::enclosure::interval::{Interval, up};
 use crate::numbers::enclosure::series::{ORDER, Series};
 use crate::solve::motion::Motion;
@@ -61,7 +61,7 @@ impl Curve {
         let c: Vec<Interval> = here.iter().zip(&everywhere).map(|(here, everywhere)| taylor(here, everywhere)).collect();
         let q: Vec<Interval> = over.iter().map(Series::value).collect();
         let middle = (at.iter().map(|c| c[0].mid()).collect(), t.value().mid());
-        test.around(&Place { middle, q: &q, t: t_over.value(), c: &c })
+        test.around(&Piece { middle, q: &q, t: t_over.value(), c: &c })
     }
 
     /// The time at u.

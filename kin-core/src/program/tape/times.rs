@@ -183,7 +183,7 @@ impl<S: Level> NullaryFnOnce for Solving<'_, '_, S> {
     }
 }
 
-/// Four numbers from there on.
+/// Quad numbers from there on.
 #[inline(always)]
 fn four(all: &[f64], first: usize) -> [f64; 4] {
     let own = &all[first..first + 4];

@@ -1,11 +1,11 @@
 //! From a poor guess to a pose: the nearest one, all there are, the least gap where there is none.
 
 mod label;
+pub(crate) mod levenberg_marquardt;
 pub(crate) mod modes;
 pub(crate) mod options;
 mod preferred;
 pub(crate) mod search;
-pub(crate) mod squares;
 mod turn;
 pub(crate) mod turned_over;
 

@@ -7,10 +7,10 @@
 use std::time::Duration;
 
 use super::label::{Label, canonical, labelled};
+use super::levenberg_marquardt::{Iterate, LevenbergMarquardt};
 use super::options::{Clock, at_least_one};
-use super::squares::{Place, Squares};
 use super::turn;
-use crate::linear::{Linear, Tall};
+use crate::linear::{LeastSquares, Linear};
 use crate::model::error::{Error, Result};
 use crate::model::layout::Kind;
 use crate::model::units::Unit;
@@ -89,7 +89,7 @@ struct Modes<'a> {
     measures: &'a Measures,
     options: &'a AssemblyOptions,
     solver: Solver,
-    squares: Squares<'a>,
+    squares: LevenbergMarquardt<'a>,
     found: Vec<Vec<f64>>,
     /// The same as they are compared.
     canonical: Vec<Vec<f64>>,
@@ -98,7 +98,7 @@ struct Modes<'a> {
 impl<'a> Modes<'a> {
     fn new(model: Model<'a>, measures: &'a Measures, options: &'a AssemblyOptions) -> Self {
         let solver = Solver::new(&model, measures);
-        let squares = Squares::new(model, measures, Vec::new(), false);
+        let squares = LevenbergMarquardt::new(model, measures, Vec::new(), false);
         Modes { model, measures, options, solver, squares, found: Vec::new(), canonical: Vec::new() }
     }
 
@@ -147,7 +147,7 @@ impl<'a> Modes<'a> {
             return false;
         }
         let Some(place) = self.squares.place(q, t) else { return false };
-        let Place { q, point, .. } = self.squares.minimise(place, self.options.steps);
+        let Iterate { q, point, .. } = self.squares.minimise(place, self.options.steps);
         let pose = canonical(self.model.layout, self.measures, &q);
         let known = self.canonical.iter().any(|known| self.distance(known, &pose) < SAME);
         if known || !self.model.met(&point, &q, self.measures, &|_| true) {
@@ -231,13 +231,13 @@ impl<'a> Modes<'a> {
 /// Newton's steps in shares: for as many equations as coordinates by the recorded elimination, for more by least squares.
 enum Solver {
     Square(Linear),
-    Tall(Tall),
+    LeastSquares(LeastSquares),
 }
 
 impl Solver {
     fn new(model: &Model<'_>, measures: &Measures) -> Self {
         if model.m() != model.n() {
-            return Solver::Tall(Tall::new(model.m(), model.n(), &model.equations.entries));
+            return Solver::LeastSquares(LeastSquares::new(model.m(), model.n(), &model.equations.entries));
         }
         let mut linear = Linear::new(model.n(), model.equations.entries.iter().copied(), &model.equations.constants);
         linear.set_sizes(&measures.sizes);
@@ -260,7 +260,7 @@ impl Solver {
                 linear.solve();
                 Some(linear.solution().iter().zip(sizes).map(|(dq, size)| dq / size).collect())
             }
-            Solver::Tall(tall) => {
+            Solver::LeastSquares(tall) => {
                 let entries = model.equations.entries.iter().zip(&point.values);
                 let values = entries.map(|(entry, value)| entry.map_or(0.0, |(row, column)| value * sizes[column] / norms[row]));
                 if !tall.factor(values, DAMPING) {

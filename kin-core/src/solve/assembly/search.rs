@@ -1,7 +1,7 @@
 //! The first pose of any mechanism: start after start, the same ones every time.
 
+use super::levenberg_marquardt::{Iterate, LevenbergMarquardt};
 use super::options::SearchOptions;
-use super::squares::{Place, Squares};
 use super::{turn, turned_over};
 use crate::model::units::Unit;
 use crate::numbers::random::Random;
@@ -16,7 +16,7 @@ const NEAR: f64 = std::f64::consts::FRAC_PI_4;
 /// Where a search has ended, and how.
 #[derive(Clone, Debug)]
 pub(crate) struct Found {
-    pub place: Place,
+    pub place: Iterate,
     pub measures: Measures,
     /// Whether C = 0 holds there, in the rows that were asked for.
     pub met: bool,
@@ -98,7 +98,7 @@ pub(crate) fn descend(
         let again = model.measure(&place.q, t);
         let close = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (0.25..4.0).contains(&(a / b)));
         if round == 2 || (close(&again.sizes, &measures.sizes) && close(&again.norms, &measures.norms)) {
-            return Some(Found { place: Place { steps: taken, ..place }, measures, met, meant: true, starts: 1 });
+            return Some(Found { place: Iterate { steps: taken, ..place }, measures, met, meant: true, starts: 1 });
         }
         (measures, q) = (again, place.q);
     }
@@ -113,17 +113,17 @@ fn minimise(
     active: &dyn Fn(usize) -> bool,
     held: &[(usize, f64)],
     (stages, most): (&[f64], usize),
-) -> Option<Place> {
+) -> Option<Iterate> {
     let mut q = from.to_vec();
     let (mut last, mut steps) = (None, 0);
     for &hold in stages {
         let holds = if hold > 0.0 { held.iter().map(|&(column, value)| (column, value, hold)).collect() } else { Vec::new() };
-        let mut squares = Squares::new(model, measures, holds, false);
+        let mut squares = LevenbergMarquardt::new(model, measures, holds, false);
         (0..model.m()).filter(|row| !active(*row)).for_each(|row| squares.weights[row] = 0.0);
         let place = squares.minimise(squares.place(&q, t)?, most);
         steps += place.steps;
         q.clone_from(&place.q);
-        last = Some(Place { steps, ..place });
+        last = Some(Iterate { steps, ..place });
     }
     last
 }

@@ -7,7 +7,7 @@
 
 use nalgebra::{Matrix2, SymmetricEigen, Vector2};
 
-use super::curve::{Curve, Place};
+use super::curve::{Curve, CurvePoint};
 use crate::linear::Linear;
 use crate::model::motion::Branch;
 use crate::system::scaled::Model;
@@ -40,7 +40,7 @@ pub(super) struct Branching {
 }
 
 /// Looks for a crossing between two places of a curve, `s` apart.
-pub(super) fn find(curve: &mut Curve<'_>, here: &Place, next: &Place, s: f64, sign: f64) -> Option<Branching> {
+pub(super) fn find(curve: &mut Curve<'_>, here: &CurvePoint, next: &CurvePoint, s: f64, sign: f64) -> Option<Branching> {
     let mut reduced = Reduced::new(curve, here);
     let middle = here.x.iter().zip(&next.x).zip(here.dx.iter().zip(&next.dx));
     let x = middle.map(|((a, b), (da, db))| 0.5 * (a + b) + 0.125 * s * (da - db)).collect();
@@ -77,7 +77,7 @@ struct Reduced<'a> {
 
 impl<'a> Reduced<'a> {
     /// By the null vectors of a place that is near.
-    fn new(curve: &mut Curve<'a>, near: &Place) -> Self {
+    fn new(curve: &mut Curve<'a>, near: &CurvePoint) -> Self {
         let (model, n) = (curve.model, curve.model.n());
         let (left, right, _) = curve.linear.nearly_null();
         let b: Vec<f64> = left.iter().zip(curve.linear.row_units()).take(n).map(|(y, unit)| y / unit).collect();
@@ -265,7 +265,7 @@ mod tests {
     }
 
     /// Places before and behind the crossing on the branch x = slope u + bend u²/2, and how far they are apart.
-    fn places(curve: &mut Curve<'_>, [slope, bend]: [f64; 2], [before, behind]: [f64; 2]) -> (Place, Place, f64) {
+    fn places(curve: &mut Curve<'_>, [slope, bend]: [f64; 2], [before, behind]: [f64; 2]) -> (CurvePoint, CurvePoint, f64) {
         let mut at = |u: f64| {
             let x = 1.7 + slope * u + 0.5 * bend * u * u;
             let mut q = vec![x, 3.0 * x + 2.0 * (0.3 + u), 0.3 + u];

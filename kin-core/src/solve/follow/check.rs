@@ -8,7 +8,7 @@
 
 use super::drive::{Drive, Lever, Span};
 use crate::model::units::Unit;
-use crate::numbers::fours::{self, Fours};
+use crate::numbers::padded::{self, Padded};
 use crate::solve::newton::Newton;
 use crate::system::System;
 use crate::system::evaluate::Instant;
@@ -50,7 +50,7 @@ impl Objection {
 }
 
 /// One end of a step: q, q̇, q̈.
-pub(crate) type End<'a> = [&'a Fours; 3];
+pub(crate) type End<'a> = [&'a Padded; 3];
 
 /// What was seen at the last position that was accepted.
 pub(crate) struct Check {
@@ -61,8 +61,8 @@ pub(crate) struct Check {
     /// The same of the position in hand.
     now: Vec<bool>,
     /// 1 for coordinates that turn, 0 for lengths.
-    turns: Fours,
-    miss: Fours,
+    turns: Padded,
+    miss: Padded,
     /// What happens between the ends of a step.
     drive: Drive,
 }
@@ -78,7 +78,7 @@ impl Check {
             most: 0.0,
             now: room(),
             turns: turns[..].into(),
-            miss: Fours::new(units.len(), 0.0),
+            miss: Padded::new(units.len(), 0.0),
             drive: Drive::new(system.equations()),
         }
     }
@@ -109,7 +109,7 @@ impl Check {
     /// Judges the step h from one end to the position in hand, and accepts that if there is no objection.
     pub(crate) fn judge(&mut self, newton: &mut Newton<'_>, h: f64, from: End<'_>) -> Result<(), Objection> {
         let (pivot, to) = (newton.linear.smallest_pivot(), [&newton.q, &newton.qd, &newton.qdd]);
-        let [miss, reach] = fours::miss(h, from, to, newton.shares(), &self.turns);
+        let [miss, reach] = padded::miss(h, from, to, newton.shares(), &self.turns);
         if reach > REACH {
             return Err(Objection::Long);
         }
@@ -149,8 +149,8 @@ impl Check {
         for (miss, ((to, q), (qd, qdd))) in self.miss.iter_mut().zip(ends) {
             *miss = to - q - h * (qd + 0.5 * h * qdd);
         }
-        let own = fours::largest_share(self.miss.whole(), newton.shares().whole());
-        let turned = fours::largest_share(self.miss.whole(), self.turns.whole()) * (miss / own);
+        let own = padded::largest_share(self.miss.whole(), newton.shares().whole());
+        let turned = padded::largest_share(self.miss.whole(), self.turns.whole()) * (miss / own);
         let straight = own > 0.0 && turned <= REACH && newton.bend(&self.miss) * (miss / own) <= SAFE * own;
         let fades = newton.linear.smallest_pivot().min(self.pivot) < FADED * self.most;
         straight && !(fades && is_singular_near(newton, &self.miss, miss / own, &self.now))
@@ -160,7 +160,7 @@ impl Check {
 /// What [`Drive::outlook`] tells at the position in hand, at which a run between these times begins.
 pub(crate) fn outlook(mut drive: Drive, newton: &mut Newton<'_>, ends: [f64; 2]) -> Option<[f64; 4]> {
     let (equations, pivot, mut v) = (newton.system.equations(), newton.linear.smallest_pivot(), newton.q.clone());
-    drive.outlook(equations, ends, pivot, &mut Factored { newton, v: &mut v, turns: &Fours::default(), negative: &[] })
+    drive.outlook(equations, ends, pivot, &mut Factored { newton, v: &mut v, turns: &Padded::default(), negative: &[] })
 }
 
 /// Whether C_q may be singular within factor · v of the position in hand: at either end of that a block has another sign, or the smallest pivot is
@@ -184,8 +184,8 @@ fn is_singular_near(newton: &mut Newton<'_>, v: &[f64], factor: f64, negative: &
 /// The matrix in hand as a lever.
 struct Factored<'f, 'a> {
     newton: &'f mut Newton<'a>,
-    v: &'f mut Fours,
-    turns: &'f Fours,
+    v: &'f mut Padded,
+    turns: &'f Padded,
     negative: &'f [bool],
 }
 
@@ -199,8 +199,8 @@ impl Lever for Factored<'_, '_> {
         linear.rhs_mut().fill(0.0);
         linear.rhs_mut().iter_mut().skip(first).zip(b).for_each(|(place, b)| *place = *b);
         linear.solve();
-        fours::take(self.v.whole_mut(), linear.whole_solution());
-        fours::largest_share(self.v.whole(), self.newton.shares().whole())
+        padded::take(self.v.whole_mut(), linear.whole_solution());
+        padded::largest_share(self.v.whole(), self.newton.shares().whole())
     }
 
     fn bend(&mut self) -> f64 {
@@ -208,7 +208,7 @@ impl Lever for Factored<'_, '_> {
     }
 
     fn turned(&self) -> f64 {
-        fours::largest_share(self.v.whole(), self.turns.whole())
+        padded::largest_share(self.v.whole(), self.turns.whole())
     }
 
     fn is_singular_within(&mut self, factor: f64) -> bool {

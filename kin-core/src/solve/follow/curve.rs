@@ -32,7 +32,7 @@ pub(super) struct Curve<'a> {
 
 /// A place on the curve.
 #[derive(Clone, Debug)]
-pub(super) struct Place {
+pub(super) struct CurvePoint {
     /// (q, t)
     pub x: Vec<f64>,
     /// The tangent x′, of length 1 by the measures.
@@ -44,7 +44,7 @@ pub(super) struct Place {
     pub blocks: Option<(Vec<bool>, f64)>,
 }
 
-impl Place {
+impl CurvePoint {
     pub(super) fn t(&self) -> f64 {
         self.x.last().copied().unwrap_or_default()
     }
@@ -84,7 +84,7 @@ impl<'a> Curve<'a> {
     }
 
     /// The place at x, which is on the curve, with a tangent on the side of `along`.
-    pub(super) fn place(&mut self, x: Vec<f64>, along: &[f64]) -> Option<Place> {
+    pub(super) fn place(&mut self, x: Vec<f64>, along: &[f64]) -> Option<CurvePoint> {
         self.factor(&x, along)?;
         let mut dx = self.solve(std::iter::repeat_n(0.0, self.model.n()).chain([1.0]));
         let length = self.dot(&dx, &dx).sqrt();
@@ -97,17 +97,17 @@ impl<'a> Curve<'a> {
         let rhs = self.model.second_order(q, *t, dq, *dt).ok()?;
         let ddx = self.solve(rhs.into_iter().chain([0.0]));
         let finite = dx.iter().chain(&ddx).all(|x| x.is_finite());
-        finite.then_some(Place { x, dx, ddx, negative, blocks })
+        finite.then_some(CurvePoint { x, dx, ddx, negative, blocks })
     }
 
     /// One step of length s, if the curve is surely followed by it.
-    pub(super) fn step(&mut self, here: &Place, s: f64) -> Option<Place> {
+    pub(super) fn step(&mut self, here: &CurvePoint, s: f64) -> Option<CurvePoint> {
         let (place, off) = self.at(here, s)?;
         (off <= OFF * s.abs() && self.dot(&place.dx, &here.dx) >= STRAIGHT).then_some(place)
     }
 
     /// The place a step s further on, and by how much the prediction was off.
-    pub(super) fn at(&mut self, here: &Place, s: f64) -> Option<(Place, f64)> {
+    pub(super) fn at(&mut self, here: &CurvePoint, s: f64) -> Option<(CurvePoint, f64)> {
         let mut x = here.ahead(s);
         let off = self.correct(&mut x, &here.dx)?;
         Some((self.place(x, &here.dx)?, off))

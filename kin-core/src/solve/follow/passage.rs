@@ -1,7 +1,7 @@
 //! Passing a stretch on which time cannot be the parameter: along the curve, until the time that is asked for.
 
 use super::branching::{self, Branching};
-use super::curve::{Curve, Place};
+use super::curve::{Curve, CurvePoint};
 use super::singular;
 use super::turning;
 use crate::model::motion::{Branch, SingularKind, SingularPosition};
@@ -60,13 +60,13 @@ struct Walk<'w, 'a> {
     to: f64,
     time: f64,
     other: &'w dyn Fn(usize) -> bool,
-    here: Place,
+    here: CurvePoint,
     passed: Vec<SingularPosition>,
 }
 
 /// What one step has come to.
 enum Stepped {
-    On(Place),
+    On(CurvePoint),
     Landed(Landed),
 }
 
@@ -103,7 +103,7 @@ impl<'w, 'a> Walk<'w, 'a> {
     }
 
     /// What a step has come to; `None` where it must be shorter.
-    fn judge(&mut self, next: Place, s: f64) -> Result<Option<Stepped>, Lost> {
+    fn judge(&mut self, next: CurvePoint, s: f64) -> Result<Option<Stepped>, Lost> {
         let turns = self.sign * next.dt() <= 0.0;
         let together = turns && self.turned_over(&next) > 1;
         if next.negative != self.here.negative {
@@ -134,13 +134,13 @@ impl<'w, 'a> Walk<'w, 'a> {
     }
 
     /// How many blocks of C_q turn over on the way to a place.
-    fn turned_over(&self, next: &Place) -> usize {
+    fn turned_over(&self, next: &CurvePoint) -> usize {
         let (Some((before, _)), Some((after, _))) = (&self.here.blocks, &next.blocks) else { return 0 };
         before.iter().zip(after).filter(|(before, after)| before != after).count()
     }
 
     /// Time turns round for several loops at once, a place at which the curve is singular: it is found between places on either side.
-    fn turn_together(&self, next: &Place, s: f64) -> Result<Option<Stepped>, Lost> {
+    fn turn_together(&self, next: &CurvePoint, s: f64) -> Result<Option<Stepped>, Lost> {
         if s > TOGETHER {
             return Ok(None);
         }
@@ -156,14 +156,14 @@ impl<'w, 'a> Walk<'w, 'a> {
     }
 
     /// Past a position, if there is one on the way; a step that has to be shorter comes there once more.
-    fn go_on(&mut self, next: Place, s: f64, passed: Option<SingularPosition>) -> Option<Stepped> {
+    fn go_on(&mut self, next: CurvePoint, s: f64, passed: Option<SingularPosition>) -> Option<Stepped> {
         let stepped = if self.before(next.t()) <= 0.0 { self.land(&next, s)? } else { Stepped::On(next) };
         self.passed.extend(passed);
         Some(stepped)
     }
 
     /// Several loops turn over in a short step, an even number of them: none is told apart from the others, and all go on smoothly.
-    fn cross_together(&mut self, next: Place, s: f64, at: f64) -> Option<Stepped> {
+    fn cross_together(&mut self, next: CurvePoint, s: f64, at: f64) -> Option<Stepped> {
         let x = self.here.ahead(at);
         let between = |a: Vec<f64>, b: Vec<f64>| a.iter().zip(&b).map(|(a, b)| a + at / s * (b - a)).collect();
         let ([qd, qdd], [later, still_later]) = (self.here.rates(), next.rates());
@@ -185,7 +185,7 @@ impl<'w, 'a> Walk<'w, 'a> {
     }
 
     /// The step leads to the time asked for, or beyond.
-    fn land(&mut self, next: &Place, s: f64) -> Option<Stepped> {
+    fn land(&mut self, next: &CurvePoint, s: f64) -> Option<Stepped> {
         let place =
             if self.before(next.t()) == 0.0 { next.clone() } else { turning::at_time(&mut self.curve, &self.here, next, s, self.to)? };
         let (_, q) = place.x.split_last()?;
@@ -193,7 +193,7 @@ impl<'w, 'a> Walk<'w, 'a> {
     }
 
     /// The step leads through a bifurcation.
-    fn cross(&mut self, found: Branching, next: Place, s: f64) -> Result<Option<Stepped>, Lost> {
+    fn cross(&mut self, found: Branching, next: CurvePoint, s: f64) -> Result<Option<Stepped>, Lost> {
         let t = found.x.last().copied().unwrap_or_default();
         let before = self.before(t);
         if before < -AT_ONCE {
@@ -235,7 +235,7 @@ impl<'w, 'a> Walk<'w, 'a> {
     }
 
     /// The place about s beyond a bifurcation on the branch with that tangent.
-    fn turn_into(&mut self, x: &[f64], dx: &[f64], branch: &Branch, s: f64) -> Option<Place> {
+    fn turn_into(&mut self, x: &[f64], dx: &[f64], branch: &Branch, s: f64) -> Option<CurvePoint> {
         let (t, dt) = (*x.last()?, *dx.last()?);
         let (mut start, _) = self.moved(x, branch, s * dt);
         start.push(t + s * dt);

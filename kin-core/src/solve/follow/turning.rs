@@ -1,28 +1,28 @@
 //! Turning points: where dt/ds changes its sign there is no solution beyond t*, and two branches meet.
 
-use super::curve::{Curve, Place};
+use super::curve::{Curve, CurvePoint};
 use super::root::root;
 
 /// dt/ds, by the measures, at which the search ends: t is off by its square.   \[-\]
 const ENOUGH: f64 = 1e-12;
 
 /// The place between `here` and one that is `s` further on, where dt/ds vanishes, and how far on it is.
-pub(super) fn locate(curve: &mut Curve<'_>, here: &Place, next: &Place, s: f64) -> Option<(Place, f64)> {
+pub(super) fn locate(curve: &mut Curve<'_>, here: &CurvePoint, next: &CurvePoint, s: f64) -> Option<(CurvePoint, f64)> {
     let time = curve.sizes[curve.model.n()];
     let found = root((0.0, here.dt() / time), (s, next.dt() / time), ENOUGH, |s| Some(curve.at(here, s)?.0.dt() / time))?;
     Some((curve.at(here, found)?.0, found))
 }
 
 /// The place between `here` and one that is `s` further on, where the time is `to`.
-pub(super) fn at_time(curve: &mut Curve<'_>, here: &Place, next: &Place, s: f64, to: f64) -> Option<Place> {
+pub(super) fn at_time(curve: &mut Curve<'_>, here: &CurvePoint, next: &CurvePoint, s: f64, to: f64) -> Option<CurvePoint> {
     let enough = 4.0 * f64::EPSILON * to.abs();
     let found = root((0.0, here.t() - to), (s, next.t() - to), enough, |s| Some(curve.at(here, s)?.0.t() - to))?;
     Some(curve.at(here, found)?.0)
 }
 
 /// x between two places near one another, where dt/ds of the curve interpolated between them vanishes: for where the curve cannot be followed itself.
-pub(super) fn between(here: &Place, next: &Place, s: f64) -> Option<Vec<f64>> {
-    let end = |place: &Place, k: usize| [place.x[k], s * place.dx[k], 0.5 * s * s * place.ddx[k]];
+pub(super) fn between(here: &CurvePoint, next: &CurvePoint, s: f64) -> Option<Vec<f64>> {
+    let end = |place: &CurvePoint, k: usize| [place.x[k], s * place.dx[k], 0.5 * s * s * place.ddx[k]];
     let along = |k: usize| quintic(end(here, k), end(next, k));
     let time = along(here.x.len() - 1);
     let rate = |u: f64| (1..6).rev().fold(0.0, |sum, k| sum * u + k as f64 * time[k]);
@@ -54,7 +54,7 @@ mod tests {
     }
 
     /// Places at two angles of the circle, which turns round at t = 3 and x = 0.
-    fn places(curve: &mut Curve<'_>, [a, b]: [f64; 2]) -> (Place, Place, f64) {
+    fn places(curve: &mut Curve<'_>, [a, b]: [f64; 2]) -> (CurvePoint, CurvePoint, f64) {
         let mut at = |angle: f64| {
             let (sin, cos) = angle.sin_cos();
             curve.place(vec![cos, 2.0 + sin], &[-sin, cos]).expect("is regular")

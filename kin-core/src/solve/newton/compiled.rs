@@ -62,8 +62,8 @@ pub(super) fn run(run: &mut Run<'_>, times: &[f64], motion: &mut Motion) -> Resu
     let Some(first) = times.first() else { return Ok(()) };
     can_be(run.system()).map_err(refused)?;
     run.reach(*first, motion)?;
-    let Some(sweep) = run.sweep() else { return Ok(()) };
-    let newton = &sweep.newton;
+    let Some(stepper) = run.stepper() else { return Ok(()) };
+    let newton = &stepper.newton;
     let tape = tape(newton.system, *first, &newton.q, &newton.sizes).map_err(refused)?;
     replay(run, times, motion, &tape)
 }

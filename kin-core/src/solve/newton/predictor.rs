@@ -7,7 +7,7 @@
 use wide::f64x4;
 
 use super::largest;
-use crate::numbers::fours::Fours;
+use crate::numbers::padded::Padded;
 
 /// Weights of q̇ (times h) and of q̈ (times h²) at the last three times, latest first.
 pub(crate) const RATES: [f64; 3] = [-949.0 / 240.0, 38.0 / 15.0, 581.0 / 240.0];
@@ -29,26 +29,26 @@ pub(super) struct Predictor {
 /// q̇ and q̈ at one time.
 #[derive(Clone)]
 struct Rates {
-    qd: Fours,
-    qdd: Fours,
+    qd: Padded,
+    qdd: Padded,
 }
 
 /// The last solution.
 #[derive(Clone, Copy)]
 pub(super) struct Last<'a> {
-    pub q: &'a Fours,
-    pub qd: &'a Fours,
-    pub qdd: &'a Fours,
+    pub q: &'a Padded,
+    pub qd: &'a Padded,
+    pub qdd: &'a Padded,
 }
 
 impl Predictor {
     pub(super) fn new(n: usize) -> Self {
-        let rates = || Rates { qd: Fours::new(n, 0.0), qdd: Fours::new(n, 0.0) };
+        let rates = || Rates { qd: Padded::new(n, 0.0), qdd: Padded::new(n, 0.0) };
         Predictor { past: [rates(), rates()], h: f64::NAN, equal: 0, trusted: true }
     }
 
     /// The position a step h after the last solution, into `q`.
-    pub(super) fn predict(&self, h: f64, last: Last<'_>, q: &mut Fours) {
+    pub(super) fn predict(&self, h: f64, last: Last<'_>, q: &mut Padded) {
         if self.trusted && self.knows(h) {
             self.long(h, last).zip(q.whole_mut()).for_each(|(predicted, q)| *q = predicted.to_array());
         } else {
@@ -64,7 +64,7 @@ impl Predictor {
     }
 
     /// A step h has ended: what was the last solution's is now the past, and its place is free for new rates.
-    pub(super) fn advance(&mut self, h: f64, qd: &mut Fours, qdd: &mut Fours) {
+    pub(super) fn advance(&mut self, h: f64, qd: &mut Padded, qdd: &mut Padded) {
         self.equal = if same(h, self.h) { self.equal + 1 } else { 1 };
         self.h = h;
         self.past.swap(0, 1);
@@ -73,7 +73,7 @@ impl Predictor {
     }
 
     /// The step that has ended is taken back: the last solution's rates are what they were.
-    pub(super) fn retreat(&mut self, qd: &mut Fours, qdd: &mut Fours) {
+    pub(super) fn retreat(&mut self, qd: &mut Padded, qdd: &mut Padded) {
         std::mem::swap(&mut self.past[0].qd, qd);
         std::mem::swap(&mut self.past[0].qdd, qdd);
         self.forget();
@@ -85,7 +85,7 @@ impl Predictor {
     }
 
     /// q̇ and q̈ before the step that has ended.
-    pub(super) fn before(&self) -> [&Fours; 2] {
+    pub(super) fn before(&self) -> [&Padded; 2] {
         [&self.past[0].qd, &self.past[0].qdd]
     }
 
@@ -108,7 +108,7 @@ pub(crate) fn same(h: f64, other: f64) -> bool {
     (h - other).abs() <= EQUAL * h.abs()
 }
 
-fn fours(numbers: &Fours) -> impl Iterator<Item = f64x4> {
+fn fours(numbers: &Padded) -> impl Iterator<Item = f64x4> {
     numbers.whole().iter().map(|four| f64x4::new(*four))
 }
 
@@ -127,8 +127,8 @@ fn far(predicted: impl Iterator<Item = f64x4>, q: &[f64], sizes: &[f64]) -> f64 
 mod tests {
     use super::*;
 
-    fn one(x: f64) -> Fours {
-        Fours::new(1, x)
+    fn one(x: f64) -> Padded {
+        Padded::new(1, x)
     }
 
     /// q = sin t, predicted at t = 1 from what is known a step h apart.

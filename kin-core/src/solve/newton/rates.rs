@@ -1,7 +1,7 @@
 //! Velocities, accelerations and jerks, with the matrix of the last check.
 
 use super::{Failure, Newton};
-use crate::numbers::fours;
+use crate::numbers::padded;
 use crate::system::evaluate::{Bad, JERK_RHS, finite};
 
 impl Newton<'_> {
@@ -10,12 +10,12 @@ impl Newton<'_> {
         let equations = self.system.equations();
         equations.velocity_rhs(&self.instant, self.linear.rhs_mut());
         self.linear.solve();
-        let finite = fours::take(self.qd.whole_mut(), self.linear.whole_solution());
+        let finite = padded::take(self.qd.whole_mut(), self.linear.whole_solution());
         equations.set_rates(&self.qd, &mut self.instant);
         equations.acceleration_rhs(&self.instant, self.linear.rhs_mut());
         self.linear.solve();
         // A right side that is not finite makes solutions that are not.
-        if !(fours::take(self.qdd.whole_mut(), self.linear.whole_solution()) && finite) {
+        if !(padded::take(self.qdd.whole_mut(), self.linear.whole_solution()) && finite) {
             return Err(Failure::NotFinite(self.overflow()));
         }
         if self.options.jerk { self.jerk() } else { Ok(()) }
@@ -27,7 +27,7 @@ impl Newton<'_> {
         let known = equations.jerk_rhs(&self.qdd, &mut self.instant, rhs).map_err(|row| Bad { row, quantity: JERK_RHS });
         let right_side = known.and_then(|()| finite(rhs, JERK_RHS));
         self.linear.solve();
-        if fours::take(self.qddd.whole_mut(), self.linear.whole_solution()) && right_side.is_ok() {
+        if padded::take(self.qddd.whole_mut(), self.linear.whole_solution()) && right_side.is_ok() {
             return Ok(());
         }
         Err(Failure::NotFinite(right_side.err().unwrap_or(Bad { row: self.worst().0, quantity: "q'''" })))
@@ -39,7 +39,7 @@ impl Newton<'_> {
         equations.set_rates(v, &mut self.instant);
         equations.second_order(&self.instant, 0.0, self.linear.rhs_mut());
         self.linear.solve();
-        fours::largest_share(self.linear.whole_solution(), self.shares.whole())
+        padded::largest_share(self.linear.whole_solution(), self.shares.whole())
     }
 
     /// What is not finite in the right sides or their solutions.

@@ -9,13 +9,13 @@ mod errors;
 mod judged;
 mod solver;
 
+use super::law_breaks::LawBreaks;
 use super::options::resolution;
 use super::predictor::{Last, Predictor};
-use super::sweep::SHORTEST;
-use super::watch::Watch;
+use super::stepper::SHORTEST;
 use super::{Options, Outcome, Report, STALL, Stop};
 use crate::model::error::{Error, Result};
-use crate::numbers::fours::{self, Fours};
+use crate::numbers::padded::{self, Padded};
 use crate::solve::explain::{Explain, Start};
 use crate::solve::follow::Drive;
 use crate::solve::motion::Motion;
@@ -31,7 +31,7 @@ const CONSISTENT: f64 = 1e-8;
 const ALLOWED: f64 = 30.0;
 
 /// A run of such a mechanism from time to time.
-pub(crate) struct Sweep<'a> {
+pub(crate) struct Stepper<'a> {
     system: &'a System,
     options: &'a Options,
     explain: Option<Explain>,
@@ -39,13 +39,13 @@ pub(crate) struct Sweep<'a> {
     driver: Option<Driver<'a>>,
 }
 
-impl<'a> Sweep<'a> {
+impl<'a> Stepper<'a> {
     pub(crate) fn new(system: &'a System, options: &'a Options, explain: Option<Explain>) -> Self {
-        Sweep { system, options, explain, driver: None }
+        Stepper { system, options, explain, driver: None }
     }
 
     /// Solves at the next time and appends it to the motion.
-    pub(super) fn reach(&mut self, t: f64, watch: &mut Watch, motion: &mut Motion) -> Result<()> {
+    pub(super) fn reach(&mut self, t: f64, law_breaks: &mut LawBreaks, motion: &mut Motion) -> Result<()> {
         let (driver, outcome) = match &mut self.driver {
             Some(driver) => {
                 let outcome = driver.advance(t)?;
@@ -56,7 +56,7 @@ impl<'a> Sweep<'a> {
                 (self.driver.insert(driver), outcome)
             }
         };
-        watch.look(self.system, &driver.instant, &mut motion.breaks)?;
+        law_breaks.look(self.system, &driver.instant, &mut motion.breaks)?;
         motion.append(t, driver.rows(), outcome, driver.worst);
         motion.misfit = driver.misfit;
         Ok(())
@@ -89,19 +89,19 @@ struct Driver<'a> {
     /// What each value of C_q is multiplied by to be of order 1.
     scales: Vec<f64>,
     /// By these rows, and changes of coordinates, are of order 1; and 1 for what turns something.
-    row_shares: Fours,
-    shares: Fours,
-    turns: Fours,
+    row_shares: Padded,
+    shares: Padded,
+    turns: Padded,
     predictor: Predictor,
     /// A right side, and the solution for it.
-    rhs: Fours,
-    x: Fours,
+    rhs: Padded,
+    x: Padded,
     t: f64,
     /// The last solution, while the next one is looked for.
-    last: Fours,
-    q: Fours,
-    qd: Fours,
-    qdd: Fours,
+    last: Padded,
+    q: Padded,
+    qd: Padded,
+    qdd: Padded,
     /// q⃛ where it is asked for, else empty.
     qddd: Vec<f64>,
     /// Newton steps since the last time.
@@ -123,7 +123,7 @@ impl Driver<'_> {
         self.steps = 0;
         loop {
             let target = if (to - self.t).abs() <= h.abs() * 1.001 { to } else { self.t + h };
-            fours::copy(self.last.whole_mut(), self.q.whole());
+            padded::copy(self.last.whole_mut(), self.q.whole());
             if self.options.predict {
                 let last = Last { q: &self.last, qd: &self.qd, qdd: &self.qdd };
                 self.predictor.predict(target - self.t, last, &mut self.q);
@@ -138,7 +138,7 @@ impl Driver<'_> {
                 }
                 if let Some(objection) = self.objection(target) {
                     self.predictor.retreat(&mut self.qd, &mut self.qdd);
-                    fours::copy(self.q.whole_mut(), self.last.whole());
+                    padded::copy(self.q.whole_mut(), self.last.whole());
                     if h.abs() <= shortest {
                         let units = self.model.layout.words.clone();
                         return Err(Error::CannotFollow { t: self.t, units, reason: objection.reason(), motion: None });
@@ -152,7 +152,7 @@ impl Driver<'_> {
                 }
                 h *= 2.0;
             } else {
-                fours::copy(self.q.whole_mut(), self.last.whole());
+                padded::copy(self.q.whole_mut(), self.last.whole());
                 if !self.options.rescue || h.abs() <= smallest {
                     if let Some(error) = wrong {
                         return Err(error);
@@ -192,7 +192,7 @@ impl Driver<'_> {
             }
             self.rhs.iter_mut().zip(&self.point.c).for_each(|(rhs, c)| *rhs = -c);
             self.solve_for_rhs();
-            let correction = fours::largest_share(self.x.whole(), self.shares.whole());
+            let correction = padded::largest_share(self.x.whole(), self.shares.whole());
             let converged = match self.options.stop {
                 Stop::Converged { tolerance } => correction <= tolerance || (correction > 0.5 * previous && correction <= STALL),
                 Stop::ResidualOnly(_) => false,
@@ -202,7 +202,7 @@ impl Driver<'_> {
                 return None;
             }
             let met = converged && self.model.met(&self.point, &self.q, &self.measures, &|_| true);
-            fours::add(self.q.whole_mut(), self.x.whole());
+            padded::add(self.q.whole_mut(), self.x.whole());
             if converged {
                 if met && self.has_jumped(t) {
                     self.q.iter_mut().zip(&self.x).for_each(|(q, dq)| *q -= dq);
@@ -257,11 +257,11 @@ impl Driver<'_> {
         equations.set_position(&self.q, &mut self.instant);
         equations.velocity_rhs(&self.instant, &mut self.rhs);
         self.agree()?;
-        fours::copy(self.qd.whole_mut(), self.x.whole());
+        padded::copy(self.qd.whole_mut(), self.x.whole());
         equations.set_rates(&self.qd, &mut self.instant);
         equations.second_order(&self.instant, 1.0, &mut self.rhs);
         self.agree()?;
-        fours::copy(self.qdd.whole_mut(), self.x.whole());
+        padded::copy(self.qdd.whole_mut(), self.x.whole());
         if self.options.jerk {
             self.rhs.copy_from_slice(&self.model.jerk_rhs(&self.q, t, &self.qd, &self.qdd).ok()?.ok()?);
             self.agree()?;
@@ -274,10 +274,10 @@ impl Driver<'_> {
     fn agree(&mut self) -> Option<()> {
         finite(&self.rhs, "").ok()?;
         self.solve_for_rhs();
-        let terms = fours::largest(self.rhs.whole()).max(fours::largest_share(self.x.whole(), self.shares.whole()));
+        let terms = padded::largest(self.rhs.whole()).max(padded::largest_share(self.x.whole(), self.shares.whole()));
         self.solver.leave(&mut self.rhs);
         let share = CONSISTENT.max(ALLOWED * self.options.closure);
-        (terms.is_finite() && fours::largest(self.rhs.whole()) <= share * terms).then_some(())
+        (terms.is_finite() && padded::largest(self.rhs.whole()) <= share * terms).then_some(())
     }
 
     /// The error for a time that cannot be reached from the position in hand, which is one that `closes` or a guess of one.

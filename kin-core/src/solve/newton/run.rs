@@ -1,7 +1,7 @@
 //! A run from its first time to its last one, in one motion or in parts.
 
-use super::sweep::Sweep;
-use super::watch::Watch;
+use super::law_breaks::LawBreaks;
+use super::stepper::Stepper;
 use super::{Options, compiled, redundant};
 use crate::model::error::{Error, Result};
 use crate::solve::explain::Explain;
@@ -31,14 +31,14 @@ pub(crate) struct Run<'a> {
     options: &'a Options,
     explain: Option<Explain>,
     driver: Driver<'a>,
-    watch: Watch,
+    law_breaks: LawBreaks,
 }
 
 /// What a run goes on with.
 enum Driver<'a> {
-    Plain(Box<Sweep<'a>>),
+    Plain(Box<Stepper<'a>>),
     /// Of a mechanism with more equations than coordinates.
-    Redundant(Box<redundant::Sweep<'a>>),
+    Redundant(Box<redundant::Stepper<'a>>),
 }
 
 impl<'a> Run<'a> {
@@ -49,27 +49,27 @@ impl<'a> Run<'a> {
             system.knows_jerk()?;
         }
         let driver = if system.is_redundant() {
-            Driver::Redundant(Box::new(redundant::Sweep::new(system, options, explain)))
+            Driver::Redundant(Box::new(redundant::Stepper::new(system, options, explain)))
         } else {
-            Driver::Plain(Box::new(Sweep::new(system, options)))
+            Driver::Plain(Box::new(Stepper::new(system, options)))
         };
-        Ok(Run { system, options, explain, driver, watch: Watch::default() })
+        Ok(Run { system, options, explain, driver, law_breaks: LawBreaks::default() })
     }
 
     /// Solves at the next time and appends it to the motion, with what has been met since the last one.
     #[inline]
     pub(crate) fn reach(&mut self, t: f64, motion: &mut Motion) -> Result<()> {
-        let sweep = match &mut self.driver {
-            Driver::Plain(sweep) => sweep,
-            Driver::Redundant(sweep) => return sweep.reach(t, &mut self.watch, motion),
+        let stepper = match &mut self.driver {
+            Driver::Plain(stepper) => stepper,
+            Driver::Redundant(stepper) => return stepper.reach(t, &mut self.law_breaks, motion),
         };
-        let reached = sweep.reach(t);
-        if !sweep.passed.is_empty() {
-            sweep.passed.drain(..).for_each(|found| motion.add_singular(found));
+        let reached = stepper.reach(t);
+        if !stepper.passed.is_empty() {
+            stepper.passed.drain(..).for_each(|found| motion.add_singular(found));
         }
         let outcome = reached?;
-        self.watch.look(self.system, &sweep.newton.instant, &mut motion.breaks)?;
-        motion.push(t, &sweep.newton, outcome);
+        self.law_breaks.look(self.system, &stepper.newton.instant, &mut motion.breaks)?;
+        motion.push(t, &stepper.newton, outcome);
         Ok(())
     }
 
@@ -79,17 +79,17 @@ impl<'a> Run<'a> {
     }
 
     /// The plain steps; `None` of a mechanism with more equations than coordinates.
-    pub(super) fn sweep(&self) -> Option<&Sweep<'a>> {
+    pub(super) fn stepper(&self) -> Option<&Stepper<'a>> {
         match &self.driver {
-            Driver::Plain(sweep) => Some(sweep),
+            Driver::Plain(stepper) => Some(stepper),
             Driver::Redundant(_) => None,
         }
     }
 
     /// The same, to be led elsewhere.
-    pub(super) fn sweep_mut(&mut self) -> Option<&mut Sweep<'a>> {
+    pub(super) fn stepper_mut(&mut self) -> Option<&mut Stepper<'a>> {
         match &mut self.driver {
-            Driver::Plain(sweep) => Some(sweep),
+            Driver::Plain(stepper) => Some(stepper),
             Driver::Redundant(_) => None,
         }
     }
@@ -97,20 +97,20 @@ impl<'a> Run<'a> {
     /// Whether the ends of a step tell all that time does in between.
     pub(super) fn tells(&mut self, from: f64, to: f64, pivot: f64) -> bool {
         match &mut self.driver {
-            Driver::Plain(sweep) => sweep.tells(from, to, pivot),
+            Driver::Plain(stepper) => stepper.tells(from, to, pivot),
             Driver::Redundant(_) => false,
         }
     }
 
     /// Looks for breaks of laws on the way to a time that a program has solved.
     pub(super) fn look(&mut self, instant: &Instant, motion: &mut Motion) -> Result<()> {
-        self.watch.look(self.system, instant, &mut motion.breaks)
+        self.law_breaks.look(self.system, instant, &mut motion.breaks)
     }
 
     /// Plain steps go on from the last times of the motion, which a program has solved, the smallest pivot being this.
     pub(super) fn go_on(&mut self, motion: &Motion, pivot: f64) {
-        if let Driver::Plain(sweep) = &mut self.driver {
-            sweep.go_on(motion, pivot);
+        if let Driver::Plain(stepper) = &mut self.driver {
+            stepper.go_on(motion, pivot);
         }
     }
 

@@ -8,14 +8,14 @@ mod stop;
 use pulp::NullaryFnOnce;
 
 use super::check::Check;
-use super::kept::Kept;
+use super::pending::Pending;
 use super::predictor::Predictor;
 use crate::linear::lanes::WideLinear;
 use crate::numbers::lanes::{Level, Mask, Wide};
 use crate::solve::motion::Motion;
-use crate::solve::newton::{DOUBTFUL, Follow, Newton, Options, Stop, assembly};
+use crate::solve::newton::{DOUBTFUL, Follow, Newton, Options, Stop, first_position};
 use crate::system::System;
-use crate::system::evaluate::lanes::{Crew, WideEquations, WideInstant, put};
+use crate::system::evaluate::lanes::{LaneSystems, WideEquations, WideInstant, put};
 use crate::system::scale;
 
 /// The points in hand, one a lane, and the space to work in.
@@ -41,7 +41,7 @@ pub(super) struct Lockstep<'o, S: Level> {
     check: Option<Check<S>>,
     /// Whether a constraint can jump where coordinates move: then the last correction, after which nothing is looked at, is left out.
     jumps: bool,
-    kept: Kept<S>,
+    kept: Pending<S>,
     /// The first and the last time.
     ends: [f64; 2],
 }
@@ -49,7 +49,7 @@ pub(super) struct Lockstep<'o, S: Level> {
 /// Something that all lanes do, on its way into the function that has the machine's instructions.
 struct Task<'x, 'o, 'c, S: Level> {
     lanes: &'x mut Lockstep<'o, S>,
-    crew: &'x Crew<'c>,
+    crew: &'x LaneSystems<'c>,
     wanted: Mask<S>,
     t: f64,
     first: bool,
@@ -85,7 +85,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
         let (n, zero) = (typical.n_coordinates(), Wide::splat(simd, 0.0));
         let mut newton = Newton::new(typical, options);
         // Where that fails each group of cases records for itself.
-        let _ = assembly::assemble(&mut newton, ends[0]);
+        let _ = first_position::assemble(&mut newton, ends[0]);
         let equations = WideEquations::new(simd, typical.equations(), varied);
         let room = || vec![zero; n];
         Lockstep {
@@ -105,13 +105,13 @@ impl<'o, S: Level> Lockstep<'o, S> {
             check: (options.follow != Follow::Unchecked).then(|| Check::new(simd, typical)),
             iterations: zero,
             jumps: !typical.equations().jumping().is_empty(),
-            kept: Kept::new(simd, n),
+            kept: Pending::new(simd, n),
             ends,
         }
     }
 
     /// The first position of every system, at time t; gives the lanes of `wanted` that have one.
-    pub(super) fn first(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
+    pub(super) fn first(&mut self, crew: &LaneSystems<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
         self.predictor.begin();
         self.kept.begin();
         self.equations.set_parameters(crew, &mut self.instant);
@@ -125,7 +125,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
                 continue;
             }
             let mut newton = Newton::new(system, self.options);
-            started[lane] = assembly::assemble(&mut newton, t).is_ok();
+            started[lane] = first_position::assemble(&mut newton, t).is_ok();
             if let Some(check) = &mut self.check {
                 started[lane] &= started[lane] && check.foresee(lane, &mut newton, self.ends);
             }
@@ -166,7 +166,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
     }
 
     /// Position, velocity and acceleration at the next time; gives the lanes of `wanted` that have them.
-    pub(super) fn advance(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
+    pub(super) fn advance(&mut self, crew: &LaneSystems<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
         self.simd.vectorize(Task { lanes: self, crew, wanted, t, first: false })
     }
 
@@ -187,14 +187,14 @@ impl<'o, S: Level> Lockstep<'o, S> {
 
     /// C and C_q at the point in hand.
     #[inline(always)]
-    fn look(&mut self, crew: &Crew<'_>) {
+    fn look(&mut self, crew: &LaneSystems<'_>) {
         self.equations.set_position(&self.q, &mut self.instant);
         let (c, values) = self.linear.written();
         self.equations.linearize(crew, &self.instant, c, values);
     }
 
     /// Characteristic sizes of every lane at the point in hand.
-    fn measure(&mut self, crew: &Crew<'_>) {
+    fn measure(&mut self, crew: &LaneSystems<'_>) {
         for (lane, system) in crew.systems.iter().enumerate() {
             let of_lane = |all: &[Wide<S>]| all.iter().map(|x| x.as_slice()[lane]).collect::<Vec<f64>>();
             let (values, q) = (of_lane(self.linear.values()), of_lane(&self.q));
@@ -206,7 +206,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
     /// Position, velocity and acceleration at a time: the first, by Newton's method from the point in hand, or a later one, from the prediction
     /// or the last position.
     #[inline(always)]
-    fn step(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64, first: bool) -> Mask<S> {
+    fn step(&mut self, crew: &LaneSystems<'_>, wanted: Mask<S>, t: f64, first: bool) -> Mask<S> {
         let h = t - self.t;
         if first {
             for (per_size, size) in self.per_size.iter_mut().zip(&self.sizes) {
@@ -248,7 +248,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
 
     /// Newton's method in all lanes that are wanted; gives those that converge, their matrices factored.
     #[inline(always)]
-    fn solve(&mut self, crew: &Crew<'_>, wanted: Mask<S>, t: f64, first: bool) -> Mask<S> {
+    fn solve(&mut self, crew: &LaneSystems<'_>, wanted: Mask<S>, t: f64, first: bool) -> Mask<S> {
         let simd = self.simd;
         // Near a position that is known corrections must shrink. Without prediction only the time is another one than there.
         let (near, still) = (!first && self.options.rescue, !first && !self.options.predict);
@@ -340,7 +340,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
 
     /// q̇ and q̈ with the matrices at hand; gives the lanes of `done` where both are finite.
     #[inline(always)]
-    fn rates(&mut self, crew: &Crew<'_>, done: Mask<S>) -> Mask<S> {
+    fn rates(&mut self, crew: &LaneSystems<'_>, done: Mask<S>) -> Mask<S> {
         self.equations.velocity_rhs(crew, &self.instant, self.linear.velocity_rhs());
         self.linear.solve_velocity();
         let (rates, q_d) = self.linear.acceleration_rhs();

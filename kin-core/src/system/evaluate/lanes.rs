@@ -59,17 +59,17 @@ pub(crate) struct WideInstant<S: Level> {
 }
 
 /// The systems of all lanes, with their constraints as kernels over lanes see them.
-pub(crate) struct Crew<'a> {
+pub(crate) struct LaneSystems<'a> {
     pub systems: &'a [System],
     /// For each constraint with kernels, those of all lanes.
     own: Vec<Vec<&'a dyn InLanes>>,
 }
 
-impl<'a> Crew<'a> {
+impl<'a> LaneSystems<'a> {
     pub(crate) fn new(systems: &'a [System]) -> Self {
         let count = systems.first().map_or(0, |system| system.equations().blocks.len());
         let lanes = |k: usize| systems.iter().filter_map(move |system| system.equations().blocks[k].constraint.in_lanes()).collect();
-        Crew { systems, own: (0..count).map(lanes).collect() }
+        LaneSystems { systems, own: (0..count).map(lanes).collect() }
     }
 }
 
@@ -146,7 +146,7 @@ impl<S: Level> WideEquations<S> {
     }
 
     /// What depends on parameters alone.
-    pub(crate) fn set_parameters(&mut self, crew: &Crew<'_>, instant: &mut WideInstant<S>) {
+    pub(crate) fn set_parameters(&mut self, crew: &LaneSystems<'_>, instant: &mut WideInstant<S>) {
         for (block, own) in self.blocks.iter().zip(&crew.own).filter(|(block, _)| block.of_parameters.len > 0) {
             let write = |constraint: &dyn InLanes, known: &mut [f64]| constraint.of_parameters(known);
             fill(&mut instant.known[block.of_parameters.range()], block.same, own, &mut self.scratch.known, write);
@@ -155,7 +155,7 @@ impl<S: Level> WideEquations<S> {
 
     /// What depends on the time too.
     #[inline(always)]
-    pub(crate) fn set_time(&mut self, t: f64, crew: &Crew<'_>, instant: &mut WideInstant<S>) {
+    pub(crate) fn set_time(&mut self, t: f64, crew: &LaneSystems<'_>, instant: &mut WideInstant<S>) {
         instant.t = t;
         for (block, own) in self.blocks.iter().zip(&crew.own).filter(|(block, _)| block.of_time.len > 0) {
             let write = |constraint: &dyn InLanes, known: &mut [f64]| constraint.of_time(t, known);
@@ -170,13 +170,19 @@ impl<S: Level> WideEquations<S> {
 
     /// C and the values of C_q that are not the same for good.
     #[inline(always)]
-    pub(crate) fn linearize(&mut self, crew: &Crew<'_>, instant: &WideInstant<S>, c: &mut [Wide<S>], values: &mut [Wide<S>]) {
+    pub(crate) fn linearize(&mut self, crew: &LaneSystems<'_>, instant: &WideInstant<S>, c: &mut [Wide<S>], values: &mut [Wide<S>]) {
         self.linearize_some(|group| &group.all, crew, instant, c, values);
     }
 
     /// The same where only the time has changed since; false if C_q has not changed with it.
     #[inline(always)]
-    pub(crate) fn relinearize(&mut self, crew: &Crew<'_>, instant: &WideInstant<S>, c: &mut [Wide<S>], values: &mut [Wide<S>]) -> bool {
+    pub(crate) fn relinearize(
+        &mut self,
+        crew: &LaneSystems<'_>,
+        instant: &WideInstant<S>,
+        c: &mut [Wide<S>],
+        values: &mut [Wide<S>],
+    ) -> bool {
         self.linearize_some(|group| &group.on_t, crew, instant, c, values);
         self.c_q_on_t
     }
@@ -186,7 +192,7 @@ impl<S: Level> WideEquations<S> {
     fn linearize_some(
         &mut self,
         some: impl Fn(&Group<S>) -> &Vec<LaneBlock>,
-        crew: &Crew<'_>,
+        crew: &LaneSystems<'_>,
         instant: &WideInstant<S>,
         c: &mut [Wide<S>],
         values: &mut [Wide<S>],
@@ -205,7 +211,7 @@ impl<S: Level> WideEquations<S> {
 
     /// −C_t in the rows where it can be other than zero.
     #[inline(always)]
-    pub(crate) fn velocity_rhs(&mut self, crew: &Crew<'_>, instant: &WideInstant<S>, rhs: &mut [Wide<S>]) {
+    pub(crate) fn velocity_rhs(&mut self, crew: &LaneSystems<'_>, instant: &WideInstant<S>, rhs: &mut [Wide<S>]) {
         let seen = seen(self.simd, self.plan.arguments(), crew, instant, &[]);
         for group in self.groups.iter().filter(|group| !group.c_t.is_empty()) {
             match group.table {
@@ -220,7 +226,7 @@ impl<S: Level> WideEquations<S> {
 
     /// Q_d in the rows where it can be other than zero; `rates` are q̇ and, behind it, the ground's.
     #[inline(always)]
-    pub(crate) fn acceleration_rhs(&mut self, crew: &Crew<'_>, instant: &WideInstant<S>, rates: &[Wide<S>], q_d: &mut [Wide<S>]) {
+    pub(crate) fn acceleration_rhs(&mut self, crew: &LaneSystems<'_>, instant: &WideInstant<S>, rates: &[Wide<S>], q_d: &mut [Wide<S>]) {
         let seen = seen(self.simd, self.plan.arguments(), crew, instant, rates);
         for group in self.groups.iter().filter(|group| !group.q_d.is_empty()) {
             match group.table {
@@ -239,7 +245,7 @@ impl<S: Level> WideEquations<S> {
 fn seen<'a, S: Level>(
     simd: S,
     arguments: &'a [[u32; 2]],
-    crew: &'a Crew<'_>,
+    crew: &'a LaneSystems<'_>,
     instant: &'a WideInstant<S>,
     rates: &'a [Wide<S>],
 ) -> LaneInstant<'a, S> {
@@ -250,7 +256,7 @@ fn seen<'a, S: Level>(
 struct LaneByLane<'a, 's, S: Level> {
     blocks: &'a [WideBlock],
     seen: &'a LaneInstant<'s, S>,
-    crew: &'a Crew<'a>,
+    crew: &'a LaneSystems<'a>,
     t: f64,
 }
 

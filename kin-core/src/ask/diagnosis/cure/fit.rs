@@ -2,7 +2,7 @@
 
 use super::dimension::{Dimension, Of};
 use super::trial::{Trial, drivers};
-use crate::linear::Tall;
+use crate::linear::LeastSquares;
 use crate::model::units::Unit;
 use crate::solve::assembly::search::Found;
 use crate::system::evaluate::Equations;
@@ -129,7 +129,7 @@ impl Fit<'_> {
         let (n, m, d) = (self.model.n(), self.model.m(), self.dimension.value.len());
         let places: Vec<Option<(usize, usize)>> =
             self.model.equations.entries.iter().copied().chain((0..d).flat_map(|k| (0..m).map(move |row| Some((row, n + k))))).collect();
-        let mut tall = Tall::new(m, n + d, &places);
+        let mut tall = LeastSquares::new(m, n + d, &places);
         let (mut q, mut value, mut damping) = (near.place.q.clone(), self.dimension.value.clone(), DAMPING[0]);
         let (mut point, mut slopes) = self.linearized(&q, &value)?;
         let mut merit = self.merit(&point, &near.measures);
@@ -181,7 +181,7 @@ impl Fit<'_> {
         rows.map(|(_, (c, norm))| (c / norm).powi(2)).sum()
     }
 
-    fn step(&self, tall: &mut Tall, (point, slopes): (&Point, &[f64]), measures: &Measures, damping: f64) -> Option<Vec<f64>> {
+    fn step(&self, tall: &mut LeastSquares, (point, slopes): (&Point, &[f64]), measures: &Measures, damping: f64) -> Option<Vec<f64>> {
         let Measures { sizes, norms, .. } = measures;
         let m = norms.len();
         let weight = |row: usize| if self.without.contains(&row) { 0.0 } else { norms[row].recip() };

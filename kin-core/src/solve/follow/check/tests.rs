@@ -4,7 +4,7 @@
 mod around;
 
 use super::{Check, Objection, REACH};
-use crate::numbers::fours::Fours;
+use crate::numbers::padded::Padded;
 use crate::solve::newton::{Newton, Options, Steps};
 use crate::{Law, Mechanism, System, constraint};
 
@@ -37,8 +37,8 @@ fn is_missed(before: f64, to: f64, miss: f64) -> bool {
     stand(&mut newton, before);
     check.accept(&newton);
     stand(&mut newton, to);
-    let still = Fours::new(2, 0.0);
-    let mut from = Fours::new(2, 0.0);
+    let still = Padded::new(2, 0.0);
+    let mut from = Padded::new(2, 0.0);
     (from[0], from[1]) = (to - miss, miss - to);
     matches!(check.judge(&mut newton, 1.0, [&from, &still, &still]), Err(Objection::Missed(_)))
 }
@@ -105,7 +105,7 @@ impl<'a> Led<'a> {
     fn judge(&mut self, t: f64, q: &[f64], miss: &[f64]) -> Result<(), Objection> {
         self.stand(t, q);
         let from: Vec<f64> = self.newton.q.iter().zip(miss).map(|(q, miss)| q - miss).collect();
-        let (from, still) = (Fours::from(&from[..]), Fours::new(q.len(), 0.0));
+        let (from, still) = (Padded::from(&from[..]), Padded::new(q.len(), 0.0));
         self.check.judge(&mut self.newton, 0.1, [&from, &still, &still])
     }
 }
@@ -153,7 +153,7 @@ fn no_number_is_a_miss() {
         let mut led = Led::new(&system, &options);
         led.accept(1.0, &[2.0, -2.0, 1.0]);
         led.stand(1.0, &[2.0, -2.0, 1.0]);
-        let mut from = [led.newton.q.clone(), Fours::new(3, 0.0), Fours::new(3, 0.0)];
+        let mut from = [led.newton.q.clone(), Padded::new(3, 0.0), Padded::new(3, 0.0)];
         assert_eq!(led.check.judge(&mut led.newton, 0.1, from.each_ref()), Ok(()));
         from[rate][k] = f64::NAN;
         assert!(matches!(led.check.judge(&mut led.newton, 0.1, from.each_ref()), Err(Objection::Missed(_))), "{rate} {k}");
@@ -210,7 +210,7 @@ fn the_larger_miss_counts() {
         led.accept(x * x, &[x, -x]);
         led.stand(x * x, &[x, -x]);
         (led.newton.qd[0], led.newton.qd[1]) = ((d - back) / h, (back - d) / h);
-        let (from, still) = (Fours::from(&[x - d, d - x][..]), Fours::new(2, 0.0));
+        let (from, still) = (Padded::from(&[x - d, d - x][..]), Padded::new(2, 0.0));
         let found = led.check.judge(&mut led.newton, h, [&from, &still, &still]);
         assert_eq!(matches!(found, Err(Objection::Missed(_))), missed, "{back}: {found:?}");
     }
@@ -223,7 +223,7 @@ fn the_larger_miss_counts() {
         led.accept(0.0, &[0.0]);
         led.stand(0.0, &[0.0]);
         led.newton.qd[0] = back / h;
-        let (from, rate, still) = (Fours::from(&[0.0][..]), Fours::from(&[0.05 / h][..]), Fours::new(1, 0.0));
+        let (from, rate, still) = (Padded::from(&[0.0][..]), Padded::from(&[0.05 / h][..]), Padded::new(1, 0.0));
         let found = led.check.judge(&mut led.newton, h, [&from, &rate, &still]);
         assert_eq!(matches!(found, Err(Objection::Missed(_))), missed, "{back}: {found:?}");
     }
@@ -248,7 +248,7 @@ fn out_and_back_within_a_step() {
         let mut led = Led::new(system, &options);
         led.accept(0.0, q);
         led.stand(1.0, q);
-        let (from, still) = (Fours::from(q), Fours::new(q.len(), 0.0));
+        let (from, still) = (Padded::from(q), Padded::new(q.len(), 0.0));
         led.check.judge(&mut led.newton, 1.0, [&from, &still, &still])
     };
     for (height, found) in [(0.01, Ok(())), (0.2, Ok(())), (0.9, Err(Objection::Hidden)), (-0.9, Err(Objection::Hidden))] {
@@ -293,7 +293,7 @@ fn rates_are_no_miss() {
             (led.newton.qd[k], led.newton.qdd[k]) = (qd[k] + h * qdd[k], qdd[k]);
         }
         let from = [x - miss, -x + miss - h * (3.0 - 0.5 * h * 7.0)];
-        let end = [Fours::from(&from[..]), Fours::from(&qd[..]), Fours::from(&qdd[..])];
+        let end = [Padded::from(&from[..]), Padded::from(&qd[..]), Padded::from(&qdd[..])];
         let found = led.check.judge(&mut led.newton, h, [&end[0], &end[1], &end[2]]);
         assert_eq!(matches!(found, Err(Objection::Missed(_))), missed, "{share}: {found:?}");
     }
@@ -310,7 +310,7 @@ fn no_body_turns_too_far_in_one_step() {
         led.accept(0.0, &[0.0]);
         led.stand(by, &[by]);
         led.newton.qd[0] = by / 0.1;
-        let (start, rate, still) = (Fours::from(&[0.0][..]), Fours::from(&[by / 0.1][..]), Fours::new(1, 0.0));
+        let (start, rate, still) = (Padded::from(&[0.0][..]), Padded::from(&[by / 0.1][..]), Padded::new(1, 0.0));
         led.check.judge(&mut led.newton, 0.1, [&start, &rate, &still])
     };
     assert_eq!([step(0.95 * REACH), step(-0.95 * REACH)], [Ok(()); 2]);

@@ -120,7 +120,7 @@ impl<'p, S: Level> Block<'p, S> {
 
     /// What the times to come are held to, by the plain step in hand, and its smallest pivot; `None` where plain steps had better go on.
     fn limit(&mut self, run: &Run<'_>, motion: &Motion) -> Option<f64> {
-        let newton = &run.sweep()?.newton;
+        let newton = &run.stepper()?.newton;
         let (options, layout) = (newton.options, newton.system.layout());
         let tolerance = match options.stop {
             Stop::Converged { tolerance } => tolerance,

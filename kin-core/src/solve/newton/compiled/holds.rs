@@ -15,8 +15,8 @@ impl Run<'_> {
     /// hand is that time's then: [`Run::go_on`] makes it another one.
     pub(super) fn holds(&mut self, motion: &Motion, allowed: &[f64]) -> bool {
         let Some(last) = motion.len().checked_sub(1) else { return true };
-        self.sweep_mut().is_some_and(|sweep| {
-            let newton = &mut sweep.newton;
+        self.stepper_mut().is_some_and(|stepper| {
+            let newton = &mut stepper.newton;
             newton.q.copy_from_slice(motion.q(last));
             let holds = holds(newton, motion.times()[last], [motion.qd(last), motion.qdd(last)], allowed);
             // What was measured there counts from now on, or never.

@@ -24,7 +24,7 @@ fn run_with(system: &System, times: &[f64], made_of: &System, change: impl Fn(&m
     let options = Options { engine: Engine::Compiled, ..Options::default() };
     let (mut run, mut motion) = (Run::new(system, &options, None).expect("runs"), Motion::new(system, times.len()));
     run.reach(times[0], &mut motion).expect("reaches");
-    let newton = &run.sweep().expect("plain steps").newton;
+    let newton = &run.stepper().expect("plain steps").newton;
     let pose = Pose { t: times[0], q: &newton.q, sizes: &newton.sizes };
     let mut program = program(made_of, pose).expect("compiles");
     change(&mut program);

@@ -4,7 +4,7 @@ use super::errors::unmet;
 use super::solver::{Solver, scales};
 use super::{Driver, Options, Outcome};
 use crate::model::error::Result;
-use crate::numbers::fours::Fours;
+use crate::numbers::padded::Padded;
 use crate::solve::assembly::search::{self, Found};
 use crate::solve::explain::{Explain, Start};
 use crate::solve::follow::Drive;
@@ -21,7 +21,7 @@ impl<'a> Driver<'a> {
         let [row_shares, shares] =
             [&measures.norms, &measures.sizes].map(|sizes| sizes.iter().map(|size| size.recip()).collect::<Vec<_>>());
         let turns: Vec<f64> = (0..n).map(|column| f64::from(u8::from(model.turns(column)))).collect();
-        let zeros = || Fours::new(n, 0.0);
+        let zeros = || Padded::new(n, 0.0);
         Driver {
             scales: scales(&model, &measures),
             solver: Solver::new(&model),
@@ -32,15 +32,15 @@ impl<'a> Driver<'a> {
             options,
             explain,
             measures,
-            row_shares: Fours::from(&row_shares[..]),
-            shares: Fours::from(&shares[..]),
-            turns: Fours::from(&turns[..]),
+            row_shares: Padded::from(&row_shares[..]),
+            shares: Padded::from(&shares[..]),
+            turns: Padded::from(&turns[..]),
             predictor: Predictor::new(n),
-            rhs: Fours::new(model.m(), 0.0),
+            rhs: Padded::new(model.m(), 0.0),
             x: zeros(),
             t,
             last: zeros(),
-            q: Fours::from(&q[..]),
+            q: Padded::from(&q[..]),
             qd: zeros(),
             qdd: zeros(),
             qddd: vec![],

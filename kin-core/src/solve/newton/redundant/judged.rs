@@ -2,7 +2,7 @@
 
 use super::super::Follow;
 use super::Driver;
-use crate::numbers::fours;
+use crate::numbers::padded;
 use crate::solve::follow::{EASY, Lever, Objection, REACH, Span};
 use crate::system::evaluate::Instant;
 
@@ -15,7 +15,7 @@ impl Driver<'_> {
         }
         let (from, pivot) = (self.t, self.solver.smallest_pivot());
         let ([qd, qdd], to) = (self.predictor.before(), [&self.q, &self.qd, &self.qdd]);
-        let [miss, reach] = fours::miss(target - from, [&self.last, qd, qdd], to, &self.shares, &self.turns);
+        let [miss, reach] = padded::miss(target - from, [&self.last, qd, qdd], to, &self.shares, &self.turns);
         if reach > REACH {
             return Some(Objection::Long);
         }
@@ -49,7 +49,7 @@ impl Lever for Squares<'_, '_> {
         driver.rhs.fill(0.0);
         driver.rhs.iter_mut().skip(first).zip(b).for_each(|(place, b)| *place = *b);
         driver.solve_for_rhs();
-        fours::largest_share(driver.x.whole(), driver.shares.whole())
+        padded::largest_share(driver.x.whole(), driver.shares.whole())
     }
 
     fn bend(&mut self) -> f64 {

@@ -1,7 +1,7 @@
 //! More equations than coordinates, solved for as many of them or in the sense of least squares.
 
 use super::super::Options;
-use crate::linear::{Independent, Tall};
+use crate::linear::{Independent, LeastSquares};
 use crate::model::error::Result;
 use crate::solve::explain::{Explain, Start};
 use crate::system::System;
@@ -12,14 +12,14 @@ pub(super) enum Solver {
     /// Where equations agree, which half the work does for.
     Independent(Independent),
     /// Where they may contradict one another a little: no equation is to be believed more than another.
-    LeastSquares(Tall),
+    LeastSquares(LeastSquares),
 }
 
 impl Solver {
     pub(super) fn new(model: &Model<'_>) -> Self {
         let (m, n, places) = (model.m(), model.n(), &model.equations.entries);
         if model.closure > 0.0 {
-            Solver::LeastSquares(Tall::new(m, n, places))
+            Solver::LeastSquares(LeastSquares::new(m, n, places))
         } else {
             Solver::Independent(Independent::new(m, n, places))
         }
@@ -64,7 +64,7 @@ pub(crate) fn solved(system: &System, q: &[f64], t: f64, rhs: &[f64], explain: E
     let (measures, m, n) = (model.measure(q, t), model.m(), model.n());
     let instant = || model.equations.instant_at(t, q);
     let point = model.linearize(q, t).map_err(|bad| model.equations.not_finite(bad, model.layout, &instant()))?;
-    let mut tall = Tall::new(m, n, &model.equations.entries);
+    let mut tall = LeastSquares::new(m, n, &model.equations.entries);
     let scaled = scales(&model, &measures).into_iter().zip(&point.values).map(|(scale, value)| scale * value);
     if !tall.factor(scaled, 0.0) {
         return Err((explain.cannot_be_driven)(model, Start::Pose(q), t, &Options::default()));

@@ -2,7 +2,7 @@
 
 use super::super::{Drive, EASY, Factored, Lever, is_singular_near};
 use super::{Led, steep_system};
-use crate::numbers::fours::Fours;
+use crate::numbers::padded::Padded;
 use crate::solve::newton::{Newton, Options, Steps};
 use crate::{Law, Mechanism, constraint};
 
@@ -44,7 +44,7 @@ fn a_lever_moves_its_own_rows_alone() {
     led.accept(1.0, &[1.0, -1.0]);
     let mut v = led.newton.q.clone();
     led.newton.linear.rhs_mut().fill(7.0);
-    let mut lever = Factored { newton: &mut led.newton, v: &mut v, turns: &Fours::default(), negative: &[] };
+    let mut lever = Factored { newton: &mut led.newton, v: &mut v, turns: &Padded::default(), negative: &[] };
     // C_q = [3 1; 1 1]
     for (first, b, exact) in
         [(0, &[1.0][..], [0.5, -0.5]), (1, &[1.0], [-0.5, 1.5]), (0, &[2.0, 4.0], [-1.0, 5.0]), (1, &[1.0], [-0.5, 1.5])]

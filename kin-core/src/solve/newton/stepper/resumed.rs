@@ -1,9 +1,9 @@
 //! Plain steps that go on where a program has come to.
 
-use super::Sweep;
+use super::Stepper;
 use crate::solve::motion::Motion;
 
-impl Sweep<'_> {
+impl Stepper<'_> {
     /// Whether the ends of a step between two times, with that smallest pivot, tell all that time does in between.
     pub(in crate::solve::newton) fn tells(&mut self, from: f64, to: f64, pivot: f64) -> bool {
         self.check.as_mut().is_none_or(|check| check.tells(from, to, pivot))

@@ -13,7 +13,7 @@ pub(crate) const MOST_CROSSED: usize = 100_000;
 
 /// The laws of a system that have breaks, and where they were asked last.
 #[derive(Default)]
-pub(super) struct Watch {
+pub(super) struct LawBreaks {
     asked: Vec<Asked>,
     last: Option<f64>,
 }
@@ -26,7 +26,7 @@ struct Asked {
     x: f64,
 }
 
-impl Watch {
+impl LawBreaks {
     /// Looks at the laws at a time that was solved, and appends the breaks crossed since the last one. A jump of a value, or of the slope of a
     /// law of time, is an error.
     #[inline]

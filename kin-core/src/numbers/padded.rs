@@ -5,43 +5,43 @@ use std::ops::{Deref, DerefMut};
 
 use wide::f64x4;
 
-/// Four numbers that are computed together.
-pub(crate) type Four = [f64; 4];
+/// Quad numbers that are computed together.
+pub(crate) type Quad = [f64; 4];
 
 /// n numbers in whole fours; those beyond n stay zero.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Fours {
+pub(crate) struct Padded {
     n: usize,
-    fours: Vec<Four>,
+    fours: Vec<Quad>,
 }
 
-impl Fours {
+impl Padded {
     /// n times x.
     pub(crate) fn new(n: usize, x: f64) -> Self {
-        let mut all = Fours { n, fours: vec![[0.0; 4]; n.div_ceil(4)] };
+        let mut all = Padded { n, fours: vec![[0.0; 4]; n.div_ceil(4)] };
         all.fill(x);
         all
     }
 
     /// All of them, with the zeros at the end.
-    pub(crate) fn whole(&self) -> &[Four] {
+    pub(crate) fn whole(&self) -> &[Quad] {
         &self.fours
     }
 
-    pub(crate) fn whole_mut(&mut self) -> &mut [Four] {
+    pub(crate) fn whole_mut(&mut self) -> &mut [Quad] {
         &mut self.fours
     }
 }
 
-impl From<&[f64]> for Fours {
+impl From<&[f64]> for Padded {
     fn from(numbers: &[f64]) -> Self {
-        let mut all = Fours::new(numbers.len(), 0.0);
+        let mut all = Padded::new(numbers.len(), 0.0);
         all.copy_from_slice(numbers);
         all
     }
 }
 
-impl Deref for Fours {
+impl Deref for Padded {
     type Target = [f64];
 
     fn deref(&self) -> &[f64] {
@@ -49,13 +49,13 @@ impl Deref for Fours {
     }
 }
 
-impl DerefMut for Fours {
+impl DerefMut for Padded {
     fn deref_mut(&mut self) -> &mut [f64] {
         &mut self.fours.as_flattened_mut()[..self.n]
     }
 }
 
-impl<'a> IntoIterator for &'a Fours {
+impl<'a> IntoIterator for &'a Padded {
     type Item = &'a f64;
     type IntoIter = std::slice::Iter<'a, f64>;
 
@@ -66,7 +66,7 @@ impl<'a> IntoIterator for &'a Fours {
 
 /// x = −y; the largest |y|, infinite if a number is not finite.
 #[inline]
-pub(crate) fn oppose(x: &mut [Four], y: &[Four]) -> f64 {
+pub(crate) fn oppose(x: &mut [Quad], y: &[Quad]) -> f64 {
     let mut seen = Seen::default();
     each_mut(x, y, |x, y| {
         let y = f64x4::new(*y);
@@ -77,14 +77,14 @@ pub(crate) fn oppose(x: &mut [Four], y: &[Four]) -> f64 {
 }
 
 /// The largest |x_i| · share_i of finite shares, 0 of none; infinite if a number is not finite.
-pub(crate) fn largest_share(x: &[Four], shares: &[Four]) -> f64 {
+pub(crate) fn largest_share(x: &[Quad], shares: &[Quad]) -> f64 {
     let mut seen = Seen::default();
     each(x, shares, |four, shares| seen.see(f64x4::new(*four) * f64x4::new(*shares)));
     seen.largest()
 }
 
 /// The largest |x_i|; infinite if a number is not finite.
-pub(crate) fn largest(x: &[Four]) -> f64 {
+pub(crate) fn largest(x: &[Quad]) -> f64 {
     let mut seen = Seen::default();
     x.iter().for_each(|four| seen.see(f64x4::new(*four)));
     seen.largest()
@@ -92,7 +92,7 @@ pub(crate) fn largest(x: &[Four]) -> f64 {
 
 /// Whether |x_i| ≤ limit_i everywhere.
 #[inline]
-pub(crate) fn inside(x: &[Four], limits: &[Four]) -> bool {
+pub(crate) fn inside(x: &[Quad], limits: &[Quad]) -> bool {
     let mut all = f64x4::ZERO.simd_eq(f64x4::ZERO);
     each(x, limits, |four, limits| all &= f64x4::new(*four).abs().simd_le(f64x4::new(*limits)));
     all.all()
@@ -100,7 +100,7 @@ pub(crate) fn inside(x: &[Four], limits: &[Four]) -> bool {
 
 /// x = y; whether all numbers are finite.
 #[inline]
-pub(crate) fn take(x: &mut [Four], y: &[Four]) -> bool {
+pub(crate) fn take(x: &mut [Quad], y: &[Quad]) -> bool {
     let mut odd = f64x4::ZERO;
     each_mut(x, y, |x, y| {
         *x = *y;
@@ -110,19 +110,19 @@ pub(crate) fn take(x: &mut [Four], y: &[Four]) -> bool {
 }
 
 /// x = y
-pub(crate) fn copy(x: &mut [Four], y: &[Four]) {
+pub(crate) fn copy(x: &mut [Quad], y: &[Quad]) {
     each_mut(x, y, |x, y| *x = *y);
 }
 
 /// x += y
 #[inline]
-pub(crate) fn add(x: &mut [Four], y: &[Four]) {
+pub(crate) fn add(x: &mut [Quad], y: &[Quad]) {
     each_mut(x, y, |x, y| *x = (f64x4::new(*x) + f64x4::new(*y)).to_array());
 }
 
 /// How far q + h q̇ + ½ h² q̈ from either end of a step h is from the other end, by shares, and how far the ends are apart, by `turns`; the
 /// largest of each. Where something is not a number the first is none either: the larger of two numbers says nothing of that.
-pub(crate) fn miss(h: f64, from: [&Fours; 3], to: [&Fours; 3], shares: &Fours, turns: &Fours) -> [f64; 2] {
+pub(crate) fn miss(h: f64, from: [&Padded; 3], to: [&Padded; 3], shares: &Padded, turns: &Padded) -> [f64; 2] {
     let (h, half, mut miss, mut reach, mut all) = (f64x4::splat(h), f64x4::splat(0.5 * h), f64x4::ZERO, f64x4::ZERO, f64x4::ZERO);
     let [q, qd, qdd] = from.map(|x| x.whole().iter());
     let [r, rd, rdd] = to.map(|x| x.whole().iter());
@@ -144,7 +144,7 @@ pub(crate) fn miss(h: f64, from: [&Fours; 3], to: [&Fours; 3], shares: &Fours, t
 macro_rules! walk {
     ($name:ident, $few:ident, $x:ty, $as_chunks:ident) => {
         #[inline(always)]
-        fn $name<'a>(x: $x, y: &'a [Four], mut see: impl FnMut(<$x as IntoIterator>::Item, &'a Four)) {
+        fn $name<'a>(x: $x, y: &'a [Quad], mut see: impl FnMut(<$x as IntoIterator>::Item, &'a Quad)) {
             if x.len() < 4 {
                 return $few(x, y, see);
             }
@@ -159,7 +159,7 @@ macro_rules! walk {
         }
 
         #[inline(always)]
-        fn $few<'a>(x: $x, y: &'a [Four], mut see: impl FnMut(<$x as IntoIterator>::Item, &'a Four)) {
+        fn $few<'a>(x: $x, y: &'a [Quad], mut see: impl FnMut(<$x as IntoIterator>::Item, &'a Quad)) {
             match (x, y) {
                 ([a, b, c], [p, q, r]) => {
                     see(a, p);
@@ -177,8 +177,8 @@ macro_rules! walk {
     };
 }
 
-walk!(each, few, &'a [Four], as_chunks);
-walk!(each_mut, few_mut, &'a mut [Four], as_chunks_mut);
+walk!(each, few, &'a [Quad], as_chunks);
+walk!(each_mut, few_mut, &'a mut [Quad], as_chunks_mut);
 
 /// The largest numbers so far, and something that is 0 while all of them are finite.
 #[derive(Default)]
@@ -209,12 +209,12 @@ mod tests {
     #[test]
     fn every_place_counts() {
         for n in 0..12 {
-            let all = |x: f64| Fours::new(n, x);
+            let all = |x: f64| Padded::new(n, x);
             let mut x = all(0.0);
             x.iter_mut().enumerate().for_each(|(k, x)| *x = 1.0 - 0.1 * k as f64);
             let (x, halves, limits) = (x, all(0.5), all(5.0));
-            let largest = |x: &Fours| oppose(all(0.0).whole_mut(), x.whole());
-            let share = |x: &Fours| largest_share(x.whole(), halves.whole());
+            let largest = |x: &Padded| oppose(all(0.0).whole_mut(), x.whole());
+            let share = |x: &Padded| largest_share(x.whole(), halves.whole());
             assert_eq!((largest(&x), share(&x)), if n > 0 { (1.0, 0.5) } else { (0.0, 0.0) });
             assert!(inside(x.whole(), x.whole()));
             for k in 0..n {

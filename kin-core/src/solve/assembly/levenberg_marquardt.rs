@@ -1,7 +1,7 @@
 //! Damped least squares on C (Levenberg–Marquardt): more equations than coordinates, dependent ones, and none that can be met, are all the
 //! same to it.
 
-use crate::linear::Tall;
+use crate::linear::LeastSquares;
 use crate::system::scaled::{Measures, Model, Point};
 
 /// No step turns a body by more than this.   \[rad\]
@@ -28,7 +28,7 @@ const RIGID: f64 = 10.0;
 ///
 /// Each step solves \[I, J; Jᵀ, −λ I\] (r, y) = (−c, 0), which is (Jᵀ J + λ I) y = −Jᵀ c without squaring J: among the steps that serve
 /// equally well it is the shortest.
-pub(crate) struct Squares<'a> {
+pub(crate) struct LevenbergMarquardt<'a> {
     model: Model<'a>,
     measures: &'a Measures,
     /// w_i; a row of weight 0 is left out.
@@ -38,13 +38,13 @@ pub(crate) struct Squares<'a> {
     /// Coordinates that are held softly: (column, value, h).
     pub holds: Vec<(usize, f64, f64)>,
     time_is_free: bool,
-    tall: Tall,
+    tall: LeastSquares,
     damping: f64,
 }
 
 /// Where a search stands.
 #[derive(Clone, Debug)]
-pub(crate) struct Place {
+pub(crate) struct Iterate {
     pub q: Vec<f64>,
     pub t: f64,
     /// The sum of squares there.
@@ -55,24 +55,24 @@ pub(crate) struct Place {
     pub point: Point,
 }
 
-impl<'a> Squares<'a> {
+impl<'a> LevenbergMarquardt<'a> {
     pub(crate) fn new(model: Model<'a>, measures: &'a Measures, holds: Vec<(usize, f64, f64)>, time_is_free: bool) -> Self {
         let (n, m) = (model.n() + usize::from(time_is_free), model.m());
         let mut places: Vec<Option<(usize, usize)>> = model.equations.entries.clone();
         places.extend(holds.iter().enumerate().map(|(k, hold)| Some((m + k, hold.0))));
         places.extend((0..if time_is_free { m } else { 0 }).map(|row| Some((row, n - 1))));
-        let tall = Tall::new(m + holds.len(), n, &places);
+        let tall = LeastSquares::new(m + holds.len(), n, &places);
         let weights = (0..m).map(|row| if model.is_norm(row) { RIGID } else { 1.0 }).collect();
-        Squares { model, measures, weights, shifts: vec![0.0; m], holds, time_is_free, tall, damping: START }
+        LevenbergMarquardt { model, measures, weights, shifts: vec![0.0; m], holds, time_is_free, tall, damping: START }
     }
 
     /// The place at (q, t); `None` where C or C_q is not finite.
-    pub(crate) fn place(&self, q: &[f64], t: f64) -> Option<Place> {
+    pub(crate) fn place(&self, q: &[f64], t: f64) -> Option<Iterate> {
         let point = self.model.linearize(q, t).ok()?;
         let rows = (0..self.weights.len()).map(|row| (self.weight(row) * (point.c[row] + self.shifts[row])).powi(2));
         let held = self.holds.iter().map(|&hold| self.offset(q, hold).powi(2));
         let merit = rows.chain(held).sum::<f64>();
-        merit.is_finite().then(|| Place { q: q.to_vec(), t, merit, steps: 0, point })
+        merit.is_finite().then(|| Iterate { q: q.to_vec(), t, merit, steps: 0, point })
     }
 
     /// w_i / norm_i
@@ -86,7 +86,7 @@ impl<'a> Squares<'a> {
     }
 
     /// Lowers the sum of squares as far as it goes.
-    pub(crate) fn minimise(&mut self, from: Place, steps: usize) -> Place {
+    pub(crate) fn minimise(&mut self, from: Iterate, steps: usize) -> Iterate {
         let mut here = from;
         self.damping = START;
         let (begun, mut idle, mut flat) = (here.steps, 0, 0);
@@ -115,7 +115,7 @@ impl<'a> Squares<'a> {
     }
 
     /// One damped step, and its largest share; `None` where there is none or it turns too far.
-    fn step(&mut self, here: &Place) -> Option<(Place, f64)> {
+    fn step(&mut self, here: &Iterate) -> Option<(Iterate, f64)> {
         let (jacobian, rhs) = self.rows(here);
         if !self.tall.factor(jacobian.iter().copied(), self.damping) {
             return None;
@@ -132,11 +132,11 @@ impl<'a> Squares<'a> {
         }
         let dt = if self.time_is_free { last } else { 0.0 };
         let next = self.place(&q, here.t + dt * self.measures.time)?;
-        Some((Place { steps: here.steps + 1, ..next }, length.max(dt.abs())))
+        Some((Iterate { steps: here.steps + 1, ..next }, length.max(dt.abs())))
     }
 
     /// The values of the scaled matrix in the order of its places, and −c.
-    fn rows(&self, here: &Place) -> (Vec<f64>, Vec<f64>) {
+    fn rows(&self, here: &Iterate) -> (Vec<f64>, Vec<f64>) {
         let m = self.weights.len();
         let entries = self.model.equations.entries.iter().zip(&here.point.values);
         let scaled = |(entry, value): (&Option<(usize, usize)>, &f64)| match *entry {

@@ -15,7 +15,7 @@ const KINDS: usize = 5;
 /// 2⁵²: added to a whole number below 2³² it leaves that in the last bits.
 const WHOLE: f64 = 4_503_599_627_370_496.0;
 
-pub(super) struct Kept<S: Level> {
+pub(super) struct Pending<S: Level> {
     simd: S,
     /// How many times are kept.
     times: usize,
@@ -27,11 +27,11 @@ pub(super) struct Kept<S: Level> {
     worst: Vec<Wide<S>>,
 }
 
-impl<S: Level> Kept<S> {
+impl<S: Level> Pending<S> {
     /// For n coordinates.
     pub(super) fn new(simd: S, n: usize) -> Self {
         let room = [n, n, n, 1, 1].map(|n| TIMES * n);
-        Kept {
+        Pending {
             simd,
             times: 0,
             kinds: room.map(|n| vec![Wide::splat(simd, 0.0); n]),
@@ -89,14 +89,14 @@ impl<S: Level> Kept<S> {
 }
 
 /// What was kept on its way into the function that has the machine's instructions.
-struct Turn<'k, S: Level>(&'k mut Kept<S>);
+struct Turn<'k, S: Level>(&'k mut Pending<S>);
 
 impl<S: Level> NullaryFnOnce for Turn<'_, S> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        let Kept { simd, times, kinds, own, .. } = self.0;
+        let Pending { simd, times, kinds, own, .. } = self.0;
         for (all, own) in kinds.iter().zip(own) {
             turn(*simd, &all[..all.len() / TIMES * *times], own);
         }
@@ -124,7 +124,7 @@ fn turn<S: Level>(simd: S, all: &[Wide<S>], own: &mut [[f64; 4]]) {
     }
 }
 
-/// Four of the lanes.
+/// Quad of the lanes.
 #[inline(always)]
 fn of<S: Level>(x: &Wide<S>, lanes: usize) -> [f64; 4] {
     x.as_slice().as_chunks().0[lanes]

@@ -6,20 +6,20 @@ use super::Linear;
 ///
 /// Rows and columns of A should be of order 1. With λ = 0 the columns must be independent.
 #[derive(Clone)]
-pub(crate) struct Tall {
+pub(crate) struct LeastSquares {
     m: usize,
     n: usize,
     linear: Linear,
 }
 
-impl Tall {
+impl LeastSquares {
     /// An m × n matrix with one value for each place; `None` stands nowhere, repeated places add up.
     pub(crate) fn new(m: usize, n: usize, places: &[Option<(usize, usize)>]) -> Self {
         let identity = (0..m).map(|i| Some((i, i)));
         let damping = (0..n).map(|j| Some((m + j, m + j)));
         let upper = places.iter().map(|place| place.map(|(row, column)| (row, m + column)));
         let lower = places.iter().map(|place| place.map(|(row, column)| (m + column, row)));
-        Tall { m, n, linear: Linear::new(m + n, identity.chain(damping).chain(upper).chain(lower), &vec![Some(1.0); m]) }
+        LeastSquares { m, n, linear: Linear::new(m + n, identity.chain(damping).chain(upper).chain(lower), &vec![Some(1.0); m]) }
     }
 
     /// Takes the values, in the order of the places, and λ; false if that is singular.
@@ -68,7 +68,7 @@ mod tests {
         let a = nalgebra::DMatrix::from_row_slice(4, 2, &[1.0, 2.0, 0.0, 1.0, 1.0, 0.0, 0.5, -1.0]);
         let b = nalgebra::DVector::from_vec(vec![1.0, -1.0, 2.0, 0.25]);
         let places: Vec<_> = (0..8).map(|k| Some((k / 2, k % 2))).collect();
-        let mut tall = Tall::new(4, 2, &places);
+        let mut tall = LeastSquares::new(4, 2, &places);
         for damping in [0.0, 0.5] {
             assert!(tall.factor((0..8).map(|k| a[(k / 2, k % 2)]), damping));
             let x = nalgebra::DVector::from_column_slice(tall.solve(b.iter().copied()));

@@ -5,9 +5,9 @@ mod resumed;
 
 use super::options::resolution;
 use super::predictor::{Last, Predictor};
-use super::{Failure, Follow, Newton, Options, Outcome, Steps, assembly, largest};
+use super::{Failure, Follow, Newton, Options, Outcome, Steps, first_position, largest};
 use crate::model::error::{Error, Result};
-use crate::numbers::fours::{self, Fours};
+use crate::numbers::padded::{self, Padded};
 use crate::solve::follow::{Check, Objection, SingularPosition};
 use crate::system::System;
 
@@ -30,13 +30,13 @@ const MOST: f64 = 4e6;
 const TOO_MANY: &str = "millions of smaller steps lead to the next time, which is too far away: give times that are nearer to one another";
 
 /// The last solved time, its point, and the means to go on from it.
-pub(super) struct Sweep<'a> {
+pub(super) struct Stepper<'a> {
     pub newton: Newton<'a>,
     /// The last time with a solution, and its position, which a failure goes back to.
     last: Option<f64>,
-    q: Fours,
+    q: Padded,
     /// Where the last failure was.
-    failed: Fours,
+    failed: Padded,
     predictor: Predictor,
     /// Whether everything in hand is that of the last solution.
     untouched: bool,
@@ -61,14 +61,14 @@ enum Trouble {
     Objected(Objection),
 }
 
-impl<'a> Sweep<'a> {
+impl<'a> Stepper<'a> {
     pub fn new(system: &'a System, options: &'a Options) -> Self {
         let n = system.n_coordinates();
-        Sweep {
+        Stepper {
             newton: Newton::new(system, options),
             last: None,
-            q: Fours::new(n, 0.0),
-            failed: Fours::new(n, 0.0),
+            q: Padded::new(n, 0.0),
+            failed: Padded::new(n, 0.0),
             predictor: Predictor::new(n),
             untouched: false,
             check: (options.follow != Follow::Unchecked).then(|| Check::new(system)),
@@ -82,7 +82,7 @@ impl<'a> Sweep<'a> {
         self.newton.steps_before = self.newton.steps;
         let outcome = match self.last {
             None => {
-                let outcome = assembly::assemble(&mut self.newton, t)?;
+                let outcome = first_position::assemble(&mut self.newton, t)?;
                 self.check.iter_mut().for_each(|check| check.accept(&self.newton));
                 outcome
             }
@@ -166,7 +166,7 @@ impl<'a> Sweep<'a> {
         let by_rates = largest(rates.map(|((qd, qdd), share)| (h * qd).abs().max((0.5 * h * h * qdd).abs()) * share));
         let known = newton.linearize(target).is_ok() && newton.linear.factor();
         newton.linear.solve();
-        let driven = if known { fours::largest_share(newton.linear.whole_solution(), newton.shares().whole()) } else { 0.0 };
+        let driven = if known { padded::largest_share(newton.linear.whole_solution(), newton.shares().whole()) } else { 0.0 };
         newton.linear.revoke();
         by_rates.max(driven)
     }
@@ -184,7 +184,7 @@ impl<'a> Sweep<'a> {
         if self.newton.options.predict {
             std::mem::swap(&mut self.q, &mut self.newton.q);
         } else {
-            fours::copy(self.q.whole_mut(), self.newton.q.whole());
+            padded::copy(self.q.whole_mut(), self.newton.q.whole());
         }
     }
 

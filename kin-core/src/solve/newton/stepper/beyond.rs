@@ -1,12 +1,12 @@
 //! Where smaller steps of time help no more: along the curve past a singular position, or the end of a run.
 
 use super::super::{Failure, Newton, Outcome, Steps, largest};
-use super::{SHORT, SHORTEST, Sweep, TOO_MANY, Trouble};
+use super::{SHORT, SHORTEST, Stepper, TOO_MANY, Trouble};
 use crate::model::error::{Error, Result};
 use crate::model::units::Units;
 use crate::solve::follow::{self, Branch, Check, Landed, Lost, Objection, SingularKind, SingularPosition};
 
-impl Sweep<'_> {
+impl Stepper<'_> {
     /// Short steps of time from t to `target` help no more: the curve is followed as far as `goal`, if that can be done; `to` was asked for.
     pub(super) fn give_up(&mut self, trouble: Trouble, t: f64, target: f64, (goal, to): (f64, f64)) -> Result<Outcome> {
         if self.check.is_some() {
