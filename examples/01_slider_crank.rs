@@ -1,8 +1,10 @@
-//! The lecture's offset slider-crank as two bare loop-closure equations in θ3 and x. Lengths in m, angles in rad, time in s.
+//! The lecture's offset slider-crank as two bare loop-closure equations in θ3 and x. Lengths in m, angles in
+//! rad, time in s.
 //!
-//! What to see: no body is modelled, only the angle of the coupler and the place of the slider, as in the lecture; Newton's results lie on
-//! those by elimination to the last digits. The slider lingers at the far end and turns sharply at the near one; since its line passes above
-//! the crank's pin, its way there and its way back are not alike.
+//! What to see: no body is modelled, only the angle of the coupler and the place of the slider, as in the
+//! lecture; Newton's results lie on those by elimination to the last digits. The slider lingers at the far
+//! end and turns sharply at the near one; since its line passes above the crank's pin, its way there and its
+//! way back are not alike.
 //!
 //! `cargo run --release --example 01_slider_crank`
 
@@ -25,7 +27,8 @@ fn slider_crank(theta3: Coord, x: Coord, t: Time, l2: f64, l3: f64, h: f64, omeg
     [l2 * theta2.cos() + l3 * theta3.cos() - x, l2 * theta2.sin() + l3 * theta3.sin() - h]
 }
 
-/// θ3, x and their first and second rates by elimination, θ3 = asin((h − l2 sin θ2)/l3), and by hand from there.
+/// θ3, x and their first and second rates by elimination, θ3 = asin((h − l2 sin θ2)/l3), and by hand from
+/// there.
 fn elimination(t: f64) -> [f64; 6] {
     let (sin2, cos2) = (OMEGA * t).sin_cos();
     let theta3 = ((H - L2 * sin2) / L3).asin();
@@ -52,22 +55,45 @@ fn main() -> kin::Result<()> {
 
     // 4. Results: Newton beside elimination.
     let (coupler, slider) = (motion.coordinate(theta3)?, motion.coordinate(x)?);
-    let by_newton = [&coupler.value, &slider.value, &coupler.rate, &slider.rate, &coupler.second_rate, &slider.second_rate];
+    let by_newton = [
+        &coupler.value,
+        &slider.value,
+        &coupler.rate,
+        &slider.rate,
+        &coupler.second_rate,
+        &slider.second_rate,
+    ];
     let by_hand: Vec<[f64; 6]> = motion.times().iter().map(|&t| elimination(t)).collect();
-    println!("{:18} {:>9} {:>9}  {:14} from elimination, at most", "over one turn", "least", "greatest", "at crank angle");
+    println!(
+        "{:18} {:>9} {:>9}  {:14} from elimination, at most",
+        "over one turn", "least", "greatest", "at crank angle"
+    );
     for (k, q) in by_newton.iter().enumerate() {
-        let difference = q.values().iter().zip(&by_hand).map(|(newton, hand)| (newton - hand[k]).abs()).fold(0.0, f64::max);
+        let difference = q
+            .values()
+            .iter()
+            .zip(&by_hand)
+            .map(|(newton, hand)| (newton - hand[k]).abs())
+            .fold(0.0, f64::max);
         let (name, degrees, unit) = (format!("{} [{}]", q.name(), q.unit()), 360.0 * q.at_max(), q.unit());
-        println!("{name:18} {:9.5} {:9.5}  {degrees:3.0} deg        {difference:.0e} {unit}", q.min(), q.max());
+        println!(
+            "{name:18} {:9.5} {:9.5}  {degrees:3.0} deg        {difference:.0e} {unit}",
+            q.min(),
+            q.max()
+        );
     }
 
-    for (k, (name, unit)) in [("theta3 by elimination", "rad"), ("x by elimination", "m")].into_iter().enumerate() {
+    for (k, (name, unit)) in
+        [("theta3 by elimination", "rad"), ("x by elimination", "m")].into_iter().enumerate()
+    {
         motion.add_output(name, unit, by_hand.iter().map(|row| row[k]).collect())?;
     }
     // Where the pins are: the crank's from the angle that drives it, the slider's from x.
-    let pin: Vec<Vec2> = motion.times().iter().map(|t| vec2((OMEGA * t).cos(), (OMEGA * t).sin()) * L2).collect();
+    let pin: Vec<Vec2> =
+        motion.times().iter().map(|t| vec2((OMEGA * t).cos(), (OMEGA * t).sin()) * L2).collect();
     let end: Vec<Vec2> = slider.value.values().iter().map(|x| vec2(*x, H)).collect();
-    for (name, values) in [("slider.x", end.iter().map(|p| p.x).collect()), ("slider.y", vec![H; end.len()])] {
+    for (name, values) in [("slider.x", end.iter().map(|p| p.x).collect()), ("slider.y", vec![H; end.len()])]
+    {
         motion.add_output(name, "m", values)?;
     }
     motion.write_csv(format!("{OUT}/motion.csv"))?;
@@ -75,8 +101,16 @@ fn main() -> kin::Result<()> {
     // 5. Figures: elimination every 15 degrees on top of Newton's line.
     let by_hand = motion.outputs(); // θ3, x
     let positions = vec![
-        Panel::over_time("Coupler", "angle").series("Newton", &coupler.value).dots("elimination", &by_hand[0], 15),
-        Panel::over_time("Slider", "position").series("Newton", &slider.value).dots("elimination", &by_hand[1], 15),
+        Panel::over_time("Coupler", "angle").series("Newton", &coupler.value).dots(
+            "elimination",
+            &by_hand[0],
+            15,
+        ),
+        Panel::over_time("Slider", "position").series("Newton", &slider.value).dots(
+            "elimination",
+            &by_hand[1],
+            15,
+        ),
     ];
     let rates = vec![
         Panel::over_time("Coupler", "angular velocity").series("theta3'", &coupler.rate),

@@ -1,7 +1,9 @@
-//! The lecture's two-link manipulator: three planar bodies, 9 coordinates, 9 equations. Lengths in m, angles in rad, time in s.
+//! The lecture's two-link manipulator: three planar bodies, 9 coordinates, 9 equations. Lengths in m, angles
+//! in rad, time in s.
 //!
-//! What to see: both links turn evenly, the second three times for two turns of the first, and the end effector draws a curve with loops
-//! that would close after 8π s, 25.1 s. The ground is a body too, as in the lecture, held by three equations; since it stands still it is drawn as ground.
+//! What to see: both links turn evenly, the second three times for two turns of the first, and the end
+//! effector draws a curve with loops that would close after 8π s, 25.1 s. The ground is a body too, as in the
+//! lecture, held by three equations; since it stands still it is drawn as ground.
 //!
 //! `cargo run --release --example 02_two_link_manipulator`
 
@@ -58,19 +60,28 @@ fn main() -> kin::Result<()> {
     for k in (0..motion.len()).step_by(400) {
         paths = paths.sketch(&[vec2(0.0, 0.0), elbow.r()[k], e.r()[k]]);
     }
-    let paths = paths.path("origin of link 2", r2.r()).path("origin of link 3", r3.r()).path("end effector", e.r());
+    let paths =
+        paths.path("origin of link 2", r2.r()).path("origin of link 3", r3.r()).path("end effector", e.r());
     Figure::new(vec![paths]).save(format!("{OUT}/paths.svg"))?;
 
     let components = e.components(); // x, y, x', y', x'', y''
     let two = |title, quantity, k: usize| {
-        vec![Panel::over_time(title, quantity).series("along x", &components[k]).series("along y", &components[k + 1])]
+        vec![
+            Panel::over_time(title, quantity)
+                .series("along x", &components[k])
+                .series("along y", &components[k + 1]),
+        ]
     };
     Figure::new(two("Velocity of the end effector", "velocity", 2)).save(format!("{OUT}/velocities.svg"))?;
-    Figure::new(two("Acceleration of the end effector", "acceleration", 4)).save(format!("{OUT}/accelerations.svg"))?;
+    Figure::new(two("Acceleration of the end effector", "acceleration", 4))
+        .save(format!("{OUT}/accelerations.svg"))?;
     let scene = Scene::new(&system).trace("end effector", link3, link3.end());
     scene.animated(&motion, 12.0)?.save(format!("{OUT}/animated.svg"))?;
     let page = scene.page(&motion)?.chart("Speed of the end effector", [("speed", &speed)]);
-    page.chart("Acceleration of the end effector", [("acceleration", &acceleration)]).save(format!("{OUT}/index.html"))?;
-    println!("wrote {OUT}/: motion.csv, index.html, animated.svg, origins.svg, paths.svg, velocities.svg, accelerations.svg");
+    page.chart("Acceleration of the end effector", [("acceleration", &acceleration)])
+        .save(format!("{OUT}/index.html"))?;
+    println!(
+        "wrote {OUT}/: motion.csv, index.html, animated.svg, origins.svg, paths.svg, velocities.svg, accelerations.svg"
+    );
     Ok(())
 }

@@ -1,7 +1,9 @@
-//! A joint nobody ships, declared, checked and used: a pin in a parabolic slot. Lengths in m, angles in rad, time in s.
+//! A joint nobody ships, declared, checked and used: a pin in a parabolic slot. Lengths in m, angles in rad,
+//! time in s.
 //!
-//! What to see: the slot is milled into a disc that a motor turns; the pin sits at the end of an arm and is dragged round by it, slowly and
-//! then quickly: a quick-return drive. The constraint is five lines of this file, and the slot on the page comes from it. Copy this one.
+//! What to see: the slot is milled into a disc that a motor turns; the pin sits at the end of an arm and is
+//! dragged round by it, slowly and then quickly: a quick-return drive. The constraint is five lines of this
+//! file, and the slot on the page comes from it. Copy this one.
 //!
 //! `cargo run --release --example 03_custom_constraint`
 
@@ -25,7 +27,10 @@ fn main() -> kin::Result<()> {
     let any = parabolic_slot(any_planar(), any_planar(), vec2(0.06, 0.01), K);
     let report = check::compare(&any)?;
     println!("{}: {} route, compared at {} states", any.kind(), any.route(), report.states);
-    println!("  from dual numbers {:.0e}, from central differences {:.0e} (relative, at most)\n", report.routes, report.differences);
+    println!(
+        "  from dual numbers {:.0e}, from central differences {:.0e} (relative, at most)\n",
+        report.routes, report.differences
+    );
 
     // 3. Geometry: the disc turns about the vertex of its slot; the arm about C, nearer than its own length.
     let c = vec2(0.05, 0.0); // m
@@ -39,7 +44,8 @@ fn main() -> kin::Result<()> {
     m.add("C", revolute(ground, arm, c, arm.start()))?;
     m.add("slot", parabolic_slot(arm, disc, arm.end(), K))?;
 
-    // 5. Motion: the motor turns once a second; of the two assemblies, the one with the pin in the right half of the slot.
+    // 5. Motion: the motor turns once a second; of the two assemblies, the one with the pin in the right half
+    //    of the slot.
     m.add("motor", drive_angle(disc, Law::ramp(TAU)))?; // rad/s
     m.prefer(arm, 0.0); // rad
     m.write_json(format!("{OUT}/mechanism.json"))?;
@@ -50,10 +56,14 @@ fn main() -> kin::Result<()> {
     // 6. Results: how unevenly the arm turns, and whether the pin has stayed in the slot.
     let (pin, disc_angle) = (motion.point(arm, arm.end())?, motion.coordinate(disc.theta())?.value);
     let disc_at = |angle: &f64| PlanarState::new([0.0, 0.0, *angle]);
-    let in_disc: Vec<Vec2> = pin.r().iter().zip(disc_angle.values()).map(|(p, angle)| disc_at(angle).local(*p)).collect();
+    let in_disc: Vec<Vec2> =
+        pin.r().iter().zip(disc_angle.values()).map(|(p, angle)| disc_at(angle).local(*p)).collect();
     let off_slot: Vec<f64> = in_disc.iter().map(|s| s.y - K * s.x * s.x).collect();
     let arm_turns = motion.coordinate(arm.theta())?;
-    println!("{:28} {:>9} {:>10} {:>9} {:>10}", "over one turn of the disc", "least", "at t [s]", "greatest", "at t [s]");
+    println!(
+        "{:28} {:>9} {:>10} {:>9} {:>10}",
+        "over one turn of the disc", "least", "at t [s]", "greatest", "at t [s]"
+    );
     for q in [&arm_turns.rate, &arm_turns.second_rate, &pin.speed()] {
         let name = format!("{} [{}]", q.name(), q.unit());
         println!("{name:28} {:9.3} {:10.3} {:9.3} {:10.3}", q.min(), q.at_min(), q.max(), q.at_max());

@@ -1,7 +1,8 @@
 //! A four-bar linkage with the path of a point of its coupler. Lengths in m, angles in rad, time in s.
 //!
-//! What to see: the crank goes round evenly, the rocker swings; the coupler point P draws a closed curve of its own, straight on one side and
-//! round on the other. Such coupler curves pull film, stir dough and walk; other lengths and another P give another curve.
+//! What to see: the crank goes round evenly, the rocker swings; the coupler point P draws a closed curve of
+//! its own, straight on one side and round on the other. Such coupler curves pull film, stir dough and walk;
+//! other lengths and another P give another curve.
 //!
 //! `cargo run --release --example 04_four_bar`
 
@@ -23,7 +24,8 @@ fn main() -> kin::Result<()> {
     m.add("C", revolute(ground, rocker, vec2(4.0, 0.0), rocker.start()))?;
     m.add("motor", drive_angle(crank, Law::ramp(TAU)))?;
     m.prefer(rocker, deg(100.0));
-    m.write_json(format!("{OUT}/mechanism.json"))?; // reads back by Mechanism::read_json, a user's own constraints too
+    // reads back by Mechanism::read_json, a user's own constraints too
+    m.write_json(format!("{OUT}/mechanism.json"))?;
 
     // 2. Motion.
     let p = vec2(0.2, 1.4);
@@ -45,8 +47,13 @@ fn main() -> kin::Result<()> {
     scene.animated(&motion, 3.0)?.save(format!("{OUT}/animated.svg"))?;
     let angles = motion.coordinate(rocker.theta())?;
     let speed = motion.point(coupler, p)?.speed();
-    scene.page(&motion)?.chart("Speed of P", [("P", &speed)]).coordinate("Rocker", &angles).save(format!("{OUT}/index.html"))?;
+    scene
+        .page(&motion)?
+        .chart("Speed of P", [("P", &speed)])
+        .coordinate("Rocker", &angles)
+        .save(format!("{OUT}/index.html"))?;
     Figure::of_coordinate("Rocker", &angles).save(format!("{OUT}/rocker.svg"))?;
-    let condition = Panel::log_over_time("How well C_q can be solved", "condition number").series("κ", &system.condition(&motion)?);
+    let condition = Panel::log_over_time("How well C_q can be solved", "condition number")
+        .series("κ", &system.condition(&motion)?);
     Figure::new([condition]).save(format!("{OUT}/condition.svg"))
 }

@@ -1,8 +1,9 @@
-//! A crank-shaper: a slotted lever that goes slowly one way and quickly back. Lengths in m, angles in rad, time in s.
+//! A crank-shaper: a slotted lever that goes slowly one way and quickly back. Lengths in m, angles in rad,
+//! time in s.
 //!
-//! What to see: the crank turns evenly and its pin slides in the slot of the lever. While the pin is far from the lever's pivot the ram
-//! creeps to the left, cutting; when it passes near the pivot the ram is thrown back. The path of the pin in the lever is the slot itself:
-//! nobody told the page to draw it.
+//! What to see: the crank turns evenly and its pin slides in the slot of the lever. While the pin is far from
+//! the lever's pivot the ram creeps to the left, cutting; when it passes near the pivot the ram is thrown
+//! back. The path of the pin in the lever is the slot itself: nobody told the page to draw it.
 //!
 //! `cargo run --release --example 05_quick_return`
 
@@ -32,7 +33,8 @@ fn main() -> kin::Result<()> {
     m.add("guide", prismatic(ram, ground, vec2(0.0, 0.0), vec2(0.0, height), vec2(0.0, 1.0), 0.0))?;
     m.add("motor", drive_angle(crank, Law::ramp(TAU)))?; // one turn a second
 
-    // 3. Motion, and how uneven it is: the ram turns round where its rate is zero, found by solving the pose there.
+    // 3. Motion, and how uneven it is: the ram turns round where its rate is zero, found by solving the pose
+    //    there.
     m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 1.0, 721))?;
@@ -43,7 +45,12 @@ fn main() -> kin::Result<()> {
     if let Some(ratio) = ram_turns.time_ratio() {
         println!("cutting takes {ratio:.9} times as long as the way back, by the angles {by_angles:.9}");
     }
-    println!("ram: stroke {:.6} m, fastest {:.2} m/s one way and {:.2} m/s back", ram_turns.stroke(), x.rate.min(), x.rate.max());
+    println!(
+        "ram: stroke {:.6} m, fastest {:.2} m/s one way and {:.2} m/s back",
+        ram_turns.stroke(),
+        x.rate.min(),
+        x.rate.max()
+    );
     let pin = system.measure(&motion, "slot.slide")?.value;
     println!("the pin moves in the slot from {:.3} m to {:.3} m of {lever_length} m", pin.min(), pin.max());
     motion.add_point("E", ram, vec2(0.0, 0.0))?;

@@ -1,7 +1,8 @@
 //! A Scotch yoke: a turning crank becomes a pure sine. Lengths in m, angles in rad, time in s.
 //!
-//! What to see: the pin of the crank slides up and down in the yoke, the yoke slides sideways, and its position is the cosine of the
-//! crank's angle exactly; a slider-crank, with its rod of finite length, only comes near to that. The charts are sine, cosine and sine.
+//! What to see: the pin of the crank slides up and down in the yoke, the yoke slides sideways, and its
+//! position is the cosine of the crank's angle exactly; a slider-crank, with its rod of finite length, only
+//! comes near to that. The charts are sine, cosine and sine.
 //!
 //! `cargo run --release --example 06_scotch_yoke`
 
@@ -27,7 +28,12 @@ fn main() -> kin::Result<()> {
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 2.0, 721))?;
     let x = motion.coordinate(yoke.x())?;
-    let off = motion.times().iter().zip(x.value.values()).map(|(t, x)| (x - r * (TAU * t).cos()).abs()).fold(0.0, f64::max);
+    let off = motion
+        .times()
+        .iter()
+        .zip(x.value.values())
+        .map(|(t, x)| (x - r * (TAU * t).cos()).abs())
+        .fold(0.0, f64::max);
     println!("{}", motion.summary());
     println!("yoke: at most {off:.0e} m from {r} cos(2π t)");
     motion.add_point("A", crank, crank.end())?;
@@ -35,8 +41,15 @@ fn main() -> kin::Result<()> {
     motion.write_csv(format!("{OUT}/motion.csv"))?;
 
     // 3. Pictures: the yoke is told to look like one.
-    let frame = [vec2(-0.03, -slot - 0.02), vec2(0.03, -slot - 0.02), vec2(0.03, slot + 0.02), vec2(-0.03, slot + 0.02)];
-    let scene = Scene::new(&system).outline(yoke, Outline::polygon(frame)).outline(yoke, Outline::line([vec2(0.03, 0.0), vec2(rod, 0.0)]));
+    let frame = [
+        vec2(-0.03, -slot - 0.02),
+        vec2(0.03, -slot - 0.02),
+        vec2(0.03, slot + 0.02),
+        vec2(-0.03, slot + 0.02),
+    ];
+    let scene = Scene::new(&system)
+        .outline(yoke, Outline::polygon(frame))
+        .outline(yoke, Outline::line([vec2(0.03, 0.0), vec2(rod, 0.0)]));
     let scene = scene.trace("yoke", yoke, vec2(rod, 0.0));
     scene.sequence(&motion, 5)?.save(format!("{OUT}/sequence.svg"))?;
     scene.animated(&motion, 4.0)?.save(format!("{OUT}/animated.svg"))?;

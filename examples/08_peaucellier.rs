@@ -1,7 +1,8 @@
 //! Peaucellier's linkage: seven bars that draw a straight line. Lengths in m, angles in rad, time in s.
 //!
-//! What to see: every point of this linkage goes on a circle or a bent curve, but D goes straight up and down. The bars make D the inverse of
-//! C in a circle about O; C runs on a circle through O, and the inverse of such a circle is a line. In 1864 it was the first exact one.
+//! What to see: every point of this linkage goes on a circle or a bent curve, but D goes straight up and
+//! down. The bars make D the inverse of C in a circle about O; C runs on a circle through O, and the inverse
+//! of such a circle is a line. In 1864 it was the first exact one.
 //!
 //! `cargo run --release --example 08_peaucellier`
 
@@ -57,7 +58,11 @@ fn main() -> kin::Result<()> {
     scene.animated(&motion, 4.0)?.save(format!("{OUT}/animated.svg"))?;
     let [x, y, vx, vy, ..] = &drawn.components()[..] else { return Ok(()) };
     let condition = system.condition(&motion)?;
-    Figure::new([Panel::log_over_time("Condition of C_q", "κ").series("κ", &condition)]).save(format!("{OUT}/condition.svg"))?;
-    let page = scene.page(&motion)?.chart("Position of D", [("x", x), ("y", y)]).chart("Velocity of D", [("x'", vx), ("y'", vy)]);
+    Figure::new([Panel::log_over_time("Condition of C_q", "κ").series("κ", &condition)])
+        .save(format!("{OUT}/condition.svg"))?;
+    let page = scene
+        .page(&motion)?
+        .chart("Position of D", [("x", x), ("y", y)])
+        .chart("Velocity of D", [("x'", vx), ("y'", vy)]);
     page.chart("Condition number of C_q", [("κ", &condition)]).save(format!("{OUT}/index.html"))
 }

@@ -1,7 +1,8 @@
 //! The leg of Theo Jansen's beach animals, with his "holy numbers". Lengths in m, angles in rad, time in s.
 //!
-//! What to see: one even turn of the crank makes a step. For half of the time the foot is on the ground and runs almost straight and evenly;
-//! then it is lifted, thrown forward and set down again. Seven bodies, twenty pins' equations, one motor.
+//! What to see: one even turn of the crank makes a step. For half of the time the foot is on the ground and
+//! runs almost straight and evenly; then it is lifted, thrown forward and set down again. Seven bodies,
+//! twenty pins' equations, one motor.
 //!
 //! `cargo run --release --example 09_jansen_leg`
 
@@ -18,7 +19,8 @@ fn apex(a: Vec2, b: Vec2, r_a: f64, r_b: f64) -> Vec2 {
 }
 
 fn main() -> kin::Result<()> {
-    // 1. Jansen's lengths, in mm, and the points of the leg where the crank lies to the right, from circles about known points.
+    // 1. Jansen's lengths, in mm, and the points of the leg where the crank lies to the right, from circles
+    //    about known points.
     let [a, b, c, d, e, f, g, h, i, j, k, l, m_] =
         [38.0, 41.5, 39.3, 40.1, 55.8, 39.4, 36.7, 65.7, 49.0, 50.0, 61.9, 7.8, 15.0].map(|x| 1e-3 * x);
     let (z, y, x) = (vec2(0.0, 0.0), vec2(-a, -l), vec2(m_, 0.0)); // crank's axle, fixed pivot, crank pin
@@ -54,8 +56,10 @@ fn main() -> kin::Result<()> {
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 1.0, 721))?;
     let path = motion.point(shin, foot - u)?;
-    let (low, high) = path.r().iter().fold((f64::MAX, f64::MIN), |(low, high), p| (low.min(p.y), high.max(p.y)));
-    let on_ground = path.r().iter().filter(|p| p.y < low + 0.1 * (high - low)).count() as f64 / motion.len() as f64;
+    let (low, high) =
+        path.r().iter().fold((f64::MAX, f64::MIN), |(low, high), p| (low.min(p.y), high.max(p.y)));
+    let on_ground =
+        path.r().iter().filter(|p| p.y < low + 0.1 * (high - low)).count() as f64 / motion.len() as f64;
     println!("{}", motion.summary());
     println!(
         "the foot lifts by {:.1} mm and stays in the lowest tenth of that for {:.0} % of a turn",
@@ -72,6 +76,9 @@ fn main() -> kin::Result<()> {
     scene.sequence(&motion, 6)?.save(format!("{OUT}/sequence.svg"))?;
     scene.animated(&motion, 3.0)?.save(format!("{OUT}/animated.svg"))?;
     let [x, y, vx, vy, ..] = &path.components()[..] else { return Ok(()) };
-    let page = scene.page(&motion)?.chart("Foot", [("x", x), ("y", y)]).chart("Velocity of the foot", [("x'", vx), ("y'", vy)]);
+    let page = scene
+        .page(&motion)?
+        .chart("Foot", [("x", x), ("y", y)])
+        .chart("Velocity of the foot", [("x'", vx), ("y'", vy)]);
     page.save(format!("{OUT}/index.html"))
 }

@@ -1,8 +1,10 @@
-//! A two-link arm that follows a drawn path: inverse kinematics by a driver of two equations. Lengths in m, angles in rad, time in s.
+//! A two-link arm that follows a drawn path: inverse kinematics by a driver of two equations. Lengths in m,
+//! angles in rad, time in s.
 //!
-//! What to see: nobody says how the joints are to turn. Fifteen points of a drawing become two periodic splines of time, the pen at the end of
-//! the arm is driven along them, r_P = (f1(t), f2(t)), and the solver finds the angles; their rates and accelerations, which motors would need,
-//! come with them. Watch the elbow hurry at the tail of the fish.
+//! What to see: nobody says how the joints are to turn. Fifteen points of a drawing become two periodic
+//! splines of time, the pen at the end of the arm is driven along them, r_P = (f1(t), f2(t)), and the solver
+//! finds the angles; their rates and accelerations, which motors would need, come with them. Watch the elbow
+//! hurry at the tail of the fish.
 //!
 //! `cargo run --release --example 10_drawn_path`
 
@@ -40,7 +42,8 @@ fn main() -> kin::Result<()> {
     }
     let whole = t[t.len() - 1];
     let spline = |pick: fn(&(f64, f64)) -> f64| {
-        let table: Vec<(f64, f64)> = t.iter().zip(&DRAWING).map(|(t, p)| (SECONDS * t / whole, pick(p))).collect();
+        let table: Vec<(f64, f64)> =
+            t.iter().zip(&DRAWING).map(|(t, p)| (SECONDS * t / whole, pick(p))).collect();
         Law::spline(&table, Ends::Periodic)
     };
     let (x, y) = (spline(|p| p.0), spline(|p| p.1));
@@ -60,9 +63,14 @@ fn main() -> kin::Result<()> {
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, SECONDS, 10_001))?;
     let (shoulder, elbow) = (motion.coordinate(upper.theta())?, motion.coordinate(fore.theta())?);
-    let relative: Vec<f64> = elbow.value.values().iter().zip(shoulder.value.values()).map(|(fore, upper)| fore - upper).collect();
+    let relative: Vec<f64> =
+        elbow.value.values().iter().zip(shoulder.value.values()).map(|(fore, upper)| fore - upper).collect();
     println!("{}", motion.summary());
-    println!("shoulder: at most {:.2} rad/s and {:.1} rad/s²", shoulder.rate.max(), shoulder.second_rate.max());
+    println!(
+        "shoulder: at most {:.2} rad/s and {:.1} rad/s²",
+        shoulder.rate.max(),
+        shoulder.second_rate.max()
+    );
     motion.add_point("pen", fore, fore.end())?;
     motion.add_point("elbow", upper, upper.end())?;
     motion.add_output("elbow angle", "rad", relative)?;
@@ -72,10 +80,16 @@ fn main() -> kin::Result<()> {
     let scene = Scene::new(&system).trace("pen", fore, fore.end());
     scene.sequence(&motion, 9)?.save(format!("{OUT}/sequence.svg"))?;
     scene.animated(&motion, SECONDS)?.save(format!("{OUT}/animated.svg"))?;
-    let rates = Panel::over_time("Joints", "angular velocity").series("shoulder", &shoulder.rate).series("forearm", &elbow.rate);
+    let rates = Panel::over_time("Joints", "angular velocity")
+        .series("shoulder", &shoulder.rate)
+        .series("forearm", &elbow.rate);
     Figure::new([rates]).save(format!("{OUT}/rates.svg"))?;
-    let page = scene.page(&motion)?.chart("Angles", [("shoulder", &shoulder.value), ("forearm", &elbow.value)]);
+    let page =
+        scene.page(&motion)?.chart("Angles", [("shoulder", &shoulder.value), ("forearm", &elbow.value)]);
     let page = page.chart("Angular velocities", [("shoulder", &shoulder.rate), ("forearm", &elbow.rate)]);
-    let page = page.chart("Angular accelerations", [("shoulder", &shoulder.second_rate), ("forearm", &elbow.second_rate)]);
+    let page = page.chart(
+        "Angular accelerations",
+        [("shoulder", &shoulder.second_rate), ("forearm", &elbow.second_rate)],
+    );
     page.save(format!("{OUT}/index.html"))
 }

@@ -1,8 +1,10 @@
-//! An epicyclic gear: sun, three planets on a carrier, and a ring that stands still. Lengths in m, angles in rad, time in s.
+//! An epicyclic gear: sun, three planets on a carrier, and a ring that stands still. Lengths in m, angles in
+//! rad, time in s.
 //!
-//! What to see: the sun turns four times while the carrier goes round once, 1 + z_ring/z_sun = 4, and the teeth stay in mesh all the way. A
-//! point on the edge of a planet draws a hypocycloid, with its cusps on the pitch circle of the ring. The teeth are only drawn: the
-//! constraint is that the pitch circles roll on each other.
+//! What to see: the sun turns four times while the carrier goes round once, 1 + z_ring/z_sun = 4, and the
+//! teeth stay in mesh all the way. A point on the edge of a planet draws a hypocycloid, with its cusps on the
+//! pitch circle of the ring. The teeth are only drawn: the constraint is that the pitch circles roll on each
+//! other.
 //!
 //! `cargo run --release --example 11_epicyclic_gears`
 
@@ -32,7 +34,10 @@ fn main() -> kin::Result<()> {
         let at = vec2(place.cos(), place.sin()) * (r_sun + r_planet);
         let planet = m.planar(&format!("planet {}", k + 1), pose(at.x, at.y, 0.0))?;
         m.add(&format!("axle {}", k + 1), revolute(carrier, planet, at, origin))?;
-        m.add(&format!("ring mesh {}", k + 1), internal_gear(planet, ground, carrier, r_planet, r_ring, 0.0))?;
+        m.add(
+            &format!("ring mesh {}", k + 1),
+            internal_gear(planet, ground, carrier, r_planet, r_ring, 0.0),
+        )?;
         if k == 0 {
             m.add("sun mesh", gear(planet, sun, carrier, r_planet, r_sun, 0.0))?;
         }
@@ -52,8 +57,9 @@ fn main() -> kin::Result<()> {
     motion.write_csv(format!("{OUT}/motion.csv"))?;
 
     // 4. Pictures: wheels with teeth, and a ring with its teeth inside.
-    let mut scene =
-        Scene::new(&system).trace("edge", first, vec2(r_planet, 0.0)).outline(ground, Outline::disc(origin, 1.12 * r_ring).hollow());
+    let mut scene = Scene::new(&system)
+        .trace("edge", first, vec2(r_planet, 0.0))
+        .outline(ground, Outline::disc(origin, 1.12 * r_ring).hollow());
     scene = scene
         .outline(ground, Outline::gear(r_ring, teeth_ring).hollow())
         .outline(sun, Outline::gear(r_sun, teeth_sun).turned(half_tooth(teeth_sun)));
@@ -63,8 +69,10 @@ fn main() -> kin::Result<()> {
     scene.pose(&motion, 0.5)?.save(format!("{OUT}/pose.svg"))?;
     scene.animated(&motion, 8.0)?.save(format!("{OUT}/animated.svg"))?;
     let planet_turns = motion.coordinate(first.theta())?;
-    let page = scene.page(&motion)?.chart("Angles", [("sun", &sun_turns.value), ("planet", &planet_turns.value)]);
-    page.chart("Speed of the edge", [("edge", &motion.point(first, vec2(r_planet, 0.0))?.speed())]).save(format!("{OUT}/index.html"))
+    let page =
+        scene.page(&motion)?.chart("Angles", [("sun", &sun_turns.value), ("planet", &planet_turns.value)]);
+    page.chart("Speed of the edge", [("edge", &motion.point(first, vec2(r_planet, 0.0))?.speed())])
+        .save(format!("{OUT}/index.html"))
 }
 
 /// Half a pitch: where one wheel has a tooth, its partner has a gap.

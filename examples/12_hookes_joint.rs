@@ -1,8 +1,8 @@
 //! Hooke's joint and the double Cardan shaft. Lengths in m, angles in rad, time in s.
 //!
-//! What to see: the first shaft turns evenly, the middle one does not: one Hooke's joint at an angle β makes its speed swing between cos β and
-//! 1/cos β, twice a turn. The second joint, its forks in line with those of the first, takes all of that back, and the last shaft turns
-//! evenly again. Drag the picture to go round it.
+//! What to see: the first shaft turns evenly, the middle one does not: one Hooke's joint at an angle β makes
+//! its speed swing between cos β and 1/cos β, twice a turn. The second joint, its forks in line with those of
+//! the first, takes all of that back, and the last shaft turns evenly again. Drag the picture to go round it.
 //!
 //! `cargo run --release --example 12_hookes_joint`
 
@@ -13,14 +13,19 @@ use kin_view::{Figure, Outline, Panel, Scene};
 
 const OUT: &str = "out/12_hookes_joint";
 
-/// A shaft along its x-axis with a fork of half-width w at one end (s = 1 or −1), whose tips carry the bar of the cross along `bar`.
+/// A shaft along its x-axis with a fork of half-width w at one end (s = 1 or −1), whose tips carry the bar of
+/// the cross along `bar`.
 fn fork(half: f64, s: f64, w: f64, bar: Vec3) -> [Outline; 2] {
     let at = |x: f64, side: f64| vec3(s * x, 0.0, 0.0) + bar * (side * w);
-    [Outline::line([at(half, 1.0), at(half - w, 1.0), at(half - w, -1.0), at(half, -1.0)]), Outline::line([at(half, 1.0), at(half, -1.0)])]
+    [
+        Outline::line([at(half, 1.0), at(half - w, 1.0), at(half - w, -1.0), at(half, -1.0)]),
+        Outline::line([at(half, 1.0), at(half, -1.0)]),
+    ]
 }
 
 fn main() -> kin::Result<()> {
-    // 1. Geometry: three shafts in a plane, the middle one at an angle β to the others; frames in the middle of each.
+    // 1. Geometry: three shafts in a plane, the middle one at an angle β to the others; frames in the middle
+    //    of each.
     let (beta, half) = (deg(40.0), 0.2); // rad, m
     let (x, y, z) = (Vec3::x(), Vec3::y(), Vec3::z());
     let along = vec3(beta.cos(), 0.0, beta.sin());
@@ -31,7 +36,8 @@ fn main() -> kin::Result<()> {
     let middle = m.spatial("middle shaft", SpatialPose::turned(a + along * half, -y, beta))?;
     let last = m.spatial("last shaft", SpatialPose::at(b + x * half))?;
 
-    // 2. Constraints: 5 + 4 + 4 + 4 equations, the motor's, and one norm a body, for 21 coordinates. The last shaft may slide in its bearing.
+    // 2. Constraints: 5 + 4 + 4 + 4 equations, the motor's, and one norm a body, for 21 coordinates. The last
+    //    shaft may slide in its bearing.
     let axis = Axis::along(x);
     m.add("bearing", spatial::revolute(first, ground, x * -half, x * -half, axis, x))?;
     m.add("A", spatial::universal(first, middle, x * half, x * -half, y, z))?;
@@ -66,15 +72,25 @@ fn main() -> kin::Result<()> {
     let mut scene = Scene::new(&system).trace("tip", middle, x * -half + z * w).seen_from(-1.1, 0.3);
     for (body, outlines) in [
         (first, vec![shaft(-half, half - w)].into_iter().chain(fork(half, 1.0, w, y)).collect::<Vec<_>>()),
-        (middle, vec![shaft(w - half, half - w)].into_iter().chain(fork(half, 1.0, w, z)).chain(fork(half, -1.0, w, z)).collect()),
+        (
+            middle,
+            vec![shaft(w - half, half - w)]
+                .into_iter()
+                .chain(fork(half, 1.0, w, z))
+                .chain(fork(half, -1.0, w, z))
+                .collect(),
+        ),
         (last, vec![shaft(w - half, half)].into_iter().chain(fork(half, -1.0, w, y)).collect()),
     ] {
         scene = outlines.into_iter().fold(scene, |scene, outline| scene.outline(body, outline));
     }
     scene.pose(&motion, 0.3)?.save(format!("{OUT}/pose.svg"))?;
     scene.animated(&motion, 6.0)?.save(format!("{OUT}/animated.svg"))?;
-    let panel = turning.iter().fold(Panel::over_time("Shafts", "angular velocity"), |panel, shaft| panel.series(shaft.name(), shaft));
+    let panel = turning.iter().fold(Panel::over_time("Shafts", "angular velocity"), |panel, shaft| {
+        panel.series(shaft.name(), shaft)
+    });
     Figure::new([panel]).save(format!("{OUT}/speeds.svg"))?;
-    let page = scene.page(&motion)?.chart("Angular velocities", turning.iter().map(|shaft| (shaft.name(), shaft)));
+    let page =
+        scene.page(&motion)?.chart("Angular velocities", turning.iter().map(|shaft| (shaft.name(), shaft)));
     page.save(format!("{OUT}/index.html"))
 }

@@ -1,8 +1,9 @@
 //! A Stewart platform: six legs of changing length carry a plate. Lengths in m, angles in rad, time in s.
 //!
-//! What to see: each leg follows a sine of its own, a sixth of a turn after its neighbour, and the plate rolls, pitches and rises. Where the
-//! plate stands is not in the program: six lengths decide it, and the solver finds it (the forward problem, which has no formula). The condition
-//! number tells how far the plate is from a pose that the legs cannot hold. Drag the picture to go round it.
+//! What to see: each leg follows a sine of its own, a sixth of a turn after its neighbour, and the plate
+//! rolls, pitches and rises. Where the plate stands is not in the program: six lengths decide it, and the
+//! solver finds it (the forward problem, which has no formula). The condition number tells how far the plate
+//! is from a pose that the legs cannot hold. Drag the picture to go round it.
 //!
 //! `cargo run --release --example 13_stewart_platform`
 
@@ -31,7 +32,8 @@ fn main() -> kin::Result<()> {
     for k in 0..6 {
         let (foot, head) = (feet[(k + 5) % 6], heads[k]);
         let length = (head + vec3(0.0, 0.0, height) - foot).norm();
-        let law = Law::constant(length) + Law::sine(0.09, TAU / 4.0, TAU / 6.0 * k as f64); // four seconds a wave
+        // four seconds a wave
+        let law = Law::constant(length) + Law::sine(0.09, TAU / 4.0, TAU / 6.0 * k as f64);
         m.add(&format!("leg {}", k + 1), drive_distance(plate, ground, head, foot, law))?;
     }
 
@@ -41,23 +43,38 @@ fn main() -> kin::Result<()> {
     let mut motion = system.run(linspace(0.0, 8.0, 1601))?;
     let centre = motion.point(plate, vec3(0.0, 0.0, 0.0))?;
     let condition = system.condition(&motion)?;
-    let tilt: Vec<f64> =
-        motion.point(plate, Vec3::z())?.r().iter().zip(centre.r()).map(|(tip, r)| (tip.z - r.z).clamp(-1.0, 1.0).acos()).collect();
+    let tilt: Vec<f64> = motion
+        .point(plate, Vec3::z())?
+        .r()
+        .iter()
+        .zip(centre.r())
+        .map(|(tip, r)| (tip.z - r.z).clamp(-1.0, 1.0).acos())
+        .collect();
     println!("{}", motion.summary());
     motion.add_point("centre", plate, vec3(0.0, 0.0, 0.0))?;
     motion.add_point("head", plate, heads[0])?;
     motion.add_output("tilt", "rad", tilt)?;
     motion.write_csv(format!("{OUT}/motion.csv"))?;
     let Some(tilt) = motion.outputs().last() else { return Ok(()) };
-    println!("the plate tilts by up to {:.1}°, condition number up to {:.0}", tilt.max().to_degrees(), condition.max());
+    println!(
+        "the plate tilts by up to {:.1}°, condition number up to {:.0}",
+        tilt.max().to_degrees(),
+        condition.max()
+    );
 
     // 4. Pictures: the plate's frame stands at its middle, the ground is told to be a plate too.
-    let scene = Scene::new(&system).trace("centre", plate, vec3(0.0, 0.0, 0.0)).trace("head", plate, heads[0]);
+    let scene =
+        Scene::new(&system).trace("centre", plate, vec3(0.0, 0.0, 0.0)).trace("head", plate, heads[0]);
     let scene = scene.outline(ground, Outline::polygon(feet)).seen_from(-0.8, 0.45);
     scene.sequence(&motion, 4)?.save(format!("{OUT}/sequence.svg"))?;
     scene.animated(&motion, 8.0)?.save(format!("{OUT}/animated.svg"))?;
     let components = centre.components();
-    Figure::new([Panel::over_time("Tilt of the plate", "angle").series("tilt", tilt)]).save(format!("{OUT}/tilt.svg"))?;
-    let page = scene.page(&motion)?.chart("Centre", [("x", &components[0]), ("y", &components[1]), ("z", &components[2])]);
-    page.chart("Tilt", [("tilt", tilt)]).chart("Condition number of C_q", [("κ", &condition)]).save(format!("{OUT}/index.html"))
+    Figure::new([Panel::over_time("Tilt of the plate", "angle").series("tilt", tilt)])
+        .save(format!("{OUT}/tilt.svg"))?;
+    let page = scene
+        .page(&motion)?
+        .chart("Centre", [("x", &components[0]), ("y", &components[1]), ("z", &components[2])]);
+    page.chart("Tilt", [("tilt", tilt)])
+        .chart("Condition number of C_q", [("κ", &condition)])
+        .save(format!("{OUT}/index.html"))
 }

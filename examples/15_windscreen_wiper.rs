@@ -1,8 +1,9 @@
 //! A windscreen wiper, and what can be asked of a mechanism. Lengths in m, angles in rad, time in s.
 //!
-//! What to see: a crank that goes round evenly swings the wiper to and fro. Where it turns round is not read off the grid: the pose is solved at
-//! the very time at which the rate is zero. Beside that the page has the angle at which the rod pushes the arm (the nearer to 90°, the better), the
-//! jerk of the blade's tip, which is what one hears, and the list of what happened on the way: the blade passes the edge of the glass.
+//! What to see: a crank that goes round evenly swings the wiper to and fro. Where it turns round is not read
+//! off the grid: the pose is solved at the very time at which the rate is zero. Beside that the page has the
+//! angle at which the rod pushes the arm (the nearer to 90°, the better), the jerk of the blade's tip, which
+//! is what one hears, and the list of what happened on the way: the blade passes the edge of the glass.
 //!
 //! `cargo run --release --example 15_windscreen_wiper`
 
@@ -13,8 +14,10 @@ use kin_view::{Figure, Outline, Panel, Scene};
 const OUT: &str = "out/15_windscreen_wiper";
 
 fn main() -> kin::Result<()> {
-    // 1. Geometry and constraints: a crank-rocker whose arm carries the blade; one turn of the crank in a second.
-    let (apart, tip) = (0.26, vec2(0.45, 0.0)); // m: the ground pins; the blade's tip from the middle of the arm
+    // 1. Geometry and constraints: a crank-rocker whose arm carries the blade; one turn of the crank in a
+    //    second.
+    // m: the ground pins; the blade's tip from the middle of the arm
+    let (apart, tip) = (0.26, vec2(0.45, 0.0));
     let mut m = Mechanism::new("windscreen wiper");
     let ground = m.ground();
     let crank = m.link("crank", 0.035)?;
@@ -31,13 +34,19 @@ fn main() -> kin::Result<()> {
 
     // 2. Motion, with the jerk.
     let system = m.build()?;
-    let mut motion = system.run_with(linspace(0.0, 1.0, 361), &Options { jerk: true, ..Options::default() })?;
+    let mut motion =
+        system.run_with(linspace(0.0, 1.0, 361), &Options { jerk: true, ..Options::default() })?;
     println!("{}\n", motion.summary());
 
-    // 3. Questions. A measure is a name, a coordinate or a function of a motion; its extremes come with their exact times.
+    // 3. Questions. A measure is a name, a coordinate or a function of a motion; its extremes come with their
+    //    exact times.
     println!("what can be asked by name: {}", system.measures().join(", "));
     let swing = system.extremes(&motion, "C.angle")?;
-    println!("swing {:.2}°, time ratio {:.4}", swing.stroke().to_degrees(), swing.time_ratio().unwrap_or(f64::NAN));
+    println!(
+        "swing {:.2}°, time ratio {:.4}",
+        swing.stroke().to_degrees(),
+        swing.time_ratio().unwrap_or(f64::NAN)
+    );
     for dead_centre in swing.all() {
         let pose = system.at(&motion, dead_centre.t)?; // a motion of one time: ask it anything
         let (crank, rod) = (pose.coordinate(crank.theta())?.value, pose.coordinate(rod.theta())?.value);
@@ -56,7 +65,12 @@ fn main() -> kin::Result<()> {
     }
     let point = motion.point(arm, tip)?;
     let jerk = point.jerk_magnitude();
-    println!("tip: at most {:.2} m/s, {:.1} m/s², {:.0} m/s³", point.speed().max(), point.acceleration_magnitude().max(), jerk.max());
+    println!(
+        "tip: at most {:.2} m/s, {:.1} m/s², {:.0} m/s³",
+        point.speed().max(),
+        point.acceleration_magnitude().max(),
+        jerk.max()
+    );
     let centres = motion.instant_centre(rod, ground)?;
     let nearest = centres.iter().flatten().map(|p| p.norm()).fold(f64::MAX, f64::min);
     println!("the rod's instant centre comes as near as {nearest:.3} m to the crank's axle\n");
@@ -72,7 +86,9 @@ fn main() -> kin::Result<()> {
     let blade = [arm.start(), tip];
     let scene = Scene::new(&system).trace("tip", arm, tip).outline(arm, Outline::line(blade));
     for (side, dead_centre) in ["one", "other"].into_iter().zip(swing.all()) {
-        scene.pose(&system.at(&motion, dead_centre.t)?, dead_centre.t)?.save(format!("{OUT}/dead_centre_{side}.svg"))?;
+        scene
+            .pose(&system.at(&motion, dead_centre.t)?, dead_centre.t)?
+            .save(format!("{OUT}/dead_centre_{side}.svg"))?;
     }
     scene.sequence(&motion, 7)?.save(format!("{OUT}/sequence.svg"))?;
     scene.animated(&motion, 2.0)?.save(format!("{OUT}/animated.svg"))?;
@@ -84,6 +100,9 @@ fn main() -> kin::Result<()> {
         Panel::over_time("Tip", "jerk").series("tip", &jerk),
     ];
     Figure::new(panels).save(format!("{OUT}/measures.svg"))?;
-    let page = scene.page(&motion)?.chart("Transmission angle", [("μ", &transmission.value)]).chart("Jerk of the tip", [("tip", &jerk)]);
+    let page = scene
+        .page(&motion)?
+        .chart("Transmission angle", [("μ", &transmission.value)])
+        .chart("Jerk of the tip", [("tip", &jerk)]);
     page.coordinate("Wiper", &angle).save(format!("{OUT}/index.html"))
 }

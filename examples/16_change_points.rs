@@ -1,8 +1,9 @@
 //! A parallelogram that changes at its dead positions. Lengths in m, angles in rad, time in s.
 //!
-//! What to see: crank and rocker go round side by side until all four links lie in line; there the mechanism could be either of two. On the page it
-//! goes on as an antiparallelogram, the rocker the other way round, and changes back one turn later. Locomotives have a second set of rods at a
-//! right angle, so that theirs never can.
+//! What to see: crank and rocker go round side by side until all four links lie in line; there the mechanism
+//! could be either of two. On the page it goes on as an antiparallelogram, the rocker the other way round,
+//! and changes back one turn later. Locomotives have a second set of rods at a right angle, so that theirs
+//! never can.
 //!
 //! `cargo run --release --example 16_change_points`
 
@@ -28,7 +29,8 @@ fn parallelogram() -> kin::Result<(Mechanism, [Link; 3])> {
 }
 
 fn main() -> kin::Result<()> {
-    // 1. A crank that turns once a second, from 60°: the run passes both flat positions of each turn and stays what it is.
+    // 1. A crank that turns once a second, from 60°: the run passes both flat positions of each turn and
+    //    stays what it is.
     let (mut m, [crank, coupler, rocker]) = parallelogram()?;
     m.add("motor", drive_angle(crank, Law::linear(deg(60.0), TAU)))?;
     m.write_json(format!("{OUT}/mechanism.json"))?;
@@ -43,7 +45,10 @@ fn main() -> kin::Result<()> {
     let mut motion = system.run_with(&times, &options)?;
     for found in motion.singular_positions() {
         let speeds: Vec<f64> = found.branches.iter().map(|branch| branch.qd[8] / TAU).collect();
-        println!("t = {:.6} s: the rocker can go on at {speeds:.3?} of the crank's speed; taken: the first", found.t);
+        println!(
+            "t = {:.6} s: the rocker can go on at {speeds:.3?} of the crank's speed; taken: the first",
+            found.t
+        );
     }
     motion.add_point("A", crank, crank.end())?;
     motion.add_point("B", rocker, rocker.end())?;
@@ -59,7 +64,9 @@ fn main() -> kin::Result<()> {
     short.add("guide", prismatic(block, Ground, vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(1.0, 0.0), 0.0))?;
     short.add("press", drive(block.y(), Law::linear(1.5, 1.0)))?; // reaches 1 + 1.2 at t = 0.7
     match short.build()?.run(linspace(0.0, 2.0, 21)) {
-        Err(Error::Toggle { t, movable, .. }) => println!("the press stops at t = {t:.12} s with {} in line", movable.join(", ")),
+        Err(Error::Toggle { t, movable, .. }) => {
+            println!("the press stops at t = {t:.12} s with {} in line", movable.join(", "))
+        }
         run => println!("{:?}", run?),
     }
 
@@ -71,5 +78,6 @@ fn main() -> kin::Result<()> {
     scene.page(&motion)?.coordinate("Rocker", &angle).save(format!("{OUT}/index.html"))?;
     Figure::of_coordinate("Rocker", &angle).save(format!("{OUT}/rocker.svg"))?;
     let near = Panel::log_over_time("How near to a singular position", "smallest singular value");
-    Figure::new([near.series("σ", &system.smallest_singular_value(&motion)?)]).save(format!("{OUT}/singular.svg"))
+    Figure::new([near.series("σ", &system.smallest_singular_value(&motion)?)])
+        .save(format!("{OUT}/singular.svg"))
 }

@@ -16,7 +16,10 @@ fn main() -> Result<(), Failure> {
         .collect();
     names.sort();
 
-    let mut gallery = Gallery::new("Kin: a gallery of mechanisms", "Each mechanism is one program of a page; click to see it move.");
+    let mut gallery = Gallery::new(
+        "Kin: a gallery of mechanisms",
+        "Each mechanism is one program of a page; click to see it move.",
+    );
     for name in &names {
         println!("== {name}");
         run(name)?;
@@ -38,8 +41,10 @@ fn run(name: &str) -> Result<(), Failure> {
 
 /// The title and the paragraph of what to see, from the first comment of a program.
 fn described(program: &str) -> (String, String) {
-    let comment: Vec<&str> = program.lines().map_while(|line| line.strip_prefix("//!")).map(str::trim).collect();
-    let title = comment.first().and_then(|line| line.split_once(". ").map_or(Some(*line), |(first, _)| Some(first)));
+    let comment: Vec<&str> =
+        program.lines().map_while(|line| line.strip_prefix("//!")).map(str::trim).collect();
+    let title =
+        comment.first().and_then(|line| line.split_once(". ").map_or(Some(*line), |(first, _)| Some(first)));
     let paragraphs = comment.split(|line| line.is_empty()).map(|lines| lines.join(" "));
     let text = paragraphs.filter_map(|text| text.strip_prefix("What to see: ").map(String::from)).next();
     let mut letters = text.unwrap_or_default().chars().collect::<Vec<_>>();

@@ -21,8 +21,8 @@ pub use kin_core::*;
 // Listed under `extend`; these paths are shorter, and those that emitted code and constraints by hand have.
 #[doc(hidden)]
 pub use kin_core::extend::{
-    Attached, Attachment, Dependence, Dual, Lanes, LawFunction, Measured, Real, Target, Terms, blame, by_dual, coordinates, dual_route,
-    dual_terms, jerk_rhs, lanes, measure, real, state, terms,
+    Attached, Attachment, Dependence, Dual, Lanes, LawFunction, Measured, Real, Target, Terms, blame,
+    by_dual, coordinates, dual_route, dual_terms, jerk_rhs, lanes, measure, real, state, terms,
 };
 
 /// Everything a program with a mechanism in it needs: `use kin::prelude::*;`.
@@ -32,9 +32,9 @@ pub mod prelude {
     pub use kin_core::joints::planar::*;
     pub use kin_core::joints::spatial;
     pub use kin_core::{
-        Axis, Constraint, Coord, Coordinate, Ends, EulerParameters, Ground, Law, Link, Marker, Mat2, Mat3, Mechanism, Motion, Planar,
-        PlanarBody, Pose, Route, Series, Spatial, SpatialBody, SpatialLink, SpatialPose, System, Time, Vec2, Vec3, constraint, deg, law,
-        linspace, pose, vec2, vec3,
+        Axis, Constraint, Coord, Coordinate, Ends, EulerParameters, Ground, Law, Link, Marker, Mat2, Mat3,
+        Mechanism, Motion, Planar, PlanarBody, Pose, Route, Series, Spatial, SpatialBody, SpatialLink,
+        SpatialPose, System, Time, Vec2, Vec3, constraint, deg, law, linspace, pose, vec2, vec3,
     };
     pub use std::f64::consts::{PI, TAU};
 }

@@ -46,7 +46,10 @@ fn of_a_joint_of_the_library() {
 fn whatever_they_are_computed_from_but_not_what_moves() {
     let mut joint = pin_in_slot(any_planar(), any_planar(), vec2(0.1, 0.2), 3.0);
     assert_eq!(joint.route(), Route::Symbolic);
-    assert_eq!(shown(&joint), [(1, "direction", [0.0, 1.0, 0.0]), (0, "point", [0.2, 0.4, 0.0]), (1, "point", [1.5, 0.0, 0.0])]);
+    assert_eq!(
+        shown(&joint),
+        [(1, "direction", [0.0, 1.0, 0.0]), (0, "point", [0.2, 0.4, 0.0]), (1, "point", [1.5, 0.0, 0.0])]
+    );
     assert!(joint.set_parameter("length", 4.0));
     assert_eq!(shown(&joint)[2], (1, "point", [2.0, 0.0, 0.0]));
 }
@@ -66,7 +69,8 @@ fn a_system_shows_its_bodies_its_constraints_and_its_condition() -> kin::Result<
     m.add("motor", drive_angle(arm, Law::ramp(1.0)))?;
     let system = m.build()?;
     assert_eq!(system.bodies().iter().map(|(name, _)| *name).collect::<Vec<_>>(), ["arm"]);
-    let constraints: Vec<_> = system.constraints().map(|(name, c)| (name, c.kind().to_string(), c.attachments().len())).collect();
+    let constraints: Vec<_> =
+        system.constraints().map(|(name, c)| (name, c.kind().to_string(), c.attachments().len())).collect();
     assert_eq!(constraints, [("O", "revolute".to_string(), 2), ("motor", "drive_angle".to_string(), 0)]);
     let condition = system.condition(&system.run(linspace(0.0, 1.0, 5))?)?;
     assert!(condition.values().iter().all(|k| (1.0..10.0).contains(k)), "{condition:?}");

@@ -1,4 +1,5 @@
-//! The jerk: of every example's mechanism against differences of its accelerations, of redundant and spatial mechanisms, of points, in files.
+//! The jerk: of every example's mechanism against differences of its accelerations, of redundant and spatial
+//! mechanisms, of points, in files.
 
 use kin::prelude::*;
 use kin::{Options, Registry, Solution};
@@ -10,8 +11,9 @@ fn with_jerk() -> Options {
     Options { jerk: true, ..Options::default() }
 }
 
-/// The largest difference of the jerk at the times from five-point differences of q̈ around them, by the largest number of the jerk. Of two
-/// steps, h and 20 h, that counts which fits: near a singular position rounding asks for the longer one.
+/// The largest difference of the jerk at the times from five-point differences of q̈ around them, by the
+/// largest number of the jerk. Of two steps, h and 20 h, that counts which fits: near a singular position
+/// rounding asks for the longer one.
 fn worst(system: &System, times: &[f64], h: f64) -> f64 {
     let motion = system.run_with(times, &with_jerk()).expect("runs");
     assert!(motion.has_jerk());
@@ -69,10 +71,16 @@ fn every_example() {
         let name = file.as_ref().expect("an entry").file_name();
         name.to_string_lossy().starts_with(|first: char| first.is_ascii_digit())
     });
-    assert_eq!(examples.count(), SECONDS.len(), "an example without its mechanism here; copy its mechanism.json to tests/data/examples/");
-    let registry = Registry::new().with::<own::slider_crank>().with::<own::parabolic_slot>().with::<own::geneva>();
+    assert_eq!(
+        examples.count(),
+        SECONDS.len(),
+        "an example without its mechanism here; copy its mechanism.json to tests/data/examples/"
+    );
+    let registry =
+        Registry::new().with::<own::slider_crank>().with::<own::parabolic_slot>().with::<own::geneva>();
     for (name, seconds) in SECONDS {
-        let mechanism = Mechanism::read_json(format!("{root}/tests/data/examples/{name}.json"), &registry).expect("reads back");
+        let mechanism = Mechanism::read_json(format!("{root}/tests/data/examples/{name}.json"), &registry)
+            .expect("reads back");
         // odd numbers, off the knots of splines and the dwells of cams
         let times: Vec<f64> = (0..=97).map(|k| seconds * (k as f64 + 0.137) / 98.3).collect();
         let off = worst(&mechanism.build().expect("builds"), &times, 1e-5 * seconds);
@@ -164,25 +172,46 @@ fn a_point_against_differences_of_its_acceleration() {
     let axis = kin::Axis::along(Vec3::z());
     let shaft = m.spatial("shaft", SpatialPose::at(vec3(0.0, 0.0, 0.0))).unwrap();
     let plate = m.spatial("plate", SpatialPose::at(vec3(0.5, 0.0, 0.0))).unwrap();
-    m.add("O", spatial::revolute(shaft, m.ground(), vec3(0.0, 0.0, 0.0), vec3(0.0, 0.0, 0.0), axis, Vec3::z())).unwrap();
-    m.add("A", spatial::revolute(plate, shaft, vec3(0.0, 0.0, 0.0), vec3(0.5, 0.0, 0.0), Vec3::x(), Vec3::x())).unwrap();
-    m.add("motor", spatial::drive_turn(shaft, m.ground(), axis, axis, Law::ramp(2.0) + Law::sine(0.2, 3.0, 0.0))).unwrap();
+    m.add(
+        "O",
+        spatial::revolute(shaft, m.ground(), vec3(0.0, 0.0, 0.0), vec3(0.0, 0.0, 0.0), axis, Vec3::z()),
+    )
+    .unwrap();
+    m.add(
+        "A",
+        spatial::revolute(plate, shaft, vec3(0.0, 0.0, 0.0), vec3(0.5, 0.0, 0.0), Vec3::x(), Vec3::x()),
+    )
+    .unwrap();
+    m.add(
+        "motor",
+        spatial::drive_turn(shaft, m.ground(), axis, axis, Law::ramp(2.0) + Law::sine(0.2, 3.0, 0.0)),
+    )
+    .unwrap();
     let along = kin::Axis::along(Vec3::x());
-    m.add("spin", spatial::drive_turn(plate, shaft, along, along, Law::polynomial(&[0.0, 3.0, 0.5]))).unwrap();
+    m.add("spin", spatial::drive_turn(plate, shaft, along, along, Law::polynomial(&[0.0, 3.0, 0.5])))
+        .unwrap();
     let h = 1e-4;
-    let times: Vec<f64> = (0..40).flat_map(|k| (-2..=2).map(move |s| 0.3 + 0.1 * k as f64 + h * f64::from(s))).collect();
+    let times: Vec<f64> =
+        (0..40).flat_map(|k| (-2..=2).map(move |s| 0.3 + 0.1 * k as f64 + h * f64::from(s))).collect();
     let motion = m.build().unwrap().run_with(times, &with_jerk()).unwrap();
     let p = motion.point(plate, vec3(0.1, 0.2, -0.3)).unwrap();
     for k in (2..motion.len()).step_by(5) {
         let a = p.a();
         let difference = (a[k - 2] - a[k - 1] * 8.0 + a[k + 1] * 8.0 - a[k + 2]) / (12.0 * h);
-        assert!((difference - p.jerk()[k]).norm() < 1e-7 * (1.0 + difference.norm()), "{difference:?} {:?}", p.jerk()[k]);
-        assert!((p.jerk_magnitude().values()[k] - p.jerk()[k].norm()).abs() < 1e-12 * (1.0 + difference.norm()));
+        assert!(
+            (difference - p.jerk()[k]).norm() < 1e-7 * (1.0 + difference.norm()),
+            "{difference:?} {:?}",
+            p.jerk()[k]
+        );
+        assert!(
+            (p.jerk_magnitude().values()[k] - p.jerk()[k].norm()).abs() < 1e-12 * (1.0 + difference.norm())
+        );
     }
     assert_eq!(p.components().iter().map(Series::name).collect::<Vec<_>>()[9..], ["x'''", "y'''", "z'''"]);
 }
 
-/// A slider that follows a cubic spline: its jerk is constant between the knots, and at a knot it is that of the part to the right.
+/// A slider that follows a cubic spline: its jerk is constant between the knots, and at a knot it is that of
+/// the part to the right.
 #[test]
 fn at_a_break_it_is_that_of_the_right() {
     let table = [(0.0, 0.0), (1.0, 0.3), (2.0, -0.1), (3.0, 0.4), (4.0, 0.0)];
@@ -202,7 +231,11 @@ fn files_have_it_where_it_was_asked_for() {
     let system = three_cranks();
     let times = linspace(0.0, 1.0, 11);
     let (plain, motion) = (system.run(&times).unwrap(), system.run_with(&times, &with_jerk()).unwrap());
-    assert!(!plain.has_jerk() && plain.qddd(3).is_empty() && plain.named("coupler.R_x").unwrap().third_rate.values().is_empty());
+    assert!(
+        !plain.has_jerk()
+            && plain.qddd(3).is_empty()
+            && plain.named("coupler.R_x").unwrap().third_rate.values().is_empty()
+    );
     assert!(plain.headers().iter().all(|header| !header.contains("'''")));
     let headers = motion.headers();
     assert_eq!(headers[1 + 3 * system.n_coordinates()], "coupler.R_x''' [m/s^3]");
@@ -224,12 +257,15 @@ fn sweeps_have_it_too() {
     m.add("motor", drive_angle(arm, Law::sine(0.5, 2.0, 0.0))).unwrap();
     let system = m.build().unwrap();
     let cases = [[-0.5], [-0.6], [-0.7]];
-    let jerks = system.sweep(["O.u_j.x"]).unwrap().options(with_jerk()).run(&cases, [0.0, 0.5], |_, motion| {
-        let motion = motion.unwrap();
-        (motion.qddd(1)[2], motion.point(arm, arm.start()).unwrap().jerk().len())
-    });
+    let jerks =
+        system.sweep(["O.u_j.x"]).unwrap().options(with_jerk()).run(&cases, [0.0, 0.5], |_, motion| {
+            let motion = motion.unwrap();
+            (motion.qddd(1)[2], motion.point(arm, arm.start()).unwrap().jerk().len())
+        });
     // θ⃛ = −½ 2³ cos 2t
-    assert!(jerks.unwrap().iter().all(|(jerk, count)| (jerk + 4.0 * 1.0_f64.cos()).abs() < 1e-12 && *count == 2));
+    assert!(
+        jerks.unwrap().iter().all(|(jerk, count)| (jerk + 4.0 * 1.0_f64.cos()).abs() < 1e-12 && *count == 2)
+    );
 }
 
 /// A function of the user's, of which only the dual numbers know derivatives.

@@ -41,7 +41,15 @@ fn bent_slot(i: Planar, j: Planar, u_i: Vec2, bend: Bend, rise: Law, t: Time) ->
 
 /// Several coordinates together.      [rad]
 #[constraint]
-fn mean_angle(q: [Coord; 2], weights: [f64; 2], pair: (f64, Vec2), turn: Mat2, whole: usize, law: Law, t: Time) -> f64 {
+fn mean_angle(
+    q: [Coord; 2],
+    weights: [f64; 2],
+    pair: (f64, Vec2),
+    turn: Mat2,
+    whole: usize,
+    law: Law,
+    t: Time,
+) -> f64 {
     weights[0] * q[0] + weights[1] * q[1] - law.at(t) - pair.0 * pair.1.x * turn.m12 - whole as f64
 }
 
@@ -58,7 +66,10 @@ fn cubic(x: f64, amplitude: f64) -> f64 {
 }
 
 fn registry() -> Registry {
-    Registry::new().with::<bent_slot>().with::<mean_angle>().with_law("cubic", |law| Ok(cubic(law.number("amplitude")?)))
+    Registry::new()
+        .with::<bent_slot>()
+        .with::<mean_angle>()
+        .with_law("cubic", |law| Ok(cubic(law.number("amplitude")?)))
 }
 
 fn model() -> kin::Result<Mechanism> {
@@ -68,14 +79,30 @@ fn model() -> kin::Result<Mechanism> {
     let arm = m.link("arm", 0.1 + 0.2)?;
     let (a, b) = (m.angle("a", 0.1)?, m.angle("b", 1.0 / 3.0)?);
     let plate = m.spatial("plate", SpatialPose::turned(vec3(0.0, 0.0, 0.5), vec3(1.0, 2.0, 3.0), 0.3))?;
-    m.add("slot", bent_slot(slider, ground, vec2(0.0, 0.0), Bend::Up(2.0), 0.1 * (cubic(0.5) + Law::sine(0.3, 1.0, 0.2))))?;
+    m.add(
+        "slot",
+        bent_slot(
+            slider,
+            ground,
+            vec2(0.0, 0.0),
+            Bend::Up(2.0),
+            0.1 * (cubic(0.5) + Law::sine(0.3, 1.0, 0.2)),
+        ),
+    )?;
     m.add("upright", drive_angle(slider, Law::constant(0.0).compose(&Law::ramp(2.0))))?;
     m.add("motor", drive(slider.x(), Law::sine(0.3, 1.0, 0.0)))?;
     m.add("pin", revolute(slider, arm, vec2(0.0, 0.0), arm.start()))?;
     m.add("a = arm's", kin::joints::planar::coupling(a, arm.theta(), 1.0, -1.0, 0.0))?;
     m.add(
         "mean",
-        mean_angle([a, b], [1.0, 0.5], (2.0, vec2(0.125, 0.0)), Mat2::new(1.0, 0.1, -0.1, 1.0), 1, Law::polynomial(&[0.1, 0.2, 1e-300])),
+        mean_angle(
+            [a, b],
+            [1.0, 0.5],
+            (2.0, vec2(0.125, 0.0)),
+            Mat2::new(1.0, 0.1, -0.1, 1.0),
+            1,
+            Law::polynomial(&[0.1, 0.2, 1e-300]),
+        ),
     )?;
     m.add("a itself", drive(a, Law::linear(0.1, 2.0)))?;
     m.add("plate", spatial::fixed(plate, vec3(0.0, 0.0, 0.5), EulerParameters::new(1.0, 0.1, 0.2, 0.3)))?;
@@ -93,9 +120,15 @@ fn a_motion_comes_back_without_loss() -> kin::Result<()> {
     assert_eq!(back.data(), motion.data());
     for k in 0..motion.len() {
         let bits = |row: &[f64]| row.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
-        assert_eq!((bits(back.q(k)), bits(back.qd(k)), bits(back.qdd(k))), (bits(motion.q(k)), bits(motion.qd(k)), bits(motion.qdd(k))));
+        assert_eq!(
+            (bits(back.q(k)), bits(back.qd(k)), bits(back.qdd(k))),
+            (bits(motion.q(k)), bits(motion.qd(k)), bits(motion.qdd(k)))
+        );
     }
-    assert_eq!((back.summary(), back.worst(), back.units()), (motion.summary(), motion.worst(), motion.units()));
+    assert_eq!(
+        (back.summary(), back.worst(), back.units()),
+        (motion.summary(), motion.worst(), motion.units())
+    );
     let arm = back.planar_named("arm").unwrap();
     assert!(back.point(arm, vec2(0.1, 0.0))?.speed().max() > 0.1);
     assert!(back.spatial_named("plate").is_some() && back.planar_named("plate").is_none());
@@ -122,7 +155,9 @@ fn changed(from: &str, to: &str) -> String {
     let text = serde_json::to_string(&model().unwrap().data().unwrap()).unwrap();
     assert!(text.contains(from), "{from} is not in {text}");
     match serde_json::from_str::<MechanismData>(&text.replacen(from, to, 1)) {
-        Ok(data) => Mechanism::from_data(&data, &registry()).err().map(|error| error.to_string()).unwrap_or_default(),
+        Ok(data) => {
+            Mechanism::from_data(&data, &registry()).err().map(|error| error.to_string()).unwrap_or_default()
+        }
         Err(error) => error.to_string(),
     }
 }
@@ -135,16 +170,36 @@ fn mistakes_in_data_are_told_by_name() {
             r#""kind":"revolut""#,
             "constraint `pin`: unknown constraint `revolut`: add it with `Registry::with::<revolut>()`",
         ),
-        (r#"{"planar":"arm"}"#, r#"{"spatial":"arm"}"#, "constraint `pin`: no `revolute` is known with these 2 arguments"),
+        (
+            r#"{"planar":"arm"}"#,
+            r#"{"spatial":"arm"}"#,
+            "constraint `pin`: no `revolute` is known with these 2 arguments",
+        ),
         (r#"{"planar":"arm"}"#, r#"{"planar":"leg"}"#, "constraint `pin`: no planar body `leg`"),
         (r#""u_j":[-0"#, r#""u_k":[-0"#, "constraint `pin`: its parameter `u_j` is missing"),
         (r#""u_j":[-0"#, r#""k":1,"u_j":[-0"#, "constraint `pin`: `revolute` has no parameter `k`"),
-        (r#""u_i":[0.0,0.0]"#, r#""u_i":[0.0]"#, "constraint `slot`: its parameter `u_i`: [0.0] is not a list of 2"),
-        (r#""kind":"cubic""#, r#""kind":"quartic""#, "unknown law `quartic`: add it with `Registry::with_law`"),
+        (
+            r#""u_i":[0.0,0.0]"#,
+            r#""u_i":[0.0]"#,
+            "constraint `slot`: its parameter `u_i`: [0.0] is not a list of 2",
+        ),
+        (
+            r#""kind":"cubic""#,
+            r#""kind":"quartic""#,
+            "unknown law `quartic`: add it with `Registry::with_law`",
+        ),
         (r#""amplitude":0.5"#, r#""size":0.5"#, "the law `cubic` lacks the number `amplitude`"),
-        (r#"{"Up":2.0}"#, r#"{"Down":2.0}"#, "constraint `slot`: its parameter `bend`: unknown variant `Down`"),
+        (
+            r#"{"Up":2.0}"#,
+            r#"{"Down":2.0}"#,
+            "constraint `slot`: its parameter `bend`: unknown variant `Down`",
+        ),
         (r#""format":1"#, r#""format":2"#, "format 2 is not known here, only 1"),
-        (r#""guess":[0.2,0.1,0.0]"#, r#""guess":[0.2,0.1]"#, "body `slider`: it has 3 coordinates; its guess has 2"),
+        (
+            r#""guess":[0.2,0.1,0.0]"#,
+            r#""guess":[0.2,0.1]"#,
+            "body `slider`: it has 3 coordinates; its guess has 2",
+        ),
         (r#""guess":[0.2,"#, r#""guess":[null,"#, "invalid type: null"),
     ] {
         let message = changed(from, to);
@@ -160,7 +215,10 @@ fn what_cannot_be_written_is_told_by_name() -> kin::Result<()> {
     let b = m.planar("b", pose(0.0, 0.0, 0.0))?;
     m.add("height", secret_height(b, Secret(1.0)))?;
     let message = m.data().unwrap_err().to_string();
-    assert!(message.starts_with("constraint `height`: its parameter `height` is of the type `json::Secret`"), "{message}");
+    assert!(
+        message.starts_with("constraint `height`: its parameter `height` is of the type `json::Secret`"),
+        "{message}"
+    );
     Ok(())
 }
 
@@ -190,8 +248,14 @@ fn spoiled_files_are_errors_and_not_panics() -> kin::Result<()> {
 fn laws_come_back_as_they_are() {
     let table: Vec<(f64, f64)> = (0..9).map(|k| 0.25 * f64::from(k)).map(|x| (x, (3.0 * x).sin())).collect();
     let ring: Vec<(f64, f64)> = (0..=8).map(|k| (f64::from(k) / 8.0 * TAU, f64::from(k % 8) * 0.1)).collect();
-    let rises =
-        [Law::harmonic_rise, Law::cycloidal, Law::polynomial_345, Law::polynomial_4567, Law::modified_sine, Law::modified_trapezoid];
+    let rises = [
+        Law::harmonic_rise,
+        Law::cycloidal,
+        Law::polynomial_345,
+        Law::polynomial_4567,
+        Law::modified_sine,
+        Law::modified_trapezoid,
+    ];
     let mut all = vec![
         (2.0 * (Law::harmonic(0.3, 0.05) + Law::ramp(1.0)) - 0.5 * Law::sine(1.0, 2.0, 0.0)).shifted(0.25),
         Law::constant(0.1) * Law::linear(0.2, 3.0) + Law::polynomial(&[1.0, 0.0, 1.0 / 3.0]),
@@ -206,12 +270,18 @@ fn laws_come_back_as_they_are() {
     all.extend(rises.map(|rise| rise(0.3, 1.5)));
     all.push(Law::sequence(
         0.1,
-        [(1.5, Law::cycloidal(0.3, 1.5)), (0.5, Law::constant(0.3)), (1.0, Law::constant(0.3) - Law::cycloidal(0.3, 1.0))],
+        [
+            (1.5, Law::cycloidal(0.3, 1.5)),
+            (0.5, Law::constant(0.3)),
+            (1.0, Law::constant(0.3) - Law::cycloidal(0.3, 1.0)),
+        ],
     ));
     all.push(all[all.len() - 1].periodic(3.0));
     for law in all {
         let data = LawData::of(&law);
-        let back = Registry::new().law(&serde_json::from_str(&serde_json::to_string(&data).unwrap()).unwrap()).unwrap();
+        let back = Registry::new()
+            .law(&serde_json::from_str(&serde_json::to_string(&data).unwrap()).unwrap())
+            .unwrap();
         assert_eq!(LawData::of(&back), data);
         for x in [-1.0, 0.0, 0.7, 1.9, 7.0] {
             assert_eq!(law.jet(x), back.jet(x), "{law:?} at {x}");

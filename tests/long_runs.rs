@@ -27,9 +27,15 @@ fn a_run_that_needs_too_much_memory_is_refused_before_it_begins() {
     let begun = std::time::Instant::now();
     let error = system.run(&times).expect_err("too much");
     assert!(begun.elapsed().as_secs_f64() < 2.0);
-    assert!(matches!(error, Error::NeedsMemory { motions: 1, times: 10_000_000, coordinates: 9, .. }), "{error}");
+    assert!(
+        matches!(error, Error::NeedsMemory { motions: 1, times: 10_000_000, coordinates: 9, .. }),
+        "{error}"
+    );
     let text = error.to_string();
-    assert!(text.contains("10000000 times of 9 coordinates need 2.40 GB; `Options::memory` allows 1.07 GB."), "{text}");
+    assert!(
+        text.contains("10000000 times of 9 coordinates need 2.40 GB; `Options::memory` allows 1.07 GB."),
+        "{text}"
+    );
     assert!(text.contains("System::run_in_parts") && text.contains("allow more"), "{text}");
     let few = Options { memory: 8 * 11 * (3 + 4 * 9), jerk: true, ..Options::default() };
     assert!(system.run_with(linspace(0.0, 0.1, 11), &few).is_ok());
@@ -38,7 +44,11 @@ fn a_run_that_needs_too_much_memory_is_refused_before_it_begins() {
 }
 
 fn numbers(motion: &Motion) -> Vec<f64> {
-    (0..motion.len()).flat_map(|k| [&[motion.times()[k]], motion.q(k), motion.qd(k), motion.qdd(k), motion.qddd(k)].concat()).collect()
+    (0..motion.len())
+        .flat_map(|k| {
+            [&[motion.times()[k]], motion.q(k), motion.qd(k), motion.qdd(k), motion.qddd(k)].concat()
+        })
+        .collect()
 }
 
 /// What happened, but for what the beginning of each part is told of.
@@ -101,10 +111,16 @@ fn a_run_in_parts_ends_as_the_run_in_one() {
         if shown == 3 { Err(Error::EmptyName { what: "test" }) } else { Ok(()) }
     });
     assert!(matches!(ended, Err(Error::EmptyName { .. })) && shown == 3);
-    for times in [vec![], vec![0.0, 0.1, 0.1], vec![0.0, 0.1, 0.05], vec![0.0, f64::NAN], vec![f64::INFINITY]] {
+    for times in [vec![], vec![0.0, 0.1, 0.1], vec![0.0, 0.1, 0.05], vec![0.0, f64::NAN], vec![f64::INFINITY]]
+    {
         let in_one = system.run(&times).expect_err("no times");
-        let in_parts = system.run_in_parts(times.iter().copied(), 2, &Options::default(), |_| Ok(())).expect_err("no times");
-        assert!(matches!((&in_one, &in_parts), (Error::InvalidTimes { .. }, Error::InvalidTimes { .. })), "{times:?}: {in_parts}");
+        let in_parts = system
+            .run_in_parts(times.iter().copied(), 2, &Options::default(), |_| Ok(()))
+            .expect_err("no times");
+        assert!(
+            matches!((&in_one, &in_parts), (Error::InvalidTimes { .. }, Error::InvalidTimes { .. })),
+            "{times:?}: {in_parts}"
+        );
     }
 }
 

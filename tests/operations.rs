@@ -1,15 +1,25 @@
-//! Every operation of the language, one list: symbolic = dual at ordinary and at nasty points, = central differences wherever the function is
-//! smooth nearby, and the documented one-sided value at kinks.
+//! Every operation of the language, one list: symbolic = dual at ordinary and at nasty points, = central
+//! differences wherever the function is smooth nearby, and the documented one-sided value at kinks.
 
 use kin::prelude::*;
 use kin::{any_coord, dual_terms, terms};
 
-/// A point and the slope that is documented there; `None` where no derivative exists (both routes must say so) or nothing special is promised.
+/// A point and the slope that is documented there; `None` where no derivative exists (both routes must say
+/// so) or nothing special is promised.
 type Nasty = &'static [(f64, Option<f64>)];
 
 /// Smooth everywhere that `check` looks: no nasty points but these.
-const ORDINARY: Nasty =
-    &[(0.0, None), (-0.0, None), (PI, None), (-PI, None), (0.5 * PI, None), (1.0, None), (-1.0, None), (1e-300, None), (1e8, None)];
+const ORDINARY: Nasty = &[
+    (0.0, None),
+    (-0.0, None),
+    (PI, None),
+    (-PI, None),
+    (0.5 * PI, None),
+    (1.0, None),
+    (-1.0, None),
+    (1e-300, None),
+    (1e8, None),
+];
 
 macro_rules! operations {
     ($($name:ident = |$a:ident| $value:expr, $nasty:expr;)*) => {
@@ -33,21 +43,24 @@ macro_rules! operations {
               nasty(stringify!($name), &$name::operation(any_coord()), $nasty);)*
         }
 
-        /// The list and the vocabulary of the compiler are the same: a function without an entry here is found by its name.
+        /// The list and the vocabulary of the compiler are the same: a function without an entry here is
+        /// found by its name.
         const LISTED: &[&str] = &[$(stringify!($name)),*];
     };
 }
 
 /// Both routes and central differences at states spread over ±2.
 fn compare<E: kin::dual_route::Equation<1, 1> + Clone>(name: &str, operation: &E) {
-    let report = kin::check::compare::<E, 1, 1>(operation).unwrap_or_else(|mismatch| panic!("{name}: {mismatch}"));
+    let report =
+        kin::check::compare::<E, 1, 1>(operation).unwrap_or_else(|mismatch| panic!("{name}: {mismatch}"));
     assert!(report.states >= 6, "{name} was compared at {} states only", report.states);
 }
 
 /// Value, slope and curvature on both routes at chosen points: equal, or not finite on both.
 fn nasty<E: kin::dual_route::Equation<1, 1> + Clone>(name: &str, operation: &E, points: Nasty) {
     for &(at, slope) in points {
-        let (own, dual) = (terms(operation, &[at], &[1.0], 0.0), dual_terms::<E, 1, 1>(operation, &[at], &[1.0], 0.0));
+        let (own, dual) =
+            (terms(operation, &[at], &[1.0], 0.0), dual_terms::<E, 1, 1>(operation, &[at], &[1.0], 0.0));
         // Outside of its domain the value itself is the error; derivatives are not asked for.
         if !own.c[0].is_finite() && !dual.c[0].is_finite() {
             continue;

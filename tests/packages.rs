@@ -1,21 +1,29 @@
-//! What is published: every package says what it is, under which licence and where, brings its licences and a page to read, and what users build
-//! by hand stays buildable.
+//! What is published: every package says what it is, under which licence and where, brings its licences and a
+//! page to read, and what users build by hand stays buildable.
 
 use std::process::Command;
 
 use serde_json::Value;
 
 fn cargo(arguments: &[&str]) -> String {
-    let output = Command::new(env!("CARGO")).args(arguments).current_dir(env!("CARGO_MANIFEST_DIR")).output().expect("cargo runs");
+    let output = Command::new(env!("CARGO"))
+        .args(arguments)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .expect("cargo runs");
     assert!(output.status.success(), "cargo {arguments:?}\n{}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).expect("cargo writes text")
 }
 
 /// The packages of the workspace that can be published.
 fn packages() -> Vec<Value> {
-    let metadata: Value = serde_json::from_str(&cargo(&["metadata", "--no-deps", "--offline", "--format-version", "1"])).unwrap();
+    let metadata: Value =
+        serde_json::from_str(&cargo(&["metadata", "--no-deps", "--offline", "--format-version", "1"]))
+            .unwrap();
     let all = metadata["packages"].as_array().unwrap().clone();
-    all.into_iter().filter(|package| package["publish"].as_array().is_none_or(|registries| !registries.is_empty())).collect()
+    all.into_iter()
+        .filter(|package| package["publish"].as_array().is_none_or(|registries| !registries.is_empty()))
+        .collect()
 }
 
 #[test]

@@ -1,4 +1,5 @@
-//! Whole mechanisms against the reference motions, from the files' rough initial guesses, on both routes (`tests/data/README.md`).
+//! Whole mechanisms against the reference motions, from the files' rough initial guesses, on both routes
+//! (`tests/data/README.md`).
 
 mod data;
 
@@ -61,14 +62,16 @@ fn slider_crank_near_singular_moves_as_the_reference() {
     slider_crank("slider_crank_near_singular", 10.0);
 }
 
-/// Every third, seventh, 20th of its times alone: the crank turns by up to 2 rad between them, past positions where the rod nearly turns over.
+/// Every third, seventh, 20th of its times alone: the crank turns by up to 2 rad between them, past positions
+/// where the rod nearly turns over.
 #[test]
 fn slider_crank_near_singular_moves_as_the_reference_on_coarse_grids() {
     let file = read("slider_crank_near_singular");
     let (times, exact) = (numbers(&file, "time"), rows(&file["reference"], "q"));
     let system = build(&file, BOTH[0]).expect("a mechanism").0.build().expect("a square system");
     for stride in [3, 7, 20] {
-        let motion = system.run(times.iter().step_by(stride).copied().collect::<Vec<f64>>()).expect("a motion");
+        let motion =
+            system.run(times.iter().step_by(stride).copied().collect::<Vec<f64>>()).expect("a motion");
         assert!(motion.singular_positions().is_empty());
         for (k, exact) in exact.iter().step_by(stride).enumerate() {
             assert!(error(motion.q(k), exact) < 1e-11, "{stride} {k}: {:e}", error(motion.q(k), exact));
@@ -89,7 +92,8 @@ fn two_link_manipulator_moves_as_the_reference() {
             let mut errors = Errors::default();
             for (order, vectors) in [end.r(), end.v(), end.a()].into_iter().enumerate() {
                 let field = ["value", "d1", "d2"][order];
-                let [x, y] = [|v: &Vec2| v.x, |v: &Vec2| v.y].map(|part| vectors.iter().map(part).collect::<Vec<_>>());
+                let [x, y] =
+                    [|v: &Vec2| v.x, |v: &Vec2| v.y].map(|part| vectors.iter().map(part).collect::<Vec<_>>());
                 errors.take(order, &x, &numbers(output(&file, "end_effector_x"), field));
                 errors.take(order, &y, &numbers(output(&file, "end_effector_y"), field));
             }
@@ -105,7 +109,8 @@ fn two_link_manipulator_moves_as_its_closed_form() {
     let (l2, l3, w2, w3) = (p("l2"), p("l3"), p("w2"), p("w3"));
     for by in BOTH {
         let (mechanism, bodies) = build(&file, by).expect("a mechanism");
-        let motion = mechanism.build().expect("a square system").run(linspace(0.0, 24.0, 2401)).expect("a motion");
+        let motion =
+            mechanism.build().expect("a square system").run(linspace(0.0, 24.0, 2401)).expect("a motion");
         let (end, mut errors) = (motion.point(bodies[2], vec2(l3 / 2.0, 0.0)).unwrap(), Errors::default());
         for (k, t) in motion.times().iter().enumerate() {
             let (theta2, theta3) = (w2 * t + p("th20"), w3 * t + p("th30"));
@@ -128,7 +133,8 @@ fn two_link_manipulator_moves_as_its_closed_form() {
     }
 }
 
-/// One slider-crank in both models: absolute coordinates of four bodies, and the lecture's two loop closure equations.
+/// One slider-crank in both models: absolute coordinates of four bodies, and the lecture's two loop closure
+/// equations.
 fn slider_crank(name: &str, factor: f64) {
     let file = read(name);
     for by in BOTH {
@@ -142,7 +148,8 @@ fn slider_crank(name: &str, factor: f64) {
     }
 }
 
-/// The motion of the loop closure, from the angle of the rod and the position of the slider in the file's guess.
+/// The motion of the loop closure, from the angle of the rod and the position of the slider in the file's
+/// guess.
 fn loop_closed(file: &Value, by: By) -> kin::Result<(Motion, Coordinate, Coordinate)> {
     let p = |name: &str| number(&file["parameters"], name);
     let guess = numbers(file, "initial_guess");
@@ -163,7 +170,8 @@ fn run(mechanism: Mechanism, file: &Value) -> Motion {
 /// All coordinates against `reference`, coordinate by coordinate over time.
 fn absolute(motion: &Motion, file: &Value) -> Errors {
     let mut errors = Errors::default();
-    let transposed = |rows: &[Vec<f64>], column: usize| rows.iter().map(|row| row[column]).collect::<Vec<f64>>();
+    let transposed =
+        |rows: &[Vec<f64>], column: usize| rows.iter().map(|row| row[column]).collect::<Vec<f64>>();
     for (order, field) in ["q", "qd", "qdd"].into_iter().enumerate() {
         let exact = rows(&file["reference"], field);
         for (column, name) in motion.names().iter().enumerate() {
@@ -177,7 +185,8 @@ fn absolute(motion: &Motion, file: &Value) -> Errors {
 
 /// One coordinate against an output of the file.
 fn outputs(errors: &mut Errors, found: &kin::Quantity, exact: &Value) {
-    let series: [(&Series, &str); 3] = [(&found.value, "value"), (&found.rate, "d1"), (&found.second_rate, "d2")];
+    let series: [(&Series, &str); 3] =
+        [(&found.value, "value"), (&found.rate, "d1"), (&found.second_rate, "d2")];
     for (order, (series, field)) in series.into_iter().enumerate() {
         errors.take(order, series.values(), &numbers(exact, field));
     }

@@ -1,4 +1,5 @@
-//! Both routes against the reference samples: every term at random states, computed elsewhere at 60 digits (`tests/data/README.md`).
+//! Both routes against the reference samples: every term at random states, computed elsewhere at 60 digits
+//! (`tests/data/README.md`).
 
 mod data;
 
@@ -13,7 +14,8 @@ use serde_json::Value;
 /// Largest error that counts as rounding, relative to 1 + the largest entry of the term.
 const TOLERANCE: f64 = 1e-12;
 
-/// The cylindrical joint by four dot products with directions of any kind, which the library has as primitives.
+/// The cylindrical joint by four dot products with directions of any kind, which the library has as
+/// primitives.
 #[constraint]
 fn cylindrical_dot(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_j: Vec3, v: [Vec3; 2]) -> [f64; 4] {
     let (s, h) = (i.point(u_i) - j.point(u_j), j.direction(h_j));
@@ -35,7 +37,9 @@ fn revolute_agrees_with_the_samples() {
 
 #[test]
 fn prismatic_agrees_with_the_samples() {
-    planar("prismatic_planar", |p| prismatic(any_planar(), any_planar(), vec(p, "ui"), vec(p, "uj"), vec(p, "hi"), number(p, "theta0")));
+    planar("prismatic_planar", |p| {
+        prismatic(any_planar(), any_planar(), vec(p, "ui"), vec(p, "uj"), vec(p, "hi"), number(p, "theta0"))
+    });
 }
 
 #[test]
@@ -44,7 +48,14 @@ fn prismatic_blocks_d1_to_d4_agree_with_the_samples() {
     let mut worst = 0.0_f64;
     for sample in samples(&file, 12) {
         let (p, q, qd) = (&sample["params"], numbers(sample, "q"), numbers(sample, "qd"));
-        let joint = prismatic(any_planar(), any_planar(), vec(p, "ui"), vec(p, "uj"), vec(p, "hi"), number(p, "theta0"));
+        let joint = prismatic(
+            any_planar(),
+            any_planar(),
+            vec(p, "ui"),
+            vec(p, "uj"),
+            vec(p, "hi"),
+            number(p, "theta0"),
+        );
         for by_dual in [None, Some(by_dual(joint.clone()))] {
             let constraint: &dyn Constraint = by_dual.as_ref().map_or(&joint, |dual| dual);
             // Column k of (C_q q̇)_q by polarisation of the quadratic form (C_q q̇)_q q̇.
@@ -84,13 +95,22 @@ fn trajectory_driver_agrees_with_the_samples() {
 
 #[test]
 fn spherical_agrees_with_the_samples() {
-    of_space("spherical_spatial", |p| spatial::spherical(any_spatial(), any_spatial(), vec_3(p, "ui"), vec_3(p, "uj")));
+    of_space("spherical_spatial", |p| {
+        spatial::spherical(any_spatial(), any_spatial(), vec_3(p, "ui"), vec_3(p, "uj"))
+    });
 }
 
 #[test]
 fn universal_agrees_with_the_samples() {
     of_space("universal_spatial", |p| {
-        spatial::universal(any_spatial(), any_spatial(), vec_3(p, "ui"), vec_3(p, "uj"), vec_3(p, "hi"), vec_3(p, "hj"))
+        spatial::universal(
+            any_spatial(),
+            any_spatial(),
+            vec_3(p, "ui"),
+            vec_3(p, "uj"),
+            vec_3(p, "hi"),
+            vec_3(p, "hj"),
+        )
     });
 }
 
@@ -102,8 +122,8 @@ fn cylindrical_by_dot_products_agrees_with_the_samples() {
     });
 }
 
-/// The library's joint is these four dot products with the directions f and g across its axis, and the cross products h_i × h_j and h_i × s in
-/// their components along f and g.
+/// The library's joint is these four dot products with the directions f and g across its axis, and the cross
+/// products h_i × h_j and h_i × s in their components along f and g.
 #[test]
 fn the_cylindrical_joint_is_that_of_the_samples() {
     let file = read("cylindrical_cross_spatial");
@@ -111,9 +131,23 @@ fn the_cylindrical_joint_is_that_of_the_samples() {
     for sample in samples(&file, 8) {
         let (p, q) = (&sample["params"], numbers(sample, "q"));
         let (h_i, axis) = (vec_3(p, "hi"), Axis::along(vec_3(p, "hi")));
-        let joint = spatial::cylindrical(any_spatial(), any_spatial(), vec_3(p, "ui"), vec_3(p, "uj"), axis, vec_3(p, "hj"));
+        let joint = spatial::cylindrical(
+            any_spatial(),
+            any_spatial(),
+            vec_3(p, "ui"),
+            vec_3(p, "uj"),
+            axis,
+            vec_3(p, "hj"),
+        );
         let own = terms(&joint, &q, &[], 0.0);
-        let dots = cylindrical_dot(any_spatial(), any_spatial(), vec_3(p, "ui"), vec_3(p, "uj"), vec_3(p, "hj"), [axis.f, axis.g]);
+        let dots = cylindrical_dot(
+            any_spatial(),
+            any_spatial(),
+            vec_3(p, "ui"),
+            vec_3(p, "uj"),
+            vec_3(p, "hj"),
+            [axis.f, axis.g],
+        );
         assert!((terms(&dots, &q, &[], 0.0).c_q - &own.c_q).amax() <= TOLERANCE);
         let exact = numbers(&sample["forms"]["T"], "C");
         let a = EulerParameters::new(q[3], q[4], q[5], q[6]).rotation();
@@ -128,7 +162,14 @@ fn the_cylindrical_joint_is_that_of_the_samples() {
 #[test]
 fn cylindrical_by_cross_products_agrees_with_the_samples() {
     of_space("cylindrical_cross_spatial", |p| {
-        cylindrical_cross(any_spatial(), any_spatial(), vec_3(p, "ui"), vec_3(p, "uj"), vec_3(p, "hi"), vec_3(p, "hj"))
+        cylindrical_cross(
+            any_spatial(),
+            any_spatial(),
+            vec_3(p, "ui"),
+            vec_3(p, "uj"),
+            vec_3(p, "hi"),
+            vec_3(p, "hj"),
+        )
     });
 }
 
@@ -148,9 +189,11 @@ fn two_link_system_agrees_with_the_samples() {
             check(&mut worst, sample, "Cq_qd", (&c_q * DVector::from_row_slice(&qd)).as_slice());
             check(&mut worst, sample, "Ct", &system.c_t(&q, t).expect("finite"));
             check(&mut worst, sample, "Qd", &system.acceleration_rhs(&q, &qd, t).expect("finite"));
-            // This system's drivers are linear in t: both terms with t in them are zero, and Q_d is the quadratic term alone.
+            // This system's drivers are linear in t: both terms with t in them are zero, and Q_d is the
+            // quadratic term alone.
             assert!(["Cqt_qd", "Ctt"].iter().all(|field| numbers(sample, field).iter().all(|x| *x == 0.0)));
-            let quadratic: Vec<f64> = system.acceleration_rhs(&q, &qd, t).expect("finite").iter().map(|x| -x).collect();
+            let quadratic: Vec<f64> =
+                system.acceleration_rhs(&q, &qd, t).expect("finite").iter().map(|x| -x).collect();
             check(&mut worst, sample, "CqqdQ_qd", &quadratic);
         }
     }
@@ -158,7 +201,10 @@ fn two_link_system_agrees_with_the_samples() {
 }
 
 /// Every sample of a planar joint, every field, on both routes.
-fn planar<E: Equation<N, M> + Clone, const N: usize, const M: usize>(name: &str, joint: impl Fn(&Value) -> E) {
+fn planar<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
+    name: &str,
+    joint: impl Fn(&Value) -> E,
+) {
     let file = read(name);
     let mut worst = [0.0_f64; 2];
     for sample in samples(&file, 12) {
@@ -173,7 +219,10 @@ fn planar<E: Equation<N, M> + Clone, const N: usize, const M: usize>(name: &str,
 }
 
 /// Every sample of a spatial joint, every field, on both routes, for Kin's form of A(e).
-fn of_space<E: Equation<N, M> + Clone, const N: usize, const M: usize>(name: &str, joint: impl Fn(&Value) -> E) {
+fn of_space<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
+    name: &str,
+    joint: impl Fn(&Value) -> E,
+) {
     let file = read(name);
     let (mut worst, mut tangents) = ([0.0_f64; 2], 0);
     for sample in samples(&file, 8) {
@@ -182,7 +231,10 @@ fn of_space<E: Equation<N, M> + Clone, const N: usize, const M: usize>(name: &st
         for (found, worst) in both.iter().zip(&mut worst) {
             checked(found, &sample["forms"]["T"], sample, worst);
             let timeless = [&found.c_t, &found.c_qt_qd, &found.c_tt];
-            assert!(timeless.iter().all(|term| term.iter().all(|x| *x == 0.0)), "{name}: a term with t in it");
+            assert!(
+                timeless.iter().all(|term| term.iter().all(|x| *x == 0.0)),
+                "{name}: a term with t in it"
+            );
             if sample["tangent"] == true {
                 let qdd = DVector::from_vec(numbers(sample, "qdd"));
                 check(worst, sample, "Cdd", (&found.c_q * qdd - &found.q_d).as_slice());
@@ -203,7 +255,11 @@ fn checked(found: &Terms, exact: &Value, sample: &Value, worst: &mut f64) {
     check(worst, exact, "Qd", found.q_d.as_slice());
 }
 
-fn both_routes<E: Equation<N, M> + Clone, const N: usize, const M: usize>(joint: &E, sample: &Value, t: f64) -> [Terms; 2] {
+fn both_routes<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
+    joint: &E,
+    sample: &Value,
+    t: f64,
+) -> [Terms; 2] {
     assert_eq!(joint.route(), Route::Symbolic, "{}", joint.kind());
     let (q, qd) = (numbers(sample, "q"), numbers(sample, "qd"));
     [terms(joint, &q, &qd, t), dual_terms(joint, &q, &qd, t)]
@@ -211,7 +267,8 @@ fn both_routes<E: Equation<N, M> + Clone, const N: usize, const M: usize>(joint:
 
 /// One field against what was found, row by row.
 fn check(worst: &mut f64, exact: &Value, field: &str, found: &[f64]) {
-    let of_field = if exact[field][0].is_array() { rows(exact, field).concat() } else { numbers(exact, field) };
+    let of_field =
+        if exact[field][0].is_array() { rows(exact, field).concat() } else { numbers(exact, field) };
     let error = error(found, &of_field);
     assert!(error <= TOLERANCE, "{field}: error {error:.1e}\nfound {found:?}\nexact {of_field:?}");
     *worst = worst.max(error);

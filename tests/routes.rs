@@ -32,7 +32,8 @@ fn asked(x: Coord, k: f64) -> f64 {
     x - k
 }
 
-/// The line, counted from 1, and the column of the first place behind `after` where `text` stands in this file.
+/// The line, counted from 1, and the column of the first place behind `after` where `text` stands in this
+/// file.
 fn place(after: &str, text: &str) -> (u32, u32) {
     let file = include_str!("routes.rs");
     let from = file.find(after).unwrap();
@@ -43,7 +44,9 @@ fn place(after: &str, text: &str) -> (u32, u32) {
 
 fn unread(constraint: &dyn Constraint) -> (&'static str, u32, u32) {
     match constraint.explain_route() {
-        RouteReason::Unread { what, source } if source.file.ends_with("tests/routes.rs") => (what, source.line, source.column),
+        RouteReason::Unread { what, source } if source.file.ends_with("tests/routes.rs") => {
+            (what, source.line, source.column)
+        }
         other => panic!("{other:?}"),
     }
 }
@@ -62,10 +65,13 @@ fn a_dual_constraint_says_which_token_cannot_be_read() {
 #[test]
 fn other_routes_are_explained_too() {
     assert_eq!(read(any_coord(), 1.0).explain_route(), RouteReason::Read);
-    let RouteReason::Asked { source: Some(source) } = asked(any_coord(), 1.0).explain_route() else { panic!("asked") };
+    let RouteReason::Asked { source: Some(source) } = asked(any_coord(), 1.0).explain_route() else {
+        panic!("asked")
+    };
     assert_eq!((source.line, source.column), place("#[constraint(dual)]\nfn asked", "dual"));
     assert_eq!(by_dual(read(any_coord(), 1.0)).explain_route(), RouteReason::Asked { source: None });
-    let joint: Box<dyn Constraint> = Box::new(revolute(any_planar(), any_planar(), vec2(0.0, 0.0), vec2(0.0, 0.0)));
+    let joint: Box<dyn Constraint> =
+        Box::new(revolute(any_planar(), any_planar(), vec2(0.0, 0.0), vec2(0.0, 0.0)));
     assert_eq!(joint.explain_route().to_string(), "symbolic: the compiler has read the whole body");
 }
 

@@ -1,5 +1,6 @@
-//! Derivatives where C is smooth though something on the way is not, or overflows: on both routes, up to the jerk, against 80-digit values
-//! (`data/smooth.py`). And the other way round: a slope that does not exist is told.
+//! Derivatives where C is smooth though something on the way is not, or overflows: on both routes, up to the
+//! jerk, against 80-digit values (`data/smooth.py`). And the other way round: a slope that does not exist is
+//! told.
 
 use kin::extend::{dual_terms, terms};
 use kin::prelude::*;
@@ -34,7 +35,8 @@ fn by_both_routes<E: kin::dual_route::Equation<2, 1> + Clone>(equation: &E, q: &
     let (own, dual) = (terms(equation, q, &qd, 0.0), dual_terms::<E, 2, 1>(equation, q, &qd, 0.0));
     let jerks = [
         kin::extend::jerk_rhs(equation, q, &qd, &qdd, 0.0).expect("known")[0],
-        kin::extend::jerk_rhs(&kin::extend::by_dual::<E, 2, 1>(equation.clone()), q, &qd, &qdd, 0.0).expect("known")[0],
+        kin::extend::jerk_rhs(&kin::extend::by_dual::<E, 2, 1>(equation.clone()), q, &qd, &qdd, 0.0)
+            .expect("known")[0],
     ];
     // Q_d is that of q̇ alone; the reference goes along q̈ too, which adds −C_q q̈.
     let all = [(own, jerks[0]), (dual, jerks[1])];
@@ -114,7 +116,8 @@ equations! {
     mollifier |a, b, law| if a.abs() < 1.0 { (-1.0 / (1.0 - a * a)).exp() } else { 0.0 };
 }
 
-/// Where a divisor is finite but its tangents are not, the dual route gives no number: it carries tangents as they are.
+/// Where a divisor is finite but its tangents are not, the dual route gives no number: it carries tangents as
+/// they are.
 fn tangents_overflow(name: &str, a: f64, b: f64) -> bool {
     match name {
         "logistic" => (-0.8873..-0.85).contains(&a),
@@ -129,10 +132,12 @@ fn tangents_overflow(name: &str, a: f64, b: f64) -> bool {
 fn derivatives_are_right_where_the_equation_is_smooth() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/smooth.json");
     let points: Vec<Value> = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
-    let numbers = |value: &Value| value.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect::<Vec<f64>>();
+    let numbers =
+        |value: &Value| value.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect::<Vec<f64>>();
     let (mut wrong, mut seen) = (Vec::new(), Vec::new());
     for point in &points {
-        let (name, q, exact) = (point["name"].as_str().unwrap(), numbers(&point["at"]), numbers(&point["exact"]));
+        let (name, q, exact) =
+            (point["name"].as_str().unwrap(), numbers(&point["at"]), numbers(&point["exact"]));
         seen.push(name);
         let size = exact.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
         for (route, found) in ["symbolic", "dual"].into_iter().zip(of_name(name, &q)) {
@@ -140,13 +145,17 @@ fn derivatives_are_right_where_the_equation_is_smooth() {
                 continue;
             }
             for (k, term) in ["C", "C_a", "C_b", "Q_d", "jerk"].into_iter().enumerate() {
-                // Where the exponential is nearly as large as a number can be, the jerk's third powers of its tangents are larger.
+                // Where the exponential is nearly as large as a number can be, the jerk's third powers of its
+                // tangents are larger.
                 if k == 4 && tangents_overflow(name, q[0], q[1]) {
                     continue;
                 }
                 let close = (found[k] - exact[k]).abs() <= 1e-9 * exact[k].abs() + 1e-10 * size + 1e-303;
                 if !close {
-                    wrong.push(format!("{name} at {q:?}, {route}: {term} is {:e} instead of {:e}", found[k], exact[k]));
+                    wrong.push(format!(
+                        "{name} at {q:?}, {route}: {term} is {:e} instead of {:e}",
+                        found[k], exact[k]
+                    ));
                 }
             }
         }
@@ -251,7 +260,10 @@ fn a_run_goes_on_where_the_side_is_not_taken() {
     let system = m.build().unwrap();
     let options = kin::Options { jerk: true, ..kin::Options::default() };
     let motion = system.run_with([0.75, 1.0, 2.0], &options).expect("smooth from 1.25 on");
-    assert!((0..3).all(|k| motion.q(k)[1] == 0.0 && motion.qd(k)[1] == 0.0 && motion.qdd(k)[1] == 0.0 && motion.qddd(k)[1] == 0.0));
+    assert!((0..3).all(|k| motion.q(k)[1] == 0.0
+        && motion.qd(k)[1] == 0.0
+        && motion.qdd(k)[1] == 0.0
+        && motion.qddd(k)[1] == 0.0));
     let touch = system.measure(&motion, "cushion.touch").unwrap();
     assert!(touch.rate.values().iter().chain(touch.second_rate.values()).all(|x| *x == 0.0));
 }

@@ -1,8 +1,10 @@
-//! Mistakes, as rustc shows them: every program of `tests/ui` has one slip, named by its file, and must be refused with exactly the errors
-//! listed in `NAME.message`: where, at which token, and what is said (of rustc's own errors the number only, since their text moves). Programs
-//! of `tests/ui/warned` compile, with exactly the warnings listed: those that any function of theirs would have.
+//! Mistakes, as rustc shows them: every program of `tests/ui` has one slip, named by its file, and must be
+//! refused with exactly the errors listed in `NAME.message`: where, at which token, and what is said (of
+//! rustc's own errors the number only, since their text moves). Programs of `tests/ui/warned` compile, with
+//! exactly the warnings listed: those that any function of theirs would have.
 //!
-//! `NAME.stderr` is the whole picture on the pinned toolchain. `KIN_BLESS=1 cargo test --test ui` writes both anew, for review.
+//! `NAME.stderr` is the whole picture on the pinned toolchain. `KIN_BLESS=1 cargo test --test ui` writes both
+//! anew, for review.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -15,8 +17,13 @@ use serde_json::Value;
 const PINNED: &str = "rustc 1.95.0";
 
 /// Programs with a message of Kin's own whose rendering is kept too, to prove the caret.
-const SHOWN: [&str; 5] =
-    ["law_used_as_a_number", "integer_beside_a_number", "row_without_a_coordinate", "symbolic_asked_of_a_while", "two_mistakes_at_once"];
+const SHOWN: [&str; 5] = [
+    "law_used_as_a_number",
+    "integer_beside_a_number",
+    "row_without_a_coordinate",
+    "symbolic_asked_of_a_while",
+    "two_mistakes_at_once",
+];
 
 #[test]
 fn every_slip_is_one_error_at_its_token() {
@@ -70,22 +77,27 @@ struct Error {
 /// The programs of a folder by name.
 fn programs(folder: &str) -> BTreeMap<String, PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
-    let files = fs::read_dir(&folder).expect("the folder can be read").map(|entry| entry.expect("the folder can be read").path());
+    let files = fs::read_dir(&folder)
+        .expect("the folder can be read")
+        .map(|entry| entry.expect("the folder can be read").path());
     let programs = files.filter(|path| path.extension().is_some_and(|end| end == "rs"));
     programs.map(|path| (path.file_stem().expect("a name").to_string_lossy().into_owned(), path)).collect()
 }
 
-/// The errors, or warnings, of each program: all of them are the binaries of one scratch package, checked at once.
+/// The errors, or warnings, of each program: all of them are the binaries of one scratch package, checked at
+/// once.
 fn check(package: &str, programs: &BTreeMap<String, PathBuf>, level: &str) -> BTreeMap<String, Vec<Error>> {
     let root = env!("CARGO_MANIFEST_DIR");
     let scratch = Path::new(env!("CARGO_TARGET_TMPDIR")).join(package);
     fs::create_dir_all(&scratch).expect("the scratch package can be made");
-    let bins: String = programs.iter().map(|(name, path)| format!("[[bin]]\nname = {name:?}\npath = {path:?}\n")).collect();
+    let bins: String =
+        programs.iter().map(|(name, path)| format!("[[bin]]\nname = {name:?}\npath = {path:?}\n")).collect();
     let manifest = format!(
         "[package]\nname = \"{package}\"\nedition = \"2024\"\npublish = false\n[workspace]\n[dependencies]\nkin = {{ path = {root:?} }}\n{bins}"
     );
     fs::write(scratch.join("Cargo.toml"), manifest).expect("the scratch package can be written");
-    fs::copy(Path::new(root).join("Cargo.lock"), scratch.join("Cargo.lock")).expect("Cargo.lock can be copied");
+    fs::copy(Path::new(root).join("Cargo.lock"), scratch.join("Cargo.lock"))
+        .expect("Cargo.lock can be copied");
 
     let output = Command::new(env!("CARGO"))
         .args(["check", "--offline", "--bins", "--keep-going", "--message-format=json"])
@@ -123,7 +135,11 @@ fn error(message: &Value) -> Error {
     let said = code.filter(|code| *code != "deprecated").map_or(text.to_owned(), |code| format!("[{code}]"));
     let root = format!("{}/", env!("CARGO_MANIFEST_DIR"));
     let rendered = message["rendered"].as_str().unwrap_or_default().trim_end().replace(&root, "");
-    Error { message: format!("{}: {said}", places.join(", ")), rendered: rendered + "\n", is_rustcs: code.is_some() }
+    Error {
+        message: format!("{}: {said}", places.join(", ")),
+        rendered: rendered + "\n",
+        is_rustcs: code.is_some(),
+    }
 }
 
 /// `line:column `token``
@@ -131,7 +147,8 @@ fn place(span: &Value) -> String {
     let at = |key: &str| span[key].as_u64().unwrap_or_default() as usize;
     let lines = span["text"].as_array().into_iter().flatten();
     let parts = lines.map(|line| {
-        let (start, end) = (line["highlight_start"].as_u64().unwrap_or(1), line["highlight_end"].as_u64().unwrap_or(1));
+        let (start, end) =
+            (line["highlight_start"].as_u64().unwrap_or(1), line["highlight_end"].as_u64().unwrap_or(1));
         let text = line["text"].as_str().unwrap_or_default().chars();
         text.skip(start as usize - 1).take((end - start) as usize).collect::<String>().trim().to_owned()
     });

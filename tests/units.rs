@@ -6,7 +6,8 @@ use kin::prelude::*;
 use kin::{Error, Options, Registry, Units};
 use kin_view::{Figure, Panel, Scene};
 
-/// A crank of 15 and a rod of 40 on a slider, in millimetres and milliseconds; `reach` is how far the slider is pushed.
+/// A crank of 15 and a rod of 40 on a slider, in millimetres and milliseconds; `reach` is how far the slider
+/// is pushed.
 fn slider(reach: f64) -> kin::Result<(Mechanism, Link)> {
     let mut m = Mechanism::new("slider");
     m.units("mm", "ms");
@@ -34,20 +35,30 @@ fn no_metre(text: &str) {
 fn headers_series_and_measures_have_the_words_of_the_mechanism() -> kin::Result<()> {
     let (m, rod) = slider(5.0)?;
     let system = m.build()?;
-    let mut motion = system.run_with(linspace(0.0, 1.0, 11), &Options { jerk: true, ..Options::default() })?;
+    let mut motion =
+        system.run_with(linspace(0.0, 1.0, 11), &Options { jerk: true, ..Options::default() })?;
     motion.add_point("P", rod, rod.end())?;
     let headers = motion.headers();
     headers.iter().for_each(|header| no_metre(header));
-    for wanted in
-        ["t [ms]", "rod.R_x [mm]", "rod.R_x' [mm/ms]", "rod.theta'' [rad/ms^2]", "slider.R_x''' [mm/ms^3]", "P.x [mm]", "P.y'' [mm/ms^2]"]
-    {
+    for wanted in [
+        "t [ms]",
+        "rod.R_x [mm]",
+        "rod.R_x' [mm/ms]",
+        "rod.theta'' [rad/ms^2]",
+        "slider.R_x''' [mm/ms^3]",
+        "P.x [mm]",
+        "P.y'' [mm/ms^2]",
+    ] {
         assert!(headers.iter().any(|header| header == wanted), "{wanted} in {headers:?}");
     }
     assert_eq!((system.coordinate_units()[0].as_str(), motion.units()[2].as_str()), ("mm", "rad"));
     let slide = system.measure(&motion, "guide.slide")?;
     assert_eq!((slide.value.unit(), slide.rate.unit(), slide.third_rate.unit()), ("mm", "mm/ms", "mm/ms^3"));
     let point = motion.point(rod, rod.end())?;
-    assert_eq!((point.speed().unit().to_string(), point.jerk_magnitude().unit().to_string()), ("mm/ms".into(), "mm/ms^3".into()));
+    assert_eq!(
+        (point.speed().unit().to_string(), point.jerk_magnitude().unit().to_string()),
+        ("mm/ms".into(), "mm/ms^3".into())
+    );
     let angle = motion.relative_angle(rod, kin::Ground)?;
     assert_eq!((angle.value.unit(), angle.rate.unit()), ("rad", "rad/ms"));
     Ok(())
@@ -97,7 +108,12 @@ fn proofs_events_diagnoses_and_errors_have_the_words_of_the_mechanism() -> kin::
     let system = m.build()?;
     let error = system.run(linspace(0.0, 1.0, 41)).unwrap_err();
     let text = error.to_string();
-    assert!(matches!(error, Error::Toggle { .. }) && text.starts_with("t = 0.704") && text.contains(" ms: a toggle"), "{text}");
+    assert!(
+        matches!(error, Error::Toggle { .. })
+            && text.starts_with("t = 0.704")
+            && text.contains(" ms: a toggle"),
+        "{text}"
+    );
     assert!(text.contains(" ms is in this error"), "{text}");
     no_metre(&text);
     no_metre(&system.run([1.0]).unwrap_err().to_string());
@@ -117,7 +133,8 @@ fn words_come_back_from_json_and_old_files_are_in_metres() -> kin::Result<()> {
     assert_eq!(back.headers(), motion.headers());
     assert_eq!(back.events(), motion.events());
     let diagnosis = again.diagnose(0.0)?;
-    let diagnosis_back: kin::diagnosis::Diagnosis = serde_json::from_str(&serde_json::to_string(&diagnosis).unwrap()).unwrap();
+    let diagnosis_back: kin::diagnosis::Diagnosis =
+        serde_json::from_str(&serde_json::to_string(&diagnosis).unwrap()).unwrap();
     assert_eq!(diagnosis_back.to_string(), diagnosis.to_string());
 
     // A file that says nothing, as all that have been written so far.
@@ -130,11 +147,14 @@ fn words_come_back_from_json_and_old_files_are_in_metres() -> kin::Result<()> {
 
 #[test]
 fn a_unit_without_a_word_is_refused() {
-    for (length, time, what) in [(" ", "s", "a unit of length needs a name"), ("mm", "", "a unit of time needs a name")] {
+    for (length, time, what) in
+        [(" ", "s", "a unit of length needs a name"), ("mm", "", "a unit of time needs a name")]
+    {
         let mut m = Mechanism::new("empty");
         m.units(length, time);
         let body = m.planar("body", pose(0.0, 0.0, 0.0)).unwrap();
-        m.add("rod", drive_distance(body, m.ground(), vec2(1.0, 0.0), vec2(0.0, 0.0), Law::constant(1.0))).unwrap();
+        m.add("rod", drive_distance(body, m.ground(), vec2(1.0, 0.0), vec2(0.0, 0.0), Law::constant(1.0)))
+            .unwrap();
         assert_eq!(m.build().unwrap_err().to_string(), what);
     }
 }

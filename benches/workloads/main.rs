@@ -1,5 +1,5 @@
-//! The workloads: `cargo bench --bench workloads -- W1 W4-N100 [more names]` prints one JSON line a figure; no name: all of them. Standard
-//! output holds nothing else; a summary for people goes to standard error.
+//! The workloads: `cargo bench --bench workloads -- W1 W4-N100 [more names]` prints one JSON line a figure;
+//! no name: all of them. Standard output holds nothing else; a summary for people goes to standard error.
 //!
 //! `once W6-planar_revolute kin 10` runs one route alone ten times, for counting instructions.
 
@@ -35,7 +35,10 @@ fn main() -> ExitCode {
         ["once", name, route, repeats] => once(name, route, repeats),
         [] => NAMES.iter().try_for_each(|name| run(name)),
         // All names are looked at before the first one takes its time.
-        _ => words.iter().try_for_each(|name| known(name)).and_then(|()| words.iter().try_for_each(|name| run(name))),
+        _ => words
+            .iter()
+            .try_for_each(|name| known(name))
+            .and_then(|()| words.iter().try_for_each(|name| run(name))),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -46,15 +49,20 @@ fn main() -> ExitCode {
     }
 }
 
-/// Runs this program again with an allocator that keeps what is freed: else each sweep would give its results' pages back to the system
-/// and fault them in again, which costs a third of a step of W4 and says nothing about anyone's code. `None` where that is done.
+/// Runs this program again with an allocator that keeps what is freed: else each sweep would give its
+/// results' pages back to the system and fault them in again, which costs a third of a step of W4 and says
+/// nothing about anyone's code. `None` where that is done.
 fn with_kept_memory(arguments: &[String]) -> Option<ExitCode> {
     const SETTINGS: [&str; 2] = ["MALLOC_MMAP_THRESHOLD_", "MALLOC_TRIM_THRESHOLD_"];
     if arguments.first().is_some_and(|word| word == "once") || std::env::var_os(SETTINGS[0]).is_some() {
         return None;
     }
     let program = std::env::current_exe().ok()?;
-    let status = Command::new(program).args(arguments).envs(SETTINGS.map(|name| (name, "1000000000"))).status().ok()?;
+    let status = Command::new(program)
+        .args(arguments)
+        .envs(SETTINGS.map(|name| (name, "1000000000")))
+        .status()
+        .ok()?;
     Some(ExitCode::from(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1)))
 }
 

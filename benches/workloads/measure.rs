@@ -13,13 +13,21 @@ pub struct Figure {
 }
 
 impl Figure {
-    pub fn new(workload: impl Into<String>, peer: impl Into<String>, metric: impl Into<String>, value: f64) -> Self {
+    pub fn new(
+        workload: impl Into<String>,
+        peer: impl Into<String>,
+        metric: impl Into<String>,
+        value: f64,
+    ) -> Self {
         Figure { workload: workload.into(), peer: peer.into(), metric: metric.into(), value }
     }
 
     pub fn print(&self) {
         let Figure { workload, peer, metric, value } = self;
-        println!("{}", serde_json::json!({ "workload": workload, "peer": peer, "metric": metric, "value": value }));
+        println!(
+            "{}",
+            serde_json::json!({ "workload": workload, "peer": peer, "metric": metric, "value": value })
+        );
     }
 }
 
@@ -53,17 +61,21 @@ pub struct Result {
     pub ratio: f64,
 }
 
-/// Runs all contestants in turn, for about `budget` but at least five rounds, and takes medians. One called `hand` is the measure.
+/// Runs all contestants in turn, for about `budget` but at least five rounds, and takes medians. One called
+/// `hand` is the measure.
 pub fn race(contestants: &mut [Contestant<'_>], budget: Duration) -> Vec<Result> {
     // Runs of less than 200 µs are repeated, so that reading the clock does not count.
-    let repeats: Vec<u32> = contestants.iter_mut().map(|c| (2e5 / time(c, 1)).clamp(1.0, 1000.0) as u32).collect();
+    let repeats: Vec<u32> =
+        contestants.iter_mut().map(|c| (2e5 / time(c, 1)).clamp(1.0, 1000.0) as u32).collect();
     let mut rounds: Vec<Vec<f64>> = Vec::new();
     let start = cpu();
     while rounds.len() < 5 || (cpu() - start < budget && rounds.len() < 1001) {
         rounds.push(contestants.iter_mut().zip(&repeats).map(|(c, repeats)| time(c, *repeats)).collect());
     }
     let hand = contestants.iter().position(|c| c.peer == "hand").unwrap_or(0);
-    let column = |k: usize, unit: &dyn Fn(&[f64]) -> f64| median(rounds.iter().map(|round| round[k] / unit(round)).collect());
+    let column = |k: usize, unit: &dyn Fn(&[f64]) -> f64| {
+        median(rounds.iter().map(|round| round[k] / unit(round)).collect())
+    };
     let result = |(k, c): (usize, &Contestant<'_>)| Result {
         peer: c.peer,
         nanoseconds: column(k, &|_| 1.0),

@@ -1,4 +1,5 @@
-//! What the workloads W1 to W5 have in common: a sweep over a grid of times, by several routes, with its error.
+//! What the workloads W1 to W5 have in common: a sweep over a grid of times, by several routes, with its
+//! error.
 
 use std::hint::black_box;
 use std::time::Duration;
@@ -77,11 +78,18 @@ pub struct Workload {
 
 /// The workloads' protocol: from the last solution, until the residual is below 1e-10.
 pub fn as_defined() -> Options {
-    Options { stop: Stop::ResidualOnly(1e-10), predict: false, rescue: false, follow: Follow::Unchecked, ..Options::default() }
+    Options {
+        stop: Stop::ResidualOnly(1e-10),
+        predict: false,
+        rescue: false,
+        follow: Follow::Unchecked,
+        ..Options::default()
+    }
 }
 
-/// By hand, and Kin's routes: as defined, with prediction as well, as defined with each step checked to stay on its branch, as it comes
-/// (`Options::default()`), compiled, and as it comes but unchecked, and on dual numbers as defined.
+/// By hand, and Kin's routes: as defined, with prediction as well, as defined with each step checked to stay
+/// on its branch, as it comes (`Options::default()`), compiled, and as it comes but unchecked, and on dual
+/// numbers as defined.
 pub fn routes(hand: impl Fn() -> Table + 'static, model: impl Fn(bool) -> System) -> Vec<Route> {
     let kin = |peer, dual, options| Route { peer, solver: Solver::Kin(Box::new(model(dual)), options) };
     vec![
@@ -101,7 +109,12 @@ pub fn by_hand(hand: impl Fn() -> Table + 'static) -> Route {
 }
 
 /// Adds a constraint on the symbolic or on the dual route.
-pub fn add<E: Equation<N, M> + 'static, const N: usize, const M: usize>(m: &mut Mechanism, dual: bool, name: &str, equation: E) {
+pub fn add<E: Equation<N, M> + 'static, const N: usize, const M: usize>(
+    m: &mut Mechanism,
+    dual: bool,
+    name: &str,
+    equation: E,
+) {
     let added = if dual { m.add(name, by_dual(equation)) } else { m.add(name, equation) };
     added.unwrap_or_else(|error| panic!("{error}"));
 }
@@ -115,17 +128,24 @@ impl Workload {
     /// Errors first, then times; the figures are printed by the caller.
     pub fn run(&self, budget: Duration) -> Vec<Figure> {
         let times = self.times();
-        let mut figures: Vec<Figure> = self.routes.iter().flat_map(|route| self.verify(route, &times)).collect();
-        let contestant = |route| Contestant { peer: Route::peer(route), run: Box::new(|| self.solve(route, &times)) };
+        let mut figures: Vec<Figure> =
+            self.routes.iter().flat_map(|route| self.verify(route, &times)).collect();
+        let contestant =
+            |route| Contestant { peer: Route::peer(route), run: Box::new(|| self.solve(route, &times)) };
         let mut contestants: Vec<Contestant<'_>> = self.routes.iter().map(contestant).collect();
         for result in race(&mut contestants, budget) {
             let step = result.nanoseconds / self.steps as f64;
             let per_link = self.links.map(|links| step / links as f64);
             let text = per_link.map_or(String::new(), |x| format!(", {x:.1} ns a link"));
-            eprintln!("{:>10} {:<14} {step:>12.1} ns a step{text}, {:.2} of hand-written", self.name, result.peer, result.ratio);
+            eprintln!(
+                "{:>10} {:<14} {step:>12.1} ns a step{text}, {:.2} of hand-written",
+                self.name, result.peer, result.ratio
+            );
             figures.push(self.figure(result.peer, "ns_per_step", step));
             figures.extend(per_link.map(|x| self.figure(result.peer, "ns_per_step_per_link", x)));
-            figures.extend((result.peer != "hand").then(|| self.figure(result.peer, "ratio_to_hand", result.ratio)));
+            figures.extend(
+                (result.peer != "hand").then(|| self.figure(result.peer, "ratio_to_hand", result.ratio)),
+            );
         }
         figures.extend(self.set_up());
         figures
@@ -146,19 +166,32 @@ impl Workload {
     fn solve(&self, route: &Route, times: &[f64]) {
         match &route.solver {
             Solver::Hand(sweep) => drop(black_box(sweep())),
-            Solver::Kin(system, options) => drop(black_box(system.run_with(times, options)).unwrap_or_else(|error| panic!("{error}"))),
+            Solver::Kin(system, options) => {
+                drop(black_box(system.run_with(times, options)).unwrap_or_else(|error| panic!("{error}")))
+            }
         }
     }
 
     fn verify(&self, route: &Route, times: &[f64]) -> [Figure; 2] {
         let table = match &route.solver {
             Solver::Hand(sweep) => sweep(),
-            Solver::Kin(system, options) => Table::of(&system.run_with(times, options).unwrap_or_else(|error| panic!("{error}"))),
+            Solver::Kin(system, options) => {
+                Table::of(&system.run_with(times, options).unwrap_or_else(|error| panic!("{error}")))
+            }
         };
         assert_eq!(table.len(), self.steps, "{} by {}: steps", self.name, route.peer);
         let (error, iterations) = ((self.error)(&table), table.iterations as f64 / self.steps as f64);
-        assert!(error <= self.allowed, "{} by {}: error {error:e}, allowed {:e}", self.name, route.peer, self.allowed);
-        [self.figure(route.peer, "max_error", error), self.figure(route.peer, "iterations_per_step", iterations)]
+        assert!(
+            error <= self.allowed,
+            "{} by {}: error {error:e}, allowed {:e}",
+            self.name,
+            route.peer,
+            self.allowed
+        );
+        [
+            self.figure(route.peer, "max_error", error),
+            self.figure(route.peer, "iterations_per_step", iterations),
+        ]
     }
 
     /// Declaring and building, apart from the sweep.

@@ -25,7 +25,9 @@ pub fn workload() -> Workload {
 fn model(dual: bool) -> System {
     let [l2, l3] = TWO_LINK.l;
     let mut m = Mechanism::new("two-link manipulator");
-    let body = |m: &mut Mechanism, name| m.planar(name, pose(0.0, 0.0, 0.0)).unwrap_or_else(|error| panic!("{error}"));
+    let body = |m: &mut Mechanism, name| {
+        m.planar(name, pose(0.0, 0.0, 0.0)).unwrap_or_else(|error| panic!("{error}"))
+    };
     let (body1, body2, body3) = (body(&mut m, "body1"), body(&mut m, "body2"), body(&mut m, "body3"));
     add(&mut m, dual, "ground", fixed(body1, vec2(0.0, 0.0), 0.0));
     add(&mut m, dual, "O", revolute(body1, body2, vec2(0.0, 0.0), vec2(-0.5 * l2, 0.0)));
@@ -46,7 +48,8 @@ fn error(table: &Table) -> f64 {
     let step = |k: usize| {
         let (q, qd, qdd) = table.at(k);
         let exact = TWO_LINK.position(k as f64 * DT);
-        let (a, b) = ([2.0 * h * exact[5].cos(), 2.0 * h * exact[5].sin()], [g * exact[8].cos(), g * exact[8].sin()]);
+        let (a, b) =
+            ([2.0 * h * exact[5].cos(), 2.0 * h * exact[5].sin()], [g * exact[8].cos(), g * exact[8].sin()]);
         let errors = [
             q[6] - exact[6],
             q[7] - exact[7],

@@ -46,8 +46,19 @@ fn error(table: &Table) -> f64 {
         let (y, x) = theta.sin_cos();
         let rate = -L2 * OMEGA * c / L3 / x;
         let second = (L2 * OMEGA * OMEGA * s / L3 + y * rate * rate) / x;
-        let slider = [L2 * c + L3 * x, -L2 * OMEGA * s - L3 * y * rate, -L2 * OMEGA * OMEGA * c - L3 * (x * rate * rate + y * second)];
-        let errors = [q[0] - theta, qd[0] - rate, qdd[0] - second, q[1] - slider[0], qd[1] - slider[1], qdd[1] - slider[2]];
+        let slider = [
+            L2 * c + L3 * x,
+            -L2 * OMEGA * s - L3 * y * rate,
+            -L2 * OMEGA * OMEGA * c - L3 * (x * rate * rate + y * second),
+        ];
+        let errors = [
+            q[0] - theta,
+            qd[0] - rate,
+            qdd[0] - second,
+            q[1] - slider[0],
+            qd[1] - slider[1],
+            qdd[1] - slider[2],
+        ];
         errors.iter().fold(0.0_f64, |m, e| m.max(e.abs()))
     };
     (0..table.len()).map(step).fold(0.0, f64::max)

@@ -28,7 +28,8 @@ pub fn workload() -> Workload {
 pub fn model(lengths: &FourBar, dual: bool) -> System {
     let mut m = Mechanism::new("four-bar");
     let ground = m.ground();
-    let link = |m: &mut Mechanism, name, length| m.link(name, length).unwrap_or_else(|error| panic!("{error}"));
+    let link =
+        |m: &mut Mechanism, name, length| m.link(name, length).unwrap_or_else(|error| panic!("{error}"));
     let crank = link(&mut m, "crank", lengths.a);
     let coupler = link(&mut m, "coupler", lengths.b);
     let rocker = link(&mut m, "rocker", lengths.c);
@@ -47,14 +48,21 @@ fn error(table: &Table) -> f64 {
 /// Against the closed form; angles of coupler and rocker up to whole turns.
 fn position_error(q: &[f64], k: usize) -> f64 {
     let exact = MODEL.position(TAU * k as f64 * DT);
-    let difference = |i: usize| if i == 5 || i == 8 { (q[i] - exact[i] + TAU / 2.0).rem_euclid(TAU) - TAU / 2.0 } else { q[i] - exact[i] };
+    let difference = |i: usize| {
+        if i == 5 || i == 8 {
+            (q[i] - exact[i] + TAU / 2.0).rem_euclid(TAU) - TAU / 2.0
+        } else {
+            q[i] - exact[i]
+        }
+    };
     (0..9).fold(0.0, |m, i| difference(i).abs().max(m))
 }
 
 /// C_q q̇ + C_t and C_q q̈ − Q_d, by pins: each is a point of one link less a point of the next.
 fn rate_error(table: &Table, k: usize) -> f64 {
     let (q, qd, qdd) = table.at(k);
-    // Velocity and acceleration of the end (side 1) or start (side −1) of link `i` of length `l`; link 3 is the ground.
+    // Velocity and acceleration of the end (side 1) or start (side −1) of link `i` of length `l`; link 3 is
+    // the ground.
     let point = |i: usize, l: f64, side: f64| {
         if i == 3 {
             return [0.0; 4];

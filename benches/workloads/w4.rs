@@ -16,7 +16,11 @@ fn drive_between(body: Planar, before: Planar, law: Law, t: Time) -> f64 {
 
 /// The workloads of that name: all of W4, or one such as `W4-N100`.
 pub fn workloads(name: &str) -> Vec<Workload> {
-    LINKS.iter().filter(|links| name == "W4" || name == format!("W4-N{links}")).map(|&links| workload(links)).collect()
+    LINKS
+        .iter()
+        .filter(|links| name == "W4" || name == format!("W4-N{links}"))
+        .map(|&links| workload(links))
+        .collect()
 }
 
 /// Names of its parts.
@@ -46,9 +50,15 @@ fn model(links: usize, dual: bool) -> System {
     let mut before = None;
     for i in 0..links {
         let link = m.link(&format!("link{i}"), 1.0).unwrap_or_else(|error| panic!("{error}"));
-        let (body, end) = before.map_or((PlanarBody::from(m.ground()), vec2(0.0, 0.0)), |link: Link| (link.body(), link.end()));
+        let (body, end) = before
+            .map_or((PlanarBody::from(m.ground()), vec2(0.0, 0.0)), |link: Link| (link.body(), link.end()));
         add(&mut m, dual, &format!("pin{i}"), revolute(body, link, end, link.start()));
-        add(&mut m, dual, &format!("motor{i}"), drive_between(link, body, Law::sine(0.3, 1.0, 0.1 * i as f64)));
+        add(
+            &mut m,
+            dual,
+            &format!("motor{i}"),
+            drive_between(link, body, Law::sine(0.3, 1.0, 0.1 * i as f64)),
+        );
         before = Some(link);
     }
     build(m, &exact(links, 0.0)[0])
@@ -60,7 +70,10 @@ fn error(table: &Table, links: usize) -> f64 {
         let [q, qd, qdd] = exact(links, k as f64 * DT);
         let found = table.at(k);
         let pairs = [(q, found.0), (qd, found.1), (qdd, found.2)];
-        pairs.iter().flat_map(|(exact, found)| exact.iter().zip(*found)).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()))
+        pairs
+            .iter()
+            .flat_map(|(exact, found)| exact.iter().zip(*found))
+            .fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()))
     };
     (0..table.len()).map(step).fold(0.0, f64::max)
 }

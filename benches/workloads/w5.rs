@@ -42,7 +42,8 @@ fn model(dual: bool) -> System {
     build(m, &START)
 }
 
-/// Leg lengths; velocities and accelerations against central differences of q, of which the differences themselves are most.
+/// Leg lengths; velocities and accelerations against central differences of q, of which the differences
+/// themselves are most.
 fn error(table: &Table) -> f64 {
     (0..table.len()).map(|k| leg_error(table, k).max(rate_error(table, k))).fold(0.0, f64::max)
 }

@@ -1,6 +1,8 @@
-//! W6, derivatives of one joint: C, the structural non-zeros of C_q, and Q_d, from q, q̇ and run-time parameters.
+//! W6, derivatives of one joint: C, the structural non-zeros of C_q, and Q_d, from q, q̇ and run-time
+//! parameters.
 //!
-//! The library's way: `#[constraint]` functions called through the `Constraint` trait. By hand: `hand/`, cut into the same functions.
+//! The library's way: `#[constraint]` functions called through the `Constraint` trait. By hand: `hand/`, cut
+//! into the same functions.
 
 use std::hint::black_box;
 use std::time::Duration;
@@ -12,7 +14,8 @@ use crate::hand::planar_joints::{self, Prismatic, Revolute};
 use crate::hand::spatial_joints::{self, Cylindrical, Spherical, Universal};
 use crate::measure::{Contestant, Figure, SplitMix64, race};
 
-// The planar two are in the library too; here, like the others, they are compiled with the loop that calls them, as those by hand are.
+// The planar two are in the library too; here, like the others, they are compiled with the loop that calls
+// them, as those by hand are.
 #[constraint(symbolic)]
 fn planar_revolute(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> Vec2 {
     i.point(u_i) - j.point(u_j)
@@ -71,8 +74,11 @@ impl Input {
         let mut random = SplitMix64(12345);
         let mut draw = |count: usize| (0..count).map(|_| random.unit() * 2.0 - 1.0).collect::<Vec<f64>>();
         let (q, qd, parameters) = (draw(BATCH * joint.n), draw(BATCH * joint.n), draw(joint.parameters));
-        let states =
-            q.chunks(joint.n).zip(qd.chunks(joint.n)).flat_map(|(q, qd)| q.iter().chain(qd).copied().collect::<Vec<_>>()).collect();
+        let states = q
+            .chunks(joint.n)
+            .zip(qd.chunks(joint.n))
+            .flat_map(|(q, qd)| q.iter().chain(qd).copied().collect::<Vec<_>>())
+            .collect();
         Input { states, parameters }
     }
 }
@@ -163,20 +169,42 @@ fn by_library(joint: &Joint, p: &[f64]) -> Route {
     let (si, sj) = (kin::any_spatial(), kin::any_spatial());
     match joint.name {
         "planar_revolute" => planar(planar_revolute(i, j, vec2_at(p, 0), vec2_at(p, 2))),
-        "planar_prismatic" => planar(planar_prismatic(i, j, vec2_at(p, 0), vec2_at(p, 2), vec2_at(p, 4), p[6])),
+        "planar_prismatic" => {
+            planar(planar_prismatic(i, j, vec2_at(p, 0), vec2_at(p, 2), vec2_at(p, 4), p[6]))
+        }
         "spherical" => spatial::<_, 3, 30>(spherical(si, sj, vec3_at(p, 0), vec3_at(p, 3))),
-        "universal" => spatial::<_, 4, 38>(universal(si, sj, vec3_at(p, 0), vec3_at(p, 3), vec3_at(p, 6), vec3_at(p, 9))),
-        _ => spatial::<_, 4, 44>(cylindrical(si, sj, vec3_at(p, 0), vec3_at(p, 3), vec3_at(p, 6), vec3_at(p, 9), vec3_at(p, 12))),
+        "universal" => {
+            spatial::<_, 4, 38>(universal(si, sj, vec3_at(p, 0), vec3_at(p, 3), vec3_at(p, 6), vec3_at(p, 9)))
+        }
+        _ => spatial::<_, 4, 44>(cylindrical(
+            si,
+            sj,
+            vec3_at(p, 0),
+            vec3_at(p, 3),
+            vec3_at(p, 6),
+            vec3_at(p, 9),
+            vec3_at(p, 12),
+        )),
     }
 }
 
 fn by_hand(joint: &Joint) -> Route {
     match joint.name {
-        "planar_revolute" => Box::new(|input, out| planar_joints::batch::<Revolute>(&input.states, &input.parameters, out)),
-        "planar_prismatic" => Box::new(|input, out| planar_joints::batch::<Prismatic>(&input.states, &input.parameters, out)),
-        "spherical" => Box::new(|input, out| spatial_joints::batch::<Spherical, 3, 30>(&input.states, &input.parameters, out)),
-        "universal" => Box::new(|input, out| spatial_joints::batch::<Universal, 4, 38>(&input.states, &input.parameters, out)),
-        _ => Box::new(|input, out| spatial_joints::batch::<Cylindrical, 4, 44>(&input.states, &input.parameters, out)),
+        "planar_revolute" => {
+            Box::new(|input, out| planar_joints::batch::<Revolute>(&input.states, &input.parameters, out))
+        }
+        "planar_prismatic" => {
+            Box::new(|input, out| planar_joints::batch::<Prismatic>(&input.states, &input.parameters, out))
+        }
+        "spherical" => Box::new(|input, out| {
+            spatial_joints::batch::<Spherical, 3, 30>(&input.states, &input.parameters, out)
+        }),
+        "universal" => Box::new(|input, out| {
+            spatial_joints::batch::<Universal, 4, 38>(&input.states, &input.parameters, out)
+        }),
+        _ => Box::new(|input, out| {
+            spatial_joints::batch::<Cylindrical, 4, 44>(&input.states, &input.parameters, out)
+        }),
     }
 }
 
@@ -202,14 +230,20 @@ pub fn run(name: &str, budget: Duration) -> Vec<Figure> {
 fn run_joint(joint: &'static Joint, budget: Duration) -> Vec<Figure> {
     let input = Input::new(joint);
     let mut routes = [("hand", by_hand(joint)), ("kin", by_library(joint, &input.parameters))];
-    let figure = |peer: &str, metric: &str, value| Figure::new(format!("W6-{}", joint.name), peer, metric, value);
-    let mut figures: Vec<Figure> =
-        routes.iter_mut().map(|(peer, route)| figure(peer, "max_error", verify(joint, peer, route, &input))).collect();
+    let figure =
+        |peer: &str, metric: &str, value| Figure::new(format!("W6-{}", joint.name), peer, metric, value);
+    let mut figures: Vec<Figure> = routes
+        .iter_mut()
+        .map(|(peer, route)| figure(peer, "max_error", verify(joint, peer, route, &input)))
+        .collect();
     let contestant = |(peer, route)| Contestant { peer, run: repeated(joint, route, &input) };
     let mut contestants: Vec<Contestant<'_>> = routes.into_iter().map(contestant).collect();
     for result in race(&mut contestants, budget) {
         let time = result.nanoseconds / BATCH as f64;
-        eprintln!("{:>10} {:<14} {time:>12.1} ns an evaluation, {:.3} of hand-written ({})", "W6", result.peer, result.ratio, joint.name);
+        eprintln!(
+            "{:>10} {:<14} {time:>12.1} ns an evaluation, {:.3} of hand-written ({})",
+            "W6", result.peer, result.ratio, joint.name
+        );
         figures.push(figure(result.peer, "ns_per_eval", time));
         figures.extend((result.peer != "hand").then(|| figure(result.peer, "ratio_to_hand", result.ratio)));
     }

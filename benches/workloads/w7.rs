@@ -26,7 +26,8 @@ type Sums = (f64, usize);
 type Route = (&'static str, fn(&[FourBar], usize) -> Sums);
 
 /// `kin-lanes-4` is what a machine without AVX-512 does.
-const ROUTES: [Route; 4] = [("hand", by_hand), ("kin", by_kin), ("kin-lanes-4", by_four_lanes), ("kin-lanes", by_lanes)];
+const ROUTES: [Route; 4] =
+    [("hand", by_hand), ("kin", by_kin), ("kin-lanes-4", by_four_lanes), ("kin-lanes", by_lanes)];
 
 /// Time on the wall and of all threads.
 type Times = (Duration, Duration);
@@ -36,14 +37,18 @@ const ROUNDS: usize = 3;
 
 pub fn run() -> Vec<Figure> {
     let models = models();
-    let samples: Vec<Vec<Times>> = (0..ROUNDS).map(|_| ROUTES.iter().map(|route| timed(route, &models)).collect()).collect();
+    let samples: Vec<Vec<Times>> =
+        (0..ROUNDS).map(|_| ROUTES.iter().map(|route| timed(route, &models)).collect()).collect();
     let mut figures = Vec::new();
     for (k, (peer, _)) in ROUTES.iter().enumerate() {
         let column = |unit: &dyn Fn(&Vec<Times>) -> f64| median(samples.iter().map(unit).collect());
         let per_second = MECHANISMS as f64 / column(&|round| round[k].0.as_secs_f64());
         let step = column(&|round| round[k].1.as_nanos() as f64) / (MECHANISMS * STEPS) as f64;
         let ratio = column(&|round| round[0].1.as_secs_f64() / round[k].1.as_secs_f64());
-        eprintln!("{:>10} {peer:<14} {per_second:>12.0} mechanisms a second, {step:.1} ns of CPU a step, {ratio:.2} of hand-written", "W7");
+        eprintln!(
+            "{:>10} {peer:<14} {per_second:>12.0} mechanisms a second, {step:.1} ns of CPU a step, {ratio:.2} of hand-written",
+            "W7"
+        );
         figures.push(Figure::new("W7", *peer, "mechanisms_per_s", per_second));
         figures.push(Figure::new("W7", *peer, "ns_per_step", step));
         figures.extend((*peer != "hand").then(|| Figure::new("W7", *peer, "ratio_to_hand", ratio)));
@@ -83,7 +88,10 @@ fn timed((peer, route): &Route, models: &[FourBar]) -> Times {
     let times = (wall.elapsed(), cpu_of_all_threads() - all);
     assert!((sum / CHECK_SUM - 1.0).abs() < 1e-5, "W7 by {peer}: check sum {sum}, expected {CHECK_SUM}");
     let iterations = iterations as f64 / (models.len() * STEPS) as f64;
-    assert!((iterations - ITERATIONS).abs() < 0.01, "W7 by {peer}: {iterations} iterations a step, expected {ITERATIONS}");
+    assert!(
+        (iterations - ITERATIONS).abs() < 0.01,
+        "W7 by {peer}: {iterations} iterations a step, expected {ITERATIONS}"
+    );
     times
 }
 
@@ -96,7 +104,10 @@ fn by_hand(models: &[FourBar], threads: usize) -> Sums {
         })
     };
     std::thread::scope(|scope| {
-        let threads: Vec<_> = models.chunks(models.len().div_ceil(threads)).map(|part| scope.spawn(move || group(part))).collect();
+        let threads: Vec<_> = models
+            .chunks(models.len().div_ceil(threads))
+            .map(|part| scope.spawn(move || group(part)))
+            .collect();
         threads.into_iter().map(|thread| thread.join().unwrap_or((f64::NAN, 0))).fold((0.0, 0), add)
     })
 }
@@ -150,7 +161,9 @@ fn by_sweep(models: &[FourBar], threads: usize, lanes: Lanes) -> Sums {
         (own, motion.iterations().iter().sum())
     };
     let system = w3::model(first, false);
-    let sums = system.sweep(NAMES).and_then(|sweep| sweep.options(as_defined()).threads(threads).lanes(lanes).run(&cases, &times, keep));
+    let sums = system.sweep(NAMES).and_then(|sweep| {
+        sweep.options(as_defined()).threads(threads).lanes(lanes).run(&cases, &times, keep)
+    });
     sums.unwrap_or_else(|error| panic!("{error}")).into_iter().fold((0.0, 0), add)
 }
 

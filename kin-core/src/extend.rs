@@ -1,8 +1,8 @@
-//! What ordinary programs do not call: for constraints and laws written by hand, for comparing derivatives term by term, and what the code that
-//! `#[constraint]` emits stands on.
+//! What ordinary programs do not call: for constraints and laws written by hand, for comparing derivatives
+//! term by term, and what the code that `#[constraint]` emits stands on.
 //!
-//! A constraint by hand is an `impl` of [`Constraint`](crate::Constraint); what it sees is in [`state`], the bodies that it acts on in
-//! [`coordinates`]. A law by hand is an `impl` of [`LawFunction`].
+//! A constraint by hand is an `impl` of [`Constraint`](crate::Constraint); what it sees is in [`state`], the
+//! bodies that it acts on in [`coordinates`]. A law by hand is an `impl` of [`LawFunction`].
 
 #[doc(inline)]
 pub use crate::model::constraint::{Attached, Attachment, Dependence, Measured};

@@ -1,9 +1,11 @@
-//! The core of Kin: numbers and vectors, bodies and coordinates, constraints and joints, the solver and its results.
+//! The core of Kin: numbers and vectors, bodies and coordinates, constraints and joints, the solver and its
+//! results.
 //!
 //! Use it through the facade crate `kin`.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
-// Where `lanes` knows no SIMD registers (WebAssembly, among others), cases of a sweep run one by one, and what advances several together is idle.
+// Where `lanes` knows no SIMD registers (WebAssembly, among others), cases of a sweep run one by one, and
+// what advances several together is idle.
 #![cfg_attr(not(any(target_arch = "x86_64", target_arch = "aarch64")), allow(dead_code))]
 
 extern crate self as kin;
@@ -38,8 +40,8 @@ pub use solve::{motion, newton, sweep};
 
 pub use constraint::{Constraint, Route, RouteReason};
 pub use coordinates::{
-    Coord, Coordinate, Ground, IntoAxis, IntoCoordinate, IntoPlanarBody, IntoSpatialBody, Link, Planar, PlanarBody, Spatial, SpatialBody,
-    SpatialLink, Time, any_coord, any_planar, any_spatial,
+    Coord, Coordinate, Ground, IntoAxis, IntoCoordinate, IntoPlanarBody, IntoSpatialBody, Link, Planar,
+    PlanarBody, Spatial, SpatialBody, SpatialLink, Time, any_coord, any_planar, any_spatial,
 };
 pub use data::Registry;
 pub use error::{Error, Result};
@@ -47,9 +49,13 @@ pub use joints::spatial;
 pub use kin_macros::{constraint, law};
 pub use law::{Break, Ends, Law};
 pub use measure::{Crossing, Extreme, Extremes, Measure};
-pub use mechanism::{ConstraintId, IntoConstraint, Marker, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose};
+pub use mechanism::{
+    ConstraintId, IntoConstraint, Marker, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose,
+};
 pub use model::units::Units;
-pub use motion::{Displaced, EngineCounts, Event, EventKind, Line, Motion, PointMotion, Quantity, RotationMotion, Series};
+pub use motion::{
+    Displaced, EngineCounts, Event, EventKind, Line, Motion, PointMotion, Quantity, RotationMotion, Series,
+};
 pub use nalgebra;
 pub use newton::{CrossedBreak, Engine, Follow, Options, Report, Stop};
 pub use numbers::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};

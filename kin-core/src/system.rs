@@ -24,8 +24,9 @@ use evaluate::{Block, Equations};
 
 /// A system C(q, t) = 0 of m equations in n coordinates, m ≥ n; built by [`crate::Mechanism::build`].
 ///
-/// Coordinates come in the order in which bodies and bare coordinates were declared, equations in the order in which constraints were
-/// added, the norm constraints |p|² = 1 of spatial bodies (named `BODY.p`) after them.
+/// Coordinates come in the order in which bodies and bare coordinates were declared, equations in the order
+/// in which constraints were added, the norm constraints |p|² = 1 of spatial bodies (named `BODY.p`) after
+/// them.
 #[derive(Clone)]
 pub struct System {
     name: String,
@@ -98,9 +99,22 @@ impl System {
         let linear = prepared(&layout, &equations, &initial, &links);
         let rows = (0..equations.rows).map(|row| equations.equation(row)).collect();
         let all = equations.blocks.iter().enumerate();
-        let switching = all.filter(|(_, block)| switches(block.constraint.as_ref())).map(|(k, _)| k).collect();
+        let switching =
+            all.filter(|(_, block)| switches(block.constraint.as_ref())).map(|(k, _)| k).collect();
         let (asked, limits) = (Vec::new(), Vec::new());
-        System { name, layout: Arc::new(layout), equations, rows, initial, preferred, asked, links, linear, limits, switching }
+        System {
+            name,
+            layout: Arc::new(layout),
+            equations,
+            rows,
+            initial,
+            preferred,
+            asked,
+            links,
+            linear,
+            limits,
+            switching,
+        }
     }
 
     /// Name of the mechanism.
@@ -128,7 +142,8 @@ impl System {
         &self.layout.names
     }
 
-    /// Units of the coordinates in their order: `m` (or as [`crate::Mechanism::units`] calls it), `rad` or `-`.
+    /// Units of the coordinates in their order: `m` (or as [`crate::Mechanism::units`] calls it), `rad` or
+    /// `-`.
     pub fn coordinate_units(&self) -> Vec<String> {
         self.layout.unit_words()
     }
@@ -190,7 +205,9 @@ impl System {
     /// Drivers of turns in space whose angle at time t is more than a turn.   \[rad\]
     pub(crate) fn beyond_a_turn(&self, t: f64) -> Vec<(String, f64)> {
         let mut found = Vec::new();
-        let turns = |block: &&Block| ["drive_turn", "drive_rotation", "drive_orientation"].contains(&block.constraint.kind());
+        let turns = |block: &&Block| {
+            ["drive_turn", "drive_rotation", "drive_orientation"].contains(&block.constraint.kind())
+        };
         let mut all = self.equations.blocks.iter().filter(turns).peekable();
         if all.peek().is_none() {
             return found;
@@ -211,12 +228,15 @@ impl System {
     pub(crate) fn is_smooth(&self) -> bool {
         let (mut smooth, instant) = (true, self.equations.instant_at(0.0, &self.initial));
         for block in &self.equations.blocks {
-            block.constraint.laws(&self.equations.at(block, &instant), &mut |_, law, _| smooth &= law.is_smooth());
+            block
+                .constraint
+                .laws(&self.equations.at(block, &instant), &mut |_, law, _| smooth &= law.is_smooth());
         }
         smooth
     }
 
-    /// Whether positions that close are meant by all constraints, none of which has, say, its axis turned by 180°.
+    /// Whether positions that close are meant by all constraints, none of which has, say, its axis turned by
+    /// 180°.
     pub(crate) fn all_meant<'q>(&self, mut positions: impl Iterator<Item = (f64, &'q [f64])>) -> bool {
         self.equations.branches().is_empty()
             || positions.all(|(t, q)| self.equations.first_wrong(&self.equations.instant_at(t, q)).is_none())
@@ -240,7 +260,8 @@ impl System {
         &self.equations
     }
 
-    /// A linear solver for C_q, with all that never changes in its place, and measured at the initial guess where that has been done.
+    /// A linear solver for C_q, with all that never changes in its place, and measured at the initial guess
+    /// where that has been done.
     pub(crate) fn linear(&self) -> Linear {
         self.linear.clone()
     }
@@ -333,7 +354,11 @@ fn prepared(layout: &Layout, equations: &Equations, initial: &[f64], links: &[f6
 }
 
 pub(crate) fn time(t: f64) -> Result<f64> {
-    if t.is_finite() { Ok(t) } else { Err(Error::InvalidTimes { reason: format!("t is {t}; give a finite time") }) }
+    if t.is_finite() {
+        Ok(t)
+    } else {
+        Err(Error::InvalidTimes { reason: format!("t is {t}; give a finite time") })
+    }
 }
 
 /// Whether an equation may have anything that switches; on the dual route that is not known.

@@ -38,7 +38,8 @@ impl<N: Number> Results<N> {
         })
     }
 
-    /// Whether a node holds, that of a number being whether it is not 0; `None` of a node that was not needed.
+    /// Whether a node holds, that of a number being whether it is not 0; `None` of a node that was not
+    /// needed.
     pub fn condition(&self, node: Node) -> Option<N::Condition> {
         Some(match self.0.get(node.index())?.as_ref()? {
             Result::Number(number) => number.holds(),
@@ -47,7 +48,8 @@ impl<N: Number> Results<N> {
     }
 }
 
-/// The results of `outputs`. A node is computed after its operands and once; one that has no number in the graph is not a number.
+/// The results of `outputs`. A node is computed after its operands and once; one that has no number in the
+/// graph is not a number.
 pub fn evaluate<N: Number>(graph: &Graph, outputs: &[Node], source: &impl Source<N>) -> Results<N> {
     let mut results = Results((0..graph.len()).map(|_| None).collect());
     for node in graph.reachable(outputs) {
@@ -57,9 +59,22 @@ pub fn evaluate<N: Number>(graph: &Graph, outputs: &[Node], source: &impl Source
     results
 }
 
-/// The results of `outputs` where only the number of one input is another than in `known`: what does not read it stays as it is.
-pub fn evaluate_along<N: Number>(graph: &Graph, outputs: &[Node], input: Input, known: &Results<N>, source: &impl Source<N>) -> Results<N> {
-    evaluate_beyond(graph, outputs, |node| (graph.op(node) == Op::Input(input)).then(|| source.input(input)), known, source)
+/// The results of `outputs` where only the number of one input is another than in `known`: what does not read
+/// it stays as it is.
+pub fn evaluate_along<N: Number>(
+    graph: &Graph,
+    outputs: &[Node],
+    input: Input,
+    known: &Results<N>,
+    source: &impl Source<N>,
+) -> Results<N> {
+    evaluate_beyond(
+        graph,
+        outputs,
+        |node| (graph.op(node) == Op::Input(input)).then(|| source.input(input)),
+        known,
+        source,
+    )
 }
 
 /// The same where nodes have other numbers than in `known`, those that `given` gives them.
@@ -97,7 +112,10 @@ fn result<N: Number>(graph: &Graph, node: Node, known: &Results<N>, source: &imp
         Op::Truth(holds) => return Result::Condition(N::Condition::known(holds)),
         Op::Input(input) => source.input(input),
         Op::Constant(bits) => N::constant(f64::from_bits(bits)),
-        Op::Decimal(k) => graph.decimals.get(k).map_or(N::constant(f64::NAN), |decimal| N::decimal(decimal.nearest, decimal.above)),
+        Op::Decimal(k) => graph
+            .decimals
+            .get(k)
+            .map_or(N::constant(f64::NAN), |decimal| N::decimal(decimal.nearest, decimal.above)),
         Op::Add(a, b) => of(a) + of(b),
         Op::Sub(a, b) => of(a) - of(b),
         Op::Mul(a, b) if a == b => of(a).squared(),
@@ -157,10 +175,19 @@ mod tests {
         let mut g = Graph::default();
         let (x, t) = (g.input(Input::Column(0)), g.input(Input::Time));
         let (product, root) = (g.raw(Op::Mul(x, t)), g.raw(Op::Call(Function::Sqrt, t)));
-        let still = evaluate(&g, &[product, root], &Given([(Input::Column(0), 3.0), (Input::Time, 4.0)].into()));
-        let moved =
-            evaluate_along(&g, &[product, root], Input::Column(0), &still, &Given([(Input::Column(0), 5.0), (Input::Time, 9.0)].into()));
-        assert_eq!([product, root, x, t].map(|node| moved.number(node)), [Some(20.0), Some(2.0), Some(5.0), Some(4.0)]);
+        let still =
+            evaluate(&g, &[product, root], &Given([(Input::Column(0), 3.0), (Input::Time, 4.0)].into()));
+        let moved = evaluate_along(
+            &g,
+            &[product, root],
+            Input::Column(0),
+            &still,
+            &Given([(Input::Column(0), 5.0), (Input::Time, 9.0)].into()),
+        );
+        assert_eq!(
+            [product, root, x, t].map(|node| moved.number(node)),
+            [Some(20.0), Some(2.0), Some(5.0), Some(4.0)]
+        );
     }
 
     #[test]

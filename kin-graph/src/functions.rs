@@ -1,9 +1,12 @@
-//! The vocabulary: every function of one or two scalars, one line each, with its name in Rust. Derivatives are in `differentiate/rules.rs`.
+//! The vocabulary: every function of one or two scalars, one line each, with its name in Rust. Derivatives
+//! are in `differentiate/rules.rs`.
 //!
-//! The two lists are macros that hand themselves to another macro, so that whatever has to do something for every function (numbers of another
-//! kind, tests) does it for exactly these: `kin_graph::functions_of_one!(callback)` expands to `callback! { Sin sin "sin"; … }`.
+//! The two lists are macros that hand themselves to another macro, so that whatever has to do something for
+//! every function (numbers of another kind, tests) does it for exactly these:
+//! `kin_graph::functions_of_one!(callback)` expands to `callback! { Sin sin "sin"; … }`.
 
-/// Hands every function of one scalar to a macro: its name, f64's method, and the method's name as it is written.
+/// Hands every function of one scalar to a macro: its name, f64's method, and the method's name as it is
+/// written.
 #[macro_export]
 macro_rules! functions_of_one {
     ($to:ident) => {
@@ -40,7 +43,8 @@ macro_rules! functions_of_one {
     };
 }
 
-/// Hands every function of two scalars to a macro, as [`functions_of_one`] does; the operator `%` is a method of [`std::ops::Rem`].
+/// Hands every function of two scalars to a macro, as [`functions_of_one`] does; the operator `%` is a method
+/// of [`std::ops::Rem`].
 #[macro_export]
 macro_rules! functions_of_two {
     ($to:ident) => {
@@ -141,9 +145,11 @@ impl Function2 {
     }
 }
 
-/// arcosh x to rounding, NaN below 1. That of the standard library loses all digits near 1: it adds 1 before it takes the logarithm.
+/// arcosh x to rounding, NaN below 1. That of the standard library loses all digits near 1: it adds 1 before
+/// it takes the logarithm.
 ///
-/// With t = x − 1 it is ln(1 + t + √(2 t + t²)); from 2 on ln(2 x − 1/(x + √(x² − 1))), and ln x + ln 2 where 1/x is below rounding.
+/// With t = x − 1 it is ln(1 + t + √(2 t + t²)); from 2 on ln(2 x − 1/(x + √(x² − 1))), and ln x + ln 2 where
+/// 1/x is below rounding.
 pub fn acosh(x: f64) -> f64 {
     if x < 1.0 {
         f64::NAN
@@ -157,8 +163,8 @@ pub fn acosh(x: f64) -> f64 {
     }
 }
 
-/// artanh x to rounding, infinite at ±1, NaN beyond: ½ ln(1 + 2 |x|/(1 − |x|)) of the sign of x. Of a negative x the standard library takes the
-/// logarithm of a difference that is nearly zero.
+/// artanh x to rounding, infinite at ±1, NaN beyond: ½ ln(1 + 2 |x|/(1 − |x|)) of the sign of x. Of a
+/// negative x the standard library takes the logarithm of a difference that is nearly zero.
 pub fn atanh(x: f64) -> f64 {
     let a = x.abs();
     let twice = a + a;
@@ -192,7 +198,10 @@ impl Function {
 
     /// Whether its slope is finite wherever its value is.
     pub fn is_tame(self) -> bool {
-        use Function::{Abs, Asinh, Atan, Ceil, Cos, Cosh, Exp, Exp2, ExpM1, Floor, Fract, Round, Signum, Sin, Sinh, Tan, Tanh, Trunc};
+        use Function::{
+            Abs, Asinh, Atan, Ceil, Cos, Cosh, Exp, Exp2, ExpM1, Floor, Fract, Round, Signum, Sin, Sinh, Tan,
+            Tanh, Trunc,
+        };
         let curved = matches!(self, Sin | Cos | Tan | Sinh | Cosh | Tanh | Asinh | Atan | Exp | Exp2 | ExpM1);
         curved || matches!(self, Abs | Fract | Signum | Floor | Ceil | Round | Trunc)
     }

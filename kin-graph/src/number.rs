@@ -1,11 +1,15 @@
-//! The numbers that can walk a graph: each knows the operations of the graph for itself, and [`crate::evaluate`] does the rest.
+//! The numbers that can walk a graph: each knows the operations of the graph for itself, and
+//! [`crate::evaluate`] does the rest.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::{Comparison, Function, Function2};
 
-/// A number that an equation can be evaluated with: f64, a number with derivatives, an interval, a series, a vector of numbers.
-pub trait Number: Clone + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> {
+/// A number that an equation can be evaluated with: f64, a number with derivatives, an interval, a series, a
+/// vector of numbers.
+pub trait Number:
+    Clone + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
     /// What a comparison of two such numbers gives.
     type Condition: Condition;
 

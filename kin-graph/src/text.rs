@@ -1,8 +1,9 @@
-//! A formula as text and back: what emitted code holds of an equation, one literal that costs nothing to compile.
+//! A formula as text and back: what emitted code holds of an equation, one literal that costs nothing to
+//! compile.
 //!
-//! A line `at LINE COLUMN TEXT` for each expression, the names of the parameters, `rounded` where constants are not as they were written,
-//! the steps of the rows, then a line for each step: the number of its expression (`-` for none), its name, and the numbers of its operands, which are
-//! those of steps before it.
+//! A line `at LINE COLUMN TEXT` for each expression, the names of the parameters, `rounded` where constants
+//! are not as they were written, the steps of the rows, then a line for each step: the number of its
+//! expression (`-` for none), its name, and the numbers of its operands, which are those of steps before it.
 
 use std::fmt;
 use std::str::{FromStr, SplitWhitespace};
@@ -14,8 +15,14 @@ use crate::{Comparison, Function, Function2, Graph, Input, Node, Op};
 type OfTwo = fn(Node, Node) -> Op;
 
 /// Operations of operands alone, by their names.
-const ARITHMETIC: [(&str, OfTwo); 6] =
-    [("Sum", Op::Add), ("Difference", Op::Sub), ("Product", Op::Mul), ("Quotient", Op::Div), ("Both", Op::And), ("Either", Op::Or)];
+const ARITHMETIC: [(&str, OfTwo); 6] = [
+    ("Sum", Op::Add),
+    ("Difference", Op::Sub),
+    ("Product", Op::Mul),
+    ("Quotient", Op::Div),
+    ("Both", Op::And),
+    ("Either", Op::Or),
+];
 
 impl fmt::Display for Formula {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -95,7 +102,8 @@ impl FromStr for Formula {
             reader.line(line).ok_or_else(|| Unreadable { line: line.to_owned() })?;
         }
         let rows: Option<Vec<Node>> = reader.rows.iter().map(|row| reader.steps.get(*row).copied()).collect();
-        reader.formula.rows = rows.ok_or_else(|| Unreadable { line: format!("rows{}", list(&reader.rows)) })?;
+        reader.formula.rows =
+            rows.ok_or_else(|| Unreadable { line: format!("rows{}", list(&reader.rows)) })?;
         Ok(reader.formula)
     }
 }
@@ -115,7 +123,9 @@ impl Reader {
             "at" => self.formula.expressions.push(expression(rest)?),
             "parameters" => self.formula.parameters.extend(rest.split_whitespace().map(str::to_owned)),
             "rounded" => self.formula.is_rounded = true,
-            "rows" => self.rows = rest.split_whitespace().map(|row| row.parse().ok()).collect::<Option<_>>()?,
+            "rows" => {
+                self.rows = rest.split_whitespace().map(|row| row.parse().ok()).collect::<Option<_>>()?
+            }
             number => {
                 let written = if number == "-" { None } else { Some(number.parse().ok()?) };
                 let node = self.step(rest, written)?;
@@ -167,7 +177,9 @@ impl Reader {
             return Some(made(first, second));
         }
         let comparison = || Comparison::ALL.into_iter().find(|comparison| format!("{comparison:?}") == name);
-        Function2::named(name).map(|f| Op::Call2(f, first, second)).or_else(|| Some(Op::Compare(comparison()?, first, second)))
+        Function2::named(name)
+            .map(|f| Op::Call2(f, first, second))
+            .or_else(|| Some(Op::Compare(comparison()?, first, second)))
     }
 
     fn next(&self, words: &mut SplitWhitespace<'_>) -> Option<Node> {
@@ -205,21 +217,52 @@ mod tests {
     fn a_formula_is_read_and_written_as_it_was() {
         let formula = read(SLOT);
         let product = formula.graph.operands(formula.rows[0])[0];
-        assert_eq!(formula.expression(product).map(|e| (e.text.as_str(), e.line, e.column)), Some(("k * x", 3, 5)));
+        assert_eq!(
+            formula.expression(product).map(|e| (e.text.as_str(), e.line, e.column)),
+            Some(("k * x", 3, 5))
+        );
         assert_eq!((formula.parameters.join(","), formula.to_string()), ("k".to_owned(), SLOT.to_owned()));
     }
 
     #[test]
     fn every_operation_comes_back() {
-        let steps =
-            ["Column 0", "Time", "Parameter 1", "Constant -2.5e-3", "Decimal 0.1 0", "Negated 0", "Power 4 -3", "Not 5", "Select 5 1 2"];
-        let others = ["Law 0 5 1", "Foreign 1 2 7 8", "Foreign 2 0", "Both 5 6", "Either 5 6", "Sum 0 1", "Difference 0 1", "Quotient 0 1"];
+        let steps = [
+            "Column 0",
+            "Time",
+            "Parameter 1",
+            "Constant -2.5e-3",
+            "Decimal 0.1 0",
+            "Negated 0",
+            "Power 4 -3",
+            "Not 5",
+            "Select 5 1 2",
+        ];
+        let others = [
+            "Law 0 5 1",
+            "Foreign 1 2 7 8",
+            "Foreign 2 0",
+            "Both 5 6",
+            "Either 5 6",
+            "Sum 0 1",
+            "Difference 0 1",
+            "Quotient 0 1",
+        ];
         let ones = Function::ALL.iter().map(|f| format!("{} 0", f.name()));
         let twos = Function2::ALL.iter().map(|f| format!("{} 0 1", f.name()));
         let comparisons = Comparison::ALL.iter().map(|c| format!("{c:?} 0 1"));
-        let all: Vec<String> = steps.into_iter().chain(others).map(str::to_owned).chain(ones).chain(twos).chain(comparisons).collect();
+        let all: Vec<String> = steps
+            .into_iter()
+            .chain(others)
+            .map(str::to_owned)
+            .chain(ones)
+            .chain(twos)
+            .chain(comparisons)
+            .collect();
         let rows: String = (0..all.len()).map(|k| format!(" {k}")).collect();
-        let text = format!("\nparameters\nrows{rows}{}", all.iter().map(|step| format!("\n- {step}")).collect::<String>());
+        let text = format!(
+            "\nparameters\nrows{rows}{}",
+            all.iter().map(|step| format!("\n- {step}")).collect::<String>()
+        );
         let (once, canonical) = (read(&text).to_string(), text.replace("-2.5e-3", "-0.0025"));
         assert_eq!(once, canonical);
         assert_eq!(read(&once).to_string(), once);
@@ -227,8 +270,17 @@ mod tests {
 
     #[test]
     fn what_is_no_formula_is_refused_with_its_line() {
-        let broken =
-            ["nonsense", "0 Column", "- Column -1", "at 1 x y", "rows a", "- Sin 0", "- Sideways", "- Time\n- Select 0 0", "rows 0"];
+        let broken = [
+            "nonsense",
+            "0 Column",
+            "- Column -1",
+            "at 1 x y",
+            "rows a",
+            "- Sin 0",
+            "- Sideways",
+            "- Time\n- Select 0 0",
+            "rows 0",
+        ];
         for text in broken {
             let refused = text.parse::<Formula>().err();
             assert!(refused.is_some_and(|error| text.ends_with(&error.line)), "{text}");

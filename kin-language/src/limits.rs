@@ -1,5 +1,5 @@
-//! How deep and how long an item may be: everything that reads it recurses over it, on a stack of a few megabytes. And how many numbers it may
-//! speak of: code is written out for each of them.
+//! How deep and how long an item may be: everything that reads it recurses over it, on a stack of a few
+//! megabytes. And how many numbers it may speak of: code is written out for each of them.
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
@@ -10,12 +10,14 @@ use crate::parse::{Argument, Kind, Shape};
 const LONGEST_WAY: usize = 640;
 const GROUP: usize = 10;
 
-/// Coordinates of all arguments of a constraint: each has a column of C_q, and code of its own in every kernel.
+/// Coordinates of all arguments of a constraint: each has a column of C_q, and code of its own in every
+/// kernel.
 const MOST_COORDINATES: usize = 256;
 /// Numbers of all parameters, and rows.
 const MOST_NUMBERS: usize = 4_096;
 
-/// Refuses arguments of more coordinates or numbers than code can be written out for, at the one that is too many.
+/// Refuses arguments of more coordinates or numbers than code can be written out for, at the one that is too
+/// many.
 pub fn arguments(all: &[Argument]) -> syn::Result<()> {
     let (mut coordinates, mut numbers) = (0_usize, 0_usize);
     for Argument { kind, ty, .. } in all {
@@ -46,8 +48,9 @@ pub fn rows(shape: &Shape, ty: &syn::Type) -> syn::Result<()> {
     if count(shape) <= MOST_NUMBERS {
         return Ok(());
     }
-    let text =
-        format!("a constraint has {MOST_NUMBERS} rows at most, for code is written out for each: add one constraint for each part of them");
+    let text = format!(
+        "a constraint has {MOST_NUMBERS} rows at most, for code is written out for each: add one constraint for each part of them"
+    );
     Err(syn::Error::new_spanned(ty, text))
 }
 
@@ -87,13 +90,16 @@ fn within(tokens: &TokenStream, budget: usize) -> syn::Result<()> {
     Ok(())
 }
 
-const TOO_LONG: &str = "this is nested too deeply, or goes on for too long in one expression: name parts of it with `let`";
+const TOO_LONG: &str =
+    "this is nested too deeply, or goes on for too long in one expression: name parts of it with `let`";
 
 /// The tokens cut at commas and semicolons, and behind blocks that end a statement.
 fn expressions(tokens: &[TokenTree]) -> Vec<&[TokenTree]> {
     let ends = |k: &usize| match (&tokens[*k], tokens.get(k + 1)) {
         (TokenTree::Punct(punct), _) => matches!(punct.as_char(), ',' | ';'),
-        (TokenTree::Group(group), Some(TokenTree::Ident(next))) => group.delimiter() == Delimiter::Brace && next != "else",
+        (TokenTree::Group(group), Some(TokenTree::Ident(next))) => {
+            group.delimiter() == Delimiter::Brace && next != "else"
+        }
         _ => false,
     };
     let mut start = 0;

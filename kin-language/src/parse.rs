@@ -1,4 +1,5 @@
-//! First stage: from a Rust function to a [`ConstraintFn`], its signature read by name. `syn`'s items end here, its expressions in `lower`.
+//! First stage: from a Rust function to a [`ConstraintFn`], its signature read by name. `syn`'s items end
+//! here, its expressions in `lower`.
 
 mod alias;
 mod attribute;
@@ -75,7 +76,8 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<Cons
     let requirements = demand::take(&mut function.attrs, "require", &mut mistakes);
     let branches = demand::take(&mut function.attrs, "branch", &mut mistakes);
     let measures = measure::take(&mut function.attrs, &mut mistakes);
-    let arguments: Vec<Argument> = function.sig.inputs.iter().filter_map(|input| mistakes.catch(argument(input))).collect();
+    let arguments: Vec<Argument> =
+        function.sig.inputs.iter().filter_map(|input| mistakes.catch(argument(input))).collect();
     if mistakes.is_empty() && !arguments.iter().any(|a| a.kind.slots() > 0) {
         mistakes.add(&function.sig.ident, NO_COORDINATES);
     }
@@ -148,10 +150,14 @@ pub fn law(attribute: &TokenStream, item: TokenStream) -> syn::Result<LawFn> {
     let mut mistakes = Mistakes::default();
     refuse_qualifiers(&function, &mut mistakes);
     let requirements = demand::take(&mut function.attrs, "require", &mut mistakes);
-    let mut arguments: Vec<Argument> = function.sig.inputs.iter().filter_map(|input| mistakes.catch(argument(input))).collect();
+    let mut arguments: Vec<Argument> =
+        function.sig.inputs.iter().filter_map(|input| mistakes.catch(argument(input))).collect();
     for argument in &arguments {
         if argument.kind.slots() > 0 || argument.kind == Kind::Time {
-            mistakes.add(&argument.ty, "a law is a function of numbers: its first argument is the variable, an `f64`");
+            mistakes.add(
+                &argument.ty,
+                "a law is a function of numbers: its first argument is the variable, an `f64`",
+            );
         }
     }
     if !matches!(&function.sig.output, ReturnType::Type(_, ty) if shape(ty) == Some(Shape::Scalar)) {
@@ -161,7 +167,9 @@ pub fn law(attribute: &TokenStream, item: TokenStream) -> syn::Result<LawFn> {
         Some(first) if first.kind == Kind::Numbers(Shape::Scalar) => {}
         Some(first) if first.kind.slots() > 0 || first.kind == Kind::Time => {}
         Some(first) => mistakes.add(&first.ty, "the first argument of a law is its variable, an `f64`"),
-        None if mistakes.is_empty() => mistakes.add(&function.sig.ident, "a law needs its variable as first argument, an `f64`"),
+        None if mistakes.is_empty() => {
+            mistakes.add(&function.sig.ident, "a law needs its variable as first argument, an `f64`")
+        }
         None => {}
     }
     mistakes.catch(limits::arguments(&arguments));
@@ -207,7 +215,10 @@ pub fn refuse_qualifiers(function: &ItemFn, mistakes: &mut Mistakes) {
         mistakes.add(word, "remove `extern`: the function becomes a constructor of its own");
     }
     if !sig.generics.params.is_empty() {
-        mistakes.add(&sig.generics, "no generics here: the macro makes the function generic itself; write the types out");
+        mistakes.add(
+            &sig.generics,
+            "no generics here: the macro makes the function generic itself; write the types out",
+        );
     }
     if let Some(clause) = &sig.generics.where_clause {
         mistakes.add(clause, "no `where` here: the macro makes the function generic itself");
@@ -220,21 +231,35 @@ pub fn refuse_qualifiers(function: &ItemFn, mistakes: &mut Mistakes) {
 fn argument(input: &FnArg) -> syn::Result<Argument> {
     let typed = match input {
         FnArg::Receiver(receiver) => {
-            return Err(syn::Error::new_spanned(receiver, "no `self` here: a constraint is a free function of its bodies and parameters"));
+            return Err(syn::Error::new_spanned(
+                receiver,
+                "no `self` here: a constraint is a free function of its bodies and parameters",
+            ));
         }
         FnArg::Typed(typed) => typed,
     };
     let Pat::Ident(pattern) = &*typed.pat else {
-        return Err(syn::Error::new_spanned(&typed.pat, "give the argument a plain name: it becomes a field of the constraint"));
+        return Err(syn::Error::new_spanned(
+            &typed.pat,
+            "give the argument a plain name: it becomes a field of the constraint",
+        ));
     };
     if let Some(word) = &pattern.by_ref {
         return Err(syn::Error::new_spanned(word, "arguments are values: remove `ref`"));
     }
     if pattern.ident.to_string().starts_with("__") {
-        return Err(syn::Error::new_spanned(&pattern.ident, "names that begin with `__` are kept for the emitted code"));
+        return Err(syn::Error::new_spanned(
+            &pattern.ident,
+            "names that begin with `__` are kept for the emitted code",
+        ));
     }
     let kind = kind(&typed.ty)?;
-    Ok(Argument { name: pattern.ident.clone(), mutable: pattern.mutability.is_some(), kind, ty: (*typed.ty).clone() })
+    Ok(Argument {
+        name: pattern.ident.clone(),
+        mutable: pattern.mutability.is_some(),
+        kind,
+        ty: (*typed.ty).clone(),
+    })
 }
 
 fn output(function: &ItemFn) -> syn::Result<(Shape, Type)> {
@@ -251,6 +276,9 @@ fn output(function: &ItemFn) -> syn::Result<(Shape, Type)> {
     match shape(ty) {
         Some(shape) if has_rows(&shape) => limits::rows(&shape, ty).map(|()| (shape, (**ty).clone())),
         Some(Shape::Array(..)) => Err(syn::Error::new(ty.span(), "this has no rows")),
-        _ => Err(syn::Error::new_spanned(ty, format!("a constraint returns {WHAT}; lengths are written as numbers"))),
+        _ => Err(syn::Error::new_spanned(
+            ty,
+            format!("a constraint returns {WHAT}; lengths are written as numbers"),
+        )),
     }
 }

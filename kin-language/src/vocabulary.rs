@@ -1,4 +1,5 @@
-//! Names that both readers of the body understand, the interpreter and the rewriter: what a path or a method is, before any type is known.
+//! Names that both readers of the body understand, the interpreter and the rewriter: what a path or a method
+//! is, before any type is known.
 
 use syn::ExprPath;
 
@@ -8,7 +9,8 @@ pub fn is_number_function(path: &ExprPath) -> bool {
     matches!(&names[..], [ty, function] if ty == "f64" && function.starts_with(char::is_lowercase) && !is_underived(function))
 }
 
-/// Functions of f64 that make a number of something else, or have no derivative: for numbers that do not change they are called as they are.
+/// Functions of f64 that make a number of something else, or have no derivative: for numbers that do not
+/// change they are called as they are.
 pub fn is_underived(name: &str) -> bool {
     UNDERIVED.contains(&name)
 }
@@ -48,7 +50,21 @@ pub fn is_std_function(path: &ExprPath) -> bool {
         names.iter().map(String::as_str).collect::<Vec<_>>()[..],
         ["Some" | "Ok" | "Err" | "drop"]
             | ["std" | "core" | "alloc", ..]
-            | ["Box" | "Rc" | "Arc" | "Vec" | "VecDeque" | "Option" | "Result" | "Cell" | "RefCell" | "Default" | "Iterator" | "String", _]
+            | [
+                "Box"
+                    | "Rc"
+                    | "Arc"
+                    | "Vec"
+                    | "VecDeque"
+                    | "Option"
+                    | "Result"
+                    | "Cell"
+                    | "RefCell"
+                    | "Default"
+                    | "Iterator"
+                    | "String",
+                _
+            ]
             | ["array" | "iter" | "mem" | "cmp", _]
     )
 }
@@ -61,11 +77,17 @@ pub fn is_type_name(path: &ExprPath) -> bool {
 /// Types of Kin's that are made of numbers.
 pub fn is_kin_type(path: &syn::Path) -> bool {
     let name = path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default();
-    matches!(name.as_str(), "Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "Axis" | "PlanarState" | "SpatialState")
+    matches!(
+        name.as_str(),
+        "Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "Axis" | "PlanarState" | "SpatialState"
+    )
 }
 
 pub fn is_integer(name: &str) -> bool {
-    matches!(name, "usize" | "isize" | "u8" | "i8" | "u16" | "i16" | "u32" | "i32" | "u64" | "i64" | "u128" | "i128")
+    matches!(
+        name,
+        "usize" | "isize" | "u8" | "i8" | "u16" | "i16" | "u32" | "i32" | "u64" | "i64" | "u128" | "i128"
+    )
 }
 
 /// The names of a path, `f64` and `sin` of `f64::sin`.

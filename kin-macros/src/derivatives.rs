@@ -1,4 +1,5 @@
-//! What the stage hands on: every derivative of the rows that emitted code computes, as nodes of the same graph.
+//! What the stage hands on: every derivative of the rows that emitted code computes, as nodes of the same
+//! graph.
 
 use kin_graph::differentiate::{Jets, Partial};
 use kin_graph::{Column, Graph, Input, Node, Op, Part};
@@ -77,7 +78,9 @@ pub fn local_column(arguments: &[Argument], column: Column) -> usize {
             return first
                 + match (&argument.kind, column.part) {
                     (Kind::Planar, Part::Theta) => 2,
-                    (Kind::Planars(_), part) => 3 * (column.argument - slot) + if let Part::R(k) = part { k } else { 2 },
+                    (Kind::Planars(_), part) => {
+                        3 * (column.argument - slot) + if let Part::R(k) = part { k } else { 2 }
+                    }
                     (Kind::Spatials(_), Part::R(k)) => 7 * (column.argument - slot) + k,
                     (Kind::Spatials(_), Part::P(k)) => 7 * (column.argument - slot) + 3 + k,
                     (_, Part::R(k)) => k,

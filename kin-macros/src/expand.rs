@@ -18,10 +18,16 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> TokenStream {
         Err(mistakes) => return with_stand_in(&mistakes, &emit::stand_in::constraint_item(item)),
     };
     match (source.choice, lower::constraint(&source)) {
-        (_, Err(Failure::Mistakes(mistakes))) => with_stand_in(&mistakes, &emit::stand_in::constraint(&source)),
+        (_, Err(Failure::Mistakes(mistakes))) => {
+            with_stand_in(&mistakes, &emit::stand_in::constraint(&source))
+        }
         (Choice::Dual(asked), _) => emit::constraint::dual(&source, &DualReason::Asked(asked)),
-        (Choice::Best, Err(Failure::Unreadable(why))) => emit::constraint::dual(&source, &DualReason::Unread(&why)),
-        (Choice::Symbolic, Err(Failure::Unreadable(why))) => with_stand_in(&refusal(&why, &source), &emit::stand_in::constraint(&source)),
+        (Choice::Best, Err(Failure::Unreadable(why))) => {
+            emit::constraint::dual(&source, &DualReason::Unread(&why))
+        }
+        (Choice::Symbolic, Err(Failure::Unreadable(why))) => {
+            with_stand_in(&refusal(&why, &source), &emit::stand_in::constraint(&source))
+        }
         (_, Ok(lowered)) => emit::constraint::symbolic(&source, lowered),
     }
 }
@@ -40,8 +46,9 @@ pub fn law(attribute: &TokenStream, item: TokenStream) -> TokenStream {
     }
 }
 
-/// Something that type-checks, so that no further message follows from the first, and the messages: behind it, for an editor that completes a word
-/// looks for the place of the word before in the expansion with the word.
+/// Something that type-checks, so that no further message follows from the first, and the messages: behind
+/// it, for an editor that completes a word looks for the place of the word before in the expansion with the
+/// word.
 fn with_stand_in(mistakes: &syn::Error, stand_in: &TokenStream) -> TokenStream {
     let messages = mistakes.to_compile_error();
     quote!(#stand_in #messages)

@@ -1,5 +1,5 @@
-//! The constraint compiler of Kin: `#[constraint]` turns one Rust function C(q, t) into residual, Jacobian and right sides; `#[law]` turns a
-//! function of one variable into a law with its derivatives.
+//! The constraint compiler of Kin: `#[constraint]` turns one Rust function C(q, t) into residual, Jacobian
+//! and right sides; `#[law]` turns a function of one variable into a law with its derivatives.
 //!
 //! The stages, in the order data moves: `parse` → `lower` (over `graph`) → `differentiate` → `emit`.
 #![forbid(unsafe_code)]
@@ -23,8 +23,9 @@ use proc_macro::TokenStream;
 /// }
 /// ```
 ///
-/// The function becomes a constructor, `parabolic_slot(crank, table, vec2(0.1, 0.0), 2.0)`, of a struct of the same name that implements
-/// `Constraint`: C, C_q at a fixed pattern, C_t, and r(q̇, ṫ) = −\[(C_q q̇)_q q̇ + 2 ṫ C_qt q̇ + ṫ² C_tt\].
+/// The function becomes a constructor, `parabolic_slot(crank, table, vec2(0.1, 0.0), 2.0)`, of a struct of
+/// the same name that implements `Constraint`: C, C_q at a fixed pattern, C_t, and r(q̇, ṫ) = −\[(C_q q̇)_q
+/// q̇ + 2 ṫ C_qt q̇ + ṫ² C_tt\].
 ///
 /// # Arguments
 ///
@@ -43,38 +44,41 @@ use proc_macro::TokenStream;
 ///
 /// # Result
 ///
-/// `f64`, `Vec2`, `Vec3`, `[f64; N]` or a tuple of these: one row each, named after the identifiers in a returned tuple or array, else x, y, z
-/// of a vector, else 1, 2, ….
+/// `f64`, `Vec2`, `Vec3`, `[f64; N]` or a tuple of these: one row each, named after the identifiers in a
+/// returned tuple or array, else x, y, z of a vector, else 1, 2, ….
 ///
 /// # Routes
 ///
-/// The body is read by the compiler and differentiated symbolically. Calls of functions `fn f<D: Dual>(x: Real<D>) -> Real<D>` are evaluated with
-/// num-dual's numbers inside the symbolic code. A body that cannot be read (a loop whose bound is a parameter) runs on dual
-/// numbers as a whole; `Constraint::route` tells which. `#[constraint(symbolic)]` makes such a body a compile error at the token that cannot
-/// be read, `#[constraint(dual)]` asks for dual numbers.
+/// The body is read by the compiler and differentiated symbolically. Calls of functions `fn f<D: Dual>(x:
+/// Real<D>) -> Real<D>` are evaluated with num-dual's numbers inside the symbolic code. A body that cannot be
+/// read (a loop whose bound is a parameter) runs on dual numbers as a whole; `Constraint::route` tells which.
+/// `#[constraint(symbolic)]` makes such a body a compile error at the token that cannot be read,
+/// `#[constraint(dual)]` asks for dual numbers.
 ///
-/// `#[constraint(lanes)]` (symbolic too) emits the kernels over SIMD lanes as well, for sweeps over many cases of one mechanism: several of
-/// them advance together. Laws and functions of the user's that depend on coordinates are called lane by lane.
+/// `#[constraint(lanes)]` (symbolic too) emits the kernels over SIMD lanes as well, for sweeps over many
+/// cases of one mechanism: several of them advance together. Laws and functions of the user's that depend on
+/// coordinates are called lane by lane.
 ///
-/// `#[constraint(LEGS = 6)]` says what a length with a name is, of a constant or of a const generic: columns are counted here. Of a constant it is
-/// compared with what it is.
+/// `#[constraint(LEGS = 6)]` says what a length with a name is, of a constant or of a const generic: columns
+/// are counted here. Of a constant it is compared with what it is.
 ///
-/// A path or field that the macro cannot know (`MAX_LIFT`, `gains.k`) is an f64 at run time, unless a `let v: Vec2 = …` or its place says
-/// otherwise.
+/// A path or field that the macro cannot know (`MAX_LIFT`, `gains.k`) is an f64 at run time, unless a `let v:
+/// Vec2 = …` or its place says otherwise.
 ///
 /// # What is demanded
 ///
-/// `#[require(length > 0.0)]` below `#[constraint]` or `#[law]` says what must hold of the parameters, with a text of one's own if one likes:
-/// `#[require(length > 0.0, "a rod needs a length above zero")]`. Constructors give values, not results: the requirement is looked at where
-/// the constraint is added to a mechanism, which refuses it by name.
+/// `#[require(length > 0.0)]` below `#[constraint]` or `#[law]` says what must hold of the parameters, with a
+/// text of one's own if one likes: `#[require(length > 0.0, "a rod needs a length above zero")]`.
+/// Constructors give values, not results: the requirement is looked at where the constraint is added to a
+/// mechanism, which refuses it by name.
 ///
-/// `#[branch(condition, "what is wrong")]` says of the pose what the equation cannot, where it has solutions that are not meant (an axis turned
-/// by 180°): it is looked at when a position has been found.
+/// `#[branch(condition, "what is wrong")]` says of the pose what the equation cannot, where it has solutions
+/// that are not meant (an axis turned by 180°): it is looked at when a position has been found.
 ///
 /// # Kinks
 ///
-/// Derivatives are taken from one side: `abs` at 0 as for x ≥ 0; `a.max(b)` and `a.min(b)` of equal values as for a; an `if` as the branch it takes;
-/// the steps (`floor`, `signum`, …) have derivative 0.
+/// Derivatives are taken from one side: `abs` at 0 as for x ≥ 0; `a.max(b)` and `a.min(b)` of equal values as
+/// for a; an `if` as the branch it takes; the steps (`floor`, `signum`, …) have derivative 0.
 #[proc_macro_attribute]
 pub fn constraint(attribute: TokenStream, item: TokenStream) -> TokenStream {
     expand::constraint(attribute.into(), item.into()).into()
@@ -90,8 +94,8 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> TokenStream {
 /// }
 /// ```
 ///
-/// The first argument is the variable; the others are parameters of the constructor, `rise(0.02, 1.2)`, which gives a `Law`. The body is
-/// read as under `#[constraint]`.
+/// The first argument is the variable; the others are parameters of the constructor, `rise(0.02, 1.2)`, which
+/// gives a `Law`. The body is read as under `#[constraint]`.
 #[proc_macro_attribute]
 pub fn law(attribute: TokenStream, item: TokenStream) -> TokenStream {
     expand::law(&attribute.into(), item.into()).into()

@@ -10,7 +10,9 @@ use kin::{Error, Result};
 /// Errors: a file that cannot be written; PNG without the feature `png`.
 pub(crate) fn save_picture(path: &Path, svg: &str) -> Result<()> {
     match path.extension() {
-        Some(extension) if extension.eq_ignore_ascii_case("png") => png(svg).and_then(|png| write(path, &png)),
+        Some(extension) if extension.eq_ignore_ascii_case("png") => {
+            png(svg).and_then(|png| write(path, &png))
+        }
         _ => write(path, svg.as_bytes()),
     }
     .map_err(|source| Error::File { path: path.to_path_buf(), source })
@@ -34,8 +36,10 @@ fn png(svg: &str) -> io::Result<Vec<u8>> {
     let mut options = usvg::Options::default();
     options.fontdb_mut().load_system_fonts();
     let tree = usvg::Tree::from_str(svg, &options).map_err(io::Error::other)?;
-    let (width, height) = ((tree.size().width() * SCALE).ceil() as u32, (tree.size().height() * SCALE).ceil() as u32);
-    let mut pixels = tiny_skia::Pixmap::new(width, height).ok_or_else(|| io::Error::other("the picture has no size"))?;
+    let (width, height) =
+        ((tree.size().width() * SCALE).ceil() as u32, (tree.size().height() * SCALE).ceil() as u32);
+    let mut pixels =
+        tiny_skia::Pixmap::new(width, height).ok_or_else(|| io::Error::other("the picture has no size"))?;
     resvg::render(&tree, tiny_skia::Transform::from_scale(SCALE, SCALE), &mut pixels.as_mut());
     pixels.encode_png().map_err(io::Error::other)
 }

@@ -8,7 +8,8 @@ use crate::file;
 use crate::picture::{escaped, short};
 
 /// Viridis: the same order of brightness for every eye and in grey.
-const COLORS: [[f64; 3]; 5] = [[68.0, 1.0, 84.0], [59.0, 82.0, 139.0], [33.0, 145.0, 140.0], [94.0, 201.0, 98.0], [253.0, 231.0, 37.0]];
+const COLORS: [[f64; 3]; 5] =
+    [[68.0, 1.0, 84.0], [59.0, 82.0, 139.0], [33.0, 145.0, 140.0], [94.0, 201.0, 98.0], [253.0, 231.0, 37.0]];
 /// How many colours are told apart.
 const LEVELS: usize = 40;
 /// The square of the map, and the room round it.   [px]
@@ -34,7 +35,13 @@ impl Map {
     /// A map of a quantity, with the label and unit of its colours.
     pub fn new(title: &str, quantity: &str) -> Map {
         let axis = || Axis { label: String::new(), ends: (0.0, 1.0), count: 0 };
-        Map { title: title.to_string(), x: axis(), y: axis(), quantity: quantity.to_string(), values: Vec::new() }
+        Map {
+            title: title.to_string(),
+            x: axis(),
+            y: axis(),
+            quantity: quantity.to_string(),
+            values: Vec::new(),
+        }
     }
 
     /// To the right: `count` cells whose middles go from `first` to `last`.
@@ -49,13 +56,15 @@ impl Map {
         self
     }
 
-    /// The values, row by row from the lowest, each from left to right; missing ones, and what is not finite, stay blank.
+    /// The values, row by row from the lowest, each from left to right; missing ones, and what is not finite,
+    /// stay blank.
     pub fn values(mut self, values: impl IntoIterator<Item = f64>) -> Map {
         self.values = values.into_iter().collect();
         self
     }
 
-    /// Writes the map, making folders that are missing; as PNG if the file is called so (with the feature `png`), else as SVG.
+    /// Writes the map, making folders that are missing; as PNG if the file is called so (with the feature
+    /// `png`), else as SVG.
     ///
     /// Errors: a file that cannot be written, by its path.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
@@ -75,10 +84,15 @@ impl Map {
             escaped(&self.title),
             left + 0.5 * SIDE
         );
-        svg += &format!("<rect x=\"{left}\" y=\"{top}\" width=\"{SIDE}\" height=\"{SIDE}\" fill=\"#f2f2f2\" stroke=\"#888888\"/>\n");
+        svg += &format!(
+            "<rect x=\"{left}\" y=\"{top}\" width=\"{SIDE}\" height=\"{SIDE}\" fill=\"#f2f2f2\" stroke=\"#888888\"/>\n"
+        );
         let (wide, tall) = (SIDE / self.x.count.max(1) as f64, SIDE / self.y.count.max(1) as f64);
-        svg +=
-            &format!("<g transform=\"translate({left} {}) scale({wide:.4} {:.4})\" shape-rendering=\"crispEdges\">\n", top + SIDE, -tall);
+        svg += &format!(
+            "<g transform=\"translate({left} {}) scale({wide:.4} {:.4})\" shape-rendering=\"crispEdges\">\n",
+            top + SIDE,
+            -tall
+        );
         for (level, path) in self.levels(low, high).iter().enumerate().filter(|(_, path)| !path.is_empty()) {
             svg += &format!("<path fill=\"{}\" d=\"{path}\"/>\n", color(level as f64 / (LEVELS - 1) as f64));
         }
@@ -132,9 +146,16 @@ impl Map {
         for k in 0..5 {
             let share = k as f64 / 4.0;
             let ((x, label), (y, other)) = (self.x.tick(share), self.y.tick(share));
-            text += &format!("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{label}</text>\n", short(left + SIDE * x), top + SIDE + 20.0);
-            text +=
-                &format!("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{other}</text>\n", left - 8.0, short(top + SIDE * (1.0 - y) + 4.0));
+            text += &format!(
+                "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{label}</text>\n",
+                short(left + SIDE * x),
+                top + SIDE + 20.0
+            );
+            text += &format!(
+                "<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{other}</text>\n",
+                left - 8.0,
+                short(top + SIDE * (1.0 - y) + 4.0)
+            );
         }
         text
     }
@@ -156,7 +177,11 @@ impl Map {
         for k in 0..5 {
             let share = k as f64 / 4.0;
             let value = number(low * (1.0 - share) + high * share);
-            text += &format!("<text x=\"{}\" y=\"{}\">{value}</text>\n", x + 22.0, short(top + SIDE * (1.0 - share) + 4.0));
+            text += &format!(
+                "<text x=\"{}\" y=\"{}\">{value}</text>\n",
+                x + 22.0,
+                short(top + SIDE * (1.0 - share) + 4.0)
+            );
         }
         text + &format!(
             "<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>\n",
@@ -168,7 +193,8 @@ impl Map {
 }
 
 impl Axis {
-    /// Where a tick stands, as a share of the side, and what it says: middles of the first and last cells are its ends.
+    /// Where a tick stands, as a share of the side, and what it says: middles of the first and last cells are
+    /// its ends.
     fn tick(&self, share: f64) -> (f64, String) {
         let n = self.count.max(1) as f64;
         ((0.5 + share * (n - 1.0)) / n, number(self.ends.0 * (1.0 - share) + self.ends.1 * share))

@@ -1,4 +1,5 @@
-//! Where an equation ceases to be finite: the sub-expression as the user wrote it, its place, and the values that went into it.
+//! Where an equation ceases to be finite: the sub-expression as the user wrote it, its place, and the values
+//! that went into it.
 
 mod derivatives;
 mod dual;
@@ -22,10 +23,13 @@ pub enum Ask {
 /// A system of bare coordinates `x`, `y`, … and one constraint `slot` that `make` builds on them.
 pub fn system<C: Constraint + 'static>(n: usize, make: impl FnOnce(&[Coordinate]) -> C) -> System {
     let mut m = Mechanism::new("test");
-    let coordinates: Vec<Coordinate> = ["x", "y", "z"][..n].iter().map(|name| m.length(name, 1.0).unwrap()).collect();
+    let coordinates: Vec<Coordinate> =
+        ["x", "y", "z"][..n].iter().map(|name| m.length(name, 1.0).unwrap()).collect();
     m.add("slot", make(&coordinates)).unwrap();
     // What is asked for needs no square system; the others only make one that can be built.
-    (1..n).for_each(|k| assert!(m.add(&format!("hold {k}"), drive(coordinates[k], Law::constant(1.0))).is_ok()));
+    (1..n).for_each(|k| {
+        assert!(m.add(&format!("hold {k}"), drive(coordinates[k], Law::constant(1.0))).is_ok())
+    });
     m.build().unwrap()
 }
 
@@ -51,7 +55,8 @@ pub fn culprit(system: &System, ask: Ask, q: &[f64], t: f64) -> Culprit {
     }
 }
 
-/// The expression found must be this one, stand where the error says, and come from these coordinates, parameters and time.
+/// The expression found must be this one, stand where the error says, and come from these coordinates,
+/// parameters and time.
 pub fn check(culprit: &Culprit, source: &str, file: &str, expected: (&str, Part, &[(&str, f64)])) -> Found {
     let (expression, part, inputs) = expected;
     let found = culprit.found.clone().unwrap_or_else(|| panic!("nothing found: {culprit}"));
@@ -61,7 +66,8 @@ pub fn check(culprit: &Culprit, source: &str, file: &str, expected: (&str, Part,
     let line = source.lines().nth(place.line as usize - 1).unwrap_or_default();
     let there: String = line.chars().skip(place.column as usize - 1).collect();
     assert!(there.starts_with(expression), "{place} is {there}");
-    let named: Vec<(&str, f64)> = culprit.inputs.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+    let named: Vec<(&str, f64)> =
+        culprit.inputs.iter().map(|(name, value)| (name.as_str(), *value)).collect();
     assert_eq!(named, inputs, "{culprit}");
     found
 }

@@ -12,13 +12,15 @@ fn text(q: [f64; 2], jacobian: bool) -> String {
     let (x, y) = (m.length("slider", 1.0).unwrap(), m.length("wedge", 1.0).unwrap());
     m.add("slot", slot(x, y, 0.5)).unwrap();
     let system = m.build().unwrap();
-    let error = if jacobian { system.jacobian(&q, 0.25).map(drop) } else { system.residual(&q, 0.25).map(drop) };
+    let error =
+        if jacobian { system.jacobian(&q, 0.25).map(drop) } else { system.residual(&q, 0.25).map(drop) };
     error.unwrap_err().to_string()
 }
 
 #[test]
 fn value_that_is_no_number() {
-    let expected = "t = 0.25 s: C of `slot` row 1 is not finite: `(x - 0.2).sqrt()` is not a number (operand -0.1).
+    let expected =
+        "t = 0.25 s: C of `slot` row 1 is not finite: `(x - 0.2).sqrt()` is not a number (operand -0.1).
   tests/blame/messages.rs:7:6, at slider = 0.1.
   Begin at another pose, change the parameters, or write `if` around it.";
     assert_eq!(text([0.1, 1.0], false), expected);
@@ -26,7 +28,8 @@ fn value_that_is_no_number() {
 
 #[test]
 fn value_that_is_infinite() {
-    let expected = "t = 0.25 s: C of `slot` row 2 is not finite: `depth / y` is infinite (operands 0.5 and 0).
+    let expected =
+        "t = 0.25 s: C of `slot` row 2 is not finite: `depth / y` is infinite (operands 0.5 and 0).
   tests/blame/messages.rs:7:32, at wedge = 0 and slot.depth = 0.5.
   Begin at another pose, change the parameters, or write `if` around it.";
     assert_eq!(text([1.0, 0.0], false), expected);
@@ -34,7 +37,8 @@ fn value_that_is_infinite() {
 
 #[test]
 fn slope_that_is_infinite() {
-    let expected = "t = 0.25 s: C_q of `slot` row 1 is not finite: `(x - 0.2).sqrt()` has no finite slope (operand 0).
+    let expected =
+        "t = 0.25 s: C_q of `slot` row 1 is not finite: `(x - 0.2).sqrt()` has no finite slope (operand 0).
   tests/blame/messages.rs:7:6, at slider = 0.2.
   Stay clear of that pose, or write the equation without this edge: d·d - l*l instead of d.norm() - l.";
     assert_eq!(text([0.2, 1.0], true), expected);

@@ -14,6 +14,7 @@ pub fn interpolated(motion: &Motion, k: usize, u: f64) -> Vec<f64> {
         h * (-4.0 * u3 + 7.0 * u4 - 3.0 * u5),
         h * h * (0.5 * u3 - u4 + 0.5 * u5),
     ];
-    let rows = [motion.q(k), motion.qd(k), motion.qdd(k), motion.q(k + 1), motion.qd(k + 1), motion.qdd(k + 1)];
+    let rows =
+        [motion.q(k), motion.qd(k), motion.qdd(k), motion.q(k + 1), motion.qd(k + 1), motion.qdd(k + 1)];
     (0..rows[0].len()).map(|j| rows.iter().zip(base).map(|(row, b)| row[j] * b).sum()).collect()
 }

@@ -29,7 +29,9 @@ pub fn array<const N: usize>(of: &Value, field: &str) -> [f64; N] {
 /// The rows of numbers in a field.
 pub fn rows(of: &Value, field: &str) -> Vec<Vec<f64>> {
     let rows = of[field].as_array().unwrap_or_else(|| panic!("no rows `{field}` in {of}"));
-    rows.iter().map(|row| list(row).unwrap_or_else(|| panic!("`{field}` has a row that is none: {row}"))).collect()
+    rows.iter()
+        .map(|row| list(row).unwrap_or_else(|| panic!("`{field}` has a row that is none: {row}")))
+        .collect()
 }
 
 fn list(value: &Value) -> Option<Vec<f64>> {
@@ -39,6 +41,10 @@ fn list(value: &Value) -> Option<Vec<f64>> {
 /// max |found − exact| / (1 + max |exact|); infinite where lengths differ or a number is none.
 pub fn error(found: &[f64], exact: &[f64]) -> f64 {
     let size = exact.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-    let worst = found.iter().zip(exact).map(|(a, b)| (a - b).abs()).fold(0.0_f64, |m, d| if d.is_nan() { f64::INFINITY } else { m.max(d) });
+    let worst = found
+        .iter()
+        .zip(exact)
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0_f64, |m, d| if d.is_nan() { f64::INFINITY } else { m.max(d) });
     if found.len() == exact.len() && !found.is_empty() { worst / (1.0 + size) } else { f64::INFINITY }
 }

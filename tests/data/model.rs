@@ -18,14 +18,18 @@ pub enum By {
 
 pub const BOTH: [By; 2] = [By::Symbols, By::DualNumbers];
 
-/// The mechanism a file describes and its bodies: coordinates, equations and initial guess in the file's order.
+/// The mechanism a file describes and its bodies: coordinates, equations and initial guess in the file's
+/// order.
 pub fn build(file: &Value, by: By) -> Result<(Mechanism, Vec<PlanarBody>)> {
     let mut m = Mechanism::new(text(file, "id"));
     let names = list(file, "bodies").iter().map(|body| text(body, "name"));
     let guess = numbers(file, "initial_guess");
     let poses = guess.chunks(3).map(|q| pose(q[0], q[1], q[2]));
-    let bodies = names.clone().zip(poses).map(|(name, pose)| m.planar(name, pose)).collect::<Result<Vec<_>>>()?;
-    let body = |of: &Value, field: &str| names.clone().position(|name| name == text(of, field)).map(|k| bodies[k]).expect("a body");
+    let bodies =
+        names.clone().zip(poses).map(|(name, pose)| m.planar(name, pose)).collect::<Result<Vec<_>>>()?;
+    let body = |of: &Value, field: &str| {
+        names.clone().position(|name| name == text(of, field)).map(|k| bodies[k]).expect("a body")
+    };
     for c in list(file, "constraints").iter().chain(list(file, "drivers")) {
         let (name, j) = (text(c, "name"), body(c, "j"));
         match text(c, "type") {
@@ -35,7 +39,14 @@ pub fn build(file: &Value, by: By) -> Result<(Mechanism, Vec<PlanarBody>)> {
             }
             "revolute" => add(&mut m, by, name, revolute(body(c, "i"), j, vector(c, "pi"), vector(c, "pj")))?,
             "prismatic" => {
-                let joint = prismatic(body(c, "i"), j, vector(c, "pi"), vector(c, "pj"), vector(c, "hi"), number(c, "theta0"));
+                let joint = prismatic(
+                    body(c, "i"),
+                    j,
+                    vector(c, "pi"),
+                    vector(c, "pj"),
+                    vector(c, "hi"),
+                    number(c, "theta0"),
+                );
                 add(&mut m, by, name, joint)?;
             }
             "coordinate" => {
@@ -60,7 +71,12 @@ pub fn driver(file: &Value, f: &str) -> Law {
 }
 
 /// Adds an equation, on the route asked for.
-pub fn add<E: Equation<N, M> + 'static, const N: usize, const M: usize>(m: &mut Mechanism, by: By, name: &str, equation: E) -> Result<()> {
+pub fn add<E: Equation<N, M> + 'static, const N: usize, const M: usize>(
+    m: &mut Mechanism,
+    by: By,
+    name: &str,
+    equation: E,
+) -> Result<()> {
     assert_eq!(equation.route(), Route::Symbolic, "{name}");
     match by {
         By::Symbols => m.add(name, equation)?,

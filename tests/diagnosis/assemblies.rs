@@ -30,7 +30,13 @@ fn four_bar_has_two_assemblies() {
     system.set_initial(&again.q).unwrap();
     let motion = system.run([0.0, 0.01]).unwrap();
     assert!((motion.coordinate(rocker.theta()).unwrap().value.values()[0] - again.q[8]).abs() < 1e-9);
-    assert!(system.assembly(0.0, &Label { signs: vec![1], ordinal: 9 }).unwrap_err().to_string().contains(&all[0].label.to_string()));
+    assert!(
+        system
+            .assembly(0.0, &Label { signs: vec![1], ordinal: 9 })
+            .unwrap_err()
+            .to_string()
+            .contains(&all[0].label.to_string())
+    );
 }
 
 /// The distance of a point of the platform from a point of the base is l.      [m]

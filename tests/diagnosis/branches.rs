@@ -1,4 +1,5 @@
-//! Joints that close with an axis turned by 180°, in square and in redundant mechanisms; laws that break in redundant ones.
+//! Joints that close with an axis turned by 180°, in square and in redundant mechanisms; laws that break in
+//! redundant ones.
 
 use kin::Error;
 use kin::joints::drivers::spatial as drivers;
@@ -32,7 +33,8 @@ fn guess_that_is_upside_down_is_turned_over() {
     for hinges in [1, 3] {
         for angle in [2.0, 3.0, PI, 4.0] {
             for axis in [X, vec3(1.0, 2.0, 0.3), vec3(-0.2, 1.0, 0.5)] {
-                let (m, _) = door(hinges, SpatialPose::turned(vec3(0.2, -0.1, 0.1), axis, angle), Law::ramp(1.0));
+                let (m, _) =
+                    door(hinges, SpatialPose::turned(vec3(0.2, -0.1, 0.1), axis, angle), Law::ramp(1.0));
                 let motion = m.build().unwrap().run(linspace(0.0, 1.0, 11)).unwrap();
                 assert!((0..motion.len()).all(|k| upright(motion.q(k))), "{hinges} {angle} {axis:?}");
             }
@@ -45,14 +47,23 @@ fn guess_that_is_upside_down_is_turned_over() {
 fn bodies_of_a_chain_are_turned_over_one_by_one() {
     let mut m = Mechanism::new("two doors");
     let guess = SpatialPose::turned(O, X, 3.0);
-    let (a, b) = (m.spatial("a", guess).unwrap(), m.spatial("b", SpatialPose::turned(X, vec3(0.0, 1.0, 0.2), 3.1)).unwrap());
+    let (a, b) = (
+        m.spatial("a", guess).unwrap(),
+        m.spatial("b", SpatialPose::turned(X, vec3(0.0, 1.0, 0.2), 3.1)).unwrap(),
+    );
     m.add("hinge a", spatial::revolute(a, m.ground(), O, O, Z, Z)).unwrap();
     m.add("hinge b", spatial::revolute(b, a, O, X, X, X)).unwrap();
     m.add("motor a", drivers::drive_turn(a, m.ground(), Z, Z, Law::ramp(1.0))).unwrap();
     m.add("motor b", drivers::drive_turn(b, a, X, X, Law::ramp(0.5))).unwrap();
     let solution = m.build().unwrap().position(0.0).unwrap();
-    let turned =
-        |first: usize| EulerParameters::new(solution.q[first], solution.q[first + 1], solution.q[first + 2], solution.q[first + 3]);
+    let turned = |first: usize| {
+        EulerParameters::new(
+            solution.q[first],
+            solution.q[first + 1],
+            solution.q[first + 2],
+            solution.q[first + 3],
+        )
+    };
     assert!((turned(3).rotation() * Z - Z).norm() < 1e-9 && (turned(10).rotation() * X - X).norm() < 1e-9);
 }
 
@@ -65,7 +76,11 @@ fn axis_that_is_wrong_any_way_up_is_told() {
     for error in [system.run([0.0, 0.1]).unwrap_err(), system.position(0.0).unwrap_err()] {
         let text = error.to_string();
         assert!(matches!(error, Error::WrongBranch { .. }), "{text}");
-        assert!(text.contains("`hinge 9` (revolute) closes the wrong way") || text.contains("`hinge 0` (revolute) closes"), "{text}");
+        assert!(
+            text.contains("`hinge 9` (revolute) closes the wrong way")
+                || text.contains("`hinge 0` (revolute) closes"),
+            "{text}"
+        );
     }
 }
 

@@ -1,4 +1,5 @@
-//! What a diagnosis costs, in time of the processor: other programs may run beside it. Builds without optimisation are given thirty times as long.
+//! What a diagnosis costs, in time of the processor: other programs may run beside it. Builds without
+//! optimisation are given thirty times as long.
 
 use std::time::Duration;
 
@@ -16,7 +17,8 @@ fn now() -> Duration {
 /// Driven links in a row, the last one let go and the first one driven twice, from a guess that is off.
 fn examined(links: usize) -> (kin::diagnosis::Diagnosis, Duration) {
     let angles: Vec<f64> = (0..links).map(|k| 0.4 * (0.7 * k as f64).sin()).collect();
-    let mut motors: Vec<Joint> = angles.iter().enumerate().map(|(k, angle)| Joint::Motor(k, *angle, 1.0)).take(links - 1).collect();
+    let mut motors: Vec<Joint> =
+        angles.iter().enumerate().map(|(k, angle)| Joint::Motor(k, *angle, 1.0)).take(links - 1).collect();
     motors.push(Joint::Motor(0, angles[0], 1.0));
     let mut plan = chain(&angles, None, &motors);
     plan.links.iter_mut().enumerate().for_each(|(k, (_, q))| q[2] += 0.02 * (k as f64).cos());
@@ -47,8 +49,9 @@ fn three_thousand_coordinates_within_half_a_minute() {
     limited(1000, 30.0);
 }
 
-/// Ten times three cranks and a coupler, turned together by one motor. The third crank holds its coupler at a point, or only on a line: then no equation
-/// is superfluous, and away from where the line is along the crank the motion is the same.
+/// Ten times three cranks and a coupler, turned together by one motor. The third crank holds its coupler at a
+/// point, or only on a line: then no equation is superfluous, and away from where the line is along the crank
+/// the motion is the same.
 fn cranks(redundant: bool) -> System {
     let mut m = Mechanism::new("cranks");
     let pivots = [vec2(0.0, 0.0), vec2(2.0, 0.0), vec2(0.8, -0.5)];
@@ -61,12 +64,18 @@ fn cranks(redundant: bool) -> System {
             if k < 2 || redundant {
                 m.add(&format!("A{n}.{k}"), revolute(*crank, coupler, crank.end(), pivot)).unwrap();
             } else {
-                m.add(&format!("A{n}.{k}"), point_on_line(*crank, coupler, crank.end(), pivot, vec2(1.0, 0.2))).unwrap();
+                m.add(
+                    &format!("A{n}.{k}"),
+                    point_on_line(*crank, coupler, crank.end(), pivot, vec2(1.0, 0.2)),
+                )
+                .unwrap();
             }
         }
         let driven = match turned {
             None => m.add("motor", drive_angle(cranks[0], Law::linear(0.6, 1.0))),
-            Some(before) => m.add(&format!("belt {n}"), coupling(before.theta(), cranks[0].theta(), 1.0, -1.0, 0.0)),
+            Some(before) => {
+                m.add(&format!("belt {n}"), coupling(before.theta(), cranks[0].theta(), 1.0, -1.0, 0.0))
+            }
         };
         driven.unwrap();
         turned = Some(cranks[0].into());
@@ -87,7 +96,8 @@ fn step(system: &System) -> f64 {
 #[test]
 fn redundant_step_takes_at_most_twice_a_square_one() {
     let (redundant, square) = (cranks(true), cranks(false));
-    let mut ratios: Vec<f64> = (0..if cfg!(debug_assertions) { 3 } else { 15 }).map(|_| step(&redundant) / step(&square)).collect();
+    let mut ratios: Vec<f64> =
+        (0..if cfg!(debug_assertions) { 3 } else { 15 }).map(|_| step(&redundant) / step(&square)).collect();
     ratios.sort_by(f64::total_cmp);
     let ratio = ratios[ratios.len() / 2];
     println!("{ratio:.2} of {ratios:.2?}");

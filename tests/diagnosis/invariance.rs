@@ -1,4 +1,5 @@
-//! The verdict does not depend on the unit of length, on the order of declaration, or on where the mechanism stands.
+//! The verdict does not depend on the unit of length, on the order of declaration, or on where the mechanism
+//! stands.
 
 use std::f64::consts::PI;
 
@@ -26,12 +27,18 @@ fn plans() -> Vec<Plan> {
 
 #[test]
 fn every_plan_has_its_verdict() {
-    let all: Vec<Vec<String>> = plans().iter().map(|plan| verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap())).collect();
+    let all: Vec<Vec<String>> =
+        plans().iter().map(|plan| verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap())).collect();
     for (k, verdict) in all.iter().enumerate() {
         println!("{k}: {verdict:#?}");
     }
     let has = |k: usize, text: &str| all[k].iter().any(|line| line.contains(text));
-    assert!(has(0, "Redundant O3") && has(1, "gap at O3 true") && has(2, "Velocity motor 2") && has(3, "gap at motor 2 true"));
+    assert!(
+        has(0, "Redundant O3")
+            && has(1, "gap at O3 true")
+            && has(2, "Velocity motor 2")
+            && has(3, "gap at motor 2 true")
+    );
     assert!(has(4, "Always [\"coupler\", \"crank 1\", \"crank 2\", \"crank 3\"]") && has(4, "Redundant"));
     assert!(has(5, "misleads true") && has(5, "Redundant motor 3") && has(5, "Always [\"link 3\"]"));
     assert!(has(6, "Infinitesimal") && has(6, "moves false"));
@@ -42,7 +49,8 @@ fn every_plan_has_its_verdict() {
 fn every_verdict_reads_back_from_its_file() {
     let folder = std::env::temp_dir().join(format!("kin-diagnoses-{}", std::process::id()));
     for (k, plan) in plans().iter().enumerate() {
-        let (found, file) = (plan.mechanism(&View::plain()).diagnose(0.0).unwrap(), folder.join(format!("{k}.json")));
+        let (found, file) =
+            (plan.mechanism(&View::plain()).diagnose(0.0).unwrap(), folder.join(format!("{k}.json")));
         found.write_json(&file).unwrap();
         let read = kin::diagnosis::Diagnosis::read_json(&file).unwrap();
         assert_eq!(read, found);
@@ -66,7 +74,8 @@ fn contradictory_third_crank_keeps_its_mobility_however_it_is_turned() {
 /// Every plan from many sides; what differs is counted, so that one run shows all.
 fn looked_at(cases: usize, mut random: fastrand::Rng) {
     let plans = plans();
-    let plain: Vec<Vec<String>> = plans.iter().map(|plan| verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap())).collect();
+    let plain: Vec<Vec<String>> =
+        plans.iter().map(|plan| verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap())).collect();
     let mut wrong = Vec::new();
     for case in 0..cases {
         let k = case % plans.len();

@@ -19,7 +19,10 @@ fn out_of_reach() -> System {
 #[test]
 fn limits_of_zero_are_refused() {
     let system = out_of_reach();
-    for search in [SearchOptions { starts: 0, ..SearchOptions::default() }, SearchOptions { steps: 0, ..SearchOptions::default() }] {
+    for search in [
+        SearchOptions { starts: 0, ..SearchOptions::default() },
+        SearchOptions { steps: 0, ..SearchOptions::default() },
+    ] {
         let options = Options { search: search.clone(), ..Options::default() };
         assert!(matches!(system.run_with([0.0], &options), Err(Error::InvalidOptions { .. })));
         assert!(matches!(system.position_with(0.0, &options), Err(Error::InvalidOptions { .. })));
@@ -34,18 +37,29 @@ fn limits_of_zero_are_refused() {
 fn gaps_tell_how_many_starts_were_tried() {
     let system = out_of_reach();
     let starts = |search: SearchOptions| {
-        let found = system.diagnose_with(0.0, &DiagnosisOptions { search, ..DiagnosisOptions::default() }).unwrap();
+        let found =
+            system.diagnose_with(0.0, &DiagnosisOptions { search, ..DiagnosisOptions::default() }).unwrap();
         (found.gaps[0].starts, found.gaps[0].constraint.clone())
     };
     assert_eq!(starts(SearchOptions::default()), (16, "motor".to_string()));
-    assert_eq!(starts(SearchOptions { starts: 3, seed: 9, ..SearchOptions::default() }), (3, "motor".to_string()));
+    assert_eq!(
+        starts(SearchOptions { starts: 3, seed: 9, ..SearchOptions::default() }),
+        (3, "motor".to_string())
+    );
     let at_once = SearchOptions { time_limit: Some(Duration::ZERO), ..SearchOptions::default() };
-    let found = system.diagnose_with(0.0, &DiagnosisOptions { search: at_once.clone(), ..DiagnosisOptions::default() }).unwrap();
-    assert!(!found.can_be_driven() || found.rank < found.coordinates, "nothing is claimed that was not looked for: {found}");
+    let found = system
+        .diagnose_with(0.0, &DiagnosisOptions { search: at_once.clone(), ..DiagnosisOptions::default() })
+        .unwrap();
+    assert!(
+        !found.can_be_driven() || found.rank < found.coordinates,
+        "nothing is claimed that was not looked for: {found}"
+    );
     // A good mechanism needs no second start.
     let (mut m, [crank, ..]) = four_bar();
     m.add("motor", drive_angle(crank, Law::linear(1.0, 1.0))).unwrap();
-    assert!(m.build().unwrap().run_with([0.0, 0.1], &Options { search: at_once, ..Options::default() }).is_ok());
+    assert!(
+        m.build().unwrap().run_with([0.0, 0.1], &Options { search: at_once, ..Options::default() }).is_ok()
+    );
 }
 
 #[test]

@@ -1,4 +1,5 @@
-//! What is said of a mechanism: counts, ranks, dependencies and freedoms by name, for mechanisms with a known answer.
+//! What is said of a mechanism: counts, ranks, dependencies and freedoms by name, for mechanisms with a known
+//! answer.
 
 mod assemblies;
 mod branches;

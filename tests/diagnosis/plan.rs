@@ -40,7 +40,8 @@ impl View {
     }
 
     fn sorted<T>(&self, all: impl IntoIterator<Item = T>) -> Vec<T> {
-        let mut keyed: Vec<(u64, T)> = all.into_iter().enumerate().map(|(k, item)| (self.order[k % self.order.len()], item)).collect();
+        let mut keyed: Vec<(u64, T)> =
+            all.into_iter().enumerate().map(|(k, item)| (self.order[k % self.order.len()], item)).collect();
         keyed.sort_by_key(|(key, _)| *key);
         keyed.into_iter().map(|(_, item)| item).collect()
     }
@@ -58,12 +59,16 @@ impl Plan {
         let local = |[x, y]: [f64; 2]| vec2(view.unit * x, view.unit * y);
         for (name, joint) in view.sorted(&self.joints) {
             match *joint {
-                Joint::Pin(Some(i), j, u_i, u_j) => m.add(name, revolute(body(i), body(j), local(u_i), local(u_j))).unwrap(),
+                Joint::Pin(Some(i), j, u_i, u_j) => {
+                    m.add(name, revolute(body(i), body(j), local(u_i), local(u_j))).unwrap()
+                }
                 Joint::Pin(None, j, p, u_j) => {
                     let [x, y] = view.point(p);
                     m.add(name, revolute(m.ground(), body(j), vec2(x, y), local(u_j))).unwrap()
                 }
-                Joint::Motor(k, angle, rate) => m.add(name, drive_angle(body(k), Law::linear(angle + view.turn, rate))).unwrap(),
+                Joint::Motor(k, angle, rate) => {
+                    m.add(name, drive_angle(body(k), Law::linear(angle + view.turn, rate))).unwrap()
+                }
             };
         }
         m
@@ -73,7 +78,10 @@ impl Plan {
 /// All of a verdict that must not depend on how a mechanism is looked at.
 pub fn verdict(found: &Diagnosis) -> Vec<String> {
     let mut all = vec![
-        format!("{} {} {} {} {}", found.coordinates, found.equations, found.rank, found.nearby_rank, found.mobility),
+        format!(
+            "{} {} {} {} {}",
+            found.coordinates, found.equations, found.rank, found.nearby_rank, found.mobility
+        ),
         format!("moves {} misleads {} driven {}", found.moves, found.count_misleads(), found.can_be_driven()),
     ];
     let mut lines: Vec<String> = Vec::new();

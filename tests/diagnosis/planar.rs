@@ -23,7 +23,10 @@ fn third_crank_of_a_parallelogram_is_redundant() {
     let mut names = only.constraints();
     names.sort_unstable();
     assert_eq!(names, ["A1", "A2", "A3", "O1", "O2", "O3"]);
-    assert!(matches!(&found.changes[..], [Change::Drop { constraint, rows, .. }] if constraint == "O3" && rows.len() == 1), "{found}");
+    assert!(
+        matches!(&found.changes[..], [Change::Drop { constraint, rows, .. }] if constraint == "O3" && rows.len() == 1),
+        "{found}"
+    );
 }
 
 #[test]
@@ -53,7 +56,8 @@ fn contradictory_third_crank_is_named_with_its_gap() {
     report(found);
     let [gap] = &found.gaps[..] else { panic!("{found}") };
     assert_eq!(gap.constraint, "O3");
-    // The tip of the third crank moves on a circle of radius 1 about its pivot: 0.1 is missing at every angle.
+    // The tip of the third crank moves on a circle of radius 1 about its pivot: 0.1 is missing at every
+    // angle.
     assert!((gap.size() - 0.1).abs() < 1e-6, "{}", gap.size());
     let conflict = found.contradictions().next().unwrap();
     assert!(matches!(conflict.class, Class::Contradictory { level: Level::Position, .. }));
@@ -66,7 +70,8 @@ fn slider_in_two_guides_repeats_one_of_them() {
     let mut m = Mechanism::new("slider");
     let slider = m.planar("slider", pose(0.2, 0.1, 0.0)).unwrap();
     for (name, at) in [("guide 1", 0.0), ("guide 2", 1.0)] {
-        m.add(name, prismatic(slider, m.ground(), vec2(0.0, 0.0), vec2(at, 0.0), vec2(0.0, 1.0), 0.0)).unwrap();
+        m.add(name, prismatic(slider, m.ground(), vec2(0.0, 0.0), vec2(at, 0.0), vec2(0.0, 1.0), 0.0))
+            .unwrap();
     }
     m.add("motor", drive(slider.x(), Law::sine(0.3, 1.0, 0.0))).unwrap();
     let system = m.build().unwrap();
@@ -81,7 +86,13 @@ fn slider_in_two_guides_repeats_one_of_them() {
     assert_eq!(found.changes, [Change::Remove { constraint: "guide 2".into(), or: vec![] }].to_vec());
     let motion = system.run(linspace(0.0, 6.0, 61)).unwrap();
     let x = motion.coordinate(slider.x()).unwrap();
-    assert!(x.second_rate.values().iter().zip(linspace(0.0, 6.0, 61)).all(|(a, t)| (a + 0.3 * t.sin()).abs() < 1e-12));
+    assert!(
+        x.second_rate
+            .values()
+            .iter()
+            .zip(linspace(0.0, 6.0, 61))
+            .all(|(a, t)| (a + 0.3 * t.sin()).abs() < 1e-12)
+    );
 }
 
 #[test]
@@ -103,9 +114,15 @@ fn two_drivers_that_contradict_in_position() {
     let d = dx.hypot(dy);
     let stands = dy.atan2(dx) - ((9.0 + d * d - 3.5 * 3.5) / (6.0 * d)).acos();
     assert!((asks.stands - stands).abs() < 1e-9, "{} {stands}", asks.stands);
-    assert!(matches!(&found.changes[..], [Change::Remove { constraint, or }] if constraint == "motor 2" && or == &["motor"]), "{found}");
+    assert!(
+        matches!(&found.changes[..], [Change::Remove { constraint, or }] if constraint == "motor 2" && or == &["motor"]),
+        "{found}"
+    );
     let text = error.to_string();
-    assert!(text.contains("`motor 2` asks for rocker.theta = 2.0000; with `motor` (crank.theta = 1.0000), "), "{text}");
+    assert!(
+        text.contains("`motor 2` asks for rocker.theta = 2.0000; with `motor` (crank.theta = 1.0000), "),
+        "{text}"
+    );
 }
 
 /// Where the other motor asks for what cannot be reached, it is not offered to keep it alone.
@@ -115,7 +132,10 @@ fn of_two_drivers_the_one_that_cannot_be_kept_is_not_offered() {
     m.add("motor", drive_angle(crank, Law::linear(1.0, 1.0))).unwrap();
     m.add("motor 2", drive_angle(rocker, Law::constant(1.2))).unwrap();
     let found = m.diagnose(0.0).unwrap();
-    assert!(matches!(&found.changes[..], [Change::Remove { constraint, or }] if constraint == "motor 2" && or.is_empty()), "{found}");
+    assert!(
+        matches!(&found.changes[..], [Change::Remove { constraint, or }] if constraint == "motor 2" && or.is_empty()),
+        "{found}"
+    );
 }
 
 #[test]
@@ -151,14 +171,19 @@ fn missing_driver_is_a_freedom_with_its_centre() {
     let error = m.build().unwrap_err();
     let found = error.diagnosis().unwrap();
     report(found);
-    assert_eq!((found.coordinates, found.equations, found.rank, found.gruebler, found.mobility), (9, 8, 8, 1, 1));
+    assert_eq!(
+        (found.coordinates, found.equations, found.rank, found.gruebler, found.mobility),
+        (9, 8, 8, 1, 1)
+    );
     let [freedom] = &found.freedoms[..] else { panic!("{found}") };
     assert_eq!((freedom.persistence, freedom.motions.len()), (Persistence::Always, 3));
     let How::TurnsAbout { point, .. } = freedom.motions[0].how else { panic!("{found}") };
     assert!(point[0].abs() < 1e-9 && point[1].abs() < 1e-9);
     let How::TurnsAbout { point, .. } = freedom.motions[2].how else { panic!("{found}") };
     assert!((point[0] - 4.0).abs() < 1e-9 && point[1].abs() < 1e-9);
-    assert!(matches!(&found.changes[..], [Change::Drive { coordinate, .. }] if coordinate.ends_with(".theta")));
+    assert!(
+        matches!(&found.changes[..], [Change::Drive { coordinate, .. }] if coordinate.ends_with(".theta"))
+    );
     assert!(matches!(error, Error::CannotBeDriven { .. }));
 }
 
@@ -269,7 +294,8 @@ fn run_beyond_a_toggle_ends_with_what_is_asked_and_what_can_be() {
 fn loop_that_cannot_close_is_told_with_its_gap() {
     let mut m = Mechanism::new("short coupler");
     let ground = m.ground();
-    let (crank, coupler, rocker) = (m.link("crank", 1.0).unwrap(), m.link("coupler", 0.5).unwrap(), m.link("rocker", 1.5).unwrap());
+    let (crank, coupler, rocker) =
+        (m.link("crank", 1.0).unwrap(), m.link("coupler", 0.5).unwrap(), m.link("rocker", 1.5).unwrap());
     m.add("O", revolute(ground, crank, vec2(0.0, 0.0), crank.start())).unwrap();
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).unwrap();
     m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).unwrap();

@@ -20,7 +20,8 @@ fn six_bar(fault: Fault) -> Mechanism {
     let ground = m.ground();
     let crank = m.link("crank", if fault == Fault::LongCrank { 0.3 } else { 0.03 }).unwrap();
     let plate = m.planar("plate", pose(0.06, 0.05, 0.3)).unwrap();
-    let [rocker, rod, arm] = [("rocker", 0.08), ("rod", 0.09), ("arm", 0.07)].map(|(name, length)| m.link(name, length).unwrap());
+    let [rocker, rod, arm] =
+        [("rocker", 0.08), ("rod", 0.09), ("arm", 0.07)].map(|(name, length)| m.link(name, length).unwrap());
     m.add("O", revolute(ground, crank, (0.0, 0.0), crank.start())).unwrap();
     m.add("A", revolute(crank, plate, crank.end(), (-0.05, 0.0))).unwrap();
     m.add("B", revolute(plate, rocker, (0.05, 0.0), rocker.end())).unwrap();
@@ -54,22 +55,32 @@ fn right_six_bar_runs() {
 fn exchanged_bodies_of_a_plate_and_a_link() {
     let text = told(Fault::Exchanged);
     assert!(text.contains("\n  exchanged: `D` takes (0.0100, 0.0400) in `rod`"), "{text}");
-    assert!(text.contains("give `D` its bodies in the order of its points, first `plate`, then `rod`"), "{text}");
+    assert!(
+        text.contains("give `D` its bodies in the order of its points, first `plate`, then `rod`"),
+        "{text}"
+    );
 }
 
 /// 60 rad is out of reach, and 59.5 rad, where the crank would stand, is no answer to somebody who meant 60°.
 #[test]
 fn degrees_that_are_out_of_reach() {
     let text = told(Fault::Degrees);
-    assert!(text.contains("`motor` asks for crank.theta = 60.0000, more than a turn from its guess"), "{text}");
-    assert!(text.contains("Least change: give `motor` radians, which `deg(60.0)` makes of degrees"), "{text}");
+    assert!(
+        text.contains("`motor` asks for crank.theta = 60.0000, more than a turn from its guess"),
+        "{text}"
+    );
+    assert!(
+        text.contains("Least change: give `motor` radians, which `deg(60.0)` makes of degrees"),
+        "{text}"
+    );
 }
 
 #[test]
 fn second_motor_of_a_six_bar() {
     let text = told(Fault::SecondMotor);
     assert!(
-        text.contains("\n  contradictory: `second motor` asks for arm.theta = 2.0000") && text.contains("remove `second motor`"),
+        text.contains("\n  contradictory: `second motor` asks for arm.theta = 2.0000")
+            && text.contains("remove `second motor`"),
         "{text}"
     );
 }
@@ -77,7 +88,11 @@ fn second_motor_of_a_six_bar() {
 #[test]
 fn crank_of_a_six_bar_that_is_ten_times_too_long() {
     let text = told(Fault::LongCrank);
-    assert!(text.contains("\n  one of these does not fit: `crank` is 0.300 long, ") && text.contains("make `crank` at most 0.2"), "{text}");
+    assert!(
+        text.contains("\n  one of these does not fit: `crank` is 0.300 long, ")
+            && text.contains("make `crank` at most 0.2"),
+        "{text}"
+    );
 }
 
 /// A body in space does not show how often it has turned; its driver does.
@@ -96,5 +111,9 @@ fn degrees_given_to_a_hinge_in_space() {
     };
     assert!(!summary(-deg(30.0)).contains("hint"), "{}", summary(-deg(30.0)));
     let text = summary(-30.0);
-    assert!(text.contains("hint: `luffing` begins at -30.0 rad, more than a turn") && text.contains("`deg(-30.0)`"), "{text}");
+    assert!(
+        text.contains("hint: `luffing` begins at -30.0 rad, more than a turn")
+            && text.contains("`deg(-30.0)`"),
+        "{text}"
+    );
 }

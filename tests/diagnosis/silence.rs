@@ -1,4 +1,5 @@
-//! What passed in silence: bodies that are assembled far from where they are drawn, handles of other mechanisms, kinks of equations.
+//! What passed in silence: bodies that are assembled far from where they are drawn, handles of other
+//! mechanisms, kinks of equations.
 
 use kin::prelude::*;
 use kin::{Error, EventKind};
@@ -34,7 +35,10 @@ fn kinks_of_if_are_events_at_their_times() {
     assert_eq!(kinks.len(), 2, "{:?}", motion.events());
     for (event, exact) in kinks.iter().zip(exact) {
         assert!((event.t - exact).abs() < 1e-4, "{event}");
-        assert!(event.name == "y" && event.text.contains("`x > edge`") && event.text.contains("silence.rs:"), "{event}");
+        assert!(
+            event.name == "y" && event.text.contains("`x > edge`") && event.text.contains("silence.rs:"),
+            "{event}"
+        );
     }
     assert!(kinks[0].text.contains("begins to hold") && kinks[1].text.contains("ceases to hold"));
     // Backwards they come in the order of the run.
@@ -126,7 +130,8 @@ fn handles_of_other_mechanisms_are_errors() {
     for (k, result) in refused.into_iter().enumerate() {
         let error = result.expect_err(&format!("{k}"));
         assert!(
-            matches!(error, Error::ForeignBody { .. }) && error.to_string().contains("is not of the mechanism \"four-bar\""),
+            matches!(error, Error::ForeignBody { .. })
+                && error.to_string().contains("is not of the mechanism \"four-bar\""),
             "{k}: {error}"
         );
     }

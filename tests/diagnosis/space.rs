@@ -1,4 +1,5 @@
-//! The same verdict in other units, orders and places, for spatial mechanisms: everything is told in global coordinates at the pose given.
+//! The same verdict in other units, orders and places, for spatial mechanisms: everything is told in global
+//! coordinates at the pose given.
 
 use kin::joints::drivers::spatial as drivers;
 use kin::joints::spatial;
@@ -32,7 +33,12 @@ struct View {
 
 impl View {
     fn plain() -> View {
-        View { unit: 1.0, turn: EulerParameters::new(1.0, 0.0, 0.0, 0.0), shift: v(0.0, 0.0, 0.0), order: vec![0] }
+        View {
+            unit: 1.0,
+            turn: EulerParameters::new(1.0, 0.0, 0.0, 0.0),
+            shift: v(0.0, 0.0, 0.0),
+            order: vec![0],
+        }
     }
 
     fn random(random: &mut fastrand::Rng) -> View {
@@ -43,7 +49,8 @@ impl View {
     }
 
     fn sorted<T>(&self, all: impl IntoIterator<Item = T>) -> Vec<T> {
-        let mut keyed: Vec<(u64, T)> = all.into_iter().enumerate().map(|(k, item)| (self.order[k % self.order.len()], item)).collect();
+        let mut keyed: Vec<(u64, T)> =
+            all.into_iter().enumerate().map(|(k, item)| (self.order[k % self.order.len()], item)).collect();
         keyed.sort_by_key(|(key, _)| *key);
         keyed.into_iter().map(|(_, item)| item).collect()
     }
@@ -54,7 +61,8 @@ fn v(x: f64, y: f64, z: f64) -> Vec3 {
 }
 
 impl Plan {
-    /// Body frames are the global one before the view; so local points of bodies are the global ones, and the ground's are seen.
+    /// Body frames are the global one before the view; so local points of bodies are the global ones, and the
+    /// ground's are seen.
     fn mechanism(&self, view: &View) -> Mechanism {
         let mut m = Mechanism::new("plan");
         let a = view.turn.rotation();
@@ -65,7 +73,8 @@ impl Plan {
         let ground = SpatialBody::from(m.ground());
         let body = |k: Option<usize>| k.map_or(ground, |k| bodies[k].unwrap());
         let own = |p: Vec3| p * view.unit;
-        let point = |k: Option<usize>, p: Vec3| if k.is_some() { own(p) } else { (a * p + view.shift) * view.unit };
+        let point =
+            |k: Option<usize>, p: Vec3| if k.is_some() { own(p) } else { (a * p + view.shift) * view.unit };
         let axis = |k: Option<usize>, h: Vec3| {
             let f = v(0.3, -0.5, 0.9);
             if k.is_some() { Axis::new(h, f) } else { Axis::new(a * h, a * f) }
@@ -74,12 +83,22 @@ impl Plan {
             match *joint {
                 Joint::Hinge(i, j, at, h, off) => {
                     let (u_i, u_j) = (own(at), point(j, at + off));
-                    m.add(name, spatial::revolute(body(Some(i)), body(j), u_i, u_j, axis(Some(i), h), axis(j, h).h)).unwrap()
+                    m.add(
+                        name,
+                        spatial::revolute(body(Some(i)), body(j), u_i, u_j, axis(Some(i), h), axis(j, h).h),
+                    )
+                    .unwrap()
                 }
-                Joint::Ball(i, j, at) => m.add(name, spatial::spherical(body(Some(i)), body(j), own(at), point(j, at))).unwrap(),
+                Joint::Ball(i, j, at) => {
+                    m.add(name, spatial::spherical(body(Some(i)), body(j), own(at), point(j, at))).unwrap()
+                }
                 Joint::Motor(i, j, h, angle, rate) => {
                     let law = Law::linear(angle, rate);
-                    m.add(name, drivers::drive_turn(body(Some(i)), body(j), axis(Some(i), h), axis(j, h), law)).unwrap()
+                    m.add(
+                        name,
+                        drivers::drive_turn(body(Some(i)), body(j), axis(Some(i), h), axis(j, h), law),
+                    )
+                    .unwrap()
                 }
             };
         }
@@ -127,7 +146,8 @@ fn plans() -> Vec<Plan> {
 /// Every plan from many sides.
 fn looked_at(cases: usize, mut random: fastrand::Rng) {
     let plans = plans();
-    let plain: Vec<Vec<String>> = plans.iter().map(|plan| verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap())).collect();
+    let plain: Vec<Vec<String>> =
+        plans.iter().map(|plan| verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap())).collect();
     let mut wrong = 0;
     for case in 0..cases {
         let (k, view) = (case % plans.len(), View::random(&mut random));
@@ -142,14 +162,25 @@ fn looked_at(cases: usize, mut random: fastrand::Rng) {
 
 #[test]
 fn every_plan_has_its_verdict() {
-    let all: Vec<Vec<String>> = plans().iter().map(|plan| verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap())).collect();
+    let all: Vec<Vec<String>> =
+        plans().iter().map(|plan| verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap())).collect();
     for (k, verdict) in all.iter().enumerate() {
         println!("{k}: {verdict:#?}");
     }
     let has = |k: usize, text: &str| all[k].iter().any(|line| line.contains(text));
-    assert!(has(0, "driven true") && has(1, "Redundant hinge 2") && has(1, "driven true") && has(2, "gap at hinge 2 true"));
+    assert!(
+        has(0, "driven true")
+            && has(1, "Redundant hinge 2")
+            && has(1, "driven true")
+            && has(2, "gap at hinge 2 true")
+    );
     assert!(has(3, "Always [\"door\"]") && has(4, "Velocity motor 2") && has(5, "gap at motor 2 true"));
-    assert!(has(6, "Always [\"rod\"]") && has(7, "Always [\"rod\"]") && has(7, "crank") && has(8, "Redundant motor 2"));
+    assert!(
+        has(6, "Always [\"rod\"]")
+            && has(7, "Always [\"rod\"]")
+            && has(7, "crank")
+            && has(8, "Redundant motor 2")
+    );
 }
 
 #[test]
@@ -157,12 +188,18 @@ fn verdict_is_the_same_in_other_units_orders_and_places() {
     looked_at(27, fastrand::Rng::with_seed(7));
 }
 
-/// From here each of two contradictory motors seemed too far off once the other was met, and rounding chose between them.
+/// From here each of two contradictory motors seemed too far off once the other was met, and rounding chose
+/// between them.
 #[test]
 fn contradictory_motor_is_the_last_by_name_from_any_side() {
     let view = View {
         unit: 0.011610808764544369,
-        turn: EulerParameters::new(-0.3107540375599144, 0.4259037722483244, -0.8334590889670408, 0.16548066939400916),
+        turn: EulerParameters::new(
+            -0.3107540375599144,
+            0.4259037722483244,
+            -0.8334590889670408,
+            0.16548066939400916,
+        ),
         shift: v(-0.565048274278931, 0.003838361875629026, 2.6645635340030767),
         order: vec![3, 5, 1, 6, 2, 4, 8, 7],
     };

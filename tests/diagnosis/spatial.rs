@@ -9,7 +9,8 @@ fn v(x: f64, y: f64, z: f64) -> Vec3 {
     Vec3::new(x, y, z)
 }
 
-/// Denavit–Hartenberg step: along x by a, then turned about x by alpha; from a frame with z its joint axis, turned about z by theta first.
+/// Denavit–Hartenberg step: along x by a, then turned about x by alpha; from a frame with z its joint axis,
+/// turned about z by theta first.
 #[derive(Clone, Copy)]
 struct Frame {
     r: Vec3,
@@ -29,8 +30,8 @@ impl Frame {
     }
 }
 
-/// Bennett's four-bar: links a, b, a, b with twists α, β, α, β and a sin β = b sin α. The joint angles follow from the first by
-/// tan(θ1/2) tan(θ2/2) = sin((α + β)/2) / sin((β − α)/2) and θ3 = −θ1, θ4 = −θ2.
+/// Bennett's four-bar: links a, b, a, b with twists α, β, α, β and a sin β = b sin α. The joint angles follow
+/// from the first by tan(θ1/2) tan(θ2/2) = sin((α + β)/2) / sin((β − α)/2) and θ3 = −θ1, θ4 = −θ2.
 struct Bennett {
     system: kin::System,
     bodies: Vec<kin::SpatialBody>,
@@ -63,7 +64,8 @@ fn bennett(error: f64) -> Bennett {
     let start = 1.0;
     let frames = frames(start);
     let mut m = Mechanism::new("Bennett");
-    // Body k reaches from joint k to joint k + 1; at the start all body frames are the global one: local positions are global ones.
+    // Body k reaches from joint k to joint k + 1; at the start all body frames are the global one: local
+    // positions are global ones.
     let wobble = |k: usize| error * (1.0 + k as f64).sin();
     let bodies: Vec<_> = (0..3)
         .map(|k| {
@@ -84,7 +86,8 @@ fn bennett(error: f64) -> Bennett {
         };
     }
     // The x-axis of the first link turns by t.
-    m.add("motor", turn(bodies[0], v(1.0, 0.0, 0.0), v(1.0, 0.0, 0.0), v(0.0, 1.0, 0.0), Law::ramp(1.0))).unwrap();
+    m.add("motor", turn(bodies[0], v(1.0, 0.0, 0.0), v(1.0, 0.0, 0.0), v(0.0, 1.0, 0.0), Law::ramp(1.0)))
+        .unwrap();
     Bennett { system: m.build().unwrap(), bodies }
 }
 
@@ -127,7 +130,8 @@ fn bennett_runs_through_a_turn() {
         let state = kin::state::SpatialState::<f64>::new(std::array::from_fn(|i| q[first + i]));
         assert!((state.point(u) - exact).norm() < 1e-10, "position at {t}");
         let rate = |q: &[f64], qd: &[f64], s: f64| {
-            kin::state::SpatialState::<f64>::new(std::array::from_fn(|i| q[first + i] + s * qd[first + i])).point(u)
+            kin::state::SpatialState::<f64>::new(std::array::from_fn(|i| q[first + i] + s * qd[first + i]))
+                .point(u)
         };
         let velocity = (rate(q, motion.qd(k), h) - rate(q, motion.qd(k), -h)) * (0.5 / h);
         let exact = (point(t + h) - point(t - h)) * (0.5 / h);
@@ -137,7 +141,11 @@ fn bennett_runs_through_a_turn() {
     for k in (1..500).step_by(37) {
         for j in 0..21 {
             let difference = (motion.qd(k + 1)[j] - motion.qd(k - 1)[j]) / (times[k + 1] - times[k - 1]);
-            assert!((difference - motion.qdd(k)[j]).abs() < 2e-3 * (1.0 + difference.abs()), "acceleration {j} at {}", times[k]);
+            assert!(
+                (difference - motion.qdd(k)[j]).abs() < 2e-3 * (1.0 + difference.abs()),
+                "acceleration {j} at {}",
+                times[k]
+            );
         }
     }
     let _ = bodies;
@@ -148,12 +156,25 @@ fn rod_between_two_spherical_joints_spins_idly() {
     let mut m = Mechanism::new("rod");
     let crank = m.spatial("crank", SpatialPose::at(v(0.0, 0.0, 0.0))).unwrap();
     let rod = m.spatial("rod", SpatialPose::at(v(1.0, 0.5, 0.2))).unwrap();
-    m.add("O", hinge(crank, m.ground(), v(0.0, 0.0, 0.0), v(0.0, 0.0, 0.0), v(0.0, 0.0, 1.0), v(1.0, 0.0, 0.0), v(0.0, 1.0, 0.0))).unwrap();
+    m.add(
+        "O",
+        hinge(
+            crank,
+            m.ground(),
+            v(0.0, 0.0, 0.0),
+            v(0.0, 0.0, 0.0),
+            v(0.0, 0.0, 1.0),
+            v(1.0, 0.0, 0.0),
+            v(0.0, 1.0, 0.0),
+        ),
+    )
+    .unwrap();
     m.add("A", ball(crank, rod, v(1.0, 0.0, 0.0), v(0.0, -0.5, -0.2))).unwrap();
     m.add("B", ball(rod, m.ground(), v(0.0, 0.5, 0.2), v(1.0, 1.0, 0.4))).unwrap();
     let found = m.diagnose(0.0).unwrap();
     println!("{found}");
-    // O leaves one freedom, A and B take it (the point A must stay at its distance from B) but not the spin of the rod.
+    // O leaves one freedom, A and B take it (the point A must stay at its distance from B) but not the spin
+    // of the rod.
     assert_eq!((found.coordinates, found.equations, found.rank), (14, 13, 13));
     let [spin] = &found.freedoms[..] else { panic!("{found}") };
     assert_eq!(spin.persistence, Persistence::Always);

@@ -1,4 +1,5 @@
-//! One cut for ranks; redundant equations of ordinary accuracy; turns that nothing depends on; what can be asked where `build` refuses.
+//! One cut for ranks; redundant equations of ordinary accuracy; turns that nothing depends on; what can be
+//! asked where `build` refuses.
 
 use kin::diagnosis::{Change, Diagnosis, Elsewhere};
 use kin::joints::drivers::spatial as drivers;
@@ -24,7 +25,8 @@ fn two_bars(a: f64, b: f64, unit: f64, turn: f64) -> Mechanism {
 /// A parallelogram of two cranks whose crank is driven to this angle.
 fn flat(angle: f64, offset: f64) -> Mechanism {
     let mut m = Mechanism::new("parallelogram");
-    let [crank, coupler, rocker] = [("crank", 1.0), ("coupler", 2.0), ("rocker", 1.0)].map(|(name, length)| m.link(name, length).unwrap());
+    let [crank, coupler, rocker] = [("crank", 1.0), ("coupler", 2.0), ("rocker", 1.0)]
+        .map(|(name, length)| m.link(name, length).unwrap());
     let (s, c) = (angle + offset).sin_cos();
     m.set_pose(crank, pose(0.5 * c, 0.5 * s, angle + offset)).unwrap();
     m.set_pose(coupler, pose(1.0 + c, s, 0.0)).unwrap();
@@ -47,7 +49,9 @@ fn agreed(system: &System) -> bool {
 
 #[test]
 fn solver_and_diagnosis_have_one_cut_for_ranks() {
-    for (a, b, unit, turn) in [(0.2, 0.3, 1.0, 0.0), (0.2, 0.3, 1000.0, 0.7), (1.0, 1.0, 1e-3, -2.0), (0.35, 3.0, 1.0, 0.4)] {
+    for (a, b, unit, turn) in
+        [(0.2, 0.3, 1.0, 0.0), (0.2, 0.3, 1000.0, 0.7), (1.0, 1.0, 1e-3, -2.0), (0.35, 3.0, 1.0, 0.4)]
+    {
         assert!(!agreed(&two_bars(a, b, unit, turn).build().unwrap()), "{a} {b} {unit} {turn}");
     }
     for angle in [0.0, PI] {
@@ -59,13 +63,15 @@ fn solver_and_diagnosis_have_one_cut_for_ranks() {
     }
 }
 
-/// A scissor lift, one of whose links is put together on top of the other: then both guides of its table hold the same, and it turns freely.
+/// A scissor lift, one of whose links is put together on top of the other: then both guides of its table hold
+/// the same, and it turns freely.
 #[test]
 fn a_coordinate_that_only_rounding_holds_is_free() {
     let mut m = Mechanism::new("lift");
     let a = m.link_between("a", vec2(0.0, 0.0), vec2(1.0, 0.8)).unwrap();
     let b = m.link("b", 1.64_f64.sqrt()).unwrap();
-    let (g, table, o, along) = (m.ground(), m.planar("table", pose(0.0, 0.8, 0.0)).unwrap(), vec2(0.0, 0.0), vec2(1.0, 0.0));
+    let (g, table, o, along) =
+        (m.ground(), m.planar("table", pose(0.0, 0.8, 0.0)).unwrap(), vec2(0.0, 0.0), vec2(1.0, 0.0));
     m.add("foot a", revolute(a, g, a.start(), o)).unwrap();
     m.add("cross", revolute(a, b, o, o)).unwrap();
     m.add("top b", revolute(b, table, b.end(), o)).unwrap();
@@ -82,10 +88,13 @@ fn a_coordinate_that_only_rounding_holds_is_free() {
     assert!((lift.qd[7] - 0.2 * 1.64_f64.sqrt() * 0.6_f64.cos()).abs() < 1e-12, "{lift:?}");
 }
 
-/// Two bars in line, and a parallelogram at its change point: the refusal of a position carries the verdict of the diagnosis.
+/// Two bars in line, and a parallelogram at its change point: the refusal of a position carries the verdict
+/// of the diagnosis.
 #[test]
 fn refusal_and_diagnosis_tell_the_same_rank() {
-    for (system, rank) in [(two_bars(0.2, 0.3, 1.0, 0.0).build().unwrap(), 5), (flat(PI, 0.0).build().unwrap(), 8)] {
+    for (system, rank) in
+        [(two_bars(0.2, 0.3, 1.0, 0.0).build().unwrap(), 5), (flat(PI, 0.0).build().unwrap(), 8)]
+    {
         let found = system.diagnose(0.0).unwrap();
         let error = system.position(0.0).unwrap_err();
         let told = error.diagnosis().unwrap();
@@ -98,7 +107,8 @@ fn refusal_and_diagnosis_tell_the_same_rank() {
 fn guess_at_the_pole_of_an_angle_does_no_harm() {
     let (o, y) = (vec3(0.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0));
     let mut m = Mechanism::new("wheel");
-    let wheel = m.spatial("wheel", SpatialPose::turned(vec3(0.0, 2.0, 0.0), vec3(1.0, 0.0, 0.0), PI / 2.0)).unwrap();
+    let wheel =
+        m.spatial("wheel", SpatialPose::turned(vec3(0.0, 2.0, 0.0), vec3(1.0, 0.0, 0.0), PI / 2.0)).unwrap();
     m.add("hinge", spatial::revolute(wheel, m.ground(), o, vec3(0.0, 2.0, 0.0), y, y)).unwrap();
     m.add("motor", drivers::drive_turn(wheel, m.ground(), y, y, Law::ramp(0.5))).unwrap();
     assert!(agreed(&m.build().unwrap()));
@@ -112,7 +122,8 @@ fn singular_start_says_where_to_begin() {
     assert!(flat(0.0, 0.0).build().unwrap().run([t, t + 0.1]).is_ok());
     // A motor that stands still: another value of it.
     let mut m = Mechanism::new("parallelogram");
-    let [crank, coupler, rocker] = [("crank", 1.0), ("coupler", 2.0), ("rocker", 1.0)].map(|(name, length)| m.link(name, length).unwrap());
+    let [crank, coupler, rocker] = [("crank", 1.0), ("coupler", 2.0), ("rocker", 1.0)]
+        .map(|(name, length)| m.link(name, length).unwrap());
     m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).unwrap();
     m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).unwrap();
@@ -133,7 +144,10 @@ fn singular_start_says_where_to_begin() {
 
 /// The share that a refusal advises to allow.
 fn advised(found: &Diagnosis) -> f64 {
-    let allow = found.changes.iter().find_map(|change| if let Change::Allow { closure } = change { Some(*closure) } else { None });
+    let allow = found
+        .changes
+        .iter()
+        .find_map(|change| if let Change::Allow { closure } = change { Some(*closure) } else { None });
     allow.unwrap_or_else(|| panic!("{found}"))
 }
 
@@ -158,7 +172,10 @@ fn third_rod_of_ordinary_accuracy_is_allowed_on_request() {
         assert!(system.run_with(&times, &Options::closure(0.05 * closure)).is_err());
     }
     assert!(matches!(
-        parallelogram(1.0, 1.0).mechanism.diagnose(0.0).and_then(|_| flat(1.0, 0.0).build()?.run_with([0.0], &Options::closure(-1.0))),
+        parallelogram(1.0, 1.0)
+            .mechanism
+            .diagnose(0.0)
+            .and_then(|_| flat(1.0, 0.0).build()?.run_with([0.0], &Options::closure(-1.0))),
         Err(Error::InvalidOptions { .. })
     ));
 }
@@ -169,9 +186,12 @@ fn imported_assembly_is_allowed_on_request() {
     let z = vec3(0.0, 0.0, 1.0);
     let mut m = Mechanism::new("door");
     let door = m.spatial("door", SpatialPose::at(vec3(0.0, 0.0, 0.0))).unwrap();
-    for (k, off) in [vec3(0.0, 0.0, 0.0), vec3(5e-9, -2e-9, 3e-9), vec3(-1e-9, 4e-9, -5e-9)].into_iter().enumerate() {
+    for (k, off) in
+        [vec3(0.0, 0.0, 0.0), vec3(5e-9, -2e-9, 3e-9), vec3(-1e-9, 4e-9, -5e-9)].into_iter().enumerate()
+    {
         let at = z * (0.8 * k as f64);
-        m.add(&format!("hinge {k}"), spatial::revolute(door, m.ground(), at, at + off, z + off * 0.3, z)).unwrap();
+        m.add(&format!("hinge {k}"), spatial::revolute(door, m.ground(), at, at + off, z + off * 0.3, z))
+            .unwrap();
     }
     m.add("motor", drivers::drive_turn(door, m.ground(), z, z, Law::ramp(1.0))).unwrap();
     let system = m.build().unwrap();
@@ -228,7 +248,8 @@ fn turn_of_a_hinge_is_not_idle() {
     let z = vec3(0.0, 0.0, 1.0);
     let mut m = Mechanism::new("door");
     let part = m.spatial("Part2", SpatialPose::at(vec3(0.0, 0.0, 0.0))).unwrap();
-    m.add("hinge", spatial::revolute(part, m.ground(), vec3(0.5, 0.0, 0.0), vec3(0.0, 0.0, 0.0), z, z)).unwrap();
+    m.add("hinge", spatial::revolute(part, m.ground(), vec3(0.5, 0.0, 0.0), vec3(0.0, 0.0, 0.0), z, z))
+        .unwrap();
     let found = m.diagnose(0.0).unwrap();
     assert!(!found.freedoms[0].idle && m.hold_idle_turns().unwrap().is_empty());
     assert!(found.to_string().contains("drive or hold the turn of `Part2`"), "{found}");

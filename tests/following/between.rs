@@ -7,7 +7,8 @@ use crate::models::{FourBar, slider_crank};
 
 /// Rest, out by `by` as a cycloid, back, rest: within one second.
 fn out_and_back(from: f64, by: f64) -> Law {
-    let (out, back) = (Law::constant(from) + Law::cycloidal(by, 0.4), Law::constant(from + by) - Law::cycloidal(by, 0.4));
+    let (out, back) =
+        (Law::constant(from) + Law::cycloidal(by, 0.4), Law::constant(from + by) - Law::cycloidal(by, 0.4));
     Law::sequence(0.1, [(0.4, out), (0.4, back)])
 }
 
@@ -24,7 +25,9 @@ fn reached(law: &Law, value: f64, [mut low, mut high]: [f64; 2]) -> f64 {
 /// The run must end in a toggle at that time.
 fn ends_at(result: kin::Result<Motion>, expected: f64, what: &str) {
     match result {
-        Err(Error::Toggle { t, .. }) => assert!((t - expected).abs() < 1e-8, "{what}: found at {t}, expected at {expected}"),
+        Err(Error::Toggle { t, .. }) => {
+            assert!((t - expected).abs() < 1e-8, "{what}: found at {t}, expected at {expected}")
+        }
         Err(error) => panic!("{what}: {error}"),
         Ok(_) => panic!("{what}: a run past its toggle at {expected}"),
     }
@@ -32,7 +35,13 @@ fn ends_at(result: kin::Result<Motion>, expected: f64, what: &str) {
 
 /// Grids on which the motor rests at every time, and such as have times of any kind.
 fn grids() -> [Vec<f64>; 5] {
-    [vec![0.0, 1.0], vec![0.0, 0.05, 0.95, 1.0], linspace(0.0, 1.0, 3), linspace(0.0, 1.0, 8), linspace(0.0, 1.0, 101)]
+    [
+        vec![0.0, 1.0],
+        vec![0.0, 0.05, 0.95, 1.0],
+        linspace(0.0, 1.0, 3),
+        linspace(0.0, 1.0, 8),
+        linspace(0.0, 1.0, 101),
+    ]
 }
 
 #[test]
@@ -41,9 +50,17 @@ fn crank_that_goes_out_and_back_within_one_step_does_not_pass_its_toggle() {
     let expected = reached(&law, 0.8_f64.asin(), [0.1, 0.5]);
     assert!((expected - 0.257).abs() < 1e-3);
     for times in grids() {
-        ends_at(slider_crank(1.0, 0.8, law.clone(), 0.0).unwrap().run(&times), expected, &format!("{times:?}"));
+        ends_at(
+            slider_crank(1.0, 0.8, law.clone(), 0.0).unwrap().run(&times),
+            expected,
+            &format!("{times:?}"),
+        );
         let backwards: Vec<f64> = times.iter().rev().copied().collect();
-        ends_at(slider_crank(1.0, 0.8, law.clone(), 0.0).unwrap().run(&backwards), 1.0 - expected, &format!("{backwards:?}"));
+        ends_at(
+            slider_crank(1.0, 0.8, law.clone(), 0.0).unwrap().run(&backwards),
+            1.0 - expected,
+            &format!("{backwards:?}"),
+        );
     }
 }
 
@@ -57,9 +74,16 @@ fn four_bars_that_go_out_and_back_end_at_their_toggle_or_come_back_where_they_we
         let lengths = [0; 4].map(|_| within(0.3, 3.0));
         let (start, by) = (within(0.0, TAU), within(-6.0, 6.0));
         let (by_coupler, side) = (random.bool(), if random.bool() { 1.0 } else { -1.0 });
-        let bar = FourBar { driven: lengths[0], next: lengths[1], last: lengths[2], ground: lengths[3], by_coupler };
+        let bar = FourBar {
+            driven: lengths[0],
+            next: lengths[1],
+            last: lengths[2],
+            ground: lengths[3],
+            by_coupler,
+        };
         let ahead = bar.toggle(start, by.signum()).map_or(f64::INFINITY, |angle| (angle - start).abs());
-        if bar.angles(start, side).is_none() || !(1e-3..).contains(&ahead) || (ahead - by.abs()).abs() < 1e-3 {
+        if bar.angles(start, side).is_none() || !(1e-3..).contains(&ahead) || (ahead - by.abs()).abs() < 1e-3
+        {
             continue;
         }
         let law = out_and_back(start, by);
@@ -122,7 +146,10 @@ impl LawFunction for Silent {
 }
 
 /// The rod of a slider-crank whose crank stands at the angle x: beyond |sin x| = 0.8 there is no position.
-fn with_rod(name: &str, drive: impl FnOnce(&mut Mechanism, Coordinate) -> kin::Result<()>) -> kin::Result<System> {
+fn with_rod(
+    name: &str,
+    drive: impl FnOnce(&mut Mechanism, Coordinate) -> kin::Result<()>,
+) -> kin::Result<System> {
     #[constraint]
     fn closed(x: Coord, phi: Coord) -> f64 {
         x.sin() - 0.8 * phi.sin()
@@ -152,7 +179,8 @@ fn a_driver_is_seen_in_whatever_constraint_it_stands() {
         let what = |name: &str| format!("{name} over {times:?}");
         let swing = || out_and_back(0.0, 1.2).compose(&Law::linear(0.0, 3.0));
         let at = reached(&out_and_back(0.0, 1.2), limit, [0.1, 0.5]) / 3.0;
-        let system = with_rod("beyond", |m, x| m.add("d", beyond(x, swing() + Law::constant(-0.3), 0.3)).map(|_| ()));
+        let system =
+            with_rod("beyond", |m, x| m.add("d", beyond(x, swing() + Law::constant(-0.3), 0.3)).map(|_| ()));
         ends_at(system.unwrap().run(&times), at, &what("a law and a number"));
         let half = Law::constant(0.5);
         let system = with_rod("two", |m, x| m.add("d", by_two(x, 2.0 * swing(), half)).map(|_| ()));
@@ -183,21 +211,31 @@ fn a_driver_is_seen_in_whatever_constraint_it_stands() {
     }
 }
 
-/// A parallelogram whose coupler is longer by 1e-9 has a toggle 3e-5 before it is flat. A crank that swings past that and back within a step comes from
-/// and goes to positions that are as smooth as those of the parallelogram, whose branches cross there.
+/// A parallelogram whose coupler is longer by 1e-9 has a toggle 3e-5 before it is flat. A crank that swings
+/// past that and back within a step comes from and goes to positions that are as smooth as those of the
+/// parallelogram, whose branches cross there.
 #[test]
 fn crank_that_swings_past_a_near_change_point_and_back_ends_at_its_toggle() {
-    let bar = |excess: f64| FourBar { driven: 1.0, next: 2.0 + excess, last: 1.0, ground: 2.0, by_coupler: false };
+    let bar =
+        |excess: f64| FourBar { driven: 1.0, next: 2.0 + excess, last: 1.0, ground: 2.0, by_coupler: false };
     for excess in [1e-6, 1e-9] {
         for (start, beyond) in [(-0.5, 0.1), (-0.3, 0.01), (-0.02, 0.3), (-0.1, 1e-3)] {
             let toggle = bar(excess).toggle(start, 1.0).unwrap();
-            for law in [out_and_back(start, beyond - start), Law::constant(start) + Law::sine(beyond - start, PI, 0.0)] {
+            for law in [
+                out_and_back(start, beyond - start),
+                Law::constant(start) + Law::sine(beyond - start, PI, 0.0),
+            ] {
                 let expected = reached(&law, toggle, [0.0, 0.5]);
                 let (system, _) = bar(excess).system(law, start, 1.0).unwrap();
                 for times in grids() {
                     let result = system.run(&times);
-                    let Err(Error::Toggle { t, .. }) = result else { panic!("{excess:e} {start} {beyond} {times:?}: {result:?}") };
-                    assert!((t - expected).abs() < 1e-6, "{excess:e} {start} {beyond} {times:?}: {t} {expected}");
+                    let Err(Error::Toggle { t, .. }) = result else {
+                        panic!("{excess:e} {start} {beyond} {times:?}: {result:?}")
+                    };
+                    assert!(
+                        (t - expected).abs() < 1e-6,
+                        "{excess:e} {start} {beyond} {times:?}: {t} {expected}"
+                    );
                 }
             }
         }
@@ -215,7 +253,10 @@ fn redundant_mechanisms_are_followed_between_times_too() {
         m.add("A", revolute(a, b, a.end(), b.start()))?;
         m.add("B", revolute(b, slider, b.end(), vec2(0.0, 0.0)))?;
         m.add("guide", prismatic(slider, Ground, vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(0.0, 1.0), 0.0))?;
-        m.add("second guide", prismatic(slider, Ground, vec2(0.1, 0.0), vec2(0.0, 0.0), vec2(0.0, 1.0), 0.0))?;
+        m.add(
+            "second guide",
+            prismatic(slider, Ground, vec2(0.1, 0.0), vec2(0.0, 0.0), vec2(0.0, 1.0), 0.0),
+        )?;
         m.add("motor", drive_angle(a, law))?;
         m.set_initial(&[0.5, 0.0, 0.0, 1.4, 0.0, 0.0, 1.8, 0.0, 0.0])?;
         m.build()
@@ -233,35 +274,53 @@ fn cases_of_a_sweep_are_followed_between_times_in_lanes_as_alone() {
     let system = slider_crank(1.0, 1.5, out_and_back(0.0, PI), 0.0).unwrap();
     let names = ["A.u_j.x", "B.u_i.x", "rod.R_x", "slider.R_x"];
     // Half the rod's length: those below ½ end in a toggle; at ½ itself branches cross.
-    let cases: Vec<[f64; 4]> = (0..24).map(|k| 0.29 + 0.02 * f64::from(k)).map(|u| [-u, u, 1.0 + u, 1.0 + 2.0 * u]).collect();
+    let cases: Vec<[f64; 4]> =
+        (0..24).map(|k| 0.29 + 0.02 * f64::from(k)).map(|u| [-u, u, 1.0 + u, 1.0 + 2.0 * u]).collect();
     for times in grids() {
         for options in [Options::default(), Options { predict: false, ..Options::default() }] {
-            let found = system.sweep(names).unwrap().options(options).run(&cases, &times, |_, motion| motion.map(|_| ())).unwrap();
+            let found = system
+                .sweep(names)
+                .unwrap()
+                .options(options)
+                .run(&cases, &times, |_, motion| motion.map(|_| ()))
+                .unwrap();
             for (case, found) in cases.iter().zip(found) {
                 let passes = case[1] > 0.5;
-                assert!(matches!((&found, passes), (Ok(()), true) | (Err(Error::Toggle { .. }), false)), "{case:?} {times:?}: {found:?}");
+                assert!(
+                    matches!((&found, passes), (Ok(()), true) | (Err(Error::Toggle { .. }), false)),
+                    "{case:?} {times:?}: {found:?}"
+                );
             }
         }
     }
 }
 
-/// Millions of turns between two times are not followed one by one, and that is said at once; what is straight needs no steps.
+/// Millions of turns between two times are not followed one by one, and that is said at once; what is
+/// straight needs no steps.
 #[test]
 fn a_step_over_millions_of_swings_is_refused_or_needs_none() {
     let mut m = Mechanism::new("one");
     let x = m.length("x", 0.0).unwrap();
     m.add("motor", drive(x, Law::sine(0.3, PI, 0.0))).unwrap();
     assert!(m.build().unwrap().run([0.0, 1e6]).is_ok());
-    let (bar, law) = (FourBar { driven: 1.0, next: 3.5, last: 3.0, ground: 4.0, by_coupler: false }, Law::sine(1.2, TAU, 0.0));
+    let (bar, law) = (
+        FourBar { driven: 1.0, next: 3.5, last: 3.0, ground: 4.0, by_coupler: false },
+        Law::sine(1.2, TAU, 0.0),
+    );
     let (system, _) = bar.system(law, 0.0, 1.0).unwrap();
     assert!(system.run([0.0, 10.0]).is_ok());
     for end in [1e7, 1e9, 1e12] {
         let error = system.run([0.0, end]).unwrap_err();
-        assert!(matches!(error, Error::CannotFollow { .. }) && error.to_string().contains("nearer to one another"), "{end:e}: {error}");
+        assert!(
+            matches!(error, Error::CannotFollow { .. })
+                && error.to_string().contains("nearer to one another"),
+            "{end:e}: {error}"
+        );
     }
 }
 
-/// A driver that rests with its first three derivatives at each time of the grid, and starts again by the fourth power of time.
+/// A driver that rests with its first three derivatives at each time of the grid, and starts again by the
+/// fourth power of time.
 #[test]
 fn a_driver_that_has_come_to_rest_is_not_refused() {
     let bar = FourBar { driven: 1.0, next: 3.5, last: 3.0, ground: 4.0, by_coupler: false };
@@ -269,7 +328,9 @@ fn a_driver_that_has_come_to_rest_is_not_refused() {
         let law = Law::new(Silent).compose(&Law::linear(0.0, omega / 3.0));
         let (system, _) = bar.system(Law::constant(0.7) + amplitude * law, 0.7, 1.0).unwrap();
         for points in [4, 6, 10, 11, 37] {
-            let motion = system.run(linspace(0.0, 1.0, points)).unwrap_or_else(|error| panic!("{omega} {points}: {error}"));
+            let motion = system
+                .run(linspace(0.0, 1.0, points))
+                .unwrap_or_else(|error| panic!("{omega} {points}: {error}"));
             assert!((0..points).all(|k| bar.error(motion.q(k), 1.0) < 1e-9));
         }
     }

@@ -1,10 +1,12 @@
-//! Random mechanisms on coarse grids, each against its closed form: on its branch all the way, or stopped at its toggle.
+//! Random mechanisms on coarse grids, each against its closed form: on its branch all the way, or stopped at
+//! its toggle.
 
 use kin::prelude::*;
 
 use crate::models::FourBar;
 
-/// How many planar ones a test run takes, and ten times as many as spatial ones; `KIN_CAMPAIGN=10000` is the whole campaign, for a release build.
+/// How many planar ones a test run takes, and ten times as many as spatial ones; `KIN_CAMPAIGN=10000` is the
+/// whole campaign, for a release build.
 fn count() -> usize {
     std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(200)
 }
@@ -21,9 +23,15 @@ impl Random {
     }
 }
 
-/// A run of `turns` turns on a grid of `per_turn` times each must end where the closed form says, and be right at each time: `end` is the time of
-/// the toggle, `error` how far q is from the branch.
-fn judge(system: &System, times: &[f64], end: Option<f64>, error: impl Fn(&Motion, usize) -> f64, name: &str) -> bool {
+/// A run of `turns` turns on a grid of `per_turn` times each must end where the closed form says, and be
+/// right at each time: `end` is the time of the toggle, `error` how far q is from the branch.
+fn judge(
+    system: &System,
+    times: &[f64],
+    end: Option<f64>,
+    error: impl Fn(&Motion, usize) -> f64,
+    name: &str,
+) -> bool {
     let last = times[times.len() - 1];
     let result = system.run(times);
     let motion = match (&result, end.filter(|end| *end < last)) {
@@ -63,14 +71,16 @@ fn random_four_bars_stay_on_their_branch_or_stop_at_their_toggle() {
         let per_turn = random.0.usize(7..40);
         let (system, _) = bar.system(Law::linear(start, sense * TAU), start, side).unwrap();
         let times = linspace(0.0, 2.0, 2 * per_turn + 1);
-        let name = format!("number {tried}, {bar:?} from {start} to {sense} on side {side}, {per_turn} a turn");
+        let name =
+            format!("number {tried}, {bar:?} from {start} to {sense} on side {side}, {per_turn} a turn");
         toggles += usize::from(judge(&system, &times, end, |motion, k| bar.error(motion.q(k), side), &name));
     }
     println!("{tried} four-bars, {toggles} of them end in a toggle");
     assert!(toggles > tried / 5 && toggles < tried * 4 / 5);
 }
 
-/// A crank about z and a rocker about any axis, with a rod between them that has a ball at either end; or the rod is driven, as a cylinder.
+/// A crank about z and a rocker about any axis, with a rod between them that has a ball at either end; or the
+/// rod is driven, as a cylinder.
 struct Rssr {
     crank: f64,
     rod: f64,
@@ -81,11 +91,18 @@ struct Rssr {
 
 impl Rssr {
     fn random(random: &mut Random) -> Self {
-        let mut vector = || vec3(random.within(-1.0, 1.0), random.within(-1.0, 1.0), random.within(-1.0, 1.0));
+        let mut vector =
+            || vec3(random.within(-1.0, 1.0), random.within(-1.0, 1.0), random.within(-1.0, 1.0));
         let (axis, centre, other) = (vector().normalize(), vector() * 3.0, vector());
         let e1 = other.cross(axis).normalize();
         let axes = Mat3::from_columns([e1, axis.cross(e1), axis]);
-        Rssr { crank: random.within(0.2, 2.0), rod: random.within(0.5, 5.0), rocker: random.within(0.3, 3.0), centre, axes }
+        Rssr {
+            crank: random.within(0.2, 2.0),
+            rod: random.within(0.5, 5.0),
+            rocker: random.within(0.3, 3.0),
+            centre,
+            axes,
+        }
     }
 
     /// A cos ψ + B sin ψ = K
@@ -96,7 +113,8 @@ impl Rssr {
         [along.x, along.y, k]
     }
 
-    /// How far the two solutions are from one another, as the square of half the sine of their distance; none where that is below zero.
+    /// How far the two solutions are from one another, as the square of half the sine of their distance; none
+    /// where that is below zero.
     fn room(&self, theta: f64, rod: f64) -> f64 {
         let [a, b, k] = self.equation(theta, rod);
         1.0 - k * k / (a * a + b * b)
@@ -111,13 +129,27 @@ impl Rssr {
         let mut m = Mechanism::new("RSSR");
         let about = |angle: f64| EulerParameters::from_axis_angle(Vec3::z(), angle);
         let crank = m.spatial("crank", SpatialPose { r: vec3(0.0, 0.0, 0.0), p: about(start.0) })?;
-        let rocker =
-            m.spatial("rocker", SpatialPose { r: self.centre, p: EulerParameters::from_rotation(self.axes).product(about(start.1)) })?;
+        let rocker = m.spatial(
+            "rocker",
+            SpatialPose {
+                r: self.centre,
+                p: EulerParameters::from_rotation(self.axes).product(about(start.1)),
+            },
+        )?;
         let (zero, axis) = (vec3(0.0, 0.0, 0.0), self.axes * Vec3::z());
         m.add("bearing", spatial::revolute(crank, Ground, zero, zero, Vec3::z(), Vec3::z()))?;
         m.add("pivot", spatial::revolute(rocker, Ground, zero, self.centre, Vec3::z(), axis))?;
         m.add("motor", spatial::drive_turn(crank, Ground, Vec3::z(), Vec3::z(), theta))?;
-        m.add("rod", spatial::drive_distance(crank, rocker, vec3(self.crank, 0.0, 0.0), vec3(self.rocker, 0.0, 0.0), rod))?;
+        m.add(
+            "rod",
+            spatial::drive_distance(
+                crank,
+                rocker,
+                vec3(self.crank, 0.0, 0.0),
+                vec3(self.rocker, 0.0, 0.0),
+                rod,
+            ),
+        )?;
         Ok((m.build()?, rocker))
     }
 }
@@ -153,7 +185,8 @@ fn random_spatial_four_bars_stay_on_their_branch_or_stop_at_their_toggle() {
         let at = |t: f64| (start + turn * t, bar.rod + slide * t);
         let stop = first_zero(end, |t| bar.room(at(t).0, at(t).1));
         let psi = bar.psi(start, bar.rod, side);
-        let (system, rocker) = bar.system(Law::linear(start, turn), Law::linear(bar.rod, slide), (start, psi)).unwrap();
+        let (system, rocker) =
+            bar.system(Law::linear(start, turn), Law::linear(bar.rod, slide), (start, psi)).unwrap();
         let tip = vec3(bar.rocker, 0.0, 0.0);
         let error = |motion: &Motion, k: usize| {
             let (theta, rod) = at(motion.times()[k]);
@@ -198,10 +231,14 @@ fn random_stewart_platforms_move_alike_on_coarse_and_fine_grids() {
     for number in 0..all {
         let system = stewart(&mut random).unwrap();
         let points = random.0.usize(8..20);
-        let (coarse, fine) = (system.run(linspace(0.0, 8.0, points + 1)), system.run(linspace(0.0, 8.0, 50 * points + 1)));
+        let (coarse, fine) =
+            (system.run(linspace(0.0, 8.0, points + 1)), system.run(linspace(0.0, 8.0, 50 * points + 1)));
         let (coarse, fine) = match (&coarse, &fine) {
             (Ok(coarse), Ok(fine)) => (coarse, fine),
-            (Err(kin::Error::Toggle { t, motion: Some(one), .. }), Err(kin::Error::Toggle { t: other, motion: Some(two), .. })) => {
+            (
+                Err(kin::Error::Toggle { t, motion: Some(one), .. }),
+                Err(kin::Error::Toggle { t: other, motion: Some(two), .. }),
+            ) => {
                 assert!((t - other).abs() < 1e-9, "{number}: {t} {other}");
                 toggles += 1;
                 (one.as_ref(), two.as_ref())
@@ -209,7 +246,8 @@ fn random_stewart_platforms_move_alike_on_coarse_and_fine_grids() {
             (coarse, fine) => panic!("{number}, {points} points: {coarse:?} {fine:?}"),
         };
         for k in 0..coarse.len() {
-            let error = coarse.q(k).iter().zip(fine.q(50 * k)).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+            let error =
+                coarse.q(k).iter().zip(fine.q(50 * k)).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
             assert!(error < 1e-9, "{number}, {points} points, {k}: {error:e}");
         }
     }

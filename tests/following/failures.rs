@@ -3,15 +3,18 @@
 use kin::prelude::*;
 use kin::{Error, Follow, Options};
 
-/// Two bodies in a chain about parallel axes, each with its motor: an iterate far off must not make later matrices look singular.
+/// Two bodies in a chain about parallel axes, each with its motor: an iterate far off must not make later
+/// matrices look singular.
 #[test]
 fn an_iterate_that_goes_astray_does_not_make_later_positions_look_singular() {
     let mut random = fastrand::Rng::with_seed(5);
     for number in 0..40 {
-        let rates = if number == 0 { [15.0, 0.7] } else { [20.0 * random.f64() - 10.0, 20.0 * random.f64() - 10.0] };
+        let rates =
+            if number == 0 { [15.0, 0.7] } else { [20.0 * random.f64() - 10.0, 20.0 * random.f64() - 10.0] };
         let mut m = Mechanism::new("chain");
         let (zero, end, z) = (vec3(0.0, 0.0, 0.0), vec3(1.0, 0.0, 0.0), vec3(0.0, 0.0, 1.0));
-        let (a, b) = (m.spatial("a", SpatialPose::at(zero)).unwrap(), m.spatial("b", SpatialPose::at(end)).unwrap());
+        let (a, b) =
+            (m.spatial("a", SpatialPose::at(zero)).unwrap(), m.spatial("b", SpatialPose::at(end)).unwrap());
         m.add("O", spatial::revolute(a, Ground, zero, zero, z, z)).unwrap();
         m.add("A", spatial::revolute(b, a, zero, end, z, z)).unwrap();
         m.add("first", spatial::drive_turn(a, Ground, z, z, Law::ramp(rates[0]))).unwrap();

@@ -2,7 +2,8 @@
 
 use kin::prelude::*;
 
-/// The lengths of a four-bar: the link that is driven and the two others, as they follow one another round the loop, and the ground.
+/// The lengths of a four-bar: the link that is driven and the two others, as they follow one another round
+/// the loop, and the ground.
 #[derive(Clone, Copy, Debug)]
 pub struct FourBar {
     pub driven: f64,
@@ -19,8 +20,9 @@ impl FourBar {
         (self.driven * angle.cos() - self.ground).hypot(self.driven * angle.sin())
     }
 
-    /// The angles of the two other links where the driven one stands at `angle`, on the side on which the loop turns left (1.0) or right.
-    /// (The order of links round the loop does not matter to angles: that of a driven coupler is the same.)
+    /// The angles of the two other links where the driven one stands at `angle`, on the side on which the
+    /// loop turns left (1.0) or right. (The order of links round the loop does not matter to angles: that of
+    /// a driven coupler is the same.)
     pub fn angles(&self, angle: f64, side: f64) -> Option<[f64; 2]> {
         let FourBar { driven, next, last, ground, .. } = *self;
         let (x, y) = (ground - driven * angle.cos(), -driven * angle.sin());
@@ -28,12 +30,14 @@ impl FourBar {
         let cosine = (next * next + span * span - last * last) / (2.0 * next * span);
         (cosine.abs() <= 1.0).then(|| {
             let first = y.atan2(x) + side * cosine.acos();
-            let (px, py) = (driven * angle.cos() + next * first.cos(), driven * angle.sin() + next * first.sin());
+            let (px, py) =
+                (driven * angle.cos() + next * first.cos(), driven * angle.sin() + next * first.sin());
             [first, py.atan2(px - ground)]
         })
     }
 
-    /// The next angle beyond `from` at which the other two links are in line, if the driven link turns left (1.0) or right (−1.0).
+    /// The next angle beyond `from` at which the other two links are in line, if the driven link turns left
+    /// (1.0) or right (−1.0).
     pub fn toggle(&self, from: f64, sense: f64) -> Option<f64> {
         let FourBar { driven, next, last, ground, .. } = *self;
         let mut all = Vec::new();
@@ -47,18 +51,25 @@ impl FourBar {
         all.into_iter().map(ahead).min_by(f64::total_cmp).map(|ahead| from + sense * ahead)
     }
 
-    /// How near the driven link's turn comes to a toggle, as a share of the links; below zero where it reaches one.
+    /// How near the driven link's turn comes to a toggle, as a share of the links; below zero where it
+    /// reaches one.
     pub fn clearance(&self) -> f64 {
         let spans = [self.span(0.0), self.span(PI)];
         let (least, most) = (spans[0].min(spans[1]), spans[0].max(spans[1]));
         (self.next + self.last - most).min(least - (self.next - self.last).abs()) / (self.next + self.last)
     }
 
-    /// The mechanism in absolute coordinates, driven by the angle of the first link, by the law, and assembled on the side.
+    /// The mechanism in absolute coordinates, driven by the angle of the first link, by the law, and
+    /// assembled on the side.
     pub fn system(&self, law: Law, start: f64, side: f64) -> kin::Result<(System, [PlanarBody; 3])> {
-        let lengths = if self.by_coupler { [self.next, self.driven, self.last] } else { [self.driven, self.next, self.last] };
+        let lengths = if self.by_coupler {
+            [self.next, self.driven, self.last]
+        } else {
+            [self.driven, self.next, self.last]
+        };
         let mut m = Mechanism::new("four-bar");
-        let [a, b, c] = [m.link("crank", lengths[0])?, m.link("coupler", lengths[1])?, m.link("rocker", lengths[2])?];
+        let [a, b, c] =
+            [m.link("crank", lengths[0])?, m.link("coupler", lengths[1])?, m.link("rocker", lengths[2])?];
         m.add("O", revolute(Ground, a, vec2(0.0, 0.0), a.start()))?;
         m.add("A", revolute(a, b, a.end(), b.start()))?;
         m.add("B", revolute(b, c, b.end(), c.end()))?;
@@ -81,7 +92,9 @@ impl FourBar {
 
     /// How far q is from the pose on that side, angles up to whole turns.
     pub fn error(&self, q: &[f64], side: f64) -> f64 {
-        let Some(pose) = self.pose(q[if self.by_coupler { 5 } else { 2 }], side) else { return f64::INFINITY };
+        let Some(pose) = self.pose(q[if self.by_coupler { 5 } else { 2 }], side) else {
+            return f64::INFINITY;
+        };
         let turn = |k: usize, d: f64| if k % 3 == 2 { (d + PI).rem_euclid(TAU) - PI } else { d };
         q.iter().zip(pose).enumerate().fold(0.0, |most, (k, (q, pose))| turn(k, q - pose).abs().max(most))
     }

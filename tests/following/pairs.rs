@@ -54,7 +54,8 @@ impl Random {
             4 => Law::constant(start) + Law::sine(far, 3.0, 0.3),
             _ => {
                 let (begin, length) = (self.within(0.0, 0.2), self.within(0.05, 0.4));
-                let (out, back) = (Law::cycloidal(far, length), Law::constant(start + far) - Law::cycloidal(far, length));
+                let (out, back) =
+                    (Law::cycloidal(far, length), Law::constant(start + far) - Law::cycloidal(far, length));
                 Law::sequence(begin, [(length, Law::constant(start) + out), (length, back)])
             }
         }
@@ -91,7 +92,12 @@ fn slider_crank(rod: f64, offset: f64, crank: f64, law: Law, up: bool) -> kin::R
 }
 
 /// A four-bar, and what it carries: nothing, a second one that is its mirror image, or a dyad on its coupler.
-fn four_bar([a, b, c, d]: [f64; 4], law: Law, by_coupler: bool, carried: Option<Option<[f64; 4]>>) -> kin::Result<System> {
+fn four_bar(
+    [a, b, c, d]: [f64; 4],
+    law: Law,
+    by_coupler: bool,
+    carried: Option<Option<[f64; 4]>>,
+) -> kin::Result<System> {
     let mut m = Mechanism::new("four-bar");
     let (p, q, r) = (m.link("crank", a)?, m.link("coupler", b)?, m.link("rocker", c)?);
     m.add("O", revolute(Ground, p, vec2(0.0, 0.0), p.start()))?;
@@ -119,9 +125,16 @@ fn four_bar([a, b, c, d]: [f64; 4], law: Law, by_coupler: bool, carried: Option<
     m.build()
 }
 
-fn five_bar([a, b]: [f64; 2], [c, d]: [f64; 2], ground: f64, (ratio, phase): (f64, f64), law: Law) -> kin::Result<System> {
+fn five_bar(
+    [a, b]: [f64; 2],
+    [c, d]: [f64; 2],
+    ground: f64,
+    (ratio, phase): (f64, f64),
+    law: Law,
+) -> kin::Result<System> {
     let mut m = Mechanism::new("geared five-bar");
-    let (p, q, u, v) = (m.link("crank 1", a)?, m.link("crank 2", b)?, m.link("bar 1", c)?, m.link("bar 2", d)?);
+    let (p, q, u, v) =
+        (m.link("crank 1", a)?, m.link("crank 2", b)?, m.link("bar 1", c)?, m.link("bar 2", d)?);
     m.add("O", revolute(Ground, p, vec2(0.0, 0.0), p.start()))?;
     m.add("Q", revolute(Ground, q, vec2(ground, 0.0), q.start()))?;
     m.add("A", revolute(p, u, p.end(), u.start()))?;
@@ -179,8 +192,15 @@ fn system(family: usize, random: &mut Random) -> kin::Result<System> {
             let excess = random.one_of(&[1e-1, 1e-3, 1e-6, 1e-9, -1e-3]);
             slider_crank(1.0 + excess, random.one_of(&[0.0, 0.0, 1e-6, 0.1]), 1.0, law, up)
         }
-        1 => slider_crank(random.within(0.3, 2.0), random.within(-0.5, 0.5), random.within(0.3, 2.0), law, up),
-        2 => four_bar([1.0, 2.0 + random.one_of(&[1e-3, 1e-4, 1e-6, -1e-6, 1e-9, -1e-9]), 1.0, 2.0], law, false, None),
+        1 => {
+            slider_crank(random.within(0.3, 2.0), random.within(-0.5, 0.5), random.within(0.3, 2.0), law, up)
+        }
+        2 => four_bar(
+            [1.0, 2.0 + random.one_of(&[1e-3, 1e-4, 1e-6, -1e-6, 1e-9, -1e-9]), 1.0, 2.0],
+            law,
+            false,
+            None,
+        ),
         3 => four_bar(random.lengths(0.3, 2.0), law, true, None),
         4 => {
             let (bars, [a, b]) = (random.lengths::<3>(1.0, 3.0), random.lengths(0.5, 3.0));
@@ -197,7 +217,12 @@ fn system(family: usize, random: &mut Random) -> kin::Result<System> {
         _ => {
             let [x, y, z] = random.lengths(-2.0, 2.0);
             let axis = Vec3::from(random.lengths::<3>(-1.0, 1.0)).normalize();
-            rssr([random.within(0.2, 1.5), random.within(0.5, 4.0), random.within(0.3, 2.0)], vec3(x, y, z), axis, law)
+            rssr(
+                [random.within(0.2, 1.5), random.within(0.5, 4.0), random.within(0.3, 2.0)],
+                vec3(x, y, z),
+                axis,
+                law,
+            )
         }
     }
 }
@@ -218,7 +243,9 @@ fn compare(system: &System, steps: usize, name: &str, tally: &mut Tally) {
     let coarse_times: Vec<f64> = fine_times.iter().step_by(each).copied().collect();
     let (coarse, fine) = (system.run(&coarse_times), system.run(&fine_times));
     let error = |coarse: &Motion, fine: &Motion| {
-        let off = |k: usize| coarse.q(k).iter().zip(fine.q(k * each)).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+        let off = |k: usize| {
+            coarse.q(k).iter().zip(fine.q(k * each)).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()))
+        };
         (0..coarse.len()).map(off).fold(0.0, f64::max)
     };
     match (&coarse, &fine) {
@@ -248,7 +275,8 @@ fn pairs_of_coarse_and_fine_grids_give_the_same_motion_or_the_same_end() {
     let (mut tally, mut tried, mut number) = (Tally::default(), 0, 0);
     let mut of_family = [0; FAMILIES.len()];
     while tried < count() {
-        let (family, mut random) = (number % FAMILIES.len(), Random(fastrand::Rng::with_seed(0x5eed ^ number as u64)));
+        let (family, mut random) =
+            (number % FAMILIES.len(), Random(fastrand::Rng::with_seed(0x5eed ^ number as u64)));
         number += 1;
         let Ok(mut system) = system(family, &mut random) else { continue };
         // Parts that do not go together are no motion.
@@ -259,11 +287,23 @@ fn pairs_of_coarse_and_fine_grids_give_the_same_motion_or_the_same_end() {
         tried += 1;
         of_family[family] += 1;
         let steps = random.one_of(&[1, 3, 5, 9, 10, 36]);
-        compare(&system, steps, &format!("number {}, {} in {steps} steps", number - 1, FAMILIES[family]), &mut tally);
+        compare(
+            &system,
+            steps,
+            &format!("number {}, {} in {steps} steps", number - 1, FAMILIES[family]),
+            &mut tally,
+        );
     }
-    println!("{tried} pairs: {} motions, {} toggles, refused: {:#?}", tally.moved, tally.toggles, tally.refused);
+    println!(
+        "{tried} pairs: {} motions, {} toggles, refused: {:#?}",
+        tally.moved, tally.toggles, tally.refused
+    );
     assert!(tally.refused.len() <= 2 * tried / 1000, "{:#?}", tally.refused);
-    assert!(tally.moved > tried / 5 && tally.toggles > tried / 10 && of_family.iter().all(|pairs| *pairs >= tried / 40));
+    assert!(
+        tally.moved > tried / 5
+            && tally.toggles > tried / 10
+            && of_family.iter().all(|pairs| *pairs >= tried / 40)
+    );
     // Of a few the share says nothing.
     let asked = tally.moved / PROVED;
     assert!(asked < 8 || 2 * tally.proved >= asked, "{} of {asked} proved", tally.proved);

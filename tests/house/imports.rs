@@ -1,4 +1,5 @@
-//! Imports of `kin-core` go from the bottom up: each file of it is read, each `use` and each path in it followed to the file where it leads.
+//! Imports of `kin-core` go from the bottom up: each file of it is read, each `use` and each path in it
+//! followed to the file where it leads.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -11,7 +12,8 @@ use crate::{ROOT, rust_files};
 type Module = Vec<String>;
 
 /// The rooms, each a folder that may import from those before it and from its own.
-const ROOMS: [&str; 10] = ["numbers", "model", "emitted", "joints", "linear", "system", "program", "solve", "ask", "data"];
+const ROOMS: [&str; 10] =
+    ["numbers", "model", "emitted", "joints", "linear", "system", "program", "solve", "ask", "data"];
 
 /// Items of `kin-core` by file: what they import, and what they give on.
 #[derive(Default)]
@@ -32,7 +34,9 @@ fn module(root: &Path, path: &Path) -> Module {
 }
 
 fn is_test(attributes: &[syn::Attribute]) -> bool {
-    attributes.iter().any(|attribute| attribute.path().is_ident("cfg") && quote_of(attribute).contains("test"))
+    attributes
+        .iter()
+        .any(|attribute| attribute.path().is_ident("cfg") && quote_of(attribute).contains("test"))
 }
 
 fn quote_of(attribute: &syn::Attribute) -> String {
@@ -63,10 +67,16 @@ impl Reader<'_> {
 
     fn tree(&mut self, before: &[String], tree: &syn::UseTree, public: bool) {
         match tree {
-            syn::UseTree::Path(path) => self.tree(&[before, &[path.ident.to_string()]].concat(), &path.tree, public),
+            syn::UseTree::Path(path) => {
+                self.tree(&[before, &[path.ident.to_string()]].concat(), &path.tree, public)
+            }
             syn::UseTree::Group(group) => group.items.iter().for_each(|tree| self.tree(before, tree, public)),
-            syn::UseTree::Name(name) => self.brought(before, &name.ident.to_string(), &name.ident.to_string(), public),
-            syn::UseTree::Rename(name) => self.brought(before, &name.ident.to_string(), &name.rename.to_string(), public),
+            syn::UseTree::Name(name) => {
+                self.brought(before, &name.ident.to_string(), &name.ident.to_string(), public)
+            }
+            syn::UseTree::Rename(name) => {
+                self.brought(before, &name.ident.to_string(), &name.rename.to_string(), public)
+            }
             syn::UseTree::Glob(_) => {}
         }
     }
@@ -75,7 +85,10 @@ impl Reader<'_> {
         let path = if item == "self" { before.to_vec() } else { [before, &[item.to_string()]].concat() };
         let name = if name == "self" { path.last().cloned().unwrap_or_default() } else { name.to_string() };
         // A module of this file's own may be named without `self`.
-        let Some(whole) = self.whole(&path).or_else(|| public.then(|| [&self.here[..], &path[..]].concat())) else { return };
+        let Some(whole) = self.whole(&path).or_else(|| public.then(|| [&self.here[..], &path[..]].concat()))
+        else {
+            return;
+        };
         self.file.names.insert(name.clone(), whole.clone());
         if public {
             self.file.gives_on.insert(name, whole);
@@ -95,9 +108,13 @@ impl<'a> Visit<'a> for Reader<'_> {
             _ => return visit::visit_item(self, item),
         };
         match item {
-            syn::Item::Mod(module) if is_test(attributes) => self.tests.push([&self.here[..], &[module.ident.to_string()]].concat()),
+            syn::Item::Mod(module) if is_test(attributes) => {
+                self.tests.push([&self.here[..], &[module.ident.to_string()]].concat())
+            }
             _ if is_test(attributes) => {}
-            syn::Item::Use(import) => self.tree(&[], &import.tree, !matches!(import.vis, syn::Visibility::Inherited)),
+            syn::Item::Use(import) => {
+                self.tree(&[], &import.tree, !matches!(import.vis, syn::Visibility::Inherited))
+            }
             _ => visit::visit_item(self, item),
         }
     }
@@ -125,7 +142,9 @@ impl House {
             let text = std::fs::read_to_string(&path).expect("readable");
             let here = module(root, &path);
             let mut reader = Reader { here: &here, file: File::default(), tests: Vec::new() };
-            reader.visit_file(&syn::parse_file(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display())));
+            reader.visit_file(
+                &syn::parse_file(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display())),
+            );
             let (file, own) = (reader.file, reader.tests);
             tests.extend(own);
             files.insert(here, file);
@@ -164,7 +183,8 @@ impl House {
             }
             seen
         };
-        let leads: BTreeMap<&Module, BTreeSet<Module>> = self.files.keys().map(|file| (file, reached(file))).collect();
+        let leads: BTreeMap<&Module, BTreeSet<Module>> =
+            self.files.keys().map(|file| (file, reached(file))).collect();
         let set = |file: &Module| -> Vec<String> {
             let both = |other: &&Module| leads[file].contains(*other) && leads[*other].contains(file);
             self.files.keys().filter(both).map(|module| module.join("/")).collect()
@@ -174,7 +194,11 @@ impl House {
     }
 }
 
-fn file_edges<'a>(house: &'a House, here: &'a Module, file: &'a File) -> impl Iterator<Item = (&'a Module, &'a Module)> {
+fn file_edges<'a>(
+    house: &'a House,
+    here: &'a Module,
+    file: &'a File,
+) -> impl Iterator<Item = (&'a Module, &'a Module)> {
     let ends = file.imports.iter().filter_map(|path| house.end(path, 0));
     ends.filter(move |there| *there != here).map(move |there| (here, there))
 }
@@ -193,8 +217,12 @@ fn house() -> House {
 fn imports_go_down() {
     let house = house();
     let up = |(from, to): &(&Module, &Module)| room(from).zip(room(to)).is_some_and(|(from, to)| from < to);
-    let found: Vec<String> =
-        house.edges().into_iter().filter(up).map(|(from, to)| format!("{} -> {}", from.join("/"), to.join("/"))).collect();
+    let found: Vec<String> = house
+        .edges()
+        .into_iter()
+        .filter(up)
+        .map(|(from, to)| format!("{} -> {}", from.join("/"), to.join("/")))
+        .collect();
     assert!(found.is_empty(), "these import from a room above their own: {found:#?}");
 }
 
@@ -205,7 +233,11 @@ fn few_files_import_one_another() {
     for folder in ["kin-core/src", "kin-graph/src", "kin-language/src", "kin-macros/src", "kin-view/src"] {
         let house = House::read(folder);
         for cycle in house.cycles() {
-            assert!(cycle.len() <= MOST, "{folder}: these {} files import one another: {cycle:#?}", cycle.len());
+            assert!(
+                cycle.len() <= MOST,
+                "{folder}: these {} files import one another: {cycle:#?}",
+                cycle.len()
+            );
         }
     }
 }
@@ -213,8 +245,12 @@ fn few_files_import_one_another() {
 #[test]
 fn every_module_has_a_room() {
     let known = ["extend", "testing", "lib"];
-    let homeless: BTreeSet<String> =
-        house().files.keys().filter(|module| !module.is_empty() && room(module).is_none()).map(|module| module[0].clone()).collect();
+    let homeless: BTreeSet<String> = house()
+        .files
+        .keys()
+        .filter(|module| !module.is_empty() && room(module).is_none())
+        .map(|module| module[0].clone())
+        .collect();
     let homeless: Vec<&String> = homeless.iter().filter(|name| !known.contains(&name.as_str())).collect();
     assert!(homeless.is_empty(), "in no room: {homeless:?}");
 }
@@ -223,7 +259,9 @@ fn every_module_has_a_room() {
 #[test]
 fn paths_are_followed_to_their_files() {
     let house = house();
-    let end = |path: &str| house.end(&path.split("::").map(str::to_string).collect::<Vec<_>>(), 0).map(|module| module.join("/"));
+    let end = |path: &str| {
+        house.end(&path.split("::").map(str::to_string).collect::<Vec<_>>(), 0).map(|module| module.join("/"))
+    };
     assert_eq!(end("linear::Echelon").as_deref(), Some("linear/echelon"));
     assert_eq!(end("Mechanism").as_deref(), Some("model/mechanism"));
     assert_eq!(end("motion::Series").as_deref(), Some("model/motion/series"));

@@ -59,11 +59,40 @@ fn files_and_functions_are_short() {
             long.push(format!("{}: {lines} lines", path.display()));
         }
         let file = syn::parse_file(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        let mut functions = Long { found: Vec::new(), is_example: path.parent().is_some_and(|folder| folder.ends_with("examples")) };
+        let mut functions = Long {
+            found: Vec::new(),
+            is_example: path.parent().is_some_and(|folder| folder.ends_with("examples")),
+        };
         functions.visit_file(&file);
-        long.extend(functions.found.iter().map(|(name, lines)| format!("{}: `{name}` has {lines} lines", path.display())));
+        long.extend(
+            functions
+                .found
+                .iter()
+                .map(|(name, lines)| format!("{}: `{name}` has {lines} lines", path.display())),
+        );
     }
     assert!(long.is_empty(), "at most {FILE} lines a file and {FUNCTION} a function:\n{}", long.join("\n"));
+}
+
+/// Code is held to the width by rustfmt; comments are not, but for tables.
+#[test]
+fn lines_end_at_110_columns() {
+    const WIDTH: usize = 110;
+    let settings =
+        std::fs::read_to_string(std::path::Path::new(crate::ROOT).join("rustfmt.toml")).expect("readable");
+    assert!(settings.contains(&format!("max_width = {WIDTH}")), "{settings}");
+    let mut wide = Vec::new();
+    for path in rust_files(".") {
+        let text = std::fs::read_to_string(&path).expect("readable");
+        for (k, line) in text.lines().enumerate() {
+            let comment = line.trim_start();
+            let is_table = comment.trim_start_matches(['/', '!', ' ']).starts_with('|');
+            if comment.starts_with("//") && !is_table && line.chars().count() > WIDTH {
+                wide.push(format!("{}:{}", path.display(), k + 1));
+            }
+        }
+    }
+    assert!(wide.is_empty(), "comments beyond column {WIDTH}: {wide:#?}");
 }
 
 #[test]

@@ -1,4 +1,5 @@
-//! The operations of a graph and its functions are listed once: a `match` over most of them is the evaluator, a pass, a printer, or a second list.
+//! The operations of a graph and its functions are listed once: a `match` over most of them is the evaluator,
+//! a pass, a printer, or a second list.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -7,12 +8,16 @@ use syn::visit::{self, Visit};
 
 use crate::{ROOT, rust_files};
 
-/// Who may tell operations apart one by one: the graph itself with its evaluator, its passes and its text, and what writes code (or a tape) of it.
+/// Who may tell operations apart one by one: the graph itself with its evaluator, its passes and its text,
+/// and what writes code (or a tape) of it.
 const OF_OPERATIONS: [&str; 3] = ["kin-graph/src/", "kin-macros/src/emit/", "kin-core/src/program/tape/"];
 
 /// Who may tell functions apart one by one: the list, the table of derivatives, the table of bounds.
-const OF_FUNCTIONS: [&str; 3] =
-    ["kin-graph/src/functions.rs", "kin-graph/src/differentiate/rules.rs", "kin-core/src/numbers/enclosure/functions.rs"];
+const OF_FUNCTIONS: [&str; 3] = [
+    "kin-graph/src/functions.rs",
+    "kin-graph/src/differentiate/rules.rs",
+    "kin-core/src/numbers/enclosure/functions.rs",
+];
 
 /// Matches that name so many variants are lists; fewer ask for something in particular.
 const SHARE: f64 = 0.4;
@@ -67,11 +72,15 @@ fn functions() -> BTreeSet<String> {
 fn lists(of: &BTreeSet<String>, allowed: &[&str]) -> Vec<String> {
     let most = SHARE * of.len() as f64;
     let mut found = Vec::new();
-    for folder in ["src", "kin-graph/src", "kin-language/src", "kin-macros/src", "kin-core/src", "kin-view/src"] {
+    for folder in
+        ["src", "kin-graph/src", "kin-language/src", "kin-macros/src", "kin-core/src", "kin-view/src"]
+    {
         for path in rust_files(folder) {
             let name = path.strip_prefix(ROOT).expect("below the root").to_string_lossy().replace('\\', "/");
             let mut matches = Matches::default();
-            matches.visit_file(&syn::parse_file(&std::fs::read_to_string(&path).expect("readable")).expect("Rust"));
+            matches.visit_file(
+                &syn::parse_file(&std::fs::read_to_string(&path).expect("readable")).expect("Rust"),
+            );
             let is_list = matches.0.iter().any(|names| names.intersection(of).count() as f64 > most);
             if is_list && !allowed.iter().any(|known| name.starts_with(known)) {
                 found.push(name);
@@ -87,7 +96,10 @@ fn operations_are_told_apart_by_the_evaluator_passes_and_printers_alone() {
     assert!(operations.len() > 10 && operations.contains("Call2"), "{operations:?}");
     let second = lists(&operations, &OF_OPERATIONS);
     assert!(second.is_empty(), "a second evaluation of a graph's operations: {second:#?}");
-    assert!(lists(&operations, &[]).contains(&"kin-graph/src/evaluate.rs".to_string()), "the evaluator is not seen");
+    assert!(
+        lists(&operations, &[]).contains(&"kin-graph/src/evaluate.rs".to_string()),
+        "the evaluator is not seen"
+    );
 }
 
 #[test]

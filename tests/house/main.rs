@@ -8,14 +8,16 @@ use std::path::{Path, PathBuf};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
-/// Every Rust file in a folder of the workspace but expansions that are stored to be compared, and programs that are wrong on purpose.
+/// Every Rust file in a folder of the workspace but expansions that are stored to be compared, and programs
+/// that are wrong on purpose.
 fn rust_files(folder: &str) -> Vec<PathBuf> {
     let root = Path::new(ROOT).join(folder);
     let left_out = ["target", "out", "golden", "ui", "data"];
     let (mut open, mut found) = (vec![root.clone()], Vec::new());
     while let Some(path) = open.pop() {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let is_left_out = name.starts_with('.') || left_out.contains(&name.as_str()) && !path.join("mod.rs").exists();
+        let is_left_out =
+            name.starts_with('.') || left_out.contains(&name.as_str()) && !path.join("mod.rs").exists();
         if path.is_dir() && (path == root || !is_left_out) {
             open.extend(path.read_dir().expect("readable").map(|entry| entry.expect("an entry").path()));
         } else if name.ends_with(".rs") {

@@ -1,4 +1,5 @@
-//! What is symbolic because every bound is known: control flow, patterns, lists and closures that change, integers.
+//! What is symbolic because every bound is known: control flow, patterns, lists and closures that change,
+//! integers.
 
 use crate::twice;
 

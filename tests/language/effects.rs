@@ -1,4 +1,5 @@
-//! What happens on the right of `&&` and `||` happens only where that side is asked; integers do what rustc makes of them.
+//! What happens on the right of `&&` and `||` happens only where that side is asked; integers do what rustc
+//! makes of them.
 
 use kin::any_coord as c;
 use kin::prelude::*;

@@ -30,7 +30,10 @@ fn lengths_of_the_attribute() {
     kin::check::derivatives(constraint);
     let constraint = mean_of(std::array::from_fn(|_| kin::any_coord()), [1.0, 2.0, 3.0, 4.0]);
     assert_eq!(constraint.route(), kin::Route::Symbolic);
-    assert_eq!(kin::terms(&constraint, &[0.0, 1.0, 2.0, 5.0], &[], 0.0).c.as_slice(), [-2.0, -2.0, 0.0, 12.0]);
+    assert_eq!(
+        kin::terms(&constraint, &[0.0, 1.0, 2.0, 5.0], &[], 0.0).c.as_slice(),
+        [-2.0, -2.0, 0.0, 12.0]
+    );
     kin::check::derivatives(constraint);
 }
 

@@ -1,5 +1,6 @@
-//! The language of constraints: small constraints in unusual but honest Rust, each on the route that is promised for it, with derivatives that
-//! agree on both routes and with central differences of the function as it is written.
+//! The language of constraints: small constraints in unusual but honest Rust, each on the route that is
+//! promised for it, with derivatives that agree on both routes and with central differences of the function
+//! as it is written.
 
 mod bounded;
 mod control;
@@ -12,7 +13,8 @@ mod refused;
 mod twice;
 mod values;
 
-/// A constraint takes the route, all routes to its derivatives agree, and C at a state is the number worked out by hand.
+/// A constraint takes the route, all routes to its derivatives agree, and C at a state is the number worked
+/// out by hand.
 #[macro_export]
 macro_rules! reads {
     ($name:ident, $route:ident, $constraint:expr, at $q:expr, $t:expr => $c:expr) => {
@@ -24,7 +26,10 @@ macro_rules! reads {
             let expected: &[f64] = &$c;
             assert_eq!(c.len(), expected.len());
             for (got, expected) in c.iter().zip(expected) {
-                assert!((got - expected).abs() < 1e-14 * (1.0 + expected.abs()), "C is {c}, expected {expected}");
+                assert!(
+                    (got - expected).abs() < 1e-14 * (1.0 + expected.abs()),
+                    "C is {c}, expected {expected}"
+                );
             }
             kin::check::derivatives(constraint);
         }

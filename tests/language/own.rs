@@ -41,7 +41,11 @@ impl Table {
 #[constraint]
 fn of_a_table(b: Planar, table: Table) -> (Vec2, f64) {
     let origin: Vec2 = table.origin;
-    (b.r - origin, table.horner(b.theta) * table.first() + table.gain * b.theta + table.rows[1] - table.rows.len() as f64)
+    (
+        b.r - origin,
+        table.horner(b.theta) * table.first() + table.gain * b.theta + table.rows[1]
+            - table.rows.len() as f64,
+    )
 }
 fn table() -> Table {
     Table { rows: vec![2.0, 1.0, 3.0], origin: vec2(1.0, 2.0), gain: 0.5 }
@@ -210,7 +214,12 @@ fn what_is_demanded_is_said_with_its_numbers() {
         Some("the axis points upwards (axis.x = 0, axis.y = 0, axis.z = -1)")
     );
     assert!(demanding_by_dual(s(), up, 0.0, Law::ramp(1.0)).refusal().is_some());
-    assert!(demanding(s(), vec3(0.0, 0.0, 0.0), 2.0).refusal().expect("no direction").starts_with("axis: this axis has no direction"));
+    assert!(
+        demanding(s(), vec3(0.0, 0.0, 0.0), 2.0)
+            .refusal()
+            .expect("no direction")
+            .starts_with("axis: this axis has no direction")
+    );
 }
 
 #[test]

@@ -1,4 +1,5 @@
-//! What a constraint promises to its solver before the program runs: which terms never change with t, and which are always zero.
+//! What a constraint promises to its solver before the program runs: which terms never change with t, and
+//! which are always zero.
 
 use kin::coordinates::Argument;
 use kin::dual_route::{ArgumentKind, Equation};
@@ -43,7 +44,10 @@ fn searched(a: Coord) -> f64 {
 
 #[test]
 fn terms_that_vanish_and_terms_without_time_are_promised() {
-    assert_eq!(promised(&revolute(p(), p(), vec2(1.0, 0.0), vec2(0.0, 1.0))), [false, false, false, true, true]);
+    assert_eq!(
+        promised(&revolute(p(), p(), vec2(1.0, 0.0), vec2(0.0, 1.0))),
+        [false, false, false, true, true]
+    );
     assert_eq!(promised(&geared(c(), c(), 3.0)), [false, false, false, false, true]);
     assert_eq!(promised(&drive(c(), Law::ramp(2.0))), [true, false, true, true, false]);
     assert!(!promised(&fixed(p(), vec2(1.0, 0.0), 0.5))[4] && promised(&wrapped(c()))[4]);
@@ -53,8 +57,10 @@ fn terms_that_vanish_and_terms_without_time_are_promised() {
 
 #[test]
 fn the_dual_route_promises_what_the_graph_knows_and_nothing_without_one() {
-    let (own, dual) =
-        (revolute(p(), p(), vec2(1.0, 0.0), vec2(0.0, 1.0)), kin::by_dual(revolute(p(), p(), vec2(1.0, 0.0), vec2(0.0, 1.0))));
+    let (own, dual) = (
+        revolute(p(), p(), vec2(1.0, 0.0), vec2(0.0, 1.0)),
+        kin::by_dual(revolute(p(), p(), vec2(1.0, 0.0), vec2(0.0, 1.0))),
+    );
     assert_eq!((own.depends(), own.constants()), (dual.depends(), dual.constants()));
     assert_eq!(searched(c()).route(), Route::Dual);
     assert_eq!(searched(c()).depends(), Dependence::default());
@@ -125,7 +131,8 @@ impl Equation<1, 1> for Claims {
 #[test]
 fn a_false_promise_is_found_by_the_check() {
     let all = Dependence::default();
-    let told = |depends, constant, sides| match kin::check::compare(&Claims(depends, [constant], sides, c())) {
+    let told = |depends, constant, sides| match kin::check::compare(&Claims(depends, [constant], sides, c()))
+    {
         Ok(_) => String::new(),
         Err(mismatch) => mismatch.to_string(),
     };
@@ -144,9 +151,12 @@ fn a_false_promise_is_found_by_the_check() {
 #[test]
 fn a_constraint_sees_its_own_arguments_and_is_believed_what_can_be() {
     let straight = Dependence { curved: false, ..Dependence::default() };
-    for (depends, sides, c) in
-        [(Dependence::default(), None, 8.0), (straight, None, 2.0), (straight, Some(5), 2.0), (straight, Some(usize::MAX), 2.0)]
-    {
+    for (depends, sides, c) in [
+        (Dependence::default(), None, 8.0),
+        (straight, None, 2.0),
+        (straight, Some(5), 2.0),
+        (straight, Some(usize::MAX), 2.0),
+    ] {
         let mut m = Mechanism::new("claims");
         let (x, y) = (m.length("x", 1.0).unwrap(), m.length("y", 1.0).unwrap());
         m.add("claims", Claims(depends, [Some(1.0)], sides, x)).unwrap();

@@ -1,4 +1,5 @@
-//! Good Rust that hangs on types: the user's own structs and generics, conversions, other crates' vectors, states and tables handed over.
+//! Good Rust that hangs on types: the user's own structs and generics, conversions, other crates' vectors,
+//! states and tables handed over.
 
 use std::ops::{Add, Mul, Sub};
 
@@ -86,7 +87,10 @@ fn through_a_table(a: Coord, table: Vec<(f64, f64)>) -> f64 {
 fn a_helper_of_a_table_and_a_coordinate() {
     let constraint = through_a_table(kin::any_coord(), vec![(0.0, 2.0), (1.0, 5.0)]);
     assert_eq!(constraint.route(), Route::Symbolic);
-    assert!((kin::terms(&constraint, &[0.5], &[], 0.0).c[0] - (3.0 * 0.5_f64.sin() + 2.0 + 0.5 + 1.0)).abs() < 1e-15);
+    assert!(
+        (kin::terms(&constraint, &[0.5], &[], 0.0).c[0] - (3.0 * 0.5_f64.sin() + 2.0 + 0.5 + 1.0)).abs()
+            < 1e-15
+    );
     kin::check::derivatives(constraint);
 }
 

@@ -1,5 +1,5 @@
-//! Functions that are compiled twice: by `#[constraint]`, and by rustc alone over f64. Both give the same C, and the constraint's derivatives agree with
-//! dual numbers and with central differences.
+//! Functions that are compiled twice: by `#[constraint]`, and by rustc alone over f64. Both give the same C,
+//! and the constraint's derivatives agree with dual numbers and with central differences.
 
 use kin::Route;
 use kin::dual_route::Equation;
@@ -52,7 +52,8 @@ pub fn agree<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
         let expected = plain(&mut Columns(&q, t));
         let c = kin::terms(&constraint, &q, &[], t).c;
         for (row, (got, expected)) in c.iter().zip(expected).enumerate() {
-            let same = (got - expected).abs() <= 1e-12 * (1.0 + expected.abs()) || !got.is_finite() && !expected.is_finite();
+            let same = (got - expected).abs() <= 1e-12 * (1.0 + expected.abs())
+                || !got.is_finite() && !expected.is_finite();
             assert!(same, "row {row} at {q:?}, t = {t}: {got}, and {expected} by rustc alone");
             finite += usize::from(expected.is_finite());
         }
@@ -65,8 +66,8 @@ pub fn agree<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     }
 }
 
-/// Compiles a function twice and compares. Behind it stand what its arguments are: `planar`, `spatial`, `coord`, `coords`, `time`, or a value in
-/// parentheses.
+/// Compiles a function twice and compares. Behind it stand what its arguments are: `planar`, `spatial`,
+/// `coord`, `coords`, `time`, or a value in parentheses.
 #[macro_export]
 macro_rules! twice {
     ($route:ident $name:ident($($given:tt)*): $(#[$attribute:meta])* fn $($function:tt)*) => {

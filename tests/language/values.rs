@@ -117,13 +117,24 @@ reads!(names_that_emitted_code_uses_too, Symbolic, odd_names(c(), c(), c(), 2.0,
 
 #[constraint]
 fn functions_as_paths(a: Coord, b: Coord) -> f64 {
-    f64::hypot(a, b) + f64::max(a, 0.5) + a.rem_euclid(1.5) + 2.0f64.powf(a) + f64::atan2(b, a).sin() + f64::powi(b, 3)
+    f64::hypot(a, b)
+        + f64::max(a, 0.5)
+        + a.rem_euclid(1.5)
+        + 2.0f64.powf(a)
+        + f64::atan2(b, a).sin()
+        + f64::powi(b, 3)
 }
 reads!(functions_by_their_paths, Symbolic, functions_as_paths(c(), c()), at [3.0, 4.0], 0.0 => [5.0 + 3.0 + 8.0 + 0.8 + 64.0]);
 
 #[constraint]
 fn parameter_first(a: Coord, k: f64) -> f64 {
-    k.max(a) + k.atan2(a) + (k - 1.0).abs() * a + k.mul_add(a, 1.0) + a.clamp(-0.5, 0.5) + a.copysign(-1.0) + k.recip()
+    k.max(a)
+        + k.atan2(a)
+        + (k - 1.0).abs() * a
+        + k.mul_add(a, 1.0)
+        + a.clamp(-0.5, 0.5)
+        + a.copysign(-1.0)
+        + k.recip()
 }
 reads!(parameters_as_receivers, Symbolic, parameter_first(c(), 1.0), at [1.0], 0.0 => [1.0 + std::f64::consts::FRAC_PI_4 + 2.0 + 0.5 - 1.0 + 1.0]);
 
@@ -155,7 +166,8 @@ reads!(types_written_out, Symbolic, annotated(p(), 2.0), at [1.0, 2.0, 0.5], 0.0
 #[constraint]
 fn powers(a: Coord) -> f64 {
     let b = a * a + 1.0;
-    b.powi(-2) + b.powi(5) / b.powf(2.5) + b.sqrt().cbrt() + b.ln().exp_m1() + b.log(3.0) * b.log2() - b.recip()
+    b.powi(-2) + b.powi(5) / b.powf(2.5) + b.sqrt().cbrt() + b.ln().exp_m1() + b.log(3.0) * b.log2()
+        - b.recip()
 }
 reads!(powers_roots_logarithms, Symbolic, powers(c()), at [0.0], 0.0 => [2.0]);
 

@@ -6,11 +6,14 @@ use nalgebra::DMatrix;
 
 use crate::support::*;
 
-/// The lecture's complex driver with a path of the test's own: (c0 + c1 cos c2 t, c3 + c4 sin c5 t).      \[m\]
+/// The lecture's complex driver with a path of the test's own: (c0 + c1 cos c2 t, c3 + c4 sin c5 t).    \[m\]
 #[constraint]
 fn trajectory(i: Planar, u: Vec2, c: [f64; 6], t: Time) -> [f64; 2] {
     let f = (c[0] + c[1] * (c[2] * t).cos(), c[3] + c[4] * (c[5] * t).sin());
-    [i.r.x + u.x * i.theta.cos() - u.y * i.theta.sin() - f.0, i.r.y + u.x * i.theta.sin() + u.y * i.theta.cos() - f.1]
+    [
+        i.r.x + u.x * i.theta.cos() - u.y * i.theta.sin() - f.0,
+        i.r.y + u.x * i.theta.sin() + u.y * i.theta.cos() - f.1,
+    ]
 }
 
 /// R_x + x̄ cos θ − ȳ sin θ = f1(t), R_y + x̄ sin θ + ȳ cos θ = f2(t); f, ḟ, f̈ given.
@@ -81,10 +84,25 @@ fn simple_driver_terms_are_the_lectures() {
         // ω t + θ0, and the same with a constant acceleration
         for (law, f) in [
             (Law::linear(theta0, omega), [omega * t + theta0, omega, 0.0]),
-            (Law::polynomial(&[theta0, omega, alpha / 2.0]), [theta0 + omega * t + alpha * t * t / 2.0, omega + alpha * t, alpha]),
+            (
+                Law::polynomial(&[theta0, omega, alpha / 2.0]),
+                [theta0 + omega * t + alpha * t * t / 2.0, omega + alpha * t, alpha],
+            ),
         ] {
-            comparison.check(&drive_angle(any_planar(), law.clone()), &q, &qd, t, &simple_by_hand(q[2], qd[2], f, 2, 3));
-            comparison.check(&drive(any_coord(), law), &q[..1], &qd[..1], t, &simple_by_hand(q[0], qd[0], f, 0, 1));
+            comparison.check(
+                &drive_angle(any_planar(), law.clone()),
+                &q,
+                &qd,
+                t,
+                &simple_by_hand(q[2], qd[2], f, 2, 3),
+            );
+            comparison.check(
+                &drive(any_coord(), law),
+                &q[..1],
+                &qd[..1],
+                t,
+                &simple_by_hand(q[0], qd[0], f, 0, 1),
+            );
         }
     }
 }

@@ -29,7 +29,11 @@ fn by_hand(q: &[f64; 6], qd: &[f64; 6], [u, u_dot, u_ddot]: [V2; 3], u_j: V2) ->
     let (ti_u, tj_u) = (a_theta(ti) * u, a_theta(tj) * u_j);
     let mut hand = Hand::new(2, 6);
     hand.c = column_of(V2::new(xi, yi) + a(ti) * u - V2::new(xj, yj) - a(tj) * u_j);
-    hand.c_q = DMatrix::from_row_slice(2, 6, &[1.0, 0.0, ti_u.x, -1.0, 0.0, -tj_u.x, 0.0, 1.0, ti_u.y, 0.0, -1.0, -tj_u.y]);
+    hand.c_q = DMatrix::from_row_slice(
+        2,
+        6,
+        &[1.0, 0.0, ti_u.x, -1.0, 0.0, -tj_u.x, 0.0, 1.0, ti_u.y, 0.0, -1.0, -tj_u.y],
+    );
     hand.c_q_qd = column_of(V2::new(vxi, vyi) + wi * ti_u - V2::new(vxj, vyj) - wj * tj_u);
     // velocity  Ṙ + θ̇ A_θ ū + A ū̇: the last term is C_t
     hand.c_t = column_of(a(ti) * u_dot);
@@ -52,17 +56,25 @@ fn moving_point_terms_are_the_lectures_with_coriolis() {
         let (c, u_j, t) = (random.array(2.0), random.vector(2.0), 1.0 + random.within(1.0));
         let joint = block_in_a_slot(any_planar(), any_planar(), vec2(u_j.x, u_j.y), c);
         comparison.check(&joint, &q, &qd, t, &by_hand(&q, &qd, motion_in_body(&c, t), u_j));
-        let shipped = moving_point(any_planar(), any_planar(), Law::polynomial(&c[..3]), Law::sine(c[3], c[4], c[5]), vec2(u_j.x, u_j.y));
+        let shipped = moving_point(
+            any_planar(),
+            any_planar(),
+            Law::polynomial(&c[..3]),
+            Law::sine(c[3], c[4], c[5]),
+            vec2(u_j.x, u_j.y),
+        );
         comparison.check(&shipped, &q, &qd, t, &by_hand(&q, &qd, motion_in_body(&c, t), u_j));
     }
 }
 
-/// With body j the ground's frame, C is r_P itself: C_q q̇ + C_t is its velocity and C_q q̈ − Q_d its acceleration.
+/// With body j the ground's frame, C is r_P itself: C_q q̇ + C_t is its velocity and C_q q̈ − Q_d its
+/// acceleration.
 #[test]
 fn moving_point_has_the_lectures_velocity_and_acceleration() {
     let (mut random, mut worst) = (Random::new(8), 0.0_f64);
     for _ in 0..STATES {
-        let ([x, y, theta], [vx, vy, w], [ax, ay, alpha]) = (random.array(3.0), random.array(3.0), random.array(3.0));
+        let ([x, y, theta], [vx, vy, w], [ax, ay, alpha]) =
+            (random.array(3.0), random.array(3.0), random.array(3.0));
         let (c, t) = (random.array(2.0), 1.0 + random.within(1.0));
         let [u, u_dot, u_ddot] = motion_in_body(&c, t);
         let velocity = V2::new(vx, vy) + w * (a_theta(theta) * u) + a(theta) * u_dot;

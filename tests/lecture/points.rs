@@ -32,12 +32,17 @@ fn point_velocity_and_acceleration_are_the_lectures() {
         // the classical forms, with u = A ū: v_O + ω × u,  a_O + α × u + ω × (ω × u)
         let global = a(theta) * u;
         let classical_v = V2::new(vx, vy) + omega_cross(w) * global;
-        let classical_a = V2::new(ax, ay) + omega_cross(alpha) * global + omega_cross(w) * (omega_cross(w) * global);
+        let classical_a =
+            V2::new(ax, ay) + omega_cross(alpha) * global + omega_cross(w) * (omega_cross(w) * global);
         for found in [terms(&point, &q, &qd, 0.0), dual_terms(&point, &q, &qd, 0.0)] {
             let (rates, second_rates) = (&found.c_q * column(&qd), &found.c_q * column(&qdd) - &found.q_d);
-            for (found, hand) in
-                [(&found.c, r), (&rates, v), (&rates, classical_v), (&second_rates, acceleration), (&second_rates, classical_a)]
-            {
+            for (found, hand) in [
+                (&found.c, r),
+                (&rates, v),
+                (&rates, classical_v),
+                (&second_rates, acceleration),
+                (&second_rates, classical_a),
+            ] {
                 let error = difference(found, &column_of(hand));
                 assert!(error <= TOLERANCE, "{found} {hand}");
                 worst = worst.max(error);

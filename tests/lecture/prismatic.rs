@@ -29,14 +29,16 @@ impl Slide {
         prismatic(any_planar(), any_planar(), vec(self.u_i), vec(self.u_j), vec(self.h_i), self.theta0)
     }
 
-    /// D1, D2, D3, D4: the second row of (C_q q̇)_q ("Prismatic 3"; in D2 the transpose that the slide has lost).
+    /// D1, D2, D3, D4: the second row of (C_q q̇)_q ("Prismatic 3"; in D2 the transpose that the slide has
+    /// lost).
     fn blocks(&self, q: &[f64; 6], qd: &[f64; 6]) -> (V2, f64, V2, f64) {
         let Slide { u_i, u_j, h_i, .. } = *self;
         let (wi, wj) = (qd[2], qd[5]);
         let (h, h_theta, u_theta) = (a(q[2]) * h_i, a_theta(q[2]) * h_i, a_theta(q[5]) * u_j);
         let relative = V2::new(qd[0] - qd[3], qd[1] - qd[4]);
         let d1 = wi * h_theta;
-        let d2 = h_theta.dot(&relative) + wi * (u_i.dot(&h_i) - self.r_ij(q).dot(&h)) - wj * h_theta.dot(&u_theta);
+        let d2 =
+            h_theta.dot(&relative) + wi * (u_i.dot(&h_i) - self.r_ij(q).dot(&h)) - wj * h_theta.dot(&u_theta);
         let d4 = -wi * u_theta.dot(&h_theta) + wj * h.dot(&(a(q[5]) * u_j));
         (d1, d2, -d1, d4)
     }
@@ -49,7 +51,8 @@ impl Slide {
     fn by_hand(&self, q: &[f64; 6], qd: &[f64; 6]) -> Hand {
         let (wi, wj) = (qd[2], qd[5]);
         let (h, r) = (a(q[2]) * self.h_i, self.r_ij(q));
-        let (h_theta, ui_theta, uj_theta) = (a_theta(q[2]) * self.h_i, a_theta(q[2]) * self.u_i, a_theta(q[5]) * self.u_j);
+        let (h_theta, ui_theta, uj_theta) =
+            (a_theta(q[2]) * self.h_i, a_theta(q[2]) * self.u_i, a_theta(q[5]) * self.u_j);
         let turn = r.dot(&h_theta) + h.dot(&ui_theta);
         let mut hand = Hand::new(2, 6);
         hand.c = column(&[q[2] - q[5] - self.theta0, h.dot(&r)]);
@@ -80,14 +83,16 @@ fn prismatic_right_side_is_minus_d1_to_d4() {
 
 /// Both rows of r(q̇, 0) at q, straight from the constraint.
 fn right_side(constraint: &dyn Constraint, q: &[f64; 6], qd: &[f64; 6]) -> [f64; 2] {
-    let states = [[q[0], q[1], q[2]], [q[3], q[4], q[5]]].map(|body| PlanarState::new(body).to_array()).concat();
+    let states =
+        [[q[0], q[1], q[2]], [q[3], q[4], q[5]]].map(|body| PlanarState::new(body).to_array()).concat();
     let mut r = [f64::NAN; 2];
     let arguments = [[0, 0], [PLANAR_STATE as u32, 3]];
     constraint.acceleration_rhs(&At::new(0.0, &states, &arguments), &Rates::new(qd, &arguments), 0.0, &mut r);
     r
 }
 
-/// Row `row` of (C_q q̇)_q by polarisation: entry k is −[r(q̇ + e_k, 0) − r(q̇ − e_k, 0)] / 4. Also the largest right side met.
+/// Row `row` of (C_q q̇)_q by polarisation: entry k is −[r(q̇ + e_k, 0) − r(q̇ − e_k, 0)] / 4. Also the
+/// largest right side met.
 fn polarised(constraint: &dyn Constraint, q: &[f64; 6], qd: &[f64; 6], row: usize) -> ([f64; 6], f64) {
     let mut largest = 0.0_f64;
     let entries = std::array::from_fn(|k| {
@@ -127,7 +132,8 @@ fn polarised_right_side_gives_the_blocks_d1_to_d4() {
 }
 
 proptest! {
-    /// What makes polarisation right: r(·, 0) is a quadratic form, so the block along v is symmetric in q̇ and v, and linear in each.
+    /// What makes polarisation right: r(·, 0) is a quadratic form, so the block along v is symmetric in q̇
+    /// and v, and linear in each.
     #[test]
     fn right_side_is_a_quadratic_form_of_the_velocities(
         q in prop::array::uniform6(-3.0..3.0),

@@ -5,7 +5,8 @@ use kin::prelude::*;
 
 use crate::support::*;
 
-/// The slide's formulas, body j's columns with the sign of the derivative (its first line repeats the minus signs).
+/// The slide's formulas, body j's columns with the sign of the derivative (its first line repeats the minus
+/// signs).
 fn by_hand(q: &[f64; 6], qd: &[f64; 6], u_i: V2, u_j: V2) -> Hand {
     let [xi, yi, ti, xj, yj, tj] = *q;
     let [vxi, vyi, wi, vxj, vyj, wj] = *qd;
@@ -14,7 +15,11 @@ fn by_hand(q: &[f64; 6], qd: &[f64; 6], u_i: V2, u_j: V2) -> Hand {
     // R_i + A_i ū_i − R_j − A_j ū_j
     hand.c = column_of(V2::new(xi, yi) + ai - V2::new(xj, yj) - aj);
     // [I, A_θ^i ū_i, −I, −A_θ^j ū_j]
-    hand.c_q = nalgebra::DMatrix::from_row_slice(2, 6, &[1.0, 0.0, ti_u.x, -1.0, 0.0, -tj_u.x, 0.0, 1.0, ti_u.y, 0.0, -1.0, -tj_u.y]);
+    hand.c_q = nalgebra::DMatrix::from_row_slice(
+        2,
+        6,
+        &[1.0, 0.0, ti_u.x, -1.0, 0.0, -tj_u.x, 0.0, 1.0, ti_u.y, 0.0, -1.0, -tj_u.y],
+    );
     hand.c_q_qd = column_of(V2::new(vxi, vyi) + wi * ti_u - V2::new(vxj, vyj) - wj * tj_u);
     // θ̇_j² A_j ū_j − θ̇_i² A_i ū_i; C_t, C_qt and C_tt are zero
     hand.c_qqd_qd = column_of(wj * wj * aj - wi * wi * ai);

@@ -51,7 +51,8 @@ impl Crank {
         hand.c_q_qd = column(&[-l3 * w3 * s3 - vx, l3 * w3 * c3]);
         // "Velocity Analysis": J (θ̇3, ẋ) = θ̇2 (l2 sin θ2, −l2 cos θ2) = −C_t
         hand.c_t = -w2 * column(&[l2 * s2, -l2 * c2]);
-        // "Acceleration Analysis": J (θ̈3, ẍ) = θ̇2² (l2 cos θ2, l2 sin θ2) + θ̈2 (l2 sin θ2, −l2 cos θ2) + θ̇3² (l3 cos θ3, l3 sin θ3)
+        // "Acceleration Analysis": J (θ̈3, ẍ) = θ̇2² (l2 cos θ2, l2 sin θ2) + θ̈2 (l2 sin θ2, −l2 cos θ2) +
+        // θ̇3² (l3 cos θ3, l3 sin θ3)
         let given = w2 * w2 * column(&[l2 * c2, l2 * s2]) + alpha2 * column(&[l2 * s2, -l2 * c2]);
         let quadratic = w3 * w3 * column(&[l3 * c3, l3 * s3]);
         hand.c_tt = -&given;
@@ -84,7 +85,10 @@ fn slider_crank_terms_with_an_accelerating_crank_are_the_lectures() {
         let (t, [f0, w, alpha]) = (2.0 + random.within(2.0), random.array(3.0));
         // each law with θ2, θ̇2, θ̈2 by hand
         let (law, given) = match k % 3 {
-            0 => (Law::polynomial(&[f0, w, alpha / 2.0]), [f0 + w * t + alpha * t * t / 2.0, w + alpha * t, alpha]),
+            0 => (
+                Law::polynomial(&[f0, w, alpha / 2.0]),
+                [f0 + w * t + alpha * t * t / 2.0, w + alpha * t, alpha],
+            ),
             1 => {
                 let (s, c) = (w * t + f0).sin_cos();
                 (Law::sine(alpha, w, f0), [alpha * s, alpha * w * c, -alpha * w * w * s])

@@ -1,4 +1,5 @@
-//! "Spherical", "Cylindrical" and "Universal Joint Constraint", derived by hand for Euler parameters, A = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ.
+//! "Spherical", "Cylindrical" and "Universal Joint Constraint", derived by hand for Euler parameters, A = (2
+//! e0² − 1) I + 2 e eᵀ + 2 e0 ẽ.
 
 use kin::any_spatial;
 use kin::prelude::*;
@@ -32,7 +33,8 @@ impl Body {
     /// ∂(A u)/∂p = [4 e0 u + 2 e × u,  2 (e · u) I + 2 e uᵀ − 2 e0 ũ]
     fn slope(&self, u: V3) -> Matrix3x4<f64> {
         let (e0, e) = (self.p[0], V3::new(self.p[1], self.p[2], self.p[3]));
-        let by_e = 2.0 * e.dot(&u) * nalgebra::Matrix3::identity() + 2.0 * e * u.transpose() - 2.0 * e0 * u.cross_matrix();
+        let by_e = 2.0 * e.dot(&u) * nalgebra::Matrix3::identity() + 2.0 * e * u.transpose()
+            - 2.0 * e0 * u.cross_matrix();
         let mut all = Matrix3x4::zeros();
         all.set_column(0, &(4.0 * e0 * u + 2.0 * e.cross(&u)));
         all.fixed_columns_mut::<3>(1).copy_from(&by_e);
@@ -85,7 +87,8 @@ impl Rows {
         (0..4).for_each(|n| (row[3 + n], row[10 + n]) = (by_i[n], by_j[n]));
         self.c.push(a.dot(&b));
         self.c_q.push(row);
-        self.quadratic.push(i.second(h_i).dot(&b) + 2.0 * i.rate(h_i).dot(&j.rate(h_j)) + a.dot(&j.second(h_j)));
+        self.quadratic
+            .push(i.second(h_i).dot(&b) + 2.0 * i.rate(h_i).dot(&j.rate(h_j)) + a.dot(&j.second(h_j)));
     }
 
     /// h_i · s, s = r_Pi − r_Pj: \[h_iᵀ, sᵀ (A_i h̄_i)_p + h_iᵀ (A_i ū_i)_p, −h_iᵀ, −h_iᵀ (A_j ū_j)_p\]
@@ -99,7 +102,9 @@ impl Rows {
         let s_rate = i.v + i.rate(u_i) - j.v - j.rate(u_j);
         self.c.push(h.dot(&s));
         self.c_q.push(row);
-        self.quadratic.push(i.second(h_i).dot(&s) + 2.0 * i.rate(h_i).dot(&s_rate) + h.dot(&(i.second(u_i) - j.second(u_j))));
+        self.quadratic.push(
+            i.second(h_i).dot(&s) + 2.0 * i.rate(h_i).dot(&s_rate) + h.dot(&(i.second(u_i) - j.second(u_j))),
+        );
     }
 
     fn hand(self, qd: &[f64]) -> Hand {
@@ -169,7 +174,11 @@ fn cylindrical_terms_are_the_lectures() {
         let axis = Axis::along(own(h_i));
         let (f, g) = (V3::new(axis.f.x, axis.f.y, axis.f.z), V3::new(axis.g.x, axis.g.y, axis.g.z));
         // f and g are across the axis: h_i × h_j = 0 and h_i × s = 0 in these two directions
-        assert!(f.dot(&h_i).abs() < 1e-14 && g.dot(&h_i).abs() < 1e-14 && (f.cross(&g) - h_i.normalize()).norm() < 1e-14);
+        assert!(
+            f.dot(&h_i).abs() < 1e-14
+                && g.dot(&h_i).abs() < 1e-14
+                && (f.cross(&g) - h_i.normalize()).norm() < 1e-14
+        );
         let mut rows = Rows::new();
         rows.dot_1(i, j, f, h_j);
         rows.dot_1(i, j, g, h_j);

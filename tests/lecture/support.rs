@@ -68,8 +68,14 @@ impl Comparison {
     }
 
     /// Every term of both routes at one state against those derived by hand.
-    pub fn check<E, const N: usize, const M: usize>(&mut self, constraint: &E, q: &[f64], qd: &[f64], t: f64, hand: &Hand)
-    where
+    pub fn check<E, const N: usize, const M: usize>(
+        &mut self,
+        constraint: &E,
+        q: &[f64],
+        qd: &[f64],
+        t: f64,
+        hand: &Hand,
+    ) where
         E: Equation<N, M> + Clone,
     {
         assert_eq!(constraint.route(), Route::Symbolic, "{}", self.what);
@@ -94,7 +100,11 @@ impl Comparison {
             ("Q_d", &found.q_d, &hand.q_d),
         ] {
             let error = difference(found, hand);
-            assert!(error <= TOLERANCE, "{}, {route}: {term} differs by {error:.1e}\nfound {found}by hand {hand}", self.what);
+            assert!(
+                error <= TOLERANCE,
+                "{}, {route}: {term} differs by {error:.1e}\nfound {found}by hand {hand}",
+                self.what
+            );
             self.worst[k] = self.worst[k].max(error);
         }
     }
@@ -104,7 +114,12 @@ impl Drop for Comparison {
     fn drop(&mut self) {
         if !std::thread::panicking() {
             let (states, [symbolic, dual]) = (self.states[0], self.worst);
-            assert!(states > 0 && self.states[1] == states, "{}: {:?} states compared", self.what, self.states);
+            assert!(
+                states > 0 && self.states[1] == states,
+                "{}: {:?} states compared",
+                self.what,
+                self.states
+            );
             println!("{}: {states} states, worst {symbolic:.1e} symbolic, {dual:.1e} dual", self.what);
         }
     }
@@ -115,7 +130,8 @@ pub fn difference(found: &DVector<f64>, hand: &DVector<f64>) -> f64 {
     if found.len() != hand.len() {
         return f64::INFINITY;
     }
-    let worst = (found - hand).iter().fold(0.0_f64, |m, d| if d.is_nan() { f64::INFINITY } else { m.max(d.abs()) });
+    let worst =
+        (found - hand).iter().fold(0.0_f64, |m, d| if d.is_nan() { f64::INFINITY } else { m.max(d.abs()) });
     worst / (1.0 + hand.amax())
 }
 
@@ -149,7 +165,8 @@ impl Random {
 
     /// Coordinates of planar bodies, R within 2 m and θ within two turns; rates within 3 m/s and 3 rad/s.
     pub fn bodies<const N: usize>(&mut self) -> ([f64; N], [f64; N]) {
-        let q = std::array::from_fn(|k| self.within(if k % 3 == 2 { 4.0 * std::f64::consts::PI } else { 2.0 }));
+        let q =
+            std::array::from_fn(|k| self.within(if k % 3 == 2 { 4.0 * std::f64::consts::PI } else { 2.0 }));
         (q, self.array(3.0))
     }
 }

@@ -1,4 +1,5 @@
-//! "Example: Two Link Manipulator": the full set of nine constraints in nine coordinates, assembled by hand from its five constraints.
+//! "Example: Two Link Manipulator": the full set of nine constraints in nine coordinates, assembled by hand
+//! from its five constraints.
 
 use kin::dual_route::Equation;
 use kin::prelude::*;
@@ -88,12 +89,25 @@ struct Assembly<'a> {
 impl<'a> Assembly<'a> {
     fn new(q: &'a [f64; 9], qd: &'a [f64; 9], t: f64) -> Self {
         let v = || DVector::zeros(9);
-        let empty = || Terms { c: v(), c_q: DMatrix::zeros(9, 9), c_t: v(), c_qqd_qd: v(), c_qt_qd: v(), c_tt: v(), q_d: v() };
+        let empty = || Terms {
+            c: v(),
+            c_q: DMatrix::zeros(9, 9),
+            c_t: v(),
+            c_qqd_qd: v(),
+            c_qt_qd: v(),
+            c_tt: v(),
+            q_d: v(),
+        };
         Assembly { q, qd, t, routes: [empty(), empty()] }
     }
 
     /// A constraint whose first row is `row`, on the bodies with these numbers.
-    fn add<E: Equation<N, M> + Clone, const N: usize, const M: usize>(&mut self, row: usize, bodies: &[usize], constraint: E) {
+    fn add<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
+        &mut self,
+        row: usize,
+        bodies: &[usize],
+        constraint: E,
+    ) {
         assert_eq!(constraint.route(), Route::Symbolic, "{}", constraint.kind());
         let columns: Vec<usize> = bodies.iter().flat_map(|body| 3 * (body - 1)..3 * body).collect();
         let local = |all: &[f64; 9]| columns.iter().map(|&k| all[k]).collect::<Vec<f64>>();
@@ -153,7 +167,8 @@ fn mechanism(dual: bool) -> kin::Result<Mechanism> {
     let body3 = m.planar("3", pose(0.3, 0.0, 0.0))?;
     let ground = fixed(body1, vec2(0.0, 0.0), 0.0);
     let (o, a) = (pin_o(body1, body2), pin_a(body2, body3));
-    let (drive2, drive3) = (drive_angle(body2, Law::linear(START2, W2)), drive_angle(body3, Law::linear(START3, W3)));
+    let (drive2, drive3) =
+        (drive_angle(body2, Law::linear(START2, W2)), drive_angle(body3, Law::linear(START3, W3)));
     if dual {
         m.add("ground", by_dual(ground))?;
         m.add("O", by_dual(o))?;

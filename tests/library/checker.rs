@@ -64,12 +64,18 @@ fn a_slip_is_shown_as_a_table_with_names() {
             "`pin_height`: its hand-written route, dual numbers and central differences do not agree at state 1 of 24, seed 0x"
         )
     );
-    assert!(lines[1].split_whitespace().eq(["entry", "hand-written", "dual", "central", "difference"]), "{}", lines[1]);
+    assert!(
+        lines[1].split_whitespace().eq(["entry", "hand-written", "dual", "central", "difference"]),
+        "{}",
+        lines[1]
+    );
     assert!(lines[2].trim_start().starts_with("C_q[height, crank.theta]"), "{}", lines[2]);
     assert!(text.contains("\n  crank.theta = ") && text.contains(", rate "), "{text}");
     // the same entry on all routes, so that one sees which of them is alone
     let entry = &mismatch.entries[0];
-    assert!((entry.own + entry.dual).abs() < 1e-12 && (entry.dual - entry.central.expect("central")).abs() < 1e-8);
+    assert!(
+        (entry.own + entry.dual).abs() < 1e-12 && (entry.dual - entry.central.expect("central")).abs() < 1e-8
+    );
     assert_eq!(mismatch.entries.len(), 1, "what agrees is not shown");
 }
 

@@ -1,4 +1,5 @@
-//! Joints of spatial bodies are made of the primitives: their rows are those of at-point, dot-1, dot-2 and distance, one below the other.
+//! Joints of spatial bodies are made of the primitives: their rows are those of at-point, dot-1, dot-2 and
+//! distance, one below the other.
 
 use kin::prelude::*;
 use kin::spatial::primitives::{at_point, distance, dot_1, dot_2};
@@ -23,7 +24,10 @@ fn is_made_of(joint: &dyn Constraint, parts: &[(&dyn Constraint, f64)], random: 
         let column = |v: &[f64]| DMatrix::from_column_slice(v.len(), 1, v);
         let of = |v: &DVector<f64>| column(v.as_slice());
         let kind = joint.kind();
-        assert!(close(&of(&whole.c), &column(&c)) && close(&whole.c_q, &DMatrix::from_rows(&c_q)), "`{kind}`: C or C_q");
+        assert!(
+            close(&of(&whole.c), &column(&c)) && close(&whole.c_q, &DMatrix::from_rows(&c_q)),
+            "`{kind}`: C or C_q"
+        );
         assert!(close(&of(&whole.q_d), &column(&q_d)), "`{kind}`: Q_d");
     }
 }
@@ -35,10 +39,22 @@ fn joints_are_made_of_the_primitives() {
     let point = at_point(s(), s(), u_i, u_j);
     let (f, g) = (dot_1(s(), s(), h_i.f, h_j), dot_1(s(), s(), h_i.g, h_j));
     is_made_of(&spatial::parallel(s(), s(), h_i, h_j), &[(&f, 1.0), (&g, 1.0)], &mut r);
-    is_made_of(&spatial::revolute(s(), s(), u_i, u_j, h_i, h_j), &[(&point, 1.0), (&f, 1.0), (&g, 1.0)], &mut r);
-    is_made_of(&spatial::universal(s(), s(), u_i, u_j, h_i.h, h_j), &[(&point, 1.0), (&dot_1(s(), s(), h_i.h, h_j), 1.0)], &mut r);
+    is_made_of(
+        &spatial::revolute(s(), s(), u_i, u_j, h_i, h_j),
+        &[(&point, 1.0), (&f, 1.0), (&g, 1.0)],
+        &mut r,
+    );
+    is_made_of(
+        &spatial::universal(s(), s(), u_i, u_j, h_i.h, h_j),
+        &[(&point, 1.0), (&dot_1(s(), s(), h_i.h, h_j), 1.0)],
+        &mut r,
+    );
     let height = dot_2(s(), s(), u_i, u_j, h_j);
-    is_made_of(&spatial::planar(s(), s(), u_i, u_j, h_i, h_j), &[(&f, 1.0), (&g, 1.0), (&height, 1.0)], &mut r);
+    is_made_of(
+        &spatial::planar(s(), s(), u_i, u_j, h_i, h_j),
+        &[(&f, 1.0), (&g, 1.0), (&height, 1.0)],
+        &mut r,
+    );
     is_made_of(
         &spatial::point_on_line(s(), s(), u_i, u_j, k),
         &[(&dot_2(s(), s(), u_i, u_j, k.f), 1.0), (&dot_2(s(), s(), u_i, u_j, k.g), 1.0)],
@@ -65,10 +81,19 @@ fn cylindrical_and_links_are_made_of_the_primitives() {
         let whole = terms(&cylindrical, &q, &qd, 0.0);
         for (row, part) in [(2, &f), (3, &g)] {
             let own = exchanged(part, &q, &qd);
-            assert!((whole.c[row] + own.c[0]).abs() < 1e-13 && (whole.q_d[row] + own.q_d[0]).abs() < 1e-11, "row {row}");
+            assert!(
+                (whole.c[row] + own.c[0]).abs() < 1e-13 && (whole.q_d[row] + own.q_d[0]).abs() < 1e-11,
+                "row {row}"
+            );
         }
-        let (whole, own, rod) = (terms(&link, &q, &qd, 0.0), exchanged(&plane, &q, &qd), terms(&rod, &q, &qd, 0.0));
-        assert!((whole.c[0] - own.c[0]).abs() < 1e-13 && (whole.q_d[0] - own.q_d[0]).abs() < 1e-11, "{} {}", whole.c[0], own.c[0]);
+        let (whole, own, rod) =
+            (terms(&link, &q, &qd, 0.0), exchanged(&plane, &q, &qd), terms(&rod, &q, &qd, 0.0));
+        assert!(
+            (whole.c[0] - own.c[0]).abs() < 1e-13 && (whole.q_d[0] - own.q_d[0]).abs() < 1e-11,
+            "{} {}",
+            whole.c[0],
+            own.c[0]
+        );
         assert!((whole.c[1] - rod.c[0]).abs() < 1e-13 && (whole.q_d[1] - rod.q_d[0]).abs() < 1e-11);
     }
 }

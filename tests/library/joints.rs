@@ -28,11 +28,16 @@ fn symbolic_is_dual_is_central_difference() {
         assert!(report.bounded >= 20, "{name}: bounds at {} states", report.bounded);
         worst = [worst[0].max(report.routes), worst[1].max(report.differences)];
     });
-    println!("{} joints: routes within {:.1e}, central differences within {:.1e}", all().len(), worst[0], worst[1]);
+    println!(
+        "{} joints: routes within {:.1e}, central differences within {:.1e}",
+        all().len(),
+        worst[0],
+        worst[1]
+    );
 }
 
-/// Drivers that are linear in the coordinates tell a solver with their numbers of the time all that it wants to know: that it is right is among
-/// what the comparison above compares.
+/// Drivers that are linear in the coordinates tell a solver with their numbers of the time all that it wants
+/// to know: that it is right is among what the comparison above compares.
 #[test]
 fn linear_drivers_tell_their_sides() {
     let mut telling = Vec::new();
@@ -47,11 +52,18 @@ fn linear_drivers_tell_their_sides() {
     }
 }
 
-/// Bodies that coincide, angles of whole quarters, axes along the frames': where products vanish and square roots stand at zero.
+/// Bodies that coincide, angles of whole quarters, axes along the frames': where products vanish and square
+/// roots stand at zero.
 #[test]
 fn routes_agree_at_degenerate_poses() {
     let half = 0.5_f64.sqrt();
-    let turns = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [half, 0.0, half, 0.0], [0.5, -0.5, 0.5, -0.5], [0.0, 0.0, half, half]];
+    let turns = [
+        [1.0, 0.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0, 0.0],
+        [half, 0.0, half, 0.0],
+        [0.5, -0.5, 0.5, -0.5],
+        [0.0, 0.0, half, half],
+    ];
     let mut compared = 0;
     each(200, |joint, _, random| {
         let sample = (joint.make)(random);
@@ -60,8 +72,12 @@ fn routes_agree_at_degenerate_poses() {
             let mut q = vec![0.0; n];
             for (number, argument) in arguments(sample.constraint()).into_iter().enumerate() {
                 match argument {
-                    Argument::Planar(first) => q[first + 2] = (k * number) as f64 * std::f64::consts::FRAC_PI_2,
-                    Argument::Spatial(first) => q[first + 3..first + 7].copy_from_slice(if number == 0 { &turns[0] } else { turn }),
+                    Argument::Planar(first) => {
+                        q[first + 2] = (k * number) as f64 * std::f64::consts::FRAC_PI_2
+                    }
+                    Argument::Spatial(first) => {
+                        q[first + 3..first + 7].copy_from_slice(if number == 0 { &turns[0] } else { turn })
+                    }
                     Argument::Coord(first) => q[first] = k as f64 * std::f64::consts::FRAC_PI_2,
                 }
             }
@@ -86,7 +102,11 @@ fn rank_is_the_number_of_rows() {
             let (_, c_q) = with_norms(sample.constraint(), &q, t);
             let values = c_q.clone().svd(false, false).singular_values;
             let share = values.min() / values.max();
-            assert!(share > 1e-7 && values.len() == c_q.nrows(), "{name}: rank below {} at {q:?}: {values}", c_q.nrows());
+            assert!(
+                share > 1e-7 && values.len() == c_q.nrows(),
+                "{name}: rank below {} at {q:?}: {values}",
+                c_q.nrows()
+            );
             if share < worst.0 {
                 worst = (share, name.to_owned());
             }
@@ -103,8 +123,11 @@ fn documentation_says_how_many_freedoms_are_removed() {
         if joint.group.ends_with("drivers") {
             continue;
         }
-        let (_, rest) = text.split_once("Removes ").unwrap_or_else(|| panic!("`{}` does not say what it removes", joint.name()));
-        let said: usize = rest.split_whitespace().next().and_then(|word| word.parse().ok()).expect("a number");
+        let (_, rest) = text
+            .split_once("Removes ")
+            .unwrap_or_else(|| panic!("`{}` does not say what it removes", joint.name()));
+        let said: usize =
+            rest.split_whitespace().next().and_then(|word| word.parse().ok()).expect("a number");
         assert_eq!(said, rows, "`{}`", joint.name());
     }
 }
@@ -115,7 +138,8 @@ fn a_rigid_motion_of_all_bodies_keeps_the_joint_closed() {
     let mut moved = 0;
     each(400, |joint, name, random| {
         let sample = (joint.make)(random);
-        let bodies: Vec<Argument> = arguments(sample.constraint()).into_iter().filter(|a| !matches!(a, Argument::Coord(_))).collect();
+        let bodies: Vec<Argument> =
+            arguments(sample.constraint()).into_iter().filter(|a| !matches!(a, Argument::Coord(_))).collect();
         if bodies.len() < 2 {
             return;
         }
@@ -130,7 +154,12 @@ fn a_rigid_motion_of_all_bodies_keeps_the_joint_closed() {
                 }
                 Argument::Spatial(first) => {
                     let r = turn.rotation() * vec3(q[first], q[first + 1], q[first + 2]) + shift;
-                    let p = turn.product(EulerParameters::new(q[first + 3], q[first + 4], q[first + 5], q[first + 6]));
+                    let p = turn.product(EulerParameters::new(
+                        q[first + 3],
+                        q[first + 4],
+                        q[first + 5],
+                        q[first + 6],
+                    ));
                     q[first..first + 7].copy_from_slice(&[r.x, r.y, r.z, p.e0, p.e1, p.e2, p.e3]);
                 }
                 Argument::Coord(_) => {}
@@ -161,13 +190,18 @@ fn bodies_exchanged_with_their_parameters_close_at_the_same_poses() {
         let stranger = (joint.make)(&mut Random::new(seed + 77));
         let t = 1.0;
         let q = on_manifold(sample.constraint(), &mut random, t);
-        assert!(terms(stranger.constraint(), &q, &[], t).c.amax() > 1e-6, "`{}` does not depend on its parameters", joint.name());
+        assert!(
+            terms(stranger.constraint(), &q, &[], t).c.amax() > 1e-6,
+            "`{}` does not depend on its parameters",
+            joint.name()
+        );
         exchanged += 1;
     }
     assert!(exchanged >= 20, "{exchanged}");
 }
 
-/// −g‴(0), from the table of the equation's steps, against the body with dual numbers and a central difference of g″ = C_q q̈ − Q_d along the motion q + s q̇ + ½ s² q̈.
+/// −g‴(0), from the table of the equation's steps, against the body with dual numbers and a central
+/// difference of g″ = C_q q̈ − Q_d along the motion q + s q̇ + ½ s² q̈.
 #[test]
 fn jerk_right_side_is_the_rate_of_the_acceleration_equation() {
     let mut worst = 0.0_f64;
@@ -186,8 +220,12 @@ fn jerk_right_side_is_the_rate_of_the_acceleration_equation() {
         let slope = |h: f64| (second(h) - second(-h)) / (2.0 * h);
         let difference = (slope(1e-4) * 4.0 - slope(2e-4)) / 3.0;
         let jerk = kin::jerk_rhs(sample.constraint(), &q, &qd, &qdd, t).expect("the library knows it");
-        let by_dual = kin::jerk_rhs(sample.by_dual().as_ref(), &q, &qd, &qdd, t).expect("dual numbers know it");
-        assert!((&jerk - &by_dual).amax() < 1e-12 * (1.0 + jerk.amax()), "{name}: jerk right side {jerk} by dual numbers {by_dual}");
+        let by_dual =
+            kin::jerk_rhs(sample.by_dual().as_ref(), &q, &qd, &qdd, t).expect("dual numbers know it");
+        assert!(
+            (&jerk - &by_dual).amax() < 1e-12 * (1.0 + jerk.amax()),
+            "{name}: jerk right side {jerk} by dual numbers {by_dual}"
+        );
         let error = (&jerk + &difference).amax() / (1.0 + jerk.amax());
         assert!(error < 1e-6, "{name}: jerk right side {jerk} by differences {}", -difference);
         worst = worst.max(error);
@@ -195,7 +233,8 @@ fn jerk_right_side_is_the_rate_of_the_acceleration_equation() {
     println!("jerk right side: worst {worst:.1e}");
 }
 
-/// Measures by `Dual3_64` against central differences of the value and of the first two derivatives along a motion.
+/// Measures by `Dual3_64` against central differences of the value and of the first two derivatives along a
+/// motion.
 #[test]
 fn measures_have_the_rates_of_their_values() {
     let (mut worst, mut seen) = (0.0_f64, std::collections::BTreeSet::new());
@@ -208,20 +247,36 @@ fn measures_have_the_rates_of_their_values() {
             seen.insert(format!("{} {name}.{}", joint.group, told.name));
             let at = |s: f64| {
                 let along = |x: [&[f64]; 4]| -> Vec<f64> {
-                    (0..n).map(|j| x[0][j] + s * (x[1][j] + s * (0.5 * x[2][j] + s / 6.0 * x[3][j]))).collect()
+                    (0..n)
+                        .map(|j| x[0][j] + s * (x[1][j] + s * (0.5 * x[2][j] + s / 6.0 * x[3][j])))
+                        .collect()
                 };
                 let zero = vec![0.0; n];
-                let [q, v, a] = [along([&q, &qd, &qdd, &qddd]), along([&qd, &qdd, &qddd, &zero]), along([&qdd, &qddd, &zero, &zero])];
+                let [q, v, a] = [
+                    along([&q, &qd, &qdd, &qddd]),
+                    along([&qd, &qdd, &qddd, &zero]),
+                    along([&qdd, &qddd, &zero, &zero]),
+                ];
                 kin::measure(sample.constraint(), k, [&q, &v, &a, &qddd], s)
             };
             let (here, h) = (at(0.0), 1e-4);
             let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|s| at(s * h));
             for order in 0..3 {
                 // over the cut of an angle its value jumps by a turn
-                let near = |x: f64| if order == 0 && told.turns { x - TAU * ((x - here[0]) / TAU).round() } else { x };
-                let slope = (near(a[order]) - 8.0 * near(b[order]) + 8.0 * near(c[order]) - near(d[order])) / (12.0 * h);
-                let error = (slope - here[order + 1]).abs() / (1.0 + here.iter().fold(0.0_f64, |m, x| m.max(x.abs())));
-                assert!(error < 1e-6, "{name}.{}: derivative {} is {}, by differences {slope}", told.name, order + 1, here[order + 1]);
+                let near = |x: f64| {
+                    if order == 0 && told.turns { x - TAU * ((x - here[0]) / TAU).round() } else { x }
+                };
+                let slope = (near(a[order]) - 8.0 * near(b[order]) + 8.0 * near(c[order]) - near(d[order]))
+                    / (12.0 * h);
+                let error = (slope - here[order + 1]).abs()
+                    / (1.0 + here.iter().fold(0.0_f64, |m, x| m.max(x.abs())));
+                assert!(
+                    error < 1e-6,
+                    "{name}.{}: derivative {} is {}, by differences {slope}",
+                    told.name,
+                    order + 1,
+                    here[order + 1]
+                );
                 worst = worst.max(error);
             }
             assert!(!told.unit.is_empty());
@@ -231,24 +286,31 @@ fn measures_have_the_rates_of_their_values() {
     assert!(seen.len() >= 20, "{seen:?}");
 }
 
-/// The table holds every constraint of the library: a joint that is added without a line here is found by its name.
+/// The table holds every constraint of the library: a joint that is added without a line here is found by its
+/// name.
 #[test]
 fn the_table_is_complete() {
-    let listed: Vec<(bool, String)> = all().iter().map(|joint| (joint.group.starts_with("spatial"), joint.name())).collect();
+    let listed: Vec<(bool, String)> =
+        all().iter().map(|joint| (joint.group.starts_with("spatial"), joint.name())).collect();
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("kin-core/src/joints");
     let mut files = vec![root];
     let mut missing = Vec::new();
     while let Some(path) = files.pop() {
         if path.is_dir() {
-            files.extend(std::fs::read_dir(path).expect("readable").map(|entry| entry.expect("an entry").path()));
+            files.extend(
+                std::fs::read_dir(path).expect("readable").map(|entry| entry.expect("an entry").path()),
+            );
             continue;
         }
         let text = std::fs::read_to_string(&path).expect("readable");
         let spatial = path.to_string_lossy().contains("spatial");
         for name in text.lines().filter_map(|line| line.strip_prefix("pub fn ")?.split(['(', '<']).next()) {
             let name = name.to_owned();
-            // the norm of Euler parameters comes with every body by itself, a held turn with `hold_idle_turns`
-            if !["euler_norm", "held_turn"].contains(&name.as_str()) && !listed.contains(&(spatial, name.clone())) {
+            // the norm of Euler parameters comes with every body by itself, a held turn with
+            // `hold_idle_turns`
+            if !["euler_norm", "held_turn"].contains(&name.as_str())
+                && !listed.contains(&(spatial, name.clone()))
+            {
                 missing.push(name);
             }
         }

@@ -53,30 +53,54 @@ pub fn all() -> Vec<Line> {
         line("spline", Law::spline(&wave(), Ends::Clamped { start: -1.0, end: 2.0 }), -1.0, 5.0),
         line("spline", Law::spline(&wave(), Ends::Periodic), -5.0, 9.0),
         line("quintic_spline", Law::quintic_spline(&wave(), Ends::Natural), -1.0, 5.0),
-        line("quintic_spline", Law::quintic_spline(&wave(), Ends::Clamped { start: -1.0, end: 2.0 }), -1.0, 5.0),
+        line(
+            "quintic_spline",
+            Law::quintic_spline(&wave(), Ends::Clamped { start: -1.0, end: 2.0 }),
+            -1.0,
+            5.0,
+        ),
         line("quintic_spline", Law::quintic_spline(&wave(), Ends::Periodic), -5.0, 9.0),
-        line("sequence", Law::sequence(0.25, [(1.0, up.clone()), (0.5, Law::constant(0.5)), (1.5, down.clone())]), -0.5, 4.0),
-        line("periodic", Law::sequence(0.0, [(1.0, up), (1.5, down), (0.5, Law::constant(0.0))]).periodic(3.0), -4.0, 8.0),
+        line(
+            "sequence",
+            Law::sequence(0.25, [(1.0, up.clone()), (0.5, Law::constant(0.5)), (1.5, down.clone())]),
+            -0.5,
+            4.0,
+        ),
+        line(
+            "periodic",
+            Law::sequence(0.0, [(1.0, up), (1.5, down), (0.5, Law::constant(0.0))]).periodic(3.0),
+            -4.0,
+            8.0,
+        ),
         line("compose", Law::trapezoidal(2.0, 1.0, 2.0).compose(&Law::sine(3.0, 1.0, 0.0)), -2.0, 4.0),
         line("shifted", Law::cycloidal(1.0, 1.0).shifted(0.5), -1.0, 3.0),
-        line("sum", 2.0 * (Law::harmonic(0.3, 0.05) + Law::trapezoidal(1.0, 1.0, 1.0)) - 0.5 * Law::sine(1.0, 2.0, 0.0), -1.0, 3.0),
+        line(
+            "sum",
+            2.0 * (Law::harmonic(0.3, 0.05) + Law::trapezoidal(1.0, 1.0, 1.0))
+                - 0.5 * Law::sine(1.0, 2.0, 0.0),
+            -1.0,
+            3.0,
+        ),
         line("product", Law::sine(1.0, 2.0, 0.3) * Law::s_curve(1.0, 1.0, 1.0, 2.0), -1.0, 4.0),
         line("#[law]", bump(0.4, 0.7), -2.0, 2.0),
     ]
 }
 
-/// And those of intervals, of which proofs are made: each law has them (no derivative is left out but those beyond a break).
+/// And those of intervals, of which proofs are made: each law has them (no derivative is left out but those
+/// beyond a break).
 #[test]
 fn derivatives_and_breaks_are_those_of_the_law() {
     for Line { name, law, from, to } in all() {
         assert!(law.refusal().is_none(), "{name}: {:?}", law.refusal());
-        let worst = check::compare_law(&law, from, to).unwrap_or_else(|mismatch| panic!("{name}: {mismatch}"));
+        let worst =
+            check::compare_law(&law, from, to).unwrap_or_else(|mismatch| panic!("{name}: {mismatch}"));
         println!("{name:20} {worst:.1e}  {} breaks", law.breaks(from, to).len());
         assert!(!law.description().is_empty(), "{name}");
     }
 }
 
-/// Each law drives a coordinate over its whole range, breaks and all: proved, so its bounds are known, and narrow enough; and the law is in the tube.
+/// Each law drives a coordinate over its whole range, breaks and all: proved, so its bounds are known, and
+/// narrow enough; and the law is in the tube.
 #[test]
 fn motions_by_every_law_can_be_proved() {
     for Line { name, law, from, to } in all() {
@@ -88,7 +112,9 @@ fn motions_by_every_law_can_be_proved() {
         let proof = system.prove(&motion).unwrap();
         println!("{proof}");
         assert!(proof.is_complete(), "{proof}");
-        for (step, u) in proof.steps().iter().flat_map(|step| (0..=16).map(move |k| (step, f64::from(k) / 16.0))) {
+        for (step, u) in
+            proof.steps().iter().flat_map(|step| (0..=16).map(move |k| (step, f64::from(k) / 16.0)))
+        {
             let (t, radius) = (step.from + u * (step.to - step.from), step.tube.as_ref().unwrap().radius[0]);
             let off = (hermite::interpolated(&motion, step.step, u)[0] - law.at(t)).abs();
             assert!(off <= radius + 1e-13, "{name}: at {t} off by {off:e}, tube {radius:e}");
@@ -97,7 +123,8 @@ fn motions_by_every_law_can_be_proved() {
     }
 }
 
-/// A number just below zero, brought into the period, is the period itself by rounding: there the law is what it is at zero.
+/// A number just below zero, brought into the period, is the period itself by rounding: there the law is what
+/// it is at zero.
 #[test]
 fn periodic_laws_just_below_zero() {
     let spline = Law::spline(&wave(), Ends::Periodic);
@@ -106,16 +133,22 @@ fn periodic_laws_just_below_zero() {
         for x in [-1e-17, -3e-17, -1e-300] {
             for turn in [0.0, period] {
                 let (below, zero) = (law.jet(x + turn), law.jet(0.0));
-                assert!((0..3).all(|k| (below[k] - zero[k]).abs() < 1e-12), "{} at {x}: {below:?} instead of {zero:?}", law.kind());
+                assert!(
+                    (0..3).all(|k| (below[k] - zero[k]).abs() < 1e-12),
+                    "{} at {x}: {below:?} instead of {zero:?}",
+                    law.kind()
+                );
             }
         }
     }
 }
 
-/// A smooth law has no break anywhere; the others have what they list, and no listed break is of no effect (`compare_law` looks at each).
+/// A smooth law has no break anywhere; the others have what they list, and no listed break is of no effect
+/// (`compare_law` looks at each).
 #[test]
 fn breaks_are_listed() {
-    let orders = |law: &Law, from, to| law.breaks(from, to).iter().map(|b| (b.x, b.order)).collect::<Vec<_>>();
+    let orders =
+        |law: &Law, from, to| law.breaks(from, to).iter().map(|b| (b.x, b.order)).collect::<Vec<_>>();
     assert_eq!(orders(&Law::trapezoidal(2.0, 1.0, 2.0), -1.0, 9.0), [(0.0, 2), (0.5, 2), (2.0, 2), (2.5, 2)]);
     assert_eq!(orders(&Law::trapezoidal(0.5, 1.0, 2.0), -1.0, 9.0), [(0.0, 2), (0.5, 2), (1.0, 2)]);
     assert_eq!(orders(&Law::cycloidal(1.0, 2.0), 0.0, 2.0), [(0.0, 3), (2.0, 3)]);
@@ -191,7 +224,11 @@ fn values_are_those_of_the_formulas() {
         (Law::modified_sine(2.0, 3.0), 5.527_957, 0.125),
         (Law::modified_trapezoid(2.0, 3.0), 4.888_124, 0.2),
     ] {
-        assert!((law.jet(3.0 * at)[2] - peak * 2.0 / 9.0).abs() < 1e-6, "{law:?}: {}", law.jet(3.0 * at)[2] * 4.5);
+        assert!(
+            (law.jet(3.0 * at)[2] - peak * 2.0 / 9.0).abs() < 1e-6,
+            "{law:?}: {}",
+            law.jet(3.0 * at)[2] * 4.5
+        );
         close(law.at(1.5), 1.0);
         assert_eq!((law.at(-1.0), law.at(3.0), law.at(99.0)), (0.0, 2.0, 2.0), "{law:?}");
     }
@@ -208,7 +245,11 @@ fn motions_keep_their_limits() {
         // jerk 0.25 s, 0.25 s of acceleration 2, cruise 1.25 s
         (Law::s_curve(2.0, 1.0, 2.0, 8.0), 2.75, [1.0, 2.0, 8.0]),
         // no cruise: 2 T_a with T_a = T_j/2 + √(T_j²/4 + d/a)
-        (Law::s_curve(0.8, 2.0, 1.0, 8.0), 2.0 * (0.0625 + (0.0625_f64.powi(2) + 0.8).sqrt()), [f64::NAN, 1.0, 8.0]),
+        (
+            Law::s_curve(0.8, 2.0, 1.0, 8.0),
+            2.0 * (0.0625 + (0.0625_f64.powi(2) + 0.8).sqrt()),
+            [f64::NAN, 1.0, 8.0],
+        ),
         // neither speed nor acceleration reached: 4 ∛(d/2j)
         (Law::s_curve(-0.05, 2.0, 2.0, 8.0), 4.0 * (0.05_f64 / 16.0).cbrt(), [f64::NAN, f64::NAN, 8.0]),
     ] {
@@ -236,21 +277,31 @@ fn splines_go_through_their_tables_and_repeat_what_is_cubic() {
     let spline = Law::spline(&table, Ends::Clamped { start: cubic.jet(0.0)[1], end: cubic.jet(2.0)[1] });
     for k in 0..200 {
         let x = f64::from(k) / 100.0;
-        (0..4).for_each(|order| assert!((spline.jet(x)[order] - cubic.jet(x)[order]).abs() < 1e-11, "{x}, {order}"));
+        (0..4).for_each(|order| {
+            assert!((spline.jet(x)[order] - cubic.jet(x)[order]).abs() < 1e-11, "{x}, {order}")
+        });
     }
-    assert_eq!((spline.jet(-1.0)[1], Law::spline(&table, Ends::Natural).jet(0.0)[2]), (cubic.jet(0.0)[1], 0.0));
+    assert_eq!(
+        (spline.jet(-1.0)[1], Law::spline(&table, Ends::Natural).jet(0.0)[2]),
+        (cubic.jet(0.0)[1], 0.0)
+    );
     // a sine at 64 places, to the fourth power of their distance
     let places = (0..=64).map(|k| f64::from(k) * TAU / 64.0);
     let sine: Vec<(f64, f64)> = places.map(|x| (x, if x == TAU { 0.0 } else { x.sin() })).collect();
     let spline = Law::spline(&sine, Ends::Periodic);
-    let worst = (0..1000).map(|k| f64::from(k) * 0.02).map(|x| (spline.at(x) - x.sin()).abs()).fold(0.0, f64::max);
+    let worst =
+        (0..1000).map(|k| f64::from(k) * 0.02).map(|x| (spline.at(x) - x.sin()).abs()).fold(0.0, f64::max);
     assert!(worst < 3.0 * (TAU / 64.0).powi(4) / 384.0 && spline.is_periodic(TAU), "{worst:e}");
 }
 
 #[test]
 fn tables_are_read_from_files() {
     let path = std::env::temp_dir().join(format!("kin-table-{}.csv", std::process::id()));
-    std::fs::write(&path, "angle [rad], lift [m], remark\n0, 1.0, start\n 0.5,1.8\n1.25,0.2\n2,-7e-1\n3.5,0.4\n4,1\n").expect("written");
+    std::fs::write(
+        &path,
+        "angle [rad], lift [m], remark\n0, 1.0, start\n 0.5,1.8\n1.25,0.2\n2,-7e-1\n3.5,0.4\n4,1\n",
+    )
+    .expect("written");
     let law = Law::spline_from_csv(&path, Ends::Periodic).expect("a law");
     assert_eq!(law.jet(0.7), Law::spline(&wave(), Ends::Periodic).jet(0.7));
     for (text, said) in [
@@ -265,7 +316,9 @@ fn tables_are_read_from_files() {
         assert!(error.contains(said) && error.contains("kin-table"), "{text:?}: {error}");
     }
     std::fs::remove_file(&path).expect("removed");
-    assert!(Law::spline_from_csv(&path, Ends::Natural).expect_err("no file").to_string().contains("kin-table"));
+    assert!(
+        Law::spline_from_csv(&path, Ends::Natural).expect_err("no file").to_string().contains("kin-table")
+    );
 }
 
 #[test]
@@ -307,8 +360,13 @@ fn the_checker_finds_what_is_wrong() {
         }
     }
     let text = check::compare_law(&Law::new(Wrong), 0.0, 1.0).expect_err("wrong").to_string();
-    assert!(text.contains("derivative 2 at x = ") && text.contains("by central differences 2.0000"), "{text}");
-    let text = check::compare_law(&(Law::cycloidal(1.0, 1.0) + Law::new(Wrong)), -0.5, 0.4).expect_err("wrong").to_string();
+    assert!(
+        text.contains("derivative 2 at x = ") && text.contains("by central differences 2.0000"),
+        "{text}"
+    );
+    let text = check::compare_law(&(Law::cycloidal(1.0, 1.0) + Law::new(Wrong)), -0.5, 0.4)
+        .expect_err("wrong")
+        .to_string();
     assert!(text.contains("derivative 2"), "{text}");
 }
 
@@ -320,13 +378,20 @@ fn the_table_is_complete() {
     let mut missing = Vec::new();
     while let Some(path) = open.pop() {
         if path.is_dir() {
-            open.extend(std::fs::read_dir(path).expect("readable").map(|entry| entry.expect("an entry").path()));
+            open.extend(
+                std::fs::read_dir(path).expect("readable").map(|entry| entry.expect("an entry").path()),
+            );
             continue;
         }
         let text = std::fs::read_to_string(path).expect("readable");
-        let constructors = text.lines().filter(|line| line.starts_with("    pub fn ") && line.ends_with("-> Law {"));
-        missing
-            .extend(constructors.filter_map(|line| line[11..].split('(').next()).filter(|name| !names.contains(name)).map(str::to_owned));
+        let constructors =
+            text.lines().filter(|line| line.starts_with("    pub fn ") && line.ends_with("-> Law {"));
+        missing.extend(
+            constructors
+                .filter_map(|line| line[11..].split('(').next())
+                .filter(|name| !names.contains(name))
+                .map(str::to_owned),
+        );
     }
     assert!(missing.is_empty(), "not in the table: {missing:?}");
 }

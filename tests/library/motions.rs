@@ -38,14 +38,19 @@ fn swung(t: f64) -> [f64; 3] {
     [0.3 + 2.0 * t + 0.4 * sin, 2.0 + 1.2 * cos, -3.6 * sin]
 }
 
-/// A hinge on a slanting axis between two bodies that are turned anyhow: unchosen its zero is where it happens to be, chosen it is as drawn.
+/// A hinge on a slanting axis between two bodies that are turned anyhow: unchosen its zero is where it
+/// happens to be, chosen it is as drawn.
 #[test]
 fn the_zero_of_a_hinge_is_where_it_was_chosen() {
     let (h, f) = (vec3(0.4, -0.3, 0.8), vec3(1.0, 0.5, 0.2));
     for (frame_turn, door_turn) in [(0.0, 0.0), (0.7, -1.9), (2.8, 0.4)] {
         let mut m = Mechanism::new("door");
-        let frame = m.spatial("frame", SpatialPose::turned(vec3(0.5, 0.1, 0.0), vec3(1.0, 2.0, 3.0), frame_turn)).unwrap();
-        let door = m.spatial("door", SpatialPose::turned(vec3(0.2, 0.0, 0.9), vec3(-1.0, 0.3, 0.1), door_turn)).unwrap();
+        let frame = m
+            .spatial("frame", SpatialPose::turned(vec3(0.5, 0.1, 0.0), vec3(1.0, 2.0, 3.0), frame_turn))
+            .unwrap();
+        let door = m
+            .spatial("door", SpatialPose::turned(vec3(0.2, 0.0, 0.9), vec3(-1.0, 0.3, 0.1), door_turn))
+            .unwrap();
         let wall = EulerParameters::from_axis_angle(vec3(1.0, 2.0, 3.0), frame_turn);
         m.add("wall", spatial::fixed(frame, vec3(0.5, 0.1, 0.0), wall)).unwrap();
         let at = (0.3, 0.3, 0.3);
@@ -53,7 +58,8 @@ fn the_zero_of_a_hinge_is_where_it_was_chosen() {
         let (h_i, h_j) = (m.local_direction(door, h).unwrap(), m.local_direction(frame, h).unwrap());
         let (f_i, f_j) = (m.local_direction(door, f).unwrap(), m.local_direction(frame, f).unwrap());
         m.add("hinge", spatial::revolute(door, frame, u_i, u_j, h_i, h_j).zero(f_i, f_j)).unwrap();
-        m.add("motor", spatial::drive_turn(door, frame, Axis::new(h_i, f_i), Axis::new(h_j, f_j), swing())).unwrap();
+        m.add("motor", spatial::drive_turn(door, frame, Axis::new(h_i, f_i), Axis::new(h_j, f_j), swing()))
+            .unwrap();
         let system = m.build().unwrap();
         let motion = system.run(linspace(0.0, 3.0, 61)).unwrap();
         follows(&system.measure(&motion, "hinge.angle").unwrap(), swung);
@@ -83,18 +89,27 @@ fn a_zero_along_the_axis_is_refused() {
     }
 }
 
-/// Body i is turned in body j by the one angle about its bar and by the other about that of j: from any two angles the measures find them again.
+/// Body i is turned in body j by the one angle about its bar and by the other about that of j: from any two
+/// angles the measures find them again.
 #[test]
 fn angles_of_a_universal_joint_turn_the_one_frame_into_the_other() {
     let (h_i, h_j) = ([0.6, 0.8, 0.0], [0.0, 0.0, 2.0]);
-    let joint = spatial::universal(s(), s(), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), vec3(0.6, 0.8, 0.0), vec3(0.0, 0.0, 2.0));
+    let joint = spatial::universal(
+        s(),
+        s(),
+        (0.0, 0.0, 0.0),
+        (0.0, 0.0, 0.0),
+        vec3(0.6, 0.8, 0.0),
+        vec3(0.0, 0.0, 2.0),
+    );
     let names: Vec<&str> = joint.measures().iter().map(|measure| measure.name).collect();
     let place = |name: &str| names.iter().position(|known| *known == name).unwrap();
     for j_anyhow in [0.0, 1.3] {
         for (a_i, a_j) in [(0.0, 0.0), (0.4, -0.9), (-2.5, 1.1), (1.5, 3.0)] {
             let j = about([1.0, -2.0, 0.5], j_anyhow);
             let i = j * about(h_j, a_j) * about(h_i, a_i);
-            let body = |turn: UnitQuaternion<f64>| [vec![0.0; 3], parameters(turn).to_array().to_vec()].concat();
+            let body =
+                |turn: UnitQuaternion<f64>| [vec![0.0; 3], parameters(turn).to_array().to_vec()].concat();
             let q = [body(i), body(j)].concat();
             assert!(kin::terms(&joint, &q, &[], 0.0).c.amax() < 1e-14, "the joint is open");
             let zero = vec![0.0; 14];
@@ -120,26 +135,32 @@ fn a_thread_on_a_sleeve_is_a_screw() {
     follows(&motion.coordinate(nut.z()).unwrap(), |t| swung(t).map(|x| 0.8 * lead / TAU * x));
 }
 
-/// Two bevel friction wheels whose radii have no common measure, over many turns, driven by what rolls through.
+/// Two bevel friction wheels whose radii have no common measure, over many turns, driven by what rolls
+/// through.
 #[test]
 fn wheels_by_their_radii_keep_any_ratio_over_many_turns() {
     let (o, x, z, r_i, r_j) = (vec3(0.0, 0.0, 0.0), Vec3::x(), Vec3::z(), 0.1, 0.1 * 2.0_f64.sqrt());
     for sign in [1.0, -1.0] {
         let mut m = Mechanism::new("wheels");
-        let (i, j) = (m.spatial("i", SpatialPose::at(o)).unwrap(), m.spatial("j", SpatialPose::at(o)).unwrap());
+        let (i, j) =
+            (m.spatial("i", SpatialPose::at(o)).unwrap(), m.spatial("j", SpatialPose::at(o)).unwrap());
         let rolled = m.length("rolled", 0.0).unwrap();
         m.add("axle i", spatial::revolute(i, Ground, o, o, z, z)).unwrap();
         m.add("axle j", spatial::revolute(j, Ground, o, o, x, x)).unwrap();
-        m.add("mesh", spatial::gear_by_radii(i, j, Ground, rolled, z, x, z, x, r_i, sign * r_j, 0.25)).unwrap();
+        m.add("mesh", spatial::gear_by_radii(i, j, Ground, rolled, z, x, z, x, r_i, sign * r_j, 0.25))
+            .unwrap();
         m.add("motor", spatial::drive_turn(i, Ground, z, z, Law::linear(0.25, 20.0))).unwrap();
         let system = m.build().unwrap();
         let motion = system.run(linspace(0.0, 5.0, 201)).unwrap();
         follows(&motion.coordinate(rolled).unwrap(), |t| [r_i * 20.0 * t, r_i * 20.0, 0.0]);
-        follows(&system.measure(&motion, "axle j.angle").unwrap(), |t| [-sign * r_i / r_j * 20.0 * t, -sign * r_i / r_j * 20.0, 0.0]);
+        follows(&system.measure(&motion, "axle j.angle").unwrap(), |t| {
+            [-sign * r_i / r_j * 20.0 * t, -sign * r_i / r_j * 20.0, 0.0]
+        });
     }
 }
 
-/// A differential: the cage turns by half of what both wheels turn; and six coordinates, as many as there may be.
+/// A differential: the cage turns by half of what both wheels turn; and six coordinates, as many as there may
+/// be.
 #[test]
 fn more_than_two_coordinates_are_coupled() {
     let mut m = Mechanism::new("differential");
@@ -156,7 +177,8 @@ fn more_than_two_coordinates_are_coupled() {
     };
     follows(&motion.coordinate(cage).unwrap(), halved);
     assert!(system.prove(&motion).unwrap().is_complete());
-    let again = Mechanism::from_data(&data, &kin::Registry::new()).unwrap().build().unwrap().run([0.0, 6.0]).unwrap();
+    let again =
+        Mechanism::from_data(&data, &kin::Registry::new()).unwrap().build().unwrap().run([0.0, 6.0]).unwrap();
     near(again.named("cage").unwrap().value.values()[1], halved(6.0)[0], 1e-14);
 
     let mut m = Mechanism::new("six");
@@ -171,7 +193,11 @@ fn more_than_two_coordinates_are_coupled() {
     let mut m = Mechanism::new("nothing");
     let [a, b] = ["a", "b"].map(|name| m.angle(name, 0.0).unwrap());
     let error = m.add("it", linear_coupling([a, b], [0.0, 0.0], 1.0)).unwrap_err();
-    assert!(matches!(error, Error::InvalidParameters { .. }) && error.to_string().contains("factors of zero couple nothing"), "{error}");
+    assert!(
+        matches!(error, Error::InvalidParameters { .. })
+            && error.to_string().contains("factors of zero couple nothing"),
+        "{error}"
+    );
 }
 
 /// A planetary train by its turns alone: Willis' ratio of sun, planet and carrier with the ring held.
@@ -180,10 +206,19 @@ fn a_planetary_train_is_one_linear_coupling_a_mesh() {
     let (sun_teeth, planet_teeth) = (20.0, 15.0);
     let ring_teeth = sun_teeth + 2.0 * planet_teeth;
     let mut m = Mechanism::new("planetary train");
-    let [sun, planet, carrier, ring] = ["sun", "planet", "carrier", "ring"].map(|name| m.angle(name, 0.0).unwrap());
+    let [sun, planet, carrier, ring] =
+        ["sun", "planet", "carrier", "ring"].map(|name| m.angle(name, 0.0).unwrap());
     // seen from the carrier: z_s (φ_s − φ_c) + z_p (φ_p − φ_c) = 0 and z_r (φ_r − φ_c) − z_p (φ_p − φ_c) = 0
-    m.add("sun with planet", linear_coupling([sun, planet, carrier], [sun_teeth, planet_teeth, -sun_teeth - planet_teeth], 0.0)).unwrap();
-    m.add("planet in ring", linear_coupling([ring, planet, carrier], [ring_teeth, -planet_teeth, planet_teeth - ring_teeth], 0.0)).unwrap();
+    m.add(
+        "sun with planet",
+        linear_coupling([sun, planet, carrier], [sun_teeth, planet_teeth, -sun_teeth - planet_teeth], 0.0),
+    )
+    .unwrap();
+    m.add(
+        "planet in ring",
+        linear_coupling([ring, planet, carrier], [ring_teeth, -planet_teeth, planet_teeth - ring_teeth], 0.0),
+    )
+    .unwrap();
     m.add("brake", drive(ring, Law::constant(0.0))).unwrap();
     m.add("motor", drive(sun, Law::ramp(7.0))).unwrap();
     let motion = m.build().unwrap().run(linspace(0.0, 10.0, 11)).unwrap();
@@ -191,23 +226,36 @@ fn a_planetary_train_is_one_linear_coupling_a_mesh() {
     follows(&motion.coordinate(carrier).unwrap(), |t| [7.0 * ratio * t, 7.0 * ratio, 0.0]);
 }
 
-/// A frame of the one body moves in a frame of the other, which moves itself, by six laws; poses by nalgebra's quaternions, rates by differences.
+/// A frame of the one body moves in a frame of the other, which moves itself, by six laws; poses by
+/// nalgebra's quaternions, rates by differences.
 #[test]
 fn a_body_moves_in_another_by_six_laws() {
     let law = |k: f64| Law::sine(0.3 + 0.1 * k, 1.0 + 0.2 * k, k) + Law::linear(0.2 * k, 0.5 - 0.3 * k);
-    let value = |k: f64, t: f64| (0.3 + 0.1 * k) * ((1.0 + 0.2 * k) * t + k).sin() + 0.2 * k + (0.5 - 0.3 * k) * t;
+    let value =
+        |k: f64, t: f64| (0.3 + 0.1 * k) * ((1.0 + 0.2 * k) * t + k).sin() + 0.2 * k + (0.5 - 0.3 * k) * t;
     let (u_i, u_j) = (vec3(0.3, -0.2, 0.5), vec3(-0.4, 0.1, 0.7));
     let (f_i, f_j) = (about([1.0, 2.0, -1.0], 0.8), about([0.3, -1.0, 0.6], -2.1));
     let mut m = Mechanism::new("general motion");
     let base = m.spatial("base", SpatialPose::at(vec3(0.0, 0.0, 0.0))).unwrap();
     let tool = m.spatial("tool", SpatialPose::at(vec3(0.0, 0.0, 0.0))).unwrap();
-    m.add("place", spatial::drive_point(base, (0.0, 0.0, 0.0), Law::ramp(1.0), Law::constant(2.0), Law::sine(0.2, 1.0, 0.0))).unwrap();
+    m.add(
+        "place",
+        spatial::drive_point(
+            base,
+            (0.0, 0.0, 0.0),
+            Law::ramp(1.0),
+            Law::constant(2.0),
+            Law::sine(0.2, 1.0, 0.0),
+        ),
+    )
+    .unwrap();
     m.add("spin", spatial::drive_rotation(base, Ground, (1.0, 1.0, 0.0), Law::ramp(0.9))).unwrap();
     // Euler parameters of any length: what counts is the turn
     let (p_i, p_j) = (parameters(f_i), parameters(f_j));
     let p_i = EulerParameters::new(3.0 * p_i.e0, 3.0 * p_i.e1, 3.0 * p_i.e2, 3.0 * p_i.e3);
     let [x, y, z, yaw, pitch, roll] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0].map(law);
-    m.add("motion", spatial::drive_motion(tool, base, u_i, u_j, p_i, p_j, x, y, z, yaw, pitch, roll)).unwrap();
+    m.add("motion", spatial::drive_motion(tool, base, u_i, u_j, p_i, p_j, x, y, z, yaw, pitch, roll))
+        .unwrap();
     let motion = m.build().unwrap().run(linspace(0.0, 5.0, 501)).unwrap();
     let vector = |v: Vec3| Vector3::new(v.x, v.y, v.z);
     for (k, t) in motion.times().iter().enumerate() {

@@ -1,4 +1,5 @@
-//! `docs/library.md`, made of the code's own table, and its pictures. `KIN_BLESS=1 cargo test --test library page` writes them anew.
+//! `docs/library.md`, made of the code's own table, and its pictures. `KIN_BLESS=1 cargo test --test library
+//! page` writes them anew.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -47,9 +48,13 @@ fn paragraphs(text: &str) -> (String, String, String) {
 
 /// Names in documentation that link to code are plain names here.
 fn links(text: &str) -> String {
-    let mut text =
-        text.replace("(fn@super::", "(fn@").replace("[`Axis::along`]", "`Axis::along`").replace("[`Vec3::axis_near`]", "`Vec3::axis_near`");
-    while let (Some(from), Some(to)) = (text.find("](fn@"), text.find("](fn@").and_then(|from| Some(from + text[from..].find(')')?))) {
+    let mut text = text
+        .replace("(fn@super::", "(fn@")
+        .replace("[`Axis::along`]", "`Axis::along`")
+        .replace("[`Vec3::axis_near`]", "`Vec3::axis_near`");
+    while let (Some(from), Some(to)) =
+        (text.find("](fn@"), text.find("](fn@").and_then(|from| Some(from + text[from..].find(')')?)))
+    {
         text.replace_range(from..=to, "");
         if let Some(open) = text[..from].rfind('[') {
             text.remove(open);
@@ -73,7 +78,12 @@ fn line(joint: &Joint) -> String {
     names.dedup();
     let picture = format!("library/{}", file(joint));
     let exchanged = if joint.exchanged.is_some() { "✓" } else { "" };
-    format!("| ![{}]({picture}) | `{}` ({}) | {equation} | {rows} | {left} | {exchanged} |\n", joint.name(), joint.name(), names.join(", "))
+    format!(
+        "| ![{}]({picture}) | `{}` ({}) | {equation} | {rows} | {left} | {exchanged} |\n",
+        joint.name(),
+        joint.name(),
+        names.join(", ")
+    )
 }
 
 /// Name of the picture's file.
@@ -91,7 +101,10 @@ fn page() -> String {
         ("spatial", "Spatial joints and couplings (`spatial::…`)"),
         ("spatial drivers", "Drivers of spatial bodies (`spatial::…`)"),
     ] {
-        let _ = write!(text, "\n## {title}\n\n| | joint | equation | rows | left | ex. |\n|---|---|---|---|---|---|\n");
+        let _ = write!(
+            text,
+            "\n## {title}\n\n| | joint | equation | rows | left | ex. |\n|---|---|---|---|---|---|\n"
+        );
         let own: Vec<Joint> = table::all().into_iter().filter(|joint| joint.group == group).collect();
         own.iter().for_each(|joint| text += &line(joint));
         text += "\n";
@@ -112,7 +125,11 @@ fn page() -> String {
         known.push(name);
         let mut parameters = Vec::new();
         law.parameters(&mut |name, _| parameters.push(name.to_owned()));
-        let shown = if parameters.len() > 6 { format!("{}, …", parameters[..4].join(", ")) } else { parameters.join(", ") };
+        let shown = if parameters.len() > 6 {
+            format!("{}, …", parameters[..4].join(", "))
+        } else {
+            parameters.join(", ")
+        };
         let order = match law.breaks(from, to).iter().map(|b| b.order).min() {
             Some(order) => order.to_string(),
             None => "none".to_owned(),
@@ -145,23 +162,38 @@ fn every_joint_says_which_way_is_positive() {
         let sample = (joint.make)(&mut Random::new(1));
         let (equation, _, signs) = paragraphs(sample.constraint().description());
         assert!(!signs.is_empty(), "`{}` does not tell its signs in a paragraph of their own", joint.name());
-        assert!(equation.contains('[') && equation.ends_with(']'), "`{}` does not tell its units: {equation}", joint.name());
+        assert!(
+            equation.contains('[') && equation.ends_with(']'),
+            "`{}` does not tell its units: {equation}",
+            joint.name()
+        );
     }
 }
 
-/// The signatures on the page, taken from the source, have the arguments and parameters that the constraint itself tells.
+/// The signatures on the page, taken from the source, have the arguments and parameters that the constraint
+/// itself tells.
 #[test]
 fn signatures_are_those_of_the_constraints() {
     let signatures = signature::all();
     for joint in table::all() {
         let sample = (joint.make)(&mut Random::new(1));
         let given = signature::of(&signatures, &joint);
-        let names: Vec<&str> = given.split(", ").filter_map(|argument| argument.split_once(": ").map(|(name, _)| name)).collect();
-        let mut told: Vec<String> = sample.constraint().arguments().iter().map(|argument| argument.name.to_owned()).collect();
-        sample.constraint().parameters(&mut |name, _| told.extend(name.split(['.', '[']).next().map(str::to_owned)));
+        let names: Vec<&str> = given
+            .split(", ")
+            .filter_map(|argument| argument.split_once(": ").map(|(name, _)| name))
+            .collect();
+        let mut told: Vec<String> =
+            sample.constraint().arguments().iter().map(|argument| argument.name.to_owned()).collect();
+        sample
+            .constraint()
+            .parameters(&mut |name, _| told.extend(name.split(['.', '[']).next().map(str::to_owned)));
         told.dedup();
         assert_eq!(told.len(), names.len(), "`{}`: {told:?} {given}", joint.name());
-        assert!(told.iter().all(|name| names.contains(&name.as_str())), "`{}`: {told:?} {given}", joint.name());
+        assert!(
+            told.iter().all(|name| names.contains(&name.as_str())),
+            "`{}`: {told:?} {given}",
+            joint.name()
+        );
     }
 }
 
@@ -171,8 +203,8 @@ fn the_page_is_that_of_the_code() {
     compare(&docs().join("library.md"), &page(), &mut different);
     let mut known = Vec::new();
     for joint in table::all() {
-        let picture =
-            sketch::svg(joint.group, &joint.name()).unwrap_or_else(|| panic!("nobody has drawn `{}` ({})", joint.name(), joint.group));
+        let picture = sketch::svg(joint.group, &joint.name())
+            .unwrap_or_else(|| panic!("nobody has drawn `{}` ({})", joint.name(), joint.group));
         compare(&docs().join("library").join(file(&joint)), &picture, &mut different);
         known.push(file(&joint));
     }

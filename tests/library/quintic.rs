@@ -1,4 +1,5 @@
-//! Quintic splines against their conditions, solved as one dense system, and against curves that they must give exactly.
+//! Quintic splines against their conditions, solved as one dense system, and against curves that they must
+//! give exactly.
 
 use kin::prelude::*;
 use nalgebra::{DMatrix, DVector};
@@ -54,7 +55,9 @@ fn quintic_splines_are_what_their_conditions_say() {
     let mut random = Random::new(31);
     for round in 0..30 {
         let points = if round < 6 { 2 + round / 2 } else { 12 };
-        for ends in [Ends::Natural, Ends::Clamped { start: random.number(), end: random.number() }, Ends::Periodic] {
+        for ends in
+            [Ends::Natural, Ends::Clamped { start: random.number(), end: random.number() }, Ends::Periodic]
+        {
             let points = if ends == Ends::Periodic { points.max(3) } else { points };
             let mut x = random.number();
             let mut table: Vec<(f64, f64)> = Vec::new();
@@ -84,23 +87,33 @@ fn quintic_splines_are_what_their_conditions_say() {
     }
 }
 
-/// A closed law has no break, goes through its points, and nears a smooth periodic curve with the sixth power of the distance of its points.
+/// A closed law has no break, goes through its points, and nears a smooth periodic curve with the sixth power
+/// of the distance of its points.
 #[test]
 fn closed_quintic_laws_have_a_smooth_jerk_and_follow_smooth_curves() {
     let curve = |x: f64| (2.0 + (x.sin() + 0.3 * (2.0 * x).cos()).exp(), x.cos() - 0.6 * (2.0 * x).sin());
     let mut errors = Vec::new();
     for n in [20_u32, 40] {
-        let table: Vec<(f64, f64)> = (0..=n).map(|k| TAU * f64::from(k % n) / f64::from(n)).map(|x| (x, curve(x).0)).collect();
+        let table: Vec<(f64, f64)> =
+            (0..=n).map(|k| TAU * f64::from(k % n) / f64::from(n)).map(|x| (x, curve(x).0)).collect();
         let mut table = table;
         table.last_mut().expect("a point").0 = TAU;
         let law = Law::quintic_spline(&table, Ends::Periodic);
-        assert!(law.refusal().is_none() && law.is_smooth() && law.is_periodic(TAU) && law.breaks(-10.0, 10.0).is_empty());
+        assert!(
+            law.refusal().is_none()
+                && law.is_smooth()
+                && law.is_periodic(TAU)
+                && law.breaks(-10.0, 10.0).is_empty()
+        );
         for &(x, y) in &table {
             assert!((law.at(x - TAU) - y).abs() < 1e-12);
             let step = 1e-9;
             let (before, after) = (law.jet(x - step), law.jet(x + step));
             let jump = (0..4).map(|k| (after[k] - before[k]).abs()).fold(0.0, f64::max);
-            assert!(jump < 1e-4 && (law.fourth(x + step) - law.fourth(x - step)).abs() < 1e-3, "at {x}: {before:?} {after:?}");
+            assert!(
+                jump < 1e-4 && (law.fourth(x + step) - law.fourth(x - step)).abs() < 1e-3,
+                "at {x}: {before:?} {after:?}"
+            );
         }
         let worst = |order: usize| {
             let error = |x: f64| match order {
@@ -115,7 +128,8 @@ fn closed_quintic_laws_have_a_smooth_jerk_and_follow_smooth_curves() {
     assert!(errors[1][0] < errors[0][0] / 30.0 && errors[1][1] < errors[0][1] / 15.0, "{errors:?}");
 }
 
-/// The 3-4-5 rise has no slope and no curvature at its ends: whatever points of it the table has, the clamped spline is that rise.
+/// The 3-4-5 rise has no slope and no curvature at its ends: whatever points of it the table has, the clamped
+/// spline is that rise.
 #[test]
 fn a_clamped_quintic_spline_through_a_345_rise_is_that_rise() {
     let rise = Law::polynomial_345(0.7, 2.0);
@@ -127,7 +141,10 @@ fn a_clamped_quintic_spline_through_a_345_rise_is_that_rise() {
             assert!((found - exact).abs() < 1e-10, "derivative {order} at {x}: {found} {exact}");
         }
     }
-    assert_eq!(law.breaks(-1.0, 3.0).iter().map(|b| (b.x, b.order)).collect::<Vec<_>>(), [(0.0, 3), (2.0, 3)]);
+    assert_eq!(
+        law.breaks(-1.0, 3.0).iter().map(|b| (b.x, b.order)).collect::<Vec<_>>(),
+        [(0.0, 3), (2.0, 3)]
+    );
 }
 
 #[test]
@@ -143,7 +160,8 @@ fn tables_through_which_no_quintic_spline_goes() {
 #[test]
 fn large_tables() {
     let n = 20_000;
-    let table: Vec<(f64, f64)> = (0..=n).map(|k| (f64::from(k), (TAU * f64::from(k % n) / f64::from(n)).sin())).collect();
+    let table: Vec<(f64, f64)> =
+        (0..=n).map(|k| (f64::from(k), (TAU * f64::from(k % n) / f64::from(n)).sin())).collect();
     let law = Law::quintic_spline(&table, Ends::Periodic);
     for x in [0.3, 7000.5, 19_999.9] {
         assert!((law.at(x) - (TAU * x / f64::from(n)).sin()).abs() < 1e-12);

@@ -21,15 +21,24 @@ fn bad_parameters_of_planar_joints() {
             refusal(&mut m, distance(a, b, o, o, -1.0)),
             "`it` (distance): a rod needs a length above zero; pins that coincide are `revolute` (length = -1)",
         ),
-        (refusal(&mut m, distance(a, b, o, o, f64::NAN)), "`it`: the parameter `length` is NaN; give a finite number"),
+        (
+            refusal(&mut m, distance(a, b, o, o, f64::NAN)),
+            "`it`: the parameter `length` is NaN; give a finite number",
+        ),
         (
             refusal(&mut m, prismatic(a, b, o, o, o, 0.0)),
             "`it` (prismatic): the direction across the slide needs a length above zero (h_i.x = 0, h_i.y = 0)",
         ),
         (refusal(&mut m, pin_in_slot(a, b, o, x, x)), "the ends of the slot coincide"),
-        (refusal(&mut m, point_on_circle(a, b, o, o, 0.0)), "a circle needs a radius above zero (radius = 0)"),
+        (
+            refusal(&mut m, point_on_circle(a, b, o, o, 0.0)),
+            "a circle needs a radius above zero (radius = 0)",
+        ),
         (refusal(&mut m, point_on_line(a, b, o, o, o)), "the line needs a direction"),
-        (refusal(&mut m, gear(a, b, Ground, -1.0, 2.0, 0.0)), "pitch radii are above zero (r_i = -1, r_j = 2)"),
+        (
+            refusal(&mut m, gear(a, b, Ground, -1.0, 2.0, 0.0)),
+            "pitch radii are above zero (r_i = -1, r_j = 2)",
+        ),
         (refusal(&mut m, internal_gear(a, b, Ground, 2.0, 1.0, 0.0)), "ring's pitch radius"),
         (refusal(&mut m, belt(a, b, Ground, 0.0, 1.0, 0.0)), "a pulley needs a radius"),
         (refusal(&mut m, rack_and_pinion(a, b, o, o, x, 0.0, 0.0)), "a pinion needs a radius"),
@@ -44,9 +53,18 @@ fn bad_parameters_of_planar_joints() {
             refusal(&mut m, drive_angle(a, Law::trapezoidal(1.0, 0.0, 1.0))),
             "`it` (drive_angle): law: trapezoidal: speed, acceleration and jerk are above zero",
         ),
-        (refusal(&mut m, drive_angle(a, Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::constant(0.0))]))), "do not meet"),
         (
-            refusal(&mut m, drive_point(a, o, Law::spline(&[(1.0, 0.0), (0.5, 0.0)], Ends::Natural), Law::ramp(1.0))),
+            refusal(
+                &mut m,
+                drive_angle(a, Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::constant(0.0))])),
+            ),
+            "do not meet",
+        ),
+        (
+            refusal(
+                &mut m,
+                drive_point(a, o, Law::spline(&[(1.0, 0.0), (0.5, 0.0)], Ends::Natural), Law::ramp(1.0)),
+            ),
             "path_x: spline: the table does not increase",
         ),
     ];
@@ -68,13 +86,22 @@ fn bad_parameters_of_spatial_joints() {
             refusal(&mut m, spatial::revolute(a, b, o, o, z, o)),
             "`it` (revolute): the axis in body j needs a length above zero (h_j.x = 0, h_j.y = 0, h_j.z = 0)",
         ),
-        (refusal(&mut m, spatial::revolute(a, b, o, o, Axis::new(z, z), z)), "h_i: this axis has no direction"),
+        (
+            refusal(&mut m, spatial::revolute(a, b, o, o, Axis::new(z, z), z)),
+            "h_i: this axis has no direction",
+        ),
         (refusal(&mut m, spatial::weld(a, b, o, o, none)), "Euler parameters are not all zero"),
         (refusal(&mut m, spatial::universal(a, b, o, o, o, z)), "a bar of the cross needs a length"),
         (refusal(&mut m, spatial::angle(a, b, z, z, 0.0)), "between 0 and π"),
         (refusal(&mut m, spatial::screw(a, b, o, o, z, z, 0.0)), "a screw needs a lead"),
-        (refusal(&mut m, spatial::gear(a, b, Ground, z, z, z, z, 12.5, 20.0, 0.0)), "numbers of teeth are whole numbers"),
-        (refusal(&mut m, spatial::revolute_spherical(a, b, o, o, z, 0.0)), "a link needs a length above zero"),
+        (
+            refusal(&mut m, spatial::gear(a, b, Ground, z, z, z, z, 12.5, 20.0, 0.0)),
+            "numbers of teeth are whole numbers",
+        ),
+        (
+            refusal(&mut m, spatial::revolute_spherical(a, b, o, o, z, 0.0)),
+            "a link needs a length above zero",
+        ),
         (refusal(&mut m, spatial::point_in_plane(a, b, o, o, o)), "the plane needs a normal"),
     ];
     for (found, said) in cases {
@@ -113,13 +140,17 @@ fn an_axis_the_wrong_way_round_is_told() {
     let upright = SpatialPose::at(vec3(0.0, 0.0, 0.0));
     assert!(door(upright, vec3(0.0, 0.0, 2.0)).is_ok());
     // from upside down the equations close, but not the hinge: the door is turned over
-    let upside_down = door(SpatialPose::turned(vec3(0.0, 0.0, 0.0), vec3(1.0, 0.0, 0.0), PI), vec3(0.0, 0.0, 1.0));
+    let upside_down =
+        door(SpatialPose::turned(vec3(0.0, 0.0, 0.0), vec3(1.0, 0.0, 0.0), PI), vec3(0.0, 0.0, 1.0));
     assert!(upside_down.is_ok(), "{upside_down:?}");
     // the hinge asks for the opposite of what the motor turns about
     let error = door(upright, vec3(0.0, 0.0, -1.0)).expect_err("flipped");
     let text = error.to_string();
     assert!(matches!(error, Error::WrongBranch { .. }), "{text}");
-    assert!(text.contains("`hinge` (revolute) closes the wrong way: its axes are opposite: h_i · h_j < 0."), "{text}");
+    assert!(
+        text.contains("`hinge` (revolute) closes the wrong way: its axes are opposite: h_i · h_j < 0."),
+        "{text}"
+    );
 }
 
 /// A point driven along x by a law; y and θ stand still.
@@ -135,14 +166,23 @@ fn driven(law: Law, times: &[f64]) -> kin::Result<kin::Motion> {
 #[test]
 fn a_run_lists_the_breaks_it_crosses() {
     let motion = driven(Law::trapezoidal(2.0, 1.0, 2.0), &linspace(-1.0, 4.0, 51)).expect("runs");
-    let found: Vec<(f64, usize)> = motion.breaks().iter().map(|crossed| (crossed.found.x, crossed.found.order)).collect();
+    let found: Vec<(f64, usize)> =
+        motion.breaks().iter().map(|crossed| (crossed.found.x, crossed.found.order)).collect();
     assert_eq!(found, [(0.0, 2), (0.5, 2), (2.0, 2), (2.5, 2)]);
     let first = &motion.breaks()[0];
     assert_eq!((first.constraint.as_str(), first.law.as_str()), ("motor", "law"));
     assert!(first.between.0 < 0.0 && first.between.1 >= 0.0);
-    assert!(motion.summary().contains("4 breaks of laws crossed (derivative 2 jumps)"), "{}", motion.summary());
+    assert!(
+        motion.summary().contains("4 breaks of laws crossed (derivative 2 jumps)"),
+        "{}",
+        motion.summary()
+    );
     // at a break the acceleration is that of its right side
-    assert!((motion.qdd(15)[0] - 0.0).abs() < 1e-12 && (motion.qdd(10)[0] - 2.0).abs() < 1e-12, "{:?}", motion.qdd(10));
+    assert!(
+        (motion.qdd(15)[0] - 0.0).abs() < 1e-12 && (motion.qdd(10)[0] - 2.0).abs() < 1e-12,
+        "{:?}",
+        motion.qdd(10)
+    );
     // the same backwards
     let back = driven(Law::trapezoidal(2.0, 1.0, 2.0), &linspace(4.0, -1.0, 51)).expect("runs");
     assert_eq!(back.breaks().len(), 4);
@@ -181,11 +221,19 @@ fn a_jump_of_slope_where_motion_is_driven_is_an_error() {
 fn a_cam_lists_the_breaks_of_its_profile() {
     let rise = Law::constant(1.0) + Law::cycloidal(0.2, 2.0);
     let fall = Law::constant(1.2) - Law::cycloidal(0.2, 2.0);
-    let profile = Law::sequence(0.0, [(2.0, rise), (1.0, Law::constant(1.2)), (2.0, fall), (TAU - 5.0, Law::constant(1.0))]).periodic(TAU);
+    let profile = Law::sequence(
+        0.0,
+        [(2.0, rise), (1.0, Law::constant(1.2)), (2.0, fall), (TAU - 5.0, Law::constant(1.0))],
+    )
+    .periodic(TAU);
     let mut m = Mechanism::new("cam");
-    let (cam, rod) = (m.planar("cam", pose(0.0, 0.0, 0.0)).expect("a body"), m.planar("rod", pose(0.0, 1.0, 0.0)).expect("a body"));
+    let (cam, rod) = (
+        m.planar("cam", pose(0.0, 0.0, 0.0)).expect("a body"),
+        m.planar("rod", pose(0.0, 1.0, 0.0)).expect("a body"),
+    );
     m.add("O", revolute(cam, Ground, vec2(0.0, 0.0), vec2(0.0, 0.0))).expect("let in");
-    m.add("guide", prismatic(rod, Ground, vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(1.0, 0.0), 0.0)).expect("let in");
+    m.add("guide", prismatic(rod, Ground, vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(1.0, 0.0), 0.0))
+        .expect("let in");
     m.add("contact", cam_knife_edge(cam, rod, vec2(0.0, 0.0), profile)).expect("let in");
     m.add("motor", drive_angle(cam, Law::ramp(-1.0))).expect("let in");
     let motion = m.build().expect("square").run(linspace(0.0, 2.0 * TAU, 401)).expect("runs");

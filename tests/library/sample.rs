@@ -17,7 +17,9 @@ pub trait Sample {
 
 struct Of<E, const N: usize, const M: usize>(E);
 
-pub fn sample<E: Equation<N, M> + Clone + 'static, const N: usize, const M: usize>(joint: E) -> Box<dyn Sample> {
+pub fn sample<E: Equation<N, M> + Clone + 'static, const N: usize, const M: usize>(
+    joint: E,
+) -> Box<dyn Sample> {
     Box::new(Of::<E, N, M>(joint))
 }
 
@@ -70,7 +72,9 @@ pub fn columns(joint: &dyn Constraint) -> usize {
 /// C, and C_q, with the norms of the bodies' Euler parameters below.
 pub fn with_norms(joint: &dyn Constraint, q: &[f64], t: f64) -> (DVector<f64>, DMatrix<f64>) {
     let own = terms(joint, q, &[], t);
-    let spatial = arguments(joint).into_iter().filter_map(|a| if let Argument::Spatial(first) = a { Some(first + 3) } else { None });
+    let spatial = arguments(joint)
+        .into_iter()
+        .filter_map(|a| if let Argument::Spatial(first) = a { Some(first + 3) } else { None });
     let (mut c, mut c_q) = (own.c, own.c_q);
     for first in spatial {
         let (row, p) = (c.len(), &q[first..first + 4]);
@@ -149,7 +153,9 @@ impl Random {
 
     /// A law between 1 and 3, 2π-periodic.
     pub fn profile(&mut self) -> Law {
-        Law::constant(2.0) + Law::sine(self.between(0.05, 0.15), 2.0, self.number()) + Law::sine(self.between(0.1, 0.3), 1.0, self.number())
+        Law::constant(2.0)
+            + Law::sine(self.between(0.05, 0.15), 2.0, self.number())
+            + Law::sine(self.between(0.1, 0.3), 1.0, self.number())
     }
 
     /// As many numbers as the joint has columns, within ±2.

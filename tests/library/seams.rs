@@ -18,7 +18,11 @@ fn a_law_that_jumps_after_a_fast_vibration_is_refused() {
     for omega in [1.0, 100.0 * PI, 1e4 * PI, 1e7 * PI] {
         let vibration = || Law::sine(0.1, omega, 0.0);
         let jump = Law::sequence(0.0, [(10.0, vibration()), (10.0, Law::constant(0.9))]);
-        assert!(jump.refusal().is_some_and(|said| said.contains("do not meet")), "{omega}: {:?}", jump.refusal());
+        assert!(
+            jump.refusal().is_some_and(|said| said.contains("do not meet")),
+            "{omega}: {:?}",
+            jump.refusal()
+        );
         let back = Law::sequence(0.0, [(10.0, Law::constant(0.9)), (10.0, vibration())]);
         assert!(back.refusal().is_some_and(|said| said.contains("do not meet")), "{omega}");
         let ramp = (vibration() + Law::ramp(1e-3)).periodic(10.0);
@@ -30,11 +34,14 @@ fn a_law_that_jumps_after_a_fast_vibration_is_refused() {
     assert_eq!((stops.refusal(), orders(&stops, -1.0, 30.0)), (None, vec![(0.0, 1), (10.0, 1)]));
 }
 
-/// The same of slopes: a jump of 1e-4 of it is a break, though the third derivative is a million times as large.
+/// The same of slopes: a jump of 1e-4 of it is a break, though the third derivative is a million times as
+/// large.
 #[test]
 fn a_jump_of_slope_beside_a_fast_vibration_is_a_break() {
     let (omega, slope) = (100.0 * PI, 10.0 * PI);
-    let stops = |share: f64| Law::sequence(0.0, [(10.0, Law::sine(0.1, omega, 0.0)), (1.0, Law::linear(0.0, slope * share))]);
+    let stops = |share: f64| {
+        Law::sequence(0.0, [(10.0, Law::sine(0.1, omega, 0.0)), (1.0, Law::linear(0.0, slope * share))])
+    };
     assert_eq!(orders(&stops(1.0 + 1e-4), 5.0, 10.5), [(10.0, 1)]);
     assert_eq!(orders(&stops(1.0), 5.0, 10.5), [(10.0, 3)]);
     // What goes on as it was has no break, however fast it is.
@@ -49,19 +56,35 @@ fn a_jump_of_slope_beside_a_fast_vibration_is_a_break() {
 #[test]
 fn parts_meet_to_nine_digits_whatever_their_size() {
     for size in [1e-150, 1e-30, 1e-3, 1.0, 1e12, 1e150] {
-        let parts = |apart: f64| Law::sequence(0.0, [(1.0, Law::cycloidal(size, 1.0)), (1.0, Law::constant(size * (1.0 + apart)))]);
+        let parts = |apart: f64| {
+            Law::sequence(0.0, [(1.0, Law::cycloidal(size, 1.0)), (1.0, Law::constant(size * (1.0 + apart)))])
+        };
         let turn = |apart: f64| (Law::constant(size) + Law::ramp(size * apart)).periodic(1.0);
         for apart in [1e-3, 1e-6, 1e-8, -1e-8] {
-            assert!(parts(apart).refusal().is_some() && turn(apart).refusal().is_some(), "{apart} of {size} is a jump");
+            assert!(
+                parts(apart).refusal().is_some() && turn(apart).refusal().is_some(),
+                "{apart} of {size} is a jump"
+            );
         }
         for apart in [1e-11, -1e-14, 0.0] {
-            assert_eq!((parts(apart).refusal(), turn(apart).refusal()), (None, None), "{apart} of {size} is rounding");
+            assert_eq!(
+                (parts(apart).refusal(), turn(apart).refusal()),
+                (None, None),
+                "{apart} of {size} is rounding"
+            );
         }
     }
     // Parts that meet at zero, but for rounding.
-    let there_and_back = Law::sequence(0.0, [(1.0, Law::cycloidal(0.1, 1.0)), (0.7, Law::constant(0.1) - Law::cycloidal(0.1, 0.7))]);
+    let there_and_back = Law::sequence(
+        0.0,
+        [(1.0, Law::cycloidal(0.1, 1.0)), (0.7, Law::constant(0.1) - Law::cycloidal(0.1, 0.7))],
+    );
     assert_eq!(there_and_back.refusal(), None);
-    assert!(there_and_back.breaks(-1.0, 3.0).iter().all(|b| b.order == 3), "{:?}", there_and_back.breaks(-1.0, 3.0));
+    assert!(
+        there_and_back.breaks(-1.0, 3.0).iter().all(|b| b.order == 3),
+        "{:?}",
+        there_and_back.breaks(-1.0, 3.0)
+    );
 }
 
 #[test]
@@ -83,7 +106,12 @@ fn wave() -> Law {
 
 /// Laws with more breaks than can be listed, each in its own way.
 fn endless() -> Vec<(&'static str, Law)> {
-    let rises = || Law::sequence(0.0, [(1.0, Law::cycloidal(1.0, 1.0)), (1.0, Law::constant(1.0) - Law::cycloidal(1.0, 1.0))]);
+    let rises = || {
+        Law::sequence(
+            0.0,
+            [(1.0, Law::cycloidal(1.0, 1.0)), (1.0, Law::constant(1.0) - Law::cycloidal(1.0, 1.0))],
+        )
+    };
     vec![
         ("spline", wave()),
         ("periodic", rises().periodic(2.0)),
@@ -102,9 +130,14 @@ fn endless() -> Vec<(&'static str, Law)> {
 fn breaks_of_laws_that_repeat_are_listed_in_bounded_time_and_memory() {
     let begun = Instant::now();
     for (name, law) in endless() {
-        for (from, to) in
-            [(0.0, 1e8), (0.0, 1e12), (-1e300, 1e300), (f64::NEG_INFINITY, f64::INFINITY), (f64::NAN, 1.0), (0.0, f64::INFINITY)]
-        {
+        for (from, to) in [
+            (0.0, 1e8),
+            (0.0, 1e12),
+            (-1e300, 1e300),
+            (f64::NEG_INFINITY, f64::INFINITY),
+            (f64::NAN, 1.0),
+            (0.0, f64::INFINITY),
+        ] {
             let breaks = law.breaks(from, to);
             assert!(breaks.len() <= 10_000, "{name}: {}", breaks.len());
             assert!(breaks.windows(2).all(|pair| pair[0].x < pair[1].x), "{name} from {from} to {to}");
@@ -129,7 +162,11 @@ fn a_run_over_a_billion_periods_ends() {
     let begun = Instant::now();
     for end in [1e8, 1e12, -1e12] {
         let motion = driven(wave(), &[0.0, end]).expect("runs");
-        assert!(motion.len() == 2 && (9_990..=10_000).contains(&motion.breaks().len()), "{}", motion.breaks().len());
+        assert!(
+            motion.len() == 2 && (9_990..=10_000).contains(&motion.breaks().len()),
+            "{}",
+            motion.breaks().len()
+        );
     }
     let times: Vec<f64> = (0..200).map(|k| 1e6 * f64::from(k)).collect();
     assert_eq!(driven(wave(), &times).expect("runs").breaks().len(), 100_000);

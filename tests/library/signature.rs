@@ -5,13 +5,16 @@ use std::path::Path;
 
 use crate::table::Joint;
 
-/// The arguments of each constructor, such as `i: Planar, j: Planar, u_i: Vec2, u_j: Vec2`, by whether it is spatial and its name.
+/// The arguments of each constructor, such as `i: Planar, j: Planar, u_i: Vec2, u_j: Vec2`, by whether it is
+/// spatial and its name.
 pub fn all() -> BTreeMap<(bool, String), String> {
     let mut signatures = BTreeMap::new();
     let mut files = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("kin-core/src/joints")];
     while let Some(path) = files.pop() {
         if path.is_dir() {
-            files.extend(std::fs::read_dir(path).expect("readable").map(|entry| entry.expect("an entry").path()));
+            files.extend(
+                std::fs::read_dir(path).expect("readable").map(|entry| entry.expect("an entry").path()),
+            );
             continue;
         }
         let text = std::fs::read_to_string(&path).expect("readable");
@@ -31,7 +34,8 @@ pub fn all() -> BTreeMap<(bool, String), String> {
 
 /// The arguments that a caller gives, in one line: without the time, which a constraint has by itself.
 fn plain(arguments: &str) -> String {
-    let line = arguments.split_whitespace().collect::<Vec<_>>().join(" ").replace("impl Into<Coordinate>", "Coord");
+    let line =
+        arguments.split_whitespace().collect::<Vec<_>>().join(" ").replace("impl Into<Coordinate>", "Coord");
     let given = line.trim_end_matches(',').split(", ").filter(|argument| !argument.ends_with(": Time"));
     given.collect::<Vec<_>>().join(", ")
 }

@@ -2,8 +2,9 @@
 
 use std::fmt::Write;
 
-/// Strokes, one a word and its points: `i`, `j` bodies, `I`, `J` filled ones, `a` an axis, `t` a thin line, `o` an open circle (a pin or ball), `d`
-/// a dot, `c`, `k` a circle of body i, j, `>` a driven way, `@` a driven turn, `g` the ground, `q`, `w` a curve of body j, i.
+/// Strokes, one a word and its points: `i`, `j` bodies, `I`, `J` filled ones, `a` an axis, `t` a thin line,
+/// `o` an open circle (a pin or ball), `d` a dot, `c`, `k` a circle of body i, j, `>` a driven way, `@` a
+/// driven turn, `g` the ground, `q`, `w` a curve of body j, i.
 const STROKES: &[(Option<bool>, &str, &str)] = &[
     (None, "fixed", "g 24,44 72,44; I 32,20 64,20 64,44 32,44"),
     (None, "weld", "i 10,40 48,26; j 86,40 48,26; I 42,20 54,20 54,32 42,32"),
@@ -39,18 +40,38 @@ const STROKES: &[(Option<bool>, &str, &str)] = &[
     (Some(true), "parallel", "a 22,50 46,6; a 52,50 76,6; i 28,39 40,17; j 58,39 70,17"),
     (Some(true), "perpendicular", "i 20,44 76,44; j 48,44 48,8; t 56,44 56,36 48,36"),
     (Some(true), "angle", "j 14,44 84,44; i 14,44 72,12; t 50,44 46,27"),
-    (Some(true), "revolute", "a 48,4 48,52; I 40,12 56,12 56,28 40,28; J 40,28 56,28 56,44 40,44; i 40,20 10,20; j 56,36 86,36"),
-    (Some(true), "prismatic", "j 6,32 90,32; j 6,26 90,26; I 32,20 58,20 58,38 32,38; I 32,20 38,14 64,14 58,20; i 50,14 50,2"),
+    (
+        Some(true),
+        "revolute",
+        "a 48,4 48,52; I 40,12 56,12 56,28 40,28; J 40,28 56,28 56,44 40,44; i 40,20 10,20; j 56,36 86,36",
+    ),
+    (
+        Some(true),
+        "prismatic",
+        "j 6,32 90,32; j 6,26 90,26; I 32,20 58,20 58,38 32,38; I 32,20 38,14 64,14 58,20; i 50,14 50,2",
+    ),
     (Some(true), "cylindrical", "a 4,30 92,30; j 8,30 88,30; I 34,22 62,22 62,38 34,38; i 48,22 48,4"),
-    (Some(true), "universal", "i 6,34 34,30; j 90,34 62,30; t 34,30 62,30; t 48,16 48,44; d 34,30 3; d 62,30 3; d 48,16 3; d 48,44 3"),
+    (
+        Some(true),
+        "universal",
+        "i 6,34 34,30; j 90,34 62,30; t 34,30 62,30; t 48,16 48,44; d 34,30 3; d 62,30 3; d 48,16 3; d 48,44 3",
+    ),
     (Some(true), "planar", "J 4,48 28,30 92,30 68,48; I 30,38 44,26 72,26 58,38; i 52,26 52,6"),
     (
         Some(true),
         "screw",
         "a 48,2 48,54; t 40,14 56,20; t 40,22 56,28; t 40,30 56,36; t 40,38 56,44; I 32,24 64,24 64,34 32,34; j 48,10 48,48",
     ),
-    (Some(true), "constant_velocity", "i 6,40 40,30; j 90,40 56,30; k 48,28 12; t 40,30 56,30; t 48,18 48,38"),
-    (Some(true), "relative_angle", "a 48,4 48,52; i 48,28 86,20; j 48,28 84,42; w 74,23 78,30 74,37; d 48,28 3"),
+    (
+        Some(true),
+        "constant_velocity",
+        "i 6,40 40,30; j 90,40 56,30; k 48,28 12; t 40,30 56,30; t 48,18 48,38",
+    ),
+    (
+        Some(true),
+        "relative_angle",
+        "a 48,4 48,52; i 48,28 86,20; j 48,28 84,42; w 74,23 78,30 74,37; d 48,28 3",
+    ),
     (Some(true), "gear", "I 20,12 40,19 40,33 20,40; J 20,41 92,41 72,34 40,34; a 8,26 56,26; a 56,6 56,52"),
     (
         Some(true),
@@ -62,20 +83,44 @@ const STROKES: &[(Option<bool>, &str, &str)] = &[
         "thread",
         "a 4,30 92,30; j 8,30 88,30; t 34,22 40,38; t 42,22 48,38; t 50,22 56,38; t 58,22 64,38; i 48,20 48,4; w 20,20 28,30 20,40",
     ),
-    (Some(true), "revolute_spherical", "i 8,46 20,22; a 20,6 20,40; I 14,14 26,14 26,30 14,30; t 26,22 70,26; o 74,26 6; j 80,28 92,46"),
-    (Some(true), "revolute_revolute", "a 18,4 18,42; a 66,46 86,10; I 12,14 24,14 24,30 12,30; t 24,22 74,28; J 70,22 82,26 78,38 66,34"),
-    (Some(true), "revolute_cylindrical", "a 18,4 18,42; I 12,14 24,14 24,30 12,30; t 24,22 74,26; j 60,50 88,2; J 68,24 76,18 84,28 76,34"),
-    (Some(true), "spherical_cylindrical", "i 8,46 18,24; o 20,22 6; t 26,22 70,26; j 60,50 88,2; J 68,24 76,18 84,28 76,34"),
+    (
+        Some(true),
+        "revolute_spherical",
+        "i 8,46 20,22; a 20,6 20,40; I 14,14 26,14 26,30 14,30; t 26,22 70,26; o 74,26 6; j 80,28 92,46",
+    ),
+    (
+        Some(true),
+        "revolute_revolute",
+        "a 18,4 18,42; a 66,46 86,10; I 12,14 24,14 24,30 12,30; t 24,22 74,28; J 70,22 82,26 78,38 66,34",
+    ),
+    (
+        Some(true),
+        "revolute_cylindrical",
+        "a 18,4 18,42; I 12,14 24,14 24,30 12,30; t 24,22 74,26; j 60,50 88,2; J 68,24 76,18 84,28 76,34",
+    ),
+    (
+        Some(true),
+        "spherical_cylindrical",
+        "i 8,46 18,24; o 20,22 6; t 26,22 70,26; j 60,50 88,2; J 68,24 76,18 84,28 76,34",
+    ),
     (Some(false), "drive", "i 16,30 60,30; > 60,30 84,30; d 16,30 3"),
     (None, "drive_angle", "g 24,48 72,48; i 48,36 84,14; o 48,36 5; @ 48,36 18"),
     (None, "drive_relative_angle", "j 10,46 44,34; i 44,34 84,14; o 44,34 5; @ 44,34 18"),
     (None, "drive_slide", "j 8,36 88,36; I 22,28 46,28 46,44 22,44; > 46,22 78,22; t 46,22 34,22"),
-    (None, "drive_distance", "i 8,48 20,26; j 88,48 76,26; J 28,22 56,22 56,32 28,32; t 20,27 76,27; o 20,27 4; o 76,27 4; > 56,14 74,14"),
+    (
+        None,
+        "drive_distance",
+        "i 8,48 20,26; j 88,48 76,26; J 28,22 56,22 56,32 28,32; t 20,27 76,27; o 20,27 4; o 76,27 4; > 56,14 74,14",
+    ),
     (None, "drive_point", "q 16,24 46,2 84,26; i 8,48 40,14; d 40,14 4; > 40,14 58,13"),
     (None, "drive_point_along", "i 8,48 52,26; d 52,26 4; t 52,52 52,6; > 52,26 52,8"),
     (Some(true), "drive_turn", "a 48,2 48,54; i 48,28 86,20; j 48,36 12,44; o 48,28 5; @ 48,28 20"),
     (Some(true), "drive_rotation", "a 20,52 76,4; I 34,22 56,16 62,34 40,40; @ 48,28 22"),
-    (Some(true), "drive_orientation", "I 34,20 62,20 62,38 34,38; t 48,29 84,29; t 48,29 48,4; t 48,29 28,50; @ 48,29 22; > 78,29 88,29"),
+    (
+        Some(true),
+        "drive_orientation",
+        "I 34,20 62,20 62,38 34,38; t 48,29 84,29; t 48,29 48,4; t 48,29 28,50; @ 48,29 22; > 78,29 88,29",
+    ),
     (
         Some(true),
         "drive_motion",
@@ -86,7 +131,8 @@ const STROKES: &[(Option<bool>, &str, &str)] = &[
 /// The strokes of a joint, which may be one of the plane or of space alone.
 fn strokes(group: &str, name: &str) -> Option<&'static str> {
     let spatial = group.starts_with("spatial");
-    let found = STROKES.iter().find(|(space, known, _)| *known == name && space.is_none_or(|space| space == spatial));
+    let found =
+        STROKES.iter().find(|(space, known, _)| *known == name && space.is_none_or(|space| space == spatial));
     found.map(|(_, _, strokes)| *strokes)
 }
 
@@ -97,7 +143,8 @@ pub fn svg(group: &str, name: &str) -> Option<String> {
     );
     for stroke in strokes(group, name)?.split(';') {
         let (word, rest) = stroke.trim().split_once(' ')?;
-        let numbers: Vec<f64> = rest.split([' ', ',']).map(|number| number.parse().expect("a number")).collect();
+        let numbers: Vec<f64> =
+            rest.split([' ', ',']).map(|number| number.parse().expect("a number")).collect();
         text += &drawn(word, &numbers);
     }
     text += "</svg>\n";
@@ -105,15 +152,22 @@ pub fn svg(group: &str, name: &str) -> Option<String> {
 }
 
 fn drawn(word: &str, n: &[f64]) -> String {
-    let points: Vec<String> = n.chunks(2).map(|p| p.iter().map(f64::to_string).collect::<Vec<_>>().join(",")).collect();
+    let points: Vec<String> =
+        n.chunks(2).map(|p| p.iter().map(f64::to_string).collect::<Vec<_>>().join(",")).collect();
     let points = points.join(" ");
     let line = |color: &str, width: f64, more: &str| {
-        format!("<polyline points=\"{points}\" fill=\"none\" stroke=\"{color}\" stroke-width=\"{width}\"{more}/>\n")
+        format!(
+            "<polyline points=\"{points}\" fill=\"none\" stroke=\"{color}\" stroke-width=\"{width}\"{more}/>\n"
+        )
     };
-    let area =
-        |fill: &str, color: &str| format!("<polygon points=\"{points}\" fill=\"{fill}\" stroke=\"{color}\" stroke-width=\"1.5\"/>\n");
+    let area = |fill: &str, color: &str| {
+        format!("<polygon points=\"{points}\" fill=\"{fill}\" stroke=\"{color}\" stroke-width=\"1.5\"/>\n")
+    };
     let round = |fill: &str, color: &str| {
-        format!("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{fill}\" stroke=\"{color}\" stroke-width=\"1.5\"/>\n", n[0], n[1], n[2])
+        format!(
+            "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{fill}\" stroke=\"{color}\" stroke-width=\"1.5\"/>\n",
+            n[0], n[1], n[2]
+        )
     };
     let curve = |color: &str| {
         format!(
@@ -145,8 +199,13 @@ fn drawn(word: &str, n: &[f64]) -> String {
 /// An arrow that turns.
 fn arc(n: &[f64], drive: &str) -> String {
     let (x, y, r) = (n[0], n[1], n[2]);
-    let arc =
-        format!("<path d=\"M{},{} A{r},{r} 0 0 0 {},{}\" fill=\"none\" stroke=\"{drive}\" stroke-width=\"2\"/>\n", x + r, y, x, y - r);
+    let arc = format!(
+        "<path d=\"M{},{} A{r},{r} 0 0 0 {},{}\" fill=\"none\" stroke=\"{drive}\" stroke-width=\"2\"/>\n",
+        x + r,
+        y,
+        x,
+        y - r
+    );
     arc + &head(x, y - r, -1.0, 0.0, drive)
 }
 

@@ -1,4 +1,5 @@
-//! The table of all joints: a name's constraint with random parameters, and where two bodies may be exchanged, how.
+//! The table of all joints: a name's constraint with random parameters, and where two bodies may be
+//! exchanged, how.
 
 use kin::prelude::*;
 use kin::{any_coord as c, any_planar as p, any_spatial as s};
@@ -27,10 +28,18 @@ impl Joint {
 }
 
 pub fn all() -> Vec<Joint> {
-    [planar(), planar_drivers(), spatial_points(), spatial_joints(), spatial_couplings(), spatial_links(), spatial_drivers()]
-        .into_iter()
-        .flatten()
-        .collect()
+    [
+        planar(),
+        planar_drivers(),
+        spatial_points(),
+        spatial_joints(),
+        spatial_couplings(),
+        spatial_links(),
+        spatial_drivers(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 fn planar() -> Vec<Joint> {
@@ -89,7 +98,8 @@ fn planar_drivers() -> Vec<Joint> {
     vec![
         of(|r| sample(drive(c(), r.law()))),
         of(|r| sample(drive_angle(p(), r.law()))),
-        of(|r| sample(drive_relative_angle(p(), p(), r.law()))).exchanged(|r| sample(drive_relative_angle(p(), p(), -r.law()))),
+        of(|r| sample(drive_relative_angle(p(), p(), r.law())))
+            .exchanged(|r| sample(drive_relative_angle(p(), p(), -r.law()))),
         of(|r| sample(drive_slide(p(), p(), r.v2(), r.v2(), r.v2(), r.law()))),
         of(|r| sample(drive_distance(p(), p(), r.v2(), r.v2(), r.profile()))).exchanged(|r| {
             let (u_i, u_j, law) = (r.v2(), r.v2(), r.profile());
@@ -160,14 +170,18 @@ fn spatial_joints() -> Vec<Joint> {
             let (u_i, u_j, h_i, h_j) = (r.v3(), r.v3(), r.axis(), r.v3());
             sample(spatial::planar(s(), s(), u_j, u_i, h_j, h_i.h))
         }),
-        of(|r| sample(spatial::screw(s(), s(), r.v3(), r.v3(), r.axis(), r.axis(), r.length()))).exchanged(|r| {
-            let (u_i, u_j, h_i, h_j, lead) = (r.v3(), r.v3(), r.axis(), r.axis(), r.length());
-            sample(spatial::screw(s(), s(), u_j, u_i, h_j, h_i, lead))
-        }),
-        of(|r| sample(spatial::constant_velocity(s(), s(), r.v3(), r.v3(), r.axis(), r.axis()))).exchanged(|r| {
-            let (u_i, u_j, h_i, h_j) = (r.v3(), r.v3(), r.axis(), r.axis());
-            sample(spatial::constant_velocity(s(), s(), u_j, u_i, h_j, h_i))
-        }),
+        of(|r| sample(spatial::screw(s(), s(), r.v3(), r.v3(), r.axis(), r.axis(), r.length()))).exchanged(
+            |r| {
+                let (u_i, u_j, h_i, h_j, lead) = (r.v3(), r.v3(), r.axis(), r.axis(), r.length());
+                sample(spatial::screw(s(), s(), u_j, u_i, h_j, h_i, lead))
+            },
+        ),
+        of(|r| sample(spatial::constant_velocity(s(), s(), r.v3(), r.v3(), r.axis(), r.axis()))).exchanged(
+            |r| {
+                let (u_i, u_j, h_i, h_j) = (r.v3(), r.v3(), r.axis(), r.axis());
+                sample(spatial::constant_velocity(s(), s(), u_j, u_i, h_j, h_i))
+            },
+        ),
     ]
 }
 
@@ -175,13 +189,49 @@ fn spatial_couplings() -> Vec<Joint> {
     let of = |make: Make| Joint { group: "spatial", make, exchanged: None };
     vec![
         of(|r| sample(spatial::relative_angle(s(), s(), c(), r.axis(), r.axis()))),
-        of(|r| sample(spatial::gear(s(), s(), s(), r.axis(), r.axis(), r.axis(), r.axis(), 3.0, -2.0, r.number()))),
+        of(|r| {
+            sample(spatial::gear(
+                s(),
+                s(),
+                s(),
+                r.axis(),
+                r.axis(),
+                r.axis(),
+                r.axis(),
+                3.0,
+                -2.0,
+                r.number(),
+            ))
+        }),
         of(|r| {
             let axes = [r.axis(), r.axis(), r.axis(), r.axis()];
-            sample(spatial::gear_by_radii(s(), s(), s(), c(), axes[0], axes[1], axes[2], axes[3], r.length(), -r.length(), r.number()))
+            sample(spatial::gear_by_radii(
+                s(),
+                s(),
+                s(),
+                c(),
+                axes[0],
+                axes[1],
+                axes[2],
+                axes[3],
+                r.length(),
+                -r.length(),
+                r.number(),
+            ))
         }),
         of(|r| sample(spatial::thread(s(), s(), r.v3(), r.v3(), r.axis(), r.axis(), r.length()))),
-        of(|r| sample(spatial::rack_and_pinion(s(), s(), r.v3(), r.v3(), r.axis(), r.axis(), r.length(), r.number()))),
+        of(|r| {
+            sample(spatial::rack_and_pinion(
+                s(),
+                s(),
+                r.v3(),
+                r.v3(),
+                r.axis(),
+                r.axis(),
+                r.length(),
+                r.number(),
+            ))
+        }),
     ]
 }
 
@@ -189,11 +239,35 @@ fn spatial_links() -> Vec<Joint> {
     let of = |make: Make| Joint { group: "spatial", make, exchanged: None };
     vec![
         of(|r| sample(spatial::revolute_spherical(s(), s(), r.v3(), r.v3(), r.v3(), r.length()))),
-        of(|r| sample(spatial::revolute_revolute(s(), s(), r.v3(), r.v3(), r.axis(), r.axis(), r.length(), r.number()))).exchanged(|r| {
-            let (u_i, u_j, h_i, h_j, length, twist) = (r.v3(), r.v3(), r.axis(), r.axis(), r.length(), r.number());
+        of(|r| {
+            sample(spatial::revolute_revolute(
+                s(),
+                s(),
+                r.v3(),
+                r.v3(),
+                r.axis(),
+                r.axis(),
+                r.length(),
+                r.number(),
+            ))
+        })
+        .exchanged(|r| {
+            let (u_i, u_j, h_i, h_j, length, twist) =
+                (r.v3(), r.v3(), r.axis(), r.axis(), r.length(), r.number());
             sample(spatial::revolute_revolute(s(), s(), u_j, u_i, h_j, h_i, length, twist))
         }),
-        of(|r| sample(spatial::revolute_cylindrical(s(), s(), r.v3(), r.v3(), r.axis(), r.axis(), r.length(), r.number()))),
+        of(|r| {
+            sample(spatial::revolute_cylindrical(
+                s(),
+                s(),
+                r.v3(),
+                r.v3(),
+                r.axis(),
+                r.axis(),
+                r.length(),
+                r.number(),
+            ))
+        }),
         of(|r| sample(spatial::spherical_cylindrical(s(), s(), r.v3(), r.v3(), r.axis(), r.length()))),
     ]
 }
@@ -213,7 +287,20 @@ fn spatial_drivers() -> Vec<Joint> {
         of(|r| sample(spatial::drive_orientation(s(), s(), r.law(), r.law(), r.law()))),
         of(|r| {
             let (u_i, u_j, p_i, p_j) = (r.v3(), r.v3(), r.turn(), r.turn());
-            sample(spatial::drive_motion(s(), s(), u_i, u_j, p_i, p_j, r.law(), r.law(), r.law(), r.law(), r.law(), r.law()))
+            sample(spatial::drive_motion(
+                s(),
+                s(),
+                u_i,
+                u_j,
+                p_i,
+                p_j,
+                r.law(),
+                r.law(),
+                r.law(),
+                r.law(),
+                r.law(),
+                r.law(),
+            ))
         }),
     ]
 }

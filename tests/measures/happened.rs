@@ -9,7 +9,11 @@ use crate::{FourBar, crank_rocker, near};
 fn short_slot(scale: f64) -> Mechanism {
     let mut m = Mechanism::new("pin in a slot");
     let pin = m.planar("pin", pose(0.0, 0.0, 0.0)).unwrap();
-    m.add("slot", pin_in_slot(pin, m.ground(), vec2(0.0, 0.0), vec2(-0.1 * scale, 0.0), vec2(0.2 * scale, 0.0))).unwrap();
+    m.add(
+        "slot",
+        pin_in_slot(pin, m.ground(), vec2(0.0, 0.0), vec2(-0.1 * scale, 0.0), vec2(0.2 * scale, 0.0)),
+    )
+    .unwrap();
     m.add("upright", drive_angle(pin, Law::constant(0.0))).unwrap();
     m.add("motor", drive(pin.x(), Law::sine(0.3 * scale, 1.0, 0.0))).unwrap();
     m
@@ -41,7 +45,10 @@ fn a_run_tells_when_a_pin_passes_the_end_of_its_slot() {
         let back = system.run(linspace(TAU, 0.0, steps)).unwrap();
         let times: Vec<f64> = back.events().iter().map(|event| event.t).collect();
         times.iter().zip(exact.iter().rev()).for_each(|(found, exact)| near(*found, *exact, 1e-12));
-        assert!(back.events()[0].text.contains("passes its lower end") && back.events()[3].text.contains("comes back"));
+        assert!(
+            back.events()[0].text.contains("passes its lower end")
+                && back.events()[3].text.contains("comes back")
+        );
     }
 }
 
@@ -59,7 +66,9 @@ fn the_motion_before_a_toggle_has_its_events() {
     m.prefer(crank, 0.7);
     // the links are in line at x = 3, after the limit
     let error = m.build().unwrap().run(linspace(0.0, 3.0, 31)).unwrap_err();
-    let [limit, toggle] = error.motion().unwrap().events() else { panic!("{:?}", error.motion().unwrap().events()) };
+    let [limit, toggle] = error.motion().unwrap().events() else {
+        panic!("{:?}", error.motion().unwrap().events())
+    };
     near(limit.t, 1.0, 1e-12);
     assert!(limit.kind == EventKind::Limit && toggle.kind == EventKind::TurningPoint);
     near(toggle.t, 0.5 / 0.3, 1e-9);
@@ -80,13 +89,19 @@ fn limits_can_be_asked_for_by_name() {
     }
     // a run that begins outside says so
     let motion = short_slot(1.0).build().unwrap().run(linspace(1.0, 1.1, 3)).unwrap();
-    assert_eq!(motion.events()[0].to_string(), "t = 1 s: `slot.slide` is 0.352441295 m at the start, beyond its upper end, 0.3 m");
+    assert_eq!(
+        motion.events()[0].to_string(),
+        "t = 1 s: `slot.slide` is 0.352441295 m at the start, beyond its upper end, 0.3 m"
+    );
     let mut m = short_slot(1.0);
     let error = m.limit("slot.slide", 1.0, 0.0).unwrap_err().to_string();
     assert_eq!(error, "`slot.slide` (limit): its limits are 1 and 0; give a smaller one and a larger one");
     m.limit("slot.turn", 0.0, 1.0).unwrap();
     let error = m.build().unwrap_err().to_string();
-    assert_eq!(error, "`slot` (pin_in_slot): there is no `slot.turn`; what can be asked of this joint is `slot.slide` and `slot.angle`");
+    assert_eq!(
+        error,
+        "`slot` (pin_in_slot): there is no `slot.turn`; what can be asked of this joint is `slot.slide` and `slot.angle`"
+    );
 }
 
 #[test]
@@ -111,7 +126,10 @@ fn a_rest_is_one_extreme() {
     let mut m = Mechanism::new("dwell");
     let x = m.length("x", 0.0).unwrap();
     let rise = Law::polynomial(&[0.0, 0.0, 0.0, 10.0, -15.0, 6.0]);
-    let law = Law::sequence(0.0, [(1.0, rise.clone()), (1.0, Law::constant(1.0)), (1.0, Law::constant(1.0) - rise)]);
+    let law = Law::sequence(
+        0.0,
+        [(1.0, rise.clone()), (1.0, Law::constant(1.0)), (1.0, Law::constant(1.0) - rise)],
+    );
     m.add("motor", drive(x, law)).unwrap();
     let system = m.build().unwrap();
     let motion = system.run(linspace(0.05, 2.95, 59)).unwrap();
@@ -128,7 +146,11 @@ fn one_pose_at_one_time() {
     assert_eq!(pose.times(), [0.3217]);
     near(pose.coordinate(crank.theta()).unwrap().value.values()[0], 0.3217 * TAU, 1e-13);
     let alone = system.run([0.3217]).unwrap();
-    near(pose.coordinate(rocker.theta()).unwrap().value.values()[0], alone.coordinate(rocker.theta()).unwrap().value.values()[0], 1e-12);
+    near(
+        pose.coordinate(rocker.theta()).unwrap().value.values()[0],
+        alone.coordinate(rocker.theta()).unwrap().value.values()[0],
+        1e-12,
+    );
     near(
         pose.coordinate(rocker.theta()).unwrap().second_rate.values()[0],
         alone.coordinate(rocker.theta()).unwrap().second_rate.values()[0],
@@ -137,7 +159,13 @@ fn one_pose_at_one_time() {
     let outside = system.at(&motion, 1.5).unwrap_err().to_string();
     assert_eq!(outside, "times: t = 1.5 s is outside of the motion, which goes from 0 s to 1 s");
     let other = short_slot(1.0).build().unwrap().run([0.0, 1.0]).unwrap();
-    assert!(system.at(&other, 0.5).unwrap_err().to_string().contains("a motion of \"pin in a slot\", not of \"four-bar\""));
+    assert!(
+        system
+            .at(&other, 0.5)
+            .unwrap_err()
+            .to_string()
+            .contains("a motion of \"pin in a slot\", not of \"four-bar\"")
+    );
 }
 
 /// Pin in a bent slot, which tells where in it the pin is.      [m]
@@ -175,7 +203,10 @@ fn what_cannot_be_asked_is_told_by_name() {
     let FourBar { system, .. } = crank_rocker();
     let motion = system.run([0.0, 0.1]).unwrap();
     let said = |name: &str| system.measure(&motion, name).unwrap_err().to_string();
-    assert_eq!(said("A.slide"), "`A` (revolute): there is no `A.slide`; what can be asked of this joint is `A.angle`");
+    assert_eq!(
+        said("A.slide"),
+        "`A` (revolute): there is no `A.slide`; what can be asked of this joint is `A.angle`"
+    );
     assert_eq!(said("A"), "`A` (revolute): there is no `A`; what can be asked of this joint is `A.angle`");
     assert_eq!(
         said("motor.angle"),
@@ -183,22 +214,26 @@ fn what_cannot_be_asked_is_told_by_name() {
          coordinate instead"
     );
     assert!(
-        said("D.angle").starts_with("there is no measure or coordinate `D.angle`; there are `O.angle`, `A.angle`"),
+        said("D.angle")
+            .starts_with("there is no measure or coordinate `D.angle`; there are `O.angle`, `A.angle`"),
         "{}",
         said("D.angle")
     );
 }
 
-/// The distance of two points that move, planar and spatial, with three rates: against differences and closed form; asked for its extremes.
+/// The distance of two points that move, planar and spatial, with three rates: against differences and closed
+/// form; asked for its extremes.
 #[test]
 fn the_distance_of_two_points_is_a_measure() {
     let FourBar { system, crank, coupler, rocker, .. } = crank_rocker();
-    let motion = system.run_with(linspace(0.0, 1.0, 1001), &Options { jerk: true, ..Options::default() }).unwrap();
+    let motion =
+        system.run_with(linspace(0.0, 1.0, 1001), &Options { jerk: true, ..Options::default() }).unwrap();
     let (p, q) = (vec2(0.3, 0.4), (1.0, -0.7));
     let distance = motion.distance(coupler, p, rocker, q).unwrap();
     assert_eq!((distance.value.unit(), distance.third_rate.unit()), ("m", "m/s^3"));
     let (r_p, r_q) = (motion.point(coupler, p).unwrap(), motion.point(rocker, q).unwrap());
-    let orders = [&distance.value, &distance.rate, &distance.second_rate, &distance.third_rate].map(Series::values);
+    let orders =
+        [&distance.value, &distance.rate, &distance.second_rate, &distance.third_rate].map(Series::values);
     for k in 2..motion.len() - 2 {
         near(orders[0][k], (r_p.r()[k] - r_q.r()[k]).norm(), 1e-14);
         for order in 0..3 {
@@ -207,7 +242,8 @@ fn the_distance_of_two_points_is_a_measure() {
             near(orders[order + 1][k], slope, 1e-5);
         }
     }
-    // Between the crank's pin and a point of the ground it is a circle's: extremes where the pin, the axle and the point are in line.
+    // Between the crank's pin and a point of the ground it is a circle's: extremes where the pin, the axle
+    // and the point are in line.
     let point = (3.0, 4.0);
     let ground = PlanarBody::from(Ground);
     let found = system.extremes(&motion, |m: &Motion| m.distance(crank, crank.end(), ground, point)).unwrap();
@@ -249,12 +285,16 @@ fn what_is_zero_at_a_time_of_the_grid_is_found_there_and_once() {
     // t − 2, 2 − t, and (t − 1)(t − 2)(t − 3), all exactly zero at times of the grid.
     assert_eq!(crossed(Law::linear(-2.0, 1.0), 0.0), [(2.0, true)]);
     assert_eq!(crossed(Law::linear(2.0, -1.0), 0.0), [(2.0, false)]);
-    assert_eq!(crossed(Law::polynomial(&[-6.0, 11.0, -6.0, 1.0]), 0.0), [(1.0, true), (2.0, false), (3.0, true)]);
+    assert_eq!(
+        crossed(Law::polynomial(&[-6.0, 11.0, -6.0, 1.0]), 0.0),
+        [(1.0, true), (2.0, false), (3.0, true)]
+    );
     // Zero but for rounding at the grid, and properly beside it: where it is, not where the grid is.
     let beside = 1e-14;
     let found = crossed(Law::linear(-2.0 - beside, 1.0), 0.0);
     assert!(matches!(found[..], [(t, true)] if (t - 2.0 - beside).abs() < 4e-15), "{found:?}");
-    // Touched at a time of the grid, and not crossed; at the first and at the last time nothing is seen to be crossed.
+    // Touched at a time of the grid, and not crossed; at the first and at the last time nothing is seen to be
+    // crossed.
     assert_eq!(crossed(Law::polynomial(&[4.0, -4.0, 1.0]), 0.0), []);
     assert_eq!(crossed(Law::linear(0.0, 1.0), 0.0), []);
     assert_eq!(crossed(Law::linear(-4.0, 1.0), 0.0), []);

@@ -1,4 +1,5 @@
-//! What people ask a mechanism for, against closed forms: angular velocities, angles, slides, dead centres, limits, instant centres.
+//! What people ask a mechanism for, against closed forms: angular velocities, angles, slides, dead centres,
+//! limits, instant centres.
 
 mod happened;
 
@@ -19,8 +20,8 @@ struct FourBar {
 fn crank_rocker() -> FourBar {
     let mut m = Mechanism::new("four-bar");
     let ground = m.ground();
-    let [crank, coupler, rocker] =
-        [("crank", 0), ("coupler", 1), ("rocker", 2)].map(|(name, k)| m.link(name, LINKS[k]).expect("a new name"));
+    let [crank, coupler, rocker] = [("crank", 0), ("coupler", 1), ("rocker", 2)]
+        .map(|(name, k)| m.link(name, LINKS[k]).expect("a new name"));
     m.add("O", revolute(crank, ground, crank.start(), vec2(0.0, 0.0))).unwrap();
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).unwrap();
     m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).unwrap();
@@ -31,7 +32,11 @@ fn crank_rocker() -> FourBar {
 }
 
 fn near(found: f64, exact: f64, tolerance: f64) {
-    assert!((found - exact).abs() <= tolerance, "{found} instead of {exact}, off by {:.1e}", (found - exact).abs());
+    assert!(
+        (found - exact).abs() <= tolerance,
+        "{found} instead of {exact}, off by {:.1e}",
+        (found - exact).abs()
+    );
 }
 
 /// The angle at C of a triangle with sides a and b there and c across.
@@ -90,11 +95,17 @@ fn transmission_angle_of_a_crank_rocker() {
     let worst = system.extremes(&motion, |m: &Motion| m.transmission_angle(coupler, rocker)).unwrap();
     near(
         worst.min().0,
-        [corner(b, c, d - a), corner(b, c, d + a)].map(|whole| whole.min(PI - whole)).into_iter().fold(PI, f64::min),
+        [corner(b, c, d - a), corner(b, c, d + a)]
+            .map(|whole| whole.min(PI - whole))
+            .into_iter()
+            .fold(PI, f64::min),
         1e-12,
     );
     assert!(worst.all().iter().any(|extreme| (extreme.t - 0.5).abs() < 1e-11), "{worst:?}");
-    assert_eq!((angle.value.name(), angle.rate.name(), angle.second_rate.unit()), ("transmission angle", "transmission angle'", "rad/s^2"));
+    assert_eq!(
+        (angle.value.name(), angle.rate.name(), angle.second_rate.unit()),
+        ("transmission angle", "transmission angle'", "rad/s^2")
+    );
 }
 
 #[test]
@@ -129,13 +140,18 @@ fn transmission_angle_of_a_slider_is_that_against_the_direction_across_its_way()
 #[test]
 fn angles_of_joints_count_turns() {
     let FourBar { system, crank, coupler, .. } = crank_rocker();
-    let motion = system.run_with(linspace(0.0, 3.0, 331), &Options { jerk: true, ..Options::default() }).unwrap();
+    let motion =
+        system.run_with(linspace(0.0, 3.0, 331), &Options { jerk: true, ..Options::default() }).unwrap();
     let angle = system.measure(&motion, "O.angle").unwrap();
     near(angle.value.max(), 6.0 * PI, 1e-12);
     let relative = motion.relative_angle(crank, coupler).unwrap();
     let at_a = system.measure(&motion, "A.angle").unwrap();
     for k in 0..motion.len() {
-        for (a, b) in [(&relative.value, &at_a.value), (&relative.rate, &at_a.rate), (&relative.third_rate, &at_a.third_rate)] {
+        for (a, b) in [
+            (&relative.value, &at_a.value),
+            (&relative.rate, &at_a.rate),
+            (&relative.third_rate, &at_a.third_rate),
+        ] {
             near(a.values()[k], b.values()[k], 1e-9);
         }
     }
@@ -157,9 +173,17 @@ fn angle_and_slide_of_spatial_joints() {
     let shaft = m.spatial("shaft", SpatialPose::at(vec3(1.0, 0.0, 0.0))).unwrap();
     m.add("thread", spatial::screw(screw, m.ground(), zero, zero, axis, axis, 0.02)).unwrap();
     m.add("motor", spatial::drive_turn(screw, m.ground(), axis, axis, law())).unwrap();
-    m.add("bearing", spatial::cylindrical(shaft, m.ground(), zero, vec3(1.0, 0.0, 0.0), axis, Vec3::z() * 3.0)).unwrap();
+    m.add(
+        "bearing",
+        spatial::cylindrical(shaft, m.ground(), zero, vec3(1.0, 0.0, 0.0), axis, Vec3::z() * 3.0),
+    )
+    .unwrap();
     m.add("spin", spatial::drive_turn(shaft, m.ground(), axis, axis, Law::ramp(-4.0))).unwrap();
-    m.add("push", spatial::drive_slide(shaft, m.ground(), zero, vec3(1.0, 0.0, 0.0), axis, Law::sine(0.1, 1.0, 0.0))).unwrap();
+    m.add(
+        "push",
+        spatial::drive_slide(shaft, m.ground(), zero, vec3(1.0, 0.0, 0.0), axis, Law::sine(0.1, 1.0, 0.0)),
+    )
+    .unwrap();
     let system = m.build().unwrap();
     let motion = system.run(linspace(0.0, 10.0, 101)).unwrap();
     let measure = |name: &str| system.measure(&motion, name).unwrap();
@@ -196,7 +220,8 @@ fn shafts_of_a_hookes_joint() {
     let rotation = motion.rotation(driven).unwrap();
     let speed = rotation.about(along);
     for (k, t) in motion.times().iter().enumerate() {
-        // Norton: ω2 = ω1 cos β / (1 − sin² β cos² θ), θ from where the driving fork lies in the plane of the shafts; here it begins across it
+        // Norton: ω2 = ω1 cos β / (1 − sin² β cos² θ), θ from where the driving fork lies in the plane of the
+        // shafts; here it begins across it
         let (sin, cos) = (omega * t).sin_cos();
         let below = 1.0 - (beta.sin() * sin).powi(2);
         let exact = omega * beta.cos() / below;
@@ -218,9 +243,18 @@ fn omega_of_a_precessing_body() {
     m.add("O", spatial::revolute(table, m.ground(), zero, zero, axis, Vec3::z())).unwrap();
     m.add("A", spatial::revolute(top, table, zero, zero, along, Vec3::x())).unwrap();
     // precession φ = 0.7 t + 0.1 t², spin ψ = 9 t + 0.2 sin 2 t
-    m.add("precession", spatial::drive_turn(table, m.ground(), axis, axis, Law::polynomial(&[0.0, 0.7, 0.1]))).unwrap();
-    m.add("spin", spatial::drive_turn(top, table, along, along, Law::ramp(9.0) + Law::sine(0.2, 2.0, 0.0))).unwrap();
-    let mut motion = m.build().unwrap().run_with(linspace(0.0, 5.0, 251), &Options { jerk: true, ..Options::default() }).unwrap();
+    m.add(
+        "precession",
+        spatial::drive_turn(table, m.ground(), axis, axis, Law::polynomial(&[0.0, 0.7, 0.1])),
+    )
+    .unwrap();
+    m.add("spin", spatial::drive_turn(top, table, along, along, Law::ramp(9.0) + Law::sine(0.2, 2.0, 0.0)))
+        .unwrap();
+    let mut motion = m
+        .build()
+        .unwrap()
+        .run_with(linspace(0.0, 5.0, 251), &Options { jerk: true, ..Options::default() })
+        .unwrap();
     let rotation = motion.rotation(top).unwrap();
     for (k, &t) in motion.times().iter().enumerate() {
         let (phi, w, w1) = (0.7 * t + 0.1 * t * t, 0.7 + 0.2 * t, 0.2);
@@ -237,7 +271,9 @@ fn omega_of_a_precessing_body() {
     }
     motion.add_rotation("top", top).unwrap();
     assert_eq!(motion.outputs()[3].name(), "top.alpha_x");
-    assert!(motion.rotation(kin::any_spatial()).unwrap_err().to_string().contains("not of the mechanism \"top\""));
+    assert!(
+        motion.rotation(kin::any_spatial()).unwrap_err().to_string().contains("not of the mechanism \"top\"")
+    );
 }
 
 #[test]
@@ -270,7 +306,8 @@ fn system_ground() -> PlanarBody {
 fn a_body_that_only_slides_has_no_instant_centre() {
     let mut m = Mechanism::new("slider");
     let slider = m.planar("slider", pose(0.1, 0.0, 0.0)).unwrap();
-    m.add("guide", prismatic(slider, m.ground(), vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(0.0, 1.0), 0.0)).unwrap();
+    m.add("guide", prismatic(slider, m.ground(), vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(0.0, 1.0), 0.0))
+        .unwrap();
     m.add("motor", drive(slider.x(), Law::sine(0.3, 1.0, 0.0))).unwrap();
     let motion = m.build().unwrap().run(linspace(0.0, 1.0, 5)).unwrap();
     assert_eq!(motion.instant_centre(slider, system_ground()).unwrap(), [None; 5]);

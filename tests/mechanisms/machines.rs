@@ -1,5 +1,5 @@
-//! Six machines, as the examples build them, against calculations that know nothing of constraints: triangles, circles and spheres that meet,
-//! closed forms.
+//! Six machines, as the examples build them, against calculations that know nothing of constraints:
+//! triangles, circles and spheres that meet, closed forms.
 
 use kin::prelude::*;
 use kin::{Registry, nalgebra};
@@ -28,7 +28,8 @@ fn turned(p: Vec3, o: Vec3, h: Vec3, angle: f64) -> Vec3 {
     o + v * cos + h.cross(v) * sin + h * (h.dot(v) * (1.0 - cos))
 }
 
-/// The point with these distances from three others, on the side of their plane on which `like` is of the plane of `from`.
+/// The point with these distances from three others, on the side of their plane on which `like` is of the
+/// plane of `from`.
 fn from_three(p: [Vec3; 3], from: [Vec3; 3], like: Vec3) -> Vec3 {
     let r = from.map(|q| (like - q).norm());
     let frame = |p: [Vec3; 3]| {
@@ -46,16 +47,19 @@ fn from_three(p: [Vec3; 3], from: [Vec3; 3], like: Vec3) -> Vec3 {
     p[0] + ex * x + ey * y + ez * (side * height)
 }
 
-/// The lower ball goes on a circle, the upper one on another at a distance from it, the tie rod's ball at distances from both and from the rack, and
-/// the hub with the upright: circles and spheres that meet, for the wheel travel and the rack of each time.
+/// The lower ball goes on a circle, the upper one on another at a distance from it, the tie rod's ball at
+/// distances from both and from the rack, and the hub with the upright: circles and spheres that meet, for
+/// the wheel travel and the rack of each time.
 #[test]
 fn double_wishbone_is_circles_and_spheres_that_meet() {
     let motion = example("17_double_wishbone", 8.0, 161);
     let rack = motion.coordinate(spatial_body(&motion, "rack").y()).unwrap().value;
     for (name, side) in [("left", 1.0), ("right", -1.0)] {
         let at = |x: f64, y: f64, z: f64| vec3(x, side * y, z);
-        let [lower_front, lower_rear, lower] = [at(150.0, 350.0, 190.0), at(-170.0, 350.0, 200.0), at(5.0, 725.0, 175.0)];
-        let [upper_front, upper_rear, upper] = [at(110.0, 430.0, 470.0), at(-130.0, 430.0, 455.0), at(-20.0, 680.0, 500.0)];
+        let [lower_front, lower_rear, lower] =
+            [at(150.0, 350.0, 190.0), at(-170.0, 350.0, 200.0), at(5.0, 725.0, 175.0)];
+        let [upper_front, upper_rear, upper] =
+            [at(110.0, 430.0, 470.0), at(-130.0, 430.0, 455.0), at(-20.0, 680.0, 500.0)];
         let [inner, outer, hub] = [at(-140.0, 390.0, 255.0), at(-125.0, 705.0, 252.0), at(0.0, 780.0, 320.0)];
         let tip = hub + vec3(0.0, side, 0.0);
         let pose = |angle: f64, rack: f64| {
@@ -96,7 +100,11 @@ fn double_wishbone_is_circles_and_spheres_that_meet() {
         r(781.0) - r(780.0)
     };
     let bump = direction(20);
-    assert!((-bump.z.asin().to_degrees() + 2.41).abs() < 0.05, "camber at 60 mm: {}", -bump.z.asin().to_degrees());
+    assert!(
+        (-bump.z.asin().to_degrees() + 2.41).abs() < 0.05,
+        "camber at 60 mm: {}",
+        -bump.z.asin().to_degrees()
+    );
     assert!(bump.x.atan2(bump.y).to_degrees().abs() < 0.2);
 }
 
@@ -118,8 +126,8 @@ fn between(a: f64, b: f64) -> f64 {
 #[test]
 fn excavator_is_four_triangles() {
     let motion = example("18_excavator", 12.0, 401);
-    let [boom, stick, bucket, lever] =
-        ["boom", "stick", "bucket", "lever"].map(|name| motion.coordinate(planar(&motion, name).theta()).unwrap().value);
+    let [boom, stick, bucket, lever] = ["boom", "stick", "bucket", "lever"]
+        .map(|name| motion.coordinate(planar(&motion, name).theta()).unwrap().value);
     // Cylinders: moves of three seconds with the polynomial 10 u³ − 15 u⁴ + 6 u⁵.
     let length = |lengths: [f64; 5], t: f64| {
         let k = ((t / 3.0) as usize).min(3);
@@ -128,9 +136,11 @@ fn excavator_is_four_triangles() {
     };
     let error = worst(&motion, |k, t| {
         let (d, eye) = (vec2(0.55, -0.65), vec2(2.35, 0.55));
-        let exact_boom = arg(d) + angle_at(length([2.67, 2.27, 2.3, 2.7, 2.67], t), d.norm(), eye.norm()) - arg(eye);
+        let exact_boom =
+            arg(d) + angle_at(length([2.67, 2.27, 2.3, 2.7, 2.67], t), d.norm(), eye.norm()) - arg(eye);
         let (d, eye) = (vec2(2.6 - 5.4, 1.25), vec2(-0.75, 0.25));
-        let beside = arg(d) - angle_at(length([2.85, 2.85, 3.45, 3.45, 2.85], t), d.norm(), eye.norm()) - arg(eye);
+        let beside =
+            arg(d) - angle_at(length([2.85, 2.85, 3.45, 3.45, 2.85], t), d.norm(), eye.norm()) - arg(eye);
         let d = vec2(-0.1 - 2.3, 0.6 - 0.05);
         let arm = arg(d) - angle_at(length([2.45, 2.45, 2.85, 2.9, 2.45], t), d.norm(), 0.55);
         let d = vec2(2.3 - 2.7, 0.05) + vec2(arm.cos(), arm.sin()) * 0.55;
@@ -147,7 +157,8 @@ fn excavator_is_four_triangles() {
     assert!(error < 1e-12, "angles are off by {error:e}");
 }
 
-/// Each motor by E cos φ + F sin φ + G = 0 (the closed form of the inverse problem), and the plate level, which nothing tells.
+/// Each motor by E cos φ + F sin φ + G = 0 (the closed form of the inverse problem), and the plate level,
+/// which nothing tells.
 #[test]
 fn delta_robot_has_the_motor_angles_of_the_closed_form() {
     let (base, plate, arm, forearm) = (200.0, 60.0, 250.0, 560.0);
@@ -174,8 +185,10 @@ fn delta_robot_has_the_motor_angles_of_the_closed_form() {
         off.fold(0.0, f64::max)
     });
     assert!(error < 1e-9, "elbows are off by {error:e} mm");
-    let tilt =
-        worst(&motion, |k, _| (motion.point(body, vec3(0.0, 0.0, 100.0)).unwrap().r()[k] - tool.r()[k] - vec3(0.0, 0.0, 100.0)).norm());
+    let tilt = worst(&motion, |k, _| {
+        (motion.point(body, vec3(0.0, 0.0, 100.0)).unwrap().r()[k] - tool.r()[k] - vec3(0.0, 0.0, 100.0))
+            .norm()
+    });
     assert!(tilt < 1e-9, "the plate is not level by {tilt:e} mm");
     // Half of the way up, across and down: the tool is where the path says.
     let middle = tool.r()[100];
@@ -218,7 +231,8 @@ fn geneva_wheel_goes_by_stations_and_the_closed_form() {
     assert!((slowest - a / (c - a)).abs() < 1e-12, "at most a/(c − a) of the driver's speed: {slowest}");
 }
 
-/// The periodic cubic spline through values at even steps, by its moments M: M_(k−1) + 4 M_k + M_(k+1) = 6 (y_(k−1) − 2 y_k + y_(k+1))/h².
+/// The periodic cubic spline through values at even steps, by its moments M: M_(k−1) + 4 M_k + M_(k+1) = 6
+/// (y_(k−1) − 2 y_k + y_(k+1))/h².
 fn spline(y: &[f64], h: f64) -> impl Fn(f64) -> (f64, f64) {
     let n = y.len();
     let mut system = nalgebra::DMatrix::zeros(n, n);
@@ -246,8 +260,8 @@ fn spline(y: &[f64], h: f64) -> impl Fn(f64) -> (f64, f64) {
 #[test]
 fn cam_with_roller_is_a_parallel_curve_that_meets_a_circle() {
     let table = [
-        40.0, 40.0, 40.3, 42.1, 45.9, 50.8, 55.2, 58.4, 59.8, 60.0, 60.0, 59.6, 57.9, 54.8, 51.2, 47.8, 44.9, 42.7, 41.2, 40.4, 40.1, 40.0,
-        40.0, 40.0,
+        40.0, 40.0, 40.3, 42.1, 45.9, 50.8, 55.2, 58.4, 59.8, 60.0, 60.0, 59.6, 57.9, 54.8, 51.2, 47.8, 44.9,
+        42.7, 41.2, 40.4, 40.1, 40.0, 40.0, 40.0,
     ];
     let (edge, roller, lever, pivot) = (spline(&table, deg(15.0)), 12.0, 95.0, vec2(-90.0, 62.0));
     let motion = example("21_cam_with_roller", 2.0, 121);
@@ -264,7 +278,9 @@ fn cam_with_roller_is_a_parallel_curve_that_meets_a_circle() {
         };
         let gap = |phi: f64| (at(phi) - pivot).norm() - lever;
         // Of all places where they meet, the highest.
-        let places = (0..360).map(|k| (deg(f64::from(k)), deg(f64::from(k + 1)))).filter(|(from, to)| gap(*from) * gap(*to) <= 0.0);
+        let places = (0..360)
+            .map(|k| (deg(f64::from(k)), deg(f64::from(k + 1))))
+            .filter(|(from, to)| gap(*from) * gap(*to) <= 0.0);
         let met = places.map(|(mut low, mut high)| {
             let rises = gap(high) > gap(low);
             for _ in 0..55 {
@@ -279,26 +295,30 @@ fn cam_with_roller_is_a_parallel_curve_that_meets_a_circle() {
     assert!(error < 1e-9, "the roller is off by {error:e} mm");
 }
 
-/// Willis: z_s (ω_s − ω_c) + z_r (ω_r − ω_c) = 0; and the pitch points, at which wheels that mesh have one velocity.
+/// Willis: z_s (ω_s − ω_c) + z_r (ω_r − ω_c) = 0; and the pitch points, at which wheels that mesh have one
+/// velocity.
 #[test]
 fn planetary_train_obeys_willis_and_its_pitch_points_have_one_velocity() {
     let (z_sun, z_ring) = (30.0, 72.0);
     let (r_sun, r_planet, r_ring) = (30.0, 21.0, 72.0);
     let motion = example("22_planetary_train", 8.0, 401);
-    let [sun, ring, carrier] = ["sun", "ring", "carrier"].map(|name| motion.coordinate(planar(&motion, name).theta()).unwrap());
+    let [sun, ring, carrier] =
+        ["sun", "ring", "carrier"].map(|name| motion.coordinate(planar(&motion, name).theta()).unwrap());
     let error = worst(&motion, |k, _| {
         let equation = |of: fn(&kin::Quantity) -> &Series| {
             let [s, r, c] = [&sun, &ring, &carrier].map(|wheel| of(wheel).values()[k]);
             (z_sun * (s - c) + z_ring * (r - c)) / (z_sun + z_ring)
         };
-        let [angle, rate, second] = [equation(|q| &q.value), equation(|q| &q.rate), equation(|q| &q.second_rate)];
+        let [angle, rate, second] =
+            [equation(|q| &q.value), equation(|q| &q.rate), equation(|q| &q.second_rate)];
         angle.abs() + rate.abs() + second.abs()
     });
     assert!(error < 1e-12, "Willis is off by {error:e}");
     for number in 0..3 {
         let place = TAU / 3.0 * f64::from(number);
         let planet = planar(&motion, &format!("planet {}", number + 1));
-        let (turn, axle) = (motion.coordinate(planet.theta()).unwrap(), motion.point(planet, vec2(0.0, 0.0)).unwrap());
+        let (turn, axle) =
+            (motion.coordinate(planet.theta()).unwrap(), motion.point(planet, vec2(0.0, 0.0)).unwrap());
         let slip = worst(&motion, |k, _| {
             let line = carrier.value.values()[k] + place;
             let across = vec2(-line.sin(), line.cos());

@@ -6,13 +6,15 @@ use crate::worst;
 
 const O: Vec2 = Vec2::new(0.0, 0.0);
 
-/// Both assemblies of a crank-rocker against the intersection of two circles, and the rocker's rate against the textbook's formula.
+/// Both assemblies of a crank-rocker against the intersection of two circles, and the rocker's rate against
+/// the textbook's formula.
 #[test]
 fn four_bar_in_both_assemblies() {
     let (a, b, c, d) = (1.0, 3.5, 3.0, 4.0);
     for (side, preferred) in [(1.0, 100.0), (-1.0, -100.0)] {
         let mut m = Mechanism::new("four-bar");
-        let (crank, coupler, rocker) = (m.link("crank", a).unwrap(), m.link("coupler", b).unwrap(), m.link("rocker", c).unwrap());
+        let (crank, coupler, rocker) =
+            (m.link("crank", a).unwrap(), m.link("coupler", b).unwrap(), m.link("rocker", c).unwrap());
         m.add("O", revolute(Ground, crank, O, crank.start())).unwrap();
         m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).unwrap();
         m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).unwrap();
@@ -41,7 +43,8 @@ fn four_bar_in_both_assemblies() {
     }
 }
 
-/// Crank-shaper: the arm's angle is atan2(d + r sin θ, r cos θ), its rate ω (r² + r d sin θ)/(r² + d² + 2 r d sin θ).
+/// Crank-shaper: the arm's angle is atan2(d + r sin θ, r cos θ), its rate ω (r² + r d sin θ)/(r² + d² + 2 r d
+/// sin θ).
 #[test]
 fn quick_return() {
     let (r, d, omega) = (0.1, 0.25, 3.0);
@@ -54,7 +57,9 @@ fn quick_return() {
     m.add("motor", drive_angle(crank, Law::ramp(omega))).unwrap();
     let motion = m.build().unwrap().run(linspace(0.0, TAU / omega, 361)).unwrap();
     let angle = motion.coordinate(arm.theta()).unwrap();
-    let error = worst(&motion, |k, t| angle.value.values()[k] - (d + r * (omega * t).sin()).atan2(r * (omega * t).cos()));
+    let error = worst(&motion, |k, t| {
+        angle.value.values()[k] - (d + r * (omega * t).sin()).atan2(r * (omega * t).cos())
+    });
     assert!(error < 1e-13, "{error:e}");
     let error = worst(&motion, |k, t| {
         let sin = (omega * t).sin();
@@ -62,7 +67,9 @@ fn quick_return() {
     });
     assert!(error < 1e-12, "{error:e}");
     // time forth over time back: (π + 2 asin(r/d))/(π − 2 asin(r/d)), told by the turning points
-    let forth = motion.times().iter().zip(angle.rate.values()).filter(|(_, rate)| **rate > 0.0).count() as f64 / 360.0;
+    let forth = motion.times().iter().zip(angle.rate.values()).filter(|(_, rate)| **rate > 0.0).count()
+        as f64
+        / 360.0;
     assert!((forth - (PI + 2.0 * (r / d).asin()) / TAU).abs() < 0.005, "{forth}");
 }
 
@@ -70,7 +77,8 @@ fn quick_return() {
 fn scotch_yoke_is_harmonic() {
     let (r, omega) = (0.3, 2.0);
     let mut m = Mechanism::new("Scotch yoke");
-    let (crank, yoke) = (m.link_between("crank", O, (r, 0.0)).unwrap(), m.planar("yoke", pose(r, 0.0, 0.0)).unwrap());
+    let (crank, yoke) =
+        (m.link_between("crank", O, (r, 0.0)).unwrap(), m.planar("yoke", pose(r, 0.0, 0.0)).unwrap());
     m.add("O", revolute(Ground, crank, O, crank.start())).unwrap();
     m.add("slot", point_on_line(crank, yoke, crank.end(), O, vec2(0.0, 1.0))).unwrap();
     m.add("guide", prismatic(yoke, Ground, O, O, vec2(0.0, 1.0), 0.0)).unwrap();
@@ -83,13 +91,17 @@ fn scotch_yoke_is_harmonic() {
     assert!(worst(&motion, |k, t| x.second_rate.values()[k] + r * omega * omega * phase(t).cos()) < 1e-12);
 }
 
-/// Willis: with the ring held, the arm turns at r_s/(r_s + r_r) of the sun; the planet at the sum of what it rolls and the arm's turn.
+/// Willis: with the ring held, the arm turns at r_s/(r_s + r_r) of the sun; the planet at the sum of what it
+/// rolls and the arm's turn.
 #[test]
 fn epicyclic_gears_follow_willis() {
     let (sun_r, planet_r) = (0.03, 0.02);
     let ring_r = sun_r + 2.0 * planet_r;
     let mut m = Mechanism::new("epicyclic");
-    let (sun, arm) = (m.planar("sun", pose(0.0, 0.0, 0.0)).unwrap(), m.link_between("arm", O, (sun_r + planet_r, 0.0)).unwrap());
+    let (sun, arm) = (
+        m.planar("sun", pose(0.0, 0.0, 0.0)).unwrap(),
+        m.link_between("arm", O, (sun_r + planet_r, 0.0)).unwrap(),
+    );
     let planet = m.planar("planet", pose(sun_r + planet_r, 0.0, 0.0)).unwrap();
     m.add("sun axle", revolute(Ground, sun, O, O)).unwrap();
     m.add("arm axle", revolute(Ground, arm, O, arm.start())).unwrap();
@@ -98,10 +110,16 @@ fn epicyclic_gears_follow_willis() {
     m.add("planet and ring", internal_gear(planet, Ground, arm, planet_r, ring_r, 0.0)).unwrap();
     m.add("motor", drive_angle(sun, Law::ramp(10.0))).unwrap();
     let motion = m.build().unwrap().run(linspace(0.0, 20.0, 401)).unwrap();
-    let (arm_angle, planet_angle) = (motion.coordinate(arm.theta()).unwrap().value, motion.coordinate(planet.theta()).unwrap().value);
+    let (arm_angle, planet_angle) =
+        (motion.coordinate(arm.theta()).unwrap().value, motion.coordinate(planet.theta()).unwrap().value);
     let arm_rate = 10.0 * sun_r / (sun_r + ring_r);
-    assert!(worst(&motion, |k, t| arm_angle.values()[k] - arm_rate * t) < 1e-12, "31 turns of the sun, none lost");
-    assert!(worst(&motion, |k, t| planet_angle.values()[k] - arm_rate * (1.0 - ring_r / planet_r) * t) < 1e-12);
+    assert!(
+        worst(&motion, |k, t| arm_angle.values()[k] - arm_rate * t) < 1e-12,
+        "31 turns of the sun, none lost"
+    );
+    assert!(
+        worst(&motion, |k, t| planet_angle.values()[k] - arm_rate * (1.0 - ring_r / planet_r) * t) < 1e-12
+    );
     // the point of the planet on the ring stands still
     let touching = motion.point(planet, vec2(planet_r, 0.0)).unwrap();
     assert!(touching.v()[0].norm() < 1e-15, "{:?}", touching.v()[0]);
@@ -118,7 +136,10 @@ fn a_rolling_wheel_keeps_to_its_track() {
     m.add("motor", drive_angle(wheel, Law::ramp(-4.0))).unwrap();
     let motion = m.build().unwrap().run(linspace(0.0, 5.0, 101)).unwrap();
     let centre = motion.point(wheel, O).unwrap();
-    assert!(worst(&motion, |k, t| (centre.r()[k] - along * (radius * 4.0 * t) - along.perp() * radius).norm()) < 1e-13);
+    assert!(
+        worst(&motion, |k, t| (centre.r()[k] - along * (radius * 4.0 * t) - along.perp() * radius).norm())
+            < 1e-13
+    );
     // the point that touches the track at this time, in the wheel's own frame
     let error = worst(&motion, |k, t| {
         let touch = motion.point(wheel, Mat2::rotation(4.0 * t) * (along.perp() * -radius)).unwrap();
@@ -127,13 +148,15 @@ fn a_rolling_wheel_keeps_to_its_track() {
     assert!(error < 1e-13, "{error:e}");
 }
 
-/// The lift of a flat-faced follower is the law itself; a roller of radius zero is a knife edge; on a round cam a roller stays at ρ + r.
+/// The lift of a flat-faced follower is the law itself; a roller of radius zero is a knife edge; on a round
+/// cam a roller stays at ρ + r.
 #[test]
 fn cams_lift_as_their_profiles_say() {
     let support = Law::constant(0.05) + Law::sine(0.01, 2.0, 0.4);
     let lift = |contact: &dyn Fn(&mut Mechanism, PlanarBody, PlanarBody)| {
         let mut m = Mechanism::new("cam");
-        let (cam, rod) = (m.planar("cam", pose(0.0, 0.0, 0.0)).unwrap(), m.planar("rod", pose(0.0, 0.06, 0.0)).unwrap());
+        let (cam, rod) =
+            (m.planar("cam", pose(0.0, 0.0, 0.0)).unwrap(), m.planar("rod", pose(0.0, 0.06, 0.0)).unwrap());
         m.add("O", revolute(cam, Ground, O, O)).unwrap();
         m.add("guide", prismatic(rod, Ground, O, O, vec2(1.0, 0.0), 0.0)).unwrap();
         contact(&mut m, cam, rod);
@@ -160,12 +183,18 @@ fn cams_lift_as_their_profiles_say() {
         let [h, _, h2, _] = support.jet(PI / 2.0 + 2.0 * 0.01 * k as f64);
         assert!((flat.0[k] - h).abs() < 1e-14 && (flat.1[k] - 4.0 * h2).abs() < 1e-11, "{k}");
         assert!((edge.0[k] - h).abs() < 1e-14 && (edge.1[k] - 4.0 * h2).abs() < 1e-11, "{k}");
-        assert!((thin.0[k] - h).abs() < 1e-13 && (thin.1[k] - 4.0 * h2).abs() < 1e-10, "{k}: {} {}", thin.1[k], 4.0 * h2);
+        assert!(
+            (thin.0[k] - h).abs() < 1e-13 && (thin.1[k] - 4.0 * h2).abs() < 1e-10,
+            "{k}: {} {}",
+            thin.1[k],
+            4.0 * h2
+        );
         assert!((round.0[k] - 0.07).abs() < 1e-14 && round.1[k].abs() < 1e-11, "{k}");
     }
 }
 
-/// A roller on an eccentric disc: its centre keeps e's distance plus both radii, whatever the profile's formula is.
+/// A roller on an eccentric disc: its centre keeps e's distance plus both radii, whatever the profile's
+/// formula is.
 #[test]
 fn a_roller_on_an_eccentric_is_a_rod() {
     let (e, disc, radius) = (0.02_f64, 0.05_f64, 0.015);
@@ -175,7 +204,8 @@ fn a_roller_on_an_eccentric_is_a_rod() {
         e * phi.cos() + (disc * disc - e * e * phi.sin() * phi.sin()).sqrt()
     }
     let mut m = Mechanism::new("eccentric");
-    let (cam, rod) = (m.planar("cam", pose(0.0, 0.0, 0.0)).unwrap(), m.planar("rod", pose(0.0, 0.06, 0.0)).unwrap());
+    let (cam, rod) =
+        (m.planar("cam", pose(0.0, 0.0, 0.0)).unwrap(), m.planar("rod", pose(0.0, 0.06, 0.0)).unwrap());
     let phi = m.angle("phi", 1.5).unwrap();
     m.add("O", revolute(cam, Ground, O, O)).unwrap();
     m.add("guide", prismatic(rod, Ground, O, O, vec2(1.0, 0.0), 0.0)).unwrap();
@@ -184,22 +214,30 @@ fn a_roller_on_an_eccentric_is_a_rod() {
     let motion = m.build().unwrap().run(linspace(0.0, 4.0, 801)).unwrap();
     let y = motion.coordinate(rod.y()).unwrap();
     let (c, l) = (|t: f64| (3.0 * t).sin_cos(), disc + radius);
-    assert!(worst(&motion, |k, t| y.value.values()[k] - (e * c(t).0 + (l * l - (e * c(t).1).powi(2)).sqrt())) < 1e-14);
+    assert!(
+        worst(&motion, |k, t| y.value.values()[k] - (e * c(t).0 + (l * l - (e * c(t).1).powi(2)).sqrt()))
+            < 1e-14
+    );
     let centre = motion.point(cam, vec2(e, 0.0)).unwrap();
     let pin = motion.point(rod, O).unwrap();
     assert!(worst(&motion, |k, _| (pin.r()[k] - centre.r()[k]).norm() - l) < 1e-14);
     assert!(worst(&motion, |k, _| (pin.r()[k] - centre.r()[k]).dot(pin.v()[k] - centre.v()[k])) < 1e-14);
-    let rates = |k: usize| (pin.r()[k] - centre.r()[k]).dot(pin.a()[k] - centre.a()[k]) + (pin.v()[k] - centre.v()[k]).norm_squared();
+    let rates = |k: usize| {
+        (pin.r()[k] - centre.r()[k]).dot(pin.a()[k] - centre.a()[k])
+            + (pin.v()[k] - centre.v()[k]).norm_squared()
+    };
     assert!(worst(&motion, |k, _| rates(k)) < 1e-12);
 }
 
-/// A block driven along a slot in a turning disc: Coriolis by the lecture's formula, by a law of time and by a coordinate along the path.
+/// A block driven along a slot in a turning disc: Coriolis by the lecture's formula, by a law of time and by
+/// a coordinate along the path.
 #[test]
 fn a_block_in_a_slot_has_its_coriolis_acceleration() {
     let (omega, speed) = (2.0, 0.3);
     let by_coordinate = |along: bool| {
         let mut m = Mechanism::new("slot");
-        let (disc, block) = (m.planar("disc", pose(0.0, 0.0, 0.0)).unwrap(), m.planar("block", pose(0.1, 0.0, 0.0)).unwrap());
+        let (disc, block) =
+            (m.planar("disc", pose(0.0, 0.0, 0.0)).unwrap(), m.planar("block", pose(0.1, 0.0, 0.0)).unwrap());
         m.add("O", revolute(disc, Ground, O, O)).unwrap();
         m.add("upright", drive_angle(block, Law::constant(0.0))).unwrap();
         if along {
@@ -207,7 +245,8 @@ fn a_block_in_a_slot_has_its_coriolis_acceleration() {
             m.add("slot", point_on_path(disc, block, s, Law::ramp(1.0), Law::constant(0.05), O)).unwrap();
             m.add("feed", drive(s, Law::linear(0.1, speed))).unwrap();
         } else {
-            m.add("slot", moving_point(disc, block, Law::linear(0.1, speed), Law::constant(0.05), O)).unwrap();
+            m.add("slot", moving_point(disc, block, Law::linear(0.1, speed), Law::constant(0.05), O))
+                .unwrap();
         }
         m.add("motor", drive_angle(disc, Law::ramp(omega))).unwrap();
         let motion = m.build().unwrap().run(linspace(0.0, 2.0, 101)).unwrap();

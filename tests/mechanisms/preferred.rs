@@ -1,4 +1,5 @@
-//! Which of several assemblies is meant: told by a coordinate, by the turn of a spatial body, by the measure of a joint; each by closed form.
+//! Which of several assemblies is meant: told by a coordinate, by the turn of a spatial body, by the measure
+//! of a joint; each by closed form.
 
 use kin::prelude::*;
 use kin::{EulerParameters, Registry};
@@ -7,11 +8,16 @@ fn near(found: f64, exact: f64) {
     assert!((found - exact).abs() < 1e-9, "{found} instead of {exact}");
 }
 
-/// A rocker of length 1 on a hinge about z, and a rod from its end to a ball above the plane: where the end is on two sides of the ball's shadow.
+/// A rocker of length 1 on a hinge about z, and a rod from its end to a ball above the plane: where the end
+/// is on two sides of the ball's shadow.
 fn rocker(prefer: impl Fn(&mut Mechanism, SpatialBody)) -> Mechanism {
     let mut m = Mechanism::new("rocker and rod");
     let body = m.spatial("rocker", SpatialPose::at((0.0, 0.0, 0.0))).unwrap();
-    m.add("hinge", spatial::revolute(body, m.ground(), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), Vec3::z(), Vec3::z())).unwrap();
+    m.add(
+        "hinge",
+        spatial::revolute(body, m.ground(), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), Vec3::z(), Vec3::z()),
+    )
+    .unwrap();
     m.add("rod", spatial::distance(body, m.ground(), (1.0, 0.0, 0.0), BALL, ROD)).unwrap();
     prefer(&mut m, body);
     m
@@ -112,8 +118,13 @@ fn the_assembly_with_a_measure_nearest_a_value() {
         near(chosen.measure(&motion, "hinge.angle").unwrap().value.values()[0], exact);
         // the end of the rocker from a point of the ground, by a function of a motion
         let reach = ((exact.cos() - 2.0).powi(2) + exact.sin().powi(2)).sqrt();
-        let by_distance =
-            system.assembly_near(0.0, |m: &Motion| m.distance(body, (1.0, 0.0, 0.0), ground, (2.0, 0.0, 0.0)), reach).unwrap();
+        let by_distance = system
+            .assembly_near(
+                0.0,
+                |m: &Motion| m.distance(body, (1.0, 0.0, 0.0), ground, (2.0, 0.0, 0.0)),
+                reach,
+            )
+            .unwrap();
         assert_eq!(by_distance.label, found.label);
     }
     let unknown = system.assembly_near(0.0, "hinge.angel", 0.0).unwrap_err().to_string();
@@ -124,8 +135,10 @@ fn the_assembly_with_a_measure_nearest_a_value() {
 fn a_preference_for_nothing_is_told() {
     let unknown = rocker(|m, _| m.prefer("hinge.angel", 1.0)).build().unwrap_err().to_string();
     assert!(unknown.contains("`hinge.angel`") && unknown.contains("hinge.angle"), "{unknown}");
-    for m in [rocker(|m, _| m.prefer("hinge.angle", f64::NAN)), rocker(|m, body| m.prefer(body, EulerParameters::new(0.0, 0.0, 0.0, 0.0)))]
-    {
+    for m in [
+        rocker(|m, _| m.prefer("hinge.angle", f64::NAN)),
+        rocker(|m, body| m.prefer(body, EulerParameters::new(0.0, 0.0, 0.0, 0.0))),
+    ] {
         assert!(m.build().is_err());
     }
     // a coordinate by its name is a coordinate

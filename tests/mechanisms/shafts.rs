@@ -1,4 +1,5 @@
-//! Shafts at an angle: Hooke's joint, the double Cardan, a constant-velocity joint, bevel gears, a screw. Several turns each: no angle is lost at a cut.
+//! Shafts at an angle: Hooke's joint, the double Cardan, a constant-velocity joint, bevel gears, a screw.
+//! Several turns each: no angle is lost at a cut.
 
 use kin::prelude::*;
 use kin::{Coordinate, Motion, SpatialPose};
@@ -7,7 +8,8 @@ use crate::worst;
 
 const O: Vec3 = Vec3::new(0.0, 0.0, 0.0);
 
-/// A shaft along `h` with one fork along `f` at the angle zero, on a hinge at the origin; and its angle, counted on.
+/// A shaft along `h` with one fork along `f` at the angle zero, on a hinge at the origin; and its angle,
+/// counted on.
 fn shaft(m: &mut Mechanism, name: &str, h: Vec3, f: Vec3) -> (SpatialBody, Coordinate) {
     let body = m.spatial(name, SpatialPose::at(O)).unwrap();
     let (axis, phi) = (Axis::new(h, f), m.angle(&format!("{name} angle"), 0.0).unwrap());
@@ -20,7 +22,8 @@ fn run(m: Mechanism) -> Motion {
     m.build().unwrap().run(linspace(0.0, 4.0, 801)).unwrap()
 }
 
-/// tan φ2 = tan φ1 / cos β and ω2/ω1 = cos β/(1 − sin² β sin² φ1'), the fork of the first shaft in the plane of both at φ1 = 0.
+/// tan φ2 = tan φ1 / cos β and ω2/ω1 = cos β/(1 − sin² β sin² φ1'), the fork of the first shaft in the plane
+/// of both at φ1 = 0.
 #[test]
 fn hookes_joint() {
     let (beta, omega) = (0.6_f64, 5.0);
@@ -48,23 +51,36 @@ fn hookes_joint() {
     assert!(error < 1e-11, "{error:e}");
 }
 
-/// Two Hooke's joints with equal angles and the middle shaft's forks in one plane: the output turns as the input.
+/// Two Hooke's joints with equal angles and the middle shaft's forks in one plane: the output turns as the
+/// input.
 #[test]
 fn double_cardan_turns_evenly() {
     let (beta, omega) = (0.5_f64, 5.0);
     let mut m = Mechanism::new("double Cardan");
-    let (middle, last) = (vec3(beta.cos(), beta.sin(), 0.0), vec3((2.0 * beta).cos(), (2.0 * beta).sin(), 0.0));
+    let (middle, last) =
+        (vec3(beta.cos(), beta.sin(), 0.0), vec3((2.0 * beta).cos(), (2.0 * beta).sin(), 0.0));
     let (i, _) = shaft(&mut m, "input", Vec3::x(), Vec3::y());
     let (j, between) = shaft(&mut m, "middle", middle, -Vec3::z());
     let (k, phi) = shaft(&mut m, "output", last, vec3(-(2.0 * beta).sin(), (2.0 * beta).cos(), 0.0));
     m.add("cross 1", spatial::perpendicular(i, j, Vec3::y(), -Vec3::z())).unwrap();
-    m.add("cross 2", spatial::perpendicular(j, k, -Vec3::z(), vec3(-(2.0 * beta).sin(), (2.0 * beta).cos(), 0.0))).unwrap();
+    m.add(
+        "cross 2",
+        spatial::perpendicular(j, k, -Vec3::z(), vec3(-(2.0 * beta).sin(), (2.0 * beta).cos(), 0.0)),
+    )
+    .unwrap();
     m.add("motor", spatial::drive_turn(i, Ground, Vec3::x(), Vec3::x(), Law::ramp(omega))).unwrap();
     let motion = run(m);
     let (phi, between) = (motion.coordinate(phi).unwrap(), motion.coordinate(between).unwrap());
     assert!(worst(&motion, |k, t| phi.value.values()[k] - omega * t) < 1e-12);
-    assert!(worst(&motion, |k, _| phi.rate.values()[k] - omega) < 1e-11 && worst(&motion, |k, _| phi.second_rate.values()[k]) < 1e-9);
-    assert!(between.rate.max() > 1.1 * omega, "the middle shaft does not turn evenly: {}", between.rate.max());
+    assert!(
+        worst(&motion, |k, _| phi.rate.values()[k] - omega) < 1e-11
+            && worst(&motion, |k, _| phi.second_rate.values()[k]) < 1e-9
+    );
+    assert!(
+        between.rate.max() > 1.1 * omega,
+        "the middle shaft does not turn evenly: {}",
+        between.rate.max()
+    );
 }
 
 #[test]
@@ -75,10 +91,32 @@ fn a_constant_velocity_joint_turns_evenly() {
     let (i, _) = shaft(&mut m, "input", Vec3::x(), Vec3::z());
     let j = m.spatial("output", SpatialPose::turned(O, Vec3::z(), beta)).unwrap();
     let phi = m.angle("angle", 0.0).unwrap();
-    // the output has its own frame along the shaft; the joint holds the point and the twist, the bearing the two directions that are left
+    // the output has its own frame along the shaft; the joint holds the point and the twist, the bearing the
+    // two directions that are left
     m.add("bearing", spatial::parallel(j, Ground, Vec3::x(), second)).unwrap();
-    m.add("joint", spatial::constant_velocity(i, j, O, O, Axis::new(Vec3::x(), Vec3::z()), Axis::new(Vec3::x(), Vec3::z()))).unwrap();
-    m.add("turn", spatial::relative_angle(j, Ground, phi, Axis::new(Vec3::x(), Vec3::z()), Axis::new(second, Vec3::z()))).unwrap();
+    m.add(
+        "joint",
+        spatial::constant_velocity(
+            i,
+            j,
+            O,
+            O,
+            Axis::new(Vec3::x(), Vec3::z()),
+            Axis::new(Vec3::x(), Vec3::z()),
+        ),
+    )
+    .unwrap();
+    m.add(
+        "turn",
+        spatial::relative_angle(
+            j,
+            Ground,
+            phi,
+            Axis::new(Vec3::x(), Vec3::z()),
+            Axis::new(second, Vec3::z()),
+        ),
+    )
+    .unwrap();
     m.add("motor", spatial::drive_turn(i, Ground, Vec3::x(), Vec3::x(), Law::ramp(omega))).unwrap();
     let motion = run(m);
     let phi = motion.coordinate(phi).unwrap();
@@ -115,7 +153,9 @@ fn a_screw_goes_a_lead_a_turn() {
     m.add("feed", spatial::drive_slide(nut, Ground, O, at, axis, Law::cycloidal(0.4, 4.0))).unwrap();
     let motion = run(m);
     let phi = motion.coordinate(phi).unwrap();
-    assert!(worst(&motion, |k, t| phi.value.values()[k] - TAU / 0.05 * Law::cycloidal(0.4, 4.0).at(t)) < 1e-10);
+    assert!(
+        worst(&motion, |k, t| phi.value.values()[k] - TAU / 0.05 * Law::cycloidal(0.4, 4.0).at(t)) < 1e-10
+    );
     assert!((phi.value.values()[800] - 8.0 * TAU).abs() < 1e-11, "eight turns");
 }
 
@@ -124,7 +164,10 @@ fn a_screw_goes_a_lead_a_turn() {
 fn rack_and_pinion() {
     let (r, z) = (0.04, Vec3::z());
     let mut m = Mechanism::new("rack and pinion");
-    let (pinion, rack) = (m.spatial("pinion", SpatialPose::at(vec3(0.0, r, 0.0))).unwrap(), m.spatial("rack", SpatialPose::at(O)).unwrap());
+    let (pinion, rack) = (
+        m.spatial("pinion", SpatialPose::at(vec3(0.0, r, 0.0))).unwrap(),
+        m.spatial("rack", SpatialPose::at(O)).unwrap(),
+    );
     m.add("bearing", spatial::revolute(pinion, Ground, O, vec3(0.0, r, 0.0), z, z)).unwrap();
     m.add("guide", spatial::prismatic(rack, Ground, O, O, Vec3::x(), EulerParameters::identity())).unwrap();
     m.add("mesh", spatial::rack_and_pinion(pinion, rack, O, O, z, Axis::new(z, Vec3::x()), r, 0.0)).unwrap();

@@ -10,7 +10,12 @@ pub fn all() -> Vec<Mistake> {
             culprit: "crank",
             told: twice,
         },
-        Mistake { title: "A link without length", line: r#"m.link("spare", 0.0)?;"#, culprit: "spare", told: no_length },
+        Mistake {
+            title: "A link without length",
+            line: r#"m.link("spare", 0.0)?;"#,
+            culprit: "spare",
+            told: no_length,
+        },
         Mistake {
             title: "A body of another mechanism",
             line: r#"m.add("D", revolute(ground, other_crank, vec2(0.0, 0.0), other_crank.start()))?;"#,
@@ -35,7 +40,12 @@ pub fn all() -> Vec<Mistake> {
             culprit: "D",
             told: not_a_number,
         },
-        Mistake { title: "A parameter that there is not", line: r#"system.set("O.u_i.z", 0.1)?;"#, culprit: "O.u_i.z", told: no_parameter },
+        Mistake {
+            title: "A parameter that there is not",
+            line: r#"system.set("O.u_i.z", 0.1)?;"#,
+            culprit: "O.u_i.z",
+            told: no_parameter,
+        },
     ]
 }
 
@@ -63,15 +73,21 @@ fn foreign(wrong: bool) -> Told {
 }
 
 fn itself(wrong: bool) -> Told {
-    refused(wrong, |m, [crank, ..]| m.add("D", revolute(crank, crank, crank.start(), crank.end())).map(|_| ()))
+    refused(wrong, |m, [crank, ..]| {
+        m.add("D", revolute(crank, crank, crank.start(), crank.end())).map(|_| ())
+    })
 }
 
 fn grounded(wrong: bool) -> Told {
-    refused(wrong, |m, _| m.add("D", revolute(m.ground(), m.ground(), vec2(0.0, 0.0), vec2(1.0, 0.0))).map(|_| ()))
+    refused(wrong, |m, _| {
+        m.add("D", revolute(m.ground(), m.ground(), vec2(0.0, 0.0), vec2(1.0, 0.0))).map(|_| ())
+    })
 }
 
 fn not_a_number(wrong: bool) -> Told {
-    refused(wrong, |m, [crank, ..]| m.add("D", distance(crank, m.ground(), crank.end(), vec2(0.0, 0.0), (-1.0_f64).sqrt())).map(|_| ()))
+    refused(wrong, |m, [crank, ..]| {
+        m.add("D", distance(crank, m.ground(), crank.end(), vec2(0.0, 0.0), (-1.0_f64).sqrt())).map(|_| ())
+    })
 }
 
 fn no_parameter(wrong: bool) -> Told {

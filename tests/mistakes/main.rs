@@ -1,6 +1,7 @@
-//! Mistakes that people make in mechanisms, each with what it is told: word for word in `docs/mistakes.md` and in `more.md` here
-//! (`KIN_BLESS=1 cargo test --test mistakes` writes both anew; look at the difference). What is named first is what a designer would change first,
-//! and what the message says to do is done: the mechanism then moves.
+//! Mistakes that people make in mechanisms, each with what it is told: word for word in `docs/mistakes.md`
+//! and in `more.md` here (`KIN_BLESS=1 cargo test --test mistakes` writes both anew; look at the difference).
+//! What is named first is what a designer would change first, and what the message says to do is done: the
+//! mechanism then moves.
 
 mod closing;
 mod given;
@@ -28,7 +29,10 @@ struct Mistake {
 type Told = Result<Motion, String>;
 
 fn all() -> Vec<Mistake> {
-    [motors::all(), closing::all(), planar::all(), space::all(), running::all(), given::all()].into_iter().flatten().collect()
+    [motors::all(), closing::all(), planar::all(), space::all(), running::all(), given::all()]
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 /// What a run over the first second gives.
@@ -45,7 +49,8 @@ fn summary(m: Mechanism, wrong: bool) -> Told {
 /// The lecture's four-bar with these lengths, without motor.
 fn four_bar([crank, coupler, rocker]: [f64; 3], ground: f64) -> (Mechanism, [Link; 3]) {
     let mut m = Mechanism::new("four-bar");
-    let links = [("crank", crank), ("coupler", coupler), ("rocker", rocker)].map(|(name, length)| m.link(name, length).unwrap());
+    let links = [("crank", crank), ("coupler", coupler), ("rocker", rocker)]
+        .map(|(name, length)| m.link(name, length).unwrap());
     let [crank, coupler, rocker] = links;
     m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).unwrap();

@@ -81,7 +81,8 @@ fn relative(wrong: bool) -> Told {
 
 fn beyond_reach(wrong: bool) -> Told {
     let (mut m, [_, _, rocker]) = four_bar([1.0, 3.5, 3.0], 4.0);
-    m.add("motor", drive_angle(rocker, if wrong { Law::linear(0.3, 1.0) } else { Law::linear(2.2, -0.2) })).unwrap();
+    m.add("motor", drive_angle(rocker, if wrong { Law::linear(0.3, 1.0) } else { Law::linear(2.2, -0.2) }))
+        .unwrap();
     run(m)
 }
 

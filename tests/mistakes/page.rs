@@ -28,7 +28,12 @@ static MESSAGES: LazyLock<Vec<(Mistake, String)>> = LazyLock::new(|| {
 fn page(mistakes: &[(Mistake, String)]) -> String {
     let mut page = HEAD.to_string();
     for (mistake, message) in mistakes {
-        write!(page, "\n## {}\n\n```rust,ignore\n{}\n```\n```text\n{message}\n```\n", mistake.title, mistake.line).unwrap();
+        write!(
+            page,
+            "\n## {}\n\n```rust,ignore\n{}\n```\n```text\n{message}\n```\n",
+            mistake.title, mistake.line
+        )
+        .unwrap();
     }
     page
 }
@@ -63,9 +68,18 @@ fn what_a_designer_would_change_is_named_first() {
         let name = message.find('`').unwrap_or(message.len());
         message.find(culprit).is_some_and(|at| at <= name + 1)
     };
-    let others: Vec<String> =
-        MESSAGES.iter().filter(|told| !first(told)).map(|(mistake, message)| format!("{}: {message}", mistake.title)).collect();
-    assert!(others.len() * 10 <= MESSAGES.len(), "{} of {}:\n{}", others.len(), MESSAGES.len(), others.join("\n"));
+    let others: Vec<String> = MESSAGES
+        .iter()
+        .filter(|told| !first(told))
+        .map(|(mistake, message)| format!("{}: {message}", mistake.title))
+        .collect();
+    assert!(
+        others.len() * 10 <= MESSAGES.len(),
+        "{} of {}:\n{}",
+        others.len(),
+        MESSAGES.len(),
+        others.join("\n")
+    );
 }
 
 #[test]

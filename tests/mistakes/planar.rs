@@ -63,7 +63,8 @@ pub fn all() -> Vec<Mistake> {
 
 fn swapped(wrong: bool) -> Told {
     let mut m = Mechanism::new("four-bar");
-    let [crank, coupler, rocker] = [("crank", 1.0), ("coupler", 3.5), ("rocker", 3.0)].map(|(name, length)| m.link(name, length).unwrap());
+    let [crank, coupler, rocker] = [("crank", 1.0), ("coupler", 3.5), ("rocker", 3.0)]
+        .map(|(name, length)| m.link(name, length).unwrap());
     m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
     let (i, j) = if wrong { (coupler, crank) } else { (crank, coupler) };
     m.add("A", revolute(i, j, crank.end(), coupler.start())).unwrap();
@@ -75,10 +76,12 @@ fn swapped(wrong: bool) -> Told {
 
 fn same_end(wrong: bool) -> Told {
     let mut m = Mechanism::new("four-bar");
-    let [crank, coupler, rocker] = [("crank", 1.0), ("coupler", 3.5), ("rocker", 3.0)].map(|(name, length)| m.link(name, length).unwrap());
+    let [crank, coupler, rocker] = [("crank", 1.0), ("coupler", 3.5), ("rocker", 3.0)]
+        .map(|(name, length)| m.link(name, length).unwrap());
     m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).unwrap();
-    m.add("B", revolute(coupler, rocker, coupler.end(), if wrong { rocker.start() } else { rocker.end() })).unwrap();
+    m.add("B", revolute(coupler, rocker, coupler.end(), if wrong { rocker.start() } else { rocker.end() }))
+        .unwrap();
     m.add("C", revolute(m.ground(), rocker, vec2(4.0, 0.0), rocker.start())).unwrap();
     m.add("motor", drive_angle(crank, Law::ramp(TAU))).unwrap();
     run(m)
@@ -91,7 +94,10 @@ fn global(wrong: bool, plate_wrong: bool) -> Told {
     let plate = m.planar("plate", pose(1.5, 2.0, 0.3)).unwrap();
     let rocker = m.link_between("rocker", (4.0, 0.0), (3.5, 2.9)).unwrap();
     let given = |body: PlanarBody, p: Vec2, wrong: bool| if wrong { p } else { m.local(body, p).unwrap() };
-    let (a, b) = (given(plate, vec2(0.0, 1.0), wrong && plate_wrong), given(plate, vec2(3.5, 2.9), wrong && plate_wrong));
+    let (a, b) = (
+        given(plate, vec2(0.0, 1.0), wrong && plate_wrong),
+        given(plate, vec2(3.5, 2.9), wrong && plate_wrong),
+    );
     let c = given(rocker.body(), vec2(4.0, 0.0), wrong && !plate_wrong);
     m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
     m.add("A", revolute(crank, plate, crank.end(), a)).unwrap();
@@ -106,7 +112,8 @@ fn pin_forgotten(wrong: bool) -> Told {
         return run(driven([1.0, 3.5, 3.0], 4.0, 1.0));
     }
     let mut m = Mechanism::new("four-bar");
-    let [crank, coupler, rocker] = [("crank", 1.0), ("coupler", 3.5), ("rocker", 3.0)].map(|(name, length)| m.link(name, length).unwrap());
+    let [crank, coupler, rocker] = [("crank", 1.0), ("coupler", 3.5), ("rocker", 3.0)]
+        .map(|(name, length)| m.link(name, length).unwrap());
     m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).unwrap();
     m.add("C", revolute(m.ground(), rocker, vec2(4.0, 0.0), rocker.start())).unwrap();

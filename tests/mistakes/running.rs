@@ -46,7 +46,8 @@ fn toggle(wrong: bool) -> Told {
 
 fn change_point(wrong: bool) -> Told {
     let mut m = Mechanism::new("parallelogram");
-    let [crank, coupler, rocker] = [("crank", 1.0), ("coupler", 2.0), ("rocker", 1.0)].map(|(name, length)| m.link(name, length).unwrap());
+    let [crank, coupler, rocker] = [("crank", 1.0), ("coupler", 2.0), ("rocker", 1.0)]
+        .map(|(name, length)| m.link(name, length).unwrap());
     m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).unwrap();
     m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).unwrap();
@@ -63,8 +64,11 @@ fn motor(law: Law) -> Told {
 }
 
 fn jump(wrong: bool) -> Told {
-    motor(Law::sequence(0.0, [(0.5, Law::ramp(1.0)), (0.5, Law::constant(if wrong { 0.9 } else { 0.5 }))]) + Law::constant(1.0))
-        .or_else(|message| if wrong { Err(message) } else { motor(Law::ramp(1.0)) })
+    motor(
+        Law::sequence(0.0, [(0.5, Law::ramp(1.0)), (0.5, Law::constant(if wrong { 0.9 } else { 0.5 }))])
+            + Law::constant(1.0),
+    )
+    .or_else(|message| if wrong { Err(message) } else { motor(Law::ramp(1.0)) })
 }
 
 fn corner(wrong: bool) -> Told {

@@ -12,7 +12,12 @@ const Z: Vec3 = Vec3 { x: 0.0, y: 0.0, z: 1.0 };
 
 pub fn all() -> Vec<Mistake> {
     vec![
-        Mistake { title: "A hinge without motor", line: "// nothing drives `Part2`", culprit: "Part2", told: hinge },
+        Mistake {
+            title: "A hinge without motor",
+            line: "// nothing drives `Part2`",
+            culprit: "Part2",
+            told: hinge,
+        },
         Mistake {
             title: "A rod between two balls",
             line: r#"m.add("B", spatial::spherical(rod, rocker, rod.end(), rocker.end()))?; // and so is its other end"#,
@@ -108,12 +113,15 @@ fn imported(wrong: bool) -> Told {
     let mut m = Mechanism::new("parallelogram");
     let pivots = [vec2(0.0, 0.0), vec2(2.0, 0.0), vec2(0.8, -0.5)];
     let coupler = m.planar("coupler", pose(0.5, 0.8, 0.0)).unwrap();
-    let cranks = [0, 1, 2].map(|k| m.link(&format!("crank {}", k + 1), if k == 2 { 1.0 + 5e-9 } else { 1.0 }).unwrap());
+    let cranks = [0, 1, 2]
+        .map(|k| m.link(&format!("crank {}", k + 1), if k == 2 { 1.0 + 5e-9 } else { 1.0 }).unwrap());
     for (k, (crank, pivot)) in cranks.iter().zip(pivots).enumerate() {
         m.add(&format!("O{}", k + 1), revolute(m.ground(), *crank, pivot, crank.start())).unwrap();
         m.add(&format!("A{}", k + 1), revolute(*crank, coupler, crank.end(), pivot)).unwrap();
     }
     m.add("motor", drive_angle(cranks[0], Law::linear(1.0, 1.0))).unwrap();
     let options = if wrong { Options::default() } else { Options::closure(6e-9) };
-    m.build().and_then(|system| system.run_with(linspace(0.0, 6.0, 61), &options)).map_err(|error| error.to_string())
+    m.build()
+        .and_then(|system| system.run_with(linspace(0.0, 6.0, 61), &options))
+        .map_err(|error| error.to_string())
 }

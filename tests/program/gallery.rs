@@ -12,12 +12,16 @@ const REFUSED: [(&str, &str); 1] = [("20_geneva_drive", "can jump")];
 mod own;
 
 fn mechanisms() -> Vec<(String, System)> {
-    let registry = Registry::new().with::<own::slider_crank>().with::<own::parabolic_slot>().with::<own::geneva>();
+    let registry =
+        Registry::new().with::<own::slider_crank>().with::<own::parabolic_slot>().with::<own::geneva>();
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/examples");
-    let mut paths: Vec<_> = std::fs::read_dir(folder).expect("the gallery").map(|file| file.expect("a file").path()).collect();
+    let mut paths: Vec<_> =
+        std::fs::read_dir(folder).expect("the gallery").map(|file| file.expect("a file").path()).collect();
     paths.sort();
     let name = |path: &std::path::Path| path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let read = |path: &std::path::PathBuf| Mechanism::read_json(path, &registry).expect("reads").build().expect("builds");
+    let read = |path: &std::path::PathBuf| {
+        Mechanism::read_json(path, &registry).expect("reads").build().expect("builds")
+    };
     paths.iter().map(|path| (name(path), read(path))).collect()
 }
 
@@ -32,13 +36,21 @@ fn both_engines_give_the_same_motion_or_the_same_error() {
         let reason = REFUSED.iter().find(|(known, _)| *known == name).map(|(_, reason)| *reason);
         for times in [linspace(0.0, 2.0, 101), linspace(0.0, 2.0, 1501), linspace(1.0, -0.5, 401)] {
             match (system.run(&times), system.run_with(&times, &compiled()), reason) {
-                (_, Err(refused), Some(reason)) => assert!(refused.to_string().contains(reason), "{name}: {refused}"),
+                (_, Err(refused), Some(reason)) => {
+                    assert!(refused.to_string().contains(reason), "{name}: {refused}")
+                }
                 (Ok(plain), Ok(program), None) => {
-                    let (off, bounds, counts) = (differences(&plain, &program), allowed(&name), program.engine());
-                    assert!(off.iter().zip(bounds).all(|(off, bound)| *off < bound), "{name}: {off:?} {counts:?}");
+                    let (off, bounds, counts) =
+                        (differences(&plain, &program), allowed(&name), program.engine());
+                    assert!(
+                        off.iter().zip(bounds).all(|(off, bound)| *off < bound),
+                        "{name}: {off:?} {counts:?}"
+                    );
                     assert_eq!(plain.events().len(), program.events().len(), "{name}");
                     same_breaks(&plain, &program, &name);
-                    let singular = |motion: &Motion| motion.singular_positions().iter().map(|found| found.t).collect::<Vec<f64>>();
+                    let singular = |motion: &Motion| {
+                        motion.singular_positions().iter().map(|found| found.t).collect::<Vec<f64>>()
+                    };
                     let pairs = singular(&plain).into_iter().zip(singular(&program));
                     assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-9), "{name}");
                     assert_eq!(singular(&plain).len(), singular(&program).len(), "{name}");
@@ -46,7 +58,9 @@ fn both_engines_give_the_same_motion_or_the_same_error() {
                     let share = if times.len() > 200 { 0.05 } else { 0.15 };
                     assert!(counts.handed_back as f64 <= share * times.len() as f64, "{name}: {counts:?}");
                 }
-                (Err(plain), Err(program), None) => assert_eq!(plain.to_string(), program.to_string(), "{name}"),
+                (Err(plain), Err(program), None) => {
+                    assert_eq!(plain.to_string(), program.to_string(), "{name}")
+                }
                 (plain, program, _) => panic!("{name}: {:?} {:?}", plain.map(|_| ()), program.map(|_| ())),
             }
         }
@@ -59,6 +73,9 @@ fn same_breaks(plain: &Motion, program: &Motion, name: &str) {
     let step = (plain.times()[1] - plain.times()[0]).abs();
     for (a, b) in plain.breaks().iter().zip(program.breaks()) {
         let near = (a.between.0 - b.between.0).abs() <= 1.001 * step && (a.found.x - b.found.x).abs() < 1e-12;
-        assert!(near && (&a.constraint, &a.law, a.found.order) == (&b.constraint, &b.law, b.found.order), "{name}: {a:?} {b:?}");
+        assert!(
+            near && (&a.constraint, &a.law, a.found.order) == (&b.constraint, &b.law, b.found.order),
+            "{name}: {a:?} {b:?}"
+        );
     }
 }

@@ -16,7 +16,10 @@ fn crank() -> (Mechanism, kin::Link) {
 fn refused(m: Mechanism) -> String {
     let system = m.build().expect("builds");
     assert!(system.run(linspace(0.0, 1.0, 11)).is_ok());
-    let (alone, run) = (system.compile().expect_err("refused"), system.run_with(linspace(0.0, 1.0, 11), &compiled()).expect_err("refused"));
+    let (alone, run) = (
+        system.compile().expect_err("refused"),
+        system.run_with(linspace(0.0, 1.0, 11), &compiled()).expect_err("refused"),
+    );
     assert_eq!(alone.to_string(), run.to_string());
     alone.to_string()
 }
@@ -26,7 +29,10 @@ fn the_dual_route_is_told_by_the_name_of_its_constraint() {
     let (mut m, crank) = crank();
     m.add("motor", by_dual(drive_angle(crank, Law::ramp(2.0)))).expect("adds");
     let text = refused(m);
-    assert!(text.contains("`motor`") && text.contains("dual route") && text.contains("Engine::Plain"), "{text}");
+    assert!(
+        text.contains("`motor`") && text.contains("dual route") && text.contains("Engine::Plain"),
+        "{text}"
+    );
 }
 
 #[test]
@@ -61,7 +67,8 @@ fn options_that_a_program_does_not_know_are_told() {
     let (mut m, crank) = crank();
     m.add("motor", drive_angle(crank, Law::ramp(2.0))).expect("adds");
     let system = m.build().expect("builds");
-    for options in [kin::Options { jerk: true, ..compiled() }, kin::Options { predict: false, ..compiled() }] {
+    for options in [kin::Options { jerk: true, ..compiled() }, kin::Options { predict: false, ..compiled() }]
+    {
         let error = system.run_with(linspace(0.0, 1.0, 11), &options).expect_err("refused");
         assert!(error.to_string().contains("Engine::Plain"), "{error}");
     }

@@ -6,7 +6,8 @@ use crate::{compiled, differences};
 
 fn four_bar(law: Law) -> System {
     let mut m = Mechanism::new("four-bar");
-    let [crank, coupler, rocker] = [("crank", 1.0), ("coupler", 3.5), ("rocker", 3.0)].map(|(name, l)| m.link(name, l).expect("a link"));
+    let [crank, coupler, rocker] =
+        [("crank", 1.0), ("coupler", 3.5), ("rocker", 3.0)].map(|(name, l)| m.link(name, l).expect("a link"));
     m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).expect("adds");
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).expect("adds");
     m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).expect("adds");
@@ -19,7 +20,10 @@ fn four_bar(law: Law) -> System {
 #[test]
 fn of_a_four_bar_two_angles_are_left() {
     let compiled = four_bar(Law::ramp(TAU)).compile().expect("compiles");
-    assert_eq!((compiled.substituted().len(), compiled.unknowns(), compiled.blocks()), (7, &names()[..], &[2][..]));
+    assert_eq!(
+        (compiled.substituted().len(), compiled.unknowns(), compiled.blocks()),
+        (7, &names()[..], &[2][..])
+    );
     let text = compiled.to_string();
     assert!(
         text.starts_with("four-bar: 7 of 9 coordinates are given by rows, 2 left to Newton's method in blocks of 2: coupler.theta"),
@@ -36,23 +40,27 @@ fn parameters_that_are_set_count_in_the_next_run() {
     let (mut system, times) = (four_bar(Law::ramp(TAU)), linspace(0.0, 1.0, 501));
     for x in [-0.5, -0.4] {
         system.set("O.u_j.x", x).expect("is set");
-        let (plain, program) = (system.run(&times).expect("runs"), system.run_with(&times, &compiled()).expect("runs"));
+        let (plain, program) =
+            (system.run(&times).expect("runs"), system.run_with(&times, &compiled()).expect("runs"));
         assert!(program.engine().compiled > 480, "{:?}", program.engine());
         assert!(differences(&plain, &program).iter().all(|off| *off < 1e-10));
     }
 }
 
-/// A law with breaks: both engines tell them, between the same times; one that jumps ends both runs with the same words.
+/// A law with breaks: both engines tell them, between the same times; one that jumps ends both runs with the
+/// same words.
 #[test]
 fn breaks_and_jumps_of_laws_are_told_by_both() {
     let times = linspace(0.0, 2.0, 801);
     let system = four_bar(Law::harmonic_rise(1.0, 1.1));
-    let (plain, program) = (system.run(&times).expect("runs"), system.run_with(&times, &compiled()).expect("runs"));
+    let (plain, program) =
+        (system.run(&times).expect("runs"), system.run_with(&times, &compiled()).expect("runs"));
     assert!(!plain.breaks().is_empty() && plain.breaks() == program.breaks());
     assert!(program.engine().compiled > 700, "{:?}", program.engine());
     // A corner: a jump of speed.
     let system = four_bar(Law::sequence(0.0, [(0.7, Law::ramp(1.0)), (2.0, Law::linear(0.7, -0.5))]));
-    let (plain, program) = (system.run(&times).expect_err("jumps"), system.run_with(&times, &compiled()).expect_err("jumps"));
+    let (plain, program) =
+        (system.run(&times).expect_err("jumps"), system.run_with(&times, &compiled()).expect_err("jumps"));
     assert_eq!(plain.to_string(), program.to_string());
     let lengths = [plain, program].map(|error| error.motion().map(|motion| motion.len()));
     assert_eq!(lengths[0], lengths[1]);

@@ -11,7 +11,8 @@ fn count() -> usize {
     std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(200)
 }
 
-/// A four-bar that can be driven from `start`, an assembly of it, and the time of its toggle at one turn a second.
+/// A four-bar that can be driven from `start`, an assembly of it, and the time of its toggle at one turn a
+/// second.
 struct Case {
     bar: FourBar,
     start: f64,
@@ -53,14 +54,19 @@ fn sign(random: &mut fastrand::Rng) -> f64 {
     if random.bool() { 1.0 } else { -1.0 }
 }
 
-/// Whether the closed form is in the tube at 9 times of a step, and the other assembly is not where nothing else is said to be.
+/// Whether the closed form is in the tube at 9 times of a step, and the other assembly is not where nothing
+/// else is said to be.
 fn judge(case: &Case, motion: &Motion, step: &StepProof, tube: &Tube) {
     for j in 0..=8 {
         let u = f64::from(j) / 8.0;
         let (t, p) = (step.from + u * (step.to - step.from), interpolated(motion, step.step, u));
         let angle = case.start + case.sense * TAU * t;
-        let name = || format!("{:?} from {} to {} on side {}, t = {t}", case.bar, case.start, case.sense, case.side);
-        let pose = case.bar.pose(angle, case.side).unwrap_or_else(|| panic!("{}: proved, but there is no position", name()));
+        let name =
+            || format!("{:?} from {} to {} on side {}, t = {t}", case.bar, case.start, case.sense, case.side);
+        let pose = case
+            .bar
+            .pose(angle, case.side)
+            .unwrap_or_else(|| panic!("{}: proved, but there is no position", name()));
         let away = |pose: &[f64; 9], k: usize| {
             let d = p[k] - pose[k];
             if k % 3 == 2 { (d + PI).rem_euclid(TAU) - PI } else { d }.abs()
@@ -69,9 +75,18 @@ fn judge(case: &Case, motion: &Motion, step: &StepProof, tube: &Tube) {
         let other = case.bar.pose(angle, -case.side).expect("the same position");
         let apart = (0..9).map(|k| (pose[k] - other[k]).abs()).fold(0.0, f64::max);
         for (k, radius) in tube.radius.iter().enumerate() {
-            assert!(away(&pose, k) <= radius + 1e-13 + 1e-14 / apart, "{}: off by {:e}, tube {radius:e}", name(), away(&pose, k));
+            assert!(
+                away(&pose, k) <= radius + 1e-13 + 1e-14 / apart,
+                "{}: off by {:e}, tube {radius:e}",
+                name(),
+                away(&pose, k)
+            );
         }
-        assert!((0..9).any(|k| away(&other, k) > tube.alone[k]), "{}: the other assembly is in the tube", name());
+        assert!(
+            (0..9).any(|k| away(&other, k) > tube.alone[k]),
+            "{}: the other assembly is in the tube",
+            name()
+        );
     }
 }
 
@@ -100,8 +115,8 @@ fn what_is_proved_is_the_closed_form() {
     assert!(regular > all / 2 && regular_proved * 100 >= regular * 99, "{regular_proved} of {regular}");
 }
 
-/// A motion that is in the other assembly from some time on: the step into it is not proved; all others are, but for a few that turn
-/// too fast for their grid.
+/// A motion that is in the other assembly from some time on: the step into it is not proved; all others are,
+/// but for a few that turn too fast for their grid.
 #[test]
 fn a_change_of_assembly_is_found() {
     let mut random = fastrand::Rng::with_seed(8);
@@ -119,16 +134,22 @@ fn a_change_of_assembly_is_found() {
             to.splice(at.., from[at..].iter().cloned());
         }
         let proof = case.system().prove(&Motion::from_data(&forged).expect("reads")).expect("can be proved");
-        let unproved: Vec<usize> = proof.steps().iter().filter(|step| step.tube.is_err()).map(|step| step.step).collect();
+        let unproved: Vec<usize> =
+            proof.steps().iter().filter(|step| step.tube.is_err()).map(|step| step.step).collect();
         assert!(unproved.contains(&(at - 1)), "{:?}: {proof}", case.bar);
-        assert!(unproved[0] != at - 1 || proof.to_string().contains(&format!("First not proved: step {at}, from t = ")), "{proof}");
+        assert!(
+            unproved[0] != at - 1
+                || proof.to_string().contains(&format!("First not proved: step {at}, from t = ")),
+            "{proof}"
+        );
         found += 1;
         others += unproved.len() - 1;
     }
     assert!(found * 40 > count() && others <= found / 20, "{others} others in {found}");
 }
 
-/// Coarse grids with nothing checked and nothing predicted, on which Newton's method comes to whatever assembly: steps that change it are never proved.
+/// Coarse grids with nothing checked and nothing predicted, on which Newton's method comes to whatever
+/// assembly: steps that change it are never proved.
 #[test]
 fn careless_runs_are_not_proved_where_they_jump() {
     let careless = Options { follow: Follow::Unchecked, predict: false, rescue: false, ..Options::default() };
@@ -139,7 +160,8 @@ fn careless_runs_are_not_proved_where_they_jump() {
         let points = random.usize(4..8);
         let (system, times) = (case.system(), linspace(0.0, 2.0, 2 * points + 1));
         let Ok(motion) = system.run_with(times, &careless) else { continue };
-        let side = |k: usize| if case.bar.error(motion.q(k), case.side) < 1e-6 { case.side } else { -case.side };
+        let side =
+            |k: usize| if case.bar.error(motion.q(k), case.side) < 1e-6 { case.side } else { -case.side };
         let proof = system.prove(&motion).expect("can be proved");
         for step in proof.steps() {
             let jump = side(step.step) != side(step.step + 1);

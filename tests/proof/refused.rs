@@ -64,7 +64,11 @@ fn refusal(system: &System) -> String {
 #[test]
 fn constraints_and_laws_without_bounds() {
     let with_law = |law: Law| slider(|m, x| m.add("motor", drive(x, law)).map(|_| ()));
-    for law in [Law::new(Opaque), 2.0 * Law::new(Opaque) + Law::ramp(1.0), Law::sine(1.0, 1.0, 0.0).compose(&Law::new(Opaque))] {
+    for law in [
+        Law::new(Opaque),
+        2.0 * Law::new(Opaque) + Law::ramp(1.0),
+        Law::sine(1.0, 1.0, 0.0).compose(&Law::new(Opaque)),
+    ] {
         let text = refusal(&with_law(law));
         assert!(text.starts_with("a motion with `motor` (drive) cannot be proved: of its law `"), "{text}");
     }
@@ -131,10 +135,14 @@ fn by_derivatives(x: &Series) -> Series {
 /// A law of one's own may tell its bounds: what rests on them says so.
 #[test]
 fn a_law_that_tells_its_own_bounds() {
-    for (kind, over) in [("by formula", by_formula as fn(&Series) -> Series), ("by derivatives", by_derivatives)] {
+    for (kind, over) in
+        [("by formula", by_formula as fn(&Series) -> Series), ("by derivatives", by_derivatives)]
+    {
         let own = Law::new(Own { kind, over });
         kin::check::law(&own, -1.0, 2.0);
-        for (law, trusted) in [(own.clone(), 1), (2.0 * own.clone() + bump(0.4, 0.7), 1), (bump(0.4, 0.7) * Law::ramp(1.0), 0)] {
+        for (law, trusted) in
+            [(own.clone(), 1), (2.0 * own.clone() + bump(0.4, 0.7), 1), (bump(0.4, 0.7) * Law::ramp(1.0), 0)]
+        {
             let system = slider(|m, x| m.add("motor", drive(x, law)).map(|_| ()));
             let proof = system.prove(&system.run(linspace(-1.0, 2.0, 31)).unwrap()).unwrap();
             assert!(proof.is_complete() && proof.trusted().len() == trusted, "{proof}");
@@ -144,7 +152,8 @@ fn a_law_that_tells_its_own_bounds() {
     }
 }
 
-/// Bounds that do not hold are found at random intervals: values that are off, slopes that are, bounds of points alone, and jumps that are not told.
+/// Bounds that do not hold are found at random intervals: values that are off, slopes that are, bounds of
+/// points alone, and jumps that are not told.
 #[test]
 fn wrong_bounds_of_a_law_are_found() {
     let wrong: [(&'static str, fn(&Series) -> Series); 4] = [
@@ -199,7 +208,8 @@ fn superfluous_equations_and_motions_of_others() {
     assert!(other.prove(&one.run([0.0, 1.0]).unwrap()).is_err());
 }
 
-/// A corner is continuous, so a step over it is proved; where two branches of an `if` meet is not known, so one over that is not; nor is one over a root at 0.
+/// A corner is continuous, so a step over it is proved; where two branches of an `if` meet is not known, so
+/// one over that is not; nor is one over a root at 0.
 #[test]
 fn corners_and_branches() {
     let over = |system: &System| {

@@ -16,8 +16,8 @@ fn around(motion: &Motion, at: f64) -> Vec<usize> {
     (0..times.len() - 1).filter(|k| times[*k] <= at + 1e-12 && at <= times[k + 1] + 1e-12).collect()
 }
 
-/// A parallelogram through its flat positions, staying what it is or turning into the antiparallelogram, with the flat position at a time of the grid or
-/// between two.
+/// A parallelogram through its flat positions, staying what it is or turning into the antiparallelogram, with
+/// the flat position at a time of the grid or between two.
 #[test]
 fn change_points() {
     let bar = FourBar { driven: 1.0, next: 2.0, last: 1.0, ground: 2.0, by_coupler: false };
@@ -31,10 +31,16 @@ fn change_points() {
         let motion = system.run_with(&grid, &Options { follow, ..Options::default() }).unwrap();
         let proof = system.prove(&motion).unwrap();
         let (expected, found) = (around(&motion, flat), unproved(&proof));
-        assert!(!expected.is_empty() && expected.iter().all(|step| found.contains(step)), "{expected:?} {found:?}");
+        assert!(
+            !expected.is_empty() && expected.iter().all(|step| found.contains(step)),
+            "{expected:?} {found:?}"
+        );
         assert!(found.len() <= expected.len() + 4, "{expected:?} {found:?}");
         let doubt = proof.first_unproved().unwrap().tube.as_ref().unwrap_err();
-        assert!((doubt.t - flat).abs() < 0.02 && matches!(&doubt.reason, DoubtReason::Singular { .. }), "{proof}");
+        assert!(
+            (doubt.t - flat).abs() < 0.02 && matches!(&doubt.reason, DoubtReason::Singular { .. }),
+            "{proof}"
+        );
         println!("{proof}");
     }
 }
@@ -55,7 +61,10 @@ fn up_to_a_toggle() {
     let bar = FourBar { driven: 2.0, next: 1.5, last: 2.2, ground: 3.5, by_coupler: false };
     let end = bar.toggle(0.5, 1.0).unwrap() - 0.5;
     let (system, _) = bar.system(Law::linear(0.5, 1.0), 0.5, 1.0).unwrap();
-    let Err(kin::Error::Toggle { motion: Some(motion), .. }) = system.run(linspace(0.0, 1.1 * end, 111)) else { panic!("a toggle") };
+    let Err(kin::Error::Toggle { motion: Some(motion), .. }) = system.run(linspace(0.0, 1.1 * end, 111))
+    else {
+        panic!("a toggle")
+    };
     let proof = system.prove(&motion).unwrap();
     assert!(proof.proved() + 3 >= proof.steps().len() && proof.proved() > 95, "{proof}");
     // as far as the toggle, and no further
@@ -64,7 +73,8 @@ fn up_to_a_toggle() {
     assert!(unproved(&system.prove(&motion).unwrap()).contains(&99));
 }
 
-/// There and back through a toggle: a law that turns round just beyond it, and the motion on the other side, which no mechanism makes.
+/// There and back through a toggle: a law that turns round just beyond it, and the motion on the other side,
+/// which no mechanism makes.
 #[test]
 fn a_gap_without_positions_is_not_proved() {
     let bar = FourBar { driven: 2.0, next: 1.5, last: 2.2, ground: 3.5, by_coupler: false };

@@ -31,7 +31,8 @@ fn example(name: &str) -> System {
     Mechanism::read_json(path, &registry).expect("reads").build().expect("builds")
 }
 
-/// Whole turns of every example, bare coordinates, planar and spatial bodies, cams and gears among them: proved, and computed to rounding.
+/// Whole turns of every example, bare coordinates, planar and spatial bodies, cams and gears among them:
+/// proved, and computed to rounding.
 #[test]
 fn every_example() {
     for (name, seconds, steps) in EXAMPLES {
@@ -39,14 +40,19 @@ fn every_example() {
         let motion = system.run(linspace(0.0, seconds, steps + 1)).expect("runs");
         let proof = system.prove(&motion).expect("can be proved");
         println!("{proof}");
-        assert!(proof.is_complete() && proof.proved() == steps && proof.first_unproved().is_none(), "{name}: {proof}");
-        let worst = (0..motion.len()).flat_map(|k| proof.error(k).expect("bounded")).fold(0.0_f64, |m, x| m.max(*x));
+        assert!(
+            proof.is_complete() && proof.proved() == steps && proof.first_unproved().is_none(),
+            "{name}: {proof}"
+        );
+        let worst =
+            (0..motion.len()).flat_map(|k| proof.error(k).expect("bounded")).fold(0.0_f64, |m, x| m.max(*x));
         assert!(worst < 1e-11, "{name}: off by {worst:e}");
         assert!(proof.error(motion.len()).is_none());
     }
 }
 
-/// The tube shrinks like the error of the interpolation, with the sixth power of the step, and not like the step.
+/// The tube shrinks like the error of the interpolation, with the sixth power of the step, and not like the
+/// step.
 #[test]
 fn tube_is_as_narrow_as_the_interpolation_is_good() {
     let system = example("04_four_bar");
@@ -86,15 +92,23 @@ fn positions_alone() {
     assert!(proof.to_string().contains("1 of 1 position proved"), "{proof}");
 }
 
-/// With all lengths in another unit the same steps are proved, those of a motion that cannot be proved all along too.
+/// With all lengths in another unit the same steps are proved, those of a motion that cannot be proved all
+/// along too.
 #[test]
 fn units_do_not_matter() {
     let verdicts = |unit: f64, bar: FourBar, to: f64, steps: usize| {
         let FourBar { driven, next, last, ground, by_coupler } = bar;
-        let bar = FourBar { driven: unit * driven, next: unit * next, last: unit * last, ground: unit * ground, by_coupler };
+        let bar = FourBar {
+            driven: unit * driven,
+            next: unit * next,
+            last: unit * last,
+            ground: unit * ground,
+            by_coupler,
+        };
         let (system, _) = bar.system(Law::linear(0.5, 1.0), 0.5, 1.0).unwrap();
         let proof = system.prove(&system.run(linspace(0.0, to, steps + 1)).unwrap()).unwrap();
-        let tubes: Vec<Option<f64>> = proof.steps().iter().map(|step| step.tube.as_ref().ok().map(|tube| tube.alone[2])).collect();
+        let tubes: Vec<Option<f64>> =
+            proof.steps().iter().map(|step| step.tube.as_ref().ok().map(|tube| tube.alone[2])).collect();
         tubes
     };
     let parallelogram = FourBar { driven: 1.0, next: 2.0, last: 1.0, ground: 2.0, by_coupler: false };

@@ -203,6 +203,11 @@ impl Wide {
 
     /// For messages.
     pub fn show(&self) -> String {
-        CONSTANTS.with_borrow_mut(|constants| self.0.format(Radix::Dec, NEAREST, constants)).unwrap_or_default().chars().take(24).collect()
+        CONSTANTS
+            .with_borrow_mut(|constants| self.0.format(Radix::Dec, NEAREST, constants))
+            .unwrap_or_default()
+            .chars()
+            .take(24)
+            .collect()
     }
 }

@@ -1,4 +1,5 @@
-//! Sweeps over many cases: a status each, the same results on any number of threads, mistakes by name, progress; several cases in lanes. User code needs no `unsafe`.
+//! Sweeps over many cases: a status each, the same results on any number of threads, mistakes by name,
+//! progress; several cases in lanes. User code needs no `unsafe`.
 #![forbid(unsafe_code)]
 
 mod own;
@@ -11,7 +12,8 @@ use kin::{Error, Lanes, Options, any_coord, any_planar};
 /// A four-bar with links of lengths a, b, c and ground pins d apart, the crank at θ = t.
 fn four_bar([a, b, c, d]: [f64; 4]) -> System {
     let mut m = Mechanism::new("four-bar");
-    let (crank, coupler, rocker) = (m.link("crank", a).unwrap(), m.link("coupler", b).unwrap(), m.link("rocker", c).unwrap());
+    let (crank, coupler, rocker) =
+        (m.link("crank", a).unwrap(), m.link("coupler", b).unwrap(), m.link("rocker", c).unwrap());
     m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).unwrap();
     m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).unwrap();
@@ -21,7 +23,8 @@ fn four_bar([a, b, c, d]: [f64; 4]) -> System {
     m.build().unwrap()
 }
 
-const NAMES: [&str; 8] = ["O.u_j.x", "A.u_i.x", "A.u_j.x", "B.u_i.x", "B.u_j.x", "C.u_j.x", "C.u_i.x", "rocker.theta"];
+const NAMES: [&str; 8] =
+    ["O.u_j.x", "A.u_i.x", "A.u_j.x", "B.u_i.x", "B.u_j.x", "C.u_j.x", "C.u_i.x", "rocker.theta"];
 
 /// The numbers of one four-bar under those names.
 fn case([a, b, c, d]: [f64; 4]) -> [f64; 8] {
@@ -32,7 +35,11 @@ fn case([a, b, c, d]: [f64; 4]) -> [f64; 8] {
 /// Four-bars whose crank turns all the way round.
 fn links(count: usize) -> Vec<[f64; 4]> {
     let part = |k: usize, step: f64| (k as f64 * step).fract();
-    (0..count).map(|k| [0.5 + 0.4 * part(k, 0.618), 3.0 + part(k, 0.414), 2.7 + part(k, 0.732), 3.5 + part(k, 0.236)]).collect()
+    (0..count)
+        .map(|k| {
+            [0.5 + 0.4 * part(k, 0.618), 3.0 + part(k, 0.414), 2.7 + part(k, 0.732), 3.5 + part(k, 0.236)]
+        })
+        .collect()
 }
 
 fn times() -> Vec<f64> {
@@ -48,7 +55,11 @@ fn numbers(motion: &Motion) -> Vec<f64> {
 fn each_case_is_what_its_own_mechanism_does() {
     let links = links(11);
     let cases: Vec<[f64; 8]> = links.iter().copied().map(case).collect();
-    let swept = four_bar([1.0, 3.5, 3.0, 4.0]).sweep(NAMES).unwrap().run(&cases, times(), |_, motion| motion.unwrap()).unwrap();
+    let swept = four_bar([1.0, 3.5, 3.0, 4.0])
+        .sweep(NAMES)
+        .unwrap()
+        .run(&cases, times(), |_, motion| motion.unwrap())
+        .unwrap();
     for (swept, links) in swept.iter().zip(links) {
         let own = four_bar(links).run(times()).unwrap();
         assert_eq!(swept.len(), own.len());
@@ -64,7 +75,11 @@ fn a_case_that_fails_has_its_error_and_what_was_computed_before() {
     let (mut links, locked) = (links(12), 2);
     links[locked] = [2.0, 2.5, 2.2, 4.0];
     let cases: Vec<[f64; 8]> = links.iter().copied().map(case).collect();
-    let status = system.sweep(NAMES).unwrap().run(&cases, times(), |k, motion| (k, motion.map(|motion| motion.len()))).unwrap();
+    let status = system
+        .sweep(NAMES)
+        .unwrap()
+        .run(&cases, times(), |k, motion| (k, motion.map(|motion| motion.len())))
+        .unwrap();
     assert!(status.iter().map(|(k, _)| *k).eq(0..12));
     for (k, found) in &status {
         match found {
@@ -101,15 +116,23 @@ fn mistakes_are_told_by_name_before_anything_is_computed() {
     let error = system.sweep(["A.u_i.x", "A.length"]).map(|_| ()).unwrap_err().to_string();
     assert!(error.contains("`A.length`") && error.contains("`A.u_j.x`"), "{error}");
     let none = |_: usize, _: kin::Result<Motion>| panic!("nothing is run");
-    let run = |cases: &[Vec<f64>], times: &[f64]| system.sweep(["A.u_i.x", "rocker.theta"]).unwrap().run(cases, times, none).unwrap_err();
+    let run = |cases: &[Vec<f64>], times: &[f64]| {
+        system.sweep(["A.u_i.x", "rocker.theta"]).unwrap().run(cases, times, none).unwrap_err()
+    };
     let good = vec![0.5, 1.0];
     let error = run(&[good.clone(), vec![0.5, f64::NAN]], &[0.0]).to_string();
     assert!(error.contains("case 1") && error.contains("`rocker.theta` is NaN"), "{error}");
     let error = run(&[good.clone(), vec![0.5]], &[0.0]).to_string();
     assert!(error.contains("case 1") && error.contains("2 needed"), "{error}");
     assert!(matches!(run(std::slice::from_ref(&good), &[0.0, 0.0]), Error::InvalidTimes { .. }));
-    let sweep = system.sweep(NAMES).unwrap().options(Options { stop: kin::Stop::ResidualOnly(-1.0), ..Options::default() });
-    assert!(matches!(sweep.run(&[case([1.0, 3.5, 3.0, 4.0])], [0.0], none), Err(Error::InvalidOptions { .. })));
+    let sweep = system
+        .sweep(NAMES)
+        .unwrap()
+        .options(Options { stop: kin::Stop::ResidualOnly(-1.0), ..Options::default() });
+    assert!(matches!(
+        sweep.run(&[case([1.0, 3.5, 3.0, 4.0])], [0.0], none),
+        Err(Error::InvalidOptions { .. })
+    ));
 }
 
 #[test]
@@ -129,7 +152,12 @@ fn a_sweep_can_be_stopped() {
     let system = four_bar([1.0, 3.5, 3.0, 4.0]);
     let cases: Vec<[f64; 8]> = links(400).into_iter().map(case).collect();
     let stop = AtomicBool::new(false);
-    let sweep = system.sweep(NAMES).unwrap().threads(1).stop_when(&stop).progress(|done, _| stop.store(done >= 16, Ordering::Relaxed));
+    let sweep = system
+        .sweep(NAMES)
+        .unwrap()
+        .threads(1)
+        .stop_when(&stop)
+        .progress(|done, _| stop.store(done >= 16, Ordering::Relaxed));
     let stopped = sweep.run(&cases, [0.0, 0.1], |_, _| ());
     assert!(matches!(stopped, Err(Error::Stopped { done: 16, cases: 400 })), "{stopped:?}");
 }
@@ -137,7 +165,14 @@ fn a_sweep_can_be_stopped() {
 #[test]
 fn no_case_at_all_is_a_sweep_too() {
     let none: [[f64; 8]; 0] = [];
-    assert!(four_bar([1.0, 3.5, 3.0, 4.0]).sweep(NAMES).unwrap().run(&none, times(), |_, _| ()).unwrap().is_empty());
+    assert!(
+        four_bar([1.0, 3.5, 3.0, 4.0])
+            .sweep(NAMES)
+            .unwrap()
+            .run(&none, times(), |_, _| ())
+            .unwrap()
+            .is_empty()
+    );
 }
 
 /// Results of the same cases with other lanes.
@@ -146,16 +181,25 @@ fn kinds_of_machine() -> usize {
     #[cfg(target_arch = "x86_64")]
     let kinds = [
         is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma"),
-        is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512bw") && is_x86_feature_detected!("avx512dq"),
+        is_x86_feature_detected!("avx512f")
+            && is_x86_feature_detected!("avx512bw")
+            && is_x86_feature_detected!("avx512dq"),
     ];
     #[cfg(not(target_arch = "x86_64"))]
     let kinds = [cfg!(target_arch = "aarch64")];
     kinds.into_iter().filter(|has| *has).count()
 }
 
-fn with_lanes(system: &System, cases: &[[f64; 8]], options: &Options, lanes: Lanes) -> Option<Vec<Result<Vec<f64>, String>>> {
+fn with_lanes(
+    system: &System,
+    cases: &[[f64; 8]],
+    options: &Options,
+    lanes: Lanes,
+) -> Option<Vec<Result<Vec<f64>, String>>> {
     let sweep = system.sweep(NAMES).unwrap().options(options.clone()).lanes(lanes);
-    let found = sweep.run(cases, times(), |_, motion| motion.map(|motion| numbers(&motion)).map_err(|error| error.to_string()));
+    let found = sweep.run(cases, times(), |_, motion| {
+        motion.map(|motion| numbers(&motion)).map_err(|error| error.to_string())
+    });
     match found {
         Err(Error::InvalidOptions { .. }) => None,
         found => Some(found.unwrap()),
@@ -185,7 +229,9 @@ fn lanes_change_results_by_rounding_only_and_failing_lanes_not_at_all() {
             tried += 1;
             for (k, (found, alone)) in found.iter().zip(&alone).enumerate() {
                 match (found, alone) {
-                    (Ok(found), Ok(alone)) => assert!(far(found, alone) < tolerance, "{lanes:?}, case {k}: {:e}", far(found, alone)),
+                    (Ok(found), Ok(alone)) => {
+                        assert!(far(found, alone) < tolerance, "{lanes:?}, case {k}: {:e}", far(found, alone))
+                    }
                     (found, alone) => assert_eq!(found, alone, "{lanes:?}, case {k}"),
                 }
             }
@@ -200,7 +246,8 @@ fn company_in_the_lanes_does_not_matter() {
     let cases: Vec<[f64; 8]> = links(24).into_iter().map(case).collect();
     let shuffled: Vec<usize> = (0..24).map(|k| (7 * k + 5) % 24).collect();
     let other: Vec<[f64; 8]> = shuffled.iter().map(|k| cases[*k]).collect();
-    let [one, two] = [&cases, &other].map(|cases| with_lanes(&system, cases, &Options::default(), Lanes::Best).unwrap());
+    let [one, two] =
+        [&cases, &other].map(|cases| with_lanes(&system, cases, &Options::default(), Lanes::Best).unwrap());
     for (place, k) in shuffled.into_iter().enumerate() {
         let (a, b) = (one[k].as_ref().unwrap(), two[place].as_ref().unwrap());
         assert!(far(a, b) < 1e-10, "case {k}: {:e}", far(a, b));
@@ -219,7 +266,9 @@ fn newton_steps_and_residuals_are_those_of_each_case_alone() {
             })
             .unwrap()
     };
-    for ((steps, residuals, times), (own_steps, _, own_times)) in run(Lanes::Best).into_iter().zip(run(Lanes::Off)) {
+    for ((steps, residuals, times), (own_steps, _, own_times)) in
+        run(Lanes::Best).into_iter().zip(run(Lanes::Off))
+    {
         let (steps, own_steps): (usize, usize) = (steps.iter().sum(), own_steps.iter().sum());
         assert!(steps.abs_diff(own_steps) <= 3, "{steps} and {own_steps}");
         assert!(residuals.iter().all(|residual| *residual < 1e-11));
@@ -249,6 +298,11 @@ fn kernels_over_lanes_of_the_library_are_its_equations() {
         Box::new(drive_point(a, u, law(), Law::ramp(0.5))),
     ];
     for constraint in &all {
-        assert_eq!(kin::check::lanes(constraint.as_ref()).unwrap(), kinds_of_machine(), "{}", constraint.kind());
+        assert_eq!(
+            kin::check::lanes(constraint.as_ref()).unwrap(),
+            kinds_of_machine(),
+            "{}",
+            constraint.kind()
+        );
     }
 }

@@ -34,7 +34,11 @@ fn odd(
         p.x.max(p.y) - phi.powi(3)
     };
     let slide = lift - profile.at(angle) + wear(angle, MOST_WEAR) + table[which] * t.cos();
-    (slide, phi.tan().sinh() % 3.0 - (2.0 * t).exp() / 100.0, phi.sin() * phi.cos() - t.sqrt() * table[0] + phi.powf(2.0))
+    (
+        slide,
+        phi.tan().sinh() % 3.0 - (2.0 * t).exp() / 100.0,
+        phi.sin() * phi.cos() - t.sqrt() * table[0] + phi.powf(2.0),
+    )
 }
 
 /// The norm and rotation matrix of a spatial body.
@@ -48,7 +52,10 @@ fn kernels_of_ones_own_are_its_equations() {
     let law = Law::sine(0.7, 2.0, 0.3);
     let own = odd(any_planar(), any_planar(), any_coord(), vec2(0.3, -0.2), law, [0.3, -0.2, 0.9], 1, true);
     assert_eq!(kin::check::lanes(&own).unwrap(), kinds_of_machine());
-    assert_eq!(kin::check::lanes(&tilted(any_spatial(), vec3(0.1, 0.7, -0.3), vec3(0.0, 0.6, 0.8))).unwrap(), kinds_of_machine());
+    assert_eq!(
+        kin::check::lanes(&tilted(any_spatial(), vec3(0.1, 0.7, -0.3), vec3(0.0, 0.6, 0.8))).unwrap(),
+        kinds_of_machine()
+    );
     kin::check::derivatives(tilted(any_spatial(), vec3(0.1, 0.7, -0.3), vec3(0.0, 0.6, 0.8)));
 }
 
@@ -69,7 +76,8 @@ fn constraints_without_kernels_go_lane_by_lane() {
     m.add("motor", drive_angle(disc, Law::sine(0.3, 1.0, 0.2))).unwrap();
     m.prefer(arm, 0.0);
     let system = m.build().unwrap();
-    let cases: Vec<[f64; 2]> = (0..13).map(|k| [3.0 + 0.2 * f64::from(k), 0.04 + 0.001 * f64::from(k)]).collect();
+    let cases: Vec<[f64; 2]> =
+        (0..13).map(|k| [3.0 + 0.2 * f64::from(k), 0.04 + 0.001 * f64::from(k)]).collect();
     let run = |lanes| {
         let sweep = system.sweep(["slot.k", "C.u_i.x"]).unwrap().lanes(lanes);
         sweep.run(&cases, linspace(0.0, 3.0, 61), |_, motion| numbers(&motion.unwrap())).unwrap()
@@ -84,11 +92,21 @@ fn spatial_bodies_go_over_lanes_too() {
     use kin::joints::drivers::spatial::{drive_orientation, drive_point, drive_turn};
     use kin::joints::spatial::revolute;
     let mut m = Mechanism::new("spatial arm");
-    let (arm, hand) =
-        (m.spatial("arm", SpatialPose::at(Vec3::zeros())).unwrap(), m.spatial("hand", SpatialPose::at(vec3(1.5, 0.0, 0.0))).unwrap());
+    let (arm, hand) = (
+        m.spatial("arm", SpatialPose::at(Vec3::zeros())).unwrap(),
+        m.spatial("hand", SpatialPose::at(vec3(1.5, 0.0, 0.0))).unwrap(),
+    );
     let (x, z) = (vec3(1.0, 0.0, 0.0), Axis::along(vec3(0.0, 0.0, 1.0)));
-    m.add("at", drive_point(arm, Vec3::zeros(), Law::sine(0.3, 1.0, 0.0), Law::ramp(0.1), Law::constant(0.0))).unwrap();
-    m.add("turned", drive_orientation(arm, m.ground(), Law::ramp(0.4), Law::constant(0.1), Law::constant(0.0))).unwrap();
+    m.add(
+        "at",
+        drive_point(arm, Vec3::zeros(), Law::sine(0.3, 1.0, 0.0), Law::ramp(0.1), Law::constant(0.0)),
+    )
+    .unwrap();
+    m.add(
+        "turned",
+        drive_orientation(arm, m.ground(), Law::ramp(0.4), Law::constant(0.1), Law::constant(0.0)),
+    )
+    .unwrap();
     m.add("wrist", revolute(arm, hand, x, -0.5 * x, z, z.h)).unwrap();
     m.add("motor", drive_turn(arm, hand, z, z, Law::sine(0.5, 2.0, 0.0))).unwrap();
     let (system, times) = (m.build().unwrap(), linspace(0.0, 1.0, 21));
@@ -113,7 +131,9 @@ fn a_failing_case_is_diagnosed_on_request_only() {
     let cases: Vec<[f64; 8]> = (0..48).map(|k| case([1.0, 0.5 + 0.001 * f64::from(k), 0.5, 4.0])).collect();
     let swept = |lanes: Lanes, diagnose: bool, cases: &[[f64; 8]]| {
         let sweep = system.sweep(NAMES).unwrap().lanes(lanes).diagnose(diagnose);
-        sweep.run(cases, times(), |_, motion| motion.expect_err("does not close").diagnosis().is_some()).unwrap()
+        sweep
+            .run(cases, times(), |_, motion| motion.expect_err("does not close").diagnosis().is_some())
+            .unwrap()
     };
     for lanes in [Lanes::Off, Lanes::Best] {
         assert!(swept(lanes, false, &cases).iter().all(|diagnosed| !diagnosed));
@@ -142,8 +162,9 @@ fn a_failing_case_with_redundant_equations_is_diagnosed_on_request_only() {
     let system = m.build().unwrap();
     for (asked, diagnosed) in [(false, false), (true, true)] {
         let sweep = system.sweep(["y again.law.c"]).unwrap().diagnose(asked);
-        let swept =
-            sweep.run(&[[0.0], [0.25]], [0.0, 1.0], |_, motion| motion.map_err(|error| (error.diagnosis().is_some(), error.to_string())));
+        let swept = sweep.run(&[[0.0], [0.25]], [0.0, 1.0], |_, motion| {
+            motion.map_err(|error| (error.diagnosis().is_some(), error.to_string()))
+        });
         let [good, bad] = &swept.unwrap()[..] else { panic!("two cases") };
         assert!(good.is_ok());
         let (found, text) = bad.as_ref().err().unwrap();
@@ -159,7 +180,12 @@ fn memory_of_a_sweep_is_that_of_all_motions_under_way() {
     let cases: Vec<[f64; 8]> = links(64).into_iter().map(case).collect();
     let one = 61 * 8 * (3 + 3 * 9);
     let run = |lanes: Lanes, threads: usize, memory: usize| {
-        let sweep = system.sweep(NAMES).unwrap().lanes(lanes).threads(threads).options(Options { memory, ..Options::default() });
+        let sweep = system
+            .sweep(NAMES)
+            .unwrap()
+            .lanes(lanes)
+            .threads(threads)
+            .options(Options { memory, ..Options::default() });
         sweep.run(&cases, times(), |_, motion| motion.is_ok())
     };
     assert!(run(Lanes::Off, 1, one).is_ok_and(|all| all.iter().all(|ok| *ok)));
@@ -168,5 +194,10 @@ fn memory_of_a_sweep_is_that_of_all_motions_under_way() {
         assert!(matches!(error, Error::NeedsMemory { times: 61, coordinates: 9, .. }), "{error}");
     }
     let text = run(Lanes::Off, 2, one).unwrap_err().to_string();
-    assert!(text.contains("2 motions at once of 61 times of 9 coordinates need 29.3 kB; `Options::memory` allows 14.6 kB"), "{text}");
+    assert!(
+        text.contains(
+            "2 motions at once of 61 times of 9 coordinates need 29.3 kB; `Options::memory` allows 14.6 kB"
+        ),
+        "{text}"
+    );
 }

@@ -6,7 +6,8 @@ use crate::sweep::Table;
 /// Half the length of a link.
 const HALF: f64 = 0.5;
 
-/// One link's half as a vector, its two rows for the pin and one for the driver, and the driver's law with two derivatives.
+/// One link's half as a vector, its two rows for the pin and one for the driver, and the driver's law with
+/// two derivatives.
 #[derive(Clone, Copy, Default)]
 struct Link {
     e: [f64; 2],

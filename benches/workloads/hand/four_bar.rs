@@ -1,4 +1,5 @@
-//! W3 and W7: the four-bar in absolute coordinates. What is left after elimination are two equations for the coupler and the rocker.
+//! W3 and W7: the four-bar in absolute coordinates. What is left after elimination are two equations for the
+//! coupler and the rocker.
 
 use super::{Equations, largest, sweep};
 use crate::sweep::Table;
@@ -106,7 +107,10 @@ impl Equations<9> for Solver {
     fn correct(&mut self, q: &mut [f64; 9]) {
         let (c, a) = (&self.c, &self.e[0]);
         let turn = -c[8];
-        let g = [0.5 * (c[0] - c[2] - c[4] - c[6]) + a[1] * turn, 0.5 * (c[1] - c[3] - c[5] - c[7]) - a[0] * turn];
+        let g = [
+            0.5 * (c[0] - c[2] - c[4] - c[6]) + a[1] * turn,
+            0.5 * (c[1] - c[3] - c[5] - c[7]) - a[0] * turn,
+        ];
         let (u, v) = self.turns(g, self.reciprocal());
         let dq = self.all([[c[0], c[1]], [c[2], c[3]], [c[6], c[7]]], [turn, u, v]);
         q.iter_mut().zip(dq).for_each(|(q, dq)| *q += dq);

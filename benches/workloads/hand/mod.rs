@@ -1,5 +1,6 @@
-//! The same work written by hand, as an engineer with time to spare would: everything shared that can be, the linear solves eliminated on
-//! paper, cut into the same functions as the library's. It is the practical limit that the library is measured against.
+//! The same work written by hand, as an engineer with time to spare would: everything shared that can be, the
+//! linear solves eliminated on paper, cut into the same functions as the library's. It is the practical limit
+//! that the library is measured against.
 
 pub mod chain;
 pub mod four_bar;
@@ -27,7 +28,12 @@ pub trait Equations<const N: usize> {
 
 /// The workloads' protocol from the exact state q at t = 0.
 #[inline(always)]
-pub fn sweep<E: Equations<N>, const N: usize>(mut equations: E, mut q: [f64; N], dt: f64, steps: usize) -> Table {
+pub fn sweep<E: Equations<N>, const N: usize>(
+    mut equations: E,
+    mut q: [f64; N],
+    dt: f64,
+    steps: usize,
+) -> Table {
     let mut table = Table::new(N, steps);
     for k in 0..steps {
         equations.set_time(k as f64 * dt);

@@ -1,4 +1,5 @@
-//! W6, planar joints: `linearize` (C and C_q) and `right_side` (Q_d) from sines and cosines that are evaluated once.
+//! W6, planar joints: `linearize` (C and C_q) and `right_side` (Q_d) from sines and cosines that are
+//! evaluated once.
 
 /// One joint between planar bodies i and j; q = (x_i, y_i, θ_i, x_j, y_j, θ_j).
 pub trait Planar {
@@ -99,7 +100,8 @@ impl Planar for Prismatic {
         let (vx, vy) = (qd[0] - qd[3] + qd[5] * by, qd[1] - qd[4] - qd[5] * bx);
         // −(h″ · s + 2 h′ · s′ + h · s″) with h″ = −w_i² h and s″ = w_j² b
         let (wi, wj) = (qd[2], qd[5]);
-        let (fx, fy) = (wi * (wi * sx - 2.0 * vy) - wj * (wj * bx), wi * (wi * sy + 2.0 * vx) - wj * (wj * by));
+        let (fx, fy) =
+            (wi * (wi * sx - 2.0 * vy) - wj * (wj * bx), wi * (wi * sy + 2.0 * vx) - wj * (wj * by));
         *q_d = [0.0, hx * fx + hy * fy];
     }
 }

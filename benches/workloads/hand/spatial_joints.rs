@@ -1,7 +1,8 @@
 //! W6, spatial joints: `linearize` (C and C_q) and `right_side` (Q_d).
 //!
-//! All comes from one bilinear form: with w = e0 u + e × u and r = e · u, A u = 2 (e0 w + r e) − u. Along the motion, with v and s made of
-//! ė in the same way, (A u)′ = 2 (e0 v + s e + ė0 w + r ė) and (A u)″ = 4 (ė0 v + s ė).
+//! All comes from one bilinear form: with w = e0 u + e × u and r = e · u, A u = 2 (e0 w + r e) − u. Along the
+//! motion, with v and s made of ė in the same way, (A u)′ = 2 (e0 v + s e + ė0 w + r ė) and (A u)″ = 4 (ė0 v
+//! + s ė).
 
 use std::sync::atomic::{Ordering, compiler_fence};
 
@@ -16,10 +17,18 @@ pub trait Spatial<const M: usize, const E: usize> {
 }
 
 /// The whole batch: C, values of C_q, Q_d for each state.
-pub fn batch<J: Spatial<M, E>, const M: usize, const E: usize>(states: &[f64], p: &[f64], output: &mut [f64]) {
+pub fn batch<J: Spatial<M, E>, const M: usize, const E: usize>(
+    states: &[f64],
+    p: &[f64],
+    output: &mut [f64],
+) {
     let joint = J::new(p);
     for (state, out) in states.as_chunks::<28>().0.iter().zip(output.chunks_exact_mut(2 * M + E)) {
-        let (Some((q, [qd])), Some((c, rest))) = (state.as_chunks().0.split_first(), out.split_first_chunk_mut()) else { return };
+        let (Some((q, [qd])), Some((c, rest))) =
+            (state.as_chunks().0.split_first(), out.split_first_chunk_mut())
+        else {
+            return;
+        };
         let Some((c_q, q_d)) = rest.split_first_chunk_mut() else { return };
         let Some(q_d) = q_d.first_chunk_mut() else { return };
         joint.linearize(q, c, c_q);
@@ -62,8 +71,11 @@ pub fn turn(p: &P, d: &P, u: &V) -> ([P; 3], V) {
     let (j12, j13, j21) = (fma(d[1], u[1], p03), fma(d[1], u[2], -p02), fma(d[2], u[0], -p03));
     let (j23, j31, j32) = (fma(d[2], u[2], p01), fma(d[3], u[0], p02), fma(d[3], u[1], -p01));
     // 2 w + 2 e0 u, the column of e0, is what the other columns are not symmetric by.
-    let j =
-        [[j23 - j32, fma(d[1], u[0], r), j12, j13], [j31 - j13, j21, fma(d[2], u[1], r), j23], [j12 - j21, j31, j32, fma(d[3], u[2], r)]];
+    let j = [
+        [j23 - j32, fma(d[1], u[0], r), j12, j13],
+        [j31 - j13, j21, fma(d[2], u[1], r), j23],
+        [j12 - j21, j31, j32, fma(d[3], u[2], r)],
+    ];
     let w = [fma(-d[3], u[1], j23), fma(-d[1], u[2], j31), fma(-d[2], u[0], j12)];
     (j, [fma(p[0], w[0], p[1] * r), fma(p[0], w[1], p[2] * r), fma(p[0], w[2], p[3] * r)])
 }
@@ -75,7 +87,8 @@ fn apply(j: &[P; 3], y: &V) -> P {
     [at(0), at(1), at(2), at(3)]
 }
 
-/// Keeps the compiler from gathering all writes at the end of a function, which costs a spill and a reload each.
+/// Keeps the compiler from gathering all writes at the end of a function, which costs a spill and a reload
+/// each.
 #[inline(always)]
 fn in_order() {
     compiler_fence(Ordering::SeqCst);
@@ -109,7 +122,9 @@ fn half(p: &P, u: &V) -> (V, f64) {
 #[inline(always)]
 fn half_back((p, u): (&P, &V), (o, v): (&P, &V)) -> (V, f64) {
     let first = |k: usize, a: usize, b: usize| fma(p[b + 1], u[a], fma(-p[a + 1], u[b], p[0] * u[k]));
-    let both = |k: usize, a: usize, b: usize| fma(o[b + 1], v[a], fma(-o[a + 1], v[b], fma(o[0], v[k], first(k, a, b))));
+    let both = |k: usize, a: usize, b: usize| {
+        fma(o[b + 1], v[a], fma(-o[a + 1], v[b], fma(o[0], v[k], first(k, a, b))))
+    };
     let r = fma(p[3], u[2], fma(p[2], u[1], p[1] * u[0]));
     ([both(0, 1, 2), both(1, 2, 0), both(2, 0, 1)], fma(o[3], v[2], fma(o[2], v[1], fma(o[1], v[0], r))))
 }
@@ -124,7 +139,11 @@ fn whole(p: &P, w: &(V, f64)) -> V {
 /// x + e0 w + r e
 #[inline(always)]
 fn plus_whole(x: &V, p: &P, (w, r): &(V, f64)) -> V {
-    [fma(p[0], w[0], fma(*r, p[1], x[0])), fma(p[0], w[1], fma(*r, p[2], x[1])), fma(p[0], w[2], fma(*r, p[3], x[2]))]
+    [
+        fma(p[0], w[0], fma(*r, p[1], x[0])),
+        fma(p[0], w[1], fma(*r, p[2], x[1])),
+        fma(p[0], w[2], fma(*r, p[3], x[2])),
+    ]
 }
 
 /// (A u)″ / 4
@@ -159,7 +178,11 @@ impl Points {
     fn linearize(&self, q: &[f64; 14], (p, d): (&P, &P), (o, e): (&P, &P)) -> (V, [f64; 30]) {
         let ((a, x), (b, y)) = (turn(p, d, &self.i), turn(o, e, &self.j));
         let r = apart(q);
-        let c = [r[0] + x[0] + y[0] + self.apart[0], r[1] + x[1] + y[1] + self.apart[1], r[2] + x[2] + y[2] + self.apart[2]];
+        let c = [
+            r[0] + x[0] + y[0] + self.apart[0],
+            r[1] + x[1] + y[1] + self.apart[1],
+            r[2] + x[2] + y[2] + self.apart[2],
+        ];
         let ([a0, a1, a2], [b0, b1, b2]) = (a, b);
         let c_q = [
             1.0, a0[0], a0[1], a0[2], a0[3], -1.0, b0[0], b0[1], b0[2], b0[3], //
@@ -255,7 +278,8 @@ pub fn rotation(p: &P) -> [V; 3] {
     ]
 }
 
-/// Half of (Aᵀ w)″, of which a dot product with a vector fixed in the body is half of its second derivative with w.
+/// Half of (Aᵀ w)″, of which a dot product with a vector fixed in the body is half of its second derivative
+/// with w.
 #[inline(always)]
 fn second_in_body((p, d): (&P, &P), (pd, dd): (&P, &P), (w, w1, w2): (&V, &V, &V)) -> V {
     let x = plus_whole(&[-w2[0], -w2[1], -w2[2]], p, &half_back((dd, w1), (d, w2)));
@@ -271,7 +295,8 @@ impl Spatial<4, 44> for Cylindrical {
     fn linearize(&self, q: &[f64; 14], c: &mut [f64; 4], c_q: &mut [f64; 44]) {
         let (p, o) = euler(q);
         let (d, e) = (times(2.0, &p), times(-2.0, &o));
-        // Each row is written as soon as it is known and each matrix used up before the next one is made: registers are few.
+        // Each row is written as soon as it is known and each matrix used up before the next one is made:
+        // registers are few.
         let (x1, x2) = (turned(&p, &d, &self.x1), turned(&p, &d, &self.x2));
         c_q[16..19].copy_from_slice(&x1);
         c_q[30..33].copy_from_slice(&x2);
@@ -292,7 +317,8 @@ impl Spatial<4, 44> for Cylindrical {
         let (j, a) = turn(&p, &d, &self.points.i);
         let (by_a1, by_a2) = (apply(&j, &x1), apply(&j, &x2));
         let (r, fixed) = (apart(q), &self.points.apart);
-        let between = [r[0] + fixed[0] + a[0] + b[0], r[1] + fixed[1] + a[1] + b[1], r[2] + fixed[2] + a[2] + b[2]];
+        let between =
+            [r[0] + fixed[0] + a[0] + b[0], r[1] + fixed[1] + a[1] + b[1], r[2] + fixed[2] + a[2] + b[2]];
         (c[2], c[3]) = (dot(&x1, &between), dot(&x2, &between));
         in_order();
         let (j, _) = turn(&p, &d, &self.x1);
@@ -317,6 +343,11 @@ impl Spatial<4, 44> for Cylindrical {
         // Seen from body i two rows at a time are dot products with the same moving vector.
         let in_body = |w: &V, w1: &V, w2: &V| second_in_body((&p, &two), (&pd, &two_d), (w, w1, w2));
         let (w, d) = (in_body(&w, &w1, &w2), in_body(&d, &d1, &d2));
-        *q_d = [-2.0 * dot(&self.x1, &w), -2.0 * dot(&self.x2, &w), -2.0 * dot(&self.x1, &d), -2.0 * dot(&self.x2, &d)];
+        *q_d = [
+            -2.0 * dot(&self.x1, &w),
+            -2.0 * dot(&self.x2, &w),
+            -2.0 * dot(&self.x1, &d),
+            -2.0 * dot(&self.x2, &d),
+        ];
     }
 }

@@ -38,7 +38,13 @@ pub fn legs() -> [Leg; 6] {
 }
 
 pub fn run(steps: usize, dt: f64) -> Table {
-    let solver = Solver { legs: legs(), lengths: [[0.0; 3]; 6], l: [[0.0; 3]; 6], c: [0.0; 7], factors: Factors::default() };
+    let solver = Solver {
+        legs: legs(),
+        lengths: [[0.0; 3]; 6],
+        l: [[0.0; 3]; 6],
+        c: [0.0; 7],
+        factors: Factors::default(),
+    };
     sweep(solver, START, dt, steps)
 }
 

@@ -10,8 +10,11 @@ pub struct TwoLink {
     pub theta0: [f64; 2],
 }
 
-pub const TWO_LINK: TwoLink =
-    TwoLink { l: [0.2, 0.35], omega: [0.5, 0.75], theta0: [std::f64::consts::FRAC_PI_6, std::f64::consts::PI / 12.0] };
+pub const TWO_LINK: TwoLink = TwoLink {
+    l: [0.2, 0.35],
+    omega: [0.5, 0.75],
+    theta0: [std::f64::consts::FRAC_PI_6, std::f64::consts::PI / 12.0],
+};
 
 impl TwoLink {
     /// The exact positions at time t.
@@ -27,7 +30,20 @@ pub fn run(steps: usize, dt: f64) -> Table {
     let model = TWO_LINK;
     let q = model.position(0.0);
     let h = model.l.map(|l| 0.5 * l);
-    sweep(Solver { h, omega: model.omega, theta0: model.theta0, asked: [0.0; 2], a: [0.0; 2], b: [0.0; 2], c: [0.0; 9] }, q, dt, steps)
+    sweep(
+        Solver {
+            h,
+            omega: model.omega,
+            theta0: model.theta0,
+            asked: [0.0; 2],
+            a: [0.0; 2],
+            b: [0.0; 2],
+            c: [0.0; 9],
+        },
+        q,
+        dt,
+        steps,
+    )
 }
 
 struct Solver {

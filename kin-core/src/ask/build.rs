@@ -11,10 +11,11 @@ use crate::system::System;
 use crate::system::evaluate::Equations;
 
 impl Mechanism {
-    /// The system of its equations, the norm constraints of spatial bodies appended. It may have more equations than coordinates.
+    /// The system of its equations, the norm constraints of spatial bodies appended. It may have more
+    /// equations than coordinates.
     ///
-    /// Errors: fewer equations than coordinates ([`Error::CannotBeDriven`], with its diagnosis at t = 0); a mistake in
-    /// [`Mechanism::prefer`].
+    /// Errors: fewer equations than coordinates ([`Error::CannotBeDriven`], with its diagnosis at t = 0); a
+    /// mistake in [`Mechanism::prefer`].
     pub fn build(self) -> Result<System> {
         let system = self.system()?;
         if system.n_equations() < system.n_coordinates() {
@@ -23,24 +24,25 @@ impl Mechanism {
         Ok(system)
     }
 
-    /// What the mechanism is at time t, assembled from its guess, whether it can be driven or not: counts, rank, dependencies between
-    /// equations and freedoms by name.
+    /// What the mechanism is at time t, assembled from its guess, whether it can be driven or not: counts,
+    /// rank, dependencies between equations and freedoms by name.
     ///
     /// Errors: those of [`Mechanism::build`] but for the count; t not finite, nothing finite near the guess.
     pub fn diagnose(&self, t: f64) -> Result<Diagnosis> {
         self.clone().system()?.diagnose(t)
     }
 
-    /// The same at a pose q (length n, in the order in which coordinates were declared), brought onto C = 0 first where it is off.   \[m, rad\]
+    /// The same at a pose q (length n, in the order in which coordinates were declared), brought onto C = 0
+    /// first where it is off.   \[m, rad\]
     ///
     /// Errors: those of [`Mechanism::diagnose`]; wrong length, not finite.
     pub fn diagnose_at(&self, t: f64, q: &[f64]) -> Result<Diagnosis> {
         self.clone().system()?.diagnose_at(t, q)
     }
 
-    /// Holds every turn that moves nothing else, such as that of a rod between two balls about its own axis: one equation each, named
-    /// `BODY.idle`, by which the body stays turned about that axis as it is at t = 0. Gives the bodies that are held; none where there is no
-    /// such turn.
+    /// Holds every turn that moves nothing else, such as that of a rod between two balls about its own axis:
+    /// one equation each, named `BODY.idle`, by which the body stays turned about that axis as it is at t =
+    /// 0. Gives the bodies that are held; none where there is no such turn.
     ///
     /// Errors: those of [`Mechanism::diagnose`].
     pub fn hold_idle_turns(&mut self) -> Result<Vec<String>> {
@@ -50,7 +52,11 @@ impl Mechanism {
             let Some((name, axis)) = freedom.turn() else { continue };
             let Some(item) = self.layout.items.iter().position(|item| item.name == name) else { continue };
             let first = self.layout.items[item].first;
-            let Some([_, _, _, e0, e1, e2, e3]) = found.q.get(first..).and_then(|q| q.first_chunk::<7>()).copied() else { continue };
+            let Some([_, _, _, e0, e1, e2, e3]) =
+                found.q.get(first..).and_then(|q| q.first_chunk::<7>()).copied()
+            else {
+                continue;
+            };
             let turn = EulerParameters::new(e0, e1, e2, e3);
             let body = SpatialBody { mechanism: self.layout.mechanism, index: Some(item) };
             let h = turn.rotation().transpose() * axis;
@@ -62,8 +68,10 @@ impl Mechanism {
 
     fn system(self) -> Result<System> {
         let mut mechanism = self.settled()?;
-        let spatial = mechanism.layout.items.iter().enumerate().filter(|(_, item)| item.kind == Kind::Spatial);
-        let norms: Vec<(String, usize)> = spatial.map(|(index, item)| (format!("{}.p", item.name), index)).collect();
+        let spatial =
+            mechanism.layout.items.iter().enumerate().filter(|(_, item)| item.kind == Kind::Spatial);
+        let norms: Vec<(String, usize)> =
+            spatial.map(|(index, item)| (format!("{}.p", item.name), index)).collect();
         for (name, index) in norms {
             let body = SpatialBody { mechanism: mechanism.layout.mechanism, index: Some(index) };
             mechanism.add(&name, spatial::euler_norm(body))?;
@@ -75,7 +83,8 @@ impl Mechanism {
             guess[column] = value;
         }
         let equations = Equations::new(&mechanism.layout, mechanism.constraints);
-        let mut system = System::new(mechanism.name, mechanism.layout, equations, guess, mechanism.preferred, links);
+        let mut system =
+            System::new(mechanism.name, mechanism.layout, equations, guess, mechanism.preferred, links);
         system.set_limits(mechanism.limits)?;
         system.set_asked(&mechanism.asked)?;
         Ok(system)

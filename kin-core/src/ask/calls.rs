@@ -11,8 +11,8 @@ use crate::solve::sweep::Sweep;
 use crate::system::{Solution, System, time};
 
 impl System {
-    /// Position, velocity and acceleration at time t, assembled from the initial guess into the preferred assembly.
-    /// Errors: no convergence, singular, not finite.
+    /// Position, velocity and acceleration at time t, assembled from the initial guess into the preferred
+    /// assembly. Errors: no convergence, singular, not finite.
     pub fn position(&self, t: f64) -> Result<Solution> {
         self.position_with(t, &Options::default())
     }
@@ -24,12 +24,13 @@ impl System {
             return redundant::at(self, time(t)?, None, options, EXPLAIN);
         }
         let mut newton = Newton::new(self, options);
-        let outcome = first_position::assemble(&mut newton, time(t)?).map_err(|error| explained(error, self, options))?;
+        let outcome = first_position::assemble(&mut newton, time(t)?)
+            .map_err(|error| explained(error, self, options))?;
         Ok(newton.solution(t, outcome))
     }
 
-    /// Position, velocity and acceleration at time t by damped Newton steps from q0 (length n), nothing preferred.
-    /// Errors: wrong length, no convergence, singular, not finite.
+    /// Position, velocity and acceleration at time t by damped Newton steps from q0 (length n), nothing
+    /// preferred. Errors: wrong length, no convergence, singular, not finite.
     pub fn solve_at(&self, t: f64, q0: &[f64]) -> Result<Solution> {
         self.solve_at_with(t, q0, &Options::default())
     }
@@ -47,7 +48,8 @@ impl System {
         Ok(newton.solution(t, outcome))
     }
 
-    /// Position, velocity and acceleration at each of the times, which must only increase or only decrease.   \[s\]
+    /// Position, velocity and acceleration at each of the times, which must only increase or only
+    /// decrease.   \[s\]
     ///
     /// Errors: no convergence, singular, not finite; each carries the motion up to it ([`Error::motion`]).
     pub fn run(&self, times: impl AsRef<[f64]>) -> Result<Motion> {
@@ -76,14 +78,16 @@ impl System {
         let (mut whole, start) = (before.followed_by(part), before.times().first().copied());
         self.note(&mut whole);
         // The part before has told of events at its last time, which is where this one begins.
-        let found =
-            whole.events().iter().filter(|event| matches!(event.kind, EventKind::Limit | EventKind::Kink) && Some(event.t) != start);
+        let found = whole.events().iter().filter(|event| {
+            matches!(event.kind, EventKind::Limit | EventKind::Kink) && Some(event.t) != start
+        });
         found.for_each(|event| part.add_event(event.clone()));
     }
 
-    /// The run of [`System::run_with`] in parts of so many times, for times without end: `keep` is shown one part after the other, each a motion of its
-    /// own that can be asked whatever a motion can be asked, and keeps of it what is wanted. Memory is that of one part, and the times may come from
-    /// any iterator. All numbers are those of the run in one.
+    /// The run of [`System::run_with`] in parts of so many times, for times without end: `keep` is shown one
+    /// part after the other, each a motion of its own that can be asked whatever a motion can be asked, and
+    /// keeps of it what is wanted. Memory is that of one part, and the times may come from any iterator. All
+    /// numbers are those of the run in one.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -102,10 +106,11 @@ impl System {
     /// # }
     /// ```
     ///
-    /// A part of no times counts as one of one. Limits of joints are looked at from the last time of the part before on; angles over many turns
-    /// are counted from the beginning of each part.
+    /// A part of no times counts as one of one. Limits of joints are looked at from the last time of the part
+    /// before on; angles over many turns are counted from the beginning of each part.
     ///
-    /// Errors: those of a run, which carry the part that was under way; those of `keep`, with which the run ends.
+    /// Errors: those of a run, which carry the part that was under way; those of `keep`, with which the run
+    /// ends.
     pub fn run_in_parts(
         &self,
         times: impl IntoIterator<Item = f64>,
@@ -134,15 +139,16 @@ impl System {
         order.some()
     }
 
-    /// Many cases of this system: in each of them the named parameters (such as `A.u_i.x`) and initial values (such as `rocker.theta`) are
-    /// others. See [`Sweep`].
+    /// Many cases of this system: in each of them the named parameters (such as `A.u_i.x`) and initial values
+    /// (such as `rocker.theta`) are others. See [`Sweep`].
     ///
     /// Errors: a name that is neither a parameter nor a coordinate.
     pub fn sweep(&self, names: impl IntoIterator<Item = impl AsRef<str>>) -> Result<Sweep<'_>> {
         Sweep::new(self, names)
     }
 
-    /// What the mechanism is at time t, assembled from the initial guess: counts, rank, dependencies and freedoms by name.
+    /// What the mechanism is at time t, assembled from the initial guess: counts, rank, dependencies and
+    /// freedoms by name.
     ///
     /// Errors: t not finite, nothing finite near the guess.
     pub fn diagnose(&self, t: f64) -> Result<Diagnosis> {
@@ -173,8 +179,8 @@ impl System {
 
     /// All assemblies that are found at time t, in the order of their labels; the same each time.
     ///
-    /// The search goes on until nothing new turns up for a while, so for difficult mechanisms ask for more patience
-    /// ([`System::assemblies_with`]). None is an empty list.
+    /// The search goes on until nothing new turns up for a while, so for difficult mechanisms ask for more
+    /// patience ([`System::assemblies_with`]). None is an empty list.
     ///
     /// Errors: t not finite, a mechanism that is free to move.
     pub fn assemblies(&self, t: f64) -> Result<Vec<Assembly>> {
@@ -203,8 +209,9 @@ impl System {
 }
 
 impl Sweep<'_> {
-    /// Whether the error of a case that fails says what is wrong with the mechanism there ([`Error::diagnosis`]), as that of a run does; false
-    /// without it. To find that out takes from a tenth of a second to seconds a case, a thousand times what most cases take.
+    /// Whether the error of a case that fails says what is wrong with the mechanism there
+    /// ([`Error::diagnosis`]), as that of a run does; false without it. To find that out takes from a tenth
+    /// of a second to seconds a case, a thousand times what most cases take.
     #[must_use]
     pub fn diagnose(mut self, diagnose: bool) -> Self {
         self.explain = diagnose.then_some(EXPLAIN);

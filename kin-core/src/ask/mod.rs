@@ -1,4 +1,5 @@
-//! What is asked of mechanisms and motions: the calls of a system, diagnosis, proof, measures, and whether the routes to derivatives agree.
+//! What is asked of mechanisms and motions: the calls of a system, diagnosis, proof, measures, and whether
+//! the routes to derivatives agree.
 
 mod build;
 mod calls;

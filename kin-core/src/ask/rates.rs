@@ -22,7 +22,8 @@ impl System {
         Ok(qdd)
     }
 
-    /// q⃛ at a position q, velocity q̇ and acceleration q̈, from C_q q⃛ = −g‴(0). Errors: those of [`System::jerk_rhs`], singular.
+    /// q⃛ at a position q, velocity q̇ and acceleration q̈, from C_q q⃛ = −g‴(0). Errors: those of
+    /// [`System::jerk_rhs`], singular.
     pub fn jerk(&self, q: &[f64], qd: &[f64], qdd: &[f64], t: f64) -> Result<Vec<f64>> {
         let rhs = self.jerk_rhs(q, qd, qdd, t)?;
         let qddd = self.solved(q, t, &rhs)?;
@@ -30,7 +31,8 @@ impl System {
         Ok(qddd)
     }
 
-    /// C_q⁻¹ times the right side, with the sizes of that point; in the sense of least squares where there are more equations.
+    /// C_q⁻¹ times the right side, with the sizes of that point; in the sense of least squares where there
+    /// are more equations.
     fn solved(&self, q: &[f64], t: f64, rhs: &[f64]) -> Result<Vec<f64>> {
         if self.is_redundant() {
             return redundant::solved(self, q, t, rhs, EXPLAIN);

@@ -103,7 +103,11 @@ mod tests {
             } else {
                 let text = std::fs::read_to_string(&path).unwrap();
                 let constraints = text.split("\n#[constraint").skip(1);
-                names.extend(constraints.filter_map(|text| Some(text.split_once("\npub fn ")?.1.split_once('(')?.0.to_string())));
+                names.extend(
+                    constraints.filter_map(|text| {
+                        Some(text.split_once("\npub fn ")?.1.split_once('(')?.0.to_string())
+                    }),
+                );
             }
         }
     }

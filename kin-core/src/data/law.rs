@@ -27,7 +27,9 @@ impl LawData {
         let parts = law.parts();
         let mut numbers: BTreeMap<String, f64> = law.fixed_numbers().into_iter().collect();
         law.parameters(&mut |name, value| {
-            let inside = |(part, _): &(String, Law)| name.strip_prefix(part.as_str()).is_some_and(|rest| rest.starts_with('.'));
+            let inside = |(part, _): &(String, Law)| {
+                name.strip_prefix(part.as_str()).is_some_and(|rest| rest.starts_with('.'))
+            };
             if !parts.iter().any(inside) {
                 numbers.insert(name.to_string(), value);
             }
@@ -46,7 +48,11 @@ pub struct LawReader<'a> {
 impl LawReader<'_> {
     /// The number of that name. Errors: none.
     pub fn number(&self, name: &str) -> Result<f64, String> {
-        self.data.numbers.get(name).copied().ok_or_else(|| format!("the law `{}` lacks the number `{name}`", self.data.kind))
+        self.data
+            .numbers
+            .get(name)
+            .copied()
+            .ok_or_else(|| format!("the law `{}` lacks the number `{name}`", self.data.kind))
     }
 
     /// The numbers `name[first]`, `name[first + 1]`, … as far as they go.
@@ -56,7 +62,11 @@ impl LawReader<'_> {
 
     /// The law of that name that this one is made of. Errors: none, of an unknown kind.
     pub fn part(&self, name: &str) -> Result<Law, String> {
-        let part = self.data.parts.get(name).ok_or_else(|| format!("the law `{}` lacks its part `{name}`", self.data.kind))?;
+        let part = self
+            .data
+            .parts
+            .get(name)
+            .ok_or_else(|| format!("the law `{}` lacks its part `{name}`", self.data.kind))?;
         self.registry.law(part)
     }
 }
@@ -83,14 +93,23 @@ pub(super) fn shipped(registry: Registry) -> Registry {
         .with_law("linear", |law| Ok(Law::linear(law.number("f0")?, law.number("rate")?)))
         .with_law("polynomial", |law| Ok(Law::polynomial(&law.list("c", 0))))
         .with_law("harmonic", |law| Ok(Law::harmonic(law.number("mean")?, law.number("amplitude")?)))
-        .with_law("sine", |law| Ok(Law::sine(law.number("amplitude")?, law.number("omega")?, law.number("phase")?)))
+        .with_law("sine", |law| {
+            Ok(Law::sine(law.number("amplitude")?, law.number("omega")?, law.number("phase")?))
+        })
         .with_law("fourier", |law| {
             let pairs: Vec<(f64, f64)> = law.list("a", 1).into_iter().zip(law.list("b", 1)).collect();
             Ok(Law::fourier(law.number("mean")?, law.number("omega")?, &pairs))
         })
-        .with_law("trapezoidal", |law| Ok(Law::trapezoidal(law.number("distance")?, law.number("speed")?, law.number("acceleration")?)))
+        .with_law("trapezoidal", |law| {
+            Ok(Law::trapezoidal(law.number("distance")?, law.number("speed")?, law.number("acceleration")?))
+        })
         .with_law("s_curve", |law| {
-            Ok(Law::s_curve(law.number("distance")?, law.number("speed")?, law.number("acceleration")?, law.number("jerk")?))
+            Ok(Law::s_curve(
+                law.number("distance")?,
+                law.number("speed")?,
+                law.number("acceleration")?,
+                law.number("jerk")?,
+            ))
         })
         .with_law("spline", |law| spline(law, Law::spline))
         .with_law("quintic_spline", |law| spline(law, Law::quintic_spline))

@@ -138,27 +138,54 @@ impl ArgumentData {
 impl Mechanism {
     /// The mechanism as data, to be written by serde.
     ///
-    /// Errors: a constraint that was not made by `#[constraint]`, or with a parameter of a type that serde does not know, by name.
+    /// Errors: a constraint that was not made by `#[constraint]`, or with a parameter of a type that serde
+    /// does not know, by name.
     pub fn data(&self) -> Result<MechanismData> {
         let bodies = self.layout.items.iter().enumerate().map(|(index, item)| {
             let columns = item.first..item.first + item.kind.coordinates().len();
-            let preference = |column: usize| self.preferred.iter().find(|(known, _)| *known == column).map(|(_, value)| *value);
+            let preference = |column: usize| {
+                self.preferred.iter().find(|(known, _)| *known == column).map(|(_, value)| *value)
+            };
             let mut preferred: Vec<Option<f64>> = columns.clone().map(preference).collect();
             if preferred.iter().all(Option::is_none) {
                 preferred.clear();
             }
-            let length = self.layout.links.iter().find(|(known, _)| *known == index).map(|(_, length)| *length);
-            BodyData { name: item.name.clone(), kind: item.kind.into(), guess: self.initial[columns].to_vec(), preferred, length }
+            let length =
+                self.layout.links.iter().find(|(known, _)| *known == index).map(|(_, length)| *length);
+            BodyData {
+                name: item.name.clone(),
+                kind: item.kind.into(),
+                guess: self.initial[columns].to_vec(),
+                preferred,
+                length,
+            }
         });
         let bodies = bodies.collect();
-        let constraints = self.constraints.iter().map(|(name, constraint)| self.constraint_data(name, constraint.as_ref()));
+        let constraints =
+            self.constraints.iter().map(|(name, constraint)| self.constraint_data(name, constraint.as_ref()));
         let constraints = constraints.collect::<Result<_>>()?;
         let end = |x: f64| Some(x).filter(|x| x.is_finite());
-        let limit = |Limit { name, ends: [from, to] }: &Limit| LimitData { measure: name.clone(), from: end(*from), to: end(*to) };
+        let limit = |Limit { name, ends: [from, to] }: &Limit| LimitData {
+            measure: name.clone(),
+            from: end(*from),
+            to: end(*to),
+        };
         let limits = self.limits.iter().map(limit).collect();
         let units = self.layout.words.clone();
-        let preferred = self.asked.iter().map(|(measure, value)| PreferredData { measure: measure.clone(), value: *value }).collect();
-        Ok(MechanismData { format: FORMAT, name: self.name.clone(), units, bodies, constraints, limits, preferred })
+        let preferred = self
+            .asked
+            .iter()
+            .map(|(measure, value)| PreferredData { measure: measure.clone(), value: *value })
+            .collect();
+        Ok(MechanismData {
+            format: FORMAT,
+            name: self.name.clone(),
+            units,
+            bodies,
+            constraints,
+            limits,
+            preferred,
+        })
     }
 
     fn constraint_data(&self, name: &str, constraint: &dyn Constraint) -> Result<ConstraintData> {
@@ -168,9 +195,18 @@ impl Mechanism {
         if let Some(reason) = describer.refusal {
             return Err(fail(reason));
         }
-        let arguments = constraint.arguments().iter().map(|argument| self.argument_data(&argument.target)).collect::<Option<_>>();
+        let arguments = constraint
+            .arguments()
+            .iter()
+            .map(|argument| self.argument_data(&argument.target))
+            .collect::<Option<_>>();
         let arguments = arguments.ok_or_else(|| fail("a body of another mechanism".to_string()))?;
-        Ok(ConstraintData { name: name.to_string(), kind: constraint.kind().to_string(), arguments, parameters: describer.parameters })
+        Ok(ConstraintData {
+            name: name.to_string(),
+            kind: constraint.kind().to_string(),
+            arguments,
+            parameters: describer.parameters,
+        })
     }
 
     fn argument_data(&self, target: &Target) -> Option<ArgumentData> {
@@ -178,18 +214,25 @@ impl Mechanism {
         Some(match (target, self.layout.place(target)?) {
             (Target::Planar(_), Place::Ground(_)) => ArgumentData::Planar(None),
             (Target::Spatial(_), Place::Ground(_)) => ArgumentData::Spatial(None),
-            (Target::Coord(Coordinate::Spatial(_, axis), _), Place::Ground(_)) => ArgumentData::SpatialGroundCoord(*axis),
-            (Target::Coord(Coordinate::Planar(_, axis), _), Place::Ground(_)) => ArgumentData::GroundCoord(*axis),
+            (Target::Coord(Coordinate::Spatial(_, axis), _), Place::Ground(_)) => {
+                ArgumentData::SpatialGroundCoord(*axis)
+            }
+            (Target::Coord(Coordinate::Planar(_, axis), _), Place::Ground(_)) => {
+                ArgumentData::GroundCoord(*axis)
+            }
             (Target::Coord(..), Place::Ground(_)) => return None,
             (Target::Planar(_), Place::Own { item, .. }) => ArgumentData::Planar(name(item)),
             (Target::Spatial(_), Place::Own { item, .. }) => ArgumentData::Spatial(name(item)),
-            (Target::Coord(..), Place::Own { first, .. }) => ArgumentData::Coord(self.layout.names.get(first)?.clone()),
+            (Target::Coord(..), Place::Own { first, .. }) => {
+                ArgumentData::Coord(self.layout.names.get(first)?.clone())
+            }
         })
     }
 
     /// The mechanism that the data say; constraints and laws are made by the registry.
     ///
-    /// Errors: an unknown kind, a body, parameter or number that is missing or too many, and everything that [`Mechanism::add`] refuses.
+    /// Errors: an unknown kind, a body, parameter or number that is missing or too many, and everything that
+    /// [`Mechanism::add`] refuses.
     pub fn from_data(data: &MechanismData, registry: &Registry) -> Result<Mechanism> {
         if data.format != FORMAT {
             let reason = format!("format {} is not known here, only {FORMAT}", data.format);
@@ -202,7 +245,8 @@ impl Mechanism {
         }
         for ConstraintData { name, kind, arguments, parameters } in &data.constraints {
             let made = registry.constraint(kind, arguments, parameters, &mechanism);
-            let constraint = made.map_err(|reason| Error::Data { place: format!("constraint `{name}`"), reason })?;
+            let constraint =
+                made.map_err(|reason| Error::Data { place: format!("constraint `{name}`"), reason })?;
             mechanism.add(name, constraint)?;
         }
         for LimitData { measure, from, to } in &data.limits {
@@ -223,14 +267,18 @@ impl Mechanism {
         }
         let index = self.declare(&body.name, kind, &body.guess)?;
         let first = self.layout.items[index].first;
-        for (axis, value) in body.preferred.iter().enumerate().filter_map(|(axis, value)| Some((axis, (*value)?))) {
+        for (axis, value) in
+            body.preferred.iter().enumerate().filter_map(|(axis, value)| Some((axis, (*value)?)))
+        {
             if !value.is_finite() {
                 return Err(fail(format!("a preferred value is {value}")));
             }
             self.preferred.push((first + axis, value));
         }
         match body.length {
-            Some(length) if !(length.is_finite() && length > 0.0) => Err(Error::InvalidLength { link: body.name.clone(), length }),
+            Some(length) if !(length.is_finite() && length > 0.0) => {
+                Err(Error::InvalidLength { link: body.name.clone(), length })
+            }
             Some(length) => {
                 self.layout.links.push((index, length));
                 Ok(())
@@ -241,12 +289,14 @@ impl Mechanism {
 
     /// The planar body of that name.
     pub fn planar_named(&self, name: &str) -> Option<PlanarBody> {
-        self.target_named(name).and_then(|target| if let Target::Planar(body) = target { Some(body) } else { None })
+        self.target_named(name)
+            .and_then(|target| if let Target::Planar(body) = target { Some(body) } else { None })
     }
 
     /// The spatial body of that name.
     pub fn spatial_named(&self, name: &str) -> Option<SpatialBody> {
-        self.target_named(name).and_then(|target| if let Target::Spatial(body) = target { Some(body) } else { None })
+        self.target_named(name)
+            .and_then(|target| if let Target::Spatial(body) = target { Some(body) } else { None })
     }
 
     fn target_named(&self, name: &str) -> Option<Target> {

@@ -1,7 +1,7 @@
 //! Mechanisms, motions and diagnoses as data: serde, and JSON on disk.
 //!
-//! A motion comes back without loss. A mechanism comes back through a [`Registry`] of constructors, to which a user's own constraints are
-//! added: `Registry::new().with::<parabolic_slot>()`.
+//! A motion comes back without loss. A mechanism comes back through a [`Registry`] of constructors, to which
+//! a user's own constraints are added: `Registry::new().with::<parabolic_slot>()`.
 
 mod joints;
 mod law;
@@ -17,7 +17,9 @@ use serde::de::DeserializeOwned;
 
 pub use crate::model::describer::Describer;
 pub use law::{LawData, LawReader};
-pub use mechanism::{ArgumentData, BodyData, BodyKind, ConstraintData, LimitData, MechanismData, PreferredData};
+pub use mechanism::{
+    ArgumentData, BodyData, BodyKind, ConstraintData, LimitData, MechanismData, PreferredData,
+};
 pub use motion::{BreakData, MotionData, OutputData};
 pub use registry::{Described, Reader, Registry};
 pub use value::{Datum, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold};
@@ -68,7 +70,8 @@ impl Diagnosis {
 }
 
 impl Motion {
-    /// Writes the motion as JSON ([`Motion::data`]), making folders that are missing; it comes back without loss.
+    /// Writes the motion as JSON ([`Motion::data`]), making folders that are missing; it comes back without
+    /// loss.
     ///
     /// Errors: a file that cannot be written.
     pub fn write_json(&self, path: impl AsRef<Path>) -> Result<()> {

@@ -99,9 +99,13 @@ pub struct OutputData {
 impl Motion {
     /// The motion as data, to be written by serde.
     pub fn data(&self) -> MotionData {
-        let rows = |row: fn(&Motion, usize) -> &[f64]| (0..self.len()).map(|k| row(self, k).to_vec()).collect();
-        let output =
-            |series: &Series| OutputData { name: series.name().into(), unit: series.unit().into(), values: series.values().to_vec() };
+        let rows =
+            |row: fn(&Motion, usize) -> &[f64]| (0..self.len()).map(|k| row(self, k).to_vec()).collect();
+        let output = |series: &Series| OutputData {
+            name: series.name().into(),
+            unit: series.unit().into(),
+            values: series.values().to_vec(),
+        };
         MotionData {
             format: FORMAT,
             name: self.name().to_string(),
@@ -126,7 +130,8 @@ impl Motion {
         }
     }
 
-    /// The motion that the data say. Its bodies are found by name: [`Motion::named`], [`Motion::planar_named`], [`Motion::spatial_named`].
+    /// The motion that the data say. Its bodies are found by name: [`Motion::named`],
+    /// [`Motion::planar_named`], [`Motion::spatial_named`].
     ///
     /// Errors: names that are empty or taken, lists of different lengths, numbers that are not finite.
     pub fn from_data(data: &MotionData) -> Result<Motion> {
@@ -140,7 +145,9 @@ impl Motion {
             layout.declare(name, (*kind).into())?;
         }
         let (times, width) = (data.times.len(), layout.len());
-        let flat = |what: &str, rows: &[Vec<f64>]| match rows.len() == times && rows.iter().all(|row| row.len() == width) {
+        let flat = |what: &str, rows: &[Vec<f64>]| match rows.len() == times
+            && rows.iter().all(|row| row.len() == width)
+        {
             true => Ok(rows.concat()),
             false => Err(fail(format!("{what} needs {times} rows of {width} numbers"))),
         };
@@ -201,11 +208,22 @@ impl MotionData {
 
 impl BreakData {
     fn of(CrossedBreak { between, constraint, law, found }: &CrossedBreak) -> BreakData {
-        BreakData { between: *between, constraint: constraint.clone(), law: law.clone(), x: found.x, order: found.order }
+        BreakData {
+            between: *between,
+            constraint: constraint.clone(),
+            law: law.clone(),
+            x: found.x,
+            order: found.order,
+        }
     }
 
     fn crossed(&self) -> CrossedBreak {
         let found = Break { x: self.x, order: self.order };
-        CrossedBreak { between: self.between, constraint: self.constraint.clone(), law: self.law.clone(), found }
+        CrossedBreak {
+            between: self.between,
+            constraint: self.constraint.clone(),
+            law: self.law.clone(),
+            found,
+        }
     }
 }

@@ -20,16 +20,17 @@ pub trait Described: Constraint + Sized + 'static {
     const KIND: &'static str;
     /// What its arguments are, in order.
     const ARGUMENTS: &'static [ArgumentKind];
-    /// From bodies and parameters. What is wrong with them is noted in the reader, which gives something in its place; `None` where there is
-    /// nothing to give.
+    /// From bodies and parameters. What is wrong with them is noted in the reader, which gives something in
+    /// its place; `None` where there is nothing to give.
     fn read(from: &mut Reader<'_>) -> Option<Self>;
 }
 
 type Make = fn(&mut Reader<'_>) -> Option<Box<dyn Constraint>>;
 type MakeLaw = Arc<dyn Fn(&LawReader<'_>) -> Result<Law, String> + Send + Sync>;
 
-/// Constructors of constraints and laws by their kinds. Constraints of one name with other arguments (`revolute` of planar and of spatial
-/// bodies) are told apart; a later one takes the place of an earlier one with the same name and arguments.
+/// Constructors of constraints and laws by their kinds. Constraints of one name with other arguments
+/// (`revolute` of planar and of spatial bodies) are told apart; a later one takes the place of an earlier one
+/// with the same name and arguments.
 #[derive(Clone)]
 pub struct Registry {
     constraints: HashMap<(String, Vec<ArgumentKind>), Make>,
@@ -48,7 +49,8 @@ impl Registry {
         super::joints::registered(shipped(Registry { constraints: HashMap::new(), laws: HashMap::new() }))
     }
 
-    /// A constraint of one's own too: `Registry::new().with::<parabolic_slot>()`, after a function under `#[constraint]`.
+    /// A constraint of one's own too: `Registry::new().with::<parabolic_slot>()`, after a function under
+    /// `#[constraint]`.
     pub fn with<C: Described>(mut self) -> Registry {
         fn make<C: Described>(from: &mut Reader<'_>) -> Option<Box<dyn Constraint>> {
             C::read(from).map(|constraint| Box::new(constraint) as Box<dyn Constraint>)
@@ -58,21 +60,29 @@ impl Registry {
     }
 
     /// A law of one's own too, by its kind (the name of its function under `#[law]`) and its constructor.
-    pub fn with_law(mut self, kind: &str, make: impl Fn(&LawReader<'_>) -> Result<Law, String> + Send + Sync + 'static) -> Registry {
+    pub fn with_law(
+        mut self,
+        kind: &str,
+        make: impl Fn(&LawReader<'_>) -> Result<Law, String> + Send + Sync + 'static,
+    ) -> Registry {
         self.laws.insert(kind.to_string(), Arc::new(make));
         self
     }
 
     /// Kinds of the constraints, with the number of arguments of each, sorted.
     pub fn kinds(&self) -> Vec<(&str, usize)> {
-        let mut all: Vec<(&str, usize)> = self.constraints.keys().map(|(kind, arguments)| (kind.as_str(), arguments.len())).collect();
+        let mut all: Vec<(&str, usize)> =
+            self.constraints.keys().map(|(kind, arguments)| (kind.as_str(), arguments.len())).collect();
         all.sort_unstable();
         all
     }
 
     /// The law that the data say. Errors: unknown kind, numbers or parts that are missing.
     pub fn law(&self, data: &LawData) -> Result<Law, String> {
-        let make = self.laws.get(&data.kind).ok_or_else(|| format!("unknown law `{}`: add it with `Registry::with_law`", data.kind))?;
+        let make = self
+            .laws
+            .get(&data.kind)
+            .ok_or_else(|| format!("unknown law `{}`: add it with `Registry::with_law`", data.kind))?;
         make(&LawReader { data, registry: self })
     }
 
@@ -85,8 +95,18 @@ impl Registry {
         mechanism: &Mechanism,
     ) -> Result<Box<dyn Constraint>, String> {
         let kinds: Vec<ArgumentKind> = arguments.iter().map(ArgumentData::kind).collect();
-        let make = self.constraints.get(&(kind.to_string(), kinds)).ok_or_else(|| self.unknown(kind, arguments.len()))?;
-        let mut reader = Reader { arguments: arguments.iter(), parameters, mechanism, registry: self, asked: Vec::new(), failure: None };
+        let make = self
+            .constraints
+            .get(&(kind.to_string(), kinds))
+            .ok_or_else(|| self.unknown(kind, arguments.len()))?;
+        let mut reader = Reader {
+            arguments: arguments.iter(),
+            parameters,
+            mechanism,
+            registry: self,
+            asked: Vec::new(),
+            failure: None,
+        };
         let made = make(&mut reader);
         let unknown = || parameters.keys().find(|name| !reader.asked.contains(name));
         match (made, &reader.failure, unknown()) {
@@ -120,7 +140,9 @@ impl<'a> Reader<'a> {
     pub fn planar(&mut self) -> PlanarBody {
         let found = match self.arguments.next() {
             Some(ArgumentData::Planar(None)) => Ok(Ground.into()),
-            Some(ArgumentData::Planar(Some(name))) => self.mechanism.planar_named(name).ok_or_else(|| format!("no planar body `{name}`")),
+            Some(ArgumentData::Planar(Some(name))) => {
+                self.mechanism.planar_named(name).ok_or_else(|| format!("no planar body `{name}`"))
+            }
             _ => Err("a planar body is missing".to_string()),
         };
         self.noted(found).unwrap_or(Ground.into())
@@ -141,7 +163,9 @@ impl<'a> Reader<'a> {
     /// The next argument, a bare coordinate; one of the ground's where there is none.
     pub fn coord(&mut self) -> Coordinate {
         let found = match self.arguments.next() {
-            Some(ArgumentData::Coord(name)) => self.mechanism.coordinate_named(name).ok_or_else(|| format!("no coordinate `{name}`")),
+            Some(ArgumentData::Coord(name)) => {
+                self.mechanism.coordinate_named(name).ok_or_else(|| format!("no coordinate `{name}`"))
+            }
             Some(ArgumentData::GroundCoord(axis)) => Ok(Coordinate::Planar(Ground.into(), *axis)),
             Some(ArgumentData::SpatialGroundCoord(axis)) => Ok(Coordinate::Spatial(Ground.into(), *axis)),
             _ => Err("a coordinate is missing".to_string()),
@@ -156,7 +180,11 @@ impl<'a> Reader<'a> {
     }
 
     /// What can be made of the parameter of that name.
-    pub(super) fn value<T>(&mut self, name: &str, read: &mut dyn FnMut(&Value) -> Result<T, String>) -> Option<T> {
+    pub(super) fn value<T>(
+        &mut self,
+        name: &str,
+        read: &mut dyn FnMut(&Value) -> Result<T, String>,
+    ) -> Option<T> {
         let Some((known, value)) = self.parameters.get_key_value(name) else {
             return self.noted(Err(format!("its parameter `{name}` is missing")));
         };

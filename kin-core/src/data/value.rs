@@ -28,7 +28,9 @@ impl Datum for f64 {
     }
 
     fn to_value(&self) -> Result<Value, String> {
-        serde_json::Number::from_f64(*self).map(Value::Number).ok_or_else(|| format!("{self} is no number of JSON"))
+        serde_json::Number::from_f64(*self)
+            .map(Value::Number)
+            .ok_or_else(|| format!("{self} is no number of JSON"))
     }
 
     fn from_value(value: &Value, _: &Registry) -> Result<Self, String> {
@@ -46,7 +48,10 @@ impl<T: Datum, const N: usize> Datum for [T; N] {
     }
 
     fn from_value(value: &Value, registry: &Registry) -> Result<Self, String> {
-        let parts = value.as_array().filter(|parts| parts.len() == N).ok_or_else(|| format!("{value} is not a list of {N}"))?;
+        let parts = value
+            .as_array()
+            .filter(|parts| parts.len() == N)
+            .ok_or_else(|| format!("{value} is not a list of {N}"))?;
         let parts = parts.iter().map(|part| T::from_value(part, registry)).collect::<Result<Vec<T>, _>>()?;
         parts.try_into().map_err(|_| format!("{value} is not a list of {N}"))
     }
@@ -117,7 +122,8 @@ impl Datum for Law {
     }
 
     fn from_value(value: &Value, registry: &Registry) -> Result<Self, String> {
-        let data: LawData = serde_json::from_value(value.clone()).map_err(|error| format!("{value} is not a law: {error}"))?;
+        let data: LawData = serde_json::from_value(value.clone())
+            .map_err(|error| format!("{value} is not a law: {error}"))?;
         registry.law(&data)
     }
 }
@@ -181,7 +187,9 @@ pub trait Unsought<T> {
 
 impl<T: Serialize + DeserializeOwned> SoughtBySerde<T> for Sought<T> {
     fn get(&self, name: &str, from: &mut super::Reader<'_>) -> Option<T> {
-        from.value(name, &mut |value| serde_json::from_value(value.clone()).map_err(|error| error.to_string()))
+        from.value(name, &mut |value| {
+            serde_json::from_value(value.clone()).map_err(|error| error.to_string())
+        })
     }
 }
 
@@ -192,5 +200,8 @@ impl<T> Unsought<T> for &Sought<T> {
 }
 
 fn without_serde<T>(name: &str) -> String {
-    format!("its parameter `{name}` is of the type `{}`, which needs serde's `Serialize` and `Deserialize`", std::any::type_name::<T>())
+    format!(
+        "its parameter `{name}` is of the type `{}`, which needs serde's `Serialize` and `Deserialize`",
+        std::any::type_name::<T>()
+    )
 }

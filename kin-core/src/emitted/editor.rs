@@ -1,7 +1,9 @@
-//! Emitted code comes in two parts: one for the compiler, and one for an editor that reads along (rust-analyzer sets `cfg(rust_analyzer)`). An
-//! editor needs the function as the user wrote it, and neither its derivatives nor its copies.
+//! Emitted code comes in two parts: one for the compiler, and one for an editor that reads along
+//! (rust-analyzer sets `cfg(rust_analyzer)`). An editor needs the function as the user wrote it, and neither
+//! its derivatives nor its copies.
 //!
-//! The choice is made here and not by attributes in emitted code, because `cfg(rust_analyzer)` is unknown to the user's crate.
+//! The choice is made here and not by attributes in emitted code, because `cfg(rust_analyzer)` is unknown to
+//! the user's crate.
 
 /// Items for the compiler alone.
 #[cfg(not(rust_analyzer))]
@@ -60,7 +62,14 @@ macro_rules! __stand_in {
                 fn residual(&self, _: &$crate::emitted::At<'_>, _: &mut [f64]) {}
                 fn jacobian(&self, _: &$crate::emitted::At<'_>, _: &mut [f64]) {}
                 fn velocity_rhs(&self, _: &$crate::emitted::At<'_>, _: &mut [f64]) {}
-                fn acceleration_rhs(&self, _: &$crate::emitted::At<'_>, _: &$crate::emitted::Rates<'_>, _: f64, _: &mut [f64]) {}
+                fn acceleration_rhs(
+                    &self,
+                    _: &$crate::emitted::At<'_>,
+                    _: &$crate::emitted::Rates<'_>,
+                    _: f64,
+                    _: &mut [f64],
+                ) {
+                }
             }
             impl $crate::emitted::Described for $name {
                 const KIND: &'static str = "";

@@ -1,4 +1,5 @@
-//! Functions of f64, which emitted code calls by these names: it names nothing of the standard library itself.
+//! Functions of f64, which emitted code calls by these names: it names nothing of the standard library
+//! itself.
 
 macro_rules! of_one {
     ($($variant:ident $method:ident $written:literal;)*) => {$(

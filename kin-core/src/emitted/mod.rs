@@ -12,7 +12,9 @@ mod sound;
 mod timed;
 mod values;
 
-pub use crate::data::{Described, Describer, Reader, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold};
+pub use crate::data::{
+    Described, Describer, Reader, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold,
+};
 pub use crate::model::blame::{Asked, Blame, Source};
 pub use crate::model::constraint::{Attached, Attachment, Dependence, Measured};
 pub use crate::model::coordinates::{Argument, Target, Trig};
@@ -24,7 +26,9 @@ pub use crate::numbers::lanes::{InLanes, LaneAt, LaneKernel, LaneKernels, LaneRa
 pub use crate::numbers::real::{Dual, Dual2_64, Dual3_64, Dual64, Real};
 pub use kin_graph::functions::{acosh, atanh};
 
-pub use crate::{__inside_editor as inside_editor, __outside_editor as outside_editor, __stand_in as stand_in};
+pub use crate::{
+    __inside_editor as inside_editor, __outside_editor as outside_editor, __stand_in as stand_in,
+};
 pub use columns::Columns;
 pub use ended::ended;
 pub use kernel::{fma, put};

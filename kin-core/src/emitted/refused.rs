@@ -18,7 +18,10 @@ impl Refuses for Law {
 
 impl Refuses for Axis {
     fn refusal(&self) -> Option<String> {
-        (!self.is_sound()).then(|| "this axis has no direction; give a vector that is not zero, and an f that is not along it".to_string())
+        (!self.is_sound()).then(|| {
+            "this axis has no direction; give a vector that is not zero, and an f that is not along it"
+                .to_string()
+        })
     }
 }
 

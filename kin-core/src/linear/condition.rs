@@ -1,4 +1,5 @@
-//! How near a factored matrix is to a singular one, by inverse iteration with the recorded program and its transpose.
+//! How near a factored matrix is to a singular one, by inverse iteration with the recorded program and its
+//! transpose.
 
 use super::Linear;
 use crate::numbers::random::Random;
@@ -8,21 +9,21 @@ const ROUNDS: usize = 3;
 const ROUNDS_SHOWN: usize = 30;
 
 impl Linear {
-    /// An estimate (from below, seldom by more than 2) of the 2-norm condition number of the matrix by the measures of its rows and
-    /// columns; not finite where it overflows.   \[-\]
+    /// An estimate (from below, seldom by more than 2) of the 2-norm condition number of the matrix by the
+    /// measures of its rows and columns; not finite where it overflows.   \[-\]
     pub(crate) fn condition(&mut self) -> f64 {
         let [largest, smallest] = self.nearly_null_after(ROUNDS).2;
         largest / smallest
     }
 
-    /// Estimates of the largest singular value of the matrix by the measures of its rows and columns (from below), and of the smallest (from
-    /// above).   \[-\]
+    /// Estimates of the largest singular value of the matrix by the measures of its rows and columns (from
+    /// below), and of the smallest (from above).   \[-\]
     pub(crate) fn singular_values(&mut self) -> [f64; 2] {
         self.nearly_null_after(ROUNDS_SHOWN).2
     }
 
-    /// Vectors that the transpose and the matrix nearly take to zero, by the measures of rows and columns, and the largest and the
-    /// smallest singular value.
+    /// Vectors that the transpose and the matrix nearly take to zero, by the measures of rows and columns,
+    /// and the largest and the smallest singular value.
     pub(crate) fn nearly_null(&mut self) -> (Vec<f64>, Vec<f64>, [f64; 2]) {
         self.nearly_null_after(ROUNDS)
     }
@@ -83,7 +84,9 @@ impl Linear {
     fn apply(&self, v: &[f64], transposed: bool) -> Vec<f64> {
         let mut product = vec![0.0; self.n];
         for (entry, value) in self.entries.iter().zip(self.values()) {
-            let Some((row, column)) = entry.map(|(row, column)| (row as usize, column as usize)) else { continue };
+            let Some((row, column)) = entry.map(|(row, column)| (row as usize, column as usize)) else {
+                continue;
+            };
             let value = self.row_units[row] * value * self.column_units[column];
             let (to, from) = if transposed { (column, row) } else { (row, column) };
             product[to] += value * v[from];
@@ -125,7 +128,10 @@ mod tests {
         assert!((size / 5e200 - 1.0).abs() < 1e-15 && unit == [0.6, -0.8]);
         assert_eq!(normalised([0.0, 0.0]), (0.0, [0.0, 0.0]));
         assert_eq!(normalised([1.0, f64::NEG_INFINITY]), (f64::INFINITY, [1.0, f64::NEG_INFINITY]));
-        assert_eq!((normalised([f64::NAN, 1.0]).0, normalised([1.0, f64::NAN]).0), (f64::INFINITY, f64::INFINITY));
+        assert_eq!(
+            (normalised([f64::NAN, 1.0]).0, normalised([1.0, f64::NAN]).0),
+            (f64::INFINITY, f64::INFINITY)
+        );
     }
 
     #[test]

@@ -1,10 +1,11 @@
 //! Rank of a sparse matrix of any shape, and what it takes to zero from either side.
 //!
-//! Gaussian elimination with sparse pivots as long as good ones are left, then with the largest entry of what remains: large mechanisms
-//! stay sparse, and the last pivots, which decide on the rank, are found by complete pivoting. Rows and columns must be scaled to order 1.
+//! Gaussian elimination with sparse pivots as long as good ones are left, then with the largest entry of what
+//! remains: large mechanisms stay sparse, and the last pivots, which decide on the rank, are found by
+//! complete pivoting. Rows and columns must be scaled to order 1.
 
-/// A pivot below this counts as zero, as a rule: rounding ε of C moves q by ε / pivot, and so the pivot by about as much, which is itself at
-/// √ε = 1.5e-8. Solver and diagnosis have this cut alone.   \[-\]
+/// A pivot below this counts as zero, as a rule: rounding ε of C moves q by ε / pivot, and so the pivot by
+/// about as much, which is itself at √ε = 1.5e-8. Solver and diagnosis have this cut alone.   \[-\]
 pub(crate) const RANK: f64 = 1e-7;
 
 /// Sparse pivots are at least this, and at least [`THRESHOLD`] of the largest entry of their row.   \[-\]
@@ -42,7 +43,8 @@ struct Step {
 }
 
 impl Echelon {
-    /// Eliminates the rows, each by its columns and values; repeated columns add up. Pivots below `least` count as zero ([`RANK`] as a rule).
+    /// Eliminates the rows, each by its columns and values; repeated columns add up. Pivots below `least`
+    /// count as zero ([`RANK`] as a rule).
     pub(crate) fn new(rows: Vec<Sparse>, n: usize, least: f64) -> Self {
         Self::of_rank_at_most(rows, n, least, n)
     }
@@ -59,14 +61,23 @@ impl Echelon {
         }
         let left = loop {
             match work.largest() {
-                Some((row, column, size)) if size > least && steps.len() < most => steps.push(work.eliminate(row, column)),
+                Some((row, column, size)) if size > least && steps.len() < most => {
+                    steps.push(work.eliminate(row, column))
+                }
                 Some((_, _, size)) => break size,
                 None => break 0.0,
             }
         };
         let smallest = steps.iter().fold(f64::INFINITY, |least, step: &Step| least.min(step.pivot.abs()));
         let open = |open: &[bool]| (0..open.len()).filter(|k| open[*k]).collect();
-        Echelon { free_rows: open(&work.open_rows), free_columns: open(&work.open_columns), steps, smallest, left, shape: (m, n) }
+        Echelon {
+            free_rows: open(&work.open_rows),
+            free_columns: open(&work.open_columns),
+            steps,
+            smallest,
+            left,
+            shape: (m, n),
+        }
     }
 
     /// Number of independent rows.
@@ -169,7 +180,15 @@ impl Work {
         }
         let counts = columns.iter().map(Vec::len).collect();
         let m = rows.len();
-        Work { rows, columns, counts, open_rows: vec![true; m], open_columns: vec![true; n], passed: vec![false; m], by_length }
+        Work {
+            rows,
+            columns,
+            counts,
+            open_rows: vec![true; m],
+            open_columns: vec![true; n],
+            passed: vec![false; m],
+            by_length,
+        }
     }
 
     /// The shortest row that has a safe pivot, and of these the one in the shortest column.
@@ -198,7 +217,8 @@ impl Work {
     /// The largest entry that is left.
     fn largest(&self) -> Option<(usize, usize, f64)> {
         let open = (0..self.rows.len()).filter(|row| self.open_rows[*row]);
-        let entries = open.flat_map(|row| self.rows[row].iter().map(move |(column, value)| (row, *column, value.abs())));
+        let entries = open
+            .flat_map(|row| self.rows[row].iter().map(move |(column, value)| (row, *column, value.abs())));
         entries.reduce(|best, next| if next.2 > best.2 { next } else { best })
     }
 
@@ -214,7 +234,9 @@ impl Work {
             if !self.open_rows[other] {
                 continue;
             }
-            let Ok(at) = self.rows[other].binary_search_by_key(&column, |(known, _)| *known) else { continue };
+            let Ok(at) = self.rows[other].binary_search_by_key(&column, |(known, _)| *known) else {
+                continue;
+            };
             let factor = self.rows[other].remove(at).1 / pivot;
             self.subtract(other, factor, &upper);
             lower.push((other, factor));
@@ -254,15 +276,17 @@ impl Work {
     }
 }
 
-/// The basis of the same space in which each vector has an index of its own, where it is 1 and the others are 0: the first indices in
-/// the order of preference that allow it. By that the basis, and so what is told of it, does not depend on how the space was found.
-/// Gives each index with its vector, in the order of preference.
+/// The basis of the same space in which each vector has an index of its own, where it is 1 and the others are
+/// 0: the first indices in the order of preference that allow it. By that the basis, and so what is told of
+/// it, does not depend on how the space was found. Gives each index with its vector, in the order of
+/// preference.
 pub(crate) fn reduced(space: Vec<Sparse>, size: usize, order: &[usize]) -> Vec<(usize, Sparse)> {
     /// More vectors than this are told as they were found.
     const LARGEST: usize = 300;
     /// A share below this is no pivot.   \[-\]
     const PIVOT: f64 = 1e-5;
-    let first = |vector: &Sparse| order.iter().copied().find(|k| vector.binary_search_by_key(k, |(k, _)| *k).is_ok());
+    let first =
+        |vector: &Sparse| order.iter().copied().find(|k| vector.binary_search_by_key(k, |(k, _)| *k).is_ok());
     if space.len() > LARGEST {
         return space.into_iter().filter_map(|vector| Some((first(&vector)?, vector))).collect();
     }
@@ -273,7 +297,9 @@ pub(crate) fn reduced(space: Vec<Sparse>, size: usize, order: &[usize]) -> Vec<(
             break;
         }
         let share = |x: &Vec<f64>| x[index].abs() / x.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let Some(best) = (0..open.len()).max_by(|a, b| share(&open[*a]).total_cmp(&share(&open[*b]))) else { break };
+        let Some(best) = (0..open.len()).max_by(|a, b| share(&open[*a]).total_cmp(&share(&open[*b]))) else {
+            break;
+        };
         if share(&open[best]).is_nan() || share(&open[best]) < PIVOT {
             continue;
         }
@@ -310,12 +336,16 @@ mod tests {
     /// A = B C of inner size r, by rows, every third entry of B and C zero.
     fn product(m: usize, n: usize, r: usize, numbers: &[f64]) -> Vec<Sparse> {
         let number = |k: usize| if k % 3 == 2 { 0.0 } else { numbers[k % numbers.len()] };
-        let entry = |i: usize, j: usize| (0..r).map(|k| number(7 * i + 5 * k) * number(11 * j + 3 * k + 1)).sum::<f64>();
+        let entry = |i: usize, j: usize| {
+            (0..r).map(|k| number(7 * i + 5 * k) * number(11 * j + 3 * k + 1)).sum::<f64>()
+        };
         (0..m).map(|i| (0..n).map(|j| (j, entry(i, j))).collect()).collect()
     }
 
     fn times(rows: &[Sparse], x: &[f64]) -> f64 {
-        rows.iter().map(|row| row.iter().map(|(j, value)| value * x[*j]).sum::<f64>().abs()).fold(0.0, f64::max)
+        rows.iter()
+            .map(|row| row.iter().map(|(j, value)| value * x[*j]).sum::<f64>().abs())
+            .fold(0.0, f64::max)
     }
 
     proptest! {

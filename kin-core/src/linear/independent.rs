@@ -1,10 +1,12 @@
-//! More equations than unknowns that agree with one another: as many independent ones are solved, the others are met or they are not.
+//! More equations than unknowns that agree with one another: as many independent ones are solved, the others
+//! are met or they are not.
 
 use std::collections::BTreeMap;
 
 use super::{Echelon, Linear, RANK, Sparse};
 
-/// Rows are chosen anew where the smallest pivot of those in use has faded to this share of what it has been.   \[-\]
+/// Rows are chosen anew where the smallest pivot of those in use has faded to this share of what it has
+/// been.   \[-\]
 const FADED: f64 = 0.3;
 
 /// A row that is this many times another one in the sum that makes it takes its place.   \[-\]
@@ -12,8 +14,9 @@ const LARGER: f64 = 1.5;
 
 /// A x = b for an m × n matrix of rank n whose equations agree, rows and columns of order 1.
 ///
-/// Which equations are superfluous changes on the way: rows are chosen whose determinant is large, and chosen anew before those in use become dependent.
-/// Half the work of least squares ([`super::LeastSquares`]), which equations that contradict one another need.
+/// Which equations are superfluous changes on the way: rows are chosen whose determinant is large, and chosen
+/// anew before those in use become dependent. Half the work of least squares ([`super::LeastSquares`]), which
+/// equations that contradict one another need.
 #[derive(Clone)]
 pub(crate) struct Independent {
     m: usize,
@@ -52,7 +55,9 @@ impl Independent {
     #[cold]
     fn choose(&mut self) -> bool {
         let mut rows = vec![Sparse::new(); self.m];
-        for ((row, column), value) in self.places.iter().zip(&self.values).filter_map(|(place, value)| Some(((*place)?, *value))) {
+        for ((row, column), value) in
+            self.places.iter().zip(&self.values).filter_map(|(place, value)| Some(((*place)?, *value)))
+        {
             rows[row].push((column, value));
         }
         let echelon = Echelon::new(rows, self.n, RANK);
@@ -86,8 +91,9 @@ impl Independent {
     }
 }
 
-/// The rows that are left out, each with the sum of the others that it is: first as the elimination has left them, then exchanged with a row of
-/// their sum as long as that makes the determinant of those that stay larger.
+/// The rows that are left out, each with the sum of the others that it is: first as the elimination has left
+/// them, then exchanged with a row of their sum as long as that makes the determinant of those that stay
+/// larger.
 fn exchanged(echelon: &Echelon) -> BTreeMap<usize, BTreeMap<usize, f64>> {
     let sums = echelon.free_rows.iter().zip(echelon.left_null_space()).map(|(free, vector)| {
         let others = vector.into_iter().filter(|(row, _)| row != free).map(|(row, factor)| (row, -factor));
@@ -96,7 +102,9 @@ fn exchanged(echelon: &Echelon) -> BTreeMap<usize, BTreeMap<usize, f64>> {
     let mut sums: BTreeMap<usize, BTreeMap<usize, f64>> = sums.collect();
     // Each exchange multiplies the determinant, whose largest value is bounded.
     for _ in 0..16 * sums.len() {
-        let all = sums.iter().flat_map(|(free, sum)| sum.iter().map(move |(row, factor)| (*free, *row, factor.abs())));
+        let all = sums
+            .iter()
+            .flat_map(|(free, sum)| sum.iter().map(move |(row, factor)| (*free, *row, factor.abs())));
         match all.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|(_, _, factor)| *factor > LARGER) {
             Some((free, row, _)) => exchange(&mut sums, free, row),
             None => break,
@@ -110,7 +118,8 @@ fn exchange(sums: &mut BTreeMap<usize, BTreeMap<usize, f64>>, free: usize, row: 
     let Some(mut sum) = sums.remove(&free) else { return };
     let Some(factor) = sum.remove(&row) else { return };
     // row = (free − the rest of the sum) / factor
-    let mut instead: BTreeMap<usize, f64> = sum.into_iter().map(|(other, share)| (other, -share / factor)).collect();
+    let mut instead: BTreeMap<usize, f64> =
+        sum.into_iter().map(|(other, share)| (other, -share / factor)).collect();
     instead.insert(free, factor.recip());
     for sum in sums.values_mut() {
         if let Some(share) = sum.remove(&row) {
@@ -123,7 +132,9 @@ fn exchange(sums: &mut BTreeMap<usize, BTreeMap<usize, f64>>, free: usize, row: 
 impl Chosen {
     fn new(n: usize, rows: Vec<usize>, places: &[Option<(usize, usize)>]) -> Self {
         let (mut inside, mut pattern, mut others) = (Vec::new(), Vec::new(), Vec::new());
-        for (number, (row, column)) in places.iter().enumerate().filter_map(|(number, place)| Some((number, (*place)?))) {
+        for (number, (row, column)) in
+            places.iter().enumerate().filter_map(|(number, place)| Some((number, (*place)?)))
+        {
             match rows.binary_search(&row) {
                 Ok(row) => {
                     inside.push(number);
@@ -153,7 +164,8 @@ impl Chosen {
 mod tests {
     use super::*;
 
-    /// Rows (cos s, sin s), (−sin s, cos s) and their sum: any two of them will do, and each is the one to leave out somewhere.
+    /// Rows (cos s, sin s), (−sin s, cos s) and their sum: any two of them will do, and each is the one to
+    /// leave out somewhere.
     fn turned(s: f64) -> ([f64; 6], [f64; 3]) {
         let ((sin, cos), x) = (s.sin_cos(), [0.3, -2.0]);
         let rows = [[cos, sin], [0.1 - sin, cos], [cos + 0.1 - sin, sin + cos]];

@@ -1,7 +1,9 @@
-//! The recorded elimination replayed over lanes: several matrices of one pattern at once, each lane watched by itself.
+//! The recorded elimination replayed over lanes: several matrices of one pattern at once, each lane watched
+//! by itself.
 //!
-//! One recording serves all lanes. Where one of them does not fit it any more, the elimination is recorded anew at the numbers of that lane;
-//! lanes that fit neither are told to their owner, who goes on without them.
+//! One recording serves all lanes. Where one of them does not fit it any more, the elimination is recorded
+//! anew at the numbers of that lane; lanes that fit neither are told to their owner, who goes on without
+//! them.
 
 mod measures;
 mod recorded;
@@ -14,7 +16,8 @@ use recorded::{Areas, GROUND};
 /// Square matrices of one pattern, one in each lane.
 pub(crate) struct WideLinear<S: Level> {
     simd: S,
-    /// Records, and knows the pattern; and as it was at first, with the recording that all groups of lanes begin with.
+    /// Records, and knows the pattern; and as it was at first, with the recording that all groups of lanes
+    /// begin with.
     recorder: Linear,
     first: Linear,
     recorded_anew: bool,
@@ -29,10 +32,11 @@ pub(crate) struct WideLinear<S: Level> {
     zeros: [Vec<u32>; 2],
     /// Whether all places of the memory are below [`SMALL`].
     small: bool,
-    /// The numbers that are factored but for the pivots, multipliers and others: where they begin, and the share of what is allowed that each
-    /// unit of them is.
+    /// The numbers that are factored but for the pivots, multipliers and others: where they begin, and the
+    /// share of what is allowed that each unit of them is.
     judged: [(usize, Vec<f64>); 2],
-    /// The pivots that are no constants: their places, row and column, and one over what makes each a share of these.
+    /// The pivots that are no constants: their places, row and column, and one over what makes each a share
+    /// of these.
     pivots: Vec<(u32, [u32; 2], Wide<S>)>,
     sizes: Vec<Wide<S>>,
     norms: Vec<Wide<S>>,
@@ -44,15 +48,16 @@ pub(crate) struct WideLinear<S: Level> {
     fresh: bool,
     /// Whether the weights of pivots know the measures.
     told: bool,
-    /// One over the smallest constant pivot, and over the smallest of all at the last factoring; the smallest that this has been.
+    /// One over the smallest constant pivot, and over the smallest of all at the last factoring; the smallest
+    /// that this has been.
     inverse_constant: Wide<S>,
     inverse: Wide<S>,
     best: Wide<S>,
 }
 
 impl<S: Level> WideLinear<S> {
-    /// Matrices of the pattern that `recorder` was made for, with its recording if it has one; −C_t, and Q_d, can be other than zero in the
-    /// rows `asked`.
+    /// Matrices of the pattern that `recorder` was made for, with its recording if it has one; −C_t, and Q_d,
+    /// can be other than zero in the rows `asked`.
     pub(crate) fn new(simd: S, recorder: Linear, asked: [Vec<usize>; 2]) -> Self {
         let (n, number) = (recorder.n, |x: f64| Wide::splat(simd, x));
         let varies = |k: &u32| recorder.constants.get(*k as usize).copied().flatten().is_none();
@@ -68,7 +73,12 @@ impl<S: Level> WideLinear<S> {
             correct: Replay::default(),
             velocity: Replay::default(),
             acceleration: Replay::default(),
-            zeros: asked.map(|asked| (0..n).filter(|row| !asked.contains(row)).map(|row| recorder.places.rhs + row as u32).collect()),
+            zeros: asked.map(|asked| {
+                (0..n)
+                    .filter(|row| !asked.contains(row))
+                    .map(|row| recorder.places.rhs + row as u32)
+                    .collect()
+            }),
             small: false,
             judged: Default::default(),
             pivots: Vec::new(),
@@ -85,7 +95,11 @@ impl<S: Level> WideLinear<S> {
             recorder,
         };
         let constants = linear.recorder.constants.clone();
-        linear.memory.iter_mut().zip(constants.iter()).for_each(|(place, constant)| *place = number(constant.unwrap_or(0.0)));
+        linear
+            .memory
+            .iter_mut()
+            .zip(constants.iter())
+            .for_each(|(place, constant)| *place = number(constant.unwrap_or(0.0)));
         linear.load();
         linear
     }
@@ -181,7 +195,8 @@ impl<S: Level> WideLinear<S> {
         self.inverse.le(Wide::splat(self.simd, 1.0 / least))
     }
 
-    /// Of each block whose determinant can change its sign, that sign at the last factoring, −1 or 1, into `signs`.
+    /// Of each block whose determinant can change its sign, that sign at the last factoring, −1 or 1, into
+    /// `signs`.
     #[inline(always)]
     pub(crate) fn orientation(&self, signs: &mut Vec<Wide<S>>) {
         signs.clear();
@@ -212,7 +227,8 @@ impl<S: Level> WideLinear<S> {
     #[inline(never)]
     fn factor_anew(&mut self, wanted: Mask<S>) -> Mask<S> {
         let wanted = wanted & self.finite();
-        let mut fits = if self.recorder.recording.is_some() { wanted & self.replay() } else { wanted & !wanted };
+        let mut fits =
+            if self.recorder.recording.is_some() { wanted & self.replay() } else { wanted & !wanted };
         for lane in 0..Wide::<S>::LANES {
             if !wanted.lane(lane) || fits.lane(lane) {
                 continue;

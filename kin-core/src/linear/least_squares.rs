@@ -19,7 +19,15 @@ impl LeastSquares {
         let damping = (0..n).map(|j| Some((m + j, m + j)));
         let upper = places.iter().map(|place| place.map(|(row, column)| (row, m + column)));
         let lower = places.iter().map(|place| place.map(|(row, column)| (m + column, row)));
-        LeastSquares { m, n, linear: Linear::new(m + n, identity.chain(damping).chain(upper).chain(lower), &vec![Some(1.0); m]) }
+        LeastSquares {
+            m,
+            n,
+            linear: Linear::new(
+                m + n,
+                identity.chain(damping).chain(upper).chain(lower),
+                &vec![Some(1.0); m],
+            ),
+        }
     }
 
     /// Takes the values, in the order of the places, and λ; false if that is singular.
@@ -28,14 +36,19 @@ impl LeastSquares {
         self.factor_again(values, damping)
     }
 
-    /// The same where the values are near those of the last time: the elimination that was recorded for them is tried first.
+    /// The same where the values are near those of the last time: the elimination that was recorded for them
+    /// is tried first.
     pub(crate) fn factor_again(&mut self, values: impl Iterator<Item = f64>, damping: f64) -> bool {
         let (identity, rest) = self.linear.values_mut().split_at_mut(self.m);
         let (below, places) = rest.split_at_mut(self.n);
         identity.fill(1.0);
         below.fill(-damping);
         let (upper, lower) = places.split_at_mut(places.len() / 2);
-        upper.iter_mut().zip(lower).zip(values).for_each(|((upper, lower), value)| (*upper, *lower) = (value, value));
+        upper
+            .iter_mut()
+            .zip(lower)
+            .zip(values)
+            .for_each(|((upper, lower), value)| (*upper, *lower) = (value, value));
         self.linear.measure();
         self.linear.factor()
     }
@@ -72,7 +85,10 @@ mod tests {
         for damping in [0.0, 0.5] {
             assert!(tall.factor((0..8).map(|k| a[(k / 2, k % 2)]), damping));
             let x = nalgebra::DVector::from_column_slice(tall.solve(b.iter().copied()));
-            let normal = (a.transpose() * &a + nalgebra::DMatrix::identity(2, 2) * damping).lu().solve(&(a.transpose() * &b)).unwrap();
+            let normal = (a.transpose() * &a + nalgebra::DMatrix::identity(2, 2) * damping)
+                .lu()
+                .solve(&(a.transpose() * &b))
+                .unwrap();
             assert!((x - normal).amax() < 1e-14);
         }
     }

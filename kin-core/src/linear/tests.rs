@@ -79,23 +79,40 @@ fn nothing_is_singular_about_no_coordinates() {
     linear.solve();
 }
 
-/// What is measured of rows and columns is of order 1; the largest singular value still grows with their number.
+/// What is measured of rows and columns is of order 1; the largest singular value still grows with their
+/// number.
 #[test]
 fn condition_counts_the_largest_singular_value_and_the_smallest() {
     let mut random = crate::numbers::random::Random::new(3);
     for n in [2, 5, 12, 30] {
         for small in [1.0, 1e-3, 1e-7] {
-            let rows: Vec<f64> = (0..n * n).map(|k| 1.0 + small * random.number() * if k % (n + 1) == 0 { 2.0 } else { 1.0 }).collect();
+            let rows: Vec<f64> = (0..n * n)
+                .map(|k| 1.0 + small * random.number() * if k % (n + 1) == 0 { 2.0 } else { 1.0 })
+                .collect();
             let mut linear = dense(n, &rows);
             linear.measure();
             assert!(linear.factor());
-            let scaled = |row: usize, column: usize| rows[row * n + column] * linear.row_units()[row] * linear.column_units()[column];
+            let scaled = |row: usize, column: usize| {
+                rows[row * n + column] * linear.row_units()[row] * linear.column_units()[column]
+            };
             let exact = nalgebra::DMatrix::from_fn(n, n, scaled).singular_values();
             let [largest, smallest] = linear.singular_values();
-            assert!((0.99..1.0 + 1e-9).contains(&(largest / exact.max())), "{n} {small}: {largest} {}", exact.max());
-            assert!((1.0 - 1e-6..1.1).contains(&(smallest / exact.min())), "{n} {small}: {smallest} {}", exact.min());
+            assert!(
+                (0.99..1.0 + 1e-9).contains(&(largest / exact.max())),
+                "{n} {small}: {largest} {}",
+                exact.max()
+            );
+            assert!(
+                (1.0 - 1e-6..1.1).contains(&(smallest / exact.min())),
+                "{n} {small}: {smallest} {}",
+                exact.min()
+            );
             let condition = exact.max() / exact.min();
-            assert!((0.3..1.0 + 1e-6).contains(&(linear.condition() / condition)), "{n} {small}: {} {condition}", linear.condition());
+            assert!(
+                (0.3..1.0 + 1e-6).contains(&(linear.condition() / condition)),
+                "{n} {small}: {} {condition}",
+                linear.condition()
+            );
         }
     }
 }

@@ -38,8 +38,8 @@ pub trait Body {
     #[doc(hidden)]
     fn target(self) -> Target;
 
-    /// r, v, a and jerk of the local point u where the body's q, q̇, q̈ and q⃛ are these (those of the ground: none; without q⃛ the jerk means
-    /// nothing).
+    /// r, v, a and jerk of the local point u where the body's q, q̇, q̈ and q⃛ are these (those of the
+    /// ground: none; without q⃛ the jerk means nothing).
     #[doc(hidden)]
     fn point(u: Self::Vector, orders: [&[f64]; 4]) -> [Self::Vector; 4];
 
@@ -59,8 +59,8 @@ impl Body for PlanarBody {
         Target::Planar(self)
     }
 
-    /// r = R + A ū,  v = Ṙ + θ̇ A_θ ū,  a = R̈ + θ̈ A_θ ū − θ̇² A ū   (lecture, "Velocity" and "Acceleration"), and from there
-    /// ȧ = R⃛ + (θ⃛ − θ̇³) A_θ ū − 3 θ̇ θ̈ A ū
+    /// r = R + A ū, v = Ṙ + θ̇ A_θ ū, a = R̈ + θ̈ A_θ ū − θ̇² A ū (lecture, "Velocity" and "Acceleration"),
+    /// and from there ȧ = R⃛ + (θ⃛ − θ̇³) A_θ ū − 3 θ̇ θ̈ A ū
     fn point(u: Vec2, [q, qd, qdd, qddd]: [&[f64]; 4]) -> [Vec2; 4] {
         let (&[x, y, theta], &[vx, vy, w], &[ax, ay, alpha]) = (q, qd, qdd) else { return still(u) };
         let [jx, jy, zeta] = qddd.first_chunk().copied().unwrap_or_default();
@@ -142,7 +142,8 @@ fn still<V: Default>(u: V) -> [V; 4] {
     [u, V::default(), V::default(), V::default()]
 }
 
-/// The coordinates of a body as they move, from q, q̇, q̈ and q⃛ (zero if it is not there); `None` without N of each of the others.
+/// The coordinates of a body as they move, from q, q̇, q̈ and q⃛ (zero if it is not there); `None` without N
+/// of each of the others.
 pub(crate) fn jets<const N: usize>([q, qd, qdd, qddd]: [&[f64]; 4]) -> Option<[Real<Dual3_64>; N]> {
     let ([q, qd, qdd], qddd) = ([q, qd, qdd].map(|row| row.first_chunk::<N>()), qddd.first_chunk::<N>());
     let (q, qd, qdd, qddd) = (q?, qd?, qdd?, qddd.unwrap_or(&[0.0; N]));
@@ -155,7 +156,8 @@ mod tests {
 
     #[test]
     fn planar_formulas_are_the_derivatives_along_the_motion() {
-        let orders: [&[f64]; 4] = [&[0.3, -1.2, 2.1], &[0.7, 0.2, -3.0], &[1.5, -0.4, 11.0], &[-6.0, 2.5, 70.0]];
+        let orders: [&[f64]; 4] =
+            [&[0.3, -1.2, 2.1], &[0.7, 0.2, -3.0], &[1.5, -0.4, 11.0], &[-6.0, 2.5, 70.0]];
         let u = Vec2::new(0.4, -0.9);
         let exact = PlanarState::new(jets(orders).unwrap()).point(u);
         for (order, found) in PlanarBody::point(u, orders).into_iter().enumerate() {
@@ -178,7 +180,10 @@ mod tests {
         let orders = [join([0.3, -1.2, 5.0], p), join([0.7, 0.2, 0.0], pd), join([1.5, -0.4, 0.0], pdd)];
         let [q, qd, qdd] = &orders;
         let spatial = SpatialBody::point(Vec3::new(0.4, -0.9, 0.2), [q, qd, qdd, &[]]);
-        let planar = PlanarBody::point(Vec2::new(0.4, -0.9), [&[0.3, -1.2, theta], &[0.7, 0.2, w], &[1.5, -0.4, alpha], &[]]);
+        let planar = PlanarBody::point(
+            Vec2::new(0.4, -0.9),
+            [&[0.3, -1.2, theta], &[0.7, 0.2, w], &[1.5, -0.4, alpha], &[]],
+        );
         let (spatial, planar) = (&spatial[..3], &planar[..3]);
         for (spatial, planar) in spatial.iter().zip(planar) {
             assert!((spatial.x - planar.x).abs() < 1e-14 && (spatial.y - planar.y).abs() < 1e-14);

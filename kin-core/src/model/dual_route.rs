@@ -1,7 +1,8 @@
 //! The second route: a constraint's own equation, evaluated with dual numbers.
 //!
-//! `Dual64` along each column gives C_q and along t C_t; `Dual2_64` along (q̇, ṫ) gives the whole right side −g″(0);
-//! `HyperDual64` along q̇ and t gives the mixed term C_qt q̇, `Dual3_64` along the motion the right side for the jerk.
+//! `Dual64` along each column gives C_q and along t C_t; `Dual2_64` along (q̇, ṫ) gives the whole right side
+//! −g″(0); `HyperDual64` along q̇ and t gives the mixed term C_qt q̇, `Dual3_64` along the motion the right
+//! side for the jerk.
 
 use crate::numbers::real::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
@@ -13,7 +14,8 @@ use crate::model::law::Law;
 use crate::model::state::{At, Rates};
 use crate::numbers::real::{Dual, Real};
 
-/// A constraint whose equation can be evaluated with any numbers: N local coordinates, M rows. Written by `#[constraint]`.
+/// A constraint whose equation can be evaluated with any numbers: N local coordinates, M rows. Written by
+/// `#[constraint]`.
 pub trait Equation<const N: usize, const M: usize>: Constraint + Clone + 'static {
     /// What its arguments are, in order.
     const ARGUMENTS: &'static [ArgumentKind];
@@ -180,19 +182,32 @@ pub fn residual<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E,
 }
 
 /// C_q, one `Dual64` evaluation a column.
-pub fn jacobian<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, at: &At<'_>, c_q: &mut [f64]) {
+pub fn jacobian<E: Equation<N, M>, const N: usize, const M: usize>(
+    equation: &E,
+    at: &At<'_>,
+    c_q: &mut [f64],
+) {
     let q = coordinates::<N>(E::ARGUMENTS, at);
     for column in 0..N {
-        let seeded = std::array::from_fn(|k| if k == column { Real(Dual64::new(q[k], 1.0)) } else { Real::from(q[k]) });
+        let seeded =
+            std::array::from_fn(
+                |k| if k == column { Real(Dual64::new(q[k], 1.0)) } else { Real::from(q[k]) },
+            );
         let c = equation.evaluate(&seeded, Real::from(at.t));
-        for (value, &(row, _)) in c_q.iter_mut().zip(equation.pattern()).filter(|(_, entry)| entry.1 == column) {
+        for (value, &(row, _)) in
+            c_q.iter_mut().zip(equation.pattern()).filter(|(_, entry)| entry.1 == column)
+        {
             *value = c[row].0.eps;
         }
     }
 }
 
 /// −C_t by one `Dual64` evaluation along t.
-pub fn velocity_rhs<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, at: &At<'_>, rhs: &mut [f64]) {
+pub fn velocity_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
+    equation: &E,
+    at: &At<'_>,
+    rhs: &mut [f64],
+) {
     let q = coordinates::<N>(E::ARGUMENTS, at).map(Real::<Dual64>::from);
     write(rhs, equation.evaluate(&q, Real(Dual64::new(at.t, 1.0))).map(|x| -x.0.eps));
 }
@@ -211,12 +226,18 @@ pub fn acceleration_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
 }
 
 /// C_qt q̇ by one `HyperDual64` evaluation along q̇ and t.   \[row/s²\]
-pub fn mixed<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, q: &[f64; N], qd: &[f64; N], t: f64) -> [f64; M] {
+pub fn mixed<E: Equation<N, M>, const N: usize, const M: usize>(
+    equation: &E,
+    q: &[f64; N],
+    qd: &[f64; N],
+    t: f64,
+) -> [f64; M] {
     let seeded = std::array::from_fn(|k| Real(HyperDual64::along_first(q[k], qd[k])));
     equation.evaluate(&seeded, Real(HyperDual64::along_second(t, 1.0))).map(|x| x.0.eps1eps2)
 }
 
-/// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), by one `Dual3_64` evaluation.   \[row/s³\] It is always known.
+/// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), by one `Dual3_64` evaluation.   \[row/s³\] It is always
+/// known.
 pub fn jerk_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
     equation: &E,
     at: &At<'_>,
@@ -231,8 +252,14 @@ pub fn jerk_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
     true
 }
 
-/// Measure k and its first three derivatives along a motion with the rates q̇, q̈ and q⃛, by one `Dual3_64` evaluation.
-pub fn measure<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, k: usize, at: &At<'_>, rates: &[Rates<'_>; 3]) -> [f64; 4] {
+/// Measure k and its first three derivatives along a motion with the rates q̇, q̈ and q⃛, by one `Dual3_64`
+/// evaluation.
+pub fn measure<E: Equation<N, M>, const N: usize, const M: usize>(
+    equation: &E,
+    k: usize,
+    at: &At<'_>,
+    rates: &[Rates<'_>; 3],
+) -> [f64; 4] {
     let q = coordinates::<N>(E::ARGUMENTS, at);
     let [qd, qdd, qddd] = rates.map(|rates| self::rates::<N>(E::ARGUMENTS, &rates));
     let moving = std::array::from_fn(|j| Real(Dual3_64::new(q[j], qd[j], qdd[j], qddd[j])));
@@ -250,8 +277,12 @@ fn rates<const N: usize>(arguments: &[ArgumentKind], qd: &Rates<'_>) -> [f64; N]
     gather(arguments, |k, n| qd.columns(k, n))
 }
 
-/// The numbers of all arguments one after the other: `numbers` gives the n of argument k. What is missing is zero.
-fn gather<'a, const N: usize>(arguments: &[ArgumentKind], numbers: impl Fn(usize, usize) -> &'a [f64]) -> [f64; N] {
+/// The numbers of all arguments one after the other: `numbers` gives the n of argument k. What is missing is
+/// zero.
+fn gather<'a, const N: usize>(
+    arguments: &[ArgumentKind],
+    numbers: impl Fn(usize, usize) -> &'a [f64],
+) -> [f64; N] {
     let mut all = [0.0; N];
     let mut rest = &mut all[..];
     for (k, kind) in arguments.iter().enumerate() {

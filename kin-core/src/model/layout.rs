@@ -1,4 +1,5 @@
-//! The global coordinates: bodies and bare coordinates in the order of their declaration, with names and units.
+//! The global coordinates: bodies and bare coordinates in the order of their declaration, with names and
+//! units.
 
 use std::collections::HashSet;
 
@@ -21,7 +22,15 @@ impl Kind {
         use Unit::*;
         match self {
             Kind::Planar => &[(".R_x", Metre), (".R_y", Metre), (".theta", Radian)],
-            Kind::Spatial => &[(".R_x", Metre), (".R_y", Metre), (".R_z", Metre), (".e0", One), (".e1", One), (".e2", One), (".e3", One)],
+            Kind::Spatial => &[
+                (".R_x", Metre),
+                (".R_y", Metre),
+                (".R_z", Metre),
+                (".e0", One),
+                (".e1", One),
+                (".e2", One),
+                (".e3", One),
+            ],
             Kind::Angle => &[("", Radian)],
             Kind::Length => &[("", Metre)],
         }
@@ -81,11 +90,15 @@ impl Layout {
     /// Appends an item and gives its index.
     pub(crate) fn declare(&mut self, name: &str, kind: Kind) -> Result<usize> {
         if name.trim().is_empty() {
-            return Err(Error::EmptyName { what: if kind == Kind::Planar || kind == Kind::Spatial { "body" } else { "coordinate" } });
+            return Err(Error::EmptyName {
+                what: if kind == Kind::Planar || kind == Kind::Spatial { "body" } else { "coordinate" },
+            });
         }
         let coordinates = kind.coordinates().iter().map(|(suffix, _)| format!("{name}{suffix}"));
         let fresh: Vec<String> = coordinates.collect();
-        if let Some(known) = [name].into_iter().chain(fresh.iter().map(String::as_str)).find(|name| self.taken.contains(*name)) {
+        if let Some(known) =
+            [name].into_iter().chain(fresh.iter().map(String::as_str)).find(|name| self.taken.contains(*name))
+        {
             return Err(Error::DuplicateName { what: "bodies or coordinates", name: known.to_string() });
         }
         self.taken.insert(name.to_string());
@@ -133,13 +146,17 @@ impl Layout {
     pub(crate) fn coordinate(&self, coordinate: &Coordinate) -> Option<Place> {
         match *coordinate {
             Coordinate::Own { mechanism, index } => {
-                let item = self.items.get(index).filter(|item| matches!(item.kind, Kind::Angle | Kind::Length))?;
+                let item =
+                    self.items.get(index).filter(|item| matches!(item.kind, Kind::Angle | Kind::Length))?;
                 (mechanism == self.mechanism).then_some(Place::Own { item: index, first: item.first })
             }
-            Coordinate::Planar(body, axis) if axis < 3 => Some(self.body(body.mechanism, body.index, Kind::Planar)?.axis(axis, 0.0)),
-            Coordinate::Spatial(body, axis) if axis < 7 => {
-                Some(self.body(body.mechanism, body.index, Kind::Spatial)?.axis(axis, if axis == 3 { 1.0 } else { 0.0 }))
+            Coordinate::Planar(body, axis) if axis < 3 => {
+                Some(self.body(body.mechanism, body.index, Kind::Planar)?.axis(axis, 0.0))
             }
+            Coordinate::Spatial(body, axis) if axis < 7 => Some(
+                self.body(body.mechanism, body.index, Kind::Spatial)?
+                    .axis(axis, if axis == 3 { 1.0 } else { 0.0 }),
+            ),
             _ => None,
         }
     }
@@ -162,7 +179,11 @@ impl Layout {
     /// The error for a value of coordinate `column` that is not finite.
     pub(crate) fn not_finite(&self, column: usize, value: f64) -> Error {
         let name = self.owner(column).map(|item| item.name.clone()).unwrap_or_default();
-        Error::InitialNotFinite { name, coordinate: self.names.get(column).cloned().unwrap_or_default(), value }
+        Error::InitialNotFinite {
+            name,
+            coordinate: self.names.get(column).cloned().unwrap_or_default(),
+            value,
+        }
     }
 
     /// The item that coordinate `column` belongs to.
@@ -220,7 +241,10 @@ mod tests {
         assert_eq!(layout.place(&Target::Planar(crank)), Some(Place::Own { item: 0, first: 0 }));
         assert_eq!(layout.coordinate(&crank.theta()), Some(Place::Own { item: 0, first: 2 }));
         assert_eq!(layout.place(&Target::Planar(any_planar())), None);
-        assert_eq!(layout.place(&Target::Planar(PlanarBody { mechanism: MechanismId(8), index: Some(0) })), None);
+        assert_eq!(
+            layout.place(&Target::Planar(PlanarBody { mechanism: MechanismId(8), index: Some(0) })),
+            None
+        );
         assert_eq!(layout.coordinate(&Coordinate::Planar(crank, 3)), None);
         assert_eq!(layout.coordinate(&PlanarBody::from(Ground).x()), Some(Place::Ground(0.0)));
     }

@@ -53,12 +53,32 @@ impl Entry {
 
 impl fmt::Display for Mismatch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "`{}`: its {} route, dual numbers and central differences do not agree at {}:", self.kind, self.route, self.place)?;
-        let width = self.entries.iter().take(SHOWN).map(|entry| entry.name.chars().count()).max().unwrap_or(0).max(5);
-        writeln!(f, "  {:width$}  {:>22}  {:>22}  {:>14}  {:>10}", "entry", self.route.to_string(), "dual", "central", "difference")?;
+        writeln!(
+            f,
+            "`{}`: its {} route, dual numbers and central differences do not agree at {}:",
+            self.kind, self.route, self.place
+        )?;
+        let width =
+            self.entries.iter().take(SHOWN).map(|entry| entry.name.chars().count()).max().unwrap_or(0).max(5);
+        writeln!(
+            f,
+            "  {:width$}  {:>22}  {:>22}  {:>14}  {:>10}",
+            "entry",
+            self.route.to_string(),
+            "dual",
+            "central",
+            "difference"
+        )?;
         for entry in self.entries.iter().take(SHOWN) {
             let central = entry.central.map_or("-".to_owned(), |c| format!("{c:.7e}"));
-            writeln!(f, "  {:width$}  {:22.14e}  {:22.14e}  {central:>14}  {:10.1e}", entry.name, entry.own, entry.dual, entry.worst())?;
+            writeln!(
+                f,
+                "  {:width$}  {:22.14e}  {:22.14e}  {central:>14}  {:10.1e}",
+                entry.name,
+                entry.own,
+                entry.dual,
+                entry.worst()
+            )?;
         }
         if self.entries.len() > SHOWN {
             writeln!(f, "  and {} more", self.entries.len() - SHOWN)?;

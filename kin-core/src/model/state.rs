@@ -1,4 +1,5 @@
-//! What a constraint sees: the state of its arguments at one instant, evaluated once and shared by all constraints on a body.
+//! What a constraint sees: the state of its arguments at one instant, evaluated once and shared by all
+//! constraints on a body.
 
 use crate::numbers::algebra::{EulerParameters, Mat2, Mat3, Scalar, Vec2, Vec3};
 
@@ -170,8 +171,8 @@ impl CoordState {
 
 /// The instant as one constraint sees it: time, and the states of its own arguments.
 ///
-/// States are evaluated once an iterate and shared by all constraints on a body, and by everything that they are asked for. Arguments count by
-/// their position in the signature; a `[Coord; N]` counts as N arguments.
+/// States are evaluated once an iterate and shared by all constraints on a body, and by everything that they
+/// are asked for. Arguments count by their position in the signature; a `[Coord; N]` counts as N arguments.
 #[derive(Clone, Copy, Debug)]
 pub struct At<'a> {
     /// Time t.   \[s\]
@@ -182,14 +183,15 @@ pub struct At<'a> {
 }
 
 impl<'a> At<'a> {
-    /// Time t, the states of all bodies ([`PlanarState::to_array`] and the like), and for each argument where its state begins among them,
-    /// and its rates among those of [`Rates::new`].
+    /// Time t, the states of all bodies ([`PlanarState::to_array`] and the like), and for each argument where
+    /// its state begins among them, and its rates among those of [`Rates::new`].
     #[inline]
     pub fn new(t: f64, states: &'a [f64], arguments: &'a [[u32; 2]]) -> Self {
         At { t, states, arguments, timed: &[] }
     }
 
-    /// The same with what [`crate::Constraint::at_time`] has made of the time; constraints make it themselves where it is not there.
+    /// The same with what [`crate::Constraint::at_time`] has made of the time; constraints make it themselves
+    /// where it is not there.
     #[must_use]
     #[inline]
     pub fn with_timed(self, timed: &'a [f64]) -> Self {
@@ -217,7 +219,10 @@ impl<'a> At<'a> {
 
     /// The n coordinates of argument `k`, with which its state begins; none if there is no such argument.
     pub(crate) fn coordinates(&self, k: usize, n: usize) -> &'a [f64] {
-        self.arguments.get(k).and_then(|[begin, _]| self.states.get(*begin as usize..)?.get(..n)).unwrap_or_default()
+        self.arguments
+            .get(k)
+            .and_then(|[begin, _]| self.states.get(*begin as usize..)?.get(..n))
+            .unwrap_or_default()
     }
 
     /// State of argument `k`, a planar body; the ground's if there is no such argument.
@@ -245,7 +250,8 @@ pub struct Rates<'a> {
 }
 
 impl<'a> Rates<'a> {
-    /// The rates of all coordinates, and for each argument where its state begins ([`At::new`]), and its rates.
+    /// The rates of all coordinates, and for each argument where its state begins ([`At::new`]), and its
+    /// rates.
     #[inline]
     pub fn new(rates: &'a [f64], arguments: &'a [[u32; 2]]) -> Self {
         Rates { rates, arguments }
@@ -260,7 +266,10 @@ impl<'a> Rates<'a> {
 
     /// The n rates of argument `k`; none if there is no such argument.
     pub(crate) fn columns(&self, k: usize, n: usize) -> &'a [f64] {
-        self.arguments.get(k).and_then(|[_, begin]| self.rates.get(*begin as usize..)?.get(..n)).unwrap_or_default()
+        self.arguments
+            .get(k)
+            .and_then(|[_, begin]| self.rates.get(*begin as usize..)?.get(..n))
+            .unwrap_or_default()
     }
 
     /// Rates of argument `k`, a planar body; zero if there is no such argument.

@@ -7,7 +7,8 @@ use crate::model::coordinates::{Argument, Target};
 use crate::model::dual_route::{self, Equation};
 use crate::model::state::{At, CoordState, PlanarState, Rates, SpatialState};
 
-/// Every term of C(q, t) and its derivatives at one state. Columns are local to the constraint; units are those of the row.
+/// Every term of C(q, t) and its derivatives at one state. Columns are local to the constraint; units are
+/// those of the row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Terms {
     /// C(q, t), m.
@@ -34,11 +35,12 @@ impl Terms {
     }
 }
 
-/// Every term of `constraint` at local coordinates `q`, rates `qd` and time `t`, on the constraint's own route.
+/// Every term of `constraint` at local coordinates `q`, rates `qd` and time `t`, on the constraint's own
+/// route.
 ///
-/// From r(q̇, ṫ) = −\[(C_q q̇)_q q̇ + 2 ṫ C_qt q̇ + ṫ² C_tt\]: −r(q̇, 0) is the first term, −r(0, 1) the last, and the mixed one is what is
-/// left of r(q̇, 1), exact to rounding of the largest of the three. `q` and `qd` are the arguments' coordinates one after the other;
-/// missing ones count as zero.
+/// From r(q̇, ṫ) = −\[(C_q q̇)_q q̇ + 2 ṫ C_qt q̇ + ṫ² C_tt\]: −r(q̇, 0) is the first term, −r(0, 1) the
+/// last, and the mixed one is what is left of r(q̇, 1), exact to rounding of the largest of the three. `q`
+/// and `qd` are the arguments' coordinates one after the other; missing ones count as zero.
 pub fn terms(constraint: &dyn Constraint, q: &[f64], qd: &[f64], t: f64) -> Terms {
     let arguments = constraint.arguments();
     let m = constraint.rows().len();
@@ -85,17 +87,23 @@ where
     all
 }
 
-/// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s): the right side of C_q q⃛, for the jerk; `None` where the constraint does not know
-/// it.   \[row/s³\]
-pub fn jerk_rhs(constraint: &dyn Constraint, q: &[f64], qd: &[f64], qdd: &[f64], t: f64) -> Option<DVector<f64>> {
+/// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s): the right side of C_q q⃛, for the jerk; `None` where the
+/// constraint does not know it.   \[row/s³\]
+pub fn jerk_rhs(
+    constraint: &dyn Constraint,
+    q: &[f64],
+    qd: &[f64],
+    qdd: &[f64],
+    t: f64,
+) -> Option<DVector<f64>> {
     let arguments = constraint.arguments();
     let (local, second) = (Local::new(&arguments, q, qd), Local::new(&arguments, q, qdd));
     let mut rhs = DVector::zeros(constraint.rows().len());
     constraint.jerk_rhs(&local.at(t), &local.rates(), &second.rates(), rhs.as_mut_slice()).then_some(rhs)
 }
 
-/// Measure k of a constraint ([`Constraint::measures`]) and its first three derivatives where its arguments' coordinates, first, second and third
-/// rates are these; missing ones count as zero.
+/// Measure k of a constraint ([`Constraint::measures`]) and its first three derivatives where its arguments'
+/// coordinates, first, second and third rates are these; missing ones count as zero.
 pub fn measure(constraint: &dyn Constraint, k: usize, [q, qd, qdd, qddd]: [&[f64]; 4], t: f64) -> [f64; 4] {
     let arguments = constraint.arguments();
     let [first, second, third] = [qd, qdd, qddd].map(|rates| Local::new(&arguments, q, rates));
@@ -119,10 +127,14 @@ impl Local {
             let q = |k: usize| q.get(column + k).copied().unwrap_or(0.0);
             match argument.target {
                 Target::Planar(_) => local.states.extend(PlanarState::new(std::array::from_fn(q)).to_array()),
-                Target::Spatial(_) => local.states.extend(SpatialState::new(std::array::from_fn(q)).to_array()),
+                Target::Spatial(_) => {
+                    local.states.extend(SpatialState::new(std::array::from_fn(q)).to_array())
+                }
                 Target::Coord(..) => local.states.extend(CoordState::new(q(0), true).to_array()),
             }
-            local.rates.extend((column..column + argument.target.columns()).map(|k| qd.get(k).copied().unwrap_or(0.0)));
+            local.rates.extend(
+                (column..column + argument.target.columns()).map(|k| qd.get(k).copied().unwrap_or(0.0)),
+            );
         }
         local
     }

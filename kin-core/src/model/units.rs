@@ -15,7 +15,8 @@ pub enum Unit {
     One,
 }
 
-/// The words for the units of length and time; angles are in radians. Nothing is converted: Kin computes in any consistent set of units.
+/// The words for the units of length and time; angles are in radians. Nothing is converted: Kin computes in
+/// any consistent set of units.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(from = "Words", into = "Words")]
 pub struct Units(Arc<Words>);
@@ -98,7 +99,8 @@ impl Units {
         format!("{unit}/{}{power}", self.time())
     }
 
-    /// A unit that a constraint tells in metres and seconds (`m`, `m/s`, `1/m`), in these words; other words stay.
+    /// A unit that a constraint tells in metres and seconds (`m`, `m/s`, `1/m`), in these words; other words
+    /// stay.
     pub(crate) fn told(&self, unit: &str) -> String {
         let word = |word: &str| match word {
             "m" => self.length().to_string(),
@@ -124,7 +126,10 @@ mod tests {
     #[test]
     fn units_of_rates_are_made_of_the_words() {
         let units = Units::new(" mm", "ms ");
-        assert_eq!([0, 1, 2, 3].map(|order| units.text(Unit::Metre, order)), ["mm", "mm/ms", "mm/ms^2", "mm/ms^3"]);
+        assert_eq!(
+            [0, 1, 2, 3].map(|order| units.text(Unit::Metre, order)),
+            ["mm", "mm/ms", "mm/ms^2", "mm/ms^3"]
+        );
         assert_eq!([0, 1, 2].map(|order| units.text(Unit::One, order)), ["-", "1/ms", "1/ms^2"]);
         assert_eq!(units.text(Unit::Radian, 2), "rad/ms^2");
         assert_eq!(Units::default().text(Unit::Metre, 3), "m/s^3");

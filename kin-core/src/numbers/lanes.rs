@@ -1,8 +1,10 @@
-//! Several mechanisms at once: numbers over the lanes of a SIMD register, and the kernels that compute with them.
+//! Several mechanisms at once: numbers over the lanes of a SIMD register, and the kernels that compute with
+//! them.
 //!
-//! `pulp` finds out at run time what the machine has (AVX-512: 8 lanes, AVX2 with FMA: 4, Neon: 2) and holds whatever is unsafe about it:
-//! its tokens exist only where the instructions do. Kernels are generic over the token; each level gets its own compiled copy, handed out
-//! as a function pointer, because what is called through `dyn` is never inlined into a caller with wider registers.
+//! `pulp` finds out at run time what the machine has (AVX-512: 8 lanes, AVX2 with FMA: 4, Neon: 2) and holds
+//! whatever is unsafe about it: its tokens exist only where the instructions do. Kernels are generic over the
+//! token; each level gets its own compiled copy, handed out as a function pointer, because what is called
+//! through `dyn` is never inlined into a caller with wider registers.
 
 mod kernel;
 mod level;
@@ -33,7 +35,8 @@ pub(crate) trait WithLevel {
 }
 
 impl Lanes {
-    /// Does it with the lanes that are meant; gives it back where the machine does not have them, or none are wanted.
+    /// Does it with the lanes that are meant; gives it back where the machine does not have them, or none are
+    /// wanted.
     pub(crate) fn dispatch<W: WithLevel>(self, work: W) -> Result<W::Output, W> {
         let wanted = |lanes: usize| self == Lanes::Best || self == Lanes::Only(lanes);
         #[cfg(target_arch = "x86_64")]

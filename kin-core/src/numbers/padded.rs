@@ -1,5 +1,5 @@
-//! Vectors in whole fours, and the few loops over them that every step takes: no loop has an odd end to look after, which would cost short
-//! vectors more than the work itself.
+//! Vectors in whole fours, and the few loops over them that every step takes: no loop has an odd end to look
+//! after, which would cost short vectors more than the work itself.
 
 use std::ops::{Deref, DerefMut};
 
@@ -120,15 +120,26 @@ pub(crate) fn add(x: &mut [Quad], y: &[Quad]) {
     each_mut(x, y, |x, y| *x = (f64x4::new(*x) + f64x4::new(*y)).to_array());
 }
 
-/// How far q + h q̇ + ½ h² q̈ from either end of a step h is from the other end, by shares, and how far the ends are apart, by `turns`; the
-/// largest of each. Where something is not a number the first is none either: the larger of two numbers says nothing of that.
-pub(crate) fn miss(h: f64, from: [&Padded; 3], to: [&Padded; 3], shares: &Padded, turns: &Padded) -> [f64; 2] {
-    let (h, half, mut miss, mut reach, mut all) = (f64x4::splat(h), f64x4::splat(0.5 * h), f64x4::ZERO, f64x4::ZERO, f64x4::ZERO);
+/// How far q + h q̇ + ½ h² q̈ from either end of a step h is from the other end, by shares, and how far the
+/// ends are apart, by `turns`; the largest of each. Where something is not a number the first is none either:
+/// the larger of two numbers says nothing of that.
+pub(crate) fn miss(
+    h: f64,
+    from: [&Padded; 3],
+    to: [&Padded; 3],
+    shares: &Padded,
+    turns: &Padded,
+) -> [f64; 2] {
+    let (h, half, mut miss, mut reach, mut all) =
+        (f64x4::splat(h), f64x4::splat(0.5 * h), f64x4::ZERO, f64x4::ZERO, f64x4::ZERO);
     let [q, qd, qdd] = from.map(|x| x.whole().iter());
     let [r, rd, rdd] = to.map(|x| x.whole().iter());
     let ends = q.zip(qd).zip(qdd).zip(r).zip(rd).zip(rdd);
-    for ((((((q, qd), qdd), r), rd), rdd), (share, turn)) in ends.zip(shares.whole().iter().zip(turns.whole())) {
-        let [q, qd, qdd, r, rd, rdd, share, turn] = [q, qd, qdd, r, rd, rdd, share, turn].map(|four| f64x4::new(*four));
+    for ((((((q, qd), qdd), r), rd), rdd), (share, turn)) in
+        ends.zip(shares.whole().iter().zip(turns.whole()))
+    {
+        let [q, qd, qdd, r, rd, rdd, share, turn] =
+            [q, qd, qdd, r, rd, rdd, share, turn].map(|four| f64x4::new(*four));
         let d = r - q;
         let (forward, back) = (d - h * (qd + half * qdd), d - h * (rd - half * rdd));
         miss = miss.fast_max(forward.abs().fast_max(back.abs()) * share);
@@ -139,8 +150,9 @@ pub(crate) fn miss(h: f64, from: [&Padded; 3], to: [&Padded; 3], shares: &Padded
     [if all.reduce_add().is_nan() { f64::NAN } else { miss }, reach]
 }
 
-/// Defines a walk over the fours of two vectors side by side. Vectors of mechanisms are short: up to three fours, and what is left of more after
-/// those that come four at a time, are written out, for a loop that LLVM unrolls takes longer to begin and to end than to run.
+/// Defines a walk over the fours of two vectors side by side. Vectors of mechanisms are short: up to three
+/// fours, and what is left of more after those that come four at a time, are written out, for a loop that
+/// LLVM unrolls takes longer to begin and to end than to run.
 macro_rules! walk {
     ($name:ident, $few:ident, $x:ty, $as_chunks:ident) => {
         #[inline(always)]

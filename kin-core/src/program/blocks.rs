@@ -1,6 +1,7 @@
 //! Diagonal blocks that follow one another, of a square pattern: each can be solved when those before it are.
 
-/// Rows and columns of each block; `None` where no choice of cells meets every row and every column. Columns may be any numbers.
+/// Rows and columns of each block; `None` where no choice of cells meets every row and every column. Columns
+/// may be any numbers.
 pub(super) fn blocks(pattern: &[Vec<usize>]) -> Option<Vec<(Vec<usize>, Vec<usize>)>> {
     let matched = Matching::of(pattern)?;
     let (mut search, n) = (
@@ -38,7 +39,8 @@ struct Matching {
 impl Matching {
     /// Along augmenting paths.
     fn of(pattern: &[Vec<usize>]) -> Option<Matching> {
-        let mut matching = Matching { column_of: vec![usize::MAX; pattern.len()], row_of: Default::default() };
+        let mut matching =
+            Matching { column_of: vec![usize::MAX; pattern.len()], row_of: Default::default() };
         for start in 0..pattern.len() {
             matching.augment(pattern, start)?;
         }
@@ -47,7 +49,8 @@ impl Matching {
 
     /// A search in breadth for a free column, from the row.
     fn augment(&mut self, pattern: &[Vec<usize>], start: usize) -> Option<()> {
-        let (mut from, mut open) = (std::collections::HashMap::new(), std::collections::VecDeque::from([start]));
+        let (mut from, mut open) =
+            (std::collections::HashMap::new(), std::collections::VecDeque::from([start]));
         while let Some(row) = open.pop_front() {
             for &column in &pattern[row] {
                 if from.contains_key(&column) {

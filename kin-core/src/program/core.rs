@@ -19,7 +19,11 @@ impl Core {
     pub(super) const MOST: usize = 3;
 
     /// Of rows with their cells by columns.
-    pub(super) fn new(graph: &mut Graph, rows: Vec<(usize, BTreeMap<usize, Node>)>, columns: Vec<usize>) -> Self {
+    pub(super) fn new(
+        graph: &mut Graph,
+        rows: Vec<(usize, BTreeMap<usize, Node>)>,
+        columns: Vec<usize>,
+    ) -> Self {
         let zero = graph.zero();
         let cell = |i: usize, j: usize| rows[i].1.get(&columns[j]).copied().unwrap_or(zero);
         let n = rows.len();
@@ -35,7 +39,11 @@ impl Core {
                 vec![vec![cell(1, 1), b], vec![c, cell(0, 0)]]
             }
             // The cyclic order makes the signs.
-            _ => (0..3).map(|j| (0..3).map(|i| minor([(i + 1) % 3, (i + 2) % 3], [(j + 1) % 3, (j + 2) % 3])).collect()).collect(),
+            _ => (0..3)
+                .map(|j| {
+                    (0..3).map(|i| minor([(i + 1) % 3, (i + 2) % 3], [(j + 1) % 3, (j + 2) % 3])).collect()
+                })
+                .collect(),
         };
         let first = |graph: &mut Graph| {
             (0..n).fold(zero, |sum, j| {

@@ -1,7 +1,9 @@
-//! C_q x = b as nodes: given rows first, from the last one back to the first, then what is left in blocks that follow one another.
+//! C_q x = b as nodes: given rows first, from the last one back to the first, then what is left in blocks
+//! that follow one another.
 //!
-//! A block of up to three rows is solved by cofactors: its determinant is guard and orientation at once, and no order of pivots can go wrong. Of a
-//! larger one pivots are taken, by Markowitz' count among those that are large where the guess is, until two are left.
+//! A block of up to three rows is solved by cofactors: its determinant is guard and orientation at once, and
+//! no order of pivots can go wrong. Of a larger one pivots are taken, by Markowitz' count among those that
+//! are large where the guess is, until two are left.
 
 use std::collections::BTreeMap;
 
@@ -30,7 +32,8 @@ pub(super) struct Elimination<'a> {
     order: &'a Order,
     /// The cells of given rows beside their own.
     given: Vec<Vec<(usize, Node)>>,
-    /// The cells of the rows that are left, in torn coordinates, and how much of which given rows is taken from them.
+    /// The cells of the rows that are left, in torn coordinates, and how much of which given rows is taken
+    /// from them.
     cells: Vec<Cells>,
     multipliers: Vec<Vec<(usize, Node)>>,
     blocks: Vec<Block>,
@@ -58,7 +61,8 @@ pub(super) const SINGULAR: &str = "its equations are singular where the guess is
 pub(super) const TANGLED: &str = "too much of it is tied together";
 
 impl<'a> Elimination<'a> {
-    /// `slopes` are the cells of each row of the whole as nodes of the graph; `numbers` tells nodes at the guess, in units of order 1 by coordinates.
+    /// `slopes` are the cells of each row of the whole as nodes of the graph; `numbers` tells nodes at the
+    /// guess, in units of order 1 by coordinates.
     pub(super) fn new(
         graph: &mut Graph,
         order: &'a Order,
@@ -68,13 +72,18 @@ impl<'a> Elimination<'a> {
     ) -> Result<Self, &'static str> {
         let mut all = Elimination {
             order,
-            given: order.explicit.iter().map(|own| slopes[own.row].iter().filter(|(k, _)| *k != own.column).copied().collect()).collect(),
+            given: order
+                .explicit
+                .iter()
+                .map(|own| slopes[own.row].iter().filter(|(k, _)| *k != own.column).copied().collect())
+                .collect(),
             cells: order.rows.iter().map(|row| slopes[*row].iter().copied().collect()).collect(),
             multipliers: vec![Vec::new(); order.rows.len()],
             blocks: Vec::new(),
         };
         all.take_given(graph)?;
-        let pattern: Vec<Vec<usize>> = all.cells.iter().map(|cells| cells.keys().copied().collect()).collect();
+        let pattern: Vec<Vec<usize>> =
+            all.cells.iter().map(|cells| cells.keys().copied().collect()).collect();
         for (rows, columns) in blocks(&pattern).ok_or(SINGULAR)? {
             let block = all.block(graph, rows, columns, sizes, &numbers)?;
             all.blocks.push(block);
@@ -82,7 +91,8 @@ impl<'a> Elimination<'a> {
         Ok(all)
     }
 
-    /// Takes the given rows out of those that are left, the last one first: no other given row has its coordinate then.
+    /// Takes the given rows out of those that are left, the last one first: no other given row has its
+    /// coordinate then.
     fn take_given(&mut self, graph: &mut Graph) -> Result<(), &'static str> {
         let mut readers: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (row, cells) in self.cells.iter().enumerate() {
@@ -131,7 +141,10 @@ impl<'a> Elimination<'a> {
         let mut active: BTreeMap<usize, Cells> = BTreeMap::new();
         let own = |(column, _): &(&usize, &Node)| columns.contains(column);
         for &row in &rows {
-            active.insert(row, self.cells[row].iter().filter(own).map(|(column, cell)| (*column, *cell)).collect());
+            active.insert(
+                row,
+                self.cells[row].iter().filter(own).map(|(column, cell)| (*column, *cell)).collect(),
+            );
         }
         let (mut pivots, most) = (Vec::new(), if rows.len() <= Core::MOST { Core::MOST } else { LEFT });
         let mut left = columns;
@@ -144,9 +157,12 @@ impl<'a> Elimination<'a> {
         Ok(Block { rows, pivots, core })
     }
 
-    /// What is to be watched, block by block: pivots and determinants. Signs of their products are the orientations.
+    /// What is to be watched, block by block: pivots and determinants. Signs of their products are the
+    /// orientations.
     pub(super) fn guards(&self) -> Vec<Vec<Node>> {
-        let of = |block: &Block| block.pivots.iter().map(|pivot| pivot.guard).chain([block.core.determinant]).collect();
+        let of = |block: &Block| {
+            block.pivots.iter().map(|pivot| pivot.guard).chain([block.core.determinant]).collect()
+        };
         self.blocks.iter().map(of).collect()
     }
 
@@ -181,13 +197,18 @@ impl<'a> Elimination<'a> {
     }
 
     fn solve_block(&self, graph: &mut Graph, block: &Block, rhs: &[Node], x: &mut [Node]) {
-        let own = |column: &usize| block.core.columns.contains(column) || block.pivots.iter().any(|pivot| pivot.column == *column);
+        let own = |column: &usize| {
+            block.core.columns.contains(column) || block.pivots.iter().any(|pivot| pivot.column == *column)
+        };
         let mut known: BTreeMap<usize, Node> = BTreeMap::new();
         for &row in &block.rows {
-            let sum = self.cells[row].iter().filter(|(column, _)| !own(column)).fold(rhs[row], |sum, (column, cell)| {
-                let product = graph.mul(*cell, x[*column]);
-                graph.sub(sum, product)
-            });
+            let sum = self.cells[row].iter().filter(|(column, _)| !own(column)).fold(
+                rhs[row],
+                |sum, (column, cell)| {
+                    let product = graph.mul(*cell, x[*column]);
+                    graph.sub(sum, product)
+                },
+            );
             known.insert(row, sum);
         }
         for pivot in &block.pivots {
@@ -219,10 +240,16 @@ fn choose(
     sizes: &[f64],
     numbers: &impl Fn(&Graph, &[Node]) -> Vec<f64>,
 ) -> Option<(usize, usize)> {
-    let all: Vec<(usize, usize, Node)> =
-        active.iter().flat_map(|(row, cells)| cells.iter().map(|(column, cell)| (*row, *column, *cell))).collect();
+    let all: Vec<(usize, usize, Node)> = active
+        .iter()
+        .flat_map(|(row, cells)| cells.iter().map(|(column, cell)| (*row, *column, *cell)))
+        .collect();
     let nodes: Vec<Node> = all.iter().map(|(_, _, cell)| *cell).collect();
-    let values: Vec<f64> = numbers(graph, &nodes).iter().zip(&all).map(|(x, (_, column, _))| (x * sizes[*column]).abs()).collect();
+    let values: Vec<f64> = numbers(graph, &nodes)
+        .iter()
+        .zip(&all)
+        .map(|(x, (_, column, _))| (x * sizes[*column]).abs())
+        .collect();
     let (mut tops, mut counts): (BTreeMap<usize, f64>, BTreeMap<usize, usize>) = Default::default();
     for ((row, column, _), value) in all.iter().zip(&values) {
         let top = tops.entry(*row).or_default();
@@ -230,8 +257,12 @@ fn choose(
         *counts.entry(*column).or_default() += 1;
     }
     let cost = |row: &usize, column: &usize| (active[row].len() - 1) * (counts[column] - 1);
-    let possible = all.iter().zip(&values).filter(|((row, _, _), value)| **value > 0.0 && **value >= THRESHOLD * tops[row]);
-    let best = possible.min_by(|((r, c, _), x), ((s, d, _), y)| cost(r, c).cmp(&cost(s, d)).then(y.total_cmp(x)));
+    let possible = all
+        .iter()
+        .zip(&values)
+        .filter(|((row, _, _), value)| **value > 0.0 && **value >= THRESHOLD * tops[row]);
+    let best =
+        possible.min_by(|((r, c, _), x), ((s, d, _), y)| cost(r, c).cmp(&cost(s, d)).then(y.total_cmp(x)));
     best.map(|((row, column, _), _)| (*row, *column))
 }
 

@@ -1,5 +1,5 @@
-//! All equations of a system in one graph: coordinates are those of the system, parameters are folded, equal expressions of different constraints
-//! are one node.
+//! All equations of a system in one graph: coordinates are those of the system, parameters are folded, equal
+//! expressions of different constraints are one node.
 
 use std::collections::HashMap;
 
@@ -40,12 +40,14 @@ pub(crate) struct Refusal {
 }
 
 /// Why a constraint without a formula cannot be compiled.
-pub(crate) const UNREAD: &str = "its equation is not known as a formula: it takes the dual route, or is written by hand";
+pub(crate) const UNREAD: &str =
+    "its equation is not known as a formula: it takes the dual route, or is written by hand";
 const ABROAD: &str = "one of its bodies is of another mechanism";
 
 /// Gathers the equations of a system; refuses by name what cannot be read.
 pub(crate) fn gather(system: &System) -> Result<Whole, Refusal> {
-    let mut whole = Whole { graph: Graph::default(), rows: Vec::new(), laws: Vec::new(), n: system.n_coordinates() };
+    let mut whole =
+        Whole { graph: Graph::default(), rows: Vec::new(), laws: Vec::new(), n: system.n_coordinates() };
     let mut kinds: HashMap<usize, Kind> = HashMap::new();
     for block in &system.equations().blocks {
         let constraint = block.constraint.as_ref();
@@ -71,7 +73,9 @@ pub(crate) fn gather(system: &System) -> Result<Whole, Refusal> {
                 outside(number, &operands, &mut given);
                 given.number(component).re
             };
-            done = known.and_then(|kind| whole.append(kind, &Leaves { columns: &columns, parameters, law: &law, foreign: &foreign }));
+            done = known.and_then(|kind| {
+                whole.append(kind, &Leaves { columns: &columns, parameters, law: &law, foreign: &foreign })
+            });
         });
         done.map_err(refused)?;
     }
@@ -101,8 +105,11 @@ fn columns(system: &System, constraint: &dyn Constraint) -> Option<Vec<Column>> 
         let count = argument.target.columns();
         match system.layout().place(&argument.target)? {
             Place::Own { first, .. } => columns.extend((first..first + count).map(Column::Coordinate)),
-            // A spatial body that is the ground has the Euler parameters (1, 0, 0, 0), a coordinate of the ground its value.
-            Place::Ground(_) if count == 7 => columns.extend((0..7).map(|k| Column::Fixed(if k == 3 { 1.0 } else { 0.0 }))),
+            // A spatial body that is the ground has the Euler parameters (1, 0, 0, 0), a coordinate of the
+            // ground its value.
+            Place::Ground(_) if count == 7 => {
+                columns.extend((0..7).map(|k| Column::Fixed(if k == 3 { 1.0 } else { 0.0 })))
+            }
             Place::Ground(_) if count == 3 => columns.extend([Column::Fixed(0.0); 3]),
             Place::Ground(value) => columns.push(Column::Fixed(value)),
         }
@@ -130,13 +137,24 @@ impl Whole {
             }
             slopes.retain(|(_, slope)| !self.graph.is_zero(*slope));
             slopes.sort_by_key(|(column, _)| *column);
-            self.rows.push(Row { residual: of(row.residual), slopes, by_time: of(row.by_time), second: of(row.second) });
+            self.rows.push(Row {
+                residual: of(row.residual),
+                slopes,
+                by_time: of(row.by_time),
+                second: of(row.second),
+            });
         }
         Ok(())
     }
 
     /// One step of a constraint's graph.
-    fn node(&mut self, from: &Graph, node: Node, places: &[Node], leaves: &Leaves<'_>) -> Result<Node, &'static str> {
+    fn node(
+        &mut self,
+        from: &Graph,
+        node: Node,
+        places: &[Node],
+        leaves: &Leaves<'_>,
+    ) -> Result<Node, &'static str> {
         let (of, to) = (|node: Node| places[node.index()], &mut self.graph);
         Ok(match from.op(node) {
             Op::Input(Input::State(k, _)) => match leaves.columns.get(k) {
@@ -148,7 +166,9 @@ impl Whole {
                 Some(Column::Coordinate(j)) => to.input(Input::Rate(*j, SELF)),
                 _ => to.zero(),
             },
-            Op::Input(Input::Parameter(k)) => leaves.parameters.get(k).map(|value| to.constant(*value)).ok_or(UNREAD)?,
+            Op::Input(Input::Parameter(k)) => {
+                leaves.parameters.get(k).map(|value| to.constant(*value)).ok_or(UNREAD)?
+            }
             Op::Input(Input::Time) => to.input(Input::Time),
             Op::Input(Input::TimeRate) => to.constant(1.0),
             Op::Law(number, x, order) => {
@@ -162,7 +182,8 @@ impl Whole {
                 }
             }
             Op::Opaque(number, component) => {
-                let operands: Option<Vec<f64>> = from.opaques[number].iter().map(|operand| known(to, of(*operand))).collect();
+                let operands: Option<Vec<f64>> =
+                    from.opaques[number].iter().map(|operand| known(to, of(*operand))).collect();
                 let value = (leaves.foreign)(number, component, &operands.ok_or(FOREIGN)?);
                 to.constant(value)
             }

@@ -1,7 +1,7 @@
 //! The equation of one kind of constraint with its derivatives: found once for all constraints of the kind.
 //!
-//! Coordinates are [`Input::State`] of the local column, part R(0), and rates [`Input::Rate`] likewise: to the passes of `kin_graph` each of them is
-//! an argument of its own.
+//! Coordinates are [`Input::State`] of the local column, part R(0), and rates [`Input::Rate`] likewise: to
+//! the passes of `kin_graph` each of them is an argument of its own.
 
 use kin_graph::differentiate::{Jets, Partial};
 use kin_graph::{Column, Depends, Formula, Graph, Input, Node, Op, Part};

@@ -1,8 +1,10 @@
-//! A whole mechanism as one program: all equations in one graph, what they give explicitly put in, the rest eliminated, as straight-line stages.
+//! A whole mechanism as one program: all equations in one graph, what they give explicitly put in, the rest
+//! eliminated, as straight-line stages.
 //!
-//! Pure passes, each a file, in their order: `kind` (derivatives of one kind of constraint), `gather` (all constraints in one graph), `substitute`
-//! (coordinates that a row gives), `eliminate` (the linear systems of what is left), `stages`, `schedule` (the tape).
-//! Then `replay` runs a tape over lanes, and `times` solves many times of one run with it.
+//! Pure passes, each a file, in their order: `kind` (derivatives of one kind of constraint), `gather` (all
+//! constraints in one graph), `substitute` (coordinates that a row gives), `eliminate` (the linear systems of
+//! what is left), `stages`, `schedule` (the tape). Then `replay` runs a tape over lanes, and `times` solves
+//! many times of one run with it.
 
 mod blocks;
 mod core;

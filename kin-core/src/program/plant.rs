@@ -69,6 +69,8 @@ pub(crate) fn plant(program: &mut Program, fault: Fault, k: usize) {
             let all = std::mem::take(&mut program.correction);
             program.correction = all.into_iter().map(|node| program.graph.neg(node)).collect();
         }
-        Fault::Guard => program.guards.iter_mut().flatten().for_each(|guard| *guard = program.graph.constant(0.0)),
+        Fault::Guard => {
+            program.guards.iter_mut().flatten().for_each(|guard| *guard = program.graph.constant(0.0))
+        }
     }
 }

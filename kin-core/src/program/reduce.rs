@@ -16,7 +16,8 @@ pub(super) struct Reduced<'a> {
 impl<'a> Reduced<'a> {
     /// With all coordinates put in: their nodes, by coordinates.
     pub(super) fn new(whole: &'a Whole, order: &Order) -> (Self, Vec<Node>) {
-        let mut reduced = Reduced { from: &whole.graph, graph: Graph::default(), places: vec![None; whole.graph.len()] };
+        let mut reduced =
+            Reduced { from: &whole.graph, graph: Graph::default(), places: vec![None; whole.graph.len()] };
         let mut values = vec![Node::default(); whole.n];
         for &column in &order.torn {
             values[column] = reduced.graph.input(Input::State(column, SELF));
@@ -37,7 +38,8 @@ impl<'a> Reduced<'a> {
         }
     }
 
-    /// Forgets what the nodes that are computed from these inputs have become, sines and cosines of them but: those stay.
+    /// Forgets what the nodes that are computed from these inputs have become, sines and cosines of them but:
+    /// those stay.
     pub(super) fn rewrite(&mut self, inputs: impl Iterator<Item = (Input, Node)>) {
         let mut kept = vec![None; self.from.len()];
         for (input, node) in inputs {

@@ -1,7 +1,8 @@
 //! The program: all that a step computes as nodes of one graph, of time and of torn coordinates.
 //!
-//! `time` is whatever depends on time alone, `correct` leads to the next iterate of the torn coordinates, `rates` gives all coordinates with q̇ and q̈,
-//! and `verify` is C as it was written, of the coordinates that were given: nothing of it can cancel against how they were found.
+//! `time` is whatever depends on time alone, `correct` leads to the next iterate of the torn coordinates,
+//! `rates` gives all coordinates with q̇ and q̈, and `verify` is C as it was written, of the coordinates that
+//! were given: nothing of it can cancel against how they were found.
 
 use kin_graph::{Graph, Input, LeafUse, Node, Source, evaluate};
 
@@ -22,11 +23,13 @@ pub(crate) struct Pose<'a> {
     pub sizes: &'a [f64],
 }
 
-/// A whole mechanism as straight-line stages. Inputs are time, [`Input::State`] of torn coordinates, and in `verify` [`Input::Column`] of all coordinates.
+/// A whole mechanism as straight-line stages. Inputs are time, [`Input::State`] of torn coordinates, and in
+/// `verify` [`Input::Column`] of all coordinates.
 pub(crate) struct Program {
     pub graph: Graph,
     pub laws: Vec<Law>,
-    /// The coordinates that are left to Newton's method, and by how much they are to be corrected: C_q Δq = −C.
+    /// The coordinates that are left to Newton's method, and by how much they are to be corrected: C_q Δq =
+    /// −C.
     pub torn: Vec<usize>,
     pub correction: Vec<Node>,
     /// The rows that are left, and their nodes: −C where all else is put in.
@@ -62,8 +65,11 @@ pub(crate) fn program(system: &System, pose: Pose<'_>) -> Result<Program, Refusa
 
 fn staged(whole: Whole, order: Order, pose: Pose<'_>) -> Result<Program, &'static str> {
     let (mut reduced, values) = Reduced::new(&whole, &order);
-    let cells: Vec<Vec<(usize, Node)>> =
-        whole.rows.iter().map(|row| row.slopes.iter().map(|(column, slope)| (*column, reduced.of(*slope))).collect()).collect();
+    let cells: Vec<Vec<(usize, Node)>> = whole
+        .rows
+        .iter()
+        .map(|row| row.slopes.iter().map(|(column, slope)| (*column, reduced.of(*slope))).collect())
+        .collect();
     let at = |graph: &Graph, nodes: &[Node]| numbers(graph, nodes, &At { pose, laws: &whole.laws });
     let elimination = Elimination::new(&mut reduced.graph, &order, &cells, pose.sizes, at)?;
     // Given rows are met by what they give.
@@ -113,7 +119,8 @@ fn opposite(reduced: &mut Reduced<'_>, nodes: impl Iterator<Item = Node>) -> Vec
 
 /// The slopes of all rows at a pose.
 fn slopes(whole: &Whole, pose: Pose<'_>) -> Vec<Vec<f64>> {
-    let nodes: Vec<Node> = whole.rows.iter().flat_map(|row| row.slopes.iter().map(|(_, slope)| *slope)).collect();
+    let nodes: Vec<Node> =
+        whole.rows.iter().flat_map(|row| row.slopes.iter().map(|(_, slope)| *slope)).collect();
     let mut all = numbers(&whole.graph, &nodes, &At { pose, laws: &whole.laws }).into_iter();
     whole.rows.iter().map(|row| all.by_ref().take(row.slopes.len()).collect()).collect()
 }
@@ -133,7 +140,9 @@ pub(super) struct At<'a> {
 impl Source<f64> for At<'_> {
     fn input(&self, input: Input) -> f64 {
         match input {
-            Input::State(column, _) | Input::Column(column) => self.pose.q.get(column).copied().unwrap_or(f64::NAN),
+            Input::State(column, _) | Input::Column(column) => {
+                self.pose.q.get(column).copied().unwrap_or(f64::NAN)
+            }
             Input::Time => self.pose.t,
             _ => f64::NAN,
         }
@@ -161,7 +170,15 @@ pub(super) fn law_at(laws: &[Law], law: usize, x: f64, order: u8) -> f64 {
 impl Program {
     /// All that is asked for, stage by stage.
     pub(crate) fn outputs(&self) -> Vec<Node> {
-        let stages = [&self.correction, &self.left, &self.values, &self.corrections, &self.rates, &self.second_rates, &self.verify];
+        let stages = [
+            &self.correction,
+            &self.left,
+            &self.values,
+            &self.corrections,
+            &self.rates,
+            &self.second_rates,
+            &self.verify,
+        ];
         stages.into_iter().flatten().chain(self.guards.iter().flatten()).copied().collect()
     }
 }

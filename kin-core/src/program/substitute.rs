@@ -1,5 +1,5 @@
-//! Which coordinates a row gives: q_j = −rest/c, where the row is c q_j + rest with a constant c. The others are torn: Newton's method is left with
-//! them, and with the rows that give nothing.
+//! Which coordinates a row gives: q_j = −rest/c, where the row is c q_j + rest with a constant c. The others
+//! are torn: Newton's method is left with them, and with the rows that give nothing.
 
 use std::collections::{BTreeSet, HashSet};
 
@@ -8,7 +8,8 @@ use kin_graph::{Graph, Input, Node, Op};
 use super::gather::Whole;
 use super::kind::SELF;
 
-/// A constant factor is at least this share of the largest slope of its row, both by the sizes of coordinates, where the guess is.   \[-\]
+/// A constant factor is at least this share of the largest slope of its row, both by the sizes of
+/// coordinates, where the guess is.   \[-\]
 const SHARE: f64 = 0.1;
 
 /// A coordinate that a row gives.
@@ -31,7 +32,8 @@ pub(crate) struct Order {
     pub rows: Vec<usize>,
 }
 
-/// Of a mechanism with as many rows as coordinates. `slopes` has the value of each slope of each row at the guess, `sizes` the sizes of coordinates.
+/// Of a mechanism with as many rows as coordinates. `slopes` has the value of each slope of each row at the
+/// guess, `sizes` the sizes of coordinates.
 pub(crate) fn substitute(whole: &mut Whole, slopes: &[Vec<f64>], sizes: &[f64]) -> Order {
     let eligible = eligible(whole, slopes, sizes);
     let mut search = Search::new(whole, eligible);
@@ -51,16 +53,26 @@ pub(crate) fn substitute(whole: &mut Whole, slopes: &[Vec<f64>], sizes: &[f64]) 
 fn eligible(whole: &mut Whole, slopes: &[Vec<f64>], sizes: &[f64]) -> Vec<Vec<Explicit>> {
     let mut all = Vec::with_capacity(whole.rows.len());
     for (row, values) in slopes.iter().enumerate() {
-        let measures = whole.rows[row].slopes.iter().zip(values).map(|((column, _), value)| (value * sizes[*column]).abs());
+        let measures = whole.rows[row]
+            .slopes
+            .iter()
+            .zip(values)
+            .map(|((column, _), value)| (value * sizes[*column]).abs());
         let largest = measures.fold(0.0, f64::max);
         let mut own = Vec::new();
         for k in 0..whole.rows[row].slopes.len() {
             let (column, slope) = whole.rows[row].slopes[k];
-            let large = |factor: &f64| (factor * sizes[column]).abs() >= SHARE * largest && factor.is_finite();
+            let large =
+                |factor: &f64| (factor * sizes[column]).abs() >= SHARE * largest && factor.is_finite();
             let Some(factor) = whole.graph.constant_value(slope).filter(large) else { continue };
             let residual = whole.rows[row].residual;
             let split = split(&mut whole.graph, residual, column);
-            own.extend(split.filter(|(own, _)| *own == factor && *own != 0.0).map(|(_, rest)| Explicit { row, column, factor, rest }));
+            own.extend(split.filter(|(own, _)| *own == factor && *own != 0.0).map(|(_, rest)| Explicit {
+                row,
+                column,
+                factor,
+                rest,
+            }));
         }
         all.push(own);
     }
@@ -144,12 +156,25 @@ impl Search {
         let ready = (0..unknown.len()).rev().filter(|row| unknown[*row] == 1 && could[*row] == 1).collect();
         let (rows, n) = (whole.rows.len(), whole.n);
         let order = Order::default();
-        Search { order, eligible, readers, known: vec![false; n], used: vec![false; rows], unknown, could, ready, open, left: n }
+        Search {
+            order,
+            eligible,
+            readers,
+            known: vec![false; n],
+            used: vec![false; rows],
+            unknown,
+            could,
+            ready,
+            open,
+            left: n,
+        }
     }
 
     /// The one unknown of a row is given by it, unless it has become known meanwhile.
     fn give(&mut self, row: usize) {
-        let Some(found) = self.eligible[row].iter().find(|found| !self.known[found.column]).copied() else { return };
+        let Some(found) = self.eligible[row].iter().find(|found| !self.known[found.column]).copied() else {
+            return;
+        };
         if !self.used[row] && self.unknown[row] == 1 {
             self.used[row] = true;
             self.order.explicit.push(found);
@@ -157,14 +182,21 @@ impl Search {
         }
     }
 
-    /// Tears a coordinate of the row that is nearest to giving one; one that it could not give, if there is any, and that most rows read.
+    /// Tears a coordinate of the row that is nearest to giving one; one that it could not give, if there is
+    /// any, and that most rows read.
     fn tear(&mut self, whole: &Whole) {
         let row = self.open.first().map(|(_, row)| *row);
         let column = match row {
             Some(row) => {
-                let own = whole.rows[row].slopes.iter().map(|(column, _)| *column).filter(|column| !self.known[*column]);
+                let own = whole.rows[row]
+                    .slopes
+                    .iter()
+                    .map(|(column, _)| *column)
+                    .filter(|column| !self.known[*column]);
                 let gives = |column: usize| self.eligible[row].iter().any(|found| found.column == column);
-                own.max_by_key(|column| (!gives(*column), self.readers[*column].len(), std::cmp::Reverse(*column)))
+                own.max_by_key(|column| {
+                    (!gives(*column), self.readers[*column].len(), std::cmp::Reverse(*column))
+                })
             }
             None => self.known.iter().position(|known| !known),
         };

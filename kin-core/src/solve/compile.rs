@@ -1,4 +1,5 @@
-//! What a mechanism comes to as one program: what its rows give, what is left to Newton's method, how large it is.
+//! What a mechanism comes to as one program: what its rows give, what is left to Newton's method, how large
+//! it is.
 
 use std::fmt;
 
@@ -29,8 +30,8 @@ pub struct Compiled {
 }
 
 impl System {
-    /// Compiles all equations to one program, its elimination chosen at the position of t = 0, and tells what came of it. To run with it, set
-    /// [`Options::engine`] to [`crate::Engine::Compiled`].
+    /// Compiles all equations to one program, its elimination chosen at the position of t = 0, and tells what
+    /// came of it. To run with it, set [`Options::engine`] to [`crate::Engine::Compiled`].
     ///
     /// Errors: what stands in the way, by the name of its constraint; no position at t = 0.
     pub fn compile(&self) -> Result<Compiled> {
@@ -41,9 +42,17 @@ impl System {
         let tape = compiled::tape(self, 0.0, &newton.q, &newton.sizes).map_err(compiled::refused)?;
         let names = self.coordinate_names();
         let is_torn = |column: &usize| tape.torn().contains(column);
-        let named = |wanted: bool| (0..names.len()).filter(|k| is_torn(k) == wanted).map(|k| names[k].clone()).collect();
+        let named = |wanted: bool| {
+            (0..names.len()).filter(|k| is_torn(k) == wanted).map(|k| names[k].clone()).collect()
+        };
         let (substituted, unknowns) = (named(false), named(true));
-        Ok(Compiled { name: self.name().to_string(), substituted, unknowns, blocks: tape.blocks().to_vec(), size: tape.size() })
+        Ok(Compiled {
+            name: self.name().to_string(),
+            substituted,
+            unknowns,
+            blocks: tape.blocks().to_vec(),
+            size: tape.size(),
+        })
     }
 }
 
@@ -74,7 +83,11 @@ impl Compiled {
         let mut text = format!("{}: {given} of {} coordinates are given by rows", self.name, given + left);
         if left > 0 {
             let blocks: Vec<String> = self.blocks.iter().map(usize::to_string).collect();
-            text += &format!(", {left} left to Newton's method in blocks of {}: {}", blocks.join(", "), self.unknowns.join(", "));
+            text += &format!(
+                ", {left} left to Newton's method in blocks of {}: {}",
+                blocks.join(", "),
+                self.unknowns.join(", ")
+            );
         }
         text + &format!("\n  {} steps in {} runs of one kind", self.size[0], self.size[1])
     }

@@ -1,4 +1,5 @@
-//! What a sweep gives: position, velocity and acceleration over time, with names and units, and what is derived from them.
+//! What a sweep gives: position, velocity and acceleration over time, with names and units, and what is
+//! derived from them.
 
 mod csv;
 mod distance;
@@ -75,9 +76,15 @@ impl Motion {
         self.residuals.push(outcome.residual);
     }
 
-    /// The same of several times at once: rows of q, of q̇ and of q̈, residuals and numbers of Newton steps; to be completed.
-    pub(crate) fn push_all(&mut self, [q, qd, qdd, residuals]: [&[f64]; 4], steps: impl Iterator<Item = usize>) {
-        let kinds = [(&mut self.q, q), (&mut self.qd, qd), (&mut self.qdd, qdd), (&mut self.residuals, residuals)];
+    /// The same of several times at once: rows of q, of q̇ and of q̈, residuals and numbers of Newton steps;
+    /// to be completed.
+    pub(crate) fn push_all(
+        &mut self,
+        [q, qd, qdd, residuals]: [&[f64]; 4],
+        steps: impl Iterator<Item = usize>,
+    ) {
+        let kinds =
+            [(&mut self.q, q), (&mut self.qd, qd), (&mut self.qdd, qdd), (&mut self.residuals, residuals)];
         kinds.into_iter().for_each(|(all, more)| all.extend_from_slice(more));
         self.iterations.extend(steps);
     }
@@ -98,7 +105,8 @@ impl Motion {
         self.worst = Some(worst);
     }
 
-    /// One coordinate over time, with its rates: a bare one, or a body's such as `crank.theta()`. Those of the ground stand still.
+    /// One coordinate over time, with its rates: a bare one, or a body's such as `crank.theta()`. Those of
+    /// the ground stand still.
     ///
     /// Errors: a coordinate of another mechanism.
     pub fn coordinate(&self, coordinate: impl Into<Coordinate>) -> Result<Quantity> {
@@ -106,11 +114,13 @@ impl Motion {
             Some(Place::Own { first, .. }) => Ok(self.column(first)),
             Some(Place::Ground(value)) => {
                 let still = if self.has_jerk() { self.len() } else { 0 };
-                let orders = [vec![value; self.len()], vec![0.0; self.len()], vec![0.0; self.len()], vec![0.0; still]];
+                let orders =
+                    [vec![value; self.len()], vec![0.0; self.len()], vec![0.0; self.len()], vec![0.0; still]];
                 Ok(Quantity::new("ground", "-", self.clock(), orders))
             }
             None => {
-                let (mechanism, place, argument) = (self.name.to_string(), "coordinate".to_string(), "coordinate".to_string());
+                let (mechanism, place, argument) =
+                    (self.name.to_string(), "coordinate".to_string(), "coordinate".to_string());
                 Err(Error::ForeignBody { mechanism, place, argument })
             }
         }
@@ -138,7 +148,11 @@ impl Motion {
     pub fn named(&self, name: &str) -> Result<Quantity> {
         match self.layout.names.iter().position(|known| known == name) {
             Some(column) => Ok(self.column(column)),
-            None => Err(Error::UnknownName { what: "coordinate", name: name.to_string(), known: self.layout.names.clone() }),
+            None => Err(Error::UnknownName {
+                what: "coordinate",
+                name: name.to_string(),
+                known: self.layout.names.clone(),
+            }),
         }
     }
 
@@ -159,10 +173,19 @@ impl Motion {
             return Err(Error::DuplicateName { what: "outputs", name: name.to_string() });
         }
         if values.len() != self.len() {
-            return Err(Error::WrongLength { what: format!("output `{name}`"), expected: self.len(), found: values.len() });
+            return Err(Error::WrongLength {
+                what: format!("output `{name}`"),
+                expected: self.len(),
+                found: values.len(),
+            });
         }
         if let Some((t, value)) = self.times.iter().zip(&values).find(|(_, value)| !value.is_finite()) {
-            return Err(Error::OutputNotFinite { output: name.to_string(), t: *t, units: self.layout.words.clone(), value: *value });
+            return Err(Error::OutputNotFinite {
+                output: name.to_string(),
+                t: *t,
+                units: self.layout.words.clone(),
+                value: *value,
+            });
         }
         self.outputs.push(Series::new(name, unit, (&self.times, &self.layout.words), values));
         Ok(())
@@ -173,7 +196,11 @@ impl Motion {
     /// Errors: a body of another mechanism, name empty or taken.
     pub fn add_point<B: Body>(&mut self, name: &str, body: B, local: impl Into<B::Vector>) -> Result<()> {
         for component in self.point(body, local)?.components() {
-            self.add_output(&format!("{name}.{}", component.name()), component.unit(), component.values().to_vec())?;
+            self.add_output(
+                &format!("{name}.{}", component.name()),
+                component.unit(),
+                component.values().to_vec(),
+            )?;
         }
         Ok(())
     }

@@ -21,13 +21,15 @@ use crate::numbers::padded::{self, Padded};
 use crate::system::System;
 use crate::system::evaluate::{Bad, Instant};
 
-/// A correction that stalls above this share of its coordinate is no rounding but a singular position.   \[-\]
+/// A correction that stalls above this share of its coordinate is no rounding but a singular
+/// position.   \[-\]
 pub(crate) const STALL: f64 = 1e-9;
 
 /// A position with a pivot below this cannot be told from a singular one.   \[-\]
 pub(crate) const DOUBTFUL: f64 = RANK;
 
-/// Pivots of the recorded elimination differ from those of a complete one by less than this: below it the latter are asked.   \[-\]
+/// Pivots of the recorded elimination differ from those of a complete one by less than this: below it the
+/// latter are asked.   \[-\]
 const SIMILAR: f64 = 30.0;
 
 /// A damped step turns no body by more than this.   \[rad\]
@@ -132,7 +134,8 @@ impl<'a> Newton<'a> {
         self.iterate(t, steps, true)
     }
 
-    /// The same where the point in hand is the solution of another time: only what depends on the time is evaluated at first.
+    /// The same where the point in hand is the solution of another time: only what depends on the time is
+    /// evaluated at first.
     pub(crate) fn solve_on(&mut self, t: f64, steps: Steps) -> Result<Outcome, Failure> {
         let equations = self.system.equations();
         equations.set_time(t, &mut self.instant);
@@ -141,7 +144,8 @@ impl<'a> Newton<'a> {
         self.iterate(t, steps, changed)
     }
 
-    /// Newton's method from what was evaluated at the point in hand; `changed` tells whether C_q has to be factored yet.
+    /// Newton's method from what was evaluated at the point in hand; `changed` tells whether C_q has to be
+    /// factored yet.
     fn iterate(&mut self, t: f64, steps: Steps, mut changed: bool) -> Result<Outcome, Failure> {
         let (mut previous, mut iteration) = (f64::INFINITY, 0);
         loop {
@@ -172,7 +176,8 @@ impl<'a> Newton<'a> {
         }
     }
 
-    /// The outcome, unless the position is singular for all that rounding lets one tell, or not what is meant.
+    /// The outcome, unless the position is singular for all that rounding lets one tell, or not what is
+    /// meant.
     fn regular(&mut self, iterations: usize) -> Result<Outcome, Failure> {
         if self.linear.is_provisional() && !self.measured_here() {
             return Err(Failure::Singular);
@@ -187,8 +192,8 @@ impl<'a> Newton<'a> {
         Ok(Outcome { iterations, residual: self.residual })
     }
 
-    /// Rows and columns by what they are here and were at positions before: an iterate far off may have had them much larger. False if C_q, which
-    /// is factored anew, is singular.
+    /// Rows and columns by what they are here and were at positions before: an iterate far off may have had
+    /// them much larger. False if C_q, which is factored anew, is singular.
     #[cold]
     fn measured_here(&mut self) -> bool {
         self.linear.revoke();
@@ -203,7 +208,8 @@ impl<'a> Newton<'a> {
         values.is_ok_and(|values| model.rank(&values, &model.measure(&self.q, t)) < self.q.len())
     }
 
-    /// Why the iteration came to no end: where C is met and still every step is long, C_q is singular for all practical purposes.
+    /// Why the iteration came to no end: where C is met and still every step is long, C_q is singular for all
+    /// practical purposes.
     fn failure(&mut self) -> Failure {
         if matches!(self.options.stop, Stop::Converged { .. }) && self.met() {
             return Failure::Singular;
@@ -223,11 +229,16 @@ impl<'a> Newton<'a> {
         self.measure(true)
     }
 
-    /// Makes −C the right side and measures C, and C_q if that is asked for; an error where a number is not finite.
+    /// Makes −C the right side and measures C, and C_q if that is asked for; an error where a number is not
+    /// finite.
     #[inline(always)]
     fn measure(&mut self, matrix: bool) -> Result<(), Failure> {
         self.residual = padded::oppose(self.linear.whole_rhs_mut(), self.c.whole());
-        if (!matrix || self.linear.measure()) && self.residual < f64::INFINITY { Ok(()) } else { self.finite() }
+        if (!matrix || self.linear.measure()) && self.residual < f64::INFINITY {
+            Ok(())
+        } else {
+            self.finite()
+        }
     }
 
     /// An error unless C and C_q are finite.
@@ -236,7 +247,8 @@ impl<'a> Newton<'a> {
         self.system.equations().finite(&self.c, self.linear.values()).map_err(Failure::NotFinite)
     }
 
-    /// max |dq_j| of the correction in hand, each against what may be asked of it, or more if that is within the tolerance.
+    /// max |dq_j| of the correction in hand, each against what may be asked of it, or more if that is within
+    /// the tolerance.
     fn correction(&self) -> f64 {
         let tolerance = match self.options.stop {
             Stop::Converged { tolerance } => tolerance,
@@ -257,7 +269,8 @@ impl<'a> Newton<'a> {
     /// The stop rule that tests the correction too.
     fn converged(&mut self, correction: f64, previous: f64) -> bool {
         let Stop::Converged { tolerance } = self.options.stop else { return false };
-        // Newton's steps shrink by squares: one this short that has stopped shrinking is rounding, and no more can be had.
+        // Newton's steps shrink by squares: one this short that has stopped shrinking is rounding, and no
+        // more can be had.
         (self.met() && correction <= tolerance) || (correction > 0.5 * previous && correction <= STALL)
     }
 
@@ -267,7 +280,8 @@ impl<'a> Newton<'a> {
             Stop::Converged { tolerance } => tolerance,
             Stop::ResidualOnly(bound) => return self.residual < bound,
         };
-        padded::largest_share(self.c.whole(), self.linear.row_units().whole()) <= tolerance || self.met_but_for_rounding(tolerance)
+        padded::largest_share(self.c.whole(), self.linear.row_units().whole()) <= tolerance
+            || self.met_but_for_rounding(tolerance)
     }
 
     /// The same where rounding of q, which makes Σ_j |∂C_i/∂q_j| |q_j| ε of row i, is allowed for.
@@ -297,7 +311,8 @@ impl<'a> Newton<'a> {
         padded::add(self.q.whole_mut(), self.linear.whole_solution());
     }
 
-    /// q += dq where nothing is looked at any more. What can jump is looked at all the same, and dq taken back if that has been done.
+    /// q += dq where nothing is looked at any more. What can jump is looked at all the same, and dq taken
+    /// back if that has been done.
     #[inline(always)]
     fn correct_last(&mut self) {
         if self.jumps { self.correct_unless_it_jumps() } else { self.correct() }
@@ -314,12 +329,17 @@ impl<'a> Newton<'a> {
         }
     }
 
-    /// q += λ dq with the largest λ = 1, ½, ¼, … that lets Σ (C_i / norm_i)² fall (Armijo) and turns nothing too far.
+    /// q += λ dq with the largest λ = 1, ½, ¼, … that lets Σ (C_i / norm_i)² fall (Armijo) and turns nothing
+    /// too far.
     fn damped(&mut self) -> Result<(), Failure> {
         let equations = self.system.equations();
         let units = &self.system.layout().units;
         let dq = self.linear.solution();
-        let turns = dq.iter().zip(units).filter(|(_, unit)| **unit != crate::model::units::Unit::Metre).map(|(dq, _)| dq.abs());
+        let turns = dq
+            .iter()
+            .zip(units)
+            .filter(|(_, unit)| **unit != crate::model::units::Unit::Metre)
+            .map(|(dq, _)| dq.abs());
         let mut lambda = (TURN / largest(turns)).min(1.0);
         let merit = self.merit();
         let failure = self.failure();

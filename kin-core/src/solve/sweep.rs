@@ -1,4 +1,5 @@
-//! Many cases of one system: other parameters and initial values in each, spread over the cores of the machine.
+//! Many cases of one system: other parameters and initial values in each, spread over the cores of the
+//! machine.
 
 mod check;
 mod lockstep;
@@ -48,12 +49,13 @@ const BATCH: usize = 16;
 /// # }
 /// ```
 ///
-/// Results come in the order of the cases and do not depend on the number of threads. Of a motion only what the closure gives back is kept,
-/// so memory grows with the results alone.
+/// Results come in the order of the cases and do not depend on the number of threads. Of a motion only what
+/// the closure gives back is kept, so memory grows with the results alone.
 ///
-/// Where constraints have kernels over lanes (the library's joints and drivers, and your own with `#[constraint(lanes)]`), two
-/// SIMD registers of cases advance together (16 with AVX-512); the others' are evaluated lane by lane. Lanes, and the company of other cases in them,
-/// change results by rounding only: by no more than the tolerance of the stop rule. A case that fails in its lane is run again alone. Limits of
+/// Where constraints have kernels over lanes (the library's joints and drivers, and your own with
+/// `#[constraint(lanes)]`), two SIMD registers of cases advance together (16 with AVX-512); the others' are
+/// evaluated lane by lane. Lanes, and the company of other cases in them, change results by rounding only: by
+/// no more than the tolerance of the stop rule. A case that fails in its lane is run again alone. Limits of
 /// joints are not looked at: ask a run of the case for them.
 pub struct Sweep<'a> {
     system: &'a System,
@@ -75,7 +77,17 @@ impl<'a> Sweep<'a> {
         let names: Vec<String> = names.into_iter().map(|name| name.as_ref().to_string()).collect();
         let places = system.places(&names)?;
         let (options, lanes, progress) = (Options::default(), Lanes::default(), Mutex::new(None));
-        Ok(Sweep { system, names, places, options, lanes, explain: None, threads: None, progress, stop: None })
+        Ok(Sweep {
+            system,
+            names,
+            places,
+            options,
+            lanes,
+            explain: None,
+            threads: None,
+            progress,
+            stop: None,
+        })
     }
 
     /// Other options than [`Options::default`].
@@ -92,15 +104,16 @@ impl<'a> Sweep<'a> {
         self
     }
 
-    /// On so many threads of its own. Without it the threads are rayon's: one a core, or those of the pool that the sweep is run in.
+    /// On so many threads of its own. Without it the threads are rayon's: one a core, or those of the pool
+    /// that the sweep is run in.
     #[must_use]
     pub fn threads(mut self, threads: usize) -> Self {
         self.threads = Some(threads.max(1));
         self
     }
 
-    /// Calls this with the number of cases done and of all cases, at the start with 0 and then every few cases, by one thread at a time and
-    /// never with less than before.
+    /// Calls this with the number of cases done and of all cases, at the start with 0 and then every few
+    /// cases, by one thread at a time and never with less than before.
     #[must_use]
     pub fn progress(mut self, progress: impl FnMut(usize, usize) + Send + 'a) -> Self {
         self.progress = Mutex::new(Some(Box::new(progress)));
@@ -116,11 +129,13 @@ impl<'a> Sweep<'a> {
 
     /// Runs every case over the times and gives what `keep` makes of each, in the order of the cases.
     ///
-    /// `keep` is called with the number of the case and its motion, or with the error that ended it ([`Error::motion`] holds what was
-    /// computed before; what is wrong with the mechanism is looked for only if [`Sweep::diagnose`] asks), by several threads at once.
+    /// `keep` is called with the number of the case and its motion, or with the error that ended it
+    /// ([`Error::motion`] holds what was computed before; what is wrong with the mechanism is looked for only
+    /// if [`Sweep::diagnose`] asks), by several threads at once.
     ///
-    /// Errors of the sweep as a whole, before anything is computed: a case of the wrong length, a number that is not finite, times that do
-    /// not only increase or only decrease, options out of range, motions under way that take too much memory; and [`Error::Stopped`].
+    /// Errors of the sweep as a whole, before anything is computed: a case of the wrong length, a number that
+    /// is not finite, times that do not only increase or only decrease, options out of range, motions under
+    /// way that take too much memory; and [`Error::Stopped`].
     pub fn run<R: Send>(
         &self,
         cases: &[impl AsRef<[f64]> + Sync],
@@ -135,7 +150,9 @@ impl<'a> Sweep<'a> {
         job.report(0);
         let all = || match self.lanes {
             Lanes::Off => job.one_by_one(),
-            _ if self.options.jerk || self.system.n_coordinates() == 0 || self.system.is_redundant() => job.one_by_one(),
+            _ if self.options.jerk || self.system.n_coordinates() == 0 || self.system.is_redundant() => {
+                job.one_by_one()
+            }
             Lanes::Best if !self.system.has_lanes() => job.one_by_one(),
             Lanes::Best => Lanes::Best.dispatch(&job).unwrap_or_else(|job| job.one_by_one()),
             lanes => lanes.dispatch(&job).unwrap_or_else(|_| Err(not_there(lanes))),
@@ -157,7 +174,11 @@ impl<'a> Sweep<'a> {
     fn check(&self, cases: &[impl AsRef<[f64]>]) -> Result<()> {
         for (case, values) in cases.iter().map(AsRef::as_ref).enumerate() {
             if values.len() != self.names.len() {
-                return Err(Error::WrongLength { what: format!("case {case}"), expected: self.names.len(), found: values.len() });
+                return Err(Error::WrongLength {
+                    what: format!("case {case}"),
+                    expected: self.names.len(),
+                    found: values.len(),
+                });
             }
             if let Some((name, value)) = self.names.iter().zip(values).find(|(_, value)| !value.is_finite()) {
                 return Err(Error::CaseNotFinite { case, name: name.clone(), value: *value });
@@ -198,7 +219,8 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
         newton::run::run(system, self.times, &self.sweep.options, self.sweep.explain)
     }
 
-    /// An error if the motions that are under way at once, so many a thread, take more memory than is allowed.
+    /// An error if the motions that are under way at once, so many a thread, take more memory than is
+    /// allowed.
     fn check_memory(&self, lanes: usize) -> Result<()> {
         let at_once = self.cases.len().min(rayon::current_num_threads().saturating_mul(lanes));
         self.sweep.options.check_memory(at_once, self.times.len(), self.sweep.system.n_coordinates())
@@ -218,7 +240,8 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
             self.report(cases.len());
             Ok(kept)
         };
-        let kept: Result<Vec<Vec<R>>> = self.cases.par_chunks(BATCH).enumerate().map_init(worker, batch).collect();
+        let kept: Result<Vec<Vec<R>>> =
+            self.cases.par_chunks(BATCH).enumerate().map_init(worker, batch).collect();
         Ok(kept?.into_iter().flatten().collect())
     }
 
@@ -232,14 +255,28 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
     }
 
     /// As many cases as there are lanes, together.
-    fn together<S: Level>(&self, simd: S, (systems, lockstep): &mut Worker<'_, S>, first: usize, cases: &[C]) -> Vec<R> {
+    fn together<S: Level>(
+        &self,
+        simd: S,
+        (systems, lockstep): &mut Worker<'_, S>,
+        first: usize,
+        cases: &[C],
+    ) -> Vec<R> {
         for (lane, system) in systems.iter_mut().enumerate() {
             // Lanes without a case have the first one's numbers, so that nothing odd is computed there.
             let Some(case) = cases.get(lane).or(cases.first()) else { continue };
             self.sweep.set(system, case.as_ref());
         }
-        let motions = self.motions(lockstep, &LaneSystems::new(systems), Mask::from_fn(simd, |lane| lane < cases.len()), cases.len());
-        let results = motions.into_iter().zip(systems.iter()).map(|(motion, system)| motion.map_or_else(|| self.alone(system), Ok));
+        let motions = self.motions(
+            lockstep,
+            &LaneSystems::new(systems),
+            Mask::from_fn(simd, |lane| lane < cases.len()),
+            cases.len(),
+        );
+        let results = motions
+            .into_iter()
+            .zip(systems.iter())
+            .map(|(motion, system)| motion.map_or_else(|| self.alone(system), Ok));
         results.enumerate().map(|(lane, motion)| (self.keep)(first + lane, motion)).collect()
     }
 
@@ -251,7 +288,8 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
         wanted: Mask<S>,
         count: usize,
     ) -> Vec<Option<Motion>> {
-        let mut motions: Vec<Motion> = crew.systems.iter().take(count).map(|system| Motion::new(system, self.times.len())).collect();
+        let mut motions: Vec<Motion> =
+            crew.systems.iter().take(count).map(|system| Motion::new(system, self.times.len())).collect();
         let mut active = wanted;
         for (k, &t) in self.times.iter().enumerate() {
             let before = active;
@@ -269,7 +307,8 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
         lockstep.flush(&mut motions);
         lockstep.complete(self.times, &mut motions);
         let done = |lane: usize, motion: &Motion| {
-            active.lane(lane) && crew.systems[lane].all_meant((0..motion.len()).map(|k| (motion.times()[k], motion.q(k))))
+            active.lane(lane)
+                && crew.systems[lane].all_meant((0..motion.len()).map(|k| (motion.times()[k], motion.q(k))))
         };
         motions.into_iter().enumerate().map(|(lane, motion)| done(lane, &motion).then_some(motion)).collect()
     }
@@ -278,7 +317,9 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
 /// The systems of all lanes, and their common steps.
 type Worker<'o, S> = (Vec<System>, Lockstep<'o, S>);
 
-impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> WithLevel for &Job<'_, '_, C, K> {
+impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> WithLevel
+    for &Job<'_, '_, C, K>
+{
     type Output = Result<Vec<R>>;
 
     fn run<S: Level>(self, simd: S) -> Self::Output {
@@ -302,7 +343,9 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
 }
 
 fn not_there(lanes: Lanes) -> Error {
-    Error::InvalidOptions { reason: format!("this machine does not have {lanes:?}; Lanes::Best takes what there is") }
+    Error::InvalidOptions {
+        reason: format!("this machine does not have {lanes:?}; Lanes::Best takes what there is"),
+    }
 }
 
 /// What is behind a lock; that another thread has panicked is that thread's matter.

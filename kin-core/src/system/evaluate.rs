@@ -1,4 +1,5 @@
-//! Evaluation of a whole system: states once an iterate, then each constraint into its own block of rows and values.
+//! Evaluation of a whole system: states once an iterate, then each constraint into its own block of rows and
+//! values.
 
 mod block;
 mod culprit;
@@ -89,7 +90,8 @@ struct Asked {
 #[derive(Clone, Copy)]
 struct Straight {
     block: usize,
-    /// Where what its rows come to stands among the numbers of the time, and whether the constraint writes it there itself.
+    /// Where what its rows come to stands among the numbers of the time, and whether the constraint writes it
+    /// there itself.
     sides: usize,
     told: bool,
 }
@@ -149,18 +151,28 @@ impl Equations {
         for block in self.asked.timed.iter().map(|&k| &self.blocks[k]) {
             block.constraint.at_time(t, &mut instant.timed[block.timed.range()]);
         }
-        self.asked.linear.iter().filter(|linear| !linear.told).for_each(|linear| self.ask_sides(*linear, t, instant));
+        self.asked
+            .linear
+            .iter()
+            .filter(|linear| !linear.told)
+            .for_each(|linear| self.ask_sides(*linear, t, instant));
         instant.t = t;
     }
 
-    /// Asks a linear constraint that does not tell what its rows come to; its Q_d does not depend on the rates.
+    /// Asks a linear constraint that does not tell what its rows come to; its Q_d does not depend on the
+    /// rates.
     fn ask_sides(&self, Straight { block, sides, .. }: Straight, t: f64, instant: &mut Instant) {
         let block = &self.blocks[block];
         let (timed, asked) = instant.timed.split_at_mut(sides);
         let (at, m) = (self.origin(t, block).with_timed(&timed[block.timed.range()]), block.rows().len());
         block.constraint.residual(&at, &mut asked[..m]);
         block.constraint.velocity_rhs(&at, &mut asked[m..2 * m]);
-        block.constraint.acceleration_rhs(&at, &self.rates(block, &instant.rates), 1.0, &mut asked[2 * m..3 * m]);
+        block.constraint.acceleration_rhs(
+            &at,
+            &self.rates(block, &instant.rates),
+            1.0,
+            &mut asked[2 * m..3 * m],
+        );
     }
 
     pub(crate) fn set_position(&self, q: &[f64], instant: &mut Instant) {
@@ -182,7 +194,10 @@ impl Equations {
 
     /// Writes the values of C_q that never change; [`Equations::linearize`] may leave them as they are.
     pub(crate) fn set_constants(&self, values: &mut [f64]) {
-        values.iter_mut().zip(&self.constants).for_each(|(value, constant)| *value = constant.unwrap_or(*value));
+        values
+            .iter_mut()
+            .zip(&self.constants)
+            .for_each(|(value, constant)| *value = constant.unwrap_or(*value));
     }
 
     /// C(q, t) and the values of C_q at an instant of that q, whether they are finite or not.
@@ -201,7 +216,13 @@ impl Equations {
     }
 
     /// The same where only the time has changed since; false if C_q has not changed with it.
-    pub(crate) fn relinearize(&self, q: &[f64], instant: &Instant, c: &mut [f64], values: &mut [f64]) -> bool {
+    pub(crate) fn relinearize(
+        &self,
+        q: &[f64],
+        instant: &Instant,
+        c: &mut [f64],
+        values: &mut [f64],
+    ) -> bool {
         for block in self.asked.c.iter().map(|&k| &self.blocks[k]) {
             let c = &mut c[block.rows.range()];
             if self.asked.c_q_on_t {
@@ -217,7 +238,8 @@ impl Equations {
     /// Whether C and the values of C_q are finite. What stands on the ground's coordinates does not matter.
     pub(crate) fn finite(&self, c: &[f64], values: &[f64]) -> Result<(), Bad> {
         finite(c, "C")?;
-        let mut own = values.iter().zip(&self.entries).filter_map(|(value, entry)| entry.map(|(row, _)| (row, value)));
+        let mut own =
+            values.iter().zip(&self.entries).filter_map(|(value, entry)| entry.map(|(row, _)| (row, value)));
         own.find(|(_, value)| !value.is_finite()).map_or(Ok(()), |(row, _)| Err(Bad { row, quantity: "C_q" }))
     }
 }

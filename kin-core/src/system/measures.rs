@@ -13,16 +13,21 @@ pub(crate) struct MeasurePlace {
 }
 
 impl System {
-    /// Names of all measures of its joints, such as `slot.slide`, in the order of the constraints: what [`System::measure`] can be asked for
-    /// beside coordinates.
+    /// Names of all measures of its joints, such as `slot.slide`, in the order of the constraints: what
+    /// [`System::measure`] can be asked for beside coordinates.
     pub fn measures(&self) -> Vec<String> {
-        self.constraints().flat_map(|(name, constraint)| constraint.measures().iter().map(move |m| format!("{name}.{}", m.name))).collect()
+        self.constraints()
+            .flat_map(|(name, constraint)| {
+                constraint.measures().iter().map(move |m| format!("{name}.{}", m.name))
+            })
+            .collect()
     }
 
     /// Where a measure is, by its name.
     pub(crate) fn place_of(&self, name: &str) -> Option<MeasurePlace> {
         let (joint, measure) = name.rsplit_once('.')?;
-        let (block, (_, constraint)) = self.constraints().enumerate().find(|(_, (known, _))| *known == joint)?;
+        let (block, (_, constraint)) =
+            self.constraints().enumerate().find(|(_, (known, _))| *known == joint)?;
         let number = constraint.measures().iter().position(|known| known.name == measure)?;
         Some(MeasurePlace { block, number, told: constraint.measures()[number] })
     }
@@ -34,13 +39,20 @@ impl System {
             let known = self.measures().into_iter().chain(self.coordinate_names().iter().cloned()).collect();
             return Error::UnknownName { what: "measure or coordinate", name: name.to_string(), known };
         };
-        let known: Vec<String> = constraint.measures().iter().map(|measure| format!("`{joint}.{}`", measure.name)).collect();
+        let known: Vec<String> =
+            constraint.measures().iter().map(|measure| format!("`{joint}.{}`", measure.name)).collect();
         let reason = match known[..] {
             [] => {
-                format!("there is no `{name}`: this joint has no measure. Ask for a point, an angle between bodies or a coordinate instead")
+                format!(
+                    "there is no `{name}`: this joint has no measure. Ask for a point, an angle between bodies or a coordinate instead"
+                )
             }
             _ => format!("there is no `{name}`; what can be asked of this joint is {}", known.join(" and ")),
         };
-        Error::InvalidConstraint { constraint: joint.to_string(), kind: constraint.kind().to_string(), reason }
+        Error::InvalidConstraint {
+            constraint: joint.to_string(),
+            kind: constraint.kind().to_string(),
+            reason,
+        }
     }
 }

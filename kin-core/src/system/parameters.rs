@@ -18,7 +18,9 @@ impl System {
     pub fn parameters(&self) -> Vec<(String, f64)> {
         let mut all = Vec::new();
         for block in &self.equations.blocks {
-            block.constraint.parameters(&mut |name, value| all.push((format!("{}.{name}", block.name), value)));
+            block
+                .constraint
+                .parameters(&mut |name, value| all.push((format!("{}.{name}", block.name), value)));
         }
         all
     }
@@ -28,8 +30,8 @@ impl System {
         self.find(name).map(|(_, _, value)| value)
     }
 
-    /// Sets one parameter, such as `slot.k`; pattern, order and guesses stay. Errors: no such parameter, not finite, or what makes no sense with
-    /// the others; the old value stays.
+    /// Sets one parameter, such as `slot.k`; pattern, order and guesses stay. Errors: no such parameter, not
+    /// finite, or what makes no sense with the others; the old value stays.
     pub fn set(&mut self, name: &str, value: f64) -> Result<()> {
         let (index, parameter, _) = self.find(name)?;
         let block = &mut self.equations.blocks[index];
@@ -54,11 +56,17 @@ impl System {
             if let Some(number) = parameters.iter().position(|(known, _)| known == name) {
                 let place = self.numbered(number);
                 // One that cannot be set, such as that of a law without names, is told now.
-                return if copy.put(place, parameters[number].1) { Ok(place) } else { Err(cannot_be_set(name)) };
+                return if copy.put(place, parameters[number].1) {
+                    Ok(place)
+                } else {
+                    Err(cannot_be_set(name))
+                };
             }
-            let coordinate = self.coordinate_names().iter().position(|known| known == name).map(CasePlace::Coordinate);
+            let coordinate =
+                self.coordinate_names().iter().position(|known| known == name).map(CasePlace::Coordinate);
             coordinate.ok_or_else(|| {
-                let known = self.near(name).into_iter().chain(self.coordinate_names().iter().cloned()).collect();
+                let known =
+                    self.near(name).into_iter().chain(self.coordinate_names().iter().cloned()).collect();
                 Error::UnknownName { what: "parameter or coordinate", name: name.to_string(), known }
             })
         };
@@ -67,7 +75,9 @@ impl System {
 
     /// Which constraints differ from case to case, where the numbers of a case go to these places.
     pub(crate) fn varied(&self, places: &[CasePlace]) -> Vec<bool> {
-        let has = |k: usize| places.iter().any(|place| matches!(place, CasePlace::Parameter { block, .. } if *block == k));
+        let has = |k: usize| {
+            places.iter().any(|place| matches!(place, CasePlace::Parameter { block, .. } if *block == k))
+        };
         (0..self.equations.blocks.len()).map(has).collect()
     }
 
@@ -93,12 +103,17 @@ impl System {
     pub(crate) fn put(&mut self, place: CasePlace, value: f64) -> bool {
         self.linear.forget();
         match place {
-            CasePlace::Parameter { block, index } => {
-                self.equations.blocks.get_mut(block).is_some_and(|block| block.constraint.set_parameter_at(index, value))
-            }
+            CasePlace::Parameter { block, index } => self
+                .equations
+                .blocks
+                .get_mut(block)
+                .is_some_and(|block| block.constraint.set_parameter_at(index, value)),
             CasePlace::Coordinate(column) => {
                 self.initial[column] = value;
-                self.preferred.iter_mut().filter(|(preferred, _)| *preferred == column).for_each(|(_, preferred)| *preferred = value);
+                self.preferred
+                    .iter_mut()
+                    .filter(|(preferred, _)| *preferred == column)
+                    .for_each(|(_, preferred)| *preferred = value);
                 true
             }
         }
@@ -107,7 +122,10 @@ impl System {
     /// The constraint, the parameter's name in it, and its value; names may have dots themselves.
     fn find(&self, name: &str) -> Result<(usize, String, f64)> {
         for (index, block) in self.equations.blocks.iter().enumerate() {
-            let Some(wanted) = name.strip_prefix(block.name.as_str()).and_then(|rest| rest.strip_prefix('.')) else { continue };
+            let Some(wanted) = name.strip_prefix(block.name.as_str()).and_then(|rest| rest.strip_prefix('.'))
+            else {
+                continue;
+            };
             let mut found = None;
             block.constraint.parameters(&mut |parameter, value| {
                 if parameter == wanted {
@@ -125,8 +143,11 @@ impl System {
     fn near(&self, name: &str) -> Vec<String> {
         let all: Vec<String> = self.parameters().into_iter().map(|(name, _)| name).collect();
         let constraint = name.split('.').next().unwrap_or_default();
-        let own: Vec<String> =
-            all.iter().filter(|known| known.strip_prefix(constraint).is_some_and(|rest| rest.starts_with('.'))).cloned().collect();
+        let own: Vec<String> = all
+            .iter()
+            .filter(|known| known.strip_prefix(constraint).is_some_and(|rest| rest.starts_with('.')))
+            .cloned()
+            .collect();
         if own.is_empty() { all } else { own }
     }
 }

@@ -4,12 +4,19 @@ use crate::model::layout::Layout;
 use crate::model::units::Unit;
 use crate::system::evaluate::Equations;
 
-/// The characteristic size s_j of every coordinate: 1 for angles and Euler parameters, for lengths a typical length of the model.
+/// The characteristic size s_j of every coordinate: 1 for angles and Euler parameters, for lengths a typical
+/// length of the model.
 ///
-/// That length is found where the model itself compares lengths with angles: a row that moves by |∂C/∂R| a metre and by |∂C/∂θ| a radian
-/// has the lever |∂C/∂θ| / |∂C/∂R|. The typical length is the median lever of the constraints; without any, the largest link, else the
-/// largest length coordinate, else 1.
-pub(crate) fn sizes(layout: &Layout, equations: &Equations, values: &[f64], q: &[f64], links: &[f64]) -> Vec<f64> {
+/// That length is found where the model itself compares lengths with angles: a row that moves by |∂C/∂R| a
+/// metre and by |∂C/∂θ| a radian has the lever |∂C/∂θ| / |∂C/∂R|. The typical length is the median lever of
+/// the constraints; without any, the largest link, else the largest length coordinate, else 1.
+pub(crate) fn sizes(
+    layout: &Layout,
+    equations: &Equations,
+    values: &[f64],
+    q: &[f64],
+    links: &[f64],
+) -> Vec<f64> {
     let length = lever(layout, equations, values).unwrap_or_else(|| stated(layout, q, links));
     layout.units.iter().map(|unit| if *unit == Unit::Metre { length } else { 1.0 }).collect()
 }
@@ -38,6 +45,7 @@ fn lever(layout: &Layout, equations: &Equations, values: &[f64]) -> Option<f64> 
 fn stated(layout: &Layout, q: &[f64], links: &[f64]) -> f64 {
     let largest = |lengths: &mut dyn Iterator<Item = f64>| lengths.fold(0.0_f64, |m, x| m.max(x.abs()));
     let link = largest(&mut links.iter().copied());
-    let coordinate = largest(&mut q.iter().zip(&layout.units).filter(|(_, unit)| **unit == Unit::Metre).map(|(q, _)| *q));
+    let coordinate =
+        largest(&mut q.iter().zip(&layout.units).filter(|(_, unit)| **unit == Unit::Metre).map(|(q, _)| *q));
     [link, coordinate].into_iter().find(|length| *length > 0.0).unwrap_or(1.0)
 }

@@ -1,6 +1,8 @@
-//! The equations of a mechanism seen from outside the driver: any number of them, at any pose, in units of order 1.
+//! The equations of a mechanism seen from outside the driver: any number of them, at any pose, in units of
+//! order 1.
 //!
-//! What looks at a mechanism that cannot be driven (diagnosis, assembly from afar, redundant mechanisms) stands on this; the driver does not.
+//! What looks at a mechanism that cannot be driven (diagnosis, assembly from afar, redundant mechanisms)
+//! stands on this; the driver does not.
 
 use crate::linear::{Echelon, RANK, Sparse};
 use crate::model::error::Error;
@@ -32,7 +34,8 @@ pub(crate) struct Point {
     pub values: Vec<f64>,
 }
 
-/// Characteristic sizes s_j of coordinates and norms of rows, max_j |∂C_i/∂q_j| s_j over a few poses: by them everything is of order 1.
+/// Characteristic sizes s_j of coordinates and norms of rows, max_j |∂C_i/∂q_j| s_j over a few poses: by them
+/// everything is of order 1.
 #[derive(Clone, Debug)]
 pub(crate) struct Measures {
     pub sizes: Vec<f64>,
@@ -68,7 +71,8 @@ impl Model<'_> {
         Ok(rhs)
     }
 
-    /// −\[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt\]: with ṫ = 1 it is Q_d, with ṫ = 0 the second order of a motion along v that time has no part in.
+    /// −\[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt\]: with ṫ = 1 it is Q_d, with ṫ = 0 the second order of a motion
+    /// along v that time has no part in.
     pub(crate) fn second_order(&self, q: &[f64], t: f64, v: &[f64], t_dot: f64) -> Result<Vec<f64>, Bad> {
         let (mut instant, mut rhs) = (self.equations.instant_at(t, q), vec![0.0; self.m()]);
         self.equations.set_rates(v, &mut instant);
@@ -78,7 +82,13 @@ impl Model<'_> {
     }
 
     /// −g‴(0), the right side for the jerk; the outer error is for a constraint that does not know it.
-    pub(crate) fn jerk_rhs(&self, q: &[f64], t: f64, qd: &[f64], qdd: &[f64]) -> Result<Result<Vec<f64>, Bad>, Error> {
+    pub(crate) fn jerk_rhs(
+        &self,
+        q: &[f64],
+        t: f64,
+        qd: &[f64],
+        qdd: &[f64],
+    ) -> Result<Result<Vec<f64>, Bad>, Error> {
         let (mut instant, mut rhs) = (self.equations.instant_at(t, q), vec![0.0; self.m()]);
         self.equations.set_rates(qd, &mut instant);
         self.equations.jerk_rhs(qdd, &mut instant, &mut rhs).map_err(|row| self.equations.no_jerk(row))?;
@@ -113,7 +123,8 @@ impl Model<'_> {
         self.raise(&mut norms, values, &sizes);
         for seed in 0..POSES {
             let mut random = Random::new(seed);
-            let beside: Vec<f64> = q.iter().zip(&sizes).map(|(q, size)| q + REACH * size * random.number()).collect();
+            let beside: Vec<f64> =
+                q.iter().zip(&sizes).map(|(q, size)| q + REACH * size * random.number()).collect();
             if let Ok(point) = self.linearize(&beside, t) {
                 self.raise(&mut norms, &point.values, &sizes);
             }
@@ -149,7 +160,12 @@ impl Model<'_> {
     }
 
     /// Rows of C_q in units of order 1; those of `active` rows only, the others stay empty.
-    pub(crate) fn scaled(&self, values: &[f64], measures: &Measures, active: &dyn Fn(usize) -> bool) -> Vec<Sparse> {
+    pub(crate) fn scaled(
+        &self,
+        values: &[f64],
+        measures: &Measures,
+        active: &dyn Fn(usize) -> bool,
+    ) -> Vec<Sparse> {
         let mut rows = vec![Sparse::new(); self.m()];
         for (row, column, value) in self.entries(values).filter(|(row, _, _)| active(*row)) {
             rows[row].push((column, value * measures.sizes[column] / measures.norms[row]));
@@ -158,7 +174,13 @@ impl Model<'_> {
     }
 
     /// Whether C = 0 holds, but for rounding and what is allowed.
-    pub(crate) fn met(&self, point: &Point, q: &[f64], measures: &Measures, active: &dyn Fn(usize) -> bool) -> bool {
+    pub(crate) fn met(
+        &self,
+        point: &Point,
+        q: &[f64],
+        measures: &Measures,
+        active: &dyn Fn(usize) -> bool,
+    ) -> bool {
         let tolerance = TOLERANCE.max(self.closure);
         // As a rule rounding needs no allowance of its own.
         if point.c.iter().zip(&measures.norms).all(|(c, norm)| c.abs() <= tolerance * norm) {

@@ -1,4 +1,5 @@
-//! What is said of C_q where a solver has found no pivot: its rank, what is left free, which equations depend on one another.
+//! What is said of C_q where a solver has found no pivot: its rank, what is left free, which equations depend
+//! on one another.
 
 use crate::linear::{Echelon, RANK};
 use crate::system::scaled::{Measures, Model};
@@ -25,9 +26,15 @@ pub(crate) fn singular(model: &Model<'_>, values: &[f64], measures: &Measures) -
 }
 
 /// The same where pivots below `least` count as zero: of a position that is known no better.
-pub(crate) fn singular_within(model: &Model<'_>, values: &[f64], measures: &Measures, least: f64) -> Singular {
+pub(crate) fn singular_within(
+    model: &Model<'_>,
+    values: &[f64],
+    measures: &Measures,
+    least: f64,
+) -> Singular {
     let n = model.n();
-    let found = Echelon::of_rank_at_most(model.scaled(values, measures, &|_| true), n, least, n.saturating_sub(1));
+    let found =
+        Echelon::of_rank_at_most(model.scaled(values, measures, &|_| true), n, least, n.saturating_sub(1));
     let shared = |space: Vec<Vec<(usize, f64)>>| {
         let mut all: Vec<usize> = Vec::new();
         for vector in space {
@@ -41,7 +48,8 @@ pub(crate) fn singular_within(model: &Model<'_>, values: &[f64], measures: &Meas
     let owner = |k: usize| Some(model.layout.owner(k)?.name.clone());
     let mut movable: Vec<String> = shared(found.null_space()).into_iter().filter_map(owner).collect();
     movable.dedup();
-    let dependent = shared(found.left_null_space()).into_iter().map(|row| model.equations.equation(row)).collect();
+    let dependent =
+        shared(found.left_null_space()).into_iter().map(|row| model.equations.equation(row)).collect();
     let rank = if found.left > least && found.rank() + 1 == n { n } else { found.rank() };
     Singular { rank, pivot: found.left, movable, dependent }
 }

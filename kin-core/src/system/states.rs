@@ -1,4 +1,5 @@
-//! States of bodies and bare coordinates: evaluated once an iterate, each in one place where all constraints read it.
+//! States of bodies and bare coordinates: evaluated once an iterate, each in one place where all constraints
+//! read it.
 
 mod lanes;
 
@@ -169,7 +170,8 @@ mod tests {
         let (mut plan, mut planned) = (StatePlan::new(3), Planned::new(3));
         let target = |trig| Target::Coord(Coordinate::Planar(any_planar(), 2), trig);
         let place = Place::Own { item: 0, first: 2 };
-        for (trig, place) in [(Trig::Unused, place), (Trig::Unused, Place::Ground(1.0)), (Trig::Used, place)] {
+        for (trig, place) in [(Trig::Unused, place), (Trig::Unused, Place::Ground(1.0)), (Trig::Used, place)]
+        {
             plan.argument(&target(trig), place, &mut planned);
         }
         assert_eq!(plan.arguments(), [[0, 2], [3, 3], [0, 2]]);
@@ -191,7 +193,10 @@ mod tests {
         for theta in [0.0, 0.5, 0.5, -0.0, f64::NAN, f64::NAN, 0.5, 1e300] {
             plan.set_states(&[1.0, 2.0, theta], &mut states);
             let expected = PlanarState::new([1.0, 2.0, theta]).to_array();
-            assert!(states.iter().zip(expected).all(|(a, b)| *a == b || (a.is_nan() && b.is_nan())), "{theta}: {states:?}");
+            assert!(
+                states.iter().zip(expected).all(|(a, b)| *a == b || (a.is_nan() && b.is_nan())),
+                "{theta}: {states:?}"
+            );
         }
     }
 }

@@ -39,14 +39,20 @@ fn flat_parallelogram_is_singular_by_name() {
     assert_eq!((*t, *n, *rank), (0.0, 9, 8));
     assert_eq!(movable, &["coupler", "rocker"]);
     assert!(error.motion().is_none());
-    assert!(error.to_string().contains("`coupler` turns about (1.000, 0.000), `rocker` turns about (3.000, 0.000)"), "{error}");
+    assert!(
+        error
+            .to_string()
+            .contains("`coupler` turns about (1.000, 0.000), `rocker` turns about (3.000, 0.000)"),
+        "{error}"
+    );
 }
 
 #[test]
 fn flat_parallelogram_ends_a_run_that_is_not_checked() {
     // Flat at t = 0, which the sweep reaches from above.
     let (system, times) = (parallelogram(Law::linear(0.0, 1.0)), [0.3, 0.2, 0.1, 0.0]);
-    let error = system.run_with(times, &Options { follow: Follow::Unchecked, ..Options::default() }).unwrap_err();
+    let error =
+        system.run_with(times, &Options { follow: Follow::Unchecked, ..Options::default() }).unwrap_err();
     assert!(matches!(error, Error::SingularAt { t: 0.0, .. }), "{error}");
     assert_eq!(error.motion().unwrap().times(), [0.3, 0.2, 0.1]);
     assert!(error.to_string().contains("`error.motion()`"), "{error}");
@@ -65,7 +71,9 @@ fn toggle_has_its_time() {
     assert_eq!(movable, &["theta3", "x"]);
     assert_eq!(error.motion().unwrap().len(), 10);
     // Unchecked, the end is where no step succeeds any more.
-    let error = system.run_with(linspace(0.0, 2.0, 21), &Options { follow: Follow::Unchecked, ..Options::default() }).unwrap_err();
+    let error = system
+        .run_with(linspace(0.0, 2.0, 21), &Options { follow: Follow::Unchecked, ..Options::default() })
+        .unwrap_err();
     let Error::NoConvergence { constraint, row, last: Some(last), .. } = &error else { panic!("{error}") };
     assert_eq!((constraint.as_str(), row.as_str()), ("loop", "y"));
     assert!(*last <= end && *last > end - 1e-3, "{last} {end}");
@@ -74,7 +82,10 @@ fn toggle_has_its_time() {
 #[test]
 fn loop_that_cannot_close_is_no_convergence() {
     let error = slider_crank([1.0, 0.5, 2.0], 1.0, [0.0, 1.0]).run([0.0]).unwrap_err();
-    assert!(matches!(&error, Error::NoConvergence { constraint, last: None, .. } if constraint == "loop"), "{error}");
+    assert!(
+        matches!(&error, Error::NoConvergence { constraint, last: None, .. } if constraint == "loop"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -85,7 +96,11 @@ fn prediction_carries_through_a_change_point_between_times() {
     system.set_initial(&[0.5 * c, 0.5 * s, -0.105, 1.5 + c, s, 0.0, 3.0 + 0.5 * c, 0.5 * s, -0.105]).unwrap();
     let motion = system.run(linspace(0.0, 0.21, 22)).unwrap();
     for k in 0..22 {
-        assert!((motion.q(k)[8] - motion.q(k)[2]).abs() < 1e-10 && (motion.qd(k)[8] - 1.0).abs() < 1e-8, "{:?}", motion.q(k));
+        assert!(
+            (motion.q(k)[8] - motion.q(k)[2]).abs() < 1e-10 && (motion.qd(k)[8] - 1.0).abs() < 1e-8,
+            "{:?}",
+            motion.q(k)
+        );
     }
 }
 
@@ -106,7 +121,9 @@ fn contradiction_is_told_with_its_equations() {
     m.add("motor", drive_angle(a, Law::ramp(1.0))).unwrap();
     m.add("other", drive_angle(b, Law::ramp(1.0))).unwrap();
     let error = m.build().unwrap().run([0.5]).unwrap_err();
-    let Error::SingularAt { rank, movable, dependent, unmet: Some(unmet), .. } = &error else { panic!("{error}") };
+    let Error::SingularAt { rank, movable, dependent, unmet: Some(unmet), .. } = &error else {
+        panic!("{error}")
+    };
     assert_eq!((*rank, movable.as_slice()), (4, ["spare".to_string()].as_slice()));
     assert!(dependent.iter().any(|name| **name == **unmet), "{error}");
 }
@@ -140,12 +157,18 @@ fn not_finite_names_the_constraint_and_keeps_the_motion() {
     assert!((motion.q(15)[0] - 6.25).abs() < 1e-13 && (motion.qdd(15)[0] - 2.0).abs() < 1e-12);
 
     let error = system.run(linspace(0.0, 3.0, 4)).unwrap_err();
-    assert!(matches!(&error, Error::NotFinite { t: 2.0, quantity: "C_t", constraint, .. } if constraint == "slot"), "{error}");
+    assert!(
+        matches!(&error, Error::NotFinite { t: 2.0, quantity: "C_t", constraint, .. } if constraint == "slot"),
+        "{error}"
+    );
     assert_eq!(error.motion().unwrap().len(), 2);
 
     let error = system.residual(&[-1.0], 0.0).unwrap_err();
     let told = "C of `slot` is not finite: `x.sqrt()` is not a number (operand -1).\n  at x = -1.";
-    assert!(matches!(&error, Error::NotFinite { quantity: "C", .. }) && error.to_string().contains(told), "{error}");
+    assert!(
+        matches!(&error, Error::NotFinite { quantity: "C", .. }) && error.to_string().contains(told),
+        "{error}"
+    );
     assert!(matches!(system.jacobian(&[0.0], 0.0), Err(Error::NotFinite { quantity: "C_q", .. })));
 }
 

@@ -39,7 +39,12 @@ fn chain(n: usize, off: f64) -> System {
     let mut last: Option<PlanarBody> = None;
     for k in 0..n {
         let noise = off * (k as f64).cos();
-        let body = m.planar(&format!("link {k}"), pose(guess[3 * k] + noise, guess[3 * k + 1] - noise, guess[3 * k + 2] + noise)).unwrap();
+        let body = m
+            .planar(
+                &format!("link {k}"),
+                pose(guess[3 * k] + noise, guess[3 * k + 1] - noise, guess[3 * k + 2] + noise),
+            )
+            .unwrap();
         let law = Law::sine(0.3, 1.0, 0.1 * k as f64);
         match last {
             None => {
@@ -82,16 +87,20 @@ fn chain_assembles_from_a_rough_guess_and_steps() {
 fn large_singular_system_is_told() {
     let n = 60;
     let mut m = Mechanism::new("chain");
-    let bodies: Vec<PlanarBody> = (0..n).map(|k| m.planar(&format!("link {k}"), pose(k as f64 + 0.5, 0.0, 0.0)).unwrap()).collect();
+    let bodies: Vec<PlanarBody> =
+        (0..n).map(|k| m.planar(&format!("link {k}"), pose(k as f64 + 0.5, 0.0, 0.0)).unwrap()).collect();
     m.add("pin 0", planar::revolute(Ground, bodies[0], v(0.0, 0.0), v(-0.5, 0.0))).unwrap();
     m.add("motor 0", drive_angle(bodies[0], Law::ramp(1.0))).unwrap();
     for k in 1..n {
-        m.add(&format!("pin {k}"), planar::revolute(bodies[k - 1], bodies[k], v(0.5, 0.0), v(-0.5, 0.0))).unwrap();
+        m.add(&format!("pin {k}"), planar::revolute(bodies[k - 1], bodies[k], v(0.5, 0.0), v(-0.5, 0.0)))
+            .unwrap();
         let (i, j) = if k == n - 1 { (0, 1) } else { (k - 1, k) };
         m.add(&format!("motor {k}"), relative(bodies[i], bodies[j], Law::constant(0.0))).unwrap();
     }
     let error = m.build().unwrap().run([0.0]).unwrap_err();
-    let crate::model::error::Error::SingularAt { rank, movable, dependent, .. } = &error else { panic!("{error}") };
+    let crate::model::error::Error::SingularAt { rank, movable, dependent, .. } = &error else {
+        panic!("{error}")
+    };
     assert_eq!(*rank, 3 * n - 1);
     assert_eq!(movable, &["link 59"]);
     assert_eq!(dependent, &["motor 1", "motor 59"]);

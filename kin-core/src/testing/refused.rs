@@ -25,7 +25,13 @@ fn not_square_names_what_is_untouched() {
     let error = m.build().unwrap_err();
     let found = error.diagnosis().unwrap();
     assert_eq!((found.coordinates, found.equations, found.rank, found.freedoms.len()), (6, 3, 3, 3));
-    assert!(found.freedoms.iter().all(|freedom| freedom.motions.len() == 1 && freedom.motions[0].names == ["spare"]), "{error}");
+    assert!(
+        found
+            .freedoms
+            .iter()
+            .all(|freedom| freedom.motions.len() == 1 && freedom.motions[0].names == ["spare"]),
+        "{error}"
+    );
 }
 
 #[test]
@@ -46,8 +52,12 @@ fn constraints_are_refused_by_name() {
     assert!(matches!(m.add("O", revolute(a, a, o, o)), Err(Error::RepeatedBody { name, .. }) if name == "a"));
     let same = Follow { x: a.x(), other: a.x(), law: Law::ramp(1.0) };
     assert!(matches!(m.add("O", same), Err(Error::RepeatedBody { name, .. }) if name == "a.R_x"));
-    assert!(matches!(m.add("O", revolute(Ground, Ground, o, o)), Err(Error::NoCoordinates { row, .. }) if row == "x"));
-    assert!(matches!(m.add("O", revolute(any_planar(), a, o, o)), Err(Error::ForeignBody { argument, .. }) if argument == "i"));
+    assert!(
+        matches!(m.add("O", revolute(Ground, Ground, o, o)), Err(Error::NoCoordinates { row, .. }) if row == "x")
+    );
+    assert!(
+        matches!(m.add("O", revolute(any_planar(), a, o, o)), Err(Error::ForeignBody { argument, .. }) if argument == "i")
+    );
     let nan = m.add("O", revolute(Ground, a, o, v(0.0, f64::NAN)));
     assert!(matches!(nan, Err(Error::ParameterNotFinite { parameter, .. }) if parameter == "u_j.y"));
     let nan = m.add("O", drive_angle(a, Law::ramp(f64::INFINITY)));
@@ -56,7 +66,9 @@ fn constraints_are_refused_by_name() {
     m.add("O", drive_angle(a, Law::ramp(1.0))).unwrap();
     assert!(matches!(m.add("O", drive_angle(a, Law::ramp(1.0))), Err(Error::DuplicateName { .. })));
     assert!(matches!(m.link("b", 0.0), Err(Error::InvalidLength { .. })));
-    assert!(matches!(m.planar("b", pose(0.0, f64::NAN, 0.0)), Err(Error::InitialNotFinite { coordinate, .. }) if coordinate == "b.R_y"));
+    assert!(
+        matches!(m.planar("b", pose(0.0, f64::NAN, 0.0)), Err(Error::InitialNotFinite { coordinate, .. }) if coordinate == "b.R_y")
+    );
     m.prefer(a, f64::NAN);
     assert!(matches!(m.build(), Err(Error::InitialNotFinite { .. })));
 }
@@ -108,7 +120,10 @@ fn names_follow_the_order_of_declaration_and_addition() {
 fn file_has_every_digit_and_its_headers() {
     let mut motion = two_link(1.0).run([0.0, 0.1]).unwrap();
     motion.add_output("power", "W", vec![1.0, 2.0]).unwrap();
-    assert!(motion.add_output("power", "W", vec![1.0, 2.0]).is_err() && motion.add_output("x", "m", vec![f64::NAN, 0.0]).is_err());
+    assert!(
+        motion.add_output("power", "W", vec![1.0, 2.0]).is_err()
+            && motion.add_output("x", "m", vec![f64::NAN, 0.0]).is_err()
+    );
     assert!(motion.add_output("x", "m", vec![0.0]).is_err());
     let folder = std::env::temp_dir().join(format!("kin-motion-{}", std::process::id()));
     let path = folder.join("deep/motion.csv");
@@ -116,7 +131,10 @@ fn file_has_every_digit_and_its_headers() {
     let text = std::fs::read_to_string(&path).unwrap();
     let lines: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
     assert_eq!(lines[0][0], "t [s]");
-    assert_eq!((lines[0][3], lines[0][10], lines[0][19]), ("body1.theta [rad]", "body1.R_x' [m/s]", "body1.R_x'' [m/s^2]"));
+    assert_eq!(
+        (lines[0][3], lines[0][10], lines[0][19]),
+        ("body1.theta [rad]", "body1.R_x' [m/s]", "body1.R_x'' [m/s^2]")
+    );
     assert_eq!((lines[0].len(), lines[0][28]), (29, "power [W]"));
     let read: Vec<f64> = lines[2].iter().map(|x| x.parse().unwrap()).collect();
     assert_eq!(read[1..10], *motion.q(1));

@@ -12,8 +12,12 @@ use crate::solve::newton::{Options, Stop};
 /// R3, its velocity and its acceleration in closed form.
 fn two_link_exact(t: f64) -> [[f64; 2]; 3] {
     let (a, b, w, o) = (0.5 * t + FRAC_PI_6, 0.75 * t + 0.5 * FRAC_PI_6, 0.5, 0.75);
-    let e = |k: usize, angle: f64| [[angle.cos(), angle.sin()], [-angle.sin(), angle.cos()], [-angle.cos(), -angle.sin()]][k];
-    std::array::from_fn(|k| std::array::from_fn(|i| 0.2 * w_pow(w, k) * e(k, a)[i] + 0.175 * w_pow(o, k) * e(k, b)[i]))
+    let e = |k: usize, angle: f64| {
+        [[angle.cos(), angle.sin()], [-angle.sin(), angle.cos()], [-angle.cos(), -angle.sin()]][k]
+    };
+    std::array::from_fn(|k| {
+        std::array::from_fn(|i| 0.2 * w_pow(w, k) * e(k, a)[i] + 0.175 * w_pow(o, k) * e(k, b)[i])
+    })
 }
 
 fn w_pow(w: f64, k: usize) -> f64 {
@@ -25,24 +29,40 @@ fn two_link_manipulator_is_the_closed_form() {
     let motion = two_link(1.0).run(linspace(0.0, 24.0, 2401)).unwrap();
     for (k, t) in motion.times().iter().enumerate() {
         let exact = two_link_exact(*t);
-        for (found, (exact, tolerance)) in
-            [motion.q(k), motion.qd(k), motion.qdd(k)].into_iter().zip(exact.into_iter().zip([1e-14, 1e-13, 1e-13]))
+        for (found, (exact, tolerance)) in [motion.q(k), motion.qd(k), motion.qdd(k)]
+            .into_iter()
+            .zip(exact.into_iter().zip([1e-14, 1e-13, 1e-13]))
         {
-            assert!((found[6] - exact[0]).abs() < tolerance && (found[7] - exact[1]).abs() < tolerance, "t = {t}");
+            assert!(
+                (found[6] - exact[0]).abs() < tolerance && (found[7] - exact[1]).abs() < tolerance,
+                "t = {t}"
+            );
         }
     }
     assert!(motion.residuals().iter().all(|r| *r < 1e-14));
     // Prediction from one time takes one step, prediction from three takes none.
-    assert!(motion.iterations()[1..3].iter().all(|n| *n == 1) && motion.iterations()[3..].iter().all(|n| *n == 0));
-    assert!(motion.summary().starts_with("two-link manipulator: 9 coordinates, 9 equations, 2401 times, predictions met the equations"));
+    assert!(
+        motion.iterations()[1..3].iter().all(|n| *n == 1) && motion.iterations()[3..].iter().all(|n| *n == 0)
+    );
+    assert!(motion.summary().starts_with(
+        "two-link manipulator: 9 coordinates, 9 equations, 2401 times, predictions met the equations"
+    ));
 }
 
 #[test]
 fn two_link_manipulator_is_the_reference_at_one_second() {
     // tests/data/two_link_25.json, t = 1.
     let motion = two_link(1.0).run(linspace(0.0, 24.0, 25)).unwrap();
-    let q = [0.05202960232131906, 0.08539859765994633, 1.023598775598299, 0.196868019041525, 0.3191600072704383, 1.0117993877991494];
-    let qdd = [-0.013007400580329766, -0.02134964941498658, 0.0, -0.0782197592600334, -0.12615338055215508, 0.0];
+    let q = [
+        0.05202960232131906,
+        0.08539859765994633,
+        1.023598775598299,
+        0.196868019041525,
+        0.3191600072704383,
+        1.0117993877991494,
+    ];
+    let qdd =
+        [-0.013007400580329766, -0.02134964941498658, 0.0, -0.0782197592600334, -0.12615338055215508, 0.0];
     for k in 0..6 {
         assert!((motion.q(1)[3 + k] - q[k]).abs() < 1e-14 && (motion.qdd(1)[3 + k] - qdd[k]).abs() < 1e-14);
     }
@@ -63,7 +83,8 @@ fn unit_of_length_changes_nothing() {
 #[test]
 fn backwards_is_the_same_motion() {
     let system = two_link(1.0);
-    let (forth, back) = (system.run(linspace(0.0, 2.0, 21)).unwrap(), system.run(linspace(2.0, 0.0, 21)).unwrap());
+    let (forth, back) =
+        (system.run(linspace(0.0, 2.0, 21)).unwrap(), system.run(linspace(2.0, 0.0, 21)).unwrap());
     for k in 0..21 {
         assert!(forth.q(k).iter().zip(back.q(20 - k)).all(|(a, b)| (a - b).abs() < 1e-14));
     }
@@ -87,7 +108,10 @@ fn slider_crank_is_the_elimination() {
             let theta3 = if branch > 0.0 { s.asin() } else { PI - s.asin() };
             let (c, x) = (theta3.cos(), l2 * (10.0 * t).cos() + l3 * theta3.cos());
             let rate = -10.0 * l2 * (10.0 * t).cos() / (l3 * c);
-            assert!((motion.q(k)[0] - theta3).abs() < 1e-13 && (motion.q(k)[1] - x).abs() < 1e-13, "{branch} {t}");
+            assert!(
+                (motion.q(k)[0] - theta3).abs() < 1e-13 && (motion.q(k)[1] - x).abs() < 1e-13,
+                "{branch} {t}"
+            );
             assert!((motion.qd(k)[0] - rate).abs() < 1e-11);
         }
     }
@@ -103,7 +127,11 @@ fn four_bar_assembles_from_nothing_as_preferred() {
         let motion = system.run(linspace(0.0, 1.0, 1001)).unwrap();
         let exact = (side * across).atan2(along - d);
         let theta = motion.coordinate(rocker.theta()).unwrap();
-        assert!((theta.value.values()[0] - exact).abs() < 1e-13, "{preferred}: {} {exact}", theta.value.values()[0]);
+        assert!(
+            (theta.value.values()[0] - exact).abs() < 1e-13,
+            "{preferred}: {} {exact}",
+            theta.value.values()[0]
+        );
         assert!((theta.value.values()[1000] - exact).abs() < 1e-12);
         assert!(motion.iterations()[1..].iter().all(|n| *n <= 2), "{:?}", motion.iterations());
     }
@@ -125,7 +153,8 @@ fn coupler_point_moves_as_its_position_does() {
     assert_eq!(motion.point(PlanarBody::from(Ground), v(1.0, 2.0)).unwrap().r()[5], v(1.0, 2.0));
 }
 
-/// Slider-crank in absolute coordinates, hand-written and compiled constraints side by side, near its singular position.
+/// Slider-crank in absolute coordinates, hand-written and compiled constraints side by side, near its
+/// singular position.
 #[test]
 fn compiled_and_hand_written_constraints_run_together() {
     let (l2, l3, h) = (0.2, 0.205, 0.004);
@@ -172,12 +201,19 @@ fn stewart_platform_keeps_its_legs_and_its_norm() {
     };
     let laws: Vec<Law> = (0..6)
         .map(|i| {
-            let (length, phase) = ((corner(i, 0.5, PI / 4.0, 1.0) - corner(i, 1.0, PI / 12.0, 0.0)).norm(), i as f64 * PI / 3.0);
+            let (length, phase) = (
+                (corner(i, 0.5, PI / 4.0, 1.0) - corner(i, 1.0, PI / 12.0, 0.0)).norm(),
+                i as f64 * PI / 3.0,
+            );
             Law::constant(length - 0.1 * phase.sin()) + Law::sine(0.1, PI, phase)
         })
         .collect();
     for (i, law) in laws.iter().enumerate() {
-        m.add(&format!("leg {i}"), leg(platform, corner(i, 0.5, PI / 4.0, 0.0), corner(i, 1.0, PI / 12.0, 0.0), law.clone())).unwrap();
+        m.add(
+            &format!("leg {i}"),
+            leg(platform, corner(i, 0.5, PI / 4.0, 0.0), corner(i, 1.0, PI / 12.0, 0.0), law.clone()),
+        )
+        .unwrap();
     }
     let system = m.build().unwrap();
     assert_eq!(system.equation_names()[6], "platform.p");
@@ -204,7 +240,10 @@ fn velocity_and_acceleration_are_those_of_the_run() {
     let motion = system.run([0.0, 0.4]).unwrap();
     let (q, qd) = (motion.q(1), motion.qd(1));
     let close = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-14);
-    assert!(close(&system.velocity(q, 0.4).unwrap(), qd) && close(&system.acceleration(q, qd, 0.4).unwrap(), motion.qdd(1)));
+    assert!(
+        close(&system.velocity(q, 0.4).unwrap(), qd)
+            && close(&system.acceleration(q, qd, 0.4).unwrap(), motion.qdd(1))
+    );
     assert_eq!(system.c_t(q, 0.4).unwrap()[7..], [-0.5, -0.75]);
     assert_eq!(system.jacobian(q, 0.4).unwrap()[(3, 0)], 1.0);
 }

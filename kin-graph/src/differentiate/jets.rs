@@ -1,4 +1,5 @@
-//! Second-order jets: of g(s) = C(q + s q̇, t + s ṫ), the derivatives g′(0) and g″(0). −g″(0) is the whole acceleration right side.
+//! Second-order jets: of g(s) = C(q + s q̇, t + s ṫ), the derivatives g′(0) and g″(0). −g″(0) is the whole
+//! acceleration right side.
 
 use super::moves::{Motion, Moves};
 use super::scaled::{Depth, Tangents, relative_exponent, scaled, where_finite, where_large};
@@ -12,8 +13,8 @@ pub struct Jet {
     pub second: Node,
 }
 
-/// Jets along (q̇, ṫ); each node is differentiated once. First derivatives stand alone: the second derivative of f(u) needs the first of
-/// f′(u), which can contain f(u) again.
+/// Jets along (q̇, ṫ); each node is differentiated once. First derivatives stand alone: the second derivative
+/// of f(u) needs the first of f′(u), which can contain f(u) again.
 #[derive(Default)]
 pub struct Jets {
     first: Memo<Node>,
@@ -27,7 +28,8 @@ impl Tangents for Jets {
     }
 }
 
-/// A second derivative as `outer + 2 cross`: the products of first derivatives are gathered through sums, and doubled once.
+/// A second derivative as `outer + 2 cross`: the products of first derivatives are gathered through sums, and
+/// doubled once.
 #[derive(Clone, Copy, Default)]
 struct Second {
     outer: Node,
@@ -169,7 +171,8 @@ impl Jets {
         if g.bursts(b) {
             let inverse = inverse(g, b);
             let first = self.first.of(y);
-            let (whole, relative) = (self.scaled_second(g, inverse, a, Depth::FULL), scaled(g, self, inverse, b));
+            let (whole, relative) =
+                (self.scaled_second(g, inverse, a, Depth::FULL), scaled(g, self, inverse, b));
             let (cross, bent) = (g.mul(first, relative), self.scaled_second(g, inverse, b, Depth::FULL));
             let (cross, last) = (double(g, cross), g.mul(y, bent));
             let whole = g.sub(whole, cross);
@@ -230,7 +233,8 @@ impl Jets {
             Op::Mul(a, b) => {
                 let depth = depth.product()?;
                 let (cb, ca) = (g.mul(c, b), g.mul(c, a));
-                let (left, right) = (self.scaled_second(g, cb, a, depth), self.scaled_second(g, ca, b, depth));
+                let (left, right) =
+                    (self.scaled_second(g, cb, a, depth), self.scaled_second(g, ca, b, depth));
                 let cross = scaled(g, self, c, a);
                 let cross = scaled(g, self, cross, b);
                 let (cross, sum) = (double(g, cross), g.add(left, right));
@@ -289,7 +293,8 @@ impl Jets {
             let outer_first = self.first(g, outer);
             let motion = self.moves.of(a);
             let term = if g.bursts(a) {
-                let (bent, straight) = (scaled(g, self, outer_first, a), self.scaled_second(g, outer, a, Depth::FULL));
+                let (bent, straight) =
+                    (scaled(g, self, outer_first, a), self.scaled_second(g, outer, a, Depth::FULL));
                 let term = g.add(bent, straight);
                 where_finite(g, a, term)
             } else {
@@ -310,8 +315,10 @@ impl Jets {
         if jets.iter().all(|jet| g.is_zero(jet.first) && g.is_zero(jet.second)) {
             return g.zero();
         }
-        let (first, second) = (jets.iter().map(|jet| jet.first).collect(), jets.iter().map(|jet| jet.second).collect());
-        let condition = |a: &Node| if let Motion::When(moves) = self.moves.of(*a) { Some(moves) } else { None };
+        let (first, second) =
+            (jets.iter().map(|jet| jet.first).collect(), jets.iter().map(|jet| jet.second).collect());
+        let condition =
+            |a: &Node| if let Motion::When(moves) = self.moves.of(*a) { Some(moves) } else { None };
         let moves = arguments.iter().map(condition).collect();
         let direction = g.direction(Direction { leaf: of.leaf, first, second, moves });
         g.leaf_output(of.leaf, of.output, number(direction))
@@ -321,9 +328,16 @@ impl Jets {
 /// The arguments of a function node, each with the function's derivative by it; none for conditions.
 fn with_arguments(g: &mut Graph, node: Node, chain: impl FnOnce(&mut Graph, &[Argument]) -> Node) -> Node {
     match g.op(node) {
-        Op::Call(f, a) => chain(g, &[Argument { node: a, derivative: &|g| rules::derivative(g, f, a, node), tame: f.is_tame() }]),
-        Op::Powi(a, n) => chain(g, &[Argument { node: a, derivative: &|g| rules::power_derivative(g, a, n), tame: true }]),
-        Op::Law(law, a, order) => chain(g, &[Argument { node: a, derivative: &|g| g.law(law, a, order + 1), tame: false }]),
+        Op::Call(f, a) => chain(
+            g,
+            &[Argument { node: a, derivative: &|g| rules::derivative(g, f, a, node), tame: f.is_tame() }],
+        ),
+        Op::Powi(a, n) => {
+            chain(g, &[Argument { node: a, derivative: &|g| rules::power_derivative(g, a, n), tame: true }])
+        }
+        Op::Law(law, a, order) => {
+            chain(g, &[Argument { node: a, derivative: &|g| g.law(law, a, order + 1), tame: false }])
+        }
         Op::Call2(f, a, b) => {
             let by = rules::derivatives2(g, f, a, b, node);
             let by_a = Argument { node: a, derivative: &|_| by.0, tame: false };

@@ -1,14 +1,18 @@
 //! The rule of tangents that vanish.
 //!
-//! f(u)′ = f′(u) u′ is not a number where f′(u) is infinite and u′ is zero, and there are two ways to be zero. Of √(max(1 − a², 0)) with a² > 1 the
-//! side that is taken is a constant: nothing moves there, and the term is zero. Of √(x²) at x = 0 the tangent only happens to be zero: there is no
-//! slope, and it stays not a number, so that the failure is told.
+//! f(u)′ = f′(u) u′ is not a number where f′(u) is infinite and u′ is zero, and there are two ways to be
+//! zero. Of √(max(1 − a², 0)) with a² > 1 the side that is taken is a constant: nothing moves there, and the
+//! term is zero. Of √(x²) at x = 0 the tangent only happens to be zero: there is no slope, and it stays not a
+//! number, so that the failure is told.
 //!
-//! So a tangent is zero *by structure* where what is differentiated by does not reach the value: the value is made of parameters and constants
-//! alone, or what is taken of `max`, `min`, `clamp`, `if` and `match` is. Then every term that has it for a factor is zero. Everywhere else zero is a
-//! number like any other. The dual route keeps to the same rule by a mark in each number (`kin_core::real`), the search for what is to blame too.
+//! So a tangent is zero *by structure* where what is differentiated by does not reach the value: the value is
+//! made of parameters and constants alone, or what is taken of `max`, `min`, `clamp`, `if` and `match` is.
+//! Then every term that has it for a factor is zero. Everywhere else zero is a number like any other. The
+//! dual route keeps to the same rule by a mark in each number (`kin_core::real`), the search for what is to
+//! blame too.
 //!
-//! Here the condition under which a value moves is a node like any other. It is built for values that choose only, so that nothing else pays.
+//! Here the condition under which a value moves is a node like any other. It is built for values that choose
+//! only, so that nothing else pays.
 
 use super::{Memo, rules};
 use crate::{Function2, Graph, Node, Op};
@@ -42,7 +46,10 @@ impl Moves {
                 let first = rules::takes_first(g, node);
                 self.chosen(g, first, a, b)
             }
-            _ => g.operands(node).into_iter().fold(Motion::Never, |motion, operand| either(g, motion, self.of(operand))),
+            _ => g
+                .operands(node)
+                .into_iter()
+                .fold(Motion::Never, |motion, operand| either(g, motion, self.of(operand))),
         };
         self.0.set(node, motion);
     }

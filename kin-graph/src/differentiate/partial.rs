@@ -50,8 +50,8 @@ impl Partial {
         self.known(node)
     }
 
-    /// What has to be differentiated before `node`, and itself. Operands come before their users, so a loop over them replaces a recursion as
-    /// deep as the expression.
+    /// What has to be differentiated before `node`, and itself. Operands come before their users, so a loop
+    /// over them replaces a recursion as deep as the expression.
     pub fn unknown(&self, g: &Graph, node: Node) -> Vec<Node> {
         g.unknown(&[node], |n| self.memo.has(n))
     }
@@ -120,13 +120,19 @@ impl Partial {
             }
             Op::Select(c, a, b) => g.select(c, self.known(a), self.known(b)),
             Op::Leaf(of) => self.leaf(g, of),
-            Op::Constant(_) | Op::Decimal(_) | Op::Opaque(..) | Op::Truth(_) | Op::Compare(..) | Op::And(..) | Op::Or(..) | Op::Not(_) => {
-                g.zero()
-            }
+            Op::Constant(_)
+            | Op::Decimal(_)
+            | Op::Opaque(..)
+            | Op::Truth(_)
+            | Op::Compare(..)
+            | Op::And(..)
+            | Op::Or(..)
+            | Op::Not(_) => g.zero(),
         }
     }
 
-    /// f′ a′, where f′ is only built if a′ is not a structural zero. It is zero where a does not move, if f is not `tame`: finite in its slope.
+    /// f′ a′, where f′ is only built if a′ is not a structural zero. It is zero where a does not move, if f
+    /// is not `tame`: finite in its slope.
     fn chain(&mut self, g: &mut Graph, a: Node, tame: bool, outer: impl FnOnce(&mut Graph) -> Node) -> Node {
         let tangent = self.known(a);
         if g.is_zero(tangent) {
@@ -186,7 +192,9 @@ impl Partial {
 fn input_derivative(g: &mut Graph, input: Input, by: By) -> Node {
     let (argument, part) = match (input, by) {
         (Input::Time, By::Time) | (Input::Column(0), By::Variable) => return g.constant(1.0),
-        (Input::State(argument, part), By::Column(column)) if argument == column.argument => (argument, (part, column.part)),
+        (Input::State(argument, part), By::Column(column)) if argument == column.argument => {
+            (argument, (part, column.part))
+        }
         _ => return g.zero(),
     };
     let state = |g: &mut Graph, part| g.input(Input::State(argument, part));

@@ -4,7 +4,8 @@ use crate::{Comparison, Function, Function2, Graph, Node, Op};
 
 /// dy/du of y = f(u).
 ///
-/// At kinks the documented side: `abs` at 0 takes +1; the steps (`floor`, `signum`, …) have derivative 0 everywhere.
+/// At kinks the documented side: `abs` at 0 takes +1; the steps (`floor`, `signum`, …) have derivative 0
+/// everywhere.
 #[rustfmt::skip]
 pub fn derivative(g: &mut Graph, f: Function, u: Node, y: Node) -> Node {
     let mut e = Expressions(g);
@@ -54,7 +55,8 @@ pub fn derivatives2(g: &mut Graph, f: Function2, u: Node, v: Node, z: Node) -> (
     }
 }
 
-/// The condition under which `max` or `min` takes the first of two: it is not beyond the other, or that is not a number.
+/// The condition under which `max` or `min` takes the first of two: it is not beyond the other, or that is
+/// not a number.
 pub fn takes_first(g: &mut Graph, z: Node) -> Node {
     let (comparison, u, v) = match g.op(z) {
         Op::Call2(Function2::Min, u, v) => (Comparison::LessEqual, u, v),
@@ -129,7 +131,8 @@ impl Expressions<'_> {
         (self.0.select(first, one, zero), self.0.select(first, zero, one))
     }
 
-    /// An exponent that depends on nothing has no derivative, so its logarithm must not spoil u ≤ 0; of one that does z ln u goes to 0 with z.
+    /// An exponent that depends on nothing has no derivative, so its logarithm must not spoil u ≤ 0; of one
+    /// that does z ln u goes to 0 with z.
     fn power(&mut self, u: Node, v: Node, z: Node) -> (Node, Node) {
         let one = self.0.constant(1.0);
         let lower = self.0.sub(v, one);

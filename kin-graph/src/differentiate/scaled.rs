@@ -1,8 +1,10 @@
-//! Products of a factor and a tangent that may be too large for a number on the way, though the product is not.
+//! Products of a factor and a tangent that may be too large for a number on the way, though the product is
+//! not.
 //!
-//! In 1/(1 + eᵘ) the divisor and its tangents overflow long before the quotient has anything to say: 0 · ∞ is not a number. Of what grows as an
-//! exponential or a power (`Graph::bursts`) the factor outside is multiplied first, (c eᵘ) u′ for c (eᵘ)′, and where the value itself has
-//! overflowed a function that is finite there is flat. All else is multiplied as it stands: nothing is paid where nothing grows.
+//! In 1/(1 + eᵘ) the divisor and its tangents overflow long before the quotient has anything to say: 0 · ∞ is
+//! not a number. Of what grows as an exponential or a power (`Graph::bursts`) the factor outside is
+//! multiplied first, (c eᵘ) u′ for c (eᵘ)′, and where the value itself has overflowed a function that is
+//! finite there is flat. All else is multiplied as it stands: nothing is paid where nothing grows.
 
 use crate::{Comparison, Function, Function2, Graph, Node, Op};
 
@@ -14,7 +16,8 @@ pub(super) trait Tangents {
     fn tangent(&self, node: Node) -> Node;
 }
 
-/// Products and functions inside of one another that are gone into; beyond them tangents are taken as they are.
+/// Products and functions inside of one another that are gone into; beyond them tangents are taken as they
+/// are.
 const DEEPEST: usize = 6;
 /// The same of sums.
 const LONGEST: usize = 256;
@@ -98,7 +101,8 @@ fn parts(g: &mut Graph, by: &impl Tangents, c: Node, u: Node, depth: Depth) -> O
     })
 }
 
-/// The term where u is finite: a function that is finite where u has overflowed is flat there. Not so at a pole, where it may jump.
+/// The term where u is finite: a function that is finite where u has overflowed is flat there. Not so at a
+/// pole, where it may jump.
 pub(super) fn where_finite(g: &mut Graph, u: Node, term: Node) -> Node {
     if !g.overflows(u) || g.is_zero(term) {
         return term;
@@ -108,12 +112,14 @@ pub(super) fn where_finite(g: &mut Graph, u: Node, term: Node) -> Node {
     g.select(finite, term, zero)
 }
 
-/// The exponent of a power whose slope by its base is taken beside its value: a number, the base being one that bursts.
+/// The exponent of a power whose slope by its base is taken beside its value: a number, the base being one
+/// that bursts.
 pub(super) fn relative_exponent(g: &Graph, base: Node, exponent: Node) -> Option<f64> {
     g.constant_value(exponent).filter(|_| g.bursts(base))
 }
 
-/// What is taken beside the value where a base is larger than 1, where nothing can vanish; a falling power has no zero of the base to fear.
+/// What is taken beside the value where a base is larger than 1, where nothing can vanish; a falling power
+/// has no zero of the base to fear.
 pub(super) fn where_large(g: &mut Graph, base: Node, exponent: f64, relative: Node, plain: Node) -> Node {
     if exponent < 0.0 {
         return relative;

@@ -1,4 +1,5 @@
-//! Every derivative rule, at ordinary and at nasty points, against central differences and against the second-order jets.
+//! Every derivative rule, at ordinary and at nasty points, against central differences and against the
+//! second-order jets.
 
 use std::collections::HashMap;
 
@@ -32,7 +33,10 @@ fn every_function_agrees_with_central_differences() {
             for (node, derivative) in [(y, first), (first, second)] {
                 let central = (eval(node, at + h) - eval(node, at - h)) / (2.0 * h);
                 let exact = eval(derivative, at);
-                assert!((exact - central).abs() < 1e-7 * (1.0 + exact.abs()), "{f:?} at {at}: {exact} is not {central}");
+                assert!(
+                    (exact - central).abs() < 1e-7 * (1.0 + exact.abs()),
+                    "{f:?} at {at}: {exact} is not {central}"
+                );
             }
         }
     }
@@ -48,7 +52,8 @@ fn every_function_of_two_agrees_with_central_differences() {
         let z = g.call2(f, x, y);
         let columns = g.columns(&[z]);
         for at in [[0.7, 1.9], [2.6, 0.45], [1.1, 3.0]] {
-            let eval = |g: &Graph, node, at: [f64; 2]| value(g, node, &HashMap::from([(p, at[0]), (q, at[1])]));
+            let eval =
+                |g: &Graph, node, at: [f64; 2]| value(g, node, &HashMap::from([(p, at[0]), (q, at[1])]));
             for (k, column) in columns.iter().enumerate() {
                 let exact = Partial::by_column(*column).of(&mut g, z);
                 let (mut up, mut down) = (at, at);
@@ -56,7 +61,10 @@ fn every_function_of_two_agrees_with_central_differences() {
                 down[k] -= h;
                 let central = (eval(&g, z, up) - eval(&g, z, down)) / (2.0 * h);
                 let exact = eval(&g, exact, at);
-                assert!((exact - central).abs() < 1e-8 * (1.0 + exact.abs()), "{f:?} at {at:?} by {k}: {exact} is not {central}");
+                assert!(
+                    (exact - central).abs() < 1e-8 * (1.0 + exact.abs()),
+                    "{f:?} at {at:?} by {k}: {exact} is not {central}"
+                );
             }
         }
     }
@@ -104,10 +112,16 @@ fn jets_are_derivatives_along_the_motion() {
         let jet = Jets::default().of(&mut g, y);
         for &at in ordinary(f) {
             let inputs = HashMap::from([(state, 2.0 * at), (rate, 1.7)]);
-            let pairs = [(value(&g, first, &inputs) * 1.7, jet.first), (value(&g, second, &inputs) * 1.7 * 1.7, jet.second)];
+            let pairs = [
+                (value(&g, first, &inputs) * 1.7, jet.first),
+                (value(&g, second, &inputs) * 1.7 * 1.7, jet.second),
+            ];
             for (expected, node) in pairs {
                 let got = value(&g, node, &inputs);
-                assert!((got - expected).abs() < 1e-12 * (1.0 + expected.abs()), "{f:?} at {at}: {got} is not {expected}");
+                assert!(
+                    (got - expected).abs() < 1e-12 * (1.0 + expected.abs()),
+                    "{f:?} at {at}: {got} is not {expected}"
+                );
             }
         }
     }

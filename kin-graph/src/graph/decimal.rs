@@ -33,7 +33,11 @@ impl Digits {
         }
         let leading = all.bytes().take_while(|digit| *digit == b'0').count();
         let digits = all[leading..].trim_end_matches('0').to_owned();
-        let exponent = if digits.is_empty() { 0 } else { power.parse::<i64>().ok()?.checked_add(whole.len() as i64 - leading as i64)? };
+        let exponent = if digits.is_empty() {
+            0
+        } else {
+            power.parse::<i64>().ok()?.checked_add(whole.len() as i64 - leading as i64)?
+        };
         Some(Digits { exponent, digits })
     }
 
@@ -75,7 +79,8 @@ impl Graph {
         self.intern(Op::Decimal(number))
     }
 
-    /// A decimal of which no more is known than the nearest f64 and whether it is above that: no other node is the same number.
+    /// A decimal of which no more is known than the nearest f64 and whether it is above that: no other node
+    /// is the same number.
     pub fn decimal_beside(&mut self, nearest: f64, above: bool) -> Node {
         self.decimals.push(Decimal { digits: Digits { exponent: 0, digits: String::new() }, nearest, above });
         self.intern(Op::Decimal(self.decimals.len() - 1))
@@ -89,9 +94,15 @@ mod tests {
     #[test]
     fn what_no_f64_is_stays_itself() {
         let mut g = Graph::as_written();
-        for (text, exact) in
-            [("0.5", true), ("2.0", true), ("1e22", true), ("1_000.25", true), ("0.0", true), ("00.5e0", true), ("1e23", false)]
-        {
+        for (text, exact) in [
+            ("0.5", true),
+            ("2.0", true),
+            ("1e22", true),
+            ("1_000.25", true),
+            ("0.0", true),
+            ("00.5e0", true),
+            ("1e23", false),
+        ] {
             let node = g.decimal(text);
             assert_eq!(g.constant_value(node).is_some(), exact, "{text}");
         }

@@ -1,5 +1,6 @@
-//! The scalar graph: every value of a constraint as hash-consed nodes. Equal expressions are one node, so common subexpressions vanish
-//! while building. Nodes are numbered in order of creation; nothing depends on hash iteration.
+//! The scalar graph: every value of a constraint as hash-consed nodes. Equal expressions are one node, so
+//! common subexpressions vanish while building. Nodes are numbered in order of creation; nothing depends on
+//! hash iteration.
 
 mod decimal;
 mod hash;
@@ -79,7 +80,8 @@ impl Node {
 }
 
 impl Graph {
-    /// A graph in which nothing is rounded: a decimal that no f64 is stays itself, and an operation on constants is done only where its result is exact.
+    /// A graph in which nothing is rounded: a decimal that no f64 is stays itself, and an operation on
+    /// constants is done only where its result is exact.
     pub fn as_written() -> Self {
         Graph { as_written: true, ..Graph::default() }
     }
@@ -96,7 +98,8 @@ impl Graph {
 
     /// Whether a node is made of numbers alone.
     pub fn is_number(&self, node: Node) -> bool {
-        let given = |n: &Node| matches!(self.op(*n), Op::Input(_) | Op::Opaque(..) | Op::Leaf(_) | Op::Law(..));
+        let given =
+            |n: &Node| matches!(self.op(*n), Op::Input(_) | Op::Opaque(..) | Op::Leaf(_) | Op::Law(..));
         !self.reachable(&[node]).iter().any(given)
     }
 
@@ -193,7 +196,8 @@ impl Graph {
         self.intern(op)
     }
 
-    /// The operation of `node` on other operands. Values of the user's own keep theirs: their text names them.
+    /// The operation of `node` on other operands. Values of the user's own keep theirs: their text names
+    /// them.
     pub fn with_operands(&mut self, node: Node, of: impl Fn(Node) -> Node) -> Node {
         let op = match self.op(node) {
             Op::Leaf(used) => Op::Leaf(self.leaf_with_operands(used, of)),
@@ -243,7 +247,8 @@ impl Graph {
         self.ops.is_empty()
     }
 
-    /// A call of a generic function, known by its arguments that carry derivatives; the same number each time.
+    /// A call of a generic function, known by its arguments that carry derivatives; the same number each
+    /// time.
     pub fn leaf(&mut self, call: usize, arguments: Vec<Node>) -> usize {
         let leaf = Leaf { call, arguments };
         self.leaves.iter().position(|known| *known == leaf).unwrap_or_else(|| {

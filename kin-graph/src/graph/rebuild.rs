@@ -1,9 +1,11 @@
-//! Operations of one graph built anew in another: what has become known meanwhile folds and simplifies on the way.
+//! Operations of one graph built anew in another: what has become known meanwhile folds and simplifies on the
+//! way.
 
 use super::{Graph, Node, Op};
 
 impl Graph {
-    /// The operation on other operands by the constructors of this graph. Inputs, laws and foreign values are the caller's: they give `None`.
+    /// The operation on other operands by the constructors of this graph. Inputs, laws and foreign values are
+    /// the caller's: they give `None`.
     pub fn rebuilt(&mut self, op: Op, of: impl Fn(Node) -> Node) -> Option<Node> {
         Some(match op {
             Op::Input(_) | Op::Opaque(..) | Op::Leaf(_) | Op::Law(..) | Op::Decimal(_) => return None,
@@ -44,6 +46,9 @@ mod tests {
         let of = |zero_for_x: bool| move |node: Node| if node == x && zero_for_x { zero } else { own };
         assert_eq!(to.rebuilt(from.op(product), of(true)), Some(zero));
         let square = to.mul(own, own);
-        assert_eq!((to.rebuilt(from.op(product), of(false)), to.rebuilt(from.op(x), of(false))), (Some(square), None));
+        assert_eq!(
+            (to.rebuilt(from.op(product), of(false)), to.rebuilt(from.op(x), of(false))),
+            (Some(square), None)
+        );
     }
 }

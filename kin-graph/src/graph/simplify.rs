@@ -1,6 +1,7 @@
-//! Constructors of the graph. Each folds and simplifies exactly: zeros, ones, signs, common factors, constants; never by a tolerance.
-//! Constants are folded as f64 computes them; in a graph as written only where that is exact.
-//! `0 · x → 0` and `x − x → 0` hide a NaN or infinity in x; everything else keeps the value up to rounding.
+//! Constructors of the graph. Each folds and simplifies exactly: zeros, ones, signs, common factors,
+//! constants; never by a tolerance. Constants are folded as f64 computes them; in a graph as written only
+//! where that is exact. `0 · x → 0` and `x − x → 0` hide a NaN or infinity in x; everything else keeps the
+//! value up to rounding.
 
 use super::{Graph, Input, Node, Op, Part};
 use crate::{Function, Function2};
@@ -24,7 +25,8 @@ impl Graph {
         self.constant_value(a) == Some(1.0)
     }
 
-    /// The result of an operation on constants as f64 computes it, unless it is rounded and the graph is as written.
+    /// The result of an operation on constants as f64 computes it, unless it is rounded and the graph is as
+    /// written.
     fn folded(&mut self, result: f64, exact: bool) -> Option<Node> {
         self.rounded |= !exact;
         (exact || !self.as_written).then(|| self.constant(result))
@@ -243,8 +245,12 @@ impl Graph {
         }
         match (f, self.op(a)) {
             // Sine and cosine of a coordinate are part of its state.
-            (Function::Sin, Op::Input(Input::State(argument, Part::Theta))) => self.input(Input::State(argument, Part::Sin)),
-            (Function::Cos, Op::Input(Input::State(argument, Part::Theta))) => self.input(Input::State(argument, Part::Cos)),
+            (Function::Sin, Op::Input(Input::State(argument, Part::Theta))) => {
+                self.input(Input::State(argument, Part::Sin))
+            }
+            (Function::Cos, Op::Input(Input::State(argument, Part::Theta))) => {
+                self.input(Input::State(argument, Part::Cos))
+            }
             (Function::Sin, Op::Neg(x)) => {
                 let sin = self.call(Function::Sin, x);
                 self.neg(sin) // sin(−x) → −sin x

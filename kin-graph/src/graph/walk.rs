@@ -16,7 +16,8 @@ impl Graph {
         }
     }
 
-    /// The nodes whose numbers make that of `node`: its operands, of a selection the one that is taken, of a condition none.
+    /// The nodes whose numbers make that of `node`: its operands, of a selection the one that is taken, of a
+    /// condition none.
     pub fn numbers_behind(&self, node: Node, holds: impl Fn(Node) -> bool) -> Vec<Node> {
         match self.op(node) {
             Op::Select(c, a, b) => vec![if holds(c) { a } else { b }],
@@ -61,7 +62,8 @@ impl Graph {
         columns
     }
 
-    /// `nodes` and what they are computed from, in order of creation, without going beyond what is known already.
+    /// `nodes` and what they are computed from, in order of creation, without going beyond what is known
+    /// already.
     pub fn unknown(&self, nodes: &[Node], known: impl Fn(Node) -> bool) -> Vec<Node> {
         let mut seen = vec![false; self.ops.len()];
         let (mut open, mut found) = (nodes.to_vec(), Vec::new());

@@ -1,5 +1,5 @@
-//! Where rounding decides: the argument of √ at 0, a comparison of equal numbers. There a b − c d must be 0 where both products are the same
-//! number, which the fused form does not promise.
+//! Where rounding decides: the argument of √ at 0, a comparison of equal numbers. There a b − c d must be 0
+//! where both products are the same number, which the fused form does not promise.
 
 use crate::{Function, Function2, Graph, Node, Op};
 
@@ -20,7 +20,8 @@ pub fn exact(g: &Graph, nodes: &[Node]) -> Vec<bool> {
             Op::Neg(a) if is_exact => mark(a),
             _ => {}
         }
-        // What a value of the user's own is computed from is written as it was read: the same number wherever it is used.
+        // What a value of the user's own is computed from is written as it was read: the same number wherever
+        // it is used.
         if pinned[node.index()] || matches!(g.op(node), Op::Opaque(..)) {
             g.each_operand(node, |operand| pinned[operand.index()] = true);
         }

@@ -1,7 +1,7 @@
 //! Sums become chains of fused multiply-adds: a b + c d + e is fma(a, b, fma(c, d, e)).
 //!
-//! A product that several sums share is computed once where a sum can begin with it, which saves that sum a multiplication; elsewhere each sum
-//! multiplies for itself, since a fused product costs nothing.
+//! A product that several sums share is computed once where a sum can begin with it, which saves that sum a
+//! multiplication; elsewhere each sum multiplies for itself, since a fused product costs nothing.
 
 use super::{Lists, edges};
 use crate::{Graph, Node, Op};
@@ -21,7 +21,8 @@ pub fn fuse(g: &mut Graph, outputs: &[Node]) -> Vec<Node> {
     fusion.built = vec![(false, Node::default()); g.len()];
     for node in nodes {
         let is_value = fusion.values[node.index()];
-        fusion.built[node.index()] = if is_value { fusion.build(g, node, negated[node.index()]) } else { (false, node) };
+        fusion.built[node.index()] =
+            if is_value { fusion.build(g, node, negated[node.index()]) } else { (false, node) };
     }
     outputs.iter().map(|&output| fusion.plain(g, output)).collect()
 }
@@ -60,7 +61,11 @@ impl Fusion {
             if needed && is_free(node) && is_sum(g, node, &is_alone) {
                 let terms = flattened(g, node, &is_alone);
                 for &(_, term) in &terms {
-                    let kind = if matches!(g.op(term), Op::Mul(..)) && is_free(term) { &mut products } else { &mut values };
+                    let kind = if matches!(g.op(term), Op::Mul(..)) && is_free(term) {
+                        &mut products
+                    } else {
+                        &mut values
+                    };
                     kind[term.index()] = true;
                 }
                 *sums.to(node) = terms;
@@ -75,14 +80,18 @@ impl Fusion {
         !self.sums.of(node).is_empty()
     }
 
-    /// Products to compute once, because sums without a better beginning share them: those that most sums share first.
+    /// Products to compute once, because sums without a better beginning share them: those that most sums
+    /// share first.
     fn share_beginnings(&mut self, nodes: &[Node]) {
-        let is_open = |terms: &&[Term]| !terms.is_empty() && !terms.iter().any(|(_, term)| self.values[term.index()]);
+        let is_open =
+            |terms: &&[Term]| !terms.is_empty() && !terms.iter().any(|(_, term)| self.values[term.index()]);
         let mut open: Vec<&[Term]> = nodes.iter().map(|node| self.sums.of(*node)).filter(is_open).collect();
         let mut counts = vec![0; self.values.len()];
         open.iter().flat_map(|terms| terms.iter()).for_each(|(_, product)| counts[product.index()] += 1);
         let mut chosen = Vec::new();
-        while let Some(&best) = nodes.iter().rev().filter(|node| counts[node.index()] > 1).max_by_key(|node| counts[node.index()]) {
+        while let Some(&best) =
+            nodes.iter().rev().filter(|node| counts[node.index()] > 1).max_by_key(|node| counts[node.index()])
+        {
             open.retain(|terms| {
                 let begins = terms.iter().any(|(_, product)| *product == best);
                 if begins {
@@ -95,8 +104,8 @@ impl Fusion {
         chosen.into_iter().for_each(|product| self.values[product.index()] = true);
     }
 
-    /// Which sums and multiples are better computed with the other sign, by number of the node: where more outputs ask for that. Sums take
-    /// either sign of their terms.
+    /// Which sums and multiples are better computed with the other sign, by number of the node: where more
+    /// outputs ask for that. Sums take either sign of their terms.
     fn negated(&self, g: &Graph, outputs: &[Node], nodes: &[Node]) -> Vec<bool> {
         let mut votes = vec![0; g.len()];
         let mut negated = vec![false; g.len()];
@@ -108,7 +117,9 @@ impl Fusion {
             if self.is_sum(node) {
                 let terms = self.sums.of(node);
                 // Only minuses and no product to fuse them with: one of the terms had better turn.
-                let all_minus = terms.iter().all(|(minus, term)| *minus != negated[node.index()] && self.values[term.index()]);
+                let all_minus = terms
+                    .iter()
+                    .all(|(minus, term)| *minus != negated[node.index()] && self.values[term.index()]);
                 if let (true, Some((_, term))) = (all_minus, terms.iter().find(|(_, term)| turns(*term))) {
                     votes[term.index()] -= 1;
                 }
@@ -149,8 +160,14 @@ impl Fusion {
                 (minus_a != minus_b, g.raw(Op::Div(a, b)))
             }
             _ => {
-                let plain: Vec<(Node, Node)> = g.operands(node).into_iter().map(|operand| (operand, self.plain(g, operand))).collect();
-                (false, g.with_operands(node, |operand| plain.iter().find(|(of, _)| *of == operand).map_or(operand, |(_, node)| *node)))
+                let plain: Vec<(Node, Node)> =
+                    g.operands(node).into_iter().map(|operand| (operand, self.plain(g, operand))).collect();
+                (
+                    false,
+                    g.with_operands(node, |operand| {
+                        plain.iter().find(|(of, _)| *of == operand).map_or(operand, |(_, node)| *node)
+                    }),
+                )
             }
         }
     }
@@ -163,7 +180,8 @@ impl Fusion {
 
     /// Begins with a number, if there is one, and adds the other terms in the order in which they were built.
     fn sum(&self, g: &mut Graph, terms: &[Term], negated: bool) -> Node {
-        let mut terms: Vec<(bool, Written)> = terms.iter().map(|&term| self.written(g, term, negated)).collect();
+        let mut terms: Vec<(bool, Written)> =
+            terms.iter().map(|&term| self.written(g, term, negated)).collect();
         let is_product = |term: &(bool, Written)| matches!(term.1, Written::Product(..));
         let fused = terms.iter().any(is_product);
         // A minus is free in a fused operation and in a subtraction, but not in front of the first number.

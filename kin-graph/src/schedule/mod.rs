@@ -1,9 +1,11 @@
-//! From the graph as mathematics to the graph as code: the same values with fewer operations, and the order in which to compute them.
+//! From the graph as mathematics to the graph as code: the same values with fewer operations, and the order
+//! in which to compute them.
 //!
-//! The graph that differentiation works on is canonical: powers of two and signs stand outside, sums have two terms. That is best for finding
-//! equal expressions and bad for a processor. Here powers of two go back to where they cost nothing (`scale`), sums become chains of fused
-//! multiply-adds (`fuse`), and operations are put in an order that needs few registers (`order`). Last bits may change; no tolerance is used.
-//! All of it is linear in the number of nodes: it runs whenever a user's crate is compiled, and without optimization.
+//! The graph that differentiation works on is canonical: powers of two and signs stand outside, sums have two
+//! terms. That is best for finding equal expressions and bad for a processor. Here powers of two go back to
+//! where they cost nothing (`scale`), sums become chains of fused multiply-adds (`fuse`), and operations are
+//! put in an order that needs few registers (`order`). Last bits may change; no tolerance is used. All of it
+//! is linear in the number of nodes: it runs whenever a user's crate is compiled, and without optimization.
 
 mod edges;
 mod fuse;
@@ -17,7 +19,8 @@ pub use order::order;
 
 use crate::{Graph, Node, Op};
 
-/// A list for some of a graph's nodes. Most have none: without optimization even an empty `Vec` each takes time.
+/// A list for some of a graph's nodes. Most have none: without optimization even an empty `Vec` each takes
+/// time.
 struct Lists<T> {
     /// Of each node the number of its list; 0 is the empty one.
     places: Vec<usize>,
@@ -52,7 +55,9 @@ pub fn prepare(g: &mut Graph, outputs: &[Node]) -> Vec<Node> {
 
 /// How many operations `outputs` take; signs are free, a processor adds and subtracts alike.
 fn operations(g: &Graph, outputs: &[Node]) -> usize {
-    let free = |node: &Node| matches!(g.op(*node), Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) | Op::Neg(_));
+    let free = |node: &Node| {
+        matches!(g.op(*node), Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) | Op::Neg(_))
+    };
     g.reachable(outputs).iter().filter(|node| !free(node)).count()
 }
 

@@ -1,4 +1,5 @@
-//! In which order to compute: each output as soon as it can be had, and next the one after which fewest values wait for a later use.
+//! In which order to compute: each output as soon as it can be had, and next the one after which fewest
+//! values wait for a later use.
 
 use super::Lists;
 use crate::{Graph, Node, Op};
@@ -14,7 +15,8 @@ pub struct Group {
 /// So many outputs, those that take the least, are looked at before one is chosen.
 const CANDIDATES: usize = 8;
 
-/// Every node needed for `outputs` beyond those that are `given`, operands before their users, cut where an output is complete.
+/// Every node needed for `outputs` beyond those that are `given`, operands before their users, cut where an
+/// output is complete.
 pub fn order(g: &Graph, outputs: &[Node], given: impl Fn(Node) -> bool) -> Vec<Group> {
     let (nodes, mut known) = (g.reachable_from(outputs, &given), vec![false; g.len()]);
     nodes.iter().for_each(|&node| known[node.index()] = given(node));
@@ -73,7 +75,8 @@ fn waiting_values(g: &Graph, nodes: &[Node], output: Node, left: &mut [usize]) -
     waiting
 }
 
-/// What `output` needs beyond the `known`, operands first, each as late as possible. Nodes `seen` in this turn are not looked at again.
+/// What `output` needs beyond the `known`, operands first, each as late as possible. Nodes `seen` in this
+/// turn are not looked at again.
 fn needed(g: &Graph, output: Node, known: &[bool], seen: &mut [usize], turn: usize) -> Vec<Node> {
     let mut order = Vec::new();
     let mut open = vec![(output, false)];
@@ -85,7 +88,8 @@ fn needed(g: &Graph, output: Node, known: &[bool], seen: &mut [usize], turn: usi
             open.push((node, true));
             let operands = open.len();
             g.each_operand(node, |operand| open.push((operand, false)));
-            // The last one is looked at first: of a fused operation the sum so far, which waits in one register while the product takes two.
+            // The last one is looked at first: of a fused operation the sum so far, which waits in one
+            // register while the product takes two.
             if !matches!(g.op(node), Op::Fma(..)) {
                 open[operands..].reverse();
             }

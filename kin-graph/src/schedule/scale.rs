@@ -1,4 +1,5 @@
-//! Powers of two: 2 (a b + c d) is (2 a) b + (2 c) d, which costs less where 2 a and 2 c serve other sums too.
+//! Powers of two: 2 (a b + c d) is (2 a) b + (2 c) d, which costs less where 2 a and 2 c serve other sums
+//! too.
 
 use super::Lists;
 use crate::{Graph, Input, Node, Op, is_power_of_two};
@@ -118,7 +119,8 @@ impl Scaling {
         }
     }
 
-    /// How well 2ᵏ goes to a factor: where it is asked for anyway, to sums that are shared and not needed as such, to coordinates.
+    /// How well 2ᵏ goes to a factor: where it is asked for anyway, to sums that are shared and not needed as
+    /// such, to coordinates.
     fn rank(&self, g: &Graph, node: Node, k: i32) -> (bool, bool, bool) {
         let asked = self.demands.of(node).iter().any(|demand| demand.k == k);
         let (input, moves) = match g.op(node) {

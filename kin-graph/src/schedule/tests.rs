@@ -1,4 +1,5 @@
-//! Each pass on graphs of its own, and all of them on random graphs whose values are whole numbers, so that no rounding hides a mistake.
+//! Each pass on graphs of its own, and all of them on random graphs whose values are whole numbers, so that
+//! no rounding hides a mistake.
 
 use std::collections::HashMap;
 
@@ -119,7 +120,9 @@ fn a_factor_two_goes_where_it_serves_many() {
     let scheduled = prepare(&mut g, &rows);
     assert!(operations(&g, &scheduled) <= 10, "2 a, 2 b, and two operations a row or fewer");
     let at = inputs(&[2.0, 3.0, 5.0, 7.0, 11.0]);
-    rows.iter().zip(&scheduled).for_each(|(&row, &node)| assert_eq!(value(&g, node, &at), value(&g, row, &at)));
+    rows.iter()
+        .zip(&scheduled)
+        .for_each(|(&row, &node)| assert_eq!(value(&g, node, &at), value(&g, row, &at)));
 }
 
 #[test]

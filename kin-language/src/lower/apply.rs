@@ -42,7 +42,13 @@ impl Reader {
     }
 
     /// The value of a function at `arguments`; `places` are their expressions, for messages.
-    pub fn apply(&mut self, function: &Function, arguments: Vec<Value>, places: &[&Expr], at: &dyn ToTokens) -> Read {
+    pub fn apply(
+        &mut self,
+        function: &Function,
+        arguments: Vec<Value>,
+        places: &[&Expr],
+        at: &dyn ToTokens,
+    ) -> Read {
         self.calls += 1;
         if self.calls > MOST_CALLS {
             return Err(Unreadable::new(at, "a recursion this deep"));
@@ -62,7 +68,11 @@ impl Reader {
             return Ok(self.mistake(at, text));
         }
         self.within(closure.scopes.clone(), |reader| {
-            closure.inputs.iter().zip(arguments).try_for_each(|(pattern, value)| reader.bind(pattern, value))?;
+            closure
+                .inputs
+                .iter()
+                .zip(arguments)
+                .try_for_each(|(pattern, value)| reader.bind(pattern, value))?;
             reader.enter(Kind::Function, None);
             let value = reader.raw_expression(&closure.body)?;
             let value = reader.exit(value, &closure.body)?;
@@ -80,7 +90,12 @@ impl Reader {
         at: &dyn ToTokens,
     ) -> Read {
         if item.sig.inputs.len() != arguments.len() {
-            let text = super::counted(&format!("`{}`", item.sig.ident), item.sig.inputs.len(), "argument", arguments.len());
+            let text = super::counted(
+                &format!("`{}`", item.sig.ident),
+                item.sig.inputs.len(),
+                "argument",
+                arguments.len(),
+            );
             return Ok(self.mistake(at, text));
         }
         let scopes = self.scopes.around_function(depth);

@@ -26,13 +26,21 @@ impl Reader {
             Expr::Path(path) => self.assign_variable(path, value),
             Expr::Index(index) => self.assign_element(index, value),
             other => match self.place(other)? {
-                Some(place) => self.put_at(&place, value, other).ok_or_else(|| Unreadable::new(other, "an assignment to this place")),
+                Some(place) => self
+                    .put_at(&place, value, other)
+                    .ok_or_else(|| Unreadable::new(other, "an assignment to this place")),
                 None => Err(Unreadable::new(other, "an assignment to this place")),
             },
         }
     }
 
-    fn assign_all<'a>(&mut self, at: &Expr, places: impl ExactSizeIterator<Item = &'a Expr>, value: Value, what: &str) -> Read<()> {
+    fn assign_all<'a>(
+        &mut self,
+        at: &Expr,
+        places: impl ExactSizeIterator<Item = &'a Expr>,
+        value: Value,
+        what: &str,
+    ) -> Read<()> {
         let values = match self.loaded(value) {
             Value::Tuple(all) if what == "a tuple" && all.len() == places.len() => all,
             Value::Array(all) if what == "an array" && all.len() == places.len() => all,
@@ -50,13 +58,18 @@ impl Reader {
     /// `whole[index] = value`, of which the index may be one of several.
     fn assign_element(&mut self, index: &syn::ExprIndex, value: Value) -> Read<()> {
         if let Some(place) = self.place(&Expr::Index(index.clone()))? {
-            return self.put_at(&place, value, index).ok_or_else(|| Unreadable::new(index, "an assignment to this place"));
+            return self
+                .put_at(&place, value, index)
+                .ok_or_else(|| Unreadable::new(index, "an assignment to this place"));
         }
-        let (Some(whole), Value::Choice(all)) = (self.place(&index.expr)?, self.expression(&index.index)?) else {
+        let (Some(whole), Value::Choice(all)) = (self.place(&index.expr)?, self.expression(&index.index)?)
+        else {
             return Err(Unreadable::new(index, "an assignment to this place"));
         };
         self.each(Value::Choice(all), index, &mut |reader, k| {
-            let Value::Integer(k, _) = k else { return Err(Unreadable::new(&index.index, "an index that is not known here")) };
+            let Value::Integer(k, _) = k else {
+                return Err(Unreadable::new(&index.index, "an index that is not known here"));
+            };
             let place = usize::try_from(k).ok().map(|k| whole.index(k));
             let put = place.and_then(|place| reader.put_at(&place, value.clone(), index));
             put.map(|()| Value::unit()).ok_or_else(|| Unreadable::new(index, "an assignment to this place"))

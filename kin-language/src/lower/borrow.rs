@@ -26,7 +26,9 @@ impl Reader {
     pub fn loaded(&self, value: Value) -> Value {
         match value.referent() {
             Value::Place(place) => self.at_place(&place).map_or(Value::Poison, |value| self.loaded(value)),
-            Value::Choice(all) => Value::Choice(all.into_iter().map(|(taken, value)| (taken, self.loaded(value))).collect()),
+            Value::Choice(all) => {
+                Value::Choice(all.into_iter().map(|(taken, value)| (taken, self.loaded(value))).collect())
+            }
             other => other,
         }
     }
@@ -37,7 +39,10 @@ impl Reader {
         for (k, step) in place.steps.iter().enumerate() {
             value = match (through(value), step) {
                 (Value::Place(inner), _) => {
-                    let inner = Place { slot: inner.slot, steps: inner.steps.iter().chain(&place.steps[k..]).cloned().collect() };
+                    let inner = Place {
+                        slot: inner.slot,
+                        steps: inner.steps.iter().chain(&place.steps[k..]).cloned().collect(),
+                    };
                     return self.at_place(&inner);
                 }
                 (Value::Array(all), Step::Index(k)) => all.get(*k)?,
@@ -53,7 +58,8 @@ impl Reader {
     pub fn put_at(&mut self, place: &Place, value: Value, at: &dyn ToTokens) -> Option<()> {
         let mut whole = self.store.get(place.slot).clone();
         if let (Value::Place(inner), true) = (through(&whole), !place.steps.is_empty()) {
-            let inner = Place { slot: inner.slot, steps: inner.steps.iter().chain(&place.steps).cloned().collect() };
+            let inner =
+                Place { slot: inner.slot, steps: inner.steps.iter().chain(&place.steps).cloned().collect() };
             return self.put_at(&inner, value, at);
         }
         self.put(&mut whole, &place.steps, value, at)?;
@@ -76,8 +82,12 @@ impl Reader {
         }
         match (whole, step) {
             (Value::Reference(inner), _) => self.put(inner, steps, value, at),
-            (Value::Choice(all), _) => all.iter_mut().try_for_each(|(_, one)| self.put(one, steps, value.clone(), at)),
-            (Value::Tuple(all), Step::Field(name)) => self.put(all.get_mut(name.parse::<usize>().ok()?)?, rest, value, at),
+            (Value::Choice(all), _) => {
+                all.iter_mut().try_for_each(|(_, one)| self.put(one, steps, value.clone(), at))
+            }
+            (Value::Tuple(all), Step::Field(name)) => {
+                self.put(all.get_mut(name.parse::<usize>().ok()?)?, rest, value, at)
+            }
             (Value::Array(all), Step::Index(k)) => self.put(all.get_mut(*k)?, rest, value, at),
             (Value::Adt(adt), Step::Field(name)) => self.put(adt.field_mut(name)?, rest, value, at),
             (Value::Array(all), Step::Slice(from, to)) => {
@@ -108,14 +118,23 @@ impl Reader {
         Ok(match expression {
             Expr::Paren(inner) => self.place(&inner.expr)?,
             Expr::Group(inner) => self.place(&inner.expr)?,
-            Expr::Path(path) => match path.path.get_ident().and_then(|name| self.scopes.get(&name.to_string())) {
-                Some(Name::Variable(slot)) => Some(Place { slot, steps: vec![] }),
-                _ => None,
-            },
-            Expr::Field(field) => self.looked_into(&field.base)?.map(|base| base.field(&field.member.to_token_stream().to_string())),
+            Expr::Path(path) => {
+                match path.path.get_ident().and_then(|name| self.scopes.get(&name.to_string())) {
+                    Some(Name::Variable(slot)) => Some(Place { slot, steps: vec![] }),
+                    _ => None,
+                }
+            }
+            Expr::Field(field) => self
+                .looked_into(&field.base)?
+                .map(|base| base.field(&field.member.to_token_stream().to_string())),
             Expr::Index(index) => return self.indexed_place(index),
             Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => self.looked_into(&unary.expr)?,
-            Expr::MethodCall(call) if matches!(call.method.to_string().as_str(), "as_mut" | "as_mut_slice" | "borrow_mut" | "by_ref") => {
+            Expr::MethodCall(call)
+                if matches!(
+                    call.method.to_string().as_str(),
+                    "as_mut" | "as_mut_slice" | "borrow_mut" | "by_ref"
+                ) =>
+            {
                 self.looked_into(&call.receiver)?
             }
             Expr::MethodCall(_) | Expr::Call(_) => match self.raw_expression(expression)? {
@@ -143,7 +162,8 @@ impl Reader {
             let (from, to) = self.bounds_of(range, all.len())?;
             return Ok((from <= to && to <= all.len()).then(|| base.slice(from, to)));
         }
-        let known = |value: &Value| if let Value::Integer(k, _) = value { usize::try_from(*k).ok() } else { None };
+        let known =
+            |value: &Value| if let Value::Integer(k, _) = value { usize::try_from(*k).ok() } else { None };
         Ok(match self.expression(&index.index)? {
             Value::Tuple(pair) => match pair.iter().map(known).collect::<Option<Vec<usize>>>().as_deref() {
                 Some([row, column]) => Some(base.index(*row).index(*column)),
@@ -155,7 +175,9 @@ impl Reader {
 
     /// `base.member`, where the base is a place.
     pub fn field_of_place(&mut self, base: &Expr, member: &Member) -> Read<Option<Value>> {
-        let Some(place) = (if is_place(base) { self.looked_into(base)? } else { None }) else { return Ok(None) };
+        let Some(place) = (if is_place(base) { self.looked_into(base)? } else { None }) else {
+            return Ok(None);
+        };
         let name = member.to_token_stream().to_string();
         // Only of what is put together: of anything else the whole is asked for the field.
         Ok(match self.at_place(&place) {

@@ -65,16 +65,24 @@ impl Reader {
     /// The value that a `match` looks at.
     pub fn matchable(&mut self, expression: &Expr) -> Read {
         match self.raw_expression(expression)? {
-            other @ (Value::Function(_) | Value::Law(_) | Value::Axis(_) | Value::Planar(_) | Value::Spatial(_) | Value::Unassigned) => {
+            other @ (Value::Function(_)
+            | Value::Law(_)
+            | Value::Axis(_)
+            | Value::Planar(_)
+            | Value::Spatial(_)
+            | Value::Unassigned) => {
                 Err(Unreadable::new(expression, format!("a `match` on {}", other.name())))
             }
             value => Ok(value),
         }
     }
 
-    /// The value of the arms from number `k` on. The last one is taken without a test, since a `match` is exhaustive.
+    /// The value of the arms from number `k` on. The last one is taken without a test, since a `match` is
+    /// exhaustive.
     fn arms(&mut self, branch: &ExprMatch, value: &Value, k: usize) -> Read {
-        let Some(arm) = branch.arms.get(k) else { return Err(Unreadable::new(branch, "a `match` without arms")) };
+        let Some(arm) = branch.arms.get(k) else {
+            return Err(Unreadable::new(branch, "a `match` without arms"));
+        };
         self.scopes.push();
         let condition = self.tested(&arm.pat, arm.guard.as_ref().map(|(_, guard)| &**guard), value)?;
         let result = if k + 1 == branch.arms.len() {

@@ -1,4 +1,7 @@
-//! Calls: vectors and matrices by their constructors, f64's functions as paths, functions of the body's own and of the user's.
+//! Calls: vectors and matrices by their constructors, f64's functions as paths, functions of the body's own
+//! and of the user's.
+
+mod components;
 
 use proc_macro2::Span;
 use quote::ToTokens;
@@ -14,22 +17,26 @@ impl Reader {
     pub fn call(&mut self, call: &ExprCall) -> Read {
         let places: Vec<&Expr> = call.args.iter().collect();
         let callee = match strip(&call.func) {
-            Expr::Path(path) => match single_name(path).and_then(|(name, given)| Some((self.named(&name)?.clone(), given))) {
-                Some((Value::Function(super::function::Function::Inner(item, depth)), given)) => {
-                    let arguments = self.expressions(call.args.iter())?;
-                    return self.apply_given(&item, depth, arguments, given, call);
+            Expr::Path(path) => {
+                match single_name(path).and_then(|(name, given)| Some((self.named(&name)?.clone(), given))) {
+                    Some((Value::Function(super::function::Function::Inner(item, depth)), given)) => {
+                        let arguments = self.expressions(call.args.iter())?;
+                        return self.apply_given(&item, depth, arguments, given, call);
+                    }
+                    Some((variable, _)) => variable,
+                    None => {
+                        let arguments = self.expressions(call.args.iter())?;
+                        return self.call_path(path, arguments, &places, call);
+                    }
                 }
-                Some((variable, _)) => variable,
-                None => {
-                    let arguments = self.expressions(call.args.iter())?;
-                    return self.call_path(path, arguments, &places, call);
-                }
-            },
+            }
             other => self.expression(other)?,
         };
         let arguments = self.expressions(call.args.iter())?;
         let callee = self.loaded(callee);
-        self.each(callee, &call.func, &mut |reader, callee| reader.call_of(callee, arguments.clone(), &places, call))
+        self.each(callee, &call.func, &mut |reader, callee| {
+            reader.call_of(callee, arguments.clone(), &places, call)
+        })
     }
 
     /// A call of a function of the body's own, `f::<3>(x)`, within the depth of calls.
@@ -54,7 +61,9 @@ impl Reader {
         match callee {
             Value::Function(function) => self.apply(&function, arguments, places, call),
             Value::Opaque(Template::Path(path, _)) => self.call_path(&path, arguments, places, call),
-            Value::Opaque(template) if !template.has_choice() => self.own_function(template, arguments, places, call),
+            Value::Opaque(template) if !template.has_choice() => {
+                self.own_function(template, arguments, places, call)
+            }
             Value::Opaque(_) => Err(Unreadable::new(&call.func, "a call of one of two functions")),
             value @ (Value::Poison | Value::Never | Value::Left) => Ok(value),
             other => {
@@ -65,7 +74,13 @@ impl Reader {
     }
 
     /// A call of a function by its name.
-    pub fn call_path(&mut self, path: &ExprPath, mut arguments: Vec<Value>, places: &[&Expr], at: &dyn ToTokens) -> Read {
+    pub fn call_path(
+        &mut self,
+        path: &ExprPath,
+        mut arguments: Vec<Value>,
+        places: &[&Expr],
+        at: &dyn ToTokens,
+    ) -> Read {
         if let Some(left) = arguments.iter().position(|value| matches!(value, Value::Left)) {
             return Ok(arguments.swap_remove(left));
         }
@@ -80,11 +95,17 @@ impl Reader {
         match names[..] {
             [.., "vec2"] => Ok(self.make(Components::Vector(2), arguments, &call)),
             [.., "vec3"] => Ok(self.make(Components::Vector(3), arguments, &call)),
-            ["Some" | "Ok" | "Err"] | ["Option", "Some"] | ["Result", "Ok" | "Err"] if arguments.len() == 1 => {
+            ["Some" | "Ok" | "Err"] | ["Option", "Some"] | ["Result", "Ok" | "Err"]
+                if arguments.len() == 1 =>
+            {
                 Ok(Value::Adt(Adt::new(names[names.len() - 1], arguments.pop())))
             }
-            ["Box" | "Rc" | "Arc" | "Cell", "new"] | ["drop"] if arguments.len() == 1 => Ok(arguments.remove(0)),
-            [.., "mem", "swap"] | [.., "mem", "replace"] | [.., "mem", "take"] => self.exchange(names[names.len() - 1], arguments, &call),
+            ["Box" | "Rc" | "Arc" | "Cell", "new"] | ["drop"] if arguments.len() == 1 => {
+                Ok(arguments.remove(0))
+            }
+            [.., "mem", "swap"] | [.., "mem", "replace"] | [.., "mem", "take"] => {
+                self.exchange(names[names.len() - 1], arguments, &call)
+            }
             [.., "array", "from_fn"] if arguments.len() == 1 => self.array_from_fn(arguments, &call),
             ["Vec", "new" | "with_capacity"] => Ok(Value::Array(vec![])),
             ["Vec", "from"] if matches!(arguments[..], [Value::Array(_)]) => Ok(arguments.remove(0)),
@@ -92,19 +113,33 @@ impl Reader {
             [.., "iter", "empty"] if arguments.is_empty() => Ok(Value::Iterator(vec![])),
             [
                 ..,
-                ty @ ("Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "Planar" | "Spatial" | "Law" | "Option" | "Vec"),
+                ty @ ("Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "Planar" | "Spatial" | "Law"
+                | "Option" | "Vec"),
                 function,
             ] if !arguments.is_empty()
-                && !matches!(function, "new" | "from" | "from_rows" | "from_columns" | "skew" | "rotation")
+                && !matches!(
+                    function,
+                    "new" | "from" | "from_rows" | "from_columns" | "skew" | "rotation"
+                )
                 && function != "from_axis_angle"
                 && self.is_receiver(ty, &arguments[0]) =>
             {
                 self.method_by_path(path, arguments, places, at)
             }
-            [.., "Vector2", "new"] => Ok(self.make(Components::Vector(2), arguments, &call)),
-            [.., "Vector3", "new"] => Ok(self.make(Components::Vector(3), arguments, &call)),
-            [.., ty @ ("Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters"), function] => self.associated(ty, function, arguments, &call),
-            ["f64", "from"] => self.number_from(arguments, &call),
+            _ => self.call_known(&names, arguments, &call),
+        }
+    }
+
+    /// A constructor or function of vectors, matrices and numbers, or one of the user's own.
+    fn call_known(&mut self, names: &[&str], arguments: Vec<Value>, call: &Call) -> Read {
+        let Call { path, places, at } = *call;
+        match names[..] {
+            [.., "Vector2", "new"] => Ok(self.make(Components::Vector(2), arguments, call)),
+            [.., "Vector3", "new"] => Ok(self.make(Components::Vector(3), arguments, call)),
+            [.., ty @ ("Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters"), function] => {
+                self.associated(ty, function, arguments, call)
+            }
+            ["f64", "from"] => self.number_from(arguments, call),
             ["f64", "default"] if arguments.is_empty() => Ok(Value::Scalar(self.graph.zero())),
             ["f64", function] if is_underived(function) => {
                 if let Some(k) = arguments.iter().position(|value| self.value_varies(value)) {
@@ -112,7 +147,7 @@ impl Reader {
                 }
                 self.own_function(Template::path(path), arguments, places, at)
             }
-            ["f64", function] => self.number_function(function, arguments, &call),
+            ["f64", function] => self.number_function(function, arguments, call),
             _ if is_type_name(path) => Ok(Value::Adt(Adt::tuple(&path.path, arguments))),
             _ => {
                 let path = Template::path(call.path);
@@ -121,110 +156,17 @@ impl Reader {
         }
     }
 
-    /// A constructor from its components.
-    fn make(&mut self, kind: Components, arguments: Vec<Value>, call: &Call) -> Value {
-        match self.numbers(kind.len(), arguments, call) {
-            Some(nodes) => kind.value(nodes),
-            None => Value::Poison,
-        }
-    }
-
-    /// The arguments as `n` numbers.
-    fn numbers(&mut self, n: usize, arguments: Vec<Value>, call: &Call) -> Option<Vec<Node>> {
-        if arguments.len() != n {
-            let name = super::tidy(&call.path.to_token_stream().to_string());
-            self.mistake(call.path, super::counted(&format!("`{name}`"), n, "number", arguments.len()));
-            return None;
-        }
-        Some(arguments.into_iter().enumerate().map(|(k, value)| self.scalar(value, call.place(k))).collect())
-    }
-
-    /// Constructors and other functions of vector and matrix types.
-    fn associated(&mut self, ty: &str, function: &str, mut arguments: Vec<Value>, call: &Call) -> Read {
-        let n = if ty.ends_with('2') { 2 } else { 3 };
-        let kind = match ty {
-            "EulerParameters" => Components::Euler,
-            ty if ty.starts_with('V') => Components::Vector(n),
-            _ => Components::Matrix(n),
-        };
-        let axis = ["x", "y", "z"].iter().position(|name| *name == function);
-        Ok(match (function, kind, arguments.len()) {
-            ("new", kind, _) => self.make(kind, arguments, call),
-            ("zeros" | "default", Components::Vector(_) | Components::Matrix(_), 0) | ("zeros", _, 0) => self.constants(kind, |_| false),
-            ("x" | "y" | "z", Components::Vector(_), 0) => self.constants(kind, |k| Some(k) == axis),
-            ("identity", Components::Matrix(n), 0) => self.constants(kind, |k| k % n == k / n),
-            ("identity" | "default", Components::Euler, 0) => self.constants(kind, |k| k == 0),
-            ("rotation", Components::Matrix(2), 1) => {
-                let Some(angle) = self.numbers(1, arguments, call) else { return Ok(Value::Poison) };
-                let (sin, cos) = (self.graph.call(Function::Sin, angle[0]), self.graph.call(Function::Cos, angle[0]));
-                Value::Matrix(2, vec![cos, self.graph.neg(sin), sin, cos])
-            }
-            ("from_axis_angle", Components::Euler, 2) => {
-                let (angle, axis) = (arguments.pop().unwrap_or(Value::Poison), arguments.remove(0));
-                let (axis, angle) = (self.convertible(axis, 3, call.place(0)), self.scalar(angle, call.place(1)));
-                Value::Euler(self.axis_angle(&axis, angle))
-            }
-            ("skew", Components::Matrix(3), 1) => {
-                let v = self.convertible(arguments.remove(0), 3, call.place(0));
-                Value::Matrix(3, self.skew(&v))
-            }
-            ("from_rows" | "from_columns", Components::Matrix(n), 1) | ("from", Components::Matrix(n), 1) => {
-                let rows = self.rows_of(arguments.remove(0), n, call)?;
-                Value::Matrix(n, if function == "from_columns" { super::state::transpose(&rows) } else { rows })
-            }
-            ("from", kind, 1) => match self.loaded(arguments.remove(0)) {
-                // What only rustc knows may be an array, a tuple or a vector: it is converted there.
-                Value::Opaque(template) if matches!(kind, Components::Vector(_)) && template.nodes().is_empty() => {
-                    let all = vec![template];
-                    let converted = Template::Call(Box::new(Template::path(call.path)), all, last_span(call.at));
-                    self.shaped(Value::Opaque(converted), &kind.shape(), call.place(0))
-                }
-                value if value.components().is_some_and(|(own, _)| own == kind) => value,
-                Value::Array(all) | Value::Tuple(all) if all.len() == kind.len() => {
-                    kind.value(all.into_iter().map(|part| self.scalar(part, call.place(0))).collect())
-                }
-                value => self.shaped(value, &kind.shape(), call.place(0)),
-            },
-            _ => return Err(Unreadable::new(call.path, format!("`{ty}::{function}`"))),
-        })
-    }
-
-    fn constants(&mut self, kind: Components, is_one: impl Fn(usize) -> bool) -> Value {
-        kind.value((0..kind.len()).map(|k| self.graph.constant(if is_one(k) { 1.0 } else { 0.0 })).collect())
-    }
-
-    /// The entries of n rows, given as an array of vectors or arrays.
-    fn rows_of(&mut self, value: Value, n: usize, call: &Call) -> Read<Vec<Node>> {
-        match value.referent() {
-            Value::Matrix(side, m) if side == n => Ok(m),
-            Value::Array(rows) if rows.len() == n => Ok(rows.into_iter().flat_map(|row| self.convertible(row, n, call.place(0))).collect()),
-            _ => Err(Unreadable::new(call.path, "a matrix from this")),
-        }
-    }
-
-    /// ã, with ã b = a × b.
-    fn skew(&mut self, a: &[Node]) -> Vec<Node> {
-        let (zero, minus) = (self.graph.zero(), [a[0], a[1], a[2]].map(|n| self.graph.neg(n)));
-        vec![zero, minus[2], a[1], a[2], zero, minus[0], minus[1], a[0], zero]
-    }
-
-    /// (cos φ/2, u sin φ/2)
-    fn axis_angle(&mut self, axis: &[Node], angle: Node) -> Vec<Node> {
-        let half = self.graph.constant(0.5);
-        let half = self.graph.mul(half, angle);
-        let (sin, cos) = (self.graph.call(Function::Sin, half), self.graph.call(Function::Cos, half));
-        let norm = self.norm(axis);
-        let unit: Vec<Node> = axis.iter().map(|&n| self.graph.div(n, norm)).collect();
-        std::iter::once(cos).chain(unit.into_iter().map(|n| self.graph.mul(n, sin))).collect()
-    }
-
     fn number_from(&mut self, mut arguments: Vec<Value>, call: &Call) -> Read {
         match (arguments.len(), arguments.pop().map(Value::referent)) {
             (1, Some(Value::Integer(k, _))) => Ok(Value::Scalar(self.graph.constant(k as f64))),
             (1, Some(Value::Scalar(n))) => Ok(Value::Scalar(n)),
             (1, Some(value)) => {
                 let template = self.template(value, call.at)?;
-                Ok(Value::Opaque(Template::Call(Box::new(Template::path(call.path)), vec![template], last_span(call.at))))
+                Ok(Value::Opaque(Template::Call(
+                    Box::new(Template::path(call.path)),
+                    vec![template],
+                    last_span(call.at),
+                )))
             }
             _ => Ok(self.mistake(call.at, "`f64::from` takes one argument")),
         }
@@ -242,11 +184,18 @@ impl Reader {
         }
         let known = Function::from_method(function).is_some()
             || Function2::from_method(function).is_some()
-            || matches!(function, "sin_cos" | "recip" | "to_radians" | "to_degrees" | "copysign" | "log" | "mul_add" | "clamp");
+            || matches!(
+                function,
+                "sin_cos" | "recip" | "to_radians" | "to_degrees" | "copysign" | "log" | "mul_add" | "clamp"
+            );
         if !known {
             return Err(Unreadable::new(call.path, format!("`f64::{function}`")));
         }
-        let rest: Vec<Node> = arguments.into_iter().enumerate().map(|(k, value)| self.scalar(value, call.place(k + 1))).collect();
+        let rest: Vec<Node> = arguments
+            .into_iter()
+            .enumerate()
+            .map(|(k, value)| self.scalar(value, call.place(k + 1)))
+            .collect();
         Ok(self.scalar_function(x, function, &rest, call.at))
     }
 
@@ -264,7 +213,9 @@ impl Reader {
     /// `std::array::from_fn(f)`, of the length in its type arguments or that of its place.
     fn array_from_fn(&mut self, mut arguments: Vec<Value>, call: &Call) -> Read {
         let value = arguments.remove(0).referent();
-        let Some(place) = call.places.first() else { return Err(Unreadable::new(call.path, "a function that is not a closure")) };
+        let Some(place) = call.places.first() else {
+            return Err(Unreadable::new(call.path, "a function that is not a closure"));
+        };
         let f = self.function(value, place)?;
         let given = call.path.path.segments.last().and_then(|last| match &last.arguments {
             syn::PathArguments::AngleBracketed(given) => given.args.iter().nth(1),
@@ -279,8 +230,15 @@ impl Reader {
         }
     }
 
-    /// A function of the user's: repeated in emitted code, called with numbers that carry derivatives where its arguments do.
-    fn own_function(&mut self, callee: Template, arguments: Vec<Value>, places: &[&Expr], at: &dyn ToTokens) -> Read {
+    /// A function of the user's: repeated in emitted code, called with numbers that carry derivatives where
+    /// its arguments do.
+    fn own_function(
+        &mut self,
+        callee: Template,
+        arguments: Vec<Value>,
+        places: &[&Expr],
+        at: &dyn ToTokens,
+    ) -> Read {
         let mut templates = Vec::new();
         for (k, value) in arguments.into_iter().enumerate() {
             let place = places.get(k).map_or(at, |place| *place as &dyn ToTokens);
@@ -327,9 +285,16 @@ impl Call<'_> {
 fn not_called(value: &Value, name: &str) -> String {
     match value {
         Value::Law(_) => format!("`{name}` is a Law: ask it for a value with `{name}.at(x)`"),
-        Value::Scalar(_) => format!("`{name}` is a number, which cannot be called; a product is written `{name} * x`"),
-        Value::Vector(_) => format!("`{name}` is {}, which cannot be called; its components are fields, `{name}.x`", value.name()),
-        Value::Array(_) => format!("`{name}` is {}, which cannot be called; an element of it is `{name}[0]`", value.name()),
+        Value::Scalar(_) => {
+            format!("`{name}` is a number, which cannot be called; a product is written `{name} * x`")
+        }
+        Value::Vector(_) => format!(
+            "`{name}` is {}, which cannot be called; its components are fields, `{name}.x`",
+            value.name()
+        ),
+        Value::Array(_) => {
+            format!("`{name}` is {}, which cannot be called; an element of it is `{name}[0]`", value.name())
+        }
         _ => format!("`{name}` is {}, which cannot be called", value.name()),
     }
 }
@@ -349,7 +314,11 @@ fn strip(expression: &Expr) -> &Expr {
 
 /// A single name, with the arguments in `f::<3>`.
 fn single_name(path: &ExprPath) -> Option<(String, Option<&syn::AngleBracketedGenericArguments>)> {
-    let segment = path.path.segments.first().filter(|_| path.path.segments.len() == 1 && path.path.leading_colon.is_none())?;
+    let segment = path
+        .path
+        .segments
+        .first()
+        .filter(|_| path.path.segments.len() == 1 && path.path.leading_colon.is_none())?;
     match &segment.arguments {
         syn::PathArguments::None => Some((segment.ident.to_string(), None)),
         syn::PathArguments::AngleBracketed(given) => Some((segment.ident.to_string(), Some(given))),

@@ -1,5 +1,5 @@
-//! From values to what a place asks for: a number, a vector, a condition, a value of a type that is written there. An opaque value becomes
-//! what its place says; unless a place says otherwise it is a number.
+//! From values to what a place asks for: a number, a vector, a condition, a value of a type that is written
+//! there. An opaque value becomes what its place says; unless a place says otherwise it is a number.
 
 use quote::{ToTokens, quote};
 use syn::{BinOp, UnOp};
@@ -31,12 +31,15 @@ impl Reader {
     /// A vector, or an array or tuple that converts into one.
     pub fn convertible(&mut self, value: Value, n: usize, at: &dyn ToTokens) -> Vec<Node> {
         match self.loaded(value) {
-            Value::Array(all) | Value::Tuple(all) if all.len() == n => all.into_iter().map(|part| self.scalar(part, at)).collect(),
+            Value::Array(all) | Value::Tuple(all) if all.len() == n => {
+                all.into_iter().map(|part| self.scalar(part, at)).collect()
+            }
             value => self.vector(value, n, at),
         }
     }
 
-    /// Stands for a number after a mistake; depends on a coordinate, so that no second message follows from it.
+    /// Stands for a number after a mistake; depends on a coordinate, so that no second message follows from
+    /// it.
     fn poison(&mut self) -> Node {
         self.graph.input(Input::State(0, Part::Theta))
     }
@@ -89,14 +92,20 @@ impl Reader {
                 Value::Tuple(all.into_iter().zip(shapes).map(|(v, s)| self.shaped(v, s, at)).collect())
             }
             (Value::Opaque(template), shape) => self.opaque_shaped(template, shape, at),
-            (Value::Integer(k, _), Shape::Scalar) => self.mistake(at, format!("`{k}` is an integer; a number is written `{k}.0`")),
+            (Value::Integer(k, _), Shape::Scalar) => {
+                self.mistake(at, format!("`{k}` is an integer; a number is written `{k}.0`"))
+            }
             (Value::Law(_), Shape::Scalar) => {
                 let name = at.to_token_stream();
                 self.mistake(at, format!("`{name}` is a Law: ask it for a value with `{name}.at(x)`"))
             }
-            (Value::Euler(_), Shape::Vector(_)) => self.mistake(at, "Euler parameters are not a vector; `p.vector()` is (e1, e2, e3)"),
+            (Value::Euler(_), Shape::Vector(_)) => {
+                self.mistake(at, "Euler parameters are not a vector; `p.vector()` is (e1, e2, e3)")
+            }
             (value, shape) if value.components().is_some_and(|(kind, _)| kind.shape() == *shape) => value,
-            (other, shape) => self.mistake(at, format!("expected {}, but this is {}", shape.name(), other.name())),
+            (other, shape) => {
+                self.mistake(at, format!("expected {}, but this is {}", shape.name(), other.name()))
+            }
         }
     }
 
@@ -148,7 +157,9 @@ impl Reader {
             Template::Numbers(nodes, own, _) if own == *shape => {
                 Value::from_numbers(shape, &mut nodes.into_iter()).unwrap_or(Value::Poison)
             }
-            Template::Binary(a, op, b) if known && (scalar && is_arithmetic(&op) || components && is_sum(&op)) => {
+            Template::Binary(a, op, b)
+                if known && (scalar && is_arithmetic(&op) || components && is_sum(&op)) =>
+            {
                 let (a, b) = (self.opaque_shaped(*a, shape, at), self.opaque_shaped(*b, shape, at));
                 self.combined(op, &a, &b, at)
             }
@@ -170,7 +181,11 @@ impl Reader {
             }
             Template::Parameter(name) if scalar && self.no_numbers.contains_key(&name.to_string()) => {
                 let ty = self.no_numbers[&name.to_string()].clone();
-                let cure = if ty == "bool" { format!("if {name} {{ … }} else {{ … }}") } else { format!("{name} as f64") };
+                let cure = if ty == "bool" {
+                    format!("if {name} {{ … }} else {{ … }}")
+                } else {
+                    format!("{name} as f64")
+                };
                 self.mistake(&name, format!("`{name}` is a `{ty}`; a number of it is `{cure}`"))
             }
             template => {
@@ -185,7 +200,8 @@ impl Reader {
         template.nodes().iter().any(|&n| self.graph.depends(n).varies())
     }
 
-    /// Components of an opaque value. Where it depends on coordinates or time it is a leaf, called with numbers that carry derivatives.
+    /// Components of an opaque value. Where it depends on coordinates or time it is a leaf, called with
+    /// numbers that carry derivatives.
     fn opaque(&mut self, template: Template, kind: OpaqueKind) -> Vec<Node> {
         let count = if let OpaqueKind::Numbers(shape) = &kind { shape.count() } else { 1 };
         if kind != OpaqueKind::Condition && self.varies(&template) {
@@ -202,14 +218,16 @@ impl Reader {
         (0..count).map(|k| self.graph.opaque(number, k)).collect()
     }
 
-    /// What may panic is not computed where a branch around it is not taken, so far as that depends on parameters only.
+    /// What may panic is not computed where a branch around it is not taken, so far as that depends on
+    /// parameters only.
     fn guarded(&mut self, template: Template) -> Template {
         if !template.may_panic() {
             return template;
         }
         let always = self.graph.bool(true);
         let conditions: Vec<Node> = self.path.iter().map(|guard| guard.holds).collect();
-        let constant = conditions.into_iter().filter(|&c| !self.graph.depends(c).varies()).collect::<Vec<_>>();
+        let constant =
+            conditions.into_iter().filter(|&c| !self.graph.depends(c).varies()).collect::<Vec<_>>();
         let all = constant.into_iter().fold(always, |all, c| self.graph.and(all, c));
         match self.graph.truth(all) {
             Some(_) => template,
@@ -240,7 +258,10 @@ impl Reader {
         }
         Ok(match value {
             Value::Opaque(template) if template.has_choice() => {
-                return Err(Unreadable::new(at, "one of two values of unknown type handed to a function of your own"));
+                return Err(Unreadable::new(
+                    at,
+                    "one of two values of unknown type handed to a function of your own",
+                ));
             }
             Value::Opaque(template) | Value::Law(template) => template,
             Value::Reference(inner) => Template::Reference(Box::new(self.template(*inner, at)?)),
@@ -251,20 +272,15 @@ impl Reader {
                 return Err(Unreadable::new(at, "a value of a type that is declared in the body"));
             }
             Value::Adt(adt) => {
-                let fields = adt.fields.into_iter().map(|(name, value)| Ok((name, self.template(value, at)?))).collect::<Read<_>>()?;
+                let fields = adt
+                    .fields
+                    .into_iter()
+                    .map(|(name, value)| Ok((name, self.template(value, at)?)))
+                    .collect::<Read<_>>()?;
                 Template::Struct(adt.path, fields, adt.braces)
             }
-            Value::Planar(slot) => {
-                let mut nodes = self.origin(slot, 2);
-                nodes.extend([Part::Theta, Part::Sin, Part::Cos].map(|part| self.graph.input(Input::State(slot, part))));
-                Template::State(nodes, 2, super::first_span(at))
-            }
-            Value::Spatial(slot) => {
-                let mut nodes = self.origin(slot, 3);
-                nodes.extend(self.euler_parameters(slot));
-                nodes.extend(self.rotation(slot, 3));
-                Template::State(nodes, 3, super::first_span(at))
-            }
+            Value::Planar(slot) => self.state_template(slot, 2, at),
+            Value::Spatial(slot) => self.state_template(slot, 3, at),
             Value::Tuple(parts) => Template::Tuple(self.templates(parts, at)?),
             Value::Array(parts) => Template::Array(self.templates(parts, at)?),
             Value::Integer(k, _) => {
@@ -276,12 +292,30 @@ impl Reader {
                 let truth = self.graph.truth(node) == Some(true);
                 Template::Tokens(quote!(#truth))
             }
-            other => return Err(Unreadable::new(at, format!("{} handed to a function of your own", other.name()))),
+            other => {
+                return Err(Unreadable::new(
+                    at,
+                    format!("{} handed to a function of your own", other.name()),
+                ));
+            }
         })
     }
 }
 
 impl Reader {
+    /// The state of a body in the plane or in space, by all its numbers.
+    fn state_template(&mut self, slot: usize, n: usize, at: &dyn ToTokens) -> Template {
+        let mut nodes = self.origin(slot, n);
+        if n == 2 {
+            let turn = [Part::Theta, Part::Sin, Part::Cos];
+            nodes.extend(turn.map(|part| self.graph.input(Input::State(slot, part))));
+        } else {
+            nodes.extend(self.euler_parameters(slot));
+            nodes.extend(self.rotation(slot, 3));
+        }
+        Template::State(nodes, n, super::first_span(at))
+    }
+
     fn templates(&mut self, parts: Vec<Value>, at: &dyn ToTokens) -> Read<Vec<Template>> {
         parts.into_iter().map(|part| self.template(part, at)).collect()
     }

@@ -1,5 +1,7 @@
 //! Expressions: the table of what is read how.
 
+mod index;
+
 use std::rc::Rc;
 
 use quote::ToTokens;
@@ -103,17 +105,31 @@ impl Reader {
                 let size = value.size();
                 self.expressions_read += size;
                 match value {
-                    Value::Opaque(_) if size > MOST_PARTS => Err(Unreadable::new(path, "a value this long in the making")),
-                    Value::Opaque(Template::Parameter(name)) => Ok(Value::Opaque(Template::Parameter(at(name, path)))),
+                    Value::Opaque(_) if size > MOST_PARTS => {
+                        Err(Unreadable::new(path, "a value this long in the making"))
+                    }
+                    Value::Opaque(Template::Parameter(name)) => {
+                        Ok(Value::Opaque(Template::Parameter(at(name, path))))
+                    }
                     value => Ok(value),
                 }
             }
             None if path.path.is_ident("None") => Ok(Value::none()),
-            None if crate::vocabulary::names(path).iter().rev().nth(1).is_some_and(|name| name == "Ordering") => {
-                Ok(Value::Adt(super::value::Adt::new(&crate::vocabulary::names(path).pop().unwrap_or_default(), None)))
+            None if crate::vocabulary::names(path)
+                .iter()
+                .rev()
+                .nth(1)
+                .is_some_and(|name| name == "Ordering") =>
+            {
+                Ok(Value::Adt(super::value::Adt::new(
+                    &crate::vocabulary::names(path).pop().unwrap_or_default(),
+                    None,
+                )))
             }
             None if self.is_own_variant(path) => Ok(Value::Adt(super::value::Adt::tuple(&path.path, vec![]))),
-            None if crate::vocabulary::is_number_function(path) => Ok(Value::Function(Function::Path(std::rc::Rc::new(path.clone())))),
+            None if crate::vocabulary::is_number_function(path) => {
+                Ok(Value::Function(Function::Path(std::rc::Rc::new(path.clone()))))
+            }
             None => Ok(Value::Opaque(Template::Path(path.clone(), self.variables_beside(path)))),
         }
     }
@@ -140,7 +156,9 @@ impl Reader {
             return self.mutable_reference(&reference.expr, word);
         }
         Ok(match self.raw_expression(&reference.expr)? {
-            Value::Opaque(template) => Value::Opaque(template.each(&|part| Template::Reference(Box::new(part)))),
+            Value::Opaque(template) => {
+                Value::Opaque(template.each(&|part| Template::Reference(Box::new(part))))
+            }
             value => Value::Reference(Box::new(value)),
         })
     }
@@ -150,12 +168,16 @@ impl Reader {
         if let Some(place) = self.place(of)? {
             return match self.at_place(&place) {
                 Some(Value::Place(inner)) => Ok(Value::Place(inner)),
-                Some(Value::Opaque(_)) | None => Err(Unreadable::new(word, "`&mut` of what is not known here")),
+                Some(Value::Opaque(_)) | None => {
+                    Err(Unreadable::new(word, "`&mut` of what is not known here"))
+                }
                 Some(_) => Ok(Value::Place(place)),
             };
         }
         match self.expression(of)? {
-            Value::Opaque(_) | Value::Choice(_) => Err(Unreadable::new(word, "`&mut` of what is not known here")),
+            Value::Opaque(_) | Value::Choice(_) => {
+                Err(Unreadable::new(word, "`&mut` of what is not known here"))
+            }
             value => {
                 let slot = self.store.declare(value);
                 Ok(Value::Place(super::scope::Place::whole(slot)))
@@ -178,7 +200,9 @@ impl Reader {
             Value::Planar(slot) => self.state_field(*slot, 2, &name),
             Value::Spatial(slot) => self.state_field(*slot, 3, &name),
             Value::Vector(v) => position(&name, &["x", "y", "z"][..v.len()]).map(|k| Value::Scalar(v[k])),
-            Value::Axis(vectors) => position(&name, &["h", "f", "g"]).map(|k| Value::Vector(vectors[k].clone())),
+            Value::Axis(vectors) => {
+                position(&name, &["h", "f", "g"]).map(|k| Value::Vector(vectors[k].clone()))
+            }
             Value::Euler(p) => position(&name, &["e0", "e1", "e2", "e3"]).map(|k| Value::Scalar(p[k])),
             Value::Matrix(n, m) => entry(&name, *n).map(|k| Value::Scalar(m[k])),
             Value::Tuple(all) => name.parse::<usize>().ok().and_then(|k| all.get(k).cloned()),
@@ -187,7 +211,9 @@ impl Reader {
                 let base = self.loaded(base);
                 return self.each(base, member, &mut |reader, base| reader.field(base, member));
             }
-            Value::Opaque(template) => Some(Value::Opaque(template.clone().each(&|part| Template::Field(Box::new(part), member.clone())))),
+            Value::Opaque(template) => Some(Value::Opaque(
+                template.clone().each(&|part| Template::Field(Box::new(part), member.clone())),
+            )),
             Value::Poison | Value::Never | Value::Left => Some(base.clone()),
             _ => None,
         };
@@ -195,90 +221,6 @@ impl Reader {
             let cure = field_cure(&base, &name);
             self.mistake(member, format!("{} has no field `{name}`{cure}", base.name()))
         }))
-    }
-
-    fn index(&mut self, index: &syn::ExprIndex) -> Read {
-        let base = self.expression(&index.expr)?;
-        if let Expr::Range(range) = &*index.index
-            && !matches!(base, Value::Opaque(_))
-        {
-            return self.each(base, &index.expr, &mut |reader, base| match base {
-                Value::Array(all) => reader.slice(&all, range),
-                value @ (Value::Poison | Value::Never | Value::Left) => Ok(value),
-                _ => Err(Unreadable::new(range, "a part of this")),
-            });
-        }
-        let at = self.expression(&index.index)?;
-        self.each_list(vec![base, at], index, &mut |reader, mut both| match (both.pop(), both.pop()) {
-            (Some(at), Some(base)) => reader.element_of(base, at, index),
-            _ => Ok(Value::Poison),
-        })
-    }
-
-    fn element_of(&mut self, base: Value, at: Value, index: &syn::ExprIndex) -> Read {
-        match (base, at) {
-            (Value::Poison, _) | (_, Value::Poison) => Ok(Value::Poison),
-            (Value::Left, _) | (_, Value::Left) => Ok(Value::Left),
-            (Value::Matrix(n, m), Value::Tuple(pair)) => match pair[..] {
-                [Value::Integer(r, _), Value::Integer(c, _)] if (0..n as i64).contains(&r) && (0..n as i64).contains(&c) => {
-                    Ok(Value::Scalar(m[r as usize * n + c as usize]))
-                }
-                [Value::Integer(..), Value::Integer(..)] => {
-                    Ok(self.mistake(&index.index, format!("a Mat{n} has rows and columns 0 to {}", n - 1)))
-                }
-                _ => Err(Unreadable::new(&index.index, "an index that is not known here")),
-            },
-            (Value::Opaque(base), at) => {
-                let at = self.template(at, &index.index)?;
-                Ok(Value::Opaque(base.each(&|part| Template::Index(Box::new(part), Box::new(at.clone())))))
-            }
-            (base, Value::Integer(k, _)) => Ok(self.element(&base, k, index)),
-            (base, Value::Opaque(at)) => self.element_at_run_time(&base, at, index),
-            (base, at) => Ok(self.mistake(&index.index, format!("{} cannot be indexed by {}", base.name(), at.name()))),
-        }
-    }
-
-    /// `all[from..to]`
-    fn slice(&mut self, all: &[Value], range: &syn::ExprRange) -> Read {
-        let (from, to) = self.bounds_of(range, all.len())?;
-        let part = all.get(from..to).ok_or_else(|| Unreadable::new(range, "an index out of range"))?;
-        Ok(Value::Array(part.to_vec()))
-    }
-
-    /// The first place of a range, and the one behind its last.
-    pub fn bounds_of(&mut self, range: &syn::ExprRange, length: usize) -> Read<(usize, usize)> {
-        let mut bound = |end: &Option<Box<Expr>>, otherwise: usize| match end {
-            None => Ok(otherwise),
-            Some(end) => match self.expression(end)? {
-                Value::Integer(k, _) => usize::try_from(k).map_err(|_| Unreadable::new(end, "an index out of range")),
-                _ => Err(Unreadable::new(end, "an index that is not known here")),
-            },
-        };
-        let (from, to) = (bound(&range.start, 0)?, bound(&range.end, length)?);
-        Ok((from, if matches!(range.limits, syn::RangeLimits::Closed(_)) && range.end.is_some() { to.saturating_add(1) } else { to }))
-    }
-
-    fn element(&mut self, base: &Value, k: i64, index: &syn::ExprIndex) -> Value {
-        let all: Vec<Value> = match base {
-            Value::Array(all) => all.clone(),
-            Value::Vector(v) | Value::Euler(v) => v.iter().copied().map(Value::Scalar).collect(),
-            other => return self.mistake(&index.expr, format!("{} cannot be indexed", other.name())),
-        };
-        match usize::try_from(k).ok().and_then(|k| all.get(k)) {
-            Some(value) => value.clone(),
-            None => self.mistake(&index.index, format!("index {k} is out of range: this is {}", base.name())),
-        }
-    }
-
-    /// An element of an array by an index that is only known when the program runs: one of all of them.
-    fn element_at_run_time(&mut self, base: &Value, at: Template, index: &syn::ExprIndex) -> Read {
-        match base.numbers() {
-            Some((nodes, shape)) if !at.has_choice() => {
-                let all = Template::Numbers(nodes, shape, super::first_span(&index.expr));
-                Ok(Value::Opaque(Template::Index(Box::new(all), Box::new(at))))
-            }
-            _ => Err(Unreadable::new(&index.index, "an index that is not known here")),
-        }
     }
 
     fn repeat(&mut self, repeat: &syn::ExprRepeat) -> Read {
@@ -289,7 +231,9 @@ impl Reader {
     pub fn repeated(&mut self, value: &Expr, length: &Expr) -> Read {
         let value = self.expression(value)?;
         match self.expression(length)? {
-            Value::Integer(n, _) if (0..=MOST_TURNS).contains(&n) && n as usize * value.size() <= MOST_NODES => {
+            Value::Integer(n, _)
+                if (0..=MOST_TURNS).contains(&n) && n as usize * value.size() <= MOST_NODES =>
+            {
                 Ok(Value::Array(vec![value; n as usize]))
             }
             _ => Err(Unreadable::new(length, "an array whose length is not known here")),
@@ -303,7 +247,13 @@ impl Reader {
         self.each(value, cast, &mut |reader, value| reader.cast_of(value, &ty, &name, cast))
     }
 
-    fn cast_of(&mut self, value: Value, ty: &proc_macro2::TokenStream, name: &str, cast: &syn::ExprCast) -> Read {
+    fn cast_of(
+        &mut self,
+        value: Value,
+        ty: &proc_macro2::TokenStream,
+        name: &str,
+        cast: &syn::ExprCast,
+    ) -> Read {
         let integer = is_integer(name);
         Ok(match value {
             Value::Integer(k, _) if name == "f64" => Value::Scalar(self.graph.constant(k as f64)),
@@ -315,22 +265,30 @@ impl Reader {
             Value::Integer(..) => return Err(Unreadable::new(&cast.as_token, "this cast of an integer")),
             Value::Scalar(n) if name == "f64" => Value::Scalar(n),
             Value::Scalar(x) if integer => match self.graph.constant_value(x) {
-                Some(x) if x.is_finite() && x.abs() < 1e9 && fits(x as i64, name) => Value::Integer(x as i64, IntegerType::named(name)),
+                Some(x) if x.is_finite() && x.abs() < 1e9 && fits(x as i64, name) => {
+                    Value::Integer(x as i64, IntegerType::named(name))
+                }
                 _ => return Err(Unreadable::new(&cast.as_token, "turning a number into an integer")),
             },
             Value::Condition(holds) if integer => {
                 let [one, zero] = [1, 0].map(|k| Value::Integer(k, IntegerType::named(name)));
                 return self.joined(holds, &one, &zero, cast);
             }
-            Value::Condition(_) => return Err(Unreadable::new(&cast.as_token, "turning a condition into something else")),
-            Value::Opaque(template) => Value::Opaque(template.each(&|part| Template::Cast(Box::new(part), ty.clone()))),
+            Value::Condition(_) => {
+                return Err(Unreadable::new(&cast.as_token, "turning a condition into something else"));
+            }
+            Value::Opaque(template) => {
+                Value::Opaque(template.each(&|part| Template::Cast(Box::new(part), ty.clone())))
+            }
             value @ (Value::Poison | Value::Never | Value::Left) => value,
             other => self.mistake(&cast.as_token, format!("{} cannot be cast to {name}", other.name())),
         })
     }
 
     fn range(&mut self, range: &syn::ExprRange) -> Read {
-        let (Some(start), Some(end)) = (&range.start, &range.end) else { return Err(Unreadable::new(range, "a range without an end")) };
+        let (Some(start), Some(end)) = (&range.start, &range.end) else {
+            return Err(Unreadable::new(range, "a range without an end"));
+        };
         let (from, to, ty) = match (self.expression(start)?, self.expression(end)?) {
             (Value::Integer(a, x), Value::Integer(b, y)) => (a, b, x.or(y)),
             (Value::Poison, _) | (_, Value::Poison) => return Ok(Value::Poison),
@@ -368,11 +326,17 @@ fn fits(k: i64, name: &str) -> bool {
 
 fn field_cure(base: &Value, name: &str) -> &'static str {
     match (base, name) {
-        (Value::Planar(_), "x" | "y") | (Value::Spatial(_), "x" | "y" | "z") => "; the origin is `.r.x`, `.r.y`",
+        (Value::Planar(_), "x" | "y") | (Value::Spatial(_), "x" | "y" | "z") => {
+            "; the origin is `.r.x`, `.r.y`"
+        }
         (Value::Planar(_), "a") => "; the rotation matrix is `.a()`",
-        (Value::Planar(_), _) => "; it has `r`, `theta`, and the methods `a()`, `point(u)`, `direction(h)`, `local(p)`",
+        (Value::Planar(_), _) => {
+            "; it has `r`, `theta`, and the methods `a()`, `point(u)`, `direction(h)`, `local(p)`"
+        }
         (Value::Spatial(_), "theta") => "; a spatial body has Euler parameters, `p`",
-        (Value::Spatial(_), _) => "; it has `r`, `p`, and the methods `a()`, `point(u)`, `direction(h)`, `local(p)`",
+        (Value::Spatial(_), _) => {
+            "; it has `r`, `p`, and the methods `a()`, `point(u)`, `direction(h)`, `local(p)`"
+        }
         (Value::Axis(_), _) => "; it has `h`, and `f` and `g` across it",
         (Value::Vector(v), _) if v.len() == 2 => "; it has `x` and `y`",
         (Value::Vector(_), _) => "; it has `x`, `y` and `z`",

@@ -1,5 +1,6 @@
-//! The flow of control: branches by open conditions, and what leaves its place early. `return`, `break` and `continue` are one mechanism: a way
-//! out of a frame, with the condition under which it is taken, its value, and the variables as they were. At the frame's end the ways are joined.
+//! The flow of control: branches by open conditions, and what leaves its place early. `return`, `break` and
+//! `continue` are one mechanism: a way out of a frame, with the condition under which it is taken, its value,
+//! and the variables as they were. At the frame's end the ways are joined.
 
 use quote::ToTokens;
 
@@ -35,7 +36,8 @@ struct Exit {
     changes: Changes,
 }
 
-/// What is known where something is read: a condition of a branch around it, or that a frame has not been left.
+/// What is known where something is read: a condition of a branch around it, or that a frame has not been
+/// left.
 #[derive(Clone, Copy)]
 pub struct Guard {
     pub holds: Node,
@@ -76,8 +78,11 @@ impl Reader {
         if frame.exits.len() == MOST_EXITS {
             return Err(Unreadable::new(at, "a loop or function with this many ways out"));
         }
-        let on_the_way: Vec<Node> =
-            self.path[frame.path..].iter().filter(|guard| guard.left.is_none_or(|left| left > number)).map(|guard| guard.holds).collect();
+        let on_the_way: Vec<Node> = self.path[frame.path..]
+            .iter()
+            .filter(|guard| guard.left.is_none_or(|left| left > number))
+            .map(|guard| guard.holds)
+            .collect();
         // What becomes of variables after the function itself nobody sees.
         let changes = if number == 0 { Changes::new() } else { self.store.changes(frame.since) };
         let always = self.graph.bool(true);
@@ -92,15 +97,20 @@ impl Reader {
     pub fn exit(&mut self, value: Value, at: &dyn ToTokens) -> Read {
         let Some(Frame { exits, path, since, .. }) = self.frames.pop() else { return Ok(value) };
         let outside = self.frames.len();
-        let others: Vec<Guard> =
-            self.path.split_off(path).into_iter().filter(|guard| guard.left.is_some_and(|left| left < outside)).collect();
+        let others: Vec<Guard> = self
+            .path
+            .split_off(path)
+            .into_iter()
+            .filter(|guard| guard.left.is_some_and(|left| left < outside))
+            .collect();
         self.path.extend(others);
         let mut value = value;
         for Exit { condition, value: given, changes } in exits.into_iter().rev() {
             let reached = !matches!(value, Value::Left);
             let now = self.store.changes(since);
             for slot in changes.keys().chain(now.keys()).copied().collect::<std::collections::BTreeSet<_>>() {
-                let then = changes.get(&slot).cloned().unwrap_or_else(|| self.store.before(since, slot).clone());
+                let then =
+                    changes.get(&slot).cloned().unwrap_or_else(|| self.store.before(since, slot).clone());
                 let joined = match reached {
                     true => self.variable_of_both(condition, &then, &self.store.get(slot).clone(), at)?,
                     false => then,
@@ -111,14 +121,18 @@ impl Reader {
                 (false, _) => given,
                 (true, Some(joined)) => joined,
                 (true, None) if matches!(given, Value::Poison) => value,
-                (true, None) => self.mistake(at, format!("this gives {} in one place, and {} in another", given.name(), value.name())),
+                (true, None) => self.mistake(
+                    at,
+                    format!("this gives {} in one place, and {} in another", given.name(), value.name()),
+                ),
             };
         }
         self.store.end();
         Ok(value)
     }
 
-    /// Reads both branches, unless the condition is known, and joins their values and what they did to variables.
+    /// Reads both branches, unless the condition is known, and joins their values and what they did to
+    /// variables.
     pub fn choose(
         &mut self,
         condition: Node,
@@ -150,9 +164,17 @@ impl Reader {
     }
 
     /// Joins what two branches did to variables; those of the second one are in hand.
-    fn variables_of_both(&mut self, condition: Node, values: [&Value; 2], after_yes: Changes, since: Mark, at: &dyn ToTokens) -> Read<()> {
+    fn variables_of_both(
+        &mut self,
+        condition: Node,
+        values: [&Value; 2],
+        after_yes: Changes,
+        since: Mark,
+        at: &dyn ToTokens,
+    ) -> Read<()> {
         let after_no = self.store.changes(since);
-        let slots: std::collections::BTreeSet<usize> = after_yes.keys().chain(after_no.keys()).copied().collect();
+        let slots: std::collections::BTreeSet<usize> =
+            after_yes.keys().chain(after_no.keys()).copied().collect();
         for slot in slots {
             let before = self.store.before(since, slot).clone();
             let a = after_yes.get(&slot).unwrap_or(&before);
@@ -172,22 +194,29 @@ impl Reader {
         match (a, b) {
             // It has a value where it is asked for one: rustc sees to it.
             (Value::Unassigned, other) | (other, Value::Unassigned) => Ok(other.clone()),
-            _ => self
-                .select(condition, a, b)
-                .ok_or_else(|| Unreadable::new(at, "a variable that is of one kind in one branch and of another in the other")),
+            _ => self.select(condition, a, b).ok_or_else(|| {
+                Unreadable::new(
+                    at,
+                    "a variable that is of one kind in one branch and of another in the other",
+                )
+            }),
         }
     }
 
-    /// What is known behind two branches: that none of the frames has been left that were left in one of them.
+    /// What is known behind two branches: that none of the frames has been left that were left in one of
+    /// them.
     fn not_left(&mut self, condition: Node, yes: &[Guard], no: &[Guard]) {
-        let frames: std::collections::BTreeSet<usize> = yes.iter().chain(no).filter_map(|guard| guard.left).collect();
+        let frames: std::collections::BTreeSet<usize> =
+            yes.iter().chain(no).filter_map(|guard| guard.left).collect();
         let otherwise = self.graph.not(condition);
         for frame in frames {
             let mut holds = self.graph.bool(true);
             for (guards, unless) in [(yes, otherwise), (no, condition)] {
                 let always = self.graph.bool(true);
-                let stays =
-                    guards.iter().filter(|guard| guard.left == Some(frame)).fold(always, |all, guard| self.graph.and(all, guard.holds));
+                let stays = guards
+                    .iter()
+                    .filter(|guard| guard.left == Some(frame))
+                    .fold(always, |all, guard| self.graph.and(all, guard.holds));
                 let one = self.graph.or(unless, stays);
                 holds = self.graph.and(holds, one);
             }
@@ -196,27 +225,49 @@ impl Reader {
     }
 
     /// One of several values: what `f` makes of each, joined.
-    pub fn each(&mut self, value: Value, at: &dyn ToTokens, f: &mut dyn FnMut(&mut Self, Value) -> Read) -> Read {
+    pub fn each(
+        &mut self,
+        value: Value,
+        at: &dyn ToTokens,
+        f: &mut dyn FnMut(&mut Self, Value) -> Read,
+    ) -> Read {
         match value {
             Value::Choice(all) => self.each_of(&all, at, f),
             value => f(self, value),
         }
     }
 
-    fn each_of(&mut self, all: &[(Node, Value)], at: &dyn ToTokens, f: &mut dyn FnMut(&mut Self, Value) -> Read) -> Read {
+    fn each_of(
+        &mut self,
+        all: &[(Node, Value)],
+        at: &dyn ToTokens,
+        f: &mut dyn FnMut(&mut Self, Value) -> Read,
+    ) -> Read {
         match all {
             [] => Ok(Value::Never),
             [(_, last)] => f(self, last.clone()),
             [(condition, first), rest @ ..] => {
                 let both = std::cell::RefCell::new(f);
-                self.choose(*condition, |r| (both.borrow_mut())(r, first.clone()), |r| r.each_of(rest, at, *both.borrow_mut()), at)
+                self.choose(
+                    *condition,
+                    |r| (both.borrow_mut())(r, first.clone()),
+                    |r| r.each_of(rest, at, *both.borrow_mut()),
+                    at,
+                )
             }
         }
     }
 
     /// The same for several values at once.
-    pub fn each_list(&mut self, mut values: Vec<Value>, at: &dyn ToTokens, f: &mut dyn FnMut(&mut Self, Vec<Value>) -> Read) -> Read {
-        let Some(k) = values.iter().position(|value| matches!(value, Value::Choice(_))) else { return f(self, values) };
+    pub fn each_list(
+        &mut self,
+        mut values: Vec<Value>,
+        at: &dyn ToTokens,
+        f: &mut dyn FnMut(&mut Self, Vec<Value>) -> Read,
+    ) -> Read {
+        let Some(k) = values.iter().position(|value| matches!(value, Value::Choice(_))) else {
+            return f(self, values);
+        };
         let choice = std::mem::replace(&mut values[k], Value::Poison);
         self.each(choice, at, &mut |reader, one| {
             let mut values = values.clone();

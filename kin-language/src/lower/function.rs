@@ -29,7 +29,9 @@ impl Function {
         match (self, other) {
             (Function::Closure(a), Function::Closure(b)) => Rc::ptr_eq(a, b),
             (Function::Inner(a, _), Function::Inner(b, _)) => Rc::ptr_eq(a, b),
-            (Function::Path(a), Function::Path(b)) => crate::vocabulary::names(a) == crate::vocabulary::names(b),
+            (Function::Path(a), Function::Path(b)) => {
+                crate::vocabulary::names(a) == crate::vocabulary::names(b)
+            }
             _ => false,
         }
     }

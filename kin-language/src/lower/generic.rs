@@ -1,4 +1,5 @@
-//! Functions with generics inside of the body: what their types and lengths are, by the values that they are given.
+//! Functions with generics inside of the body: what their types and lengths are, by the values that they are
+//! given.
 
 use std::collections::BTreeMap;
 
@@ -23,16 +24,21 @@ pub fn found(
     length: &dyn Fn(&Expr) -> Option<usize>,
 ) -> Option<Found> {
     let generics = &item.sig.generics;
-    if generics.params.is_empty() && !item.sig.inputs.iter().any(|input| matches!(input, FnArg::Receiver(_))) {
+    if generics.params.is_empty() && !item.sig.inputs.iter().any(|input| matches!(input, FnArg::Receiver(_)))
+    {
         return None;
     }
     let mut found = Found::default();
     // Of what nothing is known may be anything.
-    found.types.extend(generics.type_params().map(|parameter| (parameter.ident.to_string(), parse_quote!(_))));
+    found
+        .types
+        .extend(generics.type_params().map(|parameter| (parameter.ident.to_string(), parse_quote!(_))));
     let names: Vec<String> = generics.params.iter().filter_map(name).collect();
     for (name, given) in names.iter().zip(given.iter().flat_map(|given| &given.args)) {
         match given {
-            GenericArgument::Type(Type::Path(path)) if generics.const_params().any(|parameter| parameter.ident == name) => {
+            GenericArgument::Type(Type::Path(path))
+                if generics.const_params().any(|parameter| parameter.ident == name) =>
+            {
                 let path = &path.path;
                 found.lengths.extend(length(&parse_quote!(#path)).map(|n| (name.clone(), n)));
             }
@@ -61,7 +67,9 @@ fn name(parameter: &GenericParam) -> Option<String> {
 impl Found {
     fn learn(&mut self, ty: &Type, value: &Value, names: &[String]) {
         match (ty, value) {
-            (ty, Value::Reference(inner)) if !matches!(ty, Type::Reference(_)) => self.learn(ty, inner, names),
+            (ty, Value::Reference(inner)) if !matches!(ty, Type::Reference(_)) => {
+                self.learn(ty, inner, names)
+            }
             (Type::Reference(ty), Value::Reference(inner)) => self.learn(&ty.elem, inner, names),
             (Type::Reference(ty), value) => self.learn(&ty.elem, value, names),
             (Type::Array(array), Value::Array(all)) => {
@@ -71,26 +79,32 @@ impl Found {
                 }
                 all.iter().take(1).for_each(|part| self.learn(&array.elem, part, names));
             }
-            (Type::Slice(slice), Value::Array(all)) => all.iter().take(1).for_each(|part| self.learn(&slice.elem, part, names)),
-            (Type::Tuple(tuple), Value::Tuple(all)) => tuple.elems.iter().zip(all).for_each(|(ty, part)| self.learn(ty, part, names)),
-            (Type::Path(path), value) => match (path.path.get_ident(), path.path.segments.last().map(|last| &last.arguments), value) {
-                (Some(name), _, value) if names.contains(&name.to_string()) => {
-                    if let Some(ty) = type_of(value) {
-                        self.types.insert(name.to_string(), ty);
+            (Type::Slice(slice), Value::Array(all)) => {
+                all.iter().take(1).for_each(|part| self.learn(&slice.elem, part, names))
+            }
+            (Type::Tuple(tuple), Value::Tuple(all)) => {
+                tuple.elems.iter().zip(all).for_each(|(ty, part)| self.learn(ty, part, names))
+            }
+            (Type::Path(path), value) => {
+                match (path.path.get_ident(), path.path.segments.last().map(|last| &last.arguments), value) {
+                    (Some(name), _, value) if names.contains(&name.to_string()) => {
+                        if let Some(ty) = type_of(value) {
+                            self.types.insert(name.to_string(), ty);
+                        }
                     }
-                }
-                (None, Some(PathArguments::AngleBracketed(given)), value) => {
-                    let inner = match value {
-                        Value::Array(all) => all.first(),
-                        Value::Adt(adt) => adt.fields.first().map(|(_, value)| value),
-                        _ => None,
-                    };
-                    if let (Some(GenericArgument::Type(ty)), Some(inner)) = (given.args.first(), inner) {
-                        self.learn(ty, inner, names);
+                    (None, Some(PathArguments::AngleBracketed(given)), value) => {
+                        let inner = match value {
+                            Value::Array(all) => all.first(),
+                            Value::Adt(adt) => adt.fields.first().map(|(_, value)| value),
+                            _ => None,
+                        };
+                        if let (Some(GenericArgument::Type(ty)), Some(inner)) = (given.args.first(), inner) {
+                            self.learn(ty, inner, names);
+                        }
                     }
+                    _ => {}
                 }
-                _ => {}
-            },
+            }
             _ => {}
         }
     }
@@ -137,7 +151,10 @@ fn type_of(value: &Value) -> Option<Type> {
         Value::Condition(_) => parse_quote!(bool),
         Value::Reference(inner) => type_of(inner)?,
         Value::Vector(_) | Value::Matrix(..) | Value::Euler(_) => {
-            let name = proc_macro2::Ident::new(&value.components()?.0.shape().name(), proc_macro2::Span::call_site());
+            let name = proc_macro2::Ident::new(
+                &value.components()?.0.shape().name(),
+                proc_macro2::Span::call_site(),
+            );
             parse_quote!(#name)
         }
         Value::Array(all) => {

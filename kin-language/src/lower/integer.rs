@@ -1,7 +1,9 @@
-//! Integers known while the body is read, as rustc would compute them: of the type that they are known to be of.
+//! Integers known while the body is read, as rustc would compute them: of the type that they are known to be
+//! of.
 //!
-//! Where the type is not known here (rustc infers it from all uses), an integer is taken as an `i32`, and the difference of two that are not negative
-//! as possibly of an unsigned type. What may overflow there is not computed here: the body goes to rustc, which panics or refuses it.
+//! Where the type is not known here (rustc infers it from all uses), an integer is taken as an `i32`, and the
+//! difference of two that are not negative as possibly of an unsigned type. What may overflow there is not
+//! computed here: the body goes to rustc, which panics or refuses it.
 
 use syn::BinOp;
 
@@ -60,7 +62,11 @@ fn common(a: Option<IntegerType>, b: Option<IntegerType>) -> Result<Option<Integ
 }
 
 /// `a op b` by i64, if that is what rustc computes; `None` where it may panic, or is not known.
-pub fn operate(op: &BinOp, (a, x): (i64, Option<IntegerType>), (b, y): (i64, Option<IntegerType>)) -> Option<Value> {
+pub fn operate(
+    op: &BinOp,
+    (a, x): (i64, Option<IntegerType>),
+    (b, y): (i64, Option<IntegerType>),
+) -> Option<Value> {
     // The amount of a shift may be of any type.
     let shifts = matches!(op, BinOp::Shl(_) | BinOp::Shr(_));
     let ty = if shifts { x } else { common(x, y).ok()? };

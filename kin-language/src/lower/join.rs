@@ -1,4 +1,5 @@
-//! Two values by a condition as one: number by number where they are of one kind, else a choice that what is done with it is done to both of.
+//! Two values by a condition as one: number by number where they are of one kind, else a choice that what is
+//! done with it is done to both of.
 
 use quote::ToTokens;
 
@@ -15,10 +16,16 @@ impl Reader {
     pub fn joined(&mut self, condition: Node, a: &Value, b: &Value, at: &dyn ToTokens) -> Read {
         match self.select(condition, a, b) {
             Some(value) => Ok(value),
-            None if open(a) || open(b) => Err(Unreadable::new(at, "branches of kinds that cannot be joined here")),
+            None if open(a) || open(b) => {
+                Err(Unreadable::new(at, "branches of kinds that cannot be joined here"))
+            }
             None => {
                 let nothing = |value: &Value| matches!(value, Value::Tuple(all) if all.is_empty());
-                let cure = if nothing(a) || nothing(b) { "; give the other one a value too, as in `else { 0.0 }`" } else { "" };
+                let cure = if nothing(a) || nothing(b) {
+                    "; give the other one a value too, as in `else { 0.0 }`"
+                } else {
+                    ""
+                };
                 Ok(self.mistake(at, format!("the branches differ: {} and {}{cure}", a.name(), b.name())))
             }
         }
@@ -76,15 +83,25 @@ impl Reader {
                 let (a, b) = if matches!(a, Value::Never) { (&nowhere, known) } else { (known, &nowhere) };
                 self.same_kind(condition, a, b)?
             }
-            (Value::Reference(a), Value::Reference(b)) => Value::Reference(Box::new(self.same_kind(condition, a, b)?)),
+            (Value::Reference(a), Value::Reference(b)) => {
+                Value::Reference(Box::new(self.same_kind(condition, a, b)?))
+            }
             (Value::Reference(a), b) => self.same_kind(condition, a, b)?,
             (a, Value::Reference(b)) => self.same_kind(condition, a, b)?,
             (Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(self.graph.select(condition, *a, *b)),
-            (Value::Condition(a), Value::Condition(b)) => Value::Condition(self.select_condition(condition, *a, *b)),
+            (Value::Condition(a), Value::Condition(b)) => {
+                Value::Condition(self.select_condition(condition, *a, *b))
+            }
             (Value::Integer(a, x), Value::Integer(b, y)) if a == b => Value::Integer(*a, x.or(*y)),
-            (Value::Tuple(a), Value::Tuple(b)) if a.len() == b.len() => Value::Tuple(self.select_all(condition, a, b)?),
-            (Value::Array(a), Value::Array(b)) if a.len() == b.len() => Value::Array(self.select_all(condition, a, b)?),
-            (Value::Iterator(a), Value::Iterator(b)) if a.len() == b.len() => Value::Iterator(self.select_all(condition, a, b)?),
+            (Value::Tuple(a), Value::Tuple(b)) if a.len() == b.len() => {
+                Value::Tuple(self.select_all(condition, a, b)?)
+            }
+            (Value::Array(a), Value::Array(b)) if a.len() == b.len() => {
+                Value::Array(self.select_all(condition, a, b)?)
+            }
+            (Value::Iterator(a), Value::Iterator(b)) if a.len() == b.len() => {
+                Value::Iterator(self.select_all(condition, a, b)?)
+            }
             (Value::Adt(a), Value::Adt(b)) => Value::Adt(self.select_fields(condition, a, b)?),
             (Value::Planar(a), Value::Planar(b)) if a == b => Value::Planar(*a),
             (Value::Spatial(a), Value::Spatial(b)) if a == b => Value::Spatial(*a),
@@ -95,17 +112,30 @@ impl Reader {
             (Value::Generator(a), Value::Generator(b)) if a.is(b) => Value::Generator(a.clone()),
             (Value::Law(a), Value::Law(b)) if a.key() == b.key() => Value::Law(a.clone()),
             (Value::Axis(a), Value::Axis(b)) => {
-                let mut each = a.iter().zip(b).map(|(a, b)| a.iter().zip(b).map(|(&a, &b)| self.graph.select(condition, a, b)).collect());
+                let mut each = a.iter().zip(b).map(|(a, b)| {
+                    a.iter().zip(b).map(|(&a, &b)| self.graph.select(condition, a, b)).collect()
+                });
                 Value::Axis([each.next()?, each.next()?, each.next()?])
             }
+            (a, b) => self.same_numbers(condition, a, b)?,
+        })
+    }
+
+    /// The same of numbers, and of what only rustc knows.
+    fn same_numbers(&mut self, condition: Node, a: &Value, b: &Value) -> Option<Value> {
+        Some(match (a, b) {
             (Value::Opaque(a), Value::Opaque(b)) if a.key() == b.key() => Value::Opaque(a.clone()),
-            (Value::Opaque(a), Value::Opaque(b)) => Value::Opaque(Template::Choice(condition, Box::new(a.clone()), Box::new(b.clone()))),
+            (Value::Opaque(a), Value::Opaque(b)) => {
+                Value::Opaque(Template::Choice(condition, Box::new(a.clone()), Box::new(b.clone())))
+            }
             (Value::Opaque(_), known) | (known, Value::Opaque(_)) if known.numbers().is_some() => {
                 let (shape, nowhere) = (known.numbers()?.1, proc_macro2::TokenStream::new());
-                let (a, b) = (self.shaped(a.clone(), &shape, &nowhere), self.shaped(b.clone(), &shape, &nowhere));
+                let (a, b) =
+                    (self.shaped(a.clone(), &shape, &nowhere), self.shaped(b.clone(), &shape, &nowhere));
                 self.same_kind(condition, &a, &b)?
             }
-            (Value::Opaque(template), Value::Condition(_)) | (Value::Condition(_), Value::Opaque(template)) => {
+            (Value::Opaque(template), Value::Condition(_))
+            | (Value::Condition(_), Value::Opaque(template)) => {
                 let taken = self.condition(Value::Opaque(template.clone()), &proc_macro2::TokenStream::new());
                 let of = |value: &Value| if let Value::Condition(node) = value { *node } else { taken };
                 Value::Condition(self.select_condition(condition, of(a), of(b)))
@@ -144,7 +174,12 @@ impl Reader {
 /// Values that Rust may have beside others of the same type, though they are of another kind here.
 fn differs(value: &Value) -> bool {
     match value {
-        Value::Integer(..) | Value::Function(_) | Value::Iterator(_) | Value::Array(_) | Value::Law(_) | Value::Adt(_) => true,
+        Value::Integer(..)
+        | Value::Function(_)
+        | Value::Iterator(_)
+        | Value::Array(_)
+        | Value::Law(_)
+        | Value::Adt(_) => true,
         Value::Planar(_) | Value::Spatial(_) | Value::Place(_) | Value::Choice(_) | Value::Opaque(_) => true,
         Value::Reference(inner) => differs(inner),
         Value::Tuple(all) => all.iter().any(differs),

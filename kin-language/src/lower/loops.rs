@@ -1,4 +1,5 @@
-//! Loops: each turn is read by itself, as often as is known here. What leaves a turn or the loop is a way out of a frame.
+//! Loops: each turn is read by itself, as often as is known here. What leaves a turn or the loop is a way out
+//! of a frame.
 
 use quote::ToTokens;
 use syn::{Block, Expr, ExprForLoop, ExprLoop, ExprWhile, Label};
@@ -18,11 +19,16 @@ impl Reader {
         }
         self.each(over, &each.expr, &mut |reader, over| {
             let Some(items) = reader.elements(over, &each.expr)? else { return Ok(Value::unit()) };
-            reader.turns(each.label.as_ref(), &each.for_token, &mut items.into_iter().map(Some).chain([None]), &mut |reader, item| {
-                let Some(item) = item else { return reader.leave_loop(each) };
-                reader.bind(&each.pat, item)?;
-                reader.block(&each.body)
-            })
+            reader.turns(
+                each.label.as_ref(),
+                &each.for_token,
+                &mut items.into_iter().map(Some).chain([None]),
+                &mut |reader, item| {
+                    let Some(item) = item else { return reader.leave_loop(each) };
+                    reader.bind(&each.pat, item)?;
+                    reader.block(&each.body)
+                },
+            )
         })
     }
 
@@ -35,7 +41,9 @@ impl Reader {
     }
 
     pub fn endless_loop(&mut self, each: &ExprLoop) -> Read {
-        self.turns(each.label.as_ref(), &each.loop_token, &mut std::iter::repeat(None), &mut |reader, _| reader.block(&each.body))
+        self.turns(each.label.as_ref(), &each.loop_token, &mut std::iter::repeat(None), &mut |reader, _| {
+            reader.block(&each.body)
+        })
     }
 
     /// Leaves the innermost loop, at its own end.
@@ -125,11 +133,15 @@ impl Reader {
     pub fn try_expression(&mut self, tried: &syn::ExprTry) -> Read {
         let value = self.expression(&tried.expr)?;
         self.each(value, &tried.question_token, &mut |reader, value| match value {
-            Value::Adt(adt) if matches!(adt.name.as_str(), "Some" | "Ok") && adt.fields.len() == 1 => Ok(adt.fields[0].1.clone()),
-            Value::Adt(adt) if matches!(adt.name.as_str(), "None" | "Err") => match reader.frame(|kind| kind == Kind::Function, None) {
-                Some(number) => reader.leave(number, Value::Adt(adt), tried),
-                None => Err(Unreadable::new(&tried.question_token, "`?`")),
-            },
+            Value::Adt(adt) if matches!(adt.name.as_str(), "Some" | "Ok") && adt.fields.len() == 1 => {
+                Ok(adt.fields[0].1.clone())
+            }
+            Value::Adt(adt) if matches!(adt.name.as_str(), "None" | "Err") => {
+                match reader.frame(|kind| kind == Kind::Function, None) {
+                    Some(number) => reader.leave(number, Value::Adt(adt), tried),
+                    None => Err(Unreadable::new(&tried.question_token, "`?`")),
+                }
+            }
             _ => Err(Unreadable::new(&tried.question_token, "`?`")),
         })
     }
@@ -138,11 +150,15 @@ impl Reader {
     pub fn elements(&mut self, value: Value, at: &Expr) -> Read<Option<Vec<Value>>> {
         match value {
             Value::Reference(inner) => match *inner {
-                Value::Array(all) => Ok(Some(all.into_iter().map(|value| Value::Reference(Box::new(value))).collect())),
+                Value::Array(all) => {
+                    Ok(Some(all.into_iter().map(|value| Value::Reference(Box::new(value))).collect()))
+                }
                 inner => self.elements(inner, at),
             },
             Value::Place(place) => match self.at_place(&place) {
-                Some(Value::Array(all)) => Ok(Some((0..all.len()).map(|k| Value::Place(place.index(k))).collect())),
+                Some(Value::Array(all)) => {
+                    Ok(Some((0..all.len()).map(|k| Value::Place(place.index(k))).collect()))
+                }
                 Some(Value::Iterator(all)) => {
                     let _ = self.put_at(&place, Value::Iterator(vec![]), at);
                     Ok(Some(all))
@@ -155,11 +171,20 @@ impl Reader {
             Value::Adt(adt) if matches!(adt.name.as_str(), "Some" | "None") => {
                 Ok(Some(adt.fields.into_iter().map(|(_, value)| value).collect()))
             }
-            Value::Opaque(_) | Value::Into(_) | Value::Generator(_) | Value::Never | Value::Choice(_) | Value::Left | Value::Adt(_) => {
+            Value::Opaque(_)
+            | Value::Into(_)
+            | Value::Generator(_)
+            | Value::Never
+            | Value::Choice(_)
+            | Value::Left
+            | Value::Adt(_) => {
                 Err(Unreadable::new(at, "a loop over something whose length is not known here"))
             }
             other => {
-                self.mistake(at, format!("this goes over a range or an array, but the value is {}", other.name()));
+                self.mistake(
+                    at,
+                    format!("this goes over a range or an array, but the value is {}", other.name()),
+                );
                 Ok(None)
             }
         }

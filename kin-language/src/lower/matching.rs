@@ -54,7 +54,9 @@ impl Reader {
             (pattern, Value::Opaque(template)) => self.test_opaque(pattern, template),
             (Pat::Lit(literal), value) => self.test_literal(&literal.lit, value, pattern),
             (Pat::Range(range), value) => self.test_range(range, value),
-            (Pat::Ident(_) | Pat::Path(_), Value::Integer(..) | Value::Scalar(_)) => self.test_constant(pattern, value),
+            (Pat::Ident(_) | Pat::Path(_), Value::Integer(..) | Value::Scalar(_)) => {
+                self.test_constant(pattern, value)
+            }
             (Pat::Struct(fields), value) if value.components().is_some() => {
                 self.bind_fields(fields, value.clone())?;
                 Ok(self.graph.bool(true))
@@ -82,7 +84,8 @@ impl Reader {
         }
         let never = self.graph.bool(false);
         let any = found.iter().fold(never, |any, (taken, _)| self.graph.or(any, *taken));
-        let always = found.len() == all.len() && found.iter().zip(all).all(|((both, _), (taken, _))| both == taken);
+        let always =
+            found.len() == all.len() && found.iter().zip(all).all(|((both, _), (taken, _))| both == taken);
         let Some((_, last)) = found.last() else { return Ok(never) };
         for (name, slot) in last.clone() {
             let mut value = self.store.get(slot).clone();
@@ -161,7 +164,8 @@ impl Reader {
         Blank.visit_pat_mut(&mut blank);
         for name in names(pattern) {
             let ident = proc_macro2::Ident::new(&name, super::first_span(pattern));
-            let part = Value::Opaque(Template::Part(Box::new(template.clone()), Box::new(pattern.clone()), ident));
+            let part =
+                Value::Opaque(Template::Part(Box::new(template.clone()), Box::new(pattern.clone()), ident));
             let part = match self.held_type(template, pattern) {
                 Some(ty) => self.typed(part, &ty, pattern)?,
                 None => part,
@@ -193,7 +197,9 @@ impl Reader {
         let last = path.path.segments.last().filter(|last| last.ident == "Option" && simple)?;
         let syn::PathArguments::AngleBracketed(given) = &last.arguments else { return None };
         match given.args.first()? {
-            syn::GenericArgument::Type(ty) if crate::parse::shape(ty).is_some() || ty.to_token_stream().to_string() == "bool" => {
+            syn::GenericArgument::Type(ty)
+                if crate::parse::shape(ty).is_some() || ty.to_token_stream().to_string() == "bool" =>
+            {
                 Some(ty.clone())
             }
             _ => None,
@@ -218,7 +224,9 @@ impl Reader {
 
     fn test_literal(&mut self, literal: &Lit, value: &Value, at: &Pat) -> Read<Node> {
         match (literal, value) {
-            (Lit::Int(k), Value::Integer(n, _)) => Ok(self.graph.bool(k.base10_parse::<i64>().is_ok_and(|k| k == *n))),
+            (Lit::Int(k), Value::Integer(n, _)) => {
+                Ok(self.graph.bool(k.base10_parse::<i64>().is_ok_and(|k| k == *n)))
+            }
             (Lit::Bool(b), Value::Condition(c)) => Ok(if b.value { *c } else { self.graph.not(*c) }),
             (Lit::Float(x), Value::Scalar(n)) => {
                 let x = self.graph.decimal(x.base10_digits());
@@ -229,7 +237,11 @@ impl Reader {
     }
 
     fn test_range(&mut self, range: &syn::PatRange, value: &Value) -> Read<Node> {
-        let upper = if matches!(range.limits, RangeLimits::Closed(_)) { Comparison::LessEqual } else { Comparison::Less };
+        let upper = if matches!(range.limits, RangeLimits::Closed(_)) {
+            Comparison::LessEqual
+        } else {
+            Comparison::Less
+        };
         let mut all = self.graph.bool(true);
         for (bound, comparison) in [(&range.start, Comparison::GreaterEqual), (&range.end, upper)] {
             let Some(bound) = bound else { continue };

@@ -1,5 +1,6 @@
-//! Second stage: reads the body by abstract interpretation over typed values. Each expression becomes a `Value` over the scalar graph;
-//! what cannot be read is [`Unreadable`] and sends the whole constraint to the dual route; a mistake is collected and reading goes on.
+//! Second stage: reads the body by abstract interpretation over typed values. Each expression becomes a
+//! `Value` over the scalar graph; what cannot be read is [`Unreadable`] and sends the whole constraint to the
+//! dual route; a mistake is collected and reading goes on.
 
 mod apply;
 mod assign;
@@ -114,7 +115,8 @@ fn first_span(at: &dyn ToTokens) -> Span {
 /// Either a value or the end of reading.
 type Read<T = Value> = Result<T, Unreadable>;
 
-/// Beyond this many nodes straight-line code is no longer a good idea: rustc needs seconds and a deep stack for it.
+/// Beyond this many nodes straight-line code is no longer a good idea: rustc needs seconds and a deep stack
+/// for it.
 const MOST_NODES: usize = 4_000;
 /// Loops are unrolled up to this many turns.
 const MOST_TURNS: i64 = 4_096;
@@ -153,7 +155,8 @@ pub fn law(variable: &Ident, parameters: &[Argument], body: &syn::Block) -> Resu
     })
 }
 
-/// Reads with constants folded as f64 does, for kernels, and once more with those as they are written, if that is another equation.
+/// Reads with constants folded as f64 does, for kernels, and once more with those as they are written, if
+/// that is another equation.
 fn with_constants(read: &dyn Fn(Graph) -> Result<Lowered, Failure>) -> Result<Lowered, Failure> {
     let mut lowered = read(Graph::default())?;
     if lowered.graph.is_rounded() {
@@ -360,8 +363,12 @@ pub fn component_paths(path: &TokenStream, shape: &Shape) -> Vec<TokenStream> {
         Shape::Euler => fields(&["e0", "e1", "e2", "e3"]),
         Shape::Matrix(2) => fields(&["m11", "m12", "m21", "m22"]),
         Shape::Matrix(_) => fields(&["m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"]),
-        Shape::Array(inner, n) => indexed(*n).flat_map(|k| component_paths(&quote!(#path[#k]), inner)).collect(),
-        Shape::Tuple(all) => indexed(all.len()).zip(all).flat_map(|(k, s)| component_paths(&quote!(#path.#k), s)).collect(),
+        Shape::Array(inner, n) => {
+            indexed(*n).flat_map(|k| component_paths(&quote!(#path[#k]), inner)).collect()
+        }
+        Shape::Tuple(all) => {
+            indexed(all.len()).zip(all).flat_map(|(k, s)| component_paths(&quote!(#path.#k), s)).collect()
+        }
         Shape::Any => vec![],
     }
 }

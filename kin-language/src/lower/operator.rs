@@ -1,5 +1,7 @@
 //! Operators, over every pair of kinds for which Rust has them.
 
+mod compared;
+
 use quote::ToTokens;
 use syn::spanned::Spanned;
 use syn::{BinOp, Expr, ExprBinary, UnOp};
@@ -34,20 +36,24 @@ impl Reader {
         Ok(match (op, value) {
             (UnOp::Deref(_), value) => value,
             (_, value @ (Value::Poison | Value::Never | Value::Left)) => value,
-            (UnOp::Neg(_), Value::Integer(k, ty)) => {
-                integer::negated(k, ty).ok_or_else(|| Unreadable::new(op, "integer arithmetic that may overflow"))?
-            }
-            (UnOp::Not(_), Value::Integer(k, ty)) => {
-                integer::inverted(k, ty).ok_or_else(|| Unreadable::new(op, "`!` of an integer whose type is not known here"))?
-            }
+            (UnOp::Neg(_), Value::Integer(k, ty)) => integer::negated(k, ty)
+                .ok_or_else(|| Unreadable::new(op, "integer arithmetic that may overflow"))?,
+            (UnOp::Not(_), Value::Integer(k, ty)) => integer::inverted(k, ty)
+                .ok_or_else(|| Unreadable::new(op, "`!` of an integer whose type is not known here"))?,
             (UnOp::Not(_), Value::Condition(c)) => Value::Condition(self.graph.not(c)),
             (UnOp::Not(_), Value::Opaque(template)) if !template.nodes().is_empty() => {
                 let condition = self.condition(Value::Opaque(template), inner);
                 Value::Condition(self.graph.not(condition))
             }
-            (op, Value::Opaque(template)) => Value::Opaque(template.each(&|part| Template::Unary(*op, Box::new(part)))),
-            (UnOp::Neg(_), value) if value.components().is_some() || matches!(value, Value::Scalar(_)) => self.negated(value),
-            (op, other) => self.mistake(op, format!("`{}` does not apply to {}", op.to_token_stream(), other.name())),
+            (op, Value::Opaque(template)) => {
+                Value::Opaque(template.each(&|part| Template::Unary(*op, Box::new(part))))
+            }
+            (UnOp::Neg(_), value) if value.components().is_some() || matches!(value, Value::Scalar(_)) => {
+                self.negated(value)
+            }
+            (op, other) => {
+                self.mistake(op, format!("`{}` does not apply to {}", op.to_token_stream(), other.name()))
+            }
         })
     }
 
@@ -140,7 +146,15 @@ impl Reader {
             return Value::Poison;
         }
         self.arithmetic(op, left, right).unwrap_or_else(|| {
-            self.mistake(at, format!("there is no `{}` between {} and {}", op.to_token_stream(), left.name(), right.name()))
+            self.mistake(
+                at,
+                format!(
+                    "there is no `{}` between {} and {}",
+                    op.to_token_stream(),
+                    left.name(),
+                    right.name()
+                ),
+            )
         })
     }
 
@@ -148,10 +162,16 @@ impl Reader {
     fn arithmetic(&mut self, op: BinOp, left: &Value, right: &Value) -> Option<Value> {
         Some(match (op, left, right) {
             (op, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(self.scalars(op, *a, *b)?),
-            (BinOp::Mul(_), Value::Matrix(n, m), Value::Vector(v)) if *n == v.len() => Value::Vector(self.matrix_vector(m, v)),
-            (BinOp::Mul(_), Value::Matrix(n, a), Value::Matrix(m, b)) if n == m => Value::Matrix(*n, self.matrix_matrix(*n, a, b)),
+            (BinOp::Mul(_), Value::Matrix(n, m), Value::Vector(v)) if *n == v.len() => {
+                Value::Vector(self.matrix_vector(m, v))
+            }
+            (BinOp::Mul(_), Value::Matrix(n, a), Value::Matrix(m, b)) if n == m => {
+                Value::Matrix(*n, self.matrix_matrix(*n, a, b))
+            }
             (BinOp::Mul(_), Value::Euler(p), Value::Euler(q)) => Value::Euler(self.euler_product(p, q)),
-            (BinOp::Mul(_), Value::Scalar(s), other) | (BinOp::Mul(_), other, Value::Scalar(s)) => self.each_with(other, *s, Graph::mul)?,
+            (BinOp::Mul(_), Value::Scalar(s), other) | (BinOp::Mul(_), other, Value::Scalar(s)) => {
+                self.each_with(other, *s, Graph::mul)?
+            }
             (BinOp::Div(_), left, Value::Scalar(s)) => self.each_with(left, *s, Graph::div)?,
             (BinOp::Add(_), left, right) => self.pairs(left, right, Graph::add)?,
             (BinOp::Sub(_), left, right) => self.pairs(left, right, Graph::sub)?,
@@ -178,7 +198,8 @@ impl Reader {
 
     fn pairs(&mut self, left: &Value, right: &Value, f: fn(&mut Graph, Node, Node) -> Node) -> Option<Value> {
         let ((kind, a), (other, b)) = (left.components()?, right.components()?);
-        (kind == other).then(|| kind.value(a.iter().zip(b).map(|(&a, &b)| f(&mut self.graph, a, b)).collect()))
+        (kind == other)
+            .then(|| kind.value(a.iter().zip(b).map(|(&a, &b)| f(&mut self.graph, a, b)).collect()))
     }
 
     pub fn matrix_matrix(&mut self, n: usize, a: &[Node], b: &[Node]) -> Vec<Node> {
@@ -186,26 +207,38 @@ impl Reader {
         (0..n * n).map(|k| self.dot(&a[k / n * n..][..n], &columns[k % n * n..][..n])).collect()
     }
 
-    /// Between values that only rustc knows: their place decides what they are, but a comparison takes numbers.
+    /// Between values that only rustc knows: their place decides what they are, but a comparison takes
+    /// numbers.
     fn operate_opaque(&mut self, op: BinOp, a: Template, b: Template, at: &ExprBinary) -> Read {
         let open = a.has_choice() || b.has_choice();
         let known = [&a, &b].iter().any(|template| self.varies(template));
         match (comparison(&op), op) {
             (Some(comparison), _) if open || known => {
-                let (a, b) = (self.scalar(Value::Opaque(a), &at.left), self.scalar(Value::Opaque(b), &at.right));
+                let (a, b) =
+                    (self.scalar(Value::Opaque(a), &at.left), self.scalar(Value::Opaque(b), &at.right));
                 Ok(Value::Condition(self.graph.compare(comparison, a, b)))
             }
             (None, BinOp::And(_) | BinOp::Or(_)) if open => {
-                let (a, b) = (self.condition(Value::Opaque(a), &at.left), self.condition(Value::Opaque(b), &at.right));
+                let (a, b) =
+                    (self.condition(Value::Opaque(a), &at.left), self.condition(Value::Opaque(b), &at.right));
                 self.conditions(op, a, b, at)
             }
-            _ if open && !is_arithmetic(&op) => Err(Unreadable::new(at, "this operator on one of two values of unknown type")),
+            _ if open && !is_arithmetic(&op) => {
+                Err(Unreadable::new(at, "this operator on one of two values of unknown type"))
+            }
             _ => Ok(Value::Opaque(Template::Binary(Box::new(a), op, Box::new(b)))),
         }
     }
 
     /// An opaque value beside a known one, on its left unless it is `swapped`.
-    fn operate_beside(&mut self, op: BinOp, opaque: Template, known: Value, swapped: bool, at: &ExprBinary) -> Read {
+    fn operate_beside(
+        &mut self,
+        op: BinOp,
+        opaque: Template,
+        known: Value,
+        swapped: bool,
+        at: &ExprBinary,
+    ) -> Read {
         let (place, other_place) = if swapped { (&at.right, &at.left) } else { (&at.left, &at.right) };
         let factor = matches!(op, BinOp::Mul(_)) || matches!(op, BinOp::Div(_)) && !swapped;
         let shape = match (&known, op) {
@@ -232,60 +265,19 @@ impl Reader {
         self.operate(op, left, right, at)
     }
 
-    fn integers(&mut self, op: BinOp, a: (i64, Option<IntegerType>), b: (i64, Option<IntegerType>), at: &ExprBinary) -> Read {
+    fn integers(
+        &mut self,
+        op: BinOp,
+        a: (i64, Option<IntegerType>),
+        b: (i64, Option<IntegerType>),
+        at: &ExprBinary,
+    ) -> Read {
         if let Some(comparison) = comparison(&op) {
             return Ok(Value::Condition(self.graph.bool(comparison.holds(&a.0, &b.0))));
         }
         // What may overflow is left to rustc, at the token where it may.
-        integer::operate(&op, a, b).ok_or_else(|| Unreadable::new(&at.op, "integer arithmetic that may overflow"))
-    }
-
-    fn conditions(&mut self, op: BinOp, a: Node, b: Node, at: &ExprBinary) -> Read {
-        let g = &mut self.graph;
-        let differ = |g: &mut Graph| {
-            let (not_a, not_b) = (g.not(a), g.not(b));
-            let (only_a, only_b) = (g.and(a, not_b), g.and(not_a, b));
-            g.or(only_a, only_b)
-        };
-        Ok(Value::Condition(match op {
-            BinOp::And(_) | BinOp::BitAnd(_) => g.and(a, b),
-            BinOp::Or(_) | BinOp::BitOr(_) => g.or(a, b),
-            BinOp::BitXor(_) | BinOp::Ne(_) => differ(g),
-            BinOp::Eq(_) => {
-                let differ = differ(g);
-                g.not(differ)
-            }
-            _ if comparison(&op).is_some() => return Err(Unreadable::new(at, "an order of conditions")),
-            _ => return Ok(self.operator_mistake(op, &Value::Condition(a), &Value::Condition(b), at)),
-        }))
-    }
-
-    /// Comparison of numbers, or equality of several of them.
-    fn compared(&mut self, comparison: Comparison, op: BinOp, left: &Value, right: &Value, at: &ExprBinary) -> Read {
-        if let (Value::Scalar(a), Value::Scalar(b)) = (left, right) {
-            return Ok(Value::Condition(self.graph.compare(comparison, *a, *b)));
-        }
-        let (Some((a, shape)), Some((b, other))) = (left.numbers(), right.numbers()) else {
-            return match (left, right) {
-                (Value::Tuple(_) | Value::Array(_), Value::Tuple(_) | Value::Array(_)) => Err(Unreadable::new(at, "a comparison of these")),
-                _ => Ok(self.operator_mistake(op, left, right, at)),
-            };
-        };
-        if shape != other {
-            return Ok(self.operator_mistake(op, left, right, at));
-        }
-        if !matches!(comparison, Comparison::Equal | Comparison::NotEqual) {
-            return match shape {
-                Shape::Tuple(_) | Shape::Array(..) => Err(Unreadable::new(at, "an order of tuples or arrays")),
-                _ => Ok(self.operator_mistake(op, left, right, at)),
-            };
-        }
-        let always = self.graph.bool(true);
-        let all = a.into_iter().zip(b).fold(always, |all, (a, b)| {
-            let one = self.graph.compare(Comparison::Equal, a, b);
-            self.graph.and(all, one)
-        });
-        Ok(Value::Condition(if comparison == Comparison::Equal { all } else { self.graph.not(all) }))
+        integer::operate(&op, a, b)
+            .ok_or_else(|| Unreadable::new(&at.op, "integer arithmetic that may overflow"))
     }
 
     fn operator_mistake(&mut self, op: BinOp, left: &Value, right: &Value, at: &ExprBinary) -> Value {
@@ -295,7 +287,9 @@ impl Reader {
             let text = match value {
                 Value::Law(_) => format!("`{name}` is a Law: ask it for a value with `{name}.at(x)`"),
                 Value::Planar(_) | Value::Spatial(_) => {
-                    format!("`{name}` is the state of a body: use `{name}.r`, `{name}.point(u)`, `{name}.direction(h)`, …")
+                    format!(
+                        "`{name}` is the state of a body: use `{name}.r`, `{name}.point(u)`, `{name}.direction(h)`, …"
+                    )
                 }
                 Value::Integer(k, _) => format!("`{k}` is an integer; beside {} write `{k}.0`", other.name()),
                 _ => continue,

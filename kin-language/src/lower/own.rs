@@ -1,5 +1,5 @@
-//! Structs and enums: values with named parts. Of those declared inside of the body the methods are read too; of others only what was put into them
-//! is known, and anything else is asked of rustc.
+//! Structs and enums: values with named parts. Of those declared inside of the body the methods are read too;
+//! of others only what was put into them is known, and anything else is asked of rustc.
 
 use std::rc::Rc;
 
@@ -31,9 +31,12 @@ impl Own {
         match item {
             Item::Struct(of) => {
                 let names = match &of.fields {
-                    Fields::Named(fields) => {
-                        fields.named.iter().filter_map(|field| field.ident.as_ref()).map(ToString::to_string).collect()
-                    }
+                    Fields::Named(fields) => fields
+                        .named
+                        .iter()
+                        .filter_map(|field| field.ident.as_ref())
+                        .map(ToString::to_string)
+                        .collect(),
                     fields => (0..fields.len()).map(|k| k.to_string()).collect(),
                 };
                 self.types.insert(of.ident.to_string(), names);
@@ -54,15 +57,27 @@ impl Own {
 
     fn implementation(&mut self, of: &ItemImpl, depth: usize) -> bool {
         let Type::Path(path) = &*of.self_ty else { return false };
-        let Some(name) = path.path.segments.last().map(|last| last.ident.to_string()).filter(|name| self.types.contains_key(name)) else {
+        let Some(name) = path
+            .path
+            .segments
+            .last()
+            .map(|last| last.ident.to_string())
+            .filter(|name| self.types.contains_key(name))
+        else {
             return false;
         };
         let own = of.items.iter().filter_map(|item| match item {
             ImplItem::Fn(function) => Some((function.sig.clone(), function.block.clone())),
             _ => None,
         });
-        let of_trait = of.trait_.as_ref().and_then(|(_, path, _)| self.traits.get(&path.segments.last()?.ident.to_string()));
-        let given = of_trait.into_iter().flatten().filter_map(|function| Some((function.sig.clone(), function.default.clone()?)));
+        let of_trait = of
+            .trait_
+            .as_ref()
+            .and_then(|(_, path, _)| self.traits.get(&path.segments.last()?.ident.to_string()));
+        let given = of_trait
+            .into_iter()
+            .flatten()
+            .filter_map(|function| Some((function.sig.clone(), function.default.clone()?)));
         // What the type has itself comes last: it stands in the place of what the trait gives.
         for (mut sig, block) in given.chain(own).collect::<Vec<_>>() {
             let function = sig.ident.to_string();
@@ -108,11 +123,17 @@ impl Reader {
             fields.push((name, self.raw_expression(&field.expr)?, &field.expr));
         }
         let Some((names, kind)) = kind else {
-            return self.own_literal(literal, &name, fields.into_iter().map(|(name, value, _)| (name, value)).collect(), rest);
+            return self.own_literal(
+                literal,
+                &name,
+                fields.into_iter().map(|(name, value, _)| (name, value)).collect(),
+                rest,
+            );
         };
         let mut nodes = Vec::new();
         for wanted in names {
-            match (fields.iter().find(|(name, ..)| name == wanted), rest.as_ref().and_then(Value::components)) {
+            match (fields.iter().find(|(name, ..)| name == wanted), rest.as_ref().and_then(Value::components))
+            {
                 (Some((_, value, place)), _) => nodes.push(self.scalar(value.clone(), place)),
                 (None, Some((_, known))) if known.len() == names.len() => nodes.push(known[nodes.len()]),
                 (None, _) => return Ok(self.mistake(literal, format!("`{name}` needs `{wanted}`"))),
@@ -121,10 +142,20 @@ impl Reader {
         Ok(kind.value(nodes))
     }
 
-    fn own_literal(&mut self, literal: &ExprStruct, name: &str, mut fields: Vec<(String, Value)>, rest: Option<Value>) -> Read {
+    fn own_literal(
+        &mut self,
+        literal: &ExprStruct,
+        name: &str,
+        mut fields: Vec<(String, Value)>,
+        rest: Option<Value>,
+    ) -> Read {
         match rest {
             Some(Value::Adt(rest)) => {
-                let others: Vec<_> = rest.fields.into_iter().filter(|(name, _)| fields.iter().all(|(given, _)| given != name)).collect();
+                let others: Vec<_> = rest
+                    .fields
+                    .into_iter()
+                    .filter(|(name, _)| fields.iter().all(|(given, _)| given != name))
+                    .collect();
                 fields.extend(others);
             }
             Some(Value::Poison) | None => {}
@@ -135,7 +166,13 @@ impl Reader {
     }
 
     /// A call of a method that the body's own type has; `None` if it has no such method.
-    pub fn own_method(&mut self, ty: &str, name: &str, arguments: Vec<Value>, at: &dyn ToTokens) -> Read<Option<Value>> {
+    pub fn own_method(
+        &mut self,
+        ty: &str,
+        name: &str,
+        arguments: Vec<Value>,
+        at: &dyn ToTokens,
+    ) -> Read<Option<Value>> {
         let Some((item, depth)) = self.own.function(ty, name) else { return Ok(None) };
         self.calls += 1;
         if self.calls > super::MOST_CALLS {
@@ -162,17 +199,23 @@ impl Reader {
             _ => "",
         };
         if let Value::Adt(adt) = &left
-            && let Some(value) = self.own_method(&adt.type_name(), method, vec![left.clone(), right.clone()], at)?
+            && let Some(value) =
+                self.own_method(&adt.type_name(), method, vec![left.clone(), right.clone()], at)?
         {
             return Ok(value);
         }
         if let (Value::Adt(a), Value::Adt(b), Some(comparison)) = (&left, &right, compared)
             && let Some(same) = self.same(a, b)
         {
-            return Ok(Value::Condition(if comparison == Comparison::Equal { same } else { self.graph.not(same) }));
+            return Ok(Value::Condition(if comparison == Comparison::Equal {
+                same
+            } else {
+                self.graph.not(same)
+            }));
         }
         for (value, other, place) in [(&left, &right, &at.left), (&right, &left, &at.right)] {
-            let number = matches!(other, Value::Scalar(_) | Value::Vector(_) | Value::Matrix(..) | Value::Integer(..));
+            let number =
+                matches!(other, Value::Scalar(_) | Value::Vector(_) | Value::Matrix(..) | Value::Integer(..));
             if let (Value::Adt(Adt { name, .. }), true) = (value, number)
                 && matches!(name.as_str(), "Some" | "None" | "Ok" | "Err")
             {

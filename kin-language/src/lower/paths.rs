@@ -24,7 +24,13 @@ impl Reader {
     }
 
     /// `Planar::point(&i, u)` as `i.point(u)`.
-    pub fn method_by_path(&mut self, path: &ExprPath, arguments: Vec<Value>, places: &[&Expr], at: &dyn ToTokens) -> Read {
+    pub fn method_by_path(
+        &mut self,
+        path: &ExprPath,
+        arguments: Vec<Value>,
+        places: &[&Expr],
+        at: &dyn ToTokens,
+    ) -> Read {
         let (Some(method), Some((receiver, rest))) = (path.path.segments.last(), places.split_first()) else {
             return Err(Unreadable::new(at, "this function"));
         };
@@ -36,7 +42,9 @@ impl Reader {
     /// `std::mem::swap(&mut a, &mut b)` and its like.
     pub fn exchange(&mut self, name: &str, arguments: Vec<Value>, call: &Call) -> Read {
         let unreadable = || Unreadable::new(call.path, "an exchange of what is not known here");
-        let (Some(Value::Place(a)), second) = (arguments.first(), arguments.get(1)) else { return Err(unreadable()) };
+        let (Some(Value::Place(a)), second) = (arguments.first(), arguments.get(1)) else {
+            return Err(unreadable());
+        };
         let old = self.at_place(a).ok_or_else(unreadable)?;
         let new = match (name, second) {
             ("swap", Some(Value::Place(b))) => {

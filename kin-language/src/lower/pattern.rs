@@ -57,8 +57,12 @@ impl Reader {
     pub fn outer(&mut self, value: Value) -> Value {
         let Value::Place(place) = &value else { return value.referent() };
         match self.at_place(place) {
-            Some(Value::Tuple(all)) => Value::Tuple((0..all.len()).map(|k| Value::Place(place.field(&k.to_string()))).collect()),
-            Some(Value::Array(all)) => Value::Array((0..all.len()).map(|k| Value::Place(place.index(k))).collect()),
+            Some(Value::Tuple(all)) => {
+                Value::Tuple((0..all.len()).map(|k| Value::Place(place.field(&k.to_string()))).collect())
+            }
+            Some(Value::Array(all)) => {
+                Value::Array((0..all.len()).map(|k| Value::Place(place.index(k))).collect())
+            }
             Some(Value::Adt(mut adt)) => {
                 adt.fields.iter_mut().for_each(|(name, value)| *value = Value::Place(place.field(name)));
                 Value::Adt(adt)
@@ -67,15 +71,29 @@ impl Reader {
         }
     }
 
-    fn bind_all<'a>(&mut self, at: &Pat, parts: impl Iterator<Item = &'a Pat>, value: Value, what: &str) -> Read<()> {
+    fn bind_all<'a>(
+        &mut self,
+        at: &Pat,
+        parts: impl Iterator<Item = &'a Pat>,
+        value: Value,
+        what: &str,
+    ) -> Read<()> {
         let parts: Vec<&Pat> = parts.collect();
         let mut values = match value {
             Value::Tuple(all) if what == "a tuple" => all,
             Value::Array(all) if what == "an array" => all,
-            Value::Poison | Value::Never | Value::Left => return parts.into_iter().try_for_each(|part| self.bind_nothing(part)),
-            Value::Opaque(template) if what == "a tuple" && !template.has_choice() && parts.iter().all(|part| rest_of(part).is_none()) => {
+            Value::Poison | Value::Never | Value::Left => {
+                return parts.into_iter().try_for_each(|part| self.bind_nothing(part));
+            }
+            Value::Opaque(template)
+                if what == "a tuple"
+                    && !template.has_choice()
+                    && parts.iter().all(|part| rest_of(part).is_none()) =>
+            {
                 let member = |k: usize| syn::Member::Unnamed(k.into());
-                (0..parts.len()).map(|k| Value::Opaque(Template::Field(Box::new(template.clone()), member(k)))).collect()
+                (0..parts.len())
+                    .map(|k| Value::Opaque(Template::Field(Box::new(template.clone()), member(k))))
+                    .collect()
             }
             Value::Opaque(_) | Value::Generator(_) | Value::Choice(_) => {
                 return Err(Unreadable::new(at, "taking apart a value of unknown type"));
@@ -88,10 +106,15 @@ impl Reader {
         let rest = parts.iter().position(|part| rest_of(part).is_some());
         let fits = rest.map_or(parts.len() == values.len(), |_| parts.len() <= values.len() + 1);
         if !fits {
-            self.mistake(at, format!("this takes apart {what} of {}, but the value has {}", parts.len(), values.len()));
+            self.mistake(
+                at,
+                format!("this takes apart {what} of {}, but the value has {}", parts.len(), values.len()),
+            );
             return parts.into_iter().try_for_each(|part| self.bind_nothing(part));
         }
-        let Some(rest) = rest else { return parts.into_iter().zip(values).try_for_each(|(part, value)| self.bind(part, value)) };
+        let Some(rest) = rest else {
+            return parts.into_iter().zip(values).try_for_each(|(part, value)| self.bind(part, value));
+        };
         let after = values.split_off(values.len() - (parts.len() - rest - 1));
         let middle = values.split_off(rest);
         parts[..rest].iter().zip(values).try_for_each(|(part, value)| self.bind(part, value))?;
@@ -123,7 +146,9 @@ impl Reader {
 pub fn rest_of(pattern: &Pat) -> Option<Option<String>> {
     match pattern {
         Pat::Rest(_) => Some(None),
-        Pat::Ident(ident) if ident.subpat.as_ref().is_some_and(|(_, inner)| matches!(**inner, Pat::Rest(_))) => {
+        Pat::Ident(ident)
+            if ident.subpat.as_ref().is_some_and(|(_, inner)| matches!(**inner, Pat::Rest(_))) =>
+        {
             Some(Some(ident.ident.to_string()))
         }
         _ => None,

@@ -1,4 +1,5 @@
-//! Where the numbers of an equation come from: of each node the innermost expression that was being read when it was made.
+//! Where the numbers of an equation come from: of each node the innermost expression that was being read when
+//! it was made.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -24,7 +25,8 @@ pub struct Expressions {
     index: HashMap<Expression, usize>,
     /// By the node's number.
     nodes: Vec<Option<usize>>,
-    /// By the template's key: an expression that only rustc understands becomes numbers later than it is read.
+    /// By the template's key: an expression that only rustc understands becomes numbers later than it is
+    /// read.
     templates: HashMap<String, usize>,
 }
 
@@ -79,10 +81,12 @@ impl Expression {
     }
 }
 
-/// The text of tokens: on one line, without comments, with blanks where the user has them (as far as places are known), and no longer than a line.
+/// The text of tokens: on one line, without comments, with blanks where the user has them (as far as places
+/// are known), and no longer than a line.
 fn as_written(tokens: TokenStream) -> String {
     const LONGEST: usize = 100;
-    let known = tokens.clone().into_iter().next().is_some_and(|first| first.span().start() != first.span().end());
+    let known =
+        tokens.clone().into_iter().next().is_some_and(|first| first.span().start() != first.span().end());
     let text = if known {
         let mut text = Text::default();
         text.append(tokens);

@@ -30,8 +30,8 @@ impl Reader {
         find(m, false).or_else(|| find(&transpose(m), true))
     }
 
-    /// A v, or Aᵀ v, as 2 (e0 w + r e) − v with w = e0 v ± e × v and r = e · v: fewer products than nine entries of A take, and w and r are
-    /// most of the derivatives by p.
+    /// A v, or Aᵀ v, as 2 (e0 w + r e) − v with w = e0 v ± e × v and r = e · v: fewer products than nine
+    /// entries of A take, and w and r are most of the derivatives by p.
     pub fn turned(&mut self, p: &[Node], back: bool, v: &[Node]) -> Vec<Node> {
         let (e0, e) = (p[0], &p[1..]);
         let r = self.dot(e, v);

@@ -15,7 +15,8 @@ pub struct Row {
 }
 
 impl Reader {
-    /// The rows of the constraint; mistakes where the value is not what the signature says, or depends on no coordinate.
+    /// The rows of the constraint; mistakes where the value is not what the signature says, or depends on no
+    /// coordinate.
     pub fn rows(&mut self, source: &ConstraintFn, value: &Value) -> Vec<Row> {
         let tail = tail(&source.body);
         let at: &dyn ToTokens = match tail {
@@ -26,26 +27,44 @@ impl Reader {
             && all.is_empty()
             && source.output != Shape::Tuple(vec![])
         {
-            let text = "the body ends without a value: end it with the expression of the equation, without `;`";
+            let text =
+                "the body ends without a value: end it with the expression of the equation, without `;`";
             match source.body.stmts.last() {
                 Some(last) => self.mistake(last, text),
-                None => self.mistake(&source.output_type, "the body is empty: it must end with the expression of the equation"),
+                None => self.mistake(
+                    &source.output_type,
+                    "the body is empty: it must end with the expression of the equation",
+                ),
             };
             return vec![];
         }
         let Some(parts) = self.parts(source, value, tail, at) else { return vec![] };
         let shapes: Vec<(usize, &Shape)> = parts.iter().map(|(nodes, shape)| (nodes.len(), shape)).collect();
         let names = row_names(&source.output, tail, &shapes);
-        let rows: Vec<Row> = names.into_iter().zip(parts.iter().flat_map(|p| &p.0)).map(|(name, &node)| Row { name, node }).collect();
+        let rows: Vec<Row> = names
+            .into_iter()
+            .zip(parts.iter().flat_map(|p| &p.0))
+            .map(|(name, &node)| Row { name, node })
+            .collect();
         self.refuse_constants(source, &parts, tail, &rows);
         rows
     }
 
     /// The numbers of each element of the returned tuple or array (of the one value, if it is neither).
-    fn parts(&mut self, source: &ConstraintFn, value: &Value, tail: Option<&Expr>, at: &dyn ToTokens) -> Option<Vec<(Vec<Node>, Shape)>> {
+    fn parts(
+        &mut self,
+        source: &ConstraintFn,
+        value: &Value,
+        tail: Option<&Expr>,
+        at: &dyn ToTokens,
+    ) -> Option<Vec<(Vec<Node>, Shape)>> {
         let (values, shapes): (Vec<Value>, Vec<Shape>) = match (value, &source.output) {
-            (Value::Tuple(all), Shape::Tuple(shapes)) if all.len() == shapes.len() => (all.clone(), shapes.clone()),
-            (Value::Array(all), Shape::Array(inner, n)) if all.len() == *n => (all.clone(), vec![(**inner).clone(); *n]),
+            (Value::Tuple(all), Shape::Tuple(shapes)) if all.len() == shapes.len() => {
+                (all.clone(), shapes.clone())
+            }
+            (Value::Array(all), Shape::Array(inner, n)) if all.len() == *n => {
+                (all.clone(), vec![(**inner).clone(); *n])
+            }
             (value, shape) => (vec![value.clone()], vec![shape.clone()]),
         };
         let places = elements(tail, values.len());
@@ -53,7 +72,9 @@ impl Reader {
         for ((value, shape), place) in values.into_iter().zip(shapes).zip(places) {
             let at = place.map_or(at, |place| place as &dyn ToTokens);
             let value = match (value, shape) {
-                (Value::Opaque(template), Shape::Any) => self.shaped(Value::Opaque(template), &Shape::Scalar, at),
+                (Value::Opaque(template), Shape::Any) => {
+                    self.shaped(Value::Opaque(template), &Shape::Scalar, at)
+                }
                 (value, shape) => self.shaped(value, &shape, at),
             };
             parts.push(value.numbers()?);
@@ -62,19 +83,33 @@ impl Reader {
     }
 
     /// An equation that depends on no coordinate can never be solved for one.
-    fn refuse_constants(&mut self, source: &ConstraintFn, parts: &[(Vec<Node>, Shape)], tail: Option<&Expr>, rows: &[Row]) {
+    fn refuse_constants(
+        &mut self,
+        source: &ConstraintFn,
+        parts: &[(Vec<Node>, Shape)],
+        tail: Option<&Expr>,
+        rows: &[Row],
+    ) {
         if !self.mistakes.is_empty() {
             return;
         }
         let mut row = rows.iter();
         let places = elements(tail, parts.len());
         for (part, place) in parts.iter().zip(places) {
-            let constant: Vec<&str> =
-                row.by_ref().take(part.0.len()).filter(|row| !self.graph.depends(row.node).on_q).map(|row| row.name.as_str()).collect();
+            let constant: Vec<&str> = row
+                .by_ref()
+                .take(part.0.len())
+                .filter(|row| !self.graph.depends(row.node).on_q)
+                .map(|row| row.name.as_str())
+                .collect();
             if constant.is_empty() {
                 continue;
             }
-            let which = if rows.len() == 1 { "this equation".into() } else { format!("row `{}`", constant.join("`, `")) };
+            let which = if rows.len() == 1 {
+                "this equation".into()
+            } else {
+                format!("row `{}`", constant.join("`, `"))
+            };
             let text = format!(
                 "{which} depends on no coordinate, so nothing can be solved for: use a body or a `Coord` in it{}",
                 alias_cure(source)
@@ -91,7 +126,11 @@ impl Reader {
 fn alias_cure(source: &ConstraintFn) -> String {
     let other = source.arguments.iter().find(|a| a.kind == crate::parse::Kind::Other);
     other.map_or(String::new(), |a| {
-        format!(" (`{}: {}` is taken for a parameter; types are read by name, not through aliases)", a.name, a.ty.to_token_stream())
+        format!(
+            " (`{}: {}` is taken for a parameter; types are read by name, not through aliases)",
+            a.name,
+            a.ty.to_token_stream()
+        )
     })
 }
 
@@ -126,8 +165,8 @@ pub fn names_as_written(source: &ConstraintFn) -> Vec<String> {
     row_names(&source.output, tail(&source.body), &shapes)
 }
 
-/// Names of the rows: identifiers of a returned tuple or array, else x, y, z of a vector, else numbers from 1. `parts` are the numbers of rows and the
-/// shapes of its elements.
+/// Names of the rows: identifiers of a returned tuple or array, else x, y, z of a vector, else numbers from
+/// 1. `parts` are the numbers of rows and the shapes of its elements.
 fn row_names(output: &Shape, tail: Option<&Expr>, parts: &[(usize, &Shape)]) -> Vec<String> {
     const AXES: [&str; 3] = ["x", "y", "z"];
     if let (Shape::Vector(n), [_]) = (output, parts) {

@@ -1,5 +1,6 @@
-//! Names while the body is read, and the values of variables. A name means a slot of the store, so that closures and references see what becomes
-//! of a variable later; what a branch did to slots is taken back from a log, and joined with what the other one did.
+//! Names while the body is read, and the values of variables. A name means a slot of the store, so that
+//! closures and references see what becomes of a variable later; what a branch did to slots is taken back
+//! from a log, and joined with what the other one did.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -57,7 +58,8 @@ pub struct Scopes {
 #[derive(Clone, Default)]
 pub struct Scope {
     variables: HashMap<String, Slot>,
-    /// Functions and constants, which are seen from before their own line, and from inside of other functions.
+    /// Functions and constants, which are seen from before their own line, and from inside of other
+    /// functions.
     items: HashMap<String, Value>,
 }
 
@@ -91,9 +93,14 @@ impl Scopes {
         self.scopes.len()
     }
 
-    /// What a function sees that is declared in scope number `depth`: the items around it, and none of the variables.
+    /// What a function sees that is declared in scope number `depth`: the items around it, and none of the
+    /// variables.
     pub fn around_function(&self, depth: usize) -> Scopes {
-        let items = self.scopes.iter().take(depth).map(|scope| Scope { variables: HashMap::new(), items: scope.items.clone() });
+        let items = self
+            .scopes
+            .iter()
+            .take(depth)
+            .map(|scope| Scope { variables: HashMap::new(), items: scope.items.clone() });
         Scopes { scopes: items.collect() }
     }
 
@@ -184,7 +191,10 @@ impl Store {
 
     /// The value that a variable had at a mark.
     pub fn before(&self, since: Mark, slot: Slot) -> &Value {
-        self.log[since.log..].iter().find(|(logged, _)| *logged == slot).map_or(&self.values[slot], |(_, old)| old)
+        self.log[since.log..]
+            .iter()
+            .find(|(logged, _)| *logged == slot)
+            .map_or(&self.values[slot], |(_, old)| old)
     }
 
     /// The changes since the mark taken back.

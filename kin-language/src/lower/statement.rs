@@ -54,9 +54,14 @@ impl Reader {
         }
     }
 
-    /// Functions, constants and types of a block, which are seen from before their own line; other items are repeated in emitted code.
+    /// Functions, constants and types of a block, which are seen from before their own line; other items are
+    /// repeated in emitted code.
     fn items(&mut self, statements: &[Stmt]) -> Read<()> {
-        let items = || statements.iter().filter_map(|statement| if let Stmt::Item(item) = statement { Some(item) } else { None });
+        let items = || {
+            statements
+                .iter()
+                .filter_map(|statement| if let Stmt::Item(item) = statement { Some(item) } else { None })
+        };
         let depth = self.scopes.depth();
         for item in items() {
             if let Item::Fn(function) = item
@@ -77,7 +82,9 @@ impl Reader {
             Item::Fn(function) => !is_over_duals(function),
             Item::Const(constant) => self.constant(&constant.ident, &constant.expr, &constant.ty, depth),
             Item::Static(constant) => self.constant(&constant.ident, &constant.expr, &constant.ty, depth),
-            Item::Impl(_) if !self.own.take(item, depth) => return Err(Unreadable::new(item, "an item inside the body")),
+            Item::Impl(_) if !self.own.take(item, depth) => {
+                return Err(Unreadable::new(item, "an item inside the body"));
+            }
             Item::Macro(_) => return Err(Unreadable::new(item, "a macro of your own")),
             _ => false,
         };
@@ -155,7 +162,9 @@ impl Reader {
         match name.as_str() {
             "unreachable" | "panic" | "todo" | "unimplemented" => Ok(Value::Never),
             // rustc's reading sees to them.
-            "assert" | "assert_eq" | "assert_ne" | "debug_assert" | "debug_assert_eq" | "debug_assert_ne" => Ok(Value::unit()),
+            "assert" | "assert_eq" | "assert_ne" | "debug_assert" | "debug_assert_eq" | "debug_assert_ne" => {
+                Ok(Value::unit())
+            }
             "vec" => self.vec_macro(call),
             "matches" => self.matches_macro(call),
             _ => Err(Unreadable::new(&call.path, "a macro")),
@@ -168,11 +177,14 @@ impl Reader {
             let value: Expr = input.parse()?;
             input.parse::<syn::Token![,]>()?;
             let pattern = Pat::parse_multi_with_leading_vert(input)?;
-            let guard: Option<Expr> = input.parse::<Option<syn::Token![if]>>()?.map(|_| input.parse()).transpose()?;
+            let guard: Option<Expr> =
+                input.parse::<Option<syn::Token![if]>>()?.map(|_| input.parse()).transpose()?;
             input.parse::<Option<syn::Token![,]>>()?;
             Ok((value, pattern, guard))
         };
-        let Ok((value, pattern, guard)) = call.parse_body_with(parse) else { return Err(Unreadable::new(&call.path, "a macro")) };
+        let Ok((value, pattern, guard)) = call.parse_body_with(parse) else {
+            return Err(Unreadable::new(&call.path, "a macro"));
+        };
         let value = self.matchable(&value)?;
         self.scopes.push();
         let matched = self.tested(&pattern, guard.as_ref(), &value);

@@ -1,4 +1,5 @@
-//! Expressions that only rustc understands: emitted code repeats them as the user wrote them, with values of the graph put in.
+//! Expressions that only rustc understands: emitted code repeats them as the user wrote them, with values of
+//! the graph put in.
 
 use std::rc::Rc;
 
@@ -13,8 +14,9 @@ use kin_graph::Node;
 pub enum Template {
     /// As written.
     Tokens(TokenStream),
-    /// A path that is no variable: a constant, or the name of a function. Of a word in small letters, which may be a slip of the pen, the variables
-    /// around it too: rustc then says the same of it in every copy of the body, and once.
+    /// A path that is no variable: a constant, or the name of a function. Of a word in small letters, which
+    /// may be a slip of the pen, the variables around it too: rustc then says the same of it in every copy of
+    /// the body, and once.
     Path(syn::ExprPath, Rc<[Ident]>),
     /// Values of the graph, with the place they come from.
     Numbers(Vec<Node>, Shape, Span),
@@ -67,13 +69,18 @@ impl Template {
         1 + self.parts().into_iter().map(Template::size).sum::<usize>()
     }
 
-    /// Whether computing it may panic: an index out of range, a division of integers, the user's own functions.
+    /// Whether computing it may panic: an index out of range, a division of integers, the user's own
+    /// functions.
     pub fn may_panic(&self) -> bool {
         let mut found = false;
         self.visit(&mut |template| {
             found |= matches!(
                 template,
-                Template::Call(..) | Template::Method(..) | Template::Index(..) | Template::Binary(..) | Template::Unary(..)
+                Template::Call(..)
+                    | Template::Method(..)
+                    | Template::Index(..)
+                    | Template::Binary(..)
+                    | Template::Unary(..)
             );
         });
         found
@@ -98,7 +105,9 @@ impl Template {
     /// `f` of the template, or of either side of a choice.
     pub fn each(self, f: &dyn Fn(Template) -> Template) -> Template {
         match self {
-            Template::Choice(condition, a, b) => Template::Choice(condition, Box::new(a.each(f)), Box::new(b.each(f))),
+            Template::Choice(condition, a, b) => {
+                Template::Choice(condition, Box::new(a.each(f)), Box::new(b.each(f)))
+            }
             other => f(other),
         }
     }
@@ -110,7 +119,11 @@ impl Template {
 
     fn parts(&self) -> Vec<&Template> {
         match self {
-            Template::Tokens(_) | Template::Path(..) | Template::Numbers(..) | Template::State(..) | Template::Parameter(_) => vec![],
+            Template::Tokens(_)
+            | Template::Path(..)
+            | Template::Numbers(..)
+            | Template::State(..)
+            | Template::Parameter(_) => vec![],
             Template::Struct(_, fields, _) => fields.iter().map(|(_, value)| value).collect(),
             Template::Call(callee, all, _) => std::iter::once(&**callee).chain(all).collect(),
             Template::Method(receiver, _, all) => std::iter::once(&**receiver).chain(all).collect(),
@@ -135,10 +148,13 @@ impl Template {
             Template::Numbers(nodes, shape, _) => format!("{nodes:?}: {shape:?}"),
             Template::State(nodes, dimension, _) => format!("state {nodes:?} {dimension}"),
             Template::Struct(path, fields, _) => {
-                let fields: Vec<String> = fields.iter().map(|(name, value)| format!("{name}: {}", value.key())).collect();
+                let fields: Vec<String> =
+                    fields.iter().map(|(name, value)| format!("{name}: {}", value.key())).collect();
                 format!("{} {{ {} }}", path.to_token_stream(), fields.join(", "))
             }
-            Template::Part(value, pattern, name) => format!("{name} of {} in ({})", pattern.to_token_stream(), value.key()),
+            Template::Part(value, pattern, name) => {
+                format!("{name} of {} in ({})", pattern.to_token_stream(), value.key())
+            }
             Template::Parameter(name) => format!("self.{name}"),
             Template::Call(callee, all, _) => format!("({})({})", callee.key(), list(all)),
             Template::Method(receiver, name, all) => format!("({}).{name}({})", receiver.key(), list(all)),

@@ -19,28 +19,54 @@ impl Reader {
                 let value = self.loaded(value);
                 return self.typed(value, ty, at);
             }
-            (value @ Value::Choice(_), ty) => return self.each(value, at, &mut |reader, value| reader.typed(value, ty, at)),
+            (value @ Value::Choice(_), ty) => {
+                return self.each(value, at, &mut |reader, value| reader.typed(value, ty, at));
+            }
             (Value::Array(all), Type::Slice(slice)) => {
-                return all.into_iter().map(|part| self.typed(part, &slice.elem, at)).collect::<Read<_>>().map(Value::Array);
+                return all
+                    .into_iter()
+                    .map(|part| self.typed(part, &slice.elem, at))
+                    .collect::<Read<_>>()
+                    .map(Value::Array);
             }
             (value @ Value::Iterator(_), Type::ImplTrait(_)) => return Ok(value),
             (Value::Adt(adt), Type::Path(path)) => return self.typed_adt(adt, path, at),
-            (value @ Value::Function(_), Type::ImplTrait(_) | Type::BareFn(_) | Type::TraitObject(_)) => return Ok(value),
+            (value @ Value::Function(_), Type::ImplTrait(_) | Type::BareFn(_) | Type::TraitObject(_)) => {
+                return Ok(value);
+            }
             (Value::Into(inner), ty) if shape(ty).is_none() => return self.typed_into(*inner, ty, at),
-            (Value::Reference(inner), Type::Reference(ty)) => return Ok(Value::Reference(Box::new(self.typed(*inner, &ty.elem, at)?))),
+            (Value::Reference(inner), Type::Reference(ty)) => {
+                return Ok(Value::Reference(Box::new(self.typed(*inner, &ty.elem, at)?)));
+            }
             (value, Type::Reference(ty)) => return self.typed(value, &ty.elem, at),
             (value, Type::Paren(ty)) => return self.typed(value, &ty.elem, at),
             (value, Type::Group(ty)) => return self.typed(value, &ty.elem, at),
             (value, Type::Infer(_)) => return Ok(value),
             (Value::Generator(f), ty) => return self.generated(&f, ty, at),
-            (Value::Array(all), Type::Array(array)) if literal_length(&array.len).is_none_or(|n| n == all.len()) => {
-                return all.into_iter().map(|part| self.typed(part, &array.elem, at)).collect::<Read<_>>().map(Value::Array);
+            (Value::Array(all), Type::Array(array))
+                if literal_length(&array.len).is_none_or(|n| n == all.len()) =>
+            {
+                return all
+                    .into_iter()
+                    .map(|part| self.typed(part, &array.elem, at))
+                    .collect::<Read<_>>()
+                    .map(Value::Array);
             }
             (Value::Tuple(all), Type::Tuple(tuple)) if all.len() == tuple.elems.len() => {
-                return all.into_iter().zip(&tuple.elems).map(|(part, ty)| self.typed(part, ty, at)).collect::<Read<_>>().map(Value::Tuple);
+                return all
+                    .into_iter()
+                    .zip(&tuple.elems)
+                    .map(|(part, ty)| self.typed(part, ty, at))
+                    .collect::<Read<_>>()
+                    .map(Value::Tuple);
             }
             (value, _) => value,
         };
+        self.of_type(value, ty, at)
+    }
+
+    /// The same of a type that is no reference, list or tuple.
+    fn of_type(&mut self, value: Value, ty: &Type, at: &dyn ToTokens) -> Read {
         match (shape(ty), named(ty).as_str()) {
             (Some(shape), _) => Ok(self.shaped(value, &shape, at)),
             (None, "bool") => Ok(Value::Condition(self.condition(value, at))),
@@ -58,7 +84,10 @@ impl Reader {
                 Value::Axis(_) if name == "Axis" => Ok(value),
                 Value::Function(_) if !matches!(ty, Type::Path(_)) => Ok(value),
                 Value::Law(_) if name == "Law" => Ok(value),
-                _ => Err(Unreadable::new(ty, format!("a value of type `{}`", super::tidy(&ty.to_token_stream().to_string())))),
+                _ => Err(Unreadable::new(
+                    ty,
+                    format!("a value of type `{}`", super::tidy(&ty.to_token_stream().to_string())),
+                )),
             },
         }
     }
@@ -85,10 +114,17 @@ impl Reader {
         match named(ty).as_str() {
             "Vector2" | "Vector3" | "Option" => {
                 let value = self.loaded(value);
-                let value = if named(ty) == "Option" && !matches!(value, Value::Adt(_)) { Value::some(value) } else { value };
+                let value = if named(ty) == "Option" && !matches!(value, Value::Adt(_)) {
+                    Value::some(value)
+                } else {
+                    value
+                };
                 self.typed(value, ty, at)
             }
-            _ => Err(Unreadable::new(ty, format!("a conversion into `{}`", super::tidy(&ty.to_token_stream().to_string())))),
+            _ => Err(Unreadable::new(
+                ty,
+                format!("a conversion into `{}`", super::tidy(&ty.to_token_stream().to_string())),
+            )),
         }
     }
 
@@ -107,7 +143,8 @@ impl Reader {
     fn typed_integer(&mut self, value: Value, name: &str, at: &dyn ToTokens) -> Read {
         match self.loaded(value) {
             Value::Integer(k, known) => match IntegerType::named(name) {
-                Some(ty) => integer::typed(k, known, ty).ok_or_else(|| Unreadable::new(at, format!("`{k}` as {name}"))),
+                Some(ty) => integer::typed(k, known, ty)
+                    .ok_or_else(|| Unreadable::new(at, format!("`{k}` as {name}"))),
                 None => Ok(Value::Integer(k, known)),
             },
             value @ (Value::Opaque(_) | Value::Never | Value::Poison) => Ok(value),
@@ -126,9 +163,11 @@ impl Reader {
             _ => None,
         });
         match part {
-            Some(syn::GenericArgument::Type(part)) => {
-                all.into_iter().map(|value| self.typed(value, part, at)).collect::<Read<_>>().map(Value::Array)
-            }
+            Some(syn::GenericArgument::Type(part)) => all
+                .into_iter()
+                .map(|value| self.typed(value, part, at))
+                .collect::<Read<_>>()
+                .map(Value::Array),
             _ => Ok(Value::Array(all)),
         }
     }
@@ -137,7 +176,9 @@ impl Reader {
 /// The last name of a type's path.
 fn named(ty: &Type) -> String {
     match ty {
-        Type::Path(path) => path.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default(),
+        Type::Path(path) => {
+            path.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default()
+        }
         _ => String::new(),
     }
 }
@@ -145,7 +186,9 @@ fn named(ty: &Type) -> String {
 impl Reader {
     /// `std::array::from_fn(f)` of the length that its type says.
     fn generated(&mut self, f: &super::function::Function, ty: &Type, at: &dyn ToTokens) -> Read {
-        let Type::Array(array) = ty else { return Err(Unreadable::new(at, "an array whose length is not known here")) };
+        let Type::Array(array) = ty else {
+            return Err(Unreadable::new(at, "an array whose length is not known here"));
+        };
         let length = match literal_length(&array.len) {
             Some(n) => i64::try_from(n).ok(),
             None => match self.expression(&array.len)? {

@@ -74,7 +74,12 @@ impl Adt {
     /// `name(value)`, or `name` alone.
     pub fn new(name: &str, value: Option<Value>) -> Self {
         let path = proc_macro2::Ident::new(name, proc_macro2::Span::call_site()).into();
-        Adt { path, name: name.into(), fields: value.into_iter().map(|value| ("0".into(), value)).collect(), braces: false }
+        Adt {
+            path,
+            name: name.into(),
+            fields: value.into_iter().map(|value| ("0".into(), value)).collect(),
+            braces: false,
+        }
     }
 
     /// `Complex(a, b)`, `Shape::Line(a)`
@@ -86,7 +91,8 @@ impl Adt {
 
     /// The name of its type: the second last of the path, if there are two.
     pub fn type_name(&self) -> String {
-        let segments: Vec<String> = self.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+        let segments: Vec<String> =
+            self.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
         match &segments[..] {
             [.., ty, _] if ty.starts_with(char::is_uppercase) => ty.clone(),
             _ => self.name.clone(),
@@ -149,7 +155,9 @@ impl Value {
     /// Of how many values it is made.
     pub fn size(&self) -> usize {
         match self {
-            Value::Tuple(all) | Value::Array(all) | Value::Iterator(all) => 1 + all.iter().map(Value::size).sum::<usize>(),
+            Value::Tuple(all) | Value::Array(all) | Value::Iterator(all) => {
+                1 + all.iter().map(Value::size).sum::<usize>()
+            }
             Value::Reference(inner) | Value::Into(inner) => inner.size(),
             Value::Adt(adt) => 1 + adt.fields.iter().map(|(_, value)| value.size()).sum::<usize>(),
             Value::Choice(all) => 1 + all.iter().map(|(_, value)| value.size()).sum::<usize>(),
@@ -217,7 +225,9 @@ impl Value {
                 let same = shapes.iter().all(|shape| *shape == shapes[0]);
                 same.then(|| (nodes, Shape::Array(Box::new(shapes[0].clone()), all.len())))
             }
-            Value::Tuple(all) if !all.is_empty() => several(all).map(|(nodes, shapes)| (nodes, Shape::Tuple(shapes))),
+            Value::Tuple(all) if !all.is_empty() => {
+                several(all).map(|(nodes, shapes)| (nodes, Shape::Tuple(shapes)))
+            }
             other => other.components().map(|(kind, nodes)| (nodes.to_vec(), kind.shape())),
         }
     }
@@ -233,8 +243,12 @@ impl Value {
             Shape::Vector(n) => Value::Vector(take(*n)?),
             Shape::Matrix(n) => Value::Matrix(*n, take(n * n)?),
             Shape::Euler => Value::Euler(take(4)?),
-            Shape::Array(inner, n) => Value::Array((0..*n).map(|_| Value::from_numbers(inner, numbers)).collect::<Option<_>>()?),
-            Shape::Tuple(all) => Value::Tuple(all.iter().map(|s| Value::from_numbers(s, numbers)).collect::<Option<_>>()?),
+            Shape::Array(inner, n) => {
+                Value::Array((0..*n).map(|_| Value::from_numbers(inner, numbers)).collect::<Option<_>>()?)
+            }
+            Shape::Tuple(all) => {
+                Value::Tuple(all.iter().map(|s| Value::from_numbers(s, numbers)).collect::<Option<_>>()?)
+            }
             Shape::Any => return None,
         })
     }
@@ -282,7 +296,8 @@ pub fn position(name: &str, names: &[&str]) -> Option<usize> {
 
 /// Place of `m12` in a matrix of side `n`.
 pub fn entry(name: &str, n: usize) -> Option<usize> {
-    let digits: Vec<usize> = name.strip_prefix('m')?.chars().filter_map(|c| c.to_digit(10)).map(|d| d as usize).collect();
+    let digits: Vec<usize> =
+        name.strip_prefix('m')?.chars().filter_map(|c| c.to_digit(10)).map(|d| d as usize).collect();
     match digits[..] {
         [r, c] if (1..=n).contains(&r) && (1..=n).contains(&c) => Some((r - 1) * n + c - 1),
         _ => None,

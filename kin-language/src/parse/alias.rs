@@ -1,4 +1,5 @@
-//! Names that the body gives to types, `type T = f64;`: everywhere but in the function as it was written the type itself stands for them.
+//! Names that the body gives to types, `type T = f64;`: everywhere but in the function as it was written the
+//! type itself stands for them.
 
 use std::collections::HashMap;
 
@@ -27,7 +28,10 @@ struct Resolver {
 impl Resolver {
     /// What the first name of a path stands for, and the number of the scope that says so.
     fn get(&self, path: &syn::Path) -> Option<(usize, Type)> {
-        let first = path.segments.first().filter(|first| first.arguments.is_empty() && path.leading_colon.is_none())?;
+        let first = path
+            .segments
+            .first()
+            .filter(|first| first.arguments.is_empty() && path.leading_colon.is_none())?;
         let name = first.ident.to_string();
         if self.replaced == MOST || self.depth == DEEPEST {
             return None;
@@ -51,7 +55,9 @@ impl Resolver {
 impl VisitMut for Resolver {
     fn visit_block_mut(&mut self, block: &mut Block) {
         let aliases = block.stmts.iter().filter_map(|statement| match statement {
-            Stmt::Item(Item::Type(alias)) if alias.generics.params.is_empty() => Some((alias.ident.to_string(), (*alias.ty).clone())),
+            Stmt::Item(Item::Type(alias)) if alias.generics.params.is_empty() => {
+                Some((alias.ident.to_string(), (*alias.ty).clone()))
+            }
             _ => None,
         });
         let scope: HashMap<String, Type> = aliases.collect();
@@ -98,8 +104,14 @@ mod tests {
     use super::*;
 
     fn text(block: Block) -> Option<String> {
-        resolved(&block)
-            .map(|block| block.stmts.into_iter().filter(|s| !matches!(s, Stmt::Item(_))).map(|s| s.to_token_stream().to_string()).collect())
+        resolved(&block).map(|block| {
+            block
+                .stmts
+                .into_iter()
+                .filter(|s| !matches!(s, Stmt::Item(_)))
+                .map(|s| s.to_token_stream().to_string())
+                .collect()
+        })
     }
 
     #[test]

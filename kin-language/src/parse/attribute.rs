@@ -20,28 +20,41 @@ pub struct Asked {
 
 /// Reads the words; each at most once, and none that contradict each other.
 pub fn asked(attribute: TokenStream) -> syn::Result<Asked> {
-    const WORDS: &str = "`#[constraint]` takes nothing, `symbolic`, `dual`, `lanes`, `warn_dual`, or a length: `LEGS = 6`";
+    const WORDS: &str =
+        "`#[constraint]` takes nothing, `symbolic`, `dual`, `lanes`, `warn_dual`, or a length: `LEGS = 6`";
     let mistake = |text: &str| syn::Error::new_spanned(&attribute, text);
-    let given = Punctuated::<Word, syn::Token![,]>::parse_terminated.parse2(attribute.clone()).map_err(|_| mistake(WORDS))?;
-    let lengths: Vec<(Ident, syn::LitInt)> = given.iter().filter_map(|word| Some((word.0.clone(), word.1.clone()?))).collect();
+    let given = Punctuated::<Word, syn::Token![,]>::parse_terminated
+        .parse2(attribute.clone())
+        .map_err(|_| mistake(WORDS))?;
+    let lengths: Vec<(Ident, syn::LitInt)> =
+        given.iter().filter_map(|word| Some((word.0.clone(), word.1.clone()?))).collect();
     let words: Vec<Ident> = given.into_iter().filter(|word| word.1.is_none()).map(|word| word.0).collect();
     let find = |text: &str| words.iter().find(|word| *word == text);
-    let (symbolic, dual, lanes, warn_dual) = (find("symbolic"), find("dual"), find("lanes"), find("warn_dual"));
+    let (symbolic, dual, lanes, warn_dual) =
+        (find("symbolic"), find("dual"), find("lanes"), find("warn_dual"));
     if [symbolic, dual, lanes, warn_dual].iter().flatten().count() != words.len() {
         return Err(mistake(WORDS));
     }
     let choice = match (dual, symbolic.or(lanes)) {
         (Some(_), Some(_)) if lanes.is_some() => {
-            return Err(mistake("kernels over lanes are made of the symbolic derivatives: leave `dual` or `lanes` out"));
+            return Err(mistake(
+                "kernels over lanes are made of the symbolic derivatives: leave `dual` or `lanes` out",
+            ));
         }
-        (Some(_), Some(_)) => return Err(mistake("`symbolic` and `dual` are the two routes: leave one of them out")),
+        (Some(_), Some(_)) => {
+            return Err(mistake("`symbolic` and `dual` are the two routes: leave one of them out"));
+        }
         (Some(word), None) => Choice::Dual(word.span()),
         (None, Some(_)) => Choice::Symbolic,
         (None, None) => Choice::Best,
     };
     match (warn_dual, choice) {
-        (Some(_), Choice::Dual(_)) => Err(mistake("`warn_dual` warns of what `dual` asks for: leave one of them out")),
-        (Some(_), Choice::Symbolic) => Err(mistake("where `symbolic` or `lanes` stands the dual route is an error: leave `warn_dual` out")),
+        (Some(_), Choice::Dual(_)) => {
+            Err(mistake("`warn_dual` warns of what `dual` asks for: leave one of them out"))
+        }
+        (Some(_), Choice::Symbolic) => Err(mistake(
+            "where `symbolic` or `lanes` stands the dual route is an error: leave `warn_dual` out",
+        )),
         _ => Ok(Asked { choice, lanes: lanes.is_some(), warn_dual: warn_dual.is_some(), lengths }),
     }
 }

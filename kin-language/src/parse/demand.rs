@@ -19,12 +19,20 @@ pub fn take(attributes: &mut Vec<Attribute>, word: &str, mistakes: &mut Mistakes
     let (own, others) = attributes.drain(..).partition(|attribute| attribute.path().is_ident(word));
     *attributes = others;
     let own: Vec<Attribute> = own;
-    own.iter().filter_map(|attribute| mistakes.catch(attribute.parse_args_with(|input: ParseStream| demand(input, word)))).collect()
+    own.iter()
+        .filter_map(|attribute| {
+            mistakes.catch(attribute.parse_args_with(|input: ParseStream| demand(input, word)))
+        })
+        .collect()
 }
 
 fn demand(input: ParseStream, word: &str) -> syn::Result<Demand> {
-    let form =
-        |error: syn::Error| syn::Error::new(error.span(), format!("write a condition, and a text if it needs one: {}", form_of(word)));
+    let form = |error: syn::Error| {
+        syn::Error::new(
+            error.span(),
+            format!("write a condition, and a text if it needs one: {}", form_of(word)),
+        )
+    };
     let condition: Expr = input.parse().map_err(form)?;
     let _: Option<Token![,]> = input.parse()?;
     let text = match input.is_empty() {

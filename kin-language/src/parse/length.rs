@@ -1,4 +1,5 @@
-//! Lengths that the attribute gives: of a const generic, or of a constant beside the function, whose value no macro sees.
+//! Lengths that the attribute gives: of a const generic, or of a constant beside the function, whose value no
+//! macro sees.
 
 use quote::ToTokens;
 use syn::visit_mut::{self, VisitMut};
@@ -6,8 +7,13 @@ use syn::{Expr, GenericParam, Ident, ItemFn, LitInt, parse_quote};
 
 use crate::error::Mistakes;
 
-/// Puts the lengths into the signature. A const generic becomes a constant of the body; the others are returned, to be compared with what they are.
-pub fn put(function: &mut ItemFn, lengths: &[(Ident, LitInt)], mistakes: &mut Mistakes) -> Vec<(Ident, LitInt)> {
+/// Puts the lengths into the signature. A const generic becomes a constant of the body; the others are
+/// returned, to be compared with what they are.
+pub fn put(
+    function: &mut ItemFn,
+    lengths: &[(Ident, LitInt)],
+    mistakes: &mut Mistakes,
+) -> Vec<(Ident, LitInt)> {
     for input in &mut function.sig.inputs {
         Put(lengths).visit_fn_arg_mut(input);
     }
@@ -19,7 +25,10 @@ pub fn put(function: &mut ItemFn, lengths: &[(Ident, LitInt)], mistakes: &mut Mi
             GenericParam::Const(length) => match lengths.iter().find(|(name, _)| *name == length.ident) {
                 Some((name, value)) => {
                     let ty = &length.ty;
-                    function.block.stmts.insert(0, parse_quote!(#[allow(dead_code)] const #name: #ty = #value;));
+                    function
+                        .block
+                        .stmts
+                        .insert(0, parse_quote!(#[allow(dead_code)] const #name: #ty = #value;));
                     outside.retain(|(other, _)| other != name);
                 }
                 None => {

@@ -6,7 +6,8 @@ use syn::{Attribute, Expr, Ident, LitStr, Token};
 
 use crate::error::Mistakes;
 
-/// `#[measure(name = value, "unit")]`, then, if so, `turns` (an angle known up to whole turns) and `ends = (from, to)`.
+/// `#[measure(name = value, "unit")]`, then, if so, `turns` (an angle known up to whole turns) and `ends =
+/// (from, to)`.
 pub struct Measure {
     pub name: Ident,
     pub value: Expr,
@@ -19,13 +20,17 @@ pub struct Measure {
 
 /// Takes the attributes out of the list.
 pub fn take(attributes: &mut Vec<Attribute>, mistakes: &mut Mistakes) -> Vec<Measure> {
-    let (own, others): (Vec<Attribute>, _) = attributes.drain(..).partition(|attribute| attribute.path().is_ident("measure"));
+    let (own, others): (Vec<Attribute>, _) =
+        attributes.drain(..).partition(|attribute| attribute.path().is_ident("measure"));
     *attributes = others;
     let mut all: Vec<Measure> = Vec::new();
     for attribute in &own {
         let Some(measure) = mistakes.catch(attribute.parse_args_with(measure)) else { continue };
         if all.iter().any(|known| known.name == measure.name) {
-            mistakes.add(&measure.name, format!("there are two measures `{}`; give one of them another name", measure.name));
+            mistakes.add(
+                &measure.name,
+                format!("there are two measures `{}`; give one of them another name", measure.name),
+            );
         }
         all.push(measure);
     }
@@ -33,8 +38,7 @@ pub fn take(attributes: &mut Vec<Attribute>, mistakes: &mut Mistakes) -> Vec<Mea
 }
 
 fn measure(input: ParseStream) -> syn::Result<Measure> {
-    const FORM: &str =
-        "a measure is a name, its value and its unit: `#[measure(slide = h_j.dot(s), \"m\")]`, then `turns` or `ends = (from, to)`";
+    const FORM: &str = "a measure is a name, its value and its unit: `#[measure(slide = h_j.dot(s), \"m\")]`, then `turns` or `ends = (from, to)`";
     let form = |error: syn::Error| syn::Error::new(error.span(), FORM);
     let name = Ident::parse_any(input).map_err(form)?;
     input.parse::<Token![=]>().map_err(form)?;

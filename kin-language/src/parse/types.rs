@@ -94,7 +94,10 @@ pub fn kind(ty: &Type) -> syn::Result<Kind> {
         Type::Array(array) if is_marker(&array.elem) => kinds(array),
         Type::Reference(reference) if is_static(reference) => Ok(Kind::Other),
         Type::Reference(reference) => Err(reference_mistake(reference)),
-        Type::ImplTrait(_) => Err(syn::Error::new_spanned(ty, "write the type itself: a parameter is a field of the constraint")),
+        Type::ImplTrait(_) => Err(syn::Error::new_spanned(
+            ty,
+            "write the type itself: a parameter is a field of the constraint",
+        )),
         _ => Ok(Kind::Other),
     }
 }
@@ -104,7 +107,9 @@ fn kinds(array: &syn::TypeArray) -> syn::Result<Kind> {
     let name = last_name(&array.elem).unwrap_or_default();
     let (all, each) = if name == "Coord" { ("coordinates", "columns") } else { ("bodies", "coordinates") };
     match (literal_length(&array.len), name.as_str()) {
-        (Some(0), _) => Err(syn::Error::new_spanned(&array.len, format!("an array of no {all} constrains nothing"))),
+        (Some(0), _) => {
+            Err(syn::Error::new_spanned(&array.len, format!("an array of no {all} constrains nothing")))
+        }
         (Some(n), "Planar") => Ok(Kind::Planars(n)),
         (Some(n), "Spatial") => Ok(Kind::Spatials(n)),
         (Some(n), _) => Ok(Kind::Coords(n)),
@@ -115,7 +120,10 @@ fn kinds(array: &syn::TypeArray) -> syn::Result<Kind> {
                 Err(_) => String::new(),
             };
             let text = format!("write the number of {all} as a literal{cure}: the {each} are counted here");
-            Err(syn::Error::new_spanned(&array.len, text.replace("the columns are", "the columns of C_q are")))
+            Err(syn::Error::new_spanned(
+                &array.len,
+                text.replace("the columns are", "the columns of C_q are"),
+            ))
         }
     }
 }
@@ -131,21 +139,47 @@ fn named_kind(path: &syn::TypePath) -> syn::Result<Kind> {
         "Axis" => return Ok(Kind::Axis),
         "f32" => return Err(syn::Error::new_spanned(path, "numbers are `f64`")),
         "PlanarBody" => {
-            return Err(syn::Error::new_spanned(path, "inside the function a planar body is its state: write `Planar`"));
+            return Err(syn::Error::new_spanned(
+                path,
+                "inside the function a planar body is its state: write `Planar`",
+            ));
         }
         // Alone it may be the user's own.
         "Link" if path.path.segments.first().is_some_and(|first| first.ident == "kin") => {
-            return Err(syn::Error::new_spanned(path, "inside the function a planar body is its state: write `Planar`"));
+            return Err(syn::Error::new_spanned(
+                path,
+                "inside the function a planar body is its state: write `Planar`",
+            ));
         }
-        "SpatialBody" => return Err(syn::Error::new_spanned(path, "inside the function a spatial body is its state: write `Spatial`")),
-        "Coordinate" => return Err(syn::Error::new_spanned(path, "inside the function a coordinate is its value: write `Coord`")),
-        "Real" => return Err(syn::Error::new_spanned(path, "write `f64`: the macro makes the function generic over dual numbers itself")),
-        "Self" => return Err(syn::Error::new_spanned(path, "there is no `Self` here: write the type itself")),
+        "SpatialBody" => {
+            return Err(syn::Error::new_spanned(
+                path,
+                "inside the function a spatial body is its state: write `Spatial`",
+            ));
+        }
+        "Coordinate" => {
+            return Err(syn::Error::new_spanned(
+                path,
+                "inside the function a coordinate is its value: write `Coord`",
+            ));
+        }
+        "Real" => {
+            return Err(syn::Error::new_spanned(
+                path,
+                "write `f64`: the macro makes the function generic over dual numbers itself",
+            ));
+        }
+        "Self" => {
+            return Err(syn::Error::new_spanned(path, "there is no `Self` here: write the type itself"));
+        }
         _ => return Ok(Kind::Other),
     };
     match last.arguments.is_empty() {
         true => Ok(kind),
-        false => Err(syn::Error::new_spanned(&last.arguments, format!("`{}` takes no type arguments here", last.ident))),
+        false => Err(syn::Error::new_spanned(
+            &last.arguments,
+            format!("`{}` takes no type arguments here", last.ident),
+        )),
     }
 }
 
@@ -185,7 +219,8 @@ pub fn shape(ty: &Type) -> Option<Shape> {
     match ty {
         Type::Path(path) if path.qself.is_none() => {
             let last = path.path.segments.last()?;
-            let plain = last.arguments.is_empty() || matches!(&last.arguments, syn::PathArguments::AngleBracketed(a) if a.args.len() == 1);
+            let plain = last.arguments.is_empty()
+                || matches!(&last.arguments, syn::PathArguments::AngleBracketed(a) if a.args.len() == 1);
             match last.ident.to_string().as_str() {
                 "f64" => Some(Shape::Scalar),
                 "Vec2" if plain => Some(Shape::Vector(2)),
@@ -197,7 +232,9 @@ pub fn shape(ty: &Type) -> Option<Shape> {
             }
         }
         Type::Array(array) => Some(Shape::Array(Box::new(shape(&array.elem)?), literal_length(&array.len)?)),
-        Type::Tuple(tuple) if !tuple.elems.is_empty() => Some(Shape::Tuple(tuple.elems.iter().map(shape).collect::<Option<_>>()?)),
+        Type::Tuple(tuple) if !tuple.elems.is_empty() => {
+            Some(Shape::Tuple(tuple.elems.iter().map(shape).collect::<Option<_>>()?))
+        }
         Type::Infer(_) => Some(Shape::Any),
         Type::Paren(inner) => shape(&inner.elem),
         Type::Group(inner) => shape(&inner.elem),

@@ -15,7 +15,8 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
     let nodes: Vec<Node> = all.iter().flat_map(|a| a.local.iter().copied()).collect();
     let (code, values) = Kernel::plain(lowered, arguments).values(&nodes);
     let mut values = values.into_iter();
-    let listed = all.iter().map(|a| listed(a.slot, a.is_point, values.by_ref().take(a.local.len()).collect()));
+    let listed =
+        all.iter().map(|a| listed(a.slot, a.is_point, values.by_ref().take(a.local.len()).collect()));
     method(&code.tokens, listed.collect())
 }
 
@@ -70,8 +71,14 @@ impl<'ast> Visit<'ast> for Search<'_> {
     fn visit_expr_method_call(&mut self, call: &'ast syn::ExprMethodCall) {
         syn::visit::visit_expr_method_call(self, call);
         let is_point = call.method == "point";
-        let Some(argument) = call.args.first().filter(|_| call.args.len() == 1 && (is_point || call.method == "direction")) else { return };
-        let (Some(body), Some(vector)) = (self.argument(&call.receiver), self.argument(argument)) else { return };
+        let Some(argument) =
+            call.args.first().filter(|_| call.args.len() == 1 && (is_point || call.method == "direction"))
+        else {
+            return;
+        };
+        let (Some(body), Some(vector)) = (self.argument(&call.receiver), self.argument(argument)) else {
+            return;
+        };
         let (body_kind, parameter) = (&self.arguments[body].kind, &self.arguments[vector]);
         let dimension = match (body_kind, &parameter.kind) {
             (Kind::Planar, Kind::Numbers(Shape::Vector(2))) => 2,

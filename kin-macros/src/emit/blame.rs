@@ -1,5 +1,6 @@
-//! What tells where an equation fails to be finite: on the symbolic route the steps of its rows as a table, on the dual route a list of the
-//! body's expressions. Data, but for what only the user's program can compute: it costs next to nothing to compile and nothing to run.
+//! What tells where an equation fails to be finite: on the symbolic route the steps of its rows as a table,
+//! on the dual route a list of the body's expressions. Data, but for what only the user's program can
+//! compute: it costs next to nothing to compile and nothing to run.
 
 use std::collections::HashMap;
 
@@ -41,7 +42,10 @@ pub fn law(parameters: &[Argument], lowered: &Lowered) -> TokenStream {
     let Written { table, values, outside } = Written::of(parameters, lowered);
     let [number, x, to] = outside_names();
     let (count, laws) = (literal(lowered.laws.len()), lowered.laws.iter().map(template::place));
-    let outside = outside.map_or_else(|| quote!(::kin::rt::graph::nothing_outside), |outside| quote!(|#number, #x, #to| #outside));
+    let outside = outside.map_or_else(
+        || quote!(::kin::rt::graph::nothing_outside),
+        |outside| quote!(|#number, #x, #to| #outside),
+    );
     quote! {
         #[cold]
         fn over(&self, #x: &::kin::rt::graph::Series) -> ::core::option::Option<::kin::rt::graph::Series> {
@@ -77,13 +81,22 @@ impl Written {
         let has_leaves = lowered.leaves.len() == folded.leaves.len();
         let mut formula = Formula::default();
         formula.is_rounded = lowered.graph.is_rounded() && !lowered.graph.keeps_constants();
-        let mut table = Table { arguments, lowered, has_leaves, formula, nodes: HashMap::new(), parameters: vec![], outside: vec![] };
+        let mut table = Table {
+            arguments,
+            lowered,
+            has_leaves,
+            formula,
+            nodes: HashMap::new(),
+            parameters: vec![],
+            outside: vec![],
+        };
         for node in lowered.graph.reachable(&rows) {
             let same = table.node(node);
             table.nodes.insert(node, same);
         }
         table.formula.rows = rows.iter().map(|&row| table.of(row)).collect();
-        table.formula.parameters = table.parameters.iter().map(|&k| parameter_name(&lowered.parameters[k], arguments)).collect();
+        table.formula.parameters =
+            table.parameters.iter().map(|&k| parameter_name(&lowered.parameters[k], arguments)).collect();
         let text = readable(&table.formula.to_string());
         let values = table.parameters.iter().map(|&k| &lowered.parameters[k]);
         Written {
@@ -120,7 +133,9 @@ fn listed<'a>(expressions: impl Iterator<Item = &'a Expression>) -> Vec<TokenStr
 fn parameter_name(path: &TokenStream, arguments: &[Argument]) -> String {
     let text = path.to_string().replace(' ', "");
     let name = text.trim_start_matches("self.").replace("r#", "");
-    let is_axis = |argument: &Argument| argument.kind == Kind::Axis && name.starts_with(&format!("{}.h.", argument.name));
+    let is_axis = |argument: &Argument| {
+        argument.kind == Kind::Axis && name.starts_with(&format!("{}.h.", argument.name))
+    };
     if arguments.iter().any(is_axis) { name.replacen(".h.", ".", 1) } else { name }
 }
 
@@ -173,7 +188,8 @@ impl Table<'_> {
 
     fn foreign(&mut self, node: Node, what: Outside, component: usize) -> Node {
         let number = place(&mut self.outside, what);
-        let operands = self.lowered.graph.operands(node).into_iter().map(|operand| self.of(operand)).collect();
+        let operands =
+            self.lowered.graph.operands(node).into_iter().map(|operand| self.of(operand)).collect();
         let expression = self.expression(node);
         self.formula.push_opaque(number, component, operands, expression)
     }
@@ -189,7 +205,10 @@ impl Table<'_> {
                     _ => None,
                 };
                 let coordinate = if function.is_some() { Part::Theta } else { part };
-                let column = Op::Input(Input::Column(local_column(self.arguments, Column { argument, part: coordinate })));
+                let column = Op::Input(Input::Column(local_column(
+                    self.arguments,
+                    Column { argument, part: coordinate },
+                )));
                 let Some(function) = function else { return column };
                 let expression = self.expression(node);
                 Op::Call(function, self.formula.push(column, expression))
@@ -201,8 +220,10 @@ impl Table<'_> {
 
     /// The number in the formula of the expression that a node is of.
     fn expression(&mut self, node: Node) -> Option<usize> {
-        let Expression { text, line, column } = &self.lowered.expressions.all[self.lowered.expressions.of(node)?];
-        let expression = kin_graph::Expression { text: text.clone(), line: *line as u32, column: *column as u32 };
+        let Expression { text, line, column } =
+            &self.lowered.expressions.all[self.lowered.expressions.of(node)?];
+        let expression =
+            kin_graph::Expression { text: text.clone(), line: *line as u32, column: *column as u32 };
         Some(place(&mut self.formula.expressions, expression))
     }
 
@@ -235,7 +256,14 @@ impl Table<'_> {
         };
         let given = graph.opaques[number].iter().enumerate().map(|(k, &node)| {
             let k = literal(k);
-            (node, if super::kernel::is_condition(self.lowered, node) { quote!((#x[#k].re != 0.0)) } else { quote!(#x[#k].re) })
+            (
+                node,
+                if super::kernel::is_condition(self.lowered, node) {
+                    quote!((#x[#k].re != 0.0))
+                } else {
+                    quote!(#x[#k].re)
+                },
+            )
         });
         let kernel = Kernel::from_given(self.lowered, self.arguments, given.collect());
         let found: Vec<Option<Node>> = (0..count).map(|k| graph.existing(Op::Opaque(number, k))).collect();

@@ -1,4 +1,5 @@
-//! The emitted constraint: a struct of the function's name, its constructor, `impl Constraint` and `impl Equation`.
+//! The emitted constraint: a struct of the function's name, its constructor, `impl Constraint` and `impl
+//! Equation`.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{quote, quote_spanned};
@@ -6,7 +7,9 @@ use quote::{quote, quote_spanned};
 use super::kernel::Kernel;
 use super::lanes::{self, LaneCode};
 use super::route::DualReason;
-use super::{attachments, blame, demands, described, editor, functions, measures, rewrite, template, unlinted, written};
+use super::{
+    attachments, blame, demands, described, editor, functions, measures, rewrite, template, unlinted, written,
+};
 use crate::derivatives::Derivatives;
 use kin_language::lower::{Lowered, names_as_written};
 use kin_language::parse::{Argument, ConstraintFn, Kind};
@@ -50,8 +53,12 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
     };
     let frame = Frame { trig, lanes, ..Frame::new(source, dual, row_names, pattern) };
     let attachments = attachments::symbolic(&source.arguments, &lowered);
-    let leaves: Vec<TokenStream> =
-        lowered.leaves.iter().enumerate().map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items)).collect();
+    let leaves: Vec<TokenStream> = lowered
+        .leaves
+        .iter()
+        .enumerate()
+        .map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items))
+        .collect();
     frame.emit(quote!(::kin::Route::Symbolic), &quote!(#kernels #attachments), &leaves, Some(&lowered))
 }
 
@@ -61,19 +68,36 @@ pub fn dual(source: &ConstraintFn, reason: &DualReason) -> TokenStream {
     let n = columns(&source.arguments);
     let pattern = (0..row_names.len()).flat_map(|row| (0..n).map(move |column| (row, column))).collect();
     let (body, expressions) = rewrite::traced(&source.body, &source.arguments);
-    let (kernels, attachments, blame) = (functions::dual(), attachments::dual(source), blame::dual(&expressions.all));
+    let (kernels, attachments, blame) =
+        (functions::dual(), attachments::dual(source), blame::dual(&expressions.all));
     let (explained, warning) = (reason.explained(), reason.warning(&source.name, source.warn_dual));
     let methods = quote!(#explained #kernels #attachments #blame);
-    let constraint = Frame::new(source, Dual::Body(body), row_names, pattern).emit(quote!(::kin::Route::Dual), &methods, &[], None);
+    let constraint = Frame::new(source, Dual::Body(body), row_names, pattern).emit(
+        quote!(::kin::Route::Dual),
+        &methods,
+        &[],
+        None,
+    );
     quote!(#constraint #warning)
 }
 
 impl<'a> Frame<'a> {
-    fn new(source: &'a ConstraintFn, dual: Dual, row_names: Vec<String>, pattern: Vec<(usize, usize)>) -> Self {
+    fn new(
+        source: &'a ConstraintFn,
+        dual: Dual,
+        row_names: Vec<String>,
+        pattern: Vec<(usize, usize)>,
+    ) -> Self {
         Frame { source, n: columns(&source.arguments), row_names, pattern, dual, trig: vec![], lanes: None }
     }
 
-    fn emit(&self, route: TokenStream, kernels: &TokenStream, leaves: &[TokenStream], lowered: Option<&Lowered>) -> TokenStream {
+    fn emit(
+        &self,
+        route: TokenStream,
+        kernels: &TokenStream,
+        leaves: &[TokenStream],
+        lowered: Option<&Lowered>,
+    ) -> TokenStream {
         let source = self.source;
         let (name, n, m) = (&source.name, literal(self.n), literal(self.row_names.len()));
         let (declaration, equations) = (declaration(source), self.equations());
@@ -111,10 +135,17 @@ impl<'a> Frame<'a> {
     }
 
     /// `impl Constraint`
-    fn constraint(&self, kind: &str, route: TokenStream, kernels: &TokenStream, lowered: Option<&Lowered>) -> TokenStream {
+    fn constraint(
+        &self,
+        kind: &str,
+        route: TokenStream,
+        kernels: &TokenStream,
+        lowered: Option<&Lowered>,
+    ) -> TokenStream {
         let (source, unlinted) = (self.source, unlinted());
         let name = &source.name;
-        let (row_names, pattern) = (&self.row_names, self.pattern.iter().map(|(row, column)| (literal(*row), literal(*column))));
+        let (row_names, pattern) =
+            (&self.row_names, self.pattern.iter().map(|(row, column)| (literal(*row), literal(*column))));
         let pattern: Vec<TokenStream> = pattern.map(|(row, column)| quote!((#row, #column))).collect();
         let (described, describe) = (self.arguments(), described::describe(source));
         let (visit, set) = super::parameter_methods(&source.arguments);
@@ -179,7 +210,9 @@ impl<'a> Frame<'a> {
                             Kind::Spatials(_) => quote!(Spatial(self.#name[#k])),
                             _ => quote!(Coord(self.#name[#k], #trig)),
                         };
-                        all.push(quote!(::kin::rt::Argument { name: #text, target: ::kin::rt::Target::#target }));
+                        all.push(
+                            quote!(::kin::rt::Argument { name: #text, target: ::kin::rt::Target::#target }),
+                        );
                     }
                     continue;
                 }
@@ -191,15 +224,21 @@ impl<'a> Frame<'a> {
     }
 
     fn trig(&self, slot: usize) -> TokenStream {
-        if self.trig.contains(&slot) { quote!(::kin::rt::Trig::Used) } else { quote!(::kin::rt::Trig::Unused) }
+        if self.trig.contains(&slot) {
+            quote!(::kin::rt::Trig::Used)
+        } else {
+            quote!(::kin::rt::Trig::Unused)
+        }
     }
 
-    /// The user's body with dual numbers, and as it was written. The names that are not the user's are hygienic: an argument may be called `q`.
+    /// The user's body with dual numbers, and as it was written. The names that are not the user's are
+    /// hygienic: an argument may be called `q`.
     fn equations(&self) -> TokenStream {
         let source = self.source;
         let (n, m) = (literal(self.n), literal(self.row_names.len()));
         let (q, t, value) = (super::own("q"), super::own("t"), super::own("value"));
-        let (states, parameters) = (states(&source.arguments, &q, &t), super::dual_bindings(&source.arguments));
+        let (states, parameters) =
+            (states(&source.arguments, &q, &t), super::dual_bindings(&source.arguments));
         let ty = rewrite::lifted_type(&source.output_type);
         let prepared = quote!(#(#states)* #(#parameters)*);
         let measure = measures::evaluation(source, &n, [&q, &t], &prepared);
@@ -236,15 +275,18 @@ fn lengths(source: &ConstraintFn) -> TokenStream {
         let text = format!("`{name}` is not {length}, as `#[constraint({name} = {length})]` says");
         quote_spanned!(name.span()=> const _: () = ::kin::rt::held(#name == #length, #text);)
     });
-    let handles = source.arguments.iter().filter(|argument| argument.kind == Kind::Other && is_called_link(&argument.ty)).map(|argument| {
-        let ty = &argument.ty;
-        let text = "inside the function a body is its state: write `Planar` or `Spatial`";
-        quote_spanned!(syn::spanned::Spanned::span(ty)=> const _: () = {
-            use ::kin::rt::Own as _;
-            ::kin::rt::held(::kin::rt::Named::<#ty>::IS_OWN, #text)
-        };)
-    });
+    let handles = source
+        .arguments
+        .iter()
+        .filter(|argument| argument.kind == Kind::Other && is_called_link(&argument.ty))
+        .map(|argument| own(&argument.ty));
     quote!(#(#checks)* #(#handles)*)
+}
+
+fn own(ty: &syn::Type) -> TokenStream {
+    let text = "inside the function a body is its state: write `Planar` or `Spatial`";
+    let held = quote!(::kin::rt::held(::kin::rt::Named::<#ty>::IS_OWN, #text));
+    quote_spanned!(syn::spanned::Spanned::span(ty)=> const _: () = { use ::kin::rt::Own as _; #held };)
 }
 
 /// Whether a type may be the handle of a body.
@@ -258,7 +300,8 @@ pub fn declaration(source: &ConstraintFn) -> TokenStream {
     let fields: Vec<&Argument> = source.arguments.iter().filter(|a| a.kind.is_field()).collect();
     let names: Vec<_> = fields.iter().map(|a| &a.name).collect();
     let types = fields.iter().map(|a| super::field_type(a));
-    let (inputs, values): (Vec<_>, Vec<_>) = fields.iter().map(|argument| super::constructor_input(argument)).unzip();
+    let (inputs, values): (Vec<_>, Vec<_>) =
+        fields.iter().map(|argument| super::constructor_input(argument)).unzip();
     let silent = fields.iter().map(|argument| super::warned_elsewhere(&argument.name));
     let docs = super::documentation(attributes);
     let heading = format!(" The constraint that [`fn@{name}`] makes.");
@@ -281,7 +324,8 @@ pub fn declaration(source: &ConstraintFn) -> TokenStream {
     }
 }
 
-/// The user's names for bodies, coordinates and time, bound to states made of the columns `q` and the time `t`.
+/// The user's names for bodies, coordinates and time, bound to states made of the columns `q` and the time
+/// `t`.
 fn states(arguments: &[Argument], q: &Ident, t: &Ident) -> Vec<TokenStream> {
     let scalar = quote!(::kin::rt::Real<__D>);
     let bound = arguments.iter().filter_map(|argument| {

@@ -1,4 +1,5 @@
-//! What a constraint or a law demands: of its parameters (`#[require]`), and of the pose it is meant in (`#[branch]`).
+//! What a constraint or a law demands: of its parameters (`#[require]`), and of the pose it is meant in
+//! (`#[branch]`).
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
@@ -6,10 +7,12 @@ use quote::{ToTokens, quote};
 use super::written;
 use kin_language::parse::{Argument, ConstraintFn, Demand, Kind};
 
-/// `refusal`: what the parameters themselves refuse, then the first requirement that does not hold. Laws of a constraint with time in it
-/// drive the motion.
+/// `refusal`: what the parameters themselves refuse, then the first requirement that does not hold. Laws of a
+/// constraint with time in it drive the motion.
 pub fn refusal(source: &ConstraintFn) -> TokenStream {
-    method(&source.requirements, &source.arguments, |argument| matches!(argument.kind, Kind::Law | Kind::Axis))
+    method(&source.requirements, &source.arguments, |argument| {
+        matches!(argument.kind, Kind::Law | Kind::Axis)
+    })
 }
 
 /// `refusal` of a law.
@@ -17,7 +20,11 @@ pub fn law_refusal(requirements: &[Demand], parameters: &[Argument]) -> TokenStr
     method(requirements, parameters, |argument| argument.kind == Kind::Law)
 }
 
-fn method(requirements: &[Demand], arguments: &[Argument], can_refuse: impl Fn(&Argument) -> bool) -> TokenStream {
+fn method(
+    requirements: &[Demand],
+    arguments: &[Argument],
+    can_refuse: impl Fn(&Argument) -> bool,
+) -> TokenStream {
     let own: Vec<TokenStream> = arguments
         .iter()
         .filter(|argument| can_refuse(argument))
@@ -37,9 +44,9 @@ fn method(requirements: &[Demand], arguments: &[Argument], can_refuse: impl Fn(&
     let parameters = parameters(arguments);
     let checks = requirements.iter().map(|demand| {
         let (condition, text) = (&demand.condition, &demand.text);
-        let shown = parameters
-            .iter()
-            .filter(|argument| matches!(argument.kind, Kind::Numbers(_) | Kind::Axis) && mentions(condition, &argument.name));
+        let shown = parameters.iter().filter(|argument| {
+            matches!(argument.kind, Kind::Numbers(_) | Kind::Axis) && mentions(condition, &argument.name)
+        });
         let shown = shown.map(|argument| {
             let (name, text) = (&argument.name, argument.name.to_string());
             quote!((#text, &self.#name))
@@ -65,9 +72,14 @@ fn parameters(arguments: &[Argument]) -> Vec<&Argument> {
 }
 
 /// The user's names for the parameters that stand in some expressions, in plain f64.
-pub fn bindings<'a>(arguments: &[Argument], expressions: impl Iterator<Item = &'a syn::Expr>) -> Vec<TokenStream> {
+pub fn bindings<'a>(
+    arguments: &[Argument],
+    expressions: impl Iterator<Item = &'a syn::Expr>,
+) -> Vec<TokenStream> {
     let expressions: Vec<&syn::Expr> = expressions.collect();
-    let bound = parameters(arguments).into_iter().filter(|argument| expressions.iter().any(|e| mentions(e, &argument.name)));
+    let bound = parameters(arguments)
+        .into_iter()
+        .filter(|argument| expressions.iter().any(|e| mentions(e, &argument.name)));
     bound
         .map(|argument| {
             let name = &argument.name;
@@ -79,7 +91,8 @@ pub fn bindings<'a>(arguments: &[Argument], expressions: impl Iterator<Item = &'
         .collect()
 }
 
-/// The arguments that attributes speak of: a parameter may be there for a requirement, or for the end of a measure, alone.
+/// The arguments that attributes speak of: a parameter may be there for a requirement, or for the end of a
+/// measure, alone.
 pub fn mentioned(source: &ConstraintFn) -> Vec<Ident> {
     let demands = source.requirements.iter().chain(&source.branches).map(|demand| &demand.condition);
     let measures = source.measures.iter().flat_map(|measure| {

@@ -7,7 +7,8 @@ use kin_language::parse::{Argument, ConstraintFn, Kind};
 
 /// `Constraint::describe`: every parameter under its name.
 pub fn describe(source: &ConstraintFn) -> TokenStream {
-    let parameters = source.arguments.iter().filter(|argument| argument.kind.is_field() && argument.kind.slots() == 0);
+    let parameters =
+        source.arguments.iter().filter(|argument| argument.kind.is_field() && argument.kind.slots() == 0);
     let puts = parameters.map(|argument| {
         let (name, text) = (&argument.name, text(argument));
         match argument.kind {
@@ -45,7 +46,9 @@ pub fn described(source: &ConstraintFn, kind: &str, n: &Literal, m: &Literal) ->
                 quote!([#(#each),*])
             }
             // What lives as long as the program is in no file.
-            Kind::Other if matches!(argument.ty, syn::Type::Reference(_)) => quote!(return ::core::option::Option::None),
+            Kind::Other if matches!(argument.ty, syn::Type::Reference(_)) => {
+                quote!(return ::core::option::Option::None)
+            }
             Kind::Other => quote!((&::kin::rt::Sought::<#ty>::new()).get(#text, from)?),
             _ => quote!(from.get(#text)),
         };

@@ -34,7 +34,8 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
     let velocity = (!rhs.is_empty()).then(|| (to_rhs, kernel(&rhs)));
     let velocity = self::velocity(&m, velocity);
     let timed = timed::functions(lowered, &timed);
-    let (constants, depends) = (constants(&lowered.graph, derived), depends(&lowered.graph, &rows, derived, linear));
+    let (constants, depends) =
+        (constants(&lowered.graph, derived), depends(&lowered.graph, &rows, derived, linear));
     let blame = super::blame::symbolic(arguments, lowered);
     let ((linearize_doc, linearize), (right_doc, right_side)) = (linearize, right_side);
     quote! {
@@ -63,18 +64,25 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
     }
 }
 
-/// References to the places of a list by name, `let Some([c_0, c_1]) = c.first_chunk_mut() else { return };`, and what is written behind those
-/// that are `wanted`.
-pub fn outputs(list: &str, places: TokenStream, nodes: &[Node], wanted: impl Fn(Node) -> bool) -> (TokenStream, Vec<(Ident, Node)>) {
+/// References to the places of a list by name, `let Some([c_0, c_1]) = c.first_chunk_mut() else { return };`,
+/// and what is written behind those that are `wanted`.
+pub fn outputs(
+    list: &str,
+    places: TokenStream,
+    nodes: &[Node],
+    wanted: impl Fn(Node) -> bool,
+) -> (TokenStream, Vec<(Ident, Node)>) {
     let name = |k: usize| super::own(&format!("{list}_{k}"));
-    let all: Vec<Option<(Ident, Node)>> = nodes.iter().enumerate().map(|(k, &node)| wanted(node).then(|| (name(k), node))).collect();
+    let all: Vec<Option<(Ident, Node)>> =
+        nodes.iter().enumerate().map(|(k, &node)| wanted(node).then(|| (name(k), node))).collect();
     let names = all.iter().map(|output| output.as_ref().map(|(name, _)| name.clone()));
     (super::chunk(names, places), all.into_iter().flatten().collect())
 }
 
 /// The entries of C_q that are numbers for good, for the solver; nothing where there are none.
 fn constants(g: &Graph, derived: &Derivatives) -> TokenStream {
-    let known: Vec<Option<f64>> = derived.jacobian.iter().map(|entry| g.constant_value(entry.2).filter(|c| c.is_finite())).collect();
+    let known: Vec<Option<f64>> =
+        derived.jacobian.iter().map(|entry| g.constant_value(entry.2).filter(|c| c.is_finite())).collect();
     if known.iter().all(Option::is_none) {
         return quote!();
     }
@@ -96,7 +104,8 @@ fn constants(g: &Graph, derived: &Derivatives) -> TokenStream {
 fn depends(g: &Graph, rows: &[Node], derived: &Derivatives, linear: bool) -> TokenStream {
     let on_t = |n: &Node| g.depends(*n).on_t;
     let (c, c_q) = (rows.iter().any(on_t), derived.jacobian.iter().any(|entry| on_t(&entry.2)));
-    let [c_t, q_d] = [&derived.velocity_rhs, &derived.acceleration_rhs].map(|side| side.iter().any(|&n| !g.is_zero(n)));
+    let [c_t, q_d] =
+        [&derived.velocity_rhs, &derived.acceleration_rhs].map(|side| side.iter().any(|&n| !g.is_zero(n)));
     let curved = !linear;
     quote! {
         fn depends(&self) -> ::kin::rt::Dependence {
@@ -105,8 +114,8 @@ fn depends(g: &Graph, rows: &[Node], derived: &Derivatives, linear: bool) -> Tok
     }
 }
 
-/// Whether the rows are linear in the coordinates for good: with a gradient of numbers, and coordinates that enter by sums and products alone,
-/// for steps and kinks have such gradients too.
+/// Whether the rows are linear in the coordinates for good: with a gradient of numbers, and coordinates that
+/// enter by sums and products alone, for steps and kinks have such gradients too.
 fn is_linear(g: &Graph, rows: &[Node], derived: &Derivatives) -> bool {
     let smooth = |op: Op| matches!(op, Op::Input(_) | Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::Neg(_));
     derived.jacobian.iter().all(|entry| g.constant_value(entry.2).is_some())

@@ -1,8 +1,10 @@
-//! Straight-line code for some outputs of the graph: which nodes get a name, in which order, and how each is written.
+//! Straight-line code for some outputs of the graph: which nodes get a name, in which order, and how each is
+//! written.
 
 mod dual;
 mod evaluations;
 mod inputs;
+mod operations;
 mod words;
 
 use std::collections::{HashMap, HashSet};
@@ -34,7 +36,8 @@ enum Numbers {
     Dual,
 }
 
-/// Nodes that come out of an evaluation in plain numbers, lane by lane: its number, the place among its results, and how many there are.
+/// Nodes that come out of an evaluation in plain numbers, lane by lane: its number, the place among its
+/// results, and how many there are.
 pub type Evaluations = HashMap<Node, (usize, usize, usize)>;
 
 /// One emitted function body.
@@ -76,11 +79,17 @@ pub struct Code {
 
 impl<'a> Kernel<'a> {
     /// Code for `outputs` after the scheduler has had a look at it; what is in `timed` was evaluated before.
-    pub fn scheduled(lowered: &'a mut Lowered, arguments: &[Argument], timed: &Timed, outputs: &[(Ident, Node)]) -> Code {
+    pub fn scheduled(
+        lowered: &'a mut Lowered,
+        arguments: &[Argument],
+        timed: &Timed,
+        outputs: &[(Ident, Node)],
+    ) -> Code {
         let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
         let nodes = timed::read(&mut lowered.graph, timed, &nodes);
         let nodes = schedule::prepare(&mut lowered.graph, &nodes);
-        let outputs: Vec<_> = outputs.iter().zip(nodes).map(|((place, _), node)| (place.clone(), node)).collect();
+        let outputs: Vec<_> =
+            outputs.iter().zip(nodes).map(|((place, _), node)| (place.clone(), node)).collect();
         Kernel { scheduled: true, timed: timed.len(), ..Kernel::new(lowered, arguments) }.write(&outputs)
     }
 
@@ -90,12 +99,21 @@ impl<'a> Kernel<'a> {
     }
 
     /// A kernel in which some nodes have a name already; what these are computed from is not looked at.
-    pub fn from_given(lowered: &'a Lowered, arguments: &[Argument], given: HashMap<Node, TokenStream>) -> Self {
+    pub fn from_given(
+        lowered: &'a Lowered,
+        arguments: &[Argument],
+        given: HashMap<Node, TokenStream>,
+    ) -> Self {
         Kernel { named: given, ..Kernel::new(lowered, arguments) }
     }
 
     /// The same over lanes.
-    pub fn over_lanes(lowered: &'a Lowered, arguments: &[Argument], given: HashMap<Node, TokenStream>, lane_by_lane: Evaluations) -> Self {
+    pub fn over_lanes(
+        lowered: &'a Lowered,
+        arguments: &[Argument],
+        given: HashMap<Node, TokenStream>,
+        lane_by_lane: Evaluations,
+    ) -> Self {
         Kernel { numbers: Numbers::Wide, lane_by_lane, ..Kernel::from_given(lowered, arguments, given) }
     }
 
@@ -135,7 +153,11 @@ impl<'a> Kernel<'a> {
             group.nodes.into_iter().for_each(|node| self.name(node));
             let (place, node) = &outputs[group.output];
             let value = self.output(*node);
-            self.statements.push(if fenced && group.computes { quote!(#put(#place, #value);) } else { quote!(*#place = #value;) });
+            self.statements.push(if fenced && group.computes {
+                quote!(#put(#place, #value);)
+            } else {
+                quote!(*#place = #value;)
+            });
         }
         self.finish()
     }
@@ -183,16 +205,22 @@ impl<'a> Kernel<'a> {
         let of = |k: usize, of_state: bool| {
             let parts = if of_state { self.slots[k].state_parts() } else { self.slots[k].columns() };
             let read = |part: &Part| self.read.contains(&(k, *part, of_state));
-            parts
-                .iter()
-                .any(read)
-                .then(|| binding(k, of_state, parts.iter().map(|part| read(part).then(|| self.name_of(k, *part, of_state)))))
+            parts.iter().any(read).then(|| {
+                binding(
+                    k,
+                    of_state,
+                    parts.iter().map(|part| read(part).then(|| self.name_of(k, *part, of_state))),
+                )
+            })
         };
-        let all = [true, false].into_iter().flat_map(|of_state| (0..self.slots.len()).filter_map(move |k| of(k, of_state)));
+        let all = [true, false]
+            .into_iter()
+            .flat_map(|of_state| (0..self.slots.len()).filter_map(move |k| of(k, of_state)));
         all.collect()
     }
 
-    /// The name of a number of a state or of the rates, read just before it is needed first: registers are few.
+    /// The name of a number of a state or of the rates, read just before it is needed first: registers are
+    /// few.
     fn reading(&mut self, slot: usize, part: Part, of_state: bool) -> Ident {
         let name = self.name_of(slot, part, of_state);
         if self.read.insert((slot, part, of_state)) {
@@ -210,7 +238,8 @@ impl<'a> Kernel<'a> {
             self.uses[node.index()] += 1;
         }
         let known = |node: Node| self.named.contains_key(&node);
-        let order: Vec<Node> = self.graph().reachable_from(outputs, known).into_iter().filter(|&node| !known(node)).collect();
+        let order: Vec<Node> =
+            self.graph().reachable_from(outputs, known).into_iter().filter(|&node| !known(node)).collect();
         for node in order.into_iter().rev() {
             // Minus x is written out as often as it is used.
             let times = if let Op::Neg(_) = self.graph().op(node) { self.uses[node.index()] } else { 1 };
@@ -296,84 +325,6 @@ impl<'a> Kernel<'a> {
             };
         let value = self.expression(node);
         if simple { value } else { quote!((#value)) }
-    }
-
-    fn written(&mut self, node: Node) -> TokenStream {
-        match self.graph().op(node) {
-            Op::Input(input) => self.input(input),
-            Op::Constant(bits) => self.constant(f64::from_bits(bits)),
-            Op::Decimal(k) => self.constant(self.graph().decimals[k].nearest),
-            Op::Truth(value) if self.numbers == Numbers::Wide => quote!(::kin::rt::Mask::splat(at.simd, #value)),
-            Op::Truth(value) => quote!(#value),
-            Op::Add(a, b) => self.infix(a, quote!(+), b),
-            Op::Sub(a, b) => self.infix(a, quote!(-), b),
-            Op::Mul(a, b) => self.infix(a, quote!(*), b),
-            Op::Div(a, b) => self.infix(a, quote!(/), b),
-            Op::Fma(a, b, c) if self.numbers == Numbers::Wide => self.function("mul_add", &[a, b, c]),
-            Op::Fma(a, b, c) => {
-                self.fused = true;
-                let (fma, a, b, c) = (super::own("fma"), self.expression(a), self.expression(b), self.expression(c));
-                quote!(#fma(#a, #b, #c))
-            }
-            Op::And(a, b) => self.infix(a, if self.numbers != Numbers::Wide { quote!(&&) } else { quote!(&) }, b),
-            Op::Or(a, b) => self.infix(a, if self.numbers != Numbers::Wide { quote!(||) } else { quote!(|) }, b),
-            Op::Compare(comparison, a, b) if self.numbers != Numbers::Wide => self.infix(a, sign(comparison), b),
-            Op::Compare(comparison, a, b) => self.function(comparison_method(comparison), &[a, b]),
-            Op::Neg(a) => {
-                let a = self.operand(a);
-                quote!(-#a)
-            }
-            Op::Not(a) => {
-                let a = self.operand(a);
-                quote!(!#a)
-            }
-            Op::Call(f, a) => self.function(f.method(), &[a]),
-            Op::Call2(Function2::Rem, a, b) => self.infix(a, quote!(%), b),
-            Op::Call2(f, a, b) => self.function(f.method(), &[a, b]),
-            Op::Powi(a, n) => {
-                let (of, a, n) = (self.functions_of(), self.expression(a), Literal::i32_unsuffixed(n));
-                quote!(#of::powi(#a, #n))
-            }
-            Op::Select(c, a, b) => {
-                let (c, a, b) = (self.expression(c), self.expression(a), self.expression(b));
-                match self.numbers {
-                    Numbers::Plain | Numbers::Dual => quote!(if #c { #a } else { #b }),
-                    Numbers::Wide => quote!(::kin::rt::Mask::select(#c, #a, #b)),
-                }
-            }
-            // These have names before they are written.
-            Op::Law(..) | Op::Opaque(..) | Op::Leaf(_) => quote!(f64::NAN),
-        }
-    }
-
-    fn constant(&self, value: f64) -> TokenStream {
-        let value = number(value);
-        match self.numbers {
-            Numbers::Plain => value,
-            Numbers::Wide => quote!(at.splat(#value)),
-            Numbers::Dual => quote!(::kin::rt::Real::<__D>::from(#value)),
-        }
-    }
-
-    /// Where the functions of the numbers are.
-    fn functions_of(&self) -> TokenStream {
-        match self.numbers {
-            Numbers::Plain => quote!(::kin::rt::math),
-            Numbers::Wide => quote!(::kin::rt::Wide),
-            Numbers::Dual => quote!(<::kin::rt::Real<__D>>),
-        }
-    }
-
-    /// A function of the numbers' type.
-    fn function(&mut self, name: &str, arguments: &[Node]) -> TokenStream {
-        let (of, name) = (self.functions_of(), Ident::new(name, Span::call_site()));
-        let arguments: Vec<TokenStream> = arguments.iter().map(|&n| self.expression(n)).collect();
-        quote!(#of::#name(#(#arguments),*))
-    }
-
-    fn infix(&mut self, a: Node, sign: TokenStream, b: Node) -> TokenStream {
-        let (a, b) = (self.operand(a), self.operand(b));
-        quote!(#a #sign #b)
     }
 }
 

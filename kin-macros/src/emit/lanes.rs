@@ -1,8 +1,10 @@
-//! `#[constraint(lanes)]`: kernels over lanes, and what each lane's constraint computes for them with plain numbers.
+//! `#[constraint(lanes)]`: kernels over lanes, and what each lane's constraint computes for them with plain
+//! numbers.
 //!
-//! What depends on parameters and time alone is *known*: it is computed by f64 code, once a case or once a time. What depends on
-//! coordinates and only f64 can do (a law, a function of the user's) is an *evaluation*, called lane by lane. The rest is the same
-//! straight-line code as elsewhere, over `Wide` numbers.
+//! What depends on parameters and time alone is *known*: it is computed by f64 code, once a case or once a
+//! time. What depends on coordinates and only f64 can do (a law, a function of the user's) is an
+//! *evaluation*, called lane by lane. The rest is the same straight-line code as elsewhere, over `Wide`
+//! numbers.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -121,35 +123,56 @@ impl Outside {
             if let Some(key) = evaluation_key(g, node) {
                 match evaluations.iter_mut().find(|known| known.key == key) {
                     Some(known) => known.outputs.push(node),
-                    None => evaluations.push(Evaluation { key, inputs: g.operands(node), outputs: vec![node] }),
+                    None => {
+                        evaluations.push(Evaluation { key, inputs: g.operands(node), outputs: vec![node] })
+                    }
                 }
             }
         }
         fixed_operands.extend(outputs.iter().filter(|output| !moving.contains(output)));
-        fixed_operands.retain(|&node| !matches!(g.op(node), Op::Constant(_) | Op::Truth(_) | Op::Input(Input::TimeRate)));
+        fixed_operands.retain(|&node| {
+            !matches!(g.op(node), Op::Constant(_) | Op::Truth(_) | Op::Input(Input::TimeRate))
+        });
         let (of_time, of_parameters) = fixed_operands.into_iter().partition(|&node| g.depends(node).on_t);
         Outside { known: [of_parameters, of_time], evaluations }
     }
 
-    /// One kernel, after the scheduler has had a look at it where all that is known are numbers and nothing is an evaluation.
-    fn kernel(&self, lowered: &mut Lowered, arguments: &[Argument], outputs: &[(Ident, Node)]) -> TokenStream {
+    /// One kernel, after the scheduler has had a look at it where all that is known are numbers and nothing
+    /// is an evaluation.
+    fn kernel(
+        &self,
+        lowered: &mut Lowered,
+        arguments: &[Argument],
+        outputs: &[(Ident, Node)],
+    ) -> TokenStream {
         let known: Vec<Node> = self.known.concat();
         let n = literal(known.len());
         let list = own("known");
-        let bind = (!known.is_empty()).then(|| quote!(let ::core::option::Option::Some(#list) = at.known::<#n>() else { return };));
+        let bind = (!known.is_empty())
+            .then(|| quote!(let ::core::option::Option::Some(#list) = at.known::<#n>() else { return };));
         let numbers = self.evaluations.is_empty() && !known.iter().any(|&node| is_condition(lowered, node));
-        let code =
-            if numbers { scheduled(&known, lowered, arguments, outputs) } else { self.as_written(&known, lowered, arguments, outputs) };
+        let code = if numbers {
+            scheduled(&known, lowered, arguments, outputs)
+        } else {
+            self.as_written(&known, lowered, arguments, outputs)
+        };
         quote!(#bind #code)
     }
 
     /// The kernel as the graph has it: what is known by its place, evaluations by their calls.
-    fn as_written(&self, known: &[Node], lowered: &Lowered, arguments: &[Argument], outputs: &[(Ident, Node)]) -> TokenStream {
+    fn as_written(
+        &self,
+        known: &[Node],
+        lowered: &Lowered,
+        arguments: &[Argument],
+        outputs: &[(Ident, Node)],
+    ) -> TokenStream {
         // Read where they are used: registers are few.
         let list = own("known");
         let given = known.iter().enumerate().map(|(k, &node)| {
             let k = literal(k);
-            let value = if is_condition(lowered, node) { quote!(#list[#k].is_true()) } else { quote!(#list[#k]) };
+            let value =
+                if is_condition(lowered, node) { quote!(#list[#k].is_true()) } else { quote!(#list[#k]) };
             (node, value)
         });
         let calls: Evaluations = self
@@ -211,7 +234,12 @@ impl Outside {
 }
 
 /// A kernel of fused operations that reads what is known by its place.
-fn scheduled(known: &[Node], lowered: &mut Lowered, arguments: &[Argument], outputs: &[(Ident, Node)]) -> TokenStream {
+fn scheduled(
+    known: &[Node],
+    lowered: &mut Lowered,
+    arguments: &[Argument],
+    outputs: &[(Ident, Node)],
+) -> TokenStream {
     let places: HashMap<Node, usize> = known.iter().copied().zip(0..).collect();
     let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
     let nodes = timed::read_at(&mut lowered.graph, |node| places.get(&node).copied(), &nodes);
@@ -238,7 +266,13 @@ impl Evaluation {
 }
 
 /// Plain code that writes nodes to a list, conditions as 1 or 0.
-fn outputs(list: &str, nodes: &[Node], given: HashMap<Node, TokenStream>, arguments: &[Argument], lowered: &Lowered) -> TokenStream {
+fn outputs(
+    list: &str,
+    nodes: &[Node],
+    given: HashMap<Node, TokenStream>,
+    arguments: &[Argument],
+    lowered: &Lowered,
+) -> TokenStream {
     let (code, values) = Kernel::from_given(lowered, arguments, given).values(nodes);
     let (code, list) = (code.tokens, Ident::new(list, Span::call_site()));
     quote! {
@@ -248,7 +282,8 @@ fn outputs(list: &str, nodes: &[Node], given: HashMap<Node, TokenStream>, argume
     }
 }
 
-/// What an evaluation that only f64 can do is known by; the nodes that come out of the same one have the same key.
+/// What an evaluation that only f64 can do is known by; the nodes that come out of the same one have the same
+/// key.
 fn evaluation_key(g: &Graph, node: Node) -> Option<String> {
     match g.op(node) {
         Op::Law(law, x, _) => Some(format!("law {law} {x:?}")),

@@ -35,7 +35,13 @@ fn written(source: &LawFn, body: &Block, lowered: Option<&Lowered>) -> TokenStre
     inputs.extend(written::inputs(&source.parameters));
     let owner = proc_macro2::Ident::new("__Law", proc_macro2::Span::mixed_site());
     let used = demands::mentioned_by_law(&source.requirements, &source.parameters);
-    let copy = written::Copy { inputs: &inputs, output: &syn::parse_quote!(f64), body, used: &used, attributes: &source.attributes };
+    let copy = written::Copy {
+        inputs: &inputs,
+        output: &syn::parse_quote!(f64),
+        body,
+        used: &used,
+        attributes: &source.attributes,
+    };
     written::written(&owner, &copy, &[], lowered)
 }
 
@@ -49,8 +55,12 @@ fn symbolic(source: &LawFn, mut lowered: Lowered) -> (TokenStream, Vec<TokenStre
     }
     let (code, values) = Kernel::plain(&lowered, &source.parameters).values(&derivatives);
     let code = code.tokens;
-    let leaves =
-        lowered.leaves.iter().enumerate().map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items)).collect();
+    let leaves = lowered
+        .leaves
+        .iter()
+        .enumerate()
+        .map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items))
+        .collect();
     (quote!(#code [#(#values),*]), leaves)
 }
 
@@ -86,7 +96,8 @@ fn emit(
     let (visit, set) = super::parameter_methods(&source.parameters);
     let fields: Vec<_> = source.parameters.iter().map(super::field_type).collect();
     let text = syn::ext::IdentExt::unraw(name).to_string();
-    let (refusal, description) = (demands::law_refusal(&source.requirements, &source.parameters), super::description(attributes));
+    let (refusal, description) =
+        (demands::law_refusal(&source.requirements, &source.parameters), super::description(attributes));
     let unlinted = unlinted();
     quote! {
         #(#attributes)*

@@ -16,9 +16,11 @@ pub fn methods(source: &ConstraintFn) -> TokenStream {
         let name = syn::ext::IdentExt::unraw(name).to_string();
         quote!(::kin::rt::Measured { name: #name, unit: #unit, turns: #turns })
     });
-    let mentioned = source.measures.iter().filter_map(|measure| measure.ends.as_ref()).flat_map(|(from, to)| [from, to]);
+    let mentioned =
+        source.measures.iter().filter_map(|measure| measure.ends.as_ref()).flat_map(|(from, to)| [from, to]);
     let (bindings, number) = (demands::bindings(&source.arguments, mentioned), super::own("number"));
-    let ends = numbered(source).filter_map(|(k, measure)| measure.ends.as_ref().map(|(from, to)| quote!(#k => [#from, #to],)));
+    let ends = numbered(source)
+        .filter_map(|(k, measure)| measure.ends.as_ref().map(|(from, to)| quote!(#k => [#from, #to],)));
     let ends: Vec<TokenStream> = ends.collect();
     let ends = if ends.is_empty() {
         quote!()
@@ -47,7 +49,12 @@ pub fn methods(source: &ConstraintFn) -> TokenStream {
 }
 
 /// `measured` of `impl Equation`, where `prepared` binds the names of the signature for dual numbers.
-pub fn evaluation(source: &ConstraintFn, n: &Literal, [q, t]: [&Ident; 2], prepared: &TokenStream) -> TokenStream {
+pub fn evaluation(
+    source: &ConstraintFn,
+    n: &Literal,
+    [q, t]: [&Ident; 2],
+    prepared: &TokenStream,
+) -> TokenStream {
     if source.measures.is_empty() {
         return quote!();
     }
@@ -71,7 +78,8 @@ pub fn evaluation(source: &ConstraintFn, n: &Literal, [q, t]: [&Ident; 2], prepa
     }
 }
 
-/// The measures as they were written, in f64: their mistakes are found here, once. Each is of the type of a function.
+/// The measures as they were written, in f64: their mistakes are found here, once. Each is of the type of a
+/// function.
 pub fn written(source: &ConstraintFn) -> Vec<TokenStream> {
     let (names, types): (Vec<_>, Vec<_>) = written::inputs(&source.arguments).into_iter().unzip();
     let copy = |measure: &Measure| {

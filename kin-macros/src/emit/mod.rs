@@ -51,7 +51,8 @@ fn array(ty: &TokenStream, n: usize) -> TokenStream {
     quote!([#ty; #n])
 }
 
-/// What a constructor takes for an argument, and the value of its field. The name stands at the type in the signature, for messages.
+/// What a constructor takes for an argument, and the value of its field. The name stands at the type in the
+/// signature, for messages.
 fn constructor_input(argument: &Argument) -> (TokenStream, TokenStream) {
     let (name, ty) = (&argument.name, field_type(argument));
     let given = |word: &str, method: &str| {
@@ -79,7 +80,8 @@ fn constructor_input(argument: &Argument) -> (TokenStream, TokenStream) {
     }
 }
 
-/// An argument that is called `L` is warned of once: in the function as it was written, not in the constructor too.
+/// An argument that is called `L` is warned of once: in the function as it was written, not in the
+/// constructor too.
 fn warned_elsewhere(name: &proc_macro2::Ident) -> TokenStream {
     if name.to_string().contains(char::is_uppercase) { quote!(#[allow(non_snake_case)]) } else { quote!() }
 }
@@ -91,9 +93,13 @@ fn unlinted() -> TokenStream {
 
 /// `parameters` and `set_parameter`: laws and vectors know their own parts.
 fn parameter_methods(arguments: &[Argument]) -> (TokenStream, TokenStream) {
-    let numeric: Vec<_> =
-        arguments.iter().filter(|a| matches!(a.kind, Kind::Numbers(_) | Kind::Law | Kind::Axis)).map(|a| &a.name).collect();
-    let texts: Vec<String> = numeric.iter().map(|name| syn::ext::IdentExt::unraw(*name).to_string()).collect();
+    let numeric: Vec<_> = arguments
+        .iter()
+        .filter(|a| matches!(a.kind, Kind::Numbers(_) | Kind::Law | Kind::Axis))
+        .map(|a| &a.name)
+        .collect();
+    let texts: Vec<String> =
+        numeric.iter().map(|name| syn::ext::IdentExt::unraw(*name).to_string()).collect();
     let visit = quote! {
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
             ::kin::rt::visit(&[#((#texts, &self.#numeric)),*], visit);
@@ -153,9 +159,10 @@ fn mutable(argument: &Argument) -> TokenStream {
 /// What the user's doc comment says.
 fn description(attributes: &[syn::Attribute]) -> String {
     let lines = documentation(attributes).into_iter().filter_map(|attribute| match &attribute.meta {
-        syn::Meta::NameValue(syn::MetaNameValue { value: syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }), .. }) => {
-            Some(text.value().trim().to_owned())
-        }
+        syn::Meta::NameValue(syn::MetaNameValue {
+            value: syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }),
+            ..
+        }) => Some(text.value().trim().to_owned()),
         _ => None,
     });
     lines.collect::<Vec<_>>().join("\n")

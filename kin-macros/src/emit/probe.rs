@@ -1,4 +1,5 @@
-//! Calls of the user's functions whose signature is not known: arguments go as they are where the function takes them so, else they are converted.
+//! Calls of the user's functions whose signature is not known: arguments go as they are where the function
+//! takes them so, else they are converted.
 
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};

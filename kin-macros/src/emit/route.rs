@@ -12,7 +12,8 @@ pub enum DualReason<'a> {
     Unread(&'a Unreadable),
 }
 
-/// The environment variable that asks for the warning in a whole crate: the `[env]` table of `.cargo/config.toml` is a good place for it.
+/// The environment variable that asks for the warning in a whole crate: the `[env]` table of
+/// `.cargo/config.toml` is a good place for it.
 const CRATE_WIDE: &str = "KIN_WARN_DUAL";
 
 impl DualReason<'_> {
@@ -35,13 +36,15 @@ impl DualReason<'_> {
         }
     }
 
-    /// A warning at the token that cannot be read, if the constraint or the whole crate asks for it. Stable Rust lets a macro warn in one way
-    /// only: by the use of something deprecated.
+    /// A warning at the token that cannot be read, if the constraint or the whole crate asks for it. Stable
+    /// Rust lets a macro warn in one way only: by the use of something deprecated.
     pub fn warning(&self, constraint: &Ident, asked: bool) -> TokenStream {
         let DualReason::Unread(Unreadable { span, what }) = self else { return quote!() };
         let everywhere = std::env::var(CRATE_WIDE).is_ok_and(|value| !matches!(value.as_str(), "" | "0"));
         let warning = (asked || everywhere).then(|| {
-            let note = format!("{what} cannot be read by the compiler, so `{constraint}` is differentiated by dual numbers");
+            let note = format!(
+                "{what} cannot be read by the compiler, so `{constraint}` is differentiated by dual numbers"
+            );
             let name = Ident::new("dual_route", *span);
             quote! {
                 #[deprecated(note = #note)]

@@ -53,9 +53,11 @@ impl Slot {
     }
 }
 
-/// `let Some([i_x, _, i_theta, ..]) = at.state(0) else { return };`: the numbers of argument `k`'s state, or of its rates, by name.
+/// `let Some([i_x, _, i_theta, ..]) = at.state(0) else { return };`: the numbers of argument `k`'s state, or
+/// of its rates, by name.
 pub fn binding(k: usize, of_state: bool, names: impl Iterator<Item = Option<Ident>>) -> TokenStream {
-    let (k, numbers) = (Literal::usize_unsuffixed(k), if of_state { quote!(at.state) } else { quote!(qd.of) });
+    let (k, numbers) =
+        (Literal::usize_unsuffixed(k), if of_state { quote!(at.state) } else { quote!(qd.of) });
     super::chunk(names, quote!(#numbers(#k)))
 }
 
@@ -65,8 +67,10 @@ pub fn slots(arguments: &[Argument]) -> Vec<Slot> {
     let names: Vec<String> = arguments.iter().map(plain).collect();
     let mut slots = Vec::new();
     for (argument, name) in arguments.iter().zip(&names) {
-        let extends = |other: &String| name.strip_prefix(other.as_str()).is_some_and(|rest| rest.starts_with('_'));
-        let base = if is_taken(name) || names.iter().any(extends) { format!("{name}_arg") } else { name.clone() };
+        let extends =
+            |other: &String| name.strip_prefix(other.as_str()).is_some_and(|rest| rest.starts_with('_'));
+        let base =
+            if is_taken(name) || names.iter().any(extends) { format!("{name}_arg") } else { name.clone() };
         for k in 0..argument.kind.slots() {
             let (kind, several) = match argument.kind {
                 Kind::Planars(_) => (Kind::Planar, true),
@@ -82,12 +86,28 @@ pub fn slots(arguments: &[Argument]) -> Vec<Slot> {
 }
 
 /// What names of temporaries and outputs begin with; a number follows.
-const TEMPORARIES: &[&str] = &["t", "s", "c", "o", "law", "leaf", "known", "call", "c_", "c_q_", "q_d_", "rhs_", "x_"];
+const TEMPORARIES: &[&str] =
+    &["t", "s", "c", "o", "law", "leaf", "known", "call", "c_", "c_q_", "q_d_", "rhs_", "x_"];
 
 /// Names of the emitted functions' own arguments and temporaries, and keywords that came as raw identifiers.
 fn is_taken(name: &str) -> bool {
     let prefix = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let temporary = prefix.len() < name.len() && TEMPORARIES.contains(&prefix);
-    let own = matches!(name, "at" | "qd" | "c" | "c_q" | "q_d" | "rhs" | "t_dot" | "x" | "f" | "timed" | "known" | "own" | "fma" | "put");
+    let own = matches!(
+        name,
+        "at" | "qd"
+            | "c"
+            | "c_q"
+            | "q_d"
+            | "rhs"
+            | "t_dot"
+            | "x"
+            | "f"
+            | "timed"
+            | "known"
+            | "own"
+            | "fma"
+            | "put"
+    );
     temporary || own || syn::parse_str::<Ident>(name).is_err()
 }

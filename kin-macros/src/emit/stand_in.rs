@@ -1,5 +1,5 @@
-//! After a mistake: something of the function's name that type-checks wherever it is used, so that one mistake gives one message. An editor is
-//! shown the function all the same.
+//! After a mistake: something of the function's name that type-checks wherever it is used, so that one
+//! mistake gives one message. An editor is shown the function all the same.
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use quote::quote;
@@ -12,7 +12,8 @@ use kin_language::parse::{Argument, ConstraintFn, Kind, LawFn};
 pub fn constraint(source: &ConstraintFn) -> TokenStream {
     let inputs = source.arguments.iter().filter(|argument| argument.kind.is_field());
     let inputs: Vec<TokenStream> = inputs.map(input).collect();
-    let (stand_in, declaration) = (constraint_of(&source.visibility, &source.name, &inputs), super::constraint::declaration(source));
+    let (stand_in, declaration) =
+        (constraint_of(&source.visibility, &source.name, &inputs), super::constraint::declaration(source));
     let edited = editor::constraint(source, &rewrite::plain(source.written(), &source.arguments));
     quote! {
         #edited
@@ -25,7 +26,8 @@ pub fn constraint(source: &ConstraintFn) -> TokenStream {
 pub fn law(source: &LawFn) -> TokenStream {
     let inputs: Vec<TokenStream> = source.parameters.iter().map(input).collect();
     let (stand_in, shown) = (law_of(&source.visibility, &source.name, &inputs), law_function(source));
-    let edited = editor::law(source, &rewrite::plain_law(source.written(), &source.parameters, &source.variable));
+    let edited =
+        editor::law(source, &rewrite::plain_law(source.written(), &source.parameters, &source.variable));
     quote! {
         #edited
         ::kin::rt::outside_editor! { #stand_in }
@@ -53,8 +55,10 @@ pub fn constraint_item(item: TokenStream) -> TokenStream {
     let (item, body) = without_body(item);
     match as_function(item) {
         Ok(function) => {
-            let (stand_in, edited) =
-                (constraint_of(&function.vis, &function.sig.ident, &inputs(&function)), editor::unread(&function.sig, &body));
+            let (stand_in, edited) = (
+                constraint_of(&function.vis, &function.sig.ident, &inputs(&function)),
+                editor::unread(&function.sig, &body),
+            );
             quote!(#edited #stand_in)
         }
         Err(other) => other,
@@ -67,7 +71,8 @@ pub fn law_item(item: TokenStream) -> TokenStream {
     match as_function(item) {
         Ok(function) => {
             let parameters = inputs(&function);
-            let stand_in = law_of(&function.vis, &function.sig.ident, parameters.get(1..).unwrap_or_default());
+            let stand_in =
+                law_of(&function.vis, &function.sig.ident, parameters.get(1..).unwrap_or_default());
             let edited = editor::unread(&function.sig, &body);
             quote!(#edited #stand_in)
         }

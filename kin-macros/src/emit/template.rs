@@ -12,7 +12,9 @@ use kin_graph::{Graph, Node};
 use kin_language::lower::template::Template;
 use kin_language::lower::{OpaqueKind, OpaqueValue, component_paths};
 use kin_language::parse::Shape;
-use kin_language::vocabulary::{is_kin_function, is_number_method, is_reading_method, is_std_function, is_type_name};
+use kin_language::vocabulary::{
+    is_kin_function, is_number_method, is_reading_method, is_std_function, is_type_name,
+};
 
 /// The expression in plain numbers.
 pub fn plain(template: &Template, value: &mut dyn FnMut(Node) -> TokenStream) -> TokenStream {
@@ -28,7 +30,8 @@ pub fn place(template: &Template) -> TokenStream {
     Writer::new(&mut |_| quote!(()), Site::Kernel).write(template, Use::Place)
 }
 
-/// An expression without values of the graph, for rustc to say what is wrong with it; the constraint is `__self`.
+/// An expression without values of the graph, for rustc to say what is wrong with it; the constraint is
+/// `__self`.
 pub fn check(template: &Template) -> TokenStream {
     Writer::new(&mut |_| quote!(()), Site::Check).lowered(template)
 }
@@ -38,7 +41,11 @@ fn calls(template: &Template) -> bool {
     use syn::BinOp::{And, Eq, Ge, Gt, Le, Lt, Ne, Or};
     match template {
         Template::Call(..) | Template::Method(..) | Template::Part(..) => true,
-        Template::Field(a, _) | Template::Index(a, _) | Template::Unary(_, a) | Template::Reference(a) | Template::Cast(a, _) => calls(a),
+        Template::Field(a, _)
+        | Template::Index(a, _)
+        | Template::Unary(_, a)
+        | Template::Reference(a)
+        | Template::Cast(a, _) => calls(a),
         Template::Binary(_, And(_) | Eq(_) | Ge(_) | Gt(_) | Le(_) | Lt(_) | Ne(_) | Or(_), _) => false,
         Template::Binary(a, _, b) => calls(a) || calls(b),
         _ => false,
@@ -91,8 +98,12 @@ impl<'a> Writer<'a> {
             }
             let own = super::own(&format!("part_{}", self.parts.len()));
             let place = self.write(value, Use::Place);
-            let borrows = matches!(**value, Template::Parameter(_) | Template::Field(..) | Template::Part(..) | Template::Index(..));
-            matches.push((if borrows { quote!(&#place) } else { place }, renamed(pattern, name, &own, borrows)));
+            let borrows = matches!(
+                **value,
+                Template::Parameter(_) | Template::Field(..) | Template::Part(..) | Template::Index(..)
+            );
+            matches
+                .push((if borrows { quote!(&#place) } else { place }, renamed(pattern, name, &own, borrows)));
             self.parts.push((key, own));
         }
         let inner = self.write(template, Use::Value);
@@ -110,7 +121,9 @@ impl<'a> Writer<'a> {
     fn write(&mut self, template: &Template, using: Use) -> TokenStream {
         match template {
             Template::Tokens(tokens) => tokens.clone(),
-            Template::Numbers(nodes, shape, at) => self.numbers(nodes, shape, Span::mixed_site().located_at(*at), using),
+            Template::Numbers(nodes, shape, at) => {
+                self.numbers(nodes, shape, Span::mixed_site().located_at(*at), using)
+            }
             Template::Reference(a) => self.reference(a, using),
             Template::Tuple(all) => {
                 let all: Vec<_> = all.iter().map(|a| self.write(a, using)).collect();
@@ -126,7 +139,9 @@ impl<'a> Writer<'a> {
                 quote!(if #condition { #a } else { #b })
             }
             Template::When(_, a) => self.write(a, using),
-            Template::State(nodes, dimension, at) => self.state(nodes, *dimension, Span::mixed_site().located_at(*at), using),
+            Template::State(nodes, dimension, at) => {
+                self.state(nodes, *dimension, Span::mixed_site().located_at(*at), using)
+            }
             Template::Struct(path, fields, braces) => self.structure(path, fields, *braces, using),
             Template::Part(..) if !matches!(using, Use::Argument | Use::Field) => {
                 let key = template.key();
@@ -141,13 +156,16 @@ impl<'a> Writer<'a> {
                 }
             }
             Template::Part(..) => quote!(()),
-            Template::Path(path, around) if around.is_empty() || using == Use::Place => path.to_token_stream(),
+            Template::Path(path, around) if around.is_empty() || using == Use::Place => {
+                path.to_token_stream()
+            }
             Template::Path(path, around) => {
                 let (names, units) = (around.iter(), around.iter().map(|_| quote!(())));
                 quote!({ let [#(#names),*] = [#(#units),*]; #path })
             }
             Template::Parameter(name) => {
-                let place = if let Site::Check = self.site { quote!(__self.#name) } else { quote!(self.#name) };
+                let place =
+                    if let Site::Check = self.site { quote!(__self.#name) } else { quote!(self.#name) };
                 if using == Use::Place { place } else { quote!(::core::clone::Clone::clone(&#place)) }
             }
             other => self.computed(other),
@@ -197,9 +215,15 @@ impl<'a> Writer<'a> {
         match (using, self.site) {
             (Use::Place, _) => quote!((#built)),
             (Use::Value, _) => built,
-            (Use::Argument, Site::Leaf(graph)) if varies(graph, nodes) => quote_spanned!(at=> ::kin::rt::Jet(#built).argument()),
-            (Use::Field, Site::Leaf(graph)) if varies(graph, nodes) => quote_spanned!(at=> ::kin::rt::Jet(#built).field()),
-            (Use::Argument | Use::Field, Site::Leaf(_)) => quote_spanned!(at=> ::kin::rt::constant_argument(#built)),
+            (Use::Argument, Site::Leaf(graph)) if varies(graph, nodes) => {
+                quote_spanned!(at=> ::kin::rt::Jet(#built).argument())
+            }
+            (Use::Field, Site::Leaf(graph)) if varies(graph, nodes) => {
+                quote_spanned!(at=> ::kin::rt::Jet(#built).field())
+            }
+            (Use::Argument | Use::Field, Site::Leaf(_)) => {
+                quote_spanned!(at=> ::kin::rt::constant_argument(#built))
+            }
             (Use::Argument | Use::Field, _) => quote_spanned!(at=> ::kin::rt::plain_argument(#built)),
         }
     }
@@ -212,7 +236,8 @@ impl<'a> Writer<'a> {
             _ => Use::Argument,
         };
         let callee = match callee {
-            // Of unknown type where the function as it was written does not compile: what is wrong with the call is said once.
+            // Of unknown type where the function as it was written does not compile: what is wrong with the
+            // call is said once.
             Template::Path(path, _) if using == Use::Argument && !matches!(self.site, Site::Check) => {
                 quote_spanned!(Span::mixed_site().located_at(path.span())=> ::kin::rt::callee::<__SOUND, _>(#path))
             }
@@ -222,7 +247,11 @@ impl<'a> Writer<'a> {
                 quote!((#place))
             }
         };
-        if using == Use::Argument && !matches!(self.site, Site::Check) && all.len() <= MOST_ARGUMENTS && all.iter().all(is_bindable) {
+        if using == Use::Argument
+            && !matches!(self.site, Site::Check)
+            && all.len() <= MOST_ARGUMENTS
+            && all.iter().all(is_bindable)
+        {
             let arguments = all.iter().map(|argument| self.probed(argument)).collect();
             return super::probe::call(&callee, arguments, at);
         }
@@ -249,7 +278,8 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// Whether a method takes Kin's own numbers as they are; on a parameter itself it is the user's, whatever its name.
+/// Whether a method takes Kin's own numbers as they are; on a parameter itself it is the user's, whatever its
+/// name.
 fn takes_numbers(receiver: &Template, method: &TokenStream) -> bool {
     let name = method.clone().into_iter().next().map(|token| token.to_string()).unwrap_or_default();
     !matches!(receiver, Template::Parameter(_)) && (is_number_method(&name) || is_reading_method(&name))

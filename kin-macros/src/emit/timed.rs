@@ -1,5 +1,5 @@
-//! What a constraint makes of the time alone: laws, sines and calls in which no coordinate stands. They are evaluated once a time
-//! (`at_time`), and every other function of the constraint reads them.
+//! What a constraint makes of the time alone: laws, sines and calls in which no coordinate stands. They are
+//! evaluated once a time (`at_time`), and every other function of the constraint reads them.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -13,7 +13,8 @@ use kin_language::lower::Lowered;
 pub struct Timed {
     /// What the other functions read (sorted).
     read: Vec<Node>,
-    /// C(0, t) of all rows, −C_t and −C_tt, of a constraint that is linear for good: all that a solver wants to know of it.
+    /// C(0, t) of all rows, −C_t and −C_tt, of a constraint that is linear for good: all that a solver wants
+    /// to know of it.
     sides: Vec<Node>,
 }
 
@@ -34,7 +35,9 @@ impl Timed {
 fn sides(g: &mut Graph, rows: &[Node], derived: &Derivatives) -> Option<Vec<Node>> {
     let zero = g.zero();
     let side = |side: &[Node], k: usize| side.get(k).copied().unwrap_or(zero);
-    let sides = [&derived.velocity_rhs, &derived.acceleration_rhs].into_iter().flat_map(|own| (0..rows.len()).map(|k| side(own, k)));
+    let sides = [&derived.velocity_rhs, &derived.acceleration_rhs]
+        .into_iter()
+        .flat_map(|own| (0..rows.len()).map(|k| side(own, k)));
     let all: Vec<Node> = rows.iter().copied().chain(sides).collect();
     // Each node once: parts may be shared many times over.
     let mut known: Vec<Option<Node>> = vec![None; g.len()];
@@ -44,10 +47,12 @@ fn sides(g: &mut Graph, rows: &[Node], derived: &Derivatives) -> Option<Vec<Node
     all.into_iter().map(|node| known[node.index()]).collect()
 }
 
-/// A part of a linear row where all coordinates and their rates are zero, and ṫ = 1; `of` tells what its operands are there.
+/// A part of a linear row where all coordinates and their rates are zero, and ṫ = 1; `of` tells what its
+/// operands are there.
 fn at_origin(g: &mut Graph, node: Node, of: impl Fn(Node) -> Option<Node>) -> Option<Node> {
     let op = g.op(node);
-    if g.operands(node).into_iter().all(|operand| of(operand) == Some(operand)) && !matches!(op, Op::Input(_)) {
+    if g.operands(node).into_iter().all(|operand| of(operand) == Some(operand)) && !matches!(op, Op::Input(_))
+    {
         return Some(node);
     }
     Some(match op {
@@ -64,8 +69,8 @@ fn at_origin(g: &mut Graph, node: Node, of: impl Fn(Node) -> Option<Node>) -> Op
     })
 }
 
-/// Of what `outputs` need, the largest parts that depend on t and parameters alone and call a function. Conditions are computed where they
-/// are used.
+/// Of what `outputs` need, the largest parts that depend on t and parameters alone and call a function.
+/// Conditions are computed where they are used.
 fn select(lowered: &Lowered, outputs: &[Node]) -> Vec<Node> {
     let g = &lowered.graph;
     let order = g.reachable(outputs);
@@ -74,14 +79,21 @@ fn select(lowered: &Lowered, outputs: &[Node]) -> Vec<Node> {
     for &node in &order {
         let operands = g.operands(node);
         let any = |list: &[Node]| operands.iter().any(|n| found(list, n));
-        if matches!(g.op(node), Op::Input(Input::State(..) | Input::Rate(..) | Input::TimeRate | Input::Column(_))) || any(&moving) {
+        if matches!(
+            g.op(node),
+            Op::Input(Input::State(..) | Input::Rate(..) | Input::TimeRate | Input::Column(_))
+        ) || any(&moving)
+        {
             moving.push(node);
-        } else if any(&calling) || matches!(g.op(node), Op::Call(..) | Op::Call2(..) | Op::Law(..) | Op::Opaque(..) | Op::Leaf(_)) {
+        } else if any(&calling)
+            || matches!(g.op(node), Op::Call(..) | Op::Call2(..) | Op::Law(..) | Op::Opaque(..) | Op::Leaf(_))
+        {
             calling.push(node);
         }
     }
     let read = moving.iter().flat_map(|&node| g.operands(node)).chain(outputs.iter().copied());
-    let mut timed: Vec<Node> = read.filter(|node| found(&calling, node) && !is_condition(lowered, *node)).collect();
+    let mut timed: Vec<Node> =
+        read.filter(|node| found(&calling, node) && !is_condition(lowered, *node)).collect();
     timed.sort_unstable();
     timed.dedup();
     timed
@@ -89,7 +101,11 @@ fn select(lowered: &Lowered, outputs: &[Node]) -> Vec<Node> {
 
 /// The outputs with what was evaluated once a time read where it stands.
 pub fn read(g: &mut Graph, timed: &Timed, outputs: &[Node]) -> Vec<Node> {
-    if timed.read.is_empty() { outputs.to_vec() } else { read_at(g, |node| timed.read.binary_search(&node).ok(), outputs) }
+    if timed.read.is_empty() {
+        outputs.to_vec()
+    } else {
+        read_at(g, |node| timed.read.binary_search(&node).ok(), outputs)
+    }
 }
 
 /// The outputs with nodes that were evaluated before read where they stand.
@@ -114,7 +130,8 @@ pub fn functions(lowered: &Lowered, timed: &Timed) -> TokenStream {
     let n = Literal::usize_unsuffixed(timed.len());
     let all: Vec<Node> = timed.read.iter().chain(&timed.sides).copied().collect();
     let (code, values) = Kernel::plain(lowered, &[]).values(&all);
-    let (doc, code) = (format!(" What depends on t and parameters alone: {} operations", code.operations), code.tokens);
+    let (doc, code) =
+        (format!(" What depends on t and parameters alone: {} operations", code.operations), code.tokens);
     let first = Literal::usize_unsuffixed(timed.read.len());
     let sides = (!timed.sides.is_empty()).then(|| {
         quote! {

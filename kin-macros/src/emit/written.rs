@@ -1,5 +1,6 @@
-//! The function as it was written, in plain f64, and what makes one slip one message: where rustc finds a mistake in it, or in what was taken
-//! for a number, the type [`kin::rt::If`] of everything made from it is unknown, and of unknown types rustc says nothing.
+//! The function as it was written, in plain f64, and what makes one slip one message: where rustc finds a
+//! mistake in it, or in what was taken for a number, the type [`kin::rt::If`] of everything made from it is
+//! unknown, and of unknown types rustc says nothing.
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote, quote_spanned};
@@ -23,14 +24,23 @@ pub struct Copy<'a> {
     pub attributes: &'a [syn::Attribute],
 }
 
-/// Constants and types for the other copies to stand on: `__WRITTEN` is the function, `__SOUND` whether it compiles, `__Dual` and `__Real` are
-/// types that stand if it does. Lints look at the function as at any other.
-pub fn written(owner: &Ident, copy: &Copy, measures: &[TokenStream], lowered: Option<&Lowered>) -> TokenStream {
+/// Constants and types for the other copies to stand on: `__WRITTEN` is the function, `__SOUND` whether it
+/// compiles, `__Dual` and `__Real` are types that stand if it does. Lints look at the function as at any
+/// other.
+pub fn written(
+    owner: &Ident,
+    copy: &Copy,
+    measures: &[TokenStream],
+    lowered: Option<&Lowered>,
+) -> TokenStream {
     let constants = lowered.map(|lowered| constants(owner, lowered)).unwrap_or_default();
     let names = copy.inputs.iter().map(|(name, _)| name);
-    let types = copy.inputs.iter().map(|(_, ty)| if constants.is_empty() { ty.clone() } else { quote!(::kin::rt::If<__CONSTANTS, #ty>) });
-    let lints =
-        copy.attributes.iter().filter(|attribute| ["allow", "warn", "deny", "forbid"].iter().any(|word| attribute.path().is_ident(word)));
+    let types = copy.inputs.iter().map(|(_, ty)| {
+        if constants.is_empty() { ty.clone() } else { quote!(::kin::rt::If<__CONSTANTS, #ty>) }
+    });
+    let lints = copy.attributes.iter().filter(|attribute| {
+        ["allow", "warn", "deny", "forbid"].iter().any(|word| attribute.path().is_ident(word))
+    });
     let (output, body, unlinted) = (known(copy.output), using(copy.body, copy.used), super::unlinted());
     quote! {
         #[allow(unused_imports)]
@@ -67,7 +77,8 @@ fn using(body: &Block, used: &[Ident]) -> Block {
     body
 }
 
-/// `__CONSTANTS`: whether constants and the user's parameters are of the types they were taken for. A wrong one is blamed at its token.
+/// `__CONSTANTS`: whether constants and the user's parameters are of the types they were taken for. A wrong
+/// one is blamed at its token.
 fn constants(owner: &Ident, lowered: &Lowered) -> TokenStream {
     let constant = |value: &&kin_language::lower::OpaqueValue| value.template.nodes().is_empty();
     let checks: Vec<TokenStream> = lowered
@@ -117,7 +128,8 @@ pub fn plain_type(kind: &Kind, ty: &Type) -> TokenStream {
     }
 }
 
-/// A type that only rustc knows, if it is one of a parameter: a value of its own, and no alias of a coordinate.
+/// A type that only rustc knows, if it is one of a parameter: a value of its own, and no alias of a
+/// coordinate.
 pub fn parameter_type(ty: &Type) -> TokenStream {
     let is_parameter = quote_spanned!(ty.span()=> { ::kin::rt::is_parameter::<#ty>() });
     quote!(::kin::rt::If<#is_parameter, #ty>)
@@ -134,8 +146,8 @@ impl VisitMut for Known {
     }
 }
 
-/// Code over `__D` that is silent where the written function does not compile: `::kin::rt::Real` becomes `__Real`, and `__D` by itself
-/// `__Dual<__D>`.
+/// Code over `__D` that is silent where the written function does not compile: `::kin::rt::Real` becomes
+/// `__Real`, and `__D` by itself `__Dual<__D>`.
 pub fn silent(tokens: TokenStream) -> TokenStream {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     let mut out: Vec<TokenTree> = Vec::new();
@@ -143,13 +155,17 @@ pub fn silent(tokens: TokenStream) -> TokenStream {
     let mut k = 0;
     while k < tokens.len() {
         if let Some(length) = real_path(&tokens[k..]) {
-            out.push(Ident::new("__Real", tokens[k + length - 1].span().resolved_at(Span::mixed_site())).into());
+            out.push(
+                Ident::new("__Real", tokens[k + length - 1].span().resolved_at(Span::mixed_site())).into(),
+            );
             of_real = true;
             k += length;
             continue;
         }
         match &tokens[k] {
-            TokenTree::Ident(name) if name == "__D" && !of_real => out.extend(quote_spanned!(name.span()=> __Dual<__D>)),
+            TokenTree::Ident(name) if name == "__D" && !of_real => {
+                out.extend(quote_spanned!(name.span()=> __Dual<__D>))
+            }
             TokenTree::Group(group) => {
                 let mut inner = proc_macro2::Group::new(group.delimiter(), silent(group.stream()));
                 inner.set_span(group.span());

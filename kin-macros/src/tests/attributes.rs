@@ -21,17 +21,20 @@ impl Attributed {
     }
 }
 
-/// What the compiler is shown of an expansion, taken out of the macros that choose between it and an editor. What an editor is shown need be
-/// no Rust, since the user's body is in it.
+/// What the compiler is shown of an expansion, taken out of the macros that choose between it and an editor.
+/// What an editor is shown need be no Rust, since the user's body is in it.
 pub fn compiled(expansion: TokenStream) -> syn::Result<syn::File> {
     let mut file: syn::File = syn::parse2(expansion)?;
     let mut items = Vec::new();
     for item in file.items {
         match &item {
-            syn::Item::Macro(call) if call.mac.path.segments.last().is_some_and(|last| last.ident == "outside_editor") => {
+            syn::Item::Macro(call)
+                if call.mac.path.segments.last().is_some_and(|last| last.ident == "outside_editor") =>
+            {
                 items.extend(syn::parse2::<syn::File>(call.mac.tokens.clone())?.items);
             }
-            syn::Item::Macro(call) if call.mac.path.segments.last().is_some_and(|last| last.ident == "inside_editor") => {}
+            syn::Item::Macro(call)
+                if call.mac.path.segments.last().is_some_and(|last| last.ident == "inside_editor") => {}
             _ => items.push(item),
         }
     }
@@ -39,7 +42,8 @@ pub fn compiled(expansion: TokenStream) -> syn::Result<syn::File> {
     Ok(file)
 }
 
-/// Every item of `file` under one of the two attributes. Works on tokens, so that the item need not be good Rust.
+/// Every item of `file` under one of the two attributes. Works on tokens, so that the item need not be good
+/// Rust.
 pub fn attributed(file: TokenStream) -> Vec<Attributed> {
     let mut found = Vec::new();
     let mut item: Vec<TokenTree> = Vec::new();
@@ -60,13 +64,21 @@ pub fn attributed(file: TokenStream) -> Vec<Attributed> {
 fn without_attribute(item: &[TokenTree]) -> Option<Attributed> {
     let place = item.windows(2).position(|pair| is_attribute(&pair[0], &pair[1]).is_some())?;
     let (is_law, arguments) = is_attribute(&item[place], &item[place + 1])?;
-    let rest: Vec<TokenTree> = item.iter().enumerate().filter(|(k, _)| *k != place && *k != place + 1).map(|(_, t)| t.clone()).collect();
-    let keyword = rest.iter().position(|token| matches!(token, TokenTree::Ident(word) if word == "fn" || word == "struct"));
+    let rest: Vec<TokenTree> = item
+        .iter()
+        .enumerate()
+        .filter(|(k, _)| *k != place && *k != place + 1)
+        .map(|(_, t)| t.clone())
+        .collect();
+    let keyword = rest
+        .iter()
+        .position(|token| matches!(token, TokenTree::Ident(word) if word == "fn" || word == "struct"));
     let name = keyword.and_then(|k| rest.get(k + 1)).map(ToString::to_string).unwrap_or_default();
     Some(Attributed { name, is_law, arguments, item: rest.into_iter().collect() })
 }
 
-/// Whether these two tokens are `#` and `[constraint(…)]` or `[law]`: which of them, and the attribute's own arguments.
+/// Whether these two tokens are `#` and `[constraint(…)]` or `[law]`: which of them, and the attribute's own
+/// arguments.
 fn is_attribute(hash: &TokenTree, content: &TokenTree) -> Option<(bool, TokenStream)> {
     let (TokenTree::Punct(hash), TokenTree::Group(content)) = (hash, content) else { return None };
     let mut tokens = content.stream().into_iter();
@@ -75,5 +87,6 @@ fn is_attribute(hash: &TokenTree, content: &TokenTree) -> Option<(bool, TokenStr
         Some(TokenTree::Group(arguments)) => Group::stream(&arguments),
         _ => TokenStream::new(),
     };
-    (hash.as_char() == '#' && matches!(name.as_str(), "constraint" | "law")).then(|| (name == "law", arguments))
+    (hash.as_char() == '#' && matches!(name.as_str(), "constraint" | "law"))
+        .then(|| (name == "law", arguments))
 }

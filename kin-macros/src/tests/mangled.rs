@@ -1,4 +1,5 @@
-//! The macro never panics: good constraints with tokens left out, doubled, exchanged or replaced, a few hundred of them from a fixed seed.
+//! The macro never panics: good constraints with tokens left out, doubled, exchanged or replaced, a few
+//! hundred of them from a fixed seed.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -37,8 +38,15 @@ fn refused(originals: &[Attributed], streams: usize) -> usize {
             item = mangled(&item, &mut random);
         }
         let text = item.to_string();
-        let mangled = Attributed { name: original.name.clone(), item, arguments: original.arguments.clone(), is_law: original.is_law };
-        let Ok(expansion) = catch_unwind(AssertUnwindSafe(|| mangled.expand())) else { panic!("the macro panics at\n{text}") };
+        let mangled = Attributed {
+            name: original.name.clone(),
+            item,
+            arguments: original.arguments.clone(),
+            is_law: original.is_law,
+        };
+        let Ok(expansion) = catch_unwind(AssertUnwindSafe(|| mangled.expand())) else {
+            panic!("the macro panics at\n{text}")
+        };
         let expansion_text = expansion.to_string();
         refused += usize::from(expansion_text.contains("compile_error"));
         if let Err(error) = compiled(expansion) {
@@ -60,7 +68,12 @@ fn bodies() -> Vec<Attributed> {
             let (TokenTree::Ident(word), TokenTree::Group(group)) = (&three[0], &three[2]) else { continue };
             let item = group.stream().into_iter().skip_while(|token| token.to_string() != "fn");
             if word == "twice" {
-                all.push(Attributed { name: "f".into(), is_law: false, arguments: TokenStream::new(), item: item.collect() });
+                all.push(Attributed {
+                    name: "f".into(),
+                    is_law: false,
+                    arguments: TokenStream::new(),
+                    item: item.collect(),
+                });
             }
         }
     }
@@ -69,7 +82,10 @@ fn bodies() -> Vec<Attributed> {
 
 /// Everything under an attribute in the golden source and in the programs with one slip.
 fn originals() -> Vec<Attributed> {
-    let files = rust_files("golden").into_iter().filter(|(name, _)| name == "source").chain(rust_files("../tests/ui"));
+    let files = rust_files("golden")
+        .into_iter()
+        .filter(|(name, _)| name == "source")
+        .chain(rust_files("../tests/ui"));
     let mut all = Vec::new();
     for (name, path) in files {
         let source = std::fs::read_to_string(path).unwrap_or_default();
@@ -91,7 +107,11 @@ fn mangled(tokens: &TokenStream, random: &mut SplitMix) -> TokenStream {
 }
 
 fn count(tokens: &TokenStream) -> usize {
-    tokens.clone().into_iter().map(|token| 1 + if let TokenTree::Group(group) = token { count(&group.stream()) } else { 0 }).sum()
+    tokens
+        .clone()
+        .into_iter()
+        .map(|token| 1 + if let TokenTree::Group(group) = token { count(&group.stream()) } else { 0 })
+        .sum()
 }
 
 /// Token number `place` of all, those inside of groups counted too.
@@ -111,7 +131,11 @@ fn nth(tokens: &TokenStream, place: &mut usize) -> Option<TokenTree> {
 }
 
 /// `change` at token number `place`.
-fn changed(tokens: TokenStream, place: &mut usize, change: &mut dyn FnMut(&mut Vec<TokenTree>, usize)) -> TokenStream {
+fn changed(
+    tokens: TokenStream,
+    place: &mut usize,
+    change: &mut dyn FnMut(&mut Vec<TokenTree>, usize),
+) -> TokenStream {
     let mut all: Vec<TokenTree> = tokens.into_iter().collect();
     for k in 0..all.len() {
         if *place == 0 {

@@ -1,5 +1,5 @@
-//! The messages for the mistakes of `tests/ui`, each at its token. `tests/ui.rs` asks rustc about the same programs; lines that begin with
-//! the number of one of rustc's own errors are only for that test.
+//! The messages for the mistakes of `tests/ui`, each at its token. `tests/ui.rs` asks rustc about the same
+//! programs; lines that begin with the number of one of rustc's own errors are only for that test.
 
 use proc_macro2::{TokenStream, TokenTree};
 
@@ -12,11 +12,20 @@ fn every_slip_gives_its_message_at_its_token() {
     assert!(programs.len() >= 28, "only {} programs in tests/ui", programs.len());
     let mut differences = Vec::new();
     for (_, path) in programs {
-        let source = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        let tokens: TokenStream = source.parse().unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        let mut lines: Vec<String> = attributed(tokens).iter().flat_map(|item| messages(&source, item.expand())).collect();
+        let source =
+            std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let tokens: TokenStream =
+            source.parse().unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let mut lines: Vec<String> =
+            attributed(tokens).iter().flat_map(|item| messages(&source, item.expand())).collect();
         let stored = path.with_extension("message");
-        lines.extend(std::fs::read_to_string(&stored).unwrap_or_default().lines().filter(|line| is_rustcs(line)).map(str::to_owned));
+        lines.extend(
+            std::fs::read_to_string(&stored)
+                .unwrap_or_default()
+                .lines()
+                .filter(|line| is_rustcs(line))
+                .map(str::to_owned),
+        );
         let text: String = lines.iter().map(|line| format!("{line}\n")).collect();
         differences.extend(compared(&stored, &text));
     }
@@ -49,7 +58,11 @@ fn messages(source: &str, expansion: TokenStream) -> Vec<String> {
 
 /// The source text between two places, lines joined.
 fn between(source: &str, start: (usize, usize), end: (usize, usize)) -> String {
-    let lines = source.lines().enumerate().map(|(k, line)| (k + 1, line)).filter(|(k, _)| (start.0..=end.0).contains(k));
+    let lines = source
+        .lines()
+        .enumerate()
+        .map(|(k, line)| (k + 1, line))
+        .filter(|(k, _)| (start.0..=end.0).contains(k));
     let parts = lines.map(|(k, line)| {
         let from = if k == start.0 { start.1 } else { 0 };
         let to = if k == end.0 { end.1 } else { line.chars().count() };

@@ -1,4 +1,5 @@
-//! Tests of the whole macro without rustc: its messages, what it emits, and that nothing makes it panic or run away.
+//! Tests of the whole macro without rustc: its messages, what it emits, and that nothing makes it panic or
+//! run away.
 
 mod attributes;
 mod golden;
@@ -23,7 +24,9 @@ fn rust_files(folder: &str) -> Vec<(String, std::path::PathBuf)> {
     let entries = std::fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     let paths = entries.filter_map(|entry| entry.ok().map(|entry| entry.path()));
     let files = paths.filter(|path| path.extension().is_some_and(|end| end == "rs"));
-    let mut files: Vec<_> = files.map(|path| (path.file_stem().unwrap_or_default().to_string_lossy().into_owned(), path)).collect();
+    let mut files: Vec<_> = files
+        .map(|path| (path.file_stem().unwrap_or_default().to_string_lossy().into_owned(), path))
+        .collect();
     files.sort();
     files
 }

@@ -57,7 +57,12 @@ fn deep_and_long(n: usize) -> Vec<String> {
 fn deep_and_long_expressions_are_read() {
     for body in deep_and_long(550) {
         let expansion = on_rustcs_stack(body.clone());
-        assert!(is_symbolic(&expansion) || is_dual(&expansion), "{:?} for {}", message(&expansion), &body[..40]);
+        assert!(
+            is_symbolic(&expansion) || is_dual(&expansion),
+            "{:?} for {}",
+            message(&expansion),
+            &body[..40]
+        );
     }
 }
 
@@ -66,7 +71,11 @@ fn far_too_deep_and_long_ones_are_refused() {
     for n in [2_000, 20_000] {
         for body in deep_and_long(n) {
             let message = message(&on_rustcs_stack(body.clone()));
-            assert!(message.is_some_and(|text| text.contains("name parts of it with `let`")), "{}", &body[..40]);
+            assert!(
+                message.is_some_and(|text| text.contains("name parts of it with `let`")),
+                "{}",
+                &body[..40]
+            );
         }
     }
 }
@@ -74,11 +83,19 @@ fn far_too_deep_and_long_ones_are_refused() {
 #[test]
 fn many_steps_are_read() {
     let steps = format!("let y = x; {} y", "let y = y * k + x;".repeat(2000));
-    let arms = format!("match n {{ {} _ => x }}", (0..400).map(|i| format!("{i} => {i}.5 * x, ")).collect::<String>());
+    let arms = format!(
+        "match n {{ {} _ => x }}",
+        (0..400).map(|i| format!("{i} => {i}.5 * x, ")).collect::<String>()
+    );
     let table = format!("let c = [{}]; c[1] * x", "[0.5, -1.5], ".repeat(2000)).replace("c[1]", "c[1][0]");
     for body in [steps, arms, table] {
         let expansion = on_rustcs_stack(body.clone());
-        assert!(is_symbolic(&expansion) || is_dual(&expansion), "{:?} for {}", message(&expansion), &body[..40]);
+        assert!(
+            is_symbolic(&expansion) || is_dual(&expansion),
+            "{:?} for {}",
+            message(&expansion),
+            &body[..40]
+        );
     }
 }
 
@@ -90,7 +107,9 @@ fn on_rustcs_stack(body: String) -> String {
 
 #[test]
 fn long_loops_are_left_to_dual_numbers() {
-    for range in ["0..1000000", "0..=9223372036854775807", "-9223372036854775808..9223372036854775807", "0..n"] {
+    for range in
+        ["0..1000000", "0..=9223372036854775807", "-9223372036854775808..9223372036854775807", "0..n"]
+    {
         assert!(is_dual(&expanded(&format!("let mut s = x; for _ in {range} {{ s += k; }} s"))), "{range}");
     }
     let nested = "let mut s = x; for a in 0..4000 { for b in 0..4000 { for c in 0..4000 { s += k; } } } s";
@@ -109,8 +128,9 @@ fn long_loops_are_left_to_dual_numbers() {
 fn branches_do_not_double_the_work() {
     let steps = "let y = if y > k { y * x } else { y + x };".repeat(60);
     assert!(is_symbolic(&expanded(&format!("let y = x; {steps} y"))));
-    let closures =
-        (0..40).fold("let f0 = |y: f64| y.sin();".to_owned(), |all, i| format!("{all} let f{} = |y: f64| f{i}(y) + f{i}(k * y);", i + 1));
+    let closures = (0..40).fold("let f0 = |y: f64| y.sin();".to_owned(), |all, i| {
+        format!("{all} let f{} = |y: f64| f{i}(y) + f{i}(k * y);", i + 1)
+    });
     let expansion = expanded(&format!("{closures} f40(x)"));
     assert!(is_symbolic(&expansion) || is_dual(&expansion));
 }
@@ -119,7 +139,8 @@ fn branches_do_not_double_the_work() {
 #[test]
 fn shared_parts_of_linear_rows_do_not_double_the_work() {
     let sums = "let c = a + b; let a = b; let b = c;".repeat(60);
-    let expansion = expanded_with("x: Coord, y: Coord, t: Time", &format!("let a = x; let b = y - t; {sums} b"));
+    let expansion =
+        expanded_with("x: Coord, y: Coord, t: Time", &format!("let a = x; let b = y - t; {sums} b"));
     assert!(is_symbolic(&expansion) && expansion.contains("sides_of_time"));
 }
 
@@ -150,9 +171,16 @@ fn integers_overflow_into_dual_numbers_or_a_message() {
 
 #[test]
 fn division_by_a_literal_zero_is_read() {
-    for body in
-        ["x / 0.0", "0.0 / x", "(x / 0.0) / (k / 0.0)", "1.0 / (x - x) + x", "x % 0.0", "x.atan2(0.0)", "x * f64::NAN", "x.powf(0.0) + x"]
-    {
+    for body in [
+        "x / 0.0",
+        "0.0 / x",
+        "(x / 0.0) / (k / 0.0)",
+        "1.0 / (x - x) + x",
+        "x % 0.0",
+        "x.atan2(0.0)",
+        "x * f64::NAN",
+        "x.powf(0.0) + x",
+    ] {
         let expansion = expanded(body);
         assert!(is_symbolic(&expansion) || message(&expansion).is_some(), "{body}");
     }

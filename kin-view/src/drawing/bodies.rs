@@ -33,7 +33,8 @@ impl Drawing {
             let style = if outline.kind == OutlineKind::Filled { Style::Plate } else { Style::Guide };
             self.shape(&ground.name, 0, outline.points.clone(), style, color);
         }
-        let slots: Vec<(&String, &Slot)> = drawn.iter().filter_map(|(name, joint)| Some((*name, joint.slot.as_ref()?))).collect();
+        let slots: Vec<(&String, &Slot)> =
+            drawn.iter().filter_map(|(name, joint)| Some((*name, joint.slot.as_ref()?))).collect();
         for (name, slot) in slots.iter().filter(|(_, slot)| slot.track == 0) {
             self.draw_slot(name, slot, GROUND, true);
         }
@@ -49,7 +50,8 @@ impl Drawing {
                 self.draw_pieces(look, track, color, &pieces);
             }
             match look.outlines.is_empty() {
-                // Points of what stands still are marked as supports; only a link is known to be more than that.
+                // Points of what stands still are marked as supports; only a link is known to be more than
+                // that.
                 true if still[track] && look.length.is_none() => {}
                 true => self.draw_by_points(look, track, color, self.held_at((track, look), held, &own)),
                 false => self.draw_told(&look.outlines, look, track, color),
@@ -59,21 +61,32 @@ impl Drawing {
                 self.draw_slot(name, slot, color, still[track]);
             }
             let planar = self.planar && look.outlines.is_empty();
-            for (_, slot) in slots.iter().filter(|(_, slot)| planar && slot.runner.0 == track && slot.guided && slot.straight) {
+            for (_, slot) in slots
+                .iter()
+                .filter(|(_, slot)| planar && slot.runner.0 == track && slot.guided && slot.straight)
+            {
                 self.draw_block(look, slot, color);
             }
         }
     }
 
     /// Where a body is held, in its frame: points of joints and traces, the ends of a link, and its slots.
-    fn held_at(&self, (track, look): (usize, &Look), held: &[(String, Held)], slots: &[(&String, &Slot)]) -> Vec<Vec3> {
+    fn held_at(
+        &self,
+        (track, look): (usize, &Look),
+        held: &[(String, Held)],
+        slots: &[(&String, &Slot)],
+    ) -> Vec<Vec3> {
         let mut points: Vec<Vec3> = Vec::new();
         let mut add = |p: Vec3| {
             if p.norm().is_finite() && !points.iter().any(|known| (*known - p).norm() < 1e-6 * self.size) {
                 points.push(p);
             }
         };
-        held.iter().flat_map(|(_, joint)| &joint.points).filter(|(known, _)| *known == track).for_each(|(_, p)| add(*p));
+        held.iter()
+            .flat_map(|(_, joint)| &joint.points)
+            .filter(|(known, _)| *known == track)
+            .for_each(|(_, p)| add(*p));
         link_ends(look).for_each(&mut add);
         self.traces.iter().filter(|trace| trace.track == track).for_each(|trace| add(trace.local));
         let open = slots.iter().filter(|(_, slot)| !is_closed(&slot.path));
@@ -112,7 +125,9 @@ impl Drawing {
         match spread(&points) {
             Spread::Line(points) => self.shape(&look.name, track, points, Style::Bar, color),
             Spread::Plate(corners) => self.shape(&look.name, track, corners, Style::Plate, color),
-            Spread::Star(lines) => lines.into_iter().for_each(|line| self.shape(&look.name, track, line.to_vec(), Style::Bar, color)),
+            Spread::Star(lines) => lines
+                .into_iter()
+                .for_each(|line| self.shape(&look.name, track, line.to_vec(), Style::Bar, color)),
         }
     }
 
@@ -146,7 +161,13 @@ impl Drawing {
 
     fn shape(&mut self, name: &str, track: usize, points: Vec<Vec3>, style: Style, color: &str) {
         if points.len() > 1 && points.iter().all(|p| p.norm().is_finite()) {
-            self.shapes.push(Shape { name: name.to_string(), track, points, style, color: color.to_string() });
+            self.shapes.push(Shape {
+                name: name.to_string(),
+                track,
+                points,
+                style,
+                color: color.to_string(),
+            });
         }
     }
 
@@ -159,7 +180,9 @@ impl Drawing {
 /// The ends of a straight path, drawn out by a length on either side.
 fn ends(path: &[Vec3], by: f64) -> Vec<Vec3> {
     let Some(first) = path.first() else { return Vec::new() };
-    let far = |from: Vec3| path.iter().copied().max_by(|a, b| (*a - from).norm().total_cmp(&(*b - from).norm())).unwrap_or(from);
+    let far = |from: Vec3| {
+        path.iter().copied().max_by(|a, b| (*a - from).norm().total_cmp(&(*b - from).norm())).unwrap_or(from)
+    };
     let a = far(*first);
     let b = far(a);
     let out = (b - a) * (by / (b - a).norm().max(f64::MIN_POSITIVE));

@@ -45,10 +45,12 @@ fn turn(a: Vec2, b: Vec2, c: Vec2) -> f64 {
     u.x * v.y - u.y * v.x
 }
 
-/// Whether a polygon covers a point, both seen along z: a line to the right crosses its edge an odd number of times.
+/// Whether a polygon covers a point, both seen along z: a line to the right crosses its edge an odd number of
+/// times.
 pub(crate) fn covers(polygon: &[Vec3], p: Vec3) -> bool {
     let edges = polygon.iter().zip(polygon.iter().cycle().skip(1));
-    let crossed = edges.filter(|(a, b)| (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y));
+    let crossed = edges
+        .filter(|(a, b)| (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y));
     crossed.count() % 2 == 1
 }
 
@@ -60,8 +62,16 @@ pub(crate) enum Spread {
 }
 
 pub(crate) fn spread(points: &[Vec3]) -> Spread {
-    let (Some(first), true) = (points.first(), points.len() > 2) else { return Spread::Line(points.to_vec()) };
-    let far = |from: Vec3| points.iter().copied().max_by(|a, b| (*a - from).norm().total_cmp(&(*b - from).norm())).unwrap_or(from);
+    let (Some(first), true) = (points.first(), points.len() > 2) else {
+        return Spread::Line(points.to_vec());
+    };
+    let far = |from: Vec3| {
+        points
+            .iter()
+            .copied()
+            .max_by(|a, b| (*a - from).norm().total_cmp(&(*b - from).norm()))
+            .unwrap_or(from)
+    };
     let a = far(*first);
     let x = far(a) - a;
     let off = |p: &Vec3| (*p - a) - x * ((*p - a).dot(x) / x.dot(x));
@@ -114,7 +124,10 @@ mod tests {
         let Spread::Plate(corners) = spread(&points) else { panic!("no plate") };
         assert_eq!(corners.len(), 4);
         assert!(corners.iter().all(|p| (p.z - 2.0 * p.x + p.y - 1.0).abs() < 1e-12));
-        assert!(matches!(spread(&[at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0), Vec3::new(0.0, 0.0, 5.0)]), Spread::Star(_)));
+        assert!(matches!(
+            spread(&[at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0), Vec3::new(0.0, 0.0, 5.0)]),
+            Spread::Star(_)
+        ));
         assert!(matches!(spread(&[at(0.0, 0.0), at(1.0, 1.0), at(2.0, 2.0)]), Spread::Line(_)));
     }
 }

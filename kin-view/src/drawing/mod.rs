@@ -1,4 +1,5 @@
-//! What there is to draw, once a scene and a motion are known: shapes fixed in tracks, lines between them, marks, traces.
+//! What there is to draw, once a scene and a motion are known: shapes fixed in tracks, lines between them,
+//! marks, traces.
 
 mod bodies;
 mod forms;
@@ -120,7 +121,8 @@ impl Drawing {
             eye: scene.eye,
             tracks,
         };
-        drawing.planar = !drawing.tracks.iter().any(|track| matches!(track, Track::Spatial(_))) && !drawing.leaves_plane();
+        drawing.planar =
+            !drawing.tracks.iter().any(|track| matches!(track, Track::Spatial(_))) && !drawing.leaves_plane();
         drawing.traces = drawing.traced(scene);
         let held = drawing.held(scene);
         drawing.measure(&held, scene);
@@ -143,12 +145,18 @@ impl Drawing {
 
     /// Whether a moving line has a point off the plane z = 0.
     fn leaves_plane(&self) -> bool {
-        self.tracks.iter().any(|track| matches!(track, Track::Point([_, _, z]) if z.iter().any(|z| z.abs() > 0.0)))
+        self.tracks
+            .iter()
+            .any(|track| matches!(track, Track::Point([_, _, z]) if z.iter().any(|z| z.abs() > 0.0)))
     }
 
     /// The track of a body.
     fn track(&self, scene: &Scene, body: crate::scene::Body) -> Option<usize> {
-        if body.is_ground() { Some(0) } else { scene.looks.iter().position(|look| look.body == body).map(|k| k + 1) }
+        if body.is_ground() {
+            Some(0)
+        } else {
+            scene.looks.iter().position(|look| look.body == body).map(|k| k + 1)
+        }
     }
 
     fn traced(&self, scene: &Scene) -> Vec<Mark> {
@@ -166,7 +174,8 @@ impl Drawing {
     /// The joints, on tracks.
     fn held(&self, scene: &Scene) -> Vec<(String, Held)> {
         let joints = scene.joints.iter().filter_map(|joint| {
-            let tracks: Vec<usize> = joint.bodies.iter().map(|body| self.track(scene, *body)).collect::<Option<_>>()?;
+            let tracks: Vec<usize> =
+                joint.bodies.iter().map(|body| self.track(scene, *body)).collect::<Option<_>>()?;
             let points = joint.points.iter().map(|(body, u)| (tracks[*body], *u)).collect();
             let directed = joint.directed.iter().map(|body| tracks[*body]).collect();
             let (form, hidden) = (joint.form.clone(), joint.hidden);
@@ -177,7 +186,8 @@ impl Drawing {
 
     /// Size from what is held, told and traced.
     fn measure(&mut self, held: &[(String, Held)], scene: &Scene) {
-        let mut all: Vec<(usize, Vec3)> = held.iter().flat_map(|(_, joint)| joint.points.iter().copied()).collect();
+        let mut all: Vec<(usize, Vec3)> =
+            held.iter().flat_map(|(_, joint)| joint.points.iter().copied()).collect();
         all.extend(self.traces.iter().map(|trace| (trace.track, trace.local)));
         all.extend(self.lines.iter().flat_map(|line| line.points.iter().copied()));
         let told = |look: &Look, track: usize| {
@@ -212,7 +222,8 @@ impl Drawing {
         }
         let size = (high - low).norm();
         if low.x > high.x || !(size > 0.0 && size.is_finite()) {
-            let (half, middle) = (Vec3::new(0.5, 0.5, 0.0), if low.x > high.x { Vec3::new(0.0, 0.0, 0.0) } else { low });
+            let (half, middle) =
+                (Vec3::new(0.5, 0.5, 0.0), if low.x > high.x { Vec3::new(0.0, 0.0, 0.0) } else { low });
             (low, high) = (middle - half, middle + half);
         }
         self.bounds = [low, high];
@@ -227,7 +238,9 @@ impl Drawing {
     fn draw_all(&mut self, scene: &Scene, held: &[(String, Held)]) {
         let samples = self.samples();
         // At one time alone nothing can be said of what stands still but the ground.
-        let stands = |track: &Track| self.times.len() > 1 && track.is_still(1e-9 * self.size) || matches!(track, Track::Ground);
+        let stands = |track: &Track| {
+            self.times.len() > 1 && track.is_still(1e-9 * self.size) || matches!(track, Track::Ground)
+        };
         let still: Vec<bool> = self.tracks.iter().map(stands).collect();
         let shown = held.iter().filter(|(_, joint)| !joint.hidden);
         let drawn: Vec<_> = shown.map(|(name, joint)| (name, samples.drawn(joint, &still))).collect();
@@ -244,7 +257,9 @@ impl Drawing {
         let mut ends: Vec<(bool, String, (usize, Vec3))> = Vec::new();
         for line in told {
             let last = line.points.len().saturating_sub(1);
-            ends.extend(line.points.iter().enumerate().map(|(k, point)| (k != last, line.name.clone(), *point)));
+            ends.extend(
+                line.points.iter().enumerate().map(|(k, point)| (k != last, line.name.clone(), *point)),
+            );
         }
         // The last point has the name of its line, also where another line begins there.
         ends.sort_by_key(|(begins, ..)| *begins);
@@ -255,23 +270,35 @@ impl Drawing {
 
     /// A pin on a plate that the ground is told to be needs no support.
     fn let_plates_carry(&mut self, ground: &Look) {
-        let plates: Vec<&Outline> =
-            ground.outlines.iter().chain(&ground.added).filter(|outline| outline.kind == OutlineKind::Filled).collect();
+        let plates: Vec<&Outline> = ground
+            .outlines
+            .iter()
+            .chain(&ground.added)
+            .filter(|outline| outline.kind == OutlineKind::Filled)
+            .collect();
         for mark in self.marks.iter_mut().filter(|mark| mark.grounded) {
             let p = self.tracks[mark.track].frame(0).point(mark.local);
             mark.grounded = !plates.iter().any(|plate| covers(&plate.points, p));
         }
     }
 
-    /// A rod between two points; where their distance changes, as a cylinder: a barrel on the body that comes first, and the rod in it.
+    /// A rod between two points; where their distance changes, as a cylinder: a barrel on the body that comes
+    /// first, and the rod in it.
     fn draw_rod(&mut self, name: &str, rod: [(usize, Vec3); 2]) {
         /// How much of a cylinder the barrel is: a share of its least length, and of its greatest.
         const BARREL: [f64; 2] = [0.92, 0.7];
         let [from, to] = if rod[0].0 <= rod[1].0 { rod } else { [rod[1], rod[0]] };
         let ends = |k: usize| [from, to].map(|(track, p)| self.tracks[track].frame(k).point(p));
-        let lengths = (0..self.times.len()).map(|k| (ends(k)[1] - ends(k)[0]).norm()).filter(|length| length.is_finite());
+        let lengths = (0..self.times.len())
+            .map(|k| (ends(k)[1] - ends(k)[0]).norm())
+            .filter(|length| length.is_finite());
         let (least, most) = lengths.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
-        let line = |points: Vec<(usize, Vec3)>, kind: LineKind| Line { name: name.to_string(), points, color: ROD.to_string(), kind };
+        let line = |points: Vec<(usize, Vec3)>, kind: LineKind| Line {
+            name: name.to_string(),
+            points,
+            color: ROD.to_string(),
+            kind,
+        };
         self.lines.push(line(vec![from, to], LineKind::Rod));
         if most - least <= 1e-6 * self.size {
             return;
@@ -298,7 +325,13 @@ impl Drawing {
                 }
             }
             None => {
-                self.marks.push(Mark { name: name.to_string(), track: point.0, local: point.1, color: ROD.to_string(), grounded });
+                self.marks.push(Mark {
+                    name: name.to_string(),
+                    track: point.0,
+                    local: point.1,
+                    color: ROD.to_string(),
+                    grounded,
+                });
             }
         }
     }
@@ -316,7 +349,12 @@ fn moving_lines(scene: &Scene, tracks: &mut Vec<Track>, times: usize) -> Vec<Lin
             tracks.push(Track::of_point(positions, times));
             (tracks.len() - 1, Vec3::new(0.0, 0.0, 0.0))
         });
-        Line { name: line.name.clone(), points: points.collect(), color: PALETTE[k % PALETTE.len()].to_string(), kind: LineKind::Told }
+        Line {
+            name: line.name.clone(),
+            points: points.collect(),
+            color: PALETTE[k % PALETTE.len()].to_string(),
+            kind: LineKind::Told,
+        }
     });
     lines.collect()
 }

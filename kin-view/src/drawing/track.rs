@@ -42,7 +42,8 @@ impl Track {
         if body.is_ground() {
             return Ok(Track::Ground);
         }
-        let column = |coordinate: Coordinate| motion.coordinate(coordinate).map(|c| c.value.values().to_vec());
+        let column =
+            |coordinate: Coordinate| motion.coordinate(coordinate).map(|c| c.value.values().to_vec());
         Ok(match body.0 {
             Kind::Planar(body) => Track::Planar([
                 column(Coordinate::Planar(body, 0))?,
@@ -50,7 +51,8 @@ impl Track {
                 column(Coordinate::Planar(body, 2))?,
             ]),
             Kind::Spatial(body) => {
-                let columns: Vec<Vec<f64>> = (0..7).map(|k| column(Coordinate::Spatial(body, k))).collect::<Result<_>>()?;
+                let columns: Vec<Vec<f64>> =
+                    (0..7).map(|k| column(Coordinate::Spatial(body, k))).collect::<Result<_>>()?;
                 columns.try_into().map_or(Track::Ground, Track::Spatial)
             }
         })
@@ -70,7 +72,10 @@ impl Track {
             Track::Ground => Frame { r: Vec3::new(0.0, 0.0, 0.0), a: Mat3::identity() },
             Track::Planar([x, y, theta]) => {
                 let a = PlanarState::new([0.0, 0.0, at(theta)]).a();
-                Frame { r: Vec3::new(at(x), at(y), 0.0), a: Mat3::new(a.m11, a.m12, 0.0, a.m21, a.m22, 0.0, 0.0, 0.0, 1.0) }
+                Frame {
+                    r: Vec3::new(at(x), at(y), 0.0),
+                    a: Mat3::new(a.m11, a.m12, 0.0, a.m21, a.m22, 0.0, 0.0, 0.0, 1.0),
+                }
             }
             Track::Spatial(columns) => {
                 let state = SpatialState::new(std::array::from_fn(|c| at(&columns[c])));
@@ -99,7 +104,8 @@ impl Track {
             3
         };
         self.columns().iter().enumerate().all(|(k, column)| {
-            let (low, high) = column.iter().fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
+            let (low, high) =
+                column.iter().fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
             high - low <= if k < rotations { least } else { 1e-9 }
         })
     }

@@ -45,7 +45,8 @@ impl Figure {
         self
     }
 
-    /// Writes the figure, making folders that are missing; as PNG if the file is called so (with the feature `png`), else as SVG.
+    /// Writes the figure, making folders that are missing; as PNG if the file is called so (with the feature
+    /// `png`), else as SVG.
     ///
     /// Errors: a file that cannot be written, by its path.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
@@ -56,7 +57,8 @@ impl Figure {
     pub fn svg(&self) -> String {
         let height = if self.panels.iter().any(Panel::is_plane) { 460.0 } else { 330.0 };
         let (plots, layouts): (Vec<_>, Vec<_>) = self.panels.iter().map(Panel::drawn).unzip();
-        let page = Page::new(plots.len().div_ceil(self.columns).max(1), self.columns).with_cell_size(590.0, height);
+        let page =
+            Page::new(plots.len().div_ceil(self.columns).max(1), self.columns).with_cell_size(590.0, height);
         let scene = page.with_plots(plots).with_layouts(layouts).render();
         // A view box lets a page show it at any width.
         let size = format!("<svg viewBox=\"0 0 {} {}\"", scene.width, scene.height);

@@ -52,7 +52,8 @@ impl Panel {
         Panel::new(title, "t [s]", quantity, Axes::Time { span: None, log: false })
     }
 
-    /// Quantities over time in powers of ten, such as a condition number; values that are not above zero are gaps.
+    /// Quantities over time in powers of ten, such as a condition number; values that are not above zero are
+    /// gaps.
     pub fn log_over_time(title: &str, quantity: &str) -> Panel {
         Panel::new(title, "t [s]", quantity, Axes::Time { span: None, log: true })
     }
@@ -67,11 +68,14 @@ impl Panel {
         Panel::new(title, x_label, y_label, Axes::Numbers)
     }
 
-    /// Lengths and times in these words: [`kin::Motion::unit_words`]. Quantities over time know them by themselves.
+    /// Lengths and times in these words: [`kin::Motion::unit_words`]. Quantities over time know them by
+    /// themselves.
     pub fn in_units(mut self, units: &Units) -> Panel {
         match self.axes {
             Axes::Time { .. } => self.x_label = format!("t [{}]", units.time()),
-            Axes::Plane => [self.x_label, self.y_label] = ["x", "y"].map(|axis| format!("{axis} [{}]", units.length())),
+            Axes::Plane => {
+                [self.x_label, self.y_label] = ["x", "y"].map(|axis| format!("{axis} [{}]", units.length()))
+            }
             Axes::Numbers => {}
         }
         self
@@ -137,7 +141,9 @@ impl Panel {
         if !self.y_label.ends_with(']') {
             self.y_label += &format!(" [{}]", series.unit().replace("^2", "²"));
         }
-        if let (Axes::Time { span, .. }, Some(first), Some(last)) = (&mut self.axes, series.times().first(), series.times().last()) {
+        if let (Axes::Time { span, .. }, Some(first), Some(last)) =
+            (&mut self.axes, series.times().first(), series.times().last())
+        {
             let (low, high) = (first.min(*last), first.max(*last));
             *span = Some(span.map_or((low, high), |known| (known.0.min(low), known.1.max(high))));
             self.x_label = format!("t [{}]", series.unit_words().time());
@@ -158,16 +164,23 @@ impl Panel {
     pub(super) fn drawn(&self) -> (Vec<Plot>, Layout) {
         let (x, y) = self.measures();
         let plots: Vec<Plot> = self.marks.iter().map(|mark| mark.plot(x, y)).collect();
-        let layout = Layout::auto_from_plots(&plots).with_title(&self.title).with_title_size(15).with_legend_box(false);
-        let layout = layout.with_x_label(x.label(&self.x_label)).with_y_label(y.label(&self.y_label)).with_force_margins(78.0, 140.0);
+        let layout = Layout::auto_from_plots(&plots)
+            .with_title(&self.title)
+            .with_title_size(15)
+            .with_legend_box(false);
+        let layout = layout
+            .with_x_label(x.label(&self.x_label))
+            .with_y_label(y.label(&self.y_label))
+            .with_force_margins(78.0, 140.0);
         let layout = layout.with_tick_format(TickFormat::Custom(Arc::new(tick)));
         let layout = match self.axes {
             Axes::Time { span, log } => {
                 let some = self.marks.iter().any(|mark| !mark.points.is_empty());
                 let layout = if log && some && y == Measure::Plain { layout.with_log_y() } else { layout };
                 let span = span.filter(|(first, last)| first.is_finite() && last.is_finite() && first < last);
-                span.into_iter()
-                    .fold(layout, |layout, (first, last)| layout.with_x_axis_min(x.of_number(first)).with_x_axis_max(x.of_number(last)))
+                span.into_iter().fold(layout, |layout, (first, last)| {
+                    layout.with_x_axis_min(x.of_number(first)).with_x_axis_max(x.of_number(last))
+                })
             }
             Axes::Plane => layout.with_equal_aspect(),
             Axes::Numbers => layout,
@@ -197,7 +210,8 @@ impl Panel {
     }
 }
 
-/// Numbers beyond this are brought nearer before they are drawn: differences of larger ones may be no numbers.
+/// Numbers beyond this are brought nearer before they are drawn: differences of larger ones may be no
+/// numbers.
 const SANE: f64 = 1e100;
 
 /// How numbers are brought onto an axis.
@@ -207,7 +221,8 @@ enum Measure {
     Plain,
     /// In units of 10^k, which the label says.
     Power(i32),
-    /// By their logarithm to the base 10: on a logarithmic axis that is too long to have a tick for each power of ten.
+    /// By their logarithm to the base 10: on a logarithmic axis that is too long to have a tick for each
+    /// power of ten.
     Logarithm,
 }
 

@@ -2,13 +2,16 @@
 
 use kin::{Vec2, vec2};
 
-/// A point that a straight line misses by less than this share of the picture is left out: a tenth of a pixel or so.
+/// A point that a straight line misses by less than this share of the picture is left out: a tenth of a pixel
+/// or so.
 const INVISIBLE: f64 = 2e-4;
 
-/// The points without those that nobody would miss (Douglas and Peucker), the picture taken as one unit high and wide; all are finite.
+/// The points without those that nobody would miss (Douglas and Peucker), the picture taken as one unit high
+/// and wide; all are finite.
 pub fn thinned(points: &[Vec2]) -> Vec<Vec2> {
     let extent = |pick: fn(&Vec2) -> f64| {
-        let (low, high) = points.iter().map(pick).fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
+        let (low, high) =
+            points.iter().map(pick).fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
         // Halves: the whole may be too large for a number.
         (0.5 * high - 0.5 * low).max(f64::MIN_POSITIVE)
     };
@@ -41,7 +44,8 @@ fn kept(points: &[Vec2], invisible: f64) -> Vec<usize> {
 /// How far p is from the line between a and b.
 fn distance(p: Vec2, a: Vec2, b: Vec2) -> f64 {
     let chord = b - a;
-    let along = if chord.norm() > 0.0 { ((p - a).dot(chord) / chord.dot(chord)).clamp(0.0, 1.0) } else { 0.0 };
+    let along =
+        if chord.norm() > 0.0 { ((p - a).dot(chord) / chord.dot(chord)).clamp(0.0, 1.0) } else { 0.0 };
     (p - a - chord * along).norm()
 }
 
@@ -61,7 +65,10 @@ mod tests {
 
     #[test]
     fn a_circle_stays_within_the_tolerance() {
-        let circle: Vec<Vec2> = (0..=2000).map(|k| f64::from(k) / 2000.0 * std::f64::consts::TAU).map(|x| vec2(x.cos(), x.sin())).collect();
+        let circle: Vec<Vec2> = (0..=2000)
+            .map(|k| f64::from(k) / 2000.0 * std::f64::consts::TAU)
+            .map(|x| vec2(x.cos(), x.sin()))
+            .collect();
         let thin = thinned_path(&circle, 1e-3);
         assert!(thin.len() < 140, "{}", thin.len());
         for p in &circle {

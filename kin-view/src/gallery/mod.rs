@@ -32,9 +32,14 @@ impl Gallery {
         Gallery { title: title.to_string(), text: text.to_string(), entries: Vec::new() }
     }
 
-    /// The page `FOLDER/index.html`, with what is to be seen there; `FOLDER/animated.svg` is its picture, the other files are listed.
+    /// The page `FOLDER/index.html`, with what is to be seen there; `FOLDER/animated.svg` is its picture, the
+    /// other files are listed.
     pub fn entry(mut self, folder: &str, title: &str, text: &str) -> Gallery {
-        self.entries.push(Entry { folder: folder.to_string(), title: title.to_string(), text: text.to_string() });
+        self.entries.push(Entry {
+            folder: folder.to_string(),
+            title: title.to_string(),
+            text: text.to_string(),
+        });
         self
     }
 
@@ -62,12 +67,17 @@ impl Entry {
         let picture = STANDARD.encode(read(folder.join("animated.svg"))?);
         read(folder.join("index.html"))?;
         let (here, title, text) = (escaped(&self.folder), escaped(&self.title), escaped(&self.text));
-        let files = std::fs::read_dir(&folder).map_err(|source| Error::File { path: folder.clone(), source })?;
-        let mut files: Vec<String> = files.filter_map(|file| file.ok()?.file_name().into_string().ok()).collect();
+        let files =
+            std::fs::read_dir(&folder).map_err(|source| Error::File { path: folder.clone(), source })?;
+        let mut files: Vec<String> =
+            files.filter_map(|file| file.ok()?.file_name().into_string().ok()).collect();
         files.retain(|name| !matches!(name.as_str(), "index.html" | "animated.svg"));
         files.sort();
-        let links: Vec<String> =
-            files.iter().map(|name| escaped(name)).map(|name| format!("<a href=\"{here}/{name}\">{name}</a>")).collect();
+        let links: Vec<String> = files
+            .iter()
+            .map(|name| escaped(name))
+            .map(|name| format!("<a href=\"{here}/{name}\">{name}</a>"))
+            .collect();
         Ok(format!(
             "<article><a href=\"{here}/index.html\"><img alt=\"{title}\" src=\"data:image/svg+xml;base64,{picture}\"></a>\n\
              <h2><a href=\"{here}/index.html\">{title}</a></h2>\n<p>{text}</p>\n<p>{}</p></article>\n",

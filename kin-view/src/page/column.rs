@@ -1,4 +1,5 @@
-//! A column of numbers as few characters: whole multiples of a step, second differences of them, seven bits a byte, base64.
+//! A column of numbers as few characters: whole multiples of a step, second differences of them, seven bits a
+//! byte, base64.
 //!
 //! A smooth motion costs about one byte a number. The reader is `column` in `assets/data.js`.
 
@@ -11,10 +12,15 @@ const MOST_STEPS: f64 = (1_u64 << 40) as f64;
 /// What is not below this is not shown: differences of larger numbers may not be numbers.
 const LARGEST: f64 = 1e300;
 
-/// The column, each number within half a `step` of what it was (coarser if the range is more than 2⁴⁰ steps); what is not finite, or beyond 10³⁰⁰, is a gap.
+/// The column, each number within half a `step` of what it was (coarser if the range is more than 2⁴⁰ steps);
+/// what is not finite, or beyond 10³⁰⁰, is a gap.
 pub(super) fn packed(values: &[f64], step: f64) -> Value {
     let is_shown = |x: &f64| x.abs() < LARGEST;
-    let (low, high) = values.iter().copied().filter(is_shown).fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
+    let (low, high) = values
+        .iter()
+        .copied()
+        .filter(is_shown)
+        .fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
     let range = (high - low).max(0.0);
     let step = if step > 0.0 && step.is_finite() { step } else { 1.0 }.max(range / MOST_STEPS);
     let offset = if low > high { 0.0 } else { low };
@@ -88,14 +94,18 @@ mod tests {
         let back = unpacked(&packed);
         assert_eq!(back.len(), values.len());
         for (x, y) in values.iter().zip(back) {
-            assert!(if x.abs() < LARGEST { (x - y).abs() <= tolerance } else { y.is_nan() }, "{x} became {y}");
+            assert!(
+                if x.abs() < LARGEST { (x - y).abs() <= tolerance } else { y.is_nan() },
+                "{x} became {y}"
+            );
         }
         packed["d"].as_str().unwrap().len()
     }
 
     #[test]
     fn a_motion_of_ten_thousand_frames_is_small() {
-        let values: Vec<f64> = (0..10_000).map(|k| (f64::from(k) * 0.002).sin() + 0.3 * (f64::from(k) * 0.011).cos()).collect();
+        let values: Vec<f64> =
+            (0..10_000).map(|k| (f64::from(k) * 0.002).sin() + 0.3 * (f64::from(k) * 0.011).cos()).collect();
         let size = comes_back(&values, 1e-6, 0.51e-6);
         assert!(size < 20_000, "{size}");
     }

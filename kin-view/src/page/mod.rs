@@ -1,4 +1,5 @@
-//! One self-contained HTML file: the mechanism moves, charts follow. Nothing is loaded, and only its own script may run.
+//! One self-contained HTML file: the mechanism moves, charts follow. Nothing is loaded, and only its own
+//! script may run.
 
 mod column;
 
@@ -19,8 +20,12 @@ use column::packed;
 
 const PAGE: &str = include_str!("assets/page.html");
 const STYLE: &str = include_str!("assets/page.css");
-const SCRIPT: [&str; 4] =
-    [include_str!("assets/data.js"), include_str!("assets/stage.js"), include_str!("assets/charts.js"), include_str!("assets/main.js")];
+const SCRIPT: [&str; 4] = [
+    include_str!("assets/data.js"),
+    include_str!("assets/stage.js"),
+    include_str!("assets/charts.js"),
+    include_str!("assets/main.js"),
+];
 
 /// Positions on the page are right to this share of the mechanism's size, angles to this many radians.
 const FINE: f64 = 1e-7;
@@ -45,7 +50,12 @@ impl Scene {
     ///
     /// Errors: a motion of another system.
     pub fn page(&self, motion: &Motion) -> Result<Page> {
-        Ok(Page { title: self.name.clone(), drawing: Drawing::new(self, motion)?, charts: Vec::new(), asked: Vec::new() })
+        Ok(Page {
+            title: self.name.clone(),
+            drawing: Drawing::new(self, motion)?,
+            charts: Vec::new(),
+            asked: Vec::new(),
+        })
     }
 }
 
@@ -56,12 +66,18 @@ impl Page {
         self
     }
 
-    /// A chart of quantities over time, each with a name; the unit is that of the first. Values that are not finite are gaps.
+    /// A chart of quantities over time, each with a name; the unit is that of the first. Values that are not
+    /// finite are gaps.
     pub fn chart<'a>(mut self, title: &str, series: impl IntoIterator<Item = (&'a str, &'a Series)>) -> Page {
         let series: Vec<(&str, &Series)> = series.into_iter().collect();
         let unit = series.first().map(|(_, series)| series.unit().replace("^2", "²")).unwrap_or_default();
-        let series = series.into_iter().map(|(name, series)| (name.to_string(), series.values().to_vec())).collect();
-        self.charts.push(Chart { title: title.to_string(), unit: if unit == "-" { String::new() } else { unit }, series });
+        let series =
+            series.into_iter().map(|(name, series)| (name.to_string(), series.values().to_vec())).collect();
+        self.charts.push(Chart {
+            title: title.to_string(),
+            unit: if unit == "-" { String::new() } else { unit },
+            series,
+        });
         self
     }
 
@@ -72,8 +88,8 @@ impl Page {
             .chart(&format!("{title}, acceleration"), [("q̈", &motion.second_rate)])
     }
 
-    /// The times that were asked for, where the motion is only a part of them (the one in an error, [`kin::Error::motion`]): what was not
-    /// reached is a gap.   \[s\]
+    /// The times that were asked for, where the motion is only a part of them (the one in an error,
+    /// [`kin::Error::motion`]): what was not reached is a gap.   \[s\]
     pub fn asked(mut self, times: &[f64]) -> Page {
         self.asked = times.to_vec();
         self
@@ -96,7 +112,13 @@ impl Page {
         );
         // Inside a script `<` is the only character that could end it.
         let data = self.data().to_string().replace('<', "\\u003c");
-        let parts = [("policy", policy), ("title", escaped(&self.title)), ("style", STYLE.into()), ("data", data), ("script", script)];
+        let parts = [
+            ("policy", policy),
+            ("title", escaped(&self.title)),
+            ("style", STYLE.into()),
+            ("data", data),
+            ("script", script),
+        ];
         filled(PAGE, &parts)
     }
 
@@ -112,7 +134,9 @@ impl Page {
                 Track::Point(_) => ("point", 3),
             };
             let columns = track.columns().iter().enumerate();
-            let columns: Vec<Value> = columns.map(|(k, column)| self.column(column, if k < lengths { fine } else { FINE })).collect();
+            let columns: Vec<Value> = columns
+                .map(|(k, column)| self.column(column, if k < lengths { fine } else { FINE }))
+                .collect();
             json!({ "kind": kind, "columns": columns })
         });
         let shapes = drawing.shapes.iter().map(|shape| {
@@ -175,7 +199,13 @@ fn span(values: &[f64]) -> f64 {
 /// A point, rounded to what can be seen.
 fn place(p: Vec3, size: f64) -> Value {
     let unit = 10.0_f64.powf((size * FINE).log10().floor());
-    let round = |x: f64| if (x / unit).abs() < 1e15 { format!("{:.8e}", (x / unit).round() * unit).parse().unwrap_or(x) } else { x };
+    let round = |x: f64| {
+        if (x / unit).abs() < 1e15 {
+            format!("{:.8e}", (x / unit).round() * unit).parse().unwrap_or(x)
+        } else {
+            x
+        }
+    };
     json!([round(p.x), round(p.y), round(p.z)])
 }
 

@@ -23,7 +23,8 @@ pub(super) fn animated(drawing: &Drawing, seconds: f64) -> String {
     let animation = Animation { drawing, view: &view, poses: poses(drawing), clock: clock(seconds) };
     ground(drawing, &view, &mut svg);
     for trace in &drawing.traces {
-        let path: Vec<Vec2> = (0..drawing.times.len()).map(|k| animation.at(trace.track, trace.local, k)).collect();
+        let path: Vec<Vec2> =
+            (0..drawing.times.len()).map(|k| animation.at(trace.track, trace.local, k)).collect();
         svg.push(&format!(
             "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\" opacity=\".6\"/>",
             path_data(&path),
@@ -41,7 +42,11 @@ pub(super) fn animated(drawing: &Drawing, seconds: f64) -> String {
     for mark in drawing.marks.iter().filter(|mark| animation.stands(mark)) {
         let p = animation.at(mark.track, mark.local, 0);
         if mark.grounded && drawing.planar {
-            svg.push(&format!("<g class=\"s\" transform=\"translate({} {})\">{SUPPORT}</g>", short(p.x), short(p.y)));
+            svg.push(&format!(
+                "<g class=\"s\" transform=\"translate({} {})\">{SUPPORT}</g>",
+                short(p.x),
+                short(p.y)
+            ));
         }
         svg.push(&dot(p, PIN));
     }
@@ -51,8 +56,13 @@ pub(super) fn animated(drawing: &Drawing, seconds: f64) -> String {
 /// Which frames are shown; the last is the end of the motion.
 fn poses(drawing: &Drawing) -> Vec<usize> {
     let last = drawing.times.len().saturating_sub(1);
-    let turns = drawing.tracks.iter().filter_map(|track| if let Track::Planar([_, _, theta]) = track { Some(theta) } else { None });
-    let turned = |theta: &Vec<f64>| theta.windows(2).map(|w| (w[1] - w[0]).abs()).filter(|turn| turn.is_finite()).sum::<f64>();
+    let turns = drawing
+        .tracks
+        .iter()
+        .filter_map(|track| if let Track::Planar([_, _, theta]) = track { Some(theta) } else { None });
+    let turned = |theta: &Vec<f64>| {
+        theta.windows(2).map(|w| (w[1] - w[0]).abs()).filter(|turn| turn.is_finite()).sum::<f64>()
+    };
     let needed = turns.map(turned).fold(0.0, f64::max) / TURN;
     let count = (needed as usize).clamp(POSES[0], POSES[1]).min(last).max(1);
     (0..=count).map(|k| k * last / count).collect()
@@ -91,16 +101,29 @@ impl Animation<'_> {
     fn track(&self, track: usize) -> String {
         let drawing = self.drawing;
         let shapes = || drawing.shapes.iter().filter(|shape| shape.track == track);
-        let marks = drawing.marks.iter().filter(|mark| mark.track == track && !self.stands(mark)).map(|mark| (mark, PIN.to_string()));
+        let marks = drawing
+            .marks
+            .iter()
+            .filter(|mark| mark.track == track && !self.stands(mark))
+            .map(|mark| (mark, PIN.to_string()));
         let traces = drawing.traces.iter().filter(|trace| trace.track == track);
-        let marks: Vec<(&Mark, String)> = marks.chain(traces.map(|trace| (trace, format!("r=\"3\" fill=\"{}\"", trace.color)))).collect();
+        let marks: Vec<(&Mark, String)> =
+            marks.chain(traces.map(|trace| (trace, format!("r=\"3\" fill=\"{}\"", trace.color)))).collect();
         let Track::Planar([_, _, theta]) = &drawing.tracks[track] else {
-            return shapes().map(|shape| self.shape(shape)).chain(marks.iter().map(|(mark, style)| self.mark(mark, style))).collect();
+            return shapes()
+                .map(|shape| self.shape(shape))
+                .chain(marks.iter().map(|(mark, style)| self.mark(mark, style)))
+                .collect();
         };
         let mut inner = Svg::piece();
         let local = |p: &Vec3| flipped(vec2(p.x, p.y), self.scale());
         for shape in shapes() {
-            shape_of(&shape.points.iter().map(local).collect::<Vec<Vec2>>(), shape.style, &shape.color, &mut inner);
+            shape_of(
+                &shape.points.iter().map(local).collect::<Vec<Vec2>>(),
+                shape.style,
+                &shape.color,
+                &mut inner,
+            );
         }
         for (mark, style) in &marks {
             inner.push(&dot(local(&mark.local), style));
@@ -112,9 +135,17 @@ impl Animation<'_> {
         let moved = self.values(|k| format!("{} {}", tenth(origin(k).x), tenth(origin(k).y)));
         let turned = self.values(|k| tenth(-theta.get(k).copied().unwrap_or(0.0).to_degrees()));
         let change = |kind: &str, values: &str, more: &str| {
-            format!("<animateTransform attributeName=\"transform\" type=\"{kind}\" values=\"{values}\" {}{more}/>", self.clock)
+            format!(
+                "<animateTransform attributeName=\"transform\" type=\"{kind}\" values=\"{values}\" {}{more}/>",
+                self.clock
+            )
         };
-        format!("<g>{}{}{}</g>", inner.text.trim_end(), change("translate", &moved, ""), change("rotate", &turned, " additive=\"sum\""))
+        format!(
+            "<g>{}{}{}</g>",
+            inner.text.trim_end(),
+            change("translate", &moved, ""),
+            change("rotate", &turned, " additive=\"sum\"")
+        )
     }
 
     /// Pixels a metre.
@@ -126,7 +157,10 @@ impl Animation<'_> {
     fn shape(&self, shape: &Shape) -> String {
         let all: Vec<_> = shape.points.iter().map(|p| (shape.track, *p)).collect();
         let (style, tag) = match shape.style {
-            Style::Plate => (format!("fill=\"{0}\" fill-opacity=\".28\" stroke=\"{0}\" stroke-width=\"1.6\"", shape.color), "polygon"),
+            Style::Plate => (
+                format!("fill=\"{0}\" fill-opacity=\".28\" stroke=\"{0}\" stroke-width=\"1.6\"", shape.color),
+                "polygon",
+            ),
             _ => (format!("fill=\"none\" stroke=\"{}\" stroke-width=\"6\"", shape.color), "polyline"),
         };
         self.points(&all, &style, tag)
@@ -143,13 +177,20 @@ impl Animation<'_> {
             list(&all).unwrap_or_default()
         };
         let (first, values) = (listed(self.poses[0]), self.values(listed));
-        format!("<{tag} points=\"{first}\" {style}><animate attributeName=\"points\" values=\"{values}\" {}/></{tag}>", self.clock)
+        format!(
+            "<{tag} points=\"{first}\" {style}><animate attributeName=\"points\" values=\"{values}\" {}/></{tag}>",
+            self.clock
+        )
     }
 
     fn mark(&self, mark: &Mark, style: &str) -> String {
         let at = |k: usize| self.at(mark.track, mark.local, k);
         let change = |name: &str, pick: fn(Vec2) -> f64| {
-            format!("<animate attributeName=\"{name}\" values=\"{}\" {}/>", self.values(|k| tenth(pick(at(k)))), self.clock)
+            format!(
+                "<animate attributeName=\"{name}\" values=\"{}\" {}/>",
+                self.values(|k| tenth(pick(at(k)))),
+                self.clock
+            )
         };
         format!("<circle {style}>{}{}</circle>", change("cx", |p| p.x), change("cy", |p| p.y))
     }

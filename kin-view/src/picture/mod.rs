@@ -21,7 +21,8 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Writes the picture, making folders that are missing; as PNG if the file is called so (with the feature `png`), else as SVG.
+    /// Writes the picture, making folders that are missing; as PNG if the file is called so (with the feature
+    /// `png`), else as SVG.
     ///
     /// Errors: a file that cannot be written, by its path.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
@@ -35,7 +36,8 @@ impl Picture {
 }
 
 impl Scene {
-    /// The mechanism as it stands at the time of the motion that is nearest to t, with the traced paths.   \[s\]
+    /// The mechanism as it stands at the time of the motion that is nearest to t, with the traced
+    /// paths.   \[s\]
     ///
     /// Errors: a motion of another system.
     pub fn pose(&self, motion: &Motion, t: f64) -> Result<Picture> {
@@ -50,12 +52,13 @@ impl Scene {
     pub fn sequence(&self, motion: &Motion, count: usize) -> Result<Picture> {
         let last = motion.len().saturating_sub(1);
         let gaps = count.clamp(1, motion.len().max(1)).max(2) - 1;
-        let at = |k: usize| (k * last / gaps, if k == gaps { 1.0 } else { 0.16 + 0.34 * k as f64 / gaps as f64 });
+        let at =
+            |k: usize| (k * last / gaps, if k == gaps { 1.0 } else { 0.16 + 0.34 * k as f64 / gaps as f64 });
         self.pictured(motion, &(0..=gaps).map(at).collect::<Vec<_>>())
     }
 
-    /// The motion as an SVG of a few kilobytes that plays by itself, once in `seconds`, for ever: some 48 poses a turn
-    /// and straight lines between them.
+    /// The motion as an SVG of a few kilobytes that plays by itself, once in `seconds`, for ever: some 48
+    /// poses a turn and straight lines between them.
     ///
     /// Errors: a motion of another system.
     pub fn animated(&self, motion: &Motion, seconds: f64) -> Result<Picture> {
@@ -75,7 +78,9 @@ fn pictured(drawing: &Drawing, frames: &[(usize, f64)]) -> String {
     svg.background();
     ground(drawing, &view, &mut svg);
     for trace in &drawing.traces {
-        let path: Vec<_> = (0..drawing.times.len()).map(|k| view.point(drawing.tracks[trace.track].frame(k).point(trace.local))).collect();
+        let path: Vec<_> = (0..drawing.times.len())
+            .map(|k| view.point(drawing.tracks[trace.track].frame(k).point(trace.local)))
+            .collect();
         svg.path(&path, &trace.color, 1.4);
     }
     for &(k, opacity) in frames {
@@ -110,14 +115,22 @@ enum Drawn {
 /// What moves, as it stands at time k; in space the farther first.
 fn moving(drawing: &Drawing, view: &View, k: usize, svg: &mut Svg) {
     let frames: Vec<_> = drawing.tracks.iter().map(|track| track.frame(k)).collect();
-    let placed = |points: &[(usize, Vec3)]| points.iter().map(|(track, p)| frames[*track].point(*p)).collect::<Vec<Vec3>>();
+    let placed = |points: &[(usize, Vec3)]| {
+        points.iter().map(|(track, p)| frames[*track].point(*p)).collect::<Vec<Vec3>>()
+    };
     let shapes = drawing.shapes.iter().filter(|shape| shape.track != 0);
-    let shapes =
-        shapes.map(|shape| (shape.points.iter().map(|p| frames[shape.track].point(*p)).collect(), Drawn::Shape(shape.style), &shape.color));
+    let shapes = shapes.map(|shape| {
+        (
+            shape.points.iter().map(|p| frames[shape.track].point(*p)).collect(),
+            Drawn::Shape(shape.style),
+            &shape.color,
+        )
+    });
     let lines = drawing.lines.iter().map(|line| (placed(&line.points), Drawn::Line(line.kind), &line.color));
     let mut all: Vec<(Vec<Vec3>, Drawn, &String)> = shapes.chain(lines).collect();
     if !drawing.planar {
-        let depth = |points: &[Vec3]| points.iter().map(|p| view.depth(*p)).sum::<f64>() / points.len().max(1) as f64;
+        let depth =
+            |points: &[Vec3]| points.iter().map(|p| view.depth(*p)).sum::<f64>() / points.len().max(1) as f64;
         all.sort_by(|a, b| depth(&a.0).total_cmp(&depth(&b.0)));
     }
     for (points, style, color) in all {

@@ -48,7 +48,9 @@ impl Svg {
     /// A line through all points.
     pub fn line(&mut self, points: &[Vec2], color: &str, width: f64) {
         if let Some(points) = list(points) {
-            self.push(&format!("<polyline points=\"{points}\" fill=\"none\" stroke=\"{color}\" stroke-width=\"{width}\"/>"));
+            self.push(&format!(
+                "<polyline points=\"{points}\" fill=\"none\" stroke=\"{color}\" stroke-width=\"{width}\"/>"
+            ));
         }
     }
 
@@ -56,13 +58,19 @@ impl Svg {
     pub fn path(&mut self, points: &[Vec2], color: &str, width: f64) {
         let d = path_data(points);
         if !d.is_empty() {
-            self.push(&format!("<path d=\"{d}\" fill=\"none\" stroke=\"{color}\" stroke-width=\"{width}\"/>"));
+            self.push(&format!(
+                "<path d=\"{d}\" fill=\"none\" stroke=\"{color}\" stroke-width=\"{width}\"/>"
+            ));
         }
     }
 
     pub fn dot(&mut self, p: Vec2, radius: f64, color: &str) {
         if finite(&p) {
-            self.push(&format!("<circle cx=\"{}\" cy=\"{}\" r=\"{radius}\" fill=\"{color}\"/>", short(p.x), short(p.y)));
+            self.push(&format!(
+                "<circle cx=\"{}\" cy=\"{}\" r=\"{radius}\" fill=\"{color}\"/>",
+                short(p.x),
+                short(p.y)
+            ));
         }
     }
 
@@ -109,8 +117,7 @@ impl Svg {
 }
 
 /// A support about the origin.
-pub(super) const SUPPORT: &str =
-    "<path d=\"M0 0L-8 13H8Z\" fill=\"#ececec\"/><path d=\"M-12 13H12M-10 13l-4 5M-4 13l-4 5M2 13l-4 5M8 13l-4 5\"/>";
+pub(super) const SUPPORT: &str = "<path d=\"M0 0L-8 13H8Z\" fill=\"#ececec\"/><path d=\"M-12 13H12M-10 13l-4 5M-4 13l-4 5M2 13l-4 5M8 13l-4 5\"/>";
 
 /// Points of a path, thinned to a tenth of a pixel, one `M` for each run.
 pub(super) fn path_data(points: &[Vec2]) -> String {
@@ -134,7 +141,8 @@ fn finite(p: &Vec2) -> bool {
     p.x.is_finite() && p.y.is_finite()
 }
 
-/// Two digits after the point, none where there is nothing to say; 0 for what is no number, which has no place in a picture.
+/// Two digits after the point, none where there is nothing to say; 0 for what is no number, which has no
+/// place in a picture.
 pub(crate) fn short(x: f64) -> String {
     let x = if x.is_finite() { x } else { 0.0 };
     let text = format!("{x:.2}");

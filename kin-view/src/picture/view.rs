@@ -31,10 +31,19 @@ impl View {
         let (wide, tall) = (high.x - low.x, high.y - low.y);
         let least = drawing.size * 1e-3;
         let scale = ((width - 2.0 * MARGIN) / wide.max(least)).min((height - 2.0 * MARGIN) / tall.max(least));
-        let (width, height) = ((wide * scale + 2.0 * MARGIN).max(240.0), (tall * scale + 2.0 * MARGIN).max(160.0));
+        let (width, height) =
+            ((wide * scale + 2.0 * MARGIN).max(240.0), (tall * scale + 2.0 * MARGIN).max(160.0));
         // Half of each first: their sum may be too large.
         let middle = low * 0.5 + high * 0.5;
-        View { right, up, eye, scale, shift: vec2(0.5 * width - scale * middle.x, 0.5 * height + scale * middle.y), width, height }
+        View {
+            right,
+            up,
+            eye,
+            scale,
+            shift: vec2(0.5 * width - scale * middle.x, 0.5 * height + scale * middle.y),
+            width,
+            height,
+        }
     }
 
     /// Where a point is drawn.   [px]
@@ -56,8 +65,12 @@ impl View {
         const LINES: usize = 8;
         let share = |a: f64, b: f64, k: usize| a + (b - a) * k as f64 / LINES as f64;
         let line = |a: Vec3, b: Vec3| vec![self.point(a), self.point(b)];
-        let along_y = (0..=LINES).map(|k| share(low.x, high.x, k)).map(|x| line(Vec3::new(x, low.y, low.z), Vec3::new(x, high.y, low.z)));
-        let along_x = (0..=LINES).map(|k| share(low.y, high.y, k)).map(|y| line(Vec3::new(low.x, y, low.z), Vec3::new(high.x, y, low.z)));
+        let along_y = (0..=LINES)
+            .map(|k| share(low.x, high.x, k))
+            .map(|x| line(Vec3::new(x, low.y, low.z), Vec3::new(x, high.y, low.z)));
+        let along_x = (0..=LINES)
+            .map(|k| share(low.y, high.y, k))
+            .map(|y| line(Vec3::new(low.x, y, low.z), Vec3::new(high.x, y, low.z)));
         along_y.chain(along_x).collect()
     }
 }
@@ -75,5 +88,7 @@ fn axes(drawing: &Drawing) -> [Vec3; 3] {
 
 fn corners([low, high]: &[Vec3; 2]) -> impl Iterator<Item = Vec3> {
     let pick = |k: usize, bit: usize, a: f64, b: f64| if k >> bit & 1 == 0 { a } else { b };
-    (0..8).map(move |k| Vec3::new(pick(k, 0, low.x, high.x), pick(k, 1, low.y, high.y), pick(k, 2, low.z, high.z)))
+    (0..8).map(move |k| {
+        Vec3::new(pick(k, 0, low.x, high.x), pick(k, 1, low.y, high.y), pick(k, 2, low.z, high.z))
+    })
 }

@@ -1,4 +1,5 @@
-//! Shapes that joints of the library know of their bodies beyond points: wheels, belts, racks, cams and what runs on them.
+//! Shapes that joints of the library know of their bodies beyond points: wheels, belts, racks, cams and what
+//! runs on them.
 
 use std::collections::HashMap;
 use std::f64::consts::TAU;
@@ -16,8 +17,8 @@ pub(crate) enum Form {
     Gears { radii: [f64; 2], phase: f64, ring: bool },
     /// A belt over pulleys of bodies 0 and 1 with axles on body 2; it is crossed if one radius is below zero.
     Belt { radii: [f64; 2] },
-    /// A wheel of body 0 on a line of body 1, through a point along a direction of length 1, with the wheel to its left (a negative radius: to
-    /// its right).
+    /// A wheel of body 0 on a line of body 1, through a point along a direction of length 1, with the wheel
+    /// to its left (a negative radius: to its right).
     Rolling { centre: Vec2, radius: f64, from: Vec2, along: Vec2, phase: f64, teeth: bool },
     /// A cam, body 0, by its edge, with what the follower, body 1, touches it with.
     Cam { edge: Vec<Vec2>, touch: Touch },
@@ -32,7 +33,8 @@ pub(crate) enum Touch {
         centre: Vec2,
         radius: f64,
     },
-    /// A flat face through a point, with the direction away from the cam; the point of contact lies this far to the left of the cam's centre.
+    /// A flat face through a point, with the direction away from the cam; the point of contact lies this far
+    /// to the left of the cam's centre.
     Face {
         at: Vec2,
         normal: Vec2,
@@ -44,7 +46,8 @@ pub(crate) enum Touch {
 const EDGE: usize = 720;
 
 impl Form {
-    /// The shape of a planar joint of the library; `None` of all others, and where a parameter makes no sense.
+    /// The shape of a planar joint of the library; `None` of all others, and where a parameter makes no
+    /// sense.
     pub fn of(constraint: &dyn Constraint) -> Option<Form> {
         let planar = |argument: &kin::coordinates::Argument| matches!(argument.target, Target::Planar(_));
         if !constraint.arguments().first().is_some_and(planar) {
@@ -96,7 +99,14 @@ impl Told {
 
     fn rolling(&self, teeth: bool) -> Option<Form> {
         let (centre, from, along) = (self.point("u_i")?, self.point("u_j")?, self.direction("h_j")?);
-        Some(Form::Rolling { centre, radius: self.number("radius")?, from, along, phase: self.number("phase")?, teeth })
+        Some(Form::Rolling {
+            centre,
+            radius: self.number("radius")?,
+            from,
+            along,
+            phase: self.number("phase")?,
+            teeth,
+        })
     }
 
     /// The edge of a cam from the distance h of its tangents: h n + h′ t, t to the left of n.

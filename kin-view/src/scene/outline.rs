@@ -56,13 +56,16 @@ impl Outline {
         self
     }
 
-    /// A spur gear in the plane, about the origin of its body: pitch radius and number of teeth, one tooth on the x-axis.
+    /// A spur gear in the plane, about the origin of its body: pitch radius and number of teeth, one tooth on
+    /// the x-axis.
     pub fn gear(radius: f64, teeth: usize) -> Outline {
         let module = 2.0 * radius / teeth.max(3) as f64;
         let flank = |tooth: usize| {
-            // Half a tooth is a quarter of the pitch wide on the pitch circle, less at the top, more at the root.
-            [(-0.36, -1.1), (-0.14, 0.9), (0.14, 0.9), (0.36, -1.1)]
-                .map(|(turn, height)| polar(radius + height * module, TAU * (tooth as f64 + turn) / teeth.max(3) as f64))
+            // Half a tooth is a quarter of the pitch wide on the pitch circle, less at the top, more at the
+            // root.
+            [(-0.36, -1.1), (-0.14, 0.9), (0.14, 0.9), (0.36, -1.1)].map(|(turn, height)| {
+                polar(radius + height * module, TAU * (tooth as f64 + turn) / teeth.max(3) as f64)
+            })
         };
         Outline::polygon((0..teeth.max(3)).flat_map(flank))
     }

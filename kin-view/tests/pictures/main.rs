@@ -23,7 +23,8 @@ fn parabolic_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
 fn four_bar(name: &str, scale: f64) -> Result<(System, Link)> {
     let mut m = Mechanism::new(name);
     let ground = m.ground();
-    let [crank, coupler, rocker] = [m.link("crank", scale)?, m.link("coupler", 3.5 * scale)?, m.link("rocker", 3.0 * scale)?];
+    let [crank, coupler, rocker] =
+        [m.link("crank", scale)?, m.link("coupler", 3.5 * scale)?, m.link("rocker", 3.0 * scale)?];
     m.add("O", revolute(ground, crank, vec2(0.0, 0.0), crank.start()))?;
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start()))?;
     m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end()))?;
@@ -40,14 +41,21 @@ fn tripod() -> Result<System> {
     let plate = m.spatial("plate", SpatialPose::at(vec3(0.0, 0.0, 1.0)))?;
     let drive = kin::joints::drivers::spatial::drive_distance;
     for k in 0..6 {
-        let (a, b) = (deg(60.0 * f64::from(k)), deg(60.0 * f64::from(k) + if k % 2 == 0 { 40.0 } else { -40.0 }));
+        let (a, b) =
+            (deg(60.0 * f64::from(k)), deg(60.0 * f64::from(k) + if k % 2 == 0 { 40.0 } else { -40.0 }));
         let (foot, head) = (vec3(a.cos(), a.sin(), 0.0), vec3(0.5 * b.cos(), 0.5 * b.sin(), 0.0));
         let length = (head + vec3(0.0, 0.0, 1.0) - foot).norm();
-        m.add(&format!("leg {k}"), drive(plate, ground, head, foot, Law::constant(length) + Law::sine(0.05, 2.0, f64::from(k))))?;
+        m.add(
+            &format!("leg {k}"),
+            drive(plate, ground, head, foot, Law::constant(length) + Law::sine(0.05, 2.0, f64::from(k))),
+        )?;
     }
     let ball = m.spatial("ball", SpatialPose::at(vec3(0.0, 0.0, 0.5)))?;
     m.add("hook", spherical(plate, ball, vec3(0.0, 0.0, 0.0), vec3(0.0, 0.0, 0.5)))?;
-    m.add("upright", kin::joints::drivers::spatial::drive_rotation(ball, ground, vec3(0.0, 0.0, 1.0), Law::ramp(1.0)))?;
+    m.add(
+        "upright",
+        kin::joints::drivers::spatial::drive_rotation(ball, ground, vec3(0.0, 0.0, 1.0), Law::ramp(1.0)),
+    )?;
     m.build()
 }
 
@@ -56,7 +64,10 @@ fn parsed(svg: &str) -> roxmltree::Document<'_> {
     let document = roxmltree::Document::parse(svg).unwrap_or_else(|error| panic!("{error}\n{svg}"));
     for node in document.descendants() {
         for attribute in node.attributes() {
-            assert!(!attribute.value().contains("NaN") && !attribute.value().contains("inf"), "{attribute:?}");
+            assert!(
+                !attribute.value().contains("NaN") && !attribute.value().contains("inf"),
+                "{attribute:?}"
+            );
         }
     }
     document
@@ -84,12 +95,17 @@ fn names<'a>(data: &'a Value, list: &str) -> Vec<&'a str> {
 fn every_kind_of_picture_is_xml_with_numbers_only() -> Result<()> {
     let (planar, coupler) = four_bar("four-bar", 1.0)?;
     let spatial = tripod()?;
-    for (system, scene) in [(&planar, Scene::new(&planar).trace("P", coupler, vec2(0.2, 1.4))), (&spatial, Scene::new(&spatial))] {
+    for (system, scene) in
+        [(&planar, Scene::new(&planar).trace("P", coupler, vec2(0.2, 1.4))), (&spatial, Scene::new(&spatial))]
+    {
         for count in [1, 2, 50] {
             let motion = system.run(linspace(0.0, 1.0, count))?;
-            for picture in
-                [scene.pose(&motion, 0.3)?, scene.sequence(&motion, 5)?, scene.animated(&motion, 3.0)?, scene.animated(&motion, f64::NAN)?]
-            {
+            for picture in [
+                scene.pose(&motion, 0.3)?,
+                scene.sequence(&motion, 5)?,
+                scene.animated(&motion, 3.0)?,
+                scene.animated(&motion, f64::NAN)?,
+            ] {
                 parsed(picture.svg());
             }
             let page = scene.page(&motion)?.html();
@@ -105,7 +121,8 @@ fn pins_supports_rods_and_slots_come_from_the_constraints() -> Result<()> {
     let motion = system.run(linspace(0.0, 1.0, 101))?;
     let page = data(&Scene::new(&system).trace("P", coupler, vec2(0.2, 1.4)).page(&motion)?.html());
     assert_eq!(names(&page, "marks"), ["O", "A", "B", "C"]);
-    let grounded: Vec<bool> = page["marks"].as_array().unwrap().iter().map(|mark| mark["grounded"] == true).collect();
+    let grounded: Vec<bool> =
+        page["marks"].as_array().unwrap().iter().map(|mark| mark["grounded"] == true).collect();
     assert_eq!(grounded, [true, false, false, true]);
     assert_eq!(names(&page, "shapes"), ["crank", "coupler", "rocker"]);
 
@@ -139,11 +156,15 @@ fn pins_supports_rods_and_slots_come_from_the_constraints() -> Result<()> {
 fn what_is_told_takes_the_place_of_the_default() -> Result<()> {
     let (system, coupler) = four_bar("four-bar", 1.0)?;
     let motion = system.run(linspace(0.0, 1.0, 21))?;
-    let scene = Scene::new(&system).outline(coupler, Outline::polygon([vec2(0.0, 0.0), vec2(1.0, 0.0), vec2(0.0, 1.0)]));
+    let scene = Scene::new(&system)
+        .outline(coupler, Outline::polygon([vec2(0.0, 0.0), vec2(1.0, 0.0), vec2(0.0, 1.0)]));
     let page = data(&scene.clone().color(coupler, "#123456").page(&motion)?.html());
     let shape = &page["shapes"][1];
     assert_eq!((shape["color"].as_str(), shape["points"].as_array().unwrap().len()), (Some("#123456"), 3));
-    assert_eq!(names(&data(&scene.clone().hide(coupler).page(&motion)?.html()), "shapes"), ["crank", "rocker"]);
+    assert_eq!(
+        names(&data(&scene.clone().hide(coupler).page(&motion)?.html()), "shapes"),
+        ["crank", "rocker"]
+    );
     assert_eq!(names(&data(&scene.clone().hide_joint("A").page(&motion)?.html()), "marks"), ["O", "B", "C"]);
     // A colour that is none changes nothing.
     let spoiled = scene.color(coupler, "red\" onload=\"alert(1)").pose(&motion, 0.0)?;
@@ -157,16 +178,24 @@ fn names_cannot_become_markup() -> Result<()> {
     let (system, coupler) = four_bar(EVIL, 1.0)?;
     let mut motion = system.run(linspace(0.0, 1.0, 21))?;
     motion.add_output(EVIL, EVIL, vec![0.0; 21])?;
-    let scene = Scene::new(&system).trace(EVIL, coupler, vec2(0.2, 1.4)).line(EVIL, &[&[vec2(0.0, 0.0)], &[vec2(1.0, 1.0)]]);
+    let scene = Scene::new(&system)
+        .trace(EVIL, coupler, vec2(0.2, 1.4))
+        .line(EVIL, &[&[vec2(0.0, 0.0)], &[vec2(1.0, 1.0)]]);
     for picture in [scene.pose(&motion, 0.0)?, scene.animated(&motion, 2.0)?] {
         let svg = picture.svg().to_string();
-        assert!(parsed(&svg).descendants().all(|node| !node.has_tag_name(("http://www.w3.org/2000/svg", "img"))));
+        assert!(
+            parsed(&svg).descendants().all(|node| !node.has_tag_name(("http://www.w3.org/2000/svg", "img")))
+        );
     }
     let html = scene.page(&motion)?.title(EVIL).chart(EVIL, [(EVIL, &motion.outputs()[0])]).html();
     assert!(!html.contains("<img"), "a name became an element");
     assert_eq!(html.matches("</script>").count(), 2, "a name ended a script");
     assert_eq!(data(&html)["traces"][0]["name"], EVIL, "the name itself is kept");
-    parsed(&Figure::new([Panel::over_time(EVIL, EVIL).series(EVIL, &motion.outputs()[0])]).svg().replace('\u{1}', ""));
+    parsed(
+        &Figure::new([Panel::over_time(EVIL, EVIL).series(EVIL, &motion.outputs()[0])])
+            .svg()
+            .replace('\u{1}', ""),
+    );
     Ok(())
 }
 
@@ -174,13 +203,20 @@ fn names_cannot_become_markup() -> Result<()> {
 fn the_policy_allows_the_script_of_the_page_and_nothing_else() -> Result<()> {
     let (system, _) = four_bar("four-bar", 1.0)?;
     let html = Scene::new(&system).page(&system.run(linspace(0.0, 1.0, 5))?)?.html();
-    let between = |from: &str, to: &str| html.split_once(from).unwrap().1.split_once(to).unwrap().0.to_string();
+    let between =
+        |from: &str, to: &str| html.split_once(from).unwrap().1.split_once(to).unwrap().0.to_string();
     let policy = between("http-equiv=\"Content-Security-Policy\" content=\"", "\"");
     let hash = |text: String| format!("'sha256-{}'", STANDARD.encode(Sha256::digest(text)));
     assert!(policy.starts_with("default-src 'none';"));
-    assert!(policy.contains(&format!("script-src {};", hash(between("</script>\n<script>", "</script>")))), "{policy}");
+    assert!(
+        policy.contains(&format!("script-src {};", hash(between("</script>\n<script>", "</script>")))),
+        "{policy}"
+    );
     assert!(policy.contains(&format!("style-src {};", hash(between("<style>", "</style>")))), "{policy}");
-    assert!(!html.contains("http://www.w3.org/1999") && !html.contains("https://") && !html.contains("src=\""), "something is loaded");
+    assert!(
+        !html.contains("http://www.w3.org/1999") && !html.contains("https://") && !html.contains("src=\""),
+        "something is loaded"
+    );
     Ok(())
 }
 
@@ -189,7 +225,11 @@ fn ten_thousand_frames_are_a_small_file() -> Result<()> {
     let (system, coupler) = four_bar("four-bar", 1.0)?;
     let motion = system.run(linspace(0.0, 10.0, 10_000))?;
     let rocker = motion.named("rocker.theta")?;
-    let html = Scene::new(&system).trace("P", coupler, vec2(0.2, 1.4)).page(&motion)?.coordinate("Rocker", &rocker).html();
+    let html = Scene::new(&system)
+        .trace("P", coupler, vec2(0.2, 1.4))
+        .page(&motion)?
+        .coordinate("Rocker", &rocker)
+        .html();
     assert!(html.len() < 300_000, "{} bytes for 10⁴ frames, 9 coordinates and 3 charts", html.len());
     let turn = system.run(linspace(0.0, 1.0, 10_000))?;
     let svg = Scene::new(&system).trace("P", coupler, vec2(0.2, 1.4)).animated(&turn, 4.0)?.svg().len();
@@ -227,10 +267,13 @@ fn what_was_not_reached_is_a_gap() -> Result<()> {
 fn gaps_break_the_line_of_a_chart() -> Result<()> {
     let (system, _) = four_bar("four-bar", 1.0)?;
     let motion = system.run(linspace(0.0, 1.0, 21))?;
-    let points: Vec<Vec2> = (0..40).map(|k| vec2(f64::from(k), if k == 20 { f64::NAN } else { f64::from(k * k) })).collect();
+    let points: Vec<Vec2> =
+        (0..40).map(|k| vec2(f64::from(k), if k == 20 { f64::NAN } else { f64::from(k * k) })).collect();
     let svg = Figure::new([Panel::numbers("gap", "x", "y").path("parabola", &points)]).svg();
     let whole = Figure::new([Panel::numbers("gap", "x", "y").path("parabola", &points[..20])]).svg();
-    let curves = |svg: &str| parsed(svg).descendants().filter(|node| node.attribute("stroke") == Some("#0072b2")).count();
+    let curves = |svg: &str| {
+        parsed(svg).descendants().filter(|node| node.attribute("stroke") == Some("#0072b2")).count()
+    };
     assert_eq!(curves(&svg), curves(&whole) + 1);
     let condition = system.condition(&motion)?;
     parsed(&Figure::new([Panel::log_over_time("condition", "κ").series("κ", &condition)]).svg());
@@ -242,7 +285,11 @@ fn a_picture_is_the_same_in_millimetres_and_kilometres() -> Result<()> {
     let picture = |scale: f64| -> Result<Vec<f64>> {
         let (system, coupler) = four_bar("four-bar", scale)?;
         let motion = system.run(linspace(0.0, 1.0, 41))?;
-        let svg = Scene::new(&system).trace("P", coupler, vec2(0.2 * scale, 1.4 * scale)).pose(&motion, 0.25)?.svg().to_string();
+        let svg = Scene::new(&system)
+            .trace("P", coupler, vec2(0.2 * scale, 1.4 * scale))
+            .pose(&motion, 0.25)?
+            .svg()
+            .to_string();
         let document = parsed(&svg);
         let points = attributes(&document, "polygon", "points").join(" ");
         Ok(points.split([' ', ',']).filter_map(|x| x.parse().ok()).collect())
@@ -258,7 +305,10 @@ fn a_picture_is_the_same_in_millimetres_and_kilometres() -> Result<()> {
 #[test]
 fn a_map_leaves_blank_what_is_not_known() {
     let values = (0..60).map(|k| if k == 17 { f64::NAN } else { f64::from(k % 10) });
-    let map = Map::new("<map>", "swing [°]").along_x("b [m]", 1.0, 2.0, 10).along_y("c [m]", 1.0, 1.5, 6).values(values);
+    let map = Map::new("<map>", "swing [°]")
+        .along_x("b [m]", 1.0, 2.0, 10)
+        .along_y("c [m]", 1.0, 1.5, 6)
+        .values(values);
     let svg = map.svg();
     let cells: usize = attributes(&parsed(&svg), "path", "d")
         .iter()
@@ -267,7 +317,13 @@ fn a_map_leaves_blank_what_is_not_known() {
         .sum();
     assert_eq!(cells, 59, "each known cell once");
     parsed(&Map::new("empty", "").svg());
-    parsed(&Map::new("one value", "").along_x("", 0.0, 1.0, 2).along_y("", 0.0, 1.0, 1).values([3.0, f64::INFINITY]).svg());
+    parsed(
+        &Map::new("one value", "")
+            .along_x("", 0.0, 1.0, 2)
+            .along_y("", 0.0, 1.0, 1)
+            .values([3.0, f64::INFINITY])
+            .svg(),
+    );
 }
 
 #[test]

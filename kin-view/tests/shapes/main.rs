@@ -32,7 +32,11 @@ impl Drawn {
 
     /// Centres and radii of the filled circles of a body.
     fn discs(&self, name: &str) -> Vec<(Vec3, f64)> {
-        self.shapes(name).iter().filter(|(style, _)| style == "plate").filter_map(|(_, points)| circle(points)).collect()
+        self.shapes(name)
+            .iter()
+            .filter(|(style, _)| style == "plate")
+            .filter_map(|(_, points)| circle(points))
+            .collect()
     }
 }
 
@@ -80,7 +84,10 @@ fn a_spatial_link_with_a_free_end_is_drawn_to_its_end() -> Result<()> {
     let system = m.build()?;
     let drawn = Drawn::new(&Scene::new(&system), &system.run(linspace(0.0, 1.0, 11))?)?;
     let [(_, bar)] = &drawn.shapes("boom")[..] else { panic!("one bar") };
-    assert!((most(bar, vec3(1.0, 0.0, 0.0)) - 1.5).abs() < 1e-6 && (most(bar, vec3(-1.0, 0.0, 0.0)) - 1.5).abs() < 1e-6);
+    assert!(
+        (most(bar, vec3(1.0, 0.0, 0.0)) - 1.5).abs() < 1e-6
+            && (most(bar, vec3(-1.0, 0.0, 0.0)) - 1.5).abs() < 1e-6
+    );
     Ok(())
 }
 
@@ -116,7 +123,10 @@ fn hiding_a_joint_leaves_its_bodies_as_they_are() -> Result<()> {
     m.add("second motor", drive_angle(rod, Law::ramp(2.0)))?;
     let system = m.build()?;
     let motion = system.run(linspace(0.0, 1.0, 21))?;
-    let (whole, hidden) = (Drawn::new(&Scene::new(&system), &motion)?, Drawn::new(&Scene::new(&system).hide_joint("A"), &motion)?);
+    let (whole, hidden) = (
+        Drawn::new(&Scene::new(&system), &motion)?,
+        Drawn::new(&Scene::new(&system).hide_joint("A"), &motion)?,
+    );
     assert_eq!(whole.shapes("plate"), hidden.shapes("plate"));
     assert_eq!(hidden.data["marks"].as_array().unwrap().len(), 1, "its pin is gone");
     Ok(())
@@ -130,7 +140,8 @@ fn a_pose_of_one_time_shows_its_bodies() -> Result<()> {
     for name in ["crank", "coupler", "rocker"] {
         assert_eq!(drawn.shapes(name).len(), 1, "{name}");
     }
-    let supports = drawn.data["marks"].as_array().unwrap().iter().filter(|mark| mark["grounded"] == true).count();
+    let supports =
+        drawn.data["marks"].as_array().unwrap().iter().filter(|mark| mark["grounded"] == true).count();
     assert_eq!(supports, 2, "pins on the ground alone are supports");
     Ok(())
 }
@@ -151,8 +162,9 @@ fn a_link_that_is_held_still_is_drawn() -> Result<()> {
 
 /// Rise and fall of a cam, over a base circle, from a table.
 fn profile() -> Law {
-    let table: Vec<(f64, f64)> =
-        (0..=12).map(|k| (TAU * f64::from(k) / 12.0, 0.05 + 0.008 * (1.0 - (TAU * f64::from(k) / 12.0).cos()))).collect();
+    let table: Vec<(f64, f64)> = (0..=12)
+        .map(|k| (TAU * f64::from(k) / 12.0, 0.05 + 0.008 * (1.0 - (TAU * f64::from(k) / 12.0).cos())))
+        .collect();
     Law::spline(&table, Ends::Periodic)
 }
 
@@ -177,22 +189,32 @@ fn a_cam_with_a_roller_is_drawn_by_its_edge_and_the_roller_touches_it() -> Resul
     for (radius, beside, turn) in [(0.012, 0.0, TAU), (0.02, 0.005, 1.0)] {
         let (system, motion, follower) = roller_cam(radius, beside, turn)?;
         let drawn = Drawn::new(&Scene::new(&system), &motion)?;
-        let roller = drawn.discs("follower").into_iter().find(|(centre, _)| (*centre - vec3(0.0, 0.01, 0.0)).norm() < 1e-6);
-        assert!(roller.is_some_and(|(_, r)| (r - radius).abs() < 1e-6), "the roller has its radius: {roller:?}");
+        let roller = drawn
+            .discs("follower")
+            .into_iter()
+            .find(|(centre, _)| (*centre - vec3(0.0, 0.01, 0.0)).norm() < 1e-6);
+        assert!(
+            roller.is_some_and(|(_, r)| (r - radius).abs() < 1e-6),
+            "the roller has its radius: {roller:?}"
+        );
         let shapes = drawn.shapes("cam");
         let (_, edge) = shapes.iter().max_by_key(|(_, points)| points.len()).unwrap();
         for p in edge {
             let rho = profile().at(p.y.atan2(p.x));
             assert!((p.norm() - rho).abs() < 1e-5, "({}, {}) is not on the edge", p.x, p.y);
         }
-        // The edge is the inner parallel of the path of the roller's centre: nowhere nearer to it than the radius, and somewhere as near.
+        // The edge is the inner parallel of the path of the roller's centre: nowhere nearer to it than the
+        // radius, and somewhere as near.
         let centre = motion.point(follower, vec2(0.0, 0.01))?;
         let angle = motion.coordinate(system_cam(&system).theta())?;
         for (r, theta) in centre.r().iter().zip(angle.value.values()).step_by(9) {
             let (sin, cos) = theta.sin_cos();
             let seen = vec3(cos * r.x + sin * r.y, cos * r.y - sin * r.x, 0.0);
             let gap = distance_to(edge, seen);
-            assert!((gap - radius).abs() < 2e-5, "the roller is {gap} from the edge that is drawn, its radius is {radius}");
+            assert!(
+                (gap - radius).abs() < 2e-5,
+                "the roller is {gap} from the edge that is drawn, its radius is {radius}"
+            );
         }
     }
     Ok(())
@@ -232,15 +254,21 @@ fn a_flat_face_touches_the_edge_of_its_cam_and_is_as_long_as_the_contact_wanders
     let shapes = drawn.shapes("cam");
     let (_, edge) = shapes.iter().max_by_key(|(_, points)| points.len()).unwrap();
     let shapes = drawn.shapes("follower");
-    let (_, face) = shapes.iter().find(|(style, points)| style == "bar" && points.len() == 2).expect("a face");
+    let (_, face) =
+        shapes.iter().find(|(style, points)| style == "bar" && points.len() == 2).expect("a face");
     assert!(face.iter().all(|p| p.y.abs() < 1e-6), "the face goes through its point");
     for k in 0..motion.len() {
         let (sin, cos) = motion.q(k)[2].sin_cos();
-        let turned: Vec<Vec3> = edge.iter().map(|p| vec3(cos * p.x - sin * p.y, sin * p.x + cos * p.y, 0.0)).collect();
+        let turned: Vec<Vec3> =
+            edge.iter().map(|p| vec3(cos * p.x - sin * p.y, sin * p.x + cos * p.y, 0.0)).collect();
         let top = turned.iter().copied().max_by(|a, b| a.y.total_cmp(&b.y)).unwrap();
         let lift = motion.q(k)[4];
         assert!((top.y - lift).abs() < 2e-6, "the cam reaches {}, the face stands at {lift}", top.y);
-        assert!(face[0].x.min(face[1].x) < top.x && top.x < face[0].x.max(face[1].x), "the contact at {} leaves the face", top.x);
+        assert!(
+            face[0].x.min(face[1].x) < top.x && top.x < face[0].x.max(face[1].x),
+            "the contact at {} leaves the face",
+            top.x
+        );
     }
     Ok(())
 }
@@ -252,11 +280,13 @@ fn an_added_outline_leaves_what_is_drawn() -> Result<()> {
     let Target::Planar(coupler) = system.bodies()[1].1 else { panic!("a planar body") };
     let triangle = kin_view::Outline::polygon([vec2(0.0, 0.0), vec2(1.0, 0.0), vec2(0.0, 1.0)]);
     let plain = Drawn::new(&Scene::new(&system), &motion)?.shapes("coupler");
-    let added = Drawn::new(&Scene::new(&system).add_outline(coupler, triangle.clone()), &motion)?.shapes("coupler");
+    let added =
+        Drawn::new(&Scene::new(&system).add_outline(coupler, triangle.clone()), &motion)?.shapes("coupler");
     assert_eq!((plain.len(), added.len()), (1, 2));
     assert_eq!(added[0], plain[0], "the bar stays");
     assert_eq!(added[1].1.len(), 3);
-    let told = Drawn::new(&Scene::new(&system).outline(coupler, triangle.clone()), &motion)?.shapes("coupler");
+    let told =
+        Drawn::new(&Scene::new(&system).outline(coupler, triangle.clone()), &motion)?.shapes("coupler");
     assert_eq!(told, added[1..], "`outline` takes its place");
     let ground = Drawn::new(&Scene::new(&system).add_outline(Ground, triangle), &motion)?;
     assert_eq!(ground.shapes("ground").len(), 1, "of the ground, too");
@@ -268,15 +298,25 @@ fn a_rod_whose_length_is_driven_is_a_cylinder_with_a_barrel_that_keeps_its_lengt
     let mut m = Mechanism::new("cylinder");
     let (ground, arm) = (m.ground(), m.link("arm", 2.0)?);
     m.add("O", revolute(ground, arm, vec2(0.0, 0.0), arm.start()))?;
-    m.add("cylinder", joints::drivers::drive_distance(arm, ground, arm.end(), vec2(1.0, -1.0), Law::linear(2.0, 0.5)))?;
+    m.add(
+        "cylinder",
+        joints::drivers::drive_distance(arm, ground, arm.end(), vec2(1.0, -1.0), Law::linear(2.0, 0.5)),
+    )?;
     m.prefer(arm, deg(30.0));
     let system = m.build()?;
     let drawn = Drawn::new(&Scene::new(&system), &system.run(linspace(0.0, 1.0, 21))?)?;
     let lines = drawn.data["lines"].as_array().unwrap();
-    assert_eq!(lines.iter().map(|line| line["style"].as_str().unwrap()).collect::<Vec<_>>(), ["rod", "barrel"]);
+    assert_eq!(
+        lines.iter().map(|line| line["style"].as_str().unwrap()).collect::<Vec<_>>(),
+        ["rod", "barrel"]
+    );
     assert!(lines.iter().all(|line| line["name"] == "cylinder"));
-    // The barrel is fixed at the ground; its mouth is a track of its own, whose first position is on the way to the arm's end.
-    assert_eq!((&lines[1]["points"][0][0], &lines[1]["points"][0][1]), (&lines[0]["points"][0][0], &lines[0]["points"][0][1]));
+    // The barrel is fixed at the ground; its mouth is a track of its own, whose first position is on the way
+    // to the arm's end.
+    assert_eq!(
+        (&lines[1]["points"][0][0], &lines[1]["points"][0][1]),
+        (&lines[0]["points"][0][0], &lines[0]["points"][0][1])
+    );
     assert_eq!(lines[1]["points"][0][0], 0);
     Ok(())
 }

@@ -21,19 +21,27 @@ fn gears_are_pitch_circles_that_meet_at_the_pitch_point() -> Result<()> {
     };
     assert!(near(&pinion, vec3(axle.x, axle.y, 0.0), 0.2), "{pinion:?}");
     assert!(near(&wheel, vec3(0.0, 0.0, 0.0), 0.4), "{wheel:?}");
-    // Radii add up to the distance of the axles: both circles meet there, and a mark of either stands where they meet, at θ_wheel = 0.
+    // Radii add up to the distance of the axles: both circles meet there, and a mark of either stands where
+    // they meet, at θ_wheel = 0.
     assert!((at.norm() - 0.6).abs() < 1e-12);
     let mark = |name: &str, direction: f64| {
         let shapes = drawn.shapes(name);
-        let (_, comb) = shapes.iter().find(|(style, points)| style == "slot" && points.len() > 50).expect("marks");
+        let (_, comb) =
+            shapes.iter().find(|(style, points)| style == "slot" && points.len() > 50).expect("marks");
         let centre = if name == "pinion" { vec3(axle.x, axle.y, 0.0) } else { vec3(0.0, 0.0, 0.0) };
         let (radius, towards) = (most_far(comb, centre), vec3(direction.cos(), direction.sin(), 0.0));
-        comb.iter()
-            .any(|p| (*p - centre).norm() < 0.99 * radius && (*p - centre).cross(towards).norm() < 1e-5 && (*p - centre).dot(towards) > 0.0)
+        comb.iter().any(|p| {
+            (*p - centre).norm() < 0.99 * radius
+                && (*p - centre).cross(towards).norm() < 1e-5
+                && (*p - centre).dot(towards) > 0.0
+        })
     };
     let beta = at.y.atan2(at.x);
     assert!(mark("wheel", beta), "a mark of the wheel at the pitch point");
-    assert!(mark("pinion", beta + PI - 0.3), "a mark of the pinion, which is turned by the phase, at the pitch point");
+    assert!(
+        mark("pinion", beta + PI - 0.3),
+        "a mark of the pinion, which is turned by the phase, at the pitch point"
+    );
     Ok(())
 }
 
@@ -45,8 +53,11 @@ fn most_far(points: &[Vec3], centre: Vec3) -> f64 {
 fn a_planetary_train_has_sun_planet_and_ring_that_touch() -> Result<()> {
     let mut m = Mechanism::new("planetary train");
     let (ground, origin) = (m.ground(), vec2(0.0, 0.0));
-    let (carrier, sun, planet) =
-        (m.planar("carrier", pose(0.0, 0.0, 0.0))?, m.planar("sun", pose(0.0, 0.0, 0.0))?, m.planar("planet", pose(0.05, 0.0, 0.0))?);
+    let (carrier, sun, planet) = (
+        m.planar("carrier", pose(0.0, 0.0, 0.0))?,
+        m.planar("sun", pose(0.0, 0.0, 0.0))?,
+        m.planar("planet", pose(0.05, 0.0, 0.0))?,
+    );
     m.add("axle of the carrier", revolute(ground, carrier, origin, origin))?;
     m.add("axle of the sun", revolute(ground, sun, origin, origin))?;
     m.add("axle of the planet", revolute(carrier, planet, vec2(0.05, 0.0), origin))?;
@@ -59,7 +70,11 @@ fn a_planetary_train_has_sun_planet_and_ring_that_touch() -> Result<()> {
     assert!((radius("sun") - 0.03).abs() < 1e-6 && (radius("planet") - 0.02).abs() < 1e-6);
     let shapes = drawn.shapes("ground");
     let ring = shapes.iter().find_map(|(_, points)| circle(points).filter(|(_, r)| (r - 0.07).abs() < 1e-5));
-    assert!(ring.is_some(), "a ring at the pitch radius: {:?}", shapes.iter().map(|(_, points)| circle(points)).collect::<Vec<_>>());
+    assert!(
+        ring.is_some(),
+        "a ring at the pitch radius: {:?}",
+        shapes.iter().map(|(_, points)| circle(points)).collect::<Vec<_>>()
+    );
     Ok(())
 }
 
@@ -84,8 +99,14 @@ fn a_pinion_rolls_on_its_rack_and_a_wheel_on_its_track() -> Result<()> {
         let shapes = drawn.shapes("ground");
         let [(style, line)] = &shapes[..] else { panic!("one line: {shapes:?}") };
         assert_eq!(style, "guide");
-        assert!((most(line, vec3(0.0, 1.0, 0.0)) - 0.1).abs() < 1e-6, "the pitch line touches the wheel from below");
-        assert!(most(line, vec3(1.0, 0.0, 0.0)) > 1.0 && most(line, vec3(-1.0, 0.0, 0.0)) > 0.0, "it is as long as the way");
+        assert!(
+            (most(line, vec3(0.0, 1.0, 0.0)) - 0.1).abs() < 1e-6,
+            "the pitch line touches the wheel from below"
+        );
+        assert!(
+            most(line, vec3(1.0, 0.0, 0.0)) > 1.0 && most(line, vec3(-1.0, 0.0, 0.0)) > 0.0,
+            "it is as long as the way"
+        );
     }
     Ok(())
 }
@@ -106,7 +127,8 @@ fn a_belt_touches_both_pulleys() -> Result<()> {
         let drawn = Drawn::new(&Scene::new(&system), &system.run(linspace(0.0, 1.0, 21))?)?;
         let shapes = drawn.shapes("ground");
         let [(_, line)] = &shapes[..] else { panic!("one belt: {} shapes", shapes.len()) };
-        // No piece of the belt comes nearer to an axle than the radius (but for the corners of arcs), and it lies on both.
+        // No piece of the belt comes nearer to an axle than the radius (but for the corners of arcs), and it
+        // lies on both.
         for (at, radius) in [(at_a, 0.1), (at_b, 0.3)] {
             let nearest = distance_to(line, vec3(at.x, at.y, 0.0));
             assert!((nearest - radius).abs() < 0.003 * radius, "{nearest} for {radius}");

@@ -1,4 +1,5 @@
-//! Random mechanisms, closed by construction at a known pose: assembled from a poor guess and driven; a planted fault is named.
+//! Random mechanisms, closed by construction at a known pose: assembled from a poor guess and driven; a
+//! planted fault is named.
 
 mod planar;
 mod spatial;
@@ -67,7 +68,9 @@ impl Drivers {
     /// Adds them, with the fault at one of them.
     fn add(self, m: &mut Mechanism, fault: Fault, random: &mut Random) {
         let chosen = random.below(self.0.len());
-        for (k, driver) in self.0.iter().enumerate().filter(|(k, _)| fault != Fault::MissingDriver || *k != chosen) {
+        for (k, driver) in
+            self.0.iter().enumerate().filter(|(k, _)| fault != Fault::MissingDriver || *k != chosen)
+        {
             driver(m, &format!("motor {k}"), 0.0);
         }
         match fault {
@@ -78,7 +81,8 @@ impl Drivers {
     }
 }
 
-/// The smallest singular value of C_q where a mechanism is called far from its toggles; lengths and speeds are of order 1.
+/// The smallest singular value of C_q where a mechanism is called far from its toggles; lengths and speeds
+/// are of order 1.
 const FAR: f64 = 0.08;
 
 /// Mechanisms from one seed after the other until one is far from singular at the pose by which it was made.
@@ -105,20 +109,22 @@ fn right(mechanism: Mechanism, fault: Fault) -> Result<(), String> {
     });
     match (fault, run) {
         (Fault::None, Ok((found, motion))) => {
-            let finite = (0..3).all(|k| motion.q(k).iter().chain(motion.qd(k)).chain(motion.qdd(k)).all(|x| x.is_finite()));
+            let finite = (0..3)
+                .all(|k| motion.q(k).iter().chain(motion.qd(k)).chain(motion.qdd(k)).all(|x| x.is_finite()));
             (finite && found.is_exactly_constrained()).then_some(()).ok_or(found.to_string())
         }
         (Fault::Redundancy, Ok((found, _))) => {
-            let told = found.redundancies().any(|set| set.terms.iter().any(|term| term.constraint == "motor x"));
+            let told =
+                found.redundancies().any(|set| set.terms.iter().any(|term| term.constraint == "motor x"));
             (told && found.can_be_driven()).then_some(()).ok_or(found.to_string())
         }
         (Fault::Contradiction, Err(error)) => {
             let Some(found) = error.diagnosis() else { return Err(error.to_string()) };
             let told = found.gaps.iter().any(|gap| named(&gap.constraint));
-            let set = found
-                .dependencies
-                .iter()
-                .any(|set| matches!(set.class, Class::Contradictory { .. }) && set.terms.iter().any(|term| term.constraint == "motor x"));
+            let set = found.dependencies.iter().any(|set| {
+                matches!(set.class, Class::Contradictory { .. })
+                    && set.terms.iter().any(|term| term.constraint == "motor x")
+            });
             (told && set).then_some(()).ok_or(error.to_string())
         }
         (Fault::MissingDriver, Err(Error::CannotBeDriven { diagnosis, .. })) => {

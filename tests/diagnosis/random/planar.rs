@@ -1,4 +1,5 @@
-//! Planar bodies one after the other, each on those before it by some joint, its freedoms driven; dyads between.
+//! Planar bodies one after the other, each on those before it by some joint, its freedoms driven; dyads
+//! between.
 
 use super::*;
 
@@ -9,7 +10,7 @@ fn parabolic_slot(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, k: f64) -> f64 {
     s.y - k * s.x * s.x
 }
 
-/// The angles of three bodies add up, written as a loop rather than a formula: runs on dual numbers.      [rad]
+/// The angles of three bodies add up, written as a loop rather than a formula: runs on dual numbers. [rad]
 #[constraint]
 fn summed(bodies: [Coord; 2], factors: [f64; 2], sum: f64) -> f64 {
     let mut total = 0.0 * bodies[0];
@@ -114,7 +115,9 @@ impl Making {
         let k = self.bodies[1 + self.random.below(self.bodies.len() - 1)];
         let ratio = 0.5 + self.random.number().abs();
         let sum = i.theta + ratio * k.theta;
-        self.m.add(&format!("wheels {unit}"), summed([i.body.theta(), k.body.theta()], [1.0, ratio], sum)).unwrap();
+        self.m
+            .add(&format!("wheels {unit}"), summed([i.body.theta(), k.body.theta()], [1.0, ratio], sum))
+            .unwrap();
     }
 
     /// A body on an earlier one; its freedoms are driven.
@@ -129,7 +132,9 @@ impl Making {
                 turns = 1;
             }
             1 => {
-                self.m.add(&name, prismatic(i.body, j.body, u_i, u_j, i.direction(h), i.theta - j.theta)).unwrap();
+                self.m
+                    .add(&name, prismatic(i.body, j.body, u_i, u_j, i.direction(h), i.theta - j.theta))
+                    .unwrap();
                 let along = j.direction(h.perp());
                 let law = self.random.law(0.0);
                 self.drivers.push(law, move |law| drive_slide(i.body, j.body, u_i, u_j, along, law));
@@ -139,7 +144,9 @@ impl Making {
                 (turns, points) = (1, 1);
             }
             3 => {
-                self.m.add(&name, pin_in_slot(i.body, j.body, u_i, j.local(at - h), j.local(at + h))).unwrap();
+                self.m
+                    .add(&name, pin_in_slot(i.body, j.body, u_i, j.local(at - h), j.local(at + h)))
+                    .unwrap();
                 points = 2;
             }
             4 => {
@@ -167,7 +174,13 @@ impl Making {
 fn made(seed: u64, fault: Fault) -> (Mechanism, Vec<f64>) {
     let m = Mechanism::new("random");
     let ground = Placed { body: m.ground().into(), r: vec2(0.0, 0.0), theta: 0.0 };
-    let mut all = Making { m, random: Random::new(seed), bodies: vec![ground], drivers: Drivers::default(), exact: Vec::new() };
+    let mut all = Making {
+        m,
+        random: Random::new(seed),
+        bodies: vec![ground],
+        drivers: Drivers::default(),
+        exact: Vec::new(),
+    };
     let first = all.body("crank");
     let at = all.point();
     all.pin("pin", ground, first, at);

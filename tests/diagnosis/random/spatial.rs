@@ -1,4 +1,5 @@
-//! Spatial bodies one after the other, each on an earlier one by some joint of the library or by rods, its freedoms driven.
+//! Spatial bodies one after the other, each on an earlier one by some joint of the library or by rods, its
+//! freedoms driven.
 
 use kin::joints::drivers::spatial as drivers;
 
@@ -52,7 +53,11 @@ impl Making {
     fn body(&mut self, name: &str) -> Placed {
         let (r, axis, angle) = (self.vector(), self.unit_vector(), 3.0 * self.random.number());
         let exact = SpatialPose::turned(r, axis, angle);
-        let guess = SpatialPose::turned(r + self.vector() * OFF, axis + self.vector() * OFF, angle + OFF * self.random.number());
+        let guess = SpatialPose::turned(
+            r + self.vector() * OFF,
+            axis + self.vector() * OFF,
+            angle + OFF * self.random.number(),
+        );
         let body = self.m.spatial(name, guess).unwrap();
         let p = exact.p;
         self.exact.extend([r.x, r.y, r.z, p.e0, p.e1, p.e2, p.e3]);
@@ -170,13 +175,17 @@ impl Making {
             5 => {
                 // The ball is across the hinge from its point.
                 let ball = place.at + place.x.cross(*z).normalize();
-                self.m.add(name, spatial::revolute_spherical(a, b, u[0], j.local(ball), h[0].h, 1.0)).unwrap();
+                self.m
+                    .add(name, spatial::revolute_spherical(a, b, u[0], j.local(ball), h[0].h, 1.0))
+                    .unwrap();
                 self.drive_points(i, 4);
             }
             6 => {
                 let ball = far(self);
                 let off = (ball - place.at) - *z * z.dot(ball - place.at);
-                self.m.add(name, spatial::spherical_cylindrical(a, b, i.local(ball), u[1], h[1], off.norm())).unwrap();
+                self.m
+                    .add(name, spatial::spherical_cylindrical(a, b, i.local(ball), u[1], h[1], off.norm()))
+                    .unwrap();
                 self.drive_points(i, 5);
             }
             7 => {
@@ -219,8 +228,18 @@ impl Place {
 
 fn made(seed: u64, fault: Fault) -> (Mechanism, Vec<f64>) {
     let m = Mechanism::new("random in space");
-    let ground = Placed { body: m.ground().into(), r: vec3(0.0, 0.0, 0.0), p: EulerParameters::new(1.0, 0.0, 0.0, 0.0) };
-    let mut all = Making { m, random: Random::new(seed), bodies: vec![ground], drivers: Drivers::default(), exact: Vec::new() };
+    let ground = Placed {
+        body: m.ground().into(),
+        r: vec3(0.0, 0.0, 0.0),
+        p: EulerParameters::new(1.0, 0.0, 0.0, 0.0),
+    };
+    let mut all = Making {
+        m,
+        random: Random::new(seed),
+        bodies: vec![ground],
+        drivers: Drivers::default(),
+        exact: Vec::new(),
+    };
     for unit in 0..1 + all.random.below(3) {
         all.unit(unit);
     }

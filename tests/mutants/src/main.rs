@@ -1,8 +1,10 @@
-//! Mutants of Kin's proofs, of following and of laws: changes of their code that a test should notice. `.ci/mutants` runs this.
+//! Mutants of Kin's proofs, of following and of laws: changes of their code that a test should notice.
+//! `.ci/mutants` runs this.
 //!
-//! All mutants are compiled at once into a copy of the workspace, as alternatives that an environment variable chooses from (mutant schemata:
-//! Untch, Offutt, Harrold 1993). Each test is run once to see which places it comes to; then every mutant is run against the tests that
-//! come to it, until one fails. Those that live have to be in `listed.txt`, with a reason.
+//! All mutants are compiled at once into a copy of the workspace, as alternatives that an environment
+//! variable chooses from (mutant schemata: Untch, Offutt, Harrold 1993). Each test is run once to see which
+//! places it comes to; then every mutant is run against the tests that come to it, until one fails. Those
+//! that live have to be in `listed.txt`, with a reason.
 
 mod finder;
 mod listed;

@@ -1,7 +1,8 @@
 //! What may stand instead of an expression.
 //!
-//! Numbers within formulas stay as they are: most of their small changes only make a method slower or a bound wider. Left out is also what a mutant that is there dies with: where `a` and `b` instead of `a && b` are told from it, so is `a || b`; where `true` and
-//! `false` instead of a comparison are, so is its opposite.
+//! Numbers within formulas stay as they are: most of their small changes only make a method slower or a bound
+//! wider. Left out is also what a mutant that is there dies with: where `a` and `b` instead of `a && b` are
+//! told from it, so is `a || b`; where `true` and `false` instead of a comparison are, so is its opposite.
 
 use proc_macro2::Span;
 use syn::spanned::Spanned;
@@ -134,7 +135,8 @@ impl Operators<'_> {
     }
 }
 
-/// Other values than that of a named number, which is a threshold or a bound and no coefficient, or than that of a truth.
+/// Other values than that of a named number, which is a threshold or a bound and no coefficient, or than that
+/// of a truth.
 pub fn literal(lit: &Lit) -> Vec<Alternative> {
     let to = |value: String| Alternative::new(value.clone(), format!("becomes {value}"));
     match lit {

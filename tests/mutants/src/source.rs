@@ -67,7 +67,8 @@ pub struct Mutant {
 }
 
 impl Mutant {
-    /// What it is known by in the list: it has no line, so that it stays the same while the file changes elsewhere.
+    /// What it is known by in the list: it has no line, so that it stays the same while the file changes
+    /// elsewhere.
     pub fn key(&self) -> String {
         format!("{} | {} | {} | {}", self.path, self.function, self.code, self.label)
     }

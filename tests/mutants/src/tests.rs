@@ -41,11 +41,13 @@ pub enum Fate {
 /// Tests that take less are run in one process.   \[s\]
 const QUICK: f64 = 0.1;
 
-/// How many cases tests with random ones take: a mutant that only the two hundredth finds is not told from one that lives by what it costs.
+/// How many cases tests with random ones take: a mutant that only the two hundredth finds is not told from
+/// one that lives by what it costs.
 const CASES: &str = "80";
 
 impl Tests {
-    /// Runs every test once, and sees where it comes. Tests that fail without a mutant, or take too long, are left out, and named.
+    /// Runs every test once, and sees where it comes. Tests that fail without a mutant, or take too long, are
+    /// left out, and named.
     pub fn new(programs: Vec<Program>, folder: &Path, longest: f64, jobs: usize) -> Result<Tests> {
         let mut names = Vec::new();
         for (k, program) in programs.iter().enumerate() {
@@ -90,7 +92,8 @@ impl Tests {
         format!("{} {}", self.programs[test.program].name, test.name)
     }
 
-    /// Runs a mutant against the tests that reach it: first those that its neighbours died of, or itself another time, then the fastest.
+    /// Runs a mutant against the tests that reach it: first those that its neighbours died of, or itself
+    /// another time, then the fastest.
     pub fn judge(&self, mutant: &Mutant, before: Option<&str>) -> Result<Fate> {
         let mut tests: Vec<usize> = (0..self.tests.len()).filter(|k| self.tests[*k].reached.contains(&mutant.site)).collect();
         if tests.is_empty() {
@@ -135,7 +138,8 @@ impl Tests {
         Ok(self.name(&self.tests[killer]))
     }
 
-    /// Whether tests of one program pass with a mutant, in a time that is not far from what they take without it.
+    /// Whether tests of one program pass with a mutant, in a time that is not far from what they take without
+    /// it.
     fn passes(&self, group: &[usize], mutant: usize) -> Result<bool> {
         let names: Vec<&String> = group.iter().map(|k| &self.tests[*k].name).collect();
         let seconds: f64 = group.iter().map(|k| self.tests[*k].seconds).sum();

@@ -98,7 +98,8 @@ impl Tree {
     }
 }
 
-/// Leaves out the mutants in which an error stands, or those around it, or those between the places that it names; gives how many.
+/// Leaves out the mutants in which an error stands, or those around it, or those between the places that it
+/// names; gives how many.
 fn blame(error: &Value, sources: &mut [Source], texts: &[String]) -> usize {
     let none = Vec::new();
     let spans = error["spans"].as_array().unwrap_or(&none);
@@ -169,7 +170,8 @@ fn write(path: &Path, text: &str) -> Result<()> {
     Ok(fs::write(path, text)?)
 }
 
-/// Copies a folder but for some files, for what is built and for what is hidden; takes away files that are no longer there.
+/// Copies a folder but for some files, for what is built and for what is hidden; takes away files that are no
+/// longer there.
 fn copy(from: &Path, to: &Path, except: &[PathBuf]) -> Result<()> {
     fs::create_dir_all(to)?;
     let mut kept = vec!["mutants.rs".into()];

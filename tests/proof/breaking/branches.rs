@@ -1,4 +1,5 @@
-//! Equations with several solutions near one another, by jumps within the tube or without any; conditions that the last bit decides.
+//! Equations with several solutions near one another, by jumps within the tube or without any; conditions
+//! that the last bit decides.
 
 use super::{Case, lengths, moved};
 use crate::wide::{Wide, w};
@@ -112,10 +113,18 @@ fn stairs() -> Vec<Case> {
         }
     };
     let mut all = Vec::new();
-    for (c, d, from, to) in [(0.0, 0.9, 0.2, 0.7), (0.0, 1.0, 0.1, 0.8), (0.5, 0.5, 0.6, 0.9), (0.0, 1.1, 0.3, 0.6)] {
+    for (c, d, from, to) in
+        [(0.0, 0.9, 0.2, 0.7), (0.0, 1.0, 0.1, 0.8), (0.5, 0.5, 0.6, 0.9), (0.0, 1.1, 0.3, 0.6)]
+    {
         let system = lengths([from], |m, [x]| m.add("c", stepped(x, c, d)).map(|_| ()));
         let Some(motion) = moved(&system, &[from, to]) else { continue };
-        all.push(Case { name: format!("stairs {c} {d}"), honest: false, system, motion, solutions: Box::new(of(c, d)) });
+        all.push(Case {
+            name: format!("stairs {c} {d}"),
+            honest: false,
+            system,
+            motion,
+            solutions: Box::new(of(c, d)),
+        });
     }
     all
 }
@@ -124,10 +133,18 @@ fn stairs() -> Vec<Case> {
 fn rests() -> Vec<Case> {
     let mut all = Vec::new();
     for (c, from, to) in [(1.0, 0.1, 0.9), (1.0, 0.4, 0.6), (0.01, 0.001, 0.009)] {
-        let solutions = move |t: &Wide| (0..5).map(|n| (n as usize, vec![t + w(c) * w(f64::from(n))])).collect::<Vec<_>>();
+        let solutions = move |t: &Wide| {
+            (0..5).map(|n| (n as usize, vec![t + w(c) * w(f64::from(n))])).collect::<Vec<_>>()
+        };
         let system = lengths([from], |m, [x]| m.add("c", wrapped(x, c)).map(|_| ()));
         let Some(motion) = moved(&system, &linspace(from, to, 3)) else { continue };
-        all.push(Case { name: format!("rest after {c}"), honest: false, system, motion, solutions: Box::new(solutions) });
+        all.push(Case {
+            name: format!("rest after {c}"),
+            honest: false,
+            system,
+            motion,
+            solutions: Box::new(solutions),
+        });
     }
     all
 }
@@ -149,7 +166,13 @@ fn folds() -> Vec<Case> {
         };
         let system = lengths([from, 0.0], |m, [x, y]| m.add("c", folded_back(x, y, c)).map(|_| ()));
         let Some(motion) = moved(&system, &[from, to]) else { continue };
-        all.push(Case { name: format!("folded back at {c}"), honest, system, motion, solutions: Box::new(solutions) });
+        all.push(Case {
+            name: format!("folded back at {c}"),
+            honest,
+            system,
+            motion,
+            solutions: Box::new(solutions),
+        });
     }
     all
 }
@@ -164,7 +187,13 @@ fn near_one_another() -> Vec<Case> {
         };
         let system = lengths([c], |m, [x]| m.add("c", squared(x, c)).map(|_| ()));
         if let Some(motion) = moved(&system, &linspace(0.0, 1.0, 5)) {
-            all.push(Case { name: format!("two solutions {c} apart"), honest: true, system, motion, solutions: Box::new(solutions) });
+            all.push(Case {
+                name: format!("two solutions {c} apart"),
+                honest: true,
+                system,
+                motion,
+                solutions: Box::new(solutions),
+            });
         }
         // x³ − c² x = c³ t/4 by Newton's method from each root
         let solutions = move |t: &Wide| {
@@ -195,7 +224,11 @@ type Decision = fn(&Wide, &Wide) -> Wide;
 /// x² = c, and a z that jumps where x is the f64 next to √c: which side x is on is not for f64 to say.
 fn last_bits() -> Vec<Case> {
     let kinds: [(&str, Adds, Decision); 5] = [
-        ("branch", |m, x, z, at| m.add("z", decided(x, z, at)).map(|_| ()), |x, at| w(if x >= at { 1.0 } else { 0.0 })),
+        (
+            "branch",
+            |m, x, z, at| m.add("z", decided(x, z, at)).map(|_| ()),
+            |x, at| w(if x >= at { 1.0 } else { 0.0 }),
+        ),
         (
             "step",
             |m, x, z, _| m.add("z", decided_by_step(x, z)).map(|_| ()),

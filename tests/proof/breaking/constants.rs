@@ -1,4 +1,5 @@
-//! Numbers that are not those of f64: decimals, constants that f64 rounds, and the library's functions at their worst arguments.
+//! Numbers that are not those of f64: decimals, constants that f64 rounds, and the library's functions at
+//! their worst arguments.
 
 use super::{Case, lengths, moved};
 use crate::wide::{Wide, dec, w};

@@ -1,4 +1,5 @@
-//! z = g(x) with x driven along a line: steps, remainders, selections, angles over their cut, at a distance from their jumps, over them, and at them.
+//! z = g(x) with x driven along a line: steps, remainders, selections, angles over their cut, at a distance
+//! from their jumps, over them, and at them.
 
 use super::{Case, lengths, moved};
 use crate::wide::{Wide, w};
@@ -97,8 +98,13 @@ pub fn cases() -> Vec<Case> {
     let mut all = Vec::new();
     for (name, add, f) in jumping::all() {
         // over a jump, at one, a hair before one, far from zero
-        let ranges =
-            [([0.7, 1.3, 1.0], 1), ([0.7, 1.3, 1.0], 7), ([1.0, 1.4, 1.0], 2), ([1.0 - 1e-9, 1.0 - 1e-13, 1.0], 1), ([2.9, 3.2, 0.3], 4)];
+        let ranges = [
+            ([0.7, 1.3, 1.0], 1),
+            ([0.7, 1.3, 1.0], 7),
+            ([1.0, 1.4, 1.0], 2),
+            ([1.0 - 1e-9, 1.0 - 1e-13, 1.0], 1),
+            ([2.9, 3.2, 0.3], 4),
+        ];
         all.extend(ranges.into_iter().filter_map(|(range, steps)| case(name, add, f, range, steps, false)));
         // clear of them
         let clear = if matches!(name, "nested" | "round") { [0.1, 0.3, 1.0] } else { [0.55, 0.95, 1.0] };

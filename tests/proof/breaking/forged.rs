@@ -1,4 +1,5 @@
-//! Motions that no run made: poses of several branches one after the other, rates that are not theirs, times twice or backwards.
+//! Motions that no run made: poses of several branches one after the other, rates that are not theirs, times
+//! twice or backwards.
 
 use super::{Case, Solutions, lengths, posed};
 use crate::wide::{Wide, w};
@@ -63,11 +64,15 @@ fn joined() -> Vec<Case> {
         // into the other branch, at each time, with its rates or with those of before
         for at in 1..6 {
             all.extend(forged(format!("{c}: other branch from {at}"), c, &times, false, |one, other| {
-                for (to, from) in [(&mut one.q, &other.q), (&mut one.qd, &other.qd), (&mut one.qdd, &other.qdd)] {
+                for (to, from) in
+                    [(&mut one.q, &other.q), (&mut one.qd, &other.qd), (&mut one.qdd, &other.qdd)]
+                {
                     to.splice(at.., from[at..].iter().cloned());
                 }
             }));
-            all.extend(forged(format!("{c}: other branch at {at} alone"), c, &times, false, |one, other| one.q[at] = other.q[at].clone()));
+            all.extend(forged(format!("{c}: other branch at {at} alone"), c, &times, false, |one, other| {
+                one.q[at] = other.q[at].clone()
+            }));
         }
         // rates that are not its own: the tube is wide, and what is proved is true all the same
         for factor in [0.0, 2.0, -1.0, 1e3, 1e12, 1e200] {
@@ -80,8 +85,12 @@ fn joined() -> Vec<Case> {
                 one.q.iter_mut().flatten().for_each(|q| *q -= off * c)
             }));
         }
-        all.extend(forged(format!("{c}: not a number"), c, &times, false, |one, _| one.qd[2] = vec![f64::NAN]));
-        all.extend(forged(format!("{c}: infinite"), c, &times, false, |one, _| one.qdd[2] = vec![f64::INFINITY]));
+        all.extend(forged(format!("{c}: not a number"), c, &times, false, |one, _| {
+            one.qd[2] = vec![f64::NAN]
+        }));
+        all.extend(forged(format!("{c}: infinite"), c, &times, false, |one, _| {
+            one.qdd[2] = vec![f64::INFINITY]
+        }));
         all.extend(forged(format!("{c}: as it is"), c, &times, true, |_, _| {}));
     }
     // both branches at one time; back in time; the same time twice
@@ -97,7 +106,11 @@ fn joined() -> Vec<Case> {
 fn singular() -> Vec<Case> {
     let mut all = Vec::new();
     let both = |t: &Wide| vec![(0, vec![t.clone()]), (1, vec![-t])];
-    for (name, times) in [("crossing", [-0.5, 0.4]), ("crossing at its end", [-0.5, 0.0]), ("crossing in the middle", [-0.5, 0.5])] {
+    for (name, times) in [
+        ("crossing", [-0.5, 0.4]),
+        ("crossing at its end", [-0.5, 0.0]),
+        ("crossing in the middle", [-0.5, 0.5]),
+    ] {
         for (from, to) in [(0, 0), (0, 1)] {
             let system = lengths([times[0]], |m, [x]| m.add("c", crossing(x)).map(|_| ()));
             let Some(motion) = posed(&system, &[-0.5, -0.4]) else { continue };
@@ -108,7 +121,13 @@ fn singular() -> Vec<Case> {
             data.qd = vec![vec![x(1.0, from)], vec![x(1.0, to)]];
             data.qdd = vec![vec![0.0]; 2];
             let Ok(motion) = Motion::from_data(&data) else { continue };
-            all.push(Case { name: format!("{name} {from} {to}"), honest: false, system, motion, solutions: Box::new(both) });
+            all.push(Case {
+                name: format!("{name} {from} {to}"),
+                honest: false,
+                system,
+                motion,
+                solutions: Box::new(both),
+            });
         }
     }
     let line = |t: &Wide| vec![(0, vec![t.clone()])];
@@ -129,8 +148,15 @@ fn singular() -> Vec<Case> {
         let mut data = motion.data();
         data.times[2] = -1e-4;
         let motion = Motion::from_data(&data).expect("reads");
-        let solutions = |t: &Wide| if *t < 0.0 { vec![] } else { vec![(0, vec![t.sqrt()]), (1, vec![-t.sqrt()])] };
-        all.push(Case { name: "over the end".to_string(), honest: false, system, motion, solutions: Box::new(solutions) });
+        let solutions =
+            |t: &Wide| if *t < 0.0 { vec![] } else { vec![(0, vec![t.sqrt()]), (1, vec![-t.sqrt()])] };
+        all.push(Case {
+            name: "over the end".to_string(),
+            honest: false,
+            system,
+            motion,
+            solutions: Box::new(solutions),
+        });
     }
     all
 }

@@ -1,8 +1,10 @@
-//! Constructions made to break a proof, with what is true of each in 77 digits: none is proved wrongly, and what is honest is still proved.
+//! Constructions made to break a proof, with what is true of each in 77 digits: none is proved wrongly, and
+//! what is honest is still proved.
 //!
-//! A construction is a system, a motion of it (run, or forged from poses) and all solutions near it at any time. What is proved is held against
-//! these: each computed position is as near to one as is said; at many times of a proved step one solution is in the tube, and no second one is
-//! where none is said to be; that solution is the same one all along.
+//! A construction is a system, a motion of it (run, or forged from poses) and all solutions near it at any
+//! time. What is proved is held against these: each computed position is as near to one as is said; at many
+//! times of a proved step one solution is in the tube, and no second one is where none is said to be; that
+//! solution is the same one all along.
 
 mod branches;
 mod constants;
@@ -16,8 +18,8 @@ use kin::{StepProof, Tube};
 
 use crate::wide::{Wide, w};
 
-/// All solutions near the motion at a time, coordinate by coordinate. Those of one number from one time to the next are one continuous motion; a
-/// solution that jumps has another number after it.
+/// All solutions near the motion at a time, coordinate by coordinate. Those of one number from one time to
+/// the next are one continuous motion; a solution that jumps has another number after it.
 pub type Solutions = Vec<(usize, Vec<Wide>)>;
 
 /// One construction.
@@ -44,11 +46,15 @@ impl Case {
         let wrong = |what: String| format!("{}: {what}\n{proof}", self.name);
         for (k, t) in self.motion.times().iter().enumerate() {
             let Some(error) = proof.error(k) else { continue };
-            let near = |(_, solution): &(usize, Vec<Wide>)| within(solution, &wide(self.motion.q(k)), error, 0.0);
+            let near =
+                |(_, solution): &(usize, Vec<Wide>)| within(solution, &wide(self.motion.q(k)), error, 0.0);
             let all = (self.solutions)(&w(*t));
             if !all.iter().any(near) {
                 let all: Vec<String> = all.iter().flat_map(|(_, q)| q.iter().map(Wide::show)).collect();
-                return Err(wrong(format!("position {k}, {:?} within {error:?}, is none of {all:?}", self.motion.q(k))));
+                return Err(wrong(format!(
+                    "position {k}, {:?} within {error:?}, is none of {all:?}",
+                    self.motion.q(k)
+                )));
             }
         }
         for step in proof.steps() {
@@ -71,14 +77,20 @@ impl Case {
             let (p, rounding) = interpolated(&self.motion, step.step, u);
             let t = w(step.from) + w(u) * (w(step.to) - w(step.from));
             let all = (self.solutions)(&t);
-            let inside =
-                |bounds: &[f64], sense: f64| all.iter().filter(|(_, q)| within(q, &p, bounds, sense * rounding)).collect::<Vec<_>>();
+            let inside = |bounds: &[f64], sense: f64| {
+                all.iter().filter(|(_, q)| within(q, &p, bounds, sense * rounding)).collect::<Vec<_>>()
+            };
             let (near, around) = (inside(&tube.radius, 1.0), inside(&tube.alone, -1.0));
             if near.is_empty() {
                 return Err(format!("step {}: no solution within {:?} at u = {u}", step.step, tube.radius));
             }
             if around.len() > 1 {
-                return Err(format!("step {}: {} solutions within {:?} at u = {u}", step.step, around.len(), tube.alone));
+                return Err(format!(
+                    "step {}: {} solutions within {:?} at u = {u}",
+                    step.step,
+                    around.len(),
+                    tube.alone
+                ));
             }
             // times are not in their order here: a number that is another one anywhere is a jump
             let number = near[0].0;
@@ -92,7 +104,8 @@ impl Case {
 }
 
 impl Case {
-    /// Whether the solutions of each number go on without a jump: where they change most is looked at closer and closer.
+    /// Whether the solutions of each number go on without a jump: where they change most is looked at closer
+    /// and closer.
     fn continuous(&self, step: &StepProof) -> Result<(), String> {
         let at = |u: &Wide| (self.solutions)(&(w(step.from) + u * (w(step.to) - w(step.from))));
         let change = |from: &Solutions, to: &Solutions| {
@@ -103,8 +116,11 @@ impl Case {
             from.iter().filter_map(of).reduce(|a, b| a.max(&b)).unwrap_or(w(0.0))
         };
         let grid: Vec<Solutions> = (0..=TIMES).map(|k| at(&w(k as f64 / TIMES as f64))).collect();
-        let most =
-            (0..TIMES).reduce(|a, b| if change(&grid[a], &grid[a + 1]) > change(&grid[b], &grid[b + 1]) { a } else { b }).unwrap_or(0);
+        let most = (0..TIMES)
+            .reduce(
+                |a, b| if change(&grid[a], &grid[a + 1]) > change(&grid[b], &grid[b + 1]) { a } else { b },
+            )
+            .unwrap_or(0);
         let (mut low, mut high) = (w(most as f64 / TIMES as f64), w((most + 1) as f64 / TIMES as f64));
         let first = change(&at(&low), &at(&high));
         let (mut below, mut above) = (at(&low), at(&high));
@@ -119,7 +135,11 @@ impl Case {
         }
         let last = change(&below, &above);
         let jumps = last > 1e-3 * &first && first > 1e-20;
-        if jumps { Err(format!("step {}: it jumps by {} at u = {}", step.step, last.show(), low.show())) } else { Ok(()) }
+        if jumps {
+            Err(format!("step {}: it jumps by {} at u = {}", step.step, last.show(), low.show()))
+        } else {
+            Ok(())
+        }
     }
 }
 
@@ -129,7 +149,11 @@ fn wide(q: &[f64]) -> Vec<Wide> {
 
 /// Whether a solution is within bounds of a position, coordinate by coordinate.
 fn within(solution: &[Wide], q: &[Wide], bounds: &[f64], rounding: f64) -> bool {
-    solution.iter().zip(q).zip(bounds).all(|((solution, q), bound)| (solution - q).is_within(bound + rounding * (1.0 + bound)))
+    solution
+        .iter()
+        .zip(q)
+        .zip(bounds)
+        .all(|((solution, q), bound)| (solution - q).is_within(bound + rounding * (1.0 + bound)))
 }
 
 /// The position interpolated by q, q̇ and q̈ at both ends, and what f64 may have lost of it.
@@ -147,16 +171,26 @@ fn interpolated(motion: &Motion, k: usize, u: f64) -> (Vec<Wide>, f64) {
         &h * of([0.0, -4.0, 7.0, -3.0]),
         &h * &h * of([0.0, 0.5, -1.0, 0.5]),
     ];
-    let rows = [motion.q(k), motion.qd(k), motion.qdd(k), motion.q(k + 1), motion.qd(k + 1), motion.qdd(k + 1)];
+    let rows =
+        [motion.q(k), motion.qd(k), motion.qdd(k), motion.q(k + 1), motion.qd(k + 1), motion.qdd(k + 1)];
     let step = motion.times()[k + 1] - motion.times()[k];
     let sizes = [1.0, step, step * step, 1.0, step, step * step];
-    let largest = rows.iter().zip(sizes).flat_map(|(row, size)| row.iter().map(move |x| (x * size).abs())).fold(0.0, f64::max);
-    let p = (0..rows[0].len()).map(|j| rows.iter().zip(&base).fold(w(0.0), |sum, (row, b)| sum + row[j] * b)).collect();
+    let largest = rows
+        .iter()
+        .zip(sizes)
+        .flat_map(|(row, size)| row.iter().map(move |x| (x * size).abs()))
+        .fold(0.0, f64::max);
+    let p = (0..rows[0].len())
+        .map(|j| rows.iter().zip(&base).fold(w(0.0), |sum, (row, b)| sum + row[j] * b))
+        .collect();
     (p, 64.0 * f64::EPSILON * largest)
 }
 
 /// A mechanism of lengths with these values.
-pub fn lengths<const N: usize>(q: [f64; N], add: impl FnOnce(&mut Mechanism, [Coordinate; N]) -> kin::Result<()>) -> System {
+pub fn lengths<const N: usize>(
+    q: [f64; N],
+    add: impl FnOnce(&mut Mechanism, [Coordinate; N]) -> kin::Result<()>,
+) -> System {
     crate::promises::lengths(q, add)
 }
 
@@ -167,7 +201,11 @@ pub fn moved(system: &System, times: &[f64]) -> Option<Motion> {
 
 /// A motion of poses that were solved one by one.
 pub fn posed(system: &System, times: &[f64]) -> Option<Motion> {
-    let all: Vec<_> = times.iter().map(|t| system.run([*t]).map(|motion| motion.data())).collect::<kin::Result<_>>().ok()?;
+    let all: Vec<_> = times
+        .iter()
+        .map(|t| system.run([*t]).map(|motion| motion.data()))
+        .collect::<kin::Result<_>>()
+        .ok()?;
     let mut whole = all.first()?.clone();
     for one in &all[1..] {
         whole.times.extend(&one.times);
@@ -202,9 +240,17 @@ fn judged(cases: Vec<Case>) -> [usize; 3] {
 
 #[test]
 fn nothing_is_proved_wrongly_and_what_is_honest_is_proved() {
-    let all = [explicit::cases(), constants::cases(), branches::cases(), seams::cases(), forged::cases(), scales::cases()];
+    let all = [
+        explicit::cases(),
+        constants::cases(),
+        branches::cases(),
+        seams::cases(),
+        forged::cases(),
+        scales::cases(),
+    ];
     let counts: Vec<[usize; 3]> = all.into_iter().map(judged).collect();
-    let [count, honest, proved] = counts.iter().fold([0; 3], |sum, one| std::array::from_fn(|k| sum[k] + one[k]));
+    let [count, honest, proved] =
+        counts.iter().fold([0; 3], |sum, one| std::array::from_fn(|k| sum[k] + one[k]));
     println!("{count} constructions, {proved} of {honest} honest ones proved");
     assert!(count >= 200 && honest >= 100 && count - honest >= 100, "{count} {honest}");
     assert!(100 * proved >= 95 * honest, "{proved} of {honest}");

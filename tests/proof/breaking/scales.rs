@@ -44,7 +44,13 @@ fn since(x: Coord, t: Time, k: f64) -> f64 {
     x - if t < k { 0.0 } else { t - k }
 }
 
-fn case(name: String, honest: bool, system: System, times: &[f64], solutions: impl Fn(&Wide) -> Vec<Vec<Wide>> + 'static) -> Option<Case> {
+fn case(
+    name: String,
+    honest: bool,
+    system: System,
+    times: &[f64],
+    solutions: impl Fn(&Wide) -> Vec<Vec<Wide>> + 'static,
+) -> Option<Case> {
     let motion = moved(&system, times)?;
     let solutions = move |t: &Wide| solutions(t).into_iter().enumerate().collect();
     Some(Case { name, honest, system, motion, solutions: Box::new(solutions) })
@@ -61,17 +67,29 @@ fn sizes() -> Vec<Case> {
     for s in [1e-150, 1e-100, 1e-30, 1e-9, 1.0, 1e9, 1e30, 1e100, 1e150] {
         let root = |t: &Wide| (1.0 + t).sqrt();
         let system = lengths([1.0], |m, [x]| m.add("c", scaled(x, s)).map(|_| ()));
-        all.extend(case(format!("an equation of size {s:e}"), true, system, &times, move |t| vec![vec![root(t)], vec![-root(t)]]));
+        all.extend(case(format!("an equation of size {s:e}"), true, system, &times, move |t| {
+            vec![vec![root(t)], vec![-root(t)]]
+        }));
         let system = lengths([s], |m, [x]| m.add("c", of_size(x, s)).map(|_| ()));
-        all.extend(case(format!("a square of size {s:e}"), s.log10().abs() < 120.0, system, &times, move |t| {
-            vec![vec![s * root(t)], vec![-(s * root(t))]]
-        }));
+        all.extend(case(
+            format!("a square of size {s:e}"),
+            s.log10().abs() < 120.0,
+            system,
+            &times,
+            move |t| vec![vec![s * root(t)], vec![-(s * root(t))]],
+        ));
         let system = lengths([s], |m, [x]| m.add("c", line_of_size(x, s)).map(|_| ()));
-        all.extend(case(format!("a line of size {s:e}"), true, system, &times, move |t| vec![vec![s * (1.0 + t)]]));
-        let system = lengths([1.0 / s, s], |m, [x, y]| m.add("c", pair(x, y, s)).map(|_| ()));
-        all.extend(case(format!("coordinates of sizes {s:e} and its inverse"), true, system, &times, move |t| {
-            vec![vec![(1.0 + 0.25 * t) / w(s), w(s) * (1.0 + 0.75 * t)]]
+        all.extend(case(format!("a line of size {s:e}"), true, system, &times, move |t| {
+            vec![vec![s * (1.0 + t)]]
         }));
+        let system = lengths([1.0 / s, s], |m, [x, y]| m.add("c", pair(x, y, s)).map(|_| ()));
+        all.extend(case(
+            format!("coordinates of sizes {s:e} and its inverse"),
+            true,
+            system,
+            &times,
+            move |t| vec![vec![(1.0 + 0.25 * t) / w(s), w(s) * (1.0 + 0.75 * t)]],
+        ));
     }
     all
 }
@@ -79,12 +97,18 @@ fn sizes() -> Vec<Case> {
 /// Waves after many turns.
 fn waves() -> Vec<Case> {
     let mut all = Vec::new();
-    for (start, omega) in [(0.0, 1.0), (1e3, 1.0), (1e6, 1.0), (1e9, 1.0), (1e3, 1e3), (1e6, 1e3), (1e12, 1e-9)] {
+    for (start, omega) in
+        [(0.0, 1.0), (1e3, 1.0), (1e6, 1.0), (1e9, 1.0), (1e3, 1e3), (1e6, 1e3), (1e12, 1e-9)]
+    {
         let system = lengths([0.0], |m, [x]| m.add("c", wave(x, omega)).map(|_| ()));
         let times = linspace(start, start + 1.0 / omega, 9);
-        all.extend(case(format!("a wave of {omega:e} at {start:e}"), start * omega < 1e8, system, &times, move |t| {
-            vec![vec![(w(omega) * t).sin()]]
-        }));
+        all.extend(case(
+            format!("a wave of {omega:e} at {start:e}"),
+            start * omega < 1e8,
+            system,
+            &times,
+            move |t| vec![vec![(w(omega) * t).sin()]],
+        ));
     }
     all
 }
@@ -93,12 +117,21 @@ fn waves() -> Vec<Case> {
 fn long_times() -> Vec<Case> {
     let mut all = Vec::new();
     for start in [0.0, 1e3, 1e6, 1e9, 1e12] {
-        for (from, to, honest) in [(0.2, 0.7, true), (0.7, 1.3, false), (0.5, 1.0, false), (1.0, 1.4, false)] {
+        for (from, to, honest) in [(0.2, 0.7, true), (0.7, 1.3, false), (0.5, 1.0, false), (1.0, 1.4, false)]
+        {
             let times = [start + from, start + to];
             let system = lengths([0.0], |m, [x]| m.add("c", whole(x)).map(|_| ()));
-            all.extend(case(format!("whole seconds at {start:e} from {from}"), honest, system, &times, |t| vec![vec![t.floor()]]));
+            all.extend(case(
+                format!("whole seconds at {start:e} from {from}"),
+                honest,
+                system,
+                &times,
+                |t| vec![vec![t.floor()]],
+            ));
             let system = lengths([0.0], |m, [x]| m.add("c", rest(x, 1.0)).map(|_| ()));
-            all.extend(case(format!("what is left at {start:e} from {from}"), honest, system, &times, |t| vec![vec![t.fract()]]));
+            all.extend(case(format!("what is left at {start:e} from {from}"), honest, system, &times, |t| {
+                vec![vec![t.fract()]]
+            }));
         }
         let k = start + 1.0;
         let system = lengths([0.0], |m, [x]| m.add("c", since(x, k)).map(|_| ()));

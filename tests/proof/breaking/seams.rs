@@ -54,7 +54,12 @@ fn laws() -> Vec<(&'static str, Law, F, [f64; 2])> {
 fn rises() -> Vec<(&'static str, Law, F, [f64; 2])> {
     let poly345 = |x: &Wide| x * x * x * (10.0 + x * (6.0 * x - 15.0));
     vec![
-        ("cycloid", Law::cycloidal(1.0, 1.0), pieces(&[0.0, 1.0], &[|_| w(0.0), cycloid, |_| w(1.0)]), [-0.3, 1.2]),
+        (
+            "cycloid",
+            Law::cycloidal(1.0, 1.0),
+            pieces(&[0.0, 1.0], &[|_| w(0.0), cycloid, |_| w(1.0)]),
+            [-0.3, 1.2],
+        ),
         (
             "harmonic",
             Law::harmonic_rise(2.0, 1.0),
@@ -80,7 +85,13 @@ fn rises() -> Vec<(&'static str, Law, F, [f64; 2])> {
             Law::trapezoidal(2.0, 1.0, 1.0),
             pieces(
                 &[0.0, 1.0, 2.0, 3.0],
-                &[|_| w(0.0), |x| 0.5 * (x * x), |x| x - 0.5, |x| 2.0 - 0.5 * ((3.0 - x) * (3.0 - x)), |_| w(2.0)],
+                &[
+                    |_| w(0.0),
+                    |x| 0.5 * (x * x),
+                    |x| x - 0.5,
+                    |x| 2.0 - 0.5 * ((3.0 - x) * (3.0 - x)),
+                    |_| w(2.0),
+                ],
             ),
             [-0.5, 3.5],
         ),
@@ -97,7 +108,11 @@ fn sequences() -> Vec<(&'static str, Law, F, [f64; 2])> {
         ),
         (
             "there and back",
-            Law::sequence(0.0, [(1.0, Law::cycloidal(1.0, 1.0)), (1.0, Law::constant(1.0) - Law::cycloidal(1.0, 1.0))]).periodic(2.0),
+            Law::sequence(
+                0.0,
+                [(1.0, Law::cycloidal(1.0, 1.0)), (1.0, Law::constant(1.0) - Law::cycloidal(1.0, 1.0))],
+            )
+            .periodic(2.0),
             std::rc::Rc::new(|x: &Wide| {
                 let x = x.rem_euclid(&w(2.0));
                 if x < 1.0 { cycloid(&x) } else { 1.0 - cycloid(&(x - 1.0)) }
@@ -146,7 +161,12 @@ fn slopes() -> Vec<Case> {
     let corner = Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::linear(1.0, -1.0))]);
     let mut all = Vec::new();
     for (name, law, f, honest) in [
-        ("slope of a corner", corner, pieces(&[0.0, 1.0, 2.0], &[|_| w(0.0), |_| w(1.0), |_| w(-1.0), |_| w(0.0)]), false),
+        (
+            "slope of a corner",
+            corner,
+            pieces(&[0.0, 1.0, 2.0], &[|_| w(0.0), |_| w(1.0), |_| w(-1.0), |_| w(0.0)]),
+            false,
+        ),
         (
             "slope of a trapezoid",
             Law::trapezoidal(2.0, 1.0, 1.0),
@@ -165,7 +185,13 @@ fn slopes() -> Vec<Case> {
                 let x = t + w(0.6);
                 vec![(0, vec![x.clone(), f(&x)])]
             };
-            all.push(Case { name: format!("{name} in {steps}"), honest, system, motion, solutions: Box::new(solutions) });
+            all.push(Case {
+                name: format!("{name} in {steps}"),
+                honest,
+                system,
+                motion,
+                solutions: Box::new(solutions),
+            });
         }
     }
     all
@@ -178,7 +204,12 @@ fn laws_of_angles() -> [(&'static str, Law, fn(&Wide) -> Wide, bool); 9] {
     [
         ("sine", Law::sine(0.5, 2.0, 0.25), |x| 0.5 * (2.0 * x + 0.25).sin(), true),
         ("harmonic", Law::harmonic(1.0, 0.5), |x| 1.0 + 0.5 * x.sin(), true),
-        ("product", Law::harmonic(1.0, 0.5) * Law::sine(0.5, 2.0, 0.25), |x| (1.0 + 0.5 * x.sin()) * (0.5 * (2.0 * x + 0.25).sin()), true),
+        (
+            "product",
+            Law::harmonic(1.0, 0.5) * Law::sine(0.5, 2.0, 0.25),
+            |x| (1.0 + 0.5 * x.sin()) * (0.5 * (2.0 * x + 0.25).sin()),
+            true,
+        ),
         ("shifted", Law::harmonic(1.0, 0.5).shifted(0.75), |x| 1.0 + 0.5 * (x - 0.75).sin(), true),
         ("line", Law::linear(0.5, 0.25), |x| 0.5 + 0.25 * x, false),
         ("half sine", Law::sine(0.5, 0.5, 0.25), |x| 0.5 * (0.5 * x + 0.25).sin(), false),
@@ -205,9 +236,21 @@ fn laws_of_angles() -> [(&'static str, Law, fn(&Wide) -> Wide, bool); 9] {
 fn angles() -> Vec<Case> {
     let by: [(&str, Adds, fn(&Wide) -> Wide); 4] = [
         ("angle", |m, x, z, law| m.add("z", by_angle(x, z, law)).map(|_| ()), |x| x.atan2(&w(-1.0))),
-        ("angle back", |m, x, z, law| m.add("z", by_angle_back(x, z, law)).map(|_| ()), |x| 0.5 - x.atan2(&w(-1.0))),
-        ("two angles", |m, x, z, law| m.add("z", by_two_angles(x, z, law)).map(|_| ()), |x| x.atan2(&w(-1.0)) + x.atan2(&w(-3.0))),
-        ("thrice", |m, x, z, law| m.add("z", by_thrice_the_angle(x, z, law)).map(|_| ()), |x| -3.0 * x.atan2(&w(-1.0))),
+        (
+            "angle back",
+            |m, x, z, law| m.add("z", by_angle_back(x, z, law)).map(|_| ()),
+            |x| 0.5 - x.atan2(&w(-1.0)),
+        ),
+        (
+            "two angles",
+            |m, x, z, law| m.add("z", by_two_angles(x, z, law)).map(|_| ()),
+            |x| x.atan2(&w(-1.0)) + x.atan2(&w(-3.0)),
+        ),
+        (
+            "thrice",
+            |m, x, z, law| m.add("z", by_thrice_the_angle(x, z, law)).map(|_| ()),
+            |x| -3.0 * x.atan2(&w(-1.0)),
+        ),
     ];
     let mut all = Vec::new();
     for (angle, add, turned) in by {
@@ -222,7 +265,13 @@ fn angles() -> Vec<Case> {
                     let x = w(-0.2) + 0.5 * t;
                     vec![(0, vec![x.clone(), f(&turned(&x))])]
                 };
-                all.push(Case { name: format!("{name} by {angle} in {steps}"), honest, system, motion, solutions: Box::new(solutions) });
+                all.push(Case {
+                    name: format!("{name} by {angle} in {steps}"),
+                    honest,
+                    system,
+                    motion,
+                    solutions: Box::new(solutions),
+                });
             }
         }
     }
@@ -250,9 +299,9 @@ fn hidden_jumps() -> Vec<Case> {
 pub fn cases() -> Vec<Case> {
     let mut all = Vec::new();
     for (name, law, f, range) in laws() {
-        all.extend(
-            [3, 12].into_iter().filter_map(|steps| followed(format!("{name} in {steps}"), law.clone(), f.clone(), range, steps, true)),
-        );
+        all.extend([3, 12].into_iter().filter_map(|steps| {
+            followed(format!("{name} in {steps}"), law.clone(), f.clone(), range, steps, true)
+        }));
         // the same long after
         let later: F = std::rc::Rc::new({
             let f = f.clone();

@@ -11,17 +11,26 @@ const WIDTHS: [f64; 4] = [0.0, 1e-7, 1e-3, 0.1];
 /// How many coefficients of Taylor's formula are asked for.
 const FULL: usize = 7;
 
-/// The entries of C, C_q, C_q q̇ + C_t and Q_d that are not within their bounds over boxes around a state, and whether bounds were known over a small one.
-pub(super) fn outside(constraint: &dyn Constraint, q: &[f64], qd: &[f64], t: f64, terms: &Terms) -> (Vec<Entry>, bool) {
+/// The entries of C, C_q, C_q q̇ + C_t and Q_d that are not within their bounds over boxes around a state,
+/// and whether bounds were known over a small one.
+pub(super) fn outside(
+    constraint: &dyn Constraint,
+    q: &[f64],
+    qd: &[f64],
+    t: f64,
+    terms: &Terms,
+) -> (Vec<Entry>, bool) {
     let (mut all, mut known) = (Vec::new(), false);
     let Some(part) = Part::alone(constraint) else { return (all, known) };
     let mut spread = Spread(t.to_bits());
     let rows = constraint.rows();
     let narrow = spread.next() < 0.0;
     for width in WIDTHS.into_iter().skip(usize::from(!narrow)).step_by(2) {
-        let mut around = |x: f64| Interval::new(x - width * (2.0 + spread.next()), x + width * (2.0 + spread.next()));
+        let mut around =
+            |x: f64| Interval::new(x - width * (2.0 + spread.next()), x + width * (2.0 + spread.next()));
         let (boxes, times) = (q.iter().map(|q| around(*q)).collect::<Vec<_>>(), around(t));
-        let along: Vec<Series> = boxes.iter().zip(qd).map(|(q, qd)| Series::variable(*q, Interval::from(*qd), FULL)).collect();
+        let along: Vec<Series> =
+            boxes.iter().zip(qd).map(|(q, qd)| Series::variable(*q, Interval::from(*qd), FULL)).collect();
         let (mut c, mut c_q) = (Vec::new(), Vec::new());
         let found = part.residual(&along, Series::variable(times, ONE, FULL), &mut c);
         if found.and_then(|()| part.jacobian(&boxes, times, &mut c_q)).is_err() {
@@ -44,14 +53,19 @@ pub(super) fn outside(constraint: &dyn Constraint, q: &[f64], qd: &[f64], t: f64
             check(format!("bounds of Q_d, {}", rows[k]), c.at(2) * Interval::from(-2.0), terms.q_d[k], size);
         }
         for (row, column, values) in c_q {
-            check(format!("bounds of C_q, {}, column {column}", rows[row]), values, terms.c_q[(row, column)], terms.c_q.amax());
+            check(
+                format!("bounds of C_q, {}, column {column}", rows[row]),
+                values,
+                terms.c_q[(row, column)],
+                terms.c_q.amax(),
+            );
         }
     }
     (all, known)
 }
 
-/// Where a law and its derivatives are not within their bounds, in words: over random intervals, from points to the whole range, at their ends and
-/// inside, and over breaks.
+/// Where a law and its derivatives are not within their bounds, in words: over random intervals, from points
+/// to the whole range, at their ends and inside, and over breaks.
 pub(super) fn of_law(law: &Law, from: f64, to: f64, sizes: &[f64; 4]) -> Vec<String> {
     let mut spread = Spread(from.to_bits() ^ to.to_bits());
     let mut share = || 0.25 * (spread.next() + 2.0);
@@ -61,10 +75,13 @@ pub(super) fn of_law(law: &Law, from: f64, to: f64, sizes: &[f64; 4]) -> Vec<Str
         let width = if k % 8 == 0 { 0.0 } else { (to - from) * 10_f64.powf(-9.0 * share()) };
         let begin = from + (to - from - width).max(0.0) * share();
         let (begin, end) = (begin, (begin + width).max(begin));
-        let Some(bounds) = law.over(&Series::variable(Interval::new(begin, end), ONE, FULL)) else { return lines };
+        let Some(bounds) = law.over(&Series::variable(Interval::new(begin, end), ONE, FULL)) else {
+            return lines;
+        };
         // a break is passed where it is inside by more than rounding
         let beside = 1e-9 * (end - begin) + 1e-12 * (begin.abs() + end.abs());
-        for found in law.breaks(begin + beside, end - beside).iter().filter(|_| begin + beside < end - beside) {
+        for found in law.breaks(begin + beside, end - beside).iter().filter(|_| begin + beside < end - beside)
+        {
             if bounds.len() > found.order + 1 {
                 let what = format!(
                     "over the break at x = {}, where derivative {} jumps, {} coefficients are told to be known",
@@ -89,7 +106,13 @@ fn not_within(law: &Law, bounds: &Series, x: f64, sizes: &[f64; 4]) -> Vec<Strin
         // beside a break the law's own rounding decides on which side it is
         let slack = 1e-11 * (1.0 + sizes[order]);
         let found = value < known.lo() - slack || value > known.hi() + slack;
-        found.then(|| format!("derivative {order} at x = {x}: {value:e}, which is not within {:e} and {:e}", known.lo(), known.hi()))
+        found.then(|| {
+            format!(
+                "derivative {order} at x = {x}: {value:e}, which is not within {:e} and {:e}",
+                known.lo(),
+                known.hi()
+            )
+        })
     };
     law.jet(x).into_iter().enumerate().take(bounds.len()).filter_map(outside).collect()
 }

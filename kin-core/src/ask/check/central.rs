@@ -13,7 +13,8 @@ pub(super) struct Central {
     pub c_q: DMatrix<f64>,
     pub c_t: DMatrix<f64>,
     pub q_d: DMatrix<f64>,
-    /// Whether two step sizes agree: not so beside a kink or a singularity, where central differences say nothing.
+    /// Whether two step sizes agree: not so beside a kink or a singularity, where central differences say
+    /// nothing.
     pub reliable: bool,
 }
 
@@ -26,8 +27,11 @@ impl Central {
     ) -> Self {
         let fine = Self::with_step::<E, N, M>(equation, q, qd, t, 1e-5);
         let coarse = Self::with_step::<E, N, M>(equation, q, qd, t, 4e-5);
-        let agree = |a: &DMatrix<f64>, b: &DMatrix<f64>| (a - b).amax() <= 0.3 * DIFFERENCES_TOLERANCE * (1.0 + a.amax());
-        let reliable = agree(&fine.c_q, &coarse.c_q) && agree(&fine.c_t, &coarse.c_t) && agree(&fine.q_d, &coarse.q_d);
+        let agree = |a: &DMatrix<f64>, b: &DMatrix<f64>| {
+            (a - b).amax() <= 0.3 * DIFFERENCES_TOLERANCE * (1.0 + a.amax())
+        };
+        let reliable =
+            agree(&fine.c_q, &coarse.c_q) && agree(&fine.c_t, &coarse.c_t) && agree(&fine.q_d, &coarse.q_d);
         Central { reliable, ..fine }
     }
 
@@ -45,7 +49,8 @@ impl Central {
             };
             (value(h) - value(-h)) / (2.0 * h)
         };
-        let columns: Vec<DVector<f64>> = (0..N).map(|k| slope(&std::array::from_fn(|i| f64::from(u8::from(i == k))), 0.0)).collect();
+        let columns: Vec<DVector<f64>> =
+            (0..N).map(|k| slope(&std::array::from_fn(|i| f64::from(u8::from(i == k))), 0.0)).collect();
         let c_q = if N == 0 { DMatrix::zeros(M, 0) } else { DMatrix::from_columns(&columns) };
         // −d/ds (C_q q̇ + C_t) along (q̇, 1), from the first derivatives by dual numbers.
         let rate = |s: f64| {

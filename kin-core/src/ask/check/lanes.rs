@@ -1,4 +1,5 @@
-//! Kernels over lanes against the constraint's own terms, in each lane by itself, for every kind of machine that this one can be.
+//! Kernels over lanes against the constraint's own terms, in each lane by itself, for every kind of machine
+//! that this one can be.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -28,8 +29,8 @@ pub struct LaneMismatch {
     pub t: f64,
 }
 
-/// Compares the kernels over lanes of `constraint` with its own terms at 24 states, by 2, 4 and 8 lanes where the machine has them; gives
-/// how many of these it has, 0 for a constraint without such kernels.
+/// Compares the kernels over lanes of `constraint` with its own terms at 24 states, by 2, 4 and 8 lanes where
+/// the machine has them; gives how many of these it has, 0 for a constraint without such kernels.
 ///
 /// States where a term is not finite are left out.
 pub fn lanes(constraint: &dyn Constraint) -> Result<usize, Box<LaneMismatch>> {
@@ -40,7 +41,10 @@ pub fn lanes(constraint: &dyn Constraint) -> Result<usize, Box<LaneMismatch>> {
     let states: Vec<State> = (0..24).map(|_| (vector(), vector())).collect();
     let mut levels = 0;
     for lanes in [2, 4, 8] {
-        let Ok(compared) = Lanes::Only(lanes).dispatch(Compare { constraint, kernels, states: &states }) else { continue };
+        let Ok(compared) = Lanes::Only(lanes).dispatch(Compare { constraint, kernels, states: &states })
+        else {
+            continue;
+        };
         compared?;
         levels += 1;
     }
@@ -70,24 +74,28 @@ impl Compare<'_> {
     fn group<S: Level>(&self, simd: S, t: f64, group: &[State]) -> Result<(), Box<LaneMismatch>> {
         let arguments = self.constraint.arguments();
         let of_lane = |lane: usize| group.get(lane).unwrap_or(&group[0]);
-        let locals: Vec<Local> = (0..Wide::<S>::LANES).map(of_lane).map(|(q, qd)| Local::new(&arguments, q, qd)).collect();
+        let locals: Vec<Local> =
+            (0..Wide::<S>::LANES).map(of_lane).map(|(q, qd)| Local::new(&arguments, q, qd)).collect();
         let states = wide(simd, &locals, |local| &local.states);
         let rates = wide(simd, &locals, |local| &local.rates);
         let known = self.known(t).into_iter().map(|x| Wide::splat(simd, x)).collect::<Vec<_>>();
         let own = [vec![self.kernels; Wide::<S>::LANES]];
         let arguments = locals.first().map(|local| &local.arguments[..]).unwrap_or_default();
-        let instant = LaneInstant { simd, states: &states, rates: &rates, known: &known, arguments, own: &own };
+        let instant =
+            LaneInstant { simd, states: &states, rates: &rates, known: &known, arguments, own: &own };
         let alone = [LaneBlock { number: 0, arguments: 0, known: 0, rows: 0, values: 0 }];
         let (table, rows) = (S::table(&self.kernels.kernels()), self.constraint.rows().len());
         let zeros = || vec![Wide::splat(simd, 0.0); rows];
         let (mut c, mut rhs, mut q_d) = (zeros(), zeros(), zeros());
         let constant = |k: usize| self.constraint.constants().get(k).copied().flatten().unwrap_or(0.0);
-        let mut values: Vec<Wide<S>> = (0..self.constraint.pattern().len()).map(|k| Wide::splat(simd, constant(k))).collect();
+        let mut values: Vec<Wide<S>> =
+            (0..self.constraint.pattern().len()).map(|k| Wide::splat(simd, constant(k))).collect();
         table.linearize(&instant, &alone, &mut c, &mut values);
         table.velocity_rhs(&instant, &alone, &mut rhs);
         table.acceleration_rhs(&instant, &alone, &mut q_d);
         for (lane, state) in group.iter().enumerate() {
-            let of_lane = |all: &[Wide<S>]| DVector::from_iterator(all.len(), all.iter().map(|x| x.as_slice()[lane]));
+            let of_lane =
+                |all: &[Wide<S>]| DVector::from_iterator(all.len(), all.iter().map(|x| x.as_slice()[lane]));
             self.compare(state, t, [of_lane(&c), of_lane(&values), -of_lane(&rhs), of_lane(&q_d)])?;
         }
         Ok(())
@@ -103,7 +111,12 @@ impl Compare<'_> {
     }
 
     /// C, values of C_q, C_t and Q_d of one lane.
-    fn compare(&self, (q, qd): &State, t: f64, [c, values, c_t, q_d]: [DVector<f64>; 4]) -> Result<(), Box<LaneMismatch>> {
+    fn compare(
+        &self,
+        (q, qd): &State,
+        t: f64,
+        [c, values, c_t, q_d]: [DVector<f64>; 4],
+    ) -> Result<(), Box<LaneMismatch>> {
         let own = terms(self.constraint, q, qd, t);
         if !own.is_finite() {
             return Ok(());
@@ -111,14 +124,25 @@ impl Compare<'_> {
         let mut c_q = DMatrix::zeros(own.c_q.nrows(), own.c_q.ncols());
         self.constraint.pattern().iter().zip(values.iter()).for_each(|(place, value)| c_q[*place] += value);
         let column = |v: &DVector<f64>| DMatrix::from_column_slice(v.len(), 1, v.as_slice());
-        let found = [("C", column(&c), column(&own.c)), ("C_q", c_q, own.c_q.clone()), ("C_t", column(&c_t), column(&own.c_t))];
+        let found = [
+            ("C", column(&c), column(&own.c)),
+            ("C_q", c_q, own.c_q.clone()),
+            ("C_t", column(&c_t), column(&own.c_t)),
+        ];
         // Q_d comes of parts that may cancel.
         let parts = [&own.c_qqd_qd, &own.c_tt, &own.c_qt_qd].iter().map(|v| v.amax()).fold(0.0, f64::max);
         let found = found.into_iter().map(|(term, a, b)| (term, (&a - &b).amax() / (1.0 + b.amax())));
         for (term, difference) in found.chain([("Q_d", (q_d - &own.q_d).amax() / (1.0 + parts))]) {
             if difference.is_nan() || difference > ROUTES_TOLERANCE {
                 let kind = self.constraint.kind().to_owned();
-                return Err(Box::new(LaneMismatch { kind, term, difference, q: q.clone(), qd: qd.clone(), t }));
+                return Err(Box::new(LaneMismatch {
+                    kind,
+                    term,
+                    difference,
+                    q: q.clone(),
+                    qd: qd.clone(),
+                    t,
+                }));
             }
         }
         Ok(())

@@ -1,4 +1,5 @@
-//! Checking a law: each derivative against central differences of the one before, and the breaks it lists against those it has.
+//! Checking a law: each derivative against central differences of the one before, and the breaks it lists
+//! against those it has.
 
 use std::fmt;
 
@@ -29,8 +30,8 @@ impl fmt::Debug for LawMismatch {
 
 impl std::error::Error for LawMismatch {}
 
-/// Asserts that f′, f″ and f‴ of a law are the derivatives of f, f′ and f″ between `from` and `to`, that its breaks are as it
-/// lists them, and that all of these lie within their interval bounds, where it knows those.
+/// Asserts that f′, f″ and f‴ of a law are the derivatives of f, f′ and f″ between `from` and `to`, that its
+/// breaks are as it lists them, and that all of these lie within their interval bounds, where it knows those.
 ///
 /// For a test: panics with a table. [`compare_law`] returns the same as a value.
 pub fn law(law: &Law, from: f64, to: f64) {
@@ -39,8 +40,8 @@ pub fn law(law: &Law, from: f64, to: f64) {
     }
 }
 
-/// Compares the derivatives of a law with central differences at 200 places between `from` and `to` and on both sides of its breaks; gives the
-/// largest relative difference.
+/// Compares the derivatives of a law with central differences at 200 places between `from` and `to` and on
+/// both sides of its breaks; gives the largest relative difference.
 pub fn compare_law(law: &Law, from: f64, to: f64) -> Result<f64, LawMismatch> {
     let breaks = law.breaks(from, to);
     let h = 1e-6 * (to - from);
@@ -54,10 +55,15 @@ pub fn compare_law(law: &Law, from: f64, to: f64) -> Result<f64, LawMismatch> {
         let (at, before, after) = (law.jet(x), law.jet(x - h), law.jet(x + h));
         for order in 0..3 {
             let slope = (after[order] - before[order]) / (2.0 * h);
-            let difference = (slope - at[order + 1]).abs() / (sizes[order + 1] + sizes[order] * 1e-3 / (to - from));
+            let difference =
+                (slope - at[order + 1]).abs() / (sizes[order + 1] + sizes[order] * 1e-3 / (to - from));
             worst = worst.max(difference);
             if difference.is_nan() || difference > 1e-6 {
-                lines.push(format!("derivative {} at x = {x}: {:e}, by central differences {slope:e}", order + 1, at[order + 1]));
+                lines.push(format!(
+                    "derivative {} at x = {x}: {:e}, by central differences {slope:e}",
+                    order + 1,
+                    at[order + 1]
+                ));
             }
         }
     }
@@ -82,11 +88,20 @@ fn at_break(law: &Law, x: f64, order: usize, h: f64, sizes: &[f64; 4]) -> Option
         (a[k] - b[k]).abs() > 1e-4 * sizes[k] + 2.0 * drift
     };
     if let Some(k) = (0..order.min(3)).find(|&k| jump(k, &before, &after)) {
-        return Some(format!("break at x = {x} of order {order}, but derivative {k} jumps there: {:e} to {:e}", before[k], after[k]));
+        return Some(format!(
+            "break at x = {x} of order {order}, but derivative {k} jumps there: {:e} to {:e}",
+            before[k], after[k]
+        ));
     }
     if order <= 3 && !jump(order, &before, &after) {
-        return Some(format!("break at x = {x} of order {order}, but that derivative does not jump there: {:e}", at[order]));
+        return Some(format!(
+            "break at x = {x} of order {order}, but that derivative does not jump there: {:e}",
+            at[order]
+        ));
     }
     let left = (0..4).find(|&k| jump(k, &at, &after))?;
-    Some(format!("at the break x = {x} derivative {left} is {:e}, not that of the right side, {:e}", at[left], after[left]))
+    Some(format!(
+        "at the break x = {x} derivative {left} is {:e}, not that of the right side, {:e}",
+        at[left], after[left]
+    ))
 }

@@ -6,8 +6,8 @@ use super::{Entry, ROUTES_TOLERANCE, column, distance};
 use crate::model::dual_route::Equation;
 use crate::model::terms::{Terms, dual_terms};
 
-/// The terms that are not what [`Constraint::depends`](crate::Constraint::depends), `constants` or `sides_of_time` promises, and how far off
-/// they are.
+/// The terms that are not what [`Constraint::depends`](crate::Constraint::depends), `constants` or
+/// `sides_of_time` promises, and how far off they are.
 pub(super) fn broken<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     equation: &E,
     q: &[f64; N],
@@ -20,7 +20,13 @@ pub(super) fn broken<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     let mut promise = |name: &str, may: bool, promised: &DMatrix<f64>, found: &DMatrix<f64>| {
         let difference = distance(promised, found) / (1.0 + found.amax());
         if !may && difference > ROUTES_TOLERANCE {
-            all.push(Entry { name: name.to_owned(), own: promised.amax(), dual: found.amax(), central: None, difference });
+            all.push(Entry {
+                name: name.to_owned(),
+                own: promised.amax(),
+                dual: found.amax(),
+                central: None,
+                difference,
+            });
         }
     };
     let zero = DMatrix::zeros(M, 1);
@@ -36,7 +42,9 @@ pub(super) fn broken<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
         equation.at_time(t, &mut timed);
         timed
             .get(first..first.saturating_add(3 * M))
-            .map_or(DMatrix::from_element(M, 3, f64::INFINITY), |sides| DMatrix::from_column_slice(M, 3, sides))
+            .map_or(DMatrix::from_element(M, 3, f64::INFINITY), |sides| {
+                DMatrix::from_column_slice(M, 3, sides)
+            })
     });
     if let Some(told) = told {
         let sides = DMatrix::from_columns(&[origin.c.clone(), -&now.c_t, -&now.c_tt]);
@@ -44,7 +52,8 @@ pub(super) fn broken<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     }
     for (&(row, column), constant) in equation.pattern().iter().zip(equation.constants()) {
         let Some(constant) = *constant else { continue };
-        let (promised, found) = (DMatrix::from_element(1, 1, constant), DMatrix::from_element(1, 1, now.c_q[(row, column)]));
+        let (promised, found) =
+            (DMatrix::from_element(1, 1, constant), DMatrix::from_element(1, 1, now.c_q[(row, column)]));
         promise("an entry of C_q, promised to be constant", false, &promised, &found);
     }
     all

@@ -8,7 +8,13 @@ use crate::model::coordinates::Target;
 use crate::model::mismatch::{Entry, Mismatch};
 
 impl Mismatch {
-    pub(super) fn new(constraint: &dyn Constraint, mut entries: Vec<Entry>, q: &[f64], qd: &[f64], t: f64) -> Self {
+    pub(super) fn new(
+        constraint: &dyn Constraint,
+        mut entries: Vec<Entry>,
+        q: &[f64],
+        qd: &[f64],
+        t: f64,
+    ) -> Self {
         entries.sort_by(|a, b| b.worst().total_cmp(&a.worst()));
         let q = columns(constraint).into_iter().zip(q.iter().copied()).collect();
         let (kind, route) = (constraint.kind().to_owned(), constraint.route());

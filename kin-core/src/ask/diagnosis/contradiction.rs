@@ -28,8 +28,14 @@ pub(super) struct Placed {
     pub cures: Vec<Change>,
 }
 
-/// A pose of the mechanism; where there is none, one at which as few constraints as possible are open, and these as little as possible.
-pub(super) fn place(model: Model<'_>, start: Start<'_>, t: f64, options: &DiagnosisOptions) -> Result<Placed> {
+/// A pose of the mechanism; where there is none, one at which as few constraints as possible are open, and
+/// these as little as possible.
+pub(super) fn place(
+    model: Model<'_>,
+    start: Start<'_>,
+    t: f64,
+    options: &DiagnosisOptions,
+) -> Result<Placed> {
     let all = |_: usize| true;
     let clock = options.search.clock();
     let found = match start {
@@ -62,8 +68,8 @@ fn nowhere(t: f64) -> Error {
 }
 
 impl Search<'_> {
-    /// What was found, or a place beside it from which the sum of squares falls further: where bodies are in line, or drawn one on the other, it can
-    /// be level without being least.
+    /// What was found, or a place beside it from which the sum of squares falls further: where bodies are in
+    /// line, or drawn one on the other, it can be level without being least.
     fn off_saddles(&self, found: Found) -> Found {
         const TRIES: u64 = 4;
         const BESIDE: f64 = 0.05;
@@ -72,8 +78,13 @@ impl Search<'_> {
         for seed in 0..TRIES {
             let mut random = Random::new(101 + seed);
             let sizes = &best.measures.sizes;
-            let beside: Vec<f64> = best.place.q.iter().zip(sizes).map(|(q, size)| q + BESIDE * size * random.number()).collect();
-            let Some(next) = search::descend(self.model, &beside, self.t, &|_| true, false, self.options.search.steps) else { continue };
+            let beside: Vec<f64> =
+                best.place.q.iter().zip(sizes).map(|(q, size)| q + BESIDE * size * random.number()).collect();
+            let Some(next) =
+                search::descend(self.model, &beside, self.t, &|_| true, false, self.options.search.steps)
+            else {
+                continue;
+            };
             if next.met || next.place.merit < LOWER * best.place.merit {
                 best = Found { starts: best.starts, ..next };
             }
@@ -84,8 +95,8 @@ impl Search<'_> {
         best
     }
 
-    /// The pose to the last digit. Where two solutions coincide C is met to rounding at half its digits already, and the next ones decide whether the
-    /// position is called singular.
+    /// The pose to the last digit. Where two solutions coincide C is met to rounding at half its digits
+    /// already, and the next ones decide whether the position is called singular.
     fn polished(&self, found: &Found) -> Vec<f64> {
         const STEPS: usize = 40;
         let (model, Measures { sizes, norms, .. }) = (&self.model, &found.measures);
@@ -93,8 +104,16 @@ impl Search<'_> {
         let size = |point: &Point| point.c.iter().zip(norms).map(|(c, norm)| (c / norm).powi(2)).sum::<f64>();
         let (mut q, mut point) = (found.place.q.clone(), found.place.point.clone());
         for _ in 0..STEPS {
-            let scale = |entry: &Option<(usize, usize)>| entry.map_or(0.0, |(row, column)| sizes[column] / norms[row]);
-            let values: Vec<f64> = model.equations.entries.iter().zip(&point.values).map(|(entry, value)| scale(entry) * value).collect();
+            let scale = |entry: &Option<(usize, usize)>| {
+                entry.map_or(0.0, |(row, column)| sizes[column] / norms[row])
+            };
+            let values: Vec<f64> = model
+                .equations
+                .entries
+                .iter()
+                .zip(&point.values)
+                .map(|(entry, value)| scale(entry) * value)
+                .collect();
             if !tall.factor(values.iter().copied(), 1e-20) {
                 break;
             }
@@ -108,20 +127,28 @@ impl Search<'_> {
         q
     }
 
-    /// Who is to blame, in the order in which a designer asks: a slip of the pen, a length out of scale, a driver, a length, a joint.
+    /// Who is to blame, in the order in which a designer asks: a slip of the pen, a length out of scale, a
+    /// driver, a length, a joint.
     fn suspected(&self, found: Found, drawn: Option<&[f64]>) -> Placed {
         if let Some(closure) = self.allowance(&found) {
             return Placed { cures: vec![Change::Allow { closure }], ..self.let_go(found, &[]) };
         }
         let part: Vec<usize> = culprits(&self.model, &found, &[]).collect();
-        let length = self.model.layout.units.iter().position(|unit| *unit == Unit::Metre).map_or(1.0, |k| found.measures.sizes[k]);
+        let length = self
+            .model
+            .layout
+            .units
+            .iter()
+            .position(|unit| *unit == Unit::Metre)
+            .map_or(1.0, |k| found.measures.sizes[k]);
         let slip = drawn.and_then(|drawn| slips::find(self, drawn, length));
         if let Some(Slip { change, block }) = slip {
             return Placed { cures: vec![change], ..self.let_go(found, &[block]) };
         }
         let fits = lengths::that_fit(self, &found, &part, &[], true);
         if !fits.is_empty() {
-            let joints: Vec<usize> = part.iter().copied().filter(|block| !self.model.equations.blocks[*block].drives).collect();
+            let joints: Vec<usize> =
+                part.iter().copied().filter(|block| !self.model.equations.blocks[*block].drives).collect();
             return Placed { cures: vec![Change::Resize { any: fits }], ..self.let_go(found, &joints) };
         }
         let placed = self.let_go(found.clone(), &[]);
@@ -140,8 +167,9 @@ impl Search<'_> {
         Placed { cures, ..placed }
     }
 
-    /// What would have to be allowed of redundant equations that contradict one another by no more than parts of ordinary accuracy do: three times what
-    /// they are off by here, for it is more elsewhere, to one digit.
+    /// What would have to be allowed of redundant equations that contradict one another by no more than parts
+    /// of ordinary accuracy do: three times what they are off by here, for it is more elsewhere, to one
+    /// digit.
     fn allowance(&self, found: &Found) -> Option<f64> {
         const ORDINARY: f64 = 1e-5;
         let shares = found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs());
@@ -151,7 +179,8 @@ impl Search<'_> {
             .then(|| format!("{:.0e}", (off / digit).ceil() * digit).parse().ok())?
     }
 
-    /// Lets constraints go, one after the other, until the rest can be met; then brings them as near as the rest allows. Those named go first.
+    /// Lets constraints go, one after the other, until the rest can be met; then brings them as near as the
+    /// rest allows. Those named go first.
     fn let_go(&self, found: Found, first: &[usize]) -> Placed {
         let (starts, mut found) = (found.starts, found);
         let mut open: Vec<usize> = Vec::new();
@@ -161,16 +190,18 @@ impl Search<'_> {
             found = next;
         }
         if !found.met {
-            // Nothing that may be let go helps enough: what is off at the nearest place found is told all the same.
-            let rest: Vec<usize> = culprits(&self.model, &found, &open).take(self.options.let_go.max(1)).collect();
+            // Nothing that may be let go helps enough: what is off at the nearest place found is told all the
+            // same.
+            let rest: Vec<usize> =
+                culprits(&self.model, &found, &open).take(self.options.let_go.max(1)).collect();
             open.extend(rest);
         }
         let gaps = open.iter().map(|block| gap(&self.model, &found, self.t, *block, starts)).collect();
         Placed { q: found.place.q, measures: found.measures, gaps, cures: Vec::new() }
     }
 
-    /// The constraint to let go: one of those named, else a driver, if the joints can be met without the drivers; else the first joint without which
-    /// the others can be met, or are nearest to it.
+    /// The constraint to let go: one of those named, else a driver, if the joints can be met without the
+    /// drivers; else the first joint without which the others can be met, or are nearest to it.
     fn most_telling(&self, found: &Found, open: &[usize], first: &[usize]) -> Option<(usize, Found)> {
         let part: Vec<usize> = culprits(&self.model, found, open).collect();
         let drives = |block: &usize| self.model.equations.blocks[*block].drives;
@@ -185,23 +216,39 @@ impl Search<'_> {
         self.best_of(found, open, &joints).or_else(|| self.best_of(found, open, &part))
     }
 
-    /// The driver that asks for what cannot be: without it the rest can be met, and it had something to drive.
-    fn driver(&self, found: &Found, open: &[usize], drivers: impl Iterator<Item = usize>) -> Option<(usize, Found)> {
+    /// The driver that asks for what cannot be: without it the rest can be met, and it had something to
+    /// drive.
+    fn driver(
+        &self,
+        found: &Found,
+        open: &[usize],
+        drivers: impl Iterator<Item = usize>,
+    ) -> Option<(usize, Found)> {
         let equations = self.model.equations;
-        let let_go = |block: usize| open.iter().copied().chain([block]).flat_map(|block| equations.blocks[block].rows());
+        let let_go = |block: usize| {
+            open.iter().copied().chain([block]).flat_map(|block| equations.blocks[block].rows())
+        };
         let mut best: Option<(usize, Found)> = None;
         for block in drivers {
             let without: Vec<usize> = let_go(block).collect();
-            let trial = Trial { model: self.model, t: self.t, without: &without, steps: self.options.search.steps };
+            let trial =
+                Trial { model: self.model, t: self.t, without: &without, steps: self.options.search.steps };
             let own: Vec<usize> = equations.blocks[block].rows().collect();
             let Some(next) = self.without(found, open, block) else { continue };
             if !next.met {
-                // One of several drivers too many: the joints must close without any, and leave this one something to drive.
-                let none: Vec<usize> = without.iter().copied().chain((0..self.model.m()).filter(|row| self.model.drives(*row))).collect();
+                // One of several drivers too many: the joints must close without any, and leave this one
+                // something to drive.
+                let none: Vec<usize> = without
+                    .iter()
+                    .copied()
+                    .chain((0..self.model.m()).filter(|row| self.model.drives(*row)))
+                    .collect();
                 let joints = Trial { without: &none, ..trial };
                 let helps = next.place.merit < (1.0 - HELPS) * found.place.merit;
                 if helps && joints.closed(&next.place.q).is_some_and(|closed| joints.moves(&closed, &own)) {
-                    let better = best.as_ref().is_none_or(|(_, best)| !best.met && next.place.merit < best.place.merit);
+                    let better = best
+                        .as_ref()
+                        .is_none_or(|(_, best)| !best.met && next.place.merit < best.place.merit);
                     best = if better { Some((block, next)) } else { best };
                 }
                 continue;
@@ -219,7 +266,8 @@ impl Search<'_> {
         best
     }
 
-    /// The first of these without which the others can be met; else the one without which they are nearest to it.
+    /// The first of these without which the others can be met; else the one without which they are nearest to
+    /// it.
     fn best_of(&self, found: &Found, open: &[usize], blocks: &[usize]) -> Option<(usize, Found)> {
         let mut best: Option<(usize, Found)> = None;
         for &block in blocks {
@@ -228,7 +276,10 @@ impl Search<'_> {
                 return Some((block, next));
             }
             // Of two that are met the first stays: what is left of them is rounding.
-            if best.as_ref().is_none_or(|(_, best)| !best.met && (next.met || next.place.merit < best.place.merit)) {
+            if best
+                .as_ref()
+                .is_none_or(|(_, best)| !best.met && (next.met || next.place.merit < best.place.merit))
+            {
                 best = Some((block, next));
             }
         }
@@ -238,7 +289,8 @@ impl Search<'_> {
     /// The pose where one more constraint is let go, and as near to being met as the others allow.
     fn without(&self, found: &Found, open: &[usize], block: usize) -> Option<Found> {
         let (model, t, steps) = (self.model, self.t, self.options.search.steps);
-        let rows: Vec<usize> = open.iter().chain([&block]).flat_map(|block| model.equations.blocks[*block].rows()).collect();
+        let rows: Vec<usize> =
+            open.iter().chain([&block]).flat_map(|block| model.equations.blocks[*block].rows()).collect();
         let near = nearest(&model, &found.measures, &found.place.q, t, &|_| true, &rows, steps);
         search::descend(model, &near, t, &|row| !rows.contains(&row), false, steps)
     }
@@ -247,8 +299,8 @@ impl Search<'_> {
 /// What must be gone of the sum of squares for a constraint that is let go to be told.   \[-\]
 const HELPS: f64 = 0.1;
 
-/// Whether a constraint that is let go is off by no more than its share in what could not be met lets one expect: by more it is so in
-/// another assembly, which says nothing about this one.
+/// Whether a constraint that is let go is off by no more than its share in what could not be met lets one
+/// expect: by more it is so in another assembly, which says nothing about this one.
 fn near(model: &Model<'_>, found: &Found, next: &Found, block: usize) -> bool {
     /// What is within expectation.   \[-\]
     const EXPECTED: f64 = 4.0;
@@ -268,12 +320,14 @@ fn near(model: &Model<'_>, found: &Found, next: &Found, block: usize) -> bool {
 fn culprits(model: &Model<'_>, found: &Found, open: &[usize]) -> impl Iterator<Item = usize> {
     /// So many are tried.
     const TRIED: usize = 24;
-    let shares: Vec<f64> = found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs()).collect();
+    let shares: Vec<f64> =
+        found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs()).collect();
     let block_of = |row: usize| model.equations.blocks.partition_point(|block| block.rows().end <= row);
     let closed = |row: usize| !open.contains(&block_of(row));
     let largest = (0..model.m()).filter(|row| closed(*row)).fold(0.0_f64, |m, row| m.max(shares[row]));
     let mut blocks: Vec<usize> = Vec::new();
-    for row in order::of_rows(model).into_iter().filter(|row| closed(*row) && shares[*row] > SHARE * largest) {
+    for row in order::of_rows(model).into_iter().filter(|row| closed(*row) && shares[*row] > SHARE * largest)
+    {
         if !blocks.contains(&block_of(row)) && blocks.len() < TRIED {
             blocks.push(block_of(row));
         }

@@ -20,7 +20,14 @@ pub(super) fn all(examined: &Examined<'_>) -> Vec<Dependency> {
     found.map(|(k, (row, vector))| dependency(examined, &rates, &blocked, k, *row, vector)).collect()
 }
 
-fn dependency(examined: &Examined<'_>, rates: &Rates, blocked: &[Vec<f64>], k: usize, own: usize, vector: &Sparse) -> Dependency {
+fn dependency(
+    examined: &Examined<'_>,
+    rates: &Rates,
+    blocked: &[Vec<f64>],
+    k: usize,
+    own: usize,
+    vector: &Sparse,
+) -> Dependency {
     let norms = &examined.measures().norms;
     let unit = norms[own];
     let mut combination: Sparse = vector.iter().map(|(row, y)| (*row, y * unit / norms[*row])).collect();
@@ -31,7 +38,8 @@ fn dependency(examined: &Examined<'_>, rates: &Rates, blocked: &[Vec<f64>], k: u
     combination.sort_by_key(|(row, _)| (*row != own, *row));
     let class = class(examined, rates, blocked, k, &combination, unit);
     let term = |&(row, coefficient): &(usize, f64)| {
-        let constraint = examined.model().equations.block_of(row).map(|(block, _)| block.name.clone()).unwrap_or_default();
+        let constraint =
+            examined.model().equations.block_of(row).map(|(block, _)| block.name.clone()).unwrap_or_default();
         Term { constraint, equation: examined.model().equations.equation(row), row, coefficient }
     };
     // The norms of Euler parameters hold whatever the mechanism does: nobody wrote them.
@@ -39,22 +47,38 @@ fn dependency(examined: &Examined<'_>, rates: &Rates, blocked: &[Vec<f64>], k: u
     Dependency { class, terms: told.map(term).collect() }
 }
 
-fn class(examined: &Examined<'_>, rates: &Rates, blocked: &[Vec<f64>], k: usize, combination: &Sparse, unit: f64) -> Class {
+fn class(
+    examined: &Examined<'_>,
+    rates: &Rates,
+    blocked: &[Vec<f64>],
+    k: usize,
+    combination: &Sparse,
+    unit: f64,
+) -> Class {
     if combination.iter().any(|(row, _)| examined.open(*row)) {
-        // A gap has a direction, and no axis needs to be along it: all equations of an open constraint are told alike.
-        return Class::Contradictory { level: Level::Position, residual: left_over(&rates.c, combination, 0.0) };
+        // A gap has a direction, and no axis needs to be along it: all equations of an open constraint are
+        // told alike.
+        return Class::Contradictory {
+            level: Level::Position,
+            residual: left_over(&rates.c, combination, 0.0),
+        };
     }
     let bends = |v: &Vec<f64>| {
         let along = examined.model().second_order(examined.q, examined.t, v, 0.0).unwrap_or_default();
-        left_over(&along, combination, unit * v.iter().zip(&examined.measures().sizes).map(|(v, s)| (v / s).powi(2)).sum::<f64>()) != 0.0
+        left_over(
+            &along,
+            combination,
+            unit * v.iter().zip(&examined.measures().sizes).map(|(v, s)| (v / s).powi(2)).sum::<f64>(),
+        ) != 0.0
     };
     if !examined.persists(k, Side::Rows) || blocked.iter().any(bends) {
         return Class::OnlyHere;
     }
     let fastest = unit / examined.measures().time;
-    for (level, rhs, size) in
-        [(Level::Velocity, &rates.velocity, fastest), (Level::Acceleration, &rates.acceleration, fastest / examined.measures().time)]
-    {
+    for (level, rhs, size) in [
+        (Level::Velocity, &rates.velocity, fastest),
+        (Level::Acceleration, &rates.acceleration, fastest / examined.measures().time),
+    ] {
         let residual = left_over(rhs, combination, size);
         if residual != 0.0 {
             return Class::Contradictory { level, residual };
@@ -96,7 +120,9 @@ fn velocities(examined: &Examined<'_>, c_t: &[f64]) -> Option<Vec<f64>> {
     let (model, measures, q, t) = (examined.model(), examined.measures(), examined.q, examined.t);
     let point = model.linearize(q, t).ok()?;
     let mut tall = LeastSquares::new(model.m(), model.n(), &model.equations.entries);
-    let scale = |entry: &Option<(usize, usize)>| entry.map_or(0.0, |(row, column)| measures.sizes[column] / measures.norms[row]);
+    let scale = |entry: &Option<(usize, usize)>| {
+        entry.map_or(0.0, |(row, column)| measures.sizes[column] / measures.norms[row])
+    };
     let values = model.equations.entries.iter().zip(&point.values).map(|(entry, value)| scale(entry) * value);
     if !tall.factor(values, 0.0) {
         return None;

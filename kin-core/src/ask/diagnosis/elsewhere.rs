@@ -1,4 +1,5 @@
-//! Where to begin instead of at a singular position: a time, or another value for a driver, tried before it is told.
+//! Where to begin instead of at a singular position: a time, or another value for a driver, tried before it
+//! is told.
 
 use crate::model::verdict::{Asks, Elsewhere};
 
@@ -10,14 +11,16 @@ use crate::system::scaled::Model;
 /// Pivots there are this far from zero.   \[-\]
 const CLEAR: f64 = 1e-4;
 
-/// A time near the one examined, as soon after it as one is found, else before it; where drivers stand still, another value for one.
+/// A time near the one examined, as soon after it as one is found, else before it; where drivers stand still,
+/// another value for one.
 pub(super) fn elsewhere(examined: &Examined<'_>) -> Option<Elsewhere> {
     /// In units of the time in which the fastest driver moves something by one.   \[-\]
     const STEPS: [f64; 8] = [0.01, 0.03, 0.1, 0.3, -0.01, -0.03, -0.1, -0.3];
     let (model, t, time) = (examined.model(), examined.t, examined.measures().time);
     let times = STEPS.iter().map(|step| rounded(t, step * time));
     let regular = |t: &f64| {
-        let found = search::descend(*model, examined.q, *t, &|_| true, false, examined.walk.steps).filter(|found| found.met);
+        let found = search::descend(*model, examined.q, *t, &|_| true, false, examined.walk.steps)
+            .filter(|found| found.met);
         found.is_some_and(|found| is_clear(model, &found.place.q, *t))
     };
     times.into_iter().find(regular).map(Elsewhere::Time).or_else(|| other_value(examined))
@@ -31,7 +34,9 @@ fn rounded(t: f64, step: f64) -> f64 {
 
 /// Whether C_q is far from singular at a pose.
 fn is_clear(model: &Model<'_>, q: &[f64], t: f64) -> bool {
-    let rank = |values: &[f64]| Echelon::new(model.scaled(values, &model.measure(q, t), &|_| true), model.n(), CLEAR).rank();
+    let rank = |values: &[f64]| {
+        Echelon::new(model.scaled(values, &model.measure(q, t), &|_| true), model.n(), CLEAR).rank()
+    };
     model.linearize(q, t).is_ok_and(|point| rank(&point.values) == model.n())
 }
 

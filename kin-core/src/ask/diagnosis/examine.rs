@@ -13,7 +13,12 @@ use crate::solve::explain::Start;
 use crate::system::scaled::Model;
 
 /// Examines a mechanism at time t.
-pub(crate) fn diagnose(model: Model<'_>, start: Start<'_>, t: f64, options: &DiagnosisOptions) -> Result<Diagnosis> {
+pub(crate) fn diagnose(
+    model: Model<'_>,
+    start: Start<'_>,
+    t: f64,
+    options: &DiagnosisOptions,
+) -> Result<Diagnosis> {
     options.check()?;
     let place = contradiction::place(model, start, t, options)?;
     let (q, measures) = (&place.q, &place.measures);
@@ -35,7 +40,8 @@ pub(crate) fn diagnose(model: Model<'_>, start: Start<'_>, t: f64, options: &Dia
         }
         None => here,
     };
-    Ok(Examined { walk, q, t, here, nearby: nearby.as_ref(), gaps: &place.gaps, cures: &place.cures }.told(full))
+    Ok(Examined { walk, q, t, here, nearby: nearby.as_ref(), gaps: &place.gaps, cures: &place.cures }
+        .told(full))
 }
 
 impl Examined<'_> {
@@ -63,7 +69,11 @@ impl Examined<'_> {
             gaps,
             dependencies,
             freedoms,
-            elsewhere: if self.here.rank < self.nearby_rank() && self.gaps.is_empty() { elsewhere::elsewhere(self) } else { None },
+            elsewhere: if self.here.rank < self.nearby_rank() && self.gaps.is_empty() {
+                elsewhere::elsewhere(self)
+            } else {
+                None
+            },
             changes,
         }
     }
@@ -77,14 +87,16 @@ impl Examined<'_> {
         self.gaps.iter().map(|gap| Gap { lasting: lasting(gap), ..gap.clone() }).collect()
     }
 
-    /// n less the rank of the joints, at a nearby pose where there is one; what gives to first order only is no freedom.
+    /// n less the rank of the joints, at a nearby pose where there is one; what gives to first order only is
+    /// no freedom.
     fn mobility(&self, freedoms: &[Freedom]) -> usize {
         let model = self.model();
         let (q, t) = self.nearby.map_or((self.q, self.t), |nearby| (&nearby.q, nearby.t));
         let Ok(point) = model.linearize(q, t) else { return 0 };
         let joints = model.scaled(&point.values, self.measures(), &|row| !model.drives(row));
         let rank = Echelon::new(joints, model.n(), self.walk.least()).rank();
-        let stiff = freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Infinitesimal).count();
+        let stiff =
+            freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Infinitesimal).count();
         (model.n() - rank).saturating_sub(stiff)
     }
 }

@@ -32,7 +32,8 @@ pub(super) fn all(examined: &Examined<'_>) -> Vec<Freedom> {
         .collect()
 }
 
-/// Whether a motion is a turn of one body, or of several as one, about a line on which all points are by which others hold them.
+/// Whether a motion is a turn of one body, or of several as one, about a line on which all points are by
+/// which others hold them.
 fn is_idle(examined: &Examined<'_>, motions: &[BodyMotion]) -> bool {
     let [BodyMotion { names, how: How::Screws { point, axis, pitch, .. } }] = motions else { return false };
     let model = examined.model();
@@ -42,7 +43,8 @@ fn is_idle(examined: &Examined<'_>, motions: &[BodyMotion]) -> bool {
     let mut holds = 0;
     for block in model.equations.blocks.iter().filter(|block| block.constraint.kind() != "euler_norm") {
         let arguments = block.constraint.arguments();
-        let places: Vec<Option<Place>> = arguments.iter().map(|argument| model.layout.place(&argument.target)).collect();
+        let places: Vec<Option<Place>> =
+            arguments.iter().map(|argument| model.layout.place(&argument.target)).collect();
         let of_it = |k: usize| matches!(places.get(k), Some(Some(Place::Own { item, .. })) if moves(*item));
         let moving = (0..places.len()).filter(|k| of_it(*k)).count();
         if moving == 0 || moving == places.len() {
@@ -52,11 +54,14 @@ fn is_idle(examined: &Examined<'_>, motions: &[BodyMotion]) -> bool {
         let on_line = |attachment: &Attachment| match (attachment.what, places.get(attachment.argument)) {
             (Attached::Point(u), Some(Some(Place::Own { first, .. }))) => {
                 let q = examined.q.get(*first..).and_then(|q| q.first_chunk::<7>());
-                q.is_some_and(|q| (SpatialState::new(*q).point(u) - point).cross(axis).norm() <= 1e-6 * length)
+                q.is_some_and(|q| {
+                    (SpatialState::new(*q).point(u) - point).cross(axis).norm() <= 1e-6 * length
+                })
             }
             _ => false,
         };
-        let own: Vec<&Attachment> = attachments.iter().filter(|attachment| of_it(attachment.argument)).collect();
+        let own: Vec<&Attachment> =
+            attachments.iter().filter(|attachment| of_it(attachment.argument)).collect();
         if own.is_empty() || !own.into_iter().all(on_line) {
             return false;
         }
@@ -75,8 +80,13 @@ fn persistence(examined: &Examined<'_>, k: usize, direction: &[f64]) -> Persiste
     if !examined.persists(k, Side::Columns) {
         return Persistence::OnlyHere;
     }
-    let v: Vec<f64> = direction.iter().zip(&examined.measures().sizes).map(|(v, size)| v / size).chain([0.0]).collect();
-    if k >= LOOKED_AT || examined.walk.moves(examined.q, examined.t, &v) { Persistence::Always } else { Persistence::Infinitesimal }
+    let v: Vec<f64> =
+        direction.iter().zip(&examined.measures().sizes).map(|(v, size)| v / size).chain([0.0]).collect();
+    if k >= LOOKED_AT || examined.walk.moves(examined.q, examined.t, &v) {
+        Persistence::Always
+    } else {
+        Persistence::Infinitesimal
+    }
 }
 
 /// The k-th vector in coordinates, the largest scaled entry 1.
@@ -153,15 +163,25 @@ fn numbers(v: Vec3) -> [f64; 3] {
 fn same(a: &How, b: &How, length: f64) -> bool {
     let near = |a: &[f64], b: &[f64], size: f64| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-5 * size);
     match (a, b) {
-        (How::TurnsAbout { point: p, rate: w }, How::TurnsAbout { point: q, rate: v }) => near(p, q, length) && near(&[*w], &[*v], 1.0),
-        (How::Slides { along: p, rate: w }, How::Slides { along: q, rate: v }) => near(p, q, 1.0) && near(&[*w], &[*v], length),
+        (How::TurnsAbout { point: p, rate: w }, How::TurnsAbout { point: q, rate: v }) => {
+            near(p, q, length) && near(&[*w], &[*v], 1.0)
+        }
+        (How::Slides { along: p, rate: w }, How::Slides { along: q, rate: v }) => {
+            near(p, q, 1.0) && near(&[*w], &[*v], length)
+        }
         (How::SlidesInSpace { along: p, rate: w }, How::SlidesInSpace { along: q, rate: v }) => {
             near(p, q, 1.0) && near(&[*w], &[*v], length)
         }
-        (How::Screws { axis: p, rate: w, pitch: h, point: a }, How::Screws { axis: q, rate: v, pitch: g, point: b }) => {
+        (
+            How::Screws { axis: p, rate: w, pitch: h, point: a },
+            How::Screws { axis: q, rate: v, pitch: g, point: b },
+        ) => {
             let (a, b) = (Vec3::new(a[0], a[1], a[2]), Vec3::new(b[0], b[1], b[2]));
             let axis = Vec3::new(p[0], p[1], p[2]);
-            near(p, q, 1.0) && near(&[*w], &[*v], 1.0) && near(&[*h], &[*g], length) && (b - a).cross(axis).norm() <= 1e-5 * length
+            near(p, q, 1.0)
+                && near(&[*w], &[*v], 1.0)
+                && near(&[*h], &[*g], length)
+                && (b - a).cross(axis).norm() <= 1e-5 * length
         }
         _ => false,
     }

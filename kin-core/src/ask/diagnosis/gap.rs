@@ -25,7 +25,9 @@ pub(super) fn gap(model: &Model<'_>, found: &Found, t: f64, block: usize, starts
 /// The drivers but one.
 fn against(model: &Model<'_>, found: &Found, t: f64, but: &str) -> Vec<Against> {
     let drivers = model.equations.blocks.iter().filter(|block| block.drives && block.name != but);
-    drivers.map(|block| Against { constraint: block.name.clone(), asks: asks(model, found, t, block.rows()) }).collect()
+    drivers
+        .map(|block| Against { constraint: block.name.clone(), asks: asks(model, found, t, block.rows()) })
+        .collect()
 }
 
 /// For a driver a q_j − f(t) = 0: where the coordinate should be.
@@ -33,7 +35,9 @@ fn asks(model: &Model<'_>, found: &Found, t: f64, rows: std::ops::Range<usize>) 
     if rows.len() != 1 || !model.drives(rows.start) {
         return None;
     }
-    let mut own = model.entries(&found.place.point.values).filter(|(row, _, value)| *row == rows.start && *value != 0.0);
+    let mut own = model
+        .entries(&found.place.point.values)
+        .filter(|(row, _, value)| *row == rows.start && *value != 0.0);
     let (Some((_, column, value)), None) = (own.next(), own.next()) else { return None };
     let (stands, c) = (found.place.q[column], found.place.point.c[rows.start]);
     let mut q = found.place.q.clone();
@@ -46,7 +50,9 @@ fn asks(model: &Model<'_>, found: &Found, t: f64, rows: std::ops::Range<usize>) 
 impl Asks {
     fn seen_from(&mut self, layout: &Layout, guess: &[f64]) {
         let column = layout.names.iter().position(|name| *name == self.coordinate);
-        self.beyond_guess = column.filter(|column| layout.units[*column] == Unit::Radian).map(|column| self.asked - guess[column]);
+        self.beyond_guess = column
+            .filter(|column| layout.units[*column] == Unit::Radian)
+            .map(|column| self.asked - guess[column]);
     }
 }
 

@@ -1,4 +1,5 @@
-//! Nearby poses of the same assembly: random steps along what is free, back onto C = 0, with always the same random numbers.
+//! Nearby poses of the same assembly: random steps along what is free, back onto C = 0, with always the same
+//! random numbers.
 
 use super::nearest::nearest;
 use super::rank::{Orders, Ranked, ranked};
@@ -7,7 +8,8 @@ use crate::numbers::random::Random;
 use crate::solve::assembly::levenberg_marquardt::LevenbergMarquardt;
 use crate::system::scaled::{Measures, Model};
 
-/// Steps are of this size, the next one where the one before leads nowhere; in units of the model's length and of one radian.   \[-\]
+/// Steps are of this size, the next one where the one before leads nowhere; in units of the model's length
+/// and of one radian.   \[-\]
 const REACH: [f64; 3] = [0.1, 0.03, 0.3];
 
 /// A pose that has come back to within this share of its step has not moved.   \[-\]
@@ -45,13 +47,15 @@ enum Kept {
 }
 
 impl Walk<'_> {
-    /// The nearby pose of the highest rank of so many; `None` where the mechanism cannot move, neither in the course of time nor with its
-    /// drivers let go.
+    /// The nearby pose of the highest rank of so many; `None` where the mechanism cannot move, neither in the
+    /// course of time nor with its drivers let go.
     ///
-    /// First everything moves on with time, drivers included; where that leads nowhere (drivers that stand still or contradict one another),
-    /// or where something is open (which time may close or open further), joints alone are kept.
+    /// First everything moves on with time, drivers included; where that leads nowhere (drivers that stand
+    /// still or contradict one another), or where something is open (which time may close or open further),
+    /// joints alone are kept.
     pub(super) fn nearby(&self, q: &[f64], t: f64, poses: usize, orders: &Orders) -> Option<Nearby> {
-        let in_time = if self.open.is_empty() { self.highest(q, t, Kept::AllInTime, poses, orders) } else { None };
+        let in_time =
+            if self.open.is_empty() { self.highest(q, t, Kept::AllInTime, poses, orders) } else { None };
         let full = self.model.n().min(self.model.m());
         if in_time.as_ref().is_some_and(|found| found.ranked.rank == full) {
             return in_time;
@@ -96,7 +100,8 @@ impl Walk<'_> {
         (kept != Kept::Joints || !self.model.drives(row)) && !self.without.contains(&row)
     }
 
-    /// A random direction in which nothing changes to first order, the largest share 1; `None` where only time could go on.
+    /// A random direction in which nothing changes to first order, the largest share 1; `None` where only
+    /// time could go on.
     fn tangent(&self, q: &[f64], t: f64, kept: Kept, random: &mut Random) -> Option<Vec<f64>> {
         let Walk { model, measures, .. } = *self;
         let (n, time_is_free) = (model.n(), kept == Kept::AllInTime);
@@ -104,7 +109,9 @@ impl Walk<'_> {
         let mut rows: Vec<Sparse> = model.scaled(&point.values, measures, &|row| self.keeps(kept, row));
         if time_is_free {
             let c_t = model.c_t(q, t).ok()?;
-            rows.iter_mut().enumerate().for_each(|(row, entries)| entries.push((n, c_t[row] * measures.time / measures.norms[row])));
+            rows.iter_mut()
+                .enumerate()
+                .for_each(|(row, entries)| entries.push((n, c_t[row] * measures.time / measures.norms[row])));
         }
         let mut v = vec![0.0; n + 1];
         for vector in Echelon::new(rows, n + usize::from(time_is_free), self.least()).null_space() {
@@ -116,7 +123,8 @@ impl Walk<'_> {
         (largest > 1e-6 * v[n].abs() && largest > 0.0).then(|| v.iter().map(|x| x / largest).collect())
     }
 
-    /// Whether the mechanism can move along v (shares of the coordinates' sizes) with its time standing still.
+    /// Whether the mechanism can move along v (shares of the coordinates' sizes) with its time standing
+    /// still.
     pub(super) fn moves(&self, q: &[f64], t: f64, v: &[f64]) -> bool {
         REACH.iter().any(|reach| self.step((q, t), v, *reach, Kept::All).is_some())
     }
@@ -131,7 +139,8 @@ impl Walk<'_> {
     fn step(&self, (q, t): (&[f64], f64), v: &[f64], reach: f64, kept: Kept) -> Option<(Vec<f64>, f64)> {
         let Walk { model, measures, .. } = *self;
         let (n, time_is_free) = (model.n(), kept == Kept::AllInTime);
-        let mut moved: Vec<f64> = q.iter().zip(v).zip(&measures.sizes).map(|((q, v), size)| q + reach * v * size).collect();
+        let mut moved: Vec<f64> =
+            q.iter().zip(v).zip(&measures.sizes).map(|((q, v), size)| q + reach * v * size).collect();
         let open: Vec<usize> = self.open.iter().copied().filter(|row| self.keeps(kept, *row)).collect();
         if !open.is_empty() {
             moved = nearest(model, measures, &moved, t, &|row| self.keeps(kept, row), &open, self.steps);
@@ -139,7 +148,8 @@ impl Walk<'_> {
         let active = |row: usize| self.keeps(kept, row) && !self.open.contains(&row);
         let mut squares = LevenbergMarquardt::new(*model, measures, Vec::new(), time_is_free);
         (0..model.m()).filter(|row| !active(*row)).for_each(|row| squares.weights[row] = 0.0);
-        let from = squares.place(&moved, t + if time_is_free { reach * v[n] * measures.time } else { 0.0 })?;
+        let from =
+            squares.place(&moved, t + if time_is_free { reach * v[n] * measures.time } else { 0.0 })?;
         let place = squares.minimise(from, self.steps);
         let shares = place.q.iter().zip(q).zip(&measures.sizes).map(|((a, b), size)| ((a - b) / size).abs());
         let far = shares.fold(0.0_f64, f64::max) >= MOVED * reach;

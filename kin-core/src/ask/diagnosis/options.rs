@@ -5,7 +5,8 @@ use crate::solve::assembly::SearchOptions;
 use crate::solve::assembly::options::{Clock, at_least_one};
 use crate::system::scaled::Model;
 
-/// How far a mechanism is examined. All fields have defaults: `DiagnosisOptions { poses: 10, ..DiagnosisOptions::default() }`.
+/// How far a mechanism is examined. All fields have defaults: `DiagnosisOptions { poses: 10,
+/// ..DiagnosisOptions::default() }`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DiagnosisOptions {
     /// How a pose is looked for.

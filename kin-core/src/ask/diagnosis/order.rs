@@ -1,4 +1,5 @@
-//! An order of equations and coordinates that depends on names alone, so that what is told does not change with the order of declaration.
+//! An order of equations and coordinates that depends on names alone, so that what is told does not change
+//! with the order of declaration.
 
 use std::cmp::Ordering;
 
@@ -6,13 +7,15 @@ use crate::model::layout::Place;
 use crate::model::units::Unit;
 use crate::system::scaled::Model;
 
-/// Rows in the order in which they are the first to be called superfluous: drivers, then joints, the last name first; the norms of Euler
-/// parameters never before anything else.
+/// Rows in the order in which they are the first to be called superfluous: drivers, then joints, the last
+/// name first; the norms of Euler parameters never before anything else.
 pub(super) fn of_rows(model: &Model<'_>) -> Vec<usize> {
     let key = |row: usize| {
         let (name, local, class) = match model.equations.block_of(row) {
             Some((block, local)) if block.drives => (block.name.as_str(), local, 0),
-            Some((block, local)) => (block.name.as_str(), local, if block.constraint.kind() == "euler_norm" { 2 } else { 1 }),
+            Some((block, local)) => {
+                (block.name.as_str(), local, if block.constraint.kind() == "euler_norm" { 2 } else { 1 })
+            }
             None => ("", 0, 2),
         };
         (class, name, local)
@@ -25,8 +28,9 @@ pub(super) fn of_rows(model: &Model<'_>) -> Vec<usize> {
     rows
 }
 
-/// Columns in the order in which they are the first to be called free: angles, then lengths, then Euler parameters; of these the bodies that a joint
-/// holds to the ground first, where a motor is likely to stand; by name.
+/// Columns in the order in which they are the first to be called free: angles, then lengths, then Euler
+/// parameters; of these the bodies that a joint holds to the ground first, where a motor is likely to stand;
+/// by name.
 pub(super) fn of_columns(model: &Model<'_>) -> Vec<usize> {
     let class = |column: usize| match model.layout.units[column] {
         Unit::Radian => 0,
@@ -47,13 +51,15 @@ fn grounded(model: &Model<'_>) -> Vec<bool> {
     let mut grounded = vec![false; model.n()];
     for block in model.equations.blocks.iter().filter(|block| !block.drives) {
         let arguments = block.constraint.arguments();
-        let places: Vec<Place> = arguments.iter().filter_map(|argument| model.layout.place(&argument.target)).collect();
+        let places: Vec<Place> =
+            arguments.iter().filter_map(|argument| model.layout.place(&argument.target)).collect();
         if places.iter().any(|place| matches!(place, Place::Ground(_))) {
             let items = places.iter().filter_map(|place| match place {
                 Place::Own { item, .. } => model.layout.items.get(*item),
                 Place::Ground(_) => None,
             });
-            items.for_each(|item| grounded[item.first..item.first + item.kind.coordinates().len()].fill(true));
+            items
+                .for_each(|item| grounded[item.first..item.first + item.kind.coordinates().len()].fill(true));
         }
     }
     grounded
@@ -74,8 +80,13 @@ pub(super) fn natural(a: &str, b: &str) -> Ordering {
         if order != Ordering::Equal || a.is_empty() {
             return order;
         }
-        let skip =
-            |text: &str, digits: &str| digits.len().max(if digits.is_empty() { text.chars().next().map_or(0, char::len_utf8) } else { 0 });
+        let skip = |text: &str, digits: &str| {
+            digits.len().max(if digits.is_empty() {
+                text.chars().next().map_or(0, char::len_utf8)
+            } else {
+                0
+            })
+        };
         (a, b) = (&a[skip(a, x)..], &b[skip(b, y)..]);
     }
 }

@@ -27,13 +27,21 @@ impl Orders {
 
     /// The same with these first.
     pub(super) fn after(&self, rows: &[usize], columns: &[usize]) -> Orders {
-        let first = |first: &[usize], all: &[usize]| first.iter().chain(all.iter().filter(|k| !first.contains(k))).copied().collect();
+        let first = |first: &[usize], all: &[usize]| {
+            first.iter().chain(all.iter().filter(|k| !first.contains(k))).copied().collect()
+        };
         Orders { rows: first(rows, &self.rows), columns: first(columns, &self.columns) }
     }
 }
 
 /// Rank at a pose, where pivots below `least` count as zero.
-pub(super) fn ranked(model: &Model<'_>, values: &[f64], measures: &Measures, orders: &Orders, least: f64) -> Ranked {
+pub(super) fn ranked(
+    model: &Model<'_>,
+    values: &[f64],
+    measures: &Measures,
+    orders: &Orders,
+    least: f64,
+) -> Ranked {
     let found = Echelon::new(model.scaled(values, measures, &|_| true), model.n(), least);
     Ranked {
         rank: found.rank(),

@@ -8,8 +8,9 @@ use crate::solve::newton::Outcome;
 use crate::system::System;
 
 impl System {
-    /// Of all assemblies at time t the one in which a measure is nearest a value: `system.assembly_near(0.0, "elbow.angle", deg(-60.0))?`, or by any
-    /// function of a motion, as the distance of two points. Whole turns of angles do not count. It is put together by `system.set_initial(&found.q)?`.
+    /// Of all assemblies at time t the one in which a measure is nearest a value: `system.assembly_near(0.0,
+    /// "elbow.angle", deg(-60.0))?`, or by any function of a motion, as the distance of two points. Whole
+    /// turns of angles do not count. It is put together by `system.set_initial(&found.q)?`.
     ///
     /// Errors: those of [`System::assemblies`] and [`System::measure`]; no assembly at all.
     pub fn assembly_near(&self, t: f64, what: impl Measure, value: f64) -> Result<Assembly> {
@@ -24,7 +25,11 @@ impl System {
                 nearest = Some((far, assembly));
             }
         }
-        let none = || Error::UnknownName { what: "assembly", name: format!("with {value} at t = {t} s"), known: Vec::new() };
+        let none = || Error::UnknownName {
+            what: "assembly",
+            name: format!("with {value} at t = {t} s"),
+            known: Vec::new(),
+        };
         nearest.map(|(_, assembly)| assembly).ok_or_else(none)
     }
 
@@ -33,9 +38,12 @@ impl System {
         let mut motion = Motion::new(self, 1);
         let still = vec![0.0; q.len()];
         match self.solve_at(t, q) {
-            Ok(found) => {
-                motion.append(t, [&found.q, &found.qd, &found.qdd, &[]], Outcome { iterations: 0, residual: found.report.residual }, 0)
-            }
+            Ok(found) => motion.append(
+                t,
+                [&found.q, &found.qd, &found.qdd, &[]],
+                Outcome { iterations: 0, residual: found.report.residual },
+                0,
+            ),
             Err(_) => motion.append(t, [q, &still, &still, &[]], Outcome { iterations: 0, residual: 0.0 }, 0),
         }
         motion

@@ -6,10 +6,11 @@ use crate::solve::newton::Outcome;
 use crate::system::{Solution, System};
 
 impl System {
-    /// The pose at one time within a motion of this system, solved anew from between its neighbours: a motion with that time alone, of
-    /// which everything can be asked that can be asked of any.   \[s\]
+    /// The pose at one time within a motion of this system, solved anew from between its neighbours: a motion
+    /// with that time alone, of which everything can be asked that can be asked of any.   \[s\]
     ///
-    /// A pose without a motion is `system.run([t])`. Errors: a time outside, a motion of another system, those of [`System::solve_at`].
+    /// A pose without a motion is `system.run([t])`. Errors: a time outside, a motion of another system,
+    /// those of [`System::solve_at`].
     pub fn at(&self, motion: &Motion, t: f64) -> Result<Motion> {
         self.own(motion)?;
         let before = step_of(motion.times(), t).ok_or_else(|| outside(motion, t))?;
@@ -30,7 +31,12 @@ impl System {
         let Solution { q, qd, qdd, report, .. } = self.solve_at(t, &q)?;
         let qddd = if motion.has_jerk() { self.jerk(&q, &qd, &qdd, t)? } else { Vec::new() };
         let worst = self.names_of_equations().iter().position(|name| *name == report.worst).unwrap_or(0);
-        to.append(t, [&q, &qd, &qdd, &qddd], Outcome { iterations: report.iterations, residual: report.residual }, worst);
+        to.append(
+            t,
+            [&q, &qd, &qdd, &qddd],
+            Outcome { iterations: report.iterations, residual: report.residual },
+            worst,
+        );
         Ok(())
     }
 }
@@ -47,7 +53,9 @@ fn outside(motion: &Motion, t: f64) -> Error {
     let s = motion.unit_words().time();
     let reason = match motion.times() {
         [] => format!("t = {t} {s} is outside of a motion without times"),
-        [first, .., last] => format!("t = {t} {s} is outside of the motion, which goes from {first} {s} to {last} {s}"),
+        [first, .., last] => {
+            format!("t = {t} {s} is outside of the motion, which goes from {first} {s} to {last} {s}")
+        }
         [only] => format!("t = {t} {s} is outside of the motion, which has the time {only} {s} alone"),
     };
     Error::InvalidTimes { reason }
@@ -55,21 +63,27 @@ fn outside(motion: &Motion, t: f64) -> Error {
 
 /// q by the polynomial of fifth degree that meets q, q̇ and q̈ at both ends of step k.
 fn interpolated(motion: &Motion, k: usize, t: f64) -> Vec<f64> {
-    let (Some(&from), Some(&to)) = (motion.times().get(k), motion.times().get(k + 1)) else { return motion.q(k).to_vec() };
+    let (Some(&from), Some(&to)) = (motion.times().get(k), motion.times().get(k + 1)) else {
+        return motion.q(k).to_vec();
+    };
     let u = (t - from) / (to - from);
     motion.quintics(k).iter().map(|c| c.iter().rev().fold(0.0, |sum, c| sum * u + c)).collect()
 }
 
 impl Motion {
-    /// For each coordinate the polynomial of fifth degree, c0 + c1 u + … over 0 ≤ u ≤ 1, that meets q, q̇ and q̈ at both ends of step k.
+    /// For each coordinate the polynomial of fifth degree, c0 + c1 u + … over 0 ≤ u ≤ 1, that meets q, q̇ and
+    /// q̈ at both ends of step k.
     pub(crate) fn quintics(&self, k: usize) -> Vec<[f64; 6]> {
         let h = self.times.get(k + 1).zip(self.times.get(k)).map_or(0.0, |(to, from)| to - from);
         let ends = [k, k + 1].map(|k| (self.q(k), self.qd(k), self.qdd(k)));
-        (0..self.layout.len()).map(|j| quintic(ends.map(|(q, qd, qdd)| [q[j], h * qd[j], h * h * qdd[j]]))).collect()
+        (0..self.layout.len())
+            .map(|j| quintic(ends.map(|(q, qd, qdd)| [q[j], h * qd[j], h * h * qdd[j]])))
+            .collect()
     }
 }
 
-/// The polynomial of fifth degree over 0 ≤ u ≤ 1 with these values, slopes and second slopes at its ends (quintic Hermite interpolation).
+/// The polynomial of fifth degree over 0 ≤ u ≤ 1 with these values, slopes and second slopes at its ends
+/// (quintic Hermite interpolation).
 fn quintic([[x0, v0, a0], [x1, v1, a1]]: [[f64; 3]; 2]) -> [f64; 6] {
     let (x, v, a) = (x1 - (x0 + v0 + 0.5 * a0), v1 - (v0 + a0), a1 - a0);
     [x0, v0, 0.5 * a0, 10.0 * x - 4.0 * v + 0.5 * a, -15.0 * x + 7.0 * v - a, 6.0 * x - 3.0 * v + 0.5 * a]
@@ -97,7 +111,10 @@ mod tests {
     fn a_time_belongs_to_its_step_forwards_and_backwards() {
         assert_eq!(step_of(&[0.0, 1.0, 2.0], 1.5), Some(1));
         assert_eq!(step_of(&[2.0, 1.0, 0.0], 0.5), Some(1));
-        assert_eq!((step_of(&[0.0, 1.0], 1.1), step_of(&[], 0.0), step_of(&[3.0], 3.0)), (None, None, Some(0)));
+        assert_eq!(
+            (step_of(&[0.0, 1.0], 1.1), step_of(&[], 0.0), step_of(&[3.0], 3.0)),
+            (None, None, Some(0))
+        );
         assert_eq!(step_of(&[0.0, 1.0], f64::NAN), None);
     }
 }

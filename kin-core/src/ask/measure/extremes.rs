@@ -6,7 +6,8 @@ use crate::model::error::Result;
 use crate::solve::motion::Motion;
 use crate::system::System;
 
-/// A motion whose first and last value and rate differ by less than this share of the largest comes back to its start.   \[-\]
+/// A motion whose first and last value and rate differ by less than this share of the largest comes back to
+/// its start.   \[-\]
 const CLOSED: f64 = 1e-9;
 
 /// Where a measure turns round.
@@ -33,11 +34,12 @@ pub struct Extremes {
 }
 
 impl System {
-    /// Where a measure of a motion turns round, its rate being zero, with times and values as exact as poses can be solved. Of an output these
-    /// are its dead centres: `system.extremes(&motion, rocker.theta())?`.
+    /// Where a measure of a motion turns round, its rate being zero, with times and values as exact as poses
+    /// can be solved. Of an output these are its dead centres: `system.extremes(&motion, rocker.theta())?`.
     ///
-    /// `what` is a name, a coordinate or a function of a motion ([`Measure`]). Two extremes within one step of the grid are found where rates
-    /// and second rates at its ends show them; where the measure rests before it turns round, the first time of the rest on the grid is told.
+    /// `what` is a name, a coordinate or a function of a motion ([`Measure`]). Two extremes within one step
+    /// of the grid are found where rates and second rates at its ends show them; where the measure rests
+    /// before it turns round, the first time of the rest on the grid is told.
     ///
     /// Errors: those of [`System::measure`] and [`System::at`].
     pub fn extremes(&self, motion: &Motion, what: impl Measure) -> Result<Extremes> {
@@ -92,10 +94,11 @@ impl Extremes {
         self.max().0 - self.min().0
     }
 
-    /// How much longer the slower stroke takes than the quicker one, at least 1; `None` where the motion does not show both strokes.
+    /// How much longer the slower stroke takes than the quicker one, at least 1; `None` where the motion does
+    /// not show both strokes.
     ///
-    /// Where the run comes back to its start (one period), both strokes are those between the largest and the smallest value; else the ones between
-    /// the first three extremes.
+    /// Where the run comes back to its start (one period), both strokes are those between the largest and the
+    /// smallest value; else the ones between the first three extremes.
     pub fn time_ratio(&self) -> Option<f64> {
         let [(from, _), (to, _)] = self.ends;
         let (one, other) = match self.all[..] {
@@ -123,15 +126,20 @@ mod tests {
 
     /// Extremes at times with values, the ends, and whether it comes back.
     fn extremes(all: &[(f64, f64)], ends: [(f64, f64); 2], closed: bool) -> Extremes {
-        let all = all.iter().map(|(t, value)| Extreme { t: *t, value: *value, is_max: *value > 0.0 }).collect();
+        let all =
+            all.iter().map(|(t, value)| Extreme { t: *t, value: *value, is_max: *value > 0.0 }).collect();
         Extremes { name: "slide".to_string(), unit: "m".to_string(), all, ends, closed }
     }
 
     /// Of equal values the first one counts, be it an extreme or an end.
     #[test]
     fn the_largest_and_the_smallest_value() {
-        let found = extremes(&[(1.0, 2.0), (2.0, -3.0), (3.0, 2.0), (4.0, -3.0)], [(0.0, 0.5), (5.0, 0.0)], false);
-        assert_eq!((found.max(), found.min(), found.stroke(), found.name(), found.unit()), ((2.0, 1.0), (-3.0, 2.0), 5.0, "slide", "m"));
+        let found =
+            extremes(&[(1.0, 2.0), (2.0, -3.0), (3.0, 2.0), (4.0, -3.0)], [(0.0, 0.5), (5.0, 0.0)], false);
+        assert_eq!(
+            (found.max(), found.min(), found.stroke(), found.name(), found.unit()),
+            ((2.0, 1.0), (-3.0, 2.0), 5.0, "slide", "m")
+        );
         let ends = extremes(&[(1.0, 2.0), (2.0, -3.0)], [(0.0, 2.0), (5.0, -3.0)], false);
         assert_eq!((ends.max(), ends.min()), ((2.0, 0.0), (-3.0, 2.0)));
         let ends = extremes(&[(1.0, 2.0), (2.0, -3.0)], [(0.0, -4.0), (5.0, 3.0)], false);
@@ -143,12 +151,21 @@ mod tests {
     fn the_slower_stroke_beside_the_quicker_one() {
         for sign in [1.0, -1.0] {
             let at = |t: f64| sign * (t + 2.0);
-            let closed = |a: f64, b: f64, first: f64| extremes(&[(at(a), first), (at(b), -first)], [(at(0.0), 0.0), (at(8.0), 0.0)], true);
+            let closed = |a: f64, b: f64, first: f64| {
+                extremes(&[(at(a), first), (at(b), -first)], [(at(0.0), 0.0), (at(8.0), 0.0)], true)
+            };
             for (a, b, ratio) in [(1.0, 3.0, 3.0), (1.0, 7.0, 3.0), (2.0, 6.0, 1.0)] {
-                assert_eq!((closed(a, b, 1.0).time_ratio(), closed(a, b, -1.0).time_ratio()), (Some(ratio), Some(ratio)));
+                assert_eq!(
+                    (closed(a, b, 1.0).time_ratio(), closed(a, b, -1.0).time_ratio()),
+                    (Some(ratio), Some(ratio))
+                );
             }
             let open = |all: &[(f64, f64)]| {
-                extremes(&all.iter().map(|(t, x)| (at(*t), *x)).collect::<Vec<_>>(), [(at(0.0), 9.0), (at(20.0), -9.0)], false)
+                extremes(
+                    &all.iter().map(|(t, x)| (at(*t), *x)).collect::<Vec<_>>(),
+                    [(at(0.0), 9.0), (at(20.0), -9.0)],
+                    false,
+                )
             };
             assert_eq!(open(&[(1.0, 2.0), (2.0, -2.0), (6.0, 2.0), (7.0, -3.0)]).time_ratio(), Some(4.0));
             assert_eq!(open(&[(1.0, 2.0), (7.0, -2.0), (9.0, 2.0)]).time_ratio(), Some(3.0));
@@ -171,13 +188,19 @@ mod tests {
             assert_eq!(found.all().len(), count);
             found.closed
         };
-        // t (t − 1) (t − 3) is 0 at both ends and has rates 3 and 6; the sine on a slope comes back with its rate alone
+        // t (t − 1) (t − 3) is 0 at both ends and has rates 3 and 6; the sine on a slope comes back with its
+        // rate alone
         assert!(!closed(crate::Law::polynomial(&[0.0, 3.0, -4.0, 1.0]), 3.0, 2));
         let turn = std::f64::consts::TAU;
         let sine = crate::Law::sine(1.0, 1.0, 0.3);
         assert!(
-            !closed(sine.clone() + crate::Law::ramp(0.1), turn, 2) && closed(sine.clone(), turn, 2) && closed(-1e6 * sine.clone(), turn, 2)
+            !closed(sine.clone() + crate::Law::ramp(0.1), turn, 2)
+                && closed(sine.clone(), turn, 2)
+                && closed(-1e6 * sine.clone(), turn, 2)
         );
-        assert!(closed(sine.clone() + crate::Law::ramp(1e-10 / turn), turn, 2) && !closed(sine + crate::Law::ramp(3e-9 / turn), turn, 2));
+        assert!(
+            closed(sine.clone() + crate::Law::ramp(1e-10 / turn), turn, 2)
+                && !closed(sine + crate::Law::ramp(3e-9 / turn), turn, 2)
+        );
     }
 }

@@ -13,9 +13,11 @@ impl System {
         let (expected, found) = (self.n_coordinates(), motion.names().len());
         match motion.names() == self.coordinate_names() {
             true => Ok(()),
-            false => {
-                Err(Error::WrongLength { what: format!("a motion of \"{}\", not of \"{}\"", motion.name(), self.name()), expected, found })
-            }
+            false => Err(Error::WrongLength {
+                what: format!("a motion of \"{}\", not of \"{}\"", motion.name(), self.name()),
+                expected,
+                found,
+            }),
         }
     }
 }
@@ -40,7 +42,12 @@ fn quantity(system: &System, motion: &Motion, name: &str, place: MeasurePlace) -
             x[0] += TAU * ((continued(from, x, t - before) - x[0]) / TAU).round();
         }
         if let Some(value) = x.iter().find(|x| !x.is_finite()) {
-            return Err(Error::OutputNotFinite { output: name.to_string(), t, units: motion.unit_words().clone(), value: *value });
+            return Err(Error::OutputNotFinite {
+                output: name.to_string(),
+                t,
+                units: motion.unit_words().clone(),
+                value: *value,
+            });
         }
         last = Some((t, x));
         let known = if motion.has_jerk() { 4 } else { 3 };

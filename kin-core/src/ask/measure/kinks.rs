@@ -1,4 +1,5 @@
-//! Kinks of equations that a run passes: where a condition of an `if` changes, and where `abs`, `max` and `min` take their other side.
+//! Kinks of equations that a run passes: where a condition of an `if` changes, and where `abs`, `max` and
+//! `min` take their other side.
 
 use kin_graph::{Formula, Function, Function2, Input, LeafUse, Node, Op, Results, Source, evaluate};
 
@@ -8,7 +9,8 @@ use crate::solve::motion::{Event, EventKind, Motion};
 use crate::system::System;
 use crate::system::evaluate::Block;
 
-/// Each step of a motion is looked at in so many places; a condition that holds for less than that and not at its ends is not seen.
+/// Each step of a motion is looked at in so many places; a condition that holds for less than that and not at
+/// its ends is not seen.
 const PLACES: usize = 4;
 
 impl System {
@@ -17,8 +19,16 @@ impl System {
         for &block in self.switching() {
             let block = &self.equations().blocks[block];
             let Some((table, parameters)) = block.constraint.table() else { continue };
-            let outside = |number: usize, x: &[Dual3_64], to: &mut Given| block.constraint.outside(number, x, to);
-            let watched = Watched { system: self, block, table, formula: table.formula(), parameters: &parameters, outside: &outside };
+            let outside =
+                |number: usize, x: &[Dual3_64], to: &mut Given| block.constraint.outside(number, x, to);
+            let watched = Watched {
+                system: self,
+                block,
+                table,
+                formula: table.formula(),
+                parameters: &parameters,
+                outside: &outside,
+            };
             watched.events(motion).into_iter().for_each(|event| motion.add_event(event));
         }
     }
@@ -37,8 +47,13 @@ struct Watched<'a> {
 impl Watched<'_> {
     fn events(&self, motion: &Motion) -> Vec<Event> {
         let local = self.local(motion);
-        let switches: Vec<Node> =
-            self.formula.graph.reachable(&self.formula.rows).into_iter().filter(|node| self.is_switch(*node)).collect();
+        let switches: Vec<Node> = self
+            .formula
+            .graph
+            .reachable(&self.formula.rows)
+            .into_iter()
+            .filter(|node| self.is_switch(*node))
+            .collect();
         let at = |q: &[f64], t: f64| self.sides(&switches, &local(q), t);
         let (mut all, times) = (Vec::new(), motion.times());
         let Some(&first) = times.first() else { return all };
@@ -46,8 +61,12 @@ impl Watched<'_> {
         for k in 0..times.len().saturating_sub(1) {
             let quintics = motion.quintics(k);
             let (from, to) = (times[k], times[k + 1]);
-            let pose = |u: f64| -> Vec<f64> { quintics.iter().map(|c| c.iter().rev().fold(0.0, |sum, c| sum * u + c)).collect() };
-            let along = |u: f64| at(&if u == 1.0 { motion.q(k + 1).to_vec() } else { pose(u) }, from + u * (to - from));
+            let pose = |u: f64| -> Vec<f64> {
+                quintics.iter().map(|c| c.iter().rev().fold(0.0, |sum, c| sum * u + c)).collect()
+            };
+            let along = |u: f64| {
+                at(&if u == 1.0 { motion.q(k + 1).to_vec() } else { pose(u) }, from + u * (to - from))
+            };
             for place in 1..=PLACES {
                 let (low, high) = ((place - 1) as f64 / PLACES as f64, place as f64 / PLACES as f64);
                 let after = along(high);
@@ -70,23 +89,37 @@ impl Watched<'_> {
         let arguments = self.block.constraint.arguments();
         let instant = self.system.equations().instant_at(0.0, motion.q(0));
         let at = self.system.equations().at(self.block, &instant);
-        let still = arguments.iter().enumerate().flat_map(|(k, argument)| at.coordinates(k, argument.target.columns()).to_vec());
+        let still = arguments
+            .iter()
+            .enumerate()
+            .flat_map(|(k, argument)| at.coordinates(k, argument.target.columns()).to_vec());
         let moving = arguments.iter().flat_map(|argument| self.system.layout().columns(argument));
         let columns: Vec<(f64, Option<usize>)> = still.zip(moving).collect();
-        move |q| columns.iter().map(|(still, column)| column.and_then(|column| q.get(column)).copied().unwrap_or(*still)).collect()
+        move |q| {
+            columns
+                .iter()
+                .map(|(still, column)| column.and_then(|column| q.get(column)).copied().unwrap_or(*still))
+                .collect()
+        }
     }
 
     fn is_switch(&self, node: Node) -> bool {
         matches!(
             self.formula.graph.op(node),
-            Op::Select(..) | Op::Call(Function::Abs | Function::Signum, _) | Op::Call2(Function2::Max | Function2::Min, ..)
+            Op::Select(..)
+                | Op::Call(Function::Abs | Function::Signum, _)
+                | Op::Call2(Function2::Max | Function2::Min, ..)
         )
     }
 
     /// The side that each switch is on; `None` of one that has no part in the rows.
     fn sides(&self, switches: &[Node], q: &[f64], t: f64) -> Vec<Option<bool>> {
         let graph = &self.formula.graph;
-        let results = evaluate(graph, &self.formula.rows, &Given64 { q, t, parameters: self.parameters, outside: self.outside });
+        let results = evaluate(
+            graph,
+            &self.formula.rows,
+            &Given64 { q, t, parameters: self.parameters, outside: self.outside },
+        );
         let holds = |node: Node| results.condition(node).unwrap_or_default();
         let (mut seen, mut open) = (vec![false; graph.len()], self.formula.rows.clone());
         while let Some(node) = open.pop() {
@@ -109,14 +142,22 @@ impl Watched<'_> {
 
     fn event(&self, node: Node, new: bool, t: f64) -> Event {
         let (told, what) = match self.formula.graph.op(node) {
-            Op::Select(c, ..) => (self.formula.expression(c), if new { "begins to hold" } else { "ceases to hold" }),
+            Op::Select(c, ..) => {
+                (self.formula.expression(c), if new { "begins to hold" } else { "ceases to hold" })
+            }
             _ => (self.formula.expression(node), "takes its other side"),
         };
         let (text, place) = told.map_or((String::new(), String::new()), |expression| {
             (format!("`{}` ", expression.text), format!(" ({})", self.table.source(expression)))
         });
         let (name, units) = (self.block.name.clone(), self.system.layout().words.clone());
-        Event { t, units, kind: EventKind::Kink, text: format!("a kink of `{name}`: {text}{what}{place}"), name }
+        Event {
+            t,
+            units,
+            kind: EventKind::Kink,
+            text: format!("a kink of `{name}`: {text}{what}{place}"),
+            name,
+        }
     }
 }
 

@@ -11,7 +11,9 @@ use crate::system::System;
 impl System {
     /// Takes the limits that were asked for. Errors: a name that nothing has.
     pub(crate) fn set_limits(&mut self, limits: Vec<Limit>) -> Result<()> {
-        let unknown = |name: &&Limit| self.place_of(&name.name).is_none() && !self.coordinate_names().contains(&name.name);
+        let unknown = |name: &&Limit| {
+            self.place_of(&name.name).is_none() && !self.coordinate_names().contains(&name.name)
+        };
         if let Some(limit) = limits.iter().find(unknown) {
             return Err(self.no_measure(&limit.name));
         }
@@ -35,12 +37,17 @@ impl System {
         all
     }
 
-    /// Tells the motion of each limit that it passes. What cannot be told is an event too: a run does not fail for it.
+    /// Tells the motion of each limit that it passes. What cannot be told is an event too: a run does not
+    /// fail for it.
     pub(crate) fn note_limits(&self, motion: &mut Motion) {
         for limit in self.all_limits() {
             let events = events(self, motion, &limit).unwrap_or_else(|error| {
                 let t = motion.times().last().copied().unwrap_or(0.0);
-                vec![event(&limit, t, format!("the limits of `{}` could not be looked at: {error}", limit.name))]
+                vec![event(
+                    &limit,
+                    t,
+                    format!("the limits of `{}` could not be looked at: {error}", limit.name),
+                )]
             });
             events.into_iter().for_each(|event| motion.add_event(event));
         }
@@ -54,7 +61,9 @@ fn event(limit: &Limit, t: f64, text: String) -> Event {
 fn events(system: &System, motion: &Motion, limit: &Limit) -> Result<Vec<Event>> {
     let (name, [from, to]) = (limit.name.as_str(), limit.ends);
     let grid = system.measure(motion, name)?.value;
-    let (Some(&start), Some(&first)) = (motion.times().first(), grid.values().first()) else { return Ok(Vec::new()) };
+    let (Some(&start), Some(&first)) = (motion.times().first(), grid.values().first()) else {
+        return Ok(Vec::new());
+    };
     let mut all = Vec::new();
     for (end, side, outside) in [(from, "lower", first < from), (to, "upper", first > to)] {
         let (shown, unit) = (time(end), grid.unit());
@@ -62,7 +71,10 @@ fn events(system: &System, motion: &Motion, limit: &Limit) -> Result<Vec<Event>>
             all.push(event(
                 limit,
                 start,
-                format!("`{name}` is {} {unit} at the start, beyond its {side} end, {shown} {unit}", time(first)),
+                format!(
+                    "`{name}` is {} {unit} at the start, beyond its {side} end, {shown} {unit}",
+                    time(first)
+                ),
             ));
         }
         // Most motions keep within: one look at the grid is enough unless it comes near.

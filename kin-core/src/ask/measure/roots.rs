@@ -1,4 +1,5 @@
-//! Where a measure, or its rate, is zero between the times of a motion: safeguarded Newton steps on poses that are solved anew.
+//! Where a measure, or its rate, is zero between the times of a motion: safeguarded Newton steps on poses
+//! that are solved anew.
 
 use super::Measure;
 use super::between::step_of;
@@ -69,7 +70,8 @@ impl<'a, M: Measure> Search<'a, M> {
         Ok(Search { system, motion, what, grid, zero, small })
     }
 
-    /// All zeros in the order of the motion. Of a rest only the first time is told, and only where the sign differs on either side.
+    /// All zeros in the order of the motion. Of a rest only the first time is told, and only where the sign
+    /// differs on either side.
     pub(super) fn all(&self) -> Result<Vec<Root>> {
         let mut roots = Vec::new();
         let mut last: Option<(usize, End)> = None;
@@ -81,7 +83,11 @@ impl<'a, M: Measure> Search<'a, M> {
             match last {
                 Some((before, from)) if from.f.signum() != end.f.signum() => match k - before {
                     1 | 2 => roots.push(self.root(from, end)?),
-                    _ => roots.push(self.told(self.on_grid(before + 1).t, from, self.grid.value.values()[before + 1])),
+                    _ => roots.push(self.told(
+                        self.on_grid(before + 1).t,
+                        from,
+                        self.grid.value.values()[before + 1],
+                    )),
                 },
                 // Also beside a time of the grid at which it is zero.
                 Some((_, from)) => roots.extend(self.hidden(from, end)?.into_iter().flatten()),
@@ -105,7 +111,8 @@ impl<'a, M: Measure> Search<'a, M> {
         }
     }
 
-    /// x, ẋ and ẍ at a time between those of the grid. Turns are counted on from the time of the grid before it.
+    /// x, ẋ and ẍ at a time between those of the grid. Turns are counted on from the time of the grid before
+    /// it.
     fn between(&self, t: f64) -> Result<[f64; 3]> {
         let k = step_of(self.motion.times(), t).unwrap_or(0);
         let mut two = Motion::new(self.system, 2);
@@ -119,8 +126,8 @@ impl<'a, M: Measure> Search<'a, M> {
         Ok([last(x) + turned, last(rate), last(second)])
     }
 
-    /// Two zeros between two times over which the sign stays: where the cubic through values and slopes at the ends dips to the other side, and
-    /// so does the pose solved there.
+    /// Two zeros between two times over which the sign stays: where the cubic through values and slopes at
+    /// the ends dips to the other side, and so does the pose solved there.
     fn hidden(&self, from: End, to: End) -> Result<Option<[Root; 2]>> {
         let h = to.t - from.t;
         let Some(s) = dip([from.f, h * from.slope], [to.f, h * to.slope]) else { return Ok(None) };
@@ -158,7 +165,8 @@ impl<'a, M: Measure> Search<'a, M> {
     }
 }
 
-/// Where the cubic with these values and slopes at s = 0 and s = 1, the values of one sign, has its dip towards zero, if it crosses it.
+/// Where the cubic with these values and slopes at s = 0 and s = 1, the values of one sign, has its dip
+/// towards zero, if it crosses it.
 fn dip([f0, g0]: [f64; 2], [f1, g1]: [f64; 2]) -> Option<f64> {
     let sign = f0.signum();
     let [f0, g0, f1, g1] = [f0, g0, f1, g1].map(|x| sign * x);
@@ -172,10 +180,12 @@ fn dip([f0, g0]: [f64; 2], [f1, g1]: [f64; 2]) -> Option<f64> {
 }
 
 impl System {
-    /// The times at which a measure of a motion passes a value, as exactly as poses can be solved, in the order of the motion.
+    /// The times at which a measure of a motion passes a value, as exactly as poses can be solved, in the
+    /// order of the motion.
     ///
-    /// `what` is a name, a coordinate or a function of a motion ([`Measure`]). Two crossings within one step of the grid are found where values
-    /// and rates at its ends show them. Errors: those of [`System::measure`] and [`System::at`].
+    /// `what` is a name, a coordinate or a function of a motion ([`Measure`]). Two crossings within one step
+    /// of the grid are found where values and rates at its ends show them. Errors: those of
+    /// [`System::measure`] and [`System::at`].
     pub fn crossings(&self, motion: &Motion, what: impl Measure, value: f64) -> Result<Vec<Crossing>> {
         let roots = Search::new(self, motion, &what, Zero::Value(value))?.all()?;
         Ok(roots.into_iter().map(|Root { t, rises, .. }| Crossing { t, rises }).collect())

@@ -48,11 +48,18 @@ impl<'a> Bounds<'a> {
         let part = |block: &'a Block| {
             let constraint = block.constraint.as_ref();
             let what = || format!("a motion with `{}` ({})", block.name, constraint.kind());
-            unreadable(constraint).map_or(Ok(()), |reason| Err(Error::CannotBeProved { what: what(), reason }))?;
+            unreadable(constraint)
+                .map_or(Ok(()), |reason| Err(Error::CannotBeProved { what: what(), reason }))?;
             let (arguments, at) = (constraint.arguments(), equations.at(block, &instant));
-            let values = arguments.iter().enumerate().flat_map(|(k, argument)| at.coordinates(k, argument.target.columns()));
+            let values = arguments
+                .iter()
+                .enumerate()
+                .flat_map(|(k, argument)| at.coordinates(k, argument.target.columns()));
             let places = arguments.iter().flat_map(|argument| system.layout().columns(argument));
-            let columns = places.zip(values).map(|(place, value)| place.map_or(Column::Fixed(*value), Column::Own)).collect();
+            let columns = places
+                .zip(values)
+                .map(|(place, value)| place.map_or(Column::Fixed(*value), Column::Own))
+                .collect();
             Ok(Part { constraint, first: block.rows().start, columns })
         };
         Ok(Bounds { system, parts: equations.blocks.iter().map(part).collect::<Result<_, Error>>()? })
@@ -61,8 +68,11 @@ impl<'a> Bounds<'a> {
     /// The laws whose bounds are taken on their own word, each with its constraint.
     pub(super) fn trusted(&self) -> Vec<String> {
         let blocks = self.parts.iter().zip(&self.system.equations().blocks);
-        let mut all: Vec<String> =
-            blocks.flat_map(|(part, block)| part.trusted().into_iter().map(|law| format!("`{law}` in `{}`", block.name))).collect();
+        let mut all: Vec<String> = blocks
+            .flat_map(|(part, block)| {
+                part.trusted().into_iter().map(|law| format!("`{law}` in `{}`", block.name))
+            })
+            .collect();
         all.sort();
         all.dedup();
         all
@@ -117,7 +127,11 @@ impl<'a> Part<'a> {
     /// A constraint alone, its columns being all there are; `None` for one that is not known as steps.
     pub(crate) fn alone(constraint: &'a dyn Constraint) -> Option<Self> {
         let columns = constraint.arguments().iter().map(|argument| argument.target.columns()).sum();
-        unreadable(constraint).is_none().then(|| Part { constraint, first: 0, columns: (0..columns).map(Column::Own).collect() })
+        unreadable(constraint).is_none().then(|| Part {
+            constraint,
+            first: 0,
+            columns: (0..columns).map(Column::Own).collect(),
+        })
     }
 
     /// Appends its rows of C along q and t.
@@ -133,9 +147,15 @@ impl<'a> Part<'a> {
 
     /// Appends its entries of C_q over a box and an interval of time, all that are not zero throughout.
     ///
-    /// Every row is asked for over the whole box, along each column, whether it has an entry there or not: floor, `if` and their like jump where their slopes are zero. Nothing
-    /// is taken from what the compiler knows of the entries: its constants are rounded.
-    pub(crate) fn jacobian(&self, q: &[Interval], t: Interval, entries: &mut Vec<Entry>) -> Result<(), Unknown> {
+    /// Every row is asked for over the whole box, along each column, whether it has an entry there or not:
+    /// floor, `if` and their like jump where their slopes are zero. Nothing is taken from what the compiler
+    /// knows of the entries: its constants are rounded.
+    pub(crate) fn jacobian(
+        &self,
+        q: &[Interval],
+        t: Interval,
+        entries: &mut Vec<Entry>,
+    ) -> Result<(), Unknown> {
         let columns: Vec<Series> = self.columns.iter().map(|column| Series::constant(column.of(q))).collect();
         self.with(&mut |table, parameters, outside| {
             let t = Series::constant(t);
@@ -156,11 +176,19 @@ impl<'a> Part<'a> {
     }
 
     /// Its rows among the results of the steps, at least `len` coefficients of each.
-    fn rows(&self, table: &'static Table, results: &Results<Series>, len: usize) -> Result<Vec<Series>, Unknown> {
+    fn rows(
+        &self,
+        table: &'static Table,
+        results: &Results<Series>,
+        len: usize,
+    ) -> Result<Vec<Series>, Unknown> {
         let known = |row: usize| {
             let y = equation::row(table.formula(), row, results);
             let is_known = y.len() >= len && y.known().iter().all(|c| c.is_finite());
-            is_known.then_some(y).ok_or_else(|| Unknown { row: self.first + row, expression: table.unknown(row, results, len) })
+            is_known.then_some(y).ok_or_else(|| Unknown {
+                row: self.first + row,
+                expression: table.unknown(row, results, len),
+            })
         };
         (0..table.formula().rows.len()).map(known).collect()
     }
@@ -189,12 +217,17 @@ fn unreadable(constraint: &dyn Constraint) -> Option<String> {
     constraint.formula(&mut |table, _, outside| {
         let formula = table.formula();
         let whole = formula.rows.len() == constraint.rows().len();
-        reason = if whole { equation::opaque(formula, outside) } else { Some("its steps are too many to be kept".to_string()) };
+        reason = if whole {
+            equation::opaque(formula, outside)
+        } else {
+            Some("its steps are too many to be kept".to_string())
+        };
     });
     reason
 }
 
-/// Σ c_j σʲ over −1 ≤ σ ≤ 1, by Taylor's formula: its coefficients at σ = 0 and, for the remainder, over all σ.
+/// Σ c_j σʲ over −1 ≤ σ ≤ 1, by Taylor's formula: its coefficients at σ = 0 and, for the remainder, over all
+/// σ.
 pub(super) fn taylor(at: &Series, over: &Series) -> Interval {
     let Some(last) = over.len().checked_sub(1) else { return over.value() };
     let unit = |k: usize| {

@@ -1,11 +1,13 @@
-//! Krawczyk's test: that near an approximate position there is exactly one solution, for every time of an interval.
+//! Krawczyk's test: that near an approximate position there is exactly one solution, for every time of an
+//! interval.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::bounds::{Bounds, Entry, Unknown};
 use crate::numbers::enclosure::interval::{Interval, ONE, ZERO, down, up};
 
-/// What is known around an approximate position at every time of an interval. Lengths and angles by coordinate.
+/// What is known around an approximate position at every time of an interval. Lengths and angles by
+/// coordinate.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Around {
     /// The solution is no further away than this.
@@ -35,7 +37,8 @@ pub(super) struct Piece<'a> {
 /// The smallest distance, in characteristic sizes, within which no other solution is looked for.   \[-\]
 const LEAST: f64 = 1e-6;
 
-/// Beyond this an equation, in units of order 1, counts as missed: the position is not one that only rounding keeps from being proved.   \[-\]
+/// Beyond this an equation, in units of order 1, counts as missed: the position is not one that only rounding
+/// keeps from being proved.   \[-\]
 const MISSED: f64 = 1e-4;
 
 /// Krawczyk's test with coordinates and rows in units of order 1, `sizes` being those of coordinates.
@@ -51,20 +54,24 @@ struct Frame {
 }
 
 impl Test<'_> {
-    /// With A near C_q⁻¹ and I − A C_q bounded by R over a box of radius ρ around the positions, and A C by b: where b + R y < y ≤ ρ there is a
-    /// solution within b + R y (Brouwer), and C has no two equal values in the box: R has no eigenvalue of 1 or more (Collatz and Wielandt), so that no
-    /// mean of the C_q in the box is singular.
+    /// With A near C_q⁻¹ and I − A C_q bounded by R over a box of radius ρ around the positions, and A C by
+    /// b: where b + R y < y ≤ ρ there is a solution within b + R y (Brouwer), and C has no two equal values
+    /// in the box: R has no eigenvalue of 1 or more (Collatz and Wielandt), so that no mean of the C_q in the
+    /// box is singular.
     pub(super) fn around(&self, place: &Piece<'_>) -> Result<Around, Fault> {
         let singular = || Fault::Singular(place.middle.0.clone(), place.middle.1);
         let frame = self.frame(place).ok_or_else(singular)?;
-        let weighted: Vec<Interval> = place.c.iter().zip(&frame.weights).map(|(c, w)| *c * Interval::from(*w)).collect();
+        let weighted: Vec<Interval> =
+            place.c.iter().zip(&frame.weights).map(|(c, w)| *c * Interval::from(*w)).collect();
         let b = frame.residual(&weighted);
         let worst = b.iter().fold(0.0_f64, |m, b| m.max(*b));
         let spread = place.q.iter().zip(self.sizes).map(|(q, size)| q.radius() / size).fold(0.0, f64::max);
         let radius = spread.max(4.0 * worst).max(LEAST);
         let fault = || {
             let missed = (0..weighted.len()).max_by(|i, j| weighted[*i].mag().total_cmp(&weighted[*j].mag()));
-            missed.filter(|row| weighted[*row].mag() > MISSED).map_or_else(singular, |row| Fault::Apart(row, place.c[row].mag()))
+            missed
+                .filter(|row| weighted[*row].mag() > MISSED)
+                .map_or_else(singular, |row| Fault::Apart(row, place.c[row].mag()))
         };
         if !radius.is_finite() {
             return Err(fault());
@@ -74,7 +81,9 @@ impl Test<'_> {
         let entries = self.bounds.jacobian(&q, place.t).map_err(Fault::Unknown)?;
         let r = self.contraction(&frame, &entries);
         let inner = settled(&b, &r, radius).ok_or_else(fault)?;
-        let scaled = |y: &[f64], outwards: fn(f64) -> f64| y.iter().zip(self.sizes).map(|(y, size)| outwards(y * size)).collect();
+        let scaled = |y: &[f64], outwards: fn(f64) -> f64| {
+            y.iter().zip(self.sizes).map(|(y, size)| outwards(y * size)).collect()
+        };
         Ok(Around { inner: scaled(&inner, up), outer: scaled(&vec![radius; inner.len()], down) })
     }
 
@@ -84,7 +93,9 @@ impl Test<'_> {
         let model = self.bounds.system.model();
         let point = model.linearize(q, *t).ok()?;
         let mut c_q = DMatrix::<f64>::zeros(n, n);
-        model.entries(&point.values).for_each(|(row, column, value)| c_q[(row, column)] += value * self.sizes[column]);
+        model
+            .entries(&point.values)
+            .for_each(|(row, column, value)| c_q[(row, column)] += value * self.sizes[column]);
         let weights: Vec<f64> = c_q.row_iter().map(|row| row.amax().recip()).collect();
         c_q.row_iter_mut().zip(&weights).for_each(|(mut row, w)| row *= *w);
         let inverse = c_q.try_inverse()?;
@@ -120,12 +131,14 @@ impl Frame {
     }
 }
 
-/// b + R y for a y above it and not above `radius`, all operations rounded upwards; `None` where there is none.
+/// b + R y for a y above it and not above `radius`, all operations rounded upwards; `None` where there is
+/// none.
 fn settled(b: &[f64], r: &DMatrix<f64>, radius: f64) -> Option<Vec<f64>> {
     /// Above what was found, so that the next one may stay below.
     const ROOM: f64 = 1.02;
     let applied = |y: &DVector<f64>| -> Vec<f64> {
-        let row = |(k, b): (usize, &f64)| r.row(k).iter().zip(y.iter()).fold(*b, |sum, (r, y)| up(sum + up(r * y)));
+        let row =
+            |(k, b): (usize, &f64)| r.row(k).iter().zip(y.iter()).fold(*b, |sum, (r, y)| up(sum + up(r * y)));
         b.iter().enumerate().map(row).collect()
     };
     let mut y = DVector::from_iterator(b.len(), b.iter().map(|b| ROOM * b + 1e-20));
@@ -147,7 +160,8 @@ mod tests {
     use super::*;
     use crate::Mechanism;
 
-    /// R y < y for some y is the same as a spectral radius below 1: matrices of one row, and one whose rows are large though it is not.
+    /// R y < y for some y is the same as a spectral radius below 1: matrices of one row, and one whose rows
+    /// are large though it is not.
     #[test]
     fn a_map_that_does_not_shrink_its_box_proves_nothing() {
         let one = |r: f64| DMatrix::from_element(1, 1, r);
@@ -158,7 +172,9 @@ mod tests {
         }
         let shear = DMatrix::from_row_slice(2, 2, &[0.5, 1e3, 0.0, 0.5]);
         assert!(settled(&[1e-12, 1e-12], &shear, 1.0).is_some());
-        assert!(settled(&[1e-12, 1e-12], &DMatrix::from_row_slice(2, 2, &[0.0, 1e3, 2e-3, 0.0]), 1.0).is_none());
+        assert!(
+            settled(&[1e-12, 1e-12], &DMatrix::from_row_slice(2, 2, &[0.0, 1e3, 2e-3, 0.0]), 1.0).is_none()
+        );
     }
 
     #[kin_macros::constraint]
@@ -173,18 +189,34 @@ mod tests {
         let system = m.build().unwrap();
         let bounds = Bounds::new(&system).unwrap();
         let (boxes, c) = (q.map(Interval::from), c.map(Interval::from));
-        Test { bounds: &bounds, sizes: &sizes }.around(&Piece { middle: (q.to_vec(), 0.0), q: &boxes, t: ZERO, c: &c })
+        Test { bounds: &bounds, sizes: &sizes }.around(&Piece {
+            middle: (q.to_vec(), 0.0),
+            q: &boxes,
+            t: ZERO,
+            c: &c,
+        })
     }
 
-    /// The box is as large as it is told to be: one that reaches over to the other root holds no proof, in whatever unit of size.
+    /// The box is as large as it is told to be: one that reaches over to the other root holds no proof, in
+    /// whatever unit of size.
     #[test]
     fn no_box_reaches_over_to_another_solution() {
-        for (sizes, proved) in [([1.0, 1.0], true), ([1e3, 1.0], true), ([1e-3, 1e-3], true), ([1e7, 1.0], false), ([1.0, 1e7], false)] {
+        for (sizes, proved) in [
+            ([1.0, 1.0], true),
+            ([1e3, 1.0], true),
+            ([1e-3, 1e-3], true),
+            ([1e7, 1.0], false),
+            ([1.0, 1e7], false),
+        ] {
             let found = around([1.0, 1.0], [0.0, 0.0], sizes);
             assert_eq!(found.is_ok(), proved, "{sizes:?}: {found:?}");
             if let Ok(Around { inner, outer }) = found {
                 let near = |x: f64, y: f64| (x - y).abs() < 1e-9 * y;
-                assert!(near(outer[0], LEAST * sizes[0]) && near(outer[1], LEAST * sizes[1]) && inner[0] < 1e-15 * sizes[0]);
+                assert!(
+                    near(outer[0], LEAST * sizes[0])
+                        && near(outer[1], LEAST * sizes[1])
+                        && inner[0] < 1e-15 * sizes[0]
+                );
             }
         }
     }
@@ -192,15 +224,25 @@ mod tests {
     /// Told is the equation that is missed most, or that nothing is missed and C_q may be singular.
     #[test]
     fn why_nothing_could_be_shown() {
-        assert!(matches!(around([0.1, 1.0], [-0.99, 1e-9], [1.0; 2]), Err(Fault::Apart(0, by)) if (by - 0.99).abs() < 1e-9));
-        assert!(matches!(around([1.0, 0.1], [1e-9, 0.03], [1.0; 2]), Err(Fault::Apart(1, by)) if (by - 0.03).abs() < 1e-9));
-        for (q, c) in [([1e-5, 1.0], [1e-10, 0.0]), ([1.0, 1e-5], [0.0, 3e-10]), ([1.0, 0.0], [0.0, 0.0]), ([0.0, 0.0], [0.0, 0.0])] {
+        assert!(
+            matches!(around([0.1, 1.0], [-0.99, 1e-9], [1.0; 2]), Err(Fault::Apart(0, by)) if (by - 0.99).abs() < 1e-9)
+        );
+        assert!(
+            matches!(around([1.0, 0.1], [1e-9, 0.03], [1.0; 2]), Err(Fault::Apart(1, by)) if (by - 0.03).abs() < 1e-9)
+        );
+        for (q, c) in [
+            ([1e-5, 1.0], [1e-10, 0.0]),
+            ([1.0, 1e-5], [0.0, 3e-10]),
+            ([1.0, 0.0], [0.0, 0.0]),
+            ([0.0, 0.0], [0.0, 0.0]),
+        ] {
             let found = around(q, c, [1.0; 2]);
             assert!(matches!(found, Err(Fault::Singular(ref at, _)) if *at == q), "{q:?}: {found:?}");
         }
     }
 
-    /// What is told holds the fixed point b/(1 − r), is no more than some percent above it, and stays in the box.
+    /// What is told holds the fixed point b/(1 − r), is no more than some percent above it, and stays in the
+    /// box.
     #[test]
     fn the_box_holds_the_fixed_point() {
         for (b, r) in [(1e-3, 0.0), (1e-3, 0.3), (1e-9, 0.9), (0.2, 0.5)] {

@@ -1,4 +1,5 @@
-//! One step of a motion: pieces of it for which Krawczyk's test holds, joined to one another and to both computed positions.
+//! One step of a motion: pieces of it for which Krawczyk's test holds, joined to one another and to both
+//! computed positions.
 
 use super::bounds::{Bounds, taylor};
 use super::krawczyk::{Around, Fault, Piece, Test};
@@ -54,11 +55,15 @@ impl Curve {
             .collect();
         let series = |c: &[Interval; 6]| Series::of(c, ORDER + 1);
         let over: Vec<Series> = at.iter().map(|c| series(&shifted(c, Interval::ball(1.0)))).collect();
-        let time = |u: Interval| Series::variable(Interval::from(self.t0) + u * self.dt, Interval::from(half) * self.dt, ORDER + 1);
+        let time = |u: Interval| {
+            Series::variable(Interval::from(self.t0) + u * self.dt, Interval::from(half) * self.dt, ORDER + 1)
+        };
         let (t, t_over) = (time(Interval::from(middle)), time(Interval::new(u0, u1)));
-        let here = test.bounds.residual(&at.iter().map(series).collect::<Vec<_>>(), t).map_err(Fault::Unknown)?;
+        let here =
+            test.bounds.residual(&at.iter().map(series).collect::<Vec<_>>(), t).map_err(Fault::Unknown)?;
         let everywhere = test.bounds.residual(&over, t_over).map_err(Fault::Unknown)?;
-        let c: Vec<Interval> = here.iter().zip(&everywhere).map(|(here, everywhere)| taylor(here, everywhere)).collect();
+        let c: Vec<Interval> =
+            here.iter().zip(&everywhere).map(|(here, everywhere)| taylor(here, everywhere)).collect();
         let q: Vec<Interval> = over.iter().map(Series::value).collect();
         let middle = (at.iter().map(|c| c[0].mid()).collect(), t.value().mid());
         test.around(&Piece { middle, q: &q, t: t_over.value(), c: &c })
@@ -81,15 +86,17 @@ fn shifted(c: &[Interval; 6], by: Interval) -> [Interval; 6] {
     c
 }
 
-/// Whether the solutions of two tests at one time, whose positions are so far apart, are one and the same: that of one is where the other one has
-/// no second solution.
+/// Whether the solutions of two tests at one time, whose positions are so far apart, are one and the same:
+/// that of one is where the other one has no second solution.
 fn joined(a: &Around, b: &Around, apart: &[f64]) -> bool {
-    let within =
-        |a: &Around, b: &Around| a.inner.iter().zip(apart).zip(&b.outer).all(|((inner, apart), outer)| up(inner + apart) <= *outer);
+    let within = |a: &Around, b: &Around| {
+        a.inner.iter().zip(apart).zip(&b.outer).all(|((inner, apart), outer)| up(inner + apart) <= *outer)
+    };
     within(a, b) || within(b, a)
 }
 
-/// Pieces that are joined to one another: the last of them, how far the next one's positions may be from its, and what holds for all.
+/// Pieces that are joined to one another: the last of them, how far the next one's positions may be from its,
+/// and what holds for all.
 struct Chain {
     last: Around,
     apart: Vec<f64>,
@@ -110,7 +117,13 @@ impl Chain {
 }
 
 /// What is known around a step's curve, the computed positions at its ends being known already.
-pub(super) fn step(bounds: &Bounds<'_>, sizes: &[f64], motion: &Motion, k: usize, ends: [&Around; 2]) -> Result<Around, Failure> {
+pub(super) fn step(
+    bounds: &Bounds<'_>,
+    sizes: &[f64],
+    motion: &Motion,
+    k: usize,
+    ends: [&Around; 2],
+) -> Result<Around, Failure> {
     let (curve, test) = (Curve::between(motion, k), Test { bounds, sizes });
     let (to_first, to_last) = (curve.distance(0.0, motion.q(k)), curve.distance(1.0, motion.q(k + 1)));
     let (mut open, mut tested) = (vec![[0.0, 1.0]], 0);
@@ -153,13 +166,17 @@ mod tests {
         Around { inner: inner.to_vec(), outer: outer.to_vec() }
     }
 
-    /// The solution of one has to lie where the other one has no second: in all coordinates, with what the positions are apart.
+    /// The solution of one has to lie where the other one has no second: in all coordinates, with what the
+    /// positions are apart.
     #[test]
     fn solutions_are_the_same_where_one_is_alone_in_the_box_of_the_other() {
         let (a, b) = (around([0.1, 0.1], [0.2, 0.2]), around([0.15, 0.15], [0.3, 0.3]));
         assert!(joined(&a, &b, &[0.0; 2]) && joined(&b, &a, &[0.0; 2]));
         assert!(
-            joined(&a, &b, &[0.19; 2]) && !joined(&a, &b, &[0.21; 2]) && !joined(&a, &b, &[0.0, 0.21]) && !joined(&a, &b, &[0.21, 0.0])
+            joined(&a, &b, &[0.19; 2])
+                && !joined(&a, &b, &[0.21; 2])
+                && !joined(&a, &b, &[0.0, 0.21])
+                && !joined(&a, &b, &[0.21, 0.0])
         );
         let (wide, narrow) = (around([1.0], [2.0]), around([1e-9], [1e-3]));
         assert!(joined(&wide, &narrow, &[0.0]) && joined(&narrow, &wide, &[0.0]));
@@ -199,7 +216,8 @@ mod tests {
         let motion = system.run([0.0, 1.0]).unwrap();
         let (bounds, sizes) = (Bounds::new(&system).unwrap(), [1.0]);
         let test = Test { bounds: &bounds, sizes: &sizes };
-        let own = [0, 1].map(|k| Curve::still(motion.q(k), motion.times()[k]).around(&test, [0.0, 1.0]).unwrap());
+        let own =
+            [0, 1].map(|k| Curve::still(motion.q(k), motion.times()[k]).around(&test, [0.0, 1.0]).unwrap());
         let elsewhere = around([5.0], [1e-30]);
         assert!(step(&bounds, &sizes, &motion, 0, [&own[0], &own[1]]).is_ok());
         assert!(step(&bounds, &sizes, &motion, 0, [&elsewhere, &own[1]]).is_err());

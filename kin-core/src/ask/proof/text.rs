@@ -10,7 +10,8 @@ use crate::numbers::enclosure::interval::down;
 /// The verdict, and the first step of which there is none.
 pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     let (all, proved, s) = (proof.steps.len(), proof.proved(), proof.words.time());
-    let ends = proof.steps.first().zip(proof.steps.last()).map(|(first, last)| (time(first.from), time(last.to)));
+    let ends =
+        proof.steps.first().zip(proof.steps.last()).map(|(first, last)| (time(first.from), time(last.to)));
     match ends {
         Some((from, to)) if proved == all => write!(
             f,
@@ -25,14 +26,22 @@ pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         }
     }
     let tubes: Vec<&Tube> = proof.steps.iter().filter_map(|step| step.tube.as_ref().ok()).collect();
-    let positions: Vec<&Tube> = proof.positions.iter().filter_map(|position| position.as_ref().ok()).collect();
-    let largest = |tubes: &[&Tube]| sizes(proof, &|k| tubes.iter().fold(0.0, |m, tube| tube.radius[k].max(m)), f64::max, above);
+    let positions: Vec<&Tube> =
+        proof.positions.iter().filter_map(|position| position.as_ref().ok()).collect();
+    let largest = |tubes: &[&Tube]| {
+        sizes(proof, &|k| tubes.iter().fold(0.0, |m, tube| tube.radius[k].max(m)), f64::max, above)
+    };
     // of one step this is beyond its radius, whatever the radius of others is
     let free = |tube: &Tube, k: usize| down(tube.alone[k] - tube.radius[k]);
-    let least = |tubes: &[&Tube]| sizes(proof, &|k| tubes.iter().fold(f64::INFINITY, |m, tube| free(tube, k).min(m)), f64::min, below);
+    let least = |tubes: &[&Tube]| {
+        sizes(proof, &|k| tubes.iter().fold(f64::INFINITY, |m, tube| free(tube, k).min(m)), f64::min, below)
+    };
     if !tubes.is_empty() {
         let (radius, alone) = (largest(&tubes), least(&tubes));
-        write!(f, "\n  It is within {radius} of the positions interpolated between them; no other comes within {alone} of it.")?;
+        write!(
+            f,
+            "\n  It is within {radius} of the positions interpolated between them; no other comes within {alone} of it."
+        )?;
     }
     if !positions.is_empty() {
         write!(f, "\n  Computed positions are off by no more than {}.", largest(&positions))?;
@@ -50,9 +59,15 @@ pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
 }
 
 /// The sizes of lengths, of angles and of Euler parameters, as far as there are such coordinates.
-fn sizes(proof: &Proof, of: &dyn Fn(usize) -> f64, join: fn(f64, f64) -> f64, rounded: fn(f64) -> String) -> String {
+fn sizes(
+    proof: &Proof,
+    of: &dyn Fn(usize) -> f64,
+    join: fn(f64, f64) -> f64,
+    rounded: fn(f64) -> String,
+) -> String {
     let of = |unit: Unit| (0..proof.units.len()).filter(|k| proof.units[*k] == unit).map(of).reduce(join);
-    let names = [(Unit::Metre, proof.words.length()), (Unit::Radian, "rad"), (Unit::One, "in Euler parameters")];
+    let names =
+        [(Unit::Metre, proof.words.length()), (Unit::Radian, "rad"), (Unit::One, "in Euler parameters")];
     let texts = names.into_iter().filter_map(|(unit, name)| Some(format!("{} {name}", rounded(of(unit)?))));
     texts.collect::<Vec<_>>().join(" and ")
 }
@@ -114,7 +129,11 @@ mod tests {
         Doubt { t, units: Units::default(), reason }
     }
 
-    fn proof_of(steps: Vec<Result<Tube, Doubt>>, positions: Vec<Result<Tube, Doubt>>, trusted: &[&str]) -> String {
+    fn proof_of(
+        steps: Vec<Result<Tube, Doubt>>,
+        positions: Vec<Result<Tube, Doubt>>,
+        trusted: &[&str],
+    ) -> String {
         let step = |(k, tube)| StepProof { step: k, from: k as f64, to: k as f64 + 1.0, tube };
         let proof = Proof {
             name: "crank".to_string(),
@@ -131,9 +150,14 @@ mod tests {
     #[test]
     fn the_verdict_in_words() {
         let position = tube([1e-15, 2e-15, 3e-15], [1e-6; 3]);
-        let (one, other) = (tube([1e-9, 3e-8, 2e-9], [4e-6, 5e-6, 6e-6]), tube([5e-7, 1e-8, 1e-9], [3e-6, 8e-6, 6e-6]));
+        let (one, other) =
+            (tube([1e-9, 3e-8, 2e-9], [4e-6, 5e-6, 6e-6]), tube([5e-7, 1e-8, 1e-9], [3e-6, 8e-6, 6e-6]));
         assert_eq!(
-            proof_of(vec![Ok(one.clone()), Ok(other.clone())], vec![Ok(position.clone()); 3], &["`lift` in `cam`"]),
+            proof_of(
+                vec![Ok(one.clone()), Ok(other.clone())],
+                vec![Ok(position.clone()); 3],
+                &["`lift` in `cam`"]
+            ),
             "crank: all 2 steps are proved: from t = 0 s to 2 s exactly one continuous motion leads through the computed positions.\n  \
              It is within 5.0e-7 m and 3.0e-8 rad of the positions interpolated between them; no other comes within 2.4e-6 m and 4.9e-6 rad of it.\n  \
              Computed positions are off by no more than 3.0e-15 m and 2.0e-15 rad.\n  That is trusting the bounds of `lift` in `cam`."
@@ -156,10 +180,20 @@ mod tests {
             ),
             "{failed}"
         );
-        let alone = proof_of(vec![], vec![Ok(position), Err(doubt(0.0, DoubtReason::Apart { equation: "rod".to_string(), by: 0.1 }))], &[]);
-        assert!(alone.starts_with("crank: 1 of 2 positions proved.\n  Computed positions are off by no more than 3.0e-15 m"), "{alone}");
+        let alone = proof_of(
+            vec![],
+            vec![Ok(position), Err(doubt(0.0, DoubtReason::Apart { equation: "rod".to_string(), by: 0.1 }))],
+            &[],
+        );
         assert!(
-            alone.contains("\n  near t = 0 s the positions between both ends miss `rod` by 1.0e-1:") && !alone.contains("It is within"),
+            alone.starts_with(
+                "crank: 1 of 2 positions proved.\n  Computed positions are off by no more than 3.0e-15 m"
+            ),
+            "{alone}"
+        );
+        assert!(
+            alone.contains("\n  near t = 0 s the positions between both ends miss `rod` by 1.0e-1:")
+                && !alone.contains("It is within"),
             "{alone}"
         );
     }
@@ -174,11 +208,14 @@ mod tests {
         let source = Source { file: "cam.rs", line: 3, column: 5 };
         assert_eq!(
             unbounded(Some("x.floor()"), Some(source)),
-            format!("near t = 0.5 s no bounds of `cam` are known: `x.floor()` jumps there, or has no value or slope ({source}).")
+            format!(
+                "near t = 0.5 s no bounds of `cam` are known: `x.floor()` jumps there, or has no value or slope ({source})."
+            )
         );
     }
 
-    /// What is said is not less than what was proved to be enough, and not more than what was proved to be free.
+    /// What is said is not less than what was proved to be enough, and not more than what was proved to be
+    /// free.
     #[test]
     fn numbers_are_rounded_outwards() {
         let mut x = 1.2345e-14;

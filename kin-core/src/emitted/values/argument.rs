@@ -1,7 +1,8 @@
-//! Numbers on their way into the user's own functions: as f64 or as `Real<D>`, whichever the function asks for.
+//! Numbers on their way into the user's own functions: as f64 or as `Real<D>`, whichever the function asks
+//! for.
 //!
-//! Each trait has several implementations for one type: with one only, rustc would take it for granted, and speak of mismatched types where
-//! the function asks for something else.
+//! Each trait has several implementations for one type: with one only, rustc would take it for granted, and
+//! speak of mismatched types where the function asks for something else.
 
 use crate::model::state::{PlanarState, SpatialState};
 use crate::numbers::algebra::{EulerParameters, Mat2, Mat3, Vec2, Vec3};
@@ -10,7 +11,10 @@ use crate::numbers::real::{Dual, Real};
 use super::{Constants, Lift};
 
 /// A plain value as what the user's function asks for: as it is, or as `Real<f64>`.
-#[diagnostic::on_unimplemented(message = "this function takes `{T}`, but is given `{Self}`", label = "is of type `{Self}`")]
+#[diagnostic::on_unimplemented(
+    message = "this function takes `{T}`, but is given `{Self}`",
+    label = "is of type `{Self}`"
+)]
 pub trait IntoPlain<T> {
     /// The converted value.
     fn into_plain(self) -> T;
@@ -33,7 +37,8 @@ pub trait IntoJet<T> {
     fn into_jet(self) -> T;
 }
 
-/// A value that carries derivatives as what a field of the user's struct asks for: it must ask for dual numbers.
+/// A value that carries derivatives as what a field of the user's struct asks for: it must ask for dual
+/// numbers.
 #[diagnostic::on_unimplemented(
     message = "this field holds f64 only, so the derivative of what is put into it would be lost",
     label = "depends on coordinates or time",
@@ -51,7 +56,8 @@ impl<S: IntoJet<T>, T> IntoField<T> for S {
     }
 }
 
-/// A value and the same value in the other kind of numbers, by reference, as the reference that the user's function asks for.
+/// A value and the same value in the other kind of numbers, by reference, as the reference that the user's
+/// function asks for.
 pub trait IntoReference<T> {
     /// The reference.
     fn into_reference(self) -> T;
@@ -75,8 +81,8 @@ impl<T> IntoJet<T> for T {
     }
 }
 
-/// Nobody asks for this. With one implementation of `IntoJet` for each kind of numbers, rustc would take what it gives for granted and speak of
-/// mismatched types instead of the message above.
+/// Nobody asks for this. With one implementation of `IntoJet` for each kind of numbers, rustc would take what
+/// it gives for granted and speak of mismatched types instead of the message above.
 pub struct Nothing;
 
 macro_rules! never_alone {
@@ -185,13 +191,17 @@ slices! {
     ListOfPairs of Pair; ListOfTriples of Triple; ListOfQuadruples of Quadruple;
 }
 
-impl<'a, D: Dual, const N: usize, const M: usize> IntoReference<&'a [[f64; M]]> for (&'a Table<f64, N, M>, &'a Table<Real<D>, N, M>) {
+impl<'a, D: Dual, const N: usize, const M: usize> IntoReference<&'a [[f64; M]]>
+    for (&'a Table<f64, N, M>, &'a Table<Real<D>, N, M>)
+{
     fn into_reference(self) -> &'a [[f64; M]] {
         self.0
     }
 }
 
-impl<'a, D: Dual, const N: usize, const M: usize> IntoReference<&'a [[Real<D>; M]]> for (&'a Table<f64, N, M>, &'a Table<Real<D>, N, M>) {
+impl<'a, D: Dual, const N: usize, const M: usize> IntoReference<&'a [[Real<D>; M]]>
+    for (&'a Table<f64, N, M>, &'a Table<Real<D>, N, M>)
+{
     fn into_reference(self) -> &'a [[Real<D>; M]] {
         self.1
     }
@@ -237,8 +247,9 @@ pub fn constant_argument<S: IntoConstant<T>, T>(value: S) -> T {
     value.into_constant()
 }
 
-/// An argument of the user's function that carries derivatives. A method, so that its own type is known before the one asked for: rustc then
-/// gives the message of [`IntoJet`] instead of speaking of mismatched types.
+/// An argument of the user's function that carries derivatives. A method, so that its own type is known
+/// before the one asked for: rustc then gives the message of [`IntoJet`] instead of speaking of mismatched
+/// types.
 pub struct Jet<S>(pub S);
 
 impl<S> Jet<S> {
@@ -259,7 +270,8 @@ impl<S> Jet<S> {
     }
 }
 
-/// A borrowed argument of the user's function that depends on no coordinate and not on time, from both kinds of numbers.
+/// A borrowed argument of the user's function that depends on no coordinate and not on time, from both kinds
+/// of numbers.
 pub fn reference_argument<'a, P, R, T>(plain: &'a P, lifted: &'a R) -> T
 where
     (&'a P, &'a R): IntoReference<T>,

@@ -21,7 +21,8 @@ pub trait Lower {
     fn lower(self) -> Self::Output;
 }
 
-/// A value made of `Real<D>` as the same value made of f64, without derivatives. What holds none stays as it is.
+/// A value made of `Real<D>` as the same value made of f64, without derivatives. What holds none stays as it
+/// is.
 pub trait Constants {
     /// The plain type.
     type Output;
@@ -255,4 +256,22 @@ macro_rules! without_numbers {
     )*};
 }
 
-without_numbers!((), bool, char, usize, isize, u8, i8, u16, i16, u32, i32, u64, i64, u128, i128, String, &'static str);
+without_numbers!(
+    (),
+    bool,
+    char,
+    usize,
+    isize,
+    u8,
+    i8,
+    u16,
+    i16,
+    u32,
+    i32,
+    u64,
+    i64,
+    u128,
+    i128,
+    String,
+    &'static str
+);

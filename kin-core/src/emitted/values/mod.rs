@@ -1,4 +1,5 @@
-//! How values cross between the user's program and emitted code: arguments, parameters, numbers inside of what only the program knows.
+//! How values cross between the user's program and emitted code: arguments, parameters, numbers inside of
+//! what only the program knows.
 
 mod argument;
 mod cast;
@@ -11,7 +12,9 @@ mod probe;
 pub use argument::{IntoConstant, IntoField, IntoJet, IntoPlain, IntoReference, Jet, Nothing};
 pub use argument::{constant_argument, plain_argument, reference_argument};
 pub use cast::{Cast, Whole, cast, whole};
-pub use foreign::{Foreign, LiftAny, LiftNumbers, LowerAny, LowerReal, ReceiveAny, ReceiveNumbers, ReceiveReference};
+pub use foreign::{
+    Foreign, LiftAny, LiftNumbers, LowerAny, LowerReal, ReceiveAny, ReceiveNumbers, ReceiveReference,
+};
 pub use lift::{Absent, Constants, Lift, Lower, absent, constants, lowered};
 pub use numbers::{Numbers, set, set_at, visit};
 pub use parameter::{Named, Own, Parameter, held, is_parameter};

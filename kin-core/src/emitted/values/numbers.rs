@@ -9,7 +9,8 @@ pub trait Numbers {
     fn visit(&self, name: &str, visit: &mut dyn FnMut(&str, f64));
     /// Sets the number called `wanted`; false if it is not one of these.
     fn set(&mut self, name: &str, wanted: &str, value: f64) -> bool;
-    /// Sets the number that `index` others come before; false if there are not as many, and those are taken from `index`.
+    /// Sets the number that `index` others come before; false if there are not as many, and those are taken
+    /// from `index`.
     fn set_at(&mut self, index: &mut usize, value: f64) -> bool;
 }
 
@@ -56,7 +57,10 @@ impl Numbers for Law {
     }
 
     fn set(&mut self, name: &str, wanted: &str, value: f64) -> bool {
-        wanted.strip_prefix(name).and_then(|rest| rest.strip_prefix('.')).is_some_and(|part| self.set_parameter(part, value))
+        wanted
+            .strip_prefix(name)
+            .and_then(|rest| rest.strip_prefix('.'))
+            .is_some_and(|part| self.set_parameter(part, value))
     }
 
     /// Laws are shared and go by name.
@@ -73,7 +77,8 @@ impl Numbers for Law {
     }
 }
 
-/// The components of h. With one of them changed f and g are worked out anew, f as near to the old one as may be.
+/// The components of h. With one of them changed f and g are worked out anew, f as near to the old one as may
+/// be.
 impl Numbers for Axis {
     fn visit(&self, name: &str, visit: &mut dyn FnMut(&str, f64)) {
         self.h.visit(name, visit);

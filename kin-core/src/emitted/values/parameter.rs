@@ -1,4 +1,5 @@
-//! What a parameter of a constraint can be. (Messages of rustc show these lines: a file of their own keeps them where they are.)
+//! What a parameter of a constraint can be. (Messages of rustc show these lines: a file of their own keeps
+//! them where they are.)
 
 /// A parameter of a constraint: any value of its own.
 #[diagnostic::on_unimplemented(

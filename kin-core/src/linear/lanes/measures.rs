@@ -1,4 +1,5 @@
-//! Measures of rows and columns over lanes, the largest so far, and what follows from them: limits of values, weights of pivots.
+//! Measures of rows and columns over lanes, the largest so far, and what follows from them: limits of values,
+//! weights of pivots.
 
 use pulp::NullaryFnOnce;
 
@@ -6,7 +7,8 @@ use super::super::{Linear, SLACK};
 use super::WideLinear;
 use crate::numbers::lanes::{Level, Mask, Wide};
 
-/// Matrices that are measured in some lanes, on their way into the function that has the machine's instructions.
+/// Matrices that are measured in some lanes, on their way into the function that has the machine's
+/// instructions.
 struct Anew<'x, S: Level>(&'x mut WideLinear<S>, Mask<S>);
 
 impl<S: Level> NullaryFnOnce for Anew<'_, S> {
@@ -32,14 +34,16 @@ impl<S: Level> NullaryFnOnce for Weighted<'_, S> {
 }
 
 impl<S: Level> WideLinear<S> {
-    /// Measures rows and columns of the values as written in the lanes that are wanted; true where all values are finite.
+    /// Measures rows and columns of the values as written in the lanes that are wanted; true where all values
+    /// are finite.
     #[inline(always)]
     pub(crate) fn measure(&mut self, wanted: Mask<S>) -> Mask<S> {
         let mut inside = Mask::splat(self.simd, true);
         for (place, limit) in self.varying.iter().zip(&self.limits) {
             inside = inside & self.memory[*place as usize].abs().le(*limit);
         }
-        let grown = if std::mem::take(&mut self.fresh) { Mask::splat(self.simd, true) } else { wanted & !inside };
+        let grown =
+            if std::mem::take(&mut self.fresh) { Mask::splat(self.simd, true) } else { wanted & !inside };
         if grown.any() { self.measure_anew(grown) } else { inside }
     }
 
@@ -54,7 +58,8 @@ impl<S: Level> WideLinear<S> {
 
     #[inline(always)]
     fn measure_all(&mut self, grown: Mask<S>) {
-        let (zero, WideLinear { recorder, memory, sizes, norms, tops, .. }) = (Wide::splat(self.simd, 0.0), self);
+        let (zero, WideLinear { recorder, memory, sizes, norms, tops, .. }) =
+            (Wide::splat(self.simd, 0.0), self);
         for same in cells(recorder) {
             let (i, j, value) = sum(same, recorder, memory, zero);
             norms[i] = grown.select(norms[i].max(value.abs() * sizes[j]), norms[i]);
@@ -101,7 +106,9 @@ impl<S: Level> WideLinear<S> {
         let WideLinear { recorder, norms, tops, sizes, pivots, .. } = self;
         let Some(recording) = &recorder.recording else { return };
         for (_, [row, column], per_unit) in pivots {
-            *per_unit = unit(norms[*row as usize], tops[*column as usize], sizes[*column as usize], zero, one).reciprocal();
+            *per_unit =
+                unit(norms[*row as usize], tops[*column as usize], sizes[*column as usize], zero, one)
+                    .reciprocal();
         }
         self.inverse_constant = zero;
         for &(row, column, value) in &recording.constant {
@@ -119,7 +126,12 @@ fn cells(recorder: &Linear) -> impl Iterator<Item = &[u32]> {
 
 /// Row, column and value of one place of the matrix.
 #[inline(always)]
-fn sum<S: Level>(same: &[u32], recorder: &Linear, memory: &[Wide<S>], zero: Wide<S>) -> (usize, usize, Wide<S>) {
+fn sum<S: Level>(
+    same: &[u32],
+    recorder: &Linear,
+    memory: &[Wide<S>],
+    zero: Wide<S>,
+) -> (usize, usize, Wide<S>) {
     let (i, j) = recorder.entries[same[0] as usize].unwrap_or_default();
     let mut value = zero;
     for k in same {

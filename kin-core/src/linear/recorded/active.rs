@@ -1,4 +1,5 @@
-//! What is left of a matrix while its elimination is recorded: cells in rows and columns, and lines by how many cells they have.
+//! What is left of a matrix while its elimination is recorded: cells in rows and columns, and lines by how
+//! many cells they have.
 
 /// No cell, no term, no line.
 pub(crate) const NONE: u32 = u32::MAX;
@@ -142,7 +143,8 @@ impl Active {
     pub(crate) fn top(&mut self, row: u32) -> f64 {
         if self.tops[row as usize] < 0.0 {
             let cells = self.line(Side::Row, row).iter();
-            self.tops[row as usize] = cells.fold(0.0, |top, &cell| self.cells[cell as usize].value.abs().max(top));
+            self.tops[row as usize] =
+                cells.fold(0.0, |top, &cell| self.cells[cell as usize].value.abs().max(top));
         }
         self.tops[row as usize]
     }

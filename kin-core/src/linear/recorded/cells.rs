@@ -74,7 +74,9 @@ impl Recorder<'_> {
         match (inverse, cell.terms) {
             (Inverse::One, _) => self.number(id),
             (Inverse::MinusOne, NONE) => Number::Constant(-cell.constant),
-            (Inverse::MinusOne, _) => Number::At(self.compute(id, Kind::Negated, self.places.zero, self.weight(id))),
+            (Inverse::MinusOne, _) => {
+                Number::At(self.compute(id, Kind::Negated, self.places.zero, self.weight(id)))
+            }
             (Inverse::At(inverse), _) => {
                 let units = self.input.column_units;
                 let weight = units[cell.column as usize] / units[pivot_column as usize];

@@ -1,15 +1,16 @@
 //! The code of a program and its interpreter: no search, no allocation, one memory for everything.
 //!
-//! Steps of one shape follow one another in runs ([`order`](super::order) sees to it), and the interpreter has a copy for each of the common
-//! shapes: so it asks seldom what to do next. A memory of at most 256 numbers is addressed by bytes, which cannot leave it: there no access
-//! is checked.
+//! Steps of one shape follow one another in runs ([`order`](super::order) sees to it), and the interpreter
+//! has a copy for each of the common shapes: so it asks seldom what to do next. A memory of at most 256
+//! numbers is addressed by bytes, which cannot leave it: there no access is checked.
 
 use super::program::{Kind, Operands, Step};
 
 /// Up to this many numbers a memory is addressed by bytes, and must have just this length.
 pub(crate) const SMALL: usize = 256;
 
-/// Up to 3 products, 2 numbers added and 2 subtracted have opcodes of their own, and up to 7 products alone: 40 for each kind of step.
+/// Up to 3 products, 2 numbers added and 2 subtracted have opcodes of their own, and up to 7 products alone:
+/// 40 for each kind of step.
 const SHAPES: usize = 40;
 
 /// The opcode of steps with more operands.
@@ -154,8 +155,9 @@ impl Shape {
     }
 }
 
-/// Runs the copy of the interpreter for an opcode: of shapes that make up nearly all programs where it is asked for, of others behind a call.
-/// With all copies in one function a third of the time that LLVM takes for this crate went into it.
+/// Runs the copy of the interpreter for an opcode: of shapes that make up nearly all programs where it is
+/// asked for, of others behind a call. With all copies in one function a third of the time that LLVM takes
+/// for this crate went into it.
 macro_rules! by_opcode {
     ($run:expr, $shapes:expr, $places:expr, $memory:expr; common $($common:literal)*; rare $($rare:literal)*) => {
         match $run.opcode {
@@ -179,7 +181,8 @@ impl<P: Place> Flat<P> {
         self.last = Some(shape);
         let scale = (step.kind == Kind::Scaled).then_some(step.scale);
         let all = [step.out, step.start].into_iter().chain(products.iter().flatten().copied());
-        self.places.extend(all.chain(plus.iter().copied()).chain(minus.iter().copied()).chain(scale).map(P::new));
+        self.places
+            .extend(all.chain(plus.iter().copied()).chain(minus.iter().copied()).chain(scale).map(P::new));
     }
 
     #[rustfmt::skip]
@@ -198,8 +201,13 @@ impl<P: Place> Flat<P> {
 
 /// Steps whose shape is known when the interpreter is compiled; gives the places of the steps after them.
 #[inline(always)]
-fn short<'a, P: Place, const OPCODE: u8, const LENGTH: usize>(mut more: u32, mut places: &'a [P], memory: &mut P::Memory) -> &'a [P] {
-    // Runs are mostly short: a loop that counts its places first (`chunks_exact`) is unrolled, which costs more than it saves.
+fn short<'a, P: Place, const OPCODE: u8, const LENGTH: usize>(
+    mut more: u32,
+    mut places: &'a [P],
+    memory: &mut P::Memory,
+) -> &'a [P] {
+    // Runs are mostly short: a loop that counts its places first (`chunks_exact`) is unrolled, which costs
+    // more than it saves.
     while let Some((own, rest)) = places.split_first_chunk::<LENGTH>() {
         compute(const { Shape::of(OPCODE) }, own, memory);
         places = rest;
@@ -212,7 +220,11 @@ fn short<'a, P: Place, const OPCODE: u8, const LENGTH: usize>(mut more: u32, mut
 }
 
 #[inline(never)]
-fn rare<'a, P: Place, const OPCODE: u8, const LENGTH: usize>(more: u32, places: &'a [P], memory: &mut P::Memory) -> &'a [P] {
+fn rare<'a, P: Place, const OPCODE: u8, const LENGTH: usize>(
+    more: u32,
+    places: &'a [P],
+    memory: &mut P::Memory,
+) -> &'a [P] {
     short::<P, OPCODE, LENGTH>(more, places, memory)
 }
 
@@ -233,7 +245,8 @@ fn compute<P: Place>(shape: Shape, places: &[P], memory: &mut P::Memory) {
     // Two sums side by side: one alone would wait for each product to be added before the next.
     let mut sums = [if kind == Kind::Negated { -start } else { start }, 0.0];
     for (k, pair) in factors.chunks_exact(2).enumerate() {
-        let (a, b, turn) = (pair[0].get(memory), pair[1].get(memory), usize::from(products > 2 && k % 2 == 1));
+        let (a, b, turn) =
+            (pair[0].get(memory), pair[1].get(memory), usize::from(products > 2 && k % 2 == 1));
         sums[turn] = if kind == Kind::Negated { sum(sums[turn], a, b) } else { sum(sums[turn], -a, b) };
     }
     let mut x = if products > 2 { sums[0] + sums[1] } else { sums[0] };

@@ -1,8 +1,9 @@
 //! The sign of the determinant, block by block: two solutions that meet at a singular position differ in it.
 //!
-//! C_q falls into diagonal blocks that follow one another (a crank, then each loop it drives); the determinant is the product of theirs. The
-//! sign of each is what rules out that one loop turns over while another does too. A block is found as a set of pivots that reach one another,
-//! row by row over the structure; whatever pivots a recording has chosen, its rows and columns are the same, and so is its sign.
+//! C_q falls into diagonal blocks that follow one another (a crank, then each loop it drives); the
+//! determinant is the product of theirs. The sign of each is what rules out that one loop turns over while
+//! another does too. A block is found as a set of pivots that reach one another, row by row over the
+//! structure; whatever pivots a recording has chosen, its rows and columns are the same, and so is its sign.
 
 use super::super::Linear;
 use super::record::{Inverse, Pivot};
@@ -12,23 +13,31 @@ use super::record::{Inverse, Pivot};
 pub(crate) struct Orientation {
     /// Where one over each pivot that is no constant stands, and the block it belongs to.
     pub pivots: Vec<(u32, u32)>,
-    /// Whether the rest of a block's determinant is negative, for those that have such pivots, in the order of their first rows.
+    /// Whether the rest of a block's determinant is negative, for those that have such pivots, in the order
+    /// of their first rows.
     pub blocks: Vec<bool>,
     /// The same of the whole matrix.
     whole: bool,
 }
 
 impl Orientation {
-    /// Of pivots in the order of their choice; `constants` are row, column and value of those that never change, `places` row and column of
-    /// all cells.
-    pub(crate) fn new(pivots: &[Pivot], constants: &[(u32, u32, f64)], places: impl Iterator<Item = (u32, u32)>) -> Self {
+    /// Of pivots in the order of their choice; `constants` are row, column and value of those that never
+    /// change, `places` row and column of all cells.
+    pub(crate) fn new(
+        pivots: &[Pivot],
+        constants: &[(u32, u32, f64)],
+        places: impl Iterator<Item = (u32, u32)>,
+    ) -> Self {
         let mut negative = vec![None; pivots.len()];
         constants.iter().for_each(|&(row, _, value)| negative[row as usize] = Some(value < 0.0));
         let mut column_of = vec![0; pivots.len()];
         pivots.iter().for_each(|pivot| column_of[pivot.row as usize] = pivot.column as usize);
         let moving = |pivot: &&Pivot| negative[pivot.row as usize].is_none();
-        let odd = |rows: &[usize]| odd(rows, &column_of) ^ rows.iter().fold(false, |odd, row| odd ^ negative[*row].unwrap_or(false));
-        let mut found = Orientation { whole: odd(&(0..pivots.len()).collect::<Vec<_>>()), ..Orientation::default() };
+        let odd = |rows: &[usize]| {
+            odd(rows, &column_of) ^ rows.iter().fold(false, |odd, row| odd ^ negative[*row].unwrap_or(false))
+        };
+        let mut found =
+            Orientation { whole: odd(&(0..pivots.len()).collect::<Vec<_>>()), ..Orientation::default() };
         if pivots.iter().filter(moving).count() == 0 {
             return found;
         }
@@ -67,7 +76,8 @@ fn odd(rows: &[usize], column_of: &[usize]) -> bool {
     odd
 }
 
-/// The sets of rows that reach one another, where a row leads to those whose pivots stand in its columns (Kosaraju).
+/// The sets of rows that reach one another, where a row leads to those whose pivots stand in its columns
+/// (Kosaraju).
 fn components(column_of: &[usize], places: impl Iterator<Item = (u32, u32)>) -> Vec<Vec<usize>> {
     let n = column_of.len();
     let mut row_of = vec![0; n];
@@ -112,7 +122,8 @@ fn visit(first: usize, next: &[Vec<usize>], seen: &mut [bool], order: &mut Vec<u
 }
 
 impl Linear {
-    /// Whether the determinant of each block that can change its sign is negative at the last factoring, into `negative`.
+    /// Whether the determinant of each block that can change its sign is negative at the last factoring, into
+    /// `negative`.
     pub(crate) fn orientation(&self, negative: &mut Vec<bool>) {
         negative.clear();
         let Some(recording) = &self.recording else { return };
@@ -126,7 +137,9 @@ impl Linear {
     pub(crate) fn is_negative(&self) -> bool {
         let Some(recording) = &self.recording else { return false };
         let pivots = recording.orientation.pivots.iter();
-        pivots.fold(recording.orientation.whole, |negative, &(place, _)| negative ^ (self.memory[place as usize] < 0.0))
+        pivots.fold(recording.orientation.whole, |negative, &(place, _)| {
+            negative ^ (self.memory[place as usize] < 0.0)
+        })
     }
 }
 
@@ -147,8 +160,10 @@ mod tests {
 
     #[test]
     fn signs_are_those_of_the_determinant_whatever_pivots_were_chosen() {
-        let pattern: Vec<(usize, usize)> = (0..25).map(|k| (k / 5, k % 5)).filter(|(i, j)| (i + 2 * j) % 4 != 1 || i == j).collect();
-        let (mut replayed, mut random) = (Linear::new(5, pattern.iter().copied().map(Some), &[]), Random::new(7));
+        let pattern: Vec<(usize, usize)> =
+            (0..25).map(|k| (k / 5, k % 5)).filter(|(i, j)| (i + 2 * j) % 4 != 1 || i == j).collect();
+        let (mut replayed, mut random) =
+            (Linear::new(5, pattern.iter().copied().map(Some), &[]), Random::new(7));
         let mut both = [0, 0];
         for _ in 0..200 {
             let negative = signs(&mut replayed, &pattern, 5, &mut random);

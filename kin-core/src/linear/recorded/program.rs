@@ -1,7 +1,8 @@
 //! The program of a recorded elimination: which number is computed from which, in what order.
 //!
-//! Each step writes one number that is a sum of products of numbers already there. The same program makes the factors, solves with them,
-//! and, backwards, solves with the transpose; [`code`](super::code) is the form in which it is replayed.
+//! Each step writes one number that is a sum of products of numbers already there. The same program makes the
+//! factors, solves with them, and, backwards, solves with the transpose; [`code`](super::code) is the form in
+//! which it is replayed.
 
 use super::code::{Code, Shape};
 use super::order::{Ordered, order};
@@ -52,7 +53,14 @@ pub(crate) struct Program {
 
 impl Program {
     /// Appends a step.
-    pub(crate) fn push(&mut self, kind: Kind, [out, start, scale]: [u32; 3], products: &[[u32; 2]], plus: &[u32], minus: &[u32]) {
+    pub(crate) fn push(
+        &mut self,
+        kind: Kind,
+        [out, start, scale]: [u32; 3],
+        products: &[[u32; 2]],
+        plus: &[u32],
+        minus: &[u32],
+    ) {
         let [n_products, n_plus, n_minus] = [products.len(), plus.len(), minus.len()].map(|n| n as u32);
         self.steps.push(Step { kind, out, start, scale, products: n_products, plus: n_plus, minus: n_minus });
         self.products.extend_from_slice(products);
@@ -69,7 +77,8 @@ impl Program {
             minus: take(&mut terms, step.minus),
         };
         let operands: Vec<Operands<'_>> = self.steps.iter().map(&mut own).collect();
-        let ordered: Vec<Ordered> = self.steps.iter().zip(&operands).map(|(step, operands)| step.ordered(operands)).collect();
+        let ordered: Vec<Ordered> =
+            self.steps.iter().zip(&operands).map(|(step, operands)| step.ordered(operands)).collect();
         let (order, mut code) = (order(&ordered), Code::new(memory));
         order.iter().for_each(|&k| code.push(&self.steps[k as usize], &operands[k as usize]));
         (self.code, self.order) = (code, order);
@@ -109,8 +118,8 @@ impl Program {
         self.code.run(memory);
     }
 
-    /// The transpose of a program that is linear in its last factors and its starts: what was `out` comes in, what was read comes out,
-    /// in `adjoint`; `memory` gives the other factors.
+    /// The transpose of a program that is linear in its last factors and its starts: what was `out` comes in,
+    /// what was read comes out, in `adjoint`; `memory` gives the other factors.
     pub(crate) fn run_transposed(&self, memory: &[f64], adjoint: &mut [f64]) {
         let (mut products, mut terms) = (&self.products[..], &self.terms[..]);
         for step in self.steps.iter().rev() {
@@ -120,7 +129,9 @@ impl Program {
             let share = std::mem::take(&mut adjoint[step.out as usize]) * scale;
             let sign = if step.kind == Kind::Negated { -1.0 } else { 1.0 };
             adjoint[step.start as usize] += sign * share;
-            take_last(&mut products, step.products).iter().for_each(|&[a, b]| adjoint[b as usize] -= sign * share * memory[a as usize]);
+            take_last(&mut products, step.products)
+                .iter()
+                .for_each(|&[a, b]| adjoint[b as usize] -= sign * share * memory[a as usize]);
             plus.iter().for_each(|&k| adjoint[k as usize] += share);
             minus.iter().for_each(|&k| adjoint[k as usize] -= share);
         }

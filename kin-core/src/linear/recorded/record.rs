@@ -1,9 +1,10 @@
 //! Records an elimination: chooses pivots at real numbers and writes down what each of them computes.
 //!
-//! Pivots are chosen by Markowitz' count (few cells in the row times few in the column) among those that are not small against the largest
-//! of their row. A = L U with L as it comes and the rows of U divided by their pivots, where both have cells; a pivot alone in its column
-//! divides at the end of back substitution instead, and one alone in its row needs no back substitution. What is the same for good is
-//! computed here and never again.
+//! Pivots are chosen by Markowitz' count (few cells in the row times few in the column) among those that are
+//! not small against the largest of their row. A = L U with L as it comes and the rows of U divided by their
+//! pivots, where both have cells; a pivot alone in its column divides at the end of back substitution
+//! instead, and one alone in its row needs no back substitution. What is the same for good is computed here
+//! and never again.
 
 use std::collections::HashMap;
 
@@ -21,7 +22,8 @@ const THRESHOLD: f64 = 0.1;
 /// Lines with a possible pivot that are compared.
 const COMPARED: usize = 4;
 
-/// A matrix to be recorded: values as written, measures of rows and columns, and where the memory of the program begins.
+/// A matrix to be recorded: values as written, measures of rows and columns, and where the memory of the
+/// program begins.
 pub(crate) struct Input<'a> {
     pub n: usize,
     /// Row and column of each value; `None` for those that stand nowhere.
@@ -39,7 +41,10 @@ impl Input<'_> {
     /// Row and column of each value that is not zero for good.
     fn places(&self) -> impl Iterator<Item = (u32, u32)> {
         let constants = self.constants.iter().copied().chain(std::iter::repeat(None));
-        self.entries.iter().zip(constants).filter_map(|(entry, constant)| entry.filter(|_| constant != Some(0.0)))
+        self.entries
+            .iter()
+            .zip(constants)
+            .filter_map(|(entry, constant)| entry.filter(|_| constant != Some(0.0)))
     }
 }
 
@@ -63,7 +68,8 @@ pub(crate) struct Recording {
     /// Row, column and value of the other pivots.
     pub constant: Vec<(u32, u32, f64)>,
     pub orientation: Orientation,
-    /// Where in the memory the numbers that are factored begin, each kind of them in whole fours, and where they end.
+    /// Where in the memory the numbers that are factored begin, each kind of them in whole fours, and where
+    /// they end.
     pub factored: Factored,
 }
 
@@ -77,7 +83,8 @@ pub(crate) struct Factored {
 }
 
 impl Recording {
-    /// Places the numbers that are factored behind the constants, kind by kind; `begin` is where constants begin.
+    /// Places the numbers that are factored behind the constants, kind by kind; `begin` is where constants
+    /// begin.
     fn arrange(&mut self, begin: usize, memory: &mut Vec<f64>) {
         let mut kinds = vec![None; memory.len()];
         self.factor.written().for_each(|(kind, out)| kinds[out as usize] = Some(kind));
@@ -167,7 +174,8 @@ impl Lists {
     }
 }
 
-/// Chooses all pivots and writes both programs; `None` where there is no further pivot. The memory holds the values.
+/// Chooses all pivots and writes both programs; `None` where there is no further pivot. The memory holds the
+/// values.
 pub(crate) fn record(input: &Input<'_>, places: Places, memory: &mut Vec<f64>) -> Option<Recording> {
     let mut recorder = Recorder {
         input,
@@ -205,7 +213,8 @@ impl Recorder<'_> {
         for &k in self.input.sorted {
             let Some((row, column)) = self.input.entries[k as usize] else { continue };
             let value = self.memory[k as usize];
-            let constant = self.input.constants.get(k as usize).copied().flatten().filter(|constant| *constant == value);
+            let constant =
+                self.input.constants.get(k as usize).copied().flatten().filter(|constant| *constant == value);
             if constant == Some(0.0) {
                 continue;
             }
@@ -218,7 +227,8 @@ impl Recorder<'_> {
                 Some(constant) => self.active.cells[cell as usize].constant += constant,
                 None => self.add_term(cell, k, PLUS),
             }
-            self.active.cells[cell as usize].value += self.input.row_units[row as usize] * value * self.input.column_units[column as usize];
+            self.active.cells[cell as usize].value +=
+                self.input.row_units[row as usize] * value * self.input.column_units[column as usize];
         }
         for line in (0..self.input.n as u32).rev() {
             self.active.recount(Side::Row, line);
@@ -267,7 +277,8 @@ impl Recorder<'_> {
                 continue;
             }
             found = true;
-            let (rows, columns) = (self.active.line(Side::Column, column).len(), self.active.line(Side::Row, row).len());
+            let (rows, columns) =
+                (self.active.line(Side::Column, column).len(), self.active.line(Side::Row, row).len());
             best.take(Candidate { cell: Some(id), cost: (rows - 1) * (columns - 1), unit, size });
         }
         found
@@ -342,7 +353,11 @@ impl Default for Candidate {
 impl Candidate {
     /// Takes the other one if it is better: cheaper, free of division, larger.
     fn take(&mut self, other: Candidate) {
-        let order = self.cost.cmp(&other.cost).then(other.unit.cmp(&self.unit)).then(other.size.total_cmp(&self.size));
+        let order = self
+            .cost
+            .cmp(&other.cost)
+            .then(other.unit.cmp(&self.unit))
+            .then(other.size.total_cmp(&self.size));
         if order == std::cmp::Ordering::Greater {
             *self = other;
         }

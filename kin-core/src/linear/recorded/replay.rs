@@ -1,8 +1,9 @@
 //! The code of a recorded elimination as lanes replay it.
 //!
-//! Steps are of a fixed form, each with its operands beside its opcode; a longer one is cut into several that add up in its own place. Runs of
-//! steps of one form, as in [`code`](super::code), do not pay here: with few products a step they are short. A memory of at most 256 numbers
-//! is addressed by bytes, which cannot leave it: there no access is checked.
+//! Steps are of a fixed form, each with its operands beside its opcode; a longer one is cut into several that
+//! add up in its own place. Runs of steps of one form, as in [`code`](super::code), do not pay here: with few
+//! products a step they are short. A memory of at most 256 numbers is addressed by bytes, which cannot leave
+//! it: there no access is checked.
 
 use std::collections::HashSet;
 use std::marker::PhantomData;
@@ -94,15 +95,21 @@ impl<S: Level> Memory<S> for [Wide<S>] {
 }
 
 impl Replay {
-    /// The program with its numbers in other places, `moved`. Those of `zeros`, and what comes of them alone, are zero for good: they are
-    /// neither looked at nor written. `zero` is the recorded place of a zero.
-    pub(crate) fn new(program: &Program, moved: impl Fn(u32) -> u32, zeros: impl IntoIterator<Item = u32>, zero: u32) -> Self {
+    /// The program with its numbers in other places, `moved`. Those of `zeros`, and what comes of them alone,
+    /// are zero for good: they are neither looked at nor written. `zero` is the recorded place of a zero.
+    pub(crate) fn new(
+        program: &Program,
+        moved: impl Fn(u32) -> u32,
+        zeros: impl IntoIterator<Item = u32>,
+        zero: u32,
+    ) -> Self {
         let mut steps = Vec::new();
         let mut known = Zeros { places: zeros.into_iter().chain([zero]).collect(), written: HashSet::new() };
         program.each(|step, operands| steps.extend(known.fold(Step::new(step, operands), zero)));
         steps.iter_mut().for_each(|step| step.places_mut().for_each(|place| *place = moved(*place)));
         let ordered: Vec<Ordered> = steps.iter().map(Step::ordered).collect();
-        let mut replay = Replay { zeros: known.places.into_iter().map(&moved).collect(), ..Replay::default() };
+        let mut replay =
+            Replay { zeros: known.places.into_iter().map(&moved).collect(), ..Replay::default() };
         order(&ordered).into_iter().for_each(|k| replay.push(&steps[k as usize]));
         replay
     }
@@ -123,7 +130,8 @@ impl Replay {
                 Kind::Pivot if last => Form::Pivot,
                 _ => Form::Plain,
             };
-            let shape = (own_products.len() * (MOST[1] + 1) + own_plus.len()) * (MOST[2] + 1) + own_minus.len();
+            let shape =
+                (own_products.len() * (MOST[1] + 1) + own_plus.len()) * (MOST[2] + 1) + own_minus.len();
             let operands = own_products.iter().flatten().chain(own_plus).chain(own_minus).copied();
             let all = [step.out, start.unwrap_or(step.start)].into_iter().chain(operands).chain([step.scale]);
             let mut places = [0; 9];
@@ -138,7 +146,8 @@ impl Replay {
 
     /// Runs all steps.
     ///
-    /// A function of its own: inlined without optimisation, the copies of the interpreter would need more stack than a thread has.
+    /// A function of its own: inlined without optimisation, the copies of the interpreter would need more
+    /// stack than a thread has.
     pub(crate) fn run<S: Level, M: Memory<S> + ?Sized>(&self, simd: S, memory: &mut M) {
         simd.vectorize(Replaying(self, memory, PhantomData::<S>));
     }
@@ -161,7 +170,8 @@ impl Zeros {
             let others = if step.kind == Kind::Negated { &mut step.minus } else { &mut step.plus };
             step.start = others.pop().unwrap_or(zero);
         }
-        let vanishes = step.start == zero && step.products.is_empty() && step.plus.is_empty() && step.minus.is_empty();
+        let vanishes =
+            step.start == zero && step.products.is_empty() && step.plus.is_empty() && step.minus.is_empty();
         if vanishes && step.kind != Kind::Pivot {
             self.places.insert(step.out);
             return self.written.contains(&step.out).then_some(step);
@@ -173,8 +183,19 @@ impl Zeros {
 }
 
 impl Step {
-    fn new(&Recorded { kind, out, start, scale, .. }: &Recorded, Operands { products, plus, minus }: Operands<'_>) -> Self {
-        Step { kind, out, start, scale, products: products.to_vec(), plus: plus.to_vec(), minus: minus.to_vec() }
+    fn new(
+        &Recorded { kind, out, start, scale, .. }: &Recorded,
+        Operands { products, plus, minus }: Operands<'_>,
+    ) -> Self {
+        Step {
+            kind,
+            out,
+            start,
+            scale,
+            products: products.to_vec(),
+            plus: plus.to_vec(),
+            minus: minus.to_vec(),
+        }
     }
 
     fn places_mut(&mut self) -> impl Iterator<Item = &mut u32> {
@@ -186,9 +207,22 @@ impl Step {
         let scale = (self.kind == Kind::Scaled).then_some(self.scale);
         let terms = self.plus.iter().chain(&self.minus).copied();
         Ordered {
-            shape: Shape { kind: self.kind, products: self.products.len(), plus: self.plus.len(), minus: self.minus.len() },
+            shape: Shape {
+                kind: self.kind,
+                products: self.products.len(),
+                plus: self.plus.len(),
+                minus: self.minus.len(),
+            },
             out: self.out,
-            reads: self.products.iter().flatten().copied().chain(terms).chain([self.start]).chain(scale).collect(),
+            reads: self
+                .products
+                .iter()
+                .flatten()
+                .copied()
+                .chain(terms)
+                .chain([self.start])
+                .chain(scale)
+                .collect(),
         }
     }
 }
@@ -249,7 +283,12 @@ const fn shape(opcode: usize) -> [usize; 3] {
 
 /// One step.
 #[inline(always)]
-fn compute<S: Level, M: Memory<S> + ?Sized>(form: Form, [products, plus, minus]: [usize; 3], places: &[u32; 9], memory: &mut M) {
+fn compute<S: Level, M: Memory<S> + ?Sized>(
+    form: Form,
+    [products, plus, minus]: [usize; 3],
+    places: &[u32; 9],
+    memory: &mut M,
+) {
     let start = memory.get(places[1]);
     let mut x = if matches!(form, Form::Negated) { -start } else { start };
     let added = matches!(form, Form::Negated | Form::Added);

@@ -23,7 +23,8 @@ impl WithLevel for Together<'_> {
         let asked = [0, 1].map(|_| (0..n).filter(|_| random.below(3) == 0).collect::<Vec<usize>>());
         let mut wide = WideLinear::new(simd, first, asked.clone());
         let all = Mask::splat(simd, true);
-        let values: Vec<Wide<S>> = (0..a.values.len()).map(|k| vary(simd, a.values[k], a.constants[k], random)).collect();
+        let values: Vec<Wide<S>> =
+            (0..a.values.len()).map(|k| vary(simd, a.values[k], a.constants[k], random)).collect();
         wide.begin(&vec![Wide::splat(simd, 1.0); n]);
         wide.written().1.copy_from_slice(&values);
         let fits = wide.measure(all) & wide.factor(all);
@@ -43,7 +44,10 @@ impl WithLevel for Together<'_> {
             let own = |x: &Wide<S>| x.as_slice()[lane];
             for (x, b) in found.iter().zip(&b) {
                 let mut left: Vec<f64> = b.iter().map(own).collect();
-                a.entries.iter().zip(&values).for_each(|((i, j), value)| left[*i] -= own(value) * own(&x[*j]));
+                a.entries
+                    .iter()
+                    .zip(&values)
+                    .for_each(|((i, j), value)| left[*i] -= own(value) * own(&x[*j]));
                 let size = x.iter().map(own).fold(1.0, |m: f64, x| m.max(x.abs()));
                 let worst = left.iter().fold(0.0, |m: f64, r| if r.abs() <= m { m } else { r.abs() });
                 assert!(worst <= 1e-10 * size, "lane {lane} of {}: {worst:e}, {size:e}", Wide::<S>::LANES);

@@ -37,8 +37,16 @@ pub(super) enum Kind {
     Structural,
 }
 
-const KINDS: [Kind; 8] =
-    [Kind::Plain, Kind::Hollow, Kind::Permuted, Kind::Scaled, Kind::Dependent, Kind::NearlyDependent, Kind::Empty, Kind::Structural];
+const KINDS: [Kind; 8] = [
+    Kind::Plain,
+    Kind::Hollow,
+    Kind::Permuted,
+    Kind::Scaled,
+    Kind::Dependent,
+    Kind::NearlyDependent,
+    Kind::Empty,
+    Kind::Structural,
+];
 
 pub(super) struct Sparse {
     pub n: usize,
@@ -81,12 +89,22 @@ impl Sparse {
             Kind::Scaled => {
                 let sizes: Vec<f64> = (0..2 * n).map(|_| 10.0_f64.powf(8.0 * random.number())).collect();
                 self.constants.fill(None);
-                self.values.iter_mut().zip(&self.entries).for_each(|(value, (i, j))| *value *= sizes[*i] * sizes[n + j]);
+                self.values
+                    .iter_mut()
+                    .zip(&self.entries)
+                    .for_each(|(value, (i, j))| *value *= sizes[*i] * sizes[n + j]);
             }
             Kind::Dependent | Kind::NearlyDependent if n > 2 => {
                 let [row, a, b] = [0, 1, 2].map(|k| k * (n / 3));
-                let small = if kind == Kind::NearlyDependent { 10.0_f64.powf(-7.0 + 7.0 * random.number()) } else { 0.0 };
-                let mut old = std::mem::take(&mut self.entries).into_iter().zip(std::mem::take(&mut self.values)).collect::<Vec<_>>();
+                let small = if kind == Kind::NearlyDependent {
+                    10.0_f64.powf(-7.0 + 7.0 * random.number())
+                } else {
+                    0.0
+                };
+                let mut old = std::mem::take(&mut self.entries)
+                    .into_iter()
+                    .zip(std::mem::take(&mut self.values))
+                    .collect::<Vec<_>>();
                 old.retain(|((i, _), _)| *i != row);
                 let copies: Vec<_> = old
                     .iter()
@@ -98,16 +116,20 @@ impl Sparse {
                 (self.entries, self.values) = old.into_iter().unzip();
                 self.constants = vec![None; self.values.len()];
             }
-            Kind::Empty => {
-                self.values.iter_mut().zip(&self.entries).zip(&mut self.constants).filter(|((_, (_, j)), _)| *j == n / 2).for_each(
-                    |((value, _), constant)| {
-                        (*value, *constant) = (0.0, None);
-                    },
-                )
-            }
+            Kind::Empty => self
+                .values
+                .iter_mut()
+                .zip(&self.entries)
+                .zip(&mut self.constants)
+                .filter(|((_, (_, j)), _)| *j == n / 2)
+                .for_each(|((value, _), constant)| {
+                    (*value, *constant) = (0.0, None);
+                }),
             Kind::Structural if n > 2 => {
                 let kept = |(i, j): &(usize, usize)| *i == 0 || (*j != 1 && *j != 2);
-                for k in (0..self.entries.len()).rev().filter(|k| !kept(&self.entries[*k])).collect::<Vec<_>>() {
+                for k in
+                    (0..self.entries.len()).rev().filter(|k| !kept(&self.entries[*k])).collect::<Vec<_>>()
+                {
                     self.entries.swap_remove(k);
                     self.values.swap_remove(k);
                     self.constants.swap_remove(k);
@@ -167,11 +189,18 @@ fn check(a: &Sparse, linear: &mut Linear, random: &mut Random, what: &str) -> bo
         assert!(condition > 1e12, "{what}: called singular at condition {condition:.1e}");
         return false;
     }
-    assert!(condition < 1e15, "{what}: condition {condition:.1e} not seen, estimated {:.1e}", linear.condition());
+    assert!(
+        condition < 1e15,
+        "{what}: condition {condition:.1e} not seen, estimated {:.1e}",
+        linear.condition()
+    );
     let b: Vec<f64> = (0..a.n).map(|_| random.number()).collect();
     let x = solve(linear, &b);
     let error = a.backward_error(linear, &x, &b);
-    assert!(condition > 1e12 || error <= 1e-12, "{what}: backward error {error:.1e}, condition {condition:.1e}");
+    assert!(
+        condition > 1e12 || error <= 1e-12,
+        "{what}: backward error {error:.1e}, condition {condition:.1e}"
+    );
     true
 }
 
@@ -181,7 +210,11 @@ fn check_many(cases: usize, rare: usize) {
     let mut counts = [0; 2];
     for case in 0..cases {
         let kind = KINDS[case % KINDS.len()];
-        let n = if case % rare < KINDS.len() && case >= rare { 100 + random.below(201) } else { 1 + random.below(24) };
+        let n = if case % rare < KINDS.len() && case >= rare {
+            100 + random.below(201)
+        } else {
+            1 + random.below(24)
+        };
         let mut a = Sparse::random(n, kind, random);
         let mut linear = a.linear();
         let what = format!("case {case}, n = {n}, {kind:?}");
@@ -192,7 +225,10 @@ fn check_many(cases: usize, rare: usize) {
         }
         counts[usize::from(check(&a, &mut linear, random, &format!("{what}, replayed")))] += 1;
         if n < 100 {
-            a.values.iter_mut().zip(&a.constants).for_each(|(value, constant)| *value = constant.unwrap_or(random.number()));
+            a.values
+                .iter_mut()
+                .zip(&a.constants)
+                .for_each(|(value, constant)| *value = constant.unwrap_or(random.number()));
             counts[usize::from(check(&a, &mut linear, random, &format!("{what}, other numbers")))] += 1;
         }
     }

@@ -3,7 +3,8 @@
 use super::*;
 use crate::numbers::random::Random;
 
-/// C_q of a four-bar in absolute coordinates (pins O, A, B, C, then the driver) at its angles; links a, b, c and ground d.
+/// C_q of a four-bar in absolute coordinates (pins O, A, B, C, then the driver) at its angles; links a, b, c
+/// and ground d.
 fn four_bar([a, b, c, _]: [f64; 4], [t2, t3, t4]: [f64; 3]) -> Vec<f64> {
     let lever = |l: f64, t: f64| [-0.5 * l * t.sin(), 0.5 * l * t.cos()];
     let (a, b, c) = (lever(a, t2), lever(b, t3), lever(c, t4));
@@ -20,11 +21,19 @@ fn four_bar_pattern() -> Pattern {
     let mut pattern = Vec::new();
     for (pin, bodies) in [vec![0], vec![0, 1], vec![1, 2], vec![2]].into_iter().enumerate() {
         for k in 0..2 {
-            pattern.extend(bodies.iter().flat_map(|body| [(2 * pin + k, 3 * body + k), (2 * pin + k, 3 * body + 2)]).map(Some));
+            pattern.extend(
+                bodies
+                    .iter()
+                    .flat_map(|body| [(2 * pin + k, 3 * body + k), (2 * pin + k, 3 * body + 2)])
+                    .map(Some),
+            );
         }
     }
     pattern.push(Some((8, 2)));
-    let levers = pattern.iter().map(|place| place.is_some_and(|(row, column)| column % 3 == 2 && row < 8)).collect::<Vec<_>>();
+    let levers = pattern
+        .iter()
+        .map(|place| place.is_some_and(|(row, column)| column % 3 == 2 && row < 8))
+        .collect::<Vec<_>>();
     let ones = four_bar([1.0; 4], [0.0; 3]);
     let constants = ones.iter().zip(levers).map(|(one, lever)| (!lever).then_some(*one)).collect();
     (pattern, constants)
@@ -41,7 +50,8 @@ fn angles([a, b, c, d]: [f64; 4], t2: f64) -> [f64; 3] {
     [t2, py.atan2(px), (y + py).atan2(x + px - d)]
 }
 
-/// Its crank turns right round, and so do coupler and rocker: every lever passes through zero, C_q stays regular.
+/// Its crank turns right round, and so do coupler and rocker: every lever passes through zero, C_q stays
+/// regular.
 #[test]
 fn drag_link_four_bar_is_recorded_anew_where_a_pivot_fades() {
     let links = [2.5, 2.0, 2.5, 1.0];
@@ -66,7 +76,8 @@ fn drag_link_four_bar_is_recorded_anew_where_a_pivot_fades() {
 #[test]
 fn constants_that_elimination_changes_are_restored() {
     // Row 2 starts at constants only, and elimination of x_0 and x_1 writes into it.
-    let pattern = [(0, 0), (0, 2), (1, 1), (1, 2), (1, 3), (2, 0), (2, 1), (2, 2), (3, 2), (3, 3), (0, 3)].map(Some);
+    let pattern =
+        [(0, 0), (0, 2), (1, 1), (1, 2), (1, 3), (2, 0), (2, 1), (2, 2), (3, 2), (3, 3), (0, 3)].map(Some);
     let known = [Some(1.0), None, Some(-1.0), None, None, Some(1.0), Some(1.0), Some(1.0), None, None, None];
     let mut linear = Linear::new(4, pattern, &known);
     let random = &mut Random::new(7);
@@ -102,7 +113,10 @@ fn banded(n: usize) -> Linear {
     let known = [Some(-1.0), Some(1.0), None].repeat(n);
     let mut linear = Linear::new(n, places.map(Some), &known);
     let random = &mut Random::new(3);
-    linear.values_mut().chunks_exact_mut(3).for_each(|row| row.copy_from_slice(&[-1.0, 1.0, 0.5 + 0.1 * random.number()]));
+    linear
+        .values_mut()
+        .chunks_exact_mut(3)
+        .for_each(|row| row.copy_from_slice(&[-1.0, 1.0, 0.5 + 0.1 * random.number()]));
     linear.measure();
     linear
 }
@@ -114,7 +128,11 @@ fn work_is_linear_in_the_size_of_a_band() {
         assert!(linear.factor());
         let recording = linear.recording.as_ref().unwrap();
         let (work, solving) = (recording.factor.size(), recording.solve.size());
-        (linear.memory.len() as f64 / n as f64, (work.0 + work.1) as f64 / n as f64, (solving.0 + solving.1) as f64 / n as f64)
+        (
+            linear.memory.len() as f64 / n as f64,
+            (work.0 + work.1) as f64 / n as f64,
+            (solving.0 + solving.1) as f64 / n as f64,
+        )
     });
     for pair in sizes.windows(2) {
         let (a, b) = (pair[0], pair[1]);

@@ -11,13 +11,19 @@ use crate::numbers::real::Dual3_64;
 
 impl Table {
     /// The expression that made a term not finite; `parameters` are the values of the parameters.
-    pub(crate) fn blame(&'static self, asked: &Asked<'_>, parameters: &[f64], outside: Outside<'_>) -> Option<Blame> {
+    pub(crate) fn blame(
+        &'static self,
+        asked: &Asked<'_>,
+        parameters: &[f64],
+        outside: Outside<'_>,
+    ) -> Option<Blame> {
         let formula = self.formula();
         let row = *formula.rows.get(asked.row)?;
         let part = asked.term.part();
         asked.directions().into_iter().find_map(|direction| {
             let source = Source { q: asked.q, t: asked.t, parameters, direction: &direction, outside };
-            let run = Run { table: self, formula, jets: evaluate(&formula.graph, &[row], &source), parameters };
+            let run =
+                Run { table: self, formula, jets: evaluate(&formula.graph, &[row], &source), parameters };
             let (node, part) = run.origin(row, part)?;
             Some(run.told(node, part))
         })
@@ -37,7 +43,9 @@ impl Run<'_> {
     fn origin(&self, row: Node, last: Part) -> Option<(Node, Part)> {
         let (mut node, mut part) = (row, self.fault(row, last)?);
         // Operands come before what is made of them: so going back ends.
-        while let Some(next) = self.operands(node).into_iter().find_map(|operand| Some((operand, self.fault(operand, part)?))) {
+        while let Some(next) =
+            self.operands(node).into_iter().find_map(|operand| Some((operand, self.fault(operand, part)?)))
+        {
             (node, part) = next;
         }
         Some((node, part))
@@ -49,7 +57,9 @@ impl Run<'_> {
 
     /// The nodes whose numbers make that of a node: of a selection that which is taken.
     fn operands(&self, node: Node) -> Vec<Node> {
-        self.formula.graph.numbers_behind(node, |condition| self.jets.condition(condition).unwrap_or_default())
+        self.formula
+            .graph
+            .numbers_behind(node, |condition| self.jets.condition(condition).unwrap_or_default())
     }
 
     fn told(&self, node: Node, part: Part) -> Blame {
@@ -84,7 +94,13 @@ impl Run<'_> {
                 Op::Input(kin_graph::Input::Column(k)) => drop(columns.insert(k)),
                 Op::Input(kin_graph::Input::Time) => time = Some(Input::Time),
                 Op::Input(kin_graph::Input::Parameter(k)) => {
-                    named.extend(self.formula.parameters.get(k).zip(self.parameters.get(k)).map(|(name, x)| Input::Parameter(name, *x)));
+                    named.extend(
+                        self.formula
+                            .parameters
+                            .get(k)
+                            .zip(self.parameters.get(k))
+                            .map(|(name, x)| Input::Parameter(name, *x)),
+                    );
                 }
                 _ => {}
             }
@@ -104,12 +120,15 @@ struct Source<'a> {
 
 impl kin_graph::Source<Jet> for Source<'_> {
     fn input(&self, input: kin_graph::Input) -> Jet {
-        let moving = |value: f64, rate: Option<f64>| rate.map_or(Jet::still(value), |rate| Jet::moving(value, [rate, 0.0]));
+        let moving = |value: f64, rate: Option<f64>| {
+            rate.map_or(Jet::still(value), |rate| Jet::moving(value, [rate, 0.0]))
+        };
         let constant = |x: Option<&f64>| Jet::still(x.copied().unwrap_or(f64::NAN));
         match input {
-            kin_graph::Input::Column(k) => {
-                moving(self.q.get(k).copied().unwrap_or(f64::NAN), self.direction.columns.get(k).copied().flatten())
-            }
+            kin_graph::Input::Column(k) => moving(
+                self.q.get(k).copied().unwrap_or(f64::NAN),
+                self.direction.columns.get(k).copied().flatten(),
+            ),
             kin_graph::Input::Time => moving(self.t, self.direction.time),
             kin_graph::Input::Parameter(k) => constant(self.parameters.get(k)),
             _ => constant(None),
@@ -121,7 +140,8 @@ impl kin_graph::Source<Jet> for Source<'_> {
         x.chain([f, f1, f2])
     }
 
-    /// The user's own function: its derivatives by each of its arguments, and the second one along the direction.
+    /// The user's own function: its derivatives by each of its arguments, and the second one along the
+    /// direction.
     fn opaque(&self, number: usize, component: usize, operands: Vec<Jet>) -> Jet {
         let call = |operands: Vec<Dual3_64>| Given::by(self.outside, number, &operands).number(component);
         let still = |operand: &Jet| Dual3_64::from_re(operand.value);

@@ -1,8 +1,10 @@
-//! Who is to blame where something of a constraint is infinite or not a number: the sub-expression as the user wrote it, its place, and the
-//! values that went into it. Looked for when a run has failed and never before, so that kernels pay nothing for it.
+//! Who is to blame where something of a constraint is infinite or not a number: the sub-expression as the
+//! user wrote it, its place, and the values that went into it. Looked for when a run has failed and never
+//! before, so that kernels pay nothing for it.
 //!
-//! On the symbolic route the equation is kept as a formula (`formula.rs`) and evaluated with second-order jets; on the dual
-//! route the user's body runs once more with numbers that know where they went wrong (`trace.rs`).
+//! On the symbolic route the equation is kept as a formula (`formula.rs`) and evaluated with second-order
+//! jets; on the dual route the user's body runs once more with numbers that know where they went wrong
+//! (`trace.rs`).
 
 mod culprit;
 mod interpret;
@@ -100,18 +102,24 @@ pub(crate) struct Direction {
 }
 
 impl Asked<'_> {
-    /// The directions to look into: that of each coordinate for C_q, that of t for C_t, the motion for Q_d; for C any that takes in all.
+    /// The directions to look into: that of each coordinate for C_q, that of t for C_t, the motion for Q_d;
+    /// for C any that takes in all.
     fn directions(&self) -> Vec<Direction> {
         let n = self.moves.len();
         match self.term {
             Term::Residual => vec![Direction { columns: vec![Some(1.0); n], time: Some(1.0) }],
             Term::ByTime => vec![Direction { columns: vec![None; n], time: Some(1.0) }],
             Term::RightSide => {
-                let rate = |column: usize| self.moves[column].then(|| self.qd.get(column).copied().unwrap_or_default());
+                let rate = |column: usize| {
+                    self.moves[column].then(|| self.qd.get(column).copied().unwrap_or_default())
+                };
                 vec![Direction { columns: (0..n).map(rate).collect(), time: Some(1.0) }]
             }
             Term::Jacobian => {
-                let along = |column: usize| Direction { columns: (0..n).map(|k| (k == column).then_some(1.0)).collect(), time: None };
+                let along = |column: usize| Direction {
+                    columns: (0..n).map(|k| (k == column).then_some(1.0)).collect(),
+                    time: None,
+                };
                 (0..n).filter(|&column| self.moves[column]).map(along).collect()
             }
         }

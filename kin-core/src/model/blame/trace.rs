@@ -8,7 +8,8 @@ use crate::numbers::real::{Fault, Real, TIME, Traced, fault_of};
 /// An expression of the user's: as it is written, line and column, both counted from 1.
 pub type Expression = (&'static str, u32, u32);
 
-/// The expressions of a body that runs on dual numbers: the file they stand in, and each as it is written with line and column.
+/// The expressions of a body that runs on dual numbers: the file they stand in, and each as it is written
+/// with line and column.
 #[derive(Clone, Copy, Debug)]
 pub struct Body {
     /// The file that the expressions stand in.
@@ -18,7 +19,11 @@ pub struct Body {
 }
 
 /// The expression that made a term of an equation not finite.
-pub fn blame<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, asked: &Asked<'_>, body: Body) -> Option<Blame> {
+pub fn blame<E: Equation<N, M>, const N: usize, const M: usize>(
+    equation: &E,
+    asked: &Asked<'_>,
+    body: Body,
+) -> Option<Blame> {
     let part = asked.term.part() as usize;
     asked.directions().into_iter().find_map(|direction| {
         let fault = fault_of(part, || {

@@ -40,7 +40,8 @@ pub enum RouteReason {
     },
     /// [`Route::Dual`]: the program asks for it.
     Asked {
-        /// The word `dual` of `#[constraint(dual)]`; `None` where `by_dual` asks, or an implementation by hand.
+        /// The word `dual` of `#[constraint(dual)]`; `None` where `by_dual` asks, or an implementation by
+        /// hand.
         source: Option<Source>,
     },
     /// [`Route::Hand`]: an `impl Constraint` without the macro.
@@ -62,8 +63,12 @@ impl fmt::Display for RouteReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             RouteReason::Read => f.write_str("symbolic: the compiler has read the whole body"),
-            RouteReason::Unread { what, source } => write!(f, "dual: {what} at {source} cannot be read by the compiler"),
-            RouteReason::Asked { source: Some(source) } => write!(f, "dual: `#[constraint(dual)]` asks for it at {source}"),
+            RouteReason::Unread { what, source } => {
+                write!(f, "dual: {what} at {source} cannot be read by the compiler")
+            }
+            RouteReason::Asked { source: Some(source) } => {
+                write!(f, "dual: `#[constraint(dual)]` asks for it at {source}")
+            }
             RouteReason::Asked { source: None } => f.write_str("dual: the program asks for it"),
             RouteReason::Hand => f.write_str("hand-written: an `impl Constraint` without the macro"),
         }

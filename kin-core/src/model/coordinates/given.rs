@@ -1,10 +1,12 @@
-//! What a constructor of a constraint takes for its bodies, coordinates and axes. Each takes what converts into the handle; the traits are here,
-//! and not `Into` itself, for what rustc says where something else is given.
+//! What a constructor of a constraint takes for its bodies, coordinates and axes. Each takes what converts
+//! into the handle; the traits are here, and not `Into` itself, for what rustc says where something else is
+//! given.
 
 use super::{Coordinate, PlanarBody, SpatialBody};
 use crate::numbers::algebra::Axis;
 
-/// What is taken for a planar body: a [`PlanarBody`], a [`crate::Link`], the ground, anything that is `Into<PlanarBody>`.
+/// What is taken for a planar body: a [`PlanarBody`], a [`crate::Link`], the ground, anything that is
+/// `Into<PlanarBody>`.
 #[diagnostic::on_unimplemented(
     message = "a planar body is wanted here, but this is `{Self}`",
     label = "not a planar body",
@@ -23,7 +25,8 @@ impl<T: Into<PlanarBody>> IntoPlanarBody for T {
     }
 }
 
-/// What is taken for a spatial body: a [`SpatialBody`], a [`crate::SpatialLink`], the ground, anything that is `Into<SpatialBody>`.
+/// What is taken for a spatial body: a [`SpatialBody`], a [`crate::SpatialLink`], the ground, anything that
+/// is `Into<SpatialBody>`.
 #[diagnostic::on_unimplemented(
     message = "a spatial body is wanted here, but this is `{Self}`",
     label = "not a spatial body",

@@ -6,13 +6,17 @@ use crate::numbers::algebra::{Vec2, Vec3};
 
 pub use given::{IntoAxis, IntoCoordinate, IntoPlanarBody, IntoSpatialBody};
 
-/// Marker in the signature of a `#[constraint]` function: the state of a planar body. The constructor takes a [`PlanarBody`].
+/// Marker in the signature of a `#[constraint]` function: the state of a planar body. The constructor takes a
+/// [`PlanarBody`].
 pub enum Planar {}
-/// Marker in the signature of a `#[constraint]` function: the state of a spatial body. The constructor takes a [`SpatialBody`].
+/// Marker in the signature of a `#[constraint]` function: the state of a spatial body. The constructor takes
+/// a [`SpatialBody`].
 pub enum Spatial {}
-/// Marker in the signature of a `#[constraint]` function: a bare generalized coordinate. The constructor takes a [`Coordinate`].
+/// Marker in the signature of a `#[constraint]` function: a bare generalized coordinate. The constructor
+/// takes a [`Coordinate`].
 pub enum Coord {}
-/// Marker in the signature of a `#[constraint]` function: the time t.   \[s\] It is no argument of the constructor.
+/// Marker in the signature of a `#[constraint]` function: the time t.   \[s\] It is no argument of the
+/// constructor.
 pub enum Time {}
 
 /// Which mechanism a handle belongs to. Handles of the ground and placeholders belong to all.

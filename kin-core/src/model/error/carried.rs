@@ -24,9 +24,9 @@ impl Error {
     pub fn diagnosis(&self) -> Option<&Diagnosis> {
         match self {
             Error::CannotBeDriven { diagnosis, .. } => Some(diagnosis),
-            Error::SingularAt { diagnosis, .. } | Error::NoConvergence { diagnosis, .. } | Error::Toggle { diagnosis, .. } => {
-                diagnosis.as_deref()
-            }
+            Error::SingularAt { diagnosis, .. }
+            | Error::NoConvergence { diagnosis, .. }
+            | Error::Toggle { diagnosis, .. } => diagnosis.as_deref(),
             _ => None,
         }
     }

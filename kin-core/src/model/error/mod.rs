@@ -2,9 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::model::blame::Culprit;
-use crate::model::motion::Motion;
-use crate::model::{units::Units, verdict::Diagnosis, words};
+use crate::model::{blame::Culprit, motion::Motion, units::Units, verdict::Diagnosis, words};
 
 mod carried;
 mod text;
@@ -12,11 +10,12 @@ mod text;
 /// `Result` with Kin's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// Everything that can go wrong from the first body to the last file. `Debug` prints what `Display` does, so that errors of `main` read well.
+/// Everything that can go wrong. `Debug` prints what `Display` does: errors of `main` read well.
 #[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A mechanism that cannot be driven, whatever its pose, and why: equations are missing, or they contradict one another.
+    /// A mechanism that cannot be driven, whatever its pose: equations are missing, or contradict one
+    /// another.
     #[error("{diagnosis}{}", text::kept(.motion))]
     CannotBeDriven {
         /// What is wrong, by name.
@@ -49,7 +48,8 @@ pub enum Error {
         motion: Option<Box<Motion>>,
     },
 
-    /// C_q has no inverse at a position: the mechanism stands in a toggle or a change point, or is wrongly constrained.
+    /// C_q has no inverse at a position: a toggle, a change point, or a mechanism that is wrongly
+    /// constrained.
     #[error("{}{}", text::diagnosed(.diagnosis, || text::singular(&words::at(*.t, .units), [*.rank, *.n], *.pivot,
         [.movable, .dependent], .unmet)), text::kept(.motion))]
     SingularAt {
@@ -59,7 +59,7 @@ pub enum Error {
         units: Units,
         /// Number of coordinates.
         n: usize,
-        /// Numerical rank of C_q, lengths scaled by the size of the mechanism and rows by their norm; n where it is singular but for rounding.
+        /// Numerical rank of C_q in units of order 1; n where it is singular but for rounding.
         rank: usize,
         /// The smallest pivot of the elimination relative to its row.
         pivot: f64,
@@ -67,7 +67,7 @@ pub enum Error {
         movable: Vec<String>,
         /// Equations that depend on one another.
         dependent: Vec<String>,
-        /// An equation that is far from being met where the search for a position ended; `None` at a position.
+        /// An equation that is far from being met where the search ended; `None` at a position.
         unmet: Option<Box<str>>,
         /// What is wrong there, by name.
         diagnosis: Option<Box<Diagnosis>>,
@@ -75,7 +75,7 @@ pub enum Error {
         motion: Option<Box<Motion>>,
     },
 
-    /// A toggle: the mechanism cannot be driven beyond it, and stands still there for an infinite rate of what it moves.
+    /// A toggle: the mechanism cannot be driven beyond it; what it moves has an infinite rate there.
     #[error("t = {}: a toggle: beyond this time there is no position.{}{}", words::at(*.t, .units),
         text::toggle(.movable, .dependent, .diagnosis), text::kept(.motion))]
     Toggle {
@@ -96,8 +96,7 @@ pub enum Error {
     },
 
     /// A step that may have left its branch, and cannot be made any shorter.
-    #[error("t = {}: beyond this time the run cannot be shown to stay on its branch ({reason}).\n  A law or constraint with a kink, or a \
-        position that is singular in more than one way; `Follow::Unchecked` goes on without asking.{}", words::at(*.t, .units), text::kept(.motion))]
+    #[error("{}", text::cannot_follow(&words::at(*.t, .units), reason, .motion))]
     CannotFollow {
         /// The last time at which the branch is known.   \[s\]
         t: f64,
@@ -110,8 +109,7 @@ pub enum Error {
     },
 
     /// A position that closes, but not as it is meant: the equations hold for an axis turned by 180° too.
-    #[error("t = {}: `{constraint}` ({kind}) closes the wrong way: {reason}.\n  Give a better guess of the poses, or turn one of the \
-        directions round.{}", words::at(*.t, .units), text::kept(.motion))]
+    #[error("{}", text::wrong_branch(&words::at(*.t, .units), [constraint, kind, reason], .motion))]
     WrongBranch {
         /// Time.   \[s\]
         t: f64,
@@ -128,8 +126,7 @@ pub enum Error {
     },
 
     /// A law that jumps where it drives the motion.
-    #[error("t = {}: the law `{law}` of `{constraint}` jumps at {}: its {} there, which no body can follow.\n  Let its parts meet, or stop \
-        before it.{}", words::at(*.t, .units), words::time(*.at), if *.order == 0 { "value changes" } else { "slope changes" }, text::kept(.motion))]
+    #[error("{}", text::law_jumps(&words::at(*.t, .units), [constraint, law], (*.at, *.order), .motion))]
     LawJumps {
         /// The first time beyond the jump.   \[s\]
         t: f64,
@@ -177,7 +174,7 @@ pub enum Error {
         value: f64,
     },
 
-    /// Parameters that make no sense: a length below zero, an axis without direction, a law whose parts do not meet.
+    /// Parameters that make no sense: a length below zero, an axis without direction.
     #[error("`{constraint}` ({kind}): {reason}")]
     InvalidParameters {
         /// The constraint.
@@ -209,7 +206,9 @@ pub enum Error {
     },
 
     /// A body or coordinate of another mechanism.
-    #[error("`{place}`: `{argument}` is not of the mechanism \"{mechanism}\"; use what its own methods gave out")]
+    #[error(
+        "`{place}`: `{argument}` is not of the mechanism \"{mechanism}\"; use what its own methods gave out"
+    )]
     ForeignBody {
         /// The mechanism that was asked.
         mechanism: String,
@@ -220,7 +219,9 @@ pub enum Error {
     },
 
     /// The same body or coordinate twice in one constraint.
-    #[error("`{constraint}`: `{first}` and `{second}` are both `{name}`; a constraint needs different bodies and coordinates")]
+    #[error(
+        "`{constraint}`: `{first}` and `{second}` are both `{name}`; a constraint needs different bodies and coordinates"
+    )]
     RepeatedBody {
         /// The constraint.
         constraint: String,

@@ -3,17 +3,28 @@
 use crate::model::motion::Motion;
 use crate::model::units::Units;
 use crate::model::verdict::Diagnosis;
-use crate::model::words::{at, bytes, count, list, row};
+use crate::model::words::{at, bytes, count, list, row, time};
 
 /// Where the last position was found, and what to try.
-pub(super) fn no_convergence(last: Option<f64>, units: &Units, diagnosis: &Option<Box<Diagnosis>>, motion: &Option<Box<Motion>>) -> String {
+pub(super) fn no_convergence(
+    last: Option<f64>,
+    units: &Units,
+    diagnosis: &Option<Box<Diagnosis>>,
+    motion: &Option<Box<Motion>>,
+) -> String {
     let found = details(diagnosis);
     match last {
         Some(t) if found.is_empty() => {
-            format!("\n  Nearest solved t = {}. Try a smaller time step, or the loop cannot close beyond it.{}", at(t, units), kept(motion))
+            format!(
+                "\n  Nearest solved t = {}. Try a smaller time step, or the loop cannot close beyond it.{}",
+                at(t, units),
+                kept(motion)
+            )
         }
         Some(t) => format!("\n  Nearest solved t = {}.{found}{}", at(t, units), kept(motion)),
-        None if found.is_empty() => "\n  Try a better initial guess, or a preferred assembly; or the loop cannot close.".to_string(),
+        None if found.is_empty() => {
+            "\n  Try a better initial guess, or a preferred assembly; or the loop cannot close.".to_string()
+        }
         None => found,
     }
 }
@@ -21,7 +32,9 @@ pub(super) fn no_convergence(last: Option<f64>, units: &Units, diagnosis: &Optio
 /// That there is no position, where the diagnosis has found why; else what the solver has to say.
 pub(super) fn unmet(diagnosis: &Option<Box<Diagnosis>>, solver: impl Fn() -> String) -> String {
     let found = diagnosis.as_ref().filter(|diagnosis| !diagnosis.gaps.is_empty());
-    found.map_or_else(solver, |diagnosis| format!("the mechanism \"{}\" cannot be put together.", diagnosis.mechanism))
+    found.map_or_else(solver, |diagnosis| {
+        format!("the mechanism \"{}\" cannot be put together.", diagnosis.mechanism)
+    })
 }
 
 /// What is wrong, line by line; nothing where nothing is, or nobody has looked.
@@ -62,13 +75,59 @@ pub(super) fn singular(
 
 /// What is asked for beyond a toggle, and what can move at it.
 pub(super) fn toggle(movable: &[String], dependent: &[String], diagnosis: &Option<Box<Diagnosis>>) -> String {
-    let all = format!("There {} can move although what drives stands still, and {} depend on one another.", list(movable), list(dependent));
+    let all = format!(
+        "There {} can move although what drives stands still, and {} depend on one another.",
+        list(movable),
+        list(dependent)
+    );
     format!("{}\n  {all}", details(diagnosis))
+}
+
+/// That a run may have left its branch.
+pub(super) fn cannot_follow(at: &str, reason: &str, motion: &Option<Box<Motion>>) -> String {
+    format!(
+        "t = {at}: beyond this time the run cannot be shown to stay on its branch ({reason}).\n  A law or \
+         constraint with a kink, or a position that is singular in more than one way; `Follow::Unchecked` goes \
+         on without asking.{}",
+        kept(motion)
+    )
+}
+
+/// That a position closes, but not as it is meant.
+pub(super) fn wrong_branch(
+    at: &str,
+    [constraint, kind, reason]: [&str; 3],
+    motion: &Option<Box<Motion>>,
+) -> String {
+    format!(
+        "t = {at}: `{constraint}` ({kind}) closes the wrong way: {reason}.\n  Give a better guess of the poses, \
+         or turn one of the directions round.{}",
+        kept(motion)
+    )
+}
+
+/// That a law jumps, at an argument, in a derivative of that order.
+pub(super) fn law_jumps(
+    at: &str,
+    [constraint, law]: [&str; 2],
+    (x, order): (f64, usize),
+    motion: &Option<Box<Motion>>,
+) -> String {
+    let what = if order == 0 { "value changes" } else { "slope changes" };
+    format!(
+        "t = {at}: the law `{law}` of `{constraint}` jumps at {}: its {what} there, which no body can follow.\n  \
+         Let its parts meet, or stop before it.{}",
+        time(x),
+        kept(motion)
+    )
 }
 
 /// That nothing is lost.
 pub(super) fn kept(motion: &Option<Box<Motion>>) -> String {
-    let Some((motion, last)) = motion.as_ref().and_then(|motion| Some((motion, *motion.times().last()?))) else { return String::new() };
+    let Some((motion, last)) = motion.as_ref().and_then(|motion| Some((motion, *motion.times().last()?)))
+    else {
+        return String::new();
+    };
     format!("\n  The motion up to t = {} is in this error: `error.motion()`.", at(last, motion.unit_words()))
 }
 
@@ -79,17 +138,29 @@ pub(super) fn known(known: &[String]) -> String {
 
 /// How far Newton's method has come.
 pub(super) fn worst(iterations: usize, constraint: &str, of: &str, residual: f64) -> String {
-    format!("no convergence in {}; worst is `{constraint}`{}: |C| = {residual:.1e}.", count(iterations, "iteration"), row(of))
+    format!(
+        "no convergence in {}; worst is `{constraint}`{}: |C| = {residual:.1e}.",
+        count(iterations, "iteration"),
+        row(of)
+    )
 }
 
 /// What motions need and may have, and how to need less.
 pub(super) fn needs_memory([motions, times, coordinates]: [usize; 3], sizes: [f64; 2]) -> String {
     let (all, cure) = if motions > 1 {
-        (format!("{motions} motions at once of "), "Run the sweep on fewer threads or without lanes, ask for fewer times")
+        (
+            format!("{motions} motions at once of "),
+            "Run the sweep on fewer threads or without lanes, ask for fewer times",
+        )
     } else {
-        (String::new(), "Keep what is wanted of one part after the other (`System::run_in_parts`), ask for fewer times")
+        (
+            String::new(),
+            "Keep what is wanted of one part after the other (`System::run_in_parts`), ask for fewer times",
+        )
     };
     let [needed, allowed] = sizes.map(bytes);
     let (times, coordinates) = (count(times, "time"), count(coordinates, "coordinate"));
-    format!("{all}{times} of {coordinates} need {needed}; `Options::memory` allows {allowed}.\n  {cure}, or allow more.")
+    format!(
+        "{all}{times} of {coordinates} need {needed}; `Options::memory` allows {allowed}.\n  {cure}, or allow more."
+    )
 }

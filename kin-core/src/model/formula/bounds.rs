@@ -32,14 +32,16 @@ impl Source<Series> for Inputs<'_> {
         Given::by(self.outside, law, &[]).law().map_or(UNKNOWN, |law| law_of(law, x, order))
     }
 
-    /// What only the user's program can compute of parameters: the number that it gives. What it is computed from is known up to rounding, so it is
-    /// asked at both ends and in the middle of that: what jumps between them is not known.
+    /// What only the user's program can compute of parameters: the number that it gives. What it is computed
+    /// from is known up to rounding, so it is asked at both ends and in the middle of that: what jumps
+    /// between them is not known.
     fn opaque(&self, number: usize, component: usize, operands: Vec<Series>) -> Series {
         if !operands.iter().all(|x| x.is_constant() && !x.is_open()) {
             return UNKNOWN;
         }
         let at = |place: fn(Interval) -> f64| {
-            let operands: Vec<Dual3_64> = operands.iter().map(|x| Dual3_64::from_re(place(x.value()))).collect();
+            let operands: Vec<Dual3_64> =
+                operands.iter().map(|x| Dual3_64::from_re(place(x.value()))).collect();
             Interval::from(Given::by(self.outside, number, &operands).number(component).re)
         };
         let all = [at(Interval::lo), at(Interval::mid), at(Interval::hi)];
@@ -154,7 +156,8 @@ pub(crate) fn trusted(formula: &Formula, outside: Outside<'_>) -> Vec<String> {
 }
 
 impl Table {
-    /// The expression, as the user wrote it, because of which fewer than `len` coefficients of a row are known.
+    /// The expression, as the user wrote it, because of which fewer than `len` coefficients of a row are
+    /// known.
     pub(crate) fn unknown(
         &'static self,
         row: usize,
@@ -165,7 +168,8 @@ impl Table {
         let known = |node: &Node| results.number(*node).is_some_and(|y| y.len() >= len);
         let holds = |node: Node| results.condition(node).is_some_and(|condition| !condition.never);
         let mut node = *formula.rows.get(row)?;
-        while let Some(next) = formula.graph.numbers_behind(node, holds).into_iter().find(|node| !known(node)) {
+        while let Some(next) = formula.graph.numbers_behind(node, holds).into_iter().find(|node| !known(node))
+        {
             node = next;
         }
         let expression = formula.expression(node)?;
@@ -199,7 +203,8 @@ fn compared(comparison: Comparison, a: Interval, b: Interval) -> [bool; 2] {
     }
 }
 
-/// The law of x (order 0), or its slope (1). Where x is known up to whole turns, so is what the law makes of it: nothing, unless it repeats.
+/// The law of x (order 0), or its slope (1). Where x is known up to whole turns, so is what the law makes of
+/// it: nothing, unless it repeats.
 fn law_of(law: &Law, x: Series, order: u8) -> Series {
     let f = law.over(&Series::variable(x.value(), ONE, ORDER + 1).up_to(x.turns())).unwrap_or(UNKNOWN);
     if order == 0 {

@@ -1,5 +1,5 @@
-//! A formula with third-order dual numbers, for the jerk: it is asked for seldom, and code of its own for every constraint would be a quarter of
-//! all that is compiled.
+//! A formula with third-order dual numbers, for the jerk: it is asked for seldom, and code of its own for
+//! every constraint would be a quarter of all that is compiled.
 
 use kin_graph::{Formula, Input, LeafUse, Source, evaluate};
 
@@ -10,7 +10,8 @@ use crate::numbers::real::{Dual, Dual3_64, Real};
 
 type Number = Real<Dual3_64>;
 
-/// A motion of one constraint: its columns with q, q̇, q̈, and the time; and what else its formula is evaluated with.
+/// A motion of one constraint: its columns with q, q̇, q̈, and the time; and what else its formula is
+/// evaluated with.
 pub(crate) struct Along<'a> {
     columns: Vec<Number>,
     t: Number,

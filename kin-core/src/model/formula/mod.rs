@@ -1,5 +1,5 @@
-//! The formula of an equation as emitted code holds it: one text, which costs nothing to compile and is read when somebody first asks for it;
-//! and beside it what only the user's program can compute.
+//! The formula of an equation as emitted code holds it: one text, which costs nothing to compile and is read
+//! when somebody first asks for it; and beside it what only the user's program can compute.
 
 pub(crate) mod bounds;
 pub(crate) mod jerk;
@@ -37,7 +37,8 @@ impl Table {
         self.formula.get_or_init(|| self.text.parse().unwrap_or_default())
     }
 
-    /// True if an operation in it may switch from one side to another. The words of its text tell that, without reading the formula.
+    /// True if an operation in it may switch from one side to another. The words of its text tell that,
+    /// without reading the formula.
     pub(crate) fn may_switch(&self) -> bool {
         const WORDS: [&str; 5] = ["Select", "Abs", "Signum", "Max", "Min"];
         *self.switches.get_or_init(|| WORDS.iter().any(|word| self.text.contains(word)))
@@ -49,7 +50,8 @@ impl Table {
     }
 }
 
-/// Computes what only the user's program can: its number, the numbers it is made of, and where to put the results.
+/// Computes what only the user's program can: its number, the numbers it is made of, and where to put the
+/// results.
 pub type Outside<'a> = &'a dyn Fn(usize, &[Dual3_64], &mut Given);
 
 /// What only the user's program can compute: numbers, or the law that stands there.

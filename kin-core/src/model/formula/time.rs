@@ -1,4 +1,5 @@
-//! Where time enters a formula: its nodes that move with time alone, bounds of them, and how rows follow them.
+//! Where time enters a formula: its nodes that move with time alone, bounds of them, and how rows follow
+//! them.
 
 use kin_graph::{Formula, Function, Function2, Node, Op, evaluate, evaluate_beyond};
 
@@ -7,7 +8,8 @@ use crate::model::formula::Outside;
 use crate::numbers::enclosure::interval::{Interval, ONE};
 use crate::numbers::enclosure::series::{Series, UNKNOWN};
 
-/// The nodes that move with time alone and are read by what moves with coordinates too, or are rows: all that time does is done by them.
+/// The nodes that move with time alone and are read by what moves with coordinates too, or are rows: all that
+/// time does is done by them.
 pub(crate) fn signals(formula: &Formula) -> Vec<Node> {
     let graph = &formula.graph;
     let needed = graph.reachable(&formula.rows);
@@ -25,15 +27,24 @@ pub(crate) fn can_jump(formula: &Formula) -> bool {
     let jumps = |op: Op| {
         use Function::{Ceil, Floor, Fract, Round, Signum, Trunc};
         use Function2::{DivEuclid, Rem, RemEuclid};
-        matches!(op, Op::Call(Floor | Ceil | Round | Trunc | Fract | Signum, _) | Op::Call2(Rem | RemEuclid | DivEuclid, ..))
-            || matches!(op, Op::Select(..) | Op::Opaque(..) | Op::Leaf(_))
+        matches!(
+            op,
+            Op::Call(Floor | Ceil | Round | Trunc | Fract | Signum, _)
+                | Op::Call2(Rem | RemEuclid | DivEuclid, ..)
+        ) || matches!(op, Op::Select(..) | Op::Opaque(..) | Op::Leaf(_))
     };
     let graph = &formula.graph;
     graph.reachable(&formula.rows).into_iter().any(|node| graph.depends(node).on_q && jumps(graph.op(node)))
 }
 
 /// Signals as functions of time; a condition that may change is not known.
-pub(crate) fn over_time(formula: &Formula, signals: &[Node], t: Series, parameters: &[f64], outside: Outside<'_>) -> Vec<Series> {
+pub(crate) fn over_time(
+    formula: &Formula,
+    signals: &[Node],
+    t: Series,
+    parameters: &[f64],
+    outside: Outside<'_>,
+) -> Vec<Series> {
     let graph = &formula.graph;
     let results = evaluate(graph, signals, &Inputs { columns: &[], t, parameters, outside });
     let known = |node: &Node| {
@@ -44,7 +55,8 @@ pub(crate) fn over_time(formula: &Formula, signals: &[Node], t: Series, paramete
     signals.iter().map(|node| known(node).unwrap_or(UNKNOWN)).collect()
 }
 
-/// The slopes of all rows along each of the signals, at coordinates and a time; not numbers where they are not known.
+/// The slopes of all rows along each of the signals, at coordinates and a time; not numbers where they are
+/// not known.
 pub(crate) fn slopes(
     formula: &Formula,
     signals: &[Node],
@@ -60,7 +72,11 @@ pub(crate) fn slopes(
         let value = known.number(*signal).unwrap_or(UNKNOWN).value();
         let moving = |node: Node| (node == *signal).then(|| Series::variable(value, ONE, 2));
         let moved = evaluate_beyond(&formula.graph, &formula.rows, moving, &known, &inputs);
-        let slope = |k: usize| Some(row(formula, k, &moved).at(1)).filter(|slope| slope.is_finite()).map_or(f64::NAN, Interval::mid);
+        let slope = |k: usize| {
+            Some(row(formula, k, &moved).at(1))
+                .filter(|slope| slope.is_finite())
+                .map_or(f64::NAN, Interval::mid)
+        };
         (0..formula.rows.len()).map(slope).collect()
     };
     signals.iter().map(along).collect()

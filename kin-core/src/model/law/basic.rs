@@ -36,7 +36,8 @@ impl Law {
         Law::new(Sine { kind: "sine", mean: 0.0, amplitude, omega, phase })
     }
 
-    /// f(x) = mean + Σ a_k cos(k · omega · x) + b_k sin(k · omega · x), k = 1, 2, … over the pairs (a_k, b_k).
+    /// f(x) = mean + Σ a_k cos(k · omega · x) + b_k sin(k · omega · x), k = 1, 2, … over the pairs (a_k,
+    /// b_k).
     pub fn fourier(mean: f64, omega: f64, pairs: &[(f64, f64)]) -> Law {
         Law::new(Fourier { mean, omega, pairs: pairs.to_vec() })
     }
@@ -98,7 +99,9 @@ struct Polynomial {
 impl Polynomial {
     /// f, f′, f″/2, f‴/6, f⁗/24.
     fn taylor(&self, x: f64) -> [f64; 5] {
-        let step = |[f, f1, f2, f3, f4]: [f64; 5], c: &f64| [f * x + c, f1 * x + f, f2 * x + f1, f3 * x + f2, f4 * x + f3];
+        let step = |[f, f1, f2, f3, f4]: [f64; 5], c: &f64| {
+            [f * x + c, f1 * x + f, f2 * x + f1, f3 * x + f2, f4 * x + f3]
+        };
         self.c.iter().rev().fold([0.0; 5], step)
     }
 
@@ -178,7 +181,8 @@ impl LawFunction for Sine {
     }
 
     fn written(&self, graph: &mut Graph, x: Node) -> Option<Node> {
-        let [mean, amplitude, omega, phase] = [self.mean, self.amplitude, self.omega, self.phase].map(|c| graph.constant(c));
+        let [mean, amplitude, omega, phase] =
+            [self.mean, self.amplitude, self.omega, self.phase].map(|c| graph.constant(c));
         let turned = graph.mul(omega, x);
         let angle = graph.add(turned, phase);
         let sin = graph.call(Function::Sin, angle);
@@ -329,7 +333,11 @@ mod tests {
         near(Law::sine(2.0, 3.0, 0.5).fourth(0.7), 162.0 * 2.6_f64.sin(), 1e-14);
         let fourier = Law::fourier(9.0, 2.0, &[(0.5, 0.25), (-1.0, 0.75)]);
         let [one, two] = [1.4_f64, 2.8].map(f64::sin_cos);
-        near(fourier.fourth(0.7), 16.0 * (0.5 * one.1 + 0.25 * one.0) + 256.0 * (0.75 * two.0 - two.1), 1e-14);
+        near(
+            fourier.fourth(0.7),
+            16.0 * (0.5 * one.1 + 0.25 * one.0) + 256.0 * (0.75 * two.0 - two.1),
+            1e-14,
+        );
         assert_eq!((Law::ramp(2.0).fourth(1.0), Law::constant(2.0).fourth(1.0)), (0.0, 0.0));
     }
 

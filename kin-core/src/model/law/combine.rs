@@ -72,7 +72,10 @@ impl Mul<f64> for Law {
 macro_rules! two_parts {
     ($first:ident, $second:ident) => {
         fn parts(&self) -> Vec<(String, Law)> {
-            vec![(stringify!($first).to_string(), self.$first.clone()), (stringify!($second).to_string(), self.$second.clone())]
+            vec![
+                (stringify!($first).to_string(), self.$first.clone()),
+                (stringify!($second).to_string(), self.$second.clone()),
+            ]
         }
 
         fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
@@ -139,7 +142,8 @@ impl LawFunction for Sum {
 
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
         let (mut first, mut second) = (self.first.clone(), self.second.clone());
-        (set(&mut first, "first", name, value) || set(&mut second, "second", name, value)).then(|| first + second)
+        (set(&mut first, "first", name, value) || set(&mut second, "second", name, value))
+            .then(|| first + second)
     }
 }
 
@@ -186,7 +190,8 @@ impl LawFunction for Product {
 
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
         let (mut first, mut second) = (self.first.clone(), self.second.clone());
-        (set(&mut first, "first", name, value) || set(&mut second, "second", name, value)).then(|| first * second)
+        (set(&mut first, "first", name, value) || set(&mut second, "second", name, value))
+            .then(|| first * second)
     }
 }
 
@@ -267,7 +272,8 @@ struct Composed {
 }
 
 impl Composed {
-    /// The outer law's jet, that of its left side where a break of it is passed backwards: the right side is that of x.
+    /// The outer law's jet, that of its left side where a break of it is passed backwards: the right side is
+    /// that of x.
     fn outer_jet(&self, [g, g1, g2, g3]: [f64; 4]) -> [f64; 4] {
         let falls = [g1, g2, g3].into_iter().find(|d| *d != 0.0).is_some_and(|d| d < 0.0);
         if falls && !self.outer.breaks(g, g).is_empty() {
@@ -276,7 +282,8 @@ impl Composed {
         self.outer.jet(g)
     }
 
-    /// The breaks of the inner law, and those of the outer one, by `list`, where the inner law takes their places.
+    /// The breaks of the inner law, and those of the outer one, by `list`, where the inner law takes their
+    /// places.
     fn with_outer<I: IntoIterator<Item = Break>>(
         &self,
         mut all: Vec<Break>,
@@ -366,7 +373,8 @@ impl LawFunction for Composed {
 
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
         let (mut outer, mut inner) = (self.outer.clone(), self.inner.clone());
-        (set(&mut outer, "outer", name, value) || set(&mut inner, "inner", name, value)).then(|| outer.compose(&inner))
+        (set(&mut outer, "outer", name, value) || set(&mut inner, "inner", name, value))
+            .then(|| outer.compose(&inner))
     }
 }
 
@@ -377,7 +385,9 @@ pub(super) fn show(law: &Law, part: &str, visit: &mut dyn FnMut(&str, f64)) {
 
 /// Sets a parameter of a part, if the name begins with the part's.
 pub(super) fn set(law: &mut Law, part: &str, name: &str, value: f64) -> bool {
-    name.strip_prefix(part).and_then(|rest| rest.strip_prefix('.')).is_some_and(|rest| law.set_parameter(rest, value))
+    name.strip_prefix(part)
+        .and_then(|rest| rest.strip_prefix('.'))
+        .is_some_and(|rest| law.set_parameter(rest, value))
 }
 
 #[cfg(test)]

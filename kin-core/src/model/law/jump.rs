@@ -5,6 +5,7 @@
 pub struct Break {
     /// Where.
     pub x: f64,
-    /// The lowest derivative that jumps: 0 the value itself, 1 the slope, 2 the second, 3 the third. A law with breaks of order 2 is C¹.
+    /// The lowest derivative that jumps: 0 the value itself, 1 the slope, 2 the second, 3 the third. A law
+    /// with breaks of order 2 is C¹.
     pub order: usize,
 }

@@ -4,15 +4,16 @@ use super::{Break, Law, LawFunction, trusted_parts};
 use crate::numbers::enclosure::{Interval, Series, piecewise};
 
 impl Law {
-    /// Rest to rest over a distance with trapezoidal velocity: constant acceleration up to the speed, then constant speed, then as it came;
-    /// without the middle part where the distance is too short. 0 before x = 0, the distance after. Its acceleration jumps. A negative distance is
-    /// a way back.
+    /// Rest to rest over a distance with trapezoidal velocity: constant acceleration up to the speed, then
+    /// constant speed, then as it came; without the middle part where the distance is too short. 0 before x =
+    /// 0, the distance after. Its acceleration jumps. A negative distance is a way back.
     pub fn trapezoidal(distance: f64, speed: f64, acceleration: f64) -> Law {
         Law::new(Move::new(distance, speed, acceleration, None))
     }
 
-    /// Rest to rest over a distance with seven pieces of constant jerk, within a speed, an acceleration and a jerk; pieces that do not fit into a
-    /// short distance fall away. 0 before x = 0, the distance after. Its jerk jumps. Biagiotti and Melchiorri, *Trajectory Planning*, section 3.4.
+    /// Rest to rest over a distance with seven pieces of constant jerk, within a speed, an acceleration and a
+    /// jerk; pieces that do not fit into a short distance fall away. 0 before x = 0, the distance after. Its
+    /// jerk jumps. Biagiotti and Melchiorri, *Trajectory Planning*, section 3.4.
     pub fn s_curve(distance: f64, speed: f64, acceleration: f64, jerk: f64) -> Law {
         Law::new(Move::new(distance, speed, acceleration, Some(jerk)))
     }
@@ -55,7 +56,10 @@ impl Move {
 
     fn is_sound(&self) -> bool {
         let above_zero = |x: f64| x.is_finite() && x > 0.0;
-        self.distance.is_finite() && above_zero(self.speed) && above_zero(self.acceleration) && self.jerk.is_none_or(above_zero)
+        self.distance.is_finite()
+            && above_zero(self.speed)
+            && above_zero(self.acceleration)
+            && self.jerk.is_none_or(above_zero)
     }
 
     fn trapezoid(&mut self) {
@@ -68,8 +72,11 @@ impl Move {
     fn seven_pieces(&mut self, jerk: f64) {
         let (d, v, a) = (self.distance.abs(), self.speed, self.acceleration);
         // the ramp to full speed: t_j of jerk at either end
-        let (mut t_j, mut ramp) =
-            if v * jerk >= a * a { (a / jerk, a / jerk + v / a) } else { ((v / jerk).sqrt(), 2.0 * (v / jerk).sqrt()) };
+        let (mut t_j, mut ramp) = if v * jerk >= a * a {
+            (a / jerk, a / jerk + v / a)
+        } else {
+            ((v / jerk).sqrt(), 2.0 * (v / jerk).sqrt())
+        };
         let cruise = d / v - ramp;
         if cruise < 0.0 {
             (t_j, ramp) = if d >= 2.0 * a.powi(3) / (jerk * jerk) {
@@ -86,7 +93,8 @@ impl Move {
         self.fill(&[up.as_slice(), &[(cruise, 0.0, 0.0)], &down].concat());
     }
 
-    /// Pieces of (duration, jump of acceleration where jerk has no limit, jerk), one after the other; those without duration are left out.
+    /// Pieces of (duration, jump of acceleration where jerk has no limit, jerk), one after the other; those
+    /// without duration are left out.
     fn fill(&mut self, parts: &[(f64, f64, f64)]) {
         let mut next = Piece { start: 0.0, s: 0.0, v: 0.0, a: 0.0, j: 0.0 };
         for &(duration, a, j) in parts.iter().filter(|part| part.0 > 0.0) {
@@ -127,7 +135,9 @@ impl LawFunction for Move {
             Some(_) => {
                 "S-curve: rest to rest over a distance within a speed, an acceleration and a jerk, in seven pieces of constant jerk."
             }
-            None => "Trapezoidal velocity: rest to rest over a distance with constant acceleration up to a speed.",
+            None => {
+                "Trapezoidal velocity: rest to rest over a distance with constant acceleration up to a speed."
+            }
         }
     }
 
@@ -140,11 +150,19 @@ impl LawFunction for Move {
         piecewise(x, &seams, &|k, x| {
             let Some(before) = k.checked_sub(1) else { return Some(x.times(0.0)) };
             let Some(piece) = self.pieces.get(before) else { return Some(x.times(0.0).plus(self.distance)) };
-            // begun where the piece before has ended, but for rounding; at rest, or with no acceleration, exactly so
-            let near = |x: f64, size: f64| Series::constant(Interval::near(x, if x == 0.0 { 0.0 } else { size }));
-            let (s, v, a) = (near(piece.s, self.distance), near(piece.v, self.speed), near(piece.a, self.acceleration));
+            // begun where the piece before has ended, but for rounding; at rest, or with no acceleration,
+            // exactly so
+            let near =
+                |x: f64, size: f64| Series::constant(Interval::near(x, if x == 0.0 { 0.0 } else { size }));
+            let (s, v, a) =
+                (near(piece.s, self.distance), near(piece.v, self.speed), near(piece.a, self.acceleration));
             let t = x.plus(-piece.start);
-            Some(s + t * (v + t * (a.times(0.5) + t * Series::constant(Interval::from(piece.j) / Interval::from(6.0)))))
+            Some(
+                s + t
+                    * (v + t
+                        * (a.times(0.5)
+                            + t * Series::constant(Interval::from(piece.j) / Interval::from(6.0)))),
+            )
         })
     }
 
@@ -154,7 +172,8 @@ impl LawFunction for Move {
 
     fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
         let order = if self.jerk.is_some() { 3 } else { 2 };
-        let places = self.pieces.iter().map(|piece| piece.start).chain((!self.pieces.is_empty()).then_some(self.end));
+        let places =
+            self.pieces.iter().map(|piece| piece.start).chain((!self.pieces.is_empty()).then_some(self.end));
         places.filter(|x| (from..=to).contains(x)).map(|x| Break { x, order }).collect()
     }
 
@@ -163,8 +182,12 @@ impl LawFunction for Move {
     }
 
     fn refusal(&self) -> Option<String> {
-        (!self.is_sound())
-            .then(|| format!("{}: speed, acceleration and jerk are above zero; the sign is that of the distance", self.kind()))
+        (!self.is_sound()).then(|| {
+            format!(
+                "{}: speed, acceleration and jerk are above zero; the sign is that of the distance",
+                self.kind()
+            )
+        })
     }
 
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {

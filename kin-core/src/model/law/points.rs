@@ -58,19 +58,31 @@ impl Points {
             return Some(format!("{kind}: the table has {} points; it needs {least}", self.table.len()));
         }
         if let Some(k) = self.table.iter().position(|(x, y)| !(x.is_finite() && y.is_finite())) {
-            return Some(format!("{kind}: point {} is ({}, {}); give finite numbers", k + 1, self.table[k].0, self.table[k].1));
+            return Some(format!(
+                "{kind}: point {} is ({}, {}); give finite numbers",
+                k + 1,
+                self.table[k].0,
+                self.table[k].1
+            ));
         }
         if let Some(k) = self.table.windows(2).position(|pair| pair[1].0 <= pair[0].0) {
             let (before, after) = (self.table[k].0, self.table[k + 1].0);
-            return Some(format!("{kind}: the table does not increase: x = {before} is followed by {after} (point {})", k + 2));
+            return Some(format!(
+                "{kind}: the table does not increase: x = {before} is followed by {after} (point {})",
+                k + 2
+            ));
         }
         let (first, last) = (self.table[0].1, self.table[self.table.len() - 1].1);
         let size = self.table.iter().fold(0.0_f64, |m, (_, y)| m.max(y.abs()));
-        (self.ends == Ends::Periodic && (first - last).abs() > 1e-9 * size)
-            .then(|| format!("{kind}: a periodic table ends as it begins, but y is {first} at first and {last} at last"))
+        (self.ends == Ends::Periodic && (first - last).abs() > 1e-9 * size).then(|| {
+            format!(
+                "{kind}: a periodic table ends as it begins, but y is {first} at first and {last} at last"
+            )
+        })
     }
 
-    /// The x of the table, and its ends: `periodic` is 1 where it repeats; `start` and `end` are the slopes where they are given.
+    /// The x of the table, and its ends: `periodic` is 1 where it repeats; `start` and `end` are the slopes
+    /// where they are given.
     pub fn fixed_numbers(&self) -> Vec<(String, f64)> {
         let ends = match self.ends {
             Ends::Natural => vec![],
@@ -103,7 +115,8 @@ impl Points {
 /// A law through the first two columns of a CSV file; a first line that is no numbers is a header.
 pub(super) fn from_csv(path: &Path, law: impl Fn(&[(f64, f64)]) -> Law) -> Result<Law> {
     let fail = |reason: String| Error::Table { path: path.to_path_buf(), reason };
-    let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).trim(csv::Trim::All).from_path(path);
+    let mut reader =
+        csv::ReaderBuilder::new().has_headers(false).flexible(true).trim(csv::Trim::All).from_path(path);
     let reader = reader.as_mut().map_err(|error| fail(error.to_string()))?;
     let mut table = Vec::new();
     for (k, record) in reader.records().enumerate() {
@@ -112,7 +125,13 @@ pub(super) fn from_csv(path: &Path, law: impl Fn(&[(f64, f64)]) -> Law) -> Resul
         match (number(0), number(1)) {
             (Some(x), Some(y)) => table.push((x, y)),
             _ if k == 0 => {}
-            _ => return Err(fail(format!("line {}: `{}` is not two numbers", k + 1, record.iter().collect::<Vec<_>>().join(",")))),
+            _ => {
+                return Err(fail(format!(
+                    "line {}: `{}` is not two numbers",
+                    k + 1,
+                    record.iter().collect::<Vec<_>>().join(",")
+                )));
+            }
         }
     }
     let law = law(&table);

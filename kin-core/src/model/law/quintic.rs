@@ -10,12 +10,14 @@ use crate::model::error::Result;
 use crate::numbers::enclosure::{Interval, ONE, Series, piecewise, repeated};
 
 impl Law {
-    /// A quintic spline through the points (x, y), x increasing, at least two (three to be periodic): C⁴ between the ends, so that acceleration and jerk of
-    /// what it moves are smooth; closed ([`Ends::Periodic`]) it is C⁴ everywhere, as the profile of a cam or a closed path should be. At other ends it has
-    /// no curvature and goes on as a line, with the slope that is given or, for [`Ends::Natural`], with the one of least bending (f⁗ = 0).
+    /// A quintic spline through the points (x, y), x increasing, at least two (three to be periodic): C⁴
+    /// between the ends, so that acceleration and jerk of what it moves are smooth; closed
+    /// ([`Ends::Periodic`]) it is C⁴ everywhere, as the profile of a cam or a closed path should be. At other
+    /// ends it has no curvature and goes on as a line, with the slope that is given or, for
+    /// [`Ends::Natural`], with the one of least bending (f⁗ = 0).
     ///
-    /// A table that does not increase, or does not repeat though it should, is refused where a mechanism is to use the law. C. de Boor, *A Practical Guide to
-    /// Splines*.
+    /// A table that does not increase, or does not repeat though it should, is refused where a mechanism is
+    /// to use the law. C. de Boor, *A Practical Guide to Splines*.
     pub fn quintic_spline(table: &[(f64, f64)], ends: Ends) -> Law {
         Law::new(Quintic::new(Points { table: table.to_vec(), ends }))
     }
@@ -77,8 +79,9 @@ impl Quintic {
         }
     }
 
-    /// The polynomial of interval k, with bounds. The slopes as they were found are those of the law: with them all pieces meet in value, slope and
-    /// curvature whatever rounding there was, and nothing has to be known of how it spread.
+    /// The polynomial of interval k, with bounds. The slopes as they were found are those of the law: with
+    /// them all pieces meet in value, slope and curvature whatever rounding there was, and nothing has to be
+    /// known of how it spread.
     fn bounded(&self, k: usize, x: &Series) -> Series {
         let number = |x: f64| Interval::from(x);
         let ((x0, y0), (x1, y1)) = (self.points.table[k], self.points.table[k + 1]);
@@ -89,7 +92,8 @@ impl Quintic {
         let times = |c: Interval, p: Series| Series::constant(c) * p;
         let (square, cube) = (u * u, u * u * u);
         let (rest, rest_cube) = (w * w, w * w * w);
-        // Each number once, with the polynomial that it is multiplied by in factors: so rounding and ranges are least.
+        // Each number once, with the polynomial that it is multiplied by in factors: so rounding and ranges
+        // are least.
         Series::constant(number(y0))
             + times(rise, cube * (u * (times(number(6.0), u).plus(-15.0))).plus(10.0))
             + times(v0 * h, u * rest_cube * times(number(3.0), u).plus(1.0))
@@ -104,7 +108,8 @@ impl Quintic {
     }
 }
 
-/// The polynomial of fifth degree in u with value y at 0, y + rise at 1, and these slopes and second slopes at both ends (by u).
+/// The polynomial of fifth degree in u with value y at 0, y + rise at 1, and these slopes and second slopes
+/// at both ends (by u).
 fn hermite(y: f64, rise: f64, [v0, v1]: [f64; 2], [a0, a1]: [f64; 2]) -> [f64; 6] {
     let (x, v, a) = (rise - v0 - 0.5 * a0, v1 - v0 - a0, a1 - a0);
     [y, v0, 0.5 * a0, 10.0 * x - 4.0 * v + 0.5 * a, 7.0 * v - 15.0 * x - a, 6.0 * x - 3.0 * v + 0.5 * a]
@@ -119,10 +124,11 @@ struct Row {
     right: Vector2<f64>,
 }
 
-/// f′ and f″ at the knots, from continuity of f‴ and f⁗. With widths p before and n after a knot these are, Δ being the rises,
+/// f′ and f″ at the knots, from continuity of f‴ and f⁗. With widths p before and n after a knot these are, Δ
+/// being the rises,
 ///
-/// −24 v₋/p² − 3 a₋/p + 36 (1/n² − 1/p²) v + 9 (1/n + 1/p) a + 24 v₊/n² − 3 a₊/n = 60 (Δn/n³ − Δp/p³),
-/// 168 v₋/p³ + 24 a₋/p² + 192 (1/n³ + 1/p³) v + 36 (1/n² − 1/p²) a + 168 v₊/n³ − 24 a₊/n² = 360 (Δn/n⁴ + Δp/p⁴).
+/// −24 v₋/p² − 3 a₋/p + 36 (1/n² − 1/p²) v + 9 (1/n + 1/p) a + 24 v₊/n² − 3 a₊/n = 60 (Δn/n³ − Δp/p³), 168
+/// v₋/p³ + 24 a₋/p² + 192 (1/n³ + 1/p³) v + 36 (1/n² − 1/p²) a + 168 v₊/n³ − 24 a₊/n² = 360 (Δn/n⁴ + Δp/p⁴).
 fn slopes(points: &Points) -> Vec<[f64; 2]> {
     let last = points.table.len() - 1;
     let inner = |k: usize| row(Some(points.step((k + last - 1) % last)), Some(points.step(k % last)));
@@ -141,7 +147,8 @@ fn slopes(points: &Points) -> Vec<[f64; 2]> {
 
 /// The conditions of a knot between two intervals as (width, rise); at an end only one of them is there.
 fn row(before: Option<(f64, f64)>, after: Option<(f64, f64)>) -> Row {
-    let (mut below, mut diagonal, mut above, mut right) = (Matrix2::zeros(), Matrix2::zeros(), Matrix2::zeros(), Vector2::zeros());
+    let (mut below, mut diagonal, mut above, mut right) =
+        (Matrix2::zeros(), Matrix2::zeros(), Matrix2::zeros(), Vector2::zeros());
     if let Some((p, rise)) = before {
         // The first row in units of 1/p², the second of 1/p³.
         below += Matrix2::new(-24.0 / (p * p), -3.0 / p, 168.0 / p.powi(3), 24.0 / (p * p));
@@ -156,7 +163,8 @@ fn row(before: Option<(f64, f64)>, after: Option<(f64, f64)>) -> Row {
     Row { below, diagonal, above, right }
 }
 
-/// An end without curvature: with the slope that is given, or with f⁗ = 0, which is the second condition there.
+/// An end without curvature: with the slope that is given, or with f⁗ = 0, which is the second condition
+/// there.
 fn end(points: &Points, row: Row, slope: impl Fn((f64, f64)) -> f64) -> Row {
     let mut row = row;
     let (mut first, mut value) = ([0.0, 1.0], 0.0);
@@ -172,14 +180,18 @@ fn end(points: &Points, row: Row, slope: impl Fn((f64, f64)) -> f64) -> Row {
     row
 }
 
-/// Solves block rows in a circle: what stands below the first and above the last multiplies the last and the first unknown (zero where the spline
-/// is not closed). The first unknown is set apart; all others are what they are without it plus their share of it.
+/// Solves block rows in a circle: what stands below the first and above the last multiplies the last and the
+/// first unknown (zero where the spline is not closed). The first unknown is set apart; all others are what
+/// they are without it plus their share of it.
 fn solved(rows: &[Row]) -> Vec<Vector2<f64>> {
-    let with = |v: Vector2<f64>, m: Matrix2<f64>| Matrix2x3::from_columns(&[v, m.column(0).into(), m.column(1).into()]);
+    let with = |v: Vector2<f64>, m: Matrix2<f64>| {
+        Matrix2x3::from_columns(&[v, m.column(0).into(), m.column(1).into()])
+    };
     let inverse = |m: Matrix2<f64>| m.try_inverse().unwrap_or_else(|| Matrix2::repeat(f64::NAN));
     let Some((first, others)) = rows.split_first() else { return Vec::new() };
     // right sides: without the first unknown, and its two components
-    let mut rights: Vec<Matrix2x3<f64>> = others.iter().map(|row| with(row.right, Matrix2::zeros())).collect();
+    let mut rights: Vec<Matrix2x3<f64>> =
+        others.iter().map(|row| with(row.right, Matrix2::zeros())).collect();
     let share = |m: &Matrix2<f64>| with(Vector2::zeros(), -m);
     if let (Some(right), Some(row)) = (rights.first_mut(), others.first()) {
         *right += share(&row.below);
@@ -208,7 +220,9 @@ fn solved(rows: &[Row]) -> Vec<Vector2<f64>> {
         }
     }
     let x = inverse(own) * right;
-    std::iter::once(x).chain(rights.iter().map(|right| right.column(0) + right.fixed_columns::<2>(1) * x)).collect()
+    std::iter::once(x)
+        .chain(rights.iter().map(|right| right.column(0) + right.fixed_columns::<2>(1) * x))
+        .collect()
 }
 
 impl LawFunction for Quintic {
@@ -260,8 +274,10 @@ impl LawFunction for Quintic {
         }
         let last = self.points.table.len() - 1;
         let size = (0..last).map(|k| self.inside(k, self.points.table[k].0)[3].abs()).fold(0.0, f64::max);
-        let ends = [(0, 0), (last - 1, last)].map(|(k, knot)| (self.points.table[knot].0, self.inside(k, self.points.table[knot].0)[3]));
-        let jumps = ends.into_iter().filter(|(x, third)| (from..=to).contains(x) && third.abs() > 1e-9 * size);
+        let ends = [(0, 0), (last - 1, last)]
+            .map(|(k, knot)| (self.points.table[knot].0, self.inside(k, self.points.table[knot].0)[3]));
+        let jumps =
+            ends.into_iter().filter(|(x, third)| (from..=to).contains(x) && third.abs() > 1e-9 * size);
         jumps.map(|(x, _)| Break { x, order: 3 }).collect()
     }
 
@@ -291,24 +307,36 @@ mod tests {
     use super::*;
     use crate::model::law::tests::{bounded, listed, near};
 
-    const TABLE: [(f64, f64); 6] = [(-0.5, 1.0), (0.5, 1.8), (1.25, 0.2), (2.0, -0.7), (3.5, 0.4), (4.0, 1.0)];
+    const TABLE: [(f64, f64); 6] =
+        [(-0.5, 1.0), (0.5, 1.8), (1.25, 0.2), (2.0, -0.7), (3.5, 0.4), (4.0, 1.0)];
     const CLAMPED: Ends = Ends::Clamped { start: -1.0, end: 2.0 };
 
     #[test]
     fn bounds_of_quintic_splines() {
         for ends in [Ends::Natural, CLAMPED, Ends::Periodic] {
             let law = Law::quintic_spline(&TABLE, ends);
-            let points: Vec<(f64, f64)> = (0..40).map(|k| -3.0 + 0.23 * f64::from(k)).map(|x| (x, x)).collect();
+            let points: Vec<(f64, f64)> =
+                (0..40).map(|k| -3.0 + 0.23 * f64::from(k)).map(|x| (x, x)).collect();
             bounded(&law, &points, 1.0);
             // all up to the fourth go on at each point inside
             for (x, y) in &TABLE[1..5] {
                 let (left, right) = (x.next_down(), *x);
                 near(law.at(right), *y, 1e-12);
-                law.jet(left).into_iter().zip(law.jet(right)).for_each(|(left, right)| near(left, right, 1e-10));
+                law.jet(left)
+                    .into_iter()
+                    .zip(law.jet(right))
+                    .for_each(|(left, right)| near(left, right, 1e-10));
                 near(law.fourth(left), law.fourth(right), 1e-9);
             }
-            bounded(&law, &[(0.6, 0.61), (1.2, 1.3), (-0.6, -0.4), (3.9, 4.1), (-3.0, -2.0), (5.0, 6.0), (2.1, 2.2)], 1e6);
-            assert_eq!((law.kind(), law.is_smooth(), law.trusted().len()), ("quintic_spline", ends == Ends::Periodic, 0));
+            bounded(
+                &law,
+                &[(0.6, 0.61), (1.2, 1.3), (-0.6, -0.4), (3.9, 4.1), (-3.0, -2.0), (5.0, 6.0), (2.1, 2.2)],
+                1e6,
+            );
+            assert_eq!(
+                (law.kind(), law.is_smooth(), law.trusted().len()),
+                ("quintic_spline", ends == Ends::Periodic, 0)
+            );
             assert!(law.jet(f64::NAN).iter().all(|f| f.is_nan()) && law.fourth(f64::NAN).is_nan());
         }
         let refused = Law::quintic_spline(&TABLE[..1], Ends::Natural);
@@ -329,15 +357,27 @@ mod tests {
             (vec![(-0.5, 3), (4.0, 3)], vec![(-0.5, 3), (4.0, 3)])
         );
         assert_eq!(
-            (listed(&Law::quintic_spline(&TABLE, CLAMPED), 0.0, 9.0), ends(&Law::quintic_spline(&TABLE, Ends::Periodic))),
+            (
+                listed(&Law::quintic_spline(&TABLE, CLAMPED), 0.0, 9.0),
+                ends(&Law::quintic_spline(&TABLE, Ends::Periodic))
+            ),
             (vec![(4.0, 3)], vec![])
         );
         for ends in [Ends::Natural, Ends::Clamped { start: 0.0, end: 0.0 }] {
-            assert_eq!(listed(&Law::quintic_spline(&[(0.0, 1.0), (1.0, 1.0), (3.0, 1.0)], ends), -9.0, 9.0), []);
+            assert_eq!(
+                listed(&Law::quintic_spline(&[(0.0, 1.0), (1.0, 1.0), (3.0, 1.0)], ends), -9.0, 9.0),
+                []
+            );
         }
-        // The third derivative at the beginning is linear in the point in the middle: it is made a share of that in the middle.
+        // The third derivative at the beginning is linear in the point in the middle: it is made a share of
+        // that in the middle.
         for sign in [1.0, -1.0] {
-            let law = |y: f64| Law::quintic_spline(&[(0.0, 0.0), (1.0, y), (2.0, sign)], Ends::Clamped { start: 0.0, end: 0.0 });
+            let law = |y: f64| {
+                Law::quintic_spline(
+                    &[(0.0, 0.0), (1.0, y), (2.0, sign)],
+                    Ends::Clamped { start: 0.0, end: 0.0 },
+                )
+            };
             let third = |y: f64, x: f64| law(y).jet(x)[3];
             let zero = third(0.0, 0.0) / (third(0.0, 0.0) - third(1.0, 0.0));
             for (share, count) in [(0.8e-9, 1), (1.2e-9, 2), (-0.8e-9, 1), (-1.2e-9, 2)] {

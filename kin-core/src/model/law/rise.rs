@@ -1,4 +1,5 @@
-//! Rises: from 0 to a height over a length, with a dwell before and after. Those of cams and of machines that index.
+//! Rises: from 0 to a height over a length, with a dwell before and after. Those of cams and of machines that
+//! index.
 
 use std::f64::consts::{PI, TAU};
 
@@ -6,7 +7,8 @@ use super::{Break, Law, LawFunction, shapes, trusted_parts};
 use crate::numbers::enclosure::{Interval, Series, piecewise};
 
 impl Law {
-    /// Simple harmonic rise: f(x) = h/2 (1 − cos(π x/β)) for 0 ≤ x ≤ β, 0 before and h after. Its acceleration jumps at both ends.
+    /// Simple harmonic rise: f(x) = h/2 (1 − cos(π x/β)) for 0 ≤ x ≤ β, 0 before and h after. Its
+    /// acceleration jumps at both ends.
     pub fn harmonic_rise(height: f64, length: f64) -> Law {
         Law::new(Rise { shape: Shape::Harmonic, height, length })
     }
@@ -21,20 +23,20 @@ impl Law {
         Law::new(Rise { shape: Shape::Polynomial345, height, length })
     }
 
-    /// 4-5-6-7 polynomial rise: f(x) = h (35 ξ⁴ − 84 ξ⁵ + 70 ξ⁶ − 20 ξ⁷), ξ = x/β, for 0 ≤ ξ ≤ 1, 0 before and h after. No derivative up to the
-    /// third jumps.
+    /// 4-5-6-7 polynomial rise: f(x) = h (35 ξ⁴ − 84 ξ⁵ + 70 ξ⁶ − 20 ξ⁷), ξ = x/β, for 0 ≤ ξ ≤ 1, 0 before
+    /// and h after. No derivative up to the third jumps.
     pub fn polynomial_4567(height: f64, length: f64) -> Law {
         Law::new(Rise { shape: Shape::Polynomial4567, height, length })
     }
 
-    /// Modified sine rise: f″ is a sine of period β/2 for an eighth of β, then a cosine of period 3β/2, then the sine again; 0 before and h after.
-    /// Largest acceleration 5.528 h/β².
+    /// Modified sine rise: f″ is a sine of period β/2 for an eighth of β, then a cosine of period 3β/2, then
+    /// the sine again; 0 before and h after. Largest acceleration 5.528 h/β².
     pub fn modified_sine(height: f64, length: f64) -> Law {
         Law::new(Rise { shape: Shape::ModifiedSine, height, length })
     }
 
-    /// Modified trapezoidal rise: f″ is a trapezoid whose ramps are quarters of a sine, each an eighth of β long; 0 before and h after. Largest
-    /// acceleration 4.888 h/β².
+    /// Modified trapezoidal rise: f″ is a trapezoid whose ramps are quarters of a sine, each an eighth of β
+    /// long; 0 before and h after. Largest acceleration 4.888 h/β².
     pub fn modified_trapezoid(height: f64, length: f64) -> Law {
         Law::new(Rise { shape: Shape::ModifiedTrapezoid, height, length })
     }
@@ -65,7 +67,13 @@ impl Shape {
         match self {
             Shape::Harmonic => {
                 let (s, c) = (PI * x).sin_cos();
-                [0.5 * (1.0 - c), 0.5 * PI * s, 0.5 * PI * PI * c, -0.5 * PI.powi(3) * s, -0.5 * PI.powi(4) * c]
+                [
+                    0.5 * (1.0 - c),
+                    0.5 * PI * s,
+                    0.5 * PI * PI * c,
+                    -0.5 * PI.powi(3) * s,
+                    -0.5 * PI.powi(4) * c,
+                ]
             }
             Shape::Cycloidal => {
                 let (s, c) = (TAU * x).sin_cos();
@@ -74,7 +82,13 @@ impl Shape {
             Shape::Polynomial345 => {
                 let s1 = x * x * (30.0 + x * (-60.0 + 30.0 * x));
                 let s2 = x * (60.0 + x * (-180.0 + 120.0 * x));
-                [x.powi(3) * (10.0 + x * (-15.0 + 6.0 * x)), s1, s2, 60.0 + x * (-360.0 + 360.0 * x), -360.0 + 720.0 * x]
+                [
+                    x.powi(3) * (10.0 + x * (-15.0 + 6.0 * x)),
+                    s1,
+                    s2,
+                    60.0 + x * (-360.0 + 360.0 * x),
+                    -360.0 + 720.0 * x,
+                ]
             }
             Shape::Polynomial4567 => {
                 let s = x.powi(4) * (35.0 + x * (-84.0 + x * (70.0 - 20.0 * x)));
@@ -92,7 +106,9 @@ impl Shape {
     fn over(self, x: &Series) -> Option<Series> {
         let pi = |factor: f64| Series::constant(Interval::pi(factor));
         let x = *x;
-        let powers = |c: &[f64], first: i32| x.powi(first) * c.iter().rev().fold(x.times(0.0), |sum, c| (sum * x).plus(*c));
+        let powers = |c: &[f64], first: i32| {
+            x.powi(first) * c.iter().rev().fold(x.times(0.0), |sum, c| (sum * x).plus(*c))
+        };
         match self {
             Shape::Harmonic => Some((-(pi(1.0) * x).sin_cos().1).plus(1.0).times(0.5)),
             Shape::Cycloidal => Some(x - (pi(2.0) * x).sin_cos().0 / pi(2.0)),
@@ -146,7 +162,8 @@ fn cosine(tau: f64, a: f64, w: f64, [s0, v0]: [f64; 2]) -> [f64; 5] {
     [s0 + v0 * tau + a * (1.0 - c) / (w * w), v0 + a * s / w, a * c, -a * w * s, -a * w * w * c]
 }
 
-/// Norton, *Cam Design and Manufacturing Handbook*: s″ = a sin 4πξ to 1/8, then a cos(4π(ξ − 1/8)/3); a = 4π²/(π + 4).
+/// Norton, *Cam Design and Manufacturing Handbook*: s″ = a sin 4πξ to 1/8, then a cos(4π(ξ − 1/8)/3); a =
+/// 4π²/(π + 4).
 fn modified_sine(x: f64) -> [f64; 5] {
     let a = 4.0 * PI * PI / (PI + 4.0);
     if x < 0.125 {
@@ -180,7 +197,9 @@ impl Rise {
 
 impl LawFunction for Rise {
     fn jet(&self, x: f64) -> [f64; 4] {
-        let Some([s, s1, s2, s3, _]) = self.inside(x) else { return [if x.is_sign_negative() { 0.0 } else { self.height }, 0.0, 0.0, 0.0] };
+        let Some([s, s1, s2, s3, _]) = self.inside(x) else {
+            return [if x.is_sign_negative() { 0.0 } else { self.height }, 0.0, 0.0, 0.0];
+        };
         let (h, l) = (self.height, self.length);
         [h * s, h * s1 / l, h * s2 / (l * l), h * s3 / (l * l * l)]
     }
@@ -193,10 +212,18 @@ impl LawFunction for Rise {
         match self.shape {
             Shape::Harmonic => "Simple harmonic rise: f(x) = h/2 (1 − cos(π x/β)), 0 before and h after.",
             Shape::Cycloidal => "Cycloidal rise: f(x) = h (x/β − sin(2π x/β)/2π), 0 before and h after.",
-            Shape::Polynomial345 => "3-4-5 polynomial rise: f(x) = h (10 ξ³ − 15 ξ⁴ + 6 ξ⁵), ξ = x/β, 0 before and h after.",
-            Shape::Polynomial4567 => "4-5-6-7 polynomial rise: f(x) = h (35 ξ⁴ − 84 ξ⁵ + 70 ξ⁶ − 20 ξ⁷), ξ = x/β, 0 before and h after.",
-            Shape::ModifiedSine => "Modified sine rise: f″ of quarter sines and a long cosine between; 0 before and h after.",
-            Shape::ModifiedTrapezoid => "Modified trapezoidal rise: f″ a trapezoid with sine ramps; 0 before and h after.",
+            Shape::Polynomial345 => {
+                "3-4-5 polynomial rise: f(x) = h (10 ξ³ − 15 ξ⁴ + 6 ξ⁵), ξ = x/β, 0 before and h after."
+            }
+            Shape::Polynomial4567 => {
+                "4-5-6-7 polynomial rise: f(x) = h (35 ξ⁴ − 84 ξ⁵ + 70 ξ⁶ − 20 ξ⁷), ξ = x/β, 0 before and h after."
+            }
+            Shape::ModifiedSine => {
+                "Modified sine rise: f″ of quarter sines and a long cosine between; 0 before and h after."
+            }
+            Shape::ModifiedTrapezoid => {
+                "Modified trapezoidal rise: f″ a trapezoid with sine ramps; 0 before and h after."
+            }
         }
     }
 
@@ -208,7 +235,9 @@ impl LawFunction for Rise {
         piecewise(x, &[0.0, self.length], &|k, x| {
             Some(match k {
                 0 => x.times(0.0),
-                1 => self.shape.over(&(*x / Series::constant(Interval::from(self.length))))?.times(self.height),
+                1 => {
+                    self.shape.over(&(*x / Series::constant(Interval::from(self.length))))?.times(self.height)
+                }
                 _ => x.times(0.0).plus(self.height),
             })
         })
@@ -228,7 +257,9 @@ impl LawFunction for Rise {
     }
 
     fn refusal(&self) -> Option<String> {
-        (self.length <= 0.0).then(|| format!("{}: the length of a rise is above zero (length = {})", self.kind(), self.length))
+        (self.length <= 0.0).then(|| {
+            format!("{}: the length of a rise is above zero (length = {})", self.kind(), self.length)
+        })
     }
 
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {

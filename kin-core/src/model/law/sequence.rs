@@ -7,10 +7,12 @@ use super::{Break, Law, LawFunction, trusted_parts};
 use crate::numbers::enclosure::{Interval, Series, piecewise, repeated};
 
 impl Law {
-    /// Parts one after the other from x = `start` on, each for its length and with its own variable counted from its beginning: over a part that
-    /// begins at x_k the law is f_k(x − x_k). Before the first and after the last the end values are held.
+    /// Parts one after the other from x = `start` on, each for its length and with its own variable counted
+    /// from its beginning: over a part that begins at x_k the law is f_k(x − x_k). Before the first and after
+    /// the last the end values are held.
     ///
-    /// Parts must meet in value; a mechanism refuses a sequence that jumps. Where a derivative jumps there is a break.
+    /// Parts must meet in value; a mechanism refuses a sequence that jumps. Where a derivative jumps there is
+    /// a break.
     ///
     /// ```
     /// use kin::prelude::*;
@@ -23,9 +25,11 @@ impl Law {
         Law::new(Sequence::new(start, parts.into_iter().collect()))
     }
 
-    /// The part of this law over 0 ≤ x < period, over and over: the profile of a cam over one turn, with period 2π.
+    /// The part of this law over 0 ≤ x < period, over and over: the profile of a cam over one turn, with
+    /// period 2π.
     ///
-    /// Its ends must meet in value; a mechanism refuses a law that jumps. Where a derivative jumps there is a break.
+    /// Its ends must meet in value; a mechanism refuses a law that jumps. Where a derivative jumps there is a
+    /// break.
     pub fn periodic(&self, period: f64) -> Law {
         Law::new(Periodic { law: self.clone(), period, seam: OnceLock::new() })
     }
@@ -62,7 +66,9 @@ impl Sequence {
                 let right = law.jet(0.0);
                 let seam = match k.checked_sub(1).map(|before| (&self.parts[before], sizes[before])) {
                     None => Seam::before(right[0], right, sizes[k], length),
-                    Some(((before, law), size)) => Seam::after(law, *before, size, (right, sizes[k], length.min(*before))),
+                    Some(((before, law), size)) => {
+                        Seam::after(law, *before, size, (right, sizes[k], length.min(*before)))
+                    }
                 };
                 all.push(Joint { x: begin, order: seam.order(), values: (seam.end(), right[0]) });
             }
@@ -81,8 +87,14 @@ impl Sequence {
         self.seams().iter().filter_map(jump).filter(move |found| (from..=to).contains(&found.x))
     }
 
-    /// What each part has of its own between two places, by `list`: breaks at its ends are those of the seams.
-    fn own<I: IntoIterator<Item = Break>>(&self, from: f64, to: f64, list: impl Fn(&Law, f64, f64) -> I) -> Vec<Break> {
+    /// What each part has of its own between two places, by `list`: breaks at its ends are those of the
+    /// seams.
+    fn own<I: IntoIterator<Item = Break>>(
+        &self,
+        from: f64,
+        to: f64,
+        list: impl Fn(&Law, f64, f64) -> I,
+    ) -> Vec<Break> {
         let mut all = Vec::new();
         for (begin, length, law) in self.placed() {
             let edge = 1e-14 * length;
@@ -146,7 +158,8 @@ impl LawFunction for Sequence {
         let end = placed.last().map(|(begin, length, _)| begin + length);
         let seams: Vec<f64> = placed.iter().map(|(begin, ..)| *begin).chain(end).collect();
         piecewise(x, &seams, &|k, x| {
-            let held = |law: &Law, x0: f64| Some(x.times(0.0) + law.over(&Series::constant(Interval::from(x0)))?);
+            let held =
+                |law: &Law, x0: f64| Some(x.times(0.0) + law.over(&Series::constant(Interval::from(x0)))?);
             match (k.checked_sub(1).map(|k| placed.get(k)), placed.first(), placed.last()) {
                 (Some(Some((begin, _, law))), ..) => law.over(&x.plus(-begin)),
                 (None, Some((_, _, law)), _) => held(law, 0.0),
@@ -167,7 +180,11 @@ impl LawFunction for Sequence {
     }
 
     fn sharpest_break(&self, from: f64, to: f64) -> Option<Break> {
-        sharpest(self.own(from, to, |law, from, to| law.sharpest_break(from, to)).into_iter().chain(self.joints(from, to)))
+        sharpest(
+            self.own(from, to, |law, from, to| law.sharpest_break(from, to))
+                .into_iter()
+                .chain(self.joints(from, to)),
+        )
     }
 
     fn is_smooth(&self) -> bool {
@@ -224,7 +241,8 @@ impl LawFunction for Sequence {
     }
 }
 
-/// What x is beyond the last whole period: 0 ≤ … < period. (Of a number just below zero `rem_euclid` alone makes the period itself, by rounding.)
+/// What x is beyond the last whole period: 0 ≤ … < period. (Of a number just below zero `rem_euclid` alone
+/// makes the period itself, by rounding.)
 pub(super) fn within(x: f64, period: f64) -> f64 {
     let rest = x.rem_euclid(period);
     if rest >= period { 0.0 } else { rest }
@@ -295,7 +313,12 @@ impl LawFunction for Periodic {
         }
         self.law.refusal().or_else(|| {
             let ((order, end), begin) = (self.seam(), self.law.at(0.0));
-            let apart = || format!("the law does not repeat after {}: it begins at {begin} and ends at {end}", self.period);
+            let apart = || {
+                format!(
+                    "the law does not repeat after {}: it begins at {begin} and ends at {end}",
+                    self.period
+                )
+            };
             (order == Some(0)).then(apart)
         })
     }

@@ -11,14 +11,17 @@ use crate::model::error::Result;
 use crate::numbers::enclosure::{Interval, ONE, Series, piecewise, repeated};
 
 impl Law {
-    /// A cubic spline through the points (x, y), x increasing, at least two (three to be periodic): C² between the ends.
+    /// A cubic spline through the points (x, y), x increasing, at least two (three to be periodic): C²
+    /// between the ends.
     ///
-    /// A table that does not increase, or does not repeat though it should, is refused where a mechanism is to use the law.
+    /// A table that does not increase, or does not repeat though it should, is refused where a mechanism is
+    /// to use the law.
     pub fn spline(table: &[(f64, f64)], ends: Ends) -> Law {
         Law::new(Spline::new(Points { table: table.to_vec(), ends }))
     }
 
-    /// A cubic spline through the first two columns of a CSV file; a first line that is no numbers is a header.
+    /// A cubic spline through the first two columns of a CSV file; a first line that is no numbers is a
+    /// header.
     ///
     /// Errors: a file that cannot be read, a line without two numbers, a table that does not increase.
     pub fn spline_from_csv(path: impl AsRef<Path>, ends: Ends) -> Result<Law> {
@@ -54,7 +57,8 @@ impl Spline {
         spline
     }
 
-    /// f″ at the knots, from continuity of f′: (h_(k−1) m_(k−1) + 2 (h_(k−1) + h_k) m_k + h_k m_(k+1))/6 = s_k − s_(k−1).
+    /// f″ at the knots, from continuity of f′: (h_(k−1) m_(k−1) + 2 (h_(k−1) + h_k) m_k + h_k m_(k+1))/6 =
+    /// s_k − s_(k−1).
     fn curvatures(&self) -> Vec<f64> {
         let last = self.table.len() - 1;
         let mut rows = vec![[0.0, 1.0, 0.0, 0.0]; last + 1];
@@ -90,8 +94,9 @@ impl Spline {
         [self.table[k].1 + t * (v + t * (m0 / 2.0 + t * j / 6.0)), v + t * (m0 + t * j / 2.0), m0 + t * j, j]
     }
 
-    /// How far the curvatures can be from the solution of their equations. The diagonals exceed the rest of their rows, so no curvature is off by more than
-    /// the largest of what a row is missed by, over what its diagonal exceeds the rest by.
+    /// How far the curvatures can be from the solution of their equations. The diagonals exceed the rest of
+    /// their rows, so no curvature is off by more than the largest of what a row is missed by, over what its
+    /// diagonal exceeds the rest by.
     fn curvature_error(&self) -> f64 {
         let (last, number) = (self.table.len() - 1, |x: f64| Interval::from(x));
         let m = |k: usize| number(self.curvature[k]);
@@ -102,7 +107,8 @@ impl Spline {
         };
         let inner = |[a, b]: [usize; 2], [before, at, after]: [usize; 3]| {
             let ((h0, s0), (h1, s1)) = (interval(a), interval(b));
-            (h0 * m(before) + number(2.0) * (h0 + h1) * m(at) + h1 * m(after) - number(6.0) * (s1 - s0)) / (h0 + h1)
+            (h0 * m(before) + number(2.0) * (h0 + h1) * m(at) + h1 * m(after) - number(6.0) * (s1 - s0))
+                / (h0 + h1)
         };
         let end = |k: usize, [at, beside]: [usize; 2], rise: &dyn Fn(Interval) -> Interval| {
             let (h, slope) = interval(k);
@@ -111,14 +117,17 @@ impl Spline {
         let missed = |k: usize| match self.ends {
             Ends::Natural if k == 0 || k == last => m(k),
             Ends::Clamped { start, .. } if k == 0 => end(0, [0, 1], &|slope| slope - number(start)),
-            Ends::Clamped { end: to, .. } if k == last => end(last - 1, [last, last - 1], &|slope| number(to) - slope),
+            Ends::Clamped { end: to, .. } if k == last => {
+                end(last - 1, [last, last - 1], &|slope| number(to) - slope)
+            }
             Ends::Periodic if k == 0 || k == last => inner([last - 1, 0], [last - 1, 0, 1]),
             _ => inner([k - 1, k], [k - 1, k, k + 1]),
         };
         (0..=last).map(|k| missed(k).mag()).fold(0.0, f64::max)
     }
 
-    /// The polynomial of interval k, with bounds. The curvatures are those that a rounded elimination has found: what is meant is near them.
+    /// The polynomial of interval k, with bounds. The curvatures are those that a rounded elimination has
+    /// found: what is meant is near them.
     fn cubic(&self, k: usize, x: &Series) -> Series {
         let number = |x: f64| Interval::from(x);
         let [m0, m1] = [k, k + 1].map(|k| number(self.curvature[k]) + Interval::ball(self.error));
@@ -127,7 +136,8 @@ impl Spline {
         let v = (number(y1) - number(y0)) / h - h * (number(2.0) * m0 + m1) / number(6.0);
         let (half, third) = (m0 / number(2.0), (m1 - m0) / (number(6.0) * h));
         let t = x.plus(-x0);
-        Series::constant(number(y0)) + t * (Series::constant(v) + t * (Series::constant(half) + t * Series::constant(third)))
+        Series::constant(number(y0))
+            + t * (Series::constant(v) + t * (Series::constant(half) + t * Series::constant(third)))
     }
 
     /// The line with the first two coefficients of an end, t from there.
@@ -159,13 +169,15 @@ fn tridiagonal(mut rows: Vec<[f64; 4]>) -> Vec<f64> {
     m
 }
 
-/// The same where the first row's `below` is the last column and the last row's `above` the first (Sherman and Morrison).
+/// The same where the first row's `below` is the last column and the last row's `above` the first (Sherman
+/// and Morrison).
 fn cyclic(mut rows: Vec<[f64; 4]>) -> Vec<f64> {
     let last = rows.len() - 1;
     let (corner, other, gamma) = (rows[0][0], rows[last][2], -rows[0][1]);
     rows[0][1] -= gamma;
     rows[last][1] -= corner * other / gamma;
-    let mut border: Vec<[f64; 4]> = rows.iter().map(|[below, diagonal, above, _]| [*below, *diagonal, *above, 0.0]).collect();
+    let mut border: Vec<[f64; 4]> =
+        rows.iter().map(|[below, diagonal, above, _]| [*below, *diagonal, *above, 0.0]).collect();
     (border[0][3], border[last][3]) = (gamma, other);
     let (x, z) = (tridiagonal(rows), tridiagonal(border));
     let along = |v: &[f64]| v[0] + corner / gamma * v[last];
@@ -213,9 +225,15 @@ impl LawFunction for Spline {
             _ => self.over_many(x).or_else(|| {
                 piecewise(x, &knots, &|k, x| {
                     Some(match k {
-                        0 => self.line(self.cubic(0, &Series::variable(Interval::from(first), ONE, 2)), &x.plus(-first)),
+                        0 => self.line(
+                            self.cubic(0, &Series::variable(Interval::from(first), ONE, 2)),
+                            &x.plus(-first),
+                        ),
                         k if k < knots.len() => self.cubic(k - 1, x),
-                        k => self.line(self.cubic(k - 2, &Series::variable(Interval::from(last), ONE, 2)), &x.plus(-last)),
+                        k => self.line(
+                            self.cubic(k - 2, &Series::variable(Interval::from(last), ONE, 2)),
+                            &x.plus(-last),
+                        ),
                     })
                 })
             }),
@@ -240,7 +258,14 @@ impl LawFunction for Spline {
             let (order, found) = match self.ends {
                 Ends::Periodic if k == last => continue,
                 Ends::Periodic => (3, jumps(self.third(k + last - 1), self.third(k))),
-                _ if end => (outer, if outer == 2 { self.curvature[k] != 0.0 } else { jumps(self.third(k.min(last - 1)), 0.0) }),
+                _ if end => (
+                    outer,
+                    if outer == 2 {
+                        self.curvature[k] != 0.0
+                    } else {
+                        jumps(self.third(k.min(last - 1)), 0.0)
+                    },
+                ),
                 _ => (3, jumps(self.third(k - 1), self.third(k))),
             };
             if found {

@@ -36,7 +36,8 @@ pub(super) fn shown(law: &Law) -> Vec<(String, f64)> {
     all
 }
 
-/// A law and its derivatives lie within its bounds over each interval, and these are no wider than `factor` times what 2001 places show.
+/// A law and its derivatives lie within its bounds over each interval, and these are no wider than `factor`
+/// times what 2001 places show.
 pub(super) fn bounded(law: &Law, intervals: &[(f64, f64)], factor: f64) {
     for &(lo, hi) in intervals {
         let series = law.over(&Series::variable(Interval::new(lo, hi), ONE, 7)).expect("has bounds");
@@ -46,13 +47,20 @@ pub(super) fn bounded(law: &Law, intervals: &[(f64, f64)], factor: f64) {
             for (order, by) in [1.0, 1.0, 2.0, 6.0].into_iter().enumerate().take(series.len().min(4)) {
                 let (bounds, f) = (series.at(order), jet[order] / by);
                 let slack = 1e-12 * (1.0 + f.abs());
-                assert!(bounds.lo() - slack <= f && f <= bounds.hi() + slack, "{law:?} over {lo} to {hi}: {order} {f} {bounds:?}");
+                assert!(
+                    bounds.lo() - slack <= f && f <= bounds.hi() + slack,
+                    "{law:?} over {lo} to {hi}: {order} {f} {bounds:?}"
+                );
                 seen[order] = [seen[order][0].min(f), seen[order][1].max(f)];
             }
         }
         for (order, [least, most]) in seen.into_iter().enumerate().take(series.len().min(4)) {
             let room = factor * (0.5 * (most - least)) + 1e-11 * (1.0 + most.abs().max(least.abs()));
-            assert!(series.at(order).radius() <= room, "{law:?} over {lo} to {hi}: {order} {:?} {least} {most}", series.at(order));
+            assert!(
+                series.at(order).radius() <= room,
+                "{law:?} over {lo} to {hi}: {order} {:?} {least} {most}",
+                series.at(order)
+            );
         }
     }
 }
@@ -129,7 +137,10 @@ fn a_parameter_that_is_not_finite_is_refused_by_its_name() {
     assert_eq!(said(Law::polynomial(&[1.0, f64::NAN, f64::INFINITY])), "c[1] is NaN; give a finite number");
     assert_eq!(said(Law::linear(f64::NEG_INFINITY, 1.0)), "f0 is -inf; give a finite number");
     assert_eq!(said(Law::cycloidal(f64::NAN, -1.0)), "height is NaN; give a finite number");
-    assert_eq!(said(Law::cycloidal(1.0, -1.0)), "cycloidal: the length of a rise is above zero (length = -1)");
+    assert_eq!(
+        said(Law::cycloidal(1.0, -1.0)),
+        "cycloidal: the length of a rise is above zero (length = -1)"
+    );
     assert_eq!(said(Law::ramp(1.0)), "");
 }
 
@@ -144,7 +155,8 @@ fn breaks_are_asked_for_in_either_direction() {
     assert_eq!(law.sharpest_break(3.0, 9.0), None);
 }
 
-/// Each derivative may be off by nine digits of its own, and by what rounding of x makes of it; only the first two periods are asked.
+/// Each derivative may be off by nine digits of its own, and by what rounding of x makes of it; only the
+/// first two periods are asked.
 #[test]
 fn how_much_a_law_that_repeats_may_be_off() {
     const PERIOD: f64 = 4.0;

@@ -5,8 +5,9 @@ use crate::model::coordinates::{Argument, Target};
 use crate::model::error::{Error, Result};
 use crate::model::layout::{Layout, Place};
 
-/// Refuses, by name: parameters that are not finite or make no sense, bodies of other mechanisms, the same body or coordinate twice, rows without
-/// coordinates, and hand-written constraints that contradict themselves.
+/// Refuses, by name: parameters that are not finite or make no sense, bodies of other mechanisms, the same
+/// body or coordinate twice, rows without coordinates, and hand-written constraints that contradict
+/// themselves.
 pub(super) fn admit(mechanism: &str, layout: &Layout, name: &str, constraint: &dyn Constraint) -> Result<()> {
     finite_parameters(name, constraint)?;
     sensible_parameters(name, constraint)?;
@@ -25,7 +26,9 @@ fn finite_parameters(name: &str, constraint: &dyn Constraint) -> Result<()> {
         }
     });
     match bad {
-        Some((parameter, value)) => Err(Error::ParameterNotFinite { constraint: name.to_string(), parameter, value }),
+        Some((parameter, value)) => {
+            Err(Error::ParameterNotFinite { constraint: name.to_string(), parameter, value })
+        }
         None => Ok(()),
     }
 }
@@ -33,7 +36,11 @@ fn finite_parameters(name: &str, constraint: &dyn Constraint) -> Result<()> {
 /// What the constraint itself demands of its parameters (`#[require]`).
 pub(crate) fn sensible_parameters(name: &str, constraint: &dyn Constraint) -> Result<()> {
     match constraint.refusal() {
-        Some(reason) => Err(Error::InvalidParameters { constraint: name.to_string(), kind: constraint.kind().to_string(), reason }),
+        Some(reason) => Err(Error::InvalidParameters {
+            constraint: name.to_string(),
+            kind: constraint.kind().to_string(),
+            reason,
+        }),
         None => Ok(()),
     }
 }
@@ -49,7 +56,8 @@ fn places(mechanism: &str, layout: &Layout, name: &str, arguments: &[Argument]) 
     arguments.iter().map(place).collect()
 }
 
-/// No coordinate may come in by two arguments: neither a body twice, nor a coordinate twice, nor a body and one of its own.
+/// No coordinate may come in by two arguments: neither a body twice, nor a coordinate twice, nor a body and
+/// one of its own.
 fn different(layout: &Layout, name: &str, arguments: &[Argument], places: &[Place]) -> Result<()> {
     let range = |k: usize| match places[k] {
         Place::Own { first, .. } => Some(first..first + arguments[k].target.columns()),
@@ -59,7 +67,8 @@ fn different(layout: &Layout, name: &str, arguments: &[Argument], places: &[Plac
         for first in 0..second {
             let (Some(a), Some(b)) = (range(first), range(second)) else { continue };
             if a.start < b.end && b.start < a.end {
-                let both_bodies = [first, second].iter().all(|&k| !matches!(arguments[k].target, Target::Coord(..)));
+                let both_bodies =
+                    [first, second].iter().all(|&k| !matches!(arguments[k].target, Target::Coord(..)));
                 let body = layout.owner(a.start).map(|item| item.name.clone()).unwrap_or_default();
                 let coordinate = layout.names.get(a.start.max(b.start)).cloned().unwrap_or_default();
                 return Err(Error::RepeatedBody {
@@ -80,12 +89,18 @@ fn consistent(name: &str, constraint: &dyn Constraint, arguments: &[Argument]) -
     let rows = constraint.rows().len();
     let reason = if rows == 0 {
         "it has no row".to_string()
-    } else if let Some((row, column)) = constraint.pattern().iter().find(|(row, column)| *row >= rows || *column >= columns) {
+    } else if let Some((row, column)) =
+        constraint.pattern().iter().find(|(row, column)| *row >= rows || *column >= columns)
+    {
         format!("its pattern names row {row}, column {column}, but it has {rows} rows and {columns} columns")
     } else {
         return Ok(());
     };
-    Err(Error::InvalidConstraint { constraint: name.to_string(), kind: constraint.kind().to_string(), reason })
+    Err(Error::InvalidConstraint {
+        constraint: name.to_string(),
+        kind: constraint.kind().to_string(),
+        reason,
+    })
 }
 
 /// Every row must have a coordinate that can move.
@@ -93,10 +108,14 @@ fn movable(name: &str, constraint: &dyn Constraint, arguments: &[Argument], plac
     let own: Vec<bool> = arguments
         .iter()
         .zip(places)
-        .flat_map(|(argument, place)| std::iter::repeat_n(matches!(place, Place::Own { .. }), argument.target.columns()))
+        .flat_map(|(argument, place)| {
+            std::iter::repeat_n(matches!(place, Place::Own { .. }), argument.target.columns())
+        })
         .collect();
     let rows = constraint.rows();
-    let moves = |row: usize| constraint.pattern().iter().any(|&(r, column)| r == row && own.get(column).copied().unwrap_or(false));
+    let moves = |row: usize| {
+        constraint.pattern().iter().any(|&(r, column)| r == row && own.get(column).copied().unwrap_or(false))
+    };
     let Some(row) = (0..rows.len()).find(|&row| !moves(row)) else { return Ok(()) };
     let grounded = arguments.iter().zip(places).filter(|(_, place)| matches!(place, Place::Ground(_)));
     let names: Vec<String> = grounded.map(|(argument, _)| format!("`{}`", argument.name)).collect();
@@ -106,7 +125,9 @@ fn movable(name: &str, constraint: &dyn Constraint, arguments: &[Argument], plac
         reason: match names.as_slice() {
             [] => "its row of the pattern is empty; list where C_q may differ from zero".to_string(),
             [one] => format!("{one} is the ground; give it a body that can move"),
-            [rest @ .., last] => format!("{} and {last} are the ground; give it a body that can move", rest.join(", ")),
+            [rest @ .., last] => {
+                format!("{} and {last} are the ground; give it a body that can move", rest.join(", "))
+            }
         },
     })
 }

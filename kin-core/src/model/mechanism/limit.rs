@@ -24,10 +24,12 @@ impl Limit {
 }
 
 impl Mechanism {
-    /// The range that a measure of a joint (`"A.angle"`) or a coordinate (`"slider.R_x"`) should keep to, in its unit; infinite for no end. It
-    /// stops nothing: a run tells by an event when an end is passed ([`crate::Motion::events`]). Slots know their ends by themselves.
+    /// The range that a measure of a joint (`"A.angle"`) or a coordinate (`"slider.R_x"`) should keep to, in
+    /// its unit; infinite for no end. It stops nothing: a run tells by an event when an end is passed
+    /// ([`crate::Motion::events`]). Slots know their ends by themselves.
     ///
-    /// Errors: limits that are not in order. A name that nothing has is told by [`Mechanism::build`], with what can be asked.
+    /// Errors: limits that are not in order. A name that nothing has is told by [`Mechanism::build`], with
+    /// what can be asked.
     pub fn limit(&mut self, measure: &str, from: f64, to: f64) -> Result<()> {
         let limit = Limit { name: measure.to_string(), ends: [from, to] };
         limit.check()?;

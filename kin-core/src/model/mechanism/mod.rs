@@ -1,4 +1,5 @@
-//! A mechanism as it is described: bodies, bare coordinates and named constraints; then built into a [`crate::System`].
+//! A mechanism as it is described: bodies, bare coordinates and named constraints; then built into a
+//! [`crate::System`].
 
 pub(crate) mod admission;
 mod limit;
@@ -15,13 +16,16 @@ use preference::Wish;
 use std::collections::HashSet;
 
 use crate::model::constraint::Constraint;
-use crate::model::coordinates::{Coordinate, Ground, Link, MechanismId, PlanarBody, SpatialBody, Target, Trig};
+use crate::model::coordinates::{
+    Coordinate, Ground, Link, MechanismId, PlanarBody, SpatialBody, Target, Trig,
+};
 use crate::model::error::{Error, Result};
 use crate::model::layout::{Kind, Layout, Place};
 use crate::model::units::Units;
 use crate::numbers::algebra::Vec2;
 
-/// Bodies, bare coordinates and constraints under one name, in any consistent set of units (metre, radian and second in headers).
+/// Bodies, bare coordinates and constraints under one name, in any consistent set of units (metre, radian and
+/// second in headers).
 ///
 /// ```
 /// use kin::prelude::*;
@@ -122,8 +126,9 @@ impl Mechanism {
         &self.name
     }
 
-    /// What the units of length and time are called in files, pages and messages: `m.units("mm", "s")`. Words alone: nothing is converted, and all
-    /// numbers have to be in these units. Without it they are `m` and `s`.
+    /// What the units of length and time are called in files, pages and messages: `m.units("mm", "s")`. Words
+    /// alone: nothing is converted, and all numbers have to be in these units. Without it they are `m` and
+    /// `s`.
     ///
     /// A word that is empty is told by [`Mechanism::build`].
     pub fn units(&mut self, length: &str, time: &str) {
@@ -139,15 +144,16 @@ impl Mechanism {
         Ground
     }
 
-    /// A planar body between two pins that are `length` apart, frame at the middle; the assembly finds its pose.   \[m\]
+    /// A planar body between two pins that are `length` apart, frame at the middle; the assembly finds its
+    /// pose.   \[m\]
     ///
     /// Errors: length not above zero, name empty or taken.
     pub fn link(&mut self, name: &str, length: f64) -> Result<Link> {
         self.link_at(name, length, pose(0.0, 0.0, 0.0))
     }
 
-    /// A planar body between two pins at the global points `a` and `b`: their distance is its length, frame at the middle, x-axis from
-    /// `a` to `b`.   \[m\]
+    /// A planar body between two pins at the global points `a` and `b`: their distance is its length, frame
+    /// at the middle, x-axis from `a` to `b`.   \[m\]
     ///
     /// Errors: points that coincide or are not finite, name empty or taken.
     pub fn link_between(&mut self, name: &str, a: impl Into<Vec2>, b: impl Into<Vec2>) -> Result<Link> {
@@ -172,8 +178,8 @@ impl Mechanism {
         Ok(PlanarBody { mechanism: self.layout.mechanism, index: Some(index) })
     }
 
-    /// A spatial body with coordinates (R, e0, e1, e2, e3) and their guess; p is normalised, and |p|² = 1 becomes an equation of its own,
-    /// named `NAME.p`, when the mechanism is built.   \[m, –\]
+    /// A spatial body with coordinates (R, e0, e1, e2, e3) and their guess; p is normalised, and |p|² = 1
+    /// becomes an equation of its own, named `NAME.p`, when the mechanism is built.   \[m, –\]
     ///
     /// Errors: guess not finite or p = 0, name empty or taken.
     pub fn spatial(&mut self, name: &str, pose: SpatialPose) -> Result<SpatialBody> {
@@ -200,7 +206,11 @@ impl Mechanism {
     pub(crate) fn declare(&mut self, name: &str, kind: Kind, guess: &[f64]) -> Result<usize> {
         for ((suffix, _), &value) in kind.coordinates().iter().zip(guess) {
             if !value.is_finite() {
-                return Err(Error::InitialNotFinite { name: name.to_string(), coordinate: format!("{name}{suffix}"), value });
+                return Err(Error::InitialNotFinite {
+                    name: name.to_string(),
+                    coordinate: format!("{name}{suffix}"),
+                    value,
+                });
             }
         }
         let index = self.layout.declare(name, kind)?;
@@ -210,9 +220,9 @@ impl Mechanism {
 
     /// Adds a constraint under a name.
     ///
-    /// Errors, all by name: name empty or taken, a parameter that is not finite or makes no sense (a length below zero, a zero axis, a table
-    /// that does not increase), a body of another mechanism, the same body or coordinate
-    /// twice, an equation left without coordinates because its bodies are the ground.
+    /// Errors, all by name: name empty or taken, a parameter that is not finite or makes no sense (a length
+    /// below zero, a zero axis, a table that does not increase), a body of another mechanism, the same body
+    /// or coordinate twice, an equation left without coordinates because its bodies are the ground.
     pub fn add(&mut self, name: &str, constraint: impl IntoConstraint) -> Result<ConstraintId> {
         let constraint = constraint.into_constraint();
         if name.trim().is_empty() {
@@ -253,7 +263,11 @@ impl Mechanism {
     /// Errors: wrong length, not finite.
     pub fn set_initial(&mut self, q: &[f64]) -> Result<()> {
         if q.len() != self.initial.len() {
-            return Err(Error::WrongLength { what: "initial guess".to_string(), expected: self.initial.len(), found: q.len() });
+            return Err(Error::WrongLength {
+                what: "initial guess".to_string(),
+                expected: self.initial.len(),
+                found: q.len(),
+            });
         }
         if let Some(k) = q.iter().position(|x| !x.is_finite()) {
             return Err(self.layout.not_finite(k, q[k]));
@@ -264,7 +278,11 @@ impl Mechanism {
 
     /// Writes a guess; for the ground it is nothing to do.
     fn set_all(&mut self, place: &str, target: Target, values: &[f64]) -> Result<()> {
-        let foreign = || Error::ForeignBody { mechanism: self.name.clone(), place: place.to_string(), argument: "body".to_string() };
+        let foreign = || Error::ForeignBody {
+            mechanism: self.name.clone(),
+            place: place.to_string(),
+            argument: "body".to_string(),
+        };
         let Place::Own { first, .. } = self.layout.place(&target).ok_or_else(foreign)? else { return Ok(()) };
         if let Some(k) = values.iter().position(|x| !x.is_finite()) {
             return Err(self.layout.not_finite(first + k, values[k]));
@@ -273,10 +291,13 @@ impl Mechanism {
         Ok(())
     }
 
-    /// Itself, after what could not be told where nothing is returned. Errors: a word for a unit that is empty, a mistake in a preference.
+    /// Itself, after what could not be told where nothing is returned. Errors: a word for a unit that is
+    /// empty, a mistake in a preference.
     pub(crate) fn settled(mut self) -> Result<Self> {
         match self.refused.take() {
-            Some(Refused::Units(units)) => units.missing().map_or(Ok(()), |what| Err(Error::EmptyName { what }))?,
+            Some(Refused::Units(units)) => {
+                units.missing().map_or(Ok(()), |what| Err(Error::EmptyName { what }))?
+            }
             Some(Refused::Preference(wish)) => self.note(wish)?,
             None => {}
         }

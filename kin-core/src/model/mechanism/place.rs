@@ -1,4 +1,5 @@
-//! Bodies placed by points, and points found in bodies as they are drawn: frames at mid-link are where people slip.
+//! Bodies placed by points, and points found in bodies as they are drawn: frames at mid-link are where people
+//! slip.
 
 use super::{Mechanism, SpatialPose};
 use crate::model::body::Body;
@@ -45,7 +46,8 @@ impl<B: Body> Marker<B> {
 }
 
 impl Mechanism {
-    /// ū, where a global point is in a body as it is drawn: at the pose it was declared with or given since.   \[m\]
+    /// ū, where a global point is in a body as it is drawn: at the pose it was declared with or given
+    /// since.   \[m\]
     ///
     /// Errors: a body of another mechanism.
     pub fn local<B: Body>(&self, body: B, point: impl Into<B::Vector>) -> Result<B::Vector> {
@@ -62,18 +64,29 @@ impl Mechanism {
     /// A marker at a global point, with a global direction, of a body as it is drawn.   \[m, –\]
     ///
     /// Errors: a body of another mechanism, name empty.
-    pub fn marker<B: Body + Copy>(&self, name: &str, body: B, point: impl Into<B::Vector>, h: impl Into<B::Vector>) -> Result<Marker<B>> {
+    pub fn marker<B: Body + Copy>(
+        &self,
+        name: &str,
+        body: B,
+        point: impl Into<B::Vector>,
+        h: impl Into<B::Vector>,
+    ) -> Result<Marker<B>> {
         if name.trim().is_empty() {
             return Err(Error::EmptyName { what: "marker" });
         }
         Ok(Marker::new(name, body, self.local(body, point)?, self.local_direction(body, h)?))
     }
 
-    /// A spatial body between two joints at the global points `a` and `b`: their distance is its length, frame at the middle, x-axis from `a` to
-    /// `b`.   \[m\]
+    /// A spatial body between two joints at the global points `a` and `b`: their distance is its length,
+    /// frame at the middle, x-axis from `a` to `b`.   \[m\]
     ///
     /// Errors: points that coincide or are not finite, name empty or taken.
-    pub fn spatial_link_between(&mut self, name: &str, a: impl Into<Vec3>, b: impl Into<Vec3>) -> Result<SpatialLink> {
+    pub fn spatial_link_between(
+        &mut self,
+        name: &str,
+        a: impl Into<Vec3>,
+        b: impl Into<Vec3>,
+    ) -> Result<SpatialLink> {
         let (a, b) = (a.into(), b.into());
         let length = (b - a).norm();
         if !(length.is_finite() && length > 0.0) {
@@ -88,10 +101,13 @@ impl Mechanism {
     fn drawn<B: Body>(&self, body: B) -> Result<&[f64]> {
         let target = body.target();
         match self.layout.place(&target) {
-            Some(Place::Own { first, .. }) => Ok(self.initial.get(first..first + target.columns()).unwrap_or_default()),
+            Some(Place::Own { first, .. }) => {
+                Ok(self.initial.get(first..first + target.columns()).unwrap_or_default())
+            }
             Some(Place::Ground(_)) => Ok(&[]),
             None => {
-                let (mechanism, place, argument) = (self.name.clone(), "marker".to_string(), "body".to_string());
+                let (mechanism, place, argument) =
+                    (self.name.clone(), "marker".to_string(), "body".to_string());
                 Err(Error::ForeignBody { mechanism, place, argument })
             }
         }

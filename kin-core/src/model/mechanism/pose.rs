@@ -45,7 +45,8 @@ impl SpatialPose {
         SpatialPose { r: r.into(), p: EulerParameters::new(1.0, 0.0, 0.0, 0.0) }
     }
 
-    /// Turned by `angle` about the direction `axis` through its origin R: p = (cos φ/2, n sin φ/2). A zero axis turns nothing.   \[m, rad\]
+    /// Turned by `angle` about the direction `axis` through its origin R: p = (cos φ/2, n sin φ/2). A zero
+    /// axis turns nothing.   \[m, rad\]
     pub fn turned(r: impl Into<Vec3>, axis: impl Into<Vec3>, angle: f64) -> Self {
         let (r, axis) = (r.into(), axis.into());
         let largest = axis.x.abs().max(axis.y.abs()).max(axis.z.abs());
@@ -58,8 +59,9 @@ impl SpatialPose {
         SpatialPose { r, p: EulerParameters::new(cos, share * x, share * y, share * z) }
     }
 
-    /// At R with the body's x-axis along h of an axis and its y-axis along f: `SpatialPose::facing(r, vec3(1.0, 1.0, 0.0))`, or with both directions
-    /// chosen `SpatialPose::facing(r, Axis::new(h, f))`.   \[m, –\]
+    /// At R with the body's x-axis along h of an axis and its y-axis along f: `SpatialPose::facing(r,
+    /// vec3(1.0, 1.0, 0.0))`, or with both directions chosen `SpatialPose::facing(r, Axis::new(h,
+    /// f))`.   \[m, –\]
     pub fn facing(r: impl Into<Vec3>, x: impl Into<Axis>) -> Self {
         let Axis { h, f, g } = x.into();
         SpatialPose { r: r.into(), p: EulerParameters::from_rotation(Mat3::from_columns([h, f, g])) }
@@ -83,7 +85,9 @@ pub fn deg(x: f64) -> f64 {
 /// `n` numbers from `a` to `b`, evenly spaced, both ends exact; `[a]` for one, none for zero.
 pub fn linspace(a: f64, b: f64, n: usize) -> Vec<f64> {
     let last = n.saturating_sub(1);
-    (0..n).map(|k| if k == last && k > 0 { b } else { a + (b - a) * (k as f64 / last.max(1) as f64) }).collect()
+    (0..n)
+        .map(|k| if k == last && k > 0 { b } else { a + (b - a) * (k as f64 / last.max(1) as f64) })
+        .collect()
 }
 
 #[cfg(test)]
@@ -100,7 +104,8 @@ mod tests {
 
     #[test]
     fn euler_parameters_are_normalised() {
-        let q = SpatialPose::new(Vec3::new(1.0, 2.0, 3.0), EulerParameters::new(1e200, 0.0, 1e200, 0.0)).coordinates();
+        let q = SpatialPose::new(Vec3::new(1.0, 2.0, 3.0), EulerParameters::new(1e200, 0.0, 1e200, 0.0))
+            .coordinates();
         assert!((q[3] - 0.5_f64.sqrt()).abs() < 1e-15 && (q[5] - 0.5_f64.sqrt()).abs() < 1e-15);
         let turned = SpatialPose::turned(Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.0, 0.0, 2.0), deg(90.0));
         assert!((turned.p.e0 - 0.5_f64.sqrt()).abs() < 1e-15 && (turned.p.e3 - 0.5_f64.sqrt()).abs() < 1e-15);

@@ -6,8 +6,9 @@ use crate::model::error::{Error, Result};
 use crate::model::layout::Place;
 use crate::numbers::algebra::EulerParameters;
 
-/// What can be preferred, and by which kind of value V: a bare coordinate, a planar body or link by its angle θ, a spatial body or link by its Euler
-/// parameters or by its whole pose, a measure of a joint or a coordinate by its name (`"A.angle"`).
+/// What can be preferred, and by which kind of value V: a bare coordinate, a planar body or link by its angle
+/// θ, a spatial body or link by its Euler parameters or by its whole pose, a measure of a joint or a
+/// coordinate by its name (`"A.angle"`).
 pub trait Preferred<V> {
     /// What is meant by it.
     #[doc(hidden)]
@@ -89,12 +90,15 @@ impl Preferred<f64> for &String {
 }
 
 impl Mechanism {
-    /// Which of several assemblies: the one with this nearest the value: a coordinate; a planar body or link by its angle θ; a spatial body or link by
-    /// its Euler parameters, or by its pose; the measure of a joint or a coordinate by its name, as `m.prefer("elbow.angle", deg(-60.0))`. Coordinates and
-    /// bodies take it as their guess too. For a measure all assemblies are looked at ([`System::assemblies`](crate::System::assemblies)), unless the guess
-    /// leads near the value; of angles whole turns do not count.   \[m or rad\]
+    /// Which of several assemblies: the one with this nearest the value: a coordinate; a planar body or link
+    /// by its angle θ; a spatial body or link by its Euler parameters, or by its pose; the measure of a joint
+    /// or a coordinate by its name, as `m.prefer("elbow.angle", deg(-60.0))`. Coordinates and bodies take it
+    /// as their guess too. For a measure all assemblies are looked at
+    /// ([`System::assemblies`](crate::System::assemblies)), unless the guess leads near the value; of angles
+    /// whole turns do not count.   \[m or rad\]
     ///
-    /// A value that is not finite, a body of another mechanism or a name that nothing has is told by [`Mechanism::build`].
+    /// A value that is not finite, a body of another mechanism or a name that nothing has is told by
+    /// [`Mechanism::build`].
     pub fn prefer<V>(&mut self, what: impl Preferred<V>, value: V) {
         let wish = what.wish(value);
         if self.note(wish.clone()).is_err() {
@@ -104,13 +108,18 @@ impl Mechanism {
 
     pub(super) fn note(&mut self, wish: Wish) -> Result<()> {
         match wish {
-            Wish::Coordinate(coordinate, value) => self.prefer_all(Target::Coord(coordinate, Trig::Unused), &[value], 0),
+            Wish::Coordinate(coordinate, value) => {
+                self.prefer_all(Target::Coord(coordinate, Trig::Unused), &[value], 0)
+            }
             Wish::Pose(body, pose) => self.prefer_all(Target::Spatial(body), &pose.coordinates(), 0),
             Wish::Turn(body, p) => {
                 let target = Target::Spatial(body);
-                let first =
-                    self.layout.place(&target).and_then(|place| if let Place::Own { first, .. } = place { Some(first) } else { None });
-                let at = |k: usize| first.and_then(|first| self.initial.get(first + k)).copied().unwrap_or(0.0);
+                let first = self
+                    .layout
+                    .place(&target)
+                    .and_then(|place| if let Place::Own { first, .. } = place { Some(first) } else { None });
+                let at =
+                    |k: usize| first.and_then(|first| self.initial.get(first + k)).copied().unwrap_or(0.0);
                 let pose = SpatialPose::new((at(0), at(1), at(2)), p);
                 self.prefer_all(target, &pose.coordinates(), 3)
             }
@@ -119,7 +128,9 @@ impl Mechanism {
                 self.asked.push((name, value));
                 Ok(())
             }
-            Wish::Named(name, value) => Err(Error::ParameterNotFinite { constraint: "prefer".to_string(), parameter: name, value }),
+            Wish::Named(name, value) => {
+                Err(Error::ParameterNotFinite { constraint: "prefer".to_string(), parameter: name, value })
+            }
         }
     }
 

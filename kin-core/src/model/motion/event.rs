@@ -17,8 +17,8 @@ pub enum EventKind {
     TurningPoint,
     /// A change point: branches of the motion cross.
     Bifurcation,
-    /// A kink of an equation: the condition of an `if` changes, or `abs`, `max` or `min` takes its other side. Derivatives there are those of one
-    /// side. Of constraints on the dual route kinks are not known.
+    /// A kink of an equation: the condition of an `if` changes, or `abs`, `max` or `min` takes its other
+    /// side. Derivatives there are those of one side. Of constraints on the dual route kinks are not known.
     Kink,
 }
 

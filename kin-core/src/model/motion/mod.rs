@@ -14,7 +14,8 @@ pub use event::{Event, EventKind};
 pub use series::Series;
 pub use singular::{Branch, SingularKind, SingularPosition};
 
-/// q, q̇ and q̈ at each time (q⃛ too where it was asked for), all finite, and a report of how they were found.
+/// q, q̇ and q̈ at each time (q⃛ too where it was asked for), all finite, and a report of how they were
+/// found.
 #[derive(Clone)]
 pub struct Motion {
     pub(crate) name: String,
@@ -36,7 +37,8 @@ pub struct Motion {
     pub(crate) singular: Vec<SingularPosition>,
     /// The guess that the first position was found from.
     pub(crate) guess: Vec<f64>,
-    /// Drivers of turns in space that begin beyond a turn, with the angle: bodies there do not show how often they have turned.   \[rad\]
+    /// Drivers of turns in space that begin beyond a turn, with the angle: bodies there do not show how often
+    /// they have turned.   \[rad\]
     pub(crate) beyond_a_turn: Vec<(String, f64)>,
     /// By how much of their norms equations contradict one another, where that was allowed.   \[-\]
     pub(crate) misfit: f64,
@@ -55,7 +57,8 @@ pub struct EngineCounts {
 }
 
 impl Motion {
-    /// How many times a program has computed ([`crate::Engine::Compiled`]), and how often it has handed the rest of a block to plain steps.
+    /// How many times a program has computed ([`crate::Engine::Compiled`]), and how often it has handed the
+    /// rest of a block to plain steps.
     pub fn engine(&self) -> EngineCounts {
         self.engine
     }
@@ -69,7 +72,12 @@ impl Motion {
     pub(crate) fn followed_by(&self, later: &Motion) -> Motion {
         let mut whole = self.rows(0);
         whole.times.extend_from_slice(&later.times);
-        let kinds = [(&mut whole.q, &later.q), (&mut whole.qd, &later.qd), (&mut whole.qdd, &later.qdd), (&mut whole.qddd, &later.qddd)];
+        let kinds = [
+            (&mut whole.q, &later.q),
+            (&mut whole.qd, &later.qd),
+            (&mut whole.qdd, &later.qdd),
+            (&mut whole.qddd, &later.qddd),
+        ];
         kinds.into_iter().for_each(|(all, more)| all.extend_from_slice(more));
         whole.iterations.extend_from_slice(&later.iterations);
         whole.residuals.extend_from_slice(&later.residuals);
@@ -137,7 +145,8 @@ impl Motion {
         self.row(&self.qdd, k)
     }
 
-    /// q⃛ at time k; empty beyond the last time, and where the run was not asked for the jerk ([`crate::Options::jerk`]).   \[m/s³, rad/s³\]
+    /// q⃛ at time k; empty beyond the last time, and where the run was not asked for the jerk
+    /// ([`crate::Options::jerk`]).   \[m/s³, rad/s³\]
     pub fn qddd(&self, k: usize) -> &[f64] {
         self.row(&self.qddd, k)
     }
@@ -193,14 +202,14 @@ impl Motion {
         &self.outputs
     }
 
-    /// The breaks of laws that were crossed, where a derivative of the motion jumps, in the order of time: the first 100 000 of them, and of one
-    /// law between two times the first ten thousand.
+    /// The breaks of laws that were crossed, where a derivative of the motion jumps, in the order of time:
+    /// the first 100 000 of them, and of one law between two times the first ten thousand.
     pub fn breaks(&self) -> &[CrossedBreak] {
         &self.breaks
     }
 
-    /// The singular positions that were met, change points and at last a toggle, in the order of time; they are among
-    /// [`Motion::events`] too.
+    /// The singular positions that were met, change points and at last a toggle, in the order of time; they
+    /// are among [`Motion::events`] too.
     pub fn singular_positions(&self) -> &[SingularPosition] {
         &self.singular
     }

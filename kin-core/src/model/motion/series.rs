@@ -14,7 +14,12 @@ pub struct Series {
 
 impl Series {
     /// Values in `unit` at times in the unit that `units` calls it by.
-    pub(crate) fn new(name: impl Into<String>, unit: impl Into<String>, (times, units): (&[f64], &Units), values: Vec<f64>) -> Self {
+    pub(crate) fn new(
+        name: impl Into<String>,
+        unit: impl Into<String>,
+        (times, units): (&[f64], &Units),
+        values: Vec<f64>,
+    ) -> Self {
         Series { name: name.into(), unit: unit.into(), units: units.clone(), times: times.to_vec(), values }
     }
 
@@ -73,7 +78,8 @@ impl Series {
 
     /// Index of the first value that no other is better than.
     fn best(&self, better: impl Fn(f64, f64) -> bool) -> Option<usize> {
-        (0..self.values.len().min(self.times.len())).reduce(|best, k| if better(self.values[k], self.values[best]) { k } else { best })
+        (0..self.values.len().min(self.times.len()))
+            .reduce(|best, k| if better(self.values[k], self.values[best]) { k } else { best })
     }
 }
 
@@ -83,7 +89,8 @@ mod tests {
 
     #[test]
     fn extremes_and_their_times() {
-        let series = Series::new("x", "m", (&[0.0, 1.0, 2.0, 3.0], &Units::default()), vec![1.0, 5.0, -2.0, 5.0]);
+        let series =
+            Series::new("x", "m", (&[0.0, 1.0, 2.0, 3.0], &Units::default()), vec![1.0, 5.0, -2.0, 5.0]);
         assert_eq!((series.max(), series.at_max(), series.min(), series.at_min()), (5.0, 1.0, -2.0, 2.0));
         assert!(Series::new("x", "m", (&[], &Units::default()), vec![]).max().is_nan());
     }

@@ -10,7 +10,9 @@ use crate::model::words::list;
 /// What a change says of its cause, where it has been tried: the first thing to be told.
 pub(super) fn cause(change: &Change) -> Option<String> {
     match change {
-        Change::Resize { any } if any.len() == 1 => any.first().map(|only| format!("does not fit: {}.", Is(only))),
+        Change::Resize { any } if any.len() == 1 => {
+            any.first().map(|only| format!("does not fit: {}.", Is(only)))
+        }
         Change::Resize { any } => {
             let all: Vec<String> = any.iter().map(|resize| Is(resize).to_string()).collect();
             Some(format!("one of these does not fit: {}.", all.join(", ")))
@@ -18,16 +20,17 @@ pub(super) fn cause(change: &Change) -> Option<String> {
         Change::Allow { closure } => Some(format!(
             "nearly consistent: redundant equations contradict one another by no more than parts of ordinary accuracy do; `Options::closure({closure:e})` allows it."
         )),
-        Change::Pin { bodies: [a, b], .. } => {
-            Some(format!("freedoms left: `{a}` and `{b}` are held by one joint each, and nothing drives them."))
-        }
+        Change::Pin { bodies: [a, b], .. } => Some(format!(
+            "freedoms left: `{a}` and `{b}` are held by one joint each, and nothing drives them."
+        )),
         Change::Swap { constraint, bodies: [i, j], points: [u, v] } => Some(format!(
             "exchanged: `{constraint}` takes {} in `{i}`, which is a point of `{j}`, and {} in `{j}`, which is one of `{i}`.",
             Point(u),
             Point(v)
         )),
         Change::Local { points } => points.first().map(|first| {
-            let others = if points.len() > 1 { format!(" (and {} more)", points.len() - 1) } else { String::new() };
+            let others =
+                if points.len() > 1 { format!(" (and {} more)", points.len() - 1) } else { String::new() };
             format!(
                 "global point: `{}` takes {} in `{}`, where a local point is wanted{others}.",
                 first.constraint,
@@ -35,10 +38,13 @@ pub(super) fn cause(change: &Change) -> Option<String> {
                 first.body
             )
         }),
-        Change::Join { body } => Some(format!("freedom left: `{body}` is free in every way; no constraint holds it.")),
-        Change::OtherEnd { constraints: [a, b], body, point } => {
-            Some(format!("same end: `{a}` and `{b}` both hold `{body}` at {}, and nothing its other end.", Point(point)))
+        Change::Join { body } => {
+            Some(format!("freedom left: `{body}` is free in every way; no constraint holds it."))
         }
+        Change::OtherEnd { constraints: [a, b], body, point } => Some(format!(
+            "same end: `{a}` and `{b}` both hold `{body}` at {}, and nothing its other end.",
+            Point(point)
+        )),
         _ => None,
     }
 }
@@ -50,7 +56,9 @@ impl Display for Is<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match &self.0.of {
             Size::Length { body } => write!(f, "`{body}` is {} long", Point(&self.0.is)),
-            Size::Number { constraint, parameter } => write!(f, "`{constraint}.{parameter}` is {}", Point(&self.0.is)),
+            Size::Number { constraint, parameter } => {
+                write!(f, "`{constraint}.{parameter}` is {}", Point(&self.0.is))
+            }
             Size::Point { constraint, body, .. } => {
                 let body = body.as_ref().map_or("the ground".to_string(), |body| format!("`{body}`"));
                 write!(f, "`{constraint}` is at {} of {body}", Point(&self.0.is))
@@ -67,11 +75,15 @@ impl Display for Resize {
             (false, true) => "at least ",
             (false, false) => "at most ",
         };
-        let value =
-            Value { x: self.fits.first().copied().unwrap_or_default(), up: (!self.exact).then_some(self.fits.first() > self.is.first()) };
+        let value = Value {
+            x: self.fits.first().copied().unwrap_or_default(),
+            up: (!self.exact).then_some(self.fits.first() > self.is.first()),
+        };
         match &self.of {
             Size::Length { body } => write!(f, "make `{body}` {bound}{value} long"),
-            Size::Number { constraint, parameter } => write!(f, "make `{constraint}.{parameter}` {bound}{value}"),
+            Size::Number { constraint, parameter } => {
+                write!(f, "make `{constraint}.{parameter}` {bound}{value}")
+            }
             Size::Point { constraint, body, .. } => {
                 let body = body.as_ref().map_or("the ground".to_string(), |body| format!("`{body}`"));
                 write!(f, "move `{constraint}` to {} of {body}", Point(&self.fits))
@@ -113,7 +125,8 @@ struct Point<'a>(&'a [f64]);
 impl Display for Point<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let largest = self.0.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let all: Vec<String> = self.0.iter().map(|x| number(if x.abs() < 1e-6 * largest { 0.0 } else { *x })).collect();
+        let all: Vec<String> =
+            self.0.iter().map(|x| number(if x.abs() < 1e-6 * largest { 0.0 } else { *x })).collect();
         match &all[..] {
             [one] => f.write_str(one),
             all => write!(f, "({})", all.join(", ")),
@@ -135,14 +148,21 @@ impl Display for Change {
                 f.write_str(&all.join(", or "))
             }
             Change::Swap { constraint, bodies: [i, j], .. } => {
-                write!(f, "give `{constraint}` its bodies in the order of its points, first `{j}`, then `{i}`")
+                write!(
+                    f,
+                    "give `{constraint}` its bodies in the order of its points, first `{j}`, then `{i}`"
+                )
             }
             Change::Local { points } => local(f, points),
-            Change::OtherEnd { constraints: [a, b], body, .. } => write!(f, "let `{a}` or `{b}` hold the other end of `{body}`"),
+            Change::OtherEnd { constraints: [a, b], body, .. } => {
+                write!(f, "let `{a}` or `{b}` hold the other end of `{body}`")
+            }
             Change::Drop { constraint, rows, instead: Some(joint) } => {
                 write!(f, "make `{constraint}` {joint} (drops {})", rows_named(rows))
             }
-            Change::Drop { constraint, rows, instead: None } => write!(f, "drop {} of `{constraint}`", rows_named(rows)),
+            Change::Drop { constraint, rows, instead: None } => {
+                write!(f, "drop {} of `{constraint}`", rows_named(rows))
+            }
             Change::Drive { turn: Some(body), .. } => write!(f, "drive or hold the turn of `{body}`"),
             Change::Drive { coordinate, .. } => write!(f, "drive or hold `{coordinate}`"),
             Change::Pin { bodies: [a, b], coordinates: [x, y] } => {
@@ -152,7 +172,9 @@ impl Display for Change {
                 let all = quoted(constraints.iter().take(SHOWN));
                 write!(f, "for a mechanism that moves let one of {all} hold less, and add a motor")
             }
-            Change::Join { body } => write!(f, "join `{body}` to another body or the ground, or leave it out"),
+            Change::Join { body } => {
+                write!(f, "join `{body}` to another body or the ground, or leave it out")
+            }
             Change::HoldIdle { bodies } => hold_idle(f, bodies),
         }
     }
@@ -196,11 +218,16 @@ fn hold_idle(f: &mut Formatter<'_>, bodies: &[String]) -> Result {
     )
 }
 
-/// "let `motor` stay within reach, which ends near crank.theta = 0.7638, or make `coupler` at least 0.5607 long"
+/// "let `motor` stay within reach, which ends near crank.theta = 0.7638, or make `coupler` at least 0.5607
+/// long"
 fn limit(f: &mut Formatter<'_>, constraint: &str, asks: Option<&Asks>, or: &[Resize]) -> Result {
     match asks.filter(|asks| asks.is_more_than_a_turn()) {
         Some(asks) => {
-            write!(f, "give `{constraint}` radians, which `deg({:.1})` makes of degrees, or let it stay within reach", asks.asked)?;
+            write!(
+                f,
+                "give `{constraint}` radians, which `deg({:.1})` makes of degrees, or let it stay within reach",
+                asks.asked
+            )?;
         }
         None => write!(f, "let `{constraint}` stay within reach")?,
     }

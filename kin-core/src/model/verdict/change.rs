@@ -12,7 +12,8 @@ pub enum Change {
     Remove {
         /// The constraint.
         constraint: String,
-        /// Constraints of which any could be left out in its place: other drivers that contradict it, or joints of one row.
+        /// Constraints of which any could be left out in its place: other drivers that contradict it, or
+        /// joints of one row.
         or: Vec<String>,
     },
     /// Change a dimension by which a joint can be met.
@@ -26,13 +27,14 @@ pub enum Change {
         /// How many rows it has.
         of: usize,
     },
-    /// Give a dimension another value, any one of these: with it everything closes, and what drives has something to drive.
+    /// Give a dimension another value, any one of these: with it everything closes, and what drives has
+    /// something to drive.
     Resize {
         /// The likeliest first.
         any: Vec<Resize>,
     },
-    /// Allow redundant equations to contradict one another by this share of the mechanism's size, [`crate::Options::closure`]: they do so by no more
-    /// than parts of ordinary accuracy.
+    /// Allow redundant equations to contradict one another by this share of the mechanism's size,
+    /// [`crate::Options::closure`]: they do so by no more than parts of ordinary accuracy.
     Allow {
         /// What is to be allowed.   \[-\]
         closure: f64,
@@ -104,7 +106,8 @@ pub enum Change {
         /// The coordinates that could be driven instead.
         coordinates: [String; 2],
     },
-    /// Hold a turn that nothing depends on, [`crate::Mechanism::hold_idle_turns`]; or make the body a `distance` between its points.
+    /// Hold a turn that nothing depends on, [`crate::Mechanism::hold_idle_turns`]; or make the body a
+    /// `distance` between its points.
     HoldIdle {
         /// The bodies that turn as one.
         bodies: Vec<String>,

@@ -50,7 +50,8 @@ pub struct Diagnosis {
     /// Where to begin instead, at a position that is singular alone.
     #[serde(default)]
     pub elsewhere: Option<Elsewhere>,
-    /// The least change after which the mechanism is exactly constrained; empty where nothing is to be changed or nothing helps.
+    /// The least change after which the mechanism is exactly constrained; empty where nothing is to be
+    /// changed or nothing helps.
     pub changes: Vec<Change>,
 }
 

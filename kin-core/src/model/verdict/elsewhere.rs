@@ -14,7 +14,8 @@ pub enum Elsewhere {
     Drive {
         /// The driver.
         constraint: String,
-        /// What it asks for now, and what to ask for: where the coordinate stands at a position that is not singular.
+        /// What it asks for now, and what to ask for: where the coordinate stands at a position that is not
+        /// singular.
         asks: Asks,
     },
 }

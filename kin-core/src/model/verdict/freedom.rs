@@ -81,7 +81,8 @@ pub struct Freedom {
     pub coordinate: String,
     /// The motion in coordinates, C_q q̇ = 0 (length n).   \[m, rad\]
     pub direction: Vec<f64>,
-    /// Whether nothing depends on it: bodies that are held by points of one line turn about that line, a rod between two balls.
+    /// Whether nothing depends on it: bodies that are held by points of one line turn about that line, a rod
+    /// between two balls.
     #[serde(default)]
     pub idle: bool,
 }

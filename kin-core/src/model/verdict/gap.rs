@@ -14,11 +14,14 @@ pub struct Gap {
     pub rows: Vec<usize>,
     /// Names of its equations, such as `B.x`.
     pub equations: Vec<String>,
-    /// What is missing in each equation where all other constraints are met and this one as nearly as was found.   \[unit of the row\]
+    /// What is missing in each equation where all other constraints are met and this one as nearly as was
+    /// found.   \[unit of the row\]
     pub residual: Vec<f64>,
-    /// For a driver of one coordinate: the coordinate, what is asked of it, and where it stands at the nearest.   \[m or rad\]
+    /// For a driver of one coordinate: the coordinate, what is asked of it, and where it stands at the
+    /// nearest.   \[m or rad\]
     pub asks: Option<Asks>,
-    /// Whether its equations depend on the others at nearby poses too: then they contradict one another. If not, something does not reach.
+    /// Whether its equations depend on the others at nearby poses too: then they contradict one another. If
+    /// not, something does not reach.
     pub lasting: bool,
     /// From how many starts a pose was looked for.
     pub starts: usize,
@@ -47,7 +50,8 @@ pub struct Asks {
     pub asked: f64,
     /// Where it stands.   \[m or rad\]
     pub stands: f64,
-    /// By how much an angle that is asked of a first position lies beyond its guess; `None` of lengths and of later positions.   \[rad\]
+    /// By how much an angle that is asked of a first position lies beyond its guess; `None` of lengths and of
+    /// later positions.   \[rad\]
     #[serde(default)]
     pub beyond_guess: Option<f64>,
 }
@@ -57,7 +61,8 @@ impl Asks {
         Asks { coordinate, asked, stands, beyond_guess: None }
     }
 
-    /// Whether an angle is asked for that is more than a turn from its guess, as degrees in the place of radians are.
+    /// Whether an angle is asked for that is more than a turn from its guess, as degrees in the place of
+    /// radians are.
     pub(crate) fn is_more_than_a_turn(&self) -> bool {
         self.beyond_guess.is_some_and(|beyond| beyond.abs() > TAU)
     }

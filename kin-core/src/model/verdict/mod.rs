@@ -1,4 +1,5 @@
-//! What is wrong with a mechanism, or right with it, as data, and the words for it. `ask/diagnosis/` finds it out.
+//! What is wrong with a mechanism, or right with it, as data, and the words for it. `ask/diagnosis/` finds it
+//! out.
 
 mod advice;
 mod change;

@@ -16,7 +16,9 @@ pub(super) enum Line<'a> {
 
 /// The dependencies in their order, those of a constraint that repeats others in many equations together.
 pub(super) fn gathered<'a>(all: &[&'a Dependency]) -> Vec<Line<'a>> {
-    let own = |found: &Dependency| found.terms.first().map(|term| term.constraint.clone()).filter(|_| found.class == Class::Redundant);
+    let own = |found: &Dependency| {
+        found.terms.first().map(|term| term.constraint.clone()).filter(|_| found.class == Class::Redundant)
+    };
     let mut lines: Vec<Line<'a>> = Vec::new();
     let mut done: Vec<String> = Vec::new();
     for &found in all {
@@ -27,7 +29,8 @@ pub(super) fn gathered<'a>(all: &[&'a Dependency]) -> Vec<Line<'a>> {
         if done.contains(&name) {
             continue;
         }
-        let same: Vec<&Dependency> = all.iter().copied().filter(|other| own(other).as_ref() == Some(&name)).collect();
+        let same: Vec<&Dependency> =
+            all.iter().copied().filter(|other| own(other).as_ref() == Some(&name)).collect();
         if same.len() > MANY {
             lines.push(Line::Many(same));
             done.push(name);
@@ -50,8 +53,11 @@ impl Display for Line<'_> {
                 others.push(name.to_string());
             }
         }
-        let mut equations: Vec<(usize, String)> =
-            all.iter().filter_map(|found| found.terms.first()).map(|term| (term.row, term.equation.clone())).collect();
+        let mut equations: Vec<(usize, String)> = all
+            .iter()
+            .filter_map(|found| found.terms.first())
+            .map(|term| (term.row, term.equation.clone()))
+            .collect();
         equations.sort_unstable();
         let equations: Vec<String> = equations.into_iter().map(|(_, name)| name).collect();
         let say = if others.len() == 1 { "says" } else { "say" };

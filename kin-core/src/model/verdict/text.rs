@@ -66,12 +66,18 @@ impl Diagnosis {
             return self.advice(f);
         }
         // A conflict of positions is told with its gap, and so are other equations of the same constraint.
-        let open = |found: &Dependency| found.terms.first().is_some_and(|own| self.gaps.iter().any(|gap| gap.rows.contains(&own.row)));
-        let told = |found: &Dependency| open(found) || matches!(found.class, Class::Contradictory { level: Level::Position, .. });
+        let open = |found: &Dependency| {
+            found.terms.first().is_some_and(|own| self.gaps.iter().any(|gap| gap.rows.contains(&own.row)))
+        };
+        let told = |found: &Dependency| {
+            open(found) || matches!(found.class, Class::Contradictory { level: Level::Position, .. })
+        };
         let dependencies: Vec<&Dependency> = self.dependencies.iter().filter(|found| !told(found)).collect();
         lines(f, &repeats::gathered(&dependencies), "dependency", "dependencies")?;
         // What gives a little or is free only here is so because the gap is the smallest.
-        let real = |freedom: &&Freedom| (self.gaps.is_empty() || freedom.persistence == Persistence::Always) && !self.joins(freedom);
+        let real = |freedom: &&Freedom| {
+            (self.gaps.is_empty() || freedom.persistence == Persistence::Always) && !self.joins(freedom)
+        };
         lines(f, &self.freedoms.iter().filter(real).collect::<Vec<_>>(), "freedom", "freedoms")?;
         self.advice(f)
     }
@@ -82,7 +88,11 @@ impl Diagnosis {
             match &self.elsewhere {
                 Some(Elsewhere::Time(at)) => {
                     let units = self.units.time();
-                    write!(f, "\n  A toggle or change point: begin at t = {} {units}, or step over this time.", time(*at))?;
+                    write!(
+                        f,
+                        "\n  A toggle or change point: begin at t = {} {units}, or step over this time.",
+                        time(*at)
+                    )?;
                 }
                 Some(Elsewhere::Drive { constraint, asks: Asks { coordinate, stands, .. } }) => {
                     write!(
@@ -94,18 +104,26 @@ impl Diagnosis {
             }
         }
         let stiff = self.freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Infinitesimal);
-        let names: Vec<String> = stiff.flat_map(|freedom| &freedom.motions).flat_map(|motion| motion.names.clone()).collect();
+        let names: Vec<String> =
+            stiff.flat_map(|freedom| &freedom.motions).flat_map(|motion| motion.names.clone()).collect();
         if !names.is_empty() {
             let (give, move_on) = if names.len() == 1 { ("gives", "moves") } else { ("give", "move") };
-            write!(f, "\n  special position: {} {give} a little, as bars in line do, and {move_on} no further.", list(&names))?;
+            write!(
+                f,
+                "\n  special position: {} {give} a little, as bars in line do, and {move_on} no further.",
+                list(&names)
+            )?;
         }
         Ok(())
     }
 
-    /// Whether a change has been tried with which everything closes and moves: what else is wrong at this pose is so because of its cause.
+    /// Whether a change has been tried with which everything closes and moves: what else is wrong at this
+    /// pose is so because of its cause.
     fn is_cured(&self) -> bool {
         self.equations >= self.coordinates
-            && self.changes.iter().any(|change| cause(change).is_some() && !matches!(change, Change::Join { .. } | Change::Pin { .. }))
+            && self.changes.iter().any(|change| {
+                cause(change).is_some() && !matches!(change, Change::Join { .. } | Change::Pin { .. })
+            })
     }
 
     /// Whether a freedom is one of a body that no constraint holds, which its change tells.
@@ -154,7 +172,10 @@ struct GapLine<'a>(&'a Gap, &'a Diagnosis);
 impl Display for GapLine<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let GapLine(gap, diagnosis) = self;
-        let sets = diagnosis.dependencies.iter().filter(|found| found.terms.iter().any(|term| gap.rows.contains(&term.row)));
+        let sets = diagnosis
+            .dependencies
+            .iter()
+            .filter(|found| found.terms.iter().any(|term| gap.rows.contains(&term.row)));
         let mut others: Vec<String> = Vec::new();
         for name in sets.flat_map(|found| found.constraints()).filter(|name| *name != gap.constraint) {
             if !others.iter().any(|known| known == name) {
@@ -170,9 +191,16 @@ impl Display for GapLine<'_> {
             Some(asks) => {
                 let (coordinate, [asked, stands]) = (&asks.coordinate, different(asks.asked, asks.stands));
                 let turn = if asks.is_more_than_a_turn() { ", more than a turn from its guess" } else { "" };
-                write!(f, "{what}: `{name}` asks for {coordinate} = {asked}{turn}; {with} it stands at {stands}.")
+                write!(
+                    f,
+                    "{what}: `{name}` asks for {coordinate} = {asked}{turn}; {with} it stands at {stands}."
+                )
             }
-            None => write!(f, "{what}: `{name}` cannot be met; {with} it is off by {} at the least.", number(gap.size())),
+            None => write!(
+                f,
+                "{what}: `{name}` cannot be met; {with} it is off by {} at the least.",
+                number(gap.size())
+            ),
         }?;
         match gap.starts {
             0 | 1 => Ok(()),
@@ -214,7 +242,12 @@ impl Display for Dependency {
                 };
                 let names: Vec<String> = self.constraints().iter().map(ToString::to_string).collect();
                 let off = number(residual.abs());
-                write!(f, "contradictory: {} {what}: `{name}`{}, and they are off by {off}.", list(&names), Sum(others))
+                write!(
+                    f,
+                    "contradictory: {} {what}: `{name}`{}, and they are off by {off}.",
+                    list(&names),
+                    Sum(others)
+                )
             }
         }
     }
@@ -266,15 +299,25 @@ impl Display for BodyMotion {
         write!(f, "{} ", list(&self.names))?;
         let verb = |one: &str| if several { one.trim_end_matches('s').to_string() } else { one.to_string() };
         match self.how {
-            How::TurnsAbout { point: [x, y], .. } => write!(f, "{} about ({}, {})", verb("turns"), number(x), number(y)),
-            How::Slides { along: [x, y], .. } => write!(f, "{} along ({}, {})", verb("slides"), number(x), number(y)),
+            How::TurnsAbout { point: [x, y], .. } => {
+                write!(f, "{} about ({}, {})", verb("turns"), number(x), number(y))
+            }
+            How::Slides { along: [x, y], .. } => {
+                write!(f, "{} along ({}, {})", verb("slides"), number(x), number(y))
+            }
             How::SlidesInSpace { along, .. } => write!(f, "{} along {}", verb("slides"), Vector(along)),
             How::Screws { point, axis, pitch: 0.0, .. } => {
                 write!(f, "{} about the axis through {} along {}", verb("turns"), Vector(point), Vector(axis))
             }
             How::Screws { point, axis, pitch, .. } => {
                 let pitch = number(pitch);
-                write!(f, "{} about the axis through {} along {}, {pitch} a radian", verb("screws"), Vector(point), Vector(axis))
+                write!(
+                    f,
+                    "{} about the axis through {} along {}, {pitch} a radian",
+                    verb("screws"),
+                    Vector(point),
+                    Vector(axis)
+                )
             }
             How::Changes { .. } => write!(f, "{}", verb("changes")),
         }
@@ -297,7 +340,9 @@ pub(super) fn number(x: f64) -> String {
         0.0 => "0.000".to_string(),
         size if (0.1..1e4).contains(&size) => format!("{x:.3}"),
         size if size < 1e-12 => "0.000".to_string(),
-        size if (1e-4..0.1).contains(&size) => format!("{x:.decimals$}", decimals = (2.0 - size.log10().floor()) as usize),
+        size if (1e-4..0.1).contains(&size) => {
+            format!("{x:.decimals$}", decimals = (2.0 - size.log10().floor()) as usize)
+        }
         _ => format!("{x:.2e}"),
     }
 }

@@ -2,11 +2,12 @@
 
 use super::{Scalar, Vec3};
 
-/// A direction in a spatial body with two others across it: unit vectors h, f and g = h × f, all local to the body.   \[–\]
+/// A direction in a spatial body with two others across it: unit vectors h, f and g = h × f, all local to the
+/// body.   \[–\]
 ///
-/// f is where angles about h are measured from, by the right-hand rule. They are worked out once, when the axis is made: a joint whose kept
-/// components depended on the pose would lose rank at some of them. Any `Vec3` is an axis with an f of Kin's choice (x for z, y for x, z for y);
-/// [`Axis::new`] chooses f.
+/// f is where angles about h are measured from, by the right-hand rule. They are worked out once, when the
+/// axis is made: a joint whose kept components depended on the pose would lose rank at some of them. Any
+/// `Vec3` is an axis with an f of Kin's choice (x for z, y for x, z for y); [`Axis::new`] chooses f.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis<T = f64> {
     /// Along the axis.
@@ -18,15 +19,16 @@ pub struct Axis<T = f64> {
 }
 
 impl Axis {
-    /// The axis along `h`; `f` is made perpendicular to it. A direction that is zero, or an `f` along `h`, gives vectors that are not numbers,
-    /// which a mechanism refuses by name.
+    /// The axis along `h`; `f` is made perpendicular to it. A direction that is zero, or an `f` along `h`,
+    /// gives vectors that are not numbers, which a mechanism refuses by name.
     pub fn new(h: impl Into<Vec3>, f: impl Into<Vec3>) -> Self {
         let (h, f) = (unit(h.into()), unit(f.into()));
         let f = across(h, f);
         Axis { h, f, g: h.cross(f) }
     }
 
-    /// The axis along `h`, with an f of Kin's choice: across h, nearest to the axis of the body's frame that follows h's largest component.
+    /// The axis along `h`, with an f of Kin's choice: across h, nearest to the axis of the body's frame that
+    /// follows h's largest component.
     pub fn along(h: impl Into<Vec3>) -> Self {
         let h = unit(h.into());
         let [x, y, z] = h.to_array().map(f64::abs);
@@ -45,12 +47,14 @@ impl Axis {
 }
 
 impl<T: Scalar> Vec3<T> {
-    /// The axis along a direction that does not move: [`Axis::along`] for any numbers, for measures of joints that hold the direction alone.
+    /// The axis along a direction that does not move: [`Axis::along`] for any numbers, for measures of joints
+    /// that hold the direction alone.
     pub fn axis(self) -> Axis<T> {
         Axis::along(self.plain()).map(|v| v.map(Into::into))
     }
 
-    /// The same with f as near to another direction as may be, the part of it across the axis; where there is none, f is of Kin's choice.
+    /// The same with f as near to another direction as may be, the part of it across the axis; where there is
+    /// none, f is of Kin's choice.
     pub fn axis_near(self, f: Vec3<T>) -> Axis<T> {
         let chosen = Axis::new(self.plain(), f.plain());
         let axis = if chosen.is_sound() { chosen } else { Axis::along(self.plain()) };
@@ -97,12 +101,20 @@ mod tests {
     fn orthonormal(axis: Axis) -> bool {
         let Axis { h, f, g } = axis;
         let right_handed = h.cross(f).dot(g);
-        [h.norm() - 1.0, f.norm() - 1.0, g.norm() - 1.0, h.dot(f), h.dot(g), f.dot(g), right_handed - 1.0].iter().all(|x| x.abs() < 1e-15)
+        [h.norm() - 1.0, f.norm() - 1.0, g.norm() - 1.0, h.dot(f), h.dot(g), f.dot(g), right_handed - 1.0]
+            .iter()
+            .all(|x| x.abs() < 1e-15)
     }
 
     #[test]
     fn vectors_are_orthonormal_and_right_handed() {
-        for h in [vec3(0.0, 0.0, 1.0), vec3(1e-200, 2e-200, 0.0), vec3(1.0, 1.0, 1.0), vec3(-3e150, 1e150, 2e150), vec3(1.0, -1.0, 0.0)] {
+        for h in [
+            vec3(0.0, 0.0, 1.0),
+            vec3(1e-200, 2e-200, 0.0),
+            vec3(1.0, 1.0, 1.0),
+            vec3(-3e150, 1e150, 2e150),
+            vec3(1.0, -1.0, 0.0),
+        ] {
             assert!(orthonormal(Axis::along(h)), "{h:?}: {:?}", Axis::along(h));
         }
         assert!(orthonormal(Axis::new(vec3(0.0, 0.0, 2.0), vec3(1.0, 1.0, 5.0))));

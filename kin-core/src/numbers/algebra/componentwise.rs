@@ -9,7 +9,8 @@ macro_rules! mixed {
     };
 }
 
-/// Arithmetic component by component: ±, negation, times and by a number, sums, conversions of the components.
+/// Arithmetic component by component: ±, negation, times and by a number, sums, conversions of the
+/// components.
 macro_rules! componentwise {
     ($kind:ident { $($c:ident),* }) => {
         mixed!(Add::add, $kind, $kind => $kind, |a, b| $kind { $($c: a.$c + b.$c),* });

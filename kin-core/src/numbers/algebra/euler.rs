@@ -8,7 +8,8 @@ use super::vector::{sum, vector};
 use super::{Components, Mat3, Mix, Mixed, Scalar, Vec3};
 use crate::numbers::real::{Dual, Real, assign, by_ref};
 
-/// Euler parameters p = (e0, e) = (cos φ/2, u sin φ/2) of a turn by φ about the unit vector u, a rotation where |p| = 1.
+/// Euler parameters p = (e0, e) = (cos φ/2, u sin φ/2) of a turn by φ about the unit vector u, a rotation
+/// where |p| = 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EulerParameters<T = f64> {
     /// cos φ/2, the scalar.
@@ -41,10 +42,14 @@ impl EulerParameters {
 }
 
 impl EulerParameters {
-    /// p of a rotation matrix A, e0 ≥ 0: the other way of [`EulerParameters::rotation`]. A matrix that is no rotation gives what is not to be used.
+    /// p of a rotation matrix A, e0 ≥ 0: the other way of [`EulerParameters::rotation`]. A matrix that is no
+    /// rotation gives what is not to be used.
     pub fn from_rotation(a: Mat3) -> Self {
         let matrix = nalgebra::Matrix3::from(a);
-        let turn = nalgebra::UnitQuaternion::from_rotation_matrix(&nalgebra::Rotation3::from_matrix_unchecked(matrix)).into_inner();
+        let turn = nalgebra::UnitQuaternion::from_rotation_matrix(
+            &nalgebra::Rotation3::from_matrix_unchecked(matrix),
+        )
+        .into_inner();
         let sign = if turn.w < 0.0 { -1.0 } else { 1.0 };
         EulerParameters { e0: sign * turn.w, e1: sign * turn.i, e2: sign * turn.j, e3: sign * turn.k }
     }
@@ -70,7 +75,8 @@ impl<T: Scalar> EulerParameters<T> {
         EulerParameters { e0: self.e0, e1: -self.e1, e2: -self.e2, e3: -self.e3 }
     }
 
-    /// A = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ, body to global. The other algebraic forms of A differ from it off |p| = 1.
+    /// A = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ, body to global. The other algebraic forms of A differ from it off
+    /// |p| = 1.
     pub fn rotation(self) -> Mat3<T> {
         let (e0, e) = (self.e0, self.vector());
         let (double, scalar) = (e + e, e0 + e0);
@@ -90,7 +96,8 @@ impl<T: Scalar> EulerParameters<T> {
         }
     }
 
-    /// The quaternion product p q, also `p * q`: first the turn q, then p, A(p q) = A(p) A(q) where |p| = |q| = 1.
+    /// The quaternion product p q, also `p * q`: first the turn q, then p, A(p q) = A(p) A(q) where |p| = |q|
+    /// = 1.
     #[inline]
     pub fn product<V: Components<4>>(self, q: V) -> EulerParameters<Mixed<T, V::Scalar>>
     where
@@ -129,7 +136,9 @@ mod tests {
         let a = UnitQuaternion::from_quaternion(quaternion(P)).to_rotation_matrix();
         assert!((nalgebra::Matrix3::from(P.normalize().rotation()) - a.matrix()).norm() < 1e-15);
         let turn = UnitQuaternion::from_axis_angle(&Unit::new_normalize(Vector3::new(1.0, 2.0, -2.0)), 0.8);
-        assert!((quaternion(EulerParameters::from_axis_angle(vec3(1.0, 2.0, -2.0), 0.8)) - *turn).norm() < 1e-15);
+        assert!(
+            (quaternion(EulerParameters::from_axis_angle(vec3(1.0, 2.0, -2.0), 0.8)) - *turn).norm() < 1e-15
+        );
     }
 
     #[test]

@@ -90,7 +90,10 @@ mod tests {
         let (a, b, v) = (Matrix2::from(A), Matrix2::from(B), Vector2::from(V));
         assert_eq!((A * V, A * B), ((a * v).into(), (a * b).into()));
         assert_eq!(2.0 * A - B / 2.0, (a * 2.0 - b / 2.0).into());
-        assert_eq!((A.transpose(), A.determinant(), A.trace()), (a.transpose().into(), a.determinant(), a.trace()));
+        assert_eq!(
+            (A.transpose(), A.determinant(), A.trace()),
+            (a.transpose().into(), a.determinant(), a.trace())
+        );
         assert_eq!((A.row(1), A.column(1)), (vec2(3.0, -4.0), vec2(2.0, -4.0)));
         assert_eq!((A[(0, 1)], A[(1, 0)]), (a[(0, 1)], a[(1, 0)]));
         assert_eq!(Mat2::rotation(0.4), (*Rotation2::new(0.4).matrix()).into());
@@ -110,7 +113,12 @@ mod tests {
         let turning = Mat2::rotation(Real(Dual64::new(0.4, 1.0)));
         let rate = |v: Vec2<Real<Dual64>>| v.map(|x| x.0.eps);
         let expected = Mat2::rotation(0.4) * V.perp();
-        for v in [turning * V, &turning * &V, turning * V.map(Real::from), (turning * B) * V - turning * (B * V) + turning * V] {
+        for v in [
+            turning * V,
+            &turning * &V,
+            turning * V.map(Real::from),
+            (turning * B) * V - turning * (B * V) + turning * V,
+        ] {
             assert!((rate(v) - expected).norm() < 1e-15);
         }
         assert_eq!(rate(A * (turning * V)), A * rate(turning * V));

@@ -6,7 +6,8 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 use crate::numbers::real::{Dual, Real};
 
-/// A number: `f64`, or `Real<D>` for every [`Dual`] D. It computes and compares with itself and with `f64`. The trait is sealed.
+/// A number: `f64`, or `Real<D>` for every [`Dual`] D. It computes and compares with itself and with `f64`.
+/// The trait is sealed.
 pub trait Scalar:
     sealed::Sealed
     + Mix<Self, Mixed = Self>
@@ -49,7 +50,8 @@ pub trait Scalar:
     fn length<const N: usize>(components: [Self; N]) -> Self;
 }
 
-/// A number that computes with numbers `U`: each with itself, `f64` and `Real<D>` with each other. The result is [`Mixed<Self, U>`](Mixed).
+/// A number that computes with numbers `U`: each with itself, `f64` and `Real<D>` with each other. The result
+/// is [`Mixed<Self, U>`](Mixed).
 #[diagnostic::on_unimplemented(
     message = "no number of Kin is both `{Self}` and `{U}`",
     note = "numbers are `f64` and `Real<D>`; write 1.0, not 1"

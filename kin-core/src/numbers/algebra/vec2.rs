@@ -48,7 +48,8 @@ impl<T: Scalar> Vec2<T> {
         Vec2 { x: -self.y, y: self.x }
     }
 
-    /// a × b = aₓ b_y − a_y bₓ, the z-component of the cross product; positive where b lies counter-clockwise of a.
+    /// a × b = aₓ b_y − a_y bₓ, the z-component of the cross product; positive where b lies counter-clockwise
+    /// of a.
     #[inline]
     pub fn cross<V: Components<2>>(self, other: V) -> Mixed<T, V::Scalar>
     where
@@ -108,7 +109,10 @@ mod tests {
         assert_eq!(A.component_mul(B), a.component_mul(&b).into());
         assert_eq!(A.component_div(B), a.component_div(&b).into());
         assert_eq!(A.lerp(B, 0.25), a.lerp(&b, 0.25).into());
-        assert_eq!((A.dot(b), A.dot(&B), A.dot([0.3, 4.0]), A.dot((0.3, 4.0))), (A.dot(B), A.dot(B), A.dot(B), A.dot(B)));
+        assert_eq!(
+            (A.dot(b), A.dot(&B), A.dot([0.3, 4.0]), A.dot((0.3, 4.0))),
+            (A.dot(B), A.dot(B), A.dot(B), A.dot(B))
+        );
     }
 
     #[test]
@@ -125,7 +129,18 @@ mod tests {
         c -= B;
         c *= 2.0;
         c /= 2.0;
-        for d in [&A * 1.0, A * &1.0, 1.0 * &A, &1.0 * A, &A / 1.0, -(-&A), &A + &B - &B, &A - B + B, [A].into_iter().sum(), c] {
+        for d in [
+            &A * 1.0,
+            A * &1.0,
+            1.0 * &A,
+            &1.0 * A,
+            &A / 1.0,
+            -(-&A),
+            &A + &B - &B,
+            &A - B + B,
+            [A].into_iter().sum(),
+            c,
+        ] {
             assert!((d - A).norm() < 1e-15);
         }
         assert_eq!((vec2(0.0, 1.0) + vec2(3.0, 3.0)).norm(), 5.0);

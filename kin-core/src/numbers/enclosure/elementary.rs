@@ -1,11 +1,13 @@
-//! The elementary functions over an interval. Where a function has no value for some of the numbers, nothing is known ([`ALL`]).
+//! The elementary functions over an interval. Where a function has no value for some of the numbers, nothing
+//! is known ([`ALL`]).
 
 use kin_graph::functions::{acosh, atanh};
 
 use super::interval::{ALL, ALLOWED, Interval, ONE, PI, UNIT, down};
 
-/// Of angles larger than this sine, cosine and tangent are allowed an error that is so many times as large: glibc takes so many turns off them that
-/// its cosine of 5.3e255, which is 4.7e-19, is off by 7 units in the last place; no f64 is nearer to a multiple of a quarter turn.   \[rad\]
+/// Of angles larger than this sine, cosine and tangent are allowed an error that is so many times as large:
+/// glibc takes so many turns off them that its cosine of 5.3e255, which is 4.7e-19, is off by 7 units in the
+/// last place; no f64 is nearer to a multiple of a quarter turn.   \[rad\]
 pub(crate) const LARGE: f64 = 1e5;
 pub(crate) const MORE: f64 = 8.0;
 
@@ -24,7 +26,8 @@ fn below_by(y: f64, allowed: f64) -> f64 {
 }
 
 impl Interval {
-    /// An increasing function; nothing is known beyond the numbers that it is defined for, where f gives none.
+    /// An increasing function; nothing is known beyond the numbers that it is defined for, where f gives
+    /// none.
     fn rising(self, f: fn(f64) -> f64) -> Self {
         Interval::new(below(f(self.lo())), above(f(self.hi())))
     }
@@ -134,8 +137,9 @@ impl Interval {
         (self.sqr() + other.sqr()).sqrt()
     }
 
-    /// The angle of (x, y), self being y, over a box without the origin. Over one that reaches across the negative x-axis angles go on beyond π
-    /// and the second result is true: those of points below the axis are a whole turn less.
+    /// The angle of (x, y), self being y, over a box without the origin. Over one that reaches across the
+    /// negative x-axis angles go on beyond π and the second result is true: those of points below the axis
+    /// are a whole turn less.
     pub(crate) fn atan2(self, x: Self) -> (Self, bool) {
         let y = self;
         if x.contains(0.0) && y.contains(0.0) {
@@ -146,8 +150,10 @@ impl Interval {
         let angle = |y: f64, x: f64| if cut { (-y).atan2(-x) } else { y.atan2(x) };
         // a zero y below the axis belongs to it: its sign says nothing
         let corner = |y: f64, x: f64| angle(if y == 0.0 { 0.0 } else { y }, x);
-        let all = [corner(y.lo(), x.lo()), corner(y.lo(), x.hi()), corner(y.hi(), x.lo()), corner(y.hi(), x.hi())];
-        let (lo, hi) = all.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), a| (lo.min(a), hi.max(a)));
+        let all =
+            [corner(y.lo(), x.lo()), corner(y.lo(), x.hi()), corner(y.hi(), x.lo()), corner(y.hi(), x.hi())];
+        let (lo, hi) =
+            all.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), a| (lo.min(a), hi.max(a)));
         let around = Interval::new(below(lo), above(hi));
         (if cut { around + PI } else { around }, cut)
     }
@@ -167,7 +173,9 @@ impl Interval {
             _ if !self.is_finite() => ALL,
             _ if self.lo() >= 0.0 => self * self.powi(n - 1),
             _ if self.hi() <= 0.0 => -(-self).powi(n),
-            _ => Interval::new(Interval::from(self.lo()).powi(n).lo(), Interval::from(self.hi()).powi(n).hi()),
+            _ => {
+                Interval::new(Interval::from(self.lo()).powi(n).lo(), Interval::from(self.hi()).powi(n).hi())
+            }
         }
     }
 }

@@ -1,4 +1,5 @@
-//! The functions of an equation's steps on series, from the differential equation of each: y′ = f′(x) x′ (Moore, ch. 11).
+//! The functions of an equation's steps on series, from the differential equation of each: y′ = f′(x) x′
+//! (Moore, ch. 11).
 
 use kin_graph::{Function, Function2};
 
@@ -18,7 +19,12 @@ impl Series {
     }
 
     /// s′ = c x′, c′ = `sign` s x′.
-    fn pair(self, s: fn(Interval) -> Interval, c: fn(Interval) -> Interval, sign: Interval) -> (Series, Series) {
+    fn pair(
+        self,
+        s: fn(Interval) -> Interval,
+        c: fn(Interval) -> Interval,
+        sign: Interval,
+    ) -> (Series, Series) {
         let (x, len) = (self, self.len());
         let (mut sines, mut cosines) = ([ZERO; ORDER + 1], [ZERO; ORDER + 1]);
         (sines[0], cosines[0]) = (s(x.value()), c(x.value()));
@@ -44,7 +50,8 @@ impl Series {
         let len = if x0.contains(0.0) { len.min(1) } else { len };
         Series::recurring(value, len, |k, y| {
             let term = |j: usize| (a * whole(k - j) - whole(j)) * self.at(k - j) * y[j];
-            (k.saturating_sub(self.degree())..k).map(term).fold(ZERO, |sum, term| sum + term) / (whole(k) * x0)
+            (k.saturating_sub(self.degree())..k).map(term).fold(ZERO, |sum, term| sum + term)
+                / (whole(k) * x0)
         })
     }
 
@@ -124,7 +131,8 @@ impl Series {
         y.as_result(x.is_constant())
     }
 
-    /// A result of what moves, or of what does not: then its derivatives are 0, whatever those of the function are.
+    /// A result of what moves, or of what does not: then its derivatives are 0, whatever those of the
+    /// function are.
     fn as_result(self, is_constant: bool) -> Series {
         match self.value().is_finite() {
             false => UNKNOWN,
@@ -156,7 +164,8 @@ impl Series {
         if b.value().lo() > 0.0 { quotient.step(f64::floor) } else { quotient.step(f64::ceil) }
     }
 
-    /// The angle θ of (x, y), self being y: θ′ = (x y′ − y x′)/(x² + y²). Across the negative x-axis it goes on, and is known up to whole turns.
+    /// The angle θ of (x, y), self being y: θ′ = (x y′ − y x′)/(x² + y²). Across the negative x-axis it goes
+    /// on, and is known up to whole turns.
     fn atan2(self, x: Series) -> Series {
         let y = self;
         let (value, across) = y.value().atan2(x.value());

@@ -1,8 +1,10 @@
-//! Interval arithmetic rounded outwards: whatever real numbers the operands stand for, the result of the operation on them is inside.
+//! Interval arithmetic rounded outwards: whatever real numbers the operands stand for, the result of the
+//! operation on them is inside.
 //!
-//! The five operations of IEEE 754 (+, −, ×, /, √) are rounded to the nearest number, so the number next to the result is beyond the exact one.
-//! Of the other functions of the platform (`elementary.rs`) it is assumed that they are right to [`ALLOWED`] units in the last place; the manual of glibc
-//! lists at most 4 for all of them, other platforms' libraries state 1 or 2.
+//! The five operations of IEEE 754 (+, −, ×, /, √) are rounded to the nearest number, so the number next to
+//! the result is beyond the exact one. Of the other functions of the platform (`elementary.rs`) it is assumed
+//! that they are right to [`ALLOWED`] units in the last place; the manual of glibc lists at most 4 for all of
+//! them, other platforms' libraries state 1 or 2.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -179,7 +181,8 @@ impl Mul for Interval {
         if other == ONE {
             return self;
         }
-        // An infinite bound stands for numbers without limit: 0 · ∞ is 0, which is between the other products.
+        // An infinite bound stands for numbers without limit: 0 · ∞ is 0, which is between the other
+        // products.
         around([self.lo * other.lo, self.lo * other.hi, self.hi * other.lo, self.hi * other.hi])
     }
 }
@@ -194,14 +197,16 @@ impl Div for Interval {
         if self == ZERO || other == ONE {
             return self;
         }
-        // The divisor has one sign, so the bounds of the quotient are at its ends; what ∞/∞ stands for is between the other quotients.
+        // The divisor has one sign, so the bounds of the quotient are at its ends; what ∞/∞ stands for is
+        // between the other quotients.
         around([self.lo / other.lo, self.lo / other.hi, self.hi / other.lo, self.hi / other.hi])
     }
 }
 
 /// Bounds around what is rounded to these; those that are no numbers are passed over.
 fn around(all: [f64; 4]) -> Interval {
-    let (lo, hi) = all.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| (lo.min(x), hi.max(x)));
+    let (lo, hi) =
+        all.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| (lo.min(x), hi.max(x)));
     Interval::new(down(lo), up(hi))
 }
 
@@ -213,7 +218,10 @@ mod tests {
     fn sizes_of_an_interval() {
         let x = Interval::new(-1.0, 3.0);
         assert_eq!((x.mid(), x.mag(), (-x).mag(), x.radius()), (1.0, 3.0, 3.0, 2.0_f64.next_up()));
-        assert_eq!((ALL.mid(), Interval::from(5e-324).mid(), Interval::new(-f64::MAX, f64::MAX).mid()), (0.0, 5e-324, 0.0));
+        assert_eq!(
+            (ALL.mid(), Interval::from(5e-324).mid(), Interval::new(-f64::MAX, f64::MAX).mid()),
+            (0.0, 5e-324, 0.0)
+        );
         assert_eq!((Interval::new(-5.0, -3.0).mag(), ZERO.mag()), (5.0, 0.0));
         // What the width loses by rounding is in the radius.
         assert!(Interval::new(-1.0, 1e-17).radius() > 0.5);
@@ -223,7 +231,9 @@ mod tests {
 
     #[test]
     fn what_two_intervals_have_in_common() {
-        let common = |a: [f64; 2], b: [f64; 2]| Interval::new(a[0], a[1]).common(Interval::new(b[0], b[1])).map(|x| [x.lo, x.hi]);
+        let common = |a: [f64; 2], b: [f64; 2]| {
+            Interval::new(a[0], a[1]).common(Interval::new(b[0], b[1])).map(|x| [x.lo, x.hi])
+        };
         for (a, b, expected) in [
             ([0.0, 2.0], [1.0, 1.5], Some([1.0, 1.5])),
             ([0.0, 2.0], [-1.0, 1.0], Some([0.0, 1.0])),
@@ -240,7 +250,16 @@ mod tests {
         let x = Interval::new(-0.3, 0.7);
         assert_eq!([x + ZERO, ZERO + x, x - ZERO, x * ONE, ONE * x, x / ONE], [x; 6]);
         assert_eq!(
-            [x * ZERO, ZERO * x, ALL * ZERO, ZERO * ALL, ZERO / Interval::new(1.0, 2.0), ZERO.sqrt(), ZERO.sqr(), ZERO.abs()],
+            [
+                x * ZERO,
+                ZERO * x,
+                ALL * ZERO,
+                ZERO * ALL,
+                ZERO / Interval::new(1.0, 2.0),
+                ZERO.sqrt(),
+                ZERO.sqr(),
+                ZERO.abs()
+            ],
             [ZERO; 8]
         );
         assert_eq!((ONE.sqr().lo, ONE.sqrt().contains(1.0)), (1.0_f64.next_down(), true));
@@ -251,7 +270,10 @@ mod tests {
         let (up, down) = (Interval::new(1.0, f64::INFINITY), Interval::new(f64::NEG_INFINITY, -1.0));
         let is = |found: Interval, lo: f64, hi: f64| {
             let near = |x: f64, y: f64| x == y || (x - y).abs() < 1e-15;
-            assert!(near(found.lo, lo) && near(found.hi, hi) && found.lo <= lo && found.hi >= hi, "{found:?} {lo} {hi}");
+            assert!(
+                near(found.lo, lo) && near(found.hi, hi) && found.lo <= lo && found.hi >= hi,
+                "{found:?} {lo} {hi}"
+            );
         };
         is(up / up, 0.0, f64::INFINITY);
         is(down / up, f64::NEG_INFINITY, 0.0);

@@ -1,8 +1,9 @@
 //! Functions of pieces with interval bounds.
 //!
-//! That the pieces of a law meet is taken from the law: it is told by their bounds, which have to touch at the seam and to be narrow there. Numbers that
-//! are rounded (where a piece begins, which value it begins with) stand for what is meant by them; a jump that is more than rounding is seen, and where
-//! bounds are too wide to see one, nothing is known.
+//! That the pieces of a law meet is taken from the law: it is told by their bounds, which have to touch at
+//! the seam and to be narrow there. Numbers that are rounded (where a piece begins, which value it begins
+//! with) stand for what is meant by them; a jump that is more than rounding is seen, and where bounds are too
+//! wide to see one, nothing is known.
 
 use super::interval::{Interval, ONE};
 use super::series::{ORDER, Series, Turns, UNKNOWN};
@@ -10,7 +11,8 @@ use super::series::{ORDER, Series, Turns, UNKNOWN};
 /// More pieces than these at once say nothing that is of use.
 const MOST: usize = 64;
 
-/// What rounding may leave between two pieces, as a share of the largest number in them, and in units of the last place of the seam.   \[-\]
+/// What rounding may leave between two pieces, as a share of the largest number in them, and in units of the
+/// last place of the seam.   \[-\]
 const ROUNDING: f64 = 1e-12;
 const PLACES: f64 = 16.0 * f64::EPSILON;
 
@@ -28,7 +30,11 @@ impl Interval {
 type Piece<'a> = &'a dyn Fn(&Series) -> Option<Series>;
 
 /// A function of x that is `piece(k, x)` between seam k − 1 and seam k; seams increase.
-pub(crate) fn piecewise(x: &Series, seams: &[f64], piece: &dyn Fn(usize, &Series) -> Option<Series>) -> Option<Series> {
+pub(crate) fn piecewise(
+    x: &Series,
+    seams: &[f64],
+    piece: &dyn Fn(usize, &Series) -> Option<Series>,
+) -> Option<Series> {
     let agreement = |k: usize| {
         let from = k.checked_sub(1).and_then(|before| seams.get(before));
         let [one, other]: [Piece<'_>; 2] = [&|x| piece(k, x), &|x| piece(k + 1, x)];
@@ -69,19 +75,23 @@ fn along(
     Some(if x.is_constant() && y.len() > 0 { Series::constant(y.value()) } else { y })
 }
 
-/// Of how many coefficients, from the first, those of one function where it ends are those of the next where it begins; `others` are the other ends
-/// of both, if they have any. No function ends nearer to 0 than the next one begins.
+/// Of how many coefficients, from the first, those of one function where it ends are those of the next where
+/// it begins; `others` are the other ends of both, if they have any. No function ends nearer to 0 than the
+/// next one begins.
 fn agreement(pieces: [Piece<'_>; 2], at: [f64; 2], others: [Option<f64>; 2]) -> Option<usize> {
     let of = |k: usize, x: Interval| pieces[k](&Series::variable(x, ONE, ORDER + 1));
     let exact = [of(0, Interval::from(at[0]))?, of(1, Interval::from(at[1]))?];
     let around = [of(0, Interval::near(at[0], at[0]))?, of(1, Interval::near(at[1], at[1]))?];
     let mut all = around.to_vec();
     for (k, other) in others.into_iter().enumerate() {
-        all.extend(other.map_or(Some(None), |other| of(k, Interval::from(at[k]).hull(Interval::from(other))).map(Some))?);
+        all.extend(other.map_or(Some(None), |other| {
+            of(k, Interval::from(at[k]).hull(Interval::from(other))).map(Some)
+        })?);
     }
     let place = PLACES * at[0].abs();
     let same = (0..=ORDER).take_while(|&j| {
-        let size = all.iter().map(|series| series.at(j).mag()).filter(|size| size.is_finite()).fold(0.0, f64::max);
+        let size =
+            all.iter().map(|series| series.at(j).mag()).filter(|size| size.is_finite()).fold(0.0, f64::max);
         let slope = (j + 1) as f64 * (around[0].at(j + 1).mag() + around[1].at(j + 1).mag());
         let rounding = (ROUNDING * size + place * slope).min(APART * size) + f64::MIN_POSITIVE;
         around[0].at(j).meets(around[1].at(j)) && (exact[0].at(j) - exact[1].at(j)).mag() <= rounding
@@ -90,7 +100,12 @@ fn agreement(pieces: [Piece<'_>; 2], at: [f64; 2], others: [Option<f64>; 2]) -> 
 }
 
 /// A function of x that is the same after every period: `one` of what x is beyond the last beginning of one.
-pub(crate) fn repeated(x: &Series, start: f64, period: f64, one: &dyn Fn(&Series) -> Option<Series>) -> Option<Series> {
+pub(crate) fn repeated(
+    x: &Series,
+    start: f64,
+    period: f64,
+    one: &dyn Fn(&Series) -> Option<Series>,
+) -> Option<Series> {
     let Some(local) = wound(&x.plus(-start), period) else { return Some(UNKNOWN) };
     let periods = local.value() / Interval::from(period);
     let (first, last) = (periods.lo().floor(), periods.hi());
@@ -111,7 +126,8 @@ pub(crate) fn repeated(x: &Series, start: f64, period: f64, one: &dyn Fn(&Series
     along(&local, &seams, &piece, &|_| repeats())
 }
 
-/// The same number for a function that repeats after a period: whole turns of x that are periods, but for rounding, do not matter to it.
+/// The same number for a function that repeats after a period: whole turns of x that are periods, but for
+/// rounding, do not matter to it.
 fn wound(x: &Series, period: f64) -> Option<Series> {
     let Turns { unit, most } = x.turns();
     if x.turns().is_none() {
@@ -121,7 +137,8 @@ fn wound(x: &Series, period: f64) -> Option<Series> {
     let count = (turns.mid() / period).round();
     let lost = (turns - Interval::from(period) * Interval::from(count)).mag();
     // what so many periods are off, and those that x itself is away from the first
-    let all = Interval::ball(lost) * Interval::from(f64::from(most) + (x.value() / Interval::from(period)).mag() + 1.0);
+    let all = Interval::ball(lost)
+        * Interval::from(f64::from(most) + (x.value() / Interval::from(period)).mag() + 1.0);
     (lost <= 4.0 * f64::EPSILON * turns.mag()).then(|| x.up_to(Turns::NONE).with_value(x.value() + all))
 }
 
@@ -130,19 +147,30 @@ mod tests {
     use super::*;
     use std::f64::consts::TAU;
 
-    /// A turn is not quite the period by which it is replaced: each of those that may be off counts, and so does each between the number and zero.
+    /// A turn is not quite the period by which it is replaced: each of those that may be off counts, and so
+    /// does each between the number and zero.
     #[test]
     fn what_turns_lose_is_in_the_number() {
         let x = Series::variable(Interval::from(3.0 * TAU), ONE, ORDER + 1);
         let lost = (Interval::pi(2.0) - Interval::from(TAU)).mag();
         let found = wound(&x.up_to(Turns { unit: 1, most: 2 }), TAU).unwrap();
         let off = found.value() - x.value();
-        assert!(found.turns().is_none() && off.lo() < -5.9 * lost && off.hi() > 5.9 * lost && off.mag() < 6.0 * lost + 1e-14, "{off:?}");
+        assert!(
+            found.turns().is_none()
+                && off.lo() < -5.9 * lost
+                && off.hi() > 5.9 * lost
+                && off.mag() < 6.0 * lost + 1e-14,
+            "{off:?}"
+        );
         let zero = Series::variable(Interval::from(0.0), ONE, ORDER + 1);
         let found = wound(&zero.up_to(Turns { unit: 1, most: 2 }), TAU).unwrap().value();
         assert!(found.hi() > 2.99 * lost && found.mag() < 3.01 * lost, "{found:?}");
         let many = wound(&x.up_to(Turns { unit: 1, most: 100_000 }), TAU).unwrap().value() - x.value();
         assert!(many.hi() > 1e5 * lost && many.mag() < 1.001e5 * lost, "{many:?}");
-        assert!([100.0, 0.9 * TAU, TAU * (1.0 + 1e-14)].iter().all(|period| wound(&x.up_to(Turns::ONE), *period).is_none()));
+        assert!(
+            [100.0, 0.9 * TAU, TAU * (1.0 + 1e-14)]
+                .iter()
+                .all(|period| wound(&x.up_to(Turns::ONE), *period).is_none())
+        );
     }
 }

@@ -1,9 +1,11 @@
-//! Truncated Taylor series with intervals for coefficients: a function of σ, −1 ≤ σ ≤ 1, as c0 + c1 σ + c2 σ² + ….
+//! Truncated Taylor series with intervals for coefficients: a function of σ, −1 ≤ σ ≤ 1, as c0 + c1 σ + c2 σ²
+//! + ….
 //!
-//! Run at one point, a computation gives the coefficients of its result there; run over an interval of its inputs, c_k holds f⁽ᵏ⁾/k! at every point of
-//! it, which is the remainder of Taylor's formula (Moore, *Interval Analysis*, ch. 11). How many coefficients mean anything is part of the number: over
-//! a kink only c0 and c1 do, over a jump none. Coefficient `len − 1` may itself jump, as long as those before it are continuous: that is all that
-//! Taylor's formula asks for.
+//! Run at one point, a computation gives the coefficients of its result there; run over an interval of its
+//! inputs, c_k holds f⁽ᵏ⁾/k! at every point of it, which is the remainder of Taylor's formula (Moore,
+//! *Interval Analysis*, ch. 11). How many coefficients mean anything is part of the number: over a kink only
+//! c0 and c1 do, over a jump none. Coefficient `len − 1` may itself jump, as long as those before it are
+//! continuous: that is all that Taylor's formula asks for.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -13,20 +15,23 @@ use super::interval::{ALL, Interval, ONE, ZERO};
 pub(crate) const ORDER: usize = 6;
 const FULL: usize = ORDER + 1;
 
-/// A function of σ, −1 ≤ σ ≤ 1, as bounds of its values and of its derivatives there: what [`crate::model::law::LawFunction::over`] is asked for.
+/// A function of σ, −1 ≤ σ ≤ 1, as bounds of its values and of its derivatives there: what
+/// [`crate::model::law::LawFunction::over`] is asked for.
 ///
-/// It is computed with like a number: `+`, `−`, `·`, `/`, and functions under f64's names. All results hold whatever the operands may be between
-/// their bounds, rounding included.
+/// It is computed with like a number: `+`, `−`, `·`, `/`, and functions under f64's names. All results hold
+/// whatever the operands may be between their bounds, rounding included.
 #[derive(Clone, Copy, Debug)]
 pub struct Series {
     c: [Interval; FULL],
     len: usize,
-    /// Coefficients beyond this one are zero: most of what an equation is made of does not move, or along a line.
+    /// Coefficients beyond this one are zero: most of what an equation is made of does not move, or along a
+    /// line.
     degree: usize,
     turns: Turns,
 }
 
-/// Whole turns that a function may be off by, other ones at other points: 2π `unit` n, n a whole number, |unit n| ≤ `most`. None for 0.
+/// Whole turns that a function may be off by, other ones at other points: 2π `unit` n, n a whole number,
+/// |unit n| ≤ `most`. None for 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Turns {
     pub unit: u32,
@@ -72,10 +77,11 @@ impl Series {
         if self.is_open() { [f64::NEG_INFINITY, f64::INFINITY] } else { [self.c[0].lo(), self.c[0].hi()] }
     }
 
-    /// f of it, from bounds \[least, largest\] of f, f′, f″, … (up to the sixth) over all of [`Series::values`].
+    /// f of it, from bounds \[least, largest\] of f, f′, f″, … (up to the sixth) over all of
+    /// [`Series::values`].
     ///
-    /// All but the last of them have to be continuous there: a law with a break between these values gives no more than those up to the derivative
-    /// that jumps, none where it jumps itself.
+    /// All but the last of them have to be continuous there: a law with a break between these values gives no
+    /// more than those up to the derivative that jumps, none where it jumps itself.
     #[must_use]
     pub fn chain(&self, f: &[[f64; 2]]) -> Self {
         if self.is_open() {
@@ -110,7 +116,11 @@ impl Series {
     }
 
     /// Coefficients from a recurrence: each from those before it.
-    pub(crate) fn recurring(first: Interval, len: usize, next: impl Fn(usize, &[Interval]) -> Interval) -> Self {
+    pub(crate) fn recurring(
+        first: Interval,
+        len: usize,
+        next: impl Fn(usize, &[Interval]) -> Interval,
+    ) -> Self {
         let mut c = [ZERO; FULL];
         c[0] = first;
         for k in 1..len {
@@ -191,7 +201,8 @@ impl Series {
         self.each(other, Interval::hull)
     }
 
-    /// A function that goes over from this one to the other where so many coefficients of both agree: the first one that does not may jump.
+    /// A function that goes over from this one to the other where so many coefficients of both agree: the
+    /// first one that does not may jump.
     pub(crate) fn joined(&self, other: &Self, agreement: usize) -> Self {
         if agreement == 0 { UNKNOWN } else { self.hull(other).cut(agreement + 1) }
     }
@@ -242,7 +253,11 @@ impl Series {
             return Series::constant(f[0]);
         }
         let step = self.with_value(ZERO).up_to(Turns::NONE);
-        f[..len].iter().rev().fold(Series::constant(ZERO), |sum, c| sum * step + Series::constant(*c)).cut(len)
+        f[..len]
+            .iter()
+            .rev()
+            .fold(Series::constant(ZERO), |sum, c| sum * step + Series::constant(*c))
+            .cut(len)
     }
 }
 

@@ -130,7 +130,8 @@ pub trait InLanes: Send + Sync {
     /// The kernels.
     fn kernels(&self) -> LaneKernels;
 
-    /// How many numbers the kernels want that depend on parameters alone, and how many that depend on the time too.
+    /// How many numbers the kernels want that depend on parameters alone, and how many that depend on the
+    /// time too.
     fn n_known(&self) -> [usize; 2];
 
     /// The numbers that depend on parameters alone; default none.
@@ -143,14 +144,15 @@ pub trait InLanes: Send + Sync {
         let _ = (t, known);
     }
 
-    /// What depends on coordinates and only f64 can do, such as a law or a function of the user's, by its number; default nothing.
+    /// What depends on coordinates and only f64 can do, such as a law or a function of the user's, by its
+    /// number; default nothing.
     fn evaluate(&self, number: usize, x: &[f64], y: &mut [f64]) {
         let _ = (number, x, y);
     }
 }
 
-/// C, C_q, −C_t and Q_d over lanes, among those of all constraints. Methods are written `#[inline(always)]`: they are compiled for each kind
-/// of machine.
+/// C, C_q, −C_t and Q_d over lanes, among those of all constraints. Methods are written `#[inline(always)]`:
+/// they are compiled for each kind of machine.
 pub trait LaneKernel {
     /// C and C_q together.
     fn linearize<S: Level>(at: &LaneAt<'_, S>, c: &mut [Wide<S>], c_q: &mut [Wide<S>]);
@@ -175,7 +177,8 @@ enum Asked<'x, S: Level> {
     Acceleration(&'x mut [Wide<S>]),
 }
 
-/// Kernels as one function for one kind of machine, each for several constraints at once: a call costs as much as half a kernel.
+/// Kernels as one function for one kind of machine, each for several constraints at once: a call costs as
+/// much as half a kernel.
 pub struct Table<S: Level>(fn(&LaneInstant<'_, S>, &[LaneBlock], Asked<'_, S>));
 
 impl<S: Level> Clone for Table<S> {
@@ -197,17 +200,33 @@ impl<S: Level> Table<S> {
     }
 
     /// C and the values of C_q of several constraints.
-    pub(crate) fn linearize(&self, instant: &LaneInstant<'_, S>, blocks: &[LaneBlock], c: &mut [Wide<S>], c_q: &mut [Wide<S>]) {
+    pub(crate) fn linearize(
+        &self,
+        instant: &LaneInstant<'_, S>,
+        blocks: &[LaneBlock],
+        c: &mut [Wide<S>],
+        c_q: &mut [Wide<S>],
+    ) {
         (self.0)(instant, blocks, Asked::Linear(c, c_q));
     }
 
     /// −C_t
-    pub(crate) fn velocity_rhs(&self, instant: &LaneInstant<'_, S>, blocks: &[LaneBlock], rhs: &mut [Wide<S>]) {
+    pub(crate) fn velocity_rhs(
+        &self,
+        instant: &LaneInstant<'_, S>,
+        blocks: &[LaneBlock],
+        rhs: &mut [Wide<S>],
+    ) {
         (self.0)(instant, blocks, Asked::Velocity(rhs));
     }
 
     /// Q_d
-    pub(crate) fn acceleration_rhs(&self, instant: &LaneInstant<'_, S>, blocks: &[LaneBlock], q_d: &mut [Wide<S>]) {
+    pub(crate) fn acceleration_rhs(
+        &self,
+        instant: &LaneInstant<'_, S>,
+        blocks: &[LaneBlock],
+        q_d: &mut [Wide<S>],
+    ) {
         (self.0)(instant, blocks, Asked::Acceleration(q_d));
     }
 }
@@ -235,7 +254,8 @@ kernels! {
     #[cfg(target_arch = "aarch64")] neon pulp::aarch64::Neon;
 }
 
-/// Kernels on their way into the function that has the machine's instructions: one for all three, what it takes to get there is compiled once.
+/// Kernels on their way into the function that has the machine's instructions: one for all three, what it
+/// takes to get there is compiled once.
 struct Call<'x, 'a, S: Level, K>(&'x LaneInstant<'a, S>, &'x [LaneBlock], Asked<'x, S>, PhantomData<K>);
 
 impl<S: Level, K: LaneKernel> NullaryFnOnce for Call<'_, '_, S, K> {
@@ -251,7 +271,11 @@ impl<S: Level, K: LaneKernel> NullaryFnOnce for Call<'_, '_, S, K> {
                 Asked::Linear(c, c_q) => K::linearize(&at, c, c_q),
                 Asked::Velocity(rhs) => K::velocity_rhs(&at, rhs),
                 Asked::Acceleration(q_d) => {
-                    let rates = LaneRates { rates: instant.rates, arguments: instant.arguments, first: block.arguments };
+                    let rates = LaneRates {
+                        rates: instant.rates,
+                        arguments: instant.arguments,
+                        first: block.arguments,
+                    };
                     K::acceleration_rhs(&at, &rates, q_d);
                 }
             }

@@ -16,7 +16,12 @@ pub trait Level: Simd {
     #[inline(always)]
     fn turn(self, square: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
         let [a, b, c, d] = square;
-        [[a[0], b[0], c[0], d[0]], [a[1], b[1], c[1], d[1]], [a[2], b[2], c[2], d[2]], [a[3], b[3], c[3], d[3]]]
+        [
+            [a[0], b[0], c[0], d[0]],
+            [a[1], b[1], c[1], d[1]],
+            [a[2], b[2], c[2], d[2]],
+            [a[3], b[3], c[3], d[3]],
+        ]
     }
 }
 

@@ -1,7 +1,8 @@
 //! Numbers over lanes, with f64's names: what emitted kernels compute with.
 //!
-//! A number is two registers: what is found out once for all lanes (which step comes next, where its numbers stand, which function is
-//! called) then serves twice as many cases, and two chains of operations run side by side.
+//! A number is two registers: what is found out once for all lanes (which step comes next, where its numbers
+//! stand, which function is called) then serves twice as many cases, and two chains of operations run side by
+//! side.
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Rem, Sub};
 
@@ -265,7 +266,11 @@ impl<S: Level> Mask<S> {
     /// True in the lanes for which that is so.
     pub fn from_fn(simd: S, condition: impl Fn(usize) -> bool) -> Self {
         let mut numbers = Wide::splat(simd, 0.0);
-        numbers.as_mut_slice().iter_mut().enumerate().for_each(|(lane, x)| *x = f64::from(u8::from(condition(lane))));
+        numbers
+            .as_mut_slice()
+            .iter_mut()
+            .enumerate()
+            .for_each(|(lane, x)| *x = f64::from(u8::from(condition(lane))));
         numbers.is_true()
     }
 

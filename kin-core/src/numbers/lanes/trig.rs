@@ -1,14 +1,16 @@
 //! Sine and cosine over lanes.
 //!
-//! x is taken to [−π/4, π/4] by three parts of π/2, 53 bits each, with fused multiply-adds (Cody and Waite); there the polynomials of
-//! fdlibm's `__kernel_sin` and `__kernel_cos`. Off by at most 2 units in the last place up to |x| = 1e8; beyond, for what is not finite, and
-//! on machines that cannot fuse, f64's own functions are called lane by lane.
+//! x is taken to [−π/4, π/4] by three parts of π/2, 53 bits each, with fused multiply-adds (Cody and Waite);
+//! there the polynomials of fdlibm's `__kernel_sin` and `__kernel_cos`. Off by at most 2 units in the last
+//! place up to |x| = 1e8; beyond, for what is not finite, and on machines that cannot fuse, f64's own
+//! functions are called lane by lane.
 
 use super::Level;
 use super::number::{Mask, Wide, both};
 
 /// π/2 in three parts.
-const PARTS: [f64; 3] = [std::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17, -1.497_384_904_859_169_8e-33];
+const PARTS: [f64; 3] =
+    [std::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17, -1.497_384_904_859_169_8e-33];
 
 /// Beyond this lanes go one by one.   \[rad\]
 const LARGEST: f64 = 1e8;
@@ -113,7 +115,12 @@ mod tests {
                 let mut x = Wide::splat(simd, 0.0);
                 x.as_mut_slice().iter_mut().zip(group).for_each(|(x, value)| *x = *value);
                 let (sin, cos) = x.sin_cos();
-                sin.as_slice().iter().copied().zip(cos.as_slice().iter().copied()).take(group.len()).collect::<Vec<_>>()
+                sin.as_slice()
+                    .iter()
+                    .copied()
+                    .zip(cos.as_slice().iter().copied())
+                    .take(group.len())
+                    .collect::<Vec<_>>()
             };
             self.0.chunks(Wide::<S>::LANES).flat_map(of).collect()
         }
@@ -127,16 +134,23 @@ mod tests {
 
     #[test]
     fn sine_and_cosine_are_within_two_units_everywhere() {
-        let mut numbers: Vec<f64> = vec![0.0, -0.0, 1e-300, f64::MIN_POSITIVE, 1e8, -1e8, 1.000001e8, 1e22, 1e300];
+        let mut numbers: Vec<f64> =
+            vec![0.0, -0.0, 1e-300, f64::MIN_POSITIVE, 1e8, -1e8, 1.000001e8, 1e22, 1e300];
         // Next to multiples of π/2, where most is lost.
         numbers.extend((-4000..4000).map(|k| f64::from(k) * std::f64::consts::FRAC_PI_2));
-        numbers.extend((1..4000).map(|k| f64::from(k) * 15_915.494_309_189_535 * std::f64::consts::FRAC_PI_2));
+        numbers
+            .extend((1..4000).map(|k| f64::from(k) * 15_915.494_309_189_535 * std::f64::consts::FRAC_PI_2));
         numbers.extend((0..40_000).map(|k| (f64::from(k) * 0.618_033_988_7).fract() * 20.0 - 10.0));
-        numbers.extend((0..10_000).map(|k| 10.0_f64.powf((f64::from(k) * 0.618_033_988_7).fract() * 24.0 - 12.0)));
+        numbers.extend(
+            (0..10_000).map(|k| 10.0_f64.powf((f64::from(k) * 0.618_033_988_7).fract() * 24.0 - 12.0)),
+        );
         for lanes in [2, 4, 8] {
             let Ok(found) = Lanes::Only(lanes).dispatch(All(&numbers)) else { continue };
             for (x, (sin, cos)) in numbers.iter().zip(found) {
-                assert!(units(sin, x.sin()) <= 2.0 && units(cos, x.cos()) <= 2.0, "{lanes} lanes, x = {x}: {sin} {cos}");
+                assert!(
+                    units(sin, x.sin()) <= 2.0 && units(cos, x.cos()) <= 2.0,
+                    "{lanes} lanes, x = {x}: {sin} {cos}"
+                );
             }
         }
     }
@@ -144,7 +158,10 @@ mod tests {
     #[test]
     fn what_has_no_sine_has_none_here() {
         for lanes in [2, 4, 8] {
-            let Ok(found) = Lanes::Only(lanes).dispatch(All(&[f64::NAN, f64::INFINITY, f64::NEG_INFINITY])) else { continue };
+            let Ok(found) = Lanes::Only(lanes).dispatch(All(&[f64::NAN, f64::INFINITY, f64::NEG_INFINITY]))
+            else {
+                continue;
+            };
             assert!(found.iter().all(|(sin, cos)| sin.is_nan() && cos.is_nan()));
         }
     }

@@ -8,8 +8,8 @@ use kin_graph::functions::{acosh, atanh};
 
 use super::{Dual, Growth, Real};
 
-/// Methods from lines `name(x) = [f, f′, f″, f‴];`, all of one growth; for `chain_scaled`, of functions that take what is large and make it small,
-/// from lines `name(x) = [f, f′, f″/f′², f‴/f′³];`.
+/// Methods from lines `name(x) = [f, f′, f″, f‴];`, all of one growth; for `chain_scaled`, of functions that
+/// take what is large and make it small, from lines `name(x) = [f, f′, f″/f′², f‴/f′³];`.
 macro_rules! functions {
     ([$chain:ident, $growth:expr] $($(#[$doc:meta])* $name:ident($x:ident) = $f:expr;)*) => {
         impl<D: Dual> Real<D> {$(
@@ -172,7 +172,10 @@ impl<D: Dual> Real<D> {
     #[inline]
     pub fn sin_cos(self) -> (Self, Self) {
         let (s, c) = self.value().sin_cos();
-        (self.chain([s, c, -s, -c]).growing(Growth::Bounded), self.chain([c, -s, -c, s]).growing(Growth::Bounded))
+        (
+            self.chain([s, c, -s, -c]).growing(Growth::Bounded),
+            self.chain([c, -s, -c, s]).growing(Growth::Bounded),
+        )
     }
 
     /// 1/x; ±∞ at 0.
@@ -188,8 +191,10 @@ impl<D: Dual> Real<D> {
         if n < 0 {
             return self.power(x.powi(n), c);
         }
-        let slope = |k: i32, factor: f64| if factor == 0.0 { 0.0 } else { factor * x.powi(n.saturating_sub(k)) };
-        self.chain([x.powi(n), slope(1, c), slope(2, c * (c - 1.0)), slope(3, c * (c - 1.0) * (c - 2.0))]).growing_as_power(c)
+        let slope =
+            |k: i32, factor: f64| if factor == 0.0 { 0.0 } else { factor * x.powi(n.saturating_sub(k)) };
+        self.chain([x.powi(n), slope(1, c), slope(2, c * (c - 1.0)), slope(3, c * (c - 1.0) * (c - 2.0))])
+            .growing_as_power(c)
     }
 
     /// The same number, noted as an n-th power.

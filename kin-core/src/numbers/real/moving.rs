@@ -5,7 +5,8 @@ use std::ops::{Add, Deref, Mul, Neg, Sub};
 
 use super::dual::{Dual, Growth, sealed};
 
-/// A number of num-dual that knows by which of its directions it is moved. See [`Real`](super::Real) for the rule.
+/// A number of num-dual that knows by which of its directions it is moved. See [`Real`](super::Real) for the
+/// rule.
 #[derive(Clone, Copy, Debug)]
 pub struct Moving<T> {
     number: T,
@@ -91,7 +92,8 @@ impl<T: Neg<Output = T>> Neg for Moving<T> {
     }
 }
 
-/// [`Dual`] for a number with parts `re` and the listed ones, from its chain rules and its quotient, `q` being its real part.
+/// [`Dual`] for a number with parts `re` and the listed ones, from its chain rules and its quotient, `q`
+/// being its real part.
 macro_rules! dual {
     (
         $number:ident [$($part:ident),*] at rest |$r:ident| $rest:expr,
@@ -178,7 +180,8 @@ macro_rules! dual {
         }
 
         impl Moving<num_dual::$number> {
-            /// Whether a function with these derivatives gives a constant: of one, or where its argument has overflowed.
+            /// Whether a function with these derivatives gives a constant: of one, or where its argument has
+            /// overflowed.
             #[inline]
             fn is_flat(&self, f: &[f64; 4]) -> bool {
                 self.is_constant() || (self.has_overflowed() && f[0].is_finite())
@@ -308,7 +311,11 @@ mod tests {
 
     #[test]
     fn chain_is_the_composition_with_a_cube_at_two() {
-        let (x, y, z) = (Dual2_64::new(2.0, 0.3, 0.7), Dual3_64::new(2.0, 0.3, 0.7, -0.2), HyperDual64::new(2.0, 0.3, 0.5, 0.1));
+        let (x, y, z) = (
+            Dual2_64::new(2.0, 0.3, 0.7),
+            Dual3_64::new(2.0, 0.3, 0.7, -0.2),
+            HyperDual64::new(2.0, 0.3, 0.5, 0.1),
+        );
         let (fx, fy, fz) = (x.chain(CUBE), y.chain(CUBE), z.chain(CUBE));
         let (gx, gy, gz) = (x * x * x, y * y * y, z * z * z);
         assert!((fx.v1 - gx.v1).abs() < 1e-14 && (fx.v2 - gx.v2).abs() < 1e-14);
@@ -319,7 +326,9 @@ mod tests {
         // From f″/f′² and f‴/f′³.
         let scaled = [8.0, 12.0, 12.0 / 144.0, 6.0 / 1728.0];
         let (sx, sy, sz) = (x.chain_scaled(scaled), y.chain_scaled(scaled), z.chain_scaled(scaled));
-        assert!((sx.v1 - gx.v1).abs() < 1e-14 && (sx.v2 - gx.v2).abs() < 1e-14 && (sy.v3 - gy.v3).abs() < 1e-14);
+        assert!(
+            (sx.v1 - gx.v1).abs() < 1e-14 && (sx.v2 - gx.v2).abs() < 1e-14 && (sy.v3 - gy.v3).abs() < 1e-14
+        );
         assert!((sz.eps1 - gz.eps1).abs() < 1e-14 && (sz.eps1eps2 - gz.eps1eps2).abs() < 1e-14);
     }
 
@@ -348,7 +357,9 @@ mod tests {
         assert_eq!((zero.re, zero.v1, zero.v2, zero.v3), (0.0, 0.0, 0.0, 0.0));
         assert!(large.chain([f64::INFINITY; 4]).v1.is_infinite());
         let one = Dual3_64::new(1.0, 1.0, 1.0, 1.0);
-        for singular in [pole, infinite, large * pole, large + one.quotient(Dual3_64::new(0.0, 1.0, 0.0, 0.0))] {
+        for singular in
+            [pole, infinite, large * pole, large + one.quotient(Dual3_64::new(0.0, 1.0, 0.0, 0.0))]
+        {
             assert!(singular.chain(bounded).v1.is_nan() && one.quotient(singular).v1.is_nan());
         }
         assert!(!pole.growing(Growth::Bounded).growing(Growth::Bursting).chain(bounded).v1.is_nan());
@@ -358,10 +369,19 @@ mod tests {
     fn quotient_times_divisor_is_the_dividend() {
         let (a, b) = (Dual3_64::new(0.3, 1.0, -2.0, 0.5), Dual3_64::new(1.7, 0.4, 0.6, -0.8));
         let p = a.quotient(b) * b;
-        assert!((p.re - a.re).abs() < 1e-15 && (p.v1 - a.v1).abs() < 1e-15 && (p.v2 - a.v2).abs() < 1e-15 && (p.v3 - a.v3).abs() < 1e-14);
+        assert!(
+            (p.re - a.re).abs() < 1e-15
+                && (p.v1 - a.v1).abs() < 1e-15
+                && (p.v2 - a.v2).abs() < 1e-15
+                && (p.v3 - a.v3).abs() < 1e-14
+        );
         let (a, b) = (HyperDual64::new(0.3, 1.0, -2.0, 0.5), HyperDual64::new(1.7, 0.4, 0.6, -0.8));
         let p = a.quotient(b) * b;
-        assert!((p.eps1 - a.eps1).abs() < 1e-15 && (p.eps2 - a.eps2).abs() < 1e-15 && (p.eps1eps2 - a.eps1eps2).abs() < 1e-15);
+        assert!(
+            (p.eps1 - a.eps1).abs() < 1e-15
+                && (p.eps2 - a.eps2).abs() < 1e-15
+                && (p.eps1eps2 - a.eps1eps2).abs() < 1e-15
+        );
         let (a, b) = (Dual2_64::new(0.3, 1.0, -2.0), Dual2_64::new(1.7, 0.4, 0.6));
         let p = a.quotient(b) * b;
         assert!((p.v1 - a.v1).abs() < 1e-15 && (p.v2 - a.v2).abs() < 1e-15);

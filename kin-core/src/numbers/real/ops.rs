@@ -1,4 +1,5 @@
-//! Operators of [`Real`] with itself and with `f64` on either side, by value and by reference; comparisons of real parts.
+//! Operators of [`Real`] with itself and with `f64` on either side, by value and by reference; comparisons of
+//! real parts.
 
 use std::cmp::Ordering;
 use std::iter::{Product, Sum};
@@ -83,8 +84,20 @@ macro_rules! operator {
 operator!(Add::add, AddAssign::add_assign, |a, b| Real(a.0 + b.0), Real(a.0 + b), Real(b.0 + a));
 operator!(Sub::sub, SubAssign::sub_assign, |a, b| Real(a.0 - b.0), Real(a.0 - b), Real(-b.0 + a));
 operator!(Mul::mul, MulAssign::mul_assign, |a, b| Real(a.0 * b.0), Real(a.0 * b), Real(b.0 * a));
-operator!(Div::div, DivAssign::div_assign, |a, b| quotient(a, b), quotient(a, b.into()), quotient(a.into(), b));
-operator!(Rem::rem, RemAssign::rem_assign, |a, b| remainder(a, b), remainder(a, b.into()), remainder(a.into(), b));
+operator!(
+    Div::div,
+    DivAssign::div_assign,
+    |a, b| quotient(a, b),
+    quotient(a, b.into()),
+    quotient(a.into(), b)
+);
+operator!(
+    Rem::rem,
+    RemAssign::rem_assign,
+    |a, b| remainder(a, b),
+    remainder(a, b.into()),
+    remainder(a.into(), b)
+);
 
 /// a/b; of constants it is constant, though it be not finite.
 #[inline]
@@ -98,7 +111,8 @@ fn remainder<D: Dual>(a: Real<D>, b: Real<D>) -> Real<D> {
 }
 
 impl<D: Dual> Real<D> {
-    /// a − n b with the whole number n that makes it `rest`; n is read off `rest`, since a/b may round across a whole number.
+    /// a − n b with the whole number n that makes it `rest`; n is read off `rest`, since a/b may round across
+    /// a whole number.
     pub(super) fn less_whole(self, b: Self, rest: f64) -> Self {
         let n = ((self.value() - rest) / b.value()).round();
         let reduced = if b.is_constant() { self } else { self - b * n };
@@ -236,7 +250,14 @@ mod tests {
     fn values_are_those_of_f64() {
         for (a, b) in [(1.0, 3.0), (0.1, 0.7), (-5.3, 1.9), (0.0, -2.0), (2.0, 2.0)] {
             let (x, y) = (Real(Dual2_64::new(a, 1.0, 2.0)), Real(Dual2_64::new(b, -1.0, 0.5)));
-            for (dual, plain) in [(x / y, a / b), (x % y, a % b), (x - y, a - b), (a - y, a - b), (a / y, a / b), (x * b, a * b)] {
+            for (dual, plain) in [
+                (x / y, a / b),
+                (x % y, a % b),
+                (x - y, a - b),
+                (a - y, a - b),
+                (a / y, a / b),
+                (x * b, a * b),
+            ] {
                 assert_eq!(dual.value().to_bits(), plain.to_bits());
             }
         }
@@ -263,7 +284,14 @@ mod tests {
 
     #[test]
     fn comparisons_look_at_real_parts() {
-        assert!(x() == 3.0 && 3.0 == x() && x() > 2.0 && 2.0 < x() && x() == Real(Dual64::new(3.0, 0.0)) && x() >= x());
+        assert!(
+            x() == 3.0
+                && 3.0 == x()
+                && x() > 2.0
+                && 2.0 < x()
+                && x() == Real(Dual64::new(3.0, 0.0))
+                && x() >= x()
+        );
         assert!(x().partial_cmp(&f64::NAN).is_none());
     }
 

@@ -4,7 +4,8 @@ use super::functions::atan_slopes;
 use super::{Dual, Growth, Real};
 
 impl<D: Dual> Real<D> {
-    /// The angle of the point (x, y) = (`x`, `self`) in (−π, π] rad, right on both axes; singular at (0, 0) unless both are constant.
+    /// The angle of the point (x, y) = (`x`, `self`) in (−π, π] rad, right on both axes; singular at (0, 0)
+    /// unless both are constant.
     pub fn atan2(self, x: impl Into<Self>) -> Self {
         let (y, x) = (self, x.into());
         let angle = y.value().atan2(x.value());
@@ -32,19 +33,27 @@ impl<D: Dual> Real<D> {
         (large.abs() * (ratio * ratio + 1.0).sqrt()).with_value(length)
     }
 
-    /// xⁿ. A constant n has slopes n xⁿ⁻¹, n (n − 1) xⁿ⁻², …, infinite at x = 0 where the power left is negative and its factor is not 0.
-    /// A variable n needs x > 0, or x = 0 and n > 0.
+    /// xⁿ. A constant n has slopes n xⁿ⁻¹, n (n − 1) xⁿ⁻², …, infinite at x = 0 where the power left is
+    /// negative and its factor is not 0. A variable n needs x > 0, or x = 0 and n > 0.
     pub fn powf(self, n: impl Into<Self>) -> Self {
         let n = n.into();
         let (x, c) = (self.value(), n.value());
-        // At x = 0 the tangents of n drop out, as xⁿ ln x → 0; where they do not, at whole n, a factor 0 meets 0⁻¹ and gives NaN.
-        // Falling powers, and those of large numbers: no lower power is too small for a number.
+        // At x = 0 the tangents of n drop out, as xⁿ ln x → 0; where they do not, at whole n, a factor 0
+        // meets 0⁻¹ and gives NaN. Falling powers, and those of large numbers: no lower power is too small
+        // for a number.
         if n.is_constant() && (c < 0.0 || x.abs() > 1.0) {
             return self.power(x.powf(c), c);
         }
         if n.is_constant() || x == 0.0 && c > 0.0 {
-            let slope = |k: f64, factor: f64| if factor == 0.0 && n.is_constant() { 0.0 } else { factor * x.powf(c - k) };
-            let power = self.chain([x.powf(c), slope(1.0, c), slope(2.0, c * (c - 1.0)), slope(3.0, c * (c - 1.0) * (c - 2.0))]);
+            let slope = |k: f64, factor: f64| {
+                if factor == 0.0 && n.is_constant() { 0.0 } else { factor * x.powf(c - k) }
+            };
+            let power = self.chain([
+                x.powf(c),
+                slope(1.0, c),
+                slope(2.0, c * (c - 1.0)),
+                slope(3.0, c * (c - 1.0) * (c - 2.0)),
+            ]);
             return power.growing_as_power(c);
         }
         (n * self.ln()).chain([x.powf(c); 4]).growing_as_power(-5.0)
@@ -155,7 +164,9 @@ mod tests {
     fn powf_at_zero() {
         let x = third(0.0).powf(1.5).0;
         assert_eq!((x.re, x.v1, x.v2), (0.0, 0.0, f64::INFINITY));
-        for (n, [re, v1, v2, v3]) in [(0.0, [1.0, 0.0, 0.0, 0.0]), (1.0, [0.0, 1.0, 0.0, 0.0]), (2.0, [0.0, 0.0, 2.0, 0.0])] {
+        for (n, [re, v1, v2, v3]) in
+            [(0.0, [1.0, 0.0, 0.0, 0.0]), (1.0, [0.0, 1.0, 0.0, 0.0]), (2.0, [0.0, 0.0, 2.0, 0.0])]
+        {
             let x = third(0.0).powf(n).0;
             assert_eq!((x.re, x.v1, x.v2, x.v3), (re, v1, v2, v3));
         }
@@ -169,7 +180,9 @@ mod tests {
         assert_eq!(parts(First::from(0.0).powf(along(0.5))), (0.0, 0.0));
         let (value, slope) = parts(First::from(2.0).powf(along(3.0)));
         assert!(value == 8.0 && (slope - 8.0 * 2f64.ln()).abs() < 1e-15);
-        assert!(!Real(Dual2_64::new(0.0, 1.0, 0.0)).powf(Real(Dual2_64::new(1.0, 1.0, 0.0))).0.v2.is_finite());
+        assert!(
+            !Real(Dual2_64::new(0.0, 1.0, 0.0)).powf(Real(Dual2_64::new(1.0, 1.0, 0.0))).0.v2.is_finite()
+        );
     }
 
     #[test]

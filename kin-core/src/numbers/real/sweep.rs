@@ -64,8 +64,11 @@ fn slope(f: impl Fn(f64) -> f64) -> f64 {
 #[test]
 fn each_derivative_is_the_slope_of_the_one_below() {
     let (a, b, c) = (0.8, -0.6, 1.1);
-    let (p, v, w) =
-        (move |s: f64| a * s + b * s * s / 2.0 + c * s.powi(3) / 6.0, move |s: f64| a + b * s + c * s * s / 2.0, move |s: f64| b + c * s);
+    let (p, v, w) = (
+        move |s: f64| a * s + b * s * s / 2.0 + c * s.powi(3) / 6.0,
+        move |s: f64| a + b * s + c * s * s / 2.0,
+        move |s: f64| b + c * s,
+    );
     for (f, points) in within() {
         for x in points {
             let first = |s: f64| (f.first)(Real(Dual64::new(x + p(s), v(s)))).0;
@@ -98,7 +101,12 @@ fn values_are_those_of_f64_and_constants_stay_constant() {
     for (f, _) in within() {
         for x in [-0.0, 0.0, 1.0, -1.0, 0.3, -2.5, 7.0, f64::INFINITY, f64::NAN] {
             let (y, plain) = ((f.third)(Real::from(x)), (f.plain)(x));
-            assert!(y.value() == plain || y.is_nan() && plain.is_nan(), "{} at {x}: {} is not {plain}", f.name, y.value());
+            assert!(
+                y.value() == plain || y.is_nan() && plain.is_nan(),
+                "{} at {x}: {} is not {plain}",
+                f.name,
+                y.value()
+            );
             assert!(y.is_constant() || !x.is_finite(), "{} at {x}: {y}", f.name);
         }
     }

@@ -1,7 +1,9 @@
-//! Second-order numbers that know where they ceased to be finite. They stand in for others when an equation has failed and runs once more.
+//! Second-order numbers that know where they ceased to be finite. They stand in for others when an equation
+//! has failed and runs once more.
 //!
-//! A number that is not finite carries the number of the *fault* that made it so; faults are noted where an operation on finite numbers gives
-//! one that is not, and belong to the innermost expression of the user's that ends next ([`ended`], written by `#[constraint]`).
+//! A number that is not finite carries the number of the *fault* that made it so; faults are noted where an
+//! operation on finite numbers gives one that is not, and belong to the innermost expression of the user's
+//! that ends next ([`ended`], written by `#[constraint]`).
 
 use std::cell::RefCell;
 use std::fmt;
@@ -19,7 +21,8 @@ pub(crate) const TIME: u32 = 63;
 #[derive(Clone, Copy, Debug)]
 pub struct Traced {
     number: Dual2_64,
-    /// For value, first and second derivative: the number of the fault that made it, or one before it, not finite, counted from 1.
+    /// For value, first and second derivative: the number of the fault that made it, or one before it, not
+    /// finite, counted from 1.
     faults: [u32; 3],
     /// The coordinates behind it, one bit each.
     inputs: u64,
@@ -41,7 +44,8 @@ thread_local! {
     static FAULTS: RefCell<Vec<Fault>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Runs an equation; what `row` selects of its numbers, and the fault that made it not finite up to derivative number `part`.
+/// Runs an equation; what `row` selects of its numbers, and the fault that made it not finite up to
+/// derivative number `part`.
 pub(crate) fn fault_of(part: usize, run: impl FnOnce() -> Option<Traced>) -> Option<Fault> {
     FAULTS.with_borrow_mut(Vec::clear);
     let number = run()?;
@@ -75,14 +79,28 @@ impl Traced {
 
     /// The result of an operation.
     fn made(number: Dual2_64, operands: &[&Traced]) -> Self {
-        let mut made = Traced { number, faults: [0; 3], inputs: operands.iter().fold(0, |all, operand| all | operand.inputs) };
+        let mut made = Traced {
+            number,
+            faults: [0; 3],
+            inputs: operands.iter().fold(0, |all, operand| all | operand.inputs),
+        };
         let mut known = 0;
         for (part, x) in [number.re, number.v1, number.v2].into_iter().enumerate() {
             if known == 0 && !x.is_finite() {
-                known = operands.iter().map(|operand| operand.faults[part]).find(|fault| *fault != 0).unwrap_or_else(|| {
-                    let value = |k: usize| operands.get(k).map(|operand| operand.number.re);
-                    noted(Fault { expression: None, part, value: number.re, operands: [value(0), value(1)], inputs: made.inputs })
-                });
+                known = operands
+                    .iter()
+                    .map(|operand| operand.faults[part])
+                    .find(|fault| *fault != 0)
+                    .unwrap_or_else(|| {
+                        let value = |k: usize| operands.get(k).map(|operand| operand.number.re);
+                        noted(Fault {
+                            expression: None,
+                            part,
+                            value: number.re,
+                            operands: [value(0), value(1)],
+                            inputs: made.inputs,
+                        })
+                    });
             }
             made.faults[part] = known;
         }
@@ -206,7 +224,10 @@ mod tests {
             Some(z.0)
         });
         let fault = fault.unwrap();
-        assert_eq!((fault.expression, fault.part, fault.operands[0], fault.inputs), (Some(8), 0, Some(-1.0), 1));
+        assert_eq!(
+            (fault.expression, fault.part, fault.operands[0], fault.inputs),
+            (Some(8), 0, Some(-1.0), 1)
+        );
     }
 
     #[test]

@@ -1,4 +1,5 @@
-//! A program as a tape: steps in runs of one kind, on a memory of numbers, so that what is to be done is found out once a run.
+//! A program as a tape: steps in runs of one kind, on a memory of numbers, so that what is to be done is
+//! found out once a run.
 
 pub(in crate::program) mod replay;
 mod schedule;
@@ -28,7 +29,8 @@ pub(in crate::program) enum Kind {
     NegatedSum,
     /// Sine into `out`, cosine into `c`.
     SinCos,
-    /// The derivative of that order of the law of that number, and the two that follow it, into `out`, `b` and `c`.
+    /// The derivative of that order of the law of that number, and the two that follow it, into `out`, `b`
+    /// and `c`.
     Law(u32, u8),
     One(Function),
     Two(Function2),
@@ -118,6 +120,9 @@ impl Tape {
     /// How many steps and runs it has.
     pub(crate) fn size(&self) -> [usize; 2] {
         let stages = [&self.time, &self.correct, &self.rest];
-        [stages.iter().map(|stage| stage.steps.len()).sum(), stages.iter().map(|stage| stage.runs.len()).sum()]
+        [
+            stages.iter().map(|stage| stage.steps.len()).sum(),
+            stages.iter().map(|stage| stage.runs.len()).sum(),
+        ]
     }
 }

@@ -84,7 +84,8 @@ fn two<S: Level>(steps: &[Step], memory: &mut [Wide<S>], f: impl Fn(Wide<S>, Wid
 #[inline(always)]
 fn three<S: Level>(steps: &[Step], memory: &mut [Wide<S>], f: impl Fn(Wide<S>, Wide<S>, Wide<S>) -> Wide<S>) {
     for step in steps {
-        memory[step.out as usize] = f(memory[step.a as usize], memory[step.b as usize], memory[step.c as usize]);
+        memory[step.out as usize] =
+            f(memory[step.a as usize], memory[step.b as usize], memory[step.c as usize]);
     }
 }
 
@@ -121,9 +122,16 @@ fn ask<S: Level>(law: Option<&Law>, order: u8, steps: &[Step], memory: &mut [Wid
         let mut jet = [x; 3];
         for (lane, x) in x.as_slice().iter().enumerate() {
             let [f, f1, f2, f3] = law.map_or([f64::NAN; 4], |law| law.jet(*x));
-            let own = if order == 0 { [f, f1, f2] } else { [f3, law.map_or(f64::NAN, |law| law.fourth(*x)), f64::NAN] };
+            let own = if order == 0 {
+                [f, f1, f2]
+            } else {
+                [f3, law.map_or(f64::NAN, |law| law.fourth(*x)), f64::NAN]
+            };
             jet.iter_mut().zip(own).for_each(|(wide, number)| wide.as_mut_slice()[lane] = number);
         }
-        [step.out, step.b, step.c].into_iter().zip(jet).for_each(|(place, number)| memory[place as usize] = number);
+        [step.out, step.b, step.c]
+            .into_iter()
+            .zip(jet)
+            .for_each(|(place, number)| memory[place as usize] = number);
     }
 }

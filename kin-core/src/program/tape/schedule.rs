@@ -1,4 +1,5 @@
-//! From a program to its tape: sums are fused, steps of one kind are put side by side, and places are used again when their number is not read any more.
+//! From a program to its tape: sums are fused, steps of one kind are put side by side, and places are used
+//! again when their number is not read any more.
 
 use std::collections::HashMap;
 
@@ -26,14 +27,20 @@ pub(crate) fn schedule(program: Program) -> Tape {
     (2..outputs.parts.len()).for_each(|k| planner.require(own(k), 2));
     let order = planner.order();
     let (mut tape, kept) = (Tape::default(), planner.kept(&order, &all));
-    let mut places = Places { planner: &planner, place: ByNode::new(&graph), free: Vec::new(), next: 0, nothing: 0, kept };
+    let mut places =
+        Places { planner: &planner, place: ByNode::new(&graph), free: Vec::new(), next: 0, nothing: 0, kept };
     places.begin(&mut tape, &program.torn, &all);
     places.write(&mut tape, &order);
-    let of =
-        |nodes: &[Node]| nodes.iter().map(|node| places.place.get(planner.behind(*node)).unwrap_or(places.nothing)).collect::<Vec<u32>>();
+    let of = |nodes: &[Node]| {
+        nodes
+            .iter()
+            .map(|node| places.place.get(planner.behind(*node)).unwrap_or(places.nothing))
+            .collect::<Vec<u32>>()
+    };
     let lists = [0, 1, 2, 3, 4, 5, 6].map(|k| of(own(k)));
     tape.guards = (7..outputs.parts.len()).map(|k| of(own(k))).collect();
-    [tape.correction, tape.left, tape.values, tape.corrections, tape.rates, tape.second_rates, tape.verify] = lists;
+    [tape.correction, tape.left, tape.values, tape.corrections, tape.rates, tape.second_rates, tape.verify] =
+        lists;
     tape.places = places.next as usize;
     (tape.columns, tape.rows) = (program.torn, program.rows);
     (tape.laws, tape.blocks) = (program.laws, program.blocks);
@@ -80,7 +87,8 @@ struct Planner<'a> {
     maker: ByNode,
     sines: HashMap<Node, usize>,
     laws: HashMap<(usize, u8, Node), usize>,
-    /// Nodes that are the same number as another one: a law of a coordinate and of what stands for it in `verify`.
+    /// Nodes that are the same number as another one: a law of a coordinate and of what stands for it in
+    /// `verify`.
     same: HashMap<Node, Node>,
 }
 
@@ -129,7 +137,9 @@ impl<'a> Planner<'a> {
     fn plan(&mut self, node: Node, mut task: Task) {
         let next = self.tasks.len();
         let (task_number, place) = match self.graph.op(node) {
-            Op::Call(f @ (Function::Sin | Function::Cos), x) => (*self.sines.entry(x).or_insert(next), usize::from(f == Function::Cos)),
+            Op::Call(f @ (Function::Sin | Function::Cos), x) => {
+                (*self.sines.entry(x).or_insert(next), usize::from(f == Function::Cos))
+            }
             Op::Law(law, x, order) => {
                 let first = order / 3;
                 (*self.laws.entry((law, first, self.behind(x))).or_insert(next), usize::from(order % 3))
@@ -181,7 +191,9 @@ impl<'a> Planner<'a> {
             Op::Not(a) => (Kind::Not, [own(a), None, None]),
             Op::Select(c, a, b) => (Kind::Select, [own(c), own(a), own(b)]),
             // Programs have no foreign values, and no calls.
-            Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) | Op::Opaque(..) | Op::Leaf(_) => (Kind::Not, [None; 3]),
+            Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) | Op::Opaque(..) | Op::Leaf(_) => {
+                (Kind::Not, [None; 3])
+            }
         }
     }
 
@@ -207,8 +219,12 @@ impl<'a> Planner<'a> {
                     None => ready.push((kind, vec![k])),
                 }
             };
-            (0..self.tasks.len()).filter(|k| self.tasks[*k].stage == stage && missing[*k] == 0).for_each(|k| add(&mut ready, k));
-            while let Some(best) = (0..ready.len()).filter(|k| !ready[*k].1.is_empty()).max_by_key(|k| (ready[*k].1.len(), usize::MAX - k))
+            (0..self.tasks.len())
+                .filter(|k| self.tasks[*k].stage == stage && missing[*k] == 0)
+                .for_each(|k| add(&mut ready, k));
+            while let Some(best) = (0..ready.len())
+                .filter(|k| !ready[*k].1.is_empty())
+                .max_by_key(|k| (ready[*k].1.len(), usize::MAX - k))
             {
                 // What becomes ready meanwhile of the same kind belongs to the same run.
                 let mut done = 0;
@@ -229,7 +245,8 @@ impl<'a> Planner<'a> {
         order
     }
 
-    /// How often each number is read in its own stage; 0 of those that are kept: outputs, and what later stages read.
+    /// How often each number is read in its own stage; 0 of those that are kept: outputs, and what later
+    /// stages read.
     fn kept(&self, order: &[usize], outputs: &[Node]) -> ByNode {
         let (mut reads, mut keep) = (ByNode::new(self.graph), Vec::new());
         for &k in order {
@@ -269,7 +286,10 @@ impl ByNode {
 
 /// Whether a node stands in the memory from the beginning.
 fn is_given(graph: &Graph, node: Node) -> bool {
-    matches!(graph.op(node), Op::Input(_) | Op::Constant(_) | Op::Truth(_) | Op::Decimal(_) | Op::Opaque(..) | Op::Leaf(_))
+    matches!(
+        graph.op(node),
+        Op::Input(_) | Op::Constant(_) | Op::Truth(_) | Op::Decimal(_) | Op::Opaque(..) | Op::Leaf(_)
+    )
 }
 
 /// Where numbers stand.
@@ -308,7 +328,8 @@ impl Places<'_> {
         }
         let read = self.planner.tasks.iter().flat_map(|task| task.reads).flatten();
         for node in read.chain(outputs.iter().map(|node| self.planner.behind(*node))) {
-            let value = graph.constant_value(node).or(graph.truth(node).map(|holds| f64::from(u8::from(holds))));
+            let value =
+                graph.constant_value(node).or(graph.truth(node).map(|holds| f64::from(u8::from(holds))));
             if let (Some(value), None) = (value, self.place.get(node)) {
                 let place = self.take();
                 self.place.insert(node, place);
@@ -325,7 +346,8 @@ impl Places<'_> {
         self.nothing = nothing;
         for &k in order {
             let Task { kind, reads, makes, stage } = &self.planner.tasks[k];
-            let [a, b, c] = reads.map(|node| node.map_or(nothing, |node| self.place.get(node).unwrap_or(nothing)));
+            let [a, b, c] =
+                reads.map(|node| node.map_or(nothing, |node| self.place.get(node).unwrap_or(nothing)));
             for node in reads.iter().flatten() {
                 let Some(left) = self.kept.get(*node).filter(|left| *left > 0) else { continue };
                 self.kept.insert(*node, left - 1);

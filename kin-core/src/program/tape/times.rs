@@ -1,6 +1,8 @@
-//! Many times of one run at once, one a lane: Newton's method on what is torn, rates, C as it was written, and what each time is judged by.
+//! Many times of one run at once, one a lane: Newton's method on what is torn, rates, C as it was written,
+//! and what each time is judged by.
 //!
-//! A lane's digits never depend on its neighbours: one that has converged is not changed any more while others go on.
+//! A lane's digits never depend on its neighbours: one that has converged is not changed any more while
+//! others go on.
 
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -24,7 +26,8 @@ pub(crate) struct Limits {
     pub correction: Vec<f64>,
     /// Beside this share of the coordinate itself.
     pub rounding: f64,
-    /// A correction up to this share of its coordinate's size that does not shrink any more is rounding; sizes of torn coordinates.
+    /// A correction up to this share of its coordinate's size that does not shrink any more is rounding;
+    /// sizes of torn coordinates.
     pub stall: f64,
     pub sizes: Vec<f64>,
     /// How far each row may be off.
@@ -41,10 +44,12 @@ pub(crate) struct Limits {
 pub(crate) struct Judged {
     /// Whether Newton's method has converged and C = 0 holds as written.
     pub met: Vec<bool>,
-    /// How far the prediction from either end of a step misses the other, and by how much anything turns; not a number where something is none.
+    /// How far the prediction from either end of a step misses the other, and by how much anything turns; not
+    /// a number where something is none.
     pub miss: Vec<f64>,
     pub reach: Vec<f64>,
-    /// The least of pivots and determinants, as a share of what it was at the mark, and whether a block has turned over.
+    /// The least of pivots and determinants, as a share of what it was at the mark, and whether a block has
+    /// turned over.
     pub pivot: Vec<f64>,
     pub turned: Vec<bool>,
     pub residual: Vec<f64>,
@@ -93,7 +98,10 @@ impl<'p, S: Level> Times<'p, S> {
     /// Pivots and determinants of the first lane become the marks.
     fn mark(&mut self) {
         for (marks, guards) in self.marks.iter_mut().zip(&self.tape.guards) {
-            marks.iter_mut().zip(guards).for_each(|(mark, guard)| *mark = self.memory[*guard as usize].as_slice()[0]);
+            marks
+                .iter_mut()
+                .zip(guards)
+                .for_each(|(mark, guard)| *mark = self.memory[*guard as usize].as_slice()[0]);
         }
     }
 
@@ -120,10 +128,17 @@ impl<'p, S: Level> Times<'p, S> {
         (0..self.tape.verify.len()).max_by(|a, b| c(*a).total_cmp(&c(*b))).unwrap_or_default()
     }
 
-    /// Solves at all these times, one a lane; `before` is the time before the first lane. Torn coordinates begin on their curves, powers of the time
-    /// since `origin`.
-    /// Where `begins` is true, pivots and determinants of the first lane become the marks.
-    pub(crate) fn solve(&mut self, before: f64, times: &[f64], (origin, curves): (f64, &[Curve]), limits: &Limits, begins: bool) {
+    /// Solves at all these times, one a lane; `before` is the time before the first lane. Torn coordinates
+    /// begin on their curves, powers of the time since `origin`. Where `begins` is true, pivots and
+    /// determinants of the first lane become the marks.
+    pub(crate) fn solve(
+        &mut self,
+        before: f64,
+        times: &[f64],
+        (origin, curves): (f64, &[Curve]),
+        limits: &Limits,
+        begins: bool,
+    ) {
         let simd = self.simd;
         simd.vectorize(Solving { times: self, before, all: times, origin, curves, limits, begins });
     }
@@ -158,7 +173,10 @@ impl<S: Level> NullaryFnOnce for Solving<'_, '_, S> {
         times.memory[tape.t as usize] = t;
         let s = t - Wide::splat(simd, origin);
         for (place, curve) in tape.torn.iter().zip(curves) {
-            let own = curve.iter().rev().fold(Wide::splat(simd, 0.0), |sum, c| sum.mul_add(s, Wide::splat(simd, *c)));
+            let own = curve
+                .iter()
+                .rev()
+                .fold(Wide::splat(simd, 0.0), |sum, c| sum.mul_add(s, Wide::splat(simd, *c)));
             times.memory[*place as usize] = own;
         }
         times.replay(&tape.time);
@@ -172,9 +190,15 @@ impl<S: Level> NullaryFnOnce for Solving<'_, '_, S> {
         times.write();
         times.turn();
         let [miss, reach] = times.missed(t - from, limits);
-        let numbers = [(&mut times.judged.miss, miss), (&mut times.judged.reach, reach), (&mut times.judged.pivot, pivot)];
+        let numbers = [
+            (&mut times.judged.miss, miss),
+            (&mut times.judged.reach, reach),
+            (&mut times.judged.pivot, pivot),
+        ];
         numbers.into_iter().for_each(|(list, wide)| put(list, wide));
-        [(&mut times.judged.residual, residual), (&mut times.judged.steps, steps)].into_iter().for_each(|(list, wide)| put(list, wide));
+        [(&mut times.judged.residual, residual), (&mut times.judged.steps, steps)]
+            .into_iter()
+            .for_each(|(list, wide)| put(list, wide));
         let conditions = [(&mut times.judged.met, converged & met), (&mut times.judged.turned, turned)];
         for (list, mask) in conditions {
             list.clear();
@@ -213,7 +237,8 @@ impl<S: Level> Times<'_, S> {
         for _ in 0..=limits.steps {
             self.replay(&tape.correct);
             let (within, largest) = self.within(limits);
-            let stalled = largest.gt(Wide::splat(simd, 0.5) * previous) & largest.le(Wide::splat(simd, limits.stall));
+            let stalled =
+                largest.gt(Wide::splat(simd, 0.5) * previous) & largest.le(Wide::splat(simd, limits.stall));
             open = open & !(within | stalled);
             if !open.any() {
                 break;
@@ -228,7 +253,8 @@ impl<S: Level> Times<'_, S> {
         (!open, steps)
     }
 
-    /// Where the correction in hand and what made it are as small as they have to be, and the largest of it by sizes.
+    /// Where the correction in hand and what made it are as small as they have to be, and the largest of it
+    /// by sizes.
     #[inline(always)]
     fn within(&self, limits: &Limits) -> (Mask<S>, Wide<S>) {
         let (simd, tape) = (self.simd, self.tape);
@@ -241,7 +267,8 @@ impl<S: Level> Times<'_, S> {
             largest = largest.or_larger(change * Wide::splat(simd, size.recip()));
         }
         for (row, place) in tape.rows.iter().zip(&tape.left) {
-            within = within & self.memory[*place as usize].abs().le(Wide::splat(simd, 0.5 * limits.rows[*row]));
+            within =
+                within & self.memory[*place as usize].abs().le(Wide::splat(simd, 0.5 * limits.rows[*row]));
         }
         (within, largest)
     }
@@ -258,7 +285,8 @@ impl<S: Level> Times<'_, S> {
         (met, most)
     }
 
-    /// The least share of a pivot or determinant of what it was at the mark, and where the sign of a block is another one.
+    /// The least share of a pivot or determinant of what it was at the mark, and where the sign of a block is
+    /// another one.
     #[inline(always)]
     fn guarded(&self) -> (Wide<S>, Mask<S>) {
         let one = Wide::splat(self.simd, 1.0);
@@ -269,7 +297,8 @@ impl<S: Level> Times<'_, S> {
                 let share = self.memory[*guard as usize] * Wide::splat(self.simd, mark.recip());
                 let size = share.abs();
                 // What is no number is none of the sizes that do.
-                least = size.le(least).select(size, size.gt(least).select(least, Wide::splat(self.simd, 0.0)));
+                least =
+                    size.le(least).select(size, size.gt(least).select(least, Wide::splat(self.simd, 0.0)));
                 product = product * share;
             }
             turned = turned | product.lt(Wide::splat(self.simd, 0.0));
@@ -282,8 +311,10 @@ impl<S: Level> Times<'_, S> {
     fn write(&mut self) {
         let tape = self.tape;
         for column in 0..tape.values.len() {
-            let q = self.memory[tape.values[column] as usize] + self.memory[tape.corrections[column] as usize];
-            let rates = [tape.rates[column], tape.second_rates[column]].map(|place| self.memory[place as usize]);
+            let q =
+                self.memory[tape.values[column] as usize] + self.memory[tape.corrections[column] as usize];
+            let rates =
+                [tape.rates[column], tape.second_rates[column]].map(|place| self.memory[place as usize]);
             for (order, numbers) in [q, rates[0], rates[1]].into_iter().enumerate() {
                 let first = Self::line(column, order);
                 self.lines[first + 1..first + Self::STRIDE].copy_from_slice(numbers.as_slice());
@@ -314,7 +345,8 @@ impl<S: Level> Times<'_, S> {
         }
     }
 
-    /// How far q + h q̇ + ½ h² q̈ from either end of each step misses the other end, and by how much anything turns.
+    /// How far q + h q̇ + ½ h² q̈ from either end of each step misses the other end, and by how much anything
+    /// turns.
     #[inline(always)]
     fn missed(&self, h: Wide<S>, limits: &Limits) -> [Wide<S>; 2] {
         let simd = self.simd;

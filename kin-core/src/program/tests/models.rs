@@ -7,7 +7,8 @@ use crate::{Ground, Law, Mechanism, System, deg, vec2};
 /// Every mechanism of the gallery that is made of the library's constraints.
 pub(in crate::program) fn gallery() -> Vec<(String, System)> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/data/examples");
-    let mut paths: Vec<_> = std::fs::read_dir(folder).expect("the gallery").map(|file| file.expect("a file").path()).collect();
+    let mut paths: Vec<_> =
+        std::fs::read_dir(folder).expect("the gallery").map(|file| file.expect("a file").path()).collect();
     paths.sort();
     let system = |path: &std::path::PathBuf| {
         let mechanism = Mechanism::read_json(path, &Registry::new()).ok()?;
@@ -39,7 +40,9 @@ pub(in crate::program) fn chain(links: usize) -> System {
         let law = Law::sine(0.3, 1.0, 0.1 * k as f64);
         match last {
             None => m.add("pin 0", revolute(Ground, link, vec2(0.0, 0.0), link.start())).expect("adds"),
-            Some(last) => m.add(&format!("pin {k}"), revolute(last, link, last.end(), link.start())).expect("adds"),
+            Some(last) => {
+                m.add(&format!("pin {k}"), revolute(last, link, last.end(), link.start())).expect("adds")
+            }
         };
         m.add(&format!("motor {k}"), drive_angle(link, law)).expect("adds");
         last = Some(link);

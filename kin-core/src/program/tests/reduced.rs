@@ -1,4 +1,5 @@
-//! What the program computes is what a system does: positions, velocities and accelerations at the times of a motion.
+//! What the program computes is what a system does: positions, velocities and accelerations at the times of a
+//! motion.
 
 use kin_graph::{Input, LeafUse, Node, Source, evaluate};
 
@@ -38,7 +39,11 @@ impl Source<f64> for At<'_> {
     }
 }
 
-pub(in crate::program) fn compiled(system: &System, t: f64, q: &[f64]) -> Result<Program, crate::program::gather::Refusal> {
+pub(in crate::program) fn compiled(
+    system: &System,
+    t: f64,
+    q: &[f64],
+) -> Result<Program, crate::program::gather::Refusal> {
     let point = system.model().linearize(q, t).expect("finite");
     let sizes = scale::sizes(system.layout(), system.equations(), &point.values, q, system.links());
     program(system, Pose { t, q, sizes: &sizes })
@@ -51,7 +56,8 @@ fn largest(pairs: impl Iterator<Item = (f64, f64)>) -> f64 {
     })
 }
 
-/// Newton's method on what is torn, from values that are off; then all coordinates, q̇, q̈ and C beside those of the motion.
+/// Newton's method on what is torn, from values that are off; then all coordinates, q̇, q̈ and C beside those
+/// of the motion.
 fn difference(program: &Program, t: f64, [q, qd, qdd]: [&[f64]; 3]) -> [f64; 4] {
     let mut own = q.to_vec();
     program.torn.iter().enumerate().for_each(|(k, column)| own[*column] += 1e-4 * (k as f64 + 1.0).sin());
@@ -67,7 +73,12 @@ fn difference(program: &Program, t: f64, [q, qd, qdd]: [&[f64]; 3]) -> [f64; 4] 
     let verify = of(&program.verify, &own, &values);
     let [rates, second_rates] = [&program.rates, &program.second_rates].map(|nodes| of(nodes, &own, &[]));
     let all = |a: &[f64], b: &[f64]| largest(a.iter().copied().zip(b.iter().copied()));
-    [all(q, &values), all(qd, &rates), all(qdd, &second_rates), verify.iter().fold(0.0, |m: f64, c| m.max(c.abs()))]
+    [
+        all(q, &values),
+        all(qd, &rates),
+        all(qdd, &second_rates),
+        verify.iter().fold(0.0, |m: f64, c| m.max(c.abs())),
+    ]
 }
 
 /// Whether a pivot is less than a hundredth of what it was at the first of two poses.
@@ -82,7 +93,8 @@ fn fades(program: &Program, times: [f64; 2], poses: [&[f64]; 2]) -> bool {
 
 #[test]
 fn the_program_has_the_positions_and_rates_of_the_system() {
-    let own = [("four-bar", four_bar()), ("chain", chain(12))].map(|(name, system)| (name.to_string(), system));
+    let own =
+        [("four-bar", four_bar()), ("chain", chain(12))].map(|(name, system)| (name.to_string(), system));
     let (mut compared, mut refused) = (0, Vec::new());
     for (name, system) in gallery().into_iter().chain(own) {
         let Ok(motion) = system.run(linspace(0.0, 0.5, 26)) else { continue };
@@ -100,7 +112,10 @@ fn the_program_has_the_positions_and_rates_of_the_system() {
             let faded = fades(&program, [0.0, t], [motion.q(0), motion.q(k)]);
             let another = faded.then(|| compiled(&system, t, motion.q(k)).expect("as before"));
             let [q, qd, qdd, c] = difference(another.as_ref().unwrap_or(&program), t, all);
-            assert!(q < 1e-11 && qd < 1e-9 && qdd < 1e-7 && c < 1e-11, "{name} at {k}: {q:e} {qd:e} {qdd:e} {c:e}");
+            assert!(
+                q < 1e-11 && qd < 1e-9 && qdd < 1e-7 && c < 1e-11,
+                "{name} at {k}: {q:e} {qd:e} {qdd:e} {c:e}"
+            );
         }
     }
     assert!(compared > 12, "{compared} {refused:?}");

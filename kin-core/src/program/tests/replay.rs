@@ -30,13 +30,27 @@ impl WithLevel for Replayed<'_> {
         for lane in 0..Wide::<S>::LANES {
             let (t, q) = &self.poses[lane % self.poses.len()];
             memory[tape.t as usize].as_mut_slice()[lane] = *t;
-            tape.torn.iter().zip(&tape.columns).for_each(|(place, column)| memory[*place as usize].as_mut_slice()[lane] = q[*column]);
+            tape.torn
+                .iter()
+                .zip(&tape.columns)
+                .for_each(|(place, column)| memory[*place as usize].as_mut_slice()[lane] = q[*column]);
         }
-        let mut replay = |stage: &Stage| simd.vectorize(Again(Replay { stage, laws: &tape.laws, memory: &mut memory, level: PhantomData }));
+        let mut replay = |stage: &Stage| {
+            simd.vectorize(Again(Replay { stage, laws: &tape.laws, memory: &mut memory, level: PhantomData }))
+        };
         // What leads to the correction can be replayed any number of times.
         [&tape.time, &tape.correct, &tape.correct, &tape.rest].into_iter().for_each(&mut replay);
-        let lists = [&tape.correction, &tape.left, &tape.values, &tape.corrections, &tape.rates, &tape.second_rates, &tape.verify];
-        let places: Vec<u32> = lists.into_iter().flatten().chain(tape.guards.iter().flatten()).copied().collect();
+        let lists = [
+            &tape.correction,
+            &tape.left,
+            &tape.values,
+            &tape.corrections,
+            &tape.rates,
+            &tape.second_rates,
+            &tape.verify,
+        ];
+        let places: Vec<u32> =
+            lists.into_iter().flatten().chain(tape.guards.iter().flatten()).copied().collect();
         let of = |lane: usize| places.iter().map(|place| memory[*place as usize].as_slice()[lane]).collect();
         (0..Wide::<S>::LANES.min(self.poses.len())).map(of).collect()
     }
@@ -95,22 +109,32 @@ fn scalar(program: &Program, t: f64, q: &[f64]) -> Vec<f64> {
 
 #[test]
 fn every_number_of_a_tape_is_that_of_its_program() {
-    let own = [("four-bar", four_bar()), ("chain", chain(12))].map(|(name, system)| (name.to_string(), system));
+    let own =
+        [("four-bar", four_bar()), ("chain", chain(12))].map(|(name, system)| (name.to_string(), system));
     for (name, system) in gallery().into_iter().chain(own) {
         let Ok(motion) = system.run(linspace(0.0, 0.4, 9)) else { continue };
-        let (program, again) = (compiled(&system, 0.0, motion.q(0)).expect("compiles"), compiled(&system, 0.0, motion.q(0)));
+        let (program, again) =
+            (compiled(&system, 0.0, motion.q(0)).expect("compiles"), compiled(&system, 0.0, motion.q(0)));
         let tape = schedule(again.expect("compiles"));
         let off = |column: usize| 1e-3 * (column as f64).cos();
-        let pose = |k: usize| (motion.times()[k], motion.q(k).iter().enumerate().map(|(column, q)| q + off(column)).collect());
+        let pose = |k: usize| {
+            (motion.times()[k], motion.q(k).iter().enumerate().map(|(column, q)| q + off(column)).collect())
+        };
         let poses: Vec<(f64, Vec<f64>)> = (0..motion.len()).map(pose).collect();
         for lanes in [2, 4, 8] {
-            let Ok(found) = Lanes::Only(lanes).dispatch(Replayed { tape: &tape, poses: &poses }) else { continue };
+            let Ok(found) = Lanes::Only(lanes).dispatch(Replayed { tape: &tape, poses: &poses }) else {
+                continue;
+            };
             for ((t, q), found) in poses.iter().zip(found) {
                 let expected = scalar(&program, *t, q);
                 let size = expected.iter().fold(1.0_f64, |m, x| m.max(x.abs()));
                 for (k, (found, expected)) in found.iter().zip(&expected).enumerate() {
                     let near = (found - expected).abs() <= 1e-11 * size;
-                    assert!(near, "{name}, {lanes} lanes, t = {t}, number {k} of {}: {found} is not {expected}", program.outputs().len());
+                    assert!(
+                        near,
+                        "{name}, {lanes} lanes, t = {t}, number {k} of {}: {found} is not {expected}",
+                        program.outputs().len()
+                    );
                 }
             }
         }

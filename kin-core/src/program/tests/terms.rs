@@ -52,7 +52,8 @@ fn difference(system: &System, whole: &Whole, seed: u64) -> f64 {
     model.entries(&point.values).for_each(|(row, column, value)| c_q[row][column] += value);
     let at = At { t, q: &q, qd: &qd, whole };
     let of = |nodes: Vec<Node>| numbers(&whole.graph, &nodes, &at);
-    let rows = |of: fn(&crate::program::gather::Row) -> Node| whole.rows.iter().map(of).collect::<Vec<Node>>();
+    let rows =
+        |of: fn(&crate::program::gather::Row) -> Node| whole.rows.iter().map(of).collect::<Vec<Node>>();
     let mut own = vec![vec![0.0; n]; equations.rows];
     for (row, own) in whole.rows.iter().zip(&mut own) {
         let values = of(row.slopes.iter().map(|(_, slope)| *slope).collect());
@@ -66,14 +67,17 @@ fn difference(system: &System, whole: &Whole, seed: u64) -> f64 {
     ];
     let far = |(a, b): &(Vec<f64>, Vec<f64>)| {
         let size = a.iter().fold(1.0_f64, |m, x| m.max(x.abs()));
-        a.iter().zip(b).fold(0.0_f64, |m, (x, y)| if (x - y).abs() <= m * size { m } else { (x - y).abs() / size })
+        a.iter()
+            .zip(b)
+            .fold(0.0_f64, |m, (x, y)| if (x - y).abs() <= m * size { m } else { (x - y).abs() / size })
     };
     pairs.iter().map(far).fold(0.0, |m, x| if x <= m { m } else { x })
 }
 
 #[test]
 fn gathered_terms_are_those_of_the_system() {
-    let own = [("four-bar", four_bar()), ("chain", chain(12))].map(|(name, system)| (name.to_string(), system));
+    let own =
+        [("four-bar", four_bar()), ("chain", chain(12))].map(|(name, system)| (name.to_string(), system));
     let mut gathered = 0;
     for (name, system) in gallery().into_iter().chain(own) {
         match gather(&system) {

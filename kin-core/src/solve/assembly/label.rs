@@ -10,15 +10,18 @@ use crate::model::state::SpatialState;
 use crate::model::units::Unit;
 use crate::system::scaled::{Measures, Model};
 
-/// The name of one assembly among all: a sign vector, and an ordinal among those of the same signs. Written as `+-+ 2`.
+/// The name of one assembly among all: a sign vector, and an ordinal among those of the same signs. Written
+/// as `+-+ 2`.
 ///
-/// The first sign is that of det C_q, which changes only at singular positions (for redundant mechanisms it is left out). Then comes one for
-/// each pair of moving bodies that a constraint joins, in the order in which constraints were added, and one for each spatial body that is
-/// joined to the ground. For planar bodies i and j it is the sign of sin(θ_j − θ_i): the elbow to the left or to the right. For spatial bodies
-/// it is + where they are turned against each other by less than a right angle on the whole, tr(A_iᵀ A_j) > 1.
+/// The first sign is that of det C_q, which changes only at singular positions (for redundant mechanisms it
+/// is left out). Then comes one for each pair of moving bodies that a constraint joins, in the order in which
+/// constraints were added, and one for each spatial body that is joined to the ground. For planar bodies i
+/// and j it is the sign of sin(θ_j − θ_i): the elbow to the left or to the right. For spatial bodies it is +
+/// where they are turned against each other by less than a right angle on the whole, tr(A_iᵀ A_j) > 1.
 ///
-/// Ordinals count from 1 in the order of the coordinates, the first that differs by more than 1e-6 (of a radian, of the model's length)
-/// decides; angles between −π and π, Euler parameters with the first that is not zero above zero: p and −p are one pose.
+/// Ordinals count from 1 in the order of the coordinates, the first that differs by more than 1e-6 (of a
+/// radian, of the model's length) decides; angles between −π and π, Euler parameters with the first that is
+/// not zero above zero: p and −p are one pose.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Label {
     /// The signs, +1 or −1.
@@ -38,7 +41,11 @@ impl FromStr for Label {
     type Err = crate::Error;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let unknown = || crate::Error::UnknownName { what: "label of the form `+-+ 2`", name: text.to_string(), known: Vec::new() };
+        let unknown = || crate::Error::UnknownName {
+            what: "label of the form `+-+ 2`",
+            name: text.to_string(),
+            known: Vec::new(),
+        };
         let (signs, ordinal) = text.trim().rsplit_once(' ').unwrap_or(("", text.trim()));
         let sign = |c: char| match c {
             '+' => Some(1),
@@ -51,7 +58,8 @@ impl FromStr for Label {
     }
 }
 
-/// q with angles between −π and π and one of the two signs of Euler parameters, lengths in units of the model's: equal for equal poses.
+/// q with angles between −π and π and one of the two signs of Euler parameters, lengths in units of the
+/// model's: equal for equal poses.
 pub(super) fn canonical(layout: &Layout, measures: &Measures, q: &[f64]) -> Vec<f64> {
     let mut all: Vec<f64> = q.iter().zip(&measures.sizes).map(|(q, size)| q / size).collect();
     for (x, _) in all.iter_mut().zip(&layout.units).filter(|(_, unit)| **unit == Unit::Radian) {
@@ -72,9 +80,16 @@ pub(super) fn canonical(layout: &Layout, measures: &Measures, q: &[f64]) -> Vec<
 pub(super) const SAME: f64 = 1e-6;
 
 /// Labels of assemblies, which come out in the canonical order: by signs, + before −, then by coordinates.
-pub(super) fn labelled(model: &Model<'_>, measures: &Measures, found: Vec<Vec<f64>>, t: f64) -> Vec<(Label, Vec<f64>)> {
-    let mut all: Vec<(Vec<i8>, Vec<f64>, Vec<f64>)> =
-        found.into_iter().map(|q| (signs(model, measures, &q, t), canonical(model.layout, measures, &q), q)).collect();
+pub(super) fn labelled(
+    model: &Model<'_>,
+    measures: &Measures,
+    found: Vec<Vec<f64>>,
+    t: f64,
+) -> Vec<(Label, Vec<f64>)> {
+    let mut all: Vec<(Vec<i8>, Vec<f64>, Vec<f64>)> = found
+        .into_iter()
+        .map(|q| (signs(model, measures, &q, t), canonical(model.layout, measures, &q), q))
+        .collect();
     let by_coordinates = |a: &[f64], b: &[f64]| {
         let different = a.iter().zip(b).find(|(a, b)| (*a - *b).abs() > SAME);
         different.map_or(std::cmp::Ordering::Equal, |(a, b)| a.total_cmp(b))
@@ -82,7 +97,10 @@ pub(super) fn labelled(model: &Model<'_>, measures: &Measures, found: Vec<Vec<f6
     all.sort_by(|a, b| b.0.cmp(&a.0).then_with(|| by_coordinates(&a.1, &b.1)));
     let mut labelled: Vec<(Label, Vec<f64>)> = Vec::new();
     for (signs, _, q) in all {
-        let ordinal = labelled.last().filter(|(label, _)| label.signs == signs).map_or(1, |(label, _)| label.ordinal + 1);
+        let ordinal = labelled
+            .last()
+            .filter(|(label, _)| label.signs == signs)
+            .map_or(1, |(label, _)| label.ordinal + 1);
         labelled.push((Label { signs, ordinal }, q));
     }
     labelled

@@ -1,8 +1,10 @@
 //! All assemblies of a mechanism at one time.
 //!
-//! Newton's steps from many starts. Where they lead to a known assembly, the same start once more with the known ones deflated: their
-//! neighbourhoods push steps away (P. E. Farrell, Á. Birkisson, S. W. Funke, Deflation techniques for finding distinct solutions of nonlinear partial differential
-//! equations, SIAM J. Sci. Comput. 37, 2015). With M = Π (1 + ρ²/d_k²) the step of M C = 0 is Newton's step times 1 / (1 − ∇ln M · Δq).
+//! Newton's steps from many starts. Where they lead to a known assembly, the same start once more with the
+//! known ones deflated: their neighbourhoods push steps away (P. E. Farrell, Á. Birkisson, S. W. Funke,
+//! Deflation techniques for finding distinct solutions of nonlinear partial differential equations, SIAM J.
+//! Sci. Comput. 37, 2015). With M = Π (1 + ρ²/d_k²) the step of M C = 0 is Newton's step times 1 / (1 − ∇ln M
+//! · Δq).
 
 use std::time::Duration;
 
@@ -17,18 +19,21 @@ use crate::model::units::Unit;
 use crate::numbers::random::Random;
 use crate::system::scaled::{Measures, Model, Point};
 
-/// How assemblies are looked for. All fields have defaults: `AssemblyOptions { seed: 7, ..AssemblyOptions::default() }`.
+/// How assemblies are looked for. All fields have defaults: `AssemblyOptions { seed: 7,
+/// ..AssemblyOptions::default() }`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AssemblyOptions {
     /// Starts at most; default 4000.
     pub starts: usize,
-    /// The search ends after this many starts in a row that lead to nothing new, and twenty more for each assembly that is known; default 100.
+    /// The search ends after this many starts in a row that lead to nothing new, and twenty more for each
+    /// assembly that is known; default 100.
     pub patience: usize,
     /// Newton's steps from one start; default 60.
     pub steps: usize,
     /// The same seed gives the same assemblies; default 0.
     pub seed: u64,
-    /// Time after which no other start is begun. With a limit the result can depend on the machine; default none.
+    /// Time after which no other start is begun. With a limit the result can depend on the machine; default
+    /// none.
     pub time_limit: Option<Duration>,
 }
 
@@ -44,12 +49,18 @@ impl Default for AssemblyOptions {
 pub struct Assembly {
     /// Its name among all.
     pub label: Label,
-    /// The pose, C(q, t) = 0: a guess from which the mechanism is assembled in this way again ([`crate::System::set_initial`]).   \[m, rad\]
+    /// The pose, C(q, t) = 0: a guess from which the mechanism is assembled in this way again
+    /// ([`crate::System::set_initial`]).   \[m, rad\]
     pub q: Vec<f64>,
 }
 
 /// All assemblies that are found, in the order of their labels.
-pub(crate) fn all(model: Model<'_>, guess: &[f64], t: f64, options: &AssemblyOptions) -> Result<Vec<Assembly>> {
+pub(crate) fn all(
+    model: Model<'_>,
+    guess: &[f64],
+    t: f64,
+    options: &AssemblyOptions,
+) -> Result<Vec<Assembly>> {
     at_least_one(options.starts, "starts")?;
     at_least_one(options.steps, "steps")?;
     let clock = Clock::new(options.time_limit);
@@ -67,7 +78,9 @@ pub(crate) fn all(model: Model<'_>, guess: &[f64], t: f64, options: &AssemblyOpt
         if modes.from(&from, t) {
             idle = 0;
             if modes.found.len() > MOST {
-                return Err(Error::InvalidOptions { reason: format!("more than {MOST} assemblies: the mechanism is free to move") });
+                return Err(Error::InvalidOptions {
+                    reason: format!("more than {MOST} assemblies: the mechanism is free to move"),
+                });
             }
         }
     }
@@ -132,7 +145,8 @@ impl<'a> Modes<'a> {
         q
     }
 
-    /// Whether a start leads to an assembly that was not known, at the first try or with the known ones deflated.
+    /// Whether a start leads to an assembly that was not known, at the first try or with the known ones
+    /// deflated.
     fn from(&mut self, start: &[f64], t: f64) -> bool {
         match self.newton(start, t, false) {
             Some(q) => self.is_new(&q, t) || self.newton(start, t, true).is_some_and(|q| self.is_new(&q, t)),
@@ -210,7 +224,8 @@ impl<'a> Modes<'a> {
         self.difference(a, b).0
     }
 
-    /// b − a, angles by the shorter way, Euler parameters by the nearer of the two signs: the largest, all, and the sum of squares.
+    /// b − a, angles by the shorter way, Euler parameters by the nearer of the two signs: the largest, all,
+    /// and the sum of squares.
     fn difference(&self, a: &[f64], b: &[f64]) -> (f64, Vec<f64>, f64) {
         let mut d: Vec<f64> = a.iter().zip(b).map(|(a, b)| b - a).collect();
         for (d, _) in d.iter_mut().zip(&self.model.layout.units).filter(|(_, unit)| **unit == Unit::Radian) {
@@ -228,7 +243,8 @@ impl<'a> Modes<'a> {
     }
 }
 
-/// Newton's steps in shares: for as many equations as coordinates by the recorded elimination, for more by least squares.
+/// Newton's steps in shares: for as many equations as coordinates by the recorded elimination, for more by
+/// least squares.
 enum Solver {
     Square(Linear),
     LeastSquares(LeastSquares),
@@ -239,7 +255,8 @@ impl Solver {
         if model.m() != model.n() {
             return Solver::LeastSquares(LeastSquares::new(model.m(), model.n(), &model.equations.entries));
         }
-        let mut linear = Linear::new(model.n(), model.equations.entries.iter().copied(), &model.equations.constants);
+        let mut linear =
+            Linear::new(model.n(), model.equations.entries.iter().copied(), &model.equations.constants);
         linear.set_sizes(&measures.sizes);
         Solver::Square(linear)
     }
@@ -262,7 +279,9 @@ impl Solver {
             }
             Solver::LeastSquares(tall) => {
                 let entries = model.equations.entries.iter().zip(&point.values);
-                let values = entries.map(|(entry, value)| entry.map_or(0.0, |(row, column)| value * sizes[column] / norms[row]));
+                let values = entries.map(|(entry, value)| {
+                    entry.map_or(0.0, |(row, column)| value * sizes[column] / norms[row])
+                });
                 if !tall.factor(values, DAMPING) {
                     return None;
                 }

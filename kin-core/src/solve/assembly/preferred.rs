@@ -11,11 +11,17 @@ use crate::system::{PreferredMeasure, System};
 /// What is this near to everything that is preferred needs no other assembly.   \[rad, or typical lengths\]
 const CLOSE: f64 = 1e-3;
 
-/// How far the worst preferred coordinate is from its value: of an angle and of Euler parameters in radians, else relative to its size.
+/// How far the worst preferred coordinate is from its value: of an angle and of Euler parameters in radians,
+/// else relative to its size.
 pub(crate) fn distance(layout: &Layout, preferred: &[(usize, f64)], q: &[f64], sizes: &[f64]) -> f64 {
     let turns = layout.items.iter().filter(|item| item.kind == Kind::Spatial).map(|item| {
         let own = item.first + 3..item.first + 7;
-        let pairs = || preferred.iter().filter(|(column, _)| own.contains(column)).map(|&(column, value)| (q[column], value));
+        let pairs = || {
+            preferred
+                .iter()
+                .filter(|(column, _)| own.contains(column))
+                .map(|&(column, value)| (q[column], value))
+        };
         // p and −p are one turn; |p − p0| is half the angle between, nearly.
         let sign = if pairs().map(|(q, value)| q * value).sum::<f64>() < 0.0 { -1.0 } else { 1.0 };
         2.0 * pairs().map(|(q, value)| (sign * q - value).powi(2)).sum::<f64>().sqrt()
@@ -40,18 +46,27 @@ impl System {
             }
             let place = self.place_of(name).ok_or_else(|| self.no_measure(name))?;
             let is_angle = place.told.turns || place.told.unit == "rad";
-            self.asked.push(PreferredMeasure { block: place.block, number: place.number, is_angle, value: *value });
+            self.asked.push(PreferredMeasure {
+                block: place.block,
+                number: place.number,
+                is_angle,
+                value: *value,
+            });
         }
         Ok(())
     }
 
-    /// Where no measure is preferred, or the pose is near enough to those that are, nothing; else of all assemblies the one that is nearest to
-    /// everything that is preferred.
+    /// Where no measure is preferred, or the pose is near enough to those that are, nothing; else of all
+    /// assemblies the one that is nearest to everything that is preferred.
     pub(crate) fn nearer(&self, q: Option<&[f64]>, t: f64, search: &SearchOptions) -> Option<Vec<f64>> {
         if self.asked.is_empty() || q.is_some_and(|q| self.is_close(q, t)) {
             return None;
         }
-        let options = AssemblyOptions { seed: search.seed, time_limit: search.time_limit, ..AssemblyOptions::default() };
+        let options = AssemblyOptions {
+            seed: search.seed,
+            time_limit: search.time_limit,
+            ..AssemblyOptions::default()
+        };
         let all = modes::all(self.model(), self.initial(), t, &options).ok()?;
         let meant = all.into_iter().filter(|assembly| self.all_meant(std::iter::once((t, &assembly.q[..]))));
         let nearest = meant.map(|Assembly { q, .. }| (self.far(&q, t), q)).min_by(|a, b| a.0.total_cmp(&b.0));
@@ -65,8 +80,14 @@ impl System {
     /// How far the worst of everything that is preferred is from its value.
     fn far(&self, q: &[f64], t: f64) -> f64 {
         let sizes = self.model().measure(q, t).sizes;
-        let length =
-            self.layout().units.iter().zip(&sizes).filter(|(unit, _)| **unit == Unit::Metre).map(|(_, size)| *size).fold(0.0, f64::max);
+        let length = self
+            .layout()
+            .units
+            .iter()
+            .zip(&sizes)
+            .filter(|(unit, _)| **unit == Unit::Metre)
+            .map(|(_, size)| *size)
+            .fold(0.0, f64::max);
         let still = vec![0.0; q.len()];
         let measures = self.asked.iter().filter_map(|asked| {
             let block = self.equations().blocks.get(asked.block)?;

@@ -26,9 +26,15 @@ pub(crate) struct Found {
     pub starts: usize,
 }
 
-/// The pose nearest the guess that meets the active rows, in the preferred assembly if one is found; where no start leads to any, the place
-/// of the smallest gap. `None` where nothing is finite.
-pub(crate) fn search(model: Model<'_>, guess: &[f64], t: f64, active: &dyn Fn(usize) -> bool, options: &SearchOptions) -> Option<Found> {
+/// The pose nearest the guess that meets the active rows, in the preferred assembly if one is found; where no
+/// start leads to any, the place of the smallest gap. `None` where nothing is finite.
+pub(crate) fn search(
+    model: Model<'_>,
+    guess: &[f64],
+    t: f64,
+    active: &dyn Fn(usize) -> bool,
+    options: &SearchOptions,
+) -> Option<Found> {
     let guess = turn::turned(&model, guess, t, active);
     let sizes = model.measure(&guess, t).sizes;
     let (clock, mut starts) = (options.clock(), 0);
@@ -54,14 +60,21 @@ pub(crate) fn search(model: Model<'_>, guess: &[f64], t: f64, active: &dyn Fn(us
 }
 
 /// What was found, turned over where it closes with an axis turned by 180°.
-fn right_way_up(model: Model<'_>, found: Found, t: f64, active: &dyn Fn(usize) -> bool, steps: usize) -> Found {
+fn right_way_up(
+    model: Model<'_>,
+    found: Found,
+    t: f64,
+    active: &dyn Fn(usize) -> bool,
+    steps: usize,
+) -> Found {
     if !found.met || turned_over::wrong(&model, &found.place.q, t, active).is_empty() {
         return found;
     }
     turned_over::mended(model, &found.place.q, t, active, steps).unwrap_or(Found { meant: false, ..found })
 }
 
-/// A pose is better than none, one that is meant better than one that is not, the nearer to what is preferred the better; then the smaller gap.
+/// A pose is better than none, one that is meant better than one that is not, the nearer to what is preferred
+/// the better; then the smaller gap.
 fn better(model: &Model<'_>, new: &Found, known: &Found) -> bool {
     match (new.met, known.met) {
         (true, true) if new.meant != known.meant => new.meant,
@@ -98,7 +111,13 @@ pub(crate) fn descend(
         let again = model.measure(&place.q, t);
         let close = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (0.25..4.0).contains(&(a / b)));
         if round == 2 || (close(&again.sizes, &measures.sizes) && close(&again.norms, &measures.norms)) {
-            return Some(Found { place: Iterate { steps: taken, ..place }, measures, met, meant: true, starts: 1 });
+            return Some(Found {
+                place: Iterate { steps: taken, ..place },
+                measures,
+                met,
+                meant: true,
+                starts: 1,
+            });
         }
         (measures, q) = (again, place.q);
     }
@@ -117,7 +136,11 @@ fn minimise(
     let mut q = from.to_vec();
     let (mut last, mut steps) = (None, 0);
     for &hold in stages {
-        let holds = if hold > 0.0 { held.iter().map(|&(column, value)| (column, value, hold)).collect() } else { Vec::new() };
+        let holds = if hold > 0.0 {
+            held.iter().map(|&(column, value)| (column, value, hold)).collect()
+        } else {
+            Vec::new()
+        };
         let mut squares = LevenbergMarquardt::new(model, measures, holds, false);
         (0..model.m()).filter(|row| !active(*row)).for_each(|row| squares.weights[row] = 0.0);
         let place = squares.minimise(squares.place(&q, t)?, most);
@@ -129,7 +152,13 @@ fn minimise(
 }
 
 /// The guess; from the second start on with everything moved at random, more at later starts.
-pub(crate) fn start_from(model: &Model<'_>, guess: &[f64], sizes: &[f64], start: usize, options: &SearchOptions) -> Vec<f64> {
+pub(crate) fn start_from(
+    model: &Model<'_>,
+    guess: &[f64],
+    sizes: &[f64],
+    start: usize,
+    options: &SearchOptions,
+) -> Vec<f64> {
     if start == 0 {
         return guess.to_vec();
     }

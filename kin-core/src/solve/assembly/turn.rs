@@ -6,7 +6,8 @@ use crate::system::scaled::Model;
 /// Angles that are off by less are left to the search.   \[rad\]
 const TURN: f64 = 1.0;
 
-/// q with those angles set, one after the other, as their rows ask. Rows that are not linear in their angle are left alone.
+/// q with those angles set, one after the other, as their rows ask. Rows that are not linear in their angle
+/// are left alone.
 pub(crate) fn turned(model: &Model<'_>, q: &[f64], t: f64, active: &dyn Fn(usize) -> bool) -> Vec<f64> {
     /// Rounds of rows that follow one another.
     const ROUNDS: usize = 64;
@@ -38,7 +39,13 @@ fn residual(model: &Model<'_>, q: &[f64], t: f64, row: usize) -> f64 {
 }
 
 /// Row, column and correction of each angle that one row determines by itself.
-fn asked(model: &Model<'_>, q: &[f64], t: f64, known: &[bool], active: &dyn Fn(usize) -> bool) -> Vec<(usize, usize, f64)> {
+fn asked(
+    model: &Model<'_>,
+    q: &[f64],
+    t: f64,
+    known: &[bool],
+    active: &dyn Fn(usize) -> bool,
+) -> Vec<(usize, usize, f64)> {
     let Ok(point) = model.linearize(q, t) else { return Vec::new() };
     let mut rows: Vec<Option<Vec<(usize, f64)>>> = vec![Some(Vec::new()); model.m()];
     for (row, column, value) in model.entries(&point.values).filter(|(_, _, value)| *value != 0.0) {

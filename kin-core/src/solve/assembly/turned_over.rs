@@ -1,4 +1,5 @@
-//! Joints that close the wrong way, with an axis turned by 180°: one of their bodies is turned over, and everything brought back onto C = 0.
+//! Joints that close the wrong way, with an axis turned by 180°: one of their bodies is turned over, and
+//! everything brought back onto C = 0.
 
 use super::search::{Found, descend};
 use crate::model::coordinates::Target;
@@ -6,8 +7,15 @@ use crate::model::layout::Place;
 use crate::numbers::algebra::EulerParameters;
 use crate::system::scaled::Model;
 
-/// From a position that closes the wrong way somewhere to one that closes everywhere as it is meant; `None` where that is not found.
-pub(crate) fn mended(model: Model<'_>, q: &[f64], t: f64, active: &dyn Fn(usize) -> bool, steps: usize) -> Option<Found> {
+/// From a position that closes the wrong way somewhere to one that closes everywhere as it is meant; `None`
+/// where that is not found.
+pub(crate) fn mended(
+    model: Model<'_>,
+    q: &[f64],
+    t: f64,
+    active: &dyn Fn(usize) -> bool,
+    steps: usize,
+) -> Option<Found> {
     let mut wrong = wrong(&model, q, t, active);
     let mut here = q.to_vec();
     while let Some(&block) = wrong.first() {
@@ -32,11 +40,15 @@ pub(crate) fn wrong(model: &Model<'_>, q: &[f64], t: f64, active: &dyn Fn(usize)
     }
     let instant = model.equations.instant_at(t, q);
     let all = model.equations.branches().iter().copied();
-    all.filter(|k| active(model.equations.blocks[*k].rows().start) && model.equations.wrong_branch(*k, &instant).is_some()).collect()
+    all.filter(|k| {
+        active(model.equations.blocks[*k].rows().start)
+            && model.equations.wrong_branch(*k, &instant).is_some()
+    })
+    .collect()
 }
 
-/// The pose with each body of a constraint turned over: a planar one by 180°, a spatial one by 180° about each axis of its frame, one of which is
-/// far from any axis that may be meant.
+/// The pose with each body of a constraint turned over: a planar one by 180°, a spatial one by 180° about
+/// each axis of its frame, one of which is far from any axis that may be meant.
 fn starts(model: &Model<'_>, q: &[f64], block: usize) -> Vec<Vec<f64>> {
     let mut all = Vec::new();
     for argument in model.equations.blocks[block].constraint.arguments() {

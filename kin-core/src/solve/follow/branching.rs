@@ -1,9 +1,11 @@
 //! Bifurcations: where two curves of G(x) = C(q, t) = 0 cross, G_x has rank n − 1 and two tangents.
 //!
-//! Along two directions that G_x takes to zero the curve is that of one equation f(ξ) = 0 in two unknowns (Lyapunov and Schmidt): f is what is
-//! left of G, in units of the row combination b that G_x cannot reach, when everything else is met. From B = [G_x b; Φᵀ 0], which is regular
-//! there, come f, its gradient and its Hessian, by terms of second order along two directions. f has a critical point; if it is zero there
-//! curves cross, along the two directions that the Hessian takes to zero. If it is not they come near one another and part again.
+//! Along two directions that G_x takes to zero the curve is that of one equation f(ξ) = 0 in two unknowns
+//! (Lyapunov and Schmidt): f is what is left of G, in units of the row combination b that G_x cannot reach,
+//! when everything else is met. From B = [G_x b; Φᵀ 0], which is regular there, come f, its gradient and its
+//! Hessian, by terms of second order along two directions. f has a critical point; if it is zero there curves
+//! cross, along the two directions that the Hessian takes to zero. If it is not they come near one another
+//! and part again.
 
 use nalgebra::{Matrix2, SymmetricEigen, Vector2};
 
@@ -33,20 +35,29 @@ const DIFFERENCE: f64 = 1e-3;
 /// Two curves that cross.
 pub(super) struct Branching {
     pub x: Vec<f64>,
-    /// The tangent of the branch that goes on smoothly, then that of the other one; of length 1 by the measures, time going on where it moves.
+    /// The tangent of the branch that goes on smoothly, then that of the other one; of length 1 by the
+    /// measures, time going on where it moves.
     pub tangents: [Vec<f64>; 2],
     /// Rates of these branches; none where the drivers stand still.
     pub rates: [Option<Branch>; 2],
 }
 
 /// Looks for a crossing between two places of a curve, `s` apart.
-pub(super) fn find(curve: &mut Curve<'_>, here: &CurvePoint, next: &CurvePoint, s: f64, sign: f64) -> Option<Branching> {
+pub(super) fn find(
+    curve: &mut Curve<'_>,
+    here: &CurvePoint,
+    next: &CurvePoint,
+    s: f64,
+    sign: f64,
+) -> Option<Branching> {
     let mut reduced = Reduced::new(curve, here);
     let middle = here.x.iter().zip(&next.x).zip(here.dx.iter().zip(&next.dx));
     let x = middle.map(|((a, b), (da, db))| 0.5 * (a + b) + 0.125 * s * (da - db)).collect();
     let (x, hessian) = reduced.critical(x, 2.0 * s.abs())?;
     let size = hessian.amax();
-    let rounding = 64.0 * f64::EPSILON * x.iter().zip(&curve.sizes).fold(1.0_f64, |most, (x, size)| most.max((x / size).abs()));
+    let rounding = 64.0
+        * f64::EPSILON
+        * x.iter().zip(&curve.sizes).fold(1.0_f64, |most, (x, size)| most.max((x / size).abs()));
     if reduced.f.abs() > (CROSSES + rounding) * size || hessian.determinant() >= 0.0 {
         return None;
     }
@@ -80,8 +91,10 @@ impl<'a> Reduced<'a> {
     fn new(curve: &mut Curve<'a>, near: &CurvePoint) -> Self {
         let (model, n) = (curve.model, curve.model.n());
         let (left, right, _) = curve.linear.nearly_null();
-        let b: Vec<f64> = left.iter().zip(curve.linear.row_units()).take(n).map(|(y, unit)| y / unit).collect();
-        let mut other: Vec<f64> = right.iter().zip(curve.linear.column_units()).map(|(v, unit)| v * unit).collect();
+        let b: Vec<f64> =
+            left.iter().zip(curve.linear.row_units()).take(n).map(|(y, unit)| y / unit).collect();
+        let mut other: Vec<f64> =
+            right.iter().zip(curve.linear.column_units()).map(|(v, unit)| v * unit).collect();
         let along = curve.dot(&other, &near.dx);
         other.iter_mut().zip(&near.dx).for_each(|(x, dx)| *x -= along * dx);
         let length = curve.dot(&other, &other).sqrt();
@@ -155,7 +168,9 @@ impl<'a> Reduced<'a> {
 
     /// f_ij, from terms of second order along v_i + v_j and v_i − v_j.
     fn hessian(&mut self, x: &[f64]) -> Option<Matrix2<f64>> {
-        let combine = |a: f64, b: f64| self.v[0].iter().zip(&self.v[1]).map(|(v, w)| a * v + b * w).collect::<Vec<f64>>();
+        let combine = |a: f64, b: f64| {
+            self.v[0].iter().zip(&self.v[1]).map(|(v, w)| a * v + b * w).collect::<Vec<f64>>()
+        };
         let directions = [combine(1.0, 0.0), combine(0.0, 1.0), combine(0.5, 0.5), combine(0.5, -0.5)];
         let mut along = [0.0; 4];
         for (along, v) in along.iter_mut().zip(&directions) {
@@ -170,14 +185,16 @@ impl<'a> Reduced<'a> {
         v.iter().zip(&self.sizes).map(|(v, size)| (v / size).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// The two directions that an indefinite Hessian takes to zero: λ₁ a² + λ₂ b² = 0 along its axes. Time goes on with `sign`.
+    /// The two directions that an indefinite Hessian takes to zero: λ₁ a² + λ₂ b² = 0 along its axes. Time
+    /// goes on with `sign`.
     fn tangents(&self, curve: &Curve<'_>, hessian: Matrix2<f64>, sign: f64) -> [Vec<f64>; 2] {
         let SymmetricEigen { eigenvalues, eigenvectors } = SymmetricEigen::new(hessian);
         let size = eigenvalues.abs().map(f64::sqrt);
         let (a, b) = (size[1], size[0]);
         [a, -a].map(|a| {
             let along = eigenvectors * Vector2::new(a, b);
-            let mut dx: Vec<f64> = self.v[0].iter().zip(&self.v[1]).map(|(v, w)| along[0] * v + along[1] * w).collect();
+            let mut dx: Vec<f64> =
+                self.v[0].iter().zip(&self.v[1]).map(|(v, w)| along[0] * v + along[1] * w).collect();
             let length = curve.dot(&dx, &dx).sqrt();
             let dt = dx.last().copied().unwrap_or_default();
             let length = if dt * sign < 0.0 { -length } else { length };
@@ -186,7 +203,8 @@ impl<'a> Reduced<'a> {
         })
     }
 
-    /// q̇ and q̈ on a branch at x: q̈ is determined but for what can move while the drivers stand still, and that by the terms of third order.
+    /// q̇ and q̈ on a branch at x: q̈ is determined but for what can move while the drivers stand still, and
+    /// that by the terms of third order.
     fn rates(&mut self, curve: &Curve<'_>, x: &[f64], dx: &[f64]) -> Option<Branch> {
         let (dt, time) = (*dx.last()?, *curve.sizes.last()?);
         let pace = (dt / time).abs();
@@ -216,182 +234,31 @@ impl<'a> Reduced<'a> {
         branch.qd.iter().chain(&branch.qdd).all(|x| x.is_finite()).then_some(branch)
     }
 
-    /// d³/dτ³ of G(x + τ v + ½ τ² w) at τ = 0, by central differences of its second derivative (G_x v)_x v + G_x w, twice (Richardson).
+    /// d³/dτ³ of G(x + τ v + ½ τ² w) at τ = 0, by central differences of its second derivative (G_x v)_x v +
+    /// G_x w, twice (Richardson).
     fn third_order(&self, x: &[f64], v: &[f64], w: &[f64]) -> Option<Vec<f64>> {
         let unit = DIFFERENCE / self.length(v);
         let at = |tau: f64| {
-            let moved: Vec<f64> = x.iter().zip(v).zip(w).map(|((x, v), w)| x + tau * (v + 0.5 * tau * w)).collect();
+            let moved: Vec<f64> =
+                x.iter().zip(v).zip(w).map(|((x, v), w)| x + tau * (v + 0.5 * tau * w)).collect();
             let along: Vec<f64> = v.iter().zip(w).map(|(v, w)| v + tau * w).collect();
             let mut second: Vec<f64> = self.second_order(&moved, &along)?.iter().map(|x| -x).collect();
             let (t, q) = moved.split_last()?;
             let point = self.model.linearize(q, *t).ok()?;
-            self.model.entries(&point.values).for_each(|(row, column, value)| second[row] += value * w[column]);
+            self.model
+                .entries(&point.values)
+                .for_each(|(row, column, value)| second[row] += value * w[column]);
             Some(second)
         };
-        let slope = |tau: f64| Some(at(tau)?.into_iter().zip(at(-tau)?).map(|(a, b)| (a - b) / (2.0 * tau)).collect::<Vec<f64>>());
+        let slope = |tau: f64| {
+            Some(
+                at(tau)?.into_iter().zip(at(-tau)?).map(|(a, b)| (a - b) / (2.0 * tau)).collect::<Vec<f64>>(),
+            )
+        };
         let (near, far) = (slope(unit)?, slope(2.0 * unit)?);
         Some(near.iter().zip(&far).map(|(near, far)| (4.0 * near - far) / 3.0).collect())
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{Mechanism, System, constraint};
-
-    /// Two curves x = 0.5 u + 0.7 u² and x = b u + 0.2 u² with u = t − 0.3, or −x so, that cross at x = 1.7, in units far from 1, and y = 3 x + 2 t beside them;
-    /// they part by `gap`.
-    #[constraint]
-    fn crossing(x: Coord, y: Coord, t: Time, gap: f64, unit: f64, b: f64, side: f64) -> [f64; 2] {
-        let (u, v) = (t - 0.3, side * (x - 1.7));
-        [unit * ((v - 0.5 * u - 0.7 * u * u) * (v - b * u - 0.2 * u * u) - gap), 0.01 * (y - 3.0 * x - 2.0 * t)]
-    }
-
-    /// An ellipse, and nothing inside.
-    #[constraint]
-    fn ellipse(x: Coord, t: Time, radius: f64) -> f64 {
-        x * x + 100.0 * t * t - radius * radius
-    }
-
-    fn system(gap: f64, unit: f64) -> System {
-        with_slope(gap, unit, -2.0, 1.0)
-    }
-
-    fn with_slope(gap: f64, unit: f64, b: f64, side: f64) -> System {
-        let mut m = Mechanism::new("crossing");
-        let [x, y] = [("x", 1.7), ("y", 5.7)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
-        m.add("c", crossing(x, y, gap, unit, b, side)).expect("adds");
-        m.build().expect("builds")
-    }
-
-    /// Places before and behind the crossing on the branch x = slope u + bend u²/2, and how far they are apart.
-    fn places(curve: &mut Curve<'_>, [slope, bend]: [f64; 2], [before, behind]: [f64; 2]) -> (CurvePoint, CurvePoint, f64) {
-        let mut at = |u: f64| {
-            let x = 1.7 + slope * u + 0.5 * bend * u * u;
-            let mut q = vec![x, 3.0 * x + 2.0 * (0.3 + u), 0.3 + u];
-            let along = [slope, 3.0 * slope + 2.0, 1.0];
-            curve.correct(&mut q, &along).expect("settles");
-            curve.place(q, &along).expect("is regular")
-        };
-        let (here, next) = (at(before), at(behind));
-        let gone: Vec<f64> = here.x.iter().zip(&next.x).map(|(a, b)| b - a).collect();
-        let s = curve.dot(&gone, &gone).sqrt();
-        (here, next, s)
-    }
-
-    fn near(found: &[f64], exact: &[f64], off: f64) {
-        assert!(
-            found.len() == exact.len() && found.iter().zip(exact).all(|(a, b)| (a - b).abs() <= off * (1.0 + b.abs())),
-            "{found:?} {exact:?}"
-        );
-    }
-
-    /// Where they cross, along which tangents, and with which rates on both: from either side, along either branch, in time and against it.
-    #[test]
-    fn curves_that_cross() {
-        let sizes = [2.0, 0.5];
-        let cases = [
-            (1e3, -2.0, 1.0),
-            (-1e-3, -2.0, 1.0),
-            (1e9, -2.0, -1.0),
-            (1e-9, -2.0, 1.0),
-            (1.0, 4.0, 1.0),
-            (1.0, 4.0, -1.0),
-            (-1.0, -0.7, -1.0),
-        ];
-        let systems = cases.map(|(unit, b, side)| (with_slope(0.0, unit, b, side), b, side));
-        let all = systems.iter().flat_map(|(system, b, side)| {
-            [(0.5, *b, [1.4, 0.4]), (*b, 0.5, [0.4, 1.4])]
-                .map(|(slope, other, bend)| (system, (side * slope, side * other, bend.map(|bend| side * bend))))
-        });
-        for (system, (slope, other, bend)) in all {
-            for (ends, sign) in [([-0.02, 0.03], 1.0), ([-0.05, 0.01], 1.0), ([-0.001, 0.06], 1.0), ([0.02, -0.03], -1.0)] {
-                let mut curve = Curve::new(system, &sizes, 3.0);
-                let (here, next, s) = places(&mut curve, [slope, bend[0]], ends);
-                // Along the curve on which time goes on as asked.
-                let here = if sign < 0.0 {
-                    curve.place(here.x.clone(), &here.dx.iter().map(|dx| -dx).collect::<Vec<_>>()).expect("is regular")
-                } else {
-                    here
-                };
-                let next = if sign < 0.0 { curve.place(next.x.clone(), &here.dx).expect("is regular") } else { next };
-                let again = curve.place(here.x.clone(), &here.dx).expect("is regular");
-                let found = find(&mut curve, &again, &next, s, sign).expect("they cross");
-                near(&found.x, &[1.7, 5.7, 0.3], 1e-9);
-                for (k, slope) in [(0, slope), (1, other)] {
-                    let tangent = &found.tangents[k];
-                    let dt = tangent[2];
-                    assert!(dt * sign > 0.0 && (curve.dot(tangent, tangent) - 1.0).abs() < 1e-12);
-                    near(&[tangent[0] / dt, tangent[1] / dt], &[slope, 3.0 * slope + 2.0], 1e-7);
-                    let rates = found.rates[k].as_ref().expect("the drivers move");
-                    near(&rates.qd, &[slope, 3.0 * slope + 2.0], 1e-7);
-                    near(&rates.qdd, &[bend[k], 3.0 * bend[k]], 1e-5);
-                }
-            }
-        }
-    }
-
-    /// Curves that come near one another and part do not cross, on whichever side they pass; nor does what is far off count, or a point alone.
-    #[test]
-    fn curves_that_do_not_cross() {
-        for (gap, crosses) in [(1e-6, false), (-1e-6, false), (1e-9, false), (-1e-9, false), (1e-15, true), (-1e-15, true)] {
-            let system = system(gap, 1e3);
-            let mut curve = Curve::new(&system, &[2.0, 0.5], 3.0);
-            let (here, next, s) = places(&mut curve, [0.5, 1.4], [-0.02, 0.03]);
-            let here = curve.place(here.x.clone(), &here.dx).expect("is regular");
-            assert_eq!(find(&mut curve, &here, &next, s, 1.0).is_some(), crosses, "{gap}");
-        }
-        let system = system(0.0, 1e3);
-        let mut curve = Curve::new(&system, &[2.0, 0.5], 3.0);
-        let (here, next, s) = places(&mut curve, [0.5, 1.4], [0.2, 0.21]);
-        let here = curve.place(here.x.clone(), &here.dx).expect("is regular");
-        assert!(find(&mut curve, &here, &next, s, 1.0).is_none());
-        // Neither branch goes on as it came.
-        let (here, next, s) = places(&mut curve, [0.5, 1.4], [-0.01, 0.01]);
-        let mut here = curve.place(here.x.clone(), &here.dx).expect("is regular");
-        let found = find(&mut curve, &here, &next, s, 1.0).expect("they cross");
-        let [one, other] = &found.tangents;
-        let share = curve.dot(one, other);
-        let across: Vec<f64> = one.iter().zip(other).map(|(a, b)| b - share * a).collect();
-        let length = curve.dot(&across, &across).sqrt();
-        here.dx = one.iter().zip(&across).map(|(a, b)| 0.5 * a + 0.75_f64.sqrt() / length * b).collect();
-        assert!((curve.dot(&here.dx, one) - 0.5).abs() < 1e-12 && curve.dot(&here.dx, other).abs() < 0.75);
-        curve.place(here.x.clone(), &here.dx).expect("is regular");
-        assert!(find(&mut curve, &here, &next, s, 1.0).is_none());
-
-        let mut m = Mechanism::new("ellipse");
-        let x = m.length("x", 1.0).expect("a new name");
-        m.add("c", ellipse(x, 1e-8)).expect("adds");
-        let system = m.build().expect("builds");
-        let mut curve = Curve::new(&system, &[1.0], 1.0);
-        for along in [1.0, -1.0] {
-            let here = curve.place(vec![0.0, -1e-9], &[along, 0.0]).expect("is regular");
-            let next = curve.place(vec![0.0, 1e-9], &[along, 0.0]).expect("is regular");
-            let here = curve.place(here.x, &here.dx).expect("is regular");
-            assert!(find(&mut curve, &here, &next, 1e-7, 1.0).is_none());
-        }
-    }
-
-    /// On a branch along which the drivers stand still there are no rates.
-    #[test]
-    fn a_branch_on_which_time_stands() {
-        let mut m = Mechanism::new("still");
-        let [x, y] = [("x", 0.0), ("y", 0.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
-        m.add("c", standing(x, y)).expect("adds");
-        let system = m.build().expect("builds");
-        let mut curve = Curve::new(&system, &[1.0, 1.0], 1.0);
-        let along = [1.0, 0.0, 1.0];
-        let here = curve.place(vec![-0.01, 0.0, -0.01], &along).expect("is regular");
-        let next = curve.place(vec![0.01, 0.0, 0.01], &along).expect("is regular");
-        let here = curve.place(here.x, &here.dx).expect("is regular");
-        let found = find(&mut curve, &here, &next, 0.03, 1.0).expect("they cross");
-        assert!(found.rates[0].is_some() && found.rates[1].is_none());
-        near(&found.tangents[1].iter().map(|x| x.abs()).collect::<Vec<_>>(), &[1.0, 0.0, 0.0], 1e-9);
-    }
-
-    /// (x − t) t = 0: along t = 0 x may be anything.
-    #[constraint]
-    fn standing(x: Coord, y: Coord, t: Time) -> [f64; 2] {
-        [(x - t) * t, y - t * t * (x - t)]
-    }
-}
+mod tests;

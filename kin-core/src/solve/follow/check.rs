@@ -1,10 +1,12 @@
-//! Whether a step of time has stayed on its branch, from what is at hand: q, q̇, q̈ at both ends, pivots and their signs.
+//! Whether a step of time has stayed on its branch, from what is at hand: q, q̇, q̈ at both ends, pivots and
+//! their signs.
 //!
-//! Two solutions that are near one another lie on either side of a singular position, so det C_q differs in sign between them; and where C_q has
-//! a pivot p, by the measures, no other solution is much nearer than p. So a step is good if no block of C_q has turned over and if
-//! q + h q̇ + ½ h² q̈ from either end meets the other end much nearer than p. Where that is not so, the terms of second order along the miss
-//! tell whether Newton's method from the prediction must end there (the estimate of Newton and Kantorovich): they see equations that
-//! are linear along it, as those of a chain are in its lengths.
+//! Two solutions that are near one another lie on either side of a singular position, so det C_q differs in
+//! sign between them; and where C_q has a pivot p, by the measures, no other solution is much nearer than p.
+//! So a step is good if no block of C_q has turned over and if q + h q̇ + ½ h² q̈ from either end meets the
+//! other end much nearer than p. Where that is not so, the terms of second order along the miss tell whether
+//! Newton's method from the prediction must end there (the estimate of Newton and Kantorovich): they see
+//! equations that are linear along it, as those of a chain are in its lengths.
 
 use super::drive::{Drive, Lever, Span};
 use crate::model::units::Unit;
@@ -16,10 +18,12 @@ use crate::system::evaluate::Instant;
 /// A prediction may miss by this share of the smallest pivot.   \[-\]
 pub(crate) const EASY: f64 = 0.05;
 
-/// The estimate of Newton and Kantorovich, |C_q⁻¹ (C_q v)_q v| / |v| of the miss v, that is safe; ½ would still do.   \[-\]
+/// The estimate of Newton and Kantorovich, |C_q⁻¹ (C_q v)_q v| / |v| of the miss v, that is safe; ½ would
+/// still do.   \[-\]
 pub(super) const SAFE: f64 = 0.25;
 
-/// The smallest pivot fades where it is less than this share of what it has been: a singular position may be near.   \[-\]
+/// The smallest pivot fades where it is less than this share of what it has been: a singular position may be
+/// near.   \[-\]
 const FADED: f64 = 0.5;
 
 /// No body turns by more than this in one step.   \[rad\]
@@ -30,7 +34,8 @@ pub(crate) const REACH: f64 = 1.0;
 pub(crate) enum Objection {
     /// Too long to be judged.
     Long,
-    /// A prediction from one end is too far from the other, by so much in units of order 1, for both to be surely on one branch.
+    /// A prediction from one end is too far from the other, by so much in units of order 1, for both to be
+    /// surely on one branch.
     Missed(f64),
     /// A block of C_q has turned over.
     TurnedOver,
@@ -95,7 +100,8 @@ impl Check {
         self.drive.is_told(from, to, pivot)
     }
 
-    /// Positions were accepted elsewhere, on the same sides of all singular ones; the smallest pivot of the last one is this.
+    /// Positions were accepted elsewhere, on the same sides of all singular ones; the smallest pivot of the
+    /// last one is this.
     pub(crate) fn go_on(&mut self, pivot: f64) {
         self.pivot = pivot;
     }
@@ -142,8 +148,8 @@ impl Check {
         )
     }
 
-    /// The estimate of Newton and Kantorovich at the position in hand, along the miss of the prediction; larger by as much as `miss`, which is
-    /// that from either end, is larger.
+    /// The estimate of Newton and Kantorovich at the position in hand, along the miss of the prediction;
+    /// larger by as much as `miss`, which is that from either end, is larger.
     fn is_safe(&mut self, newton: &mut Newton<'_>, h: f64, [q, qd, qdd]: End<'_>, miss: f64) -> bool {
         let ends = newton.q.iter().zip(q.iter()).zip(qd.iter().zip(qdd.iter()));
         for (miss, ((to, q), (qd, qdd))) in self.miss.iter_mut().zip(ends) {
@@ -159,15 +165,23 @@ impl Check {
 
 /// What [`Drive::outlook`] tells at the position in hand, at which a run between these times begins.
 pub(crate) fn outlook(mut drive: Drive, newton: &mut Newton<'_>, ends: [f64; 2]) -> Option<[f64; 4]> {
-    let (equations, pivot, mut v) = (newton.system.equations(), newton.linear.smallest_pivot(), newton.q.clone());
-    drive.outlook(equations, ends, pivot, &mut Factored { newton, v: &mut v, turns: &Padded::default(), negative: &[] })
+    let (equations, pivot, mut v) =
+        (newton.system.equations(), newton.linear.smallest_pivot(), newton.q.clone());
+    drive.outlook(
+        equations,
+        ends,
+        pivot,
+        &mut Factored { newton, v: &mut v, turns: &Padded::default(), negative: &[] },
+    )
 }
 
-/// Whether C_q may be singular within factor · v of the position in hand: at either end of that a block has another sign, or the smallest pivot is
-/// less than half of what it is here. Along a branch that is passed smoothly a change point shows in nothing else.
+/// Whether C_q may be singular within factor · v of the position in hand: at either end of that a block has
+/// another sign, or the smallest pivot is less than half of what it is here. Along a branch that is passed
+/// smoothly a change point shows in nothing else.
 #[cold]
 fn is_singular_near(newton: &mut Newton<'_>, v: &[f64], factor: f64, negative: &[bool]) -> bool {
-    let (t, here, pivot, mut signs) = (newton.instant.t(), newton.q.clone(), newton.linear.smallest_pivot(), Vec::new());
+    let (t, here, pivot, mut signs) =
+        (newton.instant.t(), newton.q.clone(), newton.linear.smallest_pivot(), Vec::new());
     let mut is_regular = |factor: f64| {
         newton.q.iter_mut().zip(here.iter().zip(v)).for_each(|(q, (here, v))| *q = here + factor * v);
         let factored = newton.linearize(t).is_ok() && newton.linear.factor();

@@ -1,7 +1,9 @@
-//! The curve of solutions through x = (q, t), by its arc length s: regular where C_q is not, as long as [C_q C_t] has full rank.
+//! The curve of solutions through x = (q, t), by its arc length s: regular where C_q is not, as long as [C_q
+//! C_t] has full rank.
 //!
-//! [C_q C_t; x₀′ᵀ] x′ = (0, 1) and [C_q C_t; x₀′ᵀ] x″ = (−(G_x x′)_x x′, 0) with G(x) = C(q, t); lengths and time are measured by the sizes
-//! of the coordinates and by the time in which the drivers move something of order 1. (H. B. Keller's pseudo-arclength.)
+//! [C_q C_t; x₀′ᵀ] x′ = (0, 1) and [C_q C_t; x₀′ᵀ] x″ = (−(G_x x′)_x x′, 0) with G(x) = C(q, t); lengths and
+//! time are measured by the sizes of the coordinates and by the time in which the drivers move something of
+//! order 1. (H. B. Keller's pseudo-arclength.)
 
 use crate::linear::Linear;
 use crate::system::System;
@@ -10,12 +12,13 @@ use crate::system::scaled::Model;
 /// Newton steps of one correction.
 const ITERATIONS: usize = 12;
 
-/// A correction below this is at its end, and one below the second that no longer shrinks is rounding.   \[-\]
+/// A correction below this is at its end, and one below the second that no longer shrinks is
+/// rounding.   \[-\]
 const TOLERANCE: f64 = 1e-13;
 const ROUNDING: f64 = 1e-9;
 
-/// A prediction may be off by this share of its step, the second correction may be this share of the first, and the tangent may turn by an
-/// angle of this cosine.   \[-\]
+/// A prediction may be off by this share of its step, the second correction may be this share of the first,
+/// and the tangent may turn by an angle of this cosine.   \[-\]
 const OFF: f64 = 0.05;
 const SHRINKS: f64 = 0.2;
 const STRAIGHT: f64 = 0.97;
@@ -65,7 +68,12 @@ impl CurvePoint {
 
     /// x + s x′ + ½ s² x″
     pub(super) fn ahead(&self, s: f64) -> Vec<f64> {
-        self.x.iter().zip(&self.dx).zip(&self.ddx).map(|((x, dx), ddx)| x + s * (dx + 0.5 * s * ddx)).collect()
+        self.x
+            .iter()
+            .zip(&self.dx)
+            .zip(&self.ddx)
+            .map(|((x, dx), ddx)| x + s * (dx + 0.5 * s * ddx))
+            .collect()
     }
 }
 
@@ -78,7 +86,8 @@ impl<'a> Curve<'a> {
         let sizes: Vec<f64> = sizes.iter().copied().chain([time]).collect();
         let c_t = (0..n).map(|row| Some((row, n)));
         let border = (0..=n).map(|column| Some((n, column)));
-        let mut linear = Linear::new(n + 1, model.equations.entries.iter().copied().chain(c_t).chain(border), &[]);
+        let mut linear =
+            Linear::new(n + 1, model.equations.entries.iter().copied().chain(c_t).chain(border), &[]);
         linear.set_sizes(&sizes);
         Curve { model, sizes, linear, own }
     }
@@ -209,15 +218,21 @@ mod tests {
         m.build().expect("builds")
     }
 
-    /// Tangent, curvature, rates and pivots of a place, by measures that are not 1; the direction asked along need not be that of the curve.
+    /// Tangent, curvature, rates and pivots of a place, by measures that are not 1; the direction asked along
+    /// need not be that of the curve.
     #[test]
     fn a_place_on_a_circle() {
         let (system, sizes) = (system(0.0, 3.0), [2.0, 5.0]);
         let mut curve = Curve::new(&system, &sizes, 0.5);
         for sign in [1.0, -1.0] {
             let place = curve.place(vec![0.8, 2.4, 0.6], &[0.0, 0.3 * sign, sign]).expect("is regular");
-            assert!((curve.dot(&place.dx, &place.dx) - 1.0).abs() < 1e-14 && curve.dot(&place.dx, &place.ddx).abs() < 1e-13);
-            assert!(place.dt() * sign > 0.0 && place.t() == 0.6 && place.negative == curve.linear.is_negative());
+            assert!(
+                (curve.dot(&place.dx, &place.dx) - 1.0).abs() < 1e-14
+                    && curve.dot(&place.dx, &place.ddx).abs() < 1e-13
+            );
+            assert!(
+                place.dt() * sign > 0.0 && place.t() == 0.6 && place.negative == curve.linear.is_negative()
+            );
             let [qd, qdd] = place.rates();
             let (v, a) = (-0.75, -1.0 / 0.512);
             for (found, exact) in qd.iter().zip([v, 3.0 * v]).chain(qdd.iter().zip([a, 3.0 * a])) {
@@ -225,7 +240,9 @@ mod tests {
             }
             assert_eq!((qd.len(), qdd.len()), (2, 2));
             let ahead = place.ahead(0.1);
-            let off = (0..3).map(|k| (ahead[k] - place.x[k] - 0.1 * place.dx[k] - 0.005 * place.ddx[k]).abs()).fold(0.0, f64::max);
+            let off = (0..3)
+                .map(|k| (ahead[k] - place.x[k] - 0.1 * place.dx[k] - 0.005 * place.ddx[k]).abs())
+                .fold(0.0, f64::max);
             assert!(off < 1e-15);
             assert_eq!(place.blocks.expect("is regular").0.len(), 1);
         }
@@ -252,7 +269,12 @@ mod tests {
         assert!(off > 0.01 * 0.02 && off < 0.04 * 0.02 && curve.step(&here, 0.02).is_some());
         let s = 0.2 * (1.0 + (0.1 * std::f64::consts::PI).powi(2)).sqrt();
         let (place, off) = curve.at(&here, s).expect("settles");
-        assert!(off > 0.05 && off < 0.08 && curve.dot(&place.dx, &here.dx) > 0.99 && curve.step(&here, s).is_none());
+        assert!(
+            off > 0.05
+                && off < 0.08
+                && curve.dot(&place.dx, &here.dx) > 0.99
+                && curve.step(&here, s).is_none()
+        );
     }
 
     /// Newton's method has to converge from the first: what shrinks slowly may end anywhere.
@@ -266,7 +288,11 @@ mod tests {
             assert!((x[0] - 0.8).abs() < 1e-14 && (x[2] - 0.6).abs() < 1e-14, "{x:?}");
             Some(first)
         };
-        assert!((from(1.3).expect("settles") - 0.69 / 2.6).abs() < 1e-14 && from(2.0).is_none() && from(0.7).is_some());
+        assert!(
+            (from(1.3).expect("settles") - 0.69 / 2.6).abs() < 1e-14
+                && from(2.0).is_none()
+                && from(0.7).is_some()
+        );
 
         let system = of_one(|m, x| assert!(m.add("c", cube(x)).is_ok()));
         assert!(Curve::new(&system, &[1.0], 1.0).correct(&mut [10.0, 0.0], &[0.0, 1.0]).is_none());
@@ -301,7 +327,9 @@ mod tests {
             m.add("c", in_units(x, y, 1.0)).expect("adds");
             let mut system = m.build().expect("builds");
             system.set("c.factor", factor).expect("sets");
-            let place = Curve::new(&system, &[1.0, 1.0], 1.0).place(vec![1.0, 1.0, 0.0], &[1.0, 3.0, 5.0]).expect("is regular");
+            let place = Curve::new(&system, &[1.0, 1.0], 1.0)
+                .place(vec![1.0, 1.0, 0.0], &[1.0, 3.0, 5.0])
+                .expect("is regular");
             place.blocks.expect("is regular").1
         };
         let exact = pivot(1.0);

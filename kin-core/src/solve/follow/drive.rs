@@ -1,15 +1,17 @@
 //! Whether the ends of a step tell all that time does in between: a motor may go out and come back within it.
 //!
-//! Time enters an equation by signals, functions w(t) that do not depend on q: laws of time, sin ω t, what is made of them. Over a step h a signal
-//! is off its polynomial of second degree at either end by no more than ⅙ h³ max |w‴|, or by ½ h² times the width of w″ where that jumps. Bounds of
-//! these come from the steps of the equation and from the laws in it ([`crate::LawFunction::over`]), over stretches of many steps. Where the
-//! position is led off by no more than a prediction may miss, there is nothing that the ends do not tell.
+//! Time enters an equation by signals, functions w(t) that do not depend on q: laws of time, sin ω t, what is
+//! made of them. Over a step h a signal is off its polynomial of second degree at either end by no more than
+//! ⅙ h³ max |w‴|, or by ½ h² times the width of w″ where that jumps. Bounds of these come from the steps of
+//! the equation and from the laws in it ([`crate::LawFunction::over`]), over stretches of many steps. Where
+//! the position is led off by no more than a prediction may miss, there is nothing that the ends do not tell.
 //!
-//! Constraints of which no bounds are known (laws of one's own without any, the dual route, written by hand) are sampled: C with q held, at the
-//! eighths of the step.
+//! Constraints of which no bounds are known (laws of one's own without any, the dual route, written by hand)
+//! are sampled: C with q held, at the eighths of the step.
 //!
-//! A signal that turns round within the step leaves the range between its ends too, and that may be beyond a change point that is passed smoothly there
-//! and back: neither end tells it. So that range, too, may be left by no more than a prediction may miss.
+//! A signal that turns round within the step leaves the range between its ends too, and that may be beyond a
+//! change point that is passed smoothly there and back: neither end tells it. So that range, too, may be left
+//! by no more than a prediction may miss.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -22,11 +24,13 @@ use crate::model::formula::time as held;
 use crate::numbers::enclosure::{Interval, ONE, Series};
 use crate::system::evaluate::{Equations, Instant};
 
-/// Steps for which it is taken as known how far a signal moves q, and how often that is looked at before bounds are, where they depend on q.
+/// Steps for which it is taken as known how far a signal moves q, and how often that is looked at before
+/// bounds are, where they depend on q.
 const KNOWN: u32 = 64;
 const LOOKS: u32 = 4;
 
-/// Where that was looked at earlier q may have become easier to move by this factor, beside what the smallest pivot tells.   \[-\]
+/// Where that was looked at earlier q may have become easier to move by this factor, beside what the smallest
+/// pivot tells.   \[-\]
 const DRIFT: f64 = 2.0;
 
 /// Whether equations are straight is not asked farther away than this.   \[-\]
@@ -75,7 +79,8 @@ pub(crate) struct Drive {
     /// Bounds hold between these times, and of the next ones for as long.
     stretch: [f64; 2],
     longest: f64,
-    /// How far q may be led off by signals with bounds, as a polynomial in the length of a step; the smallest pivot when it was looked at.
+    /// How far q may be led off by signals with bounds, as a polynomial in the length of a step; the smallest
+    /// pivot when it was looked at.
     off: Bound,
     pivot: f64,
     /// Steps that need no look, and looks that need no bounds.
@@ -146,10 +151,23 @@ impl Drive {
         let mut source = |block: usize| {
             let (constraint, mut signals) = (equations.blocks[block].constraint.as_ref(), None);
             constraint.formula(&mut |table, _, _| {
-                let of = |formula| known.entry(std::ptr::from_ref(table)).or_insert_with(|| held::signals(formula).into()).clone();
-                signals = Some(table.formula()).filter(|formula| formula.rows.len() == constraint.rows().len()).map(of);
+                let of = |formula| {
+                    known
+                        .entry(std::ptr::from_ref(table))
+                        .or_insert_with(|| held::signals(formula).into())
+                        .clone()
+                };
+                signals = Some(table.formula())
+                    .filter(|formula| formula.rows.len() == constraint.rows().len())
+                    .map(of);
             });
-            Source { block, signals, apart: !constraint.depends().c_q_on_t, is_sampled: false, terms: Vec::new() }
+            Source {
+                block,
+                signals,
+                apart: !constraint.depends().c_q_on_t,
+                is_sampled: false,
+                terms: Vec::new(),
+            }
         };
         let sources: Vec<Source> = equations.moved_by_time().map(&mut source).collect();
         Drive {
@@ -180,15 +198,25 @@ impl Drive {
         self.stretch[0] <= from.min(to) && from.max(to) <= self.stretch[1]
     }
 
-    /// Whether the position may be led off unseen, too far to be sure of the step: a look at it with all means.
+    /// Whether the position may be led off unseen, too far to be sure of the step: a look at it with all
+    /// means.
     #[cold]
-    pub(crate) fn hides(&mut self, Span { equations, from, to, pivot }: Span<'_>, lever: &mut dyn Lever) -> bool {
+    pub(crate) fn hides(
+        &mut self,
+        Span { equations, from, to, pivot }: Span<'_>,
+        lever: &mut dyn Lever,
+    ) -> bool {
         let h = (to - from).abs();
         // By the bounds that are known, by those over a longer stretch, by those over the step alone.
         for reach in [None, Some(self.longest.max(h)), Some(h)] {
             let known = match reach {
                 None => self.covers(from, to) && self.looks > 0,
-                Some(reach) => self.bound(equations, lever.instant(), [from, from + reach.copysign(to - from)], reach == h),
+                Some(reach) => self.bound(
+                    equations,
+                    lever.instant(),
+                    [from, from + reach.copysign(to - from)],
+                    reach == h,
+                ),
             };
             if !known {
                 continue;
@@ -205,9 +233,9 @@ impl Drive {
         !self.is_straight(equations, h, lever)
     }
 
-    /// For steps between two times that are looked at no more: e_k of Σ_k e_k hᵏ ≤ p², where p is the smaller of the smallest pivots at both ends of
-    /// a step h, is what [`Drive::is_told`] asks, with room for what changes meanwhile. The pivot is that of the position in hand. `None` where that
-    /// does not do.
+    /// For steps between two times that are looked at no more: e_k of Σ_k e_k hᵏ ≤ p², where p is the smaller
+    /// of the smallest pivots at both ends of a step h, is what [`Drive::is_told`] asks, with room for what
+    /// changes meanwhile. The pivot is that of the position in hand. `None` where that does not do.
     pub(crate) fn outlook(
         &mut self,
         equations: &Equations,
@@ -230,12 +258,20 @@ impl Drive {
         if let Some(reach) = reach {
             self.longest = 2.0 * reach;
             self.looks = if self.sources.iter().all(|source| source.apart) { u32::MAX } else { LOOKS };
-            self.told = !sampled && self.looks == u32::MAX && reach.is_infinite() && self.off == Bound::default();
+            self.told =
+                !sampled && self.looks == u32::MAX && reach.is_infinite() && self.off == Bound::default();
         }
     }
 
-    /// Bounds over a stretch of time; false where some are not known. Over a single step constraints without bounds are sampled.
-    fn bound(&mut self, equations: &Equations, instant: &Instant, [from, to]: [f64; 2], single: bool) -> bool {
+    /// Bounds over a stretch of time; false where some are not known. Over a single step constraints without
+    /// bounds are sampled.
+    fn bound(
+        &mut self,
+        equations: &Equations,
+        instant: &Instant,
+        [from, to]: [f64; 2],
+        single: bool,
+    ) -> bool {
         let t = Series::variable(Interval::new(from.min(to), from.max(to)), ONE, COEFFICIENTS);
         for source in &mut self.sources {
             let known = source.bounds(equations, t);
@@ -269,9 +305,11 @@ impl Drive {
         }
     }
 
-    /// Whether the equations are nearly straight along each of the signals, as far as it may have led: then it does not matter where it was.
+    /// Whether the equations are nearly straight along each of the signals, as far as it may have led: then
+    /// it does not matter where it was.
     fn is_straight(&self, equations: &Equations, h: f64, lever: &mut dyn Lever) -> bool {
-        let all = self.sources.iter().flat_map(|source| source.terms.iter().map(move |term| (source.block, term)));
+        let all =
+            self.sources.iter().flat_map(|source| source.terms.iter().map(move |term| (source.block, term)));
         let moving: Vec<(usize, &Term)> = all.filter(|(_, term)| term.bound != Bound::default()).collect();
         let count = moving.len() as f64;
         moving.into_iter().all(|(block, term)| {
@@ -288,15 +326,21 @@ impl Source {
     fn bounds(&self, equations: &Equations, t: Series) -> Option<Vec<Bound>> {
         let (signals, mut found) = (self.signals.as_ref()?, None);
         equations.blocks[self.block].constraint.formula(&mut |table, parameters, outside| {
-            found = held::over_time(table.formula(), signals, t, parameters, outside).iter().map(Bound::of).collect();
+            found = held::over_time(table.formula(), signals, t, parameters, outside)
+                .iter()
+                .map(Bound::of)
+                .collect();
         });
         found
     }
 
     /// Takes bounds of its signals; without any its rows are sampled.
     fn take(&mut self, equations: &Equations, instant: &Instant, bounds: Option<Vec<Bound>>) {
-        let still = bounds.as_ref().is_some_and(|bounds| bounds.iter().all(|bound| *bound == Bound::default()));
-        let known = !self.is_sampled && self.apart && bounds.as_ref().is_some_and(|bounds| bounds.len() == self.terms.len());
+        let still =
+            bounds.as_ref().is_some_and(|bounds| bounds.iter().all(|bound| *bound == Bound::default()));
+        let known = !self.is_sampled
+            && self.apart
+            && bounds.as_ref().is_some_and(|bounds| bounds.len() == self.terms.len());
         if still {
             self.terms.clear();
             self.is_sampled = false;
@@ -306,7 +350,10 @@ impl Source {
             let rows = equations.blocks[self.block].rows().len();
             let unit = |row: usize| (0..rows).map(|k| f64::from(u8::from(k == row))).collect();
             let slopes = slopes.unwrap_or_else(|| (0..rows).map(unit).collect());
-            self.terms = slopes.into_iter().map(|slopes| Term { slopes, bound: Bound::default(), lever: 0.0 }).collect();
+            self.terms = slopes
+                .into_iter()
+                .map(|slopes| Term { slopes, bound: Bound::default(), lever: 0.0 })
+                .collect();
         }
         self.terms.iter_mut().zip(bounds.into_iter().flatten()).for_each(|(term, bound)| term.bound = bound);
     }

@@ -1,4 +1,5 @@
-//! Passing a stretch on which time cannot be the parameter: along the curve, until the time that is asked for.
+//! Passing a stretch on which time cannot be the parameter: along the curve, until the time that is asked
+//! for.
 
 use super::branching::{self, Branching};
 use super::curve::{Curve, CurvePoint};
@@ -21,7 +22,8 @@ const TOGETHER: f64 = 1e-4;
 /// Times that differ by this share of the measure of time are one.   \[-\]
 const AT_ONCE: f64 = 1e-7;
 
-/// So near to a toggle, by the measure of time, q is known to fewer than half of its digits: the run has come to it.   \[-\]
+/// So near to a toggle, by the measure of time, q is known to fewer than half of its digits: the run has come
+/// to it.   \[-\]
 const AT_END: f64 = 1e-12;
 
 /// Where a passage ends.
@@ -46,9 +48,15 @@ pub(crate) enum Lost {
     Lost,
 }
 
-/// From the position q at time t, with the rates in hand, to the time `to`. `other` tells of each bifurcation, counted from 0, whether to turn
-/// into the other branch there.
-pub(crate) fn pass(newton: &Newton<'_>, q: &[f64], t: f64, to: f64, other: &dyn Fn(usize) -> bool) -> Result<Passage, Lost> {
+/// From the position q at time t, with the rates in hand, to the time `to`. `other` tells of each
+/// bifurcation, counted from 0, whether to turn into the other branch there.
+pub(crate) fn pass(
+    newton: &Newton<'_>,
+    q: &[f64],
+    t: f64,
+    to: f64,
+    other: &dyn Fn(usize) -> bool,
+) -> Result<Passage, Lost> {
     Walk::new(newton, q, t, to, other).ok_or(Lost::Lost)?.go()
 }
 
@@ -71,7 +79,13 @@ enum Stepped {
 }
 
 impl<'w, 'a> Walk<'w, 'a> {
-    fn new(newton: &'w Newton<'a>, q: &[f64], t: f64, to: f64, other: &'w dyn Fn(usize) -> bool) -> Option<Self> {
+    fn new(
+        newton: &'w Newton<'a>,
+        q: &[f64],
+        t: f64,
+        to: f64,
+        other: &'w dyn Fn(usize) -> bool,
+    ) -> Option<Self> {
         let time = singular::time(newton, q, t, to - t);
         let mut curve = Curve::new(newton.system, &newton.sizes, time);
         let sign = (to - t).signum();
@@ -109,7 +123,9 @@ impl<'w, 'a> Walk<'w, 'a> {
         if next.negative != self.here.negative {
             match branching::find(&mut self.curve, &self.here, &next, s, self.sign) {
                 // Branches on all of which time turns round.
-                Some(found) if turns && found.rates.iter().all(Option::is_none) => return self.turn_together(&next, s),
+                Some(found) if turns && found.rates.iter().all(Option::is_none) => {
+                    return self.turn_together(&next, s);
+                }
                 Some(found) => return self.cross(found, next, s),
                 None if together => return self.turn_together(&next, s),
                 None => return Ok(None),
@@ -119,8 +135,14 @@ impl<'w, 'a> Walk<'w, 'a> {
             return self.turn_together(&next, s);
         }
         if turns {
-            let Some((turn, s)) = turning::locate(&mut self.curve, &self.here, &next, s) else { return Ok(None) };
-            return if self.before(turn.t()) > -AT_END { Err(self.turned(&turn.x)) } else { Ok(self.land(&turn, s)) };
+            let Some((turn, s)) = turning::locate(&mut self.curve, &self.here, &next, s) else {
+                return Ok(None);
+            };
+            return if self.before(turn.t()) > -AT_END {
+                Err(self.turned(&turn.x))
+            } else {
+                Ok(self.land(&turn, s))
+            };
         }
         if let (Some((before, from)), Some((after, to))) = (&self.here.blocks, &next.blocks)
             && before != after
@@ -139,7 +161,8 @@ impl<'w, 'a> Walk<'w, 'a> {
         before.iter().zip(after).filter(|(before, after)| before != after).count()
     }
 
-    /// Time turns round for several loops at once, a place at which the curve is singular: it is found between places on either side.
+    /// Time turns round for several loops at once, a place at which the curve is singular: it is found
+    /// between places on either side.
     fn turn_together(&self, next: &CurvePoint, s: f64) -> Result<Option<Stepped>, Lost> {
         if s > TOGETHER {
             return Ok(None);
@@ -162,10 +185,12 @@ impl<'w, 'a> Walk<'w, 'a> {
         Some(stepped)
     }
 
-    /// Several loops turn over in a short step, an even number of them: none is told apart from the others, and all go on smoothly.
+    /// Several loops turn over in a short step, an even number of them: none is told apart from the others,
+    /// and all go on smoothly.
     fn cross_together(&mut self, next: CurvePoint, s: f64, at: f64) -> Option<Stepped> {
         let x = self.here.ahead(at);
-        let between = |a: Vec<f64>, b: Vec<f64>| a.iter().zip(&b).map(|(a, b)| a + at / s * (b - a)).collect();
+        let between =
+            |a: Vec<f64>, b: Vec<f64>| a.iter().zip(&b).map(|(a, b)| a + at / s * (b - a)).collect();
         let ([qd, qdd], [later, still_later]) = (self.here.rates(), next.rates());
         let branch = Branch { qd: between(qd, later), qdd: between(qdd, still_later) };
         let t = x.last().copied()?;
@@ -186,8 +211,11 @@ impl<'w, 'a> Walk<'w, 'a> {
 
     /// The step leads to the time asked for, or beyond.
     fn land(&mut self, next: &CurvePoint, s: f64) -> Option<Stepped> {
-        let place =
-            if self.before(next.t()) == 0.0 { next.clone() } else { turning::at_time(&mut self.curve, &self.here, next, s, self.to)? };
+        let place = if self.before(next.t()) == 0.0 {
+            next.clone()
+        } else {
+            turning::at_time(&mut self.curve, &self.here, next, s, self.to)?
+        };
         let (_, q) = place.x.split_last()?;
         Some(Stepped::Landed(Landed::Regular(q.to_vec())))
     }
@@ -241,12 +269,17 @@ impl<'w, 'a> Walk<'w, 'a> {
         start.push(t + s * dt);
         let off = self.curve.correct(&mut start, dx)?;
         let place = self.curve.place(start, dx)?;
-        (off <= 0.05 * s && self.curve.dot(&place.dx, dx) > 0.9 && self.sign * place.dt() > 0.0).then_some(place)
+        (off <= 0.05 * s && self.curve.dot(&place.dx, dx) > 0.9 && self.sign * place.dt() > 0.0)
+            .then_some(place)
     }
 
     /// q, and the rates, a time h after the bifurcation on a branch.
     fn moved(&self, x: &[f64], branch: &Branch, h: f64) -> (Vec<f64>, Branch) {
-        let q = x.iter().zip(branch.qd.iter().zip(&branch.qdd)).map(|(x, (qd, qdd))| x + h * (qd + 0.5 * h * qdd)).collect();
+        let q = x
+            .iter()
+            .zip(branch.qd.iter().zip(&branch.qdd))
+            .map(|(x, (qd, qdd))| x + h * (qd + 0.5 * h * qdd))
+            .collect();
         let qd = branch.qd.iter().zip(&branch.qdd).map(|(qd, qdd)| qd + h * qdd).collect();
         (q, Branch { qd, qdd: branch.qdd.clone() })
     }

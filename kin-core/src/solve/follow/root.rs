@@ -3,9 +3,14 @@
 /// Evaluations of one search; each second one halves the bracket at least.
 const EVALUATIONS: usize = 100;
 
-/// s between a and b, where f has the signs of `at_a` and `at_b`, to rounding of s, or where f is at most `enough`: secants that let no end
-/// stand still (Illinois). `None` where f gives none.
-pub(super) fn root(mut a: (f64, f64), mut b: (f64, f64), enough: f64, mut f: impl FnMut(f64) -> Option<f64>) -> Option<f64> {
+/// s between a and b, where f has the signs of `at_a` and `at_b`, to rounding of s, or where f is at most
+/// `enough`: secants that let no end stand still (Illinois). `None` where f gives none.
+pub(super) fn root(
+    mut a: (f64, f64),
+    mut b: (f64, f64),
+    enough: f64,
+    mut f: impl FnMut(f64) -> Option<f64>,
+) -> Option<f64> {
     if a.1 == 0.0 {
         return Some(a.0);
     }
@@ -34,29 +39,47 @@ mod tests {
     #[test]
     fn roots_are_found_to_rounding() {
         type Case = (fn(f64) -> f64, f64, u32);
-        let functions: [Case; 3] = [(|s| s.cos(), 0.5 * std::f64::consts::PI, 10), (|s| s.powi(9) - 1.0, 1.0, 60), (|s| 1.0 - s, 1.0, 2)];
+        let functions: [Case; 3] = [
+            (|s| s.cos(), 0.5 * std::f64::consts::PI, 10),
+            (|s| s.powi(9) - 1.0, 1.0, 60),
+            (|s| 1.0 - s, 1.0, 2),
+        ];
         for (f, expected, most) in functions {
             let mut evaluations = 0;
             let found = root((0.0, f(0.0)), (3.0, f(3.0)), 1e-15, |s| {
                 evaluations += 1;
                 Some(f(s))
             });
-            assert!((found.unwrap() - expected).abs() < 1e-14 && evaluations <= most, "{found:?} {evaluations}");
+            assert!(
+                (found.unwrap() - expected).abs() < 1e-14 && evaluations <= most,
+                "{found:?} {evaluations}"
+            );
         }
         assert_eq!(root((0.0, -1.0), (1.0, 1.0), 0.0, |_| None), None);
         assert_eq!(root((2.0, 0.0), (3.0, 1.0), 0.0, |_| None), Some(2.0));
-        // Where it is small enough, before it is zero; backwards as well; and where there is no number left between a jump.
+        // Where it is small enough, before it is zero; backwards as well; and where there is no number left
+        // between a jump.
         let small = root((0.0, -1.0), (1.0, 7.0), 0.1, |s| Some(8.0 * s * s * s - 1.0)).unwrap();
         assert!((8.0 * small.powi(3) - 1.0).abs() <= 0.1 && (small - 0.5).abs() > 1e-6);
         let back = root((3.0, 2.0), (0.0, -1.0), 0.0, |s| Some(s - 1.0)).unwrap();
         assert!((back - 1.0).abs() < 1e-15, "{back}");
-        for (from, to, at) in [(0.0, 3.0, 1.0), (-3.0, -0.5, -1.0), (-0.5, -3.0, -1.0), (0.0, 3e3, 1e3), (-1e-3, -3e-3, -2e-3)] {
+        for (from, to, at) in
+            [(0.0, 3.0, 1.0), (-3.0, -0.5, -1.0), (-0.5, -3.0, -1.0), (0.0, 3e3, 1e3), (-1e-3, -3e-3, -2e-3)]
+        {
             let mut evaluations = 0;
-            let jump = root((from, if from < at { -1.0 } else { 1.0 }), (to, if to < at { -1.0 } else { 1.0 }), 0.0, |s| {
-                evaluations += 1;
-                Some(if s < at { -1.0 } else { 1.0 })
-            });
-            assert!(jump.is_some_and(|jump| (jump / at - 1.0).abs() < 1e-15) && evaluations < EVALUATIONS, "{jump:?} {evaluations}");
+            let jump = root(
+                (from, if from < at { -1.0 } else { 1.0 }),
+                (to, if to < at { -1.0 } else { 1.0 }),
+                0.0,
+                |s| {
+                    evaluations += 1;
+                    Some(if s < at { -1.0 } else { 1.0 })
+                },
+            );
+            assert!(
+                jump.is_some_and(|jump| (jump / at - 1.0).abs() < 1e-15) && evaluations < EVALUATIONS,
+                "{jump:?} {evaluations}"
+            );
         }
     }
 }

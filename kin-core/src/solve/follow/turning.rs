@@ -7,20 +7,35 @@ use super::root::root;
 const ENOUGH: f64 = 1e-12;
 
 /// The place between `here` and one that is `s` further on, where dt/ds vanishes, and how far on it is.
-pub(super) fn locate(curve: &mut Curve<'_>, here: &CurvePoint, next: &CurvePoint, s: f64) -> Option<(CurvePoint, f64)> {
+pub(super) fn locate(
+    curve: &mut Curve<'_>,
+    here: &CurvePoint,
+    next: &CurvePoint,
+    s: f64,
+) -> Option<(CurvePoint, f64)> {
     let time = curve.sizes[curve.model.n()];
-    let found = root((0.0, here.dt() / time), (s, next.dt() / time), ENOUGH, |s| Some(curve.at(here, s)?.0.dt() / time))?;
+    let found = root((0.0, here.dt() / time), (s, next.dt() / time), ENOUGH, |s| {
+        Some(curve.at(here, s)?.0.dt() / time)
+    })?;
     Some((curve.at(here, found)?.0, found))
 }
 
 /// The place between `here` and one that is `s` further on, where the time is `to`.
-pub(super) fn at_time(curve: &mut Curve<'_>, here: &CurvePoint, next: &CurvePoint, s: f64, to: f64) -> Option<CurvePoint> {
+pub(super) fn at_time(
+    curve: &mut Curve<'_>,
+    here: &CurvePoint,
+    next: &CurvePoint,
+    s: f64,
+    to: f64,
+) -> Option<CurvePoint> {
     let enough = 4.0 * f64::EPSILON * to.abs();
-    let found = root((0.0, here.t() - to), (s, next.t() - to), enough, |s| Some(curve.at(here, s)?.0.t() - to))?;
+    let found =
+        root((0.0, here.t() - to), (s, next.t() - to), enough, |s| Some(curve.at(here, s)?.0.t() - to))?;
     Some(curve.at(here, found)?.0)
 }
 
-/// x between two places near one another, where dt/ds of the curve interpolated between them vanishes: for where the curve cannot be followed itself.
+/// x between two places near one another, where dt/ds of the curve interpolated between them vanishes: for
+/// where the curve cannot be followed itself.
 pub(super) fn between(here: &CurvePoint, next: &CurvePoint, s: f64) -> Option<Vec<f64>> {
     let end = |place: &CurvePoint, k: usize| [place.x[k], s * place.dx[k], 0.5 * s * s * place.ddx[k]];
     let along = |k: usize| quintic(end(here, k), end(next, k));
@@ -30,7 +45,8 @@ pub(super) fn between(here: &CurvePoint, next: &CurvePoint, s: f64) -> Option<Ve
     Some((0..here.x.len()).map(|k| along(k).iter().rev().fold(0.0, |sum, c| sum * u + c)).collect())
 }
 
-/// Coefficients over 0 ≤ u ≤ 1 of the polynomial of fifth degree with value, slope and half the second derivative given at both ends.
+/// Coefficients over 0 ≤ u ≤ 1 of the polynomial of fifth degree with value, slope and half the second
+/// derivative given at both ends.
 fn quintic([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 6] {
     let (p, q, r) = (x - a - b - c, y - b - 2.0 * c, z - c);
     [a, b, c, 10.0 * p - 4.0 * q + r, -15.0 * p + 7.0 * q - 2.0 * r, 6.0 * p - 3.0 * q + r]
@@ -62,18 +78,27 @@ mod tests {
         (at(a), at(b), b - a)
     }
 
-    /// By the curve itself, by what is interpolated, and where the time is one that is asked for; whatever time is measured by.
+    /// By the curve itself, by what is interpolated, and where the time is one that is asked for; whatever
+    /// time is measured by.
     #[test]
     fn where_time_turns_round() {
         let (system, quarter) = (system(), 0.5 * std::f64::consts::PI);
-        for (time, [before, behind]) in [(1.0, [0.05, 0.03]), (1.0, [0.01, 0.1]), (0.5, [0.05, 0.03]), (1e3, [0.02, 0.02])] {
+        for (time, [before, behind]) in
+            [(1.0, [0.05, 0.03]), (1.0, [0.01, 0.1]), (0.5, [0.05, 0.03]), (1e3, [0.02, 0.02])]
+        {
             let mut curve = Curve::new(&system, &[1.0], time);
             let (here, next, _) = places(&mut curve, [quarter - before, quarter + behind]);
             // By the measures the arc has another length.
             let gone: Vec<f64> = here.x.iter().zip(&next.x).map(|(a, b)| b - a).collect();
             let s = curve.dot(&gone, &here.dx);
             let (place, found) = locate(&mut curve, &here, &next, s).expect("turns round");
-            assert!((place.t() - 3.0).abs() < 1e-15 && place.x[0].abs() < 1e-9 && found > 0.0 && found < 1.2 * s.abs(), "{time} {place:?}");
+            assert!(
+                (place.t() - 3.0).abs() < 1e-15
+                    && place.x[0].abs() < 1e-9
+                    && found > 0.0
+                    && found < 1.2 * s.abs(),
+                "{time} {place:?}"
+            );
         }
         let mut curve = Curve::new(&system, &[1.0], 1.0);
         let (here, next, s) = places(&mut curve, [quarter - 0.05, quarter + 0.03]);
@@ -86,7 +111,8 @@ mod tests {
         for (to, (here, next, s)) in all.into_iter().chain([(2.31, backwards.clone()), (2.38, backwards)]) {
             let place = at_time(&mut curve, &here, &next, s, to).expect("comes to it");
             assert!(
-                (place.t() - to).abs() <= 8.0 * f64::EPSILON * to && (place.x[0] - (1.0 - (to - 2.0) * (to - 2.0)).sqrt()).abs() < 1e-14
+                (place.t() - to).abs() <= 8.0 * f64::EPSILON * to
+                    && (place.x[0] - (1.0 - (to - 2.0) * (to - 2.0)).sqrt()).abs() < 1e-14
             );
         }
     }

@@ -7,8 +7,10 @@ use super::{MARKS, Motion};
 use crate::model::error::{Error, Result};
 
 impl Motion {
-    /// Writes the motion as CSV, making folders that are missing: t, then all q, all q̇, all q̈ (and all q⃛ where the jerk was asked for) in
-    /// the order of the coordinates, then the outputs; headers such as `t [s]`, `crank.R_x [m]`, `crank.R_x' [m/s]`, `crank.R_x'' [m/s^2]`, `crank.R_x''' [m/s^3]`; 17 significant digits.
+    /// Writes the motion as CSV, making folders that are missing: t, then all q, all q̇, all q̈ (and all q⃛
+    /// where the jerk was asked for) in the order of the coordinates, then the outputs; headers such as `t
+    /// [s]`, `crank.R_x [m]`, `crank.R_x' [m/s]`, `crank.R_x'' [m/s^2]`, `crank.R_x''' [m/s^3]`; 17
+    /// significant digits.
     ///
     /// Errors: a folder or file that cannot be written, by its path.
     pub fn write_csv(&self, path: impl AsRef<Path>) -> Result<()> {
@@ -31,8 +33,15 @@ impl Motion {
         let mut text = String::new();
         for k in 0..self.len() {
             let outputs = self.outputs().iter().filter_map(|output| output.values().get(k));
-            let row =
-                self.times().get(k).into_iter().chain(self.q(k)).chain(self.qd(k)).chain(self.qdd(k)).chain(self.qddd(k)).chain(outputs);
+            let row = self
+                .times()
+                .get(k)
+                .into_iter()
+                .chain(self.q(k))
+                .chain(self.qd(k))
+                .chain(self.qdd(k))
+                .chain(self.qddd(k))
+                .chain(outputs);
             for value in row {
                 text.clear();
                 digits(&mut text, *value);
@@ -49,7 +58,10 @@ impl Motion {
         let orders = if self.has_jerk() { 4 } else { 3 };
         for (order, mark) in MARKS.into_iter().enumerate().take(orders) {
             let coordinates = self.layout.names.iter().enumerate();
-            all.extend(coordinates.map(|(column, name)| format!("{name}{mark} [{}]", self.layout.unit(column, order))));
+            all.extend(
+                coordinates
+                    .map(|(column, name)| format!("{name}{mark} [{}]", self.layout.unit(column, order))),
+            );
         }
         all.extend(self.outputs().iter().map(|output| format!("{} [{}]", output.name(), output.unit())));
         all

@@ -31,7 +31,8 @@ impl<B: Into<PlanarBody>, V: Into<Vec2>> From<(B, V)> for Line {
 }
 
 impl Motion {
-    /// θ_a − θ_b over time: how far `a` is turned against `b` (or the ground), counter-clockwise, with any number of turns.   \[rad\]
+    /// θ_a − θ_b over time: how far `a` is turned against `b` (or the ground), counter-clockwise, with any
+    /// number of turns.   \[rad\]
     ///
     /// Errors: a body of another mechanism.
     pub fn relative_angle(&self, a: impl Into<PlanarBody>, b: impl Into<PlanarBody>) -> Result<Quantity> {
@@ -41,11 +42,12 @@ impl Motion {
         Ok(Quantity::new("relative angle", "rad", self.clock(), [0, 1, 2, 3].map(difference)))
     }
 
-    /// The transmission angle over time: between the line of a coupler and that of what it drives, from 0 to π/2, with its rates. The nearer to
-    /// π/2, the better the coupler pushes.   \[rad\]
+    /// The transmission angle over time: between the line of a coupler and that of what it drives, from 0 to
+    /// π/2, with its rates. The nearer to π/2, the better the coupler pushes.   \[rad\]
     ///
-    /// Of a four-bar `transmission_angle(coupler, rocker)`; of a slider, against the direction across its way: `transmission_angle(rod,
-    /// (ground, vec2(0.0, 1.0)))`. At 0 and π/2 the angle turns round, and its rates are those of one side.
+    /// Of a four-bar `transmission_angle(coupler, rocker)`; of a slider, against the direction across its
+    /// way: `transmission_angle(rod, (ground, vec2(0.0, 1.0)))`. At 0 and π/2 the angle turns round, and its
+    /// rates are those of one side.
     ///
     /// Errors: a body of another mechanism.
     pub fn transmission_angle(&self, coupler: impl Into<Line>, driven: impl Into<Line>) -> Result<Quantity> {
@@ -57,18 +59,27 @@ impl Motion {
             *angle = (*angle + between).rem_euclid(PI);
             if *angle > FRAC_PI_2 {
                 *angle = PI - *angle;
-                [&mut *rates, &mut *second, &mut *third].into_iter().filter_map(|rates| rates.get_mut(k)).for_each(|rate| *rate = -*rate);
+                [&mut *rates, &mut *second, &mut *third]
+                    .into_iter()
+                    .filter_map(|rates| rates.get_mut(k))
+                    .for_each(|rate| *rate = -*rate);
             }
         }
         Ok(all.renamed("transmission angle"))
     }
 
-    /// The instant centre of two planar bodies (or of one and the ground) at each time: the point that has the same velocity in both, in the
-    /// global frame; `None` where they do not turn against each other.   \[m\]
+    /// The instant centre of two planar bodies (or of one and the ground) at each time: the point that has
+    /// the same velocity in both, in the global frame; `None` where they do not turn against each
+    /// other.   \[m\]
     ///
-    /// With v the velocity of the one against the other at the origin and ω their relative angular velocity it is (−v_y, v_x)/ω. Shabana,
-    /// *Computational Dynamics*, section 2.4. Errors: a body of another mechanism.
-    pub fn instant_centre(&self, a: impl Into<PlanarBody>, b: impl Into<PlanarBody>) -> Result<Vec<Option<Vec2>>> {
+    /// With v the velocity of the one against the other at the origin and ω their relative angular velocity
+    /// it is (−v_y, v_x)/ω. Shabana, *Computational Dynamics*, section 2.4. Errors: a body of another
+    /// mechanism.
+    pub fn instant_centre(
+        &self,
+        a: impl Into<PlanarBody>,
+        b: impl Into<PlanarBody>,
+    ) -> Result<Vec<Option<Vec2>>> {
         let [a, b] = [a.into(), b.into()].map(|body| self.columns(&Target::Planar(body), "instant_centre"));
         let (a, b) = (a?, b?);
         let still = STILL * self.fastest_turn();
@@ -89,6 +100,10 @@ impl Motion {
     /// The largest angular velocity of any planar body at any time.
     fn fastest_turn(&self) -> f64 {
         let units = self.layout.units.iter().cycle();
-        self.qd.iter().zip(units).filter(|(_, unit)| **unit == Unit::Radian).fold(0.0, |m, (rate, _)| m.max(rate.abs()))
+        self.qd
+            .iter()
+            .zip(units)
+            .filter(|(_, unit)| **unit == Unit::Radian)
+            .fold(0.0, |m, (rate, _)| m.max(rate.abs()))
     }
 }

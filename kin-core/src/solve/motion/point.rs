@@ -11,7 +11,8 @@ use crate::model::mechanism::Marker;
 use crate::model::units::Unit;
 use crate::model::units::Units;
 
-/// Position, velocity and acceleration of a point of a body, one of each a time, and its jerk where the run was asked for it.
+/// Position, velocity and acceleration of a point of a body, one of each a time, and its jerk where the run
+/// was asked for it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointMotion<V> {
     times: Vec<f64>,
@@ -38,8 +39,8 @@ impl Motion {
         self.add_point(&marker.name, marker.body, marker.u)
     }
 
-    /// Position, velocity and acceleration over time of the point with local position `local` of a body or link; the ground as a body
-    /// is welcome too.   \[m, m/s, m/s²\]
+    /// Position, velocity and acceleration over time of the point with local position `local` of a body or
+    /// link; the ground as a body is welcome too.   \[m, m/s, m/s²\]
     ///
     /// Errors: a body of another mechanism.
     pub fn point<B: Body>(&self, body: B, local: impl Into<B::Vector>) -> Result<PointMotion<B::Vector>> {
@@ -72,7 +73,8 @@ impl Motion {
             Some(Place::Own { first, .. }) => Ok(first..first + target.columns()),
             Some(Place::Ground(_)) => Ok(0..0),
             None => {
-                let (mechanism, place, argument) = (self.name.to_string(), place.to_string(), "body".to_string());
+                let (mechanism, place, argument) =
+                    (self.name.to_string(), place.to_string(), "body".to_string());
                 Err(Error::ForeignBody { mechanism, place, argument })
             }
         }
@@ -80,7 +82,8 @@ impl Motion {
 
     /// q, q̇, q̈ and q⃛ (or nothing) of these columns at time k.
     pub(crate) fn orders(&self, k: usize, columns: Range<usize>) -> [&[f64]; 4] {
-        [self.q(k), self.qd(k), self.qdd(k), self.qddd(k)].map(|row| row.get(columns.clone()).unwrap_or_default())
+        [self.q(k), self.qd(k), self.qdd(k), self.qddd(k)]
+            .map(|row| row.get(columns.clone()).unwrap_or_default())
     }
 }
 
@@ -105,7 +108,8 @@ impl<V: Vector> PointMotion<V> {
         &self.a
     }
 
-    /// ȧ, global components; empty unless the run was asked for the jerk ([`crate::Options::jerk`]).   \[m/s³\]
+    /// ȧ, global components; empty unless the run was asked for the jerk
+    /// ([`crate::Options::jerk`]).   \[m/s³\]
     pub fn jerk(&self) -> &[V] {
         &self.jerk
     }
@@ -122,7 +126,12 @@ impl<V: Vector> PointMotion<V> {
 
     /// |a| over time.   \[m/s²\]
     pub fn acceleration_magnitude(&self) -> Series {
-        Series::new("acceleration", self.unit(2), (&self.times, &self.units), self.a.iter().map(size).collect())
+        Series::new(
+            "acceleration",
+            self.unit(2),
+            (&self.times, &self.units),
+            self.a.iter().map(size).collect(),
+        )
     }
 
     /// |ȧ| over time; empty unless the run was asked for the jerk.   \[m/s³\]
@@ -131,14 +140,23 @@ impl<V: Vector> PointMotion<V> {
         Series::new("jerk", self.unit(3), (times, &self.units), self.jerk.iter().map(size).collect())
     }
 
-    /// Each component of r, v and a (and of the jerk, where it is known) over time, named x, y, x', y', x'', ….
+    /// Each component of r, v and a (and of the jerk, where it is known) over time, named x, y, x', y', x'',
+    /// ….
     pub fn components(&self) -> Vec<Series> {
         let orders = [&self.r, &self.v, &self.a, &self.jerk].into_iter().zip(MARKS).zip(0..);
         let component = |((all, mark), order): ((&Vec<V>, &'static str), usize), k: usize| {
             let values = all.iter().map(|x| x.component(k)).collect();
-            Series::new(format!("{}{mark}", V::NAMES[k]), self.unit(order), (&self.times, &self.units), values)
+            Series::new(
+                format!("{}{mark}", V::NAMES[k]),
+                self.unit(order),
+                (&self.times, &self.units),
+                values,
+            )
         };
-        orders.filter(|((all, _), _)| !all.is_empty()).flat_map(|order| (0..V::NAMES.len()).map(move |k| component(order, k))).collect()
+        orders
+            .filter(|((all, _), _)| !all.is_empty())
+            .flat_map(|order| (0..V::NAMES.len()).map(move |k| component(order, k)))
+            .collect()
     }
 }
 

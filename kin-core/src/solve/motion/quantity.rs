@@ -22,7 +22,12 @@ pub(crate) const MARKS: [&str; 4] = ["", "'", "''", "'''"];
 
 impl Quantity {
     /// From x in `unit`, ẋ, ẍ and x⃛ (empty, or one a time), with what units are called.
-    pub(crate) fn new(name: &str, unit: &str, (times, units): (&[f64], &Units), orders: [Vec<f64>; 4]) -> Self {
+    pub(crate) fn new(
+        name: &str,
+        unit: &str,
+        (times, units): (&[f64], &Units),
+        orders: [Vec<f64>; 4],
+    ) -> Self {
         let mut orders = orders.into_iter().zip(MARKS).enumerate().map(|(order, (values, mark))| {
             let times = if values.is_empty() { &[] } else { times };
             Series::new(format!("{name}{mark}"), units.rate(unit, order), (times, units), values)

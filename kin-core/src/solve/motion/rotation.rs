@@ -21,7 +21,8 @@ pub struct RotationMotion {
 }
 
 impl Motion {
-    /// Angular velocity and acceleration of a spatial body over time, global components, from its Euler parameters:
+    /// Angular velocity and acceleration of a spatial body over time, global components, from its Euler
+    /// parameters:
     ///
     /// ω = 2 (e0 ė − ė0 e + e × ė),  α = 2 (e0 ë − ë0 e + e × ë).   \[rad/s, rad/s²\]
     ///
@@ -29,9 +30,12 @@ impl Motion {
     pub fn rotation(&self, body: impl Into<SpatialBody>) -> Result<RotationMotion> {
         let columns = self.columns(&Target::Spatial(body.into()), "rotation")?;
         let (times, units) = (self.times().to_vec(), self.unit_words().clone());
-        let mut all = RotationMotion { times, units, omega: vec![], alpha: vec![], alpha_rate: vec![], p: vec![] };
+        let mut all =
+            RotationMotion { times, units, omega: vec![], alpha: vec![], alpha_rate: vec![], p: vec![] };
         for k in 0..self.len() {
-            let orders = self.orders(k, columns.clone()).map(|row| row.get(3..).and_then(|p| p.first_chunk::<4>()).copied());
+            let orders = self
+                .orders(k, columns.clone())
+                .map(|row| row.get(3..).and_then(|p| p.first_chunk::<4>()).copied());
             // The ground has no coordinates: it stands still.
             let p = orders[0].unwrap_or([1.0, 0.0, 0.0, 0.0]);
             let [pd, pdd, pddd] = [orders[1], orders[2], orders[3]].map(Option::unwrap_or_default);
@@ -50,7 +54,11 @@ impl Motion {
     /// Errors: a body of another mechanism, name empty or taken.
     pub fn add_rotation(&mut self, name: &str, body: impl Into<SpatialBody>) -> Result<()> {
         for component in self.rotation(body)?.components() {
-            self.add_output(&format!("{name}.{}", component.name()), component.unit(), component.values().to_vec())?;
+            self.add_output(
+                &format!("{name}.{}", component.name()),
+                component.unit(),
+                component.values().to_vec(),
+            )?;
         }
         Ok(())
     }
@@ -111,14 +119,25 @@ impl RotationMotion {
 
     /// |ω| over time.   \[rad/s\]
     pub fn speed(&self) -> Series {
-        Series::new("angular speed", self.unit(1), (&self.times, &self.units), self.omega.iter().map(|omega| omega.norm()).collect())
+        Series::new(
+            "angular speed",
+            self.unit(1),
+            (&self.times, &self.units),
+            self.omega.iter().map(|omega| omega.norm()).collect(),
+        )
     }
 
-    /// ω · h/|h| over time, h in the frame that the components are in: a shaft's speed about its axis is `in_body().about(axis)`.   \[rad/s\]
+    /// ω · h/|h| over time, h in the frame that the components are in: a shaft's speed about its axis is
+    /// `in_body().about(axis)`.   \[rad/s\]
     pub fn about(&self, h: impl Into<Vec3>) -> Series {
         let h = h.into();
         let h = h / h.norm();
-        Series::new("angular velocity", self.unit(1), (&self.times, &self.units), self.omega.iter().map(|omega| omega.dot(h)).collect())
+        Series::new(
+            "angular velocity",
+            self.unit(1),
+            (&self.times, &self.units),
+            self.omega.iter().map(|omega| omega.dot(h)).collect(),
+        )
     }
 
     /// Each component of ω and α over time, named `omega_x`, …, `alpha_z`.

@@ -1,4 +1,5 @@
-//! What a motion says of itself: counts, Newton's steps, residuals, and how far its first position is from where bodies are drawn.
+//! What a motion says of itself: counts, Newton's steps, residuals, and how far its first position is from
+//! where bodies are drawn.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -19,7 +20,8 @@ const THERE: f64 = 1e-3;
 pub struct Displaced {
     /// The body or bare coordinate.
     pub name: String,
-    /// How far it has been moved; `None` where nobody has said where it is: a link by its length alone.   \[m\]
+    /// How far it has been moved; `None` where nobody has said where it is: a link by its length
+    /// alone.   \[m\]
     pub moved: Option<f64>,
     /// How far it has been turned, of a spatial body between 0 and π.   \[rad\]
     pub turned: Option<f64>,
@@ -28,8 +30,9 @@ pub struct Displaced {
 }
 
 impl Motion {
-    /// Counts, Newton steps a time (the first position apart, which is found from a guess) and the largest residual in one line; then how far
-    /// the first position is from the drawn one, where it is, the worst first ([`Motion::displaced`]), with a hint where a slip is likely.
+    /// Counts, Newton steps a time (the first position apart, which is found from a guess) and the largest
+    /// residual in one line; then how far the first position is from the drawn one, where it is, the worst
+    /// first ([`Motion::displaced`]), with a hint where a slip is likely.
     pub fn summary(&self) -> String {
         let mut text = self.counts();
         let displaced = self.displaced();
@@ -55,17 +58,24 @@ impl Motion {
         let newton = match (steps.get(steps.len() / 2).copied().unwrap_or(0), rest.is_empty()) {
             (_, true) => String::new(),
             (0, _) if most == 0 => "predictions met the equations at all times, ".to_string(),
-            (0, _) => format!("predictions met the equations at most times (else {} at most), ", count(most, "Newton step")),
+            (0, _) => format!(
+                "predictions met the equations at most times (else {} at most), ",
+                count(most, "Newton step")
+            ),
             (usual, _) => format!("{} a time (worst {most}), ", count(usual, "Newton step")),
         };
         let largest = self.worst.map_or(0.0, |(residual, _)| residual);
         let breaks = match self.breaks.iter().map(|crossed| crossed.found.order).min() {
-            Some(order) => format!(", {} breaks of laws crossed (derivative {order} jumps)", self.breaks.len()),
+            Some(order) => {
+                format!(", {} breaks of laws crossed (derivative {order} jumps)", self.breaks.len())
+            }
             None => String::new(),
         };
         let misfit = match self.misfit {
             misfit if misfit > 0.0 => {
-                format!(", equations contradict one another by {misfit:.1e} of the mechanism's size, which was allowed")
+                format!(
+                    ", equations contradict one another by {misfit:.1e} of the mechanism's size, which was allowed"
+                )
             }
             _ => String::new(),
         };
@@ -79,21 +89,23 @@ impl Motion {
         )
     }
 
-    /// The largest |C| of a motion of redundant equations that were allowed to contradict one another ([`crate::Options::closure`]), of the norm
-    /// of its row: of the mechanism's size where the row is a length. 0 where all are met.   \[-\]
+    /// The largest |C| of a motion of redundant equations that were allowed to contradict one another
+    /// ([`crate::Options::closure`]), of the norm of its row: of the mechanism's size where the row is a
+    /// length. 0 where all are met.   \[-\]
     pub fn misfit(&self) -> f64 {
         self.misfit
     }
 
-    /// How far each body and bare angle is at the first time from its guess, by its share of the mechanism's size, or by radians, the worst
-    /// first. Bodies that are there are left out.
+    /// How far each body and bare angle is at the first time from its guess, by its share of the mechanism's
+    /// size, or by radians, the worst first. Bodies that are there are left out.
     pub fn displaced(&self) -> Vec<Displaced> {
         let (guess, first) = (&self.guess, self.q(0));
         if guess.len() != first.len() {
             return Vec::new();
         }
         let size = self.drawn_size();
-        let mut all: Vec<(f64, Displaced)> = self.layout.items.iter().filter_map(|item| self.displacement(item, size)).collect();
+        let mut all: Vec<(f64, Displaced)> =
+            self.layout.items.iter().filter_map(|item| self.displacement(item, size)).collect();
         all.sort_by(|a, b| b.0.total_cmp(&a.0).then_with(|| a.1.name.cmp(&b.1.name)));
         all.into_iter().map(|(_, body)| body).collect()
     }
@@ -115,7 +127,10 @@ impl Motion {
                 (drawn.then_some(moved), (drawn || turned > TAU).then_some(turned))
             }
         };
-        let shares = [moved.map(|moved| if size > 0.0 { moved / size } else { 0.0 }), turned.map(|turned| turned / PI)];
+        let shares = [
+            moved.map(|moved| if size > 0.0 { moved / size } else { 0.0 }),
+            turned.map(|turned| turned / PI),
+        ];
         let share = shares.into_iter().flatten().fold(0.0, f64::max);
         if share <= THERE {
             return None;
@@ -127,10 +142,16 @@ impl Motion {
 
     /// How far bodies are drawn from one another and from the origin of the ground; 0 where none is drawn.
     fn drawn_size(&self) -> f64 {
-        let drawn = self.layout.items.iter().filter(|item| is_drawn(item, &self.guess)).map(|item| origin(item, &self.guess));
+        let drawn = self
+            .layout
+            .items
+            .iter()
+            .filter(|item| is_drawn(item, &self.guess))
+            .map(|item| origin(item, &self.guess));
         let origins: Vec<[f64; 3]> = drawn.collect();
         let spread = |k: usize| {
-            let (low, high) = origins.iter().fold((0.0_f64, 0.0_f64), |(low, high), r| (low.min(r[k]), high.max(r[k])));
+            let (low, high) =
+                origins.iter().fold((0.0_f64, 0.0_f64), |(low, high), r| (low.min(r[k]), high.max(r[k])));
             high - low
         };
         spread(0).hypot(spread(1)).hypot(spread(2))
@@ -147,7 +168,8 @@ impl Displaced {
     }
 }
 
-/// Whether somebody has said where a body is: links by their lengths alone stand at the origin until they are assembled.
+/// Whether somebody has said where a body is: links by their lengths alone stand at the origin until they are
+/// assembled.
 fn is_drawn(item: &Item, guess: &[f64]) -> bool {
     match item.kind {
         Kind::Planar | Kind::Spatial => origin(item, guess) != [0.0; 3],

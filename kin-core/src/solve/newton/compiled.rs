@@ -1,8 +1,9 @@
 //! Runs in which a program computes most times, many at once; every time is judged as single steps are.
 //!
-//! Plain steps and blocks of the program take turns: a block begins at a plain step, which the program has to give the same q, q̇ and q̈ for, and ends
-//! at another one, which is judged from the block's last time. Any objection hands the rest of the block to plain steps, so halving, toggles, change
-//! points and errors have one implementation.
+//! Plain steps and blocks of the program take turns: a block begins at a plain step, which the program has to
+//! give the same q, q̇ and q̈ for, and ends at another one, which is judged from the block's last time. Any
+//! objection hands the rest of the block to plain steps, so halving, toggles, change points and errors have
+//! one implementation.
 
 mod block;
 mod curve;
@@ -54,7 +55,9 @@ pub(crate) fn tape(system: &System, t: f64, q: &[f64], sizes: &[f64]) -> std::re
 /// The error for what cannot be compiled.
 pub(crate) fn refused(Refusal { constraint, reason }: Refusal) -> Error {
     let what = if constraint.is_empty() { "the mechanism".to_string() } else { format!("`{constraint}`") };
-    Error::InvalidOptions { reason: format!("{what} cannot be compiled: {reason}; leave `Options::engine` at `Engine::Plain`") }
+    Error::InvalidOptions {
+        reason: format!("{what} cannot be compiled: {reason}; leave `Options::engine` at `Engine::Plain`"),
+    }
 }
 
 /// Position, velocity and acceleration at each of the times, into the motion.

@@ -1,5 +1,5 @@
-//! Driven bodies are turned to where their drivers ask before anything else: a motor that stands at 300 turns when the run begins is no
-//! reason for 300 turns' worth of careful steps.
+//! Driven bodies are turned to where their drivers ask before anything else: a motor that stands at 300 turns
+//! when the run begins is no reason for 300 turns' worth of careful steps.
 
 use super::{Newton, TURN};
 use crate::model::units::Unit;
@@ -7,8 +7,8 @@ use crate::model::units::Unit;
 /// Rounds in which rows that are not linear in their angles are sorted out.
 const ROUNDS: usize = 64;
 
-/// Sets angles that are far from where a row of angles alone, all but this one known, puts them: drivers, and what follows them by
-/// equations between angles. A row that is not linear in its angle is left alone.
+/// Sets angles that are far from where a row of angles alone, all but this one known, puts them: drivers, and
+/// what follows them by equations between angles. A row that is not linear in its angle is left alone.
 pub(super) fn turn(newton: &mut Newton<'_>, t: f64) {
     if newton.linearize(t).is_err() || follow(newton, t) {
         return;
@@ -52,11 +52,15 @@ fn follow(newton: &mut Newton<'_>, t: f64) -> bool {
     if turned.is_empty() {
         return true;
     }
-    let before: Vec<f64> = turned.iter().map(|&(row, column, dq)| newton.c[row].abs().max((dq * rows.value(row, column)).abs())).collect();
+    let before: Vec<f64> = turned
+        .iter()
+        .map(|&(row, column, dq)| newton.c[row].abs().max((dq * rows.value(row, column)).abs()))
+        .collect();
     let start = newton.q.clone();
     turned.iter().for_each(|&(_, column, dq)| newton.q[column] += dq);
     let evaluated = newton.linearize(t).is_ok();
-    let linear = evaluated && turned.iter().zip(before).all(|(&(row, _, _), before)| newton.c[row].abs() <= 1e-3 * before);
+    let linear = evaluated
+        && turned.iter().zip(before).all(|(&(row, _, _), before)| newton.c[row].abs() <= 1e-3 * before);
     if !linear {
         newton.q = start;
     }
@@ -77,7 +81,9 @@ impl Rows {
     fn new(newton: &Newton<'_>) -> Self {
         let units = &newton.system.layout().units;
         let entries = newton.system.equations().entries.iter().zip(newton.linear.values());
-        let entries: Vec<_> = entries.filter_map(|(entry, value)| entry.filter(|_| *value != 0.0).map(|(i, j)| (i, j, *value))).collect();
+        let entries: Vec<_> = entries
+            .filter_map(|(entry, value)| entry.filter(|_| *value != 0.0).map(|(i, j)| (i, j, *value)))
+            .collect();
         let mut angles = vec![true; newton.c.len()];
         entries.iter().for_each(|&(row, column, _)| angles[row] &= units[column] == Unit::Radian);
         let (open, columns) = (vec![0; newton.c.len()], vec![Vec::new(); newton.q.len()]);
@@ -116,15 +122,22 @@ fn asked(newton: &Newton<'_>, known: &[bool]) -> Vec<(usize, usize, f64)> {
     // Of each row its only open column and the value there; `None` after a second one.
     let mut open: Vec<Option<Option<(usize, f64)>>> = vec![Some(None); newton.c.len()];
     for (entry, &value) in newton.system.equations().entries.iter().zip(newton.linear.values()) {
-        let Some((row, column)) = entry.filter(|&(_, column)| value != 0.0 && !known[column]) else { continue };
+        let Some((row, column)) = entry.filter(|&(_, column)| value != 0.0 && !known[column]) else {
+            continue;
+        };
         open[row] = match open[row] {
             Some(None) if units[column] == Unit::Radian => Some(Some((column, value))),
             _ => None,
         };
     }
     let mut taken = vec![false; known.len()];
-    let rows = open.into_iter().enumerate().filter_map(|(row, only)| only.flatten().map(|(column, value)| (row, column, value)));
-    let corrections = rows.map(|(row, column, value)| (row, column, -newton.c[row] / value)).filter(|(_, _, dq)| dq.is_finite());
+    let rows = open
+        .into_iter()
+        .enumerate()
+        .filter_map(|(row, only)| only.flatten().map(|(column, value)| (row, column, value)));
+    let corrections = rows
+        .map(|(row, column, value)| (row, column, -newton.c[row] / value))
+        .filter(|(_, _, dq)| dq.is_finite());
     corrections.filter(|&(_, column, _)| !std::mem::replace(&mut taken[column], true)).collect()
 }
 

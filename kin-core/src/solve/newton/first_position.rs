@@ -1,8 +1,9 @@
 //! The first position: from a rough guess to C(q, t) = 0, in the preferred assembly.
 //!
-//! Driven bodies are turned to their drivers first. Then, where nothing is preferred, damped Newton steps. Where they fail, or an assembly
-//! is preferred, damped least squares on C (Levenberg–Marquardt, which needs no regular C_q) with the preferred coordinates held softly,
-//! then ever more softly, then not at all; Newton ends it. Where that fails too, the same from a few other starts, always the same ones.
+//! Driven bodies are turned to their drivers first. Then, where nothing is preferred, damped Newton steps.
+//! Where they fail, or an assembly is preferred, damped least squares on C (Levenberg–Marquardt, which needs
+//! no regular C_q) with the preferred coordinates held softly, then ever more softly, then not at all; Newton
+//! ends it. Where that fails too, the same from a few other starts, always the same ones.
 
 use super::{Failure, Newton, Outcome, Steps, driven};
 use crate::model::error::{Error, Result};
@@ -50,7 +51,8 @@ fn measure(newton: &mut Newton<'_>, t: f64) {
     take(newton, sizes(newton, finite));
 }
 
-/// Takes these sizes. Where the first look at the model was far off, the measures taken with it are worth nothing.
+/// Takes these sizes. Where the first look at the model was far off, the measures taken with it are worth
+/// nothing.
 fn take(newton: &mut Newton<'_>, sizes: Vec<f64>) {
     if differ(&sizes, &newton.sizes, 8.0) {
         newton.linear.forget();
@@ -68,10 +70,12 @@ fn differ(sizes: &[f64], others: &[f64], factor: f64) -> bool {
     sizes.iter().zip(others).any(|(size, other)| !(factor.recip()..factor).contains(&(size / other)))
 }
 
-/// Newton from the point in hand; then once more with the sizes of the solution, which takes no step, if they are others.
+/// Newton from the point in hand; then once more with the sizes of the solution, which takes no step, if they
+/// are others.
 fn attempt(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Result<Outcome> {
     let tried = newton.solve(t, steps).or_else(|failure| match failure {
-        // A derivative without bounds at an earlier start, such as that of an angle at its pole, makes all others seem small.
+        // A derivative without bounds at an earlier start, such as that of an angle at its pole, makes all
+        // others seem small.
         Failure::Singular => {
             newton.linear.forget();
             newton.solve(t, steps)
@@ -89,11 +93,13 @@ fn attempt(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Result<Outcome> {
     tried.map_err(|failure| newton.error(failure, t, None))
 }
 
-/// Damped Newton from the point in hand; where it ends with an axis turned by 180°, once more with that body turned over.
+/// Damped Newton from the point in hand; where it ends with an axis turned by 180°, once more with that body
+/// turned over.
 fn attempt_any_way_up(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     let tried = attempt(newton, t, Steps::Damped);
     if let Err(Error::WrongBranch { .. }) = tried
-        && let Some(found) = turned_over::mended(newton.system.model(), &newton.q, t, &|_| true, newton.options.search.steps)
+        && let Some(found) =
+            turned_over::mended(newton.system.model(), &newton.q, t, &|_| true, newton.options.search.steps)
     {
         newton.steps += found.place.steps;
         newton.q.copy_from_slice(&found.place.q);
@@ -102,7 +108,8 @@ fn attempt_any_way_up(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     tried
 }
 
-/// Start after start until one ends in the preferred assembly; else the nearest to it, else the error that says most.
+/// Start after start until one ends in the preferred assembly; else the nearest to it, else the error that
+/// says most.
 fn search(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     let preferred = newton.system.preferred();
     let mut failure: Option<Error> = None;
@@ -139,7 +146,8 @@ fn search(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
         newton.q.copy_from_slice(&q);
         return attempt(newton, t, Steps::Damped);
     }
-    Err(failure.unwrap_or_else(|| newton.error(Failure::NoConvergence { row: 0, residual: f64::INFINITY }, t, None)))
+    Err(failure
+        .unwrap_or_else(|| newton.error(Failure::NoConvergence { row: 0, residual: f64::INFINITY }, t, None)))
 }
 
 /// A singular position says more than none, and a near miss more than a far one.
@@ -167,7 +175,8 @@ fn distance(newton: &Newton<'_>) -> f64 {
 
 /// The guess, from the second start on with everything but the preferred coordinates moved at random.
 fn place(newton: &mut Newton<'_>, guess: &[f64], start: usize) {
-    let start = search::start_from(&newton.system.model(), guess, &newton.sizes, start, &newton.options.search);
+    let start =
+        search::start_from(&newton.system.model(), guess, &newton.sizes, start, &newton.options.search);
     newton.q.copy_from_slice(&start);
     for &(column, value) in newton.system.preferred() {
         newton.q[column] = value;
@@ -176,7 +185,9 @@ fn place(newton: &mut Newton<'_>, guess: &[f64], start: usize) {
 
 /// Damped least squares from the point in hand, the preferred coordinates held ever more softly.
 fn approach(newton: &mut Newton<'_>, t: f64) {
-    if let Some(found) = search::descend(newton.system.model(), &newton.q, t, &|_| true, true, newton.options.search.steps) {
+    if let Some(found) =
+        search::descend(newton.system.model(), &newton.q, t, &|_| true, true, newton.options.search.steps)
+    {
         newton.steps += found.place.steps;
         newton.q.copy_from_slice(&found.place.q);
     }

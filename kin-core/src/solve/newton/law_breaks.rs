@@ -27,10 +27,15 @@ struct Asked {
 }
 
 impl LawBreaks {
-    /// Looks at the laws at a time that was solved, and appends the breaks crossed since the last one. A jump of a value, or of the slope of a
-    /// law of time, is an error.
+    /// Looks at the laws at a time that was solved, and appends the breaks crossed since the last one. A jump
+    /// of a value, or of the slope of a law of time, is an error.
     #[inline]
-    pub(super) fn look(&mut self, system: &System, instant: &Instant, crossed: &mut Vec<CrossedBreak>) -> Result<(), Error> {
+    pub(super) fn look(
+        &mut self,
+        system: &System,
+        instant: &Instant,
+        crossed: &mut Vec<CrossedBreak>,
+    ) -> Result<(), Error> {
         match self.last.replace(instant.t()) {
             None => self.asked = questions(system, instant),
             Some(before) if !self.asked.is_empty() => return self.cross(system, instant, before, crossed),
@@ -40,7 +45,13 @@ impl LawBreaks {
     }
 
     /// Asks every law with breaks, which was asked at the time `before`.
-    fn cross(&mut self, system: &System, instant: &Instant, before: f64, crossed: &mut Vec<CrossedBreak>) -> Result<(), Error> {
+    fn cross(
+        &mut self,
+        system: &System,
+        instant: &Instant,
+        before: f64,
+        crossed: &mut Vec<CrossedBreak>,
+    ) -> Result<(), Error> {
         let (t, known) = (instant.t(), crossed.len());
         for asked in &mut self.asked {
             let block = &system.equations().blocks[asked.block];
@@ -52,7 +63,10 @@ impl LawBreaks {
                 }
                 let from = std::mem::replace(&mut asked.x, x);
                 let to = x + turns(function, from, x);
-                let stops = |b: &Break| b.order == 0 || (b.order == 1 && is_of_time(system, instant, asked.block, asked.number, x));
+                let stops = |b: &Break| {
+                    b.order == 0
+                        || (b.order == 1 && is_of_time(system, instant, asked.block, asked.number, x))
+                };
                 let named = |found: Break| {
                     let (constraint, law) = (block.name.clone(), law.to_owned());
                     CrossedBreak { between: (before, t), constraint, law, found }
@@ -80,18 +94,26 @@ impl LawBreaks {
     }
 }
 
-/// The turns between two arguments of a law: an angle that went over its cut. Only a law that repeats is asked there.   \[rad\]
+/// The turns between two arguments of a law: an angle that went over its cut. Only a law that repeats is
+/// asked there.   \[rad\]
 fn turns(law: &Law, from: f64, to: f64) -> f64 {
     if (to - from).abs() > PI && law.is_periodic(TAU) { TAU * ((from - to) / TAU).round() } else { 0.0 }
 }
 
-/// The breaks of a law between two arguments, as many as there is room for; the first one that stops the run, if one does.
-fn between(law: &Law, [from, to]: [f64; 2], room: usize, stops: impl Fn(&Break) -> bool) -> Result<Vec<Break>, Break> {
+/// The breaks of a law between two arguments, as many as there is room for; the first one that stops the run,
+/// if one does.
+fn between(
+    law: &Law,
+    [from, to]: [f64; 2],
+    room: usize,
+    stops: impl Fn(&Break) -> bool,
+) -> Result<Vec<Break>, Break> {
     let all = if room > 0 { law.breaks(from, to) } else { Vec::new() };
     let full = room == 0 || all.len() >= MOST_BREAKS;
     let here = all.iter().filter(|b| b.x != from);
     // The one that is met first.
-    let mut jump = if to < from { here.clone().rfind(|b| stops(b)) } else { here.clone().find(|b| stops(b)) }.copied();
+    let mut jump =
+        if to < from { here.clone().rfind(|b| stops(b)) } else { here.clone().find(|b| stops(b)) }.copied();
     if jump.is_none() && full {
         jump = law.sharpest_break(from, to).filter(|b| b.x != from && stops(b));
     }

@@ -6,17 +6,20 @@ use crate::solve::assembly::SearchOptions;
 /// When Newton's iteration has converged.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stop {
-    /// The scaled residual is at most `tolerance` *and* so is the scaled next correction C_q⁻¹ C, with the matrix at hand.
+    /// The scaled residual is at most `tolerance` *and* so is the scaled next correction C_q⁻¹ C, with the
+    /// matrix at hand.
     ///
-    /// Row i is measured by max_j |∂C_i/∂q_j| s_j and coordinate j by s_j, where s_j is 1 for an angle and the typical length of the model
-    /// for a length: a tolerance of 1e-13 means 1e-13 rad and 1e-13 of a lever, in mm as in km. What rounding of q itself makes of a row is
-    /// always allowed; a correction that no longer shrinks while the residual is rounding is accepted. Smaller: no better results below
-    /// 1e-15; larger: fewer steps, errors of that size in q and larger ones in q̇ and q̈.   \[-\]
+    /// Row i is measured by max_j |∂C_i/∂q_j| s_j and coordinate j by s_j, where s_j is 1 for an angle and
+    /// the typical length of the model for a length: a tolerance of 1e-13 means 1e-13 rad and 1e-13 of a
+    /// lever, in mm as in km. What rounding of q itself makes of a row is always allowed; a correction that
+    /// no longer shrinks while the residual is rounding is accepted. Smaller: no better results below 1e-15;
+    /// larger: fewer steps, errors of that size in q and larger ones in q̇ and q̈.   \[-\]
     Converged {
         /// The tolerance, default 1e-13.
         tolerance: f64,
     },
-    /// max |C_i| < the bound, rows unscaled as they are written, in the unit of the row: the protocol of published comparisons.
+    /// max |C_i| < the bound, rows unscaled as they are written, in the unit of the row: the protocol of
+    /// published comparisons.
     ResidualOnly(f64),
 }
 
@@ -33,31 +36,35 @@ pub struct Options {
     pub max_iterations: usize,
     /// The stop rule.
     pub stop: Stop,
-    /// Start each time from q + h q̇ + ½ h² q̈ of the one before (default), rather than from q; after three equal steps from the same made of
-    /// q̇ and q̈ at all three times, where that has been nearer.
+    /// Start each time from q + h q̇ + ½ h² q̈ of the one before (default), rather than from q; after three
+    /// equal steps from the same made of q̇ and q̈ at all three times, where that has been nearer.
     pub predict: bool,
-    /// Where plain Newton fails, damp it, look for the assembly from other starts (first time), and approach in smaller steps of time
-    /// (later times) before giving up; default true. Without it plain Newton steps from the guess are all that is
-    /// done, but for what [`Options::follow`] asks.
+    /// Where plain Newton fails, damp it, look for the assembly from other starts (first time), and approach
+    /// in smaller steps of time (later times) before giving up; default true. Without it plain Newton steps
+    /// from the guess are all that is done, but for what [`Options::follow`] asks.
     pub rescue: bool,
-    /// Halvings of one step of time at most before the run is given up, where steps are rescued and not checked; default 12. Times that rounding
-    /// hardly tells apart are not halved any more.
+    /// Halvings of one step of time at most before the run is given up, where steps are rescued and not
+    /// checked; default 12. Times that rounding hardly tells apart are not halved any more.
     pub halvings: u32,
     /// How the first position is looked for, where that is rescued, and what is wrong where there is none.
     pub search: SearchOptions,
-    /// Solve for the jerk q⃛ too, C_q q⃛ = −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), with the matrix of q̇ and q̈; default false.
-    /// Cases of a sweep are run one by one then.
+    /// Solve for the jerk q⃛ too, C_q q⃛ = −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), with the matrix
+    /// of q̇ and q̈; default false. Cases of a sweep are run one by one then.
     pub jerk: bool,
-    /// How far redundant equations may contradict one another, of the norm of each: of the mechanism's size where a row is a length. 0, the
-    /// default, allows what rounding makes (1e-10) and no more; parts of ordinary accuracy, such as an imported assembly, need more. Positions
-    /// are then those of least squares, and the motion and its summary tell the misfit ([`crate::Motion::misfit`]).   \[-\]
+    /// How far redundant equations may contradict one another, of the norm of each: of the mechanism's size
+    /// where a row is a length. 0, the default, allows what rounding makes (1e-10) and no more; parts of
+    /// ordinary accuracy, such as an imported assembly, need more. Positions are then those of least squares,
+    /// and the motion and its summary tell the misfit ([`crate::Motion::misfit`]).   \[-\]
     pub closure: f64,
-    /// Whether each step is checked to stay on its branch, and which branch is taken where branches cross; default [`Follow::Smooth`].
+    /// Whether each step is checked to stay on its branch, and which branch is taken where branches cross;
+    /// default [`Follow::Smooth`].
     pub follow: Follow,
-    /// What computes the times of [`crate::System::run`]; default [`Engine::Plain`]. Single positions, runs in parts and sweeps are always plain.
+    /// What computes the times of [`crate::System::run`]; default [`Engine::Plain`]. Single positions, runs
+    /// in parts and sweeps are always plain.
     pub engine: Engine,
-    /// Bytes that the motion of a run may take, three or four numbers a coordinate and time; default 2³⁰ (1 GiB). A run that needs more is refused
-    /// before it begins; [`crate::System::run_in_parts`] needs the memory of one part.   \[B\]
+    /// Bytes that the motion of a run may take, three or four numbers a coordinate and time; default 2³⁰ (1
+    /// GiB). A run that needs more is refused before it begins; [`crate::System::run_in_parts`] needs the
+    /// memory of one part.   \[B\]
     pub memory: usize,
 }
 
@@ -68,29 +75,36 @@ pub enum Engine {
     /// Constraint by constraint, one time after the other.
     #[default]
     Plain,
-    /// All equations as one program ([`crate::System::compile`]), many times at once. Every time is judged as plain steps are; where there is an
-    /// objection plain steps go on from the last time that was accepted. Numbers agree to the tolerance of [`Options::stop`], not to the last digit.
+    /// All equations as one program ([`crate::System::compile`]), many times at once. Every time is judged as
+    /// plain steps are; where there is an objection plain steps go on from the last time that was accepted.
+    /// Numbers agree to the tolerance of [`Options::stop`], not to the last digit.
     ///
-    /// It pays from about a thousand times on. A mechanism that cannot be compiled is an error that names why not.
+    /// It pays from about a thousand times on. A mechanism that cannot be compiled is an error that names why
+    /// not.
     Compiled,
 }
 
 /// How a run follows its branch.
 ///
-/// A step that cannot be shown to stay on its branch is taken in smaller ones, which are not kept: a coarse grid gives the same motion as a
-/// fine one. What drives is asked for its bounds between both times ([`crate::model::law::LawFunction::over`]): a motor that goes out and comes back within a step
-/// is followed. A law of one's own without bounds, and constraints on the dual route or written by hand in which time stands, are sampled at the
-/// eighths of each step instead; what they do between those is not seen. Where millions of smaller steps would lead to the next time, the run ends
-/// with [`crate::Error::CannotFollow`]. A toggle ends the run with [`crate::Error::Toggle`] at its time; change points are passed, and told by
-/// [`crate::Motion::singular_positions`]. Mechanisms with redundant equations are checked by prediction alone: at a singular position their runs end.
+/// A step that cannot be shown to stay on its branch is taken in smaller ones, which are not kept: a coarse
+/// grid gives the same motion as a fine one. What drives is asked for its bounds between both times
+/// ([`crate::model::law::LawFunction::over`]): a motor that goes out and comes back within a step is
+/// followed. A law of one's own without bounds, and constraints on the dual route or written by hand in which
+/// time stands, are sampled at the eighths of each step instead; what they do between those is not seen.
+/// Where millions of smaller steps would lead to the next time, the run ends with
+/// [`crate::Error::CannotFollow`]. A toggle ends the run with [`crate::Error::Toggle`] at its time; change
+/// points are passed, and told by [`crate::Motion::singular_positions`]. Mechanisms with redundant equations
+/// are checked by prediction alone: at a singular position their runs end.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Follow {
-    /// Nothing is checked: whatever position Newton's method finds is taken. On a coarse grid it can be one of another assembly.
+    /// Nothing is checked: whatever position Newton's method finds is taken. On a coarse grid it can be one
+    /// of another assembly.
     Unchecked,
     /// Checked; at a change point the run goes on smoothly (q̇ and q̈ do not jump).
     #[default]
     Smooth,
-    /// Checked; at the change points with these numbers, counted from 0 in the order in which the run meets them, it turns into the other branch.
+    /// Checked; at the change points with these numbers, counted from 0 in the order in which the run meets
+    /// them, it turns into the other branch.
     Turning(Vec<usize>),
 }
 
@@ -120,12 +134,14 @@ impl Default for Options {
 }
 
 impl Options {
-    /// The defaults, with redundant equations allowed to contradict one another by this share of the mechanism's size.   \[-\]
+    /// The defaults, with redundant equations allowed to contradict one another by this share of the
+    /// mechanism's size.   \[-\]
     pub fn closure(share: f64) -> Options {
         Options { closure: share, ..Options::default() }
     }
 
-    /// An error if so many motions at once, each of so many times and coordinates, take more memory than is allowed.
+    /// An error if so many motions at once, each of so many times and coordinates, take more memory than is
+    /// allowed.
     pub(crate) fn check_memory(&self, motions: usize, times: usize, coordinates: usize) -> Result<()> {
         let (orders, word) = (if self.jerk { 4.0 } else { 3.0 }, std::mem::size_of::<f64>() as f64);
         // The time, its residual and its number of Newton steps stand beside the coordinates.
@@ -136,7 +152,8 @@ impl Options {
         Err(Error::NeedsMemory { motions, times, coordinates, needed, allowed: self.memory })
     }
 
-    /// A step of time no longer than this is the last that is tried, of those between two times; times nearer to one another are hardly told apart.
+    /// A step of time no longer than this is the last that is tried, of those between two times; times nearer
+    /// to one another are hardly told apart.
     pub(crate) fn smallest_step(&self, from: f64, to: f64) -> f64 {
         let halved = (to - from).abs() * 0.5_f64.powi(self.halvings.min(1000) as i32);
         halved.max(resolution(from, to))
@@ -147,13 +164,17 @@ impl Options {
         self.search.check()?;
         if !(0.0..=0.1).contains(&self.closure) {
             let closure = self.closure;
-            return Err(Error::InvalidOptions { reason: format!("the closure is {closure}; give a share of the size from 0 to 0.1") });
+            return Err(Error::InvalidOptions {
+                reason: format!("the closure is {closure}; give a share of the size from 0 to 0.1"),
+            });
         }
         let (Stop::Converged { tolerance } | Stop::ResidualOnly(tolerance)) = self.stop;
         if tolerance.is_finite() && tolerance > 0.0 {
             return Ok(());
         }
-        Err(Error::InvalidOptions { reason: format!("the tolerance is {tolerance}; give a positive number such as 1e-13") })
+        Err(Error::InvalidOptions {
+            reason: format!("the tolerance is {tolerance}; give a positive number such as 1e-13"),
+        })
     }
 }
 

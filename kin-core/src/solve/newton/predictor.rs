@@ -1,8 +1,9 @@
 //! Prediction of the next position from what is known of the last ones.
 //!
-//! q + h q̇ + ½ h² q̈ from the last solution; after three equal steps of time the same from three: q̇ is interpolated by the polynomial that
-//! meets q̇ and q̈ at all three (Hermite), and integrated over the step, so that the error falls from h³ to h⁷. Where the grid is too
-//! coarse for that, the short formula is the better one: whichever would have been nearer at the last time is used for the next.
+//! q + h q̇ + ½ h² q̈ from the last solution; after three equal steps of time the same from three: q̇ is
+//! interpolated by the polynomial that meets q̇ and q̈ at all three (Hermite), and integrated over the step,
+//! so that the error falls from h³ to h⁷. Where the grid is too coarse for that, the short formula is the
+//! better one: whichever would have been nearer at the last time is used for the next.
 
 use wide::f64x4;
 
@@ -98,9 +99,18 @@ impl Predictor {
         let [a, b, c] = RATES.map(|weight| f64x4::splat(weight * h));
         let [d, e, f] = SECOND_RATES.map(|weight| f64x4::splat(weight * h * h));
         let [one, two] = &self.past;
-        let rates = fours(last.qd).zip(fours(&one.qd)).zip(fours(&two.qd)).map(move |((x, y), z)| a * x + b * y + c * z);
-        let second_rates = fours(last.qdd).zip(fours(&one.qdd)).zip(fours(&two.qdd)).map(move |((x, y), z)| d * x + e * y + f * z);
-        fours(last.q).zip(rates).zip(second_rates).map(|((q, rates), second_rates)| q + (rates + second_rates))
+        let rates = fours(last.qd)
+            .zip(fours(&one.qd))
+            .zip(fours(&two.qd))
+            .map(move |((x, y), z)| a * x + b * y + c * z);
+        let second_rates = fours(last.qdd)
+            .zip(fours(&one.qdd))
+            .zip(fours(&two.qdd))
+            .map(move |((x, y), z)| d * x + e * y + f * z);
+        fours(last.q)
+            .zip(rates)
+            .zip(second_rates)
+            .map(|((q, rates), second_rates)| q + (rates + second_rates))
     }
 }
 
@@ -120,7 +130,13 @@ fn short(h: f64, Last { q, qd, qdd }: Last<'_>) -> impl Iterator<Item = f64x4> {
 
 /// How far a prediction is from where Newton ended, by the sizes of the coordinates.
 fn far(predicted: impl Iterator<Item = f64x4>, q: &[f64], sizes: &[f64]) -> f64 {
-    largest(predicted.flat_map(f64x4::to_array).zip(q).zip(sizes).map(|((predicted, q), size)| (predicted - q).abs() / size))
+    largest(
+        predicted
+            .flat_map(f64x4::to_array)
+            .zip(q)
+            .zip(sizes)
+            .map(|((predicted, q), size)| (predicted - q).abs() / size),
+    )
 }
 
 #[cfg(test)]

@@ -5,7 +5,8 @@ use crate::numbers::padded;
 use crate::system::evaluate::{Bad, JERK_RHS, finite};
 
 impl Newton<'_> {
-    /// q̇ from C_q q̇ = −C_t and q̈ from C_q q̈ = Q_d, with the matrix that [`Newton::solve`] has left factored.
+    /// q̇ from C_q q̇ = −C_t and q̈ from C_q q̈ = Q_d, with the matrix that [`Newton::solve`] has left
+    /// factored.
     pub(crate) fn rates(&mut self) -> Result<(), Failure> {
         let equations = self.system.equations();
         equations.velocity_rhs(&self.instant, self.linear.rhs_mut());
@@ -24,7 +25,9 @@ impl Newton<'_> {
     /// q⃛ from C_q q⃛ = −g‴(0), with the same factors.
     fn jerk(&mut self) -> Result<(), Failure> {
         let (equations, rhs) = (self.system.equations(), self.linear.rhs_mut());
-        let known = equations.jerk_rhs(&self.qdd, &mut self.instant, rhs).map_err(|row| Bad { row, quantity: JERK_RHS });
+        let known = equations
+            .jerk_rhs(&self.qdd, &mut self.instant, rhs)
+            .map_err(|row| Bad { row, quantity: JERK_RHS });
         let right_side = known.and_then(|()| finite(rhs, JERK_RHS));
         self.linear.solve();
         if padded::take(self.qddd.whole_mut(), self.linear.whole_solution()) && right_side.is_ok() {

@@ -1,8 +1,9 @@
-//! Mechanisms with more equations than coordinates, all of which can be met: the third crank of a parallelogram, a spatial four-bar of
-//! five-row revolutes, a slider in two guides.
+//! Mechanisms with more equations than coordinates, all of which can be met: the third crank of a
+//! parallelogram, a spatial four-bar of five-row revolutes, a slider in two guides.
 //!
-//! As many independent equations are solved as there are coordinates, and the others asked to be met ([`crate::linear::Independent`]); where they may
-//! contradict one another a little ([`Options::closure`]), all of them in the sense of least squares.
+//! As many independent equations are solved as there are coordinates, and the others asked to be met
+//! ([`crate::linear::Independent`]); where they may contradict one another a little ([`Options::closure`]),
+//! all of them in the sense of least squares.
 
 mod begin;
 mod errors;
@@ -26,7 +27,8 @@ use errors::unmet;
 use solver::Solver;
 pub(crate) use solver::solved;
 
-/// Equations at a solution may differ by this share of their terms in velocities; where their positions may, by so many times that.   \[-\]
+/// Equations at a solution may differ by this share of their terms in velocities; where their positions may,
+/// by so many times that.   \[-\]
 const CONSISTENT: f64 = 1e-8;
 const ALLOWED: f64 = 30.0;
 
@@ -64,14 +66,24 @@ impl<'a> Stepper<'a> {
 }
 
 /// Position, velocity and acceleration at one time; from the guess, or from a start that is near.
-pub(crate) fn at(system: &System, t: f64, start: Option<&[f64]>, options: &Options, explain: Explain) -> Result<Solution> {
+pub(crate) fn at(
+    system: &System,
+    t: f64,
+    start: Option<&[f64]>,
+    options: &Options,
+    explain: Explain,
+) -> Result<Solution> {
     let (driver, outcome) = match start {
         None => Driver::assembled(system, options, t, Some(explain))?,
         Some(start) => Driver::from_start(system, options, t, (start, explain))?,
     };
     let worst = system.equations().equation(driver.worst);
-    let report =
-        Report { iterations: outcome.iterations, residual: outcome.residual, worst, smallest_pivot: driver.solver.smallest_pivot() };
+    let report = Report {
+        iterations: outcome.iterations,
+        residual: outcome.residual,
+        worst,
+        smallest_pivot: driver.solver.smallest_pivot(),
+    };
     Ok(Solution { t, q: driver.q.to_vec(), qd: driver.qd.to_vec(), qdd: driver.qdd.to_vec(), report })
 }
 
@@ -141,7 +153,12 @@ impl Driver<'_> {
                     padded::copy(self.q.whole_mut(), self.last.whole());
                     if h.abs() <= shortest {
                         let units = self.model.layout.words.clone();
-                        return Err(Error::CannotFollow { t: self.t, units, reason: objection.reason(), motion: None });
+                        return Err(Error::CannotFollow {
+                            t: self.t,
+                            units,
+                            reason: objection.reason(),
+                            motion: None,
+                        });
                     }
                     h *= 0.5;
                     continue;
@@ -176,10 +193,13 @@ impl Driver<'_> {
     /// The error for a position that is not what is meant.
     fn wrong(&self) -> Option<Error> {
         let equations = self.model.equations;
-        equations.first_wrong(&self.instant).map(|block| equations.closes_wrong(block, self.model.layout, &self.instant))
+        equations
+            .first_wrong(&self.instant)
+            .map(|block| equations.closes_wrong(block, self.model.layout, &self.instant))
     }
 
-    /// Newton's steps in the sense of least squares, which must shrink; on success the matrix at the solution is factored.
+    /// Newton's steps in the sense of least squares, which must shrink; on success the matrix at the solution
+    /// is factored.
     fn solve(&mut self, t: f64) -> Option<Outcome> {
         let mut previous = f64::INFINITY;
         for iterations in 0..=self.options.max_iterations {
@@ -194,7 +214,9 @@ impl Driver<'_> {
             self.solve_for_rhs();
             let correction = padded::largest_share(self.x.whole(), self.shares.whole());
             let converged = match self.options.stop {
-                Stop::Converged { tolerance } => correction <= tolerance || (correction > 0.5 * previous && correction <= STALL),
+                Stop::Converged { tolerance } => {
+                    correction <= tolerance || (correction > 0.5 * previous && correction <= STALL)
+                }
                 Stop::ResidualOnly(_) => false,
             };
             // A correction that is infinite or not a number does not shrink.
@@ -224,7 +246,12 @@ impl Driver<'_> {
         let rows = self.point.c.iter().map(|c| c.abs()).enumerate();
         let (worst, residual) = rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
         if self.options.closure > 0.0 {
-            let share = self.point.c.iter().zip(&self.row_shares).fold(0.0_f64, |m, (c, share)| m.max((c * share).abs()));
+            let share = self
+                .point
+                .c
+                .iter()
+                .zip(&self.row_shares)
+                .fold(0.0_f64, |m, (c, share)| m.max((c * share).abs()));
             self.misfit = self.misfit.max(if share > TOLERANCE { share } else { 0.0 });
         }
         self.worst = worst;
@@ -251,7 +278,8 @@ impl Driver<'_> {
         self.x.iter_mut().zip(y).zip(&self.measures.sizes).for_each(|((x, y), size)| *x = y * size);
     }
 
-    /// q̇ and q̈ with the matrix in hand, and q⃛ where it is asked for; `None` where they are not finite or the equations ask for different ones.
+    /// q̇ and q̈ with the matrix in hand, and q⃛ where it is asked for; `None` where they are not finite or
+    /// the equations ask for different ones.
     fn rates(&mut self, t: f64) -> Option<()> {
         let equations = self.model.equations;
         equations.set_position(&self.q, &mut self.instant);
@@ -274,13 +302,15 @@ impl Driver<'_> {
     fn agree(&mut self) -> Option<()> {
         finite(&self.rhs, "").ok()?;
         self.solve_for_rhs();
-        let terms = padded::largest(self.rhs.whole()).max(padded::largest_share(self.x.whole(), self.shares.whole()));
+        let terms =
+            padded::largest(self.rhs.whole()).max(padded::largest_share(self.x.whole(), self.shares.whole()));
         self.solver.leave(&mut self.rhs);
         let share = CONSISTENT.max(ALLOWED * self.options.closure);
         (terms.is_finite() && padded::largest(self.rhs.whole()) <= share * terms).then_some(())
     }
 
-    /// The error for a time that cannot be reached from the position in hand, which is one that `closes` or a guess of one.
+    /// The error for a time that cannot be reached from the position in hand, which is one that `closes` or a
+    /// guess of one.
     fn blamed(&self, closes: bool, t: f64) -> Error {
         let start = if closes { Start::Pose(&self.q) } else { Start::Guess(&self.q) };
         match self.explain {

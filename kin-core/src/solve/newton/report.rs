@@ -4,10 +4,12 @@ use super::{Failure, Newton, Outcome, Report};
 use crate::model::error::Error;
 use crate::system::Solution;
 
-/// A position whose smallest pivot is above this is not called singular, whatever has stopped Newton's method there.   \[-\]
+/// A position whose smallest pivot is above this is not called singular, whatever has stopped Newton's method
+/// there.   \[-\]
 const REGULAR: f64 = 1e-6;
 
-/// A row that is off by more than this, of the norm of the row, is told as not met where C_q is singular.   \[-\]
+/// A row that is off by more than this, of the norm of the row, is told as not met where C_q is
+/// singular.   \[-\]
 const UNMET: f64 = 1e-2;
 
 impl Newton<'_> {

@@ -10,7 +10,12 @@ use crate::system::System;
 use crate::system::evaluate::Instant;
 
 /// Position, velocity and acceleration at each of the times.
-pub(crate) fn run(system: &System, times: &[f64], options: &Options, explain: Option<Explain>) -> Result<Motion> {
+pub(crate) fn run(
+    system: &System,
+    times: &[f64],
+    options: &Options,
+    explain: Option<Explain>,
+) -> Result<Motion> {
     check(times)?;
     options.check_memory(1, times.len(), system.n_coordinates())?;
     let (mut run, mut motion) = (Run::new(system, options, explain)?, Motion::new(system, times.len()));
@@ -107,7 +112,8 @@ impl<'a> Run<'a> {
         self.law_breaks.look(self.system, instant, &mut motion.breaks)
     }
 
-    /// Plain steps go on from the last times of the motion, which a program has solved, the smallest pivot being this.
+    /// Plain steps go on from the last times of the motion, which a program has solved, the smallest pivot
+    /// being this.
     pub(super) fn go_on(&mut self, motion: &Motion, pivot: f64) {
         if let Driver::Plain(stepper) = &mut self.driver {
             stepper.go_on(motion, pivot);
@@ -128,10 +134,15 @@ impl<'a> Run<'a> {
 pub(crate) fn check(times: &[f64]) -> Result<()> {
     let fail = |reason: String| Err(Error::InvalidTimes { reason });
     if times.is_empty() {
-        return fail("there are none; give one at least, or many such as `linspace(0.0, 1.0, 101)`".to_string());
+        return fail(
+            "there are none; give one at least, or many such as `linspace(0.0, 1.0, 101)`".to_string(),
+        );
     }
     // As a rule; what only increases between finite times is finite.
-    if times.windows(2).all(|pair| pair[0] < pair[1]) && times[0].is_finite() && times[times.len() - 1].is_finite() {
+    if times.windows(2).all(|pair| pair[0] < pair[1])
+        && times[0].is_finite()
+        && times[times.len() - 1].is_finite()
+    {
         return Ok(());
     }
     if let Some((k, t)) = times.iter().enumerate().find(|(_, t)| !t.is_finite()) {
@@ -139,7 +150,11 @@ pub(crate) fn check(times: &[f64]) -> Result<()> {
     }
     let backwards = times.len() > 1 && times[1] < times[0];
     match times.windows(2).position(|pair| pair[0] == pair[1] || (pair[1] < pair[0]) != backwards) {
-        Some(k) => fail(format!("{} is followed by {}; give times that only increase, or only decrease", times[k], times[k + 1])),
+        Some(k) => fail(format!(
+            "{} is followed by {}; give times that only increase, or only decrease",
+            times[k],
+            times[k + 1]
+        )),
         None => Ok(()),
     }
 }

@@ -11,20 +11,23 @@ use crate::numbers::padded::{self, Padded};
 use crate::solve::follow::{Check, Objection, SingularPosition};
 use crate::system::System;
 
-/// A step in which nothing moves by more than this, and that is objected to all the same, leads past a singular position.   \[-\]
+/// A step in which nothing moves by more than this, and that is objected to all the same, leads past a
+/// singular position.   \[-\]
 const SHORT: f64 = 0.05;
 
 /// The same of a step of this share of the time asked for, where hardly anything moves.   \[-\]
 const AT_REST: f64 = 1.0 / 64.0;
 
-/// The curve is followed for this many of the last, short steps of time at least, and for this share of the time asked for.
+/// The curve is followed for this many of the last, short steps of time at least, and for this share of the
+/// time asked for.
 const PASSED_STEPS: f64 = 32.0;
 const PASSED_SHARE: f64 = 1.0 / 64.0;
 
 /// No step of time is shorter than this share of the time asked for.   \[-\]
 pub(super) const SHORTEST: f64 = 1e-9;
 
-/// Smaller steps of one step of time after which it is asked how many more there will be, and how many there may be.
+/// Smaller steps of one step of time after which it is asked how many more there will be, and how many there
+/// may be.
 const MANY: f64 = 8192.0;
 const MOST: f64 = 4e6;
 const TOO_MANY: &str = "millions of smaller steps lead to the next time, which is too far away: give times that are nearer to one another";
@@ -42,7 +45,8 @@ pub(super) struct Stepper<'a> {
     untouched: bool,
     /// What each step is judged by, if that is asked for.
     check: Option<Check>,
-    /// Singular positions that have been met since the last time, and how many bifurcations there were before.
+    /// Singular positions that have been met since the last time, and how many bifurcations there were
+    /// before.
     pub passed: Vec<SingularPosition>,
     bifurcations: usize,
 }
@@ -158,15 +162,21 @@ impl<'a> Stepper<'a> {
         (moved <= SHORT && moves) || h.abs() <= shortest
     }
 
-    /// By how much anything moves in a step h from the last solution to `target`: by its rates, and by what drives, which may have stood still.
+    /// By how much anything moves in a step h from the last solution to `target`: by its rates, and by what
+    /// drives, which may have stood still.
     #[cold]
     fn moved(&mut self, h: f64, target: f64) -> f64 {
         let newton = &mut self.newton;
         let rates = newton.qd.iter().zip(&newton.qdd).zip(newton.shares());
-        let by_rates = largest(rates.map(|((qd, qdd), share)| (h * qd).abs().max((0.5 * h * h * qdd).abs()) * share));
+        let by_rates =
+            largest(rates.map(|((qd, qdd), share)| (h * qd).abs().max((0.5 * h * h * qdd).abs()) * share));
         let known = newton.linearize(target).is_ok() && newton.linear.factor();
         newton.linear.solve();
-        let driven = if known { padded::largest_share(newton.linear.whole_solution(), newton.shares().whole()) } else { 0.0 };
+        let driven = if known {
+            padded::largest_share(newton.linear.whole_solution(), newton.shares().whole())
+        } else {
+            0.0
+        };
         newton.linear.revoke();
         by_rates.max(driven)
     }
@@ -188,7 +198,8 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// One step of time, of those that are asked for at once, with its rates, judged; after trouble the rates in hand are those before it.
+    /// One step of time, of those that are asked for at once, with its rates, judged; after trouble the rates
+    /// in hand are those before it.
     fn attempt(&mut self, h: f64, target: f64, asked: Asked) -> std::result::Result<Outcome, Trouble> {
         let outcome = self.step(h, target, asked).map_err(Trouble::Failed)?;
         self.settle(h, outcome);
@@ -205,7 +216,8 @@ impl<'a> Stepper<'a> {
         judged.map(|()| outcome)
     }
 
-    /// One step of time by Newton steps from the prediction; damped from the last solution if it is the last resort.
+    /// One step of time by Newton steps from the prediction; damped from the last solution if it is the last
+    /// resort.
     fn step(&mut self, h: f64, target: f64, asked: Asked) -> std::result::Result<Outcome, Failure> {
         let newton = &mut self.newton;
         let steps = if newton.options.rescue { Steps::Near } else { Steps::Full };

@@ -1,5 +1,5 @@
-//! Steps of time judged over lanes, by what [`crate::solve::follow`] sees without a further evaluation. A lane that is objected to is not looked at any
-//! closer here: its case is run alone.
+//! Steps of time judged over lanes, by what [`crate::solve::follow`] sees without a further evaluation. A
+//! lane that is objected to is not looked at any closer here: its case is run alone.
 
 use crate::linear::lanes::WideLinear;
 use crate::model::units::Unit;
@@ -18,7 +18,8 @@ pub(super) struct Check<S: Level> {
     /// q, q̇, q̈ there.
     from: [Vec<Wide<S>>; 3],
     turns: Vec<bool>,
-    /// What time does to such systems, and what it does in each lane between the ends of a step: see [`Drive::outlook`].
+    /// What time does to such systems, and what it does in each lane between the ends of a step: see
+    /// [`Drive::outlook`].
     drive: Drive,
     outlook: [Wide<S>; 4],
 }
@@ -29,10 +30,20 @@ impl<S: Level> Check<S> {
         let zero = Wide::splat(simd, 0.0);
         let turns = units.iter().map(|unit| *unit != Unit::Metre).collect();
         let from = [0; 3].map(|_| vec![zero; units.len()]);
-        Check { simd, signs: Vec::new(), now: Vec::new(), pivot: zero, from, turns, drive, outlook: [zero; 4] }
+        Check {
+            simd,
+            signs: Vec::new(),
+            now: Vec::new(),
+            pivot: zero,
+            from,
+            turns,
+            drive,
+            outlook: [zero; 4],
+        }
     }
 
-    /// A run between these times begins at the position in hand, in a lane; false where it is to be run alone.
+    /// A run between these times begins at the position in hand, in a lane; false where it is to be run
+    /// alone.
     pub(super) fn foresee(&mut self, lane: usize, newton: &mut Newton<'_>, ends: [f64; 2]) -> bool {
         let Some(outlook) = follow::outlook(self.drive.clone(), newton, ends) else { return false };
         self.outlook.iter_mut().zip(outlook).for_each(|(all, own)| all.as_mut_slice()[lane] = own);
@@ -52,14 +63,22 @@ impl<S: Level> Check<S> {
         self.from.iter_mut().zip(from).for_each(|(own, from)| own.copy_from_slice(from));
     }
 
-    /// True in the lanes where there is no objection to the step h that has ended at q and its rates; what is seen there is kept for the next.
+    /// True in the lanes where there is no objection to the step h that has ended at q and its rates; what is
+    /// seen there is kept for the next.
     #[inline(always)]
-    pub(super) fn judge(&mut self, h: f64, q: &[Wide<S>], per_size: &[Wide<S>], linear: &WideLinear<S>) -> Mask<S> {
+    pub(super) fn judge(
+        &mut self,
+        h: f64,
+        q: &[Wide<S>],
+        per_size: &[Wide<S>],
+        linear: &WideLinear<S>,
+    ) -> Mask<S> {
         let (simd, to) = (self.simd, [q, linear.rates(), linear.second_rates()]);
         let (whole, half, zero) = (Wide::splat(simd, h), Wide::splat(simd, 0.5 * h), Wide::splat(simd, 0.0));
         let (mut miss, mut reach, mut all) = (zero, zero, zero);
         for (j, per_size) in per_size.iter().enumerate() {
-            let [[q, qd, qdd], [r, rd, rdd]] = [[0, 1, 2].map(|k| self.from[k][j]), [0, 1, 2].map(|k| to[k][j])];
+            let [[q, qd, qdd], [r, rd, rdd]] =
+                [[0, 1, 2].map(|k| self.from[k][j]), [0, 1, 2].map(|k| to[k][j])];
             let d = r - q;
             let (forward, back) = (d - whole * (qd + half * qdd), d - whole * (rd - half * rdd));
             miss = miss.max(forward.abs().max(back.abs()) * *per_size);
@@ -69,7 +88,8 @@ impl<S: Level> Check<S> {
             }
         }
         let pivot = linear.smallest_pivot();
-        let (least, long, [e0, e1, e2, e3]) = (pivot.min(self.pivot), Wide::splat(simd, h.abs()), self.outlook);
+        let (least, long, [e0, e1, e2, e3]) =
+            (pivot.min(self.pivot), Wide::splat(simd, h.abs()), self.outlook);
         let off = long.mul_add(long.mul_add(long.mul_add(e3, e2), e1), e0);
         // The larger of two numbers says nothing of one that is none; a sum does.
         let mut good = all.abs().le(Wide::splat(simd, f64::INFINITY))
@@ -78,7 +98,11 @@ impl<S: Level> Check<S> {
             & off.le(least * least);
         linear.orientation(&mut self.now);
         if self.now.len() == self.signs.len() {
-            good = self.now.iter().zip(&self.signs).fold(good, |good, (now, before)| good & (*now * *before).gt(zero));
+            good = self
+                .now
+                .iter()
+                .zip(&self.signs)
+                .fold(good, |good, (now, before)| good & (*now * *before).gt(zero));
         }
         std::mem::swap(&mut self.now, &mut self.signs);
         self.pivot = pivot;
@@ -131,7 +155,12 @@ mod tests {
             for (before, after) in [(1.0, 0.01), (0.01, 1.0), (0.01, 0.01)] {
                 assert!(!good(before, after, 0.004) && good(before, after, 1e-4), "{before} {after}");
             }
-            assert!(good(1.0, 1.0, 0.004) && good(1.0, 1.0, -0.004) && !good(1.0, 1.0, 0.1) && !good(1.0, 1.0, -0.1));
+            assert!(
+                good(1.0, 1.0, 0.004)
+                    && good(1.0, 1.0, -0.004)
+                    && !good(1.0, 1.0, 0.1)
+                    && !good(1.0, 1.0, -0.1)
+            );
             // A block that turns over, and what is not a number.
             assert!(!good(1.0, -1.0, 0.0) && good(-1.0, -1.0, 0.0) && !good(1.0, 1.0, f64::NAN));
         }
@@ -146,7 +175,8 @@ mod tests {
             m.add(&format!("motor {name}"), drive(x, Law::constant(0.0))).expect("adds");
         }
         let system = m.build().expect("builds");
-        let judged = [1, 2, 4, 8].into_iter().filter(|lanes| Lanes::Only(*lanes).dispatch(Steps(&system)).is_ok());
+        let judged =
+            [1, 2, 4, 8].into_iter().filter(|lanes| Lanes::Only(*lanes).dispatch(Steps(&system)).is_ok());
         assert!(judged.count() > 0);
     }
 }

@@ -1,7 +1,9 @@
-//! Several cases in lock step, one in each lane: the same Newton iteration as [`crate::solve::newton`], each lane judged by itself.
+//! Several cases in lock step, one in each lane: the same Newton iteration as [`crate::solve::newton`], each
+//! lane judged by itself.
 //!
-//! A lane that has converged is not changed any more while others go on. A lane that does not converge, or meets a pivot that no recording
-//! fits, is given up here; its case is run alone from the start by its owner, with all the means of the scalar solver.
+//! A lane that has converged is not changed any more while others go on. A lane that does not converge, or
+//! meets a pivot that no recording fits, is given up here; its case is run alone from the start by its owner,
+//! with all the means of the scalar solver.
 
 mod stop;
 
@@ -39,7 +41,8 @@ pub(super) struct Lockstep<'o, S: Level> {
     iterations: Wide<S>,
     /// What each step is judged by, if that is asked for.
     check: Option<Check<S>>,
-    /// Whether a constraint can jump where coordinates move: then the last correction, after which nothing is looked at, is left out.
+    /// Whether a constraint can jump where coordinates move: then the last correction, after which nothing is
+    /// looked at, is left out.
     jumps: bool,
     kept: Pending<S>,
     /// The first and the last time.
@@ -79,9 +82,15 @@ impl<S: Level> NullaryFnOnce for Keep<'_, '_, S> {
 }
 
 impl<'o, S: Level> Lockstep<'o, S> {
-    /// For systems such as `typical`, which has the numbers of one case; `varied` are the constraints that differ from case to case.
-    /// The elimination is recorded at the first position of that case.
-    pub(super) fn new(simd: S, typical: &System, varied: &[bool], options: &'o Options, ends: [f64; 2]) -> Self {
+    /// For systems such as `typical`, which has the numbers of one case; `varied` are the constraints that
+    /// differ from case to case. The elimination is recorded at the first position of that case.
+    pub(super) fn new(
+        simd: S,
+        typical: &System,
+        varied: &[bool],
+        options: &'o Options,
+        ends: [f64; 2],
+    ) -> Self {
         let (n, zero) = (typical.n_coordinates(), Wide::splat(simd, 0.0));
         let mut newton = Newton::new(typical, options);
         // Where that fails each group of cases records for itself.
@@ -135,7 +144,8 @@ impl<'o, S: Level> Lockstep<'o, S> {
                 put(&newton.sizes, lane, &mut self.sizes);
             }
         }
-        let wanted = wanted & Mask::from_fn(self.simd, |lane| started.get(lane).is_some_and(|started| *started));
+        let wanted =
+            wanted & Mask::from_fn(self.simd, |lane| started.get(lane).is_some_and(|started| *started));
         self.fill(wanted);
         if !self.options.rescue {
             self.equations.set_time(t, crew, &mut self.instant);
@@ -156,7 +166,8 @@ impl<'o, S: Level> Lockstep<'o, S> {
         done
     }
 
-    /// Gives the lanes that are not `alive` the numbers of one that is, so that nothing odd is computed there.
+    /// Gives the lanes that are not `alive` the numbers of one that is, so that nothing odd is computed
+    /// there.
     pub(super) fn fill(&mut self, alive: Mask<S>) {
         let Some(model) = (0..Wide::<S>::LANES).find(|lane| alive.lane(*lane)) else { return };
         let [qd, qdd] = self.linear.all_rates();
@@ -203,8 +214,8 @@ impl<'o, S: Level> Lockstep<'o, S> {
         }
     }
 
-    /// Position, velocity and acceleration at a time: the first, by Newton's method from the point in hand, or a later one, from the prediction
-    /// or the last position.
+    /// Position, velocity and acceleration at a time: the first, by Newton's method from the point in hand,
+    /// or a later one, from the prediction or the last position.
     #[inline(always)]
     fn step(&mut self, crew: &LaneSystems<'_>, wanted: Mask<S>, t: f64, first: bool) -> Mask<S> {
         let h = t - self.t;
@@ -217,7 +228,8 @@ impl<'o, S: Level> Lockstep<'o, S> {
         }
         let done = self.solve(crew, wanted, t, first);
         if !first && self.options.predict {
-            let (stepped, [qd, qdd]) = (self.iterations.is_true(), [self.linear.rates(), self.linear.second_rates()]);
+            let (stepped, [qd, qdd]) =
+                (self.iterations.is_true(), [self.linear.rates(), self.linear.second_rates()]);
             self.predictor.compare(h, [&self.before, qd, qdd], &self.q, &self.per_size, stepped);
             self.predictor.advance(h, qd, qdd);
         }
@@ -250,9 +262,11 @@ impl<'o, S: Level> Lockstep<'o, S> {
     #[inline(always)]
     fn solve(&mut self, crew: &LaneSystems<'_>, wanted: Mask<S>, t: f64, first: bool) -> Mask<S> {
         let simd = self.simd;
-        // Near a position that is known corrections must shrink. Without prediction only the time is another one than there.
+        // Near a position that is known corrections must shrink. Without prediction only the time is another
+        // one than there.
         let (near, still) = (!first && self.options.rescue, !first && !self.options.predict);
-        let (zero, mut previous, mut measured) = (Wide::splat(simd, 0.0), Wide::splat(simd, f64::INFINITY), false);
+        let (zero, mut previous, mut measured) =
+            (Wide::splat(simd, 0.0), Wide::splat(simd, f64::INFINITY), false);
         let (mut open, mut done) = (wanted, Mask::splat(simd, false));
         self.iterations = zero;
         if self.options.predict {

@@ -1,12 +1,13 @@
-//! The last few times of all lanes, until they are appended to the motions: what came time by time for all lanes goes on lane by lane.
+//! The last few times of all lanes, until they are appended to the motions: what came time by time for all
+//! lanes goes on lane by lane.
 
 use pulp::NullaryFnOnce;
 
 use crate::numbers::lanes::{Level, Wide};
 use crate::solve::motion::Motion;
 
-/// Times that are kept, a multiple of 4: with fewer the motions are written in pieces too short for the memory, with more what is kept is not
-/// at hand any more.
+/// Times that are kept, a multiple of 4: with fewer the motions are written in pieces too short for the
+/// memory, with more what is kept is not at hand any more.
 const TIMES: usize = 16;
 
 /// What is kept of each time: q, q̇, q̈, the largest residual and the number of Newton steps.
@@ -46,9 +47,15 @@ impl<S: Level> Pending<S> {
         (self.times, self.largest) = (0, Wide::splat(self.simd, -1.0));
     }
 
-    /// Keeps one more time: q, q̇, q̈, and C with its size and the number of Newton steps; true where it is time to append.
+    /// Keeps one more time: q, q̇, q̈, and C with its size and the number of Newton steps; true where it is
+    /// time to append.
     #[inline(always)]
-    pub(super) fn keep(&mut self, [q, qd, qdd, c]: [&[Wide<S>]; 4], residual: Wide<S>, steps: Wide<S>) -> bool {
+    pub(super) fn keep(
+        &mut self,
+        [q, qd, qdd, c]: [&[Wide<S>]; 4],
+        residual: Wide<S>,
+        steps: Wide<S>,
+    ) -> bool {
         for (kept, now) in self.kinds.iter_mut().zip([q, qd, qdd, &[residual], &[steps]]) {
             kept[self.times * now.len()..][..now.len()].copy_from_slice(now);
         }
@@ -73,7 +80,10 @@ impl<S: Level> Pending<S> {
                 self.own[k][lane * fours..][..fours].as_flattened().split_at(count).0
             };
             let [q, qd, qdd, residuals, steps] = std::array::from_fn(own);
-            motion.push_all([q, qd, qdd, residuals], steps.iter().map(|steps| (steps + WHOLE).to_bits() as u32 as usize));
+            motion.push_all(
+                [q, qd, qdd, residuals],
+                steps.iter().map(|steps| (steps + WHOLE).to_bits() as u32 as usize),
+            );
         }
         self.times = 0;
     }
@@ -103,12 +113,14 @@ impl<S: Level> NullaryFnOnce for Turn<'_, S> {
     }
 }
 
-/// From numbers over lanes to lanes of numbers, each filled up to a multiple of 4: by squares of four numbers and four lanes.
+/// From numbers over lanes to lanes of numbers, each filled up to a multiple of 4: by squares of four numbers
+/// and four lanes.
 #[inline(always)]
 fn turn<S: Level>(simd: S, all: &[Wide<S>], own: &mut [[f64; 4]]) {
     let fours = all.len().div_ceil(4);
     let own = &mut own[..Wide::<S>::LANES * fours];
-    let (squares, rest) = if Wide::<S>::LANES.is_multiple_of(4) { all.as_chunks::<4>() } else { (&[][..], all) };
+    let (squares, rest) =
+        if Wide::<S>::LANES.is_multiple_of(4) { all.as_chunks::<4>() } else { (&[][..], all) };
     for (lanes, rows) in own.chunks_exact_mut((4 * fours).max(1)).enumerate() {
         let (first, rest) = rows.split_at_mut(2 * fours);
         let ((one, two), (three, four)) = (first.split_at_mut(fours), rest.split_at_mut(fours));

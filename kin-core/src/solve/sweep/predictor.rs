@@ -36,9 +36,17 @@ impl<S: Level> Predictor<S> {
         }
     }
 
-    /// The step h from the last solution has ended at `q`: was the right formula used, in the lanes that took Newton steps?
+    /// The step h from the last solution has ended at `q`: was the right formula used, in the lanes that took
+    /// Newton steps?
     #[inline(always)]
-    pub(super) fn compare(&mut self, h: f64, last: Last<'_, S>, q: &[Wide<S>], per_size: &[Wide<S>], stepped: Mask<S>) {
+    pub(super) fn compare(
+        &mut self,
+        h: f64,
+        last: Last<'_, S>,
+        q: &[Wide<S>],
+        per_size: &[Wide<S>],
+        stepped: Mask<S>,
+    ) {
         if !self.knows(h) || !stepped.any() {
             return;
         }

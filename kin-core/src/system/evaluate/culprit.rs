@@ -7,16 +7,25 @@ use crate::model::state::{At, Rates};
 
 impl Culprit {
     /// Asks a constraint of a system why a term of its local row `row` is not finite.
-    pub(crate) fn of(block: &Block, layout: &Layout, at: At<'_>, rates: Rates<'_>, row: usize, term: Option<Term>) -> Culprit {
+    pub(crate) fn of(
+        block: &Block,
+        layout: &Layout,
+        at: At<'_>,
+        rates: Rates<'_>,
+        row: usize,
+        term: Option<Term>,
+    ) -> Culprit {
         let arguments = block.constraint.arguments();
-        let columns: Vec<Option<usize>> = arguments.iter().flat_map(|argument| layout.columns(argument)).collect();
+        let columns: Vec<Option<usize>> =
+            arguments.iter().flat_map(|argument| layout.columns(argument)).collect();
         let moves: Vec<bool> = columns.iter().map(Option::is_some).collect();
         let counts = || arguments.iter().map(|argument| argument.target.columns()).enumerate();
         let q: Vec<f64> = counts().flat_map(|(k, n)| at.coordinates(k, n)).copied().collect();
         let qd: Vec<f64> = counts().flat_map(|(k, n)| rates.columns(k, n)).copied().collect();
         let asked = |term| Asked { t: at.t, q: &q, qd: &qd, row, term, moves: &moves };
         let blame = term.and_then(|term| block.constraint.blame(&asked(term)));
-        let coordinate = |column: usize| Some((layout.names.get((*columns.get(column)?)?)?.clone(), *q.get(column)?));
+        let coordinate =
+            |column: usize| Some((layout.names.get((*columns.get(column)?)?)?.clone(), *q.get(column)?));
         let Some(blame) = blame else {
             return Culprit { found: None, inputs: (0..columns.len()).filter_map(coordinate).collect() };
         };

@@ -14,7 +14,9 @@ impl Equations {
     /// The constraints whose C can change with the time at the same q.
     pub(crate) fn moved_by_time(&self) -> impl Iterator<Item = usize> {
         // Those written by hand need not say so, and have been looked at: see `find_drivers`.
-        let moves = |block: &Block| block.constraint.depends().c_on_t && (block.drives || block.constraint.route() != Route::Hand);
+        let moves = |block: &Block| {
+            block.constraint.depends().c_on_t && (block.drives || block.constraint.route() != Route::Hand)
+        };
         self.blocks.iter().enumerate().filter(move |(_, block)| moves(block)).map(|(k, _)| k)
     }
 
@@ -26,7 +28,8 @@ impl Equations {
             let mut jumps = |block: &Block| {
                 let mut jumps = true;
                 block.constraint.formula(&mut |table, _, _| {
-                    let can = || table.formula().rows.len() != block.rows().len() || can_jump(table.formula());
+                    let can =
+                        || table.formula().rows.len() != block.rows().len() || can_jump(table.formula());
                     jumps = *known.entry(std::ptr::from_ref(table)).or_insert_with(can);
                 });
                 jumps && block.constraint.depends().curved
@@ -35,8 +38,15 @@ impl Equations {
         })
     }
 
-    /// Whether a constraint that can jump is far from being met at q, which the instant is set to; rows by their measures.
-    pub(crate) fn has_jumped(&self, q: &[f64], instant: &mut Instant, per_norm: &[f64], c: &mut [f64]) -> bool {
+    /// Whether a constraint that can jump is far from being met at q, which the instant is set to; rows by
+    /// their measures.
+    pub(crate) fn has_jumped(
+        &self,
+        q: &[f64],
+        instant: &mut Instant,
+        per_norm: &[f64],
+        c: &mut [f64],
+    ) -> bool {
         self.set_position(q, instant);
         self.jumping().iter().map(|k| &self.blocks[*k]).any(|block| {
             let c = &mut c[block.rows.range()];
@@ -48,11 +58,15 @@ impl Equations {
     /// The coordinates of a constraint, one argument after the other.
     pub(crate) fn columns_of(&self, block: &Block, instant: &Instant) -> Vec<f64> {
         let (at, arguments) = (self.at(block, instant), block.constraint.arguments());
-        let all = arguments.iter().enumerate().flat_map(|(k, argument)| at.coordinates(k, argument.target.columns()));
+        let all = arguments
+            .iter()
+            .enumerate()
+            .flat_map(|(k, argument)| at.coordinates(k, argument.target.columns()));
         all.copied().collect()
     }
 
-    /// C, C_t and C_tt of a constraint at another time, the position of the instant held; the instant is of no use to others then.
+    /// C, C_t and C_tt of a constraint at another time, the position of the instant held; the instant is of
+    /// no use to others then.
     pub(crate) fn held(&self, block: &Block, t: f64, instant: &mut Instant) -> [Vec<f64>; 3] {
         block.constraint.at_time(t, &mut instant.timed[block.timed.range()]);
         instant.t = t;

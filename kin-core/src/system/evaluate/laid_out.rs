@@ -26,7 +26,8 @@ impl Equations {
         let mut planned = Planned::new(layout.len());
         all.blocks.reserve_exact(constraints.len());
         // Copies made in a row lie side by side in memory: a pass over all of them reads it from end to end.
-        let copies: Vec<Box<dyn Constraint>> = constraints.iter().map(|(_, constraint)| constraint.clone()).collect();
+        let copies: Vec<Box<dyn Constraint>> =
+            constraints.iter().map(|(_, constraint)| constraint.clone()).collect();
         for ((name, _), constraint) in constraints.into_iter().zip(copies) {
             all.append(layout, name, constraint, &mut planned);
             all.ask(all.blocks.len() - 1);
@@ -43,7 +44,8 @@ impl Equations {
             let (entries, values) = (&self.entries[block.values()], &self.constants[block.values()]);
             // On the ground coordinates are not zero, as those who tell take them to be.
             let can_tell = depends.c_on_t && entries.iter().all(Option::is_some);
-            let is_whole = |first: &usize| first.saturating_add(3 * block.rows().len()) <= block.timed.len as usize;
+            let is_whole =
+                |first: &usize| first.saturating_add(3 * block.rows().len()) <= block.timed.len as usize;
             let told = block.constraint.sides_of_time().filter(|first| can_tell && is_whole(first));
             let sides = told.map_or(self.timed, |first| block.timed.first as usize + first);
             if self.linear.append(block.rows(), entries, values, sides) {
@@ -64,14 +66,21 @@ impl Equations {
         if depends.c_on_t { asked.linear.extend(linear) } else { asked.steady.extend(linear) }
     }
 
-    fn append(&mut self, layout: &Layout, name: String, constraint: Box<dyn Constraint>, planned: &mut Planned) {
+    fn append(
+        &mut self,
+        layout: &Layout,
+        name: String,
+        constraint: Box<dyn Constraint>,
+        planned: &mut Planned,
+    ) {
         let (first_argument, first) = (self.plan.arguments().len(), self.entries.len());
         planned.columns.clear();
         for argument in constraint.arguments() {
             let place = layout.place(&argument.target).unwrap_or(Place::Ground(0.0));
             self.plan.argument(&argument.target, place, planned);
         }
-        let global = |&(row, column): &(usize, usize)| Some((self.rows + row, (*planned.columns.get(column)?)?));
+        let global =
+            |&(row, column): &(usize, usize)| Some((self.rows + row, (*planned.columns.get(column)?)?));
         self.entries.extend(constraint.pattern().iter().map(global));
         self.constants.extend_from_slice(constraint.constants());
         self.constants.resize(self.entries.len(), None);
@@ -95,7 +104,9 @@ impl Equations {
     pub(crate) fn find_drivers(&mut self, q: &[f64]) {
         /// Times that no law repeats itself at.   \[s\]
         const TIMES: [f64; 4] = [0.0, 0.073_205_08, 0.414_213_56, 1.732_050_8];
-        let silent = |block: &Block| block.constraint.route() == Route::Hand && !block.drives && block.constraint.depends().c_on_t;
+        let silent = |block: &Block| {
+            block.constraint.route() == Route::Hand && !block.drives && block.constraint.depends().c_on_t
+        };
         if !self.blocks.iter().any(silent) {
             return;
         }
@@ -109,7 +120,8 @@ impl Equations {
             let first = values(block, &instants[0]);
             instants[1..].iter().any(|instant| values(block, instant) != first)
         };
-        let drives: Vec<bool> = self.blocks.iter().map(|block| block.drives || (silent(block) && changes(block))).collect();
+        let drives: Vec<bool> =
+            self.blocks.iter().map(|block| block.drives || (silent(block) && changes(block))).collect();
         self.blocks.iter_mut().zip(drives).for_each(|(block, drives)| block.drives = drives);
     }
 }

@@ -1,4 +1,5 @@
-//! Evaluation over lanes: several systems of one pattern at once, by kernels where constraints have them, else lane by lane.
+//! Evaluation over lanes: several systems of one pattern at once, by kernels where constraints have them,
+//! else lane by lane.
 
 use super::{Equations, Span, StatePlan};
 use crate::model::state::{At, Rates, SPATIAL_STATE};
@@ -68,7 +69,12 @@ pub(crate) struct LaneSystems<'a> {
 impl<'a> LaneSystems<'a> {
     pub(crate) fn new(systems: &'a [System]) -> Self {
         let count = systems.first().map_or(0, |system| system.equations().blocks.len());
-        let lanes = |k: usize| systems.iter().filter_map(move |system| system.equations().blocks[k].constraint.in_lanes()).collect();
+        let lanes = |k: usize| {
+            systems
+                .iter()
+                .filter_map(move |system| system.equations().blocks[k].constraint.in_lanes())
+                .collect()
+        };
         LaneSystems { systems, own: (0..count).map(lanes).collect() }
     }
 }
@@ -142,14 +148,25 @@ impl<S: Level> WideEquations<S> {
 
     /// Room for an instant.
     pub(crate) fn instant(&self) -> WideInstant<S> {
-        WideInstant { t: f64::NAN, known: vec![Wide::splat(self.simd, 0.0); self.n_known], states: self.plan.wide_states(self.simd) }
+        WideInstant {
+            t: f64::NAN,
+            known: vec![Wide::splat(self.simd, 0.0); self.n_known],
+            states: self.plan.wide_states(self.simd),
+        }
     }
 
     /// What depends on parameters alone.
     pub(crate) fn set_parameters(&mut self, crew: &LaneSystems<'_>, instant: &mut WideInstant<S>) {
-        for (block, own) in self.blocks.iter().zip(&crew.own).filter(|(block, _)| block.of_parameters.len > 0) {
+        for (block, own) in self.blocks.iter().zip(&crew.own).filter(|(block, _)| block.of_parameters.len > 0)
+        {
             let write = |constraint: &dyn InLanes, known: &mut [f64]| constraint.of_parameters(known);
-            fill(&mut instant.known[block.of_parameters.range()], block.same, own, &mut self.scratch.known, write);
+            fill(
+                &mut instant.known[block.of_parameters.range()],
+                block.same,
+                own,
+                &mut self.scratch.known,
+                write,
+            );
         }
     }
 
@@ -170,7 +187,13 @@ impl<S: Level> WideEquations<S> {
 
     /// C and the values of C_q that are not the same for good.
     #[inline(always)]
-    pub(crate) fn linearize(&mut self, crew: &LaneSystems<'_>, instant: &WideInstant<S>, c: &mut [Wide<S>], values: &mut [Wide<S>]) {
+    pub(crate) fn linearize(
+        &mut self,
+        crew: &LaneSystems<'_>,
+        instant: &WideInstant<S>,
+        c: &mut [Wide<S>],
+        values: &mut [Wide<S>],
+    ) {
         self.linearize_some(|group| &group.all, crew, instant, c, values);
     }
 
@@ -198,7 +221,9 @@ impl<S: Level> WideEquations<S> {
         values: &mut [Wide<S>],
     ) {
         let seen = seen(self.simd, self.plan.arguments(), crew, instant, &[]);
-        for (group, blocks) in self.groups.iter().map(|group| (group, some(group))).filter(|(_, blocks)| !blocks.is_empty()) {
+        for (group, blocks) in
+            self.groups.iter().map(|group| (group, some(group))).filter(|(_, blocks)| !blocks.is_empty())
+        {
             match group.table {
                 Some(table) => table.linearize(&seen, blocks, c, values),
                 None => {
@@ -211,7 +236,12 @@ impl<S: Level> WideEquations<S> {
 
     /// −C_t in the rows where it can be other than zero.
     #[inline(always)]
-    pub(crate) fn velocity_rhs(&mut self, crew: &LaneSystems<'_>, instant: &WideInstant<S>, rhs: &mut [Wide<S>]) {
+    pub(crate) fn velocity_rhs(
+        &mut self,
+        crew: &LaneSystems<'_>,
+        instant: &WideInstant<S>,
+        rhs: &mut [Wide<S>],
+    ) {
         let seen = seen(self.simd, self.plan.arguments(), crew, instant, &[]);
         for group in self.groups.iter().filter(|group| !group.c_t.is_empty()) {
             match group.table {
@@ -226,7 +256,13 @@ impl<S: Level> WideEquations<S> {
 
     /// Q_d in the rows where it can be other than zero; `rates` are q̇ and, behind it, the ground's.
     #[inline(always)]
-    pub(crate) fn acceleration_rhs(&mut self, crew: &LaneSystems<'_>, instant: &WideInstant<S>, rates: &[Wide<S>], q_d: &mut [Wide<S>]) {
+    pub(crate) fn acceleration_rhs(
+        &mut self,
+        crew: &LaneSystems<'_>,
+        instant: &WideInstant<S>,
+        rates: &[Wide<S>],
+        q_d: &mut [Wide<S>],
+    ) {
         let seen = seen(self.simd, self.plan.arguments(), crew, instant, rates);
         for group in self.groups.iter().filter(|group| !group.q_d.is_empty()) {
             match group.table {
@@ -303,13 +339,16 @@ impl<S: Level> LaneByLane<'_, '_, S> {
         &self.seen.arguments[own.arguments.range()]
     }
 
-    /// The states (`what` 0) or rates (1) of a constraint's arguments in one lane, where they stand among those of all; with what follows, for
-    /// an argument has at most seven numbers.
+    /// The states (`what` 0) or rates (1) of a constraint's arguments in one lane, where they stand among
+    /// those of all; with what follows, for an argument has at most seven numbers.
     fn gather(&self, what: usize, own: &WideBlock, all: &[Wide<S>], lane: usize, numbers: &mut Vec<f64>) {
         numbers.resize(all.len(), 0.0);
         for argument in self.arguments(own) {
             let places = argument[what] as usize..all.len().min(argument[what] as usize + SPATIAL_STATE);
-            numbers[places.clone()].iter_mut().zip(&all[places]).for_each(|(number, x)| *number = x.as_slice()[lane]);
+            numbers[places.clone()]
+                .iter_mut()
+                .zip(&all[places])
+                .for_each(|(number, x)| *number = x.as_slice()[lane]);
         }
     }
 }

@@ -1,5 +1,5 @@
-//! Rows that are linear in the coordinates for good, as those of most drivers and of straight guides: C = C_q q + C(0, t). Their constraints
-//! are asked only when the time changes.
+//! Rows that are linear in the coordinates for good, as those of most drivers and of straight guides: C = C_q
+//! q + C(0, t). Their constraints are asked only when the time changes.
 
 use std::ops::Range;
 
@@ -17,8 +17,8 @@ struct Row {
     row: u32,
     others: u32,
     first: Term,
-    /// Where what it comes to at one time stands among the numbers of the time: C(0, t), and so much further on each −C_t and −C_tt, which is
-    /// all that Q_d has here.
+    /// Where what it comes to at one time stands among the numbers of the time: C(0, t), and so much further
+    /// on each −C_t and −C_tt, which is all that Q_d has here.
     sides: u32,
     step: u32,
 }
@@ -45,10 +45,19 @@ pub(super) enum Side {
 }
 
 impl LinearRows {
-    /// Appends rows with the entries and values of C_q in them, whose numbers of the time begin at `sides`: C(0, t) of all rows, −C_t, −C_tt; false if
-    /// the values are not all known or a row has none.
-    pub(super) fn append(&mut self, rows: Range<usize>, entries: &[Option<(usize, usize)>], values: &[Option<f64>], sides: usize) -> bool {
-        let own = entries.iter().zip(values).filter_map(|(entry, value)| entry.map(|entry| Some((entry, (*value)?))));
+    /// Appends rows with the entries and values of C_q in them, whose numbers of the time begin at `sides`:
+    /// C(0, t) of all rows, −C_t, −C_tt; false if the values are not all known or a row has none.
+    pub(super) fn append(
+        &mut self,
+        rows: Range<usize>,
+        entries: &[Option<(usize, usize)>],
+        values: &[Option<f64>],
+        sides: usize,
+    ) -> bool {
+        let own = entries
+            .iter()
+            .zip(values)
+            .filter_map(|(entry, value)| entry.map(|entry| Some((entry, (*value)?))));
         let Some(mut known) = own.collect::<Option<Vec<((usize, usize), f64)>>>() else { return false };
         known.sort_by_key(|(entry, _)| *entry);
         if !rows.clone().all(|row| known.iter().any(|((i, _), _)| *i == row)) {

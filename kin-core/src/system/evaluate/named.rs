@@ -42,10 +42,21 @@ impl Equations {
 
     /// The error for it.
     pub(crate) fn closes_wrong(&self, block: usize, layout: &Layout, instant: &Instant) -> Error {
-        let (name, kind) = self.blocks.get(block).map(|block| (block.name.as_str(), block.constraint.kind())).unwrap_or_default();
+        let (name, kind) = self
+            .blocks
+            .get(block)
+            .map(|block| (block.name.as_str(), block.constraint.kind()))
+            .unwrap_or_default();
         let reason = self.wrong_branch(block, instant).unwrap_or_default().to_string();
         let units = layout.words.clone();
-        Error::WrongBranch { t: instant.t, units, constraint: name.to_string(), kind: kind.to_string(), reason, motion: None }
+        Error::WrongBranch {
+            t: instant.t,
+            units,
+            constraint: name.to_string(),
+            kind: kind.to_string(),
+            reason,
+            motion: None,
+        }
     }
 
     /// The error for what is not finite at an instant.

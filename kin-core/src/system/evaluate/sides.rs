@@ -26,12 +26,18 @@ impl Equations {
         let mut at = At::new(instant.t, &instant.states, &[]);
         for block in self.asked.q_d.iter().map(|&k| &self.blocks[k]) {
             self.show(block, instant, &mut at);
-            block.constraint.acceleration_rhs(&at, &self.rates(block, &instant.rates), t_dot, &mut rhs[block.rows.range()]);
+            block.constraint.acceleration_rhs(
+                &at,
+                &self.rates(block, &instant.rates),
+                t_dot,
+                &mut rhs[block.rows.range()],
+            );
         }
         self.linear.write_side(Side::Acceleration, &instant.timed, t_dot * t_dot, rhs);
     }
 
-    /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), along the rates of the instant and q̈, whether it is finite or not.
+    /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), along the rates of the instant and q̈, whether it is
+    /// finite or not.
     ///
     /// Errors: the first row of a constraint that does not know it.
     pub(crate) fn jerk_rhs(&self, qdd: &[f64], instant: &mut Instant, rhs: &mut [f64]) -> Result<(), usize> {
@@ -50,7 +56,13 @@ impl Equations {
     }
 
     /// Measure k of a constraint with its first three derivatives, at rows of q, q̇, q̈ and q⃛ (or nothing).
-    pub(crate) fn measure(&self, block: &Block, k: usize, t: f64, [q, qd, qdd, qddd]: [&[f64]; 4]) -> [f64; 4] {
+    pub(crate) fn measure(
+        &self,
+        block: &Block,
+        k: usize,
+        t: f64,
+        [q, qd, qdd, qddd]: [&[f64]; 4],
+    ) -> [f64; 4] {
         let instant = self.instant_at(t, q);
         let still = vec![0.0; q.len()];
         let rates = [qd, qdd, if qddd.is_empty() { &still } else { qddd }].map(|rates| {

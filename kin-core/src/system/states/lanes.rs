@@ -15,7 +15,8 @@ impl StatePlan {
         for &[first, begin] in &self.planar {
             let (&[x, y, theta], state) = (from(q, first), from_mut::<_, PLANAR_STATE>(states, begin));
             let [_, _, known, sin, cos] = *state;
-            // Angles that have not moved in any lane, as driven ones in Newton's last step, keep their sine and cosine.
+            // Angles that have not moved in any lane, as driven ones in Newton's last step, keep their sine
+            // and cosine.
             let (sin, cos) = if theta.differ(known).any() { theta.sin_cos() } else { (sin, cos) };
             *state = [x, y, theta, sin, cos];
         }

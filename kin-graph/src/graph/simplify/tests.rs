@@ -63,7 +63,8 @@ fn nothing_is_rounded_as_written() {
         let sum = g.add(large, one);
         let sum = g.sub(sum, large);
         let (third, quarter) = (g.div(one, three), g.div(one, four));
-        let (inner, root, other) = (g.mul(tenth, x), g.call(Function::Sqrt, three), g.call(Function::Sqrt, four));
+        let (inner, root, other) =
+            (g.mul(tenth, x), g.call(Function::Sqrt, three), g.call(Function::Sqrt, four));
         let nested = g.mul(three, inner);
         let power = g.powi(tenth, 7);
         let values = [sum, third, quarter, root, other, power].map(|node| g.constant_value(node));
@@ -100,7 +101,8 @@ fn conditions_fold() {
 #[test]
 fn functions_of_inverse_functions_are_roots() {
     let (mut g, x, ..) = three();
-    let (arcsine, arccosine, arctangent) = (g.call(Function::Asin, x), g.call(Function::Acos, x), g.call(Function::Atan, x));
+    let (arcsine, arccosine, arctangent) =
+        (g.call(Function::Asin, x), g.call(Function::Acos, x), g.call(Function::Atan, x));
     let cosine = g.call(Function::Cos, arcsine);
     assert!(matches!(g.op(cosine), Op::Call(Function::Sqrt, _)));
     assert_eq!(g.call(Function::Sin, arccosine), cosine);

@@ -1,4 +1,5 @@
-//! Methods that change what they are called on: of arrays and lists, of iterators, of options, of the body's own types.
+//! Methods that change what they are called on: of arrays and lists, of iterators, of options, of the body's
+//! own types.
 
 use syn::{Expr, ExprMethodCall, FnArg};
 
@@ -40,9 +41,13 @@ const READ: &[&str] = &[
 ];
 
 impl Reader {
-    /// The value of a method that changes its receiver; `None` if it is none, or the receiver is no variable that is known here.
+    /// The value of a method that changes its receiver; `None` if it is none, or the receiver is no variable
+    /// that is known here.
     pub(super) fn changing_method(&mut self, name: &str, whole: &ExprMethodCall) -> Read<Option<Value>> {
-        let is_variable = matches!(strip(&whole.receiver), Expr::Path(_) | Expr::Field(_) | Expr::Index(_) | Expr::Unary(_));
+        let is_variable = matches!(
+            strip(&whole.receiver),
+            Expr::Path(_) | Expr::Field(_) | Expr::Index(_) | Expr::Unary(_)
+        );
         if !is_variable {
             return Ok(None);
         }
@@ -91,31 +96,28 @@ impl Reader {
 
     fn known_count(&mut self, at: &Expr) -> Read<usize> {
         match self.expression(at)? {
-            Value::Integer(k, _) => usize::try_from(k).map_err(|_| Unreadable::new(at, "a count out of range")),
+            Value::Integer(k, _) => {
+                usize::try_from(k).map_err(|_| Unreadable::new(at, "a count out of range"))
+            }
             _ => Err(Unreadable::new(at, "a count that is not known here")),
         }
     }
 
-    fn change_list(&mut self, place: &Place, mut all: Vec<Value>, arguments: Vec<Value>, whole: &ExprMethodCall) -> Read<Option<Value>> {
+    fn change_list(
+        &mut self,
+        place: &Place,
+        mut all: Vec<Value>,
+        arguments: Vec<Value>,
+        whole: &ExprMethodCall,
+    ) -> Read<Option<Value>> {
         let unknown = || Unreadable::new(&whole.method, "an index that is not known here");
         let arguments: Vec<Value> = arguments.into_iter().map(|value| self.loaded(value)).collect();
         let counts: Vec<usize> = arguments.iter().map_while(count).collect();
-        let parts = |ranges: Vec<(usize, usize)>| ranges.into_iter().map(|(from, to)| Value::Place(place.slice(from, to))).collect();
+        if let Some(places) = places_in(place, all.len(), &arguments, &counts, whole) {
+            return Ok(Some(places));
+        }
         let mut result = Value::unit();
         match (whole.method.to_string().as_str(), &arguments[..], &counts[..]) {
-            ("iter_mut", [], _) => return Ok(Some(Value::Iterator((0..all.len()).map(|k| Value::Place(place.index(k))).collect()))),
-            ("first_mut", [], _) if !all.is_empty() => return Ok(Some(Value::some(Value::Place(place.index(0))))),
-            ("last_mut", [], _) if !all.is_empty() => return Ok(Some(Value::some(Value::Place(place.index(all.len() - 1))))),
-            ("get_mut", [_], &[k]) if k < all.len() => return Ok(Some(Value::some(Value::Place(place.index(k))))),
-            ("get_mut", [_], &[_]) | ("first_mut" | "last_mut", [], _) => return Ok(Some(Value::none())),
-            ("split_at_mut", [_], &[k]) if k <= all.len() => {
-                return Ok(Some(Value::Tuple(parts(vec![(0, k), (k, all.len())]))));
-            }
-            ("chunks_mut" | "chunks_exact_mut", [_], &[k]) if k > 0 => {
-                let exact = whole.method == "chunks_exact_mut";
-                let starts = (0..all.len()).step_by(k).filter(|from| !exact || from + k <= all.len());
-                return Ok(Some(Value::Iterator(parts(starts.map(|from| (from, all.len().min(from + k))).collect()))));
-            }
             ("swap", [_, _], &[a, b]) if a < all.len() && b < all.len() => all.swap(a, b),
             ("reverse", [], _) => all.reverse(),
             ("fill", [value], _) => all.fill(value.clone()),
@@ -129,7 +131,9 @@ impl Reader {
                 let more: Vec<Value> = more.iter().map(|value| self.loaded(value.clone())).collect();
                 all.extend(more);
             }
-            ("copy_from_slice" | "clone_from_slice", [Value::Array(more)], _) if more.len() == all.len() => all.clone_from(more),
+            ("copy_from_slice" | "clone_from_slice", [Value::Array(more)], _) if more.len() == all.len() => {
+                all.clone_from(more)
+            }
             ("rotate_left", [_], &[k]) if k <= all.len() => all.rotate_left(k),
             ("rotate_right", [_], &[k]) if k <= all.len() => all.rotate_right(k),
             ("sort_by" | "sort_unstable_by", [_], _) => self.sort(&mut all, arguments[0].clone(), whole)?,
@@ -156,7 +160,9 @@ impl Reader {
                 let order = self.apply(&f, inputs, &[], whole)?;
                 let greater = self.is_ordered(order, "Greater", whole)?;
                 let joined = (self.select(greater, &b, &a), self.select(greater, &a, &b));
-                let (Some(first), Some(second)) = joined else { return Err(Unreadable::new(&whole.method, "an order of these")) };
+                let (Some(first), Some(second)) = joined else {
+                    return Err(Unreadable::new(&whole.method, "an order of these"));
+                };
                 (all[k], all[k + 1]) = (first, second);
             }
         }
@@ -182,4 +188,32 @@ fn strip(expression: &Expr) -> &Expr {
 /// Whether a method takes `&mut self`.
 pub fn takes_itself(function: &syn::ItemFn) -> bool {
     matches!(function.sig.inputs.first(), Some(FnArg::Receiver(receiver)) if receiver.reference.is_some() && receiver.mutability.is_some())
+}
+
+/// What gives out places in a list of n, to be changed: references, halves, chunks.
+fn places_in(
+    place: &Place,
+    n: usize,
+    arguments: &[Value],
+    counts: &[usize],
+    whole: &ExprMethodCall,
+) -> Option<Value> {
+    let parts = |ranges: Vec<(usize, usize)>| {
+        ranges.into_iter().map(|(from, to)| Value::Place(place.slice(from, to))).collect()
+    };
+    let one = |k: usize| Value::some(Value::Place(place.index(k)));
+    Some(match (whole.method.to_string().as_str(), arguments, counts) {
+        ("iter_mut", [], _) => Value::Iterator((0..n).map(|k| Value::Place(place.index(k))).collect()),
+        ("first_mut", [], _) if n > 0 => one(0),
+        ("last_mut", [], _) if n > 0 => one(n - 1),
+        ("get_mut", [_], &[k]) if k < n => one(k),
+        ("get_mut", [_], &[_]) | ("first_mut" | "last_mut", [], _) => Value::none(),
+        ("split_at_mut", [_], &[k]) if k <= n => Value::Tuple(parts(vec![(0, k), (k, n)])),
+        ("chunks_mut" | "chunks_exact_mut", [_], &[k]) if k > 0 => {
+            let exact = whole.method == "chunks_exact_mut";
+            let starts = (0..n).step_by(k).filter(|from| !exact || from + k <= n);
+            Value::Iterator(parts(starts.map(|from| (from, n.min(from + k))).collect()))
+        }
+        _ => return None,
+    })
 }

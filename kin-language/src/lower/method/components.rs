@@ -51,7 +51,9 @@ impl Reader {
         }
         Ok(match call.name.as_str() {
             "vector" => Value::Vector(p[1..].to_vec()),
-            "conjugate" => Value::Euler(vec![p[0], self.graph.neg(p[1]), self.graph.neg(p[2]), self.graph.neg(p[3])]),
+            "conjugate" => {
+                Value::Euler(vec![p[0], self.graph.neg(p[1]), self.graph.neg(p[2]), self.graph.neg(p[3])])
+            }
             "rotation" => Value::Matrix(3, self.rotation_of(p)),
             _ => {
                 let q = self.other(Components::Euler, call);
@@ -113,7 +115,10 @@ impl Reader {
         let place = call.places[0];
         match (call.arguments[0].clone().referent(), kind) {
             (Value::Vector(w), Components::Vector(n)) if w.len() != n => {
-                self.mistake(place, format!("`{}` of a Vec{n} needs a Vec{n}, but this is a Vec{}", call.name, w.len()));
+                self.mistake(
+                    place,
+                    format!("`{}` of a Vec{n} needs a Vec{n}, but this is a Vec{}", call.name, w.len()),
+                );
                 vec![w[0]; n]
             }
             (value, Components::Vector(n)) => self.convertible(value, n, place),
@@ -145,20 +150,27 @@ impl Reader {
         let row = |k: usize| m[k * n..][..n].to_vec();
         Ok(match call.name.as_str() {
             "transpose" => Value::Matrix(n, crate::lower::state::transpose(m)),
-            "to_array" => Value::Array((0..n).map(|k| Value::Array(row(k).into_iter().map(Value::Scalar).collect())).collect()),
+            "to_array" => Value::Array(
+                (0..n).map(|k| Value::Array(row(k).into_iter().map(Value::Scalar).collect())).collect(),
+            ),
             "trace" => {
                 let zero = self.graph.zero();
                 Value::Scalar((0..n).fold(zero, |sum, k| self.graph.add(sum, m[k * n + k])))
             }
             "determinant" if n == 2 => Value::Scalar(self.determinant2(m[0], m[1], m[2], m[3])),
             "determinant" => {
-                let minors = [(4, 8, 5, 7), (5, 6, 3, 8), (3, 7, 4, 6)].map(|(a, d, b, c)| self.determinant2(m[a], m[b], m[c], m[d]));
+                let minors = [(4, 8, 5, 7), (5, 6, 3, 8), (3, 7, 4, 6)]
+                    .map(|(a, d, b, c)| self.determinant2(m[a], m[b], m[c], m[d]));
                 Value::Scalar(self.dot(&m[..3], &minors))
             }
             "map" => Value::Matrix(n, self.mapped(m, call)?),
             name => match call.arguments[0].clone().referent() {
-                Value::Integer(k, _) if (0..n as i64).contains(&k) && name == "row" => Value::Vector(row(k as usize)),
-                Value::Integer(k, _) if (0..n as i64).contains(&k) => Value::Vector((0..n).map(|i| m[i * n + k as usize]).collect()),
+                Value::Integer(k, _) if (0..n as i64).contains(&k) && name == "row" => {
+                    Value::Vector(row(k as usize))
+                }
+                Value::Integer(k, _) if (0..n as i64).contains(&k) => {
+                    Value::Vector((0..n).map(|i| m[i * n + k as usize]).collect())
+                }
                 Value::Integer(k, _) => self.mistake(call.places[0], format!("a Mat{n} has no {name} {k}")),
                 _ => return Err(Unreadable::new(call.places[0], "an index that is not known here")),
             },

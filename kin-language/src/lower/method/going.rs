@@ -12,7 +12,9 @@ impl Reader {
     pub(super) fn picked(&mut self, mut all: Vec<Value>, call: &Call) -> Read {
         let count = match call.arguments.first() {
             None => 0,
-            Some(Value::Integer(k, _)) => usize::try_from(*k).map_err(|_| Unreadable::new(call.places[0], "an index out of range"))?,
+            Some(Value::Integer(k, _)) => {
+                usize::try_from(*k).map_err(|_| Unreadable::new(call.places[0], "an index out of range"))?
+            }
             Some(_) => return Err(Unreadable::new(call.places[0], "an index that is not known here")),
         };
         let option = |value: Option<Value>| Ok(value.map_or(Value::none(), Value::some));
@@ -58,7 +60,9 @@ impl Reader {
 
     /// With a function that is called for the elements one by one.
     pub(super) fn gone_over(&mut self, all: Vec<Value>, call: &Call) -> Read {
-        let Some(k) = call.arguments.len().checked_sub(1) else { return Err(Unreadable::new(&call.whole.method, "this method")) };
+        let Some(k) = call.arguments.len().checked_sub(1) else {
+            return Err(Unreadable::new(&call.whole.method, "this method"));
+        };
         let f = self.function(call.arguments[k].clone(), call.places[k])?;
         let borrowed = |value: &Value| Value::Reference(Box::new(value.clone()));
         match call.name.as_str() {
@@ -107,7 +111,9 @@ impl Reader {
         let mut found = Vec::new();
         for value in all {
             match self.apply(f, vec![place.clone(), value], &[], call)? {
-                Value::Adt(adt) if adt.name == "Some" => found.extend(adt.fields.into_iter().map(|(_, value)| value)),
+                Value::Adt(adt) if adt.name == "Some" => {
+                    found.extend(adt.fields.into_iter().map(|(_, value)| value))
+                }
                 Value::Adt(adt) if adt.name == "None" => break,
                 _ => return Err(Unreadable::new(&call.whole.method, "a `scan` whose end is open here")),
             }
@@ -121,11 +127,14 @@ impl Reader {
         let mut kept = Vec::new();
         let mut skipping = name == "skip_while";
         for value in all {
-            let input = if name == "map_while" { value.clone() } else { Value::Reference(Box::new(value.clone())) };
+            let input =
+                if name == "map_while" { value.clone() } else { Value::Reference(Box::new(value.clone())) };
             let result = self.apply(f, vec![input], &[], call)?;
             if name == "map_while" {
                 match result {
-                    Value::Adt(adt) if adt.name == "Some" => kept.extend(adt.fields.into_iter().map(|(_, value)| value)),
+                    Value::Adt(adt) if adt.name == "Some" => {
+                        kept.extend(adt.fields.into_iter().map(|(_, value)| value))
+                    }
                     Value::Adt(_) => break,
                     _ => return Err(Unreadable::new(&call.whole.method, "an end that is open here")),
                 }
@@ -133,7 +142,10 @@ impl Reader {
             }
             let condition = self.condition(result, call);
             let Some(holds) = self.graph.truth(condition) else {
-                return Err(Unreadable::new(&call.whole.method, format!("a `{name}` by a condition that is open here")));
+                return Err(Unreadable::new(
+                    &call.whole.method,
+                    format!("a `{name}` by a condition that is open here"),
+                ));
             };
             skipping &= holds;
             match name {

@@ -18,13 +18,18 @@ impl Reader {
         match (call.name.as_str(), &call.arguments[..]) {
             ("len", []) => Ok(Value::Integer(all.len() as i64, Some(IntegerType::SIZE))),
             ("is_empty", []) => Ok(Value::Condition(self.graph.bool(all.is_empty()))),
-            ("iter", []) => iterator(all.into_iter().map(|value| Value::Reference(Box::new(value))).collect()),
+            ("iter", []) => {
+                iterator(all.into_iter().map(|value| Value::Reference(Box::new(value))).collect())
+            }
             ("into_iter", []) => iterator(all),
             ("copied" | "cloned", []) => iterator(all.into_iter().map(|value| self.loaded(value)).collect()),
             ("rev", []) => iterator(all.into_iter().rev().collect()),
-            ("enumerate", []) => {
-                iterator((0..).zip(all).map(|(k, value)| Value::Tuple(vec![Value::Integer(k, Some(IntegerType::SIZE)), value])).collect())
-            }
+            ("enumerate", []) => iterator(
+                (0..)
+                    .zip(all)
+                    .map(|(k, value)| Value::Tuple(vec![Value::Integer(k, Some(IntegerType::SIZE)), value]))
+                    .collect(),
+            ),
             ("to_vec" | "collect" | "as_slice" | "by_ref" | "fuse" | "peekable" | "into_boxed_slice", [])
                 if call.name != "collect" && !array =>
             {
@@ -41,28 +46,38 @@ impl Reader {
                 let f = self.function(f.clone(), call.places[0])?;
                 self.list_method_with(all, array, &f, call)
             }
-            ("first" | "last" | "next" | "nth" | "get" | "count" | "split_at" | "split_first" | "split_last" | "try_into" | "unzip", _) => {
-                self.picked(all, call)
-            }
-            ("reduce" | "min_by" | "max_by" | "scan" | "for_each" | "position" | "find" | "take_while" | "skip_while" | "map_while", _) => {
-                self.gone_over(all, call)
-            }
+            (
+                "first" | "last" | "next" | "nth" | "get" | "count" | "split_at" | "split_first"
+                | "split_last" | "try_into" | "unzip",
+                _,
+            ) => self.picked(all, call),
+            (
+                "reduce" | "min_by" | "max_by" | "scan" | "for_each" | "position" | "find" | "take_while"
+                | "skip_while" | "map_while",
+                _,
+            ) => self.gone_over(all, call),
             ("fold", [start, f]) => {
                 let f = self.function(f.clone(), call.places[1])?;
-                all.into_iter().try_fold(start.clone(), |sum, value| self.apply(&f, vec![sum, value], &[], call))
+                all.into_iter()
+                    .try_fold(start.clone(), |sum, value| self.apply(&f, vec![sum, value], &[], call))
             }
-            ("zip" | "chain", [other]) => {
-                let Some(items) = self.elements(other.clone(), call.places[0])? else { return Ok(Value::Poison) };
-                match call.name.as_str() {
-                    "zip" => iterator(all.into_iter().zip(items).map(|(a, b)| Value::Tuple(vec![a, b])).collect()),
-                    _ => iterator(all.into_iter().chain(items).collect()),
-                }
-            }
+            ("zip" | "chain", [other]) => self.with_another(all, other.clone(), call),
             ("contains", [one]) => self.contains(all, one.clone().referent(), call),
             ("skip" | "take" | "step_by" | "windows" | "chunks" | "chunks_exact", [count]) => {
                 self.counted_part(all, count.clone().referent(), call)
             }
             _ => Err(Unreadable::new(&call.whole.method, format!("`{}` of an array or iterator", call.name))),
+        }
+    }
+
+    fn with_another(&mut self, all: Vec<Value>, other: Value, call: &Call) -> Read {
+        let iterator = |all: Vec<Value>| Ok(Value::Iterator(all));
+        let Some(items) = self.elements(other, call.places[0])? else {
+            return Ok(Value::Poison);
+        };
+        match call.name.as_str() {
+            "zip" => iterator(all.into_iter().zip(items).map(|(a, b)| Value::Tuple(vec![a, b])).collect()),
+            _ => iterator(all.into_iter().chain(items).collect()),
         }
     }
 
@@ -116,7 +131,9 @@ impl Reader {
 
     fn counted_part(&mut self, all: Vec<Value>, count: Value, call: &Call) -> Read {
         let count = match count {
-            Value::Integer(k, _) => usize::try_from(k).map_err(|_| Unreadable::new(call.places[0], "a count out of range"))?,
+            Value::Integer(k, _) => {
+                usize::try_from(k).map_err(|_| Unreadable::new(call.places[0], "a count out of range"))?
+            }
             _ => return Err(Unreadable::new(call.places[0], "a count that is not known here")),
         };
         let lists = |parts: Vec<Vec<Value>>| parts.into_iter().map(Value::Array).collect();
@@ -153,15 +170,22 @@ impl Reader {
         let integer = given.is_some_and(|ty| is_integer(&quote::ToTokens::to_token_stream(ty).to_string()));
         let all: Vec<Value> = all.into_iter().map(|value| self.loaded(value)).collect();
         if integer || matches!(all.first(), Some(Value::Integer(..))) {
-            let given = given.and_then(|ty| IntegerType::named(&quote::ToTokens::to_token_stream(ty).to_string()));
+            let given =
+                given.and_then(|ty| IntegerType::named(&quote::ToTokens::to_token_stream(ty).to_string()));
             let op: BinOp = if plus { syn::parse_quote!(+) } else { syn::parse_quote!(*) };
-            let sum = all.iter().try_fold(Value::Integer(i64::from(!plus), given), |sum, value| match (sum, value) {
-                (Value::Integer(a, x), Value::Integer(b, y)) => integer::operate(&op, (a, x), (*b, *y)),
-                _ => None,
+            let sum = all.iter().try_fold(Value::Integer(i64::from(!plus), given), |sum, value| {
+                match (sum, value) {
+                    (Value::Integer(a, x), Value::Integer(b, y)) => integer::operate(&op, (a, x), (*b, *y)),
+                    _ => None,
+                }
             });
-            return sum.ok_or_else(|| Unreadable::new(&call.whole.method, "a sum of integers not known here"));
+            return sum
+                .ok_or_else(|| Unreadable::new(&call.whole.method, "a sum of integers not known here"));
         }
-        let shape = given.and_then(crate::parse::shape).or_else(|| Some(all.first()?.numbers()?.1)).unwrap_or(crate::parse::Shape::Scalar);
+        let shape = given
+            .and_then(crate::parse::shape)
+            .or_else(|| Some(all.first()?.numbers()?.1))
+            .unwrap_or(crate::parse::Shape::Scalar);
         let components = Value::from_numbers(&shape, &mut std::iter::repeat(self.graph.zero()));
         match components.as_ref().and_then(Value::components) {
             Some((kind, zeros)) if plus => {
@@ -192,7 +216,9 @@ fn lengthened(list: Value, value: &Value) -> Value {
             all.push(value.clone());
             Value::Iterator(all)
         }
-        Value::Choice(all) => Value::Choice(all.into_iter().map(|(taken, list)| (taken, lengthened(list, value))).collect()),
+        Value::Choice(all) => {
+            Value::Choice(all.into_iter().map(|(taken, list)| (taken, lengthened(list, value))).collect())
+        }
         other => other,
     }
 }

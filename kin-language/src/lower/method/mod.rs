@@ -66,18 +66,23 @@ impl Reader {
             (value @ (Value::Poison | Value::Never | Value::Left), ..) => Ok(value),
             (Value::Opaque(template), ..) => self.opaque_method(template, call),
             (Value::Iterator(all), ..) => self.list_method(all, false, call),
-            (Value::Reference(inner), "into_iter", []) => self.method_of(*inner, Call { name: "iter".into(), ..call }),
+            (Value::Reference(inner), "into_iter", []) => {
+                self.method_of(*inner, Call { name: "iter".into(), ..call })
+            }
             (Value::Reference(inner), ..) => self.method_of(*inner, call),
             (value @ Value::Place(_), ..) => match self.elements(value, &whole.receiver)? {
                 Some(all) => Ok(Value::Iterator(all)),
                 None => Ok(Value::Poison),
             },
-            (Value::Adt(adt), ..) if matches!(adt.name.as_str(), "Some" | "None" | "Ok" | "Err") => self.option_method(adt, &call),
+            (Value::Adt(adt), ..) if matches!(adt.name.as_str(), "Some" | "None" | "Ok" | "Err") => {
+                self.option_method(adt, &call)
+            }
             (Value::Adt(adt), ..) if order::is_order(&adt.name) => self.order_method(&adt, &call),
             (value @ Value::Adt(_), ..) => self.method_of_own(value, call),
             (
                 value,
-                "clone" | "to_owned" | "borrow" | "as_ref" | "as_slice" | "as_mut" | "by_ref" | "each_ref" | "copied" | "cloned",
+                "clone" | "to_owned" | "borrow" | "as_ref" | "as_slice" | "as_mut" | "by_ref" | "each_ref"
+                | "copied" | "cloned",
                 [],
             ) if !matches!(value, Value::Scalar(_)) || call.name != "copied" => Ok(value),
             (value, "into", []) => Ok(Value::Into(Box::new(value))),
@@ -131,12 +136,20 @@ impl Reader {
         if !self.counted(count, call) {
             return None;
         }
-        Some(call.arguments.iter().zip(&call.places).map(|(value, place)| self.scalar(value.clone(), place)).collect())
+        Some(
+            call.arguments
+                .iter()
+                .zip(&call.places)
+                .map(|(value, place)| self.scalar(value.clone(), place))
+                .collect(),
+        )
     }
 
     /// `(low..=high).contains(&x)`
     fn range_contains(&mut self, range: &syn::ExprRange, whole: &ExprMethodCall) -> Read {
-        let (Some(x), 1) = (whole.args.first(), whole.args.len()) else { return Err(Unreadable::new(&whole.method, "this `contains`")) };
+        let (Some(x), 1) = (whole.args.first(), whole.args.len()) else {
+            return Err(Unreadable::new(&whole.method, "this `contains`"));
+        };
         let lower = range.start.as_ref().map(|bound| (&**bound, syn::BinOp::Ge(syn::token::Ge::default())));
         let upper = range.end.as_ref().map(|bound| match range.limits {
             syn::RangeLimits::Closed(_) => (&**bound, syn::BinOp::Le(syn::token::Le::default())),
@@ -144,7 +157,12 @@ impl Reader {
         });
         let mut all = self.graph.bool(true);
         for (bound, op) in [lower, upper].into_iter().flatten() {
-            let comparison = syn::ExprBinary { attrs: vec![], left: Box::new(x.clone()), op, right: Box::new(bound.clone()) };
+            let comparison = syn::ExprBinary {
+                attrs: vec![],
+                left: Box::new(x.clone()),
+                op,
+                right: Box::new(bound.clone()),
+            };
             let value = self.binary(&comparison)?;
             let one = self.condition(value, whole);
             all = self.graph.and(all, one);
@@ -157,7 +175,13 @@ impl Reader {
         let order = match call.name.as_str() {
             "at" => 0,
             "slope" => 1,
-            _ => return Ok(self.unknown(call, "a Law", "; ask it for a value with `.at(x)`, for its derivative with `.slope(x)`")),
+            _ => {
+                return Ok(self.unknown(
+                    call,
+                    "a Law",
+                    "; ask it for a value with `.at(x)`, for its derivative with `.slope(x)`",
+                ));
+            }
         };
         let Some(x) = self.scalars_of(1, call) else { return Ok(Value::Poison) };
         let number = *self.law_index.entry(law.key()).or_insert_with(|| {

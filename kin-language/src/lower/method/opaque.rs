@@ -10,18 +10,21 @@ use crate::parse::Shape;
 use crate::vocabulary::{is_scalar_method, is_vector_method};
 
 impl Reader {
-    /// Where a number is needed for it to be read, a name of f64's vocabulary takes the receiver for one, and a vector beside it takes it for
-    /// a vector; unless the receiver is a parameter itself, whose type is the user's.
+    /// Where a number is needed for it to be read, a name of f64's vocabulary takes the receiver for one, and
+    /// a vector beside it takes it for a vector; unless the receiver is a parameter itself, whose type is the
+    /// user's.
     pub(super) fn opaque_method(&mut self, template: Template, call: Call) -> Read {
         let own = matches!(template, Template::Parameter(_));
         let applies = call.arguments.iter().any(|value| matches!(value, Value::Function(_)));
-        if self.is_option(&template) || applies && super::option::WITH_CLOSURES.contains(&call.name.as_str()) {
+        if self.is_option(&template) || applies && super::option::WITH_CLOSURES.contains(&call.name.as_str())
+        {
             return self.option_at_run_time(template, &call);
         }
         if applies || call.arguments.iter().any(|value| matches!(value, Value::Iterator(_))) {
             return Err(Unreadable::new(&call.whole.method, "a closure handed to a function of your own"));
         }
-        let numbers = !template.nodes().is_empty() || call.arguments.iter().any(|value| value.numbers().is_some());
+        let numbers =
+            !template.nodes().is_empty() || call.arguments.iter().any(|value| value.numbers().is_some());
         match (call.name.as_str(), call.arguments.first().map(|value| value.clone().referent())) {
             ("sin_cos", None) if !own => self.number_method(template, &call),
             (name, _) if is_scalar_method(name) && numbers && !own => self.number_method(template, &call),
@@ -30,11 +33,17 @@ impl Reader {
                 self.vector_method(&receiver, &call)
             }
             _ => {
-                let templates = call.arguments.into_iter().zip(call.places).map(|(value, place)| self.template(value, place));
+                let templates = call
+                    .arguments
+                    .into_iter()
+                    .zip(call.places)
+                    .map(|(value, place)| self.template(value, place));
                 let templates = templates.collect::<Read<Vec<_>>>()?;
                 let (method, turbofish) = (&call.whole.method, &call.whole.turbofish);
                 let name = quote!(#method #turbofish);
-                Ok(Value::Opaque(template.each(&|part| Template::Method(Box::new(part), name.clone(), templates.clone()))))
+                Ok(Value::Opaque(
+                    template.each(&|part| Template::Method(Box::new(part), name.clone(), templates.clone())),
+                ))
             }
         }
     }
@@ -49,8 +58,7 @@ impl Reader {
     /// Whether a value is a parameter that is declared as an `Option`.
     fn is_option(&self, template: &Template) -> bool {
         let Template::Parameter(name) = template else { return false };
-        let named =
-            |ty: &syn::Type| matches!(ty, syn::Type::Path(path) if path.path.segments.last().is_some_and(|last| last.ident == "Option"));
+        let named = |ty: &syn::Type| matches!(ty, syn::Type::Path(path) if path.path.segments.last().is_some_and(|last| last.ident == "Option"));
         self.parameter_types.get(&name.to_string()).is_some_and(named)
     }
 

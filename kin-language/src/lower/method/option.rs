@@ -6,8 +6,17 @@ use crate::lower::{Read, Reader, Unreadable};
 use kin_graph::Node;
 
 /// Methods of `Option` that a value only rustc knows is taken for one by, where a closure is handed to it.
-pub const WITH_CLOSURES: &[&str] =
-    &["map", "map_or", "map_or_else", "and_then", "unwrap_or_else", "is_some_and", "is_none_or", "filter", "or_else"];
+pub const WITH_CLOSURES: &[&str] = &[
+    "map",
+    "map_or",
+    "map_or_else",
+    "and_then",
+    "unwrap_or_else",
+    "is_some_and",
+    "is_none_or",
+    "filter",
+    "or_else",
+];
 
 impl Reader {
     /// A method of `Some(x)`, `None`, `Ok(x)` or `Err(e)`.
@@ -20,7 +29,9 @@ impl Reader {
         let place = |k: usize| call.places.get(k).copied();
         let truth = |reader: &mut Self, holds: bool| Ok(Value::Condition(reader.graph.bool(holds)));
         let apply = |reader: &mut Self, k: usize, inputs: Vec<Value>| {
-            let Some(place) = place(k) else { return Err(Unreadable::new(&call.whole.method, "this method")) };
+            let Some(place) = place(k) else {
+                return Err(Unreadable::new(&call.whole.method, "this method"));
+            };
             let f = reader.function(argument(k), place)?;
             reader.apply(&f, inputs, &[], call)
         };
@@ -61,7 +72,10 @@ impl Reader {
             ("zip", 1) => self.zipped(&same, argument(0), call),
             ("iter" | "into_iter", 0) => Ok(Value::Iterator(if held { vec![inner] } else { vec![] })),
             ("flatten", 0) => Ok(if held { self.loaded(inner) } else { same }),
-            _ => Err(Unreadable::new(&call.whole.method, format!("`{}` of an `Option` or `Result`", call.name))),
+            _ => Err(Unreadable::new(
+                &call.whole.method,
+                format!("`{}` of an `Option` or `Result`", call.name),
+            )),
         }
     }
 
@@ -86,7 +100,9 @@ impl Reader {
             }
             ("then_some", [value]) => self.joined(holds, &Value::some(value.clone()), &Value::none(), call),
             ("not", []) => Ok(Value::Condition(self.graph.not(holds))),
-            ("cmp" | "eq" | "ne", _) => Err(Unreadable::new(&call.whole.method, format!("`{}` of a condition", call.name))),
+            ("cmp" | "eq" | "ne", _) => {
+                Err(Unreadable::new(&call.whole.method, format!("`{}` of a condition", call.name)))
+            }
             _ => Ok(self.unknown(call, "a condition", "; a number of it is `if … { 1.0 } else { 0.0 }`")),
         }
     }

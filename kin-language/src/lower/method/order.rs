@@ -29,7 +29,8 @@ impl Reader {
             Value::Adt(adt) => Ok(self.graph.bool(adt.name == name)),
             Value::Choice(all) => {
                 let never = self.graph.bool(false);
-                let fitting = all.into_iter().filter(|(_, value)| matches!(value, Value::Adt(adt) if adt.name == name));
+                let fitting =
+                    all.into_iter().filter(|(_, value)| matches!(value, Value::Adt(adt) if adt.name == name));
                 Ok(fitting.fold(never, |any, (taken, _)| self.graph.or(any, taken)))
             }
             _ => Err(Unreadable::new(at, "an order that is not known here")),

@@ -23,7 +23,11 @@ impl Reader {
         if let "is_nan" | "is_finite" | "is_infinite" | "is_sign_negative" | "is_sign_positive" = name
             && call.arguments.is_empty()
         {
-            return Ok(Value::Opaque(Template::Method(Box::new(number(n, call)), call.whole.method.to_token_stream(), vec![])));
+            return Ok(Value::Opaque(Template::Method(
+                Box::new(number(n, call)),
+                call.whole.method.to_token_stream(),
+                vec![],
+            )));
         }
         if let "total_cmp" | "partial_cmp" = name {
             let Some(other) = self.scalars_of(1, call) else { return Ok(Value::Poison) };
@@ -42,7 +46,9 @@ impl Reader {
             _ if Function2::from_method(name).is_some() => 1,
             "copysign" | "log" => 1,
             "mul_add" | "clamp" => 2,
-            _ if OTHER_METHODS_OF_F64.contains(&name) => return Err(Unreadable::new(&call.whole.method, format!("`{name}`"))),
+            _ if OTHER_METHODS_OF_F64.contains(&name) => {
+                return Err(Unreadable::new(&call.whole.method, format!("`{name}`")));
+            }
             _ => return Ok(self.unknown(call, "a number", cure(name))),
         };
         let Some(arguments) = self.scalars_of(count, call) else { return Ok(Value::Poison) };
@@ -51,15 +57,25 @@ impl Reader {
 
     /// `k.to_bits()`
     fn underived(&mut self, n: Node, call: &Call) -> Read {
-        if let Some(place) = (0..call.places.len()).find(|&k| self.value_varies(&call.arguments[k])).map(|k| call.places[k]) {
+        if let Some(place) =
+            (0..call.places.len()).find(|&k| self.value_varies(&call.arguments[k])).map(|k| call.places[k])
+        {
             return Ok(self.no_derivative(&call.name, place));
         }
         if self.graph.depends(n).varies() {
             return Ok(self.no_derivative(&call.name, &call.whole.method));
         }
-        let arguments = call.arguments.iter().zip(&call.places).map(|(value, place)| self.template(value.clone(), *place));
+        let arguments = call
+            .arguments
+            .iter()
+            .zip(&call.places)
+            .map(|(value, place)| self.template(value.clone(), *place));
         let arguments = arguments.collect::<Read<_>>()?;
-        Ok(Value::Opaque(Template::Method(Box::new(number(n, call)), call.whole.method.to_token_stream(), arguments)))
+        Ok(Value::Opaque(Template::Method(
+            Box::new(number(n, call)),
+            call.whole.method.to_token_stream(),
+            arguments,
+        )))
     }
 
     /// xⁿ with an integer n.
@@ -75,7 +91,10 @@ impl Reader {
                 Ok(Value::Scalar(self.scalar(Value::Opaque(power), at)))
             }
             Value::Opaque(_) => Err(Unreadable::new(place, "an exponent that is not known here")),
-            other => Ok(self.mistake(place, format!("`powi` takes an integer, but this is {}; `powf` takes a number", other.name()))),
+            other => Ok(self.mistake(
+                place,
+                format!("`powi` takes an integer, but this is {}; `powf` takes a number", other.name()),
+            )),
         }
     }
 
@@ -138,7 +157,12 @@ impl Reader {
             [] => None,
             [one] => match one.clone().referent() {
                 Value::Integer(n, _) => Some(n),
-                _ => return Err(Unreadable::new(call.places[0], "integer arithmetic with something not known here")),
+                _ => {
+                    return Err(Unreadable::new(
+                        call.places[0],
+                        "integer arithmetic with something not known here",
+                    ));
+                }
             },
             _ => return Err(unreadable()),
         };
@@ -153,7 +177,10 @@ impl Reader {
             ("max", Some(n)) => Some(k.max(n)),
             ("abs_diff", Some(n)) => k.checked_sub(n).and_then(i64::checked_abs),
             (name, _) if Function::from_method(name).is_some() => {
-                return Ok(self.mistake(&call.whole.receiver, format!("`{k}` is an integer; a number is written `{k}.0`")));
+                return Ok(self.mistake(
+                    &call.whole.receiver,
+                    format!("`{k}` is an integer; a number is written `{k}.0`"),
+                ));
             }
             _ => None,
         };

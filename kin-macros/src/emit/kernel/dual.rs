@@ -1,4 +1,5 @@
-//! The equation over dual numbers, out of the graph: for bodies whose own copy over them rustc could not read.
+//! The equation over dual numbers, out of the graph: for bodies whose own copy over them rustc could not
+//! read.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -54,7 +55,9 @@ impl Kernel<'_> {
                     Part::P(_) => quote!(#place.p.e3),
                 }
             }
-            Input::Column(_) | Input::Rate(..) | Input::TimeRate | Input::Timed(_) => quote!(::kin::rt::Real::<__D>::from(f64::NAN)),
+            Input::Column(_) | Input::Rate(..) | Input::TimeRate | Input::Timed(_) => {
+                quote!(::kin::rt::Real::<__D>::from(f64::NAN))
+            }
         }
     }
 
@@ -71,11 +74,19 @@ impl Kernel<'_> {
                 let name = self.evaluated(format!("opaque {number}"), "o", &ty, |kernel| {
                     template::plain(&value.template, &mut |n| {
                         let given = kernel.expression(n);
-                        if is_condition(kernel.lowered, n) { given } else { quote!(::kin::rt::Real::value(#given)) }
+                        if is_condition(kernel.lowered, n) {
+                            given
+                        } else {
+                            quote!(::kin::rt::Real::value(#given))
+                        }
                     })
                 });
                 let number = template::component(&name, &value.kind, component);
-                Some(if is_condition(self.lowered, node) { number } else { quote!(::kin::rt::Real::<__D>::from(#number)) })
+                Some(if is_condition(self.lowered, node) {
+                    number
+                } else {
+                    quote!(::kin::rt::Real::<__D>::from(#number))
+                })
             }
             Op::Leaf(LeafUse { leaf, output, .. }) => {
                 let leaf = self.graph().leaves[leaf].clone();
@@ -83,7 +94,8 @@ impl Kernel<'_> {
                 let kin_language::lower::OpaqueKind::Numbers(shape) = kind else { return None };
                 let ty = template::shape_type(shape, &quote!(::kin::rt::Real<__D>));
                 let name = self.evaluated(format!("leaf {leaf:?}"), "leaf", &ty, |kernel| {
-                    let values: Vec<TokenStream> = leaf.arguments.iter().map(|&n| kernel.expression(n)).collect();
+                    let values: Vec<TokenStream> =
+                        leaf.arguments.iter().map(|&n| kernel.expression(n)).collect();
                     quote!(self.#function::<__D>([#(#values),*]))
                 });
                 Some(template::component(&name, kind, output))

@@ -22,17 +22,21 @@ impl Kernel<'_> {
                 let law_place = template::place(&self.lowered.laws[law]);
                 let x_value = self.expression(x);
                 let key = format!("law {law} {x:?}");
-                let name = self.evaluated(key, "law", &quote!([f64; 4]), |_| quote!(#law_place.jet(#x_value)));
+                let name =
+                    self.evaluated(key, "law", &quote!([f64; 4]), |_| quote!(#law_place.jet(#x_value)));
                 let order = Literal::usize_unsuffixed(usize::from(order));
                 Some(quote!(#name[#order]))
             }
             Op::Opaque(number, component) => {
                 let value = &self.lowered.opaques[number];
-                // The type is what the macro took the value for: where that is wrong, rustc says so at the user's token.
+                // The type is what the macro took the value for: where that is wrong, rustc says so at the
+                // user's token.
                 let ty = template::kind_type(&value.kind);
                 let ty = quote!(::kin::rt::If<__SOUND, #ty>);
                 let key = format!("opaque {number}");
-                let name = self.evaluated(key, "o", &ty, |kernel| template::plain(&value.template, &mut |n| kernel.expression(n)));
+                let name = self.evaluated(key, "o", &ty, |kernel| {
+                    template::plain(&value.template, &mut |n| kernel.expression(n))
+                });
                 Some(template::component(&name, &value.kind, component))
             }
             Op::Leaf(of) => Some(self.leaf(of)),
@@ -41,24 +45,45 @@ impl Kernel<'_> {
     }
 
     /// One number of an evaluation that each lane makes by itself.
-    fn evaluated_lane_by_lane(&mut self, node: Node, number: usize, slot: usize, count: usize) -> TokenStream {
+    fn evaluated_lane_by_lane(
+        &mut self,
+        node: Node,
+        number: usize,
+        slot: usize,
+        count: usize,
+    ) -> TokenStream {
         let inputs: Vec<TokenStream> = self
             .graph()
             .operands(node)
             .into_iter()
             .map(|input| {
                 let value = self.expression(input);
-                if is_condition(self.lowered, input) { quote!(::kin::rt::Mask::as_numbers(#value)) } else { value }
+                if is_condition(self.lowered, input) {
+                    quote!(::kin::rt::Mask::as_numbers(#value))
+                } else {
+                    value
+                }
             })
             .collect();
         let [n, m, k, slot] = [inputs.len(), count, number, slot].map(Literal::usize_unsuffixed);
         let ty = quote!([::kin::rt::Wide<__S>; #m]);
-        let name = self.evaluated(format!("evaluation {number}"), "call", &ty, |_| quote!(at.evaluate::<#n, #m>(#k, [#(#inputs),*])));
+        let name = self.evaluated(
+            format!("evaluation {number}"),
+            "call",
+            &ty,
+            |_| quote!(at.evaluate::<#n, #m>(#k, [#(#inputs),*])),
+        );
         if is_condition(self.lowered, node) { quote!(#name[#slot].is_true()) } else { quote!(#name[#slot]) }
     }
 
     /// The name of an evaluation of a type, the same one each time.
-    pub(super) fn evaluated(&mut self, key: String, prefix: &str, ty: &TokenStream, value: impl FnOnce(&mut Self) -> TokenStream) -> Ident {
+    pub(super) fn evaluated(
+        &mut self,
+        key: String,
+        prefix: &str,
+        ty: &TokenStream,
+        value: impl FnOnce(&mut Self) -> TokenStream,
+    ) -> Ident {
         if let Some(name) = self.evaluations.get(&key) {
             return name.clone();
         }

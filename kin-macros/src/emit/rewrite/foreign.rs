@@ -10,8 +10,8 @@ use syn::{Expr, ExprMethodCall, Lit, UnOp, parse_quote, parse_quote_spanned};
 use super::scopes::Nature;
 use super::{Copy, Rewriter};
 use kin_language::vocabulary::{
-    is_changing_method, is_kin_function, is_kin_type, is_number_function, is_number_method, is_reading_method, is_std_function,
-    is_type_name, is_underived, names,
+    is_changing_method, is_kin_function, is_kin_type, is_number_function, is_number_method,
+    is_reading_method, is_std_function, is_type_name, is_underived, names,
 };
 
 impl Rewriter {
@@ -77,7 +77,9 @@ impl Rewriter {
         let (at, dual, value) = (mixed(expression), &self.dual, &*expression);
         *expression = match self.copy {
             Copy::Plain => parse_quote_spanned!(at=> (&::kin::rt::Foreign(#value)).lowered()),
-            Copy::Dual => parse_quote_spanned!(at=> (&::kin::rt::Foreign(#value)).lifted(::core::marker::PhantomData::<#dual>)),
+            Copy::Dual => {
+                parse_quote_spanned!(at=> (&::kin::rt::Foreign(#value)).lifted(::core::marker::PhantomData::<#dual>))
+            }
         };
     }
 
@@ -90,7 +92,8 @@ impl Rewriter {
                 None => self.call_of_value(expression),
             };
         }
-        if let Some((inputs, _)) = self.inner_function(path).map(|(inputs, lifted)| (inputs.clone(), lifted)) {
+        if let Some((inputs, _)) = self.inner_function(path).map(|(inputs, lifted)| (inputs.clone(), lifted))
+        {
             self.call_inner(&inputs, &mut call.args);
             return self.path(&mut call.func);
         }
@@ -140,8 +143,9 @@ impl Rewriter {
         }
     }
 
-    /// The user's function in the dual copy: of unknown type where the function as it was written does not compile, so that what is wrong with
-    /// the call is said once. In the plain copy it is in parentheses: where there is no such function, rustc then says the same of both.
+    /// The user's function in the dual copy: of unknown type where the function as it was written does not
+    /// compile, so that what is wrong with the call is said once. In the plain copy it is in parentheses:
+    /// where there is no such function, rustc then says the same of both.
     fn callee(&self, callee: &mut Expr) {
         *callee = match self.copy {
             Copy::Dual => parse_quote_spanned!(mixed(callee)=> ::kin::rt::callee::<__SOUND, _>(#callee)),
@@ -235,14 +239,17 @@ impl Rewriter {
         self.arguments(&mut call.args, receiver);
     }
 
-    /// The arguments of something that takes values as they are; closures among them are applied to what the others hold.
+    /// The arguments of something that takes values as they are; closures among them are applied to what the
+    /// others hold.
     fn arguments(&mut self, arguments: &mut Punctuated<Expr, syn::Token![,]>, receiver: Nature) {
         let nature = arguments.iter().fold(receiver, |all, argument| all.or(self.nature(argument)));
         for argument in arguments {
             match argument {
                 Expr::Closure(closure) => drop(self.closure(closure, nature)),
                 Expr::Path(path) => match self.variable(path).and_then(|variable| variable.inputs.clone()) {
-                    Some(inputs) => inputs.into_iter().flatten().for_each(|number| self.scopes.add(number, nature)),
+                    Some(inputs) => {
+                        inputs.into_iter().flatten().for_each(|number| self.scopes.add(number, nature))
+                    }
                     None => self.visit_expr_mut(argument),
                 },
                 other => self.visit_expr_mut(other),
@@ -250,14 +257,18 @@ impl Rewriter {
         }
     }
 
-    /// `map(f)` with a function of the user's as `map(|a| f(a))`, so that numbers are converted on their way into it.
+    /// `map(f)` with a function of the user's as `map(|a| f(a))`, so that numbers are converted on their way
+    /// into it.
     fn name_as_closure(&mut self, argument: &mut Expr, inputs: usize) {
         let Expr::Path(path) = &*argument else { return };
-        let users = self.variable(path).is_none() && self.inner_function(path).is_none() && is_function_name(path);
-        if inputs == 0 || !users || is_number_function(path) || is_kin_function(path) || is_std_function(path) {
+        let users =
+            self.variable(path).is_none() && self.inner_function(path).is_none() && is_function_name(path);
+        if inputs == 0 || !users || is_number_function(path) || is_kin_function(path) || is_std_function(path)
+        {
             return;
         }
-        let inputs: Vec<syn::Ident> = ["a", "b"][..inputs].iter().map(|name| syn::Ident::new(name, Span::mixed_site())).collect();
+        let inputs: Vec<syn::Ident> =
+            ["a", "b"][..inputs].iter().map(|name| syn::Ident::new(name, Span::mixed_site())).collect();
         *argument = parse_quote!(|#(#inputs),*| #path(#(#inputs),*));
     }
 
@@ -265,7 +276,8 @@ impl Rewriter {
         matches!(expression, Expr::Path(path) if self.variable(path).is_some_and(|variable| variable.own))
     }
 
-    /// An argument of the user's function: as it is, or as the plain or dual number that the function asks for.
+    /// An argument of the user's function: as it is, or as the plain or dual number that the function asks
+    /// for.
     fn argument(&mut self, argument: &mut Expr) {
         self.handed(argument, Place::Argument);
     }
@@ -282,27 +294,36 @@ impl Rewriter {
                 return self.place(&mut reference.expr);
             }
             Expr::Reference(reference) if nature.foreign => return self.place(&mut reference.expr),
-            Expr::Reference(reference) if matches!(*reference.expr, Expr::Closure(_)) => return self.argument(&mut reference.expr),
+            Expr::Reference(reference) if matches!(*reference.expr, Expr::Closure(_)) => {
+                return self.argument(&mut reference.expr);
+            }
             Expr::Reference(reference) if !nature.varies || self.copy == Copy::Plain => {
                 self.visit_expr_mut(&mut reference.expr);
                 let inner = &reference.expr;
                 *argument = match self.copy {
                     Copy::Plain => {
-                        let lifted = quote!(::kin::rt::Lift::<f64>::lift(::core::clone::Clone::clone(&#inner)));
+                        let lifted =
+                            quote!(::kin::rt::Lift::<f64>::lift(::core::clone::Clone::clone(&#inner)));
                         parse_quote_spanned!(at=> ::kin::rt::reference_argument(&#inner, &#lifted))
                     }
-                    Copy::Dual => parse_quote_spanned!(at=> ::kin::rt::reference_argument(&::kin::rt::constants(&#inner), &#inner)),
+                    Copy::Dual => {
+                        parse_quote_spanned!(at=> ::kin::rt::reference_argument(&::kin::rt::constants(&#inner), &#inner))
+                    }
                 };
                 return;
             }
-            Expr::Path(path) if self.variable(path).is_none() && is_function_name(path) => return self.visit_expr_mut(argument),
+            Expr::Path(path) if self.variable(path).is_none() && is_function_name(path) => {
+                return self.visit_expr_mut(argument);
+            }
             Expr::Path(_) if nature.foreign => {}
             Expr::Field(_) | Expr::Index(_) if nature.foreign => self.place(argument),
             _ => self.visit_expr_mut(argument),
         }
         *argument = match (self.copy, nature.varies) {
             (Copy::Plain, _) => parse_quote_spanned!(at=> ::kin::rt::plain_argument(#argument)),
-            (Copy::Dual, true) if place == Place::Field => parse_quote_spanned!(at=> ::kin::rt::Jet(#argument).field()),
+            (Copy::Dual, true) if place == Place::Field => {
+                parse_quote_spanned!(at=> ::kin::rt::Jet(#argument).field())
+            }
             (Copy::Dual, true) => parse_quote_spanned!(at=> ::kin::rt::Jet(#argument).argument()),
             (Copy::Dual, false) => parse_quote_spanned!(at=> ::kin::rt::constant_argument(#argument)),
         };

@@ -15,12 +15,19 @@ impl Rewriter {
             FnArg::Receiver(_) => 0,
         });
         let counts: Vec<usize> = inputs.collect();
-        counts.into_iter().map(|count| (0..count).map(|_| self.scopes.binding(Nature::default())).collect()).collect()
+        counts
+            .into_iter()
+            .map(|count| (0..count).map(|_| self.scopes.binding(Nature::default())).collect())
+            .collect()
     }
 
     /// A function inside the body becomes generic itself, if numbers go in or out.
     pub(super) fn inner_item(&mut self, function: &mut ItemFn) {
-        let Some(Name::Function { inputs, lifted }) = self.scopes.get(&function.sig.ident.to_string()).cloned() else { return };
+        let Some(Name::Function { inputs, lifted }) =
+            self.scopes.get(&function.sig.ident.to_string()).cloned()
+        else {
+            return;
+        };
         let outside = self.scopes.enter_function();
         let (copy, dual) = (self.copy, self.dual.clone());
         self.scopes.push();
@@ -62,7 +69,11 @@ impl Rewriter {
 
 /// Whether numbers go in or out.
 pub(super) fn takes_numbers(function: &ItemFn) -> bool {
-    let inputs = function.sig.inputs.iter().any(|input| matches!(input, FnArg::Typed(typed) if lift::holds_numbers(&typed.ty)));
+    let inputs = function
+        .sig
+        .inputs
+        .iter()
+        .any(|input| matches!(input, FnArg::Typed(typed) if lift::holds_numbers(&typed.ty)));
     inputs || matches!(&function.sig.output, syn::ReturnType::Type(_, ty) if lift::holds_numbers(ty))
 }
 

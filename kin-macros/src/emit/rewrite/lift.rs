@@ -21,7 +21,8 @@ impl VisitMut for Lifter<'_> {
         {
             match last.ident.to_string().as_str() {
                 "f64" => return *ty = parse_quote!(::kin::rt::Real<#dual>),
-                name @ ("Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "Axis" | "PlanarState" | "SpatialState") => {
+                name @ ("Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "Axis" | "PlanarState"
+                | "SpatialState") => {
                     let name = Ident::new(name, Span::call_site());
                     return *ty = parse_quote!(::kin::rt::#name<::kin::rt::Real<#dual>>);
                 }
@@ -46,7 +47,9 @@ pub fn is_unknown(ty: &Type) -> bool {
     match ty {
         Type::Path(path) => path.path.segments.last().is_some_and(|last| {
             let name = last.ident.to_string();
-            last.arguments.is_empty() && !matches!(name.as_str(), "f64" | "bool" | "char" | "str" | "String") && !is_integer(&name)
+            last.arguments.is_empty()
+                && !matches!(name.as_str(), "f64" | "bool" | "char" | "str" | "String")
+                && !is_integer(&name)
         }),
         _ => false,
     }
@@ -59,13 +62,20 @@ pub fn is_liftable(ty: &Type) -> bool {
         Type::Tuple(tuple) => tuple.elems.iter().all(is_liftable),
         Type::Paren(inner) => is_liftable(&inner.elem),
         Type::Group(inner) => is_liftable(&inner.elem),
-        Type::Path(path) => path.path.segments.last().is_some_and(|last| match (last.ident.to_string().as_str(), &last.arguments) {
-            ("f64" | "bool" | "char" | "String" | "Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters", syn::PathArguments::None) => true,
-            (name, syn::PathArguments::None) => is_integer(name),
-            ("Vec" | "Option", syn::PathArguments::AngleBracketed(given)) => {
-                given.args.iter().all(|argument| matches!(argument, syn::GenericArgument::Type(ty) if is_liftable(ty)))
+        Type::Path(path) => path.path.segments.last().is_some_and(|last| {
+            match (last.ident.to_string().as_str(), &last.arguments) {
+                (
+                    "f64" | "bool" | "char" | "String" | "Vec2" | "Vec3" | "Mat2" | "Mat3"
+                    | "EulerParameters",
+                    syn::PathArguments::None,
+                ) => true,
+                (name, syn::PathArguments::None) => is_integer(name),
+                ("Vec" | "Option", syn::PathArguments::AngleBracketed(given)) => given
+                    .args
+                    .iter()
+                    .all(|argument| matches!(argument, syn::GenericArgument::Type(ty) if is_liftable(ty))),
+                _ => false,
             }
-            _ => false,
         }),
         _ => false,
     }
@@ -126,7 +136,9 @@ impl Rewriter {
             return;
         }
         let apart = arms.drain(..).flat_map(|arm| match &arm.pat {
-            Pat::Or(or) if holds_float(&arm.pat) => or.cases.iter().map(|case| Arm { pat: case.clone(), ..arm.clone() }).collect(),
+            Pat::Or(or) if holds_float(&arm.pat) => {
+                or.cases.iter().map(|case| Arm { pat: case.clone(), ..arm.clone() }).collect()
+            }
             _ => vec![arm],
         });
         let apart: Vec<Arm> = apart.collect();

@@ -10,14 +10,18 @@ impl Rewriter {
     pub(super) fn number_to_mark(&mut self, expression: &Expr) -> Option<usize> {
         let computes = match expression {
             Expr::MethodCall(_) | Expr::Call(_) => true,
-            Expr::Binary(binary) => matches!(binary.op, BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) | BinOp::Rem(_)),
+            Expr::Binary(binary) => matches!(
+                binary.op,
+                BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) | BinOp::Rem(_)
+            ),
             _ => false,
         };
         let expressions = self.expressions.as_mut().filter(|_| computes && self.copy == Copy::Dual)?;
         Some(expressions.number(expression))
     }
 
-    /// `::kin::rt::ended(number, expression)`. An argument of a call lives as long as the expression itself would.
+    /// `::kin::rt::ended(number, expression)`. An argument of a call lives as long as the expression itself
+    /// would.
     pub(super) fn mark(&self, expression: &mut Expr, number: usize) {
         let (dual, number) = (&self.dual, Literal::usize_unsuffixed(number));
         let mut call: syn::ExprCall = parse_quote!(::kin::rt::ended::<#dual, _>(#number));

@@ -1,7 +1,8 @@
 //! The user's own body for the two emitted copies of it: plain f64 as written, and generic over dual numbers.
 //!
-//! In the dual copy f64 means `Real<D>` everywhere: literals, types and parameters are lifted. What only rustc knows (constants, fields of the
-//! user's types, the user's functions) is lifted where it comes in, and calls of the user's functions hand over what they ask for.
+//! In the dual copy f64 means `Real<D>` everywhere: literals, types and parameters are lifted. What only
+//! rustc knows (constants, fields of the user's types, the user's functions) is lifted where it comes in, and
+//! calls of the user's functions hand over what they ask for.
 
 mod foreign;
 mod inner;
@@ -109,7 +110,8 @@ impl VisitMut for Rewriter {
             Stmt::Macro(call) => self.macro_call(&mut call.mac),
             Stmt::Expr(Expr::MethodCall(call), Some(_)) => {
                 // A method that is called for what it does puts its arguments into its receiver.
-                let nature = call.args.iter().fold(Nature::default(), |all, argument| all.or(self.nature(argument)));
+                let nature =
+                    call.args.iter().fold(Nature::default(), |all, argument| all.or(self.nature(argument)));
                 self.feed(&call.receiver, nature);
                 visit_mut::visit_stmt_mut(self, statement);
             }
@@ -134,7 +136,8 @@ impl VisitMut for Rewriter {
         self.lift_pattern(&mut local.pat);
         match (&local.pat, inputs) {
             (Pat::Ident(name), Some(inputs)) => {
-                let variable = Variable { number: self.scopes.binding(nature), own: false, inputs: Some(inputs) };
+                let variable =
+                    Variable { number: self.scopes.binding(nature), own: false, inputs: Some(inputs) };
                 self.scopes.declare(name.ident.to_string(), Name::Variable(variable));
             }
             (pattern, _) => drop(self.declare(pattern, nature)),
@@ -202,7 +205,8 @@ impl Rewriter {
         Rewriter { copy, dual: dual_parameter(), scopes: Scopes::default(), expressions: None }
     }
 
-    /// `let x: Length = a + b;`, where only rustc knows that a `Length` is an f64: what is made of numbers alone says itself what it is.
+    /// `let x: Length = a + b;`, where only rustc knows that a `Length` is an f64: what is made of numbers
+    /// alone says itself what it is.
     fn unname(&self, pattern: &mut Pat, value: &Expr, nature: Nature) {
         if let Pat::Type(typed) = &*pattern
             && self.copy == Copy::Dual
@@ -242,7 +246,9 @@ impl Rewriter {
             Expr::Struct(literal) => self.struct_literal(literal),
             Expr::Reference(reference) if reference.mutability.is_some() => self.place(&mut reference.expr),
             Expr::Assign(assign) => self.assignment(&mut assign.left, &mut assign.right),
-            Expr::Binary(binary) if is_compound(&binary.op) => self.assignment(&mut binary.left, &mut binary.right),
+            Expr::Binary(binary) if is_compound(&binary.op) => {
+                self.assignment(&mut binary.left, &mut binary.right)
+            }
             Expr::Cast(_) => self.cast(expression),
             Expr::Closure(closure) => drop(self.closure(closure, Nature::ANY)),
             Expr::Macro(call) => self.macro_call(&mut call.mac),
@@ -257,11 +263,13 @@ impl Rewriter {
             let varies = argument.kind.slots() > 0 || argument.kind == Kind::Time;
             let own = argument.kind == Kind::Other && !is_liftable(&argument.ty);
             let number = self.scopes.binding(Nature { varies, foreign: own });
-            self.scopes.declare(argument.name.to_string(), Name::Variable(Variable { number, own, inputs: None }));
+            self.scopes
+                .declare(argument.name.to_string(), Name::Variable(Variable { number, own, inputs: None }));
         }
         if let Some(name) = variable {
             let number = self.scopes.binding(Nature { varies: true, foreign: false });
-            self.scopes.declare(name.to_string(), Name::Variable(Variable { number, own: false, inputs: None }));
+            self.scopes
+                .declare(name.to_string(), Name::Variable(Variable { number, own: false, inputs: None }));
         }
     }
 

@@ -6,7 +6,9 @@ use syn::{Block, Expr, Stmt, UnOp};
 
 use super::Rewriter;
 use super::scopes::{Name, Nature, Variable};
-use kin_language::vocabulary::{is_kin_function, is_kin_type, is_number_function, is_number_method, is_std_function};
+use kin_language::vocabulary::{
+    is_kin_function, is_kin_type, is_number_function, is_number_method, is_std_function,
+};
 
 impl Rewriter {
     pub fn nature(&self, expression: &Expr) -> Nature {
@@ -63,11 +65,13 @@ impl Rewriter {
             Expr::Closure(closure) => !self.is_of_its_own(&closure.body) && self.is_foreign(&closure.body),
             Expr::Block(block) => self.tail_is_foreign(&block.block),
             Expr::If(branch) => {
-                let otherwise = branch.else_branch.as_ref().is_some_and(|(_, otherwise)| self.is_foreign(otherwise));
+                let otherwise =
+                    branch.else_branch.as_ref().is_some_and(|(_, otherwise)| self.is_foreign(otherwise));
                 otherwise || self.tail_is_foreign(&branch.then_branch)
             }
             Expr::Match(branch) => branch.arms.iter().any(|arm| self.is_foreign(&arm.body)),
-            Expr::Macro(call) => super::macros::elements(&call.mac).is_some_and(|all| all.iter().any(|part| self.is_foreign(part))),
+            Expr::Macro(call) => super::macros::elements(&call.mac)
+                .is_some_and(|all| all.iter().any(|part| self.is_foreign(part))),
             _ => false,
         }
     }
@@ -77,7 +81,9 @@ impl Rewriter {
         let Expr::Block(block) = body else { return false };
         let Some(Stmt::Expr(Expr::Path(tail), None)) = block.block.stmts.last() else { return false };
         let small = |name: &syn::Ident| name.to_string().starts_with(|c: char| c.is_lowercase() || c == '_');
-        tail.path.get_ident().is_some_and(small) && self.variable(tail).is_none() && self.inner_function(tail).is_none()
+        tail.path.get_ident().is_some_and(small)
+            && self.variable(tail).is_none()
+            && self.inner_function(tail).is_none()
     }
 
     fn tail_is_foreign(&self, block: &Block) -> bool {

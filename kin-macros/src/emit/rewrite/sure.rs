@@ -1,18 +1,25 @@
-//! Whether the copy over dual numbers of a body is sure to be good Rust. It is made without knowing a type: where types of the user's meet numbers, or
-//! references and conversions hang on them, the equation over dual numbers comes out of the graph.
+//! Whether the copy over dual numbers of a body is sure to be good Rust. It is made without knowing a type:
+//! where types of the user's meet numbers, or references and conversions hang on them, the equation over dual
+//! numbers comes out of the graph.
 
 use syn::visit::{self, Visit};
 use syn::{Block, Expr, Item, Pat, Type};
 
 use kin_language::parse::{Argument, Kind};
-use kin_language::vocabulary::{is_integer, is_kin_function, is_kin_type, is_number_function, is_number_method, is_type_name, names};
+use kin_language::vocabulary::{
+    is_integer, is_kin_function, is_kin_type, is_number_function, is_number_method, is_type_name, names,
+};
 
 /// Whether it is.
 pub fn is_sure(body: &Block, arguments: &[Argument]) -> bool {
-    let states = arguments.iter().filter(|argument| matches!(argument.kind, Kind::Planar | Kind::Spatial | Kind::Axis));
-    let mut search = Search { states: states.map(|argument| argument.name.to_string()).collect(), unsure: false };
+    let states = arguments
+        .iter()
+        .filter(|argument| matches!(argument.kind, Kind::Planar | Kind::Spatial | Kind::Axis));
+    let mut search =
+        Search { states: states.map(|argument| argument.name.to_string()).collect(), unsure: false };
     search.visit_block(body);
-    let several = arguments.iter().any(|argument| matches!(argument.kind, Kind::Planars(_) | Kind::Spatials(_)));
+    let several =
+        arguments.iter().any(|argument| matches!(argument.kind, Kind::Planars(_) | Kind::Spatials(_)));
     !search.unsure && !several
 }
 
@@ -50,10 +57,14 @@ const METHODS: &[&str] = &[
 impl Search {
     fn path(&mut self, path: &syn::ExprPath) {
         let names = names(path);
-        let functions = is_number_function(path) || is_kin_function(path) && names.last().is_some_and(|name| name != "from");
-        let kin = names.iter().any(|name| matches!(name.as_str(), "Planar" | "Spatial" | "Law" | "Vector2" | "Vector3"));
+        let functions = is_number_function(path)
+            || is_kin_function(path) && names.last().is_some_and(|name| name != "from");
+        let kin = names
+            .iter()
+            .any(|name| matches!(name.as_str(), "Planar" | "Spatial" | "Law" | "Vector2" | "Vector3"));
         let of_type = names.len() > 1 && names[names.len() - 2].starts_with(char::is_uppercase) && !functions;
-        let wrapped = names.last().is_some_and(|name| matches!(name.as_str(), "Some" | "None" | "Ok" | "Err"));
+        let wrapped =
+            names.last().is_some_and(|name| matches!(name.as_str(), "Some" | "None" | "Ok" | "Err"));
         self.unsure |= kin || wrapped || of_type && !is_type_name(path);
     }
 }
@@ -75,7 +86,9 @@ impl Visit<'_> for Search {
 
     fn visit_expr_call(&mut self, call: &syn::ExprCall) {
         let is_state = |argument: &Expr| match argument {
-            Expr::Path(path) => path.path.get_ident().is_some_and(|name| self.states.contains(&name.to_string())),
+            Expr::Path(path) => {
+                path.path.get_ident().is_some_and(|name| self.states.contains(&name.to_string()))
+            }
             Expr::Reference(_) => true,
             _ => false,
         };
@@ -86,8 +99,8 @@ impl Visit<'_> for Search {
 
     fn visit_expr_method_call(&mut self, call: &syn::ExprMethodCall) {
         let name = call.method.to_string();
-        self.unsure |=
-            !is_number_method(&name) && !METHODS.contains(&name.as_str()) || matches!(name.as_str(), "total_cmp" | "partial_cmp");
+        self.unsure |= !is_number_method(&name) && !METHODS.contains(&name.as_str())
+            || matches!(name.as_str(), "total_cmp" | "partial_cmp");
         visit::visit_expr_method_call(self, call);
     }
 
@@ -114,14 +127,20 @@ impl Visit<'_> for Search {
     }
 
     fn visit_macro(&mut self, call: &syn::Macro) {
-        self.unsure |= !call.path.segments.last().is_some_and(|last| last.ident == "matches" || last.ident == "unreachable");
+        self.unsure |= !call
+            .path
+            .segments
+            .last()
+            .is_some_and(|last| last.ident == "matches" || last.ident == "unreachable");
     }
 
     fn visit_item(&mut self, item: &Item) {
         self.unsure |= match item {
             Item::Use(_) => false,
             Item::Const(constant) => !is_single(&constant.ty),
-            Item::Fn(function) => !function.sig.generics.params.is_empty() || function.sig.inputs.iter().any(takes_reference),
+            Item::Fn(function) => {
+                !function.sig.generics.params.is_empty() || function.sig.inputs.iter().any(takes_reference)
+            }
             _ => true,
         };
         visit::visit_item(self, item);

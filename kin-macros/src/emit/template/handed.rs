@@ -10,8 +10,17 @@ use kin_language::lower::template::Template;
 
 impl Writer<'_> {
     /// A struct or a variant: of what is put into it only constants may have to be converted.
-    pub(super) fn structure(&mut self, path: &syn::Path, fields: &[(String, Template)], braces: bool, using: Use) -> TokenStream {
-        let std = path.segments.last().is_some_and(|last| matches!(last.ident.to_string().as_str(), "Some" | "None" | "Ok" | "Err"));
+    pub(super) fn structure(
+        &mut self,
+        path: &syn::Path,
+        fields: &[(String, Template)],
+        braces: bool,
+        using: Use,
+    ) -> TokenStream {
+        let std = path
+            .segments
+            .last()
+            .is_some_and(|last| matches!(last.ident.to_string().as_str(), "Some" | "None" | "Ok" | "Err"));
         let mut all = Vec::new();
         for (_, field) in fields {
             all.push(match (field, self.site) {
@@ -42,7 +51,8 @@ impl Writer<'_> {
             }
             _ => {
                 let (r, p, a) = (&all[..3], &all[3..7], &all[7..]);
-                let (r, p) = (quote!(::kin::rt::Vec3::new(#(#r),*)), quote!(::kin::rt::EulerParameters::new(#(#p),*)));
+                let (r, p) =
+                    (quote!(::kin::rt::Vec3::new(#(#r),*)), quote!(::kin::rt::EulerParameters::new(#(#p),*)));
                 quote!(::kin::rt::SpatialState { r: #r, p: #p, a: ::kin::rt::Mat3::new(#(#a),*) })
             }
         };
@@ -55,10 +65,13 @@ impl Writer<'_> {
 
     pub(super) fn reference(&mut self, inner: &Template, using: Use) -> TokenStream {
         if let (Template::State(nodes, dimension, at), Use::Argument | Use::Field) = (inner, using) {
-            let (built, at) = (self.state(nodes, *dimension, *at, Use::Value), Span::mixed_site().located_at(*at));
+            let (built, at) =
+                (self.state(nodes, *dimension, *at, Use::Value), Span::mixed_site().located_at(*at));
             return match self.site {
                 Site::Leaf(_) => quote_spanned!(at=> ::kin::rt::Jet(&#built).argument()),
-                _ => quote_spanned!(at=> ::kin::rt::reference_argument(&#built, &::kin::rt::Lift::<f64>::lift(#built))),
+                _ => {
+                    quote_spanned!(at=> ::kin::rt::reference_argument(&#built, &::kin::rt::Lift::<f64>::lift(#built)))
+                }
             };
         }
         let (Template::Numbers(nodes, shape, at), Use::Argument | Use::Field) = (inner, using) else {
@@ -67,9 +80,15 @@ impl Writer<'_> {
         };
         let (built, at) = (self.built(nodes, shape), Span::mixed_site().located_at(*at));
         match self.site {
-            Site::Leaf(graph) if varies(graph, nodes) => quote_spanned!(at=> ::kin::rt::Jet(&#built).argument()),
-            Site::Leaf(_) => quote_spanned!(at=> ::kin::rt::reference_argument(&::kin::rt::constants(&#built), &#built)),
-            _ => quote_spanned!(at=> ::kin::rt::reference_argument(&#built, &::kin::rt::Lift::<f64>::lift(#built))),
+            Site::Leaf(graph) if varies(graph, nodes) => {
+                quote_spanned!(at=> ::kin::rt::Jet(&#built).argument())
+            }
+            Site::Leaf(_) => {
+                quote_spanned!(at=> ::kin::rt::reference_argument(&::kin::rt::constants(&#built), &#built))
+            }
+            _ => {
+                quote_spanned!(at=> ::kin::rt::reference_argument(&#built, &::kin::rt::Lift::<f64>::lift(#built)))
+            }
         }
     }
 
@@ -87,17 +106,23 @@ impl Writer<'_> {
                 let varying = leaf.is_some_and(|graph| varies(graph, nodes));
                 Probed { value: self.built(nodes, shape), how: how(varying), at: mixed(at) }
             }
-            Template::State(nodes, dimension, at) => {
-                Probed { value: self.state(nodes, *dimension, *at, Use::Value), how: how(true), at: mixed(at) }
-            }
+            Template::State(nodes, dimension, at) => Probed {
+                value: self.state(nodes, *dimension, *at, Use::Value),
+                how: how(true),
+                at: mixed(at),
+            },
             Template::Reference(inner) if matches!(**inner, Template::Numbers(..) | Template::State(..)) => {
                 let (built, varying, at) = match &**inner {
-                    Template::Numbers(nodes, shape, at) => (self.built(nodes, shape), leaf.is_some_and(|graph| varies(graph, nodes)), *at),
+                    Template::Numbers(nodes, shape, at) => {
+                        (self.built(nodes, shape), leaf.is_some_and(|graph| varies(graph, nodes)), *at)
+                    }
                     other => (self.write(other, Use::Value), true, argument_span(other)),
                 };
                 let how = match (leaf, varying) {
                     (None, _) => How::Reference(built.clone()),
-                    (Some(_), true) => return Probed { value: quote!(&#built), how: How::Jet, at: mixed(&at) },
+                    (Some(_), true) => {
+                        return Probed { value: quote!(&#built), how: How::Jet, at: mixed(&at) };
+                    }
                     (Some(_), false) => How::ConstantReference(built.clone()),
                 };
                 Probed { value: built, how, at: mixed(&at) }
@@ -150,7 +175,11 @@ pub(super) const MOST_ARGUMENTS: usize = 6;
 /// Whether a value has a type of its own, whatever the function asks for: a whole number has not.
 pub(super) fn is_bindable(template: &Template) -> bool {
     match template {
-        Template::Tokens(_) | Template::Tuple(_) | Template::Array(_) | Template::Choice(..) | Template::When(..) => false,
+        Template::Tokens(_)
+        | Template::Tuple(_)
+        | Template::Array(_)
+        | Template::Choice(..)
+        | Template::When(..) => false,
         Template::Reference(inner) => is_bindable(inner),
         _ => true,
     }

@@ -7,9 +7,14 @@ use super::super::order;
 use super::freed::{for_freedoms, out_of_line};
 use super::trial::Trial;
 
-/// Rows to leave out for what is superfluous, coordinates to drive for what is free. A dependency or freedom of this pose alone asks for
-/// another pose, not for another model.
-pub(crate) fn least(examined: &Examined<'_>, gaps: &[Gap], dependencies: &[Dependency], freedoms: &[Freedom]) -> Vec<Change> {
+/// Rows to leave out for what is superfluous, coordinates to drive for what is free. A dependency or freedom
+/// of this pose alone asks for another pose, not for another model.
+pub(crate) fn least(
+    examined: &Examined<'_>,
+    gaps: &[Gap],
+    dependencies: &[Dependency],
+    freedoms: &[Freedom],
+) -> Vec<Change> {
     let drivers = gaps.iter().all(|gap| gap.rows.iter().all(|row| examined.model().drives(*row)));
     let mut changes: Vec<Change> = Vec::new();
     match examined.cures {
@@ -46,9 +51,10 @@ pub(crate) fn least(examined: &Examined<'_>, gaps: &[Gap], dependencies: &[Depen
         }
     }
     conflicts.dedup_by(|a, b| a.0 == b.0);
-    changes.extend(
-        conflicts.into_iter().map(|(constraint, found)| Change::Remove { or: others(examined, &constraint, &[found]), constraint }),
-    );
+    changes.extend(conflicts.into_iter().map(|(constraint, found)| Change::Remove {
+        or: others(examined, &constraint, &[found]),
+        constraint,
+    }));
     changes.extend(leave_out(examined, &rows));
     changes.extend(for_freedoms(examined, freedoms));
     if changes.is_empty() && gaps.is_empty() {
@@ -58,11 +64,13 @@ pub(crate) fn least(examined: &Examined<'_>, gaps: &[Gap], dependencies: &[Depen
     changes
 }
 
-/// Of a mechanism without a driver that its joints hold at a special position alone: those of which one could hold less.
+/// Of a mechanism without a driver that its joints hold at a special position alone: those of which one could
+/// hold less.
 fn loosened(examined: &Examined<'_>, dependencies: &[Dependency]) -> Option<Change> {
     let model = examined.model();
     let is_driven = (0..model.m()).any(|row| model.drives(row));
-    let mut constraints: Vec<String> = dependencies.iter().flat_map(Dependency::constraints).map(str::to_string).collect();
+    let mut constraints: Vec<String> =
+        dependencies.iter().flat_map(Dependency::constraints).map(str::to_string).collect();
     constraints.sort_by(|a, b| order::natural(a, b));
     constraints.dedup();
     (!is_driven && !constraints.is_empty()).then_some(Change::Loosen { constraints })
@@ -72,7 +80,10 @@ fn loosened(examined: &Examined<'_>, dependencies: &[Dependency]) -> Option<Chan
 fn for_gap(examined: &Examined<'_>, gap: &Gap, dependencies: &[Dependency]) -> Change {
     let model = examined.model();
     let constraint = gap.constraint.clone();
-    let sets: Vec<&Dependency> = dependencies.iter().filter(|found| found.terms.iter().any(|term| gap.rows.contains(&term.row))).collect();
+    let sets: Vec<&Dependency> = dependencies
+        .iter()
+        .filter(|found| found.terms.iter().any(|term| gap.rows.contains(&term.row)))
+        .collect();
     if gap.rows.iter().all(|row| model.drives(*row)) {
         if !gap.lasting {
             return Change::Limit { constraint, asks: gap.asks.clone(), or: Vec::new() };
@@ -81,11 +92,13 @@ fn for_gap(examined: &Examined<'_>, gap: &Gap, dependencies: &[Dependency]) -> C
         or.retain(|name| can_go(examined, name));
         return Change::Remove { or, constraint };
     }
-    let own = |found: &&Dependency| found.terms.first().map(|term| term.row).filter(|row| gap.rows.contains(row));
+    let own =
+        |found: &&Dependency| found.terms.first().map(|term| term.row).filter(|row| gap.rows.contains(row));
     let mut rows: Vec<usize> = sets.iter().filter_map(own).collect();
     rows.sort_unstable();
     rows.retain(|row| works_without(examined, &[*row]));
-    let name = |row: &usize| model.equations.block_of(*row).map(|(block, local)| block.row(local).to_string());
+    let name =
+        |row: &usize| model.equations.block_of(*row).map(|(block, local)| block.row(local).to_string());
     let or_drop = rows.iter().filter_map(name).collect();
     Change::Fit { constraint, missing: gap.size(), or_drop, of: gap.rows.len() }
 }
@@ -96,7 +109,8 @@ fn can_go(examined: &Examined<'_>, name: &str) -> bool {
     block.is_some_and(|block| works_without(examined, &block.rows().collect::<Vec<_>>()))
 }
 
-/// Whether the mechanism closes without these equations, and each driver among them has had something to drive; else every driver that is left has.
+/// Whether the mechanism closes without these equations, and each driver among them has had something to
+/// drive; else every driver that is left has.
 fn works_without(examined: &Examined<'_>, rows: &[usize]) -> bool {
     let model = examined.model();
     let trial = Trial { model: *model, t: examined.t, without: rows, steps: examined.walk.steps };
@@ -105,11 +119,16 @@ fn works_without(examined: &Examined<'_>, rows: &[usize]) -> bool {
     trial.closed(examined.q).is_some_and(|found| trial.moves(&found, &drivers))
 }
 
-/// What could be removed in place of a driver that is in conflict: other drivers; where there are none, joints of one row.
+/// What could be removed in place of a driver that is in conflict: other drivers; where there are none,
+/// joints of one row.
 fn others(examined: &Examined<'_>, own: &str, sets: &[&Dependency]) -> Vec<String> {
     let names = |wanted: &dyn Fn(usize) -> bool| {
         let mut all: Vec<String> = Vec::new();
-        for term in sets.iter().flat_map(|found| &found.terms).filter(|term| term.constraint != own && wanted(term.row)) {
+        for term in sets
+            .iter()
+            .flat_map(|found| &found.terms)
+            .filter(|term| term.constraint != own && wanted(term.row))
+        {
             if !all.contains(&term.constraint) {
                 all.push(term.constraint.clone());
             }
@@ -128,7 +147,11 @@ fn others(examined: &Examined<'_>, own: &str, sets: &[&Dependency]) -> Vec<Strin
 fn leave_out(examined: &Examined<'_>, rows: &[usize]) -> Vec<Change> {
     let mut changes = Vec::new();
     for block in &examined.model().equations.blocks {
-        let own: Vec<usize> = rows.iter().filter(|row| block.rows().contains(row)).map(|row| row - block.rows().start).collect();
+        let own: Vec<usize> = rows
+            .iter()
+            .filter(|row| block.rows().contains(row))
+            .map(|row| row - block.rows().start)
+            .collect();
         if own.is_empty() {
             continue;
         }
@@ -138,8 +161,13 @@ fn leave_out(examined: &Examined<'_>, rows: &[usize]) -> Vec<Change> {
         } else {
             let mut own = own;
             own.sort_unstable();
-            let instead = instead(block.constraint.kind(), block.constraint.rows().len(), &own).map(str::to_string);
-            Change::Drop { constraint, rows: own.iter().map(|local| block.row(*local).to_string()).collect(), instead }
+            let instead =
+                instead(block.constraint.kind(), block.constraint.rows().len(), &own).map(str::to_string);
+            Change::Drop {
+                constraint,
+                rows: own.iter().map(|local| block.row(*local).to_string()).collect(),
+                instead,
+            }
         });
     }
     changes

@@ -1,4 +1,5 @@
-//! Dimensions of a mechanism as a designer knows them, found among the parameters of its constraints: lengths of bodies, points, numbers.
+//! Dimensions of a mechanism as a designer knows them, found among the parameters of its constraints: lengths
+//! of bodies, points, numbers.
 
 use crate::model::constraint::{Attached, Constraint};
 use crate::model::layout::Place;
@@ -45,11 +46,17 @@ pub(crate) enum Of {
 
 /// Every point that is given to a constraint.
 pub(crate) fn points(model: &Model<'_>) -> Vec<PointAt> {
-    let blocks = model.equations.blocks.iter().enumerate().filter(|(_, block)| block.constraint.kind() != "euler_norm");
+    let blocks = model
+        .equations
+        .blocks
+        .iter()
+        .enumerate()
+        .filter(|(_, block)| block.constraint.kind() != "euler_norm");
     blocks.flat_map(|(k, block)| points_of(model, k, block.constraint.as_ref())).collect()
 }
 
-/// Vectors among the parameters that are points of bodies: by what the constraint says of its points, else by their names (`u_i` of `i`).
+/// Vectors among the parameters that are points of bodies: by what the constraint says of its points, else by
+/// their names (`u_i` of `i`).
 fn points_of(model: &Model<'_>, block: usize, constraint: &dyn Constraint) -> Vec<PointAt> {
     let arguments = constraint.arguments();
     let mut attached: Vec<(usize, [f64; 3])> = Vec::new();
@@ -61,8 +68,12 @@ fn points_of(model: &Model<'_>, block: usize, constraint: &dyn Constraint) -> Ve
     let mut found = Vec::new();
     for (first, name, value) in vectors(constraint) {
         let is = |(_, point): &(usize, [f64; 3])| value.iter().zip(point).all(|(a, b)| a == b);
-        let by_name = |argument: usize| name.rsplit_once('_').is_some_and(|(_, end)| end == arguments[argument].name);
-        let taken = attached.iter().position(|known| is(known) && by_name(known.0)).or_else(|| attached.iter().position(is));
+        let by_name =
+            |argument: usize| name.rsplit_once('_').is_some_and(|(_, end)| end == arguments[argument].name);
+        let taken = attached
+            .iter()
+            .position(|known| is(known) && by_name(known.0))
+            .or_else(|| attached.iter().position(is));
         let Some((argument, _)) = taken.map(|k| attached.remove(k)) else { continue };
         let item = match arguments.get(argument).and_then(|argument| model.layout.place(&argument.target)) {
             Some(Place::Own { item, .. }) => Some(item),
@@ -82,8 +93,9 @@ fn vectors(constraint: &dyn Constraint) -> Vec<(usize, String, Vec<f64>)> {
         match name.rsplit_once('.') {
             Some((vector, "x")) => all.push((number, vector.to_string(), vec![value])),
             Some((vector, "y" | "z")) => {
-                if let Some((_, _, values)) =
-                    all.last_mut().filter(|(first, known, values)| known == vector && first + values.len() == number)
+                if let Some((_, _, values)) = all
+                    .last_mut()
+                    .filter(|(first, known, values)| known == vector && first + values.len() == number)
                 {
                     values.push(value);
                 }
@@ -105,7 +117,9 @@ pub(crate) fn all(model: &Model<'_>) -> Vec<Dimension> {
             dimensions.push(length);
         }
     }
-    for (block, own) in model.equations.blocks.iter().enumerate().filter(|(_, own)| own.constraint.kind() != "euler_norm") {
+    for (block, own) in
+        model.equations.blocks.iter().enumerate().filter(|(_, own)| own.constraint.kind() != "euler_norm")
+    {
         let mut number = 0;
         own.constraint.parameters(&mut |name, value| {
             if !name.contains(['.', '[']) {
@@ -133,8 +147,15 @@ fn at(point: PointAt) -> Dimension {
 
 /// The length of a body with points at (±a, 0, 0): those of a link. Points at its ends are marked as used.
 fn length(item: usize, points: &[PointAt], used: &mut [bool]) -> Option<Dimension> {
-    let end = |point: &PointAt| point.item == Some(item) && point.value[0] != 0.0 && point.value[1..].iter().all(|x| *x == 0.0);
-    let ends: Vec<(usize, f64)> = points.iter().enumerate().filter(|(_, point)| end(point)).map(|(k, point)| (k, point.value[0])).collect();
+    let end = |point: &PointAt| {
+        point.item == Some(item) && point.value[0] != 0.0 && point.value[1..].iter().all(|x| *x == 0.0)
+    };
+    let ends: Vec<(usize, f64)> = points
+        .iter()
+        .enumerate()
+        .filter(|(_, point)| end(point))
+        .map(|(k, point)| (k, point.value[0]))
+        .collect();
     let half = ends.iter().find(|(_, x)| *x > 0.0 && ends.iter().any(|(_, other)| *other == -x))?.1;
     let own = ends.into_iter().filter(|(_, x)| x.abs() == half);
     let slots = own.map(|(k, x)| {
@@ -149,7 +170,9 @@ impl Dimension {
     pub(crate) fn put(&self, equations: &mut Equations, value: &[f64]) -> bool {
         let offsets = self.slots.iter().map(|&(slot, k, factor)| (slot, factor * (value[k] - self.value[k])));
         let given: Vec<(Slot, f64)> = offsets.collect();
-        given.into_iter().all(|(slot, offset)| self.base(slot).is_some_and(|base| set(equations, slot, base + offset)))
+        given
+            .into_iter()
+            .all(|(slot, offset)| self.base(slot).is_some_and(|base| set(equations, slot, base + offset)))
             && self.blocks().all(|block| equations.blocks[block].constraint.refusal().is_none())
     }
 

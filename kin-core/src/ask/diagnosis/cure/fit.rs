@@ -29,15 +29,26 @@ const HALVINGS: usize = 18;
 const NEAR: usize = 60;
 
 /// Another value of the dimension that does, nearest to the one it has, where there is one.
-pub(crate) fn fit(model: &Model<'_>, dimension: &Dimension, near: &Found, t: f64, without: &[usize], steps: usize) -> Option<Fitted> {
+pub(crate) fn fit(
+    model: &Model<'_>,
+    dimension: &Dimension,
+    near: &Found,
+    t: f64,
+    without: &[usize],
+    steps: usize,
+) -> Option<Fitted> {
     let (equations, scale) = (model.equations.clone(), scale(dimension, &near.measures, model));
     let mut fit = Fit { model: *model, equations, dimension, t, without, steps, scale };
     let (value, q) = fit.solved(near)?;
     if let [_] = dimension.value[..] {
         return fit.bounded(value, &q);
     }
-    let beyond: Vec<f64> = dimension.value.iter().zip(&value).map(|(is, to)| is + (1.0 + SPARE) * (to - is)).collect();
-    [(beyond, false), (value, true)].into_iter().find(|(value, _)| fit.works(value, &q)).map(|(value, exact)| fit.told(value, exact))
+    let beyond: Vec<f64> =
+        dimension.value.iter().zip(&value).map(|(is, to)| is + (1.0 + SPARE) * (to - is)).collect();
+    [(beyond, false), (value, true)]
+        .into_iter()
+        .find(|(value, _)| fit.works(value, &q))
+        .map(|(value, exact)| fit.told(value, exact))
 }
 
 struct Fit<'a> {
@@ -53,7 +64,8 @@ struct Fit<'a> {
 }
 
 fn scale(dimension: &Dimension, measures: &Measures, model: &Model<'_>) -> f64 {
-    let length = model.layout.units.iter().position(|unit| *unit == Unit::Metre).map_or(1.0, |k| measures.sizes[k]);
+    let length =
+        model.layout.units.iter().position(|unit| *unit == Unit::Metre).map_or(1.0, |k| measures.sizes[k]);
     dimension.value.iter().fold(length, |m, x| m.max(x.abs()))
 }
 
@@ -76,10 +88,14 @@ impl Fit<'_> {
     fn works(&mut self, value: &[f64], from: &[f64]) -> bool {
         let Some(found) = self.closed(value, from) else { return false };
         let (t, without, steps) = (self.t, self.without, self.steps);
-        self.with(value, |model| Trial { model, t, without, steps }.moves(&found, &drivers(&model, without)).then_some(())).is_some()
+        self.with(value, |model| {
+            Trial { model, t, without, steps }.moves(&found, &drivers(&model, without)).then_some(())
+        })
+        .is_some()
     }
 
-    /// The value that is told for one that closes: the end of those that do, as near as possible to what the dimension is.
+    /// The value that is told for one that closes: the end of those that do, as near as possible to what the
+    /// dimension is.
     fn bounded(&mut self, value: Vec<f64>, q: &[f64]) -> Option<Fitted> {
         let (is, to) = (self.dimension.value[0], value[0]);
         if to <= 0.0 && matches!(self.dimension.of, Of::Length(_) | Of::Point(..)) {
@@ -91,7 +107,11 @@ impl Fit<'_> {
         };
         let (mut open, mut closed, mut pose) = (is, beyond(to), found.place.q);
         for _ in 0..HALVINGS {
-            let middle = if open * closed > 0.0 { (open * closed).sqrt().copysign(open) } else { 0.5 * (open + closed) };
+            let middle = if open * closed > 0.0 {
+                (open * closed).sqrt().copysign(open)
+            } else {
+                0.5 * (open + closed)
+            };
             if (closed - open).abs() < CLOSE * closed.abs() {
                 break;
             }
@@ -127,10 +147,17 @@ impl Fit<'_> {
         const DAMPING: [f64; 2] = [1e-2, 1e-12];
         const MET: f64 = 1e-12;
         let (n, m, d) = (self.model.n(), self.model.m(), self.dimension.value.len());
-        let places: Vec<Option<(usize, usize)>> =
-            self.model.equations.entries.iter().copied().chain((0..d).flat_map(|k| (0..m).map(move |row| Some((row, n + k))))).collect();
+        let places: Vec<Option<(usize, usize)>> = self
+            .model
+            .equations
+            .entries
+            .iter()
+            .copied()
+            .chain((0..d).flat_map(|k| (0..m).map(move |row| Some((row, n + k)))))
+            .collect();
         let mut tall = LeastSquares::new(m, n + d, &places);
-        let (mut q, mut value, mut damping) = (near.place.q.clone(), self.dimension.value.clone(), DAMPING[0]);
+        let (mut q, mut value, mut damping) =
+            (near.place.q.clone(), self.dimension.value.clone(), DAMPING[0]);
         let (mut point, mut slopes) = self.linearized(&q, &value)?;
         let mut merit = self.merit(&point, &near.measures);
         for _ in 0..self.steps {
@@ -139,8 +166,10 @@ impl Fit<'_> {
             }
             let y = self.step(&mut tall, (&point, &slopes), &near.measures, damping);
             let next = y.and_then(|y| {
-                let moved: Vec<f64> = q.iter().zip(&y).zip(&near.measures.sizes).map(|((q, y), size)| q + y * size).collect();
-                let changed: Vec<f64> = value.iter().zip(&y[n..]).map(|(value, y)| value + y * self.scale).collect();
+                let moved: Vec<f64> =
+                    q.iter().zip(&y).zip(&near.measures.sizes).map(|((q, y), size)| q + y * size).collect();
+                let changed: Vec<f64> =
+                    value.iter().zip(&y[n..]).map(|(value, y)| value + y * self.scale).collect();
                 let (point, slopes) = self.linearized(&moved, &changed)?;
                 Some((self.merit(&point, &near.measures), moved, changed, point, slopes))
             });
@@ -177,17 +206,25 @@ impl Fit<'_> {
     }
 
     fn merit(&self, point: &Point, measures: &Measures) -> f64 {
-        let rows = point.c.iter().zip(&measures.norms).enumerate().filter(|(row, _)| !self.without.contains(row));
+        let rows =
+            point.c.iter().zip(&measures.norms).enumerate().filter(|(row, _)| !self.without.contains(row));
         rows.map(|(_, (c, norm))| (c / norm).powi(2)).sum()
     }
 
-    fn step(&self, tall: &mut LeastSquares, (point, slopes): (&Point, &[f64]), measures: &Measures, damping: f64) -> Option<Vec<f64>> {
+    fn step(
+        &self,
+        tall: &mut LeastSquares,
+        (point, slopes): (&Point, &[f64]),
+        measures: &Measures,
+        damping: f64,
+    ) -> Option<Vec<f64>> {
         let Measures { sizes, norms, .. } = measures;
         let m = norms.len();
         let weight = |row: usize| if self.without.contains(&row) { 0.0 } else { norms[row].recip() };
         let entries = self.model.equations.entries.iter().zip(&point.values);
-        let mut values: Vec<f64> =
-            entries.map(|(entry, value)| entry.map_or(0.0, |(row, column)| weight(row) * value * sizes[column])).collect();
+        let mut values: Vec<f64> = entries
+            .map(|(entry, value)| entry.map_or(0.0, |(row, column)| weight(row) * value * sizes[column]))
+            .collect();
         values.extend(slopes.iter().enumerate().map(|(k, slope)| weight(k % m) * slope * self.scale));
         if !tall.factor(values.iter().copied(), damping) {
             return None;

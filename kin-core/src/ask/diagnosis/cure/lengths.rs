@@ -1,4 +1,5 @@
-//! Which lengths do not fit where a mechanism cannot be closed: those of which another value lets it close and move, the likeliest first.
+//! Which lengths do not fit where a mechanism cannot be closed: those of which another value lets it close
+//! and move, the likeliest first.
 
 use super::super::options::Search;
 use super::super::order;
@@ -14,12 +15,19 @@ const TOLD: usize = 3;
 /// Mechanisms of more coordinates are not examined for their lengths.
 const EXAMINED: usize = 400;
 
-/// A length that is this many times the middle one of all, or as many times smaller, is out of scale: a unit or a decimal point is wrong.   \[-\]
+/// A length that is this many times the middle one of all, or as many times smaller, is out of scale: a unit
+/// or a decimal point is wrong.   \[-\]
 const OUT_OF_SCALE: f64 = 30.0;
 
-/// The dimensions that would do, where the constraints that take part cannot be met together; nothing where only what is out of scale is asked for and
-/// nothing is.
-pub(crate) fn that_fit(search: &Search<'_>, found: &Found, part: &[usize], without: &[usize], out_of_scale: bool) -> Vec<Resize> {
+/// The dimensions that would do, where the constraints that take part cannot be met together; nothing where
+/// only what is out of scale is asked for and nothing is.
+pub(crate) fn that_fit(
+    search: &Search<'_>,
+    found: &Found,
+    part: &[usize],
+    without: &[usize],
+    out_of_scale: bool,
+) -> Vec<Resize> {
     let model = &search.model;
     if model.n() > EXAMINED {
         return Vec::new();
@@ -30,9 +38,13 @@ pub(crate) fn that_fit(search: &Search<'_>, found: &Found, part: &[usize], witho
     let takes_part = |dimension: &Dimension| dimension.blocks().any(|block| part.contains(&block));
     // A point at the origin of its body has no scale.
     let is_out = |dimension: &Dimension| {
-        dimension.size() > 0.0 && dimension.is_length() && scale.is_some_and(|middle| ratio(dimension.size(), middle) > OUT_OF_SCALE)
+        dimension.size() > 0.0
+            && dimension.is_length()
+            && scale.is_some_and(|middle| ratio(dimension.size(), middle) > OUT_OF_SCALE)
     };
-    let likely = all.iter().filter(|dimension| !drives(dimension) && takes_part(dimension) && (!out_of_scale || is_out(dimension)));
+    let likely = all.iter().filter(|dimension| {
+        !drives(dimension) && takes_part(dimension) && (!out_of_scale || is_out(dimension))
+    });
     let mut fits: Vec<(bool, f64, Resize)> = Vec::new();
     for dimension in likely.take(TRIED) {
         if search.clock.is_up() {
@@ -45,7 +57,8 @@ pub(crate) fn that_fit(search: &Search<'_>, found: &Found, part: &[usize], witho
         fits.extend(fitted(dimension).or_else(|| fitted(&dimension.anywhere()?)));
     }
     // Of two that are as likely the one is told whose constraint is the first to be called superfluous.
-    let order: Vec<usize> = order::of_rows(model).into_iter().filter_map(|row| model.equations.block_index(row)).collect();
+    let order: Vec<usize> =
+        order::of_rows(model).into_iter().filter_map(|row| model.equations.block_index(row)).collect();
     let rank = |resize: &Resize| {
         let name = match &resize.of {
             Size::Number { constraint, .. } | Size::Point { constraint, .. } => constraint,
@@ -54,14 +67,16 @@ pub(crate) fn that_fit(search: &Search<'_>, found: &Found, part: &[usize], witho
         order.iter().position(|block| model.equations.blocks[*block].name == *name).unwrap_or(usize::MAX)
     };
     let about = |unlikely: f64| (unlikely * 20.0).round();
-    fits.sort_by(|a, b| a.0.cmp(&b.0).then(about(a.1).total_cmp(&about(b.1))).then_with(|| rank(&a.2).cmp(&rank(&b.2))));
+    fits.sort_by(|a, b| {
+        a.0.cmp(&b.0).then(about(a.1).total_cmp(&about(b.1))).then_with(|| rank(&a.2).cmp(&rank(&b.2)))
+    });
     // What is out of scale is the one thing to change.
     let only = if fits.first().is_some_and(|first| !first.0) { 1 } else { TOLD };
     fits.into_iter().take(only).map(|(_, _, resize)| resize).collect()
 }
 
-/// How unlikely a change is: the larger it is and the further it leads away from the middle one of all lengths; points are less often wrong than
-/// lengths.   \[-\]
+/// How unlikely a change is: the larger it is and the further it leads away from the middle one of all
+/// lengths; points are less often wrong than lengths.   \[-\]
 fn unlikely(dimension: &Dimension, fitted: &Fitted, middle: Option<f64>) -> f64 {
     const POINT: f64 = 1.25;
     const ORIGIN: f64 = 0.25;
@@ -96,7 +111,9 @@ fn told(search: &Search<'_>, dimension: &Dimension, Fitted { value, exact, .. }:
     let of = match &dimension.of {
         Of::Length(item) => Size::Length { body: body(*item) },
         Of::Number(block, name) => Size::Number { constraint: constraint(*block), parameter: name.clone() },
-        Of::Point(block, name, item) => Size::Point { constraint: constraint(*block), parameter: name.clone(), body: item.map(body) },
+        Of::Point(block, name, item) => {
+            Size::Point { constraint: constraint(*block), parameter: name.clone(), body: item.map(body) }
+        }
     };
     Resize { of, is: dimension.told(&dimension.value), fits: dimension.told(&value), exact }
 }

@@ -1,5 +1,6 @@
-//! Slips of the pen: points that were given to a constraint in the wrong order, in the wrong frame or for the wrong end. Each is looked for only where
-//! the numbers speak for it, and told only if the mechanism closes and moves without it.
+//! Slips of the pen: points that were given to a constraint in the wrong order, in the wrong frame or for the
+//! wrong end. Each is looked for only where the numbers speak for it, and told only if the mechanism closes
+//! and moves without it.
 
 use super::super::options::Search;
 use super::dimension::{self, PointAt};
@@ -50,7 +51,8 @@ impl Looked<'_> {
         }
         let model = Model { equations: &equations, ..*self.model() };
         let options = SearchOptions { starts: STARTS, ..self.search.options.search.clone() };
-        let found = search::search(model, self.drawn, self.search.t, &|_| true, &options).filter(|found| found.met && found.meant);
+        let found = search::search(model, self.drawn, self.search.t, &|_| true, &options)
+            .filter(|found| found.met && found.meant);
         let trial = Trial { model, t: self.search.t, without: &[], steps: options.steps };
         found.is_some_and(|found| trial.moves(&found, &drivers(&model, &[])))
     }
@@ -96,7 +98,8 @@ impl Looked<'_> {
         a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt() > SAME * self.length
     }
 
-    /// The constraints with just two points, in different bodies: places where two points are to meet as a rule.
+    /// The constraints with just two points, in different bodies: places where two points are to meet as a
+    /// rule.
     fn pairs(&self) -> impl Iterator<Item = (&PointAt, &PointAt)> {
         self.points.chunk_by(|a, b| a.block == b.block).filter_map(|own| match own {
             [i, j] if i.argument != j.argument && i.value.len() == j.value.len() => Some((i, j)),
@@ -116,7 +119,9 @@ impl Looked<'_> {
             }
             // As global points: one of them, or both.
             let (p, q) = (vector(&i.value), vector(&j.value));
-            let meets = |known: Option<[f64; 3]>, global: [f64; 3]| known.is_some_and(|known| !self.apart(known, global));
+            let meets = |known: Option<[f64; 3]>, global: [f64; 3]| {
+                known.is_some_and(|known| !self.apart(known, global))
+            };
             let slipped: &[&PointAt] = match (i.item, j.item) {
                 _ if !self.apart(p, q) && i.value.iter().any(|x| *x != 0.0) => &[i, j],
                 (_, Some(_)) if meets(as_given(i), q) => &[j],
@@ -130,9 +135,12 @@ impl Looked<'_> {
         }
         let block = wrong.first()?.0.block;
         let works = self.works(|equations| {
-            wrong
-                .iter()
-                .all(|(point, local)| local.iter().enumerate().all(|(k, x)| dimension::set(equations, (point.block, point.first + k), *x)))
+            wrong.iter().all(|(point, local)| {
+                local
+                    .iter()
+                    .enumerate()
+                    .all(|(k, x)| dimension::set(equations, (point.block, point.first + k), *x))
+            })
         });
         let told = |(point, local): &(&PointAt, Vec<f64>)| GlobalPoint {
             constraint: self.model().equations.blocks[point.block].name.clone(),
@@ -148,19 +156,29 @@ impl Looked<'_> {
         item.map_or_else(|| "ground".to_string(), |item| self.model().layout.items[item].name.clone())
     }
 
-    /// Whether a body has the mirror image of a point where another constraint holds it: they are the two ends of a link.
+    /// Whether a body has the mirror image of a point where another constraint holds it: they are the two
+    /// ends of a link.
     fn is_end(&self, u: &[f64], item: Option<usize>, block: usize) -> bool {
-        let mirrored = |point: &&PointAt| point.block != block && point.value.iter().zip(u).all(|(a, b)| *a == -b);
-        item.is_some() && u.iter().any(|x| *x != 0.0) && self.points.iter().filter(|point| point.item == item).any(|point| mirrored(&point))
+        let mirrored =
+            |point: &&PointAt| point.block != block && point.value.iter().zip(u).all(|(a, b)| *a == -b);
+        item.is_some()
+            && u.iter().any(|x| *x != 0.0)
+            && self.points.iter().filter(|point| point.item == item).any(|point| mirrored(&point))
     }
 
     /// Two points, each of which is one of the other's body.
     fn swapped(&self) -> Option<Slip> {
         let told = |(i, j): (&PointAt, &PointAt)| {
-            let ends = self.is_end(&j.value, i.item, i.block) && (j.item.is_none() || self.is_end(&i.value, j.item, i.block))
-                || i.item.is_none() && self.is_end(&i.value, j.item, i.block) && !self.is_end(&j.value, j.item, i.block);
-            // A link and a body of any other shape: the link's end is given for that body, and a point that is no end for the link.
-            let foreign_end = |own: &PointAt, other: &PointAt| self.is_end(&other.value, own.item, i.block) && other.item.is_some();
+            let ends = self.is_end(&j.value, i.item, i.block)
+                && (j.item.is_none() || self.is_end(&i.value, j.item, i.block))
+                || i.item.is_none()
+                    && self.is_end(&i.value, j.item, i.block)
+                    && !self.is_end(&j.value, j.item, i.block);
+            // A link and a body of any other shape: the link's end is given for that body, and a point that
+            // is no end for the link.
+            let foreign_end = |own: &PointAt, other: &PointAt| {
+                self.is_end(&other.value, own.item, i.block) && other.item.is_some()
+            };
             let link = foreign_end(i, j) || foreign_end(j, i);
             let [i_is_right, j_is_right] = [i, j].map(|point| self.is_end(&point.value, point.item, i.block));
             let one_is_right = i_is_right && j_is_right;
@@ -189,10 +207,15 @@ impl Looked<'_> {
     /// Two constraints at the same end of a body that has no constraint at its other end.
     fn same_end(&self) -> Option<Slip> {
         for (k, a) in self.points.iter().enumerate() {
-            let on_body: Vec<&PointAt> = self.points.iter().filter(|point| point.item.is_some() && point.item == a.item).collect();
+            let on_body: Vec<&PointAt> =
+                self.points.iter().filter(|point| point.item.is_some() && point.item == a.item).collect();
             let [first, second] = on_body[..] else { continue };
             let is_end = a.value[0] != 0.0 && a.value[1..].iter().all(|x| *x == 0.0);
-            if first.value != second.value || !is_end || first.block == second.block || !std::ptr::eq(first, &raw const self.points[k]) {
+            if first.value != second.value
+                || !is_end
+                || first.block == second.block
+                || !std::ptr::eq(first, &raw const self.points[k])
+            {
                 continue;
             }
             let works = [first, second].into_iter().any(|point| {
@@ -202,8 +225,10 @@ impl Looked<'_> {
                 })
             });
             if works {
-                let constraints = [first, second].map(|point| self.model().equations.blocks[point.block].name.clone());
-                let change = Change::OtherEnd { constraints, body: self.name(a.item), point: a.value.clone() };
+                let constraints =
+                    [first, second].map(|point| self.model().equations.blocks[point.block].name.clone());
+                let change =
+                    Change::OtherEnd { constraints, body: self.name(a.item), point: a.value.clone() };
                 return Some(Slip { change, block: second.block });
             }
         }

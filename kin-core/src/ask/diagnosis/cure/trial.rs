@@ -1,4 +1,5 @@
-//! A cure is tried before it is told: the mechanism with it must close, and what drives must have something to drive.
+//! A cure is tried before it is told: the mechanism with it must close, and what drives must have something
+//! to drive.
 
 use super::super::generic::Walk;
 use crate::linear::Echelon;
@@ -27,24 +28,28 @@ impl Trial<'_> {
     /// The pose near another one at which it closes as it is meant.
     pub(crate) fn closed(&self, from: &[f64]) -> Option<Found> {
         let active = |row: usize| !self.without.contains(&row);
-        let found = search::descend(self.model, from, self.t, &active, false, self.steps).filter(|found| found.met)?;
+        let found = search::descend(self.model, from, self.t, &active, false, self.steps)
+            .filter(|found| found.met)?;
         if turned_over::wrong(&self.model, &found.place.q, self.t, &active).is_empty() {
             return Some(found);
         }
         turned_over::mended(self.model, &found.place.q, self.t, &active, self.steps)
     }
 
-    /// The same from the pose, or from beside it: where bodies stand in line, nothing says to which side they are to give way.
+    /// The same from the pose, or from beside it: where bodies stand in line, nothing says to which side they
+    /// are to give way.
     pub(crate) fn closed_beside(&self, from: &[f64]) -> Option<Found> {
         const BESIDE: f64 = 0.1;
         let mut random = Random::new(7);
         let sizes = self.model.measure(from, self.t).sizes;
-        let beside: Vec<f64> = from.iter().zip(&sizes).map(|(q, size)| q + BESIDE * size * random.number()).collect();
+        let beside: Vec<f64> =
+            from.iter().zip(&sizes).map(|(q, size)| q + BESIDE * size * random.number()).collect();
         self.closed(from).or_else(|| self.closed(&beside))
     }
 
-    /// Whether every one of these drivers' equations has something to drive at a pose: a motion of the joints along which it changes, and that
-    /// leads somewhere. With no driver at all the joints must have some motion, unless by count they are a structure.
+    /// Whether every one of these drivers' equations has something to drive at a pose: a motion of the joints
+    /// along which it changes, and that leads somewhere. With no driver at all the joints must have some
+    /// motion, unless by count they are a structure.
     pub(crate) fn moves(&self, found: &Found, drivers: &[usize]) -> bool {
         let (model, measures, q) = (&self.model, &found.measures, &found.place.q);
         let walk = Walk { model, measures, open: &[], without: self.without, steps: self.steps };

@@ -16,10 +16,12 @@ fn ends(c: [f64; 4]) -> [[f64; 2]; 2] {
     [[c[0], c[1]], [c.iter().sum(), c[1] + 2.0 * c[2] + 3.0 * c[3]]]
 }
 
-/// Each cubic with two zeros between 0 and 1 has its dip where its slope vanishes, whatever its third zero is; one that only touches has none.
+/// Each cubic with two zeros between 0 and 1 has its dip where its slope vanishes, whatever its third zero
+/// is; one that only touches has none.
 #[test]
 fn dips_of_cubics() {
-    let product = |a: f64, b: f64, c: f64, k: f64| [-a * b * c, a * b + b * c + c * a, -a - b - c, 1.0].map(|x| k * x);
+    let product =
+        |a: f64, b: f64, c: f64, k: f64| [-a * b * c, a * b + b * c + c * a, -a - b - c, 1.0].map(|x| k * x);
     for (a, b) in [(0.1, 0.2), (0.2, 0.9), (0.5, 0.51), (1e-6, 0.3), (0.7, 1.0 - 1e-6)] {
         for (c, k) in [(-0.1, 1.0), (-5.0, 2.0), (-1e6, 1e-3), (1.2, 1.0), (7.0, 3.0), (1e6, 1.0)] {
             for k in [k, -k] {
@@ -31,7 +33,8 @@ fn dips_of_cubics() {
             }
         }
     }
-    // 1 − 3 s² + 2.5 s³ begins without slope; 1 + s (s − 1) (3 − 12 s) grows first; without its cube, (s − 0.3)(s − 0.7)
+    // 1 − 3 s² + 2.5 s³ begins without slope; 1 + s (s − 1) (3 − 12 s) grows first; without its cube, (s −
+    // 0.3)(s − 0.7)
     for cubic in [[1.0, 0.0, -6.0, 5.5], [1.0, 3.0, -15.0, 12.0], [0.21, -1.0, 1.0, 0.0]] {
         let [from, to] = ends(cubic);
         let s = dip(from, to).unwrap_or(f64::NAN);
@@ -39,9 +42,14 @@ fn dips_of_cubics() {
         assert_eq!(dip(from.map(|x| -x), to.map(|x| -x)), Some(s));
     }
     // (s − 1/2)² touches; the dips of these lie before 0 and behind 1
-    for cubic in
-        [[0.25, -1.0, 1.0, 0.0], [0.25, 1.0, 1.0, 0.0], [2.25, -3.0, 1.0, -0.01], [1.0, -0.5, -0.4, 0.0], [1.0, 0.5, -0.4, 0.0], [1.0; 4]]
-    {
+    for cubic in [
+        [0.25, -1.0, 1.0, 0.0],
+        [0.25, 1.0, 1.0, 0.0],
+        [2.25, -3.0, 1.0, -0.01],
+        [1.0, -0.5, -0.4, 0.0],
+        [1.0, 0.5, -0.4, 0.0],
+        [1.0; 4],
+    ] {
         let [from, to] = ends(cubic);
         assert_eq!((dip(from, to), dip(from.map(|x| -x), to.map(|x| -x))), (None, None), "{cubic:?}");
     }
@@ -65,8 +73,8 @@ fn crossings(law: crate::Law, times: &[f64], level: f64) -> Vec<(f64, bool)> {
     all.into_iter().map(|Crossing { t, rises }| (t, rises)).collect()
 }
 
-/// What is zero at a time of the grid is told once and at that time, where the sign differs on either side; at the ends and where it only touches
-/// zero it is not.
+/// What is zero at a time of the grid is told once and at that time, where the sign differs on either side;
+/// at the ends and where it only touches zero it is not.
 #[test]
 fn zeros_at_times_of_the_grid() {
     let line = crate::Law::linear(-2.0, 1.0);
@@ -82,7 +90,8 @@ fn zeros_at_times_of_the_grid() {
     // down through 0 at 1, up again at 3
     let bowl = crate::Law::polynomial(&[3.0, -4.0, 1.0]);
     let found = crossings(bowl, &[0.0, 1.0, 2.0, 3.0, 4.0], 0.0);
-    let near = |k: usize, t: f64, rises: bool| found.get(k).is_some_and(|f| (f.0 - t).abs() < 1e-12 && f.1 == rises);
+    let near =
+        |k: usize, t: f64, rises: bool| found.get(k).is_some_and(|f| (f.0 - t).abs() < 1e-12 && f.1 == rises);
     assert!(found.len() == 2 && near(0, 1.0, false) && near(1, 3.0, true), "{found:?}");
 }
 
@@ -109,49 +118,73 @@ fn rests_on_the_level() {
     }
 }
 
-/// Twice within one step, upwards or downwards, on a step of any length; also where one of both is at a time of the grid.
+/// Twice within one step, upwards or downwards, on a step of any length; also where one of both is at a time
+/// of the grid.
 #[test]
 fn two_crossings_within_a_step() {
     use crate::Law;
     // (t − 1.1) (t − 1.2)
     for sign in [1.0, -1.0] {
         let law = Law::polynomial(&[sign * 1.32, sign * -2.3, sign]);
-        for (times, backwards) in
-            [(vec![0.0, 1.0, 1.25, 3.0], false), (vec![0.5, 4.5], false), (vec![1.25, 1.0, 0.0], true), (vec![3.0, 2.0, 0.0], true)]
-        {
+        for (times, backwards) in [
+            (vec![0.0, 1.0, 1.25, 3.0], false),
+            (vec![0.5, 4.5], false),
+            (vec![1.25, 1.0, 0.0], true),
+            (vec![3.0, 2.0, 0.0], true),
+        ] {
             let found = crossings(law.clone(), &times, 0.0);
             let expected = if backwards { [1.2, 1.1] } else { [1.1, 1.2] };
             assert_eq!(found.len(), 2, "{times:?}");
             for ((t, rises), exact) in found.iter().zip(expected) {
-                assert!((t - exact).abs() < 1e-13 && *rises == ((exact > 1.15) == (sign > 0.0)), "{times:?}: {found:?}");
+                assert!(
+                    (t - exact).abs() < 1e-13 && *rises == ((exact > 1.15) == (sign > 0.0)),
+                    "{times:?}: {found:?}"
+                );
             }
         }
         // (t − 1) (t − 1.25)
         let law = Law::polynomial(&[sign * 1.25, sign * -2.25, sign]);
         for times in [[0.5, 1.0, 1.5], [0.75, 1.25, 1.5]] {
             let found = crossings(law.clone(), &times, 0.0);
-            assert!(found.len() == 2 && (found[0].0 - 1.0).abs() < 1e-13 && (found[1].0 - 1.25).abs() < 1e-13, "{times:?}: {found:?}");
+            assert!(
+                found.len() == 2 && (found[0].0 - 1.0).abs() < 1e-13 && (found[1].0 - 1.25).abs() < 1e-13,
+                "{times:?}: {found:?}"
+            );
         }
         // What the cubic would cross is not crossed: 16 (t − 1.5)⁴ ± …
         let fourth = |off: f64| {
-            let power = Law::polynomial(&[sign * off, 0.0, 0.0, 0.0, sign * 16.0]).compose(&Law::linear(-1.5, 1.0));
+            let power =
+                Law::polynomial(&[sign * off, 0.0, 0.0, 0.0, sign * 16.0]).compose(&Law::linear(-1.5, 1.0));
             crossings(power, &[1.0, 2.0], 0.0)
         };
         assert_eq!((fourth(0.01), fourth(0.0), fourth(-0.8e-13)), (vec![], vec![], vec![]));
         let (found, half) = (fourth(-1.2e-13), (1.2e-13_f64 / 16.0).powf(0.25));
-        assert!(found.len() == 2 && (found[0].0 - 1.5 + half).abs() < 1e-6 && (found[1].0 - 1.5 - half).abs() < 1e-6, "{found:?}");
+        assert!(
+            found.len() == 2
+                && (found[0].0 - 1.5 + half).abs() < 1e-6
+                && (found[1].0 - 1.5 - half).abs() < 1e-6,
+            "{found:?}"
+        );
     }
 }
 
-/// What is a tenth of a billionth of a thousandth beside the largest is zero, and what is a little more is not; of rates too.
+/// What is a tenth of a billionth of a thousandth beside the largest is zero, and what is a little more is
+/// not; of rates too.
 #[test]
 fn what_is_zero_but_for_rounding() {
     use crate::Law;
     for size in [1.0, 1e6, 1e-6] {
         for sign in [size, -size] {
-            let value = |c: f64| crossings(Law::polynomial(&[c * sign, 0.0, -sign]), &[-1.0, 0.0, 1.0], 0.0).len();
-            let level = |c: f64| crossings(Law::polynomial(&[sign + c * sign, 0.0, -sign]), &[-1.5, 0.0, 1.0], sign).len();
-            assert_eq!((value(0.8e-13), value(1.2e-13), level(0.8e-13), level(2e-13)), (0, 2, 0, 2), "{sign}");
+            let value =
+                |c: f64| crossings(Law::polynomial(&[c * sign, 0.0, -sign]), &[-1.0, 0.0, 1.0], 0.0).len();
+            let level = |c: f64| {
+                crossings(Law::polynomial(&[sign + c * sign, 0.0, -sign]), &[-1.5, 0.0, 1.0], sign).len()
+            };
+            assert_eq!(
+                (value(0.8e-13), value(1.2e-13), level(0.8e-13), level(2e-13)),
+                (0, 2, 0, 2),
+                "{sign}"
+            );
             let rate = |c: f64| {
                 let law = Law::polynomial(&[0.0, c * sign, 0.0, -sign / 3.0]);
                 let (system, motion, x) = driven(law, &[-1.0, 0.0, 1.0]);
@@ -176,9 +209,16 @@ fn roots_of_every_kind() {
     // a cube is slow, and a steep step sends Newton far away
     let cube = |at: f64| Law::polynomial(&[0.0, 0.0, 0.0, 1.0]).compose(&Law::linear(-at, 1.0));
     assert!((root(cube(1.3), &[0.0, 4.0]).0 - 1.3).abs() < 1e-5);
-    for (at, from, to) in [(0.3, -10.0, 9.0), (-7.0, -10.0, 9.0), (8.5, -10.0, 9.0), (102.0, 100.0, 110.0), (-102.0, -110.0, -100.0)] {
+    for (at, from, to) in [
+        (0.3, -10.0, 9.0),
+        (-7.0, -10.0, 9.0),
+        (8.5, -10.0, 9.0),
+        (102.0, 100.0, 110.0),
+        (-102.0, -110.0, -100.0),
+    ] {
         // x/√(1 + x²)-like: 20 (t − at) beside a bounded rise
-        let steep = Law::harmonic_rise(2.0, 0.5).shifted(at - 0.25) - Law::constant(1.0) + 1e-3 * Law::linear(-at, 1.0);
+        let steep = Law::harmonic_rise(2.0, 0.5).shifted(at - 0.25) - Law::constant(1.0)
+            + 1e-3 * Law::linear(-at, 1.0);
         for (times, rises) in [([from, to], true), ([to, from], true)] {
             let found = root(steep.clone(), &times);
             assert!((found.0 - at).abs() < 1e-13 * (1.0 + at.abs()) && found.1 == rises, "{at}: {found:?}");
@@ -188,7 +228,8 @@ fn roots_of_every_kind() {
     }
 }
 
-/// Turns of an angle that a pose alone does not show are counted on from the grid; another system's motion is refused.
+/// Turns of an angle that a pose alone does not show are counted on from the grid; another system's motion is
+/// refused.
 #[test]
 fn angles_are_counted_on_between_times() {
     use crate::Law;
@@ -203,7 +244,10 @@ fn angles_are_counted_on_between_times() {
     };
     for level in [0.5, 5.0, 7.0, 9.5] {
         let found = system.crossings(&motion, wound, level).unwrap();
-        assert!(found.len() == 1 && (found[0].t - 0.5 * level).abs() < 1e-13 && found[0].rises, "{level} {found:?}");
+        assert!(
+            found.len() == 1 && (found[0].t - 0.5 * level).abs() < 1e-13 && found[0].rises,
+            "{level} {found:?}"
+        );
     }
     let mut m = crate::Mechanism::new("two");
     let z = m.length("z", 0.0).unwrap();

@@ -1,4 +1,5 @@
-//! Bounds are the range itself but for rounding, and known wherever there is one: against values at ends and extremes, and against dual numbers.
+//! Bounds are the range itself but for rounding, and known wherever there is one: against values at ends and
+//! extremes, and against dual numbers.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -14,48 +15,26 @@ use crate::numbers::real::Real;
 const FULL: usize = ORDER + 1;
 
 /// Where functions are special, and a little beside that.
+#[rustfmt::skip]
 const ENDS: [f64; 33] = [
-    -800.0,
-    -20.0,
-    -7.0,
-    -PI,
-    -2.0,
-    -FRAC_PI_2 - 1e-8,
-    -1.000_000_000_000_000_2,
-    -1.0,
-    -0.75,
-    -0.5,
-    -1e-3,
-    -1e-9,
-    -1e-300,
-    0.0,
-    1e-300,
-    1e-9,
-    1e-3,
-    0.5,
-    0.75,
-    0.999_999_999_999_999_9,
-    1.0,
-    1.000_000_000_000_000_2,
-    FRAC_PI_2 - 1e-8,
-    FRAC_PI_2 + 1e-8,
-    2.0,
-    2.5,
-    PI - 1e-8,
-    PI + 1e-8,
-    4.0,
-    7.0,
-    20.0,
-    100.0,
-    800.0,
+    -800.0, -20.0, -7.0, -PI, -2.0, -FRAC_PI_2 - 1e-8, -1.000_000_000_000_000_2, -1.0, -0.75, -0.5, -1e-3,
+    -1e-9, -1e-300, 0.0, 1e-300, 1e-9, 1e-3, 0.5, 0.75, 0.999_999_999_999_999_9, 1.0,
+    1.000_000_000_000_000_2, FRAC_PI_2 - 1e-8, FRAC_PI_2 + 1e-8, 2.0, 2.5, PI - 1e-8, PI + 1e-8, 4.0, 7.0,
+    20.0, 100.0, 800.0,
 ];
 
 /// Asserts that bounds hold a range, and are no wider than rounding makes them.
 fn is_range(found: Interval, [lo, hi]: [f64; 2], places: f64, what: &str) {
     let room = |x: f64| places * f64::EPSILON * x.abs() + 1e-300;
     assert!(found.lo() <= lo && found.hi() >= hi, "{what}: {found:?} does not hold {lo:e} to {hi:e}");
-    assert!(found.lo() >= lo - room(lo) || lo.is_infinite(), "{what}: {found:?} is wider than {lo:e} to {hi:e}");
-    assert!(found.hi() <= hi + room(hi) || hi.is_infinite(), "{what}: {found:?} is wider than {lo:e} to {hi:e}");
+    assert!(
+        found.lo() >= lo - room(lo) || lo.is_infinite(),
+        "{what}: {found:?} is wider than {lo:e} to {hi:e}"
+    );
+    assert!(
+        found.hi() <= hi + room(hi) || hi.is_infinite(),
+        "{what}: {found:?} is wider than {lo:e} to {hi:e}"
+    );
 }
 
 fn range(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
@@ -82,7 +61,14 @@ struct Line {
 fn lines() -> Vec<Line> {
     const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
     let line = |name, over, f, domain, image| Line { name, over, f, domain, image, extremes: None };
-    let waves = |name, over, f, extremes| Line { name, over, f, domain: EVERYWHERE, image: [-1.0, 1.0], extremes: Some(extremes) };
+    let waves = |name, over, f, extremes| Line {
+        name,
+        over,
+        f,
+        domain: EVERYWHERE,
+        image: [-1.0, 1.0],
+        extremes: Some(extremes),
+    };
     let even = |name, over, f, least| Line {
         name,
         over,
@@ -125,17 +111,31 @@ fn functions_give_their_range_and_nothing_beside_it() {
             }
             let inner = extremes.into_iter().flat_map(|[first, apart]| {
                 let number = if apart.is_finite() { ((lo - first) / apart).ceil() } else { 0.0 };
-                let at = move |k: u32| if apart.is_finite() { first + (number + f64::from(k)) * apart } else { first };
-                (0..2).map(at).filter(move |x| (lo..=hi).contains(x)).map(|x| if image[1] == 1.0 { f(x).round() } else { f(x) })
+                let at = move |k: u32| {
+                    if apart.is_finite() { first + (number + f64::from(k)) * apart } else { first }
+                };
+                (0..2)
+                    .map(at)
+                    .filter(move |x| (lo..=hi).contains(x))
+                    .map(|x| if image[1] == 1.0 { f(x).round() } else { f(x) })
             });
             let expected = range([f(lo), f(hi)].into_iter().chain(inner));
-            is_range(found, expected, if f(1e308).is_infinite() || image[0] == -1.0 { 20.0 } else { 800.0 }, &what);
-            assert!(found.lo() >= image[0] && found.hi() <= image[1], "{what}: {found:?} is beyond all values");
+            is_range(
+                found,
+                expected,
+                if f(1e308).is_infinite() || image[0] == -1.0 { 20.0 } else { 800.0 },
+                &what,
+            );
+            assert!(
+                found.lo() >= image[0] && found.hi() <= image[1],
+                "{what}: {found:?} is beyond all values"
+            );
         }
     }
 }
 
-/// What other platforms' functions may be off by is in every bound, whatever this platform's are: a proof is the same everywhere.
+/// What other platforms' functions may be off by is in every bound, whatever this platform's are: a proof is
+/// the same everywhere.
 #[test]
 fn bounds_leave_the_room_that_is_allowed() {
     let leaves = |found: Interval, y: f64, allowed: f64, what: &str| {
@@ -145,27 +145,40 @@ fn bounds_leave_the_room_that_is_allowed() {
             "{what}: {found:?} around {y:e}"
         );
     };
-    for Line { name, over, f, domain, .. } in lines().into_iter().filter(|line| !["abs", "sqr"].contains(&line.name)) {
-        for x in [-0.7, -0.3, 0.4, 0.8, 1.3, 2.0].into_iter().filter(|x| (domain[0]..=domain[1]).contains(x)) {
+    for Line { name, over, f, domain, .. } in
+        lines().into_iter().filter(|line| !["abs", "sqr"].contains(&line.name))
+    {
+        for x in [-0.7, -0.3, 0.4, 0.8, 1.3, 2.0].into_iter().filter(|x| (domain[0]..=domain[1]).contains(x))
+        {
             leaves(over(Interval::from(x)), f(x), ALLOWED, name);
         }
     }
     type Wave = (fn(Interval) -> Interval, fn(f64) -> f64);
     let waves: [Wave; 3] = [(Interval::sin, f64::sin), (Interval::cos, f64::cos), (Interval::tan, f64::tan)];
-    for ((over, f), x) in waves.into_iter().flat_map(|wave| [0.4, 0.9 * LARGE, 1.1 * LARGE, -0.9 * LARGE, -1.1 * LARGE].map(|x| (wave, x)))
+    for ((over, f), x) in waves
+        .into_iter()
+        .flat_map(|wave| [0.4, 0.9 * LARGE, 1.1 * LARGE, -0.9 * LARGE, -1.1 * LARGE].map(|x| (wave, x)))
     {
-        leaves(over(Interval::from(x)), f(x), if x.abs() > LARGE { MORE * ALLOWED } else { ALLOWED }, "an angle");
+        leaves(
+            over(Interval::from(x)),
+            f(x),
+            if x.abs() > LARGE { MORE * ALLOWED } else { ALLOWED },
+            "an angle",
+        );
     }
     for (y, x) in [(0.3, 1.0), (-0.3, -1.0), (2.0, -0.1)] {
         leaves(Interval::from(y).atan2(Interval::from(x)).0, f64::atan2(y, x), ALLOWED, "atan2");
     }
 }
 
-/// Odd powers of σ are of both signs, even ones of one; the last coefficient is that over all of the interval, those before it are at its middle.
+/// Odd powers of σ are of both signs, even ones of one; the last coefficient is that over all of the
+/// interval, those before it are at its middle.
 #[test]
 fn the_formula_of_taylor_takes_each_power_by_itself() {
-    let series = |c: &[f64], len: usize| Series::of(&c.iter().map(|c| Interval::from(*c)).collect::<Vec<_>>(), len);
-    let (at, over) = (series(&[10.0, 1.0, 2.0, 4.0, 8.0], FULL), series(&[20.0, 30.0, 40.0, 50.0, 60.0, 0.0, 16.0], FULL));
+    let series =
+        |c: &[f64], len: usize| Series::of(&c.iter().map(|c| Interval::from(*c)).collect::<Vec<_>>(), len);
+    let (at, over) =
+        (series(&[10.0, 1.0, 2.0, 4.0, 8.0], FULL), series(&[20.0, 30.0, 40.0, 50.0, 60.0, 0.0, 16.0], FULL));
     is_range(taylor(&at, &over), [10.0 - 1.0 - 4.0, 10.0 + 1.0 + 2.0 + 4.0 + 8.0 + 16.0], 20.0, "all");
     is_range(taylor(&at, &over.cut(3)), [10.0 - 1.0, 10.0 + 1.0 + 40.0], 20.0, "two and the rest");
     is_range(taylor(&at, &over.cut(2)), [10.0 - 30.0, 10.0 + 30.0], 20.0, "one and the rest");
@@ -177,7 +190,10 @@ fn the_sign_of_a_zero_is_no_side_of_the_cut() {
     for zero in [0.0, -0.0] {
         for (lo, across) in [(-0.1, true), (zero, false)] {
             let (angle, found) = Interval::new(lo, zero).atan2(Interval::new(-2.0, -1.0));
-            assert!(found == across && angle.contains(PI) && angle.lo() > 3.1 && angle.hi() < 3.3, "{lo} to {zero}: {angle:?}");
+            assert!(
+                found == across && angle.contains(PI) && angle.lo() > 3.1 && angle.hi() < 3.3,
+                "{lo} to {zero}: {angle:?}"
+            );
         }
     }
 }
@@ -200,7 +216,12 @@ fn roots_powers_and_steps_give_their_range() {
         let x = Interval::new(lo, hi);
         match hi < 0.0 {
             true => assert_eq!(x.sqrt(), ALL),
-            false => is_range(x.sqrt(), [lo.max(0.0).sqrt(), hi.sqrt()], 4.0, &format!("root from {lo:e} to {hi:e}")),
+            false => is_range(
+                x.sqrt(),
+                [lo.max(0.0).sqrt(), hi.sqrt()],
+                4.0,
+                &format!("root from {lo:e} to {hi:e}"),
+            ),
         }
         for n in 0..8_u32 {
             let least = (n > 0 && n.is_multiple_of(2) && x.contains(0.0)).then_some(0.0);
@@ -208,7 +229,11 @@ fn roots_powers_and_steps_give_their_range() {
             is_range(x.powi(n), expected, 4.0 * f64::from(n), &format!("power {n} from {lo:e} to {hi:e}"));
         }
         for f in [f64::floor, f64::ceil, f64::trunc, f64::round] {
-            assert_eq!(x.step(f), (f(lo) == f(hi)).then(|| Interval::from(f(lo))), "step from {lo:e} to {hi:e}");
+            assert_eq!(
+                x.step(f),
+                (f(lo) == f(hi)).then(|| Interval::from(f(lo))),
+                "step from {lo:e} to {hi:e}"
+            );
         }
         for a in [-1.5, 0.3, 2.0] {
             let expected = range([lo.powf(a), hi.powf(a)]);
@@ -219,10 +244,14 @@ fn roots_powers_and_steps_give_their_range() {
             }
         }
     }
-    assert_eq!((ALL.step(f64::floor), ALL.powi(2), ALL.powi(5)), (None, Interval::new(0.0, f64::INFINITY), ALL));
+    assert_eq!(
+        (ALL.step(f64::floor), ALL.powi(2), ALL.powi(5)),
+        (None, Interval::new(0.0, f64::INFINITY), ALL)
+    );
 }
 
-/// Of two numbers: products and quotients at the corners, the distance at the nearest and the farthest, angles on a grid.
+/// Of two numbers: products and quotients at the corners, the distance at the nearest and the farthest,
+/// angles on a grid.
 #[test]
 fn functions_of_two_numbers_give_their_range() {
     let ends = [-3.0, -1.0, -0.5, 0.0, 0.25, 1.0, 2.0];
@@ -291,7 +320,9 @@ fn at_one_number_all_coefficients_are_known() {
         }
         let constant = Series::constant(Interval::from(a)).call(f);
         assert!(
-            constant.is_constant() && constant.value().meets(found.value()) && constant.value().radius() <= 1e-14 * (1.0 + exact[0].abs()),
+            constant.is_constant()
+                && constant.value().meets(found.value())
+                && constant.value().radius() <= 1e-14 * (1.0 + exact[0].abs()),
             "{what}"
         );
     }
@@ -309,7 +340,8 @@ fn at_two_numbers_all_coefficients_are_known() {
         let dual = |x: f64, v: f64| Real(crate::numbers::real::Dual3_64::new(x, v, 0.0, 0.0));
         let series = |x: f64, v: f64| Series::variable(Interval::from(x), Interval::from(v), FULL);
         let exact = dual(a, v).call2(f, dual(b, w)).0;
-        let (found, what) = (series(a, v).call2(f, series(b, w)), format!("{f:?} of {a} and {b}, at {v} and {w}"));
+        let (found, what) =
+            (series(a, v).call2(f, series(b, w)), format!("{f:?} of {a} and {b}, at {v} and {w}"));
         let exact = [exact.re, exact.v1, exact.v2 / 2.0, exact.v3 / 6.0];
         if !exact.iter().all(|c| c.is_finite()) {
             assert_eq!(found.len(), 0, "{what}");
@@ -328,7 +360,8 @@ fn at_two_numbers_all_coefficients_are_known() {
         assert!(constant.is_constant() && constant.value().meets(found.value()), "{what}");
         // one of them alone moves
         assert!(
-            !series(a, 0.8).call2(f, still(b)).is_constant() || [Function2::DivEuclid, Function2::Max, Function2::Min].contains(&f),
+            !series(a, 0.8).call2(f, still(b)).is_constant()
+                || [Function2::DivEuclid, Function2::Max, Function2::Min].contains(&f),
             "{what}"
         );
         assert_eq!(

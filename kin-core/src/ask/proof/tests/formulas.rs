@@ -39,12 +39,15 @@ fn decimals_are_between_two_numbers() {
     assert_eq!(<Series as Number>::powi(Series::number(2.0), 3).values().map(f64::round), [8.0; 2]);
 }
 
-/// What the user's program makes of parameters is taken at both ends and in the middle of what they are known to be; of what moves it is nothing.
+/// What the user's program makes of parameters is taken at both ends and in the middle of what they are known
+/// to be; of what moves it is nothing.
 #[test]
 fn the_users_own_functions() {
     const OF_PARAMETER: &str = "\nparameters k\nrows 2\n- Parameter 0\n- Decimal 0.1 1\n- Foreign 0 0 1";
     const OF_COLUMN: &str = "\nparameters\nrows 2\n- Column 0\n- Constant 1.0\n- Foreign 0 0 0 1";
-    let with = |f: fn(f64) -> f64| move |_: usize, x: &[Dual3_64], to: &mut Given| to.push(Dual3_64::from_re(f(x[0].re)));
+    let with = |f: fn(f64) -> f64| {
+        move |_: usize, x: &[Dual3_64], to: &mut Given| to.push(Dual3_64::from_re(f(x[0].re)))
+    };
     let values = |text: &str, f: fn(f64) -> f64, x: Series| first(text, x, &with(f)).values();
     let everything = [f64::NEG_INFINITY, f64::INFINITY];
     assert_eq!(values(OF_PARAMETER, |x| 2.0 * x, over(0.0, 1.0)), [0.2, 2.0 * 0.1_f64.next_up()]);
@@ -53,11 +56,18 @@ fn the_users_own_functions() {
     assert!(first(OF_PARAMETER, over(0.0, 1.0), &with(|x| x)).is_constant());
     let square = |x: Series| values(OF_COLUMN, |x| if (x - 0.5).abs() < 0.1 { 9.0 } else { x * x }, x);
     assert_eq!(
-        [square(over(0.0, 1.0)), square(Series::number(2.0)), square(Series::constant(Interval::new(0.0, 1.0)))],
+        [
+            square(over(0.0, 1.0)),
+            square(Series::number(2.0)),
+            square(Series::constant(Interval::new(0.0, 1.0)))
+        ],
         [everything, [4.0; 2], [0.0, 9.0]]
     );
     let open = over(-0.1, 0.1).call2(kin_graph::Function2::Atan2, Series::number(-1.0));
-    assert_eq!([square(open), square(Series::constant(open_value(&open)).up_to_turns(&open))], [everything; 2]);
+    assert_eq!(
+        [square(open), square(Series::constant(open_value(&open)).up_to_turns(&open))],
+        [everything; 2]
+    );
 }
 
 fn open_value(open: &Series) -> Interval {
@@ -83,14 +93,19 @@ impl LawFunction for Silent {
 
 #[test]
 fn why_a_formula_cannot_be_read() {
-    let reason = |text: &str, law: Law| opaque(&formula(text), &move |_, x, to| give_law(&law, x, to)).unwrap_or_default();
+    let reason = |text: &str, law: Law| {
+        opaque(&formula(text), &move |_, x, to| give_law(&law, x, to)).unwrap_or_default()
+    };
     const LAW: &str = "\nparameters\nrows 1\n- Time\n- Law 0 0 0";
     assert_eq!(reason(LAW, Law::ramp(1.0)), "");
     assert!(reason(LAW, Law::new(Silent)).contains("no bounds over an interval are known"));
     let rounded = reason("\nparameters\nrounded\nrows 0\n- Column 0", Law::ramp(1.0));
     assert_eq!(rounded, "its constants are rounded before they can be read");
     assert_eq!(reason("\nparameters k\nrows 1\n- Parameter 0\n- Foreign 0 0 0", Law::ramp(1.0)), "");
-    assert!(reason("\nparameters\nrows 1\n- Column 0\n- Foreign 0 0 0", Law::ramp(1.0)).contains("it calls a function of yours"));
+    assert!(
+        reason("\nparameters\nrows 1\n- Column 0\n- Foreign 0 0 0", Law::ramp(1.0))
+            .contains("it calls a function of yours")
+    );
     static READ: Table = Table::new("law.rs", "\nparameters\nrows 1\n- Column 0\n- Foreign 0 0 0");
     assert!(READ.law_over(&over(0.0, 1.0), &[], &nothing_outside).is_none());
     assert!(trusted(&formula(LAW), &|_, x, to| give_law(&Law::ramp(1.0), x, to)).is_empty());
@@ -104,7 +119,10 @@ fn slopes_of_laws() {
         first(&text, x, &move |_, x, to| give_law(&law, x, to))
     };
     assert_eq!(
-        [of(0, Law::sine(1.0, 1.0, 0.0), over(0.1, 0.2)).len(), of(1, Law::sine(1.0, 1.0, 0.0), over(0.1, 0.2)).len()],
+        [
+            of(0, Law::sine(1.0, 1.0, 0.0), over(0.1, 0.2)).len(),
+            of(1, Law::sine(1.0, 1.0, 0.0), over(0.1, 0.2)).len()
+        ],
         [FULL, ORDER]
     );
     let kink = Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::linear(1.0, -1.0))]);
@@ -112,7 +130,11 @@ fn slopes_of_laws() {
     assert_eq!([of(0, kink.clone(), over(0.9, 1.1)).len(), of(1, kink, over(0.9, 1.1)).len()], [2, 0]);
     assert_eq!([of(0, bend.clone(), over(0.9, 1.1)).len(), of(1, bend, over(0.9, 1.1)).len()], [3, 2]);
     let cosine = of(1, Law::sine(2.0, 3.0, 0.0), Series::number(0.2));
-    assert!(cosine.value().contains(6.0 * 0.6_f64.cos()) && cosine.value().radius() < 1e-13 && cosine.is_constant());
+    assert!(
+        cosine.value().contains(6.0 * 0.6_f64.cos())
+            && cosine.value().radius() < 1e-13
+            && cosine.is_constant()
+    );
     assert_eq!(of(0, Law::constant(3.0), crate::numbers::enclosure::series::UNKNOWN).len(), 0);
     assert_eq!(of(0, Law::ramp(1.0), crate::numbers::enclosure::series::UNKNOWN).len(), 0);
 }
@@ -126,7 +148,12 @@ fn the_expression_without_bounds() {
     );
     let told = |lo: f64, hi: f64, len: usize| {
         let formula = TABLE.formula();
-        let inputs = Inputs { columns: &[over(lo, hi)], t: Series::number(0.0), parameters: &[], outside: &nothing_outside };
+        let inputs = Inputs {
+            columns: &[over(lo, hi)],
+            t: Series::number(0.0),
+            parameters: &[],
+            outside: &nothing_outside,
+        };
         let results = evaluate(&formula.graph, &formula.rows, &inputs);
         TABLE.unknown(0, &results, len).map(|(text, _)| text)
     };
@@ -144,27 +171,38 @@ fn an_expression_that_is_known_is_not_told() {
         "\nat 1 1 x.sqrt()\nat 2 1 x.floor()\nat 3 1 all\nparameters\nrows 3\n- Column 0\n0 Sqrt 0\n1 Floor 0\n2 Sum 1 2",
     );
     let formula = TABLE.formula();
-    let inputs = Inputs { columns: &[over(0.0, 1.0)], t: Series::number(0.0), parameters: &[], outside: &nothing_outside };
+    let inputs = Inputs {
+        columns: &[over(0.0, 1.0)],
+        t: Series::number(0.0),
+        parameters: &[],
+        outside: &nothing_outside,
+    };
     let results = evaluate(&formula.graph, &formula.rows, &inputs);
-    assert_eq!([1, 2].map(|len| TABLE.unknown(0, &results, len).map(|(text, _)| text)), [Some("x.floor()"), Some("x.sqrt()")]);
+    assert_eq!(
+        [1, 2].map(|len| TABLE.unknown(0, &results, len).map(|(text, _)| text)),
+        [Some("x.floor()"), Some("x.sqrt()")]
+    );
 }
 
 fn numbers(nodes: &[Node]) -> Vec<usize> {
     nodes.iter().map(|node| node.index()).collect()
 }
 
-/// What time does to a formula goes through the outermost of what it moves alone, and rows that it moves alone.
+/// What time does to a formula goes through the outermost of what it moves alone, and rows that it moves
+/// alone.
 #[test]
 fn signals_are_what_time_moves() {
     // Rows: sin(k t) x, x, (k t)², k x.
-    let text = "\nparameters k\nrows 5 0 6 7\n- Column 0\n- Time\n- Parameter 0\n- Product 1 2\n- Sin 3\n- Fused\n";
+    let text =
+        "\nparameters k\nrows 5 0 6 7\n- Column 0\n- Time\n- Parameter 0\n- Product 1 2\n- Sin 3\n- Fused\n";
     let text = text.replace("- Fused\n", "- Product 4 0\n- Product 3 3\n- Product 2 0\n");
     let of = |text: &str| {
         let formula = formula(text);
         (numbers(&signals(&formula)), formula)
     };
     let (found, known) = of(&text);
-    let sine = known.graph.operands(known.rows[0]).into_iter().find(|node| known.graph.depends(*node).on_t).unwrap();
+    let sine =
+        known.graph.operands(known.rows[0]).into_iter().find(|node| known.graph.depends(*node).on_t).unwrap();
     let mut expected = vec![sine.index(), known.rows[2].index()];
     expected.sort_unstable();
     assert_eq!(found, expected);
@@ -177,7 +215,8 @@ fn signals_are_what_time_moves() {
     assert!(of("\nparameters\nrows 0\n- Column 0").0.is_empty());
 }
 
-/// A condition that may change and an angle that may pass its cut are not known; no more is a slope where there is none.
+/// A condition that may change and an angle that may pass its cut are not known; no more is a slope where
+/// there is none.
 #[test]
 fn signals_that_are_not_known() {
     let over = |text: &str, lo: f64, hi: f64| {
@@ -185,8 +224,12 @@ fn signals_that_are_not_known() {
         let found = over_time(&formula, &signals(&formula), over(lo, hi), &[], &nothing_outside);
         found.iter().map(Series::len).collect::<Vec<_>>()
     };
-    let condition = "\nparameters\nrows 5\n- Column 0\n- Time\n- Constant 0.05\n- Less 1 2\n- Negated 0\n- Select 3 0 4";
-    assert_eq!([over(condition, 0.0, 0.01), over(condition, 0.0, 0.1), over(condition, 0.06, 0.1)], [[FULL], [0], [FULL]]);
+    let condition =
+        "\nparameters\nrows 5\n- Column 0\n- Time\n- Constant 0.05\n- Less 1 2\n- Negated 0\n- Select 3 0 4";
+    assert_eq!(
+        [over(condition, 0.0, 0.01), over(condition, 0.0, 0.1), over(condition, 0.06, 0.1)],
+        [[FULL], [0], [FULL]]
+    );
     let angle = "\nparameters\nrows 4\n- Column 0\n- Time\n- Constant -1.0\n- Atan2 1 2\n- Product 0 3";
     assert_eq!([over(angle, 0.1, 0.2), over(angle, -0.1, 0.2)], [[FULL], [0]]);
     let length = formula("\nparameters\nrows 2\n- Column 0\n- Time\n- Hypot 0 1");
@@ -196,8 +239,11 @@ fn signals_that_are_not_known() {
 
 #[test]
 fn what_can_jump_where_coordinates_move() {
-    let jumps =
-        |step: &str| can_jump(&formula(&format!("\nparameters k\nrows 4\n- Column 0\n- Time\n- Parameter 0\n- Less 0 1\n- {step}")));
+    let jumps = |step: &str| {
+        can_jump(&formula(&format!(
+            "\nparameters k\nrows 4\n- Column 0\n- Time\n- Parameter 0\n- Less 0 1\n- {step}"
+        )))
+    };
     for step in [
         "Floor 0",
         "Ceil 0",
@@ -319,7 +365,8 @@ fn the_equations_of_a_system() {
     assert_eq!(bounds.residual(&known, Series::number(0.0)).unwrap().len(), 4);
 }
 
-/// A constraint alone has bounds if all of it can be read; where a slope has no bound the equation is not known.
+/// A constraint alone has bounds if all of it can be read; where a slope has no bound the equation is not
+/// known.
 #[test]
 fn one_constraint_alone() {
     let mut m = Mechanism::new("alone");
@@ -328,9 +375,18 @@ fn one_constraint_alone() {
     let part = Part::alone(&steep).unwrap();
     let tiny = Interval::new(-1e-300, 1e-300);
     let (mut c, mut c_q) = (Vec::new(), Vec::new());
-    assert!(part.residual(&[Series::constant(tiny)], Series::number(0.0), &mut c).is_ok() && c[0].value().contains(1e100));
+    assert!(
+        part.residual(&[Series::constant(tiny)], Series::number(0.0), &mut c).is_ok()
+            && c[0].value().contains(1e100)
+    );
     assert!(part.jacobian(&[tiny], Interval::from(0.0), &mut c_q).is_err());
     assert!(Part::alone(&half).is_none());
-    let error = m.add("half", half).and_then(|_| m.build()).map(|system| Bounds::new(&system).map(|_| ()).unwrap_err().to_string());
-    assert!(error.as_ref().is_ok_and(|error| error.contains("its steps are too many to be kept")), "{error:?}");
+    let error = m
+        .add("half", half)
+        .and_then(|_| m.build())
+        .map(|system| Bounds::new(&system).map(|_| ()).unwrap_err().to_string());
+    assert!(
+        error.as_ref().is_ok_and(|error| error.contains("its steps are too many to be kept")),
+        "{error:?}"
+    );
 }

@@ -1,4 +1,5 @@
-//! Every operation on intervals gives all that it can give: against error-free transformations, against f64's functions at points inside, at the edges.
+//! Every operation on intervals gives all that it can give: against error-free transformations, against f64's
+//! functions at points inside, at the edges.
 
 use kin_graph::{Function, Function2, Number};
 use proptest::prelude::*;
@@ -14,10 +15,12 @@ fn number() -> impl Strategy<Value = f64> {
 
 /// An interval, from a point to wide ones, and a number in it.
 fn interval() -> impl Strategy<Value = (Interval, f64)> {
-    (number(), prop_oneof![Just(0.0), Just(1e-12), 0.0..0.1_f64, 0.0..8.0_f64], 0.0..=1.0_f64).prop_map(|(x, width, share)| {
-        let (lo, hi) = (x, x + width);
-        (Interval::new(lo, hi), f64::clamp(lo + share * width, lo, hi))
-    })
+    (number(), prop_oneof![Just(0.0), Just(1e-12), 0.0..0.1_f64, 0.0..8.0_f64], 0.0..=1.0_f64).prop_map(
+        |(x, width, share)| {
+            let (lo, hi) = (x, x + width);
+            (Interval::new(lo, hi), f64::clamp(lo + share * width, lo, hi))
+        },
+    )
 }
 
 /// Whether `value + rest`, a number that f64 does not hold, is inside.
@@ -68,7 +71,8 @@ proptest! {
         }
     }
 
-    /// By its coefficients in the middle and over all of the interval a function is bounded, one that rises hardly wider than by its values.
+    /// By its coefficients in the middle and over all of the interval a function is bounded, one that rises
+    /// hardly wider than by its values.
     #[test]
     fn taylor_has_its_remainder(middle in -3.0..3.0_f64, half in 0.01..0.4_f64, share in -1.0..1.0_f64) {
         for &f in Function::ALL {
@@ -104,7 +108,8 @@ proptest! {
         }
     }
 
-    /// What must be the same by other means meets, and is not much wider: so bounds are of the function itself and not of a neighbour.
+    /// What must be the same by other means meets, and is not much wider: so bounds are of the function
+    /// itself and not of a neighbour.
     #[test]
     fn identities(a in 0.05..1.4_f64) {
         let x = Interval::from(a);
@@ -135,13 +140,17 @@ proptest! {
 
 /// Value and derivatives, as far as both know them, f64's own rounding allowed for.
 fn inside(bounds: &Series, exact: [f64; 4], what: &str) -> Result<(), TestCaseError> {
-    for (k, (value, factorial)) in exact.into_iter().zip([1.0, 1.0, 2.0, 6.0]).enumerate().take(bounds.len()) {
+    for (k, (value, factorial)) in exact.into_iter().zip([1.0, 1.0, 2.0, 6.0]).enumerate().take(bounds.len())
+    {
         let known = bounds.at(k) * Interval::from(factorial);
         if !value.is_finite() {
             break;
         }
         let slack = if k == 0 { 0.0 } else { 1e-11 * (known.mag() + value.abs()) };
-        prop_assert!(value >= known.lo() - slack && value <= known.hi() + slack, "derivative {k} of {what}: {value} is not in {known:?}");
+        prop_assert!(
+            value >= known.lo() - slack && value <= known.hi() + slack,
+            "derivative {k} of {what}: {value} is not in {known:?}"
+        );
     }
     Ok(())
 }
@@ -152,11 +161,30 @@ fn edges() {
     let over = |lo: f64, hi: f64| Series::variable(Interval::new(lo, hi), ONE, ORDER + 1);
     let known = |f: Function, lo: f64, hi: f64| over(lo, hi).call(f).len();
     let full = ORDER + 1;
-    assert_eq!([known(Function::Sqrt, -0.1, 1.0), known(Function::Sqrt, 0.0, 1.0), known(Function::Sqrt, 0.1, 1.0)], [0, 1, full]);
-    assert_eq!([known(Function::Ln, 0.0, 1.0), known(Function::Asin, 0.0, 1.1), known(Function::Acosh, 0.9, 2.0)], [0, 0, 0]);
-    assert_eq!([known(Function::Tan, 1.5, 1.6), known(Function::Tan, 1.6, 4.7), known(Function::Tan, 1.6, 4.8)], [0, full, 0]);
-    assert_eq!([known(Function::Floor, 0.9, 1.1), known(Function::Floor, 1.0, 1.9), known(Function::Signum, -0.1, 0.1)], [0, full, 0]);
-    assert_eq!([known(Function::Abs, -0.1, 0.1), known(Function::Abs, 0.0, 0.1), known(Function::Cbrt, -0.1, 0.1)], [2, full, 1]);
+    assert_eq!(
+        [known(Function::Sqrt, -0.1, 1.0), known(Function::Sqrt, 0.0, 1.0), known(Function::Sqrt, 0.1, 1.0)],
+        [0, 1, full]
+    );
+    assert_eq!(
+        [known(Function::Ln, 0.0, 1.0), known(Function::Asin, 0.0, 1.1), known(Function::Acosh, 0.9, 2.0)],
+        [0, 0, 0]
+    );
+    assert_eq!(
+        [known(Function::Tan, 1.5, 1.6), known(Function::Tan, 1.6, 4.7), known(Function::Tan, 1.6, 4.8)],
+        [0, full, 0]
+    );
+    assert_eq!(
+        [
+            known(Function::Floor, 0.9, 1.1),
+            known(Function::Floor, 1.0, 1.9),
+            known(Function::Signum, -0.1, 0.1)
+        ],
+        [0, full, 0]
+    );
+    assert_eq!(
+        [known(Function::Abs, -0.1, 0.1), known(Function::Abs, 0.0, 0.1), known(Function::Cbrt, -0.1, 0.1)],
+        [2, full, 1]
+    );
     assert_eq!((ONE / Interval::new(-1.0, 1.0), ONE / Interval::new(0.0, 1.0), ONE / ZERO), (ALL, ALL, ALL));
     assert_eq!((Series::constant(ONE) / over(-1.0, 1.0)).len(), 0);
     // √0, |0| of numbers that do not move are constants
@@ -187,9 +215,19 @@ fn angles_up_to_whole_turns() {
     let angle = y.call2(Function2::Atan2, Series::constant(-ONE));
     assert_eq!(angle.turns(), Turns::ONE);
     let thrice = angle.plus(0.5).times(-3.0) + angle.times(6.0);
-    assert_eq!((angle.times(-3.0).turns(), thrice.turns()), (Turns { unit: 3, most: 3 }, Turns { unit: 3, most: 9 }));
-    assert_eq!((angle.times(0.5).len(), (angle * angle).len(), angle.times(0.0).turns()), (0, 0, Turns::NONE));
-    assert!(thrice.call(Function::Sin).len() > 1 && thrice.call(Function::Exp).len() == 0 && (angle / angle).len() == 0);
+    assert_eq!(
+        (angle.times(-3.0).turns(), thrice.turns()),
+        (Turns { unit: 3, most: 3 }, Turns { unit: 3, most: 9 })
+    );
+    assert_eq!(
+        (angle.times(0.5).len(), (angle * angle).len(), angle.times(0.0).turns()),
+        (0, 0, Turns::NONE)
+    );
+    assert!(
+        thrice.call(Function::Sin).len() > 1
+            && thrice.call(Function::Exp).len() == 0
+            && (angle / angle).len() == 0
+    );
     assert!(angle.call2(Function2::Max, angle).len() == 0);
     let units = |n: f64, m: f64| (angle.times(n) + angle.times(m)).turns().unit;
     assert_eq!([units(6.0, 3.0), units(3.0, 6.0), units(4.0, 6.0), units(5.0, 3.0)], [3, 3, 2, 1]);
@@ -197,7 +235,17 @@ fn angles_up_to_whole_turns() {
     let turns = |factor: f64| angle.times(3.0).times(factor).len();
     assert_eq!([turns(1.5), turns(0.4), turns(1.0 / 3.0), turns(1e7), turns(2.0)], [0, 0, 0, 0, ORDER + 1]);
     let about = Series::constant(Interval::new(1.0, 3.0));
-    assert_eq!([(angle * about).len(), (about * angle).len(), (angle * (y + Series::number(2.0))).len()], [0; 3]);
-    assert_eq!([(Series::number(2.0) / angle).len(), (angle / Series::number(2.0)).len(), angle.chain(&[[0.0, 1.0]; 3]).len()], [0; 3]);
+    assert_eq!(
+        [(angle * about).len(), (about * angle).len(), (angle * (y + Series::number(2.0))).len()],
+        [0; 3]
+    );
+    assert_eq!(
+        [
+            (Series::number(2.0) / angle).len(),
+            (angle / Series::number(2.0)).len(),
+            angle.chain(&[[0.0, 1.0]; 3]).len()
+        ],
+        [0; 3]
+    );
     assert_eq!(angle.values(), [f64::NEG_INFINITY, f64::INFINITY]);
 }

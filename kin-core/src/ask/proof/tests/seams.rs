@@ -26,7 +26,15 @@ fn kinks_keep_as_many_derivatives_as_agree() {
         (Law::trapezoidal(1.0, 0.5, 1.0), 0.5, 2),
         (Law::s_curve(1.0, 0.5, 1.0, 4.0), 0.25, 3),
         (Law::spline(&[(0.0, 0.0), (1.0, 0.5), (2.5, 0.1), (3.0, 0.4)], Ends::Natural), 1.0, 3),
-        (Law::sequence(0.0, [(2.0, Law::cycloidal(1.0, 2.0)), (2.0, Law::constant(1.0) - Law::cycloidal(1.0, 2.0))]).periodic(4.0), 6.0, 3),
+        (
+            Law::sequence(
+                0.0,
+                [(2.0, Law::cycloidal(1.0, 2.0)), (2.0, Law::constant(1.0) - Law::cycloidal(1.0, 2.0))],
+            )
+            .periodic(4.0),
+            6.0,
+            3,
+        ),
     ] {
         assert_eq!(known(&law, at - 1e-3, at + 1e-3), order + 1, "{law:?} at {at}");
     }
@@ -34,8 +42,13 @@ fn kinks_keep_as_many_derivatives_as_agree() {
 
 #[test]
 fn pieces_that_do_not_meet_have_no_value_there() {
-    let meets = |gap: f64| known(&Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::constant(1.0 + gap))]), 0.9, 1.1) > 0;
-    assert_eq!([0.0, 1e-16, 1e-10, -1e-10, 1e-5, 1e-3, 0.1].map(meets), [true, true, false, false, false, false, false]);
+    let meets = |gap: f64| {
+        known(&Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::constant(1.0 + gap))]), 0.9, 1.1) > 0
+    };
+    assert_eq!(
+        [0.0, 1e-16, 1e-10, -1e-10, 1e-5, 1e-3, 0.1].map(meets),
+        [true, true, false, false, false, false, false]
+    );
     let repeats = |gap: f64| known(&Law::linear(0.0, gap).periodic(1.0), 0.9, 1.1) > 0;
     assert_eq!([0.0, 1e-10, 1e-4, 1.0].map(repeats), [true, false, false, false]);
     // far from the first period as near it
@@ -52,7 +65,10 @@ fn seams_at_the_end_of_an_interval_count() {
     assert_eq!([known(&kink, 0.5, seam.lo()), known(&kink, 0.5, seam.lo().next_down())], [2, FULL]);
     let saw = |k: u32| if k.is_multiple_of(2) { Law::ramp(1.0) } else { Law::linear(1.0, -1.0) };
     let law = Law::sequence(0.0, (0..200).map(|k| (1.0, saw(k))));
-    assert_eq!([known(&law, 0.5, 64.5), known(&law, 100.5, 164.5), known(&law, 0.5, 65.5), known(&law, 0.5, 150.0)], [2, 2, 0, 0]);
+    assert_eq!(
+        [known(&law, 0.5, 64.5), known(&law, 100.5, 164.5), known(&law, 0.5, 65.5), known(&law, 0.5, 150.0)],
+        [2, 2, 0, 0]
+    );
 }
 
 /// What does not move has one value at a seam too, unless it jumps there.
@@ -68,7 +84,10 @@ fn at_a_seam_alone() {
 fn seams_within_one_function() {
     let line = Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::linear(1.0, 1.0))]);
     let flat = |gap: f64| Law::sequence(0.0, [(1.0, Law::constant(1.0)), (1.0, Law::constant(1.0 + gap))]);
-    assert_eq!([known(&line, 0.9, 1.1), known(&flat(0.0), 0.9, 1.1), known(&flat(1e-14), 0.9, 1.1)], [FULL, FULL, 0]);
+    assert_eq!(
+        [known(&line, 0.9, 1.1), known(&flat(0.0), 0.9, 1.1), known(&flat(1e-14), 0.9, 1.1)],
+        [FULL, FULL, 0]
+    );
     // The end of a fast one is known as well as its place is, on both sides of zero.
     let fast = Law::sine(1.0, 1e4, 0.0);
     let turn = std::f64::consts::TAU;
@@ -79,21 +98,41 @@ fn seams_within_one_function() {
     assert!(known(&fast.periodic(turn), 6.2, 6.3) > 1);
 }
 
-/// Periods are counted from the first; over many of them it has all values of one, over part of one those of that part.
+/// Periods are counted from the first; over many of them it has all values of one, over part of one those of
+/// that part.
 #[test]
 fn laws_that_repeat_have_their_own_values() {
-    let law = Law::sequence(0.0, [(2.0, Law::cycloidal(1.0, 2.0)), (2.0, Law::constant(1.0) - Law::cycloidal(1.0, 2.0))]).periodic(4.0);
+    let law = Law::sequence(
+        0.0,
+        [(2.0, Law::cycloidal(1.0, 2.0)), (2.0, Law::constant(1.0) - Law::cycloidal(1.0, 2.0))],
+    )
+    .periodic(4.0);
     // So far away that periods cannot be counted one by one.
     let far = law.over(&Series::variable(Interval::new(3e16, 3e16 + 32.0), ONE, FULL)).unwrap().values();
     assert!(far[0] <= 0.0 && far[1] >= 1.0);
     let spline = Law::spline(&[(0.3, 0.1), (1.0, 0.5), (1.7, 0.2), (2.3, 0.1)], Ends::Periodic);
     for (law, period) in [(law, 4.0), (spline, 2.0)] {
-        for (lo, width) in [(0.4, 0.2), (1.4, 0.3), (-0.7, 0.1), (1e3 * period + 0.4, 0.2), (1e7 * period + 0.4, 0.2), (0.5, 1000.3)] {
-            let found = law.over(&Series::variable(Interval::new(lo, lo + width), ONE, FULL)).unwrap().values();
+        for (lo, width) in [
+            (0.4, 0.2),
+            (1.4, 0.3),
+            (-0.7, 0.1),
+            (1e3 * period + 0.4, 0.2),
+            (1e7 * period + 0.4, 0.2),
+            (0.5, 1000.3),
+        ] {
+            let found =
+                law.over(&Series::variable(Interval::new(lo, lo + width), ONE, FULL)).unwrap().values();
             let all = (0..=1000).map(|k| law.jet(lo + width * f64::from(k) / 1000.0)[0]);
-            let (least, most) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), y| (lo.min(y), hi.max(y)));
-            assert!(found[0] <= least + 1e-12 && most - 1e-12 <= found[1], "{law:?} at {lo}: {found:?} {least} {most}");
-            assert!(found[1] - found[0] < 4.0 * (most - least) + 1e-5, "{law:?} at {lo}: {found:?} {least} {most}");
+            let (least, most) =
+                all.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), y| (lo.min(y), hi.max(y)));
+            assert!(
+                found[0] <= least + 1e-12 && most - 1e-12 <= found[1],
+                "{law:?} at {lo}: {found:?} {least} {most}"
+            );
+            assert!(
+                found[1] - found[0] < 4.0 * (most - least) + 1e-5,
+                "{law:?} at {lo}: {found:?} {least} {most}"
+            );
         }
     }
 }
@@ -105,8 +144,10 @@ fn wide_bounds_hide_no_jump() {
         let law = Law::sequence(0.0, [(1.0, Law::sine(1.0, omega, 0.0)), (1.0, Law::constant(0.3))]);
         assert_eq!(known(&law, 0.999_999_999, 1.000_000_001), 0, "{omega}");
     }
-    // A small one too, whether its bounds are wide because of where the seam is or of what the law is made of.
-    let fast = Law::sequence(0.0, [(1.0, Law::sine(1.0, 1e12, 0.0)), (1.0, Law::constant(1e12_f64.sin() + 1e-5))]);
+    // A small one too, whether its bounds are wide because of where the seam is or of what the law is made
+    // of.
+    let fast =
+        Law::sequence(0.0, [(1.0, Law::sine(1.0, 1e12, 0.0)), (1.0, Law::constant(1e12_f64.sin() + 1e-5))]);
     assert_eq!(known(&fast, 0.999_999_999, 1.000_000_001), 0);
     for (length, slope) in [(1e-5, 1.0), (1e-3, 1e3)] {
         let piece = |phase: f64| Law::sine(1.0, slope, phase);
@@ -150,7 +191,10 @@ fn whole_turns_are_nothing_to_laws_that_repeat() {
         assert!(!known(law.clone(), angle), "{law:?}");
     }
     // after two turns it is the same
-    assert!(known(Law::sine(1.0, 0.5, 0.0), angle.times(2.0)) && known(Law::sine(0.2, 0.5, 0.1).periodic(2.0 * turn), angle.times(2.0)));
+    assert!(
+        known(Law::sine(1.0, 0.5, 0.0), angle.times(2.0))
+            && known(Law::sine(0.2, 0.5, 0.1).periodic(2.0 * turn), angle.times(2.0))
+    );
     // the line through an angle is an angle
     assert!(Law::ramp(2.0).over(&angle).is_some_and(|y| y.cos().len() > 1));
 }

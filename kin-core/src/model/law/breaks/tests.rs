@@ -7,23 +7,31 @@ fn places(all: &[(f64, usize)]) -> Vec<(f64, usize)> {
     all.iter().map(|found| (found.x, found.order)).collect()
 }
 
-/// Places that differ by rounding are one, with the sharper break of both, on either side of zero and not beside it.
+/// Places that differ by rounding are one, with the sharper break of both, on either side of zero and not
+/// beside it.
 #[test]
 fn places_that_differ_by_rounding_are_one() {
     assert_eq!(places(&[(2.0, 0), (1.0 + 1e-13, 1), (1.0, 3)]), [(1.0, 1), (2.0, 0)]);
     assert_eq!(places(&[(-1.0, 1), (-1.0 - 1e-13, 3), (-2.0, 2)]), [(-2.0, 2), (-1.0 - 1e-13, 1)]);
     assert_eq!(places(&[(0.0, 2), (1e-13, 3), (-1e-13, 1)]), [(-1e-13, 1), (0.0, 2), (1e-13, 3)]);
-    assert_eq!(places(&[(1.0, 2), (1.0 + 3e-12, 1), (1e6, 3), (1e6 + 5e-7, 2)]), [(1.0, 2), (1.0 + 3e-12, 1), (1e6, 2)]);
+    assert_eq!(
+        places(&[(1.0, 2), (1.0 + 3e-12, 1), (1e6, 3), (1e6 + 5e-7, 2)]),
+        [(1.0, 2), (1.0 + 3e-12, 1), (1e6, 2)]
+    );
     let many: Vec<(f64, usize)> = (0..=MOST_BREAKS).map(|k| (k as f64, 1)).collect();
     assert_eq!(places(&many).len(), MOST_BREAKS);
 }
 
-/// Carried on by Taylor's formula: exactly for a cubic, and with the fourth derivative in the second and the third.
+/// Carried on by Taylor's formula: exactly for a cubic, and with the fourth derivative in the second and the
+/// third.
 #[test]
 fn the_left_side_of_an_end() {
     let cubic = Law::polynomial(&[1.0, -2.0, 3.0, -4.0]);
     for (x, step) in [(2.0, 0.5), (-1.0, 0.3), (0.7, 0.0)] {
-        left_jet(&cubic, x, step).into_iter().zip(cubic.jet(x)).for_each(|(found, exact)| near(found, exact, 1e-10));
+        left_jet(&cubic, x, step)
+            .into_iter()
+            .zip(cubic.jet(x))
+            .for_each(|(found, exact)| near(found, exact, 1e-10));
     }
     let quartic = Law::polynomial(&[1.0, -2.0, 3.0, -4.0, 5.0]);
     let (found, exact) = (left_jet(&quartic, 2.0, 0.5), quartic.jet(2.0));
@@ -42,8 +50,14 @@ fn what_jumps_at_a_seam() {
         seam.order()
     };
     assert_eq!(order([2.0, 3.0, 2.0, 0.0]), None);
-    assert_eq!([[2.1, 3.0, 2.0, 0.0], [2.0, 3.1, 2.0, 0.0], [2.0, 3.0, 2.1, 0.0], [2.0, 3.0, 2.0, 0.1]].map(order), [0, 1, 2, 3].map(Some));
-    assert_eq!([[f64::NAN, 3.0, 2.0, 0.0], [2.0, f64::NAN, 2.0, 0.0], [2.0, f64::NAN, 2.1, 0.0]].map(order), [Some(0), None, Some(2)]);
+    assert_eq!(
+        [[2.1, 3.0, 2.0, 0.0], [2.0, 3.1, 2.0, 0.0], [2.0, 3.0, 2.1, 0.0], [2.0, 3.0, 2.0, 0.1]].map(order),
+        [0, 1, 2, 3].map(Some)
+    );
+    assert_eq!(
+        [[f64::NAN, 3.0, 2.0, 0.0], [2.0, f64::NAN, 2.0, 0.0], [2.0, f64::NAN, 2.1, 0.0]].map(order),
+        [Some(0), None, Some(2)]
+    );
     assert_eq!(Seam::before(1.0, [1.0, 0.0, 0.0, 5.0], Sizes::of(&law, 1.0), 1.0).order(), Some(3));
 }
 
@@ -51,9 +65,18 @@ fn what_jumps_at_a_seam() {
 #[test]
 fn laws_of_the_library_are_not_trusted() {
     let spline = Law::spline(&[(0.0, 0.0), (1.0, 1.0), (2.0, 0.5)], crate::model::law::Ends::Natural);
-    let plain =
-        [Law::constant(1.0), Law::ramp(1.0), Law::polynomial(&[1.0, 2.0]), Law::harmonic(0.0, 1.0), Law::fourier(0.0, 1.0, &[(1.0, 0.0)])];
-    for law in plain.into_iter().chain([spline, Law::cycloidal(1.0, 1.0), Law::sequence(0.0, [(1.0, Law::ramp(1.0))])]) {
+    let plain = [
+        Law::constant(1.0),
+        Law::ramp(1.0),
+        Law::polynomial(&[1.0, 2.0]),
+        Law::harmonic(0.0, 1.0),
+        Law::fourier(0.0, 1.0, &[(1.0, 0.0)]),
+    ];
+    for law in plain.into_iter().chain([
+        spline,
+        Law::cycloidal(1.0, 1.0),
+        Law::sequence(0.0, [(1.0, Law::ramp(1.0))]),
+    ]) {
         assert_eq!((law.trusted(), law.kind().is_empty()), (Vec::<String>::new(), false), "{law:?}");
     }
 }
@@ -62,7 +85,8 @@ fn laws_of_the_library_are_not_trusted() {
 #[test]
 fn sizes_are_the_largest_of_each_derivative() {
     for sign in [1.0, -1.0] {
-        let [at_end, at_begin] = [[0.0, 0.0, 0.0, 0.0, 1.0], [16.0, -32.0, 24.0, -8.0, 1.0]].map(|c| Law::polynomial(&c.map(|c| sign * c)));
+        let [at_end, at_begin] = [[0.0, 0.0, 0.0, 0.0, 1.0], [16.0, -32.0, 24.0, -8.0, 1.0]]
+            .map(|c| Law::polynomial(&c.map(|c| sign * c)));
         assert_eq!(
             (Sizes::of(&at_end, 2.0).0, Sizes::of(&at_begin, 2.0).0),
             ([16.0, 32.0, 48.0, 48.0, 24.0], [16.0, 32.0, 48.0, 48.0, 24.0])
@@ -70,16 +94,20 @@ fn sizes_are_the_largest_of_each_derivative() {
     }
     for k in 0..16 {
         let (from, to) = (f64::from(k) / 8.0, f64::from(k + 1) / 8.0);
-        let law =
-            own(move |x| [-2.0, 0.5, -3.0, 4.0, -5.0].map(|f| if (from..to).contains(&x) { f } else { f64::from((x - 1.0).abs() > 1.0) }));
+        let law = own(move |x| {
+            [-2.0, 0.5, -3.0, 4.0, -5.0]
+                .map(|f| if (from..to).contains(&x) { f } else { f64::from((x - 1.0).abs() > 1.0) })
+        });
         assert_eq!(Sizes::of(&law, 2.0).0, [2.0, 0.5, 3.0, 4.0, 5.0], "{k}");
     }
-    let unknown = Sizes([1.0, f64::NAN, 3.0, f64::NAN, 5.0]).with(Sizes([2.0, 1.0, f64::NAN, f64::NAN, 4.0])).0;
+    let unknown =
+        Sizes([1.0, f64::NAN, 3.0, f64::NAN, 5.0]).with(Sizes([2.0, 1.0, f64::NAN, f64::NAN, 4.0])).0;
     assert_eq!(unknown[..3], [2.0, 1.0, 3.0]);
     assert!(unknown[3].is_nan() && unknown[4] == 5.0);
 }
 
-/// A left side is looked at where the law has hardly changed, nearer than a billionth of the length, and no nearer than rounding lets it.
+/// A left side is looked at where the law has hardly changed, nearer than a billionth of the length, and no
+/// nearer than rounding lets it.
 #[test]
 fn how_far_before_an_end_a_law_is_looked_at() {
     let step = |f: f64, f1: f64, length: f64| Sizes([f, f1, 0.0, 0.0, 0.0]).step(length);
@@ -89,7 +117,8 @@ fn how_far_before_an_end_a_law_is_looked_at() {
     assert_eq!((step(0.0, 1.0, 4.0), step(0.0, 0.0, 4.0), step(1.0, 0.0, 4.0)), (4e-9, 4e-9, 4e-9));
 }
 
-/// Nine digits of a value, seven of a derivative, what the law changes by over the step, and rounding of the others.
+/// Nine digits of a value, seven of a derivative, what the law changes by over the step, and rounding of the
+/// others.
 #[test]
 fn what_two_sides_may_differ_by() {
     let allowed = |sizes: [f64; 5], k: usize, length: f64| Sizes(sizes).allowed(k, 1e-8, length);
@@ -126,14 +155,21 @@ fn the_least_jump_of_a_seam() {
         // What comes after may be the larger one.
         let mut right = left;
         right[k] += 1.2 * allowed;
-        assert_eq!(Seam::after(&law, 2.0, sizes, (right, Sizes([1e3, 1e3, 1e3, 1e3, 1e3]), 0.5)).order(), None);
+        assert_eq!(
+            Seam::after(&law, 2.0, sizes, (right, Sizes([1e3, 1e3, 1e3, 1e3, 1e3]), 0.5)).order(),
+            None
+        );
     }
     let held = |right: [f64; 4]| Seam::before(2.0, right, Sizes([2.0, 1.0, 1.0, 1.0, 0.0]), 1.0);
-    assert_eq!((held([2.0, 1e-6, 0.0, 0.0]).order(), held([2.0, 1e-8, 0.0, 0.0]).order(), held([2.0; 4]).end()), (Some(1), None, 2.0));
+    assert_eq!(
+        (held([2.0, 1e-6, 0.0, 0.0]).order(), held([2.0, 1e-8, 0.0, 0.0]).order(), held([2.0; 4]).end()),
+        (Some(1), None, 2.0)
+    );
     assert_eq!(Seam::before(0.0, [0.0; 4], Sizes::default(), 1.0).order(), None);
 }
 
-/// The fourth derivative is that of the place that is looked at, and counts for nothing where it is not known.
+/// The fourth derivative is that of the place that is looked at, and counts for nothing where it is not
+/// known.
 #[test]
 fn the_fourth_derivative_before_an_end() {
     let law = |f4: fn(f64) -> f64| own(move |x| [0.0, 0.0, 0.0, 0.0, f4(x)]);
@@ -162,15 +198,21 @@ fn breaks_of_each_period() {
     assert_eq!(again(&one, 0.5, 1.0, -1.75, -0.5), [(-1.75, 3), (-1.5, 1), (-0.75, 3), (-0.5, 1)]);
     assert_eq!(again(&[(0.5, 1)], 0.5, 4.0, 100.5, 108.5), [(100.5, 1), (104.5, 1), (108.5, 1)]);
     assert_eq!(again(&[(0.5, 1)], 0.5, 0.25, -1.0, -0.5), [(-1.0, 1), (-0.75, 1), (-0.5, 1)]);
-    for (period, from, to) in
-        [(1.0, 2.5, 0.5), (-1.0, 0.0, 9.0), (0.0, 0.0, 9.0), (f64::NAN, 0.0, 9.0), (1.0, f64::NAN, 9.0), (1.0, 0.0, f64::NAN)]
-    {
+    for (period, from, to) in [
+        (1.0, 2.5, 0.5),
+        (-1.0, 0.0, 9.0),
+        (0.0, 0.0, 9.0),
+        (f64::NAN, 0.0, 9.0),
+        (1.0, f64::NAN, 9.0),
+        (1.0, 0.0, f64::NAN),
+    ] {
         assert_eq!(again(&one, 0.5, period, from, to), [], "{period} {from} {to}");
     }
     assert_eq!(again(&[], 0.0, 1.0, 0.0, 9.0), []);
 }
 
-/// As many as are listed at most, from the first one on; where periods are shorter than rounding each place once.
+/// As many as are listed at most, from the first one on; where periods are shorter than rounding each place
+/// once.
 #[test]
 fn breaks_of_many_periods() {
     for one in [&[(0.5, 1)][..], &[(0.25, 1), (0.5, 2), (0.75, 3)]] {
@@ -205,13 +247,18 @@ fn a_law_is_sampled_at_65_places() {
     assert_eq!(Samples::between(&line, -1.0, 3.0).range(), (-3.0, 5.0));
 }
 
-/// Each passage once, upwards and downwards, also at a sample; the first number that is not on the side before.
+/// Each passage once, upwards and downwards, also at a sample; the first number that is not on the side
+/// before.
 #[test]
 fn where_a_law_takes_a_value() {
     let preimages = |law: &Law, from: f64, to: f64, y: f64| Samples::between(law, from, to).preimages(y);
     for (law, y) in [(Law::ramp(1.0), 5.0), (Law::ramp(-1.0), -5.0)] {
         assert_eq!(
-            (preimages(&law, 0.0, 64.0, y), preimages(&law, 0.0, 64.0, 1.1 * y), preimages(&law, 0.0, 64.0, -y)),
+            (
+                preimages(&law, 0.0, 64.0, y),
+                preimages(&law, 0.0, 64.0, 1.1 * y),
+                preimages(&law, 0.0, 64.0, -y)
+            ),
             (vec![5.0], vec![5.5], vec![])
         );
     }
@@ -219,13 +266,19 @@ fn where_a_law_takes_a_value() {
     let bowl = Law::polynomial(&[-0.25, 0.0, 1.0]);
     let mut found = preimages(&bowl, -1.0, 1.01, 0.0);
     found.sort_by(f64::total_cmp);
-    assert!(found.len() == 2 && (found[0] + 0.5).abs() < 1e-15 && (found[1] - 0.5).abs() < 1e-15, "{found:?}");
+    assert!(
+        found.len() == 2 && (found[0] + 0.5).abs() < 1e-15 && (found[1] - 0.5).abs() < 1e-15,
+        "{found:?}"
+    );
     assert!(preimages(&bowl, -1.0, 1.0, -0.3).is_empty());
     assert_eq!(preimages(&bowl, -1.0, 1.0, -0.25), [0.0]);
     for sign in [1.0, -1.0] {
         assert_eq!(bisected(&|x| sign * (x - 0.3), 0.0, 1.0), 0.3);
         let rest = |x: f64| if x < 0.4 { -sign } else { sign * f64::from(x > 0.6) };
-        assert_eq!((bisected(&rest, 0.0, 1.0), bisected(&|x| rest(x - 3.0), 3.0, 4.0)), (0.4, bisected(&|x| rest(x - 3.0), 3.1, 3.9)));
+        assert_eq!(
+            (bisected(&rest, 0.0, 1.0), bisected(&|x| rest(x - 3.0), 3.0, 4.0)),
+            (0.4, bisected(&|x| rest(x - 3.0), 3.1, 3.9))
+        );
         assert_eq!(bisected(&|x| sign * (x + 0.7), -1.0, 0.0), -0.7);
     }
 }

@@ -22,7 +22,12 @@ fn agree(law: &Law, polynomial: &[f64]) {
     }
     bounded(law, &[(0.5, 0.5), (-0.25, -0.25), (1.5, 1.5)], 0.0);
     bounded(law, &[(0.5, 0.500_1), (-0.25, -0.249_9)], 50.0);
-    assert!(law.is_smooth() && law.refusal().is_none() && law.breaks(-9.0, 9.0).is_empty() && !law.description().is_empty());
+    assert!(
+        law.is_smooth()
+            && law.refusal().is_none()
+            && law.breaks(-9.0, 9.0).is_empty()
+            && !law.description().is_empty()
+    );
 }
 
 #[test]
@@ -53,8 +58,18 @@ fn sums_products_and_compositions_of_polynomials() {
 fn kinds_parts_and_parameters() {
     let (f, g) = (Law::linear(1.0, 2.0), Law::ramp(3.0));
     let all = [
-        (f.clone() + g.clone(), "sum", vec!["first.f0", "first.rate", "second.rate"], vec!["first", "second"]),
-        (f.clone() * g.clone(), "product", vec!["first.f0", "first.rate", "second.rate"], vec!["first", "second"]),
+        (
+            f.clone() + g.clone(),
+            "sum",
+            vec!["first.f0", "first.rate", "second.rate"],
+            vec!["first", "second"],
+        ),
+        (
+            f.clone() * g.clone(),
+            "product",
+            vec!["first.f0", "first.rate", "second.rate"],
+            vec!["first", "second"],
+        ),
         (0.5 * g.clone(), "multiple", vec!["factor", "law.rate"], vec!["law"]),
         (f.compose(&g), "composed", vec!["outer.f0", "outer.rate", "inner.rate"], vec!["outer", "inner"]),
     ];
@@ -73,36 +88,67 @@ fn kinds_parts_and_parameters() {
             }
             assert_eq!(changed.kind(), kind);
         }
-        for name in ["", "rate", "first", "first.", "firstrate", "law.x", "outer.x", "factor.x", "second.f0", "inner.f0"] {
+        for name in [
+            "",
+            "rate",
+            "first",
+            "first.",
+            "firstrate",
+            "law.x",
+            "outer.x",
+            "factor.x",
+            "second.f0",
+            "inner.f0",
+        ] {
             assert!(!law.clone().set_parameter(name, 1.0), "{kind} {name}");
         }
     }
 }
 
-/// What one part rests on, what it is refused for, where it breaks and whose bounds are not known is so of the whole.
+/// What one part rests on, what it is refused for, where it breaks and whose bounds are not known is so of
+/// the whole.
 #[test]
 fn what_holds_of_a_part_holds_of_the_whole() {
     let (own, plain) = (own(|x| [x, 1.0, 0.0, 0.0, 0.0]), Law::linear(0.0, 1.0));
     let (bad, worse) = (Law::cycloidal(1.0, 0.0), Law::cycloidal(1.0, -1.0));
     let rise = Law::harmonic_rise(1.0, 1.0);
     type Both = fn(&Law, &Law) -> Law;
-    let both: [(Both, usize); 3] = [(|f, g| f.clone() + g.clone(), 0), (|f, g| f.clone() * g.clone(), 0), (|f, g| f.compose(g), 1)];
+    let both: [(Both, usize); 3] =
+        [(|f, g| f.clone() + g.clone(), 0), (|f, g| f.clone() * g.clone(), 0), (|f, g| f.compose(g), 1)];
     for (law, first) in both {
         for (f, g) in [(&own, &plain), (&plain, &own)] {
-            assert_eq!((law(f, g).trusted(), law(f, g).over(&Series::number(1.0)).is_none()), (vec!["law".to_string()], true));
+            assert_eq!(
+                (law(f, g).trusted(), law(f, g).over(&Series::number(1.0)).is_none()),
+                (vec!["law".to_string()], true)
+            );
         }
-        assert_eq!((law(&plain, &plain).trusted().len(), law(&plain, &plain).over(&Series::number(1.0)).is_none()), (0, false));
-        assert_eq!((law(&bad, &plain).refusal(), law(&plain, &bad).refusal()), (bad.refusal(), bad.refusal()));
+        assert_eq!(
+            (law(&plain, &plain).trusted().len(), law(&plain, &plain).over(&Series::number(1.0)).is_none()),
+            (0, false)
+        );
+        assert_eq!(
+            (law(&bad, &plain).refusal(), law(&plain, &bad).refusal()),
+            (bad.refusal(), bad.refusal())
+        );
         assert_eq!(law(&bad, &worse).refusal(), [&bad, &worse][first].refusal());
         for law in [law(&rise, &plain), law(&plain, &rise)] {
             assert_eq!((listed(&law, -1.0, 2.0), law.is_smooth()), (vec![(0.0, 2), (1.0, 2)], false));
-            assert_eq!((listed(&law, 0.5, 2.0), law.sharpest_break(0.5, 2.0)), (vec![(1.0, 2)], Some(Break { x: 1.0, order: 2 })));
+            assert_eq!(
+                (listed(&law, 0.5, 2.0), law.sharpest_break(0.5, 2.0)),
+                (vec![(1.0, 2)], Some(Break { x: 1.0, order: 2 }))
+            );
             assert_eq!(law.sharpest_break(1.5, 2.0), None);
         }
     }
     let multiple = 3.0 * rise.clone();
-    assert_eq!((listed(&multiple, -1.0, 0.5), multiple.is_smooth(), (2.0 * own.clone()).trusted().len()), (vec![(0.0, 2)], false, 1));
-    assert_eq!((multiple.sharpest_break(0.5, 2.0), (2.0 * bad.clone()).refusal()), (Some(Break { x: 1.0, order: 2 }), bad.refusal()));
+    assert_eq!(
+        (listed(&multiple, -1.0, 0.5), multiple.is_smooth(), (2.0 * own.clone()).trusted().len()),
+        (vec![(0.0, 2)], false, 1)
+    );
+    assert_eq!(
+        (multiple.sharpest_break(0.5, 2.0), (2.0 * bad.clone()).refusal()),
+        (Some(Break { x: 1.0, order: 2 }), bad.refusal())
+    );
     assert!((2.0 * own).over(&Series::number(1.0)).is_none());
     // the rougher one of both, wherever it is
     let corner = Law::sequence(0.25, [(0.5, Law::ramp(1.0))]);
@@ -112,7 +158,8 @@ fn what_holds_of_a_part_holds_of_the_whole() {
     }
 }
 
-/// At a break of the outer law that is passed backwards the law has the derivatives of its left side: by the first derivative that moves.
+/// At a break of the outer law that is passed backwards the law has the derivatives of its left side: by the
+/// first derivative that moves.
 #[test]
 fn breaks_that_are_passed_backwards() {
     // up by 1 until 1, then down by 1
@@ -131,7 +178,8 @@ fn breaks_that_are_passed_backwards() {
     }
     // beside the break each side has its own
     assert_eq!([0.9, 1.1].map(|x| corner.compose(&Law::ramp(-1.0)).jet(-x)[1]), [-1.0, 1.0]);
-    // At rest on the left of where a rise begins, at constant speed on the left of where it brakes, wherever these are.
+    // At rest on the left of where a rise begins, at constant speed on the left of where it brakes, wherever
+    // these are.
     for at in [0.0, 1e6, -1e6, 1e-6] {
         let back = |law: Law, from: f64| law.shifted(at).compose(&Law::linear(at + from, -1.0)).jet(0.0);
         assert_eq!(back(Law::harmonic_rise(1.0, 1.0), 0.0)[2], 0.0, "{at}");
@@ -142,14 +190,16 @@ fn breaks_that_are_passed_backwards() {
     }
 }
 
-/// Breaks of a composition: where the inner law takes the places of the outer one's, and those of the inner one.
+/// Breaks of a composition: where the inner law takes the places of the outer one's, and those of the inner
+/// one.
 #[test]
 fn breaks_of_a_composition() {
     let motion = Law::trapezoidal(2.0, 1.0, 2.0);
     // 3 sin t takes 0, 0.5, 2 and 2.5 on its way up and on its way down
     let law = motion.compose(&Law::sine(3.0, 1.0, 0.0));
     let up = [0.0, 0.5, 2.0, 2.5].map(|y| (y / 3.0_f64).asin());
-    let expected: Vec<f64> = up.into_iter().chain(up.into_iter().rev().map(|x| std::f64::consts::PI - x)).collect();
+    let expected: Vec<f64> =
+        up.into_iter().chain(up.into_iter().rev().map(|x| std::f64::consts::PI - x)).collect();
     let found = listed(&law, -0.5, 3.5);
     assert_eq!(found.iter().map(|b| b.1).collect::<Vec<_>>(), [2; 8]);
     found.iter().zip(&expected).for_each(|((x, _), exact)| near(*x, *exact, 1e-14));

@@ -27,7 +27,9 @@ fn intervals_and_places() {
     for _ in 0..3000 {
         let (first, last) = (random.number(), 2.0 + random.number());
         let table = points(&[(first, 0.0), (0.5 * (first + last), 1.0), (last, 0.0)], Ends::Periodic);
-        for x in [last, last.next_down(), first, first.next_down(), last + (last - first), 1e3 * random.number()] {
+        for x in
+            [last, last.next_down(), first, first.next_down(), last + (last - first), 1e3 * random.number()]
+        {
             let (x, after) = table.place(x);
             assert!(first <= x && x < last && (1..=2).contains(&after), "{first} {last} {x}");
         }
@@ -43,32 +45,57 @@ fn tables_that_make_no_sense() {
         (said(&TABLE[..2], Ends::Natural), said(&TABLE[..2], CLAMPED), said(&TABLE, Ends::Periodic)),
         (String::new(), String::new(), String::new())
     );
-    assert_eq!(said(&[(0.0, 1.0), (1.0, f64::NAN)], Ends::Natural), "spline: point 2 is (1, NaN); give finite numbers");
-    assert_eq!(said(&[(f64::NEG_INFINITY, 1.0), (1.0, 0.0)], Ends::Natural), "spline: point 1 is (-inf, 1); give finite numbers");
+    assert_eq!(
+        said(&[(0.0, 1.0), (1.0, f64::NAN)], Ends::Natural),
+        "spline: point 2 is (1, NaN); give finite numbers"
+    );
+    assert_eq!(
+        said(&[(f64::NEG_INFINITY, 1.0), (1.0, 0.0)], Ends::Natural),
+        "spline: point 1 is (-inf, 1); give finite numbers"
+    );
     assert_eq!(
         said(&[(0.0, 1.0), (1.0, 0.0), (1.0, 2.0)], Ends::Natural),
         "spline: the table does not increase: x = 1 is followed by 1 (point 3)"
     );
-    assert_eq!(said(&[(0.0, 1.0), (-1.0, 0.0)], Ends::Natural), "spline: the table does not increase: x = 0 is followed by -1 (point 2)");
-    assert_eq!(said(&[(0.0, 1.0), (f64::NAN, 2.0), (1.0, f64::NAN)], Ends::Natural), "spline: point 2 is (NaN, 2); give finite numbers");
+    assert_eq!(
+        said(&[(0.0, 1.0), (-1.0, 0.0)], Ends::Natural),
+        "spline: the table does not increase: x = 0 is followed by -1 (point 2)"
+    );
+    assert_eq!(
+        said(&[(0.0, 1.0), (f64::NAN, 2.0), (1.0, f64::NAN)], Ends::Natural),
+        "spline: point 2 is (NaN, 2); give finite numbers"
+    );
     let twice = [(0.0, 1.0), (-1.0, 0.0), (2.0, 0.0), (1.0, 0.0)];
-    assert_eq!(said(&twice, Ends::Natural), "spline: the table does not increase: x = 0 is followed by -1 (point 2)");
+    assert_eq!(
+        said(&twice, Ends::Natural),
+        "spline: the table does not increase: x = 0 is followed by -1 (point 2)"
+    );
     let open = |y: f64, off: f64| said(&[(0.0, y), (1.0, -3.0 * y), (2.0, y + off)], Ends::Periodic);
-    assert_eq!(open(1.0, 0.5), "spline: a periodic table ends as it begins, but y is 1 at first and 1.5 at last");
+    assert_eq!(
+        open(1.0, 0.5),
+        "spline: a periodic table ends as it begins, but y is 1 at first and 1.5 at last"
+    );
     for y in [1.0, -1.0, 1e9, -1e-9] {
         // nine digits of the largest
         assert_eq!((open(y, 2.9e-9 * y), open(y, -2.9e-9 * y)), (String::new(), String::new()));
         assert!(!open(y, 3.6e-9 * y).is_empty() && !open(y, -3.6e-9 * y).is_empty());
     }
-    assert_eq!((open(0.0, 0.0), said(&[(0.0, 1.0), (1.0, 3.0)], Ends::Natural)), (String::new(), String::new()));
+    assert_eq!(
+        (open(0.0, 0.0), said(&[(0.0, 1.0), (1.0, 3.0)], Ends::Natural)),
+        (String::new(), String::new())
+    );
 }
 
 #[test]
 fn numbers_of_a_table() {
     let fixed = |ends| points(&TABLE, ends).fixed_numbers();
     let x: Vec<(String, f64)> = TABLE.iter().enumerate().map(|(k, (x, _))| (format!("x[{k}]"), *x)).collect();
-    let and =
-        |more: &[(&str, f64)]| x.iter().cloned().chain(more.iter().map(|(name, value)| (name.to_string(), *value))).collect::<Vec<_>>();
+    let and = |more: &[(&str, f64)]| {
+        x.iter()
+            .cloned()
+            .chain(more.iter().map(|(name, value)| (name.to_string(), *value)))
+            .collect::<Vec<_>>()
+    };
     assert_eq!(
         (fixed(Ends::Natural), fixed(CLAMPED), fixed(Ends::Periodic)),
         (and(&[]), and(&[("start", 0.5), ("end", -2.0)]), and(&[("periodic", 1.0)]))
@@ -77,11 +104,17 @@ fn numbers_of_a_table() {
         assert_eq!(law(&TABLE, CLAMPED).fixed_numbers(), and(&[("start", 0.5), ("end", -2.0)]));
         assert_eq!(
             shown(&law(&TABLE, CLAMPED)),
-            [2.0, 3.0, -1.0, 2.0].iter().enumerate().map(|(k, y)| (format!("y[{k}]"), *y)).collect::<Vec<_>>()
+            [2.0, 3.0, -1.0, 2.0]
+                .iter()
+                .enumerate()
+                .map(|(k, y)| (format!("y[{k}]"), *y))
+                .collect::<Vec<_>>()
         );
     }
     let changed = |ends, name: &str| {
-        points(&TABLE, ends).with_parameter(name, 7.0).map(|points| points.table.iter().map(|point| point.1).collect::<Vec<_>>())
+        points(&TABLE, ends)
+            .with_parameter(name, 7.0)
+            .map(|points| points.table.iter().map(|point| point.1).collect::<Vec<_>>())
     };
     assert_eq!(
         (changed(Ends::Natural, "y[0]"), changed(CLAMPED, "y[3]")),
@@ -118,11 +151,18 @@ fn tables_from_files() {
     same("-1,2\n0,3\n2,-1\n3,2\n");
     same("t [s],x [m]\n -1 , 2,note\n0,3\n2,-1,,\n3,2");
     let said = |text: &str| read("said", text.as_bytes()).err().unwrap_or_default();
-    assert!(said("t,x\n0,1\n1,two\n").ends_with("line 3: `1,two` is not two numbers"), "{}", said("t,x\n0,1\n1,two\n"));
+    assert!(
+        said("t,x\n0,1\n1,two\n").ends_with("line 3: `1,two` is not two numbers"),
+        "{}",
+        said("t,x\n0,1\n1,two\n")
+    );
     assert!(said("0,1\nt,x\n").ends_with("line 2: `t,x` is not two numbers"));
     assert!(said("0,1\n1\n").ends_with("line 2: `1` is not two numbers"));
     assert!(said("0,1\n0,2\n").contains("does not increase: x = 0 is followed by 0 (point 2)"));
     assert!(said("t,x\n").contains("the table has 0 points; it needs 2"));
     assert!(read("broken", &[b'0', b',', 0xff, b'\n', b'1', b',', 0xff]).is_err());
-    assert!(Law::spline_from_csv("/no/such/file.csv", Ends::Natural).is_err_and(|error| error.to_string().contains("file.csv")));
+    assert!(
+        Law::spline_from_csv("/no/such/file.csv", Ends::Natural)
+            .is_err_and(|error| error.to_string().contains("file.csv"))
+    );
 }

@@ -9,7 +9,8 @@ fn spline(table: &[(f64, f64)], ends: Ends) -> Spline {
     Spline::new(Points { table: table.to_vec(), ends })
 }
 
-/// What makes it the spline: it goes through the points, with the same slope and curvature on both sides of each, and with the ends that are asked for.
+/// What makes it the spline: it goes through the points, with the same slope and curvature on both sides of
+/// each, and with the ends that are asked for.
 #[test]
 fn splines_do_what_makes_them_splines() {
     for ends in ALL {
@@ -34,14 +35,19 @@ fn splines_do_what_makes_them_splines() {
             near(found[3], (f[4] - 2.0 * f[3] + 2.0 * f[1] - f[0]) / (2.0 * h.powi(3)), 1e-11);
             assert_eq!((law.fourth(x), spline.third(k)), (0.0, spline.inside(k, x)[3]));
         }
-        let ([first, second], end) = ([spline.inside(0, TABLE[0].0), spline.inside(last - 1, TABLE[last].0)], 7.25);
+        let ([first, second], end) =
+            ([spline.inside(0, TABLE[0].0), spline.inside(last - 1, TABLE[last].0)], 7.25);
         match ends {
             Ends::Natural => assert!(first[2].abs() + second[2].abs() < 1e-13),
-            Ends::Clamped { start, end } => [(first, start), (second, end)].iter().for_each(|(found, slope)| near(found[1], *slope, 1e-13)),
+            Ends::Clamped { start, end } => [(first, start), (second, end)]
+                .iter()
+                .for_each(|(found, slope)| near(found[1], *slope, 1e-13)),
             Ends::Periodic => {
                 near(spline.third(last), spline.third(0), 0.0);
                 (0..3).for_each(|order| {
-                    [-4.5, 4.5, 9.0].iter().for_each(|turn| near(law.jet(0.7 + turn)[order], law.jet(0.7)[order], 1e-13))
+                    [-4.5, 4.5, 9.0]
+                        .iter()
+                        .for_each(|turn| near(law.jet(0.7 + turn)[order], law.jet(0.7)[order], 1e-13))
                 });
                 continue;
             }
@@ -49,20 +55,35 @@ fn splines_do_what_makes_them_splines() {
         // straight on
         assert_eq!(
             (law.jet(-3.5), law.jet(end)),
-            ([first[0] - 3.0 * first[1], first[1], 0.0, 0.0], [second[0] + 3.25 * second[1], second[1], 0.0, 0.0])
+            (
+                [first[0] - 3.0 * first[1], first[1], 0.0, 0.0],
+                [second[0] + 3.25 * second[1], second[1], 0.0, 0.0]
+            )
         );
         assert_eq!(spline.third(last), 0.0);
         assert_eq!(law.jet(TABLE[0].0), first);
         near(law.jet(TABLE[last].0)[1], second[1], 0.0);
         assert_eq!(law.jet(TABLE[last].0)[2..], [0.0, 0.0]);
     }
+}
+
+#[test]
+fn a_spline_of_too_few_points_is_none() {
     let refused = spline(&TABLE[..1], Ends::Natural);
-    assert!(refused.curvature.is_empty() && refused.jet(0.0).iter().all(|f| f.is_nan()) && refused.over(&Series::number(0.0)).is_none());
-    assert!(refused.breaks(-9.0, 9.0).is_empty() && Law::spline(&[], Ends::Natural).over(&Series::number(0.0)).is_none());
+    assert!(
+        refused.curvature.is_empty()
+            && refused.jet(0.0).iter().all(|f| f.is_nan())
+            && refused.over(&Series::number(0.0)).is_none()
+    );
+    assert!(
+        refused.breaks(-9.0, 9.0).is_empty()
+            && Law::spline(&[], Ends::Natural).over(&Series::number(0.0)).is_none()
+    );
     assert!(Law::spline(&TABLE, Ends::Natural).jet(f64::NAN).iter().all(|f| f.is_nan()));
 }
 
-/// A cubic with its own slopes at the ends is itself, to the last knots, with no break inside; two and three points do.
+/// A cubic with its own slopes at the ends is itself, to the last knots, with no break inside; two and three
+/// points do.
 #[test]
 fn a_cubic_is_its_own_spline() {
     let knots = [&[0.0, 1.0][..], &[-1.0, 0.25, 1.0], &[-1.0, -0.25, 0.5, 1.75, 2.0]];
@@ -78,7 +99,10 @@ fn a_cubic_is_its_own_spline() {
         assert_eq!(listed(&law, -9.0, 9.0), [(from, 2), (to, 2)]);
     }
     // A parabola has a curvature at its ends and no third derivative.
-    assert_eq!(listed(&Law::spline(&[(0.0, 0.0), (1.0, 1.0)], Ends::Clamped { start: 0.0, end: 2.0 }), -9.0, 9.0), [(0.0, 2), (1.0, 2)]);
+    assert_eq!(
+        listed(&Law::spline(&[(0.0, 0.0), (1.0, 1.0)], Ends::Clamped { start: 0.0, end: 2.0 }), -9.0, 9.0),
+        [(0.0, 2), (1.0, 2)]
+    );
     // A hat, by hand: f″ = −3 in the middle.
     let hat = spline(&[(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)], Ends::Natural);
     assert_eq!(hat.curvature, [0.0, -3.0, 0.0]);
@@ -92,20 +116,24 @@ fn a_cubic_is_its_own_spline() {
 #[test]
 fn breaks_of_splines() {
     let found = |ends, from, to| listed(&Law::spline(&TABLE, ends), from, to);
-    let with = |first: usize, order: &[usize]| TABLE.iter().skip(first).zip(order).map(|((x, _), order)| (*x, *order)).collect::<Vec<_>>();
+    let with = |first: usize, order: &[usize]| {
+        TABLE.iter().skip(first).zip(order).map(|((x, _), order)| (*x, *order)).collect::<Vec<_>>()
+    };
     assert_eq!(found(Ends::Natural, -9.0, 9.0), with(0, &[3; 6]));
     assert_eq!(found(CLAMPED, -9.0, 9.0), with(0, &[2, 3, 3, 3, 3, 2]));
     assert_eq!(found(CLAMPED, 0.5, 3.5), with(1, &[3; 4]));
     assert_eq!(found(Ends::Periodic, -0.5, 4.0), [with(0, &[3; 5]), vec![(4.0, 3)]].concat());
     assert_eq!(found(Ends::Periodic, 4.25, 6.0), [(5.0, 3), (5.75, 3)]);
     assert!(ALL.iter().all(|ends| !Law::spline(&TABLE, *ends).is_smooth()));
-    // One knot that the cubic goes through without a jump, one where it jumps by little and one by less than rounding.
+    // One knot that the cubic goes through without a jump, one where it jumps by little and one by less than
+    // rounding.
     let jumps = |by: f64| {
         let cubic = |x: f64| x * x * x - x + if x > 0.5 { by * (x - 0.5).powi(3) } else { 0.0 };
         let table: Vec<(f64, f64)> = [-1.0, -0.5, 0.5, 1.0].iter().map(|x| (*x, cubic(*x))).collect();
         listed(&Law::spline(&table, Ends::Clamped { start: 2.0, end: 2.0 + by * 0.75 }), -0.75, 0.75)
     };
-    for (by, count) in [(0.0, 0), (0.7e-9, 0), (1.3e-9, 1), (-0.7e-9, 0), (-1.3e-9, 1), (1e-6, 1), (-0.5, 1)] {
+    for (by, count) in [(0.0, 0), (0.7e-9, 0), (1.3e-9, 1), (-0.7e-9, 0), (-1.3e-9, 1), (1e-6, 1), (-0.5, 1)]
+    {
         assert_eq!(jumps(by), [(0.5, 3)][..count], "{by}");
     }
     // One that repeats and begins where nothing jumps, though its third derivative is not zero there.
@@ -120,7 +148,8 @@ fn breaks_of_splines() {
     assert_eq!(listed(&Law::spline(&many, Ends::Natural), -1.0, 1e9).len(), breaks::MOST_BREAKS);
 }
 
-/// How far curvatures can be off: what is added to one of them is found, and hardly more; what was found of a table is right to rounding.
+/// How far curvatures can be off: what is added to one of them is found, and hardly more; what was found of a
+/// table is right to rounding.
 #[test]
 fn curvatures_that_are_off_are_known_to_be() {
     for ends in ALL {
@@ -138,14 +167,17 @@ fn curvatures_that_are_off_are_known_to_be() {
             assert!(error >= 1e-6 && error <= room * 1e-6, "{ends:?} {k} {error:e}");
         }
     }
-    // What is known of them is in the bounds of a piece: f is off by no more than x (h − x)/2 times that, and its slope by a share of h.
+    // What is known of them is in the bounds of a piece: f is off by no more than x (h − x)/2 times that, and
+    // its slope by a share of h.
     let mut off = spline(&TABLE, Ends::Natural);
     let sound = off.cubic(1, &Series::variable(Interval::from(0.875), ONE, 7));
     off.error = 1e-3;
     let wide = off.cubic(1, &Series::variable(Interval::from(0.875), ONE, 7));
     let added: Vec<f64> = (0..4).map(|k| wide.at(k).radius() - sound.at(k).radius()).collect();
     let least = [0.5 * 0.375 * 0.375 * 1e-3, 0.0, 0.5e-3, 1e-3 / (3.0 * 0.75)];
-    added.iter().zip(least).for_each(|(added, least)| assert!(*added >= 0.999 * least && *added <= 6.0 * least + 1e-3, "{added} {least}"));
+    added.iter().zip(least).for_each(|(added, least)| {
+        assert!(*added >= 0.999 * least && *added <= 6.0 * least + 1e-3, "{added} {least}")
+    });
 }
 
 #[test]
@@ -154,7 +186,20 @@ fn bounds_of_splines() {
         let law = Law::spline(&TABLE, ends);
         let points: Vec<(f64, f64)> = (0..40).map(|k| -3.0 + 0.23 * f64::from(k)).map(|x| (x, x)).collect();
         bounded(&law, &points, 1.0);
-        bounded(&law, &[(0.6, 0.61), (1.2, 1.3), (-0.6, -0.4), (3.9, 4.1), (-3.0, -2.0), (5.0, 6.0), (2.1, 2.2), (-20.0, 20.0)], 60.0);
+        bounded(
+            &law,
+            &[
+                (0.6, 0.61),
+                (1.2, 1.3),
+                (-0.6, -0.4),
+                (3.9, 4.1),
+                (-3.0, -2.0),
+                (5.0, 6.0),
+                (2.1, 2.2),
+                (-20.0, 20.0),
+            ],
+            60.0,
+        );
         assert!(law.trusted().is_empty());
     }
 }

@@ -1,4 +1,5 @@
-//! A spline over many of its knots at once: what points and curvatures of each interval allow, in a few operations an interval.
+//! A spline over many of its knots at once: what points and curvatures of each interval allow, in a few
+//! operations an interval.
 
 use super::{Ends, Spline};
 use crate::numbers::enclosure::{Interval, ONE, Series};
@@ -10,7 +11,8 @@ const MANY: usize = 16;
 type Bounds = [Interval; 4];
 
 impl Spline {
-    /// The spline with bounds over an interval with many knots in it, of one period of it where it repeats; `None` where there are few.
+    /// The spline with bounds over an interval with many knots in it, of one period of it where it repeats;
+    /// `None` where there are few.
     pub(super) fn over_many(&self, x: &Series) -> Option<Series> {
         let ([lo, hi], last) = (x.values(), self.table.len() - 1);
         let before = |x: f64| self.table.partition_point(|(knot, _)| *knot <= x);
@@ -22,8 +24,12 @@ impl Spline {
         let mut all = (from..to).map(|k| self.bounds(k)).reduce(hull)?;
         // Straight on from the ends; where it repeats, by rounding alone.
         let zero = Interval::from(0.0);
-        for (knot, beyond) in [(0, lo.min(first) - first), (last, hi.max(end) - end)].into_iter().filter(|(_, beyond)| *beyond != 0.0) {
-            let there = self.cubic(knot.min(last - 1), &Series::variable(Interval::from(self.table[knot].0), ONE, 2));
+        for (knot, beyond) in [(0, lo.min(first) - first), (last, hi.max(end) - end)]
+            .into_iter()
+            .filter(|(_, beyond)| *beyond != 0.0)
+        {
+            let there =
+                self.cubic(knot.min(last - 1), &Series::variable(Interval::from(self.table[knot].0), ONE, 2));
             // Its beginning is in hand.
             all = hull(all, [there.at(0) + there.at(1) * Interval::from(beyond), there.at(1), zero, zero]);
         }
@@ -33,8 +39,8 @@ impl Spline {
         Some(x.chain(&known[..if jumps { 3 } else { 4 }]))
     }
 
-    /// What the spline can be over interval k: from the line through both points by no more than h²/8 times the largest curvature, its slope from
-    /// that of the line by no more than h/2 times that.
+    /// What the spline can be over interval k: from the line through both points by no more than h²/8 times
+    /// the largest curvature, its slope from that of the line by no more than h/2 times that.
     fn bounds(&self, k: usize) -> Bounds {
         let number = |x: f64| Interval::from(x);
         let ((x0, y0), (x1, y1)) = (self.table[k], self.table[k + 1]);
@@ -62,8 +68,9 @@ mod tests {
     fn bounds_over_many_knots_hold_every_jet() {
         let mut random = Random::new(7);
         let mut y = || random.number();
-        let mut table: Vec<(f64, f64)> =
-            (0..60).map(|k| (0.1 * f64::from(k) + 0.02 * y(), (0.3 * f64::from(k)).sin() + 0.1 * y())).collect();
+        let mut table: Vec<(f64, f64)> = (0..60)
+            .map(|k| (0.1 * f64::from(k) + 0.02 * y(), (0.3 * f64::from(k)).sin() + 0.1 * y()))
+            .collect();
         let clamped = Ends::Clamped { start: 0.3, end: -2.0 };
         for ends in [Ends::Natural, clamped, Ends::Periodic] {
             if let (Ends::Periodic, Some((_, first))) = (ends, table.first().copied()) {
@@ -79,12 +86,18 @@ mod tests {
                     let jet = law.jet(lo + (hi - lo) * f64::from(k) / 4000.0);
                     for (order, factor) in [1.0, 1.0, 2.0, 6.0].into_iter().enumerate().take(known) {
                         let (bounds, f) = (series.at(order), jet[order] / factor);
-                        assert!(bounds.lo() - 1e-12 <= f && f <= bounds.hi() + 1e-12, "{ends:?} {lo} {hi}: {order} {f} {bounds:?}");
+                        assert!(
+                            bounds.lo() - 1e-12 <= f && f <= bounds.hi() + 1e-12,
+                            "{ends:?} {lo} {hi}: {order} {f} {bounds:?}"
+                        );
                         seen[order] = [seen[order][0].min(f), seen[order][1].max(f)];
                     }
                 }
                 for (order, [least, most]) in seen.into_iter().enumerate().take(known) {
-                    assert!(series.at(order).radius() <= 3.0 * (0.5 * (most - least) + 1e-9), "{ends:?} {lo} {hi}: {order}");
+                    assert!(
+                        series.at(order).radius() <= 3.0 * (0.5 * (most - least) + 1e-9),
+                        "{ends:?} {lo} {hi}: {order}"
+                    );
                 }
             }
         }
@@ -94,7 +107,8 @@ mod tests {
     fn few_knots_are_looked_at_one_by_one() {
         let table: Vec<(f64, f64)> = (0..40).map(|k| (f64::from(k), f64::from(k % 3))).collect();
         let spline = Spline::new(super::super::Points { table, ends: Ends::Natural });
-        let over = |lo: f64, hi: f64| spline.over_many(&Series::variable(Interval::new(lo, hi), ONE, 7)).is_some();
+        let over =
+            |lo: f64, hi: f64| spline.over_many(&Series::variable(Interval::new(lo, hi), ONE, 7)).is_some();
         assert!(!over(2.5, 4.5) && !over(2.5, 16.5) && over(2.5, 17.5) && over(-5.0, 50.0));
     }
 
@@ -116,7 +130,10 @@ mod tests {
                 for place in (0..=100).map(|j| x0 + (x1 - x0) * f64::from(j) / 100.0) {
                     for (f, bounds) in spline.inside(k, place).into_iter().zip(bounds) {
                         let slack = 1e-12 * (1.0 + bounds.mag());
-                        assert!(bounds.lo() - slack <= f && f <= bounds.hi() + slack, "{ends:?} {k} {place}: {f} {bounds:?}");
+                        assert!(
+                            bounds.lo() - slack <= f && f <= bounds.hi() + slack,
+                            "{ends:?} {k} {place}: {f} {bounds:?}"
+                        );
                     }
                 }
                 let (h, [m0, m1]) = (x1 - x0, [k, k + 1].map(|k| spline.curvature[k]));
@@ -124,21 +141,33 @@ mod tests {
                 let widths = [0.5 * (y1 - y0).abs() + h * most / 8.0, 0.5 * most, 0.5 * (m1 - m0).abs(), 0.0];
                 for (bounds, width) in bounds.into_iter().zip(widths) {
                     let room = 1e-11 * (1.0 + bounds.mag()) + 10.0 * spline.error * (1.0 / h + h * h);
-                    assert!(bounds.radius() <= width * (1.0 + 1e-9) + room, "{ends:?} {k}: {width} {bounds:?}");
+                    assert!(
+                        bounds.radius() <= width * (1.0 + 1e-9) + room,
+                        "{ends:?} {k}: {width} {bounds:?}"
+                    );
                 }
             }
         }
     }
 
-    /// An interval that ends at knots takes nothing from beyond them but the curvature's jump of a clamped end; straight on there is no curvature.
+    /// An interval that ends at knots takes nothing from beyond them but the curvature's jump of a clamped
+    /// end; straight on there is no curvature.
     #[test]
     fn bounds_that_end_at_knots() {
         let parabola = |x: f64| x * x - 3.0 * x;
-        let table: Vec<(f64, f64)> = (0..40).map(|k| (0.5 * f64::from(k) - 3.0, parabola(0.5 * f64::from(k) - 3.0))).collect();
+        let table: Vec<(f64, f64)> =
+            (0..40).map(|k| (0.5 * f64::from(k) - 3.0, parabola(0.5 * f64::from(k) - 3.0))).collect();
         let (first, end) = (-3.0, 16.5);
         let law = Law::spline(&table, Ends::Clamped { start: -9.0, end: 30.0 });
         let over = |lo: f64, hi: f64| law.over(&Series::variable(Interval::new(lo, hi), ONE, 7)).unwrap();
-        for (lo, hi, known) in [(-2.75, 16.25, 4), (first, 16.25, 3), (-2.75, end, 3), (first, end, 3), (-3.25, 10.0, 3), (0.0, 20.0, 3)] {
+        for (lo, hi, known) in [
+            (-2.75, 16.25, 4),
+            (first, 16.25, 3),
+            (-2.75, end, 3),
+            (first, end, 3),
+            (-3.25, 10.0, 3),
+            (0.0, 20.0, 3),
+        ] {
             let series = over(lo, hi);
             assert_eq!(series.len(), known, "{lo} {hi}");
             let curvature = Interval::new(if lo < first || hi > end { 0.0 } else { 1.0 }, 1.0);
@@ -149,13 +178,15 @@ mod tests {
             );
             let slope = |x: f64| 2.0 * x.clamp(first, end) - 3.0;
             assert!(
-                (series.at(1).lo() - slope(lo)).abs() <= 1.01 && (series.at(1).hi() - slope(hi)).abs() <= 1.01,
+                (series.at(1).lo() - slope(lo)).abs() <= 1.01
+                    && (series.at(1).hi() - slope(hi)).abs() <= 1.01,
                 "{lo} {hi} {:?}",
                 series.at(1)
             );
             let value = |x: f64| if x > end { parabola(end) + 30.0 * (x - end) } else { parabola(x) };
             assert!(
-                series.at(0).hi() >= value(hi) - 1e-9 && series.at(0).hi() <= value(hi.max(end.min(hi + 0.5))).max(18.0) + 0.3,
+                series.at(0).hi() >= value(hi) - 1e-9
+                    && series.at(0).hi() <= value(hi.max(end.min(hi + 0.5))).max(18.0) + 0.3,
                 "{lo} {hi} {:?}",
                 series.at(0)
             );
@@ -164,7 +195,8 @@ mod tests {
         let mut wild = table.clone();
         wild[3].1 = 1e6;
         let calm = Spline::new(super::super::Points { table: wild, ends: Ends::Natural });
-        let from = |lo: f64| calm.over_many(&Series::variable(Interval::new(lo, 12.0), ONE, 7)).unwrap().at(2).mag();
+        let from =
+            |lo: f64| calm.over_many(&Series::variable(Interval::new(lo, 12.0), ONE, 7)).unwrap().at(2).mag();
         assert!(from(calm.table[14].0) < 0.5 * from(calm.table[14].0 - 1e-9));
     }
 }

@@ -1,4 +1,5 @@
-//! How far off the platform's functions are, against values of 60 digits at their worst arguments (`accuracy/generate.py`): bounds rest on that.
+//! How far off the platform's functions are, against values of 60 digits at their worst arguments
+//! (`accuracy/generate.py`): bounds rest on that.
 
 use kin_graph::{Function, Function2, Number};
 
@@ -19,7 +20,8 @@ fn values() -> impl Iterator<Item = Value> {
     include_str!("accuracy/functions.txt").lines().map(|line| {
         let mut words = line.split(' ');
         let name = words.next().expect("a name");
-        let mut numbers: Vec<f64> = words.map(|word| f64::from_bits(u64::from_str_radix(word, 16).expect("bits"))).collect();
+        let mut numbers: Vec<f64> =
+            words.map(|word| f64::from_bits(u64::from_str_radix(word, 16).expect("bits"))).collect();
         let (rest, nearest) = (numbers.pop().expect("the rest"), numbers.pop().expect("the nearest"));
         Value { name, arguments: numbers, nearest, rest }
     })
@@ -47,7 +49,12 @@ fn functions_are_right_to_half_of_what_is_allowed() {
         let off = ((found - value.nearest) - value.rest).abs() / (f64::EPSILON * value.nearest.abs());
         let is_large_angle = matches!(value.name, "Sin" | "Cos" | "Tan") && value.arguments[0].abs() > LARGE;
         let allowed = if is_large_angle { MORE * ALLOWED } else { ALLOWED };
-        assert!(off <= 0.5 * allowed, "{} of {:?} is {found:e}, off by {off} of its last place", value.name, value.arguments);
+        assert!(
+            off <= 0.5 * allowed,
+            "{} of {:?} is {found:e}, off by {off} of its last place",
+            value.name,
+            value.arguments
+        );
         match worst.last_mut() {
             Some((name, most)) if *name == value.name => *most = most.max(off),
             _ => worst.push((value.name, off)),
@@ -66,7 +73,10 @@ fn bounds_hold_the_exact_value() {
         // a power is the exponential of a product: it is known as well as that
         let size = if value.name == "Powf" || value.name == "Exp2" { 800.0 } else { 1.0 };
         let places = bounds.radius() / (f64::EPSILON * value.nearest.abs());
-        let is_narrow = places <= 40.0 * size || value.arguments[0].abs() > 1e3 || value.name.starts_with("Log") || value.name == "Tan";
+        let is_narrow = places <= 40.0 * size
+            || value.arguments[0].abs() > 1e3
+            || value.name.starts_with("Log")
+            || value.name == "Tan";
         assert!(is_narrow, "{} of {:?}: {places} places", value.name, value.arguments);
     }
 }

@@ -1,5 +1,5 @@
-//! What a step is judged by, on x² + x + y = t, x + y = 0: det C_q is 2 x, and so is the smaller pivot beside entries of 1; of a miss v Newton and
-//! Kantorovich estimate v/x.
+//! What a step is judged by, on x² + x + y = t, x + y = 0: det C_q is 2 x, and so is the smaller pivot beside
+//! entries of 1; of a miss v Newton and Kantorovich estimate v/x.
 
 mod around;
 
@@ -28,7 +28,8 @@ fn stand(newton: &mut Newton<'_>, x: f64) {
     newton.qd.iter_mut().chain(newton.qdd.iter_mut()).for_each(|rate| *rate = 0.0);
 }
 
-/// Whether a step to `to` after one was accepted at `before` counts as missed, where the prediction misses by so much.
+/// Whether a step to `to` after one was accepted at `before` counts as missed, where the prediction misses by
+/// so much.
 fn is_missed(before: f64, to: f64, miss: f64) -> bool {
     let (system, options) = (system(), Options::default());
     let mut newton = Newton::new(&system, &options);
@@ -62,7 +63,8 @@ fn a_larger_miss_is_safe_while_second_order_terms_are_small() {
     }
 }
 
-/// k x² + x + y = t, x + y = 0: what a miss is to Newton's method does not depend on k, while pivots come near 1 with it.
+/// k x² + x + y = t, x + y = 0: what a miss is to Newton's method does not depend on k, while pivots come
+/// near 1 with it.
 #[constraint]
 fn steep(x: Coord, y: Coord, t: Time, k: f64) -> [f64; 2] {
     [k * x * x + x + y - t, x + y]
@@ -119,7 +121,8 @@ fn steep_system(k: f64) -> System {
 
 fn product_system() -> System {
     let mut m = Mechanism::new("product");
-    let [x, z, y] = [("x", 2.0), ("z", -2.0), ("y", 1.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
+    let [x, z, y] =
+        [("x", 2.0), ("z", -2.0), ("y", 1.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
     m.add("c", product(x, z, y)).expect("adds");
     m.build().expect("builds")
 }
@@ -141,7 +144,10 @@ fn the_pivot_at_the_other_end_counts() {
         let (t, q) = at(0.1);
         matches!(led.judge(t, &q, &[miss, -miss]), Err(Objection::Missed(_)))
     };
-    assert_eq!([missed(0.1, false, 0.04), missed(1e-3, false, 0.04), missed(1e-3, true, 0.04)], [false, true, false]);
+    assert_eq!(
+        [missed(0.1, false, 0.04), missed(1e-3, false, 0.04), missed(1e-3, true, 0.04)],
+        [false, true, false]
+    );
     assert!(!missed(1e-3, false, 0.01));
 }
 
@@ -156,11 +162,15 @@ fn no_number_is_a_miss() {
         let mut from = [led.newton.q.clone(), Padded::new(3, 0.0), Padded::new(3, 0.0)];
         assert_eq!(led.check.judge(&mut led.newton, 0.1, from.each_ref()), Ok(()));
         from[rate][k] = f64::NAN;
-        assert!(matches!(led.check.judge(&mut led.newton, 0.1, from.each_ref()), Err(Objection::Missed(_))), "{rate} {k}");
+        assert!(
+            matches!(led.check.judge(&mut led.newton, 0.1, from.each_ref()), Err(Objection::Missed(_))),
+            "{rate} {k}"
+        );
     }
 }
 
-/// Where equations are straight along a miss a pivot that has faded tells of a singular position within it, wherever it was large.
+/// Where equations are straight along a miss a pivot that has faded tells of a singular position within it,
+/// wherever it was large.
 #[test]
 fn a_pivot_that_fades_is_a_warning() {
     let (system, options) = (product_system(), Options::default());
@@ -175,7 +185,10 @@ fn a_pivot_that_fades_is_a_warning() {
     let mut accepted = led();
     accepted.accept(far.0, &far.1);
     accepted.accept(near.0, &near.1);
-    assert!(!is_missed(accepted.judge(near.0, &near.1, &[0.0, 0.0, 0.02])) && is_missed(accepted.judge(near.0, &near.1, &miss)));
+    assert!(
+        !is_missed(accepted.judge(near.0, &near.1, &[0.0, 0.0, 0.02]))
+            && is_missed(accepted.judge(near.0, &near.1, &miss))
+    );
 
     let mut judged = led();
     judged.accept(near.0, &near.1);
@@ -185,9 +198,16 @@ fn a_pivot_that_fades_is_a_warning() {
     assert!(is_missed(judged.judge(near.0, &near.1, &miss)));
 
     // On either side, as soon as the pivot is half of what it is here.
-    for (miss, missed) in
-        [(0.15, true), (-0.15, true), (0.07, true), (-0.07, true), (0.06, true), (-0.06, true), (0.03, false), (-0.03, false)]
-    {
+    for (miss, missed) in [
+        (0.15, true),
+        (-0.15, true),
+        (0.07, true),
+        (-0.07, true),
+        (0.06, true),
+        (-0.06, true),
+        (0.03, false),
+        (-0.03, false),
+    ] {
         let mut led = led();
         led.accept(far.0, &far.1);
         led.accept(near.0, &near.1);
@@ -223,7 +243,8 @@ fn the_larger_miss_counts() {
         led.accept(0.0, &[0.0]);
         led.stand(0.0, &[0.0]);
         led.newton.qd[0] = back / h;
-        let (from, rate, still) = (Padded::from(&[0.0][..]), Padded::from(&[0.05 / h][..]), Padded::new(1, 0.0));
+        let (from, rate, still) =
+            (Padded::from(&[0.0][..]), Padded::from(&[0.05 / h][..]), Padded::new(1, 0.0));
         let found = led.check.judge(&mut led.newton, h, [&from, &rate, &still]);
         assert_eq!(matches!(found, Err(Objection::Missed(_))), missed, "{back}: {found:?}");
     }
@@ -239,7 +260,8 @@ fn led_angle(a: Coord, law: Law, t: Time) -> f64 {
     a - law.at(t)
 }
 
-/// A motor that goes out and comes back within a step is seen where equations are not straight that far, or a body turns too far meanwhile.
+/// A motor that goes out and comes back within a step is seen where equations are not straight that far, or a
+/// body turns too far meanwhile.
 #[test]
 fn out_and_back_within_a_step() {
     let options = Options::default();
@@ -251,9 +273,12 @@ fn out_and_back_within_a_step() {
         let (from, still) = (Padded::from(q), Padded::new(q.len(), 0.0));
         led.check.judge(&mut led.newton, 1.0, [&from, &still, &still])
     };
-    for (height, found) in [(0.01, Ok(())), (0.2, Ok(())), (0.9, Err(Objection::Hidden)), (-0.9, Err(Objection::Hidden))] {
+    for (height, found) in
+        [(0.01, Ok(())), (0.2, Ok(())), (0.9, Err(Objection::Hidden)), (-0.9, Err(Objection::Hidden))]
+    {
         let mut m = Mechanism::new("square");
-        let [x, y] = [("x", 1.0), ("y", -1.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
+        let [x, y] =
+            [("x", 1.0), ("y", -1.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
         m.add("c", led_square(x, y, hill(1.0, height))).expect("adds");
         assert_eq!(judge(&m.build().expect("builds"), &[1.0, -1.0]), found, "{height}");
     }
@@ -310,7 +335,8 @@ fn no_body_turns_too_far_in_one_step() {
         led.accept(0.0, &[0.0]);
         led.stand(by, &[by]);
         led.newton.qd[0] = by / 0.1;
-        let (start, rate, still) = (Padded::from(&[0.0][..]), Padded::from(&[by / 0.1][..]), Padded::new(1, 0.0));
+        let (start, rate, still) =
+            (Padded::from(&[0.0][..]), Padded::from(&[by / 0.1][..]), Padded::new(1, 0.0));
         led.check.judge(&mut led.newton, 0.1, [&start, &rate, &still])
     };
     assert_eq!([step(0.95 * REACH), step(-0.95 * REACH)], [Ok(()); 2]);
@@ -319,7 +345,8 @@ fn no_body_turns_too_far_in_one_step() {
 
 #[test]
 fn each_objection_has_its_reason() {
-    let all = [Objection::Long, Objection::Missed(0.1), Objection::TurnedOver, Objection::Hidden].map(Objection::reason);
+    let all = [Objection::Long, Objection::Missed(0.1), Objection::TurnedOver, Objection::Hidden]
+        .map(Objection::reason);
     assert!((0..4).all(|k| !all[k].is_empty() && !all[..k].contains(&all[k])), "{all:?}");
 }
 

@@ -1,5 +1,7 @@
 //! What drives may hide between the ends of a step, with a lever that is known.
 
+mod sampled;
+
 use super::*;
 use crate::joints::drivers::drive;
 use crate::model::law::LawFunction;
@@ -10,8 +12,8 @@ fn bound(c: &[[f64; 2]], len: usize) -> Option<[f64; COEFFICIENTS]> {
     Bound::of(&Series::of(&c, len)).map(|bound| bound.0)
 }
 
-/// A smooth signal is off by its third derivative; one of which less is known by how much its last derivative may jump. One that may turn
-/// round leaves what is between its ends besides.
+/// A smooth signal is off by its third derivative; one of which less is known by how much its last derivative
+/// may jump. One that may turn round leaves what is between its ends besides.
 #[test]
 fn how_far_a_signal_may_be_off() {
     let near = |found: Option<[f64; 4]>, exact: [f64; 4]| {
@@ -43,7 +45,8 @@ fn bounds_of_several_signals() {
     assert_eq!(sum.0, [2.5, 2.0, 6.0, 7.0]);
 }
 
-/// A position that each unit of an equation moves by `lever`; along that it bends and turns by so much, and is singular from a multiple on.
+/// A position that each unit of an equation moves by `lever`; along that it bends and turns by so much, and
+/// is singular from a multiple on.
 struct Known {
     instant: Instant,
     lever: f64,
@@ -56,7 +59,14 @@ struct Known {
 impl Known {
     fn new(system: &System) -> Self {
         let instant = system.equations().instant_at(0.0, system.initial());
-        Known { instant, lever: 1.0, bend: f64::INFINITY, turned: 0.0, singular: f64::INFINITY, moved: Vec::new() }
+        Known {
+            instant,
+            lever: 1.0,
+            bend: f64::INFINITY,
+            turned: 0.0,
+            singular: f64::INFINITY,
+            moved: Vec::new(),
+        }
     }
 }
 
@@ -118,16 +128,21 @@ fn hides(drive: &mut Drive, system: &System, [from, to]: [f64; 2], lever: &mut K
 }
 
 fn near(found: [f64; 4], exact: [f64; 4]) {
-    assert!(found.iter().zip(exact).all(|(a, b)| (a - b).abs() <= 1e-9 * (1.0 + b.abs())), "{found:?} {exact:?}");
+    assert!(
+        found.iter().zip(exact).all(|(a, b)| (a - b).abs() <= 1e-9 * (1.0 + b.abs())),
+        "{found:?} {exact:?}"
+    );
 }
 
-/// What was seen holds for a number of steps, within the times it was seen for, while the smallest pivot leaves room.
+/// What was seen holds for a number of steps, within the times it was seen for, while the smallest pivot
+/// leaves room.
 #[test]
 fn what_is_told_by_what_was_seen() {
     let system = driven(Law::sine(1.0, 1.0, 0.0));
     let drive = |c: f64, steps: u32| {
         let mut drive = Drive::new(system.equations());
-        (drive.stretch, drive.off, drive.pivot, drive.steps) = ([1.0, 10.0], Bound([0.0, 0.0, c, 0.0]), 0.5, steps);
+        (drive.stretch, drive.off, drive.pivot, drive.steps) =
+            ([1.0, 10.0], Bound([0.0, 0.0, c, 0.0]), 0.5, steps);
         drive
     };
     // 2 · 4 c · 0.5 ≤ 0.05 · 0.64
@@ -137,7 +152,10 @@ fn what_is_told_by_what_was_seen() {
     assert_eq!([[0.8, 2.0], [9.0, 10.5], [9.9, 12.0], [2.0, 0.9]].map(|step| told(0.0, step)), [false; 4]);
     let mut even = drive(0.0, 9);
     even.off = Bound([0.0, 0.02, 0.0, 0.0]);
-    assert_eq!([even.is_told(4.0, 2.0, 0.8), even.is_told(2.0, 4.0, 0.8), even.is_told(4.0, 3.0, 0.8)], [false, false, true]);
+    assert_eq!(
+        [even.is_told(4.0, 2.0, 0.8), even.is_told(2.0, 4.0, 0.8), even.is_told(4.0, 3.0, 0.8)],
+        [false, false, true]
+    );
     let mut once = drive(0.0, 1);
     assert_eq!([once.is_told(2.0, 3.0, 1.0), once.is_told(2.0, 3.0, 1.0)], [true, false]);
     assert!(!Drive::new(system.equations()).is_told(0.0, 1e-9, 1.0));
@@ -156,13 +174,17 @@ fn an_even_motor_is_told_for_good() {
     assert!(drive.sources[0].terms.is_empty() && lever.moved.is_empty() && drive.looks == u32::MAX);
 }
 
-/// One that goes to and fro is known for all time, and weighed by the length of the step; over one step alone by what it does there.
+/// One that goes to and fro is known for all time, and weighed by the length of the step; over one step alone
+/// by what it does there.
 #[test]
 fn a_motor_to_and_fro() {
     let system = driven(Law::sine(1.0, 1.0, 0.0));
     let (mut drive, mut lever) = (Drive::new(system.equations()), Known::new(&system));
     assert!(!hides(&mut drive, &system, [0.0, 0.1], &mut lever));
-    assert_eq!((drive.told, drive.steps, drive.looks, drive.longest, drive.pivot), (false, KNOWN, u32::MAX, f64::INFINITY, 1.0));
+    assert_eq!(
+        (drive.told, drive.steps, drive.looks, drive.longest, drive.pivot),
+        (false, KNOWN, u32::MAX, f64::INFINITY, 1.0)
+    );
     near(drive.off.0, [0.0, 0.0, 0.125, 1.0 / 6.0]);
     assert_eq!(lever.moved, [(0, vec![-1.0])]);
     // It is known yet, and looked at without new bounds.
@@ -209,54 +231,6 @@ fn time_in_c_q() {
     assert!(!hides(&mut drive, &even, [0.0, 0.1], &mut Known::new(&even)) && !drive.told);
 }
 
-/// Without bounds a law is sampled over each step: how far it is off its polynomials from both ends, and how far it leaves what is between these.
-#[test]
-fn laws_that_are_sampled() {
-    let off = |system: &System, ends: [f64; 2], instant: Option<Instant>| {
-        let (mut drive, mut lever) = (Drive::new(system.equations()), Known::new(system));
-        lever.instant = instant.unwrap_or(lever.instant);
-        let hidden = hides(&mut drive, system, ends, &mut lever);
-        assert!(drive.sources[0].is_sampled && !drive.told && drive.steps == 0 && drive.longest == 2.0 * (ends[1] - ends[0]).abs());
-        (drive.off.0[0], hidden)
-    };
-    let of = |f: fn(f64) -> [f64; 4], ends: [f64; 2]| off(&driven(Law::new(Silent(f))), ends, None);
-    let cubic = |t: f64| [t * t * t, 3.0 * t * t, 6.0 * t, 6.0];
-    let close = |(found, hidden): (f64, bool), exact: f64, expected: bool| {
-        assert!((found - exact).abs() < 1e-12 * (1.0 + exact) && hidden == expected, "{found} {exact} {hidden}");
-    };
-    close(of(cubic, [0.0, 0.3]), 0.027, false);
-    close(of(cubic, [0.3, 0.0]), 0.027, false);
-    close(of(cubic, [0.0, 0.5]), 0.125, true);
-    close(of(|t| [-t * t * t, -3.0 * t * t, -6.0 * t, -6.0], [0.0, 0.3]), 0.027, false);
-    close(of(cubic, [1.0, 1.3]), 0.027, false);
-    let hill = |t: f64| [t * (1.0 - t), 1.0 - 2.0 * t, -2.0, 0.0];
-    close(of(hill, [0.0, 1.0]), 0.25, true);
-    close(of(|t| [t * (t - 1.0), 2.0 * t - 1.0, 2.0, 0.0], [0.0, 1.0]), 0.25, true);
-    close(of(hill, [0.0, 0.5]), 0.0, false);
-    // Below its polynomials from both ends; and what goes up or down evenly is between its ends.
-    close(of(|t| [(t - 0.5).powi(4), 4.0 * (t - 0.5).powi(3), 12.0 * (t - 0.5).powi(2), 24.0 * (t - 0.5)], [0.0, 1.0]), 1.0, true);
-    let hollow = |t: f64| [-(t - 0.5).powi(4), -4.0 * (t - 0.5).powi(3), -12.0 * (t - 0.5).powi(2), -24.0 * (t - 0.5)];
-    close(of(hollow, [0.0, 1.0]), 1.0, true);
-    close(of(|t| [3.0 * t, 3.0, 0.0, 0.0], [0.0, 1.0]), 0.0, false);
-    close(of(|t| [1.0 - 3.0 * t, -3.0, 0.0, 0.0], [0.0, 1.0]), 0.0, false);
-    let spike = |t: f64| if (t - 0.125).abs() < 0.01 { [1.0, 0.0, 0.0, 0.0] } else { [0.0; 4] };
-    close(of(spike, [0.0, 1.0]), 1.0, true);
-    close(of(spike, [1.0, 0.0]), 1.0, true);
-    let hole = |t: f64| if t == 0.5 { [f64::NAN; 4] } else { [0.0; 4] };
-    assert_eq!(of(hole, [0.0, 1.0]), (f64::INFINITY, true));
-    // At the position in hand, whatever it was before.
-    let system = stretching(Law::new(Silent(cubic)));
-    let at = |x: f64| Some(system.equations().instant_at(0.0, &[x]));
-    close(off(&system, [0.0, 0.1], at(1.0)), 1e-3, false);
-    close(off(&system, [0.0, 0.1], at(5.0)), 5e-3, false);
-    let (mut drive, mut lever) = (Drive::new(system.equations()), Known::new(&system));
-    for x in [1.0, 5.0] {
-        lever.instant = system.equations().instant_at(0.0, &[x]);
-        assert!(!hides(&mut drive, &system, [0.0, 0.1], &mut lever));
-        assert!((drive.off.0[0] - 1e-3 * x).abs() < 1e-12);
-    }
-}
-
 /// For runs without further looks: only what holds for every position, and all that it may lead off.
 #[test]
 fn the_outlook_of_a_run() {
@@ -265,7 +239,10 @@ fn the_outlook_of_a_run() {
         lever.lever = 3.0;
         Drive::new(system.equations()).outlook(system.equations(), ends, 0.5, &mut lever)
     };
-    near(outlook(&driven(Law::sine(1.0, 1.0, 0.0)), [0.0, 1.0]).expect("is known"), [0.0, 0.0, 0.0, 4.0 * 0.5 * 0.5 / 0.05]);
+    near(
+        outlook(&driven(Law::sine(1.0, 1.0, 0.0)), [0.0, 1.0]).expect("is known"),
+        [0.0, 0.0, 0.0, 4.0 * 0.5 * 0.5 / 0.05],
+    );
     near(outlook(&driven(Law::linear(1.0, 1.0)), [0.0, 1.0]).expect("is known"), [0.0; 4]);
     assert!(outlook(&stretching(Law::sine(0.1, 1.0, 0.0)), [0.0, 1.0]).is_none());
     assert!(outlook(&driven(Law::new(Silent(|_| [0.0; 4]))), [0.0, 1.0]).is_none());
@@ -287,7 +264,8 @@ fn straight_along_all_signals() {
     let system = driven(Law::sine(1.0, 1.0, 0.0));
     let straight = |bounds: &[f64], term_lever: f64, [bend, turned, singular]: [f64; 3]| {
         let (mut drive, mut lever) = (Drive::new(system.equations()), Known::new(&system));
-        let term = |off: &f64| Term { slopes: vec![*off], bound: Bound([*off, 0.0, 0.0, 0.0]), lever: term_lever };
+        let term =
+            |off: &f64| Term { slopes: vec![*off], bound: Bound([*off, 0.0, 0.0, 0.0]), lever: term_lever };
         drive.sources[0].terms = bounds.iter().map(term).collect();
         (lever.bend, lever.turned, lever.singular) = (bend, turned, singular);
         let found = drive.is_straight(system.equations(), 1.0, &mut lever);
@@ -312,7 +290,8 @@ fn pair(x: Coord, y: Coord, f: Law, g: Law, t: Time) -> [f64; 2] {
     [x - f.at(t), y - g.at(t)]
 }
 
-/// Of several signals each counts: one that goes on evenly does not hide another one, nor one that is known one that is sampled.
+/// Of several signals each counts: one that goes on evenly does not hide another one, nor one that is known
+/// one that is sampled.
 #[test]
 fn several_signals() {
     let system_of = |f: Law, g: Law| {
@@ -325,7 +304,8 @@ fn several_signals() {
     let (mut drive, mut lever) = (Drive::new(mixed.equations()), Known::new(&mixed));
     assert!(!hides(&mut drive, &mixed, [0.0, 0.1], &mut lever));
     near(drive.off.0, [0.0, 0.0, 0.125, 1.0 / 6.0]);
-    let silent = system_of(Law::new(Silent(|t| [t * t * t, 3.0 * t * t, 6.0 * t, 6.0])), Law::sine(1.0, 1.0, 0.0));
+    let silent =
+        system_of(Law::new(Silent(|t| [t * t * t, 3.0 * t * t, 6.0 * t, 6.0])), Law::sine(1.0, 1.0, 0.0));
     let (mut drive, mut lever) = (Drive::new(silent.equations()), Known::new(&silent));
     assert!(!hides(&mut drive, &silent, [0.0, 0.1], &mut lever));
     assert_eq!(lever.moved, [(0, vec![1.0, 0.0]), (0, vec![0.0, 1.0])]);
@@ -352,6 +332,10 @@ fn bounds_that_come_to_be_known() {
         source.take(system.equations(), &instant, None);
         assert!(source.is_sampled && source.terms[0].slopes == [1.0]);
         source.take(system.equations(), &instant, bounds.clone());
-        assert!(!source.is_sampled && source.terms[0].slopes == [-1.0] && Some(vec![source.terms[0].bound]) == bounds);
+        assert!(
+            !source.is_sampled
+                && source.terms[0].slopes == [-1.0]
+                && Some(vec![source.terms[0].bound]) == bounds
+        );
     }
 }

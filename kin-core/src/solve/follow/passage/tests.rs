@@ -1,4 +1,7 @@
-//! Positions that are passed, or at which a motion ends, where several loops come to them at once: on equations whose solutions are known.
+//! Positions that are passed, or at which a motion ends, where several loops come to them at once: on
+//! equations whose solutions are known.
+
+mod together;
 
 use super::*;
 use crate::model::error::Error;
@@ -19,17 +22,24 @@ fn crossing(x: Coord, t: Time) -> f64 {
     (x - 0.5 * u - 0.2 * u * u) * (x + 2.0 * u)
 }
 
-fn loops(count: usize, guess: f64, add: impl Fn(&mut Mechanism, &str, crate::model::coordinates::Coordinate)) -> System {
+fn loops(
+    count: usize,
+    guess: f64,
+    add: impl Fn(&mut Mechanism, &str, crate::model::coordinates::Coordinate),
+) -> System {
     let mut m = Mechanism::new("loops");
     for k in 0..count {
         let name = format!("x{k}");
-        let x = m.length(&name, guess * (1.0 - 2.0 * (k % 2) as f64).powi(i32::from(guess == 1.0))).expect("a new name");
+        let x = m
+            .length(&name, guess * (1.0 - 2.0 * (k % 2) as f64).powi(i32::from(guess == 1.0)))
+            .expect("a new name");
         add(&mut m, &format!("c{k}"), x);
     }
     m.build().expect("builds")
 }
 
-/// Loops that come to their toggles together end there, whether on a coarse grid or a fine one, and one that ends at the toggle comes to it.
+/// Loops that come to their toggles together end there, whether on a coarse grid or a fine one, and one that
+/// ends at the toggle comes to it.
 #[test]
 fn loops_that_toggle_together() {
     for count in [1, 2, 3] {
@@ -37,7 +47,10 @@ fn loops_that_toggle_together() {
         for points in [3, 7, 40] {
             let error = system.run(linspace(0.0, 3.0, points)).unwrap_err();
             let Error::Toggle { t, movable, .. } = &error else { panic!("{count} {points}: {error}") };
-            assert!((t - 2.0).abs() < 1e-9 && movable.contains(&"x0".to_string()), "{count} {points}: {t} {movable:?}");
+            assert!(
+                (t - 2.0).abs() < 1e-9 && movable.contains(&"x0".to_string()),
+                "{count} {points}: {t} {movable:?}"
+            );
         }
         let motion = system.run(linspace(0.0, 1.99, 12)).expect("comes so far");
         for k in 0..count {
@@ -47,23 +60,41 @@ fn loops_that_toggle_together() {
     }
 }
 
-/// Loops whose branches cross together go on smoothly, whether the crossing is a time of the grid or not, and in both senses of time.
+/// Loops whose branches cross together go on smoothly, whether the crossing is a time of the grid or not, and
+/// in both senses of time.
 #[test]
 fn loops_that_cross_together() {
     for count in [1, 2, 4] {
         let system = loops(count, -0.13, |m, name, x| assert!(m.add(name, crossing(x)).is_ok()));
-        for times in [linspace(0.0, 1.0, 6), linspace(0.0, 1.0, 11), linspace(0.0, 0.3, 4), linspace(0.0, 0.6, 3), linspace(0.0, 1.0, 101)]
-        {
-            let motion = system.run(times.clone()).unwrap_or_else(|error| panic!("{count} {times:?}: {error}"));
+        for times in [
+            linspace(0.0, 1.0, 6),
+            linspace(0.0, 1.0, 11),
+            linspace(0.0, 0.3, 4),
+            linspace(0.0, 0.6, 3),
+            linspace(0.0, 1.0, 101),
+        ] {
+            let motion =
+                system.run(times.clone()).unwrap_or_else(|error| panic!("{count} {times:?}: {error}"));
             let places = motion.singular_positions();
             assert!(places.len() == 1 && (places[0].t - 0.3).abs() < 1e-6, "{count} {times:?}: {places:?}");
             let branch = &places[0].branches[0];
             for k in 0..count {
-                assert!((branch.qd[k] - 0.5).abs() < 1e-5 && (branch.qdd[k] - 0.4).abs() < 1e-3, "{count} {times:?}: {branch:?}");
+                assert!(
+                    (branch.qd[k] - 0.5).abs() < 1e-5 && (branch.qdd[k] - 0.4).abs() < 1e-3,
+                    "{count} {times:?}: {branch:?}"
+                );
                 for (at, t) in times.iter().enumerate() {
                     let u = t - 0.3;
-                    assert!((motion.q(at)[k] - 0.5 * u - 0.2 * u * u).abs() < 1e-8, "{count} {t} of {times:?}: {:?}", motion.q(at));
-                    assert!((motion.qd(at)[k] - 0.5 - 0.4 * u).abs() < 1e-5, "{count} {t} of {times:?}: {:?}", motion.qd(at));
+                    assert!(
+                        (motion.q(at)[k] - 0.5 * u - 0.2 * u * u).abs() < 1e-8,
+                        "{count} {t} of {times:?}: {:?}",
+                        motion.q(at)
+                    );
+                    assert!(
+                        (motion.qd(at)[k] - 0.5 - 0.4 * u).abs() < 1e-5,
+                        "{count} {t} of {times:?}: {:?}",
+                        motion.qd(at)
+                    );
                 }
             }
         }
@@ -78,7 +109,12 @@ fn cubic_crossing(x: Coord, t: Time) -> f64 {
 }
 
 /// Something of a walk that begins at x and t with a rate.
-fn walking<R>(system: &System, [x, qd, t, to]: [f64; 4], other: bool, f: impl FnOnce(Walk<'_, '_>) -> R) -> R {
+fn walking<R>(
+    system: &System,
+    [x, qd, t, to]: [f64; 4],
+    other: bool,
+    f: impl FnOnce(Walk<'_, '_>) -> R,
+) -> R {
     let options = Options::default();
     let mut newton = Newton::new(system, &options);
     newton.q.iter_mut().for_each(|q| *q = x);
@@ -104,7 +140,8 @@ fn ends(walk: Walk<'_, '_>) -> (f64, Option<Branch>, usize) {
     }
 }
 
-/// From before a crossing to times before, at and behind it, near and far, straight on or into the other branch, in both senses of time.
+/// From before a crossing to times before, at and behind it, near and far, straight on or into the other
+/// branch, in both senses of time.
 #[test]
 fn through_a_crossing_on_either_branch() {
     let system = one(|m, name, x| assert!(m.add(name, cubic_crossing(x)).is_ok()));
@@ -122,21 +159,26 @@ fn through_a_crossing_on_either_branch() {
                     let case = format!("{from} {turns} {u}: {found} {exact:?} {passed}");
                     assert!((found - exact[0]).abs() < 1e-9 && passed == usize::from(beyond), "{case}");
                     assert_eq!(branch.is_some(), at == 0.0, "{case}");
-                    branch.iter().for_each(|branch| assert!((branch.qd[0] - exact[1]).abs() < 1e-5, "{case} {branch:?}"));
+                    branch.iter().for_each(|branch| {
+                        assert!((branch.qd[0] - exact[1]).abs() < 1e-5, "{case} {branch:?}")
+                    });
                 }
             }
         }
     }
 }
 
-/// A toggle is the end of a motion that asks for it or for more, and is found as exactly as it is known; what ends before it is reached.
+/// A toggle is the end of a motion that asks for it or for more, and is found as exactly as it is known; what
+/// ends before it is reached.
 #[test]
 fn a_toggle_ends_a_passage() {
     let system = one(|m, name, x| assert!(m.add(name, arc(x)).is_ok()));
     let (x, qd) = ((1.0 - 0.25 * 1.9 * 1.9_f64).sqrt(), -0.25 * 1.9 / (1.0 - 0.25 * 1.9 * 1.9_f64).sqrt());
     for sense in [1.0, -1.0] {
         for to in [2.5, 2.0, 2.0 - 1e-13] {
-            let lost = walking(&system, [x, sense * qd, sense * 1.9, sense * to], false, |walk| walk.go().map(|_| ()).expect_err("ends"));
+            let lost = walking(&system, [x, sense * qd, sense * 1.9, sense * to], false, |walk| {
+                walk.go().map(|_| ()).expect_err("ends")
+            });
             let Lost::Turned(place) = lost else { panic!("is lost") };
             assert!(
                 (place.t - sense * 2.0).abs() < 1e-13 && place.q[0].abs() < 1e-6 && place.branches.is_empty(),
@@ -193,120 +235,6 @@ fn blocks_that_turn_over() {
     });
 }
 
-/// Several loops that turn round together: told between two places that are near one another, unless the time asked for comes before.
-#[test]
-fn turning_round_together() {
-    let system = one(|m, name, x| assert!(m.add(name, arc(x)).is_ok()));
-    walking(&system, [0.02, -25.0, (4.0 - 4.0 * 4e-4_f64).sqrt(), 3.0], false, |mut walk| {
-        // to just before the toggle, and over it
-        let mut s = 0.5 * TOGETHER;
-        let mut next = walk.curve.step(&walk.here, s).expect("is followed");
-        while next.dt() > 0.0 {
-            (walk.here, s) = (next, 0.5 * TOGETHER);
-            next = walk.curve.step(&walk.here, s).expect("is followed");
-        }
-        let turn = *turning::between(&walk.here, &next, s).expect("turns").last().unwrap();
-        assert!((turn - 2.0).abs() < 1e-9);
-        let ends = |walk: &mut Walk<'_, '_>, to: f64| {
-            walk.to = to;
-            match walk.turn_together(&next, s) {
-                Err(Lost::Turned(place)) => (place.t - 2.0).abs() < 1e-9,
-                Ok(None) => false,
-                _ => panic!("is lost"),
-            }
-        };
-        let time = walk.time;
-        let found = [3.0, turn, turn - 5e-13 * time, turn - 5e-12 * time, 1.5].map(|to| ends(&mut walk, to));
-        assert_eq!(found, [true, true, true, false, false]);
-        walk.to = 3.0;
-        assert!(matches!(walk.turn_together(&next, 2.0 * TOGETHER), Ok(None)));
-    });
-}
-
-/// The other branch is taken where it is met as it was foreseen: not too far off, along its tangent, and with time going on.
-#[test]
-fn turning_into_a_branch() {
-    let system = one(|m, name, x| assert!(m.add(name, crossing(x)).is_ok()));
-    walking(&system, [-0.132, 0.38, 0.0, 1.0], true, |mut walk| {
-        let s = 0.05;
-        let tangent = |walk: &Walk<'_, '_>, slope: f64| {
-            let length = walk.curve.dot(&[slope, 1.0], &[slope, 1.0]).sqrt();
-            vec![slope / length, 1.0 / length]
-        };
-        let dx = tangent(&walk, 0.5);
-        let h = s * dx[1];
-        let into = |walk: &mut Walk<'_, '_>, dx: &[f64], off: f64| {
-            // so far beside the branch, by the measures
-            let qdd = 0.4 + 2.0 * off * walk.curve.sizes[0] / (h * h);
-            walk.turn_into(&[0.0, 0.3], dx, &Branch { qd: vec![0.5], qdd: vec![qdd] }, s)
-        };
-        let place = into(&mut walk, &dx, 0.0).expect("is taken");
-        let u = place.t() - 0.3;
-        assert!((place.x[0] - 0.5 * u - 0.2 * u * u).abs() < 1e-12 && (u - h).abs() < 0.2 * h);
-        assert!(
-            into(&mut walk, &dx, 0.03 * s).is_some() && into(&mut walk, &dx, 0.1 * s).is_none() && into(&mut walk, &dx, -0.1 * s).is_none()
-        );
-        // asked for along a direction that is not its own
-        let across = [dx[1] * walk.curve.sizes[0] / walk.curve.sizes[1], -dx[0] * walk.curve.sizes[1] / walk.curve.sizes[0]];
-        let turned = |angle: f64| [0, 1].map(|k| angle.cos() * dx[k] + angle.sin() * across[k]);
-        let skew = |walk: &mut Walk<'_, '_>, angle: f64| {
-            let dx = turned(angle);
-            let h = s * dx[1];
-            walk.turn_into(&[0.0, 0.3], &dx, &Branch { qd: vec![0.5], qdd: vec![0.4] }, s).map(|_| h)
-        };
-        assert!(skew(&mut walk, 0.2).is_some() && skew(&mut walk, 0.7).is_none() && skew(&mut walk, -0.7).is_none());
-        walk.sign = -1.0;
-        assert!(into(&mut walk, &dx, 0.0).is_none());
-    });
-}
-
-/// An even number of loops that turn over in a short step: rates are those of the place between both ends; the time asked for may be before it,
-/// at it, or behind.
-#[test]
-fn crossing_together() {
-    let system = one(|m, name, x| assert!(m.add(name, arc(x)).is_ok()));
-    let at = |t: f64| (1.0 - 0.25 * t * t).sqrt();
-    walking(&system, [at(1.0), -0.25 / at(1.0), 1.0, 3.0], false, |walk| {
-        let (time, sizes) = (walk.time, walk.curve.sizes.clone());
-        let s = 0.01;
-        let cross = |to: f64, share: f64| {
-            walking(&system, [at(1.0), -0.25 / at(1.0), 1.0, 3.0], false, |mut walk| {
-                let next = walk.curve.step(&walk.here, s).expect("is followed");
-                (walk.to, walk.time) = (to, time);
-                let (here, behind) = (walk.here.rates(), next.rates());
-                let stepped = walk.cross_together(next, s, share * s).expect("is followed");
-                (stepped, walk.passed, here, behind)
-            })
-        };
-        let next =
-            walking(&system, [at(1.0), -0.25 / at(1.0), 1.0, 3.0], false, |mut walk| walk.curve.step(&walk.here, s).expect("is followed"));
-        let t = |share: f64| *walk.here.ahead(share * s).last().unwrap();
-        // behind it, at the end of the step and on the way there
-        let (stepped, passed, here, behind) = cross(3.0, 0.25);
-        assert!(matches!(stepped, Stepped::On(_)) && passed.len() == 1 && (passed[0].t - t(0.25)).abs() < 1e-12, "{time} {sizes:?}");
-        for k in 0..2 {
-            let found = [&passed[0].branches[0].qd, &passed[0].branches[0].qdd][k][0];
-            let (a, b) = (here[k][0], behind[k][0]);
-            assert!((found - a - 0.25 * (b - a)).abs() < 1e-9 * (b - a).abs(), "{k}: {found} {a} {b}");
-        }
-        let regular = |to: f64, share: f64| match cross(to, share) {
-            (Stepped::Landed(Landed::Regular(q)), passed, ..) => (q[0], passed.len()),
-            _ => panic!("lands on the curve"),
-        };
-        assert_eq!(regular(next.t(), 0.25), (next.x[0], 1));
-        for (share, asked, count) in [(0.25, 0.75, 1), (0.75, 0.25, 0)] {
-            let (found, passed) = regular(t(asked), share);
-            assert!((found - at(t(asked))).abs() < 1e-12 && passed == count, "{share} {asked}");
-        }
-        // at it, but for a ten-millionth of the measure of time
-        for off in [0.0, 5e-8, -5e-8] {
-            let (stepped, passed, ..) = cross(t(0.5) + off * time, 0.5);
-            let Stepped::Landed(Landed::Singular(q, _)) = stepped else { panic!("lands there") };
-            assert!((q[0] - at(t(0.5) + off * time)).abs() < 1e-7 && passed.len() == 1);
-        }
-    });
-}
-
 /// (x − t) t = 0: along t = 0 x may be anything.
 #[constraint]
 fn standing(x: Coord, t: Time) -> f64 {
@@ -333,12 +261,18 @@ fn late_crossing(x: Coord, t: Time) -> f64 {
 fn a_crossing_and_a_toggle_within_one_step() {
     let system = one(|m, name, x| assert!(m.add(name, late_crossing(x)).is_ok()));
     for x in (0..40).map(|k| 0.1 + 0.005 * f64::from(k)) {
-        let lost = walking(&system, [x, -0.5 / x, 1.0 - x * x, 2.0], false, |walk| walk.go().map(|_| ()).expect_err("ends"));
-        assert!(matches!(lost, Lost::Turned(place) if (place.t - 1.0).abs() < 1e-12 && place.q[0].abs() < 1e-6), "{x}");
+        let lost = walking(&system, [x, -0.5 / x, 1.0 - x * x, 2.0], false, |walk| {
+            walk.go().map(|_| ()).expect_err("ends")
+        });
+        assert!(
+            matches!(lost, Lost::Turned(place) if (place.t - 1.0).abs() < 1e-12 && place.q[0].abs() < 1e-6),
+            "{x}"
+        );
     }
 }
 
-/// A crossing within a step: straight on only where time goes on behind it, and into the other branch no further than the step.
+/// A crossing within a step: straight on only where time goes on behind it, and into the other branch no
+/// further than the step.
 #[test]
 fn a_step_over_a_crossing() {
     let system = one(|m, name, x| assert!(m.add(name, crossing(x)).is_ok()));
@@ -347,13 +281,18 @@ fn a_step_over_a_crossing() {
         walking(&system, from, other, |mut walk| {
             let s = 0.05;
             let mut next = walk.curve.step(&walk.here, s).expect("is followed");
-            let found = branching::find(&mut walk.curve, &walk.here, &next, s, walk.sign).expect("they cross");
+            let found =
+                branching::find(&mut walk.curve, &walk.here, &next, s, walk.sign).expect("they cross");
             if backwards {
                 next.dx.iter_mut().for_each(|dx| *dx = -*dx);
             }
             let stepped = walk.cross(found, next, s).unwrap_or_else(|_| panic!("is lost"));
             assert_eq!(matches!(stepped, Some(Stepped::On(_))), !backwards, "{other}");
-            assert_eq!((stepped.is_none(), walk.passed.len()), (backwards, usize::from(!backwards)), "{other}");
+            assert_eq!(
+                (stepped.is_none(), walk.passed.len()),
+                (backwards, usize::from(!backwards)),
+                "{other}"
+            );
         });
     }
 }
@@ -368,10 +307,12 @@ fn weak(y: Coord, w: Coord, t: Time) -> [f64; 2] {
 #[test]
 fn what_moves_at_a_toggle() {
     let mut m = Mechanism::new("weak");
-    let [x, y, w] = [("x", 1.0), ("y", 0.0), ("w", 0.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
+    let [x, y, w] =
+        [("x", 1.0), ("y", 0.0), ("w", 0.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
     m.add("arc", arc(x)).expect("adds");
     m.add("weak", weak(y, w)).expect("adds");
     let system = m.build().expect("builds");
-    let place = SingularPosition::new(&system, SingularKind::TurningPoint, 2.0, &[0.0, 2000.0, -2000.0], Vec::new());
+    let place =
+        SingularPosition::new(&system, SingularKind::TurningPoint, 2.0, &[0.0, 2000.0, -2000.0], Vec::new());
     assert_eq!((&place.movable[..], place.dependent.len()), (&["x".to_string()][..], 1), "{place:?}");
 }

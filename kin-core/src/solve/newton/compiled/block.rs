@@ -17,7 +17,8 @@ use crate::system::evaluate::Instant;
 /// Times of a block at most, between plain steps.
 const MOST: usize = 240;
 
-/// A pivot or determinant that is less than this share of what it was where the block began is left to plain steps.   \[-\]
+/// A pivot or determinant that is less than this share of what it was where the block began is left to plain
+/// steps.   \[-\]
 const LEAST: f64 = 0.02;
 
 /// How far q, and q̇ and q̈ by the largest of them, may be from those of a plain step.   \[-\]
@@ -30,7 +31,8 @@ pub(super) struct Block<'p, S: Level> {
     instant: Instant,
     /// Whether laws have breaks that are looked for time by time.
     watches: bool,
-    /// Where the torn coordinates are led by the last three times: coefficients of q in powers of time since the last one.
+    /// Where the torn coordinates are led by the last three times: coefficients of q in powers of time since
+    /// the last one.
     curves: Vec<Curve>,
     pub(super) objections: usize,
 }
@@ -58,7 +60,8 @@ impl<'p, S: Level> Block<'p, S> {
         }
     }
 
-    /// Computes times from the last one of the motion, which is a plain step's, as far as there is no objection; gives how many.
+    /// Computes times from the last one of the motion, which is a plain step's, as far as there is no
+    /// objection; gives how many.
     pub(super) fn take(&mut self, run: &mut Run<'_>, times: &[f64], motion: &mut Motion) -> Result<usize> {
         let (first, worst) = (motion.len(), motion.worst);
         let Some(mut pivot) = self.limit(run, motion) else { return Ok(0) };
@@ -101,7 +104,8 @@ impl<'p, S: Level> Block<'p, S> {
         Ok(motion.len() - first)
     }
 
-    /// Looks for breaks of laws on the way to each time from number `first` on; an error cuts the motion where single steps end.
+    /// Looks for breaks of laws on the way to each time from number `first` on; an error cuts the motion
+    /// where single steps end.
     fn look(&mut self, run: &mut Run<'_>, motion: &mut Motion, first: usize) -> Result<()> {
         let equations = run.system().equations();
         for k in (first..motion.len()).filter(|_| self.watches) {
@@ -118,7 +122,8 @@ impl<'p, S: Level> Block<'p, S> {
         Ok(())
     }
 
-    /// What the times to come are held to, by the plain step in hand, and its smallest pivot; `None` where plain steps had better go on.
+    /// What the times to come are held to, by the plain step in hand, and its smallest pivot; `None` where
+    /// plain steps had better go on.
     fn limit(&mut self, run: &Run<'_>, motion: &Motion) -> Option<f64> {
         let newton = &run.stepper()?.newton;
         let (options, layout) = (newton.options, newton.system.layout());
@@ -131,7 +136,8 @@ impl<'p, S: Level> Block<'p, S> {
         limits.sizes.extend(self.times.torn().iter().map(|column| newton.sizes[*column]));
         limits.correction.clear();
         limits.correction.extend(limits.sizes.iter().map(|size| tolerance * size));
-        (limits.rounding, limits.stall, limits.steps) = (tolerance * rounding(tolerance), STALL, options.max_iterations.min(12));
+        (limits.rounding, limits.stall, limits.steps) =
+            (tolerance * rounding(tolerance), STALL, options.max_iterations.min(12));
         limits.shares.clear();
         limits.shares.extend(newton.sizes.iter().map(|size| size.recip()));
         limits.turns.clear();
@@ -148,7 +154,9 @@ impl<'p, S: Level> Block<'p, S> {
                 }
             }
         }
-        (motion.len() >= ORDERS).then(|| newton.linear.smallest_pivot()).filter(|pivot| pivot.is_finite() && *pivot > 0.0)
+        (motion.len() >= ORDERS)
+            .then(|| newton.linear.smallest_pivot())
+            .filter(|pivot| pivot.is_finite() && *pivot > 0.0)
     }
 
     /// Where the last three times lead the torn coordinates.
@@ -166,7 +174,8 @@ impl<'p, S: Level> Block<'p, S> {
         let plain = [motion.q(k), motion.qd(k), motion.qdd(k)];
         (0..ORDERS).all(|order| {
             let shares = &self.limits.shares;
-            let size = plain[order].iter().zip(shares).fold(1.0_f64, |m, (x, share)| m.max((x * share).abs()));
+            let size =
+                plain[order].iter().zip(shares).fold(1.0_f64, |m, (x, share)| m.max((x * share).abs()));
             let size = if order == 0 { 1.0 } else { size };
             let near = |(column, x): (usize, &f64)| {
                 let own = self.times.of(column, order)[0];
@@ -211,7 +220,8 @@ impl<'p, S: Level> Block<'p, S> {
     fn keep(&self, times: &[f64], lanes: Range<usize>, motion: &mut Motion) {
         let judged = &self.times.judged;
         for lane in lanes.clone() {
-            let outcome = Outcome { iterations: judged.steps[lane] as usize, residual: judged.residual[lane] };
+            let outcome =
+                Outcome { iterations: judged.steps[lane] as usize, residual: judged.residual[lane] };
             if motion.is_worse(outcome) {
                 motion.worst = Some((outcome.residual, self.times.worst(lane)));
             }
@@ -220,7 +230,10 @@ impl<'p, S: Level> Block<'p, S> {
         motion.residuals.extend_from_slice(&judged.residual[lanes.clone()]);
         motion.times.extend_from_slice(&times[lanes.clone()]);
         let orders = [&mut motion.q, &mut motion.qd, &mut motion.qdd];
-        orders.into_iter().enumerate().for_each(|(order, to)| to.extend_from_slice(self.times.rows(order, lanes.clone())));
+        orders
+            .into_iter()
+            .enumerate()
+            .for_each(|(order, to)| to.extend_from_slice(self.times.rows(order, lanes.clone())));
     }
 
     /// Whether the position in a lane is what constraints mean.

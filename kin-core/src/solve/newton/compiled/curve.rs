@@ -2,7 +2,8 @@
 
 use crate::program::times::Curve;
 
-/// q as a polynomial of time: the integral of that of fifth degree which meets q̇ and q̈ at three times, the first of which is 0.
+/// q as a polynomial of time: the integral of that of fifth degree which meets q̇ and q̈ at three times, the
+/// first of which is 0.
 pub(super) fn curve(q: f64, times: [f64; 3], rates: [[f64; 2]; 3]) -> Curve {
     let at = |k: usize| times[k / 2];
     // Divided differences over each time twice.

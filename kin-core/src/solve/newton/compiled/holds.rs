@@ -1,4 +1,5 @@
-//! Whether constraints themselves hold at a time that a program has computed: by their own kernels, with parameters as they are now.
+//! Whether constraints themselves hold at a time that a program has computed: by their own kernels, with
+//! parameters as they are now.
 
 use crate::solve::motion::Motion;
 use crate::solve::newton::Newton;
@@ -11,8 +12,8 @@ const OFF: f64 = 1e-9;
 const SMALL: f64 = 0.01;
 
 impl Run<'_> {
-    /// Whether C = 0, C_q q̇ = −C_t and C_q q̈ = Q_d at the last time of the motion; `allowed` is how far each row may be off. The position in
-    /// hand is that time's then: [`Run::go_on`] makes it another one.
+    /// Whether C = 0, C_q q̇ = −C_t and C_q q̈ = Q_d at the last time of the motion; `allowed` is how far
+    /// each row may be off. The position in hand is that time's then: [`Run::go_on`] makes it another one.
     pub(super) fn holds(&mut self, motion: &Motion, allowed: &[f64]) -> bool {
         let Some(last) = motion.len().checked_sub(1) else { return true };
         self.stepper_mut().is_some_and(|stepper| {
@@ -47,7 +48,8 @@ fn holds(newton: &mut Newton<'_>, t: f64, [qd, qdd]: [&[f64]; 2], allowed: &[f64
 /// Whether x solves C_q x = b, where b is the right side in hand.
 fn is_solution(newton: &mut Newton<'_>, x: &[f64]) -> bool {
     let b = newton.linear.rhs_mut().to_vec();
-    let (mut sums, mut sizes): (Vec<f64>, Vec<f64>) = (b.iter().map(|b| -b).collect(), b.iter().map(|b| b.abs()).collect());
+    let (mut sums, mut sizes): (Vec<f64>, Vec<f64>) =
+        (b.iter().map(|b| -b).collect(), b.iter().map(|b| b.abs()).collect());
     for (entry, value) in newton.system.equations().entries.iter().zip(newton.linear.values()) {
         if let Some((row, column)) = *entry {
             sums[row] += value * x[column];

@@ -22,7 +22,8 @@ fn four_bar(a: f64) -> System {
 /// A run by a program that was made of another system, or changed.
 fn run_with(system: &System, times: &[f64], made_of: &System, change: impl Fn(&mut Program)) -> Motion {
     let options = Options { engine: Engine::Compiled, ..Options::default() };
-    let (mut run, mut motion) = (Run::new(system, &options, None).expect("runs"), Motion::new(system, times.len()));
+    let (mut run, mut motion) =
+        (Run::new(system, &options, None).expect("runs"), Motion::new(system, times.len()));
     run.reach(times[0], &mut motion).expect("reaches");
     let newton = &run.stepper().expect("plain steps").newton;
     let pose = Pose { t: times[0], q: &newton.q, sizes: &newton.sizes };
@@ -33,8 +34,12 @@ fn run_with(system: &System, times: &[f64], made_of: &System, change: impl Fn(&m
 }
 
 fn difference(a: &Motion, b: &Motion) -> f64 {
-    let of = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs() / (1.0 + a.abs())).fold(0.0, f64::max);
-    (0..a.len()).map(|k| of(a.q(k), b.q(k)).max(of(a.qd(k), b.qd(k))).max(of(a.qdd(k), b.qdd(k)))).fold(0.0, f64::max)
+    let of = |a: &[f64], b: &[f64]| {
+        a.iter().zip(b).map(|(a, b)| (a - b).abs() / (1.0 + a.abs())).fold(0.0, f64::max)
+    };
+    (0..a.len())
+        .map(|k| of(a.q(k), b.q(k)).max(of(a.qd(k), b.qd(k))).max(of(a.qdd(k), b.qdd(k))))
+        .fold(0.0, f64::max)
 }
 
 #[test]
@@ -62,6 +67,10 @@ fn a_program_of_another_length_is_not_believed() {
     let plain = system.run(&times).expect("runs");
     for a in [1.0 + 1e-6, 0.9] {
         let motion = run_with(&system, &times, &four_bar(a), |_| {});
-        assert!(motion.engine.compiled == 0 && difference(&plain, &motion) == 0.0, "{a}: {:?}", motion.engine);
+        assert!(
+            motion.engine.compiled == 0 && difference(&plain, &motion) == 0.0,
+            "{a}: {:?}",
+            motion.engine
+        );
     }
 }

@@ -13,13 +13,18 @@ use crate::system::System;
 use crate::system::scaled::{Measures, Point};
 
 impl<'a> Driver<'a> {
-    fn new(system: &'a System, (options, explain): (&'a Options, Option<Explain>), t: f64, (q, measures): (Vec<f64>, Measures)) -> Self {
+    fn new(
+        system: &'a System,
+        (options, explain): (&'a Options, Option<Explain>),
+        t: f64,
+        (q, measures): (Vec<f64>, Measures),
+    ) -> Self {
         let model = system.model_within(options.closure);
         let (n, equations) = (model.n(), model.equations);
         let mut point = Point { c: vec![0.0; model.m()], values: vec![0.0; equations.entries.len()] };
         equations.set_constants(&mut point.values);
-        let [row_shares, shares] =
-            [&measures.norms, &measures.sizes].map(|sizes| sizes.iter().map(|size| size.recip()).collect::<Vec<_>>());
+        let [row_shares, shares] = [&measures.norms, &measures.sizes]
+            .map(|sizes| sizes.iter().map(|size| size.recip()).collect::<Vec<_>>());
         let turns: Vec<f64> = (0..n).map(|column| f64::from(u8::from(model.turns(column)))).collect();
         let zeros = || Padded::new(n, 0.0);
         Driver {
@@ -52,10 +57,19 @@ impl<'a> Driver<'a> {
     }
 
     /// Assembled from the guess, into the preferred assembly.
-    pub(super) fn assembled(system: &'a System, options: &'a Options, t: f64, explain: Option<Explain>) -> Result<(Self, Outcome)> {
+    pub(super) fn assembled(
+        system: &'a System,
+        options: &'a Options,
+        t: f64,
+        explain: Option<Explain>,
+    ) -> Result<(Self, Outcome)> {
         let model = system.model_within(options.closure);
         let mut found = search::search(model, system.initial(), t, &|_| true, &options.search);
-        if let Some(q) = system.nearer(found.as_ref().filter(|found| found.met).map(|found| &found.place.q[..]), t, &options.search) {
+        if let Some(q) = system.nearer(
+            found.as_ref().filter(|found| found.met).map(|found| &found.place.q[..]),
+            t,
+            &options.search,
+        ) {
             found = search::descend(model, &q, t, &|_| true, false, options.search.steps);
         }
         Self::found(system, options, t, found, (system.initial(), explain))
@@ -68,7 +82,14 @@ impl<'a> Driver<'a> {
         t: f64,
         (start, explain): (&[f64], Explain),
     ) -> Result<(Self, Outcome)> {
-        let found = search::descend(system.model_within(options.closure), start, t, &|_| true, false, options.search.steps);
+        let found = search::descend(
+            system.model_within(options.closure),
+            start,
+            t,
+            &|_| true,
+            false,
+            options.search.steps,
+        );
         Self::found(system, options, t, found, (start, Some(explain)))
     }
 

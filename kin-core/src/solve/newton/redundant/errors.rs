@@ -10,10 +10,21 @@ pub(super) fn unmet(system: &System, q: &[f64], t: f64, iterations: usize, last:
         Err(bad) => system.equations().not_finite(bad, system.layout(), &instant),
         Ok(point) => {
             let rows = point.c.iter().map(|c| c.abs()).enumerate();
-            let (worst, residual) = rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
+            let (worst, residual) =
+                rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
             let (constraint, row) = system.row_name(worst);
             let units = system.layout().words.clone();
-            Error::NoConvergence { t, units, iterations, constraint, row, residual, last, diagnosis: None, motion: None }
+            Error::NoConvergence {
+                t,
+                units,
+                iterations,
+                constraint,
+                row,
+                residual,
+                last,
+                diagnosis: None,
+                motion: None,
+            }
         }
     }
 }

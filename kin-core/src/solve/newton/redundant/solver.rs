@@ -63,7 +63,8 @@ pub(crate) fn solved(system: &System, q: &[f64], t: f64, rhs: &[f64], explain: E
     let model = system.model();
     let (measures, m, n) = (model.measure(q, t), model.m(), model.n());
     let instant = || model.equations.instant_at(t, q);
-    let point = model.linearize(q, t).map_err(|bad| model.equations.not_finite(bad, model.layout, &instant()))?;
+    let point =
+        model.linearize(q, t).map_err(|bad| model.equations.not_finite(bad, model.layout, &instant()))?;
     let mut tall = LeastSquares::new(m, n, &model.equations.entries);
     let scaled = scales(&model, &measures).into_iter().zip(&point.values).map(|(scale, value)| scale * value);
     if !tall.factor(scaled, 0.0) {
@@ -75,6 +76,7 @@ pub(crate) fn solved(system: &System, q: &[f64], t: f64, rhs: &[f64], explain: E
 
 /// What each value of C_q is multiplied by to be of order 1.
 pub(super) fn scales(model: &Model<'_>, Measures { sizes, norms, .. }: &Measures) -> Vec<f64> {
-    let scale = |entry: &Option<(usize, usize)>| entry.map_or(0.0, |(row, column)| sizes[column] / norms[row]);
+    let scale =
+        |entry: &Option<(usize, usize)>| entry.map_or(0.0, |(row, column)| sizes[column] / norms[row]);
     model.equations.entries.iter().map(scale).collect()
 }

@@ -7,11 +7,20 @@ use crate::model::units::Units;
 use crate::solve::follow::{self, Branch, Check, Landed, Lost, Objection, SingularKind, SingularPosition};
 
 impl Stepper<'_> {
-    /// Short steps of time from t to `target` help no more: the curve is followed as far as `goal`, if that can be done; `to` was asked for.
-    pub(super) fn give_up(&mut self, trouble: Trouble, t: f64, target: f64, (goal, to): (f64, f64)) -> Result<Outcome> {
+    /// Short steps of time from t to `target` help no more: the curve is followed as far as `goal`, if that
+    /// can be done; `to` was asked for.
+    pub(super) fn give_up(
+        &mut self,
+        trouble: Trouble,
+        t: f64,
+        target: f64,
+        (goal, to): (f64, f64),
+    ) -> Result<Outcome> {
         if self.check.is_some() {
             let (before, options) = (self.bifurcations, self.newton.options);
-            match follow::pass(&self.newton, &self.q, t, goal, &|number| options.follow.turns(before + number)) {
+            match follow::pass(&self.newton, &self.q, t, goal, &|number| {
+                options.follow.turns(before + number)
+            }) {
                 Ok(passage) => {
                     self.bifurcations += passage.passed.len();
                     self.passed.extend(passage.passed);
@@ -25,24 +34,35 @@ impl Stepper<'_> {
                 Err(Lost::Lost) => {}
             }
         }
-        let is_far = (target - t).abs() <= SHORTEST * (to - t).abs() && self.check.is_some() && self.moved(target - t, target) > SHORT;
+        let is_far = (target - t).abs() <= SHORTEST * (to - t).abs()
+            && self.check.is_some()
+            && self.moved(target - t, target) > SHORT;
         Err(match trouble {
             // The shortest step of all still turns bodies too far for Newton's method to find its way.
-            Trouble::Failed(_) if is_far => {
-                Error::CannotFollow { t, units: self.newton.system.unit_words().clone(), reason: TOO_MANY, motion: None }
-            }
+            Trouble::Failed(_) if is_far => Error::CannotFollow {
+                t,
+                units: self.newton.system.unit_words().clone(),
+                reason: TOO_MANY,
+                motion: None,
+            },
             Trouble::Failed(failure) => {
                 self.newton.q.copy_from_slice(&self.failed);
                 // For what it says of the equations there.
                 let _ = self.newton.linearize(target);
                 self.newton.error(failure, target, Some(t))
             }
-            Trouble::Objected(Objection::Long) => {
-                Error::CannotFollow { t, units: self.newton.system.unit_words().clone(), reason: TOO_MANY, motion: None }
-            }
-            Trouble::Objected(objection) => {
-                Error::CannotFollow { t, units: self.newton.system.unit_words().clone(), reason: objection.reason(), motion: None }
-            }
+            Trouble::Objected(Objection::Long) => Error::CannotFollow {
+                t,
+                units: self.newton.system.unit_words().clone(),
+                reason: TOO_MANY,
+                motion: None,
+            },
+            Trouble::Objected(objection) => Error::CannotFollow {
+                t,
+                units: self.newton.system.unit_words().clone(),
+                reason: objection.reason(),
+                motion: None,
+            },
         })
     }
 
@@ -62,7 +82,8 @@ impl Stepper<'_> {
             }
             Landed::Singular(q, branch) => {
                 if newton.options.jerk {
-                    let jerk = jerk_between(newton, &q, &branch, to).map_err(|failure| newton.error(failure, to, Some(t)))?;
+                    let jerk = jerk_between(newton, &q, &branch, to)
+                        .map_err(|failure| newton.error(failure, to, Some(t)))?;
                     newton.qddd.copy_from_slice(&jerk);
                 }
                 newton.q.copy_from_slice(&q);
@@ -77,16 +98,31 @@ impl Stepper<'_> {
     }
 }
 
-/// q⃛ at a singular position on one of its branches: from the means of what it is a little before and after, twice (Richardson).
-fn jerk_between(newton: &mut Newton<'_>, q: &[f64], Branch { qd, qdd }: &Branch, t: f64) -> std::result::Result<Vec<f64>, Failure> {
+/// q⃛ at a singular position on one of its branches: from the means of what it is a little before and after,
+/// twice (Richardson).
+fn jerk_between(
+    newton: &mut Newton<'_>,
+    q: &[f64],
+    Branch { qd, qdd }: &Branch,
+    t: f64,
+) -> std::result::Result<Vec<f64>, Failure> {
     /// What moves most moves by this to the nearer ones.   \[-\]
     const NEAR: f64 = 0.05;
-    let rates = qd.iter().zip(qdd).zip(newton.shares()).map(|((qd, qdd), share)| (qd.abs() * share).max((qdd.abs() * share).sqrt()));
+    let rates = qd
+        .iter()
+        .zip(qdd)
+        .zip(newton.shares())
+        .map(|((qd, qdd), share)| (qd.abs() * share).max((qdd.abs() * share).sqrt()));
     let fastest = largest(rates);
     let mut jerk = vec![0.0; q.len()];
     for (steps, weight) in [(-1.0, 2.0 / 3.0), (1.0, 2.0 / 3.0), (-2.0, -1.0 / 6.0), (2.0, -1.0 / 6.0)] {
         let h = steps * NEAR / fastest;
-        newton.q.iter_mut().zip(q).zip(qd.iter().zip(qdd)).for_each(|((next, q), (qd, qdd))| *next = q + h * (qd + 0.5 * h * qdd));
+        newton
+            .q
+            .iter_mut()
+            .zip(q)
+            .zip(qd.iter().zip(qdd))
+            .for_each(|((next, q), (qd, qdd))| *next = q + h * (qd + 0.5 * h * qdd));
         newton.solve(t + h, Steps::Near)?;
         newton.rates()?;
         jerk.iter_mut().zip(&newton.qddd).for_each(|(jerk, qddd)| *jerk += weight * qddd);

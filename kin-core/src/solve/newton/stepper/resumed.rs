@@ -4,12 +4,14 @@ use super::Stepper;
 use crate::solve::motion::Motion;
 
 impl Stepper<'_> {
-    /// Whether the ends of a step between two times, with that smallest pivot, tell all that time does in between.
+    /// Whether the ends of a step between two times, with that smallest pivot, tell all that time does in
+    /// between.
     pub(in crate::solve::newton) fn tells(&mut self, from: f64, to: f64, pivot: f64) -> bool {
         self.check.as_mut().is_none_or(|check| check.tells(from, to, pivot))
     }
 
-    /// The last three times of a motion are those before the next step; at the last one the smallest pivot is this.
+    /// The last three times of a motion are those before the next step; at the last one the smallest pivot is
+    /// this.
     pub(in crate::solve::newton) fn go_on(&mut self, motion: &Motion, pivot: f64) {
         let Some(last) = motion.len().checked_sub(1) else { return };
         let times = motion.times();

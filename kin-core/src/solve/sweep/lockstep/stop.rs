@@ -5,7 +5,8 @@ use crate::numbers::lanes::{Level, Mask, Wide};
 use crate::solve::newton::{STALL, Stop, rounding};
 
 impl<S: Level> Lockstep<'_, S> {
-    /// C_q dq = C, which is to be taken from q; gives max |dq_j| against what may be asked of it, and where it is finite.
+    /// C_q dq = C, which is to be taken from q; gives max |dq_j| against what may be asked of it, and where
+    /// it is finite.
     #[inline(always)]
     pub(super) fn correction(&mut self) -> (Wide<S>, Mask<S>) {
         self.linear.correct();
@@ -35,9 +36,16 @@ impl<S: Level> Lockstep<'_, S> {
 
     /// The stop rule that tests the correction too, as [`Newton`] has it.
     #[inline(always)]
-    pub(super) fn converged(&mut self, open: Mask<S>, correction: Wide<S>, previous: Wide<S>, tolerance: f64) -> Mask<S> {
+    pub(super) fn converged(
+        &mut self,
+        open: Mask<S>,
+        correction: Wide<S>,
+        previous: Wide<S>,
+        tolerance: f64,
+    ) -> Mask<S> {
         let simd = self.simd;
-        let stalled = correction.gt(Wide::splat(simd, 0.5) * previous) & correction.le(Wide::splat(simd, STALL));
+        let stalled =
+            correction.gt(Wide::splat(simd, 0.5) * previous) & correction.le(Wide::splat(simd, STALL));
         let within = correction.le(Wide::splat(simd, tolerance));
         if !(open & within & !stalled).any() {
             return stalled;
@@ -61,7 +69,8 @@ impl<S: Level> Lockstep<'_, S> {
         let mut left: Vec<Wide<S>> = self.linear.c().iter().zip(self.linear.norms()).map(left).collect();
         for (entry, value) in self.linear.entries().iter().zip(self.linear.values()) {
             if let Some((row, column)) = *entry {
-                let allowed = Wide::splat(simd, tolerance * rounding(tolerance)) * (*value * self.q[column as usize]).abs();
+                let allowed = Wide::splat(simd, tolerance * rounding(tolerance))
+                    * (*value * self.q[column as usize]).abs();
                 left[row as usize] = left[row as usize] + allowed;
             }
         }

@@ -1,4 +1,5 @@
-//! What is asked at the position in hand: what is singular near it, what moves it, what a sweep is told beforehand.
+//! What is asked at the position in hand: what is singular near it, what moves it, what a sweep is told
+//! beforehand.
 
 use super::super::{Drive, EASY, Factored, Lever, is_singular_near};
 use super::{Led, steep_system};
@@ -12,7 +13,8 @@ fn above_zero(x: Coord, y: Coord, t: Time) -> [f64; 2] {
     [x.sqrt() + y - 1.0 - t, y]
 }
 
-/// Where there is no matrix it counts as singular; what was measured on the way is forgotten, and the position in hand is as it was.
+/// Where there is no matrix it counts as singular; what was measured on the way is forgotten, and the
+/// position in hand is as it was.
 #[test]
 fn a_look_around_leaves_nothing_behind() {
     let options = Options::default();
@@ -46,15 +48,23 @@ fn a_lever_moves_its_own_rows_alone() {
     led.newton.linear.rhs_mut().fill(7.0);
     let mut lever = Factored { newton: &mut led.newton, v: &mut v, turns: &Padded::default(), negative: &[] };
     // C_q = [3 1; 1 1]
-    for (first, b, exact) in
-        [(0, &[1.0][..], [0.5, -0.5]), (1, &[1.0], [-0.5, 1.5]), (0, &[2.0, 4.0], [-1.0, 5.0]), (1, &[1.0], [-0.5, 1.5])]
-    {
+    for (first, b, exact) in [
+        (0, &[1.0][..], [0.5, -0.5]),
+        (1, &[1.0], [-0.5, 1.5]),
+        (0, &[2.0, 4.0], [-1.0, 5.0]),
+        (1, &[1.0], [-0.5, 1.5]),
+    ] {
         Lever::moved(&mut lever, first, b);
-        assert!((0..2).all(|k| (lever.v[k] - exact[k]).abs() < 1e-14), "{first} {b:?}: {:?}", [lever.v[0], lever.v[1]]);
+        assert!(
+            (0..2).all(|k| (lever.v[k] - exact[k]).abs() < 1e-14),
+            "{first} {b:?}: {:?}",
+            [lever.v[0], lever.v[1]]
+        );
     }
 }
 
-/// What a sweep is told beforehand: four times the third-order term of what drives, by what it moves and by the pivot.
+/// What a sweep is told beforehand: four times the third-order term of what drives, by what it moves and by
+/// the pivot.
 #[test]
 fn the_outlook_at_a_position() {
     let options = Options::default();
@@ -67,7 +77,8 @@ fn the_outlook_at_a_position() {
         newton.solve(0.0, Steps::Full).expect("solves");
         let share = newton.shares()[0];
         let pivot = newton.linear.smallest_pivot();
-        super::super::outlook(Drive::new(system.equations()), &mut newton, [0.0, 1.0]).map(|e| (e, share, pivot))
+        super::super::outlook(Drive::new(system.equations()), &mut newton, [0.0, 1.0])
+            .map(|e| (e, share, pivot))
     };
     let (e, share, pivot) = outlook(Law::sine(1.0, 0.5, 0.1)).expect("is known");
     let exact = 4.0 * share * (0.125 * 0.1_f64.cos() / 6.0) * pivot / EASY;

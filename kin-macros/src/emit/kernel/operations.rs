@@ -1,0 +1,92 @@
+//! Operations as they are written.
+
+use super::*;
+
+impl Kernel<'_> {
+    pub(super) fn written(&mut self, node: Node) -> TokenStream {
+        match self.graph().op(node) {
+            Op::Input(input) => self.input(input),
+            Op::Constant(bits) => self.constant(f64::from_bits(bits)),
+            Op::Decimal(k) => self.constant(self.graph().decimals[k].nearest),
+            Op::Truth(value) if self.numbers == Numbers::Wide => {
+                quote!(::kin::rt::Mask::splat(at.simd, #value))
+            }
+            Op::Truth(value) => quote!(#value),
+            Op::Add(a, b) => self.infix(a, quote!(+), b),
+            Op::Sub(a, b) => self.infix(a, quote!(-), b),
+            Op::Mul(a, b) => self.infix(a, quote!(*), b),
+            Op::Div(a, b) => self.infix(a, quote!(/), b),
+            Op::Fma(a, b, c) if self.numbers == Numbers::Wide => self.function("mul_add", &[a, b, c]),
+            Op::Fma(a, b, c) => {
+                self.fused = true;
+                let (fma, a, b, c) =
+                    (super::super::own("fma"), self.expression(a), self.expression(b), self.expression(c));
+                quote!(#fma(#a, #b, #c))
+            }
+            Op::And(a, b) => {
+                self.infix(a, if self.numbers != Numbers::Wide { quote!(&&) } else { quote!(&) }, b)
+            }
+            Op::Or(a, b) => {
+                self.infix(a, if self.numbers != Numbers::Wide { quote!(||) } else { quote!(|) }, b)
+            }
+            Op::Compare(comparison, a, b) if self.numbers != Numbers::Wide => {
+                self.infix(a, sign(comparison), b)
+            }
+            Op::Compare(comparison, a, b) => self.function(comparison_method(comparison), &[a, b]),
+            Op::Neg(a) => {
+                let a = self.operand(a);
+                quote!(-#a)
+            }
+            Op::Not(a) => {
+                let a = self.operand(a);
+                quote!(!#a)
+            }
+            Op::Call(f, a) => self.function(f.method(), &[a]),
+            Op::Call2(Function2::Rem, a, b) => self.infix(a, quote!(%), b),
+            Op::Call2(f, a, b) => self.function(f.method(), &[a, b]),
+            Op::Powi(a, n) => {
+                let (of, a, n) = (self.functions_of(), self.expression(a), Literal::i32_unsuffixed(n));
+                quote!(#of::powi(#a, #n))
+            }
+            Op::Select(c, a, b) => {
+                let (c, a, b) = (self.expression(c), self.expression(a), self.expression(b));
+                match self.numbers {
+                    Numbers::Plain | Numbers::Dual => quote!(if #c { #a } else { #b }),
+                    Numbers::Wide => quote!(::kin::rt::Mask::select(#c, #a, #b)),
+                }
+            }
+            // These have names before they are written.
+            Op::Law(..) | Op::Opaque(..) | Op::Leaf(_) => quote!(f64::NAN),
+        }
+    }
+
+    pub(super) fn constant(&self, value: f64) -> TokenStream {
+        let value = number(value);
+        match self.numbers {
+            Numbers::Plain => value,
+            Numbers::Wide => quote!(at.splat(#value)),
+            Numbers::Dual => quote!(::kin::rt::Real::<__D>::from(#value)),
+        }
+    }
+
+    /// Where the functions of the numbers are.
+    pub(super) fn functions_of(&self) -> TokenStream {
+        match self.numbers {
+            Numbers::Plain => quote!(::kin::rt::math),
+            Numbers::Wide => quote!(::kin::rt::Wide),
+            Numbers::Dual => quote!(<::kin::rt::Real<__D>>),
+        }
+    }
+
+    /// A function of the numbers' type.
+    pub(super) fn function(&mut self, name: &str, arguments: &[Node]) -> TokenStream {
+        let (of, name) = (self.functions_of(), Ident::new(name, Span::call_site()));
+        let arguments: Vec<TokenStream> = arguments.iter().map(|&n| self.expression(n)).collect();
+        quote!(#of::#name(#(#arguments),*))
+    }
+
+    pub(super) fn infix(&mut self, a: Node, sign: TokenStream, b: Node) -> TokenStream {
+        let (a, b) = (self.operand(a), self.operand(b));
+        quote!(#a #sign #b)
+    }
+}
