@@ -134,7 +134,10 @@ fn error(message: &Value) -> Error {
     // Of what is deprecated the text is Kin's.
     let said = code.filter(|code| *code != "deprecated").map_or(text.to_owned(), |code| format!("[{code}]"));
     let root = format!("{}/", env!("CARGO_MANIFEST_DIR"));
-    let rendered = message["rendered"].as_str().unwrap_or_default().trim_end().replace(&root, "");
+    let rendered = message["rendered"].as_str().unwrap_or_default().replace(&root, "");
+    // What stands inside of a panic at compile time is the standard library's, with its text where the
+    // sources are installed and without it where they are not.
+    let rendered = rendered.split("\nnote: inside `kin").next().unwrap_or_default().trim_end().to_owned();
     Error {
         message: format!("{}: {said}", places.join(", ")),
         rendered: rendered + "\n",

@@ -7,8 +7,8 @@
 use std::hint::black_box;
 use std::time::Duration;
 
+use kin::emitted::{At, PlanarState, Rates};
 use kin::prelude::*;
-use kin::rt::{At, PlanarState, Rates};
 
 use crate::hand::planar_joints::{self, Prismatic, Revolute};
 use crate::hand::spatial_joints::{self, Cylindrical, Spherical, Universal};

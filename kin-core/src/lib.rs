@@ -29,8 +29,6 @@ mod testing;
 
 pub use ask::{check, diagnosis, measure, proof};
 #[doc(hidden)]
-pub use emitted as rt;
-#[doc(hidden)]
 pub use model::{blame, coordinates, dual_route, state, terms};
 pub use model::{constraint, error, law, mechanism};
 pub use numbers::algebra;

@@ -18,35 +18,35 @@ pub struct cylindrical {
 pub fn cylindrical(
     i: impl ::kin::IntoSpatialBody,
     j: impl ::kin::IntoSpatialBody,
-    u_i: impl ::kin::rt::Components<3, Scalar = f64>,
-    u_j: impl ::kin::rt::Components<3, Scalar = f64>,
-    f_i: impl ::kin::rt::Components<3, Scalar = f64>,
-    g_i: impl ::kin::rt::Components<3, Scalar = f64>,
-    h_j: impl ::kin::rt::Components<3, Scalar = f64>,
+    u_i: impl ::kin::emitted::Components<3, Scalar = f64>,
+    u_j: impl ::kin::emitted::Components<3, Scalar = f64>,
+    f_i: impl ::kin::emitted::Components<3, Scalar = f64>,
+    g_i: impl ::kin::emitted::Components<3, Scalar = f64>,
+    h_j: impl ::kin::emitted::Components<3, Scalar = f64>,
 ) -> cylindrical {
     cylindrical {
         i: ::kin::IntoSpatialBody::into_spatial_body(i),
         j: ::kin::IntoSpatialBody::into_spatial_body(j),
-        u_i: ::kin::rt::vector(u_i),
-        u_j: ::kin::rt::vector(u_j),
-        f_i: ::kin::rt::vector(f_i),
-        g_i: ::kin::rt::vector(g_i),
-        h_j: ::kin::rt::vector(h_j),
+        u_i: ::kin::emitted::vector(u_i),
+        u_j: ::kin::emitted::vector(u_j),
+        f_i: ::kin::emitted::vector(f_i),
+        g_i: ::kin::emitted::vector(g_i),
+        h_j: ::kin::emitted::vector(h_j),
     }
 }
 const _: () = {
     #[allow(unused_imports)]
-    use ::kin::rt::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
+    use ::kin::emitted::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
     #[allow(unused_imports)]
-    use ::kin::rt::{
+    use ::kin::emitted::{
         ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _, TakesAsIs as _,
         TakesConverted as _,
     };
     /// The function as it was written.
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     const __WRITTEN: fn(
-        ::kin::rt::SpatialState,
-        ::kin::rt::SpatialState,
+        ::kin::emitted::SpatialState,
+        ::kin::emitted::SpatialState,
         Vec3,
         Vec3,
         Vec3,
@@ -63,9 +63,9 @@ const _: () = {
         true
     };
     #[allow(dead_code)]
-    type __Dual<D> = ::kin::rt::If<__SOUND, D>;
+    type __Dual<D> = ::kin::emitted::If<__SOUND, D>;
     #[allow(dead_code)]
-    type __Real<D> = ::kin::rt::Real<__Dual<D>>;
+    type __Real<D> = ::kin::emitted::Real<__Dual<D>>;
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::Constraint for cylindrical {
         fn kind(&self) -> &str {
@@ -74,16 +74,16 @@ const _: () = {
         fn route(&self) -> ::kin::Route {
             ::kin::Route::Symbolic
         }
-        fn arguments(&self) -> ::std::vec::Vec<::kin::rt::Argument> {
-            ::kin::rt::arguments(
+        fn arguments(&self) -> ::std::vec::Vec<::kin::emitted::Argument> {
+            ::kin::emitted::arguments(
                 &[
-                    ::kin::rt::Argument {
+                    ::kin::emitted::Argument {
                         name: "i",
-                        target: ::kin::rt::Target::Spatial(self.i),
+                        target: ::kin::emitted::Target::Spatial(self.i),
                     },
-                    ::kin::rt::Argument {
+                    ::kin::emitted::Argument {
                         name: "j",
-                        target: ::kin::rt::Target::Spatial(self.j),
+                        target: ::kin::emitted::Target::Spatial(self.j),
                     },
                 ],
             )
@@ -139,16 +139,16 @@ const _: () = {
                 (3, 13),
             ]
         }
-        fn describe(&self, to: &mut ::kin::rt::Describer) {
-            use ::kin::rt::{ToldBySerde as _, Untold as _};
+        fn describe(&self, to: &mut ::kin::emitted::Describer) {
+            use ::kin::emitted::{ToldBySerde as _, Untold as _};
             to.put("u_i", &self.u_i);
             to.put("u_j", &self.u_j);
             to.put("f_i", &self.f_i);
             to.put("g_i", &self.g_i);
             to.put("h_j", &self.h_j);
         }
-        fn depends(&self) -> ::kin::rt::Dependence {
-            ::kin::rt::Dependence {
+        fn depends(&self) -> ::kin::emitted::Dependence {
+            ::kin::emitted::Dependence {
                 c_on_t: false,
                 c_q_on_t: false,
                 c_t: false,
@@ -156,14 +156,19 @@ const _: () = {
                 curved: true,
             }
         }
-        fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
+        fn residual(&self, at: &::kin::emitted::At<'_>, c: &mut [f64]) {
             self.linearize(at, c, &mut [0.0; 44]);
         }
-        fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
+        fn jacobian(&self, at: &::kin::emitted::At<'_>, c_q: &mut [f64]) {
             self.linearize(at, &mut [0.0; 4], c_q);
         }
         /// C and C_q: 284 operations
-        fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
+        fn linearize(
+            &self,
+            at: &::kin::emitted::At<'_>,
+            c: &mut [f64],
+            c_q: &mut [f64],
+        ) {
             let ::core::option::Option::Some([c_0, c_1, c_2, c_3]) = c.first_chunk_mut()
             else { return };
             let ::core::option::Option::Some(
@@ -213,12 +218,12 @@ const _: () = {
                 c_q_43,
                 ],
             ) = c_q.first_chunk_mut() else { return };
-            let fma = ::kin::rt::fma;
+            let fma = ::kin::emitted::fma;
             let ::core::option::Option::Some([i_x, i_y, i_z, i_e0, i_e1, i_e2, i_e3]) = at
                 .state(0) else { return };
             let ::core::option::Option::Some([j_x, j_y, j_z, j_e0, j_e1, j_e2, j_e3]) = at
                 .state(1) else { return };
-            let put = ::kin::rt::put;
+            let put = ::kin::emitted::put;
             let i_e0 = *i_e0;
             let t0 = 2.0 * i_e0;
             let t1 = self.f_i.x * t0;
@@ -472,20 +477,20 @@ const _: () = {
             put(c_q_34, t125);
             put(c_3, fma(t29, t108, fma(t25, t103, t21 * t98)));
         }
-        fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
-            ::kin::rt::no_velocity(rhs, 4);
+        fn velocity_rhs(&self, _at: &::kin::emitted::At<'_>, rhs: &mut [f64]) {
+            ::kin::emitted::no_velocity(rhs, 4);
         }
         /// Q_d for t_dot = 1: 315 operations
         fn acceleration_rhs(
             &self,
-            at: &::kin::rt::At<'_>,
-            qd: &::kin::rt::Rates<'_>,
+            at: &::kin::emitted::At<'_>,
+            qd: &::kin::emitted::Rates<'_>,
             t_dot: f64,
             q_d: &mut [f64],
         ) {
             let ::core::option::Option::Some([q_d_0, q_d_1, q_d_2, q_d_3]) = q_d
                 .first_chunk_mut() else { return };
-            let fma = ::kin::rt::fma;
+            let fma = ::kin::emitted::fma;
             let ::core::option::Option::Some([i_x, i_y, i_z, i_e0, i_e1, i_e2, i_e3]) = at
                 .state(0) else { return };
             let ::core::option::Option::Some([j_x, j_y, j_z, j_e0, j_e1, j_e2, j_e3]) = at
@@ -510,7 +515,7 @@ const _: () = {
                 j_e3_d,
                 ],
             ) = qd.of(1) else { return };
-            let put = ::kin::rt::put;
+            let put = ::kin::emitted::put;
             let j_e3 = *j_e3;
             let j_e2 = *j_e2;
             let j_e0 = *j_e0;
@@ -778,9 +783,9 @@ const _: () = {
         fn table(
             &self,
         ) -> ::core::option::Option<
-            (&'static ::kin::rt::graph::Table, ::std::vec::Vec<f64>),
+            (&'static ::kin::emitted::graph::Table, ::std::vec::Vec<f64>),
         > {
-            static TABLE: ::kin::rt::graph::Table = ::kin::rt::graph::Table::new(
+            static TABLE: ::kin::emitted::graph::Table = ::kin::emitted::graph::Table::new(
                 ::core::file!(),
                 r##"
 at 1 1 i.direction(f_i)
@@ -1051,8 +1056,8 @@ rows 218 223 228 233
                     ],
                 )
         }
-        fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
-            ::kin::rt::attachments(
+        fn attachments(&self) -> ::std::vec::Vec<::kin::emitted::Attachment> {
+            ::kin::emitted::attachments(
                 &[
                     (0, false, [self.f_i.x, self.f_i.y, self.f_i.z]),
                     (0, false, [self.g_i.x, self.g_i.y, self.g_i.z]),
@@ -1066,7 +1071,7 @@ rows 218 223 228 233
             "A cylindrical joint: the axes are parallel and the line between two of their points is along them.      [–, –, m, m]"
         }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-            ::kin::rt::visit(
+            ::kin::emitted::visit(
                 &[
                     ("u_i", &self.u_i),
                     ("u_j", &self.u_j),
@@ -1078,7 +1083,7 @@ rows 218 223 228 233
             );
         }
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-            ::kin::rt::set(
+            ::kin::emitted::set(
                 &mut [
                     ("u_i", &mut self.u_i),
                     ("u_j", &mut self.u_j),
@@ -1091,7 +1096,7 @@ rows 218 223 228 233
             )
         }
         fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
-            ::kin::rt::set_at(
+            ::kin::emitted::set_at(
                 &mut [
                     &mut self.u_i,
                     &mut self.u_j,
@@ -1108,14 +1113,14 @@ rows 218 223 228 233
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
-    impl ::kin::rt::Described for cylindrical {
+    impl ::kin::emitted::Described for cylindrical {
         const KIND: &'static str = "cylindrical";
-        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
+        const ARGUMENTS: &'static [::kin::emitted::ArgumentKind] = <Self as ::kin::emitted::Equation<
             14,
             4,
         >>::ARGUMENTS;
-        fn read(from: &mut ::kin::rt::Reader<'_>) -> ::core::option::Option<Self> {
-            use ::kin::rt::{SoughtBySerde as _, Unsought as _};
+        fn read(from: &mut ::kin::emitted::Reader<'_>) -> ::core::option::Option<Self> {
+            use ::kin::emitted::{SoughtBySerde as _, Unsought as _};
             ::core::option::Option::Some(cylindrical {
                 i: from.spatial(),
                 j: from.spatial(),
@@ -1128,35 +1133,45 @@ rows 218 223 228 233
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
-    impl ::kin::rt::Equation<14, 4> for cylindrical {
-        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[
-            ::kin::rt::ArgumentKind::Spatial,
-            ::kin::rt::ArgumentKind::Spatial,
+    impl ::kin::emitted::Equation<14, 4> for cylindrical {
+        const ARGUMENTS: &'static [::kin::emitted::ArgumentKind] = &[
+            ::kin::emitted::ArgumentKind::Spatial,
+            ::kin::emitted::ArgumentKind::Spatial,
         ];
-        fn evaluate<__D: ::kin::rt::Dual>(
+        fn evaluate<__D: ::kin::emitted::Dual>(
             &self,
-            q: &[::kin::rt::Real<__D>; 14],
-            t: ::kin::rt::Real<__D>,
-        ) -> [::kin::rt::Real<__D>; 4] {
-            let mut q = ::kin::rt::Columns(q);
-            let i: ::kin::rt::SpatialState<__Real<__D>> = q.spatial();
-            let j: ::kin::rt::SpatialState<__Real<__D>> = q.spatial();
-            let u_i: ::kin::rt::Vec3<__Real<__D>> = ::kin::rt::Lift::lift(self.u_i);
-            let u_j: ::kin::rt::Vec3<__Real<__D>> = ::kin::rt::Lift::lift(self.u_j);
-            let f_i: ::kin::rt::Vec3<__Real<__D>> = ::kin::rt::Lift::lift(self.f_i);
-            let g_i: ::kin::rt::Vec3<__Real<__D>> = ::kin::rt::Lift::lift(self.g_i);
-            let h_j: ::kin::rt::Vec3<__Real<__D>> = ::kin::rt::Lift::lift(self.h_j);
+            q: &[::kin::emitted::Real<__D>; 14],
+            t: ::kin::emitted::Real<__D>,
+        ) -> [::kin::emitted::Real<__D>; 4] {
+            let mut q = ::kin::emitted::Columns(q);
+            let i: ::kin::emitted::SpatialState<__Real<__D>> = q.spatial();
+            let j: ::kin::emitted::SpatialState<__Real<__D>> = q.spatial();
+            let u_i: ::kin::emitted::Vec3<__Real<__D>> = ::kin::emitted::Lift::lift(
+                self.u_i,
+            );
+            let u_j: ::kin::emitted::Vec3<__Real<__D>> = ::kin::emitted::Lift::lift(
+                self.u_j,
+            );
+            let f_i: ::kin::emitted::Vec3<__Real<__D>> = ::kin::emitted::Lift::lift(
+                self.f_i,
+            );
+            let g_i: ::kin::emitted::Vec3<__Real<__D>> = ::kin::emitted::Lift::lift(
+                self.g_i,
+            );
+            let h_j: ::kin::emitted::Vec3<__Real<__D>> = ::kin::emitted::Lift::lift(
+                self.h_j,
+            );
             let value = (move || -> (__Real<__D>, __Real<__D>, __Real<__D>, __Real<__D>) {
                 let (f, g, h) = (i.direction(f_i), i.direction(g_i), j.direction(h_j));
                 let d = i.point(u_i) - j.point(u_j);
                 (f.dot(h), g.dot(h), f.dot(d), g.dot(d))
             })();
-            ::kin::rt::rows(value)
+            ::kin::emitted::rows(value)
         }
         #[inline]
         fn plain(&self, q: &[f64; 14], t: f64) -> [f64; 4] {
-            let mut q = ::kin::rt::Columns(q);
-            ::kin::rt::rows(
+            let mut q = ::kin::emitted::Columns(q);
+            ::kin::emitted::rows(
                 __WRITTEN(
                     q.spatial(),
                     q.spatial(),

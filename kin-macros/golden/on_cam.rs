@@ -15,42 +15,42 @@ struct on_cam {
 fn on_cam(
     cam: impl ::kin::IntoPlanarBody,
     follower: impl ::kin::IntoPlanarBody,
-    tip: impl ::kin::rt::Components<2, Scalar = f64>,
+    tip: impl ::kin::emitted::Components<2, Scalar = f64>,
     profile: Law,
 ) -> on_cam {
     on_cam {
         cam: ::kin::IntoPlanarBody::into_planar_body(cam),
         follower: ::kin::IntoPlanarBody::into_planar_body(follower),
-        tip: ::kin::rt::vector(tip),
+        tip: ::kin::emitted::vector(tip),
         profile,
     }
 }
 const _: () = {
     #[allow(unused_imports)]
-    use ::kin::rt::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
+    use ::kin::emitted::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
     #[allow(unused_imports)]
-    use ::kin::rt::{
+    use ::kin::emitted::{
         ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _, TakesAsIs as _,
         TakesConverted as _,
     };
     /// The function as it was written.
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     const __WRITTEN: fn(
-        ::kin::rt::PlanarState,
-        ::kin::rt::PlanarState,
+        ::kin::emitted::PlanarState,
+        ::kin::emitted::PlanarState,
         Vec2,
         Law,
     ) -> f64 = |cam, follower, tip, profile| {
         let p = cam.local(follower.point(tip));
         let phi = p.y.atan2(p.x);
         p.norm() - profile.at(phi)
-            + (&::kin::rt::Foreign(
+            + (&::kin::emitted::Foreign(
                 match (phi, MOST_WEAR) {
                     (a_0, a_1) => {
                         let f = wear;
-                        let how = (&::kin::rt::Probe::new(
+                        let how = (&::kin::emitted::Probe::new(
                             &f,
-                            (::kin::rt::of(&a_0), ::kin::rt::of(&a_1)),
+                            (::kin::emitted::of(&a_0), ::kin::emitted::of(&a_1)),
                         ))
                             .marker();
                         f(how.plain(a_0), how.plain(a_1))
@@ -65,19 +65,22 @@ const _: () = {
         true
     };
     #[allow(dead_code)]
-    type __Dual<D> = ::kin::rt::If<__SOUND, D>;
+    type __Dual<D> = ::kin::emitted::If<__SOUND, D>;
     #[allow(dead_code)]
-    type __Real<D> = ::kin::rt::Real<__Dual<D>>;
+    type __Real<D> = ::kin::emitted::Real<__Dual<D>>;
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl on_cam {
-        fn __leaf0<__D: ::kin::rt::Dual>(&self, x: [__Real<__D>; 1]) -> __Real<__D> {
-            (&::kin::rt::Foreign(
+        fn __leaf0<__D: ::kin::emitted::Dual>(
+            &self,
+            x: [__Real<__D>; 1],
+        ) -> __Real<__D> {
+            (&::kin::emitted::Foreign(
                 match (x[0], MOST_WEAR) {
                     (a_0, a_1) => {
-                        let f = ::kin::rt::callee::<__SOUND, _>(wear);
-                        let how = (&::kin::rt::Probe::new(
+                        let f = ::kin::emitted::callee::<__SOUND, _>(wear);
+                        let how = (&::kin::emitted::Probe::new(
                             &f,
-                            (::kin::rt::of(&a_0), ::kin::rt::of(&a_1)),
+                            (::kin::emitted::of(&a_0), ::kin::emitted::of(&a_1)),
                         ))
                             .marker();
                         f(how.jet(a_0).argument(), how.constant(a_1))
@@ -95,16 +98,16 @@ const _: () = {
         fn route(&self) -> ::kin::Route {
             ::kin::Route::Symbolic
         }
-        fn arguments(&self) -> ::std::vec::Vec<::kin::rt::Argument> {
-            ::kin::rt::arguments(
+        fn arguments(&self) -> ::std::vec::Vec<::kin::emitted::Argument> {
+            ::kin::emitted::arguments(
                 &[
-                    ::kin::rt::Argument {
+                    ::kin::emitted::Argument {
                         name: "cam",
-                        target: ::kin::rt::Target::Planar(self.cam),
+                        target: ::kin::emitted::Target::Planar(self.cam),
                     },
-                    ::kin::rt::Argument {
+                    ::kin::emitted::Argument {
                         name: "follower",
-                        target: ::kin::rt::Target::Planar(self.follower),
+                        target: ::kin::emitted::Target::Planar(self.follower),
                     },
                 ],
             )
@@ -115,13 +118,13 @@ const _: () = {
         fn pattern(&self) -> &[(usize, usize)] {
             &[(0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5)]
         }
-        fn describe(&self, to: &mut ::kin::rt::Describer) {
-            use ::kin::rt::{ToldBySerde as _, Untold as _};
+        fn describe(&self, to: &mut ::kin::emitted::Describer) {
+            use ::kin::emitted::{ToldBySerde as _, Untold as _};
             to.put("tip", &self.tip);
             to.put("profile", &self.profile);
         }
-        fn depends(&self) -> ::kin::rt::Dependence {
-            ::kin::rt::Dependence {
+        fn depends(&self) -> ::kin::emitted::Dependence {
+            ::kin::emitted::Dependence {
                 c_on_t: false,
                 c_q_on_t: false,
                 c_t: false,
@@ -129,14 +132,19 @@ const _: () = {
                 curved: true,
             }
         }
-        fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
+        fn residual(&self, at: &::kin::emitted::At<'_>, c: &mut [f64]) {
             self.linearize(at, c, &mut [0.0; 6]);
         }
-        fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
+        fn jacobian(&self, at: &::kin::emitted::At<'_>, c_q: &mut [f64]) {
             self.linearize(at, &mut [0.0; 1], c_q);
         }
         /// C and C_q: 60 operations
-        fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
+        fn linearize(
+            &self,
+            at: &::kin::emitted::At<'_>,
+            c: &mut [f64],
+            c_q: &mut [f64],
+        ) {
             let ::core::option::Option::Some([c_0]) = c.first_chunk_mut() else {
                 return
             };
@@ -149,7 +157,7 @@ const _: () = {
                 c_q_5,
                 ],
             ) = c_q.first_chunk_mut() else { return };
-            let fma = ::kin::rt::fma;
+            let fma = ::kin::emitted::fma;
             let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
                 .state(0) else { return };
             let ::core::option::Option::Some(
@@ -160,7 +168,7 @@ const _: () = {
                 follower_cos,
                 ],
             ) = at.state(1) else { return };
-            let put = ::kin::rt::put;
+            let put = ::kin::emitted::put;
             let follower_cos = *follower_cos;
             let follower_sin = *follower_sin;
             let t0 = (self.tip.x * follower_cos) - (self.tip.y * follower_sin);
@@ -176,13 +184,14 @@ const _: () = {
             let t4 = (cam_cos * t1) + (cam_sin * t3);
             let t5 = (cam_cos * t3) - (cam_sin * t1);
             let t6 = (t4 * t4) + (t5 * t5);
-            let t7 = ::kin::rt::math::sqrt(t6);
-            let t8 = ::kin::rt::math::atan2(t5, t4);
+            let t7 = ::kin::emitted::math::sqrt(t6);
+            let t8 = ::kin::emitted::math::atan2(t5, t4);
             let law0: [f64; 4] = self.profile.jet(t8);
-            let leaf1: ::kin::rt::Real<f64> = self.__leaf0([::kin::rt::Real(t8)]);
+            let leaf1: ::kin::emitted::Real<f64> = self
+                .__leaf0([::kin::emitted::Real(t8)]);
             put(c_0, (t7 - law0[0]) + leaf1.0);
-            let leaf2: ::kin::rt::Real<::kin::rt::Dual64> = self
-                .__leaf0([::kin::rt::Real(::kin::rt::Dual64::new(t8, 1.0))]);
+            let leaf2: ::kin::emitted::Real<::kin::emitted::Dual64> = self
+                .__leaf0([::kin::emitted::Real(::kin::emitted::Dual64::new(t8, 1.0))]);
             let t9 = t4 / t6;
             let t10 = fma(t0, cam_cos, t2 * cam_sin);
             let t11 = fma(-t2, cam_cos, t0 * cam_sin);
@@ -211,21 +220,21 @@ const _: () = {
             *c_q_3 = -t16;
             *c_q_4 = -t18;
         }
-        fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
-            ::kin::rt::no_velocity(rhs, 1);
+        fn velocity_rhs(&self, _at: &::kin::emitted::At<'_>, rhs: &mut [f64]) {
+            ::kin::emitted::no_velocity(rhs, 1);
         }
         /// Q_d for t_dot = 1: 87 operations
         fn acceleration_rhs(
             &self,
-            at: &::kin::rt::At<'_>,
-            qd: &::kin::rt::Rates<'_>,
+            at: &::kin::emitted::At<'_>,
+            qd: &::kin::emitted::Rates<'_>,
             t_dot: f64,
             q_d: &mut [f64],
         ) {
             let ::core::option::Option::Some([q_d_0]) = q_d.first_chunk_mut() else {
                 return
             };
-            let fma = ::kin::rt::fma;
+            let fma = ::kin::emitted::fma;
             let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
                 .state(0) else { return };
             let ::core::option::Option::Some(
@@ -258,7 +267,7 @@ const _: () = {
             let cam_sin = *cam_sin;
             let t4 = (cam_cos * t1) - (cam_sin * t3);
             let t5 = (cam_cos * t3) + (cam_sin * t1);
-            let t6 = ::kin::rt::math::atan2(t4, t5);
+            let t6 = ::kin::emitted::math::atan2(t4, t5);
             let t7 = (t5 * t5) + (t4 * t4);
             let t8 = t5 / t7;
             let follower_theta_d = *follower_theta_d;
@@ -298,9 +307,11 @@ const _: () = {
                 fma(-cam_cos, t22, 2.0 * (cam_theta_d * fma(cam_cos, t15, -t11))),
             );
             let t27 = fma(-t19, t26, t25);
-            let leaf0: ::kin::rt::Real<::kin::rt::Dual2_64> = self
-                .__leaf0([::kin::rt::Real(::kin::rt::Dual2_64::new(t6, t20, t27))]);
-            let t28 = 2.0 * ::kin::rt::math::sqrt(t7);
+            let leaf0: ::kin::emitted::Real<::kin::emitted::Dual2_64> = self
+                .__leaf0([
+                    ::kin::emitted::Real(::kin::emitted::Dual2_64::new(t6, t20, t27)),
+                ]);
+            let t28 = 2.0 * ::kin::emitted::math::sqrt(t7);
             let t29 = 1.0 / t28;
             let t30 = fma(
                 -t21,
@@ -318,9 +329,9 @@ const _: () = {
         fn table(
             &self,
         ) -> ::core::option::Option<
-            (&'static ::kin::rt::graph::Table, ::std::vec::Vec<f64>),
+            (&'static ::kin::emitted::graph::Table, ::std::vec::Vec<f64>),
         > {
-            static TABLE: ::kin::rt::graph::Table = ::kin::rt::graph::Table::new(
+            static TABLE: ::kin::emitted::graph::Table = ::kin::emitted::graph::Table::new(
                 ::core::file!(),
                 r##"
 at 1 1 follower.point(tip)
@@ -377,44 +388,47 @@ rows 36
         fn outside(
             &self,
             number: usize,
-            x: &[::kin::rt::graph::Dual3_64],
-            to: &mut ::kin::rt::graph::Given,
+            x: &[::kin::emitted::graph::Dual3_64],
+            to: &mut ::kin::emitted::graph::Given,
         ) {
             match number {
-                0 => ::kin::rt::graph::give_law(&self.profile, x, to),
+                0 => ::kin::emitted::graph::give_law(&self.profile, x, to),
                 1 => {
-                    let value: ::kin::rt::Real<::kin::rt::Dual3_64> = self
-                        .__leaf0([::kin::rt::Real(x[0])]);
+                    let value: ::kin::emitted::Real<::kin::emitted::Dual3_64> = self
+                        .__leaf0([::kin::emitted::Real(x[0])]);
                     to.push(value.0);
                 }
                 _ => {}
             }
         }
-        fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
-            ::kin::rt::attachments(&[(1, true, [self.tip.x, self.tip.y, 0.0])])
+        fn attachments(&self) -> ::std::vec::Vec<::kin::emitted::Attachment> {
+            ::kin::emitted::attachments(&[(1, true, [self.tip.x, self.tip.y, 0.0])])
         }
-        fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::rt::InLanes> {
+        fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::emitted::InLanes> {
             ::core::option::Option::Some(self)
         }
         fn description(&self) -> &str {
             "Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]"
         }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-            ::kin::rt::visit(&[("tip", &self.tip), ("profile", &self.profile)], visit);
+            ::kin::emitted::visit(
+                &[("tip", &self.tip), ("profile", &self.profile)],
+                visit,
+            );
         }
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-            ::kin::rt::set(
+            ::kin::emitted::set(
                 &mut [("tip", &mut self.tip), ("profile", &mut self.profile)],
                 name,
                 value,
             )
         }
         fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
-            ::kin::rt::set_at(&mut [&mut self.tip, &mut self.profile], index, value)
+            ::kin::emitted::set_at(&mut [&mut self.tip, &mut self.profile], index, value)
         }
         #[cold]
         fn refusal(&self) -> ::core::option::Option<::std::string::String> {
-            if let ::core::option::Option::Some(why) = ::kin::rt::refusal(
+            if let ::core::option::Option::Some(why) = ::kin::emitted::refusal(
                 &[("profile", &self.profile)],
             ) {
                 return ::core::option::Option::Some(why);
@@ -426,7 +440,7 @@ rows 36
         }
         fn laws(
             &self,
-            at: &::kin::rt::At<'_>,
+            at: &::kin::emitted::At<'_>,
             visit: &mut dyn FnMut(&str, &::kin::Law, f64),
         ) {
             let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
@@ -452,7 +466,7 @@ rows 36
             let cam_cos = *cam_cos;
             let cam_sin = *cam_sin;
             let [x_0] = [
-                ::kin::rt::math::atan2(
+                ::kin::emitted::math::atan2(
                     (cam_cos * t0) - (cam_sin * t1),
                     (cam_cos * t1) + (cam_sin * t0),
                 ),
@@ -461,15 +475,15 @@ rows 36
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
-    impl ::kin::rt::InLanes for on_cam {
-        fn kernels(&self) -> ::kin::rt::LaneKernels {
-            ::kin::rt::LaneKernels::of::<Self>()
+    impl ::kin::emitted::InLanes for on_cam {
+        fn kernels(&self) -> ::kin::emitted::LaneKernels {
+            ::kin::emitted::LaneKernels::of::<Self>()
         }
         fn n_known(&self) -> [usize; 2] {
             [2, 0]
         }
         fn of_parameters(&self, known: &mut [f64]) {
-            let (at, t_dot) = (&::kin::rt::At::new(0.0, &[], &[]), 1.0);
+            let (at, t_dot) = (&::kin::emitted::At::new(0.0, &[], &[]), 1.0);
             let ::core::option::Option::Some(known) = known.first_chunk_mut() else {
                 return
             };
@@ -492,10 +506,14 @@ rows 36
                     let ::core::option::Option::Some(y) = y.first_chunk_mut() else {
                         return
                     };
-                    let leaf0: ::kin::rt::Real<f64> = self
-                        .__leaf0([::kin::rt::Real(known0)]);
-                    let leaf1: ::kin::rt::Real<::kin::rt::Dual64> = self
-                        .__leaf0([::kin::rt::Real(::kin::rt::Dual64::new(known0, 1.0))]);
+                    let leaf0: ::kin::emitted::Real<f64> = self
+                        .__leaf0([::kin::emitted::Real(known0)]);
+                    let leaf1: ::kin::emitted::Real<::kin::emitted::Dual64> = self
+                        .__leaf0([
+                            ::kin::emitted::Real(
+                                ::kin::emitted::Dual64::new(known0, 1.0),
+                            ),
+                        ]);
                     *y = [leaf0.0, leaf1.0.eps];
                 }
                 2 => {
@@ -504,10 +522,10 @@ rows 36
                     let ::core::option::Option::Some(y) = y.first_chunk_mut() else {
                         return
                     };
-                    let leaf0: ::kin::rt::Real<::kin::rt::Dual2_64> = self
+                    let leaf0: ::kin::emitted::Real<::kin::emitted::Dual2_64> = self
                         .__leaf0([
-                            ::kin::rt::Real(
-                                ::kin::rt::Dual2_64::new(known0, known1, known2),
+                            ::kin::emitted::Real(
+                                ::kin::emitted::Dual2_64::new(known0, known1, known2),
                             ),
                         ]);
                     *y = [leaf0.0.v2];
@@ -517,12 +535,12 @@ rows 36
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
-    impl ::kin::rt::LaneKernel for on_cam {
+    impl ::kin::emitted::LaneKernel for on_cam {
         #[inline(always)]
-        fn linearize<__S: ::kin::rt::Level>(
-            at: &::kin::rt::LaneAt<'_, __S>,
-            c: &mut [::kin::rt::Wide<__S>],
-            c_q: &mut [::kin::rt::Wide<__S>],
+        fn linearize<__S: ::kin::emitted::Level>(
+            at: &::kin::emitted::LaneAt<'_, __S>,
+            c: &mut [::kin::emitted::Wide<__S>],
+            c_q: &mut [::kin::emitted::Wide<__S>],
         ) {
             let ::core::option::Option::Some([c_0]) = at.rows(c) else { return };
             let ::core::option::Option::Some(
@@ -560,10 +578,10 @@ rows 36
             let t4 = (cam_cos * t1) + (cam_sin * t3);
             let t5 = (cam_cos * t3) - (cam_sin * t1);
             let t6 = (t4 * t4) + (t5 * t5);
-            let t7 = ::kin::rt::Wide::sqrt(t6);
-            let t8 = ::kin::rt::Wide::atan2(t5, t4);
-            let call0: [::kin::rt::Wide<__S>; 3] = at.evaluate::<1, 3>(0, [t8]);
-            let call1: [::kin::rt::Wide<__S>; 2] = at.evaluate::<1, 2>(1, [t8]);
+            let t7 = ::kin::emitted::Wide::sqrt(t6);
+            let t8 = ::kin::emitted::Wide::atan2(t5, t4);
+            let call0: [::kin::emitted::Wide<__S>; 3] = at.evaluate::<1, 3>(0, [t8]);
+            let call1: [::kin::emitted::Wide<__S>; 2] = at.evaluate::<1, 2>(1, [t8]);
             *c_0 = (t7 - call0[0]) + call1[0];
             let t9 = at.splat(1.0) / (at.splat(2.0) * t7);
             let t10 = (t0 * cam_sin) - (t2 * cam_cos);
@@ -588,10 +606,10 @@ rows 36
             *c_q_4 = -t19;
         }
         #[inline(always)]
-        fn acceleration_rhs<__S: ::kin::rt::Level>(
-            at: &::kin::rt::LaneAt<'_, __S>,
-            qd: &::kin::rt::LaneRates<'_, __S>,
-            q_d: &mut [::kin::rt::Wide<__S>],
+        fn acceleration_rhs<__S: ::kin::emitted::Level>(
+            at: &::kin::emitted::LaneAt<'_, __S>,
+            qd: &::kin::emitted::LaneRates<'_, __S>,
+            q_d: &mut [::kin::emitted::Wide<__S>],
         ) {
             let ::core::option::Option::Some([q_d_0]) = at.rows(q_d) else { return };
             let ::core::option::Option::Some(known) = at.known::<2>() else { return };
@@ -628,7 +646,7 @@ rows 36
             let t4 = (cam_cos * t1) + (cam_sin * t3);
             let t5 = (cam_cos * t3) - (cam_sin * t1);
             let t6 = (t4 * t4) + (t5 * t5);
-            let t7 = at.splat(2.0) * ::kin::rt::Wide::sqrt(t6);
+            let t7 = at.splat(2.0) * ::kin::emitted::Wide::sqrt(t6);
             let t8 = at.splat(1.0) / t7;
             let follower_theta_d = *follower_theta_d;
             let t9 = t0 * follower_theta_d;
@@ -660,26 +678,26 @@ rows 36
             let t27 = t4 / t6;
             let t28 = t5 / t6;
             let t29 = (t27 * t24) - (t28 * t23);
-            let t30 = ::kin::rt::Wide::atan2(t5, t4);
-            let call0: [::kin::rt::Wide<__S>; 3] = at.evaluate::<1, 3>(0, [t30]);
+            let t30 = ::kin::emitted::Wide::atan2(t5, t4);
+            let call0: [::kin::emitted::Wide<__S>; 3] = at.evaluate::<1, 3>(0, [t30]);
             let t31 = (t24 * ((t23 - (at.splat(2.0) * (t27 * t25))) / t6)) + (t27 * t20);
             let t32 = (t23 * ((t24 - (at.splat(2.0) * (t28 * t25))) / t6)) + (t28 * t17);
             let t33 = t31 - t32;
-            let call1: [::kin::rt::Wide<__S>; 1] = at
+            let call1: [::kin::emitted::Wide<__S>; 1] = at
                 .evaluate::<3, 1>(2, [t30, t29, t33]);
             *q_d_0 = -(((at.splat(2.0) * t26)
                 - ((t29 * (t29 * call0[2])) + (call0[1] * t33))) + call1[0]);
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
-    impl ::kin::rt::Described for on_cam {
+    impl ::kin::emitted::Described for on_cam {
         const KIND: &'static str = "on_cam";
-        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
+        const ARGUMENTS: &'static [::kin::emitted::ArgumentKind] = <Self as ::kin::emitted::Equation<
             6,
             1,
         >>::ARGUMENTS;
-        fn read(from: &mut ::kin::rt::Reader<'_>) -> ::core::option::Option<Self> {
-            use ::kin::rt::{SoughtBySerde as _, Unsought as _};
+        fn read(from: &mut ::kin::emitted::Reader<'_>) -> ::core::option::Option<Self> {
+            use ::kin::emitted::{SoughtBySerde as _, Unsought as _};
             ::core::option::Option::Some(on_cam {
                 cam: from.planar(),
                 follower: from.planar(),
@@ -689,44 +707,46 @@ rows 36
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
-    impl ::kin::rt::Equation<6, 1> for on_cam {
-        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[
-            ::kin::rt::ArgumentKind::Planar,
-            ::kin::rt::ArgumentKind::Planar,
+    impl ::kin::emitted::Equation<6, 1> for on_cam {
+        const ARGUMENTS: &'static [::kin::emitted::ArgumentKind] = &[
+            ::kin::emitted::ArgumentKind::Planar,
+            ::kin::emitted::ArgumentKind::Planar,
         ];
-        fn evaluate<__D: ::kin::rt::Dual>(
+        fn evaluate<__D: ::kin::emitted::Dual>(
             &self,
-            q: &[::kin::rt::Real<__D>; 6],
-            t: ::kin::rt::Real<__D>,
-        ) -> [::kin::rt::Real<__D>; 1] {
-            let mut q = ::kin::rt::Columns(q);
-            let cam: ::kin::rt::PlanarState<__Real<__D>> = q.planar();
-            let follower: ::kin::rt::PlanarState<__Real<__D>> = q.planar();
-            let tip: ::kin::rt::Vec2<__Real<__D>> = ::kin::rt::Lift::lift(self.tip);
+            q: &[::kin::emitted::Real<__D>; 6],
+            t: ::kin::emitted::Real<__D>,
+        ) -> [::kin::emitted::Real<__D>; 1] {
+            let mut q = ::kin::emitted::Columns(q);
+            let cam: ::kin::emitted::PlanarState<__Real<__D>> = q.planar();
+            let follower: ::kin::emitted::PlanarState<__Real<__D>> = q.planar();
+            let tip: ::kin::emitted::Vec2<__Real<__D>> = ::kin::emitted::Lift::lift(
+                self.tip,
+            );
             let profile = self.profile.clone();
             let value = (move || -> __Real<__D> {
                 let p = cam.local(follower.point(tip));
                 let phi = p.y.atan2(p.x);
                 p.norm() - profile.at(phi)
-                    + (&::kin::rt::Foreign(
-                        ::kin::rt::callee::<
+                    + (&::kin::emitted::Foreign(
+                        ::kin::emitted::callee::<
                             __SOUND,
                             _,
                         >(
                             wear,
                         )(
-                            ::kin::rt::Jet(phi).argument(),
-                            ::kin::rt::constant_argument(MOST_WEAR),
+                            ::kin::emitted::Jet(phi).argument(),
+                            ::kin::emitted::constant_argument(MOST_WEAR),
                         ),
                     ))
                         .lifted(::core::marker::PhantomData::<__Dual<__D>>)
             })();
-            ::kin::rt::rows(value)
+            ::kin::emitted::rows(value)
         }
         #[inline]
         fn plain(&self, q: &[f64; 6], t: f64) -> [f64; 1] {
-            let mut q = ::kin::rt::Columns(q);
-            ::kin::rt::rows(
+            let mut q = ::kin::emitted::Columns(q);
+            ::kin::emitted::rows(
                 __WRITTEN(
                     q.planar(),
                     q.planar(),

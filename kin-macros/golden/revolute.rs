@@ -15,29 +15,29 @@ pub struct revolute {
 pub fn revolute(
     i: impl ::kin::IntoPlanarBody,
     j: impl ::kin::IntoPlanarBody,
-    u_i: impl ::kin::rt::Components<2, Scalar = f64>,
-    u_j: impl ::kin::rt::Components<2, Scalar = f64>,
+    u_i: impl ::kin::emitted::Components<2, Scalar = f64>,
+    u_j: impl ::kin::emitted::Components<2, Scalar = f64>,
 ) -> revolute {
     revolute {
         i: ::kin::IntoPlanarBody::into_planar_body(i),
         j: ::kin::IntoPlanarBody::into_planar_body(j),
-        u_i: ::kin::rt::vector(u_i),
-        u_j: ::kin::rt::vector(u_j),
+        u_i: ::kin::emitted::vector(u_i),
+        u_j: ::kin::emitted::vector(u_j),
     }
 }
 const _: () = {
     #[allow(unused_imports)]
-    use ::kin::rt::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
+    use ::kin::emitted::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
     #[allow(unused_imports)]
-    use ::kin::rt::{
+    use ::kin::emitted::{
         ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _, TakesAsIs as _,
         TakesConverted as _,
     };
     /// The function as it was written.
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     const __WRITTEN: fn(
-        ::kin::rt::PlanarState,
-        ::kin::rt::PlanarState,
+        ::kin::emitted::PlanarState,
+        ::kin::emitted::PlanarState,
         Vec2,
         Vec2,
     ) -> Vec2 = |i, j, u_i, u_j| { i.point(u_i) - j.point(u_j) };
@@ -47,9 +47,9 @@ const _: () = {
         true
     };
     #[allow(dead_code)]
-    type __Dual<D> = ::kin::rt::If<__SOUND, D>;
+    type __Dual<D> = ::kin::emitted::If<__SOUND, D>;
     #[allow(dead_code)]
-    type __Real<D> = ::kin::rt::Real<__Dual<D>>;
+    type __Real<D> = ::kin::emitted::Real<__Dual<D>>;
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::Constraint for revolute {
         fn kind(&self) -> &str {
@@ -58,16 +58,16 @@ const _: () = {
         fn route(&self) -> ::kin::Route {
             ::kin::Route::Symbolic
         }
-        fn arguments(&self) -> ::std::vec::Vec<::kin::rt::Argument> {
-            ::kin::rt::arguments(
+        fn arguments(&self) -> ::std::vec::Vec<::kin::emitted::Argument> {
+            ::kin::emitted::arguments(
                 &[
-                    ::kin::rt::Argument {
+                    ::kin::emitted::Argument {
                         name: "i",
-                        target: ::kin::rt::Target::Planar(self.i),
+                        target: ::kin::emitted::Target::Planar(self.i),
                     },
-                    ::kin::rt::Argument {
+                    ::kin::emitted::Argument {
                         name: "j",
-                        target: ::kin::rt::Target::Planar(self.j),
+                        target: ::kin::emitted::Target::Planar(self.j),
                     },
                 ],
             )
@@ -78,8 +78,8 @@ const _: () = {
         fn pattern(&self) -> &[(usize, usize)] {
             &[(0, 0), (0, 2), (0, 3), (0, 5), (1, 1), (1, 2), (1, 4), (1, 5)]
         }
-        fn describe(&self, to: &mut ::kin::rt::Describer) {
-            use ::kin::rt::{ToldBySerde as _, Untold as _};
+        fn describe(&self, to: &mut ::kin::emitted::Describer) {
+            use ::kin::emitted::{ToldBySerde as _, Untold as _};
             to.put("u_i", &self.u_i);
             to.put("u_j", &self.u_j);
         }
@@ -95,8 +95,8 @@ const _: () = {
                 ::core::option::Option::None,
             ]
         }
-        fn depends(&self) -> ::kin::rt::Dependence {
-            ::kin::rt::Dependence {
+        fn depends(&self) -> ::kin::emitted::Dependence {
+            ::kin::emitted::Dependence {
                 c_on_t: false,
                 c_q_on_t: false,
                 c_t: false,
@@ -104,14 +104,19 @@ const _: () = {
                 curved: true,
             }
         }
-        fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
+        fn residual(&self, at: &::kin::emitted::At<'_>, c: &mut [f64]) {
             self.linearize(at, c, &mut [0.0; 8]);
         }
-        fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
+        fn jacobian(&self, at: &::kin::emitted::At<'_>, c_q: &mut [f64]) {
             self.linearize(at, &mut [0.0; 2], c_q);
         }
         /// C and C_q: 14 operations
-        fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
+        fn linearize(
+            &self,
+            at: &::kin::emitted::At<'_>,
+            c: &mut [f64],
+            c_q: &mut [f64],
+        ) {
             let ::core::option::Option::Some([c_0, c_1]) = c.first_chunk_mut() else {
                 return
             };
@@ -126,12 +131,12 @@ const _: () = {
                 c_q_7,
                 ],
             ) = c_q.first_chunk_mut() else { return };
-            let fma = ::kin::rt::fma;
+            let fma = ::kin::emitted::fma;
             let ::core::option::Option::Some([i_x, i_y, _, i_sin, i_cos]) = at.state(0)
             else { return };
             let ::core::option::Option::Some([j_x, j_y, _, j_sin, j_cos]) = at.state(1)
             else { return };
-            let put = ::kin::rt::put;
+            let put = ::kin::emitted::put;
             *c_q_0 = 1.0;
             *c_q_2 = -1.0;
             *c_q_4 = 1.0;
@@ -155,20 +160,20 @@ const _: () = {
             put(c_0, ((i_x + t2) - j_x) + t3);
             *c_q_7 = t3;
         }
-        fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
-            ::kin::rt::no_velocity(rhs, 2);
+        fn velocity_rhs(&self, _at: &::kin::emitted::At<'_>, rhs: &mut [f64]) {
+            ::kin::emitted::no_velocity(rhs, 2);
         }
         /// Q_d for t_dot = 1: 14 operations
         fn acceleration_rhs(
             &self,
-            at: &::kin::rt::At<'_>,
-            qd: &::kin::rt::Rates<'_>,
+            at: &::kin::emitted::At<'_>,
+            qd: &::kin::emitted::Rates<'_>,
             t_dot: f64,
             q_d: &mut [f64],
         ) {
             let ::core::option::Option::Some([q_d_0, q_d_1]) = q_d.first_chunk_mut()
             else { return };
-            let fma = ::kin::rt::fma;
+            let fma = ::kin::emitted::fma;
             let ::core::option::Option::Some([_, _, _, i_sin, i_cos]) = at.state(0) else {
                 return
             };
@@ -181,7 +186,7 @@ const _: () = {
             let ::core::option::Option::Some([_, _, j_theta_d]) = qd.of(1) else {
                 return
             };
-            let put = ::kin::rt::put;
+            let put = ::kin::emitted::put;
             let i_theta_d = *i_theta_d;
             let t0 = i_theta_d * i_theta_d;
             let j_theta_d = *j_theta_d;
@@ -211,9 +216,9 @@ const _: () = {
         fn table(
             &self,
         ) -> ::core::option::Option<
-            (&'static ::kin::rt::graph::Table, ::std::vec::Vec<f64>),
+            (&'static ::kin::emitted::graph::Table, ::std::vec::Vec<f64>),
         > {
-            static TABLE: ::kin::rt::graph::Table = ::kin::rt::graph::Table::new(
+            static TABLE: ::kin::emitted::graph::Table = ::kin::emitted::graph::Table::new(
                 ::core::file!(),
                 r##"
 at 1 1 i.point(u_i)
@@ -256,47 +261,47 @@ rows 30 31
             );
             TABLE.with(&[self.u_i.x, self.u_i.y, self.u_j.x, self.u_j.y])
         }
-        fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
-            ::kin::rt::attachments(
+        fn attachments(&self) -> ::std::vec::Vec<::kin::emitted::Attachment> {
+            ::kin::emitted::attachments(
                 &[
                     (0, true, [self.u_i.x, self.u_i.y, 0.0]),
                     (1, true, [self.u_j.x, self.u_j.y, 0.0]),
                 ],
             )
         }
-        fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::rt::InLanes> {
+        fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::emitted::InLanes> {
             ::core::option::Option::Some(self)
         }
         fn description(&self) -> &str {
             "Pin joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      [m]"
         }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-            ::kin::rt::visit(&[("u_i", &self.u_i), ("u_j", &self.u_j)], visit);
+            ::kin::emitted::visit(&[("u_i", &self.u_i), ("u_j", &self.u_j)], visit);
         }
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-            ::kin::rt::set(
+            ::kin::emitted::set(
                 &mut [("u_i", &mut self.u_i), ("u_j", &mut self.u_j)],
                 name,
                 value,
             )
         }
         fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
-            ::kin::rt::set_at(&mut [&mut self.u_i, &mut self.u_j], index, value)
+            ::kin::emitted::set_at(&mut [&mut self.u_i, &mut self.u_j], index, value)
         }
         fn has_branches(&self) -> bool {
             false
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
-    impl ::kin::rt::InLanes for revolute {
-        fn kernels(&self) -> ::kin::rt::LaneKernels {
-            ::kin::rt::LaneKernels::of::<Self>()
+    impl ::kin::emitted::InLanes for revolute {
+        fn kernels(&self) -> ::kin::emitted::LaneKernels {
+            ::kin::emitted::LaneKernels::of::<Self>()
         }
         fn n_known(&self) -> [usize; 2] {
             [4, 0]
         }
         fn of_parameters(&self, known: &mut [f64]) {
-            let (at, t_dot) = (&::kin::rt::At::new(0.0, &[], &[]), 1.0);
+            let (at, t_dot) = (&::kin::emitted::At::new(0.0, &[], &[]), 1.0);
             let ::core::option::Option::Some(known) = known.first_chunk_mut() else {
                 return
             };
@@ -304,12 +309,12 @@ rows 30 31
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
-    impl ::kin::rt::LaneKernel for revolute {
+    impl ::kin::emitted::LaneKernel for revolute {
         #[inline(always)]
-        fn linearize<__S: ::kin::rt::Level>(
-            at: &::kin::rt::LaneAt<'_, __S>,
-            c: &mut [::kin::rt::Wide<__S>],
-            c_q: &mut [::kin::rt::Wide<__S>],
+        fn linearize<__S: ::kin::emitted::Level>(
+            at: &::kin::emitted::LaneAt<'_, __S>,
+            c: &mut [::kin::emitted::Wide<__S>],
+            c_q: &mut [::kin::emitted::Wide<__S>],
         ) {
             let ::core::option::Option::Some([c_0, c_1]) = at.rows(c) else { return };
             let ::core::option::Option::Some([_, c_q_1, _, c_q_3, _, c_q_5, _, c_q_7]) = at
@@ -321,28 +326,32 @@ rows 30 31
             else { return };
             let j_cos = *j_cos;
             let j_sin = *j_sin;
-            let t0 = ::kin::rt::Wide::mul_add(known[3], j_cos, known[2] * j_sin);
+            let t0 = ::kin::emitted::Wide::mul_add(known[3], j_cos, known[2] * j_sin);
             *c_q_3 = t0;
             let i_cos = *i_cos;
             let i_sin = *i_sin;
-            let t1 = ::kin::rt::Wide::mul_add(-known[1], i_cos, -(known[0] * i_sin));
+            let t1 = ::kin::emitted::Wide::mul_add(
+                -known[1],
+                i_cos,
+                -(known[0] * i_sin),
+            );
             let i_y = *i_y;
             let j_y = *j_y;
             *c_1 = ((i_y - j_y) - t1) - t0;
             *c_q_1 = t1;
-            let t2 = ::kin::rt::Wide::mul_add(-known[1], i_sin, known[0] * i_cos);
+            let t2 = ::kin::emitted::Wide::mul_add(-known[1], i_sin, known[0] * i_cos);
             *c_q_5 = t2;
-            let t3 = ::kin::rt::Wide::mul_add(-known[2], j_cos, known[3] * j_sin);
+            let t3 = ::kin::emitted::Wide::mul_add(-known[2], j_cos, known[3] * j_sin);
             let i_x = *i_x;
             let j_x = *j_x;
             *c_0 = ((i_x - j_x) + t2) + t3;
             *c_q_7 = t3;
         }
         #[inline(always)]
-        fn acceleration_rhs<__S: ::kin::rt::Level>(
-            at: &::kin::rt::LaneAt<'_, __S>,
-            qd: &::kin::rt::LaneRates<'_, __S>,
-            q_d: &mut [::kin::rt::Wide<__S>],
+        fn acceleration_rhs<__S: ::kin::emitted::Level>(
+            at: &::kin::emitted::LaneAt<'_, __S>,
+            qd: &::kin::emitted::LaneRates<'_, __S>,
+            q_d: &mut [::kin::emitted::Wide<__S>],
         ) {
             let ::core::option::Option::Some([q_d_0, q_d_1]) = at.rows(q_d) else {
                 return
@@ -368,27 +377,27 @@ rows 30 31
             let j_sin = *j_sin;
             let i_cos = *i_cos;
             let i_sin = *i_sin;
-            *q_d_1 = ::kin::rt::Wide::mul_add(
-                -::kin::rt::Wide::mul_add(known[3], j_cos, known[2] * j_sin),
+            *q_d_1 = ::kin::emitted::Wide::mul_add(
+                -::kin::emitted::Wide::mul_add(known[3], j_cos, known[2] * j_sin),
                 t1,
-                ::kin::rt::Wide::mul_add(known[1], i_cos, known[0] * i_sin) * t0,
+                ::kin::emitted::Wide::mul_add(known[1], i_cos, known[0] * i_sin) * t0,
             );
-            *q_d_0 = ::kin::rt::Wide::mul_add(
-                -::kin::rt::Wide::mul_add(-known[3], j_sin, known[2] * j_cos),
+            *q_d_0 = ::kin::emitted::Wide::mul_add(
+                -::kin::emitted::Wide::mul_add(-known[3], j_sin, known[2] * j_cos),
                 t1,
-                ::kin::rt::Wide::mul_add(-known[1], i_sin, known[0] * i_cos) * t0,
+                ::kin::emitted::Wide::mul_add(-known[1], i_sin, known[0] * i_cos) * t0,
             );
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
-    impl ::kin::rt::Described for revolute {
+    impl ::kin::emitted::Described for revolute {
         const KIND: &'static str = "revolute";
-        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
+        const ARGUMENTS: &'static [::kin::emitted::ArgumentKind] = <Self as ::kin::emitted::Equation<
             6,
             2,
         >>::ARGUMENTS;
-        fn read(from: &mut ::kin::rt::Reader<'_>) -> ::core::option::Option<Self> {
-            use ::kin::rt::{SoughtBySerde as _, Unsought as _};
+        fn read(from: &mut ::kin::emitted::Reader<'_>) -> ::core::option::Option<Self> {
+            use ::kin::emitted::{SoughtBySerde as _, Unsought as _};
             ::core::option::Option::Some(revolute {
                 i: from.planar(),
                 j: from.planar(),
@@ -398,30 +407,34 @@ rows 30 31
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
-    impl ::kin::rt::Equation<6, 2> for revolute {
-        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[
-            ::kin::rt::ArgumentKind::Planar,
-            ::kin::rt::ArgumentKind::Planar,
+    impl ::kin::emitted::Equation<6, 2> for revolute {
+        const ARGUMENTS: &'static [::kin::emitted::ArgumentKind] = &[
+            ::kin::emitted::ArgumentKind::Planar,
+            ::kin::emitted::ArgumentKind::Planar,
         ];
-        fn evaluate<__D: ::kin::rt::Dual>(
+        fn evaluate<__D: ::kin::emitted::Dual>(
             &self,
-            q: &[::kin::rt::Real<__D>; 6],
-            t: ::kin::rt::Real<__D>,
-        ) -> [::kin::rt::Real<__D>; 2] {
-            let mut q = ::kin::rt::Columns(q);
-            let i: ::kin::rt::PlanarState<__Real<__D>> = q.planar();
-            let j: ::kin::rt::PlanarState<__Real<__D>> = q.planar();
-            let u_i: ::kin::rt::Vec2<__Real<__D>> = ::kin::rt::Lift::lift(self.u_i);
-            let u_j: ::kin::rt::Vec2<__Real<__D>> = ::kin::rt::Lift::lift(self.u_j);
-            let value = (move || -> ::kin::rt::Vec2<__Real<__D>> {
+            q: &[::kin::emitted::Real<__D>; 6],
+            t: ::kin::emitted::Real<__D>,
+        ) -> [::kin::emitted::Real<__D>; 2] {
+            let mut q = ::kin::emitted::Columns(q);
+            let i: ::kin::emitted::PlanarState<__Real<__D>> = q.planar();
+            let j: ::kin::emitted::PlanarState<__Real<__D>> = q.planar();
+            let u_i: ::kin::emitted::Vec2<__Real<__D>> = ::kin::emitted::Lift::lift(
+                self.u_i,
+            );
+            let u_j: ::kin::emitted::Vec2<__Real<__D>> = ::kin::emitted::Lift::lift(
+                self.u_j,
+            );
+            let value = (move || -> ::kin::emitted::Vec2<__Real<__D>> {
                 i.point(u_i) - j.point(u_j)
             })();
-            ::kin::rt::rows(value)
+            ::kin::emitted::rows(value)
         }
         #[inline]
         fn plain(&self, q: &[f64; 6], t: f64) -> [f64; 2] {
-            let mut q = ::kin::rt::Columns(q);
-            ::kin::rt::rows(__WRITTEN(q.planar(), q.planar(), self.u_i, self.u_j))
+            let mut q = ::kin::emitted::Columns(q);
+            ::kin::emitted::rows(__WRITTEN(q.planar(), q.planar(), self.u_i, self.u_j))
         }
     }
 };

@@ -33,9 +33,9 @@ fn slider_crank(
 }
 const _: () = {
     #[allow(unused_imports)]
-    use ::kin::rt::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
+    use ::kin::emitted::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
     #[allow(unused_imports)]
-    use ::kin::rt::{
+    use ::kin::emitted::{
         ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _, TakesAsIs as _,
         TakesConverted as _,
     };
@@ -62,9 +62,9 @@ const _: () = {
         true
     };
     #[allow(dead_code)]
-    type __Dual<D> = ::kin::rt::If<__SOUND, D>;
+    type __Dual<D> = ::kin::emitted::If<__SOUND, D>;
     #[allow(dead_code)]
-    type __Real<D> = ::kin::rt::Real<__Dual<D>>;
+    type __Real<D> = ::kin::emitted::Real<__Dual<D>>;
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::Constraint for slider_crank {
         fn kind(&self) -> &str {
@@ -76,19 +76,22 @@ const _: () = {
         fn is_driver(&self) -> bool {
             true
         }
-        fn arguments(&self) -> ::std::vec::Vec<::kin::rt::Argument> {
-            ::kin::rt::arguments(
+        fn arguments(&self) -> ::std::vec::Vec<::kin::emitted::Argument> {
+            ::kin::emitted::arguments(
                 &[
-                    ::kin::rt::Argument {
+                    ::kin::emitted::Argument {
                         name: "theta3",
-                        target: ::kin::rt::Target::Coord(
+                        target: ::kin::emitted::Target::Coord(
                             self.theta3,
-                            ::kin::rt::Trig::Used,
+                            ::kin::emitted::Trig::Used,
                         ),
                     },
-                    ::kin::rt::Argument {
+                    ::kin::emitted::Argument {
                         name: "x",
-                        target: ::kin::rt::Target::Coord(self.x, ::kin::rt::Trig::Unused),
+                        target: ::kin::emitted::Target::Coord(
+                            self.x,
+                            ::kin::emitted::Trig::Unused,
+                        ),
                     },
                 ],
             )
@@ -99,8 +102,8 @@ const _: () = {
         fn pattern(&self) -> &[(usize, usize)] {
             &[(0, 0), (0, 1), (1, 0)]
         }
-        fn describe(&self, to: &mut ::kin::rt::Describer) {
-            use ::kin::rt::{ToldBySerde as _, Untold as _};
+        fn describe(&self, to: &mut ::kin::emitted::Describer) {
+            use ::kin::emitted::{ToldBySerde as _, Untold as _};
             to.put("l2", &self.l2);
             to.put("l3", &self.l3);
             to.put("h", &self.h);
@@ -113,8 +116,8 @@ const _: () = {
                 ::core::option::Option::None,
             ]
         }
-        fn depends(&self) -> ::kin::rt::Dependence {
-            ::kin::rt::Dependence {
+        fn depends(&self) -> ::kin::emitted::Dependence {
+            ::kin::emitted::Dependence {
                 c_on_t: true,
                 c_q_on_t: false,
                 c_t: true,
@@ -130,9 +133,9 @@ const _: () = {
             let ::core::option::Option::Some(timed) = timed.first_chunk_mut() else {
                 return
             };
-            let at = ::kin::rt::At::new(t, &[], &[]);
+            let at = ::kin::emitted::At::new(t, &[], &[]);
             let t0 = at.t * self.omega;
-            let (s1, c1) = ::kin::rt::math::sin_cos(t0);
+            let (s1, c1) = ::kin::emitted::math::sin_cos(t0);
             *timed = [
                 c1,
                 self.l2 * c1,
@@ -142,16 +145,16 @@ const _: () = {
                 -(self.l2 * (self.omega * c1)),
             ];
         }
-        fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
+        fn residual(&self, at: &::kin::emitted::At<'_>, c: &mut [f64]) {
             let ::core::option::Option::Some([c_0, c_1]) = c.first_chunk_mut() else {
                 return
             };
-            let fma = ::kin::rt::fma;
+            let fma = ::kin::emitted::fma;
             let own: [f64; 6];
             let timed = match at.timed().first_chunk() {
                 ::core::option::Option::Some(timed) => timed,
                 ::core::option::Option::None => {
-                    own = ::kin::rt::timed(self, at.t);
+                    own = ::kin::emitted::timed(self, at.t);
                     &own
                 }
             };
@@ -160,18 +163,23 @@ const _: () = {
             let ::core::option::Option::Some([x_arg, _, _]) = at.state(1) else {
                 return
             };
-            let put = ::kin::rt::put;
+            let put = ::kin::emitted::put;
             let theta3_cos = *theta3_cos;
             let x_arg = *x_arg;
             put(c_0, fma(self.l3, theta3_cos, timed[1]) - x_arg);
             let theta3_sin = *theta3_sin;
             put(c_1, fma(self.l3, theta3_sin, timed[3]) - self.h);
         }
-        fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
+        fn jacobian(&self, at: &::kin::emitted::At<'_>, c_q: &mut [f64]) {
             self.linearize(at, &mut [0.0; 2], c_q);
         }
         /// C and C_q: 6 operations
-        fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
+        fn linearize(
+            &self,
+            at: &::kin::emitted::At<'_>,
+            c: &mut [f64],
+            c_q: &mut [f64],
+        ) {
             let ::core::option::Option::Some([c_0, c_1]) = c.first_chunk_mut() else {
                 return
             };
@@ -181,7 +189,7 @@ const _: () = {
             let timed = match at.timed().first_chunk() {
                 ::core::option::Option::Some(timed) => timed,
                 ::core::option::Option::None => {
-                    own = ::kin::rt::timed(self, at.t);
+                    own = ::kin::emitted::timed(self, at.t);
                     &own
                 }
             };
@@ -190,7 +198,7 @@ const _: () = {
             let ::core::option::Option::Some([x_arg, _, _]) = at.state(1) else {
                 return
             };
-            let put = ::kin::rt::put;
+            let put = ::kin::emitted::put;
             *c_q_1 = -1.0;
             let theta3_cos = *theta3_cos;
             let t0 = self.l3 * theta3_cos;
@@ -203,44 +211,44 @@ const _: () = {
             put(c_1, (t1 - self.h) + timed[3]);
         }
         /// −C_t: 0 operations
-        fn velocity_rhs(&self, at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
+        fn velocity_rhs(&self, at: &::kin::emitted::At<'_>, rhs: &mut [f64]) {
             let ::core::option::Option::Some([rhs_0, rhs_1]) = rhs.first_chunk_mut()
             else { return };
             let own: [f64; 6];
             let timed = match at.timed().first_chunk() {
                 ::core::option::Option::Some(timed) => timed,
                 ::core::option::Option::None => {
-                    own = ::kin::rt::timed(self, at.t);
+                    own = ::kin::emitted::timed(self, at.t);
                     &own
                 }
             };
-            let put = ::kin::rt::put;
+            let put = ::kin::emitted::put;
             *rhs_0 = timed[4];
             *rhs_1 = timed[5];
         }
         /// Q_d for t_dot = 1: 12 operations
         fn acceleration_rhs(
             &self,
-            at: &::kin::rt::At<'_>,
-            qd: &::kin::rt::Rates<'_>,
+            at: &::kin::emitted::At<'_>,
+            qd: &::kin::emitted::Rates<'_>,
             t_dot: f64,
             q_d: &mut [f64],
         ) {
             let ::core::option::Option::Some([q_d_0, q_d_1]) = q_d.first_chunk_mut()
             else { return };
-            let fma = ::kin::rt::fma;
+            let fma = ::kin::emitted::fma;
             let own: [f64; 6];
             let timed = match at.timed().first_chunk() {
                 ::core::option::Option::Some(timed) => timed,
                 ::core::option::Option::None => {
-                    own = ::kin::rt::timed(self, at.t);
+                    own = ::kin::emitted::timed(self, at.t);
                     &own
                 }
             };
             let ::core::option::Option::Some([_, theta3_sin, theta3_cos]) = at.state(0)
             else { return };
             let ::core::option::Option::Some([theta3_d]) = qd.of(0) else { return };
-            let put = ::kin::rt::put;
+            let put = ::kin::emitted::put;
             let theta3_d = *theta3_d;
             let t0 = theta3_d * theta3_d;
             let t1 = self.omega * t_dot;
@@ -253,9 +261,9 @@ const _: () = {
         fn table(
             &self,
         ) -> ::core::option::Option<
-            (&'static ::kin::rt::graph::Table, ::std::vec::Vec<f64>),
+            (&'static ::kin::emitted::graph::Table, ::std::vec::Vec<f64>),
         > {
-            static TABLE: ::kin::rt::graph::Table = ::kin::rt::graph::Table::new(
+            static TABLE: ::kin::emitted::graph::Table = ::kin::emitted::graph::Table::new(
                 ::core::file!(),
                 r##"
 at 1 1 omega * t
@@ -300,7 +308,7 @@ rows 13 19
             "Loop closure of the slider-crank, crank driven at ω.      [m]"
         }
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-            ::kin::rt::visit(
+            ::kin::emitted::visit(
                 &[
                     ("l2", &self.l2),
                     ("l3", &self.l3),
@@ -311,7 +319,7 @@ rows 13 19
             );
         }
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-            ::kin::rt::set(
+            ::kin::emitted::set(
                 &mut [
                     ("l2", &mut self.l2),
                     ("l3", &mut self.l3),
@@ -323,7 +331,7 @@ rows 13 19
             )
         }
         fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
-            ::kin::rt::set_at(
+            ::kin::emitted::set_at(
                 &mut [&mut self.l2, &mut self.l3, &mut self.h, &mut self.omega],
                 index,
                 value,
@@ -334,14 +342,14 @@ rows 13 19
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
-    impl ::kin::rt::Described for slider_crank {
+    impl ::kin::emitted::Described for slider_crank {
         const KIND: &'static str = "slider_crank";
-        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<
+        const ARGUMENTS: &'static [::kin::emitted::ArgumentKind] = <Self as ::kin::emitted::Equation<
             2,
             2,
         >>::ARGUMENTS;
-        fn read(from: &mut ::kin::rt::Reader<'_>) -> ::core::option::Option<Self> {
-            use ::kin::rt::{SoughtBySerde as _, Unsought as _};
+        fn read(from: &mut ::kin::emitted::Reader<'_>) -> ::core::option::Option<Self> {
+            use ::kin::emitted::{SoughtBySerde as _, Unsought as _};
             ::core::option::Option::Some(slider_crank {
                 theta3: from.coord(),
                 x: from.coord(),
@@ -353,24 +361,24 @@ rows 13 19
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
-    impl ::kin::rt::Equation<2, 2> for slider_crank {
-        const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[
-            ::kin::rt::ArgumentKind::Coord,
-            ::kin::rt::ArgumentKind::Coord,
+    impl ::kin::emitted::Equation<2, 2> for slider_crank {
+        const ARGUMENTS: &'static [::kin::emitted::ArgumentKind] = &[
+            ::kin::emitted::ArgumentKind::Coord,
+            ::kin::emitted::ArgumentKind::Coord,
         ];
-        fn evaluate<__D: ::kin::rt::Dual>(
+        fn evaluate<__D: ::kin::emitted::Dual>(
             &self,
-            q: &[::kin::rt::Real<__D>; 2],
-            t: ::kin::rt::Real<__D>,
-        ) -> [::kin::rt::Real<__D>; 2] {
-            let mut q = ::kin::rt::Columns(q);
+            q: &[::kin::emitted::Real<__D>; 2],
+            t: ::kin::emitted::Real<__D>,
+        ) -> [::kin::emitted::Real<__D>; 2] {
+            let mut q = ::kin::emitted::Columns(q);
             let theta3: __Real<__D> = q.coord();
             let x: __Real<__D> = q.coord();
             let t: __Real<__D> = t;
-            let l2: __Real<__D> = ::kin::rt::Lift::lift(self.l2);
-            let l3: __Real<__D> = ::kin::rt::Lift::lift(self.l3);
-            let h: __Real<__D> = ::kin::rt::Lift::lift(self.h);
-            let omega: __Real<__D> = ::kin::rt::Lift::lift(self.omega);
+            let l2: __Real<__D> = ::kin::emitted::Lift::lift(self.l2);
+            let l3: __Real<__D> = ::kin::emitted::Lift::lift(self.l3);
+            let h: __Real<__D> = ::kin::emitted::Lift::lift(self.h);
+            let omega: __Real<__D> = ::kin::emitted::Lift::lift(self.omega);
             let value = (move || -> [__Real<__D>; 2] {
                 let theta2 = omega * t;
                 [
@@ -378,12 +386,12 @@ rows 13 19
                     l2 * theta2.sin() + l3 * theta3.sin() - h,
                 ]
             })();
-            ::kin::rt::rows(value)
+            ::kin::emitted::rows(value)
         }
         #[inline]
         fn plain(&self, q: &[f64; 2], t: f64) -> [f64; 2] {
-            let mut q = ::kin::rt::Columns(q);
-            ::kin::rt::rows(
+            let mut q = ::kin::emitted::Columns(q);
+            ::kin::emitted::rows(
                 __WRITTEN(q.coord(), q.coord(), t, self.l2, self.l3, self.h, self.omega),
             )
         }

@@ -3,8 +3,8 @@
 
 use kin::coordinates::Argument;
 use kin::dual_route::{ArgumentKind, Equation};
+use kin::emitted::{At, Rates};
 use kin::prelude::*;
-use kin::rt::{At, Rates};
 use kin::{Dependence, any_coord as c, any_planar as p};
 
 /// C depends on t, C_q does, C_t can be other than zero, Q_d can, C is not linear.

@@ -3,9 +3,9 @@
 
 use std::ops::{Add, Mul, Sub};
 
+use kin::emitted::PlanarState;
 use kin::nalgebra::Vector3;
 use kin::prelude::*;
-use kin::rt::PlanarState;
 
 use crate::twice;
 

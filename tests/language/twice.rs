@@ -3,7 +3,7 @@
 
 use kin::Route;
 use kin::dual_route::Equation;
-use kin::rt::{PlanarState, SpatialState};
+use kin::emitted::{PlanarState, SpatialState};
 
 /// The coordinates of all arguments, taken one after the other.
 pub struct Columns<'a>(&'a [f64], f64);
@@ -90,9 +90,9 @@ macro_rules! twice {
                 #[allow(unused_imports)]
                 use kin::prelude::*;
                 #[allow(dead_code)]
-                type Planar = kin::rt::PlanarState;
+                type Planar = kin::emitted::PlanarState;
                 #[allow(dead_code)]
-                type Spatial = kin::rt::SpatialState;
+                type Spatial = kin::emitted::SpatialState;
                 #[allow(dead_code)]
                 type Coord = f64;
                 #[allow(dead_code)]
@@ -102,7 +102,7 @@ macro_rules! twice {
             #[test]
             fn is_read_as_rustc_reads_it() {
                 let constraint = $crate::made!(compiled::f; []; $($given)*);
-                $crate::twice::agree(constraint, kin::Route::$route, |q| kin::rt::rows($crate::called!(plain::f; q; []; $($given)*)));
+                $crate::twice::agree(constraint, kin::Route::$route, |q| kin::emitted::rows($crate::called!(plain::f; q; []; $($given)*)));
             }
         }
     };

@@ -1,5 +1,6 @@
 //! The passes against what a system itself evaluates, on the mechanisms of the gallery.
 
+mod at;
 mod models;
 mod reduced;
 mod replay;

@@ -44,9 +44,9 @@ fn method(code: &TokenStream, all: Vec<TokenStream>) -> TokenStream {
         return quote!();
     }
     quote! {
-        fn attachments(&self) -> ::std::vec::Vec<::kin::rt::Attachment> {
+        fn attachments(&self) -> ::std::vec::Vec<::kin::emitted::Attachment> {
             #code
-            ::kin::rt::attachments(&[#(#all),*])
+            ::kin::emitted::attachments(&[#(#all),*])
         }
     }
 }

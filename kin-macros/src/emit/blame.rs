@@ -22,15 +22,15 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
     let outside = outside.map(|outside| {
         quote! {
             #[cold]
-            fn outside(&self, #number: usize, #x: &[::kin::rt::graph::Dual3_64], #to: &mut ::kin::rt::graph::Given) {
+            fn outside(&self, #number: usize, #x: &[::kin::emitted::graph::Dual3_64], #to: &mut ::kin::emitted::graph::Given) {
                 #outside
             }
         }
     });
     quote! {
         #[cold]
-        fn table(&self) -> ::core::option::Option<(&'static ::kin::rt::graph::Table, ::std::vec::Vec<f64>)> {
-            static TABLE: ::kin::rt::graph::Table = #table;
+        fn table(&self) -> ::core::option::Option<(&'static ::kin::emitted::graph::Table, ::std::vec::Vec<f64>)> {
+            static TABLE: ::kin::emitted::graph::Table = #table;
             TABLE.with(&#values)
         }
         #outside
@@ -43,13 +43,13 @@ pub fn law(parameters: &[Argument], lowered: &Lowered) -> TokenStream {
     let [number, x, to] = outside_names();
     let (count, laws) = (literal(lowered.laws.len()), lowered.laws.iter().map(template::place));
     let outside = outside.map_or_else(
-        || quote!(::kin::rt::graph::nothing_outside),
+        || quote!(::kin::emitted::graph::nothing_outside),
         |outside| quote!(|#number, #x, #to| #outside),
     );
     quote! {
         #[cold]
-        fn over(&self, #x: &::kin::rt::graph::Series) -> ::core::option::Option<::kin::rt::graph::Series> {
-            static TABLE: ::kin::rt::graph::Table = #table;
+        fn over(&self, #x: &::kin::emitted::graph::Series) -> ::core::option::Option<::kin::emitted::graph::Series> {
+            static TABLE: ::kin::emitted::graph::Table = #table;
             TABLE.law_over(#x, &#values, &#outside)
         }
         #[cold]
@@ -100,7 +100,7 @@ impl Written {
         let text = readable(&table.formula.to_string());
         let values = table.parameters.iter().map(|&k| &lowered.parameters[k]);
         Written {
-            table: quote!(::kin::rt::graph::Table::new(::core::file!(), #text)),
+            table: quote!(::kin::emitted::graph::Table::new(::core::file!(), #text)),
             values: quote!([#(#values),*]),
             outside: table.outside(),
         }
@@ -112,9 +112,9 @@ pub fn dual(expressions: &[Expression]) -> TokenStream {
     let expressions = listed(expressions.iter());
     quote! {
         #[cold]
-        fn blame(&self, asked: &::kin::rt::Asked<'_>) -> ::core::option::Option<::kin::rt::Blame> {
-            const BODY: ::kin::rt::graph::Body = ::kin::rt::graph::Body { file: ::core::file!(), expressions: &[#(#expressions),*] };
-            ::kin::rt::graph::traced(self, asked, BODY)
+        fn blame(&self, asked: &::kin::emitted::Asked<'_>) -> ::core::option::Option<::kin::emitted::Blame> {
+            const BODY: ::kin::emitted::graph::Body = ::kin::emitted::graph::Body { file: ::core::file!(), expressions: &[#(#expressions),*] };
+            ::kin::emitted::graph::traced(self, asked, BODY)
         }
     }
 }
@@ -241,7 +241,7 @@ impl Table<'_> {
         match what {
             Outside::Law(law) => {
                 let law = template::place(&self.lowered.laws[law]);
-                quote!(::kin::rt::graph::give_law(&#law, #x, #to))
+                quote!(::kin::emitted::graph::give_law(&#law, #x, #to))
             }
             Outside::Opaque(number) => self.opaque(number, x, to),
             Outside::Leaf(leaf) => self.leaf(leaf, x, to),
@@ -272,7 +272,7 @@ impl Table<'_> {
         let values = found.iter().map(|node| node.and_then(|_| values.next()).unwrap_or_else(|| quote!(0.0)));
         quote! {
             #code
-            ::kin::rt::graph::give(&[#(#values),*], #to)
+            ::kin::emitted::graph::give(&[#(#values),*], #to)
         }
     }
 
@@ -284,8 +284,8 @@ impl Table<'_> {
         if !self.has_leaves {
             return quote!();
         }
-        let inputs = (0..leaf.arguments.len()).map(literal).map(|k| quote!(::kin::rt::Real(#x[#k])));
-        let ty = template::shape_type(shape, &quote!(::kin::rt::Real<::kin::rt::Dual3_64>));
+        let inputs = (0..leaf.arguments.len()).map(literal).map(|k| quote!(::kin::emitted::Real(#x[#k])));
+        let ty = template::shape_type(shape, &quote!(::kin::emitted::Real<::kin::emitted::Dual3_64>));
         let results = (0..shape.count()).map(|k| template::component(&value, kind, k));
         quote! {
             let #value: #ty = self.#function([#(#inputs),*]);

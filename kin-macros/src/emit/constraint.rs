@@ -118,7 +118,7 @@ impl<'a> Frame<'a> {
         quote! {
             #edited
             #declaration
-            ::kin::rt::outside_editor! { const _: () = {
+            ::kin::emitted::outside_editor! { const _: () = {
                 #lengths
                 #written
                 #leaves
@@ -126,8 +126,8 @@ impl<'a> Frame<'a> {
                 #lane_kernels
                 #as_data
                 #unlinted
-                impl ::kin::rt::Equation<#n, #m> for #name {
-                    const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = &[#(#kinds),*];
+                impl ::kin::emitted::Equation<#n, #m> for #name {
+                    const ARGUMENTS: &'static [::kin::emitted::ArgumentKind] = &[#(#kinds),*];
                     #equations
                 }
             }; }
@@ -164,7 +164,7 @@ impl<'a> Frame<'a> {
                     #route
                 }
                 #is_driver
-                fn arguments(&self) -> ::std::vec::Vec<::kin::rt::Argument> {
+                fn arguments(&self) -> ::std::vec::Vec<::kin::emitted::Argument> {
                     #described
                 }
                 fn rows(&self) -> &[&str] {
@@ -199,9 +199,9 @@ impl<'a> Frame<'a> {
             let trig = self.trig(slot);
             slot += argument.kind.slots();
             let target = match argument.kind {
-                Kind::Planar => quote!(::kin::rt::Target::Planar(self.#name)),
-                Kind::Spatial => quote!(::kin::rt::Target::Spatial(self.#name)),
-                Kind::Coord => quote!(::kin::rt::Target::Coord(self.#name, #trig)),
+                Kind::Planar => quote!(::kin::emitted::Target::Planar(self.#name)),
+                Kind::Spatial => quote!(::kin::emitted::Target::Spatial(self.#name)),
+                Kind::Coord => quote!(::kin::emitted::Target::Coord(self.#name, #trig)),
                 Kind::Coords(n) | Kind::Planars(n) | Kind::Spatials(n) => {
                     for k in 0..n {
                         let (trig, k) = (self.trig(slot - n + k), literal(k));
@@ -211,23 +211,23 @@ impl<'a> Frame<'a> {
                             _ => quote!(Coord(self.#name[#k], #trig)),
                         };
                         all.push(
-                            quote!(::kin::rt::Argument { name: #text, target: ::kin::rt::Target::#target }),
+                            quote!(::kin::emitted::Argument { name: #text, target: ::kin::emitted::Target::#target }),
                         );
                     }
                     continue;
                 }
                 _ => continue,
             };
-            all.push(quote!(::kin::rt::Argument { name: #text, target: #target }));
+            all.push(quote!(::kin::emitted::Argument { name: #text, target: #target }));
         }
-        quote!(::kin::rt::arguments(&[#(#all),*]))
+        quote!(::kin::emitted::arguments(&[#(#all),*]))
     }
 
     fn trig(&self, slot: usize) -> TokenStream {
         if self.trig.contains(&slot) {
-            quote!(::kin::rt::Trig::Used)
+            quote!(::kin::emitted::Trig::Used)
         } else {
-            quote!(::kin::rt::Trig::Unused)
+            quote!(::kin::emitted::Trig::Unused)
         }
     }
 
@@ -250,19 +250,19 @@ impl<'a> Frame<'a> {
             Dual::Graph(code, rows) => quote! {
                 #(#states)*
                 #code
-                let #value: [::kin::rt::Real<__D>; #m] = [#(#rows),*];
+                let #value: [::kin::emitted::Real<__D>; #m] = [#(#rows),*];
             },
         });
         let inputs = written_inputs(&source.arguments, &q, &t);
         quote! {
-            fn evaluate<__D: ::kin::rt::Dual>(&self, #q: &[::kin::rt::Real<__D>; #n], #t: ::kin::rt::Real<__D>) -> [::kin::rt::Real<__D>; #m] {
+            fn evaluate<__D: ::kin::emitted::Dual>(&self, #q: &[::kin::emitted::Real<__D>; #n], #t: ::kin::emitted::Real<__D>) -> [::kin::emitted::Real<__D>; #m] {
                 #evaluation
-                ::kin::rt::rows(#value)
+                ::kin::emitted::rows(#value)
             }
             #[inline]
             fn plain(&self, #q: &[f64; #n], #t: f64) -> [f64; #m] {
-                let mut #q = ::kin::rt::Columns(#q);
-                ::kin::rt::rows(__WRITTEN(#(#inputs),*))
+                let mut #q = ::kin::emitted::Columns(#q);
+                ::kin::emitted::rows(__WRITTEN(#(#inputs),*))
             }
             #measure
         }
@@ -273,7 +273,7 @@ impl<'a> Frame<'a> {
 fn lengths(source: &ConstraintFn) -> TokenStream {
     let checks = source.lengths.iter().map(|(name, length)| {
         let text = format!("`{name}` is not {length}, as `#[constraint({name} = {length})]` says");
-        quote_spanned!(name.span()=> const _: () = ::kin::rt::held(#name == #length, #text);)
+        quote_spanned!(name.span()=> const _: () = ::kin::emitted::held(#name == #length, #text);)
     });
     let handles = source
         .arguments
@@ -285,8 +285,8 @@ fn lengths(source: &ConstraintFn) -> TokenStream {
 
 fn own(ty: &syn::Type) -> TokenStream {
     let text = "inside the function a body is its state: write `Planar` or `Spatial`";
-    let held = quote!(::kin::rt::held(::kin::rt::Named::<#ty>::IS_OWN, #text));
-    quote_spanned!(syn::spanned::Spanned::span(ty)=> const _: () = { use ::kin::rt::Own as _; #held };)
+    let held = quote!(::kin::emitted::held(::kin::emitted::Named::<#ty>::IS_OWN, #text));
+    quote_spanned!(syn::spanned::Spanned::span(ty)=> const _: () = { use ::kin::emitted::Own as _; #held };)
 }
 
 /// Whether a type may be the handle of a body.
@@ -327,20 +327,20 @@ pub fn declaration(source: &ConstraintFn) -> TokenStream {
 /// The user's names for bodies, coordinates and time, bound to states made of the columns `q` and the time
 /// `t`.
 fn states(arguments: &[Argument], q: &Ident, t: &Ident) -> Vec<TokenStream> {
-    let scalar = quote!(::kin::rt::Real<__D>);
+    let scalar = quote!(::kin::emitted::Real<__D>);
     let bound = arguments.iter().filter_map(|argument| {
         let (name, mutable, next) = (&argument.name, super::mutable(argument), next(argument, q, t)?);
         let ty = match argument.kind {
-            Kind::Planar => quote!(::kin::rt::PlanarState<#scalar>),
-            Kind::Spatial => quote!(::kin::rt::SpatialState<#scalar>),
-            Kind::Planars(n) => super::array(&quote!(::kin::rt::PlanarState<#scalar>), n),
-            Kind::Spatials(n) => super::array(&quote!(::kin::rt::SpatialState<#scalar>), n),
+            Kind::Planar => quote!(::kin::emitted::PlanarState<#scalar>),
+            Kind::Spatial => quote!(::kin::emitted::SpatialState<#scalar>),
+            Kind::Planars(n) => super::array(&quote!(::kin::emitted::PlanarState<#scalar>), n),
+            Kind::Spatials(n) => super::array(&quote!(::kin::emitted::SpatialState<#scalar>), n),
             Kind::Coords(n) => super::array(&scalar, n),
             _ => scalar.clone(),
         };
         Some(quote!(let #mutable #name: #ty = #next;))
     });
-    std::iter::once(quote!(let mut #q = ::kin::rt::Columns(#q);)).chain(bound).collect()
+    std::iter::once(quote!(let mut #q = ::kin::emitted::Columns(#q);)).chain(bound).collect()
 }
 
 /// The value of an argument that is no parameter, made of the columns that are left.
@@ -372,9 +372,9 @@ fn written_inputs(arguments: &[Argument], q: &Ident, t: &Ident) -> Vec<TokenStre
 
 fn kinds(argument: &Argument) -> Vec<TokenStream> {
     let kind = match argument.kind {
-        Kind::Planar | Kind::Planars(_) => quote!(::kin::rt::ArgumentKind::Planar),
-        Kind::Spatial | Kind::Spatials(_) => quote!(::kin::rt::ArgumentKind::Spatial),
-        _ => quote!(::kin::rt::ArgumentKind::Coord),
+        Kind::Planar | Kind::Planars(_) => quote!(::kin::emitted::ArgumentKind::Planar),
+        Kind::Spatial | Kind::Spatials(_) => quote!(::kin::emitted::ArgumentKind::Spatial),
+        _ => quote!(::kin::emitted::ArgumentKind::Coord),
     };
     vec![kind; argument.kind.slots()]
 }

@@ -37,7 +37,7 @@ fn method(
         return quote!();
     }
     let own = (!own.is_empty()).then(|| {
-        quote!(if let ::core::option::Option::Some(why) = ::kin::rt::refusal(&[#(#own),*]) {
+        quote!(if let ::core::option::Option::Some(why) = ::kin::emitted::refusal(&[#(#own),*]) {
             return ::core::option::Option::Some(why);
         })
     });
@@ -52,7 +52,7 @@ fn method(
             quote!((#text, &self.#name))
         });
         quote!(let holds: bool = #condition; if !holds {
-            return ::core::option::Option::Some(::kin::rt::refused(#text, &[#(#shown),*]));
+            return ::core::option::Option::Some(::kin::emitted::refused(#text, &[#(#shown),*]));
         })
     });
     let bindings = bindings(arguments, requirements.iter().map(|demand| &demand.condition));
@@ -160,7 +160,7 @@ pub fn branch(source: &ConstraintFn) -> TokenStream {
     let texts = source.branches.iter().map(|demand| &demand.text);
     quote! {
         #[cold]
-        fn wrong_branch(&self, at: &::kin::rt::At<'_>) -> ::core::option::Option<&str> {
+        fn wrong_branch(&self, at: &::kin::emitted::At<'_>) -> ::core::option::Option<&str> {
             #({
                 const MEANT: #ty = |#names| #conditions;
                 if !MEANT(#values) {

@@ -13,15 +13,15 @@ pub fn describe(source: &ConstraintFn) -> TokenStream {
         let (name, text) = (&argument.name, text(argument));
         match argument.kind {
             Kind::Other if matches!(argument.ty, syn::Type::Reference(_)) => {
-                quote!(::kin::rt::Untold::put(&&::kin::rt::Told(&self.#name), #text, to);)
+                quote!(::kin::emitted::Untold::put(&&::kin::emitted::Told(&self.#name), #text, to);)
             }
-            Kind::Other => quote!((&::kin::rt::Told(&self.#name)).put(#text, to);),
+            Kind::Other => quote!((&::kin::emitted::Told(&self.#name)).put(#text, to);),
             _ => quote!(to.put(#text, &self.#name);),
         }
     });
     quote! {
-        fn describe(&self, to: &mut ::kin::rt::Describer) {
-            use ::kin::rt::{ToldBySerde as _, Untold as _};
+        fn describe(&self, to: &mut ::kin::emitted::Describer) {
+            use ::kin::emitted::{ToldBySerde as _, Untold as _};
             #(#puts)*
         }
     }
@@ -49,18 +49,18 @@ pub fn described(source: &ConstraintFn, kind: &str, n: &Literal, m: &Literal) ->
             Kind::Other if matches!(argument.ty, syn::Type::Reference(_)) => {
                 quote!(return ::core::option::Option::None)
             }
-            Kind::Other => quote!((&::kin::rt::Sought::<#ty>::new()).get(#text, from)?),
+            Kind::Other => quote!((&::kin::emitted::Sought::<#ty>::new()).get(#text, from)?),
             _ => quote!(from.get(#text)),
         };
         quote!(#field: #value)
     });
     quote! {
         #unlinted
-        impl ::kin::rt::Described for #name {
+        impl ::kin::emitted::Described for #name {
             const KIND: &'static str = #kind;
-            const ARGUMENTS: &'static [::kin::rt::ArgumentKind] = <Self as ::kin::rt::Equation<#n, #m>>::ARGUMENTS;
-            fn read(from: &mut ::kin::rt::Reader<'_>) -> ::core::option::Option<Self> {
-                use ::kin::rt::{SoughtBySerde as _, Unsought as _};
+            const ARGUMENTS: &'static [::kin::emitted::ArgumentKind] = <Self as ::kin::emitted::Equation<#n, #m>>::ARGUMENTS;
+            fn read(from: &mut ::kin::emitted::Reader<'_>) -> ::core::option::Option<Self> {
+                use ::kin::emitted::{SoughtBySerde as _, Unsought as _};
                 ::core::option::Option::Some(#name { #(#fields),* })
             }
         }

@@ -24,7 +24,7 @@ pub fn constraint(source: &ConstraintFn, body: &Block) -> TokenStream {
     let attributes = quote!(#(let _: bool = #conditions;)* #(let _: f64 = #values;)*);
     let inputs: Vec<TokenStream> = source.arguments.iter().map(input).collect();
     let copy = copy(&inputs, &written::known(&source.output_type), &attributes, body);
-    quote!(::kin::rt::inside_editor! { #copy ::kin::rt::stand_in!(#name); })
+    quote!(::kin::emitted::inside_editor! { #copy ::kin::emitted::stand_in!(#name); })
 }
 
 /// For a law whose signature was understood: its plain copy with this body.
@@ -35,7 +35,7 @@ pub fn law(source: &LawFn, body: &Block) -> TokenStream {
     let conditions = source.requirements.iter().map(|demand| &demand.condition);
     let attributes = quote!(#(let _: bool = #conditions;)*);
     let copy = copy(&inputs, &syn::parse_quote!(f64), &attributes, body);
-    quote!(::kin::rt::inside_editor! { #copy })
+    quote!(::kin::emitted::inside_editor! { #copy })
 }
 
 /// For a signature with mistakes in it, or a body that is no Rust yet: the function with what its types stand
@@ -60,15 +60,16 @@ pub fn unread(signature: &Signature, body: &TokenStream) -> TokenStream {
         ReturnType::Default => syn::parse_quote!(()),
     };
     let copy = copy(&inputs, &output, &quote!(), body);
-    quote!(::kin::rt::inside_editor! { #copy })
+    quote!(::kin::emitted::inside_editor! { #copy })
 }
 
 fn copy(inputs: &[TokenStream], output: &Type, attributes: &TokenStream, body: &dyn ToTokens) -> TokenStream {
     let written: Ident = super::own("written");
     quote! {
         const _: () = {
-            use ::kin::rt::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
-            use ::kin::rt::{ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _};
+            use ::kin::emitted::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
+            use ::kin::emitted::{ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _};
+            use ::kin::emitted::{TakesAsIs as _, TakesConverted as _};
             fn #written(#(#inputs),*) -> #output {
                 #attributes
                 #body

@@ -42,21 +42,21 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
         #constants
         #depends
         #timed
-        fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
+        fn residual(&self, at: &::kin::emitted::At<'_>, c: &mut [f64]) {
             #residual
         }
-        fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
+        fn jacobian(&self, at: &::kin::emitted::At<'_>, c_q: &mut [f64]) {
             self.linearize(at, &mut [0.0; #m], c_q);
         }
         #[doc = #linearize_doc]
-        fn linearize(&self, at: &::kin::rt::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
+        fn linearize(&self, at: &::kin::emitted::At<'_>, c: &mut [f64], c_q: &mut [f64]) {
             #to_c
             #to_c_q
             #linearize
         }
         #velocity
         #[doc = #right_doc]
-        fn acceleration_rhs(&self, at: &::kin::rt::At<'_>, qd: &::kin::rt::Rates<'_>, t_dot: f64, q_d: &mut [f64]) {
+        fn acceleration_rhs(&self, at: &::kin::emitted::At<'_>, qd: &::kin::emitted::Rates<'_>, t_dot: f64, q_d: &mut [f64]) {
             #to_q_d
             #right_side
         }
@@ -108,8 +108,8 @@ fn depends(g: &Graph, rows: &[Node], derived: &Derivatives, linear: bool) -> Tok
         [&derived.velocity_rhs, &derived.acceleration_rhs].map(|side| side.iter().any(|&n| !g.is_zero(n)));
     let curved = !linear;
     quote! {
-        fn depends(&self) -> ::kin::rt::Dependence {
-            ::kin::rt::Dependence { c_on_t: #c, c_q_on_t: #c_q, c_t: #c_t, q_d: #q_d, curved: #curved }
+        fn depends(&self) -> ::kin::emitted::Dependence {
+            ::kin::emitted::Dependence { c_on_t: #c, c_q_on_t: #c_q, c_t: #c_t, q_d: #q_d, curved: #curved }
         }
     }
 }
@@ -130,15 +130,15 @@ fn commented(what: &str, code: Code) -> (String, TokenStream) {
 fn velocity(m: &Literal, code: Option<(TokenStream, Code)>) -> TokenStream {
     let Some((to_rhs, code)) = code else {
         return quote! {
-            fn velocity_rhs(&self, _at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
-                ::kin::rt::no_velocity(rhs, #m);
+            fn velocity_rhs(&self, _at: &::kin::emitted::At<'_>, rhs: &mut [f64]) {
+                ::kin::emitted::no_velocity(rhs, #m);
             }
         };
     };
     let (doc, code) = commented("−C_t", code);
     quote! {
         #[doc = #doc]
-        fn velocity_rhs(&self, at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
+        fn velocity_rhs(&self, at: &::kin::emitted::At<'_>, rhs: &mut [f64]) {
             #to_rhs
             #code
         }
@@ -170,7 +170,7 @@ pub fn laws(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
     });
     let names = (0..asked.len()).map(|k| super::own(&format!("x_{k}")));
     quote! {
-        fn laws(&self, at: &::kin::rt::At<'_>, visit: &mut dyn FnMut(&str, &::kin::Law, f64)) {
+        fn laws(&self, at: &::kin::emitted::At<'_>, visit: &mut dyn FnMut(&str, &::kin::Law, f64)) {
             #code
             let [#(#names),*] = [#(#values),*];
             #(#shown)*
@@ -181,19 +181,19 @@ pub fn laws(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
 /// All of them by dual numbers.
 pub fn dual() -> TokenStream {
     quote! {
-        fn residual(&self, at: &::kin::rt::At<'_>, c: &mut [f64]) {
+        fn residual(&self, at: &::kin::emitted::At<'_>, c: &mut [f64]) {
             ::kin::dual_route::residual(self, at, c);
         }
-        fn jacobian(&self, at: &::kin::rt::At<'_>, c_q: &mut [f64]) {
+        fn jacobian(&self, at: &::kin::emitted::At<'_>, c_q: &mut [f64]) {
             ::kin::dual_route::jacobian(self, at, c_q);
         }
-        fn velocity_rhs(&self, at: &::kin::rt::At<'_>, rhs: &mut [f64]) {
+        fn velocity_rhs(&self, at: &::kin::emitted::At<'_>, rhs: &mut [f64]) {
             ::kin::dual_route::velocity_rhs(self, at, rhs);
         }
-        fn acceleration_rhs(&self, at: &::kin::rt::At<'_>, qd: &::kin::rt::Rates<'_>, t_dot: f64, q_d: &mut [f64]) {
+        fn acceleration_rhs(&self, at: &::kin::emitted::At<'_>, qd: &::kin::emitted::Rates<'_>, t_dot: f64, q_d: &mut [f64]) {
             ::kin::dual_route::acceleration_rhs(self, at, qd, t_dot, q_d);
         }
-        fn jerk_rhs(&self, at: &::kin::rt::At<'_>, qd: &::kin::rt::Rates<'_>, qdd: &::kin::rt::Rates<'_>, rhs: &mut [f64]) -> bool {
+        fn jerk_rhs(&self, at: &::kin::emitted::At<'_>, qd: &::kin::emitted::Rates<'_>, qdd: &::kin::emitted::Rates<'_>, rhs: &mut [f64]) -> bool {
             ::kin::dual_route::jerk_rhs(self, at, qd, qdd, rhs)
         }
     }

@@ -147,7 +147,7 @@ impl<'a> Kernel<'a> {
         let groups = order(self.graph(), &nodes, |node| self.named.contains_key(&node));
         let fenced = self.scheduled && groups.len() > 1;
         if fenced {
-            self.statements.push(quote!(let #put = ::kin::rt::put;));
+            self.statements.push(quote!(let #put = ::kin::emitted::put;));
         }
         for group in groups {
             group.nodes.into_iter().for_each(|node| self.name(node));
@@ -194,7 +194,7 @@ impl<'a> Kernel<'a> {
         let timed = self.reads_timed.then(|| timed::binding(self.timed));
         let statements = self.statements;
         let fma = super::own("fma");
-        let fma = if self.fused { quote!(let #fma = ::kin::rt::fma;) } else { quote!() };
+        let fma = if self.fused { quote!(let #fma = ::kin::emitted::fma;) } else { quote!() };
         let items = &self.lowered.items;
         let items = if items.is_empty() { quote!() } else { quote!(#(#[allow(unused)] #items)*) };
         Code { tokens: quote!(#items #fma #timed #bindings #(#statements)*), operations: self.operations }
@@ -297,7 +297,7 @@ impl<'a> Kernel<'a> {
         let [s, c] = [s, c].map(|name| Ident::new(&name, Span::mixed_site()));
         self.temporaries += 1;
         self.statements.push(match self.numbers {
-            Numbers::Plain => quote!(let (#s, #c) = ::kin::rt::math::sin_cos(#of);),
+            Numbers::Plain => quote!(let (#s, #c) = ::kin::emitted::math::sin_cos(#of);),
             _ => quote!(let (#s, #c) = #of.sin_cos();),
         });
         self.named.insert(sin, quote!(#s));

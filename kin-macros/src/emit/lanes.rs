@@ -42,7 +42,7 @@ struct Outside {
 /// What says that there are kernels over lanes.
 fn method() -> TokenStream {
     quote! {
-        fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::rt::InLanes> {
+        fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::emitted::InLanes> {
             ::core::option::Option::Some(self)
         }
     }
@@ -68,7 +68,7 @@ pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &mut Lowered, derive
     let velocity = (!rhs.is_empty()).then(|| {
         quote! {
             #[inline(always)]
-            fn velocity_rhs<__S: ::kin::rt::Level>(at: &::kin::rt::LaneAt<'_, __S>, rhs: &mut [::kin::rt::Wide<__S>]) {
+            fn velocity_rhs<__S: ::kin::emitted::Level>(at: &::kin::emitted::LaneAt<'_, __S>, rhs: &mut [::kin::emitted::Wide<__S>]) {
                 #to_rhs
                 #velocity
             }
@@ -81,12 +81,12 @@ pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &mut Lowered, derive
             #unlinted
             #in_lanes
             #unlinted
-            impl ::kin::rt::LaneKernel for #name {
+            impl ::kin::emitted::LaneKernel for #name {
                 #[inline(always)]
-                fn linearize<__S: ::kin::rt::Level>(
-                    at: &::kin::rt::LaneAt<'_, __S>,
-                    c: &mut [::kin::rt::Wide<__S>],
-                    c_q: &mut [::kin::rt::Wide<__S>],
+                fn linearize<__S: ::kin::emitted::Level>(
+                    at: &::kin::emitted::LaneAt<'_, __S>,
+                    c: &mut [::kin::emitted::Wide<__S>],
+                    c_q: &mut [::kin::emitted::Wide<__S>],
                 ) {
                     #to_c
                     #to_c_q
@@ -94,10 +94,10 @@ pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &mut Lowered, derive
                 }
                 #velocity
                 #[inline(always)]
-                fn acceleration_rhs<__S: ::kin::rt::Level>(
-                    at: &::kin::rt::LaneAt<'_, __S>,
-                    qd: &::kin::rt::LaneRates<'_, __S>,
-                    q_d: &mut [::kin::rt::Wide<__S>],
+                fn acceleration_rhs<__S: ::kin::emitted::Level>(
+                    at: &::kin::emitted::LaneAt<'_, __S>,
+                    qd: &::kin::emitted::LaneRates<'_, __S>,
+                    q_d: &mut [::kin::emitted::Wide<__S>],
                 ) {
                     #to_q_d
                     #acceleration
@@ -195,7 +195,7 @@ impl Outside {
             (!self.known[k].is_empty()).then(|| {
                 quote! {
                     fn #signature {
-                        let (at, t_dot) = (&::kin::rt::At::new(#t, &[], &[]), 1.0);
+                        let (at, t_dot) = (&::kin::emitted::At::new(#t, &[], &[]), 1.0);
                         #code
                     }
                 }
@@ -218,9 +218,9 @@ impl Outside {
             }
         });
         quote! {
-            impl ::kin::rt::InLanes for #name {
-                fn kernels(&self) -> ::kin::rt::LaneKernels {
-                    ::kin::rt::LaneKernels::of::<Self>()
+            impl ::kin::emitted::InLanes for #name {
+                fn kernels(&self) -> ::kin::emitted::LaneKernels {
+                    ::kin::emitted::LaneKernels::of::<Self>()
                 }
                 fn n_known(&self) -> [usize; 2] {
                     [#n_parameters, #n_times]

@@ -17,14 +17,14 @@ pub fn law(source: &LawFn, lowered: Option<Lowered>) -> TokenStream {
     let over = lowered.as_ref().map(|lowered| blame::law(&source.parameters, lowered));
     let (jet, leaves) = match lowered {
         Some(lowered) => symbolic(source, lowered),
-        None => (quote!(::kin::rt::jet_by_dual(x, |x| self.evaluate(x))), vec![]),
+        None => (quote!(::kin::emitted::jet_by_dual(x, |x| self.evaluate(x))), vec![]),
     };
     let emitted = emit(source, [&jet, &over.unwrap_or_default()], &written, &leaves, &evaluate(source));
     let shown = super::stand_in::law_function(source);
     quote! {
         #edited
-        ::kin::rt::outside_editor! { #emitted }
-        ::kin::rt::inside_editor! { #shown }
+        ::kin::emitted::outside_editor! { #emitted }
+        ::kin::emitted::inside_editor! { #shown }
     }
 }
 
@@ -72,11 +72,11 @@ fn evaluate(source: &LawFn) -> TokenStream {
     let x = super::own("x");
     let value = written::silent(quote! {
         #(#parameters)*
-        let #variable: ::kin::rt::Real<__D> = #x;
-        (move || -> ::kin::rt::Real<__D> #body)()
+        let #variable: ::kin::emitted::Real<__D> = #x;
+        (move || -> ::kin::emitted::Real<__D> #body)()
     });
     quote! {
-        fn evaluate<__D: ::kin::rt::Dual>(&self, #x: ::kin::rt::Real<__D>) -> ::kin::rt::Real<__D> {
+        fn evaluate<__D: ::kin::emitted::Dual>(&self, #x: ::kin::emitted::Real<__D>) -> ::kin::emitted::Real<__D> {
             #value
         }
     }
@@ -118,7 +118,7 @@ fn emit(
                     #set
                 }
                 #unlinted
-                impl ::kin::rt::LawFunction for __Law {
+                impl ::kin::emitted::LawFunction for __Law {
                     fn kind(&self) -> &str {
                         #text
                     }

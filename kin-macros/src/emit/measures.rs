@@ -14,7 +14,7 @@ pub fn methods(source: &ConstraintFn) -> TokenStream {
     }
     let told = source.measures.iter().map(|Measure { name, unit, turns, .. }| {
         let name = syn::ext::IdentExt::unraw(name).to_string();
-        quote!(::kin::rt::Measured { name: #name, unit: #unit, turns: #turns })
+        quote!(::kin::emitted::Measured { name: #name, unit: #unit, turns: #turns })
     });
     let mentioned =
         source.measures.iter().filter_map(|measure| measure.ends.as_ref()).flat_map(|(from, to)| [from, to]);
@@ -37,12 +37,12 @@ pub fn methods(source: &ConstraintFn) -> TokenStream {
         }
     };
     quote! {
-        fn measures(&self) -> &[::kin::rt::Measured] {
+        fn measures(&self) -> &[::kin::emitted::Measured] {
             &[#(#told),*]
         }
         #ends
         #[cold]
-        fn measure(&self, k: usize, at: &::kin::rt::At<'_>, rates: &[::kin::rt::Rates<'_>; 3]) -> [f64; 4] {
+        fn measure(&self, k: usize, at: &::kin::emitted::At<'_>, rates: &[::kin::emitted::Rates<'_>; 3]) -> [f64; 4] {
             ::kin::dual_route::measure(self, k, at, rates)
         }
     }
@@ -61,17 +61,17 @@ pub fn evaluation(
     let (k, value) = (super::own("k"), super::own("value"));
     let arms = numbered(source).map(|(number, measure)| {
         let body = rewrite::dual(&block(measure), &source.arguments);
-        quote!(#number => (move || -> ::kin::rt::Real<__D> #body)(),)
+        quote!(#number => (move || -> ::kin::emitted::Real<__D> #body)(),)
     });
     let evaluation = written::silent(quote! {
         #prepared
-        let #value: ::kin::rt::Real<__D> = match #k {
+        let #value: ::kin::emitted::Real<__D> = match #k {
             #(#arms)*
             _ => ::core::convert::From::from(0.0),
         };
     });
     quote! {
-        fn measured<__D: ::kin::rt::Dual>(&self, #k: usize, #q: &[::kin::rt::Real<__D>; #n], #t: ::kin::rt::Real<__D>) -> ::kin::rt::Real<__D> {
+        fn measured<__D: ::kin::emitted::Dual>(&self, #k: usize, #q: &[::kin::emitted::Real<__D>; #n], #t: ::kin::emitted::Real<__D>) -> ::kin::emitted::Real<__D> {
             #evaluation
             #value
         }

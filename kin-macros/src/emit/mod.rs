@@ -74,7 +74,10 @@ fn constructor_input(argument: &Argument) -> (TokenStream, TokenStream) {
         Kind::Axis => given("IntoAxis", "into_axis"),
         Kind::Numbers(Shape::Vector(n)) => {
             let n = proc_macro2::Literal::usize_unsuffixed(n);
-            (quote!(impl ::kin::rt::Components<#n, Scalar = f64>), quote!(#name: ::kin::rt::vector(#name)))
+            (
+                quote!(impl ::kin::emitted::Components<#n, Scalar = f64>),
+                quote!(#name: ::kin::emitted::vector(#name)),
+            )
         }
         _ => (ty, quote!(#name)),
     }
@@ -102,15 +105,15 @@ fn parameter_methods(arguments: &[Argument]) -> (TokenStream, TokenStream) {
         numeric.iter().map(|name| syn::ext::IdentExt::unraw(*name).to_string()).collect();
     let visit = quote! {
         fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-            ::kin::rt::visit(&[#((#texts, &self.#numeric)),*], visit);
+            ::kin::emitted::visit(&[#((#texts, &self.#numeric)),*], visit);
         }
     };
     let set = quote! {
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-            ::kin::rt::set(&mut [#((#texts, &mut self.#numeric)),*], name, value)
+            ::kin::emitted::set(&mut [#((#texts, &mut self.#numeric)),*], name, value)
         }
         fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
-            ::kin::rt::set_at(&mut [#(&mut self.#numeric),*], index, value)
+            ::kin::emitted::set_at(&mut [#(&mut self.#numeric),*], index, value)
         }
     };
     (visit, set)
@@ -125,11 +128,11 @@ fn dual_bindings(arguments: &[Argument]) -> Vec<TokenStream> {
             match argument.kind {
                 Kind::Numbers(_) | Kind::Axis => {
                     let ty = rewrite::lifted_type(&argument.ty);
-                    quote!(let #mutable #name: #ty = ::kin::rt::Lift::lift(self.#name);)
+                    quote!(let #mutable #name: #ty = ::kin::emitted::Lift::lift(self.#name);)
                 }
                 Kind::Other if rewrite::is_liftable(&argument.ty) => {
                     let ty = rewrite::lifted_type(&argument.ty);
-                    quote!(let #mutable #name: #ty = ::kin::rt::Lift::<__D>::lift(self.#name.clone());)
+                    quote!(let #mutable #name: #ty = ::kin::emitted::Lift::<__D>::lift(self.#name.clone());)
                 }
                 Kind::Other => {
                     let ty = &argument.ty;

@@ -39,16 +39,16 @@ pub fn call(callee: &TokenStream, arguments: Vec<Probed>, at: Span) -> TokenStre
             How::Jet => (value, quote!(#name), quote_spanned!(at=> #how.jet(#name).argument())),
             How::Constant => (value, quote!(#name), quote_spanned!(at=> #how.constant(#name))),
             How::Borrowed => {
-                let lifted = quote!(::kin::rt::Lift::<f64>::lift(::core::clone::Clone::clone(#name)));
+                let lifted = quote!(::kin::emitted::Lift::<f64>::lift(::core::clone::Clone::clone(#name)));
                 (value, quote!(#name), quote_spanned!(at=> #how.reference(#name, &#lifted)))
             }
             How::Reference(again) => (
-                quote!((#value, ::kin::rt::Lift::<f64>::lift(#again))),
+                quote!((#value, ::kin::emitted::Lift::<f64>::lift(#again))),
                 quote!(&#name.0),
                 quote_spanned!(at=> #how.reference(&#name.0, &#name.1)),
             ),
             How::ConstantReference(again) => (
-                quote!((::kin::rt::constants(&#value), #again)),
+                quote!((::kin::emitted::constants(&#value), #again)),
                 quote!(&#name.1),
                 quote_spanned!(at=> #how.lifted_reference(&#name.0, &#name.1)),
             ),
@@ -64,7 +64,7 @@ pub fn call(callee: &TokenStream, arguments: Vec<Probed>, at: Span) -> TokenStre
         match (#(#values,)*) {
             (#(#names,)*) => {
                 let #function = #callee;
-                let #how = (&::kin::rt::Probe::new(&#function, (#(::kin::rt::of(&#types),)*))).marker();
+                let #how = (&::kin::emitted::Probe::new(&#function, (#(::kin::emitted::of(&#types),)*))).marker();
                 #function #arguments
             }
         }

@@ -56,7 +56,7 @@ impl DualReason<'_> {
         });
         // Cargo compiles the crate anew when the variable changes, because emitted code reads it.
         quote! {
-            ::kin::rt::outside_editor! { const _: () = {
+            ::kin::emitted::outside_editor! { const _: () = {
                 let _ = ::core::option_env!(#CRATE_WIDE);
                 #warning
             }; }
@@ -68,5 +68,5 @@ impl DualReason<'_> {
 fn place(span: Span) -> TokenStream {
     let at = span.start();
     let (line, column) = (Literal::usize_unsuffixed(at.line), Literal::usize_unsuffixed(at.column + 1));
-    quote!(::kin::rt::Source { file: ::core::file!(), line: #line, column: #column })
+    quote!(::kin::emitted::Source { file: ::core::file!(), line: #line, column: #column })
 }

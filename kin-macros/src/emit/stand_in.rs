@@ -17,8 +17,8 @@ pub fn constraint(source: &ConstraintFn) -> TokenStream {
     let edited = editor::constraint(source, &rewrite::plain(source.written(), &source.arguments));
     quote! {
         #edited
-        ::kin::rt::outside_editor! { #stand_in }
-        ::kin::rt::inside_editor! { #declaration }
+        ::kin::emitted::outside_editor! { #stand_in }
+        ::kin::emitted::inside_editor! { #declaration }
     }
 }
 
@@ -30,8 +30,8 @@ pub fn law(source: &LawFn) -> TokenStream {
         editor::law(source, &rewrite::plain_law(source.written(), &source.parameters, &source.variable));
     quote! {
         #edited
-        ::kin::rt::outside_editor! { #stand_in }
-        ::kin::rt::inside_editor! { #shown }
+        ::kin::emitted::outside_editor! { #stand_in }
+        ::kin::emitted::inside_editor! { #shown }
     }
 }
 
@@ -142,7 +142,7 @@ fn constraint_of(visibility: &Visibility, name: &Ident, inputs: &[TokenStream]) 
             #name {}
         }
 
-        ::kin::rt::stand_in!(#name);
+        ::kin::emitted::stand_in!(#name);
     }
 }
 

@@ -20,7 +20,7 @@ use kin_language::vocabulary::{
 pub fn plain(template: &Template, value: &mut dyn FnMut(Node) -> TokenStream) -> TokenStream {
     if let Template::When(condition, inner) = template {
         let (condition, inner) = (value(*condition), plain(inner, value));
-        return quote!(if #condition { #inner } else { ::kin::rt::absent() });
+        return quote!(if #condition { #inner } else { ::kin::emitted::absent() });
     }
     Writer::new(value, Site::Kernel).lowered(template)
 }
@@ -108,14 +108,14 @@ impl<'a> Writer<'a> {
         }
         let inner = self.write(template, Use::Value);
         matches.into_iter().rev().fold(inner, |inner, (value, pattern)| {
-            quote!(match #value { #pattern => { #inner } #[allow(unreachable_patterns)] _ => ::kin::rt::absent() })
+            quote!(match #value { #pattern => { #inner } #[allow(unreachable_patterns)] _ => ::kin::emitted::absent() })
         })
     }
 
     /// In plain numbers, though a function of the user's may give `Real<f64>`.
     fn lowered(&mut self, template: &Template) -> TokenStream {
         let written = self.whole(template);
-        if calls(template) { quote!(::kin::rt::lowered(#written)) } else { written }
+        if calls(template) { quote!(::kin::emitted::lowered(#written)) } else { written }
     }
 
     fn write(&mut self, template: &Template, using: Use) -> TokenStream {
@@ -151,8 +151,8 @@ impl<'a> Writer<'a> {
             other if matches!(using, Use::Argument | Use::Field) => {
                 let written = self.write(other, Use::Value);
                 match self.site {
-                    Site::Leaf(_) => quote!(::kin::rt::constant_argument(#written)),
-                    Site::Kernel | Site::Check => quote!(::kin::rt::plain_argument(#written)),
+                    Site::Leaf(_) => quote!(::kin::emitted::constant_argument(#written)),
+                    Site::Kernel | Site::Check => quote!(::kin::emitted::plain_argument(#written)),
                 }
             }
             Template::Part(..) => quote!(()),
@@ -216,15 +216,15 @@ impl<'a> Writer<'a> {
             (Use::Place, _) => quote!((#built)),
             (Use::Value, _) => built,
             (Use::Argument, Site::Leaf(graph)) if varies(graph, nodes) => {
-                quote_spanned!(at=> ::kin::rt::Jet(#built).argument())
+                quote_spanned!(at=> ::kin::emitted::Jet(#built).argument())
             }
             (Use::Field, Site::Leaf(graph)) if varies(graph, nodes) => {
-                quote_spanned!(at=> ::kin::rt::Jet(#built).field())
+                quote_spanned!(at=> ::kin::emitted::Jet(#built).field())
             }
             (Use::Argument | Use::Field, Site::Leaf(_)) => {
-                quote_spanned!(at=> ::kin::rt::constant_argument(#built))
+                quote_spanned!(at=> ::kin::emitted::constant_argument(#built))
             }
-            (Use::Argument | Use::Field, _) => quote_spanned!(at=> ::kin::rt::plain_argument(#built)),
+            (Use::Argument | Use::Field, _) => quote_spanned!(at=> ::kin::emitted::plain_argument(#built)),
         }
     }
 
@@ -239,7 +239,7 @@ impl<'a> Writer<'a> {
             // Of unknown type where the function as it was written does not compile: what is wrong with the
             // call is said once.
             Template::Path(path, _) if using == Use::Argument && !matches!(self.site, Site::Check) => {
-                quote_spanned!(Span::mixed_site().located_at(path.span())=> ::kin::rt::callee::<__SOUND, _>(#path))
+                quote_spanned!(Span::mixed_site().located_at(path.span())=> ::kin::emitted::callee::<__SOUND, _>(#path))
             }
             Template::Path(path, _) => path.to_token_stream(),
             other => {
@@ -265,9 +265,9 @@ impl<'a> Writer<'a> {
     fn cast(&mut self, inner: &Template, ty: &TokenStream) -> TokenStream {
         let written = self.write(inner, Use::Value);
         match (calls(inner), ty.to_string().as_str(), self.site) {
-            (true, "f64", Site::Leaf(_)) => quote!(::kin::rt::cast::<__D, _>(#written)),
-            (true, "f64", _) => quote!(::kin::rt::cast::<f64, _>(#written)),
-            (true, _, _) => quote!(::kin::rt::whole::<#ty, _>(#written)),
+            (true, "f64", Site::Leaf(_)) => quote!(::kin::emitted::cast::<__D, _>(#written)),
+            (true, "f64", _) => quote!(::kin::emitted::cast::<f64, _>(#written)),
+            (true, _, _) => quote!(::kin::emitted::whole::<#ty, _>(#written)),
             (false, _, _) => quote!((#written as #ty)),
         }
     }
@@ -296,7 +296,7 @@ pub fn build(shape: &Shape, numbers: &mut dyn Iterator<Item = TokenStream>) -> T
         Shape::Vector(_) | Shape::Matrix(_) | Shape::Euler => {
             let name = type_name(shape);
             let all: Vec<TokenStream> = (0..shape.count()).map_while(|_| numbers.next()).collect();
-            quote!(::kin::rt::#name::new(#(#all),*))
+            quote!(::kin::emitted::#name::new(#(#all),*))
         }
         Shape::Array(inner, n) => {
             let all: Vec<TokenStream> = (0..*n).map(|_| build(inner, numbers)).collect();
@@ -328,7 +328,7 @@ pub fn shape_type(shape: &Shape, scalar: &TokenStream) -> TokenStream {
         Shape::Scalar | Shape::Any => scalar.clone(),
         Shape::Vector(_) | Shape::Matrix(_) | Shape::Euler => {
             let name = type_name(shape);
-            quote!(::kin::rt::#name<#scalar>)
+            quote!(::kin::emitted::#name<#scalar>)
         }
         Shape::Array(inner, n) => {
             let (inner, n) = (shape_type(inner, scalar), Literal::usize_unsuffixed(*n));
@@ -368,11 +368,11 @@ pub fn leaf_function(graph: &Graph, leaf: usize, value: &OpaqueValue, items: &[s
     };
     let body = Writer::new(&mut value_of, Site::Leaf(graph)).whole(&value.template);
     // What has no derivatives, such as an f64, is a constant of the dual copy.
-    let body = quote!((&::kin::rt::Foreign(#body)).lifted(::core::marker::PhantomData::<__D>));
-    let output = shape_type(shape, &quote!(::kin::rt::Real<__D>));
-    let [input, output, body] = [quote!([::kin::rt::Real<__D>; #n]), output, body].map(silent);
+    let body = quote!((&::kin::emitted::Foreign(#body)).lifted(::core::marker::PhantomData::<__D>));
+    let output = shape_type(shape, &quote!(::kin::emitted::Real<__D>));
+    let [input, output, body] = [quote!([::kin::emitted::Real<__D>; #n]), output, body].map(silent);
     quote! {
-        fn #name<__D: ::kin::rt::Dual>(&self, #x: #input) -> #output {
+        fn #name<__D: ::kin::emitted::Dual>(&self, #x: #input) -> #output {
             #(#[allow(unused)] #items)*
             #body
         }

@@ -148,7 +148,7 @@ pub fn functions(lowered: &Lowered, timed: &Timed) -> TokenStream {
         #[doc = #doc]
         fn at_time(&self, t: f64, timed: &mut [f64]) {
             let ::core::option::Option::Some(timed) = timed.first_chunk_mut() else { return };
-            let at = ::kin::rt::At::new(t, &[], &[]);
+            let at = ::kin::emitted::At::new(t, &[], &[]);
             #code
             *timed = [#(#values),*];
         }
@@ -163,7 +163,7 @@ pub fn binding(timed: usize) -> TokenStream {
         let timed = match at.timed().first_chunk() {
             ::core::option::Option::Some(timed) => timed,
             ::core::option::Option::None => {
-                own = ::kin::rt::timed(self, at.t);
+                own = ::kin::emitted::timed(self, at.t);
                 &own
             }
         };

@@ -1,6 +1,6 @@
 //! The function as it was written, in plain f64, and what makes one slip one message: where rustc finds a
-//! mistake in it, or in what was taken for a number, the type [`kin::rt::If`] of everything made from it is
-//! unknown, and of unknown types rustc says nothing.
+//! mistake in it, or in what was taken for a number, the type [`kin::emitted::If`] of everything made from it
+//! is unknown, and of unknown types rustc says nothing.
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote, quote_spanned};
@@ -36,7 +36,7 @@ pub fn written(
     let constants = lowered.map(|lowered| constants(owner, lowered)).unwrap_or_default();
     let names = copy.inputs.iter().map(|(name, _)| name);
     let types = copy.inputs.iter().map(|(_, ty)| {
-        if constants.is_empty() { ty.clone() } else { quote!(::kin::rt::If<__CONSTANTS, #ty>) }
+        if constants.is_empty() { ty.clone() } else { quote!(::kin::emitted::If<__CONSTANTS, #ty>) }
     });
     let lints = copy.attributes.iter().filter(|attribute| {
         ["allow", "warn", "deny", "forbid"].iter().any(|word| attribute.path().is_ident(word))
@@ -44,9 +44,9 @@ pub fn written(
     let (output, body, unlinted) = (known(copy.output), using(copy.body, copy.used), super::unlinted());
     quote! {
         #[allow(unused_imports)]
-        use ::kin::rt::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
+        use ::kin::emitted::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
         #[allow(unused_imports)]
-        use ::kin::rt::{ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _, TakesAsIs as _, TakesConverted as _};
+        use ::kin::emitted::{ReceiveAny as _, ReceiveNumbers as _, ReceiveReference as _, TakesAsIs as _, TakesConverted as _};
         #constants
         /// The function as it was written.
         #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
@@ -55,9 +55,9 @@ pub fn written(
         #unlinted
         const __SOUND: bool = { let _ = __WRITTEN; #(let _ = #measures;)* true };
         #[allow(dead_code)]
-        type __Dual<D> = ::kin::rt::If<__SOUND, D>;
+        type __Dual<D> = ::kin::emitted::If<__SOUND, D>;
         #[allow(dead_code)]
-        type __Real<D> = ::kin::rt::Real<__Dual<D>>;
+        type __Real<D> = ::kin::emitted::Real<__Dual<D>>;
     }
 }
 
@@ -117,12 +117,12 @@ fn pattern(argument: &Argument) -> TokenStream {
 /// The type of an argument inside of the body.
 pub fn plain_type(kind: &Kind, ty: &Type) -> TokenStream {
     match kind {
-        Kind::Planar => quote!(::kin::rt::PlanarState),
-        Kind::Spatial => quote!(::kin::rt::SpatialState),
+        Kind::Planar => quote!(::kin::emitted::PlanarState),
+        Kind::Spatial => quote!(::kin::emitted::SpatialState),
         Kind::Coord | Kind::Time => quote!(f64),
         Kind::Coords(n) => super::array(&quote!(f64), *n),
-        Kind::Planars(n) => super::array(&quote!(::kin::rt::PlanarState), *n),
-        Kind::Spatials(n) => super::array(&quote!(::kin::rt::SpatialState), *n),
+        Kind::Planars(n) => super::array(&quote!(::kin::emitted::PlanarState), *n),
+        Kind::Spatials(n) => super::array(&quote!(::kin::emitted::SpatialState), *n),
         Kind::Other => parameter_type(ty),
         Kind::Numbers(_) | Kind::Law | Kind::Axis => ty.to_token_stream(),
     }
@@ -131,8 +131,8 @@ pub fn plain_type(kind: &Kind, ty: &Type) -> TokenStream {
 /// A type that only rustc knows, if it is one of a parameter: a value of its own, and no alias of a
 /// coordinate.
 pub fn parameter_type(ty: &Type) -> TokenStream {
-    let is_parameter = quote_spanned!(ty.span()=> { ::kin::rt::is_parameter::<#ty>() });
-    quote!(::kin::rt::If<#is_parameter, #ty>)
+    let is_parameter = quote_spanned!(ty.span()=> { ::kin::emitted::is_parameter::<#ty>() });
+    quote!(::kin::emitted::If<#is_parameter, #ty>)
 }
 
 struct Known;
@@ -146,7 +146,7 @@ impl VisitMut for Known {
     }
 }
 
-/// Code over `__D` that is silent where the written function does not compile: `::kin::rt::Real` becomes
+/// Code over `__D` that is silent where the written function does not compile: `::kin::emitted::Real` becomes
 /// `__Real`, and `__D` by itself `__Dual<__D>`.
 pub fn silent(tokens: TokenStream) -> TokenStream {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
@@ -179,9 +179,9 @@ pub fn silent(tokens: TokenStream) -> TokenStream {
     out.into_iter().collect()
 }
 
-/// How many of the first tokens are `::kin::rt::Real`.
+/// How many of the first tokens are `::kin::emitted::Real`.
 fn real_path(tokens: &[TokenTree]) -> Option<usize> {
-    const PATH: [&str; 9] = [":", ":", "kin", ":", ":", "rt", ":", ":", "Real"];
+    const PATH: [&str; 9] = [":", ":", "kin", ":", ":", "emitted", ":", ":", "Real"];
     let matches = tokens.len() >= PATH.len() && tokens.iter().zip(PATH).all(|(token, text)| is(token, text));
     matches.then_some(PATH.len())
 }

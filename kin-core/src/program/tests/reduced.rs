@@ -1,43 +1,13 @@
 //! What the program computes is what a system does: positions, velocities and accelerations at the times of a
 //! motion.
 
-use kin_graph::{Input, LeafUse, Node, Source, evaluate};
+use kin_graph::{Node, evaluate};
 
+use super::at::At;
 use super::models::{chain, four_bar, gallery};
-use crate::program::stages::{Pose, Program, law_at, program};
+use crate::program::stages::{Pose, Program, program};
 use crate::system::scale;
 use crate::{System, linspace};
-
-/// Coordinates of which only the torn ones are read, and what `verify` is given.
-struct At<'a> {
-    t: f64,
-    q: &'a [f64],
-    given: &'a [f64],
-    program: &'a Program,
-}
-
-impl Source<f64> for At<'_> {
-    fn input(&self, input: Input) -> f64 {
-        match input {
-            Input::State(j, _) if self.program.torn.contains(&j) => self.q[j],
-            Input::Column(j) => self.given[j],
-            Input::Time => self.t,
-            other => unreachable!("{other:?}"),
-        }
-    }
-
-    fn law(&self, law: usize, x: f64, order: u8) -> f64 {
-        law_at(&self.program.laws, law, x, order)
-    }
-
-    fn opaque(&self, _: usize, _: usize, _: Vec<f64>) -> f64 {
-        unreachable!("foreign values are folded")
-    }
-
-    fn leaf(&self, _: LeafUse, _: Vec<f64>) -> f64 {
-        unreachable!("formulas have no leaves")
-    }
-}
 
 pub(in crate::program) fn compiled(
     system: &System,

@@ -2,15 +2,16 @@
 
 use std::marker::PhantomData;
 
-use kin_graph::{Input, LeafUse, Node, Source, evaluate};
+use kin_graph::{Node, evaluate};
 use pulp::NullaryFnOnce;
 
+use super::at::At;
 use super::models::{chain, four_bar, gallery};
 use super::reduced::compiled;
 use crate::linspace;
 use crate::numbers::lanes::{Lanes, Level, Wide, WithLevel};
 use crate::program::schedule;
-use crate::program::stages::{Program, law_at};
+use crate::program::stages::Program;
 use crate::program::tape::replay::Replay;
 use crate::program::tape::{Stage, Tape};
 
@@ -64,36 +65,6 @@ impl<S: Level> NullaryFnOnce for Again<'_, S> {
     #[inline(always)]
     fn call(self) {
         self.0.call();
-    }
-}
-
-struct At<'a> {
-    t: f64,
-    q: &'a [f64],
-    given: &'a [f64],
-    program: &'a Program,
-}
-
-impl Source<f64> for At<'_> {
-    fn input(&self, input: Input) -> f64 {
-        match input {
-            Input::State(j, _) => self.q[j],
-            Input::Column(j) => self.given[j],
-            Input::Time => self.t,
-            other => unreachable!("{other:?}"),
-        }
-    }
-
-    fn law(&self, law: usize, x: f64, order: u8) -> f64 {
-        law_at(&self.program.laws, law, x, order)
-    }
-
-    fn opaque(&self, _: usize, _: usize, _: Vec<f64>) -> f64 {
-        unreachable!("foreign values are folded")
-    }
-
-    fn leaf(&self, _: LeafUse, _: Vec<f64>) -> f64 {
-        unreachable!("formulas have no leaves")
     }
 }
 

@@ -34,7 +34,7 @@ impl Kernel<'_> {
             }
             Input::Parameter(k) => {
                 let value = &self.lowered.parameters[k];
-                quote!(::kin::rt::Real::<__D>::from(#value))
+                quote!(::kin::emitted::Real::<__D>::from(#value))
             }
             Input::State(slot, part) => {
                 let place = &self.places[slot];
@@ -44,8 +44,8 @@ impl Kernel<'_> {
                     Part::R(1) => quote!(#place.r.y),
                     Part::R(_) => quote!(#place.r.z),
                     Part::Theta if bare => quote!(#place),
-                    Part::Sin if bare => quote!(<::kin::rt::Real<__D>>::sin(#place)),
-                    Part::Cos if bare => quote!(<::kin::rt::Real<__D>>::cos(#place)),
+                    Part::Sin if bare => quote!(<::kin::emitted::Real<__D>>::sin(#place)),
+                    Part::Cos if bare => quote!(<::kin::emitted::Real<__D>>::cos(#place)),
                     Part::Theta => quote!(#place.theta),
                     Part::Sin => quote!(#place.sin),
                     Part::Cos => quote!(#place.cos),
@@ -56,7 +56,7 @@ impl Kernel<'_> {
                 }
             }
             Input::Column(_) | Input::Rate(..) | Input::TimeRate | Input::Timed(_) => {
-                quote!(::kin::rt::Real::<__D>::from(f64::NAN))
+                quote!(::kin::emitted::Real::<__D>::from(f64::NAN))
             }
         }
     }
@@ -77,7 +77,7 @@ impl Kernel<'_> {
                         if is_condition(kernel.lowered, n) {
                             given
                         } else {
-                            quote!(::kin::rt::Real::value(#given))
+                            quote!(::kin::emitted::Real::value(#given))
                         }
                     })
                 });
@@ -85,14 +85,14 @@ impl Kernel<'_> {
                 Some(if is_condition(self.lowered, node) {
                     number
                 } else {
-                    quote!(::kin::rt::Real::<__D>::from(#number))
+                    quote!(::kin::emitted::Real::<__D>::from(#number))
                 })
             }
             Op::Leaf(LeafUse { leaf, output, .. }) => {
                 let leaf = self.graph().leaves[leaf].clone();
                 let (kind, function) = (&self.lowered.leaves[leaf.call].kind, template::leaf_name(leaf.call));
                 let kin_language::lower::OpaqueKind::Numbers(shape) = kind else { return None };
-                let ty = template::shape_type(shape, &quote!(::kin::rt::Real<__D>));
+                let ty = template::shape_type(shape, &quote!(::kin::emitted::Real<__D>));
                 let name = self.evaluated(format!("leaf {leaf:?}"), "leaf", &ty, |kernel| {
                     let values: Vec<TokenStream> =
                         leaf.arguments.iter().map(|&n| kernel.expression(n)).collect();

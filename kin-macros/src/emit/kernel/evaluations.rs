@@ -32,7 +32,7 @@ impl Kernel<'_> {
                 // The type is what the macro took the value for: where that is wrong, rustc says so at the
                 // user's token.
                 let ty = template::kind_type(&value.kind);
-                let ty = quote!(::kin::rt::If<__SOUND, #ty>);
+                let ty = quote!(::kin::emitted::If<__SOUND, #ty>);
                 let key = format!("opaque {number}");
                 let name = self.evaluated(key, "o", &ty, |kernel| {
                     template::plain(&value.template, &mut |n| kernel.expression(n))
@@ -59,14 +59,14 @@ impl Kernel<'_> {
             .map(|input| {
                 let value = self.expression(input);
                 if is_condition(self.lowered, input) {
-                    quote!(::kin::rt::Mask::as_numbers(#value))
+                    quote!(::kin::emitted::Mask::as_numbers(#value))
                 } else {
                     value
                 }
             })
             .collect();
         let [n, m, k, slot] = [inputs.len(), count, number, slot].map(Literal::usize_unsuffixed);
-        let ty = quote!([::kin::rt::Wide<__S>; #m]);
+        let ty = quote!([::kin::emitted::Wide<__S>; #m]);
         let name = self.evaluated(
             format!("evaluation {number}"),
             "call",
@@ -106,9 +106,11 @@ impl Kernel<'_> {
             LeafNumber::Second(d) => (format!("leaf {} along {d}", of.leaf), quote!(.0.v2)),
         };
         let scalar = match of.what {
-            LeafNumber::Value => quote!(::kin::rt::Real<f64>),
-            LeafNumber::Partial(_) => quote!(::kin::rt::Real<::kin::rt::Dual64>),
-            LeafNumber::First(_) | LeafNumber::Second(_) => quote!(::kin::rt::Real<::kin::rt::Dual2_64>),
+            LeafNumber::Value => quote!(::kin::emitted::Real<f64>),
+            LeafNumber::Partial(_) => quote!(::kin::emitted::Real<::kin::emitted::Dual64>),
+            LeafNumber::First(_) | LeafNumber::Second(_) => {
+                quote!(::kin::emitted::Real<::kin::emitted::Dual2_64>)
+            }
         };
         let OpaqueKind::Numbers(shape) = &leaf.kind else { return quote!(f64::NAN) };
         let name = self.evaluated(key, "leaf", &template::shape_type(shape, &scalar), |kernel| {
@@ -118,12 +120,12 @@ impl Kernel<'_> {
                 .map(|(k, &a)| {
                     let x = kernel.expression(a);
                     match of.what {
-                        LeafNumber::Value => quote!(::kin::rt::Real(#x)),
+                        LeafNumber::Value => quote!(::kin::emitted::Real(#x)),
                         LeafNumber::Partial(by) if by == k => {
                             let seed = number(1.0);
-                            quote!(::kin::rt::Real(::kin::rt::Dual64::new(#x, #seed)))
+                            quote!(::kin::emitted::Real(::kin::emitted::Dual64::new(#x, #seed)))
                         }
-                        LeafNumber::Partial(_) => quote!(::kin::rt::Real::from(#x)),
+                        LeafNumber::Partial(_) => quote!(::kin::emitted::Real::from(#x)),
                         LeafNumber::First(d) | LeafNumber::Second(d) => along(kernel, &directions[d], k, &x),
                     }
                 })
@@ -139,14 +141,14 @@ impl Kernel<'_> {
 fn along(kernel: &mut Kernel, direction: &Direction, k: usize, x: &TokenStream) -> TokenStream {
     let graph = kernel.graph();
     if graph.is_zero(direction.first[k]) && graph.is_zero(direction.second[k]) {
-        return quote!(::kin::rt::Real::from(#x));
+        return quote!(::kin::emitted::Real::from(#x));
     }
     let (first, second) = (kernel.expression(direction.first[k]), kernel.expression(direction.second[k]));
     match direction.moves[k] {
-        None => quote!(::kin::rt::Real(::kin::rt::Dual2_64::new(#x, #first, #second))),
+        None => quote!(::kin::emitted::Real(::kin::emitted::Dual2_64::new(#x, #first, #second))),
         Some(moves) => {
             let moves = kernel.expression(moves);
-            quote!(::kin::rt::Real(::kin::rt::Dual2_64::moving_where(#moves, #x, #first, #second)))
+            quote!(::kin::emitted::Real(::kin::emitted::Dual2_64::moving_where(#moves, #x, #first, #second)))
         }
     }
 }

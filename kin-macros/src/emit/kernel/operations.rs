@@ -9,7 +9,7 @@ impl Kernel<'_> {
             Op::Constant(bits) => self.constant(f64::from_bits(bits)),
             Op::Decimal(k) => self.constant(self.graph().decimals[k].nearest),
             Op::Truth(value) if self.numbers == Numbers::Wide => {
-                quote!(::kin::rt::Mask::splat(at.simd, #value))
+                quote!(::kin::emitted::Mask::splat(at.simd, #value))
             }
             Op::Truth(value) => quote!(#value),
             Op::Add(a, b) => self.infix(a, quote!(+), b),
@@ -52,7 +52,7 @@ impl Kernel<'_> {
                 let (c, a, b) = (self.expression(c), self.expression(a), self.expression(b));
                 match self.numbers {
                     Numbers::Plain | Numbers::Dual => quote!(if #c { #a } else { #b }),
-                    Numbers::Wide => quote!(::kin::rt::Mask::select(#c, #a, #b)),
+                    Numbers::Wide => quote!(::kin::emitted::Mask::select(#c, #a, #b)),
                 }
             }
             // These have names before they are written.
@@ -65,16 +65,16 @@ impl Kernel<'_> {
         match self.numbers {
             Numbers::Plain => value,
             Numbers::Wide => quote!(at.splat(#value)),
-            Numbers::Dual => quote!(::kin::rt::Real::<__D>::from(#value)),
+            Numbers::Dual => quote!(::kin::emitted::Real::<__D>::from(#value)),
         }
     }
 
     /// Where the functions of the numbers are.
     pub(super) fn functions_of(&self) -> TokenStream {
         match self.numbers {
-            Numbers::Plain => quote!(::kin::rt::math),
-            Numbers::Wide => quote!(::kin::rt::Wide),
-            Numbers::Dual => quote!(<::kin::rt::Real<__D>>),
+            Numbers::Plain => quote!(::kin::emitted::math),
+            Numbers::Wide => quote!(::kin::emitted::Wide),
+            Numbers::Dual => quote!(<::kin::emitted::Real<__D>>),
         }
     }
 

@@ -39,7 +39,7 @@ impl Rewriter {
     fn number_function(&mut self, expression: &mut Expr) {
         if let (Expr::Path(path), Copy::Dual) = (&*expression, self.copy) {
             let (rest, dual) = (path.path.segments.iter().skip(1), &self.dual);
-            *expression = parse_quote!(<::kin::rt::Real<#dual>>::#(#rest)::*);
+            *expression = parse_quote!(<::kin::emitted::Real<#dual>>::#(#rest)::*);
         }
     }
 
@@ -68,7 +68,7 @@ impl Rewriter {
             let (at, dual) = (mixed(expression), &self.dual);
             let place = &*expression;
             let value = quote!(::core::clone::Clone::clone(&#place));
-            *expression = parse_quote_spanned!(at=> (&::kin::rt::Foreign(#value)).lifted(::core::marker::PhantomData::<#dual>));
+            *expression = parse_quote_spanned!(at=> (&::kin::emitted::Foreign(#value)).lifted(::core::marker::PhantomData::<#dual>));
         }
     }
 
@@ -76,9 +76,9 @@ impl Rewriter {
     fn lift_result(&mut self, expression: &mut Expr) {
         let (at, dual, value) = (mixed(expression), &self.dual, &*expression);
         *expression = match self.copy {
-            Copy::Plain => parse_quote_spanned!(at=> (&::kin::rt::Foreign(#value)).lowered()),
+            Copy::Plain => parse_quote_spanned!(at=> (&::kin::emitted::Foreign(#value)).lowered()),
             Copy::Dual => {
-                parse_quote_spanned!(at=> (&::kin::rt::Foreign(#value)).lifted(::core::marker::PhantomData::<#dual>))
+                parse_quote_spanned!(at=> (&::kin::emitted::Foreign(#value)).lifted(::core::marker::PhantomData::<#dual>))
             }
         };
     }
@@ -105,7 +105,7 @@ impl Rewriter {
         match names(&path).iter().map(String::as_str).collect::<Vec<_>>()[..] {
             ["f64", "from"] if self.copy == Copy::Dual => {
                 let (at, dual) = (mixed(&call.func), self.dual.clone());
-                *call.func = parse_quote_spanned!(at=> ::kin::rt::cast::<#dual, _>);
+                *call.func = parse_quote_spanned!(at=> ::kin::emitted::cast::<#dual, _>);
                 call.args.iter_mut().for_each(|argument| self.visit_expr_mut(argument));
             }
             _ if is_number_function(&path) => {
@@ -148,7 +148,7 @@ impl Rewriter {
     /// where there is no such function, rustc then says the same of both.
     fn callee(&self, callee: &mut Expr) {
         *callee = match self.copy {
-            Copy::Dual => parse_quote_spanned!(mixed(callee)=> ::kin::rt::callee::<__SOUND, _>(#callee)),
+            Copy::Dual => parse_quote_spanned!(mixed(callee)=> ::kin::emitted::callee::<__SOUND, _>(#callee)),
             Copy::Plain => parse_quote_spanned!(callee.span()=> (#callee)),
         };
     }
@@ -168,7 +168,7 @@ impl Rewriter {
         call.args.iter_mut().for_each(|argument| self.visit_expr_mut(argument));
         if call.args.is_empty() && self.copy == Copy::Dual {
             let dual = &self.dual;
-            *expression = parse_quote!(::kin::rt::Lift::<#dual>::lift(#call));
+            *expression = parse_quote!(::kin::emitted::Lift::<#dual>::lift(#call));
         }
     }
 
@@ -220,7 +220,7 @@ impl Rewriter {
         if self.copy == Copy::Dual && (is_place || of_number) {
             let (at, dual, value) = (mixed(receiver), &self.dual, &*receiver);
             let value = if is_place { quote!(::core::clone::Clone::clone(&#value)) } else { quote!(#value) };
-            *receiver = parse_quote_spanned!(at=> (&&::kin::rt::Foreign(#value)).receiver(::core::marker::PhantomData::<#dual>));
+            *receiver = parse_quote_spanned!(at=> (&&::kin::emitted::Foreign(#value)).receiver(::core::marker::PhantomData::<#dual>));
         }
     }
 
@@ -303,11 +303,11 @@ impl Rewriter {
                 *argument = match self.copy {
                     Copy::Plain => {
                         let lifted =
-                            quote!(::kin::rt::Lift::<f64>::lift(::core::clone::Clone::clone(&#inner)));
-                        parse_quote_spanned!(at=> ::kin::rt::reference_argument(&#inner, &#lifted))
+                            quote!(::kin::emitted::Lift::<f64>::lift(::core::clone::Clone::clone(&#inner)));
+                        parse_quote_spanned!(at=> ::kin::emitted::reference_argument(&#inner, &#lifted))
                     }
                     Copy::Dual => {
-                        parse_quote_spanned!(at=> ::kin::rt::reference_argument(&::kin::rt::constants(&#inner), &#inner))
+                        parse_quote_spanned!(at=> ::kin::emitted::reference_argument(&::kin::emitted::constants(&#inner), &#inner))
                     }
                 };
                 return;
@@ -320,12 +320,12 @@ impl Rewriter {
             _ => self.visit_expr_mut(argument),
         }
         *argument = match (self.copy, nature.varies) {
-            (Copy::Plain, _) => parse_quote_spanned!(at=> ::kin::rt::plain_argument(#argument)),
+            (Copy::Plain, _) => parse_quote_spanned!(at=> ::kin::emitted::plain_argument(#argument)),
             (Copy::Dual, true) if place == Place::Field => {
-                parse_quote_spanned!(at=> ::kin::rt::Jet(#argument).field())
+                parse_quote_spanned!(at=> ::kin::emitted::Jet(#argument).field())
             }
-            (Copy::Dual, true) => parse_quote_spanned!(at=> ::kin::rt::Jet(#argument).argument()),
-            (Copy::Dual, false) => parse_quote_spanned!(at=> ::kin::rt::constant_argument(#argument)),
+            (Copy::Dual, true) => parse_quote_spanned!(at=> ::kin::emitted::Jet(#argument).argument()),
+            (Copy::Dual, false) => parse_quote_spanned!(at=> ::kin::emitted::constant_argument(#argument)),
         };
     }
 

@@ -41,7 +41,7 @@ impl Rewriter {
         if lifted && copy == Copy::Dual {
             self.dual = Ident::new("__E", Span::call_site());
             visit_mut::visit_signature_mut(self, &mut function.sig);
-            function.sig.generics.params.push(parse_quote!(__E: ::kin::rt::Dual));
+            function.sig.generics.params.push(parse_quote!(__E: ::kin::emitted::Dual));
         } else {
             self.copy = Copy::Plain;
         }

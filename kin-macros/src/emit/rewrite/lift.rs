@@ -20,11 +20,11 @@ impl VisitMut for Lifter<'_> {
             && last.arguments.is_empty()
         {
             match last.ident.to_string().as_str() {
-                "f64" => return *ty = parse_quote!(::kin::rt::Real<#dual>),
+                "f64" => return *ty = parse_quote!(::kin::emitted::Real<#dual>),
                 name @ ("Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "Axis" | "PlanarState"
                 | "SpatialState") => {
                     let name = Ident::new(name, Span::call_site());
-                    return *ty = parse_quote!(::kin::rt::#name<::kin::rt::Real<#dual>>);
+                    return *ty = parse_quote!(::kin::emitted::#name<::kin::emitted::Real<#dual>>);
                 }
                 _ => {}
             }
@@ -91,7 +91,7 @@ impl Rewriter {
         };
         if is_float && self.copy == Copy::Dual {
             let (at, dual) = (Span::mixed_site().located_at(literal.span()), &self.dual);
-            *expression = parse_quote_spanned!(at=> ::kin::rt::Real::<#dual>::from(#literal));
+            *expression = parse_quote_spanned!(at=> ::kin::emitted::Real::<#dual>::from(#literal));
         }
     }
 
@@ -105,12 +105,12 @@ impl Rewriter {
             ("f64", Copy::Dual) => {
                 self.visit_expr_mut(&mut cast.expr);
                 let inner = &cast.expr;
-                *expression = parse_quote_spanned!(at=> ::kin::rt::cast::<#dual, _>(#inner));
+                *expression = parse_quote_spanned!(at=> ::kin::emitted::cast::<#dual, _>(#inner));
             }
             (name, Copy::Dual) if is_integer(name) && !foreign => {
                 self.visit_expr_mut(&mut cast.expr);
                 let inner = &cast.expr;
-                *expression = parse_quote_spanned!(at=> ::kin::rt::whole::<#ty, _>(#inner));
+                *expression = parse_quote_spanned!(at=> ::kin::emitted::whole::<#ty, _>(#inner));
             }
             _ if foreign => self.place(&mut cast.expr),
             _ => self.visit_expr_mut(&mut cast.expr),

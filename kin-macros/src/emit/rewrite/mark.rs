@@ -20,11 +20,11 @@ impl Rewriter {
         Some(expressions.number(expression))
     }
 
-    /// `::kin::rt::ended(number, expression)`. An argument of a call lives as long as the expression itself
-    /// would.
+    /// `::kin::emitted::ended(number, expression)`. An argument of a call lives as long as the expression
+    /// itself would.
     pub(super) fn mark(&self, expression: &mut Expr, number: usize) {
         let (dual, number) = (&self.dual, Literal::usize_unsuffixed(number));
-        let mut call: syn::ExprCall = parse_quote!(::kin::rt::ended::<#dual, _>(#number));
+        let mut call: syn::ExprCall = parse_quote!(::kin::emitted::ended::<#dual, _>(#number));
         call.args.push(std::mem::replace(expression, Expr::PLACEHOLDER));
         *expression = Expr::Call(call);
     }

@@ -21,7 +21,7 @@ impl Rewriter {
             _ => return,
         };
         let at = path.span();
-        *path = parse_quote_spanned!(at=> ::kin::rt::#state::#(#rest)::*);
+        *path = parse_quote_spanned!(at=> ::kin::emitted::#state::#(#rest)::*);
     }
 
     /// Whether all arguments of a call have types of their own, whatever the function asks for.

@@ -26,7 +26,7 @@ impl Writer<'_> {
             all.push(match (field, self.site) {
                 (Template::Numbers(nodes, shape, _), Site::Leaf(graph)) if !std && !varies(graph, nodes) => {
                     let built = self.built(nodes, shape);
-                    quote!(::kin::rt::constant_argument(#built))
+                    quote!(::kin::emitted::constant_argument(#built))
                 }
                 (Template::Numbers(nodes, shape, _), _) if !std => self.built(nodes, shape),
                 (field, _) if std => self.write(field, using),
@@ -47,19 +47,21 @@ impl Writer<'_> {
         let built = match dimension {
             2 => {
                 let [x, y, theta, sin, cos] = &all[..] else { return quote!(()) };
-                quote!(::kin::rt::PlanarState { r: ::kin::rt::Vec2::new(#x, #y), theta: #theta, sin: #sin, cos: #cos })
+                quote!(::kin::emitted::PlanarState { r: ::kin::emitted::Vec2::new(#x, #y), theta: #theta, sin: #sin, cos: #cos })
             }
             _ => {
                 let (r, p, a) = (&all[..3], &all[3..7], &all[7..]);
-                let (r, p) =
-                    (quote!(::kin::rt::Vec3::new(#(#r),*)), quote!(::kin::rt::EulerParameters::new(#(#p),*)));
-                quote!(::kin::rt::SpatialState { r: #r, p: #p, a: ::kin::rt::Mat3::new(#(#a),*) })
+                let (r, p) = (
+                    quote!(::kin::emitted::Vec3::new(#(#r),*)),
+                    quote!(::kin::emitted::EulerParameters::new(#(#p),*)),
+                );
+                quote!(::kin::emitted::SpatialState { r: #r, p: #p, a: ::kin::emitted::Mat3::new(#(#a),*) })
             }
         };
         match (using, self.site) {
             (Use::Value | Use::Place, _) => quote!((#built)),
-            (_, Site::Leaf(_)) => quote_spanned!(at=> ::kin::rt::Jet(#built).argument()),
-            _ => quote_spanned!(at=> ::kin::rt::plain_argument(#built)),
+            (_, Site::Leaf(_)) => quote_spanned!(at=> ::kin::emitted::Jet(#built).argument()),
+            _ => quote_spanned!(at=> ::kin::emitted::plain_argument(#built)),
         }
     }
 
@@ -68,9 +70,9 @@ impl Writer<'_> {
             let (built, at) =
                 (self.state(nodes, *dimension, *at, Use::Value), Span::mixed_site().located_at(*at));
             return match self.site {
-                Site::Leaf(_) => quote_spanned!(at=> ::kin::rt::Jet(&#built).argument()),
+                Site::Leaf(_) => quote_spanned!(at=> ::kin::emitted::Jet(&#built).argument()),
                 _ => {
-                    quote_spanned!(at=> ::kin::rt::reference_argument(&#built, &::kin::rt::Lift::<f64>::lift(#built)))
+                    quote_spanned!(at=> ::kin::emitted::reference_argument(&#built, &::kin::emitted::Lift::<f64>::lift(#built)))
                 }
             };
         }
@@ -81,13 +83,13 @@ impl Writer<'_> {
         let (built, at) = (self.built(nodes, shape), Span::mixed_site().located_at(*at));
         match self.site {
             Site::Leaf(graph) if varies(graph, nodes) => {
-                quote_spanned!(at=> ::kin::rt::Jet(&#built).argument())
+                quote_spanned!(at=> ::kin::emitted::Jet(&#built).argument())
             }
             Site::Leaf(_) => {
-                quote_spanned!(at=> ::kin::rt::reference_argument(&::kin::rt::constants(&#built), &#built))
+                quote_spanned!(at=> ::kin::emitted::reference_argument(&::kin::emitted::constants(&#built), &#built))
             }
             _ => {
-                quote_spanned!(at=> ::kin::rt::reference_argument(&#built, &::kin::rt::Lift::<f64>::lift(#built)))
+                quote_spanned!(at=> ::kin::emitted::reference_argument(&#built, &::kin::emitted::Lift::<f64>::lift(#built)))
             }
         }
     }
