@@ -16,10 +16,10 @@
 
 mod bounds;
 mod central;
+mod entries;
 mod lanes;
 mod law;
 mod promises;
-mod table;
 
 pub use crate::model::mismatch::{Entry, Mismatch};
 pub use lanes::{LaneMismatch, lanes};
@@ -146,7 +146,7 @@ fn at_state<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
         report.routes = report.routes.max(difference);
         report.differences = report.differences.max(differs);
         if !(difference <= ROUTES_TOLERANCE && differs <= DIFFERENCES_TOLERANCE) {
-            entries.extend(table::entries(equation, term, &a, &b, c, scale));
+            entries.extend(entries::differing(equation, term, &a, &b, c, scale));
         }
     }
     entries.extend(promises::broken::<E, N, M>(equation, q, qd, t, &dual));

@@ -10,14 +10,14 @@ use std::collections::BTreeMap;
 use kin_graph::{Graph, Node};
 
 use super::blocks::blocks;
-use super::core::Core;
+use super::cofactors::Cofactors;
 use super::reduce::over;
 use super::substitute::Order;
 
 /// A pivot is at least this share of the largest cell in its row, where the guess is.   \[-\]
 const THRESHOLD: f64 = 0.1;
 
-/// Rows that are left of a block of more than [`Core::MOST`].
+/// Rows that are left of a block of more than [`Cofactors::MOST`].
 const LEFT: usize = 2;
 
 /// The cells that elimination makes, beyond which a mechanism is too much at once.
@@ -43,7 +43,7 @@ pub(super) struct Elimination<'a> {
 struct Block {
     rows: Vec<usize>,
     pivots: Vec<Pivot>,
-    core: Core,
+    cofactors: Cofactors,
 }
 
 /// One pivot of a larger block.
@@ -146,22 +146,23 @@ impl<'a> Elimination<'a> {
                 self.cells[row].iter().filter(own).map(|(column, cell)| (*column, *cell)).collect(),
             );
         }
-        let (mut pivots, most) = (Vec::new(), if rows.len() <= Core::MOST { Core::MOST } else { LEFT });
+        let (mut pivots, most) =
+            (Vec::new(), if rows.len() <= Cofactors::MOST { Cofactors::MOST } else { LEFT });
         let mut left = columns;
         while active.len() > most {
             let (row, column) = choose(graph, &active, sizes, numbers).ok_or(SINGULAR)?;
             left.retain(|known| *known != column);
             pivots.push(pivot(graph, &mut active, row, column));
         }
-        let core = Core::new(graph, active.into_iter().collect(), left);
-        Ok(Block { rows, pivots, core })
+        let cofactors = Cofactors::new(graph, active.into_iter().collect(), left);
+        Ok(Block { rows, pivots, cofactors })
     }
 
     /// What is to be watched, block by block: pivots and determinants. Signs of their products are the
     /// orientations.
     pub(super) fn guards(&self) -> Vec<Vec<Node>> {
         let of = |block: &Block| {
-            block.pivots.iter().map(|pivot| pivot.guard).chain([block.core.determinant]).collect()
+            block.pivots.iter().map(|pivot| pivot.guard).chain([block.cofactors.determinant]).collect()
         };
         self.blocks.iter().map(of).collect()
     }
@@ -198,7 +199,8 @@ impl<'a> Elimination<'a> {
 
     fn solve_block(&self, graph: &mut Graph, block: &Block, rhs: &[Node], x: &mut [Node]) {
         let own = |column: &usize| {
-            block.core.columns.contains(column) || block.pivots.iter().any(|pivot| pivot.column == *column)
+            block.cofactors.columns.contains(column)
+                || block.pivots.iter().any(|pivot| pivot.column == *column)
         };
         let mut known: BTreeMap<usize, Node> = BTreeMap::new();
         for &row in &block.rows {
@@ -219,8 +221,8 @@ impl<'a> Elimination<'a> {
                 known.insert(*row, sum);
             }
         }
-        let b: Vec<Node> = block.core.rows.iter().map(|row| known[row]).collect();
-        for (column, node) in block.core.columns.iter().zip(block.core.solve(graph, &b)) {
+        let b: Vec<Node> = block.cofactors.rows.iter().map(|row| known[row]).collect();
+        for (column, node) in block.cofactors.columns.iter().zip(block.cofactors.solve(graph, &b)) {
             x[*column] = node;
         }
         for pivot in block.pivots.iter().rev() {

@@ -7,7 +7,7 @@
 //! many times of one run with it.
 
 mod blocks;
-mod core;
+mod cofactors;
 mod eliminate;
 mod gather;
 mod kind;
@@ -18,7 +18,7 @@ mod stages;
 mod substitute;
 mod tape;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 pub(crate) use gather::{Refusal, UNREAD};
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! The passes against what a system itself evaluates, on the mechanisms of the gallery.
 
 mod at;
-mod models;
+pub(crate) mod models;
 mod reduced;
 mod replay;
 mod terms;

@@ -5,7 +5,7 @@ use crate::joints::{drivers::drive_angle, planar::revolute};
 use crate::{Ground, Law, Mechanism, System, deg, vec2};
 
 /// Every mechanism of the gallery that is made of the library's constraints.
-pub(in crate::program) fn gallery() -> Vec<(String, System)> {
+fn gallery() -> Vec<(String, System)> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/data/examples");
     let mut paths: Vec<_> =
         std::fs::read_dir(folder).expect("the gallery").map(|file| file.expect("a file").path()).collect();
@@ -17,10 +17,17 @@ pub(in crate::program) fn gallery() -> Vec<(String, System)> {
     paths.iter().filter_map(system).collect()
 }
 
-/// The four-bar of the workloads.
-pub(in crate::program) fn four_bar() -> System {
+/// All that passes are tried on.
+pub(in crate::program) fn systems() -> impl Iterator<Item = (String, System)> {
+    let own = [("four-bar", four_bar(1.0)), ("chain", chain(12))];
+    gallery().into_iter().chain(own.map(|(name, system)| (name.to_string(), system)))
+}
+
+/// The four-bar of the workloads, its crank's length given.
+pub(crate) fn four_bar(crank_length: f64) -> System {
     let mut m = Mechanism::new("four-bar");
-    let (crank, coupler) = (m.link("crank", 1.0).expect("a link"), m.link("coupler", 3.5).expect("a link"));
+    let (crank, coupler) =
+        (m.link("crank", crank_length).expect("a link"), m.link("coupler", 3.5).expect("a link"));
     let rocker = m.link("rocker", 3.0).expect("a link");
     m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).expect("adds");
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).expect("adds");
@@ -32,7 +39,7 @@ pub(in crate::program) fn four_bar() -> System {
 }
 
 /// A chain of links, each driven against the one before.
-pub(in crate::program) fn chain(links: usize) -> System {
+fn chain(links: usize) -> System {
     let mut m = Mechanism::new("chain");
     let mut last: Option<crate::Link> = None;
     for k in 0..links {

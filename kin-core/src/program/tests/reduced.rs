@@ -4,7 +4,7 @@
 use kin_graph::{Node, evaluate};
 
 use super::at::At;
-use super::models::{chain, four_bar, gallery};
+use super::models::systems;
 use crate::program::stages::{Pose, Program, program};
 use crate::system::scale;
 use crate::{System, linspace};
@@ -63,10 +63,8 @@ fn fades(program: &Program, times: [f64; 2], poses: [&[f64]; 2]) -> bool {
 
 #[test]
 fn the_program_has_the_positions_and_rates_of_the_system() {
-    let own =
-        [("four-bar", four_bar()), ("chain", chain(12))].map(|(name, system)| (name.to_string(), system));
     let (mut compared, mut refused) = (0, Vec::new());
-    for (name, system) in gallery().into_iter().chain(own) {
+    for (name, system) in systems() {
         let Ok(motion) = system.run(linspace(0.0, 0.5, 26)) else { continue };
         let program = match compiled(&system, 0.0, motion.q(0)) {
             Ok(program) => program,

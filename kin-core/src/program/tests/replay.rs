@@ -6,7 +6,7 @@ use kin_graph::{Node, evaluate};
 use pulp::NullaryFnOnce;
 
 use super::at::At;
-use super::models::{chain, four_bar, gallery};
+use super::models::systems;
 use super::reduced::compiled;
 use crate::linspace;
 use crate::numbers::lanes::{Lanes, Level, Wide, WithLevel};
@@ -80,9 +80,7 @@ fn scalar(program: &Program, t: f64, q: &[f64]) -> Vec<f64> {
 
 #[test]
 fn every_number_of_a_tape_is_that_of_its_program() {
-    let own =
-        [("four-bar", four_bar()), ("chain", chain(12))].map(|(name, system)| (name.to_string(), system));
-    for (name, system) in gallery().into_iter().chain(own) {
+    for (name, system) in systems() {
         let Ok(motion) = system.run(linspace(0.0, 0.4, 9)) else { continue };
         let (program, again) =
             (compiled(&system, 0.0, motion.q(0)).expect("compiles"), compiled(&system, 0.0, motion.q(0)));

@@ -2,7 +2,7 @@
 
 use kin_graph::{Input, LeafUse, Node, Source};
 
-use super::models::{chain, four_bar, gallery};
+use super::models::systems;
 use crate::System;
 use crate::numbers::random::Random;
 use crate::program::gather::{Whole, gather};
@@ -76,10 +76,8 @@ fn difference(system: &System, whole: &Whole, seed: u64) -> f64 {
 
 #[test]
 fn gathered_terms_are_those_of_the_system() {
-    let own =
-        [("four-bar", four_bar()), ("chain", chain(12))].map(|(name, system)| (name.to_string(), system));
     let mut gathered = 0;
-    for (name, system) in gallery().into_iter().chain(own) {
+    for (name, system) in systems() {
         match gather(&system) {
             Ok(whole) => {
                 gathered += 1;

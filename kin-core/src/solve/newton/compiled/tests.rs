@@ -1,23 +1,9 @@
 //! Faults of a generator are planted, and never come to a number.
 
 use super::*;
+use crate::program::tests::models::four_bar;
 use crate::program::{Program, plant};
-use crate::{Engine, Ground, Law, Mechanism, deg, linspace, vec2};
-
-/// A four-bar, its crank's length given.
-fn four_bar(a: f64) -> System {
-    use crate::joints::{drivers::drive_angle, planar::revolute};
-    let mut m = Mechanism::new("four-bar");
-    let (crank, coupler) = (m.link("crank", a).expect("a link"), m.link("coupler", 3.5).expect("a link"));
-    let rocker = m.link("rocker", 3.0).expect("a link");
-    m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).expect("adds");
-    m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).expect("adds");
-    m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).expect("adds");
-    m.add("C", revolute(Ground, rocker, vec2(4.0, 0.0), rocker.start())).expect("adds");
-    m.add("motor", drive_angle(crank, Law::ramp(6.0))).expect("adds");
-    m.prefer(rocker, deg(100.0));
-    m.build().expect("builds")
-}
+use crate::{Engine, linspace};
 
 /// A run by a program that was made of another system, or changed.
 fn run_with(system: &System, times: &[f64], made_of: &System, change: impl Fn(&mut Program)) -> Motion {

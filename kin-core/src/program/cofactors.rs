@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use kin_graph::{Graph, Node};
 
 /// A small system, its inverse as cofactors over the determinant.
-pub(super) struct Core {
+pub(super) struct Cofactors {
     pub rows: Vec<usize>,
     pub columns: Vec<usize>,
     pub determinant: Node,
@@ -14,7 +14,7 @@ pub(super) struct Core {
     adjugate: Vec<Vec<Node>>,
 }
 
-impl Core {
+impl Cofactors {
     /// As many rows as are solved so.
     pub(super) const MOST: usize = 3;
 
@@ -54,7 +54,13 @@ impl Core {
         let one = graph.constant(1.0);
         let determinant = if n == 0 { one } else { first(graph) };
         let inverse = graph.div(one, determinant);
-        Core { rows: rows.iter().map(|(row, _)| *row).collect(), columns, determinant, inverse, adjugate }
+        Cofactors {
+            rows: rows.iter().map(|(row, _)| *row).collect(),
+            columns,
+            determinant,
+            inverse,
+            adjugate,
+        }
     }
 
     /// The unknowns.

@@ -23,7 +23,7 @@ impl Mismatch {
 }
 
 /// The entries of one term that differ.
-pub(super) fn entries(
+pub(super) fn differing(
     constraint: &dyn Constraint,
     term: &str,
     own: &DMatrix<f64>,
