@@ -148,6 +148,7 @@ impl Workload {
             );
         }
         figures.extend(self.set_up());
+        figures.extend(self.compile());
         figures
     }
 
@@ -206,6 +207,20 @@ impl Workload {
             eprintln!("{:>10} {:<14} {microseconds:>12.1} µs to declare and build", self.name, "kin");
             self.figure("kin", "setup_us", microseconds)
         })
+    }
+
+    /// The program and its tape, with the first position at which its elimination is chosen.
+    fn compile(&self) -> Option<Figure> {
+        let route = self.routes.iter().find(|route| route.peer == "kin-compiled")?;
+        let Solver::Kin(system, _) = &route.solver else { return None };
+        let sample = || {
+            let start = cpu();
+            black_box(system.compile()).ok()?;
+            Some((cpu() - start).as_secs_f64() * 1e6)
+        };
+        let microseconds = median((0..11).map_while(|_| sample()).collect());
+        eprintln!("{:>10} {:<14} {microseconds:>12.1} µs to compile", self.name, "kin-compiled");
+        Some(self.figure("kin-compiled", "compile_us", microseconds))
     }
 
     fn figure(&self, peer: &str, metric: &str, value: f64) -> Figure {

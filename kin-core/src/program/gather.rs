@@ -121,7 +121,7 @@ impl Whole {
     /// Appends the rows of a constraint.
     fn append(&mut self, kind: &Kind, leaves: &Leaves<'_>) -> Result<(), &'static str> {
         let mut places = vec![Node::default(); kind.graph.len()];
-        for node in kind.graph.reachable(&kind.outputs()) {
+        for &node in &kind.nodes {
             places[node.index()] = self.node(&kind.graph, node, &places, leaves)?;
         }
         for row in &kind.rows {

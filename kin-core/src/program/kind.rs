@@ -13,6 +13,8 @@ pub(super) const SELF: Part = Part::R(0);
 pub(super) struct Kind {
     pub graph: Graph,
     pub rows: Vec<KindRow>,
+    /// All that rows are computed from, operands before their users.
+    pub nodes: Vec<Node>,
 }
 
 /// One row: C, ∂C/∂q_k by local columns, C_t, and g″(0) along the rates, which is −Q_d.
@@ -54,18 +56,19 @@ impl Kind {
             let by_time = by_time.of(&mut graph, residual);
             KindRow { residual, slopes, by_time, second: jets.of(&mut graph, residual).second }
         };
-        let rows = residuals.into_iter().zip(slopes).map(&mut row).collect();
-        Ok(Kind { graph, rows })
+        let rows: Vec<KindRow> = residuals.into_iter().zip(slopes).map(&mut row).collect();
+        let nodes = graph.reachable(&outputs(&rows));
+        Ok(Kind { graph, rows, nodes })
     }
+}
 
-    /// All nodes that are asked for.
-    pub(super) fn outputs(&self) -> Vec<Node> {
-        let of = |row: &KindRow| {
-            let own = [row.residual, row.by_time, row.second].into_iter();
-            own.chain(row.slopes.iter().map(|(_, slope)| *slope)).collect::<Vec<Node>>()
-        };
-        self.rows.iter().flat_map(of).collect()
-    }
+/// All nodes that are asked for.
+fn outputs(rows: &[KindRow]) -> Vec<Node> {
+    let of = |row: &KindRow| {
+        let own = [row.residual, row.by_time, row.second].into_iter();
+        own.chain(row.slopes.iter().map(|(_, slope)| *slope)).collect::<Vec<Node>>()
+    };
+    rows.iter().flat_map(of).collect()
 }
 
 /// One step of a formula.

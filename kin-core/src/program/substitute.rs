@@ -66,7 +66,8 @@ fn eligible(whole: &mut Whole, slopes: &[Vec<f64>], sizes: &[f64]) -> Vec<Vec<Ex
                 |factor: &f64| (factor * sizes[column]).abs() >= SHARE * largest && factor.is_finite();
             let Some(factor) = whole.graph.constant_value(slope).filter(large) else { continue };
             let residual = whole.rows[row].residual;
-            let split = split(&mut whole.graph, residual, column);
+            let Some(input) = whole.graph.existing(Op::Input(Input::State(column, SELF))) else { continue };
+            let split = split(&mut whole.graph, residual, input);
             own.extend(split.filter(|(own, _)| *own == factor && *own != 0.0).map(|(_, rest)| Explicit {
                 row,
                 column,
@@ -80,37 +81,36 @@ fn eligible(whole: &mut Whole, slopes: &[Vec<f64>], sizes: &[f64]) -> Vec<Vec<Ex
 }
 
 /// A node as c q_j + rest, if it is of that form.
-fn split(graph: &mut Graph, node: Node, column: usize) -> Option<(f64, Node)> {
-    let own = graph.existing(Op::Input(Input::State(column, SELF)))?;
-    if !reads(graph, node, own) {
+fn split(graph: &mut Graph, node: Node, own: Node) -> Option<(f64, Node)> {
+    // Operands have smaller numbers than what is computed from them.
+    if node < own {
         return Some((0.0, node));
     }
-    Some(match graph.op(node) {
-        _ if node == own => (1.0, graph.zero()),
+    let (factor, rest) = match graph.op(node) {
+        _ if node == own => return Some((1.0, graph.zero())),
         Op::Neg(a) => {
-            let (c, rest) = split(graph, a, column)?;
+            let (c, rest) = split(graph, a, own)?;
             (-c, graph.neg(rest))
         }
         Op::Add(a, b) => {
-            let ((c, left), (d, right)) = (split(graph, a, column)?, split(graph, b, column)?);
-            (c + d, graph.add(left, right))
+            let ((c, left), (d, right)) = (split(graph, a, own)?, split(graph, b, own)?);
+            (c + d, if (left, right) == (a, b) { node } else { graph.add(left, right) })
         }
         Op::Sub(a, b) => {
-            let ((c, left), (d, right)) = (split(graph, a, column)?, split(graph, b, column)?);
-            (c - d, graph.sub(left, right))
+            let ((c, left), (d, right)) = (split(graph, a, own)?, split(graph, b, own)?);
+            (c - d, if (left, right) == (a, b) { node } else { graph.sub(left, right) })
         }
-        Op::Mul(a, b) => {
-            let (factor, inner) = (graph.constant_value(a), b);
-            let (c, rest) = split(graph, inner, column)?;
-            (factor? * c, graph.mul(a, rest))
+        Op::Mul(a, b) if graph.constant_value(a).is_some() => {
+            let (c, rest) = split(graph, b, own)?;
+            (graph.constant_value(a)? * c, if rest == b { node } else { graph.mul(a, rest) })
         }
-        Op::Div(a, b) => {
-            let divisor = graph.constant_value(b)?;
-            let (c, rest) = split(graph, a, column)?;
-            (c / divisor, graph.div(rest, b))
+        Op::Div(a, b) if graph.constant_value(b).is_some() => {
+            let (c, rest) = split(graph, a, own)?;
+            (c / graph.constant_value(b)?, if rest == a { node } else { graph.div(rest, b) })
         }
-        _ => return None,
-    })
+        _ => return (!reads(graph, node, own)).then_some((0.0, node)),
+    };
+    Some((factor, rest))
 }
 
 /// Whether a node is computed from another one. A row is small beside the graph of all.

@@ -3,6 +3,7 @@
 //! hash iteration.
 
 mod decimal;
+mod factors;
 mod hash;
 mod logic;
 mod op;

@@ -308,39 +308,19 @@ impl Graph {
             return None; // two different factors
         }
         let (mut left, mut right) = (self.factors(a), self.factors(b));
-        let mut common = Vec::new();
-        left.retain(|x| match right.iter().position(|y| y == x) {
-            Some(k) => {
-                common.push(right.remove(k));
-                false
-            }
-            None => true,
-        });
-        if common.is_empty() {
+        let common = left.take_common(&mut right);
+        if common.as_slice().is_empty() {
             return None;
         }
-        let (rest_a, rest_b) = (self.product(&left), self.product(&right));
+        let (rest_a, rest_b) = (self.product(left.as_slice()), self.product(right.as_slice()));
         let rest = combine(self, rest_a, rest_b);
-        let common = self.product(&common);
+        let common = self.product(common.as_slice());
         Some(self.mul(common, rest))
     }
 
-    /// Factors of a product, a few levels deep.
-    fn factors(&self, a: Node) -> Vec<Node> {
-        let mut done = Vec::new();
-        let mut open = vec![a];
-        while let Some(node) = open.pop() {
-            match self.op(node) {
-                Op::Mul(x, y) if done.len() + open.len() < 8 => open.extend([y, x]),
-                _ => done.push(node),
-            }
-        }
-        done
-    }
-
     fn product(&mut self, factors: &[Node]) -> Node {
-        let one = self.constant(1.0);
-        factors.iter().fold(one, |all, &x| self.mul(all, x))
+        let Some((&first, others)) = factors.split_first() else { return self.constant(1.0) };
+        others.iter().fold(first, |all, &x| self.mul(all, x))
     }
 }
 

@@ -5,15 +5,9 @@ use super::{Column, Graph, Input, LeafNumber, LeafUse, Node, Op, Part};
 impl Graph {
     /// The nodes that `node` is computed from.
     pub fn operands(&self, node: Node) -> Vec<Node> {
-        match self.op(node) {
-            Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) => vec![],
-            Op::Neg(a) | Op::Call(_, a) | Op::Powi(a, _) | Op::Law(_, a, _) | Op::Not(a) => vec![a],
-            Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) => vec![a, b],
-            Op::Call2(_, a, b) | Op::Compare(_, a, b) | Op::And(a, b) | Op::Or(a, b) => vec![a, b],
-            Op::Select(a, b, c) | Op::Fma(a, b, c) => vec![a, b, c],
-            Op::Opaque(number, _) => self.opaques[number].clone(),
-            Op::Leaf(LeafUse { leaf, what, .. }) => self.leaf_operands(leaf, what),
-        }
+        let mut operands = Vec::new();
+        self.each_operand(node, |operand| operands.push(operand));
+        operands
     }
 
     /// The nodes whose numbers make that of `node`: its operands, of a selection the one that is taken, of a
@@ -32,10 +26,14 @@ impl Graph {
             Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) => {}
             Op::Neg(a) | Op::Call(_, a) | Op::Powi(a, _) | Op::Law(_, a, _) | Op::Not(a) => show(a),
             Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) => {
-                show(a);
-                show(b);
+                [a, b].into_iter().for_each(show)
             }
-            _ => self.operands(node).into_iter().for_each(show),
+            Op::Call2(_, a, b) | Op::Compare(_, a, b) | Op::And(a, b) | Op::Or(a, b) => {
+                [a, b].into_iter().for_each(show)
+            }
+            Op::Select(a, b, c) | Op::Fma(a, b, c) => [a, b, c].into_iter().for_each(show),
+            Op::Opaque(number, _) => self.opaques[number].iter().copied().for_each(show),
+            Op::Leaf(LeafUse { leaf, what, .. }) => self.leaf_operands(leaf, what).into_iter().for_each(show),
         }
     }
 

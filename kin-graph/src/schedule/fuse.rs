@@ -3,6 +3,9 @@
 //! A product that several sums share is computed once where a sum can begin with it, which saves that sum a
 //! multiplication; elsewhere each sum multiplies for itself, since a fused product costs nothing.
 
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
 use super::{Lists, edges};
 use crate::{Graph, Node, Op};
 
@@ -54,7 +57,7 @@ impl Fusion {
         let is_alone = |node: Node| is_free(node) && uses[node.index()] == 1;
         let mut values = vec![false; g.len()];
         let mut products = vec![false; g.len()];
-        let mut sums = Lists::new(g);
+        let mut sums = Lists::new(g.len());
         outputs.iter().for_each(|output| values[output.index()] = true);
         for &node in nodes.iter().rev() {
             let needed = values[node.index()];
@@ -81,27 +84,38 @@ impl Fusion {
     }
 
     /// Products to compute once, because sums without a better beginning share them: those that most sums
-    /// share first.
+    /// share first, of equal ones the earliest.
     fn share_beginnings(&mut self, nodes: &[Node]) {
         let is_open =
             |terms: &&[Term]| !terms.is_empty() && !terms.iter().any(|(_, term)| self.values[term.index()]);
-        let mut open: Vec<&[Term]> = nodes.iter().map(|node| self.sums.of(*node)).filter(is_open).collect();
-        let mut counts = vec![0; self.values.len()];
+        let open: Vec<&[Term]> = nodes.iter().map(|node| self.sums.of(*node)).filter(is_open).collect();
+        let mut counts = vec![0_usize; self.values.len()];
         open.iter().flat_map(|terms| terms.iter()).for_each(|(_, product)| counts[product.index()] += 1);
-        let mut chosen = Vec::new();
-        while let Some(&best) =
-            nodes.iter().rev().filter(|node| counts[node.index()] > 1).max_by_key(|node| counts[node.index()])
-        {
-            open.retain(|terms| {
-                let begins = terms.iter().any(|(_, product)| *product == best);
-                if begins {
-                    terms.iter().for_each(|(_, product)| counts[product.index()] -= 1);
-                }
-                !begins
-            });
-            chosen.push(best);
+        let shared = nodes.iter().enumerate().filter(|(_, node)| counts[node.index()] > 1);
+        let mut waiting: BinaryHeap<(usize, Reverse<usize>)> =
+            shared.map(|(place, node)| (counts[node.index()], Reverse(place))).collect();
+        let mut sums_with = Lists::<usize>::new(self.values.len());
+        for (sum, terms) in open.iter().enumerate() {
+            let shared = terms.iter().filter(|(_, product)| counts[product.index()] > 1);
+            shared.for_each(|(_, product)| sums_with.to(*product).push(sum));
         }
-        chosen.into_iter().for_each(|product| self.values[product.index()] = true);
+        let mut begun = vec![false; open.len()];
+        let mut chosen = Vec::new();
+        while let Some((count, place)) = waiting.pop() {
+            let product = nodes[place.0];
+            // A count falls when another product begins a sum of it: then it waits again.
+            let left = counts[product.index()];
+            if left < count {
+                waiting.extend((left > 1).then_some((left, place)));
+                continue;
+            }
+            for &sum in sums_with.of(product).iter().filter(|sum| !std::mem::replace(&mut begun[**sum], true))
+            {
+                open[sum].iter().for_each(|(_, product)| counts[product.index()] -= 1);
+            }
+            chosen.push(product);
+        }
+        chosen.into_iter().for_each(|product: Node| self.values[product.index()] = true);
     }
 
     /// Which sums and multiples are better computed with the other sign, by number of the node: where more
@@ -159,6 +173,7 @@ impl Fusion {
                 let ((minus_a, a), (minus_b, b)) = (self.built[a.index()], self.built[b.index()]);
                 (minus_a != minus_b, g.raw(Op::Div(a, b)))
             }
+            Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) | Op::Opaque(..) => (false, node),
             _ => {
                 let plain: Vec<(Node, Node)> =
                     g.operands(node).into_iter().map(|operand| (operand, self.plain(g, operand))).collect();

@@ -28,8 +28,9 @@ struct Lists<T> {
 }
 
 impl<T> Lists<T> {
-    fn new(g: &Graph) -> Self {
-        Lists { places: vec![0; g.len()], lists: vec![Vec::new()] }
+    /// No list yet, for nodes of numbers below `nodes`.
+    fn new(nodes: usize) -> Self {
+        Lists { places: vec![0; nodes], lists: vec![Vec::new()] }
     }
 
     fn of(&self, node: Node) -> &[T] {
@@ -43,6 +44,12 @@ impl<T> Lists<T> {
         }
         &mut self.lists[self.places[node.index()]]
     }
+}
+
+/// Nodes with the values of `outputs`, their sums fused: [`prepare`] without a look at powers of two, of
+/// which large graphs gain nothing.
+pub fn fused(g: &mut Graph, outputs: &[Node]) -> Vec<Node> {
+    fuse::fuse(g, outputs)
 }
 
 /// Nodes with the values of `outputs`, made for few operations.

@@ -22,7 +22,7 @@ pub fn order(g: &Graph, outputs: &[Node], given: impl Fn(Node) -> bool) -> Vec<G
     nodes.iter().for_each(|&node| known[node.index()] = given(node));
     let (mut seen, mut turn) = (vec![0; g.len()], 0);
     // Which outputs wait for a node, and for how many each.
-    let mut waiting: Lists<usize> = Lists::new(g);
+    let mut waiting: Lists<usize> = Lists::new(g.len());
     let mut missing = vec![0; outputs.len()];
     for (k, &output) in outputs.iter().enumerate() {
         turn += 1;

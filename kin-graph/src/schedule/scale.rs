@@ -68,7 +68,7 @@ impl Scaling {
                 g.each_operand(node, |operand| firm[operand.index()] = true);
             }
         }
-        Scaling { firm, uses: super::uses(g, nodes, outputs), demands: Lists::new(g) }
+        Scaling { firm, uses: super::uses(g, nodes, outputs), demands: Lists::new(g.len()) }
     }
 
     fn demand(&mut self, node: Node, k: i32) {

@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use kin_graph::{Function, Graph, Input, Node, Op, schedule::prepare};
+use kin_graph::{Function, Graph, Input, Node, Op, schedule::fused};
 
 use super::{Kind, Stage, Step, Tape};
 use crate::program::stages::Program;
@@ -20,7 +20,7 @@ struct Task {
 pub(crate) fn schedule(program: Program) -> Tape {
     let outputs = Outputs::new(&program);
     let mut graph = program.graph;
-    let all = prepare(&mut graph, &outputs.all);
+    let all = fused(&mut graph, &outputs.all);
     let own = |k: usize| outputs.part(k, &all);
     let mut planner = Planner::new(&graph, own(2));
     [0, 1].into_iter().for_each(|k| planner.require(own(k), 1));
