@@ -1,12 +1,11 @@
 //! Charts as SVG: lines over time, and paths in the plane with equal axes.
 
+mod draw;
+mod measure;
 mod panel;
 mod thin;
 
 use std::path::Path;
-
-use kuva::backend::svg::SvgBackend;
-use kuva::render::figure::Figure as Page;
 
 use kin::{Quantity, Result};
 
@@ -55,13 +54,7 @@ impl Figure {
 
     /// The figure as SVG.
     pub fn svg(&self) -> String {
-        let height = if self.panels.iter().any(Panel::is_plane) { 460.0 } else { 330.0 };
-        let (plots, layouts): (Vec<_>, Vec<_>) = self.panels.iter().map(Panel::drawn).unzip();
-        let page =
-            Page::new(plots.len().div_ceil(self.columns).max(1), self.columns).with_cell_size(590.0, height);
-        let scene = page.with_plots(plots).with_layouts(layouts).render();
-        // A view box lets a page show it at any width.
-        let size = format!("<svg viewBox=\"0 0 {} {}\"", scene.width, scene.height);
-        SvgBackend::new().render_scene(&scene).replacen("<svg", &size, 1)
+        let height = if self.panels.iter().any(Panel::is_plane) { 460 } else { 330 };
+        draw::page(&self.panels, self.columns, height)
     }
 }

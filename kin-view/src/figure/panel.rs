@@ -1,35 +1,31 @@
 //! One pair of axes with lines in it.
 
-use std::sync::Arc;
-
 use kin::{Series, Units, Vec2, vec2};
-use kuva::plot::{LinePlot, ScatterPlot};
-use kuva::render::layout::{Layout, TickFormat};
-use kuva::render::plots::Plot;
 
+use super::measure::{Measure, SANE};
 use super::thin::thinned;
 use crate::color::PALETTE;
 
 /// One pair of axes: quantities over time, or paths in the plane. Values that are not finite are gaps.
 pub struct Panel {
-    title: String,
-    x_label: String,
-    y_label: String,
-    axes: Axes,
-    marks: Vec<Mark>,
+    pub(super) title: String,
+    pub(super) x_label: String,
+    pub(super) y_label: String,
+    pub(super) axes: Axes,
+    pub(super) marks: Vec<Mark>,
     named: usize,
 }
 
 /// What stands in it: runs of points.
-struct Mark {
-    points: Vec<(f64, f64)>,
-    color: &'static str,
-    label: Option<String>,
-    style: Style,
+pub(super) struct Mark {
+    pub points: Vec<(f64, f64)>,
+    pub color: &'static str,
+    pub label: Option<String>,
+    pub style: Style,
 }
 
-#[derive(Clone, Copy)]
-enum Style {
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Style {
     Line,
     Thin,
     Dots,
@@ -37,7 +33,7 @@ enum Style {
 
 /// What the axes are.
 #[derive(Clone, Copy, PartialEq)]
-enum Axes {
+pub(super) enum Axes {
     /// First and last time, once known; powers of ten upwards or not.
     Time { span: Option<(f64, f64)>, log: bool },
     /// Both axes with one scale.
@@ -160,36 +156,8 @@ impl Panel {
         self.axes == Axes::Plane
     }
 
-    /// The lines, and the axes round them.
-    pub(super) fn drawn(&self) -> (Vec<Plot>, Layout) {
-        let (x, y) = self.measures();
-        let plots: Vec<Plot> = self.marks.iter().map(|mark| mark.plot(x, y)).collect();
-        let layout = Layout::auto_from_plots(&plots)
-            .with_title(&self.title)
-            .with_title_size(15)
-            .with_legend_box(false);
-        let layout = layout
-            .with_x_label(x.label(&self.x_label))
-            .with_y_label(y.label(&self.y_label))
-            .with_force_margins(78.0, 140.0);
-        let layout = layout.with_tick_format(TickFormat::Custom(Arc::new(tick)));
-        let layout = match self.axes {
-            Axes::Time { span, log } => {
-                let some = self.marks.iter().any(|mark| !mark.points.is_empty());
-                let layout = if log && some && y == Measure::Plain { layout.with_log_y() } else { layout };
-                let span = span.filter(|(first, last)| first.is_finite() && last.is_finite() && first < last);
-                span.into_iter().fold(layout, |layout, (first, last)| {
-                    layout.with_x_axis_min(x.of_number(first)).with_x_axis_max(x.of_number(last))
-                })
-            }
-            Axes::Plane => layout.with_equal_aspect(),
-            Axes::Numbers => layout,
-        };
-        (plots, layout)
-    }
-
     /// How numbers are brought onto either axis; both axes of the plane have one measure.
-    fn measures(&self) -> (Measure, Measure) {
+    pub(super) fn measures(&self) -> (Measure, Measure) {
         let points = || self.marks.iter().flat_map(|mark| &mark.points);
         let span = match self.axes {
             Axes::Time { span: Some((first, last)), .. } => vec![first, last],
@@ -208,64 +176,4 @@ impl Panel {
             _ => (x, y),
         }
     }
-}
-
-/// Numbers beyond this are brought nearer before they are drawn: differences of larger ones may be no
-/// numbers.
-const SANE: f64 = 1e100;
-
-/// How numbers are brought onto an axis.
-#[derive(Clone, Copy, PartialEq)]
-enum Measure {
-    /// As they are.
-    Plain,
-    /// In units of 10^k, which the label says.
-    Power(i32),
-    /// By their logarithm to the base 10: on a logarithmic axis that is too long to have a tick for each
-    /// power of ten.
-    Logarithm,
-}
-
-impl Measure {
-    fn of(numbers: impl Iterator<Item = f64>) -> Measure {
-        let largest = numbers.filter(|x| x.is_finite()).fold(0.0_f64, |size, x| size.max(x.abs()));
-        let plain = largest == 0.0 || (SANE.recip()..=SANE).contains(&largest);
-        if plain { Measure::Plain } else { Measure::Power(largest.log10().floor() as i32) }
-    }
-
-    fn of_number(self, x: f64) -> f64 {
-        match self {
-            Measure::Plain => x,
-            // In two steps: 10^k itself may be too small for a number.
-            Measure::Power(k) => x / 10f64.powi(k / 2) / 10f64.powi(k - k / 2),
-            Measure::Logarithm => x.log10(),
-        }
-    }
-
-    fn label(self, text: &str) -> String {
-        match self {
-            Measure::Plain => text.to_string(),
-            Measure::Power(k) => format!("{text} · 1e{k}"),
-            Measure::Logarithm => format!("log₁₀ {text}"),
-        }
-    }
-}
-
-impl Mark {
-    fn plot(&self, x: Measure, y: Measure) -> Plot {
-        let points = self.points.iter().map(|p| (x.of_number(p.0), y.of_number(p.1)));
-        if let Style::Dots = self.style {
-            let dots = ScatterPlot::new().with_data(points).with_color(self.color).with_size(3.0);
-            return Plot::Scatter(self.label.iter().fold(dots, ScatterPlot::with_legend));
-        }
-        let width = if let Style::Thin = self.style { 1.0 } else { 1.8 };
-        let line = LinePlot::new().with_data(points).with_color(self.color).with_stroke_width(width);
-        Plot::Line(self.label.iter().fold(line, LinePlot::with_legend))
-    }
-}
-
-/// Four digits are enough beside an axis.
-fn tick(value: f64) -> String {
-    let short = format!("{value:.3e}").parse().unwrap_or(value);
-    if short != 0.0 && !(1e-3..1e5).contains(&short.abs()) { format!("{short:e}") } else { short.to_string() }
 }

@@ -272,7 +272,7 @@ fn gaps_break_the_line_of_a_chart() -> Result<()> {
     let svg = Figure::new([Panel::numbers("gap", "x", "y").path("parabola", &points)]).svg();
     let whole = Figure::new([Panel::numbers("gap", "x", "y").path("parabola", &points[..20])]).svg();
     let curves = |svg: &str| {
-        parsed(svg).descendants().filter(|node| node.attribute("stroke") == Some("#0072b2")).count()
+        parsed(svg).descendants().filter(|node| node.attribute("stroke") == Some("#0072B2")).count()
     };
     assert_eq!(curves(&svg), curves(&whole) + 1);
     let condition = system.condition(&motion)?;
