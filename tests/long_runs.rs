@@ -51,7 +51,7 @@ fn numbers(motion: &Motion) -> Vec<f64> {
         .collect()
 }
 
-/// What happened, but for what the beginning of each part is told of.
+/// The events, each as its time and text.
 fn happened(events: &[Event]) -> Vec<String> {
     events.iter().map(|event| format!("{:.6} {}", event.t, event.text)).collect()
 }

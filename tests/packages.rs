@@ -1,5 +1,5 @@
-//! What is published: every package says what it is, under which licence and where, brings its licences and a
-//! page to read, and what users build by hand stays buildable.
+//! Demands on published packages: every package says what it is, under which licence and where, brings its
+//! licences and a page to read, and what users build by hand stays buildable.
 
 use std::process::Command;
 

@@ -115,7 +115,7 @@ fn check(package: &str, programs: &BTreeMap<String, PathBuf>, level: &str) -> BT
             let name = name.as_str().expect("a target has a name").to_owned();
             assert!(programs.contains_key(&name), "{}", message["rendered"].as_str().unwrap_or_default());
             let (errors, error) = (errors.entry(name).or_default(), error(message));
-            // What cargo would print a second time, it does not.
+            // Cargo too prints equal errors once.
             if errors.iter().all(|earlier| earlier.rendered != error.rendered) {
                 errors.push(error);
             }
@@ -135,8 +135,8 @@ fn error(message: &Value) -> Error {
     let said = code.filter(|code| *code != "deprecated").map_or(text.to_owned(), |code| format!("[{code}]"));
     let root = format!("{}/", env!("CARGO_MANIFEST_DIR"));
     let rendered = message["rendered"].as_str().unwrap_or_default().replace(&root, "");
-    // What stands inside of a panic at compile time is the standard library's, with its text where the
-    // sources are installed and without it where they are not.
+    // Notes inside of a panic at compile time are the standard library's, with its text where the sources are
+    // installed and without it where they are not.
     let rendered = rendered.split("\nnote: inside `kin").next().unwrap_or_default().trim_end().to_owned();
     Error {
         message: format!("{}: {said}", places.join(", ")),
@@ -158,7 +158,7 @@ fn place(span: &Value) -> String {
     format!("{}:{} `{}`", at("line_start"), at("column_start"), parts.collect::<Vec<_>>().join(" "))
 }
 
-/// What differs from the stored text; with `KIN_BLESS=1` nothing, and the text is stored.
+/// The difference from the stored text; with `KIN_BLESS=1` none, and the text is stored.
 fn compared(path: &Path, found: &str) -> Option<String> {
     if std::env::var_os("KIN_BLESS").is_some() {
         fs::write(path, found).expect("a reference can be written");

@@ -52,7 +52,7 @@ pub struct Contestant<'a> {
     pub run: Box<dyn FnMut() + 'a>,
 }
 
-/// What a race found of one contestant.
+/// The findings of a race about one contestant.
 pub struct Result {
     pub peer: &'static str,
     /// Median time of one run.   \[ns\]

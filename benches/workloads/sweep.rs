@@ -1,4 +1,4 @@
-//! What the workloads W1 to W5 have in common: a sweep over a grid of times, by several routes, with its
+//! The common part of the workloads W1 to W5: a sweep over a grid of times, by several routes, with its
 //! error.
 
 use std::hint::black_box;

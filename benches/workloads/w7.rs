@@ -112,7 +112,7 @@ fn by_hand(models: &[FourBar], threads: usize) -> Sums {
     })
 }
 
-/// What differs from case to case: where pins sit, and the start.
+/// Parameters that differ from case to case: where pins sit, and the start.
 const NAMES: [&str; 16] = [
     "O.u_i.x",
     "A.u_i.x",

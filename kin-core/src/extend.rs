@@ -1,5 +1,5 @@
-//! What ordinary programs do not call: for constraints and laws written by hand, for comparing derivatives
-//! term by term, and what the code that `#[constraint]` emits stands on.
+//! Items that ordinary programs do not call: for constraints and laws written by hand, for comparing
+//! derivatives term by term, and for the code that `#[constraint]` emits.
 //!
 //! A constraint by hand is an `impl` of [`Constraint`](crate::Constraint); what it sees is in [`state`], the
 //! bodies that it acts on in [`coordinates`]. A law by hand is an `impl` of [`LawFunction`].
@@ -19,7 +19,7 @@ pub use crate::numbers::lanes::Lanes;
 #[doc(inline)]
 pub use crate::numbers::real::{Dual, Real};
 
-/// Who is to blame where something of a constraint is infinite or not a number.
+/// Culprits where a term of a constraint is infinite or not a number.
 pub mod blame {
     #[doc(inline)]
     pub use crate::model::blame::*;
@@ -49,7 +49,7 @@ pub mod real {
     pub use crate::numbers::real::*;
 }
 
-/// What a constraint sees: the state of its arguments at one instant.
+/// The view of a constraint: the state of its arguments at one instant.
 pub mod state {
     #[doc(inline)]
     pub use crate::model::state::*;

@@ -10,7 +10,7 @@
 
 extern crate self as kin;
 
-// What is hidden here is listed in `extend`: ordinary programs do not call it.
+// Items that are hidden here are listed in `extend`: ordinary programs do not call them.
 
 mod ask;
 pub mod data;

@@ -58,7 +58,7 @@ pub(crate) struct Linear {
     entries: Arc<[Option<(u32, u32)>]>,
     /// Values in the order of rows, then of columns.
     sorted: Arc<[u32]>,
-    /// What is the same for good.
+    /// Values that never change; `None` for those that can.
     constants: Arc<[Option<f64>]>,
     /// Values, right side, solution, then what the programs compute.
     memory: Vec<f64>,
@@ -80,19 +80,20 @@ pub(crate) struct Linear {
     /// ground.
     limits: Padded,
     recording: Option<Arc<Recording>>,
-    /// What makes each number that is factored one of order 1, by the measures, in the order of the memory.
+    /// The factors that make each factored number one of order 1, by the measures, in the order of the
+    /// memory.
     weights: Padded,
-    /// What multipliers and others may come to.
+    /// Bounds of multipliers and other factored numbers.
     bounds: Padded,
-    /// Whether the recording's weights know the measures.
+    /// True if the recording's weights agree with the present measures.
     told: bool,
-    /// Whether there is nothing to compute and nothing to judge until the measures change: all pivots are
+    /// True if there is nothing to compute and nothing to judge until the measures change: all pivots are
     /// constants.
     settled: bool,
     /// The smallest constant pivot, and the smallest of all at the last factoring.
     smallest_constant: f64,
     smallest: f64,
-    /// Whether a multiplier, or another number, has grown beyond what is allowed at the last factoring.
+    /// True if a multiplier, or another number, has grown beyond its bound at the last factoring.
     grown: bool,
     refined: bool,
     /// The largest that `smallest` has been since the recording.
@@ -187,7 +188,7 @@ impl Linear {
         self.memory[self.places.rhs as usize..self.places.solution as usize].as_chunks_mut().0
     }
 
-    /// What [`Linear::solve`] has found.
+    /// The solution that [`Linear::solve`] has found.
     pub(crate) fn solution(&self) -> &[f64] {
         &self.memory[self.places.solution as usize..][..self.n]
     }
@@ -270,7 +271,7 @@ impl Linear {
         self.best = self.best.max(self.smallest);
     }
 
-    /// Whether the last replay can be trusted as the recording could.
+    /// True if the last replay can be trusted as the recording could.
     fn fits(&self) -> bool {
         let faded = self.best * if self.smallest < SUSPICIOUS { 0.5 } else { FADED };
         !self.grown && self.smallest > SINGULAR && self.smallest >= faded
@@ -307,7 +308,7 @@ impl Linear {
         self.recordings
     }
 
-    /// What is to be recorded.
+    /// The matrix to be recorded.
     fn input(&self) -> Input<'_> {
         Input {
             n: self.n,

@@ -56,7 +56,7 @@ pub(crate) struct PreferredMeasure {
     pub value: f64,
 }
 
-/// What Newton's iteration did at one time.
+/// Report of Newton's iteration at one time.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Report {
@@ -82,7 +82,7 @@ pub struct Solution {
     pub qd: Vec<f64>,
     /// q̈, C_q q̈ = Q_d.   \[m/s², rad/s²\]
     pub qdd: Vec<f64>,
-    /// What Newton's iteration did.
+    /// Report of Newton's iteration.
     pub report: Report,
 }
 
@@ -127,7 +127,7 @@ impl System {
         self.layout.len()
     }
 
-    /// Whether there are more equations than coordinates.
+    /// True if there are more equations than coordinates.
     pub(crate) fn is_redundant(&self) -> bool {
         self.n_equations() > self.n_coordinates()
     }
@@ -148,7 +148,7 @@ impl System {
         self.layout.unit_words()
     }
 
-    /// What its units of length and time are called.
+    /// Names of the units of length and time.
     pub fn unit_words(&self) -> &Units {
         &self.layout.words
     }
@@ -224,7 +224,7 @@ impl System {
         found
     }
 
-    /// Whether no law of its constraints has a break; a run has to look for those time by time.
+    /// True if no law of its constraints has a break; a run has to look for those time by time.
     pub(crate) fn is_smooth(&self) -> bool {
         let (mut smooth, instant) = (true, self.equations.instant_at(0.0, &self.initial));
         for block in &self.equations.blocks {
@@ -235,7 +235,7 @@ impl System {
         smooth
     }
 
-    /// Whether positions that close are meant by all constraints, none of which has, say, its axis turned by
+    /// True if positions that close are meant by all constraints, none of which has, say, its axis turned by
     /// 180°.
     pub(crate) fn all_meant<'q>(&self, mut positions: impl Iterator<Item = (f64, &'q [f64])>) -> bool {
         self.equations.branches().is_empty()
@@ -361,7 +361,8 @@ pub(crate) fn time(t: f64) -> Result<f64> {
     }
 }
 
-/// Whether an equation may have anything that switches; on the dual route that is not known.
+/// True if an equation may have anything that switches; on the dual route that is not known, and it counts as
+/// not switching.
 fn switches(constraint: &dyn Constraint) -> bool {
     constraint.table().is_some_and(|(table, _)| table.may_switch())
 }

@@ -14,7 +14,7 @@ use crate::model::mechanism::Pose;
 use crate::model::state::{At, Rates};
 use crate::numbers::algebra::Vec2;
 
-/// What is the same for all of them.
+/// The methods that are the same for all of them.
 macro_rules! hand_written {
     ($kind:literal, $rows:expr, $pattern:expr) => {
         fn kind(&self) -> &str {

@@ -3,7 +3,8 @@
 use crate::number::{Condition, Number};
 use crate::{Graph, Input, LeafUse, Node, Op};
 
-/// What a graph does not hold itself: its inputs, and what only the user's program can compute.
+/// The values that a graph does not hold itself: its inputs, and those that only the user's program can
+/// compute.
 pub trait Source<N: Number> {
     /// The number of an input.
     fn input(&self, input: Input) -> N;
@@ -38,8 +39,7 @@ impl<N: Number> Results<N> {
         })
     }
 
-    /// Whether a node holds, that of a number being whether it is not 0; `None` of a node that was not
-    /// needed.
+    /// The truth of a node, that of a number being whether it is not 0; `None` of a node that was not needed.
     pub fn condition(&self, node: Node) -> Option<N::Condition> {
         Some(match self.0.get(node.index())?.as_ref()? {
             Result::Number(number) => number.holds(),

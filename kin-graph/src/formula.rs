@@ -24,7 +24,7 @@ pub struct Formula {
     /// The names of the parameters.
     pub parameters: Vec<String>,
     pub expressions: Vec<Expression>,
-    /// Whether constants in it have been rounded before they could be read.
+    /// True if constants in it have been rounded before they could be read.
     pub is_rounded: bool,
     /// The number of each node's expression.
     written: Vec<Option<usize>>,

@@ -10,7 +10,7 @@ use crate::{Comparison, Function, Function2};
 pub trait Number:
     Clone + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
-    /// What a comparison of two such numbers gives.
+    /// The result of comparing two such numbers.
     type Condition: Condition;
 
     /// The number that does not move.
@@ -50,11 +50,11 @@ pub trait Number:
     /// 1 where the condition holds, else 0: as conditions are handed to the user's own functions.
     fn of_condition(condition: &Self::Condition) -> Self;
 
-    /// Whether it is not 0: as conditions come from the user's own functions.
+    /// The condition that it is not 0: as conditions come from the user's own functions.
     fn holds(&self) -> Self::Condition;
 }
 
-/// What holds, or does not, or, of numbers that stand for many, may do either.
+/// A condition that holds, or does not, or, of numbers that stand for many, may do either.
 pub trait Condition: Clone {
     fn known(holds: bool) -> Self;
     fn and(self, other: Self) -> Self;
@@ -83,9 +83,9 @@ impl Condition for bool {
 /// A condition on numbers that stand for many: it may hold for some of them and not for others.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Possibly {
-    /// For none.
+    /// The condition holds for none of them.
     pub never: bool,
-    /// For all.
+    /// The condition holds for all of them.
     pub always: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What the tests of the passes stand on: plain values of nodes, and reproducible random numbers.
+//! Support for the tests of the passes: plain values of nodes, and reproducible random numbers.
 
 use std::collections::HashMap;
 

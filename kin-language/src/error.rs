@@ -17,7 +17,7 @@ impl Mistakes {
         self.push(mistake(tokens, message));
     }
 
-    /// What has been said already of the same tokens, in another turn of a loop, is not said again.
+    /// Adds an error, but for one that has been said already of the same tokens, in another turn of a loop.
     pub fn push(&mut self, error: syn::Error) {
         let said = |known: &syn::Error| {
             let (a, b) = (known.span().start(), error.span().start());

@@ -33,21 +33,21 @@ pub struct ConstraintFn {
     /// The body as it was written, if it gives names to types.
     named: Option<Block>,
     pub choice: Choice,
-    /// Whether kernels over lanes are asked for.
+    /// True if kernels over lanes are asked for.
     pub lanes: bool,
-    /// Whether a warning is asked for where the body cannot be read.
+    /// True if a warning is asked for where the body cannot be read.
     pub warn_dual: bool,
-    /// What the attribute says of constants beside the function.
+    /// The lengths of constants beside the function, as the attribute gives them.
     pub lengths: Vec<(Ident, syn::LitInt)>,
-    /// What must hold of the parameters.
+    /// The demands on the parameters.
     pub requirements: Vec<Demand>,
-    /// What holds of the pose that is meant, where the equations have others.
+    /// The demands on the pose that is meant, where the equations have others.
     pub branches: Vec<Demand>,
-    /// What can be asked of it beside its equations.
+    /// The measures of the constraint beside its equations.
     pub measures: Vec<Measure>,
 }
 
-/// What the attribute asks for.
+/// The route that the attribute asks for.
 #[derive(Clone, Copy, Debug)]
 pub enum Choice {
     /// Symbolic where the body can be read, else dual.
@@ -137,7 +137,7 @@ pub struct LawFn {
     /// As in a [`ConstraintFn`].
     pub body: Block,
     named: Option<Block>,
-    /// What must hold of the parameters.
+    /// The demands on the parameters.
     pub requirements: Vec<Demand>,
 }
 
@@ -199,7 +199,7 @@ pub fn item_fn(item: TokenStream) -> syn::Result<ItemFn> {
     })
 }
 
-/// What a function under `#[constraint]` or `#[law]` cannot be.
+/// Refuses functions under `#[constraint]` or `#[law]` with qualifiers or generics.
 pub fn refuse_qualifiers(function: &ItemFn, mistakes: &mut Mistakes) {
     let sig = &function.sig;
     if let Some(word) = &sig.asyncness {

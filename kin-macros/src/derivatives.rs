@@ -1,5 +1,5 @@
-//! What the stage hands on: every derivative of the rows that emitted code computes, as nodes of the same
-//! graph.
+//! The derivatives that this stage hands on: all those of the rows that emitted code computes, as nodes of
+//! the same graph.
 
 use kin_graph::differentiate::{Jets, Partial};
 use kin_graph::{Column, Graph, Input, Node, Op, Part};

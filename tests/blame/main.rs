@@ -11,7 +11,7 @@ use kin::blame::{Culprit, Found, Part};
 use kin::prelude::*;
 use kin::{Error, Result};
 
-/// What is asked of the system in a test.
+/// The question that a test asks the system.
 #[derive(Clone, Copy)]
 pub enum Ask {
     C,
@@ -26,7 +26,7 @@ pub fn system<C: Constraint + 'static>(n: usize, make: impl FnOnce(&[Coordinate]
     let coordinates: Vec<Coordinate> =
         ["x", "y", "z"][..n].iter().map(|name| m.length(name, 1.0).unwrap()).collect();
     m.add("slot", make(&coordinates)).unwrap();
-    // What is asked for needs no square system; the others only make one that can be built.
+    // The question needs no square system; the other constraints only make one that can be built.
     (1..n).for_each(|k| {
         assert!(m.add(&format!("hold {k}"), drive(coordinates[k], Law::constant(1.0))).is_ok())
     });

@@ -22,7 +22,7 @@ fn door(hinges: usize, guess: SpatialPose, motor: Law) -> (Mechanism, SpatialBod
     (m, body)
 }
 
-/// Whether the z-axis of the only body points up in a position.
+/// True if the z-axis of the only body points up in a position.
 fn upright(q: &[f64]) -> bool {
     let p = EulerParameters::new(q[3], q[4], q[5], q[6]);
     (p.rotation() * Z - Z).norm() < 1e-9
@@ -67,7 +67,8 @@ fn bodies_of_a_chain_are_turned_over_one_by_one() {
     assert!((turned(3).rotation() * Z - Z).norm() < 1e-9 && (turned(10).rotation() * X - X).norm() < 1e-9);
 }
 
-/// What cannot be mended is told, in redundant mechanisms too: the third hinge asks for the opposite axis.
+/// An axis that cannot be mended is told, in redundant mechanisms too: the third hinge asks for the opposite
+/// axis.
 #[test]
 fn axis_that_is_wrong_any_way_up_is_told() {
     let (mut m, body) = door(2, SpatialPose::at(O), Law::ramp(1.0));

@@ -1,4 +1,4 @@
-//! What a diagnosis costs, in time of the processor: other programs may run beside it. Builds without
+//! The cost of a diagnosis, in time of the processor: other programs may run beside it. Builds without
 //! optimisation are given thirty times as long.
 
 use std::time::Duration;

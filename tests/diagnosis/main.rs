@@ -1,5 +1,4 @@
-//! What is said of a mechanism: counts, ranks, dependencies and freedoms by name, for mechanisms with a known
-//! answer.
+//! Diagnoses of mechanisms with a known answer: counts, ranks, dependencies and freedoms by name.
 
 mod assemblies;
 mod branches;

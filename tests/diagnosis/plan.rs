@@ -17,7 +17,7 @@ pub struct Plan {
     pub joints: Vec<(String, Joint)>,
 }
 
-/// What changes nothing.
+/// Unit, placement and order of declaration, which change nothing.
 #[derive(Clone, Debug)]
 pub struct View {
     /// The unit of length.

@@ -3,7 +3,7 @@
 use kin::joints::drivers::spatial as drivers;
 use kin::prelude::*;
 
-/// What is wrong with the six-bar.
+/// Faults of the six-bar.
 #[derive(Clone, Copy, PartialEq)]
 enum Fault {
     None,

@@ -1,5 +1,5 @@
-//! What passed in silence: bodies that are assembled far from where they are drawn, handles of other
-//! mechanisms, kinks of equations.
+//! Faults that once passed in silence: bodies that are assembled far from where they are drawn, handles of
+//! other mechanisms, kinks of equations.
 
 use kin::prelude::*;
 use kin::{Error, EventKind};

@@ -22,7 +22,7 @@ struct Plan {
     joints: Vec<(&'static str, Joint)>,
 }
 
-/// What changes nothing.
+/// Unit, placement and order of declaration, which change nothing.
 #[derive(Debug)]
 struct View {
     unit: f64,

@@ -39,7 +39,8 @@ fn flat(angle: f64, offset: f64) -> Mechanism {
     m
 }
 
-/// Whether diagnosis and solver say the same of a pose, the one that a diagnosis looks at, and what they say.
+/// True if a pose, the one that a diagnosis looks at, can be driven; diagnosis and solver have to agree on
+/// it.
 fn agreed(system: &System) -> bool {
     let found = system.diagnose(0.0).unwrap();
     let solved = system.solve_at(0.0, &found.q);
@@ -264,7 +265,7 @@ fn advice_names_the_turn_of_a_planar_body_too() {
     assert!(found.to_string().contains("drive or hold `Part2.theta`"), "{found}");
 }
 
-/// What is refused can be asked, at the guess and at any pose, and a copy changed.
+/// A mechanism that is refused can be asked, at the guess and at any pose, and a copy changed.
 #[test]
 fn mechanism_that_cannot_be_built_can_be_asked() {
     let (m, [crank, ..]) = four_bar();

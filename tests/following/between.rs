@@ -204,7 +204,7 @@ fn a_driver_is_seen_in_whatever_constraint_it_stands() {
             low
         };
         ends_at(system.unwrap().run(&times), at, &what("the square of a law without bounds"));
-        // What stays short of the toggle runs, and is back.
+        // A mechanism that stays short of the toggle runs, and is back.
         let system = with_rod("short", |m, x| m.add("d", pulse(x, 0.9, 3.0 * PI)).map(|_| ()));
         let motion = system.unwrap().run(&times).unwrap();
         assert!(motion.q(times.len() - 1).iter().all(|q| q.abs() < 1e-12), "{:?}", motion.q(times.len() - 1));

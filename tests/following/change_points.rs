@@ -180,7 +180,7 @@ fn parallelogram_becomes_an_antiparallelogram_where_it_is_asked_to() {
     }
 }
 
-/// What is told of a singular position, and that nothing of it is lost as data.
+/// A singular position is told as an event, and nothing of it is lost as data.
 #[test]
 fn change_points_are_events_by_name_and_data() {
     let (system, _) = PARALLELOGRAM.system(Law::linear(0.3, 1.0), 0.3, 1.0).unwrap();

@@ -69,7 +69,7 @@ fn assemblies_that_nearly_meet_are_told_apart() {
     }
 }
 
-/// What is not checked says nothing: on the same grid Newton's method ends in whatever assembly it finds, as
+/// A run without checks says nothing: on the same grid Newton's method ends in whatever assembly it finds, as
 /// the README used to warn.
 #[test]
 fn checks_are_an_option() {

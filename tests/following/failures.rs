@@ -1,4 +1,4 @@
-//! What a step that failed leaves behind: nothing. And runs that must come to an end.
+//! A step that failed leaves nothing behind, and runs come to an end. And runs that must come to an end.
 
 use kin::prelude::*;
 use kin::{Error, Follow, Options};

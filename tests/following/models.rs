@@ -10,7 +10,7 @@ pub struct FourBar {
     pub next: f64,
     pub last: f64,
     pub ground: f64,
-    /// Whether the driven link is the coupler: the two others are cranks then.
+    /// True if the driven link is the coupler: the two others are cranks then.
     pub by_coupler: bool,
 }
 

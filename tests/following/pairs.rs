@@ -227,7 +227,7 @@ fn system(family: usize, random: &mut Random) -> kin::Result<System> {
     }
 }
 
-/// What a pair has shown.
+/// The findings about a pair.
 #[derive(Default, Debug)]
 struct Tally {
     moved: usize,

@@ -8,11 +8,11 @@ use syn::visit::{self, Visit};
 
 use crate::{ROOT, rust_files};
 
-/// Who may tell operations apart one by one: the graph itself with its evaluator, its passes and its text,
-/// and what writes code (or a tape) of it.
+/// Files that may tell operations apart one by one: the graph itself with its evaluator, its passes and its
+/// text, and what writes code (or a tape) of it.
 const OF_OPERATIONS: [&str; 3] = ["kin-graph/src/", "kin-macros/src/emit/", "kin-core/src/program/tape/"];
 
-/// Who may tell functions apart one by one: the list, the table of derivatives, the table of bounds.
+/// Files that may tell functions apart one by one: the list, the table of derivatives, the table of bounds.
 const OF_FUNCTIONS: [&str; 3] = [
     "kin-graph/src/functions.rs",
     "kin-graph/src/differentiate/rules.rs",

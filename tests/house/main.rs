@@ -1,5 +1,6 @@
-//! How the workspace is built: short files and functions, imports from the bottom up.
+//! How the workspace is built: short files and functions, plain comments, imports from the bottom up.
 
+mod comments;
 mod imports;
 mod limits;
 mod lists;

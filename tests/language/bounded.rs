@@ -1,5 +1,5 @@
-//! What is symbolic because every bound is known: control flow, patterns, lists and closures that change,
-//! integers.
+//! Constraints that are symbolic because every bound is known: control flow, patterns, lists and closures
+//! that change, integers.
 
 use crate::twice;
 

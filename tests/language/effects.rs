@@ -1,4 +1,4 @@
-//! What happens on the right of `&&` and `||` happens only where that side is asked; integers do what rustc
+//! Side effects on the right of `&&` and `||` happen only where that side is asked; integers do what rustc
 //! makes of them.
 
 use kin::any_coord as c;

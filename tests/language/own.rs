@@ -1,4 +1,4 @@
-//! What is the user's own: constants, parameter types, generic functions, laws.
+//! The user's own items: constants, parameter types, generic functions, laws.
 
 use kin::prelude::*;
 use kin::{any_coord as c, any_planar as p, any_spatial as s};

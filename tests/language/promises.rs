@@ -1,4 +1,4 @@
-//! What a constraint promises to its solver before the program runs: which terms never change with t, and
+//! The promises of a constraint to its solver before the program runs: which terms never change with t, and
 //! which are always zero.
 
 use kin::coordinates::Argument;

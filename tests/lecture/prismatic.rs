@@ -132,8 +132,8 @@ fn polarised_right_side_gives_the_blocks_d1_to_d4() {
 }
 
 proptest! {
-    /// What makes polarisation right: r(·, 0) is a quadratic form, so the block along v is symmetric in q̇
-    /// and v, and linear in each.
+    /// The conditions under which polarisation is right: r(·, 0) is a quadratic form, so the block along v is
+    /// symmetric in q̇ and v, and linear in each.
     #[test]
     fn right_side_is_a_quadratic_form_of_the_velocities(
         q in prop::array::uniform6(-3.0..3.0),

@@ -1,4 +1,4 @@
-//! What holds for every joint of the table.
+//! Properties of every joint of the table.
 
 use kin::Route;
 use kin::prelude::*;

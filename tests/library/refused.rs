@@ -1,4 +1,4 @@
-//! What is refused, and in which words; what is told when a position has been found.
+//! Refusals and their words, and notes about a position that has been found.
 
 use kin::prelude::*;
 use kin::{Error, SpatialPose};

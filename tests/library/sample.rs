@@ -6,7 +6,7 @@ use kin::prelude::*;
 use kin::terms;
 use nalgebra::{DMatrix, DVector};
 
-/// What the tests ask of a joint.
+/// The tests' view of a joint.
 pub trait Sample {
     fn constraint(&self) -> &dyn Constraint;
     /// The same on the dual route.
@@ -42,7 +42,7 @@ impl<E: Equation<N, M> + Clone, const N: usize, const M: usize> Sample for Of<E,
     }
 }
 
-/// What an argument is, and its first column.
+/// Kind and first column of an argument.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Argument {
     Planar(usize),

@@ -44,7 +44,7 @@ fn a_jump_of_slope_beside_a_fast_vibration_is_a_break() {
     };
     assert_eq!(orders(&stops(1.0 + 1e-4), 5.0, 10.5), [(10.0, 1)]);
     assert_eq!(orders(&stops(1.0), 5.0, 10.5), [(10.0, 3)]);
-    // What goes on as it was has no break, however fast it is.
+    // A law that goes on as it was has no break, however fast it is.
     for turns in [1.0, 500.0, 1e6] {
         let sine = || Law::sine(0.1, TAU * turns, 0.0);
         let twice = Law::sequence(0.0, [(1.0, sine()), (1.0, sine())]);

@@ -1,4 +1,4 @@
-//! What a joint is called with, read from the library's own source.
+//! Signatures of joints, read from the library's own source.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -40,7 +40,7 @@ fn plain(arguments: &str) -> String {
     given.collect::<Vec<_>>().join(", ")
 }
 
-/// That of one joint.
+/// The signature of one joint.
 pub fn of(all: &BTreeMap<(bool, String), String>, joint: &Joint) -> String {
     let key = (joint.group.starts_with("spatial"), joint.name());
     all.get(&key).unwrap_or_else(|| panic!("no function {key:?} in the source")).clone()

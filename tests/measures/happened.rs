@@ -1,4 +1,4 @@
-//! What happens on the way, extremes and crossings, and what is asked by name.
+//! Events on the way, extremes and crossings, and quantities that are asked by name.
 
 use kin::prelude::*;
 use kin::{Event, EventKind, Options};

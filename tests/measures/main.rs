@@ -1,5 +1,5 @@
-//! What people ask a mechanism for, against closed forms: angular velocities, angles, slides, dead centres,
-//! limits, instant centres.
+//! Measures of mechanisms, against closed forms: angular velocities, angles, slides, dead centres, limits,
+//! instant centres.
 
 mod happened;
 

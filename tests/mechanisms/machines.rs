@@ -93,7 +93,7 @@ fn double_wishbone_is_circles_and_spheres_that_meet() {
         });
         assert!(error < 1e-8, "{name}: the wheel is off by {error:e} mm");
     }
-    // What the wheel does: at full bump it leans inwards, and toe hardly changes.
+    // The motion of the wheel: at full bump it leans inwards, and toe hardly changes.
     let body = spatial_body(&motion, "left upright");
     let direction = |k: usize| {
         let r = |y: f64| motion.point(body, vec3(0.0, y, 320.0)).unwrap().r()[k];

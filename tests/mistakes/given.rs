@@ -1,4 +1,4 @@
-//! What is refused where it is given.
+//! Values that are refused where they are given.
 
 use super::*;
 

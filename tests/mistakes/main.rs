@@ -1,7 +1,7 @@
 //! Mistakes that people make in mechanisms, each with what it is told: word for word in `docs/mistakes.md`
 //! and in `more.md` here (`KIN_BLESS=1 cargo test --test mistakes` writes both anew; look at the difference).
-//! What is named first is what a designer would change first, and what the message says to do is done: the
-//! mechanism then moves.
+//! The first thing named is the one that a designer would change first, and the advice of the message is
+//! followed: the mechanism then moves.
 
 mod closing;
 mod given;
@@ -15,13 +15,14 @@ use kin::prelude::*;
 
 /// A mistake and its cure.
 struct Mistake {
-    /// What has been done wrong.
+    /// The mistake.
     title: &'static str,
     /// The line at fault.
     line: &'static str,
-    /// What a designer would change first, by the name that the message must give before all others.
+    /// The thing that a designer would change first, by the name that the message must give before all
+    /// others.
     culprit: &'static str,
-    /// What is told of the mistake (true), or the motion where the message has been followed (false).
+    /// The message about the mistake (true), or the motion where the message has been followed (false).
     told: fn(bool) -> Told,
 }
 
@@ -35,7 +36,7 @@ fn all() -> Vec<Mistake> {
         .collect()
 }
 
-/// What a run over the first second gives.
+/// The result of a run over the first second.
 fn run(m: Mechanism) -> Told {
     m.build().and_then(|system| system.run(linspace(0.0, 1.0, 21))).map_err(|error| error.to_string())
 }

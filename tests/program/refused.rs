@@ -1,4 +1,4 @@
-//! What cannot be compiled is told by its name, and runs as it always did.
+//! A mechanism that cannot be compiled is told by its name, and runs as it always did.
 
 use kin::by_dual;
 use kin::prelude::*;

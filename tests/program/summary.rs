@@ -1,4 +1,4 @@
-//! What is told of a program.
+//! Summaries of programs.
 
 use kin::prelude::*;
 

@@ -71,7 +71,7 @@ pub fn lengths<const N: usize>(
     m.build().expect("builds")
 }
 
-/// What stands in the way of the first step, or of the only position.
+/// The obstacle to a proof of the first step, or of the only position.
 pub fn doubt(proof: &Proof, what: &str) -> Doubt {
     assert!(!proof.is_complete(), "{what}: {proof}");
     let step = proof.first_unproved().and_then(|step| step.tube.clone().err());

@@ -54,8 +54,8 @@ fn sign(random: &mut fastrand::Rng) -> f64 {
     if random.bool() { 1.0 } else { -1.0 }
 }
 
-/// Whether the closed form is in the tube at 9 times of a step, and the other assembly is not where nothing
-/// else is said to be.
+/// Tests that the closed form is in the tube at 9 times of a step, and that the other assembly is not where
+/// nothing else is said to be.
 fn judge(case: &Case, motion: &Motion, step: &StepProof, tube: &Tube) {
     for j in 0..=8 {
         let u = f64::from(j) / 8.0;

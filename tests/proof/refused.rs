@@ -1,4 +1,4 @@
-//! What cannot be proved, by name; and what stands in the way of a step.
+//! Motions that cannot be proved, by name, and the obstacles of their steps.
 
 use kin::prelude::*;
 use kin::proof::Series;

@@ -196,7 +196,7 @@ impl Wide {
         }
     }
 
-    /// Whether |self| ≤ bound.
+    /// True if |self| ≤ bound.
     pub fn is_within(&self, bound: f64) -> bool {
         self.abs() <= bound
     }

@@ -14,7 +14,7 @@ use crate::sweep::Table;
 
 /// A system of n equations, solved by Newton's method with C_q at every iterate.
 pub trait Equations<const N: usize> {
-    /// What depends on t alone.
+    /// Computes the values that depend on t alone.
     fn set_time(&mut self, t: f64);
     /// Sines and cosines, and C, which is kept; max |C_i|.
     fn residual(&mut self, q: &[f64; N]) -> f64;

@@ -160,7 +160,7 @@ pub fn motion(p: &P, pd: &P, u: &V) -> (V, V, V) {
     (x, plus_whole(&whole(p, &v), pd, &w), whole(pd, &v))
 }
 
-/// What holds two points together: u_i, u_j and u_j − u_i.
+/// The vectors of a joint that holds two points together: u_i, u_j and u_j − u_i.
 struct Points {
     i: V,
     j: V,

@@ -24,7 +24,7 @@ impl Mechanism {
         Ok(system)
     }
 
-    /// What the mechanism is at time t, assembled from its guess, whether it can be driven or not: counts,
+    /// Diagnoses the mechanism at time t, assembled from its guess, whether it can be driven or not: counts,
     /// rank, dependencies between equations and freedoms by name.
     ///
     /// Errors: those of [`Mechanism::build`] but for the count; t not finite, nothing finite near the guess.

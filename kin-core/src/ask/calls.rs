@@ -1,4 +1,4 @@
-//! What a system is asked for: positions, motions, sweeps, diagnoses, assemblies.
+//! The calls of a system: positions, motions, sweeps, diagnoses, assemblies.
 
 use crate::ask::diagnosis::explain::{EXPLAIN, explained};
 use crate::ask::diagnosis::{self, Diagnosis, DiagnosisOptions};
@@ -147,7 +147,7 @@ impl System {
         Sweep::new(self, names)
     }
 
-    /// What the mechanism is at time t, assembled from the initial guess: counts, rank, dependencies and
+    /// Diagnoses the mechanism at time t, assembled from the initial guess: counts, rank, dependencies and
     /// freedoms by name.
     ///
     /// Errors: t not finite, nothing finite near the guess.
@@ -209,9 +209,9 @@ impl System {
 }
 
 impl Sweep<'_> {
-    /// Whether the error of a case that fails says what is wrong with the mechanism there
-    /// ([`Error::diagnosis`]), as that of a run does; false without it. To find that out takes from a tenth
-    /// of a second to seconds a case, a thousand times what most cases take.
+    /// With `true`, the error of a case that fails says what is wrong with the mechanism there
+    /// ([`Error::diagnosis`]), as that of a run does; without this call it does not. To find that out takes
+    /// from a tenth of a second to seconds a case, a thousand times what most cases take.
     #[must_use]
     pub fn diagnose(mut self, diagnose: bool) -> Self {
         self.explain = diagnose.then_some(EXPLAIN);

@@ -1,4 +1,4 @@
-//! That a motion is the motion, proved: [`System::prove`](crate::System::prove).
+//! Proof that a computed motion is the motion of the mechanism: [`System::prove`](crate::System::prove).
 //!
 //! # What is shown
 //! For a step from t_k to t_(k+1) let p(t) be the polynomial of fifth degree through q, q̇ and q̈ at both
@@ -48,9 +48,9 @@
 //!   mind whole turns.
 //! * The bounds of laws of the program's own that tell them, by name: [`Proof::trusted`].
 //!
-//! What cannot be proved: mechanisms with superfluous equations (numbers do not show that those left over
-//! hold exactly), constraints on the dual route or written by hand, laws without an expression; and steps in
-//! which the condition of an `if` changes.
+//! Nothing is proved of mechanisms with superfluous equations (numbers do not show that those left over hold
+//! exactly), of constraints on the dual route or written by hand, of laws without an expression, and of steps
+//! in which the condition of an `if` changes.
 
 mod bounds;
 mod krawczyk;
@@ -77,7 +77,7 @@ use step::{Curve, Failure, step};
 /// for each piece.
 const LARGEST: usize = 400;
 
-/// What was proved of a motion, step by step. Its text is the verdict.
+/// The proof of a motion, step by step. Its text is the verdict.
 #[derive(Clone, Debug)]
 pub struct Proof {
     name: String,
@@ -115,19 +115,19 @@ pub struct Tube {
     pub alone: Vec<f64>,
 }
 
-/// What stands in the way of a proof, and when.
+/// An obstacle to a proof, and its time.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Doubt {
     /// Where in the step.   \[s\]
     pub t: f64,
-    /// What the units of length and time are called.
+    /// Names of the units of length and time.
     pub units: Units,
-    /// What.
+    /// The obstacle.
     pub reason: DoubtReason,
 }
 
-/// What stands in the way of a proof.
+/// The obstacles to a proof.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum DoubtReason {
@@ -141,7 +141,7 @@ pub enum DoubtReason {
     Apart {
         /// The equation that is missed most.
         equation: String,
-        /// By how much, in its unit.
+        /// Its residual, in its unit.
         by: f64,
     },
     /// No bounds of an equation are known there: something in it jumps, or has no value or slope.
@@ -268,7 +268,7 @@ impl From<Around> for Tube {
 }
 
 impl Proof {
-    /// Whether every step was proved, and every position of a motion without steps.
+    /// True if every step was proved, and every position of a motion without steps.
     pub fn is_complete(&self) -> bool {
         self.steps.iter().all(|step| step.tube.is_ok())
             && self.positions.iter().all(std::result::Result::is_ok)
@@ -348,7 +348,7 @@ mod tests {
         [x + y * y, y * y * y]
     }
 
-    /// What can move most, in its own size, while each equation in its own is nearly met.
+    /// The loosest coordinate can move most, in its own size, while each equation in its own is nearly met.
     #[test]
     fn the_loosest_coordinate() {
         let mut m = Mechanism::new("loose");

@@ -23,7 +23,7 @@ pub struct MechanismData {
     pub format: u32,
     /// Name of the mechanism.
     pub name: String,
-    /// What its units are called.
+    /// Names of its units.
     #[serde(default, skip_serializing_if = "Units::is_default")]
     pub units: Units,
     /// Bodies and bare coordinates in their order.
@@ -66,7 +66,7 @@ pub struct LimitData {
 pub struct BodyData {
     /// Its name.
     pub name: String,
-    /// What it is.
+    /// Kind of the body.
     pub kind: BodyKind,
     /// Guess of its coordinates.
     pub guess: Vec<f64>,
@@ -78,7 +78,7 @@ pub struct BodyData {
     pub length: Option<f64>,
 }
 
-/// What a body is.
+/// Kinds of bodies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
@@ -101,7 +101,7 @@ pub struct ConstraintData {
     pub name: String,
     /// Name of its function.
     pub kind: String,
-    /// What it acts on, in the order of its signature.
+    /// The bodies and coordinates that it acts on, in the order of its signature.
     pub arguments: Vec<ArgumentData>,
     /// Its parameters by name.
     #[serde(default)]

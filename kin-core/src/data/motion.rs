@@ -22,7 +22,7 @@ pub struct MotionData {
     pub format: u32,
     /// Name of the mechanism.
     pub name: String,
-    /// What its units are called.
+    /// Names of its units.
     #[serde(default, skip_serializing_if = "Units::is_default")]
     pub units: Units,
     /// Bodies and bare coordinates in their order, with what they are.
@@ -49,7 +49,7 @@ pub struct MotionData {
     /// Breaks of laws that the run has crossed.
     #[serde(default)]
     pub breaks: Vec<BreakData>,
-    /// What has happened on the way.
+    /// Events of the motion.
     #[serde(default)]
     pub events: Vec<Event>,
     /// Singular positions that were met.

@@ -18,10 +18,10 @@ use crate::model::mechanism::Mechanism;
 pub trait Described: Constraint + Sized + 'static {
     /// Name of its function.
     const KIND: &'static str;
-    /// What its arguments are, in order.
+    /// Kinds of its arguments, in order.
     const ARGUMENTS: &'static [ArgumentKind];
-    /// From bodies and parameters. What is wrong with them is noted in the reader, which gives something in
-    /// its place; `None` where there is nothing to give.
+    /// From bodies and parameters. The reader notes each fault and gives something in its place; `None` where
+    /// there is nothing to give.
     fn read(from: &mut Reader<'_>) -> Option<Self>;
 }
 
@@ -179,7 +179,7 @@ impl<'a> Reader<'a> {
         self.value(name, &mut |value| T::from_value(value, registry)).unwrap_or_else(T::absent)
     }
 
-    /// What can be made of the parameter of that name.
+    /// The value read from the parameter of that name.
     pub(super) fn value<T>(
         &mut self,
         name: &str,

@@ -14,11 +14,11 @@ use crate::numbers::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
 
 /// A parameter made of numbers, or a law.
 pub trait Datum: Sized {
-    /// As JSON.
+    /// The value as JSON.
     fn to_value(&self) -> Result<Value, String>;
     /// From JSON; the registry knows laws. Errors: what is wrong with it.
     fn from_value(value: &Value, registry: &Registry) -> Result<Self, String>;
-    /// What stands in the place of a value that could not be read: not a number.
+    /// The stand-in for a value that could not be read: not a number.
     fn absent() -> Self;
 }
 

@@ -1,4 +1,4 @@
-//! What emitted code stands on. Not for use by hand: nothing here is part of the public interface.
+//! Support for emitted code. Not for use by hand: nothing here is part of the public interface.
 
 mod columns;
 mod editor;

@@ -6,7 +6,7 @@ use crate::numbers::algebra::Axis;
 
 /// A parameter that can be wrong by itself.
 pub trait Refuses {
-    /// What is wrong with it.
+    /// The fault of the argument, if it has one.
     fn refusal(&self) -> Option<String>;
 }
 

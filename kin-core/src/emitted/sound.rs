@@ -4,7 +4,7 @@
 //! A constant that does not compile makes [`If`] an unknown type, and rustc is silent about whatever is made
 //! of an unknown type.
 
-/// Whether something compiles.
+/// Marks with `YES` whether something compiles.
 pub struct Sound<const YES: bool>;
 
 /// A type that stands only if it does.

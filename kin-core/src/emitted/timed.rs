@@ -1,4 +1,5 @@
-//! What a constraint makes of the time alone, where its caller has not asked for it once a time.
+//! Values that a constraint computes from the time alone, for a caller that has not asked for them once a
+//! time.
 
 use crate::model::constraint::Constraint;
 

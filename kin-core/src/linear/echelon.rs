@@ -124,7 +124,7 @@ impl Echelon {
     }
 }
 
-/// Whether a permutation is odd.
+/// True if a permutation is odd.
 fn odd(permutation: &[usize]) -> bool {
     let mut seen = vec![false; permutation.len()];
     let mut odd = false;
@@ -139,7 +139,7 @@ fn odd(permutation: &[usize]) -> bool {
     odd
 }
 
-/// What of a dense vector is no rounding.
+/// The entries of a dense vector that are more than rounding.
 fn sparse(x: &[f64]) -> Sparse {
     /// A share of the largest entry below this is rounding.   \[-\]
     const SHARE: f64 = 1e-8;
@@ -147,7 +147,7 @@ fn sparse(x: &[f64]) -> Sparse {
     x.iter().copied().enumerate().filter(|(_, x)| x.abs() > SHARE * largest).collect()
 }
 
-/// What is left of a matrix while it is eliminated.
+/// The part of a matrix that is still to be eliminated.
 struct Work {
     rows: Vec<Sparse>,
     /// Rows that have or had an entry in each column.

@@ -30,7 +30,7 @@ pub(crate) struct WideLinear<S: Level> {
     acceleration: Replay,
     /// The rows of −C_t, and of Q_d, that are zero for good.
     zeros: [Vec<u32>; 2],
-    /// Whether all places of the memory are below [`SMALL`].
+    /// True if all places of the memory are below [`SMALL`].
     small: bool,
     /// The numbers that are factored but for the pivots, multipliers and others: where they begin, and the
     /// share of what is allowed that each unit of them is.
@@ -44,9 +44,9 @@ pub(crate) struct WideLinear<S: Level> {
     /// Values that can change and do not stand on the ground, and their limits.
     varying: Vec<u32>,
     limits: Vec<Wide<S>>,
-    /// Whether nothing has been measured since the beginning.
+    /// True if nothing has been measured since the beginning.
     fresh: bool,
-    /// Whether the weights of pivots know the measures.
+    /// True if the weights of pivots agree with the present measures.
     told: bool,
     /// One over the smallest constant pivot, and over the smallest of all at the last factoring; the smallest
     /// that this has been.
@@ -136,7 +136,7 @@ impl<S: Level> WideLinear<S> {
         &self.memory[..self.recorder.entries.len()]
     }
 
-    /// What is to be taken from q.
+    /// The correction, which is to be subtracted from q.
     pub(crate) fn correction(&self) -> &[Wide<S>] {
         self.area(self.areas.recorded.solution as usize)
     }
@@ -270,7 +270,7 @@ impl<S: Level> WideLinear<S> {
         run(simd, &self.factor, self.small, &mut self.memory);
         let mut inverse = self.inverse_constant;
         for &(place, _, per_unit) in &self.pivots {
-            // What is not a number shows in the solution.
+            // A pivot that is not a number shows in the solution.
             inverse = (self.memory[place as usize].abs() * per_unit).or_larger(inverse);
         }
         let mut share = Wide::splat(simd, 0.0);
@@ -286,19 +286,19 @@ impl<S: Level> WideLinear<S> {
         share.le(number(1.0)) & inverse.lt(number(1.0 / SINGULAR)) & (inverse * faded).le(self.best)
     }
 
-    /// From C to the correction, with the factors at hand.
+    /// Computes the correction from C, with the factors at hand.
     #[inline(always)]
     pub(crate) fn correct(&mut self) {
         run(self.simd, &self.correct, self.small, &mut self.memory);
     }
 
-    /// From −C_t to q̇.
+    /// Computes q̇ from −C_t.
     #[inline(always)]
     pub(crate) fn solve_velocity(&mut self) {
         run(self.simd, &self.velocity, self.small, &mut self.memory);
     }
 
-    /// From Q_d to q̈.
+    /// Computes q̈ from Q_d.
     #[inline(always)]
     pub(crate) fn solve_acceleration(&mut self) {
         run(self.simd, &self.acceleration, self.small, &mut self.memory);

@@ -19,7 +19,7 @@ impl Linear {
         &self.column_units
     }
 
-    /// Whether a column is so small that only a look at the whole tells it from zero.
+    /// True if a column is so small that only a look at the whole matrix tells it from zero.
     pub(crate) fn is_faint(&self) -> bool {
         self.faint
     }
@@ -35,7 +35,7 @@ impl Linear {
         self.set_units();
     }
 
-    /// Whether rows or columns have grown since they were last confirmed.
+    /// True if rows or columns have grown since they were last confirmed.
     pub(crate) fn is_provisional(&self) -> bool {
         self.provisional
     }

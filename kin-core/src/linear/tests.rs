@@ -79,8 +79,7 @@ fn nothing_is_singular_about_no_coordinates() {
     linear.solve();
 }
 
-/// What is measured of rows and columns is of order 1; the largest singular value still grows with their
-/// number.
+/// The measures of rows and columns are of order 1; the largest singular value still grows with their number.
 #[test]
 fn condition_counts_the_largest_singular_value_and_the_smallest() {
     let mut random = crate::numbers::random::Random::new(3);
@@ -131,7 +130,7 @@ fn measures_that_were_not_confirmed_can_be_revoked() {
     linear.revoke();
     assert!(linear.measure() && linear.factor() && !linear.is_provisional());
     assert_eq!((linear.smallest_pivot(), linear.norms()), (pivot, &[1.0, 1.0][..]));
-    // What is confirmed stays.
+    // Confirmed measures stay.
     linear.values_mut().copy_from_slice(&[1.0, 0.0, 0.0, 4.0]);
     assert!(linear.measure());
     linear.confirm();

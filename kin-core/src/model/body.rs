@@ -34,7 +34,7 @@ pub trait Body {
     /// `Vec2` or `Vec3`.
     type Vector: Vector;
 
-    /// What it is to a mechanism.
+    /// The handle's place in a mechanism.
     #[doc(hidden)]
     fn target(self) -> Target;
 

@@ -17,7 +17,7 @@ use crate::numbers::real::{Dual, Real};
 /// A constraint whose equation can be evaluated with any numbers: N local coordinates, M rows. Written by
 /// `#[constraint]`.
 pub trait Equation<const N: usize, const M: usize>: Constraint + Clone + 'static {
-    /// What its arguments are, in order.
+    /// Kinds of its arguments, in order.
     const ARGUMENTS: &'static [ArgumentKind];
 
     /// C(q, t) with any dual numbers.
@@ -33,7 +33,7 @@ pub trait Equation<const N: usize, const M: usize>: Constraint + Clone + 'static
     fn plain(&self, q: &[f64; N], t: f64) -> [f64; M];
 }
 
-/// What an argument of a constraint is.
+/// Kinds of arguments of a constraint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ArgumentKind {
     /// A planar body: 3 columns.
@@ -169,7 +169,7 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
         self.0.laws(at, visit);
     }
 
-    /// By its own route: what is not finite on one is not on the other.
+    /// The answer of its own route: a term that is not finite on one route is not on the other.
     fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
         self.0.blame(asked)
     }
@@ -277,8 +277,8 @@ fn rates<const N: usize>(arguments: &[ArgumentKind], qd: &Rates<'_>) -> [f64; N]
     gather(arguments, |k, n| qd.columns(k, n))
 }
 
-/// The numbers of all arguments one after the other: `numbers` gives the n of argument k. What is missing is
-/// zero.
+/// The numbers of all arguments one after the other: `numbers` gives the n of argument k. Numbers that an
+/// argument has not are zero.
 fn gather<'a, const N: usize>(
     arguments: &[ArgumentKind],
     numbers: impl Fn(usize, usize) -> &'a [f64],

@@ -7,7 +7,7 @@ use crate::model::coordinates::{Argument, Coordinate, MechanismId, PlanarBody, S
 use crate::model::error::{Error, Result};
 use crate::model::units::{Unit, Units};
 
-/// What one declared item is.
+/// Kinds of declared items.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     Planar,
@@ -62,7 +62,7 @@ pub(crate) struct Layout {
     pub items: Vec<Item>,
     pub names: Vec<String>,
     pub units: Vec<Unit>,
-    /// What the units are called.
+    /// Names of the units.
     pub words: Units,
     /// Links as (item, length between the pins).   \[m\]
     pub links: Vec<(usize, f64)>,

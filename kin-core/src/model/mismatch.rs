@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::model::constraint::Route;
 
-/// So many lines of a table are shown.
+/// Lines of a table that are shown at most.
 const SHOWN: usize = 16;
 
 /// The terms of a constraint on which its routes do not agree, at one state.
@@ -17,7 +17,7 @@ pub struct Mismatch {
     pub route: Route,
     /// Which state it is.
     pub place: String,
-    /// What differs, the largest difference first.
+    /// The entries that differ, the largest difference first.
     pub entries: Vec<Entry>,
     /// Local coordinates, with their names.
     pub q: Vec<(String, f64)>,
@@ -31,13 +31,13 @@ pub struct Mismatch {
 #[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Entry {
-    /// Such as `C_q[x, crank.theta]`.
+    /// Name of the number, such as `C_q[x, crank.theta]`.
     pub name: String,
-    /// By the constraint itself.
+    /// Its value by the constraint itself.
     pub own: f64,
-    /// By dual numbers.
+    /// Its value by dual numbers.
     pub dual: f64,
-    /// By central differences, for C, C_q, C_t and Q_d.
+    /// Its value by central differences, for C, C_q, C_t and Q_d.
     pub central: Option<f64>,
     /// The difference between the first two, relative to 1 + the largest entry of the term.
     pub difference: f64,

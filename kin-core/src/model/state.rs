@@ -1,5 +1,5 @@
-//! What a constraint sees: the state of its arguments at one instant, evaluated once and shared by all
-//! constraints on a body.
+//! The state of a constraint's arguments at one instant, evaluated once and shared by all constraints on a
+//! body.
 
 use crate::numbers::algebra::{EulerParameters, Mat2, Mat3, Scalar, Vec2, Vec3};
 
@@ -204,7 +204,7 @@ impl<'a> At<'a> {
         (self.arguments, self.timed) = (arguments, timed);
     }
 
-    /// What the constraint has made of the time alone, if it was asked to.
+    /// The values that the constraint has computed from the time alone, if it was asked to.
     #[inline]
     pub fn timed(&self) -> &'a [f64] {
         self.timed

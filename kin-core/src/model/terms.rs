@@ -28,7 +28,7 @@ pub struct Terms {
 }
 
 impl Terms {
-    /// Whether every entry of every term is finite.
+    /// True if every entry of every term is finite.
     pub fn is_finite(&self) -> bool {
         let vectors = [&self.c, &self.c_t, &self.c_qqd_qd, &self.c_qt_qd, &self.c_tt, &self.q_d];
         vectors.iter().all(|v| v.iter().all(|x| x.is_finite())) && self.c_q.iter().all(|x| x.is_finite())

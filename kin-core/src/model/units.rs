@@ -63,7 +63,7 @@ impl Units {
         &self.0.time
     }
 
-    /// Whether they are metre and second.
+    /// True if the units are metre and second.
     pub(crate) fn is_default(&self) -> bool {
         *self == Units::default()
     }

@@ -90,7 +90,7 @@ pub(crate) fn largest(x: &[Quad]) -> f64 {
     seen.largest()
 }
 
-/// Whether |x_i| ≤ limit_i everywhere.
+/// True if |x_i| ≤ limit_i everywhere.
 #[inline]
 pub(crate) fn inside(x: &[Quad], limits: &[Quad]) -> bool {
     let mut all = f64x4::ZERO.simd_eq(f64x4::ZERO);

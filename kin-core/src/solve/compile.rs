@@ -1,5 +1,5 @@
-//! What a mechanism comes to as one program: what its rows give, what is left to Newton's method, how large
-//! it is.
+//! A mechanism as one program: the coordinates that its rows give, those that are left to Newton's method,
+//! and its size.
 
 use std::fmt;
 

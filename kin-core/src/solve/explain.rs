@@ -1,4 +1,4 @@
-//! Why a run has failed is found out by those who ask, in a room above; what solves carries the means to it.
+//! The diagnosis of a failed run lives in a room above; solvers carry it as functions.
 
 use crate::model::error::Error;
 use crate::solve::newton::Options;
@@ -14,7 +14,7 @@ pub(crate) enum Start<'a> {
     Pose(&'a [f64]),
 }
 
-/// What finds out why a run has failed.
+/// The functions that find out why a run has failed.
 #[derive(Clone, Copy)]
 pub(crate) struct Explain {
     /// The error of a mechanism that cannot be driven at a time, with its diagnosis.

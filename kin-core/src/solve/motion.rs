@@ -1,5 +1,5 @@
-//! What a sweep gives: position, velocity and acceleration over time, with names and units, and what is
-//! derived from them.
+//! The motion that a run gives: position, velocity and acceleration over time, with names and units, and the
+//! quantities derived from them.
 
 mod csv;
 mod distance;

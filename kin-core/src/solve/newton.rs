@@ -51,7 +51,7 @@ pub(crate) enum Failure {
     },
 }
 
-/// What an attempt that succeeded did.
+/// Data of a successful attempt.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Outcome {
     pub iterations: usize,
@@ -86,14 +86,14 @@ pub(crate) struct Newton<'a> {
     pub sizes: Vec<f64>,
     /// 1 / s_j
     shares: Padded,
-    /// What is left of what each row is allowed to be off.
+    /// Tolerance of each row less its error.
     left: Vec<f64>,
     /// max |C_i| at the last linearization.
     residual: f64,
     /// Newton steps of all attempts, and how many there were before this time.
     pub steps: usize,
     pub steps_before: usize,
-    /// Whether a constraint can jump where coordinates move.
+    /// True if a constraint can jump where coordinates move.
     jumps: bool,
 }
 
@@ -200,7 +200,7 @@ impl<'a> Newton<'a> {
         self.linear.measure() && self.linear.factor()
     }
 
-    /// Whether the rank of C_q at the point in hand is what a diagnosis calls less than n.
+    /// True if the rank of C_q at the present point is one that a diagnosis calls less than n.
     #[cold]
     fn is_singular(&self) -> bool {
         let (model, t) = (self.system.model(), self.instant.t());
@@ -252,7 +252,7 @@ impl<'a> Newton<'a> {
     fn correction(&self) -> f64 {
         let tolerance = match self.options.stop {
             Stop::Converged { tolerance } => tolerance,
-            // Nothing asks for more, where steps are taken as they come.
+            // The correction is not needed where steps are taken as they come.
             Stop::ResidualOnly(_) if !self.options.rescue => return f64::INFINITY,
             Stop::ResidualOnly(_) => f64::INFINITY,
         };
@@ -274,7 +274,7 @@ impl<'a> Newton<'a> {
         (self.met() && correction <= tolerance) || (correction > 0.5 * previous && correction <= STALL)
     }
 
-    /// Whether C = 0 holds to the tolerance, each row by its own measure.
+    /// True if C = 0 holds to the tolerance, each row by its own measure.
     fn met(&mut self) -> bool {
         let tolerance = match self.options.stop {
             Stop::Converged { tolerance } => tolerance,
@@ -311,8 +311,8 @@ impl<'a> Newton<'a> {
         padded::add(self.q.whole_mut(), self.linear.whole_solution());
     }
 
-    /// q += dq where nothing is looked at any more. What can jump is looked at all the same, and dq taken
-    /// back if that has been done.
+    /// q += dq where nothing is looked at any more. Constraints that can jump are looked at all the same, and
+    /// dq is taken back if one has jumped.
     #[inline(always)]
     fn correct_last(&mut self) {
         if self.jumps { self.correct_unless_it_jumps() } else { self.correct() }

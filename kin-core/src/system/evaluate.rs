@@ -18,7 +18,7 @@ pub(crate) use block::Block;
 use block::{Span, from};
 use linear::LinearRows;
 
-/// What constraints read at one instant: the time, what they make of it alone, states and rates.
+/// The arguments of constraints at one instant: the time, values computed from it alone, states and rates.
 #[derive(Clone, Debug)]
 pub(crate) struct Instant {
     t: f64,
@@ -36,10 +36,10 @@ impl Instant {
     }
 }
 
-/// What the right side for the jerk is called.
+/// Name of the right side for the jerk.
 pub(crate) const JERK_RHS: &str = "the right side for the jerk";
 
-/// What of a constraint is not finite.
+/// The entry of a constraint's terms that is not finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Bad {
     /// Global row.
@@ -69,20 +69,20 @@ pub(crate) struct Equations {
 /// The constraints that need to be asked at all, by what they are asked for.
 #[derive(Clone, Default)]
 struct Asked {
-    /// Those that make numbers of the time alone.
+    /// Constraints that compute numbers from the time alone.
     timed: Vec<usize>,
-    /// Those that are not linear, and those of them whose C depends on t.
+    /// Nonlinear constraints, and those of them whose C depends on t.
     curved: Vec<usize>,
     c: Vec<usize>,
-    /// Those that are linear: those whose C depends on t, and the others.
+    /// Linear constraints: those whose C depends on t, and the others.
     linear: Vec<Straight>,
     steady: Vec<Straight>,
-    /// Those that are not linear whose C_t, or Q_d, can be other than zero.
+    /// Nonlinear constraints whose C_t, or Q_d, can be other than zero.
     c_t: Vec<usize>,
     q_d: Vec<usize>,
-    /// Those that can hold and yet not be meant so.
+    /// Constraints that can hold on a branch that is not meant.
     branches: Vec<usize>,
-    /// Whether some C_q depends on t.
+    /// True if some C_q depends on t.
     c_q_on_t: bool,
 }
 
@@ -146,7 +146,7 @@ impl Equations {
         instant
     }
 
-    /// What depends on the time and on parameters alone is evaluated here, once a time.
+    /// Values that depend on the time and on parameters alone are evaluated here, once a time.
     pub(crate) fn set_time(&self, t: f64, instant: &mut Instant) {
         for block in self.asked.timed.iter().map(|&k| &self.blocks[k]) {
             block.constraint.at_time(t, &mut instant.timed[block.timed.range()]);
@@ -235,7 +235,7 @@ impl Equations {
         self.asked.c_q_on_t
     }
 
-    /// Whether C and the values of C_q are finite. What stands on the ground's coordinates does not matter.
+    /// Refuses C and values of C_q that are not finite. Entries on the ground's coordinates do not matter.
     pub(crate) fn finite(&self, c: &[f64], values: &[f64]) -> Result<(), Bad> {
         finite(c, "C")?;
         let mut own =

@@ -81,7 +81,7 @@ impl System {
         (0..self.equations.blocks.len()).map(has).collect()
     }
 
-    /// Whether some constraint has kernels over lanes.
+    /// True if some constraint has kernels over lanes.
     pub(crate) fn has_lanes(&self) -> bool {
         self.equations.blocks.iter().any(|block| block.constraint.in_lanes().is_some())
     }

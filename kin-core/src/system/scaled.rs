@@ -1,8 +1,8 @@
 //! The equations of a mechanism seen from outside the driver: any number of them, at any pose, in units of
 //! order 1.
 //!
-//! What looks at a mechanism that cannot be driven (diagnosis, assembly from afar, redundant mechanisms)
-//! stands on this; the driver does not.
+//! Everything that examines a mechanism that cannot be driven (diagnosis, assembly from afar, redundant
+//! mechanisms) stands on this; the driver does not.
 
 use crate::linear::{Echelon, RANK, Sparse};
 use crate::model::error::Error;
@@ -12,10 +12,10 @@ use crate::numbers::random::Random;
 use crate::system::evaluate::{Bad, Equations, JERK_RHS, finite};
 use crate::system::scale;
 
-/// What rows may be off and count as met, of their norms.   \[-\]
+/// Rows count as met if they are off by no more than this share of their norms.   \[-\]
 pub(crate) const TOLERANCE: f64 = 1e-10;
 
-/// What is known of a mechanism before anything is solved.
+/// The facts about a mechanism that are known before anything is solved.
 #[derive(Clone, Copy)]
 pub(crate) struct Model<'a> {
     pub name: &'a str,
@@ -101,12 +101,12 @@ impl Model<'_> {
         entries.filter_map(|(entry, value)| entry.map(|(row, column)| (row, column, *value)))
     }
 
-    /// Whether a row belongs to a driving constraint.
+    /// True if a row belongs to a driving constraint.
     pub(crate) fn drives(&self, row: usize) -> bool {
         self.equations.block_of(row).is_some_and(|(block, _)| block.drives)
     }
 
-    /// Whether a row is the norm of a body's Euler parameters.
+    /// True if a row is the norm of a body's Euler parameters.
     pub(crate) fn is_norm(&self, row: usize) -> bool {
         self.equations.block_of(row).is_some_and(|(block, _)| block.constraint.kind() == "euler_norm")
     }
@@ -173,7 +173,7 @@ impl Model<'_> {
         rows
     }
 
-    /// Whether C = 0 holds, but for rounding and what is allowed.
+    /// True if C = 0 holds, but for rounding and the closure error that is allowed.
     pub(crate) fn met(
         &self,
         point: &Point,
@@ -203,7 +203,7 @@ impl Model<'_> {
         self.equations.not_finite(bad, self.layout, &self.equations.instant_at(t, q))
     }
 
-    /// Whether a coordinate turns something: its changes are limited.
+    /// True if a coordinate turns something: its changes are limited.
     pub(crate) fn turns(&self, column: usize) -> bool {
         self.layout.units[column] != Unit::Metre
     }

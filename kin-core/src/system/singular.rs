@@ -1,5 +1,5 @@
-//! What is said of C_q where a solver has found no pivot: its rank, what is left free, which equations depend
-//! on one another.
+//! Report on C_q where a solver has found no pivot: its rank, the coordinates left free, the equations that
+//! depend on one another.
 
 use crate::linear::{Echelon, RANK};
 use crate::system::scaled::{Measures, Model};

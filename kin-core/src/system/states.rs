@@ -27,11 +27,11 @@ pub(crate) struct StatePlan {
 struct Coord {
     coordinate: u32,
     begin: u32,
-    /// Whether someone reads its sine or cosine.
+    /// True if some constraint reads its sine or cosine.
     trig: bool,
 }
 
-/// What is known of the coordinates while arguments are planned for.
+/// Where coordinates stand, while arguments are planned.
 pub(super) struct Planned {
     /// Where the state of the body that begins with a coordinate begins.
     bodies: Vec<Option<u32>>,
@@ -42,7 +42,7 @@ pub(super) struct Planned {
 }
 
 impl Planned {
-    /// Nothing, of n coordinates.
+    /// An empty plan of n coordinates.
     pub(super) fn new(n: usize) -> Self {
         Planned { bodies: vec![None; n], coords: vec![None; n], columns: Vec::new() }
     }

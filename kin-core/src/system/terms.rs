@@ -1,4 +1,4 @@
-//! What the equations of a system are at one pose: C, C_q, C_t, Q_d.
+//! Terms of a system's equations at one pose: C, C_q, C_t, Q_d.
 
 use nalgebra::DMatrix;
 

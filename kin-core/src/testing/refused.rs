@@ -1,4 +1,4 @@
-//! What is refused by name, and names themselves.
+//! Names, and values that are refused by name.
 
 use super::models::*;
 use super::*;

@@ -47,7 +47,7 @@ impl Second {
 struct Argument<'a> {
     node: Node,
     derivative: &'a dyn Fn(&mut Graph) -> Node,
-    /// Whether the derivative is finite wherever the function is.
+    /// True if the derivative is finite wherever the function is.
     tame: bool,
 }
 

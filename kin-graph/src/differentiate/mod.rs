@@ -14,7 +14,7 @@ use crate::Node;
 pub use jets::Jets;
 pub use partial::Partial;
 
-/// What has been found of each node, by its number.
+/// The findings about each node, by its number.
 #[derive(Default)]
 struct Memo<T>(Vec<Option<T>>);
 
@@ -23,7 +23,7 @@ impl<T: Copy + Default> Memo<T> {
         matches!(self.0.get(node.index()), Some(Some(_)))
     }
 
-    /// Of a node that has been looked at.
+    /// The finding about a node; the default where there is none.
     fn of(&self, node: Node) -> T {
         self.0.get(node.index()).copied().flatten().unwrap_or_default()
     }

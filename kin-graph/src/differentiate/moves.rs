@@ -17,7 +17,7 @@
 use super::{Memo, rules};
 use crate::{Function2, Graph, Node, Op};
 
-/// Whether a value moves.
+/// The ways in which a value moves.
 #[derive(Clone, Copy, Default)]
 pub(super) enum Motion {
     #[default]
@@ -27,7 +27,7 @@ pub(super) enum Motion {
     When(Node),
 }
 
-/// Of each node whether it moves.
+/// The way in which each node moves.
 #[derive(Default)]
 pub(super) struct Moves(Memo<Motion>);
 

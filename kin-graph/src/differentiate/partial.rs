@@ -5,7 +5,7 @@ use super::scaled::{Tangents, relative_exponent, scaled, where_finite, where_lar
 use super::{Memo, rules};
 use crate::{Column, Function2, Graph, Input, LeafNumber, LeafUse, Node, Op, Part};
 
-/// What to differentiate by.
+/// The variable to differentiate by.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum By {
     Column(Column),
@@ -50,8 +50,8 @@ impl Partial {
         self.known(node)
     }
 
-    /// What has to be differentiated before `node`, and itself. Operands come before their users, so a loop
-    /// over them replaces a recursion as deep as the expression.
+    /// Nodes that have to be differentiated before `node`, and itself. Operands come before their users, so a
+    /// loop over them replaces a recursion as deep as the expression.
     pub fn unknown(&self, g: &Graph, node: Node) -> Vec<Node> {
         g.unknown(&[node], |n| self.memo.has(n))
     }
@@ -71,7 +71,7 @@ impl Partial {
         self.memo.of(node)
     }
 
-    /// Whether nothing that a node is computed from has a derivative.
+    /// True if none of a node's operands has a derivative.
     fn is_still(&self, g: &Graph, node: Node) -> bool {
         let mut still = !matches!(g.op(node), Op::Input(_));
         g.each_operand(node, |operand| still &= g.is_zero(self.known(operand)));

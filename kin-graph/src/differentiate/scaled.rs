@@ -118,8 +118,8 @@ pub(super) fn relative_exponent(g: &Graph, base: Node, exponent: Node) -> Option
     g.constant_value(exponent).filter(|_| g.bursts(base))
 }
 
-/// What is taken beside the value where a base is larger than 1, where nothing can vanish; a falling power
-/// has no zero of the base to fear.
+/// Takes `relative` where a base is larger than 1, since nothing can vanish there, and `plain` elsewhere; a
+/// falling power has no zero of the base to fear, and takes `relative` everywhere.
 pub(super) fn where_large(g: &mut Graph, base: Node, exponent: f64, relative: Node, plain: Node) -> Node {
     if exponent < 0.0 {
         return relative;

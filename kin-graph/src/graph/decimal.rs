@@ -10,7 +10,7 @@ pub struct Decimal {
     digits: Digits,
     /// The nearest f64.
     pub nearest: f64,
-    /// Whether it is above that.
+    /// True if the number is above the nearest f64.
     pub above: bool,
 }
 

@@ -4,7 +4,7 @@
 
 use std::hash::{BuildHasherDefault, Hasher};
 
-/// For `HashMap`.
+/// The hasher for a `HashMap`.
 pub type Quick = BuildHasherDefault<QuickHasher>;
 
 #[derive(Default)]

@@ -15,7 +15,7 @@ impl Graph {
         }
     }
 
-    /// Whether a number is finite.
+    /// The condition that a number is finite.
     pub fn is_finite(&mut self, a: Node) -> Node {
         let (size, largest) = (self.call(Function::Abs, a), self.constant(f64::MAX));
         self.compare(Comparison::LessEqual, size, largest)

@@ -29,24 +29,24 @@ pub struct Graph {
     ops: Vec<Op>,
     depends: Vec<Depends>,
     index: HashMap<Op, Node, hash::Quick>,
-    /// What each opaque value is computed from.
+    /// The operands of each opaque value.
     pub opaques: Vec<Vec<Node>>,
     pub leaves: Vec<Leaf>,
     pub directions: Vec<Direction>,
     /// The numbers in it that no f64 is.
     pub decimals: Vec<Decimal>,
-    /// Whether constants stay as they are written wherever f64 would round them.
+    /// True if constants stay as they are written wherever f64 would round them.
     as_written: bool,
-    /// Whether f64 has rounded a constant.
+    /// True if f64 has rounded a constant.
     rounded: bool,
 }
 
-/// What a node depends on.
+/// The things that a node depends on.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Depends {
-    /// On a coordinate, or on the variable of a law.
+    /// True if the node depends on a coordinate, or on the variable of a law.
     pub on_q: bool,
-    /// On time.
+    /// True if the node depends on time.
     pub on_t: bool,
     /// Through a choice between values: `if`, `max`, `min`.
     chooses: bool,
@@ -57,7 +57,7 @@ pub struct Depends {
 }
 
 impl Depends {
-    /// On anything that has a derivative.
+    /// True if the node depends on anything that has a derivative.
     pub fn varies(self) -> bool {
         self.on_q || self.on_t
     }
@@ -74,7 +74,7 @@ impl Depends {
 }
 
 impl Node {
-    /// Its number: what it is computed from has smaller ones.
+    /// The number of the node: its operands have smaller ones.
     pub fn index(self) -> usize {
         self.0 as usize
     }
@@ -87,17 +87,17 @@ impl Graph {
         Graph { as_written: true, ..Graph::default() }
     }
 
-    /// Whether anything in it is not quite as written: then [`Graph::as_written`] has another graph.
+    /// True if anything in the graph is not quite as written: then [`Graph::as_written`] has another graph.
     pub fn is_rounded(&self) -> bool {
         self.rounded
     }
 
-    /// Whether constants stay as they are written.
+    /// True if constants stay as they are written.
     pub fn keeps_constants(&self) -> bool {
         self.as_written
     }
 
-    /// Whether a node is made of numbers alone.
+    /// True if a node is made of numbers alone.
     pub fn is_number(&self, node: Node) -> bool {
         let given =
             |n: &Node| matches!(self.op(*n), Op::Input(_) | Op::Opaque(..) | Op::Leaf(_) | Op::Law(..));
@@ -112,17 +112,17 @@ impl Graph {
         self.depends[node.0 as usize]
     }
 
-    /// Whether a choice between values lies behind a node.
+    /// True if a choice between values lies behind a node.
     pub fn chooses(&self, node: Node) -> bool {
         self.depends(node).chooses
     }
 
-    /// Whether a node moves and grows as an exponential or a power does.
+    /// True if a node moves and grows as an exponential or a power does.
     pub fn bursts(&self, node: Node) -> bool {
         self.depends(node).bursts
     }
 
-    /// Whether a node is infinite only where it has grown too large for a number: never at a pole.
+    /// True if a node is infinite only where it has grown too large for a number: never at a pole.
     pub fn overflows(&self, node: Node) -> bool {
         let Depends { bursts, has_poles, .. } = self.depends(node);
         bursts && !has_poles
@@ -243,7 +243,7 @@ impl Graph {
         self.ops.len()
     }
 
-    /// Whether there is no node yet.
+    /// True if there is no node yet.
     pub fn is_empty(&self) -> bool {
         self.ops.is_empty()
     }

@@ -1,9 +1,9 @@
-//! What a node of the graph can be.
+//! The operations of nodes.
 
 use super::Node;
 use crate::{Function, Function2};
 
-/// What the code around an emitted kernel provides.
+/// The inputs that the code around an emitted kernel provides.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Input {
     /// Part of the state of an argument.
@@ -19,7 +19,7 @@ pub enum Input {
     Column(usize),
     /// A numeric parameter, by its number.
     Parameter(usize),
-    /// What was evaluated once a time, by its number; put in before the scheduler.
+    /// A value that was evaluated once a time, by its number; put in before the scheduler.
     Timed(usize),
 }
 

@@ -324,19 +324,19 @@ impl Graph {
     }
 }
 
-/// Whether multiplying by x only moves the exponent.
+/// True if multiplying by x only moves the exponent.
 pub fn is_power_of_two(x: f64) -> bool {
     x.is_normal() && x > 0.0 && x.to_bits() & ((1 << 52) - 1) == 0
 }
 
-/// Whether f64 adds x and y without rounding (Knuth).
+/// True if f64 adds x and y without rounding (Knuth).
 fn is_exact_sum(x: f64, y: f64) -> bool {
     let sum = x + y;
     let back = sum - x;
     sum.is_finite() && (x - (sum - back)) + (y - back) == 0.0
 }
 
-/// Whether x y is this number.
+/// True if x y is this number.
 fn is_exact_product(x: f64, y: f64, product: f64) -> bool {
     /// Above this what a product loses is a number of f64 too.
     const LEAST: f64 = 1e-250;

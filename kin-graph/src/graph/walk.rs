@@ -1,4 +1,4 @@
-//! From a node to those that it is computed from.
+//! Walks from a node to its operands.
 
 use super::{Column, Graph, Input, LeafNumber, LeafUse, Node, Op, Part};
 

@@ -26,7 +26,7 @@ struct Resolver {
 }
 
 impl Resolver {
-    /// What the first name of a path stands for, and the number of the scope that says so.
+    /// The type that the first name of a path stands for, and the number of the scope that says so.
     fn get(&self, path: &syn::Path) -> Option<(usize, Type)> {
         let first = path
             .segments

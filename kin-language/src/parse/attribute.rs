@@ -7,7 +7,7 @@ use syn::punctuated::Punctuated;
 
 use super::Choice;
 
-/// What the attribute asks for.
+/// The contents of the attribute.
 pub struct Asked {
     pub choice: Choice,
     /// Kernels over lanes, which are symbolic.

@@ -10,7 +10,7 @@ use crate::lower::tidy;
 /// `#[require(condition)]`, `#[require(condition, "what to say")]`, and `#[branch(…)]` of the same form.
 pub struct Demand {
     pub condition: Expr,
-    /// What to say where it does not hold.
+    /// The message where the condition does not hold.
     pub text: String,
 }
 

@@ -12,7 +12,7 @@ pub struct Measure {
     pub name: Ident,
     pub value: Expr,
     pub unit: String,
-    /// Whether whole turns are counted from one time to the next.
+    /// True if whole turns are counted from one time to the next.
     pub turns: bool,
     /// Where its range ends, from parameters alone.
     pub ends: Option<(Expr, Expr)>,

@@ -3,7 +3,7 @@
 use quote::ToTokens;
 use syn::{Expr, ExprLit, Lit, Type};
 
-/// What an argument is, by the name of its type.
+/// Kinds of arguments, by the names of their types.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Kind {
     Planar,
@@ -44,7 +44,7 @@ impl Kind {
         }
     }
 
-    /// Whether the constructor takes it and the struct holds it.
+    /// True if the constructor takes the argument and the struct holds it.
     pub fn is_field(&self) -> bool {
         *self != Kind::Time
     }
@@ -66,7 +66,7 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// Whether no part of it is `_`.
+    /// True if no part of it is `_`.
     fn is_known(&self) -> bool {
         match self {
             Shape::Any => false,
@@ -77,7 +77,7 @@ impl Shape {
     }
 }
 
-/// What a type in the signature means, by its name.
+/// The kind of argument that a type in the signature means, by its name.
 pub fn kind(ty: &Type) -> syn::Result<Kind> {
     match shape(ty) {
         Some(shape) if shape.is_known() => return Ok(Kind::Numbers(shape)),
@@ -249,7 +249,7 @@ pub fn literal_length(length: &Expr) -> Option<usize> {
     }
 }
 
-/// Whether a value of it is one row or more.
+/// True if a value of this shape is one row or more.
 pub(super) fn has_rows(shape: &Shape) -> bool {
     match shape {
         Shape::Scalar | Shape::Vector(_) => true,

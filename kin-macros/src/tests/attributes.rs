@@ -21,8 +21,8 @@ impl Attributed {
     }
 }
 
-/// What the compiler is shown of an expansion, taken out of the macros that choose between it and an editor.
-/// What an editor is shown need be no Rust, since the user's body is in it.
+/// The part of an expansion that the compiler sees, taken out of the macros that choose between it and an
+/// editor. What an editor is shown need be no Rust, since the user's body is in it.
 pub fn compiled(expansion: TokenStream) -> syn::Result<syn::File> {
     let mut file: syn::File = syn::parse2(expansion)?;
     let mut items = Vec::new();
@@ -77,8 +77,8 @@ fn without_attribute(item: &[TokenTree]) -> Option<Attributed> {
     Some(Attributed { name, is_law, arguments, item: rest.into_iter().collect() })
 }
 
-/// Whether these two tokens are `#` and `[constraint(…)]` or `[law]`: which of them, and the attribute's own
-/// arguments.
+/// Recognises two tokens that are `#` and `[constraint(…)]` or `[law]`: gives which of them, and the
+/// attribute's own arguments.
 fn is_attribute(hash: &TokenTree, content: &TokenTree) -> Option<(bool, TokenStream)> {
     let (TokenTree::Punct(hash), TokenTree::Group(content)) = (hash, content) else { return None };
     let mut tokens = content.stream().into_iter();

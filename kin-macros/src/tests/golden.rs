@@ -1,4 +1,5 @@
-//! What is emitted for four constraints, kept in `golden/` to be read: `KIN_BLESS=1` stores it anew.
+//! Golden expansions: emitted code of four constraints, kept in `golden/` to be read; `KIN_BLESS=1` stores it
+//! anew.
 
 use std::path::Path;
 

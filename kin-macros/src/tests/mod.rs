@@ -9,7 +9,7 @@ mod pathological;
 
 use std::path::Path;
 
-/// What differs from the stored text; with `KIN_BLESS=1` nothing, and the text is stored for review.
+/// The difference from the stored text; with `KIN_BLESS=1` none, and the text is stored for review.
 fn compared(path: &Path, found: &str) -> Option<String> {
     if std::env::var_os("KIN_BLESS").is_some() {
         std::fs::write(path, found).unwrap_or_else(|error| panic!("{}: {error}", path.display()));

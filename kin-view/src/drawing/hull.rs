@@ -45,7 +45,7 @@ fn turn(a: Vec2, b: Vec2, c: Vec2) -> f64 {
     u.x * v.y - u.y * v.x
 }
 
-/// Whether a polygon covers a point, both seen along z: a line to the right crosses its edge an odd number of
+/// True if a polygon covers a point, both seen along z: a line to the right crosses its edge an odd number of
 /// times.
 pub(crate) fn covers(polygon: &[Vec3], p: Vec3) -> bool {
     let edges = polygon.iter().zip(polygon.iter().cycle().skip(1));

@@ -1,4 +1,4 @@
-//! What joints look like, from how their points move: pins, slots, rods.
+//! Looks of joints, from how their points move: pins, slots, rods.
 
 use kin::{Vec2, Vec3, vec2};
 
@@ -11,11 +11,11 @@ pub(crate) struct Held {
     pub tracks: Vec<usize>,
     /// Points as (track, local point).
     pub points: Vec<(usize, Vec3)>,
-    /// Tracks of bodies that it speaks of a direction of.
+    /// Tracks of bodies in which the constraint has a direction.
     pub directed: Vec<usize>,
-    /// What it knows of the shapes of its bodies.
+    /// The shapes of its bodies, as far as the constraint determines them.
     pub form: Option<Form>,
-    /// Nothing of it is drawn.
+    /// True if nothing of the constraint is drawn.
     pub hidden: bool,
 }
 
@@ -34,10 +34,10 @@ pub(crate) struct Slot {
     /// In the frame of this track.
     pub track: usize,
     pub path: Vec<Vec3>,
-    /// What runs in it.
+    /// The point that runs in it, as (track, local point).
     pub runner: (usize, Vec3),
     pub straight: bool,
-    /// Whether the runner does not turn in it.
+    /// True if the runner does not turn in it.
     pub guided: bool,
 }
 
@@ -60,7 +60,7 @@ impl Samples {
         self.frames[track].iter().map(move |frame| frame.point(local))
     }
 
-    /// Whether two points are always at one place.
+    /// True if two points are always at one place.
     pub fn together(&self, a: (usize, Vec3), b: (usize, Vec3)) -> bool {
         self.path(a).zip(self.path(b)).all(|(a, b)| (a - b).norm() <= 1e-6 * self.size)
     }
@@ -76,13 +76,13 @@ impl Samples {
         first.map_or(vec2(f64::NAN, f64::NAN), |p| vec2(p.x, p.y))
     }
 
-    /// Whether a point never moves as the body of a track sees it.
+    /// True if a point never moves as the body of a track sees it.
     pub fn stays(&self, point: (usize, Vec3), track: usize) -> bool {
         let path = self.relative(point, track);
         path.iter().all(|p| (*p - path[0]).norm() <= 1e-6 * self.size)
     }
 
-    /// Whether track a does not turn as track b sees it.
+    /// True if track a does not turn as track b sees it.
     fn turns_with(&self, a: usize, b: usize) -> bool {
         let x = Vec3::new(1.0, 0.0, 0.0);
         let mut seen = self.frames[a].iter().zip(&self.frames[b]).map(|(a, b)| b.a.transpose() * (a.a * x));
@@ -150,7 +150,7 @@ fn shape(path: &[Vec3]) -> Option<(f64, f64)> {
     extent.is_finite().then(|| (extent, path.iter().map(off).fold(0.0, f64::max)))
 }
 
-/// Whether a path in the plane encloses something: it ends where it began, and has an area.
+/// True if a path in the plane encloses something: it ends where it began, and has an area.
 pub(crate) fn is_closed(path: &[Vec3]) -> bool {
     let (Some(first), Some(last), Some((extent, _))) = (path.first(), path.last(), shape(path)) else {
         return false;

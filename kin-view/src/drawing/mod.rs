@@ -1,5 +1,4 @@
-//! What there is to draw, once a scene and a motion are known: shapes fixed in tracks, lines between them,
-//! marks, traces.
+//! Drawing of a scene and a motion: shapes fixed in tracks, lines between them, marks, traces.
 
 mod bodies;
 mod forms;
@@ -19,10 +18,10 @@ pub(crate) use track::Track;
 /// Everything to be drawn.
 pub(crate) struct Drawing {
     pub name: String,
-    /// Whether it all lies in the plane z = 0.
+    /// True if all points lie in the plane z = 0.
     pub planar: bool,
     pub times: Vec<f64>,
-    /// What the units of length and time are called.
+    /// Names of the units of length and time.
     pub units: Units,
     pub tracks: Vec<Track>,
     pub shapes: Vec<Shape>,
@@ -88,11 +87,11 @@ pub(crate) struct Mark {
     pub track: usize,
     pub local: Vec3,
     pub color: String,
-    /// It stands still, whatever body it is of: a support.
+    /// True for a support, which stands still, whatever body it is of.
     pub grounded: bool,
 }
 
-/// What stands still.
+/// Colour of bodies that stand still.
 pub(crate) const GROUND: &str = "#808080";
 /// Rods and other lines of no body.
 const ROD: &str = "#5a5a5a";
@@ -143,7 +142,7 @@ impl Drawing {
         Samples::new(&self.tracks, &self.sampled(), self.size)
     }
 
-    /// Whether a moving line has a point off the plane z = 0.
+    /// True if a moving line has a point off the plane z = 0.
     fn leaves_plane(&self) -> bool {
         self.tracks
             .iter()

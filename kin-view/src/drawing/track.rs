@@ -5,7 +5,7 @@ use kin::{Coordinate, Mat3, Motion, Result, Vec3};
 
 use crate::scene::{Body, Kind};
 
-/// What moves as one: a body, or a point.
+/// A body or a point that moves as one.
 pub(crate) enum Track {
     /// It stands still: the ground.
     Ground,
@@ -94,7 +94,7 @@ impl Track {
         }
     }
 
-    /// Whether it never moves by more than `least`, a length; turning counts by itself.
+    /// True if the track never moves by more than `least`, a length; turning counts by itself.
     pub fn is_still(&self, least: f64) -> bool {
         let rotations = if let Track::Point(_) = self {
             usize::MAX

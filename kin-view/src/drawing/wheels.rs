@@ -19,7 +19,7 @@ const MARK: f64 = 0.35;
 pub(super) struct Wheel {
     pub track: usize,
     pub centre: Vec2,
-    /// Of the pitch circle.
+    /// Radius of the pitch circle.
     pub radius: f64,
     /// Teeth inside.
     pub ring: bool,

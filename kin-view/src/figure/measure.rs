@@ -7,7 +7,7 @@ pub const SANE: f64 = 1e100;
 /// How numbers are brought onto an axis.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Measure {
-    /// As they are.
+    /// Numbers as they are.
     Plain,
     /// In units of 10^k, which the label says.
     Power(i32),

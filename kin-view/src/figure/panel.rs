@@ -16,7 +16,7 @@ pub struct Panel {
     named: usize,
 }
 
-/// What stands in it: runs of points.
+/// A mark in the panel: runs of points.
 pub(super) struct Mark {
     pub points: Vec<(f64, f64)>,
     pub color: &'static str,
@@ -31,7 +31,7 @@ pub(super) enum Style {
     Dots,
 }
 
-/// What the axes are.
+/// Kinds of axes.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Axes {
     /// First and last time, once known; powers of ten upwards or not.

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 /// Finest steps that a range is cut into, whatever is asked for: 2⁴⁰, far below what a page can show.
 const MOST_STEPS: f64 = (1_u64 << 40) as f64;
-/// What is not below this is not shown: differences of larger numbers may not be numbers.
+/// Values that are not below this are not shown: differences of larger numbers may not be numbers.
 const LARGEST: f64 = 1e300;
 
 /// The column, each number within half a `step` of what it was (coarser if the range is more than 2⁴⁰ steps);
@@ -55,7 +55,7 @@ fn write(bytes: &mut Vec<u8>, change: i64) {
 mod tests {
     use super::*;
 
-    /// What the page's script does.
+    /// Unpacks a column as the page's script does.
     fn unpacked(packed: &Value) -> Vec<f64> {
         let bytes = STANDARD.decode(packed["d"].as_str().unwrap()).unwrap();
         let (offset, step) = (packed["o"].as_f64().unwrap(), packed["s"].as_f64().unwrap());

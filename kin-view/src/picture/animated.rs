@@ -68,7 +68,7 @@ fn poses(drawing: &Drawing) -> Vec<usize> {
     (0..=count).map(|k| k * last / count).collect()
 }
 
-/// What all animations have in common.
+/// Attributes that all animations have in common.
 fn clock(seconds: f64) -> String {
     let seconds = if seconds.is_finite() && seconds > 0.0 { seconds } else { 4.0 };
     format!("dur=\"{}s\" repeatCount=\"indefinite\"", short(seconds.max(0.01)))
@@ -92,7 +92,7 @@ impl Animation<'_> {
         self.poses.iter().map(|&k| value(k)).collect::<Vec<_>>().join(";")
     }
 
-    /// Whether a mark needs no keyframes.
+    /// True if a mark needs no keyframes.
     fn stands(&self, mark: &Mark) -> bool {
         mark.grounded || mark.track == 0
     }

@@ -94,7 +94,7 @@ fn pictured(drawing: &Drawing, frames: &[(usize, f64)]) -> String {
     svg.finish()
 }
 
-/// What stands still.
+/// Draws everything that stands still.
 fn ground(drawing: &Drawing, view: &View, svg: &mut Svg) {
     for line in view.floor(drawing) {
         svg.line(&line, "#e4e4e4", 1.0);
@@ -105,14 +105,14 @@ fn ground(drawing: &Drawing, view: &View, svg: &mut Svg) {
     }
 }
 
-/// What a list of points is drawn as.
+/// Shapes that a list of points is drawn as.
 #[derive(Clone, Copy)]
 enum Drawn {
     Shape(Style),
     Line(LineKind),
 }
 
-/// What moves, as it stands at time k; in space the farther first.
+/// Draws everything that moves, as it stands at time k; in space the farther first.
 fn moving(drawing: &Drawing, view: &View, k: usize, svg: &mut Svg) {
     let frames: Vec<_> = drawing.tracks.iter().map(|track| track.frame(k)).collect();
     let placed = |points: &[(usize, Vec3)]| {

@@ -75,7 +75,7 @@ impl View {
     }
 }
 
-/// To the right, upwards, and to the eye.
+/// Axes of the view: to the right, upwards, and to the eye.
 fn axes(drawing: &Drawing) -> [Vec3; 3] {
     if drawing.planar {
         return [Vec3::x(), Vec3::y(), Vec3::z()];

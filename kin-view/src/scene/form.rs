@@ -24,7 +24,7 @@ pub(crate) enum Form {
     Cam { edge: Vec<Vec2>, touch: Touch },
 }
 
-/// What touches a cam.
+/// Followers that touch a cam.
 #[derive(Clone, Debug)]
 pub(crate) enum Touch {
     /// The point of the follower is all there is.

@@ -14,7 +14,7 @@ pub use outline::Outline;
 pub(crate) use outline::{OutlineKind, circle};
 
 /// How a mechanism is drawn. Bodies, pins, slots and rods come from the mechanism itself: each constraint
-/// knows the points of its bodies that it speaks of. What is told here comes on top, or instead.
+/// knows the points of its bodies that it speaks of. Shapes that are given here come on top, or instead.
 ///
 /// A body is drawn through the points where constraints hold it, a link from end to end: one point is a disc,
 /// two are a bar, more are a plate. Where points of two bodies stay together there is a pin; where a point
@@ -60,9 +60,9 @@ pub(crate) struct Joint {
     pub bodies: Vec<Body>,
     /// Points as (one of `bodies`, local point).
     pub points: Vec<(usize, Vec3)>,
-    /// Those of `bodies` that it speaks of a direction of.
+    /// The ones of `bodies` in which the constraint has a direction.
     pub directed: Vec<usize>,
-    /// What it knows of their shapes.
+    /// The shapes of its bodies, as far as the constraint determines them.
     pub form: Option<Form>,
     /// Nothing of it is drawn; its points still tell where its bodies are held.
     pub hidden: bool,

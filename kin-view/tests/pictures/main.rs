@@ -81,7 +81,7 @@ fn attributes<'a>(document: &'a roxmltree::Document<'_>, tag: &str, name: &str) 
         .collect()
 }
 
-/// What stands in the page's data.
+/// The data of a page.
 fn data(html: &str) -> Value {
     let (_, rest) = html.split_once("<script id=\"data\" type=\"application/json\">").unwrap();
     serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap()

@@ -1,4 +1,4 @@
-//! What is drawn has the size and the place that the mechanism gives it.
+//! Drawn things have the size and the place that the mechanism gives them.
 
 mod wheels;
 
@@ -12,7 +12,7 @@ use kin::*;
 use kin_view::Scene;
 use serde_json::Value;
 
-/// What the page of a motion draws.
+/// The drawing on the page of a motion.
 struct Drawn {
     data: Value,
 }

@@ -100,7 +100,7 @@ fn regular(seed: u64, fault: Fault, make: impl Fn(u64, Fault) -> (Mechanism, Vec
     unreachable!()
 }
 
-/// Whether the mechanism does what it should: it runs, or its fault is named.
+/// Tests that the mechanism does what it should: it runs, or its fault is named.
 fn right(mechanism: Mechanism, fault: Fault) -> Result<(), String> {
     let named = |name: &str| name.starts_with("motor");
     let run = mechanism.build().and_then(|system| {

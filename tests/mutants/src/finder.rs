@@ -62,7 +62,7 @@ fn is_for_tests(attributes: &[Attribute]) -> bool {
     })
 }
 
-/// Whether a condition takes something apart, so that no value can stand instead of it.
+/// True if a condition takes something apart, so that no value can stand instead of it.
 fn has_let(expr: &Expr) -> bool {
     match expr {
         Expr::Let(_) => true,
@@ -71,7 +71,7 @@ fn has_let(expr: &Expr) -> bool {
     }
 }
 
-/// Whether an arm takes whatever is left.
+/// True if an arm takes whatever is left.
 fn takes_all(arm: &Arm) -> bool {
     let named = |pat: &syn::PatIdent| pat.subpat.is_none() && pat.ident.to_string().starts_with(char::is_lowercase);
     arm.guard.is_none() && matches!(&arm.pat, Pat::Wild(_)) || matches!(&arm.pat, Pat::Ident(pat) if named(pat) && arm.guard.is_none())

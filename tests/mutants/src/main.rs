@@ -27,7 +27,7 @@ use tree::Tree;
 
 type Result<T> = std::result::Result<T, Box<dyn Error + Send + Sync>>;
 
-/// What is changed: folders and files of `kin-core/src`.
+/// The code that is changed: folders and files of `kin-core/src`.
 const CODE: [&str; 11] = [
     "ask/proof.rs",
     "ask/proof",
@@ -42,7 +42,7 @@ const CODE: [&str; 11] = [
     "linear/condition.rs",
 ];
 
-/// What is run against it.
+/// The tests that are run against it.
 const TESTS: [&str; 15] = [
     "-p",
     "kin-core",

@@ -1,4 +1,4 @@
-//! What may stand instead of an expression.
+//! Alternatives that may stand instead of an expression.
 //!
 //! Numbers within formulas stay as they are: most of their small changes only make a method slower or a bound
 //! wider. Left out is also what a mutant that is there dies with: where `a` and `b` instead of `a && b` are
@@ -61,7 +61,7 @@ impl Operators<'_> {
         &self.text[span.byte_range()]
     }
 
-    /// What may stand instead of an expression.
+    /// The alternatives that may stand instead of an expression.
     pub fn of(&self, expr: &Expr) -> Vec<Alternative> {
         match expr {
             Expr::Binary(binary) => self.binary(binary),

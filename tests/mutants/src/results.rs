@@ -1,4 +1,4 @@
-//! What a function may return without having done anything.
+//! Values that a function may return without having done anything.
 
 use syn::{GenericArgument, PathArguments, Type};
 

@@ -67,7 +67,7 @@ pub struct Mutant {
 }
 
 impl Mutant {
-    /// What it is known by in the list: it has no line, so that it stays the same while the file changes
+    /// The name by which the list knows it, without a line, so that it stays the same while the file changes
     /// elsewhere.
     pub fn key(&self) -> String {
         format!("{} | {} | {} | {}", self.path, self.function, self.code, self.label)

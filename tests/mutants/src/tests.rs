@@ -138,7 +138,7 @@ impl Tests {
         Ok(self.name(&self.tests[killer]))
     }
 
-    /// Whether tests of one program pass with a mutant, in a time that is not far from what they take without
+    /// True if tests of one program pass with a mutant, in a time that is not far from what they take without
     /// it.
     fn passes(&self, group: &[usize], mutant: usize) -> Result<bool> {
         let names: Vec<&String> = group.iter().map(|k| &self.tests[*k].name).collect();
@@ -165,7 +165,7 @@ fn only(program: &Program, names: &[impl AsRef<str>]) -> Command {
     command
 }
 
-/// Whether a process ends well, and in time.
+/// True if a process ends well, and in time.
 fn wait(child: &mut Child, seconds: f64) -> Result<bool> {
     let begin = Instant::now();
     let mut pause = 1;

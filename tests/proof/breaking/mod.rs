@@ -2,9 +2,9 @@
 //! what is honest is still proved.
 //!
 //! A construction is a system, a motion of it (run, or forged from poses) and all solutions near it at any
-//! time. What is proved is held against these: each computed position is as near to one as is said; at many
-//! times of a proved step one solution is in the tube, and no second one is where none is said to be; that
-//! solution is the same one all along.
+//! time. The proof is held against these: each computed position is as near to one as is said; at many times
+//! of a proved step one solution is in the tube, and no second one is where none is said to be; that solution
+//! is the same one all along.
 
 mod branches;
 mod constants;
@@ -25,7 +25,7 @@ pub type Solutions = Vec<(usize, Vec<Wide>)>;
 /// One construction.
 pub struct Case {
     pub name: String,
-    /// Whether all of it is regular and continuous, by a margin: it ought to be proved.
+    /// True if all of it is regular and continuous, by a margin: it ought to be proved.
     pub honest: bool,
     pub system: System,
     pub motion: Motion,
@@ -36,7 +36,7 @@ pub struct Case {
 const TIMES: usize = 16;
 
 impl Case {
-    /// Whether all of it was proved; what was proved wrongly is an error.
+    /// True if all of it was proved; a wrong proof is an error.
     fn judge(&self) -> Result<bool, String> {
         let proof = match self.system.prove(&self.motion) {
             Ok(proof) => proof,
@@ -104,8 +104,8 @@ impl Case {
 }
 
 impl Case {
-    /// Whether the solutions of each number go on without a jump: where they change most is looked at closer
-    /// and closer.
+    /// Tests that the solutions of each number go on without a jump: where they change most they are looked
+    /// at closer and closer.
     fn continuous(&self, step: &StepProof) -> Result<(), String> {
         let at = |u: &Wide| (self.solutions)(&(w(step.from) + u * (w(step.to) - w(step.from))));
         let change = |from: &Solutions, to: &Solutions| {
@@ -147,7 +147,7 @@ fn wide(q: &[f64]) -> Vec<Wide> {
     q.iter().map(|q| w(*q)).collect()
 }
 
-/// Whether a solution is within bounds of a position, coordinate by coordinate.
+/// True if a solution is within bounds of a position, coordinate by coordinate.
 fn within(solution: &[Wide], q: &[Wide], bounds: &[f64], rounding: f64) -> bool {
     solution
         .iter()

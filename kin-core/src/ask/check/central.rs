@@ -13,7 +13,7 @@ pub(super) struct Central {
     pub c_q: DMatrix<f64>,
     pub c_t: DMatrix<f64>,
     pub q_d: DMatrix<f64>,
-    /// Whether two step sizes agree: not so beside a kink or a singularity, where central differences say
+    /// True if two step sizes agree; false beside a kink or a singularity, where central differences say
     /// nothing.
     pub reliable: bool,
 }

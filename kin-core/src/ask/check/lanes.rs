@@ -101,7 +101,8 @@ impl Compare<'_> {
         Ok(())
     }
 
-    /// What the kernels want to know of parameters and of the time.
+    /// Values that the kernels read instead of computing them: those of the parameters, then those of the
+    /// time.
     fn known(&self, t: f64) -> Vec<f64> {
         let [parameters, times] = self.kernels.n_known();
         let mut known = vec![0.0; parameters + times];

@@ -9,9 +9,9 @@ use crate::model::law::Law;
 #[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub struct LawMismatch {
-    /// What kind of law.
+    /// Kind of the law, such as `ramp`.
     pub kind: String,
-    /// What does not agree, line by line.
+    /// The disagreements, one a line.
     pub lines: Vec<String>,
 }
 
@@ -80,7 +80,8 @@ fn sizes(law: &Law, from: f64, to: f64) -> [f64; 4] {
     largest.map(|size| if size > 0.0 { size } else { 1.0 })
 }
 
-/// What is wrong with one break: a derivative below its order jumps, or the one of its order does not.
+/// The fault of one break, if it has one: a derivative below its order jumps, or the one of its order does
+/// not.
 fn at_break(law: &Law, x: f64, order: usize, h: f64, sizes: &[f64; 4]) -> Option<String> {
     let (before, after, at) = (law.jet(x - h), law.jet(x + h), law.jet(x));
     let jump = |k: usize, a: &[f64; 4], b: &[f64; 4]| {

@@ -1,4 +1,4 @@
-//! What a constraint promises of its terms, against what they are.
+//! Comparison of the promises that a constraint makes about its terms with the terms themselves.
 
 use nalgebra::DMatrix;
 

@@ -24,7 +24,7 @@ pub(super) struct Placed {
     pub q: Vec<f64>,
     pub measures: Measures,
     pub gaps: Vec<Gap>,
-    /// What would close the gaps, tried: the first thing that a designer would change.
+    /// Changes that have been tried and close the gaps; a designer would make them first.
     pub cures: Vec<Change>,
 }
 
@@ -68,8 +68,8 @@ fn nowhere(t: f64) -> Error {
 }
 
 impl Search<'_> {
-    /// What was found, or a place beside it from which the sum of squares falls further: where bodies are in
-    /// line, or drawn one on the other, it can be level without being least.
+    /// The place found, or one beside it from which the sum of squares falls further: where bodies are in
+    /// line, or drawn one on the other, the sum can be level without being least.
     fn off_saddles(&self, found: Found) -> Found {
         const TRIES: u64 = 4;
         const BESIDE: f64 = 0.05;
@@ -127,7 +127,7 @@ impl Search<'_> {
         q
     }
 
-    /// Who is to blame, in the order in which a designer asks: a slip of the pen, a length out of scale, a
+    /// Finds the culprit, in the order in which a designer asks: a slip of the pen, a length out of scale, a
     /// driver, a length, a joint.
     fn suspected(&self, found: Found, drawn: Option<&[f64]>) -> Placed {
         if let Some(closure) = self.allowance(&found) {
@@ -167,9 +167,9 @@ impl Search<'_> {
         Placed { cures, ..placed }
     }
 
-    /// What would have to be allowed of redundant equations that contradict one another by no more than parts
-    /// of ordinary accuracy do: three times what they are off by here, for it is more elsewhere, to one
-    /// digit.
+    /// The closure error that would have to be allowed of redundant equations that contradict one another by
+    /// no more than parts of ordinary accuracy do: three times their error at this pose, because it is larger
+    /// at others, to one digit.
     fn allowance(&self, found: &Found) -> Option<f64> {
         const ORDINARY: f64 = 1e-5;
         let shares = found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs());
@@ -296,15 +296,15 @@ impl Search<'_> {
     }
 }
 
-/// What must be gone of the sum of squares for a constraint that is let go to be told.   \[-\]
+/// A constraint that is let go is reported only if the sum of squares loses at least this share.   \[-\]
 const HELPS: f64 = 0.1;
 
-/// Whether a constraint that is let go is off by no more than its share in what could not be met lets one
-/// expect: by more it is so in another assembly, which says nothing about this one.
+/// True if a constraint that is let go is off by no more than its share in the unmet residuals lets one
+/// expect: one that is off by more is so in another assembly, which says nothing about this one.
 fn near(model: &Model<'_>, found: &Found, next: &Found, block: usize) -> bool {
-    /// What is within expectation.   \[-\]
+    /// The largest ratio to the expected error that still counts as expected.   \[-\]
     const EXPECTED: f64 = 4.0;
-    // By the same norms: those of the other place are measured around it.
+    // Both sizes take the same norms: those of the other place are measured around it.
     let size = |at: &Found| {
         let rows = model.equations.blocks[block].rows();
         rows.map(|row| (at.place.point.c[row] / found.measures.norms[row]).powi(2)).sum::<f64>().sqrt()
@@ -318,7 +318,7 @@ fn near(model: &Model<'_>, found: &Found, next: &Found, block: usize) -> bool {
 
 /// The constraints that take part in what cannot be met, the first that is called superfluous first.
 fn culprits(model: &Model<'_>, found: &Found, open: &[usize]) -> impl Iterator<Item = usize> {
-    /// So many are tried.
+    /// Constraints that are tried at most.
     const TRIED: usize = 24;
     let shares: Vec<f64> =
         found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs()).collect();

@@ -89,7 +89,7 @@ fn class(
 
 /// Σ coefficient · rhs_i, zero where that is rounding of its terms or of what is usual there.
 fn left_over(rhs: &[f64], combination: &Sparse, size: f64) -> f64 {
-    /// Of the terms.   \[-\]
+    /// Rounding, as a share of the terms.   \[-\]
     const ROUNDING: f64 = 1e-8;
     let terms = || combination.iter().filter_map(|(row, z)| Some(z * rhs.get(*row)?));
     let (sum, sizes) = terms().fold((0.0, size), |(sum, sizes), term| (sum + term, sizes + term.abs()));

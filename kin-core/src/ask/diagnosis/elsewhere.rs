@@ -32,7 +32,7 @@ fn rounded(t: f64, step: f64) -> f64 {
     if digit > 0.0 && digit.is_finite() { ((t + step) / digit).round() * digit } else { t + step }
 }
 
-/// Whether C_q is far from singular at a pose.
+/// True if C_q is far from singular at a pose.
 fn is_clear(model: &Model<'_>, q: &[f64], t: f64) -> bool {
     let rank = |values: &[f64]| {
         Echelon::new(model.scaled(values, &model.measure(q, t), &|_| true), model.n(), CLEAR).rank()
@@ -40,7 +40,7 @@ fn is_clear(model: &Model<'_>, q: &[f64], t: f64) -> bool {
     model.linearize(q, t).is_ok_and(|point| rank(&point.values) == model.n())
 }
 
-/// What a driver of one coordinate would ask for at the nearby position.
+/// The value that a driver of one coordinate would ask for at the nearby position.
 fn other_value(examined: &Examined<'_>) -> Option<Elsewhere> {
     let (model, nearby) = (examined.model(), examined.nearby?);
     if !is_clear(model, &nearby.q, nearby.t) {

@@ -23,7 +23,8 @@ pub(crate) fn diagnose(
     let place = contradiction::place(model, start, t, options)?;
     let (q, measures) = (&place.q, &place.measures);
     let point = model.linearize(q, t).map_err(|bad| model.not_finite(bad, q, t))?;
-    // What is open is what is told: at a smallest gap other coefficients are known to fewer digits.
+    // The open rows are those of the reported gaps: at a smallest gap other coefficients are known to fewer
+    // digits.
     let open: Vec<usize> = place.gaps.iter().flat_map(|gap| gap.rows.iter().copied()).collect();
     let walk = Walk { model: &model, measures, open: &open, without: &[], steps: options.search.steps };
     let orders = Orders::new(&model).after(&open, &[]);
@@ -32,7 +33,7 @@ pub(crate) fn diagnose(
     let nearby = if full { None } else { walk.nearby(q, t, options.poses, &orders) };
     let most = nearby.as_ref().filter(|nearby| nearby.ranked.rank > here.rank);
     let here = match most {
-        // What holds at nearby poses is told first, what is so only here after it.
+        // Dependencies that hold at nearby poses too are reported first, those of this pose alone after them.
         Some(Nearby { ranked: most, .. }) => {
             let rows: Vec<usize> = most.dependent.iter().map(|(row, _)| *row).collect();
             let columns: Vec<usize> = most.free.iter().map(|(column, _)| *column).collect();

@@ -13,7 +13,7 @@ pub(super) struct Examined<'a> {
     pub here: Ranked,
     pub nearby: Option<&'a Nearby>,
     pub gaps: &'a [Gap],
-    /// What would close them, tried.
+    /// Changes that would close the gaps, tried.
     pub cures: &'a [Change],
 }
 
@@ -26,7 +26,7 @@ impl<'a> Examined<'a> {
         self.walk.measures
     }
 
-    /// Whether an equation belongs to a constraint that cannot be met.
+    /// True if an equation belongs to a constraint that cannot be met.
     pub(super) fn open(&self, row: usize) -> bool {
         self.walk.open.contains(&row)
     }
@@ -35,7 +35,7 @@ impl<'a> Examined<'a> {
         self.nearby.map_or(self.here.rank, |nearby| nearby.ranked.rank.max(self.here.rank))
     }
 
-    /// Whether what is so at this pose is so at nearby ones, for the k-th of the vectors.
+    /// True if the k-th vector of this side is one at nearby poses too.
     pub(super) fn persists(&self, k: usize, side: Side) -> bool {
         let lasting = match side {
             Side::Rows => self.model().m() - self.nearby_rank(),

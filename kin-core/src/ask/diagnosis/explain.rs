@@ -1,4 +1,4 @@
-//! What is wrong with a mechanism, for the error of a run that has failed.
+//! The diagnosis that the error of a failed run carries.
 
 use super::{DiagnosisOptions, diagnose};
 use crate::model::error::Error;
@@ -10,7 +10,7 @@ use crate::system::scaled::Model;
 /// Coordinates up to which a failing run is examined by itself; [`System::diagnose`] does it for any number.
 const EXAMINED: usize = 1500;
 
-/// By diagnosis.
+/// The functions that explain a failed run by its diagnosis.
 pub(crate) const EXPLAIN: Explain = Explain { cannot_be_driven, explained };
 
 fn cannot_be_driven(model: Model<'_>, start: Start<'_>, t: f64, options: &Options) -> Error {

@@ -1,4 +1,4 @@
-//! What is left free: which bodies move, and how.
+//! The freedoms that are left: which bodies move, and how.
 
 use crate::model::verdict::{BodyMotion, Freedom, How, Persistence};
 
@@ -32,8 +32,8 @@ pub(super) fn all(examined: &Examined<'_>) -> Vec<Freedom> {
         .collect()
 }
 
-/// Whether a motion is a turn of one body, or of several as one, about a line on which all points are by
-/// which others hold them.
+/// True if a motion is a turn of one body, or of several as one, about a line through all points by which
+/// others hold them.
 fn is_idle(examined: &Examined<'_>, motions: &[BodyMotion]) -> bool {
     let [BodyMotion { names, how: How::Screws { point, axis, pitch, .. } }] = motions else { return false };
     let model = examined.model();
@@ -98,7 +98,7 @@ fn direction(examined: &Examined<'_>, k: usize) -> Vec<f64> {
     v
 }
 
-/// What each body does, those that move as one together.
+/// The motion of each body; bodies that move as one stand together.
 fn motions(examined: &Examined<'_>, v: &[f64]) -> Vec<BodyMotion> {
     let length = examined.model().layout.items.iter().find_map(|item| match item.kind {
         Kind::Planar | Kind::Spatial | Kind::Length => Some(examined.measures().sizes[item.first]),
@@ -159,7 +159,7 @@ fn numbers(v: Vec3) -> [f64; 3] {
     [v.x, v.y, v.z]
 }
 
-/// Whether two motions are one and the same.
+/// True if two motions are one and the same.
 fn same(a: &How, b: &How, length: f64) -> bool {
     let near = |a: &[f64], b: &[f64], size: f64| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-5 * size);
     match (a, b) {

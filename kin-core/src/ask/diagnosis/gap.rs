@@ -1,4 +1,4 @@
-//! What cannot be met, by how much, and what its drivers ask for.
+//! Constraints that cannot be met, by how much, and the values that their drivers ask for.
 
 use crate::model::verdict::{Against, Asks, Gap};
 

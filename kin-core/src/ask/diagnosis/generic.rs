@@ -22,7 +22,7 @@ pub(super) struct Nearby {
     pub ranked: Ranked,
 }
 
-/// What is kept on the way.
+/// The equations that a walk to nearby poses keeps, and how hard it tries.
 #[derive(Clone, Copy)]
 pub(super) struct Walk<'a> {
     pub model: &'a Model<'a>,
@@ -38,11 +38,11 @@ pub(super) struct Walk<'a> {
 /// Which equations are kept, and whether time goes on.
 #[derive(Clone, Copy, PartialEq)]
 enum Kept {
-    /// All, and time goes on.
+    /// All equations, and time goes on.
     AllInTime,
-    /// All, while time stands still.
+    /// All equations, while time stands still.
     All,
-    /// Those that do not drive.
+    /// Equations that do not drive.
     Joints,
 }
 
@@ -60,7 +60,8 @@ impl Walk<'_> {
         if in_time.as_ref().is_some_and(|found| found.ranked.rank == full) {
             return in_time;
         }
-        // What keeps all may not leave a singular position: a motor in a dead centre stands still.
+        // A walk that keeps all equations may not leave a singular position: a motor in a dead centre stands
+        // still.
         let joints = self.highest(q, t, Kept::Joints, poses, orders);
         match (in_time, joints) {
             (Some(a), Some(b)) => Some(if b.ranked.rank > a.ranked.rank { b } else { a }),
@@ -123,8 +124,7 @@ impl Walk<'_> {
         (largest > 1e-6 * v[n].abs() && largest > 0.0).then(|| v.iter().map(|x| x / largest).collect())
     }
 
-    /// Whether the mechanism can move along v (shares of the coordinates' sizes) with its time standing
-    /// still.
+    /// True if the mechanism can move along v (shares of the coordinates' sizes) while time stands still.
     pub(super) fn moves(&self, q: &[f64], t: f64, v: &[f64]) -> bool {
         REACH.iter().any(|reach| self.step((q, t), v, *reach, Kept::All).is_some())
     }

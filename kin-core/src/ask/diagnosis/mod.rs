@@ -1,4 +1,4 @@
-//! What is wrong with a mechanism, or right with it, in the user's own names.
+//! Diagnosis of a mechanism, whether something is wrong with it or not, in the user's own names.
 //!
 //! A mechanism of n coordinates and m equations can be driven if C_q has rank n: then everything has its
 //! place, and m − n equations repeat others. [`Diagnosis`] tells the count, the rank of C_q at the pose and

@@ -16,8 +16,8 @@ pub(super) fn nearest(
     rows: &[usize],
     steps: usize,
 ) -> Vec<f64> {
-    /// What the rows weigh against the others, stage by stage, and the rounds of shifts after that, each of
-    /// which is worth some five digits.   \[-\]
+    /// Weights of the rows against the others, stage by stage, and the number of rounds of shifts after that,
+    /// each of which is worth some five digits.   \[-\]
     const WEIGHTS: [f64; 3] = [3e-1, 3e-2, 3e-3];
     const ROUNDS: usize = 3;
     let mut q = from.to_vec();

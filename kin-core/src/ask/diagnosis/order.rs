@@ -46,7 +46,7 @@ pub(super) fn of_columns(model: &Model<'_>) -> Vec<usize> {
     columns
 }
 
-/// Whether a joint holds the body of a column to the ground.
+/// For each column, true if a joint holds its body to the ground.
 fn grounded(model: &Model<'_>) -> Vec<bool> {
     let mut grounded = vec![false; model.n()];
     for block in model.equations.blocks.iter().filter(|block| !block.drives) {

@@ -18,7 +18,7 @@ pub struct Extreme {
     pub t: f64,
     /// Its value there, in its own unit.
     pub value: f64,
-    /// Whether it is a maximum.
+    /// True for a maximum, false for a minimum.
     pub is_max: bool,
 }
 
@@ -175,7 +175,7 @@ mod tests {
         assert_eq!(extremes(&[(1.0, 1.0)], [(0.0, 0.0), (8.0, 0.0)], true).time_ratio(), None);
     }
 
-    /// It comes back where both the value and the rate do.
+    /// A motion comes back where both the value and the rate do.
     #[test]
     fn whether_a_motion_comes_back() {
         let closed = |law: crate::Law, to: f64, count: usize| {

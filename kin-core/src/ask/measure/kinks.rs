@@ -161,7 +161,7 @@ impl Watched<'_> {
     }
 }
 
-/// What an equation is evaluated with.
+/// The arguments of one evaluation of an equation.
 struct Given64<'a> {
     q: &'a [f64],
     t: f64,

@@ -37,8 +37,8 @@ impl System {
         all
     }
 
-    /// Tells the motion of each limit that it passes. What cannot be told is an event too: a run does not
-    /// fail for it.
+    /// Tells the motion of each limit that it passes. A limit that cannot be evaluated is an event too: a run
+    /// does not fail for it.
     pub(crate) fn note_limits(&self, motion: &mut Motion) {
         for limit in self.all_limits() {
             let events = events(self, motion, &limit).unwrap_or_else(|error| {
@@ -91,7 +91,7 @@ fn events(system: &System, motion: &Motion, limit: &Limit) -> Result<Vec<Event>>
     Ok(all)
 }
 
-/// Whether an end lies within the values, or beyond them by no more than they change in a step.
+/// True if an end lies within the values, or beyond them by no more than they change in a step.
 fn comes_near(values: &[f64], end: f64) -> bool {
     let (low, high) = values.iter().fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
     let step = values.windows(2).fold(0.0_f64, |m, pair| m.max((pair[1] - pair[0]).abs()));

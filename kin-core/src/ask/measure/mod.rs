@@ -1,5 +1,5 @@
-//! What people ask a mechanism for: measures of its joints, extremes and crossings with their exact times,
-//! limits.
+//! Answers that people want of a mechanism: measures of its joints, extremes and crossings with their exact
+//! times, limits.
 //!
 //! Anything that is one number over time can be asked: by name, by coordinate, or by a function of a motion.
 //! Times between those of the grid are found by solving the pose there, not by interpolation.
@@ -25,7 +25,7 @@ use crate::system::System;
 /// a coordinate; a `String` too), a coordinate (`crank.theta()`), or a function such as `|m: &Motion|
 /// m.transmission_angle(coupler, rocker)`.
 pub trait Measure {
-    /// It over the times of a motion of the system, with its rates.
+    /// The measure over the times of a motion of the system, with its rates.
     fn of(&self, system: &System, motion: &Motion) -> Result<Quantity>;
 }
 

@@ -19,11 +19,11 @@ const STEPS: usize = 100;
 pub struct Crossing {
     /// When.   \[s\]
     pub t: f64,
-    /// Whether it is below the value before and above it after.
+    /// True if x is below the value before and above it after.
     pub rises: bool,
 }
 
-/// What is to be zero: x less a level, or ẋ.
+/// The function whose zeros are searched: x less a level, or ẋ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Zero {
     Value(f64),

@@ -36,7 +36,7 @@ pub(crate) struct Part<'a> {
 #[derive(Clone, Copy)]
 enum Column {
     Own(usize),
-    /// On the ground.
+    /// A coordinate of the ground, with its value.
     Fixed(f64),
 }
 
@@ -120,7 +120,8 @@ impl From<Fixed> for Series {
     }
 }
 
-/// What is done with a formula, the values of its parameters and what computes the rest.
+/// Function that is called with a formula, the values of its parameters and the function that computes the
+/// rest.
 type Shown<'a> = dyn FnMut(&'static Table, &[f64], Outside<'_>) -> Result<(), Unknown> + 'a;
 
 impl<'a> Part<'a> {

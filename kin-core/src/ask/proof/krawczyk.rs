@@ -6,13 +6,12 @@ use nalgebra::{DMatrix, DVector};
 use super::bounds::{Bounds, Entry, Unknown};
 use crate::numbers::enclosure::interval::{Interval, ONE, ZERO, down, up};
 
-/// What is known around an approximate position at every time of an interval. Lengths and angles by
-/// coordinate.
+/// Bounds around an approximate position at every time of an interval. Lengths and angles by coordinate.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Around {
     /// The solution is no further away than this.
     pub inner: Vec<f64>,
-    /// There is no other one within this.
+    /// There is no other solution within this.
     pub outer: Vec<f64>,
 }
 
@@ -241,8 +240,7 @@ mod tests {
         }
     }
 
-    /// What is told holds the fixed point b/(1 − r), is no more than some percent above it, and stays in the
-    /// box.
+    /// The radius found is at least the fixed point b/(1 − r), at most 30 % above it, and stays in the box.
     #[test]
     fn the_box_holds_the_fixed_point() {
         for (b, r) in [(1e-3, 0.0), (1e-3, 0.3), (1e-9, 0.9), (0.2, 0.5)] {

@@ -22,7 +22,7 @@ pub(super) struct Curve {
 pub(super) type Failure = (f64, Fault);
 
 impl Curve {
-    /// Of step k.
+    /// The curve of step k.
     pub(super) fn between(motion: &Motion, k: usize) -> Self {
         let (t0, t1) = (motion.times()[k], motion.times()[k + 1]);
         Curve { c: motion.quintics(k), t0, dt: Interval::from(t1) - Interval::from(t0) }
@@ -39,7 +39,7 @@ impl Curve {
         self.c.iter().zip(q).map(|(c, q)| (at(c) - Interval::from(*q)).mag()).collect()
     }
 
-    /// What is known around it from u0 to u1.
+    /// Bounds around the curve from u0 to u1.
     pub(super) fn around(&self, test: &Test<'_>, [u0, u1]: [f64; 2]) -> Result<Around, Fault> {
         // exact: ends are dyadic fractions
         let (middle, half) = (0.5 * (u0 + u1), 0.5 * (u1 - u0));
@@ -86,8 +86,8 @@ fn shifted(c: &[Interval; 6], by: Interval) -> [Interval; 6] {
     c
 }
 
-/// Whether the solutions of two tests at one time, whose positions are so far apart, are one and the same:
-/// that of one is where the other one has no second solution.
+/// True if the solutions of two tests at one time, whose positions are so far apart, are one and the same:
+/// the solution of one lies where the other one has no second solution.
 fn joined(a: &Around, b: &Around, apart: &[f64]) -> bool {
     let within = |a: &Around, b: &Around| {
         a.inner.iter().zip(apart).zip(&b.outer).all(|((inner, apart), outer)| up(inner + apart) <= *outer)
@@ -116,7 +116,7 @@ impl Chain {
     }
 }
 
-/// What is known around a step's curve, the computed positions at its ends being known already.
+/// Bounds around a step's curve; those around the computed positions at its ends are already known.
 pub(super) fn step(
     bounds: &Bounds<'_>,
     sizes: &[f64],
@@ -148,7 +148,7 @@ pub(super) fn step(
 }
 
 impl Around {
-    /// What holds for both.
+    /// The bounds that hold for both.
     fn with(mut self, other: &Around) -> Around {
         self.inner.iter_mut().zip(&other.inner).for_each(|(a, b)| *a = a.max(*b));
         self.outer.iter_mut().zip(&other.outer).for_each(|(a, b)| *a = a.min(*b));
@@ -184,7 +184,7 @@ mod tests {
         assert!(!joined(&one, &other, &[0.0; 2]));
     }
 
-    /// What is lost by rounding counts: a solution at the very edge is not within.
+    /// Rounding errors count: a solution at the very edge is not within.
     #[test]
     fn edges_of_boxes_are_beyond_them() {
         let (a, b) = (around([1.0], [1.0]), around([9.0], [1.0]));

@@ -214,8 +214,7 @@ mod tests {
         );
     }
 
-    /// What is said is not less than what was proved to be enough, and not more than what was proved to be
-    /// free.
+    /// A bound that suffices is printed rounded up, one that is proved to be free rounded down.
     #[test]
     fn numbers_are_rounded_outwards() {
         let mut x = 1.2345e-14;

@@ -162,7 +162,7 @@ conversions! {
     Pairs[N]; Triples[N]; Quadruples[N]; ListOfPairs; ListOfTriples; ListOfQuadruples; ListOfArrays[N];
 }
 
-/// What a function takes as a slice.
+/// Arguments that a function takes as a slice.
 macro_rules! slices {
     ($($kind:ident $([$n:ident])? of $part:ident;)*) => {$(
         impl<'a, D: Dual, $(const $n: usize)?> IntoReference<&'a [$part<f64>]> for (&'a $kind<f64, $($n)?>, &'a $kind<Real<D>, $($n)?>) {

@@ -74,7 +74,7 @@ impl<D, T: Lift<D> + Clone> ReceiveReference<D> for &&Foreign<&T> {
     }
 }
 
-/// Else: as it is.
+/// A value of any other type, as it is.
 pub trait ReceiveAny<D> {
     /// The type itself.
     type Output;

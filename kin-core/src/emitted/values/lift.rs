@@ -4,7 +4,8 @@ use crate::model::state::{PlanarState, SpatialState};
 use crate::numbers::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
 use crate::numbers::real::{Dual, Real};
 
-/// A value made of f64 as the same value made of constant `Real<D>`. What holds no f64 stays as it is.
+/// A value made of f64 as the same value made of constant `Real<D>`. A value that holds no f64 stays as it
+/// is.
 pub trait Lift<D> {
     /// The lifted type.
     type Output;
@@ -40,13 +41,13 @@ pub fn constants<T: Constants>(value: &T) -> T::Output {
     value.constants()
 }
 
-/// What stands for a value that is not computed, because the branch that needs it is not taken.
+/// The stand-in for a value that is not computed, because the branch that needs it is not taken.
 pub trait Absent {
     /// Not a number.
     fn absent() -> Self;
 }
 
-/// What stands for a value that is not computed.
+/// The stand-in for a value that is not computed.
 pub fn absent<T: Absent>() -> T {
     T::absent()
 }

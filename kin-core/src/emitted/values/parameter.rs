@@ -1,5 +1,5 @@
-//! What a parameter of a constraint can be. (Messages of rustc show these lines: a file of their own keeps
-//! them where they are.)
+//! Types that a parameter of a constraint can have. (Messages of rustc show these lines: a file of their own
+//! keeps them where they are.)
 
 /// A parameter of a constraint: any value of its own.
 #[diagnostic::on_unimplemented(
@@ -20,7 +20,7 @@ pub const fn is_parameter<T: Parameter>() -> bool {
 /// A type that is called as one of Kin's is.
 pub struct Named<T>(std::marker::PhantomData<T>);
 
-/// What is true of any type of the user's.
+/// The default for any type of the user's.
 pub trait Own {
     /// It is no handle of a body.
     const IS_OWN: bool = true;

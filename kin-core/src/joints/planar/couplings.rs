@@ -126,7 +126,7 @@ pub fn linear_coupling<const N: usize>(
         )
     };
     let mut given = q.into_iter().map(Into::into);
-    // What is left over are coordinates of the ground, which stand still at zero.
+    // The places left over are filled with coordinates of the ground, which stand still at zero.
     let coordinates = std::array::from_fn(|_| given.next().unwrap_or(Coordinate::Planar(Ground.into(), 0)));
     terms::linear_coupling(coordinates, std::array::from_fn(|n| k.get(n).copied().unwrap_or(0.0)), c)
 }

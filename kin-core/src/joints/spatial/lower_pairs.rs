@@ -192,7 +192,7 @@ pub fn constant_velocity(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis
 /// zero where f_i lies along f_j.
 fn zeroed(h_i: Axis, h_j: Vec3, f_i: Vec3, f_j: Vec3) -> Axis {
     let (own, other, asked) = (Axis::new(h_i.h, f_i), Axis::along(h_j), Axis::new(h_j, f_j));
-    // What is measured from f_j is less by the turn of f_j itself.
+    // An angle measured from f_j is less by the turn of f_j itself.
     Axis::new(h_i.h, own.f * asked.f.dot(other.f) - own.g * asked.f.dot(other.g))
 }
 

@@ -72,7 +72,7 @@ impl<S: Level> WideLinear<S> {
         }
     }
 
-    /// By the measures and the sizes.
+    /// Sets the limits of values by the measures and the sizes.
     #[inline(always)]
     pub(super) fn set_limits(&mut self) {
         let (slack, one) = (Wide::splat(self.simd, SLACK), Wide::splat(self.simd, 1.0));
@@ -140,7 +140,7 @@ fn sum<S: Level>(
     (i as usize, j as usize, value)
 }
 
-/// What a pivot is measured by.
+/// The factor by which a pivot is measured.
 #[inline(always)]
 fn unit<S: Level>(norm: Wide<S>, top: Wide<S>, size: Wide<S>, zero: Wide<S>, one: Wide<S>) -> Wide<S> {
     norm.gt(zero).select(one / norm, one) * top.gt(zero).select(size / top, size)

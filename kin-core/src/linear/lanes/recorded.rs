@@ -1,5 +1,5 @@
-//! What lanes make of a recording: the same steps on a memory in which right sides and solutions of all three
-//! kinds stay where they are.
+//! A recording over lanes: the same steps on a memory in which right sides and solutions of all three kinds
+//! stay where they are.
 
 use super::super::recorded::program::Kind;
 use super::super::recorded::record::{Places, Recording};
@@ -90,7 +90,8 @@ impl<S: Level> WideLinear<S> {
             (areas.moved(written[step as usize].1), [row, column], none)
         };
         self.pivots = recording.watched.iter().map(pivot).collect();
-        // What is no value, right side or solution is a constant, or computed before it is read.
+        // Places beyond values, right sides and solutions hold constants, or numbers that are computed before
+        // they are read.
         self.memory.truncate(areas.end);
         self.memory
             .extend(self.recorder.memory.iter().skip(zero as usize + 1).map(|x| Wide::splat(self.simd, *x)));

@@ -1,4 +1,4 @@
-//! What is left of a matrix while its elimination is recorded: cells in rows and columns, and lines by how
+//! The active part of a matrix while its elimination is recorded: cells in rows and columns, and lines by how
 //! many cells they have.
 
 /// No cell, no term, no line.

@@ -1,4 +1,4 @@
-//! What a cell is made of while its elimination is recorded, and the step that computes it in the end.
+//! Terms of a cell while its elimination is recorded, and the step that computes it in the end.
 
 use super::active::NONE;
 use super::program::Kind;
@@ -101,7 +101,7 @@ impl Recorder<'_> {
         }
     }
 
-    /// What makes a cell a number of order 1.
+    /// The factor that makes a cell a number of order 1.
     pub(crate) fn weight(&self, id: u32) -> f64 {
         let cell = &self.active.cells[id as usize];
         self.input.row_units[cell.row as usize] * self.input.column_units[cell.column as usize]

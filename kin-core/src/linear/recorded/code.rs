@@ -113,7 +113,7 @@ struct Run {
     more: u32,
 }
 
-/// What steps do, and with how many operands.
+/// The operation of a step, and the number of its operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Shape {
     pub kind: Kind,

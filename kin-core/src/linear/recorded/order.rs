@@ -32,7 +32,7 @@ pub(crate) fn order(steps: &[Ordered]) -> Vec<u32> {
 struct Waiting {
     /// How many steps each one waits for.
     counts: Vec<u32>,
-    /// Who waits for each step: linked lists of (step, next).
+    /// The steps that wait for each step: linked lists of (step, next).
     first: Vec<u32>,
     links: Vec<(u32, u32)>,
 }

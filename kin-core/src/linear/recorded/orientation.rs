@@ -8,13 +8,13 @@
 use super::super::Linear;
 use super::record::{Inverse, Pivot};
 
-/// What it takes to tell the signs of determinants from the pivots of a replay.
+/// The data that give the signs of determinants from the pivots of a replay.
 #[derive(Debug, Default)]
 pub(crate) struct Orientation {
     /// Where one over each pivot that is no constant stands, and the block it belongs to.
     pub pivots: Vec<(u32, u32)>,
-    /// Whether the rest of a block's determinant is negative, for those that have such pivots, in the order
-    /// of their first rows.
+    /// True for each block with such pivots, in the order of their first rows, if the rest of its determinant
+    /// is negative.
     pub blocks: Vec<bool>,
     /// The same of the whole matrix.
     whole: bool,
@@ -59,7 +59,7 @@ impl Orientation {
     }
 }
 
-/// Whether the permutation of these rows to their columns, both in ascending order, is odd.
+/// True if the permutation of these rows to their columns, both in ascending order, is odd.
 fn odd(rows: &[usize], column_of: &[usize]) -> bool {
     let mut columns: Vec<usize> = rows.iter().map(|row| column_of[*row]).collect();
     columns.sort_unstable();
@@ -122,8 +122,8 @@ fn visit(first: usize, next: &[Vec<usize>], seen: &mut [bool], order: &mut Vec<u
 }
 
 impl Linear {
-    /// Whether the determinant of each block that can change its sign is negative at the last factoring, into
-    /// `negative`.
+    /// Writes into `negative`, for each block whose determinant can change its sign, whether it is negative
+    /// at the last factoring.
     pub(crate) fn orientation(&self, negative: &mut Vec<bool>) {
         negative.clear();
         let Some(recording) = &self.recording else { return };
@@ -133,7 +133,7 @@ impl Linear {
         }
     }
 
-    /// Whether the determinant of the whole matrix is negative at the last factoring.
+    /// True if the determinant of the whole matrix is negative at the last factoring.
     pub(crate) fn is_negative(&self) -> bool {
         let Some(recording) = &self.recording else { return false };
         let pivots = recording.orientation.pivots.iter();

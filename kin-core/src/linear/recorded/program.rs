@@ -7,7 +7,7 @@
 use super::code::{Code, Shape};
 use super::order::{Ordered, order};
 
-/// What a step does with `start − Σ products + Σ plus − Σ minus`.
+/// The operations of a step on `start − Σ products + Σ plus − Σ minus`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Kind {
     /// Writes it.
@@ -96,7 +96,7 @@ impl Program {
         self.order.iter().for_each(|&k| show(&self.steps[k as usize], operands[k as usize]));
     }
 
-    /// What each step writes, in the order in which they were appended.
+    /// The operation and the output of each step, in the order in which they were appended.
     pub(crate) fn written(&self) -> impl Iterator<Item = (Kind, u32)> {
         self.steps.iter().map(|step| (step.kind, step.out))
     }
@@ -145,7 +145,7 @@ impl Program {
 }
 
 impl Step {
-    /// What the step does, with how many operands.
+    /// The operation of the step, with the number of its operands.
     pub(crate) fn shape(&self) -> Shape {
         let [products, plus, minus] = [self.products, self.plus, self.minus].map(|n| n as usize);
         Shape { kind: self.kind, products, plus, minus }

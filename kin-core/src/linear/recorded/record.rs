@@ -3,7 +3,7 @@
 //! Pivots are chosen by Markowitz' count (few cells in the row times few in the column) among those that are
 //! not small against the largest of their row. A = L U with L as it comes and the rows of U divided by their
 //! pivots, where both have cells; a pivot alone in its column divides at the end of back substitution
-//! instead, and one alone in its row needs no back substitution. What is the same for good is computed here
+//! instead, and one alone in its row needs no back substitution. Cells that never change are computed here
 //! and never again.
 
 use std::collections::HashMap;
@@ -30,7 +30,7 @@ pub(crate) struct Input<'a> {
     pub entries: &'a [Option<(u32, u32)>],
     /// Values in the order of rows, then of columns.
     pub sorted: &'a [u32],
-    /// What is the same for good.
+    /// Values that never change; `None` for those that can.
     pub constants: &'a [Option<f64>],
     /// One over the measure of each row, and of each column.
     pub row_units: &'a [f64],
@@ -61,7 +61,7 @@ pub(crate) struct Places {
 pub(crate) struct Recording {
     pub factor: Program,
     pub solve: Program,
-    /// What made each number that is factored one of order 1 when it was recorded.
+    /// The factor that made each factored number one of order 1 when it was recorded.
     pub weights: Vec<f64>,
     /// Step, row and column of each pivot that is no constant.
     pub watched: Vec<(u32, u32, u32)>,
@@ -135,7 +135,7 @@ pub(crate) struct Pivot {
     pub row: u32,
     pub column: u32,
     pub inverse: Inverse,
-    /// Whether its column has cells in L.
+    /// True if its column has cells in L.
     pub has_lower: bool,
     pub upper: std::ops::Range<usize>,
 }
@@ -339,7 +339,7 @@ struct Candidate {
     cell: Option<u32>,
     /// Markowitz' count.
     cost: usize,
-    /// Whether it is 1 or −1 for good.
+    /// True if it is 1 or −1 for good.
     unit: bool,
     size: f64,
 }

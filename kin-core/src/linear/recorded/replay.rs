@@ -24,7 +24,7 @@ const MOST: [usize; 3] = [2, 1, 1];
 /// Shapes of each form of step.
 const SHAPES: usize = (MOST[0] + 1) * (MOST[1] + 1) * (MOST[2] + 1);
 
-/// What a step does; `start − Σ products + Σ plus − Σ minus` is the sum.
+/// Forms of a step; `start − Σ products + Σ plus − Σ minus` is the sum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Form {
     /// Writes the sum.
@@ -42,11 +42,11 @@ pub(crate) enum Form {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Replay {
     code: Vec<Coded>,
-    /// What is zero for good, and must be so before it is run.
+    /// Places that are zero for good, and must be so before the program is run.
     pub zeros: Vec<u32>,
 }
 
-/// What a step does, and where it writes, where it starts, its operands and its scale.
+/// A step: its operation, and the places of its output, its start, its operands and its scale.
 #[derive(Clone, Copy, Debug)]
 struct Coded {
     opcode: u8,

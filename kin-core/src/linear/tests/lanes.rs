@@ -30,7 +30,7 @@ impl WithLevel for Together<'_> {
         let fits = wide.measure(all) & wide.factor(all);
         let every: Vec<usize> = (0..n).collect();
         let b = [&every, &asked[0], &asked[1]].map(|rows| right_side(simd, n, rows, random));
-        // What is zero for good is not looked at.
+        // Right sides that are zero for good are not read.
         wide.velocity_rhs().fill(Wide::splat(simd, f64::NAN));
         wide.acceleration_rhs().1.fill(Wide::splat(simd, f64::NAN));
         every.iter().for_each(|row| wide.written().0[*row] = b[0][*row]);

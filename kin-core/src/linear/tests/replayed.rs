@@ -1,4 +1,4 @@
-//! What a replay must do: restore constants, notice that it no longer fits, stay flat and linear.
+//! Demands on a replay: it restores constants, notices that it no longer fits, and stays flat and linear.
 
 use super::*;
 use crate::numbers::random::Random;

@@ -45,7 +45,7 @@ pub struct Found {
     pub expression: String,
     /// Where it stands.
     pub source: Option<Source>,
-    /// What of it is not finite.
+    /// The part of the expression that is not finite.
     pub part: Part,
     /// Its value, which is finite where only a derivative is not.
     pub value: f64,

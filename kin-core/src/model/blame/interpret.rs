@@ -109,7 +109,7 @@ impl Run<'_> {
     }
 }
 
-/// What an evaluation along one direction begins with.
+/// Inputs of an evaluation along one direction.
 struct Source<'a> {
     q: &'a [f64],
     t: f64,

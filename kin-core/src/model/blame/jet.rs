@@ -126,7 +126,7 @@ impl Number for Jet {
     }
 
     fn call2(self, f: Function2, other: Jet) -> Jet {
-        // Of two the one that is taken, with what it moves by.
+        // The result is the operand that is taken, with its derivatives.
         let first = match f {
             Function2::Max => self.value >= other.value,
             Function2::Min => self.value <= other.value,

@@ -1,6 +1,6 @@
-//! Who is to blame where something of a constraint is infinite or not a number: the sub-expression as the
-//! user wrote it, its place, and the values that went into it. Looked for when a run has failed and never
-//! before, so that kernels pay nothing for it.
+//! Culprits where a term of a constraint is infinite or not a number: the sub-expression as the user wrote
+//! it, its place, and the values that went into it. Looked for when a run has failed and never before, so
+//! that kernels pay nothing for it.
 //!
 //! On the symbolic route the equation is kept as a formula (`formula.rs`) and evaluated with second-order
 //! jets; on the dual route the user's body runs once more with numbers that know where they went wrong
@@ -26,7 +26,7 @@ pub enum Term {
     RightSide,
 }
 
-/// What a constraint is asked for: why a term of one of its rows is not finite at an instant.
+/// A question to a constraint: why is a term of one of its rows not finite at an instant?
 #[derive(Clone, Copy, Debug)]
 pub struct Asked<'a> {
     /// Time t.   \[s\]
@@ -54,7 +54,7 @@ pub enum Input {
     Time,
 }
 
-/// What a constraint answers: the first expression that is not finite though everything it is made of is.
+/// A constraint's answer: the first expression that is not finite though everything it is made of is.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Blame {
@@ -62,7 +62,7 @@ pub struct Blame {
     pub expression: String,
     /// Where it stands.
     pub source: Option<Source>,
-    /// What of it is not finite.
+    /// The part of the expression that is not finite.
     pub part: Part,
     /// Its value, which is finite where only a derivative is not.
     pub value: f64,

@@ -1,11 +1,11 @@
-//! What a constructor of a constraint takes for its bodies, coordinates and axes. Each takes what converts
-//! into the handle; the traits are here, and not `Into` itself, for what rustc says where something else is
-//! given.
+//! Traits of the bodies, coordinates and axes that a constructor of a constraint takes. Each takes what
+//! converts into the handle; the traits are here, and not `Into` itself, for what rustc says where something
+//! else is given.
 
 use super::{Coordinate, PlanarBody, SpatialBody};
 use crate::numbers::algebra::Axis;
 
-/// What is taken for a planar body: a [`PlanarBody`], a [`crate::Link`], the ground, anything that is
+/// Anything that names a planar body: a [`PlanarBody`], a [`crate::Link`], the ground, anything that is
 /// `Into<PlanarBody>`.
 #[diagnostic::on_unimplemented(
     message = "a planar body is wanted here, but this is `{Self}`",
@@ -25,7 +25,7 @@ impl<T: Into<PlanarBody>> IntoPlanarBody for T {
     }
 }
 
-/// What is taken for a spatial body: a [`SpatialBody`], a [`crate::SpatialLink`], the ground, anything that
+/// Anything that names a spatial body: a [`SpatialBody`], a [`crate::SpatialLink`], the ground, anything that
 /// is `Into<SpatialBody>`.
 #[diagnostic::on_unimplemented(
     message = "a spatial body is wanted here, but this is `{Self}`",
@@ -45,7 +45,7 @@ impl<T: Into<SpatialBody>> IntoSpatialBody for T {
     }
 }
 
-/// What is taken for a bare coordinate: a [`Coordinate`], anything that is `Into<Coordinate>`.
+/// Anything that names a bare coordinate: a [`Coordinate`], anything that is `Into<Coordinate>`.
 #[diagnostic::on_unimplemented(
     message = "a coordinate is wanted here, but this is `{Self}`",
     label = "not a coordinate",
@@ -63,7 +63,7 @@ impl<T: Into<Coordinate>> IntoCoordinate for T {
     }
 }
 
-/// What is taken for an axis: a [`crate::Vec3`] along it, an [`Axis`], anything that is `Into<Axis>`.
+/// Anything that gives an axis: a [`crate::Vec3`] along it, an [`Axis`], anything that is `Into<Axis>`.
 #[diagnostic::on_unimplemented(
     message = "an axis is wanted here, but this is `{Self}`",
     label = "not an axis",

@@ -233,7 +233,7 @@ pub struct Argument {
     pub target: Target,
 }
 
-/// What an argument of a constraint stands for.
+/// The body or coordinate that an argument of a constraint stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Target {
     /// A planar body: 3 columns.
@@ -244,7 +244,7 @@ pub enum Target {
     Coord(Coordinate, Trig),
 }
 
-/// Whether a constraint reads the sine and cosine of a bare coordinate.
+/// The sine and cosine of a bare coordinate, which a constraint reads or does not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Trig {
     /// Only the value.

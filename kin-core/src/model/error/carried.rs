@@ -1,11 +1,11 @@
-//! What errors of a failing run carry: the motion before it and what is wrong with the mechanism.
+//! The data that errors of a failing run carry: the motion before it and the diagnosis of the mechanism.
 
 use super::Error;
 use crate::model::motion::Motion;
 use crate::model::verdict::Diagnosis;
 
 impl Error {
-    /// What a failing run had computed before it failed; `None` for errors of other operations.
+    /// The part of the motion that a failing run had computed; `None` for errors of other operations.
     pub fn motion(&self) -> Option<&Motion> {
         match self {
             Error::NoConvergence { motion, .. }
@@ -20,7 +20,7 @@ impl Error {
         }
     }
 
-    /// What is wrong with the mechanism, by name, where the error is of that kind.
+    /// The diagnosis of the mechanism, by name, where the error is of that kind.
     pub fn diagnosis(&self) -> Option<&Diagnosis> {
         match self {
             Error::CannotBeDriven { diagnosis, .. } => Some(diagnosis),
@@ -39,7 +39,7 @@ impl Error {
         self
     }
 
-    /// What was computed before, to be added to.
+    /// The motion computed before the failure, to be added to.
     pub(crate) fn motion_mut(&mut self) -> Option<&mut Motion> {
         self.carried()?.as_deref_mut()
     }

@@ -1,4 +1,4 @@
-//! What can go wrong, in the words of the field: where (time, constraint by name), what, and what to try.
+//! Errors, in the words of the field: where (time, constraint by name), the fault, and the cure to try.
 
 use std::path::PathBuf;
 
@@ -18,9 +18,9 @@ pub enum Error {
     /// another.
     #[error("{diagnosis}{}", text::kept(.motion))]
     CannotBeDriven {
-        /// What is wrong, by name.
+        /// The diagnosis, by name.
         diagnosis: Box<Diagnosis>,
-        /// What was computed before.
+        /// The motion computed before.
         motion: Option<Box<Motion>>,
     },
 
@@ -30,7 +30,7 @@ pub enum Error {
     NoConvergence {
         /// Time.   \[s\]
         t: f64,
-        /// What the units of length and time are called.
+        /// Names of the units of length and time.
         units: Units,
         /// Newton steps taken.
         iterations: usize,
@@ -42,9 +42,9 @@ pub enum Error {
         residual: f64,
         /// The last time at which the position was found.   \[s\]
         last: Option<f64>,
-        /// What is wrong there, by name, and how near the parts can come.
+        /// The diagnosis at this time, by name, and how near the parts can come.
         diagnosis: Option<Box<Diagnosis>>,
-        /// What was computed before.
+        /// The motion computed before.
         motion: Option<Box<Motion>>,
     },
 
@@ -55,7 +55,7 @@ pub enum Error {
     SingularAt {
         /// Time.   \[s\]
         t: f64,
-        /// What the units of length and time are called.
+        /// Names of the units of length and time.
         units: Units,
         /// Number of coordinates.
         n: usize,
@@ -69,9 +69,9 @@ pub enum Error {
         dependent: Vec<String>,
         /// An equation that is far from being met where the search ended; `None` at a position.
         unmet: Option<Box<str>>,
-        /// What is wrong there, by name.
+        /// The diagnosis at this time, by name.
         diagnosis: Option<Box<Diagnosis>>,
-        /// What was computed before.
+        /// The motion computed before.
         motion: Option<Box<Motion>>,
     },
 
@@ -81,7 +81,7 @@ pub enum Error {
     Toggle {
         /// The time t* of the toggle.   \[s\]
         t: f64,
-        /// What the units of length and time are called.
+        /// Names of the units of length and time.
         units: Units,
         /// The time that was asked for.   \[s\]
         asked: f64,
@@ -89,9 +89,9 @@ pub enum Error {
         movable: Vec<String>,
         /// Equations that depend on one another at t*.
         dependent: Vec<String>,
-        /// What is wrong at the time that was asked for, by name, and how near the parts can come.
+        /// The diagnosis at the time that was asked for, by name, and how near the parts can come.
         diagnosis: Option<Box<Diagnosis>>,
-        /// What was computed before; its last [`Motion::singular_positions`] is the toggle.
+        /// The motion computed before; its last [`Motion::singular_positions`] is the toggle.
         motion: Option<Box<Motion>>,
     },
 
@@ -100,11 +100,11 @@ pub enum Error {
     CannotFollow {
         /// The last time at which the branch is known.   \[s\]
         t: f64,
-        /// What the units of length and time are called.
+        /// Names of the units of length and time.
         units: Units,
-        /// What was objected to.
+        /// The objection.
         reason: &'static str,
-        /// What was computed before.
+        /// The motion computed before.
         motion: Option<Box<Motion>>,
     },
 
@@ -113,15 +113,15 @@ pub enum Error {
     WrongBranch {
         /// Time.   \[s\]
         t: f64,
-        /// What the units of length and time are called.
+        /// Names of the units of length and time.
         units: Units,
         /// The constraint.
         constraint: String,
         /// Its kind.
         kind: String,
-        /// What does not hold.
+        /// The condition that does not hold.
         reason: String,
-        /// What was computed before.
+        /// The motion computed before.
         motion: Option<Box<Motion>>,
     },
 
@@ -130,7 +130,7 @@ pub enum Error {
     LawJumps {
         /// The first time beyond the jump.   \[s\]
         t: f64,
-        /// What the units of length and time are called.
+        /// Names of the units of length and time.
         units: Units,
         /// The constraint.
         constraint: String,
@@ -140,7 +140,7 @@ pub enum Error {
         at: f64,
         /// 0: the value jumps; 1: the slope.
         order: usize,
-        /// What was computed before.
+        /// The motion computed before.
         motion: Option<Box<Motion>>,
     },
 
@@ -149,7 +149,7 @@ pub enum Error {
     NotFinite {
         /// Time.   \[s\]
         t: f64,
-        /// What the units of length and time are called.
+        /// Names of the units of length and time.
         units: Units,
         /// The constraint.
         constraint: String,
@@ -159,7 +159,7 @@ pub enum Error {
         quantity: &'static str,
         /// The sub-expression that made it so, as the user wrote it, and the values that went into it.
         culprit: Box<Culprit>,
-        /// What was computed before.
+        /// The motion computed before.
         motion: Option<Box<Motion>>,
     },
 
@@ -181,7 +181,7 @@ pub enum Error {
         constraint: String,
         /// Its kind.
         kind: String,
-        /// What does not hold.
+        /// The condition that does not hold.
         reason: String,
     },
 
@@ -247,7 +247,7 @@ pub enum Error {
     /// A motion that interval bounds cannot say anything about.
     #[error("{what} cannot be proved: {reason}")]
     CannotBeProved {
-        /// Of which mechanism, or with which constraint.
+        /// The motion of which mechanism, or with which constraint.
         what: String,
         /// Why.
         reason: String,
@@ -260,7 +260,7 @@ pub enum Error {
         constraint: String,
         /// Its kind.
         kind: String,
-        /// What is wrong with it.
+        /// The fault.
         reason: String,
     },
 
@@ -276,14 +276,14 @@ pub enum Error {
     /// A name that is empty.
     #[error("a {what} needs a name")]
     EmptyName {
-        /// What has no name.
+        /// The kind of thing that has no name, such as "body".
         what: &'static str,
     },
 
     /// A name that nothing has.
     #[error("there is no {what} `{name}`{}", text::known(.known))]
     UnknownName {
-        /// What was looked for.
+        /// The kind of thing that was looked for.
         what: &'static str,
         /// The name given.
         name: String,
@@ -294,14 +294,14 @@ pub enum Error {
     /// Times that no sweep can follow.
     #[error("times: {reason}")]
     InvalidTimes {
-        /// What is wrong with them.
+        /// The fault.
         reason: String,
     },
 
     /// A solver option out of its range.
     #[error("options: {reason}")]
     InvalidOptions {
-        /// What is wrong with them.
+        /// The fault.
         reason: String,
     },
 
@@ -314,9 +314,9 @@ pub enum Error {
         times: usize,
         /// Coordinates at each time.
         coordinates: usize,
-        /// What they take.   \[B\]
+        /// The memory that the motions take.   \[B\]
         needed: f64,
-        /// What is allowed.   \[B\]
+        /// The memory that is allowed.   \[B\]
         allowed: usize,
     },
 
@@ -343,7 +343,7 @@ pub enum Error {
     /// A list of the wrong length.
     #[error("{what}: {found} values given, {expected} needed")]
     WrongLength {
-        /// Of what.
+        /// The list.
         what: String,
         /// The length needed.
         expected: usize,
@@ -358,7 +358,7 @@ pub enum Error {
         output: String,
         /// Time.   \[s\]
         t: f64,
-        /// What the units of length and time are called.
+        /// Names of the units of length and time.
         units: Units,
         /// The value.
         value: f64,
@@ -371,9 +371,9 @@ pub enum Error {
     /// Something that cannot be written as data, or data that do not say what they should.
     #[error("{place}: {reason}")]
     Data {
-        /// Where: a file, a mechanism, a constraint by name.
+        /// The place of the fault: a file, a mechanism, a constraint by name.
         place: String,
-        /// What is wrong.
+        /// The fault.
         reason: String,
     },
 
@@ -382,7 +382,7 @@ pub enum Error {
     Table {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// The fault.
         reason: String,
     },
 

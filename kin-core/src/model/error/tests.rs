@@ -1,4 +1,4 @@
-//! What errors say and how large they are.
+//! Texts and sizes of errors.
 
 use super::*;
 

@@ -29,7 +29,7 @@ pub(super) fn no_convergence(
     }
 }
 
-/// That there is no position, where the diagnosis has found why; else what the solver has to say.
+/// Message of a position that does not exist, where the diagnosis has found why; else that of the solver.
 pub(super) fn unmet(diagnosis: &Option<Box<Diagnosis>>, solver: impl Fn() -> String) -> String {
     let found = diagnosis.as_ref().filter(|diagnosis| !diagnosis.gaps.is_empty());
     found.map_or_else(solver, |diagnosis| {
@@ -37,7 +37,7 @@ pub(super) fn unmet(diagnosis: &Option<Box<Diagnosis>>, solver: impl Fn() -> Str
     })
 }
 
-/// What is wrong, line by line; nothing where nothing is, or nobody has looked.
+/// The faults, one a line; empty where nothing is wrong, or no diagnosis was made.
 fn details(diagnosis: &Option<Box<Diagnosis>>) -> String {
     diagnosis.as_ref().map(|diagnosis| diagnosis.details().to_string()).unwrap_or_default()
 }
@@ -48,7 +48,7 @@ pub(super) fn diagnosed(diagnosis: &Option<Box<Diagnosis>>, solver: impl Fn() ->
     found.map_or_else(solver, |diagnosis| diagnosis.to_string())
 }
 
-/// That C_q is singular, with what can move and what depends on what.
+/// Message of a singular C_q: the coordinates that can move, and the equations that depend on one another.
 pub(super) fn singular(
     at: &str,
     [rank, n]: [usize; 2],
@@ -73,7 +73,7 @@ pub(super) fn singular(
     text
 }
 
-/// What is asked for beyond a toggle, and what can move at it.
+/// The message of a position beyond a toggle: why it cannot be reached, and what can move at the toggle.
 pub(super) fn toggle(movable: &[String], dependent: &[String], diagnosis: &Option<Box<Diagnosis>>) -> String {
     let all = format!(
         "There {} can move although what drives stands still, and {} depend on one another.",
@@ -83,7 +83,7 @@ pub(super) fn toggle(movable: &[String], dependent: &[String], diagnosis: &Optio
     format!("{}\n  {all}", details(diagnosis))
 }
 
-/// That a run may have left its branch.
+/// Message of a run that may have left its branch.
 pub(super) fn cannot_follow(at: &str, reason: &str, motion: &Option<Box<Motion>>) -> String {
     format!(
         "t = {at}: beyond this time the run cannot be shown to stay on its branch ({reason}).\n  A law or \
@@ -93,7 +93,7 @@ pub(super) fn cannot_follow(at: &str, reason: &str, motion: &Option<Box<Motion>>
     )
 }
 
-/// That a position closes, but not as it is meant.
+/// Message of a position that closes, but not as it is meant.
 pub(super) fn wrong_branch(
     at: &str,
     [constraint, kind, reason]: [&str; 3],
@@ -106,7 +106,7 @@ pub(super) fn wrong_branch(
     )
 }
 
-/// That a law jumps, at an argument, in a derivative of that order.
+/// Message of a law that jumps, at an argument, in a derivative of that order.
 pub(super) fn law_jumps(
     at: &str,
     [constraint, law]: [&str; 2],
@@ -122,7 +122,7 @@ pub(super) fn law_jumps(
     )
 }
 
-/// That nothing is lost.
+/// Says that the motion before the failure is not lost.
 pub(super) fn kept(motion: &Option<Box<Motion>>) -> String {
     let Some((motion, last)) = motion.as_ref().and_then(|motion| Some((motion, *motion.times().last()?)))
     else {
@@ -145,7 +145,7 @@ pub(super) fn worst(iterations: usize, constraint: &str, of: &str, residual: f64
     )
 }
 
-/// What motions need and may have, and how to need less.
+/// The message of motions that need more memory than they may have, and how to need less.
 pub(super) fn needs_memory([motions, times, coordinates]: [usize; 3], sizes: [f64; 2]) -> String {
     let (all, cure) = if motions > 1 {
         (

@@ -9,7 +9,7 @@ use crate::model::law::Law;
 use crate::numbers::enclosure::interval::{Interval, ONE, ZERO};
 use crate::numbers::enclosure::series::{ORDER, Series, UNKNOWN};
 
-/// What an evaluation begins with.
+/// Inputs of an evaluation.
 pub(crate) struct Inputs<'a> {
     pub columns: &'a [Series],
     pub t: Series,
@@ -32,9 +32,9 @@ impl Source<Series> for Inputs<'_> {
         Given::by(self.outside, law, &[]).law().map_or(UNKNOWN, |law| law_of(law, x, order))
     }
 
-    /// What only the user's program can compute of parameters: the number that it gives. What it is computed
-    /// from is known up to rounding, so it is asked at both ends and in the middle of that: what jumps
-    /// between them is not known.
+    /// Bounds of a function that only the user's program can compute, of parameters alone: the number that it
+    /// gives. Its operands are known up to rounding, so it is evaluated at both ends and in the middle of
+    /// their intervals; a jump between these three is not seen.
     fn opaque(&self, number: usize, component: usize, operands: Vec<Series>) -> Series {
         if !operands.iter().all(|x| x.is_constant() && !x.is_open()) {
             return UNKNOWN;
@@ -187,7 +187,7 @@ impl Table {
     }
 }
 
-/// Whether a comparison never holds, and whether it always does.
+/// Two answers about a comparison: that it never holds, and that it always does.
 fn compared(comparison: Comparison, a: Interval, b: Interval) -> [bool; 2] {
     let less = [a.lo() >= b.hi(), a.hi() < b.lo()];
     let greater = [b.lo() >= a.hi(), b.hi() < a.lo()];

@@ -54,7 +54,7 @@ impl Table {
 /// results.
 pub type Outside<'a> = &'a dyn Fn(usize, &[Dual3_64], &mut Given);
 
-/// What only the user's program can compute: numbers, or the law that stands there.
+/// Results that only the user's program can compute: numbers, or the law that stands there.
 #[derive(Default)]
 pub struct Given {
     numbers: Vec<Dual3_64>,
@@ -62,7 +62,7 @@ pub struct Given {
 }
 
 impl Given {
-    /// What number `number` of the outside makes of these.
+    /// The results of function `number` of the outside for these operands.
     pub(crate) fn by(outside: Outside<'_>, number: usize, operands: &[Dual3_64]) -> Given {
         let mut given = Given::default();
         outside(number, operands, &mut given);
@@ -92,7 +92,7 @@ pub(crate) fn jet_of_law(outside: Outside<'_>, number: usize, x: f64, order: u8)
     if order == 0 { [f, f1, f2, f3] } else { [f1, f2, f3, law.fourth(x)] }
 }
 
-/// Of an equation in which everything is known.
+/// The outside of an equation in which everything is known.
 pub fn nothing_outside(_: usize, _: &[Dual3_64], _: &mut Given) {}
 
 /// Hands over a law.

@@ -22,7 +22,7 @@ pub(crate) fn signals(formula: &Formula) -> Vec<Node> {
     needed.into_iter().filter(|node| read[node.index()] && is_of_time(node)).collect()
 }
 
-/// Whether a row can jump where coordinates move.
+/// True if a row can jump where coordinates move.
 pub(crate) fn can_jump(formula: &Formula) -> bool {
     let jumps = |op: Op| {
         use Function::{Ceil, Floor, Fract, Round, Signum, Trunc};

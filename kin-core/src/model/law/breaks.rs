@@ -12,8 +12,8 @@ const MEETS: f64 = 1e-9;
 /// The same of two derivatives that do not jump, beside the largest of that derivative.
 const AGREES: f64 = 1e-7;
 
-/// What rounding makes of a derivative, beside the largest that the other derivatives could make of it over
-/// the length.
+/// Rounding error of a derivative, beside the largest that the other derivatives could make of it over the
+/// length.
 const ROUNDING: f64 = 1e-13;
 
 /// The largest |f|, |f′|, … |f⁗| of a law over 0 ≤ x ≤ length, as far as 34 places show it. Each derivative
@@ -44,8 +44,8 @@ impl Sizes {
         near.max(64.0 * f64::EPSILON * length)
     }
 
-    /// What two jets may differ by in derivative k though nothing jumps, one of them carried on from `step`
-    /// before, over about `length`.
+    /// The difference that two jets may have in derivative k though nothing jumps, one of them carried on
+    /// from `step` before, over about `length`.
     fn allowed(&self, k: usize, step: f64, length: f64) -> f64 {
         let Sizes(size) = self;
         let next = size[k + 1];

@@ -68,7 +68,7 @@ impl Mul<f64> for Law {
     }
 }
 
-/// What a law of two parts side by side has of both.
+/// The methods in which a law of two parts side by side asks both.
 macro_rules! two_parts {
     ($first:ident, $second:ident) => {
         fn parts(&self) -> Vec<(String, Law)> {

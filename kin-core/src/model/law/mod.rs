@@ -31,12 +31,12 @@ pub trait LawFunction: Send + Sync {
     /// \[f, f′, f″, f‴\] at x, in the unit of f per powers of the unit of x.
     fn jet(&self, x: f64) -> [f64; 4];
 
-    /// What kind of law this is, such as `ramp`.
+    /// Kind of the law, such as `ramp`.
     fn kind(&self) -> &str {
         "law"
     }
 
-    /// What it is, in the words of its documentation.
+    /// Description of the law, in the words of its documentation.
     fn description(&self) -> &str {
         ""
     }
@@ -62,7 +62,7 @@ pub trait LawFunction: Send + Sync {
         breaks::sharpest(self.breaks(from, to))
     }
 
-    /// Whether there is no break anywhere.
+    /// True if there is no break anywhere.
     fn is_smooth(&self) -> bool {
         true
     }
@@ -92,8 +92,8 @@ pub trait LawFunction: Send + Sync {
     /// those of the law are not: then nothing can be proved of a motion that it drives.
     ///
     /// Either the formula once more, on [`Series`] instead of numbers, or bounds of the derivatives through
-    /// [`Series::chain`]. What they promise is taken for true, and a proof says so;
-    /// [`crate::ask::check::law`] tries it at random.
+    /// [`Series::chain`]. These bounds are taken for true, and a proof says so; [`crate::ask::check::law`]
+    /// tries them at random.
     ///
     /// ```
     /// use kin::prelude::*;
@@ -161,7 +161,7 @@ impl Law {
         self.0.written(graph, x)
     }
 
-    /// Whether it is the same law: a clone.
+    /// True if it is the same law: a clone.
     pub(crate) fn is(&self, other: &Law) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
@@ -176,12 +176,12 @@ impl Law {
         x.through_slope(self)
     }
 
-    /// What kind of law this is.
+    /// Kind of the law.
     pub fn kind(&self) -> &str {
         self.0.kind()
     }
 
-    /// What it is, in the words of its documentation.
+    /// Description of the law, in the words of its documentation.
     pub fn description(&self) -> &str {
         self.0.description()
     }
@@ -213,7 +213,7 @@ impl Law {
         self.0.sharpest_break(from.min(to), to.max(from))
     }
 
-    /// Whether no derivative up to the third jumps anywhere.
+    /// True if no derivative up to the third jumps anywhere.
     pub fn is_smooth(&self) -> bool {
         self.0.is_smooth()
     }
@@ -229,7 +229,7 @@ impl Law {
         bad.or_else(|| self.0.refusal())
     }
 
-    /// Whether f(x + period) = f(x) for all that can be seen: values and first three derivatives at 24
+    /// True if f(x + period) = f(x) for all that can be seen: values and first three derivatives at 24
     /// places, each to nine digits of the largest of its kind.
     pub fn is_periodic(&self, period: f64) -> bool {
         let places = || (0..24).map(|k| period * (f64::from(k) * 0.618_033_988_749_894_9).fract());

@@ -25,14 +25,14 @@ struct Move {
     distance: f64,
     speed: f64,
     acceleration: f64,
-    /// None: no limit, acceleration jumps.
+    /// The limit; without one the acceleration jumps.
     jerk: Option<f64>,
     pieces: Vec<Piece>,
     /// Where it comes to rest.
     end: f64,
 }
 
-/// From x = start on: s + v τ + a τ²/2 + j τ³/6.
+/// A cubic from x = start on: s + v τ + a τ²/2 + j τ³/6.
 #[derive(Clone, Copy)]
 struct Piece {
     start: f64,

@@ -6,7 +6,7 @@ use super::Law;
 use super::sequence::within;
 use crate::model::error::{Error, Result};
 
-/// What a spline does at the ends of its table.
+/// End conditions of a spline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Ends {
     /// No curvature: it goes on as a line.
@@ -18,7 +18,7 @@ pub enum Ends {
         /// Slope at the last x.
         end: f64,
     },
-    /// It repeats: the last y is the first one again.
+    /// The spline repeats: the last y is the first one again.
     Periodic,
 }
 

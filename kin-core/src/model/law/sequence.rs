@@ -87,8 +87,8 @@ impl Sequence {
         self.seams().iter().filter_map(jump).filter(move |found| (from..=to).contains(&found.x))
     }
 
-    /// What each part has of its own between two places, by `list`: breaks at its ends are those of the
-    /// seams.
+    /// The breaks or poles within each part between two places, by `list`: breaks at its ends are those of
+    /// the seams.
     fn own<I: IntoIterator<Item = Break>>(
         &self,
         from: f64,
@@ -241,8 +241,8 @@ impl LawFunction for Sequence {
     }
 }
 
-/// What x is beyond the last whole period: 0 ≤ … < period. (Of a number just below zero `rem_euclid` alone
-/// makes the period itself, by rounding.)
+/// The rest of x beyond the last whole period: 0 ≤ … < period. (Of a number just below zero `rem_euclid`
+/// alone makes the period itself, by rounding.)
 pub(super) fn within(x: f64, period: f64) -> f64 {
     let rest = x.rem_euclid(period);
     if rest >= period { 0.0 } else { rest }

@@ -38,7 +38,7 @@ struct Spline {
     error: f64,
 }
 
-/// Its points are its own.
+/// A spline can be read as its points.
 impl Deref for Spline {
     type Target = Points;
 

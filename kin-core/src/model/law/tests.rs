@@ -24,7 +24,7 @@ pub(super) fn near(found: f64, exact: f64, share: f64) {
     assert!((found - exact).abs() <= share * (1.0 + exact.abs()), "{found:e} instead of {exact:e}");
 }
 
-/// What a law lists between two places.
+/// The breaks that a law lists between two places.
 pub(super) fn listed(law: &Law, from: f64, to: f64) -> Vec<(f64, usize)> {
     law.breaks(from, to).iter().map(|b| (b.x, b.order)).collect()
 }
@@ -110,7 +110,7 @@ fn laws_cross_threads() {
     sent::<Law>();
 }
 
-/// What a law of one's own is where it says nothing but its jet.
+/// A law of one's own that gives nothing but its jet has the defaults of the trait.
 #[test]
 fn a_law_that_tells_its_jet_alone() {
     struct Jet;

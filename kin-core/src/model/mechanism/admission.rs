@@ -1,4 +1,4 @@
-//! What a constraint must hold to be let into a mechanism.
+//! Conditions under which a constraint is let into a mechanism.
 
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::{Argument, Target};
@@ -33,7 +33,7 @@ fn finite_parameters(name: &str, constraint: &dyn Constraint) -> Result<()> {
     }
 }
 
-/// What the constraint itself demands of its parameters (`#[require]`).
+/// Tests the constraint's own demands on its parameters (`#[require]`).
 pub(crate) fn sensible_parameters(name: &str, constraint: &dyn Constraint) -> Result<()> {
     match constraint.refusal() {
         Some(reason) => Err(Error::InvalidParameters {

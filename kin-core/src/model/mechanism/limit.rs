@@ -12,7 +12,7 @@ pub(crate) struct Limit {
 }
 
 impl Limit {
-    /// What is wrong with its ends.
+    /// Refuses ends that are not in order.
     fn check(&self) -> Result<()> {
         let [from, to] = self.ends;
         if from < to {

@@ -64,7 +64,7 @@ pub struct Mechanism {
     pub(crate) asked: Vec<(String, f64)>,
     pub(crate) constraints: Vec<(String, Box<dyn Constraint>)>,
     names: HashSet<String>,
-    /// What a method that returns nothing could not take; told at build.
+    /// A call that returns nothing and could not be carried out; its error is told at build.
     refused: Option<Refused>,
     /// Ranges that measures should keep to.
     pub(crate) limits: Vec<Limit>,
@@ -74,14 +74,15 @@ pub struct Mechanism {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ConstraintId(usize);
 
-/// What could not be taken where nothing is returned: tried again at build, it gives its error.
+/// A call that returns nothing and could not be carried out: it is tried again at build, and gives its error.
 #[derive(Clone)]
 pub(crate) enum Refused {
     Units(Units),
     Preference(Wish),
 }
 
-/// What can be added to a mechanism: a constraint, or one that is only known as a `Box<dyn Constraint>`.
+/// Anything that can be added to a mechanism: a constraint, or one that is only known as a `Box<dyn
+/// Constraint>`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no constraint",
     label = "a mechanism takes constraints: what `revolute(…)` and functions with `#[constraint]` return",
@@ -126,9 +127,8 @@ impl Mechanism {
         &self.name
     }
 
-    /// What the units of length and time are called in files, pages and messages: `m.units("mm", "s")`. Words
-    /// alone: nothing is converted, and all numbers have to be in these units. Without it they are `m` and
-    /// `s`.
+    /// Names the units of length and time in files, pages and messages: `m.units("mm", "s")`. Words alone:
+    /// nothing is converted, and all numbers have to be in these units. Without it they are `m` and `s`.
     ///
     /// A word that is empty is told by [`Mechanism::build`].
     pub fn units(&mut self, length: &str, time: &str) {

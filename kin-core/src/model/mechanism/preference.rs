@@ -6,11 +6,11 @@ use crate::model::error::{Error, Result};
 use crate::model::layout::Place;
 use crate::numbers::algebra::EulerParameters;
 
-/// What can be preferred, and by which kind of value V: a bare coordinate, a planar body or link by its angle
-/// θ, a spatial body or link by its Euler parameters or by its whole pose, a measure of a joint or a
-/// coordinate by its name (`"A.angle"`).
+/// Anything that can be preferred, and by which kind of value V: a bare coordinate, a planar body or link by
+/// its angle θ, a spatial body or link by its Euler parameters or by its whole pose, a measure of a joint or
+/// a coordinate by its name (`"A.angle"`).
 pub trait Preferred<V> {
-    /// What is meant by it.
+    /// The preference of `value` for it.
     #[doc(hidden)]
     fn wish(self, value: V) -> Wish;
 }
@@ -25,7 +25,7 @@ pub enum Wish {
     Turn(SpatialBody, EulerParameters),
     /// A spatial body where and turned like this.
     Pose(SpatialBody, SpatialPose),
-    /// Whatever has this name, near a value.
+    /// The thing of this name, near a value.
     Named(String, f64),
 }
 

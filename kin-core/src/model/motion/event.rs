@@ -1,4 +1,4 @@
-//! What happens on the way: at one time, to something with a name.
+//! Events of a motion: each happens at one time, to something with a name.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,7 +6,7 @@ use super::Motion;
 use crate::model::units::Units;
 use crate::model::words::time;
 
-/// What kind of thing an [`Event`] is.
+/// Kinds of [`Event`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -39,14 +39,14 @@ impl std::fmt::Display for EventKind {
 pub struct Event {
     /// When it happens.   \[s\]
     pub t: f64,
-    /// What the units of length and time are called; a motion to which it is added knows.
+    /// Names of the units of length and time; a motion to which the event is added knows them.
     #[serde(default, skip_serializing_if = "Units::is_default")]
     pub units: Units,
-    /// What kind of thing it is.
+    /// Kind of the event.
     pub kind: EventKind,
-    /// What it happens to, by the user's name, such as `slot.slide`.
+    /// Name, as the user gave it, of the thing to which it happens, such as `slot.slide`.
     pub name: String,
-    /// What happens, as a sentence.
+    /// The event as a sentence.
     pub text: String,
 }
 
@@ -57,7 +57,7 @@ impl std::fmt::Display for Event {
 }
 
 impl Motion {
-    /// What has happened on the way, in the order in which it was run through.
+    /// The events of the motion, in the order in which it was run through.
     pub fn events(&self) -> &[Event] {
         &self.events
     }

@@ -120,7 +120,7 @@ impl Motion {
         self.times.len()
     }
 
-    /// Whether there is no time at all.
+    /// True if there is no time at all.
     pub fn is_empty(&self) -> bool {
         self.times.is_empty()
     }
@@ -151,7 +151,7 @@ impl Motion {
         self.row(&self.qddd, k)
     }
 
-    /// Whether it holds the jerk.
+    /// True if the motion holds the jerk.
     pub fn has_jerk(&self) -> bool {
         self.qddd.len() == self.q.len() && !self.is_empty()
     }
@@ -172,7 +172,7 @@ impl Motion {
         self.layout.unit_words()
     }
 
-    /// What the units of length and time are called.
+    /// Names of the units of length and time.
     pub fn unit_words(&self) -> &Units {
         &self.layout.words
     }

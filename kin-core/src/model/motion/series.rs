@@ -46,7 +46,7 @@ impl Series {
         &self.times
     }
 
-    /// What the units of length and time are called; the times are in the latter.
+    /// Names of the units of length and time; the times are in the latter.
     pub fn unit_words(&self) -> &Units {
         &self.units
     }

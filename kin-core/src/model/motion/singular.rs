@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::{Event, EventKind};
 use crate::model::units::Units;
 
-/// What a singular position is to a motion.
+/// Kinds of singular positions of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -32,7 +32,7 @@ pub struct Branch {
 pub struct SingularPosition {
     /// When it is reached.   \[s\]
     pub t: f64,
-    /// What it is to the motion.
+    /// Kind of the singular position.
     pub kind: SingularKind,
     /// The position.   \[m, rad\]
     pub q: Vec<f64>,

@@ -1,4 +1,4 @@
-//! What is to be changed, and why, in sentences.
+//! Changes to a mechanism and their reasons, in sentences.
 
 use std::fmt::{Display, Formatter, Result};
 
@@ -7,7 +7,7 @@ use super::gap::Asks;
 use super::text::{SHOWN, number};
 use crate::model::words::list;
 
-/// What a change says of its cause, where it has been tried: the first thing to be told.
+/// The cause that a change gives, where the change has been tried; it is told first.
 pub(super) fn cause(change: &Change) -> Option<String> {
     match change {
         Change::Resize { any } if any.len() == 1 => {
@@ -106,7 +106,7 @@ impl Display for Value {
             return write!(f, "{}", number(x));
         }
         let rounded = match self.up {
-            // What is on the step but for rounding stays there.
+            // A value that is on the step but for rounding stays there.
             Some(true) => (x / step - 1e-6).ceil() * step,
             Some(false) => (x / step + 1e-6).floor() * step,
             None => x,

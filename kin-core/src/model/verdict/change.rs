@@ -1,4 +1,4 @@
-//! What to change so that a mechanism can be driven.
+//! Changes after which a mechanism can be driven.
 
 use serde::{Deserialize, Serialize};
 
@@ -20,7 +20,7 @@ pub enum Change {
     Fit {
         /// The joint.
         constraint: String,
-        /// What is missing.   \[unit of the joint's rows\]
+        /// The gap of the joint.   \[unit of the joint's rows\]
         missing: f64,
         /// Names of its rows that could be left out in place of it; all of them if the whole joint could.
         or_drop: Vec<String>,
@@ -36,7 +36,7 @@ pub enum Change {
     /// Allow redundant equations to contradict one another by this share of the mechanism's size,
     /// [`crate::Options::closure`]: they do so by no more than parts of ordinary accuracy.
     Allow {
-        /// What is to be allowed.   \[-\]
+        /// The closure error to allow.   \[-\]
         closure: f64,
     },
     /// Two points of a constraint are exchanged: each is a point of the other's body.
@@ -118,17 +118,17 @@ pub enum Change {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Resize {
-    /// Whose dimension it is.
+    /// The owner of the dimension.
     pub of: Size,
-    /// What it is.   \[m, or the unit of the parameter\]
+    /// Its present value.   \[m, or the unit of the parameter\]
     pub is: Vec<f64>,
-    /// What would do.
+    /// A value that fits.
     pub fits: Vec<f64>,
-    /// Whether only that does; else what is beyond it, seen from what it is, does too.
+    /// True if only that value fits; false if those beyond it, seen from the present one, do too.
     pub exact: bool,
 }
 
-/// What a dimension belongs to.
+/// The owner of a dimension.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Size {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What a dependency means.
+/// Classes of dependencies.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Class {
@@ -50,7 +50,7 @@ pub struct Term {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Dependency {
-    /// What it means.
+    /// Its class.
     pub class: Class,
     /// The terms; the first one, with the coefficient 1, is the equation that is called superfluous. Those of
     /// the norms of Euler parameters, which nobody wrote, are left out.

@@ -9,7 +9,7 @@ use super::freedom::{Freedom, Persistence};
 use super::gap::Gap;
 use crate::model::units::Units;
 
-/// What a mechanism is at one time and pose: data for programs; `Display` is a report for people.
+/// Diagnosis of a mechanism at one time and pose: data for programs; `Display` is a report for people.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Diagnosis {
@@ -17,7 +17,7 @@ pub struct Diagnosis {
     pub mechanism: String,
     /// The time.   \[s\]
     pub t: f64,
-    /// What the units of length and time are called.
+    /// Names of the units of length and time.
     #[serde(default, skip_serializing_if = "Units::is_default")]
     pub units: Units,
     /// The pose that was examined: assembled, or where the smallest gap was found.   \[m, rad\]
@@ -36,7 +36,7 @@ pub struct Diagnosis {
     pub rank: usize,
     /// Rank of C_q at nearby poses of the same assembly; that at the pose where there are none.
     pub nearby_rank: usize,
-    /// Whether there are nearby poses, or no need to look for any because the rank is full.
+    /// True if there are nearby poses, or no need to look for any because the rank is full.
     pub moves: bool,
     /// The smallest pivot that counted over the largest that did not: 1e6 and more is clear.   \[-\]
     #[serde(with = "super::unbounded")]
@@ -56,12 +56,12 @@ pub struct Diagnosis {
 }
 
 impl Diagnosis {
-    /// Whether the mechanism can be driven at this pose: nothing contradicts, nothing is left free.
+    /// True if the mechanism can be driven at this pose: nothing contradicts, nothing is left free.
     pub fn can_be_driven(&self) -> bool {
         self.rank == self.coordinates && self.contradictions().next().is_none() && self.gaps.is_empty()
     }
 
-    /// Whether there are as many equations as coordinates, all independent.
+    /// True if there are as many equations as coordinates, all independent.
     pub fn is_exactly_constrained(&self) -> bool {
         self.can_be_driven() && self.equations == self.coordinates
     }
@@ -81,7 +81,7 @@ impl Diagnosis {
         self.freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Always)
     }
 
-    /// Whether the count is right only because a superfluous equation hides a missing one.
+    /// True if the count is right only because a superfluous equation hides a missing one.
     pub fn count_misleads(&self) -> bool {
         self.equations == self.coordinates && self.nearby_rank < self.coordinates && self.moves
     }

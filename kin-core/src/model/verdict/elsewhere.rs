@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::gap::Asks;
 
-/// What leads to a position that is not singular.
+/// A way to a position that is not singular.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Elsewhere {
@@ -14,7 +14,7 @@ pub enum Elsewhere {
     Drive {
         /// The driver.
         constraint: String,
-        /// What it asks for now, and what to ask for: where the coordinate stands at a position that is not
+        /// Its present value, and the one to ask for: where the coordinate stands at a position that is not
         /// singular.
         asks: Asks,
     },

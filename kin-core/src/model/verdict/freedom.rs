@@ -4,15 +4,15 @@ use serde::{Deserialize, Serialize};
 
 use crate::numbers::algebra::Vec3;
 
-/// Whether a freedom is there to stay.
+/// Persistence of a freedom at nearby poses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Persistence {
-    /// Here and at nearby poses: nothing holds or drives it.
+    /// The freedom is there at this pose and at nearby ones: nothing holds or drives it.
     Always,
-    /// At this pose, not at nearby ones: a toggle or a change point.
+    /// The freedom is there at this pose, not at nearby ones: a toggle or a change point.
     OnlyHere,
-    /// To first order only: the structure gives, but it cannot move.
+    /// The freedom is one of first order only: the structure gives, but it cannot move.
     Infinitesimal,
 }
 
@@ -73,15 +73,15 @@ pub struct BodyMotion {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Freedom {
-    /// Whether it is there to stay.
+    /// Its persistence at nearby poses.
     pub persistence: Persistence,
-    /// What moves.
+    /// The motions of the bodies that move.
     pub motions: Vec<BodyMotion>,
     /// A coordinate that takes part and in no other of the freedoms: drive it, and the freedom is gone.
     pub coordinate: String,
     /// The motion in coordinates, C_q q̇ = 0 (length n).   \[m, rad\]
     pub direction: Vec<f64>,
-    /// Whether nothing depends on it: bodies that are held by points of one line turn about that line, a rod
+    /// True if nothing depends on it: bodies that are held by points of one line turn about that line, a rod
     /// between two balls.
     #[serde(default)]
     pub idle: bool,

@@ -14,16 +14,16 @@ pub struct Gap {
     pub rows: Vec<usize>,
     /// Names of its equations, such as `B.x`.
     pub equations: Vec<String>,
-    /// What is missing in each equation where all other constraints are met and this one as nearly as was
-    /// found.   \[unit of the row\]
+    /// Residual of each equation where all other constraints are met and this one
+    /// as nearly as was found.   \[unit of the row\]
     pub residual: Vec<f64>,
     /// For a driver of one coordinate: the coordinate, what is asked of it, and where it stands at the
     /// nearest.   \[m or rad\]
     pub asks: Option<Asks>,
-    /// Whether its equations depend on the others at nearby poses too: then they contradict one another. If
+    /// True if its equations depend on the others at nearby poses too: then they contradict one another. If
     /// not, something does not reach.
     pub lasting: bool,
-    /// From how many starts a pose was looked for.
+    /// Number of starts from which a pose was looked for.
     pub starts: usize,
     /// The other drivers, and what those of one coordinate ask for.
     #[serde(default)]
@@ -36,17 +36,17 @@ pub struct Gap {
 pub struct Against {
     /// The driver.
     pub constraint: String,
-    /// What it asks for, where it is one of one coordinate.
+    /// The value asked for and the one reached, where it is a driver of one coordinate.
     pub asks: Option<Asks>,
 }
 
-/// What a driver asks for and does not get.
+/// The value that a driver asks for and does not get.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Asks {
     /// The coordinate.
     pub coordinate: String,
-    /// What is asked.   \[m or rad\]
+    /// The value asked for.   \[m or rad\]
     pub asked: f64,
     /// Where it stands.   \[m or rad\]
     pub stands: f64,
@@ -61,7 +61,7 @@ impl Asks {
         Asks { coordinate, asked, stands, beyond_guess: None }
     }
 
-    /// Whether an angle is asked for that is more than a turn from its guess, as degrees in the place of
+    /// True if an angle is asked for that is more than a turn from its guess, as degrees in the place of
     /// radians are.
     pub(crate) fn is_more_than_a_turn(&self) -> bool {
         self.beyond_guess.is_some_and(|beyond| beyond.abs() > TAU)

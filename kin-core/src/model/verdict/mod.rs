@@ -1,5 +1,4 @@
-//! What is wrong with a mechanism, or right with it, as data, and the words for it. `ask/diagnosis/` finds it
-//! out.
+//! Verdict on a mechanism as data, and the words for it. `ask/diagnosis/` finds it out.
 
 mod advice;
 mod change;

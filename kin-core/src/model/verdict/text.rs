@@ -74,7 +74,7 @@ impl Diagnosis {
         };
         let dependencies: Vec<&Dependency> = self.dependencies.iter().filter(|found| !told(found)).collect();
         lines(f, &repeats::gathered(&dependencies), "dependency", "dependencies")?;
-        // What gives a little or is free only here is so because the gap is the smallest.
+        // Beside a gap only lasting freedoms are real: the others are there because the gap is the smallest.
         let real = |freedom: &&Freedom| {
             (self.gaps.is_empty() || freedom.persistence == Persistence::Always) && !self.joins(freedom)
         };
@@ -82,7 +82,8 @@ impl Diagnosis {
         self.advice(f)
     }
 
-    /// That the pose is a special one, and what is not: another time, another value, another dimension.
+    /// Says that the pose is a special one, and which pose is not: one at another time, with another value or
+    /// dimension.
     fn special(&self, f: &mut Formatter<'_>) -> Result {
         if self.rank < self.nearby_rank {
             match &self.elsewhere {
@@ -117,8 +118,8 @@ impl Diagnosis {
         Ok(())
     }
 
-    /// Whether a change has been tried with which everything closes and moves: what else is wrong at this
-    /// pose is so because of its cause.
+    /// True if a change has been tried with which everything closes and moves: its cause then explains all
+    /// other faults at this pose.
     fn is_cured(&self) -> bool {
         self.equations >= self.coordinates
             && self.changes.iter().any(|change| {
@@ -126,7 +127,7 @@ impl Diagnosis {
             })
     }
 
-    /// Whether a freedom is one of a body that no constraint holds, which its change tells.
+    /// True if the freedom is that of a body that no constraint holds, which a change already tells.
     fn joins(&self, freedom: &Freedom) -> bool {
         let names = freedom.motions.iter().flat_map(|motion| &motion.names);
         let joined = |name: &String| {

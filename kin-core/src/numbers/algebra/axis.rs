@@ -40,7 +40,7 @@ impl Axis {
         Axis::new(h, after_the_largest)
     }
 
-    /// Whether the vectors are numbers: the directions it was made of were neither zero nor parallel.
+    /// True if the vectors are numbers: the directions that made the axis were neither zero nor parallel.
     pub(crate) fn is_sound(&self) -> bool {
         [self.h, self.f].iter().all(|v| v.to_array().iter().all(|x| x.is_finite()))
     }

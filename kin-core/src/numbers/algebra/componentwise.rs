@@ -1,4 +1,4 @@
-//! What all vectors and matrices have in common, written once.
+//! Operations that all vectors and matrices share, written once.
 
 /// `a ∘ b` for two kinds over one number, and for one over `Real<D>` with one over `f64`, in both orders.
 macro_rules! mixed {

@@ -1,4 +1,4 @@
-//! What all square matrices have in common, written once.
+//! Operations that all square matrices share, written once.
 
 /// Index (row, column), counted from 0, and conversions of square matrices, from rows of components.
 macro_rules! matrix {
@@ -29,7 +29,7 @@ macro_rules! matrix {
         }
 
         impl<T: Scalar> From<[[T; $n]; $n]> for $kind<T> {
-            /// From its rows.
+            /// The matrix of these rows.
             #[inline]
             fn from([$([$($c),*]),*]: [[T; $n]; $n]) -> Self {
                 $kind { $($($c),*),* }
@@ -45,7 +45,7 @@ macro_rules! matrix {
         }
 
         impl<T> $kind<T> {
-            /// From its entries, row by row.
+            /// The matrix of these entries, row by row.
             #[inline]
             #[allow(clippy::too_many_arguments)]
             pub const fn new($($($c: T),*),*) -> Self
@@ -69,13 +69,13 @@ macro_rules! matrix {
                 $kind { $($($c: if $i == $j { 1.0 } else { 0.0 }),*),* }
             }
 
-            /// From its rows.
+            /// The matrix of these rows.
             #[inline]
             pub fn from_rows<V: Components<$n>>(rows: [V; $n]) -> $kind<V::Scalar> {
                 $kind::from(rows.map(V::components))
             }
 
-            /// From its columns.
+            /// The matrix of these columns.
             #[inline]
             pub fn from_columns<V: Components<$n>>(columns: [V; $n]) -> $kind<V::Scalar> {
                 Self::from_rows(columns).transpose()

@@ -31,7 +31,7 @@ pub use vec3::{Vec3, vec3};
     note = "a vector of the plane is `vec2(x, y)` or `(x, y)`, one of space `vec3(x, y, z)` or `(x, y, z)`; numbers have a point, as `1.0`"
 )]
 pub trait Components<const N: usize> {
-    /// What the components are.
+    /// Number type of the components.
     type Scalar: Scalar;
 
     /// The components in order.

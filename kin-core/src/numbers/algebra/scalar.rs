@@ -1,4 +1,4 @@
-//! What vectors are made of.
+//! Numbers that vectors are made of.
 
 use std::fmt;
 use std::iter::Sum;
@@ -67,7 +67,7 @@ pub trait Mix<U>:
     type Mixed: Scalar + From<Self> + From<U>;
 }
 
-/// What `T` and `U` give together: `Real<D>` if one of them is, else `f64`.
+/// The common type of `T` and `U`: `Real<D>` if one of them is, else `f64`.
 pub type Mixed<T, U> = <T as Mix<U>>::Mixed;
 
 impl Mix<f64> for f64 {

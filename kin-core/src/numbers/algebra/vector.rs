@@ -1,4 +1,4 @@
-//! What all vectors have in common, written once.
+//! Operations that all vectors share, written once.
 
 /// The sum of terms, first to last.
 macro_rules! sum {
@@ -83,7 +83,7 @@ macro_rules! vector {
         }
 
         impl<T> $kind<T> {
-            /// From its components.
+            /// The vector of these components.
             #[inline]
             pub const fn new($($c: T),*) -> Self
             where

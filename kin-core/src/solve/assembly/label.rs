@@ -1,4 +1,4 @@
-//! What one assembly of a mechanism is called.
+//! The name of one assembly of a mechanism.
 
 use std::fmt::{Display, Formatter};
 use std::str::FromStr;

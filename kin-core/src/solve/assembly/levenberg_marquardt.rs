@@ -22,7 +22,7 @@ const SHORT: f64 = 1e-15;
 /// bottom.   \[-\]
 const FLAT: f64 = 1e-11;
 
-/// What the norms of Euler parameters weigh: where not everything can be met, bodies are to stay
+/// Weight of the norms of Euler parameters: where not everything can be met, bodies are to stay
 /// rigid.   \[-\]
 const RIGID: f64 = 10.0;
 
@@ -36,7 +36,7 @@ pub(crate) struct LevenbergMarquardt<'a> {
     measures: &'a Measures,
     /// w_i; a row of weight 0 is left out.
     pub weights: Vec<f64>,
-    /// What is added to each C_i, zero at first.   \[unit of the row\]
+    /// Numbers that are added to each C_i, zero at first.   \[unit of the row\]
     pub shifts: Vec<f64>,
     /// Coordinates that are held softly: (column, value, h).
     pub holds: Vec<(usize, f64, f64)>,

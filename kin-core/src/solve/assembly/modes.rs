@@ -145,7 +145,7 @@ impl<'a> Modes<'a> {
         q
     }
 
-    /// Whether a start leads to an assembly that was not known, at the first try or with the known ones
+    /// True if a start leads to an assembly that was not known, at the first try or with the known ones
     /// deflated.
     fn from(&mut self, start: &[f64], t: f64) -> bool {
         match self.newton(start, t, false) {

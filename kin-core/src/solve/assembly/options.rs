@@ -55,7 +55,7 @@ impl Clock {
         Clock(limit.map(|limit| (Instant::now(), limit)))
     }
 
-    /// Whether the time is over.
+    /// True if the time is over.
     pub(crate) fn is_up(&self) -> bool {
         self.0.is_some_and(|(begun, limit)| begun.elapsed() >= limit)
     }

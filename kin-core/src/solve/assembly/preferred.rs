@@ -8,7 +8,8 @@ use crate::model::layout::{Kind, Layout};
 use crate::model::units::Unit;
 use crate::system::{PreferredMeasure, System};
 
-/// What is this near to everything that is preferred needs no other assembly.   \[rad, or typical lengths\]
+/// An assembly this near to everything that is preferred is taken without a search for
+/// others.   \[rad, or typical lengths\]
 const CLOSE: f64 = 1e-3;
 
 /// How far the worst preferred coordinate is from its value: of an angle and of Euler parameters in radians,

@@ -18,9 +18,9 @@ const NEAR: f64 = std::f64::consts::FRAC_PI_4;
 pub(crate) struct Found {
     pub place: Iterate,
     pub measures: Measures,
-    /// Whether C = 0 holds there, in the rows that were asked for.
+    /// True if C = 0 holds there, in the rows that were asked for.
     pub met: bool,
-    /// Whether it holds as all constraints mean it; `false` only for what [`search`] has found.
+    /// False only if [`search`] has found that the position is not as all constraints mean it.
     pub meant: bool,
     /// How many starts were tried.
     pub starts: usize,
@@ -59,7 +59,7 @@ pub(crate) fn search(
     best.map(|found| if found.met { found } else { Found { starts, ..found } })
 }
 
-/// What was found, turned over where it closes with an axis turned by 180°.
+/// The place found, with bodies turned over where it closes with an axis turned by 180°.
 fn right_way_up(
     model: Model<'_>,
     found: Found,

@@ -87,7 +87,7 @@ struct Reduced<'a> {
 }
 
 impl<'a> Reduced<'a> {
-    /// By the null vectors of a place that is near.
+    /// The equation reduced by the null vectors of a place that is near.
     fn new(curve: &mut Curve<'a>, near: &CurvePoint) -> Self {
         let (model, n) = (curve.model, curve.model.n());
         let (left, right, _) = curve.linear.nearly_null();

@@ -1,5 +1,5 @@
-//! Whether a step of time has stayed on its branch, from what is at hand: q, q̇, q̈ at both ends, pivots and
-//! their signs.
+//! Test whether a step of time has stayed on its branch, by numbers that are at hand: q, q̇, q̈ at both ends,
+//! pivots and their signs.
 //!
 //! Two solutions that are near one another lie on either side of a singular position, so det C_q differs in
 //! sign between them; and where C_q has a pivot p, by the measures, no other solution is much nearer than p.
@@ -29,17 +29,17 @@ const FADED: f64 = 0.5;
 /// No body turns by more than this in one step.   \[rad\]
 pub(crate) const REACH: f64 = 1.0;
 
-/// What is wrong with a step.
+/// The reasons to reject a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Objection {
-    /// Too long to be judged.
+    /// The step is too long to be judged.
     Long,
     /// A prediction from one end is too far from the other, by so much in units of order 1, for both to be
     /// surely on one branch.
     Missed(f64),
     /// A block of C_q has turned over.
     TurnedOver,
-    /// What drives may lead further off within the step than its ends tell.
+    /// Drives may lead further off within the step than its ends tell.
     Hidden,
 }
 
@@ -57,7 +57,7 @@ impl Objection {
 /// One end of a step: q, q̇, q̈.
 pub(crate) type End<'a> = [&'a Padded; 3];
 
-/// What was seen at the last position that was accepted.
+/// Data of the last position that was accepted, to judge the next step by.
 pub(crate) struct Check {
     negative: Vec<bool>,
     pivot: f64,
@@ -68,7 +68,7 @@ pub(crate) struct Check {
     /// 1 for coordinates that turn, 0 for lengths.
     turns: Padded,
     miss: Padded,
-    /// What happens between the ends of a step.
+    /// The motion of the drives between the ends of a step.
     drive: Drive,
 }
 
@@ -95,7 +95,7 @@ impl Check {
         self.most = self.most.max(self.pivot);
     }
 
-    /// Whether the ends of a step tell all that time does in between.
+    /// True if the ends of a step tell all that time does in between.
     pub(crate) fn tells(&mut self, from: f64, to: f64, pivot: f64) -> bool {
         self.drive.is_told(from, to, pivot)
     }
@@ -121,7 +121,7 @@ impl Check {
         }
         newton.linear.orientation(&mut self.now);
         let (t, least) = (newton.instant.t(), pivot.min(self.pivot));
-        // Not a number counts as missed.
+        // A miss that is not a number counts as one.
         if (miss.is_nan() || miss > EASY * least) && !self.is_safe(newton, h, from, miss) {
             return Err(Objection::Missed(miss));
         }
@@ -138,7 +138,7 @@ impl Check {
         Ok(())
     }
 
-    /// Whether something may happen between two times that their positions do not tell.
+    /// True if something may happen between two times that their positions do not tell.
     #[cold]
     fn hides(&mut self, newton: &mut Newton<'_>, from: f64, to: f64, pivot: f64) -> bool {
         let equations = newton.system.equations();
@@ -163,7 +163,8 @@ impl Check {
     }
 }
 
-/// What [`Drive::outlook`] tells at the position in hand, at which a run between these times begins.
+/// The outlook of the drive ([`Drive::outlook`]) at the present position, at which a run between these times
+/// begins.
 pub(crate) fn outlook(mut drive: Drive, newton: &mut Newton<'_>, ends: [f64; 2]) -> Option<[f64; 4]> {
     let (equations, pivot, mut v) =
         (newton.system.equations(), newton.linear.smallest_pivot(), newton.q.clone());
@@ -175,8 +176,8 @@ pub(crate) fn outlook(mut drive: Drive, newton: &mut Newton<'_>, ends: [f64; 2])
     )
 }
 
-/// Whether C_q may be singular within factor · v of the position in hand: at either end of that a block has
-/// another sign, or the smallest pivot is less than half of what it is here. Along a branch that is passed
+/// True if C_q may be singular within factor · v of the present position: at either end of that a block has
+/// another sign, or the smallest pivot is less than half of its value here. Along a branch that is passed
 /// smoothly a change point shows in nothing else.
 #[cold]
 fn is_singular_near(newton: &mut Newton<'_>, v: &[f64], factor: f64, negative: &[bool]) -> bool {

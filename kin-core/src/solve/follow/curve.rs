@@ -29,7 +29,7 @@ pub(super) struct Curve<'a> {
     /// s_j of each coordinate, and the measure of time.
     pub sizes: Vec<f64>,
     pub linear: Linear,
-    /// For C_q alone.
+    /// The solver for C_q alone.
     own: Linear,
 }
 
@@ -41,9 +41,10 @@ pub(super) struct CurvePoint {
     /// The tangent x′, of length 1 by the measures.
     pub dx: Vec<f64>,
     pub ddx: Vec<f64>,
-    /// Whether det [C_q C_t; x′ᵀ] is negative.
+    /// True if det [C_q C_t; x′ᵀ] is negative.
     pub negative: bool,
-    /// Whether the determinant of each block of C_q is, and its smallest pivot; none where C_q is singular.
+    /// For each block of C_q whether its determinant is negative, and the smallest pivot; `None` where C_q is
+    /// singular.
     pub blocks: Option<(Vec<bool>, f64)>,
 }
 
@@ -132,7 +133,7 @@ impl<'a> Curve<'a> {
             if k == 0 {
                 first = size;
             }
-            // What is not a number does not shrink.
+            // A size that is not a number does not count as smaller.
             let shrinks = size < if k == 1 { SHRINKS * previous } else { previous };
             let settled = size <= TOLERANCE || (size > 0.5 * previous && size <= ROUNDING);
             if !(shrinks || settled) {

@@ -1,4 +1,5 @@
-//! Whether the ends of a step tell all that time does in between: a motor may go out and come back within it.
+//! Test whether the ends of a step tell all that time does in between: a motor may go out and come back
+//! within it.
 //!
 //! Time enters an equation by signals, functions w(t) that do not depend on q: laws of time, sin ω t, what is
 //! made of them. Over a step h a signal is off its polynomial of second degree at either end by no more than
@@ -33,7 +34,7 @@ const LOOKS: u32 = 4;
 /// pivot tells.   \[-\]
 const DRIFT: f64 = 2.0;
 
-/// Whether equations are straight is not asked farther away than this.   \[-\]
+/// Farther away than this the equations are not tested for being straight.   \[-\]
 const FARTHEST: f64 = 1e3;
 
 /// Coefficients of Taylor's formula that are asked for.
@@ -56,7 +57,7 @@ pub(crate) trait Lever {
     /// max_j |v_j| of the angles among them.
     fn turned(&self) -> f64;
 
-    /// Whether C_q may be singular within that multiple of the v that was moved last.
+    /// True if C_q may be singular within that multiple of the v that was moved last.
     fn is_singular_within(&mut self, factor: f64) -> bool;
 }
 
@@ -74,7 +75,7 @@ pub(crate) struct Span<'a> {
 #[derive(Clone)]
 pub(crate) struct Drive {
     sources: Vec<Source>,
-    /// Whether the ends of any step tell everything.
+    /// True if the ends of any step tell everything.
     told: bool,
     /// Bounds hold between these times, and of the next ones for as long.
     stretch: [f64; 2],
@@ -96,7 +97,7 @@ struct Source {
     block: usize,
     /// The nodes of its formula by which time enters; none where it is sampled.
     signals: Option<Arc<[Node]>>,
-    /// Whether C_q does not depend on time: bounds and slopes are the same for every q then.
+    /// True if C_q does not depend on time: bounds and slopes are the same for every q then.
     apart: bool,
     is_sampled: bool,
     terms: Vec<Term>,
@@ -183,7 +184,7 @@ impl Drive {
         }
     }
 
-    /// Whether the step surely holds nothing that its ends do not tell, by what was seen before.
+    /// True if, by what was seen before, the step surely holds nothing that its ends do not tell.
     #[inline]
     pub(crate) fn is_told(&mut self, from: f64, to: f64, pivot: f64) -> bool {
         if self.told {
@@ -198,8 +199,8 @@ impl Drive {
         self.stretch[0] <= from.min(to) && from.max(to) <= self.stretch[1]
     }
 
-    /// Whether the position may be led off unseen, too far to be sure of the step: a look at it with all
-    /// means.
+    /// True if the position may be led off unseen, too far to be sure of the step: this is found out by all
+    /// means, at their full cost.
     #[cold]
     pub(crate) fn hides(
         &mut self,
@@ -251,7 +252,7 @@ impl Drive {
         Some(self.off.0.map(|e| DRIFT * DRIFT * e * pivot / EASY))
     }
 
-    /// What is known now holds for some steps.
+    /// Keeps the present bounds for some steps.
     fn rely(&mut self, pivot: f64, reach: Option<f64>) {
         let sampled = self.sources.iter().any(|source| source.is_sampled);
         (self.pivot, self.steps) = (pivot, if sampled { 0 } else { KNOWN });
@@ -305,7 +306,7 @@ impl Drive {
         }
     }
 
-    /// Whether the equations are nearly straight along each of the signals, as far as it may have led: then
+    /// True if the equations are nearly straight along each of the signals, as far as it may have led: then
     /// it does not matter where it was.
     fn is_straight(&self, equations: &Equations, h: f64, lever: &mut dyn Lever) -> bool {
         let all =

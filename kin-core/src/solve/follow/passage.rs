@@ -34,7 +34,7 @@ pub(crate) enum Landed {
     Singular(Vec<f64>, Branch),
 }
 
-/// What was found on the way.
+/// Result of a passage.
 pub(crate) struct Passage {
     pub landed: Landed,
     pub passed: Vec<SingularPosition>,
@@ -60,7 +60,7 @@ pub(crate) fn pass(
     Walk::new(newton, q, t, to, other).ok_or(Lost::Lost)?.go()
 }
 
-/// On the way along the curve.
+/// A walk along the curve.
 struct Walk<'w, 'a> {
     newton: &'w Newton<'a>,
     curve: Curve<'a>,
@@ -72,7 +72,7 @@ struct Walk<'w, 'a> {
     passed: Vec<SingularPosition>,
 }
 
-/// What one step has come to.
+/// Result of one step along the curve.
 enum Stepped {
     On(CurvePoint),
     Landed(Landed),
@@ -116,7 +116,7 @@ impl<'w, 'a> Walk<'w, 'a> {
         Err(Lost::Lost)
     }
 
-    /// What a step has come to; `None` where it must be shorter.
+    /// The result of a step; `None` where it must be shorter.
     fn judge(&mut self, next: CurvePoint, s: f64) -> Result<Option<Stepped>, Lost> {
         let turns = self.sign * next.dt() <= 0.0;
         let together = turns && self.turned_over(&next) > 1;

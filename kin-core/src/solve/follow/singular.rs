@@ -44,8 +44,8 @@ mod tests {
         [a * x - k * t, y - 1e-3 * t]
     }
 
-    /// What the fastest driver needs to move something of order 1; the step where all stand still, or where
-    /// that is no number.
+    /// The time that the fastest driver needs to move something of order 1; the step where all stand still,
+    /// or where that time is not a number.
     #[test]
     fn the_measure_of_time() {
         let measure = |a: f64, k: f64, h: f64| {

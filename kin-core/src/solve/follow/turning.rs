@@ -88,7 +88,7 @@ mod tests {
         {
             let mut curve = Curve::new(&system, &[1.0], time);
             let (here, next, _) = places(&mut curve, [quarter - before, quarter + behind]);
-            // By the measures the arc has another length.
+            // The arc has another length in the units of the measures.
             let gone: Vec<f64> = here.x.iter().zip(&next.x).map(|(a, b)| b - a).collect();
             let s = curve.dot(&gone, &here.dx);
             let (place, found) = locate(&mut curve, &here, &next, s).expect("turns round");

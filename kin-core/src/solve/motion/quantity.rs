@@ -17,7 +17,7 @@ pub struct Quantity {
     pub third_rate: Series,
 }
 
-/// What derivatives are called after a name: x, x', x'', x'''.
+/// Marks of derivatives after a name: x, x', x'', x'''.
 pub(crate) const MARKS: [&str; 4] = ["", "'", "''", "'''"];
 
 impl Quantity {

@@ -1,5 +1,5 @@
-//! What a motion says of itself: counts, Newton's steps, residuals, and how far its first position is from
-//! where bodies are drawn.
+//! Summary of a motion: counts, Newton's steps, residuals, and how far its first position is from where
+//! bodies are drawn.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -25,7 +25,7 @@ pub struct Displaced {
     pub moved: Option<f64>,
     /// How far it has been turned, of a spatial body between 0 and π.   \[rad\]
     pub turned: Option<f64>,
-    /// What this looks like, where it is more than assembly has to do as a rule.
+    /// The likely cause, where the first position is farther from the guess than assembly leads as a rule.
     pub hint: Option<String>,
 }
 
@@ -168,7 +168,7 @@ impl Displaced {
     }
 }
 
-/// Whether somebody has said where a body is: links by their lengths alone stand at the origin until they are
+/// True if a pose was given for a body: links by their lengths alone stand at the origin until they are
 /// assembled.
 fn is_drawn(item: &Item, guess: &[f64]) -> bool {
     match item.kind {

@@ -135,7 +135,7 @@ fn questions(system: &System, instant: &Instant) -> Vec<Asked> {
     all
 }
 
-/// Whether what a law is asked for moves with the time alone.
+/// True if the argument of a law moves with the time alone.
 fn is_of_time(system: &System, instant: &Instant, block: usize, wanted: usize, now: f64) -> bool {
     let block = &system.equations().blocks[block];
     let mut later = system.equations().at(block, instant).with_timed(&[]);

@@ -11,9 +11,10 @@ pub enum Stop {
     ///
     /// Row i is measured by max_j |∂C_i/∂q_j| s_j and coordinate j by s_j, where s_j is 1 for an angle and
     /// the typical length of the model for a length: a tolerance of 1e-13 means 1e-13 rad and 1e-13 of a
-    /// lever, in mm as in km. What rounding of q itself makes of a row is always allowed; a correction that
-    /// no longer shrinks while the residual is rounding is accepted. Smaller: no better results below 1e-15;
-    /// larger: fewer steps, errors of that size in q and larger ones in q̇ and q̈.   \[-\]
+    /// lever, in mm as in km. The error of a row that comes from rounding of q itself is always allowed; a
+    /// correction that no longer shrinks while the residual is rounding is accepted. Smaller: no better
+    /// results below 1e-15; larger: fewer steps, errors of that size in q and larger ones in q̇ and
+    /// q̈.   \[-\]
     Converged {
         /// The tolerance, default 1e-13.
         tolerance: f64,
@@ -56,11 +57,11 @@ pub struct Options {
     /// ordinary accuracy, such as an imported assembly, need more. Positions are then those of least squares,
     /// and the motion and its summary tell the misfit ([`crate::Motion::misfit`]).   \[-\]
     pub closure: f64,
-    /// Whether each step is checked to stay on its branch, and which branch is taken where branches cross;
+    /// The check that each step stays on its branch, and the branch that is taken where branches cross;
     /// default [`Follow::Smooth`].
     pub follow: Follow,
-    /// What computes the times of [`crate::System::run`]; default [`Engine::Plain`]. Single positions, runs
-    /// in parts and sweeps are always plain.
+    /// The engine that computes the times of [`crate::System::run`]; default [`Engine::Plain`]. Single
+    /// positions, runs in parts and sweeps are always plain.
     pub engine: Engine,
     /// Bytes that the motion of a run may take, three or four numbers a coordinate and time; default 2³⁰ (1
     /// GiB). A run that needs more is refused before it begins; [`crate::System::run_in_parts`] needs the
@@ -68,7 +69,7 @@ pub struct Options {
     pub memory: usize,
 }
 
-/// What computes the times of a run.
+/// The engines that compute the times of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Engine {
@@ -87,7 +88,7 @@ pub enum Engine {
 /// How a run follows its branch.
 ///
 /// A step that cannot be shown to stay on its branch is taken in smaller ones, which are not kept: a coarse
-/// grid gives the same motion as a fine one. What drives is asked for its bounds between both times
+/// grid gives the same motion as a fine one. Each drive is asked for its bounds between both times
 /// ([`crate::model::law::LawFunction::over`]): a motor that goes out and comes back within a step is
 /// followed. A law of one's own without bounds, and constraints on the dual route or written by hand in which
 /// time stands, are sampled at the eighths of each step instead; what they do between those is not seen.
@@ -109,7 +110,7 @@ pub enum Follow {
 }
 
 impl Follow {
-    /// Whether the run turns into the other branch at the change point of that number.
+    /// True if the run turns into the other branch at the change point of that number.
     pub(crate) fn turns(&self, number: usize) -> bool {
         matches!(self, Follow::Turning(numbers) if numbers.contains(&number))
     }

@@ -80,7 +80,7 @@ impl Predictor {
         self.forget();
     }
 
-    /// What is known of older times than the last one counts no more.
+    /// Makes the rates of times older than the last one count no more.
     pub(super) fn forget(&mut self) {
         self.equal = 0;
     }
@@ -90,7 +90,7 @@ impl Predictor {
         [&self.past[0].qd, &self.past[0].qdd]
     }
 
-    /// Whether the last three times lie a step h apart.
+    /// True if the last three times lie a step h apart.
     fn knows(&self, h: f64) -> bool {
         self.equal >= 2 && same(h, self.h)
     }

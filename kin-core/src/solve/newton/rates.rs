@@ -45,7 +45,7 @@ impl Newton<'_> {
         padded::largest_share(self.linear.whole_solution(), self.shares.whole())
     }
 
-    /// What is not finite in the right sides or their solutions.
+    /// The entry of the right sides, or of their solutions, that is not finite.
     fn overflow(&mut self) -> Bad {
         let equations = self.system.equations();
         let own_row = |bad: Bad| Bad { row: self.worst().0, ..bad };

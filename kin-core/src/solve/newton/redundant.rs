@@ -98,7 +98,7 @@ struct Driver<'a> {
     instant: Instant,
     /// C and C_q at the last evaluation.
     point: Point,
-    /// What each value of C_q is multiplied by to be of order 1.
+    /// The factor of each value of C_q that makes it of order 1.
     scales: Vec<f64>,
     /// By these rows, and changes of coordinates, are of order 1; and 1 for what turns something.
     row_shares: Padded,
@@ -122,7 +122,7 @@ struct Driver<'a> {
     worst: usize,
     /// The largest share of its norm that a row has been off by, where that was allowed.
     misfit: f64,
-    /// What happens between the ends of a step; taken out while it is asked.
+    /// The motion of the drives between the ends of a step; taken out while it is asked.
     drive: Option<Drive>,
 }
 
@@ -236,7 +236,7 @@ impl Driver<'_> {
         None
     }
 
-    /// Whether what can jump has done so with the last correction.
+    /// True if a constraint that can jump has done so with the last correction.
     fn has_jumped(&self, t: f64) -> bool {
         let met = |point: Point| self.model.met(&point, &self.q, &self.measures, &|_| true);
         !self.model.equations.jumping().is_empty() && !self.model.linearize(&self.q, t).is_ok_and(met)

@@ -1,4 +1,4 @@
-//! What is told of the point in hand: what it is, what of it is worst, and why it is none.
+//! Report on the present point: its solution, its worst row, and the reason if it is none.
 
 use super::{Failure, Newton, Outcome, Report};
 use crate::model::error::Error;
@@ -26,7 +26,7 @@ impl Newton<'_> {
         rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst })
     }
 
-    /// What is in hand, to keep.
+    /// The present point as a solution, to keep.
     pub(crate) fn solution(self, t: f64, outcome: Outcome) -> Solution {
         let report = Report {
             iterations: self.steps,
@@ -44,7 +44,7 @@ impl Newton<'_> {
             Failure::NotFinite(bad) => equations.not_finite(bad, self.system.layout(), &self.instant),
             Failure::WrongBranch(block) => equations.closes_wrong(block, self.system.layout(), &self.instant),
             Failure::Singular => match self.system.singular(t, &self.q, self.unmet()) {
-                // What stopped the iteration was not there: the iterates went astray.
+                // The singular point that stopped the iteration was not there: the iterates went astray.
                 Error::SingularAt { pivot, .. } if pivot > REGULAR => {
                     let (row, residual) = self.worst();
                     self.error(Failure::NoConvergence { row, residual }, t, last)

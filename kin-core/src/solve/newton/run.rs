@@ -39,10 +39,10 @@ pub(crate) struct Run<'a> {
     law_breaks: LawBreaks,
 }
 
-/// What a run goes on with.
+/// The solver that advances a run.
 enum Driver<'a> {
     Plain(Box<Stepper<'a>>),
-    /// Of a mechanism with more equations than coordinates.
+    /// The solver of a mechanism with more equations than coordinates.
     Redundant(Box<redundant::Stepper<'a>>),
 }
 
@@ -99,7 +99,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Whether the ends of a step tell all that time does in between.
+    /// True if the ends of a step tell all that time does in between.
     pub(super) fn tells(&mut self, from: f64, to: f64, pivot: f64) -> bool {
         match &mut self.driver {
             Driver::Plain(stepper) => stepper.tells(from, to, pivot),
@@ -138,7 +138,7 @@ pub(crate) fn check(times: &[f64]) -> Result<()> {
             "there are none; give one at least, or many such as `linspace(0.0, 1.0, 101)`".to_string(),
         );
     }
-    // As a rule; what only increases between finite times is finite.
+    // Times increase as a rule; those between finite ends are finite then.
     if times.windows(2).all(|pair| pair[0] < pair[1])
         && times[0].is_finite()
         && times[times.len() - 1].is_finite()

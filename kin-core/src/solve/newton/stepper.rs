@@ -41,9 +41,9 @@ pub(super) struct Stepper<'a> {
     /// Where the last failure was.
     failed: Padded,
     predictor: Predictor,
-    /// Whether everything in hand is that of the last solution.
+    /// True if all present numbers are still those of the last solution.
     untouched: bool,
-    /// What each step is judged by, if that is asked for.
+    /// The check of each step, if one is asked for.
     check: Option<Check>,
     /// Singular positions that have been met since the last time, and how many bifurcations there were
     /// before.
@@ -139,13 +139,14 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// Whether a step is as short as plain steps of time become: then Newton's are damped.
+    /// True if a step is as short as plain steps of time become: then Newton's are damped.
     #[cold]
     fn is_last_resort(&self, h: f64, asked: Asked) -> bool {
         self.check.is_none() && h.abs() <= asked.shortest
     }
 
-    /// Whether shorter steps of time to `target` than this will help no more, by what moves in it.
+    /// True if shorter steps of time to `target` than this will help no more, by the coordinates that move in
+    /// it.
     fn is_short(&mut self, h: f64, target: f64, Asked { whole, shortest }: Asked, trouble: &Trouble) -> bool {
         if self.check.is_none() {
             return !self.newton.options.rescue || h.abs() <= shortest;
@@ -239,7 +240,7 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// Whether rates of earlier times are asked for.
+    /// True if rates of earlier times are needed.
     fn remembers(&self) -> bool {
         self.newton.options.predict || self.check.is_some()
     }

@@ -14,9 +14,9 @@ pub(crate) struct Block {
     pub(super) arguments: Span,
     pub(super) rows: Span,
     pub(super) values: Span,
-    /// Whether all its values of C_q are the same for good.
+    /// True if none of its values of C_q ever changes.
     pub(super) constant: bool,
-    /// Whether it drives.
+    /// True if the constraint drives.
     pub drives: bool,
 }
 
@@ -65,7 +65,7 @@ impl Block {
     }
 }
 
-/// What begins there, with all that follows: a constraint knows how much of it is its own.
+/// The numbers from that place on: a constraint knows how many of them are its own.
 #[inline(always)]
 pub(super) fn from(all: &[f64], first: u32) -> &[f64] {
     &all[first as usize..]

@@ -1,4 +1,4 @@
-//! What time alone makes of a constraint, its coordinates held.
+//! Effects of time alone on a constraint, its coordinates held.
 
 use std::collections::HashMap;
 
@@ -38,7 +38,7 @@ impl Equations {
         })
     }
 
-    /// Whether a constraint that can jump is far from being met at q, which the instant is set to; rows by
+    /// True if a constraint that can jump is far from being met at q, which the instant is set to; rows by
     /// their measures.
     pub(crate) fn has_jumped(
         &self,

@@ -15,7 +15,7 @@ struct WideBlock {
     arguments: Span,
     rows: Span,
     values: Span,
-    /// Whether it is the same in all lanes.
+    /// True if the value is the same in all lanes.
     same: bool,
 }
 
@@ -23,9 +23,9 @@ struct WideBlock {
 struct Group<S: Level> {
     table: Option<Table<S>>,
     all: Vec<LaneBlock>,
-    /// Those whose C, or C_q, depends on the time.
+    /// Constraints whose C, or C_q, depends on the time.
     on_t: Vec<LaneBlock>,
-    /// Those whose C_t, or Q_d, can be other than zero.
+    /// Constraints whose C_t, or Q_d, can be other than zero.
     c_t: Vec<LaneBlock>,
     q_d: Vec<LaneBlock>,
 }
@@ -36,7 +36,7 @@ pub(crate) struct WideEquations<S: Level> {
     blocks: Vec<WideBlock>,
     groups: Vec<Group<S>>,
     plan: StatePlan,
-    /// Whether some C_q depends on the time.
+    /// True if some C_q depends on the time.
     c_q_on_t: bool,
     n_known: usize,
     scratch: Scratch,
@@ -52,7 +52,7 @@ struct Scratch {
     values: Vec<f64>,
 }
 
-/// What constraints read at one instant, over lanes, but for the rates.
+/// The arguments of constraints at one instant, over lanes, but for the rates.
 pub(crate) struct WideInstant<S: Level> {
     t: f64,
     known: Vec<Wide<S>>,
@@ -155,7 +155,7 @@ impl<S: Level> WideEquations<S> {
         }
     }
 
-    /// What depends on parameters alone.
+    /// Computes the values that depend on parameters alone.
     pub(crate) fn set_parameters(&mut self, crew: &LaneSystems<'_>, instant: &mut WideInstant<S>) {
         for (block, own) in self.blocks.iter().zip(&crew.own).filter(|(block, _)| block.of_parameters.len > 0)
         {
@@ -170,7 +170,7 @@ impl<S: Level> WideEquations<S> {
         }
     }
 
-    /// What depends on the time too.
+    /// Computes the values that depend on the time too.
     #[inline(always)]
     pub(crate) fn set_time(&mut self, t: f64, crew: &LaneSystems<'_>, instant: &mut WideInstant<S>) {
         instant.t = t;

@@ -88,7 +88,7 @@ impl LinearRows {
         }
     }
 
-    /// Their part of a right side, times a factor.
+    /// Writes the rows of these constraints in a right side, times a factor.
     #[inline]
     pub(super) fn write_side(&self, side: Side, timed: &[f64], factor: f64, rhs: &mut [f64]) {
         for row in &self.rows {

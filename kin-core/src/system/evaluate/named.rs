@@ -28,7 +28,7 @@ impl Equations {
         &self.asked.branches
     }
 
-    /// What is wrong with how a constraint closes.
+    /// The fault of a position in which a constraint closes on the wrong branch, if it does.
     pub(crate) fn wrong_branch(&self, block: usize, instant: &Instant) -> Option<&str> {
         let block = self.blocks.get(block)?;
         block.constraint.wrong_branch(&self.at(block, instant))

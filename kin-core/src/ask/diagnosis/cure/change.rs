@@ -76,7 +76,7 @@ fn loosened(examined: &Examined<'_>, dependencies: &[Dependency]) -> Option<Chan
     (!is_driven && !constraints.is_empty()).then_some(Change::Loosen { constraints })
 }
 
-/// What closes a gap: less asked of a driver, one driver less, or another dimension.
+/// The change that closes a gap: less asked of a driver, one driver less, or another dimension.
 fn for_gap(examined: &Examined<'_>, gap: &Gap, dependencies: &[Dependency]) -> Change {
     let model = examined.model();
     let constraint = gap.constraint.clone();
@@ -103,14 +103,14 @@ fn for_gap(examined: &Examined<'_>, gap: &Gap, dependencies: &[Dependency]) -> C
     Change::Fit { constraint, missing: gap.size(), or_drop, of: gap.rows.len() }
 }
 
-/// Whether everything else closes without a constraint, and moves along it if it drives.
+/// True if everything else closes without a constraint, and moves along it if it drives.
 fn can_go(examined: &Examined<'_>, name: &str) -> bool {
     let block = examined.model().equations.blocks.iter().find(|block| block.name == name);
     block.is_some_and(|block| works_without(examined, &block.rows().collect::<Vec<_>>()))
 }
 
-/// Whether the mechanism closes without these equations, and each driver among them has had something to
-/// drive; else every driver that is left has.
+/// True if the mechanism closes without these equations, and each driver among them has had something to
+/// drive; where there is no driver among them, every driver that is left must have something to drive.
 fn works_without(examined: &Examined<'_>, rows: &[usize]) -> bool {
     let model = examined.model();
     let trial = Trial { model: *model, t: examined.t, without: rows, steps: examined.walk.steps };
@@ -119,8 +119,8 @@ fn works_without(examined: &Examined<'_>, rows: &[usize]) -> bool {
     trial.closed(examined.q).is_some_and(|found| trial.moves(&found, &drivers))
 }
 
-/// What could be removed in place of a driver that is in conflict: other drivers; where there are none,
-/// joints of one row.
+/// The constraints that could be removed in place of a driver that is in conflict: other drivers; where there
+/// are none, joints of one row.
 fn others(examined: &Examined<'_>, own: &str, sets: &[&Dependency]) -> Vec<String> {
     let names = |wanted: &dyn Fn(usize) -> bool| {
         let mut all: Vec<String> = Vec::new();

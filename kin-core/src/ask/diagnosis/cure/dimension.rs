@@ -27,13 +27,13 @@ pub(crate) struct PointAt {
 #[derive(Clone, Debug)]
 pub(crate) struct Dimension {
     pub of: Of,
-    /// What it is now.
+    /// Its present value.
     pub value: Vec<f64>,
     /// The parameters that hang on it: which, on which of its components, by which factor.
     pub slots: Vec<(Slot, usize, f64)>,
 }
 
-/// What a dimension belongs to.
+/// The owner of a dimension.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Of {
     /// The length of a body between its two ends, by its item.
@@ -176,7 +176,7 @@ impl Dimension {
             && self.blocks().all(|block| equations.blocks[block].constraint.refusal().is_none())
     }
 
-    /// What a parameter is now.
+    /// The present value of a parameter that hangs on this dimension.
     fn base(&self, slot: Slot) -> Option<f64> {
         let (_, k, factor) = self.slots.iter().find(|(known, _, _)| *known == slot)?;
         Some(factor * self.value[*k])
@@ -197,7 +197,7 @@ impl Dimension {
         }
     }
 
-    /// Whether it is a length: one to be compared with others.
+    /// True if it is a length, which can be compared with other lengths.
     pub(crate) fn is_length(&self) -> bool {
         const OTHERS: [&str; 6] = ["angle", "theta", "phase", "ratio", "pitch", "phi"];
         !matches!(&self.of, Of::Number(_, name) if OTHERS.iter().any(|other| name.contains(other)))

@@ -12,7 +12,7 @@ use crate::system::scaled::{Measures, Model, Point};
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Fitted {
     pub value: Vec<f64>,
-    /// Whether only this value does, or also those beyond it.
+    /// True if only this value fits, false if those beyond it do too.
     pub exact: bool,
     /// How far it is from what the dimension is, by its proportion: |ln| of what it is multiplied by.   \[-\]
     pub change: f64,
@@ -59,7 +59,7 @@ struct Fit<'a> {
     t: f64,
     without: &'a [usize],
     steps: usize,
-    /// What a change of order 1 of the dimension is.
+    /// The size of a change of order 1 of the dimension.
     scale: f64,
 }
 
@@ -70,7 +70,7 @@ fn scale(dimension: &Dimension, measures: &Measures, model: &Model<'_>) -> f64 {
 }
 
 impl Fit<'_> {
-    /// With another value of the dimension: what the closure does.
+    /// Calls `ask` with another value of the dimension.
     fn with<T>(&mut self, value: &[f64], ask: impl FnOnce(Model<'_>) -> Option<T>) -> Option<T> {
         if !self.dimension.put(&mut self.equations, value) {
             return None;
@@ -84,7 +84,7 @@ impl Fit<'_> {
         self.with(value, |model| Trial { model, t, without, steps }.closed_beside(from))
     }
 
-    /// Whether the mechanism closes near a pose and moves as it should.
+    /// True if the mechanism with this value closes near a pose and moves as it should.
     fn works(&mut self, value: &[f64], from: &[f64]) -> bool {
         let Some(found) = self.closed(value, from) else { return false };
         let (t, without, steps) = (self.t, self.without, self.steps);

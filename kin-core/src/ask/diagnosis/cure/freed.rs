@@ -1,4 +1,5 @@
-//! What a freedom asks for: a joint, a pin, a drive, to be held, or a body that is a little longer.
+//! The changes that take a freedom away: a joint, a pin, a drive, something that holds the body, or a longer
+//! body.
 
 use super::super::examined::Examined;
 use super::super::order;
@@ -9,8 +10,8 @@ use crate::model::verdict::{Change, Freedom, How, Persistence, Resize, Size};
 use crate::system::evaluate::Block;
 use crate::system::scaled::Model;
 
-/// What each lasting freedom asks for: a joint for a body that nothing holds, a drive, or nothing but to be
-/// held.
+/// The change for each lasting freedom: a joint for a body that nothing holds, a drive, or something that
+/// holds it.
 pub(crate) fn for_freedoms(examined: &Examined<'_>, freedoms: &[Freedom]) -> Vec<Change> {
     let mut changes: Vec<Change> = Vec::new();
     for freedom in freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Always) {
@@ -51,7 +52,7 @@ fn pinned(examined: &Examined<'_>, changes: Vec<Change>) -> Vec<Change> {
     }
 }
 
-/// Whether just one constraint speaks of a planar body.
+/// True if exactly one constraint acts on a planar body.
 fn hangs(examined: &Examined<'_>, name: &str) -> bool {
     let model = examined.model();
     let of_it =
@@ -67,7 +68,7 @@ fn hangs(examined: &Examined<'_>, name: &str) -> bool {
     planar && model.equations.blocks.iter().filter(speaks).count() == 1
 }
 
-/// Whether any constraint but the norm of its Euler parameters speaks of a body or coordinate.
+/// True if any constraint but the norm of its Euler parameters acts on a body or coordinate.
 fn is_held(examined: &Examined<'_>, name: &str) -> bool {
     let model = examined.model();
     let of_it =

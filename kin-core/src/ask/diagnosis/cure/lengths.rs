@@ -70,7 +70,7 @@ pub(crate) fn that_fit(
     fits.sort_by(|a, b| {
         a.0.cmp(&b.0).then(about(a.1).total_cmp(&about(b.1))).then_with(|| rank(&a.2).cmp(&rank(&b.2)))
     });
-    // What is out of scale is the one thing to change.
+    // Where a dimension is out of scale, it is the one thing to change.
     let only = if fits.first().is_some_and(|first| !first.0) { 1 } else { TOLD };
     fits.into_iter().take(only).map(|(_, _, resize)| resize).collect()
 }

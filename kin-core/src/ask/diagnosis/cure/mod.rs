@@ -1,4 +1,4 @@
-//! What to change so that a mechanism can be driven: cures are found, tried, and only then told.
+//! Changes after which a mechanism can be driven: they are found, tried, and only then told.
 
 pub(crate) mod change;
 pub(crate) mod dimension;

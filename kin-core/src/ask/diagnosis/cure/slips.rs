@@ -41,7 +41,7 @@ impl Looked<'_> {
         &self.search.model
     }
 
-    /// Whether the mechanism with other numbers closes and moves.
+    /// True if the mechanism with other numbers closes and moves.
     fn works(&self, change: impl FnOnce(&mut Equations) -> bool) -> bool {
         /// The guess and a few starts around it.
         const STARTS: usize = 6;
@@ -117,7 +117,7 @@ impl Looked<'_> {
             {
                 continue;
             }
-            // As global points: one of them, or both.
+            // One of the points, or both, may be given in global coordinates.
             let (p, q) = (vector(&i.value), vector(&j.value));
             let meets = |known: Option<[f64; 3]>, global: [f64; 3]| {
                 known.is_some_and(|known| !self.apart(known, global))
@@ -156,7 +156,7 @@ impl Looked<'_> {
         item.map_or_else(|| "ground".to_string(), |item| self.model().layout.items[item].name.clone())
     }
 
-    /// Whether a body has the mirror image of a point where another constraint holds it: they are the two
+    /// True if a body has the mirror image of this point where another constraint holds it: the two are the
     /// ends of a link.
     fn is_end(&self, u: &[f64], item: Option<usize>, block: usize) -> bool {
         let mirrored =

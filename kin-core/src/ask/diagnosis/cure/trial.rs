@@ -47,7 +47,7 @@ impl Trial<'_> {
         self.closed(from).or_else(|| self.closed(&beside))
     }
 
-    /// Whether every one of these drivers' equations has something to drive at a pose: a motion of the joints
+    /// True if every one of these drivers' equations has something to drive at a pose: a motion of the joints
     /// along which it changes, and that leads somewhere. With no driver at all the joints must have some
     /// motion, unless by count they are a structure.
     pub(crate) fn moves(&self, found: &Found, drivers: &[usize]) -> bool {
@@ -64,7 +64,7 @@ impl Trial<'_> {
         drivers.iter().all(|row| poses.iter().any(|q| self.drives(q, measures, *row)))
     }
 
-    /// Whether a driver's equation changes along a motion of the joints.
+    /// True if a driver's equation changes along a motion of the joints.
     fn drives(&self, q: &[f64], measures: &Measures, row: usize) -> bool {
         let Ok(point) = self.model.linearize(q, self.t) else { return false };
         let rows = self.model.scaled(&point.values, measures, &|k| k == row);

@@ -73,8 +73,8 @@ fn crossings(law: crate::Law, times: &[f64], level: f64) -> Vec<(f64, bool)> {
     all.into_iter().map(|Crossing { t, rises }| (t, rises)).collect()
 }
 
-/// What is zero at a time of the grid is told once and at that time, where the sign differs on either side;
-/// at the ends and where it only touches zero it is not.
+/// A zero at a time of the grid is told once and at that time, where the sign differs on either side; at the
+/// ends and where the function only touches zero it is not.
 #[test]
 fn zeros_at_times_of_the_grid() {
     let line = crate::Law::linear(-2.0, 1.0);
@@ -151,7 +151,7 @@ fn two_crossings_within_a_step() {
                 "{times:?}: {found:?}"
             );
         }
-        // What the cubic would cross is not crossed: 16 (t − 1.5)⁴ ± …
+        // The cubic would cross zero where the function itself does not: 16 (t − 1.5)⁴ ± …
         let fourth = |off: f64| {
             let power =
                 Law::polynomial(&[sign * off, 0.0, 0.0, 0.0, sign * 16.0]).compose(&Law::linear(-1.5, 1.0));
@@ -168,8 +168,8 @@ fn two_crossings_within_a_step() {
     }
 }
 
-/// What is a tenth of a billionth of a thousandth beside the largest is zero, and what is a little more is
-/// not; of rates too.
+/// A value of 1e-13 of the largest counts as zero, and one a little larger does not; the same holds for
+/// rates.
 #[test]
 fn what_is_zero_but_for_rounding() {
     use crate::Law;

@@ -134,8 +134,8 @@ fn functions_give_their_range_and_nothing_beside_it() {
     }
 }
 
-/// What other platforms' functions may be off by is in every bound, whatever this platform's are: a proof is
-/// the same everywhere.
+/// Every bound has room for the error of other platforms' functions, however exact this platform's are: a
+/// proof is the same everywhere.
 #[test]
 fn bounds_leave_the_room_that_is_allowed() {
     let leaves = |found: Interval, y: f64, allowed: f64, what: &str| {

@@ -39,8 +39,8 @@ fn decimals_are_between_two_numbers() {
     assert_eq!(<Series as Number>::powi(Series::number(2.0), 3).values().map(f64::round), [8.0; 2]);
 }
 
-/// What the user's program makes of parameters is taken at both ends and in the middle of what they are known
-/// to be; of what moves it is nothing.
+/// The user's own function of parameters is evaluated at both ends and in the middle of their interval; where
+/// coordinates move its arguments, nothing is known of it.
 #[test]
 fn the_users_own_functions() {
     const OF_PARAMETER: &str = "\nparameters k\nrows 2\n- Parameter 0\n- Decimal 0.1 1\n- Foreign 0 0 1";
@@ -163,7 +163,7 @@ fn the_expression_without_bounds() {
     assert_eq!(told(-0.1, 0.1, 1), Some("x.floor()"));
 }
 
-/// What is known as far as it is asked for is not told, though it stands first.
+/// An expression that is known as far as it is asked for is not blamed, though it stands first.
 #[test]
 fn an_expression_that_is_known_is_not_told() {
     static TABLE: Table = Table::new(
@@ -188,8 +188,8 @@ fn numbers(nodes: &[Node]) -> Vec<usize> {
     nodes.iter().map(|node| node.index()).collect()
 }
 
-/// What time does to a formula goes through the outermost of what it moves alone, and rows that it moves
-/// alone.
+/// The time acts on a formula through signals: the outermost expressions that it alone moves, and rows that
+/// it alone moves.
 #[test]
 fn signals_are_what_time_moves() {
     // Rows: sin(k t) x, x, (k t)², k x.

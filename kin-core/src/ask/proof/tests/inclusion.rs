@@ -23,12 +23,12 @@ fn interval() -> impl Strategy<Value = (Interval, f64)> {
     )
 }
 
-/// Whether `value + rest`, a number that f64 does not hold, is inside.
+/// True if `value + rest`, a number that f64 does not hold, is inside.
 fn holds(bounds: Interval, value: f64, rest: f64) -> bool {
     (bounds.lo() - value) <= rest && (bounds.hi() - value) >= rest
 }
 
-/// What a + b loses by rounding (Knuth).
+/// The rounding error of a + b (Knuth).
 fn lost(a: f64, b: f64) -> f64 {
     let s = a + b;
     let back = s - a;
@@ -108,8 +108,8 @@ proptest! {
         }
     }
 
-    /// What must be the same by other means meets, and is not much wider: so bounds are of the function
-    /// itself and not of a neighbour.
+    /// Two ways to compute the same number give intervals that meet, and neither is much wider: so bounds are
+    /// of the function itself and not of a neighbour.
     #[test]
     fn identities(a in 0.05..1.4_f64) {
         let x = Interval::from(a);
@@ -208,7 +208,8 @@ fn edges() {
     assert!((ALL + ONE).lo() == f64::NEG_INFINITY && ALL * ZERO == ZERO && (ALL - ALL) == ALL);
 }
 
-/// What is known up to whole turns: multiples of it by whole numbers are, and their sine; nothing else is.
+/// Of an angle known up to whole turns, multiples by whole numbers are known in the same way, and its sine
+/// exactly; nothing else is known.
 #[test]
 fn angles_up_to_whole_turns() {
     let y = Series::variable(Interval::new(-0.01, 0.01), ONE, ORDER + 1);

@@ -71,7 +71,7 @@ fn seams_at_the_end_of_an_interval_count() {
     );
 }
 
-/// What does not move has one value at a seam too, unless it jumps there.
+/// At an argument that does not move a law has one value at a seam too, unless it jumps there.
 #[test]
 fn at_a_seam_alone() {
     let at = |law: Law| law.over(&Series::number(1.0)).unwrap();

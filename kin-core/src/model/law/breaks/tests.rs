@@ -152,7 +152,7 @@ fn the_least_jump_of_a_seam() {
             Seam::after(&law, 2.0, sizes, (right, Sizes::default(), 0.5)).order()
         };
         assert_eq!([0.9, 1.2, -0.9, -1.2].map(order), [None, Some(k), None, Some(k)], "{k}");
-        // What comes after may be the larger one.
+        // The derivatives after the break may be the larger ones.
         let mut right = left;
         right[k] += 1.2 * allowed;
         assert_eq!(

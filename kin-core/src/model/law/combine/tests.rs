@@ -105,8 +105,8 @@ fn kinds_parts_and_parameters() {
     }
 }
 
-/// What one part rests on, what it is refused for, where it breaks and whose bounds are not known is so of
-/// the whole.
+/// A whole rests on what its parts rest on, is refused where one is, breaks where one does, and has bounds
+/// only where both do.
 #[test]
 fn what_holds_of_a_part_holds_of_the_whole() {
     let (own, plain) = (own(|x| [x, 1.0, 0.0, 0.0, 0.0]), Law::linear(0.0, 1.0));

@@ -174,7 +174,7 @@ fn moves_of_no_length_and_limits_that_make_no_sense() {
         assert_eq!(laws.map(said), [words("s_curve"), words("s_curve"), words("s_curve")]);
     }
     assert_eq!(said(Law::s_curve(1.0, 1.0, 1.0, f64::INFINITY)), "jerk is inf; give a finite number");
-    // What is refused has no pieces, and is the distance from 0 on.
+    // A law that is refused has no pieces, and is the distance from 0 on.
     for law in [
         Law::s_curve(1.0, 1.0, f64::NAN, 1.0),
         Law::s_curve(1.0, 1.0, 1.0, f64::INFINITY),

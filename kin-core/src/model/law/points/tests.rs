@@ -22,7 +22,7 @@ fn intervals_and_places() {
         [-1.5, -1.0, -0.5, 2.5, 3.0, 5.0, -9.0].map(|x| periodic.place(x)),
         [(2.5, 3), (-1.0, 1), (-0.5, 1), (2.5, 3), (-1.0, 1), (1.0, 2), (-1.0, 1)]
     );
-    // Whatever rounding does, what repeats is inside.
+    // A repeating profile is inside its bounds, whatever rounding does.
     let mut random = crate::numbers::random::Random::new(1);
     for _ in 0..3000 {
         let (first, last) = (random.number(), 2.0 + random.number());

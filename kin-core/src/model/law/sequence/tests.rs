@@ -38,7 +38,7 @@ fn seams_are_where_parts_meet() {
     assert!(Sequence::new(0.0, vec![]).seams().is_empty());
 }
 
-/// What rounding makes of a slope goes by the shorter one of two parts that meet, and by the length of one
+/// The tolerance of a slope's jump goes by the shorter one of two parts that meet, and by the length of one
 /// that stands alone.
 #[test]
 fn slopes_of_short_parts_are_off_by_more() {

@@ -9,8 +9,8 @@ fn spline(table: &[(f64, f64)], ends: Ends) -> Spline {
     Spline::new(Points { table: table.to_vec(), ends })
 }
 
-/// What makes it the spline: it goes through the points, with the same slope and curvature on both sides of
-/// each, and with the ends that are asked for.
+/// The conditions that make a spline: it goes through the points, with the same slope and curvature on both
+/// sides of each, and with the ends that are asked for.
 #[test]
 fn splines_do_what_makes_them_splines() {
     for ends in ALL {
@@ -167,8 +167,8 @@ fn curvatures_that_are_off_are_known_to_be() {
             assert!(error >= 1e-6 && error <= room * 1e-6, "{ends:?} {k} {error:e}");
         }
     }
-    // What is known of them is in the bounds of a piece: f is off by no more than x (h − x)/2 times that, and
-    // its slope by a share of h.
+    // The error of the curvatures is in the bounds of a piece: f is off by no more than x (h − x)/2 times it,
+    // and its slope by a share of h.
     let mut off = spline(&TABLE, Ends::Natural);
     let sound = off.cubic(1, &Series::variable(Interval::from(0.875), ONE, 7));
     off.error = 1e-3;

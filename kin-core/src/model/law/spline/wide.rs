@@ -39,8 +39,8 @@ impl Spline {
         Some(x.chain(&known[..if jumps { 3 } else { 4 }]))
     }
 
-    /// What the spline can be over interval k: from the line through both points by no more than h²/8 times
-    /// the largest curvature, its slope from that of the line by no more than h/2 times that.
+    /// Bounds of the spline over interval k: it differs from the line through both points by no more than
+    /// h²/8 times the largest curvature, and its slope from that of the line by no more than h/2 times that.
     fn bounds(&self, k: usize) -> Bounds {
         let number = |x: f64| Interval::from(x);
         let ((x0, y0), (x1, y1)) = (self.table[k], self.table[k + 1]);
@@ -191,7 +191,7 @@ mod tests {
                 series.at(0)
             );
         }
-        // What is before the first knot of the interval is not in it.
+        // The bounds over an interval do not contain the pieces before its first knot.
         let mut wild = table.clone();
         wild[3].1 = 1e6;
         let calm = Spline::new(super::super::Points { table: wild, ends: Ends::Natural });

@@ -1,4 +1,4 @@
-//! What a step is judged by, on x² + x + y = t, x + y = 0: det C_q is 2 x, and so is the smaller pivot beside
+//! The check of a step, on x² + x + y = t, x + y = 0: det C_q is 2 x, and so is the smaller pivot beside
 //! entries of 1; of a miss v Newton and Kantorovich estimate v/x.
 
 mod around;
@@ -28,7 +28,7 @@ fn stand(newton: &mut Newton<'_>, x: f64) {
     newton.qd.iter_mut().chain(newton.qdd.iter_mut()).for_each(|rate| *rate = 0.0);
 }
 
-/// Whether a step to `to` after one was accepted at `before` counts as missed, where the prediction misses by
+/// True if a step to `to` after one was accepted at `before` counts as missed, where the prediction misses by
 /// so much.
 fn is_missed(before: f64, to: f64, miss: f64) -> bool {
     let (system, options) = (system(), Options::default());
@@ -151,7 +151,7 @@ fn the_pivot_at_the_other_end_counts() {
     assert!(!missed(1e-3, false, 0.01));
 }
 
-/// What is not a number is a miss, in whichever coordinate or rate it is.
+/// A miss that is not a number counts as one, in whichever coordinate or rate it is.
 #[test]
 fn no_number_is_a_miss() {
     let (system, options) = (product_system(), Options::default());
@@ -213,7 +213,7 @@ fn a_pivot_that_fades_is_a_warning() {
         led.accept(near.0, &near.1);
         assert_eq!(is_missed(led.judge(near.0, &near.1, &[0.0, 0.0, miss])), missed, "{miss}");
     }
-    // It may be at the other end that it has faded.
+    // The pivot may have faded at the other end.
     let mut faded = led();
     faded.accept(far.0, &far.1);
     faded.accept(near.0, &near.1);

@@ -1,4 +1,4 @@
-//! What drives may hide between the ends of a step, with a lever that is known.
+//! Motions that drives may hide between the ends of a step, with a lever that is known.
 
 mod sampled;
 
@@ -40,7 +40,7 @@ fn bounds_of_several_signals() {
     assert_eq!((sum.at(0.5), sum.at(0.0)), (2.5, 1.0));
     sum.add(3.0, &Bound([0.5, 0.0, 2.0, 1.0]));
     assert_eq!((sum, sum.at(1.0)), (Bound([2.5, 2.0, 6.0, 7.0]), 17.5));
-    // What is not moved at all stays as it is, however far it could lead.
+    // A term that is not moved at all stays as it is, however far it could lead.
     sum.add(f64::INFINITY, &Bound::default());
     assert_eq!(sum.0, [2.5, 2.0, 6.0, 7.0]);
 }
@@ -134,7 +134,7 @@ fn near(found: [f64; 4], exact: [f64; 4]) {
     );
 }
 
-/// What was seen holds for a number of steps, within the times it was seen for, while the smallest pivot
+/// Bounds hold for a number of steps, within the times for which they were found, while the smallest pivot
 /// leaves room.
 #[test]
 fn what_is_told_by_what_was_seen() {
@@ -187,7 +187,7 @@ fn a_motor_to_and_fro() {
     );
     near(drive.off.0, [0.0, 0.0, 0.125, 1.0 / 6.0]);
     assert_eq!(lever.moved, [(0, vec![-1.0])]);
-    // It is known yet, and looked at without new bounds.
+    // The bound is still known, and the position is looked at without new ones.
     drive.steps = 0;
     assert!(!hides(&mut drive, &system, [5.0, 4.9], &mut lever));
     assert_eq!((drive.steps, drive.looks, drive.stretch[1]), (KNOWN, u32::MAX - 1, f64::INFINITY));
@@ -279,7 +279,7 @@ fn straight_along_all_signals() {
     assert_eq!(straight(&two, 2.0, [1.2, 2.4, 0.39]), (false, 1));
     // One of them alone is not.
     assert!(!straight(&[0.1, 0.3], 2.0, [1.2, 0.0, 0.41]).0);
-    // As far as the position can go at all.
+    // The equations are tested as far as the position can go at all.
     for (bend, is) in [(2.4e8, true), (2.6e8, false)] {
         assert_eq!(straight(&[1e9], 1e6, [bend, 1.0, 1.0]).0, is);
     }
@@ -321,7 +321,7 @@ fn several_signals() {
     assert_eq!((drive.looks, drive.steps), (LOOKS, 0));
 }
 
-/// What was sampled while no bounds were known is followed by its own slopes as soon as they are.
+/// A signal that was sampled while no bounds were known is followed by its own slopes as soon as they are.
 #[test]
 fn bounds_that_come_to_be_known() {
     let system = driven(Law::sine(1.0, 1.0, 0.0));

@@ -7,9 +7,9 @@ use crate::solve::follow::{EASY, Lever, Objection, REACH, Span};
 use crate::system::evaluate::Instant;
 
 impl Driver<'_> {
-    /// What is wrong with the step to `target`: it turns something too far, a prediction from either end
-    /// misses the other by more than what is sure to be one branch, or what drives may move further in
-    /// between. Signs of determinants, which rectangular matrices have not, are not asked.
+    /// The objection to the step to `target`: it turns something too far, a prediction from either end misses
+    /// the other by more than is sure to be one branch, or drives may move further in between. Signs of
+    /// determinants, which rectangular matrices have not, are not asked.
     pub(super) fn objection(&mut self, target: f64) -> Option<Objection> {
         if self.options.follow == Follow::Unchecked {
             return None;

@@ -74,7 +74,7 @@ pub(crate) fn solved(system: &System, q: &[f64], t: f64, rhs: &[f64], explain: E
     Ok(y.iter().zip(&measures.sizes).map(|(y, size)| y * size).collect())
 }
 
-/// What each value of C_q is multiplied by to be of order 1.
+/// The factor of each value of C_q that makes it of order 1.
 pub(super) fn scales(model: &Model<'_>, Measures { sizes, norms, .. }: &Measures) -> Vec<f64> {
     let scale =
         |entry: &Option<(usize, usize)>| entry.map_or(0.0, |(row, column)| sizes[column] / norms[row]);

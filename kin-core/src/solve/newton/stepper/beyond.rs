@@ -47,7 +47,7 @@ impl Stepper<'_> {
             },
             Trouble::Failed(failure) => {
                 self.newton.q.copy_from_slice(&self.failed);
-                // For what it says of the equations there.
+                // The error names the worst equation, so the equations are evaluated at the failed position.
                 let _ = self.newton.linearize(target);
                 self.newton.error(failure, target, Some(t))
             }
@@ -106,7 +106,7 @@ fn jerk_between(
     Branch { qd, qdd }: &Branch,
     t: f64,
 ) -> std::result::Result<Vec<f64>, Failure> {
-    /// What moves most moves by this to the nearer ones.   \[-\]
+    /// The coordinate that moves most moves by this to the nearer poses.   \[-\]
     const NEAR: f64 = 0.05;
     let rates = qd
         .iter()

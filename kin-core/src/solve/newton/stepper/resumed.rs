@@ -4,7 +4,7 @@ use super::Stepper;
 use crate::solve::motion::Motion;
 
 impl Stepper<'_> {
-    /// Whether the ends of a step between two times, with that smallest pivot, tell all that time does in
+    /// True if the ends of a step between two times, with that smallest pivot, tell all that time does in
     /// between.
     pub(in crate::solve::newton) fn tells(&mut self, from: f64, to: f64, pivot: f64) -> bool {
         self.check.as_mut().is_none_or(|check| check.tells(from, to, pivot))

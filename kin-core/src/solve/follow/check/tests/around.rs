@@ -1,5 +1,5 @@
-//! What is asked at the position in hand: what is singular near it, what moves it, what a sweep is told
-//! beforehand.
+//! Questions at the present position: is C_q singular near it, which drives move it, what is the outlook of a
+//! sweep?
 
 use super::super::{Drive, EASY, Factored, Lever, is_singular_near};
 use super::{Led, steep_system};
@@ -63,8 +63,8 @@ fn a_lever_moves_its_own_rows_alone() {
     }
 }
 
-/// What a sweep is told beforehand: four times the third-order term of what drives, by what it moves and by
-/// the pivot.
+/// The outlook of a sweep is four times the third-order term of the drives, by the coordinates they move and
+/// by the pivot.
 #[test]
 fn the_outlook_at_a_position() {
     let options = Options::default();

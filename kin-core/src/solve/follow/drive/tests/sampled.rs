@@ -62,7 +62,7 @@ fn laws_that_are_sampled() {
 
 #[test]
 fn laws_that_are_sampled_at_the_position_in_hand() {
-    // Whatever it was before.
+    // The position in hand counts, whatever it was before.
     let system = stretching(Law::new(Silent(cubic)));
     let at = |x: f64| Some(system.equations().instant_at(0.0, &[x]));
     close(off_by(&system, [0.0, 0.1], at(1.0)), 1e-3, false);
