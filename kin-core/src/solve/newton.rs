@@ -1,5 +1,6 @@
 //! Newton's method on C(q, t) = 0, and q̇, q̈ from the matrix of its last check.
 
+mod advance;
 pub(crate) mod compiled;
 mod driven;
 pub(crate) mod first_position;

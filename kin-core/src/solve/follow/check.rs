@@ -113,6 +113,7 @@ impl Check {
     }
 
     /// Judges the step h from one end to the position in hand, and accepts that if there is no objection.
+    #[inline(always)]
     pub(crate) fn judge(&mut self, newton: &mut Newton<'_>, h: f64, from: End<'_>) -> Result<(), Objection> {
         let (pivot, to) = (newton.linear.smallest_pivot(), [&newton.q, &newton.qd, &newton.qdd]);
         let [miss, reach] = padded::miss(h, from, to, newton.shares(), &self.turns);

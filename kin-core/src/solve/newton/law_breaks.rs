@@ -29,7 +29,7 @@ struct Asked {
 impl LawBreaks {
     /// Looks at the laws at a time that was solved, and appends the breaks crossed since the last one. A jump
     /// of a value, or of the slope of a law of time, is an error.
-    #[inline]
+    #[inline(always)]
     pub(super) fn look(
         &mut self,
         system: &System,

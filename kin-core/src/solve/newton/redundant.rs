@@ -10,15 +10,15 @@ mod errors;
 mod judged;
 mod solver;
 
+use super::advance::{Asked, Stepping, advance};
 use super::law_breaks::LawBreaks;
-use super::options::resolution;
 use super::predictor::{Last, Predictor};
-use super::stepper::SHORTEST;
 use super::{Options, Outcome, Report, STALL, Stop};
 use crate::model::error::{Error, Result};
+use crate::model::units::Units;
 use crate::numbers::padded::{self, Padded};
 use crate::solve::explain::{Explain, Start};
-use crate::solve::follow::Drive;
+use crate::solve::follow::{Drive, Objection};
 use crate::solve::motion::Motion;
 use crate::system::evaluate::{Instant, finite};
 use crate::system::scaled::{Measures, Model, Point, TOLERANCE};
@@ -116,8 +116,9 @@ struct Driver<'a> {
     qdd: Padded,
     /// q⃛ where it is asked for, else empty.
     qddd: Vec<f64>,
-    /// Newton steps since the last time.
+    /// Evaluations since the last time, and Newton steps of those that have led to a position.
     steps: usize,
+    iterations: usize,
     /// The row with the largest |C_i|.
     worst: usize,
     /// The largest share of its norm that a row has been off by, where that was allowed.
@@ -129,56 +130,9 @@ struct Driver<'a> {
 impl Driver<'_> {
     /// To another time, in smaller steps of time where that is needed.
     fn advance(&mut self, to: f64) -> Result<Outcome> {
-        let smallest = self.options.smallest_step(self.t, to);
-        let shortest = (SHORTEST * (to - self.t).abs()).max(resolution(self.t, to));
-        let (mut h, mut iterations) = (to - self.t, 0);
-        self.steps = 0;
-        loop {
-            let target = if (to - self.t).abs() <= h.abs() * 1.001 { to } else { self.t + h };
-            padded::copy(self.last.whole_mut(), self.q.whole());
-            if self.options.predict {
-                let last = Last { q: &self.last, qd: &self.qd, qdd: &self.qdd };
-                self.predictor.predict(target - self.t, last, &mut self.q);
-            }
-            let solved = self.solve(target);
-            let wrong = solved.and_then(|_| self.wrong());
-            if let (Some(outcome), None) = (&solved, &wrong) {
-                iterations += outcome.iterations;
-                self.settle(target - self.t, outcome.iterations);
-                if self.rates(target).is_none() {
-                    return Err(self.blamed(true, target));
-                }
-                if let Some(objection) = self.objection(target) {
-                    self.predictor.retreat(&mut self.qd, &mut self.qdd);
-                    padded::copy(self.q.whole_mut(), self.last.whole());
-                    if h.abs() <= shortest {
-                        let units = self.model.layout.words.clone();
-                        return Err(Error::CannotFollow {
-                            t: self.t,
-                            units,
-                            reason: objection.reason(),
-                            motion: None,
-                        });
-                    }
-                    h *= 0.5;
-                    continue;
-                }
-                self.t = target;
-                if target == to {
-                    return Ok(Outcome { iterations, ..*outcome });
-                }
-                h *= 2.0;
-            } else {
-                padded::copy(self.q.whole_mut(), self.last.whole());
-                if !self.options.rescue || h.abs() <= smallest {
-                    if let Some(error) = wrong {
-                        return Err(error);
-                    }
-                    return Err(self.blamed(false, target));
-                }
-                h *= 0.5;
-            }
-        }
+        (self.steps, self.iterations) = (0, 0);
+        let outcome = advance(self, Asked { from: self.t, to })?;
+        Ok(Outcome { iterations: self.iterations, ..outcome })
     }
 
     /// A step h has succeeded; the rates in hand are still those of the time before, and become the past.
@@ -322,5 +276,78 @@ impl Driver<'_> {
     /// q, q̇, q̈, and q⃛ or nothing.
     fn rows(&self) -> [&[f64]; 4] {
         [&self.q, &self.qd, &self.qdd, &self.qddd]
+    }
+}
+
+/// Why a step of time was not taken.
+enum Trouble {
+    Unsolved,
+    /// A constraint closes the wrong way.
+    Wrong(Error),
+    /// There is a position, and no rates that all equations agree on.
+    Disagreed(Error),
+    Objected(Objection),
+}
+
+impl Stepping for Driver<'_> {
+    type Trouble = Trouble;
+
+    fn keep(&mut self) {
+        padded::copy(self.last.whole_mut(), self.q.whole());
+    }
+
+    fn attempt(&mut self, h: f64, target: f64, _: Asked) -> std::result::Result<Outcome, Trouble> {
+        if self.options.predict {
+            let last = Last { q: &self.last, qd: &self.qd, qdd: &self.qdd };
+            self.predictor.predict(h, last, &mut self.q);
+        }
+        let outcome = self.solve(target).ok_or(Trouble::Unsolved)?;
+        if let Some(error) = self.wrong() {
+            return Err(Trouble::Wrong(error));
+        }
+        self.iterations += outcome.iterations;
+        self.settle(h, outcome.iterations);
+        if self.rates(target).is_none() {
+            return Err(Trouble::Disagreed(self.blamed(true, target)));
+        }
+        if let Some(objection) = self.objection(target) {
+            self.predictor.retreat(&mut self.qd, &mut self.qdd);
+            return Err(Trouble::Objected(objection));
+        }
+        self.t = target;
+        Ok(outcome)
+    }
+
+    fn confirm(&mut self) {}
+
+    fn go_back(&mut self) {
+        padded::copy(self.q.whole_mut(), self.last.whole());
+    }
+
+    fn is_short(&mut self, h: f64, _: f64, asked: Asked, trouble: &Trouble) -> bool {
+        let Options { rescue, .. } = self.options;
+        match trouble {
+            Trouble::Disagreed(_) => true,
+            Trouble::Objected(_) => h.abs() <= asked.shortest(),
+            Trouble::Unsolved | Trouble::Wrong(_) => {
+                !rescue || h.abs() <= self.options.smallest_step(asked.from, asked.to)
+            }
+        }
+    }
+
+    /// No other means are known: singular positions of rectangular matrices are not passed.
+    fn give_up(&mut self, trouble: Trouble, t: f64, target: f64, _: f64, _: Asked) -> Result<Outcome> {
+        Err(match trouble {
+            Trouble::Unsolved => self.blamed(false, target),
+            Trouble::Wrong(error) | Trouble::Disagreed(error) => error,
+            Trouble::Objected(objection) => {
+                let units = self.units().clone();
+                Error::CannotFollow { t, units, reason: objection.reason(), motion: None }
+            }
+        })
+    }
+
+    fn units(&self) -> &Units {
+        &self.model.layout.words
     }
 }

@@ -1,12 +1,13 @@
-//! The sweep: from one time to the next with prediction, in smaller steps of time where that is needed.
+//! Plain steps of time: Newton's method from a prediction, judged by what follows the branch.
 
 mod beyond;
 mod resumed;
 
-use super::options::resolution;
+use super::advance::{Asked, Stepping, advance};
 use super::predictor::{Last, Predictor};
 use super::{Failure, Follow, Newton, Options, Outcome, Steps, first_position, largest};
-use crate::model::error::{Error, Result};
+use crate::model::error::Result;
+use crate::model::units::Units;
 use crate::numbers::padded::{self, Padded};
 use crate::solve::follow::{Check, Objection, SingularPosition};
 use crate::system::System;
@@ -17,20 +18,6 @@ const SHORT: f64 = 0.05;
 
 /// The same of a step of this share of the time asked for, where hardly anything moves.   \[-\]
 const AT_REST: f64 = 1.0 / 64.0;
-
-/// The curve is followed for this many of the last, short steps of time at least, and for this share of the
-/// time asked for.
-const PASSED_STEPS: f64 = 32.0;
-const PASSED_SHARE: f64 = 1.0 / 64.0;
-
-/// No step of time is shorter than this share of the time asked for.   \[-\]
-pub(super) const SHORTEST: f64 = 1e-9;
-
-/// Smaller steps of one step of time after which it is asked how many more there will be, and how many there
-/// may be.
-const MANY: f64 = 8192.0;
-const MOST: f64 = 4e6;
-const TOO_MANY: &str = "millions of smaller steps lead to the next time, which is too far away: give times that are nearer to one another";
 
 /// The last solved time, its point, and the means to go on from it.
 pub(super) struct Stepper<'a> {
@@ -51,16 +38,8 @@ pub(super) struct Stepper<'a> {
     bifurcations: usize,
 }
 
-/// The step of time that was asked for.
-#[derive(Clone, Copy)]
-struct Asked {
-    whole: f64,
-    /// No shorter one is tried than this.
-    shortest: f64,
-}
-
 /// Why a step of time was not taken.
-enum Trouble {
+pub(in crate::solve::newton) enum Trouble {
     Failed(Failure),
     Objected(Objection),
 }
@@ -90,77 +69,25 @@ impl<'a> Stepper<'a> {
                 self.check.iter_mut().for_each(|check| check.accept(&self.newton));
                 outcome
             }
-            Some(from) => self.advance(from, t)?,
+            Some(from) => advance(self, Asked { from, to: t })?,
         };
         (self.last, self.untouched) = (Some(t), true);
         self.newton.linear.confirm();
         Ok(Outcome { iterations: self.newton.steps - self.newton.steps_before, ..outcome })
     }
 
-    /// From one solved time to the next, in one step if that works.
-    fn advance(&mut self, from: f64, to: f64) -> Result<Outcome> {
-        let (mut t, mut h) = (from, to - from);
-        let shortest = match self.check {
-            None => self.newton.options.smallest_step(from, to),
-            Some(_) => (SHORTEST * h.abs()).max(resolution(from, to)),
-        };
-        let (asked, mut taken) = (Asked { whole: h.abs(), shortest }, 0.0);
-        loop {
-            let target = if (to - t).abs() <= h.abs() * 1.001 { to } else { t + h };
-            self.keep();
-            match self.attempt(target - t, target, asked) {
-                Ok(outcome) if target == to => return Ok(outcome),
-                Ok(_) => {
-                    self.newton.linear.confirm();
-                    t = target;
-                    h *= 2.0;
-                    taken += 1.0;
-                    if taken >= MANY && taken * asked.whole > MOST * (t - from).abs() {
-                        let units = self.newton.system.unit_words().clone();
-                        return Err(Error::CannotFollow { t, units, reason: TOO_MANY, motion: None });
-                    }
-                }
-                Err(trouble) => {
-                    self.go_back();
-                    self.untouched = false;
-                    if !self.is_short(target - t, target, asked, &trouble) {
-                        h *= 0.5;
-                        continue;
-                    }
-                    let ahead = (PASSED_STEPS * h.abs()).max(PASSED_SHARE * (to - from).abs());
-                    let goal = if (to - t).abs() <= 1.001 * ahead { to } else { t + ahead.copysign(h) };
-                    let outcome = self.give_up(trouble, t, target, (goal, to))?;
-                    if goal == to {
-                        return Ok(outcome);
-                    }
-                    t = goal;
-                }
-            }
+    /// No step of time is shorter than this.
+    fn shortest(&self, asked: Asked) -> f64 {
+        match self.check {
+            None => self.newton.options.smallest_step(asked.from, asked.to),
+            Some(_) => asked.shortest(),
         }
     }
 
     /// True if a step is as short as plain steps of time become: then Newton's are damped.
     #[cold]
     fn is_last_resort(&self, h: f64, asked: Asked) -> bool {
-        self.check.is_none() && h.abs() <= asked.shortest
-    }
-
-    /// True if shorter steps of time to `target` than this will help no more, by the coordinates that move in
-    /// it.
-    fn is_short(&mut self, h: f64, target: f64, Asked { whole, shortest }: Asked, trouble: &Trouble) -> bool {
-        if self.check.is_none() {
-            return !self.newton.options.rescue || h.abs() <= shortest;
-        }
-        let unseen = match trouble {
-            // Shorter ones always help.
-            Trouble::Objected(Objection::Long | Objection::Hidden) => f64::INFINITY,
-            Trouble::Objected(Objection::Missed(off)) => *off,
-            _ => 0.0,
-        };
-        let moved = self.moved(h, target).max(unseen);
-        // Where all stands still the rates say little.
-        let moves = moved >= 0.1 * SHORT || h.abs() <= AT_REST * whole;
-        (moved <= SHORT && moves) || h.abs() <= shortest
+        self.check.is_none() && h.abs() <= self.shortest(asked)
     }
 
     /// By how much anything moves in a step h from the last solution to `target`: by its rates, and by what
@@ -182,43 +109,9 @@ impl<'a> Stepper<'a> {
         by_rates.max(driven)
     }
 
-    /// The last solution is in hand again, and nothing that was seen beyond it.
-    #[cold]
-    fn go_back(&mut self) {
-        self.failed.copy_from_slice(&self.newton.q);
-        self.newton.q.copy_from_slice(&self.q);
-        self.newton.linear.revoke();
-    }
-
-    /// The position in hand becomes the last one; a prediction writes all of the next anew.
-    fn keep(&mut self) {
-        if self.newton.options.predict {
-            std::mem::swap(&mut self.q, &mut self.newton.q);
-        } else {
-            padded::copy(self.q.whole_mut(), self.newton.q.whole());
-        }
-    }
-
-    /// One step of time, of those that are asked for at once, with its rates, judged; after trouble the rates
-    /// in hand are those before it.
-    fn attempt(&mut self, h: f64, target: f64, asked: Asked) -> std::result::Result<Outcome, Trouble> {
-        let outcome = self.step(h, target, asked).map_err(Trouble::Failed)?;
-        self.settle(h, outcome);
-        let remembers = self.remembers();
-        let newton = &mut self.newton;
-        let judged = newton.rates().map_err(Trouble::Failed).and_then(|()| {
-            let Some(check) = &mut self.check else { return Ok(()) };
-            let [qd, qdd] = self.predictor.before();
-            check.judge(newton, h, [&self.q, qd, qdd]).map_err(Trouble::Objected)
-        });
-        if judged.is_err() && remembers {
-            self.predictor.retreat(&mut newton.qd, &mut newton.qdd);
-        }
-        judged.map(|()| outcome)
-    }
-
     /// One step of time by Newton steps from the prediction; damped from the last solution if it is the last
     /// resort.
+    #[inline(always)]
     fn step(&mut self, h: f64, target: f64, asked: Asked) -> std::result::Result<Outcome, Failure> {
         let newton = &mut self.newton;
         let steps = if newton.options.rescue { Steps::Near } else { Steps::Full };
@@ -241,11 +134,13 @@ impl<'a> Stepper<'a> {
     }
 
     /// True if rates of earlier times are needed.
+    #[inline(always)]
     fn remembers(&self) -> bool {
         self.newton.options.predict || self.check.is_some()
     }
 
     /// A step h has succeeded; the rates in hand are still those of the time before, and become the past.
+    #[inline(always)]
     fn settle(&mut self, h: f64, outcome: Outcome) {
         self.untouched = true;
         if !self.remembers() {
@@ -257,5 +152,79 @@ impl<'a> Stepper<'a> {
             self.predictor.compare(h, last, &newton.q, &newton.sizes);
         }
         self.predictor.advance(h, &mut newton.qd, &mut newton.qdd);
+    }
+}
+
+impl Stepping for Stepper<'_> {
+    type Trouble = Trouble;
+
+    /// The position in hand becomes the last one; a prediction writes all of the next anew.
+    #[inline(always)]
+    fn keep(&mut self) {
+        if self.newton.options.predict {
+            std::mem::swap(&mut self.q, &mut self.newton.q);
+        } else {
+            padded::copy(self.q.whole_mut(), self.newton.q.whole());
+        }
+    }
+
+    /// One step of time, of those that are asked for at once, with its rates, judged; after trouble the rates
+    /// in hand are those before it.
+    #[inline(always)]
+    fn attempt(&mut self, h: f64, target: f64, asked: Asked) -> std::result::Result<Outcome, Trouble> {
+        let outcome = self.step(h, target, asked).map_err(Trouble::Failed)?;
+        self.settle(h, outcome);
+        let remembers = self.remembers();
+        let newton = &mut self.newton;
+        let judged = newton.rates().map_err(Trouble::Failed).and_then(|()| {
+            let Some(check) = &mut self.check else { return Ok(()) };
+            let [qd, qdd] = self.predictor.before();
+            check.judge(newton, h, [&self.q, qd, qdd]).map_err(Trouble::Objected)
+        });
+        if judged.is_err() && remembers {
+            self.predictor.retreat(&mut newton.qd, &mut newton.qdd);
+        }
+        judged.map(|()| outcome)
+    }
+
+    #[inline(always)]
+    fn confirm(&mut self) {
+        self.newton.linear.confirm();
+    }
+
+    /// The last solution is in hand again, and nothing that was seen beyond it.
+    #[cold]
+    fn go_back(&mut self) {
+        self.failed.copy_from_slice(&self.newton.q);
+        self.newton.q.copy_from_slice(&self.q);
+        self.newton.linear.revoke();
+        self.untouched = false;
+    }
+
+    /// True if shorter steps of time to `target` than this will help no more, by the coordinates that move in
+    /// it.
+    fn is_short(&mut self, h: f64, target: f64, asked: Asked, trouble: &Trouble) -> bool {
+        let shortest = self.shortest(asked);
+        if self.check.is_none() {
+            return !self.newton.options.rescue || h.abs() <= shortest;
+        }
+        let unseen = match trouble {
+            // Shorter ones always help.
+            Trouble::Objected(Objection::Long | Objection::Hidden) => f64::INFINITY,
+            Trouble::Objected(Objection::Missed(off)) => *off,
+            _ => 0.0,
+        };
+        let moved = self.moved(h, target).max(unseen);
+        // Where all stands still the rates say little.
+        let moves = moved >= 0.1 * SHORT || h.abs() <= AT_REST * asked.whole();
+        (moved <= SHORT && moves) || h.abs() <= shortest
+    }
+
+    fn give_up(&mut self, trouble: Trouble, t: f64, target: f64, goal: f64, asked: Asked) -> Result<Outcome> {
+        self.pass(trouble, t, target, goal, asked)
+    }
+
+    fn units(&self) -> &Units {
+        self.newton.system.unit_words()
     }
 }

@@ -50,6 +50,7 @@ impl<'a> Driver<'a> {
             qdd: zeros(),
             qddd: vec![],
             steps: 0,
+            iterations: 0,
             worst: 0,
             misfit: 0.0,
             drive: Some(Drive::new(equations)),

@@ -1,7 +1,8 @@
 //! Where smaller steps of time help no more: along the curve past a singular position, or the end of a run.
 
+use super::super::advance::{Asked, SHORTEST, TOO_MANY};
 use super::super::{Failure, Newton, Outcome, Steps, largest};
-use super::{SHORT, SHORTEST, Stepper, TOO_MANY, Trouble};
+use super::{SHORT, Stepper, Trouble};
 use crate::model::error::{Error, Result};
 use crate::model::units::Units;
 use crate::solve::follow::{self, Branch, Check, Landed, Lost, Objection, SingularKind, SingularPosition};
@@ -9,13 +10,15 @@ use crate::solve::follow::{self, Branch, Check, Landed, Lost, Objection, Singula
 impl Stepper<'_> {
     /// Short steps of time from t to `target` help no more: the curve is followed as far as `goal`, if that
     /// can be done; `to` was asked for.
-    pub(super) fn give_up(
+    pub(super) fn pass(
         &mut self,
         trouble: Trouble,
         t: f64,
         target: f64,
-        (goal, to): (f64, f64),
+        goal: f64,
+        asked: Asked,
     ) -> Result<Outcome> {
+        let to = asked.to;
         if self.check.is_some() {
             let (before, options) = (self.bifurcations, self.newton.options);
             match follow::pass(&self.newton, &self.q, t, goal, &|number| {
