@@ -1,6 +1,7 @@
 //! Constraints written by hand, for the tests of the solver alone.
 
 mod awkward;
+pub mod functions;
 mod large;
 mod models;
 mod refused;

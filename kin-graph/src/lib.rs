@@ -11,6 +11,7 @@ mod formula;
 pub mod functions;
 pub mod graph;
 mod number;
+pub mod rules;
 pub mod schedule;
 #[cfg(test)]
 mod testing;

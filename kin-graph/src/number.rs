@@ -22,6 +22,11 @@ pub trait Number:
         Self::constant(nearest)
     }
 
+    /// ln x of a constant, as well as it is known.
+    fn logarithm_of(x: f64) -> Self {
+        Self::constant(x.ln())
+    }
+
     /// f(self)
     fn call(self, f: Function) -> Self;
 

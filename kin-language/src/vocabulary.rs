@@ -1,6 +1,7 @@
 //! Names that both readers of the body understand, the interpreter and the rewriter: what a path or a method
 //! is, before any type is known.
 
+use kin_graph::{Function, Function2};
 use syn::ExprPath;
 
 /// `f64::sin`, but not `f64::EPSILON` or `f64::consts::PI`, and none without a derivative.
@@ -97,7 +98,12 @@ pub fn names(path: &ExprPath) -> Vec<String> {
 
 /// Methods of numbers.
 pub fn is_scalar_method(name: &str) -> bool {
-    SCALAR.contains(&name)
+    Function::from_method(name).is_some() || Function2::from_method(name).is_some() || SCALAR.contains(&name)
+}
+
+/// Functions of the list that f64 has no method for.
+pub fn is_beyond_std(name: &str) -> bool {
+    Function::from_method(name).is_some_and(|f| !f.facts().in_std)
 }
 
 /// Methods of vectors whose first argument is a vector.
@@ -110,44 +116,10 @@ pub fn is_number_method(name: &str) -> bool {
     is_scalar_method(name) || COMPONENTS.contains(&name)
 }
 
+/// Methods of numbers beside the functions of the list.
 const SCALAR: &[&str] = &[
-    "sin",
-    "cos",
-    "tan",
-    "asin",
-    "acos",
-    "atan",
-    "sinh",
-    "cosh",
-    "tanh",
-    "asinh",
-    "acosh",
-    "atanh",
-    "exp",
-    "exp2",
-    "exp_m1",
-    "ln",
-    "ln_1p",
-    "log2",
-    "log10",
     "log",
-    "sqrt",
-    "cbrt",
-    "abs",
-    "signum",
-    "floor",
-    "ceil",
-    "round",
-    "trunc",
-    "fract",
-    "atan2",
-    "hypot",
-    "powf",
     "powi",
-    "max",
-    "min",
-    "rem_euclid",
-    "div_euclid",
     "sin_cos",
     "recip",
     "to_radians",

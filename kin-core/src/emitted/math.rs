@@ -2,20 +2,34 @@
 //! itself.
 
 macro_rules! of_one {
-    ($($variant:ident $method:ident $written:literal;)*) => {$(
-        #[doc = concat!("f64's `", $written, "`.")]
-        #[inline(always)]
-        pub fn $method(x: f64) -> f64 {
-            (of_one!(@ $method))(x)
-        }
-    )*};
-    (@ acosh) => { kin_graph::functions::acosh };
-    (@ atanh) => { kin_graph::functions::atanh };
-    (@ $method:ident) => { f64::$method };
+    ($(
+        $(#[$doc:meta])* $variant:ident $method:ident $written:literal { value: $value:expr; $($rest:tt)* }
+    )*) => {
+        $(
+            $(#[$doc])*
+            #[inline(always)]
+            pub fn $method(x: f64) -> f64 {
+                $value(x)
+            }
+        )*
+
+        /// The same as methods, for those that f64 does not have itself.
+        pub trait Functions {$(
+            #[doc = concat!("See [`", $written, "()`].")]
+            fn $method(self) -> f64;
+        )*}
+
+        impl Functions for f64 {$(
+            #[inline(always)]
+            fn $method(self) -> f64 {
+                $method(self)
+            }
+        )*}
+    };
 }
 
 macro_rules! of_two {
-    ($($variant:ident $method:ident $written:literal;)*) => {$(
+    ($($variant:ident $method:ident $written:literal $entry:tt)*) => {$(
         #[doc = concat!("f64's `", $written, "`.")]
         #[inline(always)]
         pub fn $method(x: f64, y: f64) -> f64 {

@@ -24,7 +24,6 @@ pub use crate::model::state::{At, PlanarState, Rates, SpatialState};
 pub use crate::numbers::algebra::{Axis, Components, EulerParameters, Mat2, Mat3, Vec2, Vec3};
 pub use crate::numbers::lanes::{InLanes, LaneAt, LaneKernel, LaneKernels, LaneRates, Level, Mask, Wide};
 pub use crate::numbers::real::{Dual, Dual2_64, Dual3_64, Dual64, Real};
-pub use kin_graph::functions::{acosh, atanh};
 
 pub use crate::{
     __inside_editor as inside_editor, __outside_editor as outside_editor, __stand_in as stand_in,

@@ -330,7 +330,11 @@ fn with_arguments(g: &mut Graph, node: Node, chain: impl FnOnce(&mut Graph, &[Ar
     match g.op(node) {
         Op::Call(f, a) => chain(
             g,
-            &[Argument { node: a, derivative: &|g| rules::derivative(g, f, a, node), tame: f.is_tame() }],
+            &[Argument {
+                node: a,
+                derivative: &|g| rules::derivative(g, f, a, node),
+                tame: f.facts().is_tame(),
+            }],
         ),
         Op::Powi(a, n) => {
             chain(g, &[Argument { node: a, derivative: &|g| rules::power_derivative(g, a, n), tame: true }])

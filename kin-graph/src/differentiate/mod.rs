@@ -6,6 +6,7 @@ mod moves;
 mod partial;
 mod rules;
 mod scaled;
+mod term;
 #[cfg(test)]
 mod tests;
 

@@ -98,7 +98,7 @@ impl Partial {
                 g.add(product, self.known(c)) // a′ b + a b′ + c′
             }
             Op::Div(a, b) => self.quotient(g, a, b, node),
-            Op::Call(f, a) => self.chain(g, a, f.is_tame(), |g| rules::derivative(g, f, a, node)),
+            Op::Call(f, a) => self.chain(g, a, f.facts().is_tame(), |g| rules::derivative(g, f, a, node)),
             Op::Powi(a, n) if n < 0 && g.bursts(a) => self.relative_power(g, a, f64::from(n), node),
             Op::Powi(a, n) => self.chain(g, a, true, |g| rules::power_derivative(g, a, n)),
             Op::Law(law, a, order) => self.chain(g, a, false, |g| g.law(law, a, order + 1)),

@@ -14,6 +14,7 @@ mod walk;
 use std::collections::HashMap;
 
 use crate::Function2;
+use crate::functions::Growth;
 
 pub use decimal::Decimal;
 pub use op::{Column, Comparison, Direction, Input, Leaf, LeafNumber, LeafUse, Op, Part};
@@ -170,10 +171,15 @@ impl Graph {
         let falls = |n: Node| self.constant_value(n).is_none_or(|n| n < 0.0);
         let grows = |n: Node| self.constant_value(n).is_none_or(|n| n.abs() > 4.0);
         match op {
-            Op::Call(f, _) if f.is_bounded() => (all.bursts, all.has_poles) = (false, false),
             Op::Call(f, _) => {
-                all.bursts = (all.bursts && !f.is_logarithmic()) || f.bursts();
-                all.has_poles |= f.has_poles();
+                let facts = f.facts();
+                all.has_poles |= !facts.poles.is_empty();
+                match facts.growth {
+                    Growth::Ordinary => {}
+                    Growth::Bounded => (all.bursts, all.has_poles) = (false, false),
+                    Growth::Logarithmic => all.bursts = false,
+                    Growth::Bursting => all.bursts = true,
+                }
             }
             Op::Powi(_, n) => {
                 all.bursts |= n.unsigned_abs() > 4;

@@ -238,7 +238,7 @@ impl Graph {
     pub fn call(&mut self, f: Function, a: Node) -> Node {
         if let Some(x) = self.constant_value(a) {
             let y = f.value()(x);
-            let exact = f.is_exact() || f == Function::Sqrt && is_exact_product(y, y, x);
+            let exact = f.facts().is_exact() || f == Function::Sqrt && is_exact_product(y, y, x);
             if let Some(folded) = self.folded(y, exact) {
                 return folded;
             }

@@ -10,7 +10,7 @@ use crate::numbers::real::{Dual, Dual2_64, Real};
 
 /// g(s), g′(s) and g″(s); `None` where g does not depend on s at all.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Jet {
+pub(crate) struct Jet {
     pub value: f64,
     pub slopes: Option<[f64; 2]>,
     /// Its growth, which the number itself has noted.
@@ -22,7 +22,7 @@ impl Jet {
         Jet { value, slopes: None, growth: 0 }
     }
 
-    pub(super) fn moving(value: f64, slopes: [f64; 2]) -> Jet {
+    pub(crate) fn moving(value: f64, slopes: [f64; 2]) -> Jet {
         Jet { value, slopes: Some(slopes), growth: 0 }
     }
 

@@ -8,7 +8,7 @@
 
 mod culprit;
 mod interpret;
-mod jet;
+pub(crate) mod jet;
 pub(crate) mod trace;
 
 pub use culprit::{Culprit, Found, Part, Source};

@@ -66,6 +66,10 @@ impl Number for Series {
         Series::constant(Interval::new(nearest.min(other), nearest.max(other)))
     }
 
+    fn logarithm_of(x: f64) -> Self {
+        Series::constant(Interval::from(x).call(kin_graph::Function::Ln))
+    }
+
     fn call(self, f: kin_graph::Function) -> Self {
         Series::call(self, f)
     }

@@ -1,135 +1,66 @@
-//! The elementary functions over an interval. Where a function has no value for some of the numbers, nothing
-//! is known ([`ALL`]).
+//! Functions over an interval. Where a function has no value for some of the numbers, nothing is known
+//! ([`ALL`]).
 
-use kin_graph::functions::{acosh, atanh};
+use kin_graph::Function;
+use kin_graph::functions::{ALLOWED, Place};
 
-use super::interval::{ALL, ALLOWED, Interval, ONE, PI, UNIT, down};
+use super::interval::{ALL, Interval, ONE, PI, down};
 
-/// Of angles larger than this sine, cosine and tangent are allowed an error that is so many times as large:
-/// glibc takes so many turns off them that its cosine of 5.3e255, which is 4.7e-19, is off by 7 units in the
-/// last place; no f64 is nearer to a multiple of a quarter turn.   \[rad\]
-pub(crate) const LARGE: f64 = 1e5;
-pub(crate) const MORE: f64 = 8.0;
-
-/// A bound below the function whose computed value is y.
-fn below(y: f64) -> f64 {
-    below_by(y, ALLOWED)
+/// A bound below the function whose computed value is y, off by so many units in the last place; what is too
+/// large for a number is above the largest.
+fn below(y: f64, error: f64) -> f64 {
+    let y = y.min(f64::MAX);
+    if error == 0.0 { y } else { down(y - error * f64::EPSILON * y.abs() - f64::MIN_POSITIVE) }
 }
 
 /// A bound above it.
-fn above(y: f64) -> f64 {
-    -below(-y)
-}
-
-fn below_by(y: f64, allowed: f64) -> f64 {
-    down(y - allowed * f64::EPSILON * y.abs() - f64::MIN_POSITIVE)
+fn above(y: f64, error: f64) -> f64 {
+    -below(-y, error)
 }
 
 impl Interval {
-    /// An increasing function; nothing is known beyond the numbers that it is defined for, where f gives
-    /// none.
-    fn rising(self, f: fn(f64) -> f64) -> Self {
-        Interval::new(below(f(self.lo())), above(f(self.hi())))
-    }
-
-    /// f over it, f being sin or cos, whose largest values stand at `peak` + 4k quarters of a turn.
-    fn wave(self, f: fn(f64) -> f64, peak: f64) -> Self {
-        if !self.is_finite() {
-            return UNIT;
-        }
-        // as wide as the quarters are known: of large numbers everything is among them
-        let quarters = self / (PI * Interval::from(0.5));
-        // whether a number peak + 4k is among the quarters
-        let has = |peak: f64| ((quarters.lo() - peak) / 4.0).ceil() <= (quarters.hi() - peak) / 4.0;
-        let (a, b, allowed) = (f(self.lo()), f(self.hi()), self.allowed_of_angles());
-        let hi = if has(peak) { 1.0 } else { (-below_by(-a.max(b), allowed)).min(1.0) };
-        let lo = if has(peak + 2.0) { -1.0 } else { below_by(a.min(b), allowed).max(-1.0) };
-        Interval::new(lo, hi)
-    }
-
-    pub(crate) fn sin(self) -> Self {
-        self.wave(f64::sin, 1.0)
-    }
-
-    pub(crate) fn cos(self) -> Self {
-        self.wave(f64::cos, 0.0)
-    }
-
-    pub(crate) fn tan(self) -> Self {
-        let quarters = self / (PI * Interval::from(0.5));
-        let has_pole = ((quarters.lo() - 1.0) / 2.0).ceil() <= (quarters.hi() - 1.0) / 2.0;
-        if has_pole {
+    /// f over it, from what the list says of f: its values at both ends and where it turns between them.
+    pub(crate) fn call(self, f: Function) -> Self {
+        let facts = f.facts();
+        let [from, to] = facts.domain;
+        let jumps = facts.jumps.is_some_and(|steps| steps(self.lo()) != steps(self.hi()));
+        // At a pole where the domain ends f is infinite, and monotone up to there.
+        let is_within = |pole: &&Place| ![Place::At(from), Place::At(to)].contains(pole);
+        let has_pole = facts.poles.iter().filter(is_within).any(|pole| self.passes(*pole));
+        if self.lo() < from || self.hi() > to || jumps || has_pole {
             return ALL;
         }
-        let allowed = self.allowed_of_angles();
-        Interval::new(below_by(self.lo().tan(), allowed), -below_by(-self.hi().tan(), allowed))
+        if f == Function::Sqrt {
+            return self.sqrt(); // an operation of IEEE 754
+        }
+        let error = (facts.error)(self.mag());
+        let turns = facts.extrema.iter().filter(|(place, _)| self.passes(*place)).map(|(_, value)| *value);
+        let bounds = [self.lo(), self.hi()].map(f.value()).into_iter().chain(turns).map(|y| {
+            // Without a limit at an end of the line all values are possible.
+            if y.is_nan() { ALL } else { Interval::new(below(y, error), above(y, error)) }
+        });
+        let [least, most] = facts.range;
+        bounds
+            .reduce(Interval::hull)
+            .and_then(|bounds| bounds.common(Interval::new(least, most)))
+            .unwrap_or(ALL)
     }
 
-    fn allowed_of_angles(self) -> f64 {
-        if self.mag() > LARGE { MORE * ALLOWED } else { ALLOWED }
-    }
-
-    pub(crate) fn asin(self) -> Self {
-        self.rising(f64::asin)
-    }
-
-    pub(crate) fn acos(self) -> Self {
-        (-self).rising(|x| (-x).acos())
-    }
-
-    pub(crate) fn atan(self) -> Self {
-        self.rising(f64::atan)
-    }
-
-    pub(crate) fn sinh(self) -> Self {
-        self.rising(f64::sinh)
-    }
-
-    pub(crate) fn cosh(self) -> Self {
-        let size = self.abs().rising(f64::cosh);
-        size.common(Interval::new(1.0, f64::INFINITY)).unwrap_or(ALL)
-    }
-
-    pub(crate) fn tanh(self) -> Self {
-        self.rising(f64::tanh)
-    }
-
-    pub(crate) fn asinh(self) -> Self {
-        self.rising(f64::asinh)
-    }
-
-    pub(crate) fn acosh(self) -> Self {
-        self.rising(acosh)
-    }
-
-    pub(crate) fn atanh(self) -> Self {
-        self.rising(atanh)
-    }
-
-    pub(crate) fn exp(self) -> Self {
-        let y = self.rising(f64::exp);
-        Interval::new(y.lo().max(0.0), y.hi())
-    }
-
-    pub(crate) fn exp_m1(self) -> Self {
-        self.rising(f64::exp_m1)
-    }
-
-    pub(crate) fn ln(self) -> Self {
-        self.rising(f64::ln)
-    }
-
-    pub(crate) fn ln_1p(self) -> Self {
-        self.rising(f64::ln_1p)
-    }
-
-    pub(crate) fn cbrt(self) -> Self {
-        self.rising(f64::cbrt)
+    /// True if a place, or one of a row of them, is in it.
+    pub(crate) fn passes(self, place: Place) -> bool {
+        match place {
+            Place::At(x) => self.contains(x),
+            Place::Quarters { first, every } => {
+                // as wide as the quarters are known: of large numbers everything is among them
+                let quarters = self / (PI * Interval::from(0.5));
+                ((quarters.lo() - first) / every).ceil() <= (quarters.hi() - first) / every
+            }
+        }
     }
 
     /// xᵃ for x > 0.
     pub(crate) fn powf(self, a: Self) -> Self {
-        if self.lo() > 0.0 { (a * self.ln()).exp() } else { ALL }
+        if self.lo() > 0.0 { (a * self.call(Function::Ln)).call(Function::Exp) } else { ALL }
     }
 
     /// √(x² + y²)
@@ -154,7 +85,7 @@ impl Interval {
             [corner(y.lo(), x.lo()), corner(y.lo(), x.hi()), corner(y.hi(), x.lo()), corner(y.hi(), x.hi())];
         let (lo, hi) =
             all.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), a| (lo.min(a), hi.max(a)));
-        let around = Interval::new(below(lo), above(hi));
+        let around = Interval::new(below(lo, ALLOWED), above(hi, ALLOWED));
         (if cut { around + PI } else { around }, cut)
     }
 

@@ -1,7 +1,8 @@
 //! The functions of an equation's steps on series, from the differential equation of each: y′ = f′(x) x′
-//! (Moore, ch. 11).
+//! (Moore, ch. 11). Most follow from their rules in the list. Those whose rules lead to one another, or take
+//! several times as long, are written by hand.
 
-use kin_graph::{Function, Function2};
+use kin_graph::{Function, Function2, Number, rules};
 
 use super::interval::{Interval, ONE, ZERO};
 use super::series::{ORDER, Series, Turns, UNKNOWN};
@@ -10,37 +11,44 @@ impl Series {
     /// (sin x, cos x): s′ = c x′, c′ = −s x′.
     pub(crate) fn sin_cos(self) -> (Series, Series) {
         // whole turns are nothing to them
-        self.pair(Interval::sin, Interval::cos, -ONE)
+        self.pair(Function::Sin, Function::Cos, -ONE)
     }
 
     /// (sinh x, cosh x): s′ = c x′, c′ = s x′.
     fn hyperbolic(self) -> (Series, Series) {
-        self.pair(Interval::sinh, Interval::cosh, ONE)
+        self.pair(Function::Sinh, Function::Cosh, ONE)
     }
 
     /// s′ = c x′, c′ = `sign` s x′.
-    fn pair(
-        self,
-        s: fn(Interval) -> Interval,
-        c: fn(Interval) -> Interval,
-        sign: Interval,
-    ) -> (Series, Series) {
+    fn pair(self, s: Function, c: Function, sign: Interval) -> (Series, Series) {
         let (x, len) = (self, self.len());
         let (mut sines, mut cosines) = ([ZERO; ORDER + 1], [ZERO; ORDER + 1]);
-        (sines[0], cosines[0]) = (s(x.value()), c(x.value()));
+        (sines[0], cosines[0]) = (x.value().call(s), x.value().call(c));
         for k in 1..len {
             (sines[k], cosines[k]) = (x.slope_times(&cosines, k), sign * x.slope_times(&sines, k));
         }
         (Series::of(&sines, len), Series::of(&cosines, len))
     }
 
-    /// eˣ: y′ = y x′.
-    fn exponential(self) -> Series {
-        Series::recurring(self.value().exp(), self.len(), |k, y| self.slope_times(y, k))
+    /// eˣ with the values given: y′ = y x′.
+    fn exponential(self, value: Interval) -> Series {
+        Series::recurring(value, self.len(), |k, y| self.slope_times(y, k))
     }
 
-    fn logarithm(self) -> Series {
-        self.integral(self.value().ln(), &self.recip())
+    /// f(x) with the values given, from the rule of its slope. One that reads f(x) itself gives coefficient
+    /// after coefficient.
+    fn by_rule(self, f: Function, value: Interval) -> Series {
+        let slope = rules::slope(f, self, UNKNOWN);
+        if slope.is_constant() && slope.value() == ZERO {
+            return Series::constant(value);
+        }
+        if slope.len() > 0 {
+            return self.integral(value, &slope);
+        }
+        (2..=self.len()).fold(Series::of(&[value], 1), |y, len| {
+            let slope = rules::slope(f, self.cut(len - 1), y);
+            self.cut(len).integral(value, &slope)
+        })
     }
 
     /// xᵃ with the values given: x y′ = a y x′.
@@ -53,11 +61,6 @@ impl Series {
             (k.saturating_sub(self.degree())..k).map(term).fold(ZERO, |sum, term| sum + term)
                 / (whole(k) * x0)
         })
-    }
-
-    /// √x, as far as no x is below zero.
-    fn root(self) -> Series {
-        if self.value().lo() < 0.0 { UNKNOWN } else { self.power(self.value().sqrt(), Interval::from(0.5)) }
     }
 
     /// xⁿ
@@ -93,40 +96,19 @@ impl Series {
         if x.is_open() && !matches!(f, Function::Sin | Function::Cos) {
             return UNKNOWN;
         }
-        let one = || Series::constant(ONE);
-        let log = |base: f64| Interval::from(base).ln();
+        let value = x.value().call(f);
         let y = match f {
             Function::Sin => x.sin_cos().0,
             Function::Cos => x.sin_cos().1,
-            Function::Tan => x.integral(x.value().tan(), &x.sin_cos().1.sqr().recip()),
-            Function::Asin => x.integral(x.value().asin(), &(one() - x.sqr()).root().recip()),
-            Function::Acos => x.integral(x.value().acos(), &-(one() - x.sqr()).root().recip()),
-            Function::Atan => x.integral(x.value().atan(), &(one() + x.sqr()).recip()),
             Function::Sinh => x.hyperbolic().0,
             Function::Cosh => x.hyperbolic().1,
-            Function::Tanh => x.integral(x.value().tanh(), &x.hyperbolic().1.sqr().recip()),
-            Function::Asinh => x.integral(x.value().asinh(), &(one() + x.sqr()).root().recip()),
-            Function::Acosh => x.integral(x.value().acosh(), &(x.sqr() - one()).root().recip()),
-            Function::Atanh => x.integral(x.value().atanh(), &(one() - x.sqr()).recip()),
-            Function::Exp => x.exponential(),
-            Function::Exp2 => (x * Series::constant(log(2.0))).exponential(),
-            Function::ExpM1 => x.exponential().with_value(x.value().exp_m1()),
-            Function::Ln => x.logarithm(),
-            Function::Ln1p => (one() + x).logarithm().with_value(x.value().ln_1p()),
-            Function::Log2 => x.logarithm() * Series::constant(log(2.0).recip()),
-            Function::Log10 => x.logarithm() * Series::constant(log(10.0).recip()),
-            Function::Sqrt => x.root(),
-            Function::Cbrt => x.power(x.value().cbrt(), whole(1) / whole(3)),
+            Function::Exp => x.exponential(value),
+            Function::Exp2 => (x * Series::logarithm_of(2.0)).exponential(value),
+            Function::ExpM1 => x.exponential(x.value().call(Function::Exp)).with_value(value),
+            Function::Sqrt => x.power(value, Interval::from(0.5)),
+            Function::Cbrt => x.power(value, whole(1) / whole(3)),
             Function::Abs => x.size(),
-            Function::Signum => {
-                // the sign of a zero is that of its way of being computed
-                if x.value().contains(0.0) { UNKNOWN } else { x.step(f64::signum) }
-            }
-            Function::Floor => x.step(f64::floor),
-            Function::Ceil => x.step(f64::ceil),
-            Function::Round => x.step(f64::round),
-            Function::Trunc => x.step(f64::trunc),
-            Function::Fract => x - x.step(f64::trunc),
+            _ => x.by_rule(f, value),
         };
         y.as_result(x.is_constant())
     }
@@ -185,7 +167,7 @@ impl Series {
         if self.is_constant() && other.is_constant() {
             return Series::constant(self.value().hypot(other.value()));
         }
-        (self.sqr() + other.sqr()).root()
+        (self.sqr() + other.sqr()).call(Function::Sqrt)
     }
 
     fn powf(self, a: Series) -> Series {
@@ -197,7 +179,7 @@ impl Series {
         }
         match a.is_constant() {
             true => self.power(self.value().powf(a.value()), a.value()),
-            false => (a * self.logarithm()).exponential(),
+            false => (a * self.call(Function::Ln)).call(Function::Exp),
         }
     }
 

@@ -3,13 +3,9 @@
 //!
 //! The five operations of IEEE 754 (+, −, ×, /, √) are rounded to the nearest number, so the number next to
 //! the result is beyond the exact one. Of the other functions of the platform (`elementary.rs`) it is assumed
-//! that they are right to [`ALLOWED`] units in the last place; the manual of glibc lists at most 4 for all of
-//! them, other platforms' libraries state 1 or 2.
+//! that they are right to as many units in the last place as the list of functions says.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
-
-/// How far f64's elementary functions are allowed to be off, in units of the last place.
-pub(crate) const ALLOWED: f64 = 8.0;
 
 /// All real numbers from `lo` to `hi`; a bound may be infinite, and is never NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +19,7 @@ pub(crate) const ALL: Interval = Interval { lo: f64::NEG_INFINITY, hi: f64::INFI
 pub(crate) const ZERO: Interval = Interval { lo: 0.0, hi: 0.0 };
 pub(crate) const ONE: Interval = Interval { lo: 1.0, hi: 1.0 };
 /// From −1 to 1.
+#[cfg(test)]
 pub(crate) const UNIT: Interval = Interval { lo: -1.0, hi: 1.0 };
 /// π is above the nearest f64.
 pub(crate) const PI: Interval = Interval { lo: std::f64::consts::PI, hi: std::f64::consts::PI.next_up() };
@@ -109,11 +106,6 @@ impl Interval {
     pub(crate) fn sqr(self) -> Self {
         let Interval { lo: least, hi: most } = self.abs();
         Interval::new(down(least * least).max(0.0), if most == 0.0 { 0.0 } else { up(most * most) })
-    }
-
-    /// 1/x; everything where 0 is among the x.
-    pub(crate) fn recip(self) -> Self {
-        ONE / self
     }
 
     /// |x|

@@ -14,5 +14,6 @@ pub use series::Series;
 #[cfg(test)]
 mod tests {
     mod accuracy;
+    mod by_name;
     mod edges;
 }

@@ -64,46 +64,51 @@ impl<S: Level> Rem for Wide<S> {
     }
 }
 
-/// Functions that go lane by lane.
-macro_rules! lane_by_lane {
-    ($($function:ident)*; $($function2:ident)*) => {
-        /// f64's functions of these names, lane by lane.
-        #[allow(missing_docs)]
+/// The functions of the list go lane by lane, but for those that registers have or can do better.
+macro_rules! of_one {
+    ($(
+        $(#[$doc:meta])* $variant:ident $method:ident $written:literal { value: $value:expr; $($rest:tt)* }
+    )*) => {
         impl<S: Level> Wide<S> {
-            $(
-                #[inline(always)]
-                pub fn $function(self) -> Self {
-                    self.map(f64::$function)
-                }
-            )*
-            $(
-                #[inline(always)]
-                pub fn $function2(self, other: Self) -> Self {
-                    self.map2(other, f64::$function2)
-                }
-            )*
+            $(of_one! { @ $method $value; $(#[$doc])* })*
+        }
+    };
+    (@ sin $($rest:tt)*) => {};
+    (@ cos $($rest:tt)*) => {};
+    (@ sqrt $($rest:tt)*) => {};
+    (@ abs $($rest:tt)*) => {};
+    (@ $method:ident $value:expr; $(#[$doc:meta])*) => {
+        $(#[$doc])*
+        #[inline(always)]
+        pub fn $method(self) -> Self {
+            self.map($value)
         }
     };
 }
 
-lane_by_lane! {
-    tan asin acos atan sinh cosh tanh asinh exp exp2 exp_m1 ln ln_1p log2 log10 cbrt signum floor ceil round trunc fract;
-    atan2 hypot powf rem_euclid div_euclid
+/// The same of two numbers; `%` is an operator.
+macro_rules! of_two {
+    ($($variant:ident $method:ident $written:literal $entry:tt)*) => {
+        impl<S: Level> Wide<S> {
+            $(of_two! { @ $method $written })*
+        }
+    };
+    (@ max $written:literal) => {};
+    (@ min $written:literal) => {};
+    (@ rem $written:literal) => {};
+    (@ $method:ident $written:literal) => {
+        #[doc = concat!("f64's `", $written, "`, lane by lane.")]
+        #[inline(always)]
+        pub fn $method(self, other: Self) -> Self {
+            self.map2(other, f64::$method)
+        }
+    };
 }
 
+kin_graph::functions_of_one!(of_one);
+kin_graph::functions_of_two!(of_two);
+
 impl<S: Level> Wide<S> {
-    /// arcosh, lane by lane.
-    #[inline(always)]
-    pub fn acosh(self) -> Self {
-        self.map(kin_graph::functions::acosh)
-    }
-
-    /// artanh, lane by lane.
-    #[inline(always)]
-    pub fn atanh(self) -> Self {
-        self.map(kin_graph::functions::atanh)
-    }
-
     #[inline(always)]
     pub(super) fn new(simd: S, numbers: [S::f64s; 2]) -> Self {
         Wide(simd, numbers, [])

@@ -1,39 +1,89 @@
-//! Functions of one variable: each line a value and three exact derivatives, or what is made of them.
+//! Functions of one variable by the list: the slopes of most are written by hand, those of all others follow
+//! from their rules.
 
 use std::cmp::Ordering;
 use std::f64::consts::{LN_2, LN_10};
 use std::num::FpCategory;
 
-use kin_graph::functions::{acosh, atanh};
+use kin_graph::functions::{self, acosh, asinh, atanh};
+use kin_graph::{Function, rules};
 
-use super::{Dual, Growth, Real};
+use super::{Dual, Dual2_64, Dual64, Growth, Real};
 
-/// Methods from lines `name(x) = [f, f′, f″, f‴];`, all of one growth; for `chain_scaled`, of functions that
-/// take what is large and make it small, from lines `name(x) = [f, f′, f″/f′², f‴/f′³];`.
-macro_rules! functions {
-    ([$chain:ident, $growth:expr] $($(#[$doc:meta])* $name:ident($x:ident) = $f:expr;)*) => {
-        impl<D: Dual> Real<D> {$(
-            $(#[$doc])*
+/// Numbers composed with functions: what is written by hand below, being faster or keeping more digits than
+/// the rule of the list, stands before what [`ByRule`] has for each function.
+struct Composed;
+
+/// Compositions from lines `name(x) = [f, f′, f″, f‴];`; for `chain_scaled`, of functions that take what is
+/// large and make it small, from lines `name(x) = [f, f′, f″/f′², f‴/f′³];`.
+macro_rules! by_hand {
+    ([$chain:ident] $($name:ident($x:ident) = $f:expr;)*) => {
+        impl Composed {$(
             #[inline]
-            pub fn $name(self) -> Self {
-                let $x = self.value();
-                Real(self.0.$chain($f)).noted($growth)
+            fn $name<D: Dual>(u: D) -> D {
+                let $x = u.value();
+                u.$chain($f)
             }
         )*}
     };
 }
 
-/// Methods that are constant between jumps.
-macro_rules! steps {
-    ($($(#[$doc:meta])* $name:ident;)*) => {
+/// Each function of the list as a method of numbers.
+macro_rules! of_one {
+    ($($(#[$doc:meta])* $variant:ident $method:ident $written:literal $entry:tt)*) => {
+        /// Compositions by the rules of the list.
+        // Those that are written by hand too are not called.
+        #[allow(dead_code)]
+        trait ByRule {$(
+            fn $method<D: Dual>(u: D) -> D {
+                by_rule(Function::$variant, u)
+            }
+        )*}
+
         impl<D: Dual> Real<D> {$(
             $(#[$doc])*
             #[inline]
-            pub fn $name(self) -> Self {
-                Real(self.0.still()).with_value(self.value().$name())
+            pub fn $method(self) -> Self {
+                const GROWTH: Option<Growth> = growth(Function::$variant);
+                Real(Composed::$method(self.0)).noted(GROWTH)
             }
         )*}
     };
+}
+
+kin_graph::functions_of_one!(of_one);
+
+impl ByRule for Composed {}
+
+/// f(u), from the rule of its slope: f″ is the slope of the rule along (u, y) = (x + ε, f + f′ ε), f‴ its
+/// curvature along (x + ε, f + f′ ε + f″ ε²/2).
+fn by_rule<D: Dual>(f: Function, u: D) -> D {
+    let x = u.value();
+    let value = f.value()(x);
+    if u.is_constant() {
+        return u.chain([value, 0.0, 0.0, 0.0]);
+    }
+    let first = rules::slope(f, Real(x), Real(value)).0;
+    let bent = rules::slope(f, Real(Dual64::new(x, 1.0)), Real(Dual64::new(value, first)));
+    if bent.is_constant() && first == 0.0 {
+        return u.still().with_value(value); // constant between jumps
+    }
+    let second = bent.0.eps;
+    let y = Dual2_64::new(value, first, second);
+    let third = rules::slope(f, Real(Dual2_64::new(x, 1.0, 0.0)), Real(y)).0.v2;
+    u.chain([value, first, second, third])
+}
+
+/// The growth that is noted of its values.
+const fn growth(f: Function) -> Option<Growth> {
+    let facts = f.facts();
+    match facts.growth {
+        functions::Growth::Bounded => Some(Growth::Bounded),
+        functions::Growth::Logarithmic => Some(Growth::Logarithmic),
+        functions::Growth::Bursting => Some(Growth::Bursting),
+        functions::Growth::Ordinary if facts.poles.is_empty() => None,
+        functions::Growth::Ordinary => Some(Growth::Pole),
+    }
 }
 
 /// Methods that ask about the real part.
@@ -49,93 +99,34 @@ macro_rules! questions {
     };
 }
 
-functions! {
-    [chain, Some(Growth::Bounded)]
-    /// sin x, x in rad.
+by_hand! {
+    [chain]
     sin(x) = { let (s, c) = x.sin_cos(); [s, c, -s, -c] };
-    /// cos x, x in rad.
     cos(x) = { let (s, c) = x.sin_cos(); [c, -s, -c, s] };
-    /// tanh x.
     tanh(x) = { let (t, d) = (x.tanh(), x.cosh().powi(-2)); [t, d, -2.0 * t * d, d * (4.0 - 6.0 * d)] };
-    /// arctan x in (−π/2, π/2) rad.
     atan(x) = { let [d, dd, ddd] = atan_slopes(x); [x.atan(), d, dd, ddd] };
-    /// arcsin x in \[−π/2, π/2\] rad; infinite slope at ±1, NaN beyond.
     asin(x) = { let [d, dd, ddd] = arc_slopes(x); [x.asin(), d, dd, ddd] };
-    /// arccos x in \[0, π\] rad; infinite slope at ±1, NaN beyond.
     acos(x) = { let [d, dd, ddd] = arc_slopes(x); [x.acos(), -d, -dd, -ddd] };
-    /// x − trunc x, of the sign of x; slope 1.
-    fract(x) = [x.fract(), 1.0, 0.0, 0.0];
-}
-
-functions! {
-    [chain, Some(Growth::Bursting)]
-    /// sinh x.
     sinh(x) = { let (s, c) = (x.sinh(), x.cosh()); [s, c, s, c] };
-    /// cosh x.
     cosh(x) = { let (s, c) = (x.sinh(), x.cosh()); [c, s, c, s] };
-    /// eˣ.
     exp(x) = [x.exp(); 4];
-    /// 2ˣ.
     exp2(x) = { let p = x.exp2(); [p, p * LN_2, p * (LN_2 * LN_2), p * (LN_2 * LN_2 * LN_2)] };
-    /// eˣ − 1, exact near 0.
     exp_m1(x) = { let p = x.exp(); [x.exp_m1(), p, p, p] };
-}
-
-functions! {
-    [chain, Some(Growth::Pole)]
-    /// tan x, x in rad.
     tan(x) = { let t = x.tan(); let d = 1.0 + t * t; [t, d, 2.0 * t * d, d * (2.0 + 6.0 * t * t)] };
-    /// artanh x; infinite at ±1, NaN beyond.
     atanh(x) = { let d = ((1.0 - x) * (1.0 + x)).recip(); [atanh(x), d, 2.0 * x * d * d, (6.0 * x * x + 2.0) * d * d * d] };
-}
-
-functions! {
-    [chain, None]
-    /// |x|; slope 1 at 0 and −0.
     abs(x) = [x.abs(), if x >= 0.0 { 1.0 } else { -1.0 }, 0.0, 0.0];
-    /// From degrees to radians: π/180 x.
-    to_radians(x) = [x.to_radians(), 1f64.to_radians(), 0.0, 0.0];
-    /// From radians to degrees: 180/π x.
-    to_degrees(x) = [x.to_degrees(), 1f64.to_degrees(), 0.0, 0.0];
 }
 
-functions! {
-    [chain_scaled, Some(Growth::Logarithmic)]
-    /// arsinh x.
-    asinh(x) = { let d = x.hypot(1.0).recip(); [x.asinh(), d, -x * d, 2.0 - 3.0 * d * d] };
-    /// arcosh x ≥ 0; infinite slope at 1, NaN below.
+by_hand! {
+    [chain_scaled]
+    asinh(x) = { let d = x.hypot(1.0).recip(); [asinh(x), d, -x * d, 2.0 - 3.0 * d * d] };
     acosh(x) = { let d = ((x - 1.0).sqrt() * (x + 1.0).sqrt()).recip(); [acosh(x), d, -x * d, 2.0 + 3.0 * d * d] };
-    /// ln x; −∞ at 0, NaN below.
     ln(x) = [x.ln(), x.recip(), -1.0, 2.0];
-    /// ln(1 + x), exact near 0; −∞ at −1, NaN below.
     ln_1p(x) = [x.ln_1p(), (1.0 + x).recip(), -1.0, 2.0];
-    /// log₂ x; −∞ at 0, NaN below.
     log2(x) = [x.log2(), (x * LN_2).recip(), -LN_2, 2.0 * LN_2 * LN_2];
-    /// log₁₀ x; −∞ at 0, NaN below.
     log10(x) = [x.log10(), (x * LN_10).recip(), -LN_10, 2.0 * LN_10 * LN_10];
-}
-
-functions! {
-    [chain_scaled, None]
-    /// √x; infinite slope at 0 unless x is constant, NaN below.
     sqrt(x) = { let s = x.sqrt(); let r = s.recip(); [s, 0.5 * r, -r, 3.0 * r * r] };
-    /// ∛x of the sign of x; infinite slope at 0 unless x is constant.
     cbrt(x) = { let c = x.cbrt(); let r = c.recip(); [c, r * r / 3.0, -2.0 * r, 10.0 * r * r] };
-}
-
-steps! {
-    /// 1 for x ≥ +0, −1 for x ≤ −0, NaN for NaN; slope 0.
-    signum;
-    /// The largest whole number ≤ x; slope 0.
-    floor;
-    /// The smallest whole number ≥ x; slope 0.
-    ceil;
-    /// The nearest whole number, halves away from 0; slope 0.
-    round;
-    /// The whole part, towards 0; slope 0.
-    trunc;
-    /// The nearest whole number, halves to the even one; slope 0.
-    round_ties_even;
 }
 
 questions! {
@@ -156,6 +147,24 @@ questions! {
 }
 
 impl<D: Dual> Real<D> {
+    /// From degrees to radians: π/180 x.
+    #[inline]
+    pub fn to_radians(self) -> Self {
+        self.chain([self.value().to_radians(), 1f64.to_radians(), 0.0, 0.0])
+    }
+
+    /// From radians to degrees: 180/π x.
+    #[inline]
+    pub fn to_degrees(self) -> Self {
+        self.chain([self.value().to_degrees(), 1f64.to_degrees(), 0.0, 0.0])
+    }
+
+    /// The nearest whole number, halves to the even one; slope 0.
+    #[inline]
+    pub fn round_ties_even(self) -> Self {
+        Real(self.0.still()).with_value(self.value().round_ties_even())
+    }
+
     /// The real parts in f64's total order, which has a place for NaN and tells −0 from +0.
     #[inline]
     pub fn total_cmp(&self, other: &Self) -> Ordering {

@@ -7,7 +7,7 @@ use kin_graph::{Function, Function2, Number, compared_by_value, functions_of_one
 use super::{Dual, Real};
 
 macro_rules! of_one {
-    ($($variant:ident $method:ident $written:literal;)*) => {
+    ($($(#[$doc:meta])* $variant:ident $method:ident $written:literal $entry:tt)*) => {
         fn of_one<D: Dual>(f: Function, x: Real<D>) -> Real<D> {
             match f { $(Function::$variant => x.$method()),* }
         }
@@ -15,7 +15,7 @@ macro_rules! of_one {
 }
 
 macro_rules! of_two {
-    ($($variant:ident $method:ident $written:literal;)*) => {
+    ($($variant:ident $method:ident $written:literal $entry:tt)*) => {
         fn of_two<D: Dual>(f: Function2, x: Real<D>, y: Real<D>) -> Real<D> {
             match f { $(Function2::$variant => x.$method(y)),* }
         }

@@ -10,7 +10,7 @@ use syn::{Expr, ExprMethodCall, Lit, UnOp, parse_quote, parse_quote_spanned};
 use super::scopes::Nature;
 use super::{Copy, Rewriter};
 use kin_language::vocabulary::{
-    is_changing_method, is_kin_function, is_kin_type, is_number_function, is_number_method,
+    is_beyond_std, is_changing_method, is_kin_function, is_kin_type, is_number_function, is_number_method,
     is_reading_method, is_std_function, is_type_name, is_underived, names,
 };
 
@@ -207,6 +207,11 @@ impl Rewriter {
             self.place(&mut call.receiver);
             call.args.iter_mut().for_each(|argument| self.argument(argument));
             self.lift_result(expression);
+        }
+        if self.copy == Copy::Plain && is_beyond_std(&name) {
+            let at = mixed(expression);
+            *expression =
+                parse_quote_spanned!(at=> { use ::kin::emitted::math::Functions as _; #expression });
         }
     }
 

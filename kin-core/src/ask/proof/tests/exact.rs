@@ -3,16 +3,19 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use kin_graph::functions::{acosh, atanh};
+use kin_graph::functions::{ALLOWED, acosh, atanh};
 use kin_graph::{Function, Function2, Number};
 
 use crate::ask::proof::bounds::taylor;
-use crate::numbers::enclosure::elementary::{LARGE, MORE};
-use crate::numbers::enclosure::interval::{ALL, ALLOWED, Interval, ONE};
+use crate::numbers::enclosure::interval::{ALL, Interval, ONE};
 use crate::numbers::enclosure::series::{ORDER, Series};
 use crate::numbers::real::Real;
 
 const FULL: usize = ORDER + 1;
+
+/// Beyond this angle sine, cosine and tangent are allowed an error that is so many times as large.
+const LARGE: f64 = 1e5;
+const MORE: f64 = 8.0;
 
 /// Where functions are special, and a little beside that.
 #[rustfmt::skip]

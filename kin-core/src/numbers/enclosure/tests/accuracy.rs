@@ -1,30 +1,24 @@
 //! How far off the platform's functions are, against values of 60 digits at their worst arguments
 //! (`accuracy/generate.py`): bounds rest on that.
 
+use kin_graph::functions::ALLOWED;
 use kin_graph::{Function, Function2, Number};
 
-use crate::numbers::enclosure::elementary::{LARGE, MORE};
-use crate::numbers::enclosure::interval::{ALLOWED, Interval};
+use crate::numbers::enclosure::interval::Interval;
 use crate::numbers::enclosure::series::Series;
 use crate::numbers::real::Real;
+use crate::testing::functions::worst_arguments;
 
 /// A function at some arguments: its value is `nearest + rest`, to 32 digits.
 struct Value {
-    name: &'static str,
+    name: String,
     arguments: Vec<f64>,
     nearest: f64,
     rest: f64,
 }
 
 fn values() -> impl Iterator<Item = Value> {
-    include_str!("accuracy/functions.txt").lines().map(|line| {
-        let mut words = line.split(' ');
-        let name = words.next().expect("a name");
-        let mut numbers: Vec<f64> =
-            words.map(|word| f64::from_bits(u64::from_str_radix(word, 16).expect("bits"))).collect();
-        let (rest, nearest) = (numbers.pop().expect("the rest"), numbers.pop().expect("the nearest"));
-        Value { name, arguments: numbers, nearest, rest }
-    })
+    worst_arguments().map(|(name, arguments, nearest, rest)| Value { name, arguments, nearest, rest })
 }
 
 impl Value {
@@ -32,7 +26,7 @@ impl Value {
     fn computed(&self) -> (f64, Interval) {
         let thin = |k: usize| Series::constant(Interval::from(self.arguments[k]));
         let real = |k: usize| Real(self.arguments[k]);
-        match (Function::named(self.name), Function2::named(self.name)) {
+        match (Function::named(&self.name), Function2::named(&self.name)) {
             (Some(f), _) => (real(0).call(f).0, thin(0).call(f).value()),
             (_, Some(f)) => (real(0).call2(f, real(1)).0, thin(0).call2(f, thin(1)).value()),
             _ => panic!("no function `{}`", self.name),
@@ -43,12 +37,12 @@ impl Value {
 /// Half of what bounds allow is enough, on this platform and with room for others.
 #[test]
 fn functions_are_right_to_half_of_what_is_allowed() {
-    let mut worst: Vec<(&str, f64)> = Vec::new();
+    let mut worst: Vec<(String, f64)> = Vec::new();
     for value in values() {
         let (found, _) = value.computed();
         let off = ((found - value.nearest) - value.rest).abs() / (f64::EPSILON * value.nearest.abs());
-        let is_large_angle = matches!(value.name, "Sin" | "Cos" | "Tan") && value.arguments[0].abs() > LARGE;
-        let allowed = if is_large_angle { MORE * ALLOWED } else { ALLOWED };
+        let allowed =
+            Function::named(&value.name).map_or(ALLOWED, |f| (f.facts().error)(value.arguments[0].abs()));
         assert!(
             off <= 0.5 * allowed,
             "{} of {:?} is {found:e}, off by {off} of its last place",

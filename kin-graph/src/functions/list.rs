@@ -1,0 +1,271 @@
+//! The list: every function of one or two numbers, one entry each.
+
+/// Hands every function of one number to a macro.
+///
+/// An entry is `/// what it is`, its name, the name of its method, that name as it is written, and in braces
+/// * `value`: its value in f64;
+/// * `definition`, of what is not in every library: the same by other functions of the list, in any numbers;
+///   the test takes its 60 digits from there;
+/// * `slope`: its derivative by the argument u, y being its value, in any numbers (helpers: `rules.rs`);
+/// * `facts`: domain, range, extrema, poles, growth, error ([`Facts`](crate::functions::Facts)).
+#[macro_export]
+macro_rules! functions_of_one {
+    ($to:ident) => {
+        $to! {
+            /// sin x, x in rad.
+            Sin sin "sin" {
+                value: f64::sin;
+                slope: |u, _| u.call(Function::Cos);
+                facts: Facts {
+                    range: UNIT,
+                    extrema: &[(at_quarters(1.0, 4.0), 1.0), (at_quarters(3.0, 4.0), -1.0)],
+                    growth: Growth::Bounded,
+                    ..OF_ANGLES
+                };
+            }
+            /// cos x, x in rad.
+            Cos cos "cos" {
+                value: f64::cos;
+                slope: |u, _| -u.call(Function::Sin);
+                facts: Facts {
+                    range: UNIT,
+                    extrema: &[(at_quarters(0.0, 4.0), 1.0), (at_quarters(2.0, 4.0), -1.0)],
+                    growth: Growth::Bounded,
+                    ..OF_ANGLES
+                };
+            }
+            /// tan x, x in rad.
+            Tan tan "tan" {
+                value: f64::tan;
+                slope: |_, y| y.squared() + number(1.0);
+                facts: Facts { poles: &[at_quarters(1.0, 2.0)], ..OF_ANGLES };
+            }
+            /// arcsin x in \[−π/2, π/2\] rad; infinite slope at ±1, NaN beyond.
+            Asin asin "asin" {
+                value: f64::asin;
+                slope: |u, _| inverse(root(one_minus(u.squared())));
+                facts: Facts { domain: UNIT, steep: &UNIT, growth: Growth::Bounded, ..CONTINUOUS };
+            }
+            /// arccos x in \[0, π\] rad; infinite slope at ±1, NaN beyond.
+            Acos acos "acos" {
+                value: f64::acos;
+                slope: |u, _| -inverse(root(one_minus(u.squared())));
+                facts: Facts { domain: UNIT, steep: &UNIT, growth: Growth::Bounded, ..CONTINUOUS };
+            }
+            /// arctan x in (−π/2, π/2) rad.
+            Atan atan "atan" {
+                value: f64::atan;
+                slope: |u, _| inverse(u.squared() + number(1.0));
+                facts: Facts { growth: Growth::Bounded, ..CONTINUOUS };
+            }
+            /// sinh x.
+            Sinh sinh "sinh" {
+                value: f64::sinh;
+                slope: |u, _| u.call(Function::Cosh);
+                facts: Facts { growth: Growth::Bursting, ..CONTINUOUS };
+            }
+            /// cosh x.
+            Cosh cosh "cosh" {
+                value: f64::cosh;
+                slope: |u, _| u.call(Function::Sinh);
+                facts: Facts {
+                    range: [1.0, f64::INFINITY],
+                    extrema: &[(Place::At(0.0), 1.0)],
+                    growth: Growth::Bursting,
+                    ..CONTINUOUS
+                };
+            }
+            /// tanh x.
+            Tanh tanh "tanh" {
+                value: f64::tanh;
+                slope: |_, y| one_minus(y.squared());
+                facts: Facts { range: UNIT, growth: Growth::Bounded, ..CONTINUOUS };
+            }
+            /// arsinh x.
+            Asinh asinh "asinh" {
+                value: $crate::functions::asinh;
+                slope: |u, _| inverse(root(u.squared() + number(1.0)));
+                facts: Facts { growth: Growth::Logarithmic, ..CONTINUOUS };
+            }
+            /// arcosh x ≥ 0; infinite slope at 1, NaN below.
+            Acosh acosh "acosh" {
+                value: $crate::functions::acosh;
+                slope: |u, _| inverse(root(u.squared() + number(-1.0)));
+                facts: Facts {
+                    domain: [1.0, f64::INFINITY],
+                    range: ABOVE_0,
+                    steep: &[1.0],
+                    growth: Growth::Logarithmic,
+                    ..CONTINUOUS
+                };
+            }
+            /// artanh x; infinite at ±1, NaN beyond.
+            Atanh atanh "atanh" {
+                value: $crate::functions::atanh;
+                slope: |u, _| inverse(one_minus(u.squared()));
+                facts: Facts {
+                    domain: UNIT,
+                    poles: &[Place::At(-1.0), Place::At(1.0)],
+                    growth: Growth::Logarithmic,
+                    ..CONTINUOUS
+                };
+            }
+            /// eˣ.
+            Exp exp "exp" {
+                value: f64::exp;
+                slope: |_, y| y;
+                facts: Facts { range: ABOVE_0, growth: Growth::Bursting, ..CONTINUOUS };
+            }
+            /// 2ˣ.
+            Exp2 exp2 "exp2" {
+                value: f64::exp2;
+                definition: |x| (x * logarithm(2.0)).call(Function::Exp);
+                slope: |_, y| y * logarithm(2.0);
+                facts: Facts { range: ABOVE_0, growth: Growth::Bursting, ..CONTINUOUS };
+            }
+            /// eˣ − 1, exact near 0.
+            ExpM1 exp_m1 "exp_m1" {
+                value: f64::exp_m1;
+                definition: |x| x.call(Function::Exp) - number(1.0);
+                slope: |_, y| y + number(1.0);
+                facts: Facts { range: [-1.0, f64::INFINITY], growth: Growth::Bursting, ..CONTINUOUS };
+            }
+            /// ln x; −∞ at 0, NaN below.
+            Ln ln "ln" {
+                value: f64::ln;
+                slope: |u, _| inverse(u);
+                facts: LOGARITHM;
+            }
+            /// ln(1 + x), exact near 0; −∞ at −1, NaN below.
+            Ln1p ln_1p "ln_1p" {
+                value: f64::ln_1p;
+                definition: |x| (x + number(1.0)).call(Function::Ln);
+                slope: |u, _| inverse(u + number(1.0));
+                facts: Facts { domain: [-1.0, f64::INFINITY], poles: &[Place::At(-1.0)], ..LOGARITHM };
+            }
+            /// log₂ x; −∞ at 0, NaN below.
+            Log2 log2 "log2" {
+                value: f64::log2;
+                definition: |x| x.call(Function::Ln) / logarithm(2.0);
+                slope: |u, _| inverse(u * logarithm(2.0));
+                facts: LOGARITHM;
+            }
+            /// log₁₀ x; −∞ at 0, NaN below.
+            Log10 log10 "log10" {
+                value: f64::log10;
+                definition: |x| x.call(Function::Ln) / logarithm(10.0);
+                slope: |u, _| inverse(u * logarithm(10.0));
+                facts: LOGARITHM;
+            }
+            /// √x; infinite slope at 0 unless x is constant, NaN below.
+            Sqrt sqrt "sqrt" {
+                value: f64::sqrt;
+                slope: |_, y| inverse(y * number(2.0));
+                facts: Facts {
+                    domain: ABOVE_0,
+                    range: ABOVE_0,
+                    steep: &[0.0],
+                    error: |_| 1.0,
+                    ..CONTINUOUS
+                };
+            }
+            /// ∛x of the sign of x; infinite slope at 0 unless x is constant.
+            Cbrt cbrt "cbrt" {
+                value: f64::cbrt;
+                slope: |_, y| inverse(y.squared() * number(3.0));
+                facts: Facts { steep: &[0.0], ..CONTINUOUS };
+            }
+            /// |x|; slope 1 at 0 and −0.
+            Abs abs "abs" {
+                value: f64::abs;
+                slope: |u, _| side(u);
+                facts: Facts { range: ABOVE_0, extrema: &[(Place::At(0.0), 0.0)], ..EXACT };
+            }
+            /// 1 for x ≥ +0, −1 for x ≤ −0, NaN for NaN; slope 0.
+            Signum signum "signum" {
+                value: f64::signum;
+                slope: |_, _| number(0.0);
+                // The sign of a zero is that of its way of being computed.
+                facts: Facts { range: UNIT, poles: &[Place::At(0.0)], growth: Growth::Bounded, ..EXACT };
+            }
+            /// The largest whole number ≤ x; slope 0.
+            Floor floor "floor" {
+                value: f64::floor;
+                slope: |_, _| number(0.0);
+                facts: Facts { jumps: Some(f64::floor), ..EXACT };
+            }
+            /// The smallest whole number ≥ x; slope 0.
+            Ceil ceil "ceil" {
+                value: f64::ceil;
+                slope: |_, _| number(0.0);
+                facts: Facts { jumps: Some(f64::ceil), ..EXACT };
+            }
+            /// The nearest whole number, halves away from 0; slope 0.
+            Round round "round" {
+                value: f64::round;
+                slope: |_, _| number(0.0);
+                facts: Facts { jumps: Some(f64::round), ..EXACT };
+            }
+            /// The whole part, towards 0; slope 0.
+            Trunc trunc "trunc" {
+                value: f64::trunc;
+                slope: |_, _| number(0.0);
+                facts: Facts { jumps: Some(f64::trunc), ..EXACT };
+            }
+            /// x − trunc x, of the sign of x; slope 1.
+            Fract fract "fract" {
+                value: f64::fract;
+                slope: |_, _| number(1.0);
+                facts: Facts { range: UNIT, jumps: Some(f64::trunc), growth: Growth::Bounded, ..EXACT };
+            }
+        }
+    };
+}
+
+/// Hands every function of two numbers to a macro, as [`functions_of_one`](crate::functions_of_one) does; the
+/// operator `%` is a method of [`std::ops::Rem`].
+///
+/// `slopes` are ∂z/∂u and ∂z/∂v of z = f(u, v), in any numbers; `exact` says whether f64 has its values so.
+#[macro_export]
+macro_rules! functions_of_two {
+    ($to:ident) => {
+        $to! {
+            Atan2 atan2 "atan2" {
+                exact: false;
+                slopes: |u, v, _| {
+                    let r2 = u.clone().squared() + v.clone().squared();
+                    let minus = -u;
+                    (v / r2.clone(), minus / r2)
+                };
+            }
+            Hypot hypot "hypot" {
+                exact: false;
+                slopes: |u, v, z| (u / z.clone(), v / z);
+            }
+            Powf powf "powf" {
+                exact: false;
+                slopes: |u, v, z| (lower_power(&u, &v), logarithm_times(u, z));
+            }
+            Max max "max" {
+                exact: true;
+                slopes: |u, v, _| choice(first_of(Comparison::GreaterEqual, u, v));
+            }
+            Min min "min" {
+                exact: true;
+                slopes: |u, v, _| choice(first_of(Comparison::LessEqual, u, v));
+            }
+            RemEuclid rem_euclid "rem_euclid" {
+                exact: false;
+                slopes: |u, v, _| (number(1.0), -u.call2(Function2::DivEuclid, v));
+            }
+            DivEuclid div_euclid "div_euclid" {
+                exact: false;
+                slopes: |_, _, _| (number(0.0), number(0.0));
+            }
+            Rem rem "%" {
+                exact: true;
+                slopes: |u, v, _| (number(1.0), -(u / v).call(Function::Trunc));
+            }
+        }
+    };
+}
