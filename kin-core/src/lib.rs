@@ -14,6 +14,7 @@ extern crate self as kin;
 
 mod ask;
 pub mod data;
+mod design;
 #[doc(hidden)]
 pub mod emitted;
 pub mod extend;
@@ -42,6 +43,7 @@ pub use coordinates::{
     PlanarBody, Spatial, SpatialBody, SpatialLink, Time, any_coord, any_planar, any_spatial,
 };
 pub use data::Registry;
+pub use design::{ExtremeSensitivity, MeasureSensitivity, Sensitivities, Sensitivity};
 pub use error::{Error, Result};
 pub use joints::spatial;
 pub use kin_macros::{constraint, law};
@@ -50,6 +52,7 @@ pub use measure::{Crossing, Extreme, Extremes, Measure};
 pub use mechanism::{
     ConstraintId, IntoConstraint, Marker, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose,
 };
+pub use model::no_derivative::NoDerivative;
 pub use model::units::Units;
 pub use motion::{
     Displaced, EngineCounts, Event, EventKind, Line, Motion, PointMotion, Quantity, RotationMotion, Series,

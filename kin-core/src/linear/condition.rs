@@ -67,17 +67,22 @@ impl Linear {
 
     /// The same with the transpose.
     fn apply_inverse_transposed(&mut self, v: &mut [f64]) {
+        v.iter_mut().zip(&self.column_units).for_each(|(v, unit)| *v /= unit);
+        let x = self.solved_transposed(v);
+        for ((v, x), unit) in v.iter_mut().zip(x).zip(self.row_units.iter()) {
+            *v = x / unit;
+        }
+    }
+
+    /// The solution of Aᵀ x = b with the factors at hand.
+    pub(crate) fn solved_transposed(&self, b: &[f64]) -> Vec<f64> {
         let mut adjoint = vec![0.0; self.memory.len()];
         let (rhs, solution) = (self.places.rhs as usize, self.places.solution as usize);
-        for ((x, v), unit) in adjoint[solution..].iter_mut().zip(v.iter()).zip(&self.column_units) {
-            *x = v / unit;
-        }
+        adjoint[solution..][..self.n].copy_from_slice(&b[..self.n]);
         if let Some(recording) = &self.recording {
             recording.solve.run_transposed(&self.memory, &mut adjoint);
         }
-        for ((v, b), unit) in v.iter_mut().zip(&adjoint[rhs..]).zip(self.row_units.iter()) {
-            *v = b / unit;
-        }
+        adjoint[rhs..][..self.n].to_vec()
     }
 
     /// The measured matrix, or its transpose, times v.

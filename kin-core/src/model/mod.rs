@@ -14,6 +14,7 @@ pub(crate) mod layout;
 pub mod mechanism;
 pub(crate) mod mismatch;
 pub mod motion;
+pub(crate) mod no_derivative;
 pub mod state;
 pub mod terms;
 pub(crate) mod units;

@@ -27,11 +27,20 @@ use crate::system::System;
 pub trait Measure {
     /// The measure over the times of a motion of the system, with its rates.
     fn of(&self, system: &System, motion: &Motion) -> Result<Quantity>;
+
+    /// Its name, where it is asked by one.
+    fn name(&self) -> Option<&str> {
+        None
+    }
 }
 
 impl Measure for &str {
     fn of(&self, system: &System, motion: &Motion) -> Result<Quantity> {
         joint::named(system, motion, self)
+    }
+
+    fn name(&self) -> Option<&str> {
+        Some(self)
     }
 }
 
@@ -39,11 +48,19 @@ impl Measure for String {
     fn of(&self, system: &System, motion: &Motion) -> Result<Quantity> {
         joint::named(system, motion, self)
     }
+
+    fn name(&self) -> Option<&str> {
+        Some(self)
+    }
 }
 
 impl Measure for &String {
     fn of(&self, system: &System, motion: &Motion) -> Result<Quantity> {
         joint::named(system, motion, self)
+    }
+
+    fn name(&self) -> Option<&str> {
+        Some(self)
     }
 }
 

@@ -4,6 +4,9 @@ use super::Error;
 use crate::model::motion::Motion;
 use crate::model::verdict::Diagnosis;
 
+/// `Result` with Kin's [`Error`].
+pub type Result<T> = std::result::Result<T, Error>;
+
 impl Error {
     /// The part of the motion that a failing run had computed; `None` for errors of other operations.
     pub fn motion(&self) -> Option<&Motion> {
@@ -64,3 +67,7 @@ impl std::fmt::Debug for Error {
         std::fmt::Display::fmt(self, f)
     }
 }
+
+#[cfg(test)]
+#[path = "tests.rs"]
+mod tests;

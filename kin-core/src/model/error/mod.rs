@@ -7,8 +7,7 @@ use crate::model::{blame::Culprit, motion::Motion, units::Units, verdict::Diagno
 mod carried;
 mod text;
 
-/// `Result` with Kin's [`Error`].
-pub type Result<T> = std::result::Result<T, Error>;
+pub use carried::Result;
 
 /// Everything that can go wrong. `Debug` prints what `Display` does: errors of `main` read well.
 #[derive(thiserror::Error)]
@@ -368,6 +367,10 @@ pub enum Error {
     #[error(transparent)]
     Mismatch(#[from] Box<crate::model::mismatch::Mismatch>),
 
+    /// A derivative by a parameter that does not exist, or is not known ([`crate::System::sensitivities`]).
+    #[error(transparent)]
+    NoDerivative(#[from] Box<crate::model::no_derivative::NoDerivative>),
+
     /// Something that cannot be written as data, or data that do not say what they should.
     #[error("{place}: {reason}")]
     Data {
@@ -395,6 +398,3 @@ pub enum Error {
         source: std::io::Error,
     },
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,6 +1,7 @@
 //! Texts and sizes of errors.
 
 use super::*;
+use crate::model::units::Units;
 
 #[test]
 fn debug_is_display() {

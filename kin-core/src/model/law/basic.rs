@@ -1,5 +1,7 @@
 //! Lines, polynomials, sines and Fourier series.
 
+use std::f64::consts::FRAC_PI_2;
+
 use kin_graph::{Function, Graph, Node};
 
 use super::{Law, LawFunction, trusted_parts};
@@ -82,6 +84,10 @@ impl LawFunction for Ramp {
         visit("rate", self.rate);
     }
 
+    fn by_parameter(&self, name: &str) -> Option<Law> {
+        (name == "rate").then(|| Law::ramp(1.0))
+    }
+
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
         (name == "rate").then(|| Law::ramp(value))
     }
@@ -154,6 +160,12 @@ impl LawFunction for Polynomial {
         self.c.iter().enumerate().for_each(|(k, c)| visit(&self.name(k), *c));
     }
 
+    fn by_parameter(&self, name: &str) -> Option<Law> {
+        let mut power = vec![0.0; self.c.len()];
+        *power.get_mut((0..self.c.len()).find(|&k| self.name(k) == name)?)? = 1.0;
+        Some(Law::polynomial(&power))
+    }
+
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
         let mut changed = self.clone();
         let k = (0..self.c.len()).find(|&k| self.name(k) == name)?;
@@ -221,6 +233,17 @@ impl LawFunction for Sine {
             visit("amplitude", self.amplitude);
             visit("omega", self.omega);
             visit("phase", self.phase);
+        }
+    }
+
+    fn by_parameter(&self, name: &str) -> Option<Law> {
+        let cosine = Law::sine(self.amplitude, self.omega, self.phase + FRAC_PI_2);
+        match name {
+            "mean" => Some(Law::constant(1.0)),
+            "amplitude" => Some(Law::sine(1.0, self.omega, self.phase)),
+            "omega" => Some(Law::ramp(1.0) * cosine),
+            "phase" => Some(cosine),
+            _ => None,
         }
     }
 

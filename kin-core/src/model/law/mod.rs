@@ -129,6 +129,13 @@ pub trait LawFunction: Send + Sync {
         vec![self.kind().to_string()]
     }
 
+    /// ∂f/∂p as a law of x, p being the parameter of that name; `None` (default) where it is not known: then
+    /// sensitivities by that parameter are refused by name.
+    fn by_parameter(&self, name: &str) -> Option<Law> {
+        let _ = name;
+        None
+    }
+
     /// The same law with one parameter changed; `None` if there is none of that name.
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
         let _ = (name, value);
@@ -174,6 +181,11 @@ impl Law {
     /// f′(x), for a plain number or any dual number.
     pub fn slope<X: LawArgument>(&self, x: X) -> X {
         x.through_slope(self)
+    }
+
+    /// ∂f/∂p as a law of x, p being the parameter of that name, where it is known.
+    pub(crate) fn by_parameter(&self, name: &str) -> Option<Law> {
+        self.0.by_parameter(name)
     }
 
     /// Kind of the law.

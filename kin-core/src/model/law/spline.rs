@@ -297,6 +297,16 @@ impl LawFunction for Spline {
         self.points.parameters(visit);
     }
 
+    /// The spline is linear in its y and its slopes at the ends: that of this y alone.
+    fn by_parameter(&self, name: &str) -> Option<Law> {
+        let table = self.table.iter().map(|(x, _)| (*x, 0.0)).collect();
+        let ends = match self.ends {
+            Ends::Clamped { .. } => Ends::Clamped { start: 0.0, end: 0.0 },
+            ends => ends,
+        };
+        Some(Law::new(Spline::new(Points { table, ends }.with_parameter(name, 1.0)?)))
+    }
+
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
         Some(Law::new(Spline::new(self.points.with_parameter(name, value)?)))
     }

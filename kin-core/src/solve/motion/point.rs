@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{MARKS, Motion, Series};
+use super::{MARKS, Motion, Quantity, Series};
 use crate::model::body::{Body, Vector};
 use crate::model::coordinates::Target;
 use crate::model::error::{Error, Result};
@@ -117,6 +117,15 @@ impl<V: Vector> PointMotion<V> {
     /// The unit of r (`order` 0) or of one of its rates.
     fn unit(&self, order: usize) -> String {
         self.units.text(Unit::Metre, order)
+    }
+
+    /// n · r with its rates, n being any global direction: one coordinate of the point, as what can be asked
+    /// for its extremes.   \[m\]
+    pub fn along(&self, n: impl Into<V>) -> Quantity {
+        let n = n.into();
+        let dot = |x: &V| (0..V::NAMES.len()).map(|k| n.component(k) * x.component(k)).sum();
+        let orders = [&self.r, &self.v, &self.a, &self.jerk].map(|all| all.iter().map(dot).collect());
+        Quantity::new("along", &self.unit(0), (&self.times, &self.units), orders)
     }
 
     /// |v| over time.   \[m/s\]

@@ -1,0 +1,84 @@
+//! A parameter by which derivatives are asked for: where it is read.
+
+use super::equation::Equation;
+use crate::model::constraint::Constraint;
+use crate::model::error::Result;
+use crate::model::formula::Given;
+use crate::model::law::Law;
+use crate::model::no_derivative::NoDerivative;
+use crate::system::System;
+use crate::system::evaluate::Block;
+use crate::system::parameters::CasePlace;
+
+/// Why a parameter that is not read has no derivative worth asking for.
+const NOTHING: &str = "no equation depends on it";
+
+/// One parameter.
+pub(super) struct Asked {
+    /// The constraint that reads it.
+    pub block: usize,
+    pub hangs: Hangs,
+}
+
+/// The part of the equation that hangs on it.
+pub(super) enum Hangs {
+    /// Itself, by its number in the formula.
+    Parameter(usize),
+    /// A law, by its number in the formula, of which this is the derivative.
+    Law { number: usize, by: Law },
+}
+
+impl Asked {
+    /// The parameter of that name, such as `coupler.length` or `motor.law.rate`.
+    pub(super) fn of(system: &System, equations: &[Equation], name: &str) -> Result<Asked> {
+        let value = system.parameter(name)?;
+        let no = |reason: &str| NoDerivative::error(name, reason);
+        let place = system.places([name])?;
+        let Some(CasePlace::Parameter { block, .. }) = place.first().copied() else {
+            return Err(no("it is no parameter"));
+        };
+        let own = &system.equations().blocks[block];
+        let local = name.get(own.name.len() + 1..).unwrap_or_default();
+        let mut number = None;
+        own.constraint.formula(&mut |table, _, _| {
+            number = table.formula().parameters.iter().position(|known| known == local);
+        });
+        let equation = &equations[block];
+        let hangs = match number {
+            Some(k) if equation.foreign.contains(&k) => {
+                return Err(no("a function of yours, which only rustc can read, is asked for it"));
+            }
+            Some(k) if !equation.reads(k) => return Err(no(NOTHING)),
+            Some(k) => Hangs::Parameter(k),
+            None => match law(own, equation, local, value) {
+                Some((number, law)) => {
+                    let name = local.split_once('.').map_or(local, |(_, name)| name);
+                    let by = law.by_parameter(name);
+                    let by = by.ok_or_else(|| no("how its law depends on it is not known"))?;
+                    Hangs::Law { number, by }
+                }
+                None if equation.is_read() => return Err(no(NOTHING)),
+                None => {
+                    return Err(no("a function of yours, which only rustc can read, may be asked for it"));
+                }
+            },
+        };
+        Ok(Asked { block, hangs })
+    }
+}
+
+/// The law with a parameter of that name, and its number: the one that becomes another one where the
+/// parameter is set.
+fn law(block: &Block, equation: &Equation, name: &str, value: f64) -> Option<(usize, Law)> {
+    let law = |constraint: &dyn Constraint, number: usize| {
+        let mut law = None;
+        constraint.formula(&mut |_, _, outside| law = Given::by(outside, number, &[]).law().cloned());
+        law
+    };
+    let mut set = block.constraint.clone();
+    set.set_parameter(name, value);
+    equation.calls.iter().map(|call| call.law).find_map(|number| {
+        let (before, after) = (law(block.constraint.as_ref(), number)?, law(set.as_ref(), number)?);
+        (!before.is(&after)).then_some((number, before))
+    })
+}

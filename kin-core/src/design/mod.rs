@@ -1,0 +1,22 @@
+//! Derivatives of a motion by parameters, exact and without differences.
+//!
+//! With J = C_q and P = C_p along the motion, both as functions of time, C(q(t, p), t, p) = 0 gives
+//!
+//! ```text
+//! J q_p = −P        J q̇_p = −Ṗ − J̇ q_p        J q̈_p = −P̈ − 2 J̇ q̇_p − J̈ q_p
+//! ```
+//!
+//! One walk over the derivatives of each equation with second-order numbers along time gives J, J̇, J̈ and P,
+//! Ṗ, P̈ for all parameters (`equation.rs`, `along.rs`). The same factors of J then serve every parameter
+//! forward (`sensitivities.rs`), and transposed every parameter at once (`adjoint.rs`).
+
+mod adjoint;
+mod along;
+mod asked;
+mod equation;
+mod measured;
+mod sensitivities;
+mod smooth;
+
+pub use measured::{ExtremeSensitivity, MeasureSensitivity};
+pub use sensitivities::{Sensitivities, Sensitivity};

@@ -1,0 +1,225 @@
+//! Derivatives of q, q̇ and q̈ by parameters: one solve with the factors of C_q for each order.
+
+use super::along::{Along, Prepared};
+use super::smooth;
+use crate::ask::diagnosis::explain::EXPLAIN;
+use crate::linear::Linear;
+use crate::model::error::{Error, Result};
+use crate::model::no_derivative::NoDerivative;
+use crate::solve::motion::Motion;
+use crate::solve::newton::redundant;
+use crate::system::System;
+
+/// Equations of a redundant mechanism may differ by this share of their terms.   \[-\]
+const CONSISTENT: f64 = 1e-8;
+
+/// Derivatives of a motion by some parameters, at fixed times.
+pub struct Sensitivities<'a> {
+    pub(super) system: &'a System,
+    pub(super) motion: &'a Motion,
+    all: Vec<Sensitivity>,
+}
+
+/// Derivatives of q, q̇ and q̈ by one parameter, at each time of a motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sensitivity {
+    name: String,
+    n: usize,
+    orders: [Vec<f64>; 3],
+}
+
+impl System {
+    /// How a motion of this system changes with parameters (their names are those of
+    /// [`System::parameters`]): the derivatives of q, q̇ and q̈ by each of them at fixed times, exact and
+    /// without differences. From C(q(t, p), t, p) = 0 and its first two derivatives by time,
+    ///
+    /// ```text
+    /// C_q q_p = −C_p      C_q q̇_p = −Ċ_p − Ċ_q q_p      C_q q̈_p = −C̈_p − 2 Ċ_q q̇_p − C̈_q q_p
+    /// ```
+    ///
+    /// (Haug, *Computer Aided Kinematics and Dynamics*, 1989, has the first; the others are its derivatives.)
+    ///
+    /// ```
+    /// # use kin::prelude::*;
+    /// # fn main() -> kin::Result<()> {
+    /// let mut m = Mechanism::new("crank");
+    /// let crank = m.link("crank", 1.0)?;
+    /// m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start()))?;
+    /// m.add("motor", drive_angle(crank, Law::ramp(3.0)))?;
+    /// let system = m.build()?;
+    /// let motion = system.run([0.0, 0.5])?;
+    /// let by_rate = system.sensitivities(&motion, ["motor.law.rate"])?;
+    /// assert_eq!(by_rate.all()[0].q(1)[2], 0.5); // θ = ω t
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// Errors, each by name: a name that is no parameter; a parameter on which nothing depends; constraints
+    /// on the dual route or by hand, and laws whose derivative is not known; a redundant mechanism that
+    /// closes at one value of the parameter only; a motion with a singular position, or with a kink or a
+    /// break of a law at one of its times; a motion of another system.
+    pub fn sensitivities<'a>(
+        &'a self,
+        motion: &'a Motion,
+        names: impl IntoIterator<Item = impl AsRef<str>>,
+    ) -> Result<Sensitivities<'a>> {
+        self.own(motion)?;
+        let names: Vec<String> = names.into_iter().map(|name| name.as_ref().to_string()).collect();
+        smooth::check(self, motion, names.first().map_or("", String::as_str))?;
+        let prepared = Prepared::new(self, &names)?;
+        let n = self.n_coordinates();
+        let empty = |name: &String| Sensitivity { name: name.clone(), n, orders: Default::default() };
+        let mut all: Vec<Sensitivity> = names.iter().map(empty).collect();
+        for (k, &t) in motion.times().iter().enumerate() {
+            let along = prepared.at(t, [motion.q(k), motion.qd(k), motion.qdd(k)]);
+            let mut solver = Solver::at(self, t, motion.q(k))?;
+            for (one, by_p) in all.iter_mut().zip(&along.by_p) {
+                let orders = solver.forward(&along, by_p, &one.name)?;
+                one.orders.iter_mut().zip(orders).for_each(|(all, own)| all.extend(own));
+            }
+        }
+        Ok(Sensitivities { system: self, motion, all })
+    }
+}
+
+impl Sensitivities<'_> {
+    /// Those by each parameter, in the order in which they were asked for.
+    pub fn all(&self) -> &[Sensitivity] {
+        &self.all
+    }
+
+    /// That by one parameter. Errors: a name that was not asked for.
+    pub fn by(&self, name: &str) -> Result<&Sensitivity> {
+        self.all.iter().find(|one| one.name == name).ok_or_else(|| Error::UnknownName {
+            what: "parameter among those that were asked for",
+            name: name.to_string(),
+            known: self.all.iter().map(|one| one.name.clone()).collect(),
+        })
+    }
+}
+
+impl Sensitivity {
+    /// The change of coordinate j by 1 at each of so many times, the others and all rates as they are.
+    pub(super) fn of_coordinate(j: usize, n: usize, times: usize) -> Self {
+        let row = || (0..n).map(|k| if k == j { 1.0 } else { 0.0 });
+        let still = vec![0.0; n * times];
+        let changed = (0..times).flat_map(|_| row()).collect();
+        Sensitivity { name: String::new(), n, orders: [changed, still.clone(), still] }
+    }
+
+    /// The parameter.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// ∂q/∂p at time k, in the order of the coordinates; empty beyond the last time.   \[unit of q a unit of
+    /// p\]
+    pub fn q(&self, k: usize) -> &[f64] {
+        self.row(0, k)
+    }
+
+    /// ∂q̇/∂p at time k; empty beyond the last time.   \[unit of q̇ a unit of p\]
+    pub fn qd(&self, k: usize) -> &[f64] {
+        self.row(1, k)
+    }
+
+    /// ∂q̈/∂p at time k; empty beyond the last time.   \[unit of q̈ a unit of p\]
+    pub fn qdd(&self, k: usize) -> &[f64] {
+        self.row(2, k)
+    }
+
+    fn row(&self, order: usize, k: usize) -> &[f64] {
+        let first = k.saturating_mul(self.n);
+        self.orders[order].get(first..first.saturating_add(self.n)).unwrap_or_default()
+    }
+}
+
+/// C_q at one position, factored.
+pub(super) struct Solver<'a> {
+    system: &'a System,
+    t: f64,
+    q: &'a [f64],
+    /// None of a redundant mechanism, which is solved in the sense of least squares.
+    linear: Option<Linear>,
+}
+
+impl<'a> Solver<'a> {
+    /// Errors: a singular position.
+    pub(super) fn at(system: &'a System, t: f64, q: &'a [f64]) -> Result<Self> {
+        let mut linear = None;
+        if !system.is_redundant() {
+            let mut factored = system.linearized(q, t)?;
+            if !factored.factor() {
+                return Err(system.singular(t, q, None));
+            }
+            linear = Some(factored);
+        }
+        Ok(Solver { system, t, q, linear })
+    }
+
+    /// The solution of C_qᵀ λ = w; none of a redundant mechanism.
+    pub(super) fn transposed(&self, w: &[f64]) -> Option<Vec<f64>> {
+        self.linear.as_ref().map(|linear| linear.solved_transposed(w))
+    }
+
+    /// q_p, q̇_p and q̈_p.
+    fn forward(&mut self, along: &Along, by_p: &[(usize, [f64; 3])], name: &str) -> Result<[Vec<f64>; 3]> {
+        let m = self.system.n_equations();
+        let mut found: [Vec<f64>; 3] = Default::default();
+        for order in 0..3 {
+            let mut rhs = vec![0.0; m];
+            by_p.iter().for_each(|(row, jet)| rhs[*row] -= jet[order]);
+            for (row, column, jet) in &along.by_q {
+                rhs[*row] -= match order {
+                    0 => 0.0,
+                    1 => jet[1] * found[0][*column],
+                    _ => 2.0 * jet[1] * found[1][*column] + jet[2] * found[0][*column],
+                };
+            }
+            found[order] = self.solve(along, &rhs, name)?;
+        }
+        Ok(found)
+    }
+
+    /// x with C_q x = rhs.
+    fn solve(&mut self, along: &Along, rhs: &[f64], name: &str) -> Result<Vec<f64>> {
+        let x = match &mut self.linear {
+            Some(linear) => {
+                linear.rhs_mut().copy_from_slice(rhs);
+                linear.solve();
+                linear.solution().to_vec()
+            }
+            None => redundant::solved(self.system, self.q, self.t, rhs, EXPLAIN)?,
+        };
+        self.check(along, rhs, &x, name)?;
+        Ok(x)
+    }
+
+    /// An error by name where x is not finite, or does not meet all equations: then they can be met at one
+    /// value of the parameter only.
+    fn check(&self, along: &Along, rhs: &[f64], x: &[f64], name: &str) -> Result<()> {
+        let (t, s) = (self.t, self.system.unit_words().time());
+        if !x.iter().all(|x| x.is_finite()) {
+            let reason = format!("at t = {t} {s} a term of the equations has no finite derivative");
+            return Err(NoDerivative::error(name, reason));
+        }
+        if self.linear.is_some() {
+            return Ok(());
+        }
+        let (mut missed, mut size) = (rhs.to_vec(), rhs.iter().fold(0.0_f64, |m, x| m.max(x.abs())));
+        for (row, column, jet) in &along.by_q {
+            let term = jet[0] * x[*column];
+            missed[*row] -= term;
+            size = size.max(term.abs());
+        }
+        let Some(row) = missed.iter().position(|missed| missed.abs() > CONSISTENT * size) else {
+            return Ok(());
+        };
+        let equation = self.system.equations().equation(row);
+        let reason = format!(
+            "the mechanism is redundant, and closes at this value of it only: with another one `{equation}` \
+             and the other equations contradict one another. Change it together with what it has to agree with"
+        );
+        Err(NoDerivative::error(name, reason))
+    }
+}

@@ -1,0 +1,238 @@
+//! Sensitivities by parameters, forward and adjoint, against 60-digit references (`tests/data/README.md`);
+//! and derivatives that do not exist.
+
+// Its mechanisms are those of other files.
+#[allow(dead_code)]
+#[path = "../data/mod.rs"]
+mod data;
+mod model;
+mod refused;
+
+use data::{error, numbers, rows};
+use kin::prelude::*;
+use kin::{Extreme, Measure, Options, Quantity, Stop};
+use model::{Model, model};
+use serde_json::Value;
+
+const FILES: [&str; 8] = [
+    "cam_knife",
+    "fourbar_open",
+    "quick_return_shaper",
+    "rssr",
+    "slider_crank_bodies",
+    "slider_crank_loop",
+    "slider_crank_spline_law",
+    "two_link_ellipse",
+];
+
+/// Limits of q, q̇ and q̈ by a parameter, relative to 1 + the largest number.
+const LIMITS: [f64; 3] = [1e-12, 1e-11, 1e-10];
+
+fn run(model: &Model, times: &[f64]) -> Motion {
+    let stop = Stop::Converged { tolerance: 1e-15 };
+    model.system.run_with(times, &Options { stop, ..Options::default() }).expect("a motion")
+}
+
+fn names(list: &Value) -> Vec<String> {
+    list.as_array().expect("a list").iter().map(|name| name.as_str().expect("a name").to_string()).collect()
+}
+
+/// Σ factor · ∂/∂p over the system's parameters behind one of the file.
+fn total(model: &Model, parameter: &str, of: impl Fn(&str) -> Vec<f64>) -> Vec<f64> {
+    let mut sum: Vec<f64> = Vec::new();
+    for (name, factor) in model.behind(parameter) {
+        let own = of(name);
+        sum.resize(own.len(), 0.0);
+        sum.iter_mut().zip(own).for_each(|(sum, own)| *sum += factor * own);
+    }
+    sum
+}
+
+#[test]
+fn coordinates_and_rates_by_each_parameter_of_the_references() {
+    for name in FILES {
+        let model = model(name);
+        let motion = run(&model, &numbers(&model.file, "time"));
+        let found = model.system.sensitivities(&motion, model.parameters()).expect("sensitivities");
+        let mut worst = [0.0_f64; 3];
+        for parameter in names(&model.file["sensitivity_parameters"]) {
+            if model.behind(&parameter).is_empty() {
+                continue; // a point of the file's outputs only
+            }
+            for (order, field) in ["q", "qd", "qdd"].into_iter().enumerate() {
+                let exact = rows(&model.file["sensitivity"][&parameter], field).concat();
+                let of = |name: &str| {
+                    let by = found.by(name).expect("a parameter");
+                    let row = |k: usize| [by.q(k), by.qd(k), by.qdd(k)][order].to_vec();
+                    (0..motion.len()).flat_map(row).collect()
+                };
+                let off = error(&total(&model, &parameter, of), &exact);
+                assert!(off <= LIMITS[order], "{name}: {field} by {parameter} is off by {off:.1e}");
+                worst[order] = worst[order].max(off);
+            }
+        }
+        println!("{name}: q {:.1e}, qd {:.1e}, qdd {:.1e}", worst[0], worst[1], worst[2]);
+    }
+}
+
+/// An output as a measure.
+type Output<'a> = Box<dyn Fn(&Motion) -> kin::Result<Quantity> + 'a>;
+
+/// An output of the file; `None` of the one that no measure is.
+fn output<'a>(model: &'a Model, name: &str) -> Option<Output<'a>> {
+    let list = model.file["outputs"].as_array().expect("outputs");
+    let output = list.iter().find(|output| output["name"] == name).expect("an output").clone();
+    let planar = |name: &Value| model.planar.iter().find(|(known, _)| name == known).map(|(_, body)| *body);
+    if let Some(local) = output["local"].as_array() {
+        let value = |text: &Value| {
+            let text = text.as_str().expect("a text");
+            text.parse::<f64>().unwrap_or_else(|_| data::number(&model.file["parameters"], text))
+        };
+        let u: Vec<f64> = local.iter().map(value).collect();
+        let axis = output["component"].as_u64().expect("a component");
+        if let Some(body) = planar(&output["body"]) {
+            let n = [vec2(1.0, 0.0), vec2(0.0, 1.0)][axis as usize];
+            return Some(Box::new(move |m| Ok(m.point(body, vec2(u[0], u[1]))?.along(n))));
+        }
+        let body = model.spatial.iter().find(|(known, _)| output["body"] == *known)?.1;
+        let n = [vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0)][axis as usize];
+        return Some(Box::new(move |m| Ok(m.point(body, vec3(u[0], u[1], u[2]))?.along(n))));
+    }
+    let expression = output["expr"].as_str().expect("an expression").to_string();
+    match expression.as_str() {
+        "fore_theta - upper_theta" => {
+            let [upper, fore] = [model.planar[0].1, model.planar[1].1];
+            Some(Box::new(move |m| m.relative_angle(fore, upper)))
+        }
+        "acos(cos(rocker_theta - coupler_theta))" => {
+            let [coupler, rocker] = [model.planar[1].1, model.planar[2].1];
+            Some(Box::new(move |m| m.relative_angle(rocker, coupler)))
+        }
+        "2*atan2(rocker_e3, rocker_e0)" => None,
+        other => {
+            let name = other.replace("_Rx", ".R_x").replace("_Ry", ".R_y").replace("_theta", ".theta");
+            Some(Box::new(move |m| m.named(&name)))
+        }
+    }
+}
+
+/// True if the output itself reads a parameter of the file: the place of its point.
+fn is_local(model: &Model, output: &Value, parameter: &str) -> bool {
+    output["local"].as_array().is_some_and(|local| local.iter().any(|text| text == parameter))
+        || model.behind(parameter).is_empty()
+}
+
+#[test]
+fn outputs_by_each_parameter_of_the_references() {
+    for name in FILES {
+        let model = model(name);
+        let motion = run(&model, &numbers(&model.file, "time"));
+        let found = model.system.sensitivities(&motion, model.parameters()).expect("sensitivities");
+        for output in model.file["outputs"].as_array().expect("outputs") {
+            let of = self::output(&model, output["name"].as_str().expect("a name"));
+            let Some(of) = of else { continue };
+            let all = found.of(|m: &Motion| of(m)).expect("derivatives");
+            for parameter in names(&model.file["sensitivity_parameters"]) {
+                if is_local(&model, output, &parameter) {
+                    continue;
+                }
+                for (order, field) in ["value", "d1", "d2"].into_iter().enumerate() {
+                    let exact = numbers(&output["dp"][&parameter], field);
+                    let of = |name: &str| {
+                        let by = all.iter().find(|by| by.name == name).expect("a parameter");
+                        [&by.value, &by.rate, &by.second_rate][order].clone()
+                    };
+                    let off = error(&total(&model, &parameter, of), &exact);
+                    let what = &output["name"];
+                    assert!(off <= LIMITS[order], "{name}: {field} of {what} by {parameter}: {off:.1e}");
+                }
+            }
+        }
+    }
+}
+
+/// Times and values of extremes and their derivatives, from a grid of 200 steps over the reference's span.
+#[test]
+fn extremes_by_each_parameter_of_the_references() {
+    for name in FILES {
+        let model = model(name);
+        for event in model.file["events"].as_array().expect("events") {
+            let output = event["output"].as_str().expect("an output");
+            let Some(of) = self::output(&model, output) else { continue };
+            let what = |m: &Motion| of(m);
+            let (start, span) = (numbers(&model.file, "time")[0], numbers(event, "between"));
+            let motion = run(&model, &linspace(start.min(span[0]), span[1], 201));
+            let is_max = event["kind"] == "maximum";
+            let all = model.system.extremes(&motion, what).expect("extremes");
+            let (t, value) = (data::number(event, "t"), data::number(event, "value"));
+            let near = |extreme: &&Extreme| extreme.is_max == is_max && (extreme.t - t).abs() < 1e-6;
+            let extreme = all.all().iter().find(near).expect("the extreme");
+            assert!((extreme.t - t).abs() <= 1e-12 * (1.0 + t.abs()), "{name} {output}: {}", extreme.t - t);
+            assert!((extreme.value - value).abs() <= 1e-12 * (1.0 + value.abs()), "{name} {output}");
+            let found = model.system.sensitivities(&motion, model.parameters()).expect("sensitivities");
+            let by = found.extreme(what, extreme).expect("derivatives");
+            let parameters = names(&model.file["sensitivity_parameters"]);
+            let known = parameters.iter().filter(|p| !model.behind(p).is_empty());
+            for parameter in known {
+                let of = |name: &str| {
+                    let by = by.iter().find(|by| by.name == name).expect("a parameter");
+                    vec![by.t, by.value]
+                };
+                let exact = &event["dp"][parameter.as_str()];
+                let exact = [data::number(exact, "t"), data::number(exact, "value")];
+                let off = error(&total(&model, parameter, of), &exact);
+                assert!(off <= 1e-10, "{name}: {} by {parameter} is off by {off:.1e}", event["name"]);
+            }
+        }
+    }
+}
+
+/// Σ (y − target)² + α ẏ² + β ÿ² by all parameters at once, against the references and the forward way.
+#[test]
+fn gradients_of_functionals_through_the_adjoint() {
+    for name in FILES {
+        let model = model(name);
+        let file = &model.file["functional"];
+        let motion = run(&model, &numbers(&model.file, "time"));
+        let target = numbers(file, "target");
+        let definition = file["definition"].as_str().expect("a definition");
+        let output = definition.rsplit("y = ").next().expect("an output");
+        let Some(of) = self::output(&model, output) else { continue };
+        let y = of.of(&model.system, &motion).expect("the output");
+        let weights = |k: usize| {
+            let values = [&y.value, &y.rate, &y.second_rate].map(|series| series.values()[k]);
+            let factors = [1.0, data::number(file, "alpha"), data::number(file, "beta")];
+            [2.0 * (values[0] - target[k]), 2.0 * factors[1] * values[1], 2.0 * factors[2] * values[2]]
+        };
+        let parameters = model.parameters();
+        let found = model.system.sensitivities(&motion, &parameters).expect("sensitivities");
+        let forward: Vec<f64> = found
+            .of(|m: &Motion| of(m))
+            .expect("derivatives")
+            .iter()
+            .map(|by| {
+                let term = |k: usize| {
+                    let [a, b, c] = weights(k);
+                    a * by.value[k] + b * by.rate[k] + c * by.second_rate[k]
+                };
+                (0..motion.len()).map(term).sum()
+            })
+            .collect();
+        let adjoint =
+            model.system.gradient(&motion, &parameters, |m: &Motion| of(m), weights).expect("a gradient");
+        let off = error(&adjoint, &forward);
+        assert!(off <= 1e-12, "{name}: forward and adjoint differ by {off:.1e}");
+        let listed = model.file["outputs"].as_array().expect("outputs").iter();
+        let listed = listed.clone().find(|one| one["name"] == output).expect("an output");
+        for parameter in names(&model.file["sensitivity_parameters"]) {
+            if is_local(&model, listed, &parameter) {
+                continue;
+            }
+            let of = |name: &str| {
+                vec![adjoint[parameters.iter().position(|known| *known == name).expect("a parameter")]]
+            };
+            let (sum, exact) = (total(&model, &parameter, of), data::number(&file["gradient"], &parameter));
+            assert!(error(&sum, &[exact]) <= 1e-11, "{name}: the gradient by {parameter}");
+        }
+    }
+}
