@@ -13,6 +13,7 @@ mod w4;
 mod w5;
 mod w6;
 mod w7;
+mod w8;
 
 use std::process::{Command, ExitCode};
 use std::time::Duration;
@@ -20,7 +21,7 @@ use std::time::Duration;
 use measure::Figure;
 use sweep::Workload;
 
-const NAMES: [&str; 7] = ["W1", "W2", "W3", "W4", "W5", "W6", "W7"];
+const NAMES: [&str; 8] = ["W1", "W2", "W3", "W4", "W5", "W6", "W7", "W8"];
 
 /// CPU time for the rounds of one workload.
 const BUDGET: Duration = Duration::from_millis(2500);
@@ -67,11 +68,10 @@ fn with_kept_memory(arguments: &[String]) -> Option<ExitCode> {
 }
 
 fn known(name: &str) -> Result<(), String> {
-    let parts = w4::names().chain(w6::names());
-    if NAMES.contains(&name) || parts.into_iter().any(|part| part == name) {
+    let parts: Vec<String> = w4::names().chain(w6::names()).chain(w8::names()).collect();
+    if NAMES.contains(&name) || parts.iter().any(|part| part == name) {
         return Ok(());
     }
-    let parts: Vec<String> = w4::names().chain(w6::names()).collect();
     Err(format!("there is no workload `{name}`; there are {} and {}", NAMES.join(", "), parts.join(", ")))
 }
 
@@ -81,6 +81,9 @@ fn run(name: &str) -> Result<(), String> {
     }
     if name.starts_with("W6") {
         w6::run(name, BUDGET).iter().for_each(Figure::print);
+    }
+    if name.starts_with("W8") {
+        w8::run(name, BUDGET).iter().for_each(Figure::print);
     }
     if name == "W7" {
         w7::run().iter().for_each(Figure::print);
@@ -105,6 +108,7 @@ fn once(name: &str, route: &str, repeats: &str) -> Result<(), String> {
     let done = match (name, sweeps(name).first()) {
         (_, Some(workload)) => workload.once(route, repeats),
         ("W7", None) => w7::once(route, repeats),
+        _ if name.starts_with("W8") => w8::once(name, route, repeats),
         _ => w6::once(name, route, repeats),
     };
     done.ok_or(format!("`{name}` has no route `{route}`, or has parts of which one must be named"))

@@ -3,6 +3,7 @@
 //! as it is written.
 
 mod bounded;
+mod branches;
 mod control;
 mod corpus;
 mod effects;

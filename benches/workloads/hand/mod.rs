@@ -4,6 +4,7 @@
 
 pub mod chain;
 pub mod four_bar;
+pub mod kernels;
 pub mod planar_joints;
 pub mod slider_crank;
 pub mod spatial_joints;

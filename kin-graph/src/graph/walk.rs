@@ -83,11 +83,21 @@ impl Graph {
 
     /// The same where the operands of `known` nodes are not needed.
     pub fn reachable_from(&self, outputs: &[Node], known: impl Fn(Node) -> bool) -> Vec<Node> {
+        self.reachable_by(outputs, |node, open| {
+            if !known(node) {
+                self.each_operand(node, |operand| open.push(operand));
+            }
+        })
+    }
+
+    /// `outputs`, and what is reached from there when `step` pushes the nodes behind one, in order of
+    /// creation.
+    pub(crate) fn reachable_by(&self, outputs: &[Node], step: impl Fn(Node, &mut Vec<Node>)) -> Vec<Node> {
         let mut seen = vec![false; self.ops.len()];
         let mut open: Vec<Node> = outputs.to_vec();
         while let Some(node) = open.pop() {
-            if !std::mem::replace(&mut seen[node.0 as usize], true) && !known(node) {
-                self.each_operand(node, |operand| open.push(operand));
+            if !std::mem::replace(&mut seen[node.0 as usize], true) {
+                step(node, &mut open);
             }
         }
         (0..self.ops.len()).filter(|&k| seen[k]).map(|k| Node(k as u32)).collect()

@@ -6,7 +6,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use super::{Lists, edges};
+use super::{Branches, Lists, edges};
 use crate::{Graph, Node, Op};
 
 /// A longer sum is left in parts: a chain is computed one term after the other.
@@ -52,7 +52,7 @@ enum Written {
 
 impl Fusion {
     fn new(g: &Graph, outputs: &[Node], nodes: &[Node]) -> Self {
-        let (uses, exact) = (super::uses(g, nodes, outputs), edges::exact(g, nodes));
+        let (uses, exact) = (super::uses(g, &Branches::none(), nodes, outputs), edges::exact(g, nodes));
         let is_free = |node: Node| !exact[node.index()];
         let is_alone = |node: Node| is_free(node) && uses[node.index()] == 1;
         let mut values = vec![false; g.len()];

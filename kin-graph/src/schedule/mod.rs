@@ -4,9 +4,11 @@
 //! The graph that differentiation works on is canonical: powers of two and signs stand outside, sums have two
 //! terms. That is best for finding equal expressions and bad for a processor. Here powers of two go back to
 //! where they cost nothing (`scale`), sums become chains of fused multiply-adds (`fuse`), and operations are
-//! put in an order that needs few registers (`order`). Last bits may change; no tolerance is used. All of it
-//! is linear in the number of nodes: it runs whenever a user's crate is compiled, and without optimization.
+//! put in an order that needs few registers (`order`), of long branches only the one that is taken
+//! (`branches`). Last bits may change; no tolerance is used. All of it is linear in the number of nodes: it
+//! runs whenever a user's crate is compiled, and without optimization.
 
+mod branches;
 mod edges;
 mod fuse;
 mod order;
@@ -15,7 +17,8 @@ mod scale;
 #[cfg(test)]
 mod tests;
 
-pub use order::order;
+pub use branches::{Branches, Choice};
+pub use order::{Group, order};
 
 use crate::{Graph, Node, Op};
 
@@ -69,10 +72,10 @@ fn operations(g: &Graph, outputs: &[Node]) -> usize {
 }
 
 /// How often each of `nodes` is used, by number of the node.
-fn uses(g: &Graph, nodes: &[Node], outputs: &[Node]) -> Vec<usize> {
+fn uses(g: &Graph, branches: &Branches, nodes: &[Node], outputs: &[Node]) -> Vec<usize> {
     let mut uses = vec![0; g.len()];
     for &node in nodes {
-        g.each_operand(node, |operand| uses[operand.index()] += 1);
+        branches.each_operand(g, node, |operand| uses[operand.index()] += 1);
     }
     outputs.iter().for_each(|output| uses[output.index()] += 1);
     uses

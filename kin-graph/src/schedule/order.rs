@@ -1,7 +1,7 @@
 //! In which order to compute: each output as soon as it can be had, and next the one after which fewest
 //! values wait for a later use.
 
-use super::Lists;
+use super::{Branches, Lists};
 use crate::{Graph, Node, Op};
 
 /// What to compute, and which output is complete then (by its number).
@@ -12,13 +12,16 @@ pub struct Group {
     pub computes: bool,
 }
 
+/// A graph, and the choices that its code makes.
+type Code<'a> = (&'a Graph, &'a Branches);
+
 /// So many outputs, those that take the least, are looked at before one is chosen.
 const CANDIDATES: usize = 8;
 
 /// Every node needed for `outputs` beyond those that are `given`, operands before their users, cut where an
-/// output is complete.
-pub fn order(g: &Graph, outputs: &[Node], given: impl Fn(Node) -> bool) -> Vec<Group> {
-    let (nodes, mut known) = (g.reachable_from(outputs, &given), vec![false; g.len()]);
+/// output is complete. What only a branch of a choice needs is in the order of that branch.
+pub fn order(g: &Graph, branches: &Branches, outputs: &[Node], given: impl Fn(Node) -> bool) -> Vec<Group> {
+    let (nodes, mut known) = (branches.reachable(g, outputs, &given), vec![false; g.len()]);
     nodes.iter().for_each(|&node| known[node.index()] = given(node));
     let (mut seen, mut turn) = (vec![0; g.len()], 0);
     // Which outputs wait for a node, and for how many each.
@@ -26,12 +29,12 @@ pub fn order(g: &Graph, outputs: &[Node], given: impl Fn(Node) -> bool) -> Vec<G
     let mut missing = vec![0; outputs.len()];
     for (k, &output) in outputs.iter().enumerate() {
         turn += 1;
-        for node in needed(g, output, &known, &mut seen, turn) {
+        for node in needed((g, branches), output, &known, &mut seen, turn) {
             waiting.to(node).push(k);
             missing[k] += 1;
         }
     }
-    let mut left = super::uses(g, &nodes, outputs);
+    let mut left = super::uses(g, branches, &nodes, outputs);
     let mut open: Vec<usize> = (0..outputs.len()).collect();
     let mut groups = Vec::new();
     while !open.is_empty() {
@@ -39,8 +42,8 @@ pub fn order(g: &Graph, outputs: &[Node], given: impl Fn(Node) -> bool) -> Vec<G
         let mut best: Option<((isize, usize), usize, Vec<Node>)> = None;
         for place in 0..open.len().min(CANDIDATES) {
             turn += 1;
-            let nodes = needed(g, outputs[open[place]], &known, &mut seen, turn);
-            let key = (waiting_values(g, &nodes, outputs[open[place]], &mut left), nodes.len());
+            let nodes = needed((g, branches), outputs[open[place]], &known, &mut seen, turn);
+            let key = (waiting_values((g, branches), &nodes, outputs[open[place]], &mut left), nodes.len());
             if best.as_ref().is_none_or(|(least, ..)| key < *least) {
                 best = Some((key, place, nodes));
             }
@@ -50,7 +53,7 @@ pub fn order(g: &Graph, outputs: &[Node], given: impl Fn(Node) -> bool) -> Vec<G
         left[outputs[output].index()] -= 1;
         for node in &nodes {
             known[node.index()] = true;
-            g.each_operand(*node, |operand| left[operand.index()] -= 1);
+            branches.each_operand(g, *node, |operand| left[operand.index()] -= 1);
             waiting.of(*node).iter().for_each(|&other| missing[other] -= 1);
         }
         let computes = nodes.iter().any(|node| takes_place(g, *node));
@@ -60,7 +63,7 @@ pub fn order(g: &Graph, outputs: &[Node], given: impl Fn(Node) -> bool) -> Vec<G
 }
 
 /// How many more values wait for a later use when `nodes` are computed and `output` is written.
-fn waiting_values(g: &Graph, nodes: &[Node], output: Node, left: &mut [usize]) -> isize {
+fn waiting_values((g, branches): Code<'_>, nodes: &[Node], output: Node, left: &mut [usize]) -> isize {
     let mut waiting = nodes.iter().filter(|node| takes_place(g, **node)).count() as isize;
     let mut take = |node: Node, left: &mut [usize]| {
         left[node.index()] -= 1;
@@ -69,15 +72,21 @@ fn waiting_values(g: &Graph, nodes: &[Node], output: Node, left: &mut [usize]) -
         }
     };
     take(output, left);
-    nodes.iter().for_each(|&node| g.each_operand(node, |operand| take(operand, left)));
+    nodes.iter().for_each(|&node| branches.each_operand(g, node, |operand| take(operand, left)));
     left[output.index()] += 1;
-    nodes.iter().for_each(|&node| g.each_operand(node, |operand| left[operand.index()] += 1));
+    nodes.iter().for_each(|&node| branches.each_operand(g, node, |operand| left[operand.index()] += 1));
     waiting
 }
 
 /// What `output` needs beyond the `known`, operands first, each as late as possible. Nodes `seen` in this
 /// turn are not looked at again.
-fn needed(g: &Graph, output: Node, known: &[bool], seen: &mut [usize], turn: usize) -> Vec<Node> {
+fn needed(
+    (g, branches): Code<'_>,
+    output: Node,
+    known: &[bool],
+    seen: &mut [usize],
+    turn: usize,
+) -> Vec<Node> {
     let mut order = Vec::new();
     let mut open = vec![(output, false)];
     while let Some((node, operands_done)) = open.pop() {
@@ -87,7 +96,7 @@ fn needed(g: &Graph, output: Node, known: &[bool], seen: &mut [usize], turn: usi
             seen[node.index()] = turn;
             open.push((node, true));
             let operands = open.len();
-            g.each_operand(node, |operand| open.push((operand, false)));
+            branches.each_operand(g, node, |operand| open.push((operand, false)));
             // The last one is looked at first: of a fused operation the sum so far, which waits in one
             // register while the product takes two.
             if !matches!(g.op(node), Op::Fma(..)) {

@@ -1,7 +1,7 @@
 //! Powers of two: 2 (a b + c d) is (2 a) b + (2 c) d, which costs less where 2 a and 2 c serve other sums
 //! too.
 
-use super::Lists;
+use super::{Branches, Lists};
 use crate::{Graph, Input, Node, Op, is_power_of_two};
 
 /// The outputs with all powers of two inwards as far as they go; `None` where there are none.
@@ -68,7 +68,11 @@ impl Scaling {
                 g.each_operand(node, |operand| firm[operand.index()] = true);
             }
         }
-        Scaling { firm, uses: super::uses(g, nodes, outputs), demands: Lists::new(g.len()) }
+        Scaling {
+            firm,
+            uses: super::uses(g, &Branches::none(), nodes, outputs),
+            demands: Lists::new(g.len()),
+        }
     }
 
     fn demand(&mut self, node: Node, k: i32) {

@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use super::{operations, order, prepare};
+use super::{Branches, operations, order, prepare};
 use crate::testing::SplitMix;
 use crate::testing::value;
 use crate::{Function, Graph, Input, Node, Op};
@@ -73,7 +73,7 @@ fn every_node_is_computed_once_after_its_operands_and_before_the_output_that_nee
         let given = |node: Node| matches!(g.op(node), Op::Input(_) | Op::Constant(_));
         let mut known = vec![false; g.len()];
         let mut written = vec![];
-        for group in order(&g, &scheduled, |_| false) {
+        for group in order(&g, &Branches::none(), &scheduled, |_| false) {
             for node in group.nodes {
                 assert!(g.operands(node).iter().all(|&n| given(n) || known[n.index()]));
                 assert!(!std::mem::replace(&mut known[node.index()], true));

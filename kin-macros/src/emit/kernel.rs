@@ -1,13 +1,14 @@
 //! Straight-line code for some outputs of the graph: which nodes get a name, in which order, and how each is
 //! written.
 
+mod branches;
 mod dual;
 mod evaluations;
 mod inputs;
 mod operations;
 mod words;
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{HashMap, HashSet, hash_map::Entry};
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
@@ -17,7 +18,7 @@ use words::{comparison_method, sign};
 
 use super::slots::{Slot, binding, slots};
 use super::timed::{self, Timed};
-use kin_graph::schedule::{self, order};
+use kin_graph::schedule::{self, Branches, Group};
 use kin_graph::{Function, Function2, Graph, Node, Op, Part};
 use kin_language::lower::{Lowered, OpaqueKind};
 use kin_language::parse::Argument;
@@ -47,10 +48,14 @@ pub struct Kernel<'a> {
     lowered: &'a Lowered,
     /// How each state argument is named, by its slot.
     slots: Vec<Slot>,
+    /// The choices of which only the branch that is taken is computed.
+    branches: Branches,
     /// How often each node is used, by its number.
     uses: Vec<usize>,
     /// What stands for a node that has a name.
     named: HashMap<Node, TokenStream>,
+    /// Nodes in the order in which they were named.
+    names: Vec<Node>,
     /// How deep the expression of each node without a name is, by its number.
     depth: Vec<usize>,
     statements: Vec<TokenStream>,
@@ -124,9 +129,9 @@ impl<'a> Kernel<'a> {
 
     /// Code before the values of `nodes`, and these as expressions, conditions as 1 or 0.
     pub fn values(mut self, nodes: &[Node]) -> (Code, Vec<TokenStream>) {
-        self.count_uses(nodes);
+        self.look_at(nodes);
         let mut values: Vec<TokenStream> = vec![quote!(); nodes.len()];
-        for group in order(self.graph(), nodes, |node| self.named.contains_key(&node)) {
+        for group in self.order(nodes) {
             group.nodes.into_iter().for_each(|node| self.name(node));
             values[group.output] = self.output(nodes[group.output]);
         }
@@ -142,9 +147,9 @@ impl<'a> Kernel<'a> {
     /// Code that computes `outputs` and writes each behind the reference given with it.
     pub fn write(mut self, outputs: &[(Ident, Node)]) -> Code {
         let nodes: Vec<Node> = outputs.iter().map(|(_, node)| *node).collect();
-        self.count_uses(&nodes);
+        self.look_at(&nodes);
         let put = super::own("put");
-        let groups = order(self.graph(), &nodes, |node| self.named.contains_key(&node));
+        let groups = self.order(&nodes);
         let fenced = self.scheduled && groups.len() > 1;
         if fenced {
             self.statements.push(quote!(let #put = ::kin::emitted::put;));
@@ -169,8 +174,10 @@ impl<'a> Kernel<'a> {
             lane_by_lane: HashMap::new(),
             lowered,
             slots,
+            branches: Branches::none(),
             uses: vec![0; lowered.graph.len()],
             named: HashMap::new(),
+            names: Vec::new(),
             depth: vec![0; lowered.graph.len()],
             statements: Vec::new(),
             temporaries: 0,
@@ -233,6 +240,20 @@ impl<'a> Kernel<'a> {
         if of_state { self.slots[slot].state(part) } else { self.slots[slot].rate(part) }
     }
 
+    /// Learns of `outputs` how often each node is used, and which choices are worth a branch. Numbers in
+    /// lanes may take either branch.
+    fn look_at(&mut self, outputs: &[Node]) {
+        self.count_uses(outputs);
+        if self.numbers != Numbers::Wide {
+            self.branches = Branches::new(self.graph(), outputs, |node| self.named.contains_key(&node));
+        }
+    }
+
+    /// What is not known yet of what `outputs` need, in the order in which to compute it.
+    fn order(&self, outputs: &[Node]) -> Vec<Group> {
+        schedule::order(self.graph(), &self.branches, outputs, |node| self.named.contains_key(&node))
+    }
+
     fn count_uses(&mut self, outputs: &[Node]) {
         for &node in outputs {
             self.uses[node.index()] += 1;
@@ -257,7 +278,11 @@ impl<'a> Kernel<'a> {
             return;
         }
         if let Some(value) = self.evaluation(node) {
-            self.named.insert(node, value);
+            self.give_name(node, value);
+            return;
+        }
+        if let Some(choice) = self.branches.choice(node) {
+            self.choice(&choice.clone());
             return;
         }
         self.operations += 1;
@@ -271,7 +296,7 @@ impl<'a> Kernel<'a> {
         if self.uses[node.index()] > 1 || depth > DEEPEST {
             let value = self.written(node);
             let name = self.temporary(value);
-            self.named.insert(node, quote!(#name));
+            self.give_name(node, quote!(#name));
         } else {
             self.depth[node.index()] = depth;
         }
@@ -282,10 +307,21 @@ impl<'a> Kernel<'a> {
     }
 
     fn temporary(&mut self, value: TokenStream) -> Ident {
-        let name = Ident::new(&format!("t{}", self.temporaries), Span::mixed_site());
-        self.temporaries += 1;
+        let name = self.next_name("t");
         self.statements.push(quote!(let #name = #value;));
         name
+    }
+
+    fn next_name(&mut self, prefix: &str) -> Ident {
+        self.temporaries += 1;
+        Ident::new(&format!("{prefix}{}", self.temporaries - 1), Span::mixed_site())
+    }
+
+    fn give_name(&mut self, node: Node, name: TokenStream) {
+        if let Entry::Vacant(place) = self.named.entry(node) {
+            place.insert(name);
+            self.names.push(node);
+        }
     }
 
     /// Sine and cosine of one angle are one call, where both are needed.
@@ -300,8 +336,8 @@ impl<'a> Kernel<'a> {
             Numbers::Plain => quote!(let (#s, #c) = ::kin::emitted::math::sin_cos(#of);),
             _ => quote!(let (#s, #c) = #of.sin_cos();),
         });
-        self.named.insert(sin, quote!(#s));
-        self.named.insert(cos, quote!(#c));
+        self.give_name(sin, quote!(#s));
+        self.give_name(cos, quote!(#c));
         true
     }
 

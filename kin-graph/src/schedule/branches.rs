@@ -1,0 +1,280 @@
+//! Which nodes are needed in one branch of a choice only: long branches become code of which only the one
+//! that is taken runs.
+//!
+//! All selections by one condition that lie equally deep below the outputs are one choice, so that a value
+//! and its derivatives ask once. A node belongs to the innermost branch that holds all of its uses. A choice
+//! of few operations stays a selection: a processor makes both values faster than it asks.
+
+use std::collections::BTreeMap;
+
+use crate::{Graph, Node, Op};
+
+/// Work below which both branches are computed.
+const SHORT: usize = 16;
+
+/// Branches in branches beyond this depth are computed outside: emitted code is read by a compiler that
+/// recurses.
+const DEEPEST: usize = 256;
+
+/// A place where nodes are computed: the whole code, or a branch of a choice.
+type Scope = usize;
+
+/// The whole code.
+const WHOLE: Scope = 0;
+
+/// Selections by one condition that are made at once.
+#[derive(Clone)]
+pub struct Choice {
+    pub condition: Node,
+    /// The selections, each with its value if the condition holds and its value otherwise.
+    pub selections: Vec<Node>,
+    /// Nodes from outside that a branch reads.
+    pub reads: Vec<Node>,
+}
+
+/// The choices of some code, and which selection belongs to which.
+#[derive(Default)]
+pub struct Branches {
+    choices: Vec<Choice>,
+    /// The choice of each selection by number of the node, counted from 1; 0 of all other nodes. Empty where
+    /// there is no choice.
+    choice_of: Vec<u32>,
+}
+
+impl Branches {
+    /// No choice: every selection computes both values.
+    pub fn none() -> Self {
+        Branches::default()
+    }
+
+    /// The choices worth asking for among `outputs`, without going beyond the `given` nodes.
+    pub fn new(g: &Graph, outputs: &[Node], given: impl Fn(Node) -> bool) -> Self {
+        Self::longer_than(SHORT, g, outputs, given)
+    }
+
+    /// The same of choices with at least so much work in their branches.
+    fn longer_than(short: usize, g: &Graph, outputs: &[Node], given: impl Fn(Node) -> bool) -> Self {
+        let nodes: Vec<Node> =
+            g.reachable_from(outputs, &given).into_iter().filter(|&node| !given(node)).collect();
+        if !nodes.iter().any(|&node| matches!(g.op(node), Op::Select(..))) {
+            return Branches::none();
+        }
+        let mut places = Places::new(g, &nodes, outputs);
+        places.find(g);
+        places.close(g, short);
+        places.into_branches(g)
+    }
+
+    /// The choice that a node is made by.
+    pub fn choice(&self, node: Node) -> Option<&Choice> {
+        match self.choice_of.get(node.index()) {
+            None | Some(0) => None,
+            Some(&choice) => Some(&self.choices[choice as usize - 1]),
+        }
+    }
+
+    /// Every node that has to be computed for `outputs` outside the branches of their choices, and the
+    /// `given` nodes that these read, in order of creation.
+    pub(super) fn reachable(&self, g: &Graph, outputs: &[Node], given: impl Fn(Node) -> bool) -> Vec<Node> {
+        g.reachable_by(outputs, |node, open| {
+            if !given(node) {
+                self.each_operand(g, node, |operand| open.push(operand));
+            }
+        })
+    }
+
+    /// Shows what has to be known before a node is computed: its operands, of a choice its condition and what
+    /// its branches read.
+    pub fn each_operand(&self, g: &Graph, node: Node, mut show: impl FnMut(Node)) {
+        match self.choice(node) {
+            None => g.each_operand(node, show),
+            Some(choice) => {
+                show(choice.condition);
+                choice.reads.iter().copied().for_each(show);
+            }
+        }
+    }
+}
+
+/// Where each node is computed, while it is found.
+struct Places {
+    /// Nodes by how many selections lie above them, users before their operands.
+    levels: Vec<Vec<Node>>,
+    /// The scope that holds all uses of each node that were seen, by its number.
+    scope: Vec<Option<Scope>>,
+    found: Vec<Found>,
+    /// The choice of each selection, by number of the node.
+    choice: Vec<Option<usize>>,
+}
+
+struct Found {
+    condition: Node,
+    selections: Vec<Node>,
+    outside: Scope,
+    depth: usize,
+    /// Work in its branches.
+    work: usize,
+    open: bool,
+}
+
+/// The scope of a branch of a choice.
+fn branch(choice: usize, taken: bool) -> Scope {
+    1 + 2 * choice + usize::from(!taken)
+}
+
+impl Places {
+    fn new(g: &Graph, nodes: &[Node], outputs: &[Node]) -> Self {
+        let mut level = vec![0; g.len()];
+        let mut levels: Vec<Vec<Node>> = Vec::new();
+        for &node in nodes.iter().rev() {
+            let own = level[node.index()];
+            levels.resize_with(levels.len().max(own + 1), Vec::new);
+            levels[own].push(node);
+            let below = own + usize::from(matches!(g.op(node), Op::Select(..)));
+            g.each_operand(node, |operand| level[operand.index()] = below.max(level[operand.index()]));
+        }
+        let mut scope = vec![None; g.len()];
+        outputs.iter().for_each(|output| scope[output.index()] = Some(WHOLE));
+        Places { levels, scope, found: Vec::new(), choice: vec![None; g.len()] }
+    }
+
+    /// Finds the scope of every node, level by level: all selections of a level are placed before what they
+    /// choose between.
+    fn find(&mut self, g: &Graph) {
+        let levels = std::mem::take(&mut self.levels);
+        for level in &levels {
+            let mut choices: BTreeMap<Node, Vec<Node>> = BTreeMap::new();
+            for &node in level {
+                match g.op(node) {
+                    Op::Select(condition, ..) => choices.entry(condition).or_default().push(node),
+                    _ => {
+                        let scope = self.scope_of(node);
+                        g.each_operand(node, |operand| self.use_in(operand, scope));
+                    }
+                }
+            }
+            choices.into_iter().for_each(|(condition, selections)| self.choose(g, condition, selections));
+        }
+        self.levels = levels;
+    }
+
+    /// Places selections by one condition where all of them are needed, and their values in its branches.
+    fn choose(&mut self, g: &Graph, condition: Node, selections: Vec<Node>) {
+        let mut scopes = selections.iter().map(|&node| self.scope_of(node));
+        let first = scopes.next().unwrap_or(WHOLE);
+        let outside = scopes.fold(first, |a, b| self.common(a, b));
+        let (choice, depth) = (self.found.len(), self.depth(outside) + 1);
+        self.found.push(Found { condition, selections: vec![], outside, depth, work: 0, open: true });
+        self.use_in(condition, outside);
+        for &node in &selections {
+            (self.scope[node.index()], self.choice[node.index()]) = (Some(outside), Some(choice));
+            if let Op::Select(_, a, b) = g.op(node) {
+                self.use_in(a, branch(choice, true));
+                self.use_in(b, branch(choice, false));
+            }
+        }
+        self.found[choice].selections = selections;
+    }
+
+    fn scope_of(&self, node: Node) -> Scope {
+        self.scope[node.index()].unwrap_or(WHOLE)
+    }
+
+    fn use_in(&mut self, node: Node, scope: Scope) {
+        let known = self.scope[node.index()];
+        self.scope[node.index()] = Some(known.map_or(scope, |known| self.common(known, scope)));
+    }
+
+    /// How many branches lie around a scope.
+    fn depth(&self, scope: Scope) -> usize {
+        if scope == WHOLE { 0 } else { self.found[(scope - 1) / 2].depth }
+    }
+
+    fn outside(&self, scope: Scope) -> Scope {
+        if scope == WHOLE { WHOLE } else { self.found[(scope - 1) / 2].outside }
+    }
+
+    /// The innermost scope that holds both.
+    fn common(&self, mut a: Scope, mut b: Scope) -> Scope {
+        while a != b {
+            if self.depth(a) >= self.depth(b) { a = self.outside(a) } else { b = self.outside(b) }
+        }
+        a
+    }
+
+    /// Closes choices that are not worth a question, or too deep; inner ones were found after outer ones.
+    fn close(&mut self, g: &Graph, short: usize) {
+        for &node in self.levels.iter().flatten() {
+            let scope = self.scope_of(node);
+            if scope != WHOLE {
+                self.found[(scope - 1) / 2].work += work(g.op(node));
+            }
+        }
+        for k in (0..self.found.len()).rev() {
+            let Found { outside, depth, work, .. } = self.found[k];
+            self.found[k].open = work >= short && depth <= DEEPEST;
+            if outside != WHOLE {
+                self.found[(outside - 1) / 2].work += work;
+            }
+        }
+    }
+
+    /// The innermost open scope around a scope.
+    fn open(&self, mut scope: Scope) -> Scope {
+        while scope != WHOLE && !self.found[(scope - 1) / 2].open {
+            scope = self.outside(scope);
+        }
+        scope
+    }
+
+    fn into_branches(self, g: &Graph) -> Branches {
+        let mut reads: Vec<Vec<Node>> = vec![Vec::new(); self.found.len()];
+        for &node in self.levels.iter().flatten() {
+            match (g.op(node), self.choice[node.index()]) {
+                (Op::Select(condition, a, b), Some(k)) if self.found[k].open => {
+                    self.read(condition, self.open(self.found[k].outside), &mut reads);
+                    self.read(a, branch(k, true), &mut reads);
+                    self.read(b, branch(k, false), &mut reads);
+                }
+                _ => {
+                    let scope = self.open(self.scope_of(node));
+                    g.each_operand(node, |operand| self.read(operand, scope, &mut reads));
+                }
+            }
+        }
+        let mut branches = Branches { choices: Vec::new(), choice_of: vec![0; g.len()] };
+        for (found, mut reads) in self.found.into_iter().zip(reads).filter(|(found, _)| found.open) {
+            reads.sort_unstable();
+            reads.dedup();
+            let Found { condition, selections, .. } = found;
+            branches.choices.push(Choice { condition, selections, reads });
+            let choice = branches.choices.len() as u32;
+            let selections = &branches.choices[branches.choices.len() - 1].selections;
+            selections.iter().for_each(|node| branches.choice_of[node.index()] = choice);
+        }
+        branches
+    }
+
+    /// Notes that a node is used in a scope: every choice between that and the node's own scope reads it.
+    fn read(&self, node: Node, mut scope: Scope, reads: &mut [Vec<Node>]) {
+        let own = self.open(self.scope_of(node));
+        while scope != own && scope != WHOLE {
+            let choice = (scope - 1) / 2;
+            reads[choice].push(node);
+            scope = self.open(self.found[choice].outside);
+        }
+    }
+}
+
+/// The work of an operation, roughly in additions.
+fn work(op: Op) -> usize {
+    match op {
+        Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) | Op::Neg(_) => 0,
+        Op::Call(..) | Op::Call2(..) | Op::Law(..) | Op::Opaque(..) | Op::Leaf(_) => 8,
+        Op::Div(..) | Op::Powi(..) => 4,
+        _ => 1,
+    }
+}
+
+#[cfg(test)]
+mod tests;
