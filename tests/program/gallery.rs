@@ -67,6 +67,21 @@ fn both_engines_give_the_same_motion_or_the_same_error() {
     }
 }
 
+/// The planetary train: its laws have a bound over all time that is too wide for a step to be told by it, and
+/// a narrow one where it runs.
+#[test]
+fn most_times_of_fine_grids_are_computed_by_the_program() {
+    for (name, system) in mechanisms() {
+        if REFUSED.iter().any(|(known, _)| *known == name) {
+            continue;
+        }
+        let times = linspace(0.0, 2.0, 2001);
+        let counts = system.run_with(&times, &compiled()).expect("runs").engine();
+        assert!(10 * counts.compiled >= 9 * times.len(), "{name}: {counts:?}");
+        assert!(20 * counts.handed_back <= times.len(), "{name}: {counts:?}");
+    }
+}
+
 /// The same breaks in the same order; one that is at a time of the grid may be told on either side of it.
 fn same_breaks(plain: &Motion, program: &Motion, name: &str) {
     assert_eq!(plain.breaks().len(), program.breaks().len(), "{name}");
