@@ -158,7 +158,7 @@ impl<'a> Elimination<'a> {
         Ok(Block { rows, pivots, cofactors })
     }
 
-    /// What is to be watched, block by block: pivots and determinants. Signs of their products are the
+    /// The values to be watched, block by block: pivots and determinants. Signs of their products are the
     /// orientations.
     pub(super) fn guards(&self) -> Vec<Vec<Node>> {
         let of = |block: &Block| {

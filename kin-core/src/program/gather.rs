@@ -31,7 +31,7 @@ pub(crate) struct Row {
     pub second: Node,
 }
 
-/// What stands in the way of a program.
+/// The reason why there is no program.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Refusal {
     /// The constraint; empty where it is the mechanism itself.
@@ -82,7 +82,7 @@ pub(crate) fn gather(system: &System) -> Result<Whole, Refusal> {
     Ok(whole)
 }
 
-/// What one constraint reads.
+/// The inputs of one constraint.
 struct Leaves<'a> {
     columns: &'a [Column],
     parameters: &'a [f64],
@@ -90,7 +90,7 @@ struct Leaves<'a> {
     foreign: &'a dyn Fn(usize, usize, &[f64]) -> f64,
 }
 
-/// What stands behind a local column.
+/// The coordinate behind a local column.
 #[derive(Clone, Copy)]
 enum Column {
     Coordinate(usize),

@@ -4,7 +4,7 @@ use kin_graph::Node;
 
 use super::stages::Program;
 
-/// What goes wrong.
+/// The fault.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Fault {
     /// A coordinate, a rate or a second rate has lost its sign.

@@ -53,7 +53,7 @@ impl<'a> Reduced<'a> {
         self.places = kept;
     }
 
-    /// What a node has become.
+    /// The node that stands for another one now.
     pub(super) fn of(&mut self, node: Node) -> Node {
         let mut open = vec![node];
         while let Some(&next) = open.last() {

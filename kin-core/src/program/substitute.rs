@@ -23,7 +23,7 @@ pub(crate) struct Explicit {
     pub rest: Node,
 }
 
-/// What is given, each by those before it and what is torn; and what is left.
+/// The coordinates that are given, each by those before it and by torn ones, and the rows that are left.
 #[derive(Debug, Default)]
 pub(crate) struct Order {
     pub explicit: Vec<Explicit>,
@@ -113,7 +113,7 @@ fn split(graph: &mut Graph, node: Node, own: Node) -> Option<(f64, Node)> {
     Some((factor, rest))
 }
 
-/// Whether a node is computed from another one. A row is small beside the graph of all.
+/// True if a node is computed from another one. A row is small beside the graph of all.
 fn reads(graph: &Graph, node: Node, wanted: Node) -> bool {
     let (mut seen, mut open) = (HashSet::new(), vec![node]);
     while let Some(node) = open.pop() {

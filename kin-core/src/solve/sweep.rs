@@ -348,7 +348,7 @@ fn not_there(lanes: Lanes) -> Error {
     }
 }
 
-/// What is behind a lock; that another thread has panicked is that thread's matter.
+/// The value behind a lock; that another thread has panicked is that thread's matter.
 fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -20,8 +20,8 @@ pub fn exact(g: &Graph, nodes: &[Node]) -> Vec<bool> {
             Op::Neg(a) if is_exact => mark(a),
             _ => {}
         }
-        // What a value of the user's own is computed from is written as it was read: the same number wherever
-        // it is used.
+        // The operands of a value of the user's own are written as they were read: the same number wherever
+        // they are used.
         if pinned[node.index()] || matches!(g.op(node), Op::Opaque(..)) {
             g.each_operand(node, |operand| pinned[operand.index()] = true);
         }

@@ -30,17 +30,17 @@ pub fn fuse(g: &mut Graph, outputs: &[Node]) -> Vec<Node> {
     outputs.iter().map(|&output| fusion.plain(g, output)).collect()
 }
 
-/// What is known of each node, by its number.
+/// The findings about each node, by its number.
 struct Fusion {
-    /// Whether it is needed as such.
+    /// True if it is needed as such.
     values: Vec<bool>,
     /// The terms of a sum that is needed; else none.
     sums: Lists<Term>,
-    /// What stands for it.
+    /// The node that stands for it.
     built: Vec<Signed>,
 }
 
-/// Whether it is subtracted, and what.
+/// A node, and true if it is subtracted.
 type Signed = (bool, Node);
 
 /// A term as it is written: a number, or a product made on the way.
@@ -187,7 +187,7 @@ impl Fusion {
         }
     }
 
-    /// What stands for `node`, with its sign.
+    /// The node that stands for `node`, with its sign.
     fn plain(&self, g: &mut Graph, node: Node) -> Node {
         let (minus, built) = self.built[node.index()];
         if minus { g.raw(Op::Neg(built)) } else { built }

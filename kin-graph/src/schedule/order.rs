@@ -4,11 +4,11 @@
 use super::{Branches, Lists};
 use crate::{Graph, Node, Op};
 
-/// What to compute, and which output is complete then (by its number).
+/// Nodes to compute, and the number of the output that is complete then.
 pub struct Group {
     pub nodes: Vec<Node>,
     pub output: usize,
-    /// Whether any of the nodes is more than a sign.
+    /// True if any of the nodes is more than a sign.
     pub computes: bool,
 }
 
@@ -78,8 +78,8 @@ fn waiting_values((g, branches): Code<'_>, nodes: &[Node], output: Node, left: &
     waiting
 }
 
-/// What `output` needs beyond the `known`, operands first, each as late as possible. Nodes `seen` in this
-/// turn are not looked at again.
+/// The nodes that `output` needs beyond the `known`, operands first, each as late as possible. Nodes `seen`
+/// in this turn are not looked at again.
 fn needed(
     (g, branches): Code<'_>,
     output: Node,
@@ -111,7 +111,7 @@ fn is_given(g: &Graph, node: Node) -> bool {
     matches!(g.op(node), Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_))
 }
 
-/// Whether a node takes an operation and a register.
+/// True if a node takes an operation and a register.
 fn takes_place(g: &Graph, node: Node) -> bool {
     !is_given(g, node) && !matches!(g.op(node), Op::Neg(_))
 }

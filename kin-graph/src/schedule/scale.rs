@@ -136,7 +136,7 @@ impl Scaling {
     }
 
     fn build(&mut self, g: &mut Graph, node: Node) {
-        // What is multiplied outside is multiplied from the plain value: that one first.
+        // A demand that is multiplied outside starts from the plain value: that one first.
         self.demands.to(node).sort_by_key(|demand| demand.k != 0);
         for place in 0..self.demands.of(node).len() {
             let Demand { k, plan, .. } = self.demands.of(node)[place];

@@ -90,7 +90,7 @@ impl Series {
         self.value().step(f).map_or(UNKNOWN, Series::constant)
     }
 
-    /// What f is of this.
+    /// The series of f of this.
     pub(crate) fn call(self, f: Function) -> Series {
         let x = self;
         if x.is_open() && !matches!(f, Function::Sin | Function::Cos) {
@@ -123,7 +123,7 @@ impl Series {
         }
     }
 
-    /// What f is of this and another.
+    /// The series of f of this and another.
     pub(crate) fn call2(self, f: Function2, other: Series) -> Series {
         let (a, b) = (self, other);
         let y = match f {

@@ -74,7 +74,7 @@ impl Interval {
         0.5 * up(self.hi - self.lo)
     }
 
-    /// Whether it is one number alone.
+    /// True if it is one number alone.
     pub(crate) fn is_thin(self) -> bool {
         self.lo == self.hi
     }
@@ -96,7 +96,7 @@ impl Interval {
         Interval { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
-    /// What both have in common, if anything.
+    /// The interval that both have in common, if there is one.
     pub(crate) fn common(self, other: Self) -> Option<Self> {
         let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
         (lo <= hi).then_some(Interval { lo, hi })
@@ -215,7 +215,7 @@ mod tests {
             (0.0, 5e-324, 0.0)
         );
         assert_eq!((Interval::new(-5.0, -3.0).mag(), ZERO.mag()), (5.0, 0.0));
-        // What the width loses by rounding is in the radius.
+        // The radius holds the rounding error of the width.
         assert!(Interval::new(-1.0, 1e-17).radius() > 0.5);
         let half = [Interval::new(0.0, f64::INFINITY), Interval::new(f64::NEG_INFINITY, 0.0)];
         assert!(!half[0].is_finite() && !half[1].is_finite() && x.is_finite());

@@ -11,8 +11,8 @@ use super::series::{ORDER, Series, Turns, UNKNOWN};
 /// More pieces than these at once say nothing that is of use.
 const MOST: usize = 64;
 
-/// What rounding may leave between two pieces, as a share of the largest number in them, and in units of the
-/// last place of the seam.   \[-\]
+/// The gap that rounding may leave between two pieces, as a share of the largest number in them, and in units
+/// of the last place of the seam.   \[-\]
 const ROUNDING: f64 = 1e-12;
 const PLACES: f64 = 16.0 * f64::EPSILON;
 

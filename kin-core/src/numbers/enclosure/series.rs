@@ -40,7 +40,7 @@ pub(crate) struct Turns {
 
 impl Turns {
     pub const NONE: Turns = Turns { unit: 0, most: 0 };
-    /// What an angle is known up to that may have passed its cut.
+    /// The turns up to which an angle is known that may have passed its cut.
     pub const ONE: Turns = Turns { unit: 1, most: 1 };
 
     pub fn is_none(self) -> bool {
@@ -149,7 +149,7 @@ impl Series {
         self.at(0)
     }
 
-    /// Whether it is known not to change.
+    /// True if it is known not to change.
     pub(crate) fn is_constant(&self) -> bool {
         self.len == FULL && self.degree == 0
     }
@@ -168,7 +168,7 @@ impl Series {
         self.turns
     }
 
-    /// Whether nothing of it is known, or it only up to whole turns.
+    /// True if nothing of it is known, or it only up to whole turns.
     pub(crate) fn is_open(&self) -> bool {
         self.len == 0 || !self.turns.is_none()
     }

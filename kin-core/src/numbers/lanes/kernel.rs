@@ -7,7 +7,7 @@ use pulp::NullaryFnOnce;
 use super::Level;
 use super::number::Wide;
 
-/// What all constraints read at one instant, for several mechanisms.
+/// The numbers that all constraints read at one instant, for several mechanisms.
 pub struct LaneInstant<'a, S: Level> {
     pub(crate) simd: S,
     /// States of bodies and bare coordinates, each of them once.
@@ -35,7 +35,7 @@ pub struct LaneBlock {
 /// The instant as the kernels of one constraint see it, for several mechanisms.
 #[derive(Clone, Copy)]
 pub struct LaneAt<'a, S: Level> {
-    /// What the lanes are made of.
+    /// The machine's instructions.
     pub simd: S,
     states: &'a [Wide<S>],
     known: &'a [Wide<S>],
@@ -65,7 +65,7 @@ impl<'a, S: Level> LaneAt<'a, S> {
         chunk(self.states, self.arguments.get(self.block.arguments as usize + argument)?[0])
     }
 
-    /// What is known of parameters and time as an array of known length.
+    /// The values of parameters and time as an array of known length.
     #[inline(always)]
     pub fn known<const N: usize>(&self) -> Option<&'a [Wide<S>; N]> {
         chunk(self.known, self.block.known)
@@ -83,7 +83,7 @@ impl<'a, S: Level> LaneAt<'a, S> {
         chunk_mut(all, self.block.values)
     }
 
-    /// What only f64 can do, lane by lane: [`InLanes::evaluate`].
+    /// Values that only f64 can compute, lane by lane: [`InLanes::evaluate`].
     #[inline(always)]
     pub fn evaluate<const N: usize, const M: usize>(&self, number: usize, x: [Wide<S>; N]) -> [Wide<S>; M] {
         let mut y = [self.splat(0.0); M];
@@ -125,7 +125,7 @@ fn chunk_mut<T, const N: usize>(all: &mut [T], first: u32) -> Option<&mut [T; N]
     all.get_mut(first as usize..first as usize + N)?.first_chunk_mut()
 }
 
-/// What a constraint does for kernels over lanes with plain numbers, in each lane by itself.
+/// The part of a constraint's kernels over lanes that takes plain numbers, in each lane by itself.
 pub trait InLanes: Send + Sync {
     /// The kernels.
     fn kernels(&self) -> LaneKernels;
@@ -144,8 +144,8 @@ pub trait InLanes: Send + Sync {
         let _ = (t, known);
     }
 
-    /// What depends on coordinates and only f64 can do, such as a law or a function of the user's, by its
-    /// number; default nothing.
+    /// A value that depends on coordinates and that only f64 can compute, such as a law or a function of the
+    /// user's, by its number; default nothing.
     fn evaluate(&self, number: usize, x: &[f64], y: &mut [f64]) {
         let _ = (number, x, y);
     }
@@ -167,7 +167,7 @@ pub trait LaneKernel {
     fn acceleration_rhs<S: Level>(at: &LaneAt<'_, S>, qd: &LaneRates<'_, S>, q_d: &mut [Wide<S>]);
 }
 
-/// What the constraints of a kind are asked for, and where it is written.
+/// A request to the constraints of a kind, and where the answer is written.
 enum Asked<'x, S: Level> {
     /// C and the values of C_q.
     Linear(&'x mut [Wide<S>], &'x mut [Wide<S>]),
@@ -194,7 +194,7 @@ impl<S: Level> Table<S> {
         Table(|instant, blocks, asked| instant.simd.vectorize(Call(instant, blocks, asked, PhantomData::<K>)))
     }
 
-    /// Whether one call can serve constraints of both.
+    /// True if one call can serve constraints of both.
     pub(crate) fn is(&self, other: &Self) -> bool {
         std::ptr::fn_addr_eq(self.0, other.0)
     }

@@ -245,7 +245,7 @@ macro_rules! comparison {
                 }
             )*
 
-            /// Whether the numbers differ; a NaN differs from everything.
+            /// True if the numbers differ; a NaN differs from everything.
             #[inline(always)]
             pub fn differ(self, other: Self) -> Mask<S> {
                 !self.equal(other)
@@ -263,7 +263,7 @@ comparison! {
     gt greater_than_f64s;
     /// ≥
     ge greater_than_or_equal_f64s;
-    /// Whether the numbers are equal.
+    /// True if the numbers are equal.
     equal equal_f64s;
 }
 
@@ -291,13 +291,13 @@ impl<S: Level> Mask<S> {
         Wide::new(self.0, both!(self.0, select_f64s, self.1, a.1, b.1))
     }
 
-    /// Whether it is true in some lane.
+    /// True if it is true in some lane.
     #[inline(always)]
     pub fn any(self) -> bool {
         self.0.first_true_m64s(self.0.or_m64s(self.1[0], self.1[1])) < S::F64_LANES
     }
 
-    /// Whether it is true in a lane.
+    /// True if it is true in a lane.
     pub fn lane(self, lane: usize) -> bool {
         self.as_numbers().as_slice().get(lane).is_some_and(|x| *x != 0.0)
     }

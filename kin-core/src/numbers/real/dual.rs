@@ -1,5 +1,5 @@
-//! What a number under [`Real`](super::Real) can do: arithmetic, composition and division that are right at
-//! the edges.
+//! The operations of a number under [`Real`](super::Real): arithmetic, composition and division that are
+//! right at the edges.
 
 use std::fmt::{Debug, Display};
 use std::ops::{Add, Mul, Neg, Sub};
@@ -23,7 +23,7 @@ pub trait Dual:
     + Sync
     + 'static
 {
-    /// Whether the number notes where it ceases to be finite: only when a failure is looked into.
+    /// True if the number notes where it ceases to be finite: only when a failure is looked into.
     #[doc(hidden)]
     const TRACED: bool = false;
 
@@ -33,10 +33,10 @@ pub trait Dual:
     /// A number without derivatives.
     fn constant(x: f64) -> Self;
 
-    /// Whether nothing moves it: its derivatives are zero by structure, not by chance.
+    /// True if nothing moves it: its derivatives are zero by structure, not by chance.
     fn is_constant(&self) -> bool;
 
-    /// Whether its first derivatives are zero, for whatever reason.
+    /// True if its first derivatives are zero, for whatever reason.
     fn is_at_rest(&self) -> bool;
 
     /// The same derivatives at another real part.

@@ -130,19 +130,19 @@ by_hand! {
 }
 
 questions! {
-    /// Whether the real part is finite.
+    /// True if the real part is finite.
     is_finite;
-    /// Whether the real part is ±∞.
+    /// True if the real part is ±∞.
     is_infinite;
-    /// Whether the real part is NaN.
+    /// True if the real part is NaN.
     is_nan;
-    /// Whether the real part has a minus sign, −0 included.
+    /// True if the real part has a minus sign, −0 included.
     is_sign_negative;
-    /// Whether the real part has no minus sign, +0 included.
+    /// True if the real part has no minus sign, +0 included.
     is_sign_positive;
-    /// Whether the real part is neither 0, subnormal, infinite nor NaN.
+    /// True if the real part is neither 0, subnormal, infinite nor NaN.
     is_normal;
-    /// Whether the real part is subnormal.
+    /// True if the real part is subnormal.
     is_subnormal;
 }
 
@@ -171,7 +171,7 @@ impl<D: Dual> Real<D> {
         self.value().total_cmp(&other.value())
     }
 
-    /// What kind of number the real part is.
+    /// The category of the real part: normal, zero, infinite and so on.
     #[inline]
     pub fn classify(self) -> FpCategory {
         self.value().classify()

@@ -46,7 +46,7 @@ impl<D: Dual> Real<D> {
         self.0.value()
     }
 
-    /// Whether nothing moves it.
+    /// True if nothing moves it.
     #[inline]
     pub fn is_constant(self) -> bool {
         self.0.is_constant()

@@ -40,7 +40,7 @@ impl<T> Deref for Moving<T> {
 }
 
 impl<T> Moving<T> {
-    /// What is noted of it beside its derivatives.
+    /// The marks of the number beside its derivatives.
     pub(crate) fn marks(&self) -> u8 {
         self.marks
     }
@@ -180,14 +180,14 @@ macro_rules! dual {
         }
 
         impl Moving<num_dual::$number> {
-            /// Whether a function with these derivatives gives a constant: of one, or where its argument has
+            /// True if a function with these derivatives gives a constant: of one, or where its argument has
             /// overflowed.
             #[inline]
             fn is_flat(&self, f: &[f64; 4]) -> bool {
                 self.is_constant() || (self.has_overflowed() && f[0].is_finite())
             }
 
-            /// Whether it has grown too large for a number, and does not stand at a pole.
+            /// True if it has grown too large for a number, and does not stand at a pole.
             #[inline]
             fn has_overflowed(&self) -> bool {
                 self.re.is_infinite() && self.marks & (BURSTS | POLES) == BURSTS

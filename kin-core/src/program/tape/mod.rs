@@ -11,7 +11,7 @@ use kin_graph::{Comparison, Function, Function2};
 
 use crate::model::law::Law;
 
-/// What a step does.
+/// The operation of a step.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(in crate::program) enum Kind {
     Add,
@@ -69,7 +69,7 @@ pub(in crate::program) struct Stage {
 /// A program on a memory of `places` numbers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Tape {
-    /// What depends on time alone; what leads to the correction; all else.
+    /// The values of time alone; those that lead to the correction; all others.
     pub(in crate::program) time: Stage,
     pub(in crate::program) correct: Stage,
     pub(in crate::program) rest: Stage,

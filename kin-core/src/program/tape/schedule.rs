@@ -157,7 +157,7 @@ impl<'a> Planner<'a> {
         self.maker.insert(node, task_number as u32);
     }
 
-    /// What a node does, on nodes that have numbers of their own: signs go into fused steps.
+    /// The operation of a node, on nodes that have numbers of their own: signs go into fused steps.
     fn step(&self, node: Node) -> (Kind, [Option<Node>; 3]) {
         let own = |node: Node| Some(self.behind(node));
         let signed = |node: Node| match self.graph.op(node) {
@@ -226,7 +226,7 @@ impl<'a> Planner<'a> {
                 .filter(|k| !ready[*k].1.is_empty())
                 .max_by_key(|k| (ready[*k].1.len(), usize::MAX - k))
             {
-                // What becomes ready meanwhile of the same kind belongs to the same run.
+                // A step of the same kind that becomes ready meanwhile belongs to the same run.
                 let mut done = 0;
                 while done < ready[best].1.len() {
                     let k = ready[best].1[done];
@@ -284,7 +284,7 @@ impl ByNode {
     }
 }
 
-/// Whether a node stands in the memory from the beginning.
+/// True if a node stands in the memory from the beginning.
 fn is_given(graph: &Graph, node: Node) -> bool {
     matches!(
         graph.op(node),
@@ -340,7 +340,7 @@ impl Places<'_> {
 
     /// The steps, with the places of their numbers.
     fn write(&mut self, tape: &mut Tape, order: &[usize]) {
-        // What is read of nothing is no number, so that a fault of this pass cannot pass for one.
+        // A place that nothing writes holds no number, so that a fault of this pass cannot pass for one.
         let (idle, nothing) = (self.take(), self.take());
         tape.constants.push((nothing, f64::NAN));
         self.nothing = nothing;

@@ -22,7 +22,7 @@ pub(crate) const ORDERS: usize = 3;
 /// When lanes have converged, and what they are judged by.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Limits {
-    /// What a correction of each torn coordinate may be.
+    /// The largest correction of each torn coordinate that is allowed.
     pub correction: Vec<f64>,
     /// Beside this share of the coordinate itself.
     pub rounding: f64,
@@ -39,10 +39,10 @@ pub(crate) struct Limits {
     pub turns: Vec<f64>,
 }
 
-/// What is known of each lane; numbers of a lane stand at its place.
+/// The findings about each lane; numbers of a lane stand at its place.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Judged {
-    /// Whether Newton's method has converged and C = 0 holds as written.
+    /// True if Newton's method has converged and C = 0 holds as written.
     pub met: Vec<bool>,
     /// How far the prediction from either end of a step misses the other, and by how much anything turns; not
     /// a number where something is none.
@@ -296,7 +296,7 @@ impl<S: Level> Times<'_, S> {
             for (guard, mark) in guards.iter().zip(marks) {
                 let share = self.memory[*guard as usize] * Wide::splat(self.simd, mark.recip());
                 let size = share.abs();
-                // What is no number is none of the sizes that do.
+                // A NaN is not among the sizes that are allowed.
                 least =
                     size.le(least).select(size, size.gt(least).select(least, Wide::splat(self.simd, 0.0)));
                 product = product * share;

@@ -1,4 +1,4 @@
-//! What a program is evaluated with, number by number.
+//! The inputs that a program is evaluated with, number by number.
 
 use kin_graph::{Input, LeafUse, Source};
 

@@ -1,4 +1,4 @@
-//! What the program computes is what a system does: positions, velocities and accelerations at the times of a
+//! A program computes the numbers of its system: positions, velocities and accelerations at the times of a
 //! motion.
 
 use kin_graph::{Node, evaluate};
@@ -51,7 +51,7 @@ fn difference(program: &Program, t: f64, [q, qd, qdd]: [&[f64]; 3]) -> [f64; 4] 
     ]
 }
 
-/// Whether a pivot is less than a hundredth of what it was at the first of two poses.
+/// True if a pivot is less than a hundredth of what it was at the first of two poses.
 fn fades(program: &Program, times: [f64; 2], poses: [&[f64]; 2]) -> bool {
     let nodes: Vec<Node> = program.guards.iter().flatten().copied().collect();
     let [marks, now] = [0, 1].map(|k| {

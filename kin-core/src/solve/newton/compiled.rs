@@ -25,7 +25,7 @@ const PATIENCE: usize = 64;
 
 const JUMPS: &str = "its equation can jump where coordinates move";
 
-/// Whether anything is known to stand in the way of a program, before a pose is.
+/// True if anything is known to stand in the way of a program, before a pose is.
 pub(crate) fn can_be(system: &System) -> std::result::Result<(), Refusal> {
     if system.n_equations() != system.n_coordinates() {
         return Err(Refusal { constraint: String::new(), reason: REDUNDANT });
@@ -109,7 +109,7 @@ impl WithLevel for Work<'_, '_> {
     }
 }
 
-/// Whether a program is asked for at all with these options.
+/// True if a program is asked for at all with these options.
 pub(super) fn is_wanted(options: &Options) -> Result<bool> {
     if options.engine == super::Engine::Plain {
         return Ok(false);

@@ -8,7 +8,7 @@ use crate::solve::follow::{self, Drive, EASY, REACH};
 use crate::solve::newton::Newton;
 use crate::system::System;
 
-/// What was seen at the last positions that were accepted.
+/// The findings at the last positions that were accepted.
 pub(super) struct Check<S: Level> {
     simd: S,
     /// −1 or 1 of each block of C_q, there and at the positions in hand.
@@ -18,7 +18,7 @@ pub(super) struct Check<S: Level> {
     /// q, q̇, q̈ there.
     from: [Vec<Wide<S>>; 3],
     turns: Vec<bool>,
-    /// What time does to such systems, and what it does in each lane between the ends of a step: see
+    /// The effect of time on such systems, and in each lane between the ends of a step: see
     /// [`Drive::outlook`].
     drive: Drive,
     outlook: [Wide<S>; 4],
@@ -143,7 +143,7 @@ mod tests {
             let number = |x: f64| Wide::splat(simd, x);
             linear.begin(&[number(1.0); 2]);
             let (q, still) = ([number(0.0); 2], [number(0.0); 2]);
-            // Whether a step from one matrix to another is good, that misses by so much.
+            // A step from one matrix to another is good if it misses by so little.
             let mut good = |before: f64, after: f64, miss: f64| {
                 let mut check = Check::new(simd, self.0);
                 matrix(simd, &mut linear, before);

@@ -39,9 +39,9 @@ pub(super) struct Lockstep<'o, S: Level> {
     /// max |C_i|, and Newton steps, at the last time.
     residual: Wide<S>,
     iterations: Wide<S>,
-    /// What each step is judged by, if that is asked for.
+    /// The judge of each step, if that is asked for.
     check: Option<Check<S>>,
-    /// Whether a constraint can jump where coordinates move: then the last correction, after which nothing is
+    /// True if a constraint can jump where coordinates move: then the last correction, after which nothing is
     /// looked at, is left out.
     jumps: bool,
     kept: Pending<S>,
@@ -68,7 +68,7 @@ impl<S: Level> NullaryFnOnce for Task<'_, '_, '_, S> {
     }
 }
 
-/// What is kept of a time, on the same way.
+/// The results of a time, on the same way.
 struct Keep<'x, 'o, S: Level>(&'x mut Lockstep<'o, S>);
 
 impl<S: Level> NullaryFnOnce for Keep<'_, '_, S> {
@@ -345,7 +345,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
     fn measured(&mut self) -> Mask<S> {
         let (mut largest, mut sum) = (Wide::splat(self.simd, 0.0), Wide::splat(self.simd, 0.0));
         for c in self.linear.c() {
-            // What is not finite may be lost among the largest, not in a sum.
+            // A number that is not finite may be lost among the largest, not in a sum.
             (largest, sum) = (c.abs().or_larger(largest), sum + c.abs());
         }
         self.residual = largest;

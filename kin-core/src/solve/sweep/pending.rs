@@ -10,7 +10,7 @@ use crate::solve::motion::Motion;
 /// memory, with more what is kept is not at hand any more.
 const TIMES: usize = 16;
 
-/// What is kept of each time: q, q̇, q̈, the largest residual and the number of Newton steps.
+/// The numbers kept of each time: q, q̇, q̈, the largest residual and the number of Newton steps.
 const KINDS: usize = 5;
 
 /// 2⁵²: added to a whole number below 2³² it leaves that in the last bits.
@@ -98,7 +98,7 @@ impl<S: Level> Pending<S> {
     }
 }
 
-/// What was kept on its way into the function that has the machine's instructions.
+/// Pending results on their way into the function that has the machine's instructions.
 struct Turn<'k, S: Level>(&'k mut Pending<S>);
 
 impl<S: Level> NullaryFnOnce for Turn<'_, S> {

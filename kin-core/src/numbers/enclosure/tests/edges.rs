@@ -56,7 +56,7 @@ fn domains_end_where_they_end() {
     }
 }
 
-/// What a function cannot exceed its bounds do not exceed either; what it reaches they reach.
+/// Bounds do not exceed the range of a function, and reach all values that it takes.
 #[test]
 fn values_stay_in_their_range() {
     for k in 0..400 {
@@ -323,7 +323,7 @@ fn results_are_as_long_as_the_shortest_operand() {
     assert!((still.cut(2) * Series::number(0.0)).is_constant());
 }
 
-/// What nothing is known of makes nothing known.
+/// Of an argument that is not known no value is known.
 #[test]
 fn nothing_comes_of_nothing() {
     let unknown = crate::numbers::enclosure::series::UNKNOWN;

@@ -29,7 +29,7 @@ pub(super) struct Block<'p, S: Level> {
     times: Times<'p, S>,
     limits: Limits,
     instant: Instant,
-    /// Whether laws have breaks that are looked for time by time.
+    /// True if laws have breaks that are looked for time by time.
     watches: bool,
     /// Where the torn coordinates are led by the last three times: coefficients of q in powers of time since
     /// the last one.
@@ -37,7 +37,7 @@ pub(super) struct Block<'p, S: Level> {
     pub(super) objections: usize,
 }
 
-/// What ends the acceptance of lanes.
+/// The reason why no more lanes are accepted.
 enum End {
     /// All were taken.
     None,
@@ -122,7 +122,7 @@ impl<'p, S: Level> Block<'p, S> {
         Ok(())
     }
 
-    /// What the times to come are held to, by the plain step in hand, and its smallest pivot; `None` where
+    /// The limits for the times to come, by the plain step in hand, and its smallest pivot; `None` where
     /// plain steps had better go on.
     fn limit(&mut self, run: &Run<'_>, motion: &Motion) -> Option<f64> {
         let newton = &run.stepper()?.newton;
@@ -169,7 +169,7 @@ impl<'p, S: Level> Block<'p, S> {
         }
     }
 
-    /// Whether the first lane has what the plain step has.
+    /// True if the first lane has what the plain step has.
     fn agrees(&self, motion: &Motion, k: usize) -> bool {
         let plain = [motion.q(k), motion.qd(k), motion.qdd(k)];
         (0..ORDERS).all(|order| {
@@ -236,7 +236,7 @@ impl<'p, S: Level> Block<'p, S> {
             .for_each(|(order, to)| to.extend_from_slice(self.times.rows(order, lanes.clone())));
     }
 
-    /// Whether the position in a lane is what constraints mean.
+    /// True if the position in a lane is what constraints mean.
     fn is_meant(&mut self, run: &Run<'_>, t: f64, lane: usize) -> bool {
         let equations = run.system().equations();
         if equations.branches().is_empty() {

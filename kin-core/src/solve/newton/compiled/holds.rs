@@ -1,5 +1,5 @@
-//! Whether constraints themselves hold at a time that a program has computed: by their own kernels, with
-//! parameters as they are now.
+//! The constraints themselves at a time that a program has computed: by their own kernels, with parameters as
+//! they are now.
 
 use crate::solve::motion::Motion;
 use crate::solve::newton::Newton;
@@ -12,7 +12,7 @@ const OFF: f64 = 1e-9;
 const SMALL: f64 = 0.01;
 
 impl Run<'_> {
-    /// Whether C = 0, C_q q̇ = −C_t and C_q q̈ = Q_d at the last time of the motion; `allowed` is how far
+    /// True if C = 0, C_q q̇ = −C_t and C_q q̈ = Q_d at the last time of the motion; `allowed` is how far
     /// each row may be off. The position in hand is that time's then: [`Run::go_on`] makes it another one.
     pub(super) fn holds(&mut self, motion: &Motion, allowed: &[f64]) -> bool {
         let Some(last) = motion.len().checked_sub(1) else { return true };
@@ -20,7 +20,7 @@ impl Run<'_> {
             let newton = &mut stepper.newton;
             newton.q.copy_from_slice(motion.q(last));
             let holds = holds(newton, motion.times()[last], [motion.qd(last), motion.qdd(last)], allowed);
-            // What was measured there counts from now on, or never.
+            // The sizes that were measured there count from now on, or never.
             if holds {
                 newton.linear.confirm()
             } else {
@@ -45,7 +45,7 @@ fn holds(newton: &mut Newton<'_>, t: f64, [qd, qdd]: [&[f64]; 2], allowed: &[f64
     met && moves && is_solution(newton, qdd)
 }
 
-/// Whether x solves C_q x = b, where b is the right side in hand.
+/// True if x solves C_q x = b, where b is the right side in hand.
 fn is_solution(newton: &mut Newton<'_>, x: &[f64]) -> bool {
     let b = newton.linear.rhs_mut().to_vec();
     let (mut sums, mut sizes): (Vec<f64>, Vec<f64>) =

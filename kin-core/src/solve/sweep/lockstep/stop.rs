@@ -60,7 +60,7 @@ impl<S: Level> Lockstep<'_, S> {
         (within & met) | stalled
     }
 
-    /// Whether C = 0 holds where rounding of q is allowed for: Σ_j |∂C_i/∂q_j| |q_j| ε in row i.
+    /// True if C = 0 holds where rounding of q is allowed for: Σ_j |∂C_i/∂q_j| |q_j| ε in row i.
     #[cold]
     #[inline(never)]
     fn met_but_for_rounding(&self, tolerance: f64) -> Mask<S> {
