@@ -44,19 +44,19 @@ const _: () = {
         let p = cam.local(follower.point(tip));
         let phi = p.y.atan2(p.x);
         p.norm() - profile.at(phi)
-            + (&::kin::emitted::Foreign(
-                match (phi, MOST_WEAR) {
-                    (a_0, a_1) => {
-                        let f = wear;
-                        let how = (&::kin::emitted::Probe::new(
-                            &f,
-                            (::kin::emitted::of(&a_0), ::kin::emitted::of(&a_1)),
-                        ))
-                            .marker();
-                        f(how.plain(a_0), how.plain(a_1))
-                    }
-                },
-            ))
+            + ::kin::emitted::returned(
+                    match (phi, MOST_WEAR) {
+                        (a_0, a_1) => {
+                            let f = wear;
+                            let how = (&::kin::emitted::Probe::new(
+                                &f,
+                                (::kin::emitted::of(&a_0), ::kin::emitted::of(&a_1)),
+                            ))
+                                .marker();
+                            f(how.plain(a_0), how.plain(a_1))
+                        }
+                    },
+                )
                 .lowered()
     };
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]

@@ -6,6 +6,7 @@ mod bounded;
 mod branches;
 mod control;
 mod corpus;
+mod differences;
 mod effects;
 mod generics;
 mod own;

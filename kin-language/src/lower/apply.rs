@@ -99,7 +99,8 @@ impl Reader {
             return Ok(self.mistake(at, text));
         }
         let scopes = self.scopes.around_function(depth);
-        let generics = generic::found(item, &arguments, given, &|length| self.known_length(length));
+        let generics =
+            generic::found(item, &arguments, given, &self.own, &|length| self.known_length(length));
         let meant = generics.as_ref().map(|generics| generics.put_into(item));
         let item = meant.as_ref().unwrap_or(item);
         self.within(scopes, |reader| {
@@ -122,7 +123,7 @@ impl Reader {
     }
 
     /// A length that is a constant of the body's own.
-    fn known_length(&self, length: &Expr) -> Option<usize> {
+    pub fn known_length(&self, length: &Expr) -> Option<usize> {
         let name = length.to_token_stream().to_string();
         match (crate::parse::literal_length(length), self.named(&name)) {
             (Some(n), _) => Some(n),

@@ -162,9 +162,17 @@ impl Reader {
             let (from, to) = self.bounds_of(range, all.len())?;
             return Ok((from <= to && to <= all.len()).then(|| base.slice(from, to)));
         }
+        let at = self.expression(&index.index)?;
+        if let Some(Value::Adt(adt)) = self.at_place(&base) {
+            let arguments = vec![Value::Place(base), at];
+            return Ok(match self.own_method(&adt.type_name(), "index_mut", arguments, index)? {
+                Some(Value::Place(place)) => Some(place),
+                _ => None,
+            });
+        }
         let known =
             |value: &Value| if let Value::Integer(k, _) = value { usize::try_from(*k).ok() } else { None };
-        Ok(match self.expression(&index.index)? {
+        Ok(match at {
             Value::Tuple(pair) => match pair.iter().map(known).collect::<Option<Vec<usize>>>().as_deref() {
                 Some([row, column]) => Some(base.index(*row).index(*column)),
                 _ => None,

@@ -3,7 +3,7 @@
 
 mod components;
 
-use proc_macro2::Span;
+use proc_macro2::{Ident, Span};
 use quote::ToTokens;
 use syn::{Expr, ExprCall, ExprPath};
 
@@ -86,9 +86,7 @@ impl Reader {
         }
         let names = names(path);
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        if let [.., ty, function] = names[..]
-            && let Some((item, depth)) = self.own.function(ty, function)
-        {
+        if let Some((item, depth)) = self.own.by_path(path, &arguments) {
             return self.apply(&super::function::Function::Inner(item, depth), arguments, places, at);
         }
         let call = Call { path, places, at };
@@ -111,6 +109,9 @@ impl Reader {
             ["Vec", "from"] if matches!(arguments[..], [Value::Array(_)]) => Ok(arguments.remove(0)),
             [.., "iter", "once"] if arguments.len() == 1 => Ok(Value::Iterator(arguments)),
             [.., "iter", "empty"] if arguments.is_empty() => Ok(Value::Iterator(vec![])),
+            [.., "iter", name @ ("repeat" | "repeat_n" | "successors")] => {
+                self.endless_by_path(name, &arguments, places, path)
+            }
             [
                 ..,
                 ty @ ("Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "Planar" | "Spatial" | "Law"
@@ -140,7 +141,10 @@ impl Reader {
                 self.associated(ty, function, arguments, call)
             }
             ["f64", "from"] => self.number_from(arguments, call),
-            ["f64", "default"] if arguments.is_empty() => Ok(Value::Scalar(self.graph.zero())),
+            [.., ty, "default"] if arguments.is_empty() && (ty == "f64" || self.own.is_type(ty)) => {
+                let ty = Ident::new(ty, Span::call_site());
+                self.default_of(&syn::parse_quote!(#ty), at)
+            }
             ["f64", function] if is_underived(function) => {
                 if let Some(k) = arguments.iter().position(|value| self.value_varies(value)) {
                     return Ok(self.no_derivative(function, call.place(k)));
@@ -148,7 +152,9 @@ impl Reader {
                 self.own_function(Template::path(path), arguments, places, at)
             }
             ["f64", function] => self.number_function(function, arguments, call),
-            _ if is_type_name(path) => Ok(Value::Adt(Adt::tuple(&path.path, arguments))),
+            _ if is_type_name(path) => {
+                Ok(Value::Adt(Adt::tuple(&self.own.whole_path(&path.path), arguments)))
+            }
             _ => {
                 let path = Template::path(call.path);
                 self.own_function(path, arguments, places, at)

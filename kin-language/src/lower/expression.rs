@@ -1,12 +1,14 @@
 //! Expressions: the table of what is read how.
 
 mod index;
+mod whole;
 
 use std::rc::Rc;
 
 use quote::ToTokens;
 use syn::{Expr, ExprLit, Ident, Lit, Member};
 
+use super::endless::Endless;
 use super::function::Function;
 use super::integer::IntegerType;
 use super::template::Template;
@@ -99,6 +101,9 @@ impl Reader {
     /// A variable, or else a path that only rustc knows.
     fn path(&mut self, path: &syn::ExprPath) -> Read {
         let known = path.path.get_ident().and_then(|name| self.named(&name.to_string()).cloned());
+        if let (None, Some(constant)) = (&known, self.own_constant(path)?) {
+            return Ok(constant);
+        }
         match known {
             Some(Value::Unassigned) => Ok(self.mistake(path, "this variable has no value yet")),
             Some(value) => {
@@ -126,7 +131,10 @@ impl Reader {
                     None,
                 )))
             }
-            None if self.is_own_variant(path) => Ok(Value::Adt(super::value::Adt::tuple(&path.path, vec![]))),
+            None if self.is_own_variant(path) => {
+                let path = self.own.whole_path(&path.path);
+                Ok(Value::Adt(super::value::Adt::tuple(&path, vec![])))
+            }
             None if crate::vocabulary::is_number_function(path) => {
                 Ok(Value::Function(Function::Path(std::rc::Rc::new(path.clone()))))
             }
@@ -136,7 +144,13 @@ impl Reader {
 
     /// `Shape::Flat`, of an enum that the body declares.
     fn is_own_variant(&self, path: &syn::ExprPath) -> bool {
-        let names = crate::vocabulary::names(path);
+        let names: Vec<String> = self
+            .own
+            .whole_path(&path.path)
+            .segments
+            .iter()
+            .map(|segment| segment.ident.to_string())
+            .collect();
         let ty = names.iter().rev().nth(1).or(names.last().filter(|_| names.len() == 1));
         ty.is_some_and(|ty| self.own.is_type(ty)) && crate::vocabulary::is_type_name(path)
     }
@@ -268,7 +282,7 @@ impl Reader {
                 Some(x) if x.is_finite() && x.abs() < 1e9 && fits(x as i64, name) => {
                     Value::Integer(x as i64, IntegerType::named(name))
                 }
-                _ => return Err(Unreadable::new(&cast.as_token, "turning a number into an integer")),
+                _ => return self.whole_of(x, name, cast),
             },
             Value::Condition(holds) if integer => {
                 let [one, zero] = [1, 0].map(|k| Value::Integer(k, IntegerType::named(name)));
@@ -280,14 +294,24 @@ impl Reader {
             Value::Opaque(template) => {
                 Value::Opaque(template.each(&|part| Template::Cast(Box::new(part), ty.clone())))
             }
+            Value::Adt(adt) if integer => match self.discriminant(&adt) {
+                Some(k) => Value::Integer(k, IntegerType::named(name)),
+                None => return Err(Unreadable::new(&cast.as_token, "this cast")),
+            },
             value @ (Value::Poison | Value::Never | Value::Left) => value,
             other => self.mistake(&cast.as_token, format!("{} cannot be cast to {name}", other.name())),
         })
     }
 
     fn range(&mut self, range: &syn::ExprRange) -> Read {
-        let (Some(start), Some(end)) = (&range.start, &range.end) else {
-            return Err(Unreadable::new(range, "a range without an end"));
+        let Some(start) = &range.start else {
+            return Err(Unreadable::new(range, "a range without a beginning"));
+        };
+        let Some(end) = &range.end else {
+            return match self.expression(start)? {
+                Value::Integer(k, ty) => Ok(Value::Endless(Endless::From(k, ty))),
+                _ => Err(Unreadable::new(range, "a range without an end")),
+            };
         };
         let (from, to, ty) = match (self.expression(start)?, self.expression(end)?) {
             (Value::Integer(a, x), Value::Integer(b, y)) => (a, b, x.or(y)),

@@ -7,6 +7,7 @@ use quote::ToTokens;
 use syn::visit_mut::{self, VisitMut};
 use syn::{Expr, FnArg, GenericArgument, GenericParam, ItemFn, PathArguments, Type, parse_quote};
 
+use super::own::Own;
 use super::value::Value;
 
 /// What the generics of a function stand for in one call.
@@ -21,6 +22,7 @@ pub fn found(
     item: &ItemFn,
     arguments: &[Value],
     given: Option<&syn::AngleBracketedGenericArguments>,
+    own: &Own,
     length: &dyn Fn(&Expr) -> Option<usize>,
 ) -> Option<Found> {
     let generics = &item.sig.generics;
@@ -48,9 +50,11 @@ pub fn found(
         }
     }
     for (input, value) in item.sig.inputs.iter().zip(arguments) {
-        if let FnArg::Typed(typed) = input {
-            found.learn(&typed.ty, value, &names);
-        }
+        let ty = match input {
+            FnArg::Typed(typed) => &typed.ty,
+            FnArg::Receiver(receiver) => &receiver.ty,
+        };
+        found.learn(ty, value, &names, own);
     }
     Some(found)
 }
@@ -65,47 +69,65 @@ fn name(parameter: &GenericParam) -> Option<String> {
 }
 
 impl Found {
-    fn learn(&mut self, ty: &Type, value: &Value, names: &[String]) {
+    fn learn(&mut self, ty: &Type, value: &Value, names: &[String], own: &Own) {
         match (ty, value) {
-            (ty, Value::Reference(inner)) if !matches!(ty, Type::Reference(_)) => {
-                self.learn(ty, inner, names)
-            }
-            (Type::Reference(ty), Value::Reference(inner)) => self.learn(&ty.elem, inner, names),
-            (Type::Reference(ty), value) => self.learn(&ty.elem, value, names),
+            (Type::Reference(ty), Value::Reference(inner)) => self.learn(&ty.elem, inner, names, own),
+            (Type::Reference(ty), value) => self.learn(&ty.elem, value, names, own),
+            (ty, Value::Reference(inner)) => self.learn(ty, inner, names, own),
             (Type::Array(array), Value::Array(all)) => {
                 let length = array.len.to_token_stream().to_string();
                 if names.contains(&length) {
                     self.lengths.entry(length).or_insert(all.len());
                 }
-                all.iter().take(1).for_each(|part| self.learn(&array.elem, part, names));
+                all.iter().take(1).for_each(|part| self.learn(&array.elem, part, names, own));
             }
             (Type::Slice(slice), Value::Array(all)) => {
-                all.iter().take(1).for_each(|part| self.learn(&slice.elem, part, names))
+                all.iter().take(1).for_each(|part| self.learn(&slice.elem, part, names, own))
             }
             (Type::Tuple(tuple), Value::Tuple(all)) => {
-                tuple.elems.iter().zip(all).for_each(|(ty, part)| self.learn(ty, part, names))
+                tuple.elems.iter().zip(all).for_each(|(ty, part)| self.learn(ty, part, names, own))
             }
-            (Type::Path(path), value) => {
-                match (path.path.get_ident(), path.path.segments.last().map(|last| &last.arguments), value) {
-                    (Some(name), _, value) if names.contains(&name.to_string()) => {
-                        if let Some(ty) = type_of(value) {
-                            self.types.insert(name.to_string(), ty);
-                        }
-                    }
-                    (None, Some(PathArguments::AngleBracketed(given)), value) => {
-                        let inner = match value {
-                            Value::Array(all) => all.first(),
-                            Value::Adt(adt) => adt.fields.first().map(|(_, value)| value),
-                            _ => None,
-                        };
-                        if let (Some(GenericArgument::Type(ty)), Some(inner)) = (given.args.first(), inner) {
-                            self.learn(ty, inner, names);
-                        }
-                    }
-                    _ => {}
+            (Type::Path(path), value) => match path.path.get_ident() {
+                Some(name) if names.contains(&name.to_string()) => {
+                    self.types.extend(type_of(value).map(|ty| (name.to_string(), ty)));
+                }
+                _ => self.learn_of_generics(&path.path, value, names, own),
+            },
+            _ => {}
+        }
+    }
+
+    /// From a value of `Vec<T>`, `Option<T>`, or a generic type of the body's own.
+    fn learn_of_generics(&mut self, path: &syn::Path, value: &Value, names: &[String], own: &Own) {
+        let Some(PathArguments::AngleBracketed(given)) = path.segments.last().map(|last| &last.arguments)
+        else {
+            return;
+        };
+        if let Value::Adt(adt) = value
+            && let Some(declared) = own.declared(&adt.type_name())
+        {
+            let mut inside = Found::default();
+            for (name, ty) in &declared.fields {
+                if let Some(part) = adt.field(name) {
+                    inside.learn(ty, part, &declared.generics, own);
                 }
             }
-            _ => {}
+            for (meant, given) in declared.generics.iter().zip(&given.args) {
+                let name = given.to_token_stream().to_string();
+                if names.contains(&name) {
+                    self.types.extend(inside.types.get(meant).map(|ty| (name.clone(), ty.clone())));
+                    self.lengths.extend(inside.lengths.get(meant).map(|n| (name, *n)));
+                }
+            }
+            return;
+        }
+        let inner = match value {
+            Value::Array(all) => all.first(),
+            Value::Adt(adt) => adt.fields.first().map(|(_, value)| value),
+            _ => None,
+        };
+        if let (Some(GenericArgument::Type(ty)), Some(inner)) = (given.args.first(), inner) {
+            self.learn(ty, inner, names, own);
         }
     }
 

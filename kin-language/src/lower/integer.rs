@@ -37,6 +37,10 @@ impl IntegerType {
         Some(IntegerType { bits, signed })
     }
 
+    pub fn is_unsigned(self) -> bool {
+        !self.signed
+    }
+
     /// Of lengths and indices.
     pub const SIZE: IntegerType = IntegerType { bits: 32, signed: false };
 

@@ -172,6 +172,7 @@ impl Reader {
                 Ok(Some(adt.fields.into_iter().map(|(_, value)| value).collect()))
             }
             Value::Opaque(_)
+            | Value::Endless(_)
             | Value::Into(_)
             | Value::Generator(_)
             | Value::Never

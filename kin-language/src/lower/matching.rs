@@ -157,6 +157,12 @@ impl Reader {
 
     /// rustc matches values of types that only it knows, and takes them apart where they match.
     fn test_opaque(&mut self, pattern: &Pat, template: &Template) -> Read<Node> {
+        if let Pat::Lit(syn::PatLit { lit: Lit::Bool(wanted), .. }) = pattern
+            && !template.nodes().is_empty()
+        {
+            let holds = self.condition(Value::Opaque(template.clone()), pattern);
+            return Ok(if wanted.value { holds } else { self.graph.not(holds) });
+        }
         if template.has_choice() || self.varies(template) {
             return Err(Unreadable::new(pattern, "a pattern that takes a value of unknown type apart"));
         }

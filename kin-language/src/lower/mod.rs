@@ -8,6 +8,7 @@ mod borrow;
 mod branch;
 mod call;
 mod coerce;
+mod endless;
 mod expression;
 mod flow;
 mod function;

@@ -48,6 +48,7 @@ impl Reader {
             (op, Value::Opaque(template)) => {
                 Value::Opaque(template.each(&|part| Template::Unary(*op, Box::new(part))))
             }
+            (op, value @ Value::Adt(_)) => self.unary_of_own(*op, value, inner)?,
             (UnOp::Neg(_), value) if value.components().is_some() || matches!(value, Value::Scalar(_)) => {
                 self.negated(value)
             }
@@ -70,6 +71,9 @@ impl Reader {
         if let Some(op) = simple(&binary.op) {
             let right = self.expression(&binary.right)?;
             let left = self.expression(&binary.left)?;
+            if self.compound_own(op, &left, &right, binary)?.is_some() {
+                return Ok(Value::unit());
+            }
             let value = self.operate_each(op, left, right, binary)?;
             if matches!(value, Value::Left) {
                 return Ok(value);

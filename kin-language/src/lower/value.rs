@@ -3,6 +3,7 @@
 use crate::parse::Shape;
 use kin_graph::Node;
 
+use super::endless::Endless;
 use super::function::Function;
 use super::integer::IntegerType;
 use super::scope::Place;
@@ -25,6 +26,8 @@ pub enum Value {
     Array(Vec<Value>),
     /// An iterator over values known one by one.
     Iterator(Vec<Value>),
+    /// An iterator whose values do not end.
+    Endless(Endless),
     /// A value of a struct, or of a variant of an enum: `Some(x)`, `Link { length, angle }`.
     Adt(Adt),
     /// One of several, by conditions of which one holds; of the last it is not asked.
@@ -196,7 +199,7 @@ impl Value {
             Value::Tuple(all) if all.is_empty() => "nothing, `()`".into(),
             Value::Tuple(all) => format!("a tuple of {}", all.len()),
             Value::Array(all) => format!("an array of {}", all.len()),
-            Value::Iterator(_) => "an iterator".into(),
+            Value::Iterator(_) | Value::Endless(_) => "an iterator".into(),
             Value::Reference(inner) | Value::Into(inner) => inner.name(),
             Value::Generator(_) => "an array of unknown length".into(),
             Value::Planar(_) => "the state of a planar body".into(),

@@ -187,6 +187,10 @@ impl<'a> Writer<'a> {
             }
             Template::Binary(a, op, b) => {
                 let (a, b) = (self.write(a, Use::Value), self.write(b, Use::Value));
+                if super::rewrite::is_compound(op) {
+                    let whole = Ident::new("whole", Span::mixed_site());
+                    return quote!({ let mut #whole = #a; #whole #op #b; #whole });
+                }
                 quote!((#a #op #b))
             }
             Template::Unary(op, a) => {

@@ -1,4 +1,5 @@
-//! Chains and rotations: Denavit–Hartenberg by loops, complex numbers, rotation vectors, ropes over pulleys.
+//! Chains and rotations: Denavit–Hartenberg by loops, complex numbers, rotation vectors, ropes over
+//! pulleys.
 
 use crate::twice;
 

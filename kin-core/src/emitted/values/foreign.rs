@@ -3,8 +3,8 @@
 //!
 //! One method name stands for several traits; rustc picks the first whose receiver fits.
 //! `(&Foreign(x)).lifted(…)` is [`LiftNumbers`] if x is made of f64 and [`LiftAny`] if not, because a method
-//! that needs no further reference is found first. `lowered` works the same way on results of the user's
-//! generic functions.
+//! that needs no further reference is found first. `returned(x).lowered()` works the same way on results of
+//! the user's functions.
 
 use std::marker::PhantomData;
 
@@ -89,18 +89,26 @@ impl<D, T: Clone> ReceiveAny<D> for Foreign<T> {
     }
 }
 
+/// A result of the user's function. It is taken out once, so it need not be `Clone`.
+pub struct Returned<T>(Option<T>);
+
+/// A result of the user's function, for `lowered`.
+pub fn returned<T>(value: T) -> Returned<T> {
+    Returned(Some(value))
+}
+
 /// A result of the user's generic function as plain numbers.
 pub trait LowerReal {
     /// The plain type.
     type Output;
     /// The value, in plain numbers.
-    fn lowered(&self) -> Self::Output;
+    fn lowered(self) -> Self::Output;
 }
 
-impl<T: Lower + Clone> LowerReal for Foreign<T> {
+impl<T: Lower> LowerReal for Returned<T> {
     type Output = T::Output;
-    fn lowered(&self) -> T::Output {
-        self.0.clone().lower()
+    fn lowered(self) -> T::Output {
+        taken(self.0).lower()
     }
 }
 
@@ -109,12 +117,16 @@ pub trait LowerAny {
     /// The type itself.
     type Output;
     /// The value itself.
-    fn lowered(&self) -> Self::Output;
+    fn lowered(self) -> Self::Output;
 }
 
-impl<T: Clone> LowerAny for &Foreign<T> {
+impl<T> LowerAny for &mut Returned<T> {
     type Output = T;
-    fn lowered(&self) -> T {
-        self.0.clone()
+    fn lowered(self) -> T {
+        taken(self.0.take())
     }
+}
+
+fn taken<T>(value: Option<T>) -> T {
+    value.unwrap_or_else(|| unreachable!("a result is taken out once, where it is made"))
 }

@@ -14,6 +14,7 @@ pub use argument::{constant_argument, plain_argument, reference_argument};
 pub use cast::{Cast, Whole, cast, whole};
 pub use foreign::{
     Foreign, LiftAny, LiftNumbers, LowerAny, LowerReal, ReceiveAny, ReceiveNumbers, ReceiveReference,
+    Returned, returned,
 };
 pub use lift::{Absent, Constants, Lift, Lower, absent, constants, lowered};
 pub use numbers::{Numbers, set, set_at, visit};

@@ -40,6 +40,13 @@ impl Reader {
                 let at = self.template(at, &index.index)?;
                 Ok(Value::Opaque(base.each(&|part| Template::Index(Box::new(part), Box::new(at.clone())))))
             }
+            (Value::Adt(adt), at) => {
+                let (ty, arguments) = (adt.type_name(), vec![Value::Adt(adt), at]);
+                match self.own_method(&ty, "index", arguments, index)? {
+                    Some(value) => Ok(self.loaded(value)),
+                    None => Err(Unreadable::new(&index.index, "an index of a type of your own")),
+                }
+            }
             (base, Value::Integer(k, _)) => Ok(self.element(&base, k, index)),
             (base, Value::Opaque(at)) => self.element_at_run_time(&base, at, index),
             (base, at) => {

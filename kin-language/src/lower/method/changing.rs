@@ -34,6 +34,7 @@ const READ: &[&str] = &[
     "sort_by",
     "sort_unstable_by",
     "next",
+    "peek",
     "next_back",
     "nth",
     "take",
@@ -63,6 +64,10 @@ impl Reader {
             }
             Some(Value::Iterator(mut all)) => {
                 let k = match (name, whole.args.first()) {
+                    ("peek", None) => {
+                        let first = all.first().cloned().map(|value| Value::Reference(Box::new(value)));
+                        return Ok(Some(first.map_or(Value::none(), Value::some)));
+                    }
                     ("next", None) => 0,
                     ("next_back", None) => all.len().saturating_sub(1),
                     ("nth", Some(k)) => self.known_count(k)?,

@@ -1,6 +1,7 @@
 //! Methods of arrays and iterators that pick something out of them, or go over them with a function.
 
 use super::Call;
+use crate::lower::endless::Endless;
 use crate::lower::function::Function;
 use crate::lower::scope::Place;
 use crate::lower::value::Value;
@@ -20,6 +21,7 @@ impl Reader {
         let option = |value: Option<Value>| Ok(value.map_or(Value::none(), Value::some));
         let borrowed = |value: Value| Value::Reference(Box::new(value));
         match call.name.as_str() {
+            "cycle" if !all.is_empty() => Ok(Value::Endless(Endless::Cycle(all))),
             "first" => option(all.into_iter().next().map(borrowed)),
             "next" => option(all.into_iter().next()),
             "last" => option(all.pop()),
@@ -121,37 +123,39 @@ impl Reader {
         Ok(Value::Iterator(found))
     }
 
-    /// Up to an element, or from one on.
+    /// Up to an element, or from one on; one of several lists, where it depends on coordinates which.
     fn cut(&mut self, all: Vec<Value>, f: &Function, call: &Call) -> Read {
         let name = call.name.as_str();
-        let mut kept = Vec::new();
-        let mut skipping = name == "skip_while";
-        for value in all {
-            let input =
-                if name == "map_while" { value.clone() } else { Value::Reference(Box::new(value.clone())) };
-            let result = self.apply(f, vec![input], &[], call)?;
-            if name == "map_while" {
-                match result {
-                    Value::Adt(adt) if adt.name == "Some" => {
-                        kept.extend(adt.fields.into_iter().map(|(_, value)| value))
-                    }
-                    Value::Adt(_) => break,
-                    _ => return Err(Unreadable::new(&call.whole.method, "an end that is open here")),
-                }
-                continue;
-            }
-            let condition = self.condition(result, call);
-            let Some(holds) = self.graph.truth(condition) else {
-                return Err(Unreadable::new(
-                    &call.whole.method,
-                    format!("a `{name}` by a condition that is open here"),
-                ));
+        let takes = name == "take_while";
+        if name == "map_while" {
+            return self.mapped_while(all, f, call);
+        }
+        let mut conditions = Vec::new();
+        for value in &all {
+            let holds = self.apply(f, vec![Value::Reference(Box::new(value.clone()))], &[], call)?;
+            conditions.push(self.condition(holds, call));
+        }
+        let mut cut = Value::Iterator(if takes { all.clone() } else { vec![] });
+        for (k, &condition) in conditions.iter().enumerate().rev() {
+            let here = Value::Iterator(if takes { all[..k].to_vec() } else { all[k..].to_vec() });
+            cut = match self.graph.truth(condition) {
+                Some(true) => cut,
+                Some(false) => here,
+                None => self.joined(condition, &cut, &here, call)?,
             };
-            skipping &= holds;
-            match name {
-                "take_while" if !holds => break,
-                _ if skipping => {}
-                _ => kept.push(value),
+        }
+        Ok(cut)
+    }
+
+    fn mapped_while(&mut self, all: Vec<Value>, f: &Function, call: &Call) -> Read {
+        let mut kept = Vec::new();
+        for value in all {
+            match self.apply(f, vec![value], &[], call)? {
+                Value::Adt(adt) if adt.name == "Some" => {
+                    kept.extend(adt.fields.into_iter().map(|(_, value)| value))
+                }
+                Value::Adt(_) => break,
+                _ => return Err(Unreadable::new(&call.whole.method, "an end that is open here")),
             }
         }
         Ok(Value::Iterator(kept))

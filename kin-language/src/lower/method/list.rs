@@ -8,7 +8,7 @@ use crate::lower::integer::{self, IntegerType};
 use crate::lower::value::Value;
 use crate::lower::{Read, Reader, Unreadable};
 use crate::vocabulary::is_integer;
-use kin_graph::{Comparison, Graph};
+use kin_graph::{Comparison, Graph, Node};
 
 impl Reader {
     /// A method of an array (`array`) or of an iterator.
@@ -42,12 +42,15 @@ impl Reader {
             ("flatten", []) => self.flattened(all, call).map(Value::Iterator),
             ("sum", []) => self.folded(all, true, call),
             ("product", []) => self.folded(all, false, call),
-            ("map" | "flat_map" | "filter" | "any" | "all", [f]) => {
+            (
+                "map" | "flat_map" | "filter" | "partition" | "filter_map" | "find_map" | "any" | "all",
+                [f],
+            ) => {
                 let f = self.function(f.clone(), call.places[0])?;
                 self.list_method_with(all, array, &f, call)
             }
             (
-                "first" | "last" | "next" | "nth" | "get" | "count" | "split_at" | "split_first"
+                "cycle" | "first" | "last" | "next" | "nth" | "get" | "count" | "split_at" | "split_first"
                 | "split_last" | "try_into" | "unzip",
                 _,
             ) => self.picked(all, call),
@@ -72,6 +75,10 @@ impl Reader {
 
     fn with_another(&mut self, all: Vec<Value>, other: Value, call: &Call) -> Read {
         let iterator = |all: Vec<Value>| Ok(Value::Iterator(all));
+        if let ("zip", Value::Endless(endless)) = (call.name.as_str(), &other) {
+            let others = self.first_of_endless(endless, all.len(), call)?;
+            return iterator(all.into_iter().zip(others).map(|(a, b)| Value::Tuple(vec![a, b])).collect());
+        }
         let Some(items) = self.elements(other, call.places[0])? else {
             return Ok(Value::Poison);
         };
@@ -88,20 +95,35 @@ impl Reader {
             "map" if array => Ok(Value::Array(results)),
             "map" => Ok(Value::Iterator(results)),
             "flat_map" => self.flattened(results, call).map(Value::Iterator),
-            "filter" => {
-                let mut kept = Value::Iterator(vec![]);
-                for (value, result) in all.into_iter().zip(results) {
-                    let condition = self.condition(result, call);
-                    let longer = lengthened(kept.clone(), &value);
-                    kept = match self.graph.truth(condition) {
-                        Some(true) => longer,
-                        Some(false) => kept,
-                        // One of several lists, of which those of one length are joined element by element.
-                        None => self.joined(condition, &longer, &kept, call)?,
-                    };
+            "filter" | "partition" => {
+                let conditions: Vec<Node> =
+                    results.into_iter().map(|result| self.condition(result, call)).collect();
+                let kept = self.filtered(&all, &conditions, call)?;
+                if call.name == "filter" {
+                    return Ok(kept);
                 }
-                Ok(kept)
+                let others: Vec<Node> = conditions.into_iter().map(|holds| self.graph.not(holds)).collect();
+                let rest = self.filtered(&all, &others, call)?;
+                Ok(Value::Tuple(vec![collected(kept), collected(rest)]))
             }
+            "filter_map" => results.into_iter().try_fold(Value::Iterator(vec![]), |kept, result| {
+                let result = self.loaded(result);
+                self.each(result, call, &mut |_, result| match result {
+                    Value::Adt(adt) if adt.name == "Some" => {
+                        Ok(adt.fields.iter().fold(kept.clone(), |kept, (_, value)| lengthened(kept, value)))
+                    }
+                    Value::Adt(adt) if adt.name == "None" => Ok(kept.clone()),
+                    _ => Err(Unreadable::new(&call.whole.method, "`filter_map` of these")),
+                })
+            }),
+            "find_map" => results.into_iter().rev().try_fold(Value::none(), |found, result| {
+                let result = self.loaded(result);
+                self.each(result, call, &mut |_, result| match result {
+                    Value::Adt(adt) if adt.name == "None" => Ok(found.clone()),
+                    some @ Value::Adt(_) => Ok(some),
+                    _ => Err(Unreadable::new(&call.whole.method, "`find_map` of these")),
+                })
+            }),
             name => {
                 let any = name == "any";
                 let join = if any { Graph::or } else { Graph::and };
@@ -113,6 +135,21 @@ impl Reader {
                 Ok(Value::Condition(joined))
             }
         }
+    }
+
+    /// The elements whose conditions hold.
+    fn filtered(&mut self, all: &[Value], conditions: &[Node], call: &Call) -> Read {
+        let mut kept = Value::Iterator(vec![]);
+        for (value, &condition) in all.iter().zip(conditions) {
+            let longer = lengthened(kept.clone(), value);
+            kept = match self.graph.truth(condition) {
+                Some(true) => longer,
+                Some(false) => kept,
+                // One of several lists, of which those of one length are joined element by element.
+                None => self.joined(condition, &longer, &kept, call)?,
+            };
+        }
+        Ok(kept)
     }
 
     fn flattened(&mut self, all: Vec<Value>, call: &Call) -> Read<Vec<Value>> {
@@ -206,6 +243,17 @@ impl Reader {
                 Ok(Value::Scalar(sum))
             }
         }
+    }
+}
+
+/// An iterator, or each of several, as an array.
+fn collected(list: Value) -> Value {
+    match list {
+        Value::Iterator(all) => Value::Array(all),
+        Value::Choice(all) => {
+            Value::Choice(all.into_iter().map(|(taken, list)| (taken, collected(list))).collect())
+        }
+        other => other,
     }
 }
 

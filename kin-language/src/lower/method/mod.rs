@@ -66,6 +66,7 @@ impl Reader {
             (value @ (Value::Poison | Value::Never | Value::Left), ..) => Ok(value),
             (Value::Opaque(template), ..) => self.opaque_method(template, call),
             (Value::Iterator(all), ..) => self.list_method(all, false, call),
+            (Value::Endless(endless), ..) => self.endless_method(endless, &call.arguments, whole),
             (Value::Reference(inner), "into_iter", []) => {
                 self.method_of(*inner, Call { name: "iter".into(), ..call })
             }
@@ -86,7 +87,13 @@ impl Reader {
                 [],
             ) if !matches!(value, Value::Scalar(_)) || call.name != "copied" => Ok(value),
             (value, "into", []) => Ok(Value::Into(Box::new(value))),
-            (Value::Scalar(n), ..) => self.scalar_method(n, &call),
+            (Value::Scalar(n), ..) => {
+                let arguments = std::iter::once(Value::Scalar(n)).chain(call.arguments.iter().cloned());
+                match self.own_method("f64", &call.name, arguments.collect(), &call)? {
+                    Some(value) => Ok(value),
+                    None => self.scalar_method(n, &call),
+                }
+            }
             (Value::Integer(k, ty), ..) => self.integer_method(k, ty, &call),
             (Value::Vector(v), ..) => self.vector_method(&v, &call),
             (Value::Matrix(n, m), ..) => self.matrix_method(n, &m, &call),

@@ -46,8 +46,9 @@ impl Reader {
             ("unwrap_or_else", 1) => apply(self, 0, if adt.name == "Err" { vec![inner] } else { vec![] }),
             ("map", 1) if held => Ok(with(apply(self, 0, vec![inner])?)),
             ("and_then", 1) if held => apply(self, 0, vec![inner]),
-            ("map" | "and_then" | "filter", 1) => Ok(same),
-            ("filter", _) => {
+            ("map" | "and_then", 1) => Ok(same),
+            ("filter", 1) if !held => Ok(same),
+            ("filter", 1) => {
                 let keeps = apply(self, 0, vec![Value::Reference(Box::new(inner))])?;
                 let keeps = self.condition(keeps, call);
                 self.joined(keeps, &same, &Value::none(), call)
@@ -64,8 +65,7 @@ impl Reader {
             ("or", 1) => Ok(argument(0)),
             ("or_else", 1) => apply(self, 0, vec![]),
             ("and", 1) => Ok(if held { argument(0) } else { same }),
-            ("ok", 0) => Ok(if held { Value::some(inner) } else { Value::none() }),
-            ("ok_or" | "ok_or_else", 1) if held => Ok(Value::Adt(Adt::new("Ok", Some(inner)))),
+            ("ok" | "err" | "map_err" | "ok_or" | "ok_or_else", _) => self.between(adt, call),
             ("copied" | "cloned" | "as_ref" | "as_mut" | "clone" | "as_deref" | "take", 0) => {
                 Ok(if held { with(self.loaded(inner)) } else { same })
             }
@@ -77,6 +77,28 @@ impl Reader {
                 format!("`{}` of an `Option` or `Result`", call.name),
             )),
         }
+    }
+
+    /// From an `Option` to a `Result` and back.
+    fn between(&mut self, adt: Adt, call: &Call) -> Read {
+        let held = matches!(adt.name.as_str(), "Some" | "Ok");
+        let inner = adt.fields.first().map(|(_, value)| value.clone());
+        let error = |value: Value| Value::Adt(Adt::new("Err", Some(value)));
+        let applied = |reader: &mut Self, inputs: Vec<Value>| {
+            let f = reader.function(call.arguments[0].clone(), call.places[0])?;
+            reader.apply(&f, inputs, &[], call)
+        };
+        Ok(match (call.name.as_str(), &call.arguments[..]) {
+            ("ok", []) if held => Value::Adt(Adt::new("Some", inner)),
+            ("err", []) if !held => Value::Adt(Adt::new("Some", inner)),
+            ("ok" | "err", []) => Value::none(),
+            ("ok_or" | "ok_or_else", [_]) if held => Value::Adt(Adt::new("Ok", inner)),
+            ("map_err", [_]) if held => Value::Adt(adt),
+            ("map_err", [_]) => error(applied(self, inner.into_iter().collect())?),
+            ("ok_or", [value]) => error(value.clone()),
+            ("ok_or_else", [_]) => error(applied(self, vec![])?),
+            _ => return Err(Unreadable::new(&call.whole.method, "this method")),
+        })
     }
 
     fn zipped(&mut self, one: &Value, other: Value, call: &Call) -> Read {

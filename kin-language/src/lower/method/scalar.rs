@@ -167,7 +167,24 @@ impl Reader {
             _ => return Err(unreadable()),
         };
         let ty = if call.name == "abs_diff" { None } else { ty };
+        match (call.name.as_str(), argument) {
+            ("is_power_of_two", None) => {
+                return Ok(Value::Condition(self.graph.bool(k > 0 && k & (k - 1) == 0)));
+            }
+            ("is_multiple_of", Some(n)) => {
+                return Ok(Value::Condition(self.graph.bool(k == 0 || n != 0 && k % n == 0)));
+            }
+            ("count_ones", None) if k >= 0 => {
+                return Ok(Value::Integer(i64::from(k.count_ones()), IntegerType::named("u32")));
+            }
+            ("trailing_zeros", None) if k > 0 => {
+                return Ok(Value::Integer(i64::from(k.trailing_zeros()), IntegerType::named("u32")));
+            }
+            _ => {}
+        }
         let value = match (call.name.as_str(), argument) {
+            ("div_ceil", Some(n)) if k >= 0 && n > 0 => Some((k - 1).div_euclid(n) + 1),
+            ("saturating_sub", Some(n)) if ty.is_some_and(IntegerType::is_unsigned) => Some((k - n).max(0)),
             ("pow", Some(n)) => u32::try_from(n).ok().and_then(|n| k.checked_pow(n)),
             ("abs", None) => k.checked_abs(),
             ("signum", None) => Some(k.signum()),

@@ -76,7 +76,7 @@ impl Rewriter {
     fn lift_result(&mut self, expression: &mut Expr) {
         let (at, dual, value) = (mixed(expression), &self.dual, &*expression);
         *expression = match self.copy {
-            Copy::Plain => parse_quote_spanned!(at=> (&::kin::emitted::Foreign(#value)).lowered()),
+            Copy::Plain => parse_quote_spanned!(at=> ::kin::emitted::returned(#value).lowered()),
             Copy::Dual => {
                 parse_quote_spanned!(at=> (&::kin::emitted::Foreign(#value)).lifted(::core::marker::PhantomData::<#dual>))
             }

@@ -363,7 +363,8 @@ fn computes(value: &Expr) -> bool {
     }
 }
 
-fn is_compound(op: &syn::BinOp) -> bool {
+/// `+=` and the like.
+pub fn is_compound(op: &syn::BinOp) -> bool {
     let text = op.to_token_stream().to_string();
     text.ends_with('=') && !matches!(text.as_str(), "==" | "!=" | "<=" | ">=")
 }

@@ -44,7 +44,7 @@ impl Rewriter {
             Expr::Path(path) => match (self.variable(path), self.inner_function(path)) {
                 (Some(variable), _) => self.scopes.nature(variable.number).foreign,
                 (None, Some(_)) => false,
-                (None, None) => !is_number_function(path),
+                (None, None) => !is_number_function(path) && !path.path.is_ident("None"),
             },
             Expr::Paren(inner) => self.is_foreign(&inner.expr),
             Expr::Group(inner) => self.is_foreign(&inner.expr),

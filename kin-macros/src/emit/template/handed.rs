@@ -162,7 +162,9 @@ pub(super) fn renamed(pattern: &syn::Pat, name: &Ident, own: &Ident, borrows: bo
             syn::visit_mut::visit_pat_ident_mut(self, pattern);
         }
         fn visit_field_pat_mut(&mut self, field: &mut syn::FieldPat) {
-            field.colon_token.get_or_insert_with(Default::default);
+            if matches!(&*field.pat, syn::Pat::Ident(pattern) if pattern.ident == *self.0) {
+                field.colon_token.get_or_insert_with(Default::default);
+            }
             syn::visit_mut::visit_field_pat_mut(self, field);
         }
     }

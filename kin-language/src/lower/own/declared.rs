@@ -1,0 +1,245 @@
+//! What the body declares of its own types: structs and enums, their functions, constants and traits.
+
+use std::collections::HashMap;
+use std::rc::Rc;
+
+use syn::visit_mut::VisitMut;
+use syn::{Attribute, Expr, Fields, FnArg, ImplItem, Item, ItemFn, ItemImpl, TraitItem, Type, parse_quote};
+
+use crate::lower::generic::Substitution;
+use crate::lower::method::takes_itself;
+use crate::lower::value::Value;
+
+/// What the body declares of its own types.
+#[derive(Default)]
+pub struct Own {
+    types: HashMap<String, Declared>,
+    /// What traits give to whoever has them, by the trait's name.
+    traits: HashMap<String, Vec<ItemFn>>,
+    /// By the names of the type and the function; several of one name take other types. A constant is a
+    /// function without arguments.
+    functions: HashMap<(String, String), Vec<Inner>>,
+}
+
+/// A function, and the number of the scope that it is declared in.
+pub type Inner = (Rc<ItemFn>, usize);
+
+/// A struct or an enum.
+pub struct Declared {
+    /// The names of its generic types and lengths.
+    pub generics: Vec<String>,
+    /// The fields of a struct in their order, those of a tuple by their numbers.
+    pub fields: Vec<(String, Type)>,
+    pub braces: bool,
+    /// The variants of an enum in their order, with the integers that they are.
+    pub variants: Vec<(String, Option<i64>)>,
+    /// The variant that is the default one.
+    pub default: Option<String>,
+    derives: Vec<String>,
+}
+
+impl Declared {
+    fn new(generics: &syn::Generics, attributes: &[Attribute]) -> Self {
+        let name = |parameter: &syn::GenericParam| match parameter {
+            syn::GenericParam::Type(ty) => Some(ty.ident.to_string()),
+            syn::GenericParam::Const(length) => Some(length.ident.to_string()),
+            syn::GenericParam::Lifetime(_) => None,
+        };
+        Declared {
+            generics: generics.params.iter().filter_map(name).collect(),
+            fields: vec![],
+            braces: false,
+            variants: vec![],
+            default: None,
+            derives: attributes.iter().flat_map(derived).collect(),
+        }
+    }
+
+    fn with_fields(self, fields: &Fields) -> Self {
+        let named = fields.iter().enumerate().map(|(k, field)| {
+            (field.ident.as_ref().map_or(k.to_string(), ToString::to_string), field.ty.clone())
+        });
+        Declared { fields: named.collect(), braces: matches!(fields, Fields::Named(_)), ..self }
+    }
+
+    fn with_variants(mut self, of: &syn::ItemEnum) -> Self {
+        let mut next = Some(0);
+        for variant in &of.variants {
+            if let Some((_, value)) = &variant.discriminant {
+                next = integer(value);
+            }
+            self.variants.push((variant.ident.to_string(), next));
+            next = next.and_then(|k: i64| k.checked_add(1));
+            if variant.attrs.iter().any(|attribute| attribute.path().is_ident("default")) {
+                self.default = Some(variant.ident.to_string());
+            }
+        }
+        self
+    }
+
+    pub fn derives(&self, name: &str) -> bool {
+        self.derives.iter().any(|derived| derived == name)
+    }
+}
+
+impl Own {
+    /// Takes a type, or what a type can do, from the items of a block.
+    pub fn take(&mut self, item: &Item, depth: usize) -> bool {
+        match item {
+            Item::Struct(of) => {
+                let declared = Declared::new(&of.generics, &of.attrs).with_fields(&of.fields);
+                self.types.insert(of.ident.to_string(), declared);
+            }
+            Item::Enum(of) => {
+                let declared = Declared::new(&of.generics, &of.attrs).with_variants(of);
+                self.types.insert(of.ident.to_string(), declared);
+            }
+            Item::Trait(of) => {
+                let given = of.items.iter().filter_map(|item| match item {
+                    TraitItem::Fn(function) => Some(whole(&function.sig, function.default.as_ref()?)),
+                    TraitItem::Const(constant) => {
+                        Some(constant_function(&constant.ident, &constant.ty, &constant.default.as_ref()?.1))
+                    }
+                    _ => None,
+                });
+                self.traits.insert(of.ident.to_string(), given.collect());
+            }
+            Item::Impl(of) => return self.implementation(of, depth),
+            _ => return false,
+        }
+        true
+    }
+
+    fn implementation(&mut self, of: &ItemImpl, depth: usize) -> bool {
+        let Type::Path(path) = &*of.self_ty else { return false };
+        let last = path.path.segments.last().map(|last| last.ident.to_string());
+        let Some(name) = last.filter(|name| self.is_type(name) || name == "f64") else { return false };
+        let own = of.items.iter().filter_map(|item| match item {
+            ImplItem::Fn(function) => Some(whole(&function.sig, &function.block)),
+            ImplItem::Const(constant) => {
+                Some(constant_function(&constant.ident, &constant.ty, &constant.expr))
+            }
+            _ => None,
+        });
+        let of_trait = of
+            .trait_
+            .as_ref()
+            .and_then(|(_, path, _)| self.traits.get(&path.segments.last()?.ident.to_string()));
+        let mut items: Vec<ItemFn> = own.collect();
+        // What the type has itself stands in the place of what the trait gives.
+        let given = of_trait.into_iter().flatten();
+        let given = given.filter(|given| items.iter().all(|item| item.sig.ident != given.sig.ident));
+        items.extend(given.cloned().collect::<Vec<_>>());
+        for mut item in items {
+            let function = item.sig.ident.to_string();
+            item.sig.generics.params.extend(of.generics.params.iter().cloned());
+            Substitution(&[("Self".to_string(), (*of.self_ty).clone())].into()).visit_item_fn_mut(&mut item);
+            self.functions.entry((name.clone(), function)).or_default().push((Rc::new(item), depth));
+        }
+        true
+    }
+
+    pub fn declared(&self, name: &str) -> Option<&Declared> {
+        self.types.get(name)
+    }
+
+    pub fn is_type(&self, name: &str) -> bool {
+        self.types.contains_key(name)
+    }
+
+    /// The path of a variant with its enum before it, where `use Joint::*` has left it out.
+    pub fn whole_path(&self, path: &syn::Path) -> syn::Path {
+        let owner = path.get_ident().filter(|name| !self.is_type(&name.to_string())).and_then(|variant| {
+            let has = |declared: &Declared| declared.variants.iter().any(|(name, _)| variant == name);
+            self.types.iter().filter(|(_, declared)| has(declared)).map(|(name, _)| name).min()
+        });
+        match owner {
+            Some(owner) => {
+                let owner = syn::Ident::new(owner, proc_macro2::Span::call_site());
+                parse_quote!(#owner::#path)
+            }
+            None => path.clone(),
+        }
+    }
+
+    /// Whether some method of that name takes `&mut self`.
+    pub fn changes(&self, name: &str) -> bool {
+        let mut named = self.functions.iter().filter(|((_, known), _)| known == name);
+        named.any(|(_, all)| all.iter().any(|(item, _)| takes_itself(item)))
+    }
+
+    /// The function of a type by its name; of several the first whose arguments fit.
+    pub fn function(&self, ty: &str, name: &str, arguments: &[Value]) -> Option<Inner> {
+        let all = self.functions.get(&(ty.to_string(), name.to_string()))?;
+        let fitting = all.iter().find(|(item, _)| {
+            let inputs = item.sig.inputs.iter().zip(arguments);
+            inputs.into_iter().all(|(input, value)| match input {
+                FnArg::Typed(typed) => fits(&typed.ty, value),
+                FnArg::Receiver(_) => true,
+            })
+        });
+        fitting.or(all.last()).cloned()
+    }
+
+    /// The function or constant that a path names: `Link::new`, `<M8 as Thread>::PITCH`.
+    pub fn by_path(&self, path: &syn::ExprPath, arguments: &[Value]) -> Option<Inner> {
+        let segments = &path.path.segments;
+        let name = segments.last()?.ident.to_string();
+        let ty = match &path.qself {
+            Some(of) => match &*of.ty {
+                Type::Path(ty) => ty.path.segments.last()?.ident.to_string(),
+                _ => return None,
+            },
+            None => segments.iter().rev().nth(1)?.ident.to_string(),
+        };
+        self.function(&ty, &name, arguments)
+    }
+}
+
+/// Whether a value may be of a type, as far as both are known.
+fn fits(ty: &Type, value: &Value) -> bool {
+    match (ty, value) {
+        (Type::Reference(ty), value) => fits(&ty.elem, value),
+        (ty, Value::Reference(value)) => fits(ty, value),
+        (Type::Path(path), value) => match (path.path.segments.last().map(|s| s.ident.to_string()), value) {
+            (Some(name), Value::Adt(adt)) => name == adt.type_name(),
+            (Some(name), Value::Scalar(_)) => name == "f64",
+            (Some(name), Value::Vector(v)) => name == format!("Vec{}", v.len()),
+            (Some(name), Value::Integer(..)) => name != "f64",
+            _ => true,
+        },
+        (Type::Tuple(_), value) => !matches!(value, Value::Scalar(_) | Value::Adt(_)),
+        _ => true,
+    }
+}
+
+fn whole(sig: &syn::Signature, block: &syn::Block) -> ItemFn {
+    parse_quote!(#sig #block)
+}
+
+/// `const PITCH: f64 = 1.25;` as `fn PITCH() -> f64 { 1.25 }`
+fn constant_function(name: &syn::Ident, ty: &Type, value: &Expr) -> ItemFn {
+    parse_quote!(fn #name() -> #ty { #value })
+}
+
+/// The names in `#[derive(…)]`.
+fn derived(attribute: &Attribute) -> Vec<String> {
+    let mut names = Vec::new();
+    if attribute.path().is_ident("derive") {
+        // What is no list of names is rustc's to complain of.
+        let _ = attribute.parse_nested_meta(|meta| {
+            names.extend(meta.path.segments.last().map(|last| last.ident.to_string()));
+            Ok(())
+        });
+    }
+    names
+}
+
+/// `5`, `-1`
+fn integer(value: &Expr) -> Option<i64> {
+    match value {
+        Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(k), .. }) => k.base10_parse().ok(),
+        Expr::Unary(syn::ExprUnary { op: syn::UnOp::Neg(_), expr, .. }) => integer(expr)?.checked_neg(),
+        _ => None,
+    }
+}
