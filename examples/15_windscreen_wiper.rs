@@ -59,7 +59,7 @@ fn main() -> kin::Result<()> {
         );
     }
     let worst = system.extremes(&motion, |m: &Motion| m.transmission_angle(rod, arm))?;
-    println!("transmission angle at least {:.2}°, at {:.6} s", worst.min().0.to_degrees(), worst.min().1);
+    println!("transmission angle at least {:.2}°, at {:.6} s", worst.min().value.to_degrees(), worst.min().t);
     for event in motion.events() {
         println!("  {event}");
     }

@@ -22,8 +22,9 @@ pub use kin_core::*;
 // Listed under `extend`; these paths are shorter, and those that emitted code and constraints by hand have.
 #[doc(hidden)]
 pub use kin_core::extend::{
-    Attached, Attachment, Dependence, Dual, Lanes, LawFunction, Measured, Real, Target, Terms, blame,
-    by_dual, coordinates, dual_route, dual_terms, jerk_rhs, lanes, measure, real, state, terms,
+    Attached, Attachment, Dependence, Dual, Entry, Facts, Lanes, LawFunction, Measured, Moving, Parameters,
+    Real, Target, Terms, Written, blame, by_dual, coordinates, dual_route, dual_terms, jerk_rhs, lanes,
+    measure, real, state, terms,
 };
 
 /// Everything a program with a mechanism in it needs: `use kin::prelude::*;`.

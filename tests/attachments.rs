@@ -1,7 +1,7 @@
 //! The points and directions that a constraint speaks of are known without being told.
 
 use kin::prelude::*;
-use kin::{Attached, any_planar, any_spatial, by_dual, vec2, vec3};
+use kin::{Attached, Parameters, any_planar, any_spatial, by_dual, vec2, vec3};
 
 /// Pin in a slot at y = k, read through names, constants and a closure.      [m]
 #[constraint]
@@ -45,7 +45,7 @@ fn of_a_joint_of_the_library() {
 #[test]
 fn whatever_they_are_computed_from_but_not_what_moves() {
     let mut joint = pin_in_slot(any_planar(), any_planar(), vec2(0.1, 0.2), 3.0);
-    assert_eq!(joint.route(), Route::Symbolic);
+    assert_eq!(joint.facts().route(), Route::Symbolic);
     assert_eq!(
         shown(&joint),
         [(1, "direction", [0.0, 1.0, 0.0]), (0, "point", [0.2, 0.4, 0.0]), (1, "point", [1.5, 0.0, 0.0])]
@@ -57,7 +57,7 @@ fn whatever_they_are_computed_from_but_not_what_moves() {
 #[test]
 fn on_the_dual_route_those_that_are_parameters() {
     let joint = unread(any_spatial(), any_spatial(), 2, vec3(1.0, 2.0, 3.0), vec3(0.0, 0.0, 1.0));
-    assert_eq!(joint.route(), Route::Dual);
+    assert_eq!(joint.facts().route(), Route::Dual);
     assert_eq!(shown(&joint), [(0, "point", [1.0, 2.0, 3.0]), (1, "direction", [0.0, 0.0, 1.0])]);
 }
 
@@ -69,8 +69,10 @@ fn a_system_shows_its_bodies_its_constraints_and_its_condition() -> kin::Result<
     m.add("motor", drive_angle(arm, Law::ramp(1.0)))?;
     let system = m.build()?;
     assert_eq!(system.bodies().iter().map(|(name, _)| *name).collect::<Vec<_>>(), ["arm"]);
-    let constraints: Vec<_> =
-        system.constraints().map(|(name, c)| (name, c.kind().to_string(), c.attachments().len())).collect();
+    let constraints: Vec<_> = system
+        .constraints()
+        .map(|(name, c)| (name, c.facts().kind.to_string(), c.attachments().len()))
+        .collect();
     assert_eq!(constraints, [("O", "revolute".to_string(), 2), ("motor", "drive_angle".to_string(), 0)]);
     let condition = system.condition(&system.run(linspace(0.0, 1.0, 5))?)?;
     assert!(condition.values().iter().all(|k| (1.0..10.0).contains(k)), "{condition:?}");

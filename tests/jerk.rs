@@ -2,7 +2,7 @@
 //! mechanisms, of points, in files.
 
 use kin::prelude::*;
-use kin::{Options, Registry, Solution};
+use kin::{Entry, Facts, Options, Registry, Solution};
 
 #[path = "data/own.rs"]
 mod own;
@@ -94,20 +94,16 @@ fn every_example() {
 struct OnUnitCircle(PlanarBody);
 
 impl Constraint for OnUnitCircle {
-    fn kind(&self) -> &str {
-        "on_unit_circle"
-    }
-    fn route(&self) -> Route {
-        Route::Hand
+    fn facts(&self) -> Facts<'_> {
+        const FACTS: Facts<'static> = Facts {
+            rows: &["1"],
+            pattern: &[Entry::new(0, 0), Entry::new(0, 1)],
+            ..Facts::of("on_unit_circle")
+        };
+        FACTS
     }
     fn arguments(&self) -> Vec<kin::coordinates::Argument> {
         vec![kin::coordinates::Argument { name: "b", target: kin::Target::Planar(self.0) }]
-    }
-    fn rows(&self) -> &[&str] {
-        &["1"]
-    }
-    fn pattern(&self) -> &[(usize, usize)] {
-        &[(0, 0), (0, 1)]
     }
     fn residual(&self, at: &kin::state::At<'_>, c: &mut [f64]) {
         let r = at.planar(0).r;

@@ -173,7 +173,7 @@ impl Input {
             Some(place)
         };
         let places = work.arguments.iter().scan([0, 0], begin).collect();
-        let mut timed = vec![0.0; work.by_macro.n_timed()];
+        let mut timed = vec![0.0; work.by_macro.facts().n_timed];
         work.by_macro.at_time(0.0, &mut timed);
         Input { states, rates, places, timed }
     }
@@ -188,7 +188,8 @@ struct Output {
 
 impl Output {
     fn new(work: &Work) -> Self {
-        let [m, entries] = [work.by_macro.rows().len(), work.by_macro.pattern().len()];
+        let facts = work.by_macro.facts();
+        let [m, entries] = [facts.rows.len(), facts.pattern.len()];
         Output { c: vec![0.0; m], c_q: vec![0.0; entries], q_d: vec![0.0; m] }
     }
 }

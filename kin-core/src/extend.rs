@@ -5,7 +5,9 @@
 //! bodies that it acts on in [`coordinates`]. A law by hand is an `impl` of [`LawFunction`].
 
 #[doc(inline)]
-pub use crate::model::constraint::{Attached, Attachment, Dependence, Measured};
+pub use crate::model::constraint::{
+    Attached, Attachment, Dependence, Entry, Facts, Measured, Parameters, Written,
+};
 #[doc(inline)]
 pub use crate::model::coordinates::Target;
 #[doc(inline)]
@@ -13,7 +15,7 @@ pub use crate::model::dual_route::by_dual;
 #[doc(inline)]
 pub use crate::model::law::LawFunction;
 #[doc(inline)]
-pub use crate::model::terms::{Terms, dual_terms, jerk_rhs, measure, terms};
+pub use crate::model::terms::{Moving, Terms, dual_terms, jerk_rhs, measure, terms};
 #[doc(inline)]
 pub use crate::numbers::lanes::Lanes;
 #[doc(inline)]

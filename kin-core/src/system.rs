@@ -206,7 +206,7 @@ impl System {
     pub(crate) fn beyond_a_turn(&self, t: f64) -> Vec<(String, f64)> {
         let mut found = Vec::new();
         let turns = |block: &&Block| {
-            ["drive_turn", "drive_rotation", "drive_orientation"].contains(&block.constraint.kind())
+            ["drive_turn", "drive_rotation", "drive_orientation"].contains(&block.constraint.facts().kind)
         };
         let mut all = self.equations.blocks.iter().filter(turns).peekable();
         if all.peek().is_none() {
@@ -364,5 +364,5 @@ pub(crate) fn time(t: f64) -> Result<f64> {
 /// True if an equation may have anything that switches; on the dual route that is not known, and it counts as
 /// not switching.
 fn switches(constraint: &dyn Constraint) -> bool {
-    constraint.table().is_some_and(|(table, _)| table.may_switch())
+    constraint.formula(|table, _, _| table.may_switch()).unwrap_or(false)
 }

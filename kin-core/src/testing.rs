@@ -8,30 +8,41 @@ mod refused;
 mod whole;
 
 use crate::model::blame::{Asked, Blame, Input, Part};
-use crate::model::constraint::{Constraint, Route};
+use crate::model::constraint::{Constraint, Entry, Facts, Parameters, Written};
 use crate::model::coordinates::{Argument, Coordinate, PlanarBody, Target, Trig};
 use crate::model::law::Law;
 use crate::model::mechanism::Pose;
 use crate::model::state::{At, Rates};
 use crate::numbers::algebra::Vec2;
 
-/// The methods that are the same for all of them.
-macro_rules! hand_written {
-    ($kind:literal, $rows:expr, $pattern:expr) => {
-        fn kind(&self) -> &str {
-            $kind
+/// The facts of a constraint written by hand: its kind, its rows and its pattern.
+macro_rules! facts {
+    ($kind:literal, $rows:expr, [$(($row:literal, $column:literal)),+]) => {
+        fn facts(&self) -> Facts<'_> {
+            const FACTS: Facts<'static> = Facts {
+                rows: &$rows,
+                pattern: &[$(Entry::new($row, $column)),+],
+                ..Facts::of($kind)
+            };
+            FACTS
+        }
+    };
+}
+
+/// A constraint shows a trait of its own that it implements.
+macro_rules! shows {
+    (Parameters) => {
+        fn as_parameters(&self) -> Option<&dyn Parameters> {
+            Some(self)
         }
 
-        fn route(&self) -> Route {
-            Route::Hand
+        fn as_parameters_mut(&mut self) -> Option<&mut dyn Parameters> {
+            Some(self)
         }
-
-        fn rows(&self) -> &[&str] {
-            &$rows
-        }
-
-        fn pattern(&self) -> &[(usize, usize)] {
-            &$pattern
+    };
+    (Written) => {
+        fn as_written(&self) -> Option<&dyn Written> {
+            Some(self)
         }
     };
 }
@@ -58,7 +69,7 @@ pub fn revolute(i: impl Into<PlanarBody>, j: impl Into<PlanarBody>, u_i: Vec2, u
 }
 
 impl Constraint for Revolute {
-    hand_written!("revolute", ["x", "y"], [(0, 0), (0, 2), (0, 3), (0, 5), (1, 1), (1, 2), (1, 4), (1, 5)]);
+    facts!("revolute", ["x", "y"], [(0, 0), (0, 2), (0, 3), (0, 5), (1, 1), (1, 2), (1, 4), (1, 5)]);
 
     fn arguments(&self) -> Vec<Argument> {
         vec![planar("i", self.i), planar("j", self.j)]
@@ -84,6 +95,10 @@ impl Constraint for Revolute {
         q_d.copy_from_slice(&[wi * a.x - wj * b.x, wi * a.y - wj * b.y]);
     }
 
+    shows!(Parameters);
+}
+
+impl Parameters for Revolute {
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         visit("u_i.x", self.u_i.x);
         visit("u_i.y", self.u_i.y);
@@ -113,7 +128,7 @@ pub fn drive_angle(b: impl Into<PlanarBody>, law: Law) -> DriveAngle {
 }
 
 impl Constraint for DriveAngle {
-    hand_written!("drive_angle", ["1"], [(0, 2)]);
+    facts!("drive_angle", ["1"], [(0, 2)]);
 
     fn arguments(&self) -> Vec<Argument> {
         vec![planar("b", self.b)]
@@ -135,8 +150,18 @@ impl Constraint for DriveAngle {
         q_d[0] = t_dot * t_dot * self.law.jet(at.t)[2];
     }
 
+    shows!(Parameters);
+}
+
+impl Parameters for DriveAngle {
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         self.law.parameters(&mut |name, value| visit(&format!("law.{name}"), value));
+    }
+
+    fn set_parameter(&mut self, name: &str, value: f64) -> bool {
+        // It shows what it has and lets nothing be changed.
+        let _ = (name, value);
+        false
     }
 }
 
@@ -148,7 +173,7 @@ pub struct Fixed {
 }
 
 impl Constraint for Fixed {
-    hand_written!("fixed", ["x", "y", "theta"], [(0, 0), (1, 1), (2, 2)]);
+    facts!("fixed", ["x", "y", "theta"], [(0, 0), (1, 1), (2, 2)]);
 
     fn arguments(&self) -> Vec<Argument> {
         vec![planar("b", self.b)]
@@ -182,7 +207,7 @@ pub struct SliderCrank {
 }
 
 impl Constraint for SliderCrank {
-    hand_written!("slider_crank", ["x", "y"], [(0, 0), (0, 1), (1, 0)]);
+    facts!("slider_crank", ["x", "y"], [(0, 0), (0, 1), (1, 0)]);
 
     fn arguments(&self) -> Vec<Argument> {
         vec![coord("theta3", self.theta3, Trig::Used), coord("x", self.x, Trig::Unused)]
@@ -217,7 +242,7 @@ impl Constraint for SliderCrank {
 pub struct Root(pub Coordinate);
 
 impl Constraint for Root {
-    hand_written!("root", ["1"], [(0, 0)]);
+    facts!("root", ["1"], [(0, 0)]);
 
     fn arguments(&self) -> Vec<Argument> {
         vec![coord("x", self.0, Trig::Unused)]
@@ -239,6 +264,10 @@ impl Constraint for Root {
         q_d[0] = 0.25 * qd.coord(0).powi(2) / at.coord(0).value.powf(1.5);
     }
 
+    shows!(Written);
+}
+
+impl Written for Root {
     fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
         (asked.q[0] < 0.0).then(|| Blame {
             expression: "x.sqrt()".into(),
@@ -260,7 +289,7 @@ pub struct Follow {
 }
 
 impl Constraint for Follow {
-    hand_written!("follow", ["1"], [(0, 0), (0, 1)]);
+    facts!("follow", ["1"], [(0, 0), (0, 1)]);
 
     fn arguments(&self) -> Vec<Argument> {
         vec![coord("x", self.x, Trig::Unused), coord("other", self.other, Trig::Unused)]

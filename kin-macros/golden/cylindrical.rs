@@ -68,11 +68,69 @@ const _: () = {
     type __Real<D> = ::kin::emitted::Real<__Dual<D>>;
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::Constraint for cylindrical {
-        fn kind(&self) -> &str {
-            "cylindrical"
-        }
-        fn route(&self) -> ::kin::Route {
-            ::kin::Route::Symbolic
+        fn facts(&self) -> ::kin::emitted::Facts<'_> {
+            const FACTS: ::kin::emitted::Facts<'static> = ::kin::emitted::Facts {
+                description: "A cylindrical joint: the axes are parallel and the line between two of their points is along them.      [–, –, m, m]",
+                is_driver: false,
+                rows: &["1", "2", "3", "4"],
+                pattern: &[
+                    ::kin::emitted::Entry::new(0, 3),
+                    ::kin::emitted::Entry::new(0, 4),
+                    ::kin::emitted::Entry::new(0, 5),
+                    ::kin::emitted::Entry::new(0, 6),
+                    ::kin::emitted::Entry::new(0, 10),
+                    ::kin::emitted::Entry::new(0, 11),
+                    ::kin::emitted::Entry::new(0, 12),
+                    ::kin::emitted::Entry::new(0, 13),
+                    ::kin::emitted::Entry::new(1, 3),
+                    ::kin::emitted::Entry::new(1, 4),
+                    ::kin::emitted::Entry::new(1, 5),
+                    ::kin::emitted::Entry::new(1, 6),
+                    ::kin::emitted::Entry::new(1, 10),
+                    ::kin::emitted::Entry::new(1, 11),
+                    ::kin::emitted::Entry::new(1, 12),
+                    ::kin::emitted::Entry::new(1, 13),
+                    ::kin::emitted::Entry::new(2, 0),
+                    ::kin::emitted::Entry::new(2, 1),
+                    ::kin::emitted::Entry::new(2, 2),
+                    ::kin::emitted::Entry::new(2, 3),
+                    ::kin::emitted::Entry::new(2, 4),
+                    ::kin::emitted::Entry::new(2, 5),
+                    ::kin::emitted::Entry::new(2, 6),
+                    ::kin::emitted::Entry::new(2, 7),
+                    ::kin::emitted::Entry::new(2, 8),
+                    ::kin::emitted::Entry::new(2, 9),
+                    ::kin::emitted::Entry::new(2, 10),
+                    ::kin::emitted::Entry::new(2, 11),
+                    ::kin::emitted::Entry::new(2, 12),
+                    ::kin::emitted::Entry::new(2, 13),
+                    ::kin::emitted::Entry::new(3, 0),
+                    ::kin::emitted::Entry::new(3, 1),
+                    ::kin::emitted::Entry::new(3, 2),
+                    ::kin::emitted::Entry::new(3, 3),
+                    ::kin::emitted::Entry::new(3, 4),
+                    ::kin::emitted::Entry::new(3, 5),
+                    ::kin::emitted::Entry::new(3, 6),
+                    ::kin::emitted::Entry::new(3, 7),
+                    ::kin::emitted::Entry::new(3, 8),
+                    ::kin::emitted::Entry::new(3, 9),
+                    ::kin::emitted::Entry::new(3, 10),
+                    ::kin::emitted::Entry::new(3, 11),
+                    ::kin::emitted::Entry::new(3, 12),
+                    ::kin::emitted::Entry::new(3, 13),
+                ],
+                reason: ::kin::RouteReason::Read,
+                dependence: ::kin::emitted::Dependence {
+                    c_on_t: false,
+                    c_q_on_t: false,
+                    c_t: false,
+                    q_d: true,
+                    curved: true,
+                },
+                has_branches: false,
+                ..::kin::emitted::Facts::of("cylindrical")
+            };
+            FACTS
         }
         fn arguments(&self) -> ::std::vec::Vec<::kin::emitted::Argument> {
             ::kin::emitted::arguments(
@@ -87,74 +145,6 @@ const _: () = {
                     },
                 ],
             )
-        }
-        fn rows(&self) -> &[&str] {
-            &["1", "2", "3", "4"]
-        }
-        fn pattern(&self) -> &[(usize, usize)] {
-            &[
-                (0, 3),
-                (0, 4),
-                (0, 5),
-                (0, 6),
-                (0, 10),
-                (0, 11),
-                (0, 12),
-                (0, 13),
-                (1, 3),
-                (1, 4),
-                (1, 5),
-                (1, 6),
-                (1, 10),
-                (1, 11),
-                (1, 12),
-                (1, 13),
-                (2, 0),
-                (2, 1),
-                (2, 2),
-                (2, 3),
-                (2, 4),
-                (2, 5),
-                (2, 6),
-                (2, 7),
-                (2, 8),
-                (2, 9),
-                (2, 10),
-                (2, 11),
-                (2, 12),
-                (2, 13),
-                (3, 0),
-                (3, 1),
-                (3, 2),
-                (3, 3),
-                (3, 4),
-                (3, 5),
-                (3, 6),
-                (3, 7),
-                (3, 8),
-                (3, 9),
-                (3, 10),
-                (3, 11),
-                (3, 12),
-                (3, 13),
-            ]
-        }
-        fn describe(&self, to: &mut ::kin::emitted::Describer) {
-            use ::kin::emitted::{ToldBySerde as _, Untold as _};
-            to.put("u_i", &self.u_i);
-            to.put("u_j", &self.u_j);
-            to.put("f_i", &self.f_i);
-            to.put("g_i", &self.g_i);
-            to.put("h_j", &self.h_j);
-        }
-        fn depends(&self) -> ::kin::emitted::Dependence {
-            ::kin::emitted::Dependence {
-                c_on_t: false,
-                c_q_on_t: false,
-                c_t: false,
-                q_d: true,
-                curved: true,
-            }
         }
         fn residual(&self, at: &::kin::emitted::At<'_>, c: &mut [f64]) {
             self.linearize(at, c, &mut [0.0; 44]);
@@ -779,6 +769,71 @@ const _: () = {
             );
             put(q_d_3, (-4.0) * fma(t48, t84, fma(t83, t46, fma(t52, t81, t85))));
         }
+        fn as_parameters(
+            &self,
+        ) -> ::core::option::Option<&dyn ::kin::emitted::Parameters> {
+            ::core::option::Option::Some(self)
+        }
+        fn as_parameters_mut(
+            &mut self,
+        ) -> ::core::option::Option<&mut dyn ::kin::emitted::Parameters> {
+            ::core::option::Option::Some(self)
+        }
+        fn as_written(&self) -> ::core::option::Option<&dyn ::kin::emitted::Written> {
+            ::core::option::Option::Some(self)
+        }
+    }
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
+    impl ::kin::emitted::Parameters for cylindrical {
+        fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+            ::kin::emitted::visit(
+                &[
+                    ("u_i", &self.u_i),
+                    ("u_j", &self.u_j),
+                    ("f_i", &self.f_i),
+                    ("g_i", &self.g_i),
+                    ("h_j", &self.h_j),
+                ],
+                visit,
+            );
+        }
+        fn set_parameter(&mut self, name: &str, value: f64) -> bool {
+            ::kin::emitted::set(
+                &mut [
+                    ("u_i", &mut self.u_i),
+                    ("u_j", &mut self.u_j),
+                    ("f_i", &mut self.f_i),
+                    ("g_i", &mut self.g_i),
+                    ("h_j", &mut self.h_j),
+                ],
+                name,
+                value,
+            )
+        }
+        fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
+            ::kin::emitted::set_at(
+                &mut [
+                    &mut self.u_i,
+                    &mut self.u_j,
+                    &mut self.f_i,
+                    &mut self.g_i,
+                    &mut self.h_j,
+                ],
+                index,
+                value,
+            )
+        }
+        fn describe(&self, to: &mut ::kin::emitted::Describer) {
+            use ::kin::emitted::{ToldBySerde as _, Untold as _};
+            to.put("u_i", &self.u_i);
+            to.put("u_j", &self.u_j);
+            to.put("f_i", &self.f_i);
+            to.put("g_i", &self.g_i);
+            to.put("h_j", &self.h_j);
+        }
+    }
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
+    impl ::kin::emitted::Written for cylindrical {
         #[cold]
         fn table(
             &self,
@@ -1059,57 +1114,13 @@ rows 218 223 228 233
         fn attachments(&self) -> ::std::vec::Vec<::kin::emitted::Attachment> {
             ::kin::emitted::attachments(
                 &[
-                    (0, false, [self.f_i.x, self.f_i.y, self.f_i.z]),
-                    (0, false, [self.g_i.x, self.g_i.y, self.g_i.z]),
-                    (1, false, [self.h_j.x, self.h_j.y, self.h_j.z]),
-                    (0, true, [self.u_i.x, self.u_i.y, self.u_i.z]),
-                    (1, true, [self.u_j.x, self.u_j.y, self.u_j.z]),
+                    ::kin::emitted::direction(0, [self.f_i.x, self.f_i.y, self.f_i.z]),
+                    ::kin::emitted::direction(0, [self.g_i.x, self.g_i.y, self.g_i.z]),
+                    ::kin::emitted::direction(1, [self.h_j.x, self.h_j.y, self.h_j.z]),
+                    ::kin::emitted::point(0, [self.u_i.x, self.u_i.y, self.u_i.z]),
+                    ::kin::emitted::point(1, [self.u_j.x, self.u_j.y, self.u_j.z]),
                 ],
             )
-        }
-        fn description(&self) -> &str {
-            "A cylindrical joint: the axes are parallel and the line between two of their points is along them.      [–, –, m, m]"
-        }
-        fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-            ::kin::emitted::visit(
-                &[
-                    ("u_i", &self.u_i),
-                    ("u_j", &self.u_j),
-                    ("f_i", &self.f_i),
-                    ("g_i", &self.g_i),
-                    ("h_j", &self.h_j),
-                ],
-                visit,
-            );
-        }
-        fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-            ::kin::emitted::set(
-                &mut [
-                    ("u_i", &mut self.u_i),
-                    ("u_j", &mut self.u_j),
-                    ("f_i", &mut self.f_i),
-                    ("g_i", &mut self.g_i),
-                    ("h_j", &mut self.h_j),
-                ],
-                name,
-                value,
-            )
-        }
-        fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
-            ::kin::emitted::set_at(
-                &mut [
-                    &mut self.u_i,
-                    &mut self.u_j,
-                    &mut self.f_i,
-                    &mut self.g_i,
-                    &mut self.h_j,
-                ],
-                index,
-                value,
-            )
-        }
-        fn has_branches(&self) -> bool {
-            false
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]

@@ -92,11 +92,31 @@ const _: () = {
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::Constraint for on_cam {
-        fn kind(&self) -> &str {
-            "on_cam"
-        }
-        fn route(&self) -> ::kin::Route {
-            ::kin::Route::Symbolic
+        fn facts(&self) -> ::kin::emitted::Facts<'_> {
+            const FACTS: ::kin::emitted::Facts<'static> = ::kin::emitted::Facts {
+                description: "Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]",
+                is_driver: false,
+                rows: &["1"],
+                pattern: &[
+                    ::kin::emitted::Entry::new(0, 0),
+                    ::kin::emitted::Entry::new(0, 1),
+                    ::kin::emitted::Entry::new(0, 2),
+                    ::kin::emitted::Entry::new(0, 3),
+                    ::kin::emitted::Entry::new(0, 4),
+                    ::kin::emitted::Entry::new(0, 5),
+                ],
+                reason: ::kin::RouteReason::Read,
+                dependence: ::kin::emitted::Dependence {
+                    c_on_t: false,
+                    c_q_on_t: false,
+                    c_t: false,
+                    q_d: true,
+                    curved: true,
+                },
+                has_branches: false,
+                ..::kin::emitted::Facts::of("on_cam")
+            };
+            FACTS
         }
         fn arguments(&self) -> ::std::vec::Vec<::kin::emitted::Argument> {
             ::kin::emitted::arguments(
@@ -111,26 +131,6 @@ const _: () = {
                     },
                 ],
             )
-        }
-        fn rows(&self) -> &[&str] {
-            &["1"]
-        }
-        fn pattern(&self) -> &[(usize, usize)] {
-            &[(0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5)]
-        }
-        fn describe(&self, to: &mut ::kin::emitted::Describer) {
-            use ::kin::emitted::{ToldBySerde as _, Untold as _};
-            to.put("tip", &self.tip);
-            to.put("profile", &self.profile);
-        }
-        fn depends(&self) -> ::kin::emitted::Dependence {
-            ::kin::emitted::Dependence {
-                c_on_t: false,
-                c_q_on_t: false,
-                c_t: false,
-                q_d: true,
-                curved: true,
-            }
         }
         fn residual(&self, at: &::kin::emitted::At<'_>, c: &mut [f64]) {
             self.linearize(at, c, &mut [0.0; 6]);
@@ -325,6 +325,93 @@ const _: () = {
                 fma(t20, t20 * law1[2], fma(-2.0, t30, -leaf0.0.v2)),
             );
         }
+        fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::emitted::InLanes> {
+            ::core::option::Option::Some(self)
+        }
+        fn laws(
+            &self,
+            at: &::kin::emitted::At<'_>,
+            visit: &mut dyn FnMut(&str, &::kin::Law, f64),
+        ) {
+            let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
+                .state(0) else { return };
+            let ::core::option::Option::Some(
+                [follower_x,
+                follower_y,
+                _,
+                follower_sin,
+                follower_cos,
+                ],
+            ) = at.state(1) else { return };
+            let follower_y = *follower_y;
+            let follower_sin = *follower_sin;
+            let follower_cos = *follower_cos;
+            let cam_y = *cam_y;
+            let t0 = (follower_y
+                + ((self.tip.x * follower_sin) + (self.tip.y * follower_cos))) - cam_y;
+            let follower_x = *follower_x;
+            let cam_x = *cam_x;
+            let t1 = (follower_x
+                + ((self.tip.x * follower_cos) - (self.tip.y * follower_sin))) - cam_x;
+            let cam_cos = *cam_cos;
+            let cam_sin = *cam_sin;
+            let [x_0] = [
+                ::kin::emitted::math::atan2(
+                    (cam_cos * t0) - (cam_sin * t1),
+                    (cam_cos * t1) + (cam_sin * t0),
+                ),
+            ];
+            visit("profile", &self.profile, x_0);
+        }
+        fn as_parameters(
+            &self,
+        ) -> ::core::option::Option<&dyn ::kin::emitted::Parameters> {
+            ::core::option::Option::Some(self)
+        }
+        fn as_parameters_mut(
+            &mut self,
+        ) -> ::core::option::Option<&mut dyn ::kin::emitted::Parameters> {
+            ::core::option::Option::Some(self)
+        }
+        fn as_written(&self) -> ::core::option::Option<&dyn ::kin::emitted::Written> {
+            ::core::option::Option::Some(self)
+        }
+    }
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
+    impl ::kin::emitted::Parameters for on_cam {
+        fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+            ::kin::emitted::visit(
+                &[("tip", &self.tip), ("profile", &self.profile)],
+                visit,
+            );
+        }
+        fn set_parameter(&mut self, name: &str, value: f64) -> bool {
+            ::kin::emitted::set(
+                &mut [("tip", &mut self.tip), ("profile", &mut self.profile)],
+                name,
+                value,
+            )
+        }
+        fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
+            ::kin::emitted::set_at(&mut [&mut self.tip, &mut self.profile], index, value)
+        }
+        #[cold]
+        fn refusal(&self) -> ::core::option::Option<::std::string::String> {
+            if let ::core::option::Option::Some(why) = ::kin::emitted::refusal(
+                &[("profile", &self.profile)],
+            ) {
+                return ::core::option::Option::Some(why);
+            }
+            ::core::option::Option::None
+        }
+        fn describe(&self, to: &mut ::kin::emitted::Describer) {
+            use ::kin::emitted::{ToldBySerde as _, Untold as _};
+            to.put("tip", &self.tip);
+            to.put("profile", &self.profile);
+        }
+    }
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
+    impl ::kin::emitted::Written for on_cam {
         #[cold]
         fn table(
             &self,
@@ -402,76 +489,9 @@ rows 36
             }
         }
         fn attachments(&self) -> ::std::vec::Vec<::kin::emitted::Attachment> {
-            ::kin::emitted::attachments(&[(1, true, [self.tip.x, self.tip.y, 0.0])])
-        }
-        fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::emitted::InLanes> {
-            ::core::option::Option::Some(self)
-        }
-        fn description(&self) -> &str {
-            "Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]"
-        }
-        fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-            ::kin::emitted::visit(
-                &[("tip", &self.tip), ("profile", &self.profile)],
-                visit,
-            );
-        }
-        fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-            ::kin::emitted::set(
-                &mut [("tip", &mut self.tip), ("profile", &mut self.profile)],
-                name,
-                value,
+            ::kin::emitted::attachments(
+                &[::kin::emitted::point(1, [self.tip.x, self.tip.y, 0.0])],
             )
-        }
-        fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
-            ::kin::emitted::set_at(&mut [&mut self.tip, &mut self.profile], index, value)
-        }
-        #[cold]
-        fn refusal(&self) -> ::core::option::Option<::std::string::String> {
-            if let ::core::option::Option::Some(why) = ::kin::emitted::refusal(
-                &[("profile", &self.profile)],
-            ) {
-                return ::core::option::Option::Some(why);
-            }
-            ::core::option::Option::None
-        }
-        fn has_branches(&self) -> bool {
-            false
-        }
-        fn laws(
-            &self,
-            at: &::kin::emitted::At<'_>,
-            visit: &mut dyn FnMut(&str, &::kin::Law, f64),
-        ) {
-            let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
-                .state(0) else { return };
-            let ::core::option::Option::Some(
-                [follower_x,
-                follower_y,
-                _,
-                follower_sin,
-                follower_cos,
-                ],
-            ) = at.state(1) else { return };
-            let follower_y = *follower_y;
-            let follower_sin = *follower_sin;
-            let follower_cos = *follower_cos;
-            let cam_y = *cam_y;
-            let t0 = (follower_y
-                + ((self.tip.x * follower_sin) + (self.tip.y * follower_cos))) - cam_y;
-            let follower_x = *follower_x;
-            let cam_x = *cam_x;
-            let t1 = (follower_x
-                + ((self.tip.x * follower_cos) - (self.tip.y * follower_sin))) - cam_x;
-            let cam_cos = *cam_cos;
-            let cam_sin = *cam_sin;
-            let [x_0] = [
-                ::kin::emitted::math::atan2(
-                    (cam_cos * t0) - (cam_sin * t1),
-                    (cam_cos * t1) + (cam_sin * t0),
-                ),
-            ];
-            visit("profile", &self.profile, x_0);
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]

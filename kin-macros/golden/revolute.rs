@@ -52,11 +52,43 @@ const _: () = {
     type __Real<D> = ::kin::emitted::Real<__Dual<D>>;
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::Constraint for revolute {
-        fn kind(&self) -> &str {
-            "revolute"
-        }
-        fn route(&self) -> ::kin::Route {
-            ::kin::Route::Symbolic
+        fn facts(&self) -> ::kin::emitted::Facts<'_> {
+            const FACTS: ::kin::emitted::Facts<'static> = ::kin::emitted::Facts {
+                description: "Pin joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      [m]",
+                is_driver: false,
+                rows: &["x", "y"],
+                pattern: &[
+                    ::kin::emitted::Entry::new(0, 0),
+                    ::kin::emitted::Entry::new(0, 2),
+                    ::kin::emitted::Entry::new(0, 3),
+                    ::kin::emitted::Entry::new(0, 5),
+                    ::kin::emitted::Entry::new(1, 1),
+                    ::kin::emitted::Entry::new(1, 2),
+                    ::kin::emitted::Entry::new(1, 4),
+                    ::kin::emitted::Entry::new(1, 5),
+                ],
+                reason: ::kin::RouteReason::Read,
+                constants: &[
+                    ::core::option::Option::Some(1.0),
+                    ::core::option::Option::None,
+                    ::core::option::Option::Some(-1.0),
+                    ::core::option::Option::None,
+                    ::core::option::Option::Some(1.0),
+                    ::core::option::Option::None,
+                    ::core::option::Option::Some(-1.0),
+                    ::core::option::Option::None,
+                ],
+                dependence: ::kin::emitted::Dependence {
+                    c_on_t: false,
+                    c_q_on_t: false,
+                    c_t: false,
+                    q_d: true,
+                    curved: true,
+                },
+                has_branches: false,
+                ..::kin::emitted::Facts::of("revolute")
+            };
+            FACTS
         }
         fn arguments(&self) -> ::std::vec::Vec<::kin::emitted::Argument> {
             ::kin::emitted::arguments(
@@ -71,38 +103,6 @@ const _: () = {
                     },
                 ],
             )
-        }
-        fn rows(&self) -> &[&str] {
-            &["x", "y"]
-        }
-        fn pattern(&self) -> &[(usize, usize)] {
-            &[(0, 0), (0, 2), (0, 3), (0, 5), (1, 1), (1, 2), (1, 4), (1, 5)]
-        }
-        fn describe(&self, to: &mut ::kin::emitted::Describer) {
-            use ::kin::emitted::{ToldBySerde as _, Untold as _};
-            to.put("u_i", &self.u_i);
-            to.put("u_j", &self.u_j);
-        }
-        fn constants(&self) -> &[::core::option::Option<f64>] {
-            &[
-                ::core::option::Option::Some(1.0),
-                ::core::option::Option::None,
-                ::core::option::Option::Some(-1.0),
-                ::core::option::Option::None,
-                ::core::option::Option::Some(1.0),
-                ::core::option::Option::None,
-                ::core::option::Option::Some(-1.0),
-                ::core::option::Option::None,
-            ]
-        }
-        fn depends(&self) -> ::kin::emitted::Dependence {
-            ::kin::emitted::Dependence {
-                c_on_t: false,
-                c_q_on_t: false,
-                c_t: false,
-                q_d: true,
-                curved: true,
-            }
         }
         fn residual(&self, at: &::kin::emitted::At<'_>, c: &mut [f64]) {
             self.linearize(at, c, &mut [0.0; 8]);
@@ -212,6 +212,46 @@ const _: () = {
                 ),
             );
         }
+        fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::emitted::InLanes> {
+            ::core::option::Option::Some(self)
+        }
+        fn as_parameters(
+            &self,
+        ) -> ::core::option::Option<&dyn ::kin::emitted::Parameters> {
+            ::core::option::Option::Some(self)
+        }
+        fn as_parameters_mut(
+            &mut self,
+        ) -> ::core::option::Option<&mut dyn ::kin::emitted::Parameters> {
+            ::core::option::Option::Some(self)
+        }
+        fn as_written(&self) -> ::core::option::Option<&dyn ::kin::emitted::Written> {
+            ::core::option::Option::Some(self)
+        }
+    }
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
+    impl ::kin::emitted::Parameters for revolute {
+        fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+            ::kin::emitted::visit(&[("u_i", &self.u_i), ("u_j", &self.u_j)], visit);
+        }
+        fn set_parameter(&mut self, name: &str, value: f64) -> bool {
+            ::kin::emitted::set(
+                &mut [("u_i", &mut self.u_i), ("u_j", &mut self.u_j)],
+                name,
+                value,
+            )
+        }
+        fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
+            ::kin::emitted::set_at(&mut [&mut self.u_i, &mut self.u_j], index, value)
+        }
+        fn describe(&self, to: &mut ::kin::emitted::Describer) {
+            use ::kin::emitted::{ToldBySerde as _, Untold as _};
+            to.put("u_i", &self.u_i);
+            to.put("u_j", &self.u_j);
+        }
+    }
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
+    impl ::kin::emitted::Written for revolute {
         #[cold]
         fn table(
             &self,
@@ -264,32 +304,10 @@ rows 30 31
         fn attachments(&self) -> ::std::vec::Vec<::kin::emitted::Attachment> {
             ::kin::emitted::attachments(
                 &[
-                    (0, true, [self.u_i.x, self.u_i.y, 0.0]),
-                    (1, true, [self.u_j.x, self.u_j.y, 0.0]),
+                    ::kin::emitted::point(0, [self.u_i.x, self.u_i.y, 0.0]),
+                    ::kin::emitted::point(1, [self.u_j.x, self.u_j.y, 0.0]),
                 ],
             )
-        }
-        fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::emitted::InLanes> {
-            ::core::option::Option::Some(self)
-        }
-        fn description(&self) -> &str {
-            "Pin joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      [m]"
-        }
-        fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-            ::kin::emitted::visit(&[("u_i", &self.u_i), ("u_j", &self.u_j)], visit);
-        }
-        fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-            ::kin::emitted::set(
-                &mut [("u_i", &mut self.u_i), ("u_j", &mut self.u_j)],
-                name,
-                value,
-            )
-        }
-        fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
-            ::kin::emitted::set_at(&mut [&mut self.u_i, &mut self.u_j], index, value)
-        }
-        fn has_branches(&self) -> bool {
-            false
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]

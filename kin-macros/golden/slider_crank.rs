@@ -67,14 +67,34 @@ const _: () = {
     type __Real<D> = ::kin::emitted::Real<__Dual<D>>;
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::Constraint for slider_crank {
-        fn kind(&self) -> &str {
-            "slider_crank"
-        }
-        fn route(&self) -> ::kin::Route {
-            ::kin::Route::Symbolic
-        }
-        fn is_driver(&self) -> bool {
-            true
+        fn facts(&self) -> ::kin::emitted::Facts<'_> {
+            const FACTS: ::kin::emitted::Facts<'static> = ::kin::emitted::Facts {
+                description: "Loop closure of the slider-crank, crank driven at ω.      [m]",
+                is_driver: true,
+                rows: &["1", "2"],
+                pattern: &[
+                    ::kin::emitted::Entry::new(0, 0),
+                    ::kin::emitted::Entry::new(0, 1),
+                    ::kin::emitted::Entry::new(1, 0),
+                ],
+                reason: ::kin::RouteReason::Read,
+                constants: &[
+                    ::core::option::Option::None,
+                    ::core::option::Option::Some(-1.0),
+                    ::core::option::Option::None,
+                ],
+                dependence: ::kin::emitted::Dependence {
+                    c_on_t: true,
+                    c_q_on_t: false,
+                    c_t: true,
+                    q_d: true,
+                    curved: true,
+                },
+                n_timed: 6,
+                has_branches: false,
+                ..::kin::emitted::Facts::of("slider_crank")
+            };
+            FACTS
         }
         fn arguments(&self) -> ::std::vec::Vec<::kin::emitted::Argument> {
             ::kin::emitted::arguments(
@@ -95,38 +115,6 @@ const _: () = {
                     },
                 ],
             )
-        }
-        fn rows(&self) -> &[&str] {
-            &["1", "2"]
-        }
-        fn pattern(&self) -> &[(usize, usize)] {
-            &[(0, 0), (0, 1), (1, 0)]
-        }
-        fn describe(&self, to: &mut ::kin::emitted::Describer) {
-            use ::kin::emitted::{ToldBySerde as _, Untold as _};
-            to.put("l2", &self.l2);
-            to.put("l3", &self.l3);
-            to.put("h", &self.h);
-            to.put("omega", &self.omega);
-        }
-        fn constants(&self) -> &[::core::option::Option<f64>] {
-            &[
-                ::core::option::Option::None,
-                ::core::option::Option::Some(-1.0),
-                ::core::option::Option::None,
-            ]
-        }
-        fn depends(&self) -> ::kin::emitted::Dependence {
-            ::kin::emitted::Dependence {
-                c_on_t: true,
-                c_q_on_t: false,
-                c_t: true,
-                q_d: true,
-                curved: true,
-            }
-        }
-        fn n_timed(&self) -> usize {
-            6
         }
         /// What depends on t and parameters alone: 8 operations
         fn at_time(&self, t: f64, timed: &mut [f64]) {
@@ -257,6 +245,62 @@ const _: () = {
             let theta3_sin = *theta3_sin;
             put(q_d_1, fma(self.l2, t1 * (timed[2] * t1), self.l3 * (theta3_sin * t0)));
         }
+        fn as_parameters(
+            &self,
+        ) -> ::core::option::Option<&dyn ::kin::emitted::Parameters> {
+            ::core::option::Option::Some(self)
+        }
+        fn as_parameters_mut(
+            &mut self,
+        ) -> ::core::option::Option<&mut dyn ::kin::emitted::Parameters> {
+            ::core::option::Option::Some(self)
+        }
+        fn as_written(&self) -> ::core::option::Option<&dyn ::kin::emitted::Written> {
+            ::core::option::Option::Some(self)
+        }
+    }
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
+    impl ::kin::emitted::Parameters for slider_crank {
+        fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+            ::kin::emitted::visit(
+                &[
+                    ("l2", &self.l2),
+                    ("l3", &self.l3),
+                    ("h", &self.h),
+                    ("omega", &self.omega),
+                ],
+                visit,
+            );
+        }
+        fn set_parameter(&mut self, name: &str, value: f64) -> bool {
+            ::kin::emitted::set(
+                &mut [
+                    ("l2", &mut self.l2),
+                    ("l3", &mut self.l3),
+                    ("h", &mut self.h),
+                    ("omega", &mut self.omega),
+                ],
+                name,
+                value,
+            )
+        }
+        fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
+            ::kin::emitted::set_at(
+                &mut [&mut self.l2, &mut self.l3, &mut self.h, &mut self.omega],
+                index,
+                value,
+            )
+        }
+        fn describe(&self, to: &mut ::kin::emitted::Describer) {
+            use ::kin::emitted::{ToldBySerde as _, Untold as _};
+            to.put("l2", &self.l2);
+            to.put("l3", &self.l3);
+            to.put("h", &self.h);
+            to.put("omega", &self.omega);
+        }
+    }
+    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
+    impl ::kin::emitted::Written for slider_crank {
         #[cold]
         fn table(
             &self,
@@ -303,42 +347,6 @@ rows 13 19
 12 Difference 18 4"##,
             );
             TABLE.with(&[self.l2, self.l3, self.h, self.omega])
-        }
-        fn description(&self) -> &str {
-            "Loop closure of the slider-crank, crank driven at ω.      [m]"
-        }
-        fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-            ::kin::emitted::visit(
-                &[
-                    ("l2", &self.l2),
-                    ("l3", &self.l3),
-                    ("h", &self.h),
-                    ("omega", &self.omega),
-                ],
-                visit,
-            );
-        }
-        fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-            ::kin::emitted::set(
-                &mut [
-                    ("l2", &mut self.l2),
-                    ("l3", &mut self.l3),
-                    ("h", &mut self.h),
-                    ("omega", &mut self.omega),
-                ],
-                name,
-                value,
-            )
-        }
-        fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
-            ::kin::emitted::set_at(
-                &mut [&mut self.l2, &mut self.l3, &mut self.h, &mut self.omega],
-                index,
-                value,
-            )
-        }
-        fn has_branches(&self) -> bool {
-            false
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]

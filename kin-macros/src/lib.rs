@@ -51,7 +51,7 @@ use proc_macro::TokenStream;
 ///
 /// The body is read by the compiler and differentiated symbolically. Calls of functions `fn f<D: Dual>(x:
 /// Real<D>) -> Real<D>` are evaluated with num-dual's numbers inside the symbolic code. A body that cannot be
-/// read (a loop whose bound is a parameter) runs on dual numbers as a whole; `Constraint::route` tells which.
+/// read (a loop whose bound is a parameter) runs on dual numbers as a whole; `Facts::route` tells which.
 /// `#[constraint(symbolic)]` makes such a body a compile error at the token that cannot be read,
 /// `#[constraint(dual)]` asks for dual numbers.
 ///

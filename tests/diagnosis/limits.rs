@@ -5,7 +5,7 @@ use std::time::Duration;
 use kin::diagnosis::{Change, DiagnosisOptions, Resize, Size};
 use kin::prelude::*;
 use kin::state::{At, Rates};
-use kin::{AssemblyOptions, Error, Options, SearchOptions};
+use kin::{AssemblyOptions, Entry, Error, Facts, Options, SearchOptions};
 
 use crate::models::*;
 
@@ -78,20 +78,13 @@ fn search_for_assemblies_ends_in_time() {
 struct Motor(PlanarBody);
 
 impl Constraint for Motor {
-    fn kind(&self) -> &str {
-        "motor"
-    }
-    fn route(&self) -> Route {
-        Route::Hand
+    fn facts(&self) -> Facts<'_> {
+        const FACTS: Facts<'static> =
+            Facts { rows: &["1"], pattern: &[Entry::new(0, 2)], ..Facts::of("motor") };
+        FACTS
     }
     fn arguments(&self) -> Vec<kin::coordinates::Argument> {
         vec![kin::coordinates::Argument { name: "b", target: kin::Target::Planar(self.0) }]
-    }
-    fn rows(&self) -> &[&str] {
-        &["1"]
-    }
-    fn pattern(&self) -> &[(usize, usize)] {
-        &[(0, 2)]
     }
     fn residual(&self, at: &At<'_>, c: &mut [f64]) {
         c[0] = at.planar(0).theta - 1.0 - at.t;

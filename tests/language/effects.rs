@@ -107,8 +107,8 @@ fn below_zero(x: Coord, c: [f64; 3]) -> f64 {
 
 #[test]
 fn integers_that_overflow_are_left_to_rustc() {
-    assert_eq!(kin::Constraint::route(&thirteen(c())), Route::Dual);
-    assert_eq!(kin::Constraint::route(&below_zero(c(), [1.0; 3])), Route::Dual);
+    assert_eq!(kin::Constraint::facts(&thirteen(c())).route(), Route::Dual);
+    assert_eq!(kin::Constraint::facts(&below_zero(c(), [1.0; 3])).route(), Route::Dual);
     let panics = |constraint: &dyn kin::Constraint| {
         let run = || kin::extend::terms(constraint, &[0.5], &[0.0], 0.0).c[0];
         std::panic::catch_unwind(std::panic::AssertUnwindSafe(run)).is_err()

@@ -23,7 +23,7 @@ macro_rules! reads {
         #[test]
         fn $name() {
             let constraint = $constraint;
-            assert_eq!(kin::Constraint::route(&constraint), kin::Route::$route);
+            assert_eq!(kin::Constraint::facts(&constraint).route(), kin::Route::$route);
             let c = kin::terms(&constraint, &$q, &[], $t).c;
             let expected: &[f64] = &$c;
             assert_eq!(c.len(), expected.len());

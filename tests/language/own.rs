@@ -1,7 +1,7 @@
 //! The user's own items: constants, parameter types, generic functions, laws.
 
 use kin::prelude::*;
-use kin::{any_coord as c, any_planar as p, any_spatial as s};
+use kin::{Parameters, any_coord as c, any_planar as p, any_spatial as s};
 
 use crate::reads;
 
@@ -226,5 +226,5 @@ fn what_is_demanded_is_said_with_its_numbers() {
 fn the_words_of_the_documentation_come_with_the_constraint() {
     let bump = bump(1.0);
     assert_eq!(bump.description(), "A smooth bump.");
-    assert_eq!(elsewhere::hidden(c(), Scale(1.0)).description(), "Visible from outside of its module.");
+    assert_eq!(elsewhere::hidden(c(), Scale(1.0)).facts().description, "Visible from outside of its module.");
 }

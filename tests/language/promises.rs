@@ -5,11 +5,11 @@ use kin::coordinates::Argument;
 use kin::dual_route::{ArgumentKind, Equation};
 use kin::emitted::{At, Rates};
 use kin::prelude::*;
-use kin::{Dependence, any_coord as c, any_planar as p};
+use kin::{Dependence, Entry, Facts, any_coord as c, any_planar as p};
 
 /// C depends on t, C_q does, C_t can be other than zero, Q_d can, C is not linear.
 fn promised(constraint: &impl Constraint) -> [bool; 5] {
-    let Dependence { c_on_t, c_q_on_t, c_t, q_d, curved } = constraint.depends();
+    let Dependence { c_on_t, c_q_on_t, c_t, q_d, curved } = constraint.facts().dependence;
     [c_on_t, c_q_on_t, c_t, q_d, curved]
 }
 
@@ -61,9 +61,12 @@ fn the_dual_route_promises_what_the_graph_knows_and_nothing_without_one() {
         revolute(p(), p(), vec2(1.0, 0.0), vec2(0.0, 1.0)),
         kin::by_dual(revolute(p(), p(), vec2(1.0, 0.0), vec2(0.0, 1.0))),
     );
-    assert_eq!((own.depends(), own.constants()), (dual.depends(), dual.constants()));
-    assert_eq!(searched(c()).route(), Route::Dual);
-    assert_eq!(searched(c()).depends(), Dependence::default());
+    assert_eq!(
+        (own.facts().dependence, own.facts().constants),
+        (dual.facts().dependence, dual.facts().constants)
+    );
+    assert_eq!(searched(c()).facts().route(), Route::Dual);
+    assert_eq!(searched(c()).facts().dependence, Dependence::default());
 }
 
 #[test]
@@ -78,29 +81,19 @@ fn what_is_promised_holds() {
 struct Claims(Dependence, [Option<f64>; 1], Option<usize>, Coordinate);
 
 impl Constraint for Claims {
-    fn kind(&self) -> &str {
-        "claims"
-    }
-    fn route(&self) -> Route {
-        Route::Hand
+    fn facts(&self) -> Facts<'_> {
+        let Claims(dependence, constants, sides_of_time, _) = self;
+        Facts {
+            rows: &["1"],
+            pattern: &[Entry { row: 0, column: 0 }],
+            constants,
+            dependence: *dependence,
+            sides_of_time: *sides_of_time,
+            ..Facts::of("claims")
+        }
     }
     fn arguments(&self) -> Vec<Argument> {
         growing(self.3).arguments()
-    }
-    fn sides_of_time(&self) -> Option<usize> {
-        self.2
-    }
-    fn rows(&self) -> &[&str] {
-        &["1"]
-    }
-    fn pattern(&self) -> &[(usize, usize)] {
-        &[(0, 0)]
-    }
-    fn constants(&self) -> &[Option<f64>] {
-        &self.1
-    }
-    fn depends(&self) -> Dependence {
-        self.0
     }
     fn residual(&self, at: &At<'_>, c: &mut [f64]) {
         kin::dual_route::residual(self, at, c);
@@ -177,7 +170,7 @@ fn timed_pair(body: Planar, t: Time, f: Law, k: f64, floor: f64) -> [f64; 2] {
 #[test]
 fn what_depends_on_time_alone_is_evaluated_once_and_is_the_same() {
     let constraint = timed_pair(kin::any_planar(), Law::harmonic(0.3, 2.0), 1.7, 0.1);
-    assert!(constraint.n_timed() > 0);
+    assert!(constraint.facts().n_timed > 0);
     kin::check::derivatives(constraint);
 
     let mut m = Mechanism::new("timed");

@@ -114,7 +114,7 @@ fn polarised_right_side_gives_the_blocks_d1_to_d4() {
         let (q, qd) = random.bodies();
         let slide = Slide::random(&mut random);
         let (joint, dual) = (slide.joint(), by_dual(slide.joint()));
-        assert_eq!((joint.route(), dual.route()), (Route::Symbolic, Route::Dual));
+        assert_eq!((joint.facts().route(), dual.facts().route()), (Route::Symbolic, Route::Dual));
         let (d1, d2, d3, d4) = slide.blocks(&q, &qd);
         let hand = [d1.x, d1.y, d2, d3.x, d3.y, d4];
         for (constraint, worst) in [&joint as &dyn Constraint, &dual].into_iter().zip(&mut worst) {

@@ -78,7 +78,7 @@ impl Comparison {
     ) where
         E: Equation<N, M> + Clone,
     {
-        assert_eq!(constraint.route(), Route::Symbolic, "{}", self.what);
+        assert_eq!(constraint.facts().route(), Route::Symbolic, "{}", self.what);
         let qd = &column(qd);
         self.same("symbolic", 0, &terms(constraint, q, qd.as_slice(), t), qd, hand);
         self.same("dual", 1, &dual_terms(constraint, q, qd.as_slice(), t), qd, hand);

@@ -1,6 +1,6 @@
 //! The public checker: one line in a test, a table to read where something is wrong.
 
-use kin::constraint::Route;
+use kin::constraint::{Entry, Facts};
 use kin::coordinates::Argument;
 use kin::dual_route::{ArgumentKind, Equation};
 use kin::prelude::*;
@@ -12,20 +12,16 @@ use kin::{any_planar, check};
 struct ByHand(PlanarBody);
 
 impl Constraint for ByHand {
-    fn kind(&self) -> &str {
-        "pin_height"
-    }
-    fn route(&self) -> Route {
-        Route::Hand
+    fn facts(&self) -> Facts<'_> {
+        const FACTS: Facts<'static> = Facts {
+            rows: &["height"],
+            pattern: &[Entry::new(0, 1), Entry::new(0, 2)],
+            ..Facts::of("pin_height")
+        };
+        FACTS
     }
     fn arguments(&self) -> Vec<Argument> {
         vec![Argument { name: "crank", target: kin::coordinates::Target::Planar(self.0) }]
-    }
-    fn rows(&self) -> &[&str] {
-        &["height"]
-    }
-    fn pattern(&self) -> &[(usize, usize)] {
-        &[(0, 1), (0, 2)]
     }
     fn residual(&self, at: &At<'_>, c: &mut [f64]) {
         let b = at.planar(0);

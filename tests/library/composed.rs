@@ -23,7 +23,7 @@ fn is_made_of(joint: &dyn Constraint, parts: &[(&dyn Constraint, f64)], random: 
         let close = |a: &DMatrix<f64>, b: &DMatrix<f64>| (a - b).amax() < 1e-12 * (1.0 + b.amax());
         let column = |v: &[f64]| DMatrix::from_column_slice(v.len(), 1, v);
         let of = |v: &DVector<f64>| column(v.as_slice());
-        let kind = joint.kind();
+        let kind = joint.facts().kind;
         assert!(
             close(&of(&whole.c), &column(&c)) && close(&whole.c_q, &DMatrix::from_rows(&c_q)),
             "`{kind}`: C or C_q"

@@ -21,7 +21,7 @@ fn symbolic_is_dual_is_central_difference() {
     let mut worst = [0.0_f64; 2];
     each(100, |joint, name, random| {
         let sample = (joint.make)(random);
-        assert_eq!(sample.constraint().route(), Route::Symbolic, "{name}");
+        assert_eq!(sample.constraint().facts().route(), Route::Symbolic, "{name}");
         let report = sample.compare(7).unwrap_or_else(|mismatch| panic!("{mismatch}"));
         assert!(report.states >= 20, "{name}: {} states", report.states);
         // bounds hold at all of them, and are known where nothing jumps
@@ -43,7 +43,7 @@ fn linear_drivers_tell_their_sides() {
     let mut telling = Vec::new();
     each(100, |joint, name, random| {
         let sample = (joint.make)(random);
-        if sample.constraint().sides_of_time().is_some() && !telling.contains(&name.to_owned()) {
+        if sample.constraint().facts().sides_of_time.is_some() && !telling.contains(&name.to_owned()) {
             telling.push(name.to_owned());
         }
     });
@@ -119,7 +119,7 @@ fn rank_is_the_number_of_rows() {
 fn documentation_says_how_many_freedoms_are_removed() {
     for joint in all() {
         let sample = (joint.make)(&mut Random::new(1));
-        let (text, rows) = (sample.constraint().description(), sample.constraint().rows().len());
+        let (text, rows) = (sample.constraint().facts().description, sample.constraint().facts().rows.len());
         if joint.group.ends_with("drivers") {
             continue;
         }
@@ -243,7 +243,7 @@ fn measures_have_the_rates_of_their_values() {
         let n = columns(sample.constraint());
         let [qd, qdd, qddd] = [random.numbers(n), random.numbers(n), random.numbers(n)];
         let q = on_manifold(sample.constraint(), random, 0.0);
-        for (k, told) in sample.constraint().measures().iter().enumerate() {
+        for (k, told) in sample.constraint().facts().measures.iter().enumerate() {
             seen.insert(format!("{} {name}.{}", joint.group, told.name));
             let at = |s: f64| {
                 let along = |x: [&[f64]; 4]| -> Vec<f64> {
@@ -257,7 +257,7 @@ fn measures_have_the_rates_of_their_values() {
                     along([&qd, &qdd, &qddd, &zero]),
                     along([&qdd, &qddd, &zero, &zero]),
                 ];
-                kin::measure(sample.constraint(), k, [&q, &v, &a, &qddd], s)
+                kin::measure(sample.constraint(), k, kin::Moving { q: &q, qd: &v, qdd: &a, qddd: &qddd }, s)
             };
             let (here, h) = (at(0.0), 1e-4);
             let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|s| at(s * h));

@@ -66,8 +66,8 @@ fn links(text: &str) -> String {
 fn line(joint: &Joint) -> String {
     let sample = (joint.make)(&mut Random::new(1));
     let constraint = sample.constraint();
-    let (equation, ..) = paragraphs(constraint.description());
-    let (rows, own) = (constraint.rows().len(), arguments(constraint));
+    let (equation, ..) = paragraphs(constraint.facts().description);
+    let (rows, own) = (constraint.facts().rows.len(), arguments(constraint));
     let coordinates = own.iter().filter(|argument| matches!(argument, Argument::Coord(_))).count();
     let all = if own.iter().any(|argument| matches!(argument, Argument::Spatial(_))) { 6 } else { 3 };
     let left = match own.len() - coordinates {
@@ -110,7 +110,7 @@ fn page() -> String {
         text += "\n";
         for joint in &own {
             let sample = (joint.make)(&mut Random::new(1));
-            let (_, more, signs) = paragraphs(sample.constraint().description());
+            let (_, more, signs) = paragraphs(sample.constraint().facts().description);
             let given = signature::of(&signatures, joint);
             let _ = writeln!(text, "* **`{}`** `({given})`: {more} *Signs:* {signs}", joint.name());
         }
@@ -160,7 +160,7 @@ fn compare(path: &Path, expected: &str, different: &mut Vec<String>) {
 fn every_joint_says_which_way_is_positive() {
     for joint in table::all() {
         let sample = (joint.make)(&mut Random::new(1));
-        let (equation, _, signs) = paragraphs(sample.constraint().description());
+        let (equation, _, signs) = paragraphs(sample.constraint().facts().description);
         assert!(!signs.is_empty(), "`{}` does not tell its signs in a paragraph of their own", joint.name());
         assert!(
             equation.contains('[') && equation.ends_with(']'),

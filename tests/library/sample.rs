@@ -102,7 +102,7 @@ pub fn on_manifold(joint: &dyn Constraint, random: &mut Random, t: f64) -> Vec<f
             return q;
         }
     }
-    panic!("`{}` has no pose", joint.kind());
+    panic!("`{}` has no pose", joint.facts().kind);
 }
 
 /// Random numbers from a seed.

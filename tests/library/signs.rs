@@ -11,8 +11,8 @@ fn size(joint: &dyn Constraint, q: &[f64], t: f64) -> f64 {
 /// Closes at one pose, and not at the other.
 fn closes(joint: &dyn Constraint, q: &[f64], other: &[f64], t: f64) {
     let (c, away) = (size(joint, q, t), size(joint, other, t));
-    assert!(c < 1e-14, "`{}` is off by {c:e} at {q:?}", joint.kind());
-    assert!(away > 1e-3, "`{}` closes at {other:?} too", joint.kind());
+    assert!(c < 1e-14, "`{}` is off by {c:e} at {q:?}", joint.facts().kind);
+    assert!(away > 1e-3, "`{}` closes at {other:?} too", joint.facts().kind);
 }
 
 const O: Vec2 = Vec2::new(0.0, 0.0);

@@ -23,7 +23,7 @@ impl Joint {
     }
 
     pub fn name(&self) -> String {
-        (self.make)(&mut Random::new(0)).constraint().kind().to_owned()
+        (self.make)(&mut Random::new(0)).constraint().facts().kind.to_owned()
     }
 }
 

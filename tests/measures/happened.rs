@@ -118,7 +118,7 @@ fn two_extremes_within_one_step_are_found() {
     near(second.t, 0.2, 1e-13);
     near(first.value, 0.016, 1e-15);
     assert!(first.is_max && !second.is_max && found.time_ratio().is_none());
-    near(found.max().0, 0.88, 1e-15);
+    near(found.max().value, 0.88, 1e-15);
 }
 
 #[test]
@@ -247,8 +247,8 @@ fn the_distance_of_two_points_is_a_measure() {
     let point = (3.0, 4.0);
     let ground = PlanarBody::from(Ground);
     let found = system.extremes(&motion, |m: &Motion| m.distance(crank, crank.end(), ground, point)).unwrap();
-    near(found.max().0, 6.0, 1e-12);
-    near(found.min().0, 4.0, 1e-12);
+    near(found.max().value, 6.0, 1e-12);
+    near(found.min().value, 4.0, 1e-12);
     let met = motion.distance(crank, crank.end(), coupler, coupler.start()).unwrap_err().to_string();
     assert!(met.contains("distance of zero"), "{met}");
 }

@@ -65,7 +65,7 @@ fn dead_centres_and_time_ratio_of_a_crank_rocker() {
         near(second.value, PI - corner(c, d, b - a), 1e-12);
         near(swing.stroke(), corner(c, d, a + b) - corner(c, d, b - a), 1e-12);
         near(swing.time_ratio().unwrap(), ratio, 1e-11);
-        near(swing.max().1, folded / TAU, 1e-12);
+        near(swing.max().t, folded / TAU, 1e-12);
         // the pose there
         let pose = system.at(&motion, first.t).unwrap();
         near(pose.coordinate(crank.theta()).unwrap().value.values()[0], stretched, 1e-11);
@@ -94,7 +94,7 @@ fn transmission_angle_of_a_crank_rocker() {
     // worst where the crank lies along the ground, on either side
     let worst = system.extremes(&motion, |m: &Motion| m.transmission_angle(coupler, rocker)).unwrap();
     near(
-        worst.min().0,
+        worst.min().value,
         [corner(b, c, d - a), corner(b, c, d + a)]
             .map(|whole| whole.min(PI - whole))
             .into_iter()

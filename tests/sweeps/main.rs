@@ -302,7 +302,7 @@ fn kernels_over_lanes_of_the_library_are_its_equations() {
             kin::check::lanes(constraint.as_ref()).unwrap(),
             kinds_of_machine(),
             "{}",
-            constraint.kind()
+            constraint.facts().kind
         );
     }
 }

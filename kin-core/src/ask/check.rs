@@ -21,7 +21,7 @@ mod lanes;
 mod law;
 mod promises;
 
-pub use crate::model::mismatch::{Entry, Mismatch};
+pub use crate::model::mismatch::{Disagreement, Mismatch};
 pub use lanes::{LaneMismatch, lanes};
 pub use law::{LawMismatch, compare_law, law};
 

@@ -203,7 +203,7 @@ impl Mechanism {
         let arguments = arguments.ok_or_else(|| fail("a body of another mechanism".to_string()))?;
         Ok(ConstraintData {
             name: name.to_string(),
-            kind: constraint.kind().to_string(),
+            kind: constraint.facts().kind.to_string(),
             arguments,
             parameters: describer.parameters,
         })

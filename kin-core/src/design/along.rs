@@ -42,9 +42,9 @@ impl<'a> Prepared<'a> {
                 .iter()
                 .flat_map(|argument| system.layout().columns(argument))
                 .collect();
-            let mut equation = Err("it takes the dual route or is written by hand");
-            block.constraint.formula(&mut |table, _, _| equation = Equation::of(table.formula(), own.len()));
-            let equation = equation.map_err(|reason| {
+            let equation = block.constraint.formula(|table, _, _| Equation::of(table.formula(), own.len()));
+            let unknown = Err("it takes the dual route or is written by hand");
+            let equation = equation.unwrap_or(unknown).map_err(|reason| {
                 let by = names.first().map_or("", String::as_str);
                 NoDerivative::error(by, format!("of `{}` no such derivative is known: {reason}", block.name))
             })?;
@@ -71,7 +71,7 @@ impl<'a> Prepared<'a> {
                 None => Number::from(x),
             };
             let columns: Vec<Number> = behind.iter().zip(fixed).map(column).collect();
-            block.constraint.formula(&mut |_, parameters, outside| {
+            block.constraint.formula(|_, parameters, outside| {
                 let walk = Walk { equation, columns: &columns, t, parameters, outside };
                 walk.add(block.rows().start, behind, (number, &self.asked), &mut along);
             });

@@ -39,12 +39,11 @@ impl Asked {
         };
         let own = &system.equations().blocks[block];
         let local = name.get(own.name.len() + 1..).unwrap_or_default();
-        let mut number = None;
-        own.constraint.formula(&mut |table, _, _| {
-            number = table.formula().parameters.iter().position(|known| known == local);
-        });
+        let number = own
+            .constraint
+            .formula(|table, _, _| table.formula().parameters.iter().position(|known| known == local));
         let equation = &equations[block];
-        let hangs = match number {
+        let hangs = match number.flatten() {
             Some(k) if equation.foreign.contains(&k) => {
                 return Err(no("a function of yours, which only rustc can read, is asked for it"));
             }
@@ -71,9 +70,7 @@ impl Asked {
 /// parameter is set.
 fn law(block: &Block, equation: &Equation, name: &str, value: f64) -> Option<(usize, Law)> {
     let law = |constraint: &dyn Constraint, number: usize| {
-        let mut law = None;
-        constraint.formula(&mut |_, _, outside| law = Given::by(outside, number, &[]).law().cloned());
-        law
+        constraint.formula(|_, _, outside| Given::by(outside, number, &[]).law().cloned()).flatten()
     };
     let mut set = block.constraint.clone();
     set.set_parameter(name, value);

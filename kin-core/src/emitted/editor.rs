@@ -44,20 +44,11 @@ macro_rules! __stand_in {
     ($name:ident) => {
         const _: () = {
             impl $crate::Constraint for $name {
-                fn kind(&self) -> &str {
-                    ""
-                }
-                fn route(&self) -> $crate::Route {
-                    $crate::Route::Dual
+                fn facts(&self) -> $crate::constraint::Facts<'_> {
+                    $crate::constraint::Facts::of("")
                 }
                 fn arguments(&self) -> ::std::vec::Vec<$crate::emitted::Argument> {
                     ::std::vec::Vec::new()
-                }
-                fn rows(&self) -> &[&str] {
-                    &[]
-                }
-                fn pattern(&self) -> &[(usize, usize)] {
-                    &[]
                 }
                 fn residual(&self, _: &$crate::emitted::At<'_>, _: &mut [f64]) {}
                 fn jacobian(&self, _: &$crate::emitted::At<'_>, _: &mut [f64]) {}

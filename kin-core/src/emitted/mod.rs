@@ -16,7 +16,9 @@ pub use crate::data::{
     Described, Describer, Reader, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold,
 };
 pub use crate::model::blame::{Asked, Blame, Source};
-pub use crate::model::constraint::{Attached, Attachment, Dependence, Measured};
+pub use crate::model::constraint::{
+    Attached, Attachment, Dependence, Entry, Facts, Measured, Parameters, Written,
+};
 pub use crate::model::coordinates::{Argument, Target, Trig};
 pub use crate::model::dual_route::{ArgumentKind, Equation};
 pub use crate::model::law::LawFunction;
@@ -43,13 +45,19 @@ pub fn jet_by_dual(x: f64, f: impl FnOnce(Real<Dual3_64>) -> Real<Dual3_64>) -> 
     [y.re, y.v1, y.v2, y.v3]
 }
 
-/// The local points (true) and directions of arguments, with their components.
-pub fn attachments(all: &[(usize, bool, [f64; 3])]) -> Vec<Attachment> {
-    let attachment = |&(argument, is_point, [x, y, z]): &(usize, bool, [f64; 3])| {
-        let v = Vec3::new(x, y, z);
-        Attachment { argument, what: if is_point { Attached::Point(v) } else { Attached::Direction(v) } }
-    };
-    all.iter().map(attachment).collect()
+/// A local point of an argument.
+pub fn point(argument: usize, [x, y, z]: [f64; 3]) -> Attachment {
+    Attachment { argument, what: Attached::Point(Vec3::new(x, y, z)) }
+}
+
+/// A local direction of an argument.
+pub fn direction(argument: usize, [x, y, z]: [f64; 3]) -> Attachment {
+    Attachment { argument, what: Attached::Direction(Vec3::new(x, y, z)) }
+}
+
+/// The points and directions of a constraint.
+pub fn attachments(all: &[Attachment]) -> Vec<Attachment> {
+    all.to_vec()
 }
 
 /// A vector from what a constructor takes for one.

@@ -7,9 +7,8 @@
 use crate::numbers::real::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
 use crate::model::blame::{Asked, Blame};
-use crate::model::constraint::{Attachment, Constraint, Dependence, Measured, Route};
+use crate::model::constraint::{Attachment, Constraint, Facts, Parameters, RouteReason, Written};
 use crate::model::coordinates::Argument;
-use crate::model::describer::Describer;
 use crate::model::law::Law;
 use crate::model::state::{At, Rates};
 use crate::numbers::real::{Dual, Real};
@@ -23,7 +22,7 @@ pub trait Equation<const N: usize, const M: usize>: Constraint + Clone + 'static
     /// C(q, t) with any dual numbers.
     fn evaluate<D: Dual>(&self, q: &[Real<D>; N], t: Real<D>) -> [Real<D>; M];
 
-    /// Measure k of [`Constraint::measures`] with any dual numbers.
+    /// Measure k of [`Facts::measures`] with any dual numbers.
     fn measured<D: Dual>(&self, k: usize, q: &[Real<D>; N], t: Real<D>) -> Real<D> {
         let _ = (k, q, t);
         Real::from(f64::NAN)
@@ -65,36 +64,13 @@ pub fn by_dual<E: Equation<N, M>, const N: usize, const M: usize>(equation: E) -
 }
 
 impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E, N, M> {
-    fn kind(&self) -> &str {
-        self.0.kind()
-    }
-
-    fn route(&self) -> Route {
-        Route::Dual
+    fn facts(&self) -> Facts<'_> {
+        let reason = RouteReason::Asked { source: None };
+        Facts { reason, n_timed: 0, sides_of_time: None, ..self.0.facts() }
     }
 
     fn arguments(&self) -> Vec<Argument> {
         self.0.arguments()
-    }
-
-    fn rows(&self) -> &[&str] {
-        self.0.rows()
-    }
-
-    fn pattern(&self) -> &[(usize, usize)] {
-        self.0.pattern()
-    }
-
-    fn constants(&self) -> &[Option<f64>] {
-        self.0.constants()
-    }
-
-    fn depends(&self) -> Dependence {
-        self.0.depends()
-    }
-
-    fn is_driver(&self) -> bool {
-        self.0.is_driver()
     }
 
     fn residual(&self, at: &At<'_>, c: &mut [f64]) {
@@ -117,48 +93,12 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
         jerk_rhs(&self.0, at, qd, qdd, rhs)
     }
 
-    fn measures(&self) -> &[Measured] {
-        self.0.measures()
-    }
-
     fn measure(&self, k: usize, at: &At<'_>, rates: &[Rates<'_>; 3]) -> [f64; 4] {
         self.0.measure(k, at, rates)
     }
 
     fn ends(&self, k: usize) -> Option<[f64; 2]> {
         self.0.ends(k)
-    }
-
-    fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-        self.0.parameters(visit);
-    }
-
-    fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-        self.0.set_parameter(name, value)
-    }
-
-    fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
-        self.0.set_parameter_at(index, value)
-    }
-
-    fn describe(&self, to: &mut Describer) {
-        self.0.describe(to);
-    }
-
-    fn attachments(&self) -> Vec<Attachment> {
-        self.0.attachments()
-    }
-
-    fn description(&self) -> &str {
-        self.0.description()
-    }
-
-    fn refusal(&self) -> Option<String> {
-        self.0.refusal()
-    }
-
-    fn has_branches(&self) -> bool {
-        self.0.has_branches()
     }
 
     fn wrong_branch(&self, at: &At<'_>) -> Option<&str> {
@@ -169,9 +109,28 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
         self.0.laws(at, visit);
     }
 
-    /// The answer of its own route: a term that is not finite on one route is not on the other.
+    fn as_parameters(&self) -> Option<&dyn Parameters> {
+        self.0.as_parameters()
+    }
+
+    fn as_parameters_mut(&mut self) -> Option<&mut dyn Parameters> {
+        self.0.as_parameters_mut()
+    }
+
+    fn as_written(&self) -> Option<&dyn Written> {
+        Some(self)
+    }
+}
+
+/// The answers of its own route, but for the formula: a run on the dual route evaluates the user's body.
+impl<E: Equation<N, M>, const N: usize, const M: usize> Written for ByDual<E, N, M> {
+    fn attachments(&self) -> Vec<Attachment> {
+        self.0.as_written().map(|own| own.attachments()).unwrap_or_default()
+    }
+
+    /// A term that is not finite on one route is not on the other.
     fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
-        self.0.blame(asked)
+        self.0.as_written()?.blame(asked)
     }
 }
 
@@ -187,17 +146,15 @@ pub fn jacobian<E: Equation<N, M>, const N: usize, const M: usize>(
     at: &At<'_>,
     c_q: &mut [f64],
 ) {
-    let q = coordinates::<N>(E::ARGUMENTS, at);
+    let (q, pattern) = (coordinates::<N>(E::ARGUMENTS, at), equation.facts().pattern);
     for column in 0..N {
         let seeded =
             std::array::from_fn(
                 |k| if k == column { Real(Dual64::new(q[k], 1.0)) } else { Real::from(q[k]) },
             );
         let c = equation.evaluate(&seeded, Real::from(at.t));
-        for (value, &(row, _)) in
-            c_q.iter_mut().zip(equation.pattern()).filter(|(_, entry)| entry.1 == column)
-        {
-            *value = c[row].0.eps;
+        for (value, entry) in c_q.iter_mut().zip(pattern).filter(|(_, entry)| entry.column == column) {
+            *value = c[entry.row].0.eps;
         }
     }
 }

@@ -18,7 +18,7 @@ pub struct Mismatch {
     /// Which state it is.
     pub place: String,
     /// The entries that differ, the largest difference first.
-    pub entries: Vec<Entry>,
+    pub entries: Vec<Disagreement>,
     /// Local coordinates, with their names.
     pub q: Vec<(String, f64)>,
     /// Local rates.
@@ -30,7 +30,7 @@ pub struct Mismatch {
 /// One number of a term, on all routes.
 #[derive(Clone, PartialEq)]
 #[non_exhaustive]
-pub struct Entry {
+pub struct Disagreement {
     /// Name of the number, such as `C_q[x, crank.theta]`.
     pub name: String,
     /// Its value by the constraint itself.
@@ -43,7 +43,7 @@ pub struct Entry {
     pub difference: f64,
 }
 
-impl Entry {
+impl Disagreement {
     pub(crate) fn worst(&self) -> f64 {
         let central = self.central.map_or(0.0, |c| (self.own - c).abs() / (1.0 + c.abs()));
         let worst = self.difference.max(central);

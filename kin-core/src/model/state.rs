@@ -1,6 +1,7 @@
 //! The state of a constraint's arguments at one instant, evaluated once and shared by all constraints on a
 //! body.
 
+use crate::model::coordinates::Trig;
 use crate::numbers::algebra::{EulerParameters, Mat2, Mat3, Scalar, Vec2, Vec3};
 
 /// State of a planar body: coordinates (R_x, R_y, θ) with sin θ and cos θ.   \[m, rad\]
@@ -111,9 +112,9 @@ pub struct CoordState {
 }
 
 impl CoordState {
-    /// The state at `value`; with sine and cosine if `trig`.
-    pub fn new(value: f64, trig: bool) -> Self {
-        let (sin, cos) = if trig { value.sin_cos() } else { (0.0, 0.0) };
+    /// The state at `value`, with sine and cosine where they are used.
+    pub fn new(value: f64, trig: Trig) -> Self {
+        let (sin, cos) = if trig == Trig::Used { value.sin_cos() } else { (0.0, 0.0) };
         CoordState { value, sin, cos }
     }
 }

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::model::constraint::Constraint;
-use crate::model::coordinates::{Argument, Target};
+use crate::model::coordinates::{Argument, Target, Trig};
 use crate::model::dual_route::{self, Equation};
 use crate::model::state::{At, CoordState, PlanarState, Rates, SpatialState};
 
@@ -43,7 +43,8 @@ impl Terms {
 /// and `qd` are the arguments' coordinates one after the other; missing ones count as zero.
 pub fn terms(constraint: &dyn Constraint, q: &[f64], qd: &[f64], t: f64) -> Terms {
     let arguments = constraint.arguments();
-    let m = constraint.rows().len();
+    let facts = constraint.facts();
+    let m = facts.rows.len();
     let local = Local::new(&arguments, q, qd);
     let still = Local::new(&arguments, q, &[]);
     let at = local.at(t);
@@ -51,13 +52,12 @@ pub fn terms(constraint: &dyn Constraint, q: &[f64], qd: &[f64], t: f64) -> Term
     let mut c = DVector::zeros(m);
     constraint.residual(&at, c.as_mut_slice());
 
-    let pattern = constraint.pattern();
-    let mut values = vec![0.0; pattern.len()];
+    let mut values = vec![0.0; facts.pattern.len()];
     constraint.jacobian(&at, &mut values);
     let n = arguments.iter().map(|a| a.target.columns()).sum();
     let mut c_q = DMatrix::zeros(m, n);
-    for (&(row, column), value) in pattern.iter().zip(values) {
-        c_q[(row, column)] += value;
+    for (entry, value) in facts.pattern.iter().zip(values) {
+        c_q[(entry.row, entry.column)] += value;
     }
 
     let mut c_t = DVector::zeros(m);
@@ -98,14 +98,28 @@ pub fn jerk_rhs(
 ) -> Option<DVector<f64>> {
     let arguments = constraint.arguments();
     let (local, second) = (Local::new(&arguments, q, qd), Local::new(&arguments, q, qdd));
-    let mut rhs = DVector::zeros(constraint.rows().len());
+    let mut rhs = DVector::zeros(constraint.facts().rows.len());
     constraint.jerk_rhs(&local.at(t), &local.rates(), &second.rates(), rhs.as_mut_slice()).then_some(rhs)
 }
 
-/// Measure k of a constraint ([`Constraint::measures`]) and its first three derivatives where its arguments'
-/// coordinates, first, second and third rates are these; missing ones count as zero.
-pub fn measure(constraint: &dyn Constraint, k: usize, [q, qd, qdd, qddd]: [&[f64]; 4], t: f64) -> [f64; 4] {
-    let arguments = constraint.arguments();
+/// The coordinates of one constraint at one time of a motion, its arguments' one after the other, and their
+/// rates. Missing numbers count as zero.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Moving<'a> {
+    /// q   \[m, rad\]
+    pub q: &'a [f64],
+    /// q̇   \[m/s, rad/s\]
+    pub qd: &'a [f64],
+    /// q̈   \[m/s², rad/s²\]
+    pub qdd: &'a [f64],
+    /// q⃛   \[m/s³, rad/s³\]
+    pub qddd: &'a [f64],
+}
+
+/// Measure k of a constraint ([`Facts::measures`](crate::constraint::Facts::measures)) and its first three
+/// derivatives at time t of a motion.
+pub fn measure(constraint: &dyn Constraint, k: usize, moving: Moving<'_>, t: f64) -> [f64; 4] {
+    let (arguments, Moving { q, qd, qdd, qddd }) = (constraint.arguments(), moving);
     let [first, second, third] = [qd, qdd, qddd].map(|rates| Local::new(&arguments, q, rates));
     constraint.measure(k, &first.at(t), &[first.rates(), second.rates(), third.rates()])
 }
@@ -130,7 +144,7 @@ impl Local {
                 Target::Spatial(_) => {
                     local.states.extend(SpatialState::new(std::array::from_fn(q)).to_array())
                 }
-                Target::Coord(..) => local.states.extend(CoordState::new(q(0), true).to_array()),
+                Target::Coord(..) => local.states.extend(CoordState::new(q(0), Trig::Used).to_array()),
             }
             local.rates.extend(
                 (column..column + argument.target.columns()).map(|k| qd.get(k).copied().unwrap_or(0.0)),

@@ -53,13 +53,12 @@ pub(crate) fn gather(system: &System) -> Result<Whole, Refusal> {
         let constraint = block.constraint.as_ref();
         let refused = |reason| Refusal { constraint: block.name.clone(), reason };
         let columns = columns(system, constraint).ok_or_else(|| refused(ABROAD))?;
-        let mut done = Err(UNREAD);
-        constraint.formula(&mut |table, parameters, outside| {
+        let done = constraint.formula(|table, parameters, outside| {
             let key = std::ptr::from_ref(table) as usize;
             let known = match kinds.entry(key) {
                 std::collections::hash_map::Entry::Occupied(known) => Ok(&*known.into_mut()),
                 std::collections::hash_map::Entry::Vacant(place) => {
-                    Kind::of(table.formula(), constraint.rows().len()).map(|kind| &*place.insert(kind))
+                    Kind::of(table.formula(), block.rows().len()).map(|kind| &*place.insert(kind))
                 }
             };
             let law = |number| {
@@ -73,11 +72,11 @@ pub(crate) fn gather(system: &System) -> Result<Whole, Refusal> {
                 outside(number, &operands, &mut given);
                 given.number(component).re
             };
-            done = known.and_then(|kind| {
+            known.and_then(|kind| {
                 whole.append(kind, &Leaves { columns: &columns, parameters, law: &law, foreign: &foreign })
-            });
+            })
         });
-        done.map_err(refused)?;
+        done.unwrap_or(Err(UNREAD)).map_err(refused)?;
     }
     Ok(whole)
 }

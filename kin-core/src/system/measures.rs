@@ -18,7 +18,7 @@ impl System {
     pub fn measures(&self) -> Vec<String> {
         self.constraints()
             .flat_map(|(name, constraint)| {
-                constraint.measures().iter().map(move |m| format!("{name}.{}", m.name))
+                constraint.facts().measures.iter().map(move |m| format!("{name}.{}", m.name))
             })
             .collect()
     }
@@ -28,8 +28,8 @@ impl System {
         let (joint, measure) = name.rsplit_once('.')?;
         let (block, (_, constraint)) =
             self.constraints().enumerate().find(|(_, (known, _))| *known == joint)?;
-        let number = constraint.measures().iter().position(|known| known.name == measure)?;
-        Some(MeasurePlace { block, number, told: constraint.measures()[number] })
+        let number = constraint.facts().measures.iter().position(|known| known.name == measure)?;
+        Some(MeasurePlace { block, number, told: constraint.facts().measures[number] })
     }
 
     /// The error for a name that no measure has: what can be asked of that joint, or of all.
@@ -40,7 +40,7 @@ impl System {
             return Error::UnknownName { what: "measure or coordinate", name: name.to_string(), known };
         };
         let known: Vec<String> =
-            constraint.measures().iter().map(|measure| format!("`{joint}.{}`", measure.name)).collect();
+            constraint.facts().measures.iter().map(|measure| format!("`{joint}.{}`", measure.name)).collect();
         let reason = match known[..] {
             [] => {
                 format!(
@@ -51,7 +51,7 @@ impl System {
         };
         Error::InvalidConstraint {
             constraint: joint.to_string(),
-            kind: constraint.kind().to_string(),
+            kind: constraint.facts().kind.to_string(),
             reason,
         }
     }

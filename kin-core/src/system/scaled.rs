@@ -108,7 +108,7 @@ impl Model<'_> {
 
     /// True if a row is the norm of a body's Euler parameters.
     pub(crate) fn is_norm(&self, row: usize) -> bool {
-        self.equations.block_of(row).is_some_and(|(block, _)| block.constraint.kind() == "euler_norm")
+        self.equations.block_of(row).is_some_and(|(block, _)| block.constraint.facts().kind == "euler_norm")
     }
 
     /// Sizes and norms around a pose.
@@ -139,7 +139,7 @@ impl Model<'_> {
     /// The components of one vector get one norm: lengths of vectors do not depend on the axes.
     fn share_among_components(&self, norms: &mut [f64]) {
         for block in &self.equations.blocks {
-            let (rows, first) = (block.constraint.rows(), block.rows().start);
+            let (rows, first) = (block.constraint.facts().rows, block.rows().start);
             let vector = |row: &&str| match row.rsplit_once('.') {
                 Some((vector, "x" | "y" | "z")) => Some(vector.to_string()),
                 None if matches!(*row, "x" | "y" | "z") => Some(String::new()),

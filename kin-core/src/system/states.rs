@@ -27,8 +27,8 @@ pub(crate) struct StatePlan {
 struct Coord {
     coordinate: u32,
     begin: u32,
-    /// True if some constraint reads its sine or cosine.
-    trig: bool,
+    /// Used where some constraint reads its sine or cosine.
+    trig: Trig,
 }
 
 /// Where coordinates stand, while arguments are planned.
@@ -83,12 +83,14 @@ impl StatePlan {
             }),
             Target::Coord(_, trig) => {
                 let number = *planned.coords[first].get_or_insert_with(|| {
-                    self.origin.extend(CoordState::new(0.0, true).to_array());
-                    self.coords.push(Coord { coordinate: first as u32, begin: next, trig: false });
+                    self.origin.extend(CoordState::new(0.0, Trig::Used).to_array());
+                    self.coords.push(Coord { coordinate: first as u32, begin: next, trig: Trig::Unused });
                     self.coords.len() as u32 - 1
                 });
                 let coord = &mut self.coords[number as usize];
-                coord.trig |= *trig == Trig::Used;
+                if *trig == Trig::Used {
+                    coord.trig = Trig::Used;
+                }
                 coord.begin
             }
         }
@@ -100,7 +102,7 @@ impl StatePlan {
         match target {
             Target::Planar(_) => self.origin.extend(PlanarState::ground().to_array()),
             Target::Spatial(_) => self.origin.extend(SpatialState::ground().to_array()),
-            Target::Coord(..) => self.origin.extend(CoordState::new(value, true).to_array()),
+            Target::Coord(..) => self.origin.extend(CoordState::new(value, Trig::Used).to_array()),
         }
         next
     }
@@ -177,7 +179,7 @@ mod tests {
         assert_eq!(plan.arguments(), [[0, 2], [3, 3], [0, 2]]);
         let mut states = plan.origin().to_vec();
         plan.set_states(&[0.0, 0.0, 0.5], &mut states);
-        let (half, one) = (CoordState::new(0.5, true).to_array(), CoordState::new(1.0, true).to_array());
+        let (half, one) = [0.5, 1.0].map(|value| CoordState::new(value, Trig::Used).to_array()).into();
         assert_eq!(states, [half, one].concat());
         let mut rates = plan.no_rates();
         plan.set_rates(&[0.0, 0.0, 7.0], &mut rates);

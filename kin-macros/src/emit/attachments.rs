@@ -31,11 +31,12 @@ pub fn dual(source: &ConstraintFn) -> TokenStream {
     method(&quote!(), listed.collect())
 }
 
-/// One of them: `(0, true, [self.u_i.x, self.u_i.y, 0.0])`.
+/// One of them: `point(0, [self.u_i.x, self.u_i.y, 0.0])`.
 fn listed(slot: usize, is_point: bool, mut components: Vec<TokenStream>) -> TokenStream {
     let slot = Literal::usize_unsuffixed(slot);
     components.resize(3, quote!(0.0));
-    quote!((#slot, #is_point, [#(#components),*]))
+    let what = if is_point { quote!(point) } else { quote!(direction) };
+    quote!(::kin::emitted::#what(#slot, [#(#components),*]))
 }
 
 /// `attachments`: nothing where there is none.

@@ -4,11 +4,13 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{quote, quote_spanned};
 
+use super::functions::Parts;
 use super::kernel::Kernel;
 use super::lanes::{self, LaneCode};
 use super::route::DualReason;
 use super::{
-    attachments, blame, demands, described, editor, functions, measures, rewrite, template, unlinted, written,
+    attachments, blame, demands, described, editor, facts, functions, measures, rewrite, template, unlinted,
+    written,
 };
 use crate::derivatives::Derivatives;
 use kin_language::lower::{Lowered, names_as_written};
@@ -42,7 +44,7 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
     let row_names = lowered.rows.iter().map(|row| row.name.clone()).collect();
     let pattern = derived.jacobian.iter().map(|(row, column, _)| (*row, *column)).collect();
     let trig = derived.trig(&lowered);
-    let kernels = functions::symbolic(&source.arguments, &mut lowered, &derived);
+    let parts = functions::symbolic(&source.arguments, &mut lowered, &derived);
     let lanes = source.lanes.then(|| lanes::lanes(&source.name, &source.arguments, &mut lowered, &derived));
     let dual = if rewrite::is_sure(&source.body, &source.arguments) {
         Dual::Body(rewrite::dual(&source.body, &source.arguments))
@@ -52,14 +54,14 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
         Dual::Graph(code.tokens, rows)
     };
     let frame = Frame { trig, lanes, ..Frame::new(source, dual, row_names, pattern) };
-    let attachments = attachments::symbolic(&source.arguments, &lowered);
+    let (written, attachments) = (&parts.written, attachments::symbolic(&source.arguments, &lowered));
     let leaves: Vec<TokenStream> = lowered
         .leaves
         .iter()
         .enumerate()
         .map(|(k, leaf)| template::leaf_function(&lowered.graph, k, leaf, &lowered.items))
         .collect();
-    frame.emit(quote!(::kin::Route::Symbolic), &quote!(#kernels #attachments), &leaves, Some(&lowered))
+    frame.emit(&Parts { written: quote!(#written #attachments), ..parts }, &leaves, Some(&lowered))
 }
 
 /// The constraint on the dual route.
@@ -68,16 +70,14 @@ pub fn dual(source: &ConstraintFn, reason: &DualReason) -> TokenStream {
     let n = columns(&source.arguments);
     let pattern = (0..row_names.len()).flat_map(|row| (0..n).map(move |column| (row, column))).collect();
     let (body, expressions) = rewrite::traced(&source.body, &source.arguments);
-    let (kernels, attachments, blame) =
-        (functions::dual(), attachments::dual(source), blame::dual(&expressions.all));
+    let (attachments, blame) = (attachments::dual(source), blame::dual(&expressions.all));
     let (explained, warning) = (reason.explained(), reason.warning(&source.name, source.warn_dual));
-    let methods = quote!(#explained #kernels #attachments #blame);
-    let constraint = Frame::new(source, Dual::Body(body), row_names, pattern).emit(
-        quote!(::kin::Route::Dual),
-        &methods,
-        &[],
-        None,
-    );
+    let parts = Parts {
+        facts: quote!(reason: #explained,),
+        formulas: functions::dual(),
+        written: quote!(#attachments #blame),
+    };
+    let constraint = Frame::new(source, Dual::Body(body), row_names, pattern).emit(&parts, &[], None);
     quote!(#constraint #warning)
 }
 
@@ -91,13 +91,7 @@ impl<'a> Frame<'a> {
         Frame { source, n: columns(&source.arguments), row_names, pattern, dual, trig: vec![], lanes: None }
     }
 
-    fn emit(
-        &self,
-        route: TokenStream,
-        kernels: &TokenStream,
-        leaves: &[TokenStream],
-        lowered: Option<&Lowered>,
-    ) -> TokenStream {
+    fn emit(&self, parts: &Parts, leaves: &[TokenStream], lowered: Option<&Lowered>) -> TokenStream {
         let source = self.source;
         let (name, n, m) = (&source.name, literal(self.n), literal(self.row_names.len()));
         let (declaration, equations) = (declaration(source), self.equations());
@@ -113,7 +107,7 @@ impl<'a> Frame<'a> {
         let kinds = source.arguments.iter().flat_map(kinds);
         let lane_kernels = self.lanes.as_ref().map(|lanes| &lanes.implementations);
         let as_data = described::described(source, &kind, &n, &m);
-        let constraint = self.constraint(&kind, route, kernels, lowered);
+        let constraint = self.constraint(&kind, parts, lowered);
         let lengths = lengths(source);
         quote! {
             #edited
@@ -134,57 +128,53 @@ impl<'a> Frame<'a> {
         }
     }
 
-    /// `impl Constraint`
-    fn constraint(
-        &self,
-        kind: &str,
-        route: TokenStream,
-        kernels: &TokenStream,
-        lowered: Option<&Lowered>,
-    ) -> TokenStream {
+    /// `impl Constraint`, `impl Parameters` and `impl Written`.
+    fn constraint(&self, kind: &str, parts: &Parts, lowered: Option<&Lowered>) -> TokenStream {
         let (source, unlinted) = (self.source, unlinted());
         let name = &source.name;
-        let (row_names, pattern) =
-            (&self.row_names, self.pattern.iter().map(|(row, column)| (literal(*row), literal(*column))));
-        let pattern: Vec<TokenStream> = pattern.map(|(row, column)| quote!((#row, #column))).collect();
-        let (described, describe) = (self.arguments(), described::describe(source));
+        let facts = facts::facts(source, kind, (&self.row_names, &self.pattern), &parts.facts);
+        let (arguments, describe) = (self.arguments(), described::describe(source));
         let (visit, set) = super::parameter_methods(&source.arguments);
         let in_lanes = self.lanes.as_ref().map(|lanes| &lanes.method);
-        let (is_driver, description) = (is_driver(source), super::description(&source.attributes));
         let measures = measures::methods(source);
         let (refusal, branch) = (demands::refusal(source), demands::branch(source));
         let laws = lowered.map(|lowered| functions::laws(&source.arguments, lowered)).unwrap_or_default();
+        let (formulas, written) = (&parts.formulas, &parts.written);
         quote! {
             #unlinted
             impl ::kin::Constraint for #name {
-                fn kind(&self) -> &str {
-                    #kind
+                fn facts(&self) -> ::kin::emitted::Facts<'_> {
+                    const FACTS: ::kin::emitted::Facts<'static> = #facts;
+                    FACTS
                 }
-                fn route(&self) -> ::kin::Route {
-                    #route
-                }
-                #is_driver
                 fn arguments(&self) -> ::std::vec::Vec<::kin::emitted::Argument> {
-                    #described
+                    #arguments
                 }
-                fn rows(&self) -> &[&str] {
-                    &[#(#row_names),*]
-                }
-                fn pattern(&self) -> &[(usize, usize)] {
-                    &[#(#pattern),*]
-                }
-                #describe
-                #kernels
+                #formulas
                 #in_lanes
                 #measures
-                fn description(&self) -> &str {
-                    #description
+                #branch
+                #laws
+                fn as_parameters(&self) -> ::core::option::Option<&dyn ::kin::emitted::Parameters> {
+                    ::core::option::Option::Some(self)
                 }
+                fn as_parameters_mut(&mut self) -> ::core::option::Option<&mut dyn ::kin::emitted::Parameters> {
+                    ::core::option::Option::Some(self)
+                }
+                fn as_written(&self) -> ::core::option::Option<&dyn ::kin::emitted::Written> {
+                    ::core::option::Option::Some(self)
+                }
+            }
+            #unlinted
+            impl ::kin::emitted::Parameters for #name {
                 #visit
                 #set
                 #refusal
-                #branch
-                #laws
+                #describe
+            }
+            #unlinted
+            impl ::kin::emitted::Written for #name {
+                #written
             }
         }
     }
@@ -377,18 +367,6 @@ fn kinds(argument: &Argument) -> Vec<TokenStream> {
         _ => quote!(::kin::emitted::ArgumentKind::Coord),
     };
     vec![kind; argument.kind.slots()]
-}
-
-/// A constraint with time in it says so.
-fn is_driver(source: &ConstraintFn) -> TokenStream {
-    match source.arguments.iter().any(|argument| argument.kind == Kind::Time) {
-        true => quote! {
-            fn is_driver(&self) -> bool {
-                true
-            }
-        },
-        false => quote!(),
-    }
 }
 
 fn columns(arguments: &[Argument]) -> usize {

@@ -125,14 +125,10 @@ fn mentions(expression: &impl ToTokens, name: &Ident) -> bool {
     within(expression.to_token_stream(), name)
 }
 
-/// `wrong_branch`: the first condition on the pose that does not hold; that there is none, if so.
+/// `wrong_branch`: the first condition on the pose that does not hold; nothing where there is none.
 pub fn branch(source: &ConstraintFn) -> TokenStream {
     if source.branches.is_empty() {
-        return quote! {
-            fn has_branches(&self) -> bool {
-                false
-            }
-        };
+        return quote!();
     }
     let inputs = written::inputs(&source.arguments);
     let (names, types): (Vec<_>, Vec<_>) = inputs.into_iter().unzip();

@@ -5,7 +5,7 @@ use quote::quote;
 
 use kin_language::parse::{Argument, ConstraintFn, Kind};
 
-/// `Constraint::describe`: every parameter under its name.
+/// `Parameters::describe`: every parameter under its name.
 pub fn describe(source: &ConstraintFn) -> TokenStream {
     let parameters =
         source.arguments.iter().filter(|argument| argument.kind.is_field() && argument.kind.slots() == 0);

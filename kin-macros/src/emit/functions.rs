@@ -1,8 +1,9 @@
-//! The functions of `impl Constraint` that compute something, on either route.
+//! The formulas of `impl Constraint`, on either route, and what is promised of them.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
+use super::facts;
 use super::kernel::{Code, Kernel};
 use super::timed::{self, Timed};
 use crate::derivatives::Derivatives;
@@ -10,8 +11,18 @@ use kin_graph::{Graph, Node, Op};
 use kin_language::lower::Lowered;
 use kin_language::parse::Argument;
 
-/// `residual`, `jacobian`, `linearize`, `velocity_rhs`, `acceleration_rhs` and `blame`.
-pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivatives) -> TokenStream {
+/// What a route gives to the traits of a constraint.
+pub struct Parts {
+    /// Fields of `Facts`.
+    pub facts: TokenStream,
+    /// Methods of `impl Constraint`.
+    pub formulas: TokenStream,
+    /// Methods of `impl Written`.
+    pub written: TokenStream,
+}
+
+/// `residual`, `jacobian`, `linearize`, `velocity_rhs` and `acceleration_rhs`; the formula.
+pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivatives) -> Parts {
     let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
     let (m, entries) = (literal(rows.len()), literal(derived.jacobian.len()));
     let (to_c, c) = outputs("c", quote!(c.first_chunk_mut()), &rows, |_| true);
@@ -33,15 +44,12 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
     let right_side = commented("Q_d for t_dot = 1", kernel(&q_d));
     let velocity = (!rhs.is_empty()).then(|| (to_rhs, kernel(&rhs)));
     let velocity = self::velocity(&m, velocity);
-    let timed = timed::functions(lowered, &timed);
-    let (constants, depends) =
-        (constants(&lowered.graph, derived), depends(&lowered.graph, &rows, derived, linear));
-    let blame = super::blame::symbolic(arguments, lowered);
+    let (at_time, numbers_of_time) = (timed::function(lowered, &timed), timed::facts(&timed));
+    let promises = facts::promises(&lowered.graph, &rows, derived, linear);
+    let facts = quote!(reason: ::kin::RouteReason::Read, #promises #numbers_of_time);
     let ((linearize_doc, linearize), (right_doc, right_side)) = (linearize, right_side);
-    quote! {
-        #constants
-        #depends
-        #timed
+    let formulas = quote! {
+        #at_time
         fn residual(&self, at: &::kin::emitted::At<'_>, c: &mut [f64]) {
             #residual
         }
@@ -60,8 +68,8 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
             #to_q_d
             #right_side
         }
-        #blame
-    }
+    };
+    Parts { facts, formulas, written: super::blame::symbolic(arguments, lowered) }
 }
 
 /// References to the places of a list by name, `let Some([c_0, c_1]) = c.first_chunk_mut() else { return };`,
@@ -77,41 +85,6 @@ pub fn outputs(
         nodes.iter().enumerate().map(|(k, &node)| wanted(node).then(|| (name(k), node))).collect();
     let names = all.iter().map(|output| output.as_ref().map(|(name, _)| name.clone()));
     (super::chunk(names, places), all.into_iter().flatten().collect())
-}
-
-/// The entries of C_q that are numbers for good, for the solver; nothing where there are none.
-fn constants(g: &Graph, derived: &Derivatives) -> TokenStream {
-    let known: Vec<Option<f64>> =
-        derived.jacobian.iter().map(|entry| g.constant_value(entry.2).filter(|c| c.is_finite())).collect();
-    if known.iter().all(Option::is_none) {
-        return quote!();
-    }
-    let known = known.into_iter().map(|constant| match constant {
-        Some(constant) => {
-            let constant = super::kernel::number(constant);
-            quote!(::core::option::Option::Some(#constant))
-        }
-        None => quote!(::core::option::Option::None),
-    });
-    quote! {
-        fn constants(&self) -> &[::core::option::Option<f64>] {
-            &[#(#known),*]
-        }
-    }
-}
-
-/// Which terms can change with t or be other than zero, for the solver.
-fn depends(g: &Graph, rows: &[Node], derived: &Derivatives, linear: bool) -> TokenStream {
-    let on_t = |n: &Node| g.depends(*n).on_t;
-    let (c, c_q) = (rows.iter().any(on_t), derived.jacobian.iter().any(|entry| on_t(&entry.2)));
-    let [c_t, q_d] =
-        [&derived.velocity_rhs, &derived.acceleration_rhs].map(|side| side.iter().any(|&n| !g.is_zero(n)));
-    let curved = !linear;
-    quote! {
-        fn depends(&self) -> ::kin::emitted::Dependence {
-            ::kin::emitted::Dependence { c_on_t: #c, c_q_on_t: #c_q, c_t: #c_t, q_d: #q_d, curved: #curved }
-        }
-    }
 }
 
 /// Whether the rows are linear in the coordinates for good: with a gradient of numbers, and coordinates that

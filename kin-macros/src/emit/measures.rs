@@ -7,15 +7,20 @@ use syn::{Block, parse_quote};
 use super::{demands, rewrite, written};
 use kin_language::parse::{ConstraintFn, Measure};
 
-/// `measures`, `ends` and `measure` of `impl Constraint`; nothing where there is none.
-pub fn methods(source: &ConstraintFn) -> TokenStream {
-    if source.measures.is_empty() {
-        return quote!();
-    }
+/// `measures` of `Facts`; nothing where there is none.
+pub fn facts(source: &ConstraintFn) -> TokenStream {
     let told = source.measures.iter().map(|Measure { name, unit, turns, .. }| {
         let name = syn::ext::IdentExt::unraw(name).to_string();
         quote!(::kin::emitted::Measured { name: #name, unit: #unit, turns: #turns })
     });
+    if source.measures.is_empty() { quote!() } else { quote!(measures: &[#(#told),*],) }
+}
+
+/// `ends` and `measure` of `impl Constraint`; nothing where there is none.
+pub fn methods(source: &ConstraintFn) -> TokenStream {
+    if source.measures.is_empty() {
+        return quote!();
+    }
     let mentioned =
         source.measures.iter().filter_map(|measure| measure.ends.as_ref()).flat_map(|(from, to)| [from, to]);
     let (bindings, number) = (demands::bindings(&source.arguments, mentioned), super::own("number"));
@@ -37,9 +42,6 @@ pub fn methods(source: &ConstraintFn) -> TokenStream {
         }
     };
     quote! {
-        fn measures(&self) -> &[::kin::emitted::Measured] {
-            &[#(#told),*]
-        }
         #ends
         #[cold]
         fn measure(&self, k: usize, at: &::kin::emitted::At<'_>, rates: &[::kin::emitted::Rates<'_>; 3]) -> [f64; 4] {

@@ -6,6 +6,7 @@ pub mod constraint;
 mod demands;
 mod described;
 mod editor;
+mod facts;
 mod functions;
 mod kernel;
 mod lanes;
@@ -94,7 +95,7 @@ fn unlinted() -> TokenStream {
     quote!(#[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)])
 }
 
-/// `parameters` and `set_parameter`: laws and vectors know their own parts.
+/// `parameters`, and `set_parameter` with `set_parameter_at`: laws and vectors know their own parts.
 fn parameter_methods(arguments: &[Argument]) -> (TokenStream, TokenStream) {
     let numeric: Vec<_> = arguments
         .iter()

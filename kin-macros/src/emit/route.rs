@@ -1,4 +1,4 @@
-//! Why a constraint is on the dual route: told by `explain_route`, and warned of where that is asked for.
+//! Why a constraint is on the dual route: told among its facts, and warned of where that is asked for.
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
@@ -17,9 +17,9 @@ pub enum DualReason<'a> {
 const CRATE_WIDE: &str = "KIN_WARN_DUAL";
 
 impl DualReason<'_> {
-    /// `Constraint::explain_route`
+    /// The `RouteReason` among the facts.
     pub fn explained(&self) -> TokenStream {
-        let reason = match self {
+        match self {
             DualReason::Asked(span) => {
                 let source = place(*span);
                 quote!(::kin::RouteReason::Asked { source: ::core::option::Option::Some(#source) })
@@ -27,11 +27,6 @@ impl DualReason<'_> {
             DualReason::Unread(Unreadable { span, what }) => {
                 let source = place(*span);
                 quote!(::kin::RouteReason::Unread { what: #what, source: #source })
-            }
-        };
-        quote! {
-            fn explain_route(&self) -> ::kin::RouteReason {
-                #reason
             }
         }
     }

@@ -122,29 +122,27 @@ pub fn read_at(g: &mut Graph, place: impl Fn(Node) -> Option<usize>, outputs: &[
     outputs.iter().map(|output| read[output.index()].unwrap_or(*output)).collect()
 }
 
-/// `n_timed`, `at_time` and `sides_of_time`; nothing where there is nothing of the kind.
-pub fn functions(lowered: &Lowered, timed: &Timed) -> TokenStream {
+/// `n_timed` and `sides_of_time` of `Facts`; nothing where there is nothing of the kind.
+pub fn facts(timed: &Timed) -> TokenStream {
     if timed.len() == 0 {
         return quote!();
     }
-    let n = Literal::usize_unsuffixed(timed.len());
+    let [n, first] = [timed.len(), timed.read.len()].map(Literal::usize_unsuffixed);
+    let sides =
+        (!timed.sides.is_empty()).then(|| quote!(sides_of_time: ::core::option::Option::Some(#first),));
+    quote!(n_timed: #n, #sides)
+}
+
+/// `at_time`; nothing where there is nothing of the kind.
+pub fn function(lowered: &Lowered, timed: &Timed) -> TokenStream {
+    if timed.len() == 0 {
+        return quote!();
+    }
     let all: Vec<Node> = timed.read.iter().chain(&timed.sides).copied().collect();
     let (code, values) = Kernel::plain(lowered, &[]).values(&all);
     let (doc, code) =
         (format!(" What depends on t and parameters alone: {} operations", code.operations), code.tokens);
-    let first = Literal::usize_unsuffixed(timed.read.len());
-    let sides = (!timed.sides.is_empty()).then(|| {
-        quote! {
-            fn sides_of_time(&self) -> ::core::option::Option<usize> {
-                ::core::option::Option::Some(#first)
-            }
-        }
-    });
     quote! {
-        #sides
-        fn n_timed(&self) -> usize {
-            #n
-        }
         #[doc = #doc]
         fn at_time(&self, t: f64, timed: &mut [f64]) {
             let ::core::option::Option::Some(timed) = timed.first_chunk_mut() else { return };

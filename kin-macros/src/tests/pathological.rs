@@ -30,11 +30,11 @@ fn message(expansion: &str) -> Option<String> {
 }
 
 fn is_symbolic(expansion: &str) -> bool {
-    message(expansion).is_none() && expansion.contains("Route :: Symbolic")
+    message(expansion).is_none() && expansion.contains("reason : :: kin :: RouteReason :: Read")
 }
 
 fn is_dual(expansion: &str) -> bool {
-    message(expansion).is_none() && expansion.contains("Route :: Dual")
+    message(expansion).is_none() && expansion.contains("reason : :: kin :: RouteReason :: Unread")
 }
 
 /// Bodies of growing depth and length: how often something is repeated in each.

@@ -55,7 +55,7 @@ impl Form {
         }
         let told = Told::by(constraint);
         let radii = || Some([told.number("r_i")?, told.number("r_j")?]);
-        Some(match constraint.kind() {
+        Some(match constraint.facts().kind {
             "gear" => Form::Gears { radii: radii()?, phase: told.number("phase")?, ring: false },
             "internal_gear" => Form::Gears { radii: radii()?, phase: told.number("phase")?, ring: true },
             "belt" => Form::Belt { radii: radii()? },

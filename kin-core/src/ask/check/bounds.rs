@@ -1,6 +1,6 @@
 //! Interval bounds, of which proofs are made, against values at points: what is not inside is wrong.
 
-use super::{Entry, Spread, Terms};
+use super::{Disagreement, Spread, Terms};
 use crate::ask::proof::Part;
 use crate::model::constraint::Constraint;
 use crate::model::law::Law;
@@ -19,11 +19,11 @@ pub(super) fn outside(
     qd: &[f64],
     t: f64,
     terms: &Terms,
-) -> (Vec<Entry>, bool) {
+) -> (Vec<Disagreement>, bool) {
     let (mut all, mut known) = (Vec::new(), false);
     let Some(part) = Part::alone(constraint) else { return (all, known) };
     let mut spread = Spread(t.to_bits());
-    let rows = constraint.rows();
+    let rows = constraint.facts().rows;
     let narrow = spread.next() < 0.0;
     for width in WIDTHS.into_iter().skip(usize::from(!narrow)).step_by(2) {
         let mut around =
@@ -42,7 +42,7 @@ pub(super) fn outside(
             let slack = 1e-12 * (1.0 + size + bounds.mag().min(1e6 * (1.0 + value.abs())));
             let difference = (bounds.lo() - value).max(value - bounds.hi());
             if value.is_finite() && difference > slack {
-                all.push(Entry { name, own: bounds.mid(), dual: value, central: None, difference });
+                all.push(Disagreement { name, own: bounds.mid(), dual: value, central: None, difference });
             }
         };
         let velocity = &terms.c_q * nalgebra::DVector::from_column_slice(qd) + &terms.c_t;

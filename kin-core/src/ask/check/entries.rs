@@ -5,19 +5,19 @@ use nalgebra::DMatrix;
 use super::{DIFFERENCES_TOLERANCE, ROUTES_TOLERANCE};
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::Target;
-use crate::model::mismatch::{Entry, Mismatch};
+use crate::model::mismatch::{Disagreement, Mismatch};
 
 impl Mismatch {
     pub(super) fn new(
         constraint: &dyn Constraint,
-        mut entries: Vec<Entry>,
+        mut entries: Vec<Disagreement>,
         q: &[f64],
         qd: &[f64],
         t: f64,
     ) -> Self {
         entries.sort_by(|a, b| b.worst().total_cmp(&a.worst()));
         let q = columns(constraint).into_iter().zip(q.iter().copied()).collect();
-        let (kind, route) = (constraint.kind().to_owned(), constraint.route());
+        let (kind, route) = (constraint.facts().kind.to_owned(), constraint.facts().route());
         Mismatch { kind, route, place: "the state asked for".to_owned(), entries, q, qd: qd.to_vec(), t }
     }
 }
@@ -30,8 +30,8 @@ pub(super) fn differing(
     dual: &DMatrix<f64>,
     central: Option<&DMatrix<f64>>,
     scale: f64,
-) -> Vec<Entry> {
-    let (rows, columns) = (constraint.rows(), columns(constraint));
+) -> Vec<Disagreement> {
+    let (rows, columns) = (constraint.facts().rows, columns(constraint));
     let mut all = Vec::new();
     for row in 0..own.nrows() {
         for column in 0..own.ncols() {
@@ -46,7 +46,7 @@ pub(super) fn differing(
                 "C_q" => format!("C_q[{row}, {}]", columns.get(column).map_or("", String::as_str)),
                 term => format!("{term}[{row}]"),
             };
-            all.push(Entry { name, own: a, dual: b, central: c, difference });
+            all.push(Disagreement { name, own: a, dual: b, central: c, difference });
         }
     }
     all

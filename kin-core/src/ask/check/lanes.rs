@@ -84,12 +84,12 @@ impl Compare<'_> {
         let instant =
             LaneInstant { simd, states: &states, rates: &rates, known: &known, arguments, own: &own };
         let alone = [LaneBlock { number: 0, arguments: 0, known: 0, rows: 0, values: 0 }];
-        let (table, rows) = (S::table(&self.kernels.kernels()), self.constraint.rows().len());
+        let (table, rows) = (S::table(&self.kernels.kernels()), self.constraint.facts().rows.len());
         let zeros = || vec![Wide::splat(simd, 0.0); rows];
         let (mut c, mut rhs, mut q_d) = (zeros(), zeros(), zeros());
-        let constant = |k: usize| self.constraint.constants().get(k).copied().flatten().unwrap_or(0.0);
+        let constant = |k: usize| self.constraint.facts().constants.get(k).copied().flatten().unwrap_or(0.0);
         let mut values: Vec<Wide<S>> =
-            (0..self.constraint.pattern().len()).map(|k| Wide::splat(simd, constant(k))).collect();
+            (0..self.constraint.facts().pattern.len()).map(|k| Wide::splat(simd, constant(k))).collect();
         table.linearize(&instant, &alone, &mut c, &mut values);
         table.velocity_rhs(&instant, &alone, &mut rhs);
         table.acceleration_rhs(&instant, &alone, &mut q_d);
@@ -123,7 +123,12 @@ impl Compare<'_> {
             return Ok(());
         }
         let mut c_q = DMatrix::zeros(own.c_q.nrows(), own.c_q.ncols());
-        self.constraint.pattern().iter().zip(values.iter()).for_each(|(place, value)| c_q[*place] += value);
+        self.constraint
+            .facts()
+            .pattern
+            .iter()
+            .zip(values.iter())
+            .for_each(|(entry, value)| c_q[(entry.row, entry.column)] += value);
         let column = |v: &DVector<f64>| DMatrix::from_column_slice(v.len(), 1, v.as_slice());
         let found = [
             ("C", column(&c), column(&own.c)),
@@ -135,7 +140,7 @@ impl Compare<'_> {
         let found = found.into_iter().map(|(term, a, b)| (term, (&a - &b).amax() / (1.0 + b.amax())));
         for (term, difference) in found.chain([("Q_d", (q_d - &own.q_d).amax() / (1.0 + parts))]) {
             if difference.is_nan() || difference > ROUTES_TOLERANCE {
-                let kind = self.constraint.kind().to_owned();
+                let kind = self.constraint.facts().kind.to_owned();
                 return Err(Box::new(LaneMismatch {
                     kind,
                     term,

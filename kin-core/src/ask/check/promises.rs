@@ -2,11 +2,11 @@
 
 use nalgebra::DMatrix;
 
-use super::{Entry, ROUTES_TOLERANCE, column, distance};
+use super::{Disagreement, ROUTES_TOLERANCE, column, distance};
 use crate::model::dual_route::Equation;
 use crate::model::terms::{Terms, dual_terms};
 
-/// The terms that are not what [`Constraint::depends`](crate::Constraint::depends), `constants` or
+/// The terms that are not what [`Facts::dependence`](crate::constraint::Facts::dependence), `constants` or
 /// `sides_of_time` promises, and how far off they are.
 pub(super) fn broken<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     equation: &E,
@@ -14,13 +14,14 @@ pub(super) fn broken<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     qd: &[f64; N],
     t: f64,
     now: &Terms,
-) -> Vec<Entry> {
-    let (depends, later) = (equation.depends(), dual_terms::<E, N, M>(equation, q, qd, t + 1.0));
+) -> Vec<Disagreement> {
+    let facts = equation.facts();
+    let (depends, later) = (facts.dependence, dual_terms::<E, N, M>(equation, q, qd, t + 1.0));
     let mut all = Vec::new();
     let mut promise = |name: &str, may: bool, promised: &DMatrix<f64>, found: &DMatrix<f64>| {
         let difference = distance(promised, found) / (1.0 + found.amax());
         if !may && difference > ROUTES_TOLERANCE {
-            all.push(Entry {
+            all.push(Disagreement {
                 name: name.to_owned(),
                 own: promised.amax(),
                 dual: found.amax(),
@@ -37,8 +38,8 @@ pub(super) fn broken<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     let origin = dual_terms::<E, N, M>(equation, &[0.0; N], qd, t);
     let linear = column(&origin.c) + &now.c_q * DMatrix::from_column_slice(N, 1, q);
     promise("C, promised to be linear", depends.curved, &linear, &column(&now.c));
-    let told = equation.sides_of_time().map(|first| {
-        let mut timed = vec![f64::INFINITY; equation.n_timed()];
+    let told = facts.sides_of_time.map(|first| {
+        let mut timed = vec![f64::INFINITY; facts.n_timed];
         equation.at_time(t, &mut timed);
         timed
             .get(first..first.saturating_add(3 * M))
@@ -50,10 +51,12 @@ pub(super) fn broken<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
         let sides = DMatrix::from_columns(&[origin.c.clone(), -&now.c_t, -&now.c_tt]);
         promise("C(0, t), -C_t and -C_tt, told with the numbers of the time", false, &told, &sides);
     }
-    for (&(row, column), constant) in equation.pattern().iter().zip(equation.constants()) {
+    for (entry, constant) in facts.pattern.iter().zip(facts.constants) {
         let Some(constant) = *constant else { continue };
-        let (promised, found) =
-            (DMatrix::from_element(1, 1, constant), DMatrix::from_element(1, 1, now.c_q[(row, column)]));
+        let (promised, found) = (
+            DMatrix::from_element(1, 1, constant),
+            DMatrix::from_element(1, 1, now.c_q[(entry.row, entry.column)]),
+        );
         promise("an entry of C_q, promised to be constant", false, &promised, &found);
     }
     all

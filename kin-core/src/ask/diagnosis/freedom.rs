@@ -41,7 +41,7 @@ fn is_idle(examined: &Examined<'_>, motions: &[BodyMotion]) -> bool {
     let length = examined.measures().sizes[0];
     let moves = |item: usize| names.contains(&model.layout.items[item].name);
     let mut holds = 0;
-    for block in model.equations.blocks.iter().filter(|block| block.constraint.kind() != "euler_norm") {
+    for block in model.equations.blocks.iter().filter(|block| block.constraint.facts().kind != "euler_norm") {
         let arguments = block.constraint.arguments();
         let places: Vec<Option<Place>> =
             arguments.iter().map(|argument| model.layout.place(&argument.target)).collect();

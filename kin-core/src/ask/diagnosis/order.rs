@@ -13,9 +13,11 @@ pub(super) fn of_rows(model: &Model<'_>) -> Vec<usize> {
     let key = |row: usize| {
         let (name, local, class) = match model.equations.block_of(row) {
             Some((block, local)) if block.drives => (block.name.as_str(), local, 0),
-            Some((block, local)) => {
-                (block.name.as_str(), local, if block.constraint.kind() == "euler_norm" { 2 } else { 1 })
-            }
+            Some((block, local)) => (
+                block.name.as_str(),
+                local,
+                if block.constraint.facts().kind == "euler_norm" { 2 } else { 1 },
+            ),
             None => ("", 0, 2),
         };
         (class, name, local)

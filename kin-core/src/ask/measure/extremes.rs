@@ -10,7 +10,7 @@ use crate::system::System;
 /// its start.   \[-\]
 const CLOSED: f64 = 1e-9;
 
-/// Where a measure turns round.
+/// A place where a measure turns round, or the end of a run where it is largest or smallest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Extreme {
@@ -79,19 +79,19 @@ impl Extremes {
         &self.all
     }
 
-    /// The largest value of the motion and its time, be it an extreme or an end of the run.
-    pub fn max(&self) -> (f64, f64) {
-        self.best(|value, other| value > other)
+    /// The largest value of the motion, be it where the measure turns round or at an end of the run.
+    pub fn max(&self) -> Extreme {
+        self.best(true, |value, other| value > other)
     }
 
-    /// The smallest value of the motion and its time, be it an extreme or an end of the run.
-    pub fn min(&self) -> (f64, f64) {
-        self.best(|value, other| value < other)
+    /// The smallest value of the motion, be it where the measure turns round or at an end of the run.
+    pub fn min(&self) -> Extreme {
+        self.best(false, |value, other| value < other)
     }
 
     /// Largest less smallest value: the stroke of a slider, the swing of a rocker.
     pub fn stroke(&self) -> f64 {
-        self.max().0 - self.min().0
+        self.max().value - self.min().value
     }
 
     /// How much longer the slower stroke takes than the quicker one, at least 1; `None` where the motion does
@@ -103,7 +103,7 @@ impl Extremes {
         let [(from, _), (to, _)] = self.ends;
         let (one, other) = match self.all[..] {
             [_, _, ..] if self.closed => {
-                let one = (self.max().1 - self.min().1).abs();
+                let one = (self.max().t - self.min().t).abs();
                 (one, (to - from).abs() - one)
             }
             [a, b, c, ..] => ((b.t - a.t).abs(), (c.t - b.t).abs()),
@@ -112,11 +112,13 @@ impl Extremes {
         Some(one.max(other) / one.min(other)).filter(|ratio| ratio.is_finite())
     }
 
-    /// Value and time of the one that no other is better than.
-    fn best(&self, better: impl Fn(f64, f64) -> bool) -> (f64, f64) {
-        let [first, last] = self.ends.map(|(t, value)| (value, t));
-        let extremes = self.all.iter().map(|extreme| (extreme.value, extreme.t));
-        extremes.chain([last]).fold(first, |best, next| if better(next.0, best.0) { next } else { best })
+    /// The one that no other is better than.
+    fn best(&self, is_max: bool, better: impl Fn(f64, f64) -> bool) -> Extreme {
+        let [first, last] = self.ends.map(|(t, value)| Extreme { t, value, is_max });
+        let extremes = self.all.iter().map(|extreme| Extreme { is_max, ..*extreme });
+        extremes
+            .chain([last])
+            .fold(first, |best, next| if better(next.value, best.value) { next } else { best })
     }
 }
 
@@ -131,19 +133,24 @@ mod tests {
         Extremes { name: "slide".to_string(), unit: "m".to_string(), all, ends, closed }
     }
 
+    /// Value and time.
+    fn told(extreme: Extreme) -> (f64, f64) {
+        (extreme.value, extreme.t)
+    }
+
     /// Of equal values the first one counts, be it an extreme or an end.
     #[test]
     fn the_largest_and_the_smallest_value() {
         let found =
             extremes(&[(1.0, 2.0), (2.0, -3.0), (3.0, 2.0), (4.0, -3.0)], [(0.0, 0.5), (5.0, 0.0)], false);
         assert_eq!(
-            (found.max(), found.min(), found.stroke(), found.name(), found.unit()),
+            (told(found.max()), told(found.min()), found.stroke(), found.name(), found.unit()),
             ((2.0, 1.0), (-3.0, 2.0), 5.0, "slide", "m")
         );
         let ends = extremes(&[(1.0, 2.0), (2.0, -3.0)], [(0.0, 2.0), (5.0, -3.0)], false);
-        assert_eq!((ends.max(), ends.min()), ((2.0, 0.0), (-3.0, 2.0)));
+        assert_eq!((told(ends.max()), told(ends.min())), ((2.0, 0.0), (-3.0, 2.0)));
         let ends = extremes(&[(1.0, 2.0), (2.0, -3.0)], [(0.0, -4.0), (5.0, 3.0)], false);
-        assert_eq!((ends.max(), ends.min(), ends.stroke()), ((3.0, 5.0), (-4.0, 0.0), 7.0));
+        assert_eq!((told(ends.max()), told(ends.min()), ends.stroke()), ((3.0, 5.0), (-4.0, 0.0), 7.0));
     }
 
     /// Whichever stroke comes first, forwards and backwards, and wherever time begins.

@@ -18,18 +18,11 @@ impl System {
     pub(crate) fn note_kinks(&self, motion: &mut Motion) {
         for &block in self.switching() {
             let block = &self.equations().blocks[block];
-            let Some((table, parameters)) = block.constraint.table() else { continue };
-            let outside =
-                |number: usize, x: &[Dual3_64], to: &mut Given| block.constraint.outside(number, x, to);
-            let watched = Watched {
-                system: self,
-                block,
-                table,
-                formula: table.formula(),
-                parameters: &parameters,
-                outside: &outside,
-            };
-            watched.events(motion).into_iter().for_each(|event| motion.add_event(event));
+            let events = block.constraint.formula(|table, parameters, outside| {
+                let formula = table.formula();
+                Watched { system: self, block, table, formula, parameters, outside }.events(motion)
+            });
+            events.into_iter().flatten().for_each(|event| motion.add_event(event));
         }
     }
 }

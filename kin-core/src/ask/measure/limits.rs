@@ -25,7 +25,7 @@ impl System {
     fn all_limits(&self) -> Vec<Limit> {
         let mut all = self.limits.clone();
         for (joint, constraint) in self.constraints() {
-            for (k, measure) in constraint.measures().iter().enumerate() {
+            for (k, measure) in constraint.facts().measures.iter().enumerate() {
                 let name = format!("{joint}.{}", measure.name);
                 if let Some(ends) = constraint.ends(k)
                     && !all.iter().any(|limit| limit.name == name)

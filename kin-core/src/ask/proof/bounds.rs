@@ -47,7 +47,7 @@ impl<'a> Bounds<'a> {
         let instant = equations.instant_at(0.0, system.initial());
         let part = |block: &'a Block| {
             let constraint = block.constraint.as_ref();
-            let what = || format!("a motion with `{}` ({})", block.name, constraint.kind());
+            let what = || format!("a motion with `{}` ({})", block.name, constraint.facts().kind);
             unreadable(constraint)
                 .map_or(Ok(()), |reason| Err(Error::CannotBeProved { what: what(), reason }))?;
             let (arguments, at) = (constraint.arguments(), equations.at(block, &instant));
@@ -196,35 +196,34 @@ impl<'a> Part<'a> {
 
     /// The laws whose bounds are taken on their own word.
     fn trusted(&self) -> Vec<String> {
-        let mut all = Vec::new();
-        self.constraint.formula(&mut |table, _, outside| all = equation::trusted(table.formula(), outside));
-        all
+        self.constraint
+            .formula(|table, _, outside| equation::trusted(table.formula(), outside))
+            .unwrap_or_default()
     }
 
     /// Shows the formula.
     fn with(&self, of: &mut Shown<'_>) -> Result<(), Unknown> {
-        let mut done = Ok(());
-        self.constraint.formula(&mut |table, parameters, outside| done = of(table, parameters, outside));
-        done
+        self.constraint.formula(of).unwrap_or(Ok(()))
     }
 }
 
 /// Why bounds of a constraint cannot be had at all, if so.
 fn unreadable(constraint: &dyn Constraint) -> Option<String> {
-    let mut reason = Some(format!(
-        "it takes the {} route, and only the symbolic one leaves its equation as steps of which bounds over an interval can be had",
-        constraint.route()
-    ));
-    constraint.formula(&mut |table, _, outside| {
+    let facts = constraint.facts();
+    let known = constraint.formula(|table, _, outside| {
         let formula = table.formula();
-        let whole = formula.rows.len() == constraint.rows().len();
-        reason = if whole {
+        if formula.rows.len() == facts.rows.len() {
             equation::opaque(formula, outside)
         } else {
             Some("its steps are too many to be kept".to_string())
-        };
+        }
     });
-    reason
+    known.unwrap_or_else(|| {
+        Some(format!(
+            "it takes the {} route, and only the symbolic one leaves its equation as steps of which bounds over an interval can be had",
+            facts.route()
+        ))
+    })
 }
 
 /// Σ c_j σʲ over −1 ≤ σ ≤ 1, by Taylor's formula: its coefficients at σ = 0 and, for the remainder, over all

@@ -43,7 +43,7 @@ fn told(constraint: &dyn Constraint, fault: &Fault, body: Body, columns: usize) 
     let coordinates = (0..columns).filter(|&k| behind((k as u32).min(TIME))).map(Input::Column);
     let time = behind(TIME).then_some(Input::Time);
     Blame {
-        expression: expression.map_or(constraint.kind(), |expression| expression.0).to_string(),
+        expression: expression.map_or(constraint.facts().kind, |expression| expression.0).to_string(),
         source: expression.map(|&(_, line, column)| Source { file: body.file, line, column }),
         part: [Part::Value, Part::Slope, Part::Curvature][fault.part.min(2)],
         value: fault.value,

@@ -25,7 +25,7 @@ impl fmt::Display for Route {
     }
 }
 
-/// Why a constraint takes its route: what [`crate::Constraint::explain_route`] answers.
+/// The reason why a constraint takes its route, [`crate::constraint::Facts::reason`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum RouteReason {
@@ -49,12 +49,12 @@ pub enum RouteReason {
 }
 
 impl RouteReason {
-    /// What is known from the route alone.
-    pub(super) fn of(route: Route) -> Self {
-        match route {
-            Route::Symbolic => RouteReason::Read,
-            Route::Dual => RouteReason::Asked { source: None },
-            Route::Hand => RouteReason::Hand,
+    /// The route that it is the reason for.
+    pub const fn route(self) -> Route {
+        match self {
+            RouteReason::Read => Route::Symbolic,
+            RouteReason::Unread { .. } | RouteReason::Asked { .. } => Route::Dual,
+            RouteReason::Hand => Route::Hand,
         }
     }
 }

@@ -7,10 +7,10 @@ use crate::model::verdict::Diagnosis;
 /// `Result` with Kin's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
-impl Error {
-    /// The part of the motion that a failing run had computed; `None` for errors of other operations.
-    pub fn motion(&self) -> Option<&Motion> {
-        match self {
+/// The motion that an error carries, shared or mutable as the error is; `None` where it carries none.
+macro_rules! carried {
+    ($error:expr) => {
+        match $error {
             Error::NoConvergence { motion, .. }
             | Error::SingularAt { motion, .. }
             | Error::NotFinite { motion, .. }
@@ -18,9 +18,16 @@ impl Error {
             | Error::WrongBranch { motion, .. }
             | Error::LawJumps { motion, .. }
             | Error::Toggle { motion, .. }
-            | Error::CannotFollow { motion, .. } => motion.as_deref(),
+            | Error::CannotFollow { motion, .. } => Some(motion),
             _ => None,
         }
+    };
+}
+
+impl Error {
+    /// The part of the motion that a failing run had computed; `None` for errors of other operations.
+    pub fn motion(&self) -> Option<&Motion> {
+        carried!(self)?.as_deref()
     }
 
     /// The diagnosis of the mechanism, by name, where the error is of that kind.
@@ -36,7 +43,7 @@ impl Error {
 
     /// The same error, carrying what was computed before.
     pub(crate) fn with_motion(mut self, computed: Motion) -> Error {
-        if let Some(place) = self.carried().filter(|_| !computed.is_empty()) {
+        if let Some(place) = carried!(&mut self).filter(|_| !computed.is_empty()) {
             *place = Some(Box::new(computed));
         }
         self
@@ -44,21 +51,7 @@ impl Error {
 
     /// The motion computed before the failure, to be added to.
     pub(crate) fn motion_mut(&mut self) -> Option<&mut Motion> {
-        self.carried()?.as_deref_mut()
-    }
-
-    fn carried(&mut self) -> Option<&mut Option<Box<Motion>>> {
-        match self {
-            Error::NoConvergence { motion, .. }
-            | Error::SingularAt { motion, .. }
-            | Error::NotFinite { motion, .. }
-            | Error::CannotBeDriven { motion, .. }
-            | Error::WrongBranch { motion, .. }
-            | Error::LawJumps { motion, .. }
-            | Error::Toggle { motion, .. }
-            | Error::CannotFollow { motion, .. } => Some(motion),
-            _ => None,
-        }
+        carried!(self)?.as_deref_mut()
     }
 }
 

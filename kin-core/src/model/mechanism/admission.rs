@@ -1,6 +1,6 @@
 //! Conditions under which a constraint is let into a mechanism.
 
-use crate::model::constraint::Constraint;
+use crate::model::constraint::{Constraint, Entry};
 use crate::model::coordinates::{Argument, Target};
 use crate::model::error::{Error, Result};
 use crate::model::layout::{Layout, Place};
@@ -38,7 +38,7 @@ pub(crate) fn sensible_parameters(name: &str, constraint: &dyn Constraint) -> Re
     match constraint.refusal() {
         Some(reason) => Err(Error::InvalidParameters {
             constraint: name.to_string(),
-            kind: constraint.kind().to_string(),
+            kind: constraint.facts().kind.to_string(),
             reason,
         }),
         None => Ok(()),
@@ -86,11 +86,12 @@ fn different(layout: &Layout, name: &str, arguments: &[Argument], places: &[Plac
 /// Rows and pattern of a hand-written constraint must fit each other.
 fn consistent(name: &str, constraint: &dyn Constraint, arguments: &[Argument]) -> Result<()> {
     let columns: usize = arguments.iter().map(|argument| argument.target.columns()).sum();
-    let rows = constraint.rows().len();
+    let facts = constraint.facts();
+    let rows = facts.rows.len();
     let reason = if rows == 0 {
         "it has no row".to_string()
-    } else if let Some((row, column)) =
-        constraint.pattern().iter().find(|(row, column)| *row >= rows || *column >= columns)
+    } else if let Some(Entry { row, column }) =
+        facts.pattern.iter().find(|entry| entry.row >= rows || entry.column >= columns)
     {
         format!("its pattern names row {row}, column {column}, but it has {rows} rows and {columns} columns")
     } else {
@@ -98,7 +99,7 @@ fn consistent(name: &str, constraint: &dyn Constraint, arguments: &[Argument]) -
     };
     Err(Error::InvalidConstraint {
         constraint: name.to_string(),
-        kind: constraint.kind().to_string(),
+        kind: constraint.facts().kind.to_string(),
         reason,
     })
 }
@@ -112,9 +113,10 @@ fn movable(name: &str, constraint: &dyn Constraint, arguments: &[Argument], plac
             std::iter::repeat_n(matches!(place, Place::Own { .. }), argument.target.columns())
         })
         .collect();
-    let rows = constraint.rows();
+    let facts = constraint.facts();
+    let rows = facts.rows;
     let moves = |row: usize| {
-        constraint.pattern().iter().any(|&(r, column)| r == row && own.get(column).copied().unwrap_or(false))
+        facts.pattern.iter().any(|entry| entry.row == row && own.get(entry.column).copied().unwrap_or(false))
     };
     let Some(row) = (0..rows.len()).find(|&row| !moves(row)) else { return Ok(()) };
     let grounded = arguments.iter().zip(places).filter(|(_, place)| matches!(place, Place::Ground(_)));

@@ -150,22 +150,21 @@ impl Drive {
         // Constraints of one kind share their table, and so where time enters.
         let mut known: HashMap<*const Table, Arc<[Node]>> = HashMap::new();
         let mut source = |block: usize| {
-            let (constraint, mut signals) = (equations.blocks[block].constraint.as_ref(), None);
-            constraint.formula(&mut |table, _, _| {
+            let constraint = equations.blocks[block].constraint.as_ref();
+            let facts = constraint.facts();
+            let signals = constraint.formula(|table, _, _| {
                 let of = |formula| {
                     known
                         .entry(std::ptr::from_ref(table))
                         .or_insert_with(|| held::signals(formula).into())
                         .clone()
                 };
-                signals = Some(table.formula())
-                    .filter(|formula| formula.rows.len() == constraint.rows().len())
-                    .map(of);
+                Some(table.formula()).filter(|formula| formula.rows.len() == facts.rows.len()).map(of)
             });
             Source {
                 block,
-                signals,
-                apart: !constraint.depends().c_q_on_t,
+                signals: signals.flatten(),
+                apart: !facts.dependence.c_q_on_t,
                 is_sampled: false,
                 terms: Vec::new(),
             }
@@ -327,14 +326,12 @@ impl Drive {
 impl Source {
     /// Bounds of its signals over a stretch of time, if all are known.
     fn bounds(&self, equations: &Equations, t: Series) -> Option<Vec<Bound>> {
-        let (signals, mut found) = (self.signals.as_ref()?, None);
-        equations.blocks[self.block].constraint.formula(&mut |table, parameters, outside| {
-            found = held::over_time(table.formula(), signals, t, parameters, outside)
-                .iter()
-                .map(Bound::of)
-                .collect();
+        let signals = self.signals.as_ref()?;
+        let bounds = equations.blocks[self.block].constraint.formula(|table, parameters, outside| {
+            let found = held::over_time(table.formula(), signals, t, parameters, outside);
+            found.iter().map(Bound::of).collect::<Option<Vec<Bound>>>()
         });
-        found
+        bounds.flatten()
     }
 
     /// Takes bounds of its signals; without any its rows are sampled.
@@ -363,11 +360,12 @@ impl Source {
 
     /// How its rows follow each of its signals, if that is known.
     fn slopes(&self, equations: &Equations, instant: &Instant) -> Option<Vec<Vec<f64>>> {
-        let (block, mut slopes) = (&equations.blocks[self.block], Vec::new());
+        let block = &equations.blocks[self.block];
         let (signals, columns) = (self.signals.as_deref()?, equations.columns_of(block, instant));
-        block.constraint.formula(&mut |table, parameters, outside| {
-            slopes = held::slopes(table.formula(), signals, (&columns, instant.t()), parameters, outside);
+        let slopes = block.constraint.formula(|table, parameters, outside| {
+            held::slopes(table.formula(), signals, (&columns, instant.t()), parameters, outside)
         });
+        let slopes = slopes.unwrap_or_default();
         slopes.iter().flatten().all(|slope| slope.is_finite()).then_some(slopes)
     }
 

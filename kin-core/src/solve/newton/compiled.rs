@@ -11,7 +11,6 @@ mod holds;
 
 use super::Options;
 use super::run::Run;
-use crate::model::constraint::Constraint;
 use crate::model::error::{Error, Result};
 use crate::numbers::lanes::{Lanes, Level, WithLevel};
 use crate::program::times::ORDERS;
@@ -31,19 +30,15 @@ pub(crate) fn can_be(system: &System) -> std::result::Result<(), Refusal> {
         return Err(Refusal { constraint: String::new(), reason: REDUNDANT });
     }
     let equations = system.equations();
-    if let Some(block) = equations.blocks.iter().find(|block| !has_formula(block.constraint.as_ref())) {
+    if let Some(block) =
+        equations.blocks.iter().find(|block| block.constraint.formula(|_, _, _| ()).is_none())
+    {
         return Err(Refusal { constraint: block.name.clone(), reason: UNREAD });
     }
     match equations.jumping().first() {
         Some(block) => Err(Refusal { constraint: equations.blocks[*block].name.clone(), reason: JUMPS }),
         None => Ok(()),
     }
-}
-
-fn has_formula(constraint: &dyn Constraint) -> bool {
-    let mut known = false;
-    constraint.formula(&mut |_, _, _| known = true);
-    known
 }
 
 /// The program of a system, its elimination chosen at a pose.

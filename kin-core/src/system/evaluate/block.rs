@@ -50,7 +50,7 @@ impl Block {
 
     /// Name of local row `k`; empty for a constraint of one row.
     pub(crate) fn row(&self, k: usize) -> &str {
-        match self.constraint.rows() {
+        match self.constraint.facts().rows {
             [_] => "",
             rows => rows.get(k).copied().unwrap_or(""),
         }

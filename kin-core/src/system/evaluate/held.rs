@@ -15,7 +15,8 @@ impl Equations {
     pub(crate) fn moved_by_time(&self) -> impl Iterator<Item = usize> {
         // Those written by hand need not say so, and have been looked at: see `find_drivers`.
         let moves = |block: &Block| {
-            block.constraint.depends().c_on_t && (block.drives || block.constraint.route() != Route::Hand)
+            let facts = block.constraint.facts();
+            facts.dependence.c_on_t && (block.drives || facts.route() != Route::Hand)
         };
         self.blocks.iter().enumerate().filter(move |(_, block)| moves(block)).map(|(k, _)| k)
     }
@@ -26,13 +27,12 @@ impl Equations {
             // Constraints of one kind share their table.
             let mut known: HashMap<*const Table, bool> = HashMap::new();
             let mut jumps = |block: &Block| {
-                let mut jumps = true;
-                block.constraint.formula(&mut |table, _, _| {
+                let jumps = block.constraint.formula(|table, _, _| {
                     let can =
                         || table.formula().rows.len() != block.rows().len() || can_jump(table.formula());
-                    jumps = *known.entry(std::ptr::from_ref(table)).or_insert_with(can);
+                    *known.entry(std::ptr::from_ref(table)).or_insert_with(can)
                 });
-                jumps && block.constraint.depends().curved
+                jumps.unwrap_or(true) && block.constraint.facts().dependence.curved
             };
             (0..self.blocks.len()).filter(|k| jumps(&self.blocks[*k])).collect()
         })

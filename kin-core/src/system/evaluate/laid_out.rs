@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use super::block::Span;
 use super::linear::LinearRows;
 use super::{Asked, Block, Equations, Instant, Straight};
-use crate::model::constraint::{Constraint, Route};
+use crate::model::constraint::{Constraint, Entry, Route};
 use crate::model::layout::{Layout, Place};
 use crate::system::states::{Planned, StatePlan};
 
@@ -38,7 +38,8 @@ impl Equations {
     /// Constraint `k` is asked for what it has.
     fn ask(&mut self, k: usize) {
         let (block, asked) = (&self.blocks[k], &mut self.asked);
-        let depends = block.constraint.depends();
+        let facts = block.constraint.facts();
+        let depends = facts.dependence;
         let mut linear = None;
         if !depends.curved {
             let (entries, values) = (&self.entries[block.values()], &self.constants[block.values()]);
@@ -46,7 +47,7 @@ impl Equations {
             let can_tell = depends.c_on_t && entries.iter().all(Option::is_some);
             let is_whole =
                 |first: &usize| first.saturating_add(3 * block.rows().len()) <= block.timed.len as usize;
-            let told = block.constraint.sides_of_time().filter(|first| can_tell && is_whole(first));
+            let told = facts.sides_of_time.filter(|first| can_tell && is_whole(first));
             let sides = told.map_or(self.timed, |first| block.timed.first as usize + first);
             if self.linear.append(block.rows(), entries, values, sides) {
                 linear = Some(Straight { block: k, sides, told: told.is_some() });
@@ -59,7 +60,7 @@ impl Equations {
             (linear.is_none() && depends.c_on_t, &mut asked.c),
             (linear.is_none() && depends.c_t, &mut asked.c_t),
             (linear.is_none() && depends.q_d, &mut asked.q_d),
-            (block.constraint.has_branches(), &mut asked.branches),
+            (facts.has_branches, &mut asked.branches),
         ];
         lists.into_iter().filter(|(asked, _)| *asked).for_each(|(_, list)| list.push(k));
         asked.c_q_on_t |= depends.c_q_on_t;
@@ -79,14 +80,14 @@ impl Equations {
             let place = layout.place(&argument.target).unwrap_or(Place::Ground(0.0));
             self.plan.argument(&argument.target, place, planned);
         }
-        let global =
-            |&(row, column): &(usize, usize)| Some((self.rows + row, (*planned.columns.get(column)?)?));
-        self.entries.extend(constraint.pattern().iter().map(global));
-        self.constants.extend_from_slice(constraint.constants());
+        let global = |entry: &Entry| Some((self.rows + entry.row, (*planned.columns.get(entry.column)?)?));
+        let facts = constraint.facts();
+        self.entries.extend(facts.pattern.iter().map(global));
+        self.constants.extend_from_slice(facts.constants);
         self.constants.resize(self.entries.len(), None);
-        let rows = self.rows..self.rows + constraint.rows().len();
+        let rows = self.rows..self.rows + facts.rows.len();
         self.rows = rows.end;
-        let timed = self.timed..self.timed + constraint.n_timed();
+        let timed = self.timed..self.timed + facts.n_timed;
         self.timed = timed.end;
         self.blocks.push(Block {
             name,
@@ -95,7 +96,7 @@ impl Equations {
             rows: Span::new(rows),
             values: Span::new(first..self.entries.len()),
             constant: self.constants[first..].iter().all(Option::is_some),
-            drives: constraint.is_driver(),
+            drives: facts.is_driver,
             constraint,
         });
     }
@@ -105,7 +106,8 @@ impl Equations {
         /// Times that no law repeats itself at.   \[s\]
         const TIMES: [f64; 4] = [0.0, 0.073_205_08, 0.414_213_56, 1.732_050_8];
         let silent = |block: &Block| {
-            block.constraint.route() == Route::Hand && !block.drives && block.constraint.depends().c_on_t
+            let facts = block.constraint.facts();
+            facts.route() == Route::Hand && !block.drives && facts.dependence.c_on_t
         };
         if !self.blocks.iter().any(silent) {
             return;

@@ -87,7 +87,7 @@ impl<S: Level> WideEquations<S> {
             blocks: Vec::new(),
             groups: Vec::new(),
             plan: equations.plan.clone(),
-            c_q_on_t: equations.blocks.iter().any(|block| block.constraint.depends().c_q_on_t),
+            c_q_on_t: equations.blocks.iter().any(|block| block.constraint.facts().dependence.c_q_on_t),
             n_known: 0,
             scratch: Scratch::default(),
         };
@@ -97,7 +97,7 @@ impl<S: Level> WideEquations<S> {
 
     /// One more constraint.
     fn append(&mut self, block: &super::Block, varied: bool) {
-        let (kernels, depends) = (block.constraint.in_lanes(), block.constraint.depends());
+        let (kernels, depends) = (block.constraint.in_lanes(), block.constraint.facts().dependence);
         let [parameters, times] = kernels.map_or([0, 0], InLanes::n_known);
         let (first, between) = (self.n_known, self.n_known + parameters);
         self.n_known = between + times;

@@ -45,7 +45,7 @@ impl Equations {
         let (name, kind) = self
             .blocks
             .get(block)
-            .map(|block| (block.name.as_str(), block.constraint.kind()))
+            .map(|block| (block.name.as_str(), block.constraint.facts().kind))
             .unwrap_or_default();
         let reason = self.wrong_branch(block, instant).unwrap_or_default().to_string();
         let units = layout.words.clone();

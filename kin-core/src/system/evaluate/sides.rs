@@ -78,7 +78,7 @@ impl Equations {
     pub(crate) fn no_jerk(&self, row: usize) -> Error {
         let reason = "its part of the jerk is not known; implement `Constraint::jerk_rhs`, or run without `Options::jerk`".to_string();
         let [constraint, kind] = match self.block_of(row) {
-            Some((block, _)) => [block.name.clone(), block.constraint.kind().to_string()],
+            Some((block, _)) => [block.name.clone(), block.constraint.facts().kind.to_string()],
             None => Default::default(),
         };
         Error::InvalidConstraint { constraint, kind, reason }

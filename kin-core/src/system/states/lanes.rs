@@ -1,6 +1,7 @@
 //! States over lanes: the same plan for several mechanisms at once.
 
 use super::{COORD_STATE, Coord, PLANAR_STATE, SPATIAL_STATE, StatePlan, from, from_mut};
+use crate::model::coordinates::Trig;
 use crate::numbers::lanes::{Level, Wide};
 
 impl StatePlan {
@@ -25,7 +26,8 @@ impl StatePlan {
         }
         for &Coord { coordinate, begin, trig } in &self.coords {
             let &[value] = from(q, coordinate);
-            let (sin, cos) = if trig { value.sin_cos() } else { (value.all(0.0), value.all(0.0)) };
+            let (sin, cos) =
+                if trig == Trig::Used { value.sin_cos() } else { (value.all(0.0), value.all(0.0)) };
             *from_mut::<_, COORD_STATE>(states, begin) = [value, sin, cos];
         }
     }

@@ -162,7 +162,7 @@ fn leave_out(examined: &Examined<'_>, rows: &[usize]) -> Vec<Change> {
             let mut own = own;
             own.sort_unstable();
             let instead =
-                instead(block.constraint.kind(), block.constraint.rows().len(), &own).map(str::to_string);
+                instead(block.constraint.facts().kind, block.rows().len(), &own).map(str::to_string);
             Change::Drop {
                 constraint,
                 rows: own.iter().map(|local| block.row(*local).to_string()).collect(),

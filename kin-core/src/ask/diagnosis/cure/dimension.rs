@@ -51,7 +51,7 @@ pub(crate) fn points(model: &Model<'_>) -> Vec<PointAt> {
         .blocks
         .iter()
         .enumerate()
-        .filter(|(_, block)| block.constraint.kind() != "euler_norm");
+        .filter(|(_, block)| block.constraint.facts().kind != "euler_norm");
     blocks.flat_map(|(k, block)| points_of(model, k, block.constraint.as_ref())).collect()
 }
 
@@ -117,8 +117,12 @@ pub(crate) fn all(model: &Model<'_>) -> Vec<Dimension> {
             dimensions.push(length);
         }
     }
-    for (block, own) in
-        model.equations.blocks.iter().enumerate().filter(|(_, own)| own.constraint.kind() != "euler_norm")
+    for (block, own) in model
+        .equations
+        .blocks
+        .iter()
+        .enumerate()
+        .filter(|(_, own)| own.constraint.facts().kind != "euler_norm")
     {
         let mut number = 0;
         own.constraint.parameters(&mut |name, value| {

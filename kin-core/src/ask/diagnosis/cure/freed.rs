@@ -73,7 +73,7 @@ fn is_held(examined: &Examined<'_>, name: &str) -> bool {
     let model = examined.model();
     let of_it =
         |place: Place| matches!(place, Place::Own { item, .. } if model.layout.items[item].name == name);
-    let blocks = model.equations.blocks.iter().filter(|block| block.constraint.kind() != "euler_norm");
+    let blocks = model.equations.blocks.iter().filter(|block| block.constraint.facts().kind != "euler_norm");
     blocks
         .flat_map(|block| block.constraint.arguments())
         .any(|argument| model.layout.place(&argument.target).is_some_and(of_it))

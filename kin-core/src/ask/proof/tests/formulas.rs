@@ -4,6 +4,7 @@ use kin_graph::{Formula, Node, Number, evaluate};
 
 use crate::ask::proof::bounds::Bounds;
 use crate::ask::proof::bounds::Part;
+use crate::model::constraint::{Entry, Facts, Written};
 use crate::model::formula::bounds::{Inputs, opaque, row, trusted};
 use crate::model::formula::time::{can_jump, over_time, signals, slopes};
 use crate::model::formula::{Given, Outside, Table, give_law, nothing_outside};
@@ -12,7 +13,7 @@ use crate::model::state::{At, Rates};
 use crate::numbers::enclosure::interval::{Interval, ONE};
 use crate::numbers::enclosure::series::{ORDER, Series};
 use crate::numbers::real::Dual3_64;
-use crate::{Constraint, Mechanism, Route, constraint};
+use crate::{Constraint, Mechanism, RouteReason, constraint};
 
 const FULL: usize = ORDER + 1;
 
@@ -302,12 +303,14 @@ fn stepped(x: Coord, y: Coord) -> [f64; 2] {
 struct Half(crate::model::coordinates::Coordinate);
 
 impl Constraint for Half {
-    fn kind(&self) -> &str {
-        "half"
-    }
-
-    fn route(&self) -> Route {
-        Route::Symbolic
+    fn facts(&self) -> Facts<'_> {
+        const FACTS: Facts<'static> = Facts {
+            rows: &["1", "2"],
+            pattern: &[Entry::new(0, 0), Entry::new(1, 0)],
+            reason: RouteReason::Read,
+            ..Facts::of("half")
+        };
+        FACTS
     }
 
     fn arguments(&self) -> Vec<crate::model::coordinates::Argument> {
@@ -315,14 +318,6 @@ impl Constraint for Half {
             name: "x",
             target: crate::model::coordinates::Target::Coord(self.0, crate::model::coordinates::Trig::Unused),
         }]
-    }
-
-    fn rows(&self) -> &[&str] {
-        &["1", "2"]
-    }
-
-    fn pattern(&self) -> &[(usize, usize)] {
-        &[(0, 0), (1, 0)]
     }
 
     fn residual(&self, _: &At<'_>, c: &mut [f64]) {
@@ -341,6 +336,12 @@ impl Constraint for Half {
         q_d.fill(0.0);
     }
 
+    fn as_written(&self) -> Option<&dyn Written> {
+        Some(self)
+    }
+}
+
+impl Written for Half {
     fn table(&self) -> Option<(&'static Table, Vec<f64>)> {
         static TABLE: Table = Table::new("half.rs", "\nparameters\nrows 0\n- Column 0");
         Some((&TABLE, Vec::new()))

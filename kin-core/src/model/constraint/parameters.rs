@@ -1,0 +1,74 @@
+//! The numeric parameters of a constraint: read and changed by name, judged, and written as data.
+
+use super::Constraint;
+use crate::model::describer::Describer;
+
+/// The parameters of a constraint. [`Constraint::as_parameters`] shows them; emitted constraints have them.
+pub trait Parameters {
+    /// Shows each numeric parameter with its name (`k`, `u_i.x`, `c[2]`).
+    fn parameters(&self, visit: &mut dyn FnMut(&str, f64));
+
+    /// Sets one numeric parameter by the name [`Parameters::parameters`] gives it; false if there is none of
+    /// that name.
+    fn set_parameter(&mut self, name: &str, value: f64) -> bool;
+
+    /// Sets one numeric parameter by its number in the order of [`Parameters::parameters`]; false if there is
+    /// none. The default goes by name; emitted constraints do not.
+    fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
+        let (mut number, mut wanted) = (0, None);
+        self.parameters(&mut |name, _| {
+            if number == index {
+                wanted = Some(name.to_string());
+            }
+            number += 1;
+        });
+        wanted.is_some_and(|name| self.set_parameter(&name, value))
+    }
+
+    /// The reason why the parameters make no sense, if so: a mechanism refuses the constraint with these
+    /// words.
+    fn refusal(&self) -> Option<String> {
+        None
+    }
+
+    /// Tells each parameter under its name, so that the constraint can be written as data and made anew;
+    /// refuses where it cannot be (default).
+    fn describe(&self, to: &mut Describer) {
+        to.refuse(UNKNOWN);
+    }
+}
+
+const UNKNOWN: &str = "it was not made by `#[constraint]`, so its parameters are not known";
+
+/// The parameters of any constraint; one that shows none has none.
+impl dyn Constraint + '_ {
+    /// [`Parameters::parameters`]
+    pub fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
+        if let Some(own) = self.as_parameters() {
+            own.parameters(visit);
+        }
+    }
+
+    /// [`Parameters::set_parameter`]
+    pub fn set_parameter(&mut self, name: &str, value: f64) -> bool {
+        self.as_parameters_mut().is_some_and(|own| own.set_parameter(name, value))
+    }
+
+    /// [`Parameters::set_parameter_at`]
+    pub fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
+        self.as_parameters_mut().is_some_and(|own| own.set_parameter_at(index, value))
+    }
+
+    /// [`Parameters::refusal`]
+    pub fn refusal(&self) -> Option<String> {
+        self.as_parameters().and_then(|own| own.refusal())
+    }
+
+    /// [`Parameters::describe`]
+    pub fn describe(&self, to: &mut Describer) {
+        match self.as_parameters() {
+            Some(own) => own.describe(to),
+            None => to.refuse(UNKNOWN),
+        }
+    }
+}
