@@ -26,7 +26,7 @@ fn main() -> kin::Result<()> {
     // 2. The check: C_q, C_t and Q_d of the compiled constraint, by dual numbers, and by central differences.
     let any = parabolic_slot(any_planar(), any_planar(), vec2(0.06, 0.01), K);
     let report = check::compare(&any)?;
-    println!("{}: {} route, compared at {} states", any.facts().kind, any.facts().route(), report.states);
+    println!("{}: {} route, compared at {} states", any.facts().kind, any.route(), report.states);
     println!(
         "  from dual numbers {:.0e}, from central differences {:.0e} (relative, at most)\n",
         report.routes, report.differences

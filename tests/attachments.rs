@@ -45,7 +45,7 @@ fn of_a_joint_of_the_library() {
 #[test]
 fn whatever_they_are_computed_from_but_not_what_moves() {
     let mut joint = pin_in_slot(any_planar(), any_planar(), vec2(0.1, 0.2), 3.0);
-    assert_eq!(joint.facts().route(), Route::Symbolic);
+    assert_eq!(joint.route(), Route::Symbolic);
     assert_eq!(
         shown(&joint),
         [(1, "direction", [0.0, 1.0, 0.0]), (0, "point", [0.2, 0.4, 0.0]), (1, "point", [1.5, 0.0, 0.0])]
@@ -57,7 +57,7 @@ fn whatever_they_are_computed_from_but_not_what_moves() {
 #[test]
 fn on_the_dual_route_those_that_are_parameters() {
     let joint = unread(any_spatial(), any_spatial(), 2, vec3(1.0, 2.0, 3.0), vec3(0.0, 0.0, 1.0));
-    assert_eq!(joint.facts().route(), Route::Dual);
+    assert_eq!(joint.route(), Route::Dual);
     assert_eq!(shown(&joint), [(0, "point", [1.0, 2.0, 3.0]), (1, "direction", [0.0, 0.0, 1.0])]);
 }
 

@@ -260,7 +260,7 @@ fn both_routes<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     sample: &Value,
     t: f64,
 ) -> [Terms; 2] {
-    assert_eq!(joint.facts().route(), Route::Symbolic, "{}", joint.facts().kind);
+    assert_eq!(joint.route(), Route::Symbolic, "{}", joint.facts().kind);
     let (q, qd) = (numbers(sample, "q"), numbers(sample, "qd"));
     [terms(joint, &q, &qd, t), dual_terms(joint, &q, &qd, t)]
 }

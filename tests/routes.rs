@@ -43,7 +43,7 @@ fn place(after: &str, text: &str) -> (u32, u32) {
 }
 
 fn unread(constraint: &dyn Constraint) -> (&'static str, u32, u32) {
-    match constraint.facts().reason {
+    match constraint.explain_route() {
         RouteReason::Unread { what, source } if source.file.ends_with("tests/routes.rs") => {
             (what, source.line, source.column)
         }
@@ -55,7 +55,7 @@ fn unread(constraint: &dyn Constraint) -> (&'static str, u32, u32) {
 fn a_dual_constraint_says_which_token_cannot_be_read() {
     let (line, column) = place("fn series", "while");
     assert_eq!(unread(&series(any_coord(), 1.0)), ("a loop whose end is not known here", line, column));
-    let text = series(any_coord(), 1.0).facts().reason.to_string();
+    let text = series(any_coord(), 1.0).explain_route().to_string();
     assert!(text.ends_with(&format!("routes.rs:{line}:{column} cannot be read by the compiler")), "{text}");
     let (line, column) = place("fn sum_of_many", "0..n");
     let (what, found_line, found_column) = unread(&sum_of_many(any_coord(), 3));
@@ -64,15 +64,15 @@ fn a_dual_constraint_says_which_token_cannot_be_read() {
 
 #[test]
 fn other_routes_are_explained_too() {
-    assert_eq!(read(any_coord(), 1.0).facts().reason, RouteReason::Read);
-    let RouteReason::Asked { source: Some(source) } = asked(any_coord(), 1.0).facts().reason else {
+    assert_eq!(read(any_coord(), 1.0).explain_route(), RouteReason::Read);
+    let RouteReason::Asked { source: Some(source) } = asked(any_coord(), 1.0).explain_route() else {
         panic!("asked")
     };
     assert_eq!((source.line, source.column), place("#[constraint(dual)]\nfn asked", "dual"));
-    assert_eq!(by_dual(read(any_coord(), 1.0)).facts().reason, RouteReason::Asked { source: None });
+    assert_eq!(by_dual(read(any_coord(), 1.0)).explain_route(), RouteReason::Asked { source: None });
     let joint: Box<dyn Constraint> =
         Box::new(revolute(any_planar(), any_planar(), vec2(0.0, 0.0), vec2(0.0, 0.0)));
-    assert_eq!(joint.facts().reason.to_string(), "symbolic: the compiler has read the whole body");
+    assert_eq!(joint.explain_route().to_string(), "symbolic: the compiler has read the whole body");
 }
 
 type Length = f64;
@@ -150,7 +150,7 @@ fn what_f64_can_do_has_derivatives() {
     check::derivatives(a_name_from_outside(any_coord(), 0.7));
     check::derivatives(ordered(any_coord(), 0.7));
     check::derivatives(a_generic_struct(any_planar(), 0.7));
-    assert_eq!(functions_by_path(any_coord(), 0.7).facts().route(), Route::Symbolic);
-    assert_eq!(bits_of_a_parameter(any_coord(), 0.7, 1).facts().route(), Route::Symbolic);
-    assert_eq!(a_name_for_a_type(any_coord(), 0.7).facts().route(), Route::Symbolic);
+    assert_eq!(functions_by_path(any_coord(), 0.7).route(), Route::Symbolic);
+    assert_eq!(bits_of_a_parameter(any_coord(), 0.7, 1).route(), Route::Symbolic);
+    assert_eq!(a_name_for_a_type(any_coord(), 0.7).route(), Route::Symbolic);
 }

@@ -31,7 +31,7 @@ type Terms = [f64; 5];
 /// C, both slopes, Q_d and the jerk's right side on the symbolic route and on the dual one.
 fn by_both_routes<E: kin::dual_route::Equation<2, 1> + Clone>(equation: &E, q: &[f64]) -> [Terms; 2] {
     let (qd, qdd) = ([0.7, -0.3], [0.2, 0.5]);
-    assert_eq!(equation.facts().route(), Route::Symbolic);
+    assert_eq!(equation.route(), Route::Symbolic);
     let (own, dual) = (terms(equation, q, &qd, 0.0), dual_terms::<E, 2, 1>(equation, q, &qd, 0.0));
     let jerks = [
         kin::extend::jerk_rhs(equation, q, &qd, &qdd, 0.0).expect("known")[0],

@@ -7,7 +7,7 @@
 use std::hint::black_box;
 use std::time::Duration;
 
-use kin::emitted::{At, PlanarState, Rates};
+use kin::emitted::{At, Offsets, PlanarState, Rates};
 use kin::prelude::*;
 
 use crate::hand::planar_joints::{self, Prismatic, Revolute};
@@ -129,7 +129,7 @@ fn linearize<const M: usize, const E: usize, const S: usize>(
     c: &mut [f64; M],
     c_q: &mut [f64; E],
 ) {
-    constraint.linearize(&At::new(0.0, states, &[[0, 0], [S as u32 / 2, 0]]), c, c_q);
+    constraint.linearize(&At::new(0.0, states, &[Offsets::new(0, 0), Offsets::new(S as u32 / 2, 0)]), c, c_q);
 }
 
 #[inline(never)]
@@ -139,7 +139,7 @@ fn right_side<const M: usize, const S: usize, const N: usize>(
     qd: &[f64; N],
     q_d: &mut [f64; M],
 ) {
-    let arguments = [[0, 0], [S as u32 / 2, N as u32 / 2]];
+    let arguments = [Offsets::new(0, 0), Offsets::new(S as u32 / 2, N as u32 / 2)];
     constraint.acceleration_rhs(&At::new(0.0, states, &arguments), &Rates::new(qd, &arguments), 1.0, q_d);
 }
 

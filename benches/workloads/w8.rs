@@ -7,7 +7,7 @@
 use std::hint::black_box;
 use std::time::Duration;
 
-use kin::emitted::{At, Rates};
+use kin::emitted::{At, Offsets, Rates};
 use kin::prelude::*;
 
 use crate::hand::kernels::{Arm, Belt, Chain, Kernel, Platform, Spline};
@@ -146,7 +146,7 @@ fn works() -> [Work; 5] {
 struct Input {
     states: Vec<Vec<f64>>,
     rates: Vec<Vec<f64>>,
-    places: Vec<[u32; 2]>,
+    places: Vec<Offsets>,
     timed: Vec<f64>,
 }
 
@@ -167,12 +167,12 @@ impl Input {
             states.push(state);
             rates.push(rate);
         }
-        let begin = |[s, r]: &mut [u32; 2], of: &[usize; 2]| {
-            let place = [*s, *r];
-            (*s, *r) = (*s + of[0] as u32, *r + of[1] as u32);
-            Some(place)
-        };
-        let places = work.arguments.iter().scan([0, 0], begin).collect();
+        let places = work.arguments.iter().scan(Offsets::new(0, 0), |next, numbers| {
+            let own = *next;
+            *next = Offsets::new(own.state + numbers[0] as u32, own.rates + numbers[1] as u32);
+            Some(own)
+        });
+        let places = places.collect();
         let mut timed = vec![0.0; work.by_macro.facts().n_timed];
         work.by_macro.at_time(0.0, &mut timed);
         Input { states, rates, places, timed }

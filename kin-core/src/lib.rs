@@ -37,7 +37,7 @@ pub use numbers::algebra;
 pub use numbers::{lanes, real};
 pub use solve::{motion, newton, sweep};
 
-pub use constraint::{Constraint, Route, RouteReason};
+pub use constraint::{Constraint, Route, RouteReason, Routed};
 pub use coordinates::{
     Coord, Coordinate, Ground, IntoAxis, IntoCoordinate, IntoPlanarBody, IntoSpatialBody, Link, Planar,
     PlanarBody, Spatial, SpatialBody, SpatialLink, Time, any_coord, any_planar, any_spatial,

@@ -77,12 +77,12 @@ pub fn add<E: Equation<N, M> + 'static, const N: usize, const M: usize>(
     name: &str,
     equation: E,
 ) -> Result<()> {
-    assert_eq!(equation.facts().route(), Route::Symbolic, "{name}");
+    assert_eq!(equation.route(), Route::Symbolic, "{name}");
     match by {
         By::Symbols => m.add(name, equation)?,
         By::DualNumbers => {
             let dual = by_dual(equation);
-            assert_eq!(dual.facts().route(), Route::Dual, "{name}");
+            assert_eq!(dual.route(), Route::Dual, "{name}");
             m.add(name, dual)?
         }
     };

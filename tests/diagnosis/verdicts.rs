@@ -300,7 +300,7 @@ fn rows_keep_their_names_on_the_dual_route() {
     let mut m = Mechanism::new("block");
     let block = m.planar("block", pose(0.1, 0.2, 0.3)).unwrap();
     let constraint = guides(block, vec2(0.4, 0.0));
-    assert_eq!(constraint.facts().route(), Route::Dual);
+    assert_eq!(constraint.route(), Route::Dual);
     m.add("guide", constraint).unwrap();
     m.add("again", drive(block.x(), Law::constant(0.0))).unwrap();
     let system = m.build().unwrap();

@@ -2,6 +2,7 @@
 
 use std::cell::Cell;
 
+use kin::emitted::{At, Offsets};
 use kin::prelude::*;
 
 use crate::twice;
@@ -86,7 +87,8 @@ fn what_a_branch_calls_is_not_called_where_the_other_one_is_taken() {
     let calls = |x: f64| {
         CALLS.with(|calls| calls.set(0));
         let states = [x, x.sin(), x.cos(), 0.5, 0.5_f64.sin(), 0.5_f64.cos()];
-        let at = kin::emitted::At::new(0.0, &states, &[[0, 0], [3, 1]]);
+        let begins = [Offsets::new(0, 0), Offsets::new(3, 1)];
+        let at = At::new(0.0, &states, &begins);
         let (mut c, mut c_q) = ([0.0], [0.0; 2]);
         constraint.linearize(&at, &mut c, &mut c_q);
         assert!(c[0].is_finite() && c_q.iter().all(|x| x.is_finite()));

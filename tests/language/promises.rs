@@ -65,7 +65,7 @@ fn the_dual_route_promises_what_the_graph_knows_and_nothing_without_one() {
         (own.facts().dependence, own.facts().constants),
         (dual.facts().dependence, dual.facts().constants)
     );
-    assert_eq!(searched(c()).facts().route(), Route::Dual);
+    assert_eq!(searched(c()).route(), Route::Dual);
     assert_eq!(searched(c()).facts().dependence, Dependence::default());
 }
 

@@ -4,7 +4,7 @@
 use kin::dual_route::Equation;
 use kin::emitted::{PlanarState, SpatialState};
 use kin::nalgebra::DVector;
-use kin::{Constraint, Route};
+use kin::{Constraint, Route, Routed};
 
 use crate::differences::{apart, derivatives};
 
@@ -64,8 +64,8 @@ pub fn agree<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     (route, reason): (Route, Option<&str>),
     plain: impl Fn(&mut Columns) -> [f64; M],
 ) {
-    let explained = constraint.facts().reason.to_string();
-    assert_eq!(constraint.facts().route(), route, "{explained}");
+    let explained = constraint.explain_route().to_string();
+    assert_eq!(constraint.route(), route, "{explained}");
     assert_eq!(reason.is_some(), route == Route::Dual, "a reason belongs to the slow route");
     assert!(explained.contains(reason.unwrap_or_default()), "{explained}");
     let plain = |q: &[f64], t: f64| plain(&mut Columns(q, t)).to_vec();

@@ -1,7 +1,7 @@
 //! "Constraint Library: Prismatic", with the blocks D1 to D4 of (C_q q̇)_q.
 
 use kin::prelude::*;
-use kin::state::{At, PLANAR_STATE, PlanarState, Rates};
+use kin::state::{At, Offsets, PLANAR_STATE, PlanarState, Rates};
 use kin::{any_planar, by_dual};
 use nalgebra::DMatrix;
 use proptest::prelude::*;
@@ -86,7 +86,7 @@ fn right_side(constraint: &dyn Constraint, q: &[f64; 6], qd: &[f64; 6]) -> [f64;
     let states =
         [[q[0], q[1], q[2]], [q[3], q[4], q[5]]].map(|body| PlanarState::new(body).to_array()).concat();
     let mut r = [f64::NAN; 2];
-    let arguments = [[0, 0], [PLANAR_STATE as u32, 3]];
+    let arguments = [Offsets::new(0, 0), Offsets::new(PLANAR_STATE as u32, 3)];
     constraint.acceleration_rhs(&At::new(0.0, &states, &arguments), &Rates::new(qd, &arguments), 0.0, &mut r);
     r
 }
@@ -114,7 +114,7 @@ fn polarised_right_side_gives_the_blocks_d1_to_d4() {
         let (q, qd) = random.bodies();
         let slide = Slide::random(&mut random);
         let (joint, dual) = (slide.joint(), by_dual(slide.joint()));
-        assert_eq!((joint.facts().route(), dual.facts().route()), (Route::Symbolic, Route::Dual));
+        assert_eq!((joint.route(), dual.route()), (Route::Symbolic, Route::Dual));
         let (d1, d2, d3, d4) = slide.blocks(&q, &qd);
         let hand = [d1.x, d1.y, d2, d3.x, d3.y, d4];
         for (constraint, worst) in [&joint as &dyn Constraint, &dual].into_iter().zip(&mut worst) {

@@ -1,7 +1,7 @@
 //! Random states, the lecture's matrices, and the comparison of terms.
 
 use kin::dual_route::Equation;
-use kin::{Route, Terms, dual_terms, terms};
+use kin::{Route, Routed, Terms, dual_terms, terms};
 use nalgebra::{DMatrix, DVector, Matrix2, Vector2};
 
 /// Largest difference that counts as rounding, relative to 1 + the largest term.
@@ -78,7 +78,7 @@ impl Comparison {
     ) where
         E: Equation<N, M> + Clone,
     {
-        assert_eq!(constraint.facts().route(), Route::Symbolic, "{}", self.what);
+        assert_eq!(constraint.route(), Route::Symbolic, "{}", self.what);
         let qd = &column(qd);
         self.same("symbolic", 0, &terms(constraint, q, qd.as_slice(), t), qd, hand);
         self.same("dual", 1, &dual_terms(constraint, q, qd.as_slice(), t), qd, hand);

@@ -108,7 +108,7 @@ impl<'a> Assembly<'a> {
         bodies: &[usize],
         constraint: E,
     ) {
-        assert_eq!(constraint.facts().route(), Route::Symbolic, "{}", constraint.facts().kind);
+        assert_eq!(constraint.route(), Route::Symbolic, "{}", constraint.facts().kind);
         let columns: Vec<usize> = bodies.iter().flat_map(|body| 3 * (body - 1)..3 * body).collect();
         let local = |all: &[f64; 9]| columns.iter().map(|&k| all[k]).collect::<Vec<f64>>();
         let (q, qd) = (local(self.q), local(self.qd));

@@ -21,7 +21,7 @@ fn symbolic_is_dual_is_central_difference() {
     let mut worst = [0.0_f64; 2];
     each(100, |joint, name, random| {
         let sample = (joint.make)(random);
-        assert_eq!(sample.constraint().facts().route(), Route::Symbolic, "{name}");
+        assert_eq!(sample.constraint().route(), Route::Symbolic, "{name}");
         let report = sample.compare(7).unwrap_or_else(|mismatch| panic!("{mismatch}"));
         assert!(report.states >= 20, "{name}: {} states", report.states);
         // bounds hold at all of them, and are known where nothing jumps

@@ -4,6 +4,8 @@
 use crate::model::coordinates::Trig;
 use crate::numbers::algebra::{EulerParameters, Mat2, Mat3, Scalar, Vec2, Vec3};
 
+pub use crate::numbers::Offsets;
+
 /// State of a planar body: coordinates (R_x, R_y, θ) with sin θ and cos θ.   \[m, rad\]
 ///
 /// `T` is `f64`, or `Real<D>` where a constraint runs on dual numbers.
@@ -179,15 +181,15 @@ pub struct At<'a> {
     /// Time t.   \[s\]
     pub t: f64,
     states: &'a [f64],
-    arguments: &'a [[u32; 2]],
+    arguments: &'a [Offsets],
     timed: &'a [f64],
 }
 
 impl<'a> At<'a> {
-    /// Time t, the states of all bodies ([`PlanarState::to_array`] and the like), and for each argument where
-    /// its state begins among them, and its rates among those of [`Rates::new`].
+    /// Time t, the states of all bodies ([`PlanarState::to_array`] and the like), and where each argument's
+    /// begin.
     #[inline]
-    pub fn new(t: f64, states: &'a [f64], arguments: &'a [[u32; 2]]) -> Self {
+    pub fn new(t: f64, states: &'a [f64], arguments: &'a [Offsets]) -> Self {
         At { t, states, arguments, timed: &[] }
     }
 
@@ -201,7 +203,7 @@ impl<'a> At<'a> {
 
     /// Turns to another constraint at the same instant.
     #[inline(always)]
-    pub(crate) fn turn(&mut self, arguments: &'a [[u32; 2]], timed: &'a [f64]) {
+    pub(crate) fn turn(&mut self, arguments: &'a [Offsets], timed: &'a [f64]) {
         (self.arguments, self.timed) = (arguments, timed);
     }
 
@@ -215,14 +217,14 @@ impl<'a> At<'a> {
     #[doc(hidden)]
     #[inline(always)]
     pub fn state<const N: usize>(&self, k: usize) -> Option<&'a [f64; N]> {
-        numbers(self.states, self.arguments.get(k)?[0])
+        numbers(self.states, self.arguments.get(k)?.state)
     }
 
     /// The n coordinates of argument `k`, with which its state begins; none if there is no such argument.
     pub(crate) fn coordinates(&self, k: usize, n: usize) -> &'a [f64] {
         self.arguments
             .get(k)
-            .and_then(|[begin, _]| self.states.get(*begin as usize..)?.get(..n))
+            .and_then(|begin| self.states.get(begin.state as usize..)?.get(..n))
             .unwrap_or_default()
     }
 
@@ -247,14 +249,13 @@ impl<'a> At<'a> {
 #[derive(Clone, Copy, Debug)]
 pub struct Rates<'a> {
     rates: &'a [f64],
-    arguments: &'a [[u32; 2]],
+    arguments: &'a [Offsets],
 }
 
 impl<'a> Rates<'a> {
-    /// The rates of all coordinates, and for each argument where its state begins ([`At::new`]), and its
-    /// rates.
+    /// The rates of all coordinates, and where each argument's begin.
     #[inline]
-    pub fn new(rates: &'a [f64], arguments: &'a [[u32; 2]]) -> Self {
+    pub fn new(rates: &'a [f64], arguments: &'a [Offsets]) -> Self {
         Rates { rates, arguments }
     }
 
@@ -262,14 +263,14 @@ impl<'a> Rates<'a> {
     #[doc(hidden)]
     #[inline(always)]
     pub fn of<const N: usize>(&self, k: usize) -> Option<&'a [f64; N]> {
-        numbers(self.rates, self.arguments.get(k)?[1])
+        numbers(self.rates, self.arguments.get(k)?.rates)
     }
 
     /// The n rates of argument `k`; none if there is no such argument.
     pub(crate) fn columns(&self, k: usize, n: usize) -> &'a [f64] {
         self.arguments
             .get(k)
-            .and_then(|[_, begin]| self.rates.get(*begin as usize..)?.get(..n))
+            .and_then(|begin| self.rates.get(begin.rates as usize..)?.get(..n))
             .unwrap_or_default()
     }
 

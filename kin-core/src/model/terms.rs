@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::{Argument, Target, Trig};
 use crate::model::dual_route::{self, Equation};
-use crate::model::state::{At, CoordState, PlanarState, Rates, SpatialState};
+use crate::model::state::{At, CoordState, Offsets, PlanarState, Rates, SpatialState};
 
 /// Every term of C(q, t) and its derivatives at one state. Columns are local to the constraint; units are
 /// those of the row.
@@ -129,7 +129,7 @@ pub(crate) struct Local {
     pub states: Vec<f64>,
     pub rates: Vec<f64>,
     /// Where each argument's state and its rates begin.
-    pub arguments: Vec<[u32; 2]>,
+    pub arguments: Vec<Offsets>,
 }
 
 impl Local {
@@ -137,7 +137,7 @@ impl Local {
         let mut local = Local { states: Vec::new(), rates: Vec::new(), arguments: Vec::new() };
         for argument in arguments {
             let column = local.rates.len();
-            local.arguments.push([local.states.len() as u32, column as u32]);
+            local.arguments.push(Offsets::new(local.states.len() as u32, column as u32));
             let q = |k: usize| q.get(column + k).copied().unwrap_or(0.0);
             match argument.target {
                 Target::Planar(_) => local.states.extend(PlanarState::new(std::array::from_fn(q)).to_array()),

@@ -4,6 +4,9 @@
 pub mod algebra;
 pub(crate) mod enclosure;
 pub mod lanes;
+mod offsets;
 pub(crate) mod padded;
 pub(crate) mod random;
 pub mod real;
+
+pub use offsets::Offsets;

@@ -5,7 +5,9 @@ mod lanes;
 
 use crate::model::coordinates::{Target, Trig};
 use crate::model::layout::Place;
-use crate::model::state::{COORD_STATE, CoordState, PLANAR_STATE, PlanarState, SPATIAL_STATE, SpatialState};
+use crate::model::state::{
+    COORD_STATE, CoordState, Offsets, PLANAR_STATE, PlanarState, SPATIAL_STATE, SpatialState,
+};
 
 /// Where states stand, which coordinates make them up, and who reads which.
 #[derive(Clone, Debug, Default)]
@@ -17,7 +19,7 @@ pub(crate) struct StatePlan {
     /// The states where all coordinates are zero; those of the ground are there for good.
     origin: Vec<f64>,
     /// Of every argument of every constraint, where its state and where its rates begin.
-    arguments: Vec<[u32; 2]>,
+    arguments: Vec<Offsets>,
     /// Where the ground's rates begin: after those of all coordinates.
     ground: u32,
 }
@@ -57,8 +59,8 @@ impl StatePlan {
     /// Plans for one more argument.
     pub(super) fn argument(&mut self, target: &Target, place: Place, planned: &mut Planned) {
         let argument = match place {
-            Place::Own { first, .. } => [self.own(target, first, planned), first as u32],
-            Place::Ground(value) => [self.fixed(target, value), self.ground],
+            Place::Own { first, .. } => Offsets::new(self.own(target, first, planned), first as u32),
+            Place::Ground(value) => Offsets::new(self.fixed(target, value), self.ground),
         };
         self.arguments.push(argument);
         planned.columns.extend((0..target.columns()).map(|k| match place {
@@ -108,7 +110,7 @@ impl StatePlan {
     }
 
     /// Of every argument planned so far, where its state and where its rates begin.
-    pub(crate) fn arguments(&self) -> &[[u32; 2]] {
+    pub(crate) fn arguments(&self) -> &[Offsets] {
         &self.arguments
     }
 
@@ -176,7 +178,10 @@ mod tests {
         {
             plan.argument(&target(trig), place, &mut planned);
         }
-        assert_eq!(plan.arguments(), [[0, 2], [3, 3], [0, 2]]);
+        assert_eq!(
+            plan.arguments(),
+            [[0, 2], [3, 3], [0, 2]].map(|[state, rates]| Offsets::new(state, rates))
+        );
         let mut states = plan.origin().to_vec();
         plan.set_states(&[0.0, 0.0, 0.5], &mut states);
         let (half, one) = [0.5, 1.0].map(|value| CoordState::new(value, Trig::Used).to_array()).into();

@@ -14,7 +14,7 @@ impl Reader {
         self.scopes.declare(name, slot);
     }
 
-    /// What a name stands for.
+    /// The value that a name stands for.
     pub fn named(&self, name: &str) -> Option<&Value> {
         match self.scopes.get(name)? {
             Name::Variable(slot) => Some(self.store.get(slot)),
@@ -22,7 +22,7 @@ impl Reader {
         }
     }
 
-    /// What a reference refers to; any other value itself.
+    /// The value that a reference refers to; any other value itself.
     pub fn loaded(&self, value: Value) -> Value {
         match value.referent() {
             Value::Place(place) => self.at_place(&place).map_or(Value::Poison, |value| self.loaded(value)),
@@ -195,7 +195,7 @@ impl Reader {
     }
 }
 
-/// Whether an expression names a variable or a part of one, without a call.
+/// True if an expression names a variable or a part of one, without a call.
 fn is_place(expression: &Expr) -> bool {
     match expression {
         Expr::Path(_) => true,

@@ -15,7 +15,7 @@ impl Reader {
             condition,
             |reader| reader.block(&branch.then_branch),
             |reader| {
-                // What the condition brings in is not seen here.
+                // The variables that the condition brings in are not seen here.
                 let inside = reader.scopes.take();
                 let value = match &branch.else_branch {
                     Some((_, otherwise)) => reader.expression(otherwise),
@@ -115,7 +115,7 @@ impl Reader {
     }
 }
 
-/// Whether a condition has `let` in it.
+/// True if a condition has `let` in it.
 fn holds_let(condition: &Expr) -> bool {
     match condition {
         Expr::Let(_) => true,

@@ -205,7 +205,7 @@ impl Reader {
         Ok(self.scalar_function(x, function, &rest, call.at))
     }
 
-    /// Whether a value depends on coordinates or time.
+    /// True if a value depends on coordinates or time.
     pub fn value_varies(&self, value: &Value) -> bool {
         let numbers = value.clone().referent().numbers();
         numbers.is_some_and(|(nodes, _)| nodes.iter().any(|&node| self.graph.depends(node).varies()))

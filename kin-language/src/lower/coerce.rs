@@ -195,7 +195,7 @@ impl Reader {
         }
     }
 
-    /// Whether a template depends on a coordinate or on time.
+    /// True if a template depends on a coordinate or on time.
     pub fn varies(&self, template: &Template) -> bool {
         template.nodes().iter().any(|&n| self.graph.depends(n).varies())
     }
@@ -218,8 +218,8 @@ impl Reader {
         (0..count).map(|k| self.graph.opaque(number, k)).collect()
     }
 
-    /// What may panic is not computed where a branch around it is not taken, so far as that depends on
-    /// parameters only.
+    /// A template that may panic is not computed where a branch around it is not taken, so far as that
+    /// depends on parameters only.
     fn guarded(&mut self, template: Template) -> Template {
         if !template.may_panic() {
             return template;

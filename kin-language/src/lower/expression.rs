@@ -334,7 +334,7 @@ fn at(mut name: syn::Ident, path: &syn::ExprPath) -> syn::Ident {
     name
 }
 
-/// Whether an integer keeps its value under `as`.
+/// True if an integer keeps its value under `as`.
 fn fits(k: i64, name: &str) -> bool {
     match name {
         "u8" => u8::try_from(k).is_ok(),
@@ -370,7 +370,7 @@ fn field_cure(base: &Value, name: &str) -> &'static str {
     }
 }
 
-/// What the whole expression is called in a remark.
+/// The name of the whole expression in a remark.
 fn describe(expression: &Expr) -> &'static str {
     match expression {
         Expr::Unsafe(_) => "`unsafe`",

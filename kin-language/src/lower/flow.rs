@@ -9,7 +9,7 @@ use super::value::Value;
 use super::{Read, Reader, Unreadable};
 use kin_graph::Node;
 
-/// What can be left.
+/// A part of the body that can be left.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Kind {
     Function,
@@ -36,8 +36,8 @@ struct Exit {
     changes: Changes,
 }
 
-/// What is known where something is read: a condition of a branch around it, or that a frame has not been
-/// left.
+/// A fact that is known where something is read: a condition of a branch around it, or that a frame has not
+/// been left.
 #[derive(Clone, Copy)]
 pub struct Guard {
     pub holds: Node,
@@ -83,7 +83,7 @@ impl Reader {
             .filter(|guard| guard.left.is_none_or(|left| left > number))
             .map(|guard| guard.holds)
             .collect();
-        // What becomes of variables after the function itself nobody sees.
+        // Nobody sees the variables after the function itself.
         let changes = if number == 0 { Changes::new() } else { self.store.changes(frame.since) };
         let always = self.graph.bool(true);
         let condition = on_the_way.into_iter().fold(always, |all, one| self.graph.and(all, one));
@@ -203,8 +203,8 @@ impl Reader {
         }
     }
 
-    /// What is known behind two branches: that none of the frames has been left that were left in one of
-    /// them.
+    /// Notes a fact that is known behind two branches: that none of the frames has been left that were left
+    /// in one of them.
     fn not_left(&mut self, condition: Node, yes: &[Guard], no: &[Guard]) {
         let frames: std::collections::BTreeSet<usize> =
             yes.iter().chain(no).filter_map(|guard| guard.left).collect();

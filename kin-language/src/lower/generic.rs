@@ -10,14 +10,14 @@ use syn::{Expr, FnArg, GenericArgument, GenericParam, ItemFn, PathArguments, Typ
 use super::own::Own;
 use super::value::Value;
 
-/// What the generics of a function stand for in one call.
+/// The types and numbers that the generics of a function stand for in one call.
 #[derive(Default)]
 pub struct Found {
     types: BTreeMap<String, Type>,
     pub lengths: BTreeMap<String, usize>,
 }
 
-/// What is known of the generics of a function; `None` if it has none.
+/// The generics of a function so far as they are known; `None` if it has none.
 pub fn found(
     item: &ItemFn,
     arguments: &[Value],

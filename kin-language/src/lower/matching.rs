@@ -1,4 +1,4 @@
-//! Whether values match patterns: the condition, and the variables that a pattern brings in.
+//! Matches of values with patterns: the condition, and the variables that a pattern brings in.
 
 use quote::ToTokens;
 use syn::visit_mut::VisitMut;

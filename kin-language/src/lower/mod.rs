@@ -83,7 +83,7 @@ pub struct OpaqueValue {
     pub kind: OpaqueKind,
 }
 
-/// What an opaque value is taken for.
+/// The kind that an opaque value is taken for.
 #[derive(Clone, PartialEq, Debug)]
 pub enum OpaqueKind {
     Numbers(Shape),
@@ -171,7 +171,7 @@ struct Reader {
     graph: Graph,
     scopes: Scopes,
     store: Store,
-    /// What is being read and can be left, outermost first.
+    /// The frames that are being read and can be left, outermost first.
     frames: Vec<Frame>,
     mistakes: Mistakes,
     parameters: Vec<TokenStream>,
@@ -192,9 +192,9 @@ struct Reader {
     parameter_types: HashMap<String, syn::Type>,
     /// Parameters that are integers or conditions, with their types.
     no_numbers: HashMap<String, String>,
-    /// What is known where something is read: conditions of the branches around it.
+    /// The facts that are known where something is read: conditions of the branches around it.
     path: Vec<Guard>,
-    /// What the function itself returns.
+    /// The type that the function itself returns.
     output: Option<syn::Type>,
     /// Number of the scope of the function's own block.
     body_depth: usize,

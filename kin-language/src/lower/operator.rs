@@ -279,7 +279,7 @@ impl Reader {
         if let Some(comparison) = comparison(&op) {
             return Ok(Value::Condition(self.graph.bool(comparison.holds(&a.0, &b.0))));
         }
-        // What may overflow is left to rustc, at the token where it may.
+        // An operation that may overflow is left to rustc, at the token where it may.
         integer::operate(&op, a, b)
             .ok_or_else(|| Unreadable::new(&at.op, "integer arithmetic that may overflow"))
     }

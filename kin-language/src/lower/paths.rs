@@ -8,7 +8,7 @@ use super::value::Value;
 use super::{Read, Reader, Unreadable};
 
 impl Reader {
-    /// Whether a value is one of the type that a path of a method begins with.
+    /// True if a value is one of the type that a path of a method begins with.
     pub fn is_receiver(&self, ty: &str, value: &Value) -> bool {
         let value = self.loaded(value.clone());
         match ty {

@@ -160,7 +160,7 @@ pub fn is_constant(name: &syn::Ident) -> bool {
     name.to_string().chars().next().is_some_and(char::is_uppercase)
 }
 
-/// Whether a pattern brings in a variable.
+/// True if a pattern brings in a variable.
 pub fn binds(pattern: &Pat) -> bool {
     !names(pattern).is_empty()
 }
@@ -203,7 +203,7 @@ impl VisitMut for Blank {
     }
 }
 
-/// Whether a pattern without variables matches whatever there is: of a tuple, where all of its parts do.
+/// True if a pattern without variables matches whatever there is: of a tuple, where all of its parts do.
 pub fn is_open(pattern: &Pat) -> bool {
     match pattern {
         Pat::Wild(_) | Pat::Rest(_) => true,

@@ -63,7 +63,7 @@ pub struct Scope {
     items: HashMap<String, Value>,
 }
 
-/// What a name means.
+/// The meaning of a name.
 pub enum Name<'a> {
     Variable(Slot),
     Item(&'a Value),
@@ -93,8 +93,8 @@ impl Scopes {
         self.scopes.len()
     }
 
-    /// What a function sees that is declared in scope number `depth`: the items around it, and none of the
-    /// variables.
+    /// The names that a function sees which is declared in scope number `depth`: the items around it, and
+    /// none of the variables.
     pub fn around_function(&self, depth: usize) -> Scopes {
         let items = self
             .scopes

@@ -100,7 +100,7 @@ impl Reader {
         Ok(())
     }
 
-    /// Whether a constant of the body's own is known here.
+    /// True if a constant of the body's own is known here.
     fn constant(&mut self, name: &syn::Ident, value: &Expr, ty: &syn::Type, depth: usize) -> bool {
         let scopes = self.scopes.around_function(depth);
         let (frames, path) = (self.frames.len(), self.path.len());
@@ -119,7 +119,7 @@ impl Reader {
         }
     }
 
-    /// Whether a value holds constants of the graph only.
+    /// True if a value holds constants of the graph only.
     fn is_known(&self, value: &Value) -> bool {
         match value {
             Value::Integer(..) | Value::Function(_) => true,
@@ -209,7 +209,7 @@ impl Reader {
     }
 }
 
-/// Whether a function is written for dual numbers: then it is called, and not read.
+/// True if a function is written for dual numbers: then it is called, and not read.
 fn is_over_duals(function: &syn::ItemFn) -> bool {
     let bounds = quote::ToTokens::to_token_stream(&function.sig.generics).to_string();
     bounds.split(|c: char| !c.is_alphanumeric()).any(|word| word == "Dual")

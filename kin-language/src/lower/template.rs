@@ -37,7 +37,7 @@ pub enum Template {
     Struct(syn::Path, Vec<(String, Template)>, bool),
     /// The state of a body, with its numbers: of a planar one R, θ, sin θ, cos θ, of a spatial one R, p, A.
     State(Vec<Node>, usize, Span),
-    /// What a pattern calls by a name in the value, where that matches.
+    /// The part that a pattern calls by a name in the value, where that matches.
     Part(Box<Template>, Box<syn::Pat>, Ident),
     /// Does the value match the pattern?
     Matches(Box<Template>, TokenStream),
@@ -69,7 +69,7 @@ impl Template {
         1 + self.parts().into_iter().map(Template::size).sum::<usize>()
     }
 
-    /// Whether computing it may panic: an index out of range, a division of integers, the user's own
+    /// True if computing it may panic: an index out of range, a division of integers, the user's own
     /// functions.
     pub fn may_panic(&self) -> bool {
         let mut found = false;
@@ -95,7 +95,7 @@ impl Template {
         found
     }
 
-    /// Whether it holds a choice that its place has not yet decided on.
+    /// True if it holds a choice that its place has not yet decided on.
     pub fn has_choice(&self) -> bool {
         let mut found = false;
         self.visit(&mut |template| found |= matches!(template, Template::Choice(..)));

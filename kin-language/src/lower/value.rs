@@ -1,4 +1,4 @@
-//! What an expression of the body can be while it is read: typed values over the scalar graph.
+//! The values of the body's expressions while they are read: typed values over the scalar graph.
 
 use crate::parse::Shape;
 use kin_graph::Node;
@@ -56,7 +56,7 @@ pub enum Value {
     Never,
     /// Behind `return`, `break` and `continue`: nothing is read here.
     Left,
-    /// What is left of an expression with a mistake in it.
+    /// The rest of an expression with a mistake in it.
     Poison,
 }
 
@@ -69,7 +69,7 @@ pub struct Adt {
     pub name: String,
     /// By their names, or numbers.
     pub fields: Vec<(String, Value)>,
-    /// Whether it is written with braces.
+    /// True if it is written with braces.
     pub braces: bool,
 }
 
@@ -169,7 +169,7 @@ impl Value {
         }
     }
 
-    /// What a reference refers to; any other value itself.
+    /// The value that a reference refers to; any other value itself.
     pub fn referent(self) -> Value {
         match self {
             Value::Reference(inner) => inner.referent(),

@@ -1,6 +1,6 @@
-//! What tells where an equation fails to be finite: on the symbolic route the steps of its rows as a table,
-//! on the dual route a list of the body's expressions. Data, but for what only the user's program can
-//! compute: it costs next to nothing to compile and nothing to run.
+//! The data that tell where an equation fails to be finite: on the symbolic route the steps of its rows as a
+//! table, on the dual route a list of the body's expressions. Data, but for what only the user's program can
+//! compute: they cost next to nothing to compile and nothing to run.
 
 use std::collections::HashMap;
 
@@ -68,7 +68,7 @@ struct Written {
     outside: Option<TokenStream>,
 }
 
-/// What is asked for by its number, what it is computed from, and where it goes.
+/// The number of a value that is asked for, its inputs, and the place that it goes to.
 fn outside_names() -> [Ident; 3] {
     ["number", "x", "to"].map(own)
 }
@@ -129,7 +129,7 @@ fn listed<'a>(expressions: impl Iterator<Item = &'a Expression>) -> Vec<TokenStr
         .collect()
 }
 
-/// What a parameter is called in `set_parameter`.
+/// The name of a parameter in `set_parameter`.
 fn parameter_name(path: &TokenStream, arguments: &[Argument]) -> String {
     let text = path.to_string().replace(' ', "");
     let name = text.trim_start_matches("self.").replace("r#", "");
@@ -139,7 +139,7 @@ fn parameter_name(path: &TokenStream, arguments: &[Argument]) -> String {
     if arguments.iter().any(is_axis) { name.replacen(".h.", ".", 1) } else { name }
 }
 
-/// What only the user's program can compute.
+/// A value that only the user's program can compute.
 #[derive(Clone, Copy, PartialEq)]
 enum Outside {
     Law(usize),
@@ -151,7 +151,7 @@ enum Outside {
 struct Table<'a> {
     arguments: &'a [Argument],
     lowered: &'a Lowered,
-    /// Whether the functions of its leaves are emitted under the numbers that they have here.
+    /// True if the functions of its leaves are emitted under the numbers that they have here.
     has_leaves: bool,
     formula: Formula,
     /// The node of the formula that each node of the rows is.

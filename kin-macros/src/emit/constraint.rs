@@ -16,7 +16,7 @@ use crate::derivatives::Derivatives;
 use kin_language::lower::{Lowered, names_as_written};
 use kin_language::parse::{Argument, ConstraintFn, Kind};
 
-/// What both routes need to know.
+/// The parts of the source that both routes need.
 struct Frame<'a> {
     source: &'a ConstraintFn,
     n: usize,
@@ -279,7 +279,7 @@ fn own(ty: &syn::Type) -> TokenStream {
     quote_spanned!(syn::spanned::Spanned::span(ty)=> const _: () = { use ::kin::emitted::Own as _; #held };)
 }
 
-/// Whether a type may be the handle of a body.
+/// True if a type may be the handle of a body.
 fn is_called_link(ty: &syn::Type) -> bool {
     matches!(ty, syn::Type::Path(path) if path.path.segments.last().is_some_and(|last| last.ident == "Link" || last.ident == "SpatialLink"))
 }
@@ -347,7 +347,7 @@ fn next(argument: &Argument, q: &Ident, t: &Ident) -> Option<TokenStream> {
     })
 }
 
-/// What the function as it was written is called with.
+/// The arguments that the function as it was written is called with.
 fn written_inputs(arguments: &[Argument], q: &Ident, t: &Ident) -> Vec<TokenStream> {
     let inputs = arguments.iter().map(|argument| {
         let name = &argument.name;

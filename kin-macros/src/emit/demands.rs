@@ -1,4 +1,4 @@
-//! What a constraint or a law demands: of its parameters (`#[require]`), and of the pose it is meant in
+//! The demands of a constraint or a law: of its parameters (`#[require]`), and of the pose it is meant in
 //! (`#[branch]`).
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
@@ -113,7 +113,7 @@ fn named(arguments: &[Argument], expressions: &[&syn::Expr]) -> Vec<Ident> {
     names.filter(|name| expressions.iter().any(|expression| mentions(expression, name))).cloned().collect()
 }
 
-/// Whether a name stands in an expression.
+/// True if a name stands in an expression.
 fn mentions(expression: &impl ToTokens, name: &Ident) -> bool {
     fn within(tokens: TokenStream, name: &Ident) -> bool {
         tokens.into_iter().any(|token| match token {

@@ -45,7 +45,7 @@ pub fn described(source: &ConstraintFn, kind: &str, n: &Literal, m: &Literal) ->
                 let each = std::iter::repeat_n(one, n);
                 quote!([#(#each),*])
             }
-            // What lives as long as the program is in no file.
+            // A value that lives as long as the program is in no file.
             Kind::Other if matches!(argument.ty, syn::Type::Reference(_)) => {
                 quote!(return ::core::option::Option::None)
             }

@@ -1,5 +1,5 @@
-//! What an editor is shown of a constraint or a law: an ordinary function with the user's body in it. The
-//! expressions of attributes stand before the body, so that renaming an argument finds it there too.
+//! The code that an editor is shown of a constraint or a law: an ordinary function with the user's body in
+//! it. The expressions of attributes stand before the body, so that renaming an argument finds it there too.
 //!
 //! It is the first that is emitted, with or without mistakes: rust-analyzer completes a word by two
 //! expansions, one of the text as it is and one with a word put in, which may be a mistake, and looks in both

@@ -37,7 +37,7 @@ pub fn facts(
     }
 }
 
-/// What the graph promises of the terms: `constants` and `dependence`.
+/// The promises of the graph about the terms: `constants` and `dependence`.
 pub fn promises(g: &Graph, rows: &[Node], derived: &Derivatives, linear: bool) -> TokenStream {
     let (constants, dependence) = (constants(g, derived), dependence(g, rows, derived, linear));
     quote!(#constants #dependence)

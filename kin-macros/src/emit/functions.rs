@@ -11,7 +11,7 @@ use kin_graph::{Graph, Node, Op};
 use kin_language::lower::Lowered;
 use kin_language::parse::Argument;
 
-/// What a route gives to the traits of a constraint.
+/// The code that a route gives to the traits of a constraint.
 pub struct Parts {
     /// Fields of `Facts`.
     pub facts: TokenStream,
@@ -87,7 +87,7 @@ pub fn outputs(
     (super::chunk(names, places), all.into_iter().flatten().collect())
 }
 
-/// Whether the rows are linear in the coordinates for good: with a gradient of numbers, and coordinates that
+/// True if the rows are linear in the coordinates for good: with a gradient of numbers, and coordinates that
 /// enter by sums and products alone, for steps and kinks have such gradients too.
 fn is_linear(g: &Graph, rows: &[Node], derived: &Derivatives) -> bool {
     let smooth = |op: Op| matches!(op, Op::Input(_) | Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::Neg(_));

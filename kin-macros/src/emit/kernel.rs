@@ -26,7 +26,7 @@ use kin_language::parse::Argument;
 /// Nested this deep, an expression gets a name although it is used once.
 const DEEPEST: usize = 5;
 
-/// What the numbers of emitted code are.
+/// The type of numbers in emitted code.
 #[derive(Clone, Copy, PartialEq)]
 enum Numbers {
     /// f64.
@@ -52,7 +52,7 @@ pub struct Kernel<'a> {
     branches: Branches,
     /// How often each node is used, by its number.
     uses: Vec<usize>,
-    /// What stands for a node that has a name.
+    /// The expression that stands for a node that has a name.
     named: HashMap<Node, TokenStream>,
     /// Nodes in the order in which they were named.
     names: Vec<Node>,
@@ -63,11 +63,11 @@ pub struct Kernel<'a> {
     operations: usize,
     /// Evaluations of laws, opaque values and leaves that already have a name.
     evaluations: HashMap<String, Ident>,
-    /// Whether something is multiplied and added in one operation.
+    /// True if something is multiplied and added in one operation.
     fused: bool,
     /// Parts of states (true) and rates that are read, by slot.
     read: HashSet<(usize, Part, bool)>,
-    /// Whether outputs are written one after the other, as they stand.
+    /// True if outputs are written one after the other, as they stand.
     scheduled: bool,
     /// How many numbers were evaluated once a time, and whether they are read.
     timed: usize,
@@ -249,7 +249,7 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// What is not known yet of what `outputs` need, in the order in which to compute it.
+    /// The nodes that `outputs` need and that are not known yet, in the order in which to compute them.
     fn order(&self, outputs: &[Node]) -> Vec<Group> {
         schedule::order(self.graph(), &self.branches, outputs, |node| self.named.contains_key(&node))
     }
@@ -341,7 +341,7 @@ impl<'a> Kernel<'a> {
         true
     }
 
-    /// What stands for `node` in an expression.
+    /// The code that stands for `node` in an expression.
     pub fn expression(&mut self, node: Node) -> TokenStream {
         match self.named.get(&node) {
             Some(name) => name.clone(),
@@ -364,7 +364,7 @@ impl<'a> Kernel<'a> {
     }
 }
 
-/// Whether a node is a condition and not a number.
+/// True if a node is a condition and not a number.
 pub fn is_condition(lowered: &Lowered, node: Node) -> bool {
     match lowered.graph.op(node) {
         Op::Compare(..) | Op::And(..) | Op::Or(..) | Op::Not(_) | Op::Truth(_) => true,

@@ -1,8 +1,8 @@
 //! `#[constraint(lanes)]`: kernels over lanes, and what each lane's constraint computes for them with plain
 //! numbers.
 //!
-//! What depends on parameters and time alone is *known*: it is computed by f64 code, once a case or once a
-//! time. What depends on coordinates and only f64 can do (a law, a function of the user's) is an
+//! A value that depends on parameters and time alone is *known*: it is computed by f64 code, once a case or
+//! once a time. One that depends on coordinates and only f64 can do (a law, a function of the user's) is an
 //! *evaluation*, called lane by lane. The rest is the same straight-line code as elsewhere, over `Wide`
 //! numbers.
 
@@ -32,14 +32,14 @@ struct Evaluation {
     outputs: Vec<Node>,
 }
 
-/// What lane kernels do not compute themselves.
+/// The values that lane kernels do not compute themselves.
 struct Outside {
     /// Nodes that depend on parameters alone, and those that depend on the time too.
     known: [Vec<Node>; 2],
     evaluations: Vec<Evaluation>,
 }
 
-/// What says that there are kernels over lanes.
+/// The method that says that there are kernels over lanes.
 fn method() -> TokenStream {
     quote! {
         fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::emitted::InLanes> {
@@ -53,7 +53,7 @@ pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &mut Lowered, derive
     let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
     let values: Vec<Node> = derived.jacobian.iter().map(|entry| entry.2).collect();
     let (to_c, c) = functions::outputs("c", quote!(at.rows(c)), &rows, |_| true);
-    // What is the same for good has been written before.
+    // A value that is the same for good has been written before.
     let (to_c_q, c_q) = functions::outputs("c_q", quote!(at.values(c_q)), &values, |node| {
         g.constant_value(node).is_none_or(|constant| !constant.is_finite())
     });
@@ -282,7 +282,7 @@ fn outputs(
     }
 }
 
-/// What an evaluation that only f64 can do is known by; the nodes that come out of the same one have the same
+/// The key of an evaluation that only f64 can do; the nodes that come out of the same one have the same
 /// key.
 fn evaluation_key(g: &Graph, node: Node) -> Option<String> {
     match g.op(node) {

@@ -1,4 +1,4 @@
-//! What can be asked of a joint beside its equations, with its rates by dual numbers: `#[measure(…)]`.
+//! Measures of a joint, asked beside its equations, with their rates by dual numbers: `#[measure(…)]`.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;

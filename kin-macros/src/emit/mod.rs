@@ -52,7 +52,7 @@ fn array(ty: &TokenStream, n: usize) -> TokenStream {
     quote!([#ty; #n])
 }
 
-/// What a constructor takes for an argument, and the value of its field. The name stands at the type in the
+/// The input of a constructor for an argument, and the value of its field. The name stands at the type in the
 /// signature, for messages.
 fn constructor_input(argument: &Argument) -> (TokenStream, TokenStream) {
     let (name, ty) = (&argument.name, field_type(argument));
@@ -160,7 +160,7 @@ fn mutable(argument: &Argument) -> TokenStream {
     if argument.mutable { quote!(mut) } else { quote!() }
 }
 
-/// What the user's doc comment says.
+/// The text of the user's doc comment.
 fn description(attributes: &[syn::Attribute]) -> String {
     let lines = documentation(attributes).into_iter().filter_map(|attribute| match &attribute.meta {
         syn::Meta::NameValue(syn::MetaNameValue {

@@ -85,7 +85,7 @@ pub fn slots(arguments: &[Argument]) -> Vec<Slot> {
     slots
 }
 
-/// What names of temporaries and outputs begin with; a number follows.
+/// The beginnings of names of temporaries and outputs; a number follows.
 const TEMPORARIES: &[&str] =
     &["t", "s", "c", "o", "law", "leaf", "known", "call", "c_", "c_q_", "q_d_", "rhs_", "x_"];
 

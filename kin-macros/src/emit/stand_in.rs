@@ -110,7 +110,7 @@ fn input(argument: &Argument) -> TokenStream {
     if argument.kind == Kind::Other { anything() } else { super::constructor_input(argument).0 }
 }
 
-/// What a constructor would take, as far as can be told from a signature with mistakes in it.
+/// The inputs that a constructor would take, as far as can be told from a signature with mistakes in it.
 fn inputs(function: &ItemFn) -> Vec<TokenStream> {
     let is_input = |input: &&FnArg| match input {
         FnArg::Typed(typed) => !is_time(&typed.ty),

@@ -36,7 +36,7 @@ pub fn check(template: &Template) -> TokenStream {
     Writer::new(&mut |_| quote!(()), Site::Check).lowered(template)
 }
 
-/// Whether the value may come out of a function of the user's, which may give `Real<f64>`.
+/// True if the value may come out of a function of the user's, which may give `Real<f64>`.
 fn calls(template: &Template) -> bool {
     use syn::BinOp::{And, Eq, Ge, Gt, Le, Lt, Ne, Or};
     match template {
@@ -52,7 +52,7 @@ fn calls(template: &Template) -> bool {
     }
 }
 
-/// What is done with a part of the expression.
+/// The treatment of a part of the expression.
 #[derive(Clone, Copy, PartialEq)]
 enum Use {
     /// It is handed over.
@@ -79,7 +79,8 @@ enum Site<'a> {
 struct Writer<'a> {
     value: &'a mut dyn FnMut(Node) -> TokenStream,
     site: Site<'a>,
-    /// What is called by a name in a value that matches a pattern: its key, and the name here.
+    /// The parts that a pattern calls by a name in a value that it matches: the key of each, and its name
+    /// here.
     parts: Vec<(String, Ident)>,
 }
 
@@ -172,7 +173,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// What is computed of parts.
+    /// The code that is computed of parts.
     fn computed(&mut self, template: &Template) -> TokenStream {
         match template {
             Template::Call(callee, all, at) => self.call(callee, all, *at),
@@ -282,7 +283,7 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// Whether a method takes Kin's own numbers as they are; on a parameter itself it is the user's, whatever its
+/// True if a method takes Kin's own numbers as they are; on a parameter itself it is the user's, whatever its
 /// name.
 fn takes_numbers(receiver: &Template, method: &TokenStream) -> bool {
     let name = method.clone().into_iter().next().map(|token| token.to_string()).unwrap_or_default();
@@ -371,7 +372,7 @@ pub fn leaf_function(graph: &Graph, leaf: usize, value: &OpaqueValue, items: &[s
         quote!(#x[#k])
     };
     let body = Writer::new(&mut value_of, Site::Leaf(graph)).whole(&value.template);
-    // What has no derivatives, such as an f64, is a constant of the dual copy.
+    // A value without derivatives, such as an f64, is a constant of the dual copy.
     let body = quote!((&::kin::emitted::Foreign(#body)).lifted(::core::marker::PhantomData::<__D>));
     let output = shape_type(shape, &quote!(::kin::emitted::Real<__D>));
     let [input, output, body] = [quote!([::kin::emitted::Real<__D>; #n]), output, body].map(silent);

@@ -1,5 +1,5 @@
-//! What a constraint makes of the time alone: laws, sines and calls in which no coordinate stands. They are
-//! evaluated once a time (`at_time`), and every other function of the constraint reads them.
+//! The values that a constraint makes of the time alone: laws, sines and calls in which no coordinate stands.
+//! They are evaluated once a time (`at_time`), and every other function of the constraint reads them.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -11,7 +11,7 @@ use kin_language::lower::Lowered;
 
 /// The numbers of a constraint that are evaluated once a time.
 pub struct Timed {
-    /// What the other functions read (sorted).
+    /// The nodes that the other functions read (sorted).
     read: Vec<Node>,
     /// C(0, t) of all rows, −C_t and −C_tt, of a constraint that is linear for good: all that a solver wants
     /// to know of it.
@@ -153,7 +153,7 @@ pub fn function(lowered: &Lowered, timed: &Timed) -> TokenStream {
     }
 }
 
-/// What is read instead in the other functions; computed on the spot where nobody has asked before.
+/// The list that the other functions read; computed on the spot where nobody has asked before.
 pub fn binding(timed: usize) -> TokenStream {
     let n = Literal::usize_unsuffixed(timed);
     quote! {

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::f64::consts::TAU;
 
 use kin::extend::Target;
-use kin::state::At;
+use kin::state::{At, Offsets};
 use kin::{Constraint, Law, Vec2, vec2};
 
 use super::outline::polar;
@@ -127,9 +127,9 @@ impl Told {
 fn law(constraint: &dyn Constraint, name: &str) -> Option<Law> {
     // Laws are shown at a state; which one does not matter.
     let states = [0.0, 0.0, 0.0, 0.0, 1.0];
-    let places = vec![[0, 0]; constraint.arguments().len()];
+    let begins = vec![Offsets::new(0, 0); constraint.arguments().len()];
     let mut found = None;
-    constraint.laws(&At::new(0.0, &states, &places), &mut |known, law, _| {
+    constraint.laws(&At::new(0.0, &states, &begins), &mut |known, law, _| {
         if known == name {
             found = Some(law.clone());
         }

@@ -53,7 +53,7 @@ impl Default for Dependence {
     }
 }
 
-/// What is fixed about a constraint: its names, the shape of its terms, and promises about them.
+/// The fixed facts about a constraint: its names, the shape of its terms, and promises about them.
 ///
 /// By hand it starts from [`Facts::of`], which promises nothing:
 ///
@@ -70,7 +70,7 @@ impl Default for Dependence {
 pub struct Facts<'a> {
     /// The kind of the constraint: the name of its function, such as `revolute`.
     pub kind: &'a str,
-    /// What it is, in the words of its documentation: a sentence with its equation, freedoms removed, signs.
+    /// Its meaning, in the words of its documentation: a sentence with its equation, freedoms removed, signs.
     pub description: &'a str,
     /// How its derivatives are obtained and why so; on the dual route with the token that the compiler cannot
     /// read.
@@ -95,7 +95,7 @@ pub struct Facts<'a> {
     /// they are all there is to a constraint which is linear in the coordinates for good
     /// ([`Dependence::curved`] is false). A constraint that tells them is not asked for its terms.
     pub sides_of_time: Option<usize>,
-    /// What can be asked of it beside its equations (`#[measure(slide = …, "m")]`).
+    /// The measures that can be asked of it beside its equations (`#[measure(slide = …, "m")]`).
     pub measures: &'a [Measured],
     /// False if [`Constraint::wrong_branch`] never has anything to say. `true` promises nothing.
     pub has_branches: bool,

@@ -15,17 +15,17 @@ use crate::numbers::lanes::InLanes;
 
 pub use facts::{Dependence, Entry, Facts};
 pub use parameters::Parameters;
-pub use route::{Route, RouteReason};
+pub use route::{Route, RouteReason, Routed};
 pub use written::{Attached, Attachment, Written};
 
-/// What can be asked of a joint beside its equations: an angle, a slide.
+/// A measure of a joint, which can be asked beside its equations: an angle, a slide.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Measured {
     /// Its name, such as `slide`.
     pub name: &'static str,
     /// Its unit, such as `m`.
     pub unit: &'static str,
-    /// Whether it is an angle that is known up to whole turns, which a motion counts from one time to the
+    /// True if it is an angle that is known up to whole turns, which a motion counts from one time to the
     /// next.
     pub turns: bool,
 }
@@ -55,7 +55,7 @@ impl Clone for Box<dyn Constraint> {
 /// bare coordinate), the ground's counted too. Output slices have the lengths stated; a shorter one is left
 /// as it is. Entries are in the unit of their row.
 pub trait Constraint: CloneBoxed + Send + Sync {
-    /// What is fixed about it: its names, the shape of its terms, and promises about them.
+    /// The fixed facts about it: its names, the shape of its terms, and promises about them.
     fn facts(&self) -> Facts<'_>;
 
     /// The bodies and coordinates it acts on, in the order of its signature.

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::Constraint;
 use crate::model::blame::Source;
 
 /// The way in which the derivatives of a constraint are obtained.
@@ -33,7 +34,7 @@ pub enum RouteReason {
     Read,
     /// [`Route::Dual`]: something in the body cannot be read by the compiler.
     Unread {
-        /// What cannot be read, such as `` `while` ``.
+        /// The construct that cannot be read, such as `` `while` ``.
         what: &'static str,
         /// The token where it begins.
         source: Source,
@@ -46,6 +47,25 @@ pub enum RouteReason {
     },
     /// [`Route::Hand`]: an `impl Constraint` without the macro.
     Hand,
+}
+
+/// The route of any constraint, in short; the prelude has it.
+pub trait Routed {
+    /// How its derivatives are obtained.
+    fn route(&self) -> Route;
+
+    /// Why it takes that route; on the dual one where the token stands that the compiler cannot read.
+    fn explain_route(&self) -> RouteReason;
+}
+
+impl<C: Constraint + ?Sized> Routed for C {
+    fn route(&self) -> Route {
+        self.facts().route()
+    }
+
+    fn explain_route(&self) -> RouteReason {
+        self.facts().reason
+    }
 }
 
 impl RouteReason {

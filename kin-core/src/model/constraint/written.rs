@@ -12,7 +12,7 @@ use crate::numbers::real::Dual3_64;
 pub struct Attachment {
     /// Which of [`Constraint::arguments`] the body is.
     pub argument: usize,
-    /// What it is, by its components in the body's frame.
+    /// The point or direction, by its components in the body's frame.
     pub what: Attached,
 }
 
@@ -46,8 +46,8 @@ pub trait Written {
         None
     }
 
-    /// What the formula cannot say and only the user's program can compute, by its number; default nothing.
-    /// Emitted with the formula.
+    /// A value that the formula cannot say and only the user's program can compute, by its number; default
+    /// nothing. Emitted with the formula.
     #[doc(hidden)]
     fn outside(&self, number: usize, x: &[Dual3_64], to: &mut Given) {
         let _ = (number, x, to);

@@ -6,6 +6,7 @@ use pulp::NullaryFnOnce;
 
 use super::Level;
 use super::number::Wide;
+use crate::numbers::Offsets;
 
 /// The numbers that all constraints read at one instant, for several mechanisms.
 pub struct LaneInstant<'a, S: Level> {
@@ -17,7 +18,7 @@ pub struct LaneInstant<'a, S: Level> {
     /// The numbers that [`InLanes`] has made of parameters and of the time.
     pub(crate) known: &'a [Wide<S>],
     /// Of every argument, where its state and its rates begin.
-    pub(crate) arguments: &'a [[u32; 2]],
+    pub(crate) arguments: &'a [Offsets],
     /// Each constraint in every lane.
     pub(crate) own: &'a [Vec<&'a dyn InLanes>],
 }
@@ -39,7 +40,7 @@ pub struct LaneAt<'a, S: Level> {
     pub simd: S,
     states: &'a [Wide<S>],
     known: &'a [Wide<S>],
-    arguments: &'a [[u32; 2]],
+    arguments: &'a [Offsets],
     own: &'a [Vec<&'a dyn InLanes>],
     block: LaneBlock,
 }
@@ -62,7 +63,7 @@ impl<'a, S: Level> LaneAt<'a, S> {
     /// The state of an argument, by its number, as an array of known length.
     #[inline(always)]
     pub fn state<const N: usize>(&self, argument: usize) -> Option<&'a [Wide<S>; N]> {
-        chunk(self.states, self.arguments.get(self.block.arguments as usize + argument)?[0])
+        chunk(self.states, self.arguments.get(self.block.arguments as usize + argument)?.state)
     }
 
     /// The values of parameters and time as an array of known length.
@@ -101,7 +102,7 @@ impl<'a, S: Level> LaneAt<'a, S> {
 #[derive(Clone, Copy)]
 pub struct LaneRates<'a, S: Level> {
     rates: &'a [Wide<S>],
-    arguments: &'a [[u32; 2]],
+    arguments: &'a [Offsets],
     first: u32,
 }
 
@@ -109,7 +110,7 @@ impl<'a, S: Level> LaneRates<'a, S> {
     /// The rates of an argument, by its number, as an array of known length.
     #[inline(always)]
     pub fn of<const N: usize>(&self, argument: usize) -> Option<&'a [Wide<S>; N]> {
-        chunk(self.rates, self.arguments.get(self.first as usize + argument)?[1])
+        chunk(self.rates, self.arguments.get(self.first as usize + argument)?.rates)
     }
 }
 

@@ -2,7 +2,7 @@
 //! else lane by lane.
 
 use super::{Equations, Span, StatePlan};
-use crate::model::state::{At, Rates, SPATIAL_STATE};
+use crate::model::state::{At, Offsets, Rates, SPATIAL_STATE};
 use crate::numbers::lanes::{InLanes, LaneBlock, LaneInstant, Level, Table, Wide};
 use crate::system::System;
 
@@ -280,7 +280,7 @@ impl<S: Level> WideEquations<S> {
 #[inline(always)]
 fn seen<'a, S: Level>(
     simd: S,
-    arguments: &'a [[u32; 2]],
+    arguments: &'a [Offsets],
     crew: &'a LaneSystems<'_>,
     instant: &'a WideInstant<S>,
     rates: &'a [Wide<S>],
@@ -303,7 +303,7 @@ impl<S: Level> LaneByLane<'_, '_, S> {
         let (c, values) = (&mut c[own.rows.range()], &mut values[own.values.range()]);
         for (lane, system) in self.crew.systems.iter().enumerate() {
             let block = &system.equations().blocks[place.number as usize];
-            self.gather(0, own, self.seen.states, lane, &mut scratch.states);
+            self.gather(|of| of.state, own, self.seen.states, lane, &mut scratch.states);
             take(c, lane, &mut scratch.c);
             take(values, lane, &mut scratch.values);
             let at = At::new(self.t, &scratch.states, self.arguments(own));
@@ -321,11 +321,11 @@ impl<S: Level> LaneByLane<'_, '_, S> {
         rhs.fill(Wide::splat(self.seen.simd, 0.0));
         for (lane, system) in self.crew.systems.iter().enumerate() {
             let block = &system.equations().blocks[place.number as usize];
-            self.gather(0, own, self.seen.states, lane, &mut scratch.states);
+            self.gather(|of| of.state, own, self.seen.states, lane, &mut scratch.states);
             take(rhs, lane, &mut scratch.c);
             let at = At::new(self.t, &scratch.states, self.arguments(own));
             if second {
-                self.gather(1, own, self.seen.rates, lane, &mut scratch.rates);
+                self.gather(|of| of.rates, own, self.seen.rates, lane, &mut scratch.rates);
                 let rates = Rates::new(&scratch.rates, self.arguments(own));
                 block.constraint.acceleration_rhs(&at, &rates, 1.0, &mut scratch.c);
             } else {
@@ -335,16 +335,24 @@ impl<S: Level> LaneByLane<'_, '_, S> {
         }
     }
 
-    fn arguments(&self, own: &WideBlock) -> &[[u32; 2]] {
+    fn arguments(&self, own: &WideBlock) -> &[Offsets] {
         &self.seen.arguments[own.arguments.range()]
     }
 
-    /// The states (`what` 0) or rates (1) of a constraint's arguments in one lane, where they stand among
-    /// those of all; with what follows, for an argument has at most seven numbers.
-    fn gather(&self, what: usize, own: &WideBlock, all: &[Wide<S>], lane: usize, numbers: &mut Vec<f64>) {
+    /// The numbers of a constraint's arguments in one lane, where they begin among those of all, and the
+    /// numbers behind them, for an argument has at most seven.
+    fn gather(
+        &self,
+        begin: impl Fn(&Offsets) -> u32,
+        own: &WideBlock,
+        all: &[Wide<S>],
+        lane: usize,
+        numbers: &mut Vec<f64>,
+    ) {
         numbers.resize(all.len(), 0.0);
         for argument in self.arguments(own) {
-            let places = argument[what] as usize..all.len().min(argument[what] as usize + SPATIAL_STATE);
+            let first = begin(argument) as usize;
+            let places = first..all.len().min(first + SPATIAL_STATE);
             numbers[places.clone()]
                 .iter_mut()
                 .zip(&all[places])

@@ -81,7 +81,7 @@ impl Reader {
     /// A vector or matrix from an array, a tuple, or a value of its own kind.
     fn made_from(&mut self, kind: Components, value: Value, call: &Call) -> Value {
         match value {
-            // What only rustc knows may be an array, a tuple or a vector: it is converted there.
+            // A value that only rustc knows may be an array, a tuple or a vector: it is converted there.
             Value::Opaque(template)
                 if matches!(kind, Components::Vector(_)) && template.nodes().is_empty() =>
             {

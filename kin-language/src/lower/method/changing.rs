@@ -190,12 +190,12 @@ fn strip(expression: &Expr) -> &Expr {
     }
 }
 
-/// Whether a method takes `&mut self`.
+/// True if a method takes `&mut self`.
 pub fn takes_itself(function: &syn::ItemFn) -> bool {
     matches!(function.sig.inputs.first(), Some(FnArg::Receiver(receiver)) if receiver.reference.is_some() && receiver.mutability.is_some())
 }
 
-/// What gives out places in a list of n, to be changed: references, halves, chunks.
+/// The methods that give out places in a list of n, to be changed: references, halves, chunks.
 fn places_in(
     place: &Place,
     n: usize,

@@ -55,7 +55,7 @@ impl Reader {
         }
     }
 
-    /// Whether a value is a parameter that is declared as an `Option`.
+    /// True if a value is a parameter that is declared as an `Option`.
     fn is_option(&self, template: &Template) -> bool {
         let Template::Parameter(name) = template else { return false };
         let named = |ty: &syn::Type| matches!(ty, syn::Type::Path(path) if path.path.segments.last().is_some_and(|last| last.ident == "Option"));

@@ -66,7 +66,7 @@ impl Reader {
     }
 }
 
-/// Whether a value of that name is an order.
+/// True if a value of that name is an order.
 pub fn is_order(name: &str) -> bool {
     matches!(name, "Less" | "Equal" | "Greater")
 }

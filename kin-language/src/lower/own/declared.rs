@@ -1,4 +1,4 @@
-//! What the body declares of its own types: structs and enums, their functions, constants and traits.
+//! The declarations of the body's own types: structs and enums, their functions, constants and traits.
 
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -10,11 +10,11 @@ use crate::lower::generic::Substitution;
 use crate::lower::method::takes_itself;
 use crate::lower::value::Value;
 
-/// What the body declares of its own types.
+/// The declarations of the body's own types.
 #[derive(Default)]
 pub struct Own {
     types: HashMap<String, Declared>,
-    /// What traits give to whoever has them, by the trait's name.
+    /// The functions that traits give to whoever has them, by the trait's name.
     traits: HashMap<String, Vec<ItemFn>>,
     /// By the names of the type and the function; several of one name take other types. A constant is a
     /// function without arguments.
@@ -126,7 +126,7 @@ impl Own {
             .as_ref()
             .and_then(|(_, path, _)| self.traits.get(&path.segments.last()?.ident.to_string()));
         let mut items: Vec<ItemFn> = own.collect();
-        // What the type has itself stands in the place of what the trait gives.
+        // A function of the type itself stands in the place of the trait's.
         let given = of_trait.into_iter().flatten();
         let given = given.filter(|given| items.iter().all(|item| item.sig.ident != given.sig.ident));
         items.extend(given.cloned().collect::<Vec<_>>());
@@ -162,7 +162,7 @@ impl Own {
         }
     }
 
-    /// Whether some method of that name takes `&mut self`.
+    /// True if some method of that name takes `&mut self`.
     pub fn changes(&self, name: &str) -> bool {
         let mut named = self.functions.iter().filter(|((_, known), _)| known == name);
         named.any(|(_, all)| all.iter().any(|(item, _)| takes_itself(item)))
@@ -196,7 +196,7 @@ impl Own {
     }
 }
 
-/// Whether a value may be of a type, as far as both are known.
+/// True if a value may be of a type, as far as both are known.
 fn fits(ty: &Type, value: &Value) -> bool {
     match (ty, value) {
         (Type::Reference(ty), value) => fits(&ty.elem, value),
@@ -226,7 +226,7 @@ fn constant_function(name: &syn::Ident, ty: &Type, value: &Expr) -> ItemFn {
 fn derived(attribute: &Attribute) -> Vec<String> {
     let mut names = Vec::new();
     if attribute.path().is_ident("derive") {
-        // What is no list of names is rustc's to complain of.
+        // An attribute that is no list of names is rustc's to complain of.
         let _ = attribute.parse_nested_meta(|meta| {
             names.extend(meta.path.segments.last().map(|last| last.ident.to_string()));
             Ok(())

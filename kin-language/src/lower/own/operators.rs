@@ -28,7 +28,7 @@ fn type_of(value: &Value) -> Option<String> {
     }
 }
 
-/// Whether a value is a struct, or what operators make of one: it may have `+=` and no `+`.
+/// True of a struct, and of a value that operators make of one: it may have `+=` and no `+`.
 fn is_of_struct(template: &Template) -> bool {
     match template {
         Template::Struct(..) => true,
@@ -149,7 +149,7 @@ impl Reader {
             .map(|(less, equal)| Value::Condition(if or_equal { self.graph.or(less, equal) } else { less })))
     }
 
-    /// Whether `Some(order)` is an order of one of these names.
+    /// The condition that `Some(order)` is an order of one of these names.
     fn is_one_of(&mut self, order: Value, names: &[&str], at: &ExprBinary) -> Read {
         let mut any = self.graph.bool(false);
         if let Value::Adt(Adt { fields, .. }) = order
@@ -163,8 +163,8 @@ impl Reader {
         Ok(Value::Condition(any))
     }
 
-    /// Whether one value is less than another, and whether they are equal, as `#[derive(PartialOrd)]` has it:
-    /// by the variants in their order, then by the fields in theirs.
+    /// The conditions that one value is less than another, and that they are equal, as
+    /// `#[derive(PartialOrd)]` has it: by the variants in their order, then by the fields in theirs.
     fn less(&mut self, a: &Adt, b: &Adt) -> Option<(Node, Node)> {
         let declared = self.own.declared(&a.type_name()).filter(|declared| declared.derives("PartialOrd"))?;
         let place = |adt: &Adt| declared.variants.iter().position(|(name, _)| *name == adt.name);
@@ -197,7 +197,7 @@ impl Reader {
         Some((less, equal))
     }
 
-    /// Whether two values of one type are equal, part by part.
+    /// The condition that two values of one type are equal, part by part.
     fn same(&mut self, a: &Adt, b: &Adt) -> Option<Node> {
         if a.name != b.name || a.fields.len() != b.fields.len() {
             return Some(self.graph.bool(false));

@@ -1,4 +1,4 @@
-//! What only rustc knows: reads of it are lifted, and calls of it hand over the numbers it asks for.
+//! Values that only rustc knows: reads of them are lifted, and calls hand over the numbers they ask for.
 
 use proc_macro2::Span;
 use quote::quote;
@@ -287,7 +287,7 @@ impl Rewriter {
         self.handed(argument, Place::Argument);
     }
 
-    /// What is handed to the user's function, or put into the user's struct.
+    /// Converts an argument that is handed to the user's function, or put into the user's struct.
     fn handed(&mut self, argument: &mut Expr, place: Place) {
         let nature = self.nature(argument);
         let at = mixed(argument);

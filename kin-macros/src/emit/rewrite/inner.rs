@@ -67,7 +67,7 @@ impl Rewriter {
     }
 }
 
-/// Whether numbers go in or out.
+/// True if numbers go in or out.
 pub(super) fn takes_numbers(function: &ItemFn) -> bool {
     let inputs = function
         .sig
@@ -77,7 +77,7 @@ pub(super) fn takes_numbers(function: &ItemFn) -> bool {
     inputs || matches!(&function.sig.output, syn::ReturnType::Type(_, ty) if lift::holds_numbers(ty))
 }
 
-/// Whether a function is written for dual numbers by the user.
+/// True if a function is written for dual numbers by the user.
 pub(super) fn is_over_duals(function: &ItemFn) -> bool {
     let bounds = quote::ToTokens::to_token_stream(&function.sig.generics).to_string();
     bounds.split(|c: char| !c.is_alphanumeric()).any(|word| word == "Dual")

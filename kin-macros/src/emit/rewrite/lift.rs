@@ -35,7 +35,7 @@ impl VisitMut for Lifter<'_> {
     fn visit_expr_mut(&mut self, _: &mut Expr) {}
 }
 
-/// Whether numbers are in a type: lifting would change it.
+/// True if numbers are in a type: lifting would change it.
 pub fn holds_numbers(ty: &Type) -> bool {
     let mut lifted = ty.clone();
     Lifter(&Ident::new("__D", Span::call_site())).visit_type_mut(&mut lifted);

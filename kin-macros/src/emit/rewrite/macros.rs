@@ -7,7 +7,7 @@ use syn::{Expr, Macro, Pat, Token};
 
 use super::Rewriter;
 
-/// What is known of a macro's arguments.
+/// The shape of a macro's arguments.
 enum Arguments {
     /// `vec![x; n]`
     Repeat(Expr, Expr),

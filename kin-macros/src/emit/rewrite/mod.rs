@@ -63,7 +63,7 @@ pub fn lifted_type(ty: &Type) -> Type {
     ty
 }
 
-/// What the copies are generic over.
+/// The type that the copies are generic over.
 fn dual_parameter() -> Ident {
     Ident::new("__D", Span::call_site())
 }
@@ -351,7 +351,7 @@ fn names(pattern: &Pat) -> Vec<String> {
     names.0
 }
 
-/// Whether an expression is a number, or made of some, by its form.
+/// True if an expression is a number, or made of some, by its form.
 fn computes(value: &Expr) -> bool {
     match value {
         Expr::Paren(inner) => computes(&inner.expr),

@@ -1,4 +1,4 @@
-//! What the value of an expression may be, before any type is known.
+//! The nature of an expression's value, before any type is known.
 
 use proc_macro2::{TokenStream, TokenTree};
 use syn::visit::Visit;
@@ -31,14 +31,14 @@ impl Rewriter {
         }
     }
 
-    /// Whether an expression reads a variable that depends on coordinates or time.
+    /// True if an expression reads a variable that depends on coordinates or time.
     fn varies(&self, expression: &Expr) -> bool {
         let mut search = Search { rewriter: self, found: false };
         search.visit_expr(expression);
         search.found
     }
 
-    /// Whether a value may be of a type that only rustc knows, or f64 where the copy has `Real`.
+    /// True if a value may be of a type that only rustc knows, or f64 where the copy has `Real`.
     pub fn is_foreign(&self, expression: &Expr) -> bool {
         match expression {
             Expr::Path(path) => match (self.variable(path), self.inner_function(path)) {
@@ -76,7 +76,7 @@ impl Rewriter {
         }
     }
 
-    /// Whether what a closure gives is a variable that is declared inside of it.
+    /// True if a closure gives a variable that is declared inside of it.
     fn is_of_its_own(&self, body: &Expr) -> bool {
         let Expr::Block(block) = body else { return false };
         let Some(Stmt::Expr(Expr::Path(tail), None)) = block.block.stmts.last() else { return false };

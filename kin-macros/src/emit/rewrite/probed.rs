@@ -24,7 +24,7 @@ impl Rewriter {
         *path = parse_quote_spanned!(at=> ::kin::emitted::#state::#(#rest)::*);
     }
 
-    /// Whether all arguments of a call have types of their own, whatever the function asks for.
+    /// True if all arguments of a call have types of their own, whatever the function asks for.
     pub fn probes(&self, call: &syn::ExprCall) -> bool {
         let bindable = |argument: &Expr| match argument {
             Expr::Closure(_)

@@ -1,13 +1,13 @@
 //! The variables of a body while it is rewritten: which name means which binding, and what each binding can
 //! hold.
 //!
-//! What a binding holds is known only when the whole body has been seen (a loop feeds a variable from below),
-//! so the body is gone through until nothing changes any more. Bindings are numbered in the order in which
-//! they are met, the same each time.
+//! The value of a binding is known only when the whole body has been seen (a loop feeds a variable from
+//! below), so the body is gone through until nothing changes any more. Bindings are numbered in the order in
+//! which they are met, the same each time.
 
 use std::collections::HashMap;
 
-/// What a value may be.
+/// The natures that a value may have.
 #[derive(Clone, Copy, Default, PartialEq, Eq, Debug)]
 pub struct Nature {
     /// It may depend on coordinates or time.
@@ -27,7 +27,7 @@ impl Nature {
 /// Numbers of the bindings in each argument of a function.
 pub type Inputs = Vec<Vec<usize>>;
 
-/// What a name means.
+/// The meaning of a name.
 #[derive(Clone, Debug)]
 pub enum Name {
     Variable(Variable),
@@ -65,7 +65,7 @@ impl Scopes {
         self.changed = false;
     }
 
-    /// Whether this pass found out something that earlier ones did not know.
+    /// True if this pass found out something that earlier ones did not know.
     pub fn changed(&self) -> bool {
         self.changed
     }

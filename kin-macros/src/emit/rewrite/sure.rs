@@ -1,4 +1,4 @@
-//! Whether the copy over dual numbers of a body is sure to be good Rust. It is made without knowing a type:
+//! The bodies of which a copy over dual numbers is sure to be good Rust. It is made without knowing a type:
 //! where types of the user's meet numbers, or references and conversions hang on them, the equation over dual
 //! numbers comes out of the graph.
 
@@ -10,7 +10,7 @@ use kin_language::vocabulary::{
     is_integer, is_kin_function, is_kin_type, is_number_function, is_number_method, is_type_name, names,
 };
 
-/// Whether it is.
+/// True if the copy of this body is sure to be good Rust.
 pub fn is_sure(body: &Block, arguments: &[Argument]) -> bool {
     let states = arguments
         .iter()

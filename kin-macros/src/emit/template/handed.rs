@@ -176,7 +176,7 @@ pub(super) fn renamed(pattern: &syn::Pat, name: &Ident, own: &Ident, borrows: bo
 /// More are handed over one by one.
 pub(super) const MOST_ARGUMENTS: usize = 6;
 
-/// Whether a value has a type of its own, whatever the function asks for: a whole number has not.
+/// True if a value has a type of its own, whatever the function asks for: a whole number has not.
 pub(super) fn is_bindable(template: &Template) -> bool {
     match template {
         Template::Tokens(_)
