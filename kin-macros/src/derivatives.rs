@@ -1,7 +1,8 @@
 //! The derivatives that this stage hands on: all those of the rows that emitted code computes, as nodes of
 //! the same graph.
 
-use kin_graph::differentiate::{Jets, Partial};
+use kin_graph::differentiate::{Jets, Partial, by_columns};
+use kin_graph::schedule::{fused, operations};
 use kin_graph::{Column, Graph, Input, Node, Op, Part};
 use kin_language::lower::Lowered;
 use kin_language::parse::{Argument, Kind};
@@ -53,16 +54,56 @@ impl Derivatives {
 
 fn jacobian(g: &mut Graph, rows: &[Node], arguments: &[Argument]) -> Vec<(usize, usize, Node)> {
     let columns = g.columns(rows);
+    let mut entries = column_by_column(g, rows, &columns);
+    if columns.len() > rows.len() && entries.len() >= LARGE {
+        inwards_if_cheaper(g, rows, &columns, &mut entries);
+    }
+    entries
+        .into_iter()
+        .map(|(row, column, value)| (row, local_column(arguments, columns[column]), value))
+        .collect()
+}
+
+/// Entries of C_q below which nothing is gained by another order.
+const LARGE: usize = 12;
+
+/// Takes each row's derivatives from the row inwards, if that has the same structure and saves a quarter of
+/// the operations of C and C_q: column by column a long chain is gone through once for each column.
+fn inwards_if_cheaper(
+    g: &mut Graph,
+    rows: &[Node],
+    columns: &[Column],
+    entries: &mut [(usize, usize, Node)],
+) {
+    let found: Option<Vec<Vec<Node>>> = rows.iter().map(|&row| by_columns(g, row, columns)).collect();
+    let Some(found) = found else { return };
+    let others: Vec<Node> = entries.iter().map(|&(row, column, _)| found[row][column]).collect();
+    let zeros = found.iter().flatten().filter(|&&value| g.is_zero(value)).count();
+    let is_known = |value: Node| g.constant_value(value).is_some();
+    let same = zeros + entries.len() == rows.len() * columns.len()
+        && entries.iter().zip(&others).all(|(entry, &other)| is_known(entry.2) == is_known(other));
+    let values: Vec<Node> = entries.iter().map(|entry| entry.2).collect();
+    let mut work = |values: &[Node]| {
+        let outputs = fused(g, &[rows, values].concat());
+        operations(g, &outputs)
+    };
+    if same && 4 * work(&others) < 3 * work(&values) {
+        entries.iter_mut().zip(others).for_each(|(entry, other)| entry.2 = other);
+    }
+}
+
+/// (row, column, value) of the structural non-zeros.
+fn column_by_column(g: &mut Graph, rows: &[Node], columns: &[Column]) -> Vec<(usize, usize, Node)> {
     let mut partials: Vec<Partial> = columns.iter().map(|&column| Partial::by_column(column)).collect();
     let mut entries = Vec::new();
     for (k, &row) in rows.iter().enumerate() {
         // The same for each column: all of them have seen the rows before.
         let unknown = partials.first().map(|partial| partial.unknown(g, row)).unwrap_or_default();
-        for (column, partial) in columns.iter().zip(&mut partials) {
+        for (column, partial) in partials.iter_mut().enumerate() {
             partial.of_all(g, &unknown);
             let value = partial.known(row);
             if !g.is_zero(value) {
-                entries.push((k, local_column(arguments, *column), value));
+                entries.push((k, column, value));
             }
         }
     }

@@ -1,6 +1,7 @@
 //! Differentiation over the graph, by its own constructors: derivatives are born simplified and share what
 //! they have in common.
 
+mod adjoint;
 mod jets;
 mod moves;
 mod partial;
@@ -12,6 +13,7 @@ mod tests;
 
 use crate::Node;
 
+pub use adjoint::by_columns;
 pub use jets::Jets;
 pub use partial::Partial;
 

@@ -189,7 +189,7 @@ impl Partial {
 }
 
 /// Derivative of an input: the coordinates themselves, and the parts of states that are functions of them.
-fn input_derivative(g: &mut Graph, input: Input, by: By) -> Node {
+pub(super) fn input_derivative(g: &mut Graph, input: Input, by: By) -> Node {
     let (argument, part) = match (input, by) {
         (Input::Time, By::Time) | (Input::Column(0), By::Variable) => return g.constant(1.0),
         (Input::State(argument, part), By::Column(column)) if argument == column.argument => {

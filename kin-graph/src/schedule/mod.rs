@@ -64,7 +64,7 @@ pub fn prepare(g: &mut Graph, outputs: &[Node]) -> Vec<Node> {
 }
 
 /// How many operations `outputs` take; signs are free, a processor adds and subtracts alike.
-fn operations(g: &Graph, outputs: &[Node]) -> usize {
+pub fn operations(g: &Graph, outputs: &[Node]) -> usize {
     let free = |node: &Node| {
         matches!(g.op(*node), Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) | Op::Neg(_))
     };
