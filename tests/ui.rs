@@ -13,6 +13,11 @@ use std::process::Command;
 
 use serde_json::Value;
 
+#[path = "scratch/mod.rs"]
+mod scratch;
+
+use scratch::Scratch;
+
 /// The toolchain whose rendering the `.stderr` files hold.
 const PINNED: &str = "rustc 1.95.0";
 
@@ -84,46 +89,22 @@ fn programs(folder: &str) -> BTreeMap<String, PathBuf> {
     programs.map(|path| (path.file_stem().expect("a name").to_string_lossy().into_owned(), path)).collect()
 }
 
-/// The errors, or warnings, of each program: all of them are the binaries of one scratch package, checked at
-/// once.
+/// The errors, or warnings, of each program.
 fn check(package: &str, programs: &BTreeMap<String, PathBuf>, level: &str) -> BTreeMap<String, Vec<Error>> {
-    let root = env!("CARGO_MANIFEST_DIR");
-    let scratch = Path::new(env!("CARGO_TARGET_TMPDIR")).join(package);
-    fs::create_dir_all(&scratch).expect("the scratch package can be made");
-    let bins: String =
-        programs.iter().map(|(name, path)| format!("[[bin]]\nname = {name:?}\npath = {path:?}\n")).collect();
-    let manifest = format!(
-        "[package]\nname = \"{package}\"\nedition = \"2024\"\npublish = false\n[workspace]\n[dependencies]\nkin = {{ path = {root:?} }}\n{bins}"
-    );
-    fs::write(scratch.join("Cargo.toml"), manifest).expect("the scratch package can be written");
-    fs::copy(Path::new(root).join("Cargo.lock"), scratch.join("Cargo.lock"))
-        .expect("Cargo.lock can be copied");
-
-    let output = Command::new(env!("CARGO"))
-        .args(["check", "--offline", "--bins", "--keep-going", "--message-format=json"])
-        .current_dir(&scratch)
-        .env("CARGO_TARGET_DIR", Path::new(env!("CARGO_TARGET_TMPDIR")).join("ui/target"))
-        .env_remove("RUSTFLAGS")
-        .env_remove("KIN_WARN_DUAL")
-        .output()
-        .expect("cargo runs");
-    let mut errors: BTreeMap<String, Vec<Error>> = BTreeMap::new();
-    for line in String::from_utf8_lossy(&output.stdout).lines() {
-        let Ok(report) = serde_json::from_str::<Value>(line) else { continue };
-        let (name, message) = (&report["target"]["name"], &report["message"]);
-        if message["level"] == level && message["spans"].as_array().is_some_and(|spans| !spans.is_empty()) {
-            let name = name.as_str().expect("a target has a name").to_owned();
-            assert!(programs.contains_key(&name), "{}", message["rendered"].as_str().unwrap_or_default());
-            let (errors, error) = (errors.entry(name).or_default(), error(message));
+    let said = Scratch::new(package, programs).check(level);
+    let of_one = said.into_iter().map(|(name, messages)| {
+        let rendered = messages[0]["rendered"].as_str().unwrap_or_default();
+        assert!(programs.contains_key(&name), "{rendered}");
+        let mut errors: Vec<Error> = Vec::new();
+        for error in messages.iter().map(error) {
             // Cargo too prints equal errors once.
             if errors.iter().all(|earlier| earlier.rendered != error.rendered) {
                 errors.push(error);
             }
         }
-    }
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.code().is_some() && !said.contains("failed to parse manifest"), "{said}");
-    errors
+        (name, errors)
+    });
+    of_one.collect()
 }
 
 fn error(message: &Value) -> Error {

@@ -297,3 +297,9 @@ twice! { Symbolic sorted_by_a_network(coords): fn f(q: [Coord; 4]) -> f64 {
     let median = 0.5 * (all[1] + all[2]);
     median + all[3] * 0.25 - all[0]
 } }
+
+// A function of which nothing is known beforehand: it panics at some states, and jumps at others.
+twice! { Any assertion_that_fails_somewhere(coord): fn f(a: Coord) -> f64 {
+    assert!(a > -1.5, "too far");
+    a * a + (7.0 * a) % 3.0
+} }

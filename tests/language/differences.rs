@@ -1,8 +1,8 @@
 //! Derivatives along a curve by central differences, extrapolated to a step of zero (Richardson), with an
 //! estimate of their error: the reference that knows nothing of Kin.
 
-/// Steps are this, divided by powers of [`SHRINK`].
-const LONGEST: f64 = 0.06;
+/// Steps are this, or a length that is given, divided by powers of [`SHRINK`].
+pub const LONGEST: f64 = 0.06;
 const SHRINK: f64 = 1.5;
 const STEPS: usize = 9;
 
@@ -15,9 +15,14 @@ pub struct Estimate {
 
 /// The first `ORDERS` derivatives of `g` at 0, at most three.
 pub fn derivatives<const ORDERS: usize>(g: &dyn Fn(f64) -> Vec<f64>) -> [Estimate; ORDERS] {
+    derivatives_by(LONGEST, g)
+}
+
+/// The same by steps of a length: two lengths tell a function that jumps among the longer steps.
+pub fn derivatives_by<const ORDERS: usize>(longest: f64, g: &dyn Fn(f64) -> Vec<f64>) -> [Estimate; ORDERS] {
     let middle = g(0.0);
     let mut tables: [Vec<Vec<f64>>; ORDERS] = std::array::from_fn(|_| Vec::new());
-    let mut h = LONGEST;
+    let mut h = longest;
     for _ in 0..STEPS {
         let (back, ahead) = (g(-h), g(h));
         let far = if ORDERS > 2 { [g(-2.0 * h), g(2.0 * h)] } else { [vec![], vec![]] };

@@ -3,7 +3,7 @@
 use kin::prelude::*;
 use kin::{Parameters, any_coord as c, any_planar as p, any_spatial as s};
 
-use crate::reads;
+use crate::{reads, twice};
 
 const OFFSET: Vec2 = Vec2::new(0.1, 0.2);
 static LIFT: f64 = 0.3;
@@ -228,3 +228,25 @@ fn the_words_of_the_documentation_come_with_the_constraint() {
     assert_eq!(bump.description(), "A smooth bump.");
     assert_eq!(elsewhere::hidden(c(), Scale(1.0)).facts().description, "Visible from outside of its module.");
 }
+
+// `+=` reads and writes the place that `index_mut` gives, which is another one than that of `index` here.
+twice! { Symbolic places_that_index_mut_gives(coord coord): fn f(a: Coord, b: Coord) -> f64 {
+    struct Turned {
+        cells: [f64; 4],
+    }
+    impl std::ops::Index<usize> for Turned {
+        type Output = f64;
+        fn index(&self, k: usize) -> &f64 {
+            &self.cells[k]
+        }
+    }
+    impl std::ops::IndexMut<usize> for Turned {
+        fn index_mut(&mut self, k: usize) -> &mut f64 {
+            &mut self.cells[3 - k]
+        }
+    }
+    let mut turned = Turned { cells: [1.0, a, b, 2.0] };
+    turned[0] += a * b;
+    turned[1] *= a;
+    turned[0] * turned[3] - turned[1] * turned[2]
+} }

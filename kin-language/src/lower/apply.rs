@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use quote::ToTokens;
 use syn::visit::Visit;
-use syn::{Expr, FnArg, ItemFn, Pat, ReturnType};
+use syn::{Expr, FnArg, ItemFn, ReturnType};
 
 use super::flow::Kind;
 use super::function::{Closure, Function};
@@ -55,7 +55,7 @@ impl Reader {
         }
         let value = match function {
             Function::Closure(closure) => self.apply_closure(closure, arguments, at),
-            Function::Inner(item, depth) => self.apply_inner(item, *depth, arguments, None, at),
+            Function::Inner(item, depth) => self.apply_inner(item, *depth, (arguments, places), None, at),
             Function::Path(path) => self.call_path(path, arguments, places, at),
         };
         self.calls -= 1;
@@ -80,12 +80,13 @@ impl Reader {
         })
     }
 
-    /// A function inside the body sees none of its variables. `given` are the arguments in `f::<3>(x)`.
+    /// A function inside the body sees none of its variables. `places` are the expressions of its arguments,
+    /// for messages, and `given` are the generics in `f::<3>(x)`.
     pub fn apply_inner(
         &mut self,
         item: &ItemFn,
         depth: usize,
-        arguments: Vec<Value>,
+        (arguments, places): (Vec<Value>, &[&Expr]),
         given: Option<&syn::AngleBracketedGenericArguments>,
         at: &dyn ToTokens,
     ) -> Read {
@@ -107,9 +108,13 @@ impl Reader {
             for (name, length) in generics.iter().flat_map(|generics| &generics.lengths) {
                 reader.scopes.declare_item(name.clone(), Value::count(*length));
             }
-            for (input, value) in item.sig.inputs.iter().zip(arguments) {
+            for (k, (input, value)) in item.sig.inputs.iter().zip(arguments).enumerate() {
                 match input {
-                    FnArg::Typed(typed) => reader.bind(&Pat::Type(typed.clone()), value)?,
+                    FnArg::Typed(typed) => {
+                        let place = places.get(k).map_or(at, |place| *place as &dyn ToTokens);
+                        let value = reader.typed(value, &typed.ty, place)?;
+                        reader.bind(&typed.pat, value)?;
+                    }
                     FnArg::Receiver(receiver) => {
                         let changes = receiver.mutability.is_some() && receiver.reference.is_some();
                         let value = if changes { value } else { reader.loaded(value) };

@@ -52,7 +52,8 @@ impl Reader {
         if self.calls > super::MOST_CALLS {
             return Err(Unreadable::new(call, "a recursion this deep"));
         }
-        let value = self.apply_inner(item, depth, arguments, given, call);
+        let places: Vec<&Expr> = call.args.iter().collect();
+        let value = self.apply_inner(item, depth, (arguments, &places), given, call);
         self.calls -= 1;
         value
     }
@@ -152,9 +153,7 @@ impl Reader {
                 self.own_function(Template::path(path), arguments, places, at)
             }
             ["f64", function] => self.number_function(function, arguments, call),
-            _ if is_type_name(path) => {
-                Ok(Value::Adt(Adt::tuple(&self.own.whole_path(&path.path), arguments)))
-            }
+            _ if is_type_name(path) => Ok(self.own_tuple(&path.path, arguments, at)),
             _ => {
                 let path = Template::path(call.path);
                 self.own_function(path, arguments, places, at)

@@ -284,7 +284,8 @@ impl Reader {
             Value::Tuple(parts) => Template::Tuple(self.templates(parts, at)?),
             Value::Array(parts) => Template::Array(self.templates(parts, at)?),
             Value::Integer(k, _) => {
-                let k = proc_macro2::Literal::i64_unsuffixed(k);
+                let mut k = proc_macro2::Literal::i64_unsuffixed(k);
+                k.set_span(super::first_span(at));
                 Template::Tokens(quote!(#k))
             }
             Value::Poison => Template::Tokens(quote!(())),

@@ -70,7 +70,7 @@ impl Reader {
     pub fn binary(&mut self, binary: &ExprBinary) -> Read {
         if let Some(op) = simple(&binary.op) {
             let right = self.expression(&binary.right)?;
-            let left = self.expression(&binary.left)?;
+            let left = self.assigned_to(&binary.left)?;
             if self.compound_own(op, &left, &right, binary)?.is_some() {
                 return Ok(Value::unit());
             }
@@ -87,6 +87,20 @@ impl Reader {
             _ => self.expression(&binary.right)?,
         };
         self.operate_each(binary.op, left, right, binary)
+    }
+
+    /// The value that a compound assignment changes: of the body's own types the one that `index_mut` gives,
+    /// which need not be that of `index`.
+    fn assigned_to(&mut self, left: &Expr) -> Read {
+        if let Expr::Index(index) = left
+            && let Some(base) = self.looked_into(&index.expr)?
+            && matches!(self.at_place(&base), Some(Value::Adt(_)))
+            && let Some(place) = self.place(left)?
+            && let Some(value) = self.at_place(&place)
+        {
+            return Ok(value);
+        }
+        self.expression(left)
     }
 
     /// `left op right`, of whatever the sides may be.

@@ -79,7 +79,61 @@ impl Reader {
         }
         fields.sort_by(|(a, _), (b, _)| a.cmp(b));
         let path = self.own.whole_path(&literal.path);
-        Ok(Value::Adt(Adt { path, name: name.into(), fields, braces: true }))
+        let adt = Adt { path, name: name.into(), fields, braces: true };
+        let mistaken = self.mistaken_field(literal, &adt).or_else(|| self.integer_field(literal, &adt));
+        Ok(mistaken.unwrap_or(Value::Adt(adt)))
+    }
+
+    /// A field of a struct that is declared as a number and given an integer.
+    fn integer_field(&mut self, literal: &ExprStruct, adt: &Adt) -> Option<Value> {
+        let wanted = &self.own.declared(&adt.type_name())?.fields;
+        let integer = |field: &syn::FieldValue| {
+            let name = field.member.to_token_stream().to_string();
+            let ty = &wanted.iter().find(|(known, _)| *known == name)?.1;
+            match adt.field(&name) {
+                Some(Value::Integer(k, _)) if ty.to_token_stream().to_string() == "f64" => Some(*k),
+                _ => None,
+            }
+        };
+        let (place, k) = literal.fields.iter().find_map(|field| Some((&field.expr, integer(field)?)))?;
+        Some(self.mistake(place, format!("`{k}` is an integer; a number is written `{k}.0`")))
+    }
+
+    /// A field that a type of the body's own has not, or that is given twice, or left out.
+    fn mistaken_field(&mut self, literal: &ExprStruct, adt: &Adt) -> Option<Value> {
+        let wanted = self.own.declared(&adt.type_name())?.fields_of(&adt.name);
+        let given: Vec<String> =
+            literal.fields.iter().map(|field| field.member.to_token_stream().to_string()).collect();
+        let mut known = given.iter().enumerate();
+        let wrong = known.find(|(k, name)| !wanted.contains(&name.as_str()) || given[..*k].contains(name));
+        let name = &adt.name;
+        let (place, text): (&dyn ToTokens, String) = match wrong {
+            Some((k, field)) if wanted.contains(&field.as_str()) => {
+                (&literal.fields[k].member, format!("`{field}` is given twice"))
+            }
+            Some((k, field)) => {
+                let all = wanted.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+                (&literal.fields[k].member, format!("`{name}` has no field `{field}`; it has {all}"))
+            }
+            None => {
+                let missing = wanted.iter().find(|field| adt.field(field).is_none())?;
+                (&literal.path, format!("`{name}` needs `{missing}`"))
+            }
+        };
+        Some(self.mistake(place, text))
+    }
+
+    /// `Slider(x)` with as many values as the body's own type has.
+    pub fn own_tuple(&mut self, path: &syn::Path, arguments: Vec<Value>, at: &dyn ToTokens) -> Value {
+        let adt = Adt::tuple(&self.own.whole_path(path), arguments);
+        let wanted = self.own.declared(&adt.type_name()).map(|declared| declared.fields_of(&adt.name).len());
+        match wanted {
+            Some(wanted) if wanted != adt.fields.len() => {
+                let text = super::counted(&format!("`{}`", adt.name), wanted, "value", adt.fields.len());
+                self.mistake(at, text)
+            }
+            _ => Value::Adt(adt),
+        }
     }
 
     /// A call of a method that the body's own type has; `None` if it has no such method.
@@ -105,7 +159,7 @@ impl Reader {
         if self.calls > super::MOST_CALLS {
             return Err(Unreadable::new(at, "a recursion this deep"));
         }
-        let value = self.apply_inner(item, depth, arguments, None, at);
+        let value = self.apply_inner(item, depth, (arguments, &[]), None, at);
         self.calls -= 1;
         value
     }
@@ -167,7 +221,7 @@ impl Reader {
     /// The integer that a variant without fields is.
     pub fn discriminant(&self, adt: &Adt) -> Option<i64> {
         let variants = &self.own.declared(&adt.type_name())?.variants;
-        variants.iter().find(|(name, _)| *name == adt.name)?.1
+        variants.iter().find(|variant| variant.name == adt.name)?.integer
     }
 }
 

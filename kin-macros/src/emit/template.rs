@@ -167,7 +167,11 @@ impl<'a> Writer<'a> {
             Template::Parameter(name) => {
                 let place =
                     if let Site::Check = self.site { quote!(__self.#name) } else { quote!(self.#name) };
-                if using == Use::Place { place } else { quote!(::core::clone::Clone::clone(&#place)) }
+                let at = Span::mixed_site().located_at(name.span());
+                match using {
+                    Use::Place => place,
+                    _ => quote_spanned!(at=> ::core::clone::Clone::clone(&#place)),
+                }
             }
             other => self.computed(other),
         }
@@ -192,11 +196,12 @@ impl<'a> Writer<'a> {
                     let whole = Ident::new("whole", Span::mixed_site());
                     return quote!({ let mut #whole = #a; #whole #op #b; #whole });
                 }
-                quote!((#a #op #b))
+                // In parentheses at the user's operator: what is wrong with the whole is said there.
+                quote_spanned!(Span::mixed_site().located_at(op.span())=> (#a #op #b))
             }
             Template::Unary(op, a) => {
                 let a = self.write(a, Use::Value);
-                quote!((#op #a))
+                quote_spanned!(Span::mixed_site().located_at(op.span())=> (#op #a))
             }
             Template::Cast(a, ty) => self.cast(a, ty),
             Template::Matches(a, pattern) => {

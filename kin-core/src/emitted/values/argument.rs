@@ -58,6 +58,10 @@ impl<S: IntoJet<T>, T> IntoField<T> for S {
 
 /// A value and the same value in the other kind of numbers, by reference, as the reference that the user's
 /// function asks for.
+#[diagnostic::on_unimplemented(
+    message = "this function takes `{T}`, and is given something else",
+    label = "is no `{T}`"
+)]
 pub trait IntoReference<T> {
     /// The reference.
     fn into_reference(self) -> T;

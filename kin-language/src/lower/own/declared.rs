@@ -31,11 +31,20 @@ pub struct Declared {
     /// The fields of a struct in their order, those of a tuple by their numbers.
     pub fields: Vec<(String, Type)>,
     pub braces: bool,
-    /// The variants of an enum in their order, with the integers that they are.
-    pub variants: Vec<(String, Option<i64>)>,
+    /// The variants of an enum in their order.
+    pub variants: Vec<Variant>,
     /// The variant that is the default one.
     pub default: Option<String>,
     derives: Vec<String>,
+}
+
+/// A variant of an enum.
+pub struct Variant {
+    pub name: String,
+    /// The integer that it is.
+    pub integer: Option<i64>,
+    /// The names of its fields, or their numbers.
+    pub fields: Vec<String>,
 }
 
 impl Declared {
@@ -56,9 +65,7 @@ impl Declared {
     }
 
     fn with_fields(self, fields: &Fields) -> Self {
-        let named = fields.iter().enumerate().map(|(k, field)| {
-            (field.ident.as_ref().map_or(k.to_string(), ToString::to_string), field.ty.clone())
-        });
+        let named = field_names(fields).into_iter().zip(fields.iter().map(|field| field.ty.clone()));
         Declared { fields: named.collect(), braces: matches!(fields, Fields::Named(_)), ..self }
     }
 
@@ -68,13 +75,22 @@ impl Declared {
             if let Some((_, value)) = &variant.discriminant {
                 next = integer(value);
             }
-            self.variants.push((variant.ident.to_string(), next));
+            let (name, fields) = (variant.ident.to_string(), field_names(&variant.fields));
+            self.variants.push(Variant { name, integer: next, fields });
             next = next.and_then(|k: i64| k.checked_add(1));
             if variant.attrs.iter().any(|attribute| attribute.path().is_ident("default")) {
                 self.default = Some(variant.ident.to_string());
             }
         }
         self
+    }
+
+    /// The names of the fields of the struct, or of the variant of that name.
+    pub fn fields_of(&self, name: &str) -> Vec<&str> {
+        match self.variants.iter().find(|variant| variant.name == name) {
+            Some(variant) => variant.fields.iter().map(String::as_str).collect(),
+            None => self.fields.iter().map(|(name, _)| name.as_str()).collect(),
+        }
     }
 
     pub fn derives(&self, name: &str) -> bool {
@@ -150,7 +166,7 @@ impl Own {
     /// The path of a variant with its enum before it, where `use Joint::*` has left it out.
     pub fn whole_path(&self, path: &syn::Path) -> syn::Path {
         let owner = path.get_ident().filter(|name| !self.is_type(&name.to_string())).and_then(|variant| {
-            let has = |declared: &Declared| declared.variants.iter().any(|(name, _)| variant == name);
+            let has = |declared: &Declared| declared.variants.iter().any(|known| *variant == known.name);
             self.types.iter().filter(|(_, declared)| has(declared)).map(|(name, _)| name).min()
         });
         match owner {
@@ -211,6 +227,14 @@ fn fits(ty: &Type, value: &Value) -> bool {
         (Type::Tuple(_), value) => !matches!(value, Value::Scalar(_) | Value::Adt(_)),
         _ => true,
     }
+}
+
+fn field_names(fields: &Fields) -> Vec<String> {
+    let name = |(k, field): (usize, &syn::Field)| match &field.ident {
+        Some(name) => name.to_string(),
+        None => k.to_string(),
+    };
+    fields.iter().enumerate().map(name).collect()
 }
 
 fn whole(sig: &syn::Signature, block: &syn::Block) -> ItemFn {

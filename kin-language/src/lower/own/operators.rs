@@ -167,7 +167,7 @@ impl Reader {
     /// `#[derive(PartialOrd)]` has it: by the variants in their order, then by the fields in theirs.
     fn less(&mut self, a: &Adt, b: &Adt) -> Option<(Node, Node)> {
         let declared = self.own.declared(&a.type_name()).filter(|declared| declared.derives("PartialOrd"))?;
-        let place = |adt: &Adt| declared.variants.iter().position(|(name, _)| *name == adt.name);
+        let place = |adt: &Adt| declared.variants.iter().position(|variant| variant.name == adt.name);
         if place(a) != place(b) {
             let (less, equal) = (place(a) < place(b), false);
             return Some((self.graph.bool(less), self.graph.bool(equal)));

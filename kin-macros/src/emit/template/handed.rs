@@ -2,6 +2,7 @@
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
+use syn::spanned::Spanned;
 
 use super::{Site, Use, Writer, varies};
 use crate::emit::probe::{How, Probed};
@@ -33,11 +34,12 @@ impl Writer<'_> {
                 (field, _) => self.write(field, Use::Value),
             });
         }
+        let at = path.span();
         let path = lifted_path(path, self.site);
         if !braces {
             return if all.is_empty() { quote!(#path) } else { quote!(#path(#(#all),*)) };
         }
-        let names = fields.iter().map(|(name, _)| Ident::new(name, Span::call_site()));
+        let names = fields.iter().map(|(name, _)| Ident::new(name, at));
         quote!((#path { #(#names: #all),* }))
     }
 

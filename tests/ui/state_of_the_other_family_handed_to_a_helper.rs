@@ -1,0 +1,12 @@
+use kin::prelude::*;
+
+fn height(body: kin::state::SpatialState) -> f64 {
+    body.r.z
+}
+
+#[constraint]
+fn held(i: Planar, level: f64) -> f64 {
+    height(i) - level
+}
+
+fn main() {}
