@@ -57,7 +57,7 @@ fn refused(originals: &[Attributed], streams: usize) -> usize {
 }
 
 /// The functions of the language's tests that are compiled twice.
-fn bodies() -> Vec<Attributed> {
+pub fn bodies() -> Vec<Attributed> {
     let files = ["../tests/language", "../tests/language/corpus"].into_iter().flat_map(rust_files);
     let mut all = Vec::new();
     for (name, path) in files.filter(|(name, _)| name != "twice") {
@@ -95,7 +95,7 @@ fn originals() -> Vec<Attributed> {
 }
 
 /// The same tokens with one change somewhere among them.
-fn mangled(tokens: &TokenStream, random: &mut SplitMix) -> TokenStream {
+pub fn mangled(tokens: &TokenStream, random: &mut SplitMix) -> TokenStream {
     let place = random.below(count(tokens));
     let other = nth(tokens, &mut random.below(count(tokens)));
     changed(tokens.clone(), &mut { place }, &mut |all, k| match random.below(4) {

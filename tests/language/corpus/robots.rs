@@ -176,3 +176,28 @@ twice! { Symbolic distortion_of_a_camera(coord coord (-0.2) (0.03)): fn f(x: Coo
     let r2 = p.dot(p);
     p * (1.0 + r2 * (k1 + r2 * k2)) - vec2(0.3, 0.4)
 } }
+
+// Long enough that C_q is cheaper from each row inwards than column by column.
+twice! { Symbolic six_revolute_joints_by_loops(
+    coords ([[0.3, 0.1, 1.5], [0.5, 0.0, 0.2], [0.1, 0.4, -1.5], [0.0, 0.3, 1.2], [0.2, -0.1, -0.7], [0.1, 0.2, 0.4]])
+    (vec3(0.3, 0.2, 0.1))
+): fn f(q: [Coord; 6], links: [[f64; 3]; 6], target: Vec3) -> Vec3 {
+    let mut turn = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let mut tip = -target;
+    for (angle, [a, d, alpha]) in q.into_iter().zip(links) {
+        let ((s, c), (sa, ca)) = (angle.sin_cos(), alpha.sin_cos());
+        let step = [[c, -s * ca, s * sa], [s, c * ca, -c * sa], [0.0, sa, ca]];
+        let arm = [a * c, a * s, d];
+        let mut next = [[0.0; 3]; 3];
+        for i in 0..3 {
+            for j in 0..3 {
+                tip[i] += turn[i][j] * arm[j];
+                for k in 0..3 {
+                    next[i][j] += turn[i][k] * step[k][j];
+                }
+            }
+        }
+        turn = next;
+    }
+    tip
+} }
