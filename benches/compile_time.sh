@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Compile time of a crate of 50 constraints (25 planar prismatic, 25 spatial cylindrical), and of one that holds the library's own joints, each
-# on top of its dependencies: seconds of `cargo check` and of `cargo build --release`, five runs each.
+# Compile time of a crate of 50 constraints (25 planar prismatic, 25 spatial cylindrical), and of one that
+# holds the library's own joints, each on top of its dependencies: seconds of `cargo check` and of
+# `cargo build --release`, five runs each. An argument names another checkout, to compare with it.
 set -euo pipefail
-root="$(cd "$(dirname "$0")/.." && pwd)"
+root="$(cd "${1:-$(dirname "$0")/..}" && pwd)"
 crate="$root/target/compile_time"
 mkdir -p "$crate/src"
 cat > "$crate/Cargo.toml" <<END
@@ -52,6 +53,6 @@ measure '50 constraints'
 
 rm -r src && mkdir src
 cp -r "$root"/kin-core/src/joints/{planar,spatial,drivers} src/
-sed -i 's/crate::\(algebra\|coordinates\|law\)/kin::\1/; s/kin_macros::constraint/kin::constraint/; s/super::drivers/crate::drivers/' $(find src -name '*.rs')
+sed -i 's/crate::\(numbers::\|model::\|\)\(algebra\|coordinates\|law\)/kin::\2/; s/kin_macros::constraint/kin::constraint/; s/super::drivers/crate::drivers/' $(find src -name '*.rs')
 echo '#![allow(missing_docs)] pub mod drivers; pub mod planar; pub mod spatial;' > src/lib.rs
 measure 'the library of joints'
