@@ -1,7 +1,7 @@
 //! The derivatives that this stage hands on: all those of the rows that emitted code computes, as nodes of
 //! the same graph.
 
-use kin_graph::differentiate::{Jets, Partial, by_columns};
+use kin_graph::differentiate::{Jets, Partial, by_columns, promise_of_columns};
 use kin_graph::schedule::{fused, operations};
 use kin_graph::{Column, Graph, Input, Node, Op, Part};
 use kin_language::lower::Lowered;
@@ -55,7 +55,7 @@ impl Derivatives {
 fn jacobian(g: &mut Graph, rows: &[Node], arguments: &[Argument]) -> Vec<(usize, usize, Node)> {
     let columns = g.columns(rows);
     let mut entries = column_by_column(g, rows, &columns);
-    if columns.len() > rows.len() && entries.len() >= LARGE {
+    if promise_of_columns(g, rows, &columns) >= MUCH {
         inwards_if_cheaper(g, rows, &columns, &mut entries);
     }
     entries
@@ -64,8 +64,9 @@ fn jacobian(g: &mut Graph, rows: &[Node], arguments: &[Argument]) -> Vec<(usize,
         .collect()
 }
 
-/// Entries of C_q below which nothing is gained by another order.
-const LARGE: usize = 12;
+/// A promise below which another order gained nothing where it was tried; to try takes longer than all other
+/// derivatives.
+const MUCH: usize = 200;
 
 /// Takes each row's derivatives from the row inwards, if that has the same structure and saves a quarter of
 /// the operations of C and C_q: column by column a long chain is gone through once for each column.

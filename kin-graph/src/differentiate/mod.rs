@@ -13,7 +13,7 @@ mod tests;
 
 use crate::Node;
 
-pub use adjoint::by_columns;
+pub use adjoint::{by_columns, promise_of_columns};
 pub use jets::Jets;
 pub use partial::Partial;
 

@@ -81,26 +81,24 @@ impl Graph {
         self.reachable_from(outputs, |_| false)
     }
 
-    /// The same where the operands of `known` nodes are not needed.
+    /// The same where the operands of `known` nodes are not needed. One pass backwards sees each node after
+    /// all of its users.
     pub fn reachable_from(&self, outputs: &[Node], known: impl Fn(Node) -> bool) -> Vec<Node> {
-        self.reachable_by(outputs, |node, open| {
-            if !known(node) {
-                self.each_operand(node, |operand| open.push(operand));
-            }
-        })
-    }
-
-    /// `outputs`, and what is reached from there when `step` pushes the nodes behind one, in order of
-    /// creation.
-    pub(crate) fn reachable_by(&self, outputs: &[Node], step: impl Fn(Node, &mut Vec<Node>)) -> Vec<Node> {
-        let mut seen = vec![false; self.ops.len()];
-        let mut open: Vec<Node> = outputs.to_vec();
-        while let Some(node) = open.pop() {
-            if !std::mem::replace(&mut seen[node.0 as usize], true) {
-                step(node, &mut open);
+        let last = outputs.iter().max().map_or(0, |last| last.index() + 1);
+        let mut needed = vec![false; last];
+        outputs.iter().for_each(|output| needed[output.index()] = true);
+        let mut found = Vec::new();
+        for k in (0..last).rev() {
+            if needed[k] {
+                let node = Node(k as u32);
+                found.push(node);
+                if !known(node) {
+                    self.each_operand(node, |operand| needed[operand.index()] = true);
+                }
             }
         }
-        (0..self.ops.len()).filter(|&k| seen[k]).map(|k| Node(k as u32)).collect()
+        found.reverse();
+        found
     }
 }
 

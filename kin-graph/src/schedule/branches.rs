@@ -76,11 +76,23 @@ impl Branches {
     /// Every node that has to be computed for `outputs` outside the branches of their choices, and the
     /// `given` nodes that these read, in order of creation.
     pub(super) fn reachable(&self, g: &Graph, outputs: &[Node], given: impl Fn(Node) -> bool) -> Vec<Node> {
-        g.reachable_by(outputs, |node, open| {
-            if !given(node) {
-                self.each_operand(g, node, |operand| open.push(operand));
+        if self.choices.is_empty() {
+            return g.reachable_from(outputs, given);
+        }
+        // A choice may read nodes that were created after one of its selections.
+        let mut seen = vec![false; g.len()];
+        let mut open: Vec<Node> = outputs.to_vec();
+        let mut found = Vec::new();
+        while let Some(node) = open.pop() {
+            if !std::mem::replace(&mut seen[node.index()], true) {
+                found.push(node);
+                if !given(node) {
+                    self.each_operand(g, node, |operand| open.push(operand));
+                }
             }
-        })
+        }
+        found.sort_unstable();
+        found
     }
 
     /// Shows what has to be known before a node is computed: its operands, of a choice its condition and what
