@@ -22,11 +22,6 @@ use serde_json::Value;
 const HIDDEN: [&str; 8] =
     ["__", "emitted", "Foreign", "panicked", "proc-macro", "proc macro", "compiler error", "Returned"];
 
-/// Bodies with structs of their own over f64 that some changes send to dual numbers: rustc then speaks of the
-/// dual copy's numbers, [`DUAL`]. These messages have still to be written.
-const OPEN: [&str; 2] = ["matrix_with_indices", "units_as_newtypes"];
-const DUAL: &str = "Real<__D>";
-
 /// How rustc calls a type that a body declares: it is declared in each of several copies of the body.
 const COPY: &str = "__WRITTEN::{closure#0}::";
 
@@ -113,9 +108,7 @@ fn fault(name: &str, error: &Value) -> Option<String> {
     let place = spans.iter().find(misplaced);
     let labels = spans.iter().filter_map(|span| span["label"].as_str());
     let mut texts = std::iter::once(message).chain(labels).map(|text| text.replace(COPY, ""));
-    let is_open = OPEN.iter().any(|open| name.ends_with(open));
-    let is_hidden = |text: &String| HIDDEN.iter().any(|hidden| text.contains(hidden));
-    let hidden = texts.find(|text| is_hidden(text) && !(is_open && text.contains(DUAL)));
+    let hidden = texts.find(|text| HIDDEN.iter().any(|hidden| text.contains(hidden)));
     let what = match (place, hidden) {
         (_, Some(text)) => format!("speaks of what the user did not write: {text}"),
         (Some(_), _) => "is not at a token of the body".to_owned(),

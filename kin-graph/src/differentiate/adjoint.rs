@@ -119,8 +119,8 @@ mod tests {
 
     use super::super::Partial;
     use super::*;
-    use crate::testing::{SplitMix, value};
     use crate::Function;
+    use crate::testing::{SplitMix, value};
 
     /// Coordinates and sine of some angles, and a row of sums and products of them.
     fn row(random: &mut SplitMix) -> (Graph, Node, HashMap<Input, f64>) {

@@ -2,7 +2,7 @@
 
 mod handed;
 
-use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream};
+use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
 
@@ -34,6 +34,21 @@ pub fn place(template: &Template) -> TokenStream {
 /// `__self`.
 pub fn check(template: &Template) -> TokenStream {
     Writer::new(&mut |_| quote!(()), Site::Check).lowered(template)
+}
+
+/// The code at a place of the user's, where rustc says what is wrong with it; its names stay the macro's.
+fn located(tokens: TokenStream, at: Span) -> TokenStream {
+    let moved = |token: TokenTree| {
+        let mut token = match token {
+            TokenTree::Group(group) => {
+                TokenTree::Group(Group::new(group.delimiter(), located(group.stream(), at)))
+            }
+            other => other,
+        };
+        token.set_span(token.span().located_at(at));
+        token
+    };
+    tokens.into_iter().map(moved).collect()
 }
 
 /// True if the value may come out of a function of the user's, which may give `Real<f64>`.
@@ -222,6 +237,7 @@ impl<'a> Writer<'a> {
     /// Values of the graph, converted where the user's function may ask for another kind of number.
     fn numbers(&mut self, nodes: &[Node], shape: &Shape, at: Span, using: Use) -> TokenStream {
         let built = self.built(nodes, shape);
+        let built = if matches!(using, Use::Argument | Use::Field) { located(built, at) } else { built };
         match (using, self.site) {
             (Use::Place, _) => quote!((#built)),
             (Use::Value, _) => built,

@@ -89,19 +89,6 @@ impl<T> IntoJet<T> for T {
 /// it gives for granted and speak of mismatched types instead of the message above.
 pub struct Nothing;
 
-macro_rules! never_alone {
-    ($($kind:ty),*) => {$(
-        #[diagnostic::do_not_recommend]
-        impl<D: Dual> IntoJet<Nothing> for $kind {
-            fn into_jet(self) -> Nothing {
-                Nothing
-            }
-        }
-    )*};
-}
-
-never_alone!(Real<D>, Vec2<Real<D>>, Vec3<Real<D>>, Mat2<Real<D>>, Mat3<Real<D>>, EulerParameters<Real<D>>);
-
 type Scalar<T> = T;
 type Pair<T> = (T, T);
 type Triple<T> = (T, T, T);
@@ -139,6 +126,13 @@ macro_rules! conversions {
         impl<D: Dual, $($(const $n: usize),*)?> IntoConstant<$kind<Real<D>, $($($n),*)?>> for $kind<f64, $($($n),*)?> {
             fn into_constant(self) -> $kind<Real<D>, $($($n),*)?> {
                 self.lift()
+            }
+        }
+
+        #[diagnostic::do_not_recommend]
+        impl<D: Dual, $($(const $n: usize),*)?> IntoJet<Nothing> for $kind<Real<D>, $($($n),*)?> {
+            fn into_jet(self) -> Nothing {
+                Nothing
             }
         }
 
@@ -282,3 +276,27 @@ where
 {
     (plain, lifted).into_reference()
 }
+
+/// `place += x` of an f64 in a struct of the user's. No value that carries derivatives is [`IntoField<f64>`],
+/// so that the message is the one of a field; without these, rustc would speak of operators.
+macro_rules! no_place_in_f64 {
+    ($($operator:ident :: $method:ident),*) => {$(
+        #[doc(hidden)]
+        impl<D: Dual> std::ops::$operator<Real<D>> for f64
+        where
+            Real<D>: IntoField<f64>,
+        {
+            fn $method(&mut self, other: Real<D>) {
+                std::ops::$operator::$method(self, other.into_field());
+            }
+        }
+    )*};
+}
+
+no_place_in_f64!(
+    AddAssign::add_assign,
+    SubAssign::sub_assign,
+    MulAssign::mul_assign,
+    DivAssign::div_assign,
+    RemAssign::rem_assign
+);

@@ -3,8 +3,12 @@
 use std::collections::HashMap;
 use std::rc::Rc;
 
+use syn::spanned::Spanned;
 use syn::visit_mut::VisitMut;
-use syn::{Attribute, Expr, Fields, FnArg, ImplItem, Item, ItemFn, ItemImpl, TraitItem, Type, parse_quote};
+use syn::{
+    Attribute, Expr, Fields, FnArg, ImplItem, Item, ItemFn, ItemImpl, TraitItem, Type, parse_quote,
+    parse_quote_spanned,
+};
 
 use crate::lower::generic::Substitution;
 use crate::lower::method::takes_itself;
@@ -241,9 +245,9 @@ fn whole(sig: &syn::Signature, block: &syn::Block) -> ItemFn {
     parse_quote!(#sig #block)
 }
 
-/// `const PITCH: f64 = 1.25;` as `fn PITCH() -> f64 { 1.25 }`
+/// `const PITCH: f64 = 1.25;` as `fn PITCH() -> f64 { 1.25 }`, at the place of the value.
 fn constant_function(name: &syn::Ident, ty: &Type, value: &Expr) -> ItemFn {
-    parse_quote!(fn #name() -> #ty { #value })
+    parse_quote_spanned!(value.span()=> fn #name() -> #ty { #value })
 }
 
 /// The names in `#[derive(…)]`.

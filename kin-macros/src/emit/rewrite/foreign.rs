@@ -334,15 +334,27 @@ impl Rewriter {
         };
     }
 
+    /// True for a field or an element of what only rustc knows.
+    pub fn is_part_of_foreign(&self, place: &Expr) -> bool {
+        matches!(place, Expr::Field(_) | Expr::Index(_)) && self.is_foreign(place)
+    }
+
+    /// A value that is put into a place of the user's struct.
+    pub fn put(&mut self, value: &mut Expr) {
+        match self.copy {
+            Copy::Plain => self.visit_expr_mut(value),
+            Copy::Dual => self.handed(value, Place::Field),
+        }
+    }
+
     /// A struct of the user's is given its numbers like a function.
     pub fn struct_literal(&mut self, literal: &mut syn::ExprStruct) {
         let kin = is_kin_type(&literal.path);
         for field in &mut literal.fields {
             field.colon_token.get_or_insert_with(Default::default);
             match kin {
-                _ if self.copy == Copy::Plain => self.visit_expr_mut(&mut field.expr),
                 true => self.visit_expr_mut(&mut field.expr),
-                false => self.handed(&mut field.expr, Place::Field),
+                false => self.put(&mut field.expr),
             }
         }
         if let Some(rest) = &mut literal.rest {

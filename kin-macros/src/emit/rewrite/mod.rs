@@ -245,6 +245,10 @@ impl Rewriter {
             Expr::Call(_) => self.call(expression),
             Expr::Struct(literal) => self.struct_literal(literal),
             Expr::Reference(reference) if reference.mutability.is_some() => self.place(&mut reference.expr),
+            Expr::Assign(assign) if self.is_part_of_foreign(&assign.left) => {
+                self.assign_to(&mut assign.left, &assign.right);
+                self.put(&mut assign.right);
+            }
             Expr::Assign(assign) => self.assignment(&mut assign.left, &mut assign.right),
             Expr::Binary(binary) if is_compound(&binary.op) => {
                 self.assignment(&mut binary.left, &mut binary.right)
@@ -308,10 +312,14 @@ impl Rewriter {
 
     /// `place = value` and `place += value`
     fn assignment(&mut self, place: &mut Expr, value: &mut Expr) {
+        self.assign_to(place, value);
+        self.visit_expr_mut(value);
+    }
+
+    fn assign_to(&mut self, place: &mut Expr, value: &Expr) {
         let nature = self.nature(value);
         self.feed(place, nature);
         self.place(place);
-        self.visit_expr_mut(value);
     }
 
     /// The variables of a place may hold something of this nature from now on.

@@ -51,7 +51,7 @@ impl Rewriter {
             Expr::Reference(inner) => self.is_foreign(&inner.expr),
             Expr::Unary(unary) => matches!(unary.op, UnOp::Deref(_)) && self.is_foreign(&unary.expr),
             Expr::Try(inner) => self.is_foreign(&inner.expr),
-            Expr::Field(field) => self.is_foreign(&field.base),
+            Expr::Field(field) => self.is_foreign(&field.base) || self.is_made_of_foreign(&field.base),
             Expr::Index(index) => self.is_foreign(&index.expr),
             Expr::MethodCall(call) => {
                 !is_number_method(&call.method.to_string())
@@ -72,6 +72,18 @@ impl Rewriter {
             Expr::Match(branch) => branch.arms.iter().any(|arm| self.is_foreign(&arm.body)),
             Expr::Macro(call) => super::macros::elements(&call.mac)
                 .is_some_and(|all| all.iter().any(|part| self.is_foreign(part))),
+            _ => false,
+        }
+    }
+
+    /// True of operators between values of the user's types: numbers have no fields.
+    fn is_made_of_foreign(&self, base: &Expr) -> bool {
+        match base {
+            Expr::Paren(inner) => self.is_made_of_foreign(&inner.expr),
+            Expr::Binary(binary) => [&binary.left, &binary.right]
+                .into_iter()
+                .any(|operand| self.is_foreign(operand) || self.is_made_of_foreign(operand)),
+            Expr::Unary(unary) => self.is_foreign(&unary.expr),
             _ => false,
         }
     }
