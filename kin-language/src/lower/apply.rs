@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use quote::ToTokens;
+use quote::{ToTokens, quote};
 use syn::visit::Visit;
 use syn::{Expr, FnArg, ItemFn, ReturnType};
 
@@ -29,7 +29,9 @@ impl Reader {
                 }
             }
         }
-        Ok(Value::Function(Function::Closure(Rc::new(Closure { inputs, output, body, scopes }))))
+        let (open, arguments, close) = (&closure.or1_token, &closure.inputs, &closure.or2_token);
+        let head = quote!(#open #arguments #close);
+        Ok(Value::Function(Function::Closure(Rc::new(Closure { head, inputs, output, body, scopes }))))
     }
 
     /// A value as a function, where it may be one.
@@ -54,7 +56,11 @@ impl Reader {
             return Err(Unreadable::new(at, "a recursion this deep"));
         }
         let value = match function {
-            Function::Closure(closure) => self.apply_closure(closure, arguments, at),
+            Function::Closure(closure) => {
+                // What a method hands to it stands nowhere: its own arguments are the place then.
+                let is_handed = places.len() != arguments.len();
+                self.apply_closure(closure, arguments, if is_handed { &closure.head } else { at })
+            }
             Function::Inner(item, depth) => self.apply_inner(item, *depth, (arguments, places), None, at),
             Function::Path(path) => self.call_path(path, arguments, places, at),
         };

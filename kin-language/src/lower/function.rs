@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use proc_macro2::TokenStream;
 use syn::{Expr, ItemFn, Pat, ReturnType};
 
 use super::scope::Scopes;
@@ -18,6 +19,8 @@ pub enum Function {
 
 /// A closure with the variables that it sees.
 pub struct Closure {
+    /// Its arguments with the bars around them, for messages.
+    pub head: TokenStream,
     pub inputs: Vec<Pat>,
     pub output: ReturnType,
     pub body: Expr,
