@@ -4,6 +4,7 @@
 #![forbid(unsafe_code)]
 
 pub mod error;
+pub mod formula;
 pub mod limits;
 pub mod lower;
 pub mod parse;

@@ -4,7 +4,6 @@
 //! The stages, in the order data moves: `parse` → `lower` (over `graph`) → `differentiate` → `emit`.
 #![forbid(unsafe_code)]
 
-mod derivatives;
 mod emit;
 mod expand;
 #[cfg(test)]

@@ -2,6 +2,7 @@
 //! they have in common.
 
 mod adjoint;
+mod derivatives;
 mod jets;
 mod moves;
 mod partial;
@@ -13,7 +14,8 @@ mod tests;
 
 use crate::Node;
 
-pub use adjoint::{by_columns, promise_of_columns};
+use adjoint::{by_columns, promise_of_columns};
+pub use derivatives::{Derivatives, Promises};
 pub use jets::Jets;
 pub use partial::Partial;
 

@@ -2,22 +2,21 @@
 //! table, on the dual route a list of the body's expressions. Data, but for what only the user's program can
 //! compute: they cost next to nothing to compile and nothing to run.
 
-use std::collections::HashMap;
-
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::kernel::Kernel;
 use super::{own, template};
-use crate::derivatives::local_column;
-use kin_graph::{Column, Formula, Function, Input, LeafUse, Node, Op, Part};
+use kin_graph::{Node, Op};
+use kin_language::formula::{Outside, Written};
 use kin_language::lower::place::Expression;
 use kin_language::lower::{Lowered, OpaqueKind};
-use kin_language::parse::{Argument, Kind};
+use kin_language::parse::Argument;
 
 /// `table` and `outside` of the symbolic route, which `blame` stands on, the jerk, and proofs.
 pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
-    let Written { table, values, outside } = Written::of(arguments, lowered);
+    let found = Table::of(arguments, lowered);
+    let (table, values, outside) = (found.table(), found.values(), found.outside());
     let [number, x, to] = outside_names();
     let outside = outside.map(|outside| {
         quote! {
@@ -39,7 +38,8 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
 
 /// `over` of a law: its steps, its variable being column 0.
 pub fn law(parameters: &[Argument], lowered: &Lowered) -> TokenStream {
-    let Written { table, values, outside } = Written::of(parameters, lowered);
+    let found = Table::of(parameters, lowered);
+    let (table, values, outside) = (found.table(), found.values(), found.outside());
     let [number, x, to] = outside_names();
     let (count, laws) = (literal(lowered.laws.len()), lowered.laws.iter().map(template::place));
     let outside = outside.map_or_else(
@@ -61,50 +61,16 @@ pub fn law(parameters: &[Argument], lowered: &Lowered) -> TokenStream {
 }
 
 /// The table of an equation, the values of its parameters, and what computes what the table cannot.
-struct Written {
-    table: TokenStream,
-    values: TokenStream,
-    /// By its number, from `x` into `to`; nothing where there is nothing of the kind.
-    outside: Option<TokenStream>,
+struct Table<'a> {
+    arguments: &'a [Argument],
+    written: Written<'a>,
+    /// True if the functions of its leaves are emitted under the numbers that they have here.
+    has_leaves: bool,
 }
 
 /// The number of a value that is asked for, its inputs, and the place that it goes to.
 fn outside_names() -> [Ident; 3] {
     ["number", "x", "to"].map(own)
-}
-
-impl Written {
-    /// The equation as it was written, if it could be read so.
-    fn of(arguments: &[Argument], folded: &Lowered) -> Self {
-        let lowered = folded.as_written.as_deref().unwrap_or(folded);
-        let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
-        let has_leaves = lowered.leaves.len() == folded.leaves.len();
-        let mut formula = Formula::default();
-        formula.is_rounded = lowered.graph.is_rounded() && !lowered.graph.keeps_constants();
-        let mut table = Table {
-            arguments,
-            lowered,
-            has_leaves,
-            formula,
-            nodes: HashMap::new(),
-            parameters: vec![],
-            outside: vec![],
-        };
-        for node in lowered.graph.reachable(&rows) {
-            let same = table.node(node);
-            table.nodes.insert(node, same);
-        }
-        table.formula.rows = rows.iter().map(|&row| table.of(row)).collect();
-        table.formula.parameters =
-            table.parameters.iter().map(|&k| parameter_name(&lowered.parameters[k], arguments)).collect();
-        let text = readable(&table.formula.to_string());
-        let values = table.parameters.iter().map(|&k| &lowered.parameters[k]);
-        Written {
-            table: quote!(::kin::emitted::graph::Table::new(::core::file!(), #text)),
-            values: quote!([#(#values),*]),
-            outside: table.outside(),
-        }
-    }
 }
 
 /// `blame` of the dual route.
@@ -129,118 +95,39 @@ fn listed<'a>(expressions: impl Iterator<Item = &'a Expression>) -> Vec<TokenStr
         .collect()
 }
 
-/// The name of a parameter in `set_parameter`.
-fn parameter_name(path: &TokenStream, arguments: &[Argument]) -> String {
-    let text = path.to_string().replace(' ', "");
-    let name = text.trim_start_matches("self.").replace("r#", "");
-    let is_axis = |argument: &Argument| {
-        argument.kind == Kind::Axis && name.starts_with(&format!("{}.h.", argument.name))
-    };
-    if arguments.iter().any(is_axis) { name.replacen(".h.", ".", 1) } else { name }
-}
-
-/// A value that only the user's program can compute.
-#[derive(Clone, Copy, PartialEq)]
-enum Outside {
-    Law(usize),
-    Opaque(usize),
-    Leaf(usize),
-}
-
-/// The formula of the rows while it is being made.
-struct Table<'a> {
-    arguments: &'a [Argument],
-    lowered: &'a Lowered,
-    /// True if the functions of its leaves are emitted under the numbers that they have here.
-    has_leaves: bool,
-    formula: Formula,
-    /// The node of the formula that each node of the rows is.
-    nodes: HashMap<Node, Node>,
-    /// Numbers of the parameters that are in it.
-    parameters: Vec<usize>,
-    outside: Vec<Outside>,
-}
-
-impl Table<'_> {
-    /// The formula's node of one that has been put there.
-    fn of(&self, node: Node) -> Node {
-        self.nodes.get(&node).copied().unwrap_or_default()
+impl<'a> Table<'a> {
+    fn of(arguments: &'a [Argument], folded: &'a Lowered) -> Self {
+        let written = Written::of(arguments, folded);
+        let has_leaves = written.lowered.leaves.len() == folded.leaves.len();
+        Table { arguments, written, has_leaves }
     }
 
-    /// Puts a node into the formula, whose operands are there.
-    fn node(&mut self, node: Node) -> Node {
-        let graph = &self.lowered.graph;
-        let op = match graph.op(node) {
-            Op::Input(input) => self.input(node, input),
-            Op::Law(law, x, order) => Op::Law(place(&mut self.outside, Outside::Law(law)), self.of(x), order),
-            Op::Opaque(number, component) => return self.foreign(node, Outside::Opaque(number), component),
-            Op::Leaf(LeafUse { leaf, output, .. }) => return self.foreign(node, Outside::Leaf(leaf), output),
-            Op::Decimal(k) => {
-                let decimal = &graph.decimals[k];
-                let expression = self.expression(node);
-                return self.formula.push_decimal(decimal.nearest, decimal.above, expression);
-            }
-            op => op.with_operands(|operand| self.of(operand)),
-        };
-        let expression = self.expression(node);
-        self.formula.push(op, expression)
+    /// The formula as text.
+    fn table(&self) -> TokenStream {
+        let text = readable(&self.written.formula.to_string());
+        quote!(::kin::emitted::graph::Table::new(::core::file!(), #text))
     }
 
-    fn foreign(&mut self, node: Node, what: Outside, component: usize) -> Node {
-        let number = place(&mut self.outside, what);
-        let operands =
-            self.lowered.graph.operands(node).into_iter().map(|operand| self.of(operand)).collect();
-        let expression = self.expression(node);
-        self.formula.push_opaque(number, component, operands, expression)
-    }
-
-    fn input(&mut self, node: Node, input: Input) -> Op {
-        let not_of_a_formula = Op::Constant(f64::NAN.to_bits());
-        match input {
-            Input::Parameter(k) => Op::Input(Input::Parameter(place(&mut self.parameters, k))),
-            Input::State(argument, part) => {
-                let function = match part {
-                    Part::Sin => Some(Function::Sin),
-                    Part::Cos => Some(Function::Cos),
-                    _ => None,
-                };
-                let coordinate = if function.is_some() { Part::Theta } else { part };
-                let column = Op::Input(Input::Column(local_column(
-                    self.arguments,
-                    Column { argument, part: coordinate },
-                )));
-                let Some(function) = function else { return column };
-                let expression = self.expression(node);
-                Op::Call(function, self.formula.push(column, expression))
-            }
-            Input::Time | Input::Column(_) => Op::Input(input),
-            Input::Rate(..) | Input::TimeRate | Input::Timed(_) => not_of_a_formula,
-        }
-    }
-
-    /// The number in the formula of the expression that a node is of.
-    fn expression(&mut self, node: Node) -> Option<usize> {
-        let Expression { text, line, column } =
-            &self.lowered.expressions.all[self.lowered.expressions.of(node)?];
-        let expression =
-            kin_graph::Expression { text: text.clone(), line: *line as u32, column: *column as u32 };
-        Some(place(&mut self.formula.expressions, expression))
+    /// The values of the parameters.
+    fn values(&self) -> TokenStream {
+        let values = self.written.parameters.iter().map(|&k| &self.written.lowered.parameters[k]);
+        quote!([#(#values),*])
     }
 
     /// The function that computes what the table cannot.
     fn outside(&self) -> Option<TokenStream> {
         let [number, x, to] = outside_names();
-        let cases = self.outside.iter().enumerate().map(|(k, what)| {
+        let cases = self.written.outside.iter().enumerate().map(|(k, what)| {
             let (k, code) = (literal(k), self.computed(*what, &x, &to));
             quote!(#k => { #code })
         });
-        (!self.outside.is_empty()).then(|| quote!(match #number { #(#cases)* _ => {} }))
+        (!self.written.outside.is_empty()).then(|| quote!(match #number { #(#cases)* _ => {} }))
     }
 
     fn computed(&self, what: Outside, x: &Ident, to: &Ident) -> TokenStream {
         match what {
             Outside::Law(law) => {
-                let law = template::place(&self.lowered.laws[law]);
+                let law = template::place(&self.written.lowered.laws[law]);
                 quote!(::kin::emitted::graph::give_law(&#law, #x, #to))
             }
             Outside::Opaque(number) => self.opaque(number, x, to),
@@ -249,8 +136,8 @@ impl Table<'_> {
     }
 
     fn opaque(&self, number: usize, x: &Ident, to: &Ident) -> TokenStream {
-        let graph = &self.lowered.graph;
-        let count = match &self.lowered.opaques[number].kind {
+        let graph = &self.written.lowered.graph;
+        let count = match &self.written.lowered.opaques[number].kind {
             OpaqueKind::Numbers(shape) => shape.count(),
             OpaqueKind::Condition => 1,
         };
@@ -258,14 +145,14 @@ impl Table<'_> {
             let k = literal(k);
             (
                 node,
-                if super::kernel::is_condition(self.lowered, node) {
+                if super::kernel::is_condition(self.written.lowered, node) {
                     quote!((#x[#k].re != 0.0))
                 } else {
                     quote!(#x[#k].re)
                 },
             )
         });
-        let kernel = Kernel::from_given(self.lowered, self.arguments, given.collect());
+        let kernel = Kernel::from_given(self.written.lowered, self.arguments, given.collect());
         let found: Vec<Option<Node>> = (0..count).map(|k| graph.existing(Op::Opaque(number, k))).collect();
         let (code, values) = kernel.values(&found.iter().copied().flatten().collect::<Vec<Node>>());
         let (code, mut values) = (code.tokens, values.into_iter());
@@ -277,9 +164,9 @@ impl Table<'_> {
     }
 
     fn leaf(&self, leaf: usize, x: &Ident, to: &Ident) -> TokenStream {
-        let leaf = &self.lowered.graph.leaves[leaf];
+        let leaf = &self.written.lowered.graph.leaves[leaf];
         let (function, value) = (template::leaf_name(leaf.call), own("value"));
-        let kind = &self.lowered.leaves[leaf.call].kind;
+        let kind = &self.written.lowered.leaves[leaf.call].kind;
         let OpaqueKind::Numbers(shape) = kind else { return quote!() };
         if !self.has_leaves {
             return quote!();
@@ -292,14 +179,6 @@ impl Table<'_> {
             #(#to.push(#results.0);)*
         }
     }
-}
-
-/// The place of an item in a list, which it is put into if it is not there.
-fn place<T: PartialEq>(list: &mut Vec<T>, item: T) -> usize {
-    list.iter().position(|known| *known == item).unwrap_or_else(|| {
-        list.push(item);
-        list.len() - 1
-    })
 }
 
 /// A text over several lines as it stands, so that it can be read in the expansion.

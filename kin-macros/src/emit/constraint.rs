@@ -12,7 +12,9 @@ use super::{
     attachments, blame, demands, described, editor, facts, functions, measures, rewrite, template, unlinted,
     written,
 };
-use crate::derivatives::Derivatives;
+use kin_graph::Node;
+use kin_graph::differentiate::Derivatives;
+use kin_language::formula::local_column;
 use kin_language::lower::{Lowered, names_as_written};
 use kin_language::parse::{Argument, ConstraintFn, Kind};
 
@@ -40,16 +42,17 @@ enum Dual {
 
 /// The constraint on the symbolic route.
 pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
-    let derived = Derivatives::new(&mut lowered, &source.arguments);
+    let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
+    let local = |column| local_column(&source.arguments, column);
+    let derived = Derivatives::new(&mut lowered.graph, &rows, local);
     let row_names = lowered.rows.iter().map(|row| row.name.clone()).collect();
     let pattern = derived.jacobian.iter().map(|(row, column, _)| (*row, *column)).collect();
-    let trig = derived.trig(&lowered);
+    let trig = derived.trig(&lowered.graph, &rows);
     let parts = functions::symbolic(&source.arguments, &mut lowered, &derived);
     let lanes = source.lanes.then(|| lanes::lanes(&source.name, &source.arguments, &mut lowered, &derived));
     let dual = if rewrite::is_sure(&source.body, &source.arguments) {
         Dual::Body(rewrite::dual(&source.body, &source.arguments))
     } else {
-        let rows: Vec<kin_graph::Node> = lowered.rows.iter().map(|row| row.node).collect();
         let (code, rows) = Kernel::over_duals(&lowered, &source.arguments).values(&rows);
         Dual::Graph(code.tokens, rows)
     };

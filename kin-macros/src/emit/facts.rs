@@ -5,8 +5,7 @@ use quote::quote;
 
 use super::kernel::number;
 use super::measures;
-use crate::derivatives::Derivatives;
-use kin_graph::{Graph, Node};
+use kin_graph::differentiate::Promises;
 use kin_language::parse::{ConstraintFn, Kind};
 
 /// All facts, those of its route among them.
@@ -37,39 +36,23 @@ pub fn facts(
     }
 }
 
-/// The promises of the graph about the terms: `constants` and `dependence`.
-pub fn promises(g: &Graph, rows: &[Node], derived: &Derivatives, linear: bool) -> TokenStream {
-    let (constants, dependence) = (constants(g, derived), dependence(g, rows, derived, linear));
-    quote!(#constants #dependence)
-}
-
-/// `constants` of `Facts`: the entries of C_q that are numbers for good; nothing where there are none.
-fn constants(g: &Graph, derived: &Derivatives) -> TokenStream {
-    let known: Vec<Option<f64>> =
-        derived.jacobian.iter().map(|entry| g.constant_value(entry.2).filter(|c| c.is_finite())).collect();
-    if known.iter().all(Option::is_none) {
-        return quote!();
-    }
-    let known = known.into_iter().map(|constant| match constant {
-        Some(constant) => {
-            let constant = number(constant);
-            quote!(::core::option::Option::Some(#constant))
-        }
-        None => quote!(::core::option::Option::None),
+/// The promises of the graph about the terms: `constants`, where there are any, and `dependence`.
+pub fn promises(known: &Promises) -> TokenStream {
+    let Promises { c_on_t, c_q_on_t, c_t, q_d, curved, constants } = known;
+    let constants = constants.iter().any(Option::is_some).then(|| {
+        let constants = constants.iter().map(|constant| match *constant {
+            Some(constant) => {
+                let constant = number(constant);
+                quote!(::core::option::Option::Some(#constant))
+            }
+            None => quote!(::core::option::Option::None),
+        });
+        quote!(constants: &[#(#constants),*],)
     });
-    quote!(constants: &[#(#known),*],)
-}
-
-/// `dependence` of `Facts`: the terms that can change with t or be other than zero.
-fn dependence(g: &Graph, rows: &[Node], derived: &Derivatives, linear: bool) -> TokenStream {
-    let on_t = |n: &Node| g.depends(*n).on_t;
-    let (c, c_q) = (rows.iter().any(on_t), derived.jacobian.iter().any(|entry| on_t(&entry.2)));
-    let [c_t, q_d] =
-        [&derived.velocity_rhs, &derived.acceleration_rhs].map(|side| side.iter().any(|&n| !g.is_zero(n)));
-    let curved = !linear;
     quote! {
+        #constants
         dependence: ::kin::emitted::Dependence {
-            c_on_t: #c, c_q_on_t: #c_q, c_t: #c_t, q_d: #q_d, curved: #curved
+            c_on_t: #c_on_t, c_q_on_t: #c_q_on_t, c_t: #c_t, q_d: #q_d, curved: #curved
         },
     }
 }

@@ -6,8 +6,8 @@ use quote::quote;
 use super::facts;
 use super::kernel::{Code, Kernel};
 use super::timed::{self, Timed};
-use crate::derivatives::Derivatives;
-use kin_graph::{Graph, Node, Op};
+use kin_graph::differentiate::Derivatives;
+use kin_graph::{Node, Op};
 use kin_language::lower::Lowered;
 use kin_language::parse::Argument;
 
@@ -32,7 +32,7 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
     let (to_rhs, rhs) = outputs("rhs", quote!(rhs.first_chunk_mut()), &derived.velocity_rhs, |_| true);
     let (to_q_d, q_d) = outputs("q_d", quote!(q_d.first_chunk_mut()), &derived.acceleration_rhs, |_| true);
     let all: Vec<Node> = both.iter().chain(&rhs).chain(&q_d).map(|output| output.1).collect();
-    let linear = is_linear(&lowered.graph, &rows, derived);
+    let linear = derived.is_linear(&lowered.graph, &rows);
     let timed = Timed::new(lowered, &all, derived, linear);
     let on_t = rows.iter().any(|row| lowered.graph.depends(*row).on_t);
     let mut kernel = |outputs: &[(Ident, Node)]| Kernel::scheduled(lowered, arguments, &timed, outputs);
@@ -45,7 +45,7 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
     let velocity = (!rhs.is_empty()).then(|| (to_rhs, kernel(&rhs)));
     let velocity = self::velocity(&m, velocity);
     let (at_time, numbers_of_time) = (timed::function(lowered, &timed), timed::facts(&timed));
-    let promises = facts::promises(&lowered.graph, &rows, derived, linear);
+    let promises = facts::promises(&derived.promises(&lowered.graph, &rows));
     let facts = quote!(reason: ::kin::RouteReason::Read, #promises #numbers_of_time);
     let ((linearize_doc, linearize), (right_doc, right_side)) = (linearize, right_side);
     let formulas = quote! {
@@ -85,14 +85,6 @@ pub fn outputs(
         nodes.iter().enumerate().map(|(k, &node)| wanted(node).then(|| (name(k), node))).collect();
     let names = all.iter().map(|output| output.as_ref().map(|(name, _)| name.clone()));
     (super::chunk(names, places), all.into_iter().flatten().collect())
-}
-
-/// True if the rows are linear in the coordinates for good: with a gradient of numbers, and coordinates that
-/// enter by sums and products alone, for steps and kinks have such gradients too.
-fn is_linear(g: &Graph, rows: &[Node], derived: &Derivatives) -> bool {
-    let smooth = |op: Op| matches!(op, Op::Input(_) | Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::Neg(_));
-    derived.jacobian.iter().all(|entry| g.constant_value(entry.2).is_some())
-        && g.reachable(rows).into_iter().all(|node| !g.depends(node).on_q || smooth(g.op(node)))
 }
 
 fn commented(what: &str, code: Code) -> (String, TokenStream) {

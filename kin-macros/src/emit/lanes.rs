@@ -13,7 +13,7 @@ use quote::quote;
 
 use super::kernel::{Evaluations, Kernel, is_condition};
 use super::{functions, own, timed};
-use crate::derivatives::Derivatives;
+use kin_graph::differentiate::Derivatives;
 use kin_graph::schedule;
 use kin_graph::{Graph, Input, LeafNumber, Node, Op};
 use kin_language::lower::Lowered;

@@ -5,7 +5,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::kernel::{Kernel, is_condition};
-use crate::derivatives::Derivatives;
+use kin_graph::differentiate::Derivatives;
 use kin_graph::{Graph, Input, Node, Op, Part};
 use kin_language::lower::Lowered;
 

@@ -7,8 +7,9 @@ use proc_macro2::TokenStream;
 
 use super::attributes::Attributed;
 use super::mangled::{SplitMix, bodies, mangled};
-use crate::derivatives::{Derivatives, local_column};
+use kin_graph::differentiate::Derivatives;
 use kin_graph::{Column, Graph, Input, LeafUse, Node, Part, Source, evaluate};
+use kin_language::formula::local_column;
 use kin_language::{limits, lower, parse};
 
 /// How many bodies are tried.
@@ -115,8 +116,10 @@ fn compared(item: &TokenStream, random: &mut SplitMix) -> Result<usize, String> 
     else {
         return Ok(0);
     };
-    let derived = Derivatives::new(&mut lowered, &source.arguments);
-    let (g, rows) = (&lowered.graph, lowered.rows.iter().map(|row| row.node).collect::<Vec<Node>>());
+    let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
+    let local = |column| local_column(&source.arguments, column);
+    let derived = Derivatives::new(&mut lowered.graph, &rows, local);
+    let g = &lowered.graph;
     let columns = g.columns(&rows);
     let entry = |&(row, local, node): &(usize, usize, Node)| {
         let column = columns.iter().find(|column| local_column(&source.arguments, **column) == local);

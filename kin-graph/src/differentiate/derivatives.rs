@@ -1,11 +1,9 @@
-//! The derivatives that this stage hands on: all those of the rows that emitted code computes, as nodes of
-//! the same graph.
+//! All derivatives of the rows that a constraint is asked for, as nodes of the same graph, and what follows
+//! from them for good.
 
-use kin_graph::differentiate::{Jets, Partial, by_columns, promise_of_columns};
-use kin_graph::schedule::{fused, operations};
-use kin_graph::{Column, Graph, Input, Node, Op, Part};
-use kin_language::lower::Lowered;
-use kin_language::parse::{Argument, Kind};
+use super::{Jets, Partial, by_columns, promise_of_columns};
+use crate::schedule::{fused, operations};
+use crate::{Column, Graph, Input, Node, Op, Part};
 
 /// Every derivative of the rows.
 pub struct Derivatives {
@@ -17,22 +15,33 @@ pub struct Derivatives {
     pub acceleration_rhs: Vec<Node>,
 }
 
+/// The terms that can change with t, be other than zero, or be other than linear, and the entries of C_q that
+/// are numbers for good.
+pub struct Promises {
+    pub c_on_t: bool,
+    pub c_q_on_t: bool,
+    pub c_t: bool,
+    pub q_d: bool,
+    pub curved: bool,
+    /// Those of `jacobian`, in its order.
+    pub constants: Vec<Option<f64>>,
+}
+
 impl Derivatives {
-    pub fn new(lowered: &mut Lowered, arguments: &[Argument]) -> Self {
-        let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
-        let g = &mut lowered.graph;
-        let jacobian = jacobian(g, &rows, arguments);
+    /// The derivatives of `rows`; `local` numbers the columns.
+    pub fn new(g: &mut Graph, rows: &[Node], local: impl Fn(Column) -> usize) -> Self {
+        let jacobian = jacobian(g, rows, local);
         let mut velocity_rhs = Vec::new();
         if rows.iter().any(|&row| g.depends(row).on_t) {
             let mut by_time = Partial::by_time();
-            for &row in &rows {
+            for &row in rows {
                 let c_t = by_time.of(g, row);
                 velocity_rhs.push(g.neg(c_t));
             }
         }
         let mut jets = Jets::default();
         let mut acceleration_rhs = Vec::new();
-        for &row in &rows {
+        for &row in rows {
             let second = jets.of(g, row).second;
             acceleration_rhs.push(g.neg(second));
         }
@@ -40,28 +49,50 @@ impl Derivatives {
     }
 
     /// Slots whose sine or cosine some output reads.
-    pub fn trig(&self, lowered: &Lowered) -> Vec<usize> {
-        let mut outputs: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
+    pub fn trig(&self, g: &Graph, rows: &[Node]) -> Vec<usize> {
+        let mut outputs = rows.to_vec();
         outputs.extend(self.jacobian.iter().map(|entry| entry.2));
         outputs.extend(self.velocity_rhs.iter().chain(&self.acceleration_rhs));
-        let reads = |node: Node| match lowered.graph.op(node) {
+        let reads = |node: Node| match g.op(node) {
             Op::Input(Input::State(slot, Part::Sin | Part::Cos)) => Some(slot),
             _ => None,
         };
-        lowered.graph.reachable(&outputs).into_iter().filter_map(reads).collect()
+        g.reachable(&outputs).into_iter().filter_map(reads).collect()
+    }
+
+    /// True if the rows are linear in the coordinates for good: with a gradient of numbers, and coordinates
+    /// that enter by sums and products alone, for steps and kinks have such gradients too.
+    pub fn is_linear(&self, g: &Graph, rows: &[Node]) -> bool {
+        let smooth =
+            |op: Op| matches!(op, Op::Input(_) | Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::Neg(_));
+        self.jacobian.iter().all(|entry| g.constant_value(entry.2).is_some())
+            && g.reachable(rows).into_iter().all(|node| !g.depends(node).on_q || smooth(g.op(node)))
+    }
+
+    /// The promises of the graph about the terms.
+    pub fn promises(&self, g: &Graph, rows: &[Node]) -> Promises {
+        let on_t = |n: &Node| g.depends(*n).on_t;
+        let [c_t, q_d] =
+            [&self.velocity_rhs, &self.acceleration_rhs].map(|side| side.iter().any(|&n| !g.is_zero(n)));
+        let number = |entry: &(usize, usize, Node)| g.constant_value(entry.2).filter(|c| c.is_finite());
+        Promises {
+            c_on_t: rows.iter().any(on_t),
+            c_q_on_t: self.jacobian.iter().any(|entry| on_t(&entry.2)),
+            c_t,
+            q_d,
+            curved: !self.is_linear(g, rows),
+            constants: self.jacobian.iter().map(number).collect(),
+        }
     }
 }
 
-fn jacobian(g: &mut Graph, rows: &[Node], arguments: &[Argument]) -> Vec<(usize, usize, Node)> {
+fn jacobian(g: &mut Graph, rows: &[Node], local: impl Fn(Column) -> usize) -> Vec<(usize, usize, Node)> {
     let columns = g.columns(rows);
     let mut entries = column_by_column(g, rows, &columns);
     if promise_of_columns(g, rows, &columns) >= MUCH {
         inwards_if_cheaper(g, rows, &columns, &mut entries);
     }
-    entries
-        .into_iter()
-        .map(|(row, column, value)| (row, local_column(arguments, columns[column]), value))
-        .collect()
+    entries.into_iter().map(|(row, column, value)| (row, local(columns[column]), value)).collect()
 }
 
 /// A promise below which another order gained nothing where it was tried; to try takes longer than all other
@@ -109,29 +140,4 @@ fn column_by_column(g: &mut Graph, rows: &[Node], columns: &[Column]) -> Vec<(us
         }
     }
     entries
-}
-
-/// Number of a column among those of all arguments.
-pub fn local_column(arguments: &[Argument], column: Column) -> usize {
-    let (mut slot, mut first) = (0, 0);
-    for argument in arguments {
-        let slots = argument.kind.slots();
-        if column.argument < slot + slots {
-            return first
-                + match (&argument.kind, column.part) {
-                    (Kind::Planar, Part::Theta) => 2,
-                    (Kind::Planars(_), part) => {
-                        3 * (column.argument - slot) + if let Part::R(k) = part { k } else { 2 }
-                    }
-                    (Kind::Spatials(_), Part::R(k)) => 7 * (column.argument - slot) + k,
-                    (Kind::Spatials(_), Part::P(k)) => 7 * (column.argument - slot) + 3 + k,
-                    (_, Part::R(k)) => k,
-                    (_, Part::P(k)) => 3 + k,
-                    _ => column.argument - slot,
-                };
-        }
-        slot += slots;
-        first += argument.kind.columns();
-    }
-    first
 }
