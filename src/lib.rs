@@ -19,6 +19,10 @@
 
 pub use kin_core::*;
 
+/// Equations as text, read while the program runs, and mechanism files that carry them.
+#[cfg(feature = "text")]
+pub use kin_text as text;
+
 // Listed under `extend`; these paths are shorter, and those that emitted code and constraints by hand have.
 #[doc(hidden)]
 pub use kin_core::extend::{

@@ -199,6 +199,19 @@ pub fn item_fn(item: TokenStream) -> syn::Result<ItemFn> {
     })
 }
 
+/// The text of a function's doc comment.
+pub fn description(attributes: &[Attribute]) -> String {
+    let lines = attributes.iter().filter(|attribute| attribute.path().is_ident("doc"));
+    let lines = lines.filter_map(|attribute| match &attribute.meta {
+        syn::Meta::NameValue(syn::MetaNameValue {
+            value: syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }),
+            ..
+        }) => Some(text.value().trim().to_owned()),
+        _ => None,
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}
+
 /// Refuses functions under `#[constraint]` or `#[law]` with qualifiers or generics.
 pub fn refuse_qualifiers(function: &ItemFn, mistakes: &mut Mistakes) {
     let sig = &function.sig;

@@ -16,3 +16,4 @@ mod signature;
 mod signs;
 mod sketch;
 mod table;
+mod text;

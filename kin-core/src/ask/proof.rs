@@ -235,7 +235,6 @@ impl System {
         let reason = match fault {
             Fault::Unknown(unknown) => {
                 let (expression, source) = unknown.expression.unzip();
-                let expression = expression.map(str::to_string);
                 DoubtReason::Unbounded {
                     equation: self.equations().equation(unknown.row),
                     expression,

@@ -26,6 +26,9 @@ pub struct MechanismData {
     /// Names of its units.
     #[serde(default, skip_serializing_if = "Units::is_default")]
     pub units: Units,
+    /// Equations of constraints of one's own, as text in the language of `#[constraint]`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub equations: Vec<String>,
     /// Bodies and bare coordinates in their order.
     pub bodies: Vec<BodyData>,
     /// Constraints in their order.
@@ -161,8 +164,20 @@ impl Mechanism {
             }
         });
         let bodies = bodies.collect();
-        let constraints =
-            self.constraints.iter().map(|(name, constraint)| self.constraint_data(name, constraint.as_ref()));
+        let mut equations: Vec<(String, String)> = Vec::new();
+        let constraints = self.constraints.iter().map(|(name, constraint)| {
+            let (data, equation) = self.constraint_data(name, constraint.as_ref())?;
+            let Some(text) = equation else { return Ok(data) };
+            match equations.iter().find(|(kind, _)| *kind == data.kind) {
+                Some((_, known)) if *known != text => {
+                    let reason = format!("there is another equation `{}`: give it another name", data.kind);
+                    return Err(Error::Data { place: format!("constraint `{name}`"), reason });
+                }
+                Some(_) => {}
+                None => equations.push((data.kind.clone(), text)),
+            }
+            Ok(data)
+        });
         let constraints = constraints.collect::<Result<_>>()?;
         let end = |x: f64| Some(x).filter(|x| x.is_finite());
         let limit = |Limit { name, ends: [from, to] }: &Limit| LimitData {
@@ -181,6 +196,7 @@ impl Mechanism {
             format: FORMAT,
             name: self.name.clone(),
             units,
+            equations: equations.into_iter().map(|(_, text)| text).collect(),
             bodies,
             constraints,
             limits,
@@ -188,7 +204,12 @@ impl Mechanism {
         })
     }
 
-    fn constraint_data(&self, name: &str, constraint: &dyn Constraint) -> Result<ConstraintData> {
+    /// A constraint as data, and its equation where the file has to carry it.
+    fn constraint_data(
+        &self,
+        name: &str,
+        constraint: &dyn Constraint,
+    ) -> Result<(ConstraintData, Option<String>)> {
         let fail = |reason: String| Error::Data { place: format!("constraint `{name}`"), reason };
         let mut describer = Describer::default();
         constraint.describe(&mut describer);
@@ -201,12 +222,13 @@ impl Mechanism {
             .map(|argument| self.argument_data(&argument.target))
             .collect::<Option<_>>();
         let arguments = arguments.ok_or_else(|| fail("a body of another mechanism".to_string()))?;
-        Ok(ConstraintData {
+        let data = ConstraintData {
             name: name.to_string(),
             kind: constraint.facts().kind.to_string(),
             arguments,
             parameters: describer.parameters,
-        })
+        };
+        Ok((data, describer.equation))
     }
 
     fn argument_data(&self, target: &Target) -> Option<ArgumentData> {
@@ -243,6 +265,9 @@ impl Mechanism {
         for body in &data.bodies {
             mechanism.add_body(body)?;
         }
+        let own = registry.with_equations(&data.equations);
+        let registry =
+            &own.map_err(|reason| Error::Data { place: format!("mechanism `{}`", data.name), reason })?;
         for ConstraintData { name, kind, arguments, parameters } in &data.constraints {
             let made = registry.constraint(kind, arguments, parameters, &mechanism);
             let constraint =

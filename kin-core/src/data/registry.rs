@@ -25,7 +25,8 @@ pub trait Described: Constraint + Sized + 'static {
     fn read(from: &mut Reader<'_>) -> Option<Self>;
 }
 
-type Make = fn(&mut Reader<'_>) -> Option<Box<dyn Constraint>>;
+type Make = Arc<dyn Fn(&mut Reader<'_>) -> Option<Box<dyn Constraint>> + Send + Sync>;
+type ReadEquation = fn(Registry, &str) -> Result<Registry, String>;
 type MakeLaw = Arc<dyn Fn(&LawReader<'_>) -> Result<Law, String> + Send + Sync>;
 
 /// Constructors of constraints and laws by their kinds. Constraints of one name with other arguments
@@ -35,6 +36,7 @@ type MakeLaw = Arc<dyn Fn(&LawReader<'_>) -> Result<Law, String> + Send + Sync>;
 pub struct Registry {
     constraints: HashMap<(String, Vec<ArgumentKind>), Make>,
     laws: HashMap<String, MakeLaw>,
+    equations: Option<ReadEquation>,
 }
 
 impl Default for Registry {
@@ -46,17 +48,42 @@ impl Default for Registry {
 impl Registry {
     /// All joints, drivers and laws that ship.
     pub fn new() -> Registry {
-        super::joints::registered(shipped(Registry { constraints: HashMap::new(), laws: HashMap::new() }))
+        let empty = Registry { constraints: HashMap::new(), laws: HashMap::new(), equations: None };
+        super::joints::registered(shipped(empty))
     }
 
     /// A constraint of one's own too: `Registry::new().with::<parabolic_slot>()`, after a function under
     /// `#[constraint]`.
     pub fn with<C: Described>(mut self) -> Registry {
-        fn make<C: Described>(from: &mut Reader<'_>) -> Option<Box<dyn Constraint>> {
-            C::read(from).map(|constraint| Box::new(constraint) as Box<dyn Constraint>)
-        }
-        self.constraints.insert((C::KIND.to_string(), C::ARGUMENTS.to_vec()), make::<C>);
+        let make = |from: &mut Reader<'_>| C::read(from).map(|made| Box::new(made) as Box<dyn Constraint>);
+        self.constraints.insert((C::KIND.to_string(), C::ARGUMENTS.to_vec()), Arc::new(make));
         self
+    }
+
+    /// A constraint that is made at run time too, by its kind, its arguments and its constructor.
+    pub fn with_constraint(
+        mut self,
+        kind: &str,
+        arguments: &[ArgumentKind],
+        make: impl Fn(&mut Reader<'_>) -> Option<Box<dyn Constraint>> + Send + Sync + 'static,
+    ) -> Registry {
+        self.constraints.insert((kind.to_string(), arguments.to_vec()), Arc::new(make));
+        self
+    }
+
+    /// The same registry, able to read the equations that mechanism files carry as text: `read` adds the
+    /// constraint of a text. `kin::text::registry()` is one with the reader that ships.
+    pub fn reading_equations(mut self, read: fn(Registry, &str) -> Result<Registry, String>) -> Registry {
+        self.equations = Some(read);
+        self
+    }
+
+    /// The same registry with the constraints that these texts say.
+    pub(super) fn with_equations(&self, texts: &[String]) -> Result<Registry, String> {
+        let read = self.equations.ok_or(
+            "it carries equations as text: read it with `kin::text::registry()`, of the feature `text`",
+        );
+        texts.iter().try_fold(self.clone(), |registry, text| read?(registry, text))
     }
 
     /// A law of one's own too, by its kind (the name of its function under `#[law]`) and its constructor.
@@ -179,12 +206,8 @@ impl<'a> Reader<'a> {
         self.value(name, &mut |value| T::from_value(value, registry)).unwrap_or_else(T::absent)
     }
 
-    /// The value read from the parameter of that name.
-    pub(super) fn value<T>(
-        &mut self,
-        name: &str,
-        read: &mut dyn FnMut(&Value) -> Result<T, String>,
-    ) -> Option<T> {
+    /// The value that `read` makes of the parameter of that name, as JSON.
+    pub fn value<T>(&mut self, name: &str, read: &mut dyn FnMut(&Value) -> Result<T, String>) -> Option<T> {
         let Some((known, value)) = self.parameters.get_key_value(name) else {
             return self.noted(Err(format!("its parameter `{name}` is missing")));
         };

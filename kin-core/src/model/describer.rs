@@ -7,6 +7,7 @@ use serde_json::{Map, Value};
 pub struct Describer {
     pub(crate) parameters: Map<String, Value>,
     pub(crate) refusal: Option<String>,
+    pub(crate) equation: Option<String>,
 }
 
 impl Describer {
@@ -15,8 +16,18 @@ impl Describer {
         self.refusal.get_or_insert(reason.into());
     }
 
+    /// The parameters by name, as JSON.
+    pub fn parameters(&self) -> &Map<String, Value> {
+        &self.parameters
+    }
+
+    /// The equation of the constraint as text, which the file then carries.
+    pub fn put_equation(&mut self, text: impl Into<String>) {
+        self.equation = Some(text.into());
+    }
+
     /// A parameter under its name, or why it cannot be written.
-    pub(crate) fn put_value(&mut self, name: &str, value: Result<Value, String>) {
+    pub fn put_value(&mut self, name: &str, value: Result<Value, String>) {
         match value {
             Ok(value) => {
                 self.parameters.insert(name.to_string(), value);

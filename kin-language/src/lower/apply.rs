@@ -57,7 +57,7 @@ impl Reader {
         }
         let value = match function {
             Function::Closure(closure) => {
-                // What a method hands to it stands nowhere: its own arguments are the place then.
+                // The values that a method hands to it stand nowhere: its own arguments are the place then.
                 let is_handed = places.len() != arguments.len();
                 self.apply_closure(closure, arguments, if is_handed { &closure.head } else { at })
             }

@@ -3,6 +3,7 @@
 //! dual route; a mistake is collected and reading goes on.
 
 mod apply;
+mod arguments;
 mod assign;
 mod borrow;
 mod branch;
@@ -35,13 +36,13 @@ mod value;
 use std::collections::HashMap;
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{ToTokens, quote};
+use quote::ToTokens;
 
 use crate::error::Mistakes;
-use crate::parse::{Argument, ConstraintFn, Kind, Shape};
-use crate::vocabulary::is_integer;
-use kin_graph::{Graph, Input, Node};
+use crate::parse::{Argument, ConstraintFn, Shape};
+use kin_graph::{Graph, Input, Node, Op};
 
+pub use arguments::component_paths;
 use flow::{Frame, Guard};
 pub use place::Expressions;
 pub use rows::{Row, names_as_written};
@@ -66,6 +67,22 @@ pub struct Lowered {
     pub items: Vec<syn::Item>,
     /// The same read once more without rounding constants, where that makes a difference.
     pub as_written: Option<Box<Lowered>>,
+}
+
+impl Lowered {
+    /// Each law that the rows ask, and where.
+    pub fn laws_asked(&self) -> Vec<(usize, Node)> {
+        let rows: Vec<Node> = self.rows.iter().map(|row| row.node).collect();
+        let mut asked: Vec<(usize, Node)> = Vec::new();
+        for node in self.graph.reachable(&rows) {
+            if let Op::Law(law, x, _) = self.graph.op(node)
+                && !asked.contains(&(law, x))
+            {
+                asked.push((law, x));
+            }
+        }
+        asked
+    }
 }
 
 /// A local point or direction of a body that depends on no coordinate and not on time.
@@ -132,14 +149,24 @@ const MOST_PARTS: usize = 250;
 pub fn constraint(source: &ConstraintFn) -> Result<Lowered, Failure> {
     with_constants(&|graph| {
         let mut reader = Reader::new(graph);
-        reader.declare_arguments(&source.arguments);
-        for (name, length) in &source.lengths {
-            let value = Value::count(length.base10_parse().unwrap_or_default());
-            reader.scopes.declare_item(name.to_string(), value);
-        }
+        reader.declare_signature(source);
         let value = reader.function_body(&source.body, &source.output_type).map_err(Failure::Unreadable);
         let rows = value.map(|value| reader.rows(source, &value));
         reader.finish(rows)
+    })
+}
+
+/// Reads an expression over the arguments of `source`, a number: the value of an attribute. The items at the
+/// beginning of the body are in sight.
+pub fn value(source: &ConstraintFn, expression: &syn::Expr) -> Result<Lowered, Failure> {
+    with_constants(&|graph| {
+        let mut reader = Reader::new(graph);
+        reader.declare_signature(source);
+        let items = source.body.stmts.iter().take_while(|statement| matches!(statement, syn::Stmt::Item(_)));
+        let body = syn::parse_quote!({ #(#items)* #expression });
+        let value = reader.function_body(&body, &syn::parse_quote!(f64)).map_err(Failure::Unreadable);
+        let row = value.map(|value| reader.scalar(value, expression));
+        reader.finish(row.map(|node| vec![Row { name: String::new(), node }]))
     })
 }
 
@@ -268,58 +295,6 @@ impl Reader {
         })
     }
 
-    /// Binds the arguments of the signature; states are numbered in its order, a `[Coord; N]` counting N.
-    fn declare_arguments(&mut self, arguments: &[Argument]) {
-        let mut slot = 0;
-        for argument in arguments {
-            let name = &argument.name;
-            let value = match &argument.kind {
-                Kind::Planar => Value::Planar(slot),
-                Kind::Spatial => Value::Spatial(slot),
-                Kind::Coord => self.coordinate(slot),
-                Kind::Planars(n) => Value::Array((0..*n).map(|k| Value::Planar(slot + k)).collect()),
-                Kind::Spatials(n) => Value::Array((0..*n).map(|k| Value::Spatial(slot + k)).collect()),
-                Kind::Coords(n) => Value::Array((0..*n).map(|k| self.coordinate(slot + k)).collect()),
-                Kind::Time => Value::Scalar(self.graph.input(Input::Time)),
-                Kind::Law => Value::Law(Template::Parameter(name.clone())),
-                Kind::Axis => self.axis(name),
-                Kind::Numbers(shape) => self.parameter(&quote!(self.#name), shape),
-                Kind::Other => {
-                    self.parameter_types.insert(name.to_string(), argument.ty.clone());
-                    let ty = argument.ty.to_token_stream().to_string();
-                    if ty == "bool" || is_integer(&ty) {
-                        self.no_numbers.insert(name.to_string(), ty);
-                    }
-                    Value::Opaque(Template::Parameter(name.clone()))
-                }
-            };
-            self.declare(name.to_string(), value);
-            slot += argument.kind.slots();
-        }
-    }
-
-    /// The unit vectors of an axis.
-    fn axis(&mut self, name: &Ident) -> Value {
-        let fields = [quote!(h), quote!(f), quote!(g)];
-        Value::Axis(fields.map(|field| match self.parameter(&quote!(self.#name.#field), &Shape::Vector(3)) {
-            Value::Vector(v) => v,
-            _ => vec![],
-        }))
-    }
-
-    /// A numeric parameter: one input a number, read where `path` says.
-    fn parameter(&mut self, path: &TokenStream, shape: &Shape) -> Value {
-        let paths = component_paths(path, shape);
-        let nodes: Vec<Node> = paths
-            .into_iter()
-            .map(|path| {
-                self.parameters.push(path);
-                self.graph.input(Input::Parameter(self.parameters.len() - 1))
-            })
-            .collect();
-        Value::from_numbers(shape, &mut nodes.into_iter()).unwrap_or(Value::Poison)
-    }
-
     /// Notes a mistake at `tokens`; reading goes on without its value.
     fn mistake(&mut self, tokens: &dyn ToTokens, message: impl std::fmt::Display) -> Value {
         self.mistakes.add(tokens, message);
@@ -350,30 +325,4 @@ pub fn tidy(text: &str) -> String {
         text = text.replace(from, to);
     }
     text
-}
-
-/// How emitted code reads each number of a value at `path`.
-pub fn component_paths(path: &TokenStream, shape: &Shape) -> Vec<TokenStream> {
-    let fields = |names: &[&str]| -> Vec<TokenStream> {
-        names.iter().map(|name| Ident::new(name, Span::call_site())).map(|name| quote!(#path.#name)).collect()
-    };
-    match shape {
-        Shape::Scalar => vec![path.clone()],
-        Shape::Vector(2) => fields(&["x", "y"]),
-        Shape::Vector(_) => fields(&["x", "y", "z"]),
-        Shape::Euler => fields(&["e0", "e1", "e2", "e3"]),
-        Shape::Matrix(2) => fields(&["m11", "m12", "m21", "m22"]),
-        Shape::Matrix(_) => fields(&["m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"]),
-        Shape::Array(inner, n) => {
-            indexed(*n).flat_map(|k| component_paths(&quote!(#path[#k]), inner)).collect()
-        }
-        Shape::Tuple(all) => {
-            indexed(all.len()).zip(all).flat_map(|(k, s)| component_paths(&quote!(#path.#k), s)).collect()
-        }
-        Shape::Any => vec![],
-    }
-}
-
-fn indexed(n: usize) -> impl Iterator<Item = proc_macro2::Literal> {
-    (0..n).map(proc_macro2::Literal::usize_unsuffixed)
 }

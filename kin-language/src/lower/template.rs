@@ -64,6 +64,17 @@ impl Template {
         nodes
     }
 
+    /// Where it begins, if that is known.
+    pub fn place(&self) -> Option<Span> {
+        match self {
+            Template::Tokens(tokens) => tokens.clone().into_iter().next().map(|token| token.span()),
+            Template::Path(path, _) => path.to_token_stream().into_iter().next().map(|token| token.span()),
+            Template::Numbers(_, _, at) | Template::State(_, _, at) => Some(*at),
+            Template::Parameter(name) => Some(name.span()),
+            other => other.parts().into_iter().find_map(Template::place),
+        }
+    }
+
     /// Of how many templates it is made.
     pub fn size(&self) -> usize {
         1 + self.parts().into_iter().map(Template::size).sum::<usize>()

@@ -6,7 +6,7 @@ use quote::quote;
 use super::kernel::number;
 use super::measures;
 use kin_graph::differentiate::Promises;
-use kin_language::parse::{ConstraintFn, Kind};
+use kin_language::parse::{ConstraintFn, Kind, description};
 
 /// All facts, those of its route among them.
 pub fn facts(
@@ -15,7 +15,7 @@ pub fn facts(
     (rows, pattern): (&[String], &[(usize, usize)]),
     of_route: &TokenStream,
 ) -> TokenStream {
-    let (description, measures) = (super::description(&source.attributes), measures::facts(source));
+    let (description, measures) = (description(&source.attributes), measures::facts(source));
     let pattern = pattern.iter().map(|(row, column)| {
         let [row, column] = [row, column].map(|k| Literal::usize_unsuffixed(*k));
         quote!(::kin::emitted::Entry::new(#row, #column))

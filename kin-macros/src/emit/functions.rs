@@ -6,8 +6,8 @@ use quote::quote;
 use super::facts;
 use super::kernel::{Code, Kernel};
 use super::timed::{self, Timed};
+use kin_graph::Node;
 use kin_graph::differentiate::Derivatives;
-use kin_graph::{Node, Op};
 use kin_language::lower::Lowered;
 use kin_language::parse::Argument;
 
@@ -112,15 +112,7 @@ fn velocity(m: &Literal, code: Option<(TokenStream, Code)>) -> TokenStream {
 
 /// `laws`: each law that the equation asks, and where; nothing where there is none.
 pub fn laws(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
-    let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
-    let mut asked: Vec<(usize, Node)> = Vec::new();
-    for node in lowered.graph.reachable(&rows) {
-        if let Op::Law(law, x, _) = lowered.graph.op(node)
-            && !asked.contains(&(law, x))
-        {
-            asked.push((law, x));
-        }
-    }
+    let asked = lowered.laws_asked();
     if asked.is_empty() {
         return quote!();
     }

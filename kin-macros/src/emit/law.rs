@@ -96,8 +96,8 @@ fn emit(
     let (visit, set) = super::parameter_methods(&source.parameters);
     let fields: Vec<_> = source.parameters.iter().map(super::field_type).collect();
     let text = syn::ext::IdentExt::unraw(name).to_string();
-    let (refusal, description) =
-        (demands::law_refusal(&source.requirements, &source.parameters), super::description(attributes));
+    let refusal = demands::law_refusal(&source.requirements, &source.parameters);
+    let description = kin_language::parse::description(attributes);
     let unlinted = unlinted();
     quote! {
         #(#attributes)*

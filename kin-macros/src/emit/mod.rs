@@ -160,18 +160,6 @@ fn mutable(argument: &Argument) -> TokenStream {
     if argument.mutable { quote!(mut) } else { quote!() }
 }
 
-/// The text of the user's doc comment.
-fn description(attributes: &[syn::Attribute]) -> String {
-    let lines = documentation(attributes).into_iter().filter_map(|attribute| match &attribute.meta {
-        syn::Meta::NameValue(syn::MetaNameValue {
-            value: syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }),
-            ..
-        }) => Some(text.value().trim().to_owned()),
-        _ => None,
-    });
-    lines.collect::<Vec<_>>().join("\n")
-}
-
 /// Attributes of the constructor, and of the struct: its documentation says what the constructor's says.
 fn documentation(attributes: &[syn::Attribute]) -> Vec<&syn::Attribute> {
     attributes.iter().filter(|a| a.path().is_ident("doc")).collect()

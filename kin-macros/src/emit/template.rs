@@ -2,11 +2,11 @@
 
 mod handed;
 
-use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
 
-use super::written::silent;
+use super::written::{located, silent};
 use handed::{MOST_ARGUMENTS, is_bindable, renamed};
 use kin_graph::{Graph, Node};
 use kin_language::lower::template::Template;
@@ -34,21 +34,6 @@ pub fn place(template: &Template) -> TokenStream {
 /// `__self`.
 pub fn check(template: &Template) -> TokenStream {
     Writer::new(&mut |_| quote!(()), Site::Check).lowered(template)
-}
-
-/// The code at a place of the user's, where rustc says what is wrong with it; its names stay the macro's.
-fn located(tokens: TokenStream, at: Span) -> TokenStream {
-    let moved = |token: TokenTree| {
-        let mut token = match token {
-            TokenTree::Group(group) => {
-                TokenTree::Group(Group::new(group.delimiter(), located(group.stream(), at)))
-            }
-            other => other,
-        };
-        token.set_span(token.span().located_at(at));
-        token
-    };
-    tokens.into_iter().map(moved).collect()
 }
 
 /// True if the value may come out of a function of the user's, which may give `Real<f64>`.

@@ -2,7 +2,7 @@
 //! mistake in it, or in what was taken for a number, the type [`kin::emitted::If`] of everything made from it
 //! is unknown, and of unknown types rustc says nothing.
 
-use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
@@ -192,4 +192,19 @@ fn is(token: &TokenTree, text: &str) -> bool {
         TokenTree::Punct(punct) => text.len() == 1 && text.starts_with(punct.as_char()),
         _ => false,
     }
+}
+
+/// The code at a place of the user's, where rustc says what is wrong with it; its names stay the macro's.
+pub fn located(tokens: TokenStream, at: Span) -> TokenStream {
+    let moved = |token: TokenTree| {
+        let mut token = match token {
+            TokenTree::Group(group) => {
+                TokenTree::Group(Group::new(group.delimiter(), located(group.stream(), at)))
+            }
+            other => other,
+        };
+        token.set_span(token.span().located_at(at));
+        token
+    };
+    tokens.into_iter().map(moved).collect()
 }

@@ -31,8 +31,8 @@ impl System {
 struct Watched<'a> {
     system: &'a System,
     block: &'a Block,
-    table: &'static Table,
-    formula: &'static Formula,
+    table: &'a Table,
+    formula: &'a Formula,
     parameters: &'a [f64],
     outside: Outside<'a>,
 }

@@ -16,7 +16,7 @@ use crate::system::evaluate::Block;
 #[derive(Clone, Debug)]
 pub(crate) struct Unknown {
     pub(super) row: usize,
-    pub(super) expression: Option<(&'static str, Option<Source>)>,
+    pub(super) expression: Option<(String, Option<Source>)>,
 }
 
 /// The equations of a system, to be asked for bounds.
@@ -122,7 +122,7 @@ impl From<Fixed> for Series {
 
 /// Function that is called with a formula, the values of its parameters and the function that computes the
 /// rest.
-type Shown<'a> = dyn FnMut(&'static Table, &[f64], Outside<'_>) -> Result<(), Unknown> + 'a;
+type Shown<'a> = dyn FnMut(&Table, &[f64], Outside<'_>) -> Result<(), Unknown> + 'a;
 
 impl<'a> Part<'a> {
     /// A constraint alone, its columns being all there are; `None` for one that is not known as steps.
@@ -177,12 +177,7 @@ impl<'a> Part<'a> {
     }
 
     /// Its rows among the results of the steps, at least `len` coefficients of each.
-    fn rows(
-        &self,
-        table: &'static Table,
-        results: &Results<Series>,
-        len: usize,
-    ) -> Result<Vec<Series>, Unknown> {
+    fn rows(&self, table: &Table, results: &Results<Series>, len: usize) -> Result<Vec<Series>, Unknown> {
         let known = |row: usize| {
             let y = equation::row(table.formula(), row, results);
             let is_known = y.len() >= len && y.known().iter().all(|c| c.is_finite());

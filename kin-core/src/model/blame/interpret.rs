@@ -11,12 +11,7 @@ use crate::numbers::real::Dual3_64;
 
 impl Table {
     /// The expression that made a term not finite; `parameters` are the values of the parameters.
-    pub(crate) fn blame(
-        &'static self,
-        asked: &Asked<'_>,
-        parameters: &[f64],
-        outside: Outside<'_>,
-    ) -> Option<Blame> {
+    pub(crate) fn blame(&self, asked: &Asked<'_>, parameters: &[f64], outside: Outside<'_>) -> Option<Blame> {
         let formula = self.formula();
         let row = *formula.rows.get(asked.row)?;
         let part = asked.term.part();
@@ -32,8 +27,8 @@ impl Table {
 
 /// The results along one direction.
 struct Run<'a> {
-    table: &'static Table,
-    formula: &'static Formula,
+    table: &'a Table,
+    formula: &'a Formula,
     jets: Results<Jet>,
     parameters: &'a [f64],
 }
@@ -99,7 +94,7 @@ impl Run<'_> {
                             .parameters
                             .get(k)
                             .zip(self.parameters.get(k))
-                            .map(|(name, x)| Input::Parameter(name, *x)),
+                            .map(|(name, x)| Input::Parameter(name.clone(), *x)),
                     );
                 }
                 _ => {}

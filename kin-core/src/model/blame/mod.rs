@@ -44,12 +44,12 @@ pub struct Asked<'a> {
 }
 
 /// A value that an expression is computed from.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Input {
     /// The coordinate of a local column.
     Column(usize),
     /// A parameter, by its name in the constraint.
-    Parameter(&'static str, f64),
+    Parameter(String, f64),
     /// The time t.
     Time,
 }

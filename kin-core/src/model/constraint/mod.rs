@@ -94,7 +94,7 @@ pub trait Constraint: CloneBoxed + Send + Sync {
     fn jerk_rhs(&self, at: &At<'_>, qd: &Rates<'_>, qdd: &Rates<'_>, rhs: &mut [f64]) -> bool {
         let done = self.as_written().and_then(|written| {
             written.formula(|table, parameters, outside| {
-                Along::new(&self.arguments(), at, [qd, qdd], parameters, outside)
+                Along::new(&self.arguments(), at, [Some(qd), Some(qdd), None], parameters, outside)
                     .jerk_rhs(table.formula(), rhs)
             })
         });

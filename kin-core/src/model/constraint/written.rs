@@ -42,7 +42,7 @@ pub trait Written {
 
     /// Its formula and the values of its parameters. Emitted on the symbolic route; default none.
     #[doc(hidden)]
-    fn table(&self) -> Option<(&'static Table, Vec<f64>)> {
+    fn table(&self) -> Option<(&Table, Vec<f64>)> {
         None
     }
 
@@ -68,20 +68,14 @@ impl dyn Constraint + '_ {
 
     /// Hands its formula over, with the values of the parameters and what computes the rest; `None` where
     /// there is no formula.
-    pub(crate) fn formula<T>(
-        &self,
-        with: impl FnOnce(&'static Table, &[f64], Outside<'_>) -> T,
-    ) -> Option<T> {
+    pub(crate) fn formula<T>(&self, with: impl FnOnce(&Table, &[f64], Outside<'_>) -> T) -> Option<T> {
         self.as_written()?.formula(with)
     }
 }
 
 impl dyn Written + '_ {
     /// The formula of [`Written::table`].
-    pub(super) fn formula<T>(
-        &self,
-        with: impl FnOnce(&'static Table, &[f64], Outside<'_>) -> T,
-    ) -> Option<T> {
+    pub(super) fn formula<T>(&self, with: impl FnOnce(&Table, &[f64], Outside<'_>) -> T) -> Option<T> {
         let (table, parameters) = self.table()?;
         Some(with(table, &parameters, &|number, x, to| self.outside(number, x, to)))
     }

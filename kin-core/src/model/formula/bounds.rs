@@ -163,11 +163,11 @@ impl Table {
     /// The expression, as the user wrote it, because of which fewer than `len` coefficients of a row are
     /// known.
     pub(crate) fn unknown(
-        &'static self,
+        &self,
         row: usize,
         results: &Results<Series>,
         len: usize,
-    ) -> Option<(&'static str, Option<blame::Source>)> {
+    ) -> Option<(String, Option<blame::Source>)> {
         let formula = self.formula();
         let known = |node: &Node| results.number(*node).is_some_and(|y| y.len() >= len);
         let holds = |node: Node| results.condition(node).is_some_and(|condition| !condition.never);
@@ -177,11 +177,11 @@ impl Table {
             node = next;
         }
         let expression = formula.expression(node)?;
-        Some((&expression.text, Some(self.source(expression))))
+        Some((expression.text.clone(), Some(self.source(expression))))
     }
 
     /// A law that is written as an expression of column 0.
-    pub fn law_over(&'static self, x: &Series, parameters: &[f64], outside: Outside<'_>) -> Option<Series> {
+    pub fn law_over(&self, x: &Series, parameters: &[f64], outside: Outside<'_>) -> Option<Series> {
         let formula = self.formula();
         if opaque(formula, outside).is_some() {
             return None;

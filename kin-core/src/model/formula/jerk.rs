@@ -20,20 +20,32 @@ pub(crate) struct Along<'a> {
 }
 
 impl<'a> Along<'a> {
-    /// q + s q̇ + ½ s² q̈ at the time t + s.
+    /// q + s q̇ + ½ s² q̈ + ⅙ s³ q⃛ at the time t + s; without q⃛ where that is not known.
     pub(crate) fn new(
         arguments: &[Argument],
         at: &At<'_>,
-        [qd, qdd]: [&Rates<'_>; 2],
+        [qd, qdd, qddd]: [Option<&Rates<'_>>; 3],
         parameters: &'a [f64],
         outside: Outside<'a>,
     ) -> Self {
         let mut columns = Vec::new();
         for (k, n) in arguments.iter().map(|argument| argument.target.columns()).enumerate() {
-            let moving = at.coordinates(k, n).iter().zip(qd.columns(k, n)).zip(qdd.columns(k, n));
-            columns.extend(moving.map(|((q, qd), qdd)| Real(Dual3_64::new(*q, *qd, *qdd, 0.0))));
+            let rate = |rates: Option<&Rates<'_>>, column: usize| {
+                rates.map_or(0.0, |rates| rates.columns(k, n).get(column).copied().unwrap_or(f64::NAN))
+            };
+            let moving = at.coordinates(k, n).iter().enumerate().map(|(column, q)| {
+                Real(Dual3_64::new(*q, rate(qd, column), rate(qdd, column), rate(qddd, column)))
+            });
+            columns.extend(moving);
         }
         Along { columns, t: Real(Dual3_64::new(at.t, 1.0, 0.0, 0.0)), parameters, outside }
+    }
+
+    /// The value of row 0 and its first three derivatives by s.
+    pub(crate) fn first(&self, formula: &Formula) -> [f64; 4] {
+        let Some(row) = formula.rows.first() else { return [f64::NAN; 4] };
+        let y = evaluate(&formula.graph, &formula.rows, self).number(*row);
+        y.map_or([f64::NAN; 4], |Real(y)| [y.re, y.v1, y.v2, y.v3])
     }
 
     /// −g‴(0) of each row.

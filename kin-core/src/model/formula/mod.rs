@@ -5,18 +5,24 @@ pub(crate) mod bounds;
 pub(crate) mod jerk;
 pub(crate) mod time;
 
+use std::borrow::Cow;
 use std::sync::OnceLock;
 
 use crate::numbers::real::Dual3_64;
 use kin_graph::{Expression, Formula};
 
 use crate::model::blame::Source;
+use crate::model::coordinates::Argument;
 use crate::model::law::Law;
+use crate::model::state::{At, Rates};
+
+/// The file of an equation that comes as text.
+const READ: &str = "text";
 
 /// The formula of one constraint or law.
 pub struct Table {
     file: &'static str,
-    text: &'static str,
+    text: Cow<'static, str>,
     formula: OnceLock<Formula>,
     switches: OnceLock<bool>,
 }
@@ -24,12 +30,32 @@ pub struct Table {
 impl Table {
     /// The formula as text, and the file that its expressions stand in.
     pub const fn new(file: &'static str, text: &'static str) -> Self {
-        Table { file, text, formula: OnceLock::new(), switches: OnceLock::new() }
+        Table { file, text: Cow::Borrowed(text), formula: OnceLock::new(), switches: OnceLock::new() }
+    }
+
+    /// A formula that was read while the program runs.
+    pub fn read(formula: Formula) -> Self {
+        let text = Cow::Owned(formula.to_string());
+        Table { file: READ, text, formula: formula.into(), switches: OnceLock::new() }
     }
 
     /// Itself, with the values of the parameters.
-    pub fn with(&'static self, parameters: &[f64]) -> Option<(&'static Table, Vec<f64>)> {
+    pub fn with(&self, parameters: &[f64]) -> Option<(&Table, Vec<f64>)> {
         Some((self, parameters.to_vec()))
+    }
+
+    /// The value of row 0 at q and t with its first three derivatives along the rates; without rates the
+    /// value alone is of use.
+    pub fn measured(
+        &self,
+        arguments: &[Argument],
+        at: &At<'_>,
+        rates: Option<&[Rates<'_>; 3]>,
+        parameters: &[f64],
+        outside: Outside<'_>,
+    ) -> [f64; 4] {
+        let rates = std::array::from_fn(|k| rates.map(|rates| &rates[k]));
+        jerk::Along::new(arguments, at, rates, parameters, outside).first(self.formula())
     }
 
     /// The formula. It is read once; a text that is none has no rows.

@@ -29,9 +29,9 @@ impl Culprit {
         let Some(blame) = blame else {
             return Culprit { found: None, inputs: (0..columns.len()).filter_map(coordinate).collect() };
         };
-        let named = |input: &Input| match *input {
-            Input::Column(column) => coordinate(column),
-            Input::Parameter(name, value) => Some((format!("{}.{name}", block.name), value)),
+        let named = |input: &Input| match input {
+            Input::Column(column) => coordinate(*column),
+            Input::Parameter(name, value) => Some((format!("{}.{name}", block.name), *value)),
             Input::Time => Some(("t".to_string(), at.t)),
         };
         let inputs = blame.inputs.iter().filter_map(named).collect();

@@ -12,6 +12,9 @@ impl Reader {
         if let Some(value) = self.common_method(kind, v, call)? {
             return Ok(value);
         }
+        if n == 3 && matches!(call.name.as_str(), "axis" | "axis_near") {
+            return self.axis_of(v, call);
+        }
         let count = match (call.name.as_str(), n) {
             ("perp", 2) => 0,
             ("cross", _) => 1,

@@ -1,5 +1,6 @@
 //! Methods, by the kind of their receiver.
 
+mod axis;
 mod changing;
 mod components;
 mod going;

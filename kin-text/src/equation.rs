@@ -1,0 +1,285 @@
+//! An equation that was read, and the constraints that are made of it.
+
+use std::str::FromStr;
+use std::sync::Arc;
+
+use kin::dual_route::ArgumentKind;
+use kin::error::{Error, Result};
+use kin::{
+    Axis, Coordinate, EulerParameters, Ground, Law, Link, Mat2, Mat3, PlanarBody, SpatialBody, SpatialLink,
+    Vec2, Vec3,
+};
+
+use crate::constraint::{Body, ReadConstraint, count};
+use crate::mistake::Mistakes;
+use crate::read::{Read, read};
+use crate::signature::ParameterKind;
+
+/// An equation C(q, t) = 0 that was read from text, with all its derivatives.
+///
+/// The text is a function as it stands under `#[constraint]`; functions and constants that it calls stand
+/// beside it in the same text, and `#[require]`, `#[branch]` and `#[measure]` before it.
+///
+/// ```
+/// use kin_text::Equation;
+/// # use kin::{Mechanism, Law, pose, linspace, joints::drivers::drive};
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let slot = Equation::read(
+///     "fn parabolic_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
+///          let s = j.local(i.point(u_i));
+///          s.y - k * s.x * s.x
+///      }",
+/// )?;
+/// let mut m = Mechanism::new("slider in a slot");
+/// let slider = m.planar("slider", pose(0.2, 0.1, 0.0))?;
+/// m.add("slot", slot.on(slider).on(m.ground()).with("u_i", [0.0, 0.0]).with("k", 2.0).constraint()?)?;
+/// m.add("upright", drive(slider.theta(), Law::constant(0.0)))?;
+/// m.add("motor", drive(slider.x(), Law::sine(0.3, 1.0, 0.0)))?;
+/// let motion = m.build()?.run(linspace(0.0, 6.0, 61))?;
+/// # let q = motion.q(60);
+/// # assert!((q[1] - 2.0 * q[0] * q[0]).abs() < 1e-12);
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone)]
+pub struct Equation(Arc<Read>);
+
+impl Equation {
+    /// Reads a text.
+    ///
+    /// Errors: every mistake in it, each with line, column and cure; what only a program can know (types and
+    /// functions that do not stand in the text); a text that is too long, too deep or too large.
+    pub fn read(text: &str) -> std::result::Result<Equation, Mistakes> {
+        read(text).map(|read| Equation(Arc::new(read)))
+    }
+
+    /// The name of the function.
+    pub fn name(&self) -> &str {
+        &self.0.name
+    }
+
+    /// The text that it was read from.
+    pub fn text(&self) -> &str {
+        &self.0.text
+    }
+
+    /// Kinds of its bodies and coordinates, in the order of the signature.
+    pub fn arguments(&self) -> Vec<ArgumentKind> {
+        self.0.signature.slots.iter().map(|(_, kind)| *kind).collect()
+    }
+
+    /// Begins a constraint on this body or coordinate, the first of the signature.
+    pub fn on(&self, first: impl Into<On>) -> Making {
+        Making { read: self.0.clone(), bodies: vec![], given: vec![] }.on(first)
+    }
+
+    pub(crate) fn inner(&self) -> &Arc<Read> {
+        &self.0
+    }
+}
+
+impl FromStr for Equation {
+    type Err = Mistakes;
+
+    fn from_str(text: &str) -> std::result::Result<Self, Mistakes> {
+        Equation::read(text)
+    }
+}
+
+/// A constraint that is being made of an equation: bodies in the order of the signature, parameters by name.
+#[derive(Clone)]
+#[must_use]
+pub struct Making {
+    read: Arc<Read>,
+    bodies: Vec<On>,
+    given: Vec<(String, Parameter)>,
+}
+
+impl Making {
+    /// The next body or coordinate of the signature.
+    pub fn on(mut self, next: impl Into<On>) -> Self {
+        self.bodies.push(next.into());
+        self
+    }
+
+    /// The value of a parameter, in the unit that the equation takes it in.
+    pub fn with(mut self, name: &str, value: impl Into<Parameter>) -> Self {
+        self.given.push((name.to_owned(), value.into()));
+        self
+    }
+
+    /// The constraint.
+    ///
+    /// Errors: bodies or parameters that are missing, too many or of another kind.
+    pub fn constraint(self) -> Result<ReadConstraint> {
+        let name = self.read.name.clone();
+        self.made().map_err(|reason| Error::Data { place: format!("`{name}`"), reason })
+    }
+
+    fn made(self) -> std::result::Result<ReadConstraint, String> {
+        let signature = &self.read.signature;
+        let (wanted, given) = (signature.slots.len(), self.bodies.len());
+        if wanted != given {
+            return Err(format!("it takes {wanted} bodies and coordinates, not {given}"));
+        }
+        let bodies = signature.slots.iter().zip(&self.bodies);
+        let targets = bodies.map(|((name, kind), on)| on.as_kind(*kind).ok_or_else(|| wrong(name, *kind)));
+        let targets = targets.collect::<std::result::Result<_, _>>()?;
+        let mut numbers = vec![f64::NAN; signature.numbers.len()];
+        let mut laws = Vec::new();
+        for parameter in &signature.parameters {
+            let name = &parameter.name;
+            let value = self.given.iter().rev().find(|(known, _)| known == name).map(|(_, value)| value);
+            let value =
+                value.ok_or_else(|| format!("its parameter `{name}` is missing: `.with(\"{name}\", …)`"))?;
+            match (&parameter.kind, value) {
+                (ParameterKind::Law(_), Parameter::Law(law)) => laws.push(law.clone()),
+                (ParameterKind::Law(_), Parameter::Numbers(all)) if all.len() == 1 => {
+                    laws.push(Law::constant(all[0]));
+                }
+                (ParameterKind::Axis { first }, Parameter::Numbers(all)) if all.len() == 3 => {
+                    put(&mut numbers, *first, &axis(&Axis::along([all[0], all[1], all[2]])));
+                }
+                (ParameterKind::Axis { first }, Parameter::Numbers(all)) if all.len() == 9 => {
+                    put(&mut numbers, *first, all);
+                }
+                (ParameterKind::Numbers { shape, first }, Parameter::Numbers(all))
+                    if all.len() == count(shape) =>
+                {
+                    put(&mut numbers, *first, all);
+                }
+                (ParameterKind::Numbers { shape, .. }, Parameter::Numbers(all)) => {
+                    return Err(format!(
+                        "its parameter `{name}` has {} numbers, not {}",
+                        count(shape),
+                        all.len()
+                    ));
+                }
+                (ParameterKind::Law(_), _) => return Err(format!("its parameter `{name}` is a law")),
+                (ParameterKind::Axis { .. }, _) => return Err(format!("its parameter `{name}` is an axis")),
+                (_, Parameter::Law(_)) => return Err(format!("its parameter `{name}` is no law")),
+            }
+        }
+        let known = |name: &String| signature.parameters.iter().any(|parameter| parameter.name == *name);
+        if let Some((name, _)) = self.given.iter().find(|(name, _)| !known(name)) {
+            return Err(format!("it has no parameter `{name}`"));
+        }
+        Ok(ReadConstraint { targets, numbers, laws, read: self.read.clone() })
+    }
+}
+
+fn put(numbers: &mut [f64], first: usize, values: &[f64]) {
+    numbers.iter_mut().skip(first).zip(values).for_each(|(place, value)| *place = *value);
+}
+
+fn wrong(name: &str, kind: ArgumentKind) -> String {
+    let wanted = match kind {
+        ArgumentKind::Planar => "a planar body",
+        ArgumentKind::Spatial => "a spatial body",
+        ArgumentKind::Coord => "a coordinate",
+    };
+    format!("its argument `{name}` is {wanted}")
+}
+
+/// A body or coordinate that a constraint is made on; the ground is a body of either kind.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub enum On {
+    /// A planar body.
+    Planar(PlanarBody),
+    /// A spatial body.
+    Spatial(SpatialBody),
+    /// A coordinate.
+    Coord(Coordinate),
+    /// The ground.
+    Ground,
+}
+
+impl On {
+    fn as_kind(self, kind: ArgumentKind) -> Option<Body> {
+        Some(match (kind, self) {
+            (ArgumentKind::Planar, On::Planar(body)) => Body::Planar(body),
+            (ArgumentKind::Planar, On::Ground) => Body::Planar(Ground.into()),
+            (ArgumentKind::Spatial, On::Spatial(body)) => Body::Spatial(body),
+            (ArgumentKind::Spatial, On::Ground) => Body::Spatial(Ground.into()),
+            (ArgumentKind::Coord, On::Coord(coordinate)) => Body::Coord(coordinate),
+            _ => return None,
+        })
+    }
+}
+
+macro_rules! on {
+    ($($ty:ty => $variant:ident;)*) => {$(
+        impl From<$ty> for On {
+            fn from(value: $ty) -> Self {
+                On::$variant(value.into())
+            }
+        }
+    )*};
+}
+
+on! {
+    PlanarBody => Planar;
+    Link => Planar;
+    SpatialBody => Spatial;
+    SpatialLink => Spatial;
+    Coordinate => Coord;
+}
+
+impl From<Ground> for On {
+    fn from(_: Ground) -> Self {
+        On::Ground
+    }
+}
+
+/// The value of a parameter: its numbers in order, or a law.
+#[derive(Clone)]
+#[non_exhaustive]
+pub enum Parameter {
+    /// The numbers of a number, vector, matrix, array or tuple; of an axis its direction.
+    Numbers(Vec<f64>),
+    /// A law.
+    Law(Law),
+}
+
+macro_rules! parameters {
+    ($($ty:ty, |$x:ident| $numbers:expr;)*) => {$(
+        impl From<$ty> for Parameter {
+            fn from($x: $ty) -> Self {
+                Parameter::Numbers($numbers.to_vec())
+            }
+        }
+    )*};
+}
+
+parameters! {
+    f64, |x| [x];
+    Vec<f64>, |x| x;
+    &[f64], |x| x;
+    (f64, f64), |x| [x.0, x.1];
+    (f64, f64, f64), |x| [x.0, x.1, x.2];
+    Vec2, |x| x.to_array();
+    Vec3, |x| x.to_array();
+    EulerParameters, |p| [p.e0, p.e1, p.e2, p.e3];
+    Mat2, |a| [a.m11, a.m12, a.m21, a.m22];
+    Mat3, |a| [a.m11, a.m12, a.m13, a.m21, a.m22, a.m23, a.m31, a.m32, a.m33];
+    Axis, |a| axis(&a);
+}
+
+impl<const N: usize> From<[f64; N]> for Parameter {
+    fn from(x: [f64; N]) -> Self {
+        Parameter::Numbers(x.to_vec())
+    }
+}
+
+impl From<Law> for Parameter {
+    fn from(law: Law) -> Self {
+        Parameter::Law(law)
+    }
+}
+
+fn axis(axis: &Axis) -> [f64; 9] {
+    let (h, f, g) = (axis.h, axis.f, axis.g);
+    [h.x, h.y, h.z, f.x, f.y, f.z, g.x, g.y, g.z]
+}

@@ -1,0 +1,79 @@
+//! Mechanism files that carry their equations.
+
+use kin::Registry;
+use kin::constraint::Constraint;
+use kin::data::Reader;
+use kin::dual_route::ArgumentKind;
+use kin::{Axis, Law};
+use kin_language::parse::Shape;
+use serde_json::Value;
+
+use crate::constraint::{Body, ReadConstraint, count};
+use crate::equation::Equation;
+use crate::signature::ParameterKind;
+
+/// All joints, drivers and laws that ship, and the reader of equations that mechanism files carry as text:
+/// `Mechanism::read_json("slot.json", &kin::text::registry())`.
+pub fn registry() -> Registry {
+    Registry::new().reading_equations(with_text)
+}
+
+/// The registry with the constraint of a text.
+fn with_text(registry: Registry, text: &str) -> Result<Registry, String> {
+    let equation = Equation::read(text).map_err(|mistakes| mistakes.to_string())?;
+    let (name, kinds) = (equation.name().to_owned(), equation.arguments());
+    Ok(registry.with_constraint(&name, &kinds, move |from| {
+        Some(Box::new(made(&equation, from)) as Box<dyn Constraint>)
+    }))
+}
+
+/// The constraint that a file describes; the reader notes what is wrong.
+fn made(equation: &Equation, from: &mut Reader<'_>) -> ReadConstraint {
+    let read = equation.inner().clone();
+    let signature = &read.signature;
+    let target = |from: &mut Reader<'_>, kind: ArgumentKind| match kind {
+        ArgumentKind::Planar => Body::Planar(from.planar()),
+        ArgumentKind::Spatial => Body::Spatial(from.spatial()),
+        ArgumentKind::Coord => Body::Coord(from.coord()),
+    };
+    let targets = signature.slots.iter().map(|(_, kind)| target(from, *kind)).collect();
+    let (mut numbers, mut laws) = (Vec::with_capacity(signature.numbers.len()), Vec::new());
+    for parameter in &signature.parameters {
+        match &parameter.kind {
+            ParameterKind::Numbers { shape, .. } => {
+                let mut own = Vec::new();
+                from.value(&parameter.name, &mut |value| {
+                    own.clear();
+                    of_json(shape, value, &mut own)
+                });
+                own.resize(count(shape), f64::NAN);
+                numbers.extend(own);
+            }
+            ParameterKind::Axis { .. } => {
+                let Axis { h, f, g } = from.get(&parameter.name);
+                numbers.extend([h, f, g].into_iter().flat_map(|v| v.to_array()));
+            }
+            ParameterKind::Law(_) => laws.push(from.get::<Law>(&parameter.name)),
+        }
+    }
+    ReadConstraint { targets, numbers, laws, read: read.clone() }
+}
+
+/// Appends the numbers of a value.
+fn of_json(shape: &Shape, value: &Value, to: &mut Vec<f64>) -> Result<(), String> {
+    let parts = |n: usize| {
+        let parts = value.as_array().filter(|parts| parts.len() == n);
+        parts.ok_or_else(|| format!("{value} is not a list of {n}"))
+    };
+    match shape {
+        Shape::Scalar => {
+            to.push(value.as_f64().ok_or_else(|| format!("{value} is not a number"))?);
+            Ok(())
+        }
+        Shape::Array(inner, n) => parts(*n)?.iter().try_for_each(|part| of_json(inner, part, to)),
+        Shape::Tuple(all) => {
+            parts(all.len())?.iter().zip(all).try_for_each(|(part, shape)| of_json(shape, part, to))
+        }
+        other => parts(count(other))?.iter().try_for_each(|part| of_json(&Shape::Scalar, part, to)),
+    }
+}

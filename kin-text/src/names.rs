@@ -1,0 +1,30 @@
+//! Names that live as long as the program, as facts of constraints ask for: each is kept once, and all of
+//! them together take a bounded part of memory.
+
+use std::collections::BTreeSet;
+use std::sync::{Mutex, PoisonError};
+
+/// Bytes of all names together.
+const MOST: usize = 1 << 20;
+
+struct Kept {
+    names: BTreeSet<&'static str>,
+    bytes: usize,
+}
+
+static KEPT: Mutex<Kept> = Mutex::new(Kept { names: BTreeSet::new(), bytes: 0 });
+
+/// The name, kept. Errors: names of all texts together have become too many.
+pub fn kept(name: &str) -> Result<&'static str, String> {
+    let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = kept.names.get(name) {
+        return Ok(known);
+    }
+    if kept.bytes + name.len() > MOST {
+        return Err(format!("the names in all texts of this program are more than {MOST} bytes"));
+    }
+    kept.bytes += name.len();
+    let name: &'static str = Box::leak(name.into());
+    kept.names.insert(name);
+    Ok(name)
+}

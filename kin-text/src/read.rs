@@ -1,0 +1,294 @@
+//! A text read: its graph with every derivative, and what a constraint is asked for besides.
+
+use kin::constraint::{Dependence, Entry, Measured};
+use kin::emitted::graph::Table;
+use kin_graph::Node;
+use kin_graph::differentiate::Derivatives;
+use kin_language::formula::{Outside, Written, local_column, parameter_name};
+use kin_language::lower::{Attachment, Failure, Lowered};
+use kin_language::parse::{self, ConstraintFn, Demand, Kind};
+use kin_language::{limits, lower};
+use proc_macro2::{Span, TokenStream};
+use quote::ToTokens;
+use syn::{Attribute, Expr, File, Item, ItemFn, Stmt};
+
+use crate::constants;
+use crate::mistake::Mistakes;
+use crate::names::kept;
+use crate::signature::Signature;
+use crate::stage::Stage;
+
+/// An equation as it was read, for constraints on any bodies.
+pub struct Read {
+    pub text: String,
+    pub name: String,
+    pub description: String,
+    pub signature: Signature,
+    pub is_driver: bool,
+    /// The rows; each lives as long as the program.
+    pub rows: Vec<&'static str>,
+    pub pattern: Vec<Entry>,
+    pub constants: Vec<Option<f64>>,
+    pub dependence: Dependence,
+    /// Slots whose sine or cosine is read.
+    pub trig: Vec<usize>,
+    /// C, then C_q.
+    pub values: Stage,
+    pub residual: Stage,
+    pub velocity: Stage,
+    pub acceleration: Stage,
+    /// Each law that is asked, and where.
+    pub asked: Stage,
+    pub asked_laws: Vec<usize>,
+    /// The components of the points and directions, and what they are.
+    pub local: Stage,
+    pub attachments: Vec<Attachment>,
+    pub formula: Asked,
+    pub measures: Vec<Measured>,
+    pub measured: Vec<(Asked, Option<[Asked; 2]>)>,
+    pub requirements: Vec<(Condition, String)>,
+    pub branches: Vec<(Condition, String)>,
+}
+
+/// A condition of an attribute.
+pub enum Condition {
+    /// It holds where this is not zero.
+    NotZero(Asked),
+    /// The law of that number repeats after this period.
+    Periodic(usize, Asked),
+    /// The law of that number is smooth.
+    Smooth(usize),
+}
+
+/// Something that is read as a formula, with the places of the numbers and laws that it asks for.
+pub struct Asked {
+    pub table: Table,
+    pub numbers: Vec<usize>,
+    pub laws: Vec<usize>,
+}
+
+/// Longer texts are refused.
+const LONGEST: usize = 1 << 16;
+/// The stack of the thread that reads: what limits let through takes less.
+const STACK: usize = 64 << 20;
+
+/// Reads a text. What is remembered of its tokens goes with a thread of its own.
+pub fn read(text: &str) -> Result<Read, Mistakes> {
+    if text.len() > LONGEST {
+        return Err(Mistakes::whole(format!(
+            "the text has {} bytes; {LONGEST} are read at most",
+            text.len()
+        )));
+    }
+    let work = || item(text).and_then(of_item).map_err(|error| Mistakes::of(error, text));
+    let read = std::thread::scope(|scope| {
+        let thread = std::thread::Builder::new().stack_size(STACK).spawn_scoped(scope, work);
+        thread.map_or_else(|_| work(), |thread| thread.join().unwrap_or_else(|_| Err(lost())))
+    })?;
+    Ok(Read { text: text.to_owned(), ..read })
+}
+
+fn lost() -> Mistakes {
+    Mistakes::whole("this text cannot be read")
+}
+
+/// The function of a text and what its `#[constraint(…)]` says, with what stands beside it put into its body:
+/// functions and constants that it calls.
+fn item(text: &str) -> syn::Result<(TokenStream, ItemFn)> {
+    let tokens: TokenStream =
+        text.parse().map_err(|error: proc_macro2::LexError| syn::Error::new(error.span(), NO_TOKENS))?;
+    limits::check(&tokens)?;
+    let file: File = syn::parse2(tokens)?;
+    let mut found: Vec<ItemFn> = Vec::new();
+    let mut beside: Vec<Item> = Vec::new();
+    for item in file.items {
+        match item {
+            // The entry of a program, where a whole file of it is read.
+            Item::Fn(function) if function.sig.ident == "main" && function.sig.inputs.is_empty() => {}
+            Item::Fn(function) => found.push(function),
+            Item::Use(_) => {}
+            Item::Struct(mut other) if other.attrs.iter().any(is_mark) => {
+                other.attrs.clear();
+                let first = other.to_token_stream().into_iter().next();
+                let at = first.map_or_else(Span::call_site, |token| token.span());
+                return Err(syn::Error::new(at, "this attribute goes on a function"));
+            }
+            other => beside.push(other),
+        }
+    }
+    let marked = found.iter().position(|function| function.attrs.iter().any(is_mark));
+    let Some(which) = marked.or(found.len().checked_sub(1)) else {
+        return Err(syn::Error::new(Span::call_site(), NO_FUNCTION));
+    };
+    let mut function = found.remove(which);
+    let (marks, others) = function.attrs.into_iter().partition(is_mark);
+    function.attrs = others;
+    let marks: Vec<Attribute> = marks;
+    let said = marks.first().and_then(|mark| mark.meta.require_list().ok().map(|list| list.tokens.clone()));
+    let beside: Vec<Item> = found.into_iter().map(Item::Fn).chain(beside).collect();
+    let body = std::mem::take(&mut function.block.stmts);
+    function.block.stmts = beside.iter().cloned().map(Stmt::Item).chain(body).collect();
+    constants::put(&mut function, &beside);
+    Ok((said.unwrap_or_default(), function))
+}
+
+const NO_TOKENS: &str =
+    "this is no text of Rust: a bracket or a quote has no partner, or a character no meaning";
+const NO_FUNCTION: &str = "write the equation as a function, `fn name(i: Planar, …) -> f64 { … }`";
+
+fn is_mark(attribute: &Attribute) -> bool {
+    attribute.path().segments.last().is_some_and(|last| last.ident == "constraint")
+}
+
+fn of_item((said, item): (TokenStream, ItemFn)) -> syn::Result<Read> {
+    let source = parse::constraint(said, item.to_token_stream())?;
+    let signature = Signature::of(&source)?;
+    let mut lowered = understood(lower::constraint(&source))?;
+    let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
+    let local = |column| local_column(&source.arguments, column);
+    let derived = Derivatives::new(&mut lowered.graph, &rows, local);
+    let promises = derived.promises(&lowered.graph, &rows);
+    let places = Places { signature: &signature, source: &source };
+    let formula = places.asked(&lowered)?;
+    let stage = |nodes: &[Node]| places.stage(&lowered, nodes);
+    let values: Vec<Node> =
+        rows.iter().copied().chain(derived.jacobian.iter().map(|entry| entry.2)).collect();
+    let laws = lowered.laws_asked();
+    let points: Vec<Node> = lowered.attachments.iter().flat_map(|one| one.local.iter().copied()).collect();
+    let too_many = |text: String| syn::Error::new(source.name.span(), text);
+    let row_names = lowered.rows.iter().map(|row| kept(&row.name).map_err(too_many));
+    let read = Read {
+        text: String::new(),
+        name: syn::ext::IdentExt::unraw(&source.name).to_string(),
+        description: kin_language::parse::description(&source.attributes),
+        is_driver: source.arguments.iter().any(|argument| argument.kind == Kind::Time),
+        rows: row_names.collect::<syn::Result<_>>()?,
+        pattern: derived.jacobian.iter().map(|(row, column, _)| Entry::new(*row, *column)).collect(),
+        dependence: Dependence {
+            c_on_t: promises.c_on_t,
+            c_q_on_t: promises.c_q_on_t,
+            c_t: promises.c_t,
+            q_d: promises.q_d,
+            curved: promises.curved,
+        },
+        constants: promises.constants,
+        trig: derived.trig(&lowered.graph, &rows),
+        values: stage(&values)?,
+        residual: stage(&rows)?,
+        velocity: stage(&derived.velocity_rhs)?,
+        acceleration: stage(&derived.acceleration_rhs)?,
+        asked: stage(&laws.iter().map(|(_, x)| *x).collect::<Vec<Node>>())?,
+        asked_laws: laws.iter().map(|(law, _)| places.law(&lowered, *law)).collect::<syn::Result<_>>()?,
+        local: stage(&points)?,
+        formula,
+        measures: places.measures()?,
+        measured: places.measured()?,
+        requirements: places.demands(&source.requirements)?,
+        branches: places.demands(&source.branches)?,
+        attachments: lowered.attachments,
+        signature: signature.clone(),
+    };
+    Ok(read)
+}
+
+/// The lowered function, if nothing in it is known to rustc alone.
+fn understood(read: Result<Lowered, Failure>) -> syn::Result<Lowered> {
+    let lowered = read.map_err(|failure| match failure {
+        Failure::Mistakes(mistakes) => mistakes,
+        Failure::Unreadable(why) => {
+            syn::Error::new(why.span, format!("{} cannot be read from a text", why.what))
+        }
+    })?;
+    match lowered.opaques.iter().chain(&lowered.leaves).next() {
+        Some(value) => Err(syn::Error::new(value.template.place().unwrap_or_else(Span::call_site), UNKNOWN)),
+        None => Ok(lowered),
+    }
+}
+
+const UNKNOWN: &str = "this is not known here: what an equation calls stands in its text too, as a function or constant beside it";
+
+/// The places that names of parameters have in the signature.
+struct Places<'a> {
+    signature: &'a Signature,
+    source: &'a ConstraintFn,
+}
+
+impl Places<'_> {
+    fn number(&self, lowered: &Lowered, k: usize) -> syn::Result<usize> {
+        let name = parameter_name(&lowered.parameters[k], &self.source.arguments);
+        self.signature.number(&name).ok_or_else(|| self.unknown(&name))
+    }
+
+    fn law(&self, lowered: &Lowered, k: usize) -> syn::Result<usize> {
+        let name = lowered.laws[k].key().replace(' ', "");
+        let name = name.trim_start_matches("self.").trim_start_matches("r#");
+        self.signature.law(name).ok_or_else(|| self.unknown(name))
+    }
+
+    fn unknown(&self, name: &str) -> syn::Error {
+        syn::Error::new(self.source.name.span(), format!("`{name}` is no number or law of the signature"))
+    }
+
+    fn stage(&self, lowered: &Lowered, nodes: &[Node]) -> syn::Result<Stage> {
+        let numbers = (0..lowered.parameters.len()).map(|k| self.number(lowered, k));
+        let numbers = numbers.collect::<syn::Result<Vec<usize>>>()?;
+        let laws =
+            (0..lowered.laws.len()).map(|k| self.law(lowered, k)).collect::<syn::Result<Vec<usize>>>()?;
+        Ok(Stage::of(&lowered.graph, nodes, |k| numbers[k], |k| laws[k]))
+    }
+
+    fn asked(&self, folded: &Lowered) -> syn::Result<Asked> {
+        let written = Written::of(&self.source.arguments, folded);
+        let lowered = written.lowered;
+        let numbers = written.parameters.iter().map(|&k| self.number(lowered, k));
+        let laws = written.outside.iter().map(|outside| match outside {
+            Outside::Law(k) => self.law(lowered, *k),
+            Outside::Opaque(_) | Outside::Leaf(_) => Err(self.unknown(&self.source.name.to_string())),
+        });
+        let (numbers, laws) = (numbers.collect::<syn::Result<_>>()?, laws.collect::<syn::Result<_>>()?);
+        Ok(Asked { numbers, laws, table: Table::read(written.formula) })
+    }
+
+    /// An expression of an attribute.
+    fn value(&self, expression: &Expr) -> syn::Result<Asked> {
+        self.asked(&understood(lower::value(self.source, &constants::put_into(expression)))?)
+    }
+
+    fn demands(&self, all: &[Demand]) -> syn::Result<Vec<(Condition, String)>> {
+        all.iter().map(|demand| Ok((self.condition(&demand.condition)?, demand.text.clone()))).collect()
+    }
+
+    fn condition(&self, condition: &Expr) -> syn::Result<Condition> {
+        if let Expr::MethodCall(call) = condition
+            && let Some(law) = self.signature.law(&call.receiver.to_token_stream().to_string())
+        {
+            match (call.method.to_string().as_str(), call.args.len()) {
+                ("is_periodic", 1) => return Ok(Condition::Periodic(law, self.value(&call.args[0])?)),
+                ("is_smooth", 0) => return Ok(Condition::Smooth(law)),
+                _ => {}
+            }
+        }
+        let holds = syn::parse_quote!(if #condition { 1.0 } else { 0.0 });
+        Ok(Condition::NotZero(self.value(&holds)?))
+    }
+
+    fn measures(&self) -> syn::Result<Vec<Measured>> {
+        let measures = self.source.measures.iter().map(|measure| {
+            let kept = |text: &str| kept(text).map_err(|why| syn::Error::new(measure.name.span(), why));
+            let name = syn::ext::IdentExt::unraw(&measure.name).to_string();
+            Ok(Measured { name: kept(&name)?, unit: kept(&measure.unit)?, turns: measure.turns })
+        });
+        measures.collect()
+    }
+
+    fn measured(&self) -> syn::Result<Vec<(Asked, Option<[Asked; 2]>)>> {
+        let measures = self.source.measures.iter().map(|measure| {
+            let ends = match &measure.ends {
+                Some((from, to)) => Some([self.value(from)?, self.value(to)?]),
+                None => None,
+            };
+            Ok((self.value(&measure.value)?, ends))
+        });
+        measures.collect()
+    }
+}

@@ -1,0 +1,113 @@
+//! The signature of an equation, without its tokens: bodies, and parameters with their numbers by name.
+
+use kin::dual_route::ArgumentKind;
+use kin_language::formula::parameter_name;
+use kin_language::lower::component_paths;
+use kin_language::parse::{Argument, ConstraintFn, Kind, Shape};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::names::kept;
+
+/// The bodies and coordinates of a function, and its parameters.
+#[derive(Clone, Debug)]
+pub struct Signature {
+    /// Name and kind, a `[Coord; N]` counting N.
+    pub slots: Vec<(&'static str, ArgumentKind)>,
+    pub parameters: Vec<Parameter>,
+    /// The name of every number of the parameters, in order.
+    pub numbers: Vec<String>,
+}
+
+/// A parameter of the function.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    pub name: String,
+    pub kind: ParameterKind,
+}
+
+/// The value that a parameter is.
+#[derive(Clone, Debug)]
+pub enum ParameterKind {
+    /// So many numbers from `first` on.
+    Numbers {
+        shape: Shape,
+        first: usize,
+    },
+    /// Nine numbers from `first` on.
+    Axis {
+        first: usize,
+    },
+    Law(usize),
+}
+
+impl Signature {
+    /// Errors: parameters of types that only rustc knows, at the type.
+    pub fn of(source: &ConstraintFn) -> syn::Result<Self> {
+        let mut all = Signature { slots: vec![], parameters: vec![], numbers: vec![] };
+        let mut laws = 0;
+        for argument in &source.arguments {
+            let name = syn::ext::IdentExt::unraw(&argument.name).to_string();
+            if argument.kind.slots() > 0 {
+                let kept = kept(&name).map_err(|text| syn::Error::new(argument.name.span(), text))?;
+                all.slots.extend((0..argument.kind.slots()).map(|_| (kept, slot(&argument.kind))));
+                continue;
+            }
+            let first = all.numbers.len();
+            let kind = match &argument.kind {
+                Kind::Time => continue,
+                Kind::Numbers(shape) => {
+                    all.declare(component_paths(&path(argument), shape), &source.arguments);
+                    ParameterKind::Numbers { shape: shape.clone(), first }
+                }
+                Kind::Axis => {
+                    let own = path(argument);
+                    for field in [quote!(#own.h), quote!(#own.f), quote!(#own.g)] {
+                        all.declare(component_paths(&field, &Shape::Vector(3)), &source.arguments);
+                    }
+                    ParameterKind::Axis { first }
+                }
+                Kind::Law => {
+                    laws += 1;
+                    ParameterKind::Law(laws - 1)
+                }
+                _ => return Err(syn::Error::new_spanned(&argument.ty, UNKNOWN)),
+            };
+            all.parameters.push(Parameter { name, kind });
+        }
+        Ok(all)
+    }
+
+    fn declare(&mut self, paths: Vec<TokenStream>, arguments: &[Argument]) {
+        self.numbers.extend(paths.iter().map(|path| parameter_name(path, arguments)));
+    }
+
+    /// The place of the number that a path reads.
+    pub fn number(&self, name: &str) -> Option<usize> {
+        self.numbers.iter().position(|known| known == name)
+    }
+
+    /// The number of the law of that name.
+    pub fn law(&self, name: &str) -> Option<usize> {
+        self.parameters.iter().find_map(|parameter| match parameter.kind {
+            ParameterKind::Law(k) if parameter.name == name => Some(k),
+            _ => None,
+        })
+    }
+}
+
+const UNKNOWN: &str = "in a text a parameter is an `f64`, a vector or matrix, an array or tuple of these, an `Axis` or a `Law`: other types are \
+                       known to programs only";
+
+fn path(argument: &Argument) -> TokenStream {
+    let name = &argument.name;
+    quote!(self.#name)
+}
+
+fn slot(kind: &Kind) -> ArgumentKind {
+    match kind {
+        Kind::Planar | Kind::Planars(_) => ArgumentKind::Planar,
+        Kind::Spatial | Kind::Spatials(_) => ArgumentKind::Spatial,
+        _ => ArgumentKind::Coord,
+    }
+}

@@ -1,0 +1,126 @@
+//! Nodes of a graph that are asked for together, in a graph of their own without anything else in it: the
+//! evaluator goes through it from the first to the last.
+
+use kin::Law;
+use kin::state::{At, Rates};
+use kin_graph::{Graph, Input, LeafUse, Node, Op, Part, Source, evaluate};
+
+/// Outputs that are computed by one call.
+#[derive(Default)]
+pub struct Stage {
+    graph: Graph,
+    outputs: Vec<Node>,
+}
+
+impl Stage {
+    /// `outputs` of `from`; its numbers of parameters are put in order by `parameter`, its laws by `law`.
+    pub fn of(
+        from: &Graph,
+        outputs: &[Node],
+        parameter: impl Fn(usize) -> usize,
+        law: impl Fn(usize) -> usize,
+    ) -> Self {
+        let mut graph = Graph::default();
+        let mut places: Vec<Node> = vec![Node::default(); from.len()];
+        for node in from.reachable(outputs) {
+            let op = match from.op(node).with_operands(|operand| places[operand.index()]) {
+                Op::Input(Input::Parameter(k)) => Op::Input(Input::Parameter(parameter(k))),
+                Op::Law(number, x, order) => Op::Law(law(number), x, order),
+                Op::Decimal(k) => {
+                    let nearest = from.decimals.get(k).map_or(f64::NAN, |decimal| decimal.nearest);
+                    Op::Constant(nearest.to_bits())
+                }
+                op => op,
+            };
+            places[node.index()] = graph.raw(op);
+        }
+        Stage { graph, outputs: outputs.iter().map(|output| places[output.index()]).collect() }
+    }
+
+    /// Computes the outputs into `to`.
+    pub fn compute(&self, seen: &Seen<'_>, to: &mut [f64]) {
+        let results = evaluate(&self.graph, &self.outputs, seen);
+        for (place, output) in to.iter_mut().zip(&self.outputs) {
+            *place = results.number(*output).unwrap_or(f64::NAN);
+        }
+    }
+}
+
+/// The state, time and parameters that the inputs of a stage are read from.
+pub struct Seen<'a> {
+    pub at: &'a At<'a>,
+    pub rates: Option<&'a Rates<'a>>,
+    pub t_dot: f64,
+    pub kinds: &'a [(&'static str, kin::dual_route::ArgumentKind)],
+    pub parameters: &'a [f64],
+    pub laws: &'a [Law],
+}
+
+impl Seen<'_> {
+    fn state(&self, slot: usize, part: Part) -> Option<f64> {
+        use kin::dual_route::ArgumentKind::{Coord, Planar, Spatial};
+        match (self.kinds.get(slot)?.1, part) {
+            (Planar, Part::R(k)) => self.at.state::<5>(slot)?.get(k).copied(),
+            (Planar, part) => Some(self.at.state::<5>(slot)?[trig(part, 2)]),
+            (Spatial, Part::R(k)) => self.at.state::<7>(slot)?.get(k).copied(),
+            (Spatial, Part::P(k)) => self.at.state::<7>(slot)?.get(3 + k).copied(),
+            (Coord, part) => Some(self.at.state::<3>(slot)?[trig(part, 0)]),
+            _ => None,
+        }
+    }
+
+    fn rate(&self, slot: usize, part: Part) -> Option<f64> {
+        use kin::dual_route::ArgumentKind::{Coord, Planar, Spatial};
+        let rates = self.rates?;
+        match (self.kinds.get(slot)?.1, part) {
+            (Planar, Part::R(k)) => rates.of::<3>(slot)?.get(k).copied(),
+            (Planar, _) => Some(rates.of::<3>(slot)?[2]),
+            (Spatial, Part::R(k)) => rates.of::<7>(slot)?.get(k).copied(),
+            (Spatial, Part::P(k)) => rates.of::<7>(slot)?.get(3 + k).copied(),
+            (Coord, _) => Some(rates.of::<1>(slot)?[0]),
+            _ => None,
+        }
+    }
+}
+
+/// Where an angle, its sine or its cosine stands in a state, the angle being number `theta`.
+fn trig(part: Part, theta: usize) -> usize {
+    match part {
+        Part::Sin => theta + 1,
+        Part::Cos => theta + 2,
+        _ => theta,
+    }
+}
+
+impl Source<f64> for Seen<'_> {
+    fn input(&self, input: Input) -> f64 {
+        let found = match input {
+            Input::State(slot, part) => self.state(slot, part),
+            Input::Rate(slot, part) => self.rate(slot, part),
+            Input::Time => Some(self.at.t),
+            Input::TimeRate => Some(self.t_dot),
+            Input::Parameter(k) => self.parameters.get(k).copied(),
+            Input::Column(_) | Input::Timed(_) => None,
+        };
+        found.unwrap_or(f64::NAN)
+    }
+
+    fn law(&self, law: usize, x: f64, order: u8) -> f64 {
+        let Some(law) = self.laws.get(law) else { return f64::NAN };
+        match order {
+            0..=3 => law.jet(x)[usize::from(order)],
+            4 => law.fourth(x),
+            _ => f64::NAN,
+        }
+    }
+
+    /// There are none in an equation from text.
+    fn opaque(&self, _: usize, _: usize, _: Vec<f64>) -> f64 {
+        f64::NAN
+    }
+
+    /// There are none in an equation from text.
+    fn leaf(&self, _: LeafUse, _: Vec<f64>) -> f64 {
+        f64::NAN
+    }
+}

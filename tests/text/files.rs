@@ -1,0 +1,150 @@
+//! Mechanism files that carry their equations.
+
+use kin::Registry;
+use kin::data::MechanismData;
+use kin::prelude::*;
+use kin_text::{Equation, registry};
+
+const SLOT: &str = "/// Pin in a parabolic slot.
+#[require(k != 0.0, \"a slot that is bent\")]
+#[measure(along = j.local(i.point(u_i)).x, \"m\")]
+fn parabolic_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
+    let s = j.local(i.point(u_i));
+    s.y - parabola(s.x, k)
+}
+
+fn parabola(x: f64, k: f64) -> f64 {
+    k * x * x
+}";
+
+/// The same, compiled.
+#[constraint]
+fn compiled_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
+    let s = j.local(i.point(u_i));
+    s.y - k * s.x * s.x
+}
+
+fn marked() -> Equation {
+    Equation::read(&SLOT.replace("#[require", "#[constraint]\n#[require")).unwrap()
+}
+
+fn mechanism(k: f64) -> Mechanism {
+    with_slot(|slider, ground| {
+        let slot = marked().on(slider).on(ground).with("u_i", [0.1, 0.0]).with("k", k);
+        Box::new(slot.constraint().unwrap())
+    })
+    .unwrap()
+}
+
+fn with_slot(slot: impl Fn(PlanarBody, Ground) -> Box<dyn Constraint>) -> kin::Result<Mechanism> {
+    let mut m = Mechanism::new("slider in a slot");
+    let slider = m.planar("slider", pose(0.2, 0.1, 0.0))?;
+    m.add("slot", slot(slider, m.ground()))?;
+    m.add("upright", drive(slider.theta(), Law::constant(0.2)))?;
+    m.add("motor", drive(slider.x(), Law::sine(0.3, 1.0, 0.0)))?;
+    Ok(m)
+}
+
+#[test]
+fn a_constraint_from_text_moves_as_the_compiled_one() {
+    let read = mechanism(2.0).build().unwrap().run(linspace(0.0, 6.0, 61)).unwrap();
+    let compiled = with_slot(|slider, ground| Box::new(compiled_slot(slider, ground, vec2(0.1, 0.0), 2.0)));
+    let compiled = compiled.unwrap().build().unwrap().run(linspace(0.0, 6.0, 61)).unwrap();
+    for k in 0..61 {
+        for (a, b) in
+            [(read.q(k), compiled.q(k)), (read.qd(k), compiled.qd(k)), (read.qdd(k), compiled.qdd(k))]
+        {
+            assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-13), "time {k}: {a:?} {b:?}");
+        }
+    }
+}
+
+#[test]
+fn the_engine_compiles_it() {
+    let options = kin::Options { engine: kin::Engine::Compiled, ..kin::Options::default() };
+    let system = mechanism(2.0).build().unwrap();
+    let motion = system.run_with(linspace(0.0, 6.0, 601), &options).unwrap();
+    let plain = system.run(linspace(0.0, 6.0, 601)).unwrap();
+    assert!(motion.engine().compiled > 500, "{:?}", motion.engine());
+    for k in 0..601 {
+        assert!(motion.q(k).iter().zip(plain.q(k)).all(|(a, b)| (a - b).abs() < 1e-12));
+    }
+}
+
+#[test]
+fn a_file_carries_its_equation_and_gives_the_same_motion() {
+    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("slot.json");
+    mechanism(2.0).write_json(&path).unwrap();
+    let text = std::fs::read_to_string(&path).unwrap();
+    assert!(text.contains("\"equations\":[") && text.contains("fn parabolic_slot"), "{text}");
+    let again = Mechanism::read_json(&path, &registry()).unwrap();
+    let runs = [mechanism(2.0), again].map(|m| m.build().unwrap().run(linspace(0.0, 6.0, 61)).unwrap());
+    assert_eq!(runs[0].data(), runs[1].data());
+}
+
+#[test]
+fn a_file_with_equations_asks_for_their_reader() {
+    let data = mechanism(2.0).data().unwrap();
+    let error = Mechanism::from_data(&data, &Registry::new())
+        .err()
+        .map(|error| error.to_string())
+        .unwrap_or_default();
+    assert!(error.contains("kin::text::registry()"), "{error}");
+}
+
+#[test]
+fn a_mistake_in_a_file_is_told_with_its_place() {
+    let mut data: MechanismData = mechanism(2.0).data().unwrap();
+    data.equations[0] = data.equations[0].replace("s.y - parabola", "s.w - parabola");
+    let error =
+        Mechanism::from_data(&data, &registry()).err().map(|error| error.to_string()).unwrap_or_default();
+    assert!(error.contains("text:7:7") && error.contains("a Vec2 has no field `w`"), "{error}");
+}
+
+#[test]
+fn two_equations_of_one_name_do_not_go_into_one_file() {
+    let mut m = mechanism(2.0);
+    let other = Equation::read("fn parabolic_slot(i: Planar) -> f64 { i.r.x }").unwrap();
+    let body = m.planar("other", pose(0.0, 0.0, 0.0)).unwrap();
+    m.add("second", other.on(body).constraint().unwrap()).unwrap();
+    let error = m.data().err().map(|error| error.to_string()).unwrap_or_default();
+    assert!(
+        error.contains("`second`") && error.contains("there is another equation `parabolic_slot`"),
+        "{error}"
+    );
+}
+
+#[test]
+fn demands_and_measures_of_a_text_hold() {
+    let mut m = Mechanism::new("flat");
+    let slider = m.planar("slider", pose(0.2, 0.1, 0.0)).unwrap();
+    let flat = marked().on(slider).on(m.ground()).with("u_i", [0.1, 0.0]).with("k", 0.0);
+    let error =
+        m.add("slot", flat.constraint().unwrap()).err().map(|error| error.to_string()).unwrap_or_default();
+    assert!(error.contains("a slot that is bent (k = 0)"), "{error}");
+    let system = mechanism(2.0).build().unwrap();
+    let motion = system.run(linspace(0.0, 6.0, 61)).unwrap();
+    let along = system.measure(&motion, "slot.along").unwrap();
+    let x: Vec<f64> = (0..61).map(|k| motion.q(k)[0] + 0.1 * 0.2_f64.cos()).collect();
+    assert!(along.value.values().iter().zip(&x).all(|(a, b)| (a - b).abs() < 1e-14));
+}
+
+#[test]
+fn parameters_that_do_not_fit_are_told_by_name() {
+    let mut m = Mechanism::new("wrong");
+    let slider = m.planar("slider", pose(0.2, 0.1, 0.0)).unwrap();
+    let slot = marked();
+    let on = || slot.on(slider).on(Ground);
+    let cases = [
+        (slot.on(slider), "it takes 2 bodies and coordinates, not 1"),
+        (slot.on(slider.x()).on(Ground), "its argument `i` is a planar body"),
+        (on().with("k", 2.0), "its parameter `u_i` is missing: `.with(\"u_i\", …)`"),
+        (on().with("k", 2.0).with("u_i", 1.0), "its parameter `u_i` has 2 numbers, not 1"),
+        (on().with("k", Law::constant(1.0)).with("u_i", [0.0, 0.0]), "its parameter `k` is no law"),
+        (on().with("k", 2.0).with("u_i", [0.0, 0.0]).with("kk", 1.0), "it has no parameter `kk`"),
+    ];
+    for (making, wanted) in cases {
+        let error = making.constraint().err().map(|error| error.to_string()).unwrap_or_default();
+        assert!(error.contains("`parabolic_slot`") && error.contains(wanted), "{error}");
+    }
+}

@@ -1,0 +1,5 @@
+//! Equations from text: constraints in mechanisms, files that carry their equations, and mistakes told at the
+//! place of the text.
+
+mod files;
+mod mistakes;
