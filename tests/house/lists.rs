@@ -65,10 +65,9 @@ fn functions() -> BTreeSet<String> {
 fn lists(of: &BTreeSet<String>, allowed: &[&str]) -> Vec<String> {
     let most = SHARE * of.len() as f64;
     let mut found = Vec::new();
-    for folder in
-        ["src", "kin-graph/src", "kin-language/src", "kin-macros/src", "kin-core/src", "kin-view/src"]
-    {
-        for path in rust_files(folder) {
+    let rooms = ["kin-graph", "kin-language", "kin-macros", "kin-core", "kin-text", "kin-view", "kin-cli"];
+    for folder in ["src".to_string()].into_iter().chain(rooms.map(|name| format!("{name}/src"))) {
+        for path in rust_files(&folder) {
             let name = path.strip_prefix(ROOT).expect("below the root").to_string_lossy().replace('\\', "/");
             let mut matches = Matches::default();
             matches.visit_file(

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
+use super::names::plain;
 use super::{FORMAT, Registry, is_first};
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
@@ -260,7 +261,7 @@ impl Mechanism {
             let reason = format!("format {} is not known here, only {FORMAT}", data.format);
             return Err(Error::Data { place: format!("mechanism `{}`", data.name), reason });
         }
-        let mut mechanism = Mechanism::new(&data.name);
+        let mut mechanism = Mechanism::new(plain("mechanism", &data.name)?);
         mechanism.layout.words = read_units(&data.units)?;
         for body in &data.bodies {
             mechanism.add_body(body)?;
@@ -269,6 +270,7 @@ impl Mechanism {
         let registry =
             &own.map_err(|reason| Error::Data { place: format!("mechanism `{}`", data.name), reason })?;
         for ConstraintData { name, kind, arguments, parameters } in &data.constraints {
+            plain("constraint", name)?;
             let made = registry.constraint(kind, arguments, parameters, &mechanism);
             let constraint =
                 made.map_err(|reason| Error::Data { place: format!("constraint `{name}`"), reason })?;
@@ -290,7 +292,7 @@ impl Mechanism {
         if body.guess.len() != count || !(body.preferred.is_empty() || body.preferred.len() == count) {
             return Err(fail(format!("it has {count} coordinates; its guess has {}", body.guess.len())));
         }
-        let index = self.declare(&body.name, kind, &body.guess)?;
+        let index = self.declare(plain("body", &body.name)?, kind, &body.guess)?;
         let first = self.layout.items[index].first;
         for (axis, value) in
             body.preferred.iter().enumerate().filter_map(|(axis, value)| Some((axis, (*value)?)))
@@ -346,6 +348,7 @@ impl Mechanism {
 
 /// The words of a file. Errors: one that is empty.
 pub(super) fn read_units(units: &Units) -> Result<Units> {
+    [units.length(), units.time()].into_iter().try_for_each(|word| plain("unit", word).map(|_| ()))?;
     units.missing().map_or(Ok(units.clone()), |what| Err(Error::EmptyName { what }))
 }
 

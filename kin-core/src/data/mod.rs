@@ -7,6 +7,7 @@ mod joints;
 mod law;
 mod mechanism;
 mod motion;
+mod names;
 mod registry;
 mod value;
 

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::mechanism::{BodyKind, read_units};
+use super::names::plain;
 use super::{FORMAT, is_first};
 use crate::model::coordinates::MechanismId;
 use crate::model::error::{Error, Result};
@@ -141,6 +142,7 @@ impl Motion {
         }
         let mut layout = Layout::new(MechanismId::fresh());
         layout.words = read_units(&data.units)?;
+        data.check_names()?;
         for (name, kind) in &data.bodies {
             layout.declare(name, (*kind).into())?;
         }
@@ -195,6 +197,18 @@ impl Motion {
 }
 
 impl MotionData {
+    /// Errors: a name that moves the cursor of a terminal.
+    fn check_names(&self) -> Result<()> {
+        let bodies = self.bodies.iter().map(|(name, _)| ("body", name));
+        let equations = self.equations.iter().map(|name| ("equation", name));
+        let outputs = self.outputs.iter().flat_map(|one| [("output", &one.name), ("unit", &one.unit)]);
+        let all = [("motion", &self.name)].into_iter().chain(bodies).chain(equations).chain(outputs);
+        for (what, name) in all {
+            plain(what, name)?;
+        }
+        Ok(())
+    }
+
     /// All numbers that have to be finite.
     fn numbers(&self) -> impl Iterator<Item = f64> {
         let rows = [&self.q, &self.qd, &self.qdd, &self.qddd].into_iter().flatten().flatten();

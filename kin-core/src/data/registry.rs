@@ -146,6 +146,11 @@ impl Registry {
     fn unknown(&self, kind: &str, arguments: usize) -> String {
         match self.constraints.keys().any(|(known, _)| known == kind) {
             true => format!("no `{kind}` is known with these {arguments} arguments"),
+            false if self.equations.is_some() => {
+                format!(
+                    "unknown constraint `{kind}`: its equation stands neither in the library nor under `equations`"
+                )
+            }
             false => format!("unknown constraint `{kind}`: add it with `Registry::with::<{kind}>()`"),
         }
     }

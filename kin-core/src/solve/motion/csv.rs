@@ -22,14 +22,21 @@ impl Motion {
         if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
             std::fs::create_dir_all(folder)?;
         }
-        let mut table = csv::Writer::from_writer(std::io::BufWriter::new(std::fs::File::create(path)?));
+        self.write_csv_to(std::io::BufWriter::new(std::fs::File::create(path)?))
+    }
+
+    /// Writes the same table to anything that takes bytes, such as the standard output.
+    ///
+    /// Errors: what the writer reports.
+    pub fn write_csv_to(&self, to: impl Write) -> std::io::Result<()> {
+        let mut table = csv::Writer::from_writer(to);
         self.table(&mut table)?;
         table.flush()
     }
 
     /// Header and rows.
     fn table(&self, table: &mut csv::Writer<impl Write>) -> std::io::Result<()> {
-        table.write_record(self.headers())?;
+        table.write_record(self.headers()).map_err(reason)?;
         let mut text = String::new();
         for k in 0..self.len() {
             let outputs = self.outputs().iter().filter_map(|output| output.values().get(k));
@@ -45,9 +52,9 @@ impl Motion {
             for value in row {
                 text.clear();
                 digits(&mut text, *value);
-                table.write_field(&text)?;
+                table.write_field(&text).map_err(reason)?;
             }
-            table.write_record(None::<&[u8]>)?;
+            table.write_record(None::<&[u8]>).map_err(reason)?;
         }
         Ok(())
     }
@@ -65,6 +72,14 @@ impl Motion {
         }
         all.extend(self.outputs().iter().map(|output| format!("{} [{}]", output.name(), output.unit())));
         all
+    }
+}
+
+/// The system's own reason, of which the conversion that `csv` has would lose the kind.
+fn reason(error: csv::Error) -> std::io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(reason) => reason,
+        other => std::io::Error::other(format!("{other:?}")),
     }
 }
 

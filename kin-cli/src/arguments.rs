@@ -1,0 +1,207 @@
+//! The command line: what can be asked, as `clap` reads it.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
+
+use crate::points::{NamedPoint, Setting, Shard};
+use crate::say::Format;
+use crate::times::Times;
+
+/// Mechanism files run, checked, diagnosed, proved, swept and drawn.
+///
+/// Data go to the standard output or to files, words to the standard error. `-` is the standard input or
+/// output.
+#[derive(Debug, Parser)]
+#[command(name = "kin", version, after_help = EXIT_CODES)]
+pub struct Arguments {
+    /// How notes and errors are written on the standard error
+    #[arg(long, value_enum, default_value = "text", global = true)]
+    pub error_format: Format,
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+const EXIT_CODES: &str = "Exit codes: 0 done, 1 the mechanism's fault, 2 usage, 3 the run ended early (what came \
+                          before is written), 4 not proved, 5 a file.";
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Position, velocity and acceleration over time
+    Run(Run),
+    /// The same, once more each time the file changes
+    Watch(Run),
+    /// Reads a file, builds the mechanism and assembles it
+    Check(Check),
+    /// Rank, redundancies, contradictions and freedoms by name
+    Diagnose(Diagnose),
+    /// All assemblies at one time, as CSV
+    Assemblies(Assemblies),
+    /// A measure of a joint or a coordinate over time, as CSV, and its extremes
+    Measure(Measure),
+    /// A proof, by interval bounds, that nothing else moves like this
+    Prove(Prove),
+    /// How the motion changes with parameters, as CSV: exact derivatives
+    Sensitivities(Sensitivities),
+    /// Many cases, a row each: what they are, and the extremes of what is kept of them
+    Sweep(Sweep),
+    /// Completions for a shell, to be put where it looks for them
+    Completions { shell: Shell },
+    /// The manual page, of the whole or of one command
+    Manual { command: Option<String> },
+}
+
+/// A mechanism and what is changed in it.
+#[derive(Clone, Debug, Args)]
+pub struct Model {
+    /// The mechanism file; `-` is the standard input
+    pub file: String,
+    /// Sets a parameter, or the guess of a coordinate
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    pub settings: Vec<Setting>,
+}
+
+/// How a motion is computed.
+#[derive(Clone, Debug, Args)]
+pub struct Motion {
+    /// `FROM:TO:COUNT`, such as 0:1:361, or a list, such as 0,0.5,1   [s]
+    #[arg(long, allow_hyphen_values = true)]
+    pub times: Times,
+    /// Plain steps, or the whole mechanism as one program: that pays from about a thousand times on
+    #[arg(long, value_enum, default_value = "plain")]
+    pub engine: Engine,
+    /// At the change points of these numbers, counted from 0, turns into the other branch
+    #[arg(long, value_delimiter = ',', value_name = "NUMBERS")]
+    pub turning: Vec<usize>,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum Engine {
+    Plain,
+    Compiled,
+}
+
+#[derive(Clone, Debug, Args)]
+pub struct Run {
+    #[command(flatten)]
+    pub model: Model,
+    #[command(flatten)]
+    pub motion: Motion,
+    /// Adds a point of a body, and its path to pictures
+    #[arg(long = "point", value_name = "NAME=BODY:X,Y[,Z]")]
+    pub points: Vec<NamedPoint>,
+    /// Adds a measure of a joint, with its rates
+    #[arg(long = "measure", value_name = "NAME")]
+    pub measures: Vec<String>,
+    /// Solves for the jerk too
+    #[arg(long)]
+    pub jerk: bool,
+    /// The motion as CSV
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<String>,
+    /// The motion as JSON, without loss
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<String>,
+    /// The mechanism, moving, as SVG
+    #[arg(long, value_name = "FILE")]
+    pub svg: Option<String>,
+    /// A page on which it moves, with charts of points and measures, as HTML
+    #[arg(long, value_name = "FILE")]
+    pub page: Option<String>,
+}
+
+#[derive(Clone, Debug, Args)]
+pub struct Check {
+    #[command(flatten)]
+    pub model: Model,
+    /// The time at which it is assembled   [s]
+    #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
+    pub at: f64,
+    /// Names and values of all parameters, names of coordinates and measures, as CSV on the standard output
+    #[arg(long)]
+    pub names: bool,
+}
+
+#[derive(Clone, Debug, Args)]
+pub struct Diagnose {
+    #[command(flatten)]
+    pub model: Model,
+    /// The time   [s]
+    #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
+    pub at: f64,
+    /// The diagnosis as JSON
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<String>,
+}
+
+#[derive(Clone, Debug, Args)]
+pub struct Assemblies {
+    #[command(flatten)]
+    pub model: Model,
+    /// The time   [s]
+    #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
+    pub at: f64,
+    /// Where the table goes
+    #[arg(long, value_name = "FILE", default_value = "-")]
+    pub csv: String,
+}
+
+#[derive(Clone, Debug, Args)]
+pub struct Measure {
+    #[command(flatten)]
+    pub model: Model,
+    /// Measures and coordinates, such as `slot.slide` or `crank.theta`; `check --names` lists them
+    #[arg(required = true, value_name = "NAME")]
+    pub names: Vec<String>,
+    #[command(flatten)]
+    pub motion: Motion,
+    /// Where the table goes
+    #[arg(long, value_name = "FILE", default_value = "-")]
+    pub csv: String,
+}
+
+#[derive(Clone, Debug, Args)]
+pub struct Prove {
+    #[command(flatten)]
+    pub model: Model,
+    #[command(flatten)]
+    pub motion: Motion,
+    /// The steps as CSV: from, to, proved, how near the solution is, the doubt
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<String>,
+}
+
+#[derive(Clone, Debug, Args)]
+pub struct Sensitivities {
+    #[command(flatten)]
+    pub model: Model,
+    #[command(flatten)]
+    pub motion: Motion,
+    /// The ones that change: measures or coordinates; without any all coordinates
+    #[arg(long = "of", value_name = "NAME")]
+    pub measures: Vec<String>,
+    /// The parameters by which; `check --names` lists them
+    #[arg(long = "by", value_name = "NAME", required = true)]
+    pub parameters: Vec<String>,
+    /// Where the table goes
+    #[arg(long, value_name = "FILE", default_value = "-")]
+    pub csv: String,
+}
+
+#[derive(Clone, Debug, Args)]
+pub struct Sweep {
+    #[command(flatten)]
+    pub model: Model,
+    /// The cases as CSV: the header names parameters, each row is a case; `-` is the standard input
+    pub cases: String,
+    #[command(flatten)]
+    pub motion: Motion,
+    /// A measure or coordinate of which least and greatest value are kept, with their times
+    #[arg(long = "keep", value_name = "NAME")]
+    pub keep: Vec<String>,
+    /// Only the I-th of N parts of the cases; all parts make the rows of the whole, bit for bit
+    #[arg(long, value_name = "I/N")]
+    pub shard: Option<Shard>,
+    /// Where the rows go
+    #[arg(long, value_name = "FILE", default_value = "-")]
+    pub out: String,
+}

@@ -1,0 +1,152 @@
+//! Questions about a mechanism and its motion.
+
+use kin::Motion;
+
+use crate::arguments::{Assemblies, Check, Diagnose, Measure, Prove, Sensitivities};
+use crate::fault::Fault;
+use crate::model;
+use crate::output::{digits, put, table};
+use crate::say::Say;
+
+/// Reads, builds and assembles.
+pub fn check(asked: &Check, say: &Say) -> Result<(), Fault> {
+    let system = model::system(&asked.model)?;
+    let found = system.position(asked.at)?;
+    say.note(&format!(
+        "{}: {} coordinates, {} equations; at t = {} {} it is assembled, |C| ≤ {:.0e}",
+        system.name(),
+        system.n_coordinates(),
+        system.n_equations(),
+        asked.at,
+        system.unit_words().time(),
+        largest(&system.residual(&found.q, asked.at)?)
+    ));
+    if !asked.names {
+        return Ok(());
+    }
+    let row = |what: &str, name: String, value: String| vec![what.to_string(), name, value];
+    let parameters =
+        system.parameters().into_iter().map(|(name, value)| row("parameter", name, value.to_string()));
+    let coordinates = system.coordinate_names().iter().zip(&found.q);
+    let coordinates = coordinates.map(|(name, q)| row("coordinate", name.clone(), q.to_string()));
+    let measures = system.measures().into_iter().map(|name| row("measure", name, String::new()));
+    table("-", &["what", "name", "value"].map(str::to_string), parameters.chain(coordinates).chain(measures))
+}
+
+fn largest(all: &[f64]) -> f64 {
+    all.iter().fold(0.0, |most, x| most.max(x.abs()))
+}
+
+/// The verdict, as words; exit code 1 where the mechanism cannot be driven.
+pub fn diagnose(asked: &Diagnose, say: &Say) -> Result<(), Fault> {
+    let diagnosis = match asked.model.settings[..] {
+        [] => model::mechanism(&asked.model.file)?.diagnose(asked.at)?,
+        _ => model::system(&asked.model)?.diagnose(asked.at)?,
+    };
+    say.note(&diagnosis.to_string());
+    if let Some(to) = &asked.json {
+        put(to, |to| {
+            serde_json::to_writer(&mut *to, &diagnosis)?;
+            to.write_all(b"\n")
+        })?;
+    }
+    if diagnosis.can_be_driven() { Ok(()) } else { Err(Fault::Told) }
+}
+
+/// All assemblies at one time.
+pub fn assemblies(asked: &Assemblies, say: &Say) -> Result<(), Fault> {
+    let system = model::system(&asked.model)?;
+    let all = system.assemblies(asked.at)?;
+    say.note(&format!("{}: {} assemblies found at t = {}", system.name(), all.len(), asked.at));
+    let header: Vec<String> =
+        ["label".to_string()].into_iter().chain(system.coordinate_names().iter().cloned()).collect();
+    let rows = all
+        .iter()
+        .map(|one| [one.label.to_string()].into_iter().chain(one.q.iter().map(|q| digits(*q))).collect());
+    table(&asked.csv, &header, rows)
+}
+
+/// Measures over time, and where they turn round.
+pub fn measure(asked: &Measure, say: &Say) -> Result<(), Fault> {
+    let system = model::system(&asked.model)?;
+    let (motion, early) = model::motion(&system, &asked.motion, false)?;
+    let (mut header, mut columns) = (vec![time_header(&motion)], vec![motion.times().to_vec()]);
+    for name in &asked.names {
+        let found = system.measure(&motion, name).map_err(Fault::asked)?;
+        for (series, mark) in [(&found.value, ""), (&found.rate, "'"), (&found.second_rate, "''")] {
+            header.push(format!("{name}{mark} [{}]", series.unit()));
+            columns.push(series.values().to_vec());
+        }
+        let extremes = system.extremes(&motion, name)?;
+        let (least, most, s) = (extremes.min(), extremes.max(), motion.unit_words().time().to_string());
+        say.note(&format!(
+            "{name}: from {} {unit} at t = {} {s} to {} {unit} at t = {} {s}",
+            least.value,
+            least.t,
+            most.value,
+            most.t,
+            unit = extremes.unit(),
+        ));
+    }
+    columns_of(&asked.csv, &header, &columns)?;
+    early.map_or(Ok(()), Err)
+}
+
+fn time_header(motion: &Motion) -> String {
+    format!("t [{}]", motion.unit_words().time())
+}
+
+/// A table by its columns.
+fn columns_of(to: &str, header: &[String], columns: &[Vec<f64>]) -> Result<(), Fault> {
+    let count = columns.first().map_or(0, Vec::len);
+    let value = |column: &Vec<f64>, k: usize| digits(column.get(k).copied().unwrap_or(f64::NAN));
+    table(to, header, (0..count).map(|k| columns.iter().map(|column| value(column, k)).collect()))
+}
+
+/// The proof in words; exit code 4 where a step is not proved.
+pub fn prove(asked: &Prove, say: &Say) -> Result<(), Fault> {
+    let system = model::system(&asked.model)?;
+    let (motion, early) = model::motion(&system, &asked.motion, false)?;
+    let proof = system.prove(&motion)?;
+    if let Some(to) = &asked.csv {
+        let header = ["from", "to", "proved", "within", "doubt"].map(str::to_string);
+        let rows = proof.steps().iter().map(|step| {
+            let (proved, within, doubt) = match &step.tube {
+                Ok(tube) => ("yes", digits(largest(&tube.radius)), String::new()),
+                Err(doubt) => ("no", String::new(), doubt.to_string()),
+            };
+            vec![digits(step.from), digits(step.to), proved.to_string(), within, doubt]
+        });
+        table(to, &header, rows)?;
+    }
+    match (early, proof.is_complete()) {
+        (None, true) => {
+            say.note(&proof.to_string());
+            Ok(())
+        }
+        (None, false) => Err(Fault::NotProved(proof.to_string())),
+        (Some(early), _) => {
+            say.note(&proof.to_string());
+            Err(early)
+        }
+    }
+}
+
+/// Derivatives of coordinates or measures by parameters, at fixed times.
+pub fn sensitivities(asked: &Sensitivities, say: &Say) -> Result<(), Fault> {
+    let system = model::system(&asked.model)?;
+    let (motion, early) = model::motion(&system, &asked.motion, false)?;
+    say.note(&motion.summary());
+    let by = system.sensitivities(&motion, &asked.parameters).map_err(Fault::asked)?;
+    let (mut header, mut columns) = (vec![time_header(&motion)], vec![motion.times().to_vec()]);
+    let names: &[String] =
+        if asked.measures.is_empty() { system.coordinate_names() } else { &asked.measures };
+    for name in names {
+        for one in by.of(name).map_err(Fault::asked)? {
+            header.push(format!("d {name}/d {}", one.name));
+            columns.push(one.value);
+        }
+    }
+    columns_of(&asked.csv, &header, &columns)?;
+    early.map_or(Ok(()), Err)
+}

@@ -1,0 +1,11 @@
+//! The commands, a file each where they are long.
+
+mod ask;
+mod run;
+mod shell;
+mod sweep;
+
+pub use ask::{assemblies, check, diagnose, measure, prove, sensitivities};
+pub use run::{run, watch};
+pub use shell::{completions, manual};
+pub use sweep::sweep;

@@ -1,0 +1,151 @@
+//! `kin sweep`: many cases of one mechanism, a row each.
+//!
+//! Each case is run by itself, as `kin run` with its numbers set does it, so that its row does not depend on
+//! other cases, on threads or on the part of the whole that is asked for.
+
+use kin::{Options, System};
+use rayon::prelude::*;
+
+use crate::arguments::Sweep;
+use crate::fault::Fault;
+use crate::model;
+use crate::output::{self, digits};
+use crate::points::Setting;
+use crate::say::Say;
+
+/// Cases that are run before their rows are written.
+const BLOCK: usize = 256;
+
+/// The cases of a file: names, and for each case the numbers as they are written and as they are read.
+struct Cases {
+    names: Vec<String>,
+    rows: Vec<Vec<(String, f64)>>,
+}
+
+/// Runs all cases, or a part of them, and writes a row each as they are done. A case that fails is a row that
+/// says why.
+pub fn sweep(asked: &Sweep, say: &Say) -> Result<(), Fault> {
+    if asked.model.file == "-" && asked.cases == "-" {
+        return Err(Fault::Usage("mechanism and cases cannot both be the standard input".to_string()));
+    }
+    let system = model::system(&asked.model)?;
+    let Cases { names, rows } = cases(&asked.cases)?;
+    let keep: Vec<String> =
+        if asked.keep.is_empty() { system.coordinate_names().to_vec() } else { asked.keep.clone() };
+    known(&system, &names, &keep)?;
+    let options = model::options(&asked.motion, false);
+    let range = asked.shard.map_or(0..rows.len(), |shard| shard.cases(rows.len()));
+    let job =
+        Job { system: &system, names: &names, keep: &keep, times: &asked.motion.times.0, options: &options };
+    let mut table = csv::Writer::from_writer(output::open(&asked.out)?);
+    let failed = |error: csv::Error| output::failed(&asked.out, &output::reason(error));
+    table.write_record(job.header()).map_err(failed)?;
+    let (all, mut done) = (range.len(), 0);
+    say.progress(done, all, "cases");
+    for block in range.collect::<Vec<usize>>().chunks(BLOCK) {
+        let run = |k: &usize| job.row(*k, &rows[*k]);
+        let written: Vec<Vec<String>> = block.par_iter().map(run).collect();
+        written.iter().try_for_each(|row| table.write_record(row)).map_err(failed)?;
+        table.flush().map_err(|error| output::failed(&asked.out, &error))?;
+        done += block.len();
+        say.progress(done, all, "cases");
+    }
+    Ok(())
+}
+
+/// The cases of a file. Errors: no table, a number that is none, by its line.
+fn cases(file: &str) -> Result<Cases, Fault> {
+    let text = model::text(file)?;
+    let fail = |why: String| Fault::File(format!("{}: {why}", model::named(file)));
+    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
+    let names: Vec<String> =
+        reader.headers().map_err(|error| fail(error.to_string()))?.iter().map(str::to_string).collect();
+    if names.iter().all(String::is_empty) {
+        return Err(fail("its first line names no parameter".to_string()));
+    }
+    let mut rows = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(|error| fail(error.to_string()))?;
+        let line = record.position().map_or(0, csv::Position::line);
+        let number = |(name, text): (&String, &str)| {
+            let parsed = crate::times::number(text);
+            parsed.map(|x| (text.to_string(), x)).map_err(|why| fail(format!("line {line}: `{name}`: {why}")))
+        };
+        rows.push(names.iter().zip(&record).map(number).collect::<Result<_, _>>()?);
+    }
+    Ok(Cases { names, rows })
+}
+
+/// An error for names that the mechanism does not have, before anything is computed.
+fn known(system: &System, names: &[String], keep: &[String]) -> Result<(), Fault> {
+    system.sweep(names).map_err(Fault::asked)?;
+    let all: Vec<String> =
+        system.measures().into_iter().chain(system.coordinate_names().iter().cloned()).collect();
+    let unknown = keep.iter().find(|name| !all.contains(name)).cloned();
+    match unknown {
+        None => Ok(()),
+        Some(name) => {
+            Err(Fault::asked(kin::Error::UnknownName { what: "measure or coordinate", name, known: all }))
+        }
+    }
+}
+
+/// The run of each case.
+struct Job<'a> {
+    system: &'a System,
+    names: &'a [String],
+    keep: &'a [String],
+    times: &'a [f64],
+    options: &'a Options,
+}
+
+impl Job<'_> {
+    fn header(&self) -> Vec<String> {
+        let kept = self.keep.iter().flat_map(|name| {
+            [
+                format!("{name} min"),
+                format!("t of {name} min"),
+                format!("{name} max"),
+                format!("t of {name} max"),
+            ]
+        });
+        ["case".to_string()]
+            .into_iter()
+            .chain(self.names.iter().cloned())
+            .chain(["status".to_string()])
+            .chain(kept)
+            .collect()
+    }
+
+    fn row(&self, number: usize, case: &[(String, f64)]) -> Vec<String> {
+        let mut row: Vec<String> = [number.to_string()].into_iter().collect();
+        row.extend(case.iter().map(|(text, _)| text.clone()));
+        match self.extremes(case) {
+            Ok(all) => {
+                row.push("done".to_string());
+                row.extend(all.into_iter().map(digits));
+            }
+            Err(error) => {
+                row.push(error.to_string().lines().next().unwrap_or_default().to_string());
+                row.extend(self.keep.iter().flat_map(|_| [const { String::new() }; 4]));
+            }
+        }
+        row
+    }
+
+    /// Value and time of the least and the greatest value of each thing that is kept.
+    fn extremes(&self, case: &[(String, f64)]) -> kin::Result<Vec<f64>> {
+        let mut system = self.system.clone();
+        for (name, (_, value)) in self.names.iter().zip(case) {
+            model::set(&mut system, &Setting { name: name.clone(), value: *value })?;
+        }
+        let motion = system.run_with(self.times, self.options)?;
+        let mut all = Vec::new();
+        for name in self.keep {
+            let found = system.extremes(&motion, name)?;
+            let (least, most) = (found.min(), found.max());
+            all.extend([least.value, least.t, most.value, most.t]);
+        }
+        Ok(all)
+    }
+}

@@ -1,0 +1,96 @@
+//! Everything that ends a command early, and the exit code that tells which of it was.
+
+use kin::Error;
+use serde_json::{Value, json};
+
+/// The reason why a command has not done what it was asked.
+pub enum Fault {
+    /// The mechanism cannot do what is asked of it.
+    Mechanism(Box<Error>),
+    /// The mechanism's fault too, which has been told already.
+    Told,
+    /// The command line does not make sense.
+    Usage(String),
+    /// The run has ended before its last time; what came before has been written.
+    Early(Box<Error>),
+    /// The motion is not proved, which has been told already.
+    NotProved(String),
+    /// A file cannot be read or written, or is none of a mechanism.
+    File(String),
+    /// Nobody reads the standard output any more.
+    Pipe,
+}
+
+impl Fault {
+    /// The exit code.
+    pub fn code(&self) -> u8 {
+        match self {
+            Fault::Pipe => 0,
+            Fault::Mechanism(_) | Fault::Told => 1,
+            Fault::Usage(_) => 2,
+            Fault::Early(_) => 3,
+            Fault::NotProved(_) => 4,
+            Fault::File(_) => 5,
+        }
+    }
+
+    fn name(&self) -> &'static str {
+        match self {
+            Fault::Pipe => "pipe",
+            Fault::Mechanism(_) | Fault::Told => "mechanism",
+            Fault::Usage(_) => "usage",
+            Fault::Early(_) => "ended early",
+            Fault::NotProved(_) => "not proved",
+            Fault::File(_) => "file",
+        }
+    }
+
+    /// The sentence; `None` where all has been said.
+    pub fn message(&self) -> Option<String> {
+        match self {
+            Fault::Pipe | Fault::Told => None,
+            Fault::Mechanism(error) | Fault::Early(error) => Some(error.to_string()),
+            Fault::Usage(text) | Fault::NotProved(text) | Fault::File(text) => Some(text.clone()),
+        }
+    }
+
+    /// The fault as data: code, name, sentence, and the diagnosis where there is one.
+    pub fn to_json(&self) -> Value {
+        let diagnosis = match self {
+            Fault::Mechanism(error) | Fault::Early(error) => error.diagnosis(),
+            _ => None,
+        };
+        let mut told = json!({ "code": self.code(), "kind": self.name(), "message": self.message() });
+        if let Some(diagnosis) = diagnosis.and_then(|diagnosis| serde_json::to_value(diagnosis).ok()) {
+            told["diagnosis"] = diagnosis;
+        }
+        json!({ "error": told })
+    }
+
+    /// An error about something that the command line names.
+    pub fn asked(error: Error) -> Fault {
+        match error {
+            Error::UnknownName { .. }
+            | Error::ParameterNotFinite { .. }
+            | Error::InvalidParameters { .. }
+            | Error::InvalidConstraint { .. }
+            | Error::DuplicateName { .. }
+            | Error::EmptyName { .. }
+            | Error::NoDerivative(_) => Fault::Usage(error.to_string()),
+            other => other.into(),
+        }
+    }
+}
+
+impl From<Error> for Fault {
+    fn from(error: Error) -> Fault {
+        match error {
+            Error::InvalidTimes { .. } | Error::InvalidOptions { .. } | Error::NeedsMemory { .. } => {
+                Fault::Usage(error.to_string())
+            }
+            Error::Data { .. } | Error::Table { .. } | Error::File { .. } => Fault::File(error.to_string()),
+            Error::CannotBeProved { .. } => Fault::NotProved(error.to_string()),
+            other => Fault::Mechanism(Box::new(other)),
+        }
+    }
+}

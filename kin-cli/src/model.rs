@@ -1,0 +1,96 @@
+//! From a mechanism file to a system, and to its motion.
+
+use std::io::Read;
+
+use kin::data::MechanismData;
+use kin::mechanism::Mechanism;
+use kin::{Error, Follow, Motion, Options, System};
+
+use crate::arguments::{self, Engine, Model};
+use crate::fault::Fault;
+use crate::points::Setting;
+
+/// Longer files are no mechanisms.
+const LONGEST: u64 = 1 << 28;
+
+/// The text of a file, or of the standard input for `-`.
+pub fn text(file: &str) -> Result<String, Fault> {
+    let fail = |why: &dyn std::fmt::Display| Fault::File(format!("cannot read {}: {why}", named(file)));
+    let from: Box<dyn Read> = match file {
+        "-" => Box::new(std::io::stdin()),
+        _ => Box::new(std::fs::File::open(file).map_err(|error| fail(&error))?),
+    };
+    let mut text = String::new();
+    from.take(LONGEST + 1).read_to_string(&mut text).map_err(|error| fail(&error))?;
+    if text.len() as u64 > LONGEST {
+        return Err(fail(&format!("it has more than {LONGEST} bytes")));
+    }
+    Ok(text)
+}
+
+/// The file in words.
+pub fn named(file: &str) -> &str {
+    if file == "-" { "the standard input" } else { file }
+}
+
+/// The mechanism in a file, equations as text in it too.
+pub fn mechanism(file: &str) -> Result<Mechanism, Fault> {
+    let data: MechanismData = serde_json::from_str(&text(file)?)
+        .map_err(|error| Fault::File(format!("{} is no mechanism file: {error}", named(file))))?;
+    Mechanism::from_data(&data, &kin_text::registry()).map_err(|error| match error {
+        Error::Data { place, reason } => Fault::File(format!("{}: {place}: {reason}", named(file))),
+        other => other.into(),
+    })
+}
+
+/// The system of a file, with what is set in it.
+pub fn system(model: &Model) -> Result<System, Fault> {
+    let mut system = mechanism(&model.file)?.build()?;
+    model.settings.iter().try_for_each(|setting| set(&mut system, setting)).map_err(Fault::asked)?;
+    Ok(system)
+}
+
+/// Sets a parameter or the guess of a coordinate.
+///
+/// Errors: a name that neither has; a value that makes no sense.
+pub fn set(system: &mut System, Setting { name, value }: &Setting) -> kin::Result<()> {
+    match system.coordinate_names().iter().position(|known| known == name) {
+        Some(column) => {
+            let mut q = system.initial().to_vec();
+            q[column] = *value;
+            system.set_initial(&q)
+        }
+        None => system.set(name, *value),
+    }
+}
+
+/// The options that are asked for.
+pub fn options(asked: &arguments::Motion, jerk: bool) -> Options {
+    Options {
+        jerk,
+        engine: match asked.engine {
+            Engine::Plain => kin::Engine::Plain,
+            Engine::Compiled => kin::Engine::Compiled,
+        },
+        follow: match &asked.turning[..] {
+            [] => Follow::default(),
+            numbers => Follow::Turning(numbers.to_vec()),
+        },
+        ..Options::default()
+    }
+}
+
+/// The motion; where the run ends early the part before, with the fault.
+pub fn motion(
+    system: &System,
+    asked: &arguments::Motion,
+    jerk: bool,
+) -> Result<(Motion, Option<Fault>), Fault> {
+    match system.run_with(&asked.times.0, &options(asked, jerk)) {
+        Ok(motion) => Ok((motion, None)),
+        Err(error) => match error.motion().filter(|motion| !motion.is_empty()).cloned() {
+            Some(before) => Ok((before, Some(Fault::Early(Box::new(error))))),
+            None => Err(error.into()),
+        },
+    }
+}

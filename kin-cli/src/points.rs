@@ -1,0 +1,103 @@
+//! Points of bodies and values of parameters as text.
+
+use std::str::FromStr;
+
+use crate::times::number;
+
+/// `NAME=BODY:X,Y` or `NAME=BODY:X,Y,Z`: a point that is fixed in a body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedPoint {
+    pub name: String,
+    pub body: String,
+    pub local: Vec<f64>,
+}
+
+impl FromStr for NamedPoint {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let form = "write NAME=BODY:X,Y, such as P=coupler:0.2,1.4; a point in space has a Z too";
+        let (name, rest) = text.split_once('=').ok_or(form)?;
+        let (body, local) = rest.rsplit_once(':').ok_or(form)?;
+        let local = local.split(',').map(number).collect::<Result<Vec<f64>, String>>()?;
+        if name.is_empty() || body.is_empty() || !matches!(local.len(), 2 | 3) {
+            return Err(form.to_string());
+        }
+        Ok(NamedPoint { name: name.to_string(), body: body.to_string(), local })
+    }
+}
+
+/// `NAME=VALUE`: a parameter, or the guess of a coordinate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setting {
+    pub name: String,
+    pub value: f64,
+}
+
+impl FromStr for Setting {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (name, value) = text.rsplit_once('=').ok_or("write NAME=VALUE, such as slot.k=2.5")?;
+        Ok(Setting { name: name.to_string(), value: number(value)? })
+    }
+}
+
+/// `I/N`: the I-th of N parts, counted from 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shard {
+    pub number: usize,
+    pub of: usize,
+}
+
+impl Shard {
+    /// The cases of this part among so many: all parts one after the other are all cases.
+    pub fn cases(self, all: usize) -> std::ops::Range<usize> {
+        // In numbers so wide that no product overflows.
+        let edge = |k: usize| (all as u128 * k as u128 / self.of as u128) as usize;
+        edge(self.number - 1)..edge(self.number)
+    }
+}
+
+impl FromStr for Shard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let parts = text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
+        let shard = parts.filter(|(i, n)| *i >= 1 && i <= n);
+        shard
+            .map(|(number, of)| Shard { number, of })
+            .ok_or_else(|| "write I/N, the I-th of N parts, such as 3/16".to_string())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shards_are_all_cases_in_order() {
+        for all in [0, 1, 7, 16, 1000] {
+            for of in [1, 2, 3, 16, 40] {
+                let parts = (1..=of).flat_map(|number| Shard { number, of }.cases(all));
+                assert!(parts.eq(0..all), "{all} cases in {of} parts");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_none_is_told() {
+        for text in ["0/3", "4/3", "a/3", "3", "1/0", "-1/3"] {
+            assert!(text.parse::<Shard>().is_err(), "{text}");
+        }
+        for text in ["P", "P=body", "P=body:1", "=body:1,2", "P=:1,2", "P=body:1,2,3,4"] {
+            assert!(text.parse::<NamedPoint>().is_err(), "{text}");
+        }
+        let named: NamedPoint = "P=left:arm:1,-2e-1".parse().expect("a point");
+        assert_eq!(
+            (named.name.as_str(), named.body.as_str(), named.local),
+            ("P", "left:arm", vec![1.0, -0.2])
+        );
+        assert!("k".parse::<Setting>().is_err() && "k=nan".parse::<Setting>().is_err());
+    }
+}

@@ -1,0 +1,122 @@
+//! Every class of faults: its exit code, its words on the standard error, nothing on the standard output.
+
+use serde_json::{Value, json};
+
+use crate::{code, done, example, fed, file, four_bar, words};
+
+/// The four-bar without one of its constraints.
+fn without(name: &str) -> String {
+    let mut data = four_bar();
+    data["constraints"].as_array_mut().expect("a list").retain(|one| one["name"] != name);
+    file(&format!("without_{name}.json"), &data.to_string())
+}
+
+/// Runs, and asserts code and words; nothing may stand on the standard output.
+fn fails(arguments: &[&str], wanted: i32, told: &str) {
+    let output = done(arguments);
+    assert_eq!(code(&output), wanted, "{arguments:?}: {}", words(&output));
+    assert!(words(&output).contains(told), "{arguments:?}: {}", words(&output));
+    assert!(output.stdout.is_empty(), "{arguments:?}");
+}
+
+#[test]
+fn a_mechanism_that_cannot_be_driven_is_its_own_fault() {
+    let free = without("motor");
+    let told = "nothing drives";
+    fails(&["run", &free, "--times", "0:1:3", "--csv", "-"], 1, told);
+    fails(&["check", &free], 1, told);
+    fails(&["diagnose", &free], 1, told);
+}
+
+#[test]
+fn a_command_line_that_makes_no_sense_is_usage() {
+    let m = &example("04_four_bar");
+    fails(&[], 2, "Usage: kin");
+    fails(&["rum"], 2, "unrecognized subcommand 'rum'");
+    fails(&["run", m], 2, "--times");
+    fails(&["run", m, "--times", "0:1"], 2, "write FROM:TO:COUNT");
+    fails(&["run", m, "--times", "0,1,0.5"], 2, "times");
+    fails(&["run", m, "--times", "0:1:3", "--set", "O.u_k.x=1"], 2, "there is no parameter `O.u_k.x`");
+    fails(&["run", m, "--times", "0:1:3", "--point", "P=cuppler:0,0"], 2, "there is no body `cuppler`");
+    fails(&["run", m, "--times", "0:1:3", "--point", "P=coupler:0,0,0"], 2, "has 2 numbers");
+    fails(&["run", m, "--times", "0:1:3", "--measure", "A.slide"], 2, "A.slide");
+    fails(&["run", m, "--times", "0:1:100000000"], 2, "need 24.0 GB");
+    fails(&["measure", m, "B.length", "--times", "0:1:3"], 2, "B.length");
+    fails(&["sensitivities", m, "--times", "0:1:3", "--by", "O.u_k.x"], 2, "O.u_k.x");
+    fails(&["watch", "-", "--times", "0:1:3"], 2, "give a file to watch");
+    fails(&["manual", "rum"], 2, "no command `rum`");
+    fails(&["completions", "shish"], 2, "shish");
+}
+
+#[test]
+fn a_run_that_ends_early_has_written_what_came_before() {
+    let arguments =
+        ["run", &example("04_four_bar"), "--times", "0:1:101", "--set", "C.u_i.x=6", "--csv", "-"];
+    let output = done(&arguments);
+    assert_eq!(code(&output), 3, "{}", words(&output));
+    assert!(words(&output).contains("a toggle: beyond this time there is no position"), "{}", words(&output));
+    let rows = String::from_utf8(output.stdout).expect("text").lines().count();
+    assert!((20..60).contains(&rows), "{rows} rows");
+}
+
+#[test]
+fn what_is_not_proved_has_its_own_code() {
+    fails(&["prove", &example("16_change_points"), "--times", "0:1:31"], 4, "26 of 30 steps proved");
+    let told = "cannot be proved";
+    let mut data = four_bar();
+    let mut again = data["constraints"][0].clone();
+    again["name"] = json!("O again");
+    data["constraints"].as_array_mut().expect("a list").push(again);
+    fails(&["prove", &file("redundant.json", &data.to_string()), "--times", "0:1:3"], 4, told);
+}
+
+#[test]
+fn files_that_are_missing_or_none_are_told() {
+    let m = &example("04_four_bar");
+    fails(&["check", "missing.json"], 5, "cannot read missing.json");
+    fails(&["check", &file("none.json", "{\"name\": 3}")], 5, "is no mechanism file");
+    fails(&["check", &file("text.json", "hello")], 5, "line 1 column 1");
+    fails(&["check", &example("03_custom_constraint")], 5, "unknown constraint `parabolic_slot`");
+    let mut data = four_bar();
+    data["format"] = json!(99);
+    fails(&["check", &file("later.json", &data.to_string())], 5, "format 99 is not known here");
+    fails(
+        &["run", m, "--times", "0:1:3", "--csv", "/dev/null/motion.csv"],
+        5,
+        "cannot write /dev/null/motion.csv",
+    );
+    let cases = file("none.csv", "O.u_i.x\n0.1\nblue\n");
+    fails(&["sweep", m, "missing.csv", "--times", "0:1:3"], 5, "cannot read missing.csv");
+    let mistake = crate::SLOT.replace("s.y - k", "s.w - k");
+    fails(&["check", &file("mistake.json", &mistake)], 5, "a Vec2 has no field `w`");
+    let output = done(&["sweep", m, &cases, "--times", "0:1:3"]);
+    assert_eq!(code(&output), 5);
+    assert!(words(&output).contains("line 3: `O.u_i.x`: `blue` is no number"), "{}", words(&output));
+}
+
+#[test]
+fn a_mistake_in_the_standard_input_is_told_as_such() {
+    let output = fed(&["check", "-"], "{");
+    assert_eq!(code(&output), 5);
+    assert!(words(&output).contains("the standard input is no mechanism file"), "{}", words(&output));
+}
+
+#[test]
+fn faults_as_json_are_one_object_a_line() {
+    for (arguments, code_wanted, kind) in [
+        (vec!["check".to_string(), without("motor")], 1, "mechanism"),
+        (vec!["rum".to_string()], 2, "usage"),
+        (vec!["check".to_string(), "missing.json".to_string()], 5, "file"),
+    ] {
+        let mut all: Vec<&str> = arguments.iter().map(String::as_str).collect();
+        all.extend(["--error-format", "json"]);
+        let output = done(&all);
+        assert_eq!(code(&output), code_wanted);
+        let told = words(&output);
+        let last: Value = serde_json::from_str(told.lines().last().expect("a line")).expect("JSON");
+        assert_eq!(last["error"]["code"], json!(code_wanted), "{told}");
+        assert_eq!(last["error"]["kind"], json!(kind), "{told}");
+        assert!(last["error"]["message"].as_str().is_some_and(|text| !text.is_empty()), "{told}");
+        assert_eq!(last["error"]["diagnosis"].is_object(), kind == "mechanism", "{told}");
+    }
+}
