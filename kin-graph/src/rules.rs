@@ -28,12 +28,21 @@ macro_rules! of_one {
 
 macro_rules! of_two {
     ($(
-        $variant:ident $method:ident $written:literal
-        { exact: $exact:literal; slopes: |$u:tt, $v:tt, $z:tt| $slopes:expr; }
+        $(#[$doc:meta])* $variant:ident $method:ident $written:literal
+        { value: $value:expr; $(definition: |$x:ident, $y:ident| $definition:expr;)?
+          slopes: |$u:tt, $v:tt, $z:tt| $slopes:expr; facts: $facts:expr; }
     )*) => {
         /// (∂z/∂u, ∂z/∂v) of z = f(u, v).
         pub fn slopes<N: Number>(f: Function2, u: N, v: N, z: N) -> (N, N) {
             match f { $(Function2::$variant => { let ($u, $v, $z) = (u, v, z); $slopes })* }
+        }
+
+        /// f(x, y) by other functions of the list; `None` of what every kind of number has.
+        pub fn definition_of_two<N: Number>(f: Function2, x: N, y: N) -> Option<N> {
+            match f {
+                $($(Function2::$variant => { let ($x, $y) = (x, y); Some($definition) })?)*
+                _ => None,
+            }
         }
     };
 }

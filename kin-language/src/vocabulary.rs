@@ -104,6 +104,7 @@ pub fn is_scalar_method(name: &str) -> bool {
 /// Functions of the list that f64 has no method for.
 pub fn is_beyond_std(name: &str) -> bool {
     Function::from_method(name).is_some_and(|f| !f.facts().in_std)
+        || Function2::from_method(name).is_some_and(|f| !f.facts().in_std)
 }
 
 /// Methods of vectors whose first argument is a vector.

@@ -95,6 +95,16 @@ fn lines_end_at_110_columns() {
     assert!(wide.is_empty(), "comments beyond column {WIDTH}: {wide:#?}");
 }
 
+/// The map and the first page are read as a whole: they end where a reader's patience does.
+#[test]
+fn the_map_and_the_first_page_are_short() {
+    for (page, most) in [("ARCHITECTURE.md", 80), ("README.md", 70)] {
+        let text = std::fs::read_to_string(std::path::Path::new(crate::ROOT).join(page)).expect("readable");
+        let lines = text.lines().count();
+        assert!(lines <= most, "{page} has {lines} lines, at most {most}");
+    }
+}
+
 #[test]
 fn folders_of_the_core_have_few_files() {
     const MOST: usize = 14;

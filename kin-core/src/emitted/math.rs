@@ -29,15 +29,37 @@ macro_rules! of_one {
 }
 
 macro_rules! of_two {
-    ($($variant:ident $method:ident $written:literal $entry:tt)*) => {$(
-        #[doc = concat!("f64's `", $written, "`.")]
-        #[inline(always)]
-        pub fn $method(x: f64, y: f64) -> f64 {
-            #[allow(unused_imports)]
-            use std::ops::Rem as _;
-            x.$method(y)
+    ($(
+        $(#[$doc:meta])* $variant:ident $method:ident $written:literal { value: $value:expr; $($rest:tt)* }
+    )*) => {
+        $(
+            #[doc = concat!("f64's `", $written, "`, or what stands for it.")]
+            #[inline(always)]
+            pub fn $method(x: f64, y: f64) -> f64 {
+                $value(x, y)
+            }
+        )*
+
+        /// The same of two numbers; `%` is an operator.
+        pub trait FunctionsOfTwo {
+            $(of_two! { @ declared $method $written })*
         }
-    )*};
+
+        impl FunctionsOfTwo for f64 {
+            $(of_two! { @ defined $method })*
+        }
+    };
+    (@ $part:ident rem $($rest:tt)*) => {};
+    (@ declared $method:ident $written:literal) => {
+        #[doc = concat!("See [`", $written, "()`].")]
+        fn $method(self, other: f64) -> f64;
+    };
+    (@ defined $method:ident) => {
+        #[inline(always)]
+        fn $method(self, other: f64) -> f64 {
+            $method(self, other)
+        }
+    };
 }
 
 kin_graph::functions_of_one!(of_one);

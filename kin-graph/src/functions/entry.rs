@@ -80,6 +80,22 @@ pub(super) const LOGARITHM: Facts =
 /// Constant between jumps, or as exact as that.
 pub(super) const EXACT: Facts = Facts { error: |_| 0.0, ..CONTINUOUS };
 
+/// A function of two numbers, as far as its entry says it without a formula.
+pub struct FactsOfTwo {
+    /// True if f64 has its values exactly.
+    pub exact: bool,
+    /// True if its values jump somewhere, by more or less than whole turns.
+    pub jumps: bool,
+    /// Growth of its values.
+    pub growth: Growth,
+    /// True if f64 has a method of its name.
+    pub in_std: bool,
+}
+
+/// A function of two numbers without jumps.
+pub const SMOOTH: FactsOfTwo =
+    FactsOfTwo { exact: false, jumps: false, growth: Growth::Ordinary, in_std: true };
+
 pub(super) const ALL: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 pub(super) const ABOVE_0: [f64; 2] = [0.0, f64::INFINITY];
 pub(super) const UNIT: [f64; 2] = [-1.0, 1.0];
@@ -93,6 +109,11 @@ impl Facts {
     /// True if f64 has its values exactly.
     pub fn is_exact(&self) -> bool {
         (self.error)(0.0) == 0.0
+    }
+
+    /// True if its values jump somewhere between two finite ones.
+    pub fn can_jump(&self) -> bool {
+        self.jumps.is_some() || self.growth == Growth::Bounded && !self.poles.is_empty()
     }
 
     /// True if it has values everywhere, and a finite slope wherever they are finite.

@@ -225,46 +225,71 @@ macro_rules! functions_of_one {
 /// Hands every function of two numbers to a macro, as [`functions_of_one`](crate::functions_of_one) does; the
 /// operator `%` is a method of [`std::ops::Rem`].
 ///
-/// `slopes` are ∂z/∂u and ∂z/∂v of z = f(u, v), in any numbers; `exact` says whether f64 has its values so.
+/// * `value`: its value in f64;
+/// * `definition`: the same by other functions of the list, in any numbers: bounds, derivatives and 60 digits
+///   of one that is not written by hand for them are taken from there;
+/// * `slopes`: ∂z/∂u and ∂z/∂v of z = f(u, v), in any numbers;
+/// * `facts`: exactness, jumps, growth ([`FactsOfTwo`](crate::functions::FactsOfTwo)).
 #[macro_export]
 macro_rules! functions_of_two {
     ($to:ident) => {
         $to! {
+            /// The angle of the point (x, y) = (`x`, `self`) in (−π, π] rad, right on both axes; singular at
+            /// (0, 0) unless both are constant.
             Atan2 atan2 "atan2" {
-                exact: false;
+                value: f64::atan2;
                 slopes: |u, v, _| {
                     let r2 = u.clone().squared() + v.clone().squared();
                     let minus = -u;
                     (v / r2.clone(), minus / r2)
                 };
+                facts: FactsOfTwo { growth: Growth::Bounded, ..SMOOTH };
             }
+            /// √(x² + y²) without overflow; singular at (0, 0) unless both are constant.
             Hypot hypot "hypot" {
-                exact: false;
+                value: f64::hypot;
+                definition: |u, v| root(u.squared() + v.squared());
                 slopes: |u, v, z| (u / z.clone(), v / z);
+                facts: SMOOTH;
             }
+            /// xⁿ. A constant n has slopes n xⁿ⁻¹, n (n − 1) xⁿ⁻², …, infinite at x = 0 where the power left
+            /// is negative and its factor is not 0. A variable n needs x > 0, or x = 0 and n > 0.
             Powf powf "powf" {
-                exact: false;
+                value: f64::powf;
+                definition: |u, v| (v * u.call(Function::Ln)).call(Function::Exp);
                 slopes: |u, v, z| (lower_power(&u, &v), logarithm_times(u, z));
+                facts: FactsOfTwo { growth: Growth::Bursting, ..SMOOTH };
             }
+            /// The larger one; of two equal ones `self`; of a number and NaN the number.
             Max max "max" {
-                exact: true;
+                value: f64::max;
                 slopes: |u, v, _| choice(first_of(Comparison::GreaterEqual, u, v));
+                facts: FactsOfTwo { exact: true, ..SMOOTH };
             }
+            /// The smaller one; of two equal ones `self`; of a number and NaN the number.
             Min min "min" {
-                exact: true;
+                value: f64::min;
                 slopes: |u, v, _| choice(first_of(Comparison::LessEqual, u, v));
+                facts: FactsOfTwo { exact: true, ..SMOOTH };
             }
+            /// x − n y ≥ 0 with a whole number n, constant between jumps.
             RemEuclid rem_euclid "rem_euclid" {
-                exact: false;
+                value: f64::rem_euclid;
+                definition: |u, v| u.clone() - u.call2(Function2::DivEuclid, v.clone()) * v;
                 slopes: |u, v, _| (number(1.0), -u.call2(Function2::DivEuclid, v));
+                facts: FactsOfTwo { jumps: true, ..SMOOTH };
             }
+            /// The whole number n of [`rem_euclid`](Self::rem_euclid); slope 0.
             DivEuclid div_euclid "div_euclid" {
-                exact: false;
+                value: f64::div_euclid;
                 slopes: |_, _, _| (number(0.0), number(0.0));
+                facts: FactsOfTwo { jumps: true, ..SMOOTH };
             }
+            /// x − n y of the sign of x with a whole number n, constant between jumps.
             Rem rem "%" {
-                exact: true;
+                value: <f64 as std::ops::Rem>::rem;
                 slopes: |u, v, _| (number(1.0), -(u / v).call(Function::Trunc));
+                facts: FactsOfTwo { exact: true, jumps: true, ..SMOOTH };
             }
         }
     };

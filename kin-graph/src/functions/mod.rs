@@ -10,7 +10,7 @@ mod list;
 mod values;
 
 use entry::{ABOVE_0, EXACT, LOGARITHM, OF_ANGLES, UNIT, at_quarters};
-pub use entry::{ALLOWED, CONTINUOUS, Facts, Growth, Place};
+pub use entry::{ALLOWED, CONTINUOUS, Facts, FactsOfTwo, Growth, Place, SMOOTH};
 pub use values::{acosh, asinh, atanh};
 
 macro_rules! vocabulary {
@@ -71,19 +71,24 @@ macro_rules! of_one {
 }
 
 macro_rules! of_two {
-    ($($variant:ident $method:ident $written:literal { exact: $exact:literal; $($formula:tt)* })*) => {
+    ($(
+        $(#[$doc:meta])* $variant:ident $method:ident $written:literal
+        { value: $value:expr; $(definition: |$x:ident, $y:ident| $definition:expr;)?
+          slopes: |$u:tt, $v:tt, $z:tt| $slopes:expr; facts: $facts:expr; }
+    )*) => {
         vocabulary! { #[doc = "A function of two scalars."] Function2: $($variant $written;)* }
 
         impl Function2 {
             /// The function itself.
-            pub fn value(self) -> fn(f64, f64) -> f64 {
-                use std::ops::Rem;
-                match self { $(Function2::$variant => |x, y| x.$method(y)),* }
+            #[inline]
+            pub const fn value(self) -> fn(f64, f64) -> f64 {
+                match self { $(Function2::$variant => $value),* }
             }
 
-            /// True if f64 has the value of it exactly.
-            pub fn is_exact(self) -> bool {
-                match self { $(Function2::$variant => $exact),* }
+            /// Facts that are known of it.
+            #[inline]
+            pub const fn facts(self) -> &'static FactsOfTwo {
+                match self { $(Function2::$variant => const { &$facts }),* }
             }
         }
     };

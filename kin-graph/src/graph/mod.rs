@@ -63,6 +63,16 @@ impl Depends {
         self.on_q || self.on_t
     }
 
+    /// Notes how a function of it grows.
+    fn grow(&mut self, growth: Growth) {
+        match growth {
+            Growth::Ordinary => {}
+            Growth::Bounded => (self.bursts, self.has_poles) = (false, false),
+            Growth::Logarithmic => self.bursts = false,
+            Growth::Bursting => self.bursts = true,
+        }
+    }
+
     fn or(self, other: Depends) -> Depends {
         Depends {
             on_q: self.on_q || other.on_q,
@@ -174,12 +184,7 @@ impl Graph {
             Op::Call(f, _) => {
                 let facts = f.facts();
                 all.has_poles |= !facts.poles.is_empty();
-                match facts.growth {
-                    Growth::Ordinary => {}
-                    Growth::Bounded => (all.bursts, all.has_poles) = (false, false),
-                    Growth::Logarithmic => all.bursts = false,
-                    Growth::Bursting => all.bursts = true,
-                }
+                all.grow(facts.growth);
             }
             Op::Powi(_, n) => {
                 all.bursts |= n.unsigned_abs() > 4;
@@ -189,7 +194,7 @@ impl Graph {
                 all.bursts |= grows(n);
                 all.has_poles |= falls(n);
             }
-            Op::Call2(Function2::Atan2, ..) => (all.bursts, all.has_poles) = (false, false),
+            Op::Call2(f, ..) => all.grow(f.facts().growth),
             Op::Div(_, b) => all.has_poles |= self.depends(b).varies(),
             Op::Law(..) | Op::Leaf(_) | Op::Opaque(..) => (all.bursts, all.has_poles) = (false, true),
             _ => {}

@@ -274,7 +274,7 @@ impl Graph {
 
     pub fn call2(&mut self, f: Function2, a: Node, b: Node) -> Node {
         if let (Some(x), Some(y)) = (self.constant_value(a), self.constant_value(b))
-            && let Some(folded) = self.folded(f.value()(x, y), f.is_exact())
+            && let Some(folded) = self.folded(f.value()(x, y), f.facts().exact)
         {
             return folded;
         }

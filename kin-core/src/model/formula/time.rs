@@ -1,7 +1,7 @@
 //! Where time enters a formula: its nodes that move with time alone, bounds of them, and how rows follow
 //! them.
 
-use kin_graph::{Formula, Function, Function2, Node, Op, evaluate, evaluate_beyond};
+use kin_graph::{Formula, Node, Op, evaluate, evaluate_beyond};
 
 use super::bounds::{Inputs, row};
 use crate::model::formula::Outside;
@@ -24,14 +24,10 @@ pub(crate) fn signals(formula: &Formula) -> Vec<Node> {
 
 /// True if a row can jump where coordinates move.
 pub(crate) fn can_jump(formula: &Formula) -> bool {
-    let jumps = |op: Op| {
-        use Function::{Ceil, Floor, Fract, Round, Signum, Trunc};
-        use Function2::{DivEuclid, Rem, RemEuclid};
-        matches!(
-            op,
-            Op::Call(Floor | Ceil | Round | Trunc | Fract | Signum, _)
-                | Op::Call2(Rem | RemEuclid | DivEuclid, ..)
-        ) || matches!(op, Op::Select(..) | Op::Opaque(..) | Op::Leaf(_))
+    let jumps = |op: Op| match op {
+        Op::Call(f, _) => f.facts().can_jump(),
+        Op::Call2(f, ..) => f.facts().jumps,
+        op => matches!(op, Op::Select(..) | Op::Opaque(..) | Op::Leaf(_)),
     };
     let graph = &formula.graph;
     graph.reachable(&formula.rows).into_iter().any(|node| graph.depends(node).on_q && jumps(graph.op(node)))

@@ -134,8 +134,8 @@ impl Series {
             Function2::Max => a.larger(b),
             Function2::Min => -(-a).larger(-b),
             Function2::Rem => a - b * (a / b).step(f64::trunc),
-            Function2::RemEuclid => a - b * a.whole_quotient(b),
             Function2::DivEuclid => a.whole_quotient(b),
+            _ => rules::definition_of_two(f, a, b).unwrap_or(UNKNOWN),
         };
         y.as_result(a.is_constant() && b.is_constant())
     }

@@ -88,19 +88,21 @@ macro_rules! of_one {
 
 /// The same of two numbers; `%` is an operator.
 macro_rules! of_two {
-    ($($variant:ident $method:ident $written:literal $entry:tt)*) => {
+    ($(
+        $(#[$doc:meta])* $variant:ident $method:ident $written:literal { value: $value:expr; $($rest:tt)* }
+    )*) => {
         impl<S: Level> Wide<S> {
-            $(of_two! { @ $method $written })*
+            $(of_two! { @ $method $value; $(#[$doc])* })*
         }
     };
-    (@ max $written:literal) => {};
-    (@ min $written:literal) => {};
-    (@ rem $written:literal) => {};
-    (@ $method:ident $written:literal) => {
-        #[doc = concat!("f64's `", $written, "`, lane by lane.")]
+    (@ max $($rest:tt)*) => {};
+    (@ min $($rest:tt)*) => {};
+    (@ rem $($rest:tt)*) => {};
+    (@ $method:ident $value:expr; $(#[$doc:meta])*) => {
+        $(#[$doc])*
         #[inline(always)]
         pub fn $method(self, other: Self) -> Self {
-            self.map2(other, f64::$method)
+            self.map2(other, $value)
         }
     };
 }

@@ -1,16 +1,18 @@
 //! Functions of two numbers. The second is a number or an `f64`, as `impl Into<Real<D>>`.
 
+use kin_graph::{Function2, rules};
+
 use super::functions::atan_slopes;
 use super::{Dual, Growth, Real};
 
-impl<D: Dual> Real<D> {
-    /// The angle of the point (x, y) = (`x`, `self`) in (−π, π] rad, right on both axes; singular at (0, 0)
-    /// unless both are constant.
-    pub fn atan2(self, x: impl Into<Self>) -> Self {
-        let (y, x) = (self, x.into());
+/// Pairs composed by hand, which is faster or keeps more digits than the definitions of the list.
+struct Composed;
+
+impl Composed {
+    fn atan2<D: Dual>(y: Real<D>, x: Real<D>) -> Real<D> {
         let angle = y.value().atan2(x.value());
         if y.is_constant() && x.is_constant() {
-            return Self::constant(angle);
+            return Real::constant(angle);
         }
         let flat = x.value().abs() >= y.value().abs();
         let ratio = if flat { y / x } else { -(x / y) };
@@ -18,12 +20,10 @@ impl<D: Dual> Real<D> {
         Real(ratio.chain([angle, d, dd, ddd]).0.growing(Growth::Bounded))
     }
 
-    /// √(x² + y²) without overflow; singular at (0, 0) unless both are constant.
-    pub fn hypot(self, y: impl Into<Self>) -> Self {
-        let (x, y) = (self, y.into());
+    fn hypot<D: Dual>(x: Real<D>, y: Real<D>) -> Real<D> {
         let length = x.value().hypot(y.value());
         if x.is_constant() && y.is_constant() {
-            return Self::constant(length);
+            return Real::constant(length);
         }
         if length == 0.0 {
             return x.singular() + y.singular();
@@ -33,22 +33,19 @@ impl<D: Dual> Real<D> {
         (large.abs() * (ratio * ratio + 1.0).sqrt()).with_value(length)
     }
 
-    /// xⁿ. A constant n has slopes n xⁿ⁻¹, n (n − 1) xⁿ⁻², …, infinite at x = 0 where the power left is
-    /// negative and its factor is not 0. A variable n needs x > 0, or x = 0 and n > 0.
-    pub fn powf(self, n: impl Into<Self>) -> Self {
-        let n = n.into();
-        let (x, c) = (self.value(), n.value());
+    fn powf<D: Dual>(base: Real<D>, n: Real<D>) -> Real<D> {
+        let (x, c) = (base.value(), n.value());
         // At x = 0 the tangents of n drop out, as xⁿ ln x → 0; where they do not, at whole n, a factor 0
         // meets 0⁻¹ and gives NaN. Falling powers, and those of large numbers: no lower power is too small
         // for a number.
         if n.is_constant() && (c < 0.0 || x.abs() > 1.0) {
-            return self.power(x.powf(c), c);
+            return base.power(x.powf(c), c);
         }
         if n.is_constant() || x == 0.0 && c > 0.0 {
             let slope = |k: f64, factor: f64| {
                 if factor == 0.0 && n.is_constant() { 0.0 } else { factor * x.powf(c - k) }
             };
-            let power = self.chain([
+            let power = base.chain([
                 x.powf(c),
                 slope(1.0, c),
                 slope(2.0, c * (c - 1.0)),
@@ -56,24 +53,72 @@ impl<D: Dual> Real<D> {
             ]);
             return power.growing_as_power(c);
         }
-        (n * self.ln()).chain([x.powf(c); 4]).growing_as_power(-5.0)
+        (n * base.ln()).chain([x.powf(c); 4]).growing_as_power(-5.0)
     }
 
+    #[inline]
+    fn max<D: Dual>(x: Real<D>, y: Real<D>) -> Real<D> {
+        if x >= y || y.is_nan() { x } else { y }
+    }
+
+    #[inline]
+    fn min<D: Dual>(x: Real<D>, y: Real<D>) -> Real<D> {
+        if x <= y || y.is_nan() { x } else { y }
+    }
+
+    fn rem_euclid<D: Dual>(x: Real<D>, y: Real<D>) -> Real<D> {
+        x.less_whole(y, x.value().rem_euclid(y.value()))
+    }
+
+    fn div_euclid<D: Dual>(x: Real<D>, y: Real<D>) -> Real<D> {
+        Real::constant(x.value().div_euclid(y.value()))
+    }
+}
+
+/// Each function of the list as a method of numbers; `%` is an operator.
+macro_rules! of_two {
+    ($($(#[$doc:meta])* $variant:ident $method:ident $written:literal $entry:tt)*) => {
+        /// Compositions by the definitions of the list.
+        // Those that are written by hand too are not called.
+        #[allow(dead_code)]
+        trait ByDefinition {$(
+            fn $method<D: Dual>(x: Real<D>, y: Real<D>) -> Real<D> {
+                by_definition(Function2::$variant, x, y)
+            }
+        )*}
+
+        impl<D: Dual> Real<D> {
+            $(of_two! { @ $method $(#[$doc])* })*
+        }
+    };
+    (@ rem $($rest:tt)*) => {};
+    (@ $method:ident $(#[$doc:meta])*) => {
+        $(#[$doc])*
+        #[inline]
+        pub fn $method(self, other: impl Into<Self>) -> Self {
+            Composed::$method(self, other.into())
+        }
+    };
+}
+
+kin_graph::functions_of_two!(of_two);
+
+impl ByDefinition for Composed {}
+
+/// f(x, y) by other functions, with f64's own value; of one that is neither defined nor written by hand
+/// nothing but that value is known.
+fn by_definition<D: Dual>(f: Function2, x: Real<D>, y: Real<D>) -> Real<D> {
+    let value = f.value()(x.value(), y.value());
+    if x.is_constant() && y.is_constant() {
+        return Real::constant(value);
+    }
+    rules::definition_of_two(f, x, y).map_or(x.singular() + y.singular(), |z| z.with_value(value))
+}
+
+impl<D: Dual> Real<D> {
     /// Logarithm of x to a base: ln x / ln base.
     pub fn log(self, base: impl Into<Self>) -> Self {
         self.ln() / base.into().ln()
-    }
-
-    /// The larger one; of two equal ones `self`; of a number and NaN the number.
-    pub fn max(self, other: impl Into<Self>) -> Self {
-        let other = other.into();
-        if self >= other || other.is_nan() { self } else { other }
-    }
-
-    /// The smaller one; of two equal ones `self`; of a number and NaN the number.
-    pub fn min(self, other: impl Into<Self>) -> Self {
-        let other = other.into();
-        if self <= other || other.is_nan() { self } else { other }
     }
 
     /// `self.max(low).min(high)`: `self` on both edges, NaN for NaN, `high` where low > high.
@@ -85,17 +130,6 @@ impl<D: Dual> Real<D> {
     pub fn mul_add(self, a: impl Into<Self>, b: impl Into<Self>) -> Self {
         let (a, b) = (a.into(), b.into());
         (self * a + b).with_value(self.value().mul_add(a.value(), b.value()))
-    }
-
-    /// x − n y ≥ 0 with a whole number n, constant between jumps.
-    pub fn rem_euclid(self, y: impl Into<Self>) -> Self {
-        let y = y.into();
-        self.less_whole(y, self.value().rem_euclid(y.value()))
-    }
-
-    /// The whole number n of [`rem_euclid`](Self::rem_euclid); slope 0.
-    pub fn div_euclid(self, y: impl Into<Self>) -> Self {
-        Self::constant(self.value().div_euclid(y.into().value()))
     }
 
     /// |x| with the sign of `sign`, −0 being negative there; at x = ±0 the slope is that of the side x ≥ 0, as for [`Real::abs`].
@@ -111,6 +145,8 @@ mod tests {
 
     use crate::numbers::real::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
+    use kin_graph::Number;
+
     use super::*;
 
     type First = Real<Dual64>;
@@ -125,6 +161,26 @@ mod tests {
 
     fn third(x: f64) -> Real<Dual3_64> {
         Real(Dual3_64::new(x, 1.0, 0.0, 0.0))
+    }
+
+    #[test]
+    fn a_pair_by_its_definition_is_the_one_by_hand() {
+        let moving = |x: f64, v: f64| Real(Dual3_64::new(x, v, 0.25, -0.5));
+        for (f, x, y) in
+            [(Function2::Hypot, 0.75, -2.5), (Function2::Powf, 1.75, 0.6), (Function2::RemEuclid, 7.3, -2.0)]
+        {
+            let (x, y) = (moving(x, 1.0), moving(y, -0.75));
+            let (by_hand, defined) = (x.call2(f, y).0, by_definition(f, x, y).0);
+            assert_eq!(by_hand.re, defined.re, "{f:?}");
+            for (a, b) in [(by_hand.v1, defined.v1), (by_hand.v2, defined.v2), (by_hand.v3, defined.v3)] {
+                assert!((a - b).abs() < 1e-13 * (1.0 + a.abs()), "{f:?}: {a}, and {b} by its definition");
+            }
+            assert_eq!(by_definition(f, Real(3.0), Real(2.0)).0, f.value()(3.0, 2.0));
+        }
+        assert!(
+            by_definition(Function2::Max, along(1.0), along(2.0)).0.eps.is_nan(),
+            "nothing is known of it"
+        );
     }
 
     #[test]

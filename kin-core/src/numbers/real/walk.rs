@@ -15,7 +15,7 @@ macro_rules! of_one {
 }
 
 macro_rules! of_two {
-    ($($variant:ident $method:ident $written:literal $entry:tt)*) => {
+    ($($(#[$doc:meta])* $variant:ident $method:ident $written:literal $entry:tt)*) => {
         fn of_two<D: Dual>(f: Function2, x: Real<D>, y: Real<D>) -> Real<D> {
             match f { $(Function2::$variant => x.$method(y)),* }
         }

@@ -170,8 +170,6 @@ impl Number for Digits {
         let is_negative = |x: &Digits| x.0.is_negative();
         match f.method() {
             "atan2" => angle(x, y),
-            "hypot" => (x.squared() + y.squared()).call(Function::Sqrt),
-            "powf" => (y * x.call(Function::Ln)).call(Function::Exp),
             "max" => {
                 if x >= y {
                     x
@@ -191,8 +189,9 @@ impl Number for Digits {
                 let upwards = is_negative(&y);
                 (x / y).whole(upwards)
             }
-            "rem_euclid" => x.clone() - x.call2(Function2::DivEuclid, y.clone()) * y,
-            _ => panic!("{}: 60 digits of it are not known", f.name()),
+            _ => rules::definition_of_two(f, x, y).unwrap_or_else(|| {
+                panic!("{}: its entry has no `definition` by which 60 digits of it are known", f.name())
+            }),
         }
     }
 

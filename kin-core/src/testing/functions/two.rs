@@ -1,6 +1,8 @@
 //! Functions of two numbers: f64, numbers with derivatives, blame, lanes, series, against 60 digits.
 
-use kin_graph::functions::ALLOWED;
+use std::f64::consts::TAU;
+
+use kin_graph::functions::{ALLOWED, Growth};
 use kin_graph::{Function2, Number};
 
 use super::bounds::holds;
@@ -35,6 +37,7 @@ pub fn check(complaints: &mut Complaints) {
             same(complaints, f, "emitted code", [*x, *y], emitted(f)(*x, *y), plain);
         }
         lanes(complaints, f, &all);
+        entry(complaints, f);
     }
 }
 
@@ -50,6 +53,48 @@ fn is_ordinary(f: Function2, x: f64, y: f64) -> bool {
             Function2::Rem | Function2::RemEuclid | Function2::DivEuclid => !whole(x / y),
             _ => true,
         }
+}
+
+/// Facts of an entry are true of its function.
+fn entry(complaints: &mut Complaints, f: Function2) {
+    let (name, value, facts) = (f.name(), f.value(), f.facts());
+    let others = NUMBERS.iter().filter(|y| y.abs() < 10.0);
+    let jumps = others.clone().any(|y| jumps(&|x| value(x, *y)) || jumps(&|x| value(*y, x)));
+    complaints.unless(jumps == facts.jumps, || {
+        format!(
+            "{name}: it {}, but its `jumps` says otherwise",
+            if jumps { "jumps" } else { "does not jump" }
+        )
+    });
+    const FAR: [f64; 4] = [-1100.0, -0.5, 0.5, 1100.0];
+    let far = FAR.iter().flat_map(|x| FAR.map(|y| value(*x, y))).filter(|z| !z.is_nan());
+    let (most, burst) =
+        far.fold((0.0_f64, false), |(most, burst), z| (most.max(z.abs()), burst || z.is_infinite()));
+    let is_so = match facts.growth {
+        Growth::Ordinary => !burst,
+        Growth::Bounded => most <= 10.0,
+        Growth::Logarithmic => !burst && most <= 1100.0,
+        Growth::Bursting => burst,
+    };
+    complaints.unless(is_so, || format!("{name}: its `growth` is not {:?}", facts.growth));
+}
+
+/// True if a function jumps within ±10 between two finite values that are no whole turns apart: halving what
+/// lies between two places does not make the difference of its values small.
+fn jumps(f: &dyn Fn(f64) -> f64) -> bool {
+    const STEPS: usize = 640;
+    let place = |k: usize| -10.003 + 20.0 * k as f64 / STEPS as f64;
+    (0..STEPS).any(|k| {
+        let (mut low, mut high) = (place(k), place(k + 1));
+        for _ in 0..40 {
+            let middle = 0.5 * (low + high);
+            let is_below = (f(middle) - f(low)).abs() > (f(high) - f(middle)).abs();
+            *(if is_below { &mut high } else { &mut low }) = middle;
+        }
+        let jump = (f(high) - f(low)).abs();
+        let turns = jump / TAU;
+        jump.is_finite() && jump > 0.01 && (turns - turns.round()).abs() > 1e-6 && f(high).abs() < 1e6
+    })
 }
 
 fn same(complaints: &mut Complaints, f: Function2, kind: &str, at: [f64; 2], found: f64, plain: f64) {
@@ -68,7 +113,7 @@ fn ordinary(complaints: &mut Complaints, f: Function2, at: [f64; 2]) {
     let exact = moving(x, ALONG[0]).call2(f, moving(y, ALONG[1])).derivatives();
     let plain = f.value()(at[0], at[1]);
     // The value of x − n y is off by as much as x is.
-    let size = exact[0].clone().abs() + Digits::new(if f.is_exact() { 0.0 } else { at[0].abs() });
+    let size = exact[0].clone().abs() + Digits::new(if f.facts().exact { 0.0 } else { at[0].abs() });
     let size = if matches!(f, Function2::RemEuclid) { size } else { exact[0].clone() };
     complaints.unless(is_near(plain, &exact[0], &units(&size, ALLOWED)), || {
         format!("{name}: its value at {at:?} is {plain:e}")
@@ -115,7 +160,7 @@ fn series(complaints: &mut Complaints, f: Function2, at: [f64; 2], exact: &[Digi
 }
 
 macro_rules! of_two {
-    ($($variant:ident $method:ident $written:literal $entry:tt)*) => {
+    ($($(#[$doc:meta])* $variant:ident $method:ident $written:literal $entry:tt)*) => {
         /// The function that emitted code calls.
         fn emitted(f: Function2) -> fn(f64, f64) -> f64 {
             match f { $(Function2::$variant => crate::emitted::math::$method),* }

@@ -210,8 +210,7 @@ impl Rewriter {
         }
         if self.copy == Copy::Plain && is_beyond_std(&name) {
             let at = mixed(expression);
-            *expression =
-                parse_quote_spanned!(at=> { use ::kin::emitted::math::Functions as _; #expression });
+            *expression = parse_quote_spanned!(at=> { use ::kin::emitted::math::{Functions as _, FunctionsOfTwo as _}; #expression });
         }
     }
 
