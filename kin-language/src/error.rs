@@ -7,6 +7,26 @@ pub fn mistake(tokens: &dyn ToTokens, message: impl std::fmt::Display) -> syn::E
     syn::Error::new_spanned(tokens.to_token_stream(), message)
 }
 
+/// A token stream's text without the blanks that nobody writes.
+pub fn tidy(text: &str) -> String {
+    let mut text = text.to_owned();
+    for (from, to) in [
+        (" . ", "."),
+        (" (", "("),
+        ("( ", "("),
+        (" )", ")"),
+        (" ,", ","),
+        ("[ ", "["),
+        (" ]", "]"),
+        (" [", "["),
+        ("& ", "&"),
+        (" :: ", "::"),
+    ] {
+        text = text.replace(from, to);
+    }
+    text
+}
+
 /// All mistakes found so far.
 #[derive(Default)]
 pub struct Mistakes(Option<syn::Error>);

@@ -4,9 +4,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
+use proc_macro2::{TokenStream, TokenTree};
 use syn::visit::{self, Visit};
 
-use crate::{ROOT, rust_files};
+use crate::{ROOT, rust_files, sources};
 
 /// A module by its path from the root of the crate.
 type Module = Vec<String>;
@@ -78,7 +79,13 @@ impl Reader<'_> {
             syn::UseTree::Rename(name) => {
                 self.brought(before, &name.ident.to_string(), &name.rename.to_string(), public)
             }
-            syn::UseTree::Glob(_) => {}
+            // All names of a module: an import of it.
+            syn::UseTree::Glob(_) => {
+                let known = self.whole(before);
+                if let Some(whole) = known.filter(|_| !public) {
+                    self.file.imports.insert(whole);
+                }
+            }
         }
     }
 
@@ -128,6 +135,40 @@ impl<'a> Visit<'a> for Reader<'_> {
             self.file.imports.insert(whole);
         }
         visit::visit_path(self, path);
+    }
+
+    /// Paths among the tokens of a macro's call, which are no syntax to the reader.
+    fn visit_macro(&mut self, call: &'a syn::Macro) {
+        self.tokens(call.tokens.clone());
+        visit::visit_macro(self, call);
+    }
+}
+
+impl Reader<'_> {
+    fn tokens(&mut self, tokens: TokenStream) {
+        let (mut path, mut colons, mut is_users) = (Vec::new(), 0, false);
+        for token in tokens.into_iter().map(Some).chain([None]) {
+            match token {
+                Some(TokenTree::Punct(punct)) if punct.as_char() == ':' => colons += 1,
+                Some(TokenTree::Ident(name)) if colons == 2 && !path.is_empty() => {
+                    path.push(name.to_string());
+                    colons = 0;
+                }
+                token => {
+                    if let Some(whole) = self.whole(&path).filter(|_| path.len() > 1) {
+                        self.file.imports.insert(whole);
+                    }
+                    (path, colons) = (Vec::new(), 0);
+                    match &token {
+                        // `$crate::a` in a macro that others call is resolved where it is called.
+                        Some(TokenTree::Ident(name)) if !is_users => path.push(name.to_string()),
+                        Some(TokenTree::Group(group)) => self.tokens(group.stream()),
+                        _ => {}
+                    }
+                    is_users = matches!(token, Some(TokenTree::Punct(punct)) if punct.as_char() == '$');
+                }
+            }
+        }
     }
 }
 
@@ -227,12 +268,70 @@ fn imports_go_down() {
     assert!(found.is_empty(), "these import from a room above their own: {found:#?}");
 }
 
+/// The crates, each of which depends on those before it only.
+const CRATES: [&str; 8] =
+    ["kin-graph", "kin-language", "kin-macros", "kin-core", "kin-text", "kin-view", "kin", "kin-cli"];
+
+#[test]
+fn crates_depend_on_those_before_them() {
+    for (k, name) in CRATES.iter().enumerate() {
+        let folder = if *name == "kin" { "." } else { name };
+        let text =
+            std::fs::read_to_string(Path::new(ROOT).join(folder).join("Cargo.toml")).expect("readable");
+        // The facade's own manifest holds the workspace's versions too.
+        let own = text.split("\n[").filter(|part| part.starts_with("dependencies]"));
+        let lines: Vec<&str> = own.flat_map(str::lines).collect();
+        let needs = |other: &str| {
+            let is_it = |line: &&str| {
+                line.strip_prefix(other).is_some_and(|rest| rest.starts_with([' ', '.', '=']))
+                    && !line.contains("package =")
+            };
+            lines.iter().any(is_it)
+        };
+        for later in &CRATES[k + 1..] {
+            assert!(!needs(later), "{name} depends on {later}");
+        }
+        let foreign = match *name {
+            "kin-graph" => &["syn", "quote", "nalgebra", "num-dual"][..],
+            "kin-language" => &["nalgebra", "num-dual"],
+            "kin-core" => &["syn", "quote", "kin-language"],
+            _ => &[],
+        };
+        for other in foreign {
+            assert!(!needs(other), "{name} depends on {other}");
+        }
+    }
+}
+
+/// No folder of a crate leads to another one that leads back; of the core the order of rooms says more.
+#[test]
+fn folders_import_one_way() {
+    for folder in sources() {
+        let house = House::read(&folder);
+        let mut leads: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+        for (from, to) in house.edges() {
+            // A file beside the folder of its name is the folder's own.
+            if let (Some(from), Some(to)) = (from.first(), to.first())
+                && from != to
+            {
+                leads.entry(from).or_default().insert(to);
+            }
+        }
+        let is_folder = |name: &str| Path::new(ROOT).join(&folder).join(name).is_dir();
+        for (from, to) in &leads {
+            for to in to.iter().filter(|to| is_folder(from) && is_folder(to)) {
+                let back = leads.get(to).is_some_and(|back| back.contains(from));
+                assert!(!back, "{folder}: {from} and {to} import one another");
+            }
+        }
+    }
+}
+
 /// Files that import one another, straight or by others: the largest set of them in each crate.
 #[test]
 fn few_files_import_one_another() {
     const MOST: usize = 6;
-    let folders = ["kin-core", "kin-graph", "kin-language", "kin-macros", "kin-text", "kin-view", "kin-cli"];
-    for folder in folders.map(|name| format!("{name}/src")) {
+    for folder in sources() {
         let house = House::read(&folder);
         for cycle in house.cycles() {
             assert!(
@@ -268,4 +367,16 @@ fn paths_are_followed_to_their_files() {
     assert_eq!(end("Mechanism").as_deref(), Some("model/mechanism"));
     assert_eq!(end("motion::Series").as_deref(), Some("model/motion/series"));
     assert!(house.files.keys().all(|module| module.first().is_none_or(|first| first != "testing")));
+}
+
+/// Imports are seen as all names of a module, within the call of a macro, and not in `$crate`.
+#[test]
+fn imports_of_every_kind_are_seen() {
+    let text = "use crate::solve::*; fn f() { vec![crate::ask::g(super::h)]; }
+        macro_rules! m { () => { $crate::data::k() }; } #[cfg(test)] mod tests { use crate::joints::*; }";
+    let here = vec!["model".to_string(), "law".to_string()];
+    let mut reader = Reader { here: &here, file: File::default(), tests: Vec::new() };
+    reader.visit_file(&syn::parse_file(text).expect("Rust"));
+    let found: Vec<String> = reader.file.imports.iter().map(|path| path.join("::")).collect();
+    assert_eq!(found, ["ask::g", "model::h", "solve"]);
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use syn::visit::{self, Visit};
 
-use crate::{ROOT, rust_files};
+use crate::{ROOT, rust_files, sources};
 
 /// Files that may tell operations apart one by one: the graph itself with its evaluator, its passes and its
 /// text, and what writes code (or a tape) of it.
@@ -65,8 +65,7 @@ fn functions() -> BTreeSet<String> {
 fn lists(of: &BTreeSet<String>, allowed: &[&str]) -> Vec<String> {
     let most = SHARE * of.len() as f64;
     let mut found = Vec::new();
-    let rooms = ["kin-graph", "kin-language", "kin-macros", "kin-core", "kin-text", "kin-view", "kin-cli"];
-    for folder in ["src".to_string()].into_iter().chain(rooms.map(|name| format!("{name}/src"))) {
+    for folder in sources().into_iter().chain(["src".to_string()]) {
         for path in rust_files(&folder) {
             let name = path.strip_prefix(ROOT).expect("below the root").to_string_lossy().replace('\\', "/");
             let mut matches = Matches::default();

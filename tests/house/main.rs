@@ -4,10 +4,22 @@ mod comments;
 mod imports;
 mod limits;
 mod lists;
+mod signatures;
 
 use std::path::{Path, PathBuf};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+
+/// The sources of every crate of the workspace but the facade, which is one file.
+fn sources() -> Vec<String> {
+    let entries = Path::new(ROOT).read_dir().expect("readable").map(|entry| entry.expect("an entry"));
+    let names = entries.map(|entry| entry.file_name().to_string_lossy().into_owned());
+    let mut all: Vec<String> =
+        names.filter(|name| name.starts_with("kin-")).map(|name| format!("{name}/src")).collect();
+    all.sort();
+    assert!(all.len() > 5, "{all:?} are not all crates");
+    all
+}
 
 /// Every Rust file in a folder of the workspace but expansions that are stored to be compared, and programs
 /// that are wrong on purpose.

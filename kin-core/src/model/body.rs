@@ -29,6 +29,20 @@ impl Vector for Vec3 {
     }
 }
 
+/// The coordinates of a body and their rates at one time: those of the ground are none.
+#[doc(hidden)]
+#[derive(Clone, Copy)]
+pub struct Course<'a> {
+    /// q
+    pub q: &'a [f64],
+    /// q̇
+    pub qd: &'a [f64],
+    /// q̈
+    pub qdd: &'a [f64],
+    /// q⃛, or nothing where it was not asked for.
+    pub qddd: &'a [f64],
+}
+
 /// A body whose points can be followed.
 pub trait Body {
     /// `Vec2` or `Vec3`.
@@ -38,10 +52,9 @@ pub trait Body {
     #[doc(hidden)]
     fn target(self) -> Target;
 
-    /// r, v, a and jerk of the local point u where the body's q, q̇, q̈ and q⃛ are these (those of the
-    /// ground: none; without q⃛ the jerk means nothing).
+    /// r, v, a and jerk of the local point u on this course of the body (without q⃛ the jerk means nothing).
     #[doc(hidden)]
-    fn point(u: Self::Vector, orders: [&[f64]; 4]) -> [Self::Vector; 4];
+    fn point(u: Self::Vector, course: Course<'_>) -> [Self::Vector; 4];
 
     /// ū of a global point where the body's coordinates are these (those of the ground: none).
     #[doc(hidden)]
@@ -61,7 +74,7 @@ impl Body for PlanarBody {
 
     /// r = R + A ū, v = Ṙ + θ̇ A_θ ū, a = R̈ + θ̈ A_θ ū − θ̇² A ū (lecture, "Velocity" and "Acceleration"),
     /// and from there ȧ = R⃛ + (θ⃛ − θ̇³) A_θ ū − 3 θ̇ θ̈ A ū
-    fn point(u: Vec2, [q, qd, qdd, qddd]: [&[f64]; 4]) -> [Vec2; 4] {
+    fn point(u: Vec2, Course { q, qd, qdd, qddd }: Course<'_>) -> [Vec2; 4] {
         let (&[x, y, theta], &[vx, vy, w], &[ax, ay, alpha]) = (q, qd, qdd) else { return still(u) };
         let [jx, jy, zeta] = qddd.first_chunk().copied().unwrap_or_default();
         let au = PlanarState::new([x, y, theta]).direction(u);
@@ -95,8 +108,8 @@ macro_rules! as_its_body {
                 self.body.target()
             }
 
-            fn point(u: $vector, orders: [&[f64]; 4]) -> [$vector; 4] {
-                $body::point(u, orders)
+            fn point(u: $vector, course: Course<'_>) -> [$vector; 4] {
+                $body::point(u, course)
             }
 
             fn local(point: $vector, q: &[f64]) -> $vector {
@@ -121,8 +134,8 @@ impl Body for SpatialBody {
     }
 
     /// r = R + A(p) ū and its derivatives along p(t), by third-order dual numbers.
-    fn point(u: Vec3, orders: [&[f64]; 4]) -> [Vec3; 4] {
-        let Some(jets) = jets(orders) else { return still(u) };
+    fn point(u: Vec3, course: Course<'_>) -> [Vec3; 4] {
+        let Some(jets) = jets(course) else { return still(u) };
         let r = SpatialState::new(jets).point(u);
         let order = |part: fn(&Dual3_64) -> f64| Vec3::new(part(&r.x.0), part(&r.y.0), part(&r.z.0));
         [order(|x| x.re), order(|x| x.v1), order(|x| x.v2), order(|x| x.v3)]
@@ -142,11 +155,12 @@ fn still<V: Default>(u: V) -> [V; 4] {
     [u, V::default(), V::default(), V::default()]
 }
 
-/// The coordinates of a body as they move, from q, q̇, q̈ and q⃛ (zero if it is not there); `None` without N
-/// of each of the others.
-pub(crate) fn jets<const N: usize>([q, qd, qdd, qddd]: [&[f64]; 4]) -> Option<[Real<Dual3_64>; N]> {
-    let ([q, qd, qdd], qddd) = ([q, qd, qdd].map(|row| row.first_chunk::<N>()), qddd.first_chunk::<N>());
-    let (q, qd, qdd, qddd) = (q?, qd?, qdd?, qddd.unwrap_or(&[0.0; N]));
+/// The coordinates of a body as they move (with q⃛ zero if it is not there); `None` without N of each of the
+/// others.
+fn jets<const N: usize>(course: Course<'_>) -> Option<[Real<Dual3_64>; N]> {
+    let qddd = course.qddd.first_chunk().unwrap_or(&[0.0; N]);
+    let (q, qd, qdd) =
+        (course.q.first_chunk::<N>()?, course.qd.first_chunk::<N>()?, course.qdd.first_chunk::<N>()?);
     Some(std::array::from_fn(|k| Real(Dual3_64::new(q[k], qd[k], qdd[k], qddd[k]))))
 }
 
@@ -156,11 +170,15 @@ mod tests {
 
     #[test]
     fn planar_formulas_are_the_derivatives_along_the_motion() {
-        let orders: [&[f64]; 4] =
-            [&[0.3, -1.2, 2.1], &[0.7, 0.2, -3.0], &[1.5, -0.4, 11.0], &[-6.0, 2.5, 70.0]];
+        let course = Course {
+            q: &[0.3, -1.2, 2.1],
+            qd: &[0.7, 0.2, -3.0],
+            qdd: &[1.5, -0.4, 11.0],
+            qddd: &[-6.0, 2.5, 70.0],
+        };
         let u = Vec2::new(0.4, -0.9);
-        let exact = PlanarState::new(jets(orders).unwrap()).point(u);
-        for (order, found) in PlanarBody::point(u, orders).into_iter().enumerate() {
+        let exact = PlanarState::new(jets(course).unwrap()).point(u);
+        for (order, found) in PlanarBody::point(u, course).into_iter().enumerate() {
             for (found, exact) in [(found.x, exact.x.0), (found.y, exact.y.0)] {
                 let exact = [exact.re, exact.v1, exact.v2, exact.v3][order];
                 assert!((found - exact).abs() < 1e-13 * (1.0 + exact.abs()), "{found} {exact}");
@@ -179,10 +197,10 @@ mod tests {
         let join = |r: [f64; 3], p: [f64; 4]| [r[0], r[1], r[2], p[0], p[1], p[2], p[3]];
         let orders = [join([0.3, -1.2, 5.0], p), join([0.7, 0.2, 0.0], pd), join([1.5, -0.4, 0.0], pdd)];
         let [q, qd, qdd] = &orders;
-        let spatial = SpatialBody::point(Vec3::new(0.4, -0.9, 0.2), [q, qd, qdd, &[]]);
+        let spatial = SpatialBody::point(Vec3::new(0.4, -0.9, 0.2), Course { q, qd, qdd, qddd: &[] });
         let planar = PlanarBody::point(
             Vec2::new(0.4, -0.9),
-            [&[0.3, -1.2, theta], &[0.7, 0.2, w], &[1.5, -0.4, alpha], &[]],
+            Course { q: &[0.3, -1.2, theta], qd: &[0.7, 0.2, w], qdd: &[1.5, -0.4, alpha], qddd: &[] },
         );
         let (spatial, planar) = (&spatial[..3], &planar[..3]);
         for (spatial, planar) in spatial.iter().zip(planar) {

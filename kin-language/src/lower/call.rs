@@ -68,7 +68,7 @@ impl Reader {
             Value::Opaque(_) => Err(Unreadable::new(&call.func, "a call of one of two functions")),
             value @ (Value::Poison | Value::Never | Value::Left) => Ok(value),
             other => {
-                let name = super::tidy(&call.func.to_token_stream().to_string());
+                let name = crate::error::tidy(&call.func.to_token_stream().to_string());
                 Ok(self.mistake(&call.func, not_called(&other, &name)))
             }
         }

@@ -306,23 +306,3 @@ impl Reader {
 fn counted(what: &str, takes: usize, of: &str, given: usize) -> String {
     format!("{what} takes {takes} {of}{}, not {given}", if takes == 1 { "" } else { "s" })
 }
-
-/// A token stream's text without the blanks that nobody writes.
-pub fn tidy(text: &str) -> String {
-    let mut text = text.to_owned();
-    for (from, to) in [
-        (" . ", "."),
-        (" (", "("),
-        ("( ", "("),
-        (" )", ")"),
-        (" ,", ","),
-        ("[ ", "["),
-        (" ]", "]"),
-        (" [", "["),
-        ("& ", "&"),
-        (" :: ", "::"),
-    ] {
-        text = text.replace(from, to);
-    }
-    text
-}

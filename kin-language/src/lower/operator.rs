@@ -301,7 +301,7 @@ impl Reader {
     fn operator_mistake(&mut self, op: BinOp, left: &Value, right: &Value, at: &ExprBinary) -> Value {
         let sign = op.to_token_stream().to_string();
         for (value, other, place) in [(left, right, &at.left), (right, left, &at.right)] {
-            let name = super::tidy(&place.to_token_stream().to_string());
+            let name = crate::error::tidy(&place.to_token_stream().to_string());
             let text = match value {
                 Value::Law(_) => format!("`{name}` is a Law: ask it for a value with `{name}.at(x)`"),
                 Value::Planar(_) | Value::Spatial(_) => {

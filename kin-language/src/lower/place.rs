@@ -92,7 +92,7 @@ fn as_written(tokens: TokenStream) -> String {
         text.append(tokens);
         text.written
     } else {
-        super::tidy(&tokens.to_string())
+        crate::error::tidy(&tokens.to_string())
     };
     match text.char_indices().nth(LONGEST) {
         Some((end, _)) => format!("{} …", text[..end].trim_end()),

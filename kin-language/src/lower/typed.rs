@@ -86,7 +86,7 @@ impl Reader {
                 Value::Law(_) if name == "Law" => Ok(value),
                 _ => Err(Unreadable::new(
                     ty,
-                    format!("a value of type `{}`", super::tidy(&ty.to_token_stream().to_string())),
+                    format!("a value of type `{}`", crate::error::tidy(&ty.to_token_stream().to_string())),
                 )),
             },
         }
@@ -123,7 +123,7 @@ impl Reader {
             }
             _ => Err(Unreadable::new(
                 ty,
-                format!("a conversion into `{}`", super::tidy(&ty.to_token_stream().to_string())),
+                format!("a conversion into `{}`", crate::error::tidy(&ty.to_token_stream().to_string())),
             )),
         }
     }

@@ -5,7 +5,7 @@ use syn::parse::ParseStream;
 use syn::{Attribute, Expr, LitStr, Token};
 
 use crate::error::Mistakes;
-use crate::lower::tidy;
+use crate::error::tidy;
 
 /// `#[require(condition)]`, `#[require(condition, "what to say")]`, and `#[branch(…)]` of the same form.
 pub struct Demand {

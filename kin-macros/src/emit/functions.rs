@@ -121,7 +121,7 @@ pub fn laws(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
     let code = code.tokens;
     let shown = asked.iter().enumerate().map(|(k, (law, _))| {
         let (x, place) = (super::own(&format!("x_{k}")), super::template::place(&lowered.laws[*law]));
-        let name = kin_language::lower::tidy(&place.to_string()).replace(' ', "");
+        let name = kin_language::error::tidy(&place.to_string()).replace(' ', "");
         let name = name.trim_start_matches("self.");
         quote!(visit(#name, &#place, #x);)
     });

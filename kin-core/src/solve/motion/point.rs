@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::{MARKS, Motion, Quantity, Series};
-use crate::model::body::{Body, Vector};
+use crate::model::body::{Body, Course, Vector};
 use crate::model::coordinates::Target;
 use crate::model::error::{Error, Result};
 use crate::model::layout::Place;
@@ -56,7 +56,8 @@ impl Motion {
             jerk: Vec::new(),
         };
         for k in 0..self.len() {
-            let [r, v, a, jerk] = B::point(local, self.orders(k, columns.clone()));
+            let [q, qd, qdd, qddd] = self.orders(k, columns.clone());
+            let [r, v, a, jerk] = B::point(local, Course { q, qd, qdd, qddd });
             all.r.push(r);
             all.v.push(v);
             all.a.push(a);

@@ -14,7 +14,7 @@ impl Reader {
     /// The arguments as `n` numbers.
     pub(super) fn numbers(&mut self, n: usize, arguments: Vec<Value>, call: &Call) -> Option<Vec<Node>> {
         if arguments.len() != n {
-            let name = crate::lower::tidy(&call.path.to_token_stream().to_string());
+            let name = crate::error::tidy(&call.path.to_token_stream().to_string());
             self.mistake(
                 call.path,
                 crate::lower::counted(&format!("`{name}`"), n, "number", arguments.len()),
