@@ -75,6 +75,49 @@ fn other_routes_are_explained_too() {
     assert_eq!(joint.explain_route().to_string(), "symbolic: the compiler has read the whole body");
 }
 
+fn horner<D: Dual>(x: Real<D>, k: f64) -> Real<D> {
+    x * (x + k)
+}
+
+const GAIN: f64 = 2.5;
+
+macro_rules! squared {
+    ($x:expr) => {
+        $x * $x
+    };
+}
+
+#[constraint]
+fn with_a_helper(x: Coord, y: Coord, k: f64) -> f64 {
+    horner(x, GAIN) - k * y.sin() + horner(y, k)
+}
+
+#[constraint]
+fn with_a_macro(x: Coord, k: f64) -> f64 {
+    squared!(x) - k
+}
+
+/// Functions outside of the constraint stay the program's own, and so do its macros: both are named.
+#[test]
+fn what_only_the_program_knows_is_named() {
+    let constraint = with_a_helper(any_coord(), any_coord(), 2.0);
+    let RouteReason::ReadBut { called } = constraint.explain_route() else {
+        panic!("{:?}", constraint.explain_route())
+    };
+    let found: Vec<_> = called.iter().map(|(name, source)| (*name, (source.line, source.column))).collect();
+    let places = [place("fn with_a_helper", "horner(x"), place("fn with_a_helper", "horner(y")];
+    assert_eq!(found, places.map(|place| ("horner", place)));
+    assert_eq!(constraint.route(), Route::Symbolic);
+    let text = constraint.explain_route().to_string();
+    assert!(text.starts_with("symbolic, but for what only the program knows: `horner` at "), "{text}");
+    check::derivatives(constraint);
+
+    let constraint = with_a_macro(any_coord(), 2.0);
+    let (line, column) = place("fn with_a_macro", "squared!");
+    assert_eq!(unread(&constraint), ("the macro `squared!`", line, column));
+    check::derivatives(constraint);
+}
+
 type Length = f64;
 
 #[constraint]

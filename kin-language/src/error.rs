@@ -7,6 +7,17 @@ pub fn mistake(tokens: &dyn ToTokens, message: impl std::fmt::Display) -> syn::E
     syn::Error::new_spanned(tokens.to_token_stream(), message)
 }
 
+/// An integer k where a number is wanted, as it is written: `2`, or a name for one.
+pub fn integer_for_a_number(tokens: &dyn ToTokens, k: i64) -> String {
+    let text = tidy(&tokens.to_token_stream().to_string());
+    if text.trim_start_matches('-').starts_with(|first: char| first.is_ascii_digit()) {
+        return format!("`{text}` is an integer; a number is written `{k}.0`");
+    }
+    let is_one = tokens.to_token_stream().into_iter().count() == 1;
+    let of = if is_one { text.clone() } else { format!("({text})") };
+    format!("`{text}` is an integer; as a number it is `{of} as f64`")
+}
+
 /// A token stream's text without the blanks that nobody writes.
 pub fn tidy(text: &str) -> String {
     let mut text = text.to_owned();

@@ -105,7 +105,18 @@ const _: () = {
                     ::kin::emitted::Entry::new(0, 4),
                     ::kin::emitted::Entry::new(0, 5),
                 ],
-                reason: ::kin::RouteReason::Read,
+                reason: ::kin::RouteReason::ReadBut {
+                    called: &[
+                        (
+                            "wear",
+                            ::kin::emitted::Source {
+                                file: ::core::file!(),
+                                line: 1,
+                                column: 1,
+                            },
+                        ),
+                    ],
+                },
                 dependence: ::kin::emitted::Dependence {
                     c_on_t: false,
                     c_q_on_t: false,

@@ -93,7 +93,7 @@ impl Reader {
             }
             (Value::Opaque(template), shape) => self.opaque_shaped(template, shape, at),
             (Value::Integer(k, _), Shape::Scalar) => {
-                self.mistake(at, format!("`{k}` is an integer; a number is written `{k}.0`"))
+                self.mistake(at, crate::error::integer_for_a_number(at, k))
             }
             (Value::Law(_), Shape::Scalar) => {
                 let name = at.to_token_stream();

@@ -309,7 +309,10 @@ impl Reader {
                         "`{name}` is the state of a body: use `{name}.r`, `{name}.point(u)`, `{name}.direction(h)`, …"
                     )
                 }
-                Value::Integer(k, _) => format!("`{k}` is an integer; beside {} write `{k}.0`", other.name()),
+                Value::Integer(k, _) if name == k.to_string() => {
+                    format!("`{k}` is an integer; beside {} write `{k}.0`", other.name())
+                }
+                Value::Integer(k, _) => crate::error::integer_for_a_number(place, *k),
                 _ => continue,
             };
             return self.mistake(place, text);

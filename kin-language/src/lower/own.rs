@@ -96,7 +96,7 @@ impl Reader {
             }
         };
         let (place, k) = literal.fields.iter().find_map(|field| Some((&field.expr, integer(field)?)))?;
-        Some(self.mistake(place, format!("`{k}` is an integer; a number is written `{k}.0`")))
+        Some(self.mistake(place, crate::error::integer_for_a_number(place, k)))
     }
 
     /// A field that a type of the body's own has not, or that is given twice, or left out.

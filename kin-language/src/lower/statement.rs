@@ -167,7 +167,7 @@ impl Reader {
             }
             "vec" => self.vec_macro(call),
             "matches" => self.matches_macro(call),
-            _ => Err(Unreadable::new(&call.path, "a macro")),
+            _ => Err(unknown_macro(call)),
         }
     }
 
@@ -183,7 +183,7 @@ impl Reader {
             Ok((value, pattern, guard))
         };
         let Ok((value, pattern, guard)) = call.parse_body_with(parse) else {
-            return Err(Unreadable::new(&call.path, "a macro"));
+            return Err(unknown_macro(call));
         };
         let value = self.matchable(&value)?;
         self.scopes.push();
@@ -204,7 +204,7 @@ impl Reader {
         };
         match call.parse_body_with(repeat) {
             Ok((value, length)) => self.repeated(&value, &length),
-            Err(_) => Err(Unreadable::new(&call.path, "a macro")),
+            Err(_) => Err(unknown_macro(call)),
         }
     }
 }
@@ -213,4 +213,10 @@ impl Reader {
 fn is_over_duals(function: &syn::ItemFn) -> bool {
     let bounds = quote::ToTokens::to_token_stream(&function.sig.generics).to_string();
     bounds.split(|c: char| !c.is_alphanumeric()).any(|word| word == "Dual")
+}
+
+/// A macro of the program's own, or one of the standard library that is not read.
+fn unknown_macro(call: &syn::Macro) -> Unreadable {
+    let name = crate::error::tidy(&quote::ToTokens::to_token_stream(&call.path).to_string());
+    Unreadable::new(&call.path, format!("the macro `{name}!`"))
 }

@@ -75,6 +75,24 @@ impl Template {
         }
     }
 
+    /// The functions that it calls, as they are written, with their places.
+    pub fn called(&self) -> Vec<(String, Span)> {
+        let mut found = Vec::new();
+        self.visit(&mut |template| {
+            let tokens = match template {
+                Template::Call(callee, ..) => match &**callee {
+                    Template::Path(path, _) => path.to_token_stream(),
+                    _ => return,
+                },
+                Template::Method(_, name, _) => name.clone(),
+                _ => return,
+            };
+            let span = tokens.clone().into_iter().next().map(|token| token.span());
+            found.extend(span.map(|span| (crate::error::tidy(&tokens.to_string()), span)));
+        });
+        found
+    }
+
     /// Of how many templates it is made.
     pub fn size(&self) -> usize {
         1 + self.parts().into_iter().map(Template::size).sum::<usize>()

@@ -3,7 +3,7 @@
 
 use quote::ToTokens;
 use syn::visit_mut::{self, VisitMut};
-use syn::{Expr, GenericParam, Ident, ItemFn, LitInt, parse_quote};
+use syn::{Expr, GenericParam, Ident, ItemFn, Lifetime, LitInt, parse_quote};
 
 use crate::error::Mistakes;
 
@@ -44,11 +44,24 @@ pub fn put(
             },
             GenericParam::Lifetime(lifetime) => {
                 mistakes.add(lifetime, "a constraint keeps its parameters: write `'static`, or own them");
+                let inputs = function.sig.inputs.iter_mut();
+                inputs.for_each(|input| AsLongAsTheProgram(&lifetime.lifetime).visit_fn_arg_mut(input));
             }
             GenericParam::Type(_) => function.sig.generics.params.push(parameter),
         }
     }
     outside
+}
+
+/// Uses of a lifetime that has been refused are read as `'static`: one slip has one message.
+struct AsLongAsTheProgram<'a>(&'a Lifetime);
+
+impl VisitMut for AsLongAsTheProgram<'_> {
+    fn visit_lifetime_mut(&mut self, lifetime: &mut Lifetime) {
+        if lifetime.ident == self.0.ident {
+            lifetime.ident = Ident::new("static", lifetime.ident.span());
+        }
+    }
 }
 
 struct Put<'a>(&'a [(Ident, LitInt)]);

@@ -3,9 +3,9 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::facts;
 use super::kernel::{Code, Kernel};
 use super::timed::{self, Timed};
+use super::{facts, route};
 use kin_graph::Node;
 use kin_graph::differentiate::Derivatives;
 use kin_language::lower::Lowered;
@@ -46,7 +46,8 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
     let velocity = self::velocity(&m, velocity);
     let (at_time, numbers_of_time) = (timed::function(lowered, &timed), timed::facts(&timed));
     let promises = facts::promises(&derived.promises(&lowered.graph, &rows));
-    let facts = quote!(reason: ::kin::RouteReason::Read, #promises #numbers_of_time);
+    let reason = route::read(lowered);
+    let facts = quote!(reason: #reason, #promises #numbers_of_time);
     let ((linearize_doc, linearize), (right_doc, right_side)) = (linearize, right_side);
     let formulas = quote! {
         #at_time

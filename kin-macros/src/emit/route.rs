@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
-use kin_language::lower::Unreadable;
+use kin_language::lower::{Lowered, Unreadable};
 
 /// Why the body is not differentiated symbolically.
 pub enum DualReason<'a> {
@@ -15,6 +15,28 @@ pub enum DualReason<'a> {
 /// The environment variable that asks for the warning in a whole crate: the `[env]` table of
 /// `.cargo/config.toml` is a good place for it.
 const CRATE_WIDE: &str = "KIN_WARN_DUAL";
+
+/// The `RouteReason` of a body that has been read, but perhaps for functions that only rustc knows.
+pub fn read(lowered: &Lowered) -> TokenStream {
+    let mut called: Vec<(String, Span)> =
+        lowered.leaves.iter().flat_map(|leaf| leaf.template.called()).collect();
+    let mut seen = Vec::new();
+    called.retain(|(_, span)| {
+        let at = (span.start().line, span.start().column);
+        !seen.contains(&at) && {
+            seen.push(at);
+            true
+        }
+    });
+    if called.is_empty() {
+        return quote!(::kin::RouteReason::Read);
+    }
+    let called = called.iter().map(|(name, span)| {
+        let source = place(*span);
+        quote!((#name, #source))
+    });
+    quote!(::kin::RouteReason::ReadBut { called: &[#(#called),*] })
+}
 
 impl DualReason<'_> {
     /// The `RouteReason` among the facts.

@@ -32,6 +32,12 @@ impl fmt::Display for Route {
 pub enum RouteReason {
     /// [`Route::Symbolic`]: the compiler has read the whole body.
     Read,
+    /// [`Route::Symbolic`]: the compiler has read the body but for the program's own functions, whose values
+    /// and derivatives come from dual numbers.
+    ReadBut {
+        /// Each function with the token where it is called.
+        called: &'static [(&'static str, Source)],
+    },
     /// [`Route::Dual`]: something in the body cannot be read by the compiler.
     Unread {
         /// The construct that cannot be read, such as `` `while` ``.
@@ -72,7 +78,7 @@ impl RouteReason {
     /// The route that it is the reason for.
     pub const fn route(self) -> Route {
         match self {
-            RouteReason::Read => Route::Symbolic,
+            RouteReason::Read | RouteReason::ReadBut { .. } => Route::Symbolic,
             RouteReason::Unread { .. } | RouteReason::Asked { .. } => Route::Dual,
             RouteReason::Hand => Route::Hand,
         }
@@ -83,6 +89,11 @@ impl fmt::Display for RouteReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             RouteReason::Read => f.write_str("symbolic: the compiler has read the whole body"),
+            RouteReason::ReadBut { called } => {
+                let one = |(name, source): &(&str, Source)| format!("`{name}` at {source}");
+                let all: Vec<String> = called.iter().map(one).collect();
+                write!(f, "symbolic, but for what only the program knows: {}", all.join(", "))
+            }
             RouteReason::Unread { what, source } => {
                 write!(f, "dual: {what} at {source} cannot be read by the compiler")
             }

@@ -108,6 +108,9 @@ impl Reader {
 
     /// With a variable that goes along.
     fn scanned(&mut self, all: Vec<Value>, f: &Function, call: &Call) -> Read {
+        if !self.counted(2, call) {
+            return Ok(Value::Poison);
+        }
         let state = self.store.declare(call.arguments[0].clone());
         let place = Value::Place(Place::whole(state));
         let mut found = Vec::new();

@@ -196,7 +196,7 @@ impl Reader {
             (name, _) if Function::from_method(name).is_some() => {
                 return Ok(self.mistake(
                     &call.whole.receiver,
-                    format!("`{k}` is an integer; a number is written `{k}.0`"),
+                    crate::error::integer_for_a_number(&call.whole.receiver, k),
                 ));
             }
             _ => None,
