@@ -4,7 +4,7 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use kin::prelude::*;
-use kin::{Mechanism, Options, Stop, linspace};
+use kin::{Engine, Mechanism, Options, Stop, linspace};
 
 struct Counting;
 
@@ -50,8 +50,14 @@ fn number_of_steps_does_not_change_the_number_of_allocations() {
     m.add("motor", drive_angle(crank, Law::ramp(TAU))).unwrap();
     let system = m.build().unwrap();
     let protocol = Options { stop: Stop::ResidualOnly(1e-10), predict: false, ..Options::default() };
-    for options in [Options::default(), protocol] {
+    let plain = Options { engine: Engine::Plain, ..Options::default() };
+    for options in [plain, protocol] {
         allocations(&system, 2, &options);
         assert_eq!(allocations(&system, 20, &options), allocations(&system, 2000, &options));
     }
+    // By a program that is there already.
+    system.compile().unwrap();
+    let compiled = Options { engine: Engine::Compiled, ..Options::default() };
+    allocations(&system, 100, &compiled);
+    assert_eq!(allocations(&system, 100, &compiled), allocations(&system, 4000, &compiled));
 }

@@ -113,7 +113,12 @@ fn model() -> kin::Result<Mechanism> {
 #[test]
 fn a_motion_comes_back_without_loss() -> kin::Result<()> {
     let system = model()?.build()?;
-    let mut motion = system.run(linspace(0.0, 1.0, 37))?;
+    comes_back(&system, &kin::Options::default())?;
+    comes_back(&system, &kin::Options { engine: kin::Engine::Compiled, ..kin::Options::default() })
+}
+
+fn comes_back(system: &kin::System, options: &kin::Options) -> kin::Result<()> {
+    let mut motion = system.run_with(linspace(0.0, 1.0, 37), options)?;
     motion.add_output("tiny", "m/s", (0..37).map(|k| 1e-310 * f64::from(k) - 0.1).collect())?;
     let text = serde_json::to_string(&motion.data()).unwrap();
     let back = kin::Motion::from_data(&serde_json::from_str::<MotionData>(&text).unwrap())?;
@@ -126,8 +131,8 @@ fn a_motion_comes_back_without_loss() -> kin::Result<()> {
         );
     }
     assert_eq!(
-        (back.summary(), back.worst(), back.units()),
-        (motion.summary(), motion.worst(), motion.units())
+        (back.summary(), back.worst(), back.units(), back.engine()),
+        (motion.summary(), motion.worst(), motion.units(), motion.engine())
     );
     let arm = back.planar_named("arm").unwrap();
     assert!(back.point(arm, vec2(0.1, 0.0))?.speed().max() > 0.1);

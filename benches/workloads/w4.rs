@@ -29,7 +29,8 @@ pub fn names() -> impl Iterator<Item = String> {
 }
 
 fn workload(links: usize) -> Workload {
-    let steps = 100_000 / links;
+    // Runs that are long enough for a program to be what is measured.
+    let steps = (100_000 / links).max(200).min(400_000 / links);
     let start = exact(links, 0.0);
     let hand = move || run(&start, steps, DT);
     let routes = routes(hand, |dual| model(links, dual));

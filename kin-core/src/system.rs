@@ -1,6 +1,7 @@
 //! A mechanism made ready for solving: fixed order of coordinates and equations, fixed pattern of C_q.
 
 pub(crate) mod evaluate;
+mod kept;
 pub(crate) mod measures;
 pub(crate) mod parameters;
 pub(crate) mod scale;
@@ -21,6 +22,7 @@ use crate::model::mechanism::Limit;
 use crate::model::units::Units;
 use crate::system::scaled::Model;
 use evaluate::{Block, Equations};
+use kept::Kept;
 
 /// A system C(q, t) = 0 of m equations in n coordinates, m ≥ n; built by [`crate::Mechanism::build`].
 ///
@@ -45,6 +47,7 @@ pub struct System {
     pub(crate) limits: Vec<Limit>,
     /// The constraints with conditions or other kinks, which a run has to look for.
     switching: Arc<[usize]>,
+    kept: Kept,
 }
 
 /// A preferred measure of a joint.
@@ -114,6 +117,7 @@ impl System {
             linear,
             limits,
             switching,
+            kept: Kept::default(),
         }
     }
 
@@ -192,7 +196,7 @@ impl System {
     pub fn set_initial(&mut self, q: &[f64]) -> Result<()> {
         self.check(q, "initial guess")?;
         self.initial.copy_from_slice(q);
-        self.linear.forget();
+        self.forget();
         Ok(())
     }
 
@@ -280,7 +284,18 @@ impl System {
         self.initial[column] = value;
         self.preferred.retain(|(known, _)| *known != column);
         self.preferred.push((column, value));
+        self.forget();
+    }
+
+    /// Something was set: whatever was made of the system before counts no more.
+    pub(crate) fn forget(&mut self) {
         self.linear.forget();
+        self.kept.forget();
+    }
+
+    /// Things that upper rooms keep beside the system.
+    pub(crate) fn kept(&self) -> &Kept {
+        &self.kept
     }
 
     pub(crate) fn links(&self) -> &[f64] {

@@ -87,7 +87,8 @@ fn cranks(redundant: bool) -> System {
 fn step(system: &System) -> f64 {
     let times = kin::linspace(0.0, 1.0, 1000);
     let begun = now();
-    let motion = system.run(&times).unwrap();
+    let plain = kin::Options { engine: kin::Engine::Plain, ..kin::Options::default() };
+    let motion = system.run_with(&times, &plain).unwrap();
     let steps: usize = motion.iterations().iter().skip(1).map(|steps| steps + 1).sum();
     (now() - begun).as_secs_f64() / steps as f64
 }

@@ -30,7 +30,7 @@ fn the_dual_route_is_told_by_the_name_of_its_constraint() {
     m.add("motor", by_dual(drive_angle(crank, Law::ramp(2.0)))).expect("adds");
     let text = refused(m);
     assert!(
-        text.contains("`motor`") && text.contains("dual route") && text.contains("Engine::Plain"),
+        text.contains("`motor`") && text.contains("dual route") && text.contains("Engine::Auto"),
         "{text}"
     );
 }
@@ -70,6 +70,6 @@ fn options_that_a_program_does_not_know_are_told() {
     for options in [kin::Options { jerk: true, ..compiled() }, kin::Options { predict: false, ..compiled() }]
     {
         let error = system.run_with(linspace(0.0, 1.0, 11), &options).expect_err("refused");
-        assert!(error.to_string().contains("Engine::Plain"), "{error}");
+        assert!(error.to_string().contains("Engine::Auto"), "{error}");
     }
 }

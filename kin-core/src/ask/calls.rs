@@ -87,7 +87,8 @@ impl System {
     /// The run of [`System::run_with`] in parts of so many times, for times without end: `keep` is shown one
     /// part after the other, each a motion of its own that can be asked whatever a motion can be asked, and
     /// keeps of it what is wanted. Memory is that of one part, and the times may come from any iterator. All
-    /// numbers are those of the run in one.
+    /// numbers are those of the run in one by plain steps ([`crate::Engine::Plain`]), whatever the options
+    /// say of the engine.
     ///
     /// ```
     /// # use kin::prelude::*;

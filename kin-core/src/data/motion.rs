@@ -65,6 +65,12 @@ pub struct MotionData {
     /// By how much of their norms equations contradict one another, where that was allowed.   \[-\]
     #[serde(default)]
     pub misfit: f64,
+    /// How many times a program has computed, and how often it has handed back to plain steps.
+    #[serde(default, skip_serializing_if = "is_plain")]
+    pub engine: EngineCounts,
+    /// Why all of it was computed by plain steps, where a program would have paid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub why_plain: Option<String>,
     /// Derived quantities.
     pub outputs: Vec<OutputData>,
 }
@@ -127,6 +133,8 @@ impl Motion {
             guess: self.guess.clone(),
             beyond_a_turn: self.beyond_a_turn.clone(),
             misfit: self.misfit,
+            engine: self.engine,
+            why_plain: self.plain.as_deref().map(str::to_string),
             outputs: self.outputs().iter().map(output).collect(),
         }
     }
@@ -186,7 +194,8 @@ impl Motion {
             guess: data.guess.clone(),
             beyond_a_turn: data.beyond_a_turn.clone(),
             misfit: data.misfit,
-            engine: EngineCounts::default(),
+            engine: data.engine,
+            plain: data.why_plain.as_deref().map(Into::into),
             outputs: Vec::new(),
         };
         for output in &data.outputs {
@@ -194,6 +203,10 @@ impl Motion {
         }
         Ok(motion)
     }
+}
+
+fn is_plain(counts: &EngineCounts) -> bool {
+    *counts == EngineCounts::default()
 }
 
 impl MotionData {

@@ -31,15 +31,17 @@ pub struct Compiled {
 
 impl System {
     /// Compiles all equations to one program, its elimination chosen at the position of t = 0, and tells what
-    /// came of it. To run with it, set [`Options::engine`] to [`crate::Engine::Compiled`].
+    /// came of it. The program is kept: runs that begin there are computed by it from 32 times on, unless
+    /// [`Options::engine`] is [`crate::Engine::Plain`], until anything is set in the system.
     ///
     /// Errors: what stands in the way, by the name of its constraint; no position at t = 0.
     pub fn compile(&self) -> Result<Compiled> {
         let options = Options::default();
-        compiled::can_be(self).map_err(compiled::refused)?;
+        compiled::can_be(self).map_err(|refusal| compiled::refused(&refusal))?;
         let mut newton = Newton::new(self, &options);
         first_position::assemble(&mut newton, 0.0)?;
-        let tape = compiled::tape(self, 0.0, &newton.q, &newton.sizes).map_err(compiled::refused)?;
+        let asked = compiled::programs::ask(&newton, 0.0);
+        let tape = asked.map_err(|refusal| compiled::refused(&refusal))?;
         let names = self.coordinate_names();
         let is_torn = |column: &usize| tape.torn().contains(column);
         let named = |wanted: bool| {

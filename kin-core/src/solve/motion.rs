@@ -47,6 +47,7 @@ impl Motion {
             beyond_a_turn: Vec::new(),
             misfit: 0.0,
             engine: EngineCounts::default(),
+            plain: None,
         }
     }
 

@@ -15,7 +15,7 @@ use crate::model::error::{Error, Result};
 use crate::numbers::lanes::{Lanes, Level, Mask, Wide, WithLevel};
 use crate::solve::explain::Explain;
 use crate::solve::motion::Motion;
-use crate::solve::newton::{self, Options};
+use crate::solve::newton::{self, Engine, Options};
 use crate::system::System;
 use crate::system::evaluate::lanes::LaneSystems;
 use crate::system::parameters::CasePlace;
@@ -76,7 +76,8 @@ impl<'a> Sweep<'a> {
     pub(crate) fn new(system: &'a System, names: impl IntoIterator<Item = impl AsRef<str>>) -> Result<Self> {
         let names: Vec<String> = names.into_iter().map(|name| name.as_ref().to_string()).collect();
         let places = system.places(&names)?;
-        let (options, lanes, progress) = (Options::default(), Lanes::default(), Mutex::new(None));
+        let (lanes, progress) = (Lanes::default(), Mutex::new(None));
+        let options = Options { engine: Engine::Plain, ..Options::default() };
         Ok(Sweep {
             system,
             names,
@@ -90,10 +91,11 @@ impl<'a> Sweep<'a> {
         })
     }
 
-    /// Other options than [`Options::default`].
+    /// Other options than [`Options::default`]. The engine is plain whatever they say: a program is of one
+    /// case only.
     #[must_use]
     pub fn options(mut self, options: Options) -> Self {
-        self.options = options;
+        self.options = Options { engine: Engine::Plain, ..options };
         self
     }
 

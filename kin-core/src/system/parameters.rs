@@ -39,7 +39,7 @@ impl System {
             return Err(Error::ParameterNotFinite { constraint: block.name.clone(), parameter, value });
         }
         let before = self.parameter(name)?;
-        self.linear.forget();
+        self.forget();
         let block = &mut self.equations.blocks[index];
         if block.constraint.set_parameter(&parameter, value) {
             return sensible_parameters(&block.name, block.constraint.as_ref()).inspect_err(|_| {
@@ -101,7 +101,7 @@ impl System {
 
     /// Puts one number of a case in its place; false if that cannot be.
     pub(crate) fn put(&mut self, place: CasePlace, value: f64) -> bool {
-        self.linear.forget();
+        self.forget();
         match place {
             CasePlace::Parameter { block, index } => self
                 .equations

@@ -7,6 +7,8 @@ mod singular;
 
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
 use crate::model::layout::Layout;
 use crate::model::units::Units;
 pub use crossed::CrossedBreak;
@@ -44,10 +46,12 @@ pub struct Motion {
     pub(crate) misfit: f64,
     /// How many times a program has computed, and how often it has handed the rest of a block to plain steps.
     pub(crate) engine: EngineCounts,
+    /// Why there is no program, where one was looked for.
+    pub(crate) plain: Option<Arc<str>>,
 }
 
 /// How a run was computed; all zero where all of it was plain.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct EngineCounts {
     /// Times that a program has computed; the others are plain steps.
@@ -61,6 +65,12 @@ impl Motion {
     /// rest of a block to plain steps.
     pub fn engine(&self) -> EngineCounts {
         self.engine
+    }
+
+    /// Why all of it was computed by plain steps, where a program would have paid: what stands in the way, by
+    /// the name of its constraint. `None` where a program was used or not looked for.
+    pub fn why_plain(&self) -> Option<&str> {
+        self.plain.as_deref()
     }
 
     /// Its last time alone.
@@ -102,6 +112,7 @@ impl Motion {
             beyond_a_turn: self.beyond_a_turn.clone(),
             misfit: self.misfit,
             engine: self.engine,
+            plain: self.plain.clone(),
             worst: self.worst,
             outputs: Vec::new(),
             breaks: Vec::new(),

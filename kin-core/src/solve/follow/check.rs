@@ -68,8 +68,10 @@ pub(crate) struct Check {
     /// 1 for coordinates that turn, 0 for lengths.
     turns: Padded,
     miss: Padded,
-    /// The motion of the drives between the ends of a step.
+    /// The motion of the drives between the ends of a step; it does not matter where there is one position at
+    /// each time.
     drive: Drive,
+    explicit: bool,
 }
 
 impl Check {
@@ -85,6 +87,7 @@ impl Check {
             turns: turns[..].into(),
             miss: Padded::new(units.len(), 0.0),
             drive: Drive::new(system.equations()),
+            explicit: system.equations().is_explicit(),
         }
     }
 
@@ -97,7 +100,7 @@ impl Check {
 
     /// True if the ends of a step tell all that time does in between.
     pub(crate) fn tells(&mut self, from: f64, to: f64, pivot: f64) -> bool {
-        self.drive.is_told(from, to, pivot)
+        self.explicit || self.drive.is_told(from, to, pivot)
     }
 
     /// Positions were accepted elsewhere, on the same sides of all singular ones; the smallest pivot of the
@@ -130,7 +133,7 @@ impl Check {
             return Err(Objection::TurnedOver);
         }
         let [from, to] = [t - h, t];
-        if !self.drive.is_told(from, to, least) && self.hides(newton, from, to, least) {
+        if !self.tells(from, to, least) && self.hides(newton, from, to, least) {
             return Err(Objection::Hidden);
         }
         std::mem::swap(&mut self.now, &mut self.negative);
@@ -169,6 +172,9 @@ impl Check {
 pub(crate) fn outlook(mut drive: Drive, newton: &mut Newton<'_>, ends: [f64; 2]) -> Option<[f64; 4]> {
     let (equations, pivot, mut v) =
         (newton.system.equations(), newton.linear.smallest_pivot(), newton.q.clone());
+    if equations.is_explicit() {
+        return Some([0.0; 4]);
+    }
     drive.outlook(
         equations,
         ends,

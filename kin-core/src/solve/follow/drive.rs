@@ -109,7 +109,7 @@ struct Term {
     /// How the rows of the constraint follow it.
     slopes: Vec<f64>,
     bound: Bound,
-    /// max_j |dq_j| / s_j of a unit of it.
+    /// max_j |dq_j| / s_j of a unit of it; not a number until it is asked for.
     lever: f64,
 }
 
@@ -207,6 +207,8 @@ impl Drive {
         lever: &mut dyn Lever,
     ) -> bool {
         let h = (to - from).abs();
+        // However often it is weighed, the position is the same.
+        self.sources.iter_mut().flat_map(|source| &mut source.terms).for_each(|term| term.lever = f64::NAN);
         // By the bounds that are known, by those over a longer stretch, by those over the step alone.
         for reach in [None, Some(self.longest.max(h)), Some(h)] {
             let known = match reach {
@@ -301,7 +303,9 @@ impl Drive {
         for source in &mut self.sources {
             let first = equations.blocks[source.block].rows().start;
             for term in source.terms.iter_mut().filter(|term| term.bound != Bound::default()) {
-                term.lever = lever.moved(first, &term.slopes);
+                if term.lever.is_nan() {
+                    term.lever = lever.moved(first, &term.slopes);
+                }
                 self.off.add(term.lever, &term.bound);
             }
         }
@@ -352,7 +356,7 @@ impl Source {
             let slopes = slopes.unwrap_or_else(|| (0..rows).map(unit).collect());
             self.terms = slopes
                 .into_iter()
-                .map(|slopes| Term { slopes, bound: Bound::default(), lever: 0.0 })
+                .map(|slopes| Term { slopes, bound: Bound::default(), lever: f64::NAN })
                 .collect();
         }
         self.terms.iter_mut().zip(bounds.into_iter().flatten()).for_each(|(term, bound)| term.bound = bound);

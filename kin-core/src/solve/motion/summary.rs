@@ -31,10 +31,11 @@ pub struct Displaced {
 
 impl Motion {
     /// Counts, Newton steps a time (the first position apart, which is found from a guess) and the largest
-    /// residual in one line; then how far the first position is from the drawn one, where it is, the worst
-    /// first ([`Motion::displaced`]), with a hint where a slip is likely.
+    /// residual in one line; then the engine, where a program has computed times or there could be none
+    /// ([`Motion::engine`], [`Motion::why_plain`]); then how far the first position is from the drawn one,
+    /// where it is, the worst first ([`Motion::displaced`]), with a hint where a slip is likely.
     pub fn summary(&self) -> String {
-        let mut text = self.counts();
+        let mut text = self.counts() + &self.by_engine();
         let displaced = self.displaced();
         let unit = self.unit_words().length();
         let told: Vec<String> = displaced.iter().filter_map(|body| body.told(unit)).take(SHOWN).collect();
@@ -48,6 +49,22 @@ impl Motion {
             text += &format!("\n  hint: {hint}");
         }
         text
+    }
+
+    /// The line about the engine; none where nobody looked for a program.
+    fn by_engine(&self) -> String {
+        match (self.engine.compiled, self.why_plain()) {
+            (0, None) => String::new(),
+            (0, Some(reason)) => format!("\n  plain steps: {reason}"),
+            (compiled, _) => {
+                let back = match self.engine.handed_back {
+                    0 => String::new(),
+                    1 => ", which left the rest of a block to plain steps once".to_string(),
+                    back => format!(", which left the rest of a block to plain steps {back} times"),
+                };
+                format!("\n  {compiled} of {} by a program{back}", count(self.len(), "time"))
+            }
+        }
     }
 
     fn counts(&self) -> String {

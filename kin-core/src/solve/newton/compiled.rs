@@ -8,19 +8,31 @@
 mod block;
 mod curve;
 mod holds;
+pub(crate) mod programs;
 
-use super::Options;
+use std::collections::HashMap;
+
 use super::run::Run;
+use super::{Engine, Options, Stop};
 use crate::model::error::{Error, Result};
+use crate::model::formula::Table;
 use crate::numbers::lanes::{Lanes, Level, WithLevel};
 use crate::program::times::ORDERS;
-use crate::program::{Pose, REDUNDANT, Refusal, Tape, UNREAD, program, schedule};
+use crate::program::{REDUNDANT, Refusal, Tape, UNREAD};
 use crate::solve::motion::Motion;
 use crate::system::System;
 use block::Block;
 
 /// After blocks that came to nothing so many times more are left to plain steps, up to this many.
 const PATIENCE: usize = 64;
+
+/// From so many times on a program may pay, and so many times a node of a constraint's equation: compiling
+/// takes what 1200 plain steps of a four-bar take more than those of its program, and 4000 of a platform.
+const ENOUGH: usize = 1000;
+const A_NODE: usize = 20;
+
+/// From so many times on a program pays that was compiled before.
+const FEWEST: usize = 32;
 
 const JUMPS: &str = "its equation can jump where coordinates move";
 
@@ -41,36 +53,47 @@ pub(crate) fn can_be(system: &System) -> std::result::Result<(), Refusal> {
     }
 }
 
-/// The program of a system, its elimination chosen at a pose.
-pub(crate) fn tape(system: &System, t: f64, q: &[f64], sizes: &[f64]) -> std::result::Result<Tape, Refusal> {
-    can_be(system)?;
-    program(system, Pose { t, q, sizes }).map(schedule)
+/// The sentence about a mechanism that cannot be compiled.
+fn told(Refusal { constraint, reason }: &Refusal) -> String {
+    let what = if constraint.is_empty() { "the mechanism".to_string() } else { format!("`{constraint}`") };
+    format!("{what} cannot be compiled: {reason}")
 }
 
-/// The error for what cannot be compiled.
-pub(crate) fn refused(Refusal { constraint, reason }: Refusal) -> Error {
-    let what = if constraint.is_empty() { "the mechanism".to_string() } else { format!("`{constraint}`") };
-    Error::InvalidOptions {
-        reason: format!("{what} cannot be compiled: {reason}; leave `Options::engine` at `Engine::Plain`"),
-    }
+/// The error for it.
+pub(crate) fn refused(refusal: &Refusal) -> Error {
+    let reason = format!("{}; leave `Options::engine` at `Engine::Auto`", told(refusal));
+    Error::InvalidOptions { reason }
 }
 
 /// Position, velocity and acceleration at each of the times, into the motion.
-pub(super) fn run(run: &mut Run<'_>, times: &[f64], motion: &mut Motion) -> Result<()> {
-    let Some(first) = times.first() else { return Ok(()) };
-    can_be(run.system()).map_err(refused)?;
+pub(super) fn run(run: &mut Run<'_>, times: &[f64], motion: &mut Motion, wanted: Wanted) -> Result<()> {
+    let (Some((first, rest)), true) = (times.split_first(), wanted != Wanted::Plain) else {
+        return run.reach_all(times, motion);
+    };
+    let plain = |refusal: &Refusal, motion: &mut Motion| match wanted {
+        Wanted::Compiled => Err(refused(refusal)),
+        _ => {
+            motion.plain = Some(told(refusal).into());
+            Ok(())
+        }
+    };
+    if let Err(refusal) = can_be(run.system()) {
+        plain(&refusal, motion)?;
+        return run.reach_all(times, motion);
+    }
     run.reach(*first, motion)?;
     let Some(stepper) = run.stepper() else { return Ok(()) };
-    let newton = &stepper.newton;
-    let tape = tape(newton.system, *first, &newton.q, &newton.sizes).map_err(refused)?;
-    replay(run, times, motion, &tape)
+    match programs::kept(&stepper.newton, *first) {
+        Ok(tape) => replay(run, times, motion, &tape),
+        Err(refusal) => plain(&refusal, motion).and_then(|()| run.reach_all(rest, motion)),
+    }
 }
 
 /// All times beyond the first one by a tape, where the machine has lanes.
 fn replay(run: &mut Run<'_>, times: &[f64], motion: &mut Motion, tape: &Tape) -> Result<()> {
     match Lanes::Best.dispatch(Work { run, times, motion, tape }) {
         Ok(done) => done,
-        Err(Work { run, motion, .. }) => times[1..].iter().try_for_each(|t| run.reach(*t, motion)),
+        Err(Work { run, motion, .. }) => run.reach_all(&times[1..], motion),
     }
 }
 
@@ -104,17 +127,60 @@ impl WithLevel for Work<'_, '_> {
     }
 }
 
-/// True if a program is asked for at all with these options.
-pub(super) fn is_wanted(options: &Options) -> Result<bool> {
-    if options.engine == super::Engine::Plain {
-        return Ok(false);
-    }
-    let reason = match options {
-        Options { jerk: true, .. } => "the jerk is computed by plain steps",
-        Options { predict: false, .. } => "a program always predicts; leave `Options::predict` as it is",
-        _ => return Ok(true),
+/// The way that a run is computed.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Wanted {
+    Plain,
+    /// By a program where there can be one.
+    Tried,
+    Compiled,
+}
+
+/// The way that these options ask for, for so many times. Errors: options that a program does not know, where
+/// one is asked for.
+pub(super) fn wanted(system: &System, times: &[f64], options: &Options) -> Result<Wanted> {
+    let stands_in_the_way = match options {
+        Options { jerk: true, .. } => Some("the jerk is computed by plain steps"),
+        Options { predict: false, .. } => {
+            Some("a program always predicts; leave `Options::predict` as it is")
+        }
+        _ => None,
     };
-    Err(Error::InvalidOptions { reason: format!("{reason}, or leave `Options::engine` at `Engine::Plain`") })
+    match (options.engine, stands_in_the_way) {
+        (Engine::Plain, _) => Ok(Wanted::Plain),
+        (Engine::Compiled, None) => Ok(Wanted::Compiled),
+        (Engine::Compiled, Some(reason)) => Err(Error::InvalidOptions {
+            reason: format!("{reason}, or leave `Options::engine` at `Engine::Auto`"),
+        }),
+        // The protocol of published comparisons is that of single steps.
+        (Engine::Auto, None) if !matches!(options.stop, Stop::ResidualOnly(_)) && pays(system, times) => {
+            Ok(Wanted::Tried)
+        }
+        (Engine::Auto, _) => Ok(Wanted::Plain),
+    }
+}
+
+/// True if so many times take longer by plain steps than to be compiled and computed by a program.
+fn pays(system: &System, times: &[f64]) -> bool {
+    if programs::is_asked(system) {
+        return times.len() >= FEWEST;
+    }
+    if times.len() < ENOUGH {
+        return false;
+    }
+    // Constraints of one kind share their table.
+    let mut known: HashMap<*const Table, usize> = HashMap::new();
+    let blocks = &system.equations().blocks;
+    let nodes: usize = blocks
+        .iter()
+        .filter_map(|block| {
+            block.constraint.formula(|table, _, _| {
+                let length = || table.formula().graph.len();
+                *known.entry(std::ptr::from_ref(table)).or_insert_with(length)
+            })
+        })
+        .sum();
+    times.len() * blocks.len() >= A_NODE * nodes
 }
 
 #[cfg(test)]

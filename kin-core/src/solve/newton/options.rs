@@ -60,7 +60,7 @@ pub struct Options {
     /// The check that each step stays on its branch, and the branch that is taken where branches cross;
     /// default [`Follow::Smooth`].
     pub follow: Follow,
-    /// The engine that computes the times of [`crate::System::run`]; default [`Engine::Plain`]. Single
+    /// The engine that computes the times of [`crate::System::run`]; default [`Engine::Auto`]. Single
     /// positions, runs in parts and sweeps are always plain.
     pub engine: Engine,
     /// Bytes that the motion of a run may take, three or four numbers a coordinate and time; default 2³⁰ (1
@@ -73,15 +73,22 @@ pub struct Options {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Engine {
-    /// Constraint by constraint, one time after the other.
+    /// A program where one can be made and pays, for which there have to be a thousand times at least, or
+    /// 32 after a call of [`crate::System::compile`]; else plain steps. Plain too are runs with the jerk,
+    /// without prediction, and with [`Stop::ResidualOnly`]. [`crate::Motion::engine`] tells how many times a
+    /// program has computed, [`crate::Motion::why_plain`] what stood in the way of one.
+    ///
+    /// A program is kept for the next run that begins at the same time and position, until anything is set in
+    /// the system.
     #[default]
+    Auto,
+    /// Constraint by constraint, one time after the other.
     Plain,
     /// All equations as one program ([`crate::System::compile`]), many times at once. Every time is judged as
     /// plain steps are; where there is an objection plain steps go on from the last time that was accepted.
     /// Numbers agree to the tolerance of [`Options::stop`], not to the last digit.
     ///
-    /// It pays from about a thousand times on. A mechanism that cannot be compiled is an error that names why
-    /// not.
+    /// A mechanism that cannot be compiled is an error that names why not.
     Compiled,
 }
 

@@ -19,11 +19,8 @@ pub(crate) fn run(
     check(times)?;
     options.check_memory(1, times.len(), system.n_coordinates())?;
     let (mut run, mut motion) = (Run::new(system, options, explain)?, Motion::new(system, times.len()));
-    let done = match compiled::is_wanted(options)? {
-        true => compiled::run(&mut run, times, &mut motion),
-        false => times.iter().try_for_each(|t| run.reach(*t, &mut motion)),
-    };
-    if let Err(error) = done {
+    let wanted = compiled::wanted(system, times, options)?;
+    if let Err(error) = compiled::run(&mut run, times, &mut motion, wanted) {
         return Err(run.failed(error, motion));
     }
     motion.beyond_a_turn = times.first().map(|&t| system.beyond_a_turn(t)).unwrap_or_default();
@@ -59,6 +56,11 @@ impl<'a> Run<'a> {
             Driver::Plain(Box::new(Stepper::new(system, options)))
         };
         Ok(Run { system, options, explain, driver, law_breaks: LawBreaks::default() })
+    }
+
+    /// The same at each of the times, one by one.
+    pub(super) fn reach_all(&mut self, times: &[f64], motion: &mut Motion) -> Result<()> {
+        times.iter().try_for_each(|t| self.reach(*t, motion))
     }
 
     /// Solves at the next time and appends it to the motion, with what has been met since the last one.

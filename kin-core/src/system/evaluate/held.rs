@@ -10,6 +10,13 @@ use crate::model::formula::time::can_jump;
 /// A row that was met and is off by more than this, by its measure, has jumped.   \[-\]
 const FAR: f64 = 1e-6;
 
+/// ∂C_i/∂q_j of a row, where it is the same for good.
+#[derive(Clone)]
+struct Slope {
+    column: usize,
+    constant: Option<f64>,
+}
+
 impl Equations {
     /// The constraints whose C can change with the time at the same q.
     pub(crate) fn moved_by_time(&self) -> impl Iterator<Item = usize> {
@@ -36,6 +43,49 @@ impl Equations {
             };
             (0..self.blocks.len()).filter(|k| jumps(&self.blocks[*k])).collect()
         })
+    }
+
+    /// True if each coordinate is given by a row, c q_j + rest = 0 with the same c for good and a rest of
+    /// coordinates that are given before it. Then there is one position at each time, none is singular, and
+    /// there is no other branch.
+    pub(crate) fn is_explicit(&self) -> bool {
+        *self.explicit.get_or_init(|| self.jumping().is_empty() && self.gives_all())
+    }
+
+    fn gives_all(&self) -> bool {
+        let (mut slopes, mut readers) = (vec![Vec::<Slope>::new(); self.rows], Vec::<Vec<usize>>::new());
+        for (&(row, column), constant) in self
+            .entries
+            .iter()
+            .zip(&self.constants)
+            .filter_map(|(entry, constant)| entry.as_ref().map(|entry| (entry, constant)))
+        {
+            readers.resize_with(readers.len().max(column + 1), Vec::new);
+            match slopes[row].iter_mut().find(|slope| slope.column == column) {
+                Some(slope) => slope.constant = slope.constant.zip(*constant).map(|(a, b)| a + b),
+                None => {
+                    slopes[row].push(Slope { column, constant: *constant });
+                    readers[column].push(row);
+                }
+            }
+        }
+        // A row with one coordinate left gives that.
+        let mut open: Vec<usize> = slopes.iter().map(Vec::len).collect();
+        let (mut given, mut count) = (vec![false; readers.len()], 0);
+        let mut next: Vec<usize> = (0..self.rows).filter(|row| open[*row] == 1).collect();
+        while let Some(row) = next.pop() {
+            let Some(slope) = slopes[row].iter().find(|slope| !given[slope.column]) else { return false };
+            if slope.constant.is_none_or(|c| c == 0.0) {
+                return false;
+            }
+            given[slope.column] = true;
+            count += 1;
+            for &reader in &readers[slope.column] {
+                open[reader] -= 1;
+                next.extend((open[reader] == 1).then_some(reader));
+            }
+        }
+        count == self.rows
     }
 
     /// True if a constraint that can jump is far from being met at q, which the instant is set to; rows by
@@ -77,5 +127,49 @@ impl Equations {
         block.constraint.acceleration_rhs(&at, &self.rates(block, &no_rates), 1.0, &mut c_tt);
         c_t.iter_mut().chain(&mut c_tt).for_each(|x| *x = -*x);
         [c, c_t, c_tt]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::joints::drivers::{drive, drive_angle};
+    use crate::joints::planar::{coupling, revolute};
+    use crate::{Ground, Law, Mechanism, System, constraint, vec2};
+
+    fn chain(close: bool) -> System {
+        let mut m = Mechanism::new("chain");
+        let [a, b] = ["a", "b"].map(|name| m.link(name, 1.0).expect("a link"));
+        m.add("O", revolute(Ground, a, vec2(0.0, 0.0), a.start())).expect("adds");
+        m.add("A", revolute(a, b, a.end(), b.start())).expect("adds");
+        m.add("turn", coupling(a.theta(), b.theta(), 1.0, 0.5, 0.0)).expect("adds");
+        let motor = if close {
+            m.add("motor", drive(b.x(), Law::ramp(0.1)))
+        } else {
+            m.add("motor", drive_angle(a, Law::ramp(1.0)))
+        };
+        motor.expect("adds");
+        m.build().expect("builds")
+    }
+
+    /// x is given, but by a row that jumps.
+    #[constraint]
+    fn by_steps(x: Coord, y: Coord) -> f64 {
+        x + y.floor()
+    }
+
+    fn alone(stepped: bool) -> System {
+        let mut m = Mechanism::new("alone");
+        let [x, y] = ["x", "y"].map(|name| m.length(name, 0.0).expect("a length"));
+        m.add("y", drive(y, Law::ramp(1.0))).expect("adds");
+        if stepped { m.add("x", by_steps(x, y)) } else { m.add("x", drive(x, Law::sine(1.0, 1.0, 0.0))) }
+            .expect("adds");
+        m.build().expect("builds")
+    }
+
+    #[test]
+    fn chains_are_explicit_and_loops_and_jumps_are_not() {
+        let found = [chain(false), chain(true), alone(false), alone(true)]
+            .map(|system| system.equations().is_explicit());
+        assert_eq!(found, [true, false, true, false]);
     }
 }

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::curve::curve;
+use super::holds::Sums;
 use crate::model::error::Result;
 use crate::model::units::Unit;
 use crate::numbers::lanes::Level;
@@ -34,6 +35,7 @@ pub(super) struct Block<'p, S: Level> {
     /// Where the torn coordinates are led by the last three times: coefficients of q in powers of time since
     /// the last one.
     curves: Vec<Curve>,
+    room: Sums,
     pub(super) objections: usize,
 }
 
@@ -56,6 +58,7 @@ impl<'p, S: Level> Block<'p, S> {
             instant: system.equations().instant(),
             watches: !system.is_smooth(),
             curves,
+            room: Sums::default(),
             objections: 0,
         }
     }
@@ -91,7 +94,7 @@ impl<'p, S: Level> Block<'p, S> {
                 break;
             }
         }
-        if motion.len() > first && !run.holds(motion, &self.limits.rows) {
+        if motion.len() > first && !run.holds(motion, &self.limits.rows, &mut self.room) {
             self.objections += 1;
             motion.cut(first, worst);
             run.go_on(motion, begun);

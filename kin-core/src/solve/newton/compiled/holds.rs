@@ -11,15 +11,23 @@ const OFF: f64 = 1e-9;
 /// A row whose terms are small is held to this share of the largest row's.   \[-\]
 const SMALL: f64 = 0.01;
 
+/// Of each row the sum of its terms, and of their sizes.
+#[derive(Default)]
+pub(super) struct Sums {
+    sums: Vec<f64>,
+    sizes: Vec<f64>,
+}
+
 impl Run<'_> {
     /// True if C = 0, C_q q̇ = −C_t and C_q q̈ = Q_d at the last time of the motion; `allowed` is how far
     /// each row may be off. The position in hand is that time's then: [`Run::go_on`] makes it another one.
-    pub(super) fn holds(&mut self, motion: &Motion, allowed: &[f64]) -> bool {
+    pub(super) fn holds(&mut self, motion: &Motion, allowed: &[f64], room: &mut Sums) -> bool {
         let Some(last) = motion.len().checked_sub(1) else { return true };
         self.stepper_mut().is_some_and(|stepper| {
             let newton = &mut stepper.newton;
             newton.q.copy_from_slice(motion.q(last));
-            let holds = holds(newton, motion.times()[last], [motion.qd(last), motion.qdd(last)], allowed);
+            let rates = [motion.qd(last), motion.qdd(last)];
+            let holds = holds(newton, motion.times()[last], rates, (allowed, room));
             // The sizes that were measured there count from now on, or never.
             if holds {
                 newton.linear.confirm()
@@ -31,7 +39,12 @@ impl Run<'_> {
     }
 }
 
-fn holds(newton: &mut Newton<'_>, t: f64, [qd, qdd]: [&[f64]; 2], allowed: &[f64]) -> bool {
+fn holds(
+    newton: &mut Newton<'_>,
+    t: f64,
+    [qd, qdd]: [&[f64]; 2],
+    (allowed, room): (&[f64], &mut Sums),
+) -> bool {
     let equations = newton.system.equations();
     if newton.linearize(t).is_err() {
         return false;
@@ -39,17 +52,19 @@ fn holds(newton: &mut Newton<'_>, t: f64, [qd, qdd]: [&[f64]; 2], allowed: &[f64
     // The last correction has been made since C was looked at.
     let met = newton.c.iter().zip(allowed).all(|(c, allowed)| c.abs() <= 2.0 * allowed);
     equations.velocity_rhs(&newton.instant, newton.linear.rhs_mut());
-    let moves = is_solution(newton, qd);
+    let moves = is_solution(newton, qd, room);
     equations.set_rates(qd, &mut newton.instant);
     equations.acceleration_rhs(&newton.instant, newton.linear.rhs_mut());
-    met && moves && is_solution(newton, qdd)
+    met && moves && is_solution(newton, qdd, room)
 }
 
 /// True if x solves C_q x = b, where b is the right side in hand.
-fn is_solution(newton: &mut Newton<'_>, x: &[f64]) -> bool {
-    let b = newton.linear.rhs_mut().to_vec();
-    let (mut sums, mut sizes): (Vec<f64>, Vec<f64>) =
-        (b.iter().map(|b| -b).collect(), b.iter().map(|b| b.abs()).collect());
+fn is_solution(newton: &mut Newton<'_>, x: &[f64], Sums { sums, sizes }: &mut Sums) -> bool {
+    let b = newton.linear.rhs_mut();
+    sums.clear();
+    sums.extend(b.iter().map(|b| -b));
+    sizes.clear();
+    sizes.extend(b.iter().map(|b| b.abs()));
     for (entry, value) in newton.system.equations().entries.iter().zip(newton.linear.values()) {
         if let Some((row, column)) = *entry {
             sums[row] += value * x[column];
@@ -57,5 +72,5 @@ fn is_solution(newton: &mut Newton<'_>, x: &[f64]) -> bool {
         }
     }
     let most = sizes.iter().copied().fold(0.0, f64::max);
-    sums.iter().zip(&sizes).all(|(sum, size)| sum.abs() <= OFF * (size + SMALL * most))
+    sums.iter().zip(sizes.iter()).all(|(sum, size)| sum.abs() <= OFF * (size + SMALL * most))
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::program::tests::models::four_bar;
-use crate::program::{Program, plant};
+use crate::program::{Pose, Program, plant, program, schedule};
 use crate::{Engine, linspace};
 
 /// A run by a program that was made of another system, or changed.

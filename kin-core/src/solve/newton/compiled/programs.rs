@@ -1,0 +1,69 @@
+//! The programs of a system: made once for each position that runs begin at, and kept beside the system until
+//! something in it is set.
+
+use std::sync::Arc;
+
+use super::can_be;
+use crate::program::{Pose, Refusal, Tape, program, schedule};
+use crate::solve::newton::Newton;
+use crate::system::System;
+
+/// The outcome of compiling.
+pub(crate) type Compiling = std::result::Result<Arc<Tape>, Refusal>;
+
+/// The program that was asked for by [`System::compile`], and the last one that a run has made.
+#[derive(Clone, Default)]
+struct Programs {
+    asked: Option<Made>,
+    last: Option<Made>,
+}
+
+/// A program with the pose that its elimination was chosen at. At another one it would give the same numbers
+/// but for the last digits, and those must not depend on what was run before.
+#[derive(Clone)]
+struct Made {
+    pose: Arc<[u64]>,
+    tape: Compiling,
+}
+
+/// The program for a run that begins at the position in hand.
+pub(super) fn kept(newton: &Newton<'_>, t: f64) -> Compiling {
+    let (system, pose) = (newton.system, bits(newton, t));
+    let mut programs = known(system);
+    if let Some(made) = programs.asked.iter().chain(&programs.last).find(|made| made.pose == pose) {
+        return made.tape.clone();
+    }
+    let tape = tape(newton, t);
+    programs.last = Some(Made { pose, tape: tape.clone() });
+    system.kept().put(Arc::new(programs));
+    tape
+}
+
+/// The same where it was asked for, to be kept for all runs that begin there.
+pub(crate) fn ask(newton: &Newton<'_>, t: f64) -> Compiling {
+    let tape = kept(newton, t);
+    let asked = Some(Made { pose: bits(newton, t), tape: tape.clone() });
+    newton.system.kept().put(Arc::new(Programs { asked, ..known(newton.system) }));
+    tape
+}
+
+/// True if a program was asked for by [`System::compile`].
+pub(super) fn is_asked(system: &System) -> bool {
+    known(system).asked.is_some()
+}
+
+fn known(system: &System) -> Programs {
+    system.kept().get::<Programs>().map(|programs| (*programs).clone()).unwrap_or_default()
+}
+
+/// All that an elimination is chosen by.
+fn bits(newton: &Newton<'_>, t: f64) -> Arc<[u64]> {
+    [t].iter().chain(newton.q.iter()).chain(newton.sizes.iter()).map(|x| x.to_bits()).collect()
+}
+
+/// The program of a system, its elimination chosen at the position in hand.
+fn tape(newton: &Newton<'_>, t: f64) -> Compiling {
+    can_be(newton.system)?;
+    let pose = Pose { t, q: &newton.q, sizes: &newton.sizes };
+    program(newton.system, pose).map(schedule).map(Arc::new)
+}

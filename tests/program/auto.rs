@@ -1,0 +1,136 @@
+//! Who decides: programs where they pay, plain steps without a word where there can be none.
+
+use kin::by_dual;
+use kin::prelude::*;
+use kin::{Engine, Follow, Options, Stop};
+
+use crate::{compiled, differences};
+
+fn four_bar(motor: impl Fn(kin::Link) -> Box<dyn kin::Constraint>) -> System {
+    let mut m = Mechanism::new("four-bar");
+    let [crank, coupler, rocker] =
+        [("crank", 1.0), ("coupler", 3.5), ("rocker", 3.0)].map(|(name, l)| m.link(name, l).expect("a link"));
+    m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).expect("adds");
+    m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).expect("adds");
+    m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).expect("adds");
+    m.add("C", revolute(Ground, rocker, vec2(4.0, 0.0), rocker.start())).expect("adds");
+    m.add("motor", motor(crank)).expect("adds");
+    m.prefer(rocker, deg(100.0));
+    m.build().expect("builds")
+}
+
+fn driven() -> System {
+    four_bar(|crank| Box::new(drive_angle(crank, Law::ramp(TAU))))
+}
+
+fn auto() -> Options {
+    Options { engine: Engine::Auto, ..Options::default() }
+}
+
+fn by_auto(system: &System, times: usize) -> Motion {
+    system.run_with(linspace(0.0, 1.0, times), &auto()).expect("runs")
+}
+
+#[test]
+fn a_program_is_made_where_there_are_times_enough_for_it() {
+    let system = driven();
+    let (few, many) = (by_auto(&system, 500), by_auto(&system, 2001));
+    assert_eq!((few.engine().compiled, few.why_plain()), (0, None));
+    assert!(many.engine().compiled > 1900 && many.why_plain().is_none(), "{:?}", many.engine());
+    assert!(many.summary().contains(" of 2001 times by a program"), "{}", many.summary());
+    assert!(!few.summary().contains("program"), "{}", few.summary());
+    let plain = Options { engine: Engine::Plain, ..Options::default() };
+    let plain = system.run_with(linspace(0.0, 1.0, 2001), &plain).expect("runs");
+    assert!(differences(&plain, &many).iter().all(|off| *off < 1e-10));
+    assert_eq!(plain.engine().compiled, 0);
+}
+
+/// A long run keeps its program, but what a short one gives does not depend on what was run before.
+#[test]
+fn numbers_do_not_depend_on_what_was_run_before() {
+    let (fresh, used) = (driven(), driven());
+    by_auto(&used, 3001);
+    for times in [200, 2001] {
+        let (fresh, used) = (by_auto(&fresh, times), by_auto(&used, times));
+        assert_eq!(fresh.engine(), used.engine());
+        assert_eq!(differences(&fresh, &used), [0.0; 3]);
+    }
+    let begun_later = |system: &System| system.run_with(linspace(0.3, 1.0, 1501), &auto()).expect("runs");
+    assert_eq!(differences(&begun_later(&driven()), &begun_later(&used)), [0.0; 3]);
+}
+
+#[test]
+fn what_was_compiled_is_used_for_short_runs_until_something_is_set() {
+    let mut system = driven();
+    system.compile().expect("compiles");
+    assert!(by_auto(&system, 200).engine().compiled > 150);
+    assert_eq!(by_auto(&system, 20).engine().compiled, 0);
+    let copy = system.clone();
+    system.set("A.u_j.x", -1.7).expect("is set");
+    assert_eq!(by_auto(&system, 200).engine().compiled, 0);
+    assert!(by_auto(&copy, 200).engine().compiled > 150);
+}
+
+/// Every parameter of every constraint is folded into the program, and none of them is ever stale.
+#[test]
+fn no_folded_parameter_is_ever_stale() {
+    let (mut system, mut set) = (driven(), 0);
+    let plain = Options { engine: Engine::Plain, ..Options::default() };
+    let times = linspace(0.0, 0.5, 1201);
+    for (name, value) in system.parameters() {
+        by_auto(&system, 1201);
+        if system.set(&name, value + 0.01).is_err() {
+            continue;
+        }
+        let before = by_auto(&system, 1201);
+        let again = system.run_with(&times, &plain).expect("runs");
+        let program = system.run_with(&times, &auto()).expect("runs");
+        assert!(program.engine().compiled > 1000 && before.engine().compiled > 1000, "{name}");
+        assert!(differences(&again, &program).iter().all(|off| *off < 1e-10), "{name}");
+        set += 1;
+    }
+    assert!(set > 15, "{set}");
+}
+
+#[test]
+fn what_cannot_be_compiled_runs_plainly_and_says_why() {
+    let system = four_bar(|crank| Box::new(by_dual(drive_angle(crank, Law::ramp(TAU)))));
+    let motion = by_auto(&system, 2001);
+    let reason = motion.why_plain().expect("a reason");
+    assert!(reason.contains("`motor` cannot be compiled") && reason.contains("dual route"), "{reason}");
+    assert!(motion.summary().contains(&format!("plain steps: {reason}")), "{}", motion.summary());
+    let plain = Options { engine: Engine::Plain, ..Options::default() };
+    let plain = system.run_with(linspace(0.0, 1.0, 2001), &plain).expect("runs");
+    assert!(plain.why_plain().is_none() && differences(&plain, &motion) == [0.0; 3]);
+    assert!(system.run_with(linspace(0.0, 1.0, 2001), &compiled()).is_err());
+}
+
+#[test]
+fn options_that_a_program_does_not_know_are_those_of_plain_steps() {
+    let system = driven();
+    let all = [
+        Options { jerk: true, ..auto() },
+        Options { predict: false, ..auto() },
+        Options { stop: Stop::ResidualOnly(1e-10), ..auto() },
+    ];
+    for options in all {
+        let motion = system.run_with(linspace(0.0, 1.0, 2001), &options).expect("runs");
+        assert_eq!((motion.engine().compiled, motion.why_plain()), (0, None), "{options:?}");
+    }
+    // Following is asked of programs too.
+    let options = Options { follow: Follow::Unchecked, ..auto() };
+    assert!(system.run_with(linspace(0.0, 1.0, 2001), &options).expect("runs").engine().compiled > 1900);
+}
+
+/// Cases of a sweep are those of plain steps, whatever engine is asked for.
+#[test]
+fn sweeps_are_plain() {
+    let (system, times) = (driven(), linspace(0.0, 1.0, 1501));
+    let plain = Options { engine: Engine::Plain, ..Options::default() };
+    let plain = system.run_with(&times, &plain).expect("runs");
+    let sweep =
+        system.sweep(["coupler.theta"]).expect("a sweep").options(compiled()).lanes(kin::lanes::Lanes::Off);
+    let found = sweep.run(&[[0.6]], &times, |_, motion| motion.expect("runs")).expect("runs");
+    assert_eq!(found[0].engine().compiled, 0);
+    assert!(differences(&plain, &found[0]).iter().all(|off| *off < 1e-10));
+}
