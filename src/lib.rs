@@ -7,6 +7,7 @@
 //! | describing a machine | [`Mechanism`], [`joints`], [`spatial`], [`Law`], [`pose`], [`SpatialPose`], [`Axis`] |
 //! | a constraint or law of one's own | [`macro@constraint`], [`macro@law`], [`check`] |
 //! | solving it | [`System`], [`Options`], [`Sweep`], [`Assembly`] |
+//! | what joints hold and drives must give | [`Forces`], [`Solid`], [`Load`] |
 //! | how it changes with parameters | [`Sensitivities`], [`System::gradient`] |
 //! | what has come out | [`Motion`], [`Quantity`], [`Extremes`], [`Measure`], [`Proof`] |
 //! | what is wrong | [`Error`], [`diagnosis`] |
@@ -58,6 +59,7 @@ mod guide {
         Motions "../docs/guide/motions.md";
         Sweeps "../docs/guide/sweeps.md";
         Diagnosis "../docs/guide/diagnosis.md";
+        Forces "../docs/guide/forces.md";
         Design "../docs/guide/design.md";
         Pictures "../docs/guide/pictures.md";
     }

@@ -18,6 +18,7 @@ mod design;
 #[doc(hidden)]
 pub mod emitted;
 pub mod extend;
+mod forces;
 pub mod joints;
 mod linear;
 mod model;
@@ -45,6 +46,7 @@ pub use coordinates::{
 pub use data::Registry;
 pub use design::{ExtremeSensitivity, MeasureSensitivity, Sensitivities, Sensitivity};
 pub use error::{Error, Result};
+pub use forces::{Acted, Balance, Drive, Energy, Forces, Peak, Reaction};
 pub use joints::spatial;
 pub use kin_macros::{constraint, law};
 pub use law::{Break, Ends, Law};
@@ -52,7 +54,9 @@ pub use measure::{Crossing, Extreme, Extremes, Measure};
 pub use mechanism::{
     ConstraintId, IntoConstraint, Marker, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose,
 };
+pub use model::loads::{ByLaws, IntoLoad, Load, Massive, Potential, Solid, Turning};
 pub use model::no_derivative::NoDerivative;
+pub use model::not_unique::NotUnique;
 pub use model::units::Units;
 pub use motion::{
     Displaced, EngineCounts, Event, EventKind, Line, Motion, PointMotion, Quantity, RotationMotion, Series,

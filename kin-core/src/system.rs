@@ -18,6 +18,7 @@ use crate::model::constraint::Constraint;
 use crate::model::coordinates::Target;
 use crate::model::error::{Error, Result};
 use crate::model::layout::{Layout, Place};
+use crate::model::loads::Loads;
 use crate::model::mechanism::Limit;
 use crate::model::units::Units;
 use crate::system::scaled::Model;
@@ -48,6 +49,8 @@ pub struct System {
     /// The constraints with conditions or other kinks, which a run has to look for.
     switching: Arc<[usize]>,
     kept: Kept,
+    /// Masses, gravity and what else acts; nothing of it is asked before forces are.
+    pub(crate) loads: Arc<Loads>,
 }
 
 /// A preferred measure of a joint.
@@ -118,6 +121,7 @@ impl System {
             limits,
             switching,
             kept: Kept::default(),
+            loads: Arc::default(),
         }
     }
 

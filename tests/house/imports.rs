@@ -13,8 +13,9 @@ use crate::{ROOT, rust_files, sources};
 type Module = Vec<String>;
 
 /// The rooms, each a folder that may import from those before it and from its own.
-const ROOMS: [&str; 11] = [
-    "numbers", "model", "emitted", "joints", "linear", "system", "program", "solve", "ask", "design", "data",
+const ROOMS: [&str; 12] = [
+    "numbers", "model", "emitted", "joints", "linear", "system", "program", "solve", "ask", "design",
+    "forces", "data",
 ];
 
 /// Items of `kin-core` by file: what they import, and what they give on.

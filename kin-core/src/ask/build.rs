@@ -1,5 +1,7 @@
 //! From a mechanism to its system, and what can be asked of one that is not built.
 
+use std::sync::Arc;
+
 use crate::joints::spatial;
 use crate::model::coordinates::SpatialBody;
 use crate::model::error::{Error, Result};
@@ -85,6 +87,7 @@ impl Mechanism {
         let equations = Equations::new(&mechanism.layout, mechanism.constraints);
         let mut system =
             System::new(mechanism.name, mechanism.layout, equations, guess, mechanism.preferred, links);
+        system.loads = Arc::new(mechanism.loads);
         system.set_limits(mechanism.limits)?;
         system.set_asked(&mechanism.asked)?;
         Ok(system)

@@ -82,6 +82,15 @@ impl Independent {
         linear.solution()
     }
 
+    /// The y with Aᵀ y = b that is zero in the rows that are left out.
+    pub(crate) fn solved_transposed(&self, b: &[f64]) -> Vec<f64> {
+        let mut y = vec![0.0; self.m];
+        if let Some(Chosen { rows, linear, .. }) = &self.chosen {
+            rows.iter().zip(linear.solved_transposed(b)).for_each(|(row, value)| y[*row] = value);
+        }
+        y
+    }
+
     /// b − A x of the last solution, row by row, into `left`, which holds b.
     pub(crate) fn leave(&self, left: &mut [f64]) {
         let Some(Chosen { rows, linear, others, .. }) = &self.chosen else { return };

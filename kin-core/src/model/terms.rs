@@ -153,11 +153,11 @@ impl Local {
         local
     }
 
-    fn at(&self, t: f64) -> At<'_> {
+    pub(crate) fn at(&self, t: f64) -> At<'_> {
         At::new(t, &self.states, &self.arguments)
     }
 
-    fn rates(&self) -> Rates<'_> {
+    pub(crate) fn rates(&self) -> Rates<'_> {
         Rates::new(&self.rates, &self.arguments)
     }
 }

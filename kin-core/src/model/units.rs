@@ -1,4 +1,4 @@
-//! The words for the units of length and time, as files, pages and messages write them.
+//! The words for the units of length, time and mass, as files, pages and messages write them.
 
 use std::sync::Arc;
 
@@ -15,8 +15,8 @@ pub enum Unit {
     One,
 }
 
-/// The words for the units of length and time; angles are in radians. Nothing is converted: Kin computes in
-/// any consistent set of units.
+/// The words for the units of length, time and mass; angles are in radians. Nothing is converted: Kin
+/// computes in any consistent set of units.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(from = "Words", into = "Words")]
 pub struct Units(Arc<Words>);
@@ -26,11 +26,21 @@ pub struct Units(Arc<Words>);
 struct Words {
     length: String,
     time: String,
+    #[serde(default = "kilogram", skip_serializing_if = "is_kilogram")]
+    mass: String,
+}
+
+fn kilogram() -> String {
+    "kg".to_string()
+}
+
+fn is_kilogram(mass: &String) -> bool {
+    mass == "kg"
 }
 
 impl From<Words> for Units {
     fn from(words: Words) -> Units {
-        Units::new(&words.length, &words.time)
+        Units::new(&words.length, &words.time).with_mass(&words.mass)
     }
 }
 
@@ -50,7 +60,14 @@ impl Default for Units {
 impl Units {
     /// The words, without blanks around them.
     pub fn new(length: &str, time: &str) -> Units {
-        Units(Arc::new(Words { length: length.trim().to_string(), time: time.trim().to_string() }))
+        let (length, time) = (length.trim().to_string(), time.trim().to_string());
+        Units(Arc::new(Words { length, time, mass: kilogram() }))
+    }
+
+    /// The same with another word for the unit of mass.
+    #[must_use]
+    pub fn with_mass(&self, mass: &str) -> Units {
+        Units(Arc::new(Words { mass: mass.trim().to_string(), ..self.0.as_ref().clone() }))
     }
 
     /// The word for the unit of length, such as `mm`.
@@ -61,6 +78,50 @@ impl Units {
     /// The word for the unit of time, such as `s`.
     pub fn time(&self) -> &str {
         &self.0.time
+    }
+
+    /// The word for the unit of mass, such as `kg`.
+    pub fn mass(&self) -> &str {
+        &self.0.mass
+    }
+
+    /// The unit of force, such as `N`; of millimetre, second and kilogram `mN`, of millimetre, second and
+    /// tonne `N`; of words that are not known `MASS LENGTH/TIME^2`.
+    pub fn force(&self) -> String {
+        self.newtons().unwrap_or_else(|| format!("{} {}/{}^2", self.mass(), self.length(), self.time()))
+    }
+
+    /// The unit of torque, such as `N m`, `mN mm`.
+    pub fn torque(&self) -> String {
+        match self.newtons() {
+            Some(force) => format!("{force} {}", self.length()),
+            None => format!("{} {}^2/{}^2", self.mass(), self.length(), self.time()),
+        }
+    }
+
+    /// The unit of energy, such as `J`, `mN mm`.
+    pub fn energy(&self) -> String {
+        if self.torque() == "N m" { "J".to_string() } else { self.torque() }
+    }
+
+    /// The unit of power, such as `W`, `mN mm/s`.
+    pub fn power(&self) -> String {
+        match self.newtons() {
+            Some(force) if force == "N" && self.length() == "m" && self.time() == "s" => "W".to_string(),
+            Some(force) => format!("{force} {}/{}", self.length(), self.time()),
+            None => format!("{} {}^2/{}^3", self.mass(), self.length(), self.time()),
+        }
+    }
+
+    /// Newton with the prefix that mass, length and time make of it.
+    fn newtons(&self) -> Option<String> {
+        let mass = power_of_ten(self.mass(), &[("kg", 0), ("g", -3), ("t", 3), ("mg", -6)])?;
+        let lengths = [("m", 0), ("dm", -1), ("cm", -2), ("mm", -3), ("um", -6), ("µm", -6), ("km", 3)];
+        let length = power_of_ten(self.length(), &lengths)?;
+        let time = power_of_ten(self.time(), &[("s", 0), ("ms", -3), ("us", -6), ("µs", -6)])?;
+        let prefix = [("", 0), ("m", -3), ("µ", -6), ("n", -9), ("p", -12), ("k", 3), ("M", 6), ("G", 9)];
+        let exponent = mass + length - 2 * time;
+        prefix.iter().find(|(_, known)| *known == exponent).map(|(prefix, _)| format!("{prefix}N"))
     }
 
     /// True if the units are metre and second.
@@ -74,6 +135,8 @@ impl Units {
             Some("unit of length")
         } else if self.time().is_empty() {
             Some("unit of time")
+        } else if self.mass().is_empty() {
+            Some("unit of mass")
         } else {
             None
         }
@@ -119,9 +182,27 @@ impl Units {
     }
 }
 
+fn power_of_ten(word: &str, known: &[(&str, i32)]) -> Option<i32> {
+    known.iter().find(|(unit, _)| *unit == word).map(|(_, power)| *power)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn units_of_force_follow_from_those_of_mass_length_and_time() {
+        let of = |mass: &str, length: &str, time: &str| {
+            let units = Units::new(length, time).with_mass(mass);
+            [units.force(), units.torque(), units.energy(), units.power()]
+        };
+        assert_eq!(of("kg", "m", "s"), ["N", "N m", "J", "W"]);
+        assert_eq!(of("kg", "mm", "s"), ["mN", "mN mm", "mN mm", "mN mm/s"]);
+        assert_eq!(of("t", "mm", "s"), ["N", "N mm", "N mm", "N mm/s"]);
+        assert_eq!(of("g", "mm", "ms"), ["N", "N mm", "N mm", "N mm/ms"]);
+        assert_eq!(of("lb", "in", "s"), ["lb in/s^2", "lb in^2/s^2", "lb in^2/s^2", "lb in^2/s^3"]);
+        assert_eq!(of("kg", "m", "min")[0], "kg m/min^2");
+    }
 
     #[test]
     fn units_of_rates_are_made_of_the_words() {

@@ -205,9 +205,7 @@ pub enum Error {
     },
 
     /// A body or coordinate of another mechanism.
-    #[error(
-        "`{place}`: `{argument}` is not of the mechanism \"{mechanism}\"; use what its own methods gave out"
-    )]
+    #[error("{}", text::foreign([place, argument, mechanism]))]
     ForeignBody {
         /// The mechanism that was asked.
         mechanism: String,
@@ -218,9 +216,7 @@ pub enum Error {
     },
 
     /// The same body or coordinate twice in one constraint.
-    #[error(
-        "`{constraint}`: `{first}` and `{second}` are both `{name}`; a constraint needs different bodies and coordinates"
-    )]
+    #[error("{}", text::repeated([constraint, first, second, name]))]
     RepeatedBody {
         /// The constraint.
         constraint: String,
@@ -370,6 +366,10 @@ pub enum Error {
     /// A derivative by a parameter that does not exist, or is not known ([`crate::System::sensitivities`]).
     #[error(transparent)]
     NoDerivative(#[from] Box<crate::model::no_derivative::NoDerivative>),
+
+    /// A force that redundant constraints share ([`crate::Forces`]).
+    #[error(transparent)]
+    NotUnique(#[from] Box<crate::model::not_unique::NotUnique>),
 
     /// Something that cannot be written as data, or data that do not say what they should.
     #[error("{place}: {reason}")]

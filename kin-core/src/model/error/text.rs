@@ -164,3 +164,17 @@ pub(super) fn needs_memory([motions, times, coordinates]: [usize; 3], sizes: [f6
         "{all}{times} of {coordinates} need {needed}; `Options::memory` allows {allowed}.\n  {cure}, or allow more."
     )
 }
+
+/// A handle of another mechanism.
+pub(super) fn foreign([place, argument, mechanism]: [&str; 3]) -> String {
+    format!(
+        "`{place}`: `{argument}` is not of the mechanism \"{mechanism}\"; use what its own methods gave out"
+    )
+}
+
+/// One thing by two arguments.
+pub(super) fn repeated([constraint, first, second, name]: [&str; 4]) -> String {
+    format!(
+        "`{constraint}`: `{first}` and `{second}` are both `{name}`; a constraint needs different bodies and coordinates"
+    )
+}

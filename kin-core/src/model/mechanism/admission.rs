@@ -8,7 +8,7 @@ use crate::model::layout::{Layout, Place};
 /// Refuses, by name: parameters that are not finite or make no sense, bodies of other mechanisms, the same
 /// body or coordinate twice, rows without coordinates, and hand-written constraints that contradict
 /// themselves.
-pub(super) fn admit(mechanism: &str, layout: &Layout, name: &str, constraint: &dyn Constraint) -> Result<()> {
+pub(crate) fn admit(mechanism: &str, layout: &Layout, name: &str, constraint: &dyn Constraint) -> Result<()> {
     finite_parameters(name, constraint)?;
     sensible_parameters(name, constraint)?;
     let arguments = constraint.arguments();

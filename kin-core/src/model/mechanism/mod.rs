@@ -3,11 +3,13 @@
 
 pub(crate) mod admission;
 mod limit;
+mod loads;
 mod place;
 mod pose;
 mod preference;
 
 pub(crate) use limit::Limit;
+pub use loads::UnitWords;
 pub use place::Marker;
 pub use pose::{Pose, SpatialPose, deg, linspace, pose};
 pub use preference::Preferred;
@@ -21,6 +23,7 @@ use crate::model::coordinates::{
 };
 use crate::model::error::{Error, Result};
 use crate::model::layout::{Kind, Layout, Place};
+use crate::model::loads::Loads;
 use crate::model::units::Units;
 use crate::numbers::algebra::Vec2;
 
@@ -68,6 +71,8 @@ pub struct Mechanism {
     refused: Option<Refused>,
     /// Ranges that measures should keep to.
     pub(crate) limits: Vec<Limit>,
+    /// Masses, gravity and what else acts.
+    pub(crate) loads: Loads,
 }
 
 /// A constraint of a mechanism, in the order of adding.
@@ -79,6 +84,7 @@ pub struct ConstraintId(usize);
 pub(crate) enum Refused {
     Units(Units),
     Preference(Wish),
+    Gravity(f64),
 }
 
 /// Anything that can be added to a mechanism: a constraint, or one that is only known as a `Box<dyn
@@ -119,6 +125,7 @@ impl Mechanism {
             names: HashSet::new(),
             refused: None,
             limits: Vec::new(),
+            loads: Loads::default(),
         }
     }
 
@@ -127,16 +134,26 @@ impl Mechanism {
         &self.name
     }
 
-    /// Names the units of length and time in files, pages and messages: `m.units("mm", "s")`. Words alone:
-    /// nothing is converted, and all numbers have to be in these units. Without it they are `m` and `s`.
+    /// Names the units of length and time in files, pages and messages: `m.units("mm", "s")`, and that of
+    /// mass where it is none of the kilogram: `m.units("mm", "s").mass("t")`. Words alone: nothing is
+    /// converted, and all numbers have to be in these units. Without it they are `m`, `s` and `kg`.
     ///
     /// A word that is empty is told by [`Mechanism::build`].
-    pub fn units(&mut self, length: &str, time: &str) {
-        let units = Units::new(length, time);
+    pub fn units(&mut self, length: &str, time: &str) -> UnitWords<'_> {
+        self.set_units(Units::new(length, time));
+        UnitWords { mechanism: self }
+    }
+
+    fn set_units(&mut self, units: Units) {
         match units.missing() {
-            Some(_) => self.refused = self.refused.take().or(Some(Refused::Units(units))),
+            Some(_) => self.refuse(Refused::Units(units)),
             None => self.layout.words = units,
         }
+    }
+
+    /// Keeps the first call that could not be carried out.
+    fn refuse(&mut self, refused: Refused) {
+        self.refused = self.refused.take().or(Some(refused));
     }
 
     /// The ground: the global frame, a planar and a spatial body without coordinates.
@@ -299,6 +316,7 @@ impl Mechanism {
                 units.missing().map_or(Ok(()), |what| Err(Error::EmptyName { what }))?
             }
             Some(Refused::Preference(wish)) => self.note(wish)?,
+            Some(Refused::Gravity(value)) => loads::gravity(value)?,
             None => {}
         }
         Ok(self)

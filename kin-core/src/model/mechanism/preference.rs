@@ -102,7 +102,7 @@ impl Mechanism {
     pub fn prefer<V>(&mut self, what: impl Preferred<V>, value: V) {
         let wish = what.wish(value);
         if self.note(wish.clone()).is_err() {
-            self.refused = self.refused.take().or(Some(Refused::Preference(wish)));
+            self.refuse(Refused::Preference(wish));
         }
     }
 

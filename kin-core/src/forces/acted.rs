@@ -1,0 +1,170 @@
+//! Force and torque on one body over time: about a point, in axes.
+
+use std::marker::PhantomData;
+
+use super::calls::Forces;
+use super::wrench::{Stand, Wrench};
+use crate::model::error::{Error, Result};
+use crate::model::loads::Turning;
+use crate::model::motion::Series;
+use crate::model::not_unique::NotUnique;
+use crate::numbers::algebra::Vec3;
+
+/// A component is unique if what can be added without changing any balance changes it by less than this,
+/// where it changes something by 1.   \[-\]
+pub(super) const LOOSE: f64 = 1e-7;
+
+/// Force and torque on a body over time, about a point and in axes that can be chosen: first about the
+/// constraint's point on that body (where it has none there, its point on the other body, else the body's
+/// origin; on the ground the global origin), in global axes.
+///
+/// A component that is not unique, because equations are redundant, is not given as a number: methods that
+/// would give it have an error by name.
+#[derive(Clone)]
+pub struct Acted<'f, V: Turning> {
+    pub(super) forces: &'f Forces<'f>,
+    pub(super) name: String,
+    pub(super) on: String,
+    pub(super) wrenches: Vec<Wrench>,
+    /// Those of the vectors of the null space, at each time.
+    pub(super) open: Vec<Vec<Wrench>>,
+    pub(super) stands: Vec<Stand>,
+    pub(super) points: Vec<Vec3>,
+    /// True if components are in the body's axes.
+    pub(super) fixed: bool,
+    pub(super) kind: PhantomData<V>,
+}
+
+impl<'f, V: Turning> Acted<'f, V> {
+    /// The same about another point of the body, ū: the force's moment is moved too. On the ground this is
+    /// a global point.   \[m\]
+    #[must_use]
+    pub fn at(self, u: impl Into<V>) -> Self {
+        let u = u.into().lifted();
+        let points = self.stands.iter().map(|stand| stand.point(u)).collect();
+        self.moved(points)
+    }
+
+    /// The same about a global point that stays where it is.   \[m\]
+    #[must_use]
+    pub fn about(self, point: impl Into<V>) -> Self {
+        let points = vec![point.into().lifted(); self.points.len()];
+        self.moved(points)
+    }
+
+    fn moved(mut self, points: Vec<Vec3>) -> Self {
+        for (k, to) in points.iter().enumerate() {
+            // The way between the points, as the axes have it.
+            let way = self.points[k] - *to;
+            let way = if self.fixed { self.stands[k].a.transpose() * way } else { way };
+            let all = self.open[k].iter_mut().chain([&mut self.wrenches[k]]);
+            all.for_each(|wrench| *wrench = wrench.moved(way, Vec3::zeros()));
+        }
+        self.points = points;
+        self
+    }
+
+    /// The same by components in the axes of the body.
+    #[must_use]
+    pub fn in_body(mut self) -> Self {
+        if std::mem::replace(&mut self.fixed, true) {
+            return self;
+        }
+        for (k, stand) in self.stands.iter().enumerate() {
+            self.wrenches[k] = self.wrenches[k].seen_from(stand.a);
+            self.open[k].iter_mut().for_each(|open| *open = open.seen_from(stand.a));
+        }
+        self
+    }
+
+    /// The point that torques are about, global.   \[m\]
+    pub fn points(&self) -> Vec<V> {
+        self.points.iter().map(|point| V::vector(*point)).collect()
+    }
+
+    /// The force, one a time. Errors: a component that is not unique.   \[N\]
+    pub fn force(&self) -> Result<Vec<V>> {
+        self.all(0..3)?;
+        Ok(self.wrenches.iter().map(|wrench| V::vector(wrench.force)).collect())
+    }
+
+    /// The torque about the point, one a time: a number in the plane, a vector in space. Errors: a component
+    /// that is not unique.   \[N m\]
+    pub fn torque(&self) -> Result<Vec<V::Torque>> {
+        self.all(3..6)?;
+        Ok(self.wrenches.iter().map(|wrench| V::torque(wrench.torque)).collect())
+    }
+
+    /// |F| over time. Errors: a component that is not unique.   \[N\]
+    pub fn magnitude(&self) -> Result<Series> {
+        self.all(0..3)?;
+        Ok(self.series("force", 0, |wrench| wrench.force.norm()))
+    }
+
+    /// |T| over time. Errors: a component that is not unique.   \[N m\]
+    pub fn torque_magnitude(&self) -> Result<Series> {
+        self.all(3..6)?;
+        Ok(self.series("torque", 3, |wrench| wrench.torque.norm()))
+    }
+
+    /// One component over time, by its name: `F_x`, `F_y`, `T` in the plane, `F_x`, `F_y`, `F_z`, `T_x`,
+    /// `T_y`, `T_z` in space. Errors: another name; a component that is not unique.   \[N, N m\]
+    pub fn component(&self, name: &str) -> Result<Series> {
+        let Some((name, number)) = V::COMPONENTS.iter().find(|(known, _)| *known == name) else {
+            return Err(Error::UnknownName {
+                what: "component",
+                name: name.to_string(),
+                known: V::COMPONENTS.iter().map(|(name, _)| name.to_string()).collect(),
+            });
+        };
+        self.one(*number)?;
+        Ok(self.series(name, *number, |wrench| part(wrench, *number)))
+    }
+
+    /// The components that are unique at all times, over time.
+    pub fn components(&self) -> Vec<Series> {
+        V::COMPONENTS.iter().filter_map(|(name, _)| self.component(name).ok()).collect()
+    }
+
+    /// Names of the components that are not unique, because equations are redundant: at some time something
+    /// can be added to them that no balance notices.
+    pub fn not_unique(&self) -> Vec<&'static str> {
+        let open = |number: usize| self.first_open(number).is_some();
+        V::COMPONENTS.iter().filter(|(_, number)| open(*number)).map(|(name, _)| *name).collect()
+    }
+
+    /// Errors unless these are unique.
+    fn all(&self, numbers: std::ops::Range<usize>) -> Result<()> {
+        numbers.into_iter().try_for_each(|number| self.one(number))
+    }
+
+    fn one(&self, number: usize) -> Result<()> {
+        let Some(k) = self.first_open(number) else { return Ok(()) };
+        let name = V::COMPONENTS.iter().find(|(_, known)| *known == number).map_or("", |(name, _)| *name);
+        Err(NotUnique::error(&self.name, &format!("{name} on {}", self.on), self.forces.sharing(k)))
+    }
+
+    /// The first time at which one of the six components is not unique.
+    fn first_open(&self, number: usize) -> Option<usize> {
+        let loose = |k: usize, open: &Wrench| {
+            let scale = if number < 3 { self.forces.multipliers[k].length } else { 1.0 };
+            part(open, number).abs() * scale > LOOSE
+        };
+        (0..self.open.len()).find(|k| self.open[*k].iter().any(|open| loose(*k, open)))
+    }
+
+    fn series(&self, name: &str, number: usize, of: impl Fn(&Wrench) -> f64) -> Series {
+        let motion = self.forces.motion;
+        let units = motion.unit_words();
+        let unit = if number < 3 { units.force() } else { units.torque() };
+        let on = self.on.replace('`', "");
+        let name = format!("{} on {on}.{name}", self.name);
+        Series::new(name, unit, motion.clock(), self.wrenches.iter().map(of).collect())
+    }
+}
+
+/// One of the six components.
+fn part(wrench: &Wrench, number: usize) -> f64 {
+    let [force, torque] = [wrench.force.to_array(), wrench.torque.to_array()];
+    force.into_iter().chain(torque).nth(number).unwrap_or(f64::NAN)
+}

@@ -1,0 +1,215 @@
+//! Generalised forces of loads at one time.
+
+use super::body::generalised;
+use super::wrench::Stand;
+use crate::model::constraint::{Attached, Constraint};
+use crate::model::coordinates::{Argument, Target};
+use crate::model::layout::{Layout, Place};
+use crate::model::loads::{Acting, Load, OnBody};
+use crate::model::state::SpatialState;
+use crate::model::terms::Local;
+use crate::numbers::algebra::Vec3;
+
+/// q, q̇ and q̈ of the whole mechanism at one time.
+#[derive(Clone, Copy)]
+pub(super) struct Now<'a> {
+    pub t: f64,
+    pub q: &'a [f64],
+    pub qd: &'a [f64],
+    pub qdd: &'a [f64],
+}
+
+/// Coordinates of the ground as a spatial body.
+const GROUND: [f64; 7] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+
+/// A constraint that stands beside the equations: an energy, a length, a point with mass.
+pub(super) struct Beside<'a> {
+    pub constraint: &'a dyn Constraint,
+    pub arguments: Vec<Argument>,
+    /// The global column of each local one; `None` on the ground.
+    pub columns: Vec<Option<usize>>,
+    /// Values of the ground's coordinates, 0 elsewhere.
+    ground: Vec<f64>,
+}
+
+/// Its values at one time.
+pub(super) struct Valued {
+    /// C, and its pattern's values of C_q.
+    pub c: Vec<f64>,
+    pub c_q: Vec<f64>,
+    /// C_q q̇ + C_t.
+    pub rate: Vec<f64>,
+    /// C_q q̈ − Q_d.
+    pub second: Vec<f64>,
+}
+
+impl<'a> Beside<'a> {
+    pub(super) fn new(layout: &Layout, constraint: &'a dyn Constraint) -> Self {
+        let arguments = constraint.arguments();
+        let (mut columns, mut ground) = (Vec::new(), Vec::new());
+        for argument in &arguments {
+            let own = layout.columns(argument);
+            let value = |k: usize| match (layout.place(&argument.target), argument.target) {
+                (Some(Place::Ground(_)), Target::Spatial(_)) => GROUND[k],
+                (Some(Place::Ground(value)), Target::Coord(..)) => value,
+                _ => 0.0,
+            };
+            ground.extend((0..own.len()).map(value));
+            columns.extend(own);
+        }
+        Beside { constraint, arguments, columns, ground }
+    }
+
+    /// Its local coordinates or rates.
+    fn local(&self, all: &[f64], ground: bool) -> Vec<f64> {
+        let value = |(column, fixed): (&Option<usize>, &f64)| match column {
+            Some(column) => all[*column],
+            None if ground => *fixed,
+            None => 0.0,
+        };
+        self.columns.iter().zip(&self.ground).map(value).collect()
+    }
+
+    pub(super) fn valued(&self, now: Now<'_>) -> Valued {
+        let facts = self.constraint.facts();
+        let (m, pattern) = (facts.rows.len(), facts.pattern);
+        let (q, qd, qdd) = (self.local(now.q, true), self.local(now.qd, false), self.local(now.qdd, false));
+        let local = Local::new(&self.arguments, &q, &qd);
+        let at = local.at(now.t);
+        let (mut c, mut c_q) = (vec![0.0; m], vec![0.0; pattern.len()]);
+        self.constraint.residual(&at, &mut c);
+        self.constraint.jacobian(&at, &mut c_q);
+        let (mut minus_c_t, mut q_d) = (vec![0.0; m], vec![0.0; m]);
+        self.constraint.velocity_rhs(&at, &mut minus_c_t);
+        self.constraint.acceleration_rhs(&at, &local.rates(), 1.0, &mut q_d);
+        let mut rate: Vec<f64> = minus_c_t.iter().map(|x| -x).collect();
+        let mut second: Vec<f64> = q_d.iter().map(|x| -x).collect();
+        for (entry, value) in pattern.iter().zip(&c_q) {
+            rate[entry.row] += value * qd[entry.column];
+            second[entry.row] += value * qdd[entry.column];
+        }
+        Valued { c, c_q, rate, second }
+    }
+
+    /// Q += Σ f_row C_q of the row, local columns.
+    pub(super) fn along(&self, valued: &Valued, f: &[f64]) -> Vec<f64> {
+        let mut by_q = vec![0.0; self.columns.len()];
+        for (entry, value) in self.constraint.facts().pattern.iter().zip(&valued.c_q) {
+            by_q[entry.column] += f[entry.row] * value;
+        }
+        by_q
+    }
+}
+
+/// A part of a load, laid out.
+pub(super) enum Part<'a> {
+    Potential(Beside<'a>),
+    Along(Beside<'a>, &'a (dyn Fn(f64, f64, f64) -> f64 + Send + Sync)),
+    OnBody { on: &'a OnBody, first: usize },
+}
+
+/// A load, laid out.
+pub(super) struct Laid<'a> {
+    pub parts: Vec<Part<'a>>,
+}
+
+impl<'a> Laid<'a> {
+    pub(super) fn new(layout: &Layout, load: &'a Load) -> Self {
+        let mut parts = Vec::new();
+        load.parts(&mut |part| match part {
+            Acting::Potential(energy) => parts.push(Part::Potential(Beside::new(layout, energy.as_ref()))),
+            Acting::Along(x, force) => {
+                parts.push(Part::Along(Beside::new(layout, x.as_ref()), force.as_ref()))
+            }
+            Acting::OnBody(on) => {
+                if let Some(Place::Own { first, .. }) = layout.place(&on.target) {
+                    parts.push(Part::OnBody { on, first });
+                }
+            }
+            Acting::Sum(_) => {}
+        });
+        Laid { parts }
+    }
+
+    /// Adds its generalised forces to those of the mechanism.
+    pub(super) fn add(&self, now: Now<'_>, all: &mut [f64]) {
+        for part in &self.parts {
+            let (beside, f) = match part {
+                Part::Potential(energy) => (energy, -1.0),
+                Part::Along(x, force) => {
+                    let valued = x.valued(now);
+                    (x, force(valued.c[0], valued.rate[0], now.t))
+                }
+                Part::OnBody { on, first } => {
+                    let n = on.target.columns();
+                    let columns: Vec<Option<usize>> = (*first..first + n).map(Some).collect();
+                    scatter(&columns, &on_body(on, now.t, &now.q[*first..first + n]), all);
+                    continue;
+                }
+            };
+            let by_q = beside.along(&beside.valued(now), &[f]);
+            scatter(&beside.columns, &by_q, all);
+        }
+    }
+
+    /// The bodies and coordinates that it acts on.
+    pub(super) fn targets(&self) -> Vec<Target> {
+        let of = |part: &Part<'_>| match part {
+            Part::Potential(beside) | Part::Along(beside, _) => {
+                beside.arguments.iter().map(|argument| argument.target).collect()
+            }
+            Part::OnBody { on, .. } => vec![on.target],
+        };
+        self.parts.iter().flat_map(of).collect()
+    }
+
+    /// The arguments of its first part and their points.
+    pub(super) fn points(&self) -> (Vec<Argument>, Vec<(usize, Vec3)>) {
+        match self.parts.first() {
+            Some(Part::Potential(beside) | Part::Along(beside, _)) => {
+                let points = beside.constraint.attachments().into_iter();
+                let points = points.filter_map(|found| match found.what {
+                    Attached::Point(u) => Some((found.argument, u)),
+                    Attached::Direction(_) => None,
+                });
+                (beside.arguments.clone(), points.collect())
+            }
+            Some(Part::OnBody { on, .. }) => {
+                (vec![Argument { name: "body", target: on.target }], vec![(0, Vec3::from(on.point))])
+            }
+            None => (Vec::new(), Vec::new()),
+        }
+    }
+
+    /// V of its energies.
+    pub(super) fn energy(&self, now: Now<'_>) -> f64 {
+        let of = |part: &Part<'_>| match part {
+            Part::Potential(energy) => energy.valued(now).c[0],
+            _ => 0.0,
+        };
+        self.parts.iter().map(of).sum()
+    }
+}
+
+/// Local generalised forces, added to those of the mechanism.
+pub(super) fn scatter(columns: &[Option<usize>], by_q: &[f64], all: &mut [f64]) {
+    for (column, value) in columns.iter().zip(by_q) {
+        if let Some(column) = column {
+            all[*column] += value;
+        }
+    }
+}
+
+/// Q of a force at a point and a torque.
+fn on_body(on: &OnBody, t: f64, q: &[f64]) -> Vec<f64> {
+    let at = |laws: &[crate::model::law::Law; 3]| Vec3::new(laws[0].at(t), laws[1].at(t), laws[2].at(t));
+    let (stand, mut force, mut torque) = (Stand::of(q), at(&on.force), at(&on.torque));
+    if on.fixed {
+        (force, torque) = (stand.a * force, stand.a * torque);
+    }
+    let torque = torque + (stand.a * Vec3::from(on.point)).cross(force);
+    match q.first_chunk::<7>() {
+        Some(q) => generalised(SpatialState::new(*q).p, force, stand.a.transpose() * torque).to_vec(),
+        None => vec![force.x, force.y, torque.z],
+    }
+}

@@ -1,0 +1,131 @@
+//! The multipliers λ of all constraints, time by time.
+
+use super::acting::Now;
+use crate::linear::{Echelon, Independent, Linear, RANK};
+use crate::model::error::Result;
+use crate::model::units::Unit;
+use crate::system::System;
+use crate::system::evaluate::Instant;
+use crate::system::scale;
+use crate::system::scaled::{Measures, Point};
+
+/// λ, and what can be added to it without changing any balance.
+pub(super) struct Multipliers {
+    /// One number for each equation.
+    pub lambda: Vec<f64>,
+    /// Vectors of the null space of C_qᵀ, none of a mechanism without redundant equations: the largest
+    /// generalised force times the size of its coordinate that one of their entries makes is 1.
+    pub open: Vec<Vec<f64>>,
+    /// The characteristic length.   \[m\]
+    pub length: f64,
+}
+
+/// Solves C_qᵀ λ = Q at one time after the other: the elimination of the time before is tried first.
+pub(super) struct Solver<'a> {
+    system: &'a System,
+    instant: Instant,
+    kind: Kind,
+    c: Vec<f64>,
+}
+
+enum Kind {
+    Square(Box<Linear>),
+    Redundant { rows: Box<Independent>, values: Vec<f64>, measures: Option<Measures> },
+}
+
+impl<'a> Solver<'a> {
+    pub(super) fn new(system: &'a System) -> Self {
+        let equations = system.equations();
+        let (m, n) = (system.n_equations(), system.n_coordinates());
+        let kind = if system.is_redundant() {
+            let rows = Box::new(Independent::new(m, n, &equations.entries));
+            Kind::Redundant { rows, values: vec![0.0; equations.entries.len()], measures: None }
+        } else {
+            let mut linear = system.linear();
+            linear.forget();
+            equations.set_constants(linear.values_mut());
+            Kind::Square(Box::new(linear))
+        };
+        Solver { system, instant: equations.instant(), kind, c: vec![0.0; m] }
+    }
+
+    /// λ · C_t, the power of all that drives, at the time of the last solution.   \[W\]
+    pub(super) fn power(&mut self, lambda: &[f64]) -> f64 {
+        self.system.equations().velocity_rhs(&self.instant, &mut self.c);
+        self.c.iter().zip(lambda).map(|(minus_c_t, lambda)| -minus_c_t * lambda).sum()
+    }
+
+    /// λ for the generalised forces Q. Errors: a singular position, terms that are not finite.
+    pub(super) fn solve(&mut self, now: Now<'_>, by_q: &[f64]) -> Result<Multipliers> {
+        let (system, equations) = (self.system, self.system.equations());
+        equations.set_time(now.t, &mut self.instant);
+        equations.set_position(now.q, &mut self.instant);
+        match &mut self.kind {
+            Kind::Square(linear) => {
+                equations.linearize(now.q, &self.instant, &mut self.c, linear.values_mut());
+                let finite = equations.finite(&self.c, linear.values());
+                finite.map_err(|bad| equations.not_finite(bad, system.layout(), &self.instant))?;
+                let sizes = scale::sizes(system.layout(), equations, linear.values(), now.q, system.links());
+                if !(linear.measure() && linear.factor()) {
+                    return Err(system.singular(now.t, now.q, None));
+                }
+                let length = length(system, &sizes);
+                Ok(Multipliers { lambda: linear.solved_transposed(by_q), open: Vec::new(), length })
+            }
+            Kind::Redundant { rows, values, measures } => {
+                equations.set_constants(values);
+                equations.linearize(now.q, &self.instant, &mut self.c, values);
+                let finite = equations.finite(&self.c, values);
+                finite.map_err(|bad| equations.not_finite(bad, system.layout(), &self.instant))?;
+                let model = system.model();
+                let measures = measures.get_or_insert_with(|| model.measure(now.q, now.t));
+                let unit = |(entry, value): (&Option<(usize, usize)>, &f64)| {
+                    entry.map_or(0.0, |(row, column)| value * measures.sizes[column] / measures.norms[row])
+                };
+                if !rows.factor(equations.entries.iter().zip(values.iter()).map(unit)) {
+                    return Err(system.singular(now.t, now.q, None));
+                }
+                let scaled: Vec<f64> = by_q.iter().zip(&measures.sizes).map(|(q, size)| q * size).collect();
+                let mut lambda = rows.solved_transposed(&scaled);
+                let point = Point { c: Vec::new(), values: values.clone() };
+                let mut open = null_space(system, &point, measures);
+                for y in open.iter_mut().chain([&mut lambda]) {
+                    y.iter_mut().zip(&measures.norms).for_each(|(y, norm)| *y /= norm);
+                }
+                Ok(Multipliers { lambda, open, length: length(system, &measures.sizes) })
+            }
+        }
+    }
+}
+
+/// Orthonormal vectors y with yᵀ C_q = 0, rows in units of order 1.
+fn null_space(system: &System, point: &Point, measures: &Measures) -> Vec<Vec<f64>> {
+    let (model, m) = (system.model(), system.n_equations());
+    let rows = model.scaled(&point.values, measures, &|_| true);
+    let found = Echelon::new(rows, system.n_coordinates(), RANK).left_null_space();
+    let mut basis: Vec<Vec<f64>> = Vec::new();
+    for sparse in found {
+        let mut y = vec![0.0; m];
+        sparse.iter().for_each(|(row, value)| y[*row] = *value);
+        // Twice is enough (Kahan).
+        for _ in 0..2 {
+            for known in &basis {
+                let share: f64 = known.iter().zip(&y).map(|(a, b)| a * b).sum();
+                y.iter_mut().zip(known).for_each(|(y, known)| *y -= share * known);
+            }
+        }
+        let norm = y.iter().map(|y| y * y).sum::<f64>().sqrt();
+        if norm > RANK {
+            y.iter_mut().for_each(|y| *y /= norm);
+            basis.push(y);
+        }
+    }
+    basis
+}
+
+/// The size of a length coordinate; 1 where there is none.
+fn length(system: &System, sizes: &[f64]) -> f64 {
+    let units = &system.layout().units;
+    let metre = units.iter().position(|unit| *unit == Unit::Metre);
+    metre.and_then(|k| sizes.get(k)).copied().unwrap_or(1.0)
+}

@@ -1,0 +1,203 @@
+//! Force and torque of constraints and loads on a body over time.
+
+use super::acted::Acted;
+use super::acting::Now;
+use super::calls::Forces;
+use super::wrench::{Stand, Wrench};
+use crate::model::body::Body;
+use crate::model::constraint::Attached;
+use crate::model::coordinates::Target;
+use crate::model::error::{Error, Result};
+use crate::model::layout::{Kind, Place};
+use crate::model::loads::Turning;
+use crate::model::motion::Series;
+use crate::numbers::algebra::Vec3;
+
+/// Something that puts forces on bodies.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Source {
+    Constraint(usize),
+    Load(usize),
+}
+
+/// Forces and torques of a constraint, a sum of several, or a load on bodies.
+pub struct Reaction<'f> {
+    forces: &'f Forces<'f>,
+    name: String,
+    sources: Vec<Source>,
+}
+
+impl<'f> Reaction<'f> {
+    pub(super) fn new(forces: &'f Forces<'f>, name: &str, sources: Vec<Source>) -> Self {
+        Reaction { forces, name: name.to_string(), sources }
+    }
+
+    /// Force and torque on one body. The ground is `PlanarBody::from(ground)` or `SpatialBody::from(ground)`,
+    /// and takes the opposite of all that is put on bodies.
+    ///
+    /// Errors: a body of another mechanism, one that it does not act on.
+    pub fn on<B: Body>(&self, body: B) -> Result<Acted<'f, B::Vector>>
+    where
+        B::Vector: Turning,
+    {
+        let (forces, target) = (self.forces, body.target());
+        let (layout, motion) = (forces.system.layout(), forces.motion);
+        let place = layout.place(&target).ok_or_else(|| Error::ForeignBody {
+            mechanism: forces.system.name().to_string(),
+            place: self.name.clone(),
+            argument: "body".to_string(),
+        })?;
+        let item = match place {
+            Place::Own { item, .. } => Some(item),
+            Place::Ground(_) => None,
+        };
+        let on = item.map_or("the ground".to_string(), |item| format!("`{}`", layout.items[item].name));
+        let touched = self.touched();
+        if let Some(item) = item
+            && !touched.contains(&item)
+        {
+            let bodies: Vec<&str> = touched.iter().map(|item| layout.items[*item].name.as_str()).collect();
+            let reason = format!("it does not act on {on}; it acts on {}", bodies.join(", "));
+            return Err(Error::InvalidParameters {
+                constraint: self.name.clone(),
+                kind: "reaction".to_string(),
+                reason,
+            });
+        }
+        let (mut wrenches, mut open, mut stands, mut points) = (vec![], vec![], vec![], vec![]);
+        let point = self.point(&target);
+        for k in 0..motion.len() {
+            let all = self.generalised(k);
+            let mut all = all.iter().map(|by_q| wrench(forces, item, &touched, k, by_q));
+            let (stand, own) = (stand(forces, item, k), all.next().unwrap_or_default());
+            let at = match &point {
+                Some((holder, u)) => self::stand(forces, *holder, k).point(*u),
+                None => stand.r,
+            };
+            wrenches.push(own.moved(stand.r, at));
+            open.push(all.map(|open| open.moved(stand.r, at)).collect());
+            stands.push(stand);
+            points.push(at);
+        }
+        let (name, kind) = (self.name.clone(), Default::default());
+        Ok(Acted { forces, name, on, wrenches, open, stands, points, fixed: false, kind })
+    }
+
+    /// The power that it puts into the mechanism: Q · q̇.   \[W\]
+    pub fn power(&self) -> Series {
+        let motion = self.forces.motion;
+        let at = |k: usize| -> f64 {
+            let all = self.generalised(k);
+            all.first().map_or(0.0, |by_q| by_q.iter().zip(motion.qd(k)).map(|(q, qd)| q * qd).sum())
+        };
+        let values = (0..motion.len()).map(at).collect();
+        let unit = motion.unit_words().power();
+        Series::new(format!("{}.power", self.name), unit, motion.clock(), values)
+    }
+
+    /// The bodies that it acts on, by their items.
+    fn touched(&self) -> Vec<usize> {
+        let layout = self.forces.system.layout();
+        let mut found = Vec::new();
+        let mut touch = |target: &Target| {
+            let item = match layout.place(target) {
+                Some(Place::Own { first, .. }) => layout.items.iter().rposition(|item| item.first <= first),
+                _ => None,
+            };
+            let is_body = |item: &usize| matches!(layout.items[*item].kind, Kind::Planar | Kind::Spatial);
+            found.extend(item.filter(is_body).filter(|item| !found.contains(item)));
+        };
+        for source in &self.sources {
+            match source {
+                Source::Constraint(block) => {
+                    let block = &self.forces.system.equations().blocks[*block];
+                    block.constraint.arguments().iter().for_each(|argument| touch(&argument.target));
+                }
+                Source::Load(load) => self.forces.loads[*load].1.targets().iter().for_each(&mut touch),
+            }
+        }
+        found
+    }
+
+    /// The point of one constraint on a body: whose it is, and its local position.
+    fn point(&self, target: &Target) -> Option<(Option<usize>, Vec3)> {
+        let [source] = self.sources.as_slice() else { return None };
+        let layout = self.forces.system.layout();
+        let item = |target: &Target| match layout.place(target) {
+            Some(Place::Own { item, .. }) => Some(item),
+            _ => None,
+        };
+        let (arguments, points) = match source {
+            Source::Constraint(block) => {
+                let constraint = &self.forces.system.equations().blocks[*block].constraint;
+                let points = constraint.attachments().into_iter().filter_map(|found| match found.what {
+                    Attached::Point(u) => Some((found.argument, u)),
+                    Attached::Direction(_) => None,
+                });
+                (constraint.arguments(), points.collect::<Vec<_>>())
+            }
+            Source::Load(load) => self.forces.loads[*load].1.points(),
+        };
+        let owner = |(argument, u): &(usize, Vec3)| Some((arguments.get(*argument)?.target, *u));
+        let all: Vec<(Target, Vec3)> = points.iter().filter_map(owner).collect();
+        let own = all.iter().find(|(known, _)| item(known) == item(target));
+        own.or(all.first()).map(|(known, u)| (item(known), *u))
+    }
+
+    /// Generalised forces at time k on all coordinates, and of each vector of the null space.
+    fn generalised(&self, k: usize) -> Vec<Vec<f64>> {
+        let (forces, motion) = (self.forces, self.forces.motion);
+        let (equations, n) = (forces.system.equations(), forces.system.n_coordinates());
+        let multipliers = &forces.multipliers[k];
+        let mut all = vec![vec![0.0; n]; 1 + multipliers.open.len()];
+        for source in &self.sources {
+            match source {
+                Source::Constraint(number) => {
+                    let (block, values) = (&equations.blocks[*number], forces.jacobian(*number, k));
+                    let entries = &equations.entries[block.values()];
+                    let vectors = std::iter::once(&multipliers.lambda).chain(&multipliers.open);
+                    for (by_q, y) in all.iter_mut().zip(vectors) {
+                        for (entry, value) in entries.iter().zip(&values) {
+                            if let Some((row, column)) = entry {
+                                by_q[*column] -= value * y[*row];
+                            }
+                        }
+                    }
+                }
+                Source::Load(load) => {
+                    let (q, qd, qdd) = (motion.q(k), motion.qd(k), motion.qdd(k));
+                    let now = Now { t: motion.times()[k], q, qd, qdd };
+                    forces.loads[*load].1.add(now, &mut all[0]);
+                }
+            }
+        }
+        all
+    }
+}
+
+/// Where a body is; the ground where it always is.
+fn stand(forces: &Forces<'_>, item: Option<usize>, k: usize) -> Stand {
+    Stand::of(item.map_or(&[], |item| columns(forces, item, forces.motion.q(k))))
+}
+
+/// The part of a body in a row of all coordinates.
+fn columns<'q>(forces: &Forces<'_>, item: usize, all: &'q [f64]) -> &'q [f64] {
+    let item = &forces.system.layout().items[item];
+    all.get(item.first..item.first + item.kind.coordinates().len()).unwrap_or_default()
+}
+
+/// Force and torque on a body about its origin; on the ground the opposite of all others, about the global
+/// origin.
+fn wrench(forces: &Forces<'_>, item: Option<usize>, touched: &[usize], k: usize, by_q: &[f64]) -> Wrench {
+    let own = |item: usize| {
+        let q = columns(forces, item, forces.motion.q(k));
+        Wrench::of(q, columns(forces, item, by_q))
+    };
+    match item {
+        Some(item) => own(item),
+        None => {
+            let at_origin = |item: &usize| own(*item).moved(stand(forces, Some(*item), k).r, Vec3::zeros());
+            touched.iter().map(at_origin).fold(Wrench::default(), Wrench::plus).times(-1.0)
+        }
+    }
+}

@@ -1,0 +1,210 @@
+//! Loads: what acts on a mechanism beside weight.
+
+use std::sync::Arc;
+
+use super::{ByLaws, Turning};
+use crate::model::body::{Body, Vector};
+use crate::model::constraint::Constraint;
+use crate::model::coordinates::Target;
+use crate::model::law::Law;
+use crate::model::mechanism::IntoConstraint;
+use crate::numbers::algebra::Vec3;
+
+/// f(x, ẋ, t) along a length or an angle x.
+pub(crate) type ForceAlong = Arc<dyn Fn(f64, f64, f64) -> f64 + Send + Sync>;
+
+/// Something that acts: an energy, a force along a length or an angle, a force and a torque on a body.
+#[derive(Clone)]
+pub struct Load(pub(crate) Acting);
+
+/// Kinds of loads.
+#[derive(Clone)]
+pub(crate) enum Acting {
+    /// Q = −V_qᵀ of an energy V(q, t), the row of a constraint.
+    Potential(Box<dyn Constraint>),
+    /// Q = f(x, ẋ, t) x_qᵀ of a length or an angle x(q, t), the row of a constraint.
+    Along(Box<dyn Constraint>, ForceAlong),
+    /// A force and a torque on a body.
+    OnBody(OnBody),
+    /// Several under one name.
+    Sum(Vec<Load>),
+}
+
+/// A force at a point of a body, and a torque, by laws of time.
+#[derive(Clone)]
+pub(crate) struct OnBody {
+    pub target: Target,
+    /// ū of the point; z is 0 in a plane.
+    pub point: [f64; 3],
+    pub force: [Law; 3],
+    pub torque: [Law; 3],
+    /// True if components are in the body's axes.
+    pub fixed: bool,
+}
+
+impl OnBody {
+    /// One that does nothing yet.
+    pub(crate) fn new<B: Body>(body: B, u: B::Vector, fixed: bool) -> OnBody {
+        let none = || [(); 3].map(|()| Law::constant(0.0));
+        let mut point = [0.0; 3];
+        point.iter_mut().zip(0..B::Vector::NAMES.len()).for_each(|(to, k)| *to = u.component(k));
+        OnBody { target: body.target(), point, force: none(), torque: none(), fixed }
+    }
+}
+
+/// A constraint of one row that is an energy V(q, t), and no equation: its generalised forces are −V_qᵀ.
+///
+/// ```
+/// # use kin::prelude::*;
+/// # use kin::Potential;
+/// /// Energy of a spring, ½ k (l − l0)².      [J]
+/// #[constraint]
+/// fn spring(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, k: f64, free: f64) -> f64 {
+///     let stretch = (i.point(u_i) - j.point(u_j)).norm() - free;
+///     0.5 * k * stretch * stretch
+/// }
+/// impl Potential for spring {}
+///
+/// # fn main() -> kin::Result<()> {
+/// # let mut m = Mechanism::new("door");
+/// # let door = m.link("door", 1.0)?;
+/// m.load("closer", spring(m.ground(), door, vec2(0.0, 0.3), door.end(), 80.0, 0.4))?;
+/// # Ok(())
+/// # }
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no load",
+    label = "a mechanism's loads are energies (those with `impl Potential`) and a `Load`",
+    note = "a constraint is added by `m.add(…)`"
+)]
+pub trait Potential: Constraint + 'static {}
+
+/// Anything that acts: a [`Load`], or an energy.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no load",
+    label = "a mechanism's loads are energies (those with `impl Potential`) and a `Load`",
+    note = "a constraint is added by `m.add(…)`"
+)]
+pub trait IntoLoad {
+    /// The load.
+    #[doc(hidden)]
+    fn into_load(self) -> Load;
+}
+
+impl IntoLoad for Load {
+    fn into_load(self) -> Load {
+        self
+    }
+}
+
+impl<T: Potential> IntoLoad for T {
+    fn into_load(self) -> Load {
+        Load(Acting::Potential(Box::new(self)))
+    }
+}
+
+impl Load {
+    /// A force along a length or an angle x(q, t): `x` is any constraint of one row, whose value it is, and
+    /// f(x, ẋ, t) pushes the way x grows: Q = f x_qᵀ. A force where x is a length, a torque where it is an
+    /// angle.   \[N, N m\]
+    ///
+    /// ```
+    /// # use kin::prelude::*;
+    /// # use kin::Load;
+    /// /// Stretch of a strut.      [m]
+    /// #[constraint]
+    /// fn stretch(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> f64 {
+    ///     (i.point(u_i) - j.point(u_j)).norm()
+    /// }
+    ///
+    /// # fn main() -> kin::Result<()> {
+    /// let mut m = Mechanism::new("door");
+    /// let door = m.link("door", 1.0)?;
+    /// let closer = stretch(m.ground(), door, vec2(0.0, 0.3), door.end());
+    /// m.load("closer", Load::along(closer, |x, rate, _| -80.0 * (x - 0.4) - 12.0 * rate.abs() * rate))?;
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn along(
+        x: impl IntoConstraint,
+        force: impl Fn(f64, f64, f64) -> f64 + Send + Sync + 'static,
+    ) -> Load {
+        Load(Acting::Along(x.into_constraint(), Arc::new(force)))
+    }
+
+    /// A force at the point ū of a body, in global components: a vector, or a law of time for each
+    /// component.   \[N, m\]
+    ///
+    /// ```
+    /// # use kin::prelude::*;
+    /// # use kin::Load;
+    /// # fn main() -> kin::Result<()> {
+    /// # let mut m = Mechanism::new("boom");
+    /// let boom = m.link("boom", 2.0)?;
+    /// m.load("bucket", Load::force(boom, boom.end(), vec2(0.0, -300.0)))?;
+    /// m.load("wind", Load::force(boom, vec2(0.0, 0.1), [Law::sine(20.0, 3.0, 0.0), Law::constant(0.0)]))?;
+    /// m.load("tool", Load::force_in_body(boom, boom.end(), vec2(-50.0, 0.0)))?; // along the boom
+    /// m.load("brake", Load::torque(boom, -2.0))?;
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn force<B: Body>(body: B, u: impl Into<B::Vector>, force: impl ByLaws<B::Vector>) -> Load {
+        let on = OnBody::new(body, u.into(), false);
+        Load(Acting::OnBody(OnBody { force: force.laws(), ..on }))
+    }
+
+    /// The same in the axes of the body, with which the force turns.   \[N, m\]
+    pub fn force_in_body<B: Body>(body: B, u: impl Into<B::Vector>, force: impl ByLaws<B::Vector>) -> Load {
+        let on = OnBody::new(body, u.into(), true);
+        Load(Acting::OnBody(OnBody { force: force.laws(), ..on }))
+    }
+
+    /// A torque on a body: in the plane a number or a law, counter-clockwise positive; in space a vector or
+    /// three laws, in global components.   \[N m\]
+    pub fn torque<B: Body>(body: B, torque: impl ByLaws<<B::Vector as Turning>::Torque>) -> Load
+    where
+        B::Vector: Turning,
+    {
+        let on = OnBody::new(body, B::Vector::vector(Vec3::zeros()), false);
+        Load(Acting::OnBody(OnBody { torque: torque.laws(), ..on }))
+    }
+
+    /// The same in the axes of the body.   \[N m\]
+    pub fn torque_in_body<B: Body>(body: B, torque: impl ByLaws<<B::Vector as Turning>::Torque>) -> Load
+    where
+        B::Vector: Turning,
+    {
+        let on = OnBody::new(body, B::Vector::vector(Vec3::zeros()), true);
+        Load(Acting::OnBody(OnBody { torque: torque.laws(), ..on }))
+    }
+
+    /// Both under one name, such as a spring and the damper in it.
+    #[must_use]
+    pub fn and(self, other: impl IntoLoad) -> Load {
+        let mut all = match self.0 {
+            Acting::Sum(all) => all,
+            one => vec![Load(one)],
+        };
+        all.push(other.into_load());
+        Load(Acting::Sum(all))
+    }
+
+    /// Its parts that are no sums.
+    pub(crate) fn parts<'a>(&'a self, visit: &mut dyn FnMut(&'a Acting)) {
+        match &self.0 {
+            Acting::Sum(all) => all.iter().for_each(|part| part.parts(visit)),
+            one => visit(one),
+        }
+    }
+}
+
+impl std::fmt::Debug for Load {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match &self.0 {
+            Acting::Potential(energy) => write!(f, "Load({})", energy.facts().kind),
+            Acting::Along(x, _) => write!(f, "Load(along {})", x.facts().kind),
+            Acting::OnBody(on) => write!(f, "Load(on {:?})", on.target),
+            Acting::Sum(all) => f.debug_tuple("Load").field(all).finish(),
+        }
+    }
+}

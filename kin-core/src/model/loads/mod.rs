@@ -1,0 +1,32 @@
+//! Masses of bodies, gravity, and what else acts on a mechanism: described here, computed in `forces/`.
+
+mod check;
+mod load;
+mod solid;
+mod turning;
+
+pub(crate) use load::{Acting, OnBody};
+pub use load::{IntoLoad, Load, Potential};
+pub use solid::{Massive, Solid};
+pub use turning::{ByLaws, Turning};
+
+use crate::model::constraint::Constraint;
+
+/// Everything that has mass, and everything that acts.
+#[derive(Clone, Default)]
+pub(crate) struct Loads {
+    /// Bodies by the number of their item in the layout.
+    pub solids: Vec<(usize, Solid)>,
+    /// Points with mass, each with its name: the point as rows of a constraint.
+    pub points: Vec<(String, Box<dyn Constraint>, f64)>,
+    /// Acceleration of gravity; the third component is zero in a plane.
+    pub gravity: [f64; 3],
+    pub loads: Vec<(String, Load)>,
+}
+
+impl Loads {
+    /// True if nothing has mass and nothing acts.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.solids.is_empty() && self.points.is_empty() && self.loads.is_empty()
+    }
+}

@@ -1,0 +1,218 @@
+//! Mass, centre and inertia of a body: by numbers, or of a shape and a density.
+
+use crate::model::body::Body;
+use crate::model::coordinates::{Link, PlanarBody, SpatialBody, SpatialLink};
+use crate::numbers::algebra::{EulerParameters, Mat3, Vec2, Vec3};
+
+/// Mass, centre of mass and inertia of a body. Shapes are made of their sizes and their density, are placed
+/// by [`Solid::at`] and [`Solid::turned`], and are put together by [`Solid::and`] and [`Solid::without`]:
+///
+/// ```
+/// use kin::Solid;
+///
+/// let rod = Solid::bar(0.4, 0.02, 0.01, Solid::STEEL);
+/// let eye = Solid::disc(0.02, 0.01, Solid::STEEL).at((0.2, 0.0, 0.0));
+/// let hole = Solid::disc(0.005, 0.01, Solid::STEEL).at((0.2, 0.0, 0.0));
+/// let whole = rod.and(eye).without(hole);
+/// assert!((whole.mass - (rod.mass + eye.mass - hole.mass)).abs() < 1e-15);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solid {
+    /// m   \[kg\]
+    pub mass: f64,
+    /// c̄, the centre of mass in the body's frame; z does not count in a plane.   \[m\]
+    pub centre: Vec3,
+    /// J, the inertia about the centre of mass in the body's axes, products with the sign of J = ∫ (r² I − r
+    /// rᵀ) dm; in a plane J_zz alone counts.   \[kg m²\]
+    pub inertia: Mat3,
+}
+
+impl Solid {
+    /// Density of steel, in kilogram and metre.   \[kg/m³\]
+    pub const STEEL: f64 = 7850.0;
+    /// Density of aluminium, in kilogram and metre.   \[kg/m³\]
+    pub const ALUMINIUM: f64 = 2700.0;
+
+    /// A box of these sizes along x, y and z, its centre at the origin: J_xx = m (b² + c²)/12.   \[m,
+    /// kg/m³\]
+    pub fn cuboid(a: f64, b: f64, c: f64, density: f64) -> Solid {
+        let mass = density * a * b * c;
+        let share = mass / 12.0;
+        Solid::diagonal(mass, [share * (b * b + c * c), share * (a * a + c * c), share * (a * a + b * b)])
+    }
+
+    /// A bar along x, its centre at the origin, where the frame of a link is: `length` along x, `height`
+    /// along y, `width` along z.   \[m, kg/m³\]
+    pub fn bar(length: f64, height: f64, width: f64, density: f64) -> Solid {
+        Solid::cuboid(length, height, width, density)
+    }
+
+    /// A cylinder along x, its centre at the origin: J_xx = m r²/2, J_yy = J_zz = m (3 r² + l²)/12.   \[m,
+    /// kg/m³\]
+    pub fn cylinder(radius: f64, length: f64, density: f64) -> Solid {
+        let mass = density * std::f64::consts::PI * radius * radius * length;
+        let across = mass * (3.0 * radius * radius + length * length) / 12.0;
+        Solid::diagonal(mass, [0.5 * mass * radius * radius, across, across])
+    }
+
+    /// A disc in the plane, its axis along z, its centre at the origin.   \[m, kg/m³\]
+    pub fn disc(radius: f64, thickness: f64, density: f64) -> Solid {
+        let Solid { mass, inertia, .. } = Solid::cylinder(radius, thickness, density);
+        Solid::diagonal(mass, [inertia.m22, inertia.m22, inertia.m11])
+    }
+
+    /// A ball, its centre at the origin: J = 2/5 m r².   \[m, kg/m³\]
+    pub fn sphere(radius: f64, density: f64) -> Solid {
+        let mass = density * 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3);
+        Solid::diagonal(mass, [0.4 * mass * radius * radius; 3])
+    }
+
+    /// A plate whose outline in the xy-plane has these corners, in order either way round, z = 0 in its
+    /// middle: area, centre and second moments of the polygon by its edges.   \[m, kg/m³\]
+    pub fn plate(corners: &[Vec2], thickness: f64, density: f64) -> Solid {
+        let (mut area, mut first, mut second) = (0.0, [0.0; 2], [0.0; 3]);
+        for (k, a) in corners.iter().enumerate() {
+            let b = corners[(k + 1) % corners.len()];
+            let cross = a.x * b.y - b.x * a.y;
+            area += cross / 2.0;
+            first[0] += cross * (a.x + b.x) / 6.0;
+            first[1] += cross * (a.y + b.y) / 6.0;
+            second[0] += cross * (a.x * a.x + a.x * b.x + b.x * b.x) / 12.0;
+            second[1] += cross * (a.y * a.y + a.y * b.y + b.y * b.y) / 12.0;
+            second[2] += cross * (a.x * b.y + 2.0 * a.x * a.y + 2.0 * b.x * b.y + b.x * a.y) / 24.0;
+        }
+        let per_area = density * thickness * area.signum();
+        let (mass, x, y) = (per_area * area, first[0] / area, first[1] / area);
+        let [xx, yy, xy] = second.map(|moment| per_area * moment);
+        let (xx, yy, xy) = (xx - mass * x * x, yy - mass * y * y, xy - mass * x * y);
+        let thick = mass * thickness * thickness / 12.0;
+        let inertia = Mat3::from([[yy + thick, -xy, 0.0], [-xy, xx + thick, 0.0], [0.0, 0.0, xx + yy]]);
+        Solid { mass, centre: Vec3::new(x, y, 0.0), inertia }
+    }
+
+    fn diagonal(mass: f64, [x, y, z]: [f64; 3]) -> Solid {
+        let inertia = Mat3::from([[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]]);
+        Solid { mass, centre: Vec3::zeros(), inertia }
+    }
+
+    /// The same with its centre at another point of the body.   \[m\]
+    #[must_use]
+    pub fn at(self, centre: impl Into<Vec3>) -> Solid {
+        Solid { centre: centre.into(), ..self }
+    }
+
+    /// The same turned about the body's origin: c̄ → A c̄, J → A J Aᵀ.
+    #[must_use]
+    pub fn turned(self, p: EulerParameters) -> Solid {
+        let a = p.normalize().rotation();
+        Solid { centre: a * self.centre, inertia: a * self.inertia * a.transpose(), ..self }
+    }
+
+    /// Both as one body (parallel axes: J + m (d² I − d dᵀ) of each about the common centre).
+    #[must_use]
+    pub fn and(self, other: Solid) -> Solid {
+        let mass = self.mass + other.mass;
+        let centre = (self.centre * self.mass + other.centre * other.mass) / mass;
+        let inertia = self.about(centre) + other.about(centre);
+        Solid { mass, centre, inertia }
+    }
+
+    /// The same with another one cut out of it.
+    #[must_use]
+    pub fn without(self, hole: Solid) -> Solid {
+        self.and(Solid { mass: -hole.mass, inertia: hole.inertia * -1.0, ..hole })
+    }
+
+    /// J about another point of the body, in the same axes.
+    fn about(self, point: Vec3) -> Mat3 {
+        let d = Mat3::skew(self.centre - point);
+        self.inertia - d * d * self.mass
+    }
+}
+
+/// A body that can have mass; the prelude need not have it.
+pub trait Massive: Body {
+    /// Its inertia about the centre: a number in the plane, a tensor in the body's axes in space.
+    type Inertia;
+
+    /// The numbers as a [`Solid`].
+    #[doc(hidden)]
+    fn solid(mass: f64, centre: Self::Vector, inertia: Self::Inertia) -> Solid;
+}
+
+/// A body in the plane takes a number for its inertia.
+macro_rules! planar {
+    ($($body:ident),*) => {$(
+        impl Massive for $body {
+            type Inertia = f64;
+
+            fn solid(mass: f64, centre: Vec2, inertia: f64) -> Solid {
+                let zero = 0.0;
+                let rows = [[inertia, zero, zero], [zero, inertia, zero], [zero, zero, inertia]];
+                Solid { mass, centre: Vec3::new(centre.x, centre.y, zero), inertia: Mat3::from(rows) }
+            }
+        }
+    )*};
+}
+
+/// A body in space takes a tensor.
+macro_rules! spatial {
+    ($($body:ident),*) => {$(
+        impl Massive for $body {
+            type Inertia = Mat3;
+
+            fn solid(mass: f64, centre: Vec3, inertia: Mat3) -> Solid {
+                Solid { mass, centre, inertia }
+            }
+        }
+    )*};
+}
+
+planar!(PlanarBody, Link);
+spatial!(SpatialBody, SpatialLink);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numbers::algebra::vec2;
+
+    fn near(a: Solid, b: Solid) {
+        let scale = 1.0 + a.mass.abs();
+        assert!((a.mass - b.mass).abs() < 1e-13 * scale, "{a:?} {b:?}");
+        assert!((a.centre - b.centre).norm() < 1e-13, "{a:?} {b:?}");
+        for k in 0..3 {
+            assert!((a.inertia.row(k) - b.inertia.row(k)).norm() < 1e-13 * scale, "{a:?} {b:?}");
+        }
+    }
+
+    #[test]
+    fn a_plate_is_the_box_of_its_outline_either_way_round_and_wherever_it_is() {
+        let corners = [vec2(-1.0, -0.5), vec2(1.0, -0.5), vec2(1.0, 0.5), vec2(-1.0, 0.5)];
+        let cuboid = Solid::cuboid(2.0, 1.0, 0.1, 3.0);
+        near(Solid::plate(&corners, 0.1, 3.0), cuboid);
+        let back: Vec<Vec2> = corners.iter().rev().map(|corner| *corner + vec2(0.3, -0.7)).collect();
+        near(Solid::plate(&back, 0.1, 3.0), cuboid.at((0.3, -0.7, 0.0)));
+    }
+
+    #[test]
+    fn the_products_of_a_plate_are_those_of_its_halves() {
+        let triangle = |a, b, c| Solid::plate(&[a, b, c], 0.2, 5.0);
+        let (a, b, c, d) = (vec2(0.0, 0.0), vec2(3.0, 0.5), vec2(2.0, 2.0), vec2(-1.0, 1.0));
+        near(triangle(a, b, c).and(triangle(a, c, d)), Solid::plate(&[a, b, c, d], 0.2, 5.0));
+    }
+
+    #[test]
+    fn two_halves_make_the_whole_and_what_is_cut_out_is_gone() {
+        let half = Solid::cuboid(1.0, 0.4, 0.3, 2.0);
+        let whole = half.at((-0.5, 0.0, 0.0)).and(half.at((0.5, 0.0, 0.0)));
+        near(whole, Solid::cuboid(2.0, 0.4, 0.3, 2.0));
+        near(whole.without(half.at((0.5, 0.0, 0.0))), half.at((-0.5, 0.0, 0.0)));
+    }
+
+    #[test]
+    fn a_cylinder_turned_by_a_quarter_is_a_disc() {
+        let turn = EulerParameters::from_axis_angle(Vec3::new(0.0, 1.0, 0.0), std::f64::consts::FRAC_PI_2);
+        near(Solid::cylinder(0.2, 0.7, 3.0).turned(turn), Solid::disc(0.2, 0.7, 3.0));
+        assert!((Solid::sphere(1.0, 1.0).mass - 4.0 * std::f64::consts::PI / 3.0).abs() < 1e-14);
+    }
+}

@@ -1,0 +1,114 @@
+//! Forces and torques of the plane and of space under one name, constant or by laws of time.
+
+use crate::model::body::Vector;
+use crate::model::law::Law;
+use crate::numbers::algebra::{Vec2, Vec3};
+
+/// A vector of the plane or of space, and what turns there: a number or a vector.
+pub trait Turning: Vector {
+    /// A number in the plane, a vector in space.
+    type Torque: Copy;
+
+    #[doc(hidden)]
+    fn vector(v: Vec3) -> Self;
+
+    #[doc(hidden)]
+    fn torque(v: Vec3) -> Self::Torque;
+
+    #[doc(hidden)]
+    fn lifted(self) -> Vec3;
+
+    /// Names of the components of force and torque, and which of the six they are.
+    #[doc(hidden)]
+    const COMPONENTS: &'static [(&'static str, usize)];
+}
+
+impl Turning for Vec2 {
+    type Torque = f64;
+
+    fn vector(v: Vec3) -> Vec2 {
+        Vec2::new(v.x, v.y)
+    }
+
+    fn torque(v: Vec3) -> f64 {
+        v.z
+    }
+
+    fn lifted(self) -> Vec3 {
+        Vec3::new(self.x, self.y, 0.0)
+    }
+
+    const COMPONENTS: &'static [(&'static str, usize)] = &[("F_x", 0), ("F_y", 1), ("T", 5)];
+}
+
+impl Turning for Vec3 {
+    type Torque = Vec3;
+
+    fn vector(v: Vec3) -> Vec3 {
+        v
+    }
+
+    fn torque(v: Vec3) -> Vec3 {
+        v
+    }
+
+    fn lifted(self) -> Vec3 {
+        self
+    }
+
+    const COMPONENTS: &'static [(&'static str, usize)] =
+        &[("F_x", 0), ("F_y", 1), ("F_z", 2), ("T_x", 3), ("T_y", 4), ("T_z", 5)];
+}
+
+/// A force or a torque, constant or by laws of time: a vector or as many laws, in the plane a number or a law
+/// as a torque.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no force or torque here",
+    label = "a vector of numbers, or as many laws: `vec2(0.0, -5.0)`, `[Law::constant(0.0), Law::sine(5.0, 2.0, 0.0)]`"
+)]
+pub trait ByLaws<T> {
+    /// Three laws; those that the plane has no place for are zero.
+    #[doc(hidden)]
+    fn laws(self) -> [Law; 3];
+}
+
+fn zero() -> Law {
+    Law::constant(0.0)
+}
+
+impl ByLaws<Vec2> for Vec2 {
+    fn laws(self) -> [Law; 3] {
+        [Law::constant(self.x), Law::constant(self.y), zero()]
+    }
+}
+
+impl ByLaws<Vec2> for [Law; 2] {
+    fn laws(self) -> [Law; 3] {
+        let [x, y] = self;
+        [x, y, zero()]
+    }
+}
+
+impl ByLaws<Vec3> for Vec3 {
+    fn laws(self) -> [Law; 3] {
+        self.to_array().map(Law::constant)
+    }
+}
+
+impl ByLaws<Vec3> for [Law; 3] {
+    fn laws(self) -> [Law; 3] {
+        self
+    }
+}
+
+impl ByLaws<f64> for f64 {
+    fn laws(self) -> [Law; 3] {
+        [zero(), zero(), Law::constant(self)]
+    }
+}
+
+impl ByLaws<f64> for Law {
+    fn laws(self) -> [Law; 3] {
+        [zero(), zero(), self]
+    }
+}

@@ -1,0 +1,29 @@
+//! Forces that no balance decides.
+
+use crate::model::error::Error;
+use crate::model::words;
+
+/// A force that is not unique: redundant constraints share it as their stiffness and their play would have
+/// it, and no number is given for it.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "`{constraint}`: {what} is not unique: {} share it, as their play and stiffness would have it. Ask for a sum \
+     that is unique (`forces.sum([…])`), or take an equation out of one of them",
+    words::list(.shared)
+)]
+#[non_exhaustive]
+pub struct NotUnique {
+    /// The constraint, or the sum of several.
+    pub constraint: String,
+    /// The component, such as `F_z on `door``.
+    pub what: String,
+    /// The constraints that share it.
+    pub shared: Vec<String>,
+}
+
+impl NotUnique {
+    /// The error for one force.
+    pub(crate) fn error(constraint: &str, what: &str, shared: Vec<String>) -> Error {
+        Box::new(NotUnique { constraint: constraint.to_string(), what: what.to_string(), shared }).into()
+    }
+}

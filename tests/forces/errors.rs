@@ -1,0 +1,118 @@
+//! Mistakes with masses and loads are told by name.
+
+use kin::prelude::*;
+use kin::{Load, Mechanism};
+
+fn arm() -> (Mechanism, Link) {
+    let mut m = Mechanism::new("arm");
+    let arm = m.link("arm", 0.5).expect("a link");
+    m.add("O", revolute(m.ground(), arm, vec2(0.0, 0.0), arm.start())).expect("a pin");
+    m.add("motor", drive_angle(arm, Law::ramp(2.0))).expect("a driver");
+    (m, arm)
+}
+
+fn told<T>(result: kin::Result<T>) -> String {
+    result.err().map(|error| error.to_string()).unwrap_or_default()
+}
+
+#[test]
+fn masses_that_no_body_can_have() {
+    let (mut m, arm) = arm();
+    assert_eq!(
+        told(m.mass(arm, 0.0, vec2(0.0, 0.0), 0.1)),
+        "`arm` (mass): the mass is 0; give one above zero"
+    );
+    assert!(told(m.mass(arm, f64::NAN, vec2(0.0, 0.0), 0.1)).contains("the mass is NaN"));
+    assert!(told(m.mass(arm, 1.0, vec2(f64::INFINITY, 0.0), 0.1)).contains("the centre is inf"));
+    assert!(told(m.mass(arm, 1.0, vec2(0.0, 0.0), -0.1)).contains("below zero"));
+    let ground = PlanarBody::from(m.ground());
+    assert!(
+        told(m.mass(ground, 1.0, vec2(0.0, 0.0), 0.1))
+            .starts_with("`ground` (mass): the ground does not move")
+    );
+    let other = Mechanism::new("other").link("arm", 1.0).expect("a link");
+    assert!(told(m.mass(other, 1.0, vec2(0.0, 0.0), 0.1)).contains("is not of the mechanism \"arm\""));
+    let body = m.spatial("plate", SpatialPose::at(vec3(0.0, 0.0, 0.0))).expect("a body");
+    let tensor = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 3.0]];
+    assert!(told(m.mass(body, 1.0, vec3(0.0, 0.0, 0.0), tensor)).contains("more than the sum of the others"));
+}
+
+#[test]
+fn loads_that_make_no_sense() {
+    let (mut m, arm) = arm();
+    let ground = PlanarBody::from(m.ground());
+    assert!(
+        told(m.load("push", Load::force(ground, vec2(0.0, 0.0), vec2(1.0, 0.0)))).contains("on the ground")
+    );
+    assert!(
+        told(m.load("push", Load::force(arm, vec2(f64::NAN, 0.0), vec2(1.0, 0.0))))
+            .contains("its point is NaN")
+    );
+    let push = || Load::force(arm, arm.end(), vec2(1.0, f64::NAN));
+    assert!(told(m.load("push", push())).starts_with("`push` (load)"), "{}", told(m.load("push", push())));
+    let other = Mechanism::new("other").link("arm", 1.0).expect("a link");
+    assert!(told(m.load("push", Load::torque(other, 1.0))).contains("is not of the mechanism \"arm\""));
+    m.load("push", Load::torque(arm, 1.0)).expect("a load");
+    assert!(told(m.load("push", Load::torque(arm, 1.0))).contains("two loads named `push`"));
+    assert!(told(m.load(" ", Load::torque(arm, 1.0))).contains("a load needs a name"));
+    let turn = Load::along(revolute(ground, arm, vec2(0.0, 0.0), arm.start()), |_, _, _| 1.0);
+    assert!(told(m.load("both", turn)).contains("a load acts along one number, this has 2 rows"));
+}
+
+#[test]
+fn gravity_that_is_not_finite_is_told_at_build() {
+    let (mut m, arm) = arm();
+    m.mass(arm, 1.0, vec2(0.0, 0.0), 0.1).expect("a mass");
+    m.gravity(vec2(0.0, f64::NAN));
+    assert!(told(m.build()).contains("`gravity` (acceleration): a component is NaN"));
+}
+
+#[test]
+fn forces_of_nothing_and_names_that_nothing_has() {
+    let (m, _) = arm();
+    let system = m.build().expect("a system");
+    let motion = system.run([0.0, 1.0]).expect("a motion");
+    assert!(told(system.forces(&motion)).contains("nothing has mass and nothing acts"));
+    let (mut m, arm) = self::arm();
+    m.mass(arm, 1.0, vec2(0.0, 0.0), 0.1).expect("a mass");
+    let free = m.planar("weight", pose(1.0, 0.0, 0.0)).expect("a body");
+    m.add("floor", fixed(free, vec2(1.0, 0.0), 0.0)).expect("a joint");
+    let system = m.build().expect("a system");
+    let motion = system.run([0.0, 1.0]).expect("a motion");
+    let forces = system.forces(&motion).expect("forces");
+    assert!(told(forces.reaction("A").map(|_| ())).contains("there is no constraint `A`"));
+    assert!(told(forces.drive("O")).contains("there is no driver `O`"));
+    assert!(told(forces.load("spring").map(|_| ())).contains("there is no load `spring`"));
+    let on = forces.reaction("O").expect("a joint").on(free).map(|_| ());
+    assert_eq!(told(on), "`O` (reaction): it does not act on `weight`; it acts on arm");
+    let acted = forces.reaction("O").expect("a joint").on(arm).expect("its body");
+    assert!(told(acted.component("F_z")).contains("there is no component `F_z`"));
+}
+
+#[test]
+fn a_law_that_is_not_a_number_is_told_with_its_time() {
+    let (mut m, arm) = arm();
+    m.load("push", Load::along(drive_angle(arm, Law::constant(0.0)), |x, _, _| (1.0 - x).sqrt()))
+        .expect("a load");
+    let system = m.build().expect("a system");
+    let motion = system.run([0.0, 1.0]).expect("a motion");
+    let told = told(system.forces(&motion));
+    assert!(told.contains("force of `push`") && told.contains("t = 1 s"), "{told}");
+}
+
+#[test]
+fn units_of_forces_are_told() {
+    let (mut m, arm) = arm();
+    m.units("mm", "s").mass("t");
+    m.mass(arm, 1.0, vec2(100.0, 0.0), 0.1).expect("a mass");
+    m.gravity(vec2(0.0, -9810.0));
+    let system = m.build().expect("a system");
+    let motion = system.run([0.0, 1.0]).expect("a motion");
+    let forces = system.forces(&motion).expect("forces");
+    assert_eq!(forces.drive("motor").expect("a driver").effort().unit(), "N mm");
+    let on = forces.reaction("O").expect("a joint").on(arm).expect("its body");
+    assert_eq!((on.magnitude().expect("unique").unit(), forces.balance().left.unit()), ("N", "N mm/s"));
+    m = Mechanism::new("nameless");
+    m.units("mm", "s").mass(" ");
+    assert!(told(m.build()).contains("a unit of mass needs a name"));
+}

@@ -1,0 +1,10 @@
+//! Forces: reactions, efforts of drives, loads and powers, against references and closed forms.
+
+// Its mechanisms are those of other files.
+#[allow(dead_code)]
+#[path = "../data/mod.rs"]
+mod data;
+mod errors;
+mod file;
+mod newton_euler;
+mod references;

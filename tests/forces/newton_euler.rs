@@ -1,0 +1,212 @@
+//! Newton's and Euler's equations of every body, by vectors: Σ F = m a_c and Σ M = J α + ω × J ω about the
+//! centre, with the accelerations of points and none of what Kin's forces are made by. Faults that are
+//! planted in them have to show.
+
+use kin::prelude::*;
+use kin::{Forces, System};
+
+use super::data::{array, number, numbers, read, rows};
+use super::file::{Bodies, build, list};
+
+/// The mass of a body as a test gives it.
+#[derive(Clone, Copy)]
+pub struct Massed<B> {
+    pub body: B,
+    pub mass: f64,
+    pub centre: Vec3,
+    pub inertia: Mat3,
+}
+
+/// A mistake in the equations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fault {
+    None,
+    InertiaAboutTheOrigin,
+    NoGyroscopicTerm,
+    GravityUpwards,
+    BodiesSwapped,
+    TorqueAboutTheOrigin,
+}
+
+/// Left of all equations at their worst, and the largest force or torque.
+fn left(own: impl Iterator<Item = [Vec3; 2]>, largest: f64) -> f64 {
+    let worst = own
+        .flatten()
+        .map(|left| left.norm())
+        .fold(0.0, |m, x| if x.is_nan() { f64::INFINITY } else { f64::max(m, x) });
+    worst / largest
+}
+
+/// Names of the constraints that act on bodies.
+fn names(system: &System) -> Vec<String> {
+    system.constraint_names().into_iter().filter(|name| !name.ends_with(".p")).map(str::to_string).collect()
+}
+
+/// The largest error of the equations of planar bodies, as a share of the largest force or torque.
+pub fn planar(
+    forces: &Forces<'_>,
+    system: &System,
+    massed: &[Massed<PlanarBody>],
+    g: Vec2,
+    fault: Fault,
+) -> f64 {
+    let (motion, mut all, mut largest) = (forces.motion(), Vec::new(), 0.0_f64);
+    for (k, own) in massed.iter().enumerate() {
+        let masses = if fault == Fault::BodiesSwapped { &massed[(k + 1) % massed.len()] } else { own };
+        let c = vec2(masses.centre.x, masses.centre.y);
+        let about = if fault == Fault::TorqueAboutTheOrigin { vec2(0.0, 0.0) } else { c };
+        let a = motion.point(own.body, c).expect("a point").a().to_vec();
+        let alpha = motion.coordinate(own.body.theta()).expect("an angle").second_rate.values().to_vec();
+        let mut inertia = masses.inertia.m33;
+        if fault == Fault::InertiaAboutTheOrigin {
+            inertia += masses.mass * c.dot(c);
+        }
+        let sign = if fault == Fault::GravityUpwards { -1.0 } else { 1.0 };
+        let mut sums = vec![[Vec3::zeros(); 2]; motion.len()];
+        for name in names(system) {
+            let Ok(acted) = forces.reaction(&name).expect("a constraint").on(own.body) else { continue };
+            add_planar(acted.at(about), &mut sums, &mut largest);
+        }
+        for name in system.load_names() {
+            let Ok(acted) = forces.load(name).expect("a load").on(own.body) else { continue };
+            add_planar(acted.at(about), &mut sums, &mut largest);
+        }
+        all.extend(sums.iter().enumerate().map(|(t, [f, m])| {
+            let due = a[t] * masses.mass - g * (sign * masses.mass);
+            [*f - vec3(due.x, due.y, 0.0), *m - vec3(0.0, 0.0, inertia * alpha[t])]
+        }));
+    }
+    left(all.into_iter(), largest)
+}
+
+fn add_planar(acted: kin::Acted<'_, Vec2>, sums: &mut [[Vec3; 2]], largest: &mut f64) {
+    let (force, torque) = (acted.force().expect("unique"), acted.torque().expect("unique"));
+    for ((sum, f), m) in sums.iter_mut().zip(force).zip(torque) {
+        *largest = largest.max(f.norm()).max(m.abs());
+        sum[0] += vec3(f.x, f.y, 0.0);
+        sum[1] += vec3(0.0, 0.0, m);
+    }
+}
+
+/// The same of spatial bodies.
+pub fn spatial(
+    forces: &Forces<'_>,
+    system: &System,
+    massed: &[Massed<SpatialBody>],
+    g: Vec3,
+    fault: Fault,
+) -> f64 {
+    let (motion, mut all, mut largest) = (forces.motion(), Vec::new(), 0.0_f64);
+    for (k, own) in massed.iter().enumerate() {
+        let masses = if fault == Fault::BodiesSwapped { &massed[(k + 1) % massed.len()] } else { own };
+        let c = masses.centre;
+        let about = if fault == Fault::TorqueAboutTheOrigin { Vec3::zeros() } else { c };
+        let a = motion.point(own.body, c).expect("a point").a().to_vec();
+        let turning = motion.rotation(own.body).expect("a body");
+        let axes = [vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0)];
+        let [o, x, y, z] = [Vec3::zeros(), axes[0], axes[1], axes[2]]
+            .map(|u| motion.point(own.body, u).expect("a point").r().to_vec());
+        let mut inertia = masses.inertia;
+        if fault == Fault::InertiaAboutTheOrigin {
+            inertia -= Mat3::skew(c) * Mat3::skew(c) * masses.mass;
+        }
+        let sign = if fault == Fault::GravityUpwards { -1.0 } else { 1.0 };
+        let mut sums = vec![[Vec3::zeros(); 2]; motion.len()];
+        for name in names(system) {
+            let Ok(acted) = forces.reaction(&name).expect("a constraint").on(own.body) else { continue };
+            add_spatial(acted.at(about), &mut sums, &mut largest);
+        }
+        for name in system.load_names() {
+            let Ok(acted) = forces.load(name).expect("a load").on(own.body) else { continue };
+            add_spatial(acted.at(about), &mut sums, &mut largest);
+        }
+        all.extend(sums.iter().enumerate().map(|(t, [f, m])| {
+            let rotation = Mat3::from_columns([x[t] - o[t], y[t] - o[t], z[t] - o[t]]);
+            let global = rotation * inertia * rotation.transpose();
+            let (omega, alpha) = (turning.omega()[t], turning.alpha()[t]);
+            let mut moment = global * alpha;
+            if fault != Fault::NoGyroscopicTerm {
+                moment += omega.cross(global * omega);
+            }
+            [*f - (a[t] * masses.mass - g * (sign * masses.mass)), *m - moment]
+        }));
+    }
+    left(all.into_iter(), largest)
+}
+
+fn add_spatial(acted: kin::Acted<'_, Vec3>, sums: &mut [[Vec3; 2]], largest: &mut f64) {
+    let (force, torque) = (acted.force().expect("unique"), acted.torque().expect("unique"));
+    for ((sum, f), m) in sums.iter_mut().zip(force).zip(torque) {
+        *largest = largest.max(f.norm()).max(m.norm());
+        sum[0] += f;
+        sum[1] += m;
+    }
+}
+
+const FAULTS: [Fault; 5] = [
+    Fault::InertiaAboutTheOrigin,
+    Fault::NoGyroscopicTerm,
+    Fault::GravityUpwards,
+    Fault::BodiesSwapped,
+    Fault::TorqueAboutTheOrigin,
+];
+
+#[test]
+fn every_body_of_the_files_is_in_balance_and_faults_show() {
+    let mut seen = Vec::new();
+    for name in [
+        "two_link_gravity",
+        "slider_crank_load",
+        "boom_cylinder_spring",
+        "rssr_full_inertia",
+        "gyro_rotor_steady",
+    ] {
+        let file = read(&format!("forces/{name}"));
+        let (mechanism, bodies) = build(&file).expect("a mechanism");
+        let system = mechanism.build().expect("a system");
+        let motion = system.run(numbers(&file, "time")).expect("a motion");
+        let forces = system.forces(&motion).expect("forces");
+        let masses = list(&file, "bodies");
+        let off = |fault: Fault| match &bodies {
+            Bodies::Planar(bodies) => {
+                let moving = bodies.iter().zip(masses).filter(|(_, mass)| mass["mass"].is_number());
+                let massed: Vec<_> = moving
+                    .map(|((_, body), of)| {
+                        let ([x, y], j) = (array(of, "centre"), number(of, "inertia"));
+                        let inertia = Mat3::from([[0.0; 3], [0.0; 3], [0.0, 0.0, j]]);
+                        Massed { body: *body, mass: number(of, "mass"), centre: vec3(x, y, 0.0), inertia }
+                    })
+                    .collect();
+                let [x, y] = array(&file, "gravity");
+                planar(&forces, &system, &massed, vec2(x, y), fault)
+            }
+            Bodies::Spatial(bodies) => {
+                let moving = bodies.iter().zip(masses).filter(|(_, mass)| mass["mass"].is_number());
+                let massed: Vec<_> = moving
+                    .map(|((_, body), of)| {
+                        let inertia: [[f64; 3]; 3] = std::array::from_fn(|k| {
+                            rows(of, "inertia")[k].clone().try_into().expect("three")
+                        });
+                        let centre = Vec3::from(array::<3>(of, "centre"));
+                        Massed { body: *body, mass: number(of, "mass"), centre, inertia: Mat3::from(inertia) }
+                    })
+                    .collect();
+                spatial(&forces, &system, &massed, Vec3::from(array::<3>(&file, "gravity")), fault)
+            }
+        };
+        let right = off(Fault::None);
+        println!("{name}: {right:.1e} of the largest force");
+        assert!(right <= 1e-11, "{name}: {right:e}");
+        for fault in FAULTS {
+            let wrong = off(fault);
+            println!("{name}: {fault:?}: {wrong:.1e}");
+            if wrong > 1e-5 {
+                seen.push(fault);
+            } else {
+                // In the plane nothing is gyroscopic; a centre at the origin has no other moments there.
+                assert!(wrong <= 1e-11, "{name}: {fault:?}: {wrong:e}");
+            }
+        }
+    }
+    assert!(FAULTS.iter().all(|fault| seen.iter().filter(|seen| *seen == fault).count() >= 1), "{seen:?}");
+}
