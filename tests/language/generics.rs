@@ -60,3 +60,30 @@ fn f(a: Coord, table: &'static [f64], mode: &'static str, pair: &'static (f64, f
     let gain = if mode == "fast" { 2.0 } else { 1.0 };
     a.sin() * table[1] * gain - pair.0 * a * pair.1
 } }
+
+/// A table that is borrowed for as long as its type says, with entries of any type.
+#[derive(Clone, Copy)]
+pub struct Table<'a, T> {
+    pub entries: &'a [T],
+    pub scale: T,
+}
+
+static HEIGHTS: [f64; 3] = [0.25, -1.0, 0.5];
+
+twice! { Symbolic types_with_lifetimes_and_types_of_their_own(coord coord (Table { entries: &HEIGHTS, scale: 2.0 })):
+fn f(a: Coord, b: Coord, table: Table<'static, f64>) -> f64 {
+    fn larger<'a>(x: &'a f64, y: &'a f64) -> &'a f64 {
+        if x > y { x } else { y }
+    }
+    struct Pair<'a, T> {
+        first: &'a T,
+        second: &'a T,
+    }
+    impl<'a> Pair<'a, f64> {
+        fn product(&self) -> f64 {
+            self.first * self.second
+        }
+    }
+    let pair = Pair { first: &a, second: &b };
+    pair.product() * table.scale - larger(&a, &b) * table.entries[1] + table.entries[2]
+} }

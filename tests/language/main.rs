@@ -9,6 +9,7 @@ mod corpus;
 mod differences;
 mod effects;
 mod generics;
+mod items;
 mod own;
 mod promises;
 mod refused;
