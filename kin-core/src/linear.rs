@@ -86,7 +86,7 @@ pub(crate) struct Linear {
     /// Bounds of multipliers and other factored numbers.
     bounds: Padded,
     /// True if the recording's weights agree with the present measures.
-    told: bool,
+    weighted: bool,
     /// True if there is nothing to compute and nothing to judge until the measures change: all pivots are
     /// constants.
     settled: bool,
@@ -148,7 +148,7 @@ impl Linear {
             recording: None,
             weights: Padded::default(),
             bounds: Padded::default(),
-            told: false,
+            weighted: false,
             settled: false,
             smallest_constant: f64::INFINITY,
             smallest: 0.0,
@@ -252,8 +252,8 @@ impl Linear {
 
     /// Runs the recorded elimination on the values as written, and looks at what it has computed.
     fn replay(&mut self) {
-        if !self.told {
-            self.tell_watch();
+        if !self.weighted {
+            self.weight_pivots();
         }
         let Some(recording) = &self.recording else { return };
         recording.factor.run(&mut self.memory);
@@ -278,8 +278,8 @@ impl Linear {
     }
 
     /// Tells the watch how pivots are measured.
-    fn tell_watch(&mut self) {
-        self.told = true;
+    fn weight_pivots(&mut self) {
+        self.weighted = true;
         let Some(recording) = &self.recording else { return };
         let unit = |row: u32, column: u32| self.row_units[row as usize] * self.column_units[column as usize];
         let mut weights = recording.weights.clone();
@@ -324,7 +324,7 @@ impl Linear {
     /// pivots.
     fn record(&mut self) -> bool {
         self.recordings += 1;
-        (self.told, self.settled, self.best, self.recording) = (false, false, 0.0, None);
+        (self.weighted, self.settled, self.best, self.recording) = (false, false, 0.0, None);
         let mut memory = std::mem::take(&mut self.memory);
         memory.truncate(self.places.zero as usize + 1);
         let recorded = recorded::record::record(&self.input(), self.places, &mut memory);

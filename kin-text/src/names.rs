@@ -7,24 +7,24 @@ use std::sync::{Mutex, PoisonError};
 /// Bytes of all names together.
 const MOST: usize = 1 << 20;
 
-struct Kept {
+struct Interned {
     names: BTreeSet<&'static str>,
     bytes: usize,
 }
 
-static KEPT: Mutex<Kept> = Mutex::new(Kept { names: BTreeSet::new(), bytes: 0 });
+static INTERNED: Mutex<Interned> = Mutex::new(Interned { names: BTreeSet::new(), bytes: 0 });
 
 /// The name, kept. Errors: names of all texts together have become too many.
-pub fn kept(name: &str) -> Result<&'static str, String> {
-    let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(known) = kept.names.get(name) {
+pub fn interned(name: &str) -> Result<&'static str, String> {
+    let mut interned = INTERNED.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = interned.names.get(name) {
         return Ok(known);
     }
-    if kept.bytes + name.len() > MOST {
+    if interned.bytes + name.len() > MOST {
         return Err(format!("the names in all texts of this program are more than {MOST} bytes"));
     }
-    kept.bytes += name.len();
+    interned.bytes += name.len();
     let name: &'static str = Box::leak(name.into());
-    kept.names.insert(name);
+    interned.names.insert(name);
     Ok(name)
 }

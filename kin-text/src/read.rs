@@ -14,7 +14,7 @@ use syn::{Attribute, Expr, File, Item, ItemFn, Stmt};
 
 use crate::constants;
 use crate::mistake::Mistakes;
-use crate::names::kept;
+use crate::names::interned;
 use crate::signature::Signature;
 use crate::stage::Stage;
 
@@ -156,7 +156,7 @@ fn of_item((said, item): (TokenStream, ItemFn)) -> syn::Result<Read> {
     let laws = lowered.laws_asked();
     let points: Vec<Node> = lowered.attachments.iter().flat_map(|one| one.local.iter().copied()).collect();
     let too_many = |text: String| syn::Error::new(source.name.span(), text);
-    let row_names = lowered.rows.iter().map(|row| kept(&row.name).map_err(too_many));
+    let row_names = lowered.rows.iter().map(|row| interned(&row.name).map_err(too_many));
     let read = Read {
         text: String::new(),
         name: syn::ext::IdentExt::unraw(&source.name).to_string(),
@@ -274,9 +274,10 @@ impl Places<'_> {
 
     fn measures(&self) -> syn::Result<Vec<Measured>> {
         let measures = self.source.measures.iter().map(|measure| {
-            let kept = |text: &str| kept(text).map_err(|why| syn::Error::new(measure.name.span(), why));
+            let interned =
+                |text: &str| interned(text).map_err(|why| syn::Error::new(measure.name.span(), why));
             let name = syn::ext::IdentExt::unraw(&measure.name).to_string();
-            Ok(Measured { name: kept(&name)?, unit: kept(&measure.unit)?, turns: measure.turns })
+            Ok(Measured { name: interned(&name)?, unit: interned(&measure.unit)?, turns: measure.turns })
         });
         measures.collect()
     }

@@ -7,7 +7,7 @@ use kin_language::parse::{Argument, ConstraintFn, Kind, Shape};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::names::kept;
+use crate::names::interned;
 
 /// The bodies and coordinates of a function, and its parameters.
 #[derive(Clone, Debug)]
@@ -49,8 +49,8 @@ impl Signature {
         for argument in &source.arguments {
             let name = syn::ext::IdentExt::unraw(&argument.name).to_string();
             if argument.kind.slots() > 0 {
-                let kept = kept(&name).map_err(|text| syn::Error::new(argument.name.span(), text))?;
-                all.slots.extend((0..argument.kind.slots()).map(|_| (kept, slot(&argument.kind))));
+                let interned = interned(&name).map_err(|text| syn::Error::new(argument.name.span(), text))?;
+                all.slots.extend((0..argument.kind.slots()).map(|_| (interned, slot(&argument.kind))));
                 continue;
             }
             let first = all.numbers.len();

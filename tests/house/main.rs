@@ -5,6 +5,7 @@ mod imports;
 mod limits;
 mod lists;
 mod signatures;
+mod words;
 
 use std::path::{Path, PathBuf};
 

@@ -47,7 +47,7 @@ pub(crate) struct WideLinear<S: Level> {
     /// True if nothing has been measured since the beginning.
     fresh: bool,
     /// True if the weights of pivots agree with the present measures.
-    told: bool,
+    weighted: bool,
     /// One over the smallest constant pivot, and over the smallest of all at the last factoring; the smallest
     /// that this has been.
     inverse_constant: Wide<S>,
@@ -88,7 +88,7 @@ impl<S: Level> WideLinear<S> {
             limits: vec![number(0.0); varying.len()],
             varying,
             fresh: true,
-            told: false,
+            weighted: false,
             inverse_constant: number(0.0),
             inverse: number(f64::INFINITY),
             best: number(f64::INFINITY),
@@ -263,8 +263,8 @@ impl<S: Level> WideLinear<S> {
     /// Runs the recorded elimination; true in the lanes that it fits.
     #[inline(always)]
     fn replay(&mut self) -> Mask<S> {
-        if !self.told {
-            self.tell_watch();
+        if !self.weighted {
+            self.weight_pivots();
         }
         let simd = self.simd;
         run(simd, &self.factor, self.small, &mut self.memory);

@@ -81,10 +81,10 @@ mod tests {
         let a = nalgebra::DMatrix::from_row_slice(4, 2, &[1.0, 2.0, 0.0, 1.0, 1.0, 0.0, 0.5, -1.0]);
         let b = nalgebra::DVector::from_vec(vec![1.0, -1.0, 2.0, 0.25]);
         let places: Vec<_> = (0..8).map(|k| Some((k / 2, k % 2))).collect();
-        let mut tall = LeastSquares::new(4, 2, &places);
+        let mut least_squares = LeastSquares::new(4, 2, &places);
         for damping in [0.0, 0.5] {
-            assert!(tall.factor((0..8).map(|k| a[(k / 2, k % 2)]), damping));
-            let x = nalgebra::DVector::from_column_slice(tall.solve(b.iter().copied()));
+            assert!(least_squares.factor((0..8).map(|k| a[(k / 2, k % 2)]), damping));
+            let x = nalgebra::DVector::from_column_slice(least_squares.solve(b.iter().copied()));
             let normal = (a.transpose() * &a + nalgebra::DMatrix::identity(2, 2) * damping)
                 .lu()
                 .solve(&(a.transpose() * &b))

@@ -99,6 +99,6 @@ impl Linear {
             }
         }
         self.faint = self.tops.iter().any(|top| *top <= RANK);
-        (self.told, self.settled) = (false, false);
+        (self.weighted, self.settled) = (false, false);
     }
 }

@@ -164,7 +164,7 @@ impl Units {
 
     /// A unit that a constraint tells in metres and seconds (`m`, `m/s`, `1/m`), in these words; other words
     /// stay.
-    pub(crate) fn told(&self, unit: &str) -> String {
+    pub(crate) fn in_own_words(&self, unit: &str) -> String {
         let word = |word: &str| match word {
             "m" => self.length().to_string(),
             "s" => self.time().to_string(),
@@ -220,7 +220,7 @@ mod tests {
     fn a_constraint_that_tells_metres_is_read_in_the_words_of_the_mechanism() {
         let units = Units::new("mm", "min");
         assert_eq!(
-            ["m", "rad", "m/s^2", "1/m", "m^2", "-", "", "mol"].map(|unit| units.told(unit)),
+            ["m", "rad", "m/s^2", "1/m", "m^2", "-", "", "mol"].map(|unit| units.in_own_words(unit)),
             ["mm", "rad", "mm/min^2", "1/mm", "mm^2", "-", "", "mol"]
         );
     }

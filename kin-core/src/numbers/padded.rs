@@ -12,24 +12,24 @@ pub(crate) type Quad = [f64; 4];
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Padded {
     n: usize,
-    fours: Vec<Quad>,
+    quads: Vec<Quad>,
 }
 
 impl Padded {
     /// n times x.
     pub(crate) fn new(n: usize, x: f64) -> Self {
-        let mut all = Padded { n, fours: vec![[0.0; 4]; n.div_ceil(4)] };
+        let mut all = Padded { n, quads: vec![[0.0; 4]; n.div_ceil(4)] };
         all.fill(x);
         all
     }
 
     /// All of them, with the zeros at the end.
     pub(crate) fn whole(&self) -> &[Quad] {
-        &self.fours
+        &self.quads
     }
 
     pub(crate) fn whole_mut(&mut self) -> &mut [Quad] {
-        &mut self.fours
+        &mut self.quads
     }
 }
 
@@ -45,13 +45,13 @@ impl Deref for Padded {
     type Target = [f64];
 
     fn deref(&self) -> &[f64] {
-        &self.fours.as_flattened()[..self.n]
+        &self.quads.as_flattened()[..self.n]
     }
 }
 
 impl DerefMut for Padded {
     fn deref_mut(&mut self) -> &mut [f64] {
-        &mut self.fours.as_flattened_mut()[..self.n]
+        &mut self.quads.as_flattened_mut()[..self.n]
     }
 }
 

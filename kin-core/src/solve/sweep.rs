@@ -286,16 +286,17 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
     fn motions<S: Level>(
         &self,
         lockstep: &mut Lockstep<'_, S>,
-        crew: &LaneSystems<'_>,
+        batch: &LaneSystems<'_>,
         wanted: Mask<S>,
         count: usize,
     ) -> Vec<Option<Motion>> {
         let mut motions: Vec<Motion> =
-            crew.systems.iter().take(count).map(|system| Motion::new(system, self.times.len())).collect();
+            batch.systems.iter().take(count).map(|system| Motion::new(system, self.times.len())).collect();
         let mut active = wanted;
         for (k, &t) in self.times.iter().enumerate() {
             let before = active;
-            active = if k == 0 { lockstep.first(crew, active, t) } else { lockstep.advance(crew, active, t) };
+            active =
+                if k == 0 { lockstep.first(batch, active, t) } else { lockstep.advance(batch, active, t) };
             if !active.any() {
                 break;
             }
@@ -310,7 +311,7 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
         lockstep.complete(self.times, &mut motions);
         let done = |lane: usize, motion: &Motion| {
             active.lane(lane)
-                && crew.systems[lane].all_meant((0..motion.len()).map(|k| (motion.times()[k], motion.q(k))))
+                && batch.systems[lane].all_meant((0..motion.len()).map(|k| (motion.times()[k], motion.q(k))))
         };
         motions.into_iter().enumerate().map(|(lane, motion)| done(lane, &motion).then_some(motion)).collect()
     }

@@ -95,7 +95,7 @@ struct Straight {
     /// Where what its rows come to stands among the numbers of the time, and whether the constraint writes it
     /// there itself.
     sides: usize,
-    told: bool,
+    by_constraint: bool,
 }
 
 impl Equations {
@@ -156,7 +156,7 @@ impl Equations {
         self.asked
             .linear
             .iter()
-            .filter(|linear| !linear.told)
+            .filter(|linear| !linear.by_constraint)
             .for_each(|linear| self.ask_sides(*linear, t, instant));
         instant.t = t;
     }

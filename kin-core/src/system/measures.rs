@@ -9,7 +9,7 @@ use crate::model::error::Error;
 pub(crate) struct MeasurePlace {
     pub block: usize,
     pub number: usize,
-    pub told: Measured,
+    pub measured: Measured,
 }
 
 impl System {
@@ -29,7 +29,7 @@ impl System {
         let (block, (_, constraint)) =
             self.constraints().enumerate().find(|(_, (known, _))| *known == joint)?;
         let number = constraint.facts().measures.iter().position(|known| known.name == measure)?;
-        Some(MeasurePlace { block, number, told: constraint.facts().measures[number] })
+        Some(MeasurePlace { block, number, measured: constraint.facts().measures[number] })
     }
 
     /// The error for a name that no measure has: what can be asked of that joint, or of all.

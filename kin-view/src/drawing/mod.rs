@@ -67,7 +67,7 @@ pub(crate) struct Line {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LineKind {
-    Told,
+    Outline,
     /// Between two points that a constraint holds at a distance.
     Rod,
     /// The thick end of a rod whose length changes.
@@ -252,7 +252,7 @@ impl Drawing {
                 self.mark(&samples, name, (track, local), still[track]);
             }
         }
-        let told = self.lines.iter().filter(|line| line.kind == LineKind::Told);
+        let told = self.lines.iter().filter(|line| line.kind == LineKind::Outline);
         let mut ends: Vec<(bool, String, (usize, Vec3))> = Vec::new();
         for line in told {
             let last = line.points.len().saturating_sub(1);
@@ -352,7 +352,7 @@ fn moving_lines(scene: &Scene, tracks: &mut Vec<Track>, times: usize) -> Vec<Lin
             name: line.name.clone(),
             points: points.collect(),
             color: PALETTE[k % PALETTE.len()].to_string(),
-            kind: LineKind::Told,
+            kind: LineKind::Outline,
         }
     });
     lines.collect()

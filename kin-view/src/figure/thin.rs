@@ -17,16 +17,16 @@ pub fn thinned(points: &[Vec2]) -> Vec<Vec2> {
     };
     let (width, height) = (extent(|p| p.x), extent(|p| p.y));
     let unit: Vec<Vec2> = points.iter().map(|p| vec2(0.5 * p.x / width, 0.5 * p.y / height)).collect();
-    let kept = kept(&unit, INVISIBLE);
-    kept.into_iter().map(|k| points[k]).collect()
+    let visible = visible(&unit, INVISIBLE);
+    visible.into_iter().map(|k| points[k]).collect()
 }
 
 /// The same with equal axes, where `invisible` is a length.
 pub fn thinned_path(points: &[Vec2], invisible: f64) -> Vec<Vec2> {
-    kept(points, invisible).into_iter().map(|k| points[k]).collect()
+    visible(points, invisible).into_iter().map(|k| points[k]).collect()
 }
 
-fn kept(points: &[Vec2], invisible: f64) -> Vec<usize> {
+fn visible(points: &[Vec2], invisible: f64) -> Vec<usize> {
     let mut keep = vec![false; points.len()];
     let mut spans = vec![(0, points.len().saturating_sub(1))];
     while let Some((first, last)) = spans.pop().filter(|_| !points.is_empty()) {

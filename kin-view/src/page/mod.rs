@@ -220,7 +220,7 @@ fn style(style: Style) -> &'static str {
 
 fn line_style(kind: LineKind) -> &'static str {
     match kind {
-        LineKind::Told | LineKind::Rod => "rod",
+        LineKind::Outline | LineKind::Rod => "rod",
         LineKind::Barrel => "barrel",
     }
 }

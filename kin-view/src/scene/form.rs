@@ -53,35 +53,36 @@ impl Form {
         if !constraint.arguments().first().is_some_and(planar) {
             return None;
         }
-        let told = Told::by(constraint);
-        let radii = || Some([told.number("r_i")?, told.number("r_j")?]);
+        let numbers = Numbers::by(constraint);
+        let radii = || Some([numbers.number("r_i")?, numbers.number("r_j")?]);
         Some(match constraint.facts().kind {
-            "gear" => Form::Gears { radii: radii()?, phase: told.number("phase")?, ring: false },
-            "internal_gear" => Form::Gears { radii: radii()?, phase: told.number("phase")?, ring: true },
+            "gear" => Form::Gears { radii: radii()?, phase: numbers.number("phase")?, ring: false },
+            "internal_gear" => Form::Gears { radii: radii()?, phase: numbers.number("phase")?, ring: true },
             "belt" => Form::Belt { radii: radii()? },
-            "rack_and_pinion" => told.rolling(true)?,
-            "rolling" => told.rolling(false)?,
+            "rack_and_pinion" => numbers.rolling(true)?,
+            "rolling" => numbers.rolling(false)?,
             "cam_knife_edge" => Form::Cam { edge: edge(&law(constraint, "profile")?)?, touch: Touch::Edge },
             "cam_roller" => {
-                let touch = Touch::Roller { centre: told.point("centre")?, radius: told.number("radius")? };
+                let touch =
+                    Touch::Roller { centre: numbers.point("centre")?, radius: numbers.number("radius")? };
                 Form::Cam { edge: edge(&law(constraint, "profile")?)?, touch }
             }
-            "cam_flat_face" => told.flat_face(&law(constraint, "support")?)?,
+            "cam_flat_face" => numbers.flat_face(&law(constraint, "support")?)?,
             _ => return None,
         })
     }
 }
 
 /// The numbers of a constraint by their names.
-struct Told(HashMap<String, f64>);
+struct Numbers(HashMap<String, f64>);
 
-impl Told {
-    fn by(constraint: &dyn Constraint) -> Told {
+impl Numbers {
+    fn by(constraint: &dyn Constraint) -> Numbers {
         let mut all = HashMap::new();
         constraint.parameters(&mut |name, value| {
             all.insert(name.to_string(), value);
         });
-        Told(all)
+        Numbers(all)
     }
 
     fn number(&self, name: &str) -> Option<f64> {

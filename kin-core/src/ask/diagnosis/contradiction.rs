@@ -100,7 +100,7 @@ impl Search<'_> {
     fn polished(&self, found: &Found) -> Vec<f64> {
         const STEPS: usize = 40;
         let (model, Measures { sizes, norms, .. }) = (&self.model, &found.measures);
-        let mut tall = LeastSquares::new(model.m(), model.n(), &model.equations.entries);
+        let mut least_squares = LeastSquares::new(model.m(), model.n(), &model.equations.entries);
         let size = |point: &Point| point.c.iter().zip(norms).map(|(c, norm)| (c / norm).powi(2)).sum::<f64>();
         let (mut q, mut point) = (found.place.q.clone(), found.place.point.clone());
         for _ in 0..STEPS {
@@ -114,10 +114,10 @@ impl Search<'_> {
                 .zip(&point.values)
                 .map(|(entry, value)| scale(entry) * value)
                 .collect();
-            if !tall.factor(values.iter().copied(), 1e-20) {
+            if !least_squares.factor(values.iter().copied(), 1e-20) {
                 break;
             }
-            let y = tall.solve(point.c.iter().zip(norms).map(|(c, norm)| -c / norm));
+            let y = least_squares.solve(point.c.iter().zip(norms).map(|(c, norm)| -c / norm));
             let next: Vec<f64> = q.iter().zip(y).zip(sizes).map(|((q, y), size)| q + y * size).collect();
             match model.linearize(&next, self.t) {
                 Ok(lower) if size(&lower) < 0.9 * size(&point) => (q, point) = (next, lower),

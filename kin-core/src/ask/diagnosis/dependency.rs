@@ -119,14 +119,14 @@ impl Rates {
 fn velocities(examined: &Examined<'_>, c_t: &[f64]) -> Option<Vec<f64>> {
     let (model, measures, q, t) = (examined.model(), examined.measures(), examined.q, examined.t);
     let point = model.linearize(q, t).ok()?;
-    let mut tall = LeastSquares::new(model.m(), model.n(), &model.equations.entries);
+    let mut least_squares = LeastSquares::new(model.m(), model.n(), &model.equations.entries);
     let scale = |entry: &Option<(usize, usize)>| {
         entry.map_or(0.0, |(row, column)| measures.sizes[column] / measures.norms[row])
     };
     let values = model.equations.entries.iter().zip(&point.values).map(|(entry, value)| scale(entry) * value);
-    if !tall.factor(values, 0.0) {
+    if !least_squares.factor(values, 0.0) {
         return None;
     }
-    let y = tall.solve(c_t.iter().zip(&measures.norms).map(|(c_t, norm)| -c_t / norm));
+    let y = least_squares.solve(c_t.iter().zip(&measures.norms).map(|(c_t, norm)| -c_t / norm));
     Some(y.iter().zip(&measures.sizes).map(|(y, size)| y * size).collect())
 }

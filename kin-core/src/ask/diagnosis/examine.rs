@@ -42,11 +42,11 @@ pub(crate) fn diagnose(
         None => here,
     };
     Ok(Examined { walk, q, t, here, nearby: nearby.as_ref(), gaps: &place.gaps, cures: &place.cures }
-        .told(full))
+        .diagnosis(full))
 }
 
 impl Examined<'_> {
-    fn told(&self, full: bool) -> Diagnosis {
+    fn diagnosis(&self, full: bool) -> Diagnosis {
         let model = self.model();
         let dependencies = dependency::all(self);
         let gaps = self.lasting(&dependencies);

@@ -37,7 +37,7 @@ pub(super) struct Walk<'a> {
 
 /// Which equations are kept, and whether time goes on.
 #[derive(Clone, Copy, PartialEq)]
-enum Kept {
+enum Rows {
     /// All equations, and time goes on.
     AllInTime,
     /// All equations, while time stands still.
@@ -55,27 +55,27 @@ impl Walk<'_> {
     /// joints alone are kept.
     pub(super) fn nearby(&self, q: &[f64], t: f64, poses: usize, orders: &Orders) -> Option<Nearby> {
         let in_time =
-            if self.open.is_empty() { self.highest(q, t, Kept::AllInTime, poses, orders) } else { None };
+            if self.open.is_empty() { self.highest(q, t, Rows::AllInTime, poses, orders) } else { None };
         let full = self.model.n().min(self.model.m());
         if in_time.as_ref().is_some_and(|found| found.ranked.rank == full) {
             return in_time;
         }
         // A walk that keeps all equations may not leave a singular position: a motor in a dead centre stands
         // still.
-        let joints = self.highest(q, t, Kept::Joints, poses, orders);
+        let joints = self.highest(q, t, Rows::Joints, poses, orders);
         match (in_time, joints) {
             (Some(a), Some(b)) => Some(if b.ranked.rank > a.ranked.rank { b } else { a }),
             (a, b) => a.or(b),
         }
     }
 
-    fn highest(&self, q: &[f64], t: f64, kept: Kept, poses: usize, orders: &Orders) -> Option<Nearby> {
+    fn highest(&self, q: &[f64], t: f64, rows_kept: Rows, poses: usize, orders: &Orders) -> Option<Nearby> {
         let mut best: Option<Nearby> = None;
         for seed in 0..poses as u64 {
             let mut random = Random::new(1 + seed);
             let tried = REACH.iter().find_map(|reach| {
-                let v = self.tangent(q, t, kept, &mut random)?;
-                self.step((q, t), &v, *reach, kept)
+                let v = self.tangent(q, t, rows_kept, &mut random)?;
+                self.step((q, t), &v, *reach, rows_kept)
             });
             let Some((q, t)) = tried else { continue };
             let Ok(point) = self.model.linearize(&q, t) else { continue };
@@ -97,17 +97,17 @@ impl Walk<'_> {
         if self.open.is_empty() { RANK } else { OPEN }
     }
 
-    fn keeps(&self, kept: Kept, row: usize) -> bool {
-        (kept != Kept::Joints || !self.model.drives(row)) && !self.without.contains(&row)
+    fn keeps(&self, rows_kept: Rows, row: usize) -> bool {
+        (rows_kept != Rows::Joints || !self.model.drives(row)) && !self.without.contains(&row)
     }
 
     /// A random direction in which nothing changes to first order, the largest share 1; `None` where only
     /// time could go on.
-    fn tangent(&self, q: &[f64], t: f64, kept: Kept, random: &mut Random) -> Option<Vec<f64>> {
+    fn tangent(&self, q: &[f64], t: f64, rows_kept: Rows, random: &mut Random) -> Option<Vec<f64>> {
         let Walk { model, measures, .. } = *self;
-        let (n, time_is_free) = (model.n(), kept == Kept::AllInTime);
+        let (n, time_is_free) = (model.n(), rows_kept == Rows::AllInTime);
         let point = model.linearize(q, t).ok()?;
-        let mut rows: Vec<Sparse> = model.scaled(&point.values, measures, &|row| self.keeps(kept, row));
+        let mut rows: Vec<Sparse> = model.scaled(&point.values, measures, &|row| self.keeps(rows_kept, row));
         if time_is_free {
             let c_t = model.c_t(q, t).ok()?;
             rows.iter_mut()
@@ -126,26 +126,26 @@ impl Walk<'_> {
 
     /// True if the mechanism can move along v (shares of the coordinates' sizes) while time stands still.
     pub(super) fn moves(&self, q: &[f64], t: f64, v: &[f64]) -> bool {
-        REACH.iter().any(|reach| self.step((q, t), v, *reach, Kept::All).is_some())
+        REACH.iter().any(|reach| self.step((q, t), v, *reach, Rows::All).is_some())
     }
 
     /// Where the joints alone, drivers let go, can move to along v.
     pub(super) fn beside(&self, q: &[f64], t: f64, v: &[f64]) -> Option<Vec<f64>> {
         let v: Vec<f64> = v.iter().copied().chain([0.0]).collect();
-        REACH.iter().find_map(|reach| self.step((q, t), &v, *reach, Kept::Joints)).map(|(q, _)| q)
+        REACH.iter().find_map(|reach| self.step((q, t), &v, *reach, Rows::Joints)).map(|(q, _)| q)
     }
 
     /// A step along v and back onto C = 0; `None` where that leads back, or nowhere.
-    fn step(&self, (q, t): (&[f64], f64), v: &[f64], reach: f64, kept: Kept) -> Option<(Vec<f64>, f64)> {
+    fn step(&self, (q, t): (&[f64], f64), v: &[f64], reach: f64, rows_kept: Rows) -> Option<(Vec<f64>, f64)> {
         let Walk { model, measures, .. } = *self;
-        let (n, time_is_free) = (model.n(), kept == Kept::AllInTime);
+        let (n, time_is_free) = (model.n(), rows_kept == Rows::AllInTime);
         let mut moved: Vec<f64> =
             q.iter().zip(v).zip(&measures.sizes).map(|((q, v), size)| q + reach * v * size).collect();
-        let open: Vec<usize> = self.open.iter().copied().filter(|row| self.keeps(kept, *row)).collect();
+        let open: Vec<usize> = self.open.iter().copied().filter(|row| self.keeps(rows_kept, *row)).collect();
         if !open.is_empty() {
-            moved = nearest(model, measures, &moved, t, &|row| self.keeps(kept, row), &open, self.steps);
+            moved = nearest(model, measures, &moved, t, &|row| self.keeps(rows_kept, row), &open, self.steps);
         }
-        let active = |row: usize| self.keeps(kept, row) && !self.open.contains(&row);
+        let active = |row: usize| self.keeps(rows_kept, row) && !self.open.contains(&row);
         let mut squares = LevenbergMarquardt::new(*model, measures, Vec::new(), time_is_free);
         (0..model.m()).filter(|row| !active(*row)).for_each(|row| squares.weights[row] = 0.0);
         let from =

@@ -134,7 +134,7 @@ mod tests {
     }
 
     /// Value and time.
-    fn told(extreme: Extreme) -> (f64, f64) {
+    fn value_and_time(extreme: Extreme) -> (f64, f64) {
         (extreme.value, extreme.t)
     }
 
@@ -144,13 +144,22 @@ mod tests {
         let found =
             extremes(&[(1.0, 2.0), (2.0, -3.0), (3.0, 2.0), (4.0, -3.0)], [(0.0, 0.5), (5.0, 0.0)], false);
         assert_eq!(
-            (told(found.max()), told(found.min()), found.stroke(), found.name(), found.unit()),
+            (
+                value_and_time(found.max()),
+                value_and_time(found.min()),
+                found.stroke(),
+                found.name(),
+                found.unit()
+            ),
             ((2.0, 1.0), (-3.0, 2.0), 5.0, "slide", "m")
         );
         let ends = extremes(&[(1.0, 2.0), (2.0, -3.0)], [(0.0, 2.0), (5.0, -3.0)], false);
-        assert_eq!((told(ends.max()), told(ends.min())), ((2.0, 0.0), (-3.0, 2.0)));
+        assert_eq!((value_and_time(ends.max()), value_and_time(ends.min())), ((2.0, 0.0), (-3.0, 2.0)));
         let ends = extremes(&[(1.0, 2.0), (2.0, -3.0)], [(0.0, -4.0), (5.0, 3.0)], false);
-        assert_eq!((told(ends.max()), told(ends.min()), ends.stroke()), ((3.0, 5.0), (-4.0, 0.0), 7.0));
+        assert_eq!(
+            (value_and_time(ends.max()), value_and_time(ends.min()), ends.stroke()),
+            ((3.0, 5.0), (-4.0, 0.0), 7.0)
+        );
     }
 
     /// Whichever stroke comes first, forwards and backwards, and wherever time begins.

@@ -38,7 +38,7 @@ fn quantity(system: &System, motion: &Motion, name: &str, place: MeasurePlace) -
     let mut last: Option<(f64, [f64; 4])> = None;
     for (k, &t) in motion.times().iter().enumerate() {
         let mut x = equations.measure(block, place.number, t, motion.orders(k, 0..system.n_coordinates()));
-        if let (true, Some((before, from))) = (place.told.turns, last) {
+        if let (true, Some((before, from))) = (place.measured.turns, last) {
             x[0] += TAU * ((continued(from, x, t - before) - x[0]) / TAU).round();
         }
         if let Some(value) = x.iter().find(|x| !x.is_finite()) {
@@ -53,7 +53,7 @@ fn quantity(system: &System, motion: &Motion, name: &str, place: MeasurePlace) -
         let known = if motion.has_jerk() { 4 } else { 3 };
         orders.iter_mut().zip(x).take(known).for_each(|(order, x)| order.push(x));
     }
-    Ok(Quantity::new(name, &motion.unit_words().told(place.told.unit), motion.clock(), orders))
+    Ok(Quantity::new(name, &motion.unit_words().in_own_words(place.measured.unit), motion.clock(), orders))
 }
 
 /// x a step h later, from the rates at both ends.

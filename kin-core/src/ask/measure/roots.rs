@@ -83,7 +83,7 @@ impl<'a, M: Measure> Search<'a, M> {
             match last {
                 Some((before, from)) if from.f.signum() != end.f.signum() => match k - before {
                     1 | 2 => roots.push(self.root(from, end)?),
-                    _ => roots.push(self.told(
+                    _ => roots.push(self.found_at(
                         self.on_grid(before + 1).t,
                         from,
                         self.grid.value.values()[before + 1],
@@ -152,15 +152,15 @@ impl<'a, M: Measure> Search<'a, M> {
             let inside = (newton - low) * (newton - high) <= 0.0;
             let next = if inside { newton } else { 0.5 * (low + high) };
             if here.f == 0.0 || (next - t).abs() <= near {
-                return Ok(self.told(t, from, x[0]));
+                return Ok(self.found_at(t, from, x[0]));
             }
             t = next;
         }
-        Ok(self.told(t, from, self.between(t)?[0]))
+        Ok(self.found_at(t, from, self.between(t)?[0]))
     }
 
     /// A zero at time t, where `from` lies before it in the order of the motion.
-    fn told(&self, t: f64, from: End, x: f64) -> Root {
+    fn found_at(&self, t: f64, from: End, x: f64) -> Root {
         Root { t, x, rises: from.f.is_sign_negative() == (t - from.t).is_sign_positive() }
     }
 }

@@ -177,14 +177,14 @@ mod tests {
     }
 
     #[kin_macros::constraint]
-    fn squares(x: Coord, y: Coord) -> [f64; 2] {
+    fn parabolas(x: Coord, y: Coord) -> [f64; 2] {
         [x * x - 1.0, 3.0 * y * y]
     }
 
     fn around(q: [f64; 2], c: [f64; 2], sizes: [f64; 2]) -> Result<Around, Fault> {
         let mut m = Mechanism::new("squares");
         let [x, y] = ["x", "y"].map(|name| m.length(name, 1.0).unwrap());
-        m.add("squares", squares(x, y)).unwrap();
+        m.add("squares", parabolas(x, y)).unwrap();
         let system = m.build().unwrap();
         let bounds = Bounds::new(&system).unwrap();
         let (boxes, c) = (q.map(Interval::from), c.map(Interval::from));

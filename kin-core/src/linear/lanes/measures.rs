@@ -81,7 +81,7 @@ impl<S: Level> WideLinear<S> {
             let (i, j) = (i as usize, j as usize);
             *limit = slack * self.norms[i] * self.tops[j].min(one) / self.sizes[j];
         }
-        self.told = false;
+        self.weighted = false;
     }
 
     /// The lanes in which all values are finite.
@@ -94,8 +94,8 @@ impl<S: Level> WideLinear<S> {
     /// Tells the watch how pivots are measured.
     #[cold]
     #[inline(never)]
-    pub(super) fn tell_watch(&mut self) {
-        self.told = true;
+    pub(super) fn weight_pivots(&mut self) {
+        self.weighted = true;
         let simd = self.simd;
         simd.vectorize(Weighted(self));
     }

@@ -102,6 +102,6 @@ impl<S: Level> WideLinear<S> {
         {
             self.memory[*place as usize] = none;
         }
-        (self.told, self.best) = (false, Wide::splat(self.simd, f64::INFINITY));
+        (self.weighted, self.best) = (false, Wide::splat(self.simd, f64::INFINITY));
     }
 }

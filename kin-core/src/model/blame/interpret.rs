@@ -20,7 +20,7 @@ impl Table {
             let run =
                 Run { table: self, formula, jets: evaluate(&formula.graph, &[row], &source), parameters };
             let (node, part) = run.origin(row, part)?;
-            Some(run.told(node, part))
+            Some(run.blame_at(node, part))
         })
     }
 }
@@ -57,7 +57,7 @@ impl Run<'_> {
             .numbers_behind(node, |condition| self.jets.condition(condition).unwrap_or_default())
     }
 
-    fn told(&self, node: Node, part: Part) -> Blame {
+    fn blame_at(&self, node: Node, part: Part) -> Blame {
         let expression = self.formula.expression(node);
         let name = match self.formula.graph.op(node) {
             Op::Input(kin_graph::Input::Parameter(k)) => self.formula.parameters.get(k).map(String::as_str),

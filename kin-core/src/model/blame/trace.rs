@@ -33,11 +33,11 @@ pub fn blame<E: Equation<N, M>, const N: usize, const M: usize>(
             let t = Real(Traced::input(asked.t, direction.time, TIME));
             equation.evaluate(&seeded, t).get(asked.row).map(|row| row.0)
         });
-        fault.map(|fault| told(equation, &fault, body, N))
+        fault.map(|fault| blame_of(equation, &fault, body, N))
     })
 }
 
-fn told(constraint: &dyn Constraint, fault: &Fault, body: Body, columns: usize) -> Blame {
+fn blame_of(constraint: &dyn Constraint, fault: &Fault, body: Body, columns: usize) -> Blame {
     let expression = fault.expression.and_then(|k| body.expressions.get(k));
     let behind = |bit: u32| fault.inputs & (1 << bit) != 0;
     let coordinates = (0..columns).filter(|&k| behind((k as u32).min(TIME))).map(Input::Column);

@@ -127,7 +127,7 @@ macro_rules! scalar {
 
             #[inline]
             fn length<const N: usize>(components: [Self; N]) -> Self {
-                squares(components).sqrt()
+                sum_of_squares(components).sqrt()
             }
         }
     };
@@ -138,7 +138,7 @@ scalar!([D: Dual] Real<D>, Real::value);
 
 /// Σ x², in the order of the components.
 #[inline]
-fn squares<T: Scalar, const N: usize>(components: [T; N]) -> T {
+fn sum_of_squares<T: Scalar, const N: usize>(components: [T; N]) -> T {
     components.into_iter().map(|x| x * x).reduce(|a, b| a + b).unwrap_or_default()
 }
 

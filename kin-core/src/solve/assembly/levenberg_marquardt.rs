@@ -41,7 +41,7 @@ pub(crate) struct LevenbergMarquardt<'a> {
     /// Coordinates that are held softly: (column, value, h).
     pub holds: Vec<(usize, f64, f64)>,
     time_is_free: bool,
-    tall: LeastSquares,
+    least_squares: LeastSquares,
     damping: f64,
 }
 
@@ -69,7 +69,7 @@ impl<'a> LevenbergMarquardt<'a> {
         let mut places: Vec<Option<(usize, usize)>> = model.equations.entries.clone();
         places.extend(holds.iter().enumerate().map(|(k, hold)| Some((m + k, hold.0))));
         places.extend((0..if time_is_free { m } else { 0 }).map(|row| Some((row, n - 1))));
-        let tall = LeastSquares::new(m + holds.len(), n, &places);
+        let least_squares = LeastSquares::new(m + holds.len(), n, &places);
         let weights = (0..m).map(|row| if model.is_norm(row) { RIGID } else { 1.0 }).collect();
         LevenbergMarquardt {
             model,
@@ -78,7 +78,7 @@ impl<'a> LevenbergMarquardt<'a> {
             shifts: vec![0.0; m],
             holds,
             time_is_free,
-            tall,
+            least_squares,
             damping: START,
         }
     }
@@ -143,10 +143,10 @@ impl<'a> LevenbergMarquardt<'a> {
     /// One damped step, and its largest share; `None` where there is none or it turns too far.
     fn step(&mut self, here: &Iterate) -> Option<(Iterate, f64)> {
         let (jacobian, rhs) = self.rows(here);
-        if !self.tall.factor(jacobian.iter().copied(), self.damping) {
+        if !self.least_squares.factor(jacobian.iter().copied(), self.damping) {
             return None;
         }
-        let y = self.tall.solve(rhs.into_iter());
+        let y = self.least_squares.solve(rhs.into_iter());
         let last = y.last().copied().unwrap_or(0.0);
         let (mut q, mut length) = (here.q.clone(), 0.0_f64);
         for (column, ((q, y), size)) in q.iter_mut().zip(y).zip(&self.measures.sizes).enumerate() {

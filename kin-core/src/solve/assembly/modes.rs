@@ -102,7 +102,7 @@ struct Modes<'a> {
     measures: &'a Measures,
     options: &'a AssemblyOptions,
     solver: Solver,
-    squares: LevenbergMarquardt<'a>,
+    onto_equations: LevenbergMarquardt<'a>,
     found: Vec<Vec<f64>>,
     /// The same as they are compared.
     canonical: Vec<Vec<f64>>,
@@ -111,8 +111,8 @@ struct Modes<'a> {
 impl<'a> Modes<'a> {
     fn new(model: Model<'a>, measures: &'a Measures, options: &'a AssemblyOptions) -> Self {
         let solver = Solver::new(&model, measures);
-        let squares = LevenbergMarquardt::new(model, measures, Vec::new(), false);
-        Modes { model, measures, options, solver, squares, found: Vec::new(), canonical: Vec::new() }
+        let onto_equations = LevenbergMarquardt::new(model, measures, Vec::new(), false);
+        Modes { model, measures, options, solver, onto_equations, found: Vec::new(), canonical: Vec::new() }
     }
 
     /// The guess first; then angles and Euler parameters any, lengths around the guess.
@@ -160,8 +160,8 @@ impl<'a> Modes<'a> {
         if self.canonical.iter().any(|known| self.distance(known, &pose) < SAME) {
             return false;
         }
-        let Some(place) = self.squares.place(q, t) else { return false };
-        let Iterate { q, point, .. } = self.squares.minimise(place, self.options.steps);
+        let Some(place) = self.onto_equations.place(q, t) else { return false };
+        let Iterate { q, point, .. } = self.onto_equations.minimise(place, self.options.steps);
         let pose = canonical(self.model.layout, self.measures, &q);
         let known = self.canonical.iter().any(|known| self.distance(known, &pose) < SAME);
         if known || !self.model.met(&point, &q, self.measures, &|_| true) {
@@ -277,15 +277,15 @@ impl Solver {
                 linear.solve();
                 Some(linear.solution().iter().zip(sizes).map(|(dq, size)| dq / size).collect())
             }
-            Solver::LeastSquares(tall) => {
+            Solver::LeastSquares(least_squares) => {
                 let entries = model.equations.entries.iter().zip(&point.values);
                 let values = entries.map(|(entry, value)| {
                     entry.map_or(0.0, |(row, column)| value * sizes[column] / norms[row])
                 });
-                if !tall.factor(values, DAMPING) {
+                if !least_squares.factor(values, DAMPING) {
                     return None;
                 }
-                Some(tall.solve(point.c.iter().zip(norms).map(|(c, norm)| -c / norm)).to_vec())
+                Some(least_squares.solve(point.c.iter().zip(norms).map(|(c, norm)| -c / norm)).to_vec())
             }
         }
     }

@@ -46,7 +46,7 @@ impl System {
                 continue;
             }
             let place = self.place_of(name).ok_or_else(|| self.no_measure(name))?;
-            let is_angle = place.told.turns || place.told.unit == "rad";
+            let is_angle = place.measured.turns || place.measured.unit == "rad";
             self.asked.push(PreferredMeasure {
                 block: place.block,
                 number: place.number,

@@ -76,7 +76,7 @@ pub(crate) struct Span<'a> {
 pub(crate) struct Drive {
     sources: Vec<Source>,
     /// True if the ends of any step tell everything.
-    told: bool,
+    ends_suffice: bool,
     /// Bounds hold between these times, and of the next ones for as long.
     stretch: [f64; 2],
     longest: f64,
@@ -171,7 +171,7 @@ impl Drive {
         };
         let sources: Vec<Source> = equations.moved_by_time().map(&mut source).collect();
         Drive {
-            told: sources.is_empty(),
+            ends_suffice: sources.is_empty(),
             sources,
             stretch: [f64::NAN; 2],
             longest: f64::INFINITY,
@@ -186,7 +186,7 @@ impl Drive {
     /// True if, by what was seen before, the step surely holds nothing that its ends do not tell.
     #[inline]
     pub(crate) fn is_told(&mut self, from: f64, to: f64, pivot: f64) -> bool {
-        if self.told {
+        if self.ends_suffice {
             return true;
         }
         let known = self.steps > 0 && self.covers(from, to);
@@ -262,7 +262,7 @@ impl Drive {
         if let Some(reach) = reach {
             self.longest = 2.0 * reach;
             self.looks = if self.sources.iter().all(|source| source.apart) { u32::MAX } else { LOOKS };
-            self.told =
+            self.ends_suffice =
                 !sampled && self.looks == u32::MAX && reach.is_infinite() && self.off == Bound::default();
         }
     }

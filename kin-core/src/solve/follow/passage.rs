@@ -175,7 +175,7 @@ impl<'w, 'a> Walk<'w, 'a> {
     }
 
     fn turned(&self, x: &[f64]) -> Lost {
-        Lost::Turned(Box::new(self.told(SingularKind::TurningPoint, x, Vec::new())))
+        Lost::Turned(Box::new(self.singular_position(SingularKind::TurningPoint, x, Vec::new())))
     }
 
     /// Past a position, if there is one on the way; a step that has to be shorter comes there once more.
@@ -196,10 +196,11 @@ impl<'w, 'a> Walk<'w, 'a> {
         let t = x.last().copied()?;
         if self.before(t).abs() <= AT_ONCE {
             let (q, rates) = self.moved(&x, &branch, self.to - t);
-            self.passed.push(self.told(SingularKind::Bifurcation, &x, vec![branch]));
+            self.passed.push(self.singular_position(SingularKind::Bifurcation, &x, vec![branch]));
             return Some(Stepped::Landed(Landed::Singular(q, rates)));
         }
-        let passed = (self.before(t) > 0.0).then(|| self.told(SingularKind::Bifurcation, &x, vec![branch]));
+        let passed = (self.before(t) > 0.0)
+            .then(|| self.singular_position(SingularKind::Bifurcation, &x, vec![branch]));
         self.go_on(next, s, passed)
     }
 
@@ -237,7 +238,7 @@ impl<'w, 'a> Walk<'w, 'a> {
         let taken = rates[0].clone();
         if before <= AT_ONCE {
             let Some(branch) = taken else { return Ok(None) };
-            self.passed.push(self.told(SingularKind::Bifurcation, &x, branches));
+            self.passed.push(self.singular_position(SingularKind::Bifurcation, &x, branches));
             let (q, rates) = self.moved(&x, &branch, self.to - t);
             return Ok(Some(Stepped::Landed(Landed::Singular(q, rates))));
         }
@@ -245,12 +246,12 @@ impl<'w, 'a> Walk<'w, 'a> {
             if self.sign * next.dt() <= 0.0 {
                 return Ok(None);
             }
-            let passed = self.told(SingularKind::Bifurcation, &x, branches);
+            let passed = self.singular_position(SingularKind::Bifurcation, &x, branches);
             return Ok(self.go_on(next, s, Some(passed)));
         }
         let Some(branch) = taken else { return Ok(None) };
         let Some(place) = self.turn_into(&x, &tangents[0], &branch, s) else { return Ok(None) };
-        self.passed.push(self.told(SingularKind::Bifurcation, &x, branches));
+        self.passed.push(self.singular_position(SingularKind::Bifurcation, &x, branches));
         if self.before(place.t()) <= 0.0 {
             let (mut start, _) = self.moved(&x, &branch, self.to - t);
             start.push(self.to);
@@ -284,7 +285,7 @@ impl<'w, 'a> Walk<'w, 'a> {
         (q, Branch { qd, qdd: branch.qdd.clone() })
     }
 
-    fn told(&self, kind: SingularKind, x: &[f64], branches: Vec<Branch>) -> SingularPosition {
+    fn singular_position(&self, kind: SingularKind, x: &[f64], branches: Vec<Branch>) -> SingularPosition {
         let (t, q) = x.split_last().map(|(t, q)| (*t, q)).unwrap_or_default();
         SingularPosition::new(self.newton.system, kind, t, q, branches)
     }

@@ -38,7 +38,7 @@ impl Motion {
         let mut text = self.counts() + &self.by_engine();
         let displaced = self.displaced();
         let unit = self.unit_words().length();
-        let told: Vec<String> = displaced.iter().filter_map(|body| body.told(unit)).take(SHOWN).collect();
+        let told: Vec<String> = displaced.iter().filter_map(|body| body.sentence(unit)).take(SHOWN).collect();
         if !told.is_empty() {
             text += &format!("\n  first position, from where it is drawn: {}", told.join(", "));
         }
@@ -177,7 +177,7 @@ impl Motion {
 
 impl Displaced {
     /// "`plate` 2.50 m and 0.30 rad"
-    fn told(&self, unit: &str) -> Option<String> {
+    fn sentence(&self, unit: &str) -> Option<String> {
         let length = self.moved.filter(|moved| *moved > 0.0).map(|moved| format!("{moved:.4} {unit}"));
         let angle = self.turned.filter(|turned| *turned > THERE).map(|turned| format!("{turned:.3} rad"));
         let both: Vec<String> = length.into_iter().chain(angle).collect();

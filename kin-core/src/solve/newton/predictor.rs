@@ -99,15 +99,15 @@ impl Predictor {
         let [a, b, c] = RATES.map(|weight| f64x4::splat(weight * h));
         let [d, e, f] = SECOND_RATES.map(|weight| f64x4::splat(weight * h * h));
         let [one, two] = &self.past;
-        let rates = fours(last.qd)
-            .zip(fours(&one.qd))
-            .zip(fours(&two.qd))
+        let rates = quads(last.qd)
+            .zip(quads(&one.qd))
+            .zip(quads(&two.qd))
             .map(move |((x, y), z)| a * x + b * y + c * z);
-        let second_rates = fours(last.qdd)
-            .zip(fours(&one.qdd))
-            .zip(fours(&two.qdd))
+        let second_rates = quads(last.qdd)
+            .zip(quads(&one.qdd))
+            .zip(quads(&two.qdd))
             .map(move |((x, y), z)| d * x + e * y + f * z);
-        fours(last.q)
+        quads(last.q)
             .zip(rates)
             .zip(second_rates)
             .map(|((q, rates), second_rates)| q + (rates + second_rates))
@@ -118,14 +118,14 @@ pub(crate) fn same(h: f64, other: f64) -> bool {
     (h - other).abs() <= EQUAL * h.abs()
 }
 
-fn fours(numbers: &Padded) -> impl Iterator<Item = f64x4> {
+fn quads(numbers: &Padded) -> impl Iterator<Item = f64x4> {
     numbers.whole().iter().map(|four| f64x4::new(*four))
 }
 
 /// q + h q̇ + ½ h² q̈
 fn short(h: f64, Last { q, qd, qdd }: Last<'_>) -> impl Iterator<Item = f64x4> {
     let (h, half) = (f64x4::splat(h), f64x4::splat(0.5 * h));
-    fours(q).zip(fours(qd)).zip(fours(qdd)).map(move |((q, qd), qdd)| q + h * (qd + half * qdd))
+    quads(q).zip(quads(qd)).zip(quads(qdd)).map(move |((q, qd), qdd)| q + h * (qd + half * qdd))
 }
 
 /// How far a prediction is from where Newton ended, by the sizes of the coordinates.

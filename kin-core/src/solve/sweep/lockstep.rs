@@ -44,7 +44,7 @@ pub(super) struct Lockstep<'o, S: Level> {
     /// True if a constraint can jump where coordinates move: then the last correction, after which nothing is
     /// looked at, is left out.
     jumps: bool,
-    kept: Pending<S>,
+    pending: Pending<S>,
     /// The first and the last time.
     ends: [f64; 2],
 }
@@ -52,7 +52,7 @@ pub(super) struct Lockstep<'o, S: Level> {
 /// Something that all lanes do, on its way into the function that has the machine's instructions.
 struct Task<'x, 'o, 'c, S: Level> {
     lanes: &'x mut Lockstep<'o, S>,
-    crew: &'x LaneSystems<'c>,
+    batch: &'x LaneSystems<'c>,
     wanted: Mask<S>,
     t: f64,
     first: bool,
@@ -63,8 +63,8 @@ impl<S: Level> NullaryFnOnce for Task<'_, '_, '_, S> {
 
     #[inline(always)]
     fn call(self) -> Mask<S> {
-        let Task { lanes, crew, wanted, t, first } = self;
-        lanes.step(crew, wanted, t, first)
+        let Task { lanes, batch, wanted, t, first } = self;
+        lanes.step(batch, wanted, t, first)
     }
 }
 
@@ -76,8 +76,8 @@ impl<S: Level> NullaryFnOnce for Keep<'_, '_, S> {
 
     #[inline(always)]
     fn call(self) -> bool {
-        let Lockstep { kept, linear, q, residual, iterations, .. } = self.0;
-        kept.keep([q, linear.rates(), linear.second_rates(), linear.c()], *residual, *iterations)
+        let Lockstep { pending, linear, q, residual, iterations, .. } = self.0;
+        pending.keep([q, linear.rates(), linear.second_rates(), linear.c()], *residual, *iterations)
     }
 }
 
@@ -114,19 +114,19 @@ impl<'o, S: Level> Lockstep<'o, S> {
             check: (options.follow != Follow::Unchecked).then(|| Check::new(simd, typical)),
             iterations: zero,
             jumps: !typical.equations().jumping().is_empty(),
-            kept: Pending::new(simd, n),
+            pending: Pending::new(simd, n),
             ends,
         }
     }
 
     /// The first position of every system, at time t; gives the lanes of `wanted` that have one.
-    pub(super) fn first(&mut self, crew: &LaneSystems<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
+    pub(super) fn first(&mut self, batch: &LaneSystems<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
         self.predictor.begin();
-        self.kept.begin();
-        self.equations.set_parameters(crew, &mut self.instant);
+        self.pending.begin();
+        self.equations.set_parameters(batch, &mut self.instant);
         let mut steps = Wide::splat(self.simd, 0.0);
         let mut started = vec![false; Wide::<S>::LANES];
-        for (lane, system) in crew.systems.iter().enumerate().filter(|(lane, _)| wanted.lane(*lane)) {
+        for (lane, system) in batch.systems.iter().enumerate().filter(|(lane, _)| wanted.lane(*lane)) {
             // Breaks of laws are looked for time by time, which is not done here.
             started[lane] = system.is_smooth();
             put(system.initial(), lane, &mut self.q);
@@ -148,18 +148,18 @@ impl<'o, S: Level> Lockstep<'o, S> {
             wanted & Mask::from_fn(self.simd, |lane| started.get(lane).is_some_and(|started| *started));
         self.fill(wanted);
         if !self.options.rescue {
-            self.equations.set_time(t, crew, &mut self.instant);
-            self.look(crew);
-            self.measure(crew);
+            self.equations.set_time(t, batch, &mut self.instant);
+            self.look(batch);
+            self.measure(batch);
         }
         self.linear.begin(&self.sizes);
         let simd = self.simd;
-        let mut done = simd.vectorize(Task { lanes: self, crew, wanted, t, first: true });
+        let mut done = simd.vectorize(Task { lanes: self, batch, wanted, t, first: true });
         if !self.options.rescue {
             let first_steps = self.iterations;
-            self.measure(crew);
+            self.measure(batch);
             self.linear.set_sizes(&self.sizes);
-            done = simd.vectorize(Task { lanes: self, crew, wanted: done, t, first: true });
+            done = simd.vectorize(Task { lanes: self, batch, wanted: done, t, first: true });
             steps = first_steps;
         }
         self.iterations = steps + self.iterations;
@@ -177,8 +177,8 @@ impl<'o, S: Level> Lockstep<'o, S> {
     }
 
     /// Position, velocity and acceleration at the next time; gives the lanes of `wanted` that have them.
-    pub(super) fn advance(&mut self, crew: &LaneSystems<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
-        self.simd.vectorize(Task { lanes: self, crew, wanted, t, first: false })
+    pub(super) fn advance(&mut self, batch: &LaneSystems<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
+        self.simd.vectorize(Task { lanes: self, batch, wanted, t, first: false })
     }
 
     /// Keeps what the lanes have, for [`Lockstep::flush`]; true where it is time for that.
@@ -188,25 +188,25 @@ impl<'o, S: Level> Lockstep<'o, S> {
 
     /// Appends what was kept to the motions.
     pub(super) fn flush(&mut self, motions: &mut [Motion]) {
-        self.kept.flush(motions);
+        self.pending.flush(motions);
     }
 
     /// Completes the motions, which have come to the end of these times.
     pub(super) fn complete(&self, times: &[f64], motions: &mut [Motion]) {
-        self.kept.complete(times, motions);
+        self.pending.complete(times, motions);
     }
 
     /// C and C_q at the point in hand.
     #[inline(always)]
-    fn look(&mut self, crew: &LaneSystems<'_>) {
+    fn look(&mut self, batch: &LaneSystems<'_>) {
         self.equations.set_position(&self.q, &mut self.instant);
         let (c, values) = self.linear.written();
-        self.equations.linearize(crew, &self.instant, c, values);
+        self.equations.linearize(batch, &self.instant, c, values);
     }
 
     /// Characteristic sizes of every lane at the point in hand.
-    fn measure(&mut self, crew: &LaneSystems<'_>) {
-        for (lane, system) in crew.systems.iter().enumerate() {
+    fn measure(&mut self, batch: &LaneSystems<'_>) {
+        for (lane, system) in batch.systems.iter().enumerate() {
             let of_lane = |all: &[Wide<S>]| all.iter().map(|x| x.as_slice()[lane]).collect::<Vec<f64>>();
             let (values, q) = (of_lane(self.linear.values()), of_lane(&self.q));
             let sizes = scale::sizes(system.layout(), system.equations(), &values, &q, system.links());
@@ -217,7 +217,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
     /// Position, velocity and acceleration at a time: the first, by Newton's method from the point in hand,
     /// or a later one, from the prediction or the last position.
     #[inline(always)]
-    fn step(&mut self, crew: &LaneSystems<'_>, wanted: Mask<S>, t: f64, first: bool) -> Mask<S> {
+    fn step(&mut self, batch: &LaneSystems<'_>, wanted: Mask<S>, t: f64, first: bool) -> Mask<S> {
         let h = t - self.t;
         if first {
             for (per_size, size) in self.per_size.iter_mut().zip(&self.sizes) {
@@ -226,7 +226,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
         } else {
             self.predict(h);
         }
-        let done = self.solve(crew, wanted, t, first);
+        let done = self.solve(batch, wanted, t, first);
         if !first && self.options.predict {
             let (stepped, [qd, qdd]) =
                 (self.iterations.is_true(), [self.linear.rates(), self.linear.second_rates()]);
@@ -234,7 +234,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
             self.predictor.advance(h, qd, qdd);
         }
         self.t = t;
-        let done = self.rates(crew, done);
+        let done = self.rates(batch, done);
         match &mut self.check {
             None => done,
             Some(check) if first => {
@@ -260,7 +260,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
 
     /// Newton's method in all lanes that are wanted; gives those that converge, their matrices factored.
     #[inline(always)]
-    fn solve(&mut self, crew: &LaneSystems<'_>, wanted: Mask<S>, t: f64, first: bool) -> Mask<S> {
+    fn solve(&mut self, batch: &LaneSystems<'_>, wanted: Mask<S>, t: f64, first: bool) -> Mask<S> {
         let simd = self.simd;
         // Near a position that is known corrections must shrink. Without prediction only the time is another
         // one than there.
@@ -272,13 +272,13 @@ impl<'o, S: Level> Lockstep<'o, S> {
         if self.options.predict {
             self.last.fill(zero);
         }
-        self.equations.set_time(t, crew, &mut self.instant);
+        self.equations.set_time(t, batch, &mut self.instant);
         for iteration in 0..=self.options.max_iterations {
             let changed = if still && iteration == 0 {
                 let (c, values) = self.linear.written();
-                self.equations.relinearize(crew, &self.instant, c, values)
+                self.equations.relinearize(batch, &self.instant, c, values)
             } else {
-                self.look(crew);
+                self.look(batch);
                 true
             };
             open = open & self.measured();
@@ -354,11 +354,11 @@ impl<'o, S: Level> Lockstep<'o, S> {
 
     /// q̇ and q̈ with the matrices at hand; gives the lanes of `done` where both are finite.
     #[inline(always)]
-    fn rates(&mut self, crew: &LaneSystems<'_>, done: Mask<S>) -> Mask<S> {
-        self.equations.velocity_rhs(crew, &self.instant, self.linear.velocity_rhs());
+    fn rates(&mut self, batch: &LaneSystems<'_>, done: Mask<S>) -> Mask<S> {
+        self.equations.velocity_rhs(batch, &self.instant, self.linear.velocity_rhs());
         self.linear.solve_velocity();
         let (rates, q_d) = self.linear.acceleration_rhs();
-        self.equations.acceleration_rhs(crew, &self.instant, rates, q_d);
+        self.equations.acceleration_rhs(batch, &self.instant, rates, q_d);
         self.linear.solve_acceleration();
         let mut sum = Wide::splat(self.simd, 0.0);
         for (qd, qdd) in self.linear.rates().iter().zip(self.linear.second_rates()) {

@@ -76,8 +76,8 @@ impl<S: Level> Pending<S> {
         for (lane, motion) in motions.iter_mut().enumerate() {
             let own = |k: usize| {
                 let count = self.kinds[k].len() / TIMES * self.times;
-                let fours = count.div_ceil(4);
-                self.own[k][lane * fours..][..fours].as_flattened().split_at(count).0
+                let quads = count.div_ceil(4);
+                self.own[k][lane * quads..][..quads].as_flattened().split_at(count).0
             };
             let [q, qd, qdd, residuals, steps] = std::array::from_fn(own);
             motion.push_all(
@@ -117,13 +117,13 @@ impl<S: Level> NullaryFnOnce for Turn<'_, S> {
 /// and four lanes.
 #[inline(always)]
 fn turn<S: Level>(simd: S, all: &[Wide<S>], own: &mut [[f64; 4]]) {
-    let fours = all.len().div_ceil(4);
-    let own = &mut own[..Wide::<S>::LANES * fours];
+    let quads = all.len().div_ceil(4);
+    let own = &mut own[..Wide::<S>::LANES * quads];
     let (squares, rest) =
         if Wide::<S>::LANES.is_multiple_of(4) { all.as_chunks::<4>() } else { (&[][..], all) };
-    for (lanes, rows) in own.chunks_exact_mut((4 * fours).max(1)).enumerate() {
-        let (first, rest) = rows.split_at_mut(2 * fours);
-        let ((one, two), (three, four)) = (first.split_at_mut(fours), rest.split_at_mut(fours));
+    for (lanes, rows) in own.chunks_exact_mut((4 * quads).max(1)).enumerate() {
+        let (first, rest) = rows.split_at_mut(2 * quads);
+        let ((one, two), (three, four)) = (first.split_at_mut(quads), rest.split_at_mut(quads));
         for ((((square, one), two), three), four) in squares.iter().zip(one).zip(two).zip(three).zip(four) {
             let [a, b, c, d] = square;
             [*one, *two, *three, *four] = simd.turn([of(a, lanes), of(b, lanes), of(c, lanes), of(d, lanes)]);
@@ -131,7 +131,7 @@ fn turn<S: Level>(simd: S, all: &[Wide<S>], own: &mut [[f64; 4]]) {
     }
     for (k, x) in (4 * squares.len()..).zip(rest) {
         for (lane, x) in x.as_slice().iter().enumerate() {
-            own[lane * fours + k / 4][k % 4] = *x;
+            own[lane * quads + k / 4][k % 4] = *x;
         }
     }
 }

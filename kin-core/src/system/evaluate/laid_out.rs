@@ -51,7 +51,7 @@ impl Equations {
             let told = facts.sides_of_time.filter(|first| can_tell && is_whole(first));
             let sides = told.map_or(self.timed, |first| block.timed.first as usize + first);
             if self.linear.append(block.rows(), entries, values, sides) {
-                linear = Some(Straight { block: k, sides, told: told.is_some() });
+                linear = Some(Straight { block: k, sides, by_constraint: told.is_some() });
                 self.timed += if told.is_some() { 0 } else { 3 * block.rows().len() };
             }
         }

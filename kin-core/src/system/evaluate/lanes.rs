@@ -156,8 +156,9 @@ impl<S: Level> WideEquations<S> {
     }
 
     /// Computes the values that depend on parameters alone.
-    pub(crate) fn set_parameters(&mut self, crew: &LaneSystems<'_>, instant: &mut WideInstant<S>) {
-        for (block, own) in self.blocks.iter().zip(&crew.own).filter(|(block, _)| block.of_parameters.len > 0)
+    pub(crate) fn set_parameters(&mut self, batch: &LaneSystems<'_>, instant: &mut WideInstant<S>) {
+        for (block, own) in
+            self.blocks.iter().zip(&batch.own).filter(|(block, _)| block.of_parameters.len > 0)
         {
             let write = |constraint: &dyn InLanes, known: &mut [f64]| constraint.of_parameters(known);
             fill(
@@ -172,9 +173,9 @@ impl<S: Level> WideEquations<S> {
 
     /// Computes the values that depend on the time too.
     #[inline(always)]
-    pub(crate) fn set_time(&mut self, t: f64, crew: &LaneSystems<'_>, instant: &mut WideInstant<S>) {
+    pub(crate) fn set_time(&mut self, t: f64, batch: &LaneSystems<'_>, instant: &mut WideInstant<S>) {
         instant.t = t;
-        for (block, own) in self.blocks.iter().zip(&crew.own).filter(|(block, _)| block.of_time.len > 0) {
+        for (block, own) in self.blocks.iter().zip(&batch.own).filter(|(block, _)| block.of_time.len > 0) {
             let write = |constraint: &dyn InLanes, known: &mut [f64]| constraint.of_time(t, known);
             fill(&mut instant.known[block.of_time.range()], block.same, own, &mut self.scratch.known, write);
         }
@@ -189,24 +190,24 @@ impl<S: Level> WideEquations<S> {
     #[inline(always)]
     pub(crate) fn linearize(
         &mut self,
-        crew: &LaneSystems<'_>,
+        batch: &LaneSystems<'_>,
         instant: &WideInstant<S>,
         c: &mut [Wide<S>],
         values: &mut [Wide<S>],
     ) {
-        self.linearize_some(|group| &group.all, crew, instant, c, values);
+        self.linearize_some(|group| &group.all, batch, instant, c, values);
     }
 
     /// The same where only the time has changed since; false if C_q has not changed with it.
     #[inline(always)]
     pub(crate) fn relinearize(
         &mut self,
-        crew: &LaneSystems<'_>,
+        batch: &LaneSystems<'_>,
         instant: &WideInstant<S>,
         c: &mut [Wide<S>],
         values: &mut [Wide<S>],
     ) -> bool {
-        self.linearize_some(|group| &group.on_t, crew, instant, c, values);
+        self.linearize_some(|group| &group.on_t, batch, instant, c, values);
         self.c_q_on_t
     }
 
@@ -215,19 +216,19 @@ impl<S: Level> WideEquations<S> {
     fn linearize_some(
         &mut self,
         some: impl Fn(&Group<S>) -> &Vec<LaneBlock>,
-        crew: &LaneSystems<'_>,
+        batch: &LaneSystems<'_>,
         instant: &WideInstant<S>,
         c: &mut [Wide<S>],
         values: &mut [Wide<S>],
     ) {
-        let seen = seen(self.simd, self.plan.arguments(), crew, instant, &[]);
+        let seen = seen(self.simd, self.plan.arguments(), batch, instant, &[]);
         for (group, blocks) in
             self.groups.iter().map(|group| (group, some(group))).filter(|(_, blocks)| !blocks.is_empty())
         {
             match group.table {
                 Some(table) => table.linearize(&seen, blocks, c, values),
                 None => {
-                    let alone = LaneByLane { blocks: &self.blocks, seen: &seen, crew, t: instant.t };
+                    let alone = LaneByLane { blocks: &self.blocks, seen: &seen, batch, t: instant.t };
                     blocks.iter().for_each(|place| alone.linearize(&mut self.scratch, place, c, values));
                 }
             }
@@ -238,16 +239,16 @@ impl<S: Level> WideEquations<S> {
     #[inline(always)]
     pub(crate) fn velocity_rhs(
         &mut self,
-        crew: &LaneSystems<'_>,
+        batch: &LaneSystems<'_>,
         instant: &WideInstant<S>,
         rhs: &mut [Wide<S>],
     ) {
-        let seen = seen(self.simd, self.plan.arguments(), crew, instant, &[]);
+        let seen = seen(self.simd, self.plan.arguments(), batch, instant, &[]);
         for group in self.groups.iter().filter(|group| !group.c_t.is_empty()) {
             match group.table {
                 Some(table) => table.velocity_rhs(&seen, &group.c_t, rhs),
                 None => {
-                    let alone = LaneByLane { blocks: &self.blocks, seen: &seen, crew, t: instant.t };
+                    let alone = LaneByLane { blocks: &self.blocks, seen: &seen, batch, t: instant.t };
                     group.c_t.iter().for_each(|place| alone.right_side(&mut self.scratch, place, false, rhs));
                 }
             }
@@ -258,17 +259,17 @@ impl<S: Level> WideEquations<S> {
     #[inline(always)]
     pub(crate) fn acceleration_rhs(
         &mut self,
-        crew: &LaneSystems<'_>,
+        batch: &LaneSystems<'_>,
         instant: &WideInstant<S>,
         rates: &[Wide<S>],
         q_d: &mut [Wide<S>],
     ) {
-        let seen = seen(self.simd, self.plan.arguments(), crew, instant, rates);
+        let seen = seen(self.simd, self.plan.arguments(), batch, instant, rates);
         for group in self.groups.iter().filter(|group| !group.q_d.is_empty()) {
             match group.table {
                 Some(table) => table.acceleration_rhs(&seen, &group.q_d, q_d),
                 None => {
-                    let alone = LaneByLane { blocks: &self.blocks, seen: &seen, crew, t: instant.t };
+                    let alone = LaneByLane { blocks: &self.blocks, seen: &seen, batch, t: instant.t };
                     group.q_d.iter().for_each(|place| alone.right_side(&mut self.scratch, place, true, q_d));
                 }
             }
@@ -281,18 +282,18 @@ impl<S: Level> WideEquations<S> {
 fn seen<'a, S: Level>(
     simd: S,
     arguments: &'a [Offsets],
-    crew: &'a LaneSystems<'_>,
+    batch: &'a LaneSystems<'_>,
     instant: &'a WideInstant<S>,
     rates: &'a [Wide<S>],
 ) -> LaneInstant<'a, S> {
-    LaneInstant { simd, states: &instant.states, rates, known: &instant.known, arguments, own: &crew.own }
+    LaneInstant { simd, states: &instant.states, rates, known: &instant.known, arguments, own: &batch.own }
 }
 
 /// Constraints without kernels: each lane by itself, by the constraint that is there.
 struct LaneByLane<'a, 's, S: Level> {
     blocks: &'a [WideBlock],
     seen: &'a LaneInstant<'s, S>,
-    crew: &'a LaneSystems<'a>,
+    batch: &'a LaneSystems<'a>,
     t: f64,
 }
 
@@ -301,7 +302,7 @@ impl<S: Level> LaneByLane<'_, '_, S> {
     fn linearize(&self, scratch: &mut Scratch, place: &LaneBlock, c: &mut [Wide<S>], values: &mut [Wide<S>]) {
         let own = &self.blocks[place.number as usize];
         let (c, values) = (&mut c[own.rows.range()], &mut values[own.values.range()]);
-        for (lane, system) in self.crew.systems.iter().enumerate() {
+        for (lane, system) in self.batch.systems.iter().enumerate() {
             let block = &system.equations().blocks[place.number as usize];
             self.gather(|of| of.state, own, self.seen.states, lane, &mut scratch.states);
             take(c, lane, &mut scratch.c);
@@ -319,7 +320,7 @@ impl<S: Level> LaneByLane<'_, '_, S> {
         let own = &self.blocks[place.number as usize];
         let rhs = &mut rhs[own.rows.range()];
         rhs.fill(Wide::splat(self.seen.simd, 0.0));
-        for (lane, system) in self.crew.systems.iter().enumerate() {
+        for (lane, system) in self.batch.systems.iter().enumerate() {
             let block = &system.equations().blocks[place.number as usize];
             self.gather(|of| of.state, own, self.seen.states, lane, &mut scratch.states);
             take(rhs, lane, &mut scratch.c);

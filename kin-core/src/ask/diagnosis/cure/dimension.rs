@@ -190,11 +190,11 @@ impl Dimension {
     pub(crate) fn anywhere(&self) -> Option<Dimension> {
         let (Of::Point(..), [_]) = (&self.of, &self.value[..]) else { return None };
         let slots = self.slots.iter().enumerate().map(|(k, (slot, _, _))| (*slot, k, 1.0)).collect();
-        Some(Dimension { of: self.of.clone(), slots, value: self.told(&self.value) })
+        Some(Dimension { of: self.of.clone(), slots, value: self.components(&self.value) })
     }
 
     /// A value as it is told: of a point its components.
-    pub(crate) fn told(&self, value: &[f64]) -> Vec<f64> {
+    pub(crate) fn components(&self, value: &[f64]) -> Vec<f64> {
         match self.of {
             Of::Point(..) => self.slots.iter().map(|(_, k, factor)| factor * value[*k]).collect(),
             _ => value.to_vec(),

@@ -48,7 +48,7 @@ pub(crate) fn fit(
     [(beyond, false), (value, true)]
         .into_iter()
         .find(|(value, _)| fit.works(value, &q))
-        .map(|(value, exact)| fit.told(value, exact))
+        .map(|(value, exact)| fit.fitted(value, exact))
 }
 
 struct Fit<'a> {
@@ -103,7 +103,7 @@ impl Fit<'_> {
         }
         let beyond = |x: f64| x + SPARE * (x - is).abs().min(x.abs()).copysign(x - is);
         let Some(found) = self.closed(&[beyond(to)], q) else {
-            return self.works(&value, q).then(|| self.told(value, true));
+            return self.works(&value, q).then(|| self.fitted(value, true));
         };
         let (mut open, mut closed, mut pose) = (is, beyond(to), found.place.q);
         for _ in 0..HALVINGS {
@@ -122,10 +122,10 @@ impl Fit<'_> {
         }
         let spared = beyond(closed);
         let value = if matches!(self.dimension.of, Of::Point(..)) { spared } else { closed };
-        self.works(&[spared], &pose).then(|| self.told(vec![value], false))
+        self.works(&[spared], &pose).then(|| self.fitted(vec![value], false))
     }
 
-    fn told(&self, value: Vec<f64>, exact: bool) -> Fitted {
+    fn fitted(&self, value: Vec<f64>, exact: bool) -> Fitted {
         Fitted { change: self.proportion(&value), value, exact }
     }
 
@@ -155,7 +155,7 @@ impl Fit<'_> {
             .copied()
             .chain((0..d).flat_map(|k| (0..m).map(move |row| Some((row, n + k)))))
             .collect();
-        let mut tall = LeastSquares::new(m, n + d, &places);
+        let mut solver = LeastSquares::new(m, n + d, &places);
         let (mut q, mut value, mut damping) =
             (near.place.q.clone(), self.dimension.value.clone(), DAMPING[0]);
         let (mut point, mut slopes) = self.linearized(&q, &value)?;
@@ -164,7 +164,7 @@ impl Fit<'_> {
             if merit < MET * MET {
                 return Some((value, q));
             }
-            let y = self.step(&mut tall, (&point, &slopes), &near.measures, damping);
+            let y = self.step(&mut solver, (&point, &slopes), &near.measures, damping);
             let next = y.and_then(|y| {
                 let moved: Vec<f64> =
                     q.iter().zip(&y).zip(&near.measures.sizes).map(|((q, y), size)| q + y * size).collect();
@@ -213,7 +213,7 @@ impl Fit<'_> {
 
     fn step(
         &self,
-        tall: &mut LeastSquares,
+        solver: &mut LeastSquares,
         (point, slopes): (&Point, &[f64]),
         measures: &Measures,
         damping: f64,
@@ -226,10 +226,10 @@ impl Fit<'_> {
             .map(|(entry, value)| entry.map_or(0.0, |(row, column)| weight(row) * value * sizes[column]))
             .collect();
         values.extend(slopes.iter().enumerate().map(|(k, slope)| weight(k % m) * slope * self.scale));
-        if !tall.factor(values.iter().copied(), damping) {
+        if !solver.factor(values.iter().copied(), damping) {
             return None;
         }
-        let y = tall.solve(point.c.iter().enumerate().map(|(row, c)| -weight(row) * c)).to_vec();
+        let y = solver.solve(point.c.iter().enumerate().map(|(row, c)| -weight(row) * c)).to_vec();
         y.iter().all(|y| y.is_finite()).then_some(y)
     }
 }

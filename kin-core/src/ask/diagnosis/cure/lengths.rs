@@ -52,7 +52,7 @@ pub(crate) fn that_fit(
         }
         let fitted = |dimension: &Dimension| {
             let fitted = fit::fit(model, dimension, found, search.t, without, search.options.search.steps)?;
-            Some((!is_out(dimension), unlikely(dimension, &fitted, scale), told(search, dimension, fitted)))
+            Some((!is_out(dimension), unlikely(dimension, &fitted, scale), resize(search, dimension, fitted)))
         };
         fits.extend(fitted(dimension).or_else(|| fitted(&dimension.anywhere()?)));
     }
@@ -104,7 +104,7 @@ fn middle(all: &[Dimension]) -> Option<f64> {
     (sizes.len() > 2).then(|| sizes[sizes.len() / 2])
 }
 
-fn told(search: &Search<'_>, dimension: &Dimension, Fitted { value, exact, .. }: Fitted) -> Resize {
+fn resize(search: &Search<'_>, dimension: &Dimension, Fitted { value, exact, .. }: Fitted) -> Resize {
     let model = &search.model;
     let body = |item: usize| model.layout.items[item].name.clone();
     let constraint = |block: usize| model.equations.blocks[block].name.clone();
@@ -115,5 +115,5 @@ fn told(search: &Search<'_>, dimension: &Dimension, Fitted { value, exact, .. }:
             Size::Point { constraint: constraint(*block), parameter: name.clone(), body: item.map(body) }
         }
     };
-    Resize { of, is: dimension.told(&dimension.value), fits: dimension.told(&value), exact }
+    Resize { of, is: dimension.components(&dimension.value), fits: dimension.components(&value), exact }
 }

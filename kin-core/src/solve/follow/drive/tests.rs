@@ -159,7 +159,7 @@ fn what_is_told_by_what_was_seen() {
     let mut once = drive(0.0, 1);
     assert_eq!([once.is_told(2.0, 3.0, 1.0), once.is_told(2.0, 3.0, 1.0)], [true, false]);
     assert!(!Drive::new(system.equations()).is_told(0.0, 1e-9, 1.0));
-    once.told = true;
+    once.ends_suffice = true;
     assert!(once.is_told(-5.0, 50.0, 0.0));
     assert!(Drive::new(driven(Law::constant(1.0)).equations()).sources.len() <= 1);
 }
@@ -169,8 +169,8 @@ fn what_is_told_by_what_was_seen() {
 fn an_even_motor_is_told_for_good() {
     let system = driven(Law::linear(1.0, 2.0));
     let (mut drive, mut lever) = (Drive::new(system.equations()), Known::new(&system));
-    assert!(!drive.told && !hides(&mut drive, &system, [0.0, 5.0], &mut lever));
-    assert!(drive.told && drive.is_told(-1e9, 1e9, 0.0));
+    assert!(!drive.ends_suffice && !hides(&mut drive, &system, [0.0, 5.0], &mut lever));
+    assert!(drive.ends_suffice && drive.is_told(-1e9, 1e9, 0.0));
     assert!(drive.sources[0].terms.is_empty() && lever.moved.is_empty() && drive.looks == u32::MAX);
 }
 
@@ -182,7 +182,7 @@ fn a_motor_to_and_fro() {
     let (mut drive, mut lever) = (Drive::new(system.equations()), Known::new(&system));
     assert!(!hides(&mut drive, &system, [0.0, 0.1], &mut lever));
     assert_eq!(
-        (drive.told, drive.steps, drive.looks, drive.longest, drive.pivot),
+        (drive.ends_suffice, drive.steps, drive.looks, drive.longest, drive.pivot),
         (false, KNOWN, u32::MAX, f64::INFINITY, 1.0)
     );
     near(drive.off.0, [0.0, 0.0, 0.125, 1.0 / 6.0]);
@@ -219,7 +219,10 @@ fn time_in_c_q() {
     let system = stretching(Law::sine(0.1, 1.0, 0.0));
     let (mut drive, mut lever) = (Drive::new(system.equations()), Known::new(&system));
     assert!(!hides(&mut drive, &system, [0.0, 0.1], &mut lever));
-    assert_eq!((drive.steps, drive.looks, drive.told, drive.sources[0].apart), (KNOWN, LOOKS, false, false));
+    assert_eq!(
+        (drive.steps, drive.looks, drive.ends_suffice, drive.sources[0].apart),
+        (KNOWN, LOOKS, false, false)
+    );
     near(drive.off.0, [0.0, 0.0, 0.00625, 0.1 / 12.0]);
     // Slopes are those of the position in hand.
     drive.looks = 0;
@@ -228,7 +231,7 @@ fn time_in_c_q() {
     near(drive.off.0, [0.0, 0.0, 0.025, 0.1 / 3.0]);
     let even = stretching(Law::linear(0.0, 0.5));
     let mut drive = Drive::new(even.equations());
-    assert!(!hides(&mut drive, &even, [0.0, 0.1], &mut Known::new(&even)) && !drive.told);
+    assert!(!hides(&mut drive, &even, [0.0, 0.1], &mut Known::new(&even)) && !drive.ends_suffice);
 }
 
 /// For runs without further looks: only what holds for every position, and all that it may lead off.

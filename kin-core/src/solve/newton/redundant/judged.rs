@@ -26,7 +26,8 @@ impl Driver<'_> {
         let mut drive = self.drive.take()?;
         let equations = self.model.equations;
         let hides = !drive.is_told(from, target, pivot) && {
-            let mut lever = Squares { instant: equations.instant_at(target, &self.q), driver: self };
+            let mut lever =
+                LeastSquaresLever { instant: equations.instant_at(target, &self.q), driver: self };
             drive.hides(Span { equations, from, to: target, pivot }, &mut lever)
         };
         self.drive = Some(drive);
@@ -35,12 +36,12 @@ impl Driver<'_> {
 }
 
 /// The matrix in hand as a lever, in the sense of least squares.
-struct Squares<'d, 'a> {
+struct LeastSquaresLever<'d, 'a> {
     instant: Instant,
     driver: &'d mut Driver<'a>,
 }
 
-impl Lever for Squares<'_, '_> {
+impl Lever for LeastSquaresLever<'_, '_> {
     fn instant(&self) -> &Instant {
         &self.instant
     }

@@ -29,7 +29,7 @@ impl Solver {
     pub(super) fn factor(&mut self, values: impl Iterator<Item = f64>) -> bool {
         match self {
             Solver::Independent(rows) => rows.factor(values),
-            Solver::LeastSquares(tall) => tall.factor_again(values, 0.0),
+            Solver::LeastSquares(least_squares) => least_squares.factor_again(values, 0.0),
         }
     }
 
@@ -37,7 +37,7 @@ impl Solver {
     pub(super) fn solve(&mut self, b: &[f64]) -> &[f64] {
         match self {
             Solver::Independent(rows) => rows.solve(b),
-            Solver::LeastSquares(tall) => tall.solve(b.iter().copied()),
+            Solver::LeastSquares(least_squares) => least_squares.solve(b.iter().copied()),
         }
     }
 
@@ -45,7 +45,7 @@ impl Solver {
     pub(super) fn leave(&self, left: &mut [f64]) {
         match self {
             Solver::Independent(rows) => rows.leave(left),
-            Solver::LeastSquares(tall) => tall.leave(left),
+            Solver::LeastSquares(least_squares) => least_squares.leave(left),
         }
     }
 
@@ -53,7 +53,7 @@ impl Solver {
     pub(super) fn smallest_pivot(&self) -> f64 {
         match self {
             Solver::Independent(rows) => rows.smallest_pivot(),
-            Solver::LeastSquares(tall) => tall.smallest_pivot(),
+            Solver::LeastSquares(least_squares) => least_squares.smallest_pivot(),
         }
     }
 }
@@ -65,12 +65,12 @@ pub(crate) fn solved(system: &System, q: &[f64], t: f64, rhs: &[f64], explain: E
     let instant = || model.equations.instant_at(t, q);
     let point =
         model.linearize(q, t).map_err(|bad| model.equations.not_finite(bad, model.layout, &instant()))?;
-    let mut tall = LeastSquares::new(m, n, &model.equations.entries);
+    let mut least_squares = LeastSquares::new(m, n, &model.equations.entries);
     let scaled = scales(&model, &measures).into_iter().zip(&point.values).map(|(scale, value)| scale * value);
-    if !tall.factor(scaled, 0.0) {
+    if !least_squares.factor(scaled, 0.0) {
         return Err((explain.cannot_be_driven)(model, Start::Pose(q), t, &Options::default()));
     }
-    let y = tall.solve(rhs.iter().zip(&measures.norms).map(|(rhs, norm)| rhs / norm));
+    let y = least_squares.solve(rhs.iter().zip(&measures.norms).map(|(rhs, norm)| rhs / norm));
     Ok(y.iter().zip(&measures.sizes).map(|(y, size)| y * size).collect())
 }
 

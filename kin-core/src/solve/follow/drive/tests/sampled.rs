@@ -10,7 +10,7 @@ fn off_by(system: &System, ends: [f64; 2], instant: Option<Instant>) -> (f64, bo
     let hidden = hides(&mut drive, system, ends, &mut lever);
     assert!(
         drive.sources[0].is_sampled
-            && !drive.told
+            && !drive.ends_suffice
             && drive.steps == 0
             && drive.longest == 2.0 * (ends[1] - ends[0]).abs()
     );
