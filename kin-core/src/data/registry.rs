@@ -54,20 +54,23 @@ impl Registry {
 
     /// A constraint of one's own too: `Registry::new().with::<parabolic_slot>()`, after a function under
     /// `#[constraint]`.
-    pub fn with<C: Described>(mut self) -> Registry {
+    pub fn with<C: Described>(self) -> Registry {
         let make = |from: &mut Reader<'_>| C::read(from).map(|made| Box::new(made) as Box<dyn Constraint>);
-        self.constraints.insert((C::KIND.to_string(), C::ARGUMENTS.to_vec()), Arc::new(make));
-        self
+        self.with_made(C::KIND, C::ARGUMENTS, Arc::new(make))
     }
 
     /// A constraint that is made at run time too, by its kind, its arguments and its constructor.
     pub fn with_constraint(
-        mut self,
+        self,
         kind: &str,
         arguments: &[ArgumentKind],
         make: impl Fn(&mut Reader<'_>) -> Option<Box<dyn Constraint>> + Send + Sync + 'static,
     ) -> Registry {
-        self.constraints.insert((kind.to_string(), arguments.to_vec()), Arc::new(make));
+        self.with_made(kind, arguments, Arc::new(make))
+    }
+
+    fn with_made(mut self, kind: &str, arguments: &[ArgumentKind], make: Make) -> Registry {
+        self.constraints.insert((kind.to_string(), arguments.to_vec()), make);
         self
     }
 

@@ -97,7 +97,7 @@ impl Test<'_> {
             .for_each(|(row, column, value)| c_q[(row, column)] += value * self.sizes[column]);
         let weights: Vec<f64> = c_q.row_iter().map(|row| row.amax().recip()).collect();
         c_q.row_iter_mut().zip(&weights).for_each(|(mut row, w)| row *= *w);
-        let inverse = c_q.try_inverse()?;
+        let inverse = c_q.lu().try_inverse()?;
         inverse.iter().all(|x| x.is_finite()).then_some(Frame { inverse, weights })
     }
 

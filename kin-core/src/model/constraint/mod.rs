@@ -8,7 +8,6 @@ mod route;
 mod written;
 
 use crate::model::coordinates::Argument;
-use crate::model::formula::jerk::Along;
 use crate::model::law::Law;
 use crate::model::state::{At, Rates};
 use crate::numbers::lanes::InLanes;
@@ -92,13 +91,8 @@ pub trait Constraint: CloneBoxed + Send + Sync {
     /// False, and nothing written, where that is not known (default, unless it has a formula): a run that is
     /// asked for the jerk then ends with an error by name.
     fn jerk_rhs(&self, at: &At<'_>, qd: &Rates<'_>, qdd: &Rates<'_>, rhs: &mut [f64]) -> bool {
-        let done = self.as_written().and_then(|written| {
-            written.formula(|table, parameters, outside| {
-                Along::new(&self.arguments(), at, [Some(qd), Some(qdd), None], parameters, outside)
-                    .jerk_rhs(table.formula(), rhs)
-            })
-        });
-        done.is_some()
+        let Some(written) = self.as_written() else { return false };
+        written.jerk_rhs(&self.arguments(), at, [qd, qdd], rhs)
     }
 
     /// Measure k of [`Facts::measures`] with its first three derivatives along the rates q̇, q̈ and q⃛.

@@ -3,7 +3,10 @@
 
 use super::Constraint;
 use crate::model::blame::{Asked, Blame};
+use crate::model::coordinates::Argument;
+use crate::model::formula::jerk::Along;
 use crate::model::formula::{Given, Outside, Table};
+use crate::model::state::{At, Rates};
 use crate::numbers::algebra::Vec3;
 use crate::numbers::real::Dual3_64;
 
@@ -78,5 +81,20 @@ impl dyn Written + '_ {
     pub(super) fn formula<T>(&self, with: impl FnOnce(&Table, &[f64], Outside<'_>) -> T) -> Option<T> {
         let (table, parameters) = self.table()?;
         Some(with(table, &parameters, &|number, x, to| self.outside(number, x, to)))
+    }
+
+    /// [`Constraint::jerk_rhs`] by the formula. It is compiled once, not once a constraint.
+    pub(super) fn jerk_rhs(
+        &self,
+        arguments: &[Argument],
+        at: &At<'_>,
+        [qd, qdd]: [&Rates<'_>; 2],
+        rhs: &mut [f64],
+    ) -> bool {
+        let done = self.formula(|table, parameters, outside| {
+            Along::new(arguments, at, [Some(qd), Some(qdd), None], parameters, outside)
+                .jerk_rhs(table.formula(), rhs)
+        });
+        done.is_some()
     }
 }
