@@ -48,7 +48,7 @@ pub use design::{ExtremeSensitivity, MeasureSensitivity, Sensitivities, Sensitiv
 pub use error::{Error, Result};
 pub use forces::{Acted, Balance, Drive, Energy, Forces, Peak, Reaction};
 pub use joints::spatial;
-pub use kin_macros::{constraint, law};
+pub use kin_macros::{constraint, helper, law};
 pub use law::{Break, Ends, Law};
 pub use measure::{Crossing, Extreme, Extremes, Measure};
 pub use mechanism::{

@@ -3,6 +3,7 @@
 //! collected and stand on the user's own tokens.
 #![forbid(unsafe_code)]
 
+pub mod constants;
 pub mod error;
 pub mod formula;
 pub mod limits;

@@ -45,6 +45,10 @@ pub struct ConstraintFn {
     pub branches: Vec<Demand>,
     /// The measures of the constraint beside its equations.
     pub measures: Vec<Measure>,
+    /// The function as it was handed in.
+    pub item: TokenStream,
+    /// Functions beside it whose texts its own text takes along.
+    pub with: Vec<syn::Path>,
 }
 
 /// The route that the attribute asks for.
@@ -66,10 +70,21 @@ pub struct Argument {
     pub ty: Type,
 }
 
+/// The functions that `#[helper(with = other)]` names.
+pub fn helper(attribute: TokenStream) -> syn::Result<Vec<syn::Path>> {
+    const WORDS: &str = "`#[helper]` takes nothing, or functions that this one calls: `with = other`";
+    let asked = attribute::asked(attribute.clone());
+    asked
+        .ok()
+        .filter(|asked| attribute.is_empty() || !asked.with.is_empty() && asked.lengths.is_empty())
+        .map(|asked| asked.with)
+        .ok_or_else(|| syn::Error::new_spanned(&attribute, WORDS))
+}
+
 /// Reads the attribute and the signature; every mistake at its own token.
 pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<ConstraintFn> {
-    let Asked { choice, lanes, warn_dual, lengths } = attribute::asked(attribute)?;
-    let mut function = item_fn(item)?;
+    let Asked { choice, lanes, warn_dual, lengths, with } = attribute::asked(attribute)?;
+    let mut function = item_fn(item.clone())?;
     let mut mistakes = Mistakes::default();
     let lengths = length::put(&mut function, &lengths, &mut mistakes);
     refuse_qualifiers(&function, &mut mistakes);
@@ -102,6 +117,8 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<Cons
         requirements,
         branches,
         measures,
+        item,
+        with,
     })
 }
 

@@ -824,12 +824,18 @@ const _: () = {
             )
         }
         fn describe(&self, to: &mut ::kin::emitted::Describer) {
-            use ::kin::emitted::{ToldBySerde as _, Untold as _};
+            use ::kin::emitted::{
+                ToldBySerde as _, ToldConstant as _, Untold as _, UntoldConstant as _,
+            };
             to.put("u_i", &self.u_i);
             to.put("u_j", &self.u_j);
             to.put("f_i", &self.f_i);
             to.put("g_i", &self.g_i);
             to.put("h_j", &self.h_j);
+            to.put_text(
+                ::core::module_path!(),
+                "/// A cylindrical joint: the axes are parallel and the line between two of their points is along them.      [–, –, m, m]\npub fn cylindrical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, f_i: Vec3, g_i: Vec3, h_j: Vec3) ->(f64, f64, f64, f64) { let (f , g , h) = (i . direction (f_i) , i . direction (g_i) , j . direction (h_j)) ; let d = i . point (u_i) - j . point (u_j) ; (f . dot (h) , g . dot (h) , f . dot (d) , g . dot (d)) }",
+            );
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]

@@ -416,9 +416,17 @@ const _: () = {
             ::core::option::Option::None
         }
         fn describe(&self, to: &mut ::kin::emitted::Describer) {
-            use ::kin::emitted::{ToldBySerde as _, Untold as _};
+            use ::kin::emitted::{
+                ToldBySerde as _, ToldConstant as _, Untold as _, UntoldConstant as _,
+            };
             to.put("tip", &self.tip);
             to.put("profile", &self.profile);
+            to.put_text(
+                ::core::module_path!(),
+                "/// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]\nfn on_cam(cam: Planar, follower: Planar, tip: Vec2, profile: Law) -> f64 { let p = cam . local (follower . point (tip)) ; let phi = p . y . atan2 (p . x) ; p . norm () - profile . at (phi) + wear (phi , MOST_WEAR) }",
+            );
+            (&::kin::emitted::Told(&MOST_WEAR)).constant("MOST_WEAR", to);
+            to.lacks("`wear` (`#[helper]` before it and `#[constraint(with = wear)]`)");
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]

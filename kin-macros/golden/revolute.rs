@@ -245,9 +245,15 @@ const _: () = {
             ::kin::emitted::set_at(&mut [&mut self.u_i, &mut self.u_j], index, value)
         }
         fn describe(&self, to: &mut ::kin::emitted::Describer) {
-            use ::kin::emitted::{ToldBySerde as _, Untold as _};
+            use ::kin::emitted::{
+                ToldBySerde as _, ToldConstant as _, Untold as _, UntoldConstant as _,
+            };
             to.put("u_i", &self.u_i);
             to.put("u_j", &self.u_j);
+            to.put_text(
+                ::core::module_path!(),
+                "/// Pin joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      [m]\npub fn revolute(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> Vec2 { i . point (u_i) - j . point (u_j) }",
+            );
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]

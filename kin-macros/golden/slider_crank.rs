@@ -292,11 +292,17 @@ const _: () = {
             )
         }
         fn describe(&self, to: &mut ::kin::emitted::Describer) {
-            use ::kin::emitted::{ToldBySerde as _, Untold as _};
+            use ::kin::emitted::{
+                ToldBySerde as _, ToldConstant as _, Untold as _, UntoldConstant as _,
+            };
             to.put("l2", &self.l2);
             to.put("l3", &self.l3);
             to.put("h", &self.h);
             to.put("omega", &self.omega);
+            to.put_text(
+                ::core::module_path!(),
+                "/// Loop closure of the slider-crank, crank driven at ω.      [m]\nfn slider_crank(theta3: Coord, x: Coord, t: Time, l2: f64, l3: f64, h: f64, omega: f64) ->[f64 ; 2] { let theta2 = omega * t ; [l2 * theta2 . cos () + l3 * theta3 . cos () - x , l2 * theta2 . sin () + l3 * theta3 . sin () - h] }",
+            );
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]

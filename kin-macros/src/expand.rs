@@ -32,6 +32,17 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> TokenStream {
     }
 }
 
+/// `#[helper]`
+pub fn helper(attribute: TokenStream, item: TokenStream) -> TokenStream {
+    let parsed = limits::check(&item)
+        .and_then(|()| parse::helper(attribute))
+        .and_then(|with| Ok((with, syn::parse2(item.clone())?)));
+    match parsed {
+        Ok((with, function)) => emit::alone::helper(&with, &function, &item),
+        Err(mistakes) => with_stand_in(&mistakes, &item),
+    }
+}
+
 /// `#[law]`
 pub fn law(attribute: &TokenStream, item: TokenStream) -> TokenStream {
     let parsed = limits::check(&item).and_then(|()| parse::law(attribute, item.clone()));

@@ -11,6 +11,27 @@ mod tests;
 
 use proc_macro::TokenStream;
 
+/// Keeps the text of a function, so that the constraints that call it can be written into files that stand
+/// alone: `#[constraint(with = parabola)]` takes the text of `parabola` along with its own.
+/// `#[helper(with = other)]` is for a function that calls another one.
+///
+/// ```text
+/// #[helper]
+/// fn parabola<D: Dual>(x: Real<D>, k: f64) -> Real<D> {
+///     k * x * x
+/// }
+///
+/// #[constraint(with = parabola)]
+/// fn parabolic_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
+///     let s = j.local(i.point(u_i));
+///     s.y - parabola(s.x, k)
+/// }
+/// ```
+#[proc_macro_attribute]
+pub fn helper(attribute: TokenStream, item: TokenStream) -> TokenStream {
+    expand::helper(attribute.into(), item.into()).into()
+}
+
 /// Turns a function C(q, t) into a constraint with all its derivatives.
 ///
 /// ```text
@@ -57,6 +78,9 @@ use proc_macro::TokenStream;
 /// `#[constraint(lanes)]` (symbolic too) emits the kernels over SIMD lanes as well, for sweeps over many
 /// cases of one mechanism: several of them advance together. Laws and functions of the user's that depend on
 /// coordinates are called lane by lane.
+///
+/// `#[constraint(with = helper)]` puts the text of a function under [`macro@helper`] into mechanism files,
+/// with that of the constraint that calls it. Constants that are an f64 go there by themselves.
 ///
 /// `#[constraint(LEGS = 6)]` says what a length with a name is, of a constant or of a const generic: columns
 /// are counted here. Of a constant it is compared with what it is.

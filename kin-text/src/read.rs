@@ -7,14 +7,14 @@ use kin_graph::differentiate::Derivatives;
 use kin_language::formula::{Outside, Written, local_column, parameter_name};
 use kin_language::lower::{Attachment, Failure, Lowered};
 use kin_language::parse::{self, ConstraintFn, Demand, Kind};
-use kin_language::{limits, lower};
+use kin_language::{constants, limits, lower};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use syn::{Attribute, Expr, File, Item, ItemFn, Stmt};
 
-use crate::constants;
 use crate::mistake::Mistakes;
 use crate::names::interned;
+use crate::plain;
 use crate::signature::Signature;
 use crate::stage::Stage;
 
@@ -125,6 +125,7 @@ fn item(text: &str) -> syn::Result<(TokenStream, ItemFn)> {
     function.attrs = others;
     let marks: Vec<Attribute> = marks;
     let said = marks.first().and_then(|mark| mark.meta.require_list().ok().map(|list| list.tokens.clone()));
+    found.iter_mut().for_each(plain::make);
     let beside: Vec<Item> = found.into_iter().map(Item::Fn).chain(beside).collect();
     let body = std::mem::take(&mut function.block.stmts);
     function.block.stmts = beside.iter().cloned().map(Stmt::Item).chain(body).collect();

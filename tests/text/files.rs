@@ -82,6 +82,108 @@ fn a_file_carries_its_equation_and_gives_the_same_motion() {
     assert_eq!(runs[0].data(), runs[1].data());
 }
 
+/// Of the next constraint: with constants of its own and of the prelude, and functions that call one another.
+const LIFT: f64 = 0.3;
+
+#[kin::helper]
+fn bent<D: Dual>(x: Real<D>, k: f64) -> Real<D> {
+    k * x * x * HALF
+}
+
+const HALF: f64 = 0.5;
+
+#[kin::helper(with = bent)]
+fn doubly_bent<D: Dual>(x: Real<D>, k: f64) -> Real<D> {
+    // one half and one half
+    bent(x, k) + bent(x, k)
+}
+
+/// Pin in a slot.
+#[constraint(with = doubly_bent)]
+#[require(k > LEAST)]
+fn bent_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
+    let s = j.local(i.point(u_i));
+    s.y - doubly_bent(s.x, k) - LIFT * (s.x * TAU).sin()
+}
+
+const LEAST: f64 = 0.1;
+
+fn lost<D: Dual>(x: Real<D>) -> Real<D> {
+    x * x
+}
+
+#[constraint]
+fn lost_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
+    let s = j.local(i.point(u_i));
+    s.y - k * lost(s.x)
+}
+
+/// The compiled mechanism, and the one that its file says to who has nothing but the file.
+fn compiled_and_read(name: &str, m: Mechanism) -> [Mechanism; 2] {
+    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.json"));
+    m.write_json(&path).unwrap();
+    let again = Mechanism::read_json(&path, &registry()).unwrap_or_else(|error| panic!("{error}"));
+    [m, again]
+}
+
+fn move_alike([a, b]: [Mechanism; 2]) {
+    let runs = [a, b].map(|m| m.build().unwrap().run(linspace(0.0, 6.0, 61)).unwrap());
+    for k in 0..61 {
+        let [a, b] = runs.each_ref().map(|run| [run.q(k), run.qd(k), run.qdd(k)].concat());
+        assert!(a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-13), "time {k}: {a:?} {b:?}");
+    }
+}
+
+#[test]
+fn a_compiled_constraint_keeps_its_text() {
+    let plain = with_slot(|slider, ground| Box::new(compiled_slot(slider, ground, vec2(0.1, 0.0), 2.0)));
+    let both = compiled_and_read("compiled_slot", plain.unwrap());
+    let equations = both[0].data().unwrap().equations;
+    assert!(equations.len() == 1 && equations[0].contains("    s.y - k * s.x * s.x\n}"), "{equations:?}");
+    move_alike(both);
+}
+
+#[test]
+fn constants_and_helpers_go_with_the_text() {
+    let bent = with_slot(|slider, ground| Box::new(bent_slot(slider, ground, vec2(0.1, 0.0), 2.0)));
+    let both = compiled_and_read("bent_slot", bent.unwrap());
+    let text = both[0].data().unwrap().equations.concat();
+    for part in
+        ["const HALF: f64 = 0.5;", "fn bent", "fn doubly_bent", "const LIFT: f64 = 0.3;", "const LEAST"]
+    {
+        assert_eq!(text.matches(part).count(), 1, "{part} in\n{text}");
+    }
+    move_alike(both);
+}
+
+#[test]
+fn a_text_that_lacks_something_is_told_when_it_is_wanted() {
+    let m = with_slot(|slider, ground| Box::new(lost_slot(slider, ground, vec2(0.1, 0.0), 2.0))).unwrap();
+    let data = m.data().unwrap();
+    assert!(data.equations.is_empty());
+    let error = Mechanism::from_data(&data, &registry()).err().map(|error| error.to_string());
+    let error = error.unwrap_or_default();
+    assert!(error.contains("`lost` (`#[helper]` before it and `#[constraint(with = lost)]`)"), "{error}");
+    assert!(Mechanism::from_data(&data, &Registry::new().with::<lost_slot>()).is_ok());
+}
+
+#[test]
+fn the_program_that_has_the_constraint_needs_no_reader() {
+    let plain = with_slot(|slider, ground| Box::new(compiled_slot(slider, ground, vec2(0.1, 0.0), 2.0)));
+    let data = plain.unwrap().data().unwrap();
+    assert!(Mechanism::from_data(&data, &Registry::new().with::<compiled_slot>()).is_ok());
+    let error = Mechanism::from_data(&data, &Registry::new()).err().map(|error| error.to_string());
+    assert!(error.unwrap_or_default().contains("kin::text::registry()"));
+}
+
+#[test]
+fn a_file_of_the_library_alone_carries_no_text() {
+    let mut m = Mechanism::new("crank");
+    let crank = m.link("crank", 1.0).unwrap();
+    m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
+    assert!(m.data().unwrap().equations.is_empty());
+}
+
 #[test]
 fn a_file_with_equations_asks_for_their_reader() {
     let data = mechanism(2.0).data().unwrap();

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use kin::{Follow, Motion, Options, Registry, linspace, mechanism::Mechanism};
 
+use crate::own;
 use crate::{SLOT, data, example, place};
 
 /// Examples of the library's constraints with the times, and the change points at which they turn.
@@ -28,6 +29,40 @@ const EXAMPLES: [(&str, [f64; 2], usize, &[usize]); 19] = [
     ("21_cam_with_roller", [0.0, 2.0], 961, &[]),
     ("22_planetary_train", [0.0, 8.0], 401, &[]),
 ];
+
+/// Examples with constraints of the program's own, whose equations stand in the file.
+const OWN: [(&str, [f64; 2], usize); 3] = [
+    ("01_slider_crank", [0.0, 1.0], 361),
+    ("03_custom_constraint", [0.0, 1.0], 1001),
+    ("20_geneva_drive", [0.0, 6.0], 1201),
+];
+
+/// All numbers of a table.
+fn numbers(table: &str) -> Vec<Vec<f64>> {
+    let row = |row: &str| row.split(',').map(|x| x.parse().expect("a number")).collect();
+    table.lines().skip(1).map(row).collect()
+}
+
+#[test]
+fn own_equations_as_text_are_the_compiled_ones() {
+    let registry =
+        Registry::new().with::<own::slider_crank>().with::<own::parabolic_slot>().with::<own::geneva>();
+    for (name, [from, to], count) in OWN {
+        let mechanism = Mechanism::read_json(example(name), &registry).expect("reads");
+        let motion = mechanism.build().expect("builds").run(linspace(from, to, count)).expect("runs");
+        let compiled = numbers(&String::from_utf8(written(&motion, name)).expect("text"));
+        let times = format!("{from}:{to}:{count}");
+        let read = numbers(&data(&["run", &example(name), "--times", &times, "--csv", "-"]));
+        assert_eq!(read.len(), count);
+        let columns = compiled[0].len();
+        for column in 0..columns {
+            let size = compiled.iter().fold(1.0_f64, |size, row| size.max(row[column].abs()));
+            let apart = read.iter().zip(&compiled).map(|(a, b)| (a[column] - b[column]).abs());
+            let worst = apart.fold(0.0, f64::max);
+            assert!(worst <= 1e-13 * size, "{name}, column {column}: {worst:e} of {size:e}");
+        }
+    }
+}
 
 /// The table that a program writes.
 fn written(motion: &Motion, name: &str) -> Vec<u8> {

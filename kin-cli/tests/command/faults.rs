@@ -76,7 +76,8 @@ fn files_that_are_missing_or_none_are_told() {
     fails(&["check", "missing.json"], 5, "cannot read missing.json");
     fails(&["check", &file("none.json", "{\"name\": 3}")], 5, "is no mechanism file");
     fails(&["check", &file("text.json", "hello")], 5, "line 1 column 1");
-    fails(&["check", &example("03_custom_constraint")], 5, "unknown constraint `parabolic_slot`");
+    let unknown = four_bar().to_string().replace("\"drive_angle\"", "\"drive_angel\"");
+    fails(&["check", &file("unknown.json", &unknown)], 5, "unknown constraint `drive_angel`");
     let mut data = four_bar();
     data["format"] = json!(99);
     fails(&["check", &file("later.json", &data.to_string())], 5, "format 99 is not known here");

@@ -3,6 +3,8 @@
 mod examples;
 mod faults;
 mod hostile;
+#[path = "../../../tests/data/own.rs"]
+mod own;
 mod questions;
 mod shell;
 mod streams;

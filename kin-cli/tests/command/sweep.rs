@@ -1,9 +1,16 @@
 //! Sweeps: shards are the whole, bit for bit; a row is what a run with its numbers set gives.
 
+use std::sync::OnceLock;
+
 use crate::{code, data, example, fed, file, words};
 
 /// Cranks of many lengths, some too long to turn.
 fn cases() -> String {
+    static FILE: OnceLock<String> = OnceLock::new();
+    FILE.get_or_init(written).clone()
+}
+
+fn written() -> String {
     let rows = (0..41).map(|k| {
         let half = 0.25 + 0.04 * f64::from(k);
         format!("{},{half}\n", -half)

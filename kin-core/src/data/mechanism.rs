@@ -110,6 +110,10 @@ pub struct ConstraintData {
     /// Its parameters by name.
     #[serde(default)]
     pub parameters: Map<String, Value>,
+    /// Names in the text of its equation that the text could not take along: the file does not stand alone,
+    /// and is read by the program that has the constraint.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub lacking: Vec<String>,
 }
 
 /// An argument of a constraint: `None` is the ground.
@@ -223,13 +227,15 @@ impl Mechanism {
             .map(|argument| self.argument_data(&argument.target))
             .collect::<Option<_>>();
         let arguments = arguments.ok_or_else(|| fail("a body of another mechanism".to_string()))?;
+        let (equation, lacking) = (describer.equation(), describer.lacking().to_vec());
         let data = ConstraintData {
             name: name.to_string(),
             kind: constraint.facts().kind.to_string(),
             arguments,
             parameters: describer.parameters,
+            lacking,
         };
-        Ok((data, describer.equation))
+        Ok((data, equation))
     }
 
     fn argument_data(&self, target: &Target) -> Option<ArgumentData> {
@@ -269,11 +275,13 @@ impl Mechanism {
         let own = registry.with_equations(&data.equations);
         let registry =
             &own.map_err(|reason| Error::Data { place: format!("mechanism `{}`", data.name), reason })?;
-        for ConstraintData { name, kind, arguments, parameters } in &data.constraints {
+        for ConstraintData { name, kind, arguments, parameters, lacking } in &data.constraints {
             plain("constraint", name)?;
             let made = registry.constraint(kind, arguments, parameters, &mechanism);
-            let constraint =
-                made.map_err(|reason| Error::Data { place: format!("constraint `{name}`"), reason })?;
+            let constraint = made.map_err(|reason| {
+                let reason = if lacking.is_empty() { reason } else { without(&reason, lacking) };
+                Error::Data { place: format!("constraint `{name}`"), reason }
+            })?;
             mechanism.add(name, constraint)?;
         }
         for LimitData { measure, from, to } in &data.limits {
@@ -344,6 +352,11 @@ impl Mechanism {
             }
         })
     }
+}
+
+/// A reason, and why the file has no text of the equation.
+fn without(reason: &str, lacking: &[String]) -> String {
+    format!("{reason}; the file does not carry its equation, which speaks of {}", lacking.join(" and of "))
 }
 
 /// The words of a file. Errors: one that is empty.

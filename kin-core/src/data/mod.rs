@@ -23,7 +23,9 @@ pub use mechanism::{
 };
 pub use motion::{BreakData, MotionData, OutputData};
 pub use registry::{Described, Reader, Registry};
-pub use value::{Datum, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold};
+pub use value::{
+    Datum, Sought, SoughtBySerde, Told, ToldBySerde, ToldConstant, Unsought, Untold, UntoldConstant,
+};
 
 use crate::ask::diagnosis::Diagnosis;
 use crate::model::error::{Error, Result};

@@ -37,6 +37,8 @@ pub struct Registry {
     constraints: HashMap<(String, Vec<ArgumentKind>), Make>,
     laws: HashMap<String, MakeLaw>,
     equations: Option<ReadEquation>,
+    /// There are equations as text, and no reader of them.
+    unread: bool,
 }
 
 impl Default for Registry {
@@ -48,7 +50,8 @@ impl Default for Registry {
 impl Registry {
     /// All joints, drivers and laws that ship.
     pub fn new() -> Registry {
-        let empty = Registry { constraints: HashMap::new(), laws: HashMap::new(), equations: None };
+        let empty =
+            Registry { constraints: HashMap::new(), laws: HashMap::new(), equations: None, unread: false };
         super::joints::registered(shipped(empty))
     }
 
@@ -81,12 +84,13 @@ impl Registry {
         self
     }
 
-    /// The same registry with the constraints that these texts say.
+    /// The same registry with the constraints that these texts say; without a reader the program has to know
+    /// them itself.
     pub(super) fn with_equations(&self, texts: &[String]) -> Result<Registry, String> {
-        let read = self.equations.ok_or(
-            "it carries equations as text: read it with `kin::text::registry()`, of the feature `text`",
-        );
-        texts.iter().try_fold(self.clone(), |registry, text| read?(registry, text))
+        match self.equations {
+            Some(read) => texts.iter().try_fold(self.clone(), |registry, text| read(registry, text)),
+            None => Ok(Registry { unread: !texts.is_empty(), ..self.clone() }),
+        }
     }
 
     /// A law of one's own too, by its kind (the name of its function under `#[law]`) and its constructor.
@@ -152,6 +156,11 @@ impl Registry {
             false if self.equations.is_some() => {
                 format!(
                     "unknown constraint `{kind}`: its equation stands neither in the library nor under `equations`"
+                )
+            }
+            false if self.unread => {
+                format!(
+                    "unknown constraint `{kind}`: the file carries equations as text; read it with `kin::text::registry()`, of the feature `text`"
                 )
             }
             false => format!("unknown constraint `{kind}`: add it with `Registry::with::<{kind}>()`"),

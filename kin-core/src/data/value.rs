@@ -162,6 +162,33 @@ impl<T> Untold for &Told<'_, T> {
     }
 }
 
+/// A constant beside an equation, on its way into the equation's text.
+pub trait ToldConstant {
+    /// Puts the constant under its name.
+    fn constant(&self, name: &str, to: &mut Describer);
+}
+
+/// One of another type than f64.
+pub trait UntoldConstant {
+    /// Tells that it is lacking.
+    fn constant(&self, name: &str, to: &mut Describer);
+}
+
+impl ToldConstant for Told<'_, f64> {
+    fn constant(&self, name: &str, to: &mut Describer) {
+        match self.0.is_finite() {
+            true => to.put_beside(&format!("const {name}: f64 = {:?};", self.0)),
+            false => to.lacks(&format!("`{name}`, which is {}", self.0)),
+        }
+    }
+}
+
+impl<T> UntoldConstant for &Told<'_, T> {
+    fn constant(&self, name: &str, to: &mut Describer) {
+        to.lacks(&format!("`{name}`, of the type `{}`", std::any::type_name::<T>()));
+    }
+}
+
 /// A parameter of any type of the user's, on its way in.
 pub struct Sought<T>(PhantomData<T>);
 

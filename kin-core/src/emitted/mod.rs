@@ -13,7 +13,8 @@ mod timed;
 mod values;
 
 pub use crate::data::{
-    Described, Describer, Reader, Sought, SoughtBySerde, Told, ToldBySerde, Unsought, Untold,
+    Described, Describer, Reader, Sought, SoughtBySerde, Told, ToldBySerde, ToldConstant, Unsought, Untold,
+    UntoldConstant,
 };
 pub use crate::model::blame::{Asked, Blame, Source};
 pub use crate::model::constraint::{

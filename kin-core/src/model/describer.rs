@@ -7,8 +7,13 @@ use serde_json::{Map, Value};
 pub struct Describer {
     pub(crate) parameters: Map<String, Value>,
     pub(crate) refusal: Option<String>,
-    pub(crate) equation: Option<String>,
+    text: Option<String>,
+    beside: Vec<String>,
+    lacking: Vec<String>,
 }
+
+/// The constraints of the library need no text: every reader has them.
+const LIBRARY: &str = "kin_core::joints";
 
 impl Describer {
     /// The constraint cannot be described, and why.
@@ -23,7 +28,37 @@ impl Describer {
 
     /// The equation of the constraint as text, which the file then carries.
     pub fn put_equation(&mut self, text: impl Into<String>) {
-        self.equation = Some(text.into());
+        self.text = Some(text.into());
+    }
+
+    /// The same of a function of this module.
+    pub fn put_text(&mut self, module: &str, text: &str) {
+        if !module.starts_with(LIBRARY) {
+            self.put_equation(text);
+        }
+    }
+
+    /// A constant or function that the text of the equation speaks of, as text.
+    pub fn put_beside(&mut self, text: &str) {
+        if !self.beside.iter().any(|known| known == text) {
+            self.beside.push(text.to_string());
+        }
+    }
+
+    /// The text speaks of something that it cannot take along.
+    pub fn lacks(&mut self, what: &str) {
+        self.lacking.push(what.to_string());
+    }
+
+    /// The equation with what stands beside it, where that is all that it needs.
+    pub fn equation(&self) -> Option<String> {
+        let text = self.text.as_ref().filter(|_| self.lacking.is_empty())?;
+        Some(self.beside.iter().map(|part| format!("{part}\n")).collect::<String>() + text)
+    }
+
+    /// Parts that the text of the equation speaks of and cannot take along; none where there is no text.
+    pub fn lacking(&self) -> &[String] {
+        if self.text.is_some() { &self.lacking } else { &[] }
     }
 
     /// A parameter under its name, or why it cannot be written.

@@ -2,6 +2,7 @@
 //! `Value` over the scalar graph; what cannot be read is [`Unreadable`] and sends the whole constraint to the
 //! dual route; a mistake is collected and reading goes on.
 
+pub mod alone;
 mod apply;
 mod arguments;
 mod assign;

@@ -146,7 +146,7 @@ impl Template {
         self.parts().into_iter().for_each(|part| part.visit(f));
     }
 
-    fn parts(&self) -> Vec<&Template> {
+    pub fn parts(&self) -> Vec<&Template> {
         match self {
             Template::Tokens(_)
             | Template::Path(..)

@@ -16,6 +16,8 @@ pub struct Asked {
     pub warn_dual: bool,
     /// Lengths by their names: `LEGS = 6`.
     pub lengths: Vec<(Ident, syn::LitInt)>,
+    /// Functions whose texts go with its own: `with = helper`.
+    pub with: Vec<syn::Path>,
 }
 
 /// Reads the words; each at most once, and none that contradict each other.
@@ -27,8 +29,10 @@ pub fn asked(attribute: TokenStream) -> syn::Result<Asked> {
         .parse2(attribute.clone())
         .map_err(|_| mistake(WORDS))?;
     let lengths: Vec<(Ident, syn::LitInt)> =
-        given.iter().filter_map(|word| Some((word.0.clone(), word.1.clone()?))).collect();
-    let words: Vec<Ident> = given.into_iter().filter(|word| word.1.is_none()).map(|word| word.0).collect();
+        given.iter().filter_map(|word| Some((word.name.clone(), word.length.clone()?))).collect();
+    let with: Vec<syn::Path> = given.iter().filter_map(|word| word.with.clone()).collect();
+    let is_flag = |word: &Word| word.length.is_none() && word.with.is_none();
+    let words: Vec<Ident> = given.into_iter().filter(is_flag).map(|word| word.name).collect();
     let find = |text: &str| words.iter().find(|word| *word == text);
     let (symbolic, dual, lanes, warn_dual) =
         (find("symbolic"), find("dual"), find("lanes"), find("warn_dual"));
@@ -55,17 +59,27 @@ pub fn asked(attribute: TokenStream) -> syn::Result<Asked> {
         (Some(_), Choice::Symbolic) => Err(mistake(
             "where `symbolic` or `lanes` stands the dual route is an error: leave `warn_dual` out",
         )),
-        _ => Ok(Asked { choice, lanes: lanes.is_some(), warn_dual: warn_dual.is_some(), lengths }),
+        _ => Ok(Asked { choice, lanes: lanes.is_some(), warn_dual: warn_dual.is_some(), lengths, with }),
     }
 }
 
-/// `symbolic`, or `LEGS = 6`.
-struct Word(Ident, Option<syn::LitInt>);
+/// `symbolic`, `LEGS = 6`, or `with = helper`.
+struct Word {
+    name: Ident,
+    length: Option<syn::LitInt>,
+    with: Option<syn::Path>,
+}
 
 impl syn::parse::Parse for Word {
     fn parse(input: syn::parse::ParseStream) -> syn::Result<Self> {
-        let name = input.parse()?;
-        let length = input.parse::<Option<syn::Token![=]>>()?.map(|_| input.parse()).transpose()?;
-        Ok(Word(name, length))
+        let name: Ident = input.parse()?;
+        let given = input.parse::<Option<syn::Token![=]>>()?.is_some();
+        let (mut length, mut with) = (None, None);
+        match (given, name == "with") {
+            (true, true) => with = Some(input.parse()?),
+            (true, false) => length = Some(input.parse()?),
+            (false, _) => {}
+        }
+        Ok(Word { name, length, with })
     }
 }

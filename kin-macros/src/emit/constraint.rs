@@ -136,7 +136,7 @@ impl<'a> Frame<'a> {
         let (source, unlinted) = (self.source, unlinted());
         let name = &source.name;
         let facts = facts::facts(source, kind, (&self.row_names, &self.pattern), &parts.facts);
-        let (arguments, describe) = (self.arguments(), described::describe(source));
+        let (arguments, describe) = (self.arguments(), described::describe(source, lowered));
         let (visit, set) = super::parameter_methods(&source.arguments);
         let in_lanes = self.lanes.as_ref().map(|lanes| &lanes.method);
         let measures = measures::methods(source);

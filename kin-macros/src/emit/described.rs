@@ -3,10 +3,11 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use kin_language::lower::Lowered;
 use kin_language::parse::{Argument, ConstraintFn, Kind};
 
 /// `Parameters::describe`: every parameter under its name.
-pub fn describe(source: &ConstraintFn) -> TokenStream {
+pub fn describe(source: &ConstraintFn, lowered: Option<&Lowered>) -> TokenStream {
     let parameters =
         source.arguments.iter().filter(|argument| argument.kind.is_field() && argument.kind.slots() == 0);
     let puts = parameters.map(|argument| {
@@ -19,10 +20,12 @@ pub fn describe(source: &ConstraintFn) -> TokenStream {
             _ => quote!(to.put(#text, &self.#name);),
         }
     });
+    let text = lowered.map(|lowered| super::alone::told(source, lowered));
     quote! {
         fn describe(&self, to: &mut ::kin::emitted::Describer) {
-            use ::kin::emitted::{ToldBySerde as _, Untold as _};
+            use ::kin::emitted::{ToldBySerde as _, ToldConstant as _, Untold as _, UntoldConstant as _};
             #(#puts)*
+            #text
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Last stage: from the graph, and from the user's own body, to Rust. `quote` begins here.
 
+pub mod alone;
 mod attachments;
 mod blame;
 pub mod constraint;

@@ -6,7 +6,7 @@ use proc_macro2::{Literal, Span};
 use quote::ToTokens;
 use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
-use syn::{Expr, Item, ItemFn};
+use syn::{Expr, ExprPath, Item, ItemFn};
 
 const KNOWN: [(&str, f64); 24] = [
     ("PI", consts::PI),
@@ -63,6 +63,11 @@ impl VisitMut for Put {
             None => visit_mut::visit_expr_mut(self, expression),
         }
     }
+}
+
+/// True if a text knows the path: `f64::consts::PI`, `f64::EPSILON`.
+pub fn is_known(path: &ExprPath) -> bool {
+    value(&Expr::Path(path.clone()), &[]).is_some()
 }
 
 /// The number that `PI`, `f64::EPSILON` or `std::f64::consts::TAU` is.

@@ -1,0 +1,168 @@
+//! The names that a function takes from beside it: with their values and texts put before it, its own text
+//! stands alone.
+
+use proc_macro2::Ident;
+use quote::ToTokens;
+use syn::visit::{self, Visit};
+use syn::{Expr, ExprPath};
+
+use super::Lowered;
+use super::template::Template;
+use crate::constants;
+use crate::parse::{ConstraintFn, Kind};
+use crate::vocabulary::{is_kin_function, is_std_function};
+
+/// The names from beside a function.
+#[derive(Default)]
+pub struct Beside {
+    /// Constants.
+    pub constants: Vec<Ident>,
+    /// Functions, as they are called.
+    pub functions: Vec<String>,
+    /// All else that only a program knows, in words.
+    pub unknown: Vec<String>,
+}
+
+impl Beside {
+    /// Those of a function and its attributes.
+    pub fn of(source: &ConstraintFn, lowered: &Lowered) -> Self {
+        let mut beside = Beside::default();
+        for argument in source.arguments.iter().filter(|argument| argument.kind == Kind::Other) {
+            let ty = argument.ty.to_token_stream().to_string();
+            beside.unknown.push(format!("the type `{ty}` of `{}`", argument.name));
+        }
+        let values = lowered.opaques.iter().chain(&lowered.leaves).map(|value| &value.template);
+        values.chain(&lowered.laws).for_each(|template| beside.template(template));
+        let demands = source.requirements.iter().chain(&source.branches).map(|demand| &demand.condition);
+        let ends = source.measures.iter().filter_map(|measure| measure.ends.as_ref());
+        let ends = ends.flat_map(|(from, to)| [from, to]);
+        let asked = demands.chain(source.measures.iter().map(|measure| &measure.value)).chain(ends);
+        asked.for_each(|expression| beside.visit_expr(expression));
+        let mut inside = Inside::default();
+        inside.visit_block(source.written());
+        let own = |name: &Ident| source.arguments.iter().any(|argument| argument.name == *name);
+        beside.constants.retain(|name| !own(name) && !inside.declared.contains(name));
+        // Names that the body brings in are known to it alone, but for constants of the standard library.
+        let (brought, others) = std::mem::take(&mut beside.constants)
+            .into_iter()
+            .partition(|name| inside.has_glob || inside.brought.contains(name));
+        beside.constants = others;
+        let brought: Vec<Ident> = brought;
+        let unknown = brought.iter().filter(|name| !constants::is_known(&syn::parse_quote!(#name)));
+        beside.unknown.extend(unknown.map(Ident::to_string));
+        beside
+    }
+
+    fn template(&mut self, template: &Template) {
+        match template {
+            Template::Path(path, _) => self.path(path),
+            Template::Call(callee, all, _) => {
+                match &**callee {
+                    Template::Path(path, _) => self.function(path),
+                    other => self.unknown.push(other.key()),
+                }
+                all.iter().for_each(|part| self.template(part));
+            }
+            // A parameter whose type a text knows is read there as it is here.
+            Template::Parameter(_) | Template::Numbers(..) | Template::State(..) => {}
+            Template::Tokens(_) | Template::Struct(..) | Template::Part(..) | Template::Matches(..) => {
+                self.unknown.push(template.key());
+            }
+            other => other.parts().into_iter().for_each(|part| self.template(part)),
+        }
+    }
+
+    /// A path that is no call.
+    fn path(&mut self, path: &ExprPath) {
+        match path.path.get_ident() {
+            Some(name) if name.to_string().starts_with(char::is_uppercase) => {
+                if !self.constants.contains(name) {
+                    self.constants.push(name.clone());
+                }
+            }
+            None if constants::is_known(path) => {}
+            Some(name) if self.constants.contains(name) => {}
+            _ => self.unknown.push(tidy(path)),
+        }
+    }
+
+    fn function(&mut self, path: &ExprPath) {
+        let name = tidy(path);
+        if !is_kin_function(path) && !is_std_function(path) && !self.functions.contains(&name) {
+            self.functions.push(name);
+        }
+    }
+}
+
+/// Expressions of attributes, which name parameters and what is beside the function.
+impl<'a> Visit<'a> for Beside {
+    fn visit_expr(&mut self, expression: &'a Expr) {
+        match expression {
+            // The names of parameters are written in small letters.
+            Expr::Path(path)
+                if path
+                    .path
+                    .get_ident()
+                    .is_some_and(|name| name.to_string().starts_with(char::is_lowercase)) => {}
+            Expr::Path(path) => self.path(path),
+            Expr::Call(call) => {
+                match &*call.func {
+                    Expr::Path(path) => self.function(path),
+                    other => self.unknown.push(tidy(other)),
+                }
+                call.args.iter().for_each(|argument| self.visit_expr(argument));
+            }
+            other => visit::visit_expr(self, other),
+        }
+    }
+}
+
+fn tidy(tokens: &impl ToTokens) -> String {
+    tokens.to_token_stream().to_string().replace(' ', "")
+}
+
+/// The names that a body declares and brings in, wherever in it.
+#[derive(Default)]
+struct Inside {
+    declared: Vec<Ident>,
+    brought: Vec<Ident>,
+    has_glob: bool,
+}
+
+impl<'a> Visit<'a> for Inside {
+    fn visit_item_const(&mut self, item: &'a syn::ItemConst) {
+        self.declared.push(item.ident.clone());
+        visit::visit_item_const(self, item);
+    }
+
+    fn visit_item_static(&mut self, item: &'a syn::ItemStatic) {
+        self.declared.push(item.ident.clone());
+        visit::visit_item_static(self, item);
+    }
+
+    fn visit_impl_item_const(&mut self, item: &'a syn::ImplItemConst) {
+        self.declared.push(item.ident.clone());
+        visit::visit_impl_item_const(self, item);
+    }
+
+    fn visit_variant(&mut self, item: &'a syn::Variant) {
+        self.declared.push(item.ident.clone());
+        visit::visit_variant(self, item);
+    }
+
+    fn visit_const_param(&mut self, parameter: &'a syn::ConstParam) {
+        self.declared.push(parameter.ident.clone());
+    }
+
+    fn visit_use_name(&mut self, name: &'a syn::UseName) {
+        self.brought.push(name.ident.clone());
+    }
+
+    fn visit_use_rename(&mut self, name: &'a syn::UseRename) {
+        self.brought.push(name.rename.clone());
+    }
+
+    fn visit_use_glob(&mut self, _: &'a syn::UseGlob) {
+        self.has_glob = true;
+    }
+}
