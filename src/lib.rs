@@ -62,5 +62,6 @@ mod guide {
         Forces "../docs/guide/forces.md";
         Design "../docs/guide/design.md";
         Pictures "../docs/guide/pictures.md";
+        Text "../docs/guide/text.md";
     }
 }

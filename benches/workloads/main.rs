@@ -68,7 +68,8 @@ fn with_kept_memory(arguments: &[String]) -> Option<ExitCode> {
 }
 
 fn known(name: &str) -> Result<(), String> {
-    let parts: Vec<String> = w4::names().chain(w6::names()).chain(w8::names()).collect();
+    let parts: Vec<String> =
+        [w1::TEXT.to_string()].into_iter().chain(w4::names()).chain(w6::names()).chain(w8::names()).collect();
     if NAMES.contains(&name) || parts.iter().any(|part| part == name) {
         return Ok(());
     }
@@ -95,6 +96,7 @@ fn run(name: &str) -> Result<(), String> {
 fn sweeps(name: &str) -> Vec<Workload> {
     match name {
         "W1" => vec![w1::workload()],
+        w1::TEXT => vec![w1::with_text()],
         "W2" => vec![w2::workload()],
         "W3" => vec![w3::workload()],
         "W5" => vec![w5::workload()],

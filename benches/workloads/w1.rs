@@ -9,6 +9,15 @@ use crate::sweep::{Table, Workload, add, build, routes};
 const DT: f64 = 0.01;
 const STEPS: usize = 2401;
 
+/// The same with the joint between the links from text.
+pub fn with_text() -> Workload {
+    let routes = routes(|| run(STEPS, DT), model_with_text);
+    let build: Box<dyn Fn() -> System> = Box::new(|| model_with_text(false));
+    Workload { name: TEXT.to_string(), routes, build, ..workload() }
+}
+
+pub const TEXT: &str = "W1-text";
+
 pub fn workload() -> Workload {
     Workload {
         name: "W1".to_string(),
@@ -23,6 +32,21 @@ pub fn workload() -> Workload {
 }
 
 fn model(dual: bool) -> System {
+    modelled(dual, |m, body2, body3, [u_i, u_j]| add(m, dual, "A", revolute(body2, body3, u_i, u_j)))
+}
+
+/// Whatever route is asked for, the one joint is from text.
+fn model_with_text(dual: bool) -> System {
+    const REVOLUTE: &str =
+        "fn pin(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> Vec2 { i.point(u_i) - j.point(u_j) }";
+    let equation = kin_text::Equation::read(REVOLUTE).unwrap_or_else(|mistakes| panic!("{mistakes}"));
+    modelled(dual, |m, body2, body3, [u_i, u_j]| {
+        let pin = equation.on(body2).on(body3).with("u_i", u_i).with("u_j", u_j).constraint();
+        pin.and_then(|pin| m.add("A", pin)).map_or_else(|error| panic!("{error}"), drop);
+    })
+}
+
+fn modelled(dual: bool, pin: impl Fn(&mut Mechanism, PlanarBody, PlanarBody, [Vec2; 2])) -> System {
     let [l2, l3] = TWO_LINK.l;
     let mut m = Mechanism::new("two-link manipulator");
     let body = |m: &mut Mechanism, name| {
@@ -31,7 +55,7 @@ fn model(dual: bool) -> System {
     let (body1, body2, body3) = (body(&mut m, "body1"), body(&mut m, "body2"), body(&mut m, "body3"));
     add(&mut m, dual, "ground", fixed(body1, vec2(0.0, 0.0), 0.0));
     add(&mut m, dual, "O", revolute(body1, body2, vec2(0.0, 0.0), vec2(-0.5 * l2, 0.0)));
-    add(&mut m, dual, "A", revolute(body2, body3, vec2(0.5 * l2, 0.0), vec2(-0.5 * l3, 0.0)));
+    pin(&mut m, body2, body3, [vec2(0.5 * l2, 0.0), vec2(-0.5 * l3, 0.0)]);
     add(&mut m, dual, "link2", motor(body2, 0));
     add(&mut m, dual, "link3", motor(body3, 1));
     build(m, &TWO_LINK.position(0.0))

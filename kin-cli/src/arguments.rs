@@ -44,6 +44,8 @@ pub enum Command {
     Sensitivities(Sensitivities),
     /// Many cases, a row each: what they are, and the extremes of what is kept of them
     Sweep(Sweep),
+    /// The JSON Schema of mechanism files
+    Schema,
     /// Completions for a shell, to be put where it looks for them
     Completions { shell: Shell },
     /// The manual page, of the whole or of one command
@@ -66,8 +68,8 @@ pub struct Motion {
     /// `FROM:TO:COUNT`, such as 0:1:361, or a list, such as 0,0.5,1   [s]
     #[arg(long, allow_hyphen_values = true)]
     pub times: Times,
-    /// Plain steps, or the whole mechanism as one program: that pays from about a thousand times on
-    #[arg(long, value_enum, default_value = "plain")]
+    /// Plain steps, or the whole mechanism as one program; `auto` takes the one that pays
+    #[arg(long, value_enum, default_value = "auto")]
     pub engine: Engine,
     /// At the change points of these numbers, counted from 0, turns into the other branch
     #[arg(long, value_delimiter = ',', value_name = "NUMBERS")]
@@ -76,6 +78,7 @@ pub struct Motion {
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum Engine {
+    Auto,
     Plain,
     Compiled,
 }

@@ -42,6 +42,7 @@ fn done(command: &Command, say: &Say) -> Result<(), Fault> {
         Command::Prove(asked) => commands::prove(asked, say),
         Command::Sensitivities(asked) => commands::sensitivities(asked, say),
         Command::Sweep(asked) => commands::sweep(asked, say),
+        Command::Schema => commands::schema(),
         Command::Completions { shell } => commands::completions(*shell),
         Command::Manual { command } => commands::manual(command.as_deref()),
     }

@@ -69,6 +69,7 @@ pub fn options(asked: &arguments::Motion, jerk: bool) -> Options {
     Options {
         jerk,
         engine: match asked.engine {
+            Engine::Auto => kin::Engine::Auto,
             Engine::Plain => kin::Engine::Plain,
             Engine::Compiled => kin::Engine::Compiled,
         },

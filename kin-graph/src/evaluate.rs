@@ -30,6 +30,12 @@ enum Result<N: Number> {
 #[derive(Clone)]
 pub struct Results<N: Number>(Vec<Option<Result<N>>>);
 
+impl<N: Number> Default for Results<N> {
+    fn default() -> Self {
+        Results(Vec::new())
+    }
+}
+
 impl<N: Number> Results<N> {
     /// The number of a node, that of a condition being 1 or 0; `None` of a node that was not needed.
     pub fn number(&self, node: Node) -> Option<N> {
@@ -57,6 +63,16 @@ pub fn evaluate<N: Number>(graph: &Graph, outputs: &[Node], source: &impl Source
         results.0[node.index()] = Some(result);
     }
     results
+}
+
+/// The results of all nodes, in the memory of an earlier call: for graphs that have no node too many.
+pub fn evaluate_all<N: Number>(graph: &Graph, source: &impl Source<N>, results: &mut Results<N>) {
+    results.0.clear();
+    results.0.reserve(graph.len());
+    for node in graph.nodes() {
+        let result = result(graph, node, results, source);
+        results.0.push(Some(result));
+    }
 }
 
 /// The results of `outputs` where only the number of one input is another than in `known`: what does not read
@@ -168,6 +184,21 @@ mod tests {
         }
         assert_eq!(chosen.map(|node| results.number(node)), [Some(0.75), Some(2.0)]);
         assert_eq!((results.condition(less), results.number(not)), (Some(true), Some(0.0)));
+    }
+
+    #[test]
+    fn kept_memory_holds_nothing_of_the_call_before() {
+        let mut results = Results::default();
+        for (x, t) in [(3.0, 4.0), (-1.0, 9.0)] {
+            let mut g = Graph::default();
+            let (a, b) = (g.input(Input::Column(0)), g.input(Input::Time));
+            let root = g.raw(Op::Call(Function::Sqrt, b));
+            let all = [a, b, root, g.raw(Op::Mul(a, root))];
+            let source = Given([(Input::Column(0), x), (Input::Time, t)].into());
+            evaluate_all(&g, &source, &mut results);
+            let fresh = evaluate(&g, &all, &source);
+            assert_eq!(all.map(|node| results.number(node)), all.map(|node| fresh.number(node)));
+        }
     }
 
     #[test]

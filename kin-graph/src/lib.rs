@@ -17,7 +17,7 @@ pub mod schedule;
 mod testing;
 mod text;
 
-pub use evaluate::{Results, Source, evaluate, evaluate_along, evaluate_beyond};
+pub use evaluate::{Results, Source, evaluate, evaluate_all, evaluate_along, evaluate_beyond};
 pub use formula::{Expression, Formula};
 pub use functions::{Function, Function2};
 pub use graph::{

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use kin::constraint::{Attached, Attachment, Constraint, Entry, Facts, Parameters, RouteReason, Written};
+use kin::constraint::{Attached, Attachment, Constraint, Facts, Parameters, RouteReason, Written};
 use kin::coordinates::{Argument, Coordinate, Target, Trig};
 use kin::data::{Datum, Describer};
 use kin::emitted::graph::{Dual3_64, Given, Table, give_law};
@@ -133,11 +133,8 @@ impl Constraint for ReadConstraint {
     }
 
     fn linearize(&self, at: &At<'_>, c: &mut [f64], c_q: &mut [f64]) {
-        let (m, entries): (usize, &[Entry]) = (self.read.rows.len(), &self.read.pattern);
-        let mut all = vec![0.0; m + entries.len()];
-        self.compute(&self.read.values, at, &mut all);
-        c.iter_mut().zip(&all[..m]).for_each(|(place, value)| *place = *value);
-        c_q.iter_mut().zip(&all[m..]).for_each(|(place, value)| *place = *value);
+        let rows = c.iter_mut().take(self.read.rows.len());
+        self.read.values.compute(&self.seen(at, None, 1.0), rows.chain(c_q));
     }
 
     fn velocity_rhs(&self, at: &At<'_>, rhs: &mut [f64]) {

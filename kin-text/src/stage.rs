@@ -1,9 +1,16 @@
 //! Nodes of a graph that are asked for together, in a graph of their own without anything else in it: the
 //! evaluator goes through it from the first to the last.
 
+use std::cell::Cell;
+
 use kin::Law;
 use kin::state::{At, Rates};
-use kin_graph::{Graph, Input, LeafUse, Node, Op, Part, Source, evaluate};
+use kin_graph::{Graph, Input, LeafUse, Node, Op, Part, Results, Source, evaluate_all};
+
+thread_local! {
+    /// The results of the call before, for their memory.
+    static MEMORY: Cell<Results<f64>> = Cell::default();
+}
 
 /// Outputs that are computed by one call.
 #[derive(Default)]
@@ -37,12 +44,15 @@ impl Stage {
         Stage { graph, outputs: outputs.iter().map(|output| places[output.index()]).collect() }
     }
 
-    /// Computes the outputs into `to`.
-    pub fn compute(&self, seen: &Seen<'_>, to: &mut [f64]) {
-        let results = evaluate(&self.graph, &self.outputs, seen);
-        for (place, output) in to.iter_mut().zip(&self.outputs) {
+    /// Computes the outputs into these places. Memory is kept from call to call; a law that asks another
+    /// stage meanwhile finds none and takes its own.
+    pub fn compute<'t>(&self, seen: &Seen<'_>, to: impl IntoIterator<Item = &'t mut f64>) {
+        let mut results = MEMORY.take();
+        evaluate_all(&self.graph, seen, &mut results);
+        for (place, output) in to.into_iter().zip(&self.outputs) {
             *place = results.number(*output).unwrap_or(f64::NAN);
         }
+        MEMORY.set(results);
     }
 }
 

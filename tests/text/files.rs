@@ -149,7 +149,7 @@ fn constants_and_helpers_go_with_the_text() {
     let both = compiled_and_read("bent_slot", bent.unwrap());
     let text = both[0].data().unwrap().equations.concat();
     for part in
-        ["const HALF: f64 = 0.5;", "fn bent", "fn doubly_bent", "const LIFT: f64 = 0.3;", "const LEAST"]
+        ["const HALF: f64 = 0.5;", "fn bent<", "fn doubly_bent", "const LIFT: f64 = 0.3;", "const LEAST"]
     {
         assert_eq!(text.matches(part).count(), 1, "{part} in\n{text}");
     }

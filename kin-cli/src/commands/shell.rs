@@ -1,4 +1,4 @@
-//! Completions for shells and manual pages.
+//! Completions for shells, manual pages, and the schema for editors.
 
 use clap::CommandFactory;
 use clap_complete::Shell;
@@ -12,6 +12,15 @@ pub fn completions(shell: Shell) -> Result<(), Fault> {
     let mut text = Vec::new();
     clap_complete::generate(shell, &mut Arguments::command(), "kin", &mut text);
     output::put("-", |to| to.write_all(&text))
+}
+
+/// The JSON Schema of mechanism files.
+pub fn schema() -> Result<(), Fault> {
+    let schema = kin::data::schema(&kin_text::registry());
+    output::put("-", |to| {
+        serde_json::to_writer_pretty(&mut *to, &schema)?;
+        to.write_all(b"\n")
+    })
 }
 
 /// The manual page of the whole, or of one command.

@@ -2,9 +2,11 @@
 
 mod examples;
 mod faults;
+mod files;
 mod hostile;
 #[path = "../../../tests/data/own.rs"]
 mod own;
+mod pages;
 mod questions;
 mod shell;
 mod streams;

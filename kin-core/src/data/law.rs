@@ -9,6 +9,7 @@ use crate::model::law::{Ends, Law};
 
 /// A law as data.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct LawData {
     /// Its kind, such as `ramp`: what a [`Registry`] looks up.

@@ -17,6 +17,7 @@ use crate::model::units::Units;
 
 /// A mechanism as data: bodies, constraints with their parameters, laws.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct MechanismData {
     /// Version of this format.
@@ -44,6 +45,7 @@ pub struct MechanismData {
 
 /// The value that a measure of a joint should have in the assembly that is meant.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct PreferredData {
     /// The measure, such as `elbow.angle`.
@@ -54,6 +56,7 @@ pub struct PreferredData {
 
 /// The range that a measure of a joint or a coordinate should keep to; `None` for no end.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct LimitData {
     /// The measure or coordinate, such as `slot.slide`.
@@ -66,6 +69,7 @@ pub struct LimitData {
 
 /// A body or bare coordinate with its guess.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct BodyData {
     /// Its name.
@@ -99,6 +103,7 @@ pub enum BodyKind {
 
 /// A constraint by its kind, arguments and parameters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct ConstraintData {
     /// Its name.

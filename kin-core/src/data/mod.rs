@@ -9,6 +9,7 @@ mod mechanism;
 mod motion;
 mod names;
 mod registry;
+mod schema;
 mod value;
 
 use std::path::Path;
@@ -23,6 +24,7 @@ pub use mechanism::{
 };
 pub use motion::{BreakData, MotionData, OutputData};
 pub use registry::{Described, Reader, Registry};
+pub use schema::schema;
 pub use value::{
     Datum, Sought, SoughtBySerde, Told, ToldBySerde, ToldConstant, Unsought, Untold, UntoldConstant,
 };

@@ -111,6 +111,13 @@ impl Registry {
         all
     }
 
+    /// Kinds of the laws, sorted.
+    pub fn law_kinds(&self) -> Vec<&str> {
+        let mut all: Vec<&str> = self.laws.keys().map(String::as_str).collect();
+        all.sort_unstable();
+        all
+    }
+
     /// The law that the data say. Errors: unknown kind, numbers or parts that are missing.
     pub fn law(&self, data: &LawData) -> Result<Law, String> {
         let make = self

@@ -254,6 +254,11 @@ impl Graph {
         self.ops.len()
     }
 
+    /// All nodes, operands before what is made of them.
+    pub fn nodes(&self) -> impl Iterator<Item = Node> + use<> {
+        (0..self.ops.len() as u32).map(Node)
+    }
+
     /// True if there is no node yet.
     pub fn is_empty(&self) -> bool {
         self.ops.is_empty()

@@ -108,6 +108,7 @@ fn text(item: &TokenStream) -> String {
     let attributes: String = function.attrs.iter().map(attribute).collect();
     let (visibility, signature) = (&function.vis, &function.sig);
     let head = tidy(&quote!(#visibility #signature).to_string().replace('\n', " ")).replace(" : ", ": ");
+    let head = head.replace(" < ", "<").replace(" >", ">");
     format!("{attributes}{head} {}", body(item))
 }
 

@@ -1,0 +1,91 @@
+//! The command lines of the guide: each is run.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+
+/// The blocks of a page in this language.
+fn blocks(page: &str, language: &str) -> Vec<String> {
+    let text = std::fs::read_to_string(format!("{ROOT}/docs/guide/{page}.md")).expect("a page");
+    let fence = format!("```{language}\n");
+    text.split(&fence).skip(1).map(|rest| rest.split("```").next().unwrap_or_default().to_string()).collect()
+}
+
+/// A folder that looks like the root of the repository, with `out/`.
+fn folder(page: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages").join(page);
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(folder.join("out")).expect("a folder");
+    std::fs::create_dir_all(folder.join("examples/mechanisms")).expect("a folder");
+    for entry in std::fs::read_dir(format!("{ROOT}/examples/mechanisms")).expect("the ready mechanisms") {
+        let from = entry.expect("an entry").path();
+        std::fs::copy(&from, folder.join("examples/mechanisms").join(from.file_name().expect("a name")))
+            .expect("copied");
+    }
+    folder
+}
+
+fn shell(line: &str, folder: &Path) -> Command {
+    let kin = Path::new(env!("CARGO_BIN_EXE_kin")).parent().expect("a folder");
+    let path = std::env::var("PATH").unwrap_or_default();
+    let mut shell = Command::new("sh");
+    shell.args(["-c", line]).current_dir(folder).env("PATH", format!("{}:{path}", kin.display()));
+    shell
+}
+
+/// Runs a line of `kin watch` until it has run once.
+fn watched(line: &str, folder: &Path) {
+    let told = folder.join("watched.txt");
+    let words = std::fs::File::create(&told).expect("a file");
+    let mut child =
+        shell(&format!("exec {line}"), folder).stdout(Stdio::null()).stderr(words).spawn().expect("a shell");
+    let begun = Instant::now();
+    while !std::fs::read_to_string(&told).is_ok_and(|text| text.contains("watching"))
+        && begun.elapsed() < Duration::from_secs(60)
+    {
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    let _ = child.kill();
+    let _ = child.wait();
+    let text = std::fs::read_to_string(&told).expect("words");
+    assert!(text.contains("watching") && !text.contains("error"), "{line}: {text}");
+}
+
+#[test]
+fn every_command_line_of_the_guide_does_what_it_says() {
+    let mut count = 0;
+    for page in ["command", "text"] {
+        let folder = folder(page);
+        for json in blocks("text", "json") {
+            std::fs::write(folder.join("out/slot.json"), json).expect("written");
+        }
+        for line in blocks(page, "sh").iter().flat_map(|block| block.lines()) {
+            count += 1;
+            if line.starts_with("kin watch") {
+                watched(line, &folder);
+                continue;
+            }
+            let output = shell(line, &folder).output().expect("a shell");
+            let told = String::from_utf8_lossy(&output.stderr).into_owned();
+            assert!(output.status.success() && !told.contains("error"), "{line}: {told}");
+            let has_file =
+                line.split_whitespace().filter(|word| word.starts_with("out/") && !line.contains("cat "));
+            for file in has_file {
+                let size = std::fs::metadata(folder.join(file)).map(|of| of.len()).unwrap_or(0);
+                assert!(size > 0, "{line}: {file} is not there");
+            }
+        }
+    }
+    assert!(count > 15, "only {count} lines");
+}
+
+#[test]
+fn every_ready_mechanism_runs() {
+    for entry in std::fs::read_dir(format!("{ROOT}/examples/mechanisms")).expect("the ready mechanisms") {
+        let path = entry.expect("an entry").path();
+        let table = crate::data(&["run", &path.to_string_lossy(), "--times", "0:0.1:3", "--csv", "-"]);
+        assert_eq!(table.lines().count(), 4, "{}", path.display());
+    }
+}

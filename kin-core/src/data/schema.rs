@@ -1,0 +1,170 @@
+//! The JSON Schema of mechanism files, from the same registry that reads them.
+
+use serde_json::{Map, Value, json};
+
+use super::{FORMAT, Registry};
+
+/// The JSON Schema (draft 2020-12) of mechanism files: what [`crate::Mechanism::write_json`] writes, and what
+/// may be written by hand. Kinds of constraints and laws are suggested, not demanded: a file brings
+/// constraints of its own, and a program its laws.
+///
+/// ```
+/// let schema = kin::data::schema(&kin::Registry::new());
+/// assert_eq!(schema["properties"]["bodies"]["type"], "array");
+/// ```
+pub fn schema(registry: &Registry) -> Value {
+    let list = |of: &str, told: &str| json!({ "description": told, "type": "array", "items": named(of) });
+    json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "A mechanism of Kin",
+        "type": "object",
+        "required": ["name", "bodies", "constraints"],
+        "additionalProperties": false,
+        "properties": {
+            "format": { "description": "Version of the format.", "const": FORMAT, "default": 1 },
+            "name": text("Name of the mechanism."),
+            "units": object("Names of its units.", &["length", "time"], &[
+                ("length", text("The word for the unit of length, such as mm.")),
+                ("time", text("The word for the unit of time, such as s.")),
+            ]),
+            "equations": {
+                "description": "Equations of constraints of one's own, as text in the language of `#[constraint]`.",
+                "type": "array", "items": { "type": "string" },
+            },
+            "bodies": list("body", "Bodies and bare coordinates in their order."),
+            "constraints": list("constraint", "Constraints in their order."),
+            "limits": list("limit", "Ranges that measures should keep to."),
+            "preferred": list("preferred", "Measures by whose values an assembly is preferred."),
+        },
+        "$defs": {
+            "body": body(),
+            "constraint": constraint(registry),
+            "argument": argument(),
+            "law": law(registry),
+            "limit": object("The range of a measure; null for no end.", &["measure"], &[
+                ("measure", text("The measure or coordinate, such as slot.slide.")),
+                ("from", number_or_null("Its lower end.")),
+                ("to", number_or_null("Its upper end.")),
+            ]),
+            "preferred": object("The value of a measure in the assembly that is meant.", &["measure", "value"], &[
+                ("measure", text("The measure, such as elbow.angle.")),
+                ("value", json!({ "type": "number" })),
+            ]),
+        },
+    })
+}
+
+fn body() -> Value {
+    let guess = "R_x, R_y, θ of a planar body; R, e0..e3 of a spatial one; the value of a bare coordinate.";
+    object(
+        "A body or bare coordinate with its guess.",
+        &["name", "kind", "guess"],
+        &[
+            ("name", text("Its name.")),
+            ("kind", json!({ "enum": ["planar", "spatial", "angle", "length"] })),
+            ("guess", json!({ "description": guess, "type": "array", "items": { "type": "number" } })),
+            (
+                "preferred",
+                json!({
+                    "description": "Preferred values of its coordinates, null for none.",
+                    "type": "array", "items": { "type": ["number", "null"] },
+                }),
+            ),
+            (
+                "length",
+                json!({
+                    "description": "Length between the pins of a link.", "type": ["number", "null"], "exclusiveMinimum": 0,
+                }),
+            ),
+        ],
+    )
+}
+
+fn constraint(registry: &Registry) -> Value {
+    let mut kinds: Vec<&str> = registry.kinds().into_iter().map(|(kind, _)| kind).collect();
+    kinds.dedup();
+    object(
+        "A constraint by its kind, arguments and parameters.",
+        &["name", "kind", "arguments"],
+        &[
+            ("name", text("Its name.")),
+            (
+                "kind",
+                json!({
+                    "description": "Name of its function, in the library or under `equations`.",
+                    "anyOf": [{ "enum": kinds }, { "type": "string" }],
+                }),
+            ),
+            (
+                "arguments",
+                json!({
+                    "description": "The bodies and coordinates that it acts on, in the order of its signature.",
+                    "type": "array", "items": named("argument"),
+                }),
+            ),
+            (
+                "parameters",
+                json!({
+                    "description": "Its parameters by name: a number, lists of numbers, a law.", "type": "object",
+                }),
+            ),
+            (
+                "lacking",
+                json!({
+                    "description": "What its text speaks of and the file does not carry.",
+                    "type": "array", "items": { "type": "string" },
+                }),
+            ),
+        ],
+    )
+}
+
+/// One of several objects with one key.
+fn argument() -> Value {
+    let one = |key: &str, value: Value| object("", &[key], &[(key, value)]);
+    let body = |told: &str| json!({ "description": told, "type": ["string", "null"] });
+    let axis = |told: &str| json!({ "description": told, "type": "integer", "minimum": 0 });
+    json!({ "oneOf": [
+        one("planar", body("A planar body; null is the ground.")),
+        one("spatial", body("A spatial body; null is the ground.")),
+        one("coord", text("A coordinate by its name, such as crank.theta.")),
+        one("ground_coord", axis("A coordinate of the ground as a planar body, by its number.")),
+        one("spatial_ground_coord", axis("A coordinate of the ground as a spatial body, by its number.")),
+    ] })
+}
+
+fn law(registry: &Registry) -> Value {
+    object(
+        "A law: its kind, its own numbers, the laws that it is made of.",
+        &["kind"],
+        &[
+            ("kind", json!({ "anyOf": [{ "enum": registry.law_kinds() }, { "type": "string" }] })),
+            ("numbers", json!({ "type": "object", "additionalProperties": { "type": "number" } })),
+            ("parts", json!({ "type": "object", "additionalProperties": named("law") })),
+        ],
+    )
+}
+
+fn named(definition: &str) -> Value {
+    json!({ "$ref": format!("#/$defs/{definition}") })
+}
+
+fn text(told: &str) -> Value {
+    json!({ "description": told, "type": "string" })
+}
+
+fn number_or_null(told: &str) -> Value {
+    json!({ "description": told, "type": ["number", "null"] })
+}
+
+/// An object with these members and no others.
+fn object(told: &str, required: &[&str], members: &[(&str, Value)]) -> Value {
+    let members: Map<String, Value> =
+        members.iter().map(|(name, value)| ((*name).to_string(), value.clone())).collect();
+    let mut all = json!({ "type": "object", "required": required, "additionalProperties": false });
+    all["properties"] = Value::Object(members);
+    if !told.is_empty() {
+        all["description"] = json!(told);
+    }
+    all
+}
