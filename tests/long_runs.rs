@@ -141,3 +141,27 @@ fn redundant_mechanisms_run_in_parts_too() {
     system.run_in_parts(linspace(0.0, 1.0, 50), 7, &Options::default(), keep).unwrap();
     assert_eq!(all, numbers(&whole));
 }
+
+/// A watched run has the numbers of the run; one that is told to stop keeps what it has computed.
+#[test]
+fn a_run_is_watched_and_stopped() {
+    let system = four_bar(false).unwrap();
+    let times = linspace(0.0, 3.0, 301);
+    let (mut seen, whole) = (Vec::new(), system.run(&times).unwrap());
+    let watched = system.run_watched(&times, &Options::default(), |done| {
+        seen.push(done);
+        true
+    });
+    assert_eq!(watched.unwrap().qdd(300), whole.qdd(300));
+    assert_eq!(seen, (0..301).collect::<Vec<_>>());
+    let stopped = system.run_watched(&times, &Options::default(), |done| done < 100).unwrap_err();
+    assert!(matches!(stopped, Error::Stopped { done: 100, all: 301, .. }), "{stopped}");
+    let text = stopped.to_string();
+    assert!(
+        text.starts_with("the run was stopped after 100 of 301 times\n  The motion up to t = 0.99 s"),
+        "{text}"
+    );
+    assert_eq!(stopped.motion().map(kin::Motion::len), Some(100));
+    let never = system.run_watched(&times, &Options::default(), |_| false).unwrap_err();
+    assert_eq!(never.to_string(), "the run was stopped after 0 of 301 times");
+}

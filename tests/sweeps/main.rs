@@ -159,7 +159,7 @@ fn a_sweep_can_be_stopped() {
         .stop_when(&stop)
         .progress(|done, _| stop.store(done >= 16, Ordering::Relaxed));
     let stopped = sweep.run(&cases, [0.0, 0.1], |_, _| ());
-    assert!(matches!(stopped, Err(Error::Stopped { done: 16, cases: 400 })), "{stopped:?}");
+    assert!(matches!(stopped, Err(Error::Stopped { done: 16, all: 400, motion: None })), "{stopped:?}");
 }
 
 #[test]

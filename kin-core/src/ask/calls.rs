@@ -58,7 +58,24 @@ impl System {
 
     /// The same with other options.
     pub fn run_with(&self, times: impl AsRef<[f64]>, options: &Options) -> Result<Motion> {
-        let mut run = newton::run::run(self, times.as_ref(), options, Some(EXPLAIN));
+        self.noted(newton::run::run(self, times.as_ref(), options, Some(EXPLAIN), None))
+    }
+
+    /// The same run, watched: `watch` is called before each plain step with the number of times that are
+    /// done; the run goes on while it says so. A program calls it once a block of times.
+    ///
+    /// Errors: those of a run; [`Error::Stopped`], with the motion up to there.
+    pub fn run_watched(
+        &self,
+        times: impl AsRef<[f64]>,
+        options: &Options,
+        mut watch: impl FnMut(usize) -> bool,
+    ) -> Result<Motion> {
+        self.noted(newton::run::run(self, times.as_ref(), options, Some(EXPLAIN), Some(&mut watch)))
+    }
+
+    /// A run with what has happened on its way.
+    fn noted(&self, mut run: Result<Motion>) -> Result<Motion> {
         match &mut run {
             Ok(motion) => self.note(motion),
             Err(error) => error.motion_mut().into_iter().for_each(|motion| self.note(motion)),

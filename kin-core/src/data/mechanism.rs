@@ -11,8 +11,7 @@ use crate::model::describer::Describer;
 use crate::model::dual_route::ArgumentKind;
 use crate::model::error::{Error, Result};
 use crate::model::layout::{Kind, Place};
-use crate::model::mechanism::Limit;
-use crate::model::mechanism::Mechanism;
+use crate::model::mechanism::{ConstraintId, Limit, Mechanism};
 use crate::model::units::Units;
 
 /// A mechanism as data: bodies, constraints with their parameters, laws.
@@ -280,14 +279,9 @@ impl Mechanism {
         let own = registry.with_equations(&data.equations);
         let registry =
             &own.map_err(|reason| Error::Data { place: format!("mechanism `{}`", data.name), reason })?;
-        for ConstraintData { name, kind, arguments, parameters, lacking } in &data.constraints {
-            plain("constraint", name)?;
-            let made = registry.constraint(kind, arguments, parameters, &mechanism);
-            let constraint = made.map_err(|reason| {
-                let reason = if lacking.is_empty() { reason } else { without(&reason, lacking) };
-                Error::Data { place: format!("constraint `{name}`"), reason }
-            })?;
-            mechanism.add(name, constraint)?;
+        for constraint in &data.constraints {
+            plain("constraint", &constraint.name)?;
+            mechanism.add_data(constraint, registry)?;
         }
         for LimitData { measure, from, to } in &data.limits {
             mechanism.limit(measure, from.unwrap_or(f64::NEG_INFINITY), to.unwrap_or(f64::INFINITY))?;
@@ -296,6 +290,20 @@ impl Mechanism {
             mechanism.prefer(measure, *value);
         }
         Ok(mechanism)
+    }
+
+    /// Adds the constraint that the data say, made by the registry, on bodies of this mechanism.
+    ///
+    /// Errors: an unknown kind, a body or parameter that is missing or of another kind, and those of
+    /// [`Mechanism::add`].
+    pub fn add_data(&mut self, data: &ConstraintData, registry: &Registry) -> Result<ConstraintId> {
+        let ConstraintData { name, kind, arguments, parameters, lacking } = data;
+        let made = registry.constraint(kind, arguments, parameters, self);
+        let constraint = made.map_err(|reason| {
+            let reason = if lacking.is_empty() { reason } else { without(&reason, lacking) };
+            Error::Data { place: format!("constraint `{name}`"), reason }
+        })?;
+        self.add(name, constraint)
     }
 
     fn add_body(&mut self, body: &BodyData) -> Result<()> {

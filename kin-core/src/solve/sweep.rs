@@ -218,7 +218,7 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
 
     /// One case by itself.
     fn alone(&self, system: &System) -> Result<Motion> {
-        newton::run::run(system, self.times, &self.sweep.options, self.sweep.explain)
+        newton::run::run(system, self.times, &self.sweep.options, self.sweep.explain, None)
     }
 
     /// An error if the motions that are under way at once, so many a thread, take more memory than is
@@ -236,7 +236,8 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
     ) -> Result<Vec<R>> {
         let batch = |worker: &mut W, (number, cases): (usize, &[C])| {
             if self.sweep.stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) {
-                return Err(Error::Stopped { done: *lock(&self.done), cases: self.cases.len() });
+                let (done, all) = (*lock(&self.done), self.cases.len());
+                return Err(Error::Stopped { done, all, motion: None });
             }
             let kept = run(worker, number * BATCH, cases);
             self.report(cases.len());

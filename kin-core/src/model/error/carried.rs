@@ -18,7 +18,8 @@ macro_rules! carried {
             | Error::WrongBranch { motion, .. }
             | Error::LawJumps { motion, .. }
             | Error::Toggle { motion, .. }
-            | Error::CannotFollow { motion, .. } => Some(motion),
+            | Error::CannotFollow { motion, .. }
+            | Error::Stopped { motion, .. } => Some(motion),
             _ => None,
         }
     };

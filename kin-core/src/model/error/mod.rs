@@ -13,8 +13,7 @@ pub use carried::Result;
 #[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A mechanism that cannot be driven, whatever its pose: equations are missing, or contradict one
-    /// another.
+    /// A mechanism that cannot be driven, whatever its pose: equations are missing or contradictory.
     #[error("{diagnosis}{}", text::kept(.motion))]
     CannotBeDriven {
         /// The diagnosis, by name.
@@ -47,8 +46,7 @@ pub enum Error {
         motion: Option<Box<Motion>>,
     },
 
-    /// C_q has no inverse at a position: a toggle, a change point, or a mechanism that is wrongly
-    /// constrained.
+    /// C_q has no inverse at a position: a toggle, a change point, a mechanism wrongly constrained.
     #[error("{}{}", text::diagnosed(.diagnosis, || text::singular(&words::at(*.t, .units), [*.rank, *.n], *.pivot,
         [.movable, .dependent], .unmet)), text::kept(.motion))]
     SingularAt {
@@ -326,13 +324,15 @@ pub enum Error {
         value: f64,
     },
 
-    /// A sweep that was told to stop ([`crate::Sweep::stop_when`]).
-    #[error("the sweep was stopped after {done} of {cases} cases")]
+    /// A sweep or run that was told to stop ([`crate::Sweep::stop_when`], [`crate::System::run_watched`]).
+    #[error("{}{}", text::stopped([*.done, *.all], .motion), text::kept(.motion))]
     Stopped {
-        /// Cases that were done.
+        /// Cases or times that were done.
         done: usize,
-        /// Cases there are.
-        cases: usize,
+        /// Cases or times there are.
+        all: usize,
+        /// The motion that a run had computed before; `None` of a sweep.
+        motion: Option<Box<Motion>>,
     },
 
     /// A list of the wrong length.

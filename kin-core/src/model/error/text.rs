@@ -131,6 +131,12 @@ pub(super) fn kept(motion: &Option<Box<Motion>>) -> String {
     format!("\n  The motion up to t = {} is in this error: `error.motion()`.", at(last, motion.unit_words()))
 }
 
+/// A sweep, or a run, which carries a motion.
+pub(super) fn stopped([done, all]: [usize; 2], motion: &Option<Box<Motion>>) -> String {
+    let (what, parts) = if motion.is_some() { ("run", "times") } else { ("sweep", "cases") };
+    format!("the {what} was stopped after {done} of {all} {parts}")
+}
+
 /// The names there are, nearest guess first.
 pub(super) fn known(known: &[String]) -> String {
     if known.is_empty() { String::new() } else { format!("; there are {}", list(known)) }

@@ -9,16 +9,21 @@ use crate::solve::motion::Motion;
 use crate::system::System;
 use crate::system::evaluate::Instant;
 
+/// Asked before each plain step, with the number of times that are done: the run ends where it says no.
+pub(crate) type Watch<'a> = &'a mut (dyn FnMut(usize) -> bool + 'a);
+
 /// Position, velocity and acceleration at each of the times.
-pub(crate) fn run(
-    system: &System,
+pub(crate) fn run<'a>(
+    system: &'a System,
     times: &[f64],
-    options: &Options,
+    options: &'a Options,
     explain: Option<Explain>,
+    watch: Option<Watch<'a>>,
 ) -> Result<Motion> {
     check(times)?;
     options.check_memory(1, times.len(), system.n_coordinates())?;
     let (mut run, mut motion) = (Run::new(system, options, explain)?, Motion::new(system, times.len()));
+    run.watch = watch.map(|watch| (watch, times.len()));
     let wanted = compiled::wanted(system, times, options)?;
     if let Err(error) = compiled::run(&mut run, times, &mut motion, wanted) {
         return Err(run.failed(error, motion));
@@ -34,6 +39,8 @@ pub(crate) struct Run<'a> {
     explain: Option<Explain>,
     driver: Driver<'a>,
     law_breaks: LawBreaks,
+    /// With the number of all times.
+    watch: Option<(Watch<'a>, usize)>,
 }
 
 /// The solver that advances a run.
@@ -55,7 +62,7 @@ impl<'a> Run<'a> {
         } else {
             Driver::Plain(Box::new(Stepper::new(system, options)))
         };
-        Ok(Run { system, options, explain, driver, law_breaks: LawBreaks::default() })
+        Ok(Run { system, options, explain, driver, law_breaks: LawBreaks::default(), watch: None })
     }
 
     /// The same at each of the times, one by one.
@@ -66,6 +73,12 @@ impl<'a> Run<'a> {
     /// Solves at the next time and appends it to the motion, with what has been met since the last one.
     #[inline]
     pub(crate) fn reach(&mut self, t: f64, motion: &mut Motion) -> Result<()> {
+        if let Some((watch, all)) = &mut self.watch
+            && !watch(motion.len())
+        {
+            let before = Some(Box::new(motion.last()));
+            return Err(Error::Stopped { done: motion.len(), all: *all, motion: before });
+        }
         let stepper = match &mut self.driver {
             Driver::Plain(stepper) => stepper,
             Driver::Redundant(stepper) => return stepper.reach(t, &mut self.law_breaks, motion),
