@@ -1,0 +1,163 @@
+"""Kin: write a constraint C(q, t) = 0 once, get every derivative, and drive whole mechanisms with them.
+
+    m = kin.Mechanism("crank and rocker")
+    crank = m.link("crank", 1.0)
+    m.add("O", kin.revolute(m.ground, crank, (0, 0), crank.start))
+    m.add("motor", kin.drive_angle(crank, kin.Law.ramp(1.0)))
+    motion = m.build().run(np.linspace(0, 6, 601))
+
+Metre, radian, second; any consistent set of units works.
+"""
+
+from . import spatial
+from ._constraint import Constraint, Equation, branch, constraint, equation, law, measure, require
+from ._diagnosis import Diagnosis
+from ._errors import *  # noqa: F403
+from ._errors import ALL as _ERRORS
+from ._functions import (
+    acos,
+    acosh,
+    asin,
+    asinh,
+    atan,
+    atan2,
+    atanh,
+    cbrt,
+    ceil,
+    clip,
+    cos,
+    cosh,
+    degrees,
+    exp,
+    exp2,
+    expm1,
+    fabs,
+    floor,
+    hypot,
+    log,
+    log1p,
+    log2,
+    log10,
+    maximum,
+    minimum,
+    pi,
+    power,
+    radians,
+    sign,
+    sin,
+    sinh,
+    sqrt,
+    tan,
+    tanh,
+    tau,
+    trunc,
+    where,
+)
+from ._handles import Coordinate, Ground, Link, PlanarBody, SpatialBody, SpatialLink, ground
+from ._joint import Joint
+from ._law import Law
+from ._mechanism import Mechanism, Terms
+from ._motion import Event, Motion, Point, Quantity, Rotation
+from ._scalars import Scalar
+from ._states import Coord, Planar, Spatial, Time
+from ._sweeps import Batch, Rows, sweep
+from ._pictures import Page, Picture
+from ._system import Assembly, Extreme, Extremes, Proof, Solution, System
+from ._vectors import Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3
+from .library import *  # noqa: F403
+from .library import __all__ as _LIBRARY
+
+deg = radians
+
+__all__ = [
+    *_ERRORS,
+    *_LIBRARY,
+    "Assembly",
+    "Axis",
+    "Batch",
+    "Constraint",
+    "Coord",
+    "Coordinate",
+    "Diagnosis",
+    "Equation",
+    "EulerParameters",
+    "Event",
+    "Extreme",
+    "Extremes",
+    "Ground",
+    "Joint",
+    "Law",
+    "Link",
+    "Mat2",
+    "Mat3",
+    "Mechanism",
+    "Motion",
+    "Page",
+    "Picture",
+    "Planar",
+    "PlanarBody",
+    "Point",
+    "Proof",
+    "Quantity",
+    "Rotation",
+    "Rows",
+    "Scalar",
+    "Solution",
+    "Spatial",
+    "SpatialBody",
+    "SpatialLink",
+    "System",
+    "Terms",
+    "Time",
+    "Vec2",
+    "Vec3",
+    "acos",
+    "acosh",
+    "asin",
+    "asinh",
+    "atan",
+    "atan2",
+    "atanh",
+    "branch",
+    "cbrt",
+    "ceil",
+    "clip",
+    "constraint",
+    "cos",
+    "cosh",
+    "deg",
+    "degrees",
+    "equation",
+    "exp",
+    "exp2",
+    "expm1",
+    "fabs",
+    "floor",
+    "ground",
+    "hypot",
+    "law",
+    "log",
+    "log10",
+    "log1p",
+    "log2",
+    "maximum",
+    "measure",
+    "minimum",
+    "pi",
+    "power",
+    "radians",
+    "require",
+    "sign",
+    "sin",
+    "sinh",
+    "spatial",
+    "sqrt",
+    "sweep",
+    "tan",
+    "tanh",
+    "tau",
+    "trunc",
+    "vec2",
+    "vec3",
+    "where",
+]

@@ -1,0 +1,451 @@
+"""`@kin.constraint`: a Python function C(q, t), traced once, as an equation of Kin's own language."""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import inspect
+import re
+import textwrap
+import typing
+from dataclasses import dataclass
+from typing import Any, Callable, NoReturn, Optional, Sequence, Union, overload
+
+import numpy as np
+
+from . import _mistakes, _native
+from ._errors import ConstraintError
+from ._handles import Coordinate, Handle
+from ._law import Law
+from ._library_names import LIBRARY
+from ._scalars import Condition, Expr, users_line
+from ._states import Coord, Planar, Spatial, Time, TracedLaw
+from ._trace import Trace
+from ._values import numbers_of
+from ._vectors import Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, _Components
+
+_VALUES: dict[Any, str] = {
+    float: "f64",
+    Vec2: "Vec2",
+    Vec3: "Vec3",
+    EulerParameters: "EulerParameters",
+    Mat2: "Mat2",
+    Mat3: "Mat3",
+    Axis: "Axis",
+    Law: "Law",
+}
+_BODIES: dict[Any, str] = {Planar: "Planar", Spatial: "Spatial", Coord: "Coord"}
+_COUNTS = (int, bool, str)
+# Words of Rust that a name of Python can be.
+_RUST = set("abstract become box const crate do dyn enum extern final fn impl let loop macro match mod move mut override "
+            "priv pub ref self static struct super trait type typeof unsafe unsized use virtual where gen".split())  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Argument:
+    """An argument of a traced function: its name, its type in Kin's language, how many of them as a list."""
+
+    name: str
+    kind: str
+    count: Optional[int] = None
+    default: Any = inspect.Parameter.empty
+
+    @property
+    def is_body(self) -> bool:
+        """True of bodies and coordinates."""
+        return self.kind in _BODIES.values()
+
+    @property
+    def written(self) -> str:
+        """Its name in the text."""
+        return f"r#{self.name}" if self.name in _RUST else self.name
+
+    @property
+    def type(self) -> str:
+        """Its type in the text."""
+        return self.kind if self.count is None else f"[{self.kind}; {self.count}]"
+
+
+@dataclass(frozen=True)
+class Constraint:
+    """An equation on bodies, with its parameters: for `m.add(name, …)`."""
+
+    equation: "Equation"
+    bodies: tuple[Union[Handle, Coordinate], ...]
+    parameters: dict[str, Any]
+
+    def __repr__(self) -> str:
+        return f"{self.equation.name}(…)"
+
+
+class Equation:
+    """An equation C(q, t) = 0 that was read: called with bodies and parameters it gives a constraint."""
+
+    def __init__(self, text: str, arguments: Sequence[Argument], native: "_native.Equation") -> None:
+        self.text, self.arguments, self._native = text, tuple(arguments), native
+        self.name = native.name()
+
+    def __call__(self, *args: Any, **keywords: Any) -> Constraint:
+        given = _bound(self.name, self.arguments, args, keywords)
+        bodies: list[Any] = []
+        parameters: dict[str, Any] = {}
+        for argument in self.arguments:
+            if argument.is_body:
+                value = given[argument.name]
+                bodies.extend([value] if argument.count is None else value)
+            elif argument.kind != "Time":
+                parameters[argument.name] = given[argument.name]
+        return Constraint(self, tuple(bodies), parameters)
+
+    def __repr__(self) -> str:
+        return f"<equation {self.name}({', '.join(one.name for one in self.arguments)})>"
+
+    def __reduce__(self) -> Any:
+        return (equation, (self.text,))
+
+
+def _bound(
+    name: str, arguments: Sequence[Argument], args: tuple[Any, ...], keywords: dict[str, Any]
+) -> dict[str, Any]:
+    """Values by names, as Python binds them; time is not given."""
+    kind = inspect.Parameter.POSITIONAL_OR_KEYWORD
+    wanted = [
+        inspect.Parameter(one.name, kind, default=one.default) for one in arguments if one.kind != "Time"
+    ]
+    # A default before an argument without one is no signature of Python's; then all are asked for.
+    try:
+        signature = inspect.Signature(wanted)
+    except ValueError:
+        signature = inspect.Signature([one.replace(default=inspect.Parameter.empty) for one in wanted])
+    try:
+        bound = signature.bind(*args, **keywords)
+    except TypeError as error:
+        raise TypeError(f"{name}(): {error}; it takes {', '.join(str(one) for one in signature.parameters)}") from None
+    bound.apply_defaults()
+    return dict(bound.arguments)
+
+
+class Traced:
+    """A function under `@kin.constraint`: called with bodies and parameters it gives a constraint.
+
+    `function` is the function as it is written, `text` its equation in Kin's language, and calling `plain(…)` with
+    states of plain numbers gives the rows of C as a list.
+    """
+
+    def __init__(self, function: Callable[..., Any], name: Optional[str]) -> None:
+        functools.update_wrapper(self, function)
+        self.function = function
+        self.name = name or function.__name__
+        self._place = (function.__code__.co_filename, function.__code__.co_firstlineno)
+        if not self.name.isidentifier():
+            _mistakes.at(self._place, "a function of a constraint needs a name: write it with `def`")
+        if self.name in LIBRARY:
+            text = f"`{self.name}` is a joint of the library: give your function another name"
+            _mistakes.at(self._place, text)
+        self._known: dict[tuple[Any, ...], Equation] = {}
+        self._arguments = _arguments(function, self._place)
+        self._counts = [one.name for one in self._arguments if one.kind == "count"]
+        if not self._counts:
+            with contextlib.suppress(NameError):  # of a helper that stands further down: the first call tells
+                self._traced({})
+
+    def __call__(self, *args: Any, **keywords: Any) -> Constraint:
+        given = _bound(self.name, self._arguments, args, keywords)
+        counts = {name: given.pop(name) for name in self._counts}
+        return self._traced(counts)(**given)
+
+    @property
+    def text(self) -> str:
+        """The equation in Kin's language."""
+        return self._traced({}).text
+
+    def _traced(self, counts: dict[str, Any]) -> Equation:
+        key = tuple(counts.items())
+        if key not in self._known:
+            self._known[key] = _trace(self, counts)
+        return self._known[key]
+
+    def plain(self, *args: Any, **keywords: Any) -> list[float]:
+        """The rows of C of the function as it is written: its arguments are plain numbers and states, `kin.Planar(x,
+        y, theta)` and the like, time among them."""
+        return [float(one) for one in _flat(self.function(*args, **keywords), self._place)[0]]
+
+    def __repr__(self) -> str:
+        return f"<constraint {self.name}>"
+
+    def __reduce__(self) -> str:
+        return str(self.function.__qualname__)
+
+
+@overload
+def constraint(function: Callable[..., Any]) -> Traced: ...
+@overload
+def constraint(*, name: Optional[str] = None) -> Callable[[Callable[..., Any]], Traced]: ...
+def constraint(function: Any = None, *, name: Optional[str] = None) -> Any:
+    """Makes a constraint C(q, t) = 0 of a Python function that looks like the textbook.
+
+    The function is called once, with stand-ins for its arguments, which record what it does; Kin makes the residual,
+    C_q, C_t and Q_d of that. Arguments say what a thing is by their annotations: `kin.Planar`, `kin.Spatial`,
+    `kin.Coord`, `kin.Time`; parameters are `float` (or nothing), `kin.Vec2`, `kin.Vec3`, `kin.Axis`, `kin.Law`,
+    `kin.EulerParameters`, matrices; `Annotated[Sequence[kin.Coord], 3]` are three coordinates, and so of the others.
+    An argument of the type `int`, `bool` or `str` is known while the function is traced. The result is a number, a
+    vector, or a list of them: one row each.
+
+    Raises `kin.ConstraintError` at the user's line.
+    """
+    if function is None:
+        return lambda given: Traced(given, name)
+    return Traced(function, name)
+
+
+def law(function: Callable[[Any], Any]) -> Law:
+    """Makes a law f(x) of a Python function of one variable, with its derivatives to third order; traced as a
+    constraint is. Constants of the program around it are read once, when the function is traced.
+
+    Raises `kin.ConstraintError` at the user's line.
+    """
+    place = (function.__code__.co_filename, function.__code__.co_firstlineno)
+    parameters = list(inspect.signature(function).parameters)
+    name = function.__name__ if function.__name__.isidentifier() else "law"
+    if len(parameters) != 1:
+        _mistakes.at(place, f"a law is a function of one variable; `{name}` has {len(parameters)}")
+    trace, argument = Trace(name), Argument(parameters[0], "Coord")
+    rows, _ = _flat(function(Coord(trace, trace.atom(argument.written, "f64"))), place)
+    if len(rows) != 1:
+        _mistakes.at(place, f"a law gives one number, not {len(rows)}")
+    # A law that is constant reads its variable too, as an equation has to.
+    node = trace.op("{} + 0.0 * {}", "f64", trace.expression(rows[0])._node, trace.atom(argument.written, "f64"))
+    used = isinstance(rows[0], Expr) and argument.written in trace.inline(rows[0]._node)
+    trace.over = True
+    result = trace.number(rows[0]) if used else node
+    text, places = _written(trace, name, [argument], [result if result is not None else node], [0], function.__doc__)
+    made = Law({"kind": text, "numbers": {}})
+    try:
+        made._native  # noqa: B018  the text is read now
+    except ValueError as error:
+        _mistakes.at(places[-1] if places[-1][1] else place, f"`{name}`: {error}")
+    return made
+
+
+def equation(text: str) -> Equation:
+    """An equation from text in Kin's language, `fn name(i: Planar, …, k: f64) -> f64 { … }`.
+
+    Raises `kin.ConstraintError` with every mistake in it, its line, column and cure.
+    """
+    native, mistakes = _native.Equation.read(text)
+    if native is None:
+        told = "\n".join(f"{message}\n --> text:{line}:{column}\n{shown}" for message, line, column, shown in mistakes)
+        error = ConstraintError(told.rstrip())
+        error.filename, error.lineno = "text", mistakes[0][1]
+        raise error
+    return Equation(text, _read_signature(text, native.name()), native)
+
+
+def _read_signature(text: str, name: str) -> list[Argument]:
+    """The arguments of a text that has been read."""
+    found = re.search(r"\bfn\s+(?:r#)?" + re.escape(name) + r"\s*(?:<[^>]*>)?\s*\(", text)
+    assert found is not None
+    depth, start, end = 1, found.end(), found.end()
+    while depth:
+        depth += {"(": 1, "[": 1, ")": -1, "]": -1}.get(text[end], 0)
+        end += 1
+    inside = re.sub(r"//[^\n]*", "", text[start : end - 1])
+    parts = re.findall(r"([^:,\[\(]+):((?:[^,\[\(]|\[[^\]]*\]|\([^\)]*\))+)", inside)
+    arguments = []
+    for left, right in parts:
+        several = re.fullmatch(r"\[\s*(Planar|Spatial|Coord)\s*;\s*(\d+)\s*\]", right.strip())
+        kind, count = (several.group(1), int(several.group(2))) if several else (right.strip(), None)
+        arguments.append(Argument(re.sub(r"^\s*(mut\s+)?(r#)?", "", left).strip(), kind.split("::")[-1], count))
+    return arguments
+
+
+def _arguments(function: Callable[..., Any], place: tuple[str, int]) -> list[Argument]:
+    try:
+        hints = typing.get_type_hints(function, include_extras=True)
+    except Exception as error:  # a name that does not exist, in any form that `eval` gives it
+        _mistakes.at(place, f"the types of `{function.__name__}` cannot be read: {error}")
+    arguments = []
+    for name, parameter in inspect.signature(function).parameters.items():
+        if parameter.kind in (parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD):
+            text = f"`*{name}` has no fixed number of arguments: write `{name}: Annotated[Sequence[kin.Coord], 3]`"
+            _mistakes.at(place, text)
+        kind, count = _kind(name, hints.get(name, float), place)
+        arguments.append(Argument(name, kind, count, parameter.default))
+    if not any(one.is_body for one in arguments):
+        text = "a constraint acts on bodies or coordinates: give an argument the type kin.Planar, kin.Spatial or kin.Coord"
+        _mistakes.at(place, text)
+    return arguments
+
+
+def _kind(name: str, hint: Any, place: tuple[str, int]) -> tuple[str, Optional[int]]:
+    if typing.get_origin(hint) is typing.Annotated:
+        inner, *extra = typing.get_args(hint)
+        of = typing.get_args(inner)
+        counts = [one for one in extra if isinstance(one, int) and one > 0]
+        if of and counts:
+            return _kind(name, of[0], place)[0], counts[0]
+    for known, kind in [*_BODIES.items(), *_VALUES.items(), (Time, "Time")]:
+        if hint is known:
+            return kind, None
+    if hint in _COUNTS:
+        return "count", None
+    text = f"`{name}`: a constraint has no arguments of the type {getattr(hint, '__name__', hint)}; there are Planar, "
+    text += "Spatial, Coord, Time, float, Vec2, Vec3, EulerParameters, Mat2, Mat3, Axis, Law, and int for counts"
+    _mistakes.at(place, text)
+
+
+def _stand_in(trace: Trace, argument: Argument, name: str) -> Any:
+    """What a function is called with for an argument."""
+    kind = argument.kind
+    if kind == "Planar":
+        return Planar._traced(trace, name)
+    if kind == "Spatial":
+        return Spatial._traced(trace, name)
+    if kind == "Coord":
+        return Coord(trace, trace.atom(name, "f64"))
+    if kind == "Time":
+        return Time(trace, trace.atom(name, "f64"))
+    if kind == "f64":
+        return Expr(trace, trace.atom(name, "f64"))
+    if kind == "Law":
+        return TracedLaw(trace, name)
+    if kind == "Axis":
+        return Axis._traced(*(Vec3._of(trace, trace.atom(f"{name}.{part}", "Vec3")) for part in "hfg"))
+    vector: Any = {"Vec2": Vec2, "Vec3": Vec3, "EulerParameters": EulerParameters, "Mat2": Mat2, "Mat3": Mat3}[kind]
+    return vector._of(trace, trace.atom(name, kind))
+
+
+_open: list[Trace] = []
+
+
+def _trace(self: Traced, counts: dict[str, Any]) -> Equation:
+    """Calls the function with stand-ins, and reads the text of what it did."""
+    trace = Trace(self.name)
+    given: dict[str, Any] = dict(counts)
+    kept = [one for one in self._arguments if one.kind != "count"]
+    for one in kept:
+        if one.count is None:
+            given[one.name] = _stand_in(trace, one, one.written)
+        else:
+            given[one.name] = [_stand_in(trace, one, f"{one.written}[{k}]") for k in range(one.count)]
+    _open.append(trace)
+    try:
+        result = self.function(**given)
+    except RecursionError:
+        _mistakes.at(self._place, f"`{self.name}` calls itself without end: a condition cannot end it")
+    finally:
+        _open.pop()
+    rows, shape = _flat(result, self._place)
+    nodes = [trace.number(row) for row in rows]
+    trace.over = True
+    name = self.name + "".join(f"_{re.sub(r'[^0-9a-zA-Z]', '_', str(value))}" for value in counts.values())
+    text, places = _written(trace, name, kept, [node for node in nodes if node is not None], shape, self.__doc__)
+    native, mistakes = _native.Equation.read(text)
+    if native is None:
+        _told(self, text, places, mistakes)
+    return Equation(text, kept, native)
+
+
+def _flat(result: Any, place: tuple[str, int]) -> tuple[list[Any], list[int]]:
+    """All rows, and how many each part of the result has; 0 is a number."""
+    if isinstance(result, _Components):
+        return list(result), [len(result)]
+    if isinstance(result, np.ndarray) and result.ndim > 0:
+        result = list(result.flat)
+    if isinstance(result, (list, tuple)):
+        if not result:
+            _mistakes.at(place, "the function returns no rows: return a number, a vector or a list of them")
+        parts = [_flat(one, place) for one in result]
+        rows = [row for part, _ in parts for row in part]
+        return rows, [count for _, shape in parts for count in shape]
+    if isinstance(result, Condition):
+        _mistakes.at(place, "the function returns a condition: return a number that has to be zero, a - b for a == b")
+    if isinstance(result, (Expr, int, float, np.number, np.ndarray)) and not isinstance(result, bool):
+        return [result], [0]
+    told = "nothing" if result is None else f"`{result!r}`"
+    _mistakes.at(place, f"the function returns {told}: return a number, a vector or a list of them, zero where it holds")
+
+
+def _written(
+    trace: Trace, name: str, arguments: list[Argument], rows: list[int], shape: list[int], doc: Optional[str]
+) -> tuple[str, list[tuple[str, int]]]:
+    """The text of the function, and the user's line of each of its lines."""
+    printed = trace.printed(rows)
+    lines = [f"/// {line}".rstrip() for line in textwrap.dedent(doc or "").strip().splitlines()]
+    for node, why in trace.requirements:
+        lines.append(f"#[require({trace.inline(node)}, {_quoted(why)})]")
+    for node, why in trace.branches:
+        lines.append(f"#[branch({trace.inline(node)}, {_quoted(why)})]")
+    for measure, node, unit in trace.measures:
+        lines.append(f"#[measure({measure} = {trace.inline(node)}, {_quoted(unit)})]")
+    texts = [printed.argument(row) for row in rows]
+    if shape == [0]:
+        kind, result = "f64", texts[0]
+    elif shape in ([2], [3]):
+        kind, result = f"Vec{shape[0]}", f"Vec{shape[0]}::new({', '.join(texts)})"
+    else:
+        kind, result = f"[f64; {len(rows)}]", f"[{', '.join(texts)}]"
+    signature = ", ".join(f"{one.written}: {one.type}" for one in arguments)
+    first = len(lines)
+    lines.append(f"fn {'r#' if name in _RUST else ''}{name}({signature}) -> {kind} {{")
+    lines += [f"    {statement}" for statement in printed.statements]
+    lines += [f"    {result}", "}"]
+    before = [trace.lines[0] if trace.lines else ("?", 0)] * (first + 1)
+    return "\n".join(lines), before + printed.places
+
+
+def _quoted(text: str) -> str:
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", " ") + '"'
+
+
+def _told(self: Traced, text: str, places: list[tuple[str, int]], mistakes: list[tuple[str, int, int, str]]) -> NoReturn:
+    """Mistakes of the text at the lines of the function that they come from."""
+    message, line, _, shown = mistakes[0]
+    place = places[line - 1] if line <= len(places) and places[line - 1][1] else self._place
+    if place[0] != self._place[0]:
+        place = self._place
+    _mistakes.at(place, f"`{self.name}`: {message}" + (f"\n{shown}" if shown else ""))
+
+
+def _innermost(what: str) -> Trace:
+    if not _open:
+        raise ConstraintError(f"kin.{what} belongs inside of a function under @kin.constraint")
+    return _open[-1]
+
+
+def require(condition: Any, why: str) -> None:
+    """What must hold of the parameters, inside of a function under `@kin.constraint`; a mechanism refuses the constraint
+    by these words where it does not."""
+    if isinstance(condition, Condition):
+        _innermost("require").requirements.append((condition._node, why))
+    elif not condition:
+        _mistakes.at(users_line(), why)
+
+
+def branch(condition: Any, wrong: str) -> None:
+    """What tells the pose that is meant from its mirror image, where the equation cannot; `wrong` says what is wrong."""
+    if not _open and isinstance(condition, (bool, np.bool_)):
+        return  # the function runs on plain numbers
+    trace = _innermost("branch")
+    if not isinstance(condition, Condition):
+        _mistakes.at(users_line(), "`branch` needs a condition such as s.x > 0")
+    trace.branches.append((condition._node, wrong))
+
+
+def measure(name: str, value: Any, unit: str) -> None:
+    """Something that can be asked of the constraint by name, `system.measure(motion, "slot.slide")`; its rates are
+    Kin's."""
+    if not _open and isinstance(value, (int, float)):
+        return  # the function runs on plain numbers
+    trace = _innermost("measure")
+    node = trace.number(value)
+    if node is None or not name.isidentifier():
+        _mistakes.at(users_line(), "a measure is a name and a number: kin.measure(\"slide\", s.x, \"m\")")
+    trace.measures.append((name, node, unit))
+
+
+def parameters_of(constraint: Constraint) -> list[tuple[str, Any]]:
+    """The parameters as the native part takes them: numbers in order, or laws."""
+    of = {one.name: one for one in constraint.equation.arguments}
+    name = constraint.equation.name
+    return [(key, numbers_of(name, of[key], value)) for key, value in constraint.parameters.items()]

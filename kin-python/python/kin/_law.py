@@ -1,0 +1,246 @@
+"""Laws f(x): what drivers follow, profiles of cams."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any, Iterable, Optional, Sequence, Union
+
+import numpy as np
+
+from . import _native
+
+
+class Law:
+    """A function of one variable with its derivatives: of time in a driver, of an angle for a cam.
+
+    Laws are added, multiplied and scaled: `Law.constant(0.3) + 0.1 * Law.cycloidal(1.0, 0.5)`.
+    """
+
+    __slots__ = ("_data", "_made")
+
+    def __init__(self, data: dict[str, Any]) -> None:
+        self._data = data
+        self._made: Optional[_native.Law] = None
+
+    @classmethod
+    def _of(cls, kind: str, parts: "Optional[dict[str, Law]]" = None, **numbers: Any) -> "Law":
+        data: dict[str, Any] = {"kind": kind, "numbers": {k: _number(kind, k, v) for k, v in numbers.items()}}
+        if parts:
+            data["parts"] = {name: part._data for name, part in parts.items()}
+        return cls(data)
+
+    @property
+    def _native(self) -> "_native.Law":
+        if self._made is None:
+            self._made = _native.Law(json.dumps(self._data))
+        return self._made
+
+    @property
+    def kind(self) -> str:
+        """Its kind, such as `ramp`; of a law from a function its text."""
+        return str(self._data["kind"])
+
+    # The laws, in the order of docs/library.md.
+
+    @staticmethod
+    def constant(c: float) -> "Law":
+        """f(x) = c"""
+        return Law._of("constant", c=c)
+
+    @staticmethod
+    def ramp(rate: float) -> "Law":
+        """f(x) = rate · x"""
+        return Law._of("ramp", rate=rate)
+
+    @staticmethod
+    def linear(f0: float, rate: float) -> "Law":
+        """f(x) = f0 + rate · x"""
+        return Law._of("linear", f0=f0, rate=rate)
+
+    @staticmethod
+    def polynomial(c: Sequence[float]) -> "Law":
+        """f(x) = c[0] + c[1] x + c[2] x² + …"""
+        named: dict[str, Any] = {f"c[{k}]": one for k, one in enumerate(c)}
+        return Law._of("polynomial", **named)
+
+    @staticmethod
+    def harmonic(mean: float, amplitude: float) -> "Law":
+        """f(x) = mean + amplitude · sin x"""
+        return Law._of("harmonic", mean=mean, amplitude=amplitude)
+
+    @staticmethod
+    def sine(amplitude: float, omega: float, phase: float = 0.0) -> "Law":
+        """f(x) = amplitude · sin(omega · x + phase)   [rad/s, rad]"""
+        return Law._of("sine", amplitude=amplitude, omega=omega, phase=phase)
+
+    @staticmethod
+    def fourier(mean: float, omega: float, pairs: Iterable[tuple[float, float]]) -> "Law":
+        """f(x) = mean + Σ a_k cos(k · omega · x) + b_k sin(k · omega · x); the pairs are (a_k, b_k)."""
+        named: dict[str, Any] = {}
+        for k, (a, b) in enumerate(pairs, start=1):
+            named[f"a[{k}]"], named[f"b[{k}]"] = a, b
+        return Law._of("fourier", mean=mean, omega=omega, **named)
+
+    @staticmethod
+    def harmonic_rise(height: float, length: float) -> "Law":
+        """Simple harmonic rise: f(x) = h/2 (1 − cos(π x/β)), 0 before and h after."""
+        return Law._of("harmonic_rise", height=height, length=length)
+
+    @staticmethod
+    def cycloidal(height: float, length: float) -> "Law":
+        """Cycloidal rise: f(x) = h (x/β − sin(2π x/β)/2π), 0 before and h after."""
+        return Law._of("cycloidal", height=height, length=length)
+
+    @staticmethod
+    def polynomial_345(height: float, length: float) -> "Law":
+        """3-4-5 polynomial rise: f(x) = h (10 ξ³ − 15 ξ⁴ + 6 ξ⁵), ξ = x/β, 0 before and h after."""
+        return Law._of("polynomial_345", height=height, length=length)
+
+    @staticmethod
+    def polynomial_4567(height: float, length: float) -> "Law":
+        """4-5-6-7 polynomial rise, 0 before and h after."""
+        return Law._of("polynomial_4567", height=height, length=length)
+
+    @staticmethod
+    def modified_sine(height: float, length: float) -> "Law":
+        """Modified sine rise; 0 before and h after."""
+        return Law._of("modified_sine", height=height, length=length)
+
+    @staticmethod
+    def modified_trapezoid(height: float, length: float) -> "Law":
+        """Modified trapezoidal rise; 0 before and h after."""
+        return Law._of("modified_trapezoid", height=height, length=length)
+
+    @staticmethod
+    def trapezoidal(distance: float, speed: float, acceleration: float) -> "Law":
+        """Rest to rest over a distance with constant acceleration up to a speed."""
+        return Law._of("trapezoidal", distance=distance, speed=speed, acceleration=acceleration)
+
+    @staticmethod
+    def s_curve(distance: float, speed: float, acceleration: float, jerk: float) -> "Law":
+        """Rest to rest over a distance within a speed, an acceleration and a jerk."""
+        return Law._of("s_curve", distance=distance, speed=speed, acceleration=acceleration, jerk=jerk)
+
+    @staticmethod
+    def spline(x: Any, y: Any, ends: Union[str, tuple[float, float]] = "natural") -> "Law":
+        """A cubic spline through (x, y), arrays or lists. `ends` is "natural", "periodic", or the slopes at both ends."""
+        return _spline("spline", x, y, ends)
+
+    @staticmethod
+    def quintic_spline(x: Any, y: Any, ends: Union[str, tuple[float, float]] = "natural") -> "Law":
+        """A quintic spline through (x, y): its acceleration and jerk are smooth. `ends` as of `spline`."""
+        return _spline("quintic_spline", x, y, ends)
+
+    @staticmethod
+    def sequence(start: float, parts: Iterable[tuple[float, "Law"]]) -> "Law":
+        """Laws one after the other, each over its length: f(x) = f_k(x − x_k). The parts are (length, law)."""
+        numbers: dict[str, Any] = {"start": start}
+        laws: dict[str, Law] = {}
+        for k, (length, law) in enumerate(parts):
+            numbers[f"part[{k}].length"], laws[f"part[{k}].law"] = length, law
+        return Law._of("sequence", laws, **numbers)
+
+    def periodic(self, period: float) -> "Law":
+        """The part of this law over 0 ≤ x < period, over and over."""
+        return Law._of("periodic", {"law": self}, period=period)
+
+    def compose(self, inner: "Law") -> "Law":
+        """f(g(x)), this law after `inner`."""
+        return Law._of("composed", {"outer": self, "inner": inner})
+
+    def shifted(self, x0: float) -> "Law":
+        """f(x − x0): the same curve, x0 later."""
+        return self.compose(Law.linear(-x0, 1.0))
+
+    def __add__(self, other: Union["Law", float]) -> "Law":
+        return Law._of("sum", {"first": self, "second": _law(other)})
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Union["Law", float]) -> "Law":
+        return self + (-1.0) * _law(other)
+
+    def __rsub__(self, other: float) -> "Law":
+        return _law(other) + (-1.0) * self
+
+    def __neg__(self) -> "Law":
+        return (-1.0) * self
+
+    def __mul__(self, other: Union["Law", float]) -> "Law":
+        if isinstance(other, Law):
+            return Law._of("product", {"first": self, "second": other})
+        return Law._of("multiple", {"law": self}, factor=other)
+
+    __rmul__ = __mul__
+
+    # What it is asked.
+
+    def at(self, x: Any) -> Any:
+        """f(x), of a number or of an array of them."""
+        return self._order(x, 0)
+
+    def slope(self, x: Any) -> Any:
+        """f′(x)"""
+        return self._order(x, 1)
+
+    def second(self, x: Any) -> Any:
+        """f″(x)"""
+        return self._order(x, 2)
+
+    def third(self, x: Any) -> Any:
+        """f‴(x)"""
+        return self._order(x, 3)
+
+    __call__ = at
+
+    def _order(self, x: Any, order: int) -> Any:
+        law = self._native
+        if isinstance(x, (int, float, np.number)):
+            return law.jet(float(x))[order]
+        array = np.asarray(x, dtype=float)
+        return np.array([law.jet(one)[order] for one in array.ravel().tolist()]).reshape(array.shape)
+
+    def __repr__(self) -> str:
+        if "fn " in self.kind:
+            return f"<law {self.kind.split('fn ')[-1].split('(')[0]}>"
+        numbers = ", ".join(f"{name}={value:g}" for name, value in list(self._data["numbers"].items())[:6])
+        return f"Law.{self.kind}({numbers})"
+
+    def __eq__(self, other: Any) -> bool:
+        return isinstance(other, Law) and self._data == other._data
+
+    def __hash__(self) -> int:
+        return hash(json.dumps(self._data, sort_keys=True))
+
+    def __reduce__(self) -> Any:
+        return (Law, (self._data,))
+
+
+def _law(value: Union[Law, float]) -> Law:
+    return value if isinstance(value, Law) else Law.constant(value)
+
+
+def _number(kind: str, name: str, value: Any) -> float:
+    if isinstance(value, bool) or not isinstance(value, (int, float, np.number)):
+        raise TypeError(f"Law.{kind}: `{name}` is a number, not {value!r}")
+    if not math.isfinite(value):
+        raise ValueError(f"Law.{kind}: `{name}` is {float(value)}; give a finite number")
+    return float(value)
+
+
+def _spline(kind: str, x: Any, y: Any, ends: Union[str, tuple[float, float]]) -> Law:
+    xs, ys = np.asarray(x, dtype=float).ravel().tolist(), np.asarray(y, dtype=float).ravel().tolist()
+    if len(xs) != len(ys):
+        raise ValueError(f"Law.{kind}: x has {len(xs)} numbers, y {len(ys)}")
+    numbers: dict[str, Any] = {f"x[{k}]": one for k, one in enumerate(xs)}
+    numbers.update({f"y[{k}]": one for k, one in enumerate(ys)})
+    if ends == "periodic":
+        numbers["periodic"] = 1.0
+    elif isinstance(ends, tuple):
+        numbers["start"], numbers["end"] = ends
+    elif ends != "natural":
+        raise ValueError(f"Law.{kind}: ends are \"natural\", \"periodic\" or two slopes, not {ends!r}")
+    law = Law._of(kind, **numbers)
+    law._native  # noqa: B018  a table that is no table of a law is told now
+    return law

@@ -1,0 +1,302 @@
+"""A mechanism as it is described."""
+
+from __future__ import annotations
+
+import json
+import os
+import uuid
+from typing import Any, Optional, Sequence, Union
+
+import numpy as np
+
+from . import _native
+from ._constraint import Constraint, parameters_of
+from ._diagnosis import Diagnosis
+from ._handles import (
+    Coordinate,
+    Ground,
+    Handle,
+    Link,
+    PlanarBody,
+    SpatialBody,
+    SpatialLink,
+    ground,
+    place_of,
+)
+from ._joint import AxisLike, EulerLike, Joint, Vec2Like, Vec3Like, foreign
+from ._system import System
+from ._values import axis_of, euler_of, flat, law_of
+from ._vectors import Vec2, Vec3
+
+Body = Union[PlanarBody, SpatialBody]
+
+
+class Mechanism:
+    """Bodies, bare coordinates and constraints under one name, in any consistent set of units.   [m, rad, s]
+
+    A copy, and what pickle brings back, is a mechanism file (`to_json`); bodies that one has given out are those of
+    the other too.
+    """
+
+    def __init__(self, name: str) -> None:
+        self._native = _native.Mechanism(name)
+        self._token = uuid.uuid4().hex
+
+    @property
+    def name(self) -> str:
+        """Its name."""
+        return self._native.name()
+
+    @property
+    def ground(self) -> Ground:
+        """What does not move."""
+        return ground
+
+    def units(self, length: str, time: str) -> None:
+        """Names the units of length and time in files and messages: words alone, no number is changed."""
+        self._native.units(length, time)
+
+    # Bodies and bare coordinates.
+
+    def link(self, name: str, length: float) -> Link:
+        """A planar body between two pins, `length` apart, frame at the middle; assembly finds its pose.   [m]"""
+        return Link(name, self._token, self._native.link(name, length))
+
+    def link_between(self, name: str, a: Vec2Like, b: Vec2Like) -> Link:
+        """The same between two global points: their distance is its length.   [m]"""
+        return Link(name, self._token, self._native.link_between(name, flat(a), flat(b)))
+
+    def planar(self, name: str, x: float = 0.0, y: float = 0.0, theta: float = 0.0) -> PlanarBody:
+        """A planar body with the guess (R_x, R_y, θ).   [m, m, rad]"""
+        self._native.planar(name, (x, y, theta))
+        return PlanarBody(name, self._token)
+
+    def spatial(
+        self,
+        name: str,
+        r: Vec3Like = (0.0, 0.0, 0.0),
+        p: EulerLike = (1.0, 0.0, 0.0, 0.0),
+        *,
+        axis: Optional[Vec3Like] = None,
+        angle: float = 0.0,
+        facing: Optional[AxisLike] = None,
+    ) -> SpatialBody:
+        """A spatial body with the guess R and Euler parameters p; or turned by `angle` about `axis`; or with its x-axis
+        along `facing`, an axis or a direction.   [m, –]"""
+        self._native.spatial(name, spatial_pose(r, p, axis, angle, facing))
+        return SpatialBody(name, self._token)
+
+    def spatial_link_between(self, name: str, a: Vec3Like, b: Vec3Like) -> SpatialLink:
+        """A spatial body between two global points, frame at the middle, x-axis from a to b.   [m]"""
+        return SpatialLink(name, self._token, self._native.spatial_link_between(name, flat(a), flat(b)))
+
+    def angle(self, name: str, guess: float) -> Coordinate:
+        """A bare coordinate that is an angle.   [rad]"""
+        self._native.angle(name, guess)
+        return Coordinate(name, self._token)
+
+    def length(self, name: str, guess: float) -> Coordinate:
+        """A bare coordinate that is a length.   [m]"""
+        self._native.length(name, guess)
+        return Coordinate(name, self._token)
+
+    def __getitem__(self, name: str) -> Any:
+        """The body or bare coordinate of that name, or a body's coordinate such as "crank.theta"."""
+        for body in json.loads(self._native.to_json())["bodies"]:
+            kind, own, length = body["kind"], body["name"], body.get("length")
+            if own == name and kind == "planar":
+                return PlanarBody(name, self._token) if length is None else Link(name, self._token, length)
+            if own == name and kind == "spatial":
+                return SpatialBody(name, self._token) if length is None else SpatialLink(name, self._token, length)
+            if own == name or (name.startswith(own + ".") and kind in ("planar", "spatial")):
+                return Coordinate(name, self._token)
+        raise KeyError(f'there is no body or coordinate `{name}` in the mechanism "{self.name}"')
+
+    # Constraints.
+
+    def add(self, name: str, constraint: Union[Joint, Constraint]) -> None:
+        """Adds a joint of the library, or a constraint of an equation of your own, under a name.
+
+        Raises an error by name: name empty or taken, parameters that are not finite or make no sense, a body of
+        another mechanism or twice the same one.
+        """
+        if isinstance(constraint, Joint):
+            self._native.add(constraint.described(name, self.name, self._token))
+        elif isinstance(constraint, Constraint):
+            on = self._on(name, constraint)
+            self._native.add_equation(name, constraint.equation._native, on, parameters_of(constraint))
+        else:
+            raise TypeError(
+                f"`{name}`: {constraint!r} is no constraint: call a joint such as kin.revolute(…), or a function under "
+                "@kin.constraint, with bodies and parameters"
+            )
+
+    def _on(self, name: str, constraint: Constraint) -> list[tuple[str, Optional[str]]]:
+        wanted = [
+            (one.name, one.kind) for one in constraint.equation.arguments if one.is_body for _ in range(one.count or 1)
+        ]
+        if len(wanted) != len(constraint.bodies):
+            text = f"`{name}`: it takes {len(wanted)} bodies and coordinates, not {len(constraint.bodies)}"
+            raise TypeError(text)
+        places = []
+        for (argument, kind), body in zip(wanted, constraint.bodies):
+            short, body_name, of = place_of(name, argument, kind, body)
+            if of and of != self._token:
+                raise foreign(name, argument, self.name)
+            places.append((short, body_name))
+        return places
+
+    def terms(self, constraint: Constraint, q: Any, qd: Any, t: float = 0.0) -> "Terms":
+        """Every term of a constraint of an equation, where its own coordinates, one body after the other, are q, their
+        rates qd, and the time t."""
+        on = self._on(constraint.equation.name, constraint)
+        native = constraint.equation._native
+        found = self._native.terms(native, on, parameters_of(constraint), _bytes(q), _bytes(qd), t)
+        return Terms(*found)
+
+    # Guesses and preferences.
+
+    def guess(self, coordinate: Coordinate, value: float) -> None:
+        """Another guess for one coordinate.   [m or rad]"""
+        self._native.set_guess(self._own("guess", coordinate), value)
+
+    def set_initial(self, q: Any) -> None:
+        """Another guess for all coordinates, in the order of their declaration."""
+        self._native.set_initial(flat(q))
+
+    def set_pose(self, body: PlanarBody, x: float, y: float, theta: float) -> None:
+        """Another guess for the pose of a planar body.   [m, m, rad]"""
+        self._native.set_pose(self._own("set_pose", body), (x, y, theta))
+
+    def set_spatial_pose(
+        self,
+        body: SpatialBody,
+        r: Vec3Like = (0.0, 0.0, 0.0),
+        p: EulerLike = (1.0, 0.0, 0.0, 0.0),
+        *,
+        axis: Optional[Vec3Like] = None,
+        angle: float = 0.0,
+        facing: Optional[AxisLike] = None,
+    ) -> None:
+        """Another guess for the pose of a spatial body, told as to `spatial`.   [m, –]"""
+        self._native.set_spatial_pose(self._own("set_spatial_pose", body), spatial_pose(r, p, axis, angle, facing))
+
+    def prefer(self, what: Union[Body, Coordinate, str], value: Any) -> None:
+        """Which of several assemblies: the one with this nearest the value: a coordinate, a planar body by its θ, a
+        spatial body by its Euler parameters, a measure of a joint by its name.   [m or rad]"""
+        if isinstance(what, str):
+            self._native.prefer(what, float(value))
+        elif isinstance(what, SpatialBody):
+            self._native.prefer_turn(self._own("prefer", what), euler_of(value))
+        elif isinstance(what, PlanarBody):
+            self._native.prefer(self._own("prefer", what.theta), float(value))
+        else:
+            self._native.prefer(self._own("prefer", what), float(value))
+
+    def limit(self, measure: str, start: float, end: float) -> None:
+        """The range that a measure of a joint or a coordinate should keep to: a run tells when it leaves it."""
+        self._native.limit(measure, start, end)
+
+    def local(self, body: Handle, point: Any) -> Any:
+        """ū, where a global point is in a body as it is drawn.   [m]"""
+        return self._local(body, point, True)
+
+    def local_direction(self, body: Handle, h: Any) -> Any:
+        """h̄, a global direction as a body sees it where it is drawn."""
+        return self._local(body, h, False)
+
+    def _local(self, body: Handle, vector: Any, point: bool) -> Any:
+        kind = "spatial" if isinstance(body, SpatialBody) else "planar"
+        name = None if isinstance(body, Ground) else self._own("local", body)
+        found = self._native.local((kind, name), flat(vector), point)
+        return Vec2(*found) if len(found) == 2 else Vec3(*found)
+
+    def hold_idle_turns(self) -> list[str]:
+        """Holds turns of rods about their own axes, which nothing else holds; gives the names of what was added."""
+        return self._native.hold_idle_turns()
+
+    def _own(self, place: str, handle: Union[Body, Coordinate]) -> str:
+        if not isinstance(handle, (PlanarBody, SpatialBody, Coordinate)):
+            raise TypeError(f"`{place}` takes a body or coordinate, not {handle!r}")
+        if handle._of != self._token:
+            raise foreign(place, "body", self.name)
+        return handle.name
+
+    # What it becomes.
+
+    def build(self) -> System:
+        """The system: order of coordinates and equations fixed, ready to be solved. Raises `kin.Error` by name."""
+        return System(self._native.build(), self._native.to_json(), self._token)
+
+    def diagnose(self, t: float, q: Any = None) -> Diagnosis:
+        """What is wrong with it, or that nothing is: rank, dependencies and freedoms by name; it need not be buildable."""
+        return Diagnosis(*self._native.diagnose(t, None if q is None else flat(q)))
+
+    # Files.
+
+    def to_json(self) -> str:
+        """The mechanism as the text of a file."""
+        return self._native.to_json()
+
+    @staticmethod
+    def from_json(text: str) -> "Mechanism":
+        """The mechanism that such a text says. Raises `kin.Error` by name."""
+        return Mechanism._of(text, uuid.uuid4().hex)
+
+    def write_json(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes the mechanism as a file, making folders that are missing."""
+        self._native.write_json(os.fspath(path))
+
+    @staticmethod
+    def read_json(path: Union[str, "os.PathLike[str]"]) -> "Mechanism":
+        """The mechanism of such a file."""
+        with open(path, encoding="utf-8") as file:
+            return Mechanism.from_json(file.read())
+
+    @staticmethod
+    def _of(text: str, token: str) -> "Mechanism":
+        made = Mechanism.__new__(Mechanism)
+        made._native, made._token = _native.Mechanism.from_json(text), token
+        return made
+
+    def __reduce__(self) -> Any:
+        return (Mechanism._of, (self.to_json(), self._token))
+
+    def __copy__(self) -> "Mechanism":
+        return Mechanism._of(self.to_json(), self._token)
+
+    def __deepcopy__(self, _: Any) -> "Mechanism":
+        return self.__copy__()
+
+    def __repr__(self) -> str:
+        return f"<mechanism {self.name}>"
+
+
+class Terms:
+    """Every term of one constraint at one state: `c`, `c_q`, `c_t`, `q_d`, as arrays."""
+
+    def __init__(self, c: Sequence[float], c_q: Sequence[Sequence[float]], c_t: Sequence[float], q_d: Any) -> None:
+        self.c, self.c_q, self.c_t, self.q_d = (np.array(one, dtype=float) for one in (c, c_q, c_t, q_d))
+
+
+def spatial_pose(
+    r: Vec3Like, p: EulerLike, axis: Optional[Vec3Like], angle: float, facing: Optional[AxisLike]
+) -> list[float]:
+    """Position and Euler parameters of a pose, by whichever way it is told."""
+    if axis is not None:
+        turn = _native.euler_turned(flat(axis), angle)
+    elif facing is not None:
+        turn = _native.euler_facing(axis_of("pose", "facing", facing)._rows())
+    else:
+        turn = flat(p)
+    pose = flat(r) + list(turn)
+    if len(pose) != 7:
+        raise TypeError("a pose in space is a position of three numbers and four Euler parameters")
+    return pose
+
+
+def _bytes(numbers: Any) -> bytes:
+    return np.ascontiguousarray(numbers, dtype=np.float64).ravel().tobytes()
+
+
+__all__ = ["Body", "Mechanism", "Terms", "law_of"]

@@ -1,0 +1,47 @@
+"""Pictures and pages: each is one text without links to elsewhere, saved as a file or shown by a notebook."""
+
+from __future__ import annotations
+
+import html
+import os
+from pathlib import Path
+from typing import Union
+
+
+class Picture:
+    """A picture as SVG."""
+
+    def __init__(self, svg: str) -> None:
+        self.svg = svg
+
+    def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes it, making folders that are missing."""
+        _write(path, self.svg)
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+    def __repr__(self) -> str:
+        return f"<picture, {len(self.svg)} bytes of SVG>"
+
+
+class Page:
+    """A page as HTML, all that it needs in one file."""
+
+    def __init__(self, text: str) -> None:
+        self.html = text
+
+    def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes it, making folders that are missing."""
+        _write(path, self.html)
+
+    def _repr_html_(self) -> str:
+        return f'<iframe srcdoc="{html.escape(self.html)}" width="100%" height="640" style="border:0"></iframe>'
+
+    def __repr__(self) -> str:
+        return f"<page, {len(self.html)} bytes of HTML>"
+
+
+def _write(path: Union[str, "os.PathLike[str]"], text: str) -> None:
+    Path(path).parent.mkdir(parents=True, exist_ok=True)
+    Path(path).write_text(text, encoding="utf-8")

@@ -1,0 +1,168 @@
+"""Many cases of one system: rows of numbers in, rows of results and statuses out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, Iterable, Mapping, Optional, Sequence, Union
+
+import numpy as np
+
+from . import _native
+from ._motion import array
+from ._system import Progress, System, _Bar, as_bytes
+
+Kept = Union[str, tuple[str, str]]
+
+
+@dataclass(frozen=True)
+class Rows:
+    """Results of a sweep: `values`, a row a case and a column a result, and `status`, empty where a case has succeeded
+    and the words of its error elsewhere (its results are NaN then)."""
+
+    names: list[str]
+    values: Any
+    status: list[str]
+
+    @property
+    def ok(self) -> Any:
+        """True for each case that has succeeded."""
+        return np.array([not one for one in self.status], dtype=bool)
+
+    def __len__(self) -> int:
+        return len(self.status)
+
+    def __getitem__(self, name: str) -> Any:
+        return self.values[:, self.names.index(name)]
+
+    def columns(self) -> dict[str, Any]:
+        """Each result by its name, and `status`."""
+        table: dict[str, Any] = {name: self.values[:, k] for k, name in enumerate(self.names)}
+        table["status"] = np.array(self.status, dtype=object)
+        return table
+
+    def to_pandas(self) -> Any:
+        """The columns as a pandas DataFrame."""
+        import pandas
+
+        return pandas.DataFrame(self.columns())
+
+    def to_arrow(self) -> Any:
+        """The columns as a table of Arrow."""
+        import pyarrow
+
+        table = self.columns()
+        table["status"] = list(self.status)
+        return pyarrow.table(table)
+
+
+def sweep(
+    system: System,
+    names: Sequence[str],
+    cases: Any,
+    times: Any,
+    keep: Iterable[Kept],
+    *,
+    lanes: bool = True,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    **options: Any,
+) -> Rows:
+    """Runs the system over the times once for each row of `cases`, a number for each of `names`: parameters such as
+    `A.u_i.x` and initial values such as `rocker.theta`.
+
+    `keep` lists what is kept of each motion: "rocker.theta max", or ("rocker.theta", "max"). Of a measure or coordinate
+    `max`, `min`, `range`, `first`, `last`, and of its rates `max_rate` and `max_second_rate`, the largest absolute values.
+
+    Cases run on all cores, and several together in the lanes of SIMD registers where the constraints can. The company of
+    other cases in its lanes changes the last digits of a result; `lanes=False` gives every case the same digits however
+    the rows are parted among machines.
+    """
+    wanted = [_kept(one) for one in keep]
+    rows = np.asarray(cases, dtype=float)
+    if rows.ndim == 1:
+        rows = rows.reshape(-1, len(names) or 1)
+    if rows.ndim != 2 or rows.shape[1] != len(names):
+        raise ValueError(f"a case is a row of {len(names)} numbers, one for each name; the array has the shape {rows.shape}")
+    with _Bar(progress, system.name) as told:
+        data, status = _native.sweep(
+            system._native, list(names), as_bytes(rows), as_bytes(times), wanted, options, lanes, threads, told
+        )
+    return Rows([f"{name} {what}" for name, what in wanted], array(data, len(wanted)), status)
+
+
+def _kept(one: Kept) -> tuple[str, str]:
+    if isinstance(one, str):
+        name, space, what = one.rpartition(" ")
+        if not space:
+            raise ValueError(f"`{one}` says what is asked but not what is kept of it, such as \"{one} max\"")
+        return name, what
+    name, what = one
+    return name, what
+
+
+@dataclass(frozen=True)
+class Batch:
+    """One pure function for any engine: a table of cases in, the table with results and a status added out.
+
+    It pickles with its mechanism, so that Ray, Dask, Spark or a pool of processes can send it; every case gets the same
+    digits however the rows are parted. A table is a mapping of columns (`batch(dict)`), a pandas DataFrame (`pandas`) or a
+    batch of Arrow (`arrow`); columns that are no parameters pass through.
+    """
+
+    system: System
+    names: tuple[str, ...]
+    times: tuple[float, ...]
+    keep: tuple[Kept, ...]
+    threads: Optional[int] = 1
+    options: dict[str, Any] = field(default_factory=dict)
+
+    @staticmethod
+    def of(
+        system: System,
+        names: Sequence[str],
+        times: Any,
+        keep: Iterable[Kept],
+        *,
+        threads: Optional[int] = 1,
+        **options: Any,
+    ) -> "Batch":
+        """The function for these parameters, times and results; on so many threads, `None` for one a core."""
+        instants = tuple(float(t) for t in times)
+        return Batch(system, tuple(names), instants, tuple(keep), threads, options)
+
+    def rows(self, cases: Any) -> Rows:
+        """Rows of numbers in the order of `names`."""
+        return sweep(
+            self.system,
+            self.names,
+            cases,
+            np.array(self.times),
+            self.keep,
+            lanes=False,
+            threads=self.threads,
+            **self.options,
+        )
+
+    def __call__(self, table: Mapping[str, Any]) -> dict[str, Any]:
+        """A mapping of columns: `ray.data.Dataset.map_batches(batch)`."""
+        columns = [np.asarray(table[name], dtype=float) for name in self.names]
+        found = self.rows(np.stack(columns, axis=1))
+        return {**{name: table[name] for name in table}, **found.columns()}
+
+    def pandas(self, frame: Any) -> Any:
+        """A pandas DataFrame: `dask.dataframe.DataFrame.map_partitions(batch.pandas)`."""
+        columns = [frame[name].to_numpy(dtype=float) for name in self.names]
+        found = self.rows(np.stack(columns, axis=1).reshape(-1, len(self.names))).columns()
+        found["status"] = found["status"].astype(str)
+        return frame.assign(**{name: values for name, values in found.items()})
+
+    def arrow(self, batch: Any) -> Any:
+        """A batch or table of Arrow: with Spark `frame.mapInArrow(lambda batches: map(batch.arrow, batches), schema)`."""
+        import pyarrow
+
+        columns = [batch.column(batch.schema.get_field_index(name)).to_numpy(zero_copy_only=False) for name in self.names]
+        found = self.rows(np.stack([np.asarray(one, dtype=float) for one in columns], axis=1))
+        names = list(batch.schema.names) + list(found.names) + ["status"]
+        arrays = list(batch.columns) + [pyarrow.array(found.values[:, k]) for k in range(len(found.names))]
+        arrays.append(pyarrow.array(found.status, type=pyarrow.string()))
+        return type(batch).from_arrays(arrays, names=names)

@@ -1,0 +1,299 @@
+"""A mechanism made ready for solving."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Callable, Iterable, Optional, Sequence, Union
+
+import numpy as np
+
+from . import _native
+from ._diagnosis import Diagnosis
+from ._handles import Coordinate
+from ._pictures import Page, Picture
+from ._motion import Motion, Quantity, array, coordinate_name
+
+Progress = Union[bool, Callable[[int, int], object], None]
+What = Union[str, Coordinate]
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Position, velocity and acceleration at one time."""
+
+    t: float
+    q: Any
+    qd: Any
+    qdd: Any
+    iterations: int
+    residual: float
+    worst: str
+
+
+@dataclass(frozen=True)
+class Extreme:
+    """A place where a measure turns round."""
+
+    t: float
+    value: float
+    is_max: bool = True
+
+
+@dataclass(frozen=True)
+class Extremes:
+    """The extremes of a measure over a motion, with times as exact as poses can be solved."""
+
+    name: str
+    unit: str
+    all: list[Extreme]
+    stroke: float
+    time_ratio: Optional[float]
+    min: Extreme
+    max: Extreme
+
+
+@dataclass(frozen=True)
+class Assembly:
+    """One way to put a mechanism together: its label, and its pose."""
+
+    label: str
+    q: Any
+
+
+@dataclass(frozen=True)
+class Proof:
+    """What interval bounds show of a motion; `print` shows it in words."""
+
+    text: str
+    is_complete: bool
+    proved: int
+    steps: int
+
+    def __str__(self) -> str:
+        return self.text
+
+
+class System:
+    """A system C(q, t) = 0 ready to be solved; built by `m.build()`. Runs give up Python's lock, so threads run side by
+    side; Ctrl-C ends one."""
+
+    def __init__(self, native: "_native.System", mechanism: str, token: str) -> None:
+        self._native, self._mechanism, self._token = native, mechanism, token
+
+    @property
+    def name(self) -> str:
+        """Name of the mechanism."""
+        return self._native.name()
+
+    @property
+    def names(self) -> list[str]:
+        """Names of the coordinates in their order, such as `crank.theta`."""
+        return self._native.names()
+
+    @property
+    def units(self) -> list[str]:
+        """Units of the coordinates."""
+        return self._native.units()
+
+    @property
+    def equations(self) -> list[str]:
+        """Names of the equations in their order, such as `A.x`."""
+        return self._native.equations()
+
+    @property
+    def initial(self) -> Any:
+        """The guess of q."""
+        return array(self._native.initial())
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """All numeric parameters of constraints by name, such as `slot.k`."""
+        return dict(self._native.parameters())
+
+    def parameter(self, name: str) -> float:
+        """The value of one parameter."""
+        return self._native.parameter(name)
+
+    def set(self, name: str, value: float) -> None:
+        """Sets one parameter, without a rebuild."""
+        self._native.set(name, value)
+
+    def set_initial(self, q: Any) -> None:
+        """Another guess for all coordinates."""
+        self._native.set_initial(as_bytes(q))
+
+    # Solving.
+
+    def run(self, times: Any, *, progress: Progress = None, **options: Any) -> Motion:
+        """Position, velocity and acceleration at each of the times, which only increase or only decrease.   [s]
+
+        Options: `tolerance`, `jerk`, `engine` ("auto", "plain" or "compiled"), `follow` ("smooth" or "unchecked"), `turning`
+        (numbers of change points), `closure`, `max_iterations`, `predict`, `rescue`, `halvings`, `memory`,
+        `residual_only`. `progress` is called with the times that are done and all of them; True shows a bar of tqdm.
+
+        Raises `kin.Error`; its `.motion` is what was computed before.
+        """
+        with _Bar(progress, self.name) as told:
+            return Motion(self._native.run(as_bytes(times), options or None, told))
+
+    def position(self, t: float, q: Any = None, **options: Any) -> Solution:
+        """Position, velocity and acceleration at one time, assembled from the guess; from q, where it is given."""
+        told = self._native.position(t, None if q is None else as_bytes(q), options or None)
+        at, q, qd, qdd, iterations, residual, worst = told
+        return Solution(at, array(q), array(qd), array(qdd), iterations, residual, worst)
+
+    def residual(self, q: Any, t: float) -> Any:
+        """C(q, t)"""
+        return array(self._native.at_position(0, as_bytes(q), t))
+
+    def jacobian(self, q: Any, t: float) -> Any:
+        """C_q at q and t, a row an equation, a column a coordinate."""
+        return array(self._native.jacobian(as_bytes(q), t), len(self.names))
+
+    def c_t(self, q: Any, t: float) -> Any:
+        """C_t at q and t"""
+        return array(self._native.at_position(1, as_bytes(q), t))
+
+    def acceleration_rhs(self, q: Any, qd: Any, t: float) -> Any:
+        """Q_d = −(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt"""
+        return array(self._native.at_velocity(0, as_bytes(q), as_bytes(qd), t))
+
+    def velocity(self, q: Any, t: float) -> Any:
+        """q̇ of C_q q̇ = −C_t"""
+        return array(self._native.at_position(2, as_bytes(q), t))
+
+    def acceleration(self, q: Any, qd: Any, t: float) -> Any:
+        """q̈ of C_q q̈ = Q_d"""
+        return array(self._native.at_velocity(1, as_bytes(q), as_bytes(qd), t))
+
+    # What is asked of it.
+
+    def diagnose(self, t: float, q: Any = None) -> Diagnosis:
+        """Counts, rank, dependencies and freedoms by name."""
+        return Diagnosis(*self._native.diagnose(t, None if q is None else as_bytes(q)))
+
+    def assemblies(self, t: float) -> list[Assembly]:
+        """All assemblies that are found at a time, in the order of their labels."""
+        return [Assembly(label, array(q)) for label, q in self._native.assemblies(t)]
+
+    def assembly_near(self, t: float, what: What, value: float) -> Assembly:
+        """The assembly with a measure nearest to a value."""
+        label, q = self._native.assembly_near(t, self._what(what), value)
+        return Assembly(label, array(q))
+
+    @property
+    def measures(self) -> list[str]:
+        """What `measure` can be asked for of joints, such as `slot.slide`."""
+        return self._native.measures()
+
+    def measure(self, motion: Motion, what: What) -> Quantity:
+        """A measure of a joint or a coordinate over a motion, with its rates."""
+        return Quantity._of(self._native.measure(motion._native, self._what(what)), motion.times)
+
+    def extremes(self, motion: Motion, what: What) -> Extremes:
+        """Where a measure turns round: dead centres, stroke, time ratio."""
+        found = self._native.extremes(motion._native, self._what(what))
+        name, unit, turns, stroke, ratio, least, most = found
+        ends = Extreme(*least, is_max=False), Extreme(*most)
+        return Extremes(name, unit, [Extreme(*one) for one in turns], stroke, ratio, *ends)
+
+    def crossings(self, motion: Motion, what: What, value: float) -> list[tuple[float, bool]]:
+        """When a measure passes a value, and whether it rises there."""
+        return self._native.crossings(motion._native, self._what(what), value)
+
+    def at(self, motion: Motion, t: float) -> Motion:
+        """One pose, at any time of the motion: a motion of one time."""
+        return Motion(self._native.at(motion._native, t))
+
+    def smallest_singular_value(self, motion: Motion) -> Quantity:
+        """How near the motion comes to a singular position."""
+        return Quantity._of(self._native.smallest_singular_value(motion._native), motion.times)
+
+    def prove(self, motion: Motion) -> Proof:
+        """By interval bounds: that exactly one continuous motion leads through the computed positions."""
+        return Proof(*self._native.prove(motion._native))
+
+    def page(self, motion: Motion) -> Page:
+        """A page on which the mechanism moves: it shows itself in a notebook, and is saved as one file."""
+        return Page(self._native.page(motion._native))
+
+    def picture(self, motion: Motion, t: Optional[float] = None, *, poses: int = 12) -> Picture:
+        """The mechanism at a time of the motion, or some poses of it on one another, as SVG."""
+        return Picture(self._native.picture(motion._native, t, poses))
+
+    def compile(self) -> str:
+        """What its rows give and what is left to Newton's method, as one program; or an error that names why not."""
+        return self._native.compile()
+
+    def sensitivities(self, motion: Motion, names: Iterable[str], what: What) -> dict[str, Quantity]:
+        """The derivatives of a measure and its rates by parameters, at each time."""
+        asked = self._what(what)
+        found = self._native.sensitivities(motion._native, list(names), asked)
+        return {name: Quantity._of((f"d {asked} / d {name}", "", lists), motion.times) for name, lists in found}
+
+    def gradient(self, motion: Motion, names: Sequence[str], what: What, weights: Any) -> Any:
+        """The derivatives by parameters of one number, whose derivatives by a measure, its rate and its second rate at
+        each time are the rows of `weights`."""
+        rows = np.zeros((len(motion), 3))
+        given = np.asarray(weights, dtype=float)
+        rows[:, : 1 if given.ndim == 1 else given.shape[1]] = given.reshape(len(motion), -1)
+        return np.array(self._native.gradient(motion._native, list(names), self._what(what), as_bytes(rows)))
+
+    def _what(self, what: What) -> str:
+        return coordinate_name(self.names, what.name if isinstance(what, Coordinate) else what)
+
+    def __reduce__(self) -> Any:
+        return (_rebuilt, (self._mechanism, self._token, self._native.parameters(), self.initial.tolist()))
+
+    def __copy__(self) -> "System":
+        return _rebuilt(self._mechanism, self._token, self._native.parameters(), self.initial.tolist())
+
+    def __repr__(self) -> str:
+        return f"<system {self.name}: {len(self.names)} coordinates, {len(self.equations)} equations>"
+
+
+def _rebuilt(mechanism: str, token: str, parameters: list[tuple[str, float]], initial: list[float]) -> System:
+    """The system of a mechanism file, with the parameters and the guess that it had."""
+    system = System(_native.Mechanism.from_json(mechanism).build(), mechanism, token)
+    known = system.parameters
+    for name, value in parameters:
+        if known[name] != value:
+            system.set(name, value)
+    system.set_initial(initial)
+    return system
+
+
+class _Bar:
+    """Whoever is told of progress: a function, a bar of tqdm, or nobody."""
+
+    def __init__(self, progress: Progress, name: str) -> None:
+        self._bar: Any = None
+        self._call = progress if callable(progress) else None
+        if progress is True:
+            try:
+                from tqdm.auto import tqdm
+            except ImportError:
+                return
+            self._bar = tqdm(desc=name)
+            self._call = self._step
+
+    def _step(self, done: int, all_of_them: int) -> None:
+        self._bar.total = all_of_them
+        self._bar.update(done - self._bar.n)
+
+    def __enter__(self) -> Optional[Callable[[int, int], object]]:
+        return self._call
+
+    def __exit__(self, *_: Any) -> None:
+        if self._bar is not None:
+            self._bar.close()
+
+
+def as_bytes(numbers: Any) -> bytes:
+    """Numbers of any array, list or iterable, as the native part reads them."""
+    if isinstance(numbers, (range, map, filter)) or hasattr(numbers, "__next__"):
+        numbers = list(numbers)
+    found = np.asarray(numbers)
+    if found.dtype.kind not in "iufb" or found.dtype.kind == "b":
+        raise TypeError(f"numbers are needed, not {type(numbers).__name__} of {found.dtype}")
+    return np.ascontiguousarray(found, dtype=np.float64).ravel().tobytes()

@@ -1,0 +1,83 @@
+"""Values of parameters on their way to the native part: any list, tuple or array of the right shape."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from ._errors import ParameterNotFinite
+from ._law import Law
+from ._vectors import Axis, EulerParameters
+
+NUMBERS = {"f64": 1, "Vec2": 2, "Vec3": 3, "EulerParameters": 4, "Mat2": 4, "Mat3": 9}
+NAMES = {"Vec2": ("x", "y"), "Vec3": ("x", "y", "z"), "EulerParameters": ("e0", "e1", "e2", "e3")}
+
+
+def flat(value: Any) -> list[float]:
+    """All numbers of a number, a vector, a list or an array. Raises TypeError and ValueError as NumPy does."""
+    if isinstance(value, (str, bytes, bool)) or value is None:
+        raise TypeError
+    array = np.asarray(list(value) if hasattr(value, "_components") else value)
+    if array.dtype.kind not in "iuf":
+        raise TypeError
+    return [float(one) for one in array.astype(float).ravel()]
+
+
+def numbers_of(place: str, argument: Any, value: Any) -> Any:
+    """A parameter as numbers in order, or a native law."""
+    if argument.kind == "Law":
+        return law_of(place, argument.name, value)._native
+    if argument.kind == "Axis":
+        return sum(axis_of(place, argument.name, value)._rows(), [])
+    wanted = NUMBERS.get(argument.kind)
+    try:
+        found = flat(value)
+    except (TypeError, ValueError):
+        found = None
+    if wanted is not None:
+        wanted *= argument.count or 1
+    if found is None or (wanted is not None and len(found) != wanted):
+        kind = "a number" if argument.kind == "f64" and argument.count is None else f"{argument.type}"
+        raise TypeError(f"`{place}`: its parameter `{argument.name}` is {kind}, not {value!r}")
+    return found
+
+
+def law_of(place: str, name: str, value: Any) -> Law:
+    """A law; a number is a constant one."""
+    if isinstance(value, Law):
+        return value
+    if isinstance(value, (int, float, np.number)) and not isinstance(value, bool):
+        finite(place, name, float(value))
+        return Law.constant(float(value))
+    if callable(value):
+        from ._constraint import law
+
+        return law(value)
+    raise TypeError(f"`{place}`: its parameter `{name}` is a law, not {value!r}")
+
+
+def axis_of(place: str, name: str, value: Any) -> Axis:
+    """An axis; a direction is one with an f of Kin's choice."""
+    if isinstance(value, Axis):
+        return value
+    try:
+        return Axis(flat(value))
+    except (TypeError, ValueError):
+        raise TypeError(f"`{place}`: its parameter `{name}` is an axis or a direction, not {value!r}") from None
+
+
+def euler_of(value: Any) -> list[float]:
+    """Four Euler parameters."""
+    return flat(EulerParameters(*value))
+
+
+def finite(place: str, name: str, value: float) -> float:
+    """The number. Raises `ParameterNotFinite`, in Kin's words."""
+    if math.isfinite(value):
+        return value
+    shown = "NaN" if math.isnan(value) else ("inf" if value > 0 else "-inf")
+    error = ParameterNotFinite(f"`{place}`: the parameter `{name}` is {shown}; give a finite number")
+    error.__dict__.update(constraint=place, parameter=name)
+    raise error

@@ -1,0 +1,130 @@
+//! Kin's errors as Python's exceptions: the same words, the fields by name, the motion before.
+
+use kin::Error;
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use serde_json::{Value, json};
+
+use crate::motion::Motion;
+
+/// The exception that an error becomes: a class of `kin` with the name of the variant.
+pub fn raised(py: Python<'_>, error: Error) -> PyErr {
+    let (text, (kind, fields)) = (error.to_string(), facts(&error));
+    let motion = error.motion().cloned().map(Motion::from);
+    let diagnosis = error.diagnosis().and_then(|diagnosis| serde_json::to_string(diagnosis).ok());
+    let made = py.import("kin._errors").and_then(|module| {
+        module.getattr("raised")?.call1((kind, text, fields.to_string(), motion, diagnosis))
+    });
+    match made {
+        Ok(exception) => PyErr::from_value(exception),
+        Err(failure) => failure,
+    }
+}
+
+/// The value, or the exception.
+pub fn told<T>(py: Python<'_>, result: kin::Result<T>) -> PyResult<T> {
+    result.map_err(|error| raised(py, error))
+}
+
+/// JSON that does not say what it should.
+pub fn unreadable(error: &serde_json::Error) -> PyErr {
+    PyValueError::new_err(error.to_string())
+}
+
+/// A `ValueError` of these words.
+pub fn value(text: impl Into<String>) -> PyErr {
+    PyValueError::new_err(text.into())
+}
+
+/// A `TypeError` of these words.
+pub fn wrong_type(text: impl Into<String>) -> PyErr {
+    PyTypeError::new_err(text.into())
+}
+
+/// The name of the variant, and its fields.
+fn facts(error: &Error) -> (&'static str, Value) {
+    if let Some(facts) = of_runs(error) {
+        return facts;
+    }
+    match error {
+        Error::ParameterNotFinite { constraint, parameter, .. } => {
+            ("ParameterNotFinite", json!({ "constraint": constraint, "parameter": parameter }))
+        }
+        Error::InvalidParameters { constraint, kind, reason } => (
+            "InvalidParameters",
+            json!({ "constraint": constraint, "constraint_kind": kind, "reason": reason }),
+        ),
+        Error::InitialNotFinite { name, coordinate, .. } => {
+            ("InitialNotFinite", json!({ "name": name, "coordinate": coordinate }))
+        }
+        Error::InvalidLength { link, .. } => ("InvalidLength", json!({ "link": link })),
+        Error::ForeignBody { mechanism, place, argument } => {
+            ("ForeignBody", json!({ "mechanism": mechanism, "place": place, "argument": argument }))
+        }
+        Error::RepeatedBody { constraint, first, second, name } => (
+            "RepeatedBody",
+            json!({ "constraint": constraint, "first": first, "second": second, "name": name }),
+        ),
+        Error::NoCoordinates { constraint, row, reason } => {
+            ("NoCoordinates", json!({ "constraint": constraint, "row": row, "reason": reason }))
+        }
+        Error::CannotBeProved { what, reason } => {
+            ("CannotBeProved", json!({ "what": what, "reason": reason }))
+        }
+        Error::InvalidConstraint { constraint, kind, reason } => (
+            "InvalidConstraint",
+            json!({ "constraint": constraint, "constraint_kind": kind, "reason": reason }),
+        ),
+        Error::DuplicateName { what, name } => ("DuplicateName", json!({ "what": what, "name": name })),
+        Error::EmptyName { what } => ("EmptyName", json!({ "what": what })),
+        Error::UnknownName { what, name, known } => {
+            ("UnknownName", json!({ "what": what, "name": name, "known": known }))
+        }
+        Error::InvalidTimes { reason } => ("InvalidTimes", json!({ "reason": reason })),
+        Error::InvalidOptions { reason } => ("InvalidOptions", json!({ "reason": reason })),
+        Error::NeedsMemory { needed, allowed, .. } => {
+            ("NeedsMemory", json!({ "needed": needed, "allowed": allowed }))
+        }
+        Error::CaseNotFinite { case, name, .. } => ("CaseNotFinite", json!({ "case": case, "name": name })),
+        Error::WrongLength { what, expected, found } => {
+            ("WrongLength", json!({ "what": what, "expected": expected, "found": found }))
+        }
+        Error::Mismatch(_) => ("Mismatch", json!({})),
+        Error::NoDerivative(_) => ("NoDerivative", json!({})),
+        Error::Data { place, reason } => ("DataError", json!({ "place": place, "reason": reason })),
+        Error::Table { reason, .. } => ("TableError", json!({ "reason": reason })),
+        Error::File { path, .. } => ("FileError", json!({ "path": path })),
+        _ => ("Error", json!({})),
+    }
+}
+
+/// The same of errors that end a run.
+fn of_runs(error: &Error) -> Option<(&'static str, Value)> {
+    Some(match error {
+        Error::CannotBeDriven { .. } => ("CannotBeDriven", json!({})),
+        Error::NoConvergence { t, iterations, constraint, row, residual, last, .. } => (
+            "NoConvergence",
+            json!({ "t": t, "iterations": iterations, "constraint": constraint, "row": row, "residual": residual, "last": last }),
+        ),
+        Error::SingularAt { t, n, rank, pivot, movable, dependent, .. } => (
+            "SingularAt",
+            json!({ "t": t, "n": n, "rank": rank, "pivot": pivot, "movable": movable, "dependent": dependent }),
+        ),
+        Error::Toggle { t, asked, movable, dependent, .. } => {
+            ("Toggle", json!({ "t": t, "asked": asked, "movable": movable, "dependent": dependent }))
+        }
+        Error::CannotFollow { t, reason, .. } => ("CannotFollow", json!({ "t": t, "reason": reason })),
+        Error::WrongBranch { t, constraint, kind, reason, .. } => (
+            "WrongBranch",
+            json!({ "t": t, "constraint": constraint, "constraint_kind": kind, "reason": reason }),
+        ),
+        Error::LawJumps { t, constraint, law, at, order, .. } => {
+            ("LawJumps", json!({ "t": t, "constraint": constraint, "law": law, "at": at, "order": order }))
+        }
+        Error::NotFinite { t, constraint, row, quantity, .. } => {
+            ("NotFinite", json!({ "t": t, "constraint": constraint, "row": row, "quantity": quantity }))
+        }
+        Error::Stopped { done, .. } => ("Stopped", json!({ "done": done })),
+        _ => return None,
+    })
+}

@@ -1,0 +1,33 @@
+//! The native part of the Python package `kin`: thin classes over Kin's public API. Users meet the Python
+//! around it in `python/kin`, with its words and types.
+//!
+//! Numbers pass as bytes, descriptions as the JSON of Kin's files, bodies by their names; all that takes long
+//! gives up Python's lock.
+
+mod equation;
+mod fault;
+mod law;
+mod mechanism;
+mod motion;
+mod numbers;
+mod options;
+mod sweep;
+mod system;
+mod watch;
+mod written;
+
+#[pyo3::pymodule]
+mod _native {
+    #[pymodule_export]
+    use crate::equation::Equation;
+    #[pymodule_export]
+    use crate::law::{Law, axis, euler_facing, euler_turned};
+    #[pymodule_export]
+    use crate::mechanism::Mechanism;
+    #[pymodule_export]
+    use crate::motion::Motion;
+    #[pymodule_export]
+    use crate::sweep::sweep;
+    #[pymodule_export]
+    use crate::system::System;
+}

@@ -1,0 +1,263 @@
+//! A mechanism as it is described. Bodies and coordinates are told by their names; `kin.Mechanism` sees that
+//! they are its own.
+
+use kin::data::{ConstraintData, MechanismData};
+use kin::text::{Making, On};
+use kin::{Ground, Pose, SpatialPose};
+use pyo3::prelude::*;
+use serde_json::Value;
+
+use crate::equation::{Equation, Given, Terms, terms};
+use crate::fault::{told, unreadable, value, wrong_type};
+use crate::numbers::{vec2, vec3};
+use crate::system::System;
+use crate::written::registry;
+
+/// A mechanism.
+#[pyclass(module = "kin._native")]
+pub struct Mechanism(kin::Mechanism);
+
+/// A body or coordinate: its kind and its name; the ground has none.
+type Place = (String, Option<String>);
+
+#[pymethods]
+impl Mechanism {
+    #[new]
+    fn new(name: &str) -> Mechanism {
+        Mechanism(kin::Mechanism::new(name))
+    }
+
+    #[staticmethod]
+    fn from_json(py: Python<'_>, text: &str) -> PyResult<Mechanism> {
+        let described: Value = serde_json::from_str(text).map_err(|error| unreadable(&error))?;
+        let registry = registry(&described).map_err(value)?;
+        let data: MechanismData = serde_json::from_value(described).map_err(|error| unreadable(&error))?;
+        let made = py.detach(|| kin::Mechanism::from_data(&data, &registry));
+        told(py, made).map(Mechanism)
+    }
+
+    fn to_json(&self, py: Python<'_>) -> PyResult<String> {
+        serde_json::to_string(&told(py, self.0.data())?).map_err(|error| unreadable(&error))
+    }
+
+    fn write_json(&self, py: Python<'_>, path: &str) -> PyResult<()> {
+        told(py, self.0.write_json(path))
+    }
+
+    fn name(&self) -> &str {
+        self.0.name()
+    }
+
+    fn units(&mut self, length: &str, time: &str) {
+        self.0.units(length, time);
+    }
+
+    fn link(&mut self, py: Python<'_>, name: &str, length: f64) -> PyResult<f64> {
+        told(py, self.0.link(name, length)).map(|link| link.length())
+    }
+
+    fn link_between(&mut self, py: Python<'_>, name: &str, a: [f64; 2], b: [f64; 2]) -> PyResult<f64> {
+        told(py, self.0.link_between(name, vec2(a), vec2(b))).map(|link| link.length())
+    }
+
+    fn planar(&mut self, py: Python<'_>, name: &str, pose: [f64; 3]) -> PyResult<()> {
+        told(py, self.0.planar(name, planar_pose(pose))).map(|_| ())
+    }
+
+    fn spatial(&mut self, py: Python<'_>, name: &str, pose: [f64; 7]) -> PyResult<()> {
+        told(py, self.0.spatial(name, spatial_pose(pose))).map(|_| ())
+    }
+
+    fn spatial_link_between(
+        &mut self,
+        py: Python<'_>,
+        name: &str,
+        a: [f64; 3],
+        b: [f64; 3],
+    ) -> PyResult<f64> {
+        told(py, self.0.spatial_link_between(name, vec3(a), vec3(b))).map(|link| link.length())
+    }
+
+    fn angle(&mut self, py: Python<'_>, name: &str, guess: f64) -> PyResult<()> {
+        told(py, self.0.angle(name, guess)).map(|_| ())
+    }
+
+    fn length(&mut self, py: Python<'_>, name: &str, guess: f64) -> PyResult<()> {
+        told(py, self.0.length(name, guess)).map(|_| ())
+    }
+
+    /// Adds a constraint of the library, described as in a file.
+    fn add(&mut self, py: Python<'_>, json: &str) -> PyResult<()> {
+        let described: Value = serde_json::from_str(json).map_err(|error| unreadable(&error))?;
+        let registry = registry(&described).map_err(value)?;
+        let data: ConstraintData = serde_json::from_value(described).map_err(|error| unreadable(&error))?;
+        told(py, self.0.add_data(&data, &registry)).map(|_| ())
+    }
+
+    /// Adds a constraint of an equation.
+    fn add_equation(
+        &mut self,
+        py: Python<'_>,
+        name: &str,
+        equation: &Bound<'_, Equation>,
+        on: Vec<Place>,
+        parameters: Vec<(String, Given<'_>)>,
+    ) -> PyResult<()> {
+        let making = self.making(equation, on, parameters)?;
+        let constraint = told(py, making.constraint())?;
+        told(py, self.0.add(name, constraint)).map(|_| ())
+    }
+
+    /// Every term of such a constraint where its own coordinates, their rates and the time are these.
+    #[expect(clippy::too_many_arguments, reason = "one argument for each that the equation has")]
+    fn terms<'py>(
+        &self,
+        py: Python<'py>,
+        equation: &Bound<'_, Equation>,
+        on: Vec<Place>,
+        parameters: Vec<(String, Given<'_>)>,
+        q: &[u8],
+        qd: &[u8],
+        t: f64,
+    ) -> PyResult<Terms<'py>> {
+        let constraint = told(py, self.making(equation, on, parameters)?.constraint())?;
+        terms(&constraint, q, qd, t)
+    }
+
+    fn set_guess(&mut self, py: Python<'_>, coordinate: &str, value: f64) -> PyResult<()> {
+        let place = self.coordinate(coordinate)?;
+        told(py, self.0.guess(place, value))
+    }
+
+    fn set_initial(&mut self, py: Python<'_>, q: Vec<f64>) -> PyResult<()> {
+        told(py, self.0.set_initial(&q))
+    }
+
+    fn set_pose(&mut self, py: Python<'_>, body: &str, pose: [f64; 3]) -> PyResult<()> {
+        let body = self.0.planar_named(body).ok_or_else(|| unknown(body))?;
+        told(py, self.0.set_pose(body, planar_pose(pose)))
+    }
+
+    fn set_spatial_pose(&mut self, py: Python<'_>, body: &str, pose: [f64; 7]) -> PyResult<()> {
+        let body = self.0.spatial_named(body).ok_or_else(|| unknown(body))?;
+        told(py, self.0.set_spatial_pose(body, spatial_pose(pose)))
+    }
+
+    /// Prefers a coordinate, or a measure of a joint, near a value.
+    fn prefer(&mut self, what: &str, value: f64) {
+        match self.0.coordinate_named(what) {
+            Some(coordinate) => self.0.prefer(coordinate, value),
+            None => self.0.prefer(what, value),
+        }
+    }
+
+    fn prefer_turn(&mut self, body: &str, p: [f64; 4]) -> PyResult<()> {
+        let body = self.0.spatial_named(body).ok_or_else(|| unknown(body))?;
+        let [e0, e1, e2, e3] = p;
+        self.0.prefer(body, kin::EulerParameters::new(e0, e1, e2, e3));
+        Ok(())
+    }
+
+    fn prefer_pose(&mut self, body: &str, pose: [f64; 7]) -> PyResult<()> {
+        let body = self.0.spatial_named(body).ok_or_else(|| unknown(body))?;
+        self.0.prefer(body, spatial_pose(pose));
+        Ok(())
+    }
+
+    fn limit(&mut self, py: Python<'_>, measure: &str, from: f64, to: f64) -> PyResult<()> {
+        told(py, self.0.limit(measure, from, to))
+    }
+
+    /// A global point, or direction, as a body sees it where it is drawn.
+    fn local(&self, py: Python<'_>, place: Place, vector: Vec<f64>, point: bool) -> PyResult<Vec<f64>> {
+        let planar = |body: kin::PlanarBody, v| match point {
+            true => self.0.local(body, vec2(v)),
+            false => self.0.local_direction(body, vec2(v)),
+        };
+        let spatial = |body: kin::SpatialBody, v| match point {
+            true => self.0.local(body, vec3(v)),
+            false => self.0.local_direction(body, vec3(v)),
+        };
+        match (self.on(&place)?, &vector[..]) {
+            (On::Planar(body), &[x, y]) => told(py, planar(body, [x, y])).map(|v| v.to_array().to_vec()),
+            (On::Spatial(body), &[x, y, z]) => {
+                told(py, spatial(body, [x, y, z])).map(|v| v.to_array().to_vec())
+            }
+            (On::Ground, _) => Ok(vector),
+            _ => Err(wrong_type("a point of a planar body has two numbers, of a spatial one three")),
+        }
+    }
+
+    fn hold_idle_turns(&mut self, py: Python<'_>) -> PyResult<Vec<String>> {
+        told(py, self.0.hold_idle_turns())
+    }
+
+    fn build(&self, py: Python<'_>) -> PyResult<System> {
+        let mechanism = self.0.clone();
+        told(py, py.detach(|| mechanism.build())).map(System::from)
+    }
+
+    /// The diagnosis as text, and as JSON.
+    #[pyo3(signature = (t, q = None))]
+    fn diagnose(&self, py: Python<'_>, t: f64, q: Option<Vec<f64>>) -> PyResult<(String, String)> {
+        let mechanism = &self.0;
+        let found = py.detach(|| match q {
+            Some(q) => mechanism.diagnose_at(t, &q),
+            None => mechanism.diagnose(t),
+        });
+        crate::system::diagnosis(&told(py, found)?)
+    }
+}
+
+impl Mechanism {
+    fn coordinate(&self, name: &str) -> PyResult<kin::Coordinate> {
+        self.0.coordinate_named(name).ok_or_else(|| unknown(name))
+    }
+
+    fn on(&self, (kind, name): &Place) -> PyResult<On> {
+        let Some(name) = name else { return Ok(On::from(Ground)) };
+        Ok(match kind.as_str() {
+            "planar" => self.0.planar_named(name).ok_or_else(|| unknown(name))?.into(),
+            "spatial" => self.0.spatial_named(name).ok_or_else(|| unknown(name))?.into(),
+            "coord" => self.coordinate(name)?.into(),
+            "ground_coord" => ground_coordinate(name)?.into(),
+            _ => return Err(wrong_type(format!("`{kind}` is no kind of a body or coordinate"))),
+        })
+    }
+
+    fn making(
+        &self,
+        equation: &Bound<'_, Equation>,
+        on: Vec<Place>,
+        parameters: Vec<(String, Given<'_>)>,
+    ) -> PyResult<Making> {
+        let on = on.iter().map(|place| self.on(place)).collect::<PyResult<Vec<On>>>()?;
+        let mut on = on.into_iter();
+        let first = on.next().ok_or_else(|| wrong_type("an equation needs a body or coordinate"))?;
+        let making = on.fold(equation.get().0.on(first), Making::on);
+        Ok(parameters.into_iter().fold(making, |making, (name, value)| making.with(&name, value)))
+    }
+}
+
+/// One of the ground's coordinates as a planar body, by its number.
+fn ground_coordinate(number: &str) -> PyResult<kin::Coordinate> {
+    let ground = kin::PlanarBody::from(Ground);
+    Ok(match number {
+        "0" => ground.x(),
+        "1" => ground.y(),
+        "2" => ground.theta(),
+        _ => return Err(unknown(number)),
+    })
+}
+
+fn unknown(name: &str) -> PyErr {
+    wrong_type(format!("there is no `{name}` of that kind in this mechanism"))
+}
+
+fn planar_pose([x, y, theta]: [f64; 3]) -> Pose {
+    Pose { x, y, theta }
+}
+
+fn spatial_pose([x, y, z, e0, e1, e2, e3]: [f64; 7]) -> SpatialPose {
+    SpatialPose::new(vec3([x, y, z]), kin::EulerParameters::new(e0, e1, e2, e3))
+}

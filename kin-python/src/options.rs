@@ -1,0 +1,55 @@
+//! Options of a run from Python's keywords.
+
+use kin::{Engine, Follow, Options, Stop};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::fault::{value, wrong_type};
+
+/// The options that keywords say; what they do not say is the default.
+///
+/// Errors: a keyword that nothing has, a value of another type.
+pub fn options(given: Option<&Bound<'_, PyDict>>) -> PyResult<Options> {
+    let mut options = Options::default();
+    for (name, value) in given.into_iter().flatten() {
+        put(&mut options, &name.extract::<String>()?, &value)?;
+    }
+    Ok(options)
+}
+
+const KNOWN: &str = "max_iterations, tolerance, residual_only, predict, rescue, halvings, jerk, closure, follow, \
+                     turning, engine, memory";
+
+fn put(options: &mut Options, name: &str, given: &Bound<'_, PyAny>) -> PyResult<()> {
+    match name {
+        "max_iterations" => options.max_iterations = given.extract()?,
+        "tolerance" => options.stop = Stop::Converged { tolerance: given.extract()? },
+        "residual_only" => options.stop = Stop::ResidualOnly(given.extract()?),
+        "predict" => options.predict = given.extract()?,
+        "rescue" => options.rescue = given.extract()?,
+        "halvings" => options.halvings = given.extract()?,
+        "jerk" => options.jerk = given.extract()?,
+        "closure" => options.closure = given.extract()?,
+        "memory" => options.memory = given.extract()?,
+        "turning" => options.follow = Follow::Turning(given.extract()?),
+        "follow" => {
+            options.follow = match given.extract::<String>()?.as_str() {
+                "unchecked" => Follow::Unchecked,
+                "smooth" => Follow::Smooth,
+                other => return Err(value(format!("follow: \"unchecked\" or \"smooth\", not {other:?}"))),
+            }
+        }
+        "engine" => {
+            options.engine = match given.extract::<String>()?.as_str() {
+                "auto" => Engine::Auto,
+                "plain" => Engine::Plain,
+                "compiled" => Engine::Compiled,
+                other => {
+                    return Err(value(format!("engine: \"auto\", \"plain\" or \"compiled\", not {other:?}")));
+                }
+            }
+        }
+        _ => return Err(wrong_type(format!("there is no option `{name}`; there are {KNOWN}"))),
+    }
+    Ok(())
+}

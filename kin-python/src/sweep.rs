@@ -1,0 +1,195 @@
+//! Many cases of one system: rows of numbers in, rows of results and statuses out.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::time::Duration;
+
+use kin::{Lanes, Options, Result};
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
+
+use crate::fault::{told, value};
+use crate::numbers;
+use crate::options::options;
+use crate::system::System;
+
+/// The number that is kept of a measure over a motion.
+#[derive(Clone, Copy)]
+enum Kept {
+    Max,
+    Min,
+    Range,
+    First,
+    Last,
+    MaxRate,
+    MaxSecondRate,
+}
+
+fn kept(name: &str) -> PyResult<Kept> {
+    Ok(match name {
+        "max" => Kept::Max,
+        "min" => Kept::Min,
+        "range" => Kept::Range,
+        "first" => Kept::First,
+        "last" => Kept::Last,
+        "max_rate" => Kept::MaxRate,
+        "max_second_rate" => Kept::MaxSecondRate,
+        _ => {
+            let known = "max, min, range, first, last, max_rate, max_second_rate";
+            return Err(value(format!("`{name}` is nothing that is kept of a measure; there are {known}")));
+        }
+    })
+}
+
+impl Kept {
+    fn of(self, x: &kin::Quantity) -> f64 {
+        let largest = |all: &kin::Series| all.values().iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+        let end = |v: Option<&f64>| v.copied().unwrap_or(f64::NAN);
+        match self {
+            Kept::Max => x.value.max(),
+            Kept::Min => x.value.min(),
+            Kept::Range => x.value.max() - x.value.min(),
+            Kept::First => end(x.value.values().first()),
+            Kept::Last => end(x.value.values().last()),
+            Kept::MaxRate => largest(&x.rate),
+            Kept::MaxSecondRate => largest(&x.second_rate),
+        }
+    }
+}
+
+/// Results row by row, and the status of each case: empty where it has succeeded.
+type Rows<'py> = (Bound<'py, PyBytes>, Vec<String>);
+
+/// Python is looked at so often while the cases are computed.
+const EVERY: Duration = Duration::from_millis(50);
+
+/// Runs all cases: `cases` row by row, a number for each of `names`; of each motion the numbers `wanted`.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "the arguments of the Python function around it")]
+#[pyo3(signature = (system, names, cases, times, wanted, keywords, lanes, threads = None, progress = None))]
+pub fn sweep<'py>(
+    py: Python<'py>,
+    system: &System,
+    names: Vec<String>,
+    cases: &[u8],
+    times: &[u8],
+    wanted: Vec<(String, String)>,
+    keywords: &Bound<'py, PyDict>,
+    lanes: bool,
+    threads: Option<usize>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Rows<'py>> {
+    let wanted = wanted.into_iter().map(|(name, what)| Ok((name, kept(&what)?)));
+    let asked = Asked {
+        system: system.now(),
+        cases: rows(numbers::read(cases)?, names.len())?,
+        names,
+        times: numbers::read(times)?,
+        wanted: wanted.collect::<PyResult<_>>()?,
+        options: options(Some(keywords))?,
+        lanes,
+        threads,
+    };
+    let all = asked.cases.len();
+    let found = py.detach(|| asked.watched(|done| tell(progress.as_ref(), done, all)))?;
+    let (numbers, states): (Vec<Vec<f64>>, Vec<String>) = told(py, found)?.into_iter().unzip();
+    tell(progress.as_ref(), all, all)?;
+    Ok((numbers::list(py, &numbers.concat())?, states))
+}
+
+/// The cases, one after the other.
+fn rows(cases: Vec<f64>, width: usize) -> PyResult<Vec<Vec<f64>>> {
+    match width {
+        0 => Err(value("a sweep needs the name of a parameter at least")),
+        _ if !cases.len().is_multiple_of(width) => {
+            Err(value(format!("a case has {width} numbers, one for each name")))
+        }
+        _ => Ok(cases.chunks_exact(width).map(<[f64]>::to_vec).collect()),
+    }
+}
+
+/// Looks at signals, and tells of progress. Errors: the exception that is to end the sweep.
+fn tell(progress: Option<&Py<PyAny>>, done: usize, all: usize) -> PyResult<()> {
+    Python::attach(|py| {
+        py.check_signals()?;
+        progress.map_or(Ok(()), |progress| progress.call1(py, (done, all)).map(drop))
+    })
+}
+
+/// A sweep that was asked for.
+struct Asked {
+    system: Arc<kin::System>,
+    names: Vec<String>,
+    cases: Vec<Vec<f64>>,
+    times: Vec<f64>,
+    wanted: Vec<(String, Kept)>,
+    options: Options,
+    lanes: bool,
+    threads: Option<usize>,
+}
+
+/// The results of a case, and its status.
+type Row = (Vec<f64>, String);
+
+impl Asked {
+    /// Runs all cases on other threads, while this one goes on calling `look`: it may be the one that Python
+    /// tells of signals.
+    fn watched(&self, look: impl Fn(usize) -> PyResult<()>) -> PyResult<Result<Vec<Row>>> {
+        let (stop, done) = (AtomicBool::new(false), AtomicUsize::new(0));
+        let (sender, finished) = mpsc::channel();
+        std::thread::scope(|scope| {
+            let (stop, done) = (&stop, &done);
+            let worker = scope.spawn(move || {
+                let found = self.run(stop, done);
+                // Whoever waits may have gone.
+                let _ = sender.send(());
+                found
+            });
+            let mut seen = Ok(());
+            while matches!(finished.recv_timeout(EVERY), Err(RecvTimeoutError::Timeout)) {
+                if seen.is_ok() {
+                    seen = look(done.load(Ordering::Relaxed));
+                    stop.store(seen.is_err(), Ordering::Relaxed);
+                }
+            }
+            let found =
+                worker.join().map_err(|_| PyRuntimeError::new_err("a thread of the sweep has failed"));
+            seen.and(found)
+        })
+    }
+
+    fn run(&self, stop: &AtomicBool, done: &AtomicUsize) -> Result<Vec<Row>> {
+        let mut sweep = self.system.sweep(&self.names)?.options(self.options.clone()).stop_when(stop);
+        sweep = sweep.progress(|cases, _| done.store(cases, Ordering::Relaxed));
+        if !self.lanes {
+            sweep = sweep.lanes(Lanes::Off);
+        }
+        if let Some(threads) = self.threads {
+            sweep = sweep.threads(threads);
+        }
+        sweep.run(&self.cases, &self.times, |case, motion| {
+            match motion.and_then(|motion| self.results(case, &motion)) {
+                Ok(results) => (results, String::new()),
+                Err(error) => (vec![f64::NAN; self.wanted.len()], error.to_string()),
+            }
+        })
+    }
+
+    /// The numbers that are wanted of the motion of a case.
+    fn results(&self, case: usize, motion: &kin::Motion) -> Result<Vec<f64>> {
+        let is_coordinate = |name: &String| motion.names().contains(name);
+        if self.wanted.iter().all(|(name, _)| is_coordinate(name)) {
+            return self.wanted.iter().map(|(name, kept)| motion.named(name).map(|x| kept.of(&x))).collect();
+        }
+        // Measures of joints read parameters: those of the case.
+        let mut system = kin::System::clone(&self.system);
+        for (name, value) in self.names.iter().zip(&self.cases[case]) {
+            if !is_coordinate(name) {
+                system.set(name, *value)?;
+            }
+        }
+        self.wanted.iter().map(|(name, kept)| system.measure(motion, name).map(|x| kept.of(&x))).collect()
+    }
+}

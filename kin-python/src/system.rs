@@ -1,0 +1,311 @@
+//! A mechanism made ready for solving, and what is asked of it. A run works on a system of its own, without
+//! Python's lock; `set` changes the one that the next run takes.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use kin::diagnosis::Diagnosis;
+use kin::{Extremes, Solution};
+use kin_view::Scene;
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
+
+use crate::fault::{told, unreadable};
+use crate::motion::{Motion, Told, quantity, series};
+use crate::numbers;
+use crate::options::options;
+use crate::watch::Watch;
+
+/// A system.
+#[pyclass(frozen, module = "kin._native")]
+pub struct System(Mutex<Arc<kin::System>>);
+
+impl From<kin::System> for System {
+    fn from(system: kin::System) -> Self {
+        System(Mutex::new(Arc::new(system)))
+    }
+}
+
+/// Time, q, q̇, q̈, Newton steps, residual, the equation that has it.
+type Solved<'py> = (f64, Bound<'py, PyBytes>, Bound<'py, PyBytes>, Bound<'py, PyBytes>, usize, f64, String);
+
+/// Name, unit; time, value and kind of each extreme; stroke; time ratio.
+type Turns = (String, String, Vec<(f64, f64, bool)>, f64, Option<f64>, (f64, f64), (f64, f64));
+
+/// A diagnosis as text, and as JSON.
+pub fn diagnosis(found: &Diagnosis) -> PyResult<(String, String)> {
+    Ok((found.to_string(), serde_json::to_string(found).map_err(|error| unreadable(&error))?))
+}
+
+fn solved<'py>(py: Python<'py>, at: &Solution) -> PyResult<Solved<'py>> {
+    let list = |numbers: &[f64]| numbers::list(py, numbers);
+    let report = &at.report;
+    Ok((
+        at.t,
+        list(&at.q)?,
+        list(&at.qd)?,
+        list(&at.qdd)?,
+        report.iterations,
+        report.residual,
+        report.worst.clone(),
+    ))
+}
+
+fn turns(found: &Extremes) -> Turns {
+    let all = found.all().iter().map(|one| (one.t, one.value, one.is_max)).collect();
+    let end = |extreme: kin::Extreme| (extreme.t, extreme.value);
+    let name = (found.name().to_owned(), found.unit().to_owned());
+    (name.0, name.1, all, found.stroke(), found.time_ratio(), end(found.min()), end(found.max()))
+}
+
+impl System {
+    /// The system as it is now.
+    pub fn now(&self) -> Arc<kin::System> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+}
+
+#[pymethods]
+impl System {
+    fn name(&self) -> String {
+        self.now().name().to_owned()
+    }
+
+    fn names(&self) -> Vec<String> {
+        self.now().coordinate_names().to_vec()
+    }
+
+    fn equations(&self) -> Vec<String> {
+        self.now().equation_names()
+    }
+
+    fn units(&self) -> Vec<String> {
+        self.now().coordinate_units()
+    }
+
+    fn initial<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        numbers::list(py, self.now().initial())
+    }
+
+    fn parameters(&self) -> Vec<(String, f64)> {
+        self.now().parameters()
+    }
+
+    fn parameter(&self, py: Python<'_>, name: &str) -> PyResult<f64> {
+        told(py, self.now().parameter(name))
+    }
+
+    fn measures(&self) -> Vec<String> {
+        self.now().measures()
+    }
+
+    fn set(&self, py: Python<'_>, name: &str, value: f64) -> PyResult<()> {
+        let changed =
+            Arc::make_mut(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner)).set(name, value);
+        told(py, changed)
+    }
+
+    fn set_initial(&self, py: Python<'_>, q: &[u8]) -> PyResult<()> {
+        let q = numbers::read(q)?;
+        let mut system = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let changed = Arc::make_mut(&mut system).set_initial(&q);
+        told(py, changed)
+    }
+
+    /// The run; `progress` is called with the times that are done and all of them.
+    #[pyo3(signature = (times, keywords = None, progress = None))]
+    fn run(
+        &self,
+        py: Python<'_>,
+        times: &[u8],
+        keywords: Option<&Bound<'_, PyDict>>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Motion> {
+        let (system, times, options) = (self.now(), numbers::read(times)?, options(keywords)?);
+        let mut watch = Watch::new(progress, times.len());
+        let run = py.detach(|| system.run_watched(&times, &options, |done| watch.look(done)));
+        watch.end(run.is_ok())?;
+        told(py, run).map(Motion::from)
+    }
+
+    #[pyo3(signature = (t, q = None, keywords = None))]
+    fn position<'py>(
+        &self,
+        py: Python<'py>,
+        t: f64,
+        q: Option<&[u8]>,
+        keywords: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Solved<'py>> {
+        let (system, options) = (self.now(), options(keywords)?);
+        let start = q.map(numbers::read).transpose()?;
+        let found = py.detach(|| match start {
+            Some(q) => system.solve_at_with(t, &q, &options),
+            None => system.position_with(t, &options),
+        });
+        solved(py, &told(py, found)?)
+    }
+
+    /// C (0), C_t (1), q̇ (2) at q and t.
+    fn at_position<'py>(
+        &self,
+        py: Python<'py>,
+        which: usize,
+        q: &[u8],
+        t: f64,
+    ) -> PyResult<Bound<'py, PyBytes>> {
+        let (system, q) = (self.now(), numbers::read(q)?);
+        let found = match which {
+            0 => system.residual(&q, t),
+            1 => system.c_t(&q, t),
+            _ => system.velocity(&q, t),
+        };
+        numbers::list(py, &told(py, found)?)
+    }
+
+    /// C_q at q and t, row by row.
+    fn jacobian<'py>(&self, py: Python<'py>, q: &[u8], t: f64) -> PyResult<Bound<'py, PyBytes>> {
+        let found = told(py, self.now().jacobian(&numbers::read(q)?, t))?;
+        numbers::list(py, found.transpose().as_slice())
+    }
+
+    /// Q_d (0) or q̈ (1) at q, q̇ and t.
+    fn at_velocity<'py>(
+        &self,
+        py: Python<'py>,
+        which: usize,
+        q: &[u8],
+        qd: &[u8],
+        t: f64,
+    ) -> PyResult<Bound<'py, PyBytes>> {
+        let (system, q, qd) = (self.now(), numbers::read(q)?, numbers::read(qd)?);
+        let found = match which {
+            0 => system.acceleration_rhs(&q, &qd, t),
+            _ => system.acceleration(&q, &qd, t),
+        };
+        numbers::list(py, &told(py, found)?)
+    }
+
+    #[pyo3(signature = (t, q = None))]
+    fn diagnose(&self, py: Python<'_>, t: f64, q: Option<&[u8]>) -> PyResult<(String, String)> {
+        let (system, q) = (self.now(), q.map(numbers::read).transpose()?);
+        let found = py.detach(|| match q {
+            Some(q) => system.diagnose_at(t, &q),
+            None => system.diagnose(t),
+        });
+        diagnosis(&told(py, found)?)
+    }
+
+    /// Each assembly: its label, its pose.
+    fn assemblies<'py>(&self, py: Python<'py>, t: f64) -> PyResult<Vec<(String, Bound<'py, PyBytes>)>> {
+        let system = self.now();
+        let found = told(py, py.detach(|| system.assemblies(t)))?;
+        found.iter().map(|one| Ok((one.label.to_string(), numbers::list(py, &one.q)?))).collect()
+    }
+
+    /// The assembly with a measure nearest to a value: its label, its pose.
+    fn assembly_near<'py>(
+        &self,
+        py: Python<'py>,
+        t: f64,
+        what: &str,
+        value: f64,
+    ) -> PyResult<(String, Bound<'py, PyBytes>)> {
+        let system = self.now();
+        let found = told(py, py.detach(|| system.assembly_near(t, what, value)))?;
+        Ok((found.label.to_string(), numbers::list(py, &found.q)?))
+    }
+
+    fn measure<'py>(&self, py: Python<'py>, motion: &Motion, what: &str) -> PyResult<Told<'py>> {
+        let (system, motion) = (self.now(), &motion.0);
+        quantity(py, &told(py, py.detach(|| system.measure(motion, what)))?)
+    }
+
+    fn extremes(&self, py: Python<'_>, motion: &Motion, what: &str) -> PyResult<Turns> {
+        let (system, motion) = (self.now(), &motion.0);
+        told(py, py.detach(|| system.extremes(motion, what))).map(|found| turns(&found))
+    }
+
+    /// Times at which a measure passes a value, and whether it rises there.
+    fn crossings(
+        &self,
+        py: Python<'_>,
+        motion: &Motion,
+        what: &str,
+        value: f64,
+    ) -> PyResult<Vec<(f64, bool)>> {
+        let (system, motion) = (self.now(), &motion.0);
+        let found = told(py, py.detach(|| system.crossings(motion, what, value)))?;
+        Ok(found.into_iter().map(|one| (one.t, one.rises)).collect())
+    }
+
+    /// The motion of one time.
+    fn at(&self, py: Python<'_>, motion: &Motion, t: f64) -> PyResult<Motion> {
+        let (system, motion) = (self.now(), &motion.0);
+        told(py, py.detach(|| system.at(motion, t))).map(Motion::from)
+    }
+
+    fn smallest_singular_value<'py>(&self, py: Python<'py>, motion: &Motion) -> PyResult<Told<'py>> {
+        let (system, motion) = (self.now(), &motion.0);
+        series(py, &told(py, py.detach(|| system.smallest_singular_value(motion)))?)
+    }
+
+    /// The proof as text, whether it is complete, how many steps are proved, of how many.
+    fn prove(&self, py: Python<'_>, motion: &Motion) -> PyResult<(String, bool, usize, usize)> {
+        let (system, motion) = (self.now(), &motion.0);
+        let proof = told(py, py.detach(|| system.prove(motion)))?;
+        Ok((proof.to_string(), proof.is_complete(), proof.proved(), proof.steps().len()))
+    }
+
+    /// The rows of its program, as text.
+    fn compile(&self, py: Python<'_>) -> PyResult<String> {
+        let system = self.now();
+        told(py, py.detach(|| system.compile())).map(|compiled| compiled.to_string())
+    }
+
+    /// A page on which the mechanism moves, as HTML.
+    fn page(&self, py: Python<'_>, motion: &Motion) -> PyResult<String> {
+        let (system, motion) = (self.now(), &motion.0);
+        told(py, py.detach(|| Scene::new(&system).page(motion))).map(|page| page.html())
+    }
+
+    /// The mechanism at a time, or so many poses of the motion on one another, as SVG.
+    #[pyo3(signature = (motion, t = None, poses = 12))]
+    fn picture(&self, py: Python<'_>, motion: &Motion, t: Option<f64>, poses: usize) -> PyResult<String> {
+        let (system, motion) = (self.now(), &motion.0);
+        let drawn = py.detach(|| match t {
+            Some(t) => Scene::new(&system).pose(motion, t),
+            None => Scene::new(&system).sequence(motion, poses),
+        });
+        told(py, drawn).map(|picture| picture.svg().to_owned())
+    }
+
+    /// The derivatives of a measure by parameters: for each its name, and those of the value and the rates.
+    fn sensitivities<'py>(
+        &self,
+        py: Python<'py>,
+        motion: &Motion,
+        names: Vec<String>,
+        what: &str,
+    ) -> PyResult<Vec<(String, Vec<Bound<'py, PyBytes>>)>> {
+        let (system, motion) = (self.now(), &motion.0);
+        let found = py.detach(|| system.sensitivities(motion, names.iter().map(String::as_str))?.of(what));
+        let told = told(py, found)?.into_iter().map(|one| {
+            let lists = [&one.value, &one.rate, &one.second_rate].map(|list| numbers::list(py, list));
+            Ok((one.name, lists.into_iter().collect::<PyResult<_>>()?))
+        });
+        told.collect()
+    }
+
+    /// The derivatives of one number by parameters; `weights` are its derivatives by a measure and its rates.
+    fn gradient(
+        &self,
+        py: Python<'_>,
+        motion: &Motion,
+        names: Vec<String>,
+        what: &str,
+        weights: &[u8],
+    ) -> PyResult<Vec<f64>> {
+        let (system, motion, weights) = (self.now(), &motion.0, numbers::read(weights)?);
+        let at = |k: usize| std::array::from_fn(|order| weights.get(3 * k + order).copied().unwrap_or(0.0));
+        told(py, py.detach(|| system.gradient(motion, names.iter(), what, at)))
+    }
+}

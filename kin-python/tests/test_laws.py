@@ -1,0 +1,82 @@
+"""Laws: every kind, and functions of one variable."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import kin
+from kin import Law
+
+TABLE = ([0.0, 0.5, 1.2, 2.0, 2.5], [0.0, 0.3, 0.1, 0.4, 0.0])
+UP = Law.cycloidal(0.02, 1.0)
+LAWS = [
+    Law.constant(0.3), Law.ramp(2.0), Law.linear(0.1, 2.0), Law.polynomial([0.1, 0.2, -0.3, 0.4]), Law.harmonic(0.3, 0.1),
+    Law.sine(0.3, 2.0, 0.1), Law.fourier(0.1, 2.0, [(0.1, 0.2), (0.3, 0.4)]), Law.harmonic_rise(0.3, 2.0), UP,
+    Law.polynomial_345(0.3, 2.0), Law.polynomial_4567(0.3, 2.0), Law.modified_sine(0.3, 2.0), Law.modified_trapezoid(0.3, 2.0),
+    Law.trapezoidal(1.0, 0.8, 1.5), Law.s_curve(1.0, 0.8, 1.5, 6.0), Law.spline(*TABLE), Law.spline(*TABLE, ends="periodic"),
+    Law.quintic_spline(*TABLE, ends=(0.1, -0.1)), Law.sequence(0.0, [(1.0, UP), (0.5, Law.constant(0.02)), (1.0, 0.02 - UP)]),
+    Law.sequence(0.0, [(1.0, UP), (1.0, 0.02 - UP)]).periodic(2.0), UP.compose(Law.sine(1.0, 1.0)), UP.shifted(0.3),
+    UP + Law.ramp(1.0), UP * Law.ramp(1.0), 3.0 * UP, -UP, UP - 0.5,
+]  # fmt: skip
+
+
+@kin.law
+def lift(phi):
+    """A lift of 30 mm, from a function."""
+    return 0.03 * (1 - kin.cos(phi)) ** 2 + np.exp(-phi * phi) * kin.where(phi > 1.0, 0.001, 0.001)
+
+
+@pytest.mark.parametrize("law", [*LAWS, lift], ids=lambda law: str(law)[:24])
+def test_derivatives_are_differences(law):
+    x, h = np.array([0.137, 0.613, 1.371, 1.909]), 1e-4
+    for lower, upper in ((law.at, law.slope), (law.slope, law.second), (law.second, law.third)):
+        central = (lower(x + h) - lower(x - h)) / (2 * h)
+        np.testing.assert_allclose(upper(x), central, rtol=1e-5, atol=1e-5)
+
+
+@pytest.mark.parametrize("law", [*LAWS, lift], ids=lambda law: str(law)[:24])
+def test_a_law_pickles_and_drives(law):
+    assert pickle.loads(pickle.dumps(law)) == law
+    m = kin.Mechanism("driven")
+    x = m.length("x", 0.0)
+    m.add("motor", kin.drive(x, law))
+    m = kin.Mechanism.from_json(m.to_json())
+    times = np.linspace(0.11, 0.9, 9)
+    motion = m.build().run(times)
+    np.testing.assert_allclose(motion["x"].value, law.at(times), atol=1e-14)
+    np.testing.assert_allclose(motion["x"].acceleration, law.second(times), atol=1e-12)
+
+
+def test_a_function_of_python_drives_as_the_law_that_it_is():
+    m = kin.Mechanism("cam")
+    a, b = m.length("a", 0.0), m.length("b", 0.0)
+    m.add("of the library", kin.drive(a, Law.sine(0.3, 2.0, 0.1)))
+    m.add("of a function", kin.drive(b, lambda t: 0.3 * np.sin(2.0 * t + 0.1)))
+    motion = m.build().run(np.linspace(0, 5, 51), jerk=True)
+    for rows in (motion.q, motion.qd, motion.qdd, motion.qddd):
+        np.testing.assert_allclose(rows[:, 0], rows[:, 1], atol=1e-13)
+
+
+def test_mistakes_of_laws():
+    with pytest.raises(kin.ConstraintError, match="a law is a function of one variable; `f` has 2"):
+
+        @kin.law
+        def f(x, y):
+            return x + y
+
+    with pytest.raises(kin.ConstraintError, match=r"write kin.where\(x > 1, a, b\)"):
+
+        @kin.law
+        def g(x):
+            return 1.0 if x > 1 else 0.0
+
+    assert kin.law(lambda x: 2.0).at(0.3) == 2.0
+
+
+def test_arrays_become_splines():
+    x = np.linspace(0, 2 * np.pi, 33)
+    law = Law.quintic_spline(x, 0.3 + 0.1 * np.sin(x + 1) - 0.1 * np.sin(1), ends="periodic")
+    assert abs(law.at(1.234) - (0.3 + 0.1 * np.sin(2.234) - 0.1 * np.sin(1))) < 1e-5
+    with pytest.raises(ValueError, match="x has 3 numbers, y 2"):
+        Law.spline([1, 2, 3], [1, 2])
