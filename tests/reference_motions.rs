@@ -2,9 +2,12 @@
 //! (`tests/data/README.md`).
 
 mod data;
+#[path = "data/engines.rs"]
+mod engines;
 
 use data::model::{BOTH, By, add, build, driver};
 use data::{error, number, numbers, read, rows};
+use engines::Engines;
 use kin::prelude::*;
 use kin::{Mechanism, Motion, Series, linspace};
 use serde_json::Value;
@@ -71,7 +74,7 @@ fn slider_crank_near_singular_moves_as_the_reference_on_coarse_grids() {
     let system = build(&file, BOTH[0]).expect("a mechanism").0.build().expect("a square system");
     for stride in [3, 7, 20] {
         let motion =
-            system.run(times.iter().step_by(stride).copied().collect::<Vec<f64>>()).expect("a motion");
+            system.run_both(times.iter().step_by(stride).copied().collect::<Vec<f64>>()).expect("a motion");
         assert!(motion.singular_positions().is_empty());
         for (k, exact) in exact.iter().step_by(stride).enumerate() {
             assert!(error(motion.q(k), exact) < 1e-11, "{stride} {k}: {:e}", error(motion.q(k), exact));
@@ -109,8 +112,11 @@ fn two_link_manipulator_moves_as_its_closed_form() {
     let (l2, l3, w2, w3) = (p("l2"), p("l3"), p("w2"), p("w3"));
     for by in BOTH {
         let (mechanism, bodies) = build(&file, by).expect("a mechanism");
-        let motion =
-            mechanism.build().expect("a square system").run(linspace(0.0, 24.0, 2401)).expect("a motion");
+        let motion = mechanism
+            .build()
+            .expect("a square system")
+            .run_both(linspace(0.0, 24.0, 2401))
+            .expect("a motion");
         let (end, mut errors) = (motion.point(bodies[2], vec2(l3 / 2.0, 0.0)).unwrap(), Errors::default());
         for (k, t) in motion.times().iter().enumerate() {
             let (theta2, theta3) = (w2 * t + p("th20"), w3 * t + p("th30"));
@@ -157,14 +163,14 @@ fn loop_closed(file: &Value, by: By) -> kin::Result<(Motion, Coordinate, Coordin
     let (theta3, x) = (m.angle("theta3", guess[8])?, m.length("x_B", guess[9])?);
     let crank = driver(file, "th0 + w*t + al*t**2/2");
     add(&mut m, by, "loop", loop_closure(theta3, x, crank, p("l2"), p("l3"), p("h")))?;
-    Ok((m.build()?.run(numbers(file, "time"))?, theta3, x))
+    Ok((m.build()?.run_both(numbers(file, "time"))?, theta3, x))
 }
 
 /// The motion of a mechanism at the file's times.
 fn run(mechanism: Mechanism, file: &Value) -> Motion {
     let system = mechanism.build().expect("a square system");
     assert_eq!(system.initial(), numbers(file, "initial_guess"));
-    system.run(numbers(file, "time")).expect("a motion")
+    system.run_both(numbers(file, "time")).expect("a motion")
 }
 
 /// All coordinates against `reference`, coordinate by coordinate over time.

@@ -3,6 +3,7 @@
 use kin::prelude::*;
 use kin::{Error, LawFunction, Options};
 
+use crate::engines::Engines;
 use crate::models::{FourBar, slider_crank};
 
 /// Rest, out by `by` as a cycloid, back, rest: within one second.
@@ -51,13 +52,13 @@ fn crank_that_goes_out_and_back_within_one_step_does_not_pass_its_toggle() {
     assert!((expected - 0.257).abs() < 1e-3);
     for times in grids() {
         ends_at(
-            slider_crank(1.0, 0.8, law.clone(), 0.0).unwrap().run(&times),
+            slider_crank(1.0, 0.8, law.clone(), 0.0).unwrap().run_both(&times),
             expected,
             &format!("{times:?}"),
         );
         let backwards: Vec<f64> = times.iter().rev().copied().collect();
         ends_at(
-            slider_crank(1.0, 0.8, law.clone(), 0.0).unwrap().run(&backwards),
+            slider_crank(1.0, 0.8, law.clone(), 0.0).unwrap().run_both(&backwards),
             1.0 - expected,
             &format!("{backwards:?}"),
         );
@@ -91,10 +92,10 @@ fn four_bars_that_go_out_and_back_end_at_their_toggle_or_come_back_where_they_we
         let times = &grids()[random.usize(0..4)];
         let what = format!("{bar:?} from {start} by {by}, {times:?}");
         if ahead < by.abs() {
-            ends_at(system.run(times), reached(&law, start + ahead.copysign(by), [0.1, 0.5]), &what);
+            ends_at(system.run_both(times), reached(&law, start + ahead.copysign(by), [0.1, 0.5]), &what);
             toggles += 1;
         } else {
-            let motion = system.run(times).unwrap_or_else(|error| panic!("{what}: {error}"));
+            let motion = system.run_both(times).unwrap_or_else(|error| panic!("{what}: {error}"));
             assert!((0..motion.len()).all(|k| bar.error(motion.q(k), side) < 1e-9), "{what}");
             returns += 1;
         }
@@ -181,16 +182,16 @@ fn a_driver_is_seen_in_whatever_constraint_it_stands() {
         let at = reached(&out_and_back(0.0, 1.2), limit, [0.1, 0.5]) / 3.0;
         let system =
             with_rod("beyond", |m, x| m.add("d", beyond(x, swing() + Law::constant(-0.3), 0.3)).map(|_| ()));
-        ends_at(system.unwrap().run(&times), at, &what("a law and a number"));
+        ends_at(system.unwrap().run_both(&times), at, &what("a law and a number"));
         let half = Law::constant(0.5);
         let system = with_rod("two", |m, x| m.add("d", by_two(x, 2.0 * swing(), half)).map(|_| ()));
-        ends_at(system.unwrap().run(&times), at, &what("two laws"));
+        ends_at(system.unwrap().run_both(&times), at, &what("two laws"));
         let system = with_rod("pulse", |m, x| m.add("d", pulse(x, 1.1, 3.0 * PI)).map(|_| ()));
-        ends_at(system.unwrap().run(&times), first(1.1), &what("an expression of t"));
+        ends_at(system.unwrap().run_both(&times), first(1.1), &what("an expression of t"));
         let system = with_rod("dual pulse", |m, x| m.add("d", dual_pulse(x, 1.1, 3.0 * PI)).map(|_| ()));
-        ends_at(system.unwrap().run(&times), first(1.1), &what("an expression of t by dual numbers"));
+        ends_at(system.unwrap().run_both(&times), first(1.1), &what("an expression of t by dual numbers"));
         let system = with_rod("silent", |m, x| m.add("d", drive(x, 1.1 * pulse_law())).map(|_| ()));
-        ends_at(system.unwrap().run(&times), first(1.1), &what("a law without bounds"));
+        ends_at(system.unwrap().run_both(&times), first(1.1), &what("a law without bounds"));
         let system = with_rod("squared", |m, x| {
             m.set_initial(&[0.5, 0.7])?;
             m.add("d", squared(x, Law::constant(0.5) + 0.6 * pulse_law())).map(|_| ())
@@ -203,10 +204,10 @@ fn a_driver_is_seen_in_whatever_constraint_it_stands() {
             }
             low
         };
-        ends_at(system.unwrap().run(&times), at, &what("the square of a law without bounds"));
+        ends_at(system.unwrap().run_both(&times), at, &what("the square of a law without bounds"));
         // A mechanism that stays short of the toggle runs, and is back.
         let system = with_rod("short", |m, x| m.add("d", pulse(x, 0.9, 3.0 * PI)).map(|_| ()));
-        let motion = system.unwrap().run(&times).unwrap();
+        let motion = system.unwrap().run_both(&times).unwrap();
         assert!(motion.q(times.len() - 1).iter().all(|q| q.abs() < 1e-12), "{:?}", motion.q(times.len() - 1));
     }
 }
@@ -228,7 +229,7 @@ fn crank_that_swings_past_a_near_change_point_and_back_ends_at_its_toggle() {
                 let expected = reached(&law, toggle, [0.0, 0.5]);
                 let (system, _) = bar(excess).system(law, start, 1.0).unwrap();
                 for times in grids() {
-                    let result = system.run(&times);
+                    let result = system.run_both(&times);
                     let Err(Error::Toggle { t, .. }) = result else {
                         panic!("{excess:e} {start} {beyond} {times:?}: {result:?}")
                     };
@@ -262,10 +263,10 @@ fn redundant_mechanisms_are_followed_between_times_too() {
         m.build()
     };
     for times in grids() {
-        let within = guided(out_and_back(0.0, 0.7)).unwrap().run(&times).unwrap();
+        let within = guided(out_and_back(0.0, 0.7)).unwrap().run_both(&times).unwrap();
         let last = within.q(times.len() - 1);
         assert!(last[2].abs() < 1e-9 && (last[6] - 1.8).abs() < 1e-9, "{last:?}");
-        assert!(guided(out_and_back(0.0, PI)).unwrap().run(&times).is_err(), "{times:?}");
+        assert!(guided(out_and_back(0.0, PI)).unwrap().run_both(&times).is_err(), "{times:?}");
     }
 }
 
@@ -302,15 +303,15 @@ fn a_step_over_millions_of_swings_is_refused_or_needs_none() {
     let mut m = Mechanism::new("one");
     let x = m.length("x", 0.0).unwrap();
     m.add("motor", drive(x, Law::sine(0.3, PI, 0.0))).unwrap();
-    assert!(m.build().unwrap().run([0.0, 1e6]).is_ok());
+    assert!(m.build().unwrap().run_both([0.0, 1e6]).is_ok());
     let (bar, law) = (
         FourBar { driven: 1.0, next: 3.5, last: 3.0, ground: 4.0, by_coupler: false },
         Law::sine(1.2, TAU, 0.0),
     );
     let (system, _) = bar.system(law, 0.0, 1.0).unwrap();
-    assert!(system.run([0.0, 10.0]).is_ok());
+    assert!(system.run_both([0.0, 10.0]).is_ok());
     for end in [1e7, 1e9, 1e12] {
-        let error = system.run([0.0, end]).unwrap_err();
+        let error = system.run_both([0.0, end]).unwrap_err();
         assert!(
             matches!(error, Error::CannotFollow { .. })
                 && error.to_string().contains("nearer to one another"),
@@ -329,7 +330,7 @@ fn a_driver_that_has_come_to_rest_is_not_refused() {
         let (system, _) = bar.system(Law::constant(0.7) + amplitude * law, 0.7, 1.0).unwrap();
         for points in [4, 6, 10, 11, 37] {
             let motion = system
-                .run(linspace(0.0, 1.0, points))
+                .run_both(linspace(0.0, 1.0, points))
                 .unwrap_or_else(|error| panic!("{omega} {points}: {error}"));
             assert!((0..points).all(|k| bar.error(motion.q(k), 1.0) < 1e-9));
         }

@@ -3,6 +3,7 @@
 
 use kin::prelude::*;
 
+use crate::engines::Engines;
 use crate::models::FourBar;
 
 /// How many planar ones a test run takes, and ten times as many as spatial ones; `KIN_CAMPAIGN=10000` is the
@@ -23,8 +24,8 @@ impl Random {
     }
 }
 
-/// A run of `turns` turns on a grid of `per_turn` times each must end where the closed form says, and be
-/// right at each time: `end` is the time of the toggle, `error` how far q is from the branch.
+/// A run of `turns` turns on a grid of `per_turn` times each, by both engines, must end where the closed form
+/// says, and be right at each time: `end` is the time of the toggle, `error` how far q is from the branch.
 fn judge(
     system: &System,
     times: &[f64],
@@ -33,7 +34,7 @@ fn judge(
     name: &str,
 ) -> bool {
     let last = times[times.len() - 1];
-    let result = system.run(times);
+    let result = system.run_both(times);
     let motion = match (&result, end.filter(|end| *end < last)) {
         (Ok(motion), None) => motion,
         (Err(kin::Error::Toggle { t, motion: Some(motion), .. }), Some(end)) => {
@@ -223,7 +224,8 @@ fn stewart(random: &mut Random) -> kin::Result<System> {
     m.build()
 }
 
-/// Where there is no closed form, a grid that is fifty times finer: the same motion, or the same toggle.
+/// Where there is no closed form, a grid that is fifty times finer, by a program: the same motion, or the
+/// same toggle.
 #[test]
 fn random_stewart_platforms_move_alike_on_coarse_and_fine_grids() {
     let mut random = Random(fastrand::Rng::with_seed(3));
@@ -231,8 +233,10 @@ fn random_stewart_platforms_move_alike_on_coarse_and_fine_grids() {
     for number in 0..all {
         let system = stewart(&mut random).unwrap();
         let points = random.0.usize(8..20);
-        let (coarse, fine) =
-            (system.run(linspace(0.0, 8.0, points + 1)), system.run(linspace(0.0, 8.0, 50 * points + 1)));
+        let (coarse, fine) = (
+            system.run(linspace(0.0, 8.0, points + 1)),
+            system.run_compiled(linspace(0.0, 8.0, 50 * points + 1)),
+        );
         let (coarse, fine) = match (&coarse, &fine) {
             (Ok(coarse), Ok(fine)) => (coarse, fine),
             (

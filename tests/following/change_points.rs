@@ -4,6 +4,7 @@ use kin::data::MotionData;
 use kin::prelude::*;
 use kin::{Follow, Options, SingularKind, SingularPosition};
 
+use crate::engines::Engines;
 use crate::models::{FourBar, slider_crank};
 
 /// Crank and rocker of length 1, coupler and ground of length 2: flat at 0 and π, where it can go on as an
@@ -102,7 +103,7 @@ fn parallelogram_stays_a_parallelogram() {
     for (start, points) in [(0.3, 31), (0.4 * PI, 31), (0.3, 62), (0.4 * PI, 721)] {
         let (system, [_, coupler, rocker]) =
             PARALLELOGRAM.system(Law::linear(start, TAU), start, 1.0).unwrap();
-        let motion = system.run(linspace(0.0, 3.0, points)).unwrap();
+        let motion = system.run_both(linspace(0.0, 3.0, points)).unwrap();
         let flat: Vec<f64> = (1..=6).map(|k| (f64::from(k) * PI - start) / TAU).collect();
         assert_eq!(motion.singular_positions().len(), 6, "{:?}", motion.events());
         flat.iter().zip(motion.singular_positions()).for_each(|(t, found)| is_crossing(found, *t));
@@ -128,7 +129,7 @@ fn parallelogram_stays_a_parallelogram() {
 fn jerk_at_a_change_point_is_that_of_its_branch() {
     let law = Law::polynomial(&[0.0, 1.2, 0.3, 0.1]);
     let system = slider_crank(1.0, 1.0, law, 0.0).unwrap();
-    let crossing = system.run([0.0, 1.5]).unwrap().singular_positions()[0].t;
+    let crossing = system.run_both([0.0, 1.5]).unwrap().singular_positions()[0].t;
     let times = [0.0, crossing - 0.2, crossing, crossing + 0.2];
     let motion = system.run_with(times, &Options { jerk: true, ..Options::default() }).unwrap();
     // The rod turns as much as the crank: φ = −θ, and the slider is at 2 cos θ.
@@ -184,7 +185,7 @@ fn parallelogram_becomes_an_antiparallelogram_where_it_is_asked_to() {
 #[test]
 fn change_points_are_events_by_name_and_data() {
     let (system, _) = PARALLELOGRAM.system(Law::linear(0.3, 1.0), 0.3, 1.0).unwrap();
-    let motion = system.run(linspace(0.0, 4.0, 9)).unwrap();
+    let motion = system.run_both(linspace(0.0, 4.0, 9)).unwrap();
     let [found] = motion.singular_positions() else { panic!() };
     assert_eq!(found.movable, ["coupler", "rocker"]);
     assert!(found.dependent.contains(&"C.x".to_string()), "{:?}", found.dependent);
@@ -231,7 +232,7 @@ fn verdicts_depend_neither_on_units_nor_on_the_order_of_declaration() {
     for scale in [1e-3, 1.0, 1e3] {
         for order in 0..5 {
             let system = build(scale, order, 0.3);
-            let motion = system.run(linspace(0.0, 7.0, 13)).unwrap();
+            let motion = system.run_both(linspace(0.0, 7.0, 13)).unwrap();
             let found = motion.singular_positions();
             assert_eq!(found.len(), 2, "{scale} {order}");
             found.iter().zip([PI - 0.3, TAU - 0.3]).for_each(|(found, t)| is_crossing(found, t));
@@ -268,7 +269,7 @@ fn two_loops_that_change_at_once_are_passed() {
     }
     let system = m.build().unwrap();
     for points in [13, 301] {
-        let motion = system.run(linspace(0.0, 7.0, points)).unwrap();
+        let motion = system.run_both(linspace(0.0, 7.0, points)).unwrap();
         for name in ["rocker 0.theta", "rocker 1.theta"] {
             assert!((motion.named(name).unwrap().value.values()[points - 1] - 7.3).abs() < 1e-9);
         }

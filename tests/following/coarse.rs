@@ -3,6 +3,7 @@
 use kin::prelude::*;
 use kin::{Follow, Options};
 
+use crate::engines::Engines;
 use crate::models::FourBar;
 
 const CRANK_ROCKER: FourBar = FourBar { driven: 1.0, next: 3.5, last: 3.0, ground: 4.0, by_coupler: false };
@@ -12,8 +13,8 @@ const CRANK_ROCKER: FourBar = FourBar { driven: 1.0, next: 3.5, last: 3.0, groun
 fn crank_rocker_in_steps_of_36_degrees() {
     for (side, sense) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
         let (system, _) = CRANK_ROCKER.system(Law::linear(0.1, sense * TAU), 0.1, side).unwrap();
-        let coarse = system.run(linspace(0.0, 3.0, 31)).unwrap();
-        let fine = system.run(linspace(0.0, 3.0, 1501)).unwrap();
+        let coarse = system.run_both(linspace(0.0, 3.0, 31)).unwrap();
+        let fine = system.run_both(linspace(0.0, 3.0, 1501)).unwrap();
         assert!(coarse.singular_positions().is_empty());
         for k in 0..31 {
             assert!(CRANK_ROCKER.error(coarse.q(k), side) < 1e-11, "{k}: {:?}", coarse.q(k));
@@ -35,7 +36,7 @@ fn crank_rocker_in_steps_of_36_degrees() {
 fn steps_of_whole_turns_are_followed_all_the_way() {
     let drag_link = FourBar { driven: 2.0, next: 2.2, last: 2.5, ground: 1.0, by_coupler: false };
     let (system, [_, next, last]) = drag_link.system(Law::ramp(TAU), 0.0, 1.0).unwrap();
-    let motion = system.run([0.0, 1.0, 4.0]).unwrap();
+    let motion = system.run_both([0.0, 1.0, 4.0]).unwrap();
     for body in [next, last] {
         let turns: Vec<f64> =
             motion.coordinate(body.theta()).unwrap().value.values().iter().map(|theta| theta / TAU).collect();
@@ -57,7 +58,7 @@ fn assemblies_that_nearly_meet_are_told_apart() {
         assert!(bar.clearance() > 0.0);
         for (side, points) in [(1.0, 11), (-1.0, 11), (1.0, 8), (1.0, 361)] {
             let (system, _) = bar.system(Law::linear(0.2, TAU), 0.2, side).unwrap();
-            let motion = system.run(linspace(0.0, 2.0, points)).unwrap();
+            let motion = system.run_both(linspace(0.0, 2.0, points)).unwrap();
             for k in 0..points {
                 assert!(
                     bar.error(motion.q(k), side) < 1e-9,

@@ -3,6 +3,8 @@
 use kin::prelude::*;
 use kin::{Error, Follow, Options};
 
+use crate::engines::Engines;
+
 /// Two bodies in a chain about parallel axes, each with its motor: an iterate far off must not make later
 /// matrices look singular.
 #[test]
@@ -20,7 +22,7 @@ fn an_iterate_that_goes_astray_does_not_make_later_positions_look_singular() {
         m.add("first", spatial::drive_turn(a, Ground, z, z, Law::ramp(rates[0]))).unwrap();
         m.add("second", spatial::drive_turn(b, a, z, z, Law::ramp(rates[1]))).unwrap();
         let system = m.build().unwrap();
-        let (coarse, fine) = (system.run([0.0, 1.0]), system.run(linspace(0.0, 1.0, 101)).unwrap());
+        let (coarse, fine) = (system.run_both([0.0, 1.0]), system.run(linspace(0.0, 1.0, 101)).unwrap());
         let coarse = coarse.unwrap_or_else(|error| panic!("{rates:?}: {error}"));
         let off = coarse.q(1).iter().zip(fine.q(100)).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
         assert!(off < 1e-9, "{rates:?}: {off:e}");

@@ -8,3 +8,6 @@ mod failures;
 mod models;
 mod pairs;
 mod toggles;
+
+#[path = "../data/engines.rs"]
+mod engines;

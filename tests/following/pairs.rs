@@ -3,6 +3,8 @@
 use kin::Error;
 use kin::prelude::*;
 
+use crate::engines::Engines;
+
 /// How many pairs a test run takes; `KIN_CAMPAIGN=1000` is the whole campaign, for a release build.
 fn count() -> usize {
     std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(60)
@@ -236,12 +238,12 @@ struct Tally {
     refused: Vec<String>,
 }
 
-/// Both grids must give the same motion, or end in the same toggle.
+/// Both grids must give the same motion, or end in the same toggle; the fine one by a program.
 fn compare(system: &System, steps: usize, name: &str, tally: &mut Tally) {
     let each = fine() / steps;
     let fine_times = linspace(0.0, 1.0, steps * each + 1);
     let coarse_times: Vec<f64> = fine_times.iter().step_by(each).copied().collect();
-    let (coarse, fine) = (system.run(&coarse_times), system.run(&fine_times));
+    let (coarse, fine) = (system.run(&coarse_times), system.run_compiled(&fine_times));
     let error = |coarse: &Motion, fine: &Motion| {
         let off = |k: usize| {
             coarse.q(k).iter().zip(fine.q(k * each)).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()))

@@ -3,6 +3,7 @@
 use kin::SingularKind;
 use kin::prelude::*;
 
+use crate::engines::Engines;
 use crate::models::{FourBar, slider_crank};
 
 /// The time of the toggle that ends a run, with the motion before it.
@@ -28,7 +29,7 @@ fn non_grashof_four_bar_ends_at_its_toggle() {
             let (system, _) = bar.system(Law::linear(start, sense), start, side).unwrap();
             for points in [9, 41, 721] {
                 let times = linspace(0.0, 8.0, points);
-                let error = system.run(&times).unwrap_err();
+                let error = system.run_both(&times).unwrap_err();
                 let (found, motion) = toggle(&error);
                 assert!(
                     (found - expected).abs() < 1e-10,
@@ -60,7 +61,7 @@ fn slider_drives_a_slider_crank_to_its_dead_centres() {
         m.prefer(crank, deg(60.0));
         let system = m.build().unwrap();
         for points in [11, 501] {
-            let error = system.run(linspace(0.0, 5.0, points)).unwrap_err();
+            let error = system.run_both(linspace(0.0, 5.0, points)).unwrap_err();
             let (found, motion) = toggle(&error);
             assert!((found - (end - 2.4) / speed).abs() < 1e-10, "{found} {}", (end - 2.4) / speed);
             assert!(motion.times().last().unwrap() < &found);
@@ -82,7 +83,7 @@ fn verdict_does_not_depend_on_the_unit_of_length() {
     for scale in [1e-3, 1.0, 1e3] {
         let error = slider_crank(scale, 0.8 * scale, Law::ramp(1.0), 0.0)
             .unwrap()
-            .run(linspace(0.0, 2.0, 21))
+            .run_both(linspace(0.0, 2.0, 21))
             .unwrap_err();
         let (found, motion) = toggle(&error);
         assert!((found - 0.8_f64.asin()).abs() < 1e-10, "{found}");
@@ -121,7 +122,7 @@ fn verdict_does_not_depend_on_the_order_of_the_parts() {
             .unwrap();
         }
         m.prefer(crank, deg(60.0));
-        let error = m.build().unwrap().run(linspace(0.0, 5.0, 11)).unwrap_err();
+        let error = m.build().unwrap().run_both(linspace(0.0, 5.0, 11)).unwrap_err();
         let (found, motion) = toggle(&error);
         assert!((found - (a + b - 2.4) / speed).abs() < 1e-10, "{bodies:?} {joints:?}: {found}");
         let mut movable = motion.singular_positions()[0].movable.clone();
@@ -145,7 +146,7 @@ fn driver_that_swings_beyond_the_toggle_and_back_does_not_hide_it() {
         let (system, _) = bar.system(Law::sine(swing, 1.0, 0.0) + Law::constant(0.2), 0.2, 1.0).unwrap();
         let expected = amplitude.recip().asin();
         for points in [5, 9, 17, 101] {
-            let error = system.run(linspace(0.0, 3.0, points)).unwrap_err();
+            let error = system.run_both(linspace(0.0, 3.0, points)).unwrap_err();
             let (found, _) = toggle(&error);
             assert!((found - expected).abs() < 1e-10, "{amplitude} {points}: {found} {expected}");
         }
@@ -154,7 +155,7 @@ fn driver_that_swings_beyond_the_toggle_and_back_does_not_hide_it() {
     let (system, _) =
         bar.system(Law::sine(0.999 * (end - 0.2), 1.0, 0.0) + Law::constant(0.2), 0.2, 1.0).unwrap();
     for points in [5, 9, 101] {
-        let motion = system.run(linspace(0.0, 3.0, points)).unwrap();
+        let motion = system.run_both(linspace(0.0, 3.0, points)).unwrap();
         assert!((0..points).all(|k| bar.error(motion.q(k), 1.0) < 1e-9));
     }
 }
@@ -167,7 +168,7 @@ fn time_just_before_a_toggle_is_met_before_the_curve_turns() {
     let end = bar.toggle(0.2, 1.0).unwrap();
     for gap in [1e-2, 1e-4, 1e-6, 1e-8, 1e-10] {
         let (system, _) = bar.system(Law::linear(0.2, 1.0), 0.2, -1.0).unwrap();
-        let error = system.run([0.0, end - 0.4, end - 0.2 - gap, end]).unwrap_err();
+        let error = system.run_both([0.0, end - 0.4, end - 0.2 - gap, end]).unwrap_err();
         let (found, motion) = toggle(&error);
         assert!((found - end + 0.2).abs() < 1e-12, "{gap}: {found}");
         assert!(
@@ -209,7 +210,7 @@ fn loops_that_toggle_together_end_in_one_toggle_that_names_them_all() {
             m.set_initial(&guess).unwrap();
             let system = m.build().unwrap();
             for points in [2, 11, 301] {
-                let error = system.run(linspace(0.0, 3.0, points)).unwrap_err();
+                let error = system.run_both(linspace(0.0, 3.0, points)).unwrap_err();
                 let kin::Error::Toggle { t, movable, .. } = &error else {
                     panic!("{loops} {points}: {error}")
                 };

@@ -4,6 +4,7 @@
 use kin::prelude::*;
 use kin::{Registry, nalgebra};
 
+use crate::engines::Engines;
 use crate::own;
 use crate::worst;
 
@@ -11,7 +12,7 @@ use crate::worst;
 fn example(name: &str, to: f64, times: usize) -> Motion {
     let path = format!("{}/tests/data/examples/{name}.json", env!("CARGO_MANIFEST_DIR"));
     let mechanism = Mechanism::read_json(path, &Registry::new().with::<own::geneva>()).expect("reads back");
-    mechanism.build().expect("builds").run(linspace(0.0, to, times)).expect("runs")
+    mechanism.build().expect("builds").run_both(linspace(0.0, to, times)).expect("runs")
 }
 
 fn planar(motion: &Motion, name: &str) -> PlanarBody {

@@ -6,6 +6,8 @@ mod preferred;
 mod shafts;
 mod spatial_loops;
 
+#[path = "../data/engines.rs"]
+mod engines;
 #[path = "../data/own.rs"]
 mod own;
 

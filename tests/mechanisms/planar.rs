@@ -2,6 +2,7 @@
 
 use kin::prelude::*;
 
+use crate::engines::Engines;
 use crate::worst;
 
 const O: Vec2 = Vec2::new(0.0, 0.0);
@@ -21,7 +22,7 @@ fn four_bar_in_both_assemblies() {
         m.add("C", revolute(Ground, rocker, vec2(d, 0.0), rocker.start())).unwrap();
         m.add("motor", drive_angle(crank, Law::ramp(2.0))).unwrap();
         m.prefer(rocker, deg(preferred));
-        let motion = m.build().unwrap().run(linspace(0.0, 3.2, 321)).unwrap();
+        let motion = m.build().unwrap().run_both(linspace(0.0, 3.2, 321)).unwrap();
         let (pin, theta3, theta4) = (
             motion.point(rocker, rocker.end()).unwrap(),
             motion.coordinate(coupler.theta()).unwrap(),
@@ -55,7 +56,7 @@ fn quick_return() {
     m.add("O4", revolute(Ground, arm, vec2(0.0, -d), arm.start())).unwrap();
     m.add("block", pin_in_slot(crank, arm, crank.end(), arm.start(), arm.end())).unwrap();
     m.add("motor", drive_angle(crank, Law::ramp(omega))).unwrap();
-    let motion = m.build().unwrap().run(linspace(0.0, TAU / omega, 361)).unwrap();
+    let motion = m.build().unwrap().run_both(linspace(0.0, TAU / omega, 361)).unwrap();
     let angle = motion.coordinate(arm.theta()).unwrap();
     let error = worst(&motion, |k, t| {
         angle.value.values()[k] - (d + r * (omega * t).sin()).atan2(r * (omega * t).cos())
@@ -83,7 +84,7 @@ fn scotch_yoke_is_harmonic() {
     m.add("slot", point_on_line(crank, yoke, crank.end(), O, vec2(0.0, 1.0))).unwrap();
     m.add("guide", prismatic(yoke, Ground, O, O, vec2(0.0, 1.0), 0.0)).unwrap();
     m.add("motor", drive_angle(crank, Law::linear(0.1, omega))).unwrap();
-    let motion = m.build().unwrap().run(linspace(0.0, 6.0, 601)).unwrap();
+    let motion = m.build().unwrap().run_both(linspace(0.0, 6.0, 601)).unwrap();
     let x = motion.coordinate(yoke.x()).unwrap();
     let phase = |t: f64| 0.1 + omega * t;
     assert!(worst(&motion, |k, t| x.value.values()[k] - r * phase(t).cos()) < 1e-14);
@@ -109,7 +110,7 @@ fn epicyclic_gears_follow_willis() {
     m.add("sun and planet", gear(sun, planet, arm, sun_r, planet_r, 0.0)).unwrap();
     m.add("planet and ring", internal_gear(planet, Ground, arm, planet_r, ring_r, 0.0)).unwrap();
     m.add("motor", drive_angle(sun, Law::ramp(10.0))).unwrap();
-    let motion = m.build().unwrap().run(linspace(0.0, 20.0, 401)).unwrap();
+    let motion = m.build().unwrap().run_both(linspace(0.0, 20.0, 401)).unwrap();
     let (arm_angle, planet_angle) =
         (motion.coordinate(arm.theta()).unwrap().value, motion.coordinate(planet.theta()).unwrap().value);
     let arm_rate = 10.0 * sun_r / (sun_r + ring_r);
@@ -134,7 +135,7 @@ fn a_rolling_wheel_keeps_to_its_track() {
     let wheel = m.planar("wheel", pose(0.0, radius, 0.0)).unwrap();
     m.add("track", rolling(wheel, Ground, O, O, along * 3.0, radius, 0.0)).unwrap();
     m.add("motor", drive_angle(wheel, Law::ramp(-4.0))).unwrap();
-    let motion = m.build().unwrap().run(linspace(0.0, 5.0, 101)).unwrap();
+    let motion = m.build().unwrap().run_both(linspace(0.0, 5.0, 101)).unwrap();
     let centre = motion.point(wheel, O).unwrap();
     assert!(
         worst(&motion, |k, t| (centre.r()[k] - along * (radius * 4.0 * t) - along.perp() * radius).norm())
@@ -161,7 +162,7 @@ fn cams_lift_as_their_profiles_say() {
         m.add("guide", prismatic(rod, Ground, O, O, vec2(1.0, 0.0), 0.0)).unwrap();
         contact(&mut m, cam, rod);
         m.add("motor", drive_angle(cam, Law::ramp(-2.0))).unwrap();
-        let motion = m.build().unwrap().run(linspace(0.0, 10.0, 1001)).unwrap();
+        let motion = m.build().unwrap().run_both(linspace(0.0, 10.0, 1001)).unwrap();
         let y = motion.coordinate(rod.y()).unwrap();
         (y.value.values().to_vec(), y.second_rate.values().to_vec())
     };
@@ -211,7 +212,7 @@ fn a_roller_on_an_eccentric_is_a_rod() {
     m.add("guide", prismatic(rod, Ground, O, O, vec2(1.0, 0.0), 0.0)).unwrap();
     m.add("roller", cam_roller(cam, rod, phi, O, radius, eccentric(e, disc))).unwrap();
     m.add("motor", drive_angle(cam, Law::ramp(3.0))).unwrap();
-    let motion = m.build().unwrap().run(linspace(0.0, 4.0, 801)).unwrap();
+    let motion = m.build().unwrap().run_both(linspace(0.0, 4.0, 801)).unwrap();
     let y = motion.coordinate(rod.y()).unwrap();
     let (c, l) = (|t: f64| (3.0 * t).sin_cos(), disc + radius);
     assert!(
@@ -249,7 +250,7 @@ fn a_block_in_a_slot_has_its_coriolis_acceleration() {
                 .unwrap();
         }
         m.add("motor", drive_angle(disc, Law::ramp(omega))).unwrap();
-        let motion = m.build().unwrap().run(linspace(0.0, 2.0, 101)).unwrap();
+        let motion = m.build().unwrap().run_both(linspace(0.0, 2.0, 101)).unwrap();
         let block = motion.point(block, O).unwrap();
         worst(&motion, |k, t| {
             let turn = Mat2::rotation(omega * t);

@@ -4,6 +4,7 @@
 use kin::prelude::*;
 use kin::{Coordinate, Motion, SpatialPose};
 
+use crate::engines::Engines;
 use crate::worst;
 
 const O: Vec3 = Vec3::new(0.0, 0.0, 0.0);
@@ -19,7 +20,7 @@ fn shaft(m: &mut Mechanism, name: &str, h: Vec3, f: Vec3) -> (SpatialBody, Coord
 }
 
 fn run(m: Mechanism) -> Motion {
-    m.build().unwrap().run(linspace(0.0, 4.0, 801)).unwrap()
+    m.build().unwrap().run_both(linspace(0.0, 4.0, 801)).unwrap()
 }
 
 /// tan φ2 = tan φ1 / cos β and ω2/ω1 = cos β/(1 − sin² β sin² φ1'), the fork of the first shaft in the plane

@@ -3,6 +3,7 @@
 use kin::prelude::*;
 use kin::{SpatialPose, any_spatial, terms};
 
+use crate::engines::Engines;
 use crate::worst;
 
 const O: Vec3 = Vec3::new(0.0, 0.0, 0.0);
@@ -30,7 +31,7 @@ fn spatial_slider_crank() {
         }
         m.add("motor", spatial::drive_turn(crank, Ground, Vec3::x(), Vec3::x(), Law::ramp(omega))).unwrap();
         // three turns, beginning with the crank up
-        let motion = m.build().unwrap().run(linspace(0.0, PI, 601)).unwrap();
+        let motion = m.build().unwrap().run_both(linspace(0.0, PI, 601)).unwrap();
         let x = motion.coordinate(slider.x()).unwrap();
         let first = [x.value.values()[0], x.rate.values()[0], x.second_rate.values()[0]];
         assert!(
@@ -72,7 +73,7 @@ fn stewart_platform_finds_the_pose_of_its_legs() {
         m.add(&format!("leg {k}"), spatial::drive_distance(platform, Ground, p(k), u(k), law.clone()))
             .unwrap();
     }
-    let motion = m.build().unwrap().run(linspace(0.0, 3.0, 301)).unwrap();
+    let motion = m.build().unwrap().run_both(linspace(0.0, 3.0, 301)).unwrap();
     let q = motion.q(0);
     let sign = q[3].signum() * known.p.e0.signum();
     let found = [
@@ -148,7 +149,7 @@ fn bennett_linkage_moves() {
     let ratio = ((beta + alpha) / 2.0).sin() / ((beta - alpha) / 2.0).sin();
     let exact = |theta: f64| 2.0 * (ratio * (theta / 2.0).tan()).atan();
     m.prefer(phi, exact(1.0));
-    let motion = m.build().unwrap().run(linspace(0.0, 2.0, 201)).unwrap();
+    let motion = m.build().unwrap().run_both(linspace(0.0, 2.0, 201)).unwrap();
     let angle = motion.coordinate(phi).unwrap().value;
     let error = worst(&motion, |k, t| angle.values()[k] - exact(1.0 + t));
     assert!(error < 1e-12, "{error:e}");
