@@ -270,7 +270,7 @@ fn laws_come_back_as_they_are() {
         Law::spline(&table, Ends::Natural),
         Law::spline(&table, Ends::Clamped { start: 3.0, end: -1.0 }),
         Law::spline(&ring, Ends::Periodic),
-        Law::polynomial(&[]),
+        Law::polynomial(&[0.0; 0]),
     ];
     all.extend(rises.map(|rise| rise(0.3, 1.5)));
     all.push(Law::sequence(

@@ -32,7 +32,7 @@ mod testing;
 pub use ask::{check, diagnosis, measure, proof};
 #[doc(hidden)]
 pub use model::{blame, coordinates, dual_route, state, terms};
-pub use model::{constraint, error, law, mechanism};
+pub use model::{constraint, dimension, error, law, mechanism};
 pub use numbers::algebra;
 #[doc(hidden)]
 pub use numbers::{lanes, real};
@@ -45,6 +45,7 @@ pub use coordinates::{
 };
 pub use data::Registry;
 pub use design::{ExtremeSensitivity, MeasureSensitivity, Sensitivities, Sensitivity};
+pub use dimension::{Dimension, DimensionError, IntoNumber, IntoParameter};
 pub use error::{Error, Result};
 pub use forces::{Acted, Balance, Drive, Energy, Forces, Peak, Reaction};
 pub use joints::spatial;

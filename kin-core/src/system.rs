@@ -1,5 +1,6 @@
 //! A mechanism made ready for solving: fixed order of coordinates and equations, fixed pattern of C_q.
 
+mod dimensions;
 pub(crate) mod evaluate;
 mod kept;
 pub(crate) mod measures;
@@ -22,6 +23,7 @@ use crate::model::loads::Loads;
 use crate::model::mechanism::Limit;
 use crate::model::units::Units;
 use crate::system::scaled::Model;
+use dimensions::Dimensions;
 use evaluate::{Block, Equations};
 use kept::Kept;
 
@@ -41,7 +43,11 @@ pub struct System {
     preferred: Vec<(usize, f64)>,
     /// Preferred measures of joints.
     pub(crate) asked: Vec<PreferredMeasure>,
+    /// Lengths of the links as (item, length between the pins).   \[m\]
+    lengths: Vec<(usize, f64)>,
+    /// Those of planar links.
     links: Vec<f64>,
+    dimensions: Option<Dimensions>,
     /// The linear solver with the elimination recorded at the initial guess, if C_q is regular there.
     linear: Linear,
     /// Ranges that measures should keep to.
@@ -99,8 +105,9 @@ impl System {
         mut equations: Equations,
         initial: Vec<f64>,
         preferred: Vec<(usize, f64)>,
-        links: Vec<f64>,
     ) -> Self {
+        let lengths = layout.links.clone();
+        let links = layout.planar(&lengths);
         equations.find_drivers(&initial);
         let linear = prepared(&layout, &equations, &initial, &links);
         let rows = (0..equations.rows).map(|row| equations.equation(row)).collect();
@@ -116,7 +123,9 @@ impl System {
             initial,
             preferred,
             asked,
+            lengths,
             links,
+            dimensions: None,
             linear,
             limits,
             switching,
@@ -164,7 +173,7 @@ impl System {
     /// The length between the two pins of a link; `None` of other bodies.   \[m\]
     pub fn link_length(&self, body: &Target) -> Option<f64> {
         let Some(Place::Own { item, .. }) = self.layout.place(body) else { return None };
-        self.layout.links.iter().find(|(known, _)| *known == item).map(|(_, length)| *length)
+        self.lengths.iter().find(|(known, _)| *known == item).map(|(_, length)| *length)
     }
 
     /// The planar and spatial bodies with their names, in the order of declaration.

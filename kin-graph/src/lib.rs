@@ -10,6 +10,7 @@ mod evaluate;
 mod formula;
 pub mod functions;
 pub mod graph;
+mod infix;
 mod number;
 pub mod rules;
 pub mod schedule;
@@ -24,5 +25,6 @@ pub use graph::{
     Column, Comparison, Decimal, Depends, Direction, Graph, Input, Leaf, LeafNumber, LeafUse, Node, Op, Part,
     is_power_of_two,
 };
+pub use infix::infix;
 pub use number::{Condition, Number, Possibly};
 pub use text::Unreadable;

@@ -11,6 +11,7 @@ pub struct cylindrical {
     f_i: Vec3,
     g_i: Vec3,
     h_j: Vec3,
+    __bindings: ::kin::emitted::Bindings,
 }
 /// A cylindrical joint: the axes are parallel and the line between two of their points is along them.      [–, –, m, m]
 #[allow(clippy::too_many_arguments)]
@@ -18,20 +19,23 @@ pub struct cylindrical {
 pub fn cylindrical(
     i: impl ::kin::IntoSpatialBody,
     j: impl ::kin::IntoSpatialBody,
-    u_i: impl ::kin::emitted::Components<3, Scalar = f64>,
-    u_j: impl ::kin::emitted::Components<3, Scalar = f64>,
-    f_i: impl ::kin::emitted::Components<3, Scalar = f64>,
-    g_i: impl ::kin::emitted::Components<3, Scalar = f64>,
-    h_j: impl ::kin::emitted::Components<3, Scalar = f64>,
+    u_i: impl ::kin::emitted::Components<3, Scalar: ::kin::emitted::IntoNumber>,
+    u_j: impl ::kin::emitted::Components<3, Scalar: ::kin::emitted::IntoNumber>,
+    f_i: impl ::kin::emitted::Components<3, Scalar: ::kin::emitted::IntoNumber>,
+    g_i: impl ::kin::emitted::Components<3, Scalar: ::kin::emitted::IntoNumber>,
+    h_j: impl ::kin::emitted::Components<3, Scalar: ::kin::emitted::IntoNumber>,
 ) -> cylindrical {
+    let mut noted = ::kin::emitted::Bindings::NONE;
+    let bindings = &mut noted;
     cylindrical {
         i: ::kin::IntoSpatialBody::into_spatial_body(i),
         j: ::kin::IntoSpatialBody::into_spatial_body(j),
-        u_i: ::kin::emitted::vector(u_i),
-        u_j: ::kin::emitted::vector(u_j),
-        f_i: ::kin::emitted::vector(f_i),
-        g_i: ::kin::emitted::vector(g_i),
-        h_j: ::kin::emitted::vector(h_j),
+        u_i: ::kin::emitted::vector(u_i, "u_i", bindings),
+        u_j: ::kin::emitted::vector(u_j, "u_j", bindings),
+        f_i: ::kin::emitted::vector(f_i, "f_i", bindings),
+        g_i: ::kin::emitted::vector(g_i, "g_i", bindings),
+        h_j: ::kin::emitted::vector(h_j, "h_j", bindings),
+        __bindings: noted,
     }
 }
 const _: () = {
@@ -823,6 +827,9 @@ const _: () = {
                 value,
             )
         }
+        fn take_bindings(&mut self) -> ::kin::emitted::Bindings {
+            ::core::mem::take(&mut self.__bindings)
+        }
         fn describe(&self, to: &mut ::kin::emitted::Describer) {
             use ::kin::emitted::{
                 ToldBySerde as _, ToldConstant as _, Untold as _, UntoldConstant as _,
@@ -1146,6 +1153,7 @@ rows 218 223 228 233
                 f_i: from.get("f_i"),
                 g_i: from.get("g_i"),
                 h_j: from.get("h_j"),
+                __bindings: ::kin::emitted::Bindings::NONE,
             })
         }
     }

@@ -8,6 +8,7 @@ struct on_cam {
     follower: ::kin::PlanarBody,
     tip: Vec2,
     profile: Law,
+    __bindings: ::kin::emitted::Bindings,
 }
 /// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]
 #[allow(clippy::too_many_arguments)]
@@ -15,14 +16,17 @@ struct on_cam {
 fn on_cam(
     cam: impl ::kin::IntoPlanarBody,
     follower: impl ::kin::IntoPlanarBody,
-    tip: impl ::kin::emitted::Components<2, Scalar = f64>,
+    tip: impl ::kin::emitted::Components<2, Scalar: ::kin::emitted::IntoNumber>,
     profile: Law,
 ) -> on_cam {
+    let mut noted = ::kin::emitted::Bindings::NONE;
+    let bindings = &mut noted;
     on_cam {
         cam: ::kin::IntoPlanarBody::into_planar_body(cam),
         follower: ::kin::IntoPlanarBody::into_planar_body(follower),
-        tip: ::kin::emitted::vector(tip),
-        profile,
+        tip: ::kin::emitted::vector(tip, "tip", bindings),
+        profile: ::kin::emitted::parameter(profile, "profile", bindings),
+        __bindings: noted,
     }
 }
 const _: () = {
@@ -415,6 +419,9 @@ const _: () = {
             }
             ::core::option::Option::None
         }
+        fn take_bindings(&mut self) -> ::kin::emitted::Bindings {
+            ::core::mem::take(&mut self.__bindings)
+        }
         fn describe(&self, to: &mut ::kin::emitted::Describer) {
             use ::kin::emitted::{
                 ToldBySerde as _, ToldConstant as _, Untold as _, UntoldConstant as _,
@@ -742,6 +749,7 @@ rows 36
                 follower: from.planar(),
                 tip: from.get("tip"),
                 profile: from.get("profile"),
+                __bindings: ::kin::emitted::Bindings::NONE,
             })
         }
     }

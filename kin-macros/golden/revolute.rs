@@ -8,6 +8,7 @@ pub struct revolute {
     j: ::kin::PlanarBody,
     u_i: Vec2,
     u_j: Vec2,
+    __bindings: ::kin::emitted::Bindings,
 }
 /// Pin joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      [m]
 #[allow(clippy::too_many_arguments)]
@@ -15,14 +16,17 @@ pub struct revolute {
 pub fn revolute(
     i: impl ::kin::IntoPlanarBody,
     j: impl ::kin::IntoPlanarBody,
-    u_i: impl ::kin::emitted::Components<2, Scalar = f64>,
-    u_j: impl ::kin::emitted::Components<2, Scalar = f64>,
+    u_i: impl ::kin::emitted::Components<2, Scalar: ::kin::emitted::IntoNumber>,
+    u_j: impl ::kin::emitted::Components<2, Scalar: ::kin::emitted::IntoNumber>,
 ) -> revolute {
+    let mut noted = ::kin::emitted::Bindings::NONE;
+    let bindings = &mut noted;
     revolute {
         i: ::kin::IntoPlanarBody::into_planar_body(i),
         j: ::kin::IntoPlanarBody::into_planar_body(j),
-        u_i: ::kin::emitted::vector(u_i),
-        u_j: ::kin::emitted::vector(u_j),
+        u_i: ::kin::emitted::vector(u_i, "u_i", bindings),
+        u_j: ::kin::emitted::vector(u_j, "u_j", bindings),
+        __bindings: noted,
     }
 }
 const _: () = {
@@ -244,6 +248,9 @@ const _: () = {
         fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
             ::kin::emitted::set_at(&mut [&mut self.u_i, &mut self.u_j], index, value)
         }
+        fn take_bindings(&mut self) -> ::kin::emitted::Bindings {
+            ::core::mem::take(&mut self.__bindings)
+        }
         fn describe(&self, to: &mut ::kin::emitted::Describer) {
             use ::kin::emitted::{
                 ToldBySerde as _, ToldConstant as _, Untold as _, UntoldConstant as _,
@@ -427,6 +434,7 @@ rows 30 31
                 j: from.planar(),
                 u_i: from.get("u_i"),
                 u_j: from.get("u_j"),
+                __bindings: ::kin::emitted::Bindings::NONE,
             })
         }
     }

@@ -10,6 +10,7 @@ struct slider_crank {
     l3: f64,
     h: f64,
     omega: f64,
+    __bindings: ::kin::emitted::Bindings,
 }
 /// Loop closure of the slider-crank, crank driven at ω.      [m]
 #[allow(clippy::too_many_arguments)]
@@ -17,18 +18,21 @@ struct slider_crank {
 fn slider_crank(
     theta3: impl ::kin::IntoCoordinate,
     x: impl ::kin::IntoCoordinate,
-    l2: f64,
-    l3: f64,
-    h: f64,
-    omega: f64,
+    l2: impl ::kin::emitted::IntoParameter<f64>,
+    l3: impl ::kin::emitted::IntoParameter<f64>,
+    h: impl ::kin::emitted::IntoParameter<f64>,
+    omega: impl ::kin::emitted::IntoParameter<f64>,
 ) -> slider_crank {
+    let mut noted = ::kin::emitted::Bindings::NONE;
+    let bindings = &mut noted;
     slider_crank {
         theta3: ::kin::IntoCoordinate::into_coordinate(theta3),
         x: ::kin::IntoCoordinate::into_coordinate(x),
-        l2,
-        l3,
-        h,
-        omega,
+        l2: ::kin::emitted::parameter(l2, "l2", bindings),
+        l3: ::kin::emitted::parameter(l3, "l3", bindings),
+        h: ::kin::emitted::parameter(h, "h", bindings),
+        omega: ::kin::emitted::parameter(omega, "omega", bindings),
+        __bindings: noted,
     }
 }
 const _: () = {
@@ -291,6 +295,9 @@ const _: () = {
                 value,
             )
         }
+        fn take_bindings(&mut self) -> ::kin::emitted::Bindings {
+            ::core::mem::take(&mut self.__bindings)
+        }
         fn describe(&self, to: &mut ::kin::emitted::Describer) {
             use ::kin::emitted::{
                 ToldBySerde as _, ToldConstant as _, Untold as _, UntoldConstant as _,
@@ -371,6 +378,7 @@ rows 13 19
                 l3: from.get("l3"),
                 h: from.get("h"),
                 omega: from.get("omega"),
+                __bindings: ::kin::emitted::Bindings::NONE,
             })
         }
     }

@@ -42,7 +42,7 @@ fn made(equation: &Equation, from: &mut Reader<'_>) -> ReadConstraint {
         match &parameter.kind {
             ParameterKind::Numbers { shape, .. } => {
                 let mut own = Vec::new();
-                from.value(&parameter.name, &mut |value| {
+                from.numbers(&parameter.name, &mut |value| {
                     own.clear();
                     of_json(shape, value, &mut own)
                 });

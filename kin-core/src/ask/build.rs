@@ -78,16 +78,15 @@ impl Mechanism {
             let body = SpatialBody { mechanism: mechanism.layout.mechanism, index: Some(index) };
             mechanism.add(&name, spatial::euler_norm(body))?;
         }
-        let planar = |(item, _): &&(usize, f64)| mechanism.layout.items[*item].kind == Kind::Planar;
-        let links = mechanism.layout.links.iter().filter(planar).map(|(_, length)| *length).collect();
+        let dimensions = mechanism.dimensions()?;
         let mut guess = mechanism.initial;
         for &(column, value) in &mechanism.preferred {
             guess[column] = value;
         }
         let equations = Equations::new(&mechanism.layout, mechanism.constraints);
-        let mut system =
-            System::new(mechanism.name, mechanism.layout, equations, guess, mechanism.preferred, links);
+        let mut system = System::new(mechanism.name, mechanism.layout, equations, guess, mechanism.preferred);
         system.loads = Arc::new(mechanism.loads);
+        system.set_dimensions(dimensions);
         system.set_limits(mechanism.limits)?;
         system.set_asked(&mechanism.asked)?;
         Ok(system)

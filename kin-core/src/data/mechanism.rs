@@ -3,11 +3,13 @@
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
+use super::dimensions::{DimensionData, NumberData, Texts};
 use super::names::plain;
 use super::{FORMAT, Registry, is_first};
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
 use crate::model::describer::Describer;
+use crate::model::dimension::{Bound, Dimension};
 use crate::model::dual_route::ArgumentKind;
 use crate::model::error::{Error, Result};
 use crate::model::layout::{Kind, Place};
@@ -30,6 +32,9 @@ pub struct MechanismData {
     /// Equations of constraints of one's own, as text in the language of `#[constraint]`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub equations: Vec<String>,
+    /// Named dimensions.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub dimensions: Vec<DimensionData>,
     /// Bodies and bare coordinates in their order.
     pub bodies: Vec<BodyData>,
     /// Constraints in their order.
@@ -76,13 +81,13 @@ pub struct BodyData {
     /// Kind of the body.
     pub kind: BodyKind,
     /// Guess of its coordinates.
-    pub guess: Vec<f64>,
+    pub guess: Vec<NumberData>,
     /// Preferred values of its coordinates, where there are any.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub preferred: Vec<Option<f64>>,
     /// Length between the pins of a link.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub length: Option<f64>,
+    pub length: Option<NumberData>,
 }
 
 /// Kinds of bodies.
@@ -153,29 +158,12 @@ impl Mechanism {
     /// Errors: a constraint that was not made by `#[constraint]`, or with a parameter of a type that serde
     /// does not know, by name.
     pub fn data(&self) -> Result<MechanismData> {
-        let bodies = self.layout.items.iter().enumerate().map(|(index, item)| {
-            let columns = item.first..item.first + item.kind.coordinates().len();
-            let preference = |column: usize| {
-                self.preferred.iter().find(|(known, _)| *known == column).map(|(_, value)| *value)
-            };
-            let mut preferred: Vec<Option<f64>> = columns.clone().map(preference).collect();
-            if preferred.iter().all(Option::is_none) {
-                preferred.clear();
-            }
-            let length =
-                self.layout.links.iter().find(|(known, _)| *known == index).map(|(_, length)| *length);
-            BodyData {
-                name: item.name.clone(),
-                kind: item.kind.into(),
-                guess: self.initial[columns].to_vec(),
-                preferred,
-                length,
-            }
-        });
-        let bodies = bodies.collect();
+        let texts = Texts::of(self)?;
+        let bodies = self.body_data(&texts);
         let mut equations: Vec<(String, String)> = Vec::new();
-        let constraints = self.constraints.iter().map(|(name, constraint)| {
-            let (data, equation) = self.constraint_data(name, constraint.as_ref())?;
+        let constraints = self.constraints.iter().enumerate().map(|(number, (name, constraint))| {
+            let (mut data, equation) = self.constraint_data(name, constraint.as_ref())?;
+            texts.put(number, constraint.as_ref(), &mut data.parameters);
             let Some(text) = equation else { return Ok(data) };
             match equations.iter().find(|(kind, _)| *kind == data.kind) {
                 Some((_, known)) if *known != text => {
@@ -205,12 +193,38 @@ impl Mechanism {
             format: FORMAT,
             name: self.name.clone(),
             units,
+            dimensions: self.dimension_data()?,
             equations: equations.into_iter().map(|(_, text)| text).collect(),
             bodies,
             constraints,
             limits,
             preferred,
         })
+    }
+
+    /// Bodies and bare coordinates as data.
+    fn body_data(&self, texts: &Texts) -> Vec<BodyData> {
+        let body = self.layout.items.iter().enumerate().map(|(index, item)| {
+            let columns = item.first..item.first + item.kind.coordinates().len();
+            let preference = |column: usize| {
+                self.preferred.iter().find(|(known, _)| *known == column).map(|(_, value)| *value)
+            };
+            let mut preferred: Vec<Option<f64>> = columns.clone().map(preference).collect();
+            if preferred.iter().all(Option::is_none) {
+                preferred.clear();
+            }
+            let link = self.layout.links.iter().position(|(known, _)| *known == index);
+            let length = link.map(|link| texts.number(Bound::Length(link), self.layout.links[link].1));
+            let guess = columns.map(|column| texts.number(Bound::Guess(column), self.initial[column]));
+            BodyData {
+                name: item.name.clone(),
+                kind: item.kind.into(),
+                guess: guess.collect(),
+                preferred,
+                length,
+            }
+        });
+        body.collect()
     }
 
     /// A constraint as data, and its equation where the file has to carry it.
@@ -273,6 +287,7 @@ impl Mechanism {
         }
         let mut mechanism = Mechanism::new(plain("mechanism", &data.name)?);
         mechanism.layout.words = read_units(&data.units)?;
+        mechanism.add_dimensions(&data.dimensions)?;
         for body in &data.bodies {
             mechanism.add_body(body)?;
         }
@@ -299,11 +314,11 @@ impl Mechanism {
     pub fn add_data(&mut self, data: &ConstraintData, registry: &Registry) -> Result<ConstraintId> {
         let ConstraintData { name, kind, arguments, parameters, lacking } = data;
         let made = registry.constraint(kind, arguments, parameters, self);
-        let constraint = made.map_err(|reason| {
+        let (constraint, bound) = made.map_err(|reason| {
             let reason = if lacking.is_empty() { reason } else { without(&reason, lacking) };
             Error::Data { place: format!("constraint `{name}`"), reason }
         })?;
-        self.add(name, constraint)
+        self.add_bound(name, constraint, bound)
     }
 
     fn add_body(&mut self, body: &BodyData) -> Result<()> {
@@ -313,7 +328,11 @@ impl Mechanism {
         if body.guess.len() != count || !(body.preferred.is_empty() || body.preferred.len() == count) {
             return Err(fail(format!("it has {count} coordinates; its guess has {}", body.guess.len())));
         }
-        let index = self.declare(plain("body", &body.name)?, kind, &body.guess)?;
+        let place = format!("body `{}`", body.name);
+        let number = |number: &NumberData| self.number(&place, number);
+        let guess = body.guess.iter().map(number).collect::<Result<Vec<Dimension>>>()?;
+        let length = body.length.as_ref().map(number).transpose()?;
+        let index = self.declare_hung(plain("body", &body.name)?, kind, &guess)?;
         let first = self.layout.items[index].first;
         for (axis, value) in
             body.preferred.iter().enumerate().filter_map(|(axis, value)| Some((axis, (*value)?)))
@@ -323,16 +342,7 @@ impl Mechanism {
             }
             self.preferred.push((first + axis, value));
         }
-        match body.length {
-            Some(length) if !(length.is_finite() && length > 0.0) => {
-                Err(Error::InvalidLength { link: body.name.clone(), length })
-            }
-            Some(length) => {
-                self.layout.links.push((index, length));
-                Ok(())
-            }
-            None => Ok(()),
-        }
+        length.map_or(Ok(()), |length| self.note_length(&body.name, Some(index), length))
     }
 
     /// The planar body of that name.

@@ -3,6 +3,8 @@
 //! A motion comes back without loss. A mechanism comes back through a [`Registry`] of constructors, to which
 //! a user's own constraints are added: `Registry::new().with::<parabolic_slot>()`.
 
+mod dimensions;
+mod expression;
 mod joints;
 mod law;
 mod mechanism;
@@ -18,6 +20,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 pub use crate::model::describer::Describer;
+pub use dimensions::{DimensionData, NumberData};
 pub use law::{LawData, LawReader};
 pub use mechanism::{
     ArgumentData, BodyData, BodyKind, ConstraintData, LimitData, MechanismData, PreferredData,

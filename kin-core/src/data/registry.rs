@@ -5,11 +5,13 @@ use std::sync::Arc;
 
 use serde_json::{Map, Value};
 
+use super::dimensions::{self, Found};
 use super::law::{LawData, LawReader, shipped};
 use super::mechanism::ArgumentData;
 use super::value::Datum;
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::{Coordinate, Ground, PlanarBody, SpatialBody};
+use crate::model::dimension::Dimension;
 use crate::model::dual_route::ArgumentKind;
 use crate::model::law::Law;
 use crate::model::mechanism::Mechanism;
@@ -26,6 +28,8 @@ pub trait Described: Constraint + Sized + 'static {
 }
 
 type Make = Arc<dyn Fn(&mut Reader<'_>) -> Option<Box<dyn Constraint>> + Send + Sync>;
+/// A constraint, and which of its parameters are expressions of dimensions.
+type Made = (Box<dyn Constraint>, Vec<(String, Dimension)>);
 type ReadEquation = fn(Registry, &str) -> Result<Registry, String>;
 type MakeLaw = Arc<dyn Fn(&LawReader<'_>) -> Result<Law, String> + Send + Sync>;
 
@@ -127,14 +131,15 @@ impl Registry {
         make(&LawReader { data, registry: self })
     }
 
-    /// The constraint of that kind. Errors: unknown kind, arguments or parameters that do not fit.
+    /// The constraint of that kind, and which of its parameters are expressions of dimensions. Errors:
+    /// unknown kind, arguments or parameters that do not fit.
     pub(super) fn constraint(
         &self,
         kind: &str,
         arguments: &[ArgumentData],
         parameters: &Map<String, Value>,
         mechanism: &Mechanism,
-    ) -> Result<Box<dyn Constraint>, String> {
+    ) -> Result<Made, String> {
         let kinds: Vec<ArgumentKind> = arguments.iter().map(ArgumentData::kind).collect();
         let make = self
             .constraints
@@ -146,6 +151,7 @@ impl Registry {
             mechanism,
             registry: self,
             asked: Vec::new(),
+            expressions: Vec::new(),
             failure: None,
         };
         let made = make(&mut reader);
@@ -153,7 +159,11 @@ impl Registry {
         match (made, &reader.failure, unknown()) {
             (_, Some(reason), _) => Err(reason.clone()),
             (_, None, Some(name)) => Err(format!("`{kind}` has no parameter `{name}`")),
-            (made, None, None) => made.ok_or_else(|| format!("`{kind}` cannot be made")),
+            (made, None, None) => {
+                let made = made.ok_or_else(|| format!("`{kind}` cannot be made"))?;
+                let bound = dimensions::bound(made.as_ref(), reader.expressions)?;
+                Ok((made, bound))
+            }
         }
     }
 
@@ -182,6 +192,8 @@ pub struct Reader<'a> {
     mechanism: &'a Mechanism,
     registry: &'a Registry,
     asked: Vec<&'a String>,
+    /// Expressions of dimensions that stood for numbers.
+    expressions: Vec<Found>,
     /// The first thing that is wrong with them.
     failure: Option<String>,
 }
@@ -227,7 +239,19 @@ impl<'a> Reader<'a> {
     /// The parameter of that name; not a number where there is none.
     pub fn get<T: Datum>(&mut self, name: &str) -> T {
         let registry = self.registry;
-        self.value(name, &mut |value| T::from_value(value, registry)).unwrap_or_else(T::absent)
+        self.numbers(name, &mut |value| T::from_value(value, registry)).unwrap_or_else(T::absent)
+    }
+
+    /// The same as [`Reader::value`] of a parameter made of numbers, some of which may be expressions of
+    /// dimensions in the file: `read` is given their values.
+    pub fn numbers<T>(&mut self, name: &str, read: &mut dyn FnMut(&Value) -> Result<T, String>) -> Option<T> {
+        let (mechanism, mut found) = (self.mechanism, Vec::new());
+        let value = self.value(name, &mut |value| {
+            found.clear();
+            read(&dimensions::without_expressions(mechanism, name, value, &mut found)?)
+        });
+        self.expressions.append(&mut found);
+        value
     }
 
     /// The value that `read` makes of the parameter of that name, as JSON.

@@ -21,10 +21,12 @@ pub(super) struct Prepared<'a> {
     blocks: Vec<Equation>,
     /// The coordinate behind each column of each constraint.
     columns: Vec<Vec<Option<usize>>>,
-    pub asked: Vec<Asked>,
+    asked: Vec<Asked>,
+    /// How many names were asked for.
+    names: usize,
 }
 
-/// C_q as (row, column, jet), and C_p of each parameter as (row, jet), at one time.
+/// C_q as (row, column, jet), and C_p of each name that was asked for as (row, jet), at one time.
 #[derive(Default)]
 pub(super) struct Along {
     pub by_q: Vec<(usize, usize, Jet)>,
@@ -32,7 +34,7 @@ pub(super) struct Along {
 }
 
 impl<'a> Prepared<'a> {
-    /// For these parameters; refuses by name what is not known.
+    /// For these parameters and dimensions; refuses by name what is not known.
     pub(super) fn new(system: &'a System, names: &[String]) -> Result<Self> {
         let (mut blocks, mut columns) = (Vec::new(), Vec::new());
         for block in &system.equations().blocks {
@@ -51,15 +53,18 @@ impl<'a> Prepared<'a> {
             blocks.push(equation);
             columns.push(own);
         }
-        let asked = names.iter().map(|name| Asked::of(system, &blocks, name)).collect::<Result<_>>()?;
-        Ok(Prepared { system, blocks, columns, asked })
+        let mut asked = Vec::new();
+        for name in names.iter().enumerate() {
+            asked.extend(Asked::all(system, &blocks, name)?);
+        }
+        Ok(Prepared { system, blocks, columns, asked, names: names.len() })
     }
 
     /// C_q and C_p at the time t of a motion with these q, q̇ and q̈.
     pub(super) fn at(&self, t: f64, orders: [&[f64]; 3]) -> Along {
         let equations = self.system.equations();
         let instant = equations.instant_at(t, orders[0]);
-        let mut along = Along { by_q: Vec::new(), by_p: vec![Vec::new(); self.asked.len()] };
+        let mut along = Along { by_q: Vec::new(), by_p: vec![Vec::new(); self.names] };
         for (number, block) in equations.blocks.iter().enumerate() {
             let (equation, behind) = (&self.blocks[number], &self.columns[number]);
             let at = equations.at(block, &instant);
@@ -103,7 +108,9 @@ impl Walk<'_> {
                     to.by_q.push((row, *j, jet(number(*node))));
                 }
             }
-            for (asked, by_p) in asked.1.iter().zip(&mut to.by_p).filter(|(own, _)| own.block == asked.0) {
+            for asked in asked.1.iter().filter(|own| own.block == asked.0) {
+                let by_p = &mut to.by_p[asked.name];
+                let jet = |number: Number| jet(number).map(|x| asked.slope * x);
                 match &asked.hangs {
                     Hangs::Parameter(k) => {
                         by_p.extend(slope(&slopes.by_parameter, *k).map(|by| (row, jet(by))));

@@ -15,6 +15,10 @@ const NOTHING: &str = "no equation depends on it";
 
 /// One parameter.
 pub(super) struct Asked {
+    /// The number of the name that was asked for: that of the parameter, or of a dimension that it hangs on.
+    pub name: usize,
+    /// Its own derivative by that.
+    pub slope: f64,
     /// The constraint that reads it.
     pub block: usize,
     pub hangs: Hangs,
@@ -29,8 +33,29 @@ pub(super) enum Hangs {
 }
 
 impl Asked {
-    /// The parameter of that name, such as `coupler.length` or `motor.law.rate`.
-    pub(super) fn of(system: &System, equations: &[Equation], name: &str) -> Result<Asked> {
+    /// The parameters behind name number `number`, a parameter's (`motor.law.rate`) or a dimension's.
+    pub(super) fn all(
+        system: &System,
+        equations: &[Equation],
+        (number, name): (usize, &String),
+    ) -> Result<Vec<Asked>> {
+        let on = system.parameters_on(name)?.unwrap_or_else(|| vec![(name.clone(), 1.0)]);
+        let mut all = Vec::new();
+        for (parameter, slope) in on {
+            if !slope.is_finite() {
+                let reason = format!("`{parameter}` has no finite derivative by it here");
+                return Err(NoDerivative::error(name, reason));
+            }
+            if let Some((block, hangs)) = Asked::of(system, equations, &parameter)? {
+                all.push(Asked { name: number, slope, block, hangs });
+            }
+        }
+        if all.is_empty() { Err(NoDerivative::error(name, NOTHING)) } else { Ok(all) }
+    }
+
+    /// The constraint of the parameter of that name, and the part of it that hangs on it; `None` if there is
+    /// none.
+    fn of(system: &System, equations: &[Equation], name: &str) -> Result<Option<(usize, Hangs)>> {
         let value = system.parameter(name)?;
         let no = |reason: &str| NoDerivative::error(name, reason);
         let place = system.places([name])?;
@@ -47,7 +72,7 @@ impl Asked {
             Some(k) if equation.foreign.contains(&k) => {
                 return Err(no("a function of yours, which only rustc can read, is asked for it"));
             }
-            Some(k) if !equation.reads(k) => return Err(no(NOTHING)),
+            Some(k) if !equation.reads(k) => return Ok(None),
             Some(k) => Hangs::Parameter(k),
             None => match law(own, equation, local, value) {
                 Some((number, law)) => {
@@ -56,13 +81,13 @@ impl Asked {
                     let by = by.ok_or_else(|| no("how its law depends on it is not known"))?;
                     Hangs::Law { number, by }
                 }
-                None if equation.is_read() => return Err(no(NOTHING)),
+                None if equation.is_read() => return Ok(None),
                 None => {
                     return Err(no("a function of yours, which only rustc can read, may be asked for it"));
                 }
             },
         };
-        Ok(Asked { block, hangs })
+        Ok(Some((block, hangs)))
     }
 }
 

@@ -16,11 +16,14 @@ pub use crate::data::{
     Described, Describer, Reader, Sought, SoughtBySerde, Told, ToldBySerde, ToldConstant, Unsought, Untold,
     UntoldConstant,
 };
+use crate::model::dimension::{self, Name};
+
 pub use crate::model::blame::{Asked, Blame, Source};
 pub use crate::model::constraint::{
     Attached, Attachment, Dependence, Entry, Facts, Measured, Parameters, Written,
 };
 pub use crate::model::coordinates::{Argument, Target, Trig};
+pub use crate::model::dimension::{Bindings, IntoNumber, IntoParameter};
 pub use crate::model::dual_route::{ArgumentKind, Equation};
 pub use crate::model::law::LawFunction;
 pub use crate::model::state::{At, Offsets, PlanarState, Rates, SpatialState};
@@ -61,9 +64,18 @@ pub fn attachments(all: &[Attachment]) -> Vec<Attachment> {
     all.to_vec()
 }
 
-/// A vector from what a constructor takes for one.
-pub fn vector<V: From<[f64; N]>, const N: usize>(components: impl Components<N, Scalar = f64>) -> V {
-    V::from(components.components())
+/// A vector from what a constructor takes for one; what hangs on dimensions is noted.
+pub fn vector<V: From<[f64; N]>, const N: usize>(
+    components: impl Components<N, Scalar: IntoNumber>,
+    name: &str,
+    bindings: &mut Bindings,
+) -> V {
+    dimension::vector(components, &Name::Own(name), bindings)
+}
+
+/// A parameter from what a constructor takes for one; what hangs on dimensions is noted.
+pub fn parameter<T>(given: impl IntoParameter<T>, name: &str, bindings: &mut Bindings) -> T {
+    given.into_parameter(&Name::Own(name), bindings)
 }
 
 /// The arguments of a constraint.

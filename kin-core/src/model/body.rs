@@ -2,7 +2,7 @@
 
 use crate::model::coordinates::{Link, PlanarBody, SpatialBody, SpatialLink, Target};
 use crate::model::state::{PlanarState, SpatialState};
-use crate::numbers::algebra::{Vec2, Vec3};
+use crate::numbers::algebra::{Scalar, Vec2, Vec3};
 use crate::numbers::real::{Dual3_64, Real};
 
 /// A vector of the plane or of space.
@@ -100,12 +100,12 @@ impl Body for PlanarBody {
 
 /// A link is followed as its body.
 macro_rules! as_its_body {
-    ($link:ident, $vector:ident, $body:ident) => {
-        impl Body for $link {
+    ([$($of:ident)?] $link:ty, $vector:ident, $body:ident) => {
+        impl$(<$of: Scalar>)? Body for $link {
             type Vector = $vector;
 
             fn target(self) -> Target {
-                self.body.target()
+                self.body().target()
             }
 
             fn point(u: $vector, course: Course<'_>) -> [$vector; 4] {
@@ -123,8 +123,8 @@ macro_rules! as_its_body {
     };
 }
 
-as_its_body!(Link, Vec2, PlanarBody);
-as_its_body!(SpatialLink, Vec3, SpatialBody);
+as_its_body!([L] Link<L>, Vec2, PlanarBody);
+as_its_body!([] SpatialLink, Vec3, SpatialBody);
 
 impl Body for SpatialBody {
     type Vector = Vec3;

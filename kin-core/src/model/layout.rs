@@ -82,6 +82,12 @@ impl Layout {
         }
     }
 
+    /// The lengths of planar links, of these lengths of links.
+    pub(crate) fn planar(&self, lengths: &[(usize, f64)]) -> Vec<f64> {
+        let planar = |(item, _): &&(usize, f64)| self.items[*item].kind == Kind::Planar;
+        lengths.iter().filter(planar).map(|(_, length)| *length).collect()
+    }
+
     /// Number of coordinates n.
     pub(crate) fn len(&self) -> usize {
         self.names.len()

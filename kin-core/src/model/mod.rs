@@ -6,6 +6,7 @@ pub(crate) mod body;
 pub mod constraint;
 pub mod coordinates;
 pub(crate) mod describer;
+pub mod dimension;
 pub mod dual_route;
 pub mod error;
 pub(crate) mod formula;

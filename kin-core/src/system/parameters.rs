@@ -11,6 +11,8 @@ pub(crate) enum CasePlace {
     Parameter { block: usize, index: usize },
     /// The initial value of a coordinate, and the preferred one if it has one.
     Coordinate(usize),
+    /// The value of a dimension, and all that hangs on it.
+    Dimension(usize),
 }
 
 impl System {
@@ -25,14 +27,24 @@ impl System {
         all
     }
 
-    /// The value of one parameter, such as `slot.k`. Errors: no such parameter.
+    /// The value of one parameter, such as `slot.k`, or of a dimension. Errors: no such parameter.
     pub fn parameter(&self, name: &str) -> Result<f64> {
+        if let Some((_, value)) = self.dimensions().into_iter().find(|(known, _)| known == name) {
+            return Ok(value);
+        }
         self.find(name).map(|(_, _, value)| value)
     }
 
-    /// Sets one parameter, such as `slot.k`; pattern, order and guesses stay. Errors: no such parameter, not
-    /// finite, or what makes no sense with the others; the old value stays.
+    /// Sets one dimension and all that hangs on it, or one parameter, such as `slot.k`; pattern and order
+    /// stay. A parameter that hangs on dimensions can be set alone too: it keeps that value until a dimension
+    /// behind it is set.
+    ///
+    /// Errors: no such parameter, not finite, beyond the range of a dimension, an expression of dimensions,
+    /// or what makes no sense with the others; the old value stays.
     pub fn set(&mut self, name: &str, value: f64) -> Result<()> {
+        if let Some(k) = self.dimension_number(name) {
+            return self.set_dimension(k, value);
+        }
         let (index, parameter, _) = self.find(name)?;
         let block = &mut self.equations.blocks[index];
         if !value.is_finite() {
@@ -53,6 +65,10 @@ impl System {
     pub(crate) fn places(&self, names: impl IntoIterator<Item = impl AsRef<str>>) -> Result<Vec<CasePlace>> {
         let (parameters, mut copy) = (self.parameters(), self.clone());
         let mut place = |name: &str| {
+            if let Some(k) = self.dimension_number(name) {
+                self.settable_dimension(k)?;
+                return Ok(CasePlace::Dimension(k));
+            }
             if let Some(number) = parameters.iter().position(|(known, _)| known == name) {
                 let place = self.numbered(number);
                 // One that cannot be set, such as that of a law without names, is told now.
@@ -76,7 +92,11 @@ impl System {
     /// Which constraints differ from case to case, where the numbers of a case go to these places.
     pub(crate) fn varied(&self, places: &[CasePlace]) -> Vec<bool> {
         let has = |k: usize| {
-            places.iter().any(|place| matches!(place, CasePlace::Parameter { block, .. } if *block == k))
+            places.iter().any(|place| match place {
+                CasePlace::Parameter { block, .. } => *block == k,
+                CasePlace::Dimension(dimension) => self.blocks_on(*dimension).any(|block| block == k),
+                CasePlace::Coordinate(_) => false,
+            })
         };
         (0..self.equations.blocks.len()).map(has).collect()
     }
@@ -116,6 +136,7 @@ impl System {
                     .for_each(|(_, preferred)| *preferred = value);
                 true
             }
+            CasePlace::Dimension(k) => self.put_dimension(k, value),
         }
     }
 
@@ -141,7 +162,8 @@ impl System {
 
     /// The parameters of the constraint that the name begins with, else all.
     fn near(&self, name: &str) -> Vec<String> {
-        let all: Vec<String> = self.parameters().into_iter().map(|(name, _)| name).collect();
+        let named = self.dimensions().into_iter().chain(self.parameters());
+        let all: Vec<String> = named.map(|(name, _)| name).collect();
         let constraint = name.split('.').next().unwrap_or_default();
         let own: Vec<String> = all
             .iter()

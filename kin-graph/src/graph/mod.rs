@@ -25,7 +25,7 @@ pub use simplify::is_power_of_two;
 pub struct Node(u32);
 
 /// The graph. Constructors (in `simplify`) fold and simplify exactly.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Graph {
     ops: Vec<Op>,
     depends: Vec<Depends>,

@@ -138,6 +138,7 @@ impl<'a> Frame<'a> {
         let facts = facts::facts(source, kind, (&self.row_names, &self.pattern), &parts.facts);
         let (arguments, describe) = (self.arguments(), described::describe(source, lowered));
         let (visit, set) = super::parameter_methods(&source.arguments);
+        let take = described::take(source);
         let in_lanes = self.lanes.as_ref().map(|lanes| &lanes.method);
         let measures = measures::methods(source);
         let (refusal, branch) = (demands::refusal(source), demands::branch(source));
@@ -173,6 +174,7 @@ impl<'a> Frame<'a> {
                 #visit
                 #set
                 #refusal
+                #take
                 #describe
             }
             #unlinted
@@ -296,6 +298,16 @@ pub fn declaration(source: &ConstraintFn) -> TokenStream {
     let (inputs, values): (Vec<_>, Vec<_>) =
         fields.iter().map(|argument| super::constructor_input(argument)).unzip();
     let silent = fields.iter().map(|argument| super::warned_elsewhere(&argument.name));
+    let (bindings, noted) = (super::own("bindings"), super::own("noted"));
+    let (mut field, mut value, mut prepared) = (quote!(), quote!(), quote!());
+    if super::may_hang(fields.iter().copied()) {
+        field = quote!(, __bindings: ::kin::emitted::Bindings);
+        value = quote!(, __bindings: #noted);
+        prepared = quote! {
+            let mut #noted = ::kin::emitted::Bindings::NONE;
+            let #bindings = &mut #noted;
+        };
+    }
     let docs = super::documentation(attributes);
     let heading = format!(" The constraint that [`fn@{name}`] makes.");
     quote! {
@@ -306,13 +318,15 @@ pub fn declaration(source: &ConstraintFn) -> TokenStream {
         #[derive(Clone)]
         #visibility struct #name {
             #(#names: #types),*
+            #field
         }
 
         #(#attributes)*
         #[allow(clippy::too_many_arguments)]
         #[must_use]
         #visibility fn #name(#(#silent #names: #inputs),*) -> #name {
-            #name { #(#values),* }
+            #prepared
+            #name { #(#values),* #value }
         }
     }
 }

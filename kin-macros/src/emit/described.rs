@@ -30,6 +30,17 @@ pub fn describe(source: &ConstraintFn, lowered: Option<&Lowered>) -> TokenStream
     }
 }
 
+/// `Parameters::take_bindings`, where there may be any.
+pub fn take(source: &ConstraintFn) -> Option<TokenStream> {
+    super::may_hang(source.arguments.iter()).then(|| {
+        quote! {
+            fn take_bindings(&mut self) -> ::kin::emitted::Bindings {
+                ::core::mem::take(&mut self.__bindings)
+            }
+        }
+    })
+}
+
 /// `impl Described`: what a registry needs to make it anew.
 pub fn described(source: &ConstraintFn, kind: &str, n: &Literal, m: &Literal) -> TokenStream {
     let (name, unlinted) = (&source.name, super::unlinted());
@@ -57,6 +68,8 @@ pub fn described(source: &ConstraintFn, kind: &str, n: &Literal, m: &Literal) ->
         };
         quote!(#field: #value)
     });
+    let bindings = super::may_hang(source.arguments.iter())
+        .then(|| quote!(, __bindings: ::kin::emitted::Bindings::NONE));
     quote! {
         #unlinted
         impl ::kin::emitted::Described for #name {
@@ -64,7 +77,7 @@ pub fn described(source: &ConstraintFn, kind: &str, n: &Literal, m: &Literal) ->
             const ARGUMENTS: &'static [::kin::emitted::ArgumentKind] = <Self as ::kin::emitted::Equation<#n, #m>>::ARGUMENTS;
             fn read(from: &mut ::kin::emitted::Reader<'_>) -> ::core::option::Option<Self> {
                 use ::kin::emitted::{SoughtBySerde as _, Unsought as _};
-                ::core::option::Option::Some(#name { #(#fields),* })
+                ::core::option::Option::Some(#name { #(#fields),* #bindings })
             }
         }
     }

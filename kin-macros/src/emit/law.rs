@@ -91,7 +91,8 @@ fn emit(
 ) -> TokenStream {
     let (attributes, visibility, name) = (&source.attributes, &source.visibility, &source.name);
     let names: Vec<_> = source.parameters.iter().map(|a| &a.name).collect();
-    let types: Vec<_> = source.parameters.iter().map(|a| &a.ty).collect();
+    let (types, values): (Vec<_>, Vec<_>) = source.parameters.iter().map(super::constructor_input).unzip();
+    let bindings = super::own("bindings");
     let silent = names.iter().map(|name| super::warned_elsewhere(name));
     let (visit, set) = super::parameter_methods(&source.parameters);
     let fields: Vec<_> = source.parameters.iter().map(super::field_type).collect();
@@ -137,7 +138,7 @@ fn emit(
                     }
                 }
             };
-            ::kin::Law::new(__Law { #(#names),* })
+            ::kin::Law::hanging(|#bindings| __Law { #(#values),* })
         }
     }
 }

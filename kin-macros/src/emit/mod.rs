@@ -76,13 +76,28 @@ fn constructor_input(argument: &Argument) -> (TokenStream, TokenStream) {
         Kind::Axis => given("IntoAxis", "into_axis"),
         Kind::Numbers(Shape::Vector(n)) => {
             let n = proc_macro2::Literal::usize_unsuffixed(n);
-            (
-                quote!(impl ::kin::emitted::Components<#n, Scalar = f64>),
-                quote!(#name: ::kin::emitted::vector(#name)),
-            )
+            let given = quote!(impl ::kin::emitted::Components<#n, Scalar: ::kin::emitted::IntoNumber>);
+            (given, noted(name, "vector"))
         }
+        Kind::Numbers(_) => {
+            let at = proc_macro2::Span::call_site().located_at(syn::spanned::Spanned::span(&argument.ty));
+            (quote_spanned!(at=> impl ::kin::emitted::IntoParameter<#ty>), noted(name, "parameter"))
+        }
+        Kind::Law => (ty, noted(name, "parameter")),
         _ => (ty, quote!(#name)),
     }
+}
+
+/// The value of a field, made of what may hang on dimensions by the function of that name.
+fn noted(name: &proc_macro2::Ident, function: &str) -> TokenStream {
+    let (text, function, bindings) =
+        (syn::ext::IdentExt::unraw(name).to_string(), own(function), own("bindings"));
+    quote!(#name: ::kin::emitted::#function(#name, #text, #bindings))
+}
+
+/// True if any of them may hang on dimensions.
+fn may_hang<'a>(mut arguments: impl Iterator<Item = &'a Argument>) -> bool {
+    arguments.any(|argument| matches!(argument.kind, Kind::Numbers(_) | Kind::Law))
 }
 
 /// An argument that is called `L` is warned of once: in the function as it was written, not in the

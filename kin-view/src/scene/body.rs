@@ -37,9 +37,9 @@ impl From<PlanarBody> for Body {
     }
 }
 
-impl From<Link> for Body {
-    fn from(link: Link) -> Self {
-        Body(Kind::Planar(link.body()))
+impl<L> From<Link<L>> for Body {
+    fn from(link: Link<L>) -> Self {
+        Body(Kind::Planar(link.into()))
     }
 }
 

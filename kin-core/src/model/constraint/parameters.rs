@@ -2,6 +2,7 @@
 
 use super::Constraint;
 use crate::model::describer::Describer;
+use crate::model::dimension::Bindings;
 
 /// The parameters of a constraint. [`Constraint::as_parameters`] shows them; emitted constraints have them.
 pub trait Parameters {
@@ -29,6 +30,11 @@ pub trait Parameters {
     /// words.
     fn refusal(&self) -> Option<String> {
         None
+    }
+
+    /// Takes out which parameters were given as expressions of dimensions; none by default.
+    fn take_bindings(&mut self) -> Bindings {
+        Bindings::NONE
     }
 
     /// Tells each parameter under its name, so that the constraint can be written as data and made anew;
@@ -62,6 +68,11 @@ impl dyn Constraint + '_ {
     /// [`Parameters::refusal`]
     pub fn refusal(&self) -> Option<String> {
         self.as_parameters().and_then(|own| own.refusal())
+    }
+
+    /// [`Parameters::take_bindings`]
+    pub fn take_bindings(&mut self) -> Bindings {
+        self.as_parameters_mut().map_or(Bindings::NONE, |own| own.take_bindings())
     }
 
     /// [`Parameters::describe`]

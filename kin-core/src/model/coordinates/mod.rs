@@ -2,7 +2,7 @@
 
 mod given;
 
-use crate::numbers::algebra::{Vec2, Vec3};
+use crate::numbers::algebra::{Scalar, Vec2, Vec3};
 
 pub use given::{IntoAxis, IntoCoordinate, IntoPlanarBody, IntoSpatialBody};
 
@@ -71,11 +71,12 @@ pub enum Coordinate {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Ground;
 
-/// A planar body between two pins, frame at the middle, x-axis from start to end.
+/// A planar body between two pins, frame at the middle, x-axis from start to end. Its length is a number, or
+/// a [`crate::Dimension`], of which its pins then are expressions.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Link {
+pub struct Link<L = f64> {
     pub(crate) body: PlanarBody,
-    pub(crate) length: f64,
+    pub(crate) length: L,
 }
 
 /// A spatial body between two joints, frame at the middle, x-axis from start to end.
@@ -147,25 +148,25 @@ impl SpatialBody {
     }
 }
 
-impl Link {
+impl<L: Scalar> Link<L> {
     /// The body itself.
     pub fn body(self) -> PlanarBody {
         self.body
     }
 
     /// Length between the pins.   \[m\]
-    pub fn length(self) -> f64 {
+    pub fn length(self) -> L {
         self.length
     }
 
     /// Local position of the first pin, (−l/2, 0).   \[m\]
-    pub fn start(self) -> Vec2 {
-        Vec2::new(-0.5 * self.length, 0.0)
+    pub fn start(self) -> Vec2<L> {
+        Vec2::new(L::from(-0.5) * self.length, L::from(0.0))
     }
 
     /// Local position of the second pin, (l/2, 0).   \[m\]
-    pub fn end(self) -> Vec2 {
-        Vec2::new(0.5 * self.length, 0.0)
+    pub fn end(self) -> Vec2<L> {
+        Vec2::new(L::from(0.5) * self.length, L::from(0.0))
     }
 
     /// R_x as a bare coordinate.   \[m\]
@@ -184,8 +185,8 @@ impl Link {
     }
 }
 
-impl From<Link> for PlanarBody {
-    fn from(link: Link) -> Self {
+impl<L> From<Link<L>> for PlanarBody {
+    fn from(link: Link<L>) -> Self {
         link.body
     }
 }

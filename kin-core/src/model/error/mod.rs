@@ -362,15 +362,15 @@ pub enum Error {
     /// Routes to a derivative that do not agree ([`crate::ask::check::compare`]).
     #[error(transparent)]
     Mismatch(#[from] Box<crate::model::mismatch::Mismatch>),
-
     /// A derivative by a parameter that does not exist, or is not known ([`crate::System::sensitivities`]).
     #[error(transparent)]
     NoDerivative(#[from] Box<crate::model::no_derivative::NoDerivative>),
-
     /// A force that redundant constraints share ([`crate::Forces`]).
     #[error(transparent)]
     NotUnique(#[from] Box<crate::model::not_unique::NotUnique>),
-
+    /// A dimension that makes no sense ([`crate::Mechanism::dimension`]).
+    #[error(transparent)]
+    Dimension(#[from] Box<crate::model::dimension::DimensionError>),
     /// Something that cannot be written as data, or data that do not say what they should.
     #[error("{place}: {reason}")]
     Data {
@@ -388,7 +388,6 @@ pub enum Error {
         /// The fault.
         reason: String,
     },
-
     /// A file that cannot be written.
     #[error("cannot write {}: {source}", .path.display())]
     File {

@@ -5,43 +5,62 @@ use std::f64::consts::FRAC_PI_2;
 use kin_graph::{Function, Graph, Node};
 
 use super::{Law, LawFunction, trusted_parts};
+use crate::model::dimension::IntoNumber;
 use crate::numbers::enclosure::Series;
 
 impl Law {
     /// f(x) = c.
-    pub fn constant(c: f64) -> Law {
-        Law::new(Polynomial { kind: "constant", names: &["c"], c: vec![c] })
+    pub fn constant(c: impl IntoNumber) -> Law {
+        Law::hanging(|to| Polynomial { kind: "constant", names: &["c"], c: vec![to.number("c", c)] })
     }
 
     /// f(x) = rate · x.
-    pub fn ramp(rate: f64) -> Law {
-        Law::new(Ramp { rate })
+    pub fn ramp(rate: impl IntoNumber) -> Law {
+        Law::hanging(|to| Ramp { rate: to.number("rate", rate) })
     }
 
     /// f(x) = f0 + rate · x.
-    pub fn linear(f0: f64, rate: f64) -> Law {
-        Law::new(Polynomial { kind: "linear", names: &["f0", "rate"], c: vec![f0, rate] })
+    pub fn linear(f0: impl IntoNumber, rate: impl IntoNumber) -> Law {
+        Law::hanging(|to| {
+            let c = vec![to.number("f0", f0), to.number("rate", rate)];
+            Polynomial { kind: "linear", names: &["f0", "rate"], c }
+        })
     }
 
     /// f(x) = c\[0\] + c\[1\] x + c\[2\] x² + …; zero for no coefficient.
-    pub fn polynomial(c: &[f64]) -> Law {
-        Law::new(Polynomial { kind: "polynomial", names: &[], c: c.to_vec() })
+    pub fn polynomial(c: &[impl IntoNumber]) -> Law {
+        Law::hanging(|to| Polynomial {
+            kind: "polynomial",
+            names: &[],
+            c: to.list("c", 0, c.iter().copied()),
+        })
     }
 
     /// f(x) = mean + amplitude · sin x.
-    pub fn harmonic(mean: f64, amplitude: f64) -> Law {
-        Law::new(Sine { kind: "harmonic", mean, amplitude, omega: 1.0, phase: 0.0 })
+    pub fn harmonic(mean: impl IntoNumber, amplitude: impl IntoNumber) -> Law {
+        Law::hanging(|to| {
+            let (mean, amplitude) = (to.number("mean", mean), to.number("amplitude", amplitude));
+            Sine { kind: "harmonic", mean, amplitude, omega: 1.0, phase: 0.0 }
+        })
     }
 
     /// f(x) = amplitude · sin(omega · x + phase).
-    pub fn sine(amplitude: f64, omega: f64, phase: f64) -> Law {
-        Law::new(Sine { kind: "sine", mean: 0.0, amplitude, omega, phase })
+    pub fn sine(amplitude: impl IntoNumber, omega: impl IntoNumber, phase: impl IntoNumber) -> Law {
+        Law::hanging(|to| {
+            let (amplitude, omega) = (to.number("amplitude", amplitude), to.number("omega", omega));
+            Sine { kind: "sine", mean: 0.0, amplitude, omega, phase: to.number("phase", phase) }
+        })
     }
 
     /// f(x) = mean + Σ a_k cos(k · omega · x) + b_k sin(k · omega · x), k = 1, 2, … over the pairs (a_k,
     /// b_k).
-    pub fn fourier(mean: f64, omega: f64, pairs: &[(f64, f64)]) -> Law {
-        Law::new(Fourier { mean, omega, pairs: pairs.to_vec() })
+    pub fn fourier<N: IntoNumber>(mean: impl IntoNumber, omega: impl IntoNumber, pairs: &[(N, N)]) -> Law {
+        Law::hanging(|to| {
+            let (mean, omega) = (to.number("mean", mean), to.number("omega", omega));
+            let a = to.list("a", 1, pairs.iter().map(|pair| pair.0));
+            let b = to.list("b", 1, pairs.iter().map(|pair| pair.1));
+            Fourier { mean, omega, pairs: a.into_iter().zip(b).collect() }
+        })
     }
 }
 
@@ -373,7 +392,7 @@ mod tests {
             (Law::polynomial(&[1.0]), "polynomial"),
             (Law::harmonic(0.0, 1.0), "harmonic"),
             (Law::sine(1.0, 1.0, 0.0), "sine"),
-            (Law::fourier(0.0, 1.0, &[]), "fourier"),
+            (Law::fourier(0.0, 1.0, &[(0.0, 0.0); 0]), "fourier"),
         ];
         all.iter().for_each(|(law, kind)| assert_eq!(law.kind(), *kind));
     }

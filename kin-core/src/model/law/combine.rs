@@ -1,11 +1,13 @@
 //! Laws made of laws: sums, products, multiples and compositions, exact to the third derivative.
 
-use std::ops::{Add, Mul, Neg, Sub};
+use std::ops::{Add, Mul};
 
 use kin_graph::{Graph, Node};
 
 use super::breaks::{MOST_BREAKS, Samples, left_jet, merged, sharpest};
+use super::parts::{by_part, set, show, slope};
 use super::{Break, Law, LawFunction, trusted_parts};
+use crate::model::dimension::IntoNumber;
 use crate::numbers::enclosure::Series;
 
 impl Law {
@@ -15,7 +17,7 @@ impl Law {
     }
 
     /// f(x − x0): the same curve, x0 later.
-    pub fn shifted(&self, x0: f64) -> Law {
+    pub fn shifted(&self, x0: impl IntoNumber) -> Law {
         self.compose(&Law::linear(-x0, 1.0))
     }
 }
@@ -25,22 +27,6 @@ impl Add for Law {
 
     fn add(self, other: Law) -> Law {
         Law::new(Sum { first: self, second: other })
-    }
-}
-
-impl Sub for Law {
-    type Output = Law;
-
-    fn sub(self, other: Law) -> Law {
-        self + (-other)
-    }
-}
-
-impl Neg for Law {
-    type Output = Law;
-
-    fn neg(self) -> Law {
-        -1.0 * self
     }
 }
 
@@ -140,6 +126,10 @@ impl LawFunction for Sum {
 
     two_parts!(first, second);
 
+    fn by_parameter(&self, name: &str) -> Option<Law> {
+        by_part(&self.first, "first", name).or_else(|| by_part(&self.second, "second", name))
+    }
+
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
         let (mut first, mut second) = (self.first.clone(), self.second.clone());
         (set(&mut first, "first", name, value) || set(&mut second, "second", name, value))
@@ -188,6 +178,11 @@ impl LawFunction for Product {
 
     two_parts!(first, second);
 
+    fn by_parameter(&self, name: &str) -> Option<Law> {
+        let first = by_part(&self.first, "first", name).map(|first| first * self.second.clone());
+        first.or_else(|| Some(self.first.clone() * by_part(&self.second, "second", name)?))
+    }
+
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
         let (mut first, mut second) = (self.first.clone(), self.second.clone());
         (set(&mut first, "first", name, value) || set(&mut second, "second", name, value))
@@ -196,9 +191,9 @@ impl LawFunction for Product {
 }
 
 /// factor · f
-struct Multiple {
-    factor: f64,
-    law: Law,
+pub(super) struct Multiple {
+    pub factor: f64,
+    pub law: Law,
 }
 
 impl LawFunction for Multiple {
@@ -254,6 +249,11 @@ impl LawFunction for Multiple {
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         visit("factor", self.factor);
         show(&self.law, "law", visit);
+    }
+
+    fn by_parameter(&self, name: &str) -> Option<Law> {
+        let factor = (name == "factor").then(|| self.law.clone());
+        factor.or_else(|| Some(self.factor * by_part(&self.law, "law", name)?))
     }
 
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
@@ -371,23 +371,16 @@ impl LawFunction for Composed {
         show(&self.inner, "inner", visit);
     }
 
+    fn by_parameter(&self, name: &str) -> Option<Law> {
+        let outer = by_part(&self.outer, "outer", name).map(|outer| outer.compose(&self.inner));
+        outer.or_else(|| Some(slope(&self.outer).compose(&self.inner) * by_part(&self.inner, "inner", name)?))
+    }
+
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
         let (mut outer, mut inner) = (self.outer.clone(), self.inner.clone());
         (set(&mut outer, "outer", name, value) || set(&mut inner, "inner", name, value))
             .then(|| outer.compose(&inner))
     }
-}
-
-/// Shows the parameters of a part under its own name.
-pub(super) fn show(law: &Law, part: &str, visit: &mut dyn FnMut(&str, f64)) {
-    law.parameters(&mut |name, value| visit(&format!("{part}.{name}"), value));
-}
-
-/// Sets a parameter of a part, if the name begins with the part's.
-pub(super) fn set(law: &mut Law, part: &str, name: &str, value: f64) -> bool {
-    name.strip_prefix(part)
-        .and_then(|rest| rest.strip_prefix('.'))
-        .is_some_and(|rest| law.set_parameter(rest, value))
 }
 
 #[cfg(test)]

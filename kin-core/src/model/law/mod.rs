@@ -6,6 +6,7 @@ mod breaks;
 mod combine;
 mod jump;
 mod motion;
+mod parts;
 mod points;
 mod quintic;
 mod rise;
@@ -18,10 +19,12 @@ pub use jump::Break;
 pub use points::Ends;
 
 use std::fmt;
+use std::ops::Deref;
 use std::sync::Arc;
 
 use kin_graph::{Graph, Node};
 
+use crate::model::dimension::{Bindings, Dimension};
 use crate::numbers::enclosure::Series;
 use crate::numbers::real::{Dual, Real};
 
@@ -150,12 +153,42 @@ pub trait LawFunction: Send + Sync {
 /// does not increase, parts that do not meet) is told by [`Law::refusal`], and refused by name where a
 /// mechanism is to use the law.
 #[derive(Clone)]
-pub struct Law(Arc<dyn LawFunction>);
+pub struct Law(Arc<Held<dyn LawFunction>>);
+
+/// A function, and its parameters that hang on dimensions.
+struct Held<F: ?Sized> {
+    bound: Vec<(String, Dimension)>,
+    function: F,
+}
+
+impl<F: ?Sized> Deref for Held<F> {
+    type Target = F;
+
+    fn deref(&self) -> &F {
+        &self.function
+    }
+}
 
 impl Law {
     /// A law of one's own.
     pub fn new(function: impl LawFunction + 'static) -> Self {
-        Law(Arc::new(function))
+        Law(Arc::new(Held { bound: Vec::new(), function }))
+    }
+
+    /// The law whose parameters hang on dimensions, those which `make` notes by their names.
+    #[doc(hidden)]
+    pub fn hanging<F: LawFunction + 'static>(make: impl FnOnce(&mut Bindings) -> F) -> Self {
+        let mut bound = Bindings::NONE;
+        let function = make(&mut bound);
+        Law(Arc::new(Held { bound: bound.take(), function }))
+    }
+
+    /// Shows each parameter that hangs on dimensions by its name, those of its parts too.
+    pub(crate) fn each_hung(&self, show: &mut dyn FnMut(&str, Dimension)) {
+        self.0.bound.iter().for_each(|(name, number)| show(name, *number));
+        for (part, law) in self.parts() {
+            law.each_hung(&mut |name, number| show(&format!("{part}.{name}"), number));
+        }
     }
 
     /// \[f, f′, f″, f‴\] at x.
@@ -281,7 +314,10 @@ impl Law {
     /// name, or the law is fixed. Clones made before keep the old value.
     pub fn set_parameter(&mut self, name: &str, value: f64) -> bool {
         match self.0.with_parameter(name, value) {
-            Some(law) => {
+            Some(mut law) => {
+                if let Some(held) = Arc::get_mut(&mut law.0) {
+                    held.bound = self.0.bound.iter().filter(|(known, _)| known != name).cloned().collect();
+                }
                 *self = law;
                 true
             }

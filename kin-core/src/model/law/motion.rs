@@ -1,21 +1,38 @@
 //! Motions from rest to rest within limits: trapezoidal velocity and its smoother kin, the S-curve.
 
 use super::{Break, Law, LawFunction, trusted_parts};
+use crate::model::dimension::IntoNumber;
 use crate::numbers::enclosure::{Interval, Series, piecewise};
 
 impl Law {
     /// Rest to rest over a distance with trapezoidal velocity: constant acceleration up to the speed, then
     /// constant speed, then as it came; without the middle part where the distance is too short. 0 before x =
     /// 0, the distance after. Its acceleration jumps. A negative distance is a way back.
-    pub fn trapezoidal(distance: f64, speed: f64, acceleration: f64) -> Law {
-        Law::new(Move::new(distance, speed, acceleration, None))
+    pub fn trapezoidal(
+        distance: impl IntoNumber,
+        speed: impl IntoNumber,
+        acceleration: impl IntoNumber,
+    ) -> Law {
+        Law::hanging(|to| {
+            let (distance, speed) = (to.number("distance", distance), to.number("speed", speed));
+            Move::new(distance, speed, to.number("acceleration", acceleration), None)
+        })
     }
 
     /// Rest to rest over a distance with seven pieces of constant jerk, within a speed, an acceleration and a
     /// jerk; pieces that do not fit into a short distance fall away. 0 before x = 0, the distance after. Its
     /// jerk jumps. Biagiotti and Melchiorri, *Trajectory Planning*, section 3.4.
-    pub fn s_curve(distance: f64, speed: f64, acceleration: f64, jerk: f64) -> Law {
-        Law::new(Move::new(distance, speed, acceleration, Some(jerk)))
+    pub fn s_curve(
+        distance: impl IntoNumber,
+        speed: impl IntoNumber,
+        acceleration: impl IntoNumber,
+        jerk: impl IntoNumber,
+    ) -> Law {
+        Law::hanging(|to| {
+            let (distance, speed) = (to.number("distance", distance), to.number("speed", speed));
+            let (acceleration, jerk) = (to.number("acceleration", acceleration), to.number("jerk", jerk));
+            Move::new(distance, speed, acceleration, Some(jerk))
+        })
     }
 }
 

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::Law;
 use super::sequence::within;
+use crate::model::dimension::{Bindings, IntoNumber};
 use crate::model::error::{Error, Result};
 
 /// End conditions of a spline.
@@ -31,6 +32,12 @@ pub(super) struct Points {
 
 impl Points {
     /// Width of interval k, and the rise over it.
+    /// The table, of which the values may hang on dimensions.
+    pub fn new(table: &[(f64, impl IntoNumber)], ends: Ends, to: &mut Bindings) -> Points {
+        let y = to.list("y", 0, table.iter().map(|(_, y)| *y));
+        Points { table: table.iter().map(|(x, _)| *x).zip(y).collect(), ends }
+    }
+
     pub fn step(&self, k: usize) -> (f64, f64) {
         let ((x0, y0), (x1, y1)) = (self.table[k], self.table[k + 1]);
         (x1 - x0, y1 - y0)

@@ -6,6 +6,7 @@ use nalgebra::{Matrix2, Matrix2x3, Vector2};
 
 use super::points::{self, Ends, Points};
 use super::{Break, Law, LawFunction, trusted_parts};
+use crate::model::dimension::IntoNumber;
 use crate::model::error::Result;
 use crate::numbers::enclosure::{Interval, ONE, Series, piecewise, repeated};
 
@@ -18,8 +19,8 @@ impl Law {
     ///
     /// A table that does not increase, or does not repeat though it should, is refused where a mechanism is
     /// to use the law. C. de Boor, *A Practical Guide to Splines*.
-    pub fn quintic_spline(table: &[(f64, f64)], ends: Ends) -> Law {
-        Law::new(Quintic::new(Points { table: table.to_vec(), ends }))
+    pub fn quintic_spline(table: &[(f64, impl IntoNumber)], ends: Ends) -> Law {
+        Law::hanging(|to| Quintic::new(Points::new(table, ends, to)))
     }
 
     /// The same through the first two columns of a CSV file; a first line that is no numbers is a header.
@@ -345,7 +346,7 @@ mod tests {
                 && refused.jet(0.0).iter().all(|f| f.is_nan())
                 && listed(&refused, -9.0, 9.0).is_empty()
         );
-        assert!(Law::quintic_spline(&[], Ends::Natural).over(&Series::number(0.0)).is_none());
+        assert!(Law::quintic_spline(&[(0.0, 0.0); 0], Ends::Natural).over(&Series::number(0.0)).is_none());
     }
 
     /// Where it becomes a line its third derivative jumps, unless that is nothing beside the others.

@@ -4,42 +4,51 @@
 use std::f64::consts::{PI, TAU};
 
 use super::{Break, Law, LawFunction, shapes, trusted_parts};
+use crate::model::dimension::IntoNumber;
 use crate::numbers::enclosure::{Interval, Series, piecewise};
 
 impl Law {
     /// Simple harmonic rise: f(x) = h/2 (1 − cos(π x/β)) for 0 ≤ x ≤ β, 0 before and h after. Its
     /// acceleration jumps at both ends.
-    pub fn harmonic_rise(height: f64, length: f64) -> Law {
-        Law::new(Rise { shape: Shape::Harmonic, height, length })
+    pub fn harmonic_rise(height: impl IntoNumber, length: impl IntoNumber) -> Law {
+        rise(Shape::Harmonic, height, length)
     }
 
     /// Cycloidal rise: f(x) = h (x/β − sin(2π x/β)/2π) for 0 ≤ x ≤ β, 0 before and h after.
-    pub fn cycloidal(height: f64, length: f64) -> Law {
-        Law::new(Rise { shape: Shape::Cycloidal, height, length })
+    pub fn cycloidal(height: impl IntoNumber, length: impl IntoNumber) -> Law {
+        rise(Shape::Cycloidal, height, length)
     }
 
     /// 3-4-5 polynomial rise: f(x) = h (10 ξ³ − 15 ξ⁴ + 6 ξ⁵), ξ = x/β, for 0 ≤ ξ ≤ 1, 0 before and h after.
-    pub fn polynomial_345(height: f64, length: f64) -> Law {
-        Law::new(Rise { shape: Shape::Polynomial345, height, length })
+    pub fn polynomial_345(height: impl IntoNumber, length: impl IntoNumber) -> Law {
+        rise(Shape::Polynomial345, height, length)
     }
 
     /// 4-5-6-7 polynomial rise: f(x) = h (35 ξ⁴ − 84 ξ⁵ + 70 ξ⁶ − 20 ξ⁷), ξ = x/β, for 0 ≤ ξ ≤ 1, 0 before
     /// and h after. No derivative up to the third jumps.
-    pub fn polynomial_4567(height: f64, length: f64) -> Law {
-        Law::new(Rise { shape: Shape::Polynomial4567, height, length })
+    pub fn polynomial_4567(height: impl IntoNumber, length: impl IntoNumber) -> Law {
+        rise(Shape::Polynomial4567, height, length)
     }
 
     /// Modified sine rise: f″ is a sine of period β/2 for an eighth of β, then a cosine of period 3β/2, then
     /// the sine again; 0 before and h after. Largest acceleration 5.528 h/β².
-    pub fn modified_sine(height: f64, length: f64) -> Law {
-        Law::new(Rise { shape: Shape::ModifiedSine, height, length })
+    pub fn modified_sine(height: impl IntoNumber, length: impl IntoNumber) -> Law {
+        rise(Shape::ModifiedSine, height, length)
     }
 
     /// Modified trapezoidal rise: f″ is a trapezoid whose ramps are quarters of a sine, each an eighth of β
     /// long; 0 before and h after. Largest acceleration 4.888 h/β².
-    pub fn modified_trapezoid(height: f64, length: f64) -> Law {
-        Law::new(Rise { shape: Shape::ModifiedTrapezoid, height, length })
+    pub fn modified_trapezoid(height: impl IntoNumber, length: impl IntoNumber) -> Law {
+        rise(Shape::ModifiedTrapezoid, height, length)
     }
+}
+
+fn rise(shape: Shape, height: impl IntoNumber, length: impl IntoNumber) -> Law {
+    Law::hanging(|to| Rise {
+        shape,
+        height: to.number("height", height),
+        length: to.number("length", length),
+    })
 }
 
 /// height · s(x/length)
@@ -265,6 +274,10 @@ impl LawFunction for Rise {
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         visit("height", self.height);
         visit("length", self.length);
+    }
+
+    fn by_parameter(&self, name: &str) -> Option<Law> {
+        (name == "height").then(|| rise(self.shape, 1.0, self.length))
     }
 
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {

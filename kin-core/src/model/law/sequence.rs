@@ -4,6 +4,7 @@ use std::sync::OnceLock;
 
 use super::breaks::{self, Seam, Sizes, merged, sharpest};
 use super::{Break, Law, LawFunction, trusted_parts};
+use crate::model::dimension::IntoNumber;
 use crate::numbers::enclosure::{Interval, Series, piecewise, repeated};
 
 impl Law {
@@ -21,8 +22,14 @@ impl Law {
     /// let law = Law::sequence(0.0, [(1.0, up), (0.5, Law::constant(0.02)), (1.0, down)]);
     /// assert!(law.refusal().is_none() && law.at(1.25) == 0.02 && law.at(9.0).abs() < 1e-17);
     /// ```
-    pub fn sequence(start: f64, parts: impl IntoIterator<Item = (f64, Law)>) -> Law {
-        Law::new(Sequence::new(start, parts.into_iter().collect()))
+    pub fn sequence<L: IntoNumber>(start: impl IntoNumber, parts: impl IntoIterator<Item = (L, Law)>) -> Law {
+        Law::hanging(|to| {
+            let start = to.number("start", start);
+            let parts = parts.into_iter().enumerate();
+            let parts =
+                parts.map(|(k, (length, law))| (to.number(&format!("part[{k}].length"), length), law));
+            Sequence::new(start, parts.collect())
+        })
     }
 
     /// The part of this law over 0 ≤ x < period, over and over: the profile of a cam over one turn, with
@@ -30,8 +37,11 @@ impl Law {
     ///
     /// Its ends must meet in value; a mechanism refuses a law that jumps. Where a derivative jumps there is a
     /// break.
-    pub fn periodic(&self, period: f64) -> Law {
-        Law::new(Periodic { law: self.clone(), period, seam: OnceLock::new() })
+    pub fn periodic(&self, period: impl IntoNumber) -> Law {
+        Law::hanging(|to| {
+            let period = to.number("period", period);
+            Periodic { law: self.clone(), period, seam: OnceLock::new() }
+        })
     }
 }
 
@@ -329,7 +339,11 @@ impl LawFunction for Periodic {
 
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         visit("period", self.period);
-        super::combine::show(&self.law, "law", visit);
+        super::parts::show(&self.law, "law", visit);
+    }
+
+    fn by_parameter(&self, name: &str) -> Option<Law> {
+        Some(super::parts::by_part(&self.law, "law", name)?.periodic(self.period))
     }
 
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
@@ -337,7 +351,7 @@ impl LawFunction for Periodic {
             return Some(self.law.periodic(value));
         }
         let mut law = self.law.clone();
-        super::combine::set(&mut law, "law", name, value).then(|| law.periodic(self.period))
+        super::parts::set(&mut law, "law", name, value).then(|| law.periodic(self.period))
     }
 }
 

@@ -7,6 +7,7 @@ use std::path::Path;
 
 use super::points::{self, Ends, Points};
 use super::{Break, Law, LawFunction, breaks, trusted_parts};
+use crate::model::dimension::IntoNumber;
 use crate::model::error::Result;
 use crate::numbers::enclosure::{Interval, ONE, Series, piecewise, repeated};
 
@@ -16,8 +17,8 @@ impl Law {
     ///
     /// A table that does not increase, or does not repeat though it should, is refused where a mechanism is
     /// to use the law.
-    pub fn spline(table: &[(f64, f64)], ends: Ends) -> Law {
-        Law::new(Spline::new(Points { table: table.to_vec(), ends }))
+    pub fn spline(table: &[(f64, impl IntoNumber)], ends: Ends) -> Law {
+        Law::hanging(|to| Spline::new(Points::new(table, ends, to)))
     }
 
     /// A cubic spline through the first two columns of a CSV file; a first line that is no numbers is a

@@ -14,6 +14,10 @@ pub struct UnitWords<'a> {
     pub(super) mechanism: &'a mut Mechanism,
 }
 
+/// Why a load with a dimension in it is refused.
+const HANGS: &str =
+    "numbers of loads and of points with mass do not follow dimensions: give the `value()` of it";
+
 impl UnitWords<'_> {
     /// Names the unit of mass. Those of force, torque, energy and power follow from it.
     pub fn mass(self, mass: &str) {
@@ -170,6 +174,11 @@ impl Mechanism {
         if let Some(bad) = on.point.iter().find(|x| !x.is_finite()) {
             return Err(refused(name, "load", &format!("a coordinate of its point is {bad}")));
         }
+        let mut hangs = false;
+        on.force.iter().chain(&on.torque).for_each(|law| law.each_hung(&mut |_, _| hangs = true));
+        if hangs {
+            return Err(refused(name, "load", HANGS));
+        }
         match on.force.iter().chain(&on.torque).find_map(|law| law.refusal()) {
             Some(reason) => Err(refused(name, "load", &reason)),
             None => Ok(()),
@@ -182,6 +191,9 @@ impl Mechanism {
             return Err(Error::EmptyName { what: "load" });
         }
         self.fresh(name)?;
+        if !scalar.clone_boxed().take_bindings().take().is_empty() {
+            return Err(refused(name, scalar.facts().kind, HANGS));
+        }
         admission::admit(&self.name, &self.layout, name, scalar)
     }
 

@@ -2,6 +2,7 @@
 //! [`crate::System`].
 
 pub(crate) mod admission;
+mod dimensions;
 mod limit;
 mod loads;
 mod place;
@@ -16,11 +17,13 @@ pub use preference::Preferred;
 use preference::Wish;
 
 use std::collections::HashSet;
+use std::sync::Arc;
 
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::{
     Coordinate, Ground, Link, MechanismId, PlanarBody, SpatialBody, Target, Trig,
 };
+use crate::model::dimension::{Bound, Dimension, Hung, IntoNumber, Shared};
 use crate::model::error::{Error, Result};
 use crate::model::layout::{Kind, Layout, Place};
 use crate::model::loads::Loads;
@@ -73,6 +76,10 @@ pub struct Mechanism {
     pub(crate) limits: Vec<Limit>,
     /// Masses, gravity and what else acts.
     pub(crate) loads: Loads,
+    /// Named dimensions, if there are any, shared with copies.
+    pub(crate) dimensions: Option<Arc<Shared>>,
+    /// The numbers that hang on them.
+    pub(crate) hung: Vec<Hung>,
 }
 
 /// A constraint of a mechanism, in the order of adding.
@@ -126,6 +133,8 @@ impl Mechanism {
             refused: None,
             limits: Vec::new(),
             loads: Loads::default(),
+            dimensions: None,
+            hung: Vec::new(),
         }
     }
 
@@ -162,10 +171,10 @@ impl Mechanism {
     }
 
     /// A planar body between two pins that are `length` apart, frame at the middle; the assembly finds its
-    /// pose.   \[m\]
+    /// pose. The length may be a [`Dimension`]: then the pins `start()` and `end()` hang on it.   \[m\]
     ///
-    /// Errors: length not above zero, name empty or taken.
-    pub fn link(&mut self, name: &str, length: f64) -> Result<Link> {
+    /// Errors: length not above zero, name empty or taken, a dimension of another mechanism.
+    pub fn link<L: IntoNumber>(&mut self, name: &str, length: L) -> Result<Link<L>> {
         self.link_at(name, length, pose(0.0, 0.0, 0.0))
     }
 
@@ -178,20 +187,41 @@ impl Mechanism {
         self.link_at(name, (b.x - a.x).hypot(b.y - a.y), Pose::between(a, b))
     }
 
-    fn link_at(&mut self, name: &str, length: f64, pose: Pose) -> Result<Link> {
-        if !(length.is_finite() && length > 0.0) {
-            return Err(Error::InvalidLength { link: name.to_string(), length });
-        }
+    fn link_at<L: IntoNumber>(&mut self, name: &str, length: L, pose: Pose) -> Result<Link<L>> {
+        let number = self.check_length(name, length.into_number())?;
         let body = self.planar(name, pose)?;
-        self.layout.links.extend(body.index.map(|index| (index, length)));
+        self.note_length(name, body.index, number)?;
         Ok(Link { body, length })
+    }
+
+    /// The length of a link, if it can be one.
+    fn check_length(&self, name: &str, length: Dimension) -> Result<Dimension> {
+        self.check_origin(name, length)?;
+        let value = length.value();
+        match value.is_finite() && value > 0.0 {
+            true => Ok(length),
+            false => Err(Error::InvalidLength { link: name.to_string(), length: value }),
+        }
+    }
+
+    /// Notes the length between the pins of a body.
+    pub(crate) fn note_length(&mut self, name: &str, body: Option<usize>, length: Dimension) -> Result<()> {
+        let (Some(index), length) = (body, self.check_length(name, length)?) else { return Ok(()) };
+        let length = self.hang(name, Bound::Length(self.layout.links.len()), length)?;
+        self.layout.links.push((index, length));
+        Ok(())
     }
 
     /// A planar body with coordinates (R_x, R_y, θ) and their guess.   \[m, m, rad\]
     ///
     /// Errors: guess not finite, name empty or taken.
-    pub fn planar(&mut self, name: &str, pose: Pose) -> Result<PlanarBody> {
-        let index = self.declare(name, Kind::Planar, &[pose.x, pose.y, pose.theta])?;
+    pub fn planar<X: IntoNumber, Y: IntoNumber, A: IntoNumber>(
+        &mut self,
+        name: &str,
+        pose: Pose<X, Y, A>,
+    ) -> Result<PlanarBody> {
+        let guess = [pose.x.into_number(), pose.y.into_number(), pose.theta.into_number()];
+        let index = self.declare_hung(name, Kind::Planar, &guess)?;
         Ok(PlanarBody { mechanism: self.layout.mechanism, index: Some(index) })
     }
 
@@ -207,16 +237,16 @@ impl Mechanism {
     /// A bare coordinate that is an angle, and its guess.   \[rad\]
     ///
     /// Errors: guess not finite, name empty or taken.
-    pub fn angle(&mut self, name: &str, guess: f64) -> Result<Coordinate> {
-        let index = self.declare(name, Kind::Angle, &[guess])?;
+    pub fn angle(&mut self, name: &str, guess: impl IntoNumber) -> Result<Coordinate> {
+        let index = self.declare_hung(name, Kind::Angle, &[guess.into_number()])?;
         Ok(Coordinate::Own { mechanism: self.layout.mechanism, index })
     }
 
     /// A bare coordinate that is a length, and its guess.   \[m\]
     ///
     /// Errors: guess not finite, name empty or taken.
-    pub fn length(&mut self, name: &str, guess: f64) -> Result<Coordinate> {
-        let index = self.declare(name, Kind::Length, &[guess])?;
+    pub fn length(&mut self, name: &str, guess: impl IntoNumber) -> Result<Coordinate> {
+        let index = self.declare_hung(name, Kind::Length, &[guess.into_number()])?;
         Ok(Coordinate::Own { mechanism: self.layout.mechanism, index })
     }
 
@@ -241,7 +271,18 @@ impl Mechanism {
     /// below zero, a zero axis, a table that does not increase), a body of another mechanism, the same body
     /// or coordinate twice, an equation left without coordinates because its bodies are the ground.
     pub fn add(&mut self, name: &str, constraint: impl IntoConstraint) -> Result<ConstraintId> {
-        let constraint = constraint.into_constraint();
+        let mut constraint = constraint.into_constraint();
+        let bound = constraint.take_bindings().take();
+        self.add_bound(name, constraint, bound)
+    }
+
+    /// The same, where these parameters are expressions of dimensions.
+    pub(crate) fn add_bound(
+        &mut self,
+        name: &str,
+        constraint: Box<dyn Constraint>,
+        bound: Vec<(String, Dimension)>,
+    ) -> Result<ConstraintId> {
         if name.trim().is_empty() {
             return Err(Error::EmptyName { what: "constraint" });
         }
@@ -249,6 +290,7 @@ impl Mechanism {
             return Err(Error::DuplicateName { what: "constraints", name: name.to_string() });
         }
         admission::admit(&self.name, &self.layout, name, constraint.as_ref())?;
+        self.hang_parameters(name, bound, constraint.as_ref())?;
         self.names.insert(name.to_string());
         self.constraints.push((name.to_string(), constraint));
         Ok(ConstraintId(self.constraints.len() - 1))
@@ -290,6 +332,7 @@ impl Mechanism {
             return Err(self.layout.not_finite(k, q[k]));
         }
         self.initial.copy_from_slice(q);
+        self.free_guesses(0..q.len());
         Ok(())
     }
 
@@ -304,6 +347,7 @@ impl Mechanism {
         if let Some(k) = values.iter().position(|x| !x.is_finite()) {
             return Err(self.layout.not_finite(first + k, values[k]));
         }
+        self.free_guesses(first..first + values.len());
         self.initial.iter_mut().skip(first).zip(values).for_each(|(guess, value)| *guess = *value);
         Ok(())
     }

@@ -1,20 +1,22 @@
 //! Poses of bodies, and small helpers for the numbers of a model.
 
+use crate::model::dimension::IntoNumber;
 use crate::numbers::algebra::{Axis, EulerParameters, Mat3, Vec2, Vec3};
 
-/// Position and angle of a planar body: (R_x, R_y, θ).   \[m, m, rad\]
+/// Position and angle of a planar body: (R_x, R_y, θ). Each of them is a number, or a
+/// [`crate::Dimension`].   \[m, m, rad\]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Pose {
+pub struct Pose<X = f64, Y = f64, A = f64> {
     /// R_x   \[m\]
-    pub x: f64,
+    pub x: X,
     /// R_y   \[m\]
-    pub y: f64,
+    pub y: Y,
     /// θ, counter-clockwise from the global x-axis.   \[rad\]
-    pub theta: f64,
+    pub theta: A,
 }
 
 /// The pose (R_x, R_y, θ) of a planar body.   \[m, m, rad\]
-pub fn pose(x: f64, y: f64, theta: f64) -> Pose {
+pub fn pose<X: IntoNumber, Y: IntoNumber, A: IntoNumber>(x: X, y: Y, theta: A) -> Pose<X, Y, A> {
     Pose { x, y, theta }
 }
 

@@ -4,7 +4,7 @@ use super::{Mechanism, Refused, SpatialPose};
 use crate::model::coordinates::{Coordinate, Link, PlanarBody, SpatialBody, SpatialLink, Target, Trig};
 use crate::model::error::{Error, Result};
 use crate::model::layout::Place;
-use crate::numbers::algebra::EulerParameters;
+use crate::numbers::algebra::{EulerParameters, Scalar};
 
 /// Anything that can be preferred, and by which kind of value V: a bare coordinate, a planar body or link by
 /// its angle θ, a spatial body or link by its Euler parameters or by its whole pose, a measure of a joint or
@@ -41,7 +41,7 @@ impl Preferred<f64> for PlanarBody {
     }
 }
 
-impl Preferred<f64> for Link {
+impl<L: Scalar> Preferred<f64> for Link<L> {
     fn wish(self, value: f64) -> Wish {
         Wish::Coordinate(self.theta(), value)
     }

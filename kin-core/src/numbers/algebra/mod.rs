@@ -19,6 +19,7 @@ pub use axis::Axis;
 pub use euler::EulerParameters;
 pub use mat2::Mat2;
 pub use mat3::Mat3;
+pub(crate) use scalar::sealed;
 pub use scalar::{Mix, Mixed, Scalar};
 pub use vec2::{Vec2, vec2};
 pub use vec3::{Vec3, vec3};

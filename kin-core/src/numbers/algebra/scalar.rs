@@ -86,7 +86,7 @@ impl<D: Dual> Mix<Real<D>> for Real<D> {
     type Mixed = Real<D>;
 }
 
-mod sealed {
+pub(crate) mod sealed {
     pub trait Sealed {}
 }
 

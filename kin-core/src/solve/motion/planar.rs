@@ -18,8 +18,8 @@ pub struct Line {
     h: Vec2,
 }
 
-impl From<Link> for Line {
-    fn from(link: Link) -> Self {
+impl<L> From<Link<L>> for Line {
+    fn from(link: Link<L>) -> Self {
         Line { body: link.body, h: Vec2::x() }
     }
 }

@@ -71,7 +71,7 @@ fn each_part_has_its_own_variable() {
     assert_eq!((law.jet(3.0), law.jet(4.0)), ([1.0, -1.0, 6.0, 0.0], [5.0, 13.0, 30.0, 48.0]));
     assert_eq!([5.0, 5.001, 99.0].map(|x| law.jet(x)), [held(43.0); 3]);
     assert_eq!([1.0, 2.5, 3.0, 4.5, 5.0].map(|x| law.fourth(x)), [0.0, 0.0, 48.0, 48.0, 0.0]);
-    assert!(Law::sequence(0.0, []).at(1.0).is_nan());
+    assert!(Law::sequence(0.0, Vec::<(f64, Law)>::new()).at(1.0).is_nan());
     let half =
         Law::sequence(-1.0, [(1.5, constant(2.0) * Law::polynomial(&[2.0, 1.0])), (0.5, constant(7.0))]);
     assert_eq!([-2.0, -0.75, 0.75, 1.5].map(|x| half.at(x)), [4.0, 4.5, 7.0, 7.0]);
@@ -103,7 +103,9 @@ fn bounds_of_parts() {
         (Some(3), Some(3), Some(2))
     );
     assert_eq!(lens(&steep, 2.125, 2.25), Some(7));
-    assert!(Law::sequence(0.0, []).over(&Series::number(1.0)).is_none_or(|y| y.len() == 0));
+    assert!(
+        Law::sequence(0.0, Vec::<(f64, Law)>::new()).over(&Series::number(1.0)).is_none_or(|y| y.len() == 0)
+    );
     let own = own(|x| [x, 1.0, 0.0, 0.0, 0.0]);
     assert!(Law::sequence(0.0, [(1.0, own.clone())]).over(&Series::number(0.5)).is_none());
     assert_eq!(

@@ -77,7 +77,7 @@ fn a_spline_of_too_few_points_is_none() {
     );
     assert!(
         refused.breaks(-9.0, 9.0).is_empty()
-            && Law::spline(&[], Ends::Natural).over(&Series::number(0.0)).is_none()
+            && Law::spline(&[(0.0, 0.0); 0], Ends::Natural).over(&Series::number(0.0)).is_none()
     );
     assert!(Law::spline(&TABLE, Ends::Natural).jet(f64::NAN).iter().all(|f| f.is_nan()));
 }

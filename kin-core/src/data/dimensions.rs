@@ -1,0 +1,366 @@
+//! Dimensions in mechanism files: the named numbers, and expressions of them where numbers stand.
+
+use std::fmt;
+
+use serde::de::{Deserializer, Visitor};
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+use super::expression;
+use super::names::plain;
+use crate::model::constraint::Constraint;
+use crate::model::dimension::{Bound, Dimension, Entry, text_of};
+use crate::model::error::{Error, Result};
+use crate::model::mechanism::Mechanism;
+
+/// A dimension as data.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct DimensionData {
+    /// Its name.
+    pub name: String,
+    /// Its nominal value, or the expression that it is a name for.
+    pub value: NumberData,
+    /// Its unit, a word.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub unit: String,
+    /// The range that it keeps to.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub within: Option<[f64; 2]>,
+    /// How far it may be off.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tolerance: Option<f64>,
+}
+
+/// A number, or an expression of dimensions such as `"crank / 2"`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum NumberData {
+    /// A number.
+    Number(f64),
+    /// An expression.
+    Expression(String),
+}
+
+impl<'de> Deserialize<'de> for NumberData {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> std::result::Result<Self, D::Error> {
+        from.deserialize_any(OfNumber)
+    }
+}
+
+/// Reads a number or an expression, and says of anything else that it is neither.
+struct OfNumber;
+
+impl Visitor<'_> for OfNumber {
+    type Value = NumberData;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a number, or an expression of dimensions")
+    }
+
+    fn visit_f64<E>(self, x: f64) -> std::result::Result<NumberData, E> {
+        Ok(NumberData::Number(x))
+    }
+
+    fn visit_i64<E>(self, x: i64) -> std::result::Result<NumberData, E> {
+        Ok(NumberData::Number(x as f64))
+    }
+
+    fn visit_u64<E>(self, x: u64) -> std::result::Result<NumberData, E> {
+        Ok(NumberData::Number(x as f64))
+    }
+
+    fn visit_str<E>(self, text: &str) -> std::result::Result<NumberData, E> {
+        Ok(NumberData::Expression(text.to_string()))
+    }
+}
+
+/// The numbers of a mechanism that hang on dimensions, as text.
+pub(super) struct Texts(Vec<(Bound, String)>);
+
+impl Texts {
+    /// Errors: an expression that is too long to be written.
+    pub(super) fn of(mechanism: &Mechanism) -> Result<Texts> {
+        let Some(shared) = &mechanism.dimensions else { return Ok(Texts(Vec::new())) };
+        let store = shared.store();
+        let text = |hung: &crate::model::dimension::Hung| {
+            let text = text_of(&store.graph, &store.entries, hung.node).ok_or_else(too_long)?;
+            Ok((hung.at.clone(), text))
+        };
+        Ok(Texts(mechanism.hung.iter().map(text).collect::<Result<_>>()?))
+    }
+
+    /// A number that may hang on dimensions.
+    pub(super) fn number(&self, at: Bound, value: f64) -> NumberData {
+        match self.0.iter().find(|(known, _)| *known == at) {
+            Some((_, text)) => NumberData::Expression(text.clone()),
+            None => NumberData::Number(value),
+        }
+    }
+
+    /// Puts the expressions into the parameters of constraint number `number`.
+    pub(super) fn put(&self, number: usize, of: &dyn Constraint, parameters: &mut Map<String, Value>) {
+        for (at, text) in &self.0 {
+            let Bound::Parameter { constraint, name, .. } = at else { continue };
+            if *constraint == number
+                && let Some(place) = place_of(of, parameters, name)
+            {
+                *place = Value::String(text.clone());
+            }
+        }
+    }
+}
+
+fn too_long() -> Error {
+    let reason = "an expression of them is too long to be written; give parts of it a name of their own";
+    Error::Data { place: "dimensions".to_string(), reason: reason.to_string() }
+}
+
+/// The place of a numeric parameter in the data of its constraint.
+fn place_of<'a>(
+    of: &dyn Constraint,
+    parameters: &'a mut Map<String, Value>,
+    name: &str,
+) -> Option<&'a mut Value> {
+    let key = parameters.keys().find(|key| is_of(name, key))?.clone();
+    let value = parameters.get_mut(&key)?;
+    if value.is_object() {
+        return in_law(value, name.get(key.len() + 1..)?);
+    }
+    let number = names(of, &key).iter().position(|known| known == name)?;
+    leaf(value, &mut { number })
+}
+
+/// True if a numeric parameter is one of the parameter of the function that is called `key`.
+fn is_of(name: &str, key: &str) -> bool {
+    name.strip_prefix(key).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+}
+
+/// The numeric parameters of the parameter of the function that is called `key`, in their order.
+fn names(of: &dyn Constraint, key: &str) -> Vec<String> {
+    let mut names = Vec::new();
+    of.parameters(&mut |name, _| {
+        if is_of(name, key) {
+            names.push(name.to_string());
+        }
+    });
+    names
+}
+
+/// The number of that name in the data of a law.
+fn in_law<'a>(law: &'a mut Value, name: &str) -> Option<&'a mut Value> {
+    let law = law.as_object_mut()?;
+    if law.get("numbers").and_then(|numbers| numbers.get(name)).is_some() {
+        return law.get_mut("numbers")?.get_mut(name);
+    }
+    let parts = law.get_mut("parts")?.as_object_mut()?;
+    let within = |part: &str| name.strip_prefix(part).and_then(|rest| rest.strip_prefix('.'));
+    let (part, rest) = parts.keys().find_map(|part| Some((part.clone(), within(part)?)))?;
+    in_law(parts.get_mut(&part)?, rest)
+}
+
+/// The number of a list of lists that so many others come before.
+fn leaf<'a>(value: &'a mut Value, number: &mut usize) -> Option<&'a mut Value> {
+    match value {
+        Value::Array(parts) => parts.iter_mut().find_map(|part| leaf(part, number)),
+        value => match number.checked_sub(1) {
+            Some(less) => {
+                *number = less;
+                None
+            }
+            None => Some(value),
+        },
+    }
+}
+
+/// An expression in the data of a constraint, in place of a number.
+pub(super) struct Found {
+    /// The parameter of the function.
+    key: String,
+    place: Within,
+    number: Dimension,
+}
+
+/// The place of a number within a parameter.
+enum Within {
+    /// After so many others.
+    List(usize),
+    /// Of this name in a law.
+    Law(String),
+}
+
+/// The value with numbers in place of expressions, which are noted. Errors: one that cannot be read.
+pub(super) fn without_expressions(
+    mechanism: &Mechanism,
+    key: &str,
+    value: &Value,
+    found: &mut Vec<Found>,
+) -> std::result::Result<Value, String> {
+    let mut value = value.clone();
+    let mut note = |place: Within, text: &str| {
+        let number = mechanism.expression(text)?;
+        found.push(Found { key: key.to_string(), place, number });
+        Ok(serde_json::Number::from_f64(number.value()).map_or(Value::Null, Value::Number))
+    };
+    match &value {
+        Value::Object(_) => replace_in_law(&mut value, "", &mut note)?,
+        _ => replace(&mut value, &mut 0, &mut note)?,
+    }
+    Ok(value)
+}
+
+type Note<'a> = dyn FnMut(Within, &str) -> std::result::Result<Value, String> + 'a;
+
+fn replace(value: &mut Value, number: &mut usize, note: &mut Note<'_>) -> std::result::Result<(), String> {
+    match value {
+        Value::Array(parts) => parts.iter_mut().try_for_each(|part| replace(part, number, note)),
+        Value::String(text) => {
+            *value = note(Within::List(*number), text)?;
+            *number += 1;
+            Ok(())
+        }
+        _ => {
+            *number += 1;
+            Ok(())
+        }
+    }
+}
+
+fn replace_in_law(law: &mut Value, before: &str, note: &mut Note<'_>) -> std::result::Result<(), String> {
+    let Value::Object(law) = law else { return Ok(()) };
+    if let Some(Value::Object(numbers)) = law.get_mut("numbers") {
+        for (name, value) in numbers {
+            if let Value::String(text) = value {
+                *value = note(Within::Law(format!("{before}{name}")), text)?;
+            }
+        }
+    }
+    let Some(Value::Object(parts)) = law.get_mut("parts") else { return Ok(()) };
+    parts.iter_mut().try_for_each(|(name, part)| replace_in_law(part, &format!("{before}{name}."), note))
+}
+
+/// Which parameters of a constraint the expressions are. Errors: one that is none.
+pub(super) fn bound(
+    of: &dyn Constraint,
+    found: Vec<Found>,
+) -> std::result::Result<Vec<(String, Dimension)>, String> {
+    let parameter = |Found { key, place, number }: Found| {
+        let own = names(of, &key);
+        let name = match place {
+            Within::List(k) => own.get(k).cloned(),
+            Within::Law(name) => own.into_iter().find(|known| *known == format!("{key}.{name}")),
+        };
+        let name = name.ok_or_else(|| format!("its parameter `{key}`: an expression cannot stand there"))?;
+        Ok((name, number))
+    };
+    found.into_iter().map(parameter).collect()
+}
+
+impl Mechanism {
+    /// The number that an expression of this mechanism's dimensions says, such as `crank / 2`. Names that are
+    /// no words stand in backticks. Errors: the fault in words.
+    pub(super) fn expression(&self, text: &str) -> std::result::Result<Dimension, String> {
+        expression::read(text, &mut |name| self.dimension_named(name))
+    }
+
+    /// The dimension of that name.
+    pub fn dimension_named(&self, name: &str) -> Option<Dimension> {
+        let store = self.dimensions.as_ref()?.store();
+        let entry = store.entries.iter().find(|entry| entry.name == name)?;
+        Some(Dimension::new(entry.value, self.layout.mechanism, entry.node))
+    }
+
+    /// A number of a file. Errors: an expression that cannot be read.
+    pub(super) fn number(&self, place: &str, number: &NumberData) -> Result<Dimension> {
+        match number {
+            NumberData::Number(x) => Ok((*x).into()),
+            NumberData::Expression(text) => {
+                self.expression(text).map_err(|reason| Error::Data { place: place.to_string(), reason })
+            }
+        }
+    }
+
+    /// The dimensions as data. Errors: an expression that is too long to be written.
+    pub(super) fn dimension_data(&self) -> Result<Vec<DimensionData>> {
+        let Some(shared) = &self.dimensions else { return Ok(Vec::new()) };
+        let store = shared.store();
+        let data = |(k, entry): (usize, &Entry)| {
+            let expression = || text_of(&store.graph, &store.entries[..k], entry.node).ok_or_else(too_long);
+            let value = match entry.is_derived {
+                true => NumberData::Expression(expression()?),
+                false => NumberData::Number(entry.value),
+            };
+            let Entry { name, unit, range: within, tolerance, .. } = entry.clone();
+            Ok(DimensionData { name, value, unit, within, tolerance })
+        };
+        store.entries.iter().enumerate().map(data).collect()
+    }
+
+    /// Makes the dimensions of a file, each after those that it is an expression of. Errors: an expression
+    /// that cannot be read, or that comes back to itself.
+    pub(super) fn add_dimensions(&mut self, all: &[DimensionData]) -> Result<()> {
+        let mut open: Vec<&DimensionData> = all.iter().collect();
+        while !open.is_empty() {
+            let before = open.len();
+            let mut waiting = Vec::new();
+            for data in open {
+                match unmade(data, all, self) {
+                    Some(_) => waiting.push(data),
+                    None => self.add_dimension(data)?,
+                }
+            }
+            if waiting.len() == before {
+                return Err(circle(waiting[0], all, self));
+            }
+            open = waiting;
+        }
+        Ok(())
+    }
+
+    fn add_dimension(&mut self, data: &DimensionData) -> Result<()> {
+        let place = format!("dimension `{}`", data.name);
+        let value = self.number(&place, &data.value)?;
+        let mut made = self.dimension(plain("dimension", &data.name)?, value)?;
+        if let Some([from, to]) = data.within {
+            made = made.within(from, to);
+        }
+        if let Some(tolerance) = data.tolerance {
+            made = made.tolerance(tolerance);
+        }
+        if !data.unit.is_empty() {
+            made.unit(plain("unit", &data.unit)?);
+        }
+        Ok(())
+    }
+}
+
+/// The first dimension of the file that an expression names and that is not made yet.
+fn unmade<'a>(data: &DimensionData, all: &'a [DimensionData], made: &Mechanism) -> Option<&'a DimensionData> {
+    let NumberData::Expression(text) = &data.value else { return None };
+    let mut first = None;
+    let _ = expression::read(text, &mut |name| {
+        let known = made.dimension_named(name);
+        if known.is_none() && first.is_none() {
+            first = all.iter().find(|other| other.name == name);
+        }
+        known.or(Some(1.0.into()))
+    });
+    first
+}
+
+/// The error for expressions that come back to themselves.
+fn circle(from: &DimensionData, all: &[DimensionData], made: &Mechanism) -> Error {
+    let mut way = vec![from];
+    while let Some(next) = way.last().and_then(|last| unmade(last, all, made)) {
+        let seen = way.iter().position(|one| one.name == next.name);
+        way.push(next);
+        if let Some(first) = seen {
+            way.drain(..first);
+            break;
+        }
+    }
+    let names: Vec<String> = way.iter().map(|one| format!("`{}`", one.name)).collect();
+    let reason =
+        format!("they hang on one another in a circle, {}; give one of them a number", names.join(" on "));
+    Error::Data { place: "dimensions".to_string(), reason }
+}

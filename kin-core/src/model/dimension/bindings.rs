@@ -1,0 +1,65 @@
+//! The parameters of one constraint that hang on dimensions.
+
+use std::fmt;
+
+use super::{Dimension, IntoNumber, Of};
+
+/// The name of a number in a constraint: written only where it is asked for.
+pub enum Name<'a> {
+    /// A parameter: `k`.
+    Own(&'a str),
+    /// A component: `u_i.x`, `motor.rate`.
+    Field(&'a Name<'a>, &'a str),
+    /// One of several: `c[2]`.
+    Index(&'a Name<'a>, usize),
+}
+
+impl fmt::Display for Name<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Name::Own(name) => f.write_str(name),
+            Name::Field(of, name) => write!(f, "{of}.{name}"),
+            Name::Index(of, k) => write!(f, "{of}[{k}]"),
+        }
+    }
+}
+
+/// The numbers of one constraint that are expressions of dimensions, each by the name of its parameter. None
+/// is the rule, and takes nothing from the heap: [`crate::Mechanism::add`] takes them out.
+#[derive(Clone, Default)]
+pub struct Bindings(Vec<(String, Dimension)>);
+
+impl Bindings {
+    /// None.
+    pub const NONE: Bindings = Bindings(Vec::new());
+
+    /// Notes that the parameter of that name is this number, and gives its value.
+    pub fn note(&mut self, name: &Name<'_>, number: Dimension) -> f64 {
+        if number.of() != Of::Nothing {
+            self.0.push((name.to_string(), number));
+        }
+        number.value()
+    }
+
+    /// The value of a parameter of that name, noted if it hangs on dimensions.
+    pub fn number(&mut self, name: &str, number: impl IntoNumber) -> f64 {
+        self.note(&Name::Own(name), number.into_number())
+    }
+
+    /// The values of the parameters `name[first]`, `name[first + 1]`, …, noted if they hang on dimensions.
+    pub fn list(
+        &mut self,
+        name: &str,
+        first: usize,
+        numbers: impl Iterator<Item = impl IntoNumber>,
+    ) -> Vec<f64> {
+        let own = Name::Own(name);
+        let numbers = numbers.enumerate();
+        numbers.map(|(k, number)| self.note(&Name::Index(&own, first + k), number.into_number())).collect()
+    }
+
+    /// Those there are, which are then no longer there.
+    pub fn take(&mut self) -> Vec<(String, Dimension)> {
+        std::mem::take(&mut self.0)
+    }
+}

@@ -1,0 +1,36 @@
+//! Mistakes in dimensions, by name.
+
+/// A dimension that makes no sense, or is asked for what it cannot be.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum DimensionError {
+    /// A dimension on which no number of the mechanism hangs.
+    #[error(
+        "nothing hangs on the dimension `{name}`: give it, or an expression of it, to a link, a joint or a law, or leave it out"
+    )]
+    Unused {
+        /// The dimension.
+        name: String,
+    },
+
+    /// A value, range or tolerance that is not finite or makes no sense.
+    #[error("the dimension `{name}`: {reason}")]
+    Invalid {
+        /// The dimension.
+        name: String,
+        /// The fault and its cure.
+        reason: String,
+    },
+
+    /// A dimension of another mechanism.
+    #[error(
+        "`{place}`: a dimension of another mechanism than \"{mechanism}\", or of several; use what its own \
+         `dimension` gave out"
+    )]
+    Foreign {
+        /// The mechanism that was asked.
+        mechanism: String,
+        /// The constraint or the operation.
+        place: String,
+    },
+}

@@ -1,0 +1,157 @@
+//! Traits of the numbers that constructors take: as they are, or as expressions of dimensions.
+
+use std::ops::{Add, Div, Mul, Sub};
+
+use super::{Bindings, Dimension, Name};
+use crate::model::law::Law;
+use crate::numbers::algebra::{Components, EulerParameters, Mat2, Mat3, Scalar, Vec2, Vec3};
+use crate::numbers::real::by_ref;
+
+/// A number of a mechanism: an `f64`, or a [`Dimension`].
+#[diagnostic::on_unimplemented(
+    message = "a number is wanted here, but this is `{Self}`",
+    label = "not a number",
+    note = "a number is an `f64`, which has a point, as `1.0`, or a `Dimension`: what `m.dimension(…)` has given, or an expression of it"
+)]
+pub trait IntoNumber: Scalar {
+    /// The number; a constant if it is one.
+    fn into_number(self) -> Dimension;
+}
+
+impl IntoNumber for f64 {
+    #[inline]
+    fn into_number(self) -> Dimension {
+        self.into()
+    }
+}
+
+impl IntoNumber for Dimension {
+    fn into_number(self) -> Dimension {
+        self
+    }
+}
+
+/// Anything that gives a parameter of the type `T` of a constraint or law: a `T`, or the same made of
+/// [`Dimension`]s.
+#[diagnostic::on_unimplemented(
+    message = "a `{T}` is wanted here, but this is `{Self}`",
+    label = "not a `{T}`",
+    note = "numbers have a point, as `1.0`; where one of several is a `Dimension`, the others are too: `0.0.into()`"
+)]
+pub trait IntoParameter<T> {
+    /// The parameter; what hangs on dimensions is noted under its name.
+    fn into_parameter(self, name: &Name<'_>, to: &mut Bindings) -> T;
+}
+
+#[diagnostic::do_not_recommend]
+impl<S: IntoNumber> IntoParameter<f64> for S {
+    #[inline]
+    fn into_parameter(self, name: &Name<'_>, to: &mut Bindings) -> f64 {
+        to.note(name, self.into_number())
+    }
+}
+
+impl<S: IntoParameter<T>, T, const N: usize> IntoParameter<[T; N]> for [S; N] {
+    fn into_parameter(self, name: &Name<'_>, to: &mut Bindings) -> [T; N] {
+        let mut k = 0..N;
+        self.map(|one| one.into_parameter(&Name::Index(name, k.next().unwrap_or_default()), to))
+    }
+}
+
+impl<S: Scalar + IntoNumber> IntoParameter<Vec2> for Vec2<S> {
+    fn into_parameter(self, name: &Name<'_>, to: &mut Bindings) -> Vec2 {
+        vector(self, name, to)
+    }
+}
+
+impl<S: Scalar + IntoNumber> IntoParameter<Vec3> for Vec3<S> {
+    fn into_parameter(self, name: &Name<'_>, to: &mut Bindings) -> Vec3 {
+        vector(self, name, to)
+    }
+}
+
+macro_rules! tuples {
+    ($(($($s:ident $t:ident $k:tt),*))*) => {$(
+        impl<$($s: IntoParameter<$t>, $t),*> IntoParameter<($($t,)*)> for ($($s,)*) {
+            fn into_parameter(self, name: &Name<'_>, to: &mut Bindings) -> ($($t,)*) {
+                ($(self.$k.into_parameter(&Name::Field(name, stringify!($k)), to),)*)
+            }
+        }
+    )*};
+}
+
+tuples!((A P 0) (A P 0, B Q 1) (A P 0, B Q 1, C R 2) (A P 0, B Q 1, C R 2, D S 3));
+
+/// Parameters that are constants.
+macro_rules! constants {
+    ($($ty:ty)*) => {$(
+        impl IntoParameter<$ty> for $ty {
+            fn into_parameter(self, _: &Name<'_>, _: &mut Bindings) -> $ty {
+                self
+            }
+        }
+    )*};
+}
+
+constants!(Mat2 Mat3 EulerParameters);
+
+impl IntoParameter<Law> for Law {
+    fn into_parameter(self, name: &Name<'_>, to: &mut Bindings) -> Law {
+        self.each_hung(&mut |own, number| {
+            to.note(&Name::Field(name, own), number);
+        });
+        self
+    }
+}
+
+/// A vector from what a constructor takes for one.
+pub fn vector<V: From<[f64; N]>, const N: usize>(
+    components: impl Components<N, Scalar: IntoNumber>,
+    name: &Name<'_>,
+    to: &mut Bindings,
+) -> V {
+    let mut names = ["x", "y", "z"].into_iter();
+    V::from(
+        components
+            .components()
+            .map(|one| to.note(&Name::Field(name, names.next().unwrap_or_default()), one.into_number())),
+    )
+}
+
+/// Pairs and triples of constants and dimensions.
+macro_rules! mixed {
+    ($n:literal: $(($($ty:ident),*))*) => {$(
+        impl Components<$n> for ($($ty),*) {
+            type Scalar = Dimension;
+
+            fn components(self) -> [Dimension; $n] {
+                mixed!(@ self $($ty)*)
+            }
+        }
+    )*};
+    (@ $all:ident $a:ident $b:ident) => { [$all.0.into(), $all.1.into()] };
+    (@ $all:ident $a:ident $b:ident $c:ident) => { [$all.0.into(), $all.1.into(), $all.2.into()] };
+}
+
+mixed!(2: (Dimension, f64) (f64, Dimension));
+mixed!(3: (Dimension, f64, f64) (f64, Dimension, f64) (f64, f64, Dimension)
+    (f64, Dimension, Dimension) (Dimension, f64, Dimension) (Dimension, Dimension, f64));
+
+/// Sums of a constant vector and one with dimensions.
+macro_rules! sums {
+    ($($ty:ident { $($c:ident),* })*) => {$(
+        by_ref!([] Add::add, $ty<Dimension>, $ty<f64> => $ty<Dimension>, |a, b| $ty { $($c: a.$c + b.$c),* });
+        by_ref!([] Add::add, $ty<f64>, $ty<Dimension> => $ty<Dimension>, |a, b| $ty { $($c: a.$c + b.$c),* });
+        by_ref!([] Sub::sub, $ty<Dimension>, $ty<f64> => $ty<Dimension>, |a, b| $ty { $($c: a.$c - b.$c),* });
+        by_ref!([] Sub::sub, $ty<f64>, $ty<Dimension> => $ty<Dimension>, |a, b| $ty { $($c: a.$c - b.$c),* });
+        by_ref!([] Mul::mul, $ty<f64>, Dimension => $ty<Dimension>, |a, s| $ty { $($c: a.$c * s),* });
+        by_ref!([] Mul::mul, $ty<Dimension>, f64 => $ty<Dimension>, |a, s| $ty { $($c: a.$c * s),* });
+        by_ref!([] Mul::mul, f64, $ty<Dimension> => $ty<Dimension>, |s, a| $ty { $($c: s * a.$c),* });
+        by_ref!([] Mul::mul, Dimension, $ty<Dimension> => $ty<Dimension>, |s, a| $ty { $($c: s * a.$c),* });
+        by_ref!([] Mul::mul, Dimension, $ty<f64> => $ty<Dimension>, |s, a| $ty { $($c: s * a.$c),* });
+        by_ref!([] Div::div, $ty<Dimension>, f64 => $ty<Dimension>, |a, s| $ty { $($c: a.$c / s),* });
+        by_ref!([] Div::div, $ty<f64>, Dimension => $ty<Dimension>, |a, s| $ty { $($c: a.$c / s),* });
+    )*};
+}
+
+sums! { Vec2 { x, y } Vec3 { x, y, z } }

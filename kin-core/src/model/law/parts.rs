@@ -1,0 +1,62 @@
+//! The parts of laws that are made of laws: their parameters; and the operators that need nothing else.
+
+use std::ops::{Mul, Neg, Sub};
+
+use super::combine::Multiple;
+use super::{Law, LawFunction};
+use crate::model::dimension::Dimension;
+
+/// Shows the parameters of a part under its own name.
+pub(super) fn show(law: &Law, part: &str, visit: &mut dyn FnMut(&str, f64)) {
+    law.parameters(&mut |name, value| visit(&format!("{part}.{name}"), value));
+}
+
+/// Sets a parameter of a part, if the name begins with the part's.
+pub(super) fn set(law: &mut Law, part: &str, name: &str, value: f64) -> bool {
+    name.strip_prefix(part)
+        .and_then(|rest| rest.strip_prefix('.'))
+        .is_some_and(|rest| law.set_parameter(rest, value))
+}
+
+/// ∂/∂p of a part, p being called as the whole calls it.
+pub(super) fn by_part(law: &Law, part: &str, name: &str) -> Option<Law> {
+    law.by_parameter(name.strip_prefix(part)?.strip_prefix('.')?)
+}
+
+/// f′ as a law.
+pub(super) fn slope(law: &Law) -> Law {
+    Law::new(Slope(law.clone()))
+}
+
+struct Slope(Law);
+
+impl LawFunction for Slope {
+    fn jet(&self, x: f64) -> [f64; 4] {
+        let [_, f1, f2, f3] = self.0.jet(x);
+        [f1, f2, f3, self.0.fourth(x)]
+    }
+}
+
+impl Mul<Law> for Dimension {
+    type Output = Law;
+
+    fn mul(self, law: Law) -> Law {
+        Law::hanging(|to| Multiple { factor: to.number("factor", self), law })
+    }
+}
+
+impl Sub for Law {
+    type Output = Law;
+
+    fn sub(self, other: Law) -> Law {
+        self + (-other)
+    }
+}
+
+impl Neg for Law {
+    type Output = Law;
+
+    fn neg(self) -> Law {
+        -1.0 * self
+    }
+}

@@ -1,0 +1,176 @@
+//! Named dimensions of a mechanism, and the numbers that hang on them.
+
+use kin_graph::{Input, Op};
+
+use super::Mechanism;
+use crate::model::constraint::Constraint;
+use crate::model::dimension::{
+    Bound, Dimension, DimensionError, Entry, Hung, IntoNumber, Of, Shared, Snapshot, text_of,
+};
+use crate::model::error::{Error, Result};
+use crate::model::layout::Kind;
+
+impl Mechanism {
+    /// A named number that others hang on, with its nominal value: a length, an angle, a rate. See
+    /// [`Dimension`] for what can be made of it. Given an expression of others, it is a name for that.
+    ///
+    /// Errors: name empty or taken, value not finite, an expression of another mechanism's dimensions.
+    pub fn dimension(&mut self, name: &str, value: impl IntoNumber) -> Result<Dimension> {
+        let number = value.into_number();
+        if name.trim().is_empty() {
+            return Err(Error::EmptyName { what: "dimension" });
+        }
+        if !number.value().is_finite() {
+            return Err(DimensionError::invalid(
+                name,
+                format!("it is {}; give a finite number", number.value()),
+            ));
+        }
+        self.check_origin(name, number)?;
+        let mechanism = self.layout.mechanism;
+        let shared = self.dimensions.get_or_insert_with(|| Shared::new(mechanism));
+        let mut store = shared.store();
+        if store.entries.iter().any(|entry| entry.name == name) {
+            return Err(Error::DuplicateName { what: "dimensions", name: name.to_string() });
+        }
+        let (node, is_derived) = match number.of() {
+            Of::Expression(_, node) => (node, true),
+            _ => {
+                let k = store.entries.len();
+                (store.graph.raw(Op::Input(Input::Parameter(k))), false)
+            }
+        };
+        let (value, unit) = (number.value(), String::new());
+        let entry =
+            Entry { name: name.to_string(), node, is_derived, value, unit, range: None, tolerance: None };
+        store.entries.push(entry);
+        Ok(Dimension::new(value, mechanism, node))
+    }
+
+    /// An error by name unless a number is a constant or of this mechanism's dimensions.
+    pub(super) fn check_origin(&self, place: &str, number: Dimension) -> Result<()> {
+        match number.of() {
+            Of::Nothing => Ok(()),
+            Of::Expression(mechanism, _) if mechanism == self.layout.mechanism => Ok(()),
+            _ => {
+                let (mechanism, place) = (self.name.clone(), place.to_string());
+                Err(Box::new(DimensionError::Foreign { mechanism, place }).into())
+            }
+        }
+    }
+
+    /// Notes that a number hangs on dimensions, if it does, and gives its value.
+    pub(crate) fn hang(&mut self, place: &str, at: Bound, number: Dimension) -> Result<f64> {
+        self.check_origin(place, number)?;
+        if let Of::Expression(_, node) = number.of() {
+            self.hung.push(Hung { at, node });
+        }
+        Ok(number.value())
+    }
+
+    /// Declares a body or coordinate whose guess may hang on dimensions.
+    pub(crate) fn declare_hung(&mut self, name: &str, kind: Kind, guess: &[Dimension]) -> Result<usize> {
+        guess.iter().try_for_each(|number| self.check_origin(name, *number))?;
+        let values: Vec<f64> = guess.iter().map(|number| number.value()).collect();
+        let index = self.declare(name, kind, &values)?;
+        for (column, number) in (self.layout.items[index].first..).zip(guess) {
+            self.hang(name, Bound::Guess(column), *number)?;
+        }
+        Ok(index)
+    }
+
+    /// The guesses of these coordinates are given anew, and no longer hang on dimensions.
+    pub(super) fn free_guesses(&mut self, columns: std::ops::Range<usize>) {
+        self.hung.retain(|hung| !matches!(hung.at, Bound::Guess(column) if columns.contains(&column)));
+    }
+
+    /// Notes which parameters of the constraint that is to be added hang on dimensions.
+    pub(super) fn hang_parameters(
+        &mut self,
+        place: &str,
+        bound: Vec<(String, Dimension)>,
+        of: &dyn Constraint,
+    ) -> Result<()> {
+        if bound.is_empty() {
+            return Ok(());
+        }
+        let mut names = Vec::new();
+        of.parameters(&mut |name, _| names.push(name.to_string()));
+        let mut hung = Vec::new();
+        for (name, number) in bound {
+            self.check_origin(place, number)?;
+            let Some(index) = names.iter().position(|known| *known == name) else {
+                return Err(DimensionError::invalid(
+                    place,
+                    format!("it has no parameter `{name}` that can be set"),
+                ));
+            };
+            let at = Bound::Parameter { constraint: self.constraints.len(), index, name };
+            if let Of::Expression(_, node) = number.of() {
+                hung.push(Hung { at, node });
+            }
+        }
+        self.hung.extend(hung);
+        Ok(())
+    }
+
+    /// The dimensions as the system needs them; `None` of a mechanism that has none.
+    ///
+    /// Errors, by name: a dimension on which nothing hangs, with the name of a parameter or coordinate, with
+    /// a range that excludes its value or a tolerance that makes no sense; a range of an expression.
+    pub(crate) fn dimensions(&self) -> Result<Option<Snapshot>> {
+        let Some(shared) = &self.dimensions else { return Ok(None) };
+        let store = shared.store();
+        let preferred = |column: usize| self.preferred.iter().any(|(known, _)| *known == column);
+        let mut hung = self.hung.clone();
+        hung.retain(|hung| !matches!(hung.at, Bound::Guess(column) if preferred(column)));
+        let snapshot = Snapshot::new(&store.graph, &store.entries, hung);
+        if let Some(node) = store.misplaced {
+            let text = text_of(&store.graph, &store.entries, node).unwrap_or_default();
+            let reason = "it is an expression; give range, tolerance and unit to the dimensions in it";
+            return Err(DimensionError::invalid(&text, reason));
+        }
+        for (k, entry) in store.entries.iter().enumerate() {
+            entry.check()?;
+            self.check_name(&entry.name)?;
+            if !entry.is_derived && snapshot.on(k).next().is_none() {
+                return Err(Box::new(DimensionError::Unused { name: entry.name.clone() }).into());
+            }
+        }
+        Ok(Some(snapshot))
+    }
+
+    /// An error unless a dimension can be told from parameters and coordinates by its name.
+    fn check_name(&self, name: &str) -> Result<()> {
+        let mut taken = self.layout.names.iter().any(|known| known == name);
+        for (constraint, own) in &self.constraints {
+            let Some(local) = name.strip_prefix(constraint.as_str()).and_then(|rest| rest.strip_prefix('.'))
+            else {
+                continue;
+            };
+            own.parameters(&mut |known, _| taken |= known == local);
+        }
+        match taken {
+            true => {
+                Err(DimensionError::invalid(name, "a coordinate or parameter has that name; give another"))
+            }
+            false => Ok(()),
+        }
+    }
+}
+
+impl Entry {
+    /// An error unless range and tolerance make sense.
+    fn check(&self) -> Result<()> {
+        let fail = |reason: String| Err(DimensionError::invalid(&self.name, reason));
+        match (self.range, self.tolerance) {
+            (Some([from, to]), _) if !(from <= self.value && self.value <= to) => {
+                fail(format!("its range {from} … {to} excludes its value {}", self.value))
+            }
+            (_, Some(tolerance)) if !(tolerance >= 0.0 && tolerance.is_finite()) => {
+                fail(format!("its tolerance is ± {tolerance}; give a finite number that is not negative"))
+            }
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,153 @@
+//! Named dimensions of a system: their values, and all that hangs on them.
+
+use std::sync::Arc;
+
+use super::System;
+use super::parameters::CasePlace;
+use crate::model::dimension::{Bound, DimensionError, Entry, Snapshot};
+use crate::model::error::{Error, Result};
+use crate::model::mechanism::admission::sensible_parameters;
+
+/// The dimensions of a system, and their values.
+#[derive(Clone)]
+pub(super) struct Dimensions {
+    all: Arc<Snapshot>,
+    values: Vec<f64>,
+}
+
+impl System {
+    /// Names and values of the dimensions, in the order in which they were made; an expression that was given
+    /// a name is one of them.
+    pub fn dimensions(&self) -> Vec<(String, f64)> {
+        let Some(Dimensions { all, values }) = &self.dimensions else { return Vec::new() };
+        all.entries.iter().map(|entry| entry.name.clone()).zip(all.named(values)).collect()
+    }
+
+    /// Takes the dimensions of the mechanism that it was built of.
+    pub(crate) fn set_dimensions(&mut self, all: Option<Snapshot>) {
+        self.dimensions = all.map(|all| Dimensions { values: all.nominal(), all: Arc::new(all) });
+    }
+
+    /// The number of the dimension of that name.
+    pub(super) fn dimension_number(&self, name: &str) -> Option<usize> {
+        self.dimensions.as_ref()?.all.entries.iter().position(|entry| entry.name == name)
+    }
+
+    fn dimension_entry(&self, k: usize) -> Option<&Entry> {
+        self.dimensions.as_ref()?.all.entries.get(k)
+    }
+
+    /// An error unless a dimension can be set: an expression cannot.
+    pub(super) fn settable_dimension(&self, k: usize) -> Result<()> {
+        match self.dimension_entry(k) {
+            Some(entry) if entry.is_derived => Err(DimensionError::invalid(
+                &entry.name,
+                "it is an expression of others; take those, or make it a dimension of its own",
+            )),
+            _ => Ok(()),
+        }
+    }
+
+    /// Sets a dimension and all that hangs on it; on an error the old value stays.
+    pub(super) fn set_dimension(&mut self, k: usize, value: f64) -> Result<()> {
+        self.settable_dimension(k)?;
+        let Some(entry) = self.dimension_entry(k).cloned() else { return Ok(()) };
+        let fail = |reason: String| Err(DimensionError::invalid(&entry.name, reason));
+        if !value.is_finite() {
+            return fail(format!("it cannot be {value}; give a finite number"));
+        }
+        if let Some([from, to]) = entry.range.filter(|[from, to]| !(*from <= value && value <= *to)) {
+            return fail(format!("{value} is beyond its range {from} … {to}"));
+        }
+        let before = self.clone();
+        self.put_dimension(k, value);
+        let checked = self.check_dimension(k, value);
+        if checked.is_err() {
+            *self = before;
+        }
+        checked
+    }
+
+    /// Sets a dimension and all that hangs on it, however little sense that makes; false if a number of it
+    /// cannot be set.
+    pub(super) fn put_dimension(&mut self, k: usize, value: f64) -> bool {
+        let Some(Dimensions { all, values }) = &mut self.dimensions else { return false };
+        let all = Arc::clone(all);
+        values[k] = value;
+        let numbers = all.numbers(values);
+        self.forget();
+        let mut done = true;
+        for number in all.on(k) {
+            let value = numbers[number];
+            match &all.hung[number].at {
+                Bound::Parameter { constraint, index, .. } => {
+                    done &= self.put(CasePlace::Parameter { block: *constraint, index: *index }, value);
+                }
+                Bound::Guess(column) => self.initial[*column] = value,
+                Bound::Length(link) => self.lengths[*link].1 = value,
+            }
+        }
+        self.links = self.layout.planar(&self.lengths);
+        done
+    }
+
+    /// An error by name where what hangs on a dimension makes no sense.
+    fn check_dimension(&self, k: usize, value: f64) -> Result<()> {
+        let Some(Dimensions { all, values }) = &self.dimensions else { return Ok(()) };
+        let numbers = all.numbers(values);
+        let name = &all.entries[k].name;
+        for number in all.on(k) {
+            let found = numbers[number];
+            match &all.hung[number].at {
+                Bound::Parameter { constraint, name: parameter, .. } => {
+                    let block = &self.equations.blocks[*constraint];
+                    if !found.is_finite() {
+                        let reason = format!("with {value} `{}.{parameter}` is {found}", block.name);
+                        return Err(DimensionError::invalid(name, reason));
+                    }
+                }
+                Bound::Length(link) if !(found.is_finite() && found > 0.0) => {
+                    let (item, length) = self.lengths[*link];
+                    return Err(Error::InvalidLength { link: self.layout.items[item].name.clone(), length });
+                }
+                Bound::Guess(_) if !found.is_finite() => {
+                    return Err(DimensionError::invalid(name, format!("with {value} a guess is {found}")));
+                }
+                _ => {}
+            }
+        }
+        self.blocks_on(k).try_for_each(|block| {
+            let block = &self.equations.blocks[block];
+            sensible_parameters(&block.name, block.constraint.as_ref())
+        })
+    }
+
+    /// The constraints with parameters that hang on dimension k.
+    pub(super) fn blocks_on(&self, k: usize) -> impl Iterator<Item = usize> {
+        let all = self.dimensions.as_ref().map(|own| Arc::clone(&own.all));
+        all.into_iter().flat_map(move |all| {
+            let on: Vec<usize> = all.on(k).collect();
+            let block = |number: usize| match &all.hung[number].at {
+                Bound::Parameter { constraint, .. } => Some(*constraint),
+                _ => None,
+            };
+            on.into_iter().filter_map(block).collect::<Vec<_>>()
+        })
+    }
+
+    /// The parameters that hang on the dimension of that name, each with its derivative by it; `None` if
+    /// there is no dimension of that name. Errors: an expression with a name.
+    pub(crate) fn parameters_on(&self, name: &str) -> Result<Option<Vec<(String, f64)>>> {
+        let Some(k) = self.dimension_number(name) else { return Ok(None) };
+        self.settable_dimension(k)?;
+        let Some(Dimensions { all, values }) = &self.dimensions else { return Ok(None) };
+        let slopes = all.slopes(values, k);
+        let parameter = |number: usize| match &all.hung[number].at {
+            Bound::Parameter { constraint, name, .. } => {
+                Some((format!("{}.{name}", self.equations.blocks[*constraint].name), slopes[number]))
+            }
+            _ => None,
+        };
+        Ok(Some(all.on(k).filter_map(parameter).collect()))
+    }
+}
